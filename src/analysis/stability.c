@@ -196,9 +196,10 @@ int fvi_stability_share(double share, const fvi_run *run, double *load)
     int status = check(run, load);
     if (status)
         return status;
-    if (run->system->matrices)
-        return fvi_stability_of_matrices(spring_of(run), damper_of(share, run),
-                                         run, load);
+    if (run->system->matrices) {
+        const double damper = damper_of(share, run);
+        return fvi_stability_of_matrices(spring_of(run), &damper, run, load);
+    }
     double *K;
     status = hessian_at_start(run, &K);
     if (!status)
@@ -206,6 +207,16 @@ int fvi_stability_share(double share, const fvi_run *run, double *load)
             load_at(share, run, K, K ? K + numbers(run->system) : NULL, load);
     free(K);
     return status;
+}
+
+int fvi_stability_of_dampers(const double *damper, const fvi_run *run, double *load)
+{
+    const int status = check(run, load);
+    if (status)
+        return status;
+    if (!run->system->matrices)
+        FVI_FAIL("the load of dampers is known with matrices", FVI_EUNSUP);
+    return fvi_stability_of_matrices(spring_of(run), damper, run, load);
 }
 
 /* ---- the scalar symbol ---- */

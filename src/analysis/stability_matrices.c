@@ -10,19 +10,43 @@
 
 enum { ITERATIONS = 64 };
 
-/* y = spring K v + damper C v, z and none being room for what is remembered. */
-static int weigh(const fvi_run *run, double spring, double damper,
-                 const double *v, double *y, double *z, const double *none)
+/* spring K + sum_j damper_j C_j, and room for what the largest C_j remembers, and as many
+ * zeros. */
+typedef struct {
+    const fvi_run *run;
+    double spring;
+    size_t count;
+    const double *damper;
+    const fvi_damping_matrix *C;
+    double *z;
+    const double *none;
+} weighed;
+
+static size_t largest_history(const weighed *w)
 {
-    const fvi_matrices *m = run->system->matrices;
-    const size_t d = run->system->d;
-    int status = fvi_potential_gradient(run->system, v, y);
+    size_t largest = 0;
+    for (size_t j = 0; j < w->count; j++)
+        if (w->C[j].remembered > largest)
+            largest = w->C[j].remembered;
+    return largest;
+}
+
+/* y = spring K v + sum_j damper_j C_j v. */
+static int weigh(const weighed *w, const double *v, double *y)
+{
+    const size_t d = w->run->system->d;
+    int status = fvi_potential_gradient(w->run->system, v, y);
     for (size_t i = 0; i < d; i++)
-        y[i] *= spring;
-    if (status || m->remembered == 0 || damper == 0)
-        return status;
-    status = m->remember(d, v, none, m->params, z);
-    return status ? status : m->damp(d, -damper, z, m->params, y);
+        y[i] *= w->spring;
+    for (size_t j = 0; !status && j < w->count; j++) {
+        const fvi_damping_matrix *C = w->C + j;
+        if (C->remembered == 0 || w->damper[j] == 0)
+            continue;
+        status = C->remember(d, v, w->none, C->params, w->z);
+        if (!status)
+            status = C->damp(d, -w->damper[j], w->z, C->params, y);
+    }
+    return status;
 }
 
 static double dot(size_t n, const double *a, const double *b)
@@ -36,12 +60,11 @@ static double dot(size_t n, const double *a, const double *b)
 //> power
 /* The power iteration v <- M^-1 A v. With the product v^T A w the quotient of Rayleigh is
  * (A v)^T M^-1 (A v) / v^T A v: from below, and it never falls. (27.9) */
-static int iterate(const fvi_run *run, double spring, double damper,
-                   void *factors, double *room, double *largest)
+static int iterate(const weighed *w, void *factors, double *room, double *largest)
 {
-    const size_t d = run->system->d;
-    double *v = room, *y = v + d, *z = y + d;
-    const double *none = z + run->system->matrices->remembered;
+    const fvi_system *system = w->run->system;
+    const size_t d = system->d;
+    double *v = room, *y = v + d;
     uint64_t seed = 27;
     for (size_t i = 0; i < d; i++) {
         seed = 6364136223846793005u * seed + 1442695040888963407u;
@@ -49,11 +72,11 @@ static int iterate(const fvi_run *run, double spring, double damper,
     }
     *largest = 0;
     for (int k = 0; k < ITERATIONS; k++) {
-        int status = weigh(run, spring, damper, v, y, z, none);
+        int status = weigh(w, v, y);
         const double before = dot(d, v, y);
         memcpy(v, y, d * sizeof *v);
         if (!status)
-            status = run->system->matrices->solve(d, factors, v);
+            status = system->matrices->solve(d, factors, v);
         if (status || !(before > 0)) /* nothing that pulls */
             return status;
         *largest = dot(d, y, v) / before;
@@ -65,24 +88,41 @@ static int iterate(const fvi_run *run, double spring, double damper,
 }
 //< power
 
-int fvi_stability_of_matrices(double spring, double damper, const fvi_run *run,
-                              double *load)
+static int helps(const weighed *w)
 {
-    const fvi_matrices *m = run->system->matrices;
-    const size_t d = run->system->d;
-    if (spring == 0 && damper <= 0) {
+    for (size_t j = 0; j < w->count; j++)
+        if (w->damper[j] < 0)
+            return 1;
+    return 0;
+}
+
+static int acts(const weighed *w)
+{
+    int any = w->spring != 0;
+    for (size_t j = 0; j < w->count; j++)
+        any |= w->damper[j] > 0;
+    return any;
+}
+
+static int find(weighed *w, double *load)
+{
+    const fvi_matrices *m = w->run->system->matrices;
+    const size_t d = w->run->system->d, r = largest_history(w);
+    if (!acts(w)) {
         *load = 0;
         return FVI_SUCCESS;
     }
-    if (damper < 0)
+    if (helps(w))
         FVI_FAIL("a load whose damping helps is not known for matrices",
                  FVI_EUNSUP);
-    double *room = calloc(2 * (d + m->remembered), sizeof *room), largest = 0;
+    double *room = calloc(2 * (d + r), sizeof *room), largest = 0;
     void *factors = NULL;
     int status =
         room ? m->factorise(d, 1, 0, 0, m->params, &factors) : FVI_ENOMEM;
+    w->z = room ? room + 2 * d : NULL;
+    w->none = room ? w->z + r : NULL;
     if (!status)
-        status = iterate(run, spring, damper, factors, room, &largest);
+        status = iterate(w, factors, room, &largest);
     if (factors)
         m->forget(factors);
     free(room);
@@ -93,4 +133,17 @@ int fvi_stability_of_matrices(double spring, double damper, const fvi_run *run,
     if (!status)
         *load = largest / 4;
     return status;
+}
+
+int fvi_stability_of_matrices(double spring, const double *damper, const fvi_run *run,
+                              double *load)
+{
+    const fvi_matrices *m = run->system->matrices;
+    const fvi_damping_matrix C = { m->remembered, m->remember, m->damp, m->params };
+    weighed w = { .run = run,
+                  .spring = spring,
+                  .count = m->damper_count > 0 ? m->damper_count : 1,
+                  .damper = damper,
+                  .C = m->damper_count > 0 ? m->damper : &C };
+    return find(&w, load);
 }

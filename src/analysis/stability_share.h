@@ -9,11 +9,16 @@
  * errors, as for the methods fvi and lda in fvi_stability_number. */
 int fvi_stability_share(double share, const fvi_run *run, double *load);
 
-/* fvi_stability_of_matrices -- the largest eigenvalue of spring K + damper C against M, over 4,
- * from below, within some percent: 64 products and solutions.               [(27.9)]
- * Returns FVI_SUCCESS; FVI_EUNSUP if damper < 0 and spring > 0; FVI_EOVRFLW; FVI_ENOMEM;
- * what a function of the matrices returned. On error *load is untouched. */
-int fvi_stability_of_matrices(double spring, double damper, const fvi_run *run,
+/* fvi_stability_of_dampers -- the same of a system with several: damper_j, h^2 times what the
+ * method takes of the kernel, stands before C_j. FVI_EUNSUP for dampers without matrices. */
+int fvi_stability_of_dampers(const double *damper, const fvi_run *run, double *load);
+
+/* fvi_stability_of_matrices -- the largest eigenvalue of spring K + sum_j damper_j C_j against M,
+ * over 4, from below, within some percent: 64 products and solutions. One number for C, or for
+ * each of the dampers.                                                      [(27.9)]
+ * Returns FVI_SUCCESS; FVI_EUNSUP if a damper < 0 and anything else acts; FVI_EOVRFLW;
+ * FVI_ENOMEM; what a function of the matrices returned. On error *load is untouched. */
+int fvi_stability_of_matrices(double spring, const double *damper, const fvi_run *run,
                               double *load);
 
 /* fvi_stability_explicit -- (14.8), that of Euler's explicit method. Arguments and errors

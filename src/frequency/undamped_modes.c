@@ -124,7 +124,7 @@ typedef struct {
 /* K, or as little of M besides that the sum is positive definite. */
 static int shift_stiffness(subspace *s)
 {
-    const fvi_sparse *const terms[3] = { s->K, s->M, NULL };
+    const fvi_sparse *const terms[] = { s->K, s->M };
     double of_K = 0, of_M = 0;
     for (size_t i = 0; i < s->n; i++) {
         of_K += fabs(fvi_sparse_entry(s->K, i, i));
@@ -133,9 +133,9 @@ static int shift_stiffness(subspace *s)
     int status = FVI_ESING;
     for (int i = 0; status == FVI_ESING && i < 8; i++) {
         s->shift = i > 0 ? 1e-10 * pow(100, i - 1) * of_K / of_M : 0;
-        const double a[3] = { 1, s->shift, 0 };
+        const double a[] = { 1, s->shift };
         fvi_sparse A;
-        status = fvi_sparse_add(terms, a, &A);
+        status = fvi_sparse_add(2, terms, a, &A);
         if (!status)
             status = fvi_factors_alloc(fvi_way_of(&A), &A, &s->factors);
     }

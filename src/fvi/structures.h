@@ -2,12 +2,14 @@
  *
  *     M x'' + C D^{2 alpha} x + K x = F(t),     x in R^d                  (27.1)
  *
- * with symmetric matrices M, K and C. Element matrices are summed to them by
+ * with symmetric matrices M, K and C, or with several C's, each with a kernel and a past of its
+ * own. Element matrices are summed to them by
  * fvi_sparse_assemble, files are read by fvi_sparse_read; fvi_structure_system is then a system
  * for the methods that take matrices: fvi_fractional, fvi_cq2_shifted, fvi_cq_bdf2, fvi_cq2_midpoint. */
 #ifndef FVI_STRUCTURES_H
 #define FVI_STRUCTURES_H
 
+#include "dampers.h"
 #include "system.h"
 
 #ifdef __cplusplus
@@ -117,8 +119,33 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
                         const fvi_sparse *C, fvi_structure **structure,
                         char *fault);
 
-/* fvi_structure_system -- the system, without a force. It points to the structure. Runs in
- * several threads may share it, but for its energies, which are those of one at a time. */
+/* fvi_structure_alloc_dampers -- the same with several dampers instead of C:
+ *
+ *     M x'' + sum_j C_j L_j(D) (x - x_0) + K x = F(t)                       (27.11)
+ *
+ *   count     dampers, >= 1
+ *   damper    of each its kernel L_j, its past, and C_j: a symmetric matrix that is not
+ *             negative, or with a row (dampers.h) row^T row. They must outlive the structure
+ *   structure  output, as above
+ *   error     output, or NULL. Its field is "M", "K" or "damper", then its index
+ *             is that of the damper, from 0
+ *
+ * Of each damper only what C_j touches is remembered, as above.
+ *
+ *     const fvi_damper dampers[] = { { .matrix = &isolators, .kernel = &springpot },
+ *                                    { .of = fvi_elongation_row(roof), .kernel = &dashpot } };
+ *     fvi_structure_alloc_dampers(&M, &K, 2, dampers, &structure, &error);
+ *     fvi_system system = fvi_structure_system(structure);
+ *
+ * Returns as fvi_structure_alloc; FVI_EINVAL for no dampers, or what is no kernel; FVI_EUNSUP
+ * for an elongation that is not linear. */
+int fvi_structure_alloc_dampers(const fvi_sparse *M, const fvi_sparse *K, size_t count,
+                                const fvi_damper *damper, fvi_structure **structure,
+                                fvi_error *error);
+
+/* fvi_structure_system -- the system, without a force; its mechanism holds the dampers if there are
+ * several. It points to the structure. Runs in several threads may share it, but for its
+ * energies, which are those of one at a time. */
 fvi_system fvi_structure_system(const fvi_structure *structure);
 
 /* fvi_structure_solver_name -- how m M + c C + k K is solved with: "diagonal", "band" or

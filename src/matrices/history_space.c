@@ -199,11 +199,11 @@ static int look_at_all(const fvi_sparse *M, const fvi_sparse *C)
             return FVI_EDOM;
         largest = larger(largest, damping / fvi_sparse_entry(M, i, i));
     }
-    const fvi_sparse *const terms[3] = { M, C, NULL };
-    const double a[3] = { 1e-9 * largest, 1, 0 };
+    const fvi_sparse *const terms[] = { M, C };
+    const double a[] = { 1e-9 * largest, 1 };
     fvi_sparse A;
     fvi_factors *f;
-    int status = fvi_sparse_add(terms, a, &A);
+    int status = fvi_sparse_add(2, terms, a, &A);
     if (status)
         return status;
     status = fvi_factors_alloc(fvi_way_of(&A), &A, &f);
@@ -225,5 +225,25 @@ int fvi_history_space_find(const fvi_sparse *M, const fvi_sparse *C,
         fvi_history_space_free(B);
         B->kind = FVI_HISTORY_SPACE_ALL;
     }
+    return status;
+}
+
+int fvi_history_space_of_row(const fvi_sparse *C, const double *row, fvi_history_space *B)
+{
+    fvi_history_space all = { .C = C, .r = C->n };
+    if (C->start[C->n] == 0) { /* a row of zeros */
+        *B = (fvi_history_space){ .C = C };
+        return FVI_SUCCESS;
+    }
+    int status = pick(C, &all);
+    double *dense = status ? NULL : malloc(all.r * sizeof *dense);
+    for (size_t l = 0; dense && l < all.r; l++)
+        dense[l] = row[all.columns.row[l]];
+    if (dense)
+        status = keep_columns(1, dense, &all);
+    else
+        status = FVI_ENOMEM;
+    free(dense);
+    *B = all;
     return status;
 }

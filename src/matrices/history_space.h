@@ -27,6 +27,11 @@ typedef struct {
 int fvi_history_space_find(const fvi_sparse *M, const fvi_sparse *C,
                         fvi_history_space *result);
 
+/* fvi_history_space_of_row -- C = row^T row: one number is remembered, the product of the row and
+ * x. Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_history_space_of_row(const fvi_sparse *C, const double *row,
+                             fvi_history_space *result);
+
 /* fvi_history_space_gather -- z = B^T x - from, r numbers. */
 void fvi_history_space_gather(const fvi_history_space *B, const double *x,
                            const double *from, double *z);

@@ -147,44 +147,70 @@ int fvi_sparse_is_symmetric(const fvi_sparse *A, int *place)
     return status;
 }
 
-/* Columns j of the three, merged: `to` is where column j of the sum begins. */
-static int add_column(size_t j, const fvi_sparse *const A[3], const double a[3],
-                      fvi_sparse *sum, int to)
+/* The first row that is left in some of the columns: matrix l is at entry at[l]. INT_MAX where
+ * nothing is left. */
+static int next_row(size_t j, size_t count, const fvi_sparse *const *A, const int *at)
 {
-    int at[3];
-    for (int l = 0; l < 3; l++)
-        at[l] = A[l] ? A[l]->start[j] : 0;
-    for (;;) {
-        int row = INT_MAX;
-        for (int l = 0; l < 3; l++)
-            if (A[l] && at[l] < A[l]->start[j + 1] && A[l]->row[at[l]] < row)
-                row = A[l]->row[at[l]];
-        if (row == INT_MAX)
-            return to;
+    int row = INT_MAX;
+    for (size_t l = 0; l < count; l++)
+        if (at[l] < A[l]->start[j + 1] && A[l]->row[at[l]] < row)
+            row = A[l]->row[at[l]];
+    return row;
+}
+
+/* Columns j of all matrices, merged: `to` is where column j of the sum begins. */
+static int add_column(size_t j, size_t count, const fvi_sparse *const *A,
+                      const double *a, int *at, fvi_sparse *sum, int to)
+{
+    for (size_t l = 0; l < count; l++)
+        at[l] = A[l]->start[j];
+    for (int row; (row = next_row(j, count, A, at)) < INT_MAX;) {
         double entry = 0;
-        for (int l = 0; l < 3; l++)
-            if (A[l] && at[l] < A[l]->start[j + 1] && A[l]->row[at[l]] == row)
+        for (size_t l = 0; l < count; l++)
+            if (at[l] < A[l]->start[j + 1] && A[l]->row[at[l]] == row)
                 entry += a[l] * A[l]->entry[at[l]++];
         if (entry == 0 && row != (int)j) /* an explicit zero widens no band */
             continue;
         sum->row[to] = row;
         sum->entry[to++] = entry;
     }
+    return to;
 }
 
-int fvi_sparse_add(const fvi_sparse *const A[3], const double a[3],
+/* Of matrices that are all there, with factors that are not 0. */
+static int add_terms(size_t n, size_t count, const fvi_sparse *const *A, const double *a,
+                     fvi_sparse *sum)
+{
+    size_t entries = 0;
+    for (size_t l = 0; l < count; l++)
+        entries += (size_t)A[l]->start[n];
+    int *at = calloc(count + 1, sizeof *at);
+    int status = !at || entries >= INT_MAX ? FVI_ENOMEM
+                                           : fvi_sparse_alloc(n, entries, sum);
+    for (size_t j = 0; !status && j < n; j++)
+        sum->start[j + 1] = add_column(j, count, A, a, at, sum, sum->start[j]);
+    free(at);
+    return status;
+}
+
+int fvi_sparse_add(size_t count, const fvi_sparse *const *A, const double *a,
                    fvi_sparse *sum)
 {
-    size_t count = 0, n = 0;
-    const fvi_sparse *terms[3];
-    for (int l = 0; l < 3; l++) {
-        terms[l] = a[l] != 0 ? A[l] : NULL;
+    size_t terms = 0, n = 0;
+    const fvi_sparse **kept = malloc((count + 1) * sizeof *kept);
+    double *factor = malloc((count + 1) * sizeof *factor);
+    int status = kept && factor ? FVI_SUCCESS : FVI_ENOMEM;
+    for (size_t l = 0; !status && l < count; l++) {
         n = A[l] ? A[l]->n : n;
-        count += terms[l] ? (size_t)terms[l]->start[n] : 0;
+        if (!A[l] || a[l] == 0)
+            continue;
+        kept[terms] = A[l];
+        factor[terms++] = a[l];
     }
-    int status = count >= INT_MAX ? FVI_ENOMEM : fvi_sparse_alloc(n, count, sum);
-    for (size_t j = 0; !status && j < n; j++)
-        sum->start[j + 1] = add_column(j, terms, a, sum, sum->start[j]);
+    if (!status)
+        status = add_terms(n, terms, kept, factor, sum);
+    free(kept);
+    free(factor);
     return status;
 }
 

@@ -22,10 +22,10 @@ int fvi_sparse_is_symmetric(const fvi_sparse *A, int *place);
  * stands, or with row < 0 the size; 0 if it does not, or there is no memory to look. */
 size_t fvi_sparse_line(const char *file, int row, int column);
 
-/* fvi_sparse_add -- sum = a_0 A_0 + a_1 A_1 + a_2 A_2, of which some may be NULL; those with
- * a_l = 0 are left out. Zeros off the diagonal are not stored. Free sum with
- * fvi_sparse_free. Returns FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_sparse_add(const fvi_sparse *const A[3], const double a[3],
+/* fvi_sparse_add -- sum = a_0 A_0 + a_1 A_1 + ... of `count` matrices of one size, of which some
+ * may be NULL; those with a_l = 0 are left out. Zeros off the diagonal are not stored. Free sum
+ * with fvi_sparse_free. Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_sparse_add(size_t count, const fvi_sparse *const *A, const double *a,
                    fvi_sparse *sum);
 
 /* fvi_sparse_half_band -- the largest |i - j| of a stored entry. */

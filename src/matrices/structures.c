@@ -1,20 +1,11 @@
 /* src/matrices/structures.c -- Systems of sparse matrices.             [H 27] */
-#include "factors.h"
-#include "history_space.h"
+#include "structure.h"
 
 #include "system/fail.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-struct fvi_structure {
-    const fvi_sparse *M, *K, *C;
-    double *mass, *damping; /* the diagonals, one block */
-    fvi_history_space B;
-    fvi_factors *by_mass; /* for energies */
-    fvi_matrices matrices;
-};
 
 /* ---- what a run asks for ---- */
 
@@ -50,16 +41,12 @@ static int damp(size_t d, double a, const double *z, const void *params,
     return FVI_SUCCESS;
 }
 
-static int factorise(size_t d, double m, double c, double k, const void *params,
-                     void **factors)
+int fvi_structure_factorise(size_t count, const fvi_sparse *const *terms, const double *a,
+                         void **factors)
 {
-    const fvi_structure *s = params;
-    const fvi_sparse *const terms[3] = { s->M, s->C, s->K };
-    const double a[3] = { m, c, k };
     fvi_sparse A;
-    fvi_factors *f;
-    (void)d;
-    int status = fvi_sparse_add(terms, a, &A);
+    fvi_factors *f = NULL;
+    int status = fvi_sparse_add(count, terms, a, &A);
     if (!status)
         status = fvi_factors_alloc(fvi_way_of(&A), &A, &f);
     if (!status)
@@ -67,6 +54,16 @@ static int factorise(size_t d, double m, double c, double k, const void *params,
     if (status == FVI_ENOMEM)
         FVI_FAIL("no memory for the factors", FVI_ENOMEM);
     return status;
+}
+
+static int factorise(size_t d, double m, double c, double k, const void *params,
+                     void **factors)
+{
+    const fvi_structure *s = params;
+    const fvi_sparse *const terms[] = { s->M, s->C, s->K };
+    const double a[] = { m, c, k };
+    (void)d;
+    return fvi_structure_factorise(3, terms, a, factors);
 }
 
 static int solve(size_t d, void *factors, double *r)
@@ -111,7 +108,7 @@ static int look_at_mass(fvi_structure *s)
         if (!(s->mass[i] > 0))
             return FVI_EDOM;
     }
-    void *factors;
+    void *factors = NULL;
     int status = factorise(d, 1, 0, 0, s, &factors);
     if (!status)
         s->by_mass = factors;
@@ -147,16 +144,9 @@ static int check_matrices(fvi_structure *s, char *fault)
     return status;
 }
 
-int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
-                        const fvi_sparse *C, fvi_structure **structure,
-                        char *fault)
+/* What does not depend on the dampers. */
+static int make(const fvi_sparse *M, const fvi_sparse *K, fvi_structure **structure)
 {
-    char nowhere;
-    if (!fault)
-        fault = &nowhere;
-    *fault = 0;
-    if (!M || !K || !structure)
-        FVI_FAIL("null pointer", FVI_EFAULT);
     fvi_structure *s = calloc(1, sizeof *s);
     double *block = malloc(2 * M->n * sizeof *block);
     if (!s || !block) {
@@ -165,7 +155,7 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
         FVI_FAIL("no memory for the structure", FVI_ENOMEM);
     }
     *s = (fvi_structure){
-        .M = M, .K = K, .C = C, .mass = block, .damping = block + M->n
+        .M = M, .K = K, .mass = block, .damping = block + M->n
     };
     s->matrices = (fvi_matrices){ .remember = select_history,
                                   .damp = damp,
@@ -177,9 +167,27 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
                                   .energy = energy,
                                   .params = s,
                                   .M = M,
-                                  .K = K,
-                                  .C = C };
-    const int status = check_matrices(s, fault);
+                                  .K = K };
+    *structure = s;
+    return FVI_SUCCESS;
+}
+
+int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
+                        const fvi_sparse *C, fvi_structure **structure,
+                        char *fault)
+{
+    char nowhere;
+    fvi_structure *s = NULL;
+    if (!fault)
+        fault = &nowhere;
+    *fault = 0;
+    if (!M || !K || !structure)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    int status = make(M, K, &s);
+    if (status)
+        return status;
+    s->C = s->matrices.C = C;
+    status = check_matrices(s, fault);
     if (status) {
         fvi_structure_free(s);
         FVI_FAIL(status == FVI_EINVAL  ? "matrices of different sizes"
@@ -192,23 +200,68 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
     return FVI_SUCCESS;
 }
 
+int fvi_structure_alloc_dampers(const fvi_sparse *M, const fvi_sparse *K, size_t count,
+                                const fvi_damper *damper, fvi_structure **structure,
+                                fvi_error *error)
+{
+    char fault;
+    fvi_structure *s = NULL;
+    if (!M || !K || !damper || !structure)
+        return fvi_fail(error, FVI_EFAULT, "structure", NAN, "null pointer");
+    if (count == 0)
+        return fvi_fail(error, FVI_EINVAL, "damper", 0, "a list of no dampers");
+    int status = fvi_structure_alloc(M, K, NULL, &s, &fault);
+    if (status)
+        return fvi_fail(error, status, fault == 'K' ? "K" : "M", NAN, "%s",
+                        status == FVI_EINVAL   ? "not of the size of M"
+                        : status == FVI_ENOMEM ? "no memory for it"
+                        : fault == 'K'         ? "not symmetric"
+                                               : "not symmetric and positive definite");
+    status = fvi_structure_add_dampers(s, count, damper, error);
+    if (status)
+        fvi_structure_free(s);
+    else
+        *structure = s;
+    return status;
+}
+
+/* ---- what a structure is for ---- */
+
 fvi_system fvi_structure_system(const fvi_structure *s)
 {
     return (fvi_system){ .d = s->M->n,
                          .mass = s->mass,
                          .damping = s->damping,
-                         .matrices = &s->matrices };
+                         .matrices = &s->matrices,
+                         .mechanism = s->space ? &s->mechanism : NULL };
+}
+
+/* The factors are of no simple ratio: where M is 1 and K is -1 no entry is lost. */
+static int sum_pattern(const fvi_structure *s, double m, double c, double k, fvi_sparse *A)
+{
+    const size_t count = s->mechanism.damper_count;
+    const fvi_sparse *const three[] = { s->M, s->C, s->K };
+    const double factor[] = { m, c * sqrt(2), k * sqrt(3) };
+    if (count == 0)
+        return fvi_sparse_add(3, three, factor, A);
+    double *each = malloc(count * sizeof *each), *a;
+    if (!each)
+        return FVI_ENOMEM;
+    for (size_t j = 0; j < count; j++)
+        each[j] = c * sqrt(2 + (double)j / 7);
+    const fvi_sparse **terms = fvi_structure_terms(s, m, each, k * sqrt(3), &a);
+    const int status = terms ? fvi_sparse_add(count + 2, terms, a, A) : FVI_ENOMEM;
+    free(terms);
+    free(each);
+    return status;
 }
 
 const char *fvi_structure_solver_name(const fvi_structure *s, double m, double c,
                                  double k)
 {
     static const char *const names[] = { "diagonal", "band", "CHOLMOD" };
-    const fvi_sparse *const terms[3] = { s->M, s->C, s->K };
-    /* of no simple ratio: where M is 1 and K is -1 no entry is lost */
-    const double a[3] = { m, c * sqrt(2), k * sqrt(3) };
     fvi_sparse A;
-    if (fvi_sparse_add(terms, a, &A))
+    if (sum_pattern(s, m, c, k, &A))
         return "";
     const fvi_way way = fvi_way_of(&A);
     fvi_sparse_free(&A);
@@ -219,6 +272,7 @@ void fvi_structure_free(fvi_structure *s)
 {
     if (!s)
         return;
+    fvi_structure_free_dampers(s);
     fvi_factors_free(s->by_mass);
     fvi_history_space_free(&s->B);
     free(s->mass);

@@ -11,122 +11,160 @@
  * with 2 NODES points, of which one half are the conjugates of the others. A parabola serves all
  * times from t to SPAN t. With mu SPAN t = REACH the largest factor e^{s t} is e^REACH, so that
  * few digits cancel, and e^{s t} falls below 1e-17 where the nodes end. */
-enum { NODES = 50, SPAN = 4, REACH = 3, EXACT = 64 };
-static const double spacing = 0.15;
+enum { NODES = 63, SPAN = 4, REACH = 3, EXACT = 64 };
+static const double spacing = 0.12;
 
 /* Kernels like a fraction with 2 alpha > 1 have poles off the cut: one and its conjugate. */
 enum { MOST_POLES = 16 };
 
+/* A pole s of C(s), with its residue. Of a derivative of C the pole moves: it gives the residue
+ * times (part + moves s G'/G), where G(s) is what stands beside C in the integral, and `moves` is
+ * the derivative of ln s. */
+typedef struct {
+    double complex s, residue, part, moves;
+} pole;
+
 struct fvi_impulses_of_kernel {
-    const fvi_kernel *law;
+    fvi_symbol_function *symbol;
+    const void *of;
     double h;
     size_t first, count, k;        /* the parabola is that of k from `first` on; the last k */
-    size_t poles;                  /* all of the law, but it is the rule that knows which are left
-                                    * of the parabola */
-    double complex pole[MOST_POLES], residue[MOST_POLES]; /* of C(s)/s^2 */
+    size_t poles;
+    pole pole[MOST_POLES];
     double complex s[NODES + MOST_POLES], weight[NODES + MOST_POLES][2],
+        line[NODES + MOST_POLES][2], /* the weight of step k is weight + k line */
         step[NODES + MOST_POLES], power[NODES + MOST_POLES]; /* e^{s h}, e^{s k h} */
 };
 
-/* int_0^1 u e^{zu} du to w[1], int_0^1 (1 - u) e^{zu} du to w[0]. */
-static void moments(double complex z, double complex w[2])
+/* int_0^1 u e^{zu} du to w[1], int_0^1 (1 - u) e^{zu} du to w[0]; and their derivatives. */
+static void moments(double complex z, double complex w[2], double complex slope[2])
 {
     if (cabs(z) > 0.5) {
         const double complex e = cexp(z);
         w[0] = (e - 1 - z) / (z * z);
         w[1] = (e * (z - 1) + 1) / (z * z);
+        slope[0] = (e - 1) / (z * z) - 2 * w[0] / z;
+        slope[1] = e / z - 2 * w[1] / z;
         return;
     }
     double complex term = 1; /* z^n / n! */
-    w[0] = w[1] = 0;
+    w[0] = w[1] = slope[0] = slope[1] = 0;
     for (int n = 0; n < 16; n++, term *= z / n) {
         w[0] += term / ((n + 1) * (n + 2));
         w[1] += term / (n + 2);
+        slope[0] += term / ((n + 2) * (n + 3));
+        slope[1] += term / (n + 3);
     }
 }
 
 /* The same of step 0 as an inverse transform at t = h: q is infinite at 0, and its integrals
  * are not. */
-static void first_moments(double complex z, double complex w[2])
+static void first_moments(double complex z, double complex w[2], double complex slope[2])
 {
     w[1] = 1 / z - 1 / (z * z);
-    w[0] = 1 / z - w[1];
+    w[0] = 1 / (z * z);
+    slope[1] = -w[0] + 2 * w[0] / z;
+    slope[0] = -2 * w[0] / z;
 }
 
 /* ---- poles ---- */
 
-static int find_poles(fvi_impulses_of_kernel *o)
+/* Does rho s^{2 alpha} / (1 + time s^{2 below}) have a pole off the cut? There
+ * time s^{2 below} = -1. */
+static int add_pole(const fvi_kernel_simple *t, fvi_impulses_of_kernel *o)
+{
+    if (!(2 * t->below > 1 && t->time > 0 && t->rho > 0) || o->poles == MOST_POLES)
+        return 0;
+    const double complex s =
+        pow(t->time, -0.5 / t->below) * cexp(I * M_PI / (2 * t->below));
+    o->pole[o->poles++] =
+        (pole){ .s = s,
+                .residue = -t->rho * cpow(s, 2 * t->alpha + 1) / (2 * t->below),
+                .part = 1 };
+    return 1;
+}
+
+static int find_poles(const fvi_kernel *law, fvi_impulses_of_kernel *o)
 {
     fvi_kernel_simple *term;
     size_t count;
-    const int status = fvi_kernel_flatten(o->law, &term, &count);
-    if (status)
-        return status;
-    for (size_t i = 0; i < count && o->poles < MOST_POLES; i++) {
-        const fvi_kernel_simple *t = term + i;
-        if (!(2 * t->below > 1 && t->time > 0 && t->rho > 0))
-            continue;
-        const double complex s =
-            pow(t->time, -0.5 / t->below) * cexp(I * M_PI / (2 * t->below));
-        o->pole[o->poles] = s; /* there time s^{2 below} = -1 */
-        o->residue[o->poles++] =
-            -t->rho * cpow(s, 2 * t->alpha + 1) / (2 * t->below) / (s * s);
-    }
-    free(term);
-    return FVI_SUCCESS;
+    const int status = fvi_kernel_flatten(law, &term, &count);
+    for (size_t i = 0; !status && i < count; i++)
+        add_pole(term + i, o);
+    if (!status)
+        free(term);
+    return status;
 }
 
-/* Is s to the right of the parabola? Then the integral along it does not know the pole. */
-static int is_outside(double complex s, double mu)
+/* Of a fraction by its order or time: the logarithm of the residue, 2 alpha + 1 times ln s less
+ * ln(2 alpha), is differentiated, and so is the pole. */
+static void find_pole_of_slope(const fvi_kernel_term *term, fvi_slope_by by,
+                               fvi_impulses_of_kernel *o)
 {
-    return creal(csqrt(s / mu)) > 1;
+    const double a = term->alpha;
+    const fvi_kernel_simple fraction = { 1, a, term->time, a };
+    if (term->kind != FVI_KERNEL_ZENER || by == FVI_SLOPE_BY_END || !add_pole(&fraction, o))
+        return;
+    pole *p = o->pole;
+    const double complex ln = clog(p->s);
+    p->moves = by == FVI_SLOPE_BY_ORDER ? -ln / a : -1 / (2 * a * term->time);
+    p->part = (2 * a + 1) * p->moves
+              + (by == FVI_SLOPE_BY_ORDER ? 2 * ln - 1 / a : 0);
 }
 
-/* A parabola that passes no pole closely: of three the one that is farthest from them. */
-static double choose_parabola(const fvi_impulses_of_kernel *o, double least)
+/* What the midpoint rule leaves out of a pole at s, as a part of its residue: nearly all where s
+ * is to the right of the parabola, nearly nothing to the left of it, and next to it what the
+ * nodes do not resolve. Let v be s = mu (1 + i v)^2. Cauchy's theorem with
+ * 1/(1 + e^{2 pi i v/spacing}), whose poles are the nodes, gives 1/(1 + e^{-2 pi i v/spacing}).
+ * In *slope: s times the derivative of its logarithm. */
+static double complex left_out(double complex s, double mu, double complex *slope)
 {
-    static const double part[] = { 1, 1.25, 1.5 };
-    double best = least, farthest = -1;
-    for (size_t l = 0; l < sizeof part / sizeof *part; l++) {
-        double distance = 1e300;
-        for (size_t i = 0; i < o->poles; i++) {
-            const double complex root = csqrt(o->pole[i] / (least * part[l]));
-            distance = fmin(distance, fabs(creal(root) - 1)); /* |Im v| */
-        }
-        if (distance > farthest) {
-            farthest = distance;
-            best = least * part[l];
-        }
-    }
-    return best;
+    const double complex root = csqrt(s / mu), v = -I * (root - 1);
+    const double complex part =
+        cimag(v) > 10 ? 0 : 1 / (1 + cexp(-2 * M_PI * I * v / spacing));
+    *slope = (1 - part) * M_PI / spacing * root;
+    return part;
 }
 
 /* ---- the rule ---- */
 
-/* The nodes for steps k >= first, and their weights. Those of step 0 are inverted at t = h. */
+/* One node of step k: G(s) = e^{s k h} w(s h) / s^2 of both ends; of step 0 with e^{s h}, and the
+ * weights of step 0. */
+static void add_node(fvi_impulses_of_kernel *o, const pole *p)
+{
+    const size_t j = o->count++;
+    const double complex z = p->s * o->h;
+    double complex w[2], slope[2];
+    (o->first > 0 ? moments : first_moments)(z, w, slope);
+    o->s[j] = p->s;
+    o->step[j] = cexp(z);
+    for (int end = 0; end < 2; end++) {
+        const double complex G = p->residue / (p->s * p->s);
+        o->weight[j][end] =
+            G * ((p->part - 2 * p->moves) * w[end] + p->moves * z * slope[end]);
+        o->line[j][end] = G * p->moves * z * w[end];
+    }
+}
+
+/* The nodes for steps k >= first. */
 static void make_rule(fvi_impulses_of_kernel *o, size_t first)
 {
     const double t = (first > 0 ? (double)first : 1) * o->h,
-                 mu = choose_parabola(o, REACH / (SPAN * t));
+                 mu = REACH / (SPAN * t);
     o->first = first;
     o->count = 0;
     for (int j = 0; j < NODES; j++) {
         const double complex v = 1 + I * (j + 0.5) * spacing, s = mu * v * v;
-        o->s[o->count] = s;
-        o->weight[o->count++][0] = 2 * mu / M_PI * spacing * v
-                                   * fvi_kernel_at(o->law, s, NULL) / (s * s);
+        add_node(o, &(pole){ .s = s,
+                             .residue = 2 * mu / M_PI * spacing * v * o->symbol(o->of, s),
+                             .part = 1 });
     }
-    for (size_t i = 0; i < o->poles; i++)
-        if (is_outside(o->pole[i], mu)) {
-            o->s[o->count] = o->pole[i];
-            o->weight[o->count++][0] = 2 * o->residue[i];
-        }
-    for (size_t j = 0; j < o->count; j++) {
-        double complex w[2];
-        (first > 0 ? moments : first_moments)(o->s[j] * o->h, w);
-        o->weight[j][1] = o->weight[j][0] * w[1];
-        o->weight[j][0] *= w[0];
-        o->step[j] = cexp(o->s[j] * o->h);
+    for (size_t i = 0; i < o->poles; i++) {
+        pole both = o->pole[i]; /* and its conjugate */
+        double complex slope;
+        both.residue *= 2 * left_out(both.s, mu, &slope);
+        both.part += both.moves * slope;
+        add_node(o, &both);
     }
 }
 
@@ -168,21 +206,51 @@ void fvi_impulses_of_kernel_at(fvi_impulses_of_kernel *o, size_t k, double impul
     for (size_t j = 0; j < o->count; j++)
         for (int end = 0; end < 2; end++)
             impulse[end] += o->h * creal(o->weight[j][end] * o->power[j]);
+    const double steps = k > 0 ? (double)k : 1; /* only of poles that move */
+    for (size_t j = NODES; j < o->count; j++)
+        for (int end = 0; end < 2; end++)
+            impulse[end] += o->h * steps * creal(o->line[j][end] * o->power[j]);
 }
 
 /* ---- one of them ---- */
 
-int fvi_impulses_of_kernel_alloc(const fvi_kernel *law, double h,
-                                 fvi_impulses_of_kernel **impulses)
+static int make(fvi_symbol_function *symbol, const void *of, double h,
+                fvi_impulses_of_kernel **impulses)
 {
     fvi_impulses_of_kernel *o = calloc(1, sizeof *o);
     if (!o)
         FVI_FAIL("no memory for the impulses of a law", FVI_ENOMEM);
-    o->law = law;
+    o->symbol = symbol;
+    o->of = of;
     o->h = h;
-    const int status = find_poles(o);
+    *impulses = o;
+    return FVI_SUCCESS;
+}
+
+int fvi_impulses_of_slope_alloc(fvi_symbol_function *symbol, const fvi_kernel_term *term,
+                                fvi_slope_by by, double h,
+                                fvi_impulses_of_kernel **impulses)
+{
+    const int status = make(symbol, term, h, impulses);
+    if (!status)
+        find_pole_of_slope(term, by, *impulses);
+    return status;
+}
+
+static double complex symbol_of_kernel(const void *law, double complex s)
+{
+    return fvi_kernel_at(law, s, NULL);
+}
+
+int fvi_impulses_of_kernel_alloc(const fvi_kernel *law, double h,
+                                 fvi_impulses_of_kernel **impulses)
+{
+    fvi_impulses_of_kernel *o = NULL;
+    int status = make(symbol_of_kernel, law, h, &o);
+    if (!status)
+        status = find_poles(law, o);
     if (status)
-        free(o);
+        fvi_impulses_of_kernel_free(o);
     else
         *impulses = o;
     return status;

@@ -11,12 +11,29 @@
 
 #include <fvi/damping_laws.h>
 
+#include <complex.h>
+
 typedef struct fvi_impulses_of_kernel fvi_impulses_of_kernel;
 
+/* C(s) of what `of` points to; analytic but for s <= 0. */
+typedef double complex fvi_symbol_function(const void *of, double complex s);
+
 /* fvi_impulses_of_kernel_alloc -- of a kernel that fvi_kernel_check takes, and steps of length h.
- * It points to the kernel. Returns FVI_SUCCESS or FVI_ENOMEM. */
+ * It points to the kernel.
+ * fvi_impulses_of_slope_alloc -- of the derivative of a kernel of one term, with rho = 1, by its
+ * order or its time; or by another number, if the symbol has no pole off the cut. `symbol` is that
+ * derivative at s; it and the impulses point to the term.
+ * Both return FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_impulses_of_kernel_alloc(const fvi_kernel *law, double h,
                                  fvi_impulses_of_kernel **impulses);
+typedef enum {
+    FVI_SLOPE_BY_ORDER,
+    FVI_SLOPE_BY_TIME,
+    FVI_SLOPE_BY_END
+} fvi_slope_by;
+int fvi_impulses_of_slope_alloc(fvi_symbol_function *symbol, const fvi_kernel_term *term,
+                                fvi_slope_by by, double h,
+                                fvi_impulses_of_kernel **impulses);
 
 /* fvi_impulses_of_kernel_at -- I_0 and I_1 of step k, times 1/v0. The numbers depend on k alone;
  * the cost is 150 products of complex numbers where k is the last one, plus 1.

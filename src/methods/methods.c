@@ -39,10 +39,15 @@ const fvi_method *fvi_method_find(const char *name)
 
 int fvi_method_has_modes(const fvi_method *method, const fvi_run *run, int *has)
 {
-    *has = !run->law;
-    return *has ? FVI_SUCCESS
-                : fvi_kernel_has_modes(run->law, fvi_damping_quadrature(method),
-                                       run->h, has);
+    int status = FVI_SUCCESS;
+    *has = 1;
+    for (size_t j = 0; !status && *has && j < fvi_run_damper_count(run); j++) {
+        const fvi_run_damper damper = fvi_run_damper_of(run, j);
+        if (damper.law)
+            status = fvi_kernel_has_modes(damper.law, fvi_damping_quadrature(method),
+                                          run->h, has);
+    }
+    return status;
 }
 
 static int is_damped(const fvi_system *system)
@@ -51,6 +56,20 @@ static int is_damped(const fvi_system *system)
         if (system->damping[i] > 0)
             return 1;
     return 0;
+}
+
+/* Several dampers with matrices, of methods without stages. */
+static double bytes_of_dampers(const fvi_run *run)
+{
+    double bytes = 100 * (double)run->system->d;
+    for (size_t j = 0; j < fvi_run_damper_count(run); j++) {
+        const fvi_run_damper damper = fvi_run_damper_of(run, j);
+        if (damper.matrix.remembered > 0)
+            bytes += (double)fvi_history_bytes(damper.law ? 0.5 : 2 * damper.alpha,
+                                               damper.matrix.remembered, run->steps,
+                                               run->memory, run->tolerance);
+    }
+    return bytes;
 }
 
 double fvi_run_bytes(const fvi_method *method, const fvi_run *run)
@@ -62,6 +81,8 @@ double fvi_run_bytes(const fvi_method *method, const fvi_run *run)
     const double bytes = 100 * (double)system->d;
     if (fvi_has_mechanism_steps(system))
         return fvi_mechanism_bytes(method, run);
+    if (system->matrices && system->mechanism)
+        return bytes_of_dampers(run);
     if (!method->memories || !is_damped(system) || (s > 0 && run->alpha == 1))
         return bytes;
     if (s > 0)

@@ -1,12 +1,15 @@
 /* src/methods/stability_number.c -- The loads of the methods.       [H 13, 14 and 17] */
 #include "stability_number.h"
+#include "damping.h"
 #include "memory/kernel_terms.h"
 #include "shifted_kernel.h"
+#include "system/fail.h"
 
 #include <fvi/stability.h>
 #include "analysis/stability_share.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /* C(s/h) of the run's law over the power that alpha would give there: 1 without a law. At
  * z = -1 delta(z) is s = 2 for Euler, 4 for BDF2. */
@@ -17,14 +20,65 @@ static double of_law(const fvi_run *run, double s)
                     : 1;
 }
 
+/* What a method takes of a damper at z = -1, where delta(z) is `s`. */
+typedef double of_kernel(const fvi_run_damper *damper, double s);
+
+static double symbol(const fvi_run_damper *damper, double s)
+{
+    return damper->law ? fvi_kernel_symbol(damper->law, s)
+                       : damper->rho * pow(s, 2 * damper->alpha);
+}
+
+/* (1 - 2 theta) E(s), s = 2/h: of one power E is its symbol. */
+static double shifted_symbol(const fvi_run_damper *damper, double s)
+{
+    const double mean = 1 - damper->growth;
+    if (!damper->law || fvi_shifted_is_itself(damper->law))
+        return mean * symbol(damper, s);
+    double complex slope;
+    const double complex C = fvi_kernel_at(damper->law, s, &slope);
+    return mean * creal(mean * C + slope);
+}
+
+static double none(const fvi_run_damper *damper, double s)
+{
+    (void)damper, (void)s;
+    return 0;
+}
+
+/* Of several dampers. */
+static int of_dampers(const fvi_run *run, of_kernel *part, double s, double *load)
+{
+    const size_t count = run->system->mechanism->damper_count;
+    double *damper = calloc(count + 1, sizeof *damper);
+    if (!damper)
+        FVI_FAIL("no memory for the load", FVI_ENOMEM);
+    for (size_t j = 0; j < count; j++) {
+        const fvi_run_damper of = fvi_run_damper_of(run, j);
+        damper[j] = run->h * run->h * part(&of, s / run->h);
+    }
+    const int status = fvi_stability_of_dampers(damper, run, load);
+    free(damper);
+    return status;
+}
+
+static int has_dampers(const fvi_run *run)
+{
+    return run->system && run->system->mechanism;
+}
+
 int fvi_stability_number_backward(const fvi_run *run, double *load)
 {
+    if (has_dampers(run))
+        return of_dampers(run, symbol, 2, load);
     return fvi_stability_share(of_law(run, 2), run, load);
 }
 
 int fvi_stability_number_shifted(const fvi_run *run, double *load)
 {
     double largest, share = 1 - 2 * run->alpha;
+    if (has_dampers(run))
+        return of_dampers(run, shifted_symbol, 2, load);
     if (run->law) { /* (1 - 2 theta) E(2/h) */
         const double s = 2 / run->h,
                      mean = 1 - 2 * fvi_shifted_theta(run->law);
@@ -40,6 +94,8 @@ int fvi_stability_number_shifted(const fvi_run *run, double *load)
 
 int fvi_stability_number_bdf2(const fvi_run *run, double *load)
 {
+    if (has_dampers(run))
+        return of_dampers(run, symbol, 4, load);
     return fvi_stability_share(pow(4, run->alpha) * of_law(run, 4), run, load);
 }
 
@@ -52,6 +108,8 @@ int fvi_stability_number_none(const fvi_run *run, double *load)
 {
     fvi_run half = *run; /* of which kappa is not used */
     half.kappa = 0.5;
+    if (has_dampers(run))
+        return of_dampers(&half, none, 2, load);
     return fvi_stability_share(0, &half, load);
 }
 

@@ -2,6 +2,7 @@
 #include "run_check.h"
 
 #include "impulses.h"
+#include "dampers_check.h"
 #include "solution.h"
 #include "system/newton.h"
 
@@ -123,10 +124,12 @@ int fvi_run_check(const fvi_method *method, const fvi_run *run,
     if (system && system->matrices && !method->takes_matrices)
         return fvi_fail(error, FVI_EUNSUP, "matrices", NAN,
                         "this method takes no system with matrices");
-    if (system && system->mechanism && !method->takes_mechanism)
+    if (system && system->mechanism && !system->matrices && !method->takes_mechanism)
         return fvi_fail(error, FVI_EUNSUP, "mechanism", NAN,
                         "this method takes no system with a mechanism");
     int status = fvi_system_check_any(system, error);
+    if (!status && system->matrices)
+        status = fvi_check_dampers_of_matrices(run, error);
     if (status)
         return status;
     if (run->steps == 0)

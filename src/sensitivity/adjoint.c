@@ -18,6 +18,10 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (method->scheme == FVI_SCHEME_CLASSICAL)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
+    if (run->system && run->system->mechanism)
+        FVI_FAIL("no adjoint of a run with several dampers; with C, or masses with laws of "
+                 "damping, there is one",
+                 FVI_EUNSUP);
     for (size_t i = 0; run->law && i < run->law->count; i++)
         if (run->law->term[i].kind >= FVI_KERNEL_MAXWELL2
             && (want->orders || want->times || want->ends))

@@ -1,6 +1,7 @@
 /* src/sensitivity/adjoint_kernel.c -- What a term of a law gives, going backwards. [H 23] */
 #include "adjoint_kernel.h"
 
+#include "memory/kernel_terms.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -106,7 +107,75 @@ void fvi_adjoint_term_stop(fvi_adjoint_term *t)
     fvi_history_free(t->lower.memory);
     fvi_history_free(t->upper.memory);
     fvi_history_free(t->log);
+    for (size_t l = 0; l < sizeof t->impulses / sizeof *t->impulses; l++)
+        fvi_impulses_of_kernel_free(t->impulses[l]);
     free(t->block);
+}
+
+/* ---- the impulses of a start with a velocity ---- */
+
+static double complex unit_symbol(const void *term, double complex s)
+{
+    return fvi_kernel_at(&(fvi_kernel){ 1, term }, s, NULL);
+}
+
+/* dC/d alpha and dC/d time of a power, a fraction or a Maxwell element; dC/da and dC/de of a
+ * range of orders. (23.21) */
+static double complex symbol_by_order(const void *term, double complex s)
+{
+    const fvi_kernel_term *t = term;
+    const double complex C = unit_symbol(t, s);
+    return t->kind == FVI_KERNEL_DISTRIBUTED ? -cpow(s, 2 * t->alpha)
+                                             : 2 * clog(s) * C * (1 - t->time * C);
+}
+
+static double complex symbol_by_time(const void *term, double complex s)
+{
+    const double complex C = unit_symbol(term, s);
+    return -C * C;
+}
+
+static double complex symbol_by_end(const void *term, double complex s)
+{
+    return cpow(s, 2 * ((const fvi_kernel_term *)term)->end);
+}
+
+int fvi_adjoint_term_start_impulses(fvi_adjoint_term *t, double h,
+                                    const fvi_sensitivities *want)
+{
+    const int is_range = t->term.kind == FVI_KERNEL_DISTRIBUTED;
+    fvi_symbol_function *const symbol[] = {
+        want->terms ? unit_symbol : NULL,
+        want->orders && (fvi_adjoint_has_order(&t->term) || is_range) ? symbol_by_order
+                                                                      : NULL,
+        want->times && fvi_adjoint_is_fraction(&t->term) ? symbol_by_time : NULL,
+        want->ends && is_range ? symbol_by_end : NULL
+    };
+    static const fvi_slope_by by[] = { 0, FVI_SLOPE_BY_ORDER, FVI_SLOPE_BY_TIME,
+                                       FVI_SLOPE_BY_END };
+    int status = FVI_SUCCESS;
+    t->alone = (fvi_kernel){ 1, &t->term };
+    if (symbol[0])
+        status = fvi_impulses_of_kernel_alloc(&t->alone, h, &t->impulses[0]);
+    for (size_t l = 1; !status && l < sizeof symbol / sizeof *symbol; l++)
+        if (symbol[l])
+            status = fvi_impulses_of_slope_alloc(symbol[l], &t->term, by[l], h,
+                                                 &t->impulses[l]);
+    return status;
+}
+
+void fvi_adjoint_term_accumulate_impulses(fvi_adjoint_term *t, size_t k, double left,
+                                          double right, const fvi_sensitivities *want,
+                                          size_t i)
+{
+    double *const to[] = { want->terms, want->orders, want->times, want->ends };
+    for (size_t l = 0; l < sizeof to / sizeof *to; l++) {
+        double at[2];
+        if (!t->impulses[l])
+            continue;
+        fvi_impulses_of_kernel_at(t->impulses[l], k, at);
+        to[l][i] -= (l == 0 ? 1 : t->rho) * (at[0] * left + at[1] * right);
+    }
 }
 
 /* ---- a node ---- */

@@ -11,6 +11,7 @@
 
 #include <fvi/adjoint.h>
 #include <fvi/convolution_quadrature.h>
+#include "memory/kernel_impulses.h"
 
 /* One memory of a law with its first weight. */
 typedef struct {
@@ -20,12 +21,15 @@ typedef struct {
 
 /* Where the comment says "each", d numbers. */
 typedef struct {
-    fvi_kernel_term term; /* with rho = 1 */
+    fvi_kernel_term term; /* with rho = 1, */
+    fvi_kernel alone;     /* and as a law */
     size_t d;
     double log_h, rho;                   /* of the law */
     fvi_adjoint_convolution self, again;  /* of nu; of what self gives */
     fvi_adjoint_convolution lower, upper; /* of a range: powers of its ends */
     fvi_history *log;                     /* of (1 - z)^0, with its rate */
+    fvi_impulses_of_kernel *impulses[4];  /* of C and its derivatives by order, time and end,
+                                           * where the start of the run has impulses; or NULL */
     size_t taps, place;                  /* of ln((3 - z)/2); 0: none */
     double l[FVI_BDF2_TAPS];
     double *sum, *change; /* each: C nu, and its increment */
@@ -61,6 +65,18 @@ int fvi_adjoint_term_start(const fvi_run *run, const fvi_sensitivities *want,
 int fvi_adjoint_term_accumulate(fvi_adjoint_term *t, const double *nu,
                          const double *dnu, const double *weight,
                          const fvi_sensitivities *want, size_t i);
+
+/* fvi_adjoint_term_start_impulses -- what the impulses of the start have of the term: for a run
+ * whose law grows faster than s, with a velocity at the start.
+ * fvi_adjoint_term_accumulate_impulses -- those of step k, times `left` and `right`, are taken away
+ * from entry i of what is wanted: the products of C A with the multipliers of its ends.
+ *
+ * Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_adjoint_term_start_impulses(fvi_adjoint_term *t, double h,
+                                    const fvi_sensitivities *want);
+void fvi_adjoint_term_accumulate_impulses(fvi_adjoint_term *t, size_t k, double left,
+                                          double right, const fvi_sensitivities *want,
+                                          size_t i);
 
 void fvi_adjoint_term_stop(fvi_adjoint_term *t);
 

@@ -17,7 +17,7 @@ static int allocate(fvi_adjoint_multistep *m)
                         &m->kinetic, &m->pull,   &m->impulse_sum_by_order,
                         &m->z,       &m->z_next, &m->sum,    &m->work,
                         &m->column,  &m->nu,     &m->behind, &m->mean,
-                        &m->change };
+                        &m->change,  &m->CA };
     enum { ARRAYS = sizeof each / sizeof *each };
     const size_t d = m->d, ring = m->want->alpha ? FVI_BDF2_TAPS * m->r : 0;
     m->block = calloc(ARRAYS * d + 2 * m->r + 2 * ring + m->linearised.size,
@@ -64,16 +64,21 @@ static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
                : FVI_SUCCESS;
 }
 
-static void start_initial_history(fvi_adjoint_multistep *m)
+static int start_initial_history(fvi_adjoint_multistep *m)
 {
     static const double ends[] = { 0, 1 };
+    const fvi_run *run = m->run;
     m->has_initial_impulses =
-        !m->paper_convention && m->is_damped && !m->run->law
-        && fvi_initial_history_acts(m->run->past, m->run->alpha);
+        !m->paper_convention && m->is_damped
+        && fvi_initial_history_acts(run->past, m->growth / 2);
+    m->impulse_size = m->has_initial_impulses;
     if (!m->has_initial_impulses)
-        return;
-    fvi_kernel_impulse_prepare(m->run->alpha, 2, ends, &m->initial_impulse);
-    m->impulse_size = pow(m->run->h, 1 + m->initial_impulse.e);
+        return FVI_SUCCESS;
+    if (run->law)
+        return fvi_impulses_of_kernel_alloc(run->law, run->h, &m->impulses_of_law);
+    fvi_kernel_impulse_prepare(run->alpha, 2, ends, &m->initial_impulse);
+    m->impulse_size = pow(run->h, 1 + m->initial_impulse.e);
+    return FVI_SUCCESS;
 }
 
 static void describe(const fvi_method *method, const fvi_run *run,
@@ -86,7 +91,8 @@ static void describe(const fvi_method *method, const fvi_run *run,
     m->paper_convention = method->scheme == FVI_SCHEME_FVI;
     m->is_liouville = m->paper_convention && !run->law
                       && run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
-    m->has_drift = !run->law && run->alpha > 0.5
+    m->growth = run->law ? fvi_kernel_growth(run->law) : 2 * run->alpha;
+    m->has_drift = m->growth > 1
                    && (run->past == FVI_INITIAL_HISTORY_CAPUTO || !m->paper_convention);
     m->kappa = method->takes_kappa ? run->kappa : 0.5;
     m->theta = method->scheme == FVI_SCHEME_CQ2_SHIFTED    ? run->alpha
@@ -117,8 +123,8 @@ int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
     if (status)
         return status;
     memcpy(m->Jp, Jp, m->d * sizeof *Jp);
-    start_initial_history(m);
-    if (m->has_drift)
+    status = start_initial_history(m);
+    if (!status && m->has_drift)
         status = fvi_damping_velocity(run->system, run->p0, m->v0);
     if (!status)
         status = start_stepper(m, method);
@@ -136,6 +142,7 @@ void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
 {
     fvi_stepper_free(m->stepper);
     fvi_adjoint_constant_stop(&m->constant);
+    fvi_impulses_of_kernel_free(m->impulses_of_law);
     for (size_t i = 0; i < m->terms; i++)
         fvi_adjoint_term_stop(&m->each[i]);
     free(m->each);
@@ -208,6 +215,15 @@ static int accumulate_mass(fvi_adjoint_multistep *m, const double *rows)
     return status;
 }
 
+/* What the impulses of a law have of each of its terms. */
+static void accumulate_impulses_of_terms(fvi_adjoint_multistep *m, size_t k)
+{
+    const double left = m->terms ? dot(m->d, m->CA, m->stepper->x) : 0,
+                 right = m->terms ? dot(m->d, m->CA, m->right) : 0;
+    for (size_t l = 0; l < m->terms; l++)
+        fvi_adjoint_term_accumulate_impulses(&m->each[l], k, left, right, m->want, l);
+}
+
 /* What the force and the past gave to the two ends of step k. */
 static void accumulate_forces(fvi_adjoint_multistep *m, size_t k)
 {
@@ -221,7 +237,11 @@ static void accumulate_forces(fvi_adjoint_multistep *m, size_t k)
     if (!m->has_initial_impulses)
         return;
     double at[2] = { 0 }, slope[2] = { 0 };
-    fvi_kernel_impulses(&m->initial_impulse, k, at);
+    accumulate_impulses_of_terms(m, k);
+    if (m->impulses_of_law)
+        fvi_impulses_of_kernel_at(m->impulses_of_law, k, at);
+    else
+        fvi_kernel_impulses(&m->initial_impulse, k, at);
     if (m->want->alpha)
         fvi_kernel_impulses_by_order(&m->initial_impulse, k, slope);
     for (size_t i = 0; i < d; i++) {
@@ -267,14 +287,13 @@ int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double 
  * is what arrives; lambda_0 is no part of N_0. (23.6) */
 static int by_start(fvi_adjoint_multistep *m, const double *Jx)
 {
-    const fvi_run *run = m->run;
     const fvi_stepper *s = m->stepper;
     for (size_t i = 0; i < m->d; i++)
         m->by_start[i] = Jx[i] + (m->is_liouville ? s->p[i] : m->by_start[i]);
     if (m->is_liouville && m->damping)
         return fvi_adjoint_multistep_apply_damping(m, -m->damping->unit, s->x,
                                                    m->by_start);
-    return m->has_initial_impulses && run->alpha < 0.5
+    return m->has_initial_impulses && m->growth < 1
                ? fvi_adjoint_multistep_apply_damping(m, m->impulse_size, m->pull,
                                                      m->by_start)
                : FVI_SUCCESS;

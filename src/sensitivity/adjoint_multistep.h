@@ -31,7 +31,9 @@ typedef struct {
     fvi_stepper *stepper;
     const fvi_damping *damping; /* of the stepper; NULL: nothing is damped */
     fvi_adjoint_constant constant;
+    double growth; /* 2 alpha, or that of the law */
     fvi_kernel_impulse initial_impulse;
+    fvi_impulses_of_kernel *impulses_of_law; /* instead, of a law; owned */
     double impulse_size; /* h^(1 + e) of a past that acts, else 0 */
 
     double *Jp, *CJ;            /* each: J_p, C J_p; without matrices C is the unit matrix */
@@ -45,6 +47,7 @@ typedef struct {
     double *sum;                /* each: sum_j z_j N_j, where there are no matrices */
     double *work, *column;      /* each */
     double *nu, *behind, *mean, *change; /* each: of a law, (23.7) */
+    double *CA; /* each: of a law with impulses of the past, C A */
     double *N, *Ndot;           /* r each: room for sums, and for their derivatives by order */
     double *ring, *ring_by_order; /* r FVI_BDF2_TAPS each: their last values */
     double *G;

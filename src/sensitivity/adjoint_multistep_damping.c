@@ -75,10 +75,16 @@ int fvi_adjoint_multistep_damping_start(fvi_adjoint_multistep *m, const fvi_meth
     m->each = calloc(run->law->count, sizeof *m->each);
     if (!m->each)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    for (; !status && m->terms < run->law->count; m->terms++)
+    for (; !status && m->terms < run->law->count; m->terms++) {
+        fvi_adjoint_term *t = &m->each[m->terms];
         status = fvi_adjoint_term_start(run, m->want, fvi_damping_quadrature(method),
-                                        m->terms, m->d, &m->each[m->terms]);
-    return status;
+                                        m->terms, m->d, t);
+        if (!status && m->has_initial_impulses)
+            status = fvi_adjoint_term_start_impulses(t, run->h, m->want);
+    }
+    return status || !m->has_initial_impulses
+               ? status
+               : fvi_adjoint_multistep_apply_damping(m, -1, m->v0, m->CA);
 }
 
 /* ---- a node ---- */
@@ -222,7 +228,7 @@ static int meet_impulses(fvi_adjoint_multistep *m, double *at, double *rate)
     const fvi_matrices *C = run->system->matrices;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < m->d; i++)
-        m->z[i] = fvi_initial_history_amplitude(run->past, run->alpha, run->x0[i],
+        m->z[i] = fvi_initial_history_amplitude(run->past, m->growth / 2, run->x0[i],
                                                 m->v0[i]);
     memset(m->Ndot, 0, m->r * sizeof *m->Ndot);
     if (C)

@@ -33,6 +33,9 @@ static int check_matrices(const fvi_system *s, fvi_error *error)
     if (s->potential.value)
         return fvi_fail(error, FVI_EINVAL, "potential", NAN,
                         "matrices and a potential do not go together");
+    if (m->damper_count > 0 && (!m->damper || !m->factorise_dampers || m->remembered > 0))
+        return fvi_fail(error, FVI_EFAULT, "matrices", NAN,
+                        "several dampers need their matrices and factors, and no C");
     return FVI_SUCCESS;
 }
 

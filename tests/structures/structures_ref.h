@@ -5,3 +5,9 @@ static const struct { double lambda; } ref_clamped[] = {
     { 0x1.e584d14a437cfp+8 },
     { 0x1.dbd17b03a7c5fp+11 },
 };
+
+static const struct { double t, x[5], v[5]; } ref_building[] = {
+    { 0x1.0000000000000p-1, { 0x1.89fa1dd17dba4p-4, 0x1.b64814b3f6457p-4, 0x1.ae2258291bae5p-4, 0x1.9cee7658d60dep-4, 0x1.a56f4d2b71c4p-4 }, { -0x1.5f6af453593dep-4, -0x1.3f73b21a98372p-3, -0x1.421db6db7eed2p-1, -0x1.de3496a33b0cfp-2, -0x1.134b92c2cfe52p-1 } },
+    { 0x1.0000000000000p+1, { 0x1.c542467262213p-5, 0x1.6538d377a0ac3p-4, 0x1.8c4a3aa8b81cap-4, 0x1.ad5c85bb070c1p-4, 0x1.87e26944b627cp-4 }, { 0x1.440522eca20bep-3, 0x1.1eedabcbdec1bp-2, 0x1.85d933cbe6c22p-2, 0x1.cb0f84a241988p-2, 0x1.0526a32c6e8d7p-1 } },
+    { 0x1.8000000000000p+2, { -0x1.c511c37f88d33p-6, -0x1.a46427d6d01d5p-5, -0x1.1cf425321360fp-4, -0x1.3e9e6da590567p-4, -0x1.4f0f3b7d362fep-4 }, { 0x1.5414f11c62cfdp-4, 0x1.6344e7106e933p-3, 0x1.394d2a8fac9c6p-2, 0x1.b2d43307eab3ep-2, 0x1.ed829583c5f4fp-2 } },
+};

@@ -8,6 +8,7 @@ Proved here:
 Printed: derivatives of runs of two masses by fvi, fvi-bdf2 and fvi-stable as they stand, by dual
 numbers of 45 digits, the weights by complex steps of 10^-45 with 100 digits; and of five masses
 with stages, form D, the symbol differentiated by a difference of 10^-20."""
+import functools
 from random import Random
 
 import mpmath
@@ -89,18 +90,71 @@ def symbol(kind, a, T, e, bdf2):
     return over(top, [(n == 0) + T * v for n, v in enumerate(top)])
 
 
-def weights(method, terms):
-    """V_n of all terms; of stable (26.15). terms: (kind, factor, order, time, end), each number
-    with a slope of its own."""
-    w = [ZERO] * (N + 1)
+SYMBOLS = {
+    "POWER": lambda v, a, T, e: v ** (2 * a),
+    "ZENER": lambda v, a, T, e: v ** (2 * a) / (1 + T * v ** (2 * a)),
+    "MAXWELL": lambda v, a, T, e: v / (1 + T * v),
+    "DISTRIBUTED": lambda v, a, T, e: (v ** (2 * e) - v ** (2 * a)) / (2 * mpmath.log(v)),
+}
+
+
+@functools.cache
+def parabola():
+    """Laplace's inverse for t = h, ..., N h: s, and ds by 2 pi i. Poles up to 100 are inside."""
+    mu, spacing = 30 / (N * STEP), mpf("0.042")
+    v = [(1 + 1j * spacing * (j + mpf(0.5))) for j in range(-205, 205)]
+    return [mu * u * u for u in v], [mu / mpmath.pi * spacing * u for u in v]
+
+
+def impulses(kind, a, T, e):
+    """(26.20): h int (1 - u) q((k + u) h) du and h int u q du of all steps, q the inverse of C/s^2;
+    of step 0 as integrals of q, by the inverses of C/s^3 and C/s^4."""
+    out = []
+    s, ds = parabola()
+    C = [w * SYMBOLS[kind](v, a, T, e) / (v * v) for v, w in zip(s, ds)]
+    step = [mpmath.exp(v * STEP) for v in s]
+    power = step
+    for k in range(N):
+        left, right = [], []
+        for v, c, E, f in zip(s, C, power, step):
+            z = v * STEP
+            left.append(c * E * ((f - 1 - z) / (z * z) if k else 1 / (z * z)))
+            right.append(c * E * ((f * (z - 1) + 1) / (z * z) if k else 1 / z - 1 / (z * z)))
+        out += [STEP * mpmath.fsum(left), STEP * mpmath.fsum(right)]
+        if k:
+            power = [E * f for E, f in zip(power, step)]
+    return out
+
+
+def growth(kind, factor, a, T, e):
+    """The order of a term for large s; a fraction ends at 0."""
+    return 2 * a if kind == "POWER" or kind == "ZENER" and T == 0 else \
+        2 * e if kind == "DISTRIBUTED" else int(kind == "MAXWELL" and T == 0)
+
+
+def grows(method, terms):
+    """Does the start have impulses: does some term grow faster than s?"""
+    return method != "fvi" and max(growth(*term) for term in terms) > 1
+
+
+def of_terms(terms, find, count):
+    """Numbers of all terms with their slopes: find(kind, order, time, end) are those of a term of
+    factor 1, `count` of them."""
+    out = [ZERO] * count
     for l, (kind, *numbers) in enumerate(terms):
         for i, v in enumerate(numbers):
             if i and not HAS[kind][i - 1]:
                 continue
             factor, *tilted = [v + mpc(0, TINY) if j == i else v for j, v in enumerate(numbers)]
-            found = symbol(kind, *tilted, method != "fvi")
-            found = [dual(factor * u, UNITS[3 * i + l]) for u in found]
-            w = [u + (v if i == 0 else Dual(0, v.d)) for u, v in zip(w, found)]  # the values once
+            found = [dual(factor * u, UNITS[3 * i + l]) for u in find(kind, *tilted)]
+            out = [u + (v if i == 0 else Dual(0, v.d)) for u, v in zip(out, found)]  # the values once
+    return out
+
+
+def weights(method, terms):
+    """V_n of all terms; of stable (26.15). terms: (kind, factor, order, time, end), each number
+    with a slope of its own."""
+    w = of_terms(terms, lambda *term: symbol(*term, method != "fvi"), N + 1)
     return [HALF * (u + v) for u, v in zip(w, [ZERO] + w)] if method == "stable" else w
 
 
@@ -113,22 +167,28 @@ def run(method, kappa, terms, data):
     rest, whole, three = dual(1 - kappa), dual(mpf(1)), dual(mpf(3))
     grad = lambda S: (c + g * S * S) * S
     F = [dual(mpmath.cos(5 * k * STEP / 4) / 5) for k in range(N + 1)]
+    pulls = of_terms(terms, impulses, 2 * N) if grows(method, terms) else None  # (26.20)
     for x0, p0, m, rho in zip(data["x0"], data["p0"], data["mass"], data["rho"]):
         x, p, z, H = x0, p0, [ZERO], ZERO
         inertia = m / h + theta * rho * h * w[0]
+        v0 = p0 / m if pulls else ZERO
         for k in range(N):
             if not printed:
                 p = p + HALF * h * F[k] - (HALF - theta) * rho * h * H
-            known = w[0] * (x - x0) + dot(w[1:k + 2], z[::-1])
+            if pulls:
+                p = p - rho * v0 * pulls[2 * k]
+            known = w[0] * (x - x0 - dual((k + 1) * STEP) * v0) + dot(w[1:k + 2], z[::-1])
             d, right = ZERO, p - theta * rho * h * known
             for _ in range(9):
                 S = x + rest * d
                 d -= ((inertia * d + dual(kappa) * h * grad(S) - right)
                       / (inertia + dual(kappa) * rest * h * (c + three * g * S * S)))
             pull, x, H = grad(x + rest * d), x + d, known + w[0] * d
-            z.append(x - x0)
+            z.append(x - x0 - dual((k + 1) * STEP) * v0)
             p = p + (h if printed else HALF * h) * F[k + 1] - h * pull
             p = p - (whole if printed else HALF + theta) * rho * h * H
+            if pulls:
+                p = p - rho * v0 * pulls[2 * k + 1]
             off = x - dual(mpmath.sin((k + 1) * STEP))
             J += HALF * h * off * off
         J += HALF * x * (whole + HALF * p * p)
@@ -191,12 +251,6 @@ for which in range(12):
 # ---- runs with stages ----
 
 mp.dps = 60
-SYMBOLS = {
-    "POWER": lambda v, a, T, e: v ** (2 * a),
-    "ZENER": lambda v, a, T, e: v ** (2 * a) / (1 + T * v ** (2 * a)),
-    "MAXWELL": lambda v, a, T, e: v / (1 + T * v),
-    "DISTRIBUTED": lambda v, a, T, e: (v ** (2 * e) - v ** (2 * a)) / (2 * mpmath.log(v)),
-}
 SMALL = mpf(10) ** -20
 
 

@@ -1,6 +1,8 @@
 """H 27: element matrices from their polynomials, the eigenvalues of a clamped beam,
 what elements add to them, and a structure's mode as one oscillator."""
-from mpmath import cos, cosh, findroot, mp, pi
+import functools
+
+from mpmath import cos, cosh, cot, exp, findroot, lu_solve, matrix, mp, mpc, mpf, pi
 from sympy import Matrix, Rational, cos as c_, diff, eye, integrate, series, sin as s_, symbols
 
 from shared.refgen import claim, header, hexd_real, prove, table
@@ -64,3 +66,58 @@ def root(n):
 
 
 table("ref_clamped", "double lambda;", [[hexd_real(root(n))] for n in range(1, 4)])
+
+
+# ---- (27.11): five storeys with three kinds of dampers, by Talbot's inversion of Laplace's transform
+# T(s) y = M v0 - K x0 / s,  T = s^2 M + K + sum_j L_j(s) row_j^T row_j,  x = x0 + y
+storeys, stiff = 5, 100
+x_start = [mpf(i) / 16 for i in (1, 2, 2, 3, 4)]
+v_start = [mpf(i) / 4 for i in (1, -2, 0, 1, 3)]
+between = {1: lambda s: 5 * s**mpf("0.625"),                                        # x1
+           3: lambda s: s**mpf("1.375"),                                            # x3 - x2
+           5: lambda s: s / 2 + 3 * s**mpf("0.5") / (1 + 2 * s**mpf("0.5"))}  # x5 - x4
+
+
+def stretch(n):
+    """The row of storey n: x_n - x_{n-1}."""
+    return [1 if i == n - 1 else -1 if i == n - 2 else 0 for i in range(storeys)]
+
+
+def dynamic_stiffness(s):
+    T = matrix(storeys, storeys)
+    for n in range(1, storeys + 1):
+        row, k = stretch(n), stiff + (between[n](s) if n in between else 0)
+        for i in range(storeys):
+            for j in range(storeys):
+                T[i, j] += k * row[i] * row[j]
+    for i in range(storeys):
+        T[i, i] += s * s
+    return T
+
+
+def pull(i):
+    """(K x0)_i."""
+    return sum(stiff * row[i] * sum(r * x for r, x in zip(row, x_start)) for row in map(stretch, range(1, storeys + 1)))
+
+
+@functools.cache
+def building(t, digits):
+    """x and x' of all storeys; the contour encloses poles up to 120 / t."""
+    mp.dps = digits + 60
+    nodes = 5 * digits + 150
+    total = [mpf(0)] * (2 * storeys)
+    for n in range(nodes):
+        angle = pi * (n + mpf(1) / 2) / nodes
+        radius = mpf(2) * nodes / 5 / t
+        s = radius * angle * (cot(angle) + mpc(0, 1))
+        slope = radius * (cot(angle) - angle / mp.sin(angle)**2 + mpc(0, 1))
+        y = lu_solve(dynamic_stiffness(s), matrix([v_start[i] - pull(i) / s for i in range(storeys)]))
+        for i in range(storeys):
+            total[i] += (exp(s * t) * y[i] * slope).imag / nodes
+            total[storeys + i] += (exp(s * t) * s * y[i] * slope).imag / nodes
+    return [x_start[i] + total[i] for i in range(storeys)] + total[storeys:]
+
+
+table("ref_building", "double t, x[5], v[5];",
+      [[float(t).hex()] + ["{ %s }" % ", ".join(hexd_real(lambda d: building(t, d)[i], 25, 10) for i in part)
+                           for part in (range(5), range(5, 10))] for t in (mpf(1) / 2, mpf(2), mpf(6))])

@@ -1,0 +1,153 @@
+/* src/matrices/structure_dampers.c -- Structures with several dampers.     [H 27] */
+#include "structure.h"
+
+#include "system/fail.h"
+
+#include <stdlib.h>
+
+static int select_damper_history(size_t d, const double *x, const double *from,
+                                 const void *params, double *z)
+{
+    (void)d;
+    fvi_history_space_gather(params, x, from, z);
+    return FVI_SUCCESS;
+}
+
+static int damp_by_damper(size_t d, double a, const double *z, const void *params,
+                          double *p)
+{
+    (void)d;
+    fvi_history_space_apply_damping(params, a, z, p);
+    return FVI_SUCCESS;
+}
+
+static const fvi_sparse *matrix_of(const fvi_structure *s, size_t j)
+{
+    const fvi_damper *damper = s->mechanism.damper + j;
+    return damper->matrix ? damper->matrix : s->outer + j;
+}
+
+/* M, C_1, C_2, ..., K and their factors; one block with room for both. */
+const fvi_sparse **fvi_structure_terms(const fvi_structure *s, double m, const double *c,
+                                    double k, double **a)
+{
+    const size_t count = s->mechanism.damper_count + 2;
+    const fvi_sparse **terms = malloc(count * (sizeof *terms + sizeof **a));
+    if (!terms)
+        return NULL;
+    *a = (double *)(terms + count);
+    terms[0] = s->M;
+    terms[count - 1] = s->K;
+    (*a)[0] = m;
+    (*a)[count - 1] = k;
+    for (size_t j = 0; j + 2 < count; j++) {
+        terms[j + 1] = matrix_of(s, j);
+        (*a)[j + 1] = c[j];
+    }
+    return terms;
+}
+
+static int factorise_dampers(size_t d, double m, const double *c, double k,
+                             const void *params, void **factors)
+{
+    const fvi_structure *s = params;
+    double *a;
+    const fvi_sparse **terms = fvi_structure_terms(s, m, c, k, &a);
+    (void)d;
+    if (!terms)
+        FVI_FAIL("no memory for the factors", FVI_ENOMEM);
+    const int status =
+        fvi_structure_factorise(s->mechanism.damper_count + 2, terms, a, factors);
+    free(terms);
+    return status;
+}
+
+/* row^T row of the entries that are not 0. */
+static int multiply_row(size_t d, const double *row, fvi_sparse *C)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < d; i++)
+        count += row[i] != 0;
+    fvi_triplet *t = malloc((count * count + 1) * sizeof *t), *next = t;
+    if (!t)
+        return FVI_ENOMEM;
+    for (size_t j = 0; j < d; j++)
+        for (size_t i = 0; row[j] != 0 && i < d; i++)
+            if (row[i] != 0)
+                *next++ = (fvi_triplet){ (int)i, (int)j, row[i] * row[j] };
+    const int status = fvi_sparse_assemble(d, count * count, t, C);
+    free(t);
+    return status;
+}
+
+static int refuse_damper(size_t j, int code, const char *reason, fvi_error *error)
+{
+    fvi_fail(error, code, "damper", (double)j + 1, "damper %zu: %s", j + 1, reason);
+    if (error)
+        error->index = j;
+    return code;
+}
+
+static int find_damper_space(fvi_structure *s, size_t j, fvi_error *error)
+{
+    const fvi_damper *damper = s->mechanism.damper + j;
+    const double *row = damper->of.row;
+    const size_t d = s->M->n;
+    int status = FVI_SUCCESS, place;
+    if (!damper->kernel || fvi_kernel_check(damper->kernel))
+        return refuse_damper(j, FVI_EINVAL, "its kernel is not one", error);
+    if (!damper->matrix && !row)
+        return refuse_damper(j, FVI_EUNSUP,
+                             "a structure has dampers along rows, or by matrices", error);
+    if (damper->matrix && damper->matrix->n != d)
+        return refuse_damper(j, FVI_EINVAL, "its matrix is not of the size of M", error);
+    if (!damper->matrix && !fvi_all_finite(d, row))
+        return refuse_damper(j, FVI_EDOM, "its row has an entry that is not finite",
+                             error);
+    if (!damper->matrix)
+        status = multiply_row(d, row, s->outer + j);
+    else if (fvi_sparse_is_symmetric(damper->matrix, &place) == FVI_EDOM)
+        return refuse_damper(j, FVI_EDOM, "its matrix is not symmetric", error);
+    if (!status)
+        status = damper->matrix
+                     ? fvi_history_space_find(s->M, damper->matrix, s->space + j)
+                     : fvi_history_space_of_row(s->outer + j, row, s->space + j);
+    if (status)
+        return refuse_damper(j, status,
+                             status == FVI_EDOM ? "its matrix is negative: it would feed "
+                                                  "the motion"
+                                                : "no memory for its matrix",
+                             error);
+    s->damper[j] = (fvi_damping_matrix){ s->space[j].r, select_damper_history,
+                                         damp_by_damper, s->space + j };
+    return FVI_SUCCESS;
+}
+
+int fvi_structure_add_dampers(fvi_structure *s, size_t count, const fvi_damper *damper,
+                       fvi_error *error)
+{
+    s->outer = calloc(count, sizeof *s->outer);
+    s->space = calloc(count, sizeof *s->space);
+    s->damper = calloc(count, sizeof *s->damper);
+    if (!s->outer || !s->space || !s->damper)
+        return fvi_fail(error, FVI_ENOMEM, "damper", NAN, "no memory for the dampers");
+    s->mechanism = (fvi_mechanism){ .damper_count = count, .damper = damper };
+    s->matrices.damper_count = count;
+    s->matrices.damper = s->damper;
+    s->matrices.factorise_dampers = factorise_dampers;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; !status && j < count; j++)
+        status = find_damper_space(s, j, error);
+    return status;
+}
+
+void fvi_structure_free_dampers(fvi_structure *s)
+{
+    for (size_t j = 0; s->damper && j < s->mechanism.damper_count; j++) {
+        fvi_history_space_free(s->space + j);
+        fvi_sparse_free(s->outer + j);
+    }
+    free(s->outer);
+    free(s->space);
+    free(s->damper);
+}

@@ -1,0 +1,66 @@
+/* src/run/dampers_check.c -- Are these dampers that a structure can have?  [H 27] */
+#include "dampers_check.h"
+
+#include <fvi/dampers.h>
+
+#include <math.h>
+
+static int refuse(size_t j, int code, const char *reason, fvi_error *error)
+{
+    fvi_fail(error, code, "damper", (double)j + 1, "damper %zu: %s", j + 1, reason);
+    if (error)
+        error->index = j;
+    return code;
+}
+
+static int check_damper(size_t j, const fvi_damper *damper, fvi_error *error)
+{
+    const int status = damper->kernel ? fvi_kernel_check(damper->kernel) : FVI_EFAULT;
+    if (status)
+        return refuse(j, status == FVI_ENOMEM ? status : FVI_EINVAL, "its kernel is not one", error);
+    const fvi_kernel_term *term = damper->kernel->term;
+    const int is_power =
+        damper->kernel->count == 1 && term->kind == FVI_KERNEL_POWER;
+    switch (damper->past) {
+    case FVI_INITIAL_HISTORY_HELD:
+        return FVI_SUCCESS;
+    case FVI_INITIAL_HISTORY_CAPUTO:
+        return is_power || fvi_kernel_takes_caputo(damper->kernel)
+                   ? FVI_SUCCESS
+                   : refuse(j, FVI_EUNSUP,
+                            "Caputo's past is that of one power, or of orders up to 1",
+                            error);
+    case FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE:
+        return is_power && term->alpha <= 0.5
+                   ? FVI_SUCCESS
+                   : refuse(j, FVI_EUNSUP,
+                            "Riemann-Liouville's past is that of one power up to the "
+                            "order 1",
+                            error);
+    }
+    return refuse(j, FVI_EINVAL, "unknown past", error);
+}
+
+int fvi_check_dampers_of_matrices(const fvi_run *run, fvi_error *error)
+{
+    const fvi_mechanism *mechanism = run->system->mechanism;
+    const size_t count = mechanism ? mechanism->damper_count : 0;
+    int status = FVI_SUCCESS;
+    if (count != run->system->matrices->damper_count)
+        return fvi_fail(error, FVI_EINVAL, "mechanism", NAN,
+                        "the dampers are not those of the matrices: "
+                        "fvi_structure_alloc_dampers makes both");
+    if (mechanism && (mechanism->lagrangian || mechanism->force_on || mechanism->constraints))
+        return fvi_fail(error, FVI_EUNSUP, "mechanism", NAN,
+                        "matrices go with dampers, and with no Lagrangian, force of "
+                        "velocity or constraint");
+    if (count > 0 && run->law)
+        return fvi_fail(error, FVI_EUNSUP, "law", NAN,
+                        "with several dampers each has its own kernel");
+    if (count > 0 && run->past != FVI_INITIAL_HISTORY_HELD)
+        return fvi_fail(error, FVI_EUNSUP, "past", run->past,
+                        "with several dampers each has its own past");
+    for (size_t j = 0; !status && j < count; j++)
+        status = check_damper(j, mechanism->damper + j, error);
+    return status;
+}

@@ -1,0 +1,397 @@
+/* tests/structures/test_structures_dampers.c -- Structures with several dampers.
+ * Run alone: make test-structures_dampers */
+#include "structures_runs.h"
+#include "run/whole_run.h"
+#include "structures_ref.h"
+#include "system/larger.h"
+
+enum { D = 5, N = 300 };
+
+static void diagonal(double factor, const double *a, fvi_sparse *A)
+{
+    fvi_triplet list[D];
+    for (int i = 0; i < D; i++)
+        list[i] = (fvi_triplet){ i, i, factor * a[i] };
+    OK(fvi_sparse_assemble(D, D, list, A));
+}
+
+/* ---- one damper is C ---- */
+
+/* The run of a structure with C, and the one of a structure with one damper: the same bits. */
+static void ck_assert_same_bits(const fvi_method *method, const fvi_run *run,
+                                const fvi_system *other)
+{
+    double x[(N + 1) * D], p[(N + 1) * D], X[(N + 1) * D], P[(N + 1) * D];
+    fvi_run by_damper = *run;
+    by_damper.system = other;
+    by_damper.past = FVI_INITIAL_HISTORY_HELD; /* not read, as alpha and law are not */
+    by_damper.law = NULL;
+    by_damper.alpha = 0.5;
+    OK(fvi_trajectory(method, run, x, p, NULL));
+    OK(fvi_trajectory(method, &by_damper, X, P, NULL));
+    ck_assert_msg(memcmp(x, X, sizeof x) == 0 && memcmp(p, P, sizeof p) == 0,
+                  "%s alpha %g past %d", method->name, run->alpha, (int)run->past);
+}
+
+static const double x0[D] = { 1, 0, -0.5, 0.2, 0.3 }, p0[D] = { 0, 0.3, 0.1, -1, 0.2 },
+                    ones[D] = { 1, 1, 1, 1, 1 }, mass[D] = { 1, 2, 0.5, 1.5, 1 };
+
+/* By powers of all orders and all pasts, and by a fraction; C touches all unknowns, or the
+ * differences of some. */
+START_TEST(eq_27_11_one_damper_is_the_damping_matrix_to_the_bit)
+{
+    static const double alphas[] = { 0, 0.3, 0.5, 0.7, 1 };
+    const fvi_kernel_term fraction = { FVI_KERNEL_ZENER, 0.5, 0.3, 2, 0 };
+    const fvi_kernel zener = { 1, &fraction };
+    for (size_t i = 0; i < LEN(takers) * (LEN(alphas) * 3 + 1) * 2; i++) {
+        const size_t which = i / LEN(takers) / 2;
+        const double alpha = alphas[which / 3 % LEN(alphas)];
+        const fvi_kernel_term power = { FVI_KERNEL_POWER, 1, alpha, 0, 0 };
+        const int is_law = which == LEN(alphas) * 3;
+        const fvi_kernel kernel = is_law ? zener : (fvi_kernel){ 1, &power };
+        matrices m;
+        diagonal(1, mass, &m.M);
+        tridiagonal(D, 4, -2, &m.K);
+        if (i / LEN(takers) % 2)
+            diagonal(0.1, ones, &m.C);
+        else
+            tridiagonal(D, 0.2, -0.1, &m.C);
+        make(&m);
+        fvi_run run = run_of(&m.system, alpha, 0.05, N, x0, p0);
+        run.past = is_law ? FVI_INITIAL_HISTORY_HELD : (fvi_initial_history)(which % 3);
+        run.law = is_law ? &kernel : NULL;
+        const fvi_damper damper = { .matrix = &m.C, .kernel = &kernel, .past = run.past };
+        fvi_structure *other;
+        OK(fvi_structure_alloc_dampers(&m.M, &m.K, 1, &damper, &other, NULL));
+        const fvi_system system = fvi_structure_system(other);
+        if (run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || alpha <= 0.5)
+            ck_assert_same_bits(takers[i % LEN(takers)], &run, &system);
+        fvi_structure_free(other);
+        drop(&m);
+    }
+}
+END_TEST
+
+/* ---- the building ---- */
+
+/* Five storeys of mass 1 and stiffness 100: a springpot below the first, a power of an order
+ * above 1 below the third, a dashpot with a fraction beside it below the fifth. */
+typedef struct {
+    fvi_kernel_term term[4];
+    fvi_kernel kernel[3];
+    double row[3][D];
+    fvi_damper damper[3];
+    fvi_sparse M, K;
+    fvi_structure *structure;
+    fvi_system system;
+} building;
+
+static void build(building *b)
+{
+    static const size_t storey[] = { 0, 2, 4 };
+    *b = (building){
+        .term = { { FVI_KERNEL_POWER, 5, 0.3125, 0, 0 },
+                  { FVI_KERNEL_POWER, 1, 0.6875, 0, 0 },
+                  { FVI_KERNEL_POWER, 0.5, 0.5, 0, 0 },
+                  { FVI_KERNEL_ZENER, 3, 0.25, 2, 0 } },
+    };
+    b->kernel[0] = (fvi_kernel){ 1, b->term };
+    b->kernel[1] = (fvi_kernel){ 1, b->term + 1 };
+    b->kernel[2] = (fvi_kernel){ 2, b->term + 2 };
+    for (size_t j = 0; j < 3; j++) {
+        b->row[j][storey[j]] = 1;
+        if (storey[j] > 0)
+            b->row[j][storey[j] - 1] = -1;
+        b->damper[j] = (fvi_damper){ .of = fvi_elongation_row(b->row[j]),
+                                     .kernel = b->kernel + j };
+    }
+    fvi_triplet list[3 * D];
+    size_t count = 0;
+    for (int i = 0; i < D; i++)
+        for (int j = i > 0 ? i - 1 : 0; j <= i + 1 && j < D; j++)
+            list[count++] = (fvi_triplet){ i, j, i != j ? -100 : i < D - 1 ? 200 : 100 };
+    OK(fvi_sparse_assemble(D, count, list, &b->K));
+    diagonal(1, ones, &b->M);
+    OK(fvi_structure_alloc_dampers(&b->M, &b->K, 3, b->damper, &b->structure, NULL));
+    b->system = fvi_structure_system(b->structure);
+}
+
+static void pull_down(building *b)
+{
+    fvi_structure_free(b->structure);
+    fvi_sparse_free(&b->M);
+    fvi_sparse_free(&b->K);
+}
+
+static const double shape[D] = { 1. / 16, 2. / 16, 2. / 16, 3. / 16, 4. / 16 },
+                    push[D] = { 1. / 4, -2. / 4, 0, 1. / 4, 3. / 4 };
+
+/* max |x - x(t)| and |p - v(t)| / 10 at t = 6, after so many steps. */
+static double error_of(const fvi_method *method, const building *b, size_t steps)
+{
+    fvi_stepper *s;
+    const fvi_run run = run_of(&b->system, 0.5, 6. / (double)steps, steps, shape, push);
+    double worst = 0;
+    OK(fvi_stepper_start(method, &run, &s, NULL));
+    while (s->k < steps)
+        OK(fvi_stepper_step(s));
+    for (size_t i = 0; i < D; i++)
+        worst = larger(worst, larger(fabs(s->x[i] - ref_building[2].x[i]),
+                                     fabs(s->p[i] - ref_building[2].v[i]) / 10));
+    fvi_stepper_free(s);
+    return worst;
+}
+
+/* The highest mode has h w = 0.04 with the shorter step: its orders are seen to 0.1. Seen:
+ * 0.98, 2.01, 2.00, 2.01. */
+START_TEST(eq_27_11_the_building_to_the_order_of_each_method)
+{
+    building b;
+    build(&b);
+    for (size_t i = 0; i < LEN(takers); i++) {
+        const double coarse = error_of(takers[i], &b, 1600),
+                     fine = error_of(takers[i], &b, 3200),
+                     order = log2(coarse / fine), want = i == 0 ? 1 : 2;
+        ck_assert_msg(fabs(order - want) <= 0.1, "%s: %g, from %g", takers[i]->name, order,
+                      fine);
+        ck_assert_msg(fine <= (i == 0 ? 2e-2 : 2e-3), "%s: %g", takers[i]->name, fine);
+        seen(order, "order of %s", takers[i]->name);
+    }
+    pull_down(&b);
+}
+END_TEST
+
+/* C = C_1 + C_2 with one kernel for both is one damper: the sums of both go to p one after
+ * another. N steps, as eq_27_1. Seen: 1e-14 of 1e-12. */
+START_TEST(eq_27_11_a_matrix_may_be_cut_in_two)
+{
+    const fvi_kernel_term power = { FVI_KERNEL_POWER, 0.3, 0.3, 0, 0 };
+    const fvi_kernel kernel = { 1, &power };
+    double worst = 0;
+    for (size_t i = 0; i < LEN(takers); i++) {
+        matrices m;
+        fvi_sparse half;
+        fvi_structure *one, *two;
+        double x[(N + 1) * D], X[(N + 1) * D];
+        diagonal(1, mass, &m.M);
+        tridiagonal(D, 4, -2, &m.K);
+        tridiagonal(D, 2, 1, &m.C);
+        tridiagonal(D, 1, 0.5, &half);
+        const fvi_damper whole = { .matrix = &m.C, .kernel = &kernel },
+                         parts[2] = { { .matrix = &half, .kernel = &kernel },
+                                      { .matrix = &half, .kernel = &kernel } };
+        OK(fvi_structure_alloc_dampers(&m.M, &m.K, 1, &whole, &one, NULL));
+        OK(fvi_structure_alloc_dampers(&m.M, &m.K, 2, parts, &two, NULL));
+        m.system = fvi_structure_system(one);
+        fvi_run run = run_of(&m.system, 0.5, 0.05, N, x0, p0);
+        OK(fvi_trajectory(takers[i], &run, x, NULL, NULL));
+        m.system = fvi_structure_system(two);
+        OK(fvi_trajectory(takers[i], &run, X, NULL, NULL));
+        for (size_t l = 0; l < LEN(x); l++)
+            worst = larger(worst, fabs(x[l] - X[l]));
+        m.structure = two;
+        fvi_structure_free(one);
+        fvi_sparse_free(&half);
+        drop(&m);
+    }
+    ck_assert_msg(worst <= 1e-12, "%g", worst);
+    seen_worst(worst, "cut in two");
+}
+END_TEST
+
+/* ---- what a run keeps ---- */
+
+/* Keeps pieces, or gives them back. */
+typedef struct {
+    fvi_archive archive;
+    unsigned char *at;
+} shelf;
+
+static int save(fvi_archive *v, void *data, size_t bytes, int constant)
+{
+    shelf *s = (shelf *)v;
+    (void)constant;
+    memcpy(s->at, data, bytes);
+    s->at += bytes;
+    return 0;
+}
+
+static int load(fvi_archive *v, void *data, size_t bytes, int constant)
+{
+    shelf *s = (shelf *)v;
+    if (!constant)
+        memcpy(data, s->at, bytes);
+    s->at += bytes;
+    return 0;
+}
+
+static unsigned char bytes[1 << 20];
+
+/* A copy, and a run from what was saved, go on with the same bits: of several dampers each has
+ * a history, and one the impulses of an order above 1. */
+START_TEST(a_run_with_several_dampers_is_copied_and_saved)
+{
+    building b;
+    build(&b);
+    for (size_t i = 0; i < LEN(takers); i++) {
+        fvi_stepper *s, *fork, *again;
+        double x[D];
+        const fvi_run run = run_of(&b.system, 0.5, 0.02, N, shape, push);
+        OK(fvi_stepper_start(takers[i], &run, &s, NULL));
+        OK(fvi_stepper_start(takers[i], &run, &again, NULL));
+        while (s->k < 130)
+            OK(fvi_stepper_step(s));
+        OK(fvi_stepper_copy(s, &fork));
+        shelf in = { { save }, bytes }, out = { { load }, bytes };
+        OK(fvi_stepper_archive(s, &in.archive));
+        OK(fvi_stepper_archive(again, &out.archive));
+        while (s->k < N)
+            OK(fvi_stepper_step(s));
+        memcpy(x, s->x, sizeof x);
+        while (fork->k < N)
+            OK(fvi_stepper_step(fork));
+        while (again->k < N)
+            OK(fvi_stepper_step(again));
+        ck_assert_int_eq(memcmp(x, fork->x, sizeof x), 0);
+        ck_assert_int_eq(memcmp(x, again->x, sizeof x), 0);
+        fvi_stepper_free(s);
+        fvi_stepper_free(fork);
+        fvi_stepper_free(again);
+    }
+    pull_down(&b);
+}
+END_TEST
+
+/* ---- stability ---- */
+
+/* max |x| of 20000 steps less than that of the start times 100? */
+static int is_stable(const fvi_method *method, const fvi_run *run)
+{
+    fvi_stepper *s;
+    double most = 0;
+    int status = fvi_stepper_start(method, run, &s, NULL);
+    while (!status && s->k < run->steps && most < 100) {
+        status = fvi_stepper_step(s);
+        for (size_t i = 0; i < D; i++)
+            most = larger(most, fabs(s->x[i]));
+    }
+    fvi_stepper_free(s);
+    return !status && most < 100;
+}
+
+/* Runs on both sides of the longest step, which is a bound from below within some percent. */
+START_TEST(eq_27_9_the_longest_step_of_several_dampers)
+{
+    building b;
+    build(&b);
+    for (size_t i = 0; i < 2; i++) {
+        const fvi_method *method = i ? &fvi_cq_bdf2 : &fvi_fractional;
+        double h;
+        fvi_run run = run_of(&b.system, 0.5, 0.1, 20000, shape, push);
+        run.kappa = 1;
+        OK(fvi_stability_longest_step(method, &run, &h));
+        run.h = 0.97 * h;
+        ck_assert_msg(is_stable(method, &run), "%s %g", method->name, h);
+        run.h = 1.06 * h;
+        ck_assert_msg(!is_stable(method, &run), "%s %g", method->name, h);
+    }
+    double load;
+    fvi_run run = run_of(&b.system, 0.5, 10, 5000, shape, push);
+    OK(fvi_stability_number(&fvi_cq2_midpoint, &run, &load));
+    ck_assert(load == 0 && is_stable(&fvi_cq2_midpoint, &run));
+    pull_down(&b);
+}
+END_TEST
+
+/* ---- what is refused ---- */
+
+static int value(double t, size_t d, const double *x, void *params, double *g)
+{
+    (void)t, (void)d, (void)params;
+    *g = *x * *x;
+    return 0;
+}
+
+START_TEST(dampers_that_are_none_are_refused_by_their_number)
+{
+    building b;
+    build(&b);
+    fvi_sparse small, negative;
+    const fvi_triplet one = { 0, 0, 1 }, less = { 0, 0, -1 };
+    OK(fvi_sparse_assemble(2, 1, &one, &small));
+    OK(fvi_sparse_assemble(D, 1, &less, &negative));
+    const fvi_kernel none = { 0, NULL };
+    const double bad[D] = { 1, NAN };
+    const struct {
+        fvi_damper damper;
+        int code;
+    } wrong[] = {
+        { { .of = { .value = value }, .kernel = b.kernel }, FVI_EUNSUP },
+        { { .kernel = b.kernel }, FVI_EUNSUP },
+        { { .matrix = &b.M }, FVI_EINVAL },
+        { { .matrix = &b.M, .kernel = &none }, FVI_EINVAL },
+        { { .matrix = &small, .kernel = b.kernel }, FVI_EINVAL },
+        { { .matrix = &negative, .kernel = b.kernel }, FVI_EDOM },
+        { { .of = { .row = bad }, .kernel = b.kernel }, FVI_EDOM },
+    };
+    for (size_t i = 0; i < LEN(wrong); i++) {
+        const fvi_damper two[] = { b.damper[0], wrong[i].damper };
+        fvi_structure *s = NULL;
+        fvi_error error = { 0 };
+        ck_assert_int_eq(fvi_structure_alloc_dampers(&b.M, &b.K, 2, two, &s, &error),
+                         wrong[i].code);
+        ck_assert_msg(strcmp(error.field, "damper") == 0, "%zu: %s", i, error.field);
+        ck_assert(!s && error.index == 1);
+    }
+    fvi_sparse_free(&small);
+    fvi_sparse_free(&negative);
+    pull_down(&b);
+}
+END_TEST
+
+START_TEST(a_run_with_several_dampers_has_no_law_and_no_past_of_its_own)
+{
+    building b;
+    build(&b);
+    fvi_stepper *s = NULL;
+    fvi_error error;
+    fvi_run run = run_of(&b.system, 0.5, 0.1, 10, shape, push);
+    run.law = b.kernel;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s, &error), FVI_EUNSUP);
+    ck_assert_str_eq(error.field, "law");
+    run.law = NULL;
+    run.past = FVI_INITIAL_HISTORY_CAPUTO;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s, &error), FVI_EUNSUP);
+    ck_assert_str_eq(error.field, "past");
+    run.past = FVI_INITIAL_HISTORY_HELD;
+    b.damper[1].past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE; /* of an order above 1 */
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s, &error), FVI_EUNSUP);
+    ck_assert_str_eq(error.field, "damper");
+    ck_assert_uint_eq(error.index, 1);
+    b.damper[1].past = FVI_INITIAL_HISTORY_CAPUTO;
+    OK(fvi_stepper_start(&fvi_cq_bdf2, &run, &s, &error));
+    fvi_stepper_free(s);
+    s = NULL;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_lobatto_m3, &run, &s, &error), FVI_EUNSUP);
+    fvi_matrices alone = *b.system.matrices;
+    alone.damper_count = 2; /* not those of the mechanism */
+    b.system.matrices = &alone;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s, &error), FVI_EINVAL);
+    ck_assert_str_eq(error.field, "mechanism");
+    ck_assert(!s);
+    pull_down(&b);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("structures_dampers");
+    ADD_CASE(suite, "dampers", eq_27_11_one_damper_is_the_damping_matrix_to_the_bit,
+             eq_27_11_a_matrix_may_be_cut_in_two,
+             eq_27_11_the_building_to_the_order_of_each_method,
+             a_run_with_several_dampers_is_copied_and_saved,
+             eq_27_9_the_longest_step_of_several_dampers);
+    ADD_CASE(suite, "refused", dampers_that_are_none_are_refused_by_their_number,
+             a_run_with_several_dampers_has_no_law_and_no_past_of_its_own);
+    return run_suite(suite);
+}
