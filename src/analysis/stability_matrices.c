@@ -10,8 +10,7 @@
 
 enum { ITERATIONS = 64 };
 
-/* spring K + sum_j damper_j C_j, and room for what the largest C_j remembers, and as many
- * zeros. */
+/* spring K + sum_j damper_j C_j, and room for what they remember, and as many zeros. */
 typedef struct {
     const fvi_run *run;
     double spring;
@@ -22,13 +21,12 @@ typedef struct {
     const double *none;
 } weighed;
 
-static size_t largest_history(const weighed *w)
+static size_t all_remembered(const weighed *w)
 {
-    size_t largest = 0;
+    size_t count = 0;
     for (size_t j = 0; j < w->count; j++)
-        if (w->C[j].remembered > largest)
-            largest = w->C[j].remembered;
-    return largest;
+        count += w->C[j].remembered;
+    return count;
 }
 
 /* y = spring K v + sum_j damper_j C_j v. */
@@ -107,7 +105,7 @@ static int acts(const weighed *w)
 static int find(weighed *w, double *load)
 {
     const fvi_matrices *m = w->run->system->matrices;
-    const size_t d = w->run->system->d, r = largest_history(w);
+    const size_t d = w->run->system->d, r = all_remembered(w);
     if (!acts(w)) {
         *load = 0;
         return FVI_SUCCESS;

@@ -10,7 +10,7 @@
 int fvi_stability_share(double share, const fvi_run *run, double *load);
 
 /* fvi_stability_of_dampers -- the same of a system with several: damper_j, h^2 times what the
- * method takes of the kernel, stands before C_j. FVI_EUNSUP for dampers without matrices. */
+ * method takes of the kernel, stands before C_j. */
 int fvi_stability_of_dampers(const double *damper, const fvi_run *run, double *load);
 
 /* fvi_stability_of_matrices -- the largest eigenvalue of spring K + sum_j damper_j C_j against M,

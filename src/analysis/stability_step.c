@@ -84,7 +84,7 @@ int fvi_stability_longest_step(const fvi_method *method, const fvi_run *run, dou
     int status = fvi_system_check_any(run->system, NULL);
     if (status)
         return status;
-    if (run->system->mechanism)
+    if (run->system->mechanism && !run->system->matrices)
         FVI_FAIL("the load of a mechanism is not known", FVI_EUNSUP);
     kept_hessian kept = { .u = &run->system->potential };
     fvi_system system = *run->system;

@@ -137,8 +137,8 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
  *     fvi_structure_alloc_dampers(&M, &K, 2, dampers, &structure, &error);
  *     fvi_system system = fvi_structure_system(structure);
  *
- * Returns as fvi_structure_alloc; FVI_EINVAL for no dampers, or what is no kernel; FVI_EUNSUP
- * for an elongation that is not linear. */
+ * Returns as fvi_structure_alloc; FVI_EINVAL for no dampers; FVI_EFAULT for one without a
+ * kernel, which a run then checks; FVI_EUNSUP for an elongation that is not linear. */
 int fvi_structure_alloc_dampers(const fvi_sparse *M, const fvi_sparse *K, size_t count,
                                 const fvi_damper *damper, fvi_structure **structure,
                                 fvi_error *error);

@@ -94,8 +94,8 @@ static int find_damper_space(fvi_structure *s, size_t j, fvi_error *error)
     const double *row = damper->of.row;
     const size_t d = s->M->n;
     int status = FVI_SUCCESS, place;
-    if (!damper->kernel || fvi_kernel_check(damper->kernel))
-        return refuse_damper(j, FVI_EINVAL, "its kernel is not one", error);
+    if (!damper->kernel) /* what it is, a run asks */
+        return refuse_damper(j, FVI_EFAULT, "it has no kernel", error);
     if (!damper->matrix && !row)
         return refuse_damper(j, FVI_EUNSUP,
                              "a structure has dampers along rows, or by matrices", error);

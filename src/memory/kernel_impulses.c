@@ -172,9 +172,7 @@ static void make_rule(fvi_impulses_of_kernel *o, size_t first)
  * of EXACT. */
 static void set_powers(fvi_impulses_of_kernel *o, size_t k, int is_next)
 {
-    size_t from = k - k % EXACT;
-    if (from < o->first)
-        from = o->first;
+    const size_t exact = k - k % EXACT, from = exact > o->first ? exact : o->first;
     is_next = is_next && k != from;
     for (size_t j = 0; j < o->count; j++) {
         if (!is_next)

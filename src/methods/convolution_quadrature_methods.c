@@ -114,6 +114,17 @@ static int right_hand_side(fvi_stepper *s, fvi_cq_state *o)
 //< right-hand-side
 
 //> step
+/* h (1/2 + theta) D_{k+1} of a damper, at the end of the step. What is left of h D_{k+1} comes at
+ * the beginning of the next. */
+static int damp(fvi_stepper *s, fvi_cq_damper *o)
+{
+    int status = update_history(s, o);
+    if (!status)
+        status = fvi_damping_apply_force(o->damping, 0.5 + o->theta, o->H, s->p);
+    apply_initial_history(s, o, 1);
+    return status;
+}
+
 static int step_second_order(fvi_stepper *s)
 {
     fvi_cq_state *o = s->method_state;
@@ -129,13 +140,8 @@ static int step_second_order(fvi_stepper *s)
         s->x[i] += s->dx[i];
         s->p[i] += h / 2 * s->F[i] - h * s->g[i];
     }
-    for (size_t j = 0; j < o->count && !status; j++) {
-        fvi_cq_damper *a = o->each + j;
-        status = update_history(s, a);
-        if (!status)
-            status = fvi_damping_apply_force(a->damping, 0.5 + a->theta, a->H, s->p);
-        apply_initial_history(s, a, 1);
-    }
+    for (size_t j = 0; j < o->count && !status; j++)
+        status = damp(s, o->each + j);
     return status;
 }
 //< step

@@ -320,7 +320,6 @@ START_TEST(dampers_that_are_none_are_refused_by_their_number)
     const fvi_triplet one = { 0, 0, 1 }, less = { 0, 0, -1 };
     OK(fvi_sparse_assemble(2, 1, &one, &small));
     OK(fvi_sparse_assemble(D, 1, &less, &negative));
-    const fvi_kernel none = { 0, NULL };
     const double bad[D] = { 1, NAN };
     const struct {
         fvi_damper damper;
@@ -328,8 +327,7 @@ START_TEST(dampers_that_are_none_are_refused_by_their_number)
     } wrong[] = {
         { { .of = { .value = value }, .kernel = b.kernel }, FVI_EUNSUP },
         { { .kernel = b.kernel }, FVI_EUNSUP },
-        { { .matrix = &b.M }, FVI_EINVAL },
-        { { .matrix = &b.M, .kernel = &none }, FVI_EINVAL },
+        { { .matrix = &b.M }, FVI_EFAULT },
         { { .matrix = &small, .kernel = b.kernel }, FVI_EINVAL },
         { { .matrix = &negative, .kernel = b.kernel }, FVI_EDOM },
         { { .of = { .row = bad }, .kernel = b.kernel }, FVI_EDOM },
@@ -364,6 +362,10 @@ START_TEST(a_run_with_several_dampers_has_no_law_and_no_past_of_its_own)
     ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s, &error), FVI_EUNSUP);
     ck_assert_str_eq(error.field, "past");
     run.past = FVI_INITIAL_HISTORY_HELD;
+    b.term[1].alpha = 2;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s, &error), FVI_EINVAL);
+    ck_assert_str_eq(error.field, "damper");
+    b.term[1].alpha = 0.6875;
     b.damper[1].past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE; /* of an order above 1 */
     ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s, &error), FVI_EUNSUP);
     ck_assert_str_eq(error.field, "damper");

@@ -139,10 +139,10 @@ START_TEST(the_way_is_chosen_by_the_band)
 {
     fvi_sparse A;
     tridiagonal(5, 2, 0, &A); /* zeros that stand there are no band of a sum */
-    const fvi_sparse *const terms[3] = { &A, NULL, NULL };
-    const double a[3] = { 1, 0, 0 };
+    const fvi_sparse *const terms[] = { &A, NULL };
+    const double a[] = { 1, 0 };
     fvi_sparse sum;
-    OK(fvi_sparse_add(terms, a, &sum));
+    OK(fvi_sparse_add(2, terms, a, &sum));
     ck_assert_int_eq(fvi_way_of(&sum), FVI_BY_DIAGONAL);
     fvi_sparse_free(&sum);
     fvi_sparse_free(&A);
