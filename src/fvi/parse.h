@@ -146,8 +146,8 @@ typedef struct {
 /* fvi_parse_potential -- harmonic:C, duffing:C,G, pendulum:G, free, chain:D,C,G, or an
  * expression in x, or x1, ..., xd.
  *
- *   d           of the system; 0: what the text says, 1 of an expression. A chain of another d
- *               is refused
+ *   d           of the system; 0: what the text says, of an expression the largest index in it. A
+ *               chain of another d is refused
  *   parameters  of the expression, kept: they must outlive the potential; NULL if there are none
  *
  * Of a misprint in an expression the error has the byte as its index. */
@@ -269,7 +269,7 @@ typedef struct fvi_typed_mechanism fvi_typed_mechanism;
  *   mechanism   output; give it back with fvi_typed_mechanism_free
  *
  * The fields of the error are the words of the program: "lagrangian", "damper", "constraint", "impose",
- * "force-on". A law beyond its range says so with "damping". */
+ * "force-on". */
 int fvi_parse_mechanism(const fvi_mechanism_texts *texts, size_t d,
                         fvi_user_parameters *parameters,
                         fvi_typed_mechanism **mechanism, fvi_error *error);

@@ -28,6 +28,14 @@ typedef enum { FVI_FORMAT_TSV, FVI_FORMAT_CSV, FVI_FORMAT_JSON } fvi_format;
 
 extern const char *const fvi_format_names[]; /* in this order, ended by NULL */
 
+/* The values of an option that may be given several times, and all of them in one text. */
+enum { FVI_LISTS = 4, FVI_MOST_LISTED = 64 };
+typedef struct {
+    size_t count;
+    const char *value[FVI_MOST_LISTED];
+    char text[4096];
+} fvi_option_values;
+
 /* The words of the command line, understood and in range. */
 typedef struct {
     fvi_command command;
@@ -47,6 +55,10 @@ typedef struct {
     fvi_typed_force *force;   /* NULL: that of the directory */
     fvi_directory *directory;   /* of matrices instead of the lists, or NULL */
     size_t *shown, shown_count; /* which of x, p, y are columns, from 0 */
+    fvi_typed_mechanism *mechanism; /* or NULL */
+    fvi_option_values list[FVI_LISTS]; /* --damper, --constraint, --impose, --force-on */
+    int method_is_preset;
+    int potential_has_time; /* then it becomes a part of a Lagrangian */
     fvi_typed_damping damping; /* instead of alpha, and then law.count > 0 */
     fvi_initial_history past;
     const char *no_solution; /* what fvi_warning_of_initial_history says, or NULL */
@@ -76,6 +88,11 @@ typedef enum {
     DAMPING,
     MASS,
     POTENTIAL,
+    LAGRANGIAN, /* instead of it and of the masses */
+    DAMPER,     /* this and the next three: fvi_mechanism_options.h */
+    CONSTRAINT,
+    IMPOSE,
+    FORCE_ON,
     LET,
     DIMENSION,
     SYSTEM,
@@ -84,6 +101,7 @@ typedef enum {
     KAPPA,
     X0,
     P0,
+    V0, /* instead of it */
     H,
     STEPS,
     TIME,

@@ -1,6 +1,7 @@
 /* src/options/fvi_options.c -- What the command line of build/fvi says. */
 #define _GNU_SOURCE /* getopt_long */
 #include "fvi_options.h"
+#include "fvi_mechanism_options.h"
 
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/variable_steps.h>
@@ -95,6 +96,8 @@ static int take(fvi_options *o, int found, const char *given, fvi_error *c)
     if (i == DAMPING) /* laws add */
         return append(o, DAMPING, " + ", o->damping_text,
                       sizeof o->damping_text, c);
+    if (fvi_is_listed(i))
+        return fvi_list_option(o, i, optarg, c);
     return fvi_word_once(i == OUTPUT ? "-" : "--", fvi_option_list[i].name,
                          &o->text[i], optarg, c);
 }
@@ -164,6 +167,15 @@ static const char *preset(const fvi_options *o, option_index i)
     return is_start && o->text[SYSTEM] ? "0" : fvi_option_list[i].preset;
 }
 
+/* Of a Lagrangian, and of dampers that are named: these have no presets. */
+static int is_taken_over(const fvi_options *o, option_index i)
+{
+    const int is_damping = i == ALPHA || i == RHO || i == DERIVATIVE;
+    return (o->text[LAGRANGIAN]
+            && (is_damping || i == MASS || i == POTENTIAL))
+           || (o->text[DAMPER] && is_damping) || (i == P0 && o->text[V0]);
+}
+
 /* The presets; the step comes from --h, or from --time, or is looked for. */
 static int fill_in(fvi_options *o, fvi_error *c)
 {
@@ -189,10 +201,16 @@ static int fill_in(fvi_options *o, fvi_error *c)
                                           : fvi_variable_step.name;
     if ((o->text[STEP_ERROR] || o->text[LONGEST]) && !o->text[METHOD])
         o->text[METHOD] = fvi_variable_step.name;
-    const int status = check_system(o, c);
+    int status = check_system(o, c);
+    if (!status)
+        status = fvi_check_mechanism_words(o, c);
+    o->method_is_preset = !o->text[METHOD];
+    if (!o->text[METHOD] && fvi_wants_stable(o))
+        o->text[METHOD] = fvi_cq2_midpoint.name;
     for (int i = 0; i < OPTIONS; i++)
         if (!o->text[i] && !(i == H && o->text[TIME])
             && !is_replaced(o, (option_index)i)
+            && !is_taken_over(o, (option_index)i)
             && !(i == STEPS && o->steps_follow)
             && !(i == ALPHA && o->text[ORDER])
             && !(law && (i == ALPHA || i == RHO)))

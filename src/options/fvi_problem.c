@@ -1,6 +1,7 @@
 /* src/options/fvi_problem.c -- From the words of the command line to a system. */
 #define _GNU_SOURCE /* PATH_MAX */
 #include "fvi_problem.h"
+#include "fvi_mechanism_options.h"
 #include "input/fvi_files.h"
 #include "input/fvi_shared.h"
 
@@ -27,7 +28,8 @@ int fvi_problem_lists(fvi_options *o, fvi_error *c)
         double *values, low;
         const char *brackets;
     } lists[] = { { RHO, o->rho, 0, "[)" },
-                  { MASS, o->mass, 0, "()" },
+                  { MASS, o->mass, 0,
+                    o->command == FVI_COMMAND_RUN ? "[)" : "()" },
                   { X0, o->x0, -INFINITY, "()" },
                   { P0, o->p0, -INFINITY, "()" } };
     int status = 0;
@@ -39,10 +41,12 @@ int fvi_problem_lists(fvi_options *o, fvi_error *c)
     }
     for (size_t i = own; !status && i < sizeof lists / sizeof *lists; i++) {
         const char *text = o->text[lists[i].option];
+        if (!text && lists[i].option == RHO && (o->text[LAGRANGIAN] || o->text[DAMPER]))
+            text = "0";
         if (text && *text == '@')
             fvi_mark_read(fvi_option_list[lists[i].option].name, text + 1);
         status = fvi_parse_numbers(fvi_option_list[lists[i].option].name,
-                                   text ? text : "1", /* rho of a law */
+                                   text ? text : "1", /* rho of a law; what a Lagrangian has */
                                    lists[i].low, INFINITY, lists[i].brackets,
                                    o->d, lists[i].values, c);
     }
@@ -86,7 +90,11 @@ int fvi_problem_potential(fvi_options *o, fvi_error *c)
                                  c);
     if (status)
         return status;
-    if (fvi_shared_name(o->text[POTENTIAL])
+    if (!o->text[DIMENSION])
+        d = fvi_mechanism_dimension(o);
+    if (o->text[LAGRANGIAN]) {
+        o->potential.kind = FVI_POTENTIAL_FREE;
+    } else if (fvi_shared_name(o->text[POTENTIAL])
         && !strchr(o->text[POTENTIAL], ':')) {
         o->potential.kind = FVI_POTENTIAL_FREE; /* of the library's own */
         status =
@@ -94,6 +102,9 @@ int fvi_problem_potential(fvi_options *o, fvi_error *c)
     } else {
         status = fvi_parse_potential(o->text[POTENTIAL], d, &o->lets,
                                      &o->potential, c);
+        if (status == FVI_EINVAL && o->command == FVI_COMMAND_RUN
+            && fvi_potential_in_time(o, d))
+            return 0;
     }
     o->d = d                  ? d
            : o->potential.d ? o->potential.d
@@ -164,6 +175,8 @@ fvi_system fvi_options_system(const fvi_options *o)
         s.potential = o->library ? o->user : fvi_potential_typed(&o->potential);
     if (o->force)
         s.force = fvi_force_typed(o->force);
+    if (o->mechanism)
+        s.mechanism = fvi_mechanism_typed(o->mechanism);
     return s;
 }
 
@@ -182,5 +195,7 @@ fvi_run fvi_options_run(const fvi_options *o, const fvi_system *system)
                       .step_error = o->step_error,
                       .longest = o->longest,
                       .most_steps = o->most_steps,
-                      .law = o->text[DAMPING] ? &o->damping.law : NULL };
+                      .law = o->text[DAMPING] && !o->mechanism
+                                 ? &o->damping.law
+                                 : NULL };
 }

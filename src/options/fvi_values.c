@@ -1,5 +1,6 @@
 /* src/options/fvi_values.c -- From the words of the command line to values. */
 #include "fvi_values.h"
+#include "fvi_mechanism_options.h"
 #include "input/fvi_files.h"
 #include "input/fvi_shared.h"
 #include <fvi/format_double.h>
@@ -128,6 +129,12 @@ static int check_method(const fvi_options *o, fvi_error *c)
                           "method", "'%s' takes no matrices; fvi, fvi-shifted, "
                           "fvi-bdf2 and fvi-stable do",
                           m->name);
+    if (o->mechanism && (!m->takes_mechanism || o->text[ERROR]))
+        return fvi_refuse(c, o->text[ERROR] ? "error" : "method",
+                          "'%s' takes no Lagrangian, dampers between points, "
+                          "constraints or forces of velocity; fvi, fvi-stable, "
+                          "fvi-lobatto2 to 8 and 2d to 8d do, with steps of --h",
+                          o->text[ERROR] ? o->text[ERROR] : m->name);
     if (!m->takes_kappa && o->kappa != 0.5)
         return fvi_refuse(c, "kappa", "'%s' is not for %s, which has no kappa",
                           o->text[KAPPA], m->name);
@@ -139,6 +146,8 @@ static int check_method(const fvi_options *o, fvi_error *c)
 
 static int interpret_method(fvi_options *o, fvi_error *c)
 {
+    if (o->method_is_preset && fvi_wants_stable(o))
+        o->text[METHOD] = "fvi-stable";
     const int status = fvi_parse_method(o->text[METHOD], &o->method, c);
     if (status)
         return status;
@@ -279,11 +288,15 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
         status = fvi_problem_force(o, c);
     if (!status && o->text[DAMPING])
         status = fvi_parse_damping(o->text[DAMPING], &o->lets, &o->damping, c);
-    if (!status)
-        status = fvi_user_parameters_are_used(&o->lets, c);
-    if (!status)
+    if (!status && o->text[DERIVATIVE])
         status = choice(o, DERIVATIVE, fvi_initial_history_words,
                         &which, c);
+    if (!status)
+        status = fvi_problem_mechanism(o, c);
+    if (!status)
+        status = fvi_problem_velocity(o, c);
+    if (!status)
+        status = fvi_user_parameters_are_used(&o->lets, c);
     o->past = (fvi_initial_history)which;
     if (!status && o->text[DAMPING] && o->past != FVI_INITIAL_HISTORY_HELD
         && !(o->past == FVI_INITIAL_HISTORY_CAPUTO
@@ -417,6 +430,8 @@ void fvi_options_free(fvi_options *o)
     fvi_typed_potential_free(&o->potential);
     fvi_typed_damping_free(&o->damping);
     fvi_typed_force_free(o->force);
+    fvi_typed_mechanism_free(o->mechanism);
+    o->mechanism = NULL;
     fvi_directory_close(o->directory);
     free(o->shown);
     o->x0 = o->p0 = o->mass = o->rho = NULL;

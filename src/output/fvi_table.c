@@ -7,6 +7,7 @@
 #include "fvi_plot.h"
 
 #include <fvi/error.h>
+#include <fvi/lagrangian.h>
 
 #include <math.h>
 #include <stdint.h>
@@ -125,7 +126,8 @@ static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
             if (column == FVI_COLUMN_T)
                 *row = (double)k * t->o->h; /* one product */
             else if (column == FVI_COLUMN_ENERGY)
-                status = fvi_energy(t->system, x, p, row);
+                status = fvi_energy_at(t->system, (double)k * t->o->h, x, p,
+                                       row);
             else
                 pick(t->o, column == FVI_COLUMN_P ? p : x, row);
         }

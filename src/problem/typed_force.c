@@ -239,6 +239,25 @@ static int scan_ready_made(part *p, const char *text)
            || fvi_scan_call(text, "cosine", 2, p->p);
 }
 
+/* An expression in t. One in x or v is no slip of the finger, but another option's. */
+static int parse_expression(part *p, const char *text,
+                            fvi_user_parameters *parameters, fvi_error *error)
+{
+    fvi_error state = { 0 };
+    const size_t d = fvi_largest_index(text);
+    int status = fvi_parse_expression("force", "t", 1, text, parameters,
+                                      &p->expression, error);
+    if (status != FVI_EINVAL || d == 0
+        || fvi_parse_state_expression("force", d, 1, text, parameters,
+                                      &p->expression, &state))
+        return status;
+    fvi_expression_free(p->expression);
+    p->expression = NULL;
+    return fvi_fail(error, FVI_EINVAL, "force", NAN,
+                    "'%s': a force knows t alone; --force-on knows x and v",
+                    text);
+}
+
 /* One part: a word with a colon, or an expression. */
 static int parse_part(part *p, const char *text,
                       fvi_user_parameters *parameters, double last,
@@ -270,8 +289,7 @@ static int parse_part(part *p, const char *text,
                         "'%s' is none of none, step:A,T, cosine:A,W, "
                         "impulse:J,T, file:F.tsv%s",
                         text, place);
-    return fvi_parse_expression("force", "t", 1, text, parameters,
-                                &p->expression, error);
+    return parse_expression(p, text, parameters, error);
 }
 
 /* Does a word with a colon begin here? */

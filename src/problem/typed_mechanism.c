@@ -77,6 +77,8 @@ static int parse_law(fvi_typed_damper *damper, const char *text,
     if (!status)
         status = fvi_parse_damping(law, parameters, &damper->law, error);
     free(law);
+    if (status && error)
+        error->field = "damper";
     return status;
 }
 

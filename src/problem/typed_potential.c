@@ -24,6 +24,8 @@ static int parse_expression(const char *text, size_t d,
                             fvi_typed_potential *potential, fvi_error *error)
 {
     const char *near = fvi_nearest_word(text, strcspn(text, ":"), words);
+    if (d == 0)
+        d = fvi_largest_index(text);
     const int status =
         fvi_parse_expression("potential", "x", d ? d : 1, text, parameters,
                              &potential->expression, error);

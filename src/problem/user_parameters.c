@@ -86,6 +86,10 @@ int fvi_parse_state_expression(const char *field, size_t d, int velocities,
     fvi_misprint wrong;
     const fvi_user_parameters *known = parameters ? parameters : &none;
     const fvi_symbols names = { "x", d, known->name, known->count };
+    for (size_t i = 0; velocities && i < known->count; i++)
+        if (!fvi_symbol_is_free(known->name[i], "v"))
+            return fvi_fail(error, FVI_EINVAL, "let", known->value[i],
+                            "'%s' is a velocity in '%s'", known->name[i], text);
     const int status = judge(fvi_expression_parse_state(text, &names, velocities,
                                                         known->value, e, &wrong),
                              field, text, wrong, error);

@@ -17,6 +17,8 @@ static const char *const not_for_fit[] = { "steps",      "time",     "error",
                                            "every",      "format",   "plot",
                                            "checkpoint", "continue", "system",
                                            "unknowns",   "snapshot", "longest",
+                                           "lagrangian", "damper",   "constraint",
+                                           "impose",     "force-on", "v0",
                                            NULL };
 
 static const fvi_own_command fit = { "fit",

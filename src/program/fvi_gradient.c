@@ -14,7 +14,8 @@
 /* Of a run, and of no use to its derivatives. */
 static const char *const not_for_gradient[] = {
     "error",      "columns",  "every",    "format",   "plot",
-    "checkpoint", "continue", "unknowns", "snapshot", NULL
+    "checkpoint", "continue", "unknowns", "snapshot", "lagrangian",
+    "damper",     "constraint", "impose",  "force-on", "v0",         NULL
 };
 
 static const fvi_own_command gradient = {

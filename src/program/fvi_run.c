@@ -241,11 +241,14 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
     fvi_table t;
     fvi_checkpoint c = { .head = NULL };
     fvi_stepper *s = NULL;
+    fvi_error error = { 0 };
     int failed, status = FVI_ENOMEM;
     fvi_table_shape(&t, o, system);
     if ((t.rows = fvi_run_room(&t)))
-        status = fvi_stepper_start(o->method, &r, &s, NULL);
-    failed = status ? fvi_complain_of_start(o, status)
+        status = fvi_stepper_start(o->method, &r, &s, &error);
+    failed = status && o->mechanism && error.field
+                 ? fvi_refused(&error, "run")
+             : status ? fvi_complain_of_start(o, status)
                     : fvi_checkpoint_begin(o, s, &c);
     if (!failed)
         failed = run_to_the_end(&t, &r, s, &c);

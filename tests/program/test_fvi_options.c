@@ -119,7 +119,7 @@ START_TEST(random_words_are_understood_or_refused)
             ck_assert(o.alpha >= 0 && o.alpha <= 1 && o.h > 0 && o.steps >= 1);
             ck_assert(o.error >= 0 && o.alpha >= o.method->alpha_least
                       && o.alpha <= o.method->alpha_most);
-            ck_assert(o.rho[0] >= 0 && o.mass[0] > 0 && o.d >= 1 && o.x0
+            ck_assert(o.rho[0] >= 0 && o.mass[0] >= 0 && o.d >= 1 && o.x0
                       && o.method);
             accepted++;
         }

@@ -19,9 +19,12 @@ START_TEST(a_misprint_is_shown)
     ck_assert_refused_at("run --potential 'k*x^2'",
                          "fvi: --potential: 'k*x^2': no such name\n"
                          "                   ^");
-    ck_assert_refused_at("run --force 'step:1,2 + sin(x)'",
-                         "fvi: --force: 'sin(x)': no such name\n"
+    ck_assert_refused_at("run --force 'step:1,2 + sin(z)'",
+                         "fvi: --force: 'sin(z)': no such name\n"
                          "                   ^");
+    ck_assert_refused("run --force 'step:1,2 + sin(x)'",
+                      "fvi: --force: 'sin(x)': a force knows t alone; "
+                      "--force-on knows x and v");
     ck_assert_refused_at("run --let k=2+ --potential 'k*x'",
                          "fvi: --let: '2+': it ends too early\n"
                          "               ^");
@@ -117,7 +120,7 @@ START_TEST(wrong_parameters_and_lists_are_refused)
     ck_assert_refused("run --mass 1,2",
                       "fvi: --mass: '1,2' has 2 numbers, not 1");
     ck_assert_refused("run --dimension 2 --mass 1,-2",
-                      "fvi: --mass: '-2' is outside (0, inf)");
+                      "fvi: --mass: '-2' is outside [0, inf)");
     ck_assert_refused("run --rho -0.1",
                       "fvi: --rho: '-0.1' is outside [0, inf)");
     ck_assert_refused("run --rho @nowhere",

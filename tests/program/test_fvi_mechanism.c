@@ -1,0 +1,270 @@
+/* tests/program/test_fvi_mechanism.c -- The program build/fvi: Lagrangians, dampers, constraints.
+ * Run alone: make test-fvi_mechanism */
+#define _GNU_SOURCE
+#include <fvi/fvi.h>
+#include "program.h"
+
+#define ELASTIC                                                                \
+    "run --lagrangian '(v1^2+v2^2)/2 - 2*(sqrt(x1^2+x2^2)-1)^2 - x2' "          \
+    "--damper 'sqrt(x1^2+x2^2) : power:0.4,0.3' --x0 1.2,0 --h 0.1 --steps 40 "
+#define ROD                                                                    \
+    "run --lagrangian '(v1^2+v2^2)/2 - x2' --x0 1,0 --steps 40 "
+#define RING "--constraint 'x1^2+x2^2-1' "
+
+static const char *first_number_row(void)
+{
+    const char *at = out;
+    while (*at == '#')
+        at = strchr(at, '\n') + 1;
+    return at;
+}
+
+static void ck_assert_rows_are_equal(const char *one, const char *other)
+{
+    ck_assert_msg(fvi(one) == 0, "%s: %s", one, err);
+    char *want = strdup(first_number_row());
+    ck_assert_msg(fvi(other) == 0, "%s: %s", other, err);
+    ck_assert_msg(strcmp(first_number_row(), want) == 0, "%s: other rows",
+                  other);
+    free(want);
+}
+
+/* 40 steps of roundings of numbers below 4. Seen: 5e-15. */
+static void ck_assert_rows_are_near(const char *one, const char *other,
+                                    size_t width)
+{
+    double want[41 * 8];
+    ck_assert_msg(fvi(one) == 0, "%s: %s", one, err);
+    for (size_t k = 0; k <= 40; k++)
+        for (size_t i = 0; i < width; i++)
+            want[k * width + i] = cell(k, i);
+    ck_assert_msg(fvi(other) == 0, "%s: %s", other, err);
+    for (size_t k = 0; k <= 40; k++)
+        for (size_t i = 0; i < width; i++)
+            ck_assert_near(cell(k, i), want[k * width + i], 41 * 4 * U,
+                           "%s: row %zu", other, k);
+}
+
+/* The last row of an independent program (tests/lagrangian/prototype_values.h). */
+START_TEST(a_lagrangian_is_a_command)
+{
+    ck_assert_msg(fvi(ELASTIC "--v0 0.3,0.8") == 0, "%s", err);
+    static const double want[] = { -0.5769877459681192, -1.149984679827903,
+                                   -0.8587787050117233, 1.1714645807415434 };
+    for (size_t i = 0; i < 4; i++)
+        ck_assert_near(cell(40, i + 1), want[i], 1e-13, "%zu", i);
+    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable\n# lagrangian = "));
+    ck_assert_ptr_nonnull(
+        strstr(out, "# damper = sqrt(x1^2+x2^2) : power:0.4,0.3\n"));
+    ck_assert_ptr_nonnull(strstr(out, "# v0 = 0.3,0.8\n"));
+    ck_assert(!strstr(out, "# mass") && !strstr(out, "# rho")
+              && !strstr(out, "# alpha") && !strstr(out, "# p0"));
+    const double E = cell(0, 5);
+    ck_assert_near(E, 0.445, 1e-16, "energy");
+    ck_assert_rows_are_equal(ELASTIC "--v0 0.3,0.8", ELASTIC "--p0 0.3,0.8");
+    ck_assert_rows_are_equal(
+        "run --lagrangian 'm*v^2 - x^2/2' --let m=2 --x0 1 --v0 0.25",
+        "run --lagrangian '2*v^2 - x^2/2' --x0 1 --p0 1");
+}
+END_TEST
+
+/* What each of the old words means in the new ones. */
+START_TEST(a_damper_on_each_coordinate_is_the_old_damping)
+{
+    static const char *const methods[] = { "fvi", "fvi-lobatto3", "fvi-lobatto4d" };
+    for (size_t i = 0; i < LEN(methods); i++) {
+        char one[300], other[300];
+        snprintf(one, sizeof one, "run --alpha 0.3 --rho 0.4 --potential duffing:1,0.5 "
+                                  "--steps 40 --method %s", methods[i]);
+        snprintf(other, sizeof other,
+                 "run --damper 'x : power:0.4,0.3' --potential duffing:1,0.5 "
+                 "--steps 40 --method %s", methods[i]);
+        ck_assert_rows_are_near(one, other, 4);
+    }
+    ck_assert_rows_are_near(
+        "run --damping 'power:0.4,0.3 + spring:1' --steps 40 --method fvi-stable",
+        "run --damper 'x : power:0.4,0.3 + spring:1' --steps 40 "
+        "--method fvi-stable", 4);
+    ck_assert_rows_are_near( /* a force of velocity does not replace the damping */
+        "run --alpha 0.3 --rho 0.4 --potential duffing:1,0.5 --steps 40",
+        "run --alpha 0.3 --rho 0.4 --potential duffing:1,0.5 --steps 40 "
+        "--force-on '1=0*v'", 4);
+    ck_assert_rows_are_near(
+        "run --alpha 0.3 --rho 0.4 --potential 'x^2/2' --force 'sin(2*t)' --steps 40 "
+        "--method fvi-lobatto3",
+        "run --alpha 0.3 --rho 0.4 --potential 'x^2/2' --force-on '1=sin(2*t)' "
+        "--steps 40 --method fvi-lobatto3", 4);
+}
+END_TEST
+
+/* t in a potential; the dimension is the largest index. */
+START_TEST(time_and_dimension_are_seen_in_the_texts)
+{
+    ck_assert_rows_are_equal(
+        "run --potential '(1+0.5*cos(2*t))*x^2/2 + x^4/4' --damper 'x : "
+        "power:0.2,0.3' --x0 0.5 --p0 0.3 --steps 40 --method fvi-lobatto3",
+        "run --lagrangian 'v^2/2 - (1+0.5*cos(2*t))*x^2/2 - x^4/4' --damper 'x : "
+        "power:0.2,0.3' --x0 0.5 --v0 0.3 --steps 40 --method fvi-lobatto3");
+    ck_assert_near(cell(40, 1), -0.0911486892536883, 1e-13, "x40");
+    ck_assert_rows_are_equal("run --potential 'x1^2/2 + x3^2' --steps 5",
+                             "run --potential 'x1^2/2 + x3^2' --steps 5 "
+                             "--dimension 3");
+    ck_assert_rows_are_equal(
+        "run --potential free --damper 'x2 - x1 : viscous:1' --steps 5",
+        "run --potential free --dimension 2 --damper 'x2 - x1 : viscous:1' --steps 5");
+    ck_assert_rows_are_equal(
+        "run --potential 'x3^2' --damper 'x2 - x1 : viscous:1' --steps 5",
+        "run --potential 'x3^2' --dimension 3 --damper 'x2 - x1 : viscous:1' --steps 5");
+    ck_assert_int_eq(fvi("run --potential chain:3,1,0 --damper 'x2 - x1 : viscous:1'"), 0);
+    ck_assert_refused_at("run --dimension 2 --potential 'x1^2/2 + x3^2'",
+                         "fvi: --potential: 'x1^2/2 + x3^2': no such name\n"
+                         "                            ^");
+}
+END_TEST
+
+/* A springpot and a spring in series, with nothing between them, are Zener's law: 200 steps.
+ * Seen: 1.5e-15. */
+START_TEST(a_massless_node_makes_zeners_law)
+{
+#define NODE(METHOD)                                                           \
+    "run --mass 1,0 --potential 'x1^2/2 + (x1-x2)^2' --damper 'x2 : "           \
+    "power:0.5,0.3' --x0 0 --p0 1,0 --h 0.05 --steps 200 --method " METHOD
+#define ZENER(METHOD)                                                          \
+    "run --potential 'x^2/2' --damping zener:0.5,0.3,0.25 --x0 0 --p0 1 --h "    \
+    "0.05 --steps 200 --method " METHOD
+    static const char *const pairs[][2] = {
+        { NODE("fvi-stable"), ZENER("fvi-stable") },
+        { NODE("fvi-lobatto3d"), ZENER("fvi-lobatto3d") },
+        { NODE("fvi-lobatto4d"), ZENER("fvi-lobatto4d") }
+    };
+    for (size_t i = 0; i < LEN(pairs); i++) {
+        double x[201], p[201];
+        ck_assert_msg(fvi(pairs[i][0]) == 0, "%s", err);
+        for (size_t k = 0; k <= 200; k++) {
+            x[k] = cell(k, 1);
+            p[k] = cell(k, 3);
+        }
+        ck_assert_msg(fvi(pairs[i][1]) == 0, "%s", err);
+        for (size_t k = 0; k <= 200; k++) {
+            ck_assert_near(cell(k, 1), x[k], 1e-14, "x %zu", k);
+            ck_assert_near(cell(k, 2), p[k], 1e-14, "p %zu", k);
+        }
+        if (i == 0)
+            ck_assert_near(x[200], -0.18310218420059182, 1e-14, "x(10)");
+    }
+    ck_assert_rows_are_equal( /* the method with a mass of 0 */
+        NODE("fvi-stable"),
+        "run --mass 1,0 --potential 'x1^2/2 + (x1-x2)^2' --damper 'x2 : "
+        "power:0.5,0.3' --x0 0 --p0 1,0 --h 0.05 --steps 200");
+    ck_assert_refused_with(NODE("fvi-lobatto4"),
+                           "fvi: --mass: coordinate 2 has no inertia, and no "
+                           "damper of an order above 1: fvi-lobatto4d takes it");
+}
+END_TEST
+
+/* Every text that is wrong is shown, and what does not go together is said. */
+START_TEST(wrong_words_are_refused)
+{
+    static const char *const cases[][2] = {
+        { "run --lagrangian '(v1^2+v2^2/2' --x0 1 --v0 0",
+          "fvi: --lagrangian: '(v1^2+v2^2/2': a ) is missing\n" },
+        { "run --lagrangian 'v3^2' --dimension 2 --x0 1 --v0 0",
+          "fvi: --lagrangian: 'v3^2': no such name\n                    ^" },
+        { "run --lagrangian 'v^2/2' --x0 1", "fvi: --lagrangian: a start is missing" },
+        { "run --lagrangian 'v^2/2' --v0 1", "fvi: --lagrangian: a start is missing" },
+        { "run --lagrangian 'v^2/2' --x0 1 --v0 0 --mass 1",
+          "fvi: --lagrangian: not together with --mass" },
+        { "run --lagrangian 'v^2/2' --x0 1 --v0 0 --rho 1",
+          "fvi: --lagrangian: not together with --rho" },
+        { "run --lagrangian 'v^2/2' --x0 1 --v0 0 --p0 0",
+          "fvi: --v0: not together with --p0" },
+        { "run --lagrangian 'v^2/2' --x0 1 --v0 0 --method fvi-bdf2",
+          "fvi: --method: 'fvi-bdf2' takes no Lagrangian" },
+        { "run --lagrangian 'v^2/2' --x0 1 --v0 0 --error 1e-6",
+          "fvi: --error: '1e-6' takes no Lagrangian" },
+        { "run --lagrangian 'x^2' --x0 1 --v0 0 --p0 1",
+          "fvi: --v0: not together with --p0" },
+        { "run --lagrangian 'x^2' --x0 1 --p0 1",
+          "fvi: --p0: p1 is off by 1: this coordinate has no inertia" },
+        { "run --lagrangian '(v1+v2)^2' --x0 1 --p0 1",
+          "fvi: --lagrangian: its second derivatives by the velocities are a "
+          "singular matrix" },
+        { "run --damper 'x : power:1,0.3' --alpha 0.3",
+          "fvi: --damper: not together with --alpha" },
+        { "run --damper 'x:power:1,0.3'",
+          "fvi: --damper: 'x:power:1,0.3' is not '[NAME=] G : LAW [: PAST]'" },
+        { "run --damper 'x : powr:1,0.3'", "did you mean power?" },
+        { "run --damper 'x : power:1,0.3 : heldd'", "did you mean held?" },
+        { "run --damper 'x+z : power:1,0.3'",
+          "fvi: --damper: 'x+z': no such name\n                  ^" },
+        { "run --damper 'x+v : power:1,0.3'", "fvi: --damper: 'x+v': no such name" },
+        { "run --damper 'a=x : viscous:1' --damper 'a=x : spring:1'",
+          "fvi: --damper: 'a' is the name of two dampers" },
+        { "run --damper 'x : distributed:1,0.2,0.9 : caputo'",
+          "fvi: --damper: damper 1: above the order 1 only powers have Caputo's" },
+        { "run --damper 'x : power:1,0.7 : rl' --method fvi-stable",
+          "fvi: --damper: the past rl of damper 1 wants powers of order 1" },
+        { "run --force-on '2=v'", "fvi: --force-on: 'v': no such name" },
+        { "run --force-on '0=v'", "fvi: --force-on: '0=v' is not I=F" },
+        { "run --force-on 'v'", "fvi: --force-on: 'v' is not I=F" },
+        { "run --force 'x*t'", "a force knows t alone; --force-on knows x and v" },
+        { "run --impose 'y=t'", "fvi: --impose: 'y=t' is not xI=EXPRESSION" },
+        { "run --impose 'x1=v1'", "fvi: --impose: 'v1': no such name" },
+        { "run --impose 'x1=t' --x0 0 --v0 2",
+          "fvi: --p0: p1 is off by 1: the velocity does not keep" },
+        { "run --constraint 'x1' --method fvi",
+          "fvi: --constraint: this method takes no constraints; fvi-stable and" },
+        { "run --constraint 'x1' --method fvi-lobatto3d --x0 0",
+          "fvi: --constraint: this method takes no constraints" },
+        { ROD RING "--v0 0.1,0", "fvi: --p0: p1 is off by 0.1: the velocity" },
+        { "run --lagrangian '(v1^2+v2^2)/2' --x0 2,0 --v0 0 " RING,
+          "fvi: --x0: it does not keep to the constraint 'x1^2+x2^2-1'" },
+        { ROD RING "--constraint '2*x1^2+2*x2^2-2' --v0 0",
+          "fvi: --constraint: '2*x1^2+2*x2^2-2' is redundant" },
+        { "run --lagrangian '(v1^2+v2^2)/2' --x0 0 --v0 0 --constraint 'x1*x2'",
+          "fvi: --constraint: 'x1*x2' has no gradient at x0" },
+        { "run --mass 0 --rho 1 --alpha 0.3 --method fvi-bdf2 --p0 0",
+          "fvi: --method: 'fvi-bdf2' takes no Lagrangian" },
+        { "fit --mass 0 data", "" },
+        { "gradient --mass 0", "fvi: --mass: '0' is not for gradient" },
+        { "gradient --lagrangian 'v^2'", "not an option of this command" },
+        { "run --lagrangian 'v^2' --x0 1 --v0 0 --let v=2", "fvi: --let: 'v' is a velocity in 'v^2'" },
+    };
+    for (size_t i = 0; i < LEN(cases); i++) {
+        if (strcmp(cases[i][1], "") == 0)
+            continue;
+        ck_assert_msg(fvi(cases[i][0]) == 2, "%s: %s", cases[i][0], err);
+        ck_assert_msg(strstr(err, cases[i][1]), "%s: %s", cases[i][0], err);
+        ck_assert_str_eq(out, "");
+    }
+}
+END_TEST
+
+/* A run that was saved goes on with the same digits. */
+START_TEST(a_checkpoint_goes_on)
+{
+    ck_assert_int_eq(fvi(ELASTIC "--v0 0.3,0.8 --format csv -o whole.csv"), 0);
+    ck_assert_int_eq(
+        fvi("run --lagrangian '(v1^2+v2^2)/2 - 2*(sqrt(x1^2+x2^2)-1)^2 - x2' "
+            "--damper 'sqrt(x1^2+x2^2) : power:0.4,0.3' --x0 1.2,0 --v0 0.3,0.8 "
+            "--h 0.1 --steps 20 --memory direct --checkpoint c -o part.tsv"), 0);
+    ck_assert_int_eq(
+        fvi("run --lagrangian '(v1^2+v2^2)/2 - 2*(sqrt(x1^2+x2^2)-1)^2 - x2' "
+            "--damper 'sqrt(x1^2+x2^2) : power:0.4,0.3' --x0 1.2,0 --v0 0.3,0.8 "
+            "--h 0.1 --steps 40 --memory direct --checkpoint c --continue"), 0);
+    const double x = cell(40, 1);
+    ck_assert_int_eq(fvi(ELASTIC "--v0 0.3,0.8 --memory direct"), 0);
+    ck_assert(cell(40, 1) == x);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("fvi_mechanism");
+    ADD_CASE(suite, "mechanisms", a_lagrangian_is_a_command,
+             a_damper_on_each_coordinate_is_the_old_damping,
+             time_and_dimension_are_seen_in_the_texts,
+             a_massless_node_makes_zeners_law, wrong_words_are_refused,
+             a_checkpoint_goes_on);
+    return run_suite_of_program(suite);
+}
