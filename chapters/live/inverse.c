@@ -78,7 +78,7 @@ int EXPORT(live_gradient)(double alpha, double rho, double g, double x0,
     int status = fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL);
     if (status || !slopes)
         return status;
-    const fvi_objective J = { last_position, NULL };
+    const fvi_objective J = { .slopes = last_position, .params = NULL };
     const fvi_sensitivities want = { .x0 = live_array(4), .force = live_array(2) };
     status = fvi_adjoint(&fvi_fractional, &run, x, &zero, &J,
                          &want); /* J has no p */

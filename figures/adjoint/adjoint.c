@@ -40,7 +40,7 @@ static int draw(double g)
     fvi_run kicked = run; /* at 0, from rest */
     kicked.x0 = &zero;
     kicked.p0 = &m;
-    const fvi_objective J = { last_position, NULL };
+    const fvi_objective J = { .slopes = last_position, .params = NULL };
     const fvi_sensitivities want = { .force = by_force };
     if (fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL)
         || fvi_trajectory(&fvi_fractional, &kicked, mirror, NULL, NULL)

@@ -1,7 +1,7 @@
 /* src/fvi/adjoint.h -- Every derivative of a run for one mirrored run.  [H 23]
  *
- * J = J(x_0, ..., x_N, p_N) is one number made of a trajectory: a distance from what was
- * measured, the last position, an energy. A run that goes backwards through the same
+ * J = J(x_0, ..., x_N, p_0, ..., p_N) is one number made of a trajectory: a distance from what
+ * was measured, the last position, an energy. A run that goes backwards through the same
  * memory, with Hess U along the trajectory in place of U, gives the derivative of J by
  * everything that determines the trajectory. */
 #ifndef FVI_ADJOINT_H
@@ -19,13 +19,16 @@ extern "C" {
  *
  *   slopes  is asked once for each k = N, N - 1, ..., 0, in this order, and adds
  *           dJ/dx_k to Jx, d zeros; for k = N it also adds dJ/dp_N to Jp, d zeros.
- *           x is x_k, and p is p_N for k = N; for the other k, p and Jp are NULL.
- *           Returns as the functions of a potential do (system.h)
- *   params  handed to it, owned by the caller, may be NULL */
+ *           x is x_k, and p is p_N for k = N; for the other k, p is NULL, and so is Jp but
+ *           where all momenta are meant. Returns as the functions of a potential do (system.h)
+ *   params  handed to it, owned by the caller, may be NULL
+ *   has_momenta  nonzero: J depends on every p_k. slopes adds dJ/dp_k to Jp, d zeros, for each
+ *           k. That costs a memory more */
 typedef struct {
     int (*slopes)(size_t k, size_t d, const double *x, const double *p,
                   void *params, double *Jx, double *Jp);
     void *params;
+    int has_momenta;
 } fvi_objective;
 
 /* fvi_sensitivities -- where the derivatives go; what is NULL is not wanted. Of a system with
@@ -100,7 +103,8 @@ typedef struct {
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms, orders,
  * times or ends of none; FVI_EUNSUP if the method has no adjoint, or not this one, or mass
- * is wanted of matrices that have no inertia, or no step is short enough
+ * is wanted of matrices that have no inertia, or all momenta at alpha = 1 of a damped
+ * run of form M or of fvi_variable_step, or no step is short enough
  * for a body whose A is 0 (22.23);
  * FVI_ESING if the equation of a step backwards has no unique solution; FVI_EOVRFLW if a
  * derivative is not finite; what a callback returned. On error the outputs are of no use. */

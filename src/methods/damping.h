@@ -90,6 +90,10 @@ int fvi_damping_start(const fvi_stepper *s, int is_caputo, fvi_damping **damping
  * or NULL. */
 const fvi_damping *fvi_damping_of(const fvi_stepper *s);
 
+/* fvi_damping_move_origin -- the origin of the first damping of a stepper that has one moves by d
+ * numbers: s->x may jump by them and the memory does not see it. Returns FVI_SUCCESS, or what remember returned; FVI_ENOMEM. */
+int fvi_damping_move_origin(fvi_stepper *s, const double *by);
+
 /* fvi_damping_copy -- all of them again, memory included; NULL of NULL.
  * Returns FVI_SUCCESS or FVI_ENOMEM; errors as above. */
 int fvi_damping_copy(const fvi_damping *from, fvi_damping **to);

@@ -84,13 +84,13 @@ static int prepare_inner(fvi_stepper *s, fvi_lobatto_stages *o)
 
 /* ---- a step ---- */
 
-/* If the history begins at 0, x jumps to x0 at the start of the first step. To the first
- * stage that is a velocity of x0/(h b_1), by (17.3). */
+/* If the history begins at 0, x jumps to x0 at the start of the first step, and it may jump at
+ * other steps. To the first stage that is a velocity of x0/(h b_1), by (17.3). */
 static double jump_of_velocity(const fvi_stepper *s, const fvi_lobatto_stages *o,
                                size_t j)
 {
-    return o->from_zero && s->k == 0 ? s->run.x0[j] / (s->run.h * o->rule->b[0])
-                                     : 0;
+    const double jump = o->from_zero && s->k == 0 ? s->run.x0[j] : o->jump ? o->jump[j] : 0;
+    return jump != 0 ? jump / (s->run.h * o->rule->b[0]) : 0;
 }
 
 /* The history of the damped coordinates, as forces: S += h b rho (Y - v0 part).

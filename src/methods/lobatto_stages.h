@@ -21,6 +21,8 @@ typedef struct {
     double *v, *Y, *v0;
     double *Ydot;  /* of a linearised run: the derivative of Y by the order; or NULL */
     int from_zero; /* of a linearised run: the history begins at 0, not at x0 */
+    const double *jump; /* of a linearised run: d numbers by which x has jumped at the
+                           beginning of this step; or NULL */
     double scale, W[FVI_STAGES][FVI_STAGES]; /* h^(-beta), times W_0 */
     double A[FVI_STAGES][FVI_STAGES];        /* of Lobatto IIIC (17.3) */
     fvi_lobatto_history *memory;              /* NULL: there is no history */

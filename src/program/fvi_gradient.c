@@ -226,7 +226,7 @@ static int complain_of(request *r, int status)
 /* The run, all its rows, and back. */
 static int differentiate(request *r)
 {
-    const fvi_objective objective = { slopes, r };
+    const fvi_objective objective = { .slopes = slopes, .params = r };
     const size_t d = r->o.d;
     r->last = calloc(2 * d, sizeof *r->last);
     int status = !r->last ? FVI_ENOMEM

@@ -10,6 +10,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Where alpha = 1 makes rho a mass, p_k is another number than m v_k. */
+static int momenta_are_known(const fvi_method *method, const fvi_run *run,
+                             const fvi_objective *J)
+{
+    const int splits = method->scheme == FVI_SCHEME_VARIABLE_STEP
+                       || (method->scheme == FVI_SCHEME_LOBATTO
+                           && !method->damped_inertia);
+    const fvi_system *system = run->system;
+    int known = 1;
+    for (size_t i = 0; system && system->damping && i < system->d; i++)
+        known &= !(system->damping[i] > 0);
+    return known || !J->has_momenta || !splits || run->law || run->alpha != 1;
+}
+
 static int check(const fvi_method *method, const fvi_run *run, const double *x,
                  const double *p, const fvi_objective *J,
                  const fvi_sensitivities *want)
@@ -54,6 +68,9 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         && fvi_initial_history_acts(run->past, run->alpha))
         FVI_FAIL("where the past pulls, a mesh has no derivative by alpha at 0 "
                  "and at 1",
+                 FVI_EUNSUP);
+    if (!momenta_are_known(method, run, J))
+        FVI_FAIL("at alpha = 1 the derivatives of this method are by p_N alone",
                  FVI_EUNSUP);
     if (want->parameters && want->sensitivity.count > 0
         && !(run->system && run->system->matrices) && !want->sensitivity.column)
@@ -103,13 +120,15 @@ static void clear(const fvi_run *run, const fvi_sensitivities *want, size_t per)
         want->parameters[j] = 0;
 }
 
-/* dJ/dx_k, zeroed before it is asked for. */
+/* dJ/dx_k, zeroed before it is asked for; and dJ/dp_k, if J has it. */
 static int slopes(const fvi_objective *J, size_t k, size_t d, const double *x,
                   const double *p, double *Jx, double *Jp)
 {
     *Jx = 0;
     for (size_t i = 1; i < d; i++)
         Jx[i] = 0;
+    for (size_t i = 0; Jp && i < d; i++)
+        Jp[i] = 0;
     return J->slopes(k, d, x, p, J->params, Jx, Jp);
 }
 
@@ -121,13 +140,14 @@ typedef struct {
 } mirror;
 
 static int begin(const fvi_method *method, const fvi_run *run,
-                 const fvi_sensitivities *want, const double *rows,
+                 const fvi_sensitivities *want, int jumps, const double *rows,
                  const double *p, const double *Jp, mirror *m)
 {
     m->stages = (size_t)method->stages;
-    return m->stages
-               ? fvi_adjoint_lobatto_start(method, run, want, p, Jp, &m->staged)
-               : fvi_adjoint_multistep_start(method, run, want, rows, Jp, &m->plain);
+    return m->stages ? fvi_adjoint_lobatto_start(method, run, want, jumps, p, Jp,
+                                                 &m->staged)
+                     : fvi_adjoint_multistep_start(method, run, want, jumps, rows, Jp,
+                                                   &m->plain);
 }
 
 static int step(mirror *m, size_t k, const double *rows, const double *Jx)
@@ -136,10 +156,22 @@ static int step(mirror *m, size_t k, const double *rows, const double *Jx)
                      : fvi_adjoint_multistep_step(&m->plain, k, rows, Jx);
 }
 
-static int finish(mirror *m, const double *Jx)
+/* J depends on p_k, 0 < k < N: lambda_k jumps by J_p, (23.27). */
+static int jump(mirror *m, const double *Jp)
 {
-    return m->stages ? fvi_adjoint_lobatto_end(&m->staged, Jx)
-                     : fvi_adjoint_multistep_end(&m->plain, Jx);
+    return m->stages ? fvi_adjoint_lobatto_jump(&m->staged, Jp)
+                     : fvi_adjoint_multistep_jump(&m->plain, Jp);
+}
+
+/* Jp: NULL, or dJ/dp_0, which is p0. */
+static int finish(mirror *m, const fvi_sensitivities *want, size_t d,
+                  const double *Jx, const double *Jp)
+{
+    const int status = m->stages ? fvi_adjoint_lobatto_end(&m->staged, Jx)
+                                 : fvi_adjoint_multistep_end(&m->plain, Jx);
+    for (size_t i = 0; Jp && want->p0 && i < d; i++)
+        want->p0[i] += Jp[i];
+    return status;
 }
 
 static void stop(mirror *m)
@@ -149,14 +181,16 @@ static void stop(mirror *m)
 }
 
 //> walk
-/* From node N to node 0. J: d numbers for dJ/dx_k, and d for dJ/dp_N. */
+/* From node N to node 0. J: d numbers for dJ/dx_k, and d for dJ/dp_k. */
 static int walk(const fvi_method *method, fvi_checkpointing *path,
                 const fvi_run *run, const fvi_objective *objective,
                 const fvi_sensitivities *want, double *J)
 {
     const size_t d = run->system->d, N = run->steps;
     const size_t per = rows_of(method);
+    const int jumps = objective->has_momenta;
     const double *rows;
+    double *Jp = jumps ? J + d : NULL;
     mirror m = { 0 };
     int status = fvi_checkpointing_step(path, N - 1, &rows);
     if (!status)
@@ -165,18 +199,20 @@ static int walk(const fvi_method *method, fvi_checkpointing *path,
     if (!status && !fvi_all_finite(d, J + d))
         status = FVI_EOVRFLW;
     if (!status)
-        status = begin(method, run, want, rows, fvi_checkpointing_momentum(path),
-                       J + d, &m);
+        status = begin(method, run, want, jumps, rows,
+                       fvi_checkpointing_momentum(path), J + d, &m);
     for (size_t k = N; !status && k-- > 0;) {
         if (k + 1 < N)
             status = fvi_checkpointing_step(path, k, &rows);
         if (!status)
             status = step(&m, k, rows, J);
         if (!status)
-            status = slopes(objective, k, d, rows, NULL, J, NULL);
+            status = slopes(objective, k, d, rows, NULL, J, Jp);
+        if (!status && jumps && k > 0)
+            status = jump(&m, Jp);
     }
     if (!status)
-        status = finish(&m, J);
+        status = finish(&m, want, d, J, Jp);
     stop(&m);
     return status;
 }

@@ -5,6 +5,7 @@
 #include "system/fail.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* g = ((3 - z)/2)^beta by powers of z, and g ln((3 - z)/2). */
@@ -35,24 +36,45 @@ size_t fvi_adjoint_factor(fvi_scheme scheme, double alpha, double *g,
     return 2;
 }
 
-int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run,
+static int allocate(fvi_adjoint_constant *c)
+{
+    double **each[] = { &c->sum,  &c->sum_by_order, &c->value,
+                        &c->rate, &c->by_theta };
+    enum { ARRAYS = sizeof each / sizeof *each };
+    c->block = calloc((ARRAYS + 2 * FVI_BDF2_TAPS) * c->width, sizeof *c->block);
+    if (!c->block)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    for (size_t i = 0; i < ARRAYS; i++)
+        *each[i] = c->block + i * c->width;
+    c->past = c->block + ARRAYS * c->width;
+    c->past_by_order = c->past + FVI_BDF2_TAPS * c->width;
+    return FVI_SUCCESS;
+}
+
+int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run, size_t width,
                                int by_order, fvi_adjoint_constant *c)
 {
     const fvi_scheme scheme = method->scheme;
     const double alpha = run->law ? 0 : run->alpha; /* (26.15) */
-    *c = (fvi_adjoint_constant){ .by_order = by_order,
+    *c = (fvi_adjoint_constant){ .width = width,
+                                 .by_order = by_order,
                                  .theta = scheme == FVI_SCHEME_CQ2_SHIFTED ? run->alpha
-                                          : scheme == FVI_SCHEME_CQ2_MIDPOINT ? 0.5
-                                                                              : 0 };
+                                          : scheme == FVI_SCHEME_CQ2_MIDPOINT
+                                                  || scheme == FVI_SCHEME_FVI
+                                              ? 0.5
+                                              : 0 };
+    const int status = allocate(c);
+    if (status)
+        return status;
     c->taps = fvi_adjoint_factor(run->law && scheme == FVI_SCHEME_CQ_BDF2
                                      ? FVI_SCHEME_FVI /* no factor */
                                      : scheme,
                                  alpha, c->g, c->gdot);
     if (!run->law)
         return (by_order ? fvi_history_alloc_by_order : fvi_history_alloc)(
-            2 * alpha, 1, run->steps, run->memory, run->tolerance, &c->memory);
+            2 * alpha, width, run->steps, run->memory, run->tolerance, &c->memory);
     double first; /* the damping has it */
-    return fvi_kernel_history(run->law, fvi_damping_quadrature(method), run->h, 1,
+    return fvi_kernel_history(run->law, fvi_damping_quadrature(method), run->h, width,
                               run->steps, run->memory, run->tolerance, &first,
                               &c->memory);
 }
@@ -60,36 +82,41 @@ int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run,
 void fvi_adjoint_constant_stop(fvi_adjoint_constant *c)
 {
     fvi_history_free(c->memory);
+    free(c->block);
 }
 
 /* A new term is to come in front of the last ones. */
-static void move_on(size_t taps, double *past)
+static void move_on(const fvi_adjoint_constant *c, double *past)
 {
-    memmove(past + 1, past, (taps - 1) * sizeof *past);
+    memmove(past + c->width, past, (c->taps - 1) * c->width * sizeof *past);
 }
 
 //> next
-int fvi_adjoint_constant_next(fvi_adjoint_constant *c)
+int fvi_adjoint_constant_next(fvi_adjoint_constant *c, const double *B,
+                              const double *change)
 {
-    const double one = 1, change = !c->has_begun, before = c->sum,
-                 before_by_order = c->sum_by_order, theta = c->theta;
-    if (!c->memory)
-        return FVI_SUCCESS;
+    const double theta = c->theta;
     c->has_begun = 1;
-    move_on(c->taps, c->past);
-    move_on(c->taps, c->past_by_order);
-    const int status =
-        c->by_order ? fvi_history_push_by_order(c->memory, &one, &change, c->past,
-                                                c->past_by_order)
-                    : fvi_history_push(c->memory, &one, &change, c->past);
-    c->sum = c->sum_by_order = 0;
-    for (size_t n = 0; n < c->taps; n++) {
-        c->sum += c->g[n] * c->past[n];
-        c->sum_by_order += c->g[n] * c->past_by_order[n] + c->gdot[n] * c->past[n];
+    move_on(c, c->past);
+    move_on(c, c->past_by_order);
+    const int status = c->by_order
+                           ? fvi_history_push_by_order(c->memory, B, change, c->past,
+                                                       c->past_by_order)
+                           : fvi_history_push(c->memory, B, change, c->past);
+    for (size_t i = 0; i < c->width; i++) {
+        const double before = c->sum[i], before_by_order = c->sum_by_order[i];
+        double sum = 0, by_order = 0;
+        for (size_t n = 0; n < c->taps; n++) {
+            const double past = c->past[n * c->width + i];
+            sum += c->g[n] * past;
+            by_order += c->g[n] * c->past_by_order[n * c->width + i] + c->gdot[n] * past;
+        }
+        c->sum[i] = sum;
+        c->sum_by_order[i] = by_order;
+        c->value[i] = (0.5 + theta) * sum + (0.5 - theta) * before;
+        c->rate[i] = (0.5 + theta) * by_order + (0.5 - theta) * before_by_order;
+        c->by_theta[i] = sum - before;
     }
-    c->value = (0.5 + theta) * c->sum + (0.5 - theta) * before;
-    c->rate = (0.5 + theta) * c->sum_by_order + (0.5 - theta) * before_by_order;
-    c->by_theta = c->sum - before;
     return status;
 }
 //< next

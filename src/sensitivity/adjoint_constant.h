@@ -1,23 +1,27 @@
 /* src/sensitivity/adjoint_constant.h -- What a memory held at J_p leaves out.      [H 23]
  *
- * Internal, of the methods of order 2. The mirrored run begins at J_p; its memory should begin
+ * Internal. The mirrored run of a method of order 2 begins at J_p; its memory should begin
  * at zero, (23.3), and takes in mu - J_p. What is left out is the memory of a constant, a sum
- * of weights. */
+ * of weights. Where J depends on every p_k, mu jumps at every node, and what is left out is
+ * the memory of the sum B of its jumps. */
 #ifndef FVI_ADJOINT_CONSTANT_H
 #define FVI_ADJOINT_CONSTANT_H
 
 #include <fvi/convolution_quadrature.h>
 #include <fvi/trajectory.h>
 
+/* Of a sequence of `width` numbers at the nodes; where the comment says "each", so many. */
 typedef struct {
-    fvi_history *memory; /* of the number 1; NULL: nothing is left out */
+    fvi_history *memory; /* NULL: nothing is left out */
+    size_t width;
     int by_order, has_begun;
-    double theta;                  /* the shift of (23.7) */
-    double sum, sum_by_order;      /* of weights, of this node */
-    double value, rate, by_theta;  /* see below */
-    size_t taps;                   /* of a factor of the weights */
+    double theta;                      /* the shift of (23.7); 1/2 of Algorithm 3 */
+    double *sum, *sum_by_order;        /* each: what the memory has of this node */
+    double *value, *rate, *by_theta;   /* each: see below */
+    size_t taps;                       /* of a factor of the weights */
     double g[FVI_BDF2_TAPS], gdot[FVI_BDF2_TAPS];
-    double past[FVI_BDF2_TAPS], past_by_order[FVI_BDF2_TAPS]; /* without the factor */
+    double *past, *past_by_order; /* FVI_BDF2_TAPS each: without the factor, the latest first */
+    double *block;                /* all these; owned */
 } fvi_adjoint_constant;
 
 /* fvi_adjoint_factor -- what the weights of a power have besides (1 - z)^(2 alpha).
@@ -30,20 +34,22 @@ typedef struct {
 size_t fvi_adjoint_factor(fvi_scheme scheme, double alpha, double *g,
                           double *gdot);
 
-/* fvi_adjoint_constant_start -- at node N.
+/* fvi_adjoint_constant_start -- before node N.
  *
- *   method    its scheme is FVI_SCHEME_CQ2_SHIFTED, BDF2 or STABLE
+ *   method    without stages
+ *   width     1, of a constant; d, of what lambda has jumped by
  *   by_order  nonzero if the derivatives by 2 alpha and by the shift are wanted
  *   c         output; in any case to be given back by fvi_adjoint_constant_stop
  *
- * Returns FVI_SUCCESS, what fvi_history_alloc and fvi_kernel_history return. */
-int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run,
+ * Returns FVI_SUCCESS, what fvi_history_alloc and fvi_kernel_history return; FVI_ENOMEM. */
+int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run, size_t width,
                                int by_order, fvi_adjoint_constant *c);
 
-/* fvi_adjoint_constant_next -- for N, N - 1, ..., 0: by what of h^(1 - 2 alpha) C J_p the
- * momentum falls there besides, as c->value; its derivative by 2 alpha, the shift held, as
- * c->rate, and by the shift as c->by_theta.                                   [(23.23)] */
-int fvi_adjoint_constant_next(fvi_adjoint_constant *c);
+/* fvi_adjoint_constant_next -- for N, N - 1, ..., 0: B is the sequence there, `change` its
+ * increment. By what of h^(1 - 2 alpha) C the momentum falls, as c->value; its derivative by
+ * 2 alpha, the shift held, as c->rate, and by the shift as c->by_theta.          [(23.23)] */
+int fvi_adjoint_constant_next(fvi_adjoint_constant *c, const double *B,
+                              const double *change);
 
 void fvi_adjoint_constant_stop(fvi_adjoint_constant *c);
 

@@ -12,7 +12,7 @@
 
 /* ---- the start ---- */
 
-enum { LONG = 2, SHORT = 14 }; /* arrays of s d and of d numbers */
+enum { LONG = 2, SHORT = 15 }; /* arrays of s d and of d numbers */
 
 static int allocate(fvi_adjoint_lobatto *m)
 {
@@ -21,7 +21,8 @@ static int allocate(fvi_adjoint_lobatto *m)
     double **shorts[SHORT] = { &m->column, &m->Q,       &m->mass,   &m->after,
                                &m->last,   &m->hessian_product,    &m->T,      &m->Tdot,
                                &m->kinetic, &m->sum,    &m->sumdot, &m->plain,
-                               &m->pull,   &m->impulse_sum_by_order };
+                               &m->pull,   &m->impulse_sum_by_order,
+                               &m->jump };
     m->block = calloc((LONG * s + SHORT) * d + s * m->linearised.size,
                       sizeof *m->block);
     if (!m->block)
@@ -64,7 +65,7 @@ static int start_stepper(fvi_adjoint_lobatto *m, const fvi_method *method,
 }
 
 int fvi_adjoint_lobatto_start(const fvi_method *method, const fvi_run *run,
-                            const fvi_sensitivities *want, const double *p,
+                            const fvi_sensitivities *want, int has_jumps, const double *p,
                             const double *Jp, fvi_adjoint_lobatto *m)
 {
     const size_t s = (size_t)method->stages;
@@ -92,6 +93,10 @@ int fvi_adjoint_lobatto_start(const fvi_method *method, const fvi_run *run,
         m->last[j] = Jp[j] * p[j];
     }
     status = start_stepper(m, method, Jp);
+    if (!status && has_jumps && !m->damped_inertia) {
+        fvi_lobatto_stages *o = m->stepper->method_state;
+        o->jump = m->jump; /* none at the end: x0 is there */
+    }
     if (!status && m->is_damped)
         status = fvi_adjoint_terms_start(m);
     fvi_lobatto_table(m->rule, s, m->A);
@@ -273,6 +278,22 @@ int fvi_adjoint_lobatto_step(fvi_adjoint_lobatto *m, size_t k, const double *row
     if (m->is_damped || m->want->mass)
         accumulate_damping(m, rows);
     return fvi_adjoint_terms_update_history(m);
+}
+
+/* As at node N: of form M lambda jumps, and its history learns of it in the next step; of form D
+ * the velocity does, of which no history knows.                                       (23.27) */
+int fvi_adjoint_lobatto_jump(fvi_adjoint_lobatto *m, const double *Jp)
+{
+    fvi_stepper *s = m->stepper;
+    for (size_t j = 0; j < m->d; j++) {
+        m->Lambda[j * m->s] += Jp[j];
+        m->jump[j] = Jp[j];
+        if (m->damped_inertia)
+            s->p[j] += m->run->system->mass[j] * Jp[j];
+        else
+            s->x[j] += Jp[j];
+    }
+    return FVI_SUCCESS;
 }
 
 /* ---- the end ---- */

@@ -34,6 +34,7 @@ typedef struct {
     double *mass, *after;             /* d numbers each: inertia; lambda_{k+1} */
     double *hessian_product;          /* d numbers: Hess U lambda_{k+1} */
     double *last;                     /* d numbers: J_p p_N */
+    double *jump; /* d numbers of form M: the last jump of lambda */
     double *T, *Tdot;                 /* d numbers each, of form M: what they end with */
     double *kinetic, *sum, *sumdot, *plain, *pull, *impulse_sum_by_order; /* d each */
     double *block;                                           /* these; owned */
@@ -42,13 +43,14 @@ typedef struct {
     fvi_kernel_impulse initial_impulse;
 } fvi_adjoint_lobatto;
 
-/* As fvi_adjoint_multistep_start, _step, _end and _stop.
+/* As fvi_adjoint_multistep_start, _jump, _step, _end and _free.
  *
  *   p     p_N
  *   rows  x_k, and the positions of the stages behind the first; of form D of all */
 int fvi_adjoint_lobatto_start(const fvi_method *method, const fvi_run *run,
-                            const fvi_sensitivities *want, const double *p,
+                            const fvi_sensitivities *want, int has_jumps, const double *p,
                             const double *Jp, fvi_adjoint_lobatto *m);
+int fvi_adjoint_lobatto_jump(fvi_adjoint_lobatto *m, const double *Jp);
 int fvi_adjoint_lobatto_step(fvi_adjoint_lobatto *m, size_t k, const double *rows,
                            const double *Jx);
 int fvi_adjoint_lobatto_end(fvi_adjoint_lobatto *m, const double *Jx);

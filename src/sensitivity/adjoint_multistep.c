@@ -17,7 +17,8 @@ static int allocate(fvi_adjoint_multistep *m)
                         &m->kinetic, &m->pull,   &m->impulse_sum_by_order,
                         &m->z,       &m->z_next, &m->sum,    &m->work,
                         &m->column,  &m->nu,     &m->behind, &m->mean,
-                        &m->change,  &m->CA };
+                        &m->change,  &m->CA,     &m->B,      &m->jump,
+                        &m->CB };
     enum { ARRAYS = sizeof each / sizeof *each };
     const size_t d = m->d, ring = m->want->alpha ? FVI_BDF2_TAPS * m->r : 0;
     m->block = calloc(ARRAYS * d + 2 * m->r + 2 * ring + m->linearised.size,
@@ -58,10 +59,13 @@ static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
     m->damping = fvi_damping_of(m->stepper);
     for (size_t i = 0; i < m->d; i++)
         moves |= m->Jp[i] != 0;
-    return m->damping && moves && !m->paper_convention
-               ? fvi_adjoint_constant_start(method, m->run, m->want->alpha != NULL,
-                                            &m->constant)
-               : FVI_SUCCESS;
+    if (m->damping && moves && !m->paper_convention)
+        status = fvi_adjoint_constant_start(method, m->run, 1, m->want->alpha != NULL,
+                                            &m->constant);
+    if (!status && m->damping && m->has_jumps)
+        status = fvi_adjoint_constant_start(method, m->run, m->d,
+                                            m->want->alpha != NULL, &m->jumped);
+    return status;
 }
 
 static int start_initial_history(fvi_adjoint_multistep *m)
@@ -111,10 +115,11 @@ static void describe(const fvi_method *method, const fvi_run *run,
 }
 
 int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
-                                const fvi_sensitivities *want, const double *rows,
-                                const double *Jp, fvi_adjoint_multistep *m)
+                                const fvi_sensitivities *want, int has_jumps,
+                                const double *rows, const double *Jp,
+                                fvi_adjoint_multistep *m)
 {
-    *m = (fvi_adjoint_multistep){ .run = run, .want = want };
+    *m = (fvi_adjoint_multistep){ .run = run, .want = want, .has_jumps = has_jumps };
     describe(method, run, m);
     if (run->system->matrices && want->mass && !run->system->matrices->inertia)
         FVI_FAIL("no derivative by a factor of M without its products",
@@ -133,7 +138,7 @@ int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
     if (!status && m->damping && m->paper_convention)
         status = fvi_adjoint_multistep_first_sums(m, rows + m->d);
     m->is_alone = m->paper_convention && m->d == 1 && m->damping && m->terms == 0
-                  && !run->system->matrices;
+                  && !run->system->matrices && !has_jumps;
     m->inertia = m->is_alone ? *fvi_newton_diagonal(m->stepper->newton) : 0;
     return status;
 }
@@ -143,6 +148,7 @@ void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
     fvi_stepper_free(m->stepper);
     fvi_adjoint_constant_stop(&m->constant);
     fvi_impulses_of_kernel_free(m->impulses_of_law);
+    fvi_adjoint_constant_stop(&m->jumped);
     for (size_t i = 0; i < m->terms; i++)
         fvi_adjoint_term_stop(&m->each[i]);
     free(m->each);
@@ -161,9 +167,12 @@ static int apply_slopes(fvi_adjoint_multistep *m, size_t k, const double *rows,
         m->by_start[i] += Jx[i];
         m->by_line[i] += t * Jx[i];
     }
-    return m->constant.memory
-               ? fvi_adjoint_multistep_add_constant(m, k, rows + m->d)
-               : FVI_SUCCESS;
+    int status = FVI_SUCCESS;
+    if (m->constant.memory)
+        status = fvi_adjoint_multistep_add_constant(m, k, rows + m->d);
+    return status || !m->jumped.memory
+               ? status
+               : fvi_adjoint_multistep_add_jumps(m, k + 1, rows + m->d);
 }
 
 /* G at S = kappa x_k + (1 - kappa) x_{k+1}; once, if U is quadratic. */
@@ -280,6 +289,22 @@ int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double 
 }
 //< step
 
+//> jump
+/* A run that ends at node k begins its mirrored run there, at J_p. All runs that J looks at the
+ * end of are added up: lambda jumps. The stepper's memory does not see it, as its origin jumps,
+ * too; `jumped` has what that leaves out.                                            (23.27) */
+int fvi_adjoint_multistep_jump(fvi_adjoint_multistep *m, const double *Jp)
+{
+    memcpy(m->jump, Jp, m->d * sizeof *Jp);
+    for (size_t i = 0; i < m->d; i++) {
+        m->stepper->x[i] += Jp[i];
+        m->Jp[i] += Jp[i];
+        m->B[i] += Jp[i];
+    }
+    return m->damping ? fvi_damping_move_origin(m->stepper, Jp) : FVI_SUCCESS;
+}
+//< jump
+
 /* ---- the end ---- */
 
 /* By x0, from what it leaves alone: x + const changes grad U only, and where A of (19.3) is
@@ -335,7 +360,11 @@ int fvi_adjoint_multistep_end(fvi_adjoint_multistep *m, const double *Jx)
     const fvi_run *run = m->run;
     const fvi_sensitivities *want = m->want;
     double *more = m->work;
-    int status = by_start(m, Jx);
+    int status = m->jumped.memory && m->paper_convention
+                     ? fvi_adjoint_multistep_add_jumps(m, 0, run->x0)
+                     : FVI_SUCCESS;
+    if (!status)
+        status = by_start(m, Jx);
     if (!status)
         status = by_momentum(m, more);
     for (size_t i = 0; i < m->d; i++) {

@@ -32,11 +32,14 @@ typedef struct {
     const fvi_damping *damping; /* of the stepper; NULL: nothing is damped */
     fvi_adjoint_constant constant;
     double growth; /* 2 alpha, or that of the law */
+    int has_jumps;               /* J depends on p_k, k < N, too: */
+    fvi_adjoint_constant jumped; /* the memory of what lambda has jumped by, B */
     fvi_kernel_impulse initial_impulse;
     fvi_impulses_of_kernel *impulses_of_law; /* instead, of a law; owned */
     double impulse_size; /* h^(1 + e) of a past that acts, else 0 */
 
     double *Jp, *CJ;            /* each: J_p, C J_p; without matrices C is the unit matrix */
+    double *B, *jump, *CB;      /* each: of all jumps so far, of the last one; C times a memory */
     double *v0;                 /* each: p0/m; 0 where no velocity is asked for */
     double *right;              /* each: lambda_{k+1} */
     double *S, *M;              /* each: where G is; the multiplier there */
@@ -64,12 +67,14 @@ typedef struct {
  *
  *   method  its scheme is FVI_SCHEME_FVI, SHIFTED, BDF2 or STABLE
  *   run, want  stay the caller's
+ *   has_jumps  nonzero: fvi_adjoint_multistep_jump will be called
  *   rows    x_{N-1} and x_N, d numbers each
  *   Jp      d numbers
  *   m       output; in any case to be given back by fvi_adjoint_multistep_free */
 int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
-                                const fvi_sensitivities *want, const double *rows,
-                                const double *Jp, fvi_adjoint_multistep *m);
+                                const fvi_sensitivities *want, int has_jumps,
+                                const double *rows, const double *Jp,
+                                fvi_adjoint_multistep *m);
 
 /* fvi_adjoint_multistep_step -- from node k + 1 to node k.
  *
@@ -77,6 +82,9 @@ int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
  *   Jx    dJ/dx_{k+1}, d numbers */
 int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double *rows,
                                const double *Jx);
+
+/* fvi_adjoint_multistep_jump -- at node k, 0 < k < N: J depends on p_k by Jp, d numbers. */
+int fvi_adjoint_multistep_jump(fvi_adjoint_multistep *m, const double *Jp);
 
 /* fvi_adjoint_multistep_end -- at node 0: all derivatives.   Jx: dJ/dx_0, d numbers */
 int fvi_adjoint_multistep_end(fvi_adjoint_multistep *m, const double *Jx);
@@ -92,6 +100,7 @@ int fvi_adjoint_multistep_step_alone(fvi_adjoint_multistep *m, size_t k,
  * _apply_damping  to -= share C x, d numbers each
  * _first_sums  of Algorithm 3 at node N: N_N, which acts there
  * _add_constant  of the others at node k + 1, whose momentum is s->p: C J_p, (23.23)
+ * _add_jumps  of all at node j, with its x: C B
  * _accumulate_damping  the memory is at node k, z and z_next are there
  * _end_damping  all that damping, alpha and the numbers of a law have */
 int fvi_adjoint_multistep_damping_start(fvi_adjoint_multistep *m, const fvi_method *method);
@@ -99,6 +108,7 @@ int fvi_adjoint_multistep_apply_damping(const fvi_adjoint_multistep *m, double s
                                         const double *x, double *to);
 int fvi_adjoint_multistep_first_sums(fvi_adjoint_multistep *m, const double *x);
 int fvi_adjoint_multistep_add_constant(fvi_adjoint_multistep *m, size_t k, const double *x);
+int fvi_adjoint_multistep_add_jumps(fvi_adjoint_multistep *m, size_t j, const double *x);
 int fvi_adjoint_multistep_accumulate_damping(fvi_adjoint_multistep *m, size_t k,
                                              const double *rows);
 int fvi_adjoint_multistep_end_damping(fvi_adjoint_multistep *m);

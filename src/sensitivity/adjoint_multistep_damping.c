@@ -137,17 +137,48 @@ int fvi_adjoint_multistep_add_constant(fvi_adjoint_multistep *m, size_t k, const
     fvi_adjoint_constant *c = &m->constant;
     const fvi_system *system = m->run->system;
     const double unit = m->damping->unit;
-    const int status = fvi_adjoint_constant_next(c);
+    static const double one = 1;
+    const double change = !c->has_begun;
+    const int status = fvi_adjoint_constant_next(c, &one, &change);
     fvi_adjoint_multistep_elongation(m, k + 1, x, m->z_next);
     for (size_t i = 0; i < m->d; i++) {
         const double rho = system->matrices ? 1 : system->damping[i],
                      product = m->z_next[i] * m->CJ[i];
-        m->stepper->p[i] -= unit * c->value * rho * m->CJ[i];
-        m->sum[i] += c->value * product;
-        m->sum_of_C += c->value * rho * product;
-        m->sum_by_order += c->rate * rho * product;
-        m->sum_by_theta += c->by_theta * rho * product;
+        m->stepper->p[i] -= unit * *c->value * rho * m->CJ[i];
+        m->sum[i] += *c->value * product;
+        m->sum_of_C += *c->value * rho * product;
+        m->sum_by_order += *c->rate * rho * product;
+        m->sum_by_theta += *c->by_theta * rho * product;
     }
+    return status;
+}
+
+/* z . C v, to *sum, for v of the memory of B; C v stays in CB. */
+static int multiply_jumps(fvi_adjoint_multistep *m, const double *v, double *sum)
+{
+    memset(m->CB, 0, m->d * sizeof *m->CB);
+    const int status = fvi_adjoint_multistep_apply_damping(m, -1, v, m->CB);
+    for (size_t i = 0; i < m->d; i++)
+        *sum += m->z_next[i] * m->CB[i];
+    return status;
+}
+
+int fvi_adjoint_multistep_add_jumps(fvi_adjoint_multistep *m, size_t j, const double *x)
+{
+    fvi_adjoint_constant *c = &m->jumped;
+    int status = fvi_adjoint_constant_next(c, m->B, m->jump);
+    fvi_adjoint_multistep_elongation(m, j, x, m->z_next);
+    if (!status && c->by_order)
+        status = multiply_jumps(m, c->rate, &m->sum_by_order);
+    if (!status && c->by_order)
+        status = multiply_jumps(m, c->by_theta, &m->sum_by_theta);
+    if (!status)
+        status = multiply_jumps(m, c->value, &m->sum_of_C);
+    for (size_t i = 0; i < m->d; i++) {
+        m->sum[i] += m->z_next[i] * c->value[i];
+        m->stepper->p[i] -= m->damping->unit * m->CB[i];
+    }
+    memset(m->jump, 0, (m->terms ? 0 : m->d) * sizeof *m->jump); /* find_nu asks for it */
     return status;
 }
 
@@ -160,6 +191,8 @@ static void find_nu(fvi_adjoint_multistep *m, size_t k)
                                                   : 1 - theta;
     for (size_t i = 0; i < m->d; i++) {
         m->nu[i] = share * m->right[i] + theta * left[i];
+        if (m->has_jumps && !m->paper_convention && k + 1 < m->run->steps)
+            m->nu[i] += (theta - 0.5) * m->jump[i];
         const double now = m->scheme == FVI_SCHEME_CQ2_MIDPOINT
                                ? (m->nu[i] + m->behind[i]) / 2
                                : m->nu[i];
@@ -174,6 +207,7 @@ static int accumulate_terms(fvi_adjoint_multistep *m, size_t k)
 {
     int status = FVI_SUCCESS;
     find_nu(m, k);
+    memset(m->jump, 0, m->d * sizeof *m->jump);
     memset(m->column, 0, m->d * sizeof *m->column);
     status = fvi_adjoint_multistep_apply_damping(m, -m->run->h, m->z_next, m->column);
     for (size_t l = 0; !status && l < m->terms; l++)

@@ -10,7 +10,7 @@
 
 /* ---- the start ---- */
 
-enum { LANED = 5, PLAIN = 11, STAGED = 3 };
+enum { LANED = 5, PLAIN = 13, STAGED = 3 };
 
 static int allocate(fvi_adjoint_variable_run *m)
 {
@@ -19,7 +19,8 @@ static int allocate(fvi_adjoint_variable_run *m)
     double **laned[LANED] = { &m->Lambda, &m->mu, &m->T, &m->v, &m->source };
     double **plain[PLAIN] = { &m->xi,    &m->after,  &m->before,  &m->Jx,
                               &m->Jp,    &m->column, &m->kinetic, &m->sum,
-                              &m->plain, &m->push,   &m->subtracted_velocity };
+                              &m->plain, &m->push,   &m->subtracted_velocity,
+                              &m->Jk,    &m->by_mass };
     m->block = calloc((LANED * FVI_LANES + PLAIN + STAGED * s) * d
                           + s * m->linearised.size,
                       sizeof *m->block);
@@ -88,12 +89,11 @@ static int start(fvi_adjoint_variable_run *m)
 
 /* ---- what J has of the rows within a step ---- */
 
-/* By V - v: what moves x at theta of a step of length h, (22.18). */
-static void shape_at(const fvi_adjoint_variable_run *m, double h, double theta,
+/* By V - v: what moves x, or v, within a step, by the integrals of powers, (22.18): h times those
+ * of fvi_variable_step_twice, or once those of _once. */
+static void shape_of(const fvi_adjoint_variable_run *m, double h, const double *integral,
                      double *shape)
 {
-    double twice[FVI_LANES];
-    fvi_variable_step_twice(theta, twice);
     for (size_t i = 0; i < m->s; i++) {
         double unit[FVI_LANES] = { 0 }, bend[FVI_LANES], power[FVI_LANES];
         unit[i] = 1;
@@ -101,7 +101,7 @@ static void shape_at(const fvi_adjoint_variable_run *m, double h, double theta,
         fvi_variable_step_powers(m->s, bend, power);
         shape[i] = 0;
         for (size_t k = 0; k < m->s; k++)
-            shape[i] += h * twice[k] * power[k];
+            shape[i] += h * integral[k] * power[k];
     }
 }
 
@@ -110,9 +110,39 @@ static int evaluate_slopes(fvi_adjoint_variable_run *m, size_t k)
 {
     const int last = k == m->run->steps;
     memset(m->Jx, 0, m->d * sizeof *m->Jx);
+    memset(m->Jk, 0, m->d * sizeof *m->Jk);
     return m->J->slopes(k, m->d, m->path.rows + k * m->d,
                         last ? m->path.p : NULL, m->J->params, m->Jx,
-                        last ? m->Jp : NULL);
+                        last                   ? m->Jp
+                        : m->J->has_momenta ? m->Jk
+                                               : NULL);
+}
+
+/* What J has of p = m v at a row in step n, at theta of it. An impulse there changes p, and is no
+ * part of v.                                                                     (23.27) */
+static void read_momentum(fvi_adjoint_variable_run *m, size_t n, double t, double theta,
+                          double *by_v)
+{
+    const double *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
+    double once[FVI_LANES], shape[FVI_LANES];
+    fvi_variable_step_once(theta, once);
+    shape_of(m, 1, once, shape);
+    for (size_t j = 0; j < m->d; j++) {
+        const double by = m->run->system->mass[j] * m->Jk[j],
+                     *delta = numbers + 3 * m->d + j * FVI_LANES;
+        double v = numbers[m->d + j], whole = 0, slope = 0;
+        for (size_t i = 0; i < m->s; i++) {
+            m->source[j * FVI_LANES + i] += by * shape[i];
+            whole += shape[i];
+            v += shape[i] * delta[i];
+        }
+        by_v[j] += by * (1 - whole);
+        if (fvi_adjoint_variable_is_singular(m, n)) {
+            fvi_singular_start_adjoint_at(&m->pull, j, t, &slope);
+            fvi_singular_start_adjoint_accumulate(&m->pull, j, t, 0, by, 0);
+        }
+        m->by_mass[j] += m->Jk[j] * (v + slope);
+    }
 }
 
 /* All rows in the step n that are not at its beginning: to the source of Lambda, and what
@@ -127,11 +157,14 @@ static int read_rows(fvi_adjoint_variable_run *m, size_t n, double *by_v,
     for (; !status && m->row > 0; m->row--) {
         const double t = (double)m->row * m->run->h,
                      theta = fmin((t - step->t) / h, 1);
-        double shape[FVI_LANES];
+        double shape[FVI_LANES], twice[FVI_LANES];
         if (t <= step->t)
             break;
         status = evaluate_slopes(m, m->row);
-        shape_at(m, h, theta, shape);
+        fvi_variable_step_twice(theta, twice);
+        shape_of(m, h, twice, shape);
+        if (m->J->has_momenta && m->row < m->run->steps)
+            read_momentum(m, n, t, theta, by_v);
         for (size_t j = 0; j < m->d; j++) {
             double whole = 0;
             for (size_t i = 0; i < m->s; i++) {
@@ -303,12 +336,12 @@ static int end(fvi_adjoint_variable_run *m)
         if (want->x0)
             want->x0[j] = m->xi[j];
         if (want->p0) /* no velocity may jump there */
-            want->p0[j] = m->rising && rho > 0 ? NAN : by_v0 / first;
+            want->p0[j] = m->rising && rho > 0 ? NAN : by_v0 / first + m->Jk[j];
         if (want->terms)
             want->terms[0] -= rho * m->sum[j] / run->law->term[0].rho;
         if (want->mass)
             want->mass[j] = m->kinetic[j] - by_v0 * v0 / first
-                            + m->Jp[j] * m->path.p[j] / M;
+                            + m->Jp[j] * m->path.p[j] / M + m->by_mass[j];
         if (want->damping)
             want->damping[j] =
                 m->mass_plus_damping ? m->kinetic[j] - (struck ? by_v0 * v0 / first : 0)

@@ -24,6 +24,7 @@ typedef struct {
     double *Lambda, *mu, *T, *v, *source; /* LANES d numbers each */
     double *xi, *after, *before;          /* each, see (23.16) */
     double *Jx, *Jp, *column;             /* each */
+    double *Jk, *by_mass; /* each: dJ/dp_k of a row, if J has them all; what they have of masses */
     double *kinetic, *sum, *plain, *push; /* each */
     double *subtracted_velocity; /* each: what the memory takes from V, (23.26) */
     fvi_singular_start_adjoint pull;

@@ -68,7 +68,7 @@ void fvi_adjoint_variable_end_singular_start(fvi_adjoint_variable_run *m, size_t
     double by_rho, by_m;
     fvi_singular_start_adjoint_ratio(p, M, rho, &by_rho, &by_m);
     if (want->p0 && above)
-        want->p0[j] = by_A / M;
+        want->p0[j] = by_A / M + m->Jk[j];
     if (want->x0 && !above)
         want->x0[j] += by_A;
     if (want->mass)

@@ -125,7 +125,7 @@ static int mirrored_runs(problem *o)
 {
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < o->ends && !status; i++) {
-        const fvi_objective end = { one_end, &i };
+        const fvi_objective end = { .slopes = one_end, .params = &i };
         const fvi_sensitivities by = { .force = o->a + i * o->rows };
         status = fvi_adjoint(o->method, &o->run, o->x, o->p + o->rows - o->d,
                              &end, &by);

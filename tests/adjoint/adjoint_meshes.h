@@ -56,7 +56,7 @@ static inline int ends(size_t k, size_t d, const double *x, const double *p,
 static inline slopes *slopes_by(chain *c, int of_ends)
 {
     slopes *s = slopes_of(&c->run, N + 1);
-    const fvi_objective J = { of_ends ? ends : to_sine, &c->run };
+    const fvi_objective J = { .slopes = of_ends ? ends : to_sine, .params = &c->run };
     if (of_ends) /* then alpha = 1 needs no modes */
         s->to.alpha = NULL;
     ck_assert_int_eq(

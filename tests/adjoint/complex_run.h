@@ -25,10 +25,11 @@ typedef struct {
     double h, kappa;
     double complex x0[MOST], p0[MOST], mass[MOST], rho[MOST], alpha, cg[2],
         F[LENGTH * MOST];
+    const double *by_momenta; /* NULL, or J has the sum of these times all p_k,i, k < N */
 } complex_run;
 
 typedef struct {
-    double complex x[LENGTH][MOST], p[MOST], z[LENGTH][MOST], w[LENGTH],
+    double complex x[LENGTH][MOST], p[MOST], momenta[LENGTH][MOST], z[LENGTH][MOST], w[LENGTH],
         pull[LENGTH][2];
 } complex_path;
 
@@ -169,6 +170,7 @@ static inline void complex_trajectory(const complex_run *r, complex_path *o)
     }
     for (size_t k = 0; k < r->N; k++) {
         double complex inertia[MOST], right[MOST], g[MOST], known[MOST];
+        memcpy(o->momenta[k], o->p, sizeof o->p);
         for (size_t i = 0; i < r->d; i++) {
             const double complex c = r->rho[i] * unit,
                                  A = above ? r->p0[i] / r->mass[i] : r->x0[i],
@@ -216,6 +218,8 @@ static inline double complex complex_objective(const complex_run *r)
             const double complex away = o.x[k][i] - sin((double)k * r->h);
             J += r->h / 2 * away * away;
         }
+        for (size_t k = 0; r->by_momenta && k < r->N; k++)
+            J += r->by_momenta[k * r->d + i] * o.momenta[k][i];
         J += o.x[r->N][i] / 2 + o.x[r->N][i] * o.p[i] * o.p[i] / 4;
     }
     return J;

@@ -48,7 +48,7 @@ static void ck_assert_row(size_t i, fvi_history_kind memory, double tolerance)
     oscillator *o = oscillator_of(i, memory);
     const size_t N = o->run.steps;
     const fvi_method *method = ref_slopes[i].method;
-    const fvi_objective J = { to_sine, &o->run };
+    const fvi_objective J = { .slopes = to_sine, .params = &o->run };
     double *x = malloc(2 * (N + 1) * sizeof *x), *p = x + N + 1;
     ck_assert_ptr_nonnull(x);
     slopes *s = slopes_of(&o->run, N + 1), *again = slopes_of(&o->run, N + 1);

@@ -98,11 +98,25 @@ static void ck_assert_slopes(complex_run *r, double complex *number,
                        (int)r->scheme, (int)r->past, creal(r->alpha));
 }
 
-static void ck_assert_chain(chain *c, const fvi_method *method)
+/* As to_sine; and of each p_k, k < N, some share. */
+static double share[N * D];
+
+static int with_momenta(size_t k, size_t d, const double *x, const double *p,
+                        void *params, double *Jx, double *Jp)
+{
+    for (size_t i = 0; k < N && i < d; i++)
+        Jp[i] += share[k * d + i];
+    return to_sine(k, d, x, p, params, Jx, Jp);
+}
+
+static void ck_assert_chain(chain *c, const fvi_method *method, int has_momenta)
 {
     complex_run *z = &c->tilted;
     slopes *s = slopes_of(&c->run, N + 1);
-    const fvi_objective J = { to_sine, &c->run };
+    const fvi_objective J = { .slopes = has_momenta ? with_momenta : to_sine,
+                              .params = &c->run,
+                              .has_momenta = has_momenta };
+    z->by_momenta = has_momenta ? share : NULL;
     ck_assert_int_eq(fvi_adjoint(method, &c->run, NULL, NULL, &J, &s->to),
                      FVI_SUCCESS);
     if (isnan(s->to.x0[0])) { /* but where nothing is damped */
@@ -121,7 +135,7 @@ static void ck_assert_chain(chain *c, const fvi_method *method)
 }
 
 /* (23.6) for five masses: every derivative, to 1e-11 of the largest of its kind. */
-START_TEST(eq_23_6_every_derivative_of_a_chain_by_complex_steps)
+static void ck_assert_chains(int has_momenta)
 {
     static const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_shifted,
                                                  &fvi_cq_bdf2, &fvi_cq2_midpoint };
@@ -134,15 +148,29 @@ START_TEST(eq_23_6_every_derivative_of_a_chain_by_complex_steps)
         const fvi_initial_history past = pasts[i / LEN(methods) % LEN(pasts)];
         chain *c = random_chain(rng, method, past,
                                 alphas[i / LEN(methods) / LEN(pasts)]);
-        ck_assert_chain(c, method);
+        ck_assert_chain(c, method, has_momenta);
         if (i % 2) { /* the same potential by a full Hessian */
             c->system.potential.hessian = full_chain_hessian;
             c->system.potential.diagonals = 0;
-            ck_assert_chain(c, method);
+            ck_assert_chain(c, method, has_momenta);
         }
         free(c);
     }
     gsl_rng_free(rng);
+}
+
+START_TEST(eq_23_6_every_derivative_of_a_chain_by_complex_steps)
+{
+    ck_assert_chains(0);
+}
+END_TEST
+
+/* (23.27): J knows every momentum. */
+START_TEST(eq_23_27_every_momentum_of_a_chain_by_complex_steps)
+{
+    for (size_t k = 0; k < LEN(share); k++)
+        share[k] = cos((double)(7 * k + 3)) / 4;
+    ck_assert_chains(1);
 }
 END_TEST
 
@@ -150,6 +178,7 @@ int main(void)
 {
     Suite *suite = suite_create("adjoint, chains");
     ADD_CASE(suite, "values",
-             eq_23_6_every_derivative_of_a_chain_by_complex_steps);
+             eq_23_6_every_derivative_of_a_chain_by_complex_steps,
+             eq_23_27_every_momentum_of_a_chain_by_complex_steps);
     return run_suite(suite);
 }

@@ -86,7 +86,7 @@ START_TEST(eq_23_19_every_factor_of_matrices_to_40_digits)
         const fvi_method *method = ref_matrices[row].method;
         matrices m;
         fvi_run run = set_up(row, kinds[i % LEN(kinds)], &m);
-        const fvi_objective J = { to_sine, NULL };
+        const fvi_objective J = { .slopes = to_sine, .params = NULL };
         OK(fvi_adjoint(method, &run, NULL, NULL, &J, &a->want));
         for (size_t j = 0; j < 4; j++) {
             const double want = ref_matrices[row].want[j];
@@ -112,7 +112,7 @@ START_TEST(eq_23_20_a_factor_of_everything_changes_no_position)
         double x[(N + 1) * D], p[(N + 1) * D], size = 1;
         matrices m;
         fvi_run run = set_up(i, FVI_HISTORY_AUTO, &m);
-        const fvi_objective J = { to_sine, NULL };
+        const fvi_objective J = { .slopes = to_sine, .params = NULL };
         OK(fvi_adjoint(method, &run, NULL, NULL, &J, &a->want));
         OK(fvi_trajectory(method, &run, x, p, NULL));
         double sum = a->by[0] + a->by[1] + a->by[3];
@@ -146,7 +146,7 @@ START_TEST(eq_23_21_a_power_of_matrices_as_a_law)
         double terms, orders;
         matrices m;
         fvi_run run = set_up(i, FVI_HISTORY_AUTO, &m);
-        const fvi_objective J = { to_sine, NULL };
+        const fvi_objective J = { .slopes = to_sine, .params = NULL };
         if (method->takes_laws && method != &fvi_cq2_midpoint
             && method != &fvi_cq2_shifted
             && run.past == FVI_INITIAL_HISTORY_HELD
@@ -240,7 +240,7 @@ START_TEST(eq_23_21_what_the_gradient_of_a_law_of_matrices_leaves)
         const fvi_kernel law = { TERMS, term };
         matrices m;
         fvi_run run = set_up(i, FVI_HISTORY_AUTO, &m);
-        const fvi_objective J = { to_sine, NULL };
+        const fvi_objective J = { .slopes = to_sine, .params = NULL };
         law_at(term, 0);
         run.law = &law;
         run.alpha = 0.9;
@@ -275,7 +275,7 @@ START_TEST(eq_23_19_modes_give_the_factors_of_all_weights)
     size_t compared = 0;
     for (size_t i = 0; i < LEN(ref_matrices); i++) {
         const fvi_method *method = ref_matrices[i].method;
-        const fvi_objective J = { to_sine, NULL };
+        const fvi_objective J = { .slopes = to_sine, .params = NULL };
         double most = 1;
         int status = FVI_SUCCESS;
         matrices m;
@@ -312,7 +312,7 @@ START_TEST(a_factor_may_be_asked_for_alone)
     answers *all = answers_of(), *one = answers_of();
     matrices m;
     fvi_run run = set_up(LEN(ref_matrices) - 3, FVI_HISTORY_AUTO, &m);
-    const fvi_objective J = { to_sine, NULL };
+    const fvi_objective J = { .slopes = to_sine, .params = NULL };
     OK(fvi_adjoint(&fvi_cq2_midpoint, &run, NULL, NULL, &J, &all->want));
     for (size_t i = 0; i < 4; i++) {
         const fvi_sensitivities want = { .mass = i == 0 ? one->by : NULL,
@@ -340,7 +340,7 @@ START_TEST(a_body_without_damping_has_slopes_of_zero)
     OK(fvi_structure_alloc(&m.M, &m.K, NULL, &m.structure, NULL));
     m.system = fvi_structure_system(m.structure);
     fvi_run run = run_of(&m.system, 0.7, h, N, x0, p0);
-    const fvi_objective J = { to_sine, NULL };
+    const fvi_objective J = { .slopes = to_sine, .params = NULL };
     a->by[1] = a->by[2] = 1;
     OK(fvi_adjoint(&fvi_cq_bdf2, &run, NULL, NULL, &J, &a->want));
     ck_assert_near(a->by[1], 0, 0, "C");
@@ -360,7 +360,7 @@ START_TEST(no_products_with_M_no_slope_by_its_factor)
     blind.inertia = NULL;
     system.matrices = &blind;
     run.system = &system;
-    const fvi_objective J = { to_sine, NULL };
+    const fvi_objective J = { .slopes = to_sine, .params = NULL };
     ck_assert_int_eq(
         fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &a->want),
         FVI_EUNSUP);

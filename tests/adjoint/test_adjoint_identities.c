@@ -43,7 +43,7 @@ START_TEST(eq_23_5_a_run_read_backwards_is_the_adjoint)
     const fvi_system system =
         oscillator(&one, &rho, fvi_potential_harmonic(&one));
     int momentum = 0;
-    const fvi_objective J = { last_row, &momentum };
+    const fvi_objective J = { .slopes = last_row, .params = &momentum };
     for (size_t i = 0; i < 3; i++) {
         fvi_run run = fvi_run_default(&system, &zero, &one, 1. / 16, N);
         run.alpha = 0.3125 + 0.25 * (double)i;
@@ -74,7 +74,7 @@ START_TEST(eq_23_5_the_mirror_of_a_pendulum_is_not_its_adjoint)
     const fvi_system system =
         oscillator(&one, &rho, fvi_potential_pendulum(&one));
     int momentum = 0;
-    const fvi_objective J = { last_row, &momentum };
+    const fvi_objective J = { .slopes = last_row, .params = &momentum };
     fvi_run run = fvi_run_default(&system, &zero, &one, 1. / 16, N);
     const fvi_sensitivities want = { .force = force };
     ck_assert_int_eq(fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &want),
@@ -100,7 +100,7 @@ START_TEST(eq_23_4_the_mirrored_run_as_it_stands)
     fvi_run run = fvi_run_default(&system, &x0, &p0, 1. / 16, N);
     run.alpha = 0.7;
     run.kappa = 0.3;
-    const fvi_objective J = { to_sine, &run };
+    const fvi_objective J = { .slopes = to_sine, .params = &run };
     double Jp = 0, q, by_p0, largest = 0;
     const fvi_sensitivities want = { .force = force, .p0 = &by_p0 };
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, p, NULL),
@@ -165,7 +165,7 @@ static double moved(const fvi_method *method, fvi_initial_history past, int kind
         J += x[2 * N + i] / 2 + x[2 * N + i] * p[2 * N + i] * p[2 * N + i] / 4;
     }
     if (s) {
-        const fvi_objective objective = { to_sine, &run };
+        const fvi_objective objective = { .slopes = to_sine, .params = &run };
         s->to.sensitivity = fvi_parameter_gradient_of(&system.potential);
         ck_assert_int_eq(
             fvi_adjoint(method, &run, x, p + 2 * N, &objective, &s->to),
@@ -236,7 +236,7 @@ START_TEST(bad_arguments_of_an_adjoint_are_refused)
     const fvi_system system =
         oscillator(&one, &rho, fvi_potential_harmonic(&one));
     fvi_run run = fvi_run_default(&system, &one, &one, 0.1, 20);
-    const fvi_objective J = { to_sine, &run }, none = { 0 };
+    const fvi_objective J = { .slopes = to_sine, .params = &run }, none = { 0 };
     const fvi_sensitivities g = { .p0 = out };
     const fvi_method *m = &fvi_fractional;
     ck_assert_int_eq(fvi_adjoint(NULL, &run, x, x, &J, &g), FVI_EFAULT);
@@ -259,10 +259,10 @@ START_TEST(bad_arguments_of_an_adjoint_are_refused)
                                  .sensitivity = { 1, NULL } };
     ck_assert_int_eq(fvi_adjoint(m, &run, x, x, &J, &lost), FVI_EINVAL);
     for (size_t k = 0; k <= 20; k += 10) {
-        const fvi_objective stops = { refuses, &k };
+        const fvi_objective stops = { .slopes = refuses, .params = &k };
         ck_assert_int_eq(fvi_adjoint(m, &run, x, x, &stops, &g), -7);
     }
-    const fvi_objective lame = { not_a_number, NULL };
+    const fvi_objective lame = { .slopes = not_a_number, .params = NULL };
     ck_assert_int_eq(fvi_adjoint(m, &run, x, x, &lame, &g), FVI_EOVRFLW);
     run.steps = 0;
     ck_assert_int_eq(fvi_adjoint(m, &run, x, x, &J, &g), FVI_EINVAL);
@@ -279,7 +279,7 @@ START_TEST(a_singular_step_backwards_is_told)
     const fvi_system system =
         oscillator(&one, &none, fvi_potential_duffing((double[]){ c, 1 }));
     fvi_run run = fvi_run_default(&system, &none, &none, 1, 1);
-    const fvi_objective J = { to_sine, &run };
+    const fvi_objective J = { .slopes = to_sine, .params = &run };
     fvi_sensitivities g = { .p0 = &out };
     ck_assert_int_eq(fvi_adjoint(&fvi_fractional, &run, x, x, &J, &g),
                      FVI_ESING);
@@ -319,7 +319,7 @@ START_TEST(a_free_coordinate_has_a_derivative_by_its_damping)
     fvi_run run = fvi_run_default(&system, &one, &one, 1. / 16, N);
     run.alpha = 0.3;
     int momentum = 0;
-    const fvi_objective J = { last_row, &momentum };
+    const fvi_objective J = { .slopes = last_row, .params = &momentum };
     const fvi_sensitivities want = { .damping = &by_rho };
     ck_assert_int_eq(fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &want),
                      FVI_SUCCESS);
@@ -344,7 +344,7 @@ START_TEST(outputs_are_written_not_added_to)
     const fvi_system system =
         oscillator(&one, &rho, fvi_potential_harmonic(&one));
     fvi_run run = fvi_run_default(&system, &one, &one, 0.1, N);
-    const fvi_objective J = { to_sine, &run };
+    const fvi_objective J = { .slopes = to_sine, .params = &run };
     slopes *s = slopes_of(&run, N + 1), *again = slopes_of(&run, N + 1);
     for (size_t i = 0; i < NUMBERS; i++)
         again->all[i] = 7;

@@ -31,7 +31,7 @@ static void ask(answers *a)
 static int adjoint_by(const fvi_method *method, fvi_run *run,
                       fvi_history_kind memory, answers *a)
 {
-    const fvi_objective J = { to_sine, run };
+    const fvi_objective J = { .slopes = to_sine, .params = run };
     run->memory = memory;
     ask(a);
     return fvi_adjoint(method, run, NULL, NULL, &J, &a->want);
@@ -164,7 +164,7 @@ START_TEST(a_number_of_a_law_may_be_asked_for_alone)
         answers all, one;
         fvi_run run = run_of_row(3 * (i / 4 % 4) + 2, &system, &law);
         const fvi_method *method = methods[i / 16];
-        const fvi_objective J = { to_sine, &run };
+        const fvi_objective J = { .slopes = to_sine, .params = &run };
         ck_assert_int_eq(adjoint_by(method, &run, FVI_HISTORY_AUTO, &all),
                          FVI_SUCCESS);
         ask(&one);

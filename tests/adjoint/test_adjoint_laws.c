@@ -72,7 +72,7 @@ static slopes *slopes_by(const fvi_method *method, chain *c, int of_ends,
                          double *terms)
 {
     slopes *s = slopes_of(&c->run, MOST_ROWS);
-    const fvi_objective J = { of_ends ? ends : to_sine, &c->run };
+    const fvi_objective J = { .slopes = of_ends ? ends : to_sine, .params = &c->run };
     s->to.alpha = NULL;
     s->to.terms = terms;
     s->to.orders = terms + c->run.law->count;
@@ -106,7 +106,7 @@ START_TEST(eq_23_6_a_law_of_one_power_has_its_derivatives)
         c.run.alpha = 0.3;
         c.system.damping = alone;
         slopes *same = slopes_of(&c.run, MOST_ROWS);
-        const fvi_objective J = { to_sine, &c.run };
+        const fvi_objective J = { .slopes = to_sine, .params = &c.run };
         ck_assert_int_eq(
             fvi_adjoint(methods[i % FIRST], &c.run, NULL, NULL, &J, &same->to),
             FVI_SUCCESS);
@@ -228,7 +228,7 @@ START_TEST(a_law_has_no_alpha_and_a_power_no_terms)
     chain c;
     double number;
     chain_at(&c, FVI_HISTORY_AUTO, 0);
-    const fvi_objective J = { ends, NULL };
+    const fvi_objective J = { .slopes = ends, .params = NULL };
     const fvi_sensitivities by_alpha = { .alpha = &number };
     const fvi_sensitivities by_terms[] = { { .terms = &number },
                                        { .orders = &number },

@@ -133,7 +133,7 @@ START_TEST(eq_23_6_matrices_are_their_own_adjoint)
         const int is_square = n / LEN(alphas) / LEN(pasts) / LEN(kinds) == 1;
         run.kappa = is_square ? 0.3 : 0.5;
         static double by[2 * D], force[(N + 1) * D];
-        const fvi_objective J = { is_square ? square : linear, NULL };
+        const fvi_objective J = { .slopes = is_square ? square : linear, .params = NULL };
         const fvi_sensitivities want = { .x0 = by, .p0 = by + D, .force = force };
         OK(fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &want));
         double largest = 1;
@@ -184,7 +184,7 @@ START_TEST(eq_23_7_matrices_are_their_own_adjoint_to_order_2)
         kick(x0, p0);
         for (size_t i = 0; at_0 && i < D; i++)
             x0[i] = 0;
-        const fvi_objective J = { linear, NULL };
+        const fvi_objective J = { .slopes = linear, .params = NULL };
         const fvi_sensitivities want = { .x0 = by, .p0 = by + D, .force = force };
         OK(fvi_adjoint(method, &run, NULL, NULL, &J, &want));
         double largest = 1;
@@ -218,7 +218,7 @@ START_TEST(a_path_of_matrices_given_or_not)
     matrices m;
     bar(&m);
     fvi_run run = run_of(&m.system, 0.35, h, N, x0, p0);
-    const fvi_objective J = { square, NULL };
+    const fvi_objective J = { .slopes = square, .params = NULL };
     OK(fvi_trajectory(&fvi_fractional, &run, x, p, NULL));
     for (int i = 0; i < 2; i++) {
         const fvi_sensitivities want = { .x0 = by[i],

@@ -122,7 +122,7 @@ START_TEST(eq_23_16_the_derivatives_belong_to_the_modes_of_the_run)
         run.alpha = alphas[i / LEN(errors)];
         run.past = FVI_INITIAL_HISTORY_CAPUTO;
         run.step_error = errors[i % LEN(errors)];
-        const fvi_objective J = { last_position, NULL };
+        const fvi_objective J = { .slopes = last_position, .params = NULL };
         const fvi_sensitivities want = { .x0 = &by_x0, .p0 = &by_p0 };
         ck_assert_int_eq(
             fvi_trajectory(&fvi_variable_step, &run, x, NULL, NULL),
@@ -163,7 +163,7 @@ START_TEST(eq_23_16_two_methods_have_the_same_derivatives)
         chain_at(&c, cases[i].past, cases[i].alpha, 0.5, cases[i].rho);
         slopes *s = slopes_by(&c, 0);
         slopes *t = slopes_of(&c.run, N * 7 + 1);
-        const fvi_objective J = { to_sine, &c.run };
+        const fvi_objective J = { .slopes = to_sine, .params = &c.run };
         ck_assert_int_eq(
             fvi_adjoint(&fvi_lobatto_d8, &c.run, NULL, NULL, &J, &t->to),
             FVI_SUCCESS);
@@ -175,6 +175,45 @@ START_TEST(eq_23_16_two_methods_have_the_same_derivatives)
                 continue;
             seen_worst(fabs(s->all[j] - t->all[j]), "difference");
             ck_assert_near(s->all[j], t->all[j], 1e-8,
+                           "past %d alpha=%g, number %zu", (int)c.run.past,
+                           c.run.alpha, j);
+        }
+        slopes_free(s);
+        slopes_free(t);
+    }
+}
+END_TEST
+
+/* As to_sine; and a share of each p_k, which lies within a step mostly. */
+static int with_momenta(size_t k, size_t d, const double *x, const double *p,
+                        void *params, double *Jx, double *Jp)
+{
+    for (size_t i = 0; k < N && i < d; i++)
+        Jp[i] += cos((double)(3 * k + 5 * i + 1)) / 8;
+    return to_sine(k, d, x, p, params, Jx, Jp);
+}
+
+/* (23.27), as above; p of fvi-lobatto8d errs by more than x in its first steps: 1e-6. */
+START_TEST(eq_23_27_two_methods_have_the_same_derivatives_by_momenta)
+{
+    for (size_t i = 0; i < LEN(cases); i++) {
+        chain c;
+        chain_at(&c, cases[i].past, cases[i].alpha, 0.5, cases[i].rho);
+        if (cases[i].alpha == 1 && cases[i].rho > 0)
+            continue; /* refused */
+        slopes *s = slopes_of(&c.run, N + 1), *t = slopes_of(&c.run, N * 7 + 1);
+        const fvi_objective J = { .slopes = with_momenta,
+                                  .params = &c.run,
+                                  .has_momenta = 1 };
+        ck_assert_int_eq(
+            fvi_adjoint(&fvi_variable_step, &c.run, NULL, NULL, &J, &s->to),
+            FVI_SUCCESS);
+        ck_assert_int_eq(fvi_adjoint(&fvi_lobatto_d8, &c.run, NULL, NULL, &J, &t->to),
+                         FVI_SUCCESS);
+        for (size_t j = 0; j < NUMBERS; j++) {
+            const int is_alpha = s->all + j == s->to.alpha;
+            seen_worst(fabs(s->all[j] - t->all[j]), is_alpha ? "by alpha" : "difference");
+            ck_assert_near(s->all[j], t->all[j], 1e-6,
                            "past %d alpha=%g, number %zu", (int)c.run.past,
                            c.run.alpha, j);
         }
@@ -199,7 +238,7 @@ static int end_of_chain(size_t k, size_t d, const double *x, const double *p,
 /* All that both methods have of a law that acts on a chain. */
 static void slopes_by_law(const fvi_method *method, chain *c, double *by)
 {
-    const fvi_objective J = { end_of_chain, NULL };
+    const fvi_objective J = { .slopes = end_of_chain, .params = NULL };
     const fvi_sensitivities want = {
         .x0 = by,
         .p0 = by + D,
@@ -300,7 +339,7 @@ START_TEST(a_mesh_refuses_what_it_has_no_derivative_of)
 {
     chain c;
     double number, x[(N + 1) * D] = { 0 };
-    const fvi_objective J = { ends, NULL };
+    const fvi_objective J = { .slopes = ends, .params = NULL };
     const fvi_sensitivities by_alpha = { .alpha = &number }, none = { .x0 = NULL };
     chain_at(&c, FVI_INITIAL_HISTORY_HELD, 0.3, 0, 1);
     ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &c.run, x, x, &J, &none),
@@ -343,6 +382,7 @@ int main(void)
              eq_23_16_the_derivatives_belong_to_the_modes_of_the_run,
              eq_23_16_a_factor_of_all_forces_changes_no_position,
              eq_23_16_two_methods_have_the_same_derivatives,
+             eq_23_27_two_methods_have_the_same_derivatives_by_momenta,
              eq_23_16_a_law_has_its_derivatives_on_a_mesh,
              eq_23_16_impulses_are_divided_by_the_mass);
     ADD_CASE(suite, "errors", a_mesh_refuses_what_it_has_no_derivative_of);

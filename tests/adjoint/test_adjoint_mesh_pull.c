@@ -113,7 +113,7 @@ START_TEST(eq_23_25_differences_of_pulled_runs)
         kinds[kind_of(&c)]++;
         const int inner = c.run.alpha > 0 && c.run.alpha < 1;
         slopes *s = slopes_of(&c.run, N + 1);
-        const fvi_objective J = { to_sine, &c.run };
+        const fvi_objective J = { .slopes = to_sine, .params = &c.run };
         double *numbers[] = { c.x0, c.p0, c.mass, c.rho };
         s->to.alpha = inner ? s->to.alpha : NULL;
         ck_assert_int_eq(

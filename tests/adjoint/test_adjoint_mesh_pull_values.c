@@ -83,7 +83,7 @@ static void slopes_by(size_t i, double *got)
     chain c;
     chain_of(i, &c);
     slopes *s = slopes_of(&c.run, ROWS + 1);
-    const fvi_objective J = { to_sine, &c.run };
+    const fvi_objective J = { .slopes = to_sine, .params = &c.run };
     ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &c.run, NULL, NULL, &J, &s->to),
                      FVI_SUCCESS);
     for (size_t j = 0; j < 4 * D; j++)

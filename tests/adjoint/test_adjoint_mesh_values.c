@@ -71,7 +71,7 @@ static void slopes_by(size_t i, double *got)
     fvi_run run;
     run_of(i, &system, &run, aw);
     slopes *s = slopes_of(&run, ROWS + 1);
-    const fvi_objective J = { to_sine, &run };
+    const fvi_objective J = { .slopes = to_sine, .params = &run };
     ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &run, NULL, NULL, &J, &s->to),
                      FVI_SUCCESS);
     slopes_in_order(s, D, got);

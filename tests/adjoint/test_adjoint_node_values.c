@@ -24,7 +24,7 @@ static void slopes_by(size_t i, fvi_history_kind memory, double *got)
     run.kappa = ref_nodes[i].kappa;
     run.memory = memory;
     slopes *s = slopes_of(&run, N + 1);
-    const fvi_objective J = { to_sine, &run };
+    const fvi_objective J = { .slopes = to_sine, .params = &run };
     ck_assert_int_eq(
         fvi_adjoint(ref_nodes[i].method, &run, NULL, NULL, &J, &s->to),
         FVI_SUCCESS);

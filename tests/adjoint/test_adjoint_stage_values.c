@@ -119,7 +119,7 @@ static void slopes_by(size_t i, fvi_history_kind memory, double *got)
     run.past = ref_chains[i].past;
     run.memory = memory;
     slopes *s = slopes_of(&run, N * ((size_t)method->stages - 1) + 1);
-    const fvi_objective J = { to_sine, &run };
+    const fvi_objective J = { .slopes = to_sine, .params = &run };
     if (isnan(ref_chains[i].want[22]))
         s->to.alpha = NULL;
     ck_assert_int_eq(fvi_adjoint(method, &run, NULL, NULL, &J, &s->to),
@@ -180,7 +180,7 @@ static void law_slopes_by(size_t i, fvi_history_kind memory, double alpha,
     run.alpha = alpha;
     run.memory = memory;
     slopes *s = slopes_of(&run, N * ((size_t)method->stages - 1) + 1);
-    const fvi_objective J = { to_sine, &run };
+    const fvi_objective J = { .slopes = to_sine, .params = &run };
     s->to.alpha = NULL;
     s->to.terms = got + 22;
     ck_assert_int_eq(fvi_adjoint(method, &run, NULL, NULL, &J, &s->to),

@@ -65,7 +65,7 @@ static slopes *slopes_by(const fvi_method *method, chain *c, int of_ends)
 {
     const size_t per = method->stages ? (size_t)method->stages - 1 : 1;
     slopes *s = slopes_of(&c->run, N * per + 1);
-    const fvi_objective J = { of_ends ? ends : to_sine, &c->run };
+    const fvi_objective J = { .slopes = of_ends ? ends : to_sine, .params = &c->run };
     ck_assert_int_eq(fvi_adjoint(method, &c->run, NULL, NULL, &J, &s->to),
                      FVI_SUCCESS);
     return s;
@@ -229,7 +229,7 @@ START_TEST(eq_23_13_the_derivative_by_p0_is_a_run)
         fvi_run run = fvi_run_default(&system, &x0, &p0, 0.05, STEPS);
         run.alpha = alphas[i / LEN(staged)];
         run.past = FVI_INITIAL_HISTORY_CAPUTO;
-        const fvi_objective J = { last_position, NULL };
+        const fvi_objective J = { .slopes = last_position, .params = NULL };
         const fvi_sensitivities want = { .p0 = &by_p0 };
         ck_assert_int_eq(fvi_adjoint(method, &run, NULL, NULL, &J, &want),
                          FVI_SUCCESS);
@@ -251,7 +251,7 @@ START_TEST(stages_refuse_what_they_have_no_derivative_of)
     chain c;
     double alpha, x[(N + 1) * D] = { 0 };
     chain_at(&c, FVI_INITIAL_HISTORY_HELD, 0.3, 0, 0);
-    const fvi_objective J = { ends, NULL };
+    const fvi_objective J = { .slopes = ends, .params = NULL };
     const fvi_sensitivities by_alpha = { .alpha = &alpha }, none = { .x0 = NULL };
     ck_assert_int_eq(fvi_adjoint(&fvi_lobatto_m3, &c.run, x, x, &J, &none),
                      FVI_EUNSUP);

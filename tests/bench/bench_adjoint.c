@@ -43,7 +43,7 @@ static int measure(size_t N, int times)
     if (!x)
         return 1;
     double *p = x + N + 1, *force = p + N + 1;
-    const fvi_objective J = { slopes, &run };
+    const fvi_objective J = { .slopes = slopes, .params = &run };
     fvi_sensitivities all = { .x0 = out,
                           .p0 = out + 1,
                           .mass = out + 2,

@@ -49,7 +49,7 @@ static inline double last_of(const fvi_method *method, const fvi_kernel *law,
                                 &at[3], fvi_potential_duffing(spring),
                                 { 0 },  NULL, NULL };
     fvi_run run = fvi_run_default(&system, &at[0], &at[1], 0.1, steps);
-    const fvi_objective J = { to_last, &run };
+    const fvi_objective J = { .slopes = to_last, .params = &run };
     run.law = &moved;
     run.alpha = 1; /* is not read */
     if (got) {

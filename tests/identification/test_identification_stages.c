@@ -65,7 +65,7 @@ START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
         if (whole && q.run.alpha > 0.5)
             q.x0 = 0; /* (19.2) */
         for (size_t i = 0; i < 2; i++) {
-            const fvi_objective J = { i ? last_p : last_x, NULL };
+            const fvi_objective J = { .slopes = i ? last_p : last_x, .params = NULL };
             const fvi_sensitivities want = { .alpha = to[i],
                                          .damping = to[i] + 1,
                                          .mass = to[i] + 2,

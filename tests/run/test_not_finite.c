@@ -100,7 +100,7 @@ static int slopes(size_t k, size_t d, const double *at, const double *momentum,
 START_TEST(a_derivative_that_is_too_large_is_an_error)
 {
     static const fvi_history_kind direct = FVI_HISTORY_DIRECT;
-    const fvi_objective J = { slopes, NULL };
+    const fvi_objective J = { .slopes = slopes, .params = NULL };
     const fvi_system spring = { .d = 1,
                                 .mass = &one,
                                 .damping = &rho,

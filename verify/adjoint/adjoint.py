@@ -8,7 +8,9 @@ Proved here:
   (23.8)  both variations of the unrestricted action are the run and its adjoint (N = 4);
   (23.9)  the derivatives of the weights by their order: the recurrence, for symbolic
           order, and the generating function ln(1 - z) (1 - z)^beta, n <= 12;
-  (23.11) the derivative of the density of (12.5) by nu.
+  (23.11) the derivative of the density of (12.5) by nu;
+  (23.27) lambda jumps where J depends on p_k: Algorithm 3, N = 3, weights, Hessians and slopes
+          symbols, kappa = 1; with kappa = 1/3 in fractions.
 Printed: the rates of the weights, from the definition: the product, differentiated; and
 derivatives of runs, differences of runs of 178 bits (adjoint_runs.py), which are right to
 21 digits."""
@@ -85,6 +87,38 @@ third = Rational(1, 3)
 claim("nor will the same kappa",
       P2 * jacobian(M2, C2, G2, w2, third, 1, 0).T * P2
       != jacobian(M2, C2, G2[::-1], w2, third, 1, 0))
+
+# ---- every momentum ----
+
+
+def by_momenta(N, w, G, Jp, m, c, h, kappa, x0, p0):
+    """sum_k Jp_k p_k of a held run with the Hessians G, and (23.4) with the jumps (23.27): J, and its
+    derivative by p0."""
+    x, p, J = [x0], p0, Jp[0] * p0
+    for k in range(N):
+        inertia = m / h + kappa * (1 - kappa) * h * G[k]
+        d = (p - kappa * h * G[k] * x[k]) / inertia
+        x.append(x[k] + d)
+        p = p - h * G[k] * (x[k] + (1 - kappa) * d)
+        p -= c * sum(w[n] * (x[k + 1 - n] - x0) for n in range(k + 2))
+        J += Jp[k + 1] * p
+    mu, q = [Jp[N]], 0
+    for k in reversed(range(N)):
+        inertia = m / h + kappa * (1 - kappa) * h * G[k]
+        q -= c * sum(w[n] * mu[-1 - n] for n in range(len(mu)))
+        d = (q - (1 - kappa) * h * G[k] * mu[-1]) / inertia
+        q -= h * G[k] * (mu[-1] + kappa * d)
+        mu.append(mu[-1] + d + Jp[k])  # at k = 0 the derivative by p0 itself
+    return J, mu[-1]
+
+
+w3, G3, Jp3, x03, p03 = symbols("w0:4"), symbols("G0:3"), symbols("Jp0:4"), *symbols("x0 p0")
+J, by_p0 = by_momenta(3, w3, G3, Jp3, m, c, h, 1, x03, p03)
+prove("(23.27) lambda jumps by J_p", expand((J - J.subs(p03, 0) - by_p0 * p03) * m**3))
+take = [Fraction(next(numbers), 5) for _ in range(12)]
+runs = [by_momenta(3, take[:4], take[4:7], take[7:11], Fraction(2), Fraction(3, 7), Fraction(1, 2),
+                   Fraction(1, 3), Fraction(1), Fraction(value)) for value in (0, 1)]
+claim("(23.27) in fractions", runs[1][0] - runs[0][0] == runs[0][1])
 
 # ---- the mirrored run, and what it gives ----
 
