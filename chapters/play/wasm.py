@@ -7,7 +7,7 @@ import zlib
 
 PLAY = pathlib.Path(__file__).parent
 # What a run of the page takes of src/.
-MODULES = """band error expression expression_parse lu newton newton_stages system tape coefficients convolution_quadrature lobatto_history lobatto_modes
+MODULES = """band error expression expression_parse expression_values lu newton newton_stages system tape coefficients convolution_quadrature lobatto_history lobatto_modes
     lobatto_nodes lobatto_rules lobatto_weights memory history_direct past impulses run_check solution trajectory
     convolution_quadrature_stability stability stability_explicit stability_step
     convolution_quadrature_methods damping discrete_mechanics fvi stability_number lobatto lobatto_damped
@@ -18,7 +18,7 @@ MODULES = """band error expression expression_parse lu newton newton_stages syst
 ABSENT = """fvi_kernel_at fvi_kernel_check fvi_kernel_growth fvi_kernel_history fvi_kernel_symbol
     fvi_kernel_of_function fvi_kernel_takes_caputo fvi_shifted_theta fvi_shifted_symbol fvi_shifted_is_itself
     fvi_lobatto_kernel_free fvi_lobatto_kernel_nodes fvi_lobatto_kernel_prepare fvi_lobatto_kernel_weights
-    fvi_damping_begin_matrices fvi_initial_history_force_of_matrices fvi_stability_of_matrices fvi_history_tiled_push_part
+    fvi_mechanism_start fvi_damping_begin_matrices fvi_initial_history_force_of_matrices fvi_stability_of_matrices fvi_history_tiled_push_part
     gsl_complex_abs gsl_eigen_nonsymm gsl_eigen_nonsymm_alloc gsl_eigen_nonsymm_free
     gsl_eigen_nonsymm_params
     gsl_vector_complex_alloc gsl_vector_complex_free gsl_vector_complex_get""".split()

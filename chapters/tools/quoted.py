@@ -90,7 +90,8 @@ def in_full(keys, before):
 
 
 def plain(text):
-    """One line; powers of ten as e, thousands without gaps."""
+    """One line; formulas without backticks, powers of ten as e, thousands without gaps."""
+    text = text.replace("$`", "$").replace("`$", "$")
     text = re.sub(r"\s*\\cdot\s*10\^\{?(-?\d+)\}?", r"e\1", " ".join(text.split()))
     text = re.sub(r"\b10\^\{?(-?\d+)\}?", r"1e\1", text)
     return re.sub(r"(?<=\d) (?=\d{3}\b)", "", text)

@@ -16,8 +16,11 @@ typedef enum {
 } fvi_mechanism_form;
 
 /* fvi_has_mechanism_steps -- has the system a mechanism that these steps take? With matrices it is
- * another matter. */
-int fvi_has_mechanism_steps(const fvi_system *system);
+ * another matter. In the header: the live page has no such steps, and links none. */
+static inline int fvi_has_mechanism_steps(const fvi_system *system)
+{
+    return system->mechanism && !system->matrices;
+}
 
 /* fvi_mechanism_start -- as the start of a method; s->method becomes a copy of it with these steps.
  *

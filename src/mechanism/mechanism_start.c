@@ -5,11 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-int fvi_has_mechanism_steps(const fvi_system *system)
-{
-    return system->mechanism && !system->matrices;
-}
-
 static void stop(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->method_state;
