@@ -32,8 +32,7 @@ static fvi_kernel_simple simple_term(const fvi_kernel_term *t)
 }
 
 /* Up to 2 alpha = 2^-53 s^{2 alpha} is 1 to 9e-14 for every double s, and a memory of increments
- * would need nodes for s^{2 alpha - 1}, whose power rounds up or to -1: their range is too short,
- * or has no end. The term is a spring. */
+ * would need nodes for s^{2 alpha - 1}, whose range has no end. The term is a spring. */
 static void round_to_spring(fvi_kernel_simple *t)
 {
     if (2 * t->alpha <= 0x1p-53)

@@ -99,9 +99,12 @@ typedef struct {
     size_t Q;
 } fvi_node_range;
 
-/* fvi_node_range_of -- for the powers s^nu, -1 < nu < 1, or what is analytic in a
- * strip narrower than theirs by the factor `strip` (26.6). */
-fvi_node_range fvi_node_range_of(double nu, double N, double delta, double strip);
+/* fvi_node_range_of -- for sums of powers s^nu to s^most, -1 < nu <= most < 1, or what is analytic in a
+ * strip narrower than theirs by the factor `strip` (26.6). The lowest order decides where the nodes
+ * begin, the highest where they end. order: 1 + nu, which next to nu = -1 has digits that nu has
+ * lost. */
+fvi_node_range fvi_node_range_of(double nu, double order, double most, double N, double delta,
+                                 double strip);
 
 /* fvi_history_modes_rule -- the sum at the nodes of a grid: s, c and rate as above, of
  * which rate alone may be NULL. */

@@ -55,7 +55,7 @@ static size_t numbers(size_t Q, int by_order, size_t d) /* a multiple of 8 */
 
 fvi_node_range fvi_history_modes_plan(double nu, size_t steps, double delta)
 {
-    return fvi_node_range_of(nu, lags(steps), delta, 1);
+    return fvi_node_range_of(nu, 1 + nu, nu, lags(steps), delta, 1);
 }
 
 size_t fvi_history_modes_bytes(const fvi_node_range *g, int by_order, size_t d)

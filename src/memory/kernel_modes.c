@@ -154,23 +154,26 @@ static double function_order(const fvi_kernel_ready *r)
 static size_t modes_of_cut(const fvi_kernel_ready *r, double N, double delta, double *s,
                            double *c)
 {
-    double least = 1, width = M_PI_2;
+    double least = 2, most = 0, width = M_PI_2;
     int any = 0;
     for (size_t i = 0; i < r->terms; i++)
         if (has_cut(&r->term[i])) {
             any = 1;
-            least = smaller(least, 2 * r->term[i].alpha - r->increments);
+            least = smaller(least, 2 * r->term[i].alpha);
+            most = larger(most, 2 * r->term[i].alpha);
             width = smaller(width, strip(&r->term[i]));
         }
     if (fvi_kernel_ready_function(r)) {
         any = 1;
-        least = function_order(r) - r->increments;
+        least = function_order(r);
+        most = r->increments ? 1.9 : least; /* that of growth is not asked for */
         width = r->strip * M_PI_2;
     }
     if (!any)
         return 0;
     N = longest(r, N);
-    const fvi_node_range g = fvi_node_range_of(least, N, delta, width / M_PI_2);
+    const fvi_node_range g = fvi_node_range_of(least - r->increments, least + (1 - r->increments),
+                                               most - r->increments, N, delta, width / M_PI_2);
     const int bdf2 = r->kind == FVI_DELTA_BDF2;
     size_t Q = 0;
     for (size_t q = 0; q < g.Q; q++) { /* (26.6) */

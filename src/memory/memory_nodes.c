@@ -7,21 +7,22 @@
 #include <math.h>
 
 //> step
-/* The step for which (12.8) promises delta / 2 where eps is its optimum for the step h. */
-static double next(double h, double nu, double delta)
+/* The step for which (12.8) promises delta / 2 where eps is its optimum for the step h; order is
+ * 1 + nu. */
+static double next(double h, double order, double delta)
 {
-    const double eps = (1 + nu) * h / (2 * M_PI);
+    const double eps = order * h / (2 * M_PI);
     return 2 * M_PI * (M_PI_2 - eps)
-           / log1p(24 / (delta * pow(sin(eps), 1 + nu)));
+           / log1p(24 / (delta * pow(sin(eps), order)));
 }
 
 /* The h that is its own next. One step contracts by 1/5 or less; where two lead to is
  * Aitken's guess, and three of them have all digits. */
-static double step(double nu, double delta)
+static double step(double order, double delta)
 {
     double h = 0.3;
     for (int i = 0; i < 3; i++) {
-        const double one = next(h, nu, delta), two = next(one, nu, delta);
+        const double one = next(h, order, delta), two = next(one, order, delta);
         const double bend = (two - one) - (one - h);
         h = bend != 0 ? two - (two - one) * (two - one) / bend : two;
     }
@@ -42,14 +43,15 @@ static double log_of_lambert(double A)
 }
 
 //> nodes
-fvi_node_range fvi_node_range_of(double nu, double N, double delta, double strip)
+fvi_node_range fvi_node_range_of(double nu, double order, double most, double N, double delta,
+                                 double strip)
 {
-    const double x = FVI_TAIL - nu, L = log(4 / delta);
-    const double h = strip * step(nu, delta);
-    const double A = (L - gsl_sf_lngamma(2 + nu)) / (1 + nu) + 0.04;
+    const double x = FVI_TAIL - most, L = log(4 / delta);
+    const double h = strip * step(order, delta);
+    const double A = (L - gsl_sf_lngamma(2 + nu)) / order + 0.04;
     const double left = -log_of_lambert(A); /* (12.9) */
     const double X =
-        N * (L + nu * log(x + 1) - gsl_sf_lngamma(1 + nu)) / x; /* (12.10) */
+        N * (L + most * log(x + 1) - gsl_sf_lngamma(1 + most)) / x; /* (12.10) */
     const double right = log(X) + 1 / X;
     return (fvi_node_range){ left, h, 1 + (size_t)ceil((right - left) / h) };
 }
@@ -76,7 +78,7 @@ void fvi_history_modes_rule(const fvi_node_range *g, double nu, double N, double
 size_t fvi_history_modes_nodes(double nu, double N, double delta, double *s,
                               double *c, double *rate)
 {
-    const fvi_node_range g = fvi_node_range_of(nu, N, delta, 1);
+    const fvi_node_range g = fvi_node_range_of(nu, 1 + nu, nu, N, delta, 1);
     if (s)
         fvi_history_modes_rule(&g, nu, N, s, c, rate);
     return g.Q;

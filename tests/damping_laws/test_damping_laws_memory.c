@@ -155,8 +155,8 @@ START_TEST(eq_26_6_every_weight_to_all_its_digits)
 }
 END_TEST
 
-/* An order next to 0 is a spring: GSL is not asked for Gamma at its pole, where its handler would
- * end the process, and the modes sum what the weights sum. */
+/* An order next to 0 is a spring, or almost one: GSL is not asked for Gamma at its pole, where its
+ * handler would end the process, and the modes sum what the weights sum. */
 START_TEST(eq_26_6_an_order_next_to_zero_is_a_spring)
 {
     enum { STEPS = 2000 };
@@ -166,6 +166,10 @@ START_TEST(eq_26_6_an_order_next_to_zero_is_a_spring)
         { FVI_KERNEL_POWER, 1, 5e-324, 0, 0 },
         { FVI_KERNEL_POWER, 1, 0x1p-55, 0, 0 },
         { FVI_KERNEL_POWER, 1, 3e-17, 0, 0 },
+        { FVI_KERNEL_POWER, 1, 5.6e-17, 0, 0 }, /* from here on the nodes begin far below those of */
+        { FVI_KERNEL_POWER, 1, 1e-12, 0, 0 },   /* the other term, and end where its nodes do */
+        { FVI_KERNEL_POWER, 1, 1e-8, 0, 0 },
+        { FVI_KERNEL_POWER, 1, 1e-6, 0, 0 },
         { FVI_KERNEL_ZENER, 1, 1e-20, 0.5, 0 },
         { FVI_KERNEL_ZENER, 1, 1e-20, 5, 0 },
         { FVI_KERNEL_MAXWELL2, 1, 1e-20, 2, 0 },
