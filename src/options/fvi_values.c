@@ -92,7 +92,8 @@ static int begins_to_move(const fvi_options *o)
 /* Exponentials of a law, for steps of one length, are there or are refused. */
 static int check_modes(const fvi_options *o, fvi_error *c)
 {
-    const fvi_run run = { .law = &o->damping.law, .h = o->h };
+    const fvi_system of_one_damper = { .d = o->d };
+    const fvi_run run = { .system = &of_one_damper, .law = &o->damping.law, .h = o->h };
     int has = 1;
     if (o->text[DAMPING] && o->memory == FVI_HISTORY_MODES && !o->method->dense
         && fvi_method_has_modes(o->method, &run, &has))
