@@ -14,7 +14,6 @@
 enum {
     ALL_ARE_SOUGHT = 64, /* unknowns whose lowest poles are chosen from all */
     MORE = 4,            /* modes of others, beside those that are asked for */
-    MOST_FOR_ALL = 2000, /* unknowns of which all poles may be asked for */
     MOST_OF_ONE = 8      /* poles of one oscillator */
 };
 
@@ -350,10 +349,10 @@ int fvi_poles_find(fvi_response *r, size_t count, fvi_poles *poles,
         return fvi_fail(error, FVI_EINVAL, "count", (double)count,
                         "there are %zu unknowns", r->d);
     const size_t wanted = count ? count : r->d;
-    if (wanted > MOST_FOR_ALL)
+    if (wanted > FVI_MOST_POLES)
         return fvi_fail(error, FVI_EUNSUP, "count", (double)wanted,
                         "at most %d poles are looked for; say how many of the "
-                        "lowest", MOST_FOR_ALL);
+                        "lowest", FVI_MOST_POLES);
     search s;
     int status = search_alloc(r, wanted, &s);
     if (!status)

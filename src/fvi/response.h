@@ -125,6 +125,7 @@ int fvi_response_at(fvi_response *response, fvi_response_kind kind, size_t n,
  *   residual  |Z v| / ((|s|^2 |M| + |K| + sum |C_j B_j|) |v|), in Frobenius's norms
  *
  * Z^-1 is the sum over these poles and their conjugates, and an integral along the cut (30.6). */
+enum { FVI_MOST_POLES = 500 };
 typedef struct {
     size_t count, expected, d;
     double *pole, *shape, *residual;
@@ -132,7 +133,7 @@ typedef struct {
 
 /* fvi_poles_find -- the oscillating poles.
  *
- *   count  how many of the lowest; 0: all d
+ *   count  how many of the lowest, at most FVI_MOST_POLES; 0: all d
  *   poles  output; give it back with fvi_poles_free
  *
  * Each is looked for from an undamped mode, by Newton's method; if two arrive at one pole, they
@@ -146,8 +147,8 @@ typedef struct {
  * Accuracy: seen 1e-15 of |s| for well conditioned Z. Cost: two to four factorisations a pole, and
  * the undamped modes: O(d^3) up to 256 unknowns or for all modes, else by subspace iteration with
  * factors of K.
- * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL if count > d; FVI_EUNSUP for all poles of more than
- * 2000 unknowns; FVI_ESING if M is not positive definite; FVI_EMAXITER if the undamped modes were
+ * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL if count > d; FVI_EUNSUP for more than FVI_MOST_POLES
+ * poles; FVI_ESING if M is not positive definite; FVI_EMAXITER if the undamped modes were
  * not found; FVI_ENOMEM. On error *poles is untouched. */
 int fvi_poles_find(fvi_response *response, size_t count, fvi_poles *poles,
                    fvi_error *error);

@@ -17,7 +17,9 @@ typedef enum {
     FVI_COMMAND_VERSION,
     FVI_COMMAND_SWEEP, /* from here on with words of its own */
     FVI_COMMAND_FIT,
-    FVI_COMMAND_GRADIENT
+    FVI_COMMAND_GRADIENT,
+    FVI_COMMAND_RESPONSE,
+    FVI_COMMAND_POLES
 } fvi_command;
 
 /* How a table is printed.

@@ -20,6 +20,7 @@ static int is_help(const char *word)
 static const char *const commands[] = { "run",     "coefficients", "exact",
                                         "methods", "help",         "--version",
                                         "sweep",   "fit",          "gradient",
+                                        "response", "poles",
                                         "--help",  "-h",           NULL };
 
 const char *fvi_command_name(fvi_command command)
@@ -36,7 +37,7 @@ static int command_of(const char *name, fvi_command *command, fvi_error *c)
         }
     static const char *const all[] = {
         "run",  "exact",        "fit",    "sweep",     "gradient", "methods",
-        "help", "coefficients", "--help", "--version", NULL
+        "help", "coefficients", "response", "poles", "--help", "--version", NULL
     };
     char place[64];
     return fvi_refuse(c, NULL, "'%s' is not a command%s", name,

@@ -1,40 +1,9 @@
 /* src/output/fvi_plot.c -- A picture of a table, drawn by gnuplot. */
-#define _GNU_SOURCE
 #include "fvi_plot.h"
 
-#include "fvi_complain.h"
-#include "fvi_output.h"
-
-#include <errno.h>
-#include <fcntl.h>
-#include <spawn.h>
-#include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-extern char **environ;
-
-enum { MOST_POINTS = 5000, MOST_LINES = 6 };
-
-FILE *fvi_plot_begin(void)
-{
-    FILE *rows = NULL;
-    if (system("gnuplot --version >/dev/null 2>&1 </dev/null") != 0)
-        fvi_complain("--plot: gnuplot is not installed");
-    else if (!(rows = tmpfile()))
-        fvi_cannot_write("a temporary file");
-    return rows;
-}
-
-void fvi_plot_row(FILE *rows, double t, size_t width, const double *row)
-{
-    fprintf(rows, "%.9g", t);
-    for (size_t i = 0; i < width; i++)
-        fprintf(rows, " %.9g", row[i]);
-    fputc('\n', rows);
-}
+enum { MOST_LINES = 6 };
 
 /* ---- the script ---- */
 
@@ -75,14 +44,6 @@ static void script(FILE *g, const fvi_options *o,
                    const size_t at[FVI_ALL_COLUMNS], size_t panels)
 {
     const size_t x = at[FVI_COLUMN_X], p = at[FVI_COLUMN_P];
-    static const char *const colours[MOST_LINES] = {
-        "0072B2", "D55E00", "009E73", "CC79A7", "E69F00", "56B4E9"
-    }; /* Okabe and Ito's, told apart also by the colour-blind */
-    fputs("set border 3; set tics nomirror\n"
-          "set grid lt 1 lc rgb '#dddddd' lw 0.6\n",
-          g);
-    for (int i = 0; i < MOST_LINES; i++)
-        fprintf(g, "set linetype %d lc rgb '#%s'\n", i + 1, colours[i]);
     fprintf(g, "set multiplot layout %zu,1\n", panels);
     if (x) {
         panel(g, "t", "x");
@@ -107,108 +68,23 @@ static void script(FILE *g, const fvi_options *o,
     fprintf(g, "unset multiplot\n");
 }
 
-/* What gnuplot draws it writes to its standard output: it sees no name of the user's, which
- * it would take for a command after a |. */
-static void terminal(FILE *g, const char *name, size_t panels)
-{
-    const int svg = strcasecmp(name + strlen(name) - 4, ".svg") == 0;
-    fprintf(g, "set terminal %s size 800,%zu %s\n",
-            svg ? "svg dynamic" : "pngcairo", 80 + 260 * panels,
-            svg ? "background 'white'" : "");
-}
+/* What gnuplot is to do with the rows of a trajectory. */
+typedef struct {
+    const fvi_options *o;
+    size_t at[FVI_ALL_COLUMNS], panels;
+} trajectory_picture;
 
-/* The rows; of many, each n-th, as gnuplot reads its input a byte at a time. */
-static void copy_rows(FILE *rows, FILE *g)
+static void trajectory_script(FILE *g, const void *params)
 {
-    size_t count = 0, row = 0;
-    rewind(rows);
-    for (int c; (c = fgetc(rows)) != EOF;)
-        count += c == '\n';
-    const size_t every = 1 + count / MOST_POINTS;
-    rewind(rows);
-    fprintf(g, "$rows << EOD\n");
-    for (int c; (c = fgetc(rows)) != EOF; row += c == '\n')
-        if (row % every == 0)
-            fputc(c, g);
-    fprintf(g, "EOD\n");
-}
-
-/* Starts gnuplot, which reads the script and writes to the pipe. Returns 0 if it runs. */
-static int start_gnuplot(int script, const int ends[2], pid_t *child)
-{
-    static char name[] = "gnuplot";
-    char *const words[] = { name, NULL };
-    posix_spawn_file_actions_t files;
-    if (posix_spawn_file_actions_init(&files))
-        return -1;
-    posix_spawn_file_actions_adddup2(&files, script, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&files, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null",
-                                     O_WRONLY, 0);
-    posix_spawn_file_actions_addclose(&files, ends[0]);
-    posix_spawn_file_actions_addclose(&files, ends[1]);
-    const int status =
-        posix_spawnp(child, words[0], &files, NULL, words, environ);
-    posix_spawn_file_actions_destroy(&files);
-    return status ? -1 : 0;
-}
-
-/* The picture of this script, byte by byte: gnuplot itself does not notice a full disk.
- * Returns 0 if gnuplot drew one; whether it could be written, the stream knows. */
-static int run_gnuplot(FILE *script, FILE *picture)
-{
-    int ends[2], ended = 1;
-    pid_t child;
-    char block[1 << 14];
-    size_t bytes = 0;
-    if (pipe(ends) != 0)
-        return -1;
-    const int started = start_gnuplot(fileno(script), ends, &child) == 0;
-    close(ends[1]);
-    for (ssize_t n = started; n > 0 || (n < 0 && errno == EINTR);
-         bytes += n > 0 ? (size_t)n : 0) {
-        n = read(ends[0], block, sizeof block);
-        if (n > 0)
-            fwrite(block, 1, (size_t)n, picture);
-    }
-    close(ends[0]);
-    while (started && waitpid(child, &ended, 0) < 0 && errno == EINTR)
-        ;
-    return started && ended == 0 && bytes > 0 ? 0 : -1;
-}
-
-/* Returns 0 if all went well, or 1 after it has said what did not. */
-static int draw(FILE *rows, const fvi_options *o)
-{
-    size_t at[FVI_ALL_COLUMNS];
-    const size_t panels = place_columns(o, at);
-    FILE *g = tmpfile(), *picture = g ? fvi_output_open_file(o->plot) : NULL;
-    int failed =
-        !picture ? fvi_cannot_write(g ? o->plot : "a temporary file") : 0;
-    if (!failed) {
-        copy_rows(rows, g);
-        terminal(g, o->plot, panels);
-        script(g, o, at, panels);
-        if (fflush(g) != 0 || ferror(g) || lseek(fileno(g), 0, SEEK_SET) != 0)
-            failed = fvi_cannot_write("a temporary file");
-    }
-    if (!failed && run_gnuplot(g, picture) != 0)
-        failed = fvi_complain("--plot: gnuplot drew no picture");
-    if (picture && fvi_output_close(picture, !failed) != 0 && !failed)
-        failed = fvi_cannot_write(o->plot);
-    if (g)
-        fclose(g);
-    return failed;
+    const trajectory_picture *p = params;
+    script(g, p->o, p->at, p->panels);
 }
 
 int fvi_plot_end(FILE *rows, const fvi_options *o, int wanted)
 {
-    int failed = 0;
-    if (rows && wanted)
-        failed = fflush(rows) != 0 || ferror(rows)
-                     ? fvi_cannot_write("a temporary file")
-                     : draw(rows, o);
-    if (rows)
-        fclose(rows);
-    return failed;
+    trajectory_picture p = { .o = o };
+    p.panels = place_columns(o, p.at);
+    const fvi_picture picture = { o->plot, 800, 80 + 260 * p.panels,
+                                  trajectory_script, &p };
+    return fvi_picture_end(rows, &picture, wanted);
 }

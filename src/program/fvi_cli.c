@@ -212,6 +212,10 @@ int main(int argc, char **argv)
         return fvi_command_fit(argc, argv);
     case FVI_COMMAND_GRADIENT:
         return fvi_command_gradient(argc, argv);
+    case FVI_COMMAND_RESPONSE:
+        return fvi_command_response(argc, argv);
+    case FVI_COMMAND_POLES:
+        return fvi_command_poles(argc, argv);
     case FVI_COMMAND_RUN:
         status =
             with_system(&o, o.error > 0 ? fvi_command_error : fvi_command_run);
@@ -234,6 +238,8 @@ int main(int argc, char **argv)
                             : o.about == FVI_COMMAND_SWEEP    ? usage_sweep
                             : o.about == FVI_COMMAND_FIT      ? usage_fit
                             : o.about == FVI_COMMAND_GRADIENT ? usage_gradient
+                            : o.about == FVI_COMMAND_RESPONSE ? usage_response
+                            : o.about == FVI_COMMAND_POLES    ? usage_poles
                             : o.about == FVI_COMMAND_COEFFICIENTS
                                 ? usage_coefficients
                                 : usage,

@@ -25,4 +25,10 @@ int fvi_command_fit(int argc, char **argv);
 /* fvi_command_gradient -- `fvi gradient`: derivatives of a last row. Likewise. */
 int fvi_command_gradient(int argc, char **argv);
 
+/* fvi_command_response -- `fvi response`: linear motions by frequency. Likewise. */
+int fvi_command_response(int argc, char **argv);
+
+/* fvi_command_poles -- `fvi poles`: how linear motions swing and decay. Likewise. */
+int fvi_command_poles(int argc, char **argv);
+
 #endif

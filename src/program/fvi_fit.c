@@ -21,11 +21,13 @@ static const char *const not_for_fit[] = { "steps",      "time",     "error",
                                            "impose",     "force-on", "v0",
                                            NULL };
 
-static const fvi_own_command fit = { "fit",
-                                     { "fit", "sigma", "starts", "curve" },
-                                     not_for_fit,
-                                     "--method=fvi-lobatto4",
-                                     1 };
+static const fvi_own_command fit = {
+    .name = "fit",
+    .own = { "fit", "sigma", "starts", "curve" },
+    .without = not_for_fit,
+    .method = "--method=fvi-lobatto4",
+    .operand = 1
+};
 
 typedef fvi_fit_request request;
 

@@ -19,7 +19,7 @@ static const char *const not_for_gradient[] = {
 };
 
 static const fvi_own_command gradient = {
-    "gradient", { "of", "forces" }, not_for_gradient, NULL, 0
+    .name = "gradient", .own = { "of", "forces" }, .without = not_for_gradient
 };
 
 typedef fvi_gradient_request request;

@@ -28,10 +28,12 @@ static int index_of(const char *word, const char *const *names)
 
 static int is_without(const fvi_own_command *command, const char *name)
 {
+    const char *const *list =
+        command->with ? command->with : command->without;
     int i = 0;
-    while (command->without[i] && strcmp(command->without[i], name) != 0)
+    while (list[i] && strcmp(list[i], name) != 0)
         i++;
-    return command->without[i] != NULL;
+    return (list[i] != NULL) == !command->with;
 }
 
 /* Is it an option of run, and of this command? */
@@ -44,12 +46,14 @@ static int is_shared(const fvi_own_command *command, option_index i)
 /* An option of another command, or of none: a slip of the finger, perhaps. */
 static int refuse_option(const sorter *s, const char *word, option_index i)
 {
-    const char *names[FVI_SUBCOMMAND_MOST + OPTIONS + 2];
+    const char *names[FVI_SUBCOMMAND_MOST + OPTIONS + 3];
     size_t n = 0;
     if (i < OPTIONS)
         return fvi_refuse(s->c, fvi_option_list[i].name, "not an option of this command");
     for (; s->command->own[n]; n++)
         names[n] = s->command->own[n];
+    if (s->command->flag)
+        names[n++] = s->command->flag;
     for (int j = 0; j < OUTPUT; j++)
         if (is_shared(s->command, (option_index)j))
             names[n++] = fvi_option_list[j].name;
@@ -82,7 +86,10 @@ static int sort_words(sorter *s, int argc, char **argv)
         const int own = index_of(word, s->command->own),
                   is_output = strncmp(word, "-o", 2) == 0;
         const option_index of_run = is_output ? OUTPUT : fvi_option_named(word);
-        if (own >= 0) {
+        if (s->command->flag && strncmp(word, "--", 2) == 0
+            && strcmp(word + 2, s->command->flag) == 0) {
+            s->w->flag = 1;
+        } else if (own >= 0) {
             status = take_own(s, own, equals ? equals + 1 : argv[i + 1]);
             i += !equals;
         } else if (*word != '-') {
@@ -102,12 +109,15 @@ static int sort_words(sorter *s, int argc, char **argv)
 int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char **argv,
                         fvi_subcommand_options *w, fvi_options *o, fvi_error *c)
 {
-    char **room = malloc(((size_t)argc + 2) * sizeof *room);
+    char **room = malloc(((size_t)argc + 2 + FVI_PRESETS_MOST) * sizeof *room);
     if (!room) {
         return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
     }
     sorter s = { command, w, room + 3, 0, c };
     int status = sort_words(&s, argc, argv);
+    for (size_t i = 0; command->presets && command->presets[i]; i++)
+        if (!w->given[fvi_option_named(command->presets[i])])
+            s.run[s.count++] = command->presets[i];
     s.run[s.count] = NULL;
     /* The method goes ahead: a last word without its value must not find it there. */
     const int preset = command->method && !w->given[METHOD];

@@ -1,5 +1,5 @@
 /* src/program/fvi_subcommand_options.h -- Commands with options of their own beside those of
- * `fvi run`: fit and gradient. */
+ * `fvi run`: fit, gradient, response and poles. */
 #ifndef FVI_SUBCOMMAND_OPTIONS_H
 #define FVI_SUBCOMMAND_OPTIONS_H
 
@@ -7,23 +7,30 @@
 
 #include <stdio.h>
 
-enum { FVI_SUBCOMMAND_MOST = 4 /* options of its own that a command may have */ };
+enum {
+    FVI_SUBCOMMAND_MOST = 5, /* options of its own that a command may have */
+    FVI_PRESETS_MOST = 5
+};
 
 /* What such a command knows. */
 typedef struct {
     const char *name;
-    /* Its options without hyphens, ended by NULL. All have values; the last is the name
-     * of a file to be written, and not in the head. */
+    /* Its options without hyphens, ended by NULL. The last is the name of a file to be written, and
+     * not in the head of fvi_subcommand_options_head. */
     const char *own[FVI_SUBCOMMAND_MOST + 1];
-    const char *const *without; /* options of run that it has not, likewise */
+    const char *const *without; /* options of run that it has not, likewise; NULL: see with */
     char *method; /* "--method=M" where none is given; NULL: that of run */
     int operand;  /* 1: one word may be no option */
+    const char *const *with; /* or those that it has, likewise, and no others */
+    const char *flag;        /* its option that has no value, or NULL */
+    char *const *presets;    /* words for run, where they are not given; ended by NULL */
 } fvi_own_command;
 
 /* What the words say of that. */
 typedef struct {
     const char *own[FVI_SUBCOMMAND_MOST]; /* texts, in that order, or NULL */
     const char *operand;           /* or NULL */
+    int flag;                      /* is the flag given? */
     int given[OPTIONS];            /* is this option of run? */
 } fvi_subcommand_options;
 

@@ -8,6 +8,8 @@ static const char usage[] =
     "       fvi fit [options] DATA       parameters from a measured motion\n"
     "       fvi sweep [options]          a grid of runs, a row each\n"
     "       fvi gradient [options]       derivatives of a run's last row\n"
+    "       fvi response [options]       what a shaker test measures\n"
+    "       fvi poles [options]          frequencies, damping ratios, shapes\n"
     "       fvi coefficients [options]   n, w_n: the weights\n"
     "       fvi methods                  name, order, memory of each method\n"
     "       fvi help [COMMAND]           also: fvi -h, fvi run -h, --version\n"
@@ -190,5 +192,39 @@ static const char usage_gradient[] =
     "\n"
     "example:\n"
     "  fvi gradient --alpha 0.3 --potential duffing:1,0.5 --of energy\n";
+
+static const char usage_response[] =
+    "usage: fvi response --omega GRID [options]\n"
+    "the answer of a linear motion to a force, or a ground, that swings with\n"
+    "omega; a potential is made linear at --x0\n"
+    "  --omega GRID     A:B:N, A:B:N:log, or a list 0.5,1,2\n"
+    "  --hertz          the grid is in cycles, not radians, a unit of time\n"
+    "  --of WHAT        receptance (place by force), mobility (velocity),\n"
+    "                   accelerance (acceleration), ground (acceleration by\n"
+    "                   that of the ground), or moduli: storage and loss of\n"
+    "                   the damping alone                        [receptance]\n"
+    "  --at I           of which unknown                                  [1]\n"
+    "  --by J           by a force on which unknown                       [1]\n"
+    "  --plot FILE      Bode's and Nyquist's diagrams; of moduli also that of\n"
+    "                   Cole and Cole\n"
+    "and of run: --alpha --order --rho --damping --mass --potential --let\n"
+    "--dimension --system --x0 [0] --format -o\n"
+    "\n"
+    "examples:\n"
+    "  fvi response --alpha 0.3 --omega 0.1:10:200:log --plot bode.svg\n"
+    "  fvi response --of moduli --damping zener:3,0.25,1.5 --omega 0.01,1,100\n";
+
+static const char usage_poles[] =
+    "usage: fvi poles [options]\n"
+    "the poles s of a linear motion: it swings and decays as e^{s t}. Rows: re, "
+    "im,\n"
+    "frequency |s| / 2 pi, damping ratio -re / |s|, residual\n"
+    "  --count N        the lowest N                                    [all]\n"
+    "  --shapes         also the shapes, re1 im1 ...\n"
+    "and of run: --alpha --order --rho --damping --mass --potential --let\n"
+    "--dimension --system --x0 [0] --format -o\n"
+    "\n"
+    "example:\n"
+    "  fvi poles --potential chain:5,1,0 --alpha 0.3 --rho 0.1\n";
 
 #endif

@@ -4,51 +4,17 @@
 #include <fvi/format_double.h>
 
 #include <ctype.h>
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-/* The decimal number of fewest digits that is as near to v as the formula of a point is to
- * the point, or v if that number has more than 12 digits: 79.99999999999999 is 80. */
-static double nearest_decimal(double v, double error)
-{
-    if (!isfinite(error))
-        return v;
-    if (fabs(v) <= error)
-        return 0;
-    for (int digits = 1; digits <= 12; digits++) {
-        char text[32];
-        snprintf(text, sizeof text, "%.*g", digits, v);
-        const double decimal = strtod(text, NULL);
-        if (fabs(decimal - v) <= error)
-            return decimal;
-    }
-    return v;
-}
-
-/* Point i of the axis. Its roundings are bounded by 4 units of the larger end, or, where
- * points grow by a factor, by 4 units and one for each power of e between the ends. */
-static double axis_value(const fvi_axis *a, size_t i)
-{
-    if (i == 0 || i == a->count - 1)
-        return i == 0 ? a->from : a->to;
-    const double part = (double)i / (double)(a->count - 1);
-    if (!a->log)
-        return nearest_decimal(a->from + part * (a->to - a->from),
-                               4 * DBL_EPSILON
-                                   * fmax(fabs(a->from), fabs(a->to)));
-    const double ratio = a->to / a->from, v = a->from * pow(ratio, part);
-    return nearest_decimal(v, (4 + fabs(log(ratio))) * DBL_EPSILON * fabs(v));
-}
-
 double sweep_grid_value(const sweep_grid *g, size_t i, size_t n)
 {
     for (size_t m = g->count - 1; m > n; m--)
-        i /= g->axis[m].count;
-    return axis_value(&g->axis[n], i % g->axis[n].count);
+        i /= g->axis[m].range.count;
+    return fvi_range_value(&g->axis[n].range, i % g->axis[n].range.count);
 }
 
 int sweep_grid_has(const sweep_grid *g, const char *name)
@@ -107,38 +73,6 @@ static int is_option(const char *name)
     return 0;
 }
 
-/* "A:B:N[:log]" */
-static int take_range(fvi_axis *a, const char *text, const char *range,
-                      fvi_error *c)
-{
-    char place[3][40] = { "", "", "" };
-    double count = 0;
-    int used = 0;
-    const int found = sscanf(range, "%39[^:]:%39[^:]:%39[^:]%n", place[0],
-                             place[1], place[2], &used);
-    a->log = found == 3 && strcmp(range + used, ":log") == 0;
-    if (found != 3 || (range[used] && !a->log))
-        return fvi_refuse(c, "vary", "'%s' is not NAME=A:B:N or NAME=A:B:N:log",
-                          text);
-    int status = fvi_parse_number("vary", place[0], -INFINITY, INFINITY, "()",
-                                 &a->from, c);
-    if (!status)
-        status = fvi_parse_number("vary", place[1], -INFINITY, INFINITY, "()",
-                                 &a->to, c);
-    if (!status)
-        status = fvi_parse_number("vary", place[2], 1, 1e9, "[]", &count, c);
-    if (status)
-        return status;
-    if (count != floor(count) || (count == 1 && a->from != a->to))
-        return fvi_refuse(c, "vary", "'%s': %s values from %s to %s", text,
-                          place[2], place[0], place[1]);
-    if (a->log && !(a->from * a->to > 0))
-        return fvi_refuse(c, "vary", "'%s': log needs two ends of one sign",
-                          text);
-    a->count = (size_t)count;
-    return 0;
-}
-
 /* One more axis. */
 static int take_axis(sweep_grid *g, const char *text, fvi_error *c)
 {
@@ -162,7 +96,8 @@ static int take_axis(sweep_grid *g, const char *text, fvi_error *c)
             || !fvi_symbol_is_free(a->name, "t")))
         return fvi_refuse(c, "vary", "'%s' is not a number that can be varied",
                           a->name);
-    int status = take_range(a, text, equals + 1, c);
+    const int status = fvi_word_range("vary", "NAME=A:B:N or NAME=A:B:N:log", text,
+                                      equals + 1, &a->range, c);
     if (status)
         return status;
     g->count++;
@@ -272,7 +207,7 @@ int sweep_grid_parse(int argc, char **argv, sweep_grid *g, fvi_error *c)
     if (g->count == 0)
         return fvi_refuse(c, NULL, "sweep: --vary NAME=A:B:N is missing");
     for (size_t n = 0; n < g->count; n++)
-        all *= (double)g->axis[n].count;
+        all *= (double)g->axis[n].range.count;
     if (all > 1e9)
         return fvi_refuse(c, "vary", "%g runs are too many", all);
     /* part I has the runs from (I - 1) R / K to I R / K: none, if there are more parts than runs */

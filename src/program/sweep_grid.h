@@ -3,6 +3,7 @@
 #define FVI_SWEEP_GRID_H
 
 #include "options/fvi_option_list.h"
+#include "options/fvi_range.h"
 
 enum { FVI_MOST_AXES = 3 };
 
@@ -10,9 +11,8 @@ enum { FVI_MOST_AXES = 3 };
  * expressions. */
 typedef struct {
     char name[64];
-    int is_let, log;
-    double from, to;
-    size_t count;
+    int is_let;
+    fvi_range range;
 } fvi_axis;
 
 /* The words of `fvi sweep`. The runs are numbered with the last axis fastest. */
@@ -44,9 +44,7 @@ int sweep_grid_options(const sweep_grid *g, size_t i, fvi_options *o,
  * an expression sweep_grid_options sees. Returns 0, or FVI_EINVAL. */
 int sweep_grid_check(const sweep_grid *g, fvi_error *c);
 
-/* sweep_grid_value -- of axis n in run i. Both ends are met exactly. A value between them is the
- * decimal number of fewest digits, at most 12, within the roundings of its formula, if there
- * is one: steps=20:160:4:log has 40 and 80, alpha=0:1:11 has 0.3. */
+/* sweep_grid_value -- of axis n in run i, as fvi_range_value. */
 double sweep_grid_value(const sweep_grid *g, size_t i, size_t n);
 
 /* sweep_grid_has -- nonzero if the name is varied. */

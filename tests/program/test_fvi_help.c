@@ -52,6 +52,8 @@ START_TEST(help_is_asked_for_in_many_ways)
         { "help sweep", "sweep --help", "sweep --vary alpha=0:1:2 -h" },
         { "help fit", "fit --help", "fit -h" },
         { "help gradient", "gradient --help", "gradient -h" },
+        { "help response", "response --help", "response --omega 1 -h" },
+        { "help poles", "poles --help", "poles --shapes -h" },
         { "help coefficients", "coefficients --help", "coefficients -h" },
         { "help methods", "methods --help", "methods -h" }
     };
@@ -81,7 +83,7 @@ END_TEST
 START_TEST(a_help_lists_what_its_command_takes)
 {
     static const char *const commands[] = { "exact", "fit", "gradient",
-                                            "sweep" };
+                                            "sweep", "response", "poles" };
     static char of_run[8000], of_it[8000];
     ck_assert_int_eq(fvi("run --help"), 0);
     strcpy(of_run, out);
@@ -131,7 +133,8 @@ START_TEST(completions_are_what_the_program_says)
 {
     if (!offered("fvi r"))
         return;
-    ck_assert_str_eq(out, " run \n");
+    ck_assert_str_eq(out, " response run \n");
+    ck_assert_str_eq(offered("fvi response --of m"), " mobility moduli \n");
     ck_assert_ptr_nonnull(strstr(offered("fvi \"\""), " coefficients "));
     ck_assert_ptr_nonnull(strstr(offered("fvi help \"\""), " exact "));
     ck_assert_str_eq(offered("fvi run --al"), " --alpha \n");

@@ -10,7 +10,7 @@ static const struct {
     const char *plots; /* the picture that they draw */
 } parts[2] = {
     { "README.md", "\n## Use\n", 2, 2, NULL },
-    { "chapters/handbook/manual.md", "\n## The program\n", 6, 4, "build/own.svg" },
+    { "chapters/handbook/manual.md", "\n## The program\n", 8, 6, "build/own.svg" },
 };
 static char pages[2][1 << 16];
 

@@ -17,6 +17,7 @@ _fvi()
         --force) known='none step: cosine: impulse: file:' ;;
         --damping) known='viscous: spring: power: zener: maxwell: maxwell2: davidson: distributed: symbol:' ;;
         --columns) known='t,x t,x,p,energy' ;;
+        --of) known='x p energy'; [[ ${COMP_WORDS[1]} == response ]] && known='receptance mobility accelerance ground moduli' ;;
         -o | --plot | --snapshot | --system | --checkpoint | --curve | --forces) COMPREPLY=($(compgen -f -- "$word")); return ;;
         *) known=$(fvi help "${COMP_WORDS[1]}" 2>/dev/null | grep -oE -- '--[a-z0-9-]+' | sort -u) ;;
         esac
