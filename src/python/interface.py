@@ -42,9 +42,10 @@ typedef struct {
 } fvi_system;
 typedef enum { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, ... } fvi_initial_history;
 typedef enum { FVI_HISTORY_AUTO, FVI_HISTORY_DIRECT, FVI_HISTORY_MODES, ... } fvi_history_kind;
-typedef struct { ...; } fvi_kernel;
-typedef enum { FVI_KERNEL_SYMBOL, ... } fvi_kernel_kind;
+typedef enum { FVI_KERNEL_POWER, FVI_KERNEL_ZENER, FVI_KERNEL_MAXWELL, FVI_KERNEL_DISTRIBUTED, FVI_KERNEL_MAXWELL2,
+               FVI_KERNEL_SYMBOL, ... } fvi_kernel_kind;
 typedef struct { fvi_kernel_kind kind; double rho; ...; } fvi_kernel_term;
+typedef struct { size_t count; const fvi_kernel_term *term; } fvi_kernel;
 typedef struct {
     fvi_kernel_term term;
     void (*value)(double re, double im, void *params, double *C_re, double *C_im);
@@ -119,12 +120,15 @@ fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run, int is_u
 int fvi_warning_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t k,
                       const double *x, size_t size, char *text);
 
-typedef struct { double value[64]; ...; } fvi_user_parameters;
+typedef struct { size_t count; double value[64]; unsigned char used[64]; ...; } fvi_user_parameters;
+#define FVI_USED_BY_FORCE ...
+#define FVI_USED_BY_DAMPING ...
 int fvi_user_parameters_set(fvi_user_parameters *parameters, const char *name, double value, fvi_error *error);
 int fvi_user_parameters_are_used(const fvi_user_parameters *parameters, fvi_error *error);
 typedef enum { FVI_POTENTIAL_HARMONIC, FVI_POTENTIAL_DUFFING, FVI_POTENTIAL_PENDULUM, FVI_POTENTIAL_CHAIN,
                FVI_POTENTIAL_EXPRESSION, ... } fvi_potential_kind;
-typedef struct { fvi_potential_kind kind; size_t d; double constants[2]; ...; } fvi_typed_potential;
+typedef struct fvi_expression fvi_expression;
+typedef struct { fvi_potential_kind kind; size_t d; double constants[2]; fvi_expression *expression; } fvi_typed_potential;
 int fvi_parse_potential(const char *text, size_t d, fvi_user_parameters *parameters, fvi_typed_potential *potential,
                         fvi_error *error);
 fvi_potential fvi_potential_typed(const fvi_typed_potential *potential);
@@ -193,6 +197,30 @@ int fvi_gl_weights(double alpha, size_t count, double *w);
 const char *fvi_error_name(int code);
 const char *fvi_version(void);
 
+typedef struct { size_t count; int (*column)(size_t j, size_t d, const double *x, void *params, double *S); }
+    fvi_parameter_gradient;
+fvi_parameter_gradient fvi_parameter_gradient_of(const fvi_potential *potential);
+typedef struct {
+    int (*slopes)(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp);
+    void *params;
+    int has_momenta;
+} fvi_objective;
+typedef struct {
+    double *x0, *p0, *mass, *damping, *alpha, *terms, *orders, *times, *ends, *force, *parameters;
+    fvi_parameter_gradient sensitivity;
+} fvi_sensitivities;
+int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x, const double *p,
+                const fvi_objective *objective, const fvi_sensitivities *gradients);
+double fvi_typed_force_by_parameter(const fvi_typed_force *force, size_t j, double t);
+double fvi_lobatto_abscissa(size_t s, size_t i);
+int fvi_tangent(const fvi_run *run, size_t P, const fvi_free_parameter *which, double *x, double *slope);
+
+typedef struct { const double *Jx, *Jp; ...; } cotangents;
+int read_slopes(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp);
+int by_parameter(size_t j, size_t d, const double *x, void *params, double *S);
+int energy_slopes(const fvi_system *system, size_t rows, const double *x, const double *p, const double *by,
+                  double *Jx, double *Jp);
+int energy_by_parameter(const fvi_typed_potential *potential, size_t d, size_t j, const double *x, double *value);
 const char *why(int code);
 void listen(unsigned long thread);
 void begin(void);
@@ -224,7 +252,9 @@ ffi.set_source(
     "fvi._fvi",
     """
     #include <fvi/fvi.h>
+    #include <fvi/lobatto.h>
     #include <pthread.h>
+    #include <stdlib.h>
     #include <time.h>
     static int look_up(void);
     static int report_progress(size_t rows, size_t all, void *tell);
@@ -329,6 +359,61 @@ ffi.set_source(
         for (size_t k = 1; !warned && k <= run->steps && fvi_all_finite(d, x + k * d); k++)
             warned = fvi_warning_along(watch, method, run, k, x + k * d, size, text);
         return warned;
+    }
+    /* The cotangents of every row, as arrays: no Python in the mirrored run. */
+    typedef struct {
+        const double *Jx, *Jp; /* Jp may be NULL */
+    } cotangents;
+    static int read_slopes(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp)
+    {
+        const cotangents *c = params;
+        (void)x, (void)p;
+        for (size_t i = 0; i < d; i++)
+            Jx[i] += c->Jx[k * d + i];
+        for (size_t i = 0; Jp && c->Jp && i < d; i++)
+            Jp[i] += c->Jp[k * d + i];
+        return 0;
+    }
+    /* d^2U/(dx dk_j) of an expression, as fvi_parameter_gradient has it. */
+    static int by_parameter(size_t j, size_t d, const double *x, void *params, double *S)
+    {
+        double value;
+        (void)d;
+        fvi_expression_parameter_gradient(params, j, x, &value, S);
+        return 0;
+    }
+    /* What an objective that has by[k] of the energies has of x and p, added. */
+    static int energy_slopes(const fvi_system *system, size_t rows, const double *x, const double *p,
+                             const double *by, double *Jx, double *Jp)
+    {
+        const size_t d = system->d;
+        double *room = calloc(2 * d, sizeof *room);
+        int status = room ? 0 : FVI_ENOMEM;
+        for (size_t k = 0; k < rows && !status; k++) {
+            if (by[k] == 0)
+                continue;
+            status = fvi_potential_gradient(system, x + k * d, room);
+            if (!status)
+                status = fvi_velocity(system, p + k * d, room + d);
+            for (size_t i = 0; i < d; i++) {
+                Jx[k * d + i] += by[k] * room[i];
+                Jp[k * d + i] += by[k] * room[d + i];
+            }
+        }
+        free(room);
+        return status;
+    }
+    /* dU/dk_j at x; U is linear in the constants of what is ready to use. */
+    static int energy_by_parameter(const fvi_typed_potential *potential, size_t d, size_t j, const double *x,
+                                   double *value)
+    {
+        const double unit[2] = { j == 0, j == 1 };
+        fvi_potential u = fvi_potential_typed(potential);
+        if (potential->expression) {
+            fvi_expression_parameter_gradient(potential->expression, j, x, value, NULL);
+            return 0;
+        }
+        return u.value(d, x, (void *)unit, value);
     }
     /* The reason of this code, or NULL; no reason is given twice, or for another code. */
     static const char *why(int code)

@@ -14,6 +14,9 @@ Lengths, times and masses are in units of your own.
     Problem     what moves: potential, mass, damping, force, start; never changes, pickles
     solve       its motion: a Solution with t, x, p, v, energy, which gives out any time and plots
     sweep       the motions of many problems, on all cores
+    vjp         the gradient of what is made of a motion, by all that determines it
+    gradient    a loss and its gradient; `import fvi.torch` has motions for torch
+    jacobian    the derivatives of each x, for least squares
     fit         parameters from a measured motion
     potential   U from functions of Python's, or compiled ones
     exact       the exact solution of the linear problem
@@ -26,6 +29,7 @@ Lengths, times and masses are in units of your own.
 """
 from ._exact import exact as exact, weights as weights
 from ._fit import Fit as Fit, fit as fit
+from ._gradient import gradient as gradient, jacobian as jacobian, vjp as vjp
 from ._problem import Problem as Problem
 from ._run import Method as Method, Run as Run, Stepper as Stepper, methods as methods, run as run, version as version
 from ._solution import Solution as Solution

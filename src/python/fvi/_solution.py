@@ -20,6 +20,7 @@ class Solution:
     status      0; or the code with which the run ended, of the rows of an Error
     message     in words
     steps       how many steps were taken, None of a run that failed
+    step        their length, of "fvi-adaptive" that of the longest
     estimate    of the largest error of x, where one was asked for
     problem     what was solved
 
@@ -28,10 +29,11 @@ class Solution:
     for many times at once. A Solution pickles with its problem."""
 
     def __init__(self, problem: Problem, how: Any, t: Array, x: Array, p: Array, status: int, message: str,
-                 steps: Optional[int], estimate: Optional[float]):
+                 steps: Optional[int], step: float, estimate: Optional[float]):
         self.problem, self.how = problem, how
         self.t, self.x, self.p = t, x, p
         self.status, self.message, self.steps, self.estimate = status, message, steps, estimate
+        self.step = step
         self._motion: Any = None
         self._energy: Optional[Array] = None
 

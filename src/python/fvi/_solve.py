@@ -170,11 +170,12 @@ def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
         ask_for_warning(lib.look_along, watch, motion.method, motion.run, ffi.from_buffer("double[]", x))
     said = f"{report.steps} steps of {how.method}" + (f", error {estimate:.2g} by an estimate" if estimate else "")
     if not status:
-        return Solution(problem, how, t, x, p, 0, said, report.steps, estimate)
+        return Solution(problem, how, t, x, p, 0, said, report.steps, report.h, estimate)
     raised = error_of(error, status) if error.code == status else failure(status)
     if done:
         raised.time = float(t[done - 1])
-        raised.rows = Solution(problem, how, t[:done], x[:done], p[:done], status, str(raised), None, None)
+        raised.rows = Solution(problem, how, t[:done], x[:done], p[:done], status, str(raised), None, motion.run.h,
+                               None)
     raise raised
 
 

@@ -152,6 +152,25 @@ def law(given: Any, parameters: Any = ffi.NULL) -> tuple:
     return damping, parameters
 
 
+FIELDS_OF_LAW = {"terms": "rho", "orders": "alpha", "times": "time", "ends": "end"}  # of fvi_sensitivities
+OF_KIND = {lib.FVI_KERNEL_POWER: ("rho", "alpha"), lib.FVI_KERNEL_ZENER: ("rho", "alpha", "time"),
+           lib.FVI_KERNEL_MAXWELL: ("rho", "time"), lib.FVI_KERNEL_DISTRIBUTED: ("rho", "alpha", "end")}
+
+
+def numbers_of_law(law: Any, is_dense: bool) -> list:
+    """By which fields a law has derivatives: on steps of any length by the factor of one term; where there are terms of
+    other kinds by factors alone."""
+    if is_dense:
+        return ["terms"] if law.count == 1 else []
+    return list(FIELDS_OF_LAW) if all(law.term[i].kind in OF_KIND for i in range(law.count)) else ["terms"]
+
+
+def by_term(kind: int, by: dict) -> dict:
+    """The derivatives of one term by the names of its numbers."""
+    names = OF_KIND.get(kind, ("rho",))
+    return {FIELDS_OF_LAW[f]: float(v) for f, v in by.items() if FIELDS_OF_LAW[f] in names}
+
+
 def typed_force(text: str, d: int, parameters: Any, last: float) -> Any:
     out = ffi.new("fvi_typed_force **")
     understand(lib.fvi_parse_force, text.encode(), d, parameters, last, out)
@@ -200,6 +219,11 @@ class System:
             self.keep.append(law(damping, self.parameters))
             self.law = ffi.addressof(self.keep[-1][0], "law")
         understand(lib.fvi_user_parameters_are_used, self.parameters)
+
+    @property
+    def is_expression(self) -> bool:
+        """Is the potential an expression?"""
+        return self.typed_potential is not None and self.typed_potential.expression != ffi.NULL
 
     def pointer(self, a: Array) -> Any:
         self.keep.append(a)

@@ -1,0 +1,311 @@
+"""Gradients of motions: one mirrored run gives the derivatives by all that determines them."""
+from __future__ import annotations
+
+from typing import Any, Callable, Mapping, Optional, Sequence
+
+import numpy as np
+
+from ._arguments import Array, Numbers, described, numbers, spelt
+from ._fvi import ffi, lib
+from ._library import ask, failure, succeed
+from ._problem import Problem
+from ._solution import Solution
+from ._solve import Motion, solve
+from ._system import by_term, numbers_of_law
+
+ALL = ("x0", "p0", "v0", "mass", "rho", "alpha", "order", "potential", "let", "damping", "force")
+MOST_PARTS = 1 << 12  # of the time, for rows that have a common step
+
+
+def steps_of_rows(t: Array, time: float) -> int:
+    """The fewest steps from 0 to the time that end at each of the rows."""
+    for steps in range(1, MOST_PARTS + 1):
+        parts = t * (steps / time)
+        if (abs(parts - np.round(parts)) <= 1e-9 * np.maximum(parts, 1)).all():
+            return steps
+    raise ValueError("t_eval: these times have no common step of which the time has at most "
+                     f"{MOST_PARTS}; a gradient needs one")
+
+
+class Mirror:
+    """The run of a solution as the adjoint takes it, and where its rows are among the steps."""
+
+    def __init__(self, s: Solution):
+        how, self.motion = s.how, Motion(s.problem, s.how)
+        run, self.method = self.motion.run, self.motion.method
+        self.is_dense = bool(lib.is_dense(self.method))
+        if s.status:
+            raise ValueError("solution: it ended early; it has no gradient")
+        if self.is_dense:
+            if how.error is not None:  # rows are those of a run ten times as fine, at least
+                run.step_error = how.error / 10
+            if how.t_eval is not None:
+                run.steps = steps_of_rows(s.t, s.problem.time)
+        elif how.error is not None:
+            run.steps = round(s.problem.time / s.step)
+        run.h = s.problem.time / run.steps if how.h is None else how.h
+        self.rows = np.round(s.t / run.h).astype(int)
+        self.d, self.steps = self.motion.system.d, run.steps
+        self.per = self.method.stages - 1 if self.method.stages else 1
+
+    def spread(self, what: str, given: Any, shape: tuple) -> Array:
+        """A cotangent of the rows as one of all steps."""
+        a = numbers(what, given)
+        if len(shape) == 2 and a.shape == shape[:1] and shape[1] == 1:
+            a = a[:, None]
+        try:
+            a = np.broadcast_to(a, shape)
+        except ValueError as error:
+            raise ValueError(f"{what}: the shape {a.shape} is not {shape}") from error
+        full = np.zeros((self.steps + 1, *shape[1:]))
+        np.add.at(full, self.rows, a)
+        return full
+
+    def times(self) -> Array:
+        """When the forces act by which the adjoint differentiates."""
+        s = self.method.stages
+        c = [lib.fvi_lobatto_abscissa(s, i) for i in range(s - 1)] if s else [0.0]
+        return np.append((np.arange(self.steps)[:, None] + np.array(c)).reshape(-1), self.steps) * self.motion.run.h
+
+
+def like(given: Any, by: Array) -> Any:
+    """The derivative by what was given: one number for all coordinates, or each."""
+    return by if np.size(given) == by.size and np.ndim(given) else float(by.sum()) if np.ndim(given) == 0 \
+        else np.array([by.sum()])
+
+
+def of_table(t: Array, columns: int, times: Array, by: Array) -> Array:
+    """From the forces at these times to the rows between which they were linear."""
+    at = np.clip(times, t[0], t[-1])
+    low = np.clip(np.searchsorted(t, at, side="right") - 1, 0, t.size - 2)
+    part = ((at - t[low]) / (t[low + 1] - t[low]))[:, None]
+    found = np.zeros((t.size, by.shape[1]))
+    np.add.at(found, low, (1 - part) * by)
+    np.add.at(found, low + 1, part * by)
+    return found if columns == by.shape[1] else found.sum(axis=1, keepdims=True)
+
+
+def wanted_of(problem: Problem, wrt: Optional[Sequence[str]], is_expression: bool) -> set:
+    q = problem
+    known = {"x0", "mass", "v0" if q.v0 is not None else "p0"}
+    known |= {"damping"} if q.damping is not None else {"rho", "order" if q.order is not None else "alpha"}
+    known |= {"let"} if q.let else set()
+    known |= {"potential"} if isinstance(q.potential, str) and not is_expression else set()
+    known |= {"force"} if isinstance(q.force, tuple) else set()
+    for name in wrt or ():
+        if name not in ALL:
+            raise ValueError(f"wrt: '{name}' is none of " + ", ".join(sorted(known)))
+        if name not in known:
+            raise ValueError(f"wrt: this problem has no {name} to differentiate by; it has " + ", ".join(sorted(known)))
+    return known if wrt is None else set([wrt] if isinstance(wrt, str) else wrt)
+
+
+@spelt()
+def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = None,
+        energy: Optional[Numbers] = None, *, wrt: Optional[Sequence[str]] = None) -> dict:
+    """The gradient of a number L that is made of a motion, for one mirrored run.
+
+        s = fvi.solve(problem, h=0.1, method="fvi-lobatto4")
+        g = fvi.vjp(s, x=s.x - data)            # of sum |x - data|^2 / 2
+        g["alpha"], g["x0"], g["let"]["k"]
+
+    solution  of `solve`; of one with error, or of "fvi-adaptive", see below
+    x, p      dL/dx and dL/dp of every row, (n, d) numbers, or (n,) of one coordinate, or one for all
+    energy    dL/dE of every row, n numbers
+    wrt       by what: fields of the problem; None: by all of them that have a derivative
+
+    Returns a dict by names: "x0", "p0" or "v0", "mass", "rho", "alpha" or "order", each in the shape that the problem
+    has it; "let", by names; "potential", the derivatives by the constants of a potential that is ready to use;
+    "damping", a dict for each term of the law, with rho, alpha, time and end; "force", of measured rows, by each F.
+
+    These are the derivatives of the numbers that `solve` gives, exact but for rounding: no difference is taken. Of
+    "fvi-adaptive" the steps are held, and with error they are those of another run as fine.
+    Raises fvi.Error where the library has no such derivative (code 23): leave that out of wrt.
+    """
+    if not isinstance(solution, Solution):
+        raise TypeError(f"solution: {described(solution)} is no Solution")
+    q, mirror = solution.problem, Mirror(solution)
+    system, d = mirror.motion.system, mirror.d
+    names = wanted_of(q, wrt, system.is_expression)
+    shape = solution.x.shape
+    Jx = mirror.spread("x", 0.0 if x is None else x, shape)
+    Jp = mirror.spread("p", 0.0 if p is None else p, shape)
+    lets = list(q.let or {})
+    by_energy = None
+    if energy is not None:
+        by_energy = mirror.spread("energy", energy, shape[:1])[mirror.rows]
+        Ex, Ep = np.zeros((2, *shape))
+        succeed(ask(lib.energy_slopes, system.system, shape[0], *(ffi.from_buffer("double[]", np.ascontiguousarray(a))
+                                                                  for a in (solution.x, solution.p, by_energy)),
+                    ffi.from_buffer("double[]", Ex), ffi.from_buffer("double[]", Ep)))
+        np.add.at(Jx, mirror.rows, Ex)
+        np.add.at(Jp, mirror.rows, Ep)
+    cotangents = ffi.new("cotangents *", {"Jx": ffi.from_buffer("double[]", Jx), "Jp": ffi.from_buffer("double[]", Jp)})
+    objective = ffi.new("fvi_objective *", {"slopes": ffi.addressof(lib, "read_slopes"), "params": cotangents,
+                                            "has_momenta": bool(Jp[:-1].any())})
+    to, found = ffi.new("fvi_sensitivities *"), {}
+
+    def want(field: str, size: int) -> None:
+        found[field] = np.zeros(size)
+        setattr(to, field, ffi.cast("double *", found[field].ctypes.data))
+    for field, size, by in (("x0", d, {"x0"}), ("p0", d, {"p0", "v0"}), ("mass", d, {"mass"}),
+                            ("damping", d, {"rho"}), ("alpha", 1, {"alpha", "order"})):
+        if by & names or (field == "p0" and q.v0 is not None and "mass" in names):
+            want(field, size)
+    parts = numbers_of_law(system.law, mirror.is_dense) if "damping" in names else []
+    for field in parts:
+        want(field, system.law.count)
+    typed = system.typed_potential
+    if system.is_expression:
+        to.sensitivity.count, to.sensitivity.column = len(lets), ffi.addressof(lib, "by_parameter")
+    elif typed is not None:
+        to.sensitivity = lib.fvi_parameter_gradient_of(ffi.addressof(system.system, "potential"))
+    if to.sensitivity.count and {"let", "potential"} & names:
+        want("parameters", to.sensitivity.count)
+    used = [system.parameters.used[j] for j in range(len(lets))]
+    has_force = "let" in names and any(u & lib.FVI_USED_BY_FORCE for u in used)
+    if "let" in names and any(u & lib.FVI_USED_BY_DAMPING for u in used):
+        raise ValueError("let: a law that is an expression has no derivative by its names; leave let out of wrt")
+    if has_force and mirror.is_dense:
+        raise ValueError("let: fvi-adaptive asks for the force between the rows, and has no derivative by a name in it")
+    if has_force or "force" in names:
+        want("force", (mirror.per * mirror.steps + 1 if not mirror.is_dense else mirror.steps + 1) * d)
+    status = ask(lib.fvi_adjoint, mirror.method, mirror.motion.run, ffi.NULL, ffi.NULL, objective, to)
+    if status:
+        raise failure(status)
+    add_energy(solution, by_energy, system, found)
+    return named(q, names, mirror, found, parts, lets, used)
+
+
+def add_energy(s: Solution, by: Optional[Array], system: Any, found: dict) -> None:
+    """What energies have of masses and parameters besides x and p."""
+    if by is None:
+        return
+    if "mass" in found:
+        found["mass"] -= by @ (s.v**2) / 2
+    value = ffi.new("double *")
+    for j in range(len(found.get("parameters", ()))):
+        for k in np.flatnonzero(by):
+            row = ffi.from_buffer("double[]", np.ascontiguousarray(s.x[k]))
+            succeed(lib.energy_by_parameter(system.typed_potential, s.x.shape[1], j, row, value))
+            found["parameters"][j] += by[k] * value[0]
+
+
+def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, lets: list, used: list) -> dict:
+    """By the names of the problem, in its shapes."""
+    answer: dict = {}
+    system, d = mirror.motion.system, mirror.d
+    mass = np.broadcast_to(np.asarray(q.mass), (d,))
+    for name, field, given in (("x0", "x0", q.x0), ("p0", "p0", 0.5 if q.p0 is None else q.p0),
+                               ("rho", "damping", 0.2 if q.rho is None else q.rho)):
+        if name in names:
+            answer[name] = like(given, found[field])
+    if "v0" in names:
+        answer["v0"] = like(q.v0, mass * found["p0"])
+    if "mass" in names:
+        answer["mass"] = like(q.mass, found["mass"] + (found["p0"] * np.asarray(q.v0) if q.v0 is not None else 0))
+    if "alpha" in names:
+        answer["alpha"] = float(found["alpha"][0])
+    if "order" in names:
+        answer["order"] = float(found["alpha"][0]) / 2
+    if "potential" in names:
+        answer["potential"] = found.get("parameters", np.zeros(0))
+    times = mirror.times() if not mirror.is_dense else np.arange(mirror.steps + 1) * mirror.motion.run.h
+    by_force = found["force"].reshape(-1, d) if "force" in found else None
+    if "let" in names:
+        by_let = found["parameters"].copy() if system.is_expression else np.zeros(len(lets))
+        for j in range(len(lets)):
+            if used[j] & lib.FVI_USED_BY_FORCE:
+                by_let[j] += sum(lib.fvi_typed_force_by_parameter(system.typed_force, j, t) * f.sum()
+                                 for t, f in zip(times, by_force))
+        answer["let"] = dict(zip(lets, by_let.tolist()))
+    if "damping" in names:
+        answer["damping"] = [by_term(system.law.term[i].kind, {f: found[f][i] for f in parts})
+                             for i in range(system.law.count)] if parts else None
+    if "force" in names:
+        t, F = np.asarray(q.force[0]), np.asarray(q.force[1])
+        if mirror.is_dense and (abs(t / mirror.motion.run.h - np.round(t / mirror.motion.run.h)) > 1e-9).any():
+            raise ValueError("force: of fvi-adaptive the times of the force must be among those of the rows, by which "
+                             "it has derivatives; choose steps")
+        answer["force"] = of_table(t, F.size // t.size, times, by_force).reshape(F.shape)
+    return answer
+
+
+@spelt(solve)
+def gradient(problem: Problem, loss: Callable[[Solution], tuple], *, wrt: Optional[Sequence[str]] = None,
+             **options: Any) -> tuple:
+    """A loss and its gradient.
+
+        def loss(s):
+            return ((s.x - data)**2).sum() / 2, {"x": s.x - data}
+        value, g = fvi.gradient(problem, loss, h=0.1)
+
+    problem   what is solved
+    loss      of a Solution gives a number and its derivatives by the rows, a dict of x, p and energy
+    wrt       as for `vjp`
+    the rest  as for `solve`
+
+    Returns the number and what `vjp` makes of the derivatives.
+    """
+    s = solve(problem, **options)
+    value, by = loss(s)
+    if not isinstance(by, Mapping) or not set(by) <= {"x", "p", "energy"}:
+        raise TypeError("loss: it gives a number, and a dict of derivatives by x, p, energy")
+    return value, vjp(s, wrt=wrt, **by)
+
+
+def tangents(s: Solution, names: Sequence[str]) -> Optional[dict]:
+    """By (24.6), side by side with the run: of one mass by Algorithm 3. None where the library has no such run."""
+    mirror = Mirror(s)
+    system, places = mirror.motion.system, {"alpha": lib.FVI_FREE_PARAMETER_ALPHA, "rho": lib.FVI_FREE_PARAMETER_RHO,
+                                            "mass": lib.FVI_FREE_PARAMETER_MASS, "x0": lib.FVI_FREE_PARAMETER_X0,
+                                            "p0": lib.FVI_FREE_PARAMETER_P0}
+    if (mirror.method != lib.fvi_method_find(b"fvi") or mirror.d > 1 or s.problem.damping is not None
+            or not set(names) <= set(places) or s.problem.v0 is not None):
+        return None
+    which = ffi.new("fvi_free_parameter[]", [int(places[name]) for name in names])
+    x, slope = np.empty(mirror.steps + 1), np.empty((mirror.steps + 1, len(names)))
+    succeed(ask(lib.fvi_tangent, mirror.motion.run, len(names), which, ffi.from_buffer("double[]", x),
+                ffi.from_buffer("double[]", slope)))
+    given = {name: getattr(s.problem, name) for name in names}
+    return {name: slope[mirror.rows, j].reshape((len(s.t), 1) + np.shape(given[name] if given[name] is not None else 0))
+            for j, name in enumerate(names)}
+
+
+def flat(found: Any) -> Any:
+    """A gradient's member as an array."""
+    if isinstance(found, dict):
+        return np.array(list(found.values()))
+    if isinstance(found, list):
+        return np.array([v for term in found for v in term.values()])
+    return np.asarray(found)
+
+
+@spelt()
+def jacobian(solution: Solution, wrt: Sequence[str]) -> dict:
+    """The derivatives of every x of every row: for least squares.
+
+        J = fvi.jacobian(s, ["alpha", "rho"])
+        J["alpha"].shape == (len(s.t), d)
+
+    solution  of `solve`
+    wrt       fields of the problem, as `vjp` has them
+
+    Returns a dict by names of arrays (n, d) and the shape of the field; of "let" and "damping" in the order of
+    their numbers. One coordinate by "fvi" goes by tangents, (24.6), side by side with the run: the cost of a run for each
+    name. Else there is a mirrored run for each x: ask for few rows then.
+    """
+    names = [wrt] if isinstance(wrt, str) else list(wrt)
+    wanted_of(solution.problem, names, solution.motion.system.is_expression)
+    found = tangents(solution, names)
+    if found is not None:
+        return found
+    n, d = solution.x.shape
+    rows: dict = {name: [] for name in names}
+    for k in range(n * d):
+        one = np.zeros(n * d)
+        one[k] = 1
+        g = vjp(solution, x=one.reshape(n, d), wrt=names)
+        for name in names:
+            rows[name].append(flat(g[name]))
+    return {name: np.array(each).reshape((n, d) + each[0].shape) for name, each in rows.items()}
