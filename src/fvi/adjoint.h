@@ -98,6 +98,8 @@ typedef struct {
  * fvi_variable_step keeps 11 d numbers a step.
  * Accuracy: no bound is proved for the rounding. Seen: 5e-14 of a derivative, or of 1 where
  * that is more, N = 2000; with eight stages an identity of all derivatives is off by 1e-12.
+ * They are derivatives of the x that doubles hold: where damping is so strong that x does not
+ * leave x0 by a digit (rho = 1e20), those by masses, rho and alpha are 0, or rounding.
  *
  * Returns FVI_SUCCESS; what fvi_stepper_start and fvi_stepper_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if

@@ -30,6 +30,20 @@ static inline quad times(quad a, quad b)
     return (quad){ a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re };
 }
 
+/* 1 / z. A power of two is taken out of z, and no digit moves: the squares of what damps with 1e160
+ * would be infinite, and its inverse 0, as if there were no damping. NaN if z is 0. */
+typedef long long bits __attribute__((vector_size(32), aligned(8), may_alias));
+static inline __attribute__((always_inline)) quad inverse_of(quad z)
+{
+    const bits re = *(const bits *)&z.re & 0x7fffffffffffffff,
+               im = *(const bits *)&z.im & 0x7fffffffffffffff;
+    const bits power = (bits)((fvi_four)re + (fvi_four)im) & 0x7ff0000000000000;
+    const fvi_four scale = 1 / (fvi_four)power;
+    z = (quad){ scale * z.re, scale * z.im };
+    const fvi_four size = z.re * z.re + z.im * z.im;
+    return (quad){ scale * (z.re / size), scale * (-z.im / size) };
+}
+
 /* ---- one matrix for each pair ---- */
 
 /* L D L^T, complex and symmetric. */
@@ -49,9 +63,8 @@ FVI_VECTORS static void factorise(fvi_variable_step_band *o, const size_t *kind,
         column[0].im += o->kind[kind[j]].im;
     }
     for (size_t j = 0; j < o->d; j++) {
-        quad *column = &o->factor[j * n], D = column[0];
-        const fvi_four size = D.re * D.re + D.im * D.im;
-        D = column[0] = (quad){ D.re / size, -D.im / size };
+        quad *column = &o->factor[j * n];
+        const quad D = column[0] = inverse_of(column[0]);
         for (size_t k = 1; k < n && j + k < o->d; k++) {
             const quad below = times(column[k], D);
             for (size_t l = k; l < n && j + l < o->d; l++) {

@@ -5,6 +5,7 @@
 #include <fvi/fvi.h>
 #include "harness/energy.h"
 #include "harness/ulp.h"
+#include "run/whole_run.h"
 
 enum { ROWS = 400 };
 static const double one = 1, zero = 0;
@@ -292,6 +293,40 @@ START_TEST(an_error_far_above_the_start_is_kept)
 }
 END_TEST
 
+/* A chain of three whose masses, springs, dampings and momenta are `unit` times as large. */
+static void chain_in_units_of(double unit, double *x, double *p)
+{
+    enum { D = 3, STEPS = 20 };
+    const double mass[] = { unit, 2 * unit, unit },
+                 rho[] = { 0.3 * unit, 0.1 * unit, 0.2 * unit }, cg[] = { unit, unit / 4 },
+                 x0[] = { 1, 0, -0.5 }, p0[] = { 0.5 * unit, 0, unit };
+    const fvi_system system = { .d = D,
+                                .mass = mass,
+                                .damping = rho,
+                                .potential = fvi_potential_chain(cg) };
+    fvi_run run = fvi_run_default(&system, x0, p0, 0.25, STEPS);
+    run.alpha = 0.3;
+    run.step_error = 1e-9;
+    ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x, p, NULL), FVI_SUCCESS);
+}
+
+/* Units that are a power of two move no digit, though squares of 2^600 are infinite. (The
+ * inverse of such a matrix was 0, and the chain moved as if it were free.) */
+START_TEST(eq_22_14_no_unit_is_too_large_or_too_small)
+{
+    enum { ALL = 3 * 21 };
+    double x[ALL], p[ALL], x_of[ALL], p_of[ALL];
+    chain_in_units_of(1, x, p);
+    for (int power = -600; power <= 600; power += 300) {
+        chain_in_units_of(ldexp(1, power), x_of, p_of);
+        for (size_t i = 0; i < ALL; i++) {
+            ck_assert_double_eq(x_of[i], x[i]);
+            ck_assert_double_eq(p_of[i], ldexp(p[i], power));
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     if (expect_jumps() != FVI_SUCCESS)
@@ -304,5 +339,6 @@ int main(void)
              a_pulse_between_the_stages_is_passed_over,
              a_fast_spring_is_followed_through_every_period,
              without_damping_the_energy_drifts);
+    ADD_CASE(suite, "units", eq_22_14_no_unit_is_too_large_or_too_small);
     return run_suite(suite);
 }
