@@ -92,13 +92,21 @@ typedef struct fvi_mechanism {
  * a coordinate without inertia is the slope of the last step, 0 at k = 0. */
 int fvi_stepper_velocity(const fvi_stepper *s, double *v);
 
+/* fvi_stepper_keep_dampers -- at k = 0: sum up what fvi_stepper_damper tells. A structure with
+ * several dampers does so only if it is asked, as its forces act on all unknowns: two passes over
+ * them for a damper and step. Other systems do it always.
+ * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL after k = 0; FVI_EUNSUP without a mechanism; FVI_ENOMEM. */
+int fvi_stepper_keep_dampers(fvi_stepper *s);
+
 /* fvi_stepper_damper -- what damper j, from 0, has given and taken from t = 0 to the last step.
  *
  *   impulse  output or NULL: the integral of its force lambda = C(D) (z - z_0), the partner of p,
- *            and of p's order: the force at a node is its difference, over a run
+ *            and of p's order: the force at a node is its difference, over a run. Of a damper by a
+ *            matrix d numbers, the integral of C times the answer to x - x_0
  *   work     output or NULL: that of lambda dz, never negative but with fvi's method, (29.11)
  *
- * Both are the scheme's own sums. FVI_EINVAL if there is no such damper. */
+ * Both are the scheme's own sums. FVI_EINVAL if there is no such damper; FVI_EUNSUP where nothing
+ * was kept. */
 int fvi_stepper_damper(const fvi_stepper *s, size_t j, double *impulse,
                        double *work);
 

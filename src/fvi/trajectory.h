@@ -156,7 +156,9 @@ typedef struct {
  *          *to is there, and stop will be called for it, whatever copy returns
  *   visit  shows what steps change of own to a visitor, and what must be the same
  *          (archive.h). NULL if own is never set, or the method has no such function
- *   stop   gives own back; may be NULL */
+ *   stop   gives own back; may be NULL
+ *   keep_dampers, damper  of a structure with several dampers: as fvi_stepper_keep_dampers and
+ *          fvi_stepper_damper (dampers.h); NULL: the method takes none */
 struct fvi_method {
     const char *name, *order, *memory;
     int lowest, highest, stages, damped_inertia;
@@ -174,6 +176,8 @@ struct fvi_method {
     int (*copy)(const fvi_stepper *from, fvi_stepper *to);
     int (*serialize)(fvi_stepper *s, fvi_archive *archive);
     void (*stop)(fvi_stepper *s);
+    int (*keep_dampers)(fvi_stepper *s);
+    int (*damper)(const fvi_stepper *s, size_t j, double *impulse, double *work);
 };
 
 /* fvi_method_takes_history -- nonzero if the method can sum with such a memory, or remembers

@@ -221,3 +221,8 @@ int fvi_cq_start(fvi_stepper *s)
         status = start_damper(s, o->each + j);
     return status ? status : solver(s, o);
 }
+
+int fvi_cq_keep_dampers(fvi_stepper *s)
+{
+    return fvi_damping_keep(((fvi_cq_state *)s->method_state)->damping);
+}

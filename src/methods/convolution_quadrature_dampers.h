@@ -37,10 +37,11 @@ static inline double fvi_cq_first_weight(const fvi_cq_damper *o)
     return o->taps ? o->g[0] : 1;
 }
 
-/* Members of fvi_method: start, copy, serialize and stop of the methods of order 2. */
+/* Members of fvi_method: start, copy, serialize, stop and keep_dampers of the methods of order 2. */
 int fvi_cq_start(fvi_stepper *s);
 int fvi_cq_copy(const fvi_stepper *from, fvi_stepper *to);
 int fvi_cq_serialize(fvi_stepper *s, fvi_archive *v);
 void fvi_cq_stop(fvi_stepper *s);
+int fvi_cq_keep_dampers(fvi_stepper *s);
 
 #endif

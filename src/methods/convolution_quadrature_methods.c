@@ -96,9 +96,11 @@ static int right_hand_side(fvi_stepper *s, fvi_cq_state *o)
         s->p[i] += half * s->F[i];
     for (size_t j = 0; j < o->count && !status; j++) {
         fvi_cq_damper *a = o->each + j;
+        fvi_damping_before(a->damping, s->p);
         if (a->theta != 0.5)
             status = fvi_damping_apply_force(a->damping, 0.5 - a->theta, a->H, s->p);
         apply_initial_history(s, a, 0);
+        fvi_damping_after(a->damping, s->p);
     }
     memcpy(o->r, s->p, dim * sizeof *o->r);
     for (size_t j = 0; j < o->count && !status; j++) {
@@ -119,9 +121,12 @@ static int right_hand_side(fvi_stepper *s, fvi_cq_state *o)
 static int damp(fvi_stepper *s, fvi_cq_damper *o)
 {
     int status = update_history(s, o);
+    fvi_damping_before(o->damping, s->p);
     if (!status)
         status = fvi_damping_apply_force(o->damping, 0.5 + o->theta, o->H, s->p);
     apply_initial_history(s, o, 1);
+    fvi_damping_after(o->damping, s->p);
+    fvi_damping_end_step(o->damping, s->run.h, s->dx);
     return status;
 }
 
@@ -171,6 +176,8 @@ const fvi_method fvi_cq2_shifted = { .name = "fvi-shifted",
                                  .step = step_second_order,
                                  .copy = fvi_cq_copy,
                                  .serialize = fvi_cq_serialize,
+                                .damper = fvi_damping_sums,
+                                .keep_dampers = fvi_cq_keep_dampers,
                                  .stop = fvi_cq_stop };
 const fvi_method fvi_cq_bdf2 = { .name = "fvi-bdf2",
                               .order = "2",
@@ -191,6 +198,8 @@ const fvi_method fvi_cq_bdf2 = { .name = "fvi-bdf2",
                               .step = step_second_order,
                               .copy = fvi_cq_copy,
                               .serialize = fvi_cq_serialize,
+                                .damper = fvi_damping_sums,
+                                .keep_dampers = fvi_cq_keep_dampers,
                               .stop = fvi_cq_stop };
 const fvi_method fvi_cq2_midpoint = { .name = "fvi-stable",
                                 .order = "2",
@@ -210,4 +219,6 @@ const fvi_method fvi_cq2_midpoint = { .name = "fvi-stable",
                                 .step = step_second_order,
                                 .copy = fvi_cq_copy,
                                 .serialize = fvi_cq_serialize,
+                                .damper = fvi_damping_sums,
+                                .keep_dampers = fvi_cq_keep_dampers,
                                 .stop = fvi_cq_stop };

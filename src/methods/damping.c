@@ -62,6 +62,7 @@ void fvi_damping_free(fvi_damping *d)
         free(d->index);
         free(d->factor);
         free(d->H);
+        free(d->kept);
         free(d);
         d = next;
     }
@@ -290,10 +291,23 @@ int fvi_damping_start(const fvi_stepper *s, int is_caputo, fvi_damping **damping
         status = damping_alloc(run->system, &of, count, damping);
         if (!status)
             status = start_one(s, past, *damping);
-        if (*damping)
-            damping = &(*damping)->next;
+        if (!*damping)
+            break;
+        (*damping)->number = j;
+        damping = &(*damping)->next;
     }
     return status;
+}
+
+static int copy_sums(const fvi_damping *from, fvi_damping *to)
+{
+    const size_t d = from->system->d;
+    to->kept = malloc(3 * d * sizeof *to->kept);
+    if (!to->kept)
+        FVI_FAIL("no memory for the sums of the dampers", FVI_ENOMEM);
+    memcpy(to->kept, from->kept, 3 * d * sizeof *to->kept);
+    to->work = from->work;
+    return FVI_SUCCESS;
 }
 
 int fvi_damping_copy(const fvi_damping *from, fvi_damping **to)
@@ -304,6 +318,11 @@ int fvi_damping_copy(const fvi_damping *from, fvi_damping **to)
         if (status)
             return status;
         (*to)->increments = from->increments;
+        (*to)->number = from->number;
+        if (from->kept)
+            status = copy_sums(from, *to);
+        if (status)
+            return status;
         if (!from->system->matrices)
             memcpy((*to)->index, from->index, from->count * sizeof *from->index);
         memcpy((*to)->factor, from->factor,
@@ -323,6 +342,10 @@ int fvi_damping_archive(fvi_damping *d, size_t k, fvi_archive *v)
         status = fvi_history_archive(d->memory, v);
         if (!status)
             status = fvi_check_count(fvi_history_terms(d->memory), k + 1);
+        if (!status && d->kept)
+            status = v->serialize(v, d->kept, d->system->d * sizeof *d->kept, 0);
+        if (!status && d->kept)
+            status = v->serialize(v, &d->work, sizeof d->work, 0);
     }
     return status;
 }

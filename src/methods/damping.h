@@ -27,6 +27,7 @@ fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j);
 typedef struct fvi_damping {
     struct fvi_damping *next; /* of the next damper; owned */
     fvi_run_damper of;
+    size_t number;  /* its place among the dampers of the run */
     size_t count;   /* how many coordinates have rho > 0 */
     int all;        /* is that every one, and are there no matrices? */
     int increments; /* does the memory sum dz, and not z? */
@@ -36,6 +37,9 @@ typedef struct fvi_damping {
     double *drift;  /* Caputo, growth > 1: h v_0 of each, else 0 */
     double unit;    /* h^(1 - 2 alpha), or h w_0 of a law: factor is rho of it */
     double *z, *dz; /* x - origin and its increment, gathered */
+    double *kept;   /* the impulse on each unknown up to now, that of the step at hand, and p
+                     * before it; NULL: nobody asked */
+    double work;    /* of the impulses, if they are kept */
     double *H;      /* of a linearised run: the last sums, else NULL, */
     double *Hdot;   /* and their derivative by 2 alpha, or NULL */
     fvi_history *memory;
@@ -85,6 +89,20 @@ int fvi_damping_apply_force(const fvi_damping *damping, double share, const doub
  * Returns FVI_SUCCESS; what fvi_history_alloc and fvi_kernel_history return; FVI_ENOMEM. After
  * an error what was made so far is in *damping: free it in any case. */
 int fvi_damping_start(const fvi_stepper *s, int is_caputo, fvi_damping **damping);
+
+/* fvi_damping_keep -- at k = 0: the impulses and the work of all dampers are summed from now on.
+ * Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_damping_keep(fvi_damping *damping);
+
+/* fvi_damping_before, _after -- p before and after a damper has acted on it.
+ * fvi_damping_end_step -- the increment of the step is dx: the work is the step's impulse times
+ * dx/h. None of them does anything where nothing is kept. */
+void fvi_damping_before(fvi_damping *damping, const double *p);
+void fvi_damping_after(fvi_damping *damping, const double *p);
+void fvi_damping_end_step(fvi_damping *damping, double h, const double *dx);
+
+/* fvi_damping_sums -- what damper j of a run has given and taken, as fvi_stepper_damper has it. */
+int fvi_damping_sums(const fvi_stepper *s, size_t j, double *impulse, double *work);
 
 /* fvi_damping_of -- the first damping of a stepper of Algorithm 3, or of a method of order 2;
  * or NULL. */

@@ -51,8 +51,11 @@ static int damp(fvi_stepper *s, fvi_damping *d)
         status = fvi_damping_terms(d, s);
         if (!status)
             status = fvi_damping_update_history(d, d->z);
+        fvi_damping_before(d, s->p);
         if (!status)
             status = fvi_damping_apply_force(d, 1, d->z, s->p);
+        fvi_damping_after(d, s->p);
+        fvi_damping_end_step(d, s->run.h, s->dx);
     }
     return status;
 }
@@ -75,6 +78,11 @@ static int step_fractional(fvi_stepper *s)
     return damp(s, s->method_state); /* (9.4) */
 }
 //< step
+
+static int keep_dampers(fvi_stepper *s)
+{
+    return fvi_damping_keep(s->method_state);
+}
 
 /* ---- the same for one coordinate ---- */
 
@@ -197,4 +205,6 @@ const fvi_method fvi_fractional = { .name = "fvi",
                                     .step = step,
                                     .copy = copy_fractional,
                                     .serialize = serialize_fractional,
+                                    .damper = fvi_damping_sums,
+                                    .keep_dampers = keep_dampers,
                                     .stop = stop_fractional };

@@ -1,0 +1,82 @@
+/* src/methods/damping_sums.c -- What the dampers of a structure give and take.    [H 27] */
+#include "damping.h"
+
+#include "system/fail.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+int fvi_damping_keep(fvi_damping *damping)
+{
+    for (fvi_damping *d = damping; d; d = d->next) {
+        free(d->kept);
+        d->work = 0;
+        d->kept = calloc(3 * d->system->d, sizeof *d->kept);
+        if (!d->kept)
+            FVI_FAIL("no memory for the sums of the dampers", FVI_ENOMEM);
+    }
+    return FVI_SUCCESS;
+}
+
+void fvi_damping_before(fvi_damping *d, const double *p)
+{
+    const size_t n = d->system->d;
+    if (d->kept)
+        memcpy(d->kept + 2 * n, p, n * sizeof *p);
+}
+
+void fvi_damping_after(fvi_damping *d, const double *p)
+{
+    const size_t n = d->system->d;
+    for (size_t i = 0; d->kept && i < n; i++)
+        d->kept[n + i] += d->kept[2 * n + i] - p[i];
+}
+
+void fvi_damping_end_step(fvi_damping *d, double h, const double *dx)
+{
+    const size_t n = d->system->d;
+    double work = 0;
+    for (size_t i = 0; d->kept && i < n; i++) {
+        d->kept[i] += d->kept[n + i];
+        work += d->kept[n + i] * dx[i];
+        d->kept[n + i] = 0;
+    }
+    d->work += work / h;
+}
+
+/* The part of an impulse, d numbers, that is along a row. */
+static double along(size_t n, const double *row, const double *impulse)
+{
+    double product = 0, square = 0;
+    for (size_t i = 0; i < n; i++) {
+        product += row[i] * impulse[i];
+        square += row[i] * row[i];
+    }
+    return square > 0 ? product / square : 0;
+}
+
+int fvi_damping_sums(const fvi_stepper *s, size_t j, double *impulse, double *work)
+{
+    const fvi_system *system = s->run.system;
+    const fvi_damping *d = fvi_damping_of(s);
+    if (!system->mechanism)
+        return FVI_EUNSUP;
+    if (j >= system->mechanism->damper_count)
+        return FVI_EINVAL;
+    while (d && d->number != j)
+        d = d->next;
+    if (d && !d->kept)
+        return FVI_EUNSUP;
+    const double *row = system->mechanism->damper[j].of.row;
+    const int is_matrix = system->mechanism->damper[j].matrix != NULL;
+    const size_t bytes = system->d * sizeof *impulse;
+    if (work)
+        *work = d ? d->work : 0;
+    if (impulse && is_matrix && d)
+        memcpy(impulse, d->kept, bytes);
+    else if (impulse && is_matrix)
+        memset(impulse, 0, bytes);
+    else if (impulse)
+        *impulse = d ? along(system->d, row, d->kept) : 0;
+    return FVI_SUCCESS;
+}
