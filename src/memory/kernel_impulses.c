@@ -3,16 +3,12 @@
 #include "kernel_impulses.h"
 
 #include "kernel_terms.h"
+#include "laplace_parabola.h"
 #include "system/fail.h"
 
 #include <stdlib.h>
 
-/* Laplace's integral is taken along the parabola s = mu (1 + i v)^2, by the midpoint rule in v
- * with 2 NODES points, of which one half are the conjugates of the others. A parabola serves all
- * times from t to SPAN t. With mu SPAN t = REACH the largest factor e^{s t} is e^REACH, so that
- * few digits cancel, and e^{s t} falls below 1e-17 where the nodes end. */
-enum { NODES = 63, SPAN = 4, REACH = 3, EXACT = 64 };
-static const double spacing = 0.12;
+enum { NODES = FVI_PARABOLA_NODES, SPAN = FVI_PARABOLA_SPAN, EXACT = 64 };
 
 /* Kernels like a fraction with 2 alpha > 1 have poles off the cut: one and its conjugate. */
 enum { MOST_POLES = 16 };
@@ -112,20 +108,6 @@ static void find_pole_of_slope(const fvi_kernel_term *term, fvi_slope_by by,
               + (by == FVI_SLOPE_BY_ORDER ? 2 * ln - 1 / a : 0);
 }
 
-/* What the midpoint rule leaves out of a pole at s, as a part of its residue: nearly all where s
- * is to the right of the parabola, nearly nothing to the left of it, and next to it what the
- * nodes do not resolve. Let v be s = mu (1 + i v)^2. Cauchy's theorem with
- * 1/(1 + e^{2 pi i v/spacing}), whose poles are the nodes, gives 1/(1 + e^{-2 pi i v/spacing}).
- * In *slope: s times the derivative of its logarithm. */
-static double complex left_out(double complex s, double mu, double complex *slope)
-{
-    const double complex root = csqrt(s / mu), v = -I * (root - 1);
-    const double complex part =
-        cimag(v) > 10 ? 0 : 1 / (1 + cexp(-2 * M_PI * I * v / spacing));
-    *slope = (1 - part) * M_PI / spacing * root;
-    return part;
-}
-
 /* ---- the rule ---- */
 
 /* One node of step k: G(s) = e^{s k h} w(s h) / s^2 of both ends; of step 0 with e^{s h}, and the
@@ -149,20 +131,18 @@ static void add_node(fvi_impulses_of_kernel *o, const pole *p)
 /* The nodes for steps k >= first. */
 static void make_rule(fvi_impulses_of_kernel *o, size_t first)
 {
-    const double t = (first > 0 ? (double)first : 1) * o->h,
-                 mu = REACH / (SPAN * t);
+    fvi_parabola rule;
+    fvi_parabola_make((first > 0 ? (double)first : 1) * o->h, &rule);
     o->first = first;
     o->count = 0;
-    for (int j = 0; j < NODES; j++) {
-        const double complex v = 1 + I * (j + 0.5) * spacing, s = mu * v * v;
-        add_node(o, &(pole){ .s = s,
-                             .residue = 2 * mu / M_PI * spacing * v * o->symbol(o->of, s),
+    for (int j = 0; j < NODES; j++)
+        add_node(o, &(pole){ .s = rule.s[j],
+                             .residue = rule.weight[j] * o->symbol(o->of, rule.s[j]),
                              .part = 1 });
-    }
     for (size_t i = 0; i < o->poles; i++) {
         pole both = o->pole[i]; /* and its conjugate */
         double complex slope;
-        both.residue *= 2 * left_out(both.s, mu, &slope);
+        both.residue *= 2 * fvi_parabola_left_out(&rule, both.s, &slope);
         both.part += both.moves * slope;
         add_node(o, &both);
     }
