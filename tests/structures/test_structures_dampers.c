@@ -1,19 +1,11 @@
 /* tests/structures/test_structures_dampers.c -- Structures with several dampers.
  * Run alone: make test-structures_dampers */
-#include "structures_runs.h"
+#include "building.h"
 #include "run/whole_run.h"
 #include "structures_ref.h"
 #include "system/larger.h"
 
-enum { D = 5, N = 300 };
-
-static void diagonal(double factor, const double *a, fvi_sparse *A)
-{
-    fvi_triplet list[D];
-    for (int i = 0; i < D; i++)
-        list[i] = (fvi_triplet){ i, i, factor * a[i] };
-    OK(fvi_sparse_assemble(D, D, list, A));
-}
+enum { N = 300 };
 
 /* ---- one damper is C ---- */
 
@@ -34,7 +26,7 @@ static void ck_assert_same_bits(const fvi_method *method, const fvi_run *run,
 }
 
 static const double x0[D] = { 1, 0, -0.5, 0.2, 0.3 }, p0[D] = { 0, 0.3, 0.1, -1, 0.2 },
-                    ones[D] = { 1, 1, 1, 1, 1 }, mass[D] = { 1, 2, 0.5, 1.5, 1 };
+                    mass[D] = { 1, 2, 0.5, 1.5, 1 };
 
 /* By powers of all orders and all pasts, and by a fraction; C touches all unknowns, or the
  * differences of some. */
@@ -73,58 +65,6 @@ START_TEST(eq_27_11_one_damper_is_the_damping_matrix_to_the_bit)
 END_TEST
 
 /* ---- the building ---- */
-
-/* Five storeys of mass 1 and stiffness 100: a springpot below the first, a power of an order
- * above 1 below the third, a dashpot with a fraction beside it below the fifth. */
-typedef struct {
-    fvi_kernel_term term[4];
-    fvi_kernel kernel[3];
-    double row[3][D];
-    fvi_damper damper[3];
-    fvi_sparse M, K;
-    fvi_structure *structure;
-    fvi_system system;
-} building;
-
-static void build(building *b)
-{
-    static const size_t storey[] = { 0, 2, 4 };
-    *b = (building){
-        .term = { { FVI_KERNEL_POWER, 5, 0.3125, 0, 0 },
-                  { FVI_KERNEL_POWER, 1, 0.6875, 0, 0 },
-                  { FVI_KERNEL_POWER, 0.5, 0.5, 0, 0 },
-                  { FVI_KERNEL_ZENER, 3, 0.25, 2, 0 } },
-    };
-    b->kernel[0] = (fvi_kernel){ 1, b->term };
-    b->kernel[1] = (fvi_kernel){ 1, b->term + 1 };
-    b->kernel[2] = (fvi_kernel){ 2, b->term + 2 };
-    for (size_t j = 0; j < 3; j++) {
-        b->row[j][storey[j]] = 1;
-        if (storey[j] > 0)
-            b->row[j][storey[j] - 1] = -1;
-        b->damper[j] = (fvi_damper){ .of = fvi_elongation_row(b->row[j]),
-                                     .kernel = b->kernel + j };
-    }
-    fvi_triplet list[3 * D];
-    size_t count = 0;
-    for (int i = 0; i < D; i++)
-        for (int j = i > 0 ? i - 1 : 0; j <= i + 1 && j < D; j++)
-            list[count++] = (fvi_triplet){ i, j, i != j ? -100 : i < D - 1 ? 200 : 100 };
-    OK(fvi_sparse_assemble(D, count, list, &b->K));
-    diagonal(1, ones, &b->M);
-    OK(fvi_structure_alloc_dampers(&b->M, &b->K, 3, b->damper, &b->structure, NULL));
-    b->system = fvi_structure_system(b->structure);
-}
-
-static void pull_down(building *b)
-{
-    fvi_structure_free(b->structure);
-    fvi_sparse_free(&b->M);
-    fvi_sparse_free(&b->K);
-}
-
-static const double shape[D] = { 1. / 16, 2. / 16, 2. / 16, 3. / 16, 4. / 16 },
-                    push[D] = { 1. / 4, -2. / 4, 0, 1. / 4, 3. / 4 };
 
 /* max |x - x(t)| and |p - v(t)| / 10 at t = 6, after so many steps. */
 static double error_of(const fvi_method *method, const building *b, size_t steps)

@@ -1,0 +1,284 @@
+/* src/reference/exact_motion.c -- The exact motion of a linear system.     [H 11] */
+#include <fvi/dampers.h>
+#include <fvi/exact_motion.h>
+
+#include "exact_motion_check.h"
+#include "memory/laplace_parabola.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What moves the body: the start and a cosine, or a force that is 1/s. */
+typedef enum { BY_START, BY_STEP, SOURCES } source_kind;
+
+/* Y(s) = Z(s)^-1 b(s) of one source: its poles, and its values at the nodes of the times from
+ * `from` to SPAN from. */
+typedef struct {
+    double complex *pole, *residue; /* count, and d each */
+    size_t count;
+    double from;
+    double complex *at; /* d each of the nodes */
+} source;
+
+struct fvi_exact_motion {
+    size_t d;
+    fvi_response *response;
+    fvi_poles poles;
+    fvi_forcing forcing;
+    double A, T, w;
+    double *x0, *p0, *v0, *pull; /* each; pull is K x_0 */
+    double complex *room;        /* each */
+    source source[SOURCES];
+    fvi_parabola rule;
+};
+
+/* ---- what stands on the right ---- */
+
+/* b(s): Z (X - x_0/s) = p_0 - K x_0/s + F. */
+static void right_hand_side(const fvi_exact_motion *o, source_kind which,
+                            double complex s, double complex *b)
+{
+    const double complex cosine = o->forcing == FVI_FORCING_COSINE && o->w != 0
+                                      ? o->A * s / (s * s + o->w * o->w)
+                                      : 0;
+    for (size_t i = 0; i < o->d; i++)
+        b[i] = which == BY_STEP ? o->A / s : o->p0[i] - o->pull[i] / s + cosine;
+}
+
+static int solve(fvi_exact_motion *o, double complex s, double complex *b,
+                 fvi_error *error)
+{
+    const double at[2] = { creal(s), cimag(s) };
+    return fvi_response_solve(o->response, at, (double *)b, (double *)b, error);
+}
+
+/* ---- the poles of Y ---- */
+
+/* v v^T b(s_k), as v v^T is the residue of Z^-1. */
+static void set_residue(fvi_exact_motion *o, source_kind which, size_t k)
+{
+    source *y = o->source + which;
+    const double complex *v = (const double complex *)o->poles.shape + k * o->d;
+    double complex product = 0;
+    y->pole[k] = o->poles.pole[2 * k] + I * o->poles.pole[2 * k + 1];
+    right_hand_side(o, which, y->pole[k], o->room);
+    for (size_t i = 0; i < o->d; i++)
+        product += v[i] * o->room[i];
+    for (size_t i = 0; i < o->d; i++)
+        y->residue[k * o->d + i] = product * v[i];
+}
+
+/* That of the cosine: half of Z(i w)^-1 A. */
+static int add_answer(fvi_exact_motion *o, source *y, fvi_error *error)
+{
+    double complex *residue = y->residue + y->count * o->d;
+    y->pole[y->count++] = I * o->w;
+    for (size_t i = 0; i < o->d; i++)
+        residue[i] = o->A / 2;
+    return solve(o, I * o->w, residue, error);
+}
+
+static int make_source(fvi_exact_motion *o, source_kind which, fvi_error *error)
+{
+    source *y = o->source + which;
+    const size_t n = o->poles.count + 1;
+    y->pole = calloc(n * (1 + o->d), sizeof *y->pole);
+    y->at = calloc(FVI_PARABOLA_NODES * o->d, sizeof *y->at);
+    if (!y->pole || !y->at)
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    y->residue = y->pole + n;
+    y->count = o->poles.count;
+    for (size_t k = 0; k < o->poles.count; k++)
+        set_residue(o, which, k);
+    return which == BY_START && o->forcing == FVI_FORCING_COSINE && o->w != 0
+               ? add_answer(o, y, error)
+               : FVI_SUCCESS;
+}
+
+/* ---- times ---- */
+
+/* The power of 4 below t. */
+static double window_of(double t)
+{
+    int exponent;
+    frexp(t, &exponent); /* t < 2^exponent */
+    exponent--;
+    return ldexp(1, exponent - (exponent & 1));
+}
+
+/* Y at the nodes of the parabola of t. */
+static int move_to(fvi_exact_motion *o, source_kind which, double t, fvi_error *error)
+{
+    source *y = o->source + which;
+    const double from = window_of(t);
+    int status = FVI_SUCCESS;
+    fvi_parabola_make(from, &o->rule);
+    if (from == y->from)
+        return status;
+    y->from = 0;
+    for (size_t j = 0; !status && j < FVI_PARABOLA_NODES; j++) {
+        double complex *at = y->at + j * o->d;
+        right_hand_side(o, which, o->rule.s[j], at);
+        status = solve(o, o->rule.s[j], at, error);
+        for (size_t i = 0; i < o->d; i++)
+            at[i] *= o->rule.weight[j];
+    }
+    if (!status)
+        y->from = from;
+    return status;
+}
+
+/* x += factor Re sum a e^{st}, and v with s a; one node or pole. */
+static void add(size_t d, const double complex *a, double complex s, double complex factor,
+                double *x, double *v)
+{
+    const double complex slope = factor * s;
+    for (size_t i = 0; i < d; i++) {
+        if (x)
+            x[i] += creal(factor * a[i]);
+        if (v)
+            v[i] += creal(slope * a[i]);
+    }
+}
+
+/* x and v += sign times what a source does at t. */
+static int add_source(fvi_exact_motion *o, source_kind which, double sign, double t,
+                      double *x, double *v, fvi_error *error)
+{
+    const source *y = o->source + which;
+    const int status = move_to(o, which, t, error);
+    if (status)
+        return status;
+    for (size_t j = 0; j < FVI_PARABOLA_NODES; j++)
+        add(o->d, y->at + j * o->d, o->rule.s[j], sign * cexp(o->rule.s[j] * t), x, v);
+    for (size_t k = 0; k < y->count; k++) {
+        const double complex s = y->pole[k],
+                             part = fvi_parabola_left_out(&o->rule, s, NULL);
+        if (part != 0)
+            add(o->d, y->residue + k * o->d, s, 2 * sign * part * cexp(s * t), x, v);
+    }
+    return status;
+}
+
+static int at_time(fvi_exact_motion *o, double t, double *x, double *v, fvi_error *error)
+{
+    const size_t bytes = o->d * sizeof *x;
+    int status = FVI_SUCCESS;
+    if (x)
+        memcpy(x, o->x0, bytes);
+    if (v && t == 0)
+        memcpy(v, o->v0, bytes);
+    if (t == 0)
+        return status;
+    if (v)
+        memset(v, 0, bytes);
+    status = add_source(o, BY_START, 1, t, x, v, error);
+    if (!status && o->source[BY_STEP].pole)
+        status = add_source(o, BY_STEP, 1, t, x, v, error);
+    if (!status && o->forcing == FVI_FORCING_STEP && t > o->T)
+        status = add_source(o, BY_STEP, -1, t - o->T, x, v, error);
+    return status;
+}
+
+int fvi_exact_motion_at(fvi_exact_motion *o, size_t n, const double *t, double *x,
+                        double *v, fvi_error *error)
+{
+    if (!o || !t || (!x && !v))
+        return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
+    for (size_t i = 0; i < n; i++) {
+        if (!(isfinite(t[i]) && t[i] >= 0))
+            return fvi_fail(error, FVI_EDOM, "t", t[i],
+                            "t is %g; it must be finite and not negative", t[i]);
+        double *at = x ? x + i * o->d : NULL, *slope = v ? v + i * o->d : NULL;
+        const int status = at_time(o, t[i], at, slope, error);
+        if (status)
+            return status;
+        if ((at && !fvi_all_finite(o->d, at)) || (slope && !fvi_all_finite(o->d, slope)))
+            return fvi_fail(error, FVI_EOVRFLW, NULL, t[i],
+                            "the motion is not finite at t = %g", t[i]);
+    }
+    return FVI_SUCCESS;
+}
+
+/* ---- the start ---- */
+
+/* Room for all that the problem says, and K x_0, M^-1 p_0. */
+static int copy_problem(const fvi_exact_problem *p, fvi_exact_motion *o, fvi_error *error)
+{
+    const fvi_system *system = p->motion.system;
+    const size_t d = o->d = system->d;
+    o->forcing = p->forcing;
+    o->A = p->A;
+    o->T = p->T;
+    o->w = fabs(p->w);
+    o->x0 = calloc(4 * d, sizeof *o->x0);
+    o->room = calloc(d, sizeof *o->room);
+    if (!o->x0 || !o->room)
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    o->p0 = o->x0 + d;
+    o->v0 = o->p0 + d;
+    o->pull = o->v0 + d;
+    memcpy(o->x0, p->x0, d * sizeof *o->x0);
+    memcpy(o->p0, p->p0, d * sizeof *o->p0);
+    return fvi_exact_motion_start(system, o->x0, o->p0, o->v0, o->pull);
+}
+
+static int find_poles(fvi_exact_motion *o, fvi_error *error)
+{
+    const int status = fvi_poles_find(o->response, 0, &o->poles, error);
+    if (status)
+        return status;
+    if (o->poles.expected == (size_t)-1)
+        return fvi_fail(error, FVI_EUNSUP, NULL, NAN,
+                        "it is not known how many poles this system has");
+    if (o->poles.count != o->poles.expected)
+        return fvi_fail(error, FVI_EMAXITER, NULL, (double)o->poles.count,
+                        "%zu poles were found of %zu", o->poles.count,
+                        o->poles.expected);
+    return FVI_SUCCESS;
+}
+
+int fvi_exact_motion_alloc(const fvi_exact_problem *problem, fvi_exact_motion **motion,
+                           fvi_error *error)
+{
+    if (!problem || !motion || !problem->x0 || !problem->p0)
+        return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
+    fvi_exact_motion *o = calloc(1, sizeof *o);
+    if (!o)
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    const int is_constant =
+        problem->forcing == FVI_FORCING_STEP
+        || (problem->forcing == FVI_FORCING_COSINE && problem->w == 0);
+    int status = fvi_response_alloc(&problem->motion, &o->response, error);
+    if (!status)
+        status = fvi_exact_motion_check(problem, error);
+    if (!status)
+        status = copy_problem(problem, o, error);
+    if (!status)
+        status = find_poles(o, error);
+    if (!status)
+        status = make_source(o, BY_START, error);
+    if (!status && is_constant)
+        status = make_source(o, BY_STEP, error);
+    if (status)
+        fvi_exact_motion_free(o);
+    else
+        *motion = o;
+    return status;
+}
+
+void fvi_exact_motion_free(fvi_exact_motion *o)
+{
+    if (!o)
+        return;
+    for (size_t j = 0; j < SOURCES; j++) {
+        free(o->source[j].pole);
+        free(o->source[j].at);
+    }
+    fvi_response_free(o->response);
+    fvi_poles_free(&o->poles);
+    free(o->x0);
+    free(o->room);
+    free(o);
+}

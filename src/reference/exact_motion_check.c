@@ -1,0 +1,155 @@
+/* src/reference/exact_motion_check.c -- Has a system an exact motion here?   [H 11] */
+#include "exact_motion_check.h"
+
+#include <fvi/dampers.h>
+#include <fvi/structures.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- what it must be ---- */
+
+static int check_dampers(const fvi_system *system, fvi_error *error)
+{
+    const fvi_mechanism *m = system->mechanism;
+    for (size_t j = 0; m && j < m->damper_count; j++) {
+        const fvi_damper *damper = m->damper + j;
+        if (!damper->matrix && !damper->of.row) {
+            fvi_fail(error, FVI_EUNSUP, "damper", (double)j + 1,
+                     "damper %zu: its elongation is not linear", j + 1);
+        } else if (damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+                   || (damper->past == FVI_INITIAL_HISTORY_CAPUTO
+                       && !fvi_kernel_takes_caputo(damper->kernel))) {
+            fvi_fail(error, FVI_EUNSUP, "damper", (double)j + 1,
+                     "damper %zu: the exact motion is that of dampers that were held",
+                     j + 1);
+        } else {
+            continue;
+        }
+        if (error)
+            error->index = j;
+        return FVI_EUNSUP;
+    }
+    return FVI_SUCCESS;
+}
+
+static int check_number(const char *field, double value, int is_good, fvi_error *error)
+{
+    return is_good ? FVI_SUCCESS
+                   : fvi_fail(error, FVI_EDOM, field, value, "%s is %g", field, value);
+}
+
+static int check_numbers(const fvi_exact_problem *p, fvi_error *error)
+{
+    const size_t d = p->motion.system->d;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < d; i++) {
+        status = check_number("x0", p->x0[i], isfinite(p->x0[i]), error);
+        if (!status)
+            status = check_number("p0", p->p0[i], isfinite(p->p0[i]), error);
+    }
+    if (status || p->forcing == FVI_FORCING_NONE)
+        return status;
+    if (p->forcing != FVI_FORCING_STEP && p->forcing != FVI_FORCING_COSINE)
+        return fvi_fail(error, FVI_EINVAL, "forcing", p->forcing, "unknown forcing");
+    status = check_number("A", p->A, isfinite(p->A), error);
+    if (!status && p->forcing == FVI_FORCING_STEP)
+        status = check_number("T", p->T, isfinite(p->T) && p->T >= 0, error);
+    return status || p->forcing == FVI_FORCING_STEP
+               ? status
+               : check_number("w", p->w, isfinite(p->w), error);
+}
+
+/* ---- K ---- */
+
+/* Cholesky's elimination of a full matrix, its lower triangle: are all pivots positive? */
+static int is_positive(size_t d, double *A)
+{
+    for (size_t j = 0; j < d; j++) {
+        double pivot = A[j * d + j];
+        for (size_t l = 0; l < j; l++)
+            pivot -= A[j * d + l] * A[j * d + l];
+        if (!(pivot > 0))
+            return 0;
+        A[j * d + j] = sqrt(pivot);
+        for (size_t i = j + 1; i < d; i++) {
+            double left = A[i * d + j];
+            for (size_t l = 0; l < j; l++)
+                left -= A[i * d + l] * A[j * d + l];
+            A[i * d + j] = left / A[j * d + j];
+        }
+    }
+    return 1;
+}
+
+/* The Hessian with a thousand-millionth of its largest frequency squared, times M, added. */
+static int check_hessian(const fvi_system *system, fvi_error *error)
+{
+    const size_t d = system->d;
+    double *K = calloc(fvi_potential_hessian_size(system) + d, sizeof *K), most = 0;
+    if (!K)
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    int status = fvi_potential_hessian(system, K + fvi_potential_hessian_size(system), K);
+    for (size_t i = 0; i < d; i++)
+        most += fabs(K[i * d + i]) / system->mass[i];
+    for (size_t i = 0; i < d; i++)
+        K[i * d + i] += 1e-9 * (most > 0 ? most : 1) * system->mass[i];
+    if (!status && !is_positive(d, K))
+        status = fvi_fail(error, FVI_EDOM, "potential", NAN,
+                          "the potential has no minimum: its Hessian is negative somewhere");
+    free(K);
+    return status;
+}
+
+static int check_stiffness(const fvi_system *system, fvi_error *error)
+{
+    const fvi_matrices *m = system->matrices;
+    if (!m)
+        return system->potential.hessian ? check_hessian(system, error) : FVI_SUCCESS;
+    void *factors = NULL;
+    double most = 0;
+    for (size_t j = 0; j < system->d; j++)
+        for (int e = m->K->start[j]; e < m->K->start[j + 1]; e++)
+            if ((size_t)m->K->row[e] == j)
+                most += fabs(m->K->entry[e]) / system->mass[j];
+    const int status = m->factorise(system->d, 1e-9 * (most > 0 ? most : 1), 0, 1,
+                                    m->params, &factors);
+    if (!status)
+        m->forget(factors);
+    return status == FVI_ESING
+               ? fvi_fail(error, FVI_EDOM, "K", NAN, "K is negative somewhere")
+               : status;
+}
+
+int fvi_exact_motion_check(const fvi_exact_problem *problem, fvi_error *error)
+{
+    const fvi_system *system = problem->motion.system;
+    const fvi_potential *u = &system->potential;
+    if (u->value && !(u->quadratic && u->quadratic(u->params)))
+        return fvi_fail(error, FVI_EUNSUP, "potential", NAN,
+                        "the potential is not quadratic: the motion has no closed form");
+    int status = check_dampers(system, error);
+    if (!status)
+        status = check_numbers(problem, error);
+    return status ? status : check_stiffness(system, error);
+}
+
+int fvi_exact_motion_start(const fvi_system *system, const double *x0, const double *p0,
+                           double *v0, double *pull)
+{
+    const fvi_matrices *m = system->matrices;
+    void *factors = NULL;
+    int status = fvi_potential_gradient(system, x0, pull);
+    memcpy(v0, p0, system->d * sizeof *v0);
+    for (size_t i = 0; !m && i < system->d; i++)
+        v0[i] /= system->mass[i];
+    if (status || !m)
+        return status;
+    status = m->factorise(system->d, 1, 0, 0, m->params, &factors);
+    if (!status)
+        status = m->solve(system->d, factors, v0);
+    if (factors)
+        m->forget(factors);
+    return status;
+}
