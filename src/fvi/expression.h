@@ -112,6 +112,20 @@ void fvi_expression_add_hessian(const fvi_expression *e, const double *x,
 /* fvi_expression_variables -- how many variables the expression is one of, n. */
 size_t fvi_expression_variables(const fvi_expression *e);
 
+/* fvi_name_finder -- which coordinate, from 0, has this name of so many letters? -1 if none. A point
+ * may stand in such a name, before a letter: d1.force. */
+typedef struct {
+    int (*find)(const char *name, size_t length, void *params);
+    void *params;
+} fvi_name_finder;
+
+/* fvi_expression_parse_of -- the same of coordinates with names of any kind: of `names` the parameters
+ * alone are read. fvi_expression_value then takes as many x as the finder has numbers. The other
+ * functions here are not for such an expression. */
+int fvi_expression_parse_of(const char *text, const fvi_name_finder *finder,
+                            const fvi_symbols *names, const double *values,
+                            fvi_expression **e, fvi_misprint *wrong);
+
 /* fvi_expression_value -- at x, d numbers (not read if d = 0). NaN where it is not
  * defined. Nothing is checked. */
 double fvi_expression_value(const fvi_expression *e, const double *x);

@@ -88,13 +88,14 @@ int fvi_parse_table(const char *field, const char *file,
  * not copy one that is in use: name points into names. A value may be changed while no run goes on.
  *
  *   used  for each, who speaks of it: FVI_USED_BY_POTENTIAL, FVI_USED_BY_FORCE,
- *         FVI_USED_BY_PARAMETER, FVI_USED_BY_DAMPING, added */
+ *         FVI_USED_BY_PARAMETER, FVI_USED_BY_DAMPING, FVI_USED_BY_COLUMN, added */
 enum {
     FVI_MOST_USER_PARAMETERS = 64,
     FVI_USED_BY_POTENTIAL = 1,
     FVI_USED_BY_FORCE = 2,
     FVI_USED_BY_PARAMETER = 4,
-    FVI_USED_BY_DAMPING = 8
+    FVI_USED_BY_DAMPING = 8,
+    FVI_USED_BY_COLUMN = 16
 };
 typedef struct {
     size_t count;

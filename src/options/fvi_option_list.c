@@ -36,6 +36,7 @@ const fvi_option fvi_option_list[OPTIONS] = {
     [STEP_ERROR] = { "step-error", RUN, NULL },
     [LONGEST] = { "longest", RUN, NULL },
     [COLUMNS] = { "columns", RUN | EXACT, "t,x,p,energy" },
+    [REDUCE] = { "reduce", RUN, NULL },
     [UNKNOWNS] = { "unknowns", RUN, NULL },
     [EVERY] = { "every", RUN | EXACT, "1" },
     [MEMORY] = { "memory", RUN, "auto" },

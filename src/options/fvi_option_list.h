@@ -66,6 +66,9 @@ typedef struct {
     const char *no_solution; /* what fvi_warning_of_initial_history says, or NULL */
     fvi_history_kind memory;
     fvi_columns columns;
+    fvi_typed_columns *typed; /* those that are no plain t, x, p, energy, y; and reductions */
+    fvi_column_source *column_source;
+    double *typed_row; /* room for a row of them */
     int numbered; /* 1: the columns are x1, ..., not x */
     fvi_format format;
     double *x0, *p0, *mass, *rho; /* d numbers each, one block */
@@ -74,7 +77,7 @@ typedef struct {
     const char *checkpoint;       /* as output; NULL: none */
     int resume;                   /* go on from there */
     const char *output;   /* points into argv, or NULL for standard output */
-    const char *text[48]; /* each as it was given or by default, by index */
+    const char *text[64]; /* each as it was given or by default, by index */
     char let_text[1024];     /* all --let, with commas between */
     char damping_text[4096]; /* all --damping, with " + " between */
     char step[32];  /* the text of a step that follows from --time */
@@ -111,6 +114,7 @@ typedef enum {
     STEP_ERROR,
     LONGEST,
     COLUMNS,
+    REDUCE,
     UNKNOWNS,
     EVERY,
     MEMORY,

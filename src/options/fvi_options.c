@@ -213,6 +213,7 @@ static int fill_in(fvi_options *o, fvi_error *c)
             && !is_replaced(o, (option_index)i)
             && !is_taken_over(o, (option_index)i)
             && !(i == STEPS && o->steps_follow)
+            && !(i == COLUMNS && o->text[REDUCE])
             && !(i == ALPHA && o->text[ORDER])
             && !(law && (i == ALPHA || i == RHO)))
             o->text[i] = preset(o, (option_index)i);

@@ -1,6 +1,8 @@
 /* src/options/fvi_values.c -- From the words of the command line to values. */
 #include "fvi_values.h"
 #include "fvi_mechanism_options.h"
+#include "fvi_option_columns.h"
+#include "fvi_grid.h"
 #include "input/fvi_files.h"
 #include "input/fvi_shared.h"
 #include <fvi/format_double.h>
@@ -177,52 +179,6 @@ static int interpret_run(fvi_options *o, fvi_error *c)
     return !status && o->text[ERROR] ? interpret_error(o, c) : status;
 }
 
-/* --h H and --time T: there are T/H steps, and --steps, if it is given, says the same. */
-static int interpret_step_and_time(fvi_options *o, fvi_error *c)
-{
-    int status = number(o, H, 0, INFINITY, "()", &o->h, c);
-    if (!status)
-        status = number(o, TIME, 0, INFINITY, "()", &o->time, c);
-    if (status)
-        return status;
-    const double steps = o->time / o->h, whole_steps = round(steps);
-    if (!(whole_steps >= 1 && whole_steps < 0x1p53
-          && fabs(steps - whole_steps) <= 1e-9 * whole_steps))
-        return fvi_refuse(c, "time", "'%s' is not a whole number of steps of --h %s",
-                          o->text[TIME], o->text[H]);
-    if (o->text[STEPS]) {
-        status = whole(o, STEPS, &o->steps, c);
-        return status || (double)o->steps == whole_steps
-                   ? status
-                   : fvi_refuse(c, "steps", "'%s' is not %.0f, which --time by --h is",
-                                o->text[STEPS], whole_steps);
-    }
-    o->steps = (size_t)whole_steps;
-    snprintf(o->count_text, sizeof o->count_text, "%zu", o->steps);
-    o->text[STEPS] = o->count_text;
-    return 0;
-}
-
-/* The rows are at t_k = k h: by --h, or by --time, or by both. */
-static int interpret_grid(fvi_options *o, fvi_error *c)
-{
-    if (o->text[H] && o->text[TIME])
-        return interpret_step_and_time(o, c);
-    int status = whole(o, STEPS, &o->steps, c);
-    if (status || !o->text[TIME])
-        return status ? status : number(o, H, 0, INFINITY, "()", &o->h, c);
-    double time = 0;
-    status = number(o, TIME, 0, INFINITY, "()", &time, c);
-    o->time = time;
-    o->h = time / (double)o->steps;
-    if (!status && !(o->h > 0))
-        return fvi_refuse(c, "time", "'%s' is too short for so many steps",
-                          o->text[TIME]);
-    fvi_format_double(o->h, o->step);
-    o->text[H] = o->step; /* the head says what follows */
-    return status;
-}
-
 /* What has an exact solution in the library. */
 static int check_linear(const fvi_options *o, fvi_error *c)
 {
@@ -284,7 +240,7 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
     if (!status)
         status = fvi_problem_lists(o, c);
     if (!status)
-        status = interpret_grid(o, c);
+        status = fvi_options_grid(o, c);
     if (!status)
         status = fvi_problem_force(o, c);
     if (!status && o->text[DAMPING])
@@ -296,8 +252,6 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
         status = fvi_problem_mechanism(o, c);
     if (!status)
         status = fvi_problem_velocity(o, c);
-    if (!status)
-        status = fvi_user_parameters_are_used(&o->lets, c);
     o->past = (fvi_initial_history)which;
     if (!status && o->text[DAMPING] && o->past != FVI_INITIAL_HISTORY_HELD
         && !(o->past == FVI_INITIAL_HISTORY_CAPUTO
@@ -309,9 +263,11 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
     if (!status)
         status = whole(o, EVERY, &o->every, c);
     if (!status)
-        status = fvi_word_columns(o->text[COLUMNS], &o->columns, c);
-    if (!status)
         status = fvi_problem_unknowns(o, c);
+    if (!status)
+        status = fvi_options_columns(o, c);
+    if (!status)
+        status = fvi_user_parameters_are_used(&o->lets, c);
     for (size_t i = 0; !status && o->checkpoint && i < o->columns.count; i++)
         if (o->columns.at[i] == FVI_COLUMN_Y)
             status = fvi_refuse(c, o->resume ? "continue" : "checkpoint",
@@ -323,6 +279,8 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
         status = interpret_run(o, c);
     if (!status && o->command == FVI_COMMAND_EXACT)
         status = check_linear(o, c);
+    if (!status)
+        status = fvi_options_check_columns(o, c);
     if (!status)
         status = check_impulses(o, c);
     return status ? status : check_solution(o, c);
@@ -435,6 +393,12 @@ void fvi_options_free(fvi_options *o)
     o->mechanism = NULL;
     fvi_directory_close(o->directory);
     free(o->shown);
+    fvi_typed_columns_free(o->typed);
+    free(o->column_source);
+    free(o->typed_row);
+    o->typed = NULL;
+    o->column_source = NULL;
+    o->typed_row = NULL;
     o->x0 = o->p0 = o->mass = o->rho = NULL;
     fvi_shared_close(o->library);
     o->library = NULL;

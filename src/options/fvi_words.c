@@ -1,6 +1,8 @@
 /* src/options/fvi_words.c -- Words of the command line that only the program knows. */
+#define _GNU_SOURCE /* strndup */
 #include "fvi_words.h"
 
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -16,28 +18,55 @@ int fvi_word_once(const char *dashes, const char *name, const char **text,
 
 const char *const fvi_column_names[] = { "t", "x", "p", "energy", "y", NULL };
 
-int fvi_word_columns(const char *text, fvi_columns *columns, fvi_error *c)
+/* One of the first five, whole; FVI_COLUMN_TYPED if it is none. */
+static fvi_column column_named(const char *at, size_t length)
 {
-    const char *const *known = fvi_column_names;
-    const char *at = text;
-    char place[64];
-    for (;; at++) {
-        size_t length = strcspn(at, ","), i = 0;
-        while (i < FVI_ALL_COLUMNS
-               && (strlen(known[i]) != length
-                   || strncasecmp(at, known[i], length)))
-            i++;
-        if (i == FVI_ALL_COLUMNS)
-            return fvi_refuse(c,
-                              "columns", "'%.*s' in '%s' is none of "
-                              "t, x, p, energy, y%s",
-                              length < 40 ? (int)length : 40, at, text,
-                              fvi_word_hint(at, length, known, place));
-        for (size_t n = 0; n < columns->count; n++)
-            if (columns->at[n] == (fvi_column)i)
+    size_t i = 0;
+    while (fvi_column_names[i]
+           && (strlen(fvi_column_names[i]) != length
+               || strncasecmp(at, fvi_column_names[i], length) != 0))
+        i++;
+    return (fvi_column)i;
+}
+
+/* An expression, or a name beside the first five. */
+static int take_typed(const char *at, size_t length,
+                      fvi_user_parameters *parameters, fvi_columns *columns,
+                      fvi_typed_columns *typed, fvi_error *c)
+{
+    char *item = strndup(at, length);
+    const size_t first = fvi_typed_columns_count(typed);
+    if (!item)
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    const int status = fvi_parse_columns(item, parameters, typed, c);
+    free(item);
+    columns->first[columns->count] = first;
+    columns->width[columns->count] = fvi_typed_columns_count(typed) - first;
+    return status;
+}
+
+int fvi_word_columns(const char *text, fvi_user_parameters *parameters,
+                     fvi_columns *columns, fvi_typed_columns *typed,
+                     fvi_error *c)
+{
+    for (const char *at = text;; at++) {
+        const size_t length = fvi_list_item(at);
+        const fvi_column i = column_named(at, length);
+        int status = 0;
+        if (length == 0)
+            return fvi_refuse(c, "columns", "'%s': a column is missing", text);
+        if (columns->count == FVI_MOST_ITEMS)
+            return fvi_refuse(c, "columns", "more than %d columns in the list",
+                              FVI_MOST_ITEMS);
+        for (size_t n = 0; n < columns->count && i != FVI_COLUMN_TYPED; n++)
+            if (columns->at[n] == i)
                 return fvi_refuse(c, "columns", "'%s' names %s twice", text,
-                                  known[i]);
-        columns->at[columns->count++] = (fvi_column)i;
+                                  fvi_column_names[i]);
+        if (i == FVI_COLUMN_TYPED)
+            status = take_typed(at, length, parameters, columns, typed, c);
+        if (status)
+            return status;
+        columns->at[columns->count++] = i;
         at += length;
         if (*at == '\0')
             return 0;

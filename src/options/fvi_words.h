@@ -4,6 +4,7 @@
 #define FVI_WORDS_OF_PROGRAM_H
 
 #include "input/fvi_refuse.h"
+#include <fvi/columns.h>
 #include <stddef.h>
 
 /* The columns of a table, in the order of fvi_column_names. */
@@ -13,15 +14,19 @@ typedef enum {
     FVI_COLUMN_P,
     FVI_COLUMN_ENERGY,
     FVI_COLUMN_Y,
-    FVI_ALL_COLUMNS /* so many there are */
+    FVI_COLUMN_TYPED, /* an expression, or a name beside these */
+    FVI_ALL_COLUMNS   /* so many there are */
 } fvi_column;
 
 extern const char *const fvi_column_names[]; /* ended by NULL */
 
-/* Columns as they are printed, each at most once. */
+/* Columns as they are printed. Each of the first five stands at most once; of what is typed, item
+ * n has so many columns, from the first on, of those that are typed. */
+enum { FVI_MOST_ITEMS = 64 };
 typedef struct {
     size_t count;
-    fvi_column at[FVI_ALL_COLUMNS];
+    fvi_column at[FVI_MOST_ITEMS];
+    size_t first[FVI_MOST_ITEMS], width[FVI_MOST_ITEMS];
 } fvi_columns;
 
 /* The value of an option, "-" or "--" and its name, into *text, which is NULL before: it may
@@ -29,7 +34,9 @@ typedef struct {
 int fvi_word_once(const char *dashes, const char *name, const char **text,
                   const char *value, fvi_error *c);
 
-/* Columns; count is zero before. */
-int fvi_word_columns(const char *text, fvi_columns *columns, fvi_error *c);
+/* Columns; count is zero before, and `typed` has none. What is typed may use the parameters. */
+int fvi_word_columns(const char *text, fvi_user_parameters *parameters,
+                     fvi_columns *columns, fvi_typed_columns *typed,
+                     fvi_error *c);
 
 #endif

@@ -93,7 +93,9 @@ void fvi_format_name(FILE *out, fvi_format format, size_t i, const char *word,
 {
     static const char *const first[] = { "# ", "", "\n },\n\"columns\": [\"" },
                              *const next[] = { "\t", ",", "\", \"" };
-    fprintf(out, "%s%s", (i == 0 ? first : next)[format], word);
+    const int is_quoted = format == FVI_FORMAT_CSV && strchr(word, ',');
+    fprintf(out, is_quoted ? "%s\"%s\"" : "%s%s",
+            (i == 0 ? first : next)[format], word);
     if (number > 0)
         fprintf(out, "%zu", number);
 }

@@ -24,6 +24,18 @@ static void panel(FILE *g, const char *across, const char *up)
     fprintf(g, "set xlabel '%s'; set ylabel '%s'\n", across, up);
 }
 
+/* Two typed columns and no others are a loop, as force over drift. */
+static int is_loop(const fvi_options *o)
+{
+    size_t width = 0;
+    for (size_t n = 0; n < o->columns.count; n++) {
+        if (o->columns.at[n] != FVI_COLUMN_TYPED)
+            return 0;
+        width += o->columns.width[n];
+    }
+    return width == 2;
+}
+
 /* Where each column stands in the data, from 2; 0 if it is none. */
 static size_t place_columns(const fvi_options *o, size_t at[FVI_ALL_COLUMNS])
 {
@@ -32,12 +44,55 @@ static size_t place_columns(const fvi_options *o, size_t at[FVI_ALL_COLUMNS])
     for (size_t n = 0; n < o->columns.count; n++) {
         const fvi_column column = o->columns.at[n];
         at[column] = next;
-        next += column == FVI_COLUMN_T || column == FVI_COLUMN_ENERGY
+        next += column == FVI_COLUMN_TYPED ? o->columns.width[n]
+                : column == FVI_COLUMN_T || column == FVI_COLUMN_ENERGY
                     ? 1
                     : o->shown_count;
-        panels += column != FVI_COLUMN_T; /* p is the phase, or its own */
+        panels += column == FVI_COLUMN_TYPED ? o->columns.width[n]
+                                             : column != FVI_COLUMN_T;
+        /* p is the phase, or its own */
     }
-    return panels;
+    return is_loop(o) ? 1 : panels;
+}
+
+/* The name of a typed column, as gnuplot takes a text; its quotes are doubled. */
+static void label(FILE *g, const char *axis, const char *name)
+{
+    fprintf(g, "set %slabel '", axis);
+    for (; *name; name++)
+        fprintf(g, *name == '\'' ? "''" : "%c", *name);
+    fputs("' noenhanced\n", g);
+}
+
+/* Each typed column over the time. */
+static void typed_panels(FILE *g, const fvi_options *o)
+{
+    size_t next = 2;
+    for (size_t n = 0; n < o->columns.count; n++) {
+        const fvi_column column = o->columns.at[n];
+        const int is_typed = column == FVI_COLUMN_TYPED;
+        const size_t width = is_typed ? o->columns.width[n]
+                             : column == FVI_COLUMN_T
+                                     || column == FVI_COLUMN_ENERGY
+                                 ? 1
+                                 : o->shown_count;
+        for (size_t i = 0; i < width && is_typed; i++) {
+            label(g, "x", "t");
+            label(g, "y",
+                  fvi_typed_column_name(o->typed, o->columns.first[n] + i));
+            fprintf(g, "plot $rows using 1:%zu with lines lw 1.5 title ''\n",
+                    next + i);
+        }
+        next += width;
+    }
+}
+
+/* The second typed column over the first. */
+static void loop(FILE *g, const fvi_options *o)
+{
+    label(g, "x", fvi_typed_column_name(o->typed, 0));
+    label(g, "y", fvi_typed_column_name(o->typed, 1));
+    fputs("plot $rows using 2:3 with lines lw 1.5 title ''\n", g);
 }
 
 static void script(FILE *g, const fvi_options *o,
@@ -65,6 +120,10 @@ static void script(FILE *g, const fvi_options *o,
         panel(g, "x", "p");
         lines(g, o, x, p);
     }
+    if (is_loop(o))
+        loop(g, o);
+    else
+        typed_panels(g, o);
     fprintf(g, "unset multiplot\n");
 }
 

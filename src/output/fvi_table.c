@@ -27,24 +27,42 @@ void fvi_table_head(FILE *out, const fvi_options *o)
         fvi_format_parameter(out, o->format, "warning", o->no_solution);
 }
 
-static size_t column_width(const fvi_options *o, fvi_column column)
+/* Of item n. */
+static size_t column_width(const fvi_options *o, size_t n)
 {
-    return column == FVI_COLUMN_T || column == FVI_COLUMN_ENERGY
-               ? 1
-               : o->shown_count;
+    const fvi_column column = o->columns.at[n];
+    return column == FVI_COLUMN_TYPED                             ? o->columns.width[n]
+           : column == FVI_COLUMN_T || column == FVI_COLUMN_ENERGY ? 1
+                                                                   : o->shown_count;
+}
+
+/* The names of item n, the first of which is column number `first`. */
+static void print_names(FILE *out, const fvi_options *o, size_t n, size_t first)
+{
+    const fvi_column column = o->columns.at[n];
+    const int numbered = o->numbered && column != FVI_COLUMN_T
+                         && column != FVI_COLUMN_ENERGY;
+    for (size_t i = 0; i < column_width(o, n); i++)
+        if (column == FVI_COLUMN_TYPED)
+            fvi_format_name(out, o->format, first + i,
+                            fvi_typed_column_name(o->typed,
+                                                  o->columns.first[n] + i),
+                            0);
+        else
+            fvi_format_name(out, o->format, first + i, fvi_column_names[column],
+                            numbered ? o->shown[i] + 1 : 0);
 }
 
 void fvi_table_column_names(FILE *out, const fvi_options *o, size_t first)
 {
-    for (size_t n = 0; n < o->columns.count; n++) {
-        const fvi_column column = o->columns.at[n];
-        const size_t width = column_width(o, column);
-        const int numbered = o->numbered && column != FVI_COLUMN_T
-                             && column != FVI_COLUMN_ENERGY;
-        for (size_t i = 1; i <= width; i++)
-            fvi_format_name(out, o->format, first++, fvi_column_names[column],
-                            numbered ? o->shown[i - 1] + 1 : 0);
+    const size_t reductions = fvi_reductions_count(o->typed);
+    for (size_t n = 0; n < o->columns.count && reductions == 0; n++) {
+        print_names(out, o, n, first);
+        first += column_width(o, n);
     }
+    for (size_t i = 0; i < reductions; i++)
+        fvi_format_name(out, o->format, first++, fvi_reduction_name(o->typed, i),
+                        0);
     fvi_format_names_end(out, o->format);
 }
 
@@ -78,8 +96,12 @@ void fvi_table_shape(fvi_table *t, const fvi_options *o,
 {
     *t = (fvi_table){ .o = o, .system = system };
     for (size_t n = 0; n < o->columns.count; n++) {
-        t->width += column_width(o, o->columns.at[n]);
+        t->width += column_width(o, n);
         t->wait |= o->columns.at[n] == FVI_COLUMN_Y;
+    }
+    if (fvi_reductions_count(o->typed) > 0) { /* one row */
+        t->width = fvi_reductions_count(o->typed);
+        t->wait = 0;
     }
     t->height = t->wait ? row_number(o, o->steps) + 1 : 1;
 }
@@ -119,11 +141,16 @@ static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
                 int mirror, double *row)
 {
     int status = FVI_SUCCESS;
-    for (size_t n = 0; n < t->o->columns.count; n++) {
+    if (!mirror && fvi_typed_columns_count(t->o->typed) > 0)
+        status = fvi_typed_columns_values(t->o->typed, t->now, t->o->typed_row);
+    for (size_t n = 0; n < t->o->columns.count && !status; n++) {
         const fvi_column column = t->o->columns.at[n];
-        const size_t width = column_width(t->o, column);
+        const size_t width = column_width(t->o, n);
         if (mirror == (column == FVI_COLUMN_Y)) {
-            if (column == FVI_COLUMN_T)
+            if (column == FVI_COLUMN_TYPED)
+                memcpy(row, t->o->typed_row + t->o->columns.first[n],
+                       width * sizeof *row);
+            else if (column == FVI_COLUMN_T)
                 *row = (double)k * t->o->h; /* one product */
             else if (column == FVI_COLUMN_ENERGY)
                 status = fvi_energy_at(t->system, (double)k * t->o->h, x, p,

@@ -4,6 +4,7 @@
 
 #include <fvi/version.h>
 #include "options/fvi_option_list.h"
+#include <fvi/observer.h>
 
 #include <stdio.h>
 #include <sys/types.h>
@@ -18,6 +19,8 @@ typedef struct {
     size_t height; /* rows that are kept: one, or all of them */
     double *rows;
     int wait;
+    fvi_observer *observer; /* that goes with the run, or NULL */
+    const fvi_observation *now; /* what typed columns are made of, at the row that is taken */
     FILE *plot;   /* where rows are kept to be drawn; or NULL */
     size_t begin; /* the first row of a run that goes on; 0 */
     int goes_on;  /* are there rows of it in the table before? */

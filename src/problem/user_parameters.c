@@ -57,6 +57,22 @@ static int judge(int status, const char *field, const char *text,
                     : FVI_SUCCESS;
 }
 
+int fvi_parse_expression_of(const char *field, const fvi_name_finder *finder,
+                            const char *text, fvi_user_parameters *parameters,
+                            fvi_expression **e, fvi_error *error)
+{
+    static fvi_user_parameters none;
+    fvi_misprint wrong;
+    const fvi_user_parameters *known = parameters ? parameters : &none;
+    const fvi_symbols names = { NULL, 0, known->name, known->count };
+    const int status = judge(fvi_expression_parse_of(text, finder, &names,
+                                                     known->value, e, &wrong),
+                             field, text, wrong, error);
+    if (!status && parameters)
+        note_use(parameters, text, FVI_USED_BY_COLUMN);
+    return status;
+}
+
 int fvi_parse_expression(const char *field, const char *variable, size_t d,
                          const char *text, fvi_user_parameters *parameters,
                          fvi_expression **e, fvi_error *error)

@@ -29,4 +29,9 @@ int fvi_parse_state_expression(const char *field, size_t d, int velocities,
                                fvi_user_parameters *parameters,
                                fvi_expression **e, fvi_error *error);
 
+/* fvi_parse_expression_of -- the same with coordinates that the finder names (expression.h). */
+int fvi_parse_expression_of(const char *field, const fvi_name_finder *finder,
+                            const char *text, fvi_user_parameters *parameters,
+                            fvi_expression **e, fvi_error *error);
+
 #endif

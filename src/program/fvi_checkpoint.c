@@ -3,6 +3,7 @@
 #include "fvi_checkpoint.h"
 
 #include "fvi_checkpoint_head.h"
+#include "fvi_run.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_output.h"
 #include <fvi/error.h>
@@ -216,7 +217,9 @@ int fvi_checkpoint_write(const fvi_checkpoint *c, const fvi_table *t,
         return fvi_cannot_write(name);
     put(&f, c->head, strlen(c->head));
     put_rows(&f, t);
-    const int status = fvi_stepper_archive(s, &f.archive);
+    int status = fvi_stepper_archive(s, &f.archive);
+    if (!status && t->observer)
+        status = fvi_observer_archive(t->observer, &f.archive);
     const uint64_t sum = f.sum;
     put(&f, &sum, sizeof sum);
     const int why = errno, whole = !status && !f.failed;
@@ -252,10 +255,12 @@ static int is_whole(FILE *file)
 /* The file is whole, and of this problem. If it does not fit all the same, the memory depends
  * on N, and N is another one: a run of the new N had other last digits from the first
  * step on, and so it begins anew. */
-static int load_all(const fvi_options *o, state *f, fvi_stepper *s,
-                    fvi_checkpoint *c)
+static int load_all(fvi_table *t, state *f, fvi_stepper *s, fvi_checkpoint *c)
 {
-    const int status = fvi_stepper_archive(s, &f->archive);
+    const fvi_options *o = t->o;
+    int status = fvi_stepper_archive(s, &f->archive);
+    if (!status && t->observer)
+        status = fvi_observer_archive(t->observer, &f->archive);
     c->done = s->k;
     if (s->k > o->steps)
         return fvi_checkpoint_refuse(o, "it is further than --steps");
@@ -268,12 +273,14 @@ static int load_all(const fvi_options *o, state *f, fvi_stepper *s,
             "steps are done again\n",
             c->done);
     c->anew = 1;
-    return fvi_stepper_reset(s) ? fvi_complain("not enough memory") : 0;
+    return fvi_stepper_reset(s) || fvi_run_observe(t, s)
+               ? fvi_complain("not enough memory")
+               : 0;
 }
 
-static int read_checkpoint(const fvi_options *o, fvi_stepper *s,
-                           fvi_checkpoint *c)
+static int read_checkpoint(fvi_table *t, fvi_stepper *s, fvi_checkpoint *c)
 {
+    const fvi_options *o = t->o;
     struct stat now;
     c->saved = fopen(o->checkpoint, "r");
     state f = { .archive = { load_piece },
@@ -286,13 +293,13 @@ static int read_checkpoint(const fvi_options *o, fvi_stepper *s,
         return status;
     return is_whole(c->saved) && fstat(fileno(c->saved), &now) == 0
                    && find_rows(c, now.st_size)
-               ? load_all(o, &f, s, c)
+               ? load_all(t, &f, s, c)
                : fvi_checkpoint_refuse(o, "damaged");
 }
 
-int fvi_checkpoint_begin(const fvi_options *o, fvi_stepper *s,
-                         fvi_checkpoint *c)
+int fvi_checkpoint_begin(fvi_table *t, fvi_stepper *s, fvi_checkpoint *c)
 {
+    const fvi_options *o = t->o;
     *c = (fvi_checkpoint){ .head = NULL };
     if (!o->checkpoint)
         return 0;
@@ -303,7 +310,7 @@ int fvi_checkpoint_begin(const fvi_options *o, fvi_stepper *s,
     }
     if (!(c->head = fvi_checkpoint_head(o)))
         return fvi_complain("not enough memory");
-    return o->resume ? read_checkpoint(o, s, c) : 0;
+    return o->resume ? read_checkpoint(t, s, c) : 0;
 }
 
 void fvi_checkpoint_free(fvi_checkpoint *c)

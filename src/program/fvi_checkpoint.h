@@ -26,7 +26,7 @@ typedef struct {
  * the method cannot be saved, or the file is damaged, or of another version, problem or
  * machine, or a file that the run reads has changed; 1 if there is no memory. c is to be
  * freed in each case. */
-int fvi_checkpoint_begin(const fvi_options *o, fvi_stepper *s,
+int fvi_checkpoint_begin(fvi_table *t, fvi_stepper *s,
                          fvi_checkpoint *c);
 void fvi_checkpoint_free(fvi_checkpoint *c);
 

@@ -3,6 +3,7 @@
 #include "fvi_checkpoint_head.h"
 
 #include "input/fvi_files.h"
+#include "options/fvi_option_columns.h"
 #include "output/fvi_complain.h"
 #include <fvi/version.h>
 
@@ -68,6 +69,8 @@ char *fvi_checkpoint_head(const fvi_options *o)
     for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
         if (!is_free(name))
             fprintf(f, "%s = %s\n", name, value);
+    if (fvi_options_observes(o)) /* the state has more, then */
+        fprintf(f, "columns with sums = yes\n");
     int whole = describe_files(f);
     fputc('\n', f);
     whole = whole && !ferror(f);

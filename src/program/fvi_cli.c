@@ -6,6 +6,7 @@
 #include <fvi/exact_solution.h>
 #include <fvi/methods.h>
 #include "fvi_commands.h"
+#include "fvi_run.h"
 #include "output/fvi_format.h"
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
@@ -28,7 +29,7 @@ typedef struct {
  * search for the poles. What it did not compute stays NaN. Returns 0, or 1 after it
  * has said what is wrong. */
 enum { BATCH = 512 };
-static int exact_batch(const fvi_table *t, const fvi_linear_oscillator *problem,
+static int exact_batch(fvi_table *t, const fvi_linear_oscillator *problem,
                        const long_table *all, size_t count, const size_t *step)
 {
     double time[BATCH], x[BATCH], v[BATCH];
@@ -47,7 +48,7 @@ static int exact_batch(const fvi_table *t, const fvi_linear_oscillator *problem,
         double p = problem->m * v[i];
         if (isnan(x[i]))
             return fvi_stopped_at(step[i], status ? status : FVI_EOVRFLW);
-        int finite = fvi_table_take(t, step[i], &x[i], &p);
+        int finite = fvi_run_state_row(t, step[i], &x[i], &p);
         if (finite != FVI_SUCCESS)
             return fvi_stopped_at(step[i], finite);
     }
@@ -55,7 +56,7 @@ static int exact_batch(const fvi_table *t, const fvi_linear_oscillator *problem,
     return 0;
 }
 
-static int exact_batches(const fvi_table *t, const fvi_linear_oscillator *problem,
+static int exact_batches(fvi_table *t, const fvi_linear_oscillator *problem,
                          const long_table *all)
 {
     size_t step[BATCH], count = 1;
@@ -77,7 +78,7 @@ static int exact_batches(const fvi_table *t, const fvi_linear_oscillator *proble
 /* All steps at once where they are more than a batch and one in 31 or more is a row, as a
  * row by itself costs what tens of them do; or in batches: then, too, if there is no memory
  * for them. With a law fvi_exact_at promises more. */
-static int exact_rows(const fvi_table *t, const fvi_linear_oscillator *problem)
+static int exact_rows(fvi_table *t, const fvi_linear_oscillator *problem)
 {
     const size_t N = t->o->steps, MOST = (size_t)1 << 24; /* 256 MB */
     long_table all = { NULL, NULL, FVI_SUCCESS };

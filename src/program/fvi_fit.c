@@ -13,7 +13,7 @@
 
 /* Of a run, and not of a fit, which takes its times from the data. */
 static const char *const not_for_fit[] = { "steps",      "time",     "error",
-                                           "step-error", "damping",  "columns",
+                                           "step-error", "damping",  "columns", "reduce",
                                            "every",      "format",   "plot",
                                            "checkpoint", "continue", "system",
                                            "unknowns",   "snapshot", "longest",

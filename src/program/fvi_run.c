@@ -49,20 +49,6 @@ double *fvi_run_room(const fvi_table *t)
                                  : fvi_run_bytes(o->method, &run));
 }
 
-int fvi_run_row(const fvi_table *t, fvi_stepper *s, size_t k)
-{
-    const size_t d = t->o->d;
-    const double time = (double)k * t->o->h;
-    if (s->t == time)
-        return fvi_table_take(t, k, s->x, s->p);
-    double *x = malloc(2 * d * sizeof *x);
-    int status = x ? fvi_stepper_advance_to(s, time, x, x + d) : FVI_ENOMEM;
-    if (!status)
-        status = fvi_table_take(t, k, x, x + d);
-    free(x);
-    return status;
-}
-
 /* After a step, of a run that has become too stiff for its step. Returns a status. */
 static int warn_along(fvi_watch *w, const fvi_stepper *s)
 {
@@ -106,7 +92,7 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
     if (status)
         return fvi_stopped_at(t->begin, status);
     while (s->k < steps && !ferror(t->out) && !fvi_checkpoint_stopped()) {
-        status = fvi_stepper_step(s);
+        status = fvi_run_step(t, s);
         if (status)
             return stopped(t->o, s, status);
         status = warn_along(w, s);
@@ -133,7 +119,8 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
             && fvi_checkpoint_write(c, t, s))
             return 1;
     }
-    return 0;
+    status = s->k == steps ? fvi_run_reductions(t) : FVI_SUCCESS;
+    return status ? fvi_stopped_at(steps, status) : 0;
 }
 
 int fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
@@ -246,12 +233,15 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
     fvi_table_shape(&t, o, system);
     if ((t.rows = fvi_run_room(&t)))
         status = fvi_stepper_start(o->method, &r, &s, &error);
+    if (!status)
+        status = fvi_run_observe(&t, s);
     failed = status && o->mechanism && error.field
                  ? fvi_refused(&error, "run")
              : status ? fvi_complain_of_start(o, status)
-                    : fvi_checkpoint_begin(o, s, &c);
+                    : fvi_checkpoint_begin(&t, s, &c);
     if (!failed)
         failed = run_to_the_end(&t, &r, s, &c);
+    fvi_observer_free(t.observer);
     fvi_stepper_free(s);
     fvi_checkpoint_free(&c);
     free(t.rows);

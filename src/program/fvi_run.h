@@ -26,9 +26,23 @@ int fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
  * warning has: what is read as JSON keeps one of two. */
 void fvi_run_head(FILE *out, const fvi_options *o, const char *unstable);
 
-/* fvi_run_row -- take row k, which the run has reached or just passed. Returns what
- * fvi_table_take and fvi_stepper_advance_to return, or FVI_ENOMEM. */
-int fvi_run_row(const fvi_table *t, fvi_stepper *s, size_t k);
+/* fvi_run_observe -- at the start of a run, or again: t->observer, if a column or a reduction needs
+ * one; free it with fvi_observer_free. fvi_run_step -- one step, with what is observed of it.
+ * Both return as fvi_observer_start and fvi_observer_step. */
+int fvi_run_observe(fvi_table *t, const fvi_stepper *s);
+int fvi_run_step(fvi_table *t, fvi_stepper *s);
+
+/* fvi_run_row -- take row k, which the run has reached or just passed; nothing with reductions. Returns
+ * what fvi_table_take, fvi_observer_read and fvi_stepper_advance_to return, or FVI_ENOMEM. */
+int fvi_run_row(fvi_table *t, fvi_stepper *s, size_t k);
+
+/* fvi_run_state_row -- the same of a state that no stepper has; without sums over the steps. */
+int fvi_run_state_row(fvi_table *t, size_t k, const double *x, const double *p);
+
+/* fvi_run_reduced -- the reductions of a run that is over, t->width numbers.
+ * fvi_run_reductions -- they are printed, if any are asked for. FVI_EOVRFLW if one is not finite. */
+void fvi_run_reduced(const fvi_table *t, double *row);
+int fvi_run_reductions(const fvi_table *t);
 
 /* fvi_snapshot -- a line for each unknown of s, number, x and p, into o->snapshot, complete or
  * not at all, if there is such a name. Returns 0, or 1 after it has said what is wrong. */

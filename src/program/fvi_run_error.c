@@ -141,7 +141,7 @@ static int print_found(const fvi_options *o, const fvi_system *system,
         int status = 0;
         size_t k = 0;
         for (; k <= o->steps && !status && !ferror(t.out); k++)
-            status = fvi_table_take(&t, k, x + k * o->d, p + k * o->d);
+            status = fvi_run_state_row(&t, k, x + k * o->d, p + k * o->d);
         failed =
             fvi_table_close(&t, status ? fvi_stopped_at(k - 1, status) : 0);
     }

@@ -54,13 +54,18 @@ static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
     if (v.status)
         return v;
     v.unstable = fvi_warning_of_step(o->method, r, sizeof unstable, unstable);
-    v.status = v.unstable < 0 ? FVI_ENOMEM : fvi_table_take(t, 0, s->x, s->p);
+    v.status = v.unstable < 0 ? FVI_ENOMEM : fvi_run_observe(t, s);
+    if (!v.status)
+        v.status = fvi_run_row(t, s, 0);
     while (!v.status && s->k < o->steps) {
         v.step = s->k + 1;
-        v.status = fvi_stepper_step(s);
+        v.status = fvi_run_step(t, s);
     }
     if (!v.status)
         v.status = fvi_run_row(t, s, o->steps);
+    if (!v.status && fvi_reductions_count(o->typed) > 0)
+        fvi_run_reduced(t, t->rows + t->width);
+    fvi_observer_free(t->observer);
     fvi_stepper_free(s);
     return v;
 }
@@ -76,9 +81,9 @@ static verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
     if (x)
         v.status = fvi_run_search(o, o->method, r, x, p, &found);
     if (!v.status)
-        v.status = fvi_table_take(t, 0, x, p);
+        v.status = fvi_run_state_row(t, 0, x, p);
     if (!v.status)
-        v.status = fvi_table_take(t, o->steps, x + last, p + last);
+        v.status = fvi_run_state_row(t, o->steps, x + last, p + last);
     free(x);
     return v;
 }

@@ -167,7 +167,20 @@ typedef struct {
     double quantile, sigma, chi2, probability, neighbours;
     size_t agree;
     double h, bias, reached;
+    ...;
 } fvi_estimate;
+typedef struct {
+    double lower[8], upper[8];
+    unsigned flags, grave;
+    double probability[5];
+    ...;
+} fvi_examination;
+int fvi_estimate_examine(const fvi_estimation *fit, const fvi_estimate *fitted, fvi_examination *examined);
+int fvi_estimate_flag_text(const fvi_estimation *fit, const fvi_estimate *fitted, const fvi_examination *examined,
+                           unsigned flag, const char *const *names, size_t size, char *text);
+int fvi_estimate_warning_of_unseen(const fvi_estimation *fit, const fvi_estimate *fitted,
+                                   const fvi_examination *examined, size_t which, const char *const *names,
+                                   size_t size, char *text);
 int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
 int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estimate *fitted);
 
@@ -183,8 +196,6 @@ typedef struct {
 int fvi_typed_force_is_simple(const fvi_typed_force *force, fvi_forcing *kind, double *constants);
 int fvi_estimate_warning_of_pair(const fvi_estimate *fitted, size_t i, size_t j, const char *name_i,
                             const char *name_j, size_t size, char *text);
-int fvi_estimate_warning_of_model(const fvi_estimation *fit, const fvi_estimate *fitted, size_t size, char *text);
-int fvi_estimate_warning_of_step(const fvi_estimation *fit, const fvi_estimate *fitted, size_t size, char *text);
 int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimate *fitted, const char *names,
                    const char *dashes, size_t size, char *text);
 const char *fvi_estimate_warning_of_initial_history(const fvi_estimation *fit, const fvi_estimate *fitted);

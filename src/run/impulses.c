@@ -63,16 +63,20 @@ static double share(double t, double h, size_t k)
     return fmax(0, 1 - fabs(steps - (double)k)); /* (2.15) */
 }
 
-void fvi_impulses_act(fvi_stepper *s, size_t k)
+void fvi_impulses_add(const fvi_force *force, double h, size_t k, size_t d,
+                      double *J)
 {
-    const fvi_force *force = &s->run.system->force;
-    const double h = s->run.h;
     for (size_t i = first(force, ((double)k - 1) * h);
          i < force->impulse_count && force->impulses[i].t < (double)(k + 1) * h;
          i++) {
         const double part = share(force->impulses[i].t, h, k);
-        for (size_t j = 0; j < s->run.system->d; j++)
-            s->p[j] += part * force->impulses[i].J[j];
+        for (size_t j = 0; j < d; j++)
+            J[j] += part * force->impulses[i].J[j];
     }
 }
 //< share
+
+void fvi_impulses_act(fvi_stepper *s, size_t k)
+{
+    fvi_impulses_add(&s->run.system->force, s->run.h, k, s->run.system->d, s->p);
+}

@@ -9,8 +9,12 @@
  * times fall. Field "impulses", the index that of the impulse. Cost O(n d). */
 int fvi_impulses_check(const fvi_force *force, size_t d, fvi_error *error);
 
-/* fvi_impulses_act -- add to p what falls to node k, (2.15). Cost O(log n) of n impulses,
- * and O(d) for each within a step of the node. */
+/* fvi_impulses_add -- add to J, d numbers, what falls to node k of steps h, (2.15). Cost O(log n) of n
+ * impulses, and O(d) for each within a step of the node. */
+void fvi_impulses_add(const fvi_force *force, double h, size_t k, size_t d,
+                      double *J);
+
+/* fvi_impulses_act -- the same, added to p. */
 void fvi_impulses_act(fvi_stepper *s, size_t k);
 
 #endif

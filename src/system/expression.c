@@ -198,16 +198,17 @@ static size_t variables(const fvi_symbols *names, fvi_tape_state state)
                                   : names->d;
 }
 
+/* finder is NULL, or names the coordinates. */
 static int parse_in(const char *text, const fvi_symbols *names,
-                    fvi_tape_state state, const double *values,
-                    fvi_expression **e, fvi_misprint *wrong)
+                    fvi_tape_state state, const fvi_name_finder *finder,
+                    const double *values, fvi_expression **e,
+                    fvi_misprint *wrong)
 {
-    if (!text || !names || !e || (names->d > 0 && !names->variable))
-        FVI_FAIL("null pointer", FVI_EFAULT);
     fvi_misprint place = { 0, "not enough memory" };
     builder *w = calloc(1, sizeof *w);
     fvi_expression *new = calloc(1, sizeof *new);
-    int status = w && new ? fvi_parse(text, names, state, &w->node, &w->count, &place)
+    int status = w && new ? fvi_parse(text, names, state, finder, &w->node,
+                                      &w->count, &place)
                           : FVI_ENOMEM;
     if (!status) {
         const int root = (int)w->count - 1;
@@ -216,7 +217,7 @@ static int parse_in(const char *text, const fvi_symbols *names,
                                  .degree = w->node[root].degree };
         w->e = new;
         w->room = w->count;
-        if (new->d > 1)
+        if (new->d > 1 && !finder)
             take_apart(w, root, ONE);
         else
             add_term(w, root);
@@ -240,20 +241,33 @@ int fvi_expression_parse(const char *text, const fvi_symbols *names,
                          const double *values, fvi_expression **e,
                          fvi_misprint *wrong)
 {
-    return parse_in(text, names, TAPE_PLACE, values, e, wrong);
+    if (!text || !names || !e || (names->d > 0 && !names->variable))
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    return parse_in(text, names, TAPE_PLACE, NULL, values, e, wrong);
 }
 
 int fvi_expression_parse_state(const char *text, const fvi_symbols *names,
                                int velocities, const double *values,
                                fvi_expression **e, fvi_misprint *wrong)
 {
-    return parse_in(text, names, velocities ? TAPE_VELOCITY : TAPE_TIME, values,
-                    e, wrong);
+    if (!text || !names || !e || (names->d > 0 && !names->variable))
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    return parse_in(text, names, velocities ? TAPE_VELOCITY : TAPE_TIME, NULL,
+                    values, e, wrong);
 }
 
 size_t fvi_expression_variables(const fvi_expression *e)
 {
     return e->d;
+}
+
+int fvi_expression_parse_of(const char *text, const fvi_name_finder *finder,
+                            const fvi_symbols *names, const double *values,
+                            fvi_expression **e, fvi_misprint *wrong)
+{
+    if (!text || !finder || !names || !e)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    return parse_in(text, names, TAPE_PLACE, finder, values, e, wrong);
 }
 
 void fvi_expression_free(fvi_expression *e)

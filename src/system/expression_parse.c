@@ -16,6 +16,7 @@ typedef struct {
     const char *text, *at;
     const fvi_symbols *names;
     fvi_tape_state state;
+    const fvi_name_finder *finder;
     fvi_node *node;
     size_t count, room;
     int depth, status;
@@ -140,10 +141,12 @@ static int is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-static size_t name_length(const char *at)
+/* With points, as in d1.force, or without. */
+static size_t name_length(const char *at, int points)
 {
     size_t n = 0;
-    while (is_letter(at[n]) || (n > 0 && is_digit(at[n])))
+    while (is_letter(at[n]) || (n > 0 && is_digit(at[n]))
+           || (points && n > 0 && at[n] == '.' && is_letter(at[n + 1])))
         n++;
     return n;
 }
@@ -248,8 +251,9 @@ static int coordinate(const parser *p, const char *at, size_t length)
 static int name(parser *p)
 {
     const char *from = p->at;
-    const size_t length = name_length(from);
-    const int i = coordinate(p, from, length);
+    const size_t length = name_length(from, p->finder != NULL);
+    const int i = p->finder ? p->finder->find(from, length, p->finder->params)
+                            : coordinate(p, from, length);
     p->at += length;
     if (i >= 0)
         return append(p, (fvi_node){ TAPE_COORDINATE, 1, i, 0, 0 });
@@ -268,7 +272,7 @@ static int name(parser *p)
 int fvi_symbol_is_free(const char *name, const char *variable)
 {
     const size_t length = strlen(name), stem = strlen(variable);
-    if (length == 0 || name_length(name) != length || strcmp(name, "pi") == 0)
+    if (length == 0 || name_length(name, 0) != length || strcmp(name, "pi") == 0)
         return 0;
     for (int f = 0; fvi_tape_functions[f]; f++)
         if (strcmp(name, fvi_tape_functions[f]) == 0)
@@ -351,9 +355,14 @@ static int sum(parser *p)
 }
 
 int fvi_parse(const char *text, const fvi_symbols *names, fvi_tape_state state,
-              fvi_node **node, size_t *count, fvi_misprint *wrong)
+              const fvi_name_finder *finder, fvi_node **node, size_t *count,
+              fvi_misprint *wrong)
 {
-    parser p = { .text = text, .at = text, .names = names, .state = state };
+    parser p = { .text = text,
+                 .at = text,
+                 .names = names,
+                 .state = state,
+                 .finder = finder };
     sum(&p);
     skip_spaces(&p);
     if (*p.at)

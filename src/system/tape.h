@@ -60,10 +60,11 @@ typedef enum { TAPE_PLACE, TAPE_TIME, TAPE_VELOCITY } fvi_tape_state;
 
 /* fvi_parse -- a text into nodes, children before their parents, the root last.
  *
- * Constants are worked out. Returns FVI_SUCCESS, FVI_EINVAL with *wrong filled, or
+ * finder may be NULL. Constants are worked out. Returns FVI_SUCCESS, FVI_EINVAL with *wrong filled, or
  * FVI_ENOMEM; *node, *count are to be freed by the caller if 0 is returned. */
 int fvi_parse(const char *text, const fvi_symbols *names, fvi_tape_state state,
-              fvi_node **node, size_t *count, fvi_misprint *wrong);
+              const fvi_name_finder *finder, fvi_node **node, size_t *count,
+              fvi_misprint *wrong);
 
 /* fvi_tape_value -- of the last of n nodes.
  *

@@ -256,6 +256,10 @@ void fvi_variable_step_shapes(size_t s, const double *theta, fvi_square *R);
 /* fvi_variable_step_dense -- as fvi_method has it.                               (22.18) */
 int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p);
 
+/* fvi_variable_step_acceleration -- x'' at a time within the last step, d numbers: the polynomial that
+ * dense integrates, and G'' of a singular start. Returns as dense. */
+int fvi_variable_step_acceleration(const fvi_stepper *s, double t, double *a);
+
 /* fvi_singular_power -- a_n of (22.19) and (22.23). */
 static inline double fvi_singular_power(const fvi_singular *g, size_t n)
 {
@@ -290,6 +294,9 @@ void fvi_singular_fill(const fvi_system *system, double alpha, double T,
  * Any of the outputs may be NULL. */
 void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
                      double *slope, double *pull);
+
+/* fvi_singular_acceleration -- G'' of coordinate j at t > 0. */
+double fvi_singular_acceleration(const fvi_singular *g, size_t j, double t);
 
 /* fvi_singular_moment -- sum_n d_n I(a_n, S) of (22.20), S >= 0, from what
  * fvi_singular_sums makes of d_n and a_n > 0, n < count. To 1e-14 of sum |d_n| I(a_n, S), or

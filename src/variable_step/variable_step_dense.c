@@ -128,6 +128,26 @@ int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p
 }
 //< dense
 
+int fvi_variable_step_acceleration(const fvi_stepper *s, double t, double *a)
+{
+    fvi_variable_step_state *o = s->method_state;
+    const double h = s->t - o->t0, theta = (t - o->t0) / h;
+    if (!(h > 0 && theta >= 0 && theta <= 1))
+        return FVI_EDOM;
+    if (!o->powers_known)
+        make_powers(o);
+    for (size_t j = 0; j < o->d; j++) {
+        const double *g = o->powers + j * FVI_LANES;
+        double sum = 0;
+        for (size_t n = FVI_LANES; n-- > 0;)
+            sum = sum * theta + g[n];
+        a[j] = sum / h;
+        if (fvi_singular_is(o, o->t0) && t > 0)
+            a[j] += fvi_singular_acceleration(&o->singular, j, t);
+    }
+    return FVI_SUCCESS;
+}
+
 /* ---- behind it: Legendre's polynomials, which powers would not do for ---- */
 
 /* What the recurrence multiplies by: no row has to wait for a quotient. */

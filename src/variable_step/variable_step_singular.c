@@ -182,6 +182,17 @@ void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
 }
 //< at
 
+double fvi_singular_acceleration(const fvi_singular *g, size_t j, double t)
+{
+    const double *c = g->c + j * (g->J + 1), q = g->ratio[j] * pow(t, g->gap);
+    double second = 0;
+    for (size_t n = g->J; n > 0; n--) {
+        const double a = fvi_singular_power(g, n);
+        second = second * q + c[n] * a * (a - 1);
+    }
+    return g->e == 1 ? second * q / t : second * q / (t * t);
+}
+
 /* The sums of (22.20) over the terms of G, that over the modes need not do them again:
  * sum_n d_n I(a_n, S) is e^{-S} sum_k B_k S^k, and sum_k D_k / S^{k+1} as S grows,
  *

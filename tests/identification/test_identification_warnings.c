@@ -3,7 +3,7 @@
  * Run alone: make test-identification_warnings */
 #include "identification_runs.h"
 
-START_TEST(each_flag_of_an_answer_has_its_words)
+START_TEST(two_that_are_alike_have_their_words)
 {
     char text[FVI_WARNING_ROOM] = "";
     question q;
@@ -15,21 +15,58 @@ START_TEST(each_flag_of_an_answer_has_its_words)
                            "(correlation -0.950)");
     f.correlation[0][1] = 0.89;
     ck_assert(!fvi_estimate_warning_of_pair(&f, 0, 1, "", "", sizeof text, text));
-    f.bias = 0.02;
-    ck_assert(!fvi_estimate_warning_of_step(&q.fit, &f, sizeof text, text));
-    f.bias = 0.03;
-    ck_assert(fvi_estimate_warning_of_step(&q.fit, &f, sizeof text, text));
-    ck_assert_ptr_nonnull(strstr(text, "0.03 sd"));
-    f.bias = NAN;
-    ck_assert(fvi_estimate_warning_of_step(&q.fit, &f, sizeof text, text));
-    q.fit.h = 0.1; /* which was given: nothing was halved */
-    ck_assert(!fvi_estimate_warning_of_step(&q.fit, &f, sizeof text, text));
-    q.fit.n = 100;
-    f.neighbours = -0.49;
-    ck_assert(!fvi_estimate_warning_of_model(&q.fit, &f, sizeof text, text));
-    f.neighbours = -0.51;
-    ck_assert(fvi_estimate_warning_of_model(&q.fit, &f, sizeof text, text));
-    ck_assert_ptr_nonnull(strstr(text, "(correlation -0.51)"));
+}
+END_TEST
+
+START_TEST(each_flag_has_its_words)
+{
+    static const char *const names[] = { "alpha", "rho" };
+    static const struct {
+        unsigned flag;
+        const char *words;
+    } flags[] = {
+        { FVI_FLAG_NO_MOTION, "no motion is seen" },
+        { FVI_FLAG_NEIGHBOURS, "neighbouring residuals are alike (correlation 0.51)" },
+        { FVI_FLAG_OFFSET, "have a mean" },
+        { FVI_FLAG_DRIFT, "have a slope" },
+        { FVI_FLAG_PATTERN, "have a smooth pattern" },
+        { FVI_FLAG_VALLEYS, "another minimum is nearly as good (chi2 12, and 10 here)" },
+        { FVI_FLAG_BETTER, "the fit became better" },
+        { FVI_FLAG_STEP, "half the step moved the estimates by 3 sd" },
+        { FVI_FLAG_BIASED, "too long by far: half of it moved the estimates by 3 sd" },
+        { FVI_FLAG_OPEN, "the data exclude no value of rho" },
+    };
+    question q;
+    ask(&q, NULL, 2);
+    const fvi_estimate f = { .neighbours = 0.51, .chi2 = 10, .bias = 3, .quantile = 2 };
+    fvi_examination e = { .upper = { 1, INFINITY }, .lower = { 0.1, 0 }, .chi2 = 12 };
+    for (size_t i = 0; i < LEN(flags); i++) {
+        char text[FVI_WARNING_ROOM] = "";
+        e.flags = ~flags[i].flag;
+        ck_assert(!fvi_estimate_flag_text(&q.fit, &f, &e, flags[i].flag, names,
+                                          sizeof text, text));
+        ck_assert_str_eq(text, "");
+        e.flags = flags[i].flag;
+        ck_assert(fvi_estimate_flag_text(&q.fit, &f, &e, flags[i].flag, names,
+                                         sizeof text, text));
+        ck_assert_msg(strstr(text, flags[i].words), "%s: %s", flags[i].words, text);
+    }
+}
+END_TEST
+
+START_TEST(what_nobody_sees_has_its_words)
+{
+    static const char *const names[] = { "alpha", "rho" };
+    char text[FVI_WARNING_ROOM] = "";
+    question q;
+    ask(&q, NULL, 2);
+    const fvi_estimate f = { .quantile = 2 };
+    const fvi_examination e = { .unseen = { 0.5, 0.25 },
+                                .swayed = { { 1, -6 }, { 1.9, 0 } } };
+    ck_assert(fvi_estimate_warning_of_unseen(&q.fit, &f, &e, 0, names, sizeof text, text));
+    ck_assert_str_eq(text, "an offset of 0.5 sigma would not be seen in the residuals and moves rho "
+                           "by 6 sd: fit offset, too, or be sure that there is none");
+    ck_assert(!fvi_estimate_warning_of_unseen(&q.fit, &f, &e, 1, names, sizeof text, text));
 }
 END_TEST
 
@@ -55,7 +92,7 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("24 identification, warnings");
-    ADD_CASE(suite, "values", each_flag_of_an_answer_has_its_words,
-             an_answer_that_no_motion_has_is_warned_of);
+    ADD_CASE(suite, "values", two_that_are_alike_have_their_words,
+             each_flag_has_its_words, what_nobody_sees_has_its_words, an_answer_that_no_motion_has_is_warned_of);
     return run_suite(suite);
 }

@@ -86,7 +86,8 @@ START_TEST(a_misprint_is_shown)
                       "fvi-adaptive");
     ck_assert_refused(
         "run --columns t,q",
-        "fvi: --columns: 'q' in 't,q' is none of t, x, p, energy, y");
+        "fvi: --columns: 'q' is none of t, x, p, v, a, F, energy, work, "
+        "balance, y, d1.force, nor an expression");
 }
 END_TEST
 

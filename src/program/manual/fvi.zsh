@@ -14,7 +14,8 @@ else
     --potential) known=(harmonic: duffing: pendulum: free chain:) ;;
     --force) known=(none step: cosine: impulse: file:) ;;
     --damping) known=(viscous: spring: power: zener: maxwell: maxwell2: davidson: distributed: symbol:) ;;
-    --columns) known=(t,x t,x,p,energy) ;;
+    --columns) known=(t,x t,x,p,energy t,x,v,a t,x,d1.force t,x,work,balance) ;;
+    --reduce) known=('max(x)' 'peak(x)' 'rms(x)' 'mean(x)' 'at(max(x))') ;;
     --of) known=(x p energy); [[ $words[2] == response ]] && known=(receptance mobility accelerance ground moduli) ;;
     -o|--plot|--snapshot|--system|--checkpoint|--curve|--forces) _files; return ;;
     *) known=(${(f)"$(fvi help $words[2] 2>/dev/null | grep -oE -- '--[a-z0-9-]+' | sort -u)"}) ;;

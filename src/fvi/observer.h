@@ -1,0 +1,115 @@
+/* src/fvi/observer.h -- Velocities, accelerations, forces and work along a run.
+ *
+ * A stepper knows x and p. An observer goes with it and adds up what else is asked: the impulse of
+ * each damper, its work, the work of the force.
+ *
+ *     fvi_observer *o;
+ *     if (fvi_observer_start(s, FVI_OBSERVE_FORCE | FVI_OBSERVE_VELOCITY, &o, &error) == FVI_SUCCESS) {
+ *         while (s->k < s->run.steps && fvi_observer_step(o, s) == FVI_SUCCESS
+ *                && fvi_observer_read(o, s, s->t, &now) == FVI_SUCCESS)
+ *             printf("%g %g %g\n", now.t, now.v[0], now.force[0]);
+ *         fvi_observer_free(o);
+ *     }
+ *
+ * Orders. v = M^-1 p, of the order of p. The impulse of a damper is what the momenta leave for it,
+ *
+ *     J(t_k) = p_0 - p_k + the method's own sums of F - grad U,
+ *
+ * and of the order of p. Its force at a node is the derivative of J, by backward differences of
+ * the impulses of the last steps, of an order that is one above the highest of the method, 9 at
+ * most; near t = 0, where J = t^q g(t) with q = 2 - the order of the damping, by those of g. So
+ * force and a have the order of p at a fixed t; at the first nodes they are of low order, as p is.
+ * The acceleration is the equation of motion, a = M^-1 (F - grad U - force). Differences reach back
+ * over a jump of F: a few rows behind it are of low order.
+ * The work of one damper is what the energy has lost, E_0 - E + the work of F, with stages, where the
+ * sum of force times motion would lose order in the first steps; and where that sum is not
+ * known: where the past pulls with a force that is singular at t = 0, at alpha = 1, and of a method
+ * that chooses its steps. Else it is the method's own sum. The balance takes the own sum wherever it is
+ * known, and is E_0 but for the errors of the method; else it is E_0 by itself.
+ * A method that chooses its steps knows x'' as the polynomial of its step: an order less than p.
+ *
+ * A run with one law, or alpha, has one damper, d1, of d forces. That of a mechanism (dampers.h)
+ * has a force along its elongation, and a structure's a force on each unknown. */
+#ifndef FVI_OBSERVER_H
+#define FVI_OBSERVER_H
+
+#include "trajectory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+typedef struct fvi_observer fvi_observer;
+
+/* What is asked for, added. VELOCITY: v; ACCELERATION: a; FORCE, IMPULSE: of the dampers; WORK: of the
+ * dampers and of the force, and the balance; ENERGY: E; APPLIED: F. */
+enum {
+    FVI_OBSERVE_VELOCITY = 1,
+    FVI_OBSERVE_ACCELERATION = 2,
+    FVI_OBSERVE_FORCE = 4,
+    FVI_OBSERVE_IMPULSE = 8,
+    FVI_OBSERVE_WORK = 16,
+    FVI_OBSERVE_ENERGY = 32,
+    FVI_OBSERVE_APPLIED = 64
+};
+
+/* fvi_observation -- what is known at a time. What was not asked for is of no use. The arrays
+ * belong to the observer, until it is read again.
+ *
+ *   x, p, v, a, F   d numbers each
+ *   force, impulse  of the dampers, one after another, each as many numbers as its width
+ *   work            of each damper
+ *   work_of_force   by F, and by impulses of the force
+ *   energy          E
+ *   balance         E + work of the dampers - work_of_force: E at t = 0, see above
+ *   is_mean         nonzero if force and a are infinite at this time, t = 0, and are their means over
+ *                   the first row in their place: held with v_0 != 0 and an order above 1 */
+typedef struct {
+    double t;
+    const double *x, *p, *v, *a, *F, *force, *impulse, *work;
+    double work_of_force, energy, balance;
+    int is_mean;
+} fvi_observation;
+
+/* fvi_observer_start -- of a stepper at k = 0.
+ *
+ *   wanted  what will be read: nothing else is computed
+ *   o       output; free it with fvi_observer_free
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL if s is not at its start; FVI_EUNSUP for a
+ * sum that a method does not know; FVI_ENOMEM; what a function of the system returned. */
+int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **o,
+                       fvi_error *error);
+
+/* fvi_observer_step -- fvi_stepper_step, and what it did is added. Errors as there. */
+int fvi_observer_step(fvi_observer *o, fvi_stepper *s);
+
+/* fvi_observer_read -- what is known at a time: s->t, or one within the last step of a method that
+ * chooses its steps. Every step of s was made by fvi_observer_step.
+ *
+ * Returns FVI_SUCCESS; FVI_EOVRFLW if a number is not finite; FVI_EDOM if there is no state at t; what
+ * a function of the system returned. Cost: of what was asked, of a and the energy a gradient
+ * and a value of U. */
+int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
+                      fvi_observation *now);
+
+/* fvi_observer_dampers -- how many there are; 1 without a mechanism, damped or not.
+ * fvi_observer_width -- how many forces damper j, from 0, has.
+ * The name of a mechanism's damper is its own (dampers.h). */
+size_t fvi_observer_dampers(const fvi_observer *o);
+size_t fvi_observer_width(const fvi_observer *o, size_t j);
+
+/* fvi_observer_copy -- the same again, for a copy of the stepper. FVI_ENOMEM.
+ * fvi_observer_archive -- its sums, as fvi_stepper_archive shows those of the stepper.
+ * fvi_observer_free -- give everything back. NULL is allowed. */
+int fvi_observer_copy(const fvi_observer *from, fvi_observer **to);
+int fvi_observer_archive(fvi_observer *o, fvi_archive *archive);
+void fvi_observer_free(fvi_observer *o);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

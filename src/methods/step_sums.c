@@ -1,0 +1,238 @@
+/* src/methods/step_sums.c -- What a damper and the force did in one step. */
+#include "step_sums.h"
+
+#include "convolution_quadrature_dampers.h"
+#include "lobatto_stages.h"
+
+#include <gsl/gsl_machine.h>
+#include <math.h>
+#include <string.h>
+
+/* F at a time, zeros if there is none. */
+static int force_at(const fvi_stepper *s, double t, double *F)
+{
+    const fvi_force *force = &s->run.system->force;
+    const size_t d = s->run.system->d;
+    if (force->value)
+        return force->value(t, d, force->params, F);
+    memset(F, 0, d * sizeof *F);
+    return FVI_SUCCESS;
+}
+
+static int is_of_order_1(const fvi_method *m)
+{
+    return m->scheme == FVI_SCHEME_CLASSICAL || m->scheme == FVI_SCHEME_FVI;
+}
+
+size_t fvi_step_dampers(const fvi_system *system)
+{
+    return system->matrices && system->mechanism
+               ? system->mechanism->damper_count
+               : 1;
+}
+
+/* ---- several dampers: each from its own history ---- */
+
+static int is_several(const fvi_stepper *s)
+{
+    return s->run.system->matrices && s->run.system->mechanism;
+}
+
+/* The part of each damper's force that acts at the begin of a step, (13.10). */
+static int begin_several(const fvi_stepper *s, double *dampers)
+{
+    const fvi_cq_state *o = s->method_state;
+    const size_t d = s->run.system->d,
+                 count = fvi_step_dampers(s->run.system);
+    int status = FVI_SUCCESS;
+    memset(dampers, 0, count * d * sizeof *dampers);
+    for (size_t j = 0; !is_of_order_1(s->method) && j < o->count && !status; j++)
+        if (o->each[j].theta != 0.5)
+            status = fvi_damping_apply_force(o->each[j].damping,
+                                             o->each[j].theta - 0.5,
+                                             o->each[j].H, dampers + j * d);
+    return status;
+}
+
+/* And the part at its end, with the impulses of the past at both. */
+static int end_several(const fvi_stepper *s, const double *begun,
+                       double *dampers)
+{
+    const fvi_cq_state *o = s->method_state;
+    const size_t d = s->run.system->d,
+                 count = fvi_step_dampers(s->run.system);
+    const fvi_damping *own = fvi_damping_of(s);
+    int status = FVI_SUCCESS;
+    memcpy(dampers, begun, count * d * sizeof *dampers);
+    for (size_t j = 0; is_of_order_1(s->method) && own && !status;
+         j++, own = own->next)
+        status = fvi_damping_apply_force(own, -1, own->z, dampers + j * d);
+    for (size_t j = 0; !is_of_order_1(s->method) && j < o->count && !status;
+         j++) {
+        const fvi_cq_damper *a = o->each + j;
+        status = fvi_damping_apply_force(a->damping, -0.5 - a->theta, a->H,
+                                         dampers + j * d);
+        for (size_t i = 0; a->history_force.size && i < d; i++)
+            dampers[j * d + i] += a->history_force.size[i]
+                                  * (a->impulse[0] + a->impulse[1]);
+    }
+    return status;
+}
+
+int fvi_step_begins(const fvi_stepper *s, fvi_step_begin *begin)
+{
+    const size_t bytes = s->run.system->d * sizeof *s->x;
+    memcpy(begin->x, s->x, bytes);
+    memcpy(begin->p, s->p, bytes);
+    if (is_several(s)) {
+        const int status = begin_several(s, begin->dampers);
+        if (status)
+            return status;
+    }
+    if (is_of_order_1(s->method) || s->method->stages)
+        return FVI_SUCCESS;
+    return force_at(s,
+                    fmax((double)s->k * s->run.h * (1 + 4 * GSL_DBL_EPSILON),
+                         GSL_DBL_MIN),
+                    begin->F); /* (13.12) */
+}
+
+/* Of one gradient in a step, and one force at its end, or half of it at either end. */
+static void of_nodes(const fvi_stepper *s, const fvi_step_begin *begin,
+                     const double *hit, fvi_step_sums *sums)
+{
+    const double h = s->run.h;
+    const int whole = is_of_order_1(s->method);
+    for (size_t j = 0; j < s->run.system->d; j++) {
+        const double F = whole ? s->F[j] : (begin->F[j] + s->F[j]) / 2,
+                     v = (s->x[j] - begin->x[j]) / h;
+        if (!is_several(s)) {
+            sums->damper[j] =
+                h * (F - s->g[j]) - (s->p[j] - hit[j] - begin->p[j]);
+            *sums->work += sums->damper[j] * v;
+        }
+        sums->by_force += h * F * v;
+    }
+}
+
+/* ---- stages ---- */
+
+/* The velocities V_i of coordinate j: the slope of the polynomial through X_i, (17.3), which in form
+ * D jumps from x_k to X_1. */
+static void velocities(const fvi_stepper *s, const fvi_lobatto_stages *o,
+                       size_t j, double *V)
+{
+    const int jumps = s->method->damped_inertia;
+    for (size_t i = 0; i < o->s; i++) {
+        V[i] = i == 0 && jumps ? o->dX[j] / o->rule->b[0] : 0;
+        for (size_t c = 0; c < o->s; c++)
+            V[i] += o->rule->D[i][c]
+                    * (c == 0 && !jumps ? 0 : o->dX[c * o->d + j]);
+        V[i] /= s->run.h;
+    }
+}
+
+/* h b_i times the damping's force at each stage: of form M it stands in S; in form D it is what
+ * (17.24) leaves for it. */
+static void impulses(const fvi_stepper *s, const fvi_lobatto_stages *o,
+                     size_t j, const double *F, const double *V, double v,
+                     double *impulse)
+{
+    const double m = s->run.system->mass[j];
+    for (size_t i = 0; i < o->s; i++) {
+        const double b = o->rule->b[i], w = s->run.h * b;
+        if (!s->method->damped_inertia) {
+            impulse[i] = o->S[i * o->d + j] + w * F[i * o->d + j];
+            continue;
+        }
+        double slope = i == 0 ? (V[0] - v) / o->rule->b[0] : 0;
+        for (size_t c = 0; c < o->s; c++)
+            slope += o->rule->D[i][c] * V[c];
+        impulse[i] =
+            w * (F[i * o->d + j] - o->grad[i * o->d + j]) - m * b * slope;
+    }
+}
+
+/* At alpha = 1 the damping is a mass, and S has the forces times their share. (17.17) */
+static double as_a_mass(const fvi_stepper *s, const fvi_lobatto_stages *o,
+                        size_t j, const double *F, double change)
+{
+    double pull = 0;
+    for (size_t i = 0; i < o->s; i++)
+        pull += o->S[i * o->d + j]
+                + s->run.h * o->rule->b[i] * o->share[j] * F[i * o->d + j];
+    return (change + pull) / o->share[j] - change;
+}
+
+static int forces_of_stages(const fvi_stepper *s, const fvi_lobatto_stages *o,
+                            double *F)
+{
+    const double h = s->run.h, left = ((double)s->k - 1) * h,
+                 right = (double)s->k * h, in = 4 * GSL_DBL_EPSILON;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < o->s && !status; i++)
+        status = force_at(s,
+                          i == 0            ? left + in * fmax(left, h)
+                          : i + 1 == o->s ? right - in * right
+                                          : left + o->rule->c[i] * h,
+                          F + i * o->d);
+    return status;
+}
+
+/* F has room for the forces of all stages. */
+static int of_stages(const fvi_stepper *s, const fvi_step_begin *begin,
+                     const double *hit, fvi_step_sums *sums)
+{
+    const fvi_lobatto_stages *o = s->method_state;
+    double V[FVI_STAGES], impulse[FVI_STAGES], *F = begin->F;
+    const int status = forces_of_stages(s, o, F);
+    for (size_t j = 0; j < o->d && !status; j++) {
+        const double change = s->p[j] - hit[j] - begin->p[j];
+        velocities(s, o, j, V);
+        impulses(s, o, j, F, V, begin->p[j] / s->run.system->mass[j], impulse);
+        sums->damper[j] =
+            o->share[j] == 1 ? 0 : as_a_mass(s, o, j, F, change);
+        for (size_t i = 0; i < o->s; i++) {
+            if (o->share[j] == 1)
+                sums->damper[j] += impulse[i];
+            *sums->work += impulse[i] * V[i];
+            sums->by_force +=
+                s->run.h * o->rule->b[i] * F[i * o->d + j] * V[i];
+        }
+    }
+    return status;
+}
+
+int fvi_step_ends(const fvi_stepper *s, const fvi_step_begin *begin,
+                  const double *hit, fvi_step_sums *sums)
+{
+    const size_t d = s->run.system->d,
+                 count = fvi_step_dampers(s->run.system);
+    sums->by_force = 0;
+    memset(sums->work, 0, count * sizeof *sums->work);
+    if (s->method->stages)
+        return of_stages(s, begin, hit, sums);
+    of_nodes(s, begin, hit, sums);
+    const int status =
+        is_several(s) ? end_several(s, begin->dampers, sums->damper) : FVI_SUCCESS;
+    for (size_t j = 0; is_several(s) && j < count; j++)
+        for (size_t i = 0; i < d; i++)
+            sums->work[j] += sums->damper[j * d + i]
+                             * ((s->x[i] - begin->x[i]) / s->run.h);
+    return status;
+}
+
+int fvi_step_work_is_known(const fvi_stepper *s)
+{
+    const fvi_lobatto_stages *o = s->method_state;
+    if (s->method->dense)
+        return 0;
+    if (s->run.law ? !is_of_order_1(s->method)
+                         && fvi_kernel_growth(s->run.law) > 1
+                   : s->run.alpha == 1)
+        return 0;
+    if (s->method->stages)
+        return o->history_force.size == NULL;
+    return is_of_order_1(s->method) || s->run.law || is_several(s)
+           || !fvi_initial_history_acts(s->run.past, s->run.alpha);
+}

@@ -1,0 +1,66 @@
+/* src/options/fvi_grid.c -- Where the rows are: --h, --steps, --time. */
+#include "fvi_grid.h"
+
+#include <fvi/format_double.h>
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+
+static int number(const fvi_options *o, option_index i, double *value,
+                  fvi_error *c)
+{
+    return fvi_parse_number(fvi_option_list[i].name, o->text[i], 0, INFINITY,
+                            "()", value, c);
+}
+
+static int count_steps(fvi_options *o, fvi_error *c)
+{
+    return fvi_parse_whole("steps", o->text[STEPS], SIZE_MAX / 2, &o->steps, c);
+}
+
+/* --h H and --time T: there are T/H steps, and --steps, if it is given, says the same. */
+static int interpret_step_and_time(fvi_options *o, fvi_error *c)
+{
+    int status = number(o, H, &o->h, c);
+    if (!status)
+        status = number(o, TIME, &o->time, c);
+    if (status)
+        return status;
+    const double steps = o->time / o->h, whole_steps = round(steps);
+    if (!(whole_steps >= 1 && whole_steps < 0x1p53
+          && fabs(steps - whole_steps) <= 1e-9 * whole_steps))
+        return fvi_refuse(c, "time", "'%s' is not a whole number of steps of --h %s",
+                          o->text[TIME], o->text[H]);
+    if (o->text[STEPS]) {
+        status = count_steps(o, c);
+        return status || (double)o->steps == whole_steps
+                   ? status
+                   : fvi_refuse(c, "steps", "'%s' is not %.0f, which --time by --h is",
+                                o->text[STEPS], whole_steps);
+    }
+    o->steps = (size_t)whole_steps;
+    snprintf(o->count_text, sizeof o->count_text, "%zu", o->steps);
+    o->text[STEPS] = o->count_text;
+    return 0;
+}
+
+/* The rows are at t_k = k h: by --h, or by --time, or by both. */
+int fvi_options_grid(fvi_options *o, fvi_error *c)
+{
+    if (o->text[H] && o->text[TIME])
+        return interpret_step_and_time(o, c);
+    int status = count_steps(o, c);
+    if (status || !o->text[TIME])
+        return status ? status : number(o, H, &o->h, c);
+    double time = 0;
+    status = number(o, TIME, &time, c);
+    o->time = time;
+    o->h = time / (double)o->steps;
+    if (!status && !(o->h > 0))
+        return fvi_refuse(c, "time", "'%s' is too short for so many steps",
+                          o->text[TIME]);
+    fvi_format_double(o->h, o->step);
+    o->text[H] = o->step; /* the head says what follows */
+    return status;
+}

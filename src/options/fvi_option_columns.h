@@ -1,0 +1,16 @@
+/* src/options/fvi_option_columns.h -- --columns and --reduce. */
+#ifndef FVI_OPTION_COLUMNS_H
+#define FVI_OPTION_COLUMNS_H
+
+#include "fvi_option_list.h"
+
+/* fvi_options_columns -- o->columns, o->typed and what goes with it; the system of o is there. With --reduce
+ * a list of columns that was not asked for is none.
+ * fvi_options_check_columns -- can this command, this method, have them? */
+int fvi_options_columns(fvi_options *o, fvi_error *c);
+int fvi_options_check_columns(const fvi_options *o, fvi_error *c);
+
+/* fvi_options_observes -- nonzero if what is asked for has sums over the steps. */
+int fvi_options_observes(const fvi_options *o);
+
+#endif

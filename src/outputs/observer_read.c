@@ -1,0 +1,159 @@
+/* src/outputs/observer_read.c -- What an observer knows at a time. */
+#include "observer_state.h"
+
+#include "system/fail.h"
+#include "variable_step/variable_step.h"
+
+#include <math.h>
+#include <string.h>
+
+static int read_state(fvi_observer *o, const fvi_stepper *s, double t,
+                      fvi_observation *now)
+{
+    int status = FVI_SUCCESS;
+    now->x = s->x;
+    now->p = s->p;
+    if (s->t != t) {
+        now->x = o->x;
+        now->p = o->p;
+        status = s->method->dense ? s->method->dense(s, t, o->x, o->p)
+                                  : FVI_EDOM;
+    }
+    if (!status && o->wanted & FVI_OBSERVE_VELOCITY)
+        status = fvi_observer_velocity(o, s, now->p, o->v);
+    if (!status)
+        status = fvi_observer_applied(s, t, o->F);
+    return status;
+}
+
+/* The sums at t into impulse_now, and the work of the force. */
+static int read_sums(fvi_observer *o, const fvi_stepper *s, double t,
+                     fvi_observation *now)
+{
+    now->work_of_force = o->scalars[FVI_BY_FORCE];
+    if (!s->method->dense) {
+        memcpy(o->impulse_now, o->impulse, o->forces * sizeof *o->impulse);
+        return FVI_SUCCESS;
+    }
+    memcpy(o->change, o->known, o->d * sizeof *o->known);
+    int status = fvi_observer_quadrature(o, s, o->scalars[FVI_BEGIN_TIME], t, o->change,
+                                         &now->work_of_force);
+    if (!status && t == s->t) {
+        double *v = o->v; /* it has been read */
+        o->v = o->hit;
+        status = fvi_observer_hits(o, s, o->change, &now->work_of_force);
+        o->v = v;
+    }
+    for (size_t j = 0; j < o->d; j++)
+        o->impulse_now[j] =
+            o->is_damped ? o->p0[j] + o->change[j] - now->p[j] : 0;
+    return status;
+}
+
+/* r = F - grad U - the forces of the dampers becomes a = M^-1 r. */
+static int solve_motion(fvi_observer *o, const fvi_stepper *s)
+{
+    if (o->by_velocity) {
+        memcpy(o->a, o->force + o->forces, o->d * sizeof *o->a);
+        return FVI_SUCCESS;
+    }
+    const int status = fvi_observer_damping(o, s, o->a);
+    for (size_t j = 0; j < o->d && !status; j++) {
+        o->a[j] = o->F[j] - o->g[j] - o->a[j];
+        if (!o->matrices)
+            o->a[j] /= s->run.system->mass[j];
+    }
+    return status || !o->matrices
+               ? status
+               : o->matrices->solve(o->d, o->factors, o->a);
+}
+
+/* At alpha = 1, (m + rho) x'' = F - grad U, for all methods. */
+static void divide_by_masses(fvi_observer *o, const fvi_system *system)
+{
+    for (size_t j = 0; j < o->d; j++) {
+        o->a[j] = (o->F[j] - o->g[j])
+                  / (system->mass[j] + system->damping[j]);
+        o->force[j] = system->damping[j] * o->a[j];
+    }
+}
+
+static int read_forces(fvi_observer *o, const fvi_stepper *s, double t,
+                       fvi_observation *now)
+{
+    const fvi_system *system = s->run.system;
+    const int is_chosen = s->method->dense != NULL && t > 0;
+    int status = FVI_SUCCESS;
+    if (is_chosen || o->is_mass
+        || (o->wanted & FVI_OBSERVE_ACCELERATION && !o->by_velocity))
+        status = fvi_potential_gradient(system, now->x, o->g);
+    if (status)
+        return status;
+    if (o->is_mass) {
+        divide_by_masses(o, system);
+        return FVI_SUCCESS;
+    }
+    if (is_chosen) {
+        status = fvi_variable_step_acceleration(s, t, o->a);
+        for (size_t j = 0; j < o->d; j++)
+            o->force[j] = o->is_damped ? o->F[j] - o->g[j]
+                                             - system->mass[j] * o->a[j]
+                                       : 0;
+        return status;
+    }
+    fvi_observer_differences(o, s->k, s->run.h, o->force);
+    return o->wanted & FVI_OBSERVE_ACCELERATION ? solve_motion(o, s)
+                                                : FVI_SUCCESS;
+}
+
+static int read_balance(fvi_observer *o, const fvi_stepper *s, double t,
+                        fvi_observation *now)
+{
+    int status = fvi_energy_at(s->run.system, t, now->x, now->p, &now->energy);
+    if (!(o->wanted & FVI_OBSERVE_WORK))
+        return status;
+    memcpy(o->work_now, o->work, o->dampers * sizeof *o->work);
+    if (o->is_damped && o->by_energy)
+        o->work_now[0] = o->E0 - now->energy + now->work_of_force;
+    const double *sums = o->work_known ? o->work : o->work_now;
+    now->balance = now->energy - now->work_of_force;
+    for (size_t j = 0; j < o->dampers; j++)
+        now->balance += sums[j];
+    return status;
+}
+
+/* Of what was asked for. */
+static int is_finite(const fvi_observer *o, const fvi_observation *now)
+{
+    const unsigned w = o->wanted;
+    return fvi_all_finite(o->d, now->x) && fvi_all_finite(o->d, now->p)
+           && (!(w & FVI_OBSERVE_VELOCITY) || fvi_all_finite(o->d, now->v))
+           && (!(w & FVI_OBSERVE_ACCELERATION) || fvi_all_finite(o->d, now->a))
+           && (!(w & FVI_OBSERVE_FORCE) || fvi_all_finite(o->forces, now->force))
+           && (!(w & FVI_OBSERVE_IMPULSE)
+               || fvi_all_finite(o->forces, now->impulse))
+           && (!(w & FVI_OBSERVE_WORK) || isfinite(now->balance));
+}
+
+int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
+                      fvi_observation *now)
+{
+    if (!o || !s || !now)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    *now = (fvi_observation){ .t = t,
+                              .v = o->v,
+                              .a = o->a,
+                              .F = o->F,
+                              .force = o->force,
+                              .impulse = o->impulse_now,
+                              .work = o->work_now,
+                              .is_mean = o->is_infinite && t == 0 };
+    int status = read_state(o, s, t, now);
+    if (!status && o->is_summed)
+        status = read_sums(o, s, t, now);
+    if (!status && o->wanted & (FVI_OBSERVE_FORCE | FVI_OBSERVE_ACCELERATION))
+        status = read_forces(o, s, t, now);
+    if (!status && o->wanted & (FVI_OBSERVE_WORK | FVI_OBSERVE_ENERGY))
+        status = read_balance(o, s, t, now);
+    return status || is_finite(o, now) ? status : FVI_EOVRFLW;
+}

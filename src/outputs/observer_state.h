@@ -1,0 +1,83 @@
+/* src/outputs/observer_state.h -- What an observer keeps.
+ *
+ * Internal to the room. */
+#ifndef FVI_OBSERVER_STATE_H
+#define FVI_OBSERVER_STATE_H
+
+#include "methods/step_sums.h"
+
+#include <fvi/dampers.h>
+#include <fvi/observer.h>
+
+/* Differences have this degree at most; columns of impulses are kept for so many steps. */
+enum { FVI_MOST_DIFFERENCES = 9 };
+
+/* Where the numbers of `scalars` stand. */
+enum { FVI_BY_FORCE, FVI_BEGIN_TIME, FVI_HITS, FVI_SCALARS };
+
+struct fvi_observer {
+    size_t d, dampers, forces; /* forces of all dampers together */
+    size_t tracked;            /* these, and d velocities where a is their slope */
+    int has_mechanism;         /* whose forces are along elongations, one each */
+    int by_velocity;           /* a is the slope of v: L, constraints, forces of velocity */
+    unsigned wanted;
+    int is_summed;   /* are the steps looked at? */
+    int is_damped;   /* without it all forces are 0 */
+    int is_mass;     /* alpha = 1: the damping is a mass */
+    int work_known;  /* by the sums over the steps: else the balance holds by itself */
+    int by_energy;   /* is the work that is told what the energy has lost? */
+    int is_infinite; /* the forces at t = 0 */
+    size_t degree;   /* of the differences */
+    void *factors;   /* of M, of a system with matrices; or NULL */
+    const fvi_matrices *matrices;
+    double *numbers; /* all arrays, in one piece */
+    size_t count, saved; /* of the numbers; those that steps change */
+    /* what steps change */
+    double *impulse; /* J of each force, and the velocities */
+    double *latest;  /* degree times what the last steps have added to them, the latest first */
+    double *work;    /* of each damper */
+    double *known;   /* the impulses of F - grad U, d numbers: of chosen steps, at their begin */
+    double *scalars; /* the work of the force; the time at which `known` stands; impulses so far */
+    /* what does not change */
+    double *p0, *start; /* d; the forces at t = 0 */
+    double *exponent;   /* q of each force: J = t^q g(t) at first; NaN of a velocity */
+    double E0;
+    /* what is made anew */
+    fvi_step_begin begin;
+    double *hit, *change;
+    double *x, *p, *v, *a, *F, *g, *force, *impulse_now, *work_now;
+};
+
+/* fvi_observer_velocity -- v = M^-1 p, or that of the mechanism of s. */
+int fvi_observer_velocity(const fvi_observer *o, const fvi_stepper *s,
+                          const double *p, double *v);
+
+/* fvi_observer_applied -- F at a time, d numbers. */
+int fvi_observer_applied(const fvi_stepper *s, double t, double *F);
+
+/* fvi_observer_hits -- of a method that chooses its steps: add the impulses of the force that act at s->t
+ * to known, and their work. */
+int fvi_observer_hits(fvi_observer *o, const fvi_stepper *s, double *known,
+                      double *by_force);
+
+/* fvi_observer_begin_forces -- the forces at t = 0 and the exponents of their impulses. */
+int fvi_observer_begin_forces(fvi_observer *o, const fvi_stepper *s);
+
+/* fvi_observer_differences -- at node k of steps h, the slopes of what is tracked. */
+void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
+                              double *slope);
+
+/* fvi_observer_damping -- what all dampers take from d/dt p, d numbers: the sum of their forces. */
+int fvi_observer_damping(const fvi_observer *o, const fvi_stepper *s,
+                         double *sum);
+
+/* fvi_observer_mechanism_work -- what the forces on a mechanism gave in its last step, added to *work: F and
+ * those of velocity, summed at the points of its step. */
+int fvi_observer_mechanism_work(const fvi_stepper *s, double *work);
+
+/* fvi_observer_quadrature -- of a method that chooses its steps: add to known, and to *by_force, what F
+ * - grad U and F do from the time `from` to `to`, both in the last step. */
+int fvi_observer_quadrature(fvi_observer *o, const fvi_stepper *s, double from,
+                            double to, double *known, double *by_force);
+
+#endif

@@ -1,0 +1,185 @@
+/* src/problem/column_names.c -- Which quantity has which name. */
+#include "columns_state.h"
+#include "words.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Names alone, in the order of fvi_quantity_kind: one number, or one of each coordinate. */
+static const struct {
+    const char *name;
+    int is_vector;
+} plain[] = { { "t", 0 },      { "x", 1 },    { "p", 1 },
+              { "v", 1 },      { "a", 1 },    { "F", 1 },
+              { "energy", 0 }, { "work", 0 }, { "balance", 0 },
+              { "ag", 0 } };
+enum { PLAIN = sizeof plain / sizeof *plain };
+
+static const char *const of_damper[] = { "force", "impulse", "work" };
+
+static int is_word(const char *name, size_t length, const char *word)
+{
+    return strlen(word) == length && strncmp(name, word, length) == 0;
+}
+
+/* The number at the end, "x12", from 0; `most` and more if there is none within it. */
+static size_t index_of(const char *at, size_t length, size_t most)
+{
+    size_t i = 0;
+    if (length == 0 || length > 9 || *at == '0')
+        return most;
+    for (size_t n = 0; n < length; n++) {
+        if (at[n] < '0' || at[n] > '9')
+            return most;
+        i = 10 * i + (size_t)(at[n] - '0');
+    }
+    return i - 1;
+}
+
+static size_t damper_count(const fvi_typed_columns *c)
+{
+    return c->source->mechanism ? c->source->mechanism->damper_count : 1;
+}
+
+size_t fvi_column_width(const fvi_typed_columns *c, fvi_quantity_kind kind)
+{
+    return kind == QUANTITY_DAMPER_WORK ? 1
+           : kind >= QUANTITY_FORCE && c->source->mechanism
+                   && !c->source->is_structure
+               ? 1
+               : c->source->d;
+}
+
+/* The damper whose name is before the point. */
+static int damper_named(const fvi_typed_columns *c, const char *name,
+                        size_t length, size_t *j)
+{
+    for (*j = 0; *j < damper_count(c); ++*j) {
+        const char *given = c->source->mechanism
+                                ? c->source->mechanism->damper[*j].name
+                                : NULL;
+        char own[24];
+        snprintf(own, sizeof own, "d%zu", *j + 1);
+        if (is_word(name, length, given ? given : own))
+            return 1;
+    }
+    return 0;
+}
+
+/* "d1.force", "d1.force3". */
+static int find_of_damper(const fvi_typed_columns *c, const char *name,
+                          size_t length, fvi_quantity *q, int *is_all)
+{
+    const char *point = memchr(name, '.', length);
+    if (!point || !damper_named(c, name, (size_t)(point - name), &q->j))
+        return 0;
+    const char *word = point + 1;
+    const size_t left = length - (size_t)(word - name);
+    for (size_t n = 0; n < 3; n++) {
+        const size_t stem = strlen(of_damper[n]);
+        if (left < stem || strncmp(word, of_damper[n], stem) != 0)
+            continue;
+        q->kind = (fvi_quantity_kind)(QUANTITY_FORCE + n);
+        const size_t width = fvi_column_width(c, q->kind);
+        *is_all = left == stem && width > 1;
+        q->i = left == stem ? 0 : index_of(word + stem, left - stem, width);
+        return q->i < width && (left == stem || q->kind != QUANTITY_DAMPER_WORK);
+    }
+    return 0;
+}
+
+int fvi_column_find(const fvi_typed_columns *c, const char *name,
+                    size_t length, fvi_quantity *q, int *is_all)
+{
+    const size_t d = c->source->d;
+    *q = (fvi_quantity){ .kind = QUANTITY_TIME };
+    *is_all = 0;
+    for (size_t i = 0; i < c->columns; i++)
+        if (c->column[i].is_given && is_word(name, length, c->column[i].name)) {
+            *q = (fvi_quantity){ .kind = QUANTITY_COLUMN, .i = i };
+            return 1;
+        }
+    for (size_t n = 0; n < PLAIN; n++) {
+        const size_t stem = strlen(plain[n].name);
+        if (n == QUANTITY_GROUND && !c->source->ground)
+            continue;
+        q->kind = (fvi_quantity_kind)n;
+        if (is_word(name, length, plain[n].name)) {
+            *is_all = plain[n].is_vector && (d > 1 || c->source->is_numbered);
+            return 1;
+        }
+        if (plain[n].is_vector && length > stem
+            && strncmp(name, plain[n].name, stem) == 0
+            && (q->i = index_of(name + stem, length - stem, d)) < d)
+            return 1;
+    }
+    return find_of_damper(c, name, length, q, is_all);
+}
+
+/* ---- for expressions ---- */
+
+static int add_quantity(fvi_typed_columns *c, fvi_quantity q)
+{
+    for (size_t n = 0; n < c->quantities; n++)
+        if (c->quantity[n].kind == q.kind && c->quantity[n].i == q.i
+            && c->quantity[n].j == q.j)
+            return (int)n;
+    fvi_quantity *more =
+        realloc(c->quantity, (c->quantities + 1) * sizeof *more);
+    if (more)
+        c->quantity = more;
+    double *values = realloc(c->value, (c->quantities + 1) * sizeof *values);
+    if (values)
+        c->value = values;
+    if (!more || !values)
+        return -1;
+    c->quantity[c->quantities] = q;
+    return (int)c->quantities++;
+}
+
+int fvi_column_quantity(const char *name, size_t length, void *columns)
+{
+    fvi_typed_columns *c = columns;
+    fvi_quantity q;
+    int is_all;
+    if (!fvi_column_find(c, name, length, &q, &is_all)
+        || (is_all && fvi_column_width(c, q.kind) > 1))
+        return -1;
+    return add_quantity(c, q);
+}
+
+/* ---- what is wrong with a name ---- */
+
+/* All names, one after another; the nearest of them is what was meant. */
+int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
+                       size_t length, fvi_error *error)
+{
+    enum { DAMPERS = 20 };
+    const char *names[PLAIN + 1 + 3 * DAMPERS + 1];
+    char own[3 * DAMPERS][80], place[64], damper[24];
+    size_t n = 0;
+    for (; n < PLAIN; n++)
+        names[n] = plain[n].name;
+    if (!c->source->ground)
+        n--;
+    names[n++] = "y";
+    for (size_t j = 0; j < damper_count(c) && j < DAMPERS; j++)
+        for (size_t k = 0; k < 3; k++, n++) {
+            const char *given = c->source->mechanism
+                                    ? c->source->mechanism->damper[j].name
+                                    : NULL;
+            snprintf(damper, sizeof damper, "d%zu", j + 1);
+            snprintf(own[3 * j + k], sizeof own[0], "%.60s.%s",
+                     given ? given : damper, of_damper[k]);
+            names[n] = own[3 * j + k];
+        }
+    names[n] = NULL;
+    return fvi_fail(error, FVI_EINVAL, "columns", NAN,
+                    "'%.*s' is none of t, x, p, v, a, F, energy, work, "
+                    "balance, y%s, %s, nor an expression%s",
+                    length < 40 ? (int)length : 40, word,
+                    c->source->ground ? ", ag" : "",
+                    damper_count(c) > 0 ? names[n - 3] : "DAMPER.force",
+                    fvi_word_hint(word, length, names, place));
+}

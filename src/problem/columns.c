@@ -1,0 +1,331 @@
+/* src/problem/columns.c -- Columns of a table as they are typed. */
+#define _GNU_SOURCE /* strndup */
+#include "columns_state.h"
+#include "words.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int no_memory(fvi_error *error)
+{
+    return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+}
+
+int fvi_typed_columns_start(const fvi_column_source *source,
+                            fvi_typed_columns **columns, fvi_error *error)
+{
+    fvi_typed_columns *c = calloc(1, sizeof *c);
+    if (!c)
+        return no_memory(error);
+    c->source = source;
+    *columns = c;
+    return FVI_SUCCESS;
+}
+
+static void free_column(fvi_typed_column *column)
+{
+    free(column->name);
+    fvi_expression_free(column->expression);
+}
+
+void fvi_typed_columns_free(fvi_typed_columns *c)
+{
+    for (size_t i = 0; c && i < c->columns; i++)
+        free_column(&c->column[i]);
+    for (size_t i = 0; c && i < c->reductions; i++)
+        free_column(&c->reduction[i].of);
+    if (c) {
+        free(c->quantity);
+        free(c->value);
+        free(c->column);
+        free(c->reduction);
+    }
+    free(c);
+}
+
+/* ---- words ---- */
+
+static int is_of_name(char letter)
+{
+    return isalnum((unsigned char)letter) || letter == '_' || letter == '.';
+}
+
+/* Is it one word, so that what is wrong with it is its name? */
+static int is_one_word(const char *text, size_t length)
+{
+    for (size_t n = 0; n < length; n++)
+        if (!is_of_name(text[n]))
+            return 0;
+    return length > 0 && !isdigit((unsigned char)*text) && *text != '.';
+}
+
+/* A name that is given must be new. */
+static int check_name(const char *field, const char *name,
+                      const fvi_user_parameters *parameters,
+                      const fvi_typed_columns *c, fvi_error *error)
+{
+    fvi_quantity q;
+    int is_all;
+    if (!fvi_symbol_is_free(name, "x") || strchr(name, '.'))
+        return fvi_fail(error, FVI_EINVAL, field, NAN,
+                        "'%s' is not a name for a column", name);
+    for (size_t i = 0; parameters && i < parameters->count; i++)
+        if (strcmp(parameters->name[i], name) == 0)
+            return fvi_fail(error, FVI_EINVAL, field, NAN,
+                            "'%s' is a parameter of --let, too", name);
+    if (fvi_column_find(c, name, strlen(name), &q, &is_all)
+        || strcmp(name, "y") == 0)
+        return fvi_fail(error, FVI_EINVAL, field, NAN,
+                        q.kind == QUANTITY_COLUMN
+                            ? "'%s' is given to two columns"
+                            : "'%s' is a quantity's own name; take another",
+                        name);
+    return FVI_SUCCESS;
+}
+
+static int parse_text(const char *field, const char *text,
+                      fvi_user_parameters *parameters, fvi_typed_columns *c,
+                      fvi_expression **e, fvi_error *error)
+{
+    const fvi_name_finder finder = { fvi_column_quantity, c };
+    fvi_quantity q;
+    int is_all;
+    const size_t length = strlen(text);
+    if (is_one_word(text, length)
+        && fvi_column_find(c, text, length, &q, &is_all) && is_all
+        && fvi_column_width(c, q.kind) > 1)
+        return fvi_fail(error, FVI_EINVAL, field, NAN,
+                        "'%s' of which coordinate? %s1 to %s%zu", text, text,
+                        text, fvi_column_width(c, q.kind));
+    return fvi_parse_expression_of(field, &finder, text, parameters, e, error);
+}
+
+/* Without the blanks at its ends. */
+static char *copy_of(const char *text, size_t length)
+{
+    while (length > 0 && *text == ' ') {
+        text++;
+        length--;
+    }
+    while (length > 0 && text[length - 1] == ' ')
+        length--;
+    return strndup(text, length);
+}
+
+int fvi_column_item(const char *field, const char *text, size_t length,
+                    fvi_user_parameters *parameters, fvi_typed_columns *c,
+                    fvi_typed_column *column, fvi_error *error)
+{
+    const char *equals = memchr(text, '=', length);
+    const char *begin = equals ? equals + 1 : text;
+    char *right = copy_of(begin, length - (size_t)(begin - text)),
+         *name = copy_of(text, equals ? (size_t)(equals - text) : length);
+    *column = (fvi_typed_column){ name, NULL, equals != NULL };
+    int status = right && name ? FVI_SUCCESS : no_memory(error);
+    if (!status && equals)
+        status = check_name(field, name, parameters, c, error);
+    if (!status)
+        status = parse_text(field, right, parameters, c, &column->expression,
+                            error);
+    free(right);
+    if (status) {
+        free_column(column);
+        *column = (fvi_typed_column){ NULL, NULL, 0 };
+    }
+    return status;
+}
+
+static int add_column(fvi_typed_columns *c, fvi_typed_column column,
+                      const char *text, fvi_error *error)
+{
+    for (size_t i = 0; i < c->columns; i++)
+        if (strcmp(c->column[i].name, column.name) == 0) {
+            fvi_fail(error, FVI_EINVAL, "columns", NAN, "'%s' names %s twice",
+                     text, column.name);
+            free_column(&column);
+            return FVI_EINVAL;
+        }
+    fvi_typed_column *more =
+        realloc(c->column, (c->columns + 1) * sizeof *more);
+    if (!more) {
+        free_column(&column);
+        return no_memory(error);
+    }
+    c->column = more;
+    c->column[c->columns++] = column;
+    return FVI_SUCCESS;
+}
+
+/* x1, x2, ... of x: those that are shown. */
+static int add_all(const char *word, size_t length, fvi_quantity q,
+                   const char *text, fvi_typed_columns *c, fvi_error *error)
+{
+    const int chosen =
+        c->source->shown && fvi_column_width(c, q.kind) == c->source->d;
+    const size_t width =
+        chosen ? c->source->shown_count : fvi_column_width(c, q.kind);
+    int status = FVI_SUCCESS;
+    for (size_t n = 0; n < width && !status; n++) {
+        char name[120];
+        fvi_typed_column column;
+        snprintf(name, sizeof name, "%.*s%zu", length < 90 ? (int)length : 90,
+                 word, 1 + (chosen ? c->source->shown[n] : n));
+        status = fvi_column_item("columns", name, strlen(name), NULL, c,
+                                 &column, error);
+        if (!status)
+            status = add_column(c, column, text, error);
+    }
+    return status;
+}
+
+static int parse_item(const char *at, size_t length, const char *text,
+                      fvi_user_parameters *parameters, fvi_typed_columns *c,
+                      fvi_error *error)
+{
+    fvi_quantity q;
+    fvi_typed_column column;
+    int is_all;
+    if (is_one_word(at, length)) {
+        if (!fvi_column_find(c, at, length, &q, &is_all))
+            return fvi_column_unknown(c, at, length, error);
+        if (is_all)
+            return add_all(at, length, q, text, c, error);
+    }
+    const int status =
+        fvi_column_item("columns", at, length, parameters, c, &column, error);
+    return status ? status : add_column(c, column, text, error);
+}
+
+int fvi_parse_columns(const char *text, fvi_user_parameters *parameters,
+                      fvi_typed_columns *c, fvi_error *error)
+{
+    int status = FVI_SUCCESS;
+    if (!text || !c)
+        return fvi_fail(error, FVI_EFAULT, "columns", NAN, "null pointer");
+    for (const char *at = text; !status; at++) {
+        const size_t length = fvi_list_item(at);
+        status = parse_item(at, length, text, parameters, c, error);
+        at += length;
+        if (*at == '\0')
+            break;
+    }
+    return status;
+}
+
+/* ---- values ---- */
+
+unsigned fvi_typed_columns_wanted(const fvi_typed_columns *c)
+{
+    static const unsigned of_kind[] = {
+        [QUANTITY_V] = FVI_OBSERVE_VELOCITY,
+        [QUANTITY_A] = FVI_OBSERVE_ACCELERATION,
+        [QUANTITY_APPLIED] = FVI_OBSERVE_APPLIED,
+        [QUANTITY_ENERGY] = FVI_OBSERVE_ENERGY,
+        [QUANTITY_WORK] = FVI_OBSERVE_WORK,
+        [QUANTITY_BALANCE] = FVI_OBSERVE_WORK,
+        [QUANTITY_FORCE] = FVI_OBSERVE_FORCE,
+        [QUANTITY_IMPULSE] = FVI_OBSERVE_IMPULSE,
+        [QUANTITY_DAMPER_WORK] = FVI_OBSERVE_WORK,
+        [QUANTITY_COLUMN] = 0
+    };
+    unsigned wanted = 0;
+    for (size_t n = 0; n < c->quantities; n++)
+        wanted |= of_kind[c->quantity[n].kind];
+    return wanted;
+}
+
+static int ground_at(const fvi_typed_columns *c, double t, double *value)
+{
+    const fvi_force *g = c->source->ground;
+    *value = 0;
+    return g->value ? g->value(t, 1, g->params, value) : FVI_SUCCESS;
+}
+
+static double work_of_all(const fvi_typed_columns *c,
+                          const fvi_observation *now)
+{
+    const size_t dampers =
+        c->source->mechanism ? c->source->mechanism->damper_count : 1;
+    double sum = 0;
+    for (size_t j = 0; j < dampers; j++)
+        sum += now->work[j];
+    return sum;
+}
+
+static int value_of(const fvi_typed_columns *c, fvi_quantity q,
+                    const fvi_observation *now, double *value)
+{
+    const size_t place =
+        q.j * fvi_column_width(c, q.kind) + q.i; /* of a damper's force */
+    switch (q.kind) {
+    case QUANTITY_GROUND:
+        return ground_at(c, now->t, value);
+    case QUANTITY_TIME:
+        *value = now->t;
+        break;
+    case QUANTITY_X:
+        *value = now->x[q.i];
+        break;
+    case QUANTITY_P:
+        *value = now->p[q.i];
+        break;
+    case QUANTITY_V:
+        *value = now->v[q.i];
+        break;
+    case QUANTITY_A:
+        *value = now->a[q.i];
+        break;
+    case QUANTITY_APPLIED:
+        *value = now->F[q.i];
+        break;
+    case QUANTITY_ENERGY:
+        *value = now->energy;
+        break;
+    case QUANTITY_WORK:
+        *value = work_of_all(c, now);
+        break;
+    case QUANTITY_BALANCE:
+        *value = now->balance;
+        break;
+    case QUANTITY_FORCE:
+        *value = now->force[place];
+        break;
+    case QUANTITY_IMPULSE:
+        *value = now->impulse[place];
+        break;
+    case QUANTITY_DAMPER_WORK:
+        *value = now->work[q.j];
+        break;
+    case QUANTITY_COLUMN:
+        break; /* it is filled when its column is */
+    }
+    return FVI_SUCCESS;
+}
+
+int fvi_typed_columns_values(fvi_typed_columns *c, const fvi_observation *now,
+                             double *row)
+{
+    int status = FVI_SUCCESS;
+    for (size_t n = 0; n < c->quantities && !status; n++)
+        status = value_of(c, c->quantity[n], now, &c->value[n]);
+    for (size_t i = 0; i < c->columns && !status; i++) {
+        row[i] = fvi_expression_value(c->column[i].expression, c->value);
+        for (size_t n = 0; n < c->quantities; n++)
+            if (c->quantity[n].kind == QUANTITY_COLUMN && c->quantity[n].i == i)
+                c->value[n] = row[i];
+    }
+    return status;
+}
+
+size_t fvi_typed_columns_count(const fvi_typed_columns *c)
+{
+    return c->columns;
+}
+
+const char *fvi_typed_column_name(const fvi_typed_columns *c, size_t i)
+{
+    return c->column[i].name;
+}

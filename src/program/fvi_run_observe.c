@@ -1,0 +1,134 @@
+/* src/program/fvi_run_observe.c -- Columns beyond x and p: an observer goes with the run. */
+#include "fvi_run.h"
+#include "output/fvi_complain.h"
+#include "output/fvi_format.h"
+
+#include <fvi/lagrangian.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+static int reduces(const fvi_table *t)
+{
+    return fvi_reductions_count(t->o->typed) > 0;
+}
+
+/* The values at the place where the run stands go into the reductions. */
+static int reduce(fvi_table *t, const fvi_stepper *s)
+{
+    fvi_observation now;
+    int status = fvi_observer_read(t->observer, s, s->t, &now);
+    if (!status)
+        status = fvi_typed_columns_values(t->o->typed, &now, t->o->typed_row);
+    return status ? status : fvi_reductions_add(t->o->typed, s->t);
+}
+
+int fvi_run_observe(fvi_table *t, const fvi_stepper *s)
+{
+    fvi_observer_free(t->observer);
+    t->observer = NULL;
+    if (fvi_typed_columns_count(t->o->typed) == 0 && !reduces(t))
+        return FVI_SUCCESS;
+    int status = fvi_observer_start(s, fvi_typed_columns_wanted(t->o->typed),
+                                    &t->observer, NULL);
+    return !status && reduces(t) ? reduce(t, s) : status;
+}
+
+int fvi_run_step(fvi_table *t, fvi_stepper *s)
+{
+    if (!t->observer)
+        return fvi_stepper_step(s);
+    const int status = fvi_observer_step(t->observer, s);
+    return !status && reduces(t) ? reduce(t, s) : status;
+}
+
+static int take_between_steps(fvi_table *t, fvi_stepper *s, size_t k,
+                              double time)
+{
+    const size_t d = t->o->d;
+    double *x = malloc(2 * d * sizeof *x);
+    int status = x ? fvi_stepper_advance_to(s, time, x, x + d) : FVI_ENOMEM;
+    if (!status)
+        status = fvi_table_take(t, k, x, x + d);
+    free(x);
+    return status;
+}
+
+int fvi_run_row(fvi_table *t, fvi_stepper *s, size_t k)
+{
+    const double time = (double)k * t->o->h;
+    fvi_observation now;
+    if (reduces(t))
+        return FVI_SUCCESS;
+    if (!t->observer)
+        return s->t == time ? fvi_table_take(t, k, s->x, s->p)
+                            : take_between_steps(t, s, k, time);
+    int status = fvi_observer_read(t->observer, s, time, &now);
+    t->now = &now;
+    if (!status)
+        status = fvi_table_take(t, k, now.x, now.p);
+    t->now = NULL;
+    return status;
+}
+
+void fvi_run_reduced(const fvi_table *t, double *row)
+{
+    fvi_reductions_values(t->o->typed, row);
+}
+
+int fvi_run_reductions(const fvi_table *t)
+{
+    if (!reduces(t))
+        return FVI_SUCCESS;
+    fvi_run_reduced(t, t->rows);
+    if (!fvi_all_finite(t->width, t->rows))
+        return FVI_EOVRFLW;
+    fvi_format_row(t->out, t->o->format, 0, t->width, t->rows);
+    return FVI_SUCCESS;
+}
+
+/* ---- without a stepper ---- */
+
+static int velocity(const fvi_system *system, double t, const double *x,
+                    const double *p, double *v)
+{
+    const fvi_matrices *m = system->matrices;
+    void *factors;
+    if (system->mechanism && !m)
+        return fvi_velocity_of_momentum(system, t, x, p, v);
+    for (size_t i = 0; i < system->d; i++)
+        v[i] = m ? p[i] : p[i] / system->mass[i];
+    if (!m)
+        return FVI_SUCCESS;
+    int status = m->factorise(system->d, 1, 0, 0, m->params, &factors);
+    if (status)
+        return status;
+    status = m->solve(system->d, factors, v);
+    m->forget(factors);
+    return status;
+}
+
+int fvi_run_state_row(fvi_table *t, size_t k, const double *x, const double *p)
+{
+    const fvi_system *system = t->system;
+    const fvi_force *force = &system->force;
+    const double time = (double)k * t->o->h;
+    if (fvi_typed_columns_count(t->o->typed) == 0)
+        return fvi_table_take(t, k, x, p);
+    double *v = calloc(2 * system->d, sizeof *v), *F = v ? v + system->d : NULL;
+    fvi_observation now = { .t = time, .x = x, .p = p, .v = v, .F = F };
+    const unsigned wanted = fvi_typed_columns_wanted(t->o->typed);
+    int status = v ? FVI_SUCCESS : FVI_ENOMEM;
+    if (!status && wanted & FVI_OBSERVE_VELOCITY)
+        status = velocity(system, time, x, p, v);
+    if (!status && wanted & FVI_OBSERVE_APPLIED && force->value)
+        status = force->value(time, system->d, force->params, F);
+    if (!status && wanted & FVI_OBSERVE_ENERGY)
+        status = fvi_energy_at(system, time, x, p, &now.energy);
+    t->now = &now;
+    if (!status)
+        status = fvi_table_take(t, k, x, p);
+    t->now = NULL;
+    free(v);
+    return status;
+}

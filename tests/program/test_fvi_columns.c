@@ -1,0 +1,269 @@
+/* tests/program/test_fvi_columns.c -- Columns as expressions, and what becomes of them over a run.
+ * Run alone: make test-fvi_columns */
+#define _GNU_SOURCE
+#include "program.h"
+
+static const char two[] =
+    "--potential 'k*x1^2/2+k*(x2-x1)^2/2' --let k=100 --dimension 2 --rho 5,0 "
+    "--alpha 0.3 --x0 0 --p0 0 --force '-sin(8*t)' --method fvi-lobatto4 "
+    "--h 0.02 --steps 500";
+
+static int fvi_two(const char *command, const char *rest)
+{
+    char line[600];
+    snprintf(line, sizeof line, "%s %s %s", command, two, rest);
+    return fvi(line);
+}
+
+/* A two-storey frame on a springpot, shaken by sin 8t. References: a prototype in Python, by the same
+ * method, for drift and floor, to 16 digits; the damper's force there by an integral over
+ * Hermite's polynomials, right to 1e-6. Its work is the energy that is missing. */
+START_TEST(drifts_floors_and_forces_are_columns)
+{
+    static const double want[][4] = {
+        { 2, -0.018297567077238498, 1.82975670772385, -0.8067952425966732 },
+        { 5, 0.00856769077220398, -0.856769077220398, -0.2616397518516241 },
+        { 10, -0.02503333860038799, 2.5033338600387993, -0.3339638379167262 }
+    };
+    ck_assert_int_eq(
+        fvi_two("run", "--columns 't,drift=x2-x1,floor=a2+sin(8*t),"
+                       "loop=d1.force1,work,balance,d1.work-work,d1.force2'"),
+        0);
+    ck_assert_ptr_nonnull(strstr(out, "\n# t\tdrift\tfloor\tloop\twork\tbalance\t"
+                                      "d1.work-work\td1.force2\n"));
+    for (size_t i = 0; i < LEN(want); i++) {
+        const size_t k = (size_t)(50 * want[i][0]);
+        ck_assert(cell(k, 0) == want[i][0]);
+        ck_assert_near(cell(k, 1), want[i][1], 1e-14, "drift %zu", i);
+        ck_assert_near(cell(k, 2), want[i][2], 1e-12, "floor %zu", i);
+        ck_assert_near(cell(k, 3), want[i][3], 3e-6, "force %zu", i);
+        ck_assert_near(cell(k, 5), 0, 1e-9, "balance %zu", i);
+        ck_assert(cell(k, 4) > 0.1 && cell(k, 6) == 0 && cell(k, 7) == 0);
+    }
+}
+END_TEST
+
+/* The same prototype: over all steps, whatever is printed. */
+START_TEST(reductions_are_over_all_steps)
+{
+    static const double want[] = { -0.037478151188046864, 0.03968137041438314,
+                                   0.01829478634096023,   0.03968137041438314,
+                                   1.72,                  0.0397059164745,
+                                   1.72475795,            1.829478634096023,
+                                   10,                    0 };
+    const char *list =
+        "--columns drift=x2-x1 --every 100 --reduce 'min(drift),max(drift),"
+        "rms(x2-x1),absmax(drift),at(absmax(drift)),peak(drift),"
+        "at(peak(drift)),rms(a2+sin(8*t)),last(t),low=first(drift)'";
+    ck_assert_int_eq(fvi_two("run", list), 0);
+    ck_assert_ptr_nonnull(strstr(
+        out, "\n# min(drift)\tmax(drift)\trms(x2-x1)\tabsmax(drift)\t"
+             "at(absmax(drift))\tpeak(drift)\tat(peak(drift))\t"
+             "rms(a2+sin(8*t))\tlast(t)\tlow\n"));
+    ck_assert_uint_eq(count_rows(), 1);
+    for (size_t n = 0; n < LEN(want); n++)
+        ck_assert_near(cell(0, n), want[n], n == 5 || n == 6 ? 2e-9 : 1e-12,
+                       "%zu", n);
+    ck_assert_int_eq(fvi("sweep --vary alpha=0.1:0.4:4 --potential "
+                         "'50*x1^2+50*(x2-x1)^2' --dimension 2 --rho 5,0 --x0 0 "
+                         "--p0 0 --force '-sin(8*t)' --method fvi-lobatto4 "
+                         "--h 0.02 --steps 500 --reduce "
+                         "'max(x2-x1),at(max(x2-x1))'"),
+                     0);
+    static const double map[][3] = { { 0.1, 0.04530119180495427, 1.76 },
+                                     { 0.2, 0.043392998825372904, 1.74 },
+                                     { 0.3, 0.03968137041438314, 1.72 },
+                                     { 0.4, 0.03411831815808491, 1.7 } };
+    for (size_t k = 0; k < 4; k++)
+        for (size_t n = 0; n < 3; n++)
+            ck_assert_near(cell(k, n), map[k][n], 1e-13, "%zu %zu", k, n);
+}
+END_TEST
+
+/* mean and rms by trapezia: of t over [0, 2] they are 1 and, by trapezia of 0.5, sqrt(4/3 + 1/24).
+ * The parabola through t (2 - t) is that itself. */
+START_TEST(means_and_peaks_are_what_they_say)
+{
+    ck_assert_int_eq(
+        fvi("run --potential free --force none --rho 0 --h 0.5 --steps 4 "
+            "--reduce 'mean(t),rms(t),peak((t-0.9)*(2-t)),at(peak((t-0.9)*(2-t))),"
+            "min(t),at(min(t)),peak(-t),at(first(t)),absmax(t-5),"
+            "at(last(x))'"),
+        0);
+    const double want[] = { 1, sqrt(4. / 3 + 1. / 24), 1.8, 0, 0, 0, 2, 0, 5, 2 };
+    for (size_t n = 0; n < LEN(want); n++)
+        ck_assert_near(cell(0, n), want[n], 8 * U, "%zu", n);
+    ck_assert_int_eq(fvi("run --potential free --rho 0 --h 0.5 --steps 4 "
+                         "--reduce 'peak(t*(1.9-t)),at(peak(t*(1.9-t)))'"),
+                     0);
+    ck_assert_near(cell(0, 0), 0.95 * 0.95, 8 * U, "peak");
+    ck_assert_near(cell(0, 1), 0.95, 8 * U, "its time");
+}
+END_TEST
+
+/* One coordinate, all formats; a comma in a name is quoted where commas part columns. */
+START_TEST(names_of_columns_survive_every_format)
+{
+    const char *rest = "run --steps 2 --columns 't,max(x,p),d1.force,s=sign(v)' "
+                       "--format ";
+    char line[200];
+    snprintf(line, sizeof line, "%scsv", rest);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert(strncmp(out, "t,\"max(x,p)\",d1.force,s\n0,1,0.1,1\n", 34) == 0);
+    snprintf(line, sizeof line, "%sjson", rest);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_ptr_nonnull(strstr(
+        out, "\"columns\": [\"t\", \"max(x,p)\", \"d1.force\", \"s\"]"));
+    ck_assert_ptr_nonnull(strstr(out, "\n [0, 1, 0.1, 1],\n"));
+}
+END_TEST
+
+/* Plain columns are as they were beside typed ones, and a vector is one column for each unknown. */
+START_TEST(plain_columns_stay_what_they_are)
+{
+    ck_assert_int_eq(fvi_two("run", "--columns t,x,p,energy,y --every 50"), 0);
+    double x[11][8];
+    for (size_t k = 0; k <= 10; k++)
+        for (size_t n = 0; n < 8; n++)
+            x[k][n] = cell(k, n);
+    ck_assert_int_eq(fvi_two("run", "--columns t,x,p,energy,y,v,a,d1.force,F "
+                                    "--every 50"),
+                     0);
+    ck_assert_ptr_nonnull(strstr(out, "\ty1\ty2\tv1\tv2\ta1\ta2\td1.force1\t"
+                                      "d1.force2\tF1\tF2\n"));
+    for (size_t k = 0; k <= 10; k++) {
+        for (size_t n = 0; n < 8; n++)
+            ck_assert(cell(k, n) == x[k][n]);
+        ck_assert(cell(k, 8) == cell(k, 3) && cell(k, 9) == cell(k, 4));
+        ck_assert_ulp(cell(k, 14), -sin(8 * cell(k, 0)), 1, "F");
+    }
+    ck_assert_int_eq(fvi_two("run", "--columns t,v,x1 --unknowns 2 --every 250"),
+                     0);
+    ck_assert_ptr_nonnull(strstr(out, "\n# t\tv2\tx1\n"));
+}
+END_TEST
+
+/* A run that goes on has its sums: the rest of the table is that of a run that was not stopped. */
+START_TEST(sums_stand_in_the_checkpoint)
+{
+    static const char *const methods[] = {
+        "fvi-bdf2 --memory direct", "fvi-lobatto3 --memory direct"
+    };
+    char line[500];
+    for (size_t i = 0; i < LEN(methods); i++) {
+        const char *rest = "--alpha 0.3 --h 0.05 --every 100 --columns "
+                           "t,work,d1.force,a,balance";
+        snprintf(line, sizeof line,
+                 "rm -f s; $FVI run --method %s %s --steps 200 --checkpoint s && "
+                 "$FVI run --method %s %s --steps 400 --checkpoint s --continue",
+                 methods[i], rest, methods[i], rest);
+        ck_assert_int_eq(shell(line), 0);
+        char *both = strdup(out);
+        snprintf(line, sizeof line, "run --method %s %s --steps 400",
+                 methods[i], rest);
+        ck_assert_int_eq(fvi(line), 0);
+        const char *last = strstr(out, "\n15\t");
+        ck_assert_ptr_nonnull(last);
+        ck_assert_ptr_nonnull(strstr(both, last));
+        free(both);
+    }
+    ck_assert_int_eq(shell("rm -f s; $FVI run --steps 4 --checkpoint s"), 0);
+    ck_assert_int_eq(shell("$FVI run --steps 8 --checkpoint s --continue "
+                           "--columns t,work"),
+                     2);
+    ck_assert_ptr_nonnull(strstr(err, "columns with sums"));
+}
+END_TEST
+
+START_TEST(what_no_column_is_is_refused)
+{
+    static const struct {
+        const char *line, *said;
+    } cases[] = {
+        { "run --columns t,vv", "--columns: 'vv' is none of t, x, p, v, a, F, "
+                                "energy, work, balance, y, d1.force, nor an "
+                                "expression; did you mean v?" },
+        { "run --columns d1.forc", "--columns: 'd1.forc' is none of t, x, p, v, "
+                                   "a, F, energy, work, balance, y, d1.force, "
+                                   "nor an expression; did you mean d1.force?" },
+        { "run --columns ag", "--columns: 'ag' is none of t" },
+        { "run --columns t,,x", "--columns: 't,,x': a column is missing" },
+        { "run --columns v=x", "--columns: 'v' is a quantity's own name; take "
+                               "another" },
+        { "run --columns sin=x", "--columns: 'sin' is not a name for a column" },
+        { "run --columns y=x", "--columns: 'y' is a quantity's own name" },
+        { "run --columns q=x,q=v", "--columns: 'q' is given to two columns" },
+        { "run --columns v,v", "--columns: 'v' names v twice" },
+        { "run --columns t,t", "--columns: 't,t' names t twice" },
+        { "run --let k=1 --columns t,k=x",
+          "--columns: 'k' is a parameter of --let, too" },
+        { "run --let k=1 --columns t,v", "--let: 'k' is in no expression" },
+        { "run --potential chain:2,1,1 --columns 'q=x'",
+          "--columns: 'x' of which coordinate? x1 to x2" },
+        { "run --reduce 'mx(x)'", "--reduce: 'mx(x)' is not min, max, absmax, "
+                                  "mean, rms, last, first or peak of an "
+                                  "expression, in parentheses, nor at(...) of "
+                                  "one; did you mean max?" },
+        { "run --reduce 'max(x,p)'", "--reduce: 'max(x,p)' takes one expression" },
+        { "run --reduce 'at(mean(x))'", "--reduce: 'mean(x)' has no time of its "
+                                        "own" },
+        { "run --reduce 'at(at(max(x)))'", "--reduce: 'at(max(x))' is not" },
+        { "run --reduce 'max(x)*2'", "--reduce: 'max(x)*2' is not" },
+        { "run --reduce 'max(x),max(x)'", "--reduce: 'max(x)' is asked for "
+                                          "twice" },
+        { "run --reduce ''", "--reduce: '' is not" },
+        { "run --reduce 'max(x)' --checkpoint s",
+          "--reduce: not together with --checkpoint" },
+        { "run --reduce 'max(x)' --error 1e-3",
+          "--reduce: not together with --error" },
+        { "run --columns t,a --error 1e-3", "--columns: 't,a': a, and a damper's "
+                                            "force" },
+        { "exact --columns t,work", "--columns: 't,work': a, and a damper's" },
+    };
+    for (size_t i = 0; i < LEN(cases); i++) {
+        char said[300];
+        snprintf(said, sizeof said, "fvi: %s", cases[i].said);
+        ck_assert_msg(fvi(cases[i].line) == 2, "%s", cases[i].line);
+        ck_assert_str_eq(out, "");
+        ck_assert_msg(strncmp(err, said, strlen(said)) == 0, "%s: %s",
+                      cases[i].line, err);
+    }
+    ck_assert_refused_at("run --columns 't,q=2*vv'",
+                         "fvi: --columns: '2*vv': no such name\n"
+                         "                   ^");
+    ck_assert_refused_at("run --reduce 'max(x+)'",
+                         "fvi: --reduce: 'x+': it ends too early\n"
+                         "                  ^");
+}
+END_TEST
+
+/* v, F and the energy need no sums: exact and --error have them. */
+START_TEST(a_state_alone_has_its_columns_too)
+{
+    ck_assert_int_eq(fvi("exact --mass 2 --force cosine:1,2 --steps 4 --columns "
+                         "t,v,p,F,energy-v^2-x^2/2,q=2*v"),
+                     0);
+    for (size_t k = 0; k <= 4; k++) {
+        ck_assert(cell(k, 1) == cell(k, 2) / 2 && cell(k, 5) == cell(k, 2));
+        ck_assert_ulp(cell(k, 3), cos(2 * cell(k, 0)), 1, "F");
+        ck_assert_near(cell(k, 4), 0, 4 * U, "energy");
+    }
+    ck_assert_int_eq(fvi("run --error 1e-8 --time 2 --steps 4 --columns "
+                         "t,v-p,energy"),
+                     0);
+    ck_assert(cell(4, 0) == 2 && cell(4, 1) == 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the program fvi: columns and reductions");
+    ADD_CASE(suite, "columns", drifts_floors_and_forces_are_columns,
+             names_of_columns_survive_every_format,
+             plain_columns_stay_what_they_are, sums_stand_in_the_checkpoint,
+             a_state_alone_has_its_columns_too);
+    ADD_CASE(suite, "reductions", reductions_are_over_all_steps,
+             means_and_peaks_are_what_they_say);
+    ADD_CASE(suite, "refused", what_no_column_is_is_refused);
+    return run_suite_of_program(suite);
+}
