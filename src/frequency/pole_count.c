@@ -8,12 +8,16 @@
 
 /* ---- the theorem ---- */
 
-/* On which side of the real line a symbol is at s = -r + i0, for all r > 0. */
+/* Where a symbol is at s = -r + i0: for all r > 0 above or below the real line, or on it and not
+ * negative; for each r one of the first and the last; real and negative for some r; or none of
+ * these is known. */
 typedef enum {
-    ON_THE_LINE = 0, /* real, and not negative */
+    ON_THE_LINE = 0,
     ABOVE = 1,
     BELOW = 2,
-    ELSEWHERE = 4 /* on both sides, or negative somewhere */
+    ABOVE_OR_ON = 4,
+    NEGATIVE = 8,
+    ANYWHERE = 16
 } side;
 
 //> sides
@@ -22,38 +26,48 @@ static side side_of_power(double order)
     return order == 0 || order == 2 ? ON_THE_LINE
            : order < 1              ? ABOVE
            : order > 1              ? BELOW
-                                    : ELSEWHERE;
+                                    : NEGATIVE;
 }
 
 static side side_of_term(const fvi_kernel_term *t)
 {
+    const double order = 2 * t->alpha;
     if (t->rho == 0)
         return ON_THE_LINE;
     switch (t->kind) {
     case FVI_KERNEL_POWER:
-        return side_of_power(2 * t->alpha);
-    case FVI_KERNEL_ZENER:
+        return side_of_power(order);
+    case FVI_KERNEL_ZENER: /* q / (1 + T q) is where q is, if that is above */
     case FVI_KERNEL_MAXWELL2:
-    case FVI_KERNEL_DAVIDSON:
-        return t->time == 0      ? side_of_power(2 * t->alpha)
-               : t->alpha < 0.5 ? ABOVE
-                                 : ELSEWHERE;
-    case FVI_KERNEL_DISTRIBUTED:
-        return t->end <= 0.5 ? ABOVE : t->alpha >= 0.5 ? BELOW : ELSEWHERE;
+        return t->time == 0 || order <= 1 ? side_of_power(order) : ANYWHERE;
+    case FVI_KERNEL_DAVIDSON: /* beyond r = 1 / T it is positive */
+        return t->time == 0 ? side_of_power(order)
+               : order < 1  ? ABOVE_OR_ON
+               : order == 1 ? NEGATIVE
+                            : ANYWHERE;
     case FVI_KERNEL_MAXWELL:
+        return NEGATIVE;
+    case FVI_KERNEL_DISTRIBUTED:
+        return t->end <= 0.5 ? ABOVE : t->alpha >= 0.5 ? BELOW : ANYWHERE;
     case FVI_KERNEL_SYMBOL:
         break;
     }
-    return ELSEWHERE;
+    return ANYWHERE;
 }
 
+/* What is negative must have something above beside it, in the same law. */
 int fvi_poles_by_theorem(const fvi_response *r, double least_lambda)
 {
-    int sides = 0;
-    for (size_t l = 2; l < r->terms; l++)
+    int all = 0, fits = least_lambda > 0;
+    for (size_t l = 2; l < r->terms; l++) {
+        int sides = 0;
         for (size_t i = 0; i < r->term[l].kernel->count; i++)
             sides |= (int)side_of_term(&r->term[l].kernel->term[i]);
-    return least_lambda > 0 && sides <= BELOW; /* not ABOVE and BELOW */
+        fits = fits && !(sides & ANYWHERE)
+               && (!(sides & NEGATIVE) || (sides & ABOVE));
+        all |= sides;
+    }
+    return fits && (!(all & BELOW) || all == BELOW);
 }
 //< sides
 

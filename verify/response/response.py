@@ -2,7 +2,7 @@
 
   (30.1)  a damper between two points, linear around a place, is grad g grad g^T times its symbol;
   (30.3)  the ground: both sides of the equation in coordinates beside it;
-  (30.5)  the residue of Z^-1 at a simple pole is v v^T / v^T Z' v;
+  (30.4)  the residue of Z^-1 at a simple pole is v v^T / v^T Z' v;
   (30.6)  Z^-1 is the sum of its residues and an integral along the cut, to 30 digits;
   (30.7)  on which side of the line each symbol is on the cut, and that poles have Re s <= 0;
   (30.9)  v^T Z v is stationary at a shape, so an error of v enters s squared;
@@ -38,12 +38,12 @@ whole = s**2 * M * (y + ones * a / s**2) + K * y    # M x'' + K (x - ground) = 0
 prove("(30.3): the equation", *whole.applyfunc(simplify))
 prove("(30.3): 1 - s^2 H M 1", *(absolute - (eye(2) - s**2 * Z.inv() * M) * ones * a).applyfunc(simplify))
 
-# ---- (30.5): Z = (s - p) near a simple zero of a 2 by 2 symmetric matrix
+# ---- (30.4): Z = (s - p) near a simple zero of a 2 by 2 symmetric matrix
 p, z1, z2, z3 = symbols("p z1 z2 z3")
 near = Matrix([[1, 2], [2, 4]]) + (s - p) * Matrix([[z1, z2], [z2, z3]])   # v = (2, -1)
 v = Matrix([2, -1])
 residue = ((s - p) * near.inv()).applyfunc(lambda f: simplify(f).subs(s, p))
-prove("(30.5)", *(residue - v * v.T / (v.T * near.diff(s) * v)[0]).applyfunc(simplify))
+prove("(30.4)", *(residue - v * v.T / (v.T * near.diff(s) * v)[0]).applyfunc(simplify))
 
 # ---- (30.9): d(v^T Z v) = 2 dv^T Z v = 0 where Z v = 0
 d1, d2 = symbols("d1 d2")
@@ -53,7 +53,7 @@ prove("(30.9)", diff((w.T * near.subs(s, p) * w)[0], e).subs(e, 0))
 # ---- (30.7): at s = -r + i0 a power of order b has the angle pi b
 r, T, phi, theta = symbols("r T phi theta", positive=True)
 q = r * (cos(phi) + I * sin(phi))          # s^b, phi = pi b in (0, pi)
-prove("a fraction q / (1 + T q) is above", im((q * (1 + T * q.conjugate())).expand()).expand() - r * sin(phi))
+prove("(30.7): a fraction q / (1 + T q) is above", im((q * (1 + T * q.conjugate())).expand()).expand() - r * sin(phi))
 q2 = theta * (cos(phi / 2) + I * sin(phi / 2))  # two in series: 1 / (1/q + 1/q2)
 prove("1/z of what is above is below", im((1 / q).rewrite(cos)).simplify() + sin(phi) / r)
 # s / (1 + T s) maps the upper half plane into itself: Im = Im s / |1 + T s|^2

@@ -1,0 +1,93 @@
+/* figures/response/response_paths.c -- H 30: the poles of three storeys as a damper grows.
+ *
+ * Masses and springs 1, a springpot of order 1/2 below the first floor, rho from 10^-3 to 10^3.
+ * Blocks 0 to 2, a pole each: rho, Re, Im, damping ratio. Block 3: where they begin and end, and what
+ * they are for rho = 1. */
+#include <fvi/dampers.h>
+#include <fvi/response.h>
+#include <fvi/structures.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* The three poles, each the nearest to what it was before. */
+static void poles(const fvi_structure *storeys, double rho, double at[3][2])
+{
+    static const double row[3] = { 1, 0, 0 };
+    const fvi_kernel_term term = { FVI_KERNEL_POWER, rho, 0.25, 0, 0 };
+    const fvi_kernel kernel = { 1, &term };
+    const fvi_damper damper = { .of = fvi_elongation_row(row), .kernel = &kernel };
+    const fvi_mechanism mechanism = { .damper_count = 1, .damper = &damper };
+    fvi_system system = fvi_structure_system(storeys);
+    system.mechanism = &mechanism;
+    const fvi_linear_motion motion = { .system = &system };
+    fvi_response *response;
+    fvi_poles p;
+    if (fvi_response_alloc(&motion, &response, NULL)
+        || fvi_poles_find(response, 0, &p, NULL) || p.count != 3)
+        exit(EXIT_FAILURE);
+    for (int k = 0; k < 3; k++) {
+        size_t best = 0;
+        double least = HUGE_VAL;
+        for (size_t j = 0; j < 3; j++) {
+            const double apart = hypot(p.pole[2 * j] - at[k][0], p.pole[2 * j + 1] - at[k][1]);
+            if (apart < least) {
+                least = apart;
+                best = j;
+            }
+        }
+        at[k][0] = p.pole[2 * best];
+        at[k][1] = p.pole[2 * best + 1];
+    }
+    fvi_poles_free(&p);
+    fvi_response_free(response);
+}
+
+static void print(double rho, const double at[2])
+{
+    printf("%.6g %.9g %.9g %.9g\n", rho, at[0], at[1], -at[0] / hypot(at[0], at[1]));
+}
+
+int main(void)
+{
+    enum { STEPS = 600 };
+    static const fvi_triplet stiffness[] = { { 0, 0, 2 },  { 0, 1, -1 }, { 1, 0, -1 },
+                                             { 1, 1, 2 },  { 1, 2, -1 }, { 2, 1, -1 },
+                                             { 2, 2, 1 } },
+                             mass[] = { { 0, 0, 1 }, { 1, 1, 1 }, { 2, 2, 1 } };
+    fvi_sparse M, K;
+    fvi_structure *storeys;
+    if (fvi_sparse_assemble(3, 3, mass, &M) || fvi_sparse_assemble(3, 7, stiffness, &K)
+        || fvi_structure_alloc(&M, &K, NULL, &storeys, NULL))
+        return EXIT_FAILURE;
+    for (int k = 0; k < 3; k++) {
+        double at[3][2];
+        for (int j = 0; j < 3; j++) { /* 2 sin((2 j + 1) pi / 14) */
+            at[j][0] = 0;
+            at[j][1] = 2 * sin((2 * j + 1) * acos(-1) / 14);
+        }
+        printf("%s# pole %d: rho, re, im, damping ratio\n", k ? "\n\n" : "", k + 1);
+        for (int i = 0; i <= STEPS; i++) {
+            const double rho = pow(10, -3 + 6.0 * i / STEPS);
+            poles(storeys, rho, at);
+            print(rho, at[k]);
+        }
+    }
+    for (int block = 0; block < 3; block++) { /* begin, rho = 1, end */
+        double at[3][2];
+        for (int j = 0; j < 3; j++) {
+            at[j][0] = 0;
+            at[j][1] = 2 * sin((2 * j + 1) * acos(-1) / 14);
+        }
+        printf("\n\n# at one rho\n");
+        const double wanted = block == 0 ? 1e-3 : block == 1 ? 1 : 1e3;
+        for (int i = 0; i <= 200; i++)
+            poles(storeys, 1e-3 * pow(wanted / 1e-3, i / 200.0), at);
+        for (int j = 0; j < 3; j++)
+            print(wanted, at[j]);
+    }
+    fvi_structure_free(storeys);
+    fvi_sparse_free(&M);
+    fvi_sparse_free(&K);
+    return EXIT_SUCCESS;
+}
