@@ -7,6 +7,7 @@
 #define FVI_DIRECTORY_H
 
 #include "error.h"
+#include "parse.h"
 #include "structures.h"
 
 #ifdef __cplusplus
@@ -26,6 +27,24 @@ typedef struct fvi_directory fvi_directory;
  * FVI_ENOMEM. */
 int fvi_directory_open(const char *name, fvi_directory **directory,
                        fvi_error *error);
+
+/* fvi_directory_open_dampers -- the same with several dampers in place of C:
+ *
+ *     const char *const damper[] = { "C.mtx : power:1,0.3", "roof=x5-x4 : zener:2,0.3,1" };
+ *
+ *   count, damper  texts '[NAME=] G : LAW [: PAST]' as those of a mechanism (parse.h). G is a file of
+ *              the folder, a symmetric matrix that is not negative, or an expression in x1, ...,
+ *              xd that is linear. With count 0 as fvi_directory_open
+ *   parameters  of the expressions, or NULL
+ *
+ * A C.mtx that no damper names is refused, as all other files that would not be read. */
+int fvi_directory_open_dampers(const char *name, size_t count, const char *const *damper,
+                               fvi_user_parameters *parameters, fvi_directory **directory,
+                               fvi_error *error);
+
+/* fvi_directory_file -- the name of file number i, from 0, that was read of the folder, or would be:
+ * "M.mtx", ...; NULL if there are not so many. */
+const char *fvi_directory_file(const fvi_directory *directory, size_t i);
 
 /* fvi_directory_force -- f.tsv of the folder, if it is there: rows t, f_1, ..., f_d, or of the
  * unknowns that a first line names, "t f3 f7"; linear in between. All others are free.

@@ -82,8 +82,7 @@ int fvi_check_mechanism_words(const fvi_options *o, fvi_error *c)
                                                   ORDER,     RHO,   DAMPING,
                                                   DERIVATIVE, SYSTEM, OPTIONS },
                               of_damper[] = { ALPHA,   ORDER,      RHO,
-                                              DAMPING, DERIVATIVE, SYSTEM,
-                                              OPTIONS },
+                                              DAMPING, DERIVATIVE, OPTIONS },
                               of_start[] = { P0, SYSTEM, OPTIONS },
                               of_directory[] = { CONSTRAINT, IMPOSE, FORCE_ON,
                                                  OPTIONS };
@@ -127,6 +126,11 @@ size_t fvi_mechanism_dimension(const fvi_options *o)
 }
 
 /* ---- values ---- */
+
+const fvi_option_values *fvi_dampers_typed(const fvi_options *o)
+{
+    return &o->list[0];
+}
 
 /* Without --damper each coordinate is damped as --alpha and --rho, or --damping, say: that is a damper
  * on itself. The texts stand in one block, the list in another. */
@@ -192,7 +196,7 @@ static char *lagrangian_of_potential(const fvi_options *o)
 int fvi_problem_mechanism(fvi_options *o, fvi_error *c)
 {
     char **made = NULL, *in_time = NULL;
-    if (!fvi_wants_mechanism(o))
+    if (!fvi_wants_mechanism(o) || o->directory) /* whose dampers are its own */
         return 0;
     if (o->potential_has_time && !(in_time = lagrangian_of_potential(o)))
         return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");

@@ -11,6 +11,9 @@ int fvi_is_listed(option_index i);
 int fvi_list_option(fvi_options *o, option_index i, const char *value,
                     fvi_error *c);
 
+/* fvi_dampers_typed -- the texts of --damper. */
+const fvi_option_values *fvi_dampers_typed(const fvi_options *o);
+
 /* fvi_wants_mechanism -- do the words, or a mass of 0, ask for a mechanism? */
 int fvi_wants_mechanism(const fvi_options *o);
 

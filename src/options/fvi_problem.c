@@ -54,22 +54,25 @@ int fvi_problem_lists(fvi_options *o, fvi_error *c)
 }
 
 /* The files of a folder, which no output may replace, nor one that would be read next time. */
-static void mark_directory(const char *name)
+static void mark_directory(const fvi_options *o)
 {
-    static const char *const files[] = { "M.mtx", "K.mtx", "C.mtx", "f.tsv" };
-    char path[PATH_MAX + 8];
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        snprintf(path, sizeof path, "%s/%s", name, files[i]);
+    char path[2 * PATH_MAX];
+    const char *file;
+    for (size_t i = 0; (file = fvi_directory_file(o->directory, i)); i++) {
+        snprintf(path, sizeof path, "%s/%s", o->text[SYSTEM], file);
         fvi_mark_read("system", path);
     }
 }
 
 static int read_system(fvi_options *o, fvi_error *c)
 {
-    mark_directory(o->text[SYSTEM]);
-    const int status = fvi_directory_open(o->text[SYSTEM], &o->directory, c);
+    const fvi_option_values *dampers = fvi_dampers_typed(o);
+    const int status =
+        fvi_directory_open_dampers(o->text[SYSTEM], dampers->count, dampers->value,
+                                   &o->lets, &o->directory, c);
     if (status)
         return status;
+    mark_directory(o);
     o->d = fvi_directory_system(o->directory).d;
     o->potential.kind = FVI_POTENTIAL_FREE;
     o->numbered = 1;

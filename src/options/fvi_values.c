@@ -91,19 +91,25 @@ static int begins_to_move(const fvi_options *o)
     return o->force && fvi_force_typed(o->force).impulse_count > 0;
 }
 
-/* Exponentials of a law, for steps of one length, are there or are refused. */
+/* Exponentials of a law, or of the dampers of a folder, for steps of one length, are there or are
+ * refused. */
 static int check_modes(const fvi_options *o, fvi_error *c)
 {
-    const fvi_system of_one_damper = { .d = o->d };
-    const fvi_run run = { .system = &of_one_damper, .law = &o->damping.law, .h = o->h };
+    const int of_folder = o->directory && o->text[DAMPER];
+    const fvi_system system =
+        of_folder ? fvi_options_system(o) : (fvi_system){ .d = o->d };
+    const fvi_run run = { .system = &system,
+                          .law = of_folder ? NULL : &o->damping.law,
+                          .h = o->h };
     int has = 1;
-    if (o->text[DAMPING] && o->memory == FVI_HISTORY_MODES && !o->method->dense
-        && fvi_method_has_modes(o->method, &run, &has))
+    if ((o->text[DAMPING] || of_folder) && o->memory == FVI_HISTORY_MODES
+        && !o->method->dense && fvi_method_has_modes(o->method, &run, &has))
         return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
     return has ? 0
-               : fvi_refuse(c, "memory", "'exponentials': of --damping '%s' there "
+               : fvi_refuse(c, "memory", "'exponentials': of --%s '%s' there "
                             "are none with this step; 'auto' sums it all",
-                            o->text[DAMPING]);
+                            of_folder ? "damper" : "damping",
+                            o->text[of_folder ? DAMPER : DAMPING]);
 }
 
 /* What is asked for is done or refused: the words that a method cannot honour. */

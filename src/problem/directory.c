@@ -1,32 +1,17 @@
 /* src/problem/directory.c -- A system from the files of a folder. */
 #define _GNU_SOURCE /* PATH_MAX */
-#include <fvi/directory.h>
+#include "directory_state.h"
 
 #include "polygon.h"
 #include "rows.h"
 #include "matrices/sparse.h"
 
 #include <dirent.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
-
-/* Forces on some unknowns, in rows of t and `width` numbers. */
-typedef struct {
-    size_t rows, width;
-    size_t *unknown; /* of each column, from 0 */
-    double *t;       /* each row in one piece */
-} loads;
-
-struct fvi_directory {
-    char name[PATH_MAX], force_name[PATH_MAX + 12];
-    fvi_sparse M, K, C;
-    fvi_structure *structure;
-    loads loads;
-};
 
 static int no_memory(fvi_error *error)
 {
@@ -50,8 +35,8 @@ static int is_there(const char *place)
 
 /* ---- matrices ---- */
 
-static int read_matrix(const fvi_directory *d, const char *file, fvi_sparse *A,
-                       fvi_error *error)
+int fvi_directory_read_matrix(const fvi_directory *d, const char *file, fvi_sparse *A,
+                              fvi_error *error)
 {
     char place[PATH_MAX + 8];
     fvi_misread wrong = { 0, "", 0 };
@@ -88,61 +73,70 @@ static int gives_away(const fvi_sparse *A, int semidefinite, int *row,
     return 0;
 }
 
-/* Three matrices that were read, but do not make a system: with the line of the size, or of
- * the entry that gives it away, where one does. */
-static int refuse_matrices(const fvi_directory *d, int status, char fault,
-                           fvi_error *error)
+int fvi_directory_refuse_matrix(const fvi_directory *d, int status, const char *file,
+                                const fvi_sparse *A, fvi_error *error)
 {
+    const int is_mass = A == &d->M;
     const char *reason =
         status == FVI_EINVAL ? "not of the size of M.mtx"
-        : fault == 'M'       ? "not positive definite"
-        : fault == 'C' ? "not positive semidefinite: it would feed the motion"
-                       : "not a matrix of a system";
+        : is_mass            ? "not positive definite"
+        : A != &d->K ? "not positive semidefinite: it would feed the motion"
+                     : "not a matrix of a system";
     if (status == FVI_ENOMEM)
         return no_memory(error);
-    const char name[] = { fault, '.', 'm', 't', 'x', '\0' };
     char place[PATH_MAX + 8];
     int row = -1, column = -1;
     size_t line = 0;
-    path(d, name, place);
-    if (status == FVI_EINVAL
-        || gives_away(fault == 'M' ? &d->M : &d->C, fault == 'C', &row,
-                      &column))
+    path(d, file, place);
+    if (status == FVI_EINVAL || gives_away(A, !is_mass, &row, &column))
         line = fvi_sparse_line(place, row, column);
     return line ? fvi_fail(error, FVI_EINVAL, "system", NAN, "%s:%zu: %s", place, line, reason)
                 : fvi_fail(error, FVI_EINVAL, "system", NAN, "%s: %s", place, reason);
 }
 
-static int read_all(fvi_directory *d, fvi_error *error)
+static int refuse_one_of_three(const fvi_directory *d, int status, char fault,
+                               fvi_error *error)
+{
+    const char name[] = { fault, '.', 'm', 't', 'x', '\0' };
+    return fvi_directory_refuse_matrix(d, status, name,
+                                       fault == 'M'   ? &d->M
+                                       : fault == 'K' ? &d->K
+                                                      : &d->C,
+                                       error);
+}
+
+static int read_all(fvi_directory *d, fvi_user_parameters *parameters, fvi_error *error)
 {
     char place[PATH_MAX + 8], fault;
-    int status = read_matrix(d, "M.mtx", &d->M, error);
+    int status = fvi_directory_read_matrix(d, "M.mtx", &d->M, error);
     if (!status)
-        status = read_matrix(d, "K.mtx", &d->K, error);
+        status = fvi_directory_read_matrix(d, "K.mtx", &d->K, error);
+    if (!status && d->dampers > 0)
+        return fvi_directory_read_dampers(d, parameters, error);
     const int damped = is_there(path(d, "C.mtx", place));
     if (!status && damped)
-        status = read_matrix(d, "C.mtx", &d->C, error);
+        status = fvi_directory_read_matrix(d, "C.mtx", &d->C, error);
     if (status)
         return status;
     status = fvi_structure_alloc(&d->M, &d->K, damped ? &d->C : NULL,
                                  &d->structure, &fault);
-    return status ? refuse_matrices(d, status, fault, error) : 0;
+    return status ? refuse_one_of_three(d, status, fault, error) : 0;
 }
 
 /* ---- files that are not read ---- */
 
 /* Does this look like an input, and is it none? All that ends with .mtx, and tables of
  * numbers whose names stand for a matrix or a force. */
-static int is_stranger(const char *name)
+static int is_stranger(const fvi_directory *d, const char *name)
 {
-    static const char *const read[] = { "M.mtx", "K.mtx", "C.mtx", "f.tsv" };
     static const char *const stems[] = {
         "M", "K", "C", "f", "mass", "stiffness", "damping", "force"
     };
     static const char *const ends[] = { ".tsv", ".csv", ".txt", ".dat" };
     const char *end = strrchr(name, '.');
-    for (size_t i = 0; i < sizeof read / sizeof *read; i++)
-        if (strcmp(name, read[i]) == 0)
+    const char *read;
+    for (size_t i = 0; (read = fvi_directory_file(d, i)); i++)
+        if (strcmp(name, read) == 0)
             return 0;
     if (!end || *name == '.')
         return 0;
@@ -162,19 +156,41 @@ static int refuse_strangers(const fvi_directory *d, fvi_error *error)
     char first[NAME_MAX + 1] = "";
     DIR *folder = opendir(d->name);
     for (struct dirent *file; folder && (file = readdir(folder));)
-        if (is_stranger(file->d_name)
+        if (is_stranger(d, file->d_name)
             && (!*first || strcmp(file->d_name, first) < 0))
             snprintf(first, sizeof first, "%s", file->d_name);
     if (folder)
         closedir(folder);
-    return *first ? fvi_fail(error, FVI_EINVAL, "system", NAN, "%s/%s would not be read: M.mtx, "
+    if (!*first)
+        return 0;
+    return d->dampers > 0
+               ? fvi_fail(error, FVI_EINVAL, "system", NAN,
+                          "%s/%s would not be read: M.mtx, K.mtx, f.tsv and the files that "
+                          "a damper names are",
+                          d->name, first)
+               : fvi_fail(error, FVI_EINVAL, "system", NAN, "%s/%s would not be read: M.mtx, "
                                "K.mtx, C.mtx and f.tsv are",
-                               d->name, first)
-                  : 0;
+                               d->name, first);
 }
 
-int fvi_directory_open(const char *name, fvi_directory **directory,
-                       fvi_error *error)
+const char *fvi_directory_file(const fvi_directory *d, size_t i)
+{
+    static const char *const always[] = { "M.mtx", "K.mtx", "f.tsv" };
+    enum { ALWAYS = sizeof always / sizeof *always };
+    if (i < ALWAYS)
+        return always[i];
+    i -= ALWAYS;
+    if (d->dampers == 0)
+        return i == 0 ? "C.mtx" : NULL;
+    for (size_t j = 0; j < d->dampers; j++)
+        if (d->each[j].file && i-- == 0)
+            return d->each[j].file;
+    return NULL;
+}
+
+int fvi_directory_open_dampers(const char *name, size_t count, const char *const *damper,
+                               fvi_user_parameters *parameters, fvi_directory **directory,
+                               fvi_error *error)
 {
     fvi_directory *d = calloc(1, sizeof *d);
     if (!d)
@@ -186,7 +202,9 @@ int fvi_directory_open(const char *name, fvi_directory **directory,
         strcpy(d->name, name);
     snprintf(d->force_name, sizeof d->force_name, "f.tsv of %s", d->name);
     if (!status)
-        status = read_all(d, error);
+        status = fvi_directory_parse_dampers(d, count, damper, parameters, error);
+    if (!status)
+        status = read_all(d, parameters, error);
     if (!status)
         status = refuse_strangers(d, error);
     if (status)
@@ -194,6 +212,12 @@ int fvi_directory_open(const char *name, fvi_directory **directory,
     else
         *directory = d;
     return status;
+}
+
+int fvi_directory_open(const char *name, fvi_directory **directory,
+                       fvi_error *error)
+{
+    return fvi_directory_open_dampers(name, 0, NULL, NULL, directory, error);
 }
 
 /* ---- forces ---- */
@@ -384,6 +408,7 @@ void fvi_directory_close(fvi_directory *d)
     if (!d)
         return;
     fvi_structure_free(d->structure);
+    fvi_directory_free_dampers(d);
     fvi_sparse_free(&d->M);
     fvi_sparse_free(&d->K);
     fvi_sparse_free(&d->C);

@@ -82,32 +82,51 @@ static int parse_law(fvi_typed_damper *damper, const char *text,
     return status;
 }
 
-static int parse_damper(fvi_typed_mechanism *m, size_t j, const char *text,
-                        fvi_user_parameters *parameters, fvi_error *error)
+static int no_memory(fvi_error *error)
 {
-    fvi_typed_damper *damper = &m->typed[j];
+    return fvi_fail(error, FVI_ENOMEM, "damper", NAN, "not enough memory");
+}
+
+int fvi_parse_damper(const char *text, size_t count, const fvi_typed_damper *others,
+                     fvi_user_parameters *parameters, fvi_typed_damper *damper, char **of,
+                     fvi_error *error)
+{
     const size_t named = name_length(text);
     const char *g = text + named, *colon = strstr(g, " : ");
+    *of = NULL;
     if (!colon)
         return fvi_fail(error, FVI_EINVAL, "damper", NAN,
                         "'%s' is not '[NAME=] G : LAW [: PAST]', with blanks "
                         "around the colons",
                         text);
     damper->name = named ? piece(text, named - 1) : NULL;
-    char *of = piece(g, (size_t)(colon - g));
-    int status = !of || (named && !damper->name)
-                     ? fvi_fail(error, FVI_ENOMEM, "damper", NAN,
-                                "not enough memory")
-                     : fvi_parse_state_expression("damper", m->d, 0, of,
-                                                  parameters, &damper->of.e,
-                                                  error);
-    free(of);
-    for (size_t i = 0; !status && named && i < j; i++)
-        if (m->typed[i].name && strcmp(m->typed[i].name, damper->name) == 0)
+    *of = piece(g, (size_t)(colon - g));
+    if (!*of || (named && !damper->name))
+        return no_memory(error);
+    for (size_t i = 0; named && i < count; i++)
+        if (others[i].name && strcmp(others[i].name, damper->name) == 0)
             return fvi_fail(error, FVI_EINVAL, "damper", NAN,
                             "'%s' is the name of two dampers", damper->name);
+    return parse_law(damper, colon + 3, parameters, error);
+}
+
+void fvi_typed_damper_free(fvi_typed_damper *damper)
+{
+    fvi_expression_free(damper->of.e);
+    fvi_typed_damping_free(&damper->law);
+    free(damper->name);
+}
+
+static int parse_damper(fvi_typed_mechanism *m, size_t j, const char *text,
+                        fvi_user_parameters *parameters, fvi_error *error)
+{
+    fvi_typed_damper *damper = &m->typed[j];
+    char *of;
+    int status = fvi_parse_damper(text, j, m->typed, parameters, damper, &of, error);
     if (!status)
-        status = parse_law(damper, colon + 3, parameters, error);
+        status = fvi_parse_state_expression("damper", m->d, 0, of, parameters,
+                                            &damper->of.e, error);
+    free(of);
     m->damper[j] = (fvi_damper){
         .name = damper->name,
         .of = fvi_elongation_of_text(&damper->of),
@@ -234,11 +253,8 @@ void fvi_typed_mechanism_free(fvi_typed_mechanism *m)
     if (!m)
         return;
     fvi_expression_free(m->lagrangian);
-    for (size_t j = 0; m->typed && j < m->dampers; j++) {
-        fvi_expression_free(m->typed[j].of.e);
-        fvi_typed_damping_free(&m->typed[j].law);
-        free(m->typed[j].name);
-    }
+    for (size_t j = 0; m->typed && j < m->dampers; j++)
+        fvi_typed_damper_free(&m->typed[j]);
     for (size_t i = 0; m->constraint && i < m->constraints; i++)
         fvi_expression_free(m->constraint[i].e);
     for (size_t i = 0; m->force && i < m->forces; i++)

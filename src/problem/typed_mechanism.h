@@ -31,6 +31,14 @@ struct fvi_typed_mechanism {
     fvi_mechanism all;
 };
 
+/* fvi_parse_damper -- name, law and past of '[NAME=] G : LAW [: PAST]', and the text G in *of, which
+ * the caller frees. Those of `others`, which have been parsed, have other names.
+ * fvi_typed_damper_free -- give back what is in it. */
+int fvi_parse_damper(const char *text, size_t count, const fvi_typed_damper *others,
+                     fvi_user_parameters *parameters, fvi_typed_damper *damper, char **of,
+                     fvi_error *error);
+void fvi_typed_damper_free(fvi_typed_damper *damper);
+
 /* fvi_elongation_of_text -- g(x, t) of an expression. */
 fvi_elongation fvi_elongation_of_text(fvi_typed_expression *of);
 

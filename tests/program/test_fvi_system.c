@@ -162,6 +162,39 @@ START_TEST(a_folder_of_matrices_is_the_system_that_it_says)
 }
 END_TEST
 
+/* C.mtx alone, by --alpha, is one damper of it, to the bit; and rows are the matrix that they make, to
+ * the order of sums. A checkpoint keeps the history of each. */
+START_TEST(dampers_of_a_folder_are_files_and_rows)
+{
+    static char one[1 << 16], other[1 << 16];
+    static const char *const methods[] = { "fvi", "fvi-shifted", "fvi-bdf2",
+                                           "fvi-stable" };
+    write_chain();
+    for (size_t i = 0; i < LEN(methods); i++) {
+        char line[600];
+        const char *same = "--x0 1,0,-1 --p0 0,0.5,0 --time 6 --steps 300";
+        snprintf(line, sizeof line, "run --system chain %s --method %s --alpha 0.3", same,
+                 methods[i]);
+        table(line, one, sizeof one);
+        snprintf(line, sizeof line,
+                 "run --system chain %s --method %s --damper 'C.mtx : power:1,0.3'", same,
+                 methods[i]);
+        table(line, other, sizeof other);
+        ck_assert_uint_eq(compare(one, other, 0), 301 * 8);
+        ck_assert_int_eq(shell("mkdir -p bare && cp chain/M.mtx chain/K.mtx bare"), 0);
+        snprintf(line, sizeof line,
+                 "run --system bare %s --method %s --damper 'left=x1 : power:0.3,0.3' "
+                 "--damper 'a*(x3 + 0*x2) : power:0.1,0.3 : held' --let a=1",
+                 same, methods[i]);
+        table(line, other, sizeof other);
+        ck_assert_uint_eq(compare(one, other, 1e-12), 301 * 8);
+        snprintf(line + strlen(line), sizeof line - strlen(line), " --checkpoint state");
+        ck_assert_int_eq(shell("rm -f state"), 0);
+        ck_assert_int_eq(fvi(line), 0);
+    }
+}
+END_TEST
+
 START_TEST(forces_come_from_a_table_of_unknowns)
 {
     static char one[1 << 16], other[1 << 16];
@@ -386,6 +419,7 @@ int main(void)
     ADD_CASE(suite, "system", a_gradient_of_a_folder_is_that_of_its_masses,
              a_law_of_a_folder_has_its_rows,
              a_folder_of_matrices_is_the_system_that_it_says,
+             dampers_of_a_folder_are_files_and_rows,
              forces_come_from_a_table_of_unknowns,
              unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot,
              a_system_goes_on_from_a_checkpoint_with_the_same_digits,

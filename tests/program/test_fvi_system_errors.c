@@ -131,10 +131,58 @@ START_TEST(what_a_system_replaces_or_no_method_takes_is_refused)
 }
 END_TEST
 
+START_TEST(dampers_of_a_folder_that_are_none_are_refused)
+{
+    write_chain();
+    ck_assert_int_eq(shell("rm -f chain/f.tsv"), 0);
+    write_file("chain/C2.mtx", HEAD "3 3 1\n2 2 1\n");
+    ck_assert_refused("run --system chain --damper 'C2.mtx : power:1,0.3'",
+                      "fvi: --system: chain/C.mtx would not be read: M.mtx, K.mtx, f.tsv and "
+                      "the files that a damper names are");
+    ck_assert_refused("run --system chain",
+                      "fvi: --system: chain/C2.mtx would not be read: M.mtx, K.mtx, C.mtx and "
+                      "f.tsv are");
+    ck_assert_int_eq(fvi("run --system chain --damper 'C2.mtx : power:1,0.3' --damper "
+                         "'C.mtx : zener:1,0.3,2' --steps 3"),
+                     0);
+    ck_assert_int_eq(shell("rm chain/C.mtx"), 0);
+    ck_assert_refused("run --system chain --damper 'C2.mtx : power:1,0.3' --alpha 0.3",
+                      "fvi: --damper: not together with --alpha");
+    ck_assert_refused("run --system chain --damper 'C2.mtx : power:1,0.3' --damper "
+                      "'Q.mtx : viscous:1'",
+                      "fvi: --system: chain/Q.mtx: cannot be read");
+    ck_assert_refused("run --system chain --damper '../chain/C2.mtx : viscous:1'",
+                      "fvi: --damper: '../chain/C2.mtx' is not the name of a file of the "
+                      "folder");
+    ck_assert_int_eq(shell("mv chain/C2.mtx chain/C.mtx"), 0);
+    ck_assert_refused("run --system chain --damper 'C.mtx : viscous:1' --damper "
+                      "'x2-x1^2 : viscous:1'",
+                      "fvi: --damper: 'x2-x1^2' is not linear: without --system it may be");
+    ck_assert_refused("run --system chain --damper 'C.mtx : viscous:1' --damper "
+                      "'x2-t : viscous:1'",
+                      "fvi: --damper: 'x2-t' has t in it: a structure stands still");
+    ck_assert_refused("run --system chain --damper 'C.mtx : power:1,2'",
+                      "fvi: --damper: 'power:1,2': power:R,A with R >= 0 and 0 <= A <= 1");
+    ck_assert_refused("run --system chain --damper 'C.mtx : davidson:1,0.49,1' --memory "
+                      "exponentials --steps 300",
+                      "fvi: --memory: 'exponentials': of --damper 'C.mtx : "
+                      "davidson:1,0.49,1' there are none with this step; 'auto' sums it all");
+    write_file("chain/C.mtx", HEAD "3 3 1\n2 2 -1\n");
+    ck_assert_refused("run --system chain --damper 'C.mtx : viscous:1'",
+                      "fvi: --system: chain/C.mtx:3: not positive semidefinite: it would feed "
+                      "the motion");
+    write_file("chain/C.mtx", HEAD "2 2 1\n2 2 1\n");
+    ck_assert_refused("run --system chain --damper 'C.mtx : viscous:1'",
+                      "fvi: --system: chain/C.mtx:2: not of the size of M.mtx");
+    write_chain();
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: no systems of matrices");
     ADD_CASE(suite, "errors", bad_folders_are_refused_with_file_and_line,
-             what_a_system_replaces_or_no_method_takes_is_refused);
+             what_a_system_replaces_or_no_method_takes_is_refused,
+             dampers_of_a_folder_that_are_none_are_refused);
     return run_suite_of_program(suite);
 }
