@@ -32,7 +32,8 @@ static void begin(search *o, const double *low, const double *high,
         gsl_qrng_get(sobol, share);
     for (size_t j = 0; j < o->fdf.p; j++) {
         const int logarithmic =
-            low[j] > 0 && m->fit->which[j] != FVI_FREE_PARAMETER_ALPHA;
+            low[j] > 0
+            && fvi_estimation_kind_of(m->fit->which[j]) != FVI_ESTIMATION_ORDER;
         double theta = start == 0    ? fvi_estimation_model_get(m, j)
                        : logarithmic ? low[j] * pow(high[j] / low[j], share[j])
                                      : low[j] + (high[j] - low[j]) * share[j];
@@ -97,7 +98,7 @@ static int go_on(search *o, size_t *best)
  * 0, and has still that of the data. */
 static double size_of(const search *o, size_t j, double theta)
 {
-    return o->model.fit->which[j] <= FVI_FREE_PARAMETER_MASS
+    return fvi_estimation_kind_of(o->model.fit->which[j]) != FVI_ESTIMATION_NUMBER
                ? fabs(theta)
                : fmax(fabs(theta), o->size[j]);
 }
@@ -121,6 +122,39 @@ static size_t agreeing(const search *o, const place *best,
     return agree;
 }
 
+/* Is this place farther than a standard deviation from that one in some parameter? */
+static int is_elsewhere(const search *o, const double *u, const double *theta,
+                        const double *sd)
+{
+    for (size_t j = 0; j < o->fdf.p; j++)
+        if (fabs(fvi_estimation_model_bound(&o->model, j, u[j]) - theta[j]) > sd[j])
+            return 1;
+    return 0;
+}
+
+/* The best places where starts ended elsewhere; each is taken once, its sum being infinite then. */
+static void remember_others(search *o, fvi_estimate *fitted)
+{
+    const size_t starts = o->model.fit->starts;
+    fitted->others = 0;
+    for (size_t tries = 0; tries < starts; tries++) {
+        size_t next = 0;
+        for (size_t k = 0; k < starts; k++)
+            keep(o, k, &next);
+        place *at = &o->found[next];
+        if (!(at->sum < GSL_POSINF) || fitted->others == FVI_ESTIMATION_OTHERS)
+            return;
+        at->sum = GSL_POSINF;
+        int is_new = is_elsewhere(o, at->u, fitted->estimate, fitted->sd);
+        for (size_t i = 0; i < fitted->others; i++)
+            is_new &= is_elsewhere(o, at->u, fitted->other[i], fitted->sd);
+        for (size_t j = 0; is_new && j < o->fdf.p; j++)
+            fitted->other[fitted->others][j] =
+                fvi_estimation_model_bound(&o->model, j, at->u[j]);
+        fitted->others += is_new != 0;
+    }
+}
+
 /* ---- what the data say of the parameters ---- */
 
 //> covariance
@@ -138,7 +172,8 @@ static int covariance(search *o, const place *at, fvi_estimate *fitted)
         const double slope =
             fabs(fvi_estimation_model_slope(m, j, fitted->estimate[j]));
         fitted->sd[j] *= deviation;
-        if (m->fit->which[j] <= FVI_FREE_PARAMETER_MASS && !(fitted->sd[j] < VAGUE))
+        if (fvi_estimation_kind_of(m->fit->which[j]) != FVI_ESTIMATION_NUMBER
+            && !(fitted->sd[j] < VAGUE))
             return FVI_ESING;
         fitted->sd[j] *= slope;
     }
@@ -241,6 +276,8 @@ static int whole(search *o, const double *low, const double *high,
     fvi_estimation_residuals(&u.vector, o, o->solver->f); /* for the motion there */
     if (curve)
         memcpy(curve, o->model.motion, fit->n * sizeof *curve);
+    if (!status)
+        remember_others(o, fitted);
     return status ? status : status_of(o, fitted);
 }
 

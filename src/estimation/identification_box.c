@@ -67,6 +67,24 @@ double fvi_estimation_first_step(const fvi_estimation *fit)
     return h / fmax(1, ceil(h * w));
 }
 
+/* A number of a law: of a size as that of a springpot, of a time as 1/w, or an order. */
+static void plausible_of_law(const fvi_estimation *fit, size_t which, double m, double w,
+                             double *low, double *high)
+{
+    const fvi_kernel_term *t = &fit->run->law->term[which / 4];
+    const double order = t->kind == FVI_KERNEL_MAXWELL ? 1 : 2 * t->alpha;
+    if (which % 2) {
+        *low = 0.02;
+        *high = 0.98;
+    } else if (which % 4 == 0 || t->kind == FVI_KERNEL_MAXWELL2) {
+        *low = m * pow(w, 2 - order) / 50;
+        *high = m * pow(w, 2 - order) * 2;
+    } else {
+        *low = pow(w, -order) / 30;
+        *high = pow(w, -order) * 30;
+    }
+}
+
 //> box
 /* What parameter j may plausibly be. */
 static void plausible(const fvi_estimation *fit, size_t j, double mean, double w,
@@ -94,11 +112,23 @@ static void plausible(const fvi_estimation *fit, size_t j, double mean, double w
         *high = 1.5 * m * w * A;
         *low = -*high;
         break;
+    case FVI_FREE_PARAMETER_OFFSET:
+        *high = A / 4;
+        *low = -*high;
+        break;
+    case FVI_FREE_PARAMETER_DRIFT:
+        *high = A / 4 / (fit->t[fit->n - 1] - fit->t[0]);
+        *low = -*high;
+        break;
     case FVI_FREE_PARAMETER_CONSTANT: /* of a linear spring, or of a pendulum */
         *low = c / 10;
         *high = c * 4;
         break;
-    default: /* of x^4 / 4 */
+    default:
+        if (fit->which[j] < FVI_FREE_PARAMETER_CONSTANT) {
+            plausible_of_law(fit, fit->which[j] - FVI_FREE_PARAMETER_LAW, m, w, low, high);
+            return;
+        } /* of x^4 / 4 */
         *low = -c / (A * A) / 2;
         *high = c / (A * A) * 2;
     }
@@ -137,6 +167,15 @@ static int check_data(const fvi_estimation *fit)
     return FVI_SUCCESS;
 }
 
+/* Is it no number of a law, or one that the run's law has? */
+static int has_number(const fvi_estimation *fit, fvi_free_parameter which)
+{
+    const size_t number = which - FVI_FREE_PARAMETER_LAW;
+    return which < FVI_FREE_PARAMETER_LAW || which >= FVI_FREE_PARAMETER_CONSTANT
+           || (fit->run->law && fit->run->law->count <= FVI_ESTIMATION_TERMS
+               && fvi_estimation_law_has(fit->run->law, number / 4, number % 4));
+}
+
 static int check_parameters(const fvi_estimation *fit)
 {
     if (fit->parameters == 0 || fit->parameters > FVI_ESTIMATION_MOST
@@ -151,6 +190,8 @@ static int check_parameters(const fvi_estimation *fit)
             FVI_FAIL("the method knows one alpha", FVI_EUNSUP);
         if (fit->which[j] == FVI_FREE_PARAMETER_ALPHA && fit->run->law)
             FVI_FAIL("a law of damping does not read alpha", FVI_EUNSUP);
+        if (!has_number(fit, fit->which[j]))
+            FVI_FAIL("the law has no such number", FVI_EINVAL);
         if (fit->which[j] >= FVI_FREE_PARAMETER_CONSTANT && !fit->constants)
             FVI_FAIL("there are no constants", FVI_EFAULT);
         if (fit->low && fit->high

@@ -10,6 +10,8 @@
 #include <math.h>
 #include <string.h>
 
+static int is_of_law(const fvi_estimation_model *m, size_t j);
+
 void fvi_estimation_model_init(fvi_estimation_model *m, const fvi_estimation *fit, double *motion)
 {
     double size = 0;
@@ -27,6 +29,13 @@ void fvi_estimation_model_init(fvi_estimation_model *m, const fvi_estimation *fi
     m->run.system = &m->system;
     m->run.x0 = &m->x0;
     m->run.p0 = &m->p0;
+    m->rows = fit->n;
+    for (size_t j = 0; j < fit->parameters; j++)
+        if (is_of_law(m, j)) {
+            m->law = (fvi_kernel){ fit->run->law->count, m->term };
+            memcpy(m->term, fit->run->law->term, m->law.count * sizeof *m->term);
+            m->run.law = &m->law;
+        }
     for (size_t i = 0; i < fit->n; i++)
         size = larger(size, fabs(fit->x[i]));
     m->scale = fit->sigma > 0 ? fit->sigma : size > 0 ? size : 1;
@@ -35,14 +44,73 @@ void fvi_estimation_model_init(fvi_estimation_model *m, const fvi_estimation *fi
 
 void fvi_estimation_model_step(fvi_estimation_model *m, double h)
 {
-    const double T = m->fit->t[m->fit->n - 1];
+    const double T = m->fit->t[m->rows - 1];
     m->run.steps = (size_t)ceil(T / h - 1e-6);
     m->run.h = T / (double)m->run.steps;
 }
 
 /* ---- one parameter ---- */
 
-static const double *place(const fvi_estimation_model *m, size_t j)
+fvi_estimation_kind fvi_estimation_kind_of(fvi_free_parameter which)
+{
+    if (which == FVI_FREE_PARAMETER_ALPHA)
+        return FVI_ESTIMATION_ORDER;
+    if (which == FVI_FREE_PARAMETER_RHO || which == FVI_FREE_PARAMETER_MASS)
+        return FVI_ESTIMATION_SIZE;
+    if (which < FVI_FREE_PARAMETER_LAW || which >= FVI_FREE_PARAMETER_CONSTANT)
+        return FVI_ESTIMATION_NUMBER;
+    return (which - FVI_FREE_PARAMETER_LAW) % 2 ? FVI_ESTIMATION_ORDER /* alpha, end */
+                                                : FVI_ESTIMATION_SIZE;
+}
+
+int fvi_estimation_law_has(const fvi_kernel *law, size_t term, size_t field)
+{
+    static const char *const fields[] = { /* rho, alpha, time, end */
+        [FVI_KERNEL_POWER] = "1100",       [FVI_KERNEL_ZENER] = "1110",
+        [FVI_KERNEL_MAXWELL] = "1010",     [FVI_KERNEL_DISTRIBUTED] = "1101",
+        [FVI_KERNEL_MAXWELL2] = "1111",    [FVI_KERNEL_DAVIDSON] = "1110",
+        [FVI_KERNEL_SYMBOL] = "0000"
+    };
+    return law && term < law->count && fields[law->term[term].kind][field] == '1';
+}
+
+/* A number of the law. Of two springpots in series time is r1 / r2, and the third number r2. */
+static double get_law(const fvi_estimation_model *m, size_t which)
+{
+    const fvi_kernel_term *t = &m->term[which / 4];
+    switch (which % 4) {
+    case 0:
+        return t->rho;
+    case 1:
+        return t->alpha;
+    case 2:
+        return t->kind == FVI_KERNEL_MAXWELL2 ? t->rho / t->time : t->time;
+    default:
+        return t->end;
+    }
+}
+
+static void set_law(fvi_estimation_model *m, size_t which, double theta)
+{
+    fvi_kernel_term *t = &m->term[which / 4];
+    switch (which % 4) {
+    case 0:
+        if (t->kind == FVI_KERNEL_MAXWELL2)
+            t->time *= theta / t->rho;
+        t->rho = theta;
+        break;
+    case 1:
+        t->alpha = theta;
+        break;
+    case 2:
+        t->time = t->kind == FVI_KERNEL_MAXWELL2 ? t->rho / theta : theta;
+        break;
+    default:
+        t->end = theta;
+    }
+}
+
+static double *place(fvi_estimation_model *m, size_t j)
 {
     const fvi_free_parameter which = m->fit->which[j];
     switch (which) {
@@ -56,54 +124,84 @@ static const double *place(const fvi_estimation_model *m, size_t j)
         return &m->x0;
     case FVI_FREE_PARAMETER_P0:
         return &m->p0;
+    case FVI_FREE_PARAMETER_OFFSET:
+        return &m->offset;
+    case FVI_FREE_PARAMETER_DRIFT:
+        return &m->drift;
     default:
         return &m->fit->constants[which - FVI_FREE_PARAMETER_CONSTANT];
     }
 }
 
+static int is_of_law(const fvi_estimation_model *m, size_t j)
+{
+    return m->fit->which[j] >= FVI_FREE_PARAMETER_LAW
+           && m->fit->which[j] < FVI_FREE_PARAMETER_CONSTANT;
+}
+
 double fvi_estimation_model_get(const fvi_estimation_model *m, size_t j)
 {
-    return *place(m, j);
+    return is_of_law(m, j) ? get_law(m, m->fit->which[j] - FVI_FREE_PARAMETER_LAW)
+                           : *place((fvi_estimation_model *)m, j);
 }
 
 void fvi_estimation_model_set(fvi_estimation_model *m, size_t j, double theta)
 {
-    *(double *)place(m, j) = theta; /* in *m, or in fit->constants */
+    if (is_of_law(m, j))
+        set_law(m, m->fit->which[j] - FVI_FREE_PARAMETER_LAW, theta);
+    else
+        *place(m, j) = theta; /* in *m, or in fit->constants */
 }
 
-static int is_positive(const fvi_estimation_model *m, size_t j)
+/* The orders that are possible for parameter j, which is one. */
+static void orders(const fvi_estimation_model *m, size_t j, double *low, double *high)
 {
-    return m->fit->which[j] == FVI_FREE_PARAMETER_RHO
-           || m->fit->which[j] == FVI_FREE_PARAMETER_MASS;
+    *low = is_of_law(m, j) ? 0 : m->fit->method->alpha_least;
+    *high = is_of_law(m, j) ? 1 : m->fit->method->alpha_most;
 }
 
 //> bound
 double fvi_estimation_model_bound(const fvi_estimation_model *m, size_t j, double u)
 {
-    const double low = m->fit->method->alpha_least,
-                 high = m->fit->method->alpha_most;
-    if (m->fit->which[j] == FVI_FREE_PARAMETER_ALPHA)
+    double low, high;
+    switch (fvi_estimation_kind_of(m->fit->which[j])) {
+    case FVI_ESTIMATION_ORDER:
+        orders(m, j, &low, &high);
         return low + (high - low) / (1 + exp(-u));
-    return is_positive(m, j) ? exp(u) : u;
+    case FVI_ESTIMATION_SIZE:
+        return exp(u);
+    default:
+        return u;
+    }
 }
 //< bound
 
 double fvi_estimation_model_free(const fvi_estimation_model *m, size_t j, double theta)
 {
-    const double low = m->fit->method->alpha_least,
-                 high = m->fit->method->alpha_most;
-    if (m->fit->which[j] == FVI_FREE_PARAMETER_ALPHA)
+    double low, high;
+    switch (fvi_estimation_kind_of(m->fit->which[j])) {
+    case FVI_ESTIMATION_ORDER:
+        orders(m, j, &low, &high);
         return log((theta - low) / (high - theta));
-    return is_positive(m, j) ? log(theta) : theta;
+    case FVI_ESTIMATION_SIZE:
+        return log(theta);
+    default:
+        return theta;
+    }
 }
 
 double fvi_estimation_model_slope(const fvi_estimation_model *m, size_t j, double theta)
 {
-    const double low = m->fit->method->alpha_least,
-                 high = m->fit->method->alpha_most;
-    if (m->fit->which[j] == FVI_FREE_PARAMETER_ALPHA)
+    double low, high;
+    switch (fvi_estimation_kind_of(m->fit->which[j])) {
+    case FVI_ESTIMATION_ORDER:
+        orders(m, j, &low, &high);
         return (theta - low) * (high - theta) / (high - low);
-    return is_positive(m, j) ? theta : 1;
+    case FVI_ESTIMATION_SIZE:
+        return theta;
+    default:
+        return 1;
+    }
 }
 
 /* ---- the motion ---- */
@@ -137,7 +235,7 @@ static int run_motion(fvi_estimation_model *m)
         return status;
     const double h = m->run.h, drift = h / m->mass;
     double x = s->x[0], p = s->p[0]; /* a step before s */
-    for (size_t i = 0; i < m->fit->n && !status; i++) {
+    for (size_t i = 0; i < m->rows && !status; i++) {
         const double t = m->fit->t[i];
         if (m->fit->method->dense) { /* it has the motion between its steps */
             status = fvi_stepper_advance_to(s, fmin(t, (double)m->run.steps * h),
@@ -155,6 +253,8 @@ static int run_motion(fvi_estimation_model *m)
     }
     m->reached = s->t;
     fvi_stepper_free(s);
+    for (size_t i = 0; i < m->rows; i++)
+        m->motion[i] += m->offset + m->drift * m->fit->t[i];
     return status;
 }
 //< run
@@ -220,7 +320,7 @@ static int run_tangents(const fvi_estimation_model *m, double *slope)
         return FVI_EDOM;
     int status =
         fvi_tangent_start(m->fit->method, &m->run, P, m->fit->which, &o);
-    for (size_t i = 0; i < m->fit->n && !status; i++, slope += P) {
+    for (size_t i = 0; i < m->rows && !status; i++, slope += P) {
         const double t = m->fit->t[i];
         while (o.stepper->t < t - 1e-9 * h && o.stepper->k < m->run.steps
                && !status) {
@@ -231,6 +331,10 @@ static int run_tangents(const fvi_estimation_model *m, double *slope)
         const int first = o.stepper->k == 0;
         read_slopes(m, &o, first ? 1 : (t - o.stepper->t) / h + 1, p_before,
                     before, slope);
+        for (size_t j = 0; j < P; j++)
+            slope[j] += o.which[j] == FVI_FREE_PARAMETER_OFFSET  ? 1
+                        : o.which[j] == FVI_FREE_PARAMETER_DRIFT ? t
+                                                                 : 0;
     }
     fvi_tangent_stop(&o);
     return status;

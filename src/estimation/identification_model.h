@@ -1,7 +1,8 @@
 /* src/estimation/identification_model.h -- The motion as a function of its parameters.
  *
  * Internal: nothing is checked here. theta are the parameters as people know them, u
- * those in which the search goes, all of the line: logit of alpha, ln of rho and m. */
+ * those in which the search goes, all of the line: logit of an order, ln of rho, of m and of a
+ * time. */
 #ifndef FVI_IDENTIFICATION_MODEL_H
 #define FVI_IDENTIFICATION_MODEL_H
 
@@ -9,6 +10,7 @@
 
 #include <gsl/gsl_matrix.h>
 
+enum { FVI_ESTIMATION_TERMS = 64 }; /* of a law whose numbers are fitted */
 enum { FVI_FIT_RUNAWAYS = 3 }; /* end a fit: each may take seconds, and hundreds follow */
 
 typedef struct {
@@ -17,6 +19,10 @@ typedef struct {
     fvi_run
         run; /* of that system; x0, p0, masses and dampings are the next four */
     double mass, damping, x0, p0;
+    double offset, drift; /* of the sensor */
+    fvi_kernel law; /* a copy of the run's, if numbers of it are fitted; with the next */
+    fvi_kernel_term term[FVI_ESTIMATION_TERMS];
+    size_t rows;    /* of the data that count: all, or those of a first window */
     double scale;    /* the residuals' unit: sigma, or the size of the data */
     double hopeless; /* the residual where there is no motion, or one a 10^8 times as far
                         off as the data are from 0 */
@@ -28,10 +34,15 @@ typedef struct {
     double reached; /* the time that the last of them came to */
 } fvi_estimation_model;
 
-/* The model with the values of fit->run; `motion` is the caller's. */
+/* The model with the values of fit->run; `motion` is the caller's. It points into itself: do not
+ * copy it. */
 void fvi_estimation_model_init(fvi_estimation_model *m, const fvi_estimation *fit, double *motion);
 
-/* Steps no longer than h that meet the last time. */
+/* How parameter `which` is bounded: an order between two, a size above 0, or any number. */
+typedef enum { FVI_ESTIMATION_ORDER, FVI_ESTIMATION_SIZE, FVI_ESTIMATION_NUMBER } fvi_estimation_kind;
+fvi_estimation_kind fvi_estimation_kind_of(fvi_free_parameter which);
+
+/* Steps no longer than h that meet the last time of the rows that count. */
 void fvi_estimation_model_step(fvi_estimation_model *m, double h);
 
 /* The present value of parameter j; write it. */
@@ -66,6 +77,9 @@ void fvi_estimation_frequency(size_t n, const double *t, const double *x, double
  * FVI_ESTIMATION_MOST columns; J is lost. FVI_ESING if they are dependent. GSL's handler is off. */
 int fvi_estimation_errors(gsl_matrix *J, double sd[],
                    double correlation[][FVI_ESTIMATION_MOST]);
+
+/* Is this number of a law one that its kind has? */
+int fvi_estimation_law_has(const fvi_kernel *law, size_t term, size_t field);
 
 /* Is everything in an answer with P parameters a finite number? bias is not asked. */
 int fvi_estimate_is_finite(size_t P, const fvi_estimate *fitted);

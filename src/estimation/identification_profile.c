@@ -9,6 +9,7 @@
 
 enum { OUTWARD = 40, INWARD = 60 };
 #define FARTHEST 16 /* a logit or a logarithm beyond this tells nothing more */
+#define NEARLY 0.15 /* so far off may the excess be at the end of the tangent's interval */
 #define LOWER 1e-6  /* of chi^2: a least that is lower by this is another one */
 
 /* Where the others were found last, for these values of the fixed one. */
@@ -24,6 +25,7 @@ typedef struct {
     size_t others;
     fvi_estimation_work work;
     trail on;
+    double lean[FVI_ESTIMATION_MOST]; /* of the others by the fixed one, along the tangent (24.3) */
     double unit, least; /* of the sum of squares in sigma^2; chi^2 of the fit */
     int is_least;       /* no chi^2 was lower than that */
 } profile;
@@ -88,14 +90,41 @@ static double between(profile *o, double a, double b, double below,
     return u;
 }
 
+/* Where chi^2 is nearly a parabola the end of the tangent's interval is nearly that of the
+ * profile: the excess there says so, and two or three searches are enough. Returns 1 and the
+ * edge; 0 where it is not so, and the walk must begin at the fit again. */
+static int tangent_edge(profile *o, double u, double length, double reach, double *edge)
+{
+    const trail here = o->on;
+    double beyond = u + length;
+    for (size_t i = 0; i < o->others; i++)
+        o->on.before.u[i] = o->on.at.u[i] - length * o->lean[i];
+    o->on.u_before = u - length;
+    double now = excess(o, beyond);
+    const int is_near = fabs(now - reach) < NEARLY * reach;
+    if (is_near && now < reach) {
+        beyond = u + (1 + 2 * NEARLY) * length;
+        now = excess(o, beyond);
+    }
+    if (is_near && now >= reach && now < 2 * reach) {
+        *edge = between(o, u, beyond, 0, now, reach);
+        return 1;
+    }
+    o->on = here;
+    return 0;
+}
+
 /* From u outward by `step`, then by longer ones, until the excess is beyond reach; then
  * where it is reached. Where it never is, the infinity of that side. A step by which the
  * excess jumps may have lost the valley, and is made shorter, but not without end. */
 static double edge(profile *o, double u, double step, double reach)
 {
-    const int bounded = o->fit.which[o->others] <= FVI_FREE_PARAMETER_MASS;
+    const int bounded = fvi_estimation_kind_of(o->fit.which[o->others])
+                        != FVI_ESTIMATION_NUMBER;
     const double least = fabs(step) / 1024;
-    double before = u, below = 0;
+    double before = u, below = 0, near;
+    if (tangent_edge(o, u, 4 * step, reach, &near))
+        return near;
     for (int i = 0; i < OUTWARD; i++) {
         const double there = before + step;
         const trail here = o->on;
@@ -114,6 +143,19 @@ static double edge(profile *o, double u, double step, double reach)
         step *= 1.5;
     }
     return step > 0 ? GSL_POSINF : GSL_NEGINF;
+}
+
+/* (24.3): where parameter i is best if the fixed one, number j of the fit, moves by 1, in u. */
+static void fill_lean(profile *o, const fvi_estimate *fitted, size_t j)
+{
+    const fvi_estimation_model *m = &o->work.model;
+    const double sd = fitted->sd[j]
+                      / fvi_estimation_model_slope(m, o->others, fitted->estimate[j]);
+    for (size_t k = 0; k < o->others; k++) {
+        const size_t i = k + (k >= j);
+        o->lean[k] = fitted->correlation[i][j] * fitted->sd[i]
+                     / fvi_estimation_model_slope(m, k, fitted->estimate[i]) / sd;
+    }
 }
 
 /* All numbers of the fit, parameter j the last of them. */
@@ -141,6 +183,7 @@ static int begin(profile *o, const fvi_estimation *fit, const fvi_estimate *fitt
     }
     if (status)
         return status;
+    fill_lean(o, fitted, j);
     fvi_estimation_model_step(m, fitted->h);
     o->work.fine = 1e-5; /* chi^2 is flat at its least */
     o->unit = gsl_pow_2(m->scale / fitted->sigma);

@@ -27,7 +27,7 @@ int fvi_estimation_residuals(const gsl_vector *u, void *params, gsl_vector *f)
                           fvi_estimation_model_bound(m, j, gsl_vector_get(u, j)));
     const int failed = fvi_estimation_model_run(m);
     for (size_t i = 0; i < f->size; i++) {
-        const double r = (m->motion[i] - m->fit->x[i]) / m->scale;
+        const double r = i < m->rows ? (m->motion[i] - m->fit->x[i]) / m->scale : 0;
         o->last[i] = !failed && fabs(r) < m->hopeless ? r : m->hopeless;
         gsl_vector_set(f, i, o->last[i]);
     }
@@ -124,7 +124,7 @@ static void set_sizes(search *o, const fvi_estimation *fit, const double *low,
                       const double *high)
 {
     for (size_t j = 0; j < fit->parameters; j++) {
-        const double size = fit->which[j] <= FVI_FREE_PARAMETER_MASS
+        const double size = fvi_estimation_kind_of(fit->which[j]) != FVI_ESTIMATION_NUMBER
                                 ? 0.25 /* of a logit, a logarithm */
                                 : (high[j] - low[j]) / 16;
         o->size[j] = o->size[j] > 0 ? fmin(o->size[j], size) : size;

@@ -1,6 +1,7 @@
 /* src/estimation/identification_warnings.c -- What to know before a fit is believed. [H 24] */
+#include "identification_examine.h"
+
 #include <fvi/error.h>
-#include <fvi/identification.h>
 #include "system/larger.h"
 
 #include <math.h>
@@ -8,8 +9,6 @@
 #include <string.h>
 
 #define ALIKE 0.9 /* a correlation above this is worth a word */
-#define MOVED                                                                  \
-    0.02 /* as are estimates that half the step moved by more of their sd */
 
 int fvi_estimate_warning_of_pair(const fvi_estimate *fitted, size_t i, size_t j,
                             const char *name_i, const char *name_j, size_t size,
@@ -24,28 +23,63 @@ int fvi_estimate_warning_of_pair(const fvi_estimate *fitted, size_t i, size_t j,
     return 1;
 }
 
-int fvi_estimate_warning_of_model(const fvi_estimation *fit, const fvi_estimate *fitted,
-                             size_t size, char *text)
+/* The parameters of which no value is excluded. */
+static void add_open(const fvi_estimation *fit, const fvi_examination *e,
+                     const char *const *names, size_t size, char *text)
 {
-    if (!(fabs(fitted->neighbours) > 5 / sqrt((double)fit->n)))
-        return 0;
-    snprintf(text, size,
-             "neighbouring residuals are alike (correlation %.2f): the model, "
-             "its past or its force is not that of the data, or their noise is "
-             "not independent",
-             fitted->neighbours);
-    return 1;
+    for (size_t j = 0, any = 0; j < fit->parameters; j++)
+        if (fvi_estimation_is_open(fit, e, j)) {
+            const size_t end = strlen(text);
+            snprintf(text + end, size - end, "%s%s", any ? ", " : "", names[j]);
+            any = 1;
+        }
 }
 
-int fvi_estimate_warning_of_step(const fvi_estimation *fit, const fvi_estimate *fitted,
-                            size_t size, char *text)
+static const char *const plain_texts[] = {
+    "no motion is seen: a constant explains the data as well",
+    NULL, /* with a number */
+    "the residuals have a mean: the sensor has an offset, or the force or the rest is another one; "
+    "fit offset, too",
+    "the residuals have a slope: the sensor drifts, or the force or the law is another one; fit "
+    "offset and drift, too",
+    "the residuals have a smooth pattern: the model, its past or its force is not that of the data",
+    NULL,
+    "on the way along an interval the fit became better: try more starts"
+};
+
+int fvi_estimate_flag_text(const fvi_estimation *fit, const fvi_estimate *fitted,
+                           const fvi_examination *examined, unsigned flag,
+                           const char *const *names, size_t size, char *text)
 {
-    if (fit->h != 0 || fitted->bias <= MOVED)
+    const char *plain = NULL;
+    if (!(examined->flags & flag))
         return 0;
-    snprintf(text, size,
-             "half the step moved the estimates by %.2g sd: take a method of "
-             "higher order",
-             fitted->bias);
+    for (size_t i = 0; i < sizeof plain_texts / sizeof *plain_texts; i++)
+        if (flag == 1u << i)
+            plain = plain_texts[i];
+    if (plain)
+        snprintf(text, size, "%s", plain);
+    else if (flag == FVI_FLAG_NEIGHBOURS)
+        snprintf(text, size,
+                 "neighbouring residuals are alike (correlation %.2f): the model, its past or its "
+                 "force is not that of the data, or their noise is not independent",
+                 fitted->neighbours);
+    else if (flag == FVI_FLAG_VALLEYS)
+        snprintf(text, size,
+                 "another minimum is nearly as good (chi2 %.6g, and %.6g here): the intervals are "
+                 "those of one of two valleys",
+                 examined->chi2, fitted->chi2);
+    else if (flag == FVI_FLAG_STEP)
+        snprintf(text, size,
+                 "half the step moved the estimates by %.2g sd: take a method of higher order",
+                 fitted->bias);
+    else if (flag == FVI_FLAG_BIASED)
+        snprintf(text, size, "the step is too long by far: half of it moved the estimates by %.2g sd",
+                 fitted->bias);
+    else {
+        snprintf(text, size, "the data exclude no value of ");
+        add_open(fit, examined, names, size, text);
+    }
     return 1;
 }
 

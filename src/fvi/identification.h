@@ -23,18 +23,27 @@ extern "C" {
 #pragma GCC visibility push(default)
 
 enum { FVI_ESTIMATION_MOST = 8 };              /* parameters in a fit */
+enum { FVI_ESTIMATION_OTHERS = 4 };    /* other minima that are remembered */
 enum { FVI_FIT_MOST_STEPS = 1 << 22 }; /* of a run; a fit is hundreds of them */
 enum { FVI_FIT_MOST_EQUAL_STEPS = 1 << 17 }; /* of a run whose steps are equally long */
 
-/* fvi_free_parameter -- what a fit may look for. FVI_FREE_PARAMETER_CONSTANT + i is number i of
- * the constants of the potential. */
+/* fvi_free_parameter -- what a fit may look for.
+ *
+ *   OFFSET, DRIFT  of the sensor, which shows x(t) + offset + drift t; 0 where not fitted
+ *   LAW + 4 i + f  field f of term i of run->law: 0 rho, 1 alpha, 2 time, 3 end. Of two
+ *                  springpots in series (MAXWELL2) the fields are the numbers r1, alpha1, r2,
+ *                  alpha2 of the two, in the order 0, 1, 2, 3
+ *   CONSTANT + i   number i of the constants of the potential */
 typedef enum {
     FVI_FREE_PARAMETER_ALPHA,
     FVI_FREE_PARAMETER_RHO,
     FVI_FREE_PARAMETER_MASS,
     FVI_FREE_PARAMETER_X0,
     FVI_FREE_PARAMETER_P0,
-    FVI_FREE_PARAMETER_CONSTANT
+    FVI_FREE_PARAMETER_OFFSET,
+    FVI_FREE_PARAMETER_DRIFT,
+    FVI_FREE_PARAMETER_LAW,
+    FVI_FREE_PARAMETER_CONSTANT = FVI_FREE_PARAMETER_LAW + 4 * 64
 } fvi_free_parameter;
 
 /* fvi_estimation -- a question: data, model, what is unknown in it.
@@ -90,6 +99,9 @@ typedef struct {
     double bias;  /* what the last halving changed, in sd, at most; changes
                            below 1e-7 of an estimate's size do not count */
     double reached; /* after FVI_ERUNAWAY: the time that the last run came to */
+    size_t others;  /* places, not within a standard deviation of this one or of each other,
+                       where other starts ended, the best first */
+    double other[FVI_ESTIMATION_OTHERS][FVI_ESTIMATION_MOST];
 } fvi_estimate;
 
 /* fvi_estimate_box -- a box of plausible starts, by the size and the frequency of the data.
@@ -151,24 +163,19 @@ int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
  * for a whole one. */
 int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estimate *fitted);
 
-/* fvi_fit_warning_of_... -- what to know before an answer is believed, as the functions of
+/* fvi_estimate_warning_of_... -- what to know before an answer is believed, as the functions of
  * warnings.h: 1 and a text, or 0, and the text is untouched. Nothing is checked.
  *
  *   pair   the data can hardly tell parameters i and j apart: |correlation| > 0.9, not for
  *          an answer with FVI_ESING. The names are for the text
- *   model  neighbouring residuals are alike, by more than 5 n^(-1/2)
- *   step   the last halving still moved the estimates, by more than sd / 50
- *   past   no motion has these estimates (fvi_warning_of_initial_history); a constant text, or NULL
+ *   initial_history  no motion has these estimates (fvi_warning_of_initial_history); a constant
+ *          text, or NULL
  *
  *   fit, fitted  the question and its answer
  *   size, text   room for FVI_WARNING_ROOM characters; longer names are cut */
 int fvi_estimate_warning_of_pair(const fvi_estimate *fitted, size_t i, size_t j,
                             const char *name_i, const char *name_j, size_t size,
                             char *text);
-int fvi_estimate_warning_of_model(const fvi_estimation *fit, const fvi_estimate *fitted,
-                             size_t size, char *text);
-int fvi_estimate_warning_of_step(const fvi_estimation *fit, const fvi_estimate *fitted,
-                            size_t size, char *text);
 const char *fvi_estimate_warning_of_initial_history(const fvi_estimation *fit,
                                     const fvi_estimate *fitted);
 
@@ -206,6 +213,76 @@ int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimat
  * that cannot be asked; FVI_ENOMEM. */
 int fvi_estimate_profile(const fvi_estimation *fit, const fvi_estimate *fitted, size_t j,
                     double *low, double *high);
+
+/* What speaks against an answer: bits of fvi_examination.flags.          [(24.14) - (24.16)]
+ *
+ *   NO_MOTION   a constant explains the data as well: nothing was seen to move
+ *   NEIGHBOURS  neighbouring residuals are alike
+ *   OFFSET      the residuals have a mean: the sensor has an offset, or the rest is elsewhere
+ *   DRIFT       the residuals have a slope
+ *   PATTERN     the residuals have a smooth pattern: the model is not that of the data
+ *   VALLEYS     another minimum is nearly as good, and its parameters are not in the intervals
+ *   BETTER      on the way along an interval a lower chi^2 was met
+ *   STEP        half the step still moved the estimates, by more than sd / 50
+ *   BIASED      it moved them by more than a standard deviation
+ *   OPEN        all values of a parameter are possible
+ *
+ * Grave are NO_MOTION, VALLEYS, BETTER and BIASED, and the four of the residuals where noise alone
+ * makes such ones in less than one of 10^4 data sets: the answer is not to be believed. */
+enum {
+    FVI_FLAG_NO_MOTION = 1,
+    FVI_FLAG_NEIGHBOURS = 2,
+    FVI_FLAG_OFFSET = 4,
+    FVI_FLAG_DRIFT = 8,
+    FVI_FLAG_PATTERN = 16,
+    FVI_FLAG_VALLEYS = 32,
+    FVI_FLAG_BETTER = 64,
+    FVI_FLAG_STEP = 128,
+    FVI_FLAG_BIASED = 256,
+    FVI_FLAG_OPEN = 512
+};
+
+/* fvi_examination -- intervals of 95 %, and what speaks against them.
+ *
+ *   lower, upper  the interval of the profile (24.11) of parameter j at [j]
+ *   flags, grave  bits as above: all that are up, and the grave ones of them
+ *   probability   of residuals as strange as these if the model is right: by their neighbours,
+ *                 mean, slope and pattern, and by the motion that is none, in the order of the
+ *                 bits; 1 where that cannot be asked
+ *   chi2          of the best of the other minima, infinite if there is none */
+typedef struct {
+    double lower[FVI_ESTIMATION_MOST], upper[FVI_ESTIMATION_MOST];
+    unsigned flags, grave;
+    double probability[5];
+    double chi2;
+} fvi_examination;
+
+/* fvi_estimate_examine -- can this answer be believed?                  [(24.14) - (24.16)]
+ *
+ *   fit, fitted  the question, and its answer by fvi_estimate_multistart
+ *   examined     output
+ *
+ * Cost: a profile of each parameter, two or three searches an end where chi^2 is nearly a
+ * parabola and some twenty in a bent valley; a Jacobian; a search from each of the other
+ * minima. If a flag is up by chance, with a model that is right, it is one of forty data sets.
+ *
+ *     if (fvi_estimate_multistart(&fit, NULL, &fitted) == FVI_SUCCESS
+ *         && fvi_estimate_examine(&fit, &fitted, &examined) == FVI_SUCCESS
+ *         && examined.grave == 0) ...
+ *
+ * Returns FVI_SUCCESS; what fvi_estimate_profile returns, but for FVI_EMAXITER, which is a
+ * flag here. */
+int fvi_estimate_examine(const fvi_estimation *fit, const fvi_estimate *fitted,
+                         fvi_examination *examined);
+
+/* fvi_estimate_flag_text -- 1 and what a flag says, or 0 if it is not up.
+ *
+ *   flag        one bit
+ *   names       of the parameters, fit->parameters of them
+ *   size, text  room for FVI_WARNING_ROOM characters */
+int fvi_estimate_flag_text(const fvi_estimation *fit, const fvi_estimate *fitted,
+                           const fvi_examination *examined, unsigned flag,
+                           const char *const *names, size_t size, char *text);
 
 /* fvi_estimate_moduli -- alpha, rho and k from storage and loss.             [(24.9)]
  *

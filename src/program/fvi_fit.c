@@ -193,32 +193,45 @@ static int make_box(request *r)
     return status;
 }
 
-/* Answers that are not believed are shown on standard output alone. */
+/* The search, and whether its answer can be believed. */
+static int search(request *r, fvi_estimate *f, fvi_examination *e)
+{
+    const int terminal = isatty(STDERR_FILENO);
+    if (terminal)
+        fprintf(stderr, "looking for %s ...", r->words.own[FIT]);
+    int status = make_box(r);
+    if (!status)
+        status = fvi_estimate_multistart(&r->fit, r->curve, f);
+    if (!status || status == FVI_EMAXITER || status == FVI_ETOL) {
+        const int failed = fvi_estimate_examine(&r->fit, f, e);
+        status = failed ? failed : status;
+    }
+    if (terminal)
+        fprintf(stderr, "\r\033[K");
+    return status;
+}
+
+/* Answers that are not believed are shown on standard output alone; where a file was asked for
+ * the flags are said without it. */
 static int search_and_print(request *r)
 {
     const fvi_system system = fvi_options_system(&r->o);
     const fvi_run run = fvi_options_run(&r->o, &system);
     r->fit.run = &run;
     fvi_estimate f = { .agree = 0 };
-    const int terminal = isatty(STDERR_FILENO);
-    if (terminal)
-        fprintf(stderr, "looking for %s ...", r->words.own[FIT]);
-    int status = make_box(r);
-    if (!status)
-        status = fvi_estimate_multistart(&r->fit, r->curve, &f);
-    if (terminal)
-        fprintf(stderr, "\r\033[K");
-    int failed = status != 0;
-    if (!status
-        || ((status == FVI_EMAXITER || status == FVI_ETOL) && !r->o.output)) {
+    fvi_examination e = { .flags = 0 };
+    const int status = search(r, &f, &e), is_believed = !status && !e.grave;
+    int failed = !is_believed;
+    if (is_believed || ((!status || status == FVI_EMAXITER || status == FVI_ETOL) && !r->o.output)) {
         FILE *out = fvi_output_open(r->o.output);
         if (!out)
             return fvi_cannot_write(r->o.output);
         fvi_subcommand_options_head(out, &fit, &r->words, &r->o);
-        fvi_fit_print_answer(out, r, &f);
+        fvi_fit_print_answer(out, r, &f, &e);
         if (fvi_output_close(out, 1))
             failed = fvi_cannot_write(r->o.output);
-    }
+    } else if (!status)
+        fvi_fit_warn_of_flags(r, &f, &e);
     if (status)
         return fvi_fit_complain(status, r, &f);
     return failed ? failed : fvi_fit_print_curve(r);

@@ -14,62 +14,47 @@ static void warn(FILE *out, const char *text)
     fprintf(out, "# warning = %s\n", text);
 }
 
-/* Pairs that the data can hardly tell apart; how many there are. */
-static int warn_alike(FILE *out, const request *r, const fvi_estimate *f)
+/* Pairs that the data can hardly tell apart. */
+static void warn_alike(FILE *out, const request *r, const fvi_estimate *f)
 {
     char text[FVI_WARNING_ROOM];
-    int pairs = 0;
     for (size_t i = 0; i < r->fit.parameters; i++)
         for (size_t j = 0; j < i; j++)
             if (fvi_estimate_warning_of_pair(f, j, i, r->name[j], r->name[i],
-                                        sizeof text, text)) {
+                                        sizeof text, text))
                 warn(out, text);
-                pairs++;
-            }
-    return pairs;
 }
 
-static void warnings(FILE *out, const request *r, const fvi_estimate *f)
+/* The flags of an examination, to the table, if there is one, and to standard error. */
+static void print_flags(FILE *out, const request *r, const fvi_estimate *f,
+                        const fvi_examination *e)
 {
     char text[FVI_WARNING_ROOM];
+    for (unsigned flag = 1; flag <= e->flags; flag *= 2)
+        if (fvi_estimate_flag_text(&r->fit, f, e, flag, r->name, sizeof text, text)) {
+            fvi_warn(text);
+            if (out)
+                fprintf(out, "# flag = %s\n", text);
+        }
+}
+
+void fvi_fit_warn_of_flags(const request *r, const fvi_estimate *f, const fvi_examination *e)
+{
+    print_flags(NULL, r, f, e);
+}
+
+void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f,
+                          const fvi_examination *e)
+{
     const char *past = fvi_estimate_warning_of_initial_history(&r->fit, f);
-    if (past)
-        warn(out, past);
-    if (fvi_estimate_warning_of_model(&r->fit, f, sizeof text, text))
-        warn(out, text);
-    if (fvi_estimate_warning_of_step(&r->fit, f, sizeof text, text))
-        warn(out, text);
-}
-
-/* How far each can really go while the others make up for it. */
-static void print_profiles(FILE *out, const request *r, const fvi_estimate *f)
-{
-    for (size_t j = 0; j < r->fit.parameters; j++) {
-        double low, high;
-        const int status = fvi_estimate_profile(&r->fit, f, j, &low, &high);
-        if (status == FVI_EMAXITER)
-            warn(out, "on the way along a profile the fit became better: try "
-                      "more --starts");
-        if (status)
-            return;
-        fprintf(out, "# profile %s", r->name[j]);
-        fvi_print_number(out, " = ", low);
-        fvi_print_number(out, " ", high);
-        fputs(" (95 %)\n", out);
-    }
-}
-
-void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f)
-{
     fprintf(out, "# data = %s\n# name\testimate\tsd\tlower\tupper\n",
             r->words.operand);
     for (size_t j = 0; j < r->fit.parameters; j++) {
-        const double reach = f->quantile * f->sd[j];
         fputs(r->name[j], out);
         fvi_print_number(out, "\t", f->estimate[j]);
         fvi_print_number(out, "\t", f->sd[j]);
-        fvi_print_number(out, "\t", f->estimate[j] - reach);
-        fvi_print_number(out, "\t", f->estimate[j] + reach);
+        fvi_print_number(out, "\t", e->lower[j]);
+        fvi_print_number(out, "\t", e->upper[j]);
         fputc('\n', out);
     }
     fvi_print_number(out, "# chi2 = ", f->chi2);
@@ -86,9 +71,10 @@ void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f)
             fvi_print_number(out, " = ", f->correlation[i][j]);
         }
     fputc('\n', out);
-    if (warn_alike(out, r, f))
-        print_profiles(out, r, f);
-    warnings(out, r, f);
+    warn_alike(out, r, f);
+    if (past)
+        warn(out, past);
+    print_flags(out, r, f, e);
 }
 
 int fvi_fit_print_curve(const request *r)

@@ -22,9 +22,13 @@ typedef struct {
     double *t, *x, *curve;
 } fvi_fit_request;
 
-/* Behind the words: estimates, correlations, warnings, profiles. */
+/* Behind the words: estimates, intervals, correlations, warnings, flags. */
 void fvi_fit_print_answer(FILE *out, const fvi_fit_request *r,
-                          const fvi_estimate *f);
+                          const fvi_estimate *f, const fvi_examination *e);
+
+/* The flags alone, to standard error. */
+void fvi_fit_warn_of_flags(const fvi_fit_request *r, const fvi_estimate *f,
+                           const fvi_examination *e);
 
 /* The table of --curve, if it is asked for. Returns the exit code. */
 int fvi_fit_print_curve(const fvi_fit_request *r);

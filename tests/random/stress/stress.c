@@ -80,6 +80,7 @@ static const struct {
     { "scatter", "500 fits scatter as they say", stress_scatter, 1 },
     { "found", "100 noisy motions of another program are found", stress_found,
       1 },
+    { "coverage", "intervals hold the truth, or a flag is up", stress_coverage, 1 },
     { "refusals", "one wrong field is refused", stress_refusals, 20000 },
     { "halves", "a power in two halves has the exact solution of the power",
       stress_halves, 5000 },

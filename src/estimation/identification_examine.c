@@ -1,0 +1,177 @@
+/* src/estimation/identification_examine.c -- Can an answer be believed?   [H 24] */
+#include "identification_examine.h"
+
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <gsl/gsl_math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* How improbable what is left over may be before it is said, in the order of the bits: one of
+ * forty right models is flagged. */
+static const double least_probability[] = { 0.004, 0.006, 0.004, 0.004, 0.01 };
+
+#define GRAVE 1e-4 /* residuals that noise alone makes more seldom are not believed */
+#define NEAR 6     /* of chi^2, beyond what the interval allows: a minimum that is nearly as good */
+#define MOVED 0.02 /* sd: so much may half a step move an estimate */
+#define LOWER 1e-6 /* of chi^2: a least that is lower by this is another one */
+
+/* ---- what is left over ---- */
+
+/* (24.14) to (24.16) at the estimates, where the work stands. */
+static int test_residuals(fvi_estimation_work *o, const double *u, fvi_examination *e)
+{
+    const fvi_estimation *fit = o->model.fit;
+    const size_t n = fit->n, P = fit->parameters,
+                 columns = fvi_estimation_test_columns(fit);
+    double *block = malloc(n * (2 + P + columns) * sizeof *block);
+    if (!block)
+        FVI_FAIL("no memory for the residuals", FVI_ENOMEM);
+    gsl_vector_view f = gsl_vector_view_array(block, n),
+                    v = gsl_vector_view_array(block + n, n);
+    gsl_matrix_view J = gsl_matrix_view_array(block + 2 * n, n, P),
+                    room = gsl_matrix_view_array(block + (2 + P) * n, n, columns);
+    gsl_vector_const_view at = gsl_vector_const_view_array(u, P);
+    fvi_estimation_residuals(&at.vector, o, &f.vector);
+    o->fdf.df(&at.vector, o, &J.matrix);
+    if (!o->model.ended)
+        fvi_estimation_tests(fit, o->model.scale, &f.vector, &J.matrix, &room.matrix,
+                             &v.vector, e);
+    free(block);
+    return o->model.ended;
+}
+
+/* ---- other minima ---- */
+
+static int is_inside(const fvi_examination *e, size_t P, const double *theta)
+{
+    for (size_t j = 0; j < P; j++)
+        if (!(theta[j] >= e->lower[j] && theta[j] <= e->upper[j]))
+            return 0;
+    return 1;
+}
+
+/* The other places, searched to their ends with the step of the answer. */
+static void visit_others(fvi_estimation_work *o, const fvi_estimate *fitted,
+                         fvi_examination *e)
+{
+    const size_t P = o->fdf.p;
+    const double unit = gsl_pow_2(o->model.scale / fitted->sigma),
+                 near = fitted->chi2 + gsl_pow_2(fitted->quantile) + NEAR;
+    for (size_t i = 0; i < fitted->others; i++) {
+        fvi_estimation_slot at;
+        double theta[FVI_ESTIMATION_MOST];
+        for (size_t j = 0; j < P; j++)
+            at.u[j] = fvi_estimation_model_free(&o->model, j, fitted->other[i][j]);
+        fvi_estimation_minimise(o, &at, GSL_POSINF);
+        for (size_t j = 0; j < P; j++)
+            theta[j] = fvi_estimation_model_bound(&o->model, j, at.u[j]);
+        const double chi2 = at.sum * unit;
+        if (chi2 < fitted->chi2 - LOWER * fmax(1, fitted->chi2))
+            e->flags |= FVI_FLAG_BETTER;
+        if (!(chi2 < near) || is_inside(e, P, theta))
+            continue;
+        e->flags |= FVI_FLAG_VALLEYS;
+        e->chi2 = smaller(e->chi2, chi2);
+    }
+}
+
+/* ---- intervals ---- */
+
+static int profiles(const fvi_estimation *fit, const fvi_estimate *fitted,
+                    fvi_examination *e)
+{
+    for (size_t j = 0; j < fit->parameters; j++) {
+        const int status =
+            fvi_estimate_profile(fit, fitted, j, &e->lower[j], &e->upper[j]);
+        if (status == FVI_EMAXITER)
+            e->flags |= FVI_FLAG_BETTER;
+        else if (status)
+            return status;
+    }
+    return FVI_SUCCESS;
+}
+
+int fvi_estimation_is_open(const fvi_estimation *fit, const fvi_examination *e, size_t j)
+{
+    const int kind = fvi_estimation_kind_of(fit->which[j]);
+    const int is_alpha = fit->which[j] == FVI_FREE_PARAMETER_ALPHA;
+    const double low = kind == FVI_ESTIMATION_NUMBER ? GSL_NEGINF
+                       : is_alpha                    ? fit->method->alpha_least
+                                                     : 0,
+                 high = kind != FVI_ESTIMATION_ORDER ? GSL_POSINF
+                        : is_alpha                   ? fit->method->alpha_most
+                                                     : 1;
+    return e->lower[j] <= low && e->upper[j] >= high;
+}
+
+/* What the numbers of an examination say; the minima have been visited before. */
+static void raise_flags(const fvi_estimation *fit, const fvi_estimate *fitted,
+                        fvi_examination *e)
+{
+    static const unsigned of_tests[] = { FVI_FLAG_NEIGHBOURS, FVI_FLAG_OFFSET,
+                                         FVI_FLAG_DRIFT, FVI_FLAG_PATTERN };
+    for (size_t i = 0; i < 4; i++)
+        if (e->probability[i] < least_probability[i]) {
+            e->flags |= of_tests[i];
+            e->grave |= e->probability[i] < GRAVE ? of_tests[i] : 0;
+        }
+    if (!(e->probability[4] < least_probability[4]))
+        e->flags |= FVI_FLAG_NO_MOTION;
+    if (fit->h == 0 && !(fitted->bias <= MOVED))
+        e->flags |= fitted->bias > 1 ? FVI_FLAG_BIASED : FVI_FLAG_STEP;
+    for (size_t j = 0; j < fit->parameters; j++)
+        if (fvi_estimation_is_open(fit, e, j))
+            e->flags |= FVI_FLAG_OPEN;
+    e->grave |= e->flags
+                & (FVI_FLAG_NO_MOTION | FVI_FLAG_VALLEYS | FVI_FLAG_BETTER | FVI_FLAG_BIASED);
+}
+
+/* ---- the whole ---- */
+
+static int examine(const fvi_estimation *fit, const fvi_estimate *fitted,
+                   fvi_examination *e)
+{
+    fvi_estimation_work o;
+    double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST],
+        u[FVI_ESTIMATION_MOST], were[FVI_ESTIMATION_MOST];
+    int status = fvi_estimation_work_alloc(&o, fit, low, high);
+    if (!status) {
+        for (size_t j = 0; j < fit->parameters; j++) {
+            were[j] = fvi_estimation_model_get(&o.model, j);
+            u[j] = fvi_estimation_model_free(&o.model, j, fitted->estimate[j]);
+        }
+        o.fine = 1e-6;
+        fvi_estimation_model_step(&o.model, fitted->h);
+        status = test_residuals(&o, u, e);
+        if (!status)
+            visit_others(&o, fitted, e);
+        for (size_t j = 0; j < fit->parameters; j++)
+            fvi_estimation_model_set(&o.model, j, were[j]);
+    }
+    fvi_estimation_work_free(&o);
+    return status;
+}
+
+int fvi_estimate_examine(const fvi_estimation *fit, const fvi_estimate *fitted,
+                         fvi_examination *examined)
+{
+    int status = fvi_estimation_check(fit);
+    if (status)
+        return status;
+    if (!fitted || !examined)
+        FVI_FAIL("a pointer of the examination is NULL", FVI_EFAULT);
+    fvi_examination e = { .probability = { 1, 1, 1, 1, 1 }, .chi2 = GSL_POSINF };
+    fvi_quiet();
+    status = profiles(fit, fitted, &e);
+    if (!status)
+        status = examine(fit, fitted, &e);
+    fvi_loud();
+    if (!status) {
+        raise_flags(fit, fitted, &e);
+        *examined = e;
+    }
+    return status;
+}

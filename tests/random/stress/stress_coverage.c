@@ -1,0 +1,181 @@
+/* tests/random/stress/stress_coverage.c -- Stress: can the intervals of a fit be believed, and
+ * does a fit say so where they cannot? */
+#include "stress.h"
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_randist.h>
+#include <stdio.h>
+
+enum { MOST = 200, STARTS = 12 };
+
+/* What is wrong with a data set. */
+typedef enum { NOTHING, AN_OFFSET, A_DRIFT, AN_ECHO, A_LAW } fault;
+
+/* Rows of the table. Of faults the intervals hold the truth seldom; what counts is how many of
+ * the answers that are wrong have a flag or are refused. A third parameter makes up for much of
+ * an offset, a drift or another law: nobody can see that in the residuals, and the last three
+ * rows say how often. */
+static const struct {
+    const char *name;
+    fault what;
+    size_t least_points, parameters; /* 0: two or three */
+    double loudest; /* sigma is 0.003 to this */
+    int sets;
+    double held, caught; /* percent, the goals; 0: none */
+} rows[] = {
+    { "the model is right", NOTHING, 24, 0, 0.3, 2000, 93, 0 },
+    { "offset of 0.5 to 2 sigma", AN_OFFSET, 48, 2, 0.3, 300, 0, 95 },
+    { "drift by 1 to 4 sigma", A_DRIFT, 48, 2, 0.3, 300, 0, 95 },
+    { "AR(0.9) noise", AN_ECHO, 48, 0, 0.3, 300, 0, 95 },
+    { "zener's law, fitted by a power", A_LAW, 48, 2, 0.03, 300, 0, 95 },
+    { "offset, and c is fitted", AN_OFFSET, 48, 3, 0.3, 100, 0, 0 },
+    { "drift, and c is fitted", A_DRIFT, 48, 3, 0.3, 100, 0, 0 },
+    { "zener's law, and c is fitted", A_LAW, 48, 3, 0.03, 100, 0, 0 },
+};
+enum { ROWS = sizeof rows / sizeof *rows };
+
+/* A data set and the truth behind it. */
+typedef struct {
+    fvi_linear_oscillator body;
+    size_t n, P;
+    double sigma, t[MOST], x[MOST];
+    int known; /* is sigma given? */
+} data_set;
+
+static void add_noise(gsl_rng *random, fault what, data_set *o)
+{
+    const double T = o->t[o->n - 1],
+                 offset = what == AN_OFFSET ? stress_uniform(random, 0.5, 2) : 0,
+                 drift = what == A_DRIFT ? stress_uniform(random, 1, 4) : 0;
+    double echo = gsl_ran_gaussian(random, 1);
+    for (size_t i = 0; i < o->n; i++) {
+        const double fresh = gsl_ran_gaussian(random, 1);
+        echo = 0.9 * echo + sqrt(1 - 0.81) * fresh;
+        o->x[i] +=
+            o->sigma * ((what == AN_ECHO ? echo : fresh) + offset + drift * o->t[i] / T);
+    }
+}
+
+/* A random body of unit mass, spring and start; its exact motion at n times, with noise. */
+static int draw(gsl_rng *random, size_t row, data_set *o)
+{
+    static const size_t points[] = { 24, 48, 100, 200 };
+    const fault what = rows[row].what;
+    const size_t skip = rows[row].least_points > 24;
+    const fvi_kernel_term term = { FVI_KERNEL_ZENER, 1, stress_uniform(random, 0.2, 0.45),
+                                   stress_decades(random, 0.5, 3), 0 };
+    const fvi_kernel law = { 1, &term };
+    const double T = stress_uniform(random, 6, 20);
+    *o = (data_set){ .n = points[skip + gsl_rng_uniform_int(random, 4 - skip)],
+                     .P = rows[row].parameters ? rows[row].parameters
+                                               : 2 + gsl_rng_uniform_int(random, 2),
+                     .sigma = stress_decades(random, 0.003, rows[row].loudest),
+                     .known = gsl_rng_uniform_int(random, 2) != 0 };
+    o->body = (fvi_linear_oscillator){ .m = 1,
+                                       .c = 1,
+                                       .rho = stress_decades(random, 0.1, 2),
+                                       .alpha = stress_uniform(random, 0.05, 0.95),
+                                       .x0 = 1,
+                                       .v0 = 0.25,
+                                       .law = what == A_LAW ? &law : NULL };
+    for (size_t i = 0; i < o->n; i++)
+        o->t[i] = T * (double)(i + 1) / (double)o->n;
+    const int status = fvi_exact_at(&o->body, o->n, o->t, o->x, NULL, NULL);
+    o->body.law = NULL; /* it goes with this function */
+    add_noise(random, what, o);
+    return status;
+}
+
+/* alpha and rho, and c if P is 3, from starts that know nothing of the truth. */
+static int believe(const data_set *o, fvi_examination *e)
+{
+    static const fvi_free_parameter which[] = { FVI_FREE_PARAMETER_ALPHA,
+                                                FVI_FREE_PARAMETER_RHO,
+                                                FVI_FREE_PARAMETER_CONSTANT };
+    double m = 1, rho = 0.5, c = o->P == 3 ? 1.5 : 1, x0 = 1, p0 = 0.25;
+    const fvi_system system = { .d = 1,
+                                .mass = &m,
+                                .damping = &rho,
+                                .potential = fvi_potential_harmonic(&c) };
+    fvi_run run = fvi_run_default(&system, &x0, &p0, 1, 1);
+    const fvi_estimation fit = { .method = &fvi_lobatto_m4,
+                                 .run = &run,
+                                 .constants = &c,
+                                 .n = o->n,
+                                 .t = o->t,
+                                 .x = o->x,
+                                 .sigma = o->known ? o->sigma : 0,
+                                 .parameters = o->P,
+                                 .which = which,
+                                 .starts = STARTS };
+    fvi_estimate f;
+    const int status = fvi_estimate_multistart(&fit, NULL, &f);
+    return status ? status : fvi_estimate_examine(&fit, &f, e);
+}
+
+/* refused: no answer, or one that is not believed; flagged: an answer with a flag; silent: the
+ * rest, and of its intervals those that hold the truth. wrong: an interval misses the truth, or
+ * the law is another one. */
+typedef struct {
+    int refused, flagged, silent, held, intervals, wrong, caught;
+} tally;
+
+static void count(const data_set *o, fault what, int status, const fvi_examination *e,
+                  tally *to)
+{
+    const double truth[] = { o->body.alpha, o->body.rho, o->body.c };
+    int held = 0;
+    for (size_t j = 0; !status && j < o->P; j++)
+        held += truth[j] >= e->lower[j] && truth[j] <= e->upper[j];
+    const int speaks = status || e->flags, is_wrong = what == A_LAW || held < (int)o->P;
+    to->refused += status != 0;
+    to->flagged += !status && e->flags;
+    to->wrong += is_wrong;
+    to->caught += is_wrong && speaks;
+    if (!speaks) {
+        to->silent++;
+        to->intervals += (int)o->P;
+        to->held += held;
+    }
+}
+
+static double percent(int part, int of)
+{
+    return of > 0 ? 100. * part / of : 0;
+}
+
+/* How much of its allowance a share used: it may lie below its goal by chance, by three standard
+ * deviations of so many draws. */
+static double allowance(double goal, double share, int draws)
+{
+    return goal > 0 ? (100 - share) / (100 - goal + 3 * sqrt(goal * (100 - goal) / draws)) : 0;
+}
+
+/* The table of figures/identification/coverage.tsv, and the worst of its goals. */
+double stress_coverage(gsl_rng *random, char *describe, size_t size)
+{
+    double worst = 0;
+    printf("data\tsets\trefused\tflagged\tsilent\theld\twrong\tcaught\n");
+    for (size_t row = 0; row < ROWS; row++) {
+        tally all = { 0 };
+        for (int set = 0; set < rows[row].sets; set++) {
+            data_set o;
+            fvi_examination e = { .flags = 0 };
+            if (draw(random, row, &o))
+                return GSL_POSINF;
+            count(&o, rows[row].what, believe(&o, &e), &e, &all);
+        }
+        const double held = percent(all.held, all.intervals),
+                     caught = percent(all.caught, all.wrong);
+        const int sets = rows[row].sets, is_right = rows[row].what == NOTHING;
+        printf("%s\t%d\t%d\t%d\t%d\t%.1f\t%d\t%.1f\n", rows[row].name, sets, all.refused,
+               all.flagged, all.silent, held, all.wrong, caught);
+        fflush(stdout);
+        worst = GSL_MAX(worst, allowance(rows[row].held, held, all.intervals));
+        worst = GSL_MAX(worst, allowance(rows[row].caught, caught, all.wrong));
+        if (is_right) /* 3 % of false flags, likewise */
+            worst = GSL_MAX(worst, allowance(97, 100 - percent(all.flagged, sets), sets));
+    }
+    snprintf(describe, size, "held and caught in percent");
+    return worst;
+}
