@@ -2,6 +2,8 @@
  *                                                                     [H 24] */
 #include "identification_model.h"
 
+#include <fvi/rheology.h>
+
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -167,13 +169,21 @@ static int check_data(const fvi_estimation *fit)
     return FVI_SUCCESS;
 }
 
-/* Is it no number of a law, or one that the run's law has? */
+/* Is it no number of a law, or one that the run's law has? A dashpot's order is none. */
 static int has_number(const fvi_estimation *fit, fvi_free_parameter which)
 {
     const size_t number = which - FVI_FREE_PARAMETER_LAW;
-    return which < FVI_FREE_PARAMETER_LAW || which >= FVI_FREE_PARAMETER_CONSTANT
-           || (fit->run->law && fit->run->law->count <= FVI_ESTIMATION_TERMS
-               && fvi_estimation_law_has(fit->run->law, number / 4, number % 4));
+    const fvi_kernel *law = fit->run->law;
+    if (which < FVI_FREE_PARAMETER_LAW || which >= FVI_FREE_PARAMETER_CONSTANT)
+        return 1;
+    if (!law || law->count > FVI_ESTIMATION_TERMS || number / 4 >= law->count
+        || law->term[number / 4].kind == FVI_KERNEL_SYMBOL)
+        return 0;
+    const fvi_element kind = fvi_element_of(&law->term[number / 4]);
+    for (size_t i = 0, field = 0; fvi_element_number(kind, i, &field); i++)
+        if (field == number % 4)
+            return 1;
+    return 0;
 }
 
 static int check_parameters(const fvi_estimation *fit)

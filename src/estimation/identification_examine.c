@@ -4,6 +4,8 @@
 #include "system/fail.h"
 #include "system/larger.h"
 
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,14 +16,54 @@
 static const double least_probability[] = { 0.004, 0.006, 0.004, 0.004, 0.01 };
 
 #define GRAVE 1e-4 /* residuals that noise alone makes more seldom are not believed */
+#define EXACT 1e-6 /* of the data: noise below that is none, and what is left are errors of the
+                      method */
 #define NEAR 6     /* of chi^2, beyond what the interval allows: a minimum that is nearly as good */
 #define MOVED 0.02 /* sd: so much may half a step move an estimate */
 #define LOWER 1e-6 /* of chi^2: a least that is lower by this is another one */
 
 /* ---- what is left over ---- */
 
-/* (24.14) to (24.16) at the estimates, where the work stands. */
-static int test_residuals(fvi_estimation_work *o, const double *u, fvi_examination *e)
+/* (24.4): by how many sd `size` sigma of a column moves each parameter. */
+static void fill_sway(const fvi_estimation_model *m, const fvi_estimate *fitted,
+                      const gsl_matrix *J, const gsl_vector *column, double size,
+                      double *swayed)
+{
+    const size_t P = m->fit->parameters;
+    for (size_t j = 0; j < P; j++) {
+        double sum;
+        gsl_vector_const_view by = gsl_matrix_const_column(J, j);
+        gsl_blas_ddot(&by.vector, column, &sum);
+        sum *= size * m->scale / fitted->sigma * fitted->sd[j]
+               / fvi_estimation_model_slope(m, j, fitted->estimate[j]);
+        for (size_t i = 0; i < P; i++)
+            swayed[i] += fitted->correlation[i][j] * sum;
+    }
+}
+
+/* What an offset and a drift do that nobody sees; not where they are fitted. */
+static void fill_unseen(const fvi_estimation_model *m, const fvi_estimate *fitted,
+                        const gsl_matrix *J, gsl_matrix *room, gsl_vector *v,
+                        fvi_examination *e)
+{
+    static const fvi_free_parameter of[] = { FVI_FREE_PARAMETER_OFFSET,
+                                             FVI_FREE_PARAMETER_DRIFT };
+    const double z = gsl_cdf_ugaussian_Qinv(least_probability[1] / 2);
+    for (size_t which = 0; which < 2; which++) {
+        int is_fitted = 0;
+        for (size_t j = 0; j < m->fit->parameters; j++)
+            is_fitted |= m->fit->which[j] == of[which];
+        if (is_fitted)
+            continue;
+        e->unseen[which] = z / fvi_estimation_length_unseen(m->fit, which, J, room, v);
+        fvi_estimation_sensor_column(m->fit, which, v);
+        fill_sway(m, fitted, J, v, e->unseen[which], e->swayed[which]);
+    }
+}
+
+/* (24.13) to (24.15) at the estimates, where the work stands. */
+static int test_residuals(fvi_estimation_work *o, const fvi_estimate *fitted,
+                          const double *u, fvi_examination *e)
 {
     const fvi_estimation *fit = o->model.fit;
     const size_t n = fit->n, P = fit->parameters,
@@ -36,9 +78,14 @@ static int test_residuals(fvi_estimation_work *o, const double *u, fvi_examinati
     gsl_vector_const_view at = gsl_vector_const_view_array(u, P);
     fvi_estimation_residuals(&at.vector, o, &f.vector);
     o->fdf.df(&at.vector, o, &J.matrix);
-    if (!o->model.ended)
-        fvi_estimation_tests(fit, o->model.scale, &f.vector, &J.matrix, &room.matrix,
-                             &v.vector, e);
+    if (!o->model.ended) {
+        fill_unseen(&o->model, fitted, &J.matrix, &room.matrix, &v.vector, e);
+        if (fit->sigma > 0 || fitted->sigma > EXACT * o->model.scale)
+            fvi_estimation_tests(fit, o->model.scale, &f.vector, &J.matrix, &room.matrix,
+                                 &v.vector, e);
+        else
+            e->probability[4] = 0;
+    }
     free(block);
     return o->model.ended;
 }
@@ -94,16 +141,22 @@ static int profiles(const fvi_estimation *fit, const fvi_estimate *fitted,
     return FVI_SUCCESS;
 }
 
+void fvi_estimation_range(const fvi_estimation *fit, size_t j, double *low, double *high)
+{
+    const int kind = fvi_estimation_kind_of(fit->which[j]),
+              is_alpha = fit->which[j] == FVI_FREE_PARAMETER_ALPHA;
+    *low = kind == FVI_ESTIMATION_NUMBER ? GSL_NEGINF
+           : is_alpha                    ? fit->method->alpha_least
+                                         : 0;
+    *high = kind != FVI_ESTIMATION_ORDER ? GSL_POSINF
+            : is_alpha                   ? fit->method->alpha_most
+                                         : 1;
+}
+
 int fvi_estimation_is_open(const fvi_estimation *fit, const fvi_examination *e, size_t j)
 {
-    const int kind = fvi_estimation_kind_of(fit->which[j]);
-    const int is_alpha = fit->which[j] == FVI_FREE_PARAMETER_ALPHA;
-    const double low = kind == FVI_ESTIMATION_NUMBER ? GSL_NEGINF
-                       : is_alpha                    ? fit->method->alpha_least
-                                                     : 0,
-                 high = kind != FVI_ESTIMATION_ORDER ? GSL_POSINF
-                        : is_alpha                   ? fit->method->alpha_most
-                                                     : 1;
+    double low, high;
+    fvi_estimation_range(fit, j, &low, &high);
     return e->lower[j] <= low && e->upper[j] >= high;
 }
 
@@ -122,7 +175,7 @@ static void raise_flags(const fvi_estimation *fit, const fvi_estimate *fitted,
         e->flags |= FVI_FLAG_NO_MOTION;
     if (fit->h == 0 && !(fitted->bias <= MOVED))
         e->flags |= fitted->bias > 1 ? FVI_FLAG_BIASED : FVI_FLAG_STEP;
-    for (size_t j = 0; j < fit->parameters; j++)
+    for (size_t j = 0; j < fit->parameters && !(e->flags & FVI_FLAG_NO_MOTION); j++)
         if (fvi_estimation_is_open(fit, e, j))
             e->flags |= FVI_FLAG_OPEN;
     e->grave |= e->flags
@@ -131,43 +184,54 @@ static void raise_flags(const fvi_estimation *fit, const fvi_estimate *fitted,
 
 /* ---- the whole ---- */
 
-static int examine(const fvi_estimation *fit, const fvi_estimate *fitted,
-                   fvi_examination *e)
+/* All that is possible: of a motion that was not seen nothing is known. */
+static void whole_range(const fvi_estimation *fit, fvi_examination *e)
 {
-    fvi_estimation_work o;
-    double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST],
-        u[FVI_ESTIMATION_MOST], were[FVI_ESTIMATION_MOST];
-    int status = fvi_estimation_work_alloc(&o, fit, low, high);
-    if (!status) {
-        for (size_t j = 0; j < fit->parameters; j++) {
-            were[j] = fvi_estimation_model_get(&o.model, j);
-            u[j] = fvi_estimation_model_free(&o.model, j, fitted->estimate[j]);
-        }
-        o.fine = 1e-6;
-        fvi_estimation_model_step(&o.model, fitted->h);
-        status = test_residuals(&o, u, e);
-        if (!status)
-            visit_others(&o, fitted, e);
-        for (size_t j = 0; j < fit->parameters; j++)
-            fvi_estimation_model_set(&o.model, j, were[j]);
+    for (size_t j = 0; j < fit->parameters; j++)
+        fvi_estimation_range(fit, j, &e->lower[j], &e->upper[j]);
+}
+
+static int examine(fvi_estimation_work *o, const fvi_estimate *fitted, fvi_examination *e)
+{
+    const fvi_estimation *fit = o->model.fit;
+    double u[FVI_ESTIMATION_MOST], were[FVI_ESTIMATION_MOST];
+    for (size_t j = 0; j < fit->parameters; j++) {
+        were[j] = fvi_estimation_model_get(&o->model, j);
+        u[j] = fvi_estimation_model_free(&o->model, j, fitted->estimate[j]);
     }
-    fvi_estimation_work_free(&o);
+    o->fine = 1e-6;
+    fvi_estimation_model_step(&o->model, fitted->h);
+    int status = test_residuals(o, fitted, u, e);
+    if (!status && !(e->probability[4] < least_probability[4])) {
+        whole_range(fit, e);
+    } else if (!status) {
+        status = profiles(fit, fitted, e);
+        if (!status)
+            visit_others(o, fitted, e);
+    }
+    for (size_t j = 0; j < fit->parameters; j++)
+        fvi_estimation_model_set(&o->model, j, were[j]);
     return status;
 }
 
 int fvi_estimate_examine(const fvi_estimation *fit, const fvi_estimate *fitted,
                          fvi_examination *examined)
 {
+    fvi_estimation_work o;
+    double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST];
     int status = fvi_estimation_check(fit);
     if (status)
         return status;
     if (!fitted || !examined)
         FVI_FAIL("a pointer of the examination is NULL", FVI_EFAULT);
+    if (!(fitted->h > 0) || !(fitted->sigma > 0) || !fvi_estimate_is_finite(fit->parameters, fitted))
+        FVI_FAIL("an examination needs the answer of a fit", FVI_EDOM);
     fvi_examination e = { .probability = { 1, 1, 1, 1, 1 }, .chi2 = GSL_POSINF };
     fvi_quiet();
-    status = profiles(fit, fitted, &e);
+    status = fvi_estimation_work_alloc(&o, fit, low, high);
     if (!status)
-        status = examine(fit, fitted, &e);
+        status = examine(&o, fitted, &e);
+    fvi_estimation_work_free(&o);
     fvi_loud();
     if (!status) {
         raise_flags(fit, fitted, &e);

@@ -6,7 +6,7 @@
 
 #include "identification_search.h"
 
-/* fvi_estimation_tests -- the probabilities of an examination, (24.14) to (24.16).
+/* fvi_estimation_tests -- the probabilities of an examination, (24.13) to (24.15).
  *
  *   f, J   residuals over `scale`, which is sigma where that is known, and their Jacobian, which
  *          is lost
@@ -20,5 +20,17 @@ size_t fvi_estimation_test_columns(const fvi_estimation *fit);
 
 /* fvi_estimation_is_open -- is there no value of parameter j that the data exclude? */
 int fvi_estimation_is_open(const fvi_estimation *fit, const fvi_examination *e, size_t j);
+
+/* fvi_estimation_range -- all values that parameter j may have. */
+void fvi_estimation_range(const fvi_estimation *fit, size_t j, double *low, double *high);
+
+/* fvi_estimation_sensor_column -- what an offset (which = 0) of 1 adds to the data, or a drift (1)
+ * by 1 over the whole record. */
+void fvi_estimation_sensor_column(const fvi_estimation *fit, size_t which, gsl_vector *v);
+
+/* fvi_estimation_length_unseen -- the length of that column but for what the parameters make up
+ * for. J, room, v as above; J stays. */
+double fvi_estimation_length_unseen(const fvi_estimation *fit, size_t which, const gsl_matrix *J,
+                                    gsl_matrix *room, gsl_vector *v);
 
 #endif

@@ -52,7 +52,7 @@ static double squares_along(const basis *b, size_t first, const gsl_vector *f)
 }
 
 //> score
-/* (24.15): the probability that noise alone has so much along k more columns, of n - P left. sum:
+/* (24.14): the probability that noise alone has so much along k more columns, of n - P left. sum:
  * of all squares; known: of noise 1. */
 static double chance(double along, double sum, size_t k, size_t left, int known)
 {
@@ -76,7 +76,7 @@ static double neighbour_mean(const gsl_vector *q, size_t i)
 }
 
 //> neighbours
-/* (24.14): r^T L r / r^T r of white noise of which the first `count` columns have been taken out:
+/* (24.13): r^T L r / r^T r of white noise of which the first `count` columns have been taken out:
  * its mean is tr(M L) / f, its variance 2 (tr (M L)^2 - tr^2 (M L) / f) / (f (f + 2)), where M is
  * the projection and f its rank. */
 static void neighbours_of_noise(const basis *b, double *mean, double *sd)
@@ -120,17 +120,40 @@ static size_t patterns(const fvi_estimation *fit)
     return GSL_MAX(3, GSL_MIN(wanted, fit->n / 4));
 }
 
-static void fill_column(const fvi_estimation *fit, size_t which, gsl_vector *v)
+void fvi_estimation_sensor_column(const fvi_estimation *fit, size_t which, gsl_vector *v)
 {
-    const double n = (double)fit->n;
     for (size_t i = 0; i < v->size; i++)
-        gsl_vector_set(v, i,
-                       which == 0   ? 1
-                       : which == 1 ? fit->t[i] / fit->t[fit->n - 1] - 0.5
-                                    : cos(M_PI * (double)(which - 1) * ((double)i + 0.5) / n));
+        gsl_vector_set(v, i, which == 0 ? 1 : fit->t[i] / fit->t[fit->n - 1]);
 }
 
-/* (24.16): the same of a constant instead of the motion. So many frequencies may have been tried
+/* Half wave number k over the rows. */
+static void pattern_column(size_t k, gsl_vector *v)
+{
+    const double n = (double)v->size;
+    for (size_t i = 0; i < v->size; i++)
+        gsl_vector_set(v, i, cos(M_PI * (double)k * ((double)i + 0.5) / n));
+}
+
+double fvi_estimation_length_unseen(const fvi_estimation *fit, size_t which, const gsl_matrix *J,
+                                    gsl_matrix *room, gsl_vector *v)
+{
+    basis b = { room, 0 };
+    double along;
+    for (size_t j = 0; j < J->size2; j++) {
+        gsl_vector_const_view column = gsl_matrix_const_column(J, j);
+        gsl_vector_memcpy(v, &column.vector);
+        add_column(&b, v);
+    }
+    fvi_estimation_sensor_column(fit, which, v);
+    if (!add_column(&b, v))
+        return 0;
+    fvi_estimation_sensor_column(fit, which, v);
+    gsl_vector_view q = gsl_matrix_column(room, b.count - 1);
+    gsl_blas_ddot(&q.vector, v, &along);
+    return fabs(along);
+}
+
+/* (24.15): the same of a constant instead of the motion. So many frequencies may have been tried
  * that the best of n is asked for. */
 static double chance_of_no_motion(const fvi_estimation *fit, double scale, double sum,
                                   int known)
@@ -164,14 +187,14 @@ void fvi_estimation_tests(const fvi_estimation *fit, double scale, const gsl_vec
     const size_t left = n - b.count;
     e->probability[0] = sum > 0 ? chance_of_neighbours(&b, pairs / sum) : 1;
     for (size_t which = 0, first = b.count; which < 2; which++, first = b.count) {
-        fill_column(fit, which, v);
+        fvi_estimation_sensor_column(fit, which, v);
         const int is_new = add_column(&b, v);
         e->probability[1 + which] =
             is_new ? chance(squares_along(&b, first, f), sum, 1, left, known) : 1;
     }
     const size_t first = b.count;
     for (size_t k = 0; k < smooth && b.count < room->size2; k++) {
-        fill_column(fit, 2 + k, v);
+        pattern_column(k + 1, v);
         add_column(&b, v);
     }
     e->probability[3] =

@@ -10,7 +10,12 @@
 #include <math.h>
 #include <string.h>
 
-static int is_of_law(const fvi_estimation_model *m, size_t j);
+/* Is parameter j a number of the law? */
+static int is_of_law(const fvi_estimation_model *m, size_t j)
+{
+    return m->fit->which[j] >= FVI_FREE_PARAMETER_LAW
+           && m->fit->which[j] < FVI_FREE_PARAMETER_CONSTANT;
+}
 
 void fvi_estimation_model_init(fvi_estimation_model *m, const fvi_estimation *fit, double *motion)
 {
@@ -61,17 +66,6 @@ fvi_estimation_kind fvi_estimation_kind_of(fvi_free_parameter which)
         return FVI_ESTIMATION_NUMBER;
     return (which - FVI_FREE_PARAMETER_LAW) % 2 ? FVI_ESTIMATION_ORDER /* alpha, end */
                                                 : FVI_ESTIMATION_SIZE;
-}
-
-int fvi_estimation_law_has(const fvi_kernel *law, size_t term, size_t field)
-{
-    static const char *const fields[] = { /* rho, alpha, time, end */
-        [FVI_KERNEL_POWER] = "1100",       [FVI_KERNEL_ZENER] = "1110",
-        [FVI_KERNEL_MAXWELL] = "1010",     [FVI_KERNEL_DISTRIBUTED] = "1101",
-        [FVI_KERNEL_MAXWELL2] = "1111",    [FVI_KERNEL_DAVIDSON] = "1110",
-        [FVI_KERNEL_SYMBOL] = "0000"
-    };
-    return law && term < law->count && fields[law->term[term].kind][field] == '1';
 }
 
 /* A number of the law. Of two springpots in series time is r1 / r2, and the third number r2. */
@@ -131,12 +125,6 @@ static double *place(fvi_estimation_model *m, size_t j)
     default:
         return &m->fit->constants[which - FVI_FREE_PARAMETER_CONSTANT];
     }
-}
-
-static int is_of_law(const fvi_estimation_model *m, size_t j)
-{
-    return m->fit->which[j] >= FVI_FREE_PARAMETER_LAW
-           && m->fit->which[j] < FVI_FREE_PARAMETER_CONSTANT;
 }
 
 double fvi_estimation_model_get(const fvi_estimation_model *m, size_t j)

@@ -78,9 +78,6 @@ void fvi_estimation_frequency(size_t n, const double *t, const double *x, double
 int fvi_estimation_errors(gsl_matrix *J, double sd[],
                    double correlation[][FVI_ESTIMATION_MOST]);
 
-/* Is this number of a law one that its kind has? */
-int fvi_estimation_law_has(const fvi_kernel *law, size_t term, size_t field);
-
 /* Is everything in an answer with P parameters a finite number? bias is not asked. */
 int fvi_estimate_is_finite(size_t P, const fvi_estimate *fitted);
 

@@ -23,6 +23,27 @@ int fvi_estimate_warning_of_pair(const fvi_estimate *fitted, size_t i, size_t j,
     return 1;
 }
 
+int fvi_estimate_warning_of_unseen(const fvi_estimation *fit, const fvi_estimate *fitted,
+                                   const fvi_examination *examined, size_t which,
+                                   const char *const *names, size_t size, char *text)
+{
+    static const char *const words[] = { "an offset of %.2g sigma", "a drift by %.2g sigma" };
+    size_t most = 0;
+    for (size_t j = 0; j < fit->parameters; j++)
+        if (fabs(examined->swayed[which][j]) > fabs(examined->swayed[which][most]))
+            most = j;
+    const double by = fabs(examined->swayed[which][most]);
+    if (!(by > fitted->quantile))
+        return 0;
+    snprintf(text, size, words[which], examined->unseen[which]);
+    const size_t end = strlen(text);
+    snprintf(text + end, size - end,
+             " would not be seen in the residuals and moves %s by %.2g sd: fit %s, too, or be sure "
+             "that there is none",
+             names[most], by, which ? "drift" : "offset");
+    return 1;
+}
+
 /* The parameters of which no value is excluded. */
 static void add_open(const fvi_estimation *fit, const fvi_examination *e,
                      const char *const *names, size_t size, char *text)

@@ -29,6 +29,7 @@
 #include "past.h"
 #include "response.h"
 #include "sensitivity.h"
+#include "rheology.h"
 #include "solve.h"
 #include "stability.h"
 #include "structures.h"

@@ -214,7 +214,7 @@ int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimat
 int fvi_estimate_profile(const fvi_estimation *fit, const fvi_estimate *fitted, size_t j,
                     double *low, double *high);
 
-/* What speaks against an answer: bits of fvi_examination.flags.          [(24.14) - (24.16)]
+/* What speaks against an answer: bits of fvi_examination.flags.          [(24.13) - (24.15)]
  *
  *   NO_MOTION   a constant explains the data as well: nothing was seen to move
  *   NEIGHBOURS  neighbouring residuals are alike
@@ -249,15 +249,19 @@ enum {
  *   probability   of residuals as strange as these if the model is right: by their neighbours,
  *                 mean, slope and pattern, and by the motion that is none, in the order of the
  *                 bits; 1 where that cannot be asked
+ *   unseen        how large an offset of the sensor, and a drift over the whole record, in sigma,
+ *                 the tests may overlook; 0 where it is fitted
+ *   swayed        by how many sd that moves parameter j, (24.4)
  *   chi2          of the best of the other minima, infinite if there is none */
 typedef struct {
     double lower[FVI_ESTIMATION_MOST], upper[FVI_ESTIMATION_MOST];
     unsigned flags, grave;
     double probability[5];
+    double unseen[2], swayed[2][FVI_ESTIMATION_MOST];
     double chi2;
 } fvi_examination;
 
-/* fvi_estimate_examine -- can this answer be believed?                  [(24.14) - (24.16)]
+/* fvi_estimate_examine -- can this answer be believed?                  [(24.13) - (24.15)]
  *
  *   fit, fitted  the question, and its answer by fvi_estimate_multistart
  *   examined     output
@@ -274,6 +278,13 @@ typedef struct {
  * flag here. */
 int fvi_estimate_examine(const fvi_estimation *fit, const fvi_estimate *fitted,
                          fvi_examination *examined);
+
+/* fvi_estimate_warning_of_unseen -- 1 and a text if an offset (which = 0) or a drift (1) that the
+ * tests may overlook moves a parameter by more than its interval allows. That is no flag: it says
+ * of the experiment what nobody sees in the data. As fvi_estimate_flag_text. */
+int fvi_estimate_warning_of_unseen(const fvi_estimation *fit, const fvi_estimate *fitted,
+                                   const fvi_examination *examined, size_t which,
+                                   const char *const *names, size_t size, char *text);
 
 /* fvi_estimate_flag_text -- 1 and what a flag says, or 0 if it is not up.
  *

@@ -13,7 +13,7 @@
 
 /* Of a run, and not of a fit, which takes its times from the data. */
 static const char *const not_for_fit[] = { "steps",      "time",     "error",
-                                           "step-error", "damping",  "columns", "reduce",
+                                           "step-error", "columns", "reduce",
                                            "every",      "format",   "plot",
                                            "checkpoint", "continue", "system",
                                            "unknowns",   "snapshot", "longest",
@@ -33,78 +33,6 @@ typedef fvi_fit_request request;
 
 /* ---- what is asked for ---- */
 
-/* The constants of a potential by their names, NULL where there are no more: c, g, or
- * those of --let. */
-static const char *constant_name(const fvi_options *o, size_t i)
-{
-    static const char *const c_and_g[] = { "c", "g", NULL };
-    switch (o->potential.kind) {
-    case FVI_POTENTIAL_HARMONIC:
-        return i == 0 ? "c" : NULL;
-    case FVI_POTENTIAL_PENDULUM:
-        return i == 0 ? "g" : NULL;
-    case FVI_POTENTIAL_FREE:
-        return NULL;
-    case FVI_POTENTIAL_EXPRESSION:
-        return i < o->lets.count ? o->lets.name[i] : NULL;
-    default:
-        return c_and_g[i];
-    }
-}
-
-static int parameter_named(const request *r, const char *name,
-                           fvi_free_parameter *which, fvi_error *c)
-{
-    /* in the order of fvi_free_parameter, then the constants */
-    const char *known[FVI_FREE_PARAMETER_CONSTANT + FVI_MOST_USER_PARAMETERS + 1] = {
-        "alpha", "rho", "mass", "x0", "p0"
-    };
-    size_t found = 0;
-    for (size_t i = 0; constant_name(&r->o, i); i++)
-        known[FVI_FREE_PARAMETER_CONSTANT + i] = constant_name(&r->o, i);
-    const int status = fvi_parse_word("fit", name, known, &found, c);
-    *which = (fvi_free_parameter)found;
-    return status;
-}
-
-static int interpret_names(request *r, fvi_error *c)
-{
-    const char *text = r->words.own[FIT] ? r->words.own[FIT] : "alpha,rho";
-    if (strlen(text) >= sizeof r->names)
-        return fvi_refuse(c, "fit", "'%s' is too long", text);
-    strcpy(r->names, text);
-    r->words.own[FIT] = text;
-    for (char *at = r->names; at; r->fit.parameters++) {
-        const size_t n = r->fit.parameters;
-        char *comma = strchr(at, ',');
-        if (comma)
-            *comma++ = '\0';
-        if (n == FVI_ESTIMATION_MOST)
-            return fvi_refuse(c, "fit", "more than %d parameters",
-                              FVI_ESTIMATION_MOST);
-        if (parameter_named(r, at, &r->which[n], c))
-            return 2;
-        for (size_t i = 0; i < n; i++)
-            if (r->which[i] == r->which[n])
-                return fvi_refuse(c, "fit", "'%s' stands twice", at);
-        if (r->which[n] == FVI_FREE_PARAMETER_ALPHA
-            && r->o.method->alpha_least == r->o.method->alpha_most)
-            return fvi_refuse(c, "fit", "'alpha' is %g for %s, and no other",
-                              r->o.method->alpha_least, r->o.method->name);
-        const size_t constant = (size_t)r->which[n] - FVI_FREE_PARAMETER_CONSTANT;
-        if (r->which[n] >= FVI_FREE_PARAMETER_CONSTANT && r->o.potential.expression
-            && r->o.lets.used[constant] & 4)
-            return fvi_refuse(c,
-                              "fit", "another --let was made of '%s', and "
-                              "would stay as it is; write it out in the "
-                              "expressions",
-                              at);
-        r->name[n] = at;
-        at = comma;
-    }
-    return 0;
-}
-
 static int interpret(request *r, fvi_error *c)
 {
     fvi_options *o = &r->o;
@@ -115,7 +43,7 @@ static int interpret(request *r, fvi_error *c)
                         .h = r->words.given[H] ? o->h : 0 };
     if (!r->words.given[H])
         o->text[H] = NULL; /* it is found: not in the head */
-    int status = interpret_names(r, c);
+    int status = fvi_fit_names(r, c);
     const int by_number = o->text[DIMENSION] != NULL;
     if (!status && o->d != 1)
         status = fvi_refuse(c,

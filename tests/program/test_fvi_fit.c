@@ -95,7 +95,7 @@ START_TEST(fit_says_what_it_was_silent_of)
         fprintf(noise, "%g %g\n", t, gsl_ran_gaussian(r, 0.1));
         fprintf(offset, "%g %g\n", t, ref_low[i] + gsl_ran_gaussian(r, 0.02) + 0.01);
         if (i % 8 == 7)
-            fprintf(few, "%g %g\n", t, ref_high[i] + gsl_ran_gaussian(r, 0.3));
+            fprintf(few, "%g %g\n", t, ref_high[i] + gsl_ran_gaussian(r, 0.15));
     }
     fclose(noise);
     fclose(offset);
@@ -129,10 +129,10 @@ END_TEST
 START_TEST(fit_knows_the_numbers_of_a_law)
 {
     double row[4];
-    ck_assert_int_eq(fvi("run --damping zener:0.5,0.3,0.5 --force 'cos(t/2)+cos(3*t)' --method "
+    ck_assert_int_eq(fvi("run --damping zener:0.5,0.3,0.5 --force 'cos(t/2)+cos(3*t)' --x0 0 --method "
                          "fvi-lobatto4 --columns t,x -o z.tsv"),
                      0);
-    ck_assert_int_eq(fvi("fit --damping zener:0.3,0.4,1 --force 'cos(t/2)+cos(3*t)' --starts 6 "
+    ck_assert_int_eq(fvi("fit --damping zener:0.3,0.4,1 --force 'cos(t/2)+cos(3*t)' --x0 0 --starts 6 "
                          "z.tsv"),
                      0);
     static const char *const names[] = { "d1.rho", "d1.alpha", "d1.time" };
@@ -142,7 +142,7 @@ START_TEST(fit_knows_the_numbers_of_a_law)
         ck_assert_double_eq_tol(row[0], truth[j], 1e-6);
     }
     ck_assert_int_eq(fvi("fit --damping 'spring:0.5 + zener:0.5,0.3,0.5' --potential harmonic:0.7 "
-                         "--force 'cos(t/2)+cos(3*t)' --fit d1.spring1.k,d1.zener2.alpha --starts 4 "
+                         "--force 'cos(t/2)+cos(3*t)' --x0 0 --fit d1.spring1.k,d1.zener2.alpha --starts 4 "
                          "z.tsv"),
                      0);
     row_of("d1.spring1.k", row);
@@ -210,7 +210,7 @@ START_TEST(fit_reads_tables_of_many_kinds)
         char line[300];
         snprintf(line, sizeof line,
                  "( %s ) > e.tsv; \"$FVI\" fit --starts 2 --h 0.1 --alpha 0.3 "
-                 "--rho 0.4 --fit alpha e.tsv",
+                 "--rho 0.4 --p0 0.25 --fit alpha e.tsv",
                  shapes[i]);
         ck_assert_msg(shell(line) == 0, "%s: %s", shapes[i], err);
         row_of("alpha", i ? row : first);

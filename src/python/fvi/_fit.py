@@ -14,11 +14,12 @@ from ._run import prepare
 
 
 class Fit(NamedTuple):
-    """What a motion says of its parameters: `estimate`, `sd` and `interval` (95 %) by name;
+    """What a motion says of its parameters: `estimate`, `sd` and `interval` (95 %, of the profile) by name;
     `correlation`, an array in the order of the names; `chi2` with `sigma`, which is
     estimated if it was not given, and its `probability` (1 then); how many starts `agree`;
     `curve`, the fitted x at the times of the data; `neighbours`, the correlation of
-    neighbouring residuals, near 0 if the model is right."""
+    neighbouring residuals, near 0 if the model is right; `grave`, nonzero where a flag says that
+    the answer is not to be believed."""
     estimate: dict
     sd: dict
     interval: dict
@@ -29,18 +30,23 @@ class Fit(NamedTuple):
     agree: int
     neighbours: float
     curve: Array
+    grave: int
 
 
-def warn_of(question: Any, f: Any, names: list) -> None:
+def warn_of(question: Any, f: Any, e: Any, names: list) -> None:
     """What the program says below its answer."""
+    texts = [ffi.new("char[]", name.encode()) for name in names]
+    spelt_out = ffi.new("char *[]", texts)
     for i, name in enumerate(names):
         for j, other in enumerate(names[:i]):
             ask_for_warning(lib.fvi_estimate_warning_of_pair, f, j, i, other.encode(), name.encode())
     past = lib.fvi_estimate_warning_of_initial_history(question, f)
     if past != ffi.NULL:
         warn(text_of(past))
-    ask_for_warning(lib.fvi_estimate_warning_of_model, question, f)
-    ask_for_warning(lib.fvi_estimate_warning_of_step, question, f)
+    for which in range(2):
+        ask_for_warning(lib.fvi_estimate_warning_of_unseen, question, f, e, which, spelt_out)
+    for flag in range(e.flags.bit_length()):
+        ask_for_warning(lib.fvi_estimate_flag_text, question, f, e, 1 << flag, spelt_out)
 
 
 @spelt(prepare)
@@ -62,8 +68,9 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     range for the given sigma (14) or the data do not determine the parameters (21); the
     exception's `fit` has what was found all the same. What a function of yours raised comes out,
     from whichever motion of the search; where it has no value, let it give nan. Warns by fvi.Warning of
-    parameters that the data hardly tell apart, of a model that is not that of the data, of a step
-    that is too long, and of estimates that no motion has.
+    parameters that the data hardly tell apart, of what the residuals show (a model or a noise that is
+    not that of the data, an offset, a drift, no motion, two valleys, a step that is too long) or cannot
+    show, and of estimates that no motion has.
     """
     starts = whole("starts", starts, 2)
     times, xs = (np.ascontiguousarray(numbers(name, a)) for name, a in (("t", t), ("x", x)))
@@ -100,14 +107,16 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     has_reason = lib.fvi_estimate_reason(status, question, f, which.encode(), b"", lib.FVI_WARNING_ROOM, text)
     if status not in (0, lib.FVI_EMAXITER, lib.FVI_ETOL, lib.FVI_ESING):
         raise Error(text_of(text), status) if has_reason else failure(status)
+    e = ffi.new("fvi_examination *")
+    if status != lib.FVI_ESING:
+        succeed(ask(lib.fvi_estimate_examine, question, f, e))
     P = range(len(names))
     answer = Fit({n: f.estimate[j] for j, n in enumerate(names)}, {n: f.sd[j] for j, n in enumerate(names)},
-                 {n: (f.estimate[j] - f.quantile * f.sd[j], f.estimate[j] + f.quantile * f.sd[j])
-                  for j, n in enumerate(names)},
+                 {n: (e.lower[j], e.upper[j]) for j, n in enumerate(names)},
                  np.array([[f.correlation[i][j] for j in P] for i in P]),
-                 f.chi2, f.sigma, f.probability, f.agree, f.neighbours, curve)
+                 f.chi2, f.sigma, f.probability, f.agree, f.neighbours, curve, e.grave)
     if status != lib.FVI_ESING:
-        warn_of(question, f, names)
+        warn_of(question, f, e, names)
     if status:
         error = Error(text_of(text), status)
         error.fit = answer

@@ -1,0 +1,48 @@
+/* src/estimation/rheology_elements.c -- The elements of a law, and their numbers. [H 24] */
+#include <fvi/rheology.h>
+
+const char *const fvi_element_words[] = { "spring",   "viscous",  "power",       "zener", "maxwell",
+                                          "maxwell2", "davidson", "distributed", NULL };
+
+static const struct {
+    const char *name[FVI_ELEMENT_NUMBERS];
+    size_t field[FVI_ELEMENT_NUMBERS];
+} numbers[] = {
+    { { "k" }, { 0 } },
+    { { "rho" }, { 0 } },
+    { { "rho", "alpha" }, { 0, 1 } },
+    { { "rho", "alpha", "time" }, { 0, 1, 2 } },
+    { { "rho", "time" }, { 0, 2 } },
+    { { "rho1", "alpha1", "rho2", "alpha2" }, { 0, 1, 2, 3 } },
+    { { "rho", "alpha", "time" }, { 0, 1, 2 } },
+    { { "rho", "alpha", "end" }, { 0, 1, 3 } },
+};
+
+const char *fvi_element_number(fvi_element kind, size_t i, size_t *field)
+{
+    if (i >= FVI_ELEMENT_NUMBERS || !numbers[kind].name[i])
+        return NULL;
+    if (field)
+        *field = numbers[kind].field[i];
+    return numbers[kind].name[i];
+}
+
+fvi_element fvi_element_of(const fvi_kernel_term *term)
+{
+    switch (term->kind) {
+    case FVI_KERNEL_ZENER:
+        return FVI_ELEMENT_ZENER;
+    case FVI_KERNEL_MAXWELL:
+        return FVI_ELEMENT_MAXWELL;
+    case FVI_KERNEL_DISTRIBUTED:
+        return FVI_ELEMENT_DISTRIBUTED;
+    case FVI_KERNEL_MAXWELL2:
+        return FVI_ELEMENT_MAXWELL2;
+    case FVI_KERNEL_DAVIDSON:
+        return FVI_ELEMENT_DAVIDSON;
+    default:
+        return term->alpha == 0     ? FVI_ELEMENT_SPRING
+               : term->alpha == 0.5 ? FVI_ELEMENT_VISCOUS
+                                    : FVI_ELEMENT_POWER;
+    }
+}
