@@ -65,44 +65,68 @@ static int add_part(fvi_mechanism_state *o, size_t j, const fvi_kernel *kernel,
 
 /* ---- pasts ---- */
 
-static void add_pull(fvi_stepper *s, size_t j, const fvi_kernel_term *t,
-                     double amplitude)
+static int add_pull(fvi_stepper *s, size_t j, const fvi_kernel_term *t,
+                    double amplitude)
 {
     static const double ends[] = { 0, 1 };
     fvi_mechanism_state *o = s->method_state;
     fvi_mechanism_pull *pull = &o->pull[o->pulls++];
     pull->damper = j;
+    pull->size = amplitude;
+    if (!t)
+        return fvi_impulses_of_kernel_alloc(
+            s->run.system->mechanism->damper[j].kernel, s->run.h,
+            &pull->of_kernel);
     fvi_kernel_impulse_prepare(t->alpha, o->rule ? o->s : 2,
                                o->rule ? o->rule->c : ends, &pull->impulse);
-    pull->size = t->rho * amplitude * pow(s->run.h, 1 + pull->impulse.e);
+    pull->size *= t->rho * pow(s->run.h, 1 + pull->impulse.e);
+    return FVI_SUCCESS;
 }
 
-/* What the past of damper j pulls, of a motion that begins at z with the slope zdot. Of order 1 the
- * weights alone act, as in the paper. */
-static int add_pulls(fvi_stepper *s, size_t j, double z, double zdot,
-                     fvi_error *error)
+/* Has a past that was put at z a motion, and pulls that are known? Only of powers up to the order 1. */
+static int add_pulls_of_place(fvi_stepper *s, size_t j, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->method_state;
-    const fvi_damper *damper = &s->run.system->mechanism->damper[j];
-    const fvi_kernel *kernel = damper->kernel;
-    const int is_rl = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
-    for (size_t i = 0; i < kernel->count; i++) {
+    const fvi_kernel *kernel = s->run.system->mechanism->damper[j].kernel;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < kernel->count && o->z[j] != 0 && !status; i++) {
         const fvi_kernel_term *t = &kernel->term[i];
-        if (t->rho == 0 || o->form == FVI_MECHANISM_FIRST_ORDER)
+        if (t->rho == 0)
             continue;
-        if (is_rl && z != 0 && (!is_power(t) || t->alpha > 0.5))
+        if (!is_power(t) || t->alpha > 0.5)
             return fvi_fail(error, is_power(t) ? FVI_EDOM : FVI_EUNSUP,
                             "damper", (double)j,
                             "the past rl of damper %zu wants powers of order "
                             "1 at most, or an elongation of 0",
                             j + 1);
-        if (is_rl && z != 0 && t->alpha < 0.5)
-            add_pull(s, j, t, z);
-        if (is_steep(t) && zdot != 0
-            && damper->past != FVI_INITIAL_HISTORY_CAPUTO)
-            add_pull(s, j, t, zdot);
+        if (t->alpha < 0.5)
+            status = add_pull(s, j, t, o->z[j]);
     }
-    return FVI_SUCCESS;
+    return status;
+}
+
+/* A damper that feels the slope zdot of its start: t zdot is taken away from its elongation, and what it
+ * makes of it is added exactly. At nodes that is one part of any kernel; at stages it is the
+ * powers above the order 1, and weights do the rest. */
+static int add_pulls_of_slope(fvi_stepper *s, size_t j, double zdot)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const fvi_damper *damper = &s->run.system->mechanism->damper[j];
+    const fvi_kernel *kernel = damper->kernel;
+    const int pulls = damper->past != FVI_INITIAL_HISTORY_CAPUTO;
+    int status = FVI_SUCCESS;
+    if (!o->rule) {
+        const int is_one = kernel->count == 1 && is_power(kernel->term);
+        if (pulls)
+            status = add_pull(s, j, is_one ? kernel->term : NULL, zdot);
+        return status ? status : add_part(o, j, kernel, 1, 0, zdot);
+    }
+    for (size_t i = 0; i < kernel->count && pulls && !status; i++)
+        if (is_steep(&kernel->term[i]))
+            status = add_pull(s, j, &kernel->term[i], zdot);
+    if (!status)
+        status = add_part(o, j, kernel, 0, 1, zdot);
+    return status ? status : add_part(o, j, kernel, 0, 0, 0);
 }
 
 /* The slope of z at the start. */
@@ -119,26 +143,33 @@ static int slope(const fvi_stepper *s, size_t j, const double *v, double *zdot)
     return status;
 }
 
+/* Is there a term that a slope at the start is singular for? Of order 1 the weights alone act, as in the
+ * paper, but for Caputo's past, which has no such term. */
+static int feels_slope(const fvi_mechanism_state *o, const fvi_damper *damper)
+{
+    const int is_caputo = damper->past == FVI_INITIAL_HISTORY_CAPUTO;
+    if (o->rule || o->form == FVI_MECHANISM_FIRST_ORDER)
+        return has_steep(damper->kernel) && (o->rule || is_caputo);
+    return fvi_kernel_growth(damper->kernel) > 1;
+}
+
 static int remember_damper(fvi_stepper *s, size_t j, const double *v,
                            fvi_error *error)
 {
     fvi_mechanism_state *o = s->method_state;
     const fvi_damper *damper = &s->run.system->mechanism->damper[j];
-    const int is_caputo = damper->past == FVI_INITIAL_HISTORY_CAPUTO,
-              first = o->form == FVI_MECHANISM_FIRST_ORDER;
+    const int first = o->form == FVI_MECHANISM_FIRST_ORDER,
+              is_rl = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     double zdot;
     int status = slope(s, j, v, &zdot);
-    const int split = zdot != 0 && has_steep(damper->kernel)
-                      && (!first || is_caputo);
-    o->z0[j] = first && damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
-                   ? 0
-                   : o->z[j];
-    if (!status)
-        status = add_pulls(s, j, o->z[j], zdot, error);
-    if (!status && split)
-        status = add_part(o, j, damper->kernel, 0, 1, zdot);
-    return status ? status
-                  : add_part(o, j, damper->kernel, !split, 0, 0);
+    o->z0[j] = first && is_rl ? 0 : o->z[j];
+    if (!status && is_rl && !first)
+        status = add_pulls_of_place(s, j, error);
+    if (status)
+        return status;
+    return zdot != 0 && feels_slope(o, damper)
+               ? add_pulls_of_slope(s, j, zdot)
+               : add_part(o, j, damper->kernel, 1, 0, 0);
 }
 
 /* ---- histories ---- */
@@ -184,7 +215,7 @@ int fvi_mechanism_remember(fvi_stepper *s, const double *v, fvi_error *error)
     for (size_t j = 0; j < o->r; j++)
         terms += mechanism->damper[j].kernel->count;
     o->part = calloc(2 * o->r + 1, sizeof *o->part);
-    o->pull = calloc(terms + 1, sizeof *o->pull);
+    o->pull = calloc(terms + o->r + 1, sizeof *o->pull);
     if (!o->part || !o->pull)
         return FVI_ENOMEM;
     int status = FVI_SUCCESS;
@@ -201,18 +232,22 @@ int fvi_mechanism_remember(fvi_stepper *s, const double *v, fvi_error *error)
 
 /* ---- in a step ---- */
 
-/* The mean of a pull over the step; or what it is at each stage. */
+/* What a pull gives to both ends of the step; or what it is at each stage. */
 static void expect_pulls(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->method_state;
     double impulse[FVI_KERNEL_IMPULSE_NODES];
+    memset(o->pulled, 0, 2 * o->r * sizeof *o->pulled);
     for (const fvi_mechanism_pull *p = o->pull; p < o->pull + o->pulls; p++) {
-        fvi_kernel_impulses(&p->impulse, s->k, impulse);
-        const double size = p->size / s->run.h;
-        if (!o->rule)
-            o->known[p->damper] += size * (impulse[0] + impulse[1]);
+        if (p->of_kernel)
+            fvi_impulses_of_kernel_at(p->of_kernel, s->k, impulse);
+        else
+            fvi_kernel_impulses(&p->impulse, s->k, impulse);
+        for (size_t i = 0; !o->rule && i < 2; i++)
+            o->pulled[2 * p->damper + i] += p->size * impulse[i];
         for (size_t i = 0; o->rule && i < o->s; i++)
-            o->known[p->damper * o->s + i] += size * impulse[i] / o->rule->b[i];
+            o->known[p->damper * o->s + i] +=
+                p->size / s->run.h * impulse[i] / o->rule->b[i];
     }
 }
 
@@ -301,9 +336,14 @@ int fvi_mechanism_copy_parts(const fvi_mechanism_state *from,
     to->pull = calloc(from->pulls + 1, sizeof *to->pull);
     if (!to->part || !to->pull)
         return FVI_ENOMEM;
-    to->pulls = from->pulls;
-    memcpy(to->pull, from->pull, from->pulls * sizeof *to->pull);
     int status = FVI_SUCCESS;
+    for (size_t i = 0; i < from->pulls && !status; i++, to->pulls++) {
+        to->pull[i] = from->pull[i];
+        to->pull[i].of_kernel = NULL;
+        if (from->pull[i].of_kernel)
+            status = fvi_impulses_of_kernel_copy(from->pull[i].of_kernel,
+                                                 &to->pull[i].of_kernel);
+    }
     for (size_t i = 0; i < from->parts && !status; i++, to->parts++)
         status = copy_part(&from->part[i], &to->part[i]);
     return status;
@@ -338,6 +378,8 @@ void fvi_mechanism_free_parts(fvi_mechanism_state *o)
         free(o->part[i].own);
         free(o->part[i].last);
     }
+    for (size_t i = 0; o->pull && i < o->pulls; i++)
+        fvi_impulses_of_kernel_free(o->pull[i].of_kernel);
     free(o->part);
     free(o->pull);
 }

@@ -88,11 +88,11 @@ static int assemble(fvi_stepper *s, const double *u)
     for (size_t e = 0; e < o->r && is_node; e++) {
         const double force = damper_force(o, e);
         for (size_t i = 0; i < d; i++) {
-            const double G = h * h / 2 * o->G[e * d + i];
-            o->residual[i] += G * force;
+            const double G = o->G[e * d + i], half = h * h / 2 * G;
+            o->residual[i] += half * force + h * G * o->pulled[2 * e];
             for (size_t j = 0; j < d; j++)
                 o->matrix[i * n + j] +=
-                    G * o->W[e] / 2 * o->gradient[e * d + j];
+                    half * o->W[e] / 2 * o->gradient[e * d + j];
         }
     }
     return status;
@@ -161,12 +161,13 @@ static int end_nodes(fvi_stepper *s, const double *u)
     for (size_t i = 0; i < d; i++)
         s->p[i] += h * o->f[i] + h / 2 * (o->push[i] + o->push[d + i]);
     for (size_t j = 0; j < o->r; j++) {
-        const double force = damper_force(o, j);
+        const double force = damper_force(o, j),
+                     before = h / 2 * force + o->pulled[2 * j],
+                     after = h / 2 * force + o->pulled[2 * j + 1];
         for (size_t i = 0; i < d; i++)
-            s->p[i] -=
-                h / 2 * force * (o->G[j * d + i] + o->gradient[j * d + i]);
-        o->impulse[j] += h * force;
-        o->work[j] += force * (o->elongation[j] - o->z[j]);
+            s->p[i] -= before * o->G[j * d + i] + after * o->gradient[j * d + i];
+        o->impulse[j] += before + after;
+        o->work[j] += (before + after) / h * (o->elongation[j] - o->z[j]);
         o->zdot[j] = (o->z[j] + o->elongation[j]) / 2 - o->z0[j];
     }
     memcpy(o->z, o->elongation, o->r * sizeof *o->z);

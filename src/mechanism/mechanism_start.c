@@ -29,7 +29,7 @@ static int allocate(fvi_mechanism_state *o)
         { &o->v, d }, { &o->u, n }, { &o->z, r }, { &o->G, r * d },
         { &o->C, m * d }, { &o->z0, r },
         { &o->W, r * s * s }, { &o->known, r * s }, { &o->lambda, r * s },
-        { &o->zdot, r * s }, { &o->X, (q + 1) * d }, { &o->V, q * d },
+        { &o->zdot, r * s }, { &o->pulled, 2 * r }, { &o->X, (q + 1) * d }, { &o->V, q * d },
         { &o->f, q * d }, { &o->Lv, q * d }, { &o->fx, q * d * d },
         { &o->fv, q * d * d }, { &o->Lxv, q * d * d }, { &o->Lvv, q * d * d },
         { &o->push, (q + 1) * d }, { &o->elongation, q * r },

@@ -5,6 +5,7 @@
 #define FVI_MECHANISM_STATE_H
 
 #include "mechanism.h"
+#include "memory/kernel_impulses.h"
 #include "stages/lobatto_history.h"
 
 /* A part of a damper's kernel with a history of its own: where something is taken away from the
@@ -20,11 +21,12 @@ typedef struct {
     double *last;         /* the last term; of stages the sums over the past, s numbers */
 } fvi_mechanism_part;
 
-/* A force of the past that is known beforehand: one term of one damper. */
+/* A force of the past that is known beforehand: of one term of one damper, or of all. */
 typedef struct {
     size_t damper;
-    double size; /* rho A h^(1 + e) of (19.3) */
+    double size; /* rho A h^(1 + e) of (19.3); or A */
     fvi_kernel_impulse impulse;
+    fvi_impulses_of_kernel *of_kernel; /* instead of it, at nodes; owned */
 } fvi_mechanism_pull;
 
 /* d coordinates, r dampers, m constraints; stage i of coordinate j stands at [i * d + j], and q is the
@@ -49,6 +51,7 @@ typedef struct {
 
     double *W; /* r of s * s (1 of nodes): the present in the force of a damper */
     double *known, *lambda, *zdot; /* r of s */
+    double *pulled; /* 2 r: what the past gives to both ends of a step, at nodes */
     double *X, *V, *f, *Lv, *fx, *fv, *Lxv, *Lvv; /* of the q points */
     double *push, *elongation, *gradient; /* q d; q r, q r d */
     double *residual, *matrix, *change, *trial; /* n, n n, n, n */
@@ -77,7 +80,7 @@ int fvi_mechanism_force(fvi_stepper *s, double t, double *F);
 /* fvi_mechanism_remember -- the parts and pulls of all dampers, for a start of the velocity v. */
 int fvi_mechanism_remember(fvi_stepper *s, const double *v, fvi_error *error);
 
-/* fvi_mechanism_expect -- `known` of this step: what the forces of the dampers are but for W times the
+/* fvi_mechanism_expect -- `known` and `pulled` of this step: what the forces of the dampers are but for W times the
  * present, lambda = known + W z at the node scheme and W zdot at stages. */
 int fvi_mechanism_expect(fvi_stepper *s);
 
