@@ -202,8 +202,10 @@ int fvi_mechanism_step_nodes(fvi_stepper *s)
         status = fvi_mechanism_expect(s);
     if (!status) /* the last increment is the guess */
         status = fvi_mechanism_solve(s, assemble, d, o->u);
+    o->has_root = 1;
     if (!status)
         status = ask(s, o->u);
+    o->has_root = 0;
     if (!status && o->form == FVI_MECHANISM_NODES)
         status = ask_end(s, o->u);
     if (status)

@@ -11,19 +11,20 @@ int fvi_mechanism_point(fvi_stepper *s, size_t i, double t, int with_forces)
     const fvi_state_force *force = s->run.system->mechanism->force_on;
     const size_t d = o->d, dd = d * d;
     const double *x = o->X + i * d, *v = o->V + i * d;
-    double *f = o->f + i * d, *fx = o->fx + i * dd, *fv = o->fv + i * dd,
-           *Lxv = o->Lxv + i * dd;
-    int status =
-        fvi_lagrangian_point(s->run.system, t, x, v, NULL, f, o->Lv + i * d, fx,
-                             Lxv, o->Lvv + i * dd);
-    memcpy(fv, Lxv, dd * sizeof *fv);
+    double *f = o->f + i * d, *fx = o->has_root ? NULL : o->fx + i * dd,
+           *fv = o->fv + i * dd, *Lxv = fx ? o->Lxv + i * dd : NULL,
+           *Lvv = fx ? o->Lvv + i * dd : NULL;
+    int status = fvi_lagrangian_point(s->run.system, t, x, v, NULL, f,
+                                      o->Lv + i * d, fx, Lxv, Lvv);
+    if (fx)
+        memcpy(fv, Lxv, dd * sizeof *fv);
     if (status || !with_forces || !force)
         return status;
-    double *F = o->room, *Fx = F + d, *Fv = Fx + dd;
+    double *F = o->room, *Fx = fx ? F + d : NULL, *Fv = fx ? Fx + dd : NULL;
     status = force->at(t, d, x, v, force->params, F, Fx, Fv);
     for (size_t j = 0; j < d; j++)
         f[j] += F[j];
-    for (size_t j = 0; j < dd; j++) {
+    for (size_t j = 0; fx && j < dd; j++) {
         fx[j] += Fx[j];
         fv[j] += Fv[j];
     }

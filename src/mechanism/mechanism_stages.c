@@ -338,8 +338,10 @@ int fvi_mechanism_step_stages(fvi_stepper *s)
     if (s->k > 0)
         guess(s);
     status = fvi_mechanism_solve(s, assemble, places, o->u);
+    o->has_root = 1;
     if (!status)
         status = ask(s, o->u);
+    o->has_root = 0;
     if (status)
         return status;
     memcpy(s->dx, o->u + places - o->d, o->d * sizeof *s->dx);

@@ -39,6 +39,7 @@ typedef struct {
     double E[FVI_STAGES][FVI_STAGES], T[FVI_STAGES][FVI_STAGES],
         next[FVI_STAGES][FVI_STAGES]; /* (29.7) */
     size_t begin;          /* the first stage that is unknown: 1 in form M */
+    int has_root;          /* of the equation: no second derivatives are wanted */
     size_t parts, pulls;
     fvi_mechanism_part *part;
     fvi_mechanism_pull *pull;

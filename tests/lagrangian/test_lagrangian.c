@@ -9,6 +9,7 @@
 
 enum { STEPS = 40 };
 
+
 static double distance(const fvi_stepper *s, size_t d, const double *x,
                        const double *p)
 {
@@ -165,11 +166,73 @@ START_TEST(a_run_can_be_forked_saved_and_begun_again)
 }
 END_TEST
 
+/* A Lagrangian that counts how often its second derivatives are asked for. */
+typedef struct {
+    const fvi_lagrangian *of;
+    size_t count;
+} counted;
+
+static int count_and_ask(double t, size_t d, const double *x, const double *v,
+                         void *params, double *L, double *Lx, double *Lv,
+                         double *Lxx, double *Lxv, double *Lvv)
+{
+    counted *c = params;
+    c->count += Lxx != NULL;
+    return c->of->at(t, d, x, v, c->of->params, L, Lx, Lv, Lxx, Lxv, Lvv);
+}
+
+/* Newton's method converges as with exact derivatives: a slip in one of them costs iterations. L has
+ * terms like v1 x2, the damper and the constraint are curved, the force knows x and v. Seen: 3.13,
+ * 2.53, 2.28, 4 and 3.03 iterations a step of 0.25. */
+START_TEST(newtons_method_has_exact_derivatives)
+{
+    const mechanism_text free_text = {
+        .name = "gyroscopic",
+        .d = 2,
+        .lagrangian = "(v1^2+v2^2+v1*v2*cos(x1-x2))/2 + 2*v1*sin(x2) + cos(x1)",
+        .damper = { "sqrt((x1+sin(x2))^2+(2-cos(x2))^2) : power:20,0.3" },
+        .force_on = { "1=-0.2*v1*sqrt(v1^2+0.01)+x1*x2", "2=0.2*v2*x1" },
+        .x0 = { 0.2, 1.2 },
+        .v0 = { 0.4, 0.5 }
+    };
+    mechanism_text tied = problems[ROD];
+    tied.lagrangian = "(v1^2+v2^2)/2 - x2 + 3*v1*x2^2";
+    tied.constraint[0] = "x1^2+x2^2-1+(x1^4-x2^3)*0";
+    const struct {
+        const fvi_method *method;
+        const mechanism_text *text;
+        double most;
+    } rows[] = { { &fvi_cq2_midpoint, &free_text, 3.2 },
+                 { &fvi_lobatto_m4, &free_text, 2.6 },
+                 { &fvi_lobatto_d4, &free_text, 2.4 },
+                 { &fvi_cq2_midpoint, &tied, 4.1 },
+                 { &fvi_lobatto_m4, &tied, 3.1 } };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        mechanism_problem p;
+        open_problem(rows[i].text, &p);
+        counted c = { p.system.mechanism->lagrangian, 0 };
+        const fvi_lagrangian L = { count_and_ask, &c };
+        fvi_mechanism m = *p.system.mechanism;
+        m.lagrangian = &L;
+        p.system.mechanism = &m;
+        const size_t stages = rows[i].method->stages ? (size_t)rows[i].method->stages : 1;
+        fvi_stepper *s = stepper_at(rows[i].method, &p, 0.25, 40, 40);
+        const double each = (double)c.count / (double)(stages * 40);
+        ck_assert_msg(each <= rows[i].most, "%s, %s: %g", rows[i].text->name,
+                      rows[i].method->name, each);
+        seen(each, "%s %s", rows[i].text->name, rows[i].method->name);
+        fvi_stepper_free(s);
+        close_problem(&p);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("lagrangian");
     ADD_CASE(suite, "rows", the_rows_are_those_of_another_program,
              a_potential_is_the_case_of_a_quadratic_lagrangian,
-             a_run_can_be_forked_saved_and_begun_again);
+             a_run_can_be_forked_saved_and_begun_again,
+             newtons_method_has_exact_derivatives);
     return run_suite(suite);
 }
