@@ -8,11 +8,12 @@ static const struct {
     const char *path, *section;
     size_t commands, outputs;
     const char *plots; /* the picture that they draw */
-} parts[2] = {
+} parts[3] = {
     { "README.md", "\n## Use\n", 2, 2, NULL },
     { "chapters/handbook/manual.md", "\n## The program\n", 8, 6, "build/own.svg" },
+    { "chapters/handbook/manual.md", "\n## Any Lagrangian\n", 6, 6, "build/elastic.svg" },
 };
-static char pages[2][1 << 16];
+static char pages[3][1 << 16];
 
 /* The next block of this kind behind `at`, without its fences, and where it ends; NULL if
  * there is none before the next heading. */
@@ -93,12 +94,20 @@ START_TEST(the_tour_of_the_manual_is_as_it_is_printed)
 }
 END_TEST
 
+/* The problems of H 29, a command each. */
+START_TEST(every_lagrangian_of_the_manual_runs)
+{
+    run_and_compare(2);
+}
+END_TEST
+
 int main(void)
 {
-    for (int part = 0; part < 2; part++)
+    for (int part = 0; part < 3; part++)
         read_file(parts[part].path, pages[part], sizeof pages[part]);
     Suite *suite = suite_create("the program fvi: README.md, the manual");
     ADD_CASE(suite, "values", the_commands_of_the_readme_are_as_they_are_printed,
-             the_tour_of_the_manual_is_as_it_is_printed);
+             the_tour_of_the_manual_is_as_it_is_printed,
+             every_lagrangian_of_the_manual_runs);
     return run_suite_of_program(suite);
 }
