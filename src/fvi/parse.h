@@ -82,6 +82,11 @@ int fvi_parse_table(const char *field, const char *file,
                     const char *const names[2], size_t *n, double **t,
                     double **v, fvi_error *error);
 
+/* fvi_parse_named_table -- the same, refused if no line above the numbers has both names. */
+int fvi_parse_named_table(const char *field, const char *file,
+                          const char *const names[2], size_t *n, double **t,
+                          double **v, fvi_error *error);
+
 /* ---- parameters of expressions ---- */
 
 /* fvi_user_parameters -- names and values that expressions may use; begin with a zeroed one. Do
@@ -193,8 +198,9 @@ void fvi_typed_damping_free(fvi_typed_damping *damping);
 typedef struct fvi_typed_force fvi_typed_force;
 
 /* fvi_parse_force -- a sum of forces, " + " between: none, step:A,T, cosine:A,W, impulse:J,T
- * (every momentum jumps by J at T), file:NAME (columns t and F, linear in between), expressions
- * in t.
+ * (every momentum jumps by J at T), file:NAME (columns t and F, linear in between), or
+ * file:NAME:TIME,VALUE with the names of two columns, also with a factor, -9.81*file:g.csv;
+ * expressions in t.
  *
  *   d           of the system
  *   parameters  of the expressions, kept: they must outlive the force; NULL if there are none
@@ -226,6 +232,32 @@ const char *fvi_typed_force_file(const fvi_typed_force *force, size_t i);
 
 /* fvi_typed_force_free -- give everything back. NULL is allowed. */
 void fvi_typed_force_free(fvi_typed_force *force);
+
+/* ---- a ground that moves ---- */
+
+typedef struct fvi_ground fvi_ground;
+
+/* fvi_parse_ground -- the acceleration a_g of the ground, as fvi_parse_force without impulses: field "ground",
+ * and of a file the columns t and ag. In coordinates relative to the ground it acts as
+ *
+ *     F(t) = the force of the system - M r a_g(t)
+ *
+ *   system  with all that acts besides; its force, masses and matrices must outlive the ground
+ *   r       how each coordinate moves with the ground, d numbers: 1 along it
+ *   ground  output; give it back with fvi_ground_free
+ *
+ * FVI_EUNSUP, too, of matrices without inertia.
+ *
+ * fvi_ground_force -- that F, to be put into the system for its runs.
+ * fvi_ground_acceleration -- a_g, a force of one number, for columns (columns.h).
+ * fvi_ground_typed -- the same as it was typed: its files and jumps. */
+int fvi_parse_ground(const char *text, const fvi_system *system,
+                     const double *r, fvi_user_parameters *parameters,
+                     double last, fvi_ground **ground, fvi_error *error);
+fvi_force fvi_ground_force(const fvi_ground *ground);
+const fvi_force *fvi_ground_acceleration(const fvi_ground *ground);
+const fvi_typed_force *fvi_ground_typed(const fvi_ground *ground);
+void fvi_ground_free(fvi_ground *ground);
 
 /* fvi_force_rows -- forces that were measured: n rows at increasing times.
  *

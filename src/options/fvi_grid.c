@@ -3,6 +3,7 @@
 
 #include <fvi/format_double.h>
 
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -63,4 +64,26 @@ int fvi_options_grid(fvi_options *o, fvi_error *c)
     fvi_format_double(o->h, o->step);
     o->text[H] = o->step; /* the head says what follows */
     return status;
+}
+
+/* A jump of the force that is not at a row is what no estimate can see, but that of a
+ * method whose steps end there. */
+int fvi_options_refuse_jumps(const fvi_options *o, option_index which,
+                        const fvi_typed_force *force, fvi_error *c)
+{
+    for (size_t i = 0; force && !o->method->dense; i++) {
+        const double jump = fvi_typed_force_jump(force, i), end = jump / o->h,
+                     row = round(end);
+        if (isnan(jump))
+            break;
+        if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
+            return fvi_refuse(c,
+                              "error", "the %s '%s' jumps between two rows; "
+                              "take other --steps%s",
+                              fvi_option_list[which].name, o->text[which],
+                              o->text[DAMPING] || o->directory
+                                  ? ""
+                                  : ", or --method fvi-adaptive");
+    }
+    return 0;
 }

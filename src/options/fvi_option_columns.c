@@ -15,6 +15,11 @@ static int start(fvi_options *o, fvi_error *c)
                                              .mechanism = system.mechanism,
                                              .is_structure =
                                                  system.matrices != NULL,
+                                             .ground =
+                                                 o->ground
+                                                     ? fvi_ground_acceleration(
+                                                         o->ground)
+                                                     : NULL,
                                              .shown = o->shown,
                                              .shown_count = o->shown_count };
     return fvi_typed_columns_start(o->column_source, &o->typed, c);

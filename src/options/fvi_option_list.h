@@ -66,6 +66,7 @@ typedef struct {
     const char *no_solution; /* what fvi_warning_of_initial_history says, or NULL */
     fvi_history_kind memory;
     fvi_columns columns;
+    fvi_ground *ground; /* or NULL */
     fvi_typed_columns *typed; /* those that are no plain t, x, p, energy, y; and reductions */
     fvi_column_source *column_source;
     double *typed_row; /* room for a row of them */
@@ -102,6 +103,8 @@ typedef enum {
     DIMENSION,
     SYSTEM,
     FORCE,
+    GROUND,
+    ALONG,
     DERIVATIVE,
     KAPPA,
     X0,

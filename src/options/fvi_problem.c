@@ -141,6 +141,38 @@ int fvi_problem_force(fvi_options *o, fvi_error *c)
     return status;
 }
 
+/* --ground, when the masses and what else acts are known. */
+int fvi_problem_ground(fvi_options *o, fvi_error *c)
+{
+    if (o->text[ALONG] && !o->text[GROUND])
+        return fvi_refuse(c, "along", "without --ground nothing moves along it");
+    if (!o->text[GROUND])
+        return 0;
+    if (o->text[LAGRANGIAN])
+        return fvi_refuse(c, "ground",
+                          "not together with --lagrangian, which may hold the "
+                          "motion itself");
+    double *r = malloc(o->d * sizeof *r);
+    if (!r)
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    const char *along = o->text[ALONG] ? o->text[ALONG] : "1";
+    if (*along == '@')
+        fvi_mark_read("along", along + 1);
+    const fvi_system system = fvi_options_system(o);
+    int status = fvi_parse_numbers("along", along, -INFINITY, INFINITY, "()",
+                                   o->d, r, c);
+    if (!status)
+        status = fvi_parse_ground(o->text[GROUND], &system, r, &o->lets,
+                                  (double)o->steps * o->h, &o->ground, c);
+    free(r);
+    const char *name;
+    for (size_t i = 0;
+         !status && (name = fvi_typed_force_file(fvi_ground_typed(o->ground), i));
+         i++)
+        fvi_mark_read("ground", name);
+    return status;
+}
+
 /* "3,17" of x1, ..., xd; all of them where nothing is said. */
 int fvi_problem_unknowns(fvi_options *o, fvi_error *c)
 {
@@ -178,6 +210,8 @@ fvi_system fvi_options_system(const fvi_options *o)
         s.potential = o->library ? o->user : fvi_potential_typed(&o->potential);
     if (o->force)
         s.force = fvi_force_typed(o->force);
+    if (o->ground)
+        s.force = fvi_ground_force(o->ground);
     if (o->mechanism)
         s.mechanism = fvi_mechanism_typed(o->mechanism);
     return s;

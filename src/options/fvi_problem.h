@@ -12,6 +12,7 @@
 int fvi_problem_potential(fvi_options *o, fvi_error *c);
 int fvi_problem_lists(fvi_options *o, fvi_error *c);
 int fvi_problem_force(fvi_options *o, fvi_error *c);
+int fvi_problem_ground(fvi_options *o, fvi_error *c);
 
 /* fvi_problem_unknowns -- the unknowns of the table, when it is known how many there are. */
 int fvi_problem_unknowns(fvi_options *o, fvi_error *c);

@@ -46,27 +46,14 @@ static int choice(fvi_options *o, option_index i, const char *const *words,
 
 /* ---- what belongs together ---- */
 
-/* A jump of the force that is not at a row is what no estimate can see, but that of a
- * method whose steps end there. */
 static int interpret_error(fvi_options *o, fvi_error *c)
 {
     int status = number(o, ERROR, 0, INFINITY, "()", &o->error, c);
-    for (size_t i = 0; !status && !o->method->dense; i++) {
-        const double jump =
-            o->force ? fvi_typed_force_jump(o->force, i) : NAN;
-        const double end = jump / o->h, row = round(end);
-        if (isnan(jump))
-            break;
-        if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
-            return fvi_refuse(c,
-                              "error", "the force '%s' jumps between two rows; "
-                              "take other --steps%s",
-                              o->text[FORCE],
-                              o->text[DAMPING] || o->directory
-                                  ? ""
-                                  : ", or --method fvi-adaptive");
-    }
-    return status;
+    if (!status)
+        status = fvi_options_refuse_jumps(o, FORCE, o->force, c);
+    return status || !o->ground
+               ? status
+               : fvi_options_refuse_jumps(o, GROUND, fvi_ground_typed(o->ground), c);
 }
 
 /* Steps of a given length have no tolerance, and no limit unless they are searched for. */
@@ -258,6 +245,8 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
         status = fvi_problem_mechanism(o, c);
     if (!status)
         status = fvi_problem_velocity(o, c);
+    if (!status)
+        status = fvi_problem_ground(o, c);
     o->past = (fvi_initial_history)which;
     if (!status && o->text[DAMPING] && o->past != FVI_INITIAL_HISTORY_HELD
         && !(o->past == FVI_INITIAL_HISTORY_CAPUTO
@@ -395,6 +384,8 @@ void fvi_options_free(fvi_options *o)
     fvi_typed_potential_free(&o->potential);
     fvi_typed_damping_free(&o->damping);
     fvi_typed_force_free(o->force);
+    fvi_ground_free(o->ground);
+    o->ground = NULL;
     fvi_typed_mechanism_free(o->mechanism);
     o->mechanism = NULL;
     fvi_directory_close(o->directory);

@@ -117,7 +117,7 @@ static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind,
 
 /* Which columns are those of a row of so many numbers? */
 static int choose_columns(const names_above *above, const fvi_rows *r,
-                          choice *to)
+                          const char *const must[2], choice *to)
 {
     int named = 0;
     *to = (choice){ { 0, 1 }, r->count };
@@ -133,6 +133,10 @@ static int choose_columns(const names_above *above, const fvi_rows *r,
     if (r->count > 0 && r->count < WORDS
         && above->comment[r->count].of == r->count)
         *to = above->comment[r->count];
+    else if (must)
+        return fvi_fail(r->error, FVI_EINVAL, r->field, NAN,
+                        "%s: no columns %s and %s above its numbers",
+                        r->name, must[0], must[1]);
     return r->count < 2 ? fvi_rows_refuse(r, 1, FVI_ROWS_TOO_FEW) : 0;
 }
 
@@ -167,8 +171,8 @@ static int take_row(const fvi_rows *r, const choice *from, int is_first,
 }
 
 /* All rows into pairs t, v. */
-static int read_rows(fvi_rows *r, const char *const names[2], size_t *n,
-                     double **pairs)
+static int read_rows(fvi_rows *r, const char *const names[2], int must,
+                     size_t *n, double **pairs)
 {
     names_above above = { 0 };
     choice from = { { 0, 1 }, 0 };
@@ -184,7 +188,7 @@ static int read_rows(fvi_rows *r, const char *const names[2], size_t *n,
             continue;
         }
         if (*n == 0)
-            status = choose_columns(&above, r, &from);
+            status = choose_columns(&above, r, must ? names : NULL, &from);
         if (!status)
             status = make_room(*n, &room, pairs, r);
         if (!status)
@@ -196,16 +200,16 @@ static int read_rows(fvi_rows *r, const char *const names[2], size_t *n,
     return status;
 }
 
-int fvi_parse_table(const char *field, const char *file,
-                   const char *const names[2], size_t *n, double **t,
-                   double **v, fvi_error *error)
+static int parse_table(const char *field, const char *file,
+                       const char *const names[2], int must, size_t *n,
+                       double **t, double **v, fvi_error *error)
 {
     fvi_rows r;
     double *pairs = NULL;
     *n = 0;
     int status = fvi_rows_open(&r, field, file, error);
     if (!status)
-        status = read_rows(&r, names, n, &pairs);
+        status = read_rows(&r, names, must, n, &pairs);
     fvi_rows_close(&r);
     if (!status && *n == 0)
         status = fvi_fail(error, FVI_EINVAL, field, NAN, "%s: has no rows",
@@ -221,4 +225,18 @@ int fvi_parse_table(const char *field, const char *file,
     *t = block;
     *v = block ? block + *n : NULL;
     return status;
+}
+
+int fvi_parse_table(const char *field, const char *file,
+                    const char *const names[2], size_t *n, double **t,
+                    double **v, fvi_error *error)
+{
+    return parse_table(field, file, names, 0, n, t, v, error);
+}
+
+int fvi_parse_named_table(const char *field, const char *file,
+                          const char *const names[2], size_t *n, double **t,
+                          double **v, fvi_error *error)
+{
+    return parse_table(field, file, names, 1, n, t, v, error);
 }

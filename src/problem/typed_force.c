@@ -192,39 +192,90 @@ void fvi_typed_force_free(fvi_typed_force *f)
 
 /* ---- words ---- */
 
-static int no_memory(fvi_error *error)
+static int no_memory(const char *field, fvi_error *error)
 {
-    return fvi_fail(error, FVI_ENOMEM, "force", NAN, "not enough memory");
+    return fvi_fail(error, FVI_ENOMEM, field, NAN, "not enough memory");
+}
+
+/* "F.csv", or "F.csv:TIME,VALUE" with the names of its columns, which must then be there. */
+static int read_columns(part *p, const char *field, const char *text,
+                        fvi_error *error)
+{
+    const char *colon = strrchr(text, ':'),
+               *comma = colon ? strchr(colon, ',') : NULL;
+    if (!comma) {
+        const char *const columns[] = { "t", strcmp(field, "ground") ? "F" : "ag" };
+        p->file = strdup(text);
+        return p->file ? fvi_parse_table(field, text, columns, &p->n, &p->t,
+                                         &p->F, error)
+                       : no_memory(field, error);
+    }
+    char *time = strndup(colon + 1, (size_t)(comma - colon - 1));
+    p->file = strndup(text, (size_t)(colon - text));
+    const char *const columns[] = { time, comma + 1 };
+    const int status =
+        time && p->file ? fvi_parse_named_table(field, p->file, columns, &p->n,
+                                                &p->t, &p->F, error)
+                        : no_memory(field, error);
+    free(time);
+    return status;
 }
 
 /* A table from 0 to the end of the run: nothing is made up. */
-static int read_file(part *p, const char *name, double last, fvi_error *error)
+static int read_file(part *p, const char *field, const char *text, double gain,
+                     double last, fvi_error *error)
 {
-    static const char *const columns[] = { "t", "F" };
-    p->file = strdup(name);
-    if (!p->file)
-        return no_memory(error);
-    int status =
-        fvi_parse_table("force", name, columns, &p->n, &p->t, &p->F, error);
+    const int status = read_columns(p, field, text, error);
     if (status)
         return status;
+    for (size_t i = 0; i < p->n; i++)
+        p->F[i] *= gain;
+    if (!fvi_all_finite(p->n, p->F))
+        return fvi_fail(error, FVI_EDOM, field, gain,
+                        "a number of %s times its factor is not finite", p->file);
     if (p->t[0] > 0)
-        return fvi_fail(error, FVI_EDOM, "force", p->t[0],
-                        "%s begins at t = %g, the run at 0", name, p->t[0]);
+        return fvi_fail(error, FVI_EDOM, field, p->t[0],
+                        "%s begins at t = %g, the run at 0", p->file, p->t[0]);
     if (p->t[p->n - 1] < last * (1 - 1e-12))
-        return fvi_fail(error, FVI_EDOM, "force", p->t[p->n - 1],
-                        "%s ends at t = %g, the run at %g", name,
+        return fvi_fail(error, FVI_EDOM, field, p->t[p->n - 1],
+                        "%s ends at t = %g, the run at %g", p->file,
                         p->t[p->n - 1], last);
     return FVI_SUCCESS;
 }
 
+/* "-9.81*file:g.csv": where "file:" stands behind a factor; NULL if it does not. */
+static const char *file_behind_factor(const char *text, size_t length)
+{
+    for (const char *at = text; at + 6 <= text + length; at++)
+        if (strncasecmp(at, "*file:", 6) == 0)
+            return at + 1;
+    return NULL;
+}
+
+/* The factor, an expression of numbers alone. */
+static int read_scaled_file(part *p, const char *field, const char *text,
+                            const char *file, double last, fvi_error *error)
+{
+    fvi_expression *e = NULL;
+    char *factor = strndup(text, (size_t)(file - 1 - text));
+    int status = factor ? fvi_parse_expression(field, NULL, 0, factor, NULL, &e,
+                                               error)
+                        : no_memory(field, error);
+    free(factor);
+    if (status)
+        return status;
+    const double gain = fvi_expression_value(e, NULL);
+    fvi_expression_free(e);
+    return read_file(p, field, file + 5, gain, last, error);
+}
+
 /* One that comes when the run is over, or has not begun, would be ignored. */
-static int take_impulse(part *p, const char *text, double last,
-                        fvi_error *error)
+static int take_impulse(part *p, const char *field, const char *text,
+                        double last, fvi_error *error)
 {
     p->hits = 1;
     if (!(p->p[1] >= 0 && p->p[1] <= last * (1 + 1e-12)))
-        return fvi_fail(error, FVI_EDOM, "force", p->p[1],
+        return fvi_fail(error, FVI_EDOM, field, p->p[1],
                         "'%s' is not within the run, 0 <= T <= %g", text, last);
     return FVI_SUCCESS;
 }
@@ -240,26 +291,26 @@ static int scan_ready_made(part *p, const char *text)
 }
 
 /* An expression in t. One in x or v is no slip of the finger, but another option's. */
-static int parse_expression(part *p, const char *text,
+static int parse_expression(part *p, const char *field, const char *text,
                             fvi_user_parameters *parameters, fvi_error *error)
 {
     fvi_error state = { 0 };
     const size_t d = fvi_largest_index(text);
-    int status = fvi_parse_expression("force", "t", 1, text, parameters,
+    int status = fvi_parse_expression(field, "t", 1, text, parameters,
                                       &p->expression, error);
     if (status != FVI_EINVAL || d == 0
-        || fvi_parse_state_expression("force", d, 1, text, parameters,
+        || fvi_parse_state_expression(field, d, 1, text, parameters,
                                       &p->expression, &state))
         return status;
     fvi_expression_free(p->expression);
     p->expression = NULL;
-    return fvi_fail(error, FVI_EINVAL, "force", NAN,
+    return fvi_fail(error, FVI_EINVAL, field, NAN,
                     "'%s': a force knows t alone; --force-on knows x and v",
                     text);
 }
 
 /* One part: a word with a colon, or an expression. */
-static int parse_part(part *p, const char *text,
+static int parse_part(part *p, const char *field, const char *text,
                       fvi_user_parameters *parameters, double last,
                       fvi_error *error)
 {
@@ -270,34 +321,39 @@ static int parse_part(part *p, const char *text,
     const size_t length = strcspn(text, ":"),
                  word = fvi_scan_word(text, length, words);
     if (length == 4 && text[length] && strncasecmp(text, "file", 4) == 0)
-        return read_file(p, text + 5, last, error);
+        return read_file(p, field, text + 5, 1, last, error);
+    const char *file = file_behind_factor(text, strlen(text));
+    if (file)
+        return read_scaled_file(p, field, text, file, last, error);
     if (scan_ready_made(p, text))
         return p->kind == FVI_FORCING_STEP && p->p[1] < 0
-                   ? fvi_fail(error, FVI_EDOM, "force", p->p[1],
+                   ? fvi_fail(error, FVI_EDOM, field, p->p[1],
                               "'%s' ends before it begins", text)
                    : FVI_SUCCESS;
     p->kind = FVI_FORCING_NONE;
     if (fvi_scan_call(text, "impulse", 2, p->p))
-        return take_impulse(p, text, last, error);
+        return take_impulse(p, field, text, last, error);
     if (words[word])
-        return fvi_fail(error, FVI_EINVAL, "force", NAN, "'%s' is not %s", text,
+        return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s' is not %s", text,
                         forms[word]);
     char place[64];
     fvi_word_hint(text, length, words, place);
     if (text[length] || *place)
-        return fvi_fail(error, FVI_EINVAL, "force", NAN,
+        return fvi_fail(error, FVI_EINVAL, field, NAN,
                         "'%s' is none of none, step:A,T, cosine:A,W, "
                         "impulse:J,T, file:F.tsv%s",
                         text, place);
-    return parse_expression(p, text, parameters, error);
+    return parse_expression(p, field, text, parameters, error);
 }
 
-/* Does a word with a colon begin here? */
+/* Does a word with a colon begin here, or a factor before one? */
 static int is_call(const char *at)
 {
     const size_t letters = strspn(at, "abcdefghijklmnopqrstuvwxyz"
                                       "ABCDEFGHIJKLMNOPQRSTUVWXYZ");
-    return letters > 0 && at[letters] == ':';
+    const char *next = strstr(at, " + ");
+    return (letters > 0 && at[letters] == ':')
+           || file_behind_factor(at, next ? (size_t)(next - at) : strlen(at));
 }
 
 /* Where the part ends that begins at `at`: before a " + " if that part, or the next one, is
@@ -360,38 +416,46 @@ static int collect_impulses(fvi_typed_force *f, size_t d)
 }
 
 /* One part at the end of the sum; `word` has room for its text. */
-static int add_part(fvi_typed_force *f, char *word, const char *at, size_t length,
+static int add_part(fvi_typed_force *f, const char *field, char *word,
+                    const char *at, size_t length,
                     fvi_user_parameters *parameters, double last,
                     fvi_error *error)
 {
     part *parts = realloc(f->parts, (f->count + 1) * sizeof *parts);
     if (!parts)
-        return no_memory(error);
+        return no_memory(field, error);
     f->parts = parts;
     parts[f->count] = (part){ .kind = FVI_FORCING_NONE };
     memcpy(word, at, length);
     word[length] = '\0';
-    return parse_part(&parts[f->count++], word, parameters, last, error);
+    return parse_part(&parts[f->count++], field, word, parameters, last, error);
 }
 
 int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters,
                     double last, fvi_typed_force **force, fvi_error *error)
 {
+    return fvi_parse_force_of("force", text, d, parameters, last, force, error);
+}
+
+int fvi_parse_force_of(const char *field, const char *text, size_t d,
+                       fvi_user_parameters *parameters, double last,
+                       fvi_typed_force **force, fvi_error *error)
+{
     if (!text || !force)
-        return fvi_fail(error, FVI_EFAULT, "force", NAN, "null pointer");
+        return fvi_fail(error, FVI_EFAULT, field, NAN, "null pointer");
     char *word = malloc(strlen(text) + 1);
     fvi_typed_force *new = calloc(1, sizeof *new);
-    int status = word && new ? FVI_SUCCESS : no_memory(error);
+    int status = word && new ? FVI_SUCCESS : no_memory(field, error);
     for (const char *at = text, *end; !status; at = end + 3) {
         at += strspn(at, " ");
         end = end_of_part(at);
-        status = add_part(new, word, at, (size_t)(end - at), parameters, last,
+        status = add_part(new, field, word, at, (size_t)(end - at), parameters, last,
                           error);
         if (*end == '\0')
             break;
     }
     if (!status && (collect_jumps(new) || collect_impulses(new, d)))
-        status = no_memory(error);
+        status = no_memory(field, error);
     free(word);
     if (status)
         fvi_typed_force_free(new);

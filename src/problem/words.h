@@ -29,6 +29,11 @@ int fvi_parse_state_expression(const char *field, size_t d, int velocities,
                                fvi_user_parameters *parameters,
                                fvi_expression **e, fvi_error *error);
 
+/* fvi_parse_force_of -- fvi_parse_force as another field: "ground" is an acceleration. */
+int fvi_parse_force_of(const char *field, const char *text, size_t d,
+                       fvi_user_parameters *parameters, double last,
+                       fvi_typed_force **force, fvi_error *error);
+
 /* fvi_parse_expression_of -- the same with coordinates that the finder names (expression.h). */
 int fvi_parse_expression_of(const char *field, const fvi_name_finder *finder,
                             const char *text, fvi_user_parameters *parameters,

@@ -14,6 +14,7 @@
 /* Of a run, and not of a fit, which takes its times from the data. */
 static const char *const not_for_fit[] = { "steps",      "time",     "error",
                                            "step-error", "columns", "reduce",
+                                           "ground",     "along",
                                            "every",      "format",   "plot",
                                            "checkpoint", "continue", "system",
                                            "unknowns",   "snapshot", "longest",

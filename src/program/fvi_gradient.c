@@ -13,7 +13,7 @@
 
 /* Of a run, and of no use to its derivatives. */
 static const char *const not_for_gradient[] = {
-    "error",      "columns",  "reduce", "every",    "format",   "plot",
+    "error",      "columns",  "reduce", "ground", "along", "every",    "format",   "plot",
     "checkpoint", "continue", "unknowns", "snapshot", "lagrangian",
     "damper",     "constraint", "impose",  "force-on", "v0",         NULL
 };

@@ -52,7 +52,11 @@ static const char usage_run[] =
     "                   fvi-shifted, fvi-bdf2, fvi-stable\n"
     "  --force F        none  step:A,T  cosine:A,W  impulse:J,T (on p, at T)\n"
     "                   file:F.tsv (t, F; linear in between), an expression\n"
-    "                   in t, or several with ' + ' between them      [none]\n"
+    "                   in t, or several with ' + ' between them      [none];\n"
+    "                   file:F.csv:TIME,VALUE and 2*file:F.csv, too\n"
+    "  --ground G       acceleration of the ground, as --force: coordinates\n"
+    "                   are relative to it, column ag\n"
+    "  --along LIST     how each coordinate moves with it             [1]\n"
     "  --derivative D   the past, until t = 0                         [held]\n"
     "                     held: at rest at x0, the memory acts on x - x0\n"
     "                     caputo: the same for A <= 1/2; for A > 1/2 it came\n"
@@ -75,7 +79,10 @@ static const char usage_run[] =
     "  --step-error E   what fvi-adaptive, the method then, lets one step be\n"
     "                   off by; not with --error\n"
     "  --longest H      no step of fvi-adaptive, or of --error, is longer\n"
-    "  --most-steps N   fvi-adaptive and --error: no run takes more steps\n"
+    "  --most-steps N   fvi-adaptive and --error: no run takes more steps\n";
+
+/* Apart, as C promises 4095 characters in one string. */
+static const char usage_run_examples[] =
     "  --columns LIST   of t, x, p, v, a, F, energy, work, balance, y, ag,\n"
     "                   d1.force, d1.impulse, d1.work, and expressions of\n"
     "                   them: drift=x2-x1                   [t,x,p,energy]\n"
@@ -83,10 +90,7 @@ static const char usage_run[] =
     "                   first or peak of an expression over all steps, and\n"
     "                   at(...), its time: 'max(x2-x1),at(peak(v))'\n"
     "  --unknowns LIST  which of x, p, y, v, a are columns: 1,17,20   [all]\n"
-    "  --every K        rows 0, K, 2K, ... and the last               [1]\n";
-
-/* Apart, as C promises 4095 characters in one string. */
-static const char usage_run_examples[] =
+    "  --every K        rows 0, K, 2K, ... and the last               [1]\n"
     "  --lagrangian L   instead of --mass and --potential, an expression in\n"
     "                   x1 ... xD, v1 ... vD, t: 'v^2/2 - (1+cos(t))*x^2'\n"
     "  --v0 V           instead of --p0: the velocity at the start\n"
@@ -144,8 +148,8 @@ static const char usage_sweep[] =
     "  --part I/K         the I-th of K parts of the rows, I from 1    [1/1]\n"
     "and of run: --method --alpha --order --rho --damping --mass --potential --let\n"
     "--lagrangian --damper --constraint --impose --force-on --v0\n"
-    "--dimension --system --force --derivative --kappa --x0 --p0 --h --steps\n"
-    "--time --error --step-error --longest --most-steps --columns --reduce\n"
+    "--dimension --system --force --ground --along --derivative --kappa --x0\n"
+    "--p0 --h --steps --time --error --step-error --longest --most-steps --columns --reduce\n"
     "--unknowns --memory --tolerance --format -o\n"
     "\n"
     "examples:\n"

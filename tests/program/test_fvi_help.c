@@ -137,9 +137,9 @@ START_TEST(completions_are_what_the_program_says)
     ck_assert_str_eq(offered("fvi response --of m"), " mobility moduli \n");
     ck_assert_ptr_nonnull(strstr(offered("fvi \"\""), " coefficients "));
     ck_assert_ptr_nonnull(strstr(offered("fvi help \"\""), " exact "));
-    ck_assert_str_eq(offered("fvi run --al"), " --alpha \n");
+    ck_assert_str_eq(offered("fvi run --alp"), " --alpha \n");
     ck_assert_str_eq(offered("fvi coefficients --k"), "  \n");
-    ck_assert_str_eq(offered("fvi sweep --al"), " --alpha \n");
+    ck_assert_str_eq(offered("fvi sweep --alp"), " --alpha \n");
     ck_assert_str_eq(offered("fvi methods --"), "  \n");
     ck_assert_str_eq(offered("fvi help run --"), "  \n");
     ck_assert_str_eq(offered("fvi --version \"\""), "  \n");
