@@ -23,7 +23,7 @@ extern "C" {
 /* fvi_exact_problem -- what moves, and how it starts.
  *
  *   motion   masses, a quadratic potential, dampings with alpha or a law; or matrices (structures.h);
- *            and dampers along rows or by matrices (dampers.h), all held before t = 0
+ *            and dampers along linear elongations or by matrices (dampers.h), all held before t = 0
  *   x0, p0   d numbers each, finite; copied
  *   forcing, A, T, w  the same force on every unknown, as in fvi_linear_oscillator */
 typedef struct {

@@ -172,19 +172,48 @@ static int interpret_run(fvi_options *o, fvi_error *c)
     return !status && o->text[ERROR] ? interpret_error(o, c) : status;
 }
 
+/* One mass, that alpha or a law damps, has an exact solution of its own. */
+int fvi_is_oscillator(const fvi_options *o)
+{
+    const fvi_potential_kind kind = o->potential.kind;
+    return o->d == 1 && !o->directory && !o->mechanism
+           && kind != FVI_POTENTIAL_EXPRESSION && kind != FVI_POTENTIAL_CHAIN;
+}
+
+/* Of many masses the library sees what is linear, when their poles are found; and of a single one
+ * whose potential is an expression. */
+static int check_many(const fvi_options *o, fvi_error *c)
+{
+    if (o->directory && o->text[FORCE] == fvi_directory_force_name(o->directory))
+        return fvi_refuse(c, "system", "%s has no exact solution here; without it, or "
+                          "--force step:A,T and cosine:A,W have",
+                          o->text[FORCE]);
+    if (o->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+        || (o->past == FVI_INITIAL_HISTORY_CAPUTO && o->alpha > 0.5))
+        return fvi_refuse(c, "derivative", "'%s' has no exact solution of several masses "
+                          "here; held has",
+                          o->text[DERIVATIVE]);
+    return 0;
+}
+
 /* What has an exact solution in the library. */
 static int check_linear(const fvi_options *o, fvi_error *c)
 {
     const fvi_typed_potential *u = &o->potential;
     fvi_forcing kind;
     double constants[2];
-    if (o->library
-        || (u->kind != FVI_POTENTIAL_FREE
-            && !(u->kind == FVI_POTENTIAL_HARMONIC && u->constants[0] >= 0)))
+    if (!fvi_is_oscillator(o)) {
+        const int status = check_many(o, c);
+        if (status)
+            return status;
+    } else if (o->library
+               || (u->kind != FVI_POTENTIAL_FREE
+                   && !(u->kind == FVI_POTENTIAL_HARMONIC && u->constants[0] >= 0))) {
         return fvi_refuse(c,
                           "potential", "'%s' has no exact solution here; "
                           "harmonic:C with C >= 0 and free have",
                           o->text[POTENTIAL]);
+    }
     if (!fvi_typed_force_is_simple(o->force, &kind, constants))
         return fvi_refuse(c,
                           "force", "'%s' has no exact solution here; none, "

@@ -12,6 +12,7 @@
 #include "output/fvi_table.h"
 #include "fvi_usage.h"
 #include "options/fvi_options.h"
+#include "options/fvi_values.h"
 
 #include <fcntl.h>
 #include <math.h>
@@ -122,6 +123,8 @@ static fvi_linear_oscillator linear_problem(const fvi_options *o)
 /* The same table from the exact solution; p = m v. */
 static int exact(const fvi_options *o, const fvi_system *system)
 {
+    if (!fvi_is_oscillator(o))
+        return fvi_command_exact_motion(o, system);
     const fvi_linear_oscillator problem = linear_problem(o);
     fvi_table t;
     double re, im;

@@ -14,6 +14,9 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system);
  * finds good enough; prints nothing where there is none. */
 int fvi_command_error(const fvi_options *o, const fvi_system *system);
 
+/* fvi_command_exact_motion -- `fvi exact` of several masses, or with dampers. */
+int fvi_command_exact_motion(const fvi_options *o, const fvi_system *system);
+
 /* fvi_command_sweep -- `fvi sweep`: a grid of runs, by several processes, one row each.
  * The words are those of main; 2 if they are refused. */
 int fvi_command_sweep(int argc, char **argv);

@@ -127,11 +127,13 @@ static const char usage_exact[] =
     "options as\n"
     "of run: --alpha --order --rho --damping --mass --force --derivative --x0\n"
     "--p0 --h --steps --time --columns --every --plot --format -o, and --potential\n"
-    "harmonic:C (C >= 0) or free\n"
+    "harmonic:C (C >= 0) or free; of several masses that were held also any\n"
+    "quadratic --potential, --let --dimension --system --damper --unknowns\n"
     "\n"
     "examples:\n"
     "  fvi exact --alpha 0.3 --time 20 --steps 4\n"
-    "  fvi exact --damping zener:1,0.3,2 --damping maxwell:1,5 --steps 4\n";
+    "  fvi exact --damping zener:1,0.3,2 --damping maxwell:1,5 --steps 4\n"
+    "  fvi exact --system DIR --damper 'x2-x1 : power:5,0.3' --p0 1 --steps 4\n";
 
 static const char usage_sweep[] =
     "usage: fvi sweep [options] --vary NAME=A:B:N[:log] ...\n"

@@ -10,12 +10,46 @@
 
 /* ---- what it must be ---- */
 
+/* An elongation whose gradient is the same at two places, and has no t in it: numbers that are of
+ * no simple ratio. x and both gradients have room in 3 d numbers. */
+static int ask_twice(const fvi_elongation *of, size_t d, double *x, int *is_linear)
+{
+    double *G = x + d, *other = G + d, rate = 0;
+    for (size_t i = 0; i < d; i++)
+        x[i] = 0;
+    int status = of->gradient(0, d, x, of->params, G);
+    for (size_t i = 0; i < d; i++)
+        x[i] = 0.3 + sqrt(2 + (double)i);
+    if (!status)
+        status = of->gradient(1.5, d, x, of->params, other);
+    if (!status && of->rate)
+        status = of->rate(1.5, d, x, of->params, &rate);
+    *is_linear = rate == 0 && memcmp(G, other, d * sizeof *G) == 0;
+    return status;
+}
+
+static int is_linear(const fvi_damper *damper, size_t d, int *answer)
+{
+    *answer = 1;
+    if (damper->matrix || damper->of.row)
+        return FVI_SUCCESS;
+    double *room = malloc(3 * d * sizeof *room);
+    const int status = room ? ask_twice(&damper->of, d, room, answer) : FVI_ENOMEM;
+    free(room);
+    return status;
+}
+
 static int check_dampers(const fvi_system *system, fvi_error *error)
 {
     const fvi_mechanism *m = system->mechanism;
     for (size_t j = 0; m && j < m->damper_count; j++) {
         const fvi_damper *damper = m->damper + j;
-        if (!damper->matrix && !damper->of.row) {
+        int linear;
+        const int status = is_linear(damper, system->d, &linear);
+        if (status)
+            return fvi_fail(error, status, "damper", (double)j + 1, "%s",
+                            fvi_error_name(status));
+        if (!linear) {
             fvi_fail(error, FVI_EUNSUP, "damper", (double)j + 1,
                      "damper %zu: its elongation is not linear", j + 1);
         } else if (damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE

@@ -4,7 +4,31 @@
 
 #include "program.h"
 
+#include <string.h>
+
 #define HEAD "%%MatrixMarket matrix coordinate real symmetric\n"
+
+/* The rows without the head, into `rows`. */
+static inline void table_of(const char *words, char *rows, size_t size)
+{
+    ck_assert_msg(fvi(words) == 0, "%s: %s", words, err);
+    const char *at = strrchr(out, '#');
+    snprintf(rows, size, "%s", strchr(at, '\n') + 1);
+}
+
+/* All numbers of two tables are equal to `bound`. */
+static inline size_t compare(const char *a, const char *b, double bound)
+{
+    size_t count = 0;
+    for (char *stop;; a = stop, count++) {
+        const double x = strtod(a, &stop);
+        if (stop == a)
+            break;
+        const double y = strtod(b, (char **)&b);
+        ck_assert_near(x, y, bound, "number %zu", count);
+    }
+    return count;
+}
 
 /* Three masses between two walls. */
 static inline void write_chain(void)

@@ -173,8 +173,8 @@ START_TEST(wrong_parameters_and_lists_are_refused)
                       "fvi: --force: 't' has no exact solution here; "
                       "none, step:A,T and cosine:A,W have");
     ck_assert_refused(
-        "exact --potential 'x^2'",
-        "fvi: --potential: 'x^2' has no exact solution here; harmonic:C "
+        "exact --potential duffing:1,0.5",
+        "fvi: --potential: 'duffing:1,0.5' has no exact solution here; harmonic:C "
         "with C >= 0 and free have");
     ck_assert_refused(
         "run --error 0.1 --method fvi --force 'step:1,1 + step:1,1.05'",

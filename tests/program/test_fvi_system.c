@@ -6,28 +6,6 @@
 
 #include <string.h>
 
-/* The rows without the head, into `rows`. */
-static void table(const char *words, char *rows, size_t size)
-{
-    ck_assert_msg(fvi(words) == 0, "%s: %s", words, err);
-    const char *at = strrchr(out, '#');
-    snprintf(rows, size, "%s", strchr(at, '\n') + 1);
-}
-
-/* All numbers of two tables are equal to `bound`. */
-static size_t compare(const char *a, const char *b, double bound)
-{
-    size_t count = 0;
-    for (char *stop;; a = stop, count++) {
-        const double x = strtod(a, &stop);
-        if (stop == a)
-            break;
-        const double y = strtod(b, (char **)&b);
-        ck_assert_near(x, y, bound, "number %zu", count);
-    }
-    return count;
-}
-
 /* The number of a row of a gradient. */
 static double by(const char *name)
 {
@@ -151,12 +129,12 @@ START_TEST(a_folder_of_matrices_is_the_system_that_it_says)
         char line[600];
         snprintf(line, sizeof line, "run --system chain %s %s", same,
                  words[i].system);
-        table(line, one, sizeof one);
+        table_of(line, one, sizeof one);
         snprintf(line, sizeof line,
                  "run --potential chain:3,2,0 --mass 1,2,0.5 --rho 0.3,0,0.1 "
                  "%s %s",
                  same, words[i].plain);
-        table(line, other, sizeof other);
+        table_of(line, other, sizeof other);
         ck_assert_uint_eq(compare(one, other, 1e-12), 61 * 8);
     }
 }
@@ -175,18 +153,18 @@ START_TEST(dampers_of_a_folder_are_files_and_rows)
         const char *same = "--x0 1,0,-1 --p0 0,0.5,0 --time 6 --steps 300";
         snprintf(line, sizeof line, "run --system chain %s --method %s --alpha 0.3", same,
                  methods[i]);
-        table(line, one, sizeof one);
+        table_of(line, one, sizeof one);
         snprintf(line, sizeof line,
                  "run --system chain %s --method %s --damper 'C.mtx : power:1,0.3'", same,
                  methods[i]);
-        table(line, other, sizeof other);
+        table_of(line, other, sizeof other);
         ck_assert_uint_eq(compare(one, other, 0), 301 * 8);
         ck_assert_int_eq(shell("mkdir -p bare && cp chain/M.mtx chain/K.mtx bare"), 0);
         snprintf(line, sizeof line,
                  "run --system bare %s --method %s --damper 'left=x1 : power:0.3,0.3' "
                  "--damper 'a*(x3 + 0*x2) : power:0.1,0.3 : held' --let a=1",
                  same, methods[i]);
-        table(line, other, sizeof other);
+        table_of(line, other, sizeof other);
         ck_assert_uint_eq(compare(one, other, 1e-12), 301 * 8);
         snprintf(line + strlen(line), sizeof line - strlen(line), " --checkpoint state");
         ck_assert_int_eq(shell("rm -f state"), 0);
@@ -199,22 +177,22 @@ START_TEST(forces_come_from_a_table_of_unknowns)
 {
     static char one[1 << 16], other[1 << 16];
     write_chain();
-    table("run --system chain --x0 1 --p0 0.5 --method fvi-stable --force "
+    table_of("run --system chain --x0 1 --p0 0.5 --method fvi-stable --force "
           "'step:1,9' --steps "
           "20",
           other, sizeof other);
     write_file("chain/f.tsv", "# the same to all\nt\tf1\tf3\tf2\n0\t1\t1\t1\n"
                               "3\t1\t1\t1\n");
-    table("run --system chain --x0 1 --p0 0.5 --method fvi-stable --steps 20",
+    table_of("run --system chain --x0 1 --p0 0.5 --method fvi-stable --steps 20",
           one, sizeof one);
     ck_assert_uint_eq(compare(one, other, 0), 21 * 8);
     write_file("chain/f.tsv", "0 1 1 1\n1.5 1 1 1\n3 1 1 1\n");
-    table("run --system chain --x0 1 --p0 0.5 --method fvi-stable --steps 20",
+    table_of("run --system chain --x0 1 --p0 0.5 --method fvi-stable --steps 20",
           one, sizeof one);
     ck_assert_uint_eq(compare(one, other, 0), 21 * 8);
     /* 2 t on the second alone: linear in between, so two rows are enough */
     write_file("chain/f.tsv", "t f2\n0 0\n2 4\n");
-    table("run --system chain --steps 20 --x0 0 --p0 0 --columns p --unknowns "
+    table_of("run --system chain --steps 20 --x0 0 --p0 0 --columns p --unknowns "
           "2 --h 0.01",
           one, sizeof one);
     double p = 0; /* (9.4) from rest: the first rows are those of h F alone */
@@ -236,7 +214,7 @@ START_TEST(unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot)
 {
     static char one[1 << 16], file[1 << 12];
     write_chain();
-    table("run --system chain --x0 1 --p0 0.5 --steps 4 --columns t,p,x "
+    table_of("run --system chain --x0 1 --p0 0.5 --steps 4 --columns t,p,x "
           "--unknowns 3,1 "
           "--snapshot end.tsv",
           one, sizeof one);
@@ -260,7 +238,7 @@ START_TEST(unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot)
     ck_assert(at_end[0][0] == 1 && at_end[2][0] == 3);
     ck_assert(at_end[2][2] == last[1] && at_end[0][2] == last[2]);
     ck_assert(at_end[2][1] == last[3] && at_end[0][1] == last[4]);
-    table("run --potential chain:3,1,0 --columns x --unknowns 2 --steps 1", one,
+    table_of("run --potential chain:3,1,0 --columns x --unknowns 2 --steps 1", one,
           sizeof one);
     ck_assert_ptr_nonnull(strstr(out, "# x2\n1\n"));
     ck_assert_refused("run --unknowns 2",
@@ -285,15 +263,15 @@ START_TEST(a_system_goes_on_from_a_checkpoint_with_the_same_digits)
 {
     static char whole[1 << 16], parts[1 << 16], rest[1 << 16];
     write_chain();
-    table("run --system chain --x0 1 --p0 0.5 --method fvi-stable --alpha 0.3 "
+    table_of("run --system chain --x0 1 --p0 0.5 --method fvi-stable --alpha 0.3 "
           "--memory direct "
           "--steps 60",
           whole, sizeof whole);
-    table("run --system chain --x0 1 --p0 0.5 --method fvi-stable --alpha 0.3 "
+    table_of("run --system chain --x0 1 --p0 0.5 --method fvi-stable --alpha 0.3 "
           "--memory direct "
           "--steps 25 --checkpoint saved",
           parts, sizeof parts);
-    table("run --system chain --x0 1 --p0 0.5 --method fvi-stable --alpha 0.3 "
+    table_of("run --system chain --x0 1 --p0 0.5 --method fvi-stable --alpha 0.3 "
           "--memory direct "
           "--steps 60 --checkpoint saved --continue",
           rest, sizeof rest);
@@ -316,21 +294,21 @@ START_TEST(eq_18_2_a_system_is_run_to_a_wanted_error)
     static char found[4096], fine[4096];
     write_chain();
     ck_assert_int_eq(shell("rm -f chain/f.tsv"), 0);
-    table("run --system chain --x0 1 --p0 0.5 --alpha 0.3 --time 4 --steps "
+    table_of("run --system chain --x0 1 --p0 0.5 --alpha 0.3 --time 4 --steps "
           "16384 --every 4096 "
           "--method fvi-stable --columns x",
           fine, sizeof fine);
-    table("run --system chain --x0 1 --p0 0.5 --alpha 0.3 --time 4 --steps 4 "
+    table_of("run --system chain --x0 1 --p0 0.5 --alpha 0.3 --time 4 --steps 4 "
           "--error 1e-5 "
           "--columns x",
           found, sizeof found);
     ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable"));
     ck_assert_uint_eq(compare(found, fine, 1e-5), 5 * 3);
-    table("run --system chain --x0 1 --p0 0.5 --damping zener:1,0.3,0.5 "
+    table_of("run --system chain --x0 1 --p0 0.5 --damping zener:1,0.3,0.5 "
           "--damping power:1,0.8 "
           "--time 4 --steps 16384 --every 4096 --method fvi-bdf2 --columns x",
           fine, sizeof fine);
-    table("run --system chain --x0 1 --p0 0.5 --damping zener:1,0.3,0.5 "
+    table_of("run --system chain --x0 1 --p0 0.5 --damping zener:1,0.3,0.5 "
           "--damping power:1,0.8 "
           "--time 4 --steps 4 --error 1e-5 --columns x",
           found, sizeof found);
@@ -379,9 +357,9 @@ START_TEST(a_start_that_no_damper_feels_has_a_solution)
         const char *start = "run --system chain --alpha 0.7 --x0 0.1,2,0.1 "
                             "--steps 50 --columns x,p --method";
         snprintf(line, sizeof line, "%s %s", start, methods[i]);
-        table(line, held, sizeof held);
+        table_of(line, held, sizeof held);
         snprintf(line, sizeof line, "%s %s --derivative rl", start, methods[i]);
-        table(line, put, sizeof put);
+        table_of(line, put, sizeof put);
         ck_assert_str_eq(err, "");
         ck_assert_ptr_null(strstr(out, "warning"));
         ck_assert_str_eq(held, put);
