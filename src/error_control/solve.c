@@ -93,12 +93,20 @@ static int common_steps(const solution *o, double T, size_t *steps)
                        "fvi-adaptive gives out any", o->error);
 }
 
+static int check_step(const solution *o, double h)
+{
+    return h > 0 && isfinite(h)
+               ? FVI_SUCCESS
+               : fvi_fail(o->error, FVI_EDOM, "h", h,
+                          "h is %g; without a tolerance a step > 0 is needed", h);
+}
+
 /* Steps of a given length, h, to T. */
 static int given_steps(solution *o, double T, double h)
 {
-    if (!(h > 0 && isfinite(h)))
-        return fvi_fail(o->error, FVI_EDOM, "h", h,
-                        "h is %g; without a tolerance a step > 0 is needed", h);
+    const int status = check_step(o, h);
+    if (status)
+        return status;
     const double steps = round(T / h);
     if (!(fabs(steps * h - T) <= 1e-9 * T) || !(steps < (double)SIZE_MAX))
         return fvi_fail(o->error, FVI_EDOM, "T", T,
@@ -144,6 +152,8 @@ static int prepare(solution *o, const fvi_problem *problem,
         return fvi_fail(o->error, FVI_EDOM, "tolerance", o->tolerance,
                         "tolerance is %g; it must be finite and not negative",
                         o->tolerance);
+    if (o->tolerance == 0 && options->h != 0 && check_step(o, options->h)) /* callers have T from it */
+        return FVI_EDOM;
     if (!(problem->T > 0 && isfinite(problem->T)))
         return fvi_fail(o->error, FVI_EDOM, "T", problem->T,
                         "T is %g; it must be finite and positive", problem->T);

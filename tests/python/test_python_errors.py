@@ -42,6 +42,12 @@ def test_bad_input_is_named(options, what):
         fvi.run(**options)
 
 
+@pytest.mark.parametrize("h", [-1, np.nan, np.inf])
+def test_a_bad_step_is_named_and_not_the_time_that_it_gives(h):
+    with pytest.raises(fvi.Error, match=f"^h is {h:g}; "):
+        fvi.run(h=h, steps=3)
+
+
 def test_what_a_function_raises_comes_out():
     def fails(x):
         raise KeyError("no such spring")
