@@ -8,6 +8,7 @@
  * shortest of them, t, what (20.7) feeds over h, and (20.8) over h. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <stdio.h>
@@ -54,8 +55,8 @@ static fvi_error_bound know(double alpha, fvi_smoothness *q)
                        .room = GSL_POSINF };
     for (size_t k = 8; k <= FINE; k++) {
         const double a = (want_p[k] - want_p[k - 8]) / (8 * T / FINE);
-        q->speed = GSL_MAX(q->speed, 1.01 * fabs(want_p[k]));
-        q->acceleration = GSL_MAX(q->acceleration, 1.05 * fabs(a));
+        q->speed = larger(q->speed, 1.01 * fabs(want_p[k]));
+        q->acceleration = larger(q->acceleration, 1.05 * fabs(a));
     }
     fvi_error_bound bound;
     if (fvi_error_bound_compute(q, &bound))
@@ -77,8 +78,8 @@ static void over_steps(double alpha)
         solve(&fvi_fractional, alpha, steps, x, p);
         for (size_t k = 0; k <= steps; k++) {
             const size_t there = k * (FINE / steps);
-            off_x = GSL_MAX(off_x, fabs(x[k] - want_x[there]));
-            off_p = GSL_MAX(off_p, fabs(p[k] - want_p[there]));
+            off_x = larger(off_x, fabs(x[k] - want_x[there]));
+            off_p = larger(off_p, fabs(p[k] - want_p[there]));
         }
         printf("%.9g %.9g %.9g %.9g %.9g\n", h, off_x, off_p,
                2 * C * h * expm1(l * T) / l, 2 * C * h * exp(l * T));

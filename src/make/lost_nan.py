@@ -1,7 +1,7 @@
 """Refuse code that gathers a largest or least number so that a NaN is lost.      lost_nan.py
 
-fmax(NaN, 1) is 1, and a comparison with NaN is false. So `worst = fmax(worst, fabs(e))` and
-`if (e > worst) worst = e` pass over a run of NaN, and the test says yes to it. larger() and
+fmax(NaN, 1) is 1, and a comparison with NaN is false. So `worst = fmax(worst, fabs(e))`, with GSL_MAX
+too, and `if (e > worst) worst = e` pass over a run of NaN, and the test says yes to it. larger() and
 smaller() of src/system/larger.h keep a NaN. Tests and figures judge numbers; there fmax and
 fmin are refused altogether. Exit 1 with a list of places. Only Python's standard library is used."""
 import pathlib
@@ -12,14 +12,14 @@ import sys
 PLACE = r"(?<![\w.>])(?P<place>\*?[A-Za-z_]\w*(?:\[[^\]]*\]|->\w+|\.\w+)*)"
 NOW = r"[^;{}?]+?"
 LOSES = [re.compile(pattern) for pattern in (
-    rf"{PLACE}\s*=\s*(?:\(\w+\)\s*)?f(?:max|min)[fl]?\(\s*(?P=place)\s*,",
-    rf"{PLACE}\s*=\s*(?:\(\w+\)\s*)?f(?:max|min)[fl]?\([^;]*,\s*(?P=place)\s*\)\s*;",
+    rf"{PLACE}\s*=\s*(?:\(\w+\)\s*)?(?:f(?:max|min)[fl]?|GSL_M(?:AX|IN)(?:_DBL|_LDBL)?)\(\s*(?P=place)\s*,",
+    rf"{PLACE}\s*=\s*(?:\(\w+\)\s*)?(?:f(?:max|min)[fl]?|GSL_M(?:AX|IN)(?:_DBL|_LDBL)?)\([^;]*,\s*(?P=place)\s*\)\s*;",
     rf"if \((?P<now>{NOW})\s*[<>]=?\s*{PLACE}\)\s*(?:\{{\s*(?P=place)\s*=\s*(?P=now)\s*;\s*\}}|(?P=place)\s*=\s*(?P=now)\s*;)",
     rf"if \({PLACE}\s*[<>]=?\s*(?P<now>{NOW})\)\s*(?:\{{\s*(?P=place)\s*=\s*(?P=now)\s*;\s*\}}|(?P=place)\s*=\s*(?P=now)\s*;)",
     rf"{PLACE}\s*=\s*(?P<now>{NOW})\s*[<>]=?\s*(?P=place)\s*\?\s*(?:(?P=now)\s*:\s*(?P=place)|(?P=place)\s*:\s*(?P=now))\s*;",
     rf"{PLACE}\s*=\s*(?P=place)\s*[<>]=?\s*(?P<now>{NOW})\s*\?\s*(?:(?P=now)\s*:\s*(?P=place)|(?P=place)\s*:\s*(?P=now))\s*;",
 )]
-ANY = re.compile(r"\bf(?:max|min)\(")
+ANY = re.compile(r"\b(?:f(?:max|min)|GSL_M(?:AX|IN))\(")
 
 
 def faults(path, text):
@@ -33,7 +33,7 @@ def faults(path, text):
 def main():
     examples = ("worst = fmax(worst, fabs(e));", "w[i] = fmin(a, w[i]);", "if (e > worst)\n    worst = e;",
                 "if (least > e) { least = e; }", "worst = e > worst ? e : worst;", "m->least = m->least < e ? m->least : e;",
-                "n = (int)fmax(n, 2);")
+                "n = (int)fmax(n, 2);", "off =\n    GSL_MAX(off, fabs(e));")
     for code in examples:
         if not list(faults("src/example.c", code)):
             sys.exit(f"{sys.argv[0]} does not see {code}")

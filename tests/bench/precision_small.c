@@ -3,6 +3,7 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, posix_spawn, uname */
 #include "precision.h"
 #include "bench.h"
+#include "system/larger.h"
 
 #include <fcntl.h>
 #include <gsl/gsl_math.h>
@@ -68,10 +69,10 @@ void time_small(const char *program, small_times *s)
         double best = GSL_POSINF;
         for (int i = 0; i < runs[what]; i++) {
             const double t = once(what, program);
-            best = t > 0 ? GSL_MIN(best, t) : best;
+            best = t > 0 ? smaller(best, t) : best;
         }
-        s->least[what] = s->turns ? GSL_MIN(s->least[what], best) : best;
-        s->most[what] = s->turns ? GSL_MAX(s->most[what], best) : best;
+        s->least[what] = s->turns ? smaller(s->least[what], best) : best;
+        s->most[what] = s->turns ? larger(s->most[what], best) : best;
     }
     s->turns++;
 }

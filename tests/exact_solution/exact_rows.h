@@ -33,7 +33,7 @@ static inline void ck_assert_rows(const fvi_linear_oscillator *p, double h, size
     for (size_t k = 0; k <= n && count < LOOKED_AT; count++) {
         row[count] = k;
         t[count] = (double)k * h;
-        k = k < 24 ? k + 1 : k < n ? GSL_MIN(k + k / 4, n) : n + 1;
+        k = k < 24 ? k + 1 : k == n ? n + 1 : k + k / 4 < n ? k + k / 4 : n;
     }
     ck_assert_int_eq(fvi_exact_at(p, count, t, want_x, want_v,
                                   NULL), FVI_SUCCESS);

@@ -106,7 +106,7 @@ static const double mass[D] = { 1, 2, 1 }, rho[D] = { 0.3, 0, 0.2 },
 static fvi_system duffing(void)
 {
     return (fvi_system){
-        D, mass, rho, fvi_potential_chain(cg), fvi_force_cosine(aw), NULL
+        .d = D, .mass = mass, .damping = rho, .potential = fvi_potential_chain(cg), .force = fvi_force_cosine(aw)
     };
 }
 
@@ -231,8 +231,8 @@ START_TEST(a_count_that_no_run_has_is_refused)
     for (size_t i = 0; i < 4 * WIDE; i++)
         many[i / WIDE][i % WIDE] = 0.5 + (double)(i % 3);
     const fvi_system small = duffing(), wide = {
-        WIDE, many[0], many[1], fvi_potential_chain(cg), fvi_force_cosine(aw),
-        NULL
+        .d = WIDE, .mass = many[0], .damping = many[1], .potential = fvi_potential_chain(cg),
+        .force = fvi_force_cosine(aw)
     };
     const struct {
         const fvi_method *method;

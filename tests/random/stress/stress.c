@@ -5,6 +5,7 @@
  * that a failure can be repeated alone. */
 #include <fvi/error.h>
 #include "stress.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -44,7 +45,7 @@ double stress_distance(size_t n, const double *a, const double *b)
 {
     double most = 0;
     for (size_t k = 0; k < n; k++)
-        most = GSL_MAX(most, fabs(a[k] - b[k]));
+        most = larger(most, fabs(a[k] - b[k]));
     return most;
 }
 
@@ -52,7 +53,7 @@ double stress_size(size_t n, const double *a)
 {
     double most = 0;
     for (size_t k = 0; k < n; k++)
-        most = GSL_MAX(most, fabs(a[k]));
+        most = larger(most, fabs(a[k]));
     return most;
 }
 
@@ -103,7 +104,7 @@ static unsigned long run_family(size_t f, unsigned long seed, long only)
         double used = families[f].run(random, describe, sizeof describe);
         done++;
         silent += used < 0;
-        worst = GSL_MAX(worst, used);
+        worst = larger(worst, used);
         if (!(used <= 1)) {
             failures++;
             printf("FAILED %s, %.3g of what is allowed: %s\n"

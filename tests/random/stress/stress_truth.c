@@ -29,7 +29,7 @@ static double error_of_run(const fvi_linear_oscillator *problem, double kappa, d
 {
     const double c = problem->c, p0 = problem->m * problem->v0;
     const fvi_system system = {
-        1, &problem->m, &problem->rho, fvi_potential_harmonic(&c), { 0 }, NULL
+        .d = 1, .mass = &problem->m, .damping = &problem->rho, .potential = fvi_potential_harmonic(&c)
     };
     const fvi_run run = { .system = &system,
                           .x0 = &problem->x0,
@@ -170,8 +170,10 @@ double stress_quadruple(gsl_rng *random, char *describe, size_t size)
         cg[1] = m * stress_uniform(random, 0, 2);
     double x0 = stress_uniform(random, -1, 1),
            p0 = m * stress_uniform(random, -1, 1);
-    const fvi_system system = { 1,     &m,  &rho, fvi_potential_duffing(cg),
-                                { 0 }, NULL };
+    const fvi_system system = { .d = 1,
+                                .mass = &m,
+                                .damping = &rho,
+                                .potential = fvi_potential_duffing(cg) };
     const fvi_run run = { .system = &system,
                           .x0 = &x0,
                           .p0 = &p0,
@@ -191,8 +193,8 @@ double stress_quadruple(gsl_rng *random, char *describe, size_t size)
         return load > 0.9 ? 0 : GSL_POSINF;
     run_quad(&run, cg, truth);
     for (size_t k = 0; k <= N; k++) {
-        most = GSL_MAX(most, fabs((double)truth[k]));
-        off = GSL_MAX(off, fabs((double)((quad)x[k] - truth[k])));
+        most = larger(most, fabs((double)truth[k]));
+        off = larger(off, fabs((double)((quad)x[k] - truth[k])));
     }
     return off / (16 * N * 0x1p-53 * most * (1 + 4 * load));
 }
@@ -227,7 +229,8 @@ double stress_rounding(gsl_rng *random, char *describe, size_t size)
     (void)random;
     const double one = 1, zero = 0, aT[2] = { 8, 1 }, h = 20.0 / N;
     const fvi_system system = {
-        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL
+        .d = 1, .mass = &one, .damping = &one, .potential = fvi_potential_harmonic(&one),
+        .force = fvi_force_step(aT)
     };
     quad *truth = malloc((N + 1) * sizeof *truth);
     double *x = malloc(2 * (N + 1) * sizeof *x), *rounded = x + N + 1, off[2];
@@ -253,7 +256,7 @@ double stress_rounding(gsl_rng *random, char *describe, size_t size)
     snprintf(describe, size,
              "relative to max|x|: direct %.2e, exponentials %.2e", off[0],
              off[1]);
-    return GSL_MAX(off[0] / 1e-14, off[1] / 1e-13);
+    return larger(off[0] / 1e-14, off[1] / 1e-13);
 }
 
 /* ---- weights: 10^8 of them, against the gamma function ---- */
@@ -264,7 +267,7 @@ double stress_weights(gsl_rng *random, char *describe, size_t size)
     const size_t rows = sizeof ref_far / sizeof *ref_far;
     size_t wrong = 0, furthest = 0;
     for (size_t i = 0; i < rows; i++)
-        furthest = GSL_MAX(furthest, ref_far[i].n);
+        furthest = (size_t)larger((double)furthest, (double)ref_far[i].n);
     double *w = malloc((furthest + 1) * sizeof *w), made = -1;
     for (size_t i = 0; w && i < rows; i++) {
         if (ref_far[i].alpha != made)
