@@ -1,6 +1,7 @@
 /* tests/random/stress/stress_coverage.c -- Stress: can the intervals of a fit be believed, and
  * does a fit say so where they cannot? */
 #include "stress.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
@@ -171,10 +172,10 @@ double stress_coverage(gsl_rng *random, char *describe, size_t size)
         printf("%s\t%d\t%d\t%d\t%d\t%.1f\t%d\t%.1f\n", rows[row].name, sets, all.refused,
                all.flagged, all.silent, held, all.wrong, caught);
         fflush(stdout);
-        worst = GSL_MAX(worst, allowance(rows[row].held, held, all.intervals));
-        worst = GSL_MAX(worst, allowance(rows[row].caught, caught, all.wrong));
+        worst = larger(worst, allowance(rows[row].held, held, all.intervals));
+        worst = larger(worst, allowance(rows[row].caught, caught, all.wrong));
         if (is_right) /* 3 % of false flags, likewise */
-            worst = GSL_MAX(worst, allowance(97, 100 - percent(all.flagged, sets), sets));
+            worst = larger(worst, allowance(97, 100 - percent(all.flagged, sets), sets));
     }
     snprintf(describe, size, "held and caught in percent");
     return worst;
