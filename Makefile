@@ -283,17 +283,18 @@ uninstall: ## remove what install put there
 	rm -rf $(DESTDIR)$(PREFIX)/include/fvi
 
 # The Python package: laid out with headers and library in one folder, then made a wheel.
-PACKAGE := $(wildcard src/python/*.py src/python/*.toml src/python/fvi/*)
+PACKAGE := $(wildcard src/python/*.py src/python/*.h src/python/*.toml src/python/fvi/*)
 
 python: $B/python/wheel ## the Python package as a wheel, build/python/fvi-*.whl (cffi)
 	ls $B/python/*.whl
 
-$B/python/wheel: $(PACKAGE) $(HEADERS) $B/libfvi.a
+$B/python/wheel: $(PACKAGE) $(HEADERS) $B/libfvi.a $B/fvi
 	rm -rf $B/python
 	mkdir -p $B/python/package/include
 	cp -r src/python/. $B/python/package
 	cp -r src/fvi $B/python/package/include
 	cp $B/libfvi.a $B/python/package
+	cp $B/fvi $B/python/package/fvi/program
 	cd $B/python/package && $(PYTHON) setup.py -q bdist_wheel -d .. >../wheel.log 2>&1 || { cat ../wheel.log; exit 1; }
 	touch $@
 

@@ -33,12 +33,14 @@ typedef struct {
     size_t impulse_count;
     ...;
 } fvi_force;
+typedef struct { size_t remembered; ...; } fvi_matrices;
 typedef struct {
     size_t d;
     const double *mass, *damping;
     fvi_potential potential;
     fvi_force force;
-    ...;
+    const fvi_matrices *matrices;
+    const struct fvi_mechanism *mechanism;
 } fvi_system;
 typedef enum { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, ... } fvi_initial_history;
 typedef enum { FVI_HISTORY_AUTO, FVI_HISTORY_DIRECT, FVI_HISTORY_MODES, ... } fvi_history_kind;
@@ -142,6 +144,51 @@ int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters,
                     fvi_error *error);
 fvi_force fvi_force_typed(const fvi_typed_force *force);
 void fvi_typed_force_free(fvi_typed_force *force);
+typedef struct {
+    const char *lagrangian;
+    size_t dampers, constraints, imposed, forces_on;
+    const char *const *damper, *const *constraint, *const *impose, *const *force_on;
+} fvi_mechanism_texts;
+typedef struct fvi_typed_mechanism fvi_typed_mechanism;
+int fvi_parse_mechanism(const fvi_mechanism_texts *texts, size_t d, fvi_user_parameters *parameters,
+                        fvi_typed_mechanism **mechanism, fvi_error *error);
+const struct fvi_mechanism *fvi_mechanism_typed(const fvi_typed_mechanism *mechanism);
+void fvi_typed_mechanism_free(fvi_typed_mechanism *mechanism);
+size_t fvi_largest_index(const char *text);
+typedef struct { size_t n; int *start, *row; double *entry; } fvi_sparse;
+typedef struct { const double *row; ...; } fvi_elongation;
+typedef struct {
+    const char *name;
+    fvi_elongation of;
+    const fvi_sparse *matrix;
+    const fvi_kernel *kernel;
+    fvi_initial_history past;
+} fvi_damper;
+typedef struct fvi_structure fvi_structure;
+int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K, const fvi_sparse *C, fvi_structure **structure,
+                        char *fault);
+int fvi_structure_alloc_dampers(const fvi_sparse *M, const fvi_sparse *K, size_t count, const fvi_damper *damper,
+                                fvi_structure **structure, fvi_error *error);
+fvi_system fvi_structure_system(const fvi_structure *structure);
+void fvi_structure_free(fvi_structure *structure);
+
+typedef struct { const fvi_system *system; double alpha; const fvi_kernel *law; const double *at; } fvi_linear_motion;
+typedef struct fvi_response fvi_response;
+typedef enum { FVI_RESPONSE_RECEPTANCE, FVI_RESPONSE_MOBILITY, FVI_RESPONSE_ACCELERANCE, FVI_RESPONSE_GROUND }
+    fvi_response_kind;
+typedef struct { size_t count, expected, d; double *pole, *shape, *residual; } fvi_poles;
+int fvi_response_alloc(const fvi_linear_motion *motion, fvi_response **response, fvi_error *error);
+void fvi_response_free(fvi_response *response);
+int fvi_response_at(fvi_response *response, fvi_response_kind kind, size_t n, const double *omega, size_t at, size_t by,
+                    double *H, fvi_error *error);
+int fvi_poles_find(fvi_response *response, size_t count, fvi_poles *poles, fvi_error *error);
+void fvi_poles_free(fvi_poles *poles);
+int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage, double *loss);
+int fvi_stability_number(const fvi_method *method, const fvi_run *run, double *load);
+int fvi_stability_longest_step(const fvi_method *method, const fvi_run *run, double *h);
+typedef struct { double cost, miss, change; size_t iterations; } fvi_control_result;
+int fvi_control_solve(const fvi_method *method, const fvi_run *run, const double *x, const double *p, double *u,
+                      fvi_control_result *found);
 typedef struct { size_t n, columns; const double *t, *F; } fvi_force_rows;
 fvi_force fvi_force_table(const fvi_force_rows *rows);
 
@@ -237,7 +284,10 @@ void listen(unsigned long thread);
 void begin(void);
 typedef struct { size_t rows, all; void *tell; ...; } row_count;
 int count_row(size_t k, double t, const double *x, const double *p, void *params);
-int energies(const fvi_system *system, size_t rows, const double *x, const double *p, double *energy, size_t *done);
+int energies(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p, double *energy,
+             size_t *done);
+int velocities(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p, double *v);
+int fvi_momentum_of_velocity(const fvi_system *system, double t, const double *x, const double *v, double *p);
 void obey(const int *flag);
 int is_dense(const fvi_method *method);
 extern "Python" int report_progress(size_t rows, size_t all, void *tell);
@@ -261,182 +311,11 @@ def flags(what):
 
 ffi.set_source(
     "fvi._fvi",
-    """
-    #include <fvi/fvi.h>
-    #include <fvi/lobatto.h>
-    #include <pthread.h>
-    #include <stdlib.h>
-    #include <time.h>
-    static int look_up(void);
-    static int report_progress(size_t rows, size_t all, void *tell);
-    /* The last error's reason and code, of this thread: for the text of the exception. */
-    static _Thread_local const char *reason;
-    static _Thread_local int reason_of;
-    static void note(const char *text, const char *file, int line, int code)
-    {
-        (void)file, (void)line;
-        reason = text;
-        reason_of = code;
-    }
-    /* Ctrl-C reaches the main thread, and is seen when that calls Python. */
-    static unsigned long main_thread;
-    static int stopped; /* what Python said; it stands until the call has returned */
-    /* Of another thread: its runs end as soon as *flag is not zero; NULL: no such flag. */
-    static _Thread_local const volatile int *flag_of_thread;
-    static void obey(const int *flag)
-    {
-        flag_of_thread = flag;
-    }
-    /* Have 25 ms passed since this was nonzero? Then they begin anew. */
-    static int is_time(struct timespec *last)
-    {
-        struct timespec now;
-        clock_gettime(CLOCK_MONOTONIC, &now);
-        if ((double)(now.tv_sec - last->tv_sec) + 1e-9 * (double)(now.tv_nsec - last->tv_nsec) < 0.025)
-            return 0;
-        *last = now;
-        return 1;
-    }
-    static int ask_python(void)
-    {
-        static struct timespec last;
-        if ((unsigned long)pthread_self() != main_thread)
-            return flag_of_thread ? -*flag_of_thread : 0;
-        if (stopped)
-            return stopped;
-        return is_time(&last) ? stopped = look_up() : 0;
-    }
-    /* How many rows of a call stand, of how many; and who is told now and then? */
-    typedef struct {
-        size_t rows, all;
-        void *tell; /* NULL: nobody */
-        struct timespec last;
-    } row_count;
-    static int count_row(size_t k, double t, const double *x, const double *p, void *params)
-    {
-        row_count *count = params;
-        (void)t, (void)x, (void)p;
-        count->rows = k + 1;
-        if (!count->tell)
-            return 0;
-        return k + 1 == count->all || (k % 16 == 0 && is_time(&count->last))
-                   ? report_progress(k + 1, count->all, count->tell) : 0;
-    }
-    /* Does the method choose its steps? */
-    static int is_dense(const fvi_method *method)
-    {
-        return method->dense != NULL;
-    }
-    /* fvi_energy of each row; *done of them stand. */
-    static int energies(const fvi_system *system, size_t rows, const double *x, const double *p,
-                        double *energy, size_t *done)
-    {
-        int status = 0;
-        for (*done = 0; *done < rows && !status; *done += !status)
-            status = fvi_energy(system, x + *done * system->d, p + *done * system->d, energy + *done);
-        return status;
-    }
-    static void listen(unsigned long thread)
-    {
-        main_thread = thread;
-        fvi_set_error_handler(note);
-        fvi_set_interrupter(ask_python);
-    }
-    /* Before a call of the library. */
-    static void begin(void)
-    {
-        reason = NULL;
-        if ((unsigned long)pthread_self() == main_thread)
-            stopped = 0;
-    }
-    /* At most so many steps, until it is time to look whether the run has got too stiff. */
-    static int take_steps(fvi_stepper *s, size_t count, const fvi_watch *watch, size_t *taken)
-    {
-        int status = 0;
-        for (*taken = 0; *taken < count && !status;) {
-            status = fvi_stepper_step(s);
-            *taken += !status;
-            if (s->k >= watch->next)
-                break;
-        }
-        return status;
-    }
-    /* fvi_warning_along at the rows of a run, as far as they are finite. */
-    static int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run,
-                          const double *x, size_t size, char *text)
-    {
-        const size_t d = run->system->d;
-        int warned = 0;
-        for (size_t k = 1; !warned && k <= run->steps && fvi_all_finite(d, x + k * d); k++)
-            warned = fvi_warning_along(watch, method, run, k, x + k * d, size, text);
-        return warned;
-    }
-    /* The cotangents of every row, as arrays: no Python in the mirrored run. */
-    typedef struct {
-        const double *Jx, *Jp; /* Jp may be NULL */
-    } cotangents;
-    static int read_slopes(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp)
-    {
-        const cotangents *c = params;
-        (void)x, (void)p;
-        for (size_t i = 0; i < d; i++)
-            Jx[i] += c->Jx[k * d + i];
-        for (size_t i = 0; Jp && c->Jp && i < d; i++)
-            Jp[i] += c->Jp[k * d + i];
-        return 0;
-    }
-    /* d^2U/(dx dk_j) of an expression, as fvi_parameter_gradient has it. */
-    static int by_parameter(size_t j, size_t d, const double *x, void *params, double *S)
-    {
-        double value;
-        (void)d;
-        fvi_expression_parameter_gradient(params, j, x, &value, S);
-        return 0;
-    }
-    /* What an objective that has by[k] of the energies has of x and p, added. */
-    static int energy_slopes(const fvi_system *system, size_t rows, const double *x, const double *p,
-                             const double *by, double *Jx, double *Jp)
-    {
-        const size_t d = system->d;
-        double *room = calloc(2 * d, sizeof *room);
-        int status = room ? 0 : FVI_ENOMEM;
-        for (size_t k = 0; k < rows && !status; k++) {
-            if (by[k] == 0)
-                continue;
-            status = fvi_potential_gradient(system, x + k * d, room);
-            if (!status)
-                status = fvi_velocity(system, p + k * d, room + d);
-            for (size_t i = 0; i < d; i++) {
-                Jx[k * d + i] += by[k] * room[i];
-                Jp[k * d + i] += by[k] * room[d + i];
-            }
-        }
-        free(room);
-        return status;
-    }
-    /* dU/dk_j at x; U is linear in the constants of what is ready to use. */
-    static int energy_by_parameter(const fvi_typed_potential *potential, size_t d, size_t j, const double *x,
-                                   double *value)
-    {
-        const double unit[2] = { j == 0, j == 1 };
-        fvi_potential u = fvi_potential_typed(potential);
-        if (potential->expression) {
-            fvi_expression_parameter_gradient(potential->expression, j, x, value, NULL);
-            return 0;
-        }
-        return u.value(d, x, (void *)unit, value);
-    }
-    /* The reason of this code, or NULL; no reason is given twice, or for another code. */
-    static const char *why(int code)
-    {
-        const char *text = reason_of == code ? reason : NULL;
-        reason = NULL;
-        return text;
-    }
-    """,
+    (HERE / "glue.h").read_text(),
     include_dirs=[str(HERE / "include")],
     extra_compile_args=["-std=c11", *flags("--cflags")],
     extra_objects=[str(HERE / "libfvi.a")],
-    extra_link_args=[*flags("--libs"), "-Wl,--disable-new-dtags", "-Wl,-rpath,$ORIGIN"],
+    # GSL's own products come before those of the library that SuiteSparse needs: the program's digits.
+    extra_link_args=["-Wl,--no-as-needed", *flags("--libs"), "-lumfpack", "-lcholmod", "-Wl,--disable-new-dtags", "-Wl,-rpath,$ORIGIN"],
     py_limited_api=True,
 )

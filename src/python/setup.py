@@ -3,8 +3,8 @@
 `make python` lays out build/python/package: these files, the headers and the compiled
 library; from there it makes the wheel, and `pip install build/python/package` works, too.
 
-One wheel serves every Python from 3.10 on (the limited API). GSL travels along: its two
-shared objects lie beside the module and are found there before any others."""
+One wheel serves every Python from 3.10 on (the limited API). GSL and SuiteSparse travel along: their
+shared objects lie beside the module and are found there before any others; and so does the program."""
 import os
 import pathlib
 import re
@@ -19,25 +19,36 @@ if not (HERE / "libfvi.a").exists():
     raise SystemExit("the library is not here: type `make python` in the top folder of the project")
 
 
-def bring_gsl():
-    """The shared objects of GSL, copied into the package under the names that are asked for."""
-    flags = subprocess.run(["pkg-config", "--variable=libdir", "gsl"], check=True,
-                           capture_output=True, text=True).stdout.split()
+THOSE_OF_EVERY_SYSTEM = re.compile(r"linux-vdso|ld-linux|lib(c|m|dl|rt|pthread|gcc_s)[.]so")
+
+
+def bring(path):
+    """A shared object, copied into the package under the name that is asked for."""
+    text = subprocess.run(["objdump", "-p", path], check=True, capture_output=True, text=True).stdout
+    shutil.copy(path, HERE / "fvi" / re.search(r"SONAME\s+(\S+)", text)[1])
+
+
+def bring_libraries():
+    """GSL, and what factorises sparse matrices for the program: SuiteSparse and what that needs."""
+    folder = subprocess.run(["pkg-config", "--variable=libdir", "gsl"], check=True,
+                            capture_output=True, text=True).stdout.split()[0]
     for stem in ("libgsl", "libgslcblas"):
-        real = (pathlib.Path(flags[0]) / f"{stem}.so").resolve()
-        text = subprocess.run(["objdump", "-p", real], check=True, capture_output=True, text=True).stdout
-        shutil.copy(real, HERE / "fvi" / re.search(r"SONAME\s+(\S+)", text)[1])
+        bring((pathlib.Path(folder) / f"{stem}.so").resolve())
+    wanted = subprocess.run(["ldd", HERE / "fvi" / "program"], check=True, capture_output=True, text=True).stdout
+    for name, path in re.findall(r"(\S+) => (/\S+)", wanted):
+        if not THOSE_OF_EVERY_SYSTEM.match(name):
+            bring(pathlib.Path(path).resolve())
 
 
 version = re.search(r'FVI_VERSION "(.*)"', (HERE / "include" / "fvi" / "version.h").read_text())[1]
-bring_gsl()
+bring_libraries()
 setup(
     name="fvi",
     version=version,
     description="Fractional variational integrators",
     license="GPL-3.0-or-later",
     packages=["fvi"],
-    package_data={"fvi": ["py.typed", "libgsl*.so.*"]},
+    package_data={"fvi": ["py.typed", "*.so.*", "program"]},
     cffi_modules=["interface.py:ffi"],
     install_requires=["cffi>=1.15", "numpy"],
     python_requires=">=3.10",

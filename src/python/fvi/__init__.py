@@ -18,6 +18,8 @@ Lengths, times and masses are in units of your own.
     gradient    a loss and its gradient; `import fvi.torch` has motions for torch
     jacobian    the derivatives of each x, for least squares
     fit         parameters from a measured motion
+    response    what a shaker test measures; poles: frequencies and damping ratios; moduli of a law of damping
+    control     the least force that ends a motion at a place; stability: how long a step may be
     potential   U from functions of Python's, or compiled ones
     exact       the exact solution of the linear problem
     methods     what `method` can be
@@ -31,6 +33,8 @@ from ._exact import exact as exact, weights as weights
 from ._fit import Fit as Fit, fit as fit
 from ._gradient import gradient as gradient, jacobian as jacobian, vjp as vjp
 from ._problem import Problem as Problem
+from ._response import (Control as Control, Poles as Poles, Stability as Stability, control as control,
+                        moduli as moduli, poles as poles, response as response, stability as stability)
 from ._run import Method as Method, Run as Run, Stepper as Stepper, methods as methods, run as run, version as version
 from ._solution import Solution as Solution
 from ._solve import solve as solve, sweep as sweep

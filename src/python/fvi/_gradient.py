@@ -13,7 +13,7 @@ from ._solution import Solution
 from ._solve import Motion, solve
 from ._system import by_term, numbers_of_law
 
-ALL = ("x0", "p0", "v0", "mass", "rho", "alpha", "order", "potential", "let", "damping", "force")
+ALL = ("x0", "p0", "v0", "mass", "rho", "alpha", "order", "potential", "let", "damping", "force", "M", "K", "C")
 MOST_PARTS = 1 << 12  # of the time, for rows that have a common step
 
 
@@ -85,19 +85,25 @@ def of_table(t: Array, columns: int, times: Array, by: Array) -> Array:
     return found if columns == by.shape[1] else found.sum(axis=1, keepdims=True)
 
 
-def wanted_of(problem: Problem, wrt: Optional[Sequence[str]], is_expression: bool) -> set:
-    q = problem
-    known = {"x0", "mass", "v0" if q.v0 is not None else "p0"}
-    known |= {"damping"} if q.damping is not None else {"rho", "order" if q.order is not None else "alpha"}
-    known |= {"let"} if q.let else set()
-    known |= {"potential"} if isinstance(q.potential, str) and not is_expression else set()
-    known |= {"force"} if isinstance(q.force, tuple) else set()
-    for name in wrt or ():
-        if name not in ALL:
-            raise ValueError(f"wrt: '{name}' is none of " + ", ".join(sorted(known)))
-        if name not in known:
-            raise ValueError(f"wrt: this problem has no {name} to differentiate by; it has " + ", ".join(sorted(known)))
-    return known if wrt is None else set([wrt] if isinstance(wrt, str) else wrt)
+def known_of(q: Problem, is_expression: bool) -> set:
+    """By what a problem has derivatives."""
+    known = {"x0", "v0" if q.v0 is not None else "p0"} | ({"force"} if isinstance(q.force, tuple) else set())
+    known |= {"damping"} if q.damping is not None else {"order" if q.order is not None else "alpha"}
+    if q.kind == "structure":
+        return known | {"M", "K"} | ({"C"} if q.C is not None else set())
+    known |= {"mass"} | ({"rho"} if q.damping is None else set()) | ({"let"} if q.let else set())
+    return known | ({"potential"} if isinstance(q.potential, str) and not is_expression else set())
+
+
+def wanted_of(q: Problem, wrt: Optional[Sequence[str]], is_expression: bool) -> set:
+    known = known_of(q, is_expression)
+    if wrt is None:
+        return known
+    wanted = {wrt} if isinstance(wrt, str) else set(wrt)
+    for name in sorted(wanted - known):
+        raise ValueError((f"wrt: this problem has no {name} to differentiate by; it has " if name in ALL else
+                          f"wrt: '{name}' is none of ") + ", ".join(sorted(known)))
+    return wanted
 
 
 @spelt()
@@ -115,7 +121,7 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     wrt       by what: fields of the problem; None: by all of them that have a derivative
 
     Returns a dict by names: "x0", "p0" or "v0", "mass", "rho", "alpha" or "order", each in the shape that the problem
-    has it; "let", by names; "potential", the derivatives by the constants of a potential that is ready to use;
+    has it; of matrices "M", "K" and "C", by a factor of each; "let", by names; "potential", the derivatives by the constants of a potential that is ready to use;
     "damping", a dict for each term of the law, with rho, alpha, time and end; "force", of measured rows, by each F.
 
     These are the derivatives of the numbers that `solve` gives, exact but for rounding: no difference is taken. Of
@@ -148,8 +154,9 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     def want(field: str, size: int) -> None:
         found[field] = np.zeros(size)
         setattr(to, field, ffi.cast("double *", found[field].ctypes.data))
-    for field, size, by in (("x0", d, {"x0"}), ("p0", d, {"p0", "v0"}), ("mass", d, {"mass"}),
-                            ("damping", d, {"rho"}), ("alpha", 1, {"alpha", "order"})):
+    whole = q.kind == "structure"  # then by factors
+    for field, size, by in (("x0", d, {"x0"}), ("p0", d, {"p0", "v0"}), ("mass", 1 if whole else d, {"mass", "M"}),
+                            ("damping", 1 if whole else d, {"rho", "C"}), ("alpha", 1, {"alpha", "order"})):
         if by & names or (field == "p0" and q.v0 is not None and "mass" in names):
             want(field, size)
     parts = numbers_of_law(system.law, mirror.is_dense) if "damping" in names else []
@@ -158,10 +165,10 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     typed = system.typed_potential
     if system.is_expression:
         to.sensitivity.count, to.sensitivity.column = len(lets), ffi.addressof(lib, "by_parameter")
-    elif typed is not None:
+    elif typed is not None and not whole:
         to.sensitivity = lib.fvi_parameter_gradient_of(ffi.addressof(system.system, "potential"))
-    if to.sensitivity.count and {"let", "potential"} & names:
-        want("parameters", to.sensitivity.count)
+    if "K" in names or (to.sensitivity.count and {"let", "potential"} & names):
+        want("parameters", 1 if whole else to.sensitivity.count)
     used = [system.parameters.used[j] for j in range(len(lets))]
     has_force = "let" in names and any(u & lib.FVI_USED_BY_FORCE for u in used)
     if "let" in names and any(u & lib.FVI_USED_BY_DAMPING for u in used):
@@ -181,6 +188,14 @@ def add_energy(s: Solution, by: Optional[Array], system: Any, found: dict) -> No
     """What energies have of masses and parameters besides x and p."""
     if by is None:
         return
+    if s.problem.kind == "structure":
+        still, done, none = np.empty(len(s.t)), ffi.new("size_t *"), np.zeros(s.p.shape)
+        succeed(ask(lib.energies, system.system, len(s.t), *s.arrays()[:2], ffi.from_buffer("double[]", none),
+                    ffi.from_buffer("double[]", still), done))
+        for field, share in (("mass", still - s.energy), ("parameters", still)):
+            if field in found:
+                found[field] += by @ share
+        return
     if "mass" in found:
         found["mass"] -= by @ (s.v**2) / 2
     value = ffi.new("double *")
@@ -196,7 +211,10 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, lets
     answer: dict = {}
     system, d = mirror.motion.system, mirror.d
     mass = np.broadcast_to(np.asarray(q.mass), (d,))
-    for name, field, given in (("x0", "x0", q.x0), ("p0", "p0", 0.5 if q.p0 is None else q.p0),
+    for name, field in (("M", "mass"), ("C", "damping"), ("K", "parameters")):
+        if name in names:
+            answer[name] = float(found[field][0])
+    for name, field, given in (("x0", "x0", 1.0 if q.x0 is None else q.x0), ("p0", "p0", 0.5 if q.p0 is None else q.p0),
                                ("rho", "damping", 0.2 if q.rho is None else q.rho)):
         if name in names:
             answer[name] = like(given, found[field])

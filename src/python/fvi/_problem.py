@@ -9,6 +9,7 @@ from typing import Any, Callable, Optional, Sequence, Union
 import numpy as np
 
 from ._arguments import Array, Numbers, described, number, numbers, spelt
+from ._mechanism import matrix, texts
 from ._system import Law, Potential
 
 Force = Union[None, str, Callable[[float], Numbers], tuple[Sequence[float], Numbers]]
@@ -47,9 +48,18 @@ class Problem:
     force      None; a text, "cosine:A,W", "step:A,T", "impulse:J,T", "file:F.tsv" or an expression in t; a pair
                (t, F) of arrays, linear in between, F of one column for all coordinates or of d; or a function of t
     past       what was before t = 0: "held" at x0, "caputo" or "rl"; "held"
-    x0         where it begins, one number or d of them; 1
-    p0         its momentum there, one number or d of them; 0.5
+    x0         where it begins, one number or d of them; 1, with M 0
+    p0         its momentum there, one number or d of them; 0.5, with M 0
     v0         or its velocity there
+
+    More than masses and a potential:
+    lagrangian   L, an expression in x1, ..., v1, ..., t, instead of mass, potential and damping; with x0 and v0 or p0
+    dampers      each '[NAME=] G : LAW [: PAST]', on the elongation G, an expression in x1, ...: "x2 - x1 : viscous:1";
+                 with M a triple (C, LAW) or (C, LAW, PAST), C a matrix or, of an elongation, a row of d numbers
+    constraints  each an expression in x1, ..., t that is 0
+    impose       each a coordinate that is prescribed, "x1=sin(t)"
+    force_on     each a force that knows x, v and t, "2=-0.1*v2^3"
+    M, K, C      matrices of scipy.sparse or arrays (d, d), M x'' + C D^order x + K x = F, instead of mass, potential, rho
 
     A problem never changes; `replace` makes another one. Two are equal if all of their fields are. It pickles if
     its functions do: those that stand in a module.
@@ -65,9 +75,17 @@ class Problem:
     damping: Law = None
     force: Force = None
     past: str = "held"
-    x0: Numbers = 1.0
+    x0: Optional[Numbers] = None
     p0: Optional[Numbers] = None
     v0: Optional[Numbers] = None
+    lagrangian: Optional[str] = None
+    dampers: Sequence = ()
+    constraints: Sequence[str] = ()
+    impose: Sequence[str] = ()
+    force_on: Sequence[str] = ()
+    M: Any = None
+    K: Any = None
+    C: Any = None
 
     def __post_init__(self) -> None:
         def put(name: str, value: Any) -> None:
@@ -76,6 +94,7 @@ class Problem:
                            ("damping", "rho")):
             if getattr(self, one) is not None and getattr(self, other) is not None:
                 raise ValueError(f"{one}: not together with {other}")
+        self.check_kind()
         for name in ("time", "alpha", "order"):
             if getattr(self, name) is not None:
                 put(name, number(name, getattr(self, name)))
@@ -86,12 +105,58 @@ class Problem:
             if not isinstance(self.let, Mapping):
                 raise TypeError(f"let: {described(self.let)} is no dict of names and numbers")
             put("let", {name: number(f"let: {name}", value) for name, value in self.let.items()})
+        for name in ("M", "K", "C"):
+            if getattr(self, name) is not None:
+                put(name, matrix(name, getattr(self, name)))
+        for name in ("constraints", "impose", "force_on"):
+            put(name, texts(name, getattr(self, name)))
+        put("dampers", texts("dampers", self.dampers) if self.M is None else tuple(
+            self.damper(given) for given in self.dampers))
         if isinstance(self.damping, list):
             put("damping", tuple(self.damping))
         if isinstance(self.force, (tuple, list)):
             if len(self.force) != 2:
                 raise TypeError(f"force: a pair (t, F) of arrays has two members, not {len(self.force)}")
             put("force", tuple(frozen(f"force: {name}", a) for name, a in zip("tF", self.force)))
+
+    def check_kind(self) -> None:
+        """Masses and a potential, or a Lagrangian, or matrices."""
+        instead = {"lagrangian": ("potential", "mass", "rho", "alpha", "order", "damping"),
+                   "dampers": ("rho", "alpha", "order", "damping"),
+                   "M": ("potential", "mass", "rho", "lagrangian", "constraints", "impose", "force_on")}
+        fields = {f.name: f.default for f in dataclasses.fields(self)}
+        lists = ("dampers", "constraints", "impose", "force_on")
+        given = {name for name, default in fields.items()
+                 if (len(getattr(self, name)) if name in lists else not alike(getattr(self, name), default))}
+        for one, others in instead.items():
+            for other in others:
+                if one in given and other in given:
+                    raise ValueError(f"{one}: not together with {other}")
+        if (self.M is None) != (self.K is None) or (self.C is not None and (self.M is None or "dampers" in given)):
+            raise ValueError("M: M and K come together, and C with them or dampers")
+        if self.lagrangian is not None:
+            if not isinstance(self.lagrangian, str):
+                raise TypeError(f"lagrangian: {described(self.lagrangian)} is no text")
+            if self.p0 is None and self.v0 is None:
+                raise ValueError("lagrangian: a start is missing: x0, and v0 or p0")
+
+    @staticmethod
+    def damper(given: Any) -> tuple:
+        """(C, LAW) or (C, LAW, PAST) of a structure."""
+        if not isinstance(given, (tuple, list)) or len(given) not in (2, 3):
+            raise TypeError(f"dampers: {described(given)} is no triple (C, LAW, PAST)")
+        of, *rest = given
+        is_row = not hasattr(of, "tocsc") and not isinstance(of, tuple) and np.ndim(of) == 1
+        return (frozen("dampers", of) if is_row else matrix("dampers", of), *rest)
+
+    @property
+    def kind(self) -> str:
+        """ "structure", "mechanism" or "masses"."""
+        if self.M is not None:
+            return "structure"
+        is_mechanism = (self.lagrangian is not None or len(self.dampers) or len(self.constraints) or len(self.impose)
+                        or len(self.force_on) or not np.all(self.mass))
+        return "mechanism" if is_mechanism else "masses"
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Problem) and all(
@@ -122,6 +187,9 @@ class Problem:
             if changes.get(one) is not None:
                 for other in others:
                     changes.setdefault(other, None)
+        if len(changes.get("dampers", ())):
+            for other in ("alpha", "order", "rho", "damping", "C"):
+                changes.setdefault(other, None)
         return dataclasses.replace(self, **changes)
 
 

@@ -36,6 +36,7 @@ class Solution:
         self.step = step
         self._motion: Any = None
         self._energy: Optional[Array] = None
+        self._v: Optional[Array] = None
 
     def __getstate__(self) -> dict:
         return {**self.__dict__, "_motion": None}
@@ -56,16 +57,23 @@ class Solution:
             self._motion = Motion(self.problem, self.how)
         return self._motion
 
+    def arrays(self) -> list:
+        """t, x and p for C."""
+        return [ffi.from_buffer("double[]", np.ascontiguousarray(a)) for a in (self.t, self.x, self.p)]
+
     @property
     def v(self) -> Array:
-        return self.p / np.asarray(self.problem.mass)
+        if self._v is None:
+            self._v = np.empty(self.x.shape)
+            succeed(ask(lib.velocities, self.motion.run.system, len(self.t), *self.arrays(),
+                        ffi.from_buffer("double[]", self._v)), " (velocities)")
+        return self._v
 
     @property
     def energy(self) -> Array:
         if self._energy is None:
             energy, done = np.empty(len(self.t)), ffi.new("size_t *")
-            room = [ffi.from_buffer("double[]", np.ascontiguousarray(a)) for a in (self.x, self.p)]
-            succeed(ask(lib.energies, self.motion.run.system, len(self.t), *room,
+            succeed(ask(lib.energies, self.motion.run.system, len(self.t), *self.arrays(),
                         ffi.from_buffer("double[]", energy), done), f" (energy of row {done[0]})")
             self._energy = energy
         return self._energy

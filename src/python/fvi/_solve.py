@@ -13,7 +13,8 @@ import numpy as np
 
 from ._arguments import Array, Numbers, choice, described, number, numbers, spelt, whole, word
 from ._fvi import ffi, lib
-from ._library import ask, ask_for_warning, error_of, failure, keep, warn_of_start
+from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, warn_of_start
+from ._mechanism import Mechanism, Structure, own_law
 from ._problem import Problem
 from ._run import MEMORIES, PASTS, length, methods
 from ._solution import Solution
@@ -43,19 +44,37 @@ class Motion:
     """A problem and its numerics as the library takes them: `run`, which has a row at each step."""
 
     def __init__(self, problem: Problem, how: Numerics):
-        q = problem
+        q, is_structure = problem, problem.kind == "structure"
         rho = (0.2 if q.damping is None else 1.0) if q.rho is None else q.rho
-        p0 = np.multiply(q.mass, q.v0) if q.v0 is not None else 0.5 if q.p0 is None else q.p0
-        self.system = s = System(q.potential, q.force, q.mass, rho, q.x0, p0, q.let, q.time, q.damping)
+        x0 = (0.0 if is_structure else 1.0) if q.x0 is None else q.x0
+        p0 = q.p0 if q.p0 is not None else q.v0 if q.v0 is not None else 0.0 if is_structure else 0.5
+        alpha = 0.5 if q.alpha is q.order is None else q.alpha if q.order is None else q.order / 2
+        mechanism = Mechanism(q.lagrangian, q.dampers, q.constraints, q.impose, q.force_on, own_law(
+            alpha, q.damping, q.past)) if q.kind == "mechanism" else None
+        structure = Structure(q.M, q.K, q.C, q.dampers, PASTS) if is_structure else None
+        self.system = s = System(q.potential, q.force, 1.0 if is_structure else q.mass, 0.0 if is_structure else rho, x0,
+                                 p0, q.let, q.time, q.damping, mechanism, structure)
+        if q.v0 is not None:
+            self.put_velocity(is_structure)
         self.method = lib.fvi_method_find(how.method.encode())
         run = self.run = ffi.new("fvi_run *")
         run.system, run.x0, run.p0 = s.system, s.pointer(s.x0), s.pointer(s.p0)
         run.steps, run.h = how.steps, how.h if how.h is not None else q.time / how.steps
         run.kappa, run.tolerance, run.memory = how.kappa, how.tolerance, MEMORIES[how.memory]
-        run.alpha = 0.5 if q.alpha is q.order is None else q.alpha if q.order is None else q.order / 2
+        run.alpha = alpha
         run.past, run.law = choice("past", q.past, PASTS), s.law
         run.step_error, run.longest = length("step_error", how.step_error), length("longest", how.longest)
         run.most_steps = how.most_steps
+
+    def put_velocity(self, is_structure: bool) -> None:
+        """p0 of the v0 that stands in its place."""
+        s = self.system
+        if is_structure:
+            raise ValueError("v0: a structure begins with p0 = M v0")
+        p0 = np.empty(s.d)
+        succeed(ask(lib.fvi_momentum_of_velocity, s.system, 0.0, s.pointer(s.x0), s.pointer(s.p0.copy()),
+                    ffi.from_buffer("double[]", p0)))
+        s.p0 = p0
 
     def solve(self, how: Numerics, time: float, t: Optional[Array], x: Array, p: Array, count: Any) -> tuple:
         """fvi_solve: x and p at the times t, or at each row. What it returned, with its report and its error."""
@@ -110,6 +129,10 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
         for other in others:
             if one is not None and {"h": h, "step_error": step_error}[other] is not None:
                 raise ValueError(f"{other}: not together with {name}")
+    if problem.kind == "mechanism" and error is not None:
+        raise ValueError("error: not of a Lagrangian, dampers, constraints or forces of velocity, whose steps are given")
+    if method is None and problem.kind != "masses":
+        method = "fvi-stable"
     if method is None:
         method = "fvi" if h is not None else "fvi-adaptive"
         if error is not None and problem.damping is not None:
@@ -193,7 +216,8 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
 
     t_eval      the times of the rows, increasing, within 0 ... time; None: evenly, or each step
     error       how far x may be off at any row, a length > 0, by the library's estimate
-    method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h; "fvi-bdf2" for a law with error
+    method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h; "fvi-bdf2" for a law with error;
+                "fvi-stable" for matrices and where there is more than masses and a potential
     h           the step, a time > 0 of which the problem's time is a multiple
     steps       instead of h: how many steps, or, where the steps are found, how many rows but one; 200
     kappa       0 ... 1: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}, of methods that have it; 0.5

@@ -182,7 +182,7 @@ class System:
 
     def __init__(self, potential: Union[str, Potential], force: Any, mass: Numbers, rho: Numbers,
                  x0: Numbers, p0: Numbers, let: Optional[dict] = None, last: float = math.inf,
-                 damping: Any = None):
+                 damping: Any = None, mechanism: Any = None, structure: Any = None):
         self.keep: list = []
         if let is not None and not (isinstance(let, Mapping) and all(isinstance(name, str) for name in let)):
             raise TypeError(f"let: {arguments.described(let)} is no dict of names and numbers")
@@ -200,7 +200,11 @@ class System:
                 for name, given in (("mass", mass), ("rho", rho), ("x0", x0), ("p0", p0))}
         self.scalar = rows["x0"].ndim == 0 and rows["p0"].ndim == 0
         self.d = max(a.size for a in rows.values())
-        U = self.potential(potential)
+        if mechanism is not None:
+            self.d = max(self.d, mechanism.dimension(potential))
+        if structure is not None:
+            self.d = structure.n
+        U = ffi.new("fvi_potential *")[0] if structure is not None else self.potential(potential)
         self.scalar &= self.d == 1
         self.asked = Asked(potential if isinstance(potential, Potential) else None,
                            force if callable(force) else None, self.scalar)
@@ -215,9 +219,13 @@ class System:
         self.system.potential = U
         self.system.force = self.force(force)
         self.law = ffi.NULL
-        if damping is not None:
+        if damping is not None and mechanism is None:
             self.keep.append(law(damping, self.parameters))
             self.law = ffi.addressof(self.keep[-1][0], "law")
+        if structure is not None:
+            structure.put(self)
+        if mechanism is not None:
+            mechanism.put(self)
         understand(lib.fvi_user_parameters_are_used, self.parameters)
 
     @property

@@ -1,0 +1,153 @@
+"""Systems that are more than masses and a potential: mechanisms, which are texts, and structures, which are matrices."""
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Optional, Sequence
+
+import numpy as np
+
+from ._arguments import Array, described, numbers
+from ._fvi import ffi, lib
+from ._library import error_of, failure, understand
+from ._system import law
+
+
+def texts(what: str, given: Any) -> tuple:
+    """A text or several."""
+    found = (given,) if isinstance(given, str) else tuple(given)
+    for each in found:
+        if not isinstance(each, str):
+            raise TypeError(f"{what}: {described(each)} is no text")
+    return found
+
+
+class Mechanism:
+    """A Lagrangian, dampers between points, constraints, imposed motions and forces of velocity; without dampers each
+    coordinate is damped by itself."""
+
+    def __init__(self, lagrangian: Optional[str], dampers: Sequence[str], constraints: Sequence[str],
+                 impose: Sequence[str], force_on: Sequence[str], own: Any = None):
+        self.lists = {"damper": dampers, "constraint": constraints, "impose": impose, "force_on": force_on}
+        self.lagrangian, self.own = lagrangian, own
+
+    def dimension(self, potential: Any) -> int:
+        """The largest index in a text."""
+        said = [self.lagrangian, potential if self.lagrangian is None else None, *sum(map(list, self.lists.values()), [])]
+        found = [lib.fvi_largest_index(text.encode()) for text in said if isinstance(text, str)
+                 and not text.lower().startswith("chain")]
+        on = [text.partition("=")[0].strip(" x") for text in self.lists["force_on"]]
+        return max([1, *found, *(int(i) for i in on if i.isdigit() and int(i) <= 10000)])
+
+    def put(self, s: Any) -> None:
+        """Onto a System, whose numbers are known."""
+        dampers = list(self.lists["damper"])
+        if not dampers and self.lagrangian is None and self.own is not None:
+            rho = np.frombuffer(ffi.buffer(s.system.damping, 8 * s.d))
+            dampers = [f"x{i + 1} : {self.own(float(rho[i]))}" for i in range(s.d) if rho[i] > 0]
+        s.system.damping = s.pointer(np.zeros(s.d))
+        t = ffi.new("fvi_mechanism_texts *")
+        if self.lagrangian is not None:
+            s.keep.append(ffi.new("char[]", self.lagrangian.encode()))
+            t.lagrangian = s.keep[-1]
+        for name, count, given in (("damper", "dampers", dampers), ("constraint", "constraints", self.lists["constraint"]),
+                                   ("impose", "imposed", self.lists["impose"]),
+                                   ("force_on", "forces_on", self.lists["force_on"])):
+            each = [ffi.new("char[]", text.encode()) for text in given]
+            all_of = ffi.new("char *[]", each or [ffi.NULL])
+            s.keep += [each, all_of]
+            setattr(t, name, all_of)
+            setattr(t, count, len(each))
+        out = ffi.new("fvi_typed_mechanism **")
+        understand(lib.fvi_parse_mechanism, t, s.d, s.parameters, out)
+        s.keep.append(ffi.gc(out[0], lib.fvi_typed_mechanism_free))
+        s.system.mechanism = lib.fvi_mechanism_typed(out[0])
+
+
+class Matrix(NamedTuple):
+    """A symmetric matrix in compressed columns."""
+    n: int
+    start: Array
+    row: Array
+    entry: Array
+
+
+def matrix(what: str, given: Any) -> Matrix:
+    """Of a matrix of scipy.sparse, or of an array (n, n)."""
+    if isinstance(given, Matrix):
+        return given
+    if hasattr(given, "tocsc"):
+        a = given.tocsc().copy()
+        a.sum_duplicates()  # which sorts the rows, too
+        if a.shape[0] != a.shape[1]:
+            raise ValueError(f"{what}: the shape {a.shape} is not square")
+        parts = (a.indptr, a.indices, a.data)
+    else:
+        dense = numbers(what, given)
+        if dense.ndim != 2 or dense.shape[0] != dense.shape[1] or dense.shape[0] == 0:
+            raise ValueError(f"{what}: the shape {dense.shape} is not (n, n)")
+        column, row = np.nonzero(dense.T)
+        parts = (np.append(0, np.cumsum(np.count_nonzero(dense, axis=0))), row, dense.T[column, row])
+        a = dense
+    found = Matrix(a.shape[0], *(np.array(part, kind) for part, kind in zip(parts, (np.int32, np.int32, float))))
+    for part in found[1:]:
+        part.flags.writeable = False
+    return found
+
+
+class Structure:
+    """M, K and C, or dampers of matrices and rows."""
+
+    def __init__(self, M: Matrix, K: Matrix, C: Optional[Matrix], dampers: Sequence[tuple], pasts: dict):
+        self.M, self.K, self.C, self.dampers, self.n, self.pasts = M, K, C, dampers, M.n, pasts
+
+    def sparse(self, s: Any, a: Matrix) -> Any:
+        s.keep.append(a)
+        s.keep.append(ffi.new("fvi_sparse *", {
+            "n": a.n, "start": ffi.cast("int *", a.start.ctypes.data), "row": ffi.cast("int *", a.row.ctypes.data),
+            "entry": ffi.cast("double *", a.entry.ctypes.data)}))
+        return s.keep[-1]
+
+    def damper(self, s: Any, to: Any, given: tuple) -> None:
+        of, kernel, past = (*given, "held")[:3]
+        s.keep.append(law(kernel, s.parameters))
+        to.kernel, to.past = ffi.addressof(s.keep[-1][0], "law"), self.pasts[past]
+        if isinstance(of, Matrix):
+            to.matrix = self.sparse(s, of)
+        else:
+            to.of.row = s.pointer(of)
+
+    def put(self, s: Any) -> None:
+        M, K = self.sparse(s, self.M), self.sparse(s, self.K)
+        out, fault, error = ffi.new("fvi_structure **"), ffi.new("char *"), ffi.new("fvi_error *")
+        if self.dampers:
+            dampers = ffi.new("fvi_damper[]", len(self.dampers))
+            s.keep.append(dampers)
+            for to, given in zip(dampers, self.dampers):
+                self.damper(s, to, given)
+            status = lib.fvi_structure_alloc_dampers(M, K, len(self.dampers), dampers, out, error)
+            if status:
+                found = error_of(error, status)
+                found.args = (f"{found.field}: {found.args[0]}" if found.field else found.args[0],)
+                raise found
+        else:
+            C = ffi.NULL if self.C is None else self.sparse(s, self.C)
+            status = lib.fvi_structure_alloc(M, K, C, out, fault)
+            if status:
+                found = failure(status)
+                found.field = fault[0].decode() if fault[0] != b"\0" else None
+                found.args = (f"{found.field}: {found.args[0]}" if found.field else found.args[0],)
+                raise found
+        structure = ffi.gc(out[0], lib.fvi_structure_free)
+        s.keep.append(structure)
+        force = ffi.new("fvi_force *", s.system.force)  # a copy
+        s.system[0] = lib.fvi_structure_system(structure)
+        s.system.force = force[0]
+        s.structure = structure
+
+
+def own_law(alpha: float, damping: Any, past: str) -> Any:
+    """The damper of one coordinate, as a text of its rho."""
+    if damping is None:
+        return lambda rho: f"power:{rho!r},{alpha!r} : {past}"
+    if not isinstance(damping, str):
+        raise ValueError("damping: with a mechanism it is one text")
+    return lambda rho: f"{damping} : {past}"

@@ -1,0 +1,179 @@
+"""Linear motions by frequency: responses, poles, moduli; how long a step may be; from here to there."""
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple, Optional
+
+import numpy as np
+
+from ._arguments import Array, Numbers, choice, number, numbers, spelt, whole
+from ._fvi import ffi, lib
+from ._library import ask, error_of, succeed, understand
+from ._problem import Problem
+from ._solve import Motion, Numerics, chosen
+from ._system import Law, law
+
+KINDS = {"receptance": lib.FVI_RESPONSE_RECEPTANCE, "mobility": lib.FVI_RESPONSE_MOBILITY,
+         "accelerance": lib.FVI_RESPONSE_ACCELERANCE, "ground": lib.FVI_RESPONSE_GROUND}
+
+
+class Linear:
+    """A problem made linear at a place, with room for its factors."""
+
+    def __init__(self, problem: Problem, about: Optional[Numbers]):
+        self.motion = Motion(problem, chosen(problem, None, None, None, None, None, None, None, None, None, "auto", 0.0))
+        system, run = self.motion.system, self.motion.run
+        at = system.x0 if about is None else np.ascontiguousarray(np.broadcast_to(numbers("about", about), (system.d,)))
+        self.d = system.d
+        question = ffi.new("fvi_linear_motion *", {"system": system.system, "alpha": run.alpha, "law": run.law,
+                                                   "at": system.pointer(at)})
+        out, error = ffi.new("fvi_response **"), ffi.new("fvi_error *")
+        check(ask(lib.fvi_response_alloc, question, out, error), error)
+        self.response = ffi.gc(out[0], lib.fvi_response_free)
+
+
+def check(status: int, error: Any) -> None:
+    if status:
+        raise error_of(error, status)
+
+
+def coordinate(what: str, given: Any, d: int) -> int:
+    i = whole(what, given, 1)
+    if i > d:
+        raise ValueError(f"{what}: {given} is no coordinate from 1 to {d}")
+    return i - 1
+
+
+@spelt()
+def response(problem: Problem, omega: Numbers, of: str = "receptance", *, at: int = 1, by: int = 1, hertz: bool = False,
+             about: Optional[Numbers] = None) -> Array:
+    """What a shaker test measures: complex numbers, one for each frequency.
+
+    problem  made linear; its force is not read
+    omega    frequencies > 0, in radians per unit of time
+    of       "receptance", the place by a force of 1; "mobility", the velocity; "accelerance", the acceleration;
+             "ground", the acceleration by one of 1 of the ground
+    at, by   the coordinate that is measured and the one that is pushed, from 1; by is not read for the ground
+    hertz    True: the frequencies are in periods per unit of time
+    about    the place at which it is made linear, one number or d of them; None: x0
+    """
+    w = np.ascontiguousarray(np.atleast_1d(numbers("omega", omega)) * (2 * math.pi if hertz else 1.0))
+    linear, H, error = Linear(problem, about), np.empty(w.size, complex), ffi.new("fvi_error *")
+    check(ask(lib.fvi_response_at, linear.response, choice("of", of, KINDS), w.size, ffi.from_buffer("double[]", w),
+              coordinate("at", at, linear.d), coordinate("by", by, linear.d),
+              ffi.cast("double *", H.ctypes.data), error), error)
+    return H.reshape(np.shape(omega))
+
+
+class Poles(NamedTuple):
+    """The free motions exp(s t): `pole`, complex s with Im s > 0, |s| increasing; `frequency` |s|/(2 pi) and `damping`,
+    the ratio -Re s/|s|; `shape`, (n, d) complex, v v^T the residue; `residual` of each; `expected`, how many there are,
+    None if that is not known."""
+    pole: Array
+    frequency: Array
+    damping: Array
+    shape: Array
+    residual: Array
+    expected: Optional[int]
+
+
+@spelt()
+def poles(problem: Problem, count: int = 0, *, about: Optional[Numbers] = None) -> Poles:
+    """The oscillations of the free motion.
+
+    problem  made linear; its force is not read
+    count    how many of the lowest; 0: all
+    about    the place at which it is made linear, one number or d of them; None: x0
+    """
+    linear, found, error = Linear(problem, about), ffi.new("fvi_poles *"), ffi.new("fvi_error *")
+    check(ask(lib.fvi_poles_find, linear.response, whole("count", count, 0), found, error), error)
+    try:
+        n, d = found.count, found.d
+
+        def copy(pointer: Any, kind: Any, *shape: int) -> Array:
+            size = math.prod(shape) * np.dtype(kind).itemsize
+            return np.frombuffer(ffi.buffer(pointer, size), kind).reshape(shape).copy() if size else np.empty(shape, kind)
+        s = copy(found.pole, complex, n)
+        return Poles(s, abs(s) / (2 * math.pi), -s.real / abs(s), copy(found.shape, complex, n, d),
+                     copy(found.residual, float, n), None if found.expected == 2**64 - 1 else found.expected)
+    finally:
+        lib.fvi_poles_free(found)
+
+
+@spelt()
+def moduli(damping: Law, omega: Numbers, let: Optional[dict] = None) -> Array:
+    """C(i omega) of a law of damping, storage + i loss: what an experiment at one frequency sees.
+
+    damping  as for `Problem`
+    omega    frequencies > 0, in radians per unit of time
+    let      numbers that an expression names
+    """
+    parameters = ffi.new("fvi_user_parameters *")
+    for name, value in (let or {}).items():
+        understand(lib.fvi_user_parameters_set, parameters, name.encode(), number(f"let: {name}", value))
+    kept = law(damping, parameters)
+    storage, loss = ffi.new("double *"), ffi.new("double *")
+    w = numbers("omega", omega)
+    found = np.empty(w.shape, complex)
+    for i in np.ndindex(w.shape):
+        succeed(ask(lib.fvi_kernel_moduli, ffi.addressof(kept[0], "law"), w[i], storage, loss))
+        found[i] = complex(storage[0], loss[0])
+    return found[()]
+
+
+class Stability(NamedTuple):
+    """`number`: above 1 a mode grows from step to step; `longest`: the longest step for which none does, None where
+    that is not known."""
+    number: float
+    longest: Optional[float]
+
+
+@spelt()
+def stability(problem: Problem, h: float, method: str = "fvi", *, kappa: Optional[float] = None) -> Stability:
+    """How much of the stable range a step takes, of small motions about x0.
+
+    problem  what would be solved
+    h        the step, > 0
+    method   as `methods()` lists them
+    kappa    of methods that have one
+    """
+    step = number("h", h)
+    if not 0 < step < math.inf:
+        raise ValueError(f"h: {h} is not above 0, or not finite")
+    how: Numerics = chosen(problem, None, None, method, None, 1, kappa, None, None, None, "auto", 0.0)
+    motion = Motion(problem, how)
+    motion.run.h = step
+    load, longest = ffi.new("double *"), ffi.new("double *")
+    succeed(ask(lib.fvi_stability_number, motion.method, motion.run, load))
+    status = ask(lib.fvi_stability_longest_step, motion.method, motion.run, longest)
+    return Stability(load[0], None if status else longest[0])
+
+
+class Control(NamedTuple):
+    """`force`, (n, d), at the times `t`, added to the force of the problem; `cost`, half the integral of its square;
+    `miss`, the largest distance from the end that was wanted; `iterations`."""
+    t: Array
+    force: Array
+    cost: float
+    miss: float
+    iterations: int
+
+
+@spelt()
+def control(problem: Problem, x: Numbers, p: Numbers, *, h: Optional[float] = None, steps: Optional[int] = None,
+            method: str = "fvi-bdf2", kappa: Optional[float] = None) -> Control:
+    """The least force that ends a motion at a place with a momentum.
+
+    problem   the motion without it
+    x, p      where it is to end, one number or d of them
+    h, steps  as for `solve`
+    method    "fvi", "fvi-shifted", "fvi-bdf2" or "fvi-stable"
+    kappa     as for `solve`
+    """
+    motion = Motion(problem, chosen(problem, None, None, method, h, steps, kappa, None, None, None, "auto", 0.0))
+    run, d = motion.run, motion.system.d
+    end = [np.ascontiguousarray(np.broadcast_to(numbers(name, a), (d,))) for name, a in (("x", x), ("p", p))]
+    u, found = np.zeros((run.steps + 1, d)), ffi.new("fvi_control_result *")
+    succeed(ask(lib.fvi_control_solve, motion.method, run, *(ffi.from_buffer("double[]", a) for a in end),
+                ffi.from_buffer("double[]", u), found))
+    return Control(np.arange(run.steps + 1) * run.h, u, found.cost, found.miss, found.iterations)

@@ -1,0 +1,194 @@
+/* src/python/glue.h -- What the Python package has of C besides the library. */
+#include <fvi/fvi.h>
+#include <fvi/lobatto.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <time.h>
+static int look_up(void);
+static int report_progress(size_t rows, size_t all, void *tell);
+/* The last error's reason and code, of this thread: for the text of the exception. */
+static _Thread_local const char *reason;
+static _Thread_local int reason_of;
+static void note(const char *text, const char *file, int line, int code)
+{
+    (void)file, (void)line;
+    reason = text;
+    reason_of = code;
+}
+/* Ctrl-C reaches the main thread, and is seen when that calls Python. */
+static unsigned long main_thread;
+static int stopped; /* what Python said; it stands until the call has returned */
+/* Of another thread: its runs end as soon as *flag is not zero; NULL: no such flag. */
+static _Thread_local const volatile int *flag_of_thread;
+static void obey(const int *flag)
+{
+    flag_of_thread = flag;
+}
+/* Have 25 ms passed since this was nonzero? Then they begin anew. */
+static int is_time(struct timespec *last)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    if ((double)(now.tv_sec - last->tv_sec) + 1e-9 * (double)(now.tv_nsec - last->tv_nsec) < 0.025)
+        return 0;
+    *last = now;
+    return 1;
+}
+static int ask_python(void)
+{
+    static struct timespec last;
+    if ((unsigned long)pthread_self() != main_thread)
+        return flag_of_thread ? -*flag_of_thread : 0;
+    if (stopped)
+        return stopped;
+    return is_time(&last) ? stopped = look_up() : 0;
+}
+/* How many rows of a call stand, of how many; and who is told now and then? */
+typedef struct {
+    size_t rows, all;
+    void *tell; /* NULL: nobody */
+    struct timespec last;
+} row_count;
+static int count_row(size_t k, double t, const double *x, const double *p, void *params)
+{
+    row_count *count = params;
+    (void)t, (void)x, (void)p;
+    count->rows = k + 1;
+    if (!count->tell)
+        return 0;
+    return k + 1 == count->all || (k % 16 == 0 && is_time(&count->last))
+               ? report_progress(k + 1, count->all, count->tell) : 0;
+}
+/* Does the method choose its steps? */
+static int is_dense(const fvi_method *method)
+{
+    return method->dense != NULL;
+}
+/* fvi_energy_at of each row; *done of them stand. */
+static int energies(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p,
+                    double *energy, size_t *done)
+{
+    const size_t d = system->d;
+    int status = 0;
+    for (*done = 0; *done < rows && !status; *done += !status)
+        status = fvi_energy_at(system, t[*done], x + *done * d, p + *done * d, energy + *done);
+    return status;
+}
+/* The velocities of each row; of a coordinate without inertia NaN. */
+static int velocities(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p,
+                      double *v)
+{
+    const size_t d = system->d;
+    const int has_lagrangian = system->mechanism && system->mechanism->lagrangian;
+    int status = 0;
+    for (size_t k = 0; k < rows && !status; k++) {
+        double *now = v + k * d;
+        for (size_t i = 0; i < d; i++)
+            now[i] = k > 0 ? now[i - d] : 0; /* a guess */
+        if (has_lagrangian)
+            status = fvi_velocity_of_momentum(system, t[k], x + k * d, p + k * d, now);
+        else if (system->matrices)
+            status = fvi_velocity(system, p + k * d, now);
+        else
+            for (size_t i = 0; i < d; i++)
+                now[i] = system->mass[i] > 0 ? p[k * d + i] / system->mass[i] : NAN;
+    }
+    return status;
+}
+static void listen(unsigned long thread)
+{
+    main_thread = thread;
+    fvi_set_error_handler(note);
+    fvi_set_interrupter(ask_python);
+}
+/* Before a call of the library. */
+static void begin(void)
+{
+    reason = NULL;
+    if ((unsigned long)pthread_self() == main_thread)
+        stopped = 0;
+}
+/* At most so many steps, until it is time to look whether the run has got too stiff. */
+static int take_steps(fvi_stepper *s, size_t count, const fvi_watch *watch, size_t *taken)
+{
+    int status = 0;
+    for (*taken = 0; *taken < count && !status;) {
+        status = fvi_stepper_step(s);
+        *taken += !status;
+        if (s->k >= watch->next)
+            break;
+    }
+    return status;
+}
+/* fvi_warning_along at the rows of a run, as far as they are finite. */
+static int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run,
+                      const double *x, size_t size, char *text)
+{
+    const size_t d = run->system->d;
+    int warned = 0;
+    for (size_t k = 1; !warned && k <= run->steps && fvi_all_finite(d, x + k * d); k++)
+        warned = fvi_warning_along(watch, method, run, k, x + k * d, size, text);
+    return warned;
+}
+/* The cotangents of every row, as arrays: no Python in the mirrored run. */
+typedef struct {
+    const double *Jx, *Jp; /* Jp may be NULL */
+} cotangents;
+static int read_slopes(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp)
+{
+    const cotangents *c = params;
+    (void)x, (void)p;
+    for (size_t i = 0; i < d; i++)
+        Jx[i] += c->Jx[k * d + i];
+    for (size_t i = 0; Jp && c->Jp && i < d; i++)
+        Jp[i] += c->Jp[k * d + i];
+    return 0;
+}
+/* d^2U/(dx dk_j) of an expression, as fvi_parameter_gradient has it. */
+static int by_parameter(size_t j, size_t d, const double *x, void *params, double *S)
+{
+    double value;
+    (void)d;
+    fvi_expression_parameter_gradient(params, j, x, &value, S);
+    return 0;
+}
+/* What an objective that has by[k] of the energies has of x and p, added. */
+static int energy_slopes(const fvi_system *system, size_t rows, const double *x, const double *p,
+                         const double *by, double *Jx, double *Jp)
+{
+    const size_t d = system->d;
+    double *room = calloc(2 * d, sizeof *room);
+    int status = room ? 0 : FVI_ENOMEM;
+    for (size_t k = 0; k < rows && !status; k++) {
+        if (by[k] == 0)
+            continue;
+        status = fvi_potential_gradient(system, x + k * d, room);
+        if (!status)
+            status = fvi_velocity(system, p + k * d, room + d);
+        for (size_t i = 0; i < d; i++) {
+            Jx[k * d + i] += by[k] * room[i];
+            Jp[k * d + i] += by[k] * room[d + i];
+        }
+    }
+    free(room);
+    return status;
+}
+/* dU/dk_j at x; U is linear in the constants of what is ready to use. */
+static int energy_by_parameter(const fvi_typed_potential *potential, size_t d, size_t j, const double *x,
+                               double *value)
+{
+    const double unit[2] = { j == 0, j == 1 };
+    fvi_potential u = fvi_potential_typed(potential);
+    if (potential->expression) {
+        fvi_expression_parameter_gradient(potential->expression, j, x, value, NULL);
+        return 0;
+    }
+    return u.value(d, x, (void *)unit, value);
+}
+/* The reason of this code, or NULL; no reason is given twice, or for another code. */
+static const char *why(int code)
+{
+    const char *text = reason_of == code ? reason : NULL;
+    reason = NULL;
+    return text;
+}

@@ -1,0 +1,227 @@
+"""The Python package: mechanisms, structures, responses, poles, control."""
+import os
+import pickle
+import subprocess
+import sys
+
+import fvi
+import numpy as np
+import pytest
+
+PROGRAM = os.environ.get("FVI", "build/fvi")
+
+
+def program(*words):
+    text = subprocess.run([PROGRAM, *words], check=True, capture_output=True, text=True).stdout
+    return np.array([line.split("\t") for line in text.splitlines() if line[0] != "#"], dtype=float)
+
+
+def table(s):
+    return np.column_stack([s.t, s.x, s.p, s.energy])
+
+
+DOUBLE = "v1^2 + v2^2/2 + v1*v2*cos(x1-x2) + 9.81*(2*cos(x1) + cos(x2))"
+
+
+@pytest.mark.parametrize("problem, options, words", [
+    (dict(lagrangian=DOUBLE, x0=[2, 2], v0=[0, 0.5]), {}, ["--lagrangian", DOUBLE, "--x0", "2,2", "--v0", "0,0.5"]),
+    (dict(lagrangian=DOUBLE, x0=[2, 2], p0=0, dampers=["elbow=x2-x1 : zener:0.1,0.3,0.5", "x1 : viscous:0.2 : held"]),
+     dict(method="fvi-lobatto3"),
+     ["--lagrangian", DOUBLE, "--x0", "2,2", "--p0", "0", "--damper", "elbow=x2-x1 : zener:0.1,0.3,0.5", "--damper",
+      "x1 : viscous:0.2 : held", "--method", "fvi-lobatto3"]),
+    (dict(potential="k*(x2-x1)^2/2 + x1^4/4", let={"k": 2}, dampers="x2 - x1 : power:0.3,0.3", x0=[1, 0], p0=0),
+     dict(method="fvi"), ["--potential", "k*(x2-x1)^2/2 + x1^4/4", "--let", "k=2", "--damper", "x2 - x1 : power:0.3,0.3",
+                          "--x0", "1,0", "--p0", "0", "--method", "fvi"]),
+    (dict(lagrangian="(v1^2+v2^2)/2 - x2", constraints=["x1^2+x2^2-1"], x0=[1, 0], v0=[0, 0],
+          dampers=["x1 : power:0.3,0.25"]), {},
+     ["--lagrangian", "(v1^2+v2^2)/2 - x2", "--constraint", "x1^2+x2^2-1", "--damper", "x1 : power:0.3,0.25", "--x0",
+      "1,0", "--v0", "0,0"]),
+    (dict(potential="(x1-x2)^2/2", impose=["x1=0.3*sin(2*t)"], force_on=["2=-0.1*v2^3"], alpha=0.3, x0=[0, 1],
+          p0=[0.6, 0], rho=[0, 0.3]), {},
+     ["--potential", "(x1-x2)^2/2", "--impose", "x1=0.3*sin(2*t)", "--force-on", "2=-0.1*v2^3", "--alpha", "0.3",
+      "--rho", "0,0.3", "--x0", "0,1", "--p0", "0.6,0"]),
+    (dict(potential="(x1-x2)^2/2 + x1^2", mass=[1, 0], rho=[0, 1], alpha=0.25, x0=[1, 1], p0=0), {},
+     ["--potential", "(x1-x2)^2/2 + x1^2", "--mass", "1,0", "--rho", "0,1", "--alpha", "0.25", "--x0", "1,1", "--p0",
+      "0"]),
+])
+def test_a_mechanism_has_the_programs_digits(problem, options, words):
+    q = fvi.Problem(time=3, **problem)
+    assert pickle.loads(pickle.dumps(q)) == q and q.kind == "mechanism"
+    s, rows = fvi.solve(q, h=0.05, **options), program("run", "--h", "0.05", "--steps", "60", *words)
+    n = 1 + 2 * s.x.shape[1]
+    assert np.array_equal(table(s)[:, :n], rows[:, :n])
+    assert abs(s.energy - rows[:, n]).max() <= 1e-13 * abs(s.energy).max() or np.isnan(s.energy).any()
+
+
+def test_velocities_of_a_lagrangian():
+    """p = L_v: of the double pendulum (2 v1 + v2 cos, v2 + v1 cos), solved to 1e-13."""
+    s = fvi.solve(fvi.Problem(lagrangian=DOUBLE, x0=[2, 2], v0=[0, 0.5], time=3), h=0.01)
+    c = np.cos(s.x[:, 0] - s.x[:, 1])
+    assert abs(2 * s.v[:, 0] + s.v[:, 1] * c - s.p[:, 0]).max() < 1e-12
+    assert abs(s.v[:, 1] + s.v[:, 0] * c - s.p[:, 1]).max() < 1e-12
+    assert s.v[0].tolist() == pytest.approx([0, 0.5])
+
+
+N = 5
+K = 100 * (2 * np.eye(N) - np.eye(N, k=1) - np.eye(N, k=-1))
+K[-1, -1] = 100
+C = np.diag([5.0, 5, 5, 0, 0])
+C[1, 2] = C[2, 1] = -5
+
+
+def folder(path, **matrices):
+    for name, A in matrices.items():
+        i, j = np.nonzero(np.tril(A))
+        (path / f"{name}.mtx").write_text(
+            f"%%MatrixMarket matrix coordinate real symmetric\n{len(A)} {len(A)} {len(i)}\n" + "".join(
+                f"{a + 1} {b + 1} {A[a, b]!r}\n" for a, b in zip(i.tolist(), j.tolist())))
+    return ["--system", str(path)]
+
+
+def test_a_structure_has_the_programs_digits(tmp_path):
+    q = fvi.Problem(M=np.eye(N), K=K, C=C, alpha=0.3, force="sin(8*t)", time=2)
+    words = folder(tmp_path, M=np.eye(N), K=K, C=C)
+    s = fvi.solve(q, h=0.01)
+    assert np.array_equal(table(s), program("run", *words, "--alpha", "0.3", "--force", "sin(8*t)", "--h", "0.01",
+                                            "--steps", "200", "--method", "fvi-stable"))
+    again = pickle.loads(pickle.dumps(q))
+    assert again == q and np.array_equal(fvi.solve(again, h=0.01).x, s.x)
+    assert np.array_equal(s.v, s.p)  # M is the unit matrix
+    pushed = fvi.solve(q.replace(force=lambda t: [0, 0, 0, 0, np.sin(8 * t)]), h=0.01)
+    assert abs(pushed.x[-1] - s.x[-1]).max() > 1e-4
+    loose = fvi.solve(q.replace(dampers=[(C, "power:1,0.3")]), h=0.01)
+    assert abs(loose.x - s.x).max() < 1e-12  # the same by a damper: other sums
+    row = fvi.solve(q.replace(dampers=[([0, -1, 1, 0, 0], "zener:2,0.3,0.1"), (np.eye(N), "viscous:0.1")]), h=0.01)
+    one = np.array([[0, -1.0, 1, 0, 0]])
+    same = fvi.solve(q.replace(dampers=[(one.T @ one, "zener:2,0.3,0.1"), (np.eye(N), "viscous:0.1")]), h=0.01)
+    assert abs(row.x - same.x).max() < 1e-12
+
+
+def test_matrices_of_scipy_are_taken():
+    sparse = pytest.importorskip("scipy.sparse")
+    dense = fvi.Problem(M=np.eye(N), K=K, C=C, alpha=0.3, x0=[1, 0, 0, 0, 0], time=2)
+    for kind in (sparse.csc_matrix, sparse.csr_matrix, sparse.coo_matrix, sparse.lil_matrix):
+        q = dense.replace(M=kind(np.eye(N)), K=kind(K), C=kind(C))
+        assert np.array_equal(fvi.solve(q, h=0.01).x, fvi.solve(dense, h=0.01).x) and q == dense
+    big = sparse.diags([-np.ones(1999), 2 * np.ones(2000), -np.ones(1999)], [-1, 0, 1])
+    frame = sparse.kron(sparse.identity(20), big) + sparse.kron(sparse.diags([1.0] * 19, 1) + sparse.diags([1.0] * 19, -1),
+                                                                 -0.1 * sparse.identity(2000))
+    s = fvi.solve(fvi.Problem(M=sparse.identity(40000), K=frame, C=0.1 * sparse.identity(40000),
+                              alpha=0.3, x0=1, time=1), h=0.1)
+    assert np.isfinite(s.x).all()  # factors of CHOLMOD
+
+
+def test_a_structure_has_a_gradient():
+    wx, wp, we = (np.random.default_rng(i).standard_normal((41, N)[:2 if i < 2 else 1]) for i in range(3))
+    q = fvi.Problem(M=np.diag([1.0, 2, 1, 1, 1]), K=K, C=C, alpha=0.3, x0=[1, 0, 0, 0, 1], p0=[0, 1, 0, 0, 0], time=2)
+
+    def loss(s):
+        return ((wx * s.x).sum() + (wp * s.p).sum() + we @ s.energy, {"x": wx, "p": wp, "energy": we})
+    g = fvi.gradient(q, loss, h=0.05)[1]
+    for name, A in (("M", np.diag([1.0, 2, 1, 1, 1])), ("K", K), ("C", C)):
+        far = [loss(fvi.solve(q.replace(**{name: (1 + k * 1e-3) * A}), h=0.05))[0] for k in (-2, -1, 1, 2)]
+        want = (8 * (far[2] - far[1]) - far[3] + far[0]) / 12e-3
+        assert abs(g[name] - want) < 1e-7 * max(1, abs(want))
+    far = [loss(fvi.solve(q.replace(alpha=0.3 + k * 1e-3), h=0.05))[0] for k in (-2, -1, 1, 2)]
+    assert abs(g["alpha"] - (8 * (far[2] - far[1]) - far[3] + far[0]) / 12e-3) < 1e-7 * abs(g["alpha"])
+    with pytest.raises(fvi.Error) as caught:
+        fvi.vjp(fvi.solve(fvi.Problem(lagrangian="v^2/2 - x^2/2", x0=1, v0=0), h=0.1), x=1, wrt=["x0"])
+    assert caught.value.code == 23
+
+
+# ---- by frequency ----
+
+def test_responses_are_the_programs(tmp_path):
+    q = fvi.Problem(M=np.eye(N), K=K, C=C, alpha=0.3)
+    words = folder(tmp_path, M=np.eye(N), K=K, C=C) + ["--alpha", "0.3"]
+    omega = [1, 7.3, 20]
+    for of in ("receptance", "mobility", "accelerance", "ground"):
+        H = fvi.response(q, omega, of, at=5, by=4)
+        by = [] if of == "ground" else ["--by", "4"]
+        rows = program("response", *words, "--omega", "1,7.3,20", "--of", of, "--at", "5", *by)
+        assert abs(H - rows[:, 1] - 1j * rows[:, 2]).max() <= 1e-12 * abs(H).max()
+    assert abs(fvi.response(q, 7.3, at=5, by=5) - (0.0105922000152764 - 0.002537954736649039j)) < 1e-14
+    assert fvi.response(q, [[1, 2]], hertz=True).shape == (1, 2)
+    assert fvi.response(q, 1 / (2 * np.pi), hertz=True) == pytest.approx(fvi.response(q, 1))
+    found, rows = fvi.poles(q), program("poles", *words)
+    assert found.expected == 5 and abs(found.pole - rows[:, 0] - 1j * rows[:, 1]).max() < 1e-12
+    assert abs(found.frequency - rows[:, 2]).max() < 1e-12 and abs(found.damping - rows[:, 3]).max() < 1e-12
+    assert found.shape.shape == (5, 5) and found.residual.max() < 1e-14
+    assert fvi.poles(q, 2).pole.tolist() == pytest.approx(found.pole[:2].tolist())
+
+
+def test_a_pendulum_swings_about_a_place():
+    """omega^2 = g cos(0) and g cos(1): undamped, to 1e-14."""
+    q = fvi.Problem("pendulum:4", rho=0, x0=1)
+    assert fvi.poles(q, about=0).pole[0] == pytest.approx(2j, abs=1e-14)
+    assert fvi.poles(q).pole[0] == pytest.approx(2j * np.sqrt(np.cos(1)), abs=1e-14)
+    assert fvi.response(q, 1, about=0) == pytest.approx(1 / 3)
+
+
+def test_moduli_are_those_of_the_law():
+    """R (i w)^(2a) / (1 + T (i w)^(2a)), the definition."""
+    w = np.array([0.01, 1, 100])
+    s = (1j * w)**0.5
+    assert abs(fvi.moduli("zener:3,0.25,1.5", w) - 3 * s / (1 + 1.5 * s)).max() < 1e-14
+    assert abs(fvi.moduli("symbol:k*s^0.5", 4.0, {"k": 2}) - 2 * np.sqrt(4j)) < 1e-14
+
+
+def test_stability_is_that_of_the_chapter():
+    """W/4 = h^2 c/(4 m) of kappa = 1 without damping: 1 at h = 2."""
+    q = fvi.Problem(rho=0)
+    found = fvi.stability(q, 1.0, "fvi", kappa=1)
+    assert found.number == pytest.approx(0.25) and found.longest == pytest.approx(2, rel=1e-12)
+    assert fvi.stability(q, 1.0, "fvi-stable").number == 0
+    with pytest.raises(fvi.Error):
+        fvi.stability(q, 1.0, "fvi-adaptive")
+    with pytest.raises(ValueError, match="^h: 0"):
+        fvi.stability(q, 0)
+
+
+def test_the_least_force_ends_there():
+    q = fvi.Problem(alpha=0.3, time=5)
+    found = fvi.control(q, 0.5, -0.2, steps=100)
+    assert found.miss < 1e-12 and found.force.shape == (101, 1) and found.iterations <= 2
+    s = fvi.solve(q.replace(force=(found.t, found.force)), steps=100, method="fvi-bdf2")
+    assert abs(s.x[-1, 0] - 0.5) < 1e-12 and abs(s.p[-1, 0] + 0.2) < 1e-12
+    assert found.cost == pytest.approx(0.025 * (found.force**2).sum())
+
+
+# ---- wrong ----
+
+@pytest.mark.parametrize("call, what, why", [
+    (lambda: fvi.Problem(lagrangian="v^2/2", x0=1), ValueError, "^lagrangian: a start is missing"),
+    (lambda: fvi.Problem(lagrangian="v^2/2", x0=1, v0=0, mass=2), ValueError, "^lagrangian: not together with mass"),
+    (lambda: fvi.Problem(lagrangian=3, x0=1, v0=0), TypeError, "^lagrangian: 3"),
+    (lambda: fvi.Problem(dampers=["x : viscous:1"], rho=1), ValueError, "^dampers: not together with rho"),
+    (lambda: fvi.Problem(dampers=[3]), TypeError, "^dampers: 3"), (lambda: fvi.Problem(M=np.eye(2)), ValueError, "^M: M and K"),
+    (lambda: fvi.Problem(M=np.eye(2), K=np.eye(2), C=np.eye(2), dampers=[(np.eye(2), "viscous:1")]), ValueError, "^M: "),
+    (lambda: fvi.Problem(M=np.eye(2), K=np.ones(3)), ValueError, r"^K: the shape \(3,\)"),
+    (lambda: fvi.Problem(M=np.eye(2), K=np.eye(2), dampers=["viscous:1"]), TypeError, "^dampers: 'viscous:1'"),
+    (lambda: fvi.solve(fvi.Problem(M=np.eye(2), K=np.eye(3)), h=0.1), fvi.Error, "size"),
+    (lambda: fvi.solve(fvi.Problem(M=np.eye(2), K=np.array([[1, 2], [0, 1.0]])), h=0.1), fvi.Error, "^K: .*symmetric"),
+    (lambda: fvi.solve(fvi.Problem(M=-np.eye(2), K=np.eye(2)), h=0.1), fvi.Error, "^M: "),
+    (lambda: fvi.solve(fvi.Problem(dampers=["x : viscos:1"]), h=0.1), ValueError, "^damper: .*did you mean viscous"),
+    (lambda: fvi.solve(fvi.Problem(dampers=["x : viscous:1"]), error=1e-3), ValueError, "^error: not of a Lagrangian"),
+    (lambda: fvi.solve(fvi.Problem(dampers=["x : viscous:1"]), method="fvi-adaptive"), fvi.Error, ""),
+    (lambda: fvi.response(fvi.Problem(), 0.0), fvi.Error, ""), (lambda: fvi.response(fvi.Problem(), 1, at=2), ValueError, "^at: 2"),
+    (lambda: fvi.response(fvi.Problem(), 1, "recptance"), ValueError, "^of: 'recptance'"),
+    (lambda: fvi.poles(fvi.Problem(), 2), fvi.Error, ""), (lambda: fvi.moduli("zener:1", 1), ValueError, "^damping"),
+])
+def test_a_wrong_argument_is_named(call, what, why):
+    with pytest.raises(what, match=why):
+        call()
+
+
+def test_the_program_comes_along():
+    own = subprocess.run([sys.executable, "-m", "fvi", "run", "--steps", "3"], check=True, capture_output=True, text=True)
+    assert own.stdout == subprocess.run([PROGRAM, "run", "--steps", "3"], capture_output=True, text=True).stdout
+    bad = subprocess.run([sys.executable, "-m", "fvi", "run", "--alhpa", "1"], capture_output=True, text=True)
+    assert bad.returncode == 2 and "alpha" in bad.stderr
+
+
+def test_the_libraries_of_the_wheel_are_its_own():
+    with open("/proc/self/maps") as maps:
+        loaded = {line.split()[-1] for line in maps if "/libcholmod" in line or "/libumfpack" in line}
+    here = os.path.dirname(os.path.realpath(fvi.__file__))
+    assert {os.path.dirname(path) for path in loaded} == {here}
