@@ -22,22 +22,29 @@ if not (HERE / "libfvi.a").exists():
 THOSE_OF_EVERY_SYSTEM = re.compile(r"linux-vdso|ld-linux|lib(c|m|dl|rt|pthread|gcc_s)[.]so")
 
 
-def bring(path):
-    """A shared object, copied into the package under the name that is asked for."""
-    text = subprocess.run(["objdump", "-p", path], check=True, capture_output=True, text=True).stdout
-    shutil.copy(path, HERE / "fvi" / re.search(r"SONAME\s+(\S+)", text)[1])
+LIBRARIES = pathlib.Path(subprocess.run(["pkg-config", "--variable=libdir", "gsl"], check=True,
+                                        capture_output=True, text=True).stdout.split()[0])
+
+
+def bring(name, done):
+    """A shared object and what it needs, copied into the package under the names that are asked for."""
+    if name in done or THOSE_OF_EVERY_SYSTEM.match(name):
+        return
+    done.add(name)
+    text = subprocess.run(["objdump", "-p", LIBRARIES / name], check=True, capture_output=True, text=True).stdout
+    shutil.copy((LIBRARIES / name).resolve(), HERE / "fvi" / re.search(r"SONAME\s+(\S+)", text)[1])
+    for other in re.findall(r"NEEDED\s+(\S+)", text):
+        bring(other, done)
 
 
 def bring_libraries():
-    """GSL, and what factorises sparse matrices for the program: SuiteSparse and what that needs."""
-    folder = subprocess.run(["pkg-config", "--variable=libdir", "gsl"], check=True,
-                            capture_output=True, text=True).stdout.split()[0]
-    for stem in ("libgsl", "libgslcblas"):
-        bring((pathlib.Path(folder) / f"{stem}.so").resolve())
-    wanted = subprocess.run(["ldd", HERE / "fvi" / "program"], check=True, capture_output=True, text=True).stdout
-    for name, path in re.findall(r"(\S+) => (/\S+)", wanted):
-        if not THOSE_OF_EVERY_SYSTEM.match(name):
-            bring(pathlib.Path(path).resolve())
+    """GSL, and what factorises sparse matrices: SuiteSparse and what that needs."""
+    done = set()
+    for path in (LIBRARIES / "libgsl.so", LIBRARIES / "libgslcblas.so"):
+        bring(path.resolve().name, done)
+    text = subprocess.run(["objdump", "-p", HERE / "fvi" / "program"], check=True, capture_output=True, text=True).stdout
+    for name in re.findall(r"NEEDED\s+(\S+)", text):
+        bring(name, done)
 
 
 version = re.search(r'FVI_VERSION "(.*)"', (HERE / "include" / "fvi" / "version.h").read_text())[1]

@@ -345,24 +345,27 @@ START_TEST(outputs_are_written_not_added_to)
         oscillator(&one, &rho, fvi_potential_harmonic(&one));
     fvi_run run = fvi_run_default(&system, &one, &one, 0.1, N);
     const fvi_objective J = { .slopes = to_sine, .params = &run };
-    slopes *s = slopes_of(&run, N + 1), *again = slopes_of(&run, N + 1);
-    for (size_t i = 0; i < NUMBERS; i++)
-        again->all[i] = 7;
-    for (size_t k = 0; k <= N; k++)
-        again->force[k] = 7;
-    ck_assert_int_eq(fvi_adjoint(&fvi_cq2_shifted, &run, NULL, NULL, &J, &s->to),
-                     FVI_SUCCESS);
-    ck_assert_int_eq(
-        fvi_adjoint(&fvi_cq2_shifted, &run, NULL, NULL, &J, &again->to),
-        FVI_SUCCESS);
-    ck_assert(*s->to.x0 == *again->to.x0 && *s->to.p0 == *again->to.p0
-              && *s->to.mass == *again->to.mass
-              && *s->to.damping == *again->to.damping
-              && *s->to.alpha == *again->to.alpha
-              && *s->to.parameters == *again->to.parameters);
-    ck_assert_int_eq(memcmp(s->force, again->force, (N + 1) * sizeof one), 0);
-    slopes_free(s);
-    slopes_free(again);
+    static const fvi_method *const both[] = { &fvi_cq2_shifted, &fvi_lobatto_m3 };
+    for (size_t m = 0; m < LEN(both); m++) {
+        slopes *s = slopes_of(&run, 2 * N + 1), *again = slopes_of(&run, 2 * N + 1);
+        for (size_t i = 0; i < NUMBERS; i++)
+            again->all[i] = 7;
+        for (size_t k = 0; k <= 2 * N; k++)
+            again->force[k] = 7;
+        ck_assert_int_eq(fvi_adjoint(both[m], &run, NULL, NULL, &J, &s->to),
+                         FVI_SUCCESS);
+        ck_assert_int_eq(
+            fvi_adjoint(both[m], &run, NULL, NULL, &J, &again->to),
+            FVI_SUCCESS);
+        ck_assert(*s->to.x0 == *again->to.x0 && *s->to.p0 == *again->to.p0
+                  && *s->to.mass == *again->to.mass
+                  && *s->to.damping == *again->to.damping
+                  && *s->to.alpha == *again->to.alpha
+                  && *s->to.parameters == *again->to.parameters);
+        ck_assert_int_eq(memcmp(s->force, again->force, ((m ? 2u : 1u) * N + 1) * sizeof one), 0);
+        slopes_free(s);
+        slopes_free(again);
+    }
 }
 END_TEST
 

@@ -223,6 +223,71 @@ START_TEST(eq_23_27_two_methods_have_the_same_derivatives_by_momenta)
 }
 END_TEST
 
+/* sum_k a_k . p_k, k < N, of a run on its mesh. */
+static double momenta_of(chain *c)
+{
+    static double x[(N + 1) * D], p[(N + 1) * D];
+    double J = 0;
+    run_of(c, x, p);
+    for (size_t k = 0; k < N; k++)
+        for (size_t i = 0; i < D; i++)
+            J += cos((double)(3 * k + 5 * i + 1)) / 8 * p[k * D + i];
+    return J;
+}
+
+static int momenta_alone(size_t k, size_t d, const double *x, const double *p,
+                         void *params, double *Jx, double *Jp)
+{
+    (void)x, (void)p, (void)params, (void)Jx;
+    for (size_t i = 0; k < N && i < d; i++)
+        Jp[i] += cos((double)(3 * k + 5 * i + 1)) / 8;
+    return 0;
+}
+
+static double quotient_of_momenta(chain *c, double *number)
+{
+    const double was = *number, step = 1e-3;
+    double J[2];
+    for (size_t i = 0; i < 2; i++) {
+        *number = was + (i ? step : -step);
+        J[i] = momenta_of(c);
+    }
+    *number = was;
+    return (J[1] - J[0]) / (2 * step);
+}
+
+/* Rows within the first steps, where the past pulls: 40 of them to t = 0.08. Quotients of order 2,
+ * in so short a time nearly lines. Seen: 3e-9. */
+START_TEST(eq_23_27_rows_where_the_past_pulls)
+{
+    static const double alphas[] = { 0.15, 0.4, 0.6, 0.85 };
+    for (size_t i = 0; i < LEN(alphas); i++) {
+        chain c;
+        chain_at(&c,
+                 alphas[i] < 0.5 ? FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+                                 : FVI_INITIAL_HISTORY_HELD,
+                 alphas[i], 0.5, 1);
+        c.run.h = 1. / 512;
+        slopes *s = slopes_of(&c.run, N + 1);
+        const fvi_objective J = { .slopes = momenta_alone, .has_momenta = 1 };
+        s->to.alpha = NULL;
+        ck_assert_int_eq(
+            fvi_adjoint(&fvi_variable_step, &c.run, NULL, NULL, &J, &s->to), 0);
+        for (size_t j = 0; j < D; j++) {
+            double *const numbers[] = { &c.p0[j], &c.mass[j], &c.rho[j], &c.x0[j] };
+            const double got[] = { s->to.p0[j], s->to.mass[j], s->to.damping[j],
+                                   s->to.x0[j] };
+            for (size_t n = 0; n < LEN(numbers); n++)
+                if (!isnan(got[n]) && *numbers[n] > 0) /* rho may not be negative */
+                    ck_assert_near(got[n], quotient_of_momenta(&c, numbers[n]), 1e-7,
+                                   "past %d alpha=%g, number %zu of %zu",
+                                   (int)c.run.past, c.run.alpha, n, j);
+        }
+        slopes_free(s);
+    }
+}
+END_TEST
+
 /* J = x_N,1 + 0.3 p_N,3 */
 static int end_of_chain(size_t k, size_t d, const double *x, const double *p,
                         void *params, double *Jx, double *Jp)
@@ -383,6 +448,7 @@ int main(void)
              eq_23_16_a_factor_of_all_forces_changes_no_position,
              eq_23_16_two_methods_have_the_same_derivatives,
              eq_23_27_two_methods_have_the_same_derivatives_by_momenta,
+             eq_23_27_rows_where_the_past_pulls,
              eq_23_16_a_law_has_its_derivatives_on_a_mesh,
              eq_23_16_impulses_are_divided_by_the_mass);
     ADD_CASE(suite, "errors", a_mesh_refuses_what_it_has_no_derivative_of);
