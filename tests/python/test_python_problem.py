@@ -107,7 +107,7 @@ def test_a_problem_is_data():
     assert kept.x0[0] == 1
     assert DUFFING.replace(order=0.5).alpha is None and DUFFING.replace(v0=1).p0 is None
     assert DUFFING.replace(damping="zener:1,0.3,2").rho is None
-    assert repr(DUFFING) == "Problem(potential='duffing:1,0.5', rho=0.4, alpha=0.3, p0=0.5)"
+    assert repr(DUFFING) == "Problem(potential='duffing:1,0.5', rho=0.4, alpha=0.3, x0=1.0, p0=0.5)"
 
 
 def test_a_solution_pickles():
