@@ -1,8 +1,11 @@
 /* src/python/glue.h -- What the Python package has of C besides the library. */
 #include <fvi/fvi.h>
 #include <fvi/lobatto.h>
+#include <fvi/observer.h>
+#include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 static int look_up(void);
 static int report_progress(size_t rows, size_t all, void *tell);
@@ -73,6 +76,39 @@ static int energies(const fvi_system *system, size_t rows, const double *t, cons
     for (*done = 0; *done < rows && !status; *done += !status)
         status = fvi_energy_at(system, t[*done], x + *done * d, p + *done * d, energy + *done);
     return status;
+}
+/* What an observer says at the rows; *done of them stand. `width`: of the forces of all dampers. */
+typedef struct {
+    double *a, *force, *impulse, *work, *work_of_force, *balance;
+} observed;
+static int observe(fvi_observer *o, fvi_stepper *s, size_t rows, const double *t, size_t width, const observed *to,
+                   size_t *done)
+{
+    const size_t d = s->run.system->d, dampers = fvi_observer_dampers(o);
+    const int is_dense = s->method->dense != NULL;
+    fvi_observation now;
+    int status = 0;
+    for (*done = 0; *done < rows && !status; *done += !status) {
+        const size_t k = *done, node = (size_t)round(t[k] / s->run.h);
+        while (!status && (is_dense ? s->t < t[k] : s->k < node))
+            status = fvi_observer_step(o, s);
+        if (!status)
+            status = fvi_observer_read(o, s, is_dense ? t[k] : s->t, &now);
+        if (status)
+            break;
+        memcpy(to->a + k * d, now.a, d * sizeof *to->a);
+        memcpy(to->force + k * width, now.force, width * sizeof *to->force);
+        memcpy(to->impulse + k * width, now.impulse, width * sizeof *to->impulse);
+        memcpy(to->work + k * dampers, now.work, dampers * sizeof *to->work);
+        to->work_of_force[k] = now.work_of_force;
+        to->balance[k] = now.balance;
+    }
+    return status;
+}
+/* NULL: it has none. */
+static const char *damper_name(const fvi_system *system, size_t j)
+{
+    return system->mechanism ? system->mechanism->damper[j].name : NULL;
 }
 /* The velocities of each row; of a coordinate without inertia NaN. */
 static int velocities(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p,

@@ -284,6 +284,17 @@ void listen(unsigned long thread);
 void begin(void);
 typedef struct { size_t rows, all; void *tell; ...; } row_count;
 int count_row(size_t k, double t, const double *x, const double *p, void *params);
+typedef struct fvi_observer fvi_observer;
+enum { FVI_OBSERVE_VELOCITY = 1, FVI_OBSERVE_ACCELERATION = 2, FVI_OBSERVE_FORCE = 4, FVI_OBSERVE_IMPULSE = 8,
+       FVI_OBSERVE_WORK = 16, FVI_OBSERVE_ENERGY = 32, FVI_OBSERVE_APPLIED = 64 };
+int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **o, fvi_error *error);
+size_t fvi_observer_dampers(const fvi_observer *o);
+size_t fvi_observer_width(const fvi_observer *o, size_t j);
+void fvi_observer_free(fvi_observer *o);
+typedef struct { double *a, *force, *impulse, *work, *work_of_force, *balance; } observed;
+int observe(fvi_observer *o, fvi_stepper *s, size_t rows, const double *t, size_t width, const observed *to,
+            size_t *done);
+const char *damper_name(const fvi_system *system, size_t j);
 int energies(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p, double *energy,
              size_t *done);
 int velocities(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p, double *v);

@@ -84,7 +84,7 @@ def test_a_fit_warns_as_the_program_does(tmp_path):
         options["alpha"] = float(options.get("alpha", 0.5))
         assert said(fvi.fit, t, data, U, which=which, **options) == expected
         seen += "\n".join(expected)
-    for part in ("hardly tell", "neighbouring residuals", "half the step", "no solution"):
+    for part in ("hardly tell", "neighbouring residuals", "half of it moved", "no solution"):
         assert part in seen
 
 

@@ -322,3 +322,30 @@ def test_each_field_is_explained():
         words = set(re.findall(r"\w+", function.__doc__))
         names = [n for n, p in inspect.signature(function).parameters.items() if p.kind != p.VAR_KEYWORD]
         assert not [n for n in names if n not in words]
+
+
+# ---- what an observer says ----
+
+@pytest.mark.parametrize("options, words", [
+    (dict(h=0.1, method="fvi-lobatto4"), ["--method", "fvi-lobatto4"]), (dict(h=0.1, method="fvi-stable"), ["--method", "fvi-stable"]),
+    (dict(), ["--method", "fvi-adaptive"])])
+def test_accelerations_forces_and_work_are_the_programs(options, words):
+    q = DUFFING.replace(force="cosine:0.3,1.2")
+    s = fvi.solve(q, **options)
+    rows = program(*WORDS, *words, "--force", "cosine:0.3,1.2", "--columns",
+                   "t,v,a,d1.force,d1.impulse,d1.work,work,balance")
+    got = np.column_stack([s.t, s.v, s.a, s.forces["d1"], s.impulses["d1"], s.work["d1"], s.work["d1"], s.balance])
+    assert np.array_equal(got, rows)
+    again = pickle.loads(pickle.dumps(s))
+    assert np.array_equal(again.a, s.a)
+    bare = fvi.solve(q, [1, 5, 20], **options)
+    at = [10, 50, 200]
+    assert abs(bare.forces["d1"] - s.forces["d1"][at]).max() <= 1e-12 and abs(bare.work["d1"] - s.work["d1"][at]).max() <= 1e-12
+
+
+def test_the_equation_of_motion_holds():
+    """a = F - U' - force, as it is made: two roundings."""
+    s = fvi.solve(DUFFING.replace(force="cosine:0.3,1.2"), error=1e-4, method="fvi-bdf2")
+    left = 0.3 * np.cos(1.2 * s.t) - s.x[:, 0] - 0.5 * s.x[:, 0]**3 - s.forces["d1"][:, 0] - s.a[:, 0]
+    assert abs(left[1:]).max() < 1e-14
+    assert abs(s.balance - s.energy[0]).max() < 1e-4

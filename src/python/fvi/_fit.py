@@ -40,11 +40,11 @@ def warn_of(question: Any, f: Any, e: Any, names: list) -> None:
     for i, name in enumerate(names):
         for j, other in enumerate(names[:i]):
             ask_for_warning(lib.fvi_estimate_warning_of_pair, f, j, i, other.encode(), name.encode())
+    for which in range(2):
+        ask_for_warning(lib.fvi_estimate_warning_of_unseen, question, f, e, which, spelt_out)
     past = lib.fvi_estimate_warning_of_initial_history(question, f)
     if past != ffi.NULL:
         warn(text_of(past))
-    for which in range(2):
-        ask_for_warning(lib.fvi_estimate_warning_of_unseen, question, f, e, which, spelt_out)
     for flag in range(e.flags.bit_length()):
         ask_for_warning(lib.fvi_estimate_flag_text, question, f, e, 1 << flag, spelt_out)
 

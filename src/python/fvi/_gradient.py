@@ -10,7 +10,7 @@ from ._fvi import ffi, lib
 from ._library import ask, failure, succeed
 from ._problem import Problem
 from ._solution import Solution
-from ._solve import Motion, solve
+from ._solve import Motion, as_run, solve
 from ._system import by_term, numbers_of_law
 
 ALL = ("x0", "p0", "v0", "mass", "rho", "alpha", "order", "potential", "let", "damping", "force", "M", "K", "C")
@@ -36,13 +36,9 @@ class Mirror:
         self.is_dense = bool(lib.is_dense(self.method))
         if s.status:
             raise ValueError("solution: it ended early; it has no gradient")
-        if self.is_dense:
-            if how.error is not None:  # rows are those of a run ten times as fine, at least
-                run.step_error = how.error / 10
-            if how.t_eval is not None:
-                run.steps = steps_of_rows(s.t, s.problem.time)
-        elif how.error is not None:
-            run.steps = round(s.problem.time / s.step)
+        as_run(self.motion, s)
+        if self.is_dense and how.t_eval is not None:
+            run.steps = steps_of_rows(s.t, s.problem.time)
         run.h = s.problem.time / run.steps if how.h is None else how.h
         self.rows = np.round(s.t / run.h).astype(int)
         self.d, self.steps = self.motion.system.d, run.steps

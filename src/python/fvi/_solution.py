@@ -16,7 +16,12 @@ class Solution:
 
     t           n times
     x, p, v     positions, momenta and velocities, (n, d)
-    energy      p^2/(2m) + U(x), n numbers
+    energy      p^2/(2m) + U(x), or v L_v - L, n numbers
+    a           accelerations, (n, d)
+    forces      of each damper, a dict by its name, "d1", ... if it has none: (n, its number of forces)
+    impulses    their integrals, likewise
+    work        what each damper has taken, a dict by names of n numbers, and "force" what the force has given
+    balance     energy + work of the dampers - work of the force: that of the start
     status      0; or the code with which the run ended, of the rows of an Error
     message     in words
     steps       how many steps were taken, None of a run that failed
@@ -37,6 +42,7 @@ class Solution:
         self._motion: Any = None
         self._energy: Optional[Array] = None
         self._v: Optional[Array] = None
+        self._observed: Optional[dict] = None
 
     def __getstate__(self) -> dict:
         return {**self.__dict__, "_motion": None}
@@ -77,6 +83,34 @@ class Solution:
                         ffi.from_buffer("double[]", energy), done), f" (energy of row {done[0]})")
             self._energy = energy
         return self._energy
+
+    @property
+    def observed(self) -> dict:
+        """What an observer that goes along says (fvi/observer.h): the motion is run again for it."""
+        if self._observed is None:
+            from ._solve import observe
+            self._observed = observe(self)
+        return self._observed
+
+    @property
+    def a(self) -> Array:
+        return self.observed["a"]
+
+    @property
+    def forces(self) -> dict:
+        return self.observed["forces"]
+
+    @property
+    def impulses(self) -> dict:
+        return self.observed["impulses"]
+
+    @property
+    def work(self) -> dict:
+        return self.observed["work"]
+
+    @property
+    def balance(self) -> Array:
+        return self.observed["balance"]
 
     def __call__(self, t: Numbers) -> Array:
         times = numbers("t", t)

@@ -13,7 +13,7 @@ import numpy as np
 
 from ._arguments import Array, Numbers, choice, described, number, numbers, spelt, whole, word
 from ._fvi import ffi, lib
-from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, warn_of_start
+from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, warn_of_start
 from ._mechanism import Mechanism, Structure, own_law
 from ._problem import Problem
 from ._run import MEMORIES, PASTS, length, methods
@@ -232,6 +232,51 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
     """
     return solved(problem, chosen(problem, t_eval, error, method, h, steps, kappa, step_error, longest, most_steps,
                                   memory, tolerance), progress)
+
+
+def as_run(motion: Motion, s: Solution) -> Any:
+    """The run whose steps a solution has. Where an error was asked of "fvi-adaptive" its rows are those of a run with
+    a tenth of it as the tolerance of a step, or less."""
+    run, how = motion.run, s.how
+    if lib.is_dense(motion.method):
+        if how.error is not None:
+            run.step_error = how.error / 10
+    elif how.error is not None and s.step:
+        run.steps = round(s.problem.time / s.step)
+        run.h = s.problem.time / run.steps
+    return run
+
+
+def observe(s: Solution) -> dict:
+    motion = Motion(s.problem, s.how)
+    run, d, n = as_run(motion, s), motion.system.d, len(s.t)
+    out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
+    status = ask(lib.fvi_stepper_start, motion.method, run, out, error)
+    if status:
+        raise error_of(error, status)
+    stepper = ffi.gc(out[0], lib.fvi_stepper_free)
+    wanted = (lib.FVI_OBSERVE_ACCELERATION | lib.FVI_OBSERVE_FORCE | lib.FVI_OBSERVE_IMPULSE | lib.FVI_OBSERVE_WORK)
+    made = ffi.new("fvi_observer **")
+    status = ask(lib.fvi_observer_start, stepper, wanted, made, error)
+    if status:
+        raise error_of(error, status) if error.code == status else failure(status)
+    observer = ffi.gc(made[0], lib.fvi_observer_free)
+    widths = [lib.fvi_observer_width(observer, j) for j in range(lib.fvi_observer_dampers(observer))]
+    told = [lib.damper_name(motion.system.system, j) for j in range(len(widths))]
+    names = [f"d{j + 1}" if name == ffi.NULL else text_of(name) for j, name in enumerate(told)]
+    rooms = {name: np.empty((n, size)) for name, size in (
+        ("a", d), ("force", sum(widths)), ("impulse", sum(widths)), ("work", len(widths)), ("work_of_force", 1),
+        ("balance", 1))}
+    to = ffi.new("observed *", {name: ffi.cast("double *", room.ctypes.data) for name, room in rooms.items()})
+    done = ffi.new("size_t *")
+    succeed(ask(lib.observe, observer, stepper, n, ffi.from_buffer("double[]", np.ascontiguousarray(s.t)), sum(widths),
+                to, done), f" (row {done[0]})")
+    cuts = np.cumsum(widths)[:-1]
+    return {"a": rooms["a"], "balance": rooms["balance"][:, 0],
+            "forces": dict(zip(names, np.split(rooms["force"], cuts, axis=1))),
+            "impulses": dict(zip(names, np.split(rooms["impulse"], cuts, axis=1))),
+            "work": {**{name: rooms["work"][:, j] for j, name in enumerate(names)},
+                     "force": rooms["work_of_force"][:, 0]}}
 
 
 @spelt(solve)
