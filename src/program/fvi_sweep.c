@@ -38,6 +38,7 @@ typedef struct {
     _Atomic size_t next;
     double *rows; /* width numbers each */
     verdict *verdicts;
+    size_t *first; /* row of each run; behind the last how many there are */
     size_t width, count;
     void *map;
     size_t bytes;
@@ -45,7 +46,7 @@ typedef struct {
 
 /* ---- one run ---- */
 
-/* All steps of o->h; the numbers of the last row stand behind those of row 0. */
+/* All steps of o->h, and the rows that o->every asks for. */
 static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     fvi_stepper *s;
@@ -57,12 +58,15 @@ static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
     v.status = v.unstable < 0 ? FVI_ENOMEM : fvi_run_observe(t, s);
     if (!v.status)
         v.status = fvi_run_row(t, s, 0);
-    while (!v.status && s->k < o->steps) {
-        v.step = s->k + 1;
-        v.status = fvi_run_step(t, s);
+    for (size_t k = 0, next = fvi_table_next(t, 0); !v.status && k < o->steps;) {
+        if (s->k < next) {
+            v.step = s->k + 1;
+            v.status = fvi_run_step(t, s);
+            continue;
+        }
+        v.status = fvi_run_row(t, s, k = next);
+        next = k < o->steps ? fvi_table_next(t, k) : k;
     }
-    if (!v.status)
-        v.status = fvi_run_row(t, s, o->steps);
     if (!v.status && fvi_reductions_count(o->typed) > 0)
         fvi_run_reduced(t, t->rows + t->width);
     fvi_observer_free(t->observer);
@@ -73,41 +77,62 @@ static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
 /* As many steps as the wanted error needs. */
 static verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
-    const size_t last = o->steps * o->d;
-    double *x = malloc(2 * (last + o->d) * sizeof *x),
-           *p = x ? x + last + o->d : NULL;
+    const size_t d = o->d, size = (o->steps + 1) * d;
+    double *x = malloc(2 * size * sizeof *x), *p = x ? x + size : NULL;
     fvi_report found;
     verdict v = { .status = FVI_ENOMEM };
     if (x)
         v.status = fvi_run_search(o, o->method, r, x, p, &found);
     if (!v.status)
         v.status = fvi_run_state_row(t, 0, x, p);
-    if (!v.status)
-        v.status = fvi_run_state_row(t, o->steps, x + last, p + last);
+    for (size_t k = 0; k < o->steps && !v.status;) {
+        k = fvi_table_next(t, k);
+        v.status = fvi_run_state_row(t, k, x + k * d, p + k * d);
+    }
     free(x);
     return v;
 }
 
-/* Run number i into its row: the values of the grid, then the columns of step N. */
-static verdict one_run(const sweep_grid *g, size_t i, double *row)
+/* How many rows a run gives. */
+static size_t rows_of_run(const sweep_grid *g, const fvi_options *o)
+{
+    return g->has_rows ? o->steps / o->every + 1 + (o->steps % o->every != 0)
+                       : 1;
+}
+
+/* The table of a run that keeps its rows: all, or the first and the last. */
+static verdict run_table(const sweep_grid *g, fvi_options *o, fvi_table *t)
+{
+    const fvi_system system = fvi_options_system(o);
+    const fvi_run r = fvi_options_run(o, &system);
+    verdict v = { .status = FVI_ENOMEM };
+    if (!g->has_rows)
+        o->every = o->steps;
+    fvi_table_shape(t, o, &system);
+    t->wait = 1;
+    t->height = g->has_rows ? rows_of_run(g, o) : 2;
+    if ((t->rows = fvi_table_room(t, 0)))
+        v = (o->error > 0 ? by_error : by_steps)(o, &r, t);
+    return v;
+}
+
+/* Run number i into its rows: the values of the grid, then the columns; of the last step where one row
+ * is asked for. */
+static verdict one_run(const sweep_grid *g, size_t i, double *rows)
 {
     fvi_options o;
-    verdict v = { .status = FVI_ENOMEM };
-    if (sweep_grid_options(g, i, &o, NULL))
-        return v; /* it was understood before */
-    const fvi_system system = fvi_options_system(&o);
-    const fvi_run r = fvi_options_run(&o, &system);
     fvi_table t;
-    o.every = o.steps;
-    fvi_table_shape(&t, &o, &system);
-    t.wait = 1; /* keep the rows: the first, and the last */
-    t.height = 2;
-    if ((t.rows = fvi_table_room(&t, 0)))
-        v = (o.error > 0 ? by_error : by_steps)(&o, &r, &t);
-    for (size_t n = 0; n < g->count; n++)
-        row[n] = sweep_grid_value(g, i, n);
-    if (!v.status)
-        memcpy(row + g->count, t.rows + t.width, t.width * sizeof *row);
+    if (sweep_grid_options(g, i, &o, NULL))
+        return (verdict){ .status = FVI_ENOMEM }; /* it was understood before */
+    const size_t count = rows_of_run(g, &o);
+    const verdict v = run_table(g, &o, &t);
+    const size_t width = g->count + t.width, skipped = t.height - count;
+    for (size_t k = 0; k < count && !v.status; k++) {
+        for (size_t n = 0; n < g->count; n++)
+            rows[k * width + n] = sweep_grid_value(g, i, n);
+        memcpy(rows + k * width + g->count, t.rows + (k + skipped) * t.width,
+               t.width * sizeof *rows);
+    }
     free(t.rows);
     fvi_options_free(&o);
     return v;
@@ -115,14 +140,16 @@ static verdict one_run(const sweep_grid *g, size_t i, double *row)
 
 /* ---- all runs ---- */
 
-static int board_open(board *b, size_t count, size_t width)
+static int board_open(board *b, size_t count, size_t rows, size_t width)
 {
-    const double bytes =
-        (double)count * ((double)width * sizeof(double) + sizeof(verdict));
+    const size_t per_run = sizeof(verdict) + sizeof(size_t);
+    const double bytes = (double)rows * (double)width * sizeof(double)
+                         + (double)count * (double)per_run;
     *b = (board){ .width = width, .count = count, .map = MAP_FAILED };
     if (bytes > fvi_machine_bytes())
         return 0;
-    b->bytes = sizeof *b + count * (width * sizeof(double) + sizeof(verdict));
+    b->bytes = sizeof *b + rows * width * sizeof(double)
+               + (count + 1) * per_run;
     b->map = mmap(NULL, b->bytes, PROT_READ | PROT_WRITE,
                   MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     return b->map != MAP_FAILED;
@@ -145,7 +172,7 @@ static void work(const sweep_grid *g, board *shared, pid_t parent)
     for (size_t i; getppid() == parent
                    && (i = atomic_fetch_add(&shared->next, 1)) < shared->count;)
         shared->verdicts[i] =
-            one_run(g, g->first + i, shared->rows + i * shared->width);
+            one_run(g, g->first + i, shared->rows + shared->first[i] * shared->width);
     _exit(0);
 }
 
@@ -211,7 +238,8 @@ static void print_head(FILE *out, const sweep_grid *g, const fvi_options *o,
         if (strcasecmp(name, "let") == 0) {
             if (*g->lets)
                 fvi_format_parameter(out, o->format, name, g->lets);
-        } else if (!sweep_grid_has(g, name) && strcmp(name, "every") != 0
+        } else if (!sweep_grid_has(g, name)
+                   && (g->has_rows || strcmp(name, "every") != 0)
                    && !(strcmp(name, "steps") == 0 && o->steps_follow)
                    && !(strcmp(name, "h") == 0 && o->text[H] == o->step)) {
             fvi_format_parameter(out, o->format, name, value);
@@ -242,6 +270,13 @@ static int complain_of(const sweep_grid *g, size_t i, verdict v)
     return 1;
 }
 
+static void print_rows(FILE *out, const fvi_options *o, const board *b,
+                       size_t run)
+{
+    for (size_t k = b->first[run]; k < b->first[run + 1]; k++)
+        fvi_format_row(out, o->format, k, b->width, b->rows + k * b->width);
+}
+
 /* Rows in the order of the grid; those before a run that failed stand where the output
  * is standard output. */
 static int print_table(const sweep_grid *g, const fvi_options *o, const board *b,
@@ -258,7 +293,7 @@ static int print_table(const sweep_grid *g, const fvi_options *o, const board *b
         if (b->verdicts[i].status)
             failed = complain_of(g, g->first + i, b->verdicts[i]);
         else
-            fvi_format_row(out, o->format, i, b->width, b->rows + i * b->width);
+            print_rows(out, o, b, i);
     }
     if (!failed)
         fvi_format_end(out, o->format);
@@ -269,10 +304,11 @@ static int print_table(const sweep_grid *g, const fvi_options *o, const board *b
 
 /* Every point of the grid is understood before the first run begins. Returns 0, or a code. */
 static int check_all(const sweep_grid *g, const char **no_solution,
-                     fvi_error *c)
+                     size_t *first, fvi_error *c)
 {
     int status = sweep_grid_check(g, c);
     *no_solution = NULL;
+    first[0] = 0;
     for (size_t i = 0; !status && i < g->runs; i++) {
         fvi_options o;
         status = sweep_grid_options(g, g->first + i, &o, c);
@@ -280,24 +316,29 @@ static int check_all(const sweep_grid *g, const char **no_solution,
             return status;
         if (o.no_solution)
             *no_solution = o.no_solution;
+        first[i + 1] = first[i] + rows_of_run(g, &o);
+        if (g->has_rows && fvi_reductions_count(o.typed) > 0)
+            status = fvi_refuse(c, "rows", "not together with --reduce");
         fvi_options_free(&o);
     }
     return status;
 }
 
 static int run_all(const sweep_grid *g, const fvi_options *o,
-                   const char *no_solution)
+                   const size_t *first, const char *no_solution)
 {
     const fvi_system system = fvi_options_system(o);
     fvi_table t;
     board b;
     fvi_table_shape(&t, o, &system);
-    if (!board_open(&b, g->runs, g->count + t.width))
+    if (!board_open(&b, g->runs, first[g->runs], g->count + t.width))
         return fvi_complain("not enough memory");
     board *shared = b.map;
     *shared = b;
     shared->rows = (double *)(shared + 1);
-    shared->verdicts = (verdict *)(shared->rows + b.count * b.width);
+    shared->first = (size_t *)(shared->rows + first[g->runs] * b.width);
+    memcpy(shared->first, first, (g->runs + 1) * sizeof *first);
+    shared->verdicts = (verdict *)(shared->first + g->runs + 1);
     if (no_solution)
         fvi_warn(no_solution);
     int failed = work_together(g, shared)
@@ -313,17 +354,21 @@ int fvi_command_sweep(int argc, char **argv)
     sweep_grid g;
     fvi_options o;
     const char *no_solution;
+    size_t *first = NULL;
     int status = sweep_grid_parse(argc, argv, &g, &error);
+    if (!status && !(first = malloc((g.runs + 1) * sizeof *first)))
+        status = fvi_fail(&error, FVI_ENOMEM, NULL, NAN, "not enough memory");
     if (!status)
-        status = check_all(&g, &no_solution, &error);
+        status = check_all(&g, &no_solution, first, &error);
     if (!status)
         status = sweep_grid_options(&g, g.first, &o, &error);
     if (status) {
         status = fvi_refused(&error, "sweep");
     } else {
-        status = run_all(&g, &o, no_solution);
+        status = run_all(&g, &o, first, no_solution);
         fvi_options_free(&o);
     }
+    free(first);
     sweep_grid_free(&g);
     return status;
 }

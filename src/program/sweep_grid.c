@@ -14,7 +14,9 @@ double sweep_grid_value(const sweep_grid *g, size_t i, size_t n)
 {
     for (size_t m = g->count - 1; m > n; m--)
         i /= g->axis[m].range.count;
-    return fvi_range_value(&g->axis[n].range, i % g->axis[n].range.count);
+    const fvi_axis *a = &g->axis[n];
+    return a->list ? a->list[i % a->range.count]
+                   : fvi_range_value(&a->range, i % a->range.count);
 }
 
 int sweep_grid_has(const sweep_grid *g, const char *name)
@@ -52,7 +54,7 @@ int sweep_grid_options(const sweep_grid *g, size_t i, fvi_options *o,
 
 /* What a sweep can vary, besides the parameters of expressions. */
 static const char *const numbers[] = {
-    "alpha", "order", "rho",  "mass",  "kappa",      "x0",        "p0", "h",
+    "alpha", "order", "rho",  "mass",  "kappa",      "x0",        "p0", "v0", "h",
     "steps", "time", "error", "step-error", "longest",
     "tolerance", NULL
 };
@@ -73,6 +75,26 @@ static int is_option(const char *name)
     return 0;
 }
 
+/* "V1,V2,..." */
+static int take_list(fvi_axis *a, const char *text, const char *list,
+                     fvi_error *c)
+{
+    size_t count = 1;
+    for (const char *at = list; *at; at++)
+        count += *at == ',';
+    if (*list == '\0')
+        return fvi_refuse(c, "vary", "'%s' is not NAME=A:B:N, NAME=A:B:N:log or "
+                          "NAME=V1,V2,...", text);
+    a->list = malloc(count * sizeof *a->list);
+    if (!a->list)
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    a->range.count = count;
+    if (count > 1)
+        return fvi_parse_numbers("vary", list, -INFINITY, INFINITY, "()", count,
+                                 a->list, c);
+    return fvi_parse_number("vary", list, -INFINITY, INFINITY, "()", a->list, c);
+}
+
 /* One more axis. */
 static int take_axis(sweep_grid *g, const char *text, fvi_error *c)
 {
@@ -84,7 +106,8 @@ static int take_axis(sweep_grid *g, const char *text, fvi_error *c)
         return fvi_refuse(c, "vary", "'%s': at most %d are varied", text,
                           FVI_MOST_AXES);
     if (length == 0 || length >= sizeof a->name)
-        return fvi_refuse(c, "vary", "'%s' is not NAME=A:B:N or NAME=A:B:N:log",
+        return fvi_refuse(c, "vary", "'%s' is not NAME=A:B:N, NAME=A:B:N:log or "
+                          "NAME=V1,V2,...",
                           text);
     memcpy(a->name, text, length);
     a->name[length] = '\0';
@@ -96,11 +119,14 @@ static int take_axis(sweep_grid *g, const char *text, fvi_error *c)
             || !fvi_symbol_is_free(a->name, "t")))
         return fvi_refuse(c, "vary", "'%s' is not a number that can be varied",
                           a->name);
-    const int status = fvi_word_range("vary", "NAME=A:B:N or NAME=A:B:N:log", text,
-                                      equals + 1, &a->range, c);
+    g->count++;
+    const int status =
+        strchr(equals + 1, ':')
+            ? fvi_word_range("vary", "NAME=A:B:N, NAME=A:B:N:log or "
+                             "NAME=V1,V2,...", text, equals + 1, &a->range, c)
+            : take_list(a, text, equals + 1, c);
     if (status)
         return status;
-    g->count++;
     snprintf(g->text + end, sizeof g->text - end, "%s%s", end ? "," : "", text);
     return 0;
 }
@@ -146,9 +172,9 @@ static int option(char **argv, int *i, const char *name, const char **value)
  * one row has no use for. */
 static int check_word(const char *word, fvi_error *c)
 {
-    static const char *const names[] = { "vary", "jobs", "part", NULL };
+    static const char *const names[] = { "vary", "jobs", "part", "rows", NULL };
     const option_index i = fvi_option_named(word);
-    if (i == EVERY || i == PLOT || i == SNAPSHOT || i == CHECKPOINT
+    if (i == PLOT || i == SNAPSHOT || i == CHECKPOINT
         || i == CONTINUE)
         return fvi_refuse(c, fvi_option_list[i].name, "not an option of this command");
     if (strncmp(word, "--", 2) != 0 || i < OPTIONS
@@ -161,7 +187,13 @@ static int check_word(const char *word, fvi_error *c)
 static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
 {
     const char *texts[2] = { NULL, NULL }; /* of --part and --jobs */
+    int every = 0;
     for (int i = 2; i < argc; i++) {
+        if (strcmp(argv[i], "--rows") == 0) {
+            g->has_rows = 1;
+            continue;
+        }
+        every = every || fvi_option_named(argv[i]) == EVERY;
         const char *value, *given = argv[i];
         int status = 0;
         const int vary = option(argv, &i, "--vary", &value),
@@ -187,7 +219,9 @@ static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
         if (status)
             return status;
     }
-    return 0;
+    return every && !g->has_rows
+               ? fvi_refuse(c, "every", "without --rows a run has one row")
+               : 0;
 }
 
 int sweep_grid_parse(int argc, char **argv, sweep_grid *g, fvi_error *c)
@@ -252,5 +286,7 @@ int sweep_grid_check(const sweep_grid *g, fvi_error *c)
 
 void sweep_grid_free(sweep_grid *g)
 {
+    for (size_t n = 0; n < g->count; n++)
+        free(g->axis[n].list);
     free(g->words);
 }

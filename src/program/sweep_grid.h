@@ -13,6 +13,7 @@ typedef struct {
     char name[64];
     int is_let;
     fvi_range range;
+    double *list; /* NULL: the range; else range.count values, one by one: NAME=V1,V2,... */
 } fvi_axis;
 
 /* The words of `fvi sweep`. The runs are numbered with the last axis fastest. */
@@ -22,6 +23,7 @@ typedef struct {
     size_t first, runs; /* of this part */
     size_t part, parts; /* part I of K, I from 1 */
     size_t jobs;
+    int has_rows; /* all rows of each run, and not the last alone */
     char text[400]; /* all axes, as they were given */
     char part_text[64];
     char lets[1024]; /* --let without those that are varied */

@@ -143,7 +143,7 @@ START_TEST(completions_are_what_the_program_says)
     ck_assert_str_eq(offered("fvi methods --"), "  \n");
     ck_assert_str_eq(offered("fvi help run --"), "  \n");
     ck_assert_str_eq(offered("fvi --version \"\""), "  \n");
-    ck_assert_str_eq(offered("fvi sweep --ev"), "  \n");
+    ck_assert_str_eq(offered("fvi sweep --pl"), "  \n");
     ck_assert_str_eq(offered("fvi run --step-"), " --step-error \n");
     ck_assert_str_eq(offered("fvi run --memory e"), " exponentials \n");
     offered("fvi run --method \"\"");

@@ -133,6 +133,91 @@ START_TEST(a_part_may_have_no_rows)
 }
 END_TEST
 
+/* Values one by one, in the order in which they are given. */
+START_TEST(a_list_of_values_is_varied_as_it_stands)
+{
+    ck_assert_int_eq(fvi("sweep --vary alpha=0.4,0.1,0.25 --vary rho=2 "
+                         "--columns x --steps 30"),
+                     0);
+    static const double alpha[] = { 0.4, 0.1, 0.25 };
+    double x[3];
+    for (size_t k = 0; k < 3; k++) {
+        ck_assert(cell(k, 0) == alpha[k] && cell(k, 1) == 2);
+        x[k] = cell(k, 2);
+    }
+    ck_assert_ptr_nonnull(strstr(out, "# vary = alpha=0.4,0.1,0.25,rho=2\n"));
+    for (size_t k = 0; k < 3; k++) {
+        char line[80];
+        snprintf(line, sizeof line, "run --alpha %g --rho 2 --columns x --steps "
+                 "30", alpha[k]);
+        ck_assert_int_eq(fvi(line), 0);
+        ck_assert(cell(30, 0) == x[k]);
+    }
+}
+END_TEST
+
+/* --rows: each run's table, behind its values; y mirrors its own run, whatever its length. */
+START_TEST(all_rows_of_each_run_may_be_printed)
+{
+    ck_assert_int_eq(fvi("sweep --vary steps=10,5 --rows --every 4 --alpha 0.3 "
+                         "--columns t,x,y,d1.work"),
+                     0);
+    double rows[7][4];
+    ck_assert_uint_eq(count_rows(), 7);
+    for (size_t k = 0; k < 7; k++)
+        for (size_t n = 0; n < 4; n++)
+            rows[k][n] = cell(k, 1 + n);
+    ck_assert(cell(3, 0) == 10 && cell(4, 0) == 5);
+    for (size_t i = 0, at = 0; i < 2; i++) {
+        ck_assert_int_eq(fvi(i ? "run --steps 5 --every 4 --alpha 0.3 --columns "
+                                 "t,x,y,d1.work"
+                               : "run --steps 10 --every 4 --alpha 0.3 --columns "
+                                 "t,x,y,d1.work"),
+                         0);
+        for (size_t k = 0; k < (i ? 3 : 4); k++, at++)
+            for (size_t n = 0; n < 4; n++)
+                ck_assert(cell(k, n) == rows[at][n]);
+    }
+    ck_assert_int_eq(fvi("sweep --vary alpha=0.3 --rows --error 1e-6 --time 2 "
+                         "--steps 4 --columns t,x --jobs 1"),
+                     0);
+    ck_assert_uint_eq(count_rows(), 5);
+    ck_assert_refused("sweep --vary alpha=0.3 --every 2",
+                      "fvi: --every: without --rows a run has one row");
+    ck_assert_refused("sweep --vary alpha=0.3 --rows --reduce 'max(x)'",
+                      "fvi: --rows: not together with --reduce");
+}
+END_TEST
+
+/* One command each: a section at every period of the force, a diagram over its size, and the response
+ * spectrum of a ground. A rigid frame feels the ground's own peak, but for what its start, with the
+ * slope 6, sets swinging, 6 T/2 pi; a soft one feels little. */
+START_TEST(sections_diagrams_and_spectra_are_one_command)
+{
+    ck_assert_int_eq(fvi("run --potential 'x^4/4-x^2/2' --force '0.35*cos(2*pi*t/5)'"
+                         " --alpha 0.3 --h 0.05 --steps 2000 --every 100 "
+                         "--columns x,v"),
+                     0);
+    ck_assert_uint_eq(count_rows(), 21);
+    const double x = cell(20, 0);
+    ck_assert_int_eq(fvi("sweep --vary A=0.2,0.35 --rows --potential 'x^4/4-x^2/2' "
+                         "--force 'A*cos(2*pi*t/5)' --alpha 0.3 --h 0.05 "
+                         "--steps 2000 --every 100 --columns t,x"),
+                     0);
+    ck_assert_uint_eq(count_rows(), 42);
+    ck_assert(cell(41, 0) == 0.35 && cell(41, 1) == 100 && cell(41, 2) == x);
+    ck_assert_int_eq(fvi("sweep --vary T=0.02,1,400 --potential "
+                         "'(2*pi/T)^2*x^2/2' --ground 'sin(6*t)*exp(-t)' --alpha "
+                         "0.3 --rho 0.1 --x0 0 --p0 0 --method fvi-adaptive "
+                         "--time 8 --steps 800 --reduce "
+                         "'absmax(a+ag),absmax(x),absmax(ag)'"),
+                     0);
+    ck_assert_near(cell(0, 1), cell(0, 3), 1.1 * 6 * 0.02 / (2 * 3.14), "rigid");
+    ck_assert(cell(1, 1) > 1.2 * cell(1, 3));
+    ck_assert(cell(2, 1) < 0.2 * cell(2, 3));
+}
+END_TEST
+
 START_TEST(bad_sweeps_are_refused)
 {
     static char lines[] =
@@ -155,7 +240,8 @@ START_TEST(bad_sweeps_are_refused)
         "--let k=3 --potential 'k*x';sweep --vray alpha=0:1:3;"
         "sweep --vary alpha=0:1:2 --alhpa 3;sweep --vary alhpa=0:1:2;"
         "sweep --vary k=1:2:2 --potential 'kk*x^2' --let kk=1;"
-        "sweep --vary alpha=0:1:3 --every 7;sweep --vary alpha=0:1:3 --plot "
+        "sweep --vary alpha=0:1:3 --every 7;sweep --vary alpha=0.1,;sweep --vary "
+        "alpha=0.1,x;sweep --vary alpha=;sweep --rows;sweep --vary alpha=0:1:3 --plot "
         "a.svg;sweep --vary alpha=0:1:3 --snapshot a;sweep --vary alpha=0:1:3 "
         "--checkpoint a;sweep --vary alpha=0:1:3 --part 1/2 --part 2/2;"
         "sweep --vary alpha=0:1:3 --jobs 1 --jobs 2";
@@ -263,6 +349,9 @@ int main(void)
              what_can_be_varied, points_between_decimal_ends_are_decimal,
              a_part_may_have_no_rows, neither_jobs_nor_parts_change_a_row);
     ADD_CASE(suite, "errors", no_process_outlives_the_sweep,
+             a_list_of_values_is_varied_as_it_stands,
+             all_rows_of_each_run_may_be_printed,
+             sections_diagrams_and_spectra_are_one_command,
              bad_sweeps_are_refused, a_run_that_fails_is_named,
              a_sweep_of_what_has_no_solution_warns,
              unstable_rows_of_a_sweep_are_counted);
