@@ -1,6 +1,8 @@
 /* src/error_control/solve.c -- Where is the body at these times?        [H 18, 22] */
 #include <fvi/solve.h>
 
+#include <fvi/lagrangian.h>
+
 #include "run/run_check.h"
 #include "error_control/step_search.h"
 #include "variable_step_search.h"
@@ -38,7 +40,7 @@ static const fvi_method *usual_method(const fvi_problem *problem,
 {
     if (!(tolerance > 0))
         return &fvi_fractional;
-    if (problem->system.matrices)
+    if (problem->system.matrices || problem->system.mechanism)
         return &fvi_cq2_midpoint;
     return problem->law && !fvi_variable_step.takes_laws ? &fvi_cq_bdf2
                                                          : &fvi_variable_step;
@@ -192,7 +194,8 @@ static int give_row(const solution *o, size_t k, const double *x,
     const size_t d = o->run.system->d;
     int status = FVI_SUCCESS;
     if (out->energy)
-        status = fvi_energy(o->run.system, x, p, out->energy + k);
+        status = fvi_energy_at(o->run.system, time_of_row(o, k), x, p,
+                               out->energy + k);
     if (status)
         return status;
     if (out->x && out->x + k * d != x)

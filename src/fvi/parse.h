@@ -307,6 +307,16 @@ int fvi_parse_mechanism(const fvi_mechanism_texts *texts, size_t d,
                         fvi_user_parameters *parameters,
                         fvi_typed_mechanism **mechanism, fvi_error *error);
 
+/* fvi_damper_texts -- dampers of coordinates as texts: "x1 : power:0.4,0.3 : held" for each rho > 0.
+ *
+ *   d, rho, alpha  the damping rho_i D^{2 alpha} x_i
+ *   law    NULL, or a text as fvi_parse_damping that stands for it where rho > 0
+ *   past   the word of a past, or NULL: held
+ *   count, list  outputs; the texts stand in one block, free(*list) */
+int fvi_damper_texts(size_t d, const double *rho, double alpha, const char *law,
+                     const char *past, size_t *count, char ***list,
+                     fvi_error *error);
+
 /* fvi_mechanism_typed -- the mechanism, for a system; it belongs to the typed one. */
 const fvi_mechanism *fvi_mechanism_typed(const fvi_typed_mechanism *mechanism);
 
@@ -334,6 +344,11 @@ typedef struct fvi_typed_problem fvi_typed_problem;
  *     time         T       the end of the motion
  *     derivative   past    held, caputo or rl
  *     let                  as fvi_parse_user_parameters
+ *     lagrangian   L       instead of potential and mass; then alpha, rho and damping are none
+ *     damper               with " : " in it a damper on an elongation, as fvi_mechanism_texts has them;
+ *                          it, and the next three, may be repeated
+ *     constraint, impose, force-on   as there; with any of these five the problem has a mechanism
+ *     v0                   the velocity, instead of p0
  *
  *   problem  output; give it back with fvi_typed_problem_free
  *

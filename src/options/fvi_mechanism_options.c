@@ -132,34 +132,6 @@ const fvi_option_values *fvi_dampers_typed(const fvi_options *o)
     return &o->list[0];
 }
 
-/* Without --damper each coordinate is damped as --alpha and --rho, or --damping, say: that is a damper
- * on itself. The texts stand in one block, the list in another. */
-static int damp_coordinates(fvi_options *o, size_t *count, char ***list,
-                            fvi_error *c)
-{
-    const char *law = o->text[DAMPING],
-               *past = o->text[DERIVATIVE] ? o->text[DERIVATIVE] : "held";
-    const size_t size = 120 + (law ? strlen(law) : 0) + strlen(past);
-    *count = 0;
-    *list = malloc(o->d * (sizeof **list + size));
-    if (!*list)
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
-    char *text = (char *)(*list + o->d);
-    for (size_t i = 0; i < o->d; i++) {
-        if (o->rho[i] == 0)
-            continue;
-        if (law)
-            snprintf(text, size, "x%zu : %s : %s", i + 1, law, past);
-        else
-            snprintf(text, size, "x%zu : power:%.17g,%.17g : %s", i + 1,
-                     o->rho[i], o->alpha, past);
-        (*list)[(*count)++] = text;
-        text += size;
-        o->rho[i] = 0;
-    }
-    return 0;
-}
-
 int fvi_potential_in_time(fvi_options *o, size_t d)
 {
     const char *text = o->text[POTENTIAL];
@@ -212,8 +184,11 @@ int fvi_problem_mechanism(fvi_options *o, fvi_error *c)
                                   .force_on = o->list[3].value };
     int status = 0;
     if (!o->text[DAMPER] && !o->text[LAGRANGIAN]) {
-        status = damp_coordinates(o, &texts.dampers, &made, c);
+        status = fvi_damper_texts(o->d, o->rho, o->alpha, o->text[DAMPING],
+                                  o->text[DERIVATIVE], &texts.dampers, &made, c);
         texts.damper = (const char *const *)made;
+        for (size_t i = 0; i < o->d; i++)
+            o->rho[i] = 0; /* it is in the dampers */
     }
     if (!status)
         status = fvi_parse_mechanism(&texts, o->d, &o->lets, &o->mechanism, c);

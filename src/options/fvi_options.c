@@ -196,8 +196,10 @@ static int fill_in(fvi_options *o, fvi_error *c)
                           o->text[ALPHA]   ? "alpha"
                           : o->text[ORDER] ? "order"
                                            : "rho");
+    o->method_is_preset = !o->text[METHOD];
     if (o->text[ERROR] && !o->text[METHOD])
-        o->text[METHOD] = o->text[SYSTEM] ? fvi_cq2_midpoint.name
+        o->text[METHOD] = o->text[SYSTEM] || fvi_wants_mechanism(o)
+                              ? fvi_cq2_midpoint.name
                           : law           ? fvi_cq_bdf2.name
                                           : fvi_variable_step.name;
     if ((o->text[STEP_ERROR] || o->text[LONGEST]) && !o->text[METHOD])
@@ -205,7 +207,6 @@ static int fill_in(fvi_options *o, fvi_error *c)
     int status = check_system(o, c);
     if (!status)
         status = fvi_check_mechanism_words(o, c);
-    o->method_is_preset = !o->text[METHOD];
     if (!o->text[METHOD] && fvi_wants_stable(o))
         o->text[METHOD] = fvi_cq2_midpoint.name;
     for (int i = 0; i < OPTIONS; i++)

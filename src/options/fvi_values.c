@@ -125,12 +125,12 @@ static int check_method(const fvi_options *o, fvi_error *c)
                           "method", "'%s' takes no matrices; fvi, fvi-shifted, "
                           "fvi-bdf2 and fvi-stable do",
                           m->name);
-    if (o->mechanism && (!m->takes_mechanism || o->text[ERROR]))
-        return fvi_refuse(c, o->text[ERROR] ? "error" : "method",
+    if (o->mechanism && !m->takes_mechanism)
+        return fvi_refuse(c, "method",
                           "'%s' takes no Lagrangian, dampers between points, "
                           "constraints or forces of velocity; fvi, fvi-stable, "
-                          "fvi-lobatto2 to 8 and 2d to 8d do, with steps of --h",
-                          o->text[ERROR] ? o->text[ERROR] : m->name);
+                          "fvi-lobatto2 to 8 and 2d to 8d do",
+                          m->name);
     if (!m->takes_kappa && o->kappa != 0.5)
         return fvi_refuse(c, "kappa", "'%s' is not for %s, which has no kappa",
                           o->text[KAPPA], m->name);

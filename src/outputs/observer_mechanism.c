@@ -5,11 +5,14 @@
 
 #include <stdlib.h>
 
-/* F at point i of the last step, less what stands there of it already. */
-static const double *force_of_time(const fvi_stepper *s,
-                                   const fvi_mechanism_state *o, size_t i)
+/* F on coordinate j at point i of the last step; at nodes the mean of its ends. */
+static double force_of_time(const fvi_stepper *s, const fvi_mechanism_state *o,
+                            size_t i, size_t j)
 {
-    return o->form == FVI_MECHANISM_FIRST_ORDER ? s->F : o->push + i * o->d;
+    return o->form == FVI_MECHANISM_FIRST_ORDER ? s->F[j]
+           : o->form == FVI_MECHANISM_NODES
+               ? (o->push[j] + o->push[o->d + j]) / 2
+               : o->push[i * o->d + j];
 }
 
 static double time_of_point(const fvi_stepper *s, const fvi_mechanism_state *o,
@@ -33,14 +36,13 @@ int fvi_observer_mechanism_work(const fvi_stepper *s, double *work)
     double *F = calloc(d, sizeof *F);
     int status = F ? FVI_SUCCESS : FVI_ENOMEM;
     for (size_t i = 0; i < o->q && !status; i++) {
-        const double w = s->run.h * (has_stages ? o->rule->b[i] : 1),
-                     *push = force_of_time(s, o, i);
+        const double w = s->run.h * (has_stages ? o->rule->b[i] : 1);
         if (of_velocity)
             status = of_velocity->at(time_of_point(s, o, i), d, o->X + i * d,
                                      o->V + i * d, of_velocity->params, F, NULL,
                                      NULL);
         for (size_t j = 0; j < d && !status; j++)
-            *work += w * (push[j] + F[j]) * o->V[i * d + j];
+            *work += w * (force_of_time(s, o, i, j) + F[j]) * o->V[i * d + j];
     }
     free(F);
     return status;

@@ -3,6 +3,7 @@
 
 #include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -218,6 +219,31 @@ static int allocate(fvi_typed_mechanism *m, const fvi_mechanism_texts *texts)
     return m->typed && m->damper && m->constraint && m->name && m->force
                ? FVI_SUCCESS
                : FVI_ENOMEM;
+}
+
+int fvi_damper_texts(size_t d, const double *rho, double alpha, const char *law,
+                     const char *past, size_t *count, char ***list,
+                     fvi_error *error)
+{
+    past = past ? past : "held";
+    const size_t size = 120 + (law ? strlen(law) : 0) + strlen(past);
+    *count = 0;
+    *list = malloc(d * (sizeof **list + size));
+    if (!*list)
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    char *text = (char *)(*list + d);
+    for (size_t i = 0; i < d; i++) {
+        if (rho[i] == 0)
+            continue;
+        if (law)
+            snprintf(text, size, "x%zu : %s : %s", i + 1, law, past);
+        else
+            snprintf(text, size, "x%zu : power:%.17g,%.17g : %s", i + 1, rho[i],
+                     alpha, past);
+        (*list)[(*count)++] = text;
+        text += size;
+    }
+    return FVI_SUCCESS;
 }
 
 int fvi_parse_mechanism(const fvi_mechanism_texts *texts, size_t d,

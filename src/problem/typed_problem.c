@@ -21,6 +21,12 @@ typedef enum {
     TIME,
     FORCE,
     DERIVATIVE,
+    LAGRANGIAN,
+    V0,
+    DAMPERS, /* from here on each may be repeated */
+    CONSTRAINT,
+    IMPOSE,
+    FORCE_ON,
     NAMES
 } name_index;
 
@@ -40,11 +46,24 @@ static const struct {
     [TIME] = { "time", "T", "20" },
     [FORCE] = { "force", "F", "none" },
     [DERIVATIVE] = { "derivative", "past", "held" },
+    [LAGRANGIAN] = { "lagrangian", "L", NULL },
+    [V0] = { "v0", "v0", NULL },
+    [DAMPERS] = { "damper", "damper", NULL }, /* found as DAMPING */
+    [CONSTRAINT] = { "constraint", "constraint", NULL },
+    [IMPOSE] = { "impose", "impose", NULL },
+    [FORCE_ON] = { "force-on", "force-on", NULL },
 };
+
+enum { LISTS = NAMES - DAMPERS, MOST_LISTED = 64 };
 
 struct fvi_typed_problem {
     char *copy; /* of the text, cut into pieces */
     const char *text[NAMES];
+    struct {
+        size_t count;
+        const char *value[MOST_LISTED];
+    } list[LISTS];
+    fvi_typed_mechanism *mechanism;
     fvi_user_parameters parameters;
     fvi_typed_potential potential;
     fvi_typed_damping damping;
@@ -63,6 +82,17 @@ static char *trim(char *text)
         length--;
     text[length] = '\0';
     return text;
+}
+
+static int list_value(fvi_typed_problem *p, size_t i, const char *value,
+                      fvi_error *error)
+{
+    const size_t n = i - DAMPERS;
+    if (p->list[n].count == MOST_LISTED)
+        return fvi_fail(error, FVI_EINVAL, names[i].name, NAN,
+                        "'%s': too many of them", value);
+    p->list[n].value[p->list[n].count++] = value;
+    return FVI_SUCCESS;
 }
 
 /* One "NAME=VALUE". */
@@ -85,9 +115,48 @@ static int take_piece(fvi_typed_problem *p, char *piece, fvi_error *error)
         return fvi_fail(error, FVI_EINVAL, "problem", NAN,
                         "'%s' is no name of a problem%s", name,
                         fvi_word_hint(name, strlen(name), words, place));
+    const char *value = trim(equals + 1);
+    if (i == DAMPING && strstr(value, " : "))
+        i = DAMPERS;
+    if (i >= DAMPERS)
+        return list_value(p, i, value, error);
     if (p->text[i])
         return fvi_fail(error, FVI_EINVAL, names[i].name, NAN, "given twice");
-    p->text[i] = trim(equals + 1);
+    p->text[i] = value;
+    return FVI_SUCCESS;
+}
+
+/* Which names do not go together? Those that are left out get what stands for them. */
+static int check_pieces(fvi_typed_problem *p, fvi_error *error)
+{
+    const int has_law = p->text[DAMPING] != NULL,
+              has_dampers = p->text[LAGRANGIAN] || p->list[0].count > 0;
+    static const name_index dampings[] = { ALPHA, RHO, DAMPING, DERIVATIVE };
+    if (has_law && (p->text[ALPHA] || p->text[RHO]))
+        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
+                        "not together with %s",
+                        p->text[ALPHA] ? "alpha" : "rho");
+    for (size_t i = 0; i < 4; i++)
+        if (has_dampers && p->text[dampings[i]])
+            return fvi_fail(error, FVI_EINVAL,
+                            p->text[LAGRANGIAN] ? "lagrangian" : "damper", NAN,
+                            "not together with %s", names[dampings[i]].name);
+    if (p->text[LAGRANGIAN] && (p->text[POTENTIAL] || p->text[MASS]))
+        return fvi_fail(error, FVI_EINVAL, "lagrangian", NAN,
+                        "not together with %s",
+                        p->text[MASS] ? "mass" : "potential");
+    if (p->text[V0] && p->text[P0])
+        return fvi_fail(error, FVI_EINVAL, "v0", NAN, "not together with p0");
+    if (p->text[LAGRANGIAN] && (!p->text[X0] || (!p->text[V0] && !p->text[P0])))
+        return fvi_fail(error, FVI_EINVAL, "lagrangian", NAN,
+                        "a start is missing: x0, and v0 or p0");
+    for (size_t i = 0; i < DAMPERS; i++)
+        if (!p->text[i])
+            p->text[i] = has_dampers && i == RHO ? "0"
+                         : has_law && i == RHO   ? "1"
+                         : i == POTENTIAL && p->text[LAGRANGIAN]
+                             ? "free"
+                             : names[i].preset;
     return FVI_SUCCESS;
 }
 
@@ -101,18 +170,29 @@ static int take_pieces(fvi_typed_problem *p, fvi_error *error)
         if (*at)
             status = take_piece(p, at, error);
     }
-    const int has_law = p->text[DAMPING] != NULL;
-    if (!status && has_law && (p->text[ALPHA] || p->text[RHO]))
-        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
-                        "not together with %s",
-                        p->text[ALPHA] ? "alpha" : "rho");
-    for (size_t i = 0; i < NAMES; i++)
-        if (!p->text[i])
-            p->text[i] = has_law && i == RHO ? "1" : names[i].preset;
-    return status;
+    return status ? status : check_pieces(p, error);
 }
 
 /* ---- values ---- */
+
+static size_t larger_count(size_t a, size_t b)
+{
+    return a > b ? a : b;
+}
+
+/* The largest index in the texts of a mechanism and of a potential; 0 without a mechanism, and of a
+ * chain, which says its own. */
+static size_t largest_index(const fvi_typed_problem *p)
+{
+    size_t most =
+        p->text[LAGRANGIAN] ? fvi_largest_index(p->text[LAGRANGIAN]) : 0;
+    for (size_t n = 0; n < LISTS; n++)
+        for (size_t i = 0; i < p->list[n].count; i++)
+            most = larger_count(most, fvi_largest_index(p->list[n].value[i]));
+    return p->potential.kind == FVI_POTENTIAL_CHAIN || most == 0
+               ? 0
+               : larger_count(most, p->potential.d);
+}
 
 static int parse_potential(fvi_typed_problem *p, fvi_error *error)
 {
@@ -126,9 +206,53 @@ static int parse_potential(fvi_typed_problem *p, fvi_error *error)
     if (!status)
         status = fvi_parse_potential(p->text[POTENTIAL], d, &p->parameters,
                                      &p->potential, error);
+    if (d == 0)
+        d = largest_index(p);
     p->problem.system.d = d ? d : p->potential.d ? p->potential.d : 1;
+    if (!status && d > p->potential.d
+        && p->potential.kind == FVI_POTENTIAL_EXPRESSION) {
+        fvi_typed_potential_free(&p->potential); /* of more coordinates */
+        status = fvi_parse_potential(p->text[POTENTIAL], d, &p->parameters,
+                                     &p->potential, error);
+    }
     p->problem.system.potential = fvi_potential_typed(&p->potential);
     return status;
+}
+
+/* The mechanism of the texts, and the momentum of a velocity. */
+static int parse_mechanism(fvi_typed_problem *p, fvi_error *error)
+{
+    fvi_problem *to = &p->problem;
+    const size_t d = to->system.d;
+    char **made = NULL;
+    fvi_mechanism_texts texts = { p->text[LAGRANGIAN],   p->list[0].count,
+                                  p->list[1].count,      p->list[2].count,
+                                  p->list[3].count,      p->list[0].value,
+                                  p->list[1].value,      p->list[2].value,
+                                  p->list[3].value };
+    int status = FVI_SUCCESS;
+    if (texts.lagrangian || texts.dampers + texts.constraints + texts.imposed
+                                + texts.forces_on > 0) {
+        if (!texts.lagrangian && texts.dampers == 0) {
+            status = fvi_damper_texts(d, to->system.damping, to->alpha,
+                                      p->text[DAMPING], p->text[DERIVATIVE],
+                                      &texts.dampers, &made, error);
+            texts.damper = (const char *const *)made;
+            memset(p->numbers + d, 0, d * sizeof *p->numbers);
+        }
+        if (!status)
+            status = fvi_parse_mechanism(&texts, d, &p->parameters,
+                                         &p->mechanism, error);
+        free(made);
+        if (status)
+            return status;
+        to->system.mechanism = fvi_mechanism_typed(p->mechanism);
+        to->law = NULL;
+    }
+    return p->text[V0] ? fvi_momentum_of_velocity(&to->system, 0, to->x0,
+                                                  p->numbers + 4 * d,
+                                                  p->numbers + 3 * d)
+                       : status;
 }
 
 static int parse_lists(fvi_typed_problem *p, fvi_error *error)
@@ -140,16 +264,19 @@ static int parse_lists(fvi_typed_problem *p, fvi_error *error)
     } lists[] = { { MASS, 0, "()" },
                   { RHO, 0, "[)" },
                   { X0, -INFINITY, "()" },
-                  { P0, -INFINITY, "()" } };
+                  { P0, -INFINITY, "()" },
+                  { V0, -INFINITY, "()" } };
     const size_t d = p->problem.system.d;
-    p->numbers = malloc(4 * d * sizeof *p->numbers);
+    p->numbers = malloc(5 * d * sizeof *p->numbers);
     if (!p->numbers)
         return fvi_fail(error, FVI_ENOMEM, "problem", NAN, "not enough memory");
     int status = FVI_SUCCESS;
-    for (size_t n = 0; n < 4 && !status; n++)
-        status = fvi_parse_numbers(names[lists[n].i].name, p->text[lists[n].i],
-                                   lists[n].low, INFINITY, lists[n].brackets, d,
-                                   p->numbers + n * d, error);
+    for (size_t n = 0; n < 5 && !status; n++)
+        if (p->text[lists[n].i])
+            status = fvi_parse_numbers(names[lists[n].i].name,
+                                       p->text[lists[n].i], lists[n].low,
+                                       INFINITY, lists[n].brackets, d,
+                                       p->numbers + n * d, error);
     p->problem.system.mass = p->numbers;
     p->problem.system.damping = p->numbers + d;
     p->problem.x0 = p->numbers + 2 * d;
@@ -193,6 +320,8 @@ static int parse_all(fvi_typed_problem *p, fvi_error *error)
     if (!status)
         status = parse_force(p, error);
     if (!status)
+        status = parse_mechanism(p, error);
+    if (!status)
         status = fvi_user_parameters_are_used(&p->parameters, error);
     if (!status)
         status = fvi_parse_word("derivative", p->text[DERIVATIVE],
@@ -231,6 +360,7 @@ void fvi_typed_problem_free(fvi_typed_problem *p)
     fvi_typed_potential_free(&p->potential);
     fvi_typed_damping_free(&p->damping);
     fvi_typed_force_free(p->force);
+    fvi_typed_mechanism_free(p->mechanism);
     free(p->numbers);
     free(p->copy);
     free(p);

@@ -149,11 +149,27 @@ static int print_found(const fvi_options *o, const fvi_system *system,
     return failed;
 }
 
+/* What is wrong with a mechanism, or with its start, has a field and words. Returns an exit code. */
+static int check_start(const fvi_options *o, const fvi_run *r)
+{
+    fvi_error error = { 0 };
+    fvi_stepper *s;
+    if (!o->mechanism)
+        return 0;
+    if (fvi_stepper_start(o->method, r, &s, &error) && error.field)
+        return fvi_refused(&error, "run");
+    return error.code ? fvi_complain_of_start(o, error.code)
+                      : fvi_stepper_free(s);
+}
+
 int fvi_command_error(const fvi_options *o, const fvi_system *system)
 {
     const fvi_run r = fvi_options_run(o, system);
     fvi_report found;
     fvi_table t;
+    const int refused = check_start(o, &r);
+    if (refused)
+        return refused;
     fvi_table_shape(&t, o, system);
     double *rows =
         fvi_run_room(&t); /* is there enough, before anything is tried? */

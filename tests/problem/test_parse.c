@@ -2,7 +2,7 @@
  * what it does not. Run alone: make test-parse */
 #include "harness/ulp.h"
 
-#include <fvi/parse.h>
+#include <fvi/fvi.h>
 
 #include <math.h>
 #include <string.h>
@@ -172,6 +172,67 @@ START_TEST(a_text_becomes_a_problem)
 }
 END_TEST
 
+/* x of the problem at its end, by a method in 40 steps. */
+static void solve_text(const char *text, const fvi_method *method, double *x)
+{
+    fvi_typed_problem *typed;
+    ck_assert_msg(fvi_parse_problem(text, &typed, &error) == 0, "%s: %s: %s",
+                  text, error.field, error.text);
+    const fvi_problem *p = fvi_problem_typed(typed);
+    const fvi_solve_options options = { .method = method, .h = p->T / 40 };
+    double all[41 * 4], E[41];
+    const fvi_outputs outputs = { .rows = 41, .x = all, .energy = E };
+    ck_assert_msg(fvi_solve(p, &options, NULL, &outputs, NULL, &error) == 0,
+                  "%s: %s: %s", text, error.field, error.text);
+    memcpy(x, all + 40 * p->system.d, p->system.d * sizeof *x);
+    ck_assert(isfinite(E[40]));
+    fvi_typed_problem_free(typed);
+}
+
+/* Rows of another program (tests/lagrangian/prototype_values.h), and the old words in the new ones. */
+START_TEST(a_text_becomes_a_mechanism)
+{
+    double x[4], y[4];
+    solve_text("L=(v1^2+v2^2)/2 - 2*(sqrt(x1^2+x2^2)-1)^2 - x2; damper=strut="
+               "sqrt(x1^2+x2^2) : power:0.4,0.3; x0=1.2,0; v0=0.3,0.8; T=4",
+               &fvi_lobatto_m3, x);
+    ck_assert(fabs(x[0] + 0.5808302917698285) < 1e-13
+              && fabs(x[1] + 1.1437031544085847) < 1e-13);
+    solve_text("U=x^2/2; force-on=1=(1-x^2)*v; damper=x : power:0.3,0.3; "
+               "x0=0.5; p0=0.4; T=4", &fvi_cq2_midpoint, x);
+    ck_assert(fabs(x[0] + 1.1217070298850418) < 1e-13);
+    solve_text("U=x^2/2; force-on=1=(1-x^2)*v; alpha=0.3; rho=0.3; x0=0.5; "
+               "v0=0.4; T=4", &fvi_cq2_midpoint, y);
+    ck_assert(x[0] == y[0]);
+    solve_text("U=x3^2/2; damper=x2-x1 : zener:1,0.3,2 : caputo; T=4",
+               &fvi_lobatto_d3, x);
+    solve_text("m=1,2; U=(x1-x2)^2; impose=x1=sin(t); rho=0; x0=0; v0=1,0; T=4",
+               &fvi_cq2_midpoint, x);
+    ck_assert(fabs(x[0] - sin(4)) < 1e-14);
+    solve_text("L=(v1^2+v2^2)/2; constraint=x1+x2-1; x0=1,0; v0=1,-1; T=4",
+               &fvi_lobatto_m4, x);
+    ck_assert(fabs(x[0] - 5) < 1e-14 && fabs(x[1] + 4) < 1e-14);
+    static const char *const wrong[][3] = {
+        { "L=v^2; x0=1", "lagrangian", "a start is missing: x0, and v0 or p0" },
+        { "L=v^2; m=1; x0=1; v0=1", "lagrangian", "not together with mass" },
+        { "L=v^2; rho=1; x0=1; v0=1", "lagrangian", "not together with rho" },
+        { "damper=x : power:1,0.3; past=rl", "damper",
+          "not together with derivative" },
+        { "v0=1; p0=1", "v0", "not together with p0" },
+        { "damper=x : pwer:1,0.3", "damper", NULL },
+        { "constraint=z", "constraint", NULL },
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        fvi_typed_problem *typed;
+        ck_assert_int_eq(fvi_parse_problem(wrong[i][0], &typed, &error),
+                         FVI_EINVAL);
+        ck_assert_str_eq(error.field, wrong[i][1]);
+        if (wrong[i][2])
+            ck_assert_str_eq(error.text, wrong[i][2]);
+    }
+}
+END_TEST
+
 /* Rows (0, 1, 10), (1, 2, 30), (4, -1, 30): halves and quarters are exact. */
 START_TEST(a_table_is_linear_between_its_rows)
 {
@@ -208,6 +269,6 @@ int main(void)
              an_error_says_field_value_index_and_text,
              parameters_are_names_with_one_value_that_are_used,
              a_text_becomes_a_force, a_table_is_linear_between_its_rows,
-             a_text_becomes_a_problem);
+             a_text_becomes_a_problem, a_text_becomes_a_mechanism);
     return run_suite(suite);
 }

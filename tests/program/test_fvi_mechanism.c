@@ -162,6 +162,22 @@ START_TEST(a_massless_node_makes_zeners_law)
 }
 END_TEST
 
+/* The step that a wanted error needs: against the reference of 8 digits. */
+START_TEST(an_error_can_be_asked_for)
+{
+    ck_assert_msg(fvi("run --lagrangian '(v1^2+v2^2)/2 - 2*(sqrt(x1^2+x2^2)-1)^2 - x2' "
+                      "--damper 'sqrt(x1^2+x2^2) : power:0.4,0.3' --x0 1.2,0 --v0 "
+                      "0.3,0.8 --error 1e-7 --time 4 --steps 4 --method fvi-lobatto4")
+                      == 0, "%s", err);
+    ck_assert_near(cell(4, 1), -0.58082993, 1.1e-7, "x");
+    ck_assert_near(cell(4, 2), -1.14370341, 1.1e-7, "y");
+    ck_assert_int_eq(fvi("run --lagrangian 'v^2/2 - x^2/2' --x0 1 --v0 0 --error 1e-3 "
+                         "--time 4 --steps 4"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable\n"));
+    ck_assert_near(cell(4, 1), cos(4), 1e-3, "cos");
+}
+END_TEST
+
 /* Every text that is wrong is shown, and what does not go together is said. */
 START_TEST(wrong_words_are_refused)
 {
@@ -180,8 +196,10 @@ START_TEST(wrong_words_are_refused)
           "fvi: --v0: not together with --p0" },
         { "run --lagrangian 'v^2/2' --x0 1 --v0 0 --method fvi-bdf2",
           "fvi: --method: 'fvi-bdf2' takes no Lagrangian" },
-        { "run --lagrangian 'v^2/2' --x0 1 --v0 0 --error 1e-6",
-          "fvi: --error: '1e-6' takes no Lagrangian" },
+        { "run --lagrangian 'v^2/2' --x0 1 --v0 0 --step-error 1e-6",
+          "fvi: --step-error: '1e-6' is not for fvi-stable" },
+        { "run --constraint x1 --x0 1 --v0 0 --error 1e-6",
+          "fvi: --x0: it does not keep to the constraint 'x1'" },
         { "run --lagrangian 'x^2' --x0 1 --v0 0 --p0 1",
           "fvi: --v0: not together with --p0" },
         { "run --lagrangian 'x^2' --x0 1 --p0 1",
@@ -265,6 +283,6 @@ int main(void)
              a_damper_on_each_coordinate_is_the_old_damping,
              time_and_dimension_are_seen_in_the_texts,
              a_massless_node_makes_zeners_law, wrong_words_are_refused,
-             a_checkpoint_goes_on);
+             an_error_can_be_asked_for, a_checkpoint_goes_on);
     return run_suite_of_program(suite);
 }
