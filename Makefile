@@ -102,7 +102,7 @@ figures: $(SCENES:%=figures/%.svg) $(DIAGRAMS:%=figures/%.svg) ## draw what chan
 layers: $B/libfvi.a $B/program.a $B/peers.a | needs ## see that the arrows between the rooms of src/ point down only
 	$(PYTHON) src/make/layers.py $^
 
-text: | needs ## compare code and numbers in the chapters with their sources; follow every link; count words; see that no NaN is lost, that the holes of the workshop fit, and that need.sh knows what targets start
+text: | needs ## compare code and numbers in the chapters with their sources; follow every link; count words; see that no NaN is lost, that the lines of mutants stand, that the holes of the workshop fit, and that need.sh knows what targets start
 	$(PYTHON) chapters/tools/excerpts.py --check
 	$(PYTHON) chapters/tools/quoted.py --check
 	$(PYTHON) chapters/tools/links.py
@@ -110,6 +110,7 @@ text: | needs ## compare code and numbers in the chapters with their sources; fo
 	$(PYTHON) chapters/tools/words.py --check
 	$(PYTHON) chapters/tools/colours.py
 	$(PYTHON) src/make/lost_nan.py
+	$(PYTHON) tests/harness/mutants.py --lines
 	$(WORKSHOP) $B text
 	$(PYTHON) src/make/needs.py
 

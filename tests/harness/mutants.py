@@ -2,6 +2,7 @@
 test file that must notice, and see that the named test fails.
 
     mutants.py BUILD [STEM ...]     (make mutants; CC, CFLAGS, LIBS from there)
+    mutants.py --lines              (part of make text: does each line stand, and each test?)
 
 An entry of tests/*/mutants.txt is four lines and a blank one:
     file   src/methods/fvi.c
@@ -25,8 +26,8 @@ import time
 
 BUILD = pathlib.Path(sys.argv[1])
 STEMS = set(sys.argv[2:])
-CC = shlex.split(os.environ["CC"]) + shlex.split(os.environ["CFLAGS"])
-LIBS = shlex.split(os.environ["LIBS"])
+CC = shlex.split(os.environ["CC"]) + shlex.split(os.environ.get("CFLAGS", ""))
+LIBS = shlex.split(os.environ.get("LIBS", ""))
 PROGRAM = {path.stem: path for room in ("program", "output", "options", "input") for path in sorted(pathlib.Path("src", room).glob("*.c"))}
 FOUND = [(name, path) for path in sorted(pathlib.Path("tests").glob("*/test_*.c"))
          for name in re.findall(r"START_TEST\(\s*(\w+)\s*\)", path.read_text())]
@@ -39,7 +40,7 @@ def entries():
     pages = [path.read_text() for path in sorted(pathlib.Path("tests").glob("*/mutants.txt"))]
     text = re.sub(r"^#.*\n", "", "\n\n".join(pages), flags=re.M)
     for block in filter(str.strip, re.split(r"\n\s*\n", text)):
-        entry = dict(line.split(None, 1) for line in block.strip().splitlines())
+        entry = dict((line.split(None, 1) + [""])[:2] for line in block.strip().splitlines())
         header = entry.pop("with", None)
         sanitizer = entry.pop("under", None)
         if set(entry) != {"file", "right", "wrong", "named"}:
@@ -53,6 +54,19 @@ def entries():
             yield entry
 
 
+def misplaced(entry):
+    """Why this is no mutant of the code as it is; None if it is one."""
+    file = pathlib.Path(entry["file"])
+    if not file.exists():
+        return "there is no such file"
+    times = file.read_text().count(entry["right"])
+    if times != 1:
+        return f"'{entry['right']}' stands {times} times there"
+    if file.suffix == ".h":
+        return "a header is no mutant's place"
+    return None if entry["named"] in TESTS else f"there is no test {entry['named']}"
+
+
 def compile_object(source, target, *beside):
     subprocess.run([*CC, "-w", "-Isrc", "-Itests", *beside, "-c", source, "-o", target], check=True)
     return target
@@ -61,13 +75,8 @@ def compile_object(source, target, *beside):
 def build(folder, entry, test):
     """The test binary, and the program if the test runs it, with the mutant in."""
     file = pathlib.Path(entry["file"])
-    text = file.read_text()
-    if text.count(entry["right"]) != 1:
-        raise ValueError(f"'{entry['right']}' stands {text.count(entry['right'])} times there")
-    if file.suffix == ".h":
-        raise ValueError("a header is no mutant's place")
     mutant = folder / file.name
-    mutant.write_text(text.replace(entry["right"], entry["wrong"]))
+    mutant.write_text(file.read_text().replace(entry["right"], entry["wrong"]))
     wrong = compile_object(mutant, folder / "mutant.o", "-I" + str(file.parent), *entry["options"])
     program = [wrong if file.stem == p else BUILD / "mutants" / f"{p}.o" for p in PROGRAM]
     if file.parent.name == "course":  # a stage stands within its test
@@ -84,13 +93,13 @@ def build(folder, entry, test):
         subprocess.run([*CC, *program, *library, *LIBS, *entry["options"], "-o", folder / "fvi"], check=True)
 
 
-def watched(command, environment):
+def watched(command, environment, seconds):
     """Its exit code and what it says. One that does not end is asked to, not killed: Check
     then ends the test that runs, which is a process of its own."""
     with subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                           text=True) as process:
         try:
-            said = process.communicate(timeout=120)[0]
+            said = process.communicate(timeout=seconds)[0]
             return process.returncode, said
         except subprocess.TimeoutExpired:
             process.terminate()
@@ -99,18 +108,18 @@ def watched(command, environment):
 
 def run(number, entry):
     """None if the mutant was named, else what happened; SURVIVED where nothing did."""
+    if wrong := misplaced(entry):
+        return wrong
     try:
         test = TESTS[entry["named"]]
         folder = BUILD / "mutants" / str(number)
         folder.mkdir(parents=True, exist_ok=True)
         build(folder, entry, test)
+        # A mutant may never end; a test as it is ends, also on a machine that is busy.
+        busy = 1 if entry["wrong"] != entry["right"] else 10
         environment = dict(os.environ, FVI=str(folder / "fvi"), CK_VERBOSITY="normal",
-                           CK_DEFAULT_TIMEOUT="20", ASAN_OPTIONS="detect_leaks=0", CPATH=str(pathlib.Path("src").resolve()))
-        status, said = watched([folder / "test"], environment)
-    except KeyError:
-        return f"there is no test {entry['named']}"
-    except ValueError as error:
-        return str(error)
+                           CK_DEFAULT_TIMEOUT=str(20 * busy), ASAN_OPTIONS="detect_leaks=0", CPATH=str(pathlib.Path("src").resolve()))
+        status, said = watched([folder / "test"], environment, 120 * busy)
     except subprocess.CalledProcessError:
         return "it does not compile"
     except subprocess.TimeoutExpired:
@@ -130,6 +139,12 @@ def main():
     todo = list(entries())
     if not todo:
         sys.exit("no mutant was tried")
+    if str(BUILD) == "--lines":
+        faults = [f"{entry['file']}: {fault}" for entry in todo if (fault := misplaced(entry))]
+        if faults:
+            sys.exit("\n".join(faults) + "\nmutants whose line or test is another now: tests/*/mutants.txt")
+        print(f"mutants: each of {len(todo)} lines stands once, and each test is there")
+        return
     (BUILD / "mutants").mkdir(parents=True, exist_ok=True)
     for name, path in PROGRAM.items():
         compile_object(path, BUILD / "mutants" / f"{name}.o")
