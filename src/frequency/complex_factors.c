@@ -15,7 +15,9 @@ struct fvi_complex_factors {
     double complex *LU;     /* dense: row by row; sparse: the entries */
     size_t *pivot;          /* dense: row j was exchanged with it; NULL if sparse */
     int exchanges;
-    void *symbolic, *numeric; /* UMFPACK's */
+    void *symbolic, *numeric; /* UMFPACK's, and what it needs to solve */
+    double *room;
+    int *index;
     double control[UMFPACK_CONTROL];
 };
 
@@ -49,7 +51,11 @@ int fvi_complex_factors_alloc(size_t n, const int *start, const int *row,
     *f = (fvi_complex_factors){ .n = n, .start = start, .row = row };
     f->LU = malloc(entries * sizeof *f->LU);
     f->pivot = start ? NULL : malloc(n * sizeof *f->pivot);
-    int status = f->LU && (start || f->pivot) ? FVI_SUCCESS : FVI_ENOMEM;
+    f->room = start ? malloc(6 * n * sizeof *f->room) : NULL;
+    f->index = start ? malloc(n * sizeof *f->index) : NULL;
+    int status = f->LU && (start ? f->room && f->index : f->pivot != NULL)
+                     ? FVI_SUCCESS
+                     : FVI_ENOMEM;
     if (!status && start)
         status = order(f);
     if (status)
@@ -157,16 +163,11 @@ int fvi_complex_factors_solve(const fvi_complex_factors *f, double complex *x)
         substitute(f, x);
         return FVI_SUCCESS;
     }
-    double complex *b = malloc(f->n * sizeof *b);
-    if (!b)
-        return FVI_ENOMEM;
-    memcpy(b, x, f->n * sizeof *b);
-    const int status =
-        umfpack_zi_solve(UMFPACK_A, f->start, f->row, (double *)f->LU, NULL,
-                         (double *)x, NULL, (double *)b, NULL, f->numeric,
-                         f->control, NULL);
-    free(b);
-    return status_of(status);
+    double *b = f->room + 4 * f->n;
+    memcpy(b, x, 2 * f->n * sizeof *b);
+    return status_of(umfpack_zi_wsolve(
+        UMFPACK_A, f->start, f->row, (double *)f->LU, NULL, (double *)x, NULL, b,
+        NULL, f->numeric, f->control, NULL, f->index, f->room));
 }
 
 void fvi_complex_factors_free(fvi_complex_factors *f)
@@ -179,5 +180,7 @@ void fvi_complex_factors_free(fvi_complex_factors *f)
         umfpack_zi_free_symbolic(&f->symbolic);
     free(f->LU);
     free(f->pivot);
+    free(f->room);
+    free(f->index);
     free(f);
 }

@@ -186,14 +186,11 @@ int fvi_pole_newton(fvi_response *r, fvi_pole_candidate *p)
 }
 
 double complex fvi_pole_start(const fvi_response *r, double lambda,
-                              const double complex *v)
+                              const double complex *v, double complex *form)
 {
     double low = -300, high = 300;
-    double complex *form = malloc(r->terms * sizeof *form);
-    if (lambda > 0 || !form) {
-        free(form);
-        return I * sqrt(lambda > 0 ? lambda : 0);
-    }
+    if (lambda > 0)
+        return I * sqrt(lambda);
     find_forms(r, v, form);
     for (int i = 0; i < 60; i++) {
         const double middle = (low + high) / 2, omega = exp(middle);
@@ -201,7 +198,6 @@ double complex fvi_pole_start(const fvi_response *r, double lambda,
         *(cabs(f.damping) > omega * omega * cabs(form[0]) ? &low : &high) =
             middle;
     }
-    free(form);
     return low == -300 ? 0 : I * exp(low);
 }
 

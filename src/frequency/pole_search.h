@@ -19,9 +19,10 @@ int fvi_pole_is_found(const fvi_pole_candidate *p, double widest);
 int fvi_pole_newton(fvi_response *response, fvi_pole_candidate *p);
 
 /* fvi_pole_start -- s of an undamped mode v with its lambda: i sqrt(lambda), or, where lambda is not
- * positive, i times the rate at which its inertia and its damping are equal; 0 if there is none. */
+ * positive, i times the rate at which its inertia and its damping are equal; 0 if there is none.
+ * `form` has room for a number of each term of Z. */
 double complex fvi_pole_start(const fvi_response *response, double lambda,
-                              const double complex *v);
+                              const double complex *v, double complex *form);
 
 /* fvi_pole_follow -- from an undamped mode with s = i omega, v along the damping, from none of it
  * to all. The smaller `tight` <= 1 is, the shorter are the steps.            (30.10)

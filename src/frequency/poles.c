@@ -14,7 +14,8 @@
 enum {
     ALL_ARE_SOUGHT = 64, /* unknowns whose lowest poles are chosen from all */
     MORE = 4,            /* modes of others, beside those that are asked for */
-    MOST_OF_ONE = 8      /* poles of one oscillator */
+    MOST_OF_ONE = 8,     /* poles of one oscillator */
+    FOLDS = 12           /* of e: poles are counted so far below and above those that were found */
 };
 
 /* The search: starts from n undamped modes; places for `room` candidates. */
@@ -24,7 +25,7 @@ typedef struct {
     int all_are_there; /* by the theorem */
     double *lambda, *mode;
     fvi_pole_candidate *candidate;
-    double complex *shapes;
+    double complex *shapes, *form; /* form: of each term of Z */
 } search;
 
 static void search_free(search *s)
@@ -43,7 +44,8 @@ static int search_alloc(fvi_response *r, size_t count, search *s)
     s->lambda = malloc(s->n * (d + 1) * sizeof *s->lambda);
     s->mode = s->lambda + s->n;
     s->candidate = calloc(s->room, sizeof *s->candidate);
-    s->shapes = malloc(s->room * d * sizeof *s->shapes);
+    s->shapes = malloc((s->room * d + r->terms) * sizeof *s->shapes);
+    s->form = s->shapes + s->room * d;
     for (size_t k = 0; s->candidate && k < s->room; k++)
         s->candidate[k].v = s->shapes + k * d;
     return s->lambda && s->candidate && s->shapes ? FVI_SUCCESS : FVI_ENOMEM;
@@ -55,7 +57,7 @@ static void begin(search *s, size_t k)
     fvi_pole_candidate *p = &s->candidate[k];
     for (size_t i = 0; i < s->d; i++)
         p->v[i] = s->mode[k * s->d + i];
-    p->s = fvi_pole_start(s->response, s->lambda[k], p->v);
+    p->s = fvi_pole_start(s->response, s->lambda[k], p->v, s->form);
     p->residual = 1;
 }
 
@@ -283,7 +285,7 @@ static size_t expected(const search *s, int all_of_one)
             high = larger(high, log(size));
         }
     }
-    return low <= high ? fvi_poles_counted(s->response, low - 25, high + 25) : 0;
+    return low <= high ? fvi_poles_counted(s->response, low - FOLDS, high + FOLDS) : 0;
 }
 
 static int hand_over(search *s, size_t count, size_t expect, fvi_poles *poles)

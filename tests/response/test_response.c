@@ -162,6 +162,7 @@ START_TEST(a_structure_responds_as_its_masses_do)
 {
     linear_system s;
     make_system(0, &s);
+    s.term[1][0].rho = 3;
     fvi_triplet list[3][20];
     size_t n[3] = { 0 };
     for (int i = 0; i < 5; i++)
@@ -189,6 +190,7 @@ START_TEST(a_structure_responds_as_its_masses_do)
     OK(fvi_response_at(r, FVI_RESPONSE_GROUND, 1, &omega, 4, 0, H[0], NULL));
     fvi_response_free(r);
     make_system(0, &s);
+    s.term[1][0].rho = 3;
     const fvi_linear_motion as_masses = { .system = &s.system };
     r = response_of(&as_masses);
     OK(fvi_response_at(r, FVI_RESPONSE_GROUND, 1, &omega, 4, 0, H[1], NULL));

@@ -92,7 +92,7 @@ void free(void *block)
 
 /* ---- calls ---- */
 
-static const double mass[] = { 1, 2, 1 }, rho[] = { 0.3, 0.2, 0.1 },
+static double mass[] = { 1, 2, 1 }, rho[] = { 0.3, 0.2, 0.1 },
                     x0[] = { 1, 0, 0.5 }, p0[] = { 0.5, 0.1, 0 },
                     cg[] = { 1, 0.5 };
 
@@ -238,11 +238,44 @@ static int moduli(const fvi_method *method)
     return fvi_estimate_moduli(LEN(w), w, storage, loss, &fitted);
 }
 
+/* Responses and poles of one oscillator and of chains, by dense and by sparse factors. */
+static int linear(const fvi_method *method)
+{
+    static const size_t sizes[] = { 1, 5, 257 };
+    static double masses[300], dampings[300];
+    static const double spring[2] = { 1, 0 }, omega = 0.7;
+    int status = FVI_SUCCESS;
+    if (method != fvi_methods[0])
+        return -1; /* it is of none */
+    for (size_t i = 0; i < LEN(masses); i++) {
+        masses[i] = 1;
+        dampings[i] = i % 2 ? 0.1 : 0;
+    }
+    dampings[0] = 0.5;
+    for (size_t l = 0; !status && l < LEN(sizes); l++) {
+        const fvi_system system = { .d = sizes[l], 
+                                    .mass = masses, .damping = dampings,
+                                    .potential = fvi_potential_chain(spring) };
+        const fvi_linear_motion motion = { .system = &system, .alpha = 0.3 };
+        fvi_response *response = NULL;
+        fvi_poles poles = { 0 };
+        double H[2];
+        status = fvi_response_alloc(&motion, &response, NULL);
+        if (!status)
+            status = fvi_response_at(response, FVI_RESPONSE_GROUND, 1, &omega, 0, 0, H, NULL);
+        if (!status)
+            status = fvi_poles_find(response, l < 2 ? 0 : 1, &poles, NULL);
+        fvi_poles_free(&poles);
+        fvi_response_free(response);
+    }
+    return status;
+}
+
 typedef int call(const fvi_method *method);
 
 START_TEST(a_call_without_memory_says_so)
 {
-    call *const calls[] = { life, life_with_a_law, load, load_of_full, warnings, control, moduli };
+    call *const calls[] = { life, life_with_a_law, load, load_of_full, warnings, control, moduli, linear };
     size_t said = 0;
 #ifdef OTHER_ALLOCATOR
     return;
@@ -252,7 +285,7 @@ START_TEST(a_call_without_memory_says_so)
             failing = 0;
             if (calls[c](fvi_methods[m]))
                 continue; /* not for this method */
-            for (size_t n = 1;; n++) {
+            for (size_t n = 1;; n += calls[c] == linear ? 1 + n / 8 : 1) {
                 made = 0;
                 has_failed = 0;
                 failing = n;
@@ -262,8 +295,9 @@ START_TEST(a_call_without_memory_says_so)
                 failing = 0;
                 if (!has_failed)
                     break;
-                ck_assert_msg(status == FVI_ENOMEM, "call %zu of %s: %zu: %d",
-                              c, fvi_methods[m]->name, n, status);
+                /* UMFPACK may ask for less, and go on */
+                ck_assert_msg(status == FVI_ENOMEM || (calls[c] == linear && !status),
+                              "call %zu of %s: %zu: %d", c, fvi_methods[m]->name, n, status);
                 ck_assert_msg(left == 0, "call %zu of %s: %zu: %ld blocks left",
                               c, fvi_methods[m]->name, n, left);
                 said++;

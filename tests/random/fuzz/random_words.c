@@ -242,8 +242,13 @@ static void option(void)
 
 void random_line(void)
 {
-    static const char *const commands[] = { "run",   "run",   "run",
-                                            "exact", "sweep", "gradient" };
+    static const char *const commands[] = { "run",   "run",      "run",
+                                            "exact", "sweep",    "gradient",
+                                            "poles", "response" };
+    static const char *const grids[] = { "1", "0.1:10:4:log", "0.5,2", "1:2",
+                                         "0", "1e300:1e308:3", "1e-300" };
+    static const char *const kinds[] = { "receptance", "mobility", "ground",
+                                         "accelerance", "moduli", "m" };
     static const char *const rare[] = { "coefficients", "methods", "help",
                                         "--version",    "rum",     "" };
     const char *command = dice(12) ? ONE_OF(commands) : ONE_OF(rare);
@@ -257,7 +262,15 @@ void random_line(void)
     }
     for (size_t n = dice(5); n > 0; n--)
         option();
-    if (dice(40))
+    const int is_linear =
+        strcmp(command, "poles") == 0 || strcmp(command, "response") == 0;
+    if (strcmp(command, "response") == 0 && dice(9)) {
+        add("--omega=%s", ONE_OF(grids));
+        add("--of=%s", ONE_OF(kinds));
+    }
+    if (is_linear && dice(3) == 0)
+        add(*command == 'p' ? "--shapes" : "--hertz");
+    if (is_linear ? dice(40) == 0 : dice(40))
         add("--steps=%s", dice(9) ? "20" : few());
     if (dice(20) == 0)
         add("%s", dice(2) ? "-h" : "--continue");
