@@ -70,6 +70,11 @@ const char *fvi_marked_file(size_t i)
     return inputs[i].name;
 }
 
+const char *fvi_marked_option(size_t i)
+{
+    return inputs[i].option;
+}
+
 int fvi_check_output(const char *option, const char *name, fvi_error *c)
 {
     struct stat file;

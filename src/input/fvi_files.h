@@ -15,9 +15,11 @@ int fvi_same_file(const char *a, const char *b);
 void fvi_mark_read(const char *option, const char *name);
 
 /* fvi_marked_files -- how many marks are kept.
- * fvi_marked_file -- the name of the i-th, from 0; NULL if there was no memory for it. */
+ * fvi_marked_file -- the name of the i-th, from 0; NULL if there was no memory for it.
+ * fvi_marked_option -- for which option it is read. */
 size_t fvi_marked_files(void);
 const char *fvi_marked_file(size_t i);
+const char *fvi_marked_option(size_t i);
 
 /* fvi_check_output -- refuse an output that would take the place of what was read, by
  * whatever name. `option` is with its dashes; name NULL is standard output, which a shell

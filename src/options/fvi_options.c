@@ -28,6 +28,14 @@ const char *fvi_command_name(fvi_command command)
     return commands[command];
 }
 
+const char *fvi_command_of_word(const char *word)
+{
+    for (size_t i = 0; commands[i]; i++)
+        if (strcasecmp(word, commands[i]) == 0)
+            return commands[i];
+    return "help";
+}
+
 static int command_of(const char *name, fvi_command *command, fvi_error *c)
 {
     for (size_t i = 0; commands[i]; i++)

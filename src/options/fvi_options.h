@@ -15,6 +15,9 @@
  * FVI_COMMAND_HELP. */
 int fvi_options_parse(int argc, char **argv, fvi_options *o, fvi_error *error);
 
+/* fvi_command_of_word -- the command of this word, as it is written; "help" if it is none. */
+const char *fvi_command_of_word(const char *word);
+
 /* fvi_command_name -- its word: "run", or "--version". */
 const char *fvi_command_name(fvi_command command);
 

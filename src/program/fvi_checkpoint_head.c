@@ -41,6 +41,8 @@ static int describe_files(FILE *head)
     char part[1 << 14];
     for (size_t i = 0; i < fvi_marked_files(); i++) {
         const char *name = fvi_marked_file(i);
+        if (strcmp(fvi_marked_option(i), "problem") == 0)
+            continue; /* its words stand in the head */
         uint64_t sum = FVI_FIRST_SUM;
         FILE *f = name ? fopen(name, "r") : NULL;
         if (!name || (!f && errno == ENOMEM))

@@ -12,6 +12,7 @@
 #include "output/fvi_table.h"
 #include "fvi_usage.h"
 #include "options/fvi_options.h"
+#include "input/fvi_problem_words.h"
 #include "options/fvi_values.h"
 
 #include <fcntl.h>
@@ -206,7 +207,10 @@ int main(int argc, char **argv)
         if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != fd)
             return 1;
     signal(SIGCHLD, SIG_DFL); /* or a child that has ended could not be asked */
-    int status = fvi_options_parse(argc, argv, &o, &error);
+    int status = fvi_problem_words(&argc, &argv, &error);
+    if (status) /* the command is known at most */
+        return fvi_refused(&error, fvi_command_of_word(argc > 1 ? argv[1] : ""));
+    status = fvi_options_parse(argc, argv, &o, &error);
     if (status)
         return fvi_refused(&error, fvi_command_name(o.command));
     switch (o.command) {

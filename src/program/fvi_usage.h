@@ -109,6 +109,7 @@ static const char usage_run_examples[] =
     "  --snapshot FILE  all x and p at the end, a line each\n"
     "  --checkpoint F   the state of the run, into a file, every 10 seconds\n"
     "  --continue       go on from that file, with the same digits\n"
+    "  --problem FILE   these words in a file, one a line, without --\n"
     "  --format F       tsv; csv (names in the first line); json      [tsv]\n"
     "  -o FILE          write there, complete or not at all           "
     "[stdout]\n"
@@ -129,6 +130,7 @@ static const char usage_exact[] =
     "--p0 --h --steps --time --columns --every --plot --format -o, and --potential\n"
     "harmonic:C (C >= 0) or free; of several masses that were held also any\n"
     "quadratic --potential, --let --dimension --system --damper --unknowns\n"
+    "  --problem FILE   these words in a file, one a line, without --\n"
     "\n"
     "examples:\n"
     "  fvi exact --alpha 0.3 --time 20 --steps 4\n"
@@ -155,6 +157,7 @@ static const char usage_sweep[] =
     "--dimension --system --force --ground --along --derivative --kappa --x0\n"
     "--p0 --h --steps --time --error --step-error --longest --most-steps --columns\n"
     "--reduce --unknowns --every --memory --tolerance --format -o\n"
+    "  --problem FILE   these words in a file, one a line, without --\n"
     "\n"
     "examples:\n"
     "  fvi sweep --vary alpha=0:1:101 --steps 400 --columns x,energy\n"
@@ -168,6 +171,7 @@ static const char usage_coefficients[] =
     "  --count N   how many, N >= 1     [10]\n"
     "  --format F  tsv, csv, json       [tsv]\n"
     "  -o FILE     write there, complete or not at all\n"
+    "  --problem FILE   these words in a file, one a line, without --\n"
     "\n"
     "example:\n"
     "  fvi coefficients --alpha 0.3 --count 5\n";
@@ -188,6 +192,7 @@ static const char usage_fit[] =
     "(what is not fitted; of what is, one of the starts) --let --force\n"
     "--derivative --kappa\n"
     "--most-steps --memory --tolerance --method [fvi-lobatto4] -o\n"
+    "  --problem FILE   these words in a file, one a line, without --\n"
     "\n"
     "example:\n"
     "  fvi fit --fit alpha,rho,x0 measured.tsv\n";
@@ -202,6 +207,7 @@ static const char usage_gradient[] =
     "--alpha --order --rho --damping --mass --potential --let --dimension --system\n"
     "--force --derivative --kappa --x0 --p0 --h --steps --time --step-error\n"
     "--longest --most-steps --memory --tolerance -o\n"
+    "  --problem FILE   these words in a file, one a line, without --\n"
     "\n"
     "example:\n"
     "  fvi gradient --alpha 0.3 --potential duffing:1,0.5 --of energy\n";
@@ -222,6 +228,7 @@ static const char usage_response[] =
     "                   Cole and Cole\n"
     "and of run: --alpha --order --rho --damping --mass --potential --let\n"
     "--dimension --system --x0 [0] --format -o\n"
+    "  --problem FILE   these words in a file, one a line, without --\n"
     "\n"
     "examples:\n"
     "  fvi response --alpha 0.3 --omega 0.1:10:200:log --plot bode.svg\n"
@@ -236,6 +243,7 @@ static const char usage_poles[] =
     "  --shapes         also the shapes, re1 im1 ...\n"
     "and of run: --alpha --order --rho --damping --mass --potential --let\n"
     "--dimension --system --x0 [0] --format -o\n"
+    "  --problem FILE   these words in a file, one a line, without --\n"
     "\n"
     "example:\n"
     "  fvi poles --potential chain:5,1,0 --alpha 0.3 --rho 0.1\n";

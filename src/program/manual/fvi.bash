@@ -19,7 +19,7 @@ _fvi()
         --columns) known='t,x t,x,p,energy t,x,v,a t,x,d1.force t,x,work,balance' ;;
         --reduce) known='max(x) peak(x) rms(x) mean(x) at(max(x))' ;;
         --of) known='x p energy'; [[ ${COMP_WORDS[1]} == response ]] && known='receptance mobility accelerance ground moduli' ;;
-        -o | --plot | --snapshot | --system | --checkpoint | --curve | --forces) COMPREPLY=($(compgen -f -- "$word")); return ;;
+        -o | --problem | --plot | --snapshot | --system | --checkpoint | --curve | --forces) COMPREPLY=($(compgen -f -- "$word")); return ;;
         *) known=$(fvi help "${COMP_WORDS[1]}" 2>/dev/null | grep -oE -- '--[a-z0-9-]+' | sort -u) ;;
         esac
     fi

@@ -17,7 +17,7 @@ else
     --columns) known=(t,x t,x,p,energy t,x,v,a t,x,d1.force t,x,work,balance) ;;
     --reduce) known=('max(x)' 'peak(x)' 'rms(x)' 'mean(x)' 'at(max(x))') ;;
     --of) known=(x p energy); [[ $words[2] == response ]] && known=(receptance mobility accelerance ground moduli) ;;
-    -o|--plot|--snapshot|--system|--checkpoint|--curve|--forces) _files; return ;;
+    -o|--problem|--plot|--snapshot|--system|--checkpoint|--curve|--forces) _files; return ;;
     *) known=(${(f)"$(fvi help $words[2] 2>/dev/null | grep -oE -- '--[a-z0-9-]+' | sort -u)"}) ;;
     esac
 fi

@@ -1,0 +1,140 @@
+/* src/input/fvi_problem_words.c -- The words of the command line in a file. */
+#define _GNU_SOURCE /* getline, asprintf */
+#include "fvi_problem_words.h"
+#include "fvi_files.h"
+#include "fvi_refuse.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The words on their way, ended by NULL. */
+typedef struct {
+    char **word;
+    int count, room;
+} list;
+
+static int add(list *l, char *word, fvi_error *error)
+{
+    if (l->count + 1 >= l->room) {
+        const int room = 2 * l->room + 64;
+        char **more = realloc(l->word, (size_t)room * sizeof *more);
+        if (!more)
+            word = NULL;
+        else
+            l->word = more;
+        if (more)
+            l->room = room;
+    }
+    if (!word)
+        return fvi_fail(error, FVI_ENOMEM, "problem", NAN, "not enough memory");
+    l->word[l->count++] = word;
+    l->word[l->count] = NULL;
+    return 0;
+}
+
+static char *trim(char *text)
+{
+    while (isspace((unsigned char)*text))
+        text++;
+    size_t n = strlen(text);
+    while (n > 0 && isspace((unsigned char)text[n - 1]))
+        text[--n] = '\0';
+    return text;
+}
+
+/* "NAME VALUE", "NAME = VALUE" or "NAME" alone. */
+static int take_line(list *l, const char *file, size_t number, char *line,
+                     fvi_error *error)
+{
+    char *word = NULL;
+    line = trim(line);
+    if (*line == '\0' || *line == '#')
+        return 0;
+    const size_t name =
+        strspn(line, "abcdefghijklmnopqrstuvwxyz0123456789-ABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    if (name == 0 || *line == '-'
+        || (line[name] && !strchr(" \t=", line[name])))
+        return fvi_refuse(error, "problem",
+                          "%s, line %zu: '%.40s' does not begin with the name of "
+                          "an option, without --",
+                          file, number, line);
+    if (strncmp(line, "problem", name) == 0 && name == 7)
+        return fvi_refuse(error, "problem", "%s, line %zu: a file in a file",
+                          file, number);
+    char *value = trim(line + name);
+    if (*value == '=')
+        value = trim(value + 1);
+    else if (*value == '\0')
+        value = NULL;
+    const int is_output = name == 1 && *line == 'o'; /* -o FILE */
+    if (asprintf(&word, "%s%.*s%s%s", is_output ? "-" : "--", (int)name, line,
+                 value && !is_output ? "=" : "",
+                 value && !is_output ? value : "")
+        < 0)
+        word = NULL;
+    int status = add(l, word, error);
+    if (!status && is_output && value)
+        status = add(l, strdup(value), error);
+    return status;
+}
+
+static int take_file(list *l, const char *name, fvi_error *error)
+{
+    FILE *f = fopen(name, "r");
+    char *line = NULL;
+    size_t room = 0, number = 0;
+    int status = 0;
+    if (!f)
+        return fvi_refuse(error, "problem", "cannot read '%s': %s", name,
+                          strerror(errno));
+    fvi_mark_read("problem", name);
+    errno = 0;
+    while (!status && getline(&line, &room, f) >= 0)
+        status = take_line(l, name, ++number, line, error);
+    if (!status && ferror(f))
+        status = fvi_refuse(error, "problem", "cannot read '%s': %s", name,
+                            strerror(errno));
+    free(line);
+    fclose(f);
+    return status;
+}
+
+/* Is this --problem, with its value? Then that is the value; NULL if it is missing. */
+static int is_problem(char **argv, int argc, int *i, const char **value)
+{
+    static const char name[] = "--problem";
+    const size_t length = sizeof name - 1;
+    if (strncmp(argv[*i], name, length) != 0
+        || (argv[*i][length] && argv[*i][length] != '='))
+        return 0;
+    *value = argv[*i][length] ? argv[*i] + length + 1
+             : *i + 1 < argc  ? argv[++*i]
+                              : NULL;
+    return 1;
+}
+
+int fvi_problem_words(int *argc, char ***argv, fvi_error *error)
+{
+    list l = { NULL, 0, 0 };
+    int found = 0, status = 0;
+    for (int i = 0; i < *argc && !status; i++) {
+        const char *file;
+        if (i < 2 || !is_problem(*argv, *argc, &i, &file)) {
+            status = add(&l, (*argv)[i], error);
+            continue;
+        }
+        found = 1;
+        status = file ? take_file(&l, file, error)
+                      : fvi_refuse(error, NULL, "--problem: a value is missing");
+    }
+    if (!found) {
+        free(l.word);
+        return status;
+    }
+    *argc = l.count;
+    *argv = l.word;
+    return status;
+}
