@@ -87,7 +87,9 @@ typedef struct {
  *          and t_{k+1}. With a law: none by its orders, times and ends, and by a factor only
  *          that of a law of one term; by p0, where the law grows faster than s, NaN is
  *          written, as such a run begins at rest
- *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19)
+ *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19) With several
+ *          dampers `damping` has a number for each, by a factor of its kernel; there is none by the
+ *          numbers of their laws, nor of a J that depends on momenta before p_N
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
  *          fvi_variable_step, where nothing is damped, is the one of form M with such a damping
  *

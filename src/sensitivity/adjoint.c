@@ -2,6 +2,7 @@
 #include <fvi/adjoint.h>
 
 #include "checkpointing.h"
+#include "adjoint_dampers.h"
 #include "adjoint_multistep.h"
 #include "adjoint_variable.h"
 #include "adjoint_lobatto.h"
@@ -32,10 +33,11 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (method->scheme == FVI_SCHEME_CLASSICAL)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
-    if (run->system && run->system->mechanism)
-        FVI_FAIL("no adjoint of a run with several dampers; with C, or masses with laws of "
-                 "damping, there is one",
-                 FVI_EUNSUP);
+    const int dampers = run->system && run->system->mechanism
+                            ? fvi_adjoint_dampers_check(method, run, J, want)
+                            : FVI_SUCCESS;
+    if (dampers)
+        return dampers;
     for (size_t i = 0; run->law && i < run->law->count; i++)
         if (run->law->term[i].kind >= FVI_KERNEL_MAXWELL2
             && (want->orders || want->times || want->ends))
@@ -98,6 +100,14 @@ static size_t forces_of(const fvi_method *method)
     return method->stages ? (size_t)method->stages - 1 : 1;
 }
 
+/* Numbers of a derivative by dampings: of each mass, or by a factor of C, or of each damper. */
+static size_t dampings_of(const fvi_system *system)
+{
+    return system->mechanism  ? system->mechanism->damper_count
+           : system->matrices ? 1
+                              : system->d;
+}
+
 /* What is added to, from zero on. */
 static void clear(const fvi_run *run, const fvi_sensitivities *want, size_t per)
 {
@@ -111,7 +121,7 @@ static void clear(const fvi_run *run, const fvi_sensitivities *want, size_t per)
         for (size_t i = 0; of_law[l] && i < run->law->count; i++)
             of_law[l][i] = 0;
     if (want->damping)
-        memset(want->damping, 0, (whole ? 1 : d) * sizeof *want->damping);
+        memset(want->damping, 0, dampings_of(run->system) * sizeof *want->damping);
     if (want->force)
         memset(want->force, 0,
                (run->steps * per + 1) * d * sizeof *want->force);
@@ -132,11 +142,13 @@ static int slopes(const fvi_objective *J, size_t k, size_t d, const double *x,
     return J->slopes(k, d, x, p, J->params, Jx, Jp);
 }
 
-/* One of the two kinds of mirrored runs: with stages, or without (0). */
+/* One of the three kinds of mirrored runs: with stages, or without (0), or of several dampers. */
 typedef struct {
     size_t stages;
+    int has_dampers;
     fvi_adjoint_multistep plain;
     fvi_adjoint_lobatto staged;
+    fvi_adjoint_dampers several;
 } mirror;
 
 static int begin(const fvi_method *method, const fvi_run *run,
@@ -144,6 +156,9 @@ static int begin(const fvi_method *method, const fvi_run *run,
                  const double *p, const double *Jp, mirror *m)
 {
     m->stages = (size_t)method->stages;
+    m->has_dampers = run->system->mechanism != NULL;
+    if (m->has_dampers)
+        return fvi_adjoint_dampers_start(method, run, want, rows, Jp, &m->several);
     return m->stages ? fvi_adjoint_lobatto_start(method, run, want, jumps, p, Jp,
                                                  &m->staged)
                      : fvi_adjoint_multistep_start(method, run, want, jumps, rows, Jp,
@@ -152,6 +167,8 @@ static int begin(const fvi_method *method, const fvi_run *run,
 
 static int step(mirror *m, size_t k, const double *rows, const double *Jx)
 {
+    if (m->has_dampers)
+        return fvi_adjoint_dampers_step(&m->several, k, rows, Jx);
     return m->stages ? fvi_adjoint_lobatto_step(&m->staged, k, rows, Jx)
                      : fvi_adjoint_multistep_step(&m->plain, k, rows, Jx);
 }
@@ -167,8 +184,9 @@ static int jump(mirror *m, const double *Jp)
 static int finish(mirror *m, const fvi_sensitivities *want, size_t d,
                   const double *Jx, const double *Jp)
 {
-    const int status = m->stages ? fvi_adjoint_lobatto_end(&m->staged, Jx)
-                                 : fvi_adjoint_multistep_end(&m->plain, Jx);
+    const int status = m->has_dampers ? fvi_adjoint_dampers_end(&m->several, Jx)
+                       : m->stages    ? fvi_adjoint_lobatto_end(&m->staged, Jx)
+                                      : fvi_adjoint_multistep_end(&m->plain, Jx);
     for (size_t i = 0; Jp && want->p0 && i < d; i++)
         want->p0[i] += Jp[i];
     return status;
@@ -176,6 +194,7 @@ static int finish(mirror *m, const fvi_sensitivities *want, size_t d,
 
 static void stop(mirror *m)
 {
+    fvi_adjoint_dampers_free(&m->several);
     fvi_adjoint_lobatto_stop(&m->staged);
     fvi_adjoint_multistep_free(&m->plain);
 }
@@ -235,7 +254,7 @@ static int are_finite(const fvi_method *method, const fvi_run *run,
                       d },
                     { is_still ? NULL : want->p0, d },
                     { want->mass, whole ? 1 : d },
-                    { want->damping, whole ? 1 : d },
+                    { want->damping, dampings_of(run->system) },
                     { want->alpha, 1 },
                     { want->terms, l },
                     { want->orders, l },

@@ -1,0 +1,376 @@
+/* src/sensitivity/adjoint_dampers.c -- The run of a structure with several dampers, backwards.
+ *                                                                     [H 23, 27] */
+#include "adjoint_dampers.h"
+
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int fvi_adjoint_dampers_check(const fvi_method *method, const fvi_run *run,
+                              const fvi_objective *objective,
+                              const fvi_sensitivities *want)
+{
+    const fvi_mechanism *m = run->system->mechanism;
+    if (!run->system->matrices)
+        FVI_FAIL("no adjoint of a run with dampers between points, a Lagrangian or "
+                 "constraints; of a structure with several dampers there is one",
+                 FVI_EUNSUP);
+    if (want->alpha || want->terms || want->orders || want->times || want->ends)
+        FVI_FAIL("several dampers have a derivative by a factor of each, and none by the "
+                 "numbers of their laws; one damping has",
+                 FVI_EUNSUP);
+    if (objective->has_momenta)
+        FVI_FAIL("with several dampers J depends on positions and p_N; with one damping on "
+                 "every momentum",
+                 FVI_EUNSUP);
+    if (want->mass && !run->system->matrices->inertia)
+        FVI_FAIL("no derivative by a factor of M without its products", FVI_EUNSUP);
+    for (size_t j = 0; j < m->damper_count; j++) {
+        if (method->scheme == FVI_SCHEME_FVI
+            && m->damper[j].past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
+            FVI_FAIL("no adjoint by fvi with Riemann and Liouville's past of one of "
+                     "several dampers; by fvi-bdf2 and fvi-stable there is",
+                     FVI_EUNSUP);
+        if (method->scheme == FVI_SCHEME_CQ2_SHIFTED && fvi_run_damper_of(run, j).law)
+            FVI_FAIL("fvi-shifted has no adjoint with a law; fvi-bdf2 and fvi-stable have",
+                     FVI_EUNSUP);
+    }
+    return FVI_SUCCESS;
+}
+
+/* ---- the start ---- */
+
+static int allocate(fvi_adjoint_dampers *m)
+{
+    double **each[] = { &m->Jp, &m->v0, &m->right, &m->by_start,
+                        &m->z,  &m->work, &m->column };
+    enum { ARRAYS = sizeof each / sizeof *each };
+    const size_t d = m->d;
+    m->each = calloc(m->count, sizeof *m->each);
+    m->held = calloc(m->count, sizeof *m->held);
+    m->block = calloc((ARRAYS + 3 * m->count) * d, sizeof *m->block);
+    if (!m->each || !m->held || !m->block)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    double *next = m->block;
+    for (size_t i = 0; i < ARRAYS; i++, next += d)
+        *each[i] = next;
+    for (size_t j = 0; j < m->count; j++, next += 3 * d) {
+        m->each[j].by_drift = next;
+        m->each[j].pull = next + d;
+        m->each[j].CJ = next + 2 * d;
+    }
+    return FVI_SUCCESS;
+}
+
+/* The mirrored run at node N, at rest at J_p; all its dampers were held. */
+static int start_stepper(fvi_adjoint_dampers *m, const fvi_method *method)
+{
+    fvi_run back = *m->run;
+    const fvi_system *system = m->run->system;
+    for (size_t j = 0; j < m->count; j++) {
+        m->held[j] = system->mechanism->damper[j];
+        m->held[j].past = FVI_INITIAL_HISTORY_HELD;
+    }
+    m->mechanism = (fvi_mechanism){ .damper_count = m->count, .damper = m->held };
+    m->linearised = fvi_linearised_begin(system, 1);
+    m->linearised.from_zero = m->paper_convention;
+    m->system = fvi_linearised_system(system, &m->linearised);
+    m->system.mechanism = &m->mechanism;
+    back.system = &m->system;
+    back.x0 = m->Jp;
+    back.p0 = m->work; /* zeros */
+    back.kappa = 1 - m->kappa;
+    return fvi_stepper_start(method, &back, &m->stepper, NULL);
+}
+
+/* The impulses of the past, for an amplitude of 1. */
+static int start_impulses(const fvi_adjoint_dampers *m, fvi_adjoint_damper *a)
+{
+    static const double ends[] = { 0, 1 };
+    const double h = m->run->h;
+    if (m->paper_convention || !fvi_initial_history_acts(a->of.past, a->of.growth / 2))
+        return FVI_SUCCESS;
+    a->impulse_size = 1;
+    if (a->of.law)
+        return fvi_impulses_of_kernel_alloc(a->of.law, h, &a->impulses_of_law);
+    fvi_kernel_impulse_prepare(a->of.alpha, 2, ends, &a->impulse);
+    a->impulse_size = a->of.rho * pow(h, 1 + a->impulse.e);
+    return FVI_SUCCESS;
+}
+
+static int is_zero(size_t d, const double *v)
+{
+    for (size_t i = 0; i < d; i++)
+        if (v[i] != 0)
+            return 0;
+    return 1;
+}
+
+/* What the memory held at J_p leaves out, (23.23). */
+static int start_constant(const fvi_adjoint_dampers *m, const fvi_method *method,
+                          fvi_adjoint_damper *a)
+{
+    fvi_run one = *m->run;
+    if (m->paper_convention || is_zero(m->d, m->Jp))
+        return FVI_SUCCESS;
+    one.law = a->of.law;
+    one.alpha = a->of.alpha;
+    const int status = fvi_adjoint_constant_start(method, &one, 1, 0, &a->constant);
+    return status ? status
+                  : fvi_damping_multiply(&a->of.matrix, m->d, 1, m->Jp, a->CJ);
+}
+
+static int start_damper(fvi_adjoint_dampers *m, const fvi_method *method, size_t j)
+{
+    fvi_adjoint_damper *a = m->each + j;
+    a->of = fvi_run_damper_of(m->run, j);
+    a->damping = fvi_damping_of(m->stepper);
+    while (a->damping && a->damping->number != j)
+        a->damping = a->damping->next;
+    if (!a->damping)
+        return FVI_SUCCESS;
+    a->unit = a->damping->unit;
+    a->theta = method->scheme == FVI_SCHEME_CQ2_SHIFTED    ? a->of.growth / 2
+               : method->scheme == FVI_SCHEME_CQ2_MIDPOINT ? 0.5
+                                                           : 0;
+    a->has_drift = a->of.growth > 1
+                   && (a->of.past == FVI_INITIAL_HISTORY_CAPUTO || !m->paper_convention);
+    const int status = start_impulses(m, a);
+    return status ? status : start_constant(m, method, a);
+}
+
+/* ---- a node ---- */
+
+/* z = x - x_0 - t v_0 of node k, on which the memory of a damper acts. */
+static void find_elongation(const fvi_adjoint_dampers *m, const fvi_adjoint_damper *a,
+                            size_t k, const double *x, double *z)
+{
+    const double t = (double)k * m->run->h;
+    for (size_t i = 0; i < m->d; i++)
+        z[i] = x[i] - m->run->x0[i] - (a->has_drift ? t * m->v0[i] : 0);
+}
+
+static double dot(size_t d, const double *a, const double *b)
+{
+    double sum = 0;
+    for (size_t i = 0; i < d; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/* C N, d numbers, meets z and the time of the node. */
+static void accumulate(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double share,
+                       const double *z, const double *CN, double t)
+{
+    a->sum += share * dot(m->d, z, CN);
+    for (size_t i = 0; a->has_drift && i < m->d; i++)
+        a->by_drift[i] += share * t * CN[i];
+}
+
+/* C times the last sums of a memory. */
+static int multiply_sums(fvi_adjoint_dampers *m, const fvi_adjoint_damper *a, double *CN)
+{
+    const fvi_damping_matrix *C = &a->of.matrix;
+    memset(CN, 0, m->d * sizeof *CN);
+    return C->damp(m->d, -1, a->damping->H, C->params, CN);
+}
+
+/* Of Algorithm 3 at node N, whose memory has taken in lambda_N. */
+static int first_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, const double *x)
+{
+    const size_t N = m->run->steps;
+    find_elongation(m, a, N, x, m->z);
+    int status = fvi_damping_apply_force(a->damping, 1, a->damping->H, m->stepper->p);
+    if (!status)
+        status = multiply_sums(m, a, m->column);
+    if (!status)
+        accumulate(m, a, 1, m->z, m->column, (double)N * m->run->h);
+    return status;
+}
+
+int fvi_adjoint_dampers_start(const fvi_method *method, const fvi_run *run,
+                              const fvi_sensitivities *want, const double *rows,
+                              const double *Jp, fvi_adjoint_dampers *m)
+{
+    *m = (fvi_adjoint_dampers){ .run = run,
+                                .want = want,
+                                .d = run->system->d,
+                                .count = run->system->mechanism->damper_count,
+                                .paper_convention = method->scheme == FVI_SCHEME_FVI,
+                                .kappa = method->takes_kappa ? run->kappa : 0.5 };
+    int status = allocate(m);
+    if (status)
+        return status;
+    memcpy(m->Jp, Jp, m->d * sizeof *Jp);
+    status = start_stepper(m, method);
+    if (!status)
+        status = fvi_damping_velocity(run->system, run->p0, m->v0);
+    for (size_t j = 0; !status && j < m->count; j++) {
+        status = start_damper(m, method, j);
+        if (!status && m->paper_convention && m->each[j].damping)
+            status = first_sums(m, m->each + j, rows + m->d);
+    }
+    return status;
+}
+
+/* The memory of the constant J_p: on the momentum, and on z_{k+1}. */
+static int add_constant(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,
+                        const double *x)
+{
+    const double one = 1, change = k + 1 == m->run->steps;
+    if (!a->constant.memory)
+        return FVI_SUCCESS;
+    const int status = fvi_adjoint_constant_next(&a->constant, &one, &change);
+    const double value = *a->constant.value;
+    find_elongation(m, a, k + 1, x, m->z);
+    for (size_t i = 0; i < m->d; i++)
+        m->stepper->p[i] -= a->unit * value * a->CJ[i];
+    accumulate(m, a, value, m->z, a->CJ, (double)(k + 1) * m->run->h);
+    return status;
+}
+
+static void add_impulses(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k)
+{
+    double at[2];
+    if (a->impulse_size == 0)
+        return;
+    if (a->impulses_of_law)
+        fvi_impulses_of_kernel_at(a->impulses_of_law, k, at);
+    else
+        fvi_kernel_impulses(&a->impulse, k, at);
+    for (size_t i = 0; i < m->d; i++)
+        a->pull[i] += at[0] * m->stepper->x[i] + at[1] * m->right[i];
+}
+
+/* The memory is at node k: N = (1 - theta) H_k + theta H_{k-1}. */
+static int add_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,
+                    const double *rows)
+{
+    const double t = ((double)k + a->theta) * m->run->h;
+    find_elongation(m, a, k, rows, m->z);
+    find_elongation(m, a, k + 1, rows + m->d, m->work);
+    for (size_t i = 0; i < m->d; i++)
+        m->z[i] += a->theta * (m->work[i] - m->z[i]);
+    const int status = multiply_sums(m, a, m->column);
+    accumulate(m, a, 1, m->z, m->column, t);
+    return status;
+}
+
+/* By factors of M and K; stepper->g is K M_k. */
+static int add_matrices(fvi_adjoint_dampers *m, const double *rows)
+{
+    const size_t d = m->d;
+    const fvi_matrices *matrices = m->run->system->matrices;
+    for (size_t i = 0; i < d; i++) {
+        const double S = rows[i] + (1 - m->kappa) * (rows[d + i] - rows[i]);
+        m->by_K += S * m->stepper->g[i];
+        m->column[i] = m->right[i] - m->stepper->x[i];
+    }
+    if (!m->want->mass)
+        return FVI_SUCCESS;
+    const int status = matrices->inertia(d, m->column, matrices->params, m->work);
+    for (size_t i = 0; i < d; i++)
+        m->by_M += (rows[d + i] - rows[i]) * m->work[i];
+    return status;
+}
+
+static void add_force(fvi_adjoint_dampers *m, size_t k)
+{
+    const double h = m->run->h;
+    double *force = m->want->force ? m->want->force + k * m->d : NULL;
+    for (size_t i = 0; force && i < m->d; i++) {
+        force[m->d + i] += m->paper_convention ? h * m->right[i] : h / 2 * m->right[i];
+        force[i] += m->paper_convention ? 0 : h / 2 * m->stepper->x[i];
+    }
+}
+
+int fvi_adjoint_dampers_step(fvi_adjoint_dampers *m, size_t k, const double *rows,
+                             const double *Jx)
+{
+    fvi_stepper *s = m->stepper;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < m->d; i++) {
+        s->p[i] += Jx[i];
+        m->by_start[i] += Jx[i];
+    }
+    for (size_t j = 0; !status && j < m->count; j++)
+        status = add_constant(m, m->each + j, k, rows + m->d);
+    memcpy(m->right, s->x, m->d * sizeof *m->right);
+    if (!status)
+        status = fvi_stepper_step(s);
+    for (size_t i = 0; i < m->d; i++)
+        m->by_start[i] -= m->run->h * s->g[i];
+    add_force(m, k);
+    if (!status)
+        status = add_matrices(m, rows);
+    for (size_t j = 0; !status && j < m->count; j++) {
+        add_impulses(m, m->each + j, k);
+        if (m->each[j].damping)
+            status = add_sums(m, m->each + j, k, rows);
+    }
+    return status;
+}
+
+/* ---- the end ---- */
+
+/* By a factor of C_j; and what the impulses of its past have of the start: of x0 itself, or of v0,
+ * into `by_velocity`. */
+static int end_damper(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double *by_damper,
+                      double *by_velocity)
+{
+    const int by_place = a->of.growth < 1;
+    const double *A = by_place ? m->run->x0 : m->v0;
+    double *to = by_place ? m->by_start : by_velocity;
+    memset(m->column, 0, m->d * sizeof *m->column);
+    for (size_t i = 0; a->has_drift && i < m->d; i++)
+        by_velocity[i] += a->unit * a->by_drift[i];
+    int status = a->impulse_size != 0
+                     ? fvi_damping_multiply(&a->of.matrix, m->d, a->impulse_size, a->pull,
+                                            m->column)
+                     : FVI_SUCCESS;
+    for (size_t i = 0; i < m->d; i++)
+        to[i] -= m->column[i];
+    if (by_damper)
+        *by_damper = -a->unit * a->sum - dot(m->d, A, m->column);
+    return status;
+}
+
+int fvi_adjoint_dampers_end(fvi_adjoint_dampers *m, const double *Jx)
+{
+    const fvi_sensitivities *want = m->want;
+    const size_t d = m->d;
+    double *by_velocity = m->z;
+    int status = FVI_SUCCESS;
+    memset(by_velocity, 0, d * sizeof *by_velocity);
+    for (size_t j = 0; !status && j < m->count; j++)
+        status = end_damper(m, m->each + j, want->damping ? want->damping + j : NULL,
+                            by_velocity);
+    if (!status)
+        status = fvi_damping_velocity(m->run->system, by_velocity, m->work);
+    for (size_t i = 0; i < d; i++) {
+        m->by_start[i] += Jx[i];
+        if (want->x0)
+            want->x0[i] = m->by_start[i];
+        if (want->p0)
+            want->p0[i] = m->stepper->x[i] + m->work[i];
+    }
+    if (want->mass) /* v0 is M^-1 p0 */
+        *want->mass = m->by_M / m->run->h - dot(d, m->run->p0, m->work);
+    if (want->parameters)
+        *want->parameters = -m->run->h * m->by_K;
+    return status || fvi_all_finite(d, m->by_start) ? status : FVI_EOVRFLW;
+}
+
+void fvi_adjoint_dampers_free(fvi_adjoint_dampers *m)
+{
+    fvi_stepper_free(m->stepper);
+    for (size_t j = 0; m->each && j < m->count; j++) {
+        fvi_adjoint_constant_stop(&m->each[j].constant);
+        fvi_impulses_of_kernel_free(m->each[j].impulses_of_law);
+    }
+    free(m->each);
+    free(m->held);
+    free(m->block);
+}
