@@ -6,6 +6,7 @@
  * The names that stand in the expressions are those of an observer (observer.h):
  *
  *     t  x p v a F energy work balance ag  NAME.force NAME.impulse NAME.work
+ *     multiplier1 ... of constraints, reaction3 of a coordinate x3 that is prescribed
  *
  * with a number in more dimensions, x1 ... xd, and NAME.force1 ... where a damper acts on each
  * coordinate. F is what acts, a ground's part of it included; ag is the acceleration of the ground,

@@ -119,6 +119,11 @@ int fvi_stepper_damper(const fvi_stepper *s, size_t j, double *impulse,
  * order 2, or 4 for fvi-lobatto4. Minus that of x1 - u(t) is the reaction to an imposed motion. */
 int fvi_stepper_multipliers(const fvi_stepper *s, double *begin, double *end);
 
+/* fvi_stepper_tie -- the impulse of constraint i, from 0: the integral of Lambda_i from t = 0 to the last step,
+ * the partner of p. The multiplier at a node is its difference, over a run. FVI_EINVAL if there is no
+ * such constraint. */
+int fvi_stepper_tie(const fvi_stepper *s, size_t i, double *impulse);
+
 /* fvi_stepper_energy -- E = v . L_v - L at the last step; also of a stepper without a mechanism. Returns
  * as fvi_energy_at. */
 int fvi_stepper_energy(const fvi_stepper *s, double *E);

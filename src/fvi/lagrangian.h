@@ -50,6 +50,8 @@ typedef struct fvi_state_force {
 /* fvi_constraints -- c(x, t) = 0, `count` equations.
  *
  *   name      for messages, count texts; or NULL: 1, 2, ...
+ *   imposed   NULL; or for each the coordinate, from 1, that it prescribes, c = x_i - u(t), or 0: then
+ *             minus its multiplier is the reaction
  *   value     writes c, count numbers
  *   gradient  writes C, count * d numbers, row by row; and where it is not NULL ct, the count
  *             derivatives by t
@@ -59,6 +61,7 @@ typedef struct fvi_state_force {
 typedef struct fvi_constraints {
     size_t count;
     const char *const *name;
+    const size_t *imposed;
     int (*value)(double t, size_t d, const double *x, void *params, double *c);
     int (*gradient)(double t, size_t d, const double *x, void *params,
                     double *C, double *ct);

@@ -43,7 +43,8 @@ extern "C" {
 typedef struct fvi_observer fvi_observer;
 
 /* What is asked for, added. VELOCITY: v; ACCELERATION: a; FORCE, IMPULSE: of the dampers; WORK: of the
- * dampers and of the force, and the balance; ENERGY: E; APPLIED: F. */
+ * dampers and of the force, and the balance; ENERGY: E; APPLIED: F; MULTIPLIER: of a mechanism's constraints, from
+ * their impulses as the forces. */
 enum {
     FVI_OBSERVE_VELOCITY = 1,
     FVI_OBSERVE_ACCELERATION = 2,
@@ -51,7 +52,8 @@ enum {
     FVI_OBSERVE_IMPULSE = 8,
     FVI_OBSERVE_WORK = 16,
     FVI_OBSERVE_ENERGY = 32,
-    FVI_OBSERVE_APPLIED = 64
+    FVI_OBSERVE_APPLIED = 64,
+    FVI_OBSERVE_MULTIPLIER = 128
 };
 
 /* fvi_observation -- what is known at a time. What was not asked for is of no use. The arrays
@@ -60,14 +62,16 @@ enum {
  *   x, p, v, a, F   d numbers each
  *   force, impulse  of the dampers, one after another, each as many numbers as its width
  *   work            of each damper
+ *   multiplier      of each constraint
  *   work_of_force   by F, and by impulses of the force
  *   energy          E
  *   balance         E + work of the dampers - work_of_force: E at t = 0, see above
- *   is_mean         nonzero if force and a are infinite at this time, t = 0, and are their means over
+ *   is_mean         nonzero if force and a are infinite, or not known, at this time, t = 0, and are their means over
  *                   the first row in their place: held with v_0 != 0 and an order above 1 */
 typedef struct {
     double t;
-    const double *x, *p, *v, *a, *F, *force, *impulse, *work;
+    const double *x, *p, *v, *a, *F, *force, *impulse, *work,
+        *multiplier;
     double work_of_force, energy, balance;
     int is_mean;
 } fvi_observation;

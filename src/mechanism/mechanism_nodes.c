@@ -148,8 +148,10 @@ static int end_constraints(fvi_stepper *s, const double *u)
         status = c->gradient(t, o->d, s->x, c->params, o->C, NULL);
     if (!status && o->m)
         status = fvi_mechanism_hide(s, t, s->x, o->C, s->p, o->v, o->ended);
-    for (size_t l = 0; l < o->m; l++)
+    for (size_t l = 0; l < o->m; l++) {
         o->ended[l] *= 2 / h;
+        o->tie[l] += h / 2 * (o->begun[l] + o->ended[l]);
+    }
     return status;
 }
 

@@ -73,6 +73,19 @@ int fvi_stepper_multipliers(const fvi_stepper *s, double *begin, double *end)
     return FVI_SUCCESS;
 }
 
+int fvi_stepper_tie(const fvi_stepper *s, size_t i, double *impulse)
+{
+    if (!s || !impulse)
+        return FVI_EFAULT;
+    const fvi_mechanism_state *o = fvi_mechanism_of(s);
+    if (!o)
+        return FVI_EUNSUP;
+    if (i >= o->m)
+        return FVI_EINVAL;
+    *impulse = o->tie[i];
+    return FVI_SUCCESS;
+}
+
 int fvi_stepper_energy(const fvi_stepper *s, double *E)
 {
     return !s || !E ? FVI_EFAULT

@@ -309,9 +309,11 @@ static int end_constraints(fvi_stepper *s)
     for (size_t i = 0; i < inner && !status; i++) {
         status = c->gradient(time_of(s, i), d, o->X + i * d, c->params, o->C,
                              NULL);
-        for (size_t l = 0; l < m; l++)
+        for (size_t l = 0; l < m; l++) {
+            o->tie[l] += mu[i * m + l] / h;
             for (size_t j = 0; j < d; j++)
                 s->p[j] -= o->C[l * d + j] * mu[i * m + l] / h;
+        }
     }
     for (size_t l = 0; l < m; l++)
         o->begun[l] = mu[l] / (h * h * b[0]);
@@ -320,8 +322,10 @@ static int end_constraints(fvi_stepper *s)
     if (!status)
         status = fvi_mechanism_hide(s, time_of(s, inner), s->x, o->C, s->p,
                                     o->v, o->ended);
-    for (size_t l = 0; l < m; l++)
+    for (size_t l = 0; l < m; l++) {
+        o->tie[l] += o->ended[l];
         o->ended[l] /= h * b[inner];
+    }
     return status;
 }
 

@@ -26,6 +26,7 @@ static int allocate(fvi_mechanism_state *o)
         size_t count;
     } arrays[] = {
         { &o->impulse, r }, { &o->work, r }, { &o->begun, m }, { &o->ended, m },
+        { &o->tie, m },
         { &o->v, d }, { &o->u, n }, { &o->z, r }, { &o->G, r * d },
         { &o->C, m * d }, { &o->z0, r },
         { &o->W, r * s * s }, { &o->known, r * s }, { &o->lambda, r * s },
@@ -37,7 +38,7 @@ static int allocate(fvi_mechanism_state *o)
         { &o->matrix, n * n }, { &o->change, n }, { &o->trial, n },
         { &o->room, 4 * (d + m + 1) * (d + m + 1) }
     };
-    enum { COUNT = sizeof arrays / sizeof *arrays, SAVED = 10 };
+    enum { COUNT = sizeof arrays / sizeof *arrays, SAVED = 11 };
     size_t all = 0;
     for (size_t i = 0; i < COUNT; i++)
         all += arrays[i].count;

@@ -47,7 +47,7 @@ typedef struct {
 
     double *numbers; /* all that follows, in one piece */
     size_t saved;    /* so many of them go from step to step */
-    double *impulse, *work, *begun, *ended; /* r, r, m, m */
+    double *impulse, *work, *begun, *ended, *tie; /* r, r, m, m, m */
     double *v, *u, *z, *G, *C, *z0; /* d, n, r, r d, m d: at the node; r */
 
     double *W; /* r of s * s (1 of nodes): the present in the force of a damper */

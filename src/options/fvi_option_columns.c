@@ -45,7 +45,8 @@ int fvi_options_columns(fvi_options *o, fvi_error *c)
 int fvi_options_observes(const fvi_options *o)
 {
     const unsigned sums = FVI_OBSERVE_ACCELERATION | FVI_OBSERVE_FORCE
-                          | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK;
+                          | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK
+                          | FVI_OBSERVE_MULTIPLIER;
     return (fvi_typed_columns_wanted(o->typed) & sums) != 0;
 }
 

@@ -12,7 +12,7 @@
 /* What needs the sums over the steps. */
 enum {
     SUMMED = FVI_OBSERVE_ACCELERATION | FVI_OBSERVE_FORCE
-             | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK
+             | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK | FVI_OBSERVE_MULTIPLIER
 };
 
 /* ---- the pieces ---- */
@@ -73,8 +73,13 @@ static int add_mechanism(fvi_observer *o, const fvi_stepper *s)
     }
     if (!status && o->by_velocity)
         status = fvi_observer_velocity(o, s, s->p, o->v);
-    for (size_t i = o->forces; i < o->tracked; i++)
+    for (size_t i = o->forces; i < o->forces + o->slopes; i++)
         o->change[i] = o->v[i - o->forces] - o->impulse[i];
+    for (size_t i = 0, at = o->forces + o->slopes; i < o->ties && !status; i++) {
+        double J;
+        status = fvi_stepper_tie(s, i, &J);
+        o->change[at + i] = J - o->impulse[at + i];
+    }
     if (!status && o->wanted & FVI_OBSERVE_WORK)
         status = fvi_observer_mechanism_work(s, &o->scalars[FVI_BY_FORCE]);
     if (!status)
@@ -235,7 +240,12 @@ static void describe(fvi_observer *o, const fvi_stepper *s, unsigned wanted)
     o->forces = o->has_mechanism ? o->dampers : o->dampers * o->d;
     o->by_velocity = o->has_mechanism && wanted & FVI_OBSERVE_ACCELERATION
                      && needs_slope(system);
-    o->tracked = o->forces + (o->by_velocity ? o->d : 0);
+    o->slopes = o->by_velocity ? o->d : 0;
+    o->ties = o->has_mechanism && wanted & FVI_OBSERVE_MULTIPLIER
+                      && system->mechanism->constraints
+                  ? system->mechanism->constraints->count
+                  : 0;
+    o->tracked = o->forces + o->slopes + o->ties;
     o->is_damped = system->mechanism || is_damped(system);
     o->is_mass = !system->mechanism && !o->matrices && !s->run.law
                  && s->run.alpha == 1;
@@ -263,8 +273,12 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
     for (size_t j = 0; j < o->forces && !status; j++)
         if (isinf(o->start[j]))
             o->start[j] = now.impulse[j] / h;
-    for (size_t i = o->forces; i < o->tracked && !status; i++)
+    for (size_t i = o->forces; i < o->forces + o->slopes && !status; i++)
         o->start[i] = (now.v[i - o->forces] - o->impulse[i]) / h;
+    for (size_t i = 0; i < o->ties && !status; i++) {
+        status = fvi_stepper_tie(fork, i, &o->start[o->forces + o->slopes + i]);
+        o->start[o->forces + o->slopes + i] /= h;
+    }
     fvi_observer_free(sums);
     fvi_stepper_free(fork);
     return status;
@@ -272,7 +286,8 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
 
 static int begin(fvi_observer *o, const fvi_stepper *s)
 {
-    const unsigned forces = FVI_OBSERVE_FORCE | FVI_OBSERVE_ACCELERATION;
+    const unsigned forces = FVI_OBSERVE_FORCE | FVI_OBSERVE_ACCELERATION
+                            | FVI_OBSERVE_MULTIPLIER;
     int status = FVI_SUCCESS;
     if (o->matrices)
         status = o->matrices->factorise(o->d, 1, 0, 0, o->matrices->params,
@@ -289,7 +304,7 @@ static int begin(fvi_observer *o, const fvi_stepper *s)
         status = fvi_energy_at(s->run.system, 0, s->x, s->p, &o->E0);
     if (!status && o->wanted & forces)
         status = fvi_observer_begin_forces(o, s);
-    for (size_t i = o->forces; i < o->tracked; i++)
+    for (size_t i = o->forces; i < o->forces + o->slopes; i++)
         o->impulse[i] = o->v[i - o->forces];
     return !status && o->is_infinite ? take_means(o, s) : status;
 }

@@ -132,7 +132,9 @@ static int is_finite(const fvi_observer *o, const fvi_observation *now)
            && (!(w & FVI_OBSERVE_FORCE) || fvi_all_finite(o->forces, now->force))
            && (!(w & FVI_OBSERVE_IMPULSE)
                || fvi_all_finite(o->forces, now->impulse))
-           && (!(w & FVI_OBSERVE_WORK) || isfinite(now->balance));
+           && (!(w & FVI_OBSERVE_WORK) || isfinite(now->balance))
+           && fvi_all_finite(w & FVI_OBSERVE_MULTIPLIER ? o->ties : 0,
+                             now->multiplier);
 }
 
 int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
@@ -147,11 +149,14 @@ int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
                               .force = o->force,
                               .impulse = o->impulse_now,
                               .work = o->work_now,
+                              .multiplier = o->force + o->forces + o->slopes,
                               .is_mean = o->is_infinite && t == 0 };
     int status = read_state(o, s, t, now);
     if (!status && o->is_summed)
         status = read_sums(o, s, t, now);
-    if (!status && o->wanted & (FVI_OBSERVE_FORCE | FVI_OBSERVE_ACCELERATION))
+    if (!status
+        && o->wanted & (FVI_OBSERVE_FORCE | FVI_OBSERVE_ACCELERATION
+                        | FVI_OBSERVE_MULTIPLIER))
         status = read_forces(o, s, t, now);
     if (!status && o->wanted & (FVI_OBSERVE_WORK | FVI_OBSERVE_ENERGY))
         status = read_balance(o, s, t, now);

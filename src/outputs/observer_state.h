@@ -17,7 +17,9 @@ enum { FVI_BY_FORCE, FVI_BEGIN_TIME, FVI_HITS, FVI_SCALARS };
 
 struct fvi_observer {
     size_t d, dampers, forces; /* forces of all dampers together */
-    size_t tracked;            /* these, and d velocities where a is their slope */
+    size_t slopes;             /* d velocities where a is their slope, or 0 */
+    size_t ties;               /* the constraints whose multipliers are asked for */
+    size_t tracked;            /* all three, in this order */
     int has_mechanism;         /* whose forces are along elongations, one each */
     int by_velocity;           /* a is the slope of v: L, constraints, forces of velocity */
     unsigned wanted;

@@ -44,7 +44,9 @@ static size_t damper_count(const fvi_typed_columns *c)
 
 size_t fvi_column_width(const fvi_typed_columns *c, fvi_quantity_kind kind)
 {
-    return kind == QUANTITY_DAMPER_WORK ? 1
+    if (kind == QUANTITY_MULTIPLIER)
+        return c->source->mechanism->constraints->count;
+    return kind == QUANTITY_DAMPER_WORK || kind == QUANTITY_REACTION ? 1
            : kind >= QUANTITY_FORCE && c->source->mechanism
                    && !c->source->is_structure
                ? 1
@@ -89,6 +91,33 @@ static int find_of_damper(const fvi_typed_columns *c, const char *name,
     return 0;
 }
 
+/* "multiplier2", of a constraint; "reaction3", of a coordinate that is prescribed. */
+static int find_of_constraint(const fvi_typed_columns *c, const char *name,
+                              size_t length, fvi_quantity *q, int *is_all)
+{
+    static const char *const words[] = { "multiplier", "reaction" };
+    const fvi_constraints *ties =
+        c->source->mechanism ? c->source->mechanism->constraints : NULL;
+    for (size_t n = 0; ties && n < 2; n++) {
+        const size_t stem = strlen(words[n]), count = ties->count;
+        if (length < stem || strncmp(name, words[n], stem) != 0)
+            continue;
+        q->kind = n ? QUANTITY_REACTION : QUANTITY_MULTIPLIER;
+        *is_all = n == 0 && length == stem && count > 1;
+        q->i = length == stem
+                   ? 0
+                   : index_of(name + stem, length - stem, n ? c->source->d : count);
+        if (n == 0)
+            return q->i < count;
+        const size_t coordinate = q->i + 1;
+        for (q->i = 0; q->i < count && ties->imposed; q->i++)
+            if (ties->imposed[q->i] == coordinate)
+                return length > stem || c->source->d == 1;
+        return 0;
+    }
+    return 0;
+}
+
 int fvi_column_find(const fvi_typed_columns *c, const char *name,
                     size_t length, fvi_quantity *q, int *is_all)
 {
@@ -114,7 +143,8 @@ int fvi_column_find(const fvi_typed_columns *c, const char *name,
             && (q->i = index_of(name + stem, length - stem, d)) < d)
             return 1;
     }
-    return find_of_damper(c, name, length, q, is_all);
+    return find_of_constraint(c, name, length, q, is_all)
+           || find_of_damper(c, name, length, q, is_all);
 }
 
 /* ---- for expressions ---- */
@@ -156,7 +186,7 @@ int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
                        size_t length, fvi_error *error)
 {
     enum { DAMPERS = 20 };
-    const char *names[PLAIN + 1 + 3 * DAMPERS + 1];
+    const char *names[PLAIN + 3 + 3 * DAMPERS + 1];
     char own[3 * DAMPERS][80], place[64], damper[24];
     size_t n = 0;
     for (; n < PLAIN; n++)
@@ -164,6 +194,10 @@ int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
     if (!c->source->ground)
         n--;
     names[n++] = "y";
+    if (c->source->mechanism && c->source->mechanism->constraints) {
+        names[n++] = "multiplier1";
+        names[n++] = "reaction1";
+    }
     for (size_t j = 0; j < damper_count(c) && j < DAMPERS; j++)
         for (size_t k = 0; k < 3; k++, n++) {
             const char *given = c->source->mechanism
@@ -177,9 +211,12 @@ int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
     names[n] = NULL;
     return fvi_fail(error, FVI_EINVAL, "columns", NAN,
                     "'%.*s' is none of t, x, p, v, a, F, energy, work, "
-                    "balance, y%s, %s, nor an expression%s",
+                    "balance, y%s%s, %s, nor an expression%s",
                     length < 40 ? (int)length : 40, word,
                     c->source->ground ? ", ag" : "",
+                    c->source->mechanism && c->source->mechanism->constraints
+                        ? ", multiplier1, reaction1"
+                        : "",
                     damper_count(c) > 0 ? names[n - 3] : "DAMPER.force",
                     fvi_word_hint(word, length, names, place));
 }

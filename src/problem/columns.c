@@ -229,6 +229,8 @@ unsigned fvi_typed_columns_wanted(const fvi_typed_columns *c)
         [QUANTITY_FORCE] = FVI_OBSERVE_FORCE,
         [QUANTITY_IMPULSE] = FVI_OBSERVE_IMPULSE,
         [QUANTITY_DAMPER_WORK] = FVI_OBSERVE_WORK,
+        [QUANTITY_MULTIPLIER] = FVI_OBSERVE_MULTIPLIER,
+        [QUANTITY_REACTION] = FVI_OBSERVE_MULTIPLIER,
         [QUANTITY_COLUMN] = 0
     };
     unsigned wanted = 0;
@@ -298,6 +300,12 @@ static int value_of(const fvi_typed_columns *c, fvi_quantity q,
         break;
     case QUANTITY_DAMPER_WORK:
         *value = now->work[q.j];
+        break;
+    case QUANTITY_MULTIPLIER:
+        *value = now->multiplier[q.i];
+        break;
+    case QUANTITY_REACTION:
+        *value = -now->multiplier[q.i];
         break;
     case QUANTITY_COLUMN:
         break; /* it is filled when its column is */

@@ -18,6 +18,8 @@ typedef enum {
     QUANTITY_FORCE,   /* from here on of a damper */
     QUANTITY_IMPULSE,
     QUANTITY_DAMPER_WORK,
+    QUANTITY_MULTIPLIER, /* of constraint i */
+    QUANTITY_REACTION,   /* minus that */
     QUANTITY_COLUMN /* a column with a name, number i */
 } fvi_quantity_kind;
 

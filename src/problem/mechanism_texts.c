@@ -242,8 +242,11 @@ void fvi_mechanism_of_texts(fvi_typed_mechanism *m)
 {
     m->L = (fvi_lagrangian){ lagrangian_at, m->lagrangian };
     m->F = (fvi_state_force){ forces_at, m };
+    for (size_t i = 0; i < m->constraints; i++)
+        m->imposed[i] = m->constraint[i].index;
     m->c = (fvi_constraints){ .count = m->constraints,
                               .name = m->name,
+                              .imposed = m->imposed,
                               .value = constraint_values,
                               .gradient = constraint_gradients,
                               .hessian = constraint_hessians,

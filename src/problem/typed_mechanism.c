@@ -215,8 +215,10 @@ static int allocate(fvi_typed_mechanism *m, const fvi_mechanism_texts *texts)
     m->damper = calloc(m->dampers + 1, sizeof *m->damper);
     m->constraint = calloc(m->constraints + 1, sizeof *m->constraint);
     m->name = calloc(m->constraints + 1, sizeof *m->name);
+    m->imposed = calloc(m->constraints + 1, sizeof *m->imposed);
     m->force = calloc(m->forces + 1, sizeof *m->force);
-    return m->typed && m->damper && m->constraint && m->name && m->force
+    return m->typed && m->damper && m->constraint && m->name && m->imposed
+                   && m->force
                ? FVI_SUCCESS
                : FVI_ENOMEM;
 }
@@ -289,6 +291,7 @@ void fvi_typed_mechanism_free(fvi_typed_mechanism *m)
     free(m->damper);
     free(m->constraint);
     free(m->name);
+    free(m->imposed);
     free(m->force);
     free(m);
 }

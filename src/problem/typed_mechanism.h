@@ -25,6 +25,7 @@ struct fvi_typed_mechanism {
     fvi_damper *damper;
     fvi_typed_expression *constraint, *force;
     const char **name; /* of the constraints: their texts, which are the caller's */
+    size_t *imposed;   /* and which coordinate each prescribes, or 0 */
     fvi_lagrangian L;
     fvi_constraints c;
     fvi_state_force F;

@@ -162,6 +162,38 @@ START_TEST(a_massless_node_makes_zeners_law)
 }
 END_TEST
 
+/* The multiplier of the recipe's cart, driven by hand, at t = 4: order 2, and 4 at least. Seen: 9.2e-5,
+ * 9.2e-7. */
+START_TEST(multipliers_and_reactions_are_columns)
+{
+#define DRIVEN(METHOD, STEPS)                                                  \
+    "run --lagrangian '3*v1^2/2 + v1*v2*cos(x2) + v2^2/2 + cos(x2)' --impose "   \
+    "'x1=0.3*sin(2*t)' --damper 'x1 : power:0.3,0.3' --damper 'x2 : "           \
+    "power:0.2,0.3' --x0 0,1.2 --v0 0.6,0.5 --time 4 --steps " #STEPS            \
+    " --columns t,reaction1,twice=multiplier1-reaction1 --method " METHOD
+    static const char *const lines[] = { DRIVEN("fvi-stable", 160),
+                                         DRIVEN("fvi-lobatto3", 80),
+                                         DRIVEN("fvi-lobatto4", 80) };
+    static const double most[] = { 2e-4, 2e-4, 2e-6 };
+    for (size_t i = 0; i < 3; i++) {
+        ck_assert_msg(fvi(lines[i]) == 0, "%s", err);
+        const size_t last = i == 0 ? 160 : 80;
+        ck_assert_near(cell(last, 1), -3.625949649242, most[i], "%zu", i);
+        ck_assert_near(cell(last, 2), -2 * cell(last, 1), 1e-15, "%zu", i);
+    }
+    ck_assert_int_eq(fvi("run --lagrangian '(v1^2+v2^2)/2 - x2' --constraint "
+                         "'(x1^2+x2^2-1)/2' --x0 0,-1 --v0 0 --steps 5 --columns "
+                         "multiplier1"), 0);
+    ck_assert_near(cell(5, 0), 1, 1e-12, "the weight of a pendulum at rest");
+    ck_assert_refused_with("run --columns multiplier1",
+                           "fvi: --columns: 'multiplier1' is none of t, x,");
+    ck_assert_refused_with("run --potential 'x1^2+x2^2' --impose 'x2=1' --v0 0 "
+                           "--columns reaction1",
+                           "fvi: --columns: 'reaction1' is none of t, x, p, v, a, "
+                           "F, energy, work, balance, y, multiplier1, reaction1");
+}
+END_TEST
+
 /* The step that a wanted error needs: against the reference of 8 digits. */
 START_TEST(an_error_can_be_asked_for)
 {
@@ -283,6 +315,6 @@ int main(void)
              a_damper_on_each_coordinate_is_the_old_damping,
              time_and_dimension_are_seen_in_the_texts,
              a_massless_node_makes_zeners_law, wrong_words_are_refused,
-             an_error_can_be_asked_for, a_checkpoint_goes_on);
+             multipliers_and_reactions_are_columns, an_error_can_be_asked_for, a_checkpoint_goes_on);
     return run_suite_of_program(suite);
 }
