@@ -193,7 +193,8 @@ typedef struct { size_t n, columns; const double *t, *F; } fvi_force_rows;
 fvi_force fvi_force_table(const fvi_force_rows *rows);
 
 typedef enum { FVI_FREE_PARAMETER_ALPHA, FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_MASS, FVI_FREE_PARAMETER_X0,
-               FVI_FREE_PARAMETER_P0, FVI_FREE_PARAMETER_CONSTANT, ... } fvi_free_parameter;
+               FVI_FREE_PARAMETER_P0, FVI_FREE_PARAMETER_OFFSET, FVI_FREE_PARAMETER_DRIFT,
+               FVI_FREE_PARAMETER_CONSTANT, ... } fvi_free_parameter;
 enum { FVI_ESTIMATION_MOST = 8, FVI_EDOM = 1, FVI_EINVAL = 4, FVI_ENOMEM = 8, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
 typedef struct {
     const fvi_method *method;
@@ -229,6 +230,7 @@ int fvi_estimate_warning_of_unseen(const fvi_estimation *fit, const fvi_estimate
                                    const fvi_examination *examined, size_t which, const char *const *names,
                                    size_t size, char *text);
 int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
+int fvi_estimate_moduli(size_t n, const double *w, const double *storage, const double *loss, fvi_estimate *fitted);
 int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estimate *fitted);
 
 typedef enum { FVI_FORCING_NONE, FVI_FORCING_STEP, FVI_FORCING_COSINE } fvi_forcing;

@@ -2,7 +2,8 @@
 #> example
 import fvi
 
-run = fvi.run("duffing:1,0.5", alpha=0.3, rho=0.4, method="fvi-lobatto3", h=0.1, steps=200)
-for t, x in zip(run.t, run.x):
+problem = fvi.Problem("duffing:1,0.5", alpha=0.3, rho=0.4, x0=1, p0=0.5, time=20)
+solution = fvi.solve(problem, h=0.1, method="fvi-lobatto3")
+for t, x in zip(solution.t, solution.x[:, 0]):
     print(t, x, sep="\t")
 #< example

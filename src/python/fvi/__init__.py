@@ -17,7 +17,7 @@ Lengths, times and masses are in units of your own.
     vjp         the gradient of what is made of a motion, by all that determines it
     gradient    a loss and its gradient; `import fvi.torch` has motions for torch
     jacobian    the derivatives of each x, for least squares
-    fit         parameters from a measured motion
+    fit         parameters from a measured motion; fit_moduli, a law from moduli
     response    what a shaker test measures; poles: frequencies and damping ratios; moduli of a law of damping
     control     the least force that ends a motion at a place; stability: how long a step may be
     potential   U from functions of Python's, or compiled ones
@@ -30,7 +30,7 @@ Lengths, times and masses are in units of your own.
     FviWarning  what warnings.warn says where the numbers are not those of a motion
 """
 from ._exact import exact as exact, weights as weights
-from ._fit import Fit as Fit, fit as fit
+from ._fit import Fit as Fit, Moduli as Moduli, fit as fit, fit_moduli as fit_moduli
 from ._gradient import gradient as gradient, jacobian as jacobian, vjp as vjp
 from ._problem import Problem as Problem
 from ._response import (Control as Control, Poles as Poles, Stability as Stability, control as control,

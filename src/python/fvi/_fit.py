@@ -56,7 +56,7 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     """Parameters of one mass from its measured motion, by least squares from several starts.
 
     t, x       the data: increasing times >= 0, and positions
-    which      any of alpha, rho, mass, x0, p0, and the potential's c, g or names of `let`
+    which      any of alpha, rho, mass, x0, p0, offset and drift of the sensor, and the potential's c, g or names of `let`
     sigma      standard deviation of each x, a length > 0; None: estimated
     starts     how many searches, a whole number >= 2, the first from the values given; 20
     h          the longest step, a time > 0; 0: found
@@ -81,7 +81,8 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
             raise ValueError(f"{name}: not for a fit, whose times are those of the data")
     problem, model, found = prepare(potential, float(times[-1]), method=method, **options)
     places = {"alpha": lib.FVI_FREE_PARAMETER_ALPHA, "rho": lib.FVI_FREE_PARAMETER_RHO, "mass": lib.FVI_FREE_PARAMETER_MASS,
-              "x0": lib.FVI_FREE_PARAMETER_X0, "p0": lib.FVI_FREE_PARAMETER_P0}
+              "x0": lib.FVI_FREE_PARAMETER_X0, "p0": lib.FVI_FREE_PARAMETER_P0, "offset": lib.FVI_FREE_PARAMETER_OFFSET,
+              "drift": lib.FVI_FREE_PARAMETER_DRIFT}
     places.update((name, lib.FVI_FREE_PARAMETER_CONSTANT + i) for i, name in enumerate(problem.names))
     names = word("which", which).split(",")
     chosen = ffi.new("fvi_free_parameter[]", [int(choice("which", name, places)) for name in names])
@@ -122,3 +123,32 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
         error.fit = answer
         raise error
     return answer
+
+
+class Moduli(NamedTuple):
+    """`estimate` and `sd` of alpha, rho and k by name, `correlation` in this order; `sigma`, the relative error of the
+    data; `law`, the text of the law for `Problem(damping=...)`."""
+    estimate: dict
+    sd: dict
+    correlation: Array
+    sigma: float
+    law: str
+
+
+@spelt()
+def fit_moduli(omega: Numbers, storage: Numbers, loss: Numbers) -> Moduli:
+    """A spring beside a springpot, k + rho (i omega)^(2 alpha), from moduli that were measured.
+
+    omega          frequencies > 0, in radians per unit of time
+    storage, loss  the moduli there, with errors in proportion to their size
+    """
+    w, G1, G2 = (np.ascontiguousarray(numbers(name, a))
+                 for name, a in (("omega", omega), ("storage", storage), ("loss", loss)))
+    if w.ndim != 1 or not w.shape == G1.shape == G2.shape:
+        raise ValueError("omega, storage and loss are three arrays of one length")
+    f, room = ffi.new("fvi_estimate *"), lambda a: ffi.from_buffer("double[]", a)
+    succeed(ask(lib.fvi_estimate_moduli, w.size, room(w), room(G1), room(G2), f))
+    names = ("alpha", "rho", "k")
+    estimate = dict(zip(names, f.estimate))
+    return Moduli(estimate, dict(zip(names, f.sd)), np.array([[f.correlation[i][j] for j in range(3)] for i in range(3)]),
+                  f.sigma, f"spring:{estimate['k']!r} + power:{estimate['rho']!r},{estimate['alpha']!r}")
