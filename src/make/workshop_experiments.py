@@ -322,6 +322,18 @@ def tips():
     return [(tip[False][1],) * 2, (tip[True][1],) * 2, span(slopes)]
 
 
+def turning():
+    """The angular momentum of the elastic pendulum in the last row, with a damper along each axis."""
+    words = ["--lagrangian", "(v1^2+v2^2)/2 - 2*(sqrt(x1^2+x2^2)-1)^2", "--damper", "x1 : power:0.1,0.3",
+             "--damper", "x2 : power:0.1,0.3", "--x0=1.2,0", "--v0=0.3,0.8", "--method=fvi-lobatto4", "--h=0.05",
+             "--steps=1200", "--every=1200", "--columns=x,p"]
+    done = subprocess.run([BUILD / "fvi", "run", *words], capture_output=True, text=True)
+    if done.returncode:
+        sys.exit(f"fvi run {' '.join(words)}: {done.stderr}")
+    x, y, px, py = map(float, done.stdout.splitlines()[-1].split())
+    return [(x * py - y * px,) * 2]
+
+
 EXPERIMENTS = {
     "00": creep, "25": swing_up, "26": slopes_of_tails,
     "01": half_derivative_of_t, "02": energy_band, "03": first_power, "04": half_of_the_sum,
@@ -329,5 +341,5 @@ EXPERIMENTS = {
     "09": order_and_past, "10": constant_of_the_error, "11": tail, "12": tolerance_kept,
     "13": orders_of_two, "14": longest_step, "15": velocity_that_is_left, "16": energy_of_euler,
     "17": order_of_lobatto, "18": honest, "19": two_pasts, "20": error_by_step, "21": pushed,
-    "22": steps_by_decade, "23": least_answer, "24": deviations, "27": tips, "28": many_at_once,
+    "22": steps_by_decade, "23": least_answer, "24": deviations, "27": tips, "28": many_at_once, "29": turning,
 }
