@@ -226,10 +226,10 @@ static int load_of_mode(const turn ends[2], double W, double R, double *load)
 static int load_of_modes(const turn ends[2], double share, size_t d,
                          const double *W, const double *R, double *load)
 {
-    double *V = malloc((2 * d + 5) * d * sizeof *V), *G = V + d * d,
-           *room = G + d * d;
+    double *V = malloc((2 * d + 5) * d * sizeof *V);
     if (!V)
         FVI_FAIL("no memory for the modes of the system", FVI_ENOMEM);
+    double *G = V + d * d, *room = G + d * d;
     gsl_matrix_view matrix = gsl_matrix_view_array(G, d, d),
                     modes = gsl_matrix_view_array(V, d, d);
     gsl_vector_view values = gsl_vector_view_array(room, d);

@@ -263,7 +263,7 @@ static void guess(const fvi_stepper *s)
     const fvi_mechanism_state *o = s->method_state;
     const size_t d = o->d;
     for (size_t j = 0; j < d; j++) {
-        double u[FVI_STAGES], slope = 0, end = increment(o, o->u, o->s - 1, j);
+        double u[FVI_STAGES] = { 0 }, slope = 0, end = increment(o, o->u, o->s - 1, j);
         for (size_t l = o->begin; l < o->s; l++)
             slope += o->E[o->s - 1][l] * increment(o, o->u, l, j);
         for (size_t i = 0; i < o->s; i++) {

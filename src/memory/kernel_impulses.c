@@ -116,7 +116,7 @@ static void add_node(fvi_impulses_of_kernel *o, const pole *p)
 {
     const size_t j = o->count++;
     const double complex z = p->s * o->h;
-    double complex w[2], slope[2];
+    double complex w[2] = { 0 }, slope[2] = { 0 };
     (o->first > 0 ? moments : first_moments)(z, w, slope);
     o->s[j] = p->s;
     o->step[j] = cexp(z);

@@ -144,7 +144,7 @@ static int parse_imposed(fvi_typed_mechanism *m, size_t i, const char *text,
                          fvi_user_parameters *parameters, fvi_error *error)
 {
     const char *equals = strchr(text, '=');
-    char *name = equals ? piece(text, (size_t)(equals - text)) : NULL, *end;
+    char *name = equals ? piece(text, (size_t)(equals - text)) : NULL, *end = NULL;
     size_t index = 0;
     if (name && *name == 'x' && name[1])
         index = strtoul(name + 1, &end, 10);

@@ -371,7 +371,7 @@ int fvi_parse_method(const char *text, const fvi_method **method,
 {
     const char *words[64] = { NULL };
     size_t which;
-    for (size_t i = 0; fvi_methods[i] && i < 63; i++)
+    for (size_t i = 0; i < 63 && fvi_methods[i]; i++)
         words[i] = fvi_methods[i]->name;
     const int status = fvi_parse_word("method", text, words, &which, error);
     if (!status)

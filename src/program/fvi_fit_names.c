@@ -120,7 +120,7 @@ static const char *preset(request *r, const dictionary *d)
     size_t length = 0;
     if (!r->o.text[DAMPING] || d->which[0] < FVI_FREE_PARAMETER_LAW)
         return "alpha,rho";
-    for (size_t i = 0; d->which[i] >= FVI_FREE_PARAMETER_LAW && i < FVI_ESTIMATION_MOST
+    for (size_t i = 0; i < FVI_ESTIMATION_MOST && d->which[i] >= FVI_FREE_PARAMETER_LAW
                        && length < sizeof r->preset;
          i++)
         length += (size_t)snprintf(r->preset + length, sizeof r->preset - length, "%s%s",

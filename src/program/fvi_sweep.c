@@ -336,7 +336,7 @@ static int run_all(const sweep_grid *g, const fvi_options *o,
     board *shared = b.map;
     *shared = b;
     shared->rows = (double *)(shared + 1);
-    shared->first = (size_t *)(shared->rows + first[g->runs] * b.width);
+    shared->first = (size_t *)(void *)(shared->rows + first[g->runs] * b.width);
     memcpy(shared->first, first, (g->runs + 1) * sizeof *first);
     shared->verdicts = (verdict *)(shared->first + g->runs + 1);
     if (no_solution)

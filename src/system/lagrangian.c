@@ -161,9 +161,10 @@ int fvi_energy_at(const fvi_system *system, double t, const double *x,
     const size_t d = system->d;
     if (!fvi_lagrangian_of(system))
         return fvi_energy(system, x, p, E);
-    double *v = calloc(2 * d, sizeof *v), *Lv = v + d, L;
+    double *v = calloc(2 * d, sizeof *v), L = 0;
     if (!v)
         return FVI_ENOMEM;
+    double *Lv = v + d;
     int status = fvi_velocity_of_momentum(system, t, x, p, v);
     if (!status)
         status = fvi_lagrangian_point(system, t, x, v, &L, NULL, Lv, NULL, NULL,
