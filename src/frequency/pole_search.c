@@ -259,9 +259,10 @@ static int advance(fvi_response *r, double tight, path *p)
         status = correct(r, p, p->e + p->step, guess, &z);
     if (status == FVI_ENOMEM)
         return status;
-    const double moved = cabs(z - guess) / cabs(z),
-                 turned = 1 - cabs(conjugate_product(r->d, p->w, p->v));
-    if (status || !(cimag(z) > 0) || !(moved <= 0.1 * tight)
+    const double moved = status ? 1 : cabs(z - guess) / cabs(z),
+                 turned =
+                     status ? 1 : 1 - cabs(conjugate_product(r->d, p->w, p->v));
+    if (!(cimag(z) > 0) || !(moved <= 0.1 * tight)
         || !(turned <= 0.1 * tight)) {
         p->step /= 2;
         return FVI_SUCCESS;

@@ -20,6 +20,7 @@
 #include "trajectory.h"
 
 #include <stddef.h>
+#include <string.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -131,7 +132,8 @@ int fvi_stepper_energy(const fvi_stepper *s, double *E);
 /* fvi_elongation_row -- g(x) = row . x; the d numbers belong to the caller and must outlive the run. */
 static inline fvi_elongation fvi_elongation_row(const double *row)
 {
-    fvi_elongation linear = { 0 };
+    fvi_elongation linear;
+    memset(&linear, 0, sizeof linear); /* { 0 } is no C++ without warnings */
     linear.row = row;
     return linear;
 }

@@ -139,10 +139,12 @@ typedef struct {
  * Each is looked for from an undamped mode, by Newton's method; if two arrive at one pole, they
  * follow the poles as the damping grows from 0. Of up to 64 unknowns all poles are found and the
  * lowest are kept; of more, those that the lowest count + 4 modes become, if fewer are asked for.
- * If K is positive definite, and all dampings have orders below 1 or all are powers of orders
- * between 1 and 2, there are d (30.7). Else up to 24 unknowns are counted by the argument principle,
- * those with arg s < 3.14, and one oscillator by (26.11). If fewer are found than there are, that
- * is no error: compare count with expected.
+ * If K is positive definite there are d, where the symbols of all dampings lie above the real line on
+ * the upper side of the cut, or on it and are not negative: orders below 1, beside which dashpots and
+ * Maxwell elements may stand in one law. And so where all lie below: powers and ranges of orders between
+ * 1 and 2 (30.7). Else up to 24 unknowns are counted by the argument principle, those with arg s < 3.14,
+ * and one oscillator by (26.11). If fewer are found than there are, that is no error: compare count with
+ * expected.
  *
  * Accuracy: seen 1e-15 of |s| for well conditioned Z. Cost: two to four factorisations a pole, and
  * the undamped modes: O(d^3) up to 256 unknowns or for all modes, else by subspace iteration with
