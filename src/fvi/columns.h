@@ -37,7 +37,7 @@ typedef struct fvi_typed_columns fvi_typed_columns;
  *   d           coordinates
  *   is_numbered  x1 although d = 1
  *   mechanism   NULL: one damper d1 that acts on each coordinate; else its dampers
- *   is_structure  nonzero: each of the dampers acts on each coordinate, too
+ *   is_structure  nonzero: a damper by a matrix acts on each coordinate, too
  *   ground      NULL, or its acceleration, a force of one number: ag
  *   shown, shown_count  which coordinates a name alone stands for, from 0; NULL: all
  *

@@ -29,7 +29,7 @@
  * A method that chooses its steps knows x'' as the polynomial of its step: an order less than p.
  *
  * A run with one law, or alpha, has one damper, d1, of d forces. That of a mechanism (dampers.h)
- * has a force along its elongation, and a structure's a force on each unknown. */
+ * has a force along its elongation, and a structure's by a matrix a force on each unknown. */
 #ifndef FVI_OBSERVER_H
 #define FVI_OBSERVER_H
 

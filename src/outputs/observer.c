@@ -234,6 +234,7 @@ static void describe(fvi_observer *o, const fvi_stepper *s, unsigned wanted)
     o->wanted = wanted;
     o->matrices = system->matrices;
     o->is_summed = (wanted & SUMMED) != 0;
+    o->mechanism = system->mechanism;
     o->has_mechanism = system->mechanism && !system->matrices;
     o->dampers = o->has_mechanism ? system->mechanism->damper_count
                                   : fvi_step_dampers(system);
@@ -342,7 +343,9 @@ size_t fvi_observer_dampers(const fvi_observer *o)
 
 size_t fvi_observer_width(const fvi_observer *o, size_t j)
 {
-    return j < o->dampers ? o->forces / o->dampers : 0;
+    return j >= o->dampers ? 0
+           : o->mechanism && !o->mechanism->damper[j].matrix ? 1
+                                                             : o->d;
 }
 
 int fvi_observer_copy(const fvi_observer *from, fvi_observer **to)

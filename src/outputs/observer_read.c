@@ -137,6 +137,26 @@ static int is_finite(const fvi_observer *o, const fvi_observation *now)
                              now->multiplier);
 }
 
+/* Of a structure's damper along a row, f = lambda row: lambda alone, the forces of others behind it. */
+static void fold_rows(const fvi_observer *o, double *forces)
+{
+    double *to = forces;
+    for (size_t j = 0; o->mechanism && !o->has_mechanism && j < o->dampers; j++) {
+        const double *from = forces + j * o->d,
+                     *row = o->mechanism->damper[j].of.row;
+        double sum = 0, square = 0;
+        for (size_t i = 0; i < o->d && fvi_observer_width(o, j) == 1; i++) {
+            sum += row[i] * from[i];
+            square += row[i] * row[i];
+        }
+        if (fvi_observer_width(o, j) == 1)
+            *to++ = square > 0 ? sum / square : 0;
+        else
+            for (size_t i = 0; i < o->d; i++)
+                *to++ = from[i];
+    }
+}
+
 int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
                       fvi_observation *now)
 {
@@ -160,5 +180,7 @@ int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
         status = read_forces(o, s, t, now);
     if (!status && o->wanted & (FVI_OBSERVE_WORK | FVI_OBSERVE_ENERGY))
         status = read_balance(o, s, t, now);
+    fold_rows(o, o->force);
+    fold_rows(o, o->impulse_now);
     return status || is_finite(o, now) ? status : FVI_EOVRFLW;
 }

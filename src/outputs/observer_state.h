@@ -30,6 +30,7 @@ struct fvi_observer {
     int by_energy;   /* is the work that is told what the energy has lost? */
     int is_infinite; /* the forces at t = 0 */
     size_t degree;   /* of the differences */
+    const fvi_mechanism *mechanism;
     void *factors;   /* of M, of a system with matrices; or NULL */
     const fvi_matrices *matrices;
     double *numbers; /* all arrays, in one piece */

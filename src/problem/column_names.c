@@ -42,13 +42,15 @@ static size_t damper_count(const fvi_typed_columns *c)
     return c->source->mechanism ? c->source->mechanism->damper_count : 1;
 }
 
-size_t fvi_column_width(const fvi_typed_columns *c, fvi_quantity_kind kind)
+size_t fvi_column_width(const fvi_typed_columns *c, const fvi_quantity *q)
 {
-    if (kind == QUANTITY_MULTIPLIER)
-        return c->source->mechanism->constraints->count;
-    return kind == QUANTITY_DAMPER_WORK || kind == QUANTITY_REACTION ? 1
-           : kind >= QUANTITY_FORCE && c->source->mechanism
-                   && !c->source->is_structure
+    const fvi_mechanism *m = c->source->mechanism;
+    if (q->kind == QUANTITY_MULTIPLIER)
+        return m->constraints->count;
+    if (q->kind == QUANTITY_DAMPER_WORK || q->kind == QUANTITY_REACTION)
+        return 1;
+    return (q->kind == QUANTITY_FORCE || q->kind == QUANTITY_IMPULSE) && m
+                   && !(c->source->is_structure && m->damper[q->j].matrix)
                ? 1
                : c->source->d;
 }
@@ -83,7 +85,7 @@ static int find_of_damper(const fvi_typed_columns *c, const char *name,
         if (left < stem || strncmp(word, of_damper[n], stem) != 0)
             continue;
         q->kind = (fvi_quantity_kind)(QUANTITY_FORCE + n);
-        const size_t width = fvi_column_width(c, q->kind);
+        const size_t width = fvi_column_width(c, q);
         *is_all = left == stem && width > 1;
         q->i = left == stem ? 0 : index_of(word + stem, left - stem, width);
         return q->i < width && (left == stem || q->kind != QUANTITY_DAMPER_WORK);
@@ -174,7 +176,7 @@ int fvi_column_quantity(const char *name, size_t length, void *columns)
     fvi_quantity q;
     int is_all;
     if (!fvi_column_find(c, name, length, &q, &is_all)
-        || (is_all && fvi_column_width(c, q.kind) > 1))
+        || (is_all && fvi_column_width(c, &q) > 1))
         return -1;
     return add_quantity(c, q);
 }

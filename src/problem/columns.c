@@ -96,10 +96,10 @@ static int parse_text(const char *field, const char *text,
     const size_t length = strlen(text);
     if (is_one_word(text, length)
         && fvi_column_find(c, text, length, &q, &is_all) && is_all
-        && fvi_column_width(c, q.kind) > 1)
+        && fvi_column_width(c, &q) > 1)
         return fvi_fail(error, FVI_EINVAL, field, NAN,
                         "'%s' of which coordinate? %s1 to %s%zu", text, text,
-                        text, fvi_column_width(c, q.kind));
+                        text, fvi_column_width(c, &q));
     return fvi_parse_expression_of(field, &finder, text, parameters, e, error);
 }
 
@@ -164,9 +164,10 @@ static int add_all(const char *word, size_t length, fvi_quantity q,
                    const char *text, fvi_typed_columns *c, fvi_error *error)
 {
     const int chosen =
-        c->source->shown && fvi_column_width(c, q.kind) == c->source->d;
+        c->source->shown && q.kind != QUANTITY_MULTIPLIER
+        && fvi_column_width(c, &q) == c->source->d;
     const size_t width =
-        chosen ? c->source->shown_count : fvi_column_width(c, q.kind);
+        chosen ? c->source->shown_count : fvi_column_width(c, &q);
     int status = FVI_SUCCESS;
     for (size_t n = 0; n < width && !status; n++) {
         char name[120];
@@ -257,11 +258,21 @@ static double work_of_all(const fvi_typed_columns *c,
     return sum;
 }
 
+/* The place of a damper's force behind those of the dampers before it. */
+static size_t place_of_force(const fvi_typed_columns *c, fvi_quantity q)
+{
+    size_t place = q.i;
+    if (q.kind != QUANTITY_FORCE && q.kind != QUANTITY_IMPULSE)
+        return 0;
+    for (fvi_quantity before = q; before.j-- > 0;)
+        place += fvi_column_width(c, &before);
+    return place;
+}
+
 static int value_of(const fvi_typed_columns *c, fvi_quantity q,
                     const fvi_observation *now, double *value)
 {
-    const size_t place =
-        q.j * fvi_column_width(c, q.kind) + q.i; /* of a damper's force */
+    const size_t place = place_of_force(c, q);
     switch (q.kind) {
     case QUANTITY_GROUND:
         return ground_at(c, now->t, value);

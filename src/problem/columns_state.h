@@ -75,10 +75,10 @@ struct fvi_typed_columns {
 int fvi_column_quantity(const char *name, size_t length, void *columns);
 
 /* fvi_column_find -- which quantity has this name; is_all: all numbers of its kind. Returns 0 if there is
- * none. fvi_column_width -- how many numbers of a kind there are; of a damper's kind for each damper. */
+ * none. fvi_column_width -- how many numbers of its kind there are; of a damper's kind, for this damper. */
 int fvi_column_find(const fvi_typed_columns *c, const char *name,
                     size_t length, fvi_quantity *q, int *is_all);
-size_t fvi_column_width(const fvi_typed_columns *c, fvi_quantity_kind kind);
+size_t fvi_column_width(const fvi_typed_columns *c, const fvi_quantity *q);
 
 /* fvi_column_unknown -- refuse a word of a list that is no name, with the nearest one. */
 int fvi_column_unknown(const fvi_typed_columns *c, const char *word,

@@ -101,6 +101,67 @@ START_TEST(means_and_peaks_are_what_they_say)
 }
 END_TEST
 
+/* An elastic pendulum with a strut, by four Lobatto nodes: the force of the damper at t = 4 and its
+ * work, of a reference with 120 exponentials and Radau's method, right to 1e-8 and 1e-11; the
+ * step 0.05 is off by about 1e-7 and 1e-9. */
+START_TEST(a_damper_between_two_points_has_its_force)
+{
+    ck_assert_int_eq(
+        fvi("run --lagrangian '(v1^2+v2^2)/2 - 2*(sqrt(x1^2+x2^2)-1)^2 - x2' "
+            "--damper 'strut=sqrt(x1^2+x2^2) : power:0.4,0.3' --x0 1.2,0 --v0 "
+            "0.3,0.8 --method fvi-lobatto4 --h 0.05 --steps 80 --columns "
+            "t,strut.force,strut.work,balance,work-strut.work,v,a"),
+        0);
+    ck_assert_near(cell(80, 1), -0.19270875, 3e-7, "force");
+    ck_assert_near(cell(80, 2), 0.37770794615836, 3e-9, "work");
+    ck_assert_near(cell(80, 3), 0.445, 3e-9, "balance");
+    ck_assert(cell(80, 4) == 0 && cell(0, 1) == 0);
+    /* a = -grad U - lambda x / r, U = 2 (r - 1)^2 + x2, at the end */
+    ck_assert_int_eq(
+        fvi("run --lagrangian '(v1^2+v2^2)/2 - 2*(sqrt(x1^2+x2^2)-1)^2 - x2' "
+            "--damper 'strut=sqrt(x1^2+x2^2) : power:0.4,0.3' --x0 1.2,0 --v0 "
+            "0.3,0.8 --method fvi-lobatto4 --h 0.05 --steps 80 --columns "
+            "'q=(4*(sqrt(x1^2+x2^2)-1)+strut.force)/sqrt(x1^2+x2^2),a1+q*x1,"
+            "a2+1+q*x2'"),
+        0);
+    ck_assert_near(cell(80, 1), 0, 3e-6, "a1");
+    ck_assert_near(cell(80, 2), 0, 3e-6, "a2");
+}
+END_TEST
+
+/* Dampers of a folder: by a matrix one force on each unknown, along a row one force; with fvi the
+ * same numbers as between the coordinates of two masses. */
+START_TEST(dampers_of_a_folder_have_their_forces)
+{
+    const char *rest = "--damper 'top=x2-x1 : viscous:0.1' --x0 0.3,0.1 --p0 "
+                       "0.2,0 --force 'sin(t)' --method fvi --h 0.05 --steps "
+                       "100 --columns "
+                       "t,a,base.force,top.force,base.work,top.work,balance";
+    char line[500];
+    double want[8];
+    snprintf(line, sizeof line, "run --mass 2,1 --potential '5*x1^2+5*(x2-x1)^2' "
+             "--damper 'base=x1 : power:0.5,0.3' %s", rest);
+    ck_assert_msg(fvi(line) == 0, "%s", err);
+    for (size_t n = 0; n < 8; n++)
+        want[n] = cell(100, n);
+    ck_assert_int_eq(
+        shell("mkdir -p c && cd c && for m in 'M 2\n1 1 2\n2 2 1' "
+              "'K 3\n1 1 20\n2 1 -10\n2 2 10' 'C2 1\n1 1 0.5'; do printf "
+              "\"%%%%MatrixMarket matrix coordinate real symmetric\n2 2 ${m#* }"
+              "\n\" > ${m%% *}.mtx; done"),
+        0);
+    snprintf(line, sizeof line, "run --system c --damper 'base=C2.mtx : "
+             "power:1,0.3' %s", rest);
+    ck_assert_msg(fvi(line) == 0, "%s", err);
+    ck_assert_ptr_nonnull(strstr(out, "\n# t\ta1\ta2\tbase.force1\tbase.force2\t"
+                                      "top.force\tbase.work\ttop.work\t"
+                                      "balance\n"));
+    for (size_t n = 0; n < 8; n++)
+        ck_assert_near(cell(100, n + (n > 3)), want[n], 1e-12, "%zu", n);
+    ck_assert(cell(100, 4) == 0);
+}
+END_TEST
+
 /* One coordinate, all formats; a comma in a name is quoted where commas part columns. */
 START_TEST(names_of_columns_survive_every_format)
 {
@@ -259,6 +320,8 @@ int main(void)
 {
     Suite *suite = suite_create("the program fvi: columns and reductions");
     ADD_CASE(suite, "columns", drifts_floors_and_forces_are_columns,
+             a_damper_between_two_points_has_its_force,
+             dampers_of_a_folder_have_their_forces,
              names_of_columns_survive_every_format,
              plain_columns_stay_what_they_are, sums_stand_in_the_checkpoint,
              a_state_alone_has_its_columns_too);
