@@ -86,6 +86,8 @@ static const struct {
     { "halves", "a power in two halves has the exact solution of the power",
       stress_halves, 5000 },
     { "pulses", "no pulse of an expression is missed", stress_pulses, 1000 },
+    { "mechanisms", "methods agree on mechanisms of random texts",
+      stress_mechanisms, 200 },
 };
 
 /* All cases of a family, or one; returns the number of failures. */
