@@ -145,6 +145,51 @@ static int life_with_a_law(const fvi_method *method)
     return whole_life(method, &law);
 }
 
+/* A mechanism of texts, from its parsing to the end of a run: a strut of two laws, whose start has a
+ * velocity, and where the method takes it a rod. */
+static int life_of_mechanism(const fvi_method *method)
+{
+    static const char *const dampers[] = {
+        "sqrt(x1^2+x2^2) : power:0.4,0.7 + distributed:0.1,0.2,0.8",
+        "x2 : zener:1,0.3,2"
+    }, *const constraints[] = { "x1+x2-1" };
+    const int takes = method->takes_mechanism
+                      && (method->scheme == FVI_SCHEME_CQ2_MIDPOINT
+                          || (method->stages && !method->damped_inertia));
+    const fvi_mechanism_texts texts = {
+        .lagrangian = "(v1^2+v2^2)/2 - x2",
+        .dampers = 2,
+        .damper = dampers,
+        .constraints = takes ? 1 : 0,
+        .constraint = constraints
+    };
+    fvi_typed_mechanism *typed;
+    const double begin[] = { 1, 0 }, momenta[] = { 0.5, -0.5 };
+    if (!method->takes_mechanism)
+        return FVI_SUCCESS;
+    int status = fvi_parse_mechanism(&texts, 2, NULL, &typed, NULL);
+    if (status)
+        return status;
+    const fvi_system system = { .d = 2,
+                                .mechanism = fvi_mechanism_typed(typed) };
+    const fvi_run run = fvi_run_default(&system, begin, momenta, 0.1, 80);
+    fvi_stepper *s = NULL, *copy = NULL;
+    double E;
+    status = fvi_stepper_start(method, &run, &s, NULL);
+    for (size_t k = 0; k < 2 && !status; k++)
+        status = fvi_stepper_step(s);
+    if (!status)
+        status = fvi_stepper_energy(s, &E);
+    if (!status)
+        status = fvi_stepper_copy(s, &copy);
+    if (!status)
+        status = fvi_stepper_step(copy);
+    fvi_stepper_free(copy);
+    fvi_stepper_free(s);
+    fvi_typed_mechanism_free(typed);
+    return status;
+}
+
 static int load(const fvi_method *method)
 {
     fvi_system system;
@@ -275,7 +320,7 @@ typedef int call(const fvi_method *method);
 
 START_TEST(a_call_without_memory_says_so)
 {
-    call *const calls[] = { life, life_with_a_law, load, load_of_full, warnings, control, moduli, linear };
+    call *const calls[] = { life, life_with_a_law, life_of_mechanism, load, load_of_full, warnings, control, moduli, linear };
     size_t said = 0;
 #ifdef OTHER_ALLOCATOR
     return;

@@ -70,7 +70,7 @@ static void draw_damper(gsl_rng *random, const mechanism *m, char *to)
         snprintf(law, sizeof law, "maxwell:%.4f,%.3f", rho, draw(random, 0.2, 2));
         break;
     case 2:
-        snprintf(law, sizeof law, "zener:%.4f,%.4f,%.3f", rho, fmin(alpha, 0.4),
+        snprintf(law, sizeof law, "zener:%.4f,%.4f,%.3f", rho, smaller(alpha, 0.4),
                  draw(random, 0.2, 2));
         break;
     default:
