@@ -18,7 +18,7 @@ typedef struct {
 /* The options of run that say what is linear, and how a table is written; and the words that stand
  * for the others. */
 #define FVI_LINEAR_OPTIONS                                                     \
-    "alpha", "order", "rho", "damping", "mass", "potential", "let",            \
+    "alpha", "order", "rho", "damping", "damper", "mass", "potential", "let",  \
         "dimension", "system", "x0", "format", "o"
 extern char *const fvi_linear_presets[];
 

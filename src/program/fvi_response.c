@@ -70,8 +70,8 @@ static int interpret_omega(request *r, fvi_error *c)
 /* Of a law alone nothing else is asked for, and so nothing else may be said. */
 static int check_moduli(const request *r, fvi_error *c)
 {
-    static const option_index others[] = { MASS, POTENTIAL, DIMENSION, SYSTEM,
-                                           X0 };
+    static const option_index others[] = { MASS,   POTENTIAL, DIMENSION, SYSTEM,
+                                           DAMPER, X0 };
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (r->linear.words.given[others[i]])
             return fvi_refuse(c, fvi_option_list[others[i]].name,

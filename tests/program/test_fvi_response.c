@@ -154,6 +154,44 @@ START_TEST(a_potential_is_linear_at_x0)
 }
 END_TEST
 
+/* Five storeys with two springpots and a dashpot, as an expression and as a folder: the numbers of an
+ * independent program (numpy, and Newton's method from undamped modes). */
+START_TEST(dampers_have_responses_and_poles)
+{
+    static const char *const systems[] = {
+        "--potential '50*(x1^2+(x2-x1)^2+(x3-x2)^2+(x4-x3)^2+(x5-x4)^2)'", "--system five"
+    };
+    const char *dampers = "--damper 'x1 : power:5,0.3' --damper 'x3-x2 : power:5,0.3' --damper "
+                          "'top=x5-x4 : viscous:0.5' --format csv";
+    const double H15[] = { -0.012953502980915, 0.00313766431038746 },
+                 poles[5][2] = { { -0.0586151330215504, 2.89129638312316 },
+                                 { -0.245567205704625, 8.49000945216913 },
+                                 { -0.794065924497041, 13.5511138945064 },
+                                 { -0.441631589977201, 16.985362449663 },
+                                 { -1.04674624387992, 19.8370919043472 } };
+    ck_assert_int_eq(shell("mkdir -p five"), 0);
+    write_file("five/M.mtx", HEAD "5 5 5\n1 1 1\n2 2 1\n3 3 1\n4 4 1\n5 5 1\n");
+    write_file("five/K.mtx", HEAD "5 5 9\n1 1 200\n2 2 200\n3 3 200\n4 4 200\n5 5 100\n"
+                                  "2 1 -100\n3 2 -100\n4 3 -100\n5 4 -100\n");
+    for (size_t i = 0; i < LEN(systems); i++) {
+        char line[500], *at;
+        snprintf(line, sizeof line, "response %s %s --omega 7.3 --at 1 --by 5", systems[i],
+                 dampers);
+        ck_assert_int_eq(fvi(line), 0);
+        at = strstr(out, "7.3,") + 4;
+        for (int part = 0; part < 2; part++, at++)
+            ck_assert_near(strtod(at, &at), H15[part], 1e-14, "%s", systems[i]);
+        snprintf(line, sizeof line, "poles %s %s", systems[i], dampers);
+        ck_assert_int_eq(fvi(line), 0);
+        at = strchr(out, '\n');
+        for (int k = 0; k < 5; k++, at = strchr(at + 1, '\n'))
+            for (char *number = at, part = 0; part < 2; part++, number++)
+                ck_assert_near(strtod(number, &number), poles[k][(int)part], 1e-12,
+                               "%s pole %d", systems[i], k);
+    }
+}
+END_TEST
+
 START_TEST(bad_questions_are_bad_use)
 {
     static const char *const bad[][2] = {
@@ -169,6 +207,9 @@ START_TEST(bad_questions_are_bad_use)
         { "response --omega 1 --of ground --by 1", "--by: not together with --of ground" },
         { "response --omega 1 --of moduli --mass 2", "--mass: not together with --of moduli" },
         { "response --omega 1 --of moduli --at 1", "--at: not together with --of moduli" },
+        { "response --omega 1 --of moduli --damper 'x : viscous:1'",
+          "--damper: not together with --of moduli" },
+        { "poles --damper 'x : viscous:1' --rho 1", "--damper: not together with --rho" },
         { "response --omega 1 --steps 3", "--steps: not an option of this command" },
         { "response --omega 1 --hert", "--hert: no such option; did you mean --hertz?" },
         { "response --omega 1 --omega 2", "--omega: given twice" },
@@ -213,7 +254,8 @@ int main(void)
     Suite *suite = suite_create("the program fvi: response and poles");
     ADD_CASE(suite, "numbers", responses_are_those_of_the_contract,
              moduli_are_those_of_the_contract, poles_are_those_of_the_contract,
-             what_does_not_swing_has_no_poles, a_potential_is_linear_at_x0);
+             what_does_not_swing_has_no_poles, a_potential_is_linear_at_x0,
+             dampers_have_responses_and_poles);
     ADD_CASE(suite, "words", bad_questions_are_bad_use,
              tables_have_formats_and_pictures);
     return run_suite_of_program(suite);
