@@ -4,12 +4,13 @@ from __future__ import annotations
 import difflib
 import functools
 import inspect
-from typing import Any, Callable, Mapping, Sequence, Union
+from typing import Any, Callable, Mapping, Sequence, TypeVar, Union, cast
 
 import numpy as np
 
 Array = np.ndarray
 Numbers = Union[float, Sequence[float], Array]
+F = TypeVar("F", bound=Callable[..., Any])
 
 
 def described(given: Any) -> str:
@@ -18,11 +19,13 @@ def described(given: Any) -> str:
     return text if len(text) <= 40 and "\n" not in text else f"a {type(given).__name__}"
 
 
-def spelt(*others: Callable, hints: Mapping[str, str] = {}, elsewhere: Mapping[str, str] = {}) -> Callable:
+def spelt(*others: Callable, hints: Mapping[str, str] = {}, elsewhere: Mapping[str, str] = {}) -> Callable[[F], F]:
     """Of a function that hands keywords on to others: one that none of them knows is a TypeError, with the
     nearest that there is; hints has words that are known by another name, elsewhere those of other functions."""
-    def decorate(function: Callable) -> Callable:
-        known = [name for each in (function, *others) for name, p in inspect.signature(each).parameters.items()
+    def decorate(function: F) -> F:
+        all_of: tuple[Callable, ...] = (function, *others)
+        known = [name for each in all_of
+                 for name, p in inspect.signature(each).parameters.items()
                  if p.kind in (p.POSITIONAL_OR_KEYWORD, p.KEYWORD_ONLY) and name != "self"]
         own = function.__qualname__.replace(".__init__", "")
 
@@ -36,7 +39,7 @@ def spelt(*others: Callable, hints: Mapping[str, str] = {}, elsewhere: Mapping[s
                     f"{elsewhere[name]} takes it" if name in elsewhere else
                     f"did you mean '{near[0]}'?" if near else "there are " + ", ".join(known)))
             return function(*arguments, **options)
-        return checked
+        return cast(F, checked)
     return decorate
 
 

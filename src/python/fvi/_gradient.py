@@ -1,7 +1,7 @@
 """Gradients of motions: one mirrored run gives the derivatives by all that determines them."""
 from __future__ import annotations
 
-from typing import Any, Callable, Mapping, Optional, Sequence
+from typing import Any, Callable, Mapping, Optional, Sequence, cast
 
 import numpy as np
 
@@ -237,7 +237,7 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, lets
         answer["damping"] = [by_term(system.law.term[i].kind, {f: found[f][i] for f in parts})
                              for i in range(system.law.count)] if parts else None
     if "force" in names:
-        t, F = np.asarray(q.force[0]), np.asarray(q.force[1])
+        t, F = (np.asarray(a) for a in cast(tuple, q.force))
         if mirror.is_dense and (abs(t / mirror.motion.run.h - np.round(t / mirror.motion.run.h)) > 1e-9).any():
             raise ValueError("force: of fvi-adaptive the times of the force must be among those of the rows, by which "
                              "it has derivatives; choose steps")

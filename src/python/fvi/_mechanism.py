@@ -31,7 +31,8 @@ class Mechanism:
 
     def dimension(self, potential: Any) -> int:
         """The largest index in a text."""
-        said = [self.lagrangian, potential if self.lagrangian is None else None, *sum(map(list, self.lists.values()), [])]
+        said = [self.lagrangian, potential if self.lagrangian is None else None,
+                *(text for each in self.lists.values() for text in each)]
         found = [lib.fvi_largest_index(text.encode()) for text in said if isinstance(text, str)
                  and not text.lower().startswith("chain")]
         on = [text.partition("=")[0].strip(" x") for text in self.lists["force_on"]]

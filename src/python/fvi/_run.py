@@ -40,11 +40,10 @@ class Method(NamedTuple):
 
 def methods() -> list:
     """Every integrator that `run` knows, as a list of Method."""
-    table = []
+    table: list[Method] = []
     while lib.fvi_methods[len(table)] != ffi.NULL:
         m = lib.fvi_methods[len(table)]
-        table.append(Method(*(text_of(t) for t in (m.name, m.order, m.memory)),
-                            m.lowest, m.highest, (m.alpha_least, m.alpha_most),
+        table.append(Method(text_of(m.name), text_of(m.order), text_of(m.memory), m.lowest, m.highest, (m.alpha_least, m.alpha_most),
                             bool(m.takes_kappa), bool(m.implicit)))
     return table
 
@@ -316,4 +315,5 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
         if not 0 < number("error", error) < math.inf:
             raise Error(f"error: {error} is not above 0, or not finite", lib.FVI_EDOM)
         estimate = solve(method, r, number("time", options["time"]), number("error", error), most, pointers)
-    return Run(np.arange(rows) * r.h, *(out[n] if n in wanted else None for n in ("x", "p", "energy")), estimate)
+    x, p, energy = (out[n] if n in wanted else None for n in ("x", "p", "energy"))
+    return Run(np.arange(rows) * r.h, x, p, energy, estimate)

@@ -134,12 +134,12 @@ class Solution:
 
     def to_pandas(self) -> Any:
         """A pandas.DataFrame with the index t."""
-        import pandas
+        import pandas  # type: ignore
         return pandas.DataFrame(self.columns()).set_index("t")
 
     def to_xarray(self) -> Any:
         """An xarray.Dataset of x, p, v over t and the coordinate i, from 1."""
-        import xarray
+        import xarray  # type: ignore
         return xarray.Dataset({name: (("t", "i"), getattr(self, name)) for name in ("x", "p", "v")},
                               {"t": self.t, "i": np.arange(1, self.x.shape[1] + 1)},
                               {"problem": repr(self.problem), "message": self.message})
@@ -147,7 +147,7 @@ class Solution:
     def plot(self, axes: Any = None, **options: Any) -> Any:
         """x over t by matplotlib, on these axes or on new ones, which are returned."""
         if axes is None:
-            import matplotlib.pyplot
+            import matplotlib.pyplot  # type: ignore
             axes = matplotlib.pyplot.subplots()[1]
         labels = [f"x{i + 1}" if self.x.shape[1] > 1 else "x" for i in range(self.x.shape[1])]
         for i, label in enumerate(labels):

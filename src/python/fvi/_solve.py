@@ -48,7 +48,7 @@ class Motion:
         rho = (0.2 if q.damping is None else 1.0) if q.rho is None else q.rho
         x0 = (0.0 if is_structure else 1.0) if q.x0 is None else q.x0
         p0 = q.p0 if q.p0 is not None else q.v0 if q.v0 is not None else 0.0 if is_structure else 0.5
-        alpha = 0.5 if q.alpha is q.order is None else q.alpha if q.order is None else q.order / 2
+        alpha = q.order / 2 if q.order is not None else 0.5 if q.alpha is None else q.alpha
         mechanism = Mechanism(q.lagrangian, q.dampers, q.constraints, q.impose, q.force_on, own_law(
             alpha, q.damping, q.past)) if q.kind == "mechanism" else None
         structure = Structure(q.M, q.K, q.C, q.dampers, PASTS) if is_structure else None

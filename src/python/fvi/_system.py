@@ -181,7 +181,7 @@ class System:
     """A system and its start as the library wants them. Whatever C points to is kept here."""
 
     def __init__(self, potential: Union[str, Potential], force: Any, mass: Numbers, rho: Numbers,
-                 x0: Numbers, p0: Numbers, let: Optional[dict] = None, last: float = math.inf,
+                 x0: Numbers, p0: Numbers, let: Optional[Mapping[str, float]] = None, last: float = math.inf,
                  damping: Any = None, mechanism: Any = None, structure: Any = None):
         self.keep: list = []
         if let is not None and not (isinstance(let, Mapping) and all(isinstance(name, str) for name in let)):

@@ -10,7 +10,7 @@ The motion is computed in double precision on the processor, and so is its gradi
 """
 from __future__ import annotations
 
-from typing import Any, Mapping
+from typing import Any, Mapping, cast
 
 import numpy as np
 import torch
@@ -32,7 +32,8 @@ class Motion(torch.autograd.Function):
     """x and p of every row."""
 
     @staticmethod
-    def forward(ctx: Any, problem: Problem, options: dict, names: tuple, kept: list, *tensors: Any) -> Any:
+    def forward(ctx: Any, problem: Problem, options: dict, names: tuple, kept: list,  # type: ignore[override]
+                *tensors: Any) -> Any:
         changes: dict = {}
         let = dict(problem.let or {})
         for name, tensor in zip(names, tensors):
@@ -40,7 +41,7 @@ class Motion(torch.autograd.Function):
             if name in let:
                 let[name] = float(value)
             elif name == "force":
-                changes[name] = (problem.force[0], value)
+                changes[name] = (cast(tuple, problem.force)[0], value)
             else:
                 changes[name] = float(value) if value.ndim == 0 else value
         if let:
