@@ -143,8 +143,8 @@ static int profiles(const fvi_estimation *fit, const fvi_estimate *fitted,
 
 void fvi_estimation_range(const fvi_estimation *fit, size_t j, double *low, double *high)
 {
-    const int kind = fvi_estimation_kind_of(fit->which[j]),
-              is_alpha = fit->which[j] == FVI_FREE_PARAMETER_ALPHA;
+    const fvi_estimation_kind kind = fvi_estimation_kind_of(fit->which[j]);
+    const int is_alpha = fit->which[j] == FVI_FREE_PARAMETER_ALPHA;
     *low = kind == FVI_ESTIMATION_NUMBER ? GSL_NEGINF
            : is_alpha                    ? fit->method->alpha_least
                                          : 0;

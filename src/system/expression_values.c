@@ -147,7 +147,7 @@ void fvi_expression_complex_value(const fvi_expression *e, double re, double im,
                                   double *value_re, double *value_im)
 {
     const double complex v = fvi_tape_complex(e->terms->node, e->terms->count,
-                                              CMPLX(re, im), e->values);
+                                              re + im * I, e->values);
     *value_re = creal(v);
     *value_im = cimag(v);
 }
