@@ -194,11 +194,33 @@ static int forces_at_ends(fvi_stepper *s)
                                         o->push + o->d);
 }
 
+//> smooth
+/* The equation of a coordinate without inertia knows the means of two nodes alone, so that a part (-1)^k of its
+ * place stays for ever. What is shown is the line through the last two means at t_k:
+ * (3 x_k + 2 x_{k-1} - x_{k-2}) / 4. (29.17) */
+static void show(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t d = o->d;
+    double *now = o->raw, *before = now + d, *last = before + d;
+    memcpy(last, before, d * sizeof *last);
+    memcpy(before, now, d * sizeof *before);
+    memcpy(now, s->x, d * sizeof *now);
+    for (size_t i = 0; i < d; i++)
+        if (o->is_massless[i])
+            s->x[i] = s->k == 0
+                          ? (now[i] + before[i]) / 2
+                          : (3 * now[i] + 2 * before[i] - last[i]) / 4;
+}
+//< smooth
+
 //> step
 int fvi_mechanism_step_nodes(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->method_state;
     const size_t d = o->d;
+    if (o->any_massless)
+        memcpy(s->x, o->raw, d * sizeof *s->x);
     int status = forces_at_ends(s);
     if (!status)
         status = fvi_mechanism_expect(s);
@@ -215,7 +237,10 @@ int fvi_mechanism_step_nodes(fvi_stepper *s)
     memcpy(s->dx, o->u, d * sizeof *s->dx);
     for (size_t i = 0; i < d; i++)
         s->x[i] += o->u[i];
-    return o->form == FVI_MECHANISM_NODES ? end_nodes(s, o->u)
-                                          : end_first_order(s);
+    status = o->form == FVI_MECHANISM_NODES ? end_nodes(s, o->u)
+                                            : end_first_order(s);
+    if (!status && o->any_massless)
+        show(s);
+    return status;
 }
 //< step

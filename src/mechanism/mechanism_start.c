@@ -28,7 +28,7 @@ static int allocate(fvi_mechanism_state *o)
         { &o->impulse, r }, { &o->work, r }, { &o->begun, m }, { &o->ended, m },
         { &o->tie, m },
         { &o->v, d }, { &o->u, n }, { &o->z, r }, { &o->G, r * d },
-        { &o->C, m * d }, { &o->z0, r },
+        { &o->C, m * d }, { &o->z0, r }, { &o->raw, 3 * d },
         { &o->W, r * s * s }, { &o->known, r * s }, { &o->lambda, r * s },
         { &o->zdot, r * s }, { &o->pulled, 2 * r }, { &o->X, (q + 1) * d }, { &o->V, q * d },
         { &o->f, q * d }, { &o->Lv, q * d }, { &o->fx, q * d * d },
@@ -38,7 +38,7 @@ static int allocate(fvi_mechanism_state *o)
         { &o->matrix, n * n }, { &o->change, n }, { &o->trial, n },
         { &o->room, 4 * (d + m + 1) * (d + m + 1) }
     };
-    enum { COUNT = sizeof arrays / sizeof *arrays, SAVED = 11 };
+    enum { COUNT = sizeof arrays / sizeof *arrays, SAVED = 12 };
     size_t all = 0;
     for (size_t i = 0; i < COUNT; i++)
         all += arrays[i].count;
@@ -100,23 +100,26 @@ static int make_state(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
     return allocate(o);
 }
 
-/* A coordinate without inertia needs a damper that stands for it: form M diverges with orders of 1 and
- * below (29.16). */
+/* A coordinate without inertia is nothing for order 1. For form M it needs a damper that stands for it:
+ * with orders of 1 and below there is no step (29.16). */
 static int check_massless(const fvi_stepper *s, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->method_state;
     const fvi_mechanism *mechanism = s->run.system->mechanism;
-    for (size_t i = 0; i < o->d && o->form == FVI_MECHANISM_FORM_M; i++) {
-        int is_held = !o->is_massless[i];
-        for (size_t j = 0; j < o->r; j++)
+    for (size_t i = 0; i < o->d; i++) {
+        if (!o->is_massless[i] || o->form == FVI_MECHANISM_NODES
+            || o->form == FVI_MECHANISM_FORM_D)
+            continue;
+        int is_held = 0;
+        for (size_t j = 0; j < o->r && o->form == FVI_MECHANISM_FORM_M; j++)
             is_held |= o->G[j * o->d + i] != 0
                        && fvi_kernel_growth(mechanism->damper[j].kernel) > 1;
         if (!is_held)
             return fvi_fail(error, FVI_EUNSUP, "mass", 0,
                             "coordinate %zu has no inertia, and no damper of "
-                            "an order above 1: fvi-lobatto%zud takes it, and "
-                            "fvi-stable",
-                            i + 1, o->s);
+                            "an order above 1 that this method could take: "
+                            "fvi-stable and fvi-lobatto2d to 8d take it",
+                            i + 1);
     }
     return FVI_SUCCESS;
 }
@@ -149,8 +152,12 @@ int fvi_mechanism_start(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
         status = check_massless(s, error);
     if (!status)
         status = fvi_mechanism_remember(s, o->v, error);
-    if (!status)
-        guess(s);
+    if (status)
+        return status;
+    guess(s);
+    memcpy(o->raw, s->x, o->d * sizeof *s->x);
+    for (size_t i = 0; i < o->d && form == FVI_MECHANISM_NODES; i++)
+        o->any_massless |= o->is_massless[i];
     return status;
 }
 
@@ -180,6 +187,7 @@ static int copy(const fvi_stepper *from, fvi_stepper *to)
     memcpy(o->numbers, old->numbers, o->saved * sizeof *o->numbers);
     memcpy(o->W, old->W, o->r * o->s * o->s * sizeof *o->W);
     memcpy(o->is_massless, old->is_massless, o->d);
+    o->any_massless = old->any_massless;
     return fvi_mechanism_copy_parts(old, o);
 }
 

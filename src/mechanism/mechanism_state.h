@@ -44,11 +44,13 @@ typedef struct {
     fvi_mechanism_part *part;
     fvi_mechanism_pull *pull;
     char *is_massless; /* of each coordinate: neither inertia nor constraint */
+    int any_massless;
 
     double *numbers; /* all that follows, in one piece */
     size_t saved;    /* so many of them go from step to step */
     double *impulse, *work, *begun, *ended, *tie; /* r, r, m, m, m */
     double *v, *u, *z, *G, *C, *z0; /* d, n, r, r d, m d: at the node; r */
+    double *raw; /* 3 d: x_k, x_{k-1}, x_{k-2} of the node scheme, for (29.17) */
 
     double *W; /* r of s * s (1 of nodes): the present in the force of a damper */
     double *known, *lambda, *zdot; /* r of s */

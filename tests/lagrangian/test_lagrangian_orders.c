@@ -153,12 +153,41 @@ START_TEST(a_linkage_of_four_bars_converges)
 }
 END_TEST
 
+/* Creep, D^0.6 x + x = 1 from 0, without a mass: x(1) = 1 - E_0.6(-1), to 16 digits by its series. Form D has
+ * its full order; the node scheme order 2 in what it shows, (29.17), and its places do not swing. */
+START_TEST(eq_29_17_creep_without_a_mass_converges)
+{
+    static const mechanism_text text = { .name = "creep",
+                                         .d = 1,
+                                         .lagrangian = "x-x^2/2",
+                                         .damper = { "x : power:1,0.3" } };
+    const known k = { -1, text, 1, 1e-15, { 0.5866726590568937 }, { { 0 } } };
+    mechanism_problem p;
+    open_problem(&text, &p);
+    const double one = error_of(&k, &p, &fvi_cq2_midpoint, 80),
+                 two = error_of(&k, &p, &fvi_cq2_midpoint, 160);
+    ck_assert_msg(fabs(log2(one / two) - 2) < 0.05 && two < 3e-6, "%g %g", one, two);
+    const double coarse = error_of(&k, &p, &fvi_lobatto_d4, 10),
+                 fine = error_of(&k, &p, &fvi_lobatto_d4, 20);
+    ck_assert_msg(fabs(log2(coarse / fine) - 6) < 0.4 && fine < 3e-11, "%g %g",
+                  coarse, fine);
+    fvi_stepper *s = stepper_at(&fvi_cq2_midpoint, &p, 0.1, 30, 1);
+    for (double last = s->x[0]; s->k < 30; last = s->x[0]) {
+        ck_assert_int_eq(fvi_stepper_step(s), 0);
+        ck_assert_msg(s->x[0] > last, "row %zu", s->k);
+    }
+    fvi_stepper_free(s);
+    close_problem(&p);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: orders");
     TCase *tcase = tcase_create("orders");
     tcase_add_loop_test(tcase, eq_29_10_orders_are_what_the_table_says, 0, COUNT);
     tcase_add_test(tcase, a_linkage_of_four_bars_converges);
+    tcase_add_test(tcase, eq_29_17_creep_without_a_mass_converges);
     suite_add_tcase(suite, tcase);
     return run_suite(suite);
 }

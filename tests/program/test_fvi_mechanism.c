@@ -158,7 +158,9 @@ START_TEST(a_massless_node_makes_zeners_law)
         "power:0.5,0.3' --x0 0 --p0 1,0 --h 0.05 --steps 200");
     ck_assert_refused_with(NODE("fvi-lobatto4"),
                            "fvi: --mass: coordinate 2 has no inertia, and no "
-                           "damper of an order above 1: fvi-lobatto4d takes it");
+                           "damper of an order above 1 that this method could take: "
+                           "fvi-stable and fvi-lobatto2d to 8d take it");
+    ck_assert_refused_with(NODE("fvi"), "fvi: --mass: coordinate 2 has no inertia");
 }
 END_TEST
 

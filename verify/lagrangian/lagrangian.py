@@ -178,6 +178,10 @@ prove("(29.13) energy and work add up in each step",
 spring, pot, o = symbols("k P o", positive=True)
 prove("(29.15) in series they are Zener's law", simplify(1 / (1 / spring + 1 / pot) - pot / (1 + pot / spring)))
 
+# ---- (29.17): no swing is left, and a line stays
+for values, wanted in (((1, -1, 1), 0), ((1, 1, 1), 1), ((0, -1, -2), 0)):
+    prove("(29.17) the line through the last two means", Rational(3 * values[0] + 2 * values[1] - values[2], 4) - wanted)
+
 # ---- (29.4): a rod of length 1 that turns keeps to the hidden constraint
 th, om = symbols("theta omega")
 place, speed = Matrix([sin(th), -cos(th)]), om * Matrix([cos(th), sin(th)])
