@@ -356,6 +356,8 @@ $(TESTS:%=test-%): test-%: $B/tests/test_%
 test-example: tests/example/duffing.c $B/libfvi.a
 	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $^ $(LINKED) -o $B/example
 	$B/example > $B/example.out && test "$$(wc -l < $B/example.out)" -eq 201 && echo 'README example: 201 rows'
+	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc tests/example/observer.c $B/libfvi.a $(LINKED) -o $B/example_observer
+	test "$$($B/example_observer | wc -l)" -eq 200 && echo 'example of an observer: 200 rows'
 
 test-install: $B/libfvi.so.$(VERSION) $B/libfvi.a $B/fvi test-example
 	GSL_CFLAGS='$(GSL_CFLAGS)' $(PYTHON) src/make/interface.py $<

@@ -38,7 +38,7 @@ static inline int collect(int status)
  * program. */
 static inline int shell(const char *command)
 {
-    char line[PATH_MAX + 2000];
+    char line[PATH_MAX + 3000];
     snprintf(line, sizeof line, "cd '%s' && { %s\n} >out 2>err", folder,
              command);
     return collect(system(line));

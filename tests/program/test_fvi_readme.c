@@ -8,13 +8,21 @@ static const struct {
     const char *path, *section;
     size_t commands, outputs;
     const char *plots; /* the picture that they draw */
-} parts[4] = {
+} parts[9] = {
     { "README.md", "\n## Use\n", 2, 2, NULL },
-    { "chapters/handbook/manual.md", "\n## The program\n", 8, 6, "build/own.svg" },
+    { "chapters/handbook/manual.md", "\n## The program\n", 9, 7, "build/own.svg" },
     { "chapters/handbook/manual.md", "\n## Any Lagrangian\n", 6, 6, "build/elastic.svg" },
     { "chapters/handbook/manual.md", "\n## A building on isolators\n", 1, 1, NULL },
+    { "chapters/handbook/reports.md", "\n## A frame on a springpot\n", 1, 1, NULL },
+    { "chapters/handbook/reports.md", "\n## Loops, peaks and comparisons\n", 3, 2,
+      "build/loop.svg" },
+    { "chapters/handbook/reports.md", "\n## A response spectrum, a section, a diagram\n",
+      2, 1, NULL },
+    { "chapters/handbook/reports.md", "\n## A measured ground\n", 1, 1, NULL },
+    { "chapters/handbook/reports.md", "\n## The whole report\n", 1, 1,
+      "build/hysteresis.svg" },
 };
-static char pages[4][1 << 16];
+static char pages[9][1 << 16];
 
 /* The next block of this kind behind `at`, without its fences, and where it ends; NULL if
  * there is none before the next heading. */
@@ -109,14 +117,24 @@ START_TEST(the_report_of_a_building_is_as_it_is_printed)
 }
 END_TEST
 
+/* The files of a section are those of the section before. */
+START_TEST(reports_come_out_as_they_are_printed)
+{
+    for (int part = 4; part < (int)LEN(parts); part++)
+        run_and_compare(part);
+}
+END_TEST
+
 int main(void)
 {
-    for (int part = 0; part < 4; part++)
+    for (size_t part = 0; part < LEN(parts); part++)
         read_file(parts[part].path, pages[part], sizeof pages[part]);
     Suite *suite = suite_create("the program fvi: README.md, the manual");
     ADD_CASE(suite, "values", the_commands_of_the_readme_are_as_they_are_printed,
              the_tour_of_the_manual_is_as_it_is_printed,
              every_lagrangian_of_the_manual_runs,
-             the_report_of_a_building_is_as_it_is_printed);
+             the_report_of_a_building_is_as_it_is_printed,
+
+             reports_come_out_as_they_are_printed);
     return run_suite_of_program(suite);
 }
