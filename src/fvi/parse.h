@@ -87,6 +87,19 @@ int fvi_parse_named_table(const char *field, const char *file,
                           const char *const names[2], size_t *n, double **t,
                           double **v, fvi_error *error);
 
+/* fvi_parse_table_columns -- the same of `count` columns, at most FVI_COLUMNS_MOST, in any order of the
+ * rows.
+ *
+ *   names    of each column one or several, "omega|w|frequency"
+ *   must_be_named  nonzero: a file in which no line names them all is refused; else the first
+ *            `count` stand for them
+ *   columns  output: count columns of n numbers each, one block, free(*columns)
+ *   which    output: which of its names each column had, from 0; 0 where none stood there */
+enum { FVI_COLUMNS_MOST = 8 };
+int fvi_parse_table_columns(const char *field, const char *file, size_t count,
+                      const char *const *names, int must_be_named, size_t *n,
+                      double **columns, size_t *which, fvi_error *error);
+
 /* ---- parameters of expressions ---- */
 
 /* fvi_user_parameters -- names and values that expressions may use; begin with a zeroed one. Do

@@ -60,17 +60,38 @@ static const char *take_name(const char *line, const char *between,
     return rest;
 }
 
-/* Columns, and of how many. */
+/* What is wanted: so many columns, each by one of several names "omega|w"; must they be named, or do
+ * the first ones stand for them? Does the first increase? */
+enum { COLUMNS = FVI_COLUMNS_MOST };
 typedef struct {
-    size_t column[2], of;
+    size_t count;
+    const char *const *names;
+    int must_be_named, increases;
+} wish;
+
+/* Columns, which of its names each had, and of how many. */
+typedef struct {
+    unsigned column[COLUMNS], name[COLUMNS];
+    size_t of;
 } choice;
 
-/* The columns that a line names if it is separated so; of = 0 if it does not name both. */
-static choice choose(const char *line, const char *between,
-                     const char *const names[2])
+/* Which of the names "a|b|c" it is, from 0; -1 for none. */
+static int name_of(const char *names, const char *word, size_t length)
 {
-    choice to = { { 0, 0 }, 0 };
-    int found[2] = { 0, 0 };
+    for (int i = 0; names; i++) {
+        const size_t n = strcspn(names, "|");
+        if (n == length && strncasecmp(names, word, n) == 0)
+            return i;
+        names = names[n] ? names + n + 1 : NULL;
+    }
+    return -1;
+}
+
+/* The columns that a line names if it is separated so; of = 0 if it does not name all. */
+static choice choose(const char *line, const char *between, const wish *w)
+{
+    choice to = { .of = 0 };
+    int found[COLUMNS] = { 0 }, all = 1;
     line += strspn(line, "# ");
     if (between == separators[0])
         line += strspn(line, blank);
@@ -78,19 +99,23 @@ static choice choose(const char *line, const char *between,
         const char *name;
         size_t length;
         line = take_name(line, between, &name, &length);
-        for (int k = 0; k < 2; k++)
-            if (!found[k] && length == strlen(names[k])
-                && strncasecmp(name, names[k], length) == 0) {
-                found[k] = 1;
-                to.column[k] = to.of;
-            }
+        for (size_t k = 0; k < w->count; k++) {
+            const int which = found[k] ? -1 : name_of(w->names[k], name, length);
+            if (which < 0)
+                continue;
+            found[k] = 1;
+            to.column[k] = (unsigned)to.of;
+            to.name[k] = (unsigned)which;
+        }
     }
-    if (!found[0] || !found[1])
+    for (size_t k = 0; k < w->count; k++)
+        all &= found[k];
+    if (!all)
         to.of = 0;
     return to;
 }
 
-/* What the lines above the rows name: the last line of words that names both columns, and of
+/* What the lines above the rows name: the last line of words that names all columns, and of
  * the comments with so many words the last. A comment may have t and x among its words;
  * names are as many as the numbers. */
 enum { WORDS = 1000 };
@@ -98,13 +123,12 @@ typedef struct {
     choice heading[SEPARATORS], comment[WORDS];
 } names_above;
 
-static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind,
-                       const char *const names[2])
+static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind, const wish *w)
 {
     choice to[SEPARATORS];
     int named = 0;
     for (int i = 0; i < SEPARATORS; i++) {
-        to[i] = choose(r->lines.text, separators[i], names);
+        to[i] = choose(r->lines.text, separators[i], w);
         named = named || to[i].of;
         if (kind == FVI_ROWS_COMMENT && to[i].of < WORDS)
             above->comment[to[i].of] = to[i];
@@ -116,11 +140,11 @@ static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind,
 }
 
 /* Which columns are those of a row of so many numbers? */
-static int choose_columns(const names_above *above, const fvi_rows *r,
-                          const char *const must[2], choice *to)
+static int choose_columns(const names_above *above, const fvi_rows *r, const wish *w,
+                          choice *to)
 {
     int named = 0;
-    *to = (choice){ { 0, 1 }, r->count };
+    *to = (choice){ { 0, 1, 2, 3, 4, 5, 6, 7 }, { 0 }, r->count };
     for (int i = SEPARATORS; i-- > 0;) {
         named = named || above->heading[i].of;
         if (above->heading[i].of == r->count) {
@@ -131,51 +155,55 @@ static int choose_columns(const names_above *above, const fvi_rows *r,
     if (named)
         return fvi_rows_refuse(r, 0, "not as many numbers as names above them");
     if (r->count > 0 && r->count < WORDS
-        && above->comment[r->count].of == r->count)
+        && above->comment[r->count].of == r->count) {
         *to = above->comment[r->count];
-    else if (must)
-        return fvi_fail(r->error, FVI_EINVAL, r->field, NAN,
-                        "%s: no columns %s and %s above its numbers",
-                        r->name, must[0], must[1]);
-    return r->count < 2 ? fvi_rows_refuse(r, 1, FVI_ROWS_TOO_FEW) : 0;
+        return 0;
+    }
+    if (w->must_be_named)
+        return w->count == 2
+                   ? fvi_fail(r->error, FVI_EINVAL, r->field, NAN,
+                              "%s: no columns %s and %s above its numbers", r->name,
+                              w->names[0], w->names[1])
+                   : fvi_fail(r->error, FVI_EINVAL, r->field, NAN,
+                              "%s: no line names a column '%s'", r->name,
+                              w->names[w->count - 1]);
+    return r->count < w->count ? fvi_rows_refuse(r, r->count, FVI_ROWS_TOO_FEW) : 0;
 }
 
 /* ---- tables ---- */
 
-/* Room for one more pair. */
-static int make_room(size_t n, size_t *room, double **pairs, const fvi_rows *r)
+/* Room for one more row of `width` numbers. */
+static int make_room(size_t n, size_t width, size_t *room, double **rows, const fvi_rows *r)
 {
     if (n < *room)
         return 0;
     *room = 2 * *room + 256;
-    double *more = realloc(*pairs, 2 * *room * sizeof *more);
+    double *more = realloc(*rows, width * *room * sizeof *more);
     if (!more)
         return fvi_fail(r->error, FVI_ENOMEM, r->field, NAN,
                         "not enough memory");
-    *pairs = more;
+    *rows = more;
     return 0;
 }
 
-/* Both columns of a row of numbers. */
-static int take_row(const fvi_rows *r, const choice *from, int is_first,
-                    double *pair)
+/* The columns of a row of numbers. */
+static int take_row(const fvi_rows *r, const choice *from, const wish *w, int is_first,
+                    double *row)
 {
     int status = fvi_rows_check_width(r, from->of);
     if (status)
         return status;
-    for (int k = 0; k < 2; k++)
-        pair[k] = r->values[from->column[k]];
-    return is_first || pair[0] > pair[-2]
+    for (size_t k = 0; k < w->count; k++)
+        row[k] = r->values[from->column[k]];
+    return is_first || !w->increases || row[0] > *(row - w->count)
                ? 0
                : fvi_rows_refuse(r, from->column[0], "t does not increase");
 }
 
-/* All rows into pairs t, v. */
-static int read_rows(fvi_rows *r, const char *const names[2], int must,
-                     size_t *n, double **pairs)
+/* All rows, one after the other. */
+static int read_rows(fvi_rows *r, const wish *w, size_t *n, double **rows, choice *from)
 {
     names_above above = { 0 };
-    choice from = { { 0, 1 }, 0 };
     fvi_rows_kind kind;
     int status;
     size_t room = 0;
@@ -183,16 +211,16 @@ static int read_rows(fvi_rows *r, const char *const names[2], int must,
         if (kind == FVI_ROWS_WORDS && *n > 0)
             return fvi_rows_refuse(r, 0, FVI_ROWS_NO_NUMBER);
         if (kind != FVI_ROWS_NUMBERS) {
-            if (*n == 0 && names)
-                read_names(&above, r, kind, names);
+            if (*n == 0 && w->names)
+                read_names(&above, r, kind, w);
             continue;
         }
         if (*n == 0)
-            status = choose_columns(&above, r, must ? names : NULL, &from);
+            status = choose_columns(&above, r, w, from);
         if (!status)
-            status = make_room(*n, &room, pairs, r);
+            status = make_room(*n, w->count, &room, rows, r);
         if (!status)
-            status = take_row(r, &from, *n == 0, *pairs + 2 * *n);
+            status = take_row(r, from, w, *n == 0, *rows + w->count * *n);
         if (status)
             return status;
         ++*n;
@@ -200,43 +228,60 @@ static int read_rows(fvi_rows *r, const char *const names[2], int must,
     return status;
 }
 
-static int parse_table(const char *field, const char *file,
-                       const char *const names[2], int must, size_t *n,
-                       double **t, double **v, fvi_error *error)
+/* The columns one after the other in a block. */
+static int read_columns(const char *field, const char *file, const wish *w, size_t *n,
+                        double **block, choice *from, fvi_error *error)
 {
     fvi_rows r;
-    double *pairs = NULL;
+    double *rows = NULL;
     *n = 0;
     int status = fvi_rows_open(&r, field, file, error);
     if (!status)
-        status = read_rows(&r, names, must, n, &pairs);
+        status = read_rows(&r, w, n, &rows, from);
     fvi_rows_close(&r);
     if (!status && *n == 0)
         status = fvi_fail(error, FVI_EINVAL, field, NAN, "%s: has no rows",
                           file);
-    double *block = !status ? malloc(2 * *n * sizeof *block) : NULL;
-    if (!status && !block)
+    *block = !status ? malloc(w->count * *n * sizeof **block) : NULL;
+    if (!status && !*block)
         status = fvi_fail(error, FVI_ENOMEM, field, NAN, "not enough memory");
-    for (size_t i = 0; !status && i < *n; i++) {
-        block[i] = pairs[2 * i];
-        block[*n + i] = pairs[2 * i + 1];
-    }
-    free(pairs);
-    *t = block;
-    *v = block ? block + *n : NULL;
+    for (size_t i = 0; !status && i < *n; i++)
+        for (size_t k = 0; k < w->count; k++)
+            (*block)[k * *n + i] = rows[w->count * i + k];
+    free(rows);
     return status;
 }
 
 int fvi_parse_table(const char *field, const char *file,
-                    const char *const names[2], size_t *n, double **t,
-                    double **v, fvi_error *error)
+                   const char *const names[2], size_t *n, double **t,
+                   double **v, fvi_error *error)
 {
-    return parse_table(field, file, names, 0, n, t, v, error);
+    const wish two = { 2, names, 0, 1 };
+    choice from;
+    const int status = read_columns(field, file, &two, n, t, &from, error);
+    *v = *t ? *t + *n : NULL;
+    return status;
 }
 
 int fvi_parse_named_table(const char *field, const char *file,
                           const char *const names[2], size_t *n, double **t,
                           double **v, fvi_error *error)
 {
-    return parse_table(field, file, names, 1, n, t, v, error);
+    const wish two = { 2, names, 1, 1 };
+    choice from;
+    const int status = read_columns(field, file, &two, n, t, &from, error);
+    *v = *t ? *t + *n : NULL;
+    return status;
+}
+
+int fvi_parse_table_columns(const char *field, const char *file, size_t count,
+                      const char *const *names, int must_be_named, size_t *n,
+                      double **columns, size_t *which, fvi_error *error)
+{
+    const wish all = { count, names, must_be_named, 0 };
+    choice from = { .of = 0 };
+    const int status = read_columns(field, file, &all, n, columns, &from, error);
+    for (size_t k = 0; !status && k < count; k++)
+        which[k] = from.name[k];
+    return status;
 }

@@ -2,6 +2,7 @@
 #include "fvi_commands.h"
 
 #include "fvi_fit_answer.h"
+#include "fvi_fit_material.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_output.h"
 #include "input/fvi_files.h"
@@ -170,6 +171,8 @@ static int search_and_print(request *r)
 
 int fvi_command_fit(int argc, char **argv)
 {
+    if (fvi_fit_is_material(argc, argv))
+        return fvi_fit_material(argc, argv);
     fvi_error error, *c = &error;
     request r = { .t = NULL };
     int status = fvi_subcommand_options_parse(&fit, argc, argv, &r.words, &r.o, c);

@@ -72,9 +72,11 @@ static int take_own(sorter *s, int which, const char *value)
 
 static int take_operand(sorter *s, const char *word)
 {
-    if (!s->command->operand || s->w->operand)
+    if (s->w->operands >= (size_t)s->command->operand)
         return fvi_refuse(s->c, NULL, "'%s': not expected here", word);
-    s->w->operand = word;
+    if (s->w->operands == 0)
+        s->w->operand = word;
+    s->w->all[s->w->operands++] = word;
     return 0;
 }
 

@@ -9,6 +9,7 @@
 
 enum {
     FVI_SUBCOMMAND_MOST = 5, /* options of its own that a command may have */
+    FVI_OPERANDS_MOST = 64,
     FVI_PRESETS_MOST = 5
 };
 
@@ -20,7 +21,7 @@ typedef struct {
     const char *own[FVI_SUBCOMMAND_MOST + 1];
     const char *const *without; /* options of run that it has not, likewise; NULL: see with */
     char *method; /* "--method=M" where none is given; NULL: that of run */
-    int operand;  /* 1: one word may be no option */
+    int operand;  /* so many words may be no options */
     const char *const *with; /* or those that it has, likewise, and no others */
     const char *flag;        /* its option that has no value, or NULL */
     char *const *presets;    /* words for run, where they are not given; ended by NULL */
@@ -29,7 +30,9 @@ typedef struct {
 /* What the words say of that. */
 typedef struct {
     const char *own[FVI_SUBCOMMAND_MOST]; /* texts, in that order, or NULL */
-    const char *operand;           /* or NULL */
+    const char *operand;           /* the first, or NULL */
+    const char *all[FVI_OPERANDS_MOST];
+    size_t operands;               /* of them */
     int flag;                      /* is the flag given? */
     int given[OPTIONS];            /* is this option of run? */
 } fvi_subcommand_options;

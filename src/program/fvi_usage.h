@@ -197,7 +197,21 @@ static const char usage_fit[] =
     "  --problem FILE   these words in a file, one a line, without --\n"
     "\n"
     "example:\n"
-    "  fvi fit --fit alpha,rho,x0 measured.tsv\n";
+    "  fvi fit --fit alpha,rho,x0 measured.tsv\n"
+    "\n"
+    "fvi fit --moduli | --creep | --relaxation [options] DATA ...\n"
+    "the law of a material, from tables with the columns omega (or f, in hertz),\n"
+    "storage and loss (or Gp and Gpp); or t and x; or t and f\n"
+    "  --law LAW        a sum of spring, viscous, power, zener, [spring+power]\n"
+    "                   maxwell, maxwell2, davidson, distributed\n"
+    "  --weights W      relative, absolute, or columns of errors [relative]\n"
+    "  --sigma S        the relative error, or the error        [estimated]\n"
+    "  --starts K       searches at most; 3 that agree end them [20]\n"
+    "  --curve FILE     data and fit\n"
+    "  -o FILE          write there, complete or not at all     [stdout]\n"
+    "\n"
+    "example:\n"
+    "  fvi fit --moduli --law spring+zener dma.csv\n";
 
 static const char usage_gradient[] =
     "usage: fvi gradient [options]\n"

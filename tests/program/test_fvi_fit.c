@@ -3,6 +3,7 @@
 #define _GNU_SOURCE
 #include "identification/identification_ref.h"
 #include "program.h"
+#include "fit_rows.h"
 
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
@@ -30,27 +31,6 @@ static void write_data(const char *name, double sigma, unsigned long seed)
                 ref_low[i] + gsl_ran_gaussian(r, sigma));
     fclose(f);
     gsl_rng_free(r);
-}
-
-/* The row of a parameter in out: estimate, sd, lower, upper. */
-static void row_of(const char *name, double row[4])
-{
-    char start[40];
-    snprintf(start, sizeof start, "\n%s\t", name);
-    const char *at = strstr(out, start);
-    ck_assert_msg(at, "%s is not in %s", name, out);
-    ck_assert_int_eq(sscanf(at + strlen(start), "%lf\t%lf\t%lf\t%lf", row,
-                            row + 1, row + 2, row + 3),
-                     4);
-}
-
-static double value_of(const char *name)
-{
-    char start[60];
-    snprintf(start, sizeof start, "\n# %s = ", name);
-    const char *at = strstr(out, start);
-    ck_assert_msg(at, "%s is not in %s", name, out);
-    return strtod(at + strlen(start), NULL);
 }
 
 /* 3 sd: of the three estimates of five data sets one misses with a probability below

@@ -82,6 +82,8 @@ static const struct {
     { "found", "100 noisy motions of another program are found", stress_found,
       1 },
     { "coverage", "intervals hold the truth, or a flag is up", stress_coverage, 1 },
+    { "rheology", "laws of materials are found, their intervals hold them",
+      stress_rheology, 1 },
     { "refusals", "one wrong field is refused", stress_refusals, 20000 },
     { "halves", "a power in two halves has the exact solution of the power",
       stress_halves, 5000 },

@@ -16,7 +16,7 @@ stress_case stress_exact, stress_halves, stress_quadruple, stress_rounding,
     stress_weights;                       /* the truth */
 stress_case stress_adaptive, stress_pulses; /* what --error promises */
 stress_case stress_mechanisms;          /* methods against each other */
-stress_case stress_scatter, stress_found, stress_coverage; /* what a fit promises */
+stress_case stress_scatter, stress_found, stress_coverage, stress_rheology; /* what a fit promises */
 stress_case stress_matching, stress_dissipation, stress_balance, stress_scaling,
     stress_overflow, stress_memories, stress_refusals;
 

@@ -1,0 +1,343 @@
+/* src/estimation/rheology_answer.c -- What the data say of a law.         [H 24] */
+#include "rheology_answer.h"
+
+#include <gsl/gsl_cdf.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define DEPENDENT 1e-6   /* least singular value of the Jacobian, its columns of length 1 */
+#define AT_A_BOUND 1e-3  /* an order or ln of a time so near to the end of what is asked for */
+#define FARTHEST 40      /* of the logarithm of a number */
+enum { OUTWARD = 40, INWARD = 40 };
+
+/* ---- numbers by their names ---- */
+
+/* One number of the law as a function of z: ln of a size, or an order. */
+typedef struct {
+    const fvi_rheology *model;
+    size_t n, i;
+} number;
+
+static double number_of(const void *params, const double *z, double *slope)
+{
+    const number *v = params;
+    const fvi_rheology *m = v->model;
+    const size_t E = m->elements;
+    const char *kinds;
+    const fvi_element kind = m->data->kind[v->n];
+    const size_t count = fvi_element_shape(kind, &kinds);
+    double value[FVI_ELEMENT_NUMBERS], by[FVI_ELEMENT_NUMBERS][1 + FVI_ELEMENT_SHAPE];
+    fvi_element_public(kind, z[v->n], z + E + m->at[v->n], value, by);
+    if (slope) {
+        memset(slope, 0, (E + m->shapes) * sizeof *slope);
+        slope[v->n] = by[v->i][0];
+        for (size_t k = 0; k < count; k++)
+            slope[E + m->at[v->n] + k] = by[v->i][1 + k];
+    }
+    return value[v->i];
+}
+
+static int is_order(const number *v)
+{
+    return fvi_element_is_order(v->model->data->kind[v->n], v->i);
+}
+
+static double bound(const number *v, double value)
+{
+    return is_order(v) ? value : exp(value);
+}
+
+static fvi_kernel_term term_of(fvi_element kind, const double *x)
+{
+    fvi_kernel_term t = { FVI_KERNEL_POWER, x[0], 0, 0, 0 };
+    switch (kind) {
+    case FVI_ELEMENT_SPRING:
+        break;
+    case FVI_ELEMENT_VISCOUS:
+        t.alpha = 0.5;
+        break;
+    case FVI_ELEMENT_POWER:
+        t.alpha = x[1];
+        break;
+    case FVI_ELEMENT_MAXWELL:
+        t.kind = FVI_KERNEL_MAXWELL;
+        t.time = x[1];
+        break;
+    case FVI_ELEMENT_MAXWELL2:
+        t = (fvi_kernel_term){ FVI_KERNEL_MAXWELL2, x[0], x[1],
+                               x[2] > 0 ? x[0] / x[2] : 0, x[3] };
+        break;
+    case FVI_ELEMENT_DISTRIBUTED:
+        t = (fvi_kernel_term){ FVI_KERNEL_DISTRIBUTED, x[0], x[1], 0, x[2] };
+        break;
+    default:
+        t.kind = kind == FVI_ELEMENT_ZENER ? FVI_KERNEL_ZENER : FVI_KERNEL_DAVIDSON;
+        t.alpha = x[1];
+        t.time = x[2];
+    }
+    return t;
+}
+
+/* ---- standard deviations ---- */
+
+/* (J^T J) at z, with the rows of what is not needed taken out; its columns have length 1 then. */
+static void metric(const fvi_rheology_work *o, const int *is_used, double A[][FVI_LAW_MOST],
+                   double *length)
+{
+    const size_t P = o->model.elements + o->model.shapes, rows = o->model.rows;
+    for (size_t i = 0; i < P; i++)
+        for (size_t j = 0; j <= i; j++) {
+            double sum = 0;
+            for (size_t k = 0; k < rows; k++)
+                sum += o->J[k * P + i] * o->J[k * P + j];
+            A[i][j] = A[j][i] = sum;
+        }
+    for (size_t i = 0; i < P; i++)
+        length[i] = is_used[i] && A[i][i] > 0 ? sqrt(A[i][i]) : 1;
+    for (size_t i = 0; i < P; i++)
+        for (size_t j = 0; j < P; j++)
+            A[i][j] = !is_used[i] || !is_used[j] ? i == j : A[i][j] / (length[i] * length[j]);
+}
+
+/* sqrt(g^T A^-1 g) for the slope g of a number; NaN where A has no inverse. */
+static double deviation(size_t P, double A[][FVI_LAW_MOST], const double *length, const double *g)
+{
+    double copy[FVI_LAW_MOST][FVI_LAW_MOST], b[FVI_LAW_MOST], sum = 0;
+    memcpy(copy, A, sizeof copy);
+    for (size_t i = 0; i < P; i++)
+        b[i] = g[i] / length[i];
+    if (!fvi_rheology_solve(P, copy, b))
+        return NAN;
+    for (size_t i = 0; i < P; i++)
+        sum += g[i] / length[i] * b[i];
+    return sqrt(sum);
+}
+
+/* The least eigenvalue of A is below DEPENDENT^2 if that much less of it is not positive. */
+static int is_singular(size_t P, double A[][FVI_LAW_MOST])
+{
+    double copy[FVI_LAW_MOST][FVI_LAW_MOST], b[FVI_LAW_MOST] = { 0 };
+    memcpy(copy, A, sizeof copy);
+    for (size_t i = 0; i < P; i++)
+        copy[i][i] -= DEPENDENT * DEPENDENT;
+    return !fvi_rheology_solve(P, copy, b);
+}
+
+/* ---- profiles ---- */
+
+typedef struct {
+    fvi_rheology_work *work;
+    number v;
+    double value, least, sigma, reach; /* of the fit; the quantile */
+    double z[FVI_LAW_MOST];            /* where the others were last */
+} profile;
+
+/* (24.11): the root of what chi^2 grows by where the number has this value. */
+static double excess(profile *p, double value)
+{
+    const double sum =
+        fvi_rheology_descend(p->work, number_of, &p->v, value, p->z);
+    return sum < INFINITY ? sqrt(fmax(0, sum - p->least)) / p->sigma : INFINITY;
+}
+
+/* From the fit outward by steps of the tangent's interval, then regula falsi. */
+static double edge(profile *p, const double *z, double step)
+{
+    const size_t P = p->work->model.elements + p->work->model.shapes;
+    const int order = is_order(&p->v);
+    double inside = p->value, low = 0, outside = inside, high = 0;
+    memcpy(p->z, z, P * sizeof *z);
+    for (int i = 0; i < OUTWARD; i++, step *= 1.5) {
+        double there = inside + step;
+        if (order)
+            there = fmin(fmax(there, 1e-4), 0.5);
+        if (fabs(there - p->value) > FARTHEST)
+            return step < 0 ? -INFINITY : INFINITY;
+        high = excess(p, there);
+        outside = there;
+        if (high >= p->reach)
+            break;
+        if (order && (there <= 1e-4 || there >= 0.5))
+            return step < 0 ? 0 : 0.5;
+        inside = there;
+        low = high;
+    }
+    if (!(high >= p->reach))
+        return step < 0 ? (order ? 0 : -INFINITY) : (order ? 0.5 : INFINITY);
+    for (int i = 0; i < INWARD; i++) {
+        const double share = (p->reach - low) / (fmin(high, 3 * p->reach) - low),
+                     middle = inside + fmin(fmax(share, 0.05), 0.95) * (outside - inside),
+                     there = excess(p, middle);
+        if (fabs(there - p->reach) < 1e-4 * p->reach)
+            return middle;
+        if (there > p->reach) {
+            outside = middle;
+            high = there;
+        } else {
+            inside = middle;
+            low = there;
+        }
+    }
+    return inside;
+}
+
+/* The interval of number v, sd being that of ln v or of an order. */
+static void interval(fvi_rheology_work *o, const number *v, const double *z, double least,
+                     double sd, fvi_material *a, size_t j)
+{
+    profile p = { .work = o,
+                  .v = *v,
+                  .value = number_of(v, z, NULL),
+                  .least = least,
+                  .sigma = a->sigma,
+                  .reach = a->quantile };
+    const double step = fmin(a->quantile * sd, is_order(v) ? 0.1 : 1);
+    a->lower[j] = bound(v, edge(&p, z, -step));
+    a->upper[j] = bound(v, edge(&p, z, step));
+    if (a->lower[j] <= 0 || isinf(a->upper[j]) || (is_order(v) && a->upper[j] >= 0.5))
+        a->flags |= FVI_MATERIAL_OPEN;
+}
+
+/* ---- the whole ---- */
+
+/* Of n residuals in a row. */
+static double neighbours_of(size_t n, const double *r)
+{
+    double pairs = 0, squares = 0;
+    for (size_t i = 0; i < n; i++) {
+        squares += r[i] * r[i];
+        pairs += i > 0 ? r[i] * r[i - 1] : 0;
+    }
+    return squares > 0 ? pairs / squares : 0;
+}
+
+static void statistics(const fvi_rheology *m, size_t used, double sum, const double *r,
+                       fvi_material *a)
+{
+    const fvi_material_data *d = m->data;
+    const double freedom = (double)(m->rows - used);
+    const int known = d->sigma > 0;
+    a->sigma = known ? d->sigma : sqrt(sum / freedom);
+    a->chi2 = known ? sum / (d->sigma * d->sigma) : freedom;
+    a->probability = known ? fmin(gsl_cdf_chisq_P(a->chi2, freedom),
+                                  gsl_cdf_chisq_Q(a->chi2, freedom))
+                           : 1;
+    a->quantile =
+        known ? gsl_cdf_ugaussian_Pinv(0.975) : gsl_cdf_tdist_Pinv(0.975, freedom);
+    a->neighbours = neighbours_of(d->n, r);
+    if (d->test == FVI_MATERIAL_MODULI)
+        a->neighbours = fmax(a->neighbours, neighbours_of(d->n, r + d->n));
+}
+
+static void raise_flags(const fvi_rheology *m, const double *z, fvi_material *a)
+{
+    double size = 0;
+    for (size_t i = 0; i < m->rows; i++)
+        size = fmax(size, fabs(m->y[i]));
+    if (a->agree < 2)
+        a->flags |= FVI_MATERIAL_STARTS;
+    if (a->sigma > 1e-6 * size && a->neighbours > 3 / sqrt((double)m->data->n) + 0.1)
+        a->flags |= FVI_MATERIAL_NEIGHBOURS;
+    if (a->probability < 1e-6)
+        a->flags |= FVI_MATERIAL_CHI2;
+    for (size_t j = 0; j < m->shapes; j++) {
+        const double u = z[m->elements + j];
+        if (u - m->low[j] < AT_A_BOUND || m->high[j] - u < AT_A_BOUND)
+            a->flags |= FVI_MATERIAL_BOUND;
+    }
+    a->grave = a->flags
+               & (FVI_MATERIAL_STARTS | FVI_MATERIAL_SINGULAR | FVI_MATERIAL_NEIGHBOURS
+                  | FVI_MATERIAL_CHI2);
+}
+
+/* An amplitude of 0: nothing is known of the element's other numbers. */
+static void unneeded(const number *v, fvi_material *a, size_t j)
+{
+    a->estimate[j] = is_order(v) ? a->estimate[j] : v->i == 0 ? 0 : a->estimate[j];
+    a->sd[j] = INFINITY;
+    a->lower[j] = 0;
+    a->upper[j] = is_order(v) ? 0.5 : INFINITY;
+}
+
+void fvi_rheology_answer(fvi_rheology_work *o, const double *z, double sum, fvi_material *a)
+{
+    const fvi_rheology *m = &o->model;
+    const size_t E = m->elements, P = E + m->shapes;
+    double A[FVI_LAW_MOST][FVI_LAW_MOST], length[FVI_LAW_MOST], g[FVI_LAW_MOST];
+    int is_used[FVI_LAW_MOST];
+    size_t used = 0;
+    for (size_t n = 0; n < E; n++) {
+        const size_t end = n + 1 < E ? m->at[n + 1] : m->shapes;
+        is_used[n] = z[n] > -INFINITY;
+        a->flags |= is_used[n] ? 0 : FVI_MATERIAL_ZERO;
+        for (size_t j = m->at[n]; j < end; j++)
+            is_used[E + j] = is_used[n];
+        used += is_used[n] ? 1 + end - m->at[n] : 0;
+    }
+    fvi_rheology_residuals(&o->model, z, o->r, o->J);
+    statistics(m, used, sum, o->r, a);
+    metric(o, is_used, A, length);
+    if (is_singular(P, A))
+        a->flags |= FVI_MATERIAL_SINGULAR;
+    for (size_t n = 0; n < E; n++) {
+        const size_t first = a->numbers;
+        for (size_t i = 0; fvi_element_number(m->data->kind[n], i, NULL); i++) {
+            const number v = { m, n, i };
+            const size_t j = a->numbers++;
+            a->estimate[j] = bound(&v, number_of(&v, z, g));
+            if (!is_used[n] || a->flags & FVI_MATERIAL_SINGULAR) {
+                unneeded(&v, a, j);
+                continue;
+            }
+            const double sd = a->sigma * deviation(P, A, length, g);
+            a->sd[j] = sd * (is_order(&v) ? 1 : a->estimate[j]);
+            interval(o, &v, z, sum, sd, a, j);
+        }
+        a->term[n] = term_of(m->data->kind[n], a->estimate + first);
+    }
+    raise_flags(m, z, a);
+}
+
+/* ---- words ---- */
+
+int fvi_material_flag_text(const fvi_material_data *data, const fvi_material *material,
+                           unsigned flag, size_t size, char *text)
+{
+    if (!(material->flags & flag))
+        return 0;
+    switch (flag) {
+    case FVI_MATERIAL_STARTS:
+        snprintf(text, size, "%zu of %zu starts agree on the best fit, which is not enough to "
+                             "believe it; try more starts",
+                 material->agree, material->starts);
+        break;
+    case FVI_MATERIAL_SINGULAR:
+        snprintf(text, size, "these data do not determine all numbers of the law");
+        break;
+    case FVI_MATERIAL_NEIGHBOURS:
+        snprintf(text, size,
+                 "neighbouring residuals are alike (correlation %.2f): it is another law",
+                 material->neighbours);
+        break;
+    case FVI_MATERIAL_CHI2:
+        snprintf(text, size, "chi2 = %.6g has a probability of %.1g: the law or sigma is another",
+                 material->chi2, material->probability);
+        break;
+    case FVI_MATERIAL_ZERO:
+        snprintf(text, size, "not needed:");
+        for (size_t n = 0; n < data->elements; n++) {
+            const size_t end = strlen(text);
+            if (!(material->term[n].rho > 0))
+                snprintf(text + end, size - end, " %s%zu", fvi_element_words[data->kind[n]],
+                         n + 1);
+        }
+        break;
+    case FVI_MATERIAL_BOUND:
+        snprintf(text, size, "an order or a time is at the end of what is asked for");
+        break;
+    default:
+        snprintf(text, size, "the data set no end to an interval");
+    }
+    return 1;
+}

@@ -1,0 +1,340 @@
+/* src/estimation/rheology_model.c -- What a test measures of a law.       [H 24] */
+#include "rheology_model.h"
+
+#include "memory/laplace_parabola.h"
+#include <fvi/error.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- at which s ---- */
+
+/* Times from t to SPAN t, in their order, share a parabola. */
+static void fill_parabolas(fvi_rheology *o)
+{
+    const fvi_material_data *d = o->data;
+    fvi_parabola parabola = { 0 };
+    double begin = INFINITY;
+    for (size_t i = 0; i < d->n; i++) {
+        const double t = d->at[i];
+        if (!(t >= begin && t <= FVI_PARABOLA_SPAN * begin)) {
+            fvi_parabola_make(begin = t, &parabola);
+            memcpy(o->s + o->nodes, parabola.s, sizeof parabola.s);
+            o->nodes += FVI_PARABOLA_NODES;
+        }
+        o->first[i] = o->nodes - FVI_PARABOLA_NODES;
+        for (size_t j = 0; j < FVI_PARABOLA_NODES; j++)
+            o->weight[i * FVI_PARABOLA_NODES + j] =
+                d->load * parabola.weight[j] * cexp(parabola.s[j] * t) / parabola.s[j];
+    }
+}
+
+static void fill_data(fvi_rheology *o)
+{
+    const fvi_material_data *d = o->data;
+    const int both = d->test == FVI_MATERIAL_MODULI;
+    for (size_t i = 0; i < d->n; i++) {
+        const double size = both ? hypot(d->first[i], d->second[i]) : fabs(d->first[i]);
+        o->unit[i] = d->unit ? d->unit[i] : size;
+        o->y[i] = d->first[i] / o->unit[i];
+        if (!both)
+            continue;
+        o->unit[d->n + i] = d->second_unit ? d->second_unit[i] : o->unit[i];
+        o->y[d->n + i] = d->second[i] / o->unit[d->n + i];
+        o->s[i] = I * d->at[i];
+    }
+    if (both)
+        o->nodes = d->n;
+    else
+        fill_parabolas(o);
+}
+
+/* Orders from 0.02 to 0.48 and times as those of the data, to begin with. */
+static void fill_box(fvi_rheology *o)
+{
+    const fvi_material_data *d = o->data;
+    double low = INFINITY, high = -INFINITY;
+    for (size_t i = 0; i < d->n; i++) {
+        const double time = d->test == FVI_MATERIAL_MODULI ? -log(d->at[i]) : log(d->at[i]);
+        low = time < low ? time : low;
+        high = time > high ? time : high;
+    }
+    low -= log(10);
+    high += log(10);
+    for (size_t n = 0; n < o->elements; n++) {
+        const char *kinds;
+        const size_t count = fvi_element_shape(d->kind[n], &kinds);
+        o->at[n] = o->shapes;
+        for (size_t k = 0; k < count; k++, o->shapes++) {
+            const int is_order = kinds[k] == 'a';
+            const size_t j = o->shapes;
+            o->begin[j] = is_order ? 0.02 : low;
+            o->end[j] = is_order ? 0.48 : high;
+            o->low[j] = is_order ? 1e-4 : low - 9;
+            o->high[j] = is_order ? 0.49999 : high + 9;
+            o->scale[j] = is_order ? 0.1 : 1;
+        }
+    }
+}
+
+int fvi_rheology_alloc(const fvi_material_data *d, fvi_rheology *o)
+{
+    const int both = d->test == FVI_MATERIAL_MODULI;
+    const size_t n = d->n, nodes = both ? n : n * FVI_PARABOLA_NODES;
+    *o = (fvi_rheology){ .data = d, .rows = both ? 2 * n : n, .elements = d->elements };
+    fill_box(o);
+    const size_t shapes = o->shapes, columns = o->rows * (o->elements + shapes),
+                 complexes = nodes * (3 + 1 + o->elements + FVI_ELEMENT_SHAPE * o->elements);
+    o->block = malloc(complexes * sizeof(double complex)
+                      + (columns + 2 * o->rows) * sizeof(double) + n * sizeof(size_t));
+    if (!o->block)
+        return FVI_ENOMEM;
+    o->s = o->block;
+    o->log_s = o->s + nodes;
+    o->weight = o->log_s + nodes;
+    o->value = o->weight + nodes;
+    o->phi = o->value + nodes;
+    o->unit = (double *)(o->phi + nodes * (1 + FVI_ELEMENT_SHAPE) * o->elements);
+    o->y = o->unit + o->rows;
+    o->columns = o->y + o->rows;
+    o->first = (size_t *)(o->columns + columns);
+    fill_data(o);
+    for (size_t i = 0; i < o->nodes; i++)
+        o->log_s[i] = clog(o->s[i]);
+    return FVI_SUCCESS;
+}
+
+void fvi_rheology_free(fvi_rheology *o)
+{
+    free(o->block);
+}
+
+/* ---- columns ---- */
+
+/* Shape of element n at all nodes, and behind it its derivatives. */
+static double complex *shape_of(const fvi_rheology *o, size_t n, size_t k)
+{
+    return o->phi + (n * (1 + FVI_ELEMENT_SHAPE) + k) * o->nodes;
+}
+
+static void fill_shapes(fvi_rheology *o, const double *u)
+{
+    for (size_t n = 0; n < o->elements; n++)
+        for (size_t i = 0; i < o->nodes; i++) {
+            double complex d[FVI_ELEMENT_SHAPE] = { 0 };
+            fvi_element_at(o->data->kind[n], o->s[i], o->log_s[i], u + o->at[n], shape_of(o, n, 0) + i, d);
+            for (size_t k = 0; k < FVI_ELEMENT_SHAPE; k++)
+                shape_of(o, n, 1 + k)[i] = d[k];
+        }
+}
+
+/* What is measured of a function of s, over the units, times `factor`. */
+static void measure(const fvi_rheology *o, const double complex *F, double factor, double *out)
+{
+    const size_t n = o->data->n;
+    for (size_t i = 0; i < n; i++) {
+        if (o->data->test == FVI_MATERIAL_MODULI) {
+            out[i] = factor * creal(F[i]) / o->unit[i];
+            out[n + i] = factor * cimag(F[i]) / o->unit[n + i];
+            continue;
+        }
+        const double complex *w = o->weight + i * FVI_PARABOLA_NODES, *at = F + o->first[i];
+        double sum = 0;
+        for (size_t j = 0; j < FVI_PARABOLA_NODES; j++)
+            sum += creal(w[j]) * creal(at[j]) - cimag(w[j]) * cimag(at[j]);
+        out[i] = factor * sum / o->unit[i];
+    }
+}
+
+static double *column_of(const fvi_rheology *o, size_t j)
+{
+    return o->columns + j * o->rows;
+}
+
+static double dot(size_t n, const double *a, const double *b)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/* The columns of the amplitudes, and behind them, if asked for, those of u for amplitudes 1. */
+static void fill_columns(fvi_rheology *o, const double *u, int with_slopes)
+{
+    fill_shapes(o, u);
+    for (size_t n = 0; n < o->elements; n++) {
+        const size_t end = n + 1 < o->elements ? o->at[n + 1] : o->shapes;
+        measure(o, shape_of(o, n, 0), 1, column_of(o, n));
+        for (size_t j = o->at[n]; with_slopes && j < end; j++)
+            measure(o, shape_of(o, n, 1 + j - o->at[n]), 1, column_of(o, o->elements + j));
+    }
+}
+
+/* ---- amplitudes ---- */
+
+/* Cholesky's solution of the normal equations of the columns in `set`; 0 if they are dependent. */
+static int solve_set(size_t E, unsigned set, double A[][FVI_MATERIAL_ELEMENTS], const double *b,
+                     double *c)
+{
+    double L[FVI_MATERIAL_ELEMENTS][FVI_MATERIAL_ELEMENTS];
+    size_t in[FVI_MATERIAL_ELEMENTS], m = 0;
+    for (size_t n = 0; n < E; n++) {
+        c[n] = 0;
+        if (set >> n & 1)
+            in[m++] = n;
+    }
+    for (size_t i = 0; i < m; i++)
+        for (size_t j = 0; j <= i; j++) {
+            double sum = A[in[i]][in[j]];
+            for (size_t k = 0; k < j; k++)
+                sum -= L[i][k] * L[j][k];
+            if (i == j && !(sum > 1e-13 * A[in[i]][in[i]]))
+                return 0;
+            L[i][j] = i == j ? sqrt(sum) : sum / L[j][j];
+        }
+    for (size_t i = 0; i < m; i++) {
+        double sum = b[in[i]];
+        for (size_t k = 0; k < i; k++)
+            sum -= L[i][k] * c[in[k]];
+        c[in[i]] = sum / L[i][i];
+    }
+    for (size_t i = m; i-- > 0;) {
+        double sum = c[in[i]];
+        for (size_t k = i + 1; k < m; k++)
+            sum -= L[k][i] * c[in[k]];
+        c[in[i]] = sum / L[i][i];
+    }
+    return 1;
+}
+
+/* The least squares of amplitudes that are not negative: all of them, if they are so, or the best
+ * of all parts of the sum. */
+static void amplitudes(const fvi_rheology *o, double *c)
+{
+    const size_t E = o->elements;
+    double A[FVI_MATERIAL_ELEMENTS][FVI_MATERIAL_ELEMENTS], b[FVI_MATERIAL_ELEMENTS],
+        best = 0, part[FVI_MATERIAL_ELEMENTS];
+    const unsigned all = (1u << E) - 1;
+    for (size_t i = 0; i < E; i++) {
+        b[i] = dot(o->rows, column_of(o, i), o->y);
+        c[i] = 0;
+        for (size_t j = 0; j <= i; j++)
+            A[i][j] = A[j][i] = dot(o->rows, column_of(o, i), column_of(o, j));
+    }
+    for (unsigned set = all; set > 0; set--) {
+        int possible = solve_set(E, set, A, b, part);
+        for (size_t i = 0; i < E; i++)
+            possible &= part[i] >= 0;
+        const double less = possible ? dot(E, part, b) : 0; /* of the sum of squares */
+        if (less <= best)
+            continue;
+        best = less;
+        memcpy(c, part, E * sizeof *c);
+        if (set == all)
+            return;
+    }
+}
+
+/* Take the part along the columns with amplitudes out of those of J, (24.18). */
+static void take_out(fvi_rheology *o, const double *c, double *J)
+{
+    for (size_t n = 0; n < o->elements; n++) { /* the columns become orthonormal */
+        double *q = column_of(o, n);
+        for (int twice = 0; twice < 2; twice++)
+            for (size_t k = 0; k < n; k++) {
+                const double along = c[k] > 0 ? dot(o->rows, column_of(o, k), q) : 0;
+                for (size_t i = 0; i < o->rows; i++)
+                    q[i] -= along * column_of(o, k)[i];
+            }
+        const double length = sqrt(dot(o->rows, q, q));
+        for (size_t i = 0; i < o->rows && length > 0; i++)
+            q[i] /= length;
+        for (size_t j = 0; j < o->shapes && c[n] > 0; j++) {
+            double *v = column_of(o, o->elements + j);
+            const double along = dot(o->rows, q, v);
+            for (size_t i = 0; i < o->rows; i++)
+                v[i] -= along * q[i];
+        }
+    }
+    for (size_t j = 0; j < o->shapes; j++)
+        for (size_t i = 0; i < o->rows; i++)
+            J[i * o->shapes + j] = column_of(o, o->elements + j)[i];
+}
+
+//> project
+/* (24.18): for given u the amplitudes are those of a linear least squares. What is left of the
+ * slopes by u is what no amplitude makes up for. */
+double fvi_rheology_project(fvi_rheology *o, const double *u, double *c, double *r, double *J)
+{
+    fill_columns(o, u, J != NULL);
+    amplitudes(o, c);
+    for (size_t i = 0; i < o->rows; i++) {
+        r[i] = -o->y[i];
+        for (size_t n = 0; n < o->elements; n++)
+            r[i] += c[n] * column_of(o, n)[i];
+    }
+    for (size_t n = 0; n < o->elements && J; n++)
+        for (size_t j = o->at[n]; j < (n + 1 < o->elements ? o->at[n + 1] : o->shapes); j++)
+            for (size_t i = 0; i < o->rows; i++)
+                column_of(o, o->elements + j)[i] *= c[n];
+    if (J)
+        take_out(o, c, J);
+    return dot(o->rows, r, r);
+}
+//< project
+
+/* ---- all numbers together ---- */
+
+/* 1/C and its slopes by ln c and u, which are -phi/C^2. */
+static void creep_columns(fvi_rheology *o, const double *c, double *r, int with_slopes)
+{
+    for (size_t i = 0; i < o->nodes; i++) {
+        double complex C = 0;
+        for (size_t n = 0; n < o->elements; n++)
+            C += c[n] * shape_of(o, n, 0)[i];
+        o->value[i] = 1 / C;
+    }
+    measure(o, o->value, 1, r);
+    for (size_t n = 0; with_slopes && n < o->elements; n++) {
+        const size_t end = n + 1 < o->elements ? o->at[n + 1] : o->shapes;
+        for (size_t k = 0; k <= end - o->at[n]; k++) {
+            double complex *slope = shape_of(o, n, k);
+            for (size_t i = 0; i < o->nodes; i++)
+                slope[i] *= -o->value[i] * o->value[i];
+            measure(o, slope, c[n],
+                    column_of(o, k == 0 ? n : o->elements + o->at[n] + k - 1));
+        }
+    }
+}
+
+double fvi_rheology_residuals(fvi_rheology *o, const double *z, double *r, double *J)
+{
+    const size_t E = o->elements, P = E + o->shapes;
+    const double *u = z + E;
+    double c[FVI_MATERIAL_ELEMENTS];
+    for (size_t n = 0; n < E; n++)
+        c[n] = exp(z[n]);
+    if (o->data->test == FVI_MATERIAL_CREEP) {
+        fill_shapes(o, u);
+        creep_columns(o, c, r, J != NULL);
+    } else {
+        fill_columns(o, u, J != NULL);
+        memset(r, 0, o->rows * sizeof *r);
+        for (size_t n = 0; n < E; n++) {
+            const size_t end = n + 1 < E ? o->at[n + 1] : o->shapes;
+            for (size_t i = 0; i < o->rows; i++)
+                r[i] += column_of(o, n)[i] *= c[n];
+            for (size_t j = E + o->at[n]; J && j < E + end; j++)
+                for (size_t i = 0; i < o->rows; i++)
+                    column_of(o, j)[i] *= c[n];
+        }
+    }
+    for (size_t i = 0; i < o->rows; i++) {
+        r[i] -= o->y[i];
+        for (size_t j = 0; J && j < P; j++)
+            J[i * P + j] = column_of(o, j)[i];
+    }
+    return dot(o->rows, r, r);
+}

@@ -1,0 +1,325 @@
+/* src/program/fvi_fit_material.c -- The command `fvi fit --moduli` and its like: a law of damping
+ * from what a laboratory measures. */
+#include "fvi_fit_material.h"
+
+#include "fvi_subcommand_options.h"
+#include "input/fvi_files.h"
+#include "output/fvi_complain.h"
+#include "output/fvi_format.h"
+#include "output/fvi_output.h"
+#include <fvi/fvi.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LAW, WEIGHTS, SIGMA, STARTS, CURVE };
+enum { DATA_COLUMNS = 5, LETTERS = 100 };
+
+/* In the order of fvi_material_test. */
+static const char *const tests[] = { "moduli", "creep", "relaxation" };
+enum { TESTS = sizeof tests / sizeof *tests };
+
+static const char *const of_run[] = { "o", NULL };
+
+typedef struct {
+    fvi_subcommand_options words;
+    fvi_options o;
+    fvi_material_data data;
+    fvi_element kind[FVI_MATERIAL_ELEMENTS];
+    char names[DATA_COLUMNS][LETTERS]; /* of the columns, as fvi_parse_table_columns takes them */
+    size_t columns;
+    double *block; /* at, first, second, unit, second unit of all files; the curve */
+    double *curve;
+} request;
+
+static int test_of(int argc, char **argv)
+{
+    for (int i = 2; i < argc; i++)
+        for (int k = 0; k < TESTS; k++)
+            if (strncmp(argv[i], "--", 2) == 0 && strcmp(argv[i] + 2, tests[k]) == 0)
+                return k;
+    return -1;
+}
+
+int fvi_fit_is_material(int argc, char **argv)
+{
+    return test_of(argc, argv) >= 0;
+}
+
+/* ---- what is asked for ---- */
+
+static int interpret_law(request *r, fvi_error *c)
+{
+    if (!r->words.own[LAW])
+        r->words.own[LAW] = "spring+power";
+    r->data.kind = r->kind;
+    for (const char *at = r->words.own[LAW]; at; r->data.elements++) {
+        char word[LETTERS] = "";
+        const size_t length = strcspn(at, "+");
+        size_t which = 0;
+        if (r->data.elements == FVI_MATERIAL_ELEMENTS)
+            return fvi_refuse(c, "law", "more than %d elements", FVI_MATERIAL_ELEMENTS);
+        snprintf(word, sizeof word, "%.*s", (int)length, at);
+        if (fvi_parse_word("law", word, fvi_element_words, &which, c))
+            return 2;
+        r->kind[r->data.elements] = (fvi_element)which;
+        at = at[length] ? at + length + 1 : NULL;
+    }
+    return 0;
+}
+
+/* The names of the columns; those of --weights behind them. */
+static int interpret_weights(request *r, fvi_error *c)
+{
+    const char *text = r->words.own[WEIGHTS] ? r->words.own[WEIGHTS] : "relative";
+    const int both = r->data.test == FVI_MATERIAL_MODULI;
+    r->words.own[WEIGHTS] = text;
+    strcpy(r->names[0], both ? "omega|w|f|frequency|hertz|hz" : "t|time");
+    strcpy(r->names[1], both                                       ? "storage|Gp|G'|E'|G1|E1"
+                        : r->data.test == FVI_MATERIAL_CREEP       ? "x|strain|creep"
+                                                                   : "f|force|stress|relaxation");
+    strcpy(r->names[2], "loss|Gpp|G''|E''|G2|E2");
+    r->columns = both ? 3 : 2;
+    if (strcmp(text, "relative") == 0 || strcmp(text, "absolute") == 0)
+        return 0;
+    for (const char *at = text; at; r->columns++) {
+        const size_t length = strcspn(at, ",");
+        if (r->columns == (both ? 5 : 3) || length == 0 || length >= LETTERS)
+            return fvi_refuse(c, "weights", "'%s' is not relative, absolute or the name of %s", text,
+                              both ? "one column, or two for storage and loss" : "a column");
+        snprintf(r->names[r->columns], LETTERS, "%.*s", (int)length, at);
+        at = at[length] ? at + length + 1 : NULL;
+    }
+    return 0;
+}
+
+static int interpret(request *r, fvi_error *c)
+{
+    fvi_subcommand_options *w = &r->words;
+    int status = interpret_law(r, c);
+    if (!status)
+        status = interpret_weights(r, c);
+    if (!status && w->own[SIGMA])
+        status = fvi_parse_number("sigma", w->own[SIGMA], 0, INFINITY, "()", &r->data.sigma, c);
+    if (!w->own[STARTS])
+        w->own[STARTS] = "20";
+    if (!status)
+        status = fvi_parse_whole("starts", w->own[STARTS], 10000, &r->data.starts, c);
+    if (!status && r->data.starts < 2)
+        status = fvi_refuse(c, "starts", "'%s' is less than 2: one start alone proves nothing",
+                            w->own[STARTS]);
+    if (!status && w->own[CURVE]
+        && (!*w->own[CURVE] || fvi_same_file(w->own[CURVE], r->o.output)))
+        status = fvi_refuse(c, "curve", "'%s' is no file's name, or the table's file, too",
+                            w->own[CURVE]);
+    if (!status && w->operands == 0)
+        status = fvi_refuse(c, NULL, "DATA: a file with the columns %s is missing",
+                            r->data.test == FVI_MATERIAL_MODULI  ? "omega, storage and loss"
+                            : r->data.test == FVI_MATERIAL_CREEP ? "t and x"
+                                                                 : "t and f");
+    r->data.load = 1;
+    return status;
+}
+
+/* ---- data ---- */
+
+/* The rows of one file behind those of the files before. */
+static int read_file(request *r, const char *file, size_t *room, fvi_error *c)
+{
+    const char *names[DATA_COLUMNS];
+    size_t which[FVI_COLUMNS_MOST] = { 0 }, n;
+    double *columns;
+    const int own_weights = r->columns > (r->data.test == FVI_MATERIAL_MODULI ? 3 : 2);
+    for (size_t k = 0; k < r->columns; k++)
+        names[k] = r->names[k];
+    fvi_mark_read("DATA", file);
+    int status = fvi_parse_table_columns("DATA", file, r->columns, names, own_weights, &n,
+                                         &columns, which, c);
+    if (status)
+        return status;
+    double *more = realloc(r->block, DATA_COLUMNS * (r->data.n + n) * sizeof *more);
+    if (!more) {
+        free(columns);
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    }
+    r->block = more;
+    *room = r->data.n + n;
+    const double unit = r->data.test == FVI_MATERIAL_MODULI && which[0] >= 2 ? 2 * M_PI : 1;
+    for (size_t i = 0; i < n; i++) /* row by row as yet */
+        for (size_t k = 0; k < DATA_COLUMNS; k++)
+            more[(r->data.n + i) * DATA_COLUMNS + k] =
+                (k == 0 ? unit : 1) * (k < r->columns ? columns[k * n + i] : 1);
+    r->data.n += n;
+    free(columns);
+    return 0;
+}
+
+/* Columns of the rows. Without own weights the second unit is as the first. */
+static int arrange(request *r, fvi_error *c)
+{
+    const size_t n = r->data.n, both = r->data.test == FVI_MATERIAL_MODULI,
+                 data = both ? 3 : 2;
+    double *all = malloc((DATA_COLUMNS + 2) * n * sizeof *all);
+    if (!all)
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < DATA_COLUMNS; k++)
+            all[k * n + i] = r->block[i * DATA_COLUMNS + k];
+    free(r->block);
+    r->block = all;
+    r->curve = all + DATA_COLUMNS * n;
+    r->data.at = all;
+    r->data.first = all + n;
+    r->data.second = all + 2 * n;
+    if (strcmp(r->words.own[WEIGHTS], "relative") != 0)
+        r->data.unit = all + data * n;
+    if (r->columns == 5)
+        r->data.second_unit = all + 4 * n;
+    return 0;
+}
+
+static int read_data(request *r, fvi_error *c)
+{
+    size_t room = 0;
+    int status = fvi_check_output("-o", r->o.output, c);
+    if (!status)
+        status = fvi_check_output("--curve", r->words.own[CURVE], c);
+    for (size_t i = 0; !status && i < r->words.operands; i++)
+        status = read_file(r, r->words.all[i], &room, c);
+    return status ? status : arrange(r, c);
+}
+
+/* ---- the answer ---- */
+
+/* "spring:1 + zener:3,0.25,1.5", as --damping takes it. */
+static void print_law(FILE *out, const request *r, const fvi_material *m)
+{
+    size_t j = 0;
+    fputs("# damping = ", out);
+    for (size_t n = 0; n < r->data.elements; n++) {
+        fprintf(out, "%s%s", n ? " + " : "", fvi_element_words[r->kind[n]]);
+        for (size_t i = 0; fvi_element_number(r->kind[n], i, NULL); i++)
+            fvi_print_number(out, i ? "," : ":", m->estimate[j++]);
+    }
+    fputc('\n', out);
+}
+
+static void print_rows(FILE *out, const request *r, const fvi_material *m)
+{
+    size_t j = 0;
+    fputs("# name\testimate\tsd\tlower\tupper\n", out);
+    for (size_t n = 0; n < r->data.elements; n++) {
+        const char *name;
+        for (size_t i = 0; (name = fvi_element_number(r->kind[n], i, NULL)); i++, j++) {
+            fprintf(out, "%s%zu.%s", fvi_element_words[r->kind[n]], n + 1, name);
+            fvi_print_number(out, "\t", m->estimate[j]);
+            fvi_print_number(out, "\t", m->sd[j]);
+            fvi_print_number(out, "\t", m->lower[j]);
+            fvi_print_number(out, "\t", m->upper[j]);
+            fputc('\n', out);
+        }
+    }
+}
+
+static void print_answer(FILE *out, const request *r, const fvi_material *m)
+{
+    fvi_format_begin(out, FVI_FORMAT_TSV);
+    for (size_t i = 0; i < r->words.operands; i++)
+        fvi_format_parameter(out, FVI_FORMAT_TSV, tests[r->data.test], r->words.all[i]);
+    fvi_format_parameter(out, FVI_FORMAT_TSV, "law", r->words.own[LAW]);
+    fvi_format_parameter(out, FVI_FORMAT_TSV, "weights", r->words.own[WEIGHTS]);
+    if (r->words.own[SIGMA])
+        fvi_format_parameter(out, FVI_FORMAT_TSV, "sigma", r->words.own[SIGMA]);
+    print_rows(out, r, m);
+    if (r->data.sigma > 0) {
+        fvi_print_number(out, "# chi2 = ", m->chi2);
+        fprintf(out, "\n# probability = %.3g", m->probability);
+    } else
+        fvi_print_number(out, "# estimated sigma = ", m->sigma);
+    fprintf(out, "\n# points = %zu\n# starts = %zu, %zu agree\n# neighbours = %.2f\n", r->data.n,
+            m->starts, m->agree, m->neighbours);
+    print_law(out, r, m);
+}
+
+static void print_flags(FILE *out, const request *r, const fvi_material *m)
+{
+    char text[FVI_WARNING_ROOM];
+    for (unsigned flag = 1; flag <= m->flags; flag *= 2)
+        if (fvi_material_flag_text(&r->data, m, flag, sizeof text, text)) {
+            fvi_warn(text);
+            if (out)
+                fprintf(out, "# flag = %s\n", text);
+        }
+}
+
+static int print_curve(const request *r)
+{
+    const size_t n = r->data.n, both = r->data.test == FVI_MATERIAL_MODULI;
+    if (!r->words.own[CURVE])
+        return 0;
+    FILE *out = fvi_output_open(r->words.own[CURVE]);
+    if (!out)
+        return fvi_cannot_write(r->words.own[CURVE]);
+    fputs(both ? "# omega\tstorage\tloss\tstorage_fit\tloss_fit\n" : "# t\tdata\tfit\tresidual\n",
+          out);
+    for (size_t i = 0; i < n; i++) {
+        const double first = r->data.first[i], *curve = r->curve;
+        if (both)
+            fvi_format_row(out, FVI_FORMAT_TSV, i, 5,
+                           (double[]){ r->data.at[i], first, r->data.second[i], curve[i],
+                                       curve[n + i] });
+        else
+            fvi_format_row(out, FVI_FORMAT_TSV, i, 4,
+                           (double[]){ r->data.at[i], first, curve[i], first - curve[i] });
+    }
+    return fvi_output_close(out, 1) ? fvi_cannot_write(r->words.own[CURVE]) : 0;
+}
+
+/* As for motions: an answer that is not believed is shown on standard output alone. */
+static int print(const request *r, const fvi_material *m)
+{
+    if (m->grave && r->o.output) {
+        print_flags(NULL, r, m);
+        return 1;
+    }
+    FILE *out = fvi_output_open(r->o.output);
+    if (!out)
+        return fvi_cannot_write(r->o.output);
+    print_answer(out, r, m);
+    print_flags(out, r, m);
+    if (fvi_output_close(out, 1))
+        return fvi_cannot_write(r->o.output);
+    return m->grave ? 1 : print_curve(r);
+}
+
+/* ---- the command ---- */
+
+int fvi_fit_material(int argc, char **argv)
+{
+    const int test = test_of(argc, argv);
+    const fvi_own_command command = { .name = "fit",
+                                      .own = { "law", "weights", "sigma", "starts", "curve" },
+                                      .with = of_run,
+                                      .operand = FVI_OPERANDS_MOST,
+                                      .flag = tests[test] };
+    fvi_error error, *c = &error;
+    fvi_material m;
+    request r = { .data = { .test = (fvi_material_test)test } };
+    int status = fvi_subcommand_options_parse(&command, argc, argv, &r.words, &r.o, c);
+    const int parsed = !status;
+    if (!status)
+        status = interpret(&r, c);
+    if (!status)
+        status = read_data(&r, c);
+    if (!status)
+        status = fvi_material_fit(&r.data, r.curve, &m, c);
+    if (status)
+        status = fvi_refused(&error, "fit");
+    else
+        status = print(&r, &m);
+    if (parsed)
+        fvi_options_free(&r.o);
+    free(r.block);
+    return status;
+}

@@ -1,0 +1,116 @@
+/* tests/program/test_fvi_fit_material.c -- The command `fvi fit --moduli` and its like.
+ * Run alone: make test-fvi_fit_material */
+#define _GNU_SOURCE
+#include "fit_rows.h"
+
+#include <stdlib.h>
+
+/* A law of a material: data are the moduli that `response` prints. */
+static void write_moduli(void)
+{
+    ck_assert_int_eq(fvi("response --of moduli --damping 'spring:1 + zener:3,0.25,1.5' --omega "
+                         "0.01:1000:41:log -o dma.tsv"),
+                     0);
+}
+
+/* From a DMA file to a law with intervals, to the creep curve, and to a moving mass with that law:
+ * three commands. */
+START_TEST(a_rheologist_needs_three_commands)
+{
+    double row[4];
+    write_moduli();
+    ck_assert_int_eq(shell("\"$FVI\" fit --moduli --law spring+zener dma.tsv > law.tsv; cat law.tsv"),
+                     0);
+    static const char *const names[] = { "spring1.k", "zener2.rho", "zener2.alpha",
+                                         "zener2.time" };
+    static const double truth[] = { 1, 3, 0.25, 1.5 };
+    for (size_t j = 0; j < LEN(names); j++) {
+        row_of(names[j], row);
+        ck_assert_double_eq_tol(row[0], truth[j], 1e-8);
+        ck_assert(row[2] <= row[0] && row[0] <= row[3]);
+    }
+    ck_assert_int_eq(shell("LAW=\"$(sed -n 's/^# damping = //p' law.tsv)\"; \"$FVI\" exact --mass "
+                           "1e-12 --potential free --damping \"$LAW\" --x0 0 --p0 0 --force "
+                           "step:1,1e9 --h 0.5 --steps 40 --columns t,x > creep.tsv"),
+                     0);
+    ck_assert_int_eq(shell("LAW=\"$(sed -n 's/^# damping = //p' law.tsv)\"; \"$FVI\" run --mass 2 "
+                           "--potential free --damping \"$LAW\" --method fvi-lobatto4 --columns "
+                           "t,x --steps 20 | tail -1"),
+                     0);
+    ck_assert(atof(out) > 1.9);
+    /* the creep curve has the law, too: its first row, at t = 0, is none */
+    ck_assert_int_eq(shell("sed '/^0\t/d' creep.tsv > creep2.tsv; \"$FVI\" fit --creep --law "
+                           "spring+zener creep2.tsv"),
+                     0);
+    for (size_t j = 0; j < LEN(names); j++) {
+        row_of(names[j], row);
+        ck_assert_double_eq_tol(row[0], truth[j], 1e-5 * truth[j]);
+    }
+}
+END_TEST
+
+/* Names of columns, hertz, several files, weights; a law that is another ends with 1 and writes no
+ * file. */
+START_TEST(fit_reads_moduli_of_many_kinds)
+{
+    const char *const shapes[] = {
+        "cat dma.tsv",
+        "echo 'omega,Gp,Gpp'; awk '!/^#/{print $1 \",\" $2 \",\" $3}' dma.tsv",
+        "echo 'E\" loss w storage'; awk '!/^#/{print 7, $3, $1, $2}' dma.tsv",
+        "echo 'f storage loss'; awk '!/^#/{printf \"%.17g %s %s\\n\", $1 / 6.283185307179586, $2, "
+        "$3}' dma.tsv",
+    };
+    double row[4];
+    write_moduli();
+    for (size_t i = 0; i < LEN(shapes); i++) {
+        char line[400];
+        snprintf(line, sizeof line,
+                 "( %s ) > e.tsv; \"$FVI\" fit --moduli --law spring+zener e.tsv", shapes[i]);
+        ck_assert_msg(shell(line) == 0, "%s: %s", shapes[i], err);
+        row_of("zener2.time", row);
+        ck_assert_double_eq_tol(row[0], 1.5, 1e-8);
+    }
+    ck_assert_int_eq(shell("head -20 dma.tsv > a.tsv; (head -9 dma.tsv | grep '#'; tail -30 dma.tsv) "
+                           "> b.tsv; \"$FVI\" fit --moduli --law spring+zener a.tsv b.tsv"),
+                     0);
+    ck_assert_double_ge(value_of("points"), 41);
+    row_of("zener2.time", row);
+    ck_assert_double_eq_tol(row[0], 1.5, 1e-8);
+    ck_assert_int_eq(shell("(echo omega storage loss sd; awk '!/^#/{print $1, $2, $3, $2/50}' "
+                           "dma.tsv) > w.tsv; \"$FVI\" fit --moduli --law spring+zener --weights sd "
+                           "w.tsv"),
+                     0);
+    row_of("zener2.time", row);
+    ck_assert_double_eq_tol(row[0], 1.5, 1e-8);
+    ck_assert_int_eq(fvi("fit --moduli --law spring+power -o no.tsv --curve no2.tsv dma.tsv"), 1);
+    ck_assert_ptr_nonnull(strstr(err, "it is another law"));
+    ck_assert(!exists("no.tsv") && !exists("no2.tsv"));
+    ck_assert_int_eq(fvi("fit --moduli --law spring+power dma.tsv"), 1);
+    ck_assert_ptr_nonnull(strstr(out, "\n# flag = neighbouring residuals are alike"));
+    static const char *const wrong[][2] = {
+        { "fit --moduli", "DATA: a file with the columns omega, storage and loss" },
+        { "fit --creep", "DATA: a file with the columns t and x" },
+        { "fit --moduli --law spring+zenr dma.tsv", "zener" },
+        { "fit --moduli --law '' dma.tsv", "--law" },
+        { "fit --moduli --weights sd dma.tsv", "no line names a column 'sd'" },
+        { "fit --moduli --weights a,b,c dma.tsv", "--weights" },
+        { "fit --moduli --sigma -1 dma.tsv", "--sigma" },
+        { "fit --moduli --starts 1 dma.tsv", "--starts" },
+        { "fit --moduli --alpha 0.3 dma.tsv", "--alpha" },
+        { "fit --relaxation --law viscous+zener dma.tsv", "relaxes at once" },
+    };
+    for (size_t i = 0; i < LEN(wrong); i++) {
+        ck_assert_msg(fvi(wrong[i][0]) == 2, "%s: %s", wrong[i][0], err);
+        ck_assert_msg(strstr(err, wrong[i][1]), "%s: %s", wrong[i][0], err);
+        ck_assert_str_eq(out, "");
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("fvi fit --moduli");
+    ADD_CASE(suite, "materials", a_rheologist_needs_three_commands,
+             fit_reads_moduli_of_many_kinds);
+    return run_suite_of_program(suite);
+}
