@@ -1,6 +1,8 @@
 /* src/estimation/rheology_answer.c -- What the data say of a law.         [H 24] */
 #include "rheology_answer.h"
 
+#include "system/larger.h"
+
 #include <gsl/gsl_cdf.h>
 #include <math.h>
 #include <stdio.h>
@@ -227,14 +229,14 @@ static void statistics(const fvi_rheology *m, size_t used, double sum, const dou
         known ? gsl_cdf_ugaussian_Pinv(0.975) : gsl_cdf_tdist_Pinv(0.975, freedom);
     a->neighbours = neighbours_of(d->n, r);
     if (d->test == FVI_MATERIAL_MODULI)
-        a->neighbours = fmax(a->neighbours, neighbours_of(d->n, r + d->n));
+        a->neighbours = larger(a->neighbours, neighbours_of(d->n, r + d->n));
 }
 
 static void raise_flags(const fvi_rheology *m, const double *z, fvi_material *a)
 {
     double size = 0;
     for (size_t i = 0; i < m->rows; i++)
-        size = fmax(size, fabs(m->y[i]));
+        size = larger(size, fabs(m->y[i]));
     if (a->agree < 2)
         a->flags |= FVI_MATERIAL_STARTS;
     if (a->sigma > 1e-6 * size && a->neighbours > 3 / sqrt((double)m->data->n) + 0.1)

@@ -3,6 +3,7 @@
 
 #include "memory/laplace_parabola.h"
 #include <fvi/error.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -57,8 +58,8 @@ static void fill_box(fvi_rheology *o)
     double low = INFINITY, high = -INFINITY;
     for (size_t i = 0; i < d->n; i++) {
         const double time = d->test == FVI_MATERIAL_MODULI ? -log(d->at[i]) : log(d->at[i]);
-        low = time < low ? time : low;
-        high = time > high ? time : high;
+        low = smaller(low, time);
+        high = larger(high, time);
     }
     low -= log(10);
     high += log(10);

@@ -2,6 +2,7 @@
 #include "rheology_search.h"
 
 #include <fvi/error.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -173,7 +174,7 @@ static int advance(problem *p, double *x, double *sum, double *lambda, double *c
             if (there <= *sum * (1 + 1e-14)) {
                 *change = 0;
                 for (size_t i = 0; i < p->P; i++)
-                    *change = fmax(*change, fabs(next[i] - x[i]) / p->scale[i]);
+                    *change = larger(*change, fabs(next[i] - x[i]) / p->scale[i]);
                 memcpy(x, next, p->P * sizeof *x);
                 *lambda = fmax(*lambda / 10, 1e-15);
                 *sum = evaluate(p, x, o->r, o->J);

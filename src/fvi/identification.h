@@ -307,7 +307,7 @@ int fvi_estimate_flag_text(const fvi_estimation *fit, const fvi_estimate *fitted
  *                  is that relative error, estimated. The rest but quantile, chi2 and
  *                  probability is 0
  *
- * The program has no command for it. For each alpha rho and k are had from two linear
+ * Where k, too, shall not be negative, and for other laws: fvi_material_fit (rheology.h). For each alpha rho and k are had from two linear
  * equations, so that alpha alone is
  * searched: a scan of (0, 1), then Brent's method, to about 1e-8. The sign of rho is not
  * asked for. Cost: some 150 n powers. Returns FVI_SUCCESS; FVI_EFAULT if a pointer is
