@@ -3,6 +3,7 @@
 #include "stress.h"
 
 #include "estimation/rheology_search.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
@@ -101,7 +102,7 @@ static int arrivals(gsl_rng *random, const question *q)
         for (size_t n = 0; n < o.model.elements; n++)
             of_creep[n] = gsl_rng_uniform(random);
         sum[k] = fvi_rheology_search(&o, u, of_creep, z);
-        least = GSL_MIN(least, sum[k]);
+        least = smaller(least, sum[k]);
     }
     for (int k = 0; k < FROM; k++)
         arrived += sum[k] <= least * (1 + 1e-6);
@@ -152,18 +153,18 @@ double stress_rheology(gsl_rng *random, char *describe, size_t size)
                flags);
         for (size_t j = 0; j < m.numbers; j++) {
             printf("%s%.1f", j ? " " : "", 100 * held[j] / SETS);
-            least_share = GSL_MIN(least_share, held[j] / SETS);
+            least_share = smaller(least_share, held[j] / SETS);
         }
         putchar('\n');
         fflush(stdout);
         all += arrived == FROM;
         flagged += flags;
         sets += SETS;
-        longest = GSL_MAX(longest, ms);
+        longest = larger(longest, ms);
     }
     snprintf(describe, size, "%d of 20 laws from each of 50 starts; %.1f ms a fit at most; %d of "
                              "%d refused",
              all, longest, flagged, sets);
-    return GSL_MAX(GSL_MAX(17. / GSL_MAX(all, 1), flagged / (0.03 * sets)),
+    return larger(larger(17. / fmax(all, 1), flagged / (0.03 * sets)),
                    (1 - least_share) / (0.05 + 4 * sqrt(0.05 * 0.95 / SETS)));
 }
