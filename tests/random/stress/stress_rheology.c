@@ -165,6 +165,6 @@ double stress_rheology(gsl_rng *random, char *describe, size_t size)
     snprintf(describe, size, "%d of 20 laws from each of 50 starts; %.1f ms a fit at most; %d of "
                              "%d refused",
              all, longest, flagged, sets);
-    return larger(larger(17. / fmax(all, 1), flagged / (0.03 * sets)),
+    return larger(larger(17. / (all ? all : 1), flagged / (0.03 * sets)),
                    (1 - least_share) / (0.05 + 4 * sqrt(0.05 * 0.95 / SETS)));
 }
