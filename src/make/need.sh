@@ -12,7 +12,7 @@ have() {
     cc) command -v "${CC%% *}" ;;
     gsl | check) pkg-config --exists "$1" ;;
     cerf) pkg-config --exists libcerf ;;
-    cholmod) test -e /usr/include/suitesparse/cholmod.h || echo '#include <suitesparse/cholmod.h>' | ${CC%% *} -E - ;;
+    cholmod) test -e /usr/include/suitesparse/umfpack.h || printf '#include <suitesparse/%s.h>\n' cholmod umfpack | ${CC%% *} -E - ;;
     gnuplot) command -v "$GNUPLOT" ;;
     python) command -v "$PYTHON" ;;
     sympy | numpy | cffi | setuptools | wheel | pytest) "$PYTHON" -c "from importlib.util import find_spec; raise SystemExit(not find_spec('$1'))" ;;
