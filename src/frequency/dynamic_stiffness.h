@@ -26,6 +26,7 @@ typedef struct fvi_complex_factors fvi_complex_factors;
 struct fvi_response {
     size_t d, terms;
     fvi_stiffness_term *term; /* M, K, then the dampings */
+    double *along;            /* how the unknowns move with the ground */
     fvi_kernel_term power;    /* D^{2 alpha} as a law */
     fvi_kernel powers;
     int *start, *row;         /* the pattern of the sum, by columns */

@@ -25,6 +25,20 @@ static int check_mechanism(const fvi_mechanism *m, fvi_error *error)
                  : FVI_SUCCESS;
 }
 
+static int take_along(const fvi_linear_motion *motion, fvi_response *r,
+                      fvi_error *error)
+{
+    r->along = malloc(r->d * sizeof *r->along);
+    if (!r->along)
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    for (size_t i = 0; i < r->d; i++)
+        r->along[i] = motion->along ? motion->along[i] : 1;
+    return fvi_all_finite(r->d, r->along)
+               ? FVI_SUCCESS
+               : fvi_fail(error, FVI_EDOM, "along", NAN,
+                          "how the unknowns move with the ground is not finite");
+}
+
 int fvi_response_alloc(const fvi_linear_motion *motion, fvi_response **response,
                        fvi_error *error)
 {
@@ -43,7 +57,9 @@ int fvi_response_alloc(const fvi_linear_motion *motion, fvi_response **response,
     if (!r)
         return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
     r->d = motion->system->d;
-    status = fvi_stiffness_build(motion, r, error);
+    status = take_along(motion, r, error);
+    if (!status)
+        status = fvi_stiffness_build(motion, r, error);
     if (status)
         fvi_response_free(r);
     else
@@ -61,6 +77,7 @@ void fvi_response_free(fvi_response *r)
     }
     fvi_complex_factors_free(r->factors);
     free(r->term);
+    free(r->along);
     free(r->start);
     free(r->row);
     free(r->Z);
@@ -135,7 +152,7 @@ int fvi_response_multiply(fvi_response *r, const double s[2], int derivative,
 
 /* ---- responses ---- */
 
-/* What acts: a force of 1 on one unknown, or M (1, ..., 1). */
+/* What acts: a force of 1 on one unknown, or M r, where the ground moves along r. */
 static void load(const fvi_response *r, fvi_response_kind kind, size_t by,
                  double complex *f)
 {
@@ -146,13 +163,13 @@ static void load(const fvi_response *r, fvi_response_kind kind, size_t by,
             f[j] = 0;
         for (int e = M->start[j];
              kind == FVI_RESPONSE_GROUND && e < M->start[j + 1]; e++)
-            f[j] += M->entry[e];
+            f[j] += M->entry[e] * r->along[M->row[e]];
     }
 }
 
 //> kinds
 static double complex as_asked(fvi_response_kind kind, double omega,
-                               double complex x)
+                               double along, double complex x)
 {
     switch (kind) {
     case FVI_RESPONSE_MOBILITY:
@@ -160,7 +177,7 @@ static double complex as_asked(fvi_response_kind kind, double omega,
     case FVI_RESPONSE_ACCELERANCE:
         return -omega * omega * x;
     case FVI_RESPONSE_GROUND:
-        return 1 + omega * omega * x;
+        return along + omega * omega * x;
     case FVI_RESPONSE_RECEPTANCE:
         break;
     }
@@ -179,7 +196,7 @@ static int one_frequency(fvi_response *r, fvi_response_kind kind, double omega,
         return status;
     load(r, kind, by, x);
     status = fvi_stiffness_solve(r, x);
-    const double complex h = as_asked(kind, omega, x[at]);
+    const double complex h = as_asked(kind, omega, r->along[at], x[at]);
     H[0] = creal(h);
     H[1] = cimag(h);
     return status                  ? status

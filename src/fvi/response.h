@@ -37,12 +37,13 @@ extern "C" {
  *   alpha   0 <= alpha <= 1: each damping rho_i acts by s^{2 alpha}; not read with a law
  *   law     NULL; or C(s) in place of s^{2 alpha}
  *   at      d numbers, the place at which the potential and elongations are made linear; NULL: 0.
- *           Of a potential that is quadratic, and of rows, it does not matter */
+ *           Of a potential that is quadratic, and of rows, it does not matter
+ *   along   d numbers, how each unknown moves with the ground; NULL: all alike, 1 */
 typedef struct {
     const fvi_system *system;
     double alpha;
     const fvi_kernel *law;
-    const double *at;
+    const double *at, *along;
 } fvi_linear_motion;
 
 /* fvi_response -- Z(s) with room for its factors; one thread at a time may use it. */
@@ -90,8 +91,8 @@ int fvi_response_multiply(fvi_response *response, const double s[2],
  *   RECEPTANCE   its place by a force of 1 on unknown `by`: H = Z(i omega)^-1
  *   MOBILITY     its velocity: i omega H
  *   ACCELERANCE  its acceleration: -omega^2 H
- *   GROUND       its acceleration by one of 1 of the ground, which moves all unknowns alike, and
- *                beside which they are measured: 1 + omega^2 H M (1, ..., 1). `by` is not read */
+ *   GROUND       its acceleration by one of 1 of the ground, beside which all are measured:
+ *                r + omega^2 H M r, r the motion's `along`. `by` is not read */
 typedef enum {
     FVI_RESPONSE_RECEPTANCE,
     FVI_RESPONSE_MOBILITY,

@@ -40,7 +40,8 @@ int fvi_linear_open(fvi_linear_request *r)
         .system = &r->system,
         .alpha = r->o.alpha,
         .law = r->o.text[DAMPING] ? &r->o.damping.law : NULL,
-        .at = r->o.x0
+        .at = r->o.x0,
+        .along = r->along
     };
     const int status = fvi_response_alloc(&motion, &r->response, &error);
     if (status)
@@ -73,5 +74,6 @@ void fvi_linear_head(FILE *out, const fvi_linear_request *r,
 void fvi_linear_free(fvi_linear_request *r)
 {
     fvi_response_free(r->response);
+    free(r->along);
     fvi_options_free(&r->o);
 }

@@ -11,6 +11,7 @@ typedef struct {
     fvi_subcommand_options words;
     fvi_options o;
     fvi_system system;
+    double *along;          /* how the unknowns move with the ground; NULL: all alike */
     fvi_response *response; /* NULL before fvi_linear_open */
     const char *warning;    /* of the head, or NULL */
 } fvi_linear_request;

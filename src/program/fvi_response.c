@@ -2,6 +2,7 @@
 #include "fvi_commands.h"
 
 #include "fvi_linear.h"
+#include "input/fvi_files.h"
 #include "options/fvi_range.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_format.h"
@@ -16,12 +17,12 @@
 static const char *const of_run[] = { FVI_LINEAR_OPTIONS, "plot", NULL };
 static const fvi_own_command response = {
     .name = "response",
-    .own = { "omega", "of", "at", "by" },
+    .own = { "omega", "of", "at", "by", "along" },
     .with = of_run,
     .flag = "hertz",
     .presets = fvi_linear_presets
 };
-enum { OMEGA, OF, AT, BY };
+enum { OMEGA, OF, AT, BY, ALONG_GROUND };
 
 /* In the order of fvi_response_kind, and then what belongs to a law alone. */
 static const char *const kinds[] = { "receptance", "mobility", "accelerance",
@@ -67,6 +68,25 @@ static int interpret_omega(request *r, fvi_error *c)
     return status;
 }
 
+/* Which way the ground moves. */
+static int interpret_along(request *r, fvi_error *c)
+{
+    const char *text = r->linear.words.own[ALONG_GROUND];
+    const size_t d = r->linear.o.d;
+    if (!text)
+        return 0;
+    if (r->of != FVI_RESPONSE_GROUND)
+        return fvi_refuse(c, "along", "without --of ground nothing moves along "
+                          "it");
+    if (*text == '@')
+        fvi_mark_read("along", text + 1);
+    r->linear.along = malloc(d * sizeof(double));
+    if (!r->linear.along)
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    return fvi_parse_numbers("along", text, -INFINITY, INFINITY, "()", d,
+                             r->linear.along, c);
+}
+
 /* Of a law alone nothing else is asked for, and so nothing else may be said. */
 static int check_moduli(const request *r, fvi_error *c)
 {
@@ -77,7 +97,7 @@ static int check_moduli(const request *r, fvi_error *c)
             return fvi_refuse(c, fvi_option_list[others[i]].name,
                               "not together with --of moduli, which are those "
                               "of the damping alone");
-    for (int i = AT; i <= BY; i++)
+    for (int i = AT; i <= ALONG_GROUND; i++)
         if (r->linear.words.own[i])
             return fvi_refuse(c, response.own[i],
                               "not together with --of moduli");
@@ -96,9 +116,12 @@ static int interpret(request *r, fvi_error *c)
         return status;
     if (r->of == MODULI)
         return check_moduli(r, c);
+    status = interpret_along(r, c);
+    if (status)
+        return status;
     if (r->of == FVI_RESPONSE_GROUND && own[BY])
         return fvi_refuse(c, "by", "not together with --of ground, which moves "
-                          "all unknowns alike");
+                          "them all");
     status = fvi_parse_whole("at", own[AT] ? own[AT] : "1", d, &r->at, c);
     if (!status)
         status = fvi_parse_whole("by", own[BY] ? own[BY] : "1", d, &r->by, c);
@@ -174,6 +197,8 @@ static void print_head(const request *r, FILE *out)
     fvi_format_parameter(out, format, "of", kinds[r->of]);
     if (!is_law)
         fvi_format_parameter(out, format, "at", own[AT] ? own[AT] : "1");
+    if (own[ALONG_GROUND])
+        fvi_format_parameter(out, format, "along", own[ALONG_GROUND]);
     if (r->of < FVI_RESPONSE_GROUND)
         fvi_format_parameter(out, format, "by", own[BY] ? own[BY] : "1");
     for (size_t i = 0; i < 5 && columns[is_law][i]; i++)

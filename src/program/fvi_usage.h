@@ -240,6 +240,7 @@ static const char usage_response[] =
     "                   the damping alone                        [receptance]\n"
     "  --at I           of which unknown                                  [1]\n"
     "  --by J           by a force on which unknown                       [1]\n"
+    "  --along LIST     of ground: how each unknown moves with it         [1]\n"
     "  --plot FILE      Bode's and Nyquist's diagrams; of moduli also that of\n"
     "                   Cole and Cole\n"
     "and of run: --alpha --order --rho --damping --damper --mass --potential\n"

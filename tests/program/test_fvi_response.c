@@ -23,6 +23,20 @@ static size_t rows_of_table(size_t width, size_t most, double *v)
     return n;
 }
 
+/* Five storeys, K = 100 and C = 5 between some; the poles of the contract. */
+static void building(void)
+{
+    const char *head = "%%MatrixMarket matrix coordinate real symmetric";
+    char line[1500];
+    snprintf(line, sizeof line,
+             "rm -rf bld; mkdir -p bld; { echo '%s'; echo 5 5 5; for i in 1 2 3 4 5; do echo $i $i 1; "
+             "done; } > bld/M.mtx; { echo '%s'; echo 5 5 9; for i in 1 2 3 4; do echo $i $i "
+             "200; echo $((i+1)) $i -100; done; echo 5 5 100; } > bld/K.mtx; { echo '%s'; echo "
+             "5 5 4; echo 1 1 5; echo 2 2 5; echo 3 3 5; echo 3 2 -5; } > bld/C.mtx",
+             head, head, head);
+    ck_assert_int_eq(shell(line), 0);
+}
+
 /* A prototype in another language printed these; last digits are its own. */
 START_TEST(responses_are_those_of_the_contract)
 {
@@ -75,20 +89,6 @@ START_TEST(moduli_are_those_of_the_contract)
 }
 END_TEST
 
-/* Five storeys, K = 100 and C = 5 between some; the poles of the contract. */
-static void building(void)
-{
-    const char *head = "%%MatrixMarket matrix coordinate real symmetric";
-    char line[1500];
-    snprintf(line, sizeof line,
-             "mkdir -p bld; { echo '%s'; echo 5 5 5; for i in 1 2 3 4 5; do echo $i $i 1; "
-             "done; } > bld/M.mtx; { echo '%s'; echo 5 5 9; for i in 1 2 3 4; do echo $i $i "
-             "200; echo $((i+1)) $i -100; done; echo 5 5 100; } > bld/K.mtx; { echo '%s'; echo "
-             "5 5 4; echo 1 1 5; echo 2 2 5; echo 3 3 5; echo 3 2 -5; } > bld/C.mtx",
-             head, head, head);
-    ck_assert_int_eq(shell(line), 0);
-}
-
 START_TEST(poles_are_those_of_the_contract)
 {
     static const double want[5][4] = {
@@ -133,6 +133,42 @@ START_TEST(what_does_not_swing_has_no_poles)
     ck_assert_int_eq(fvi("response --rho 0 --omega 0.5,1"), 1);
     ck_assert_str_eq(err, "fvi: at omega = 1 the response is infinite: a mode without "
                           "damping\n");
+}
+END_TEST
+
+/* A damper between two masses, and one that is curved: at (3, 4) a strut acts along (0.6, 0.8). */
+START_TEST(dampers_act_between_points)
+{
+    double v[5], w[5];
+    ck_assert_int_eq(fvi("response --potential 'x1^2/2+x2^2' --rho 0.5,0 --alpha 0.3 --omega 2 "
+                         "--by 1 --at 1"), 0);
+    ck_assert_uint_eq(rows_of_table(5, 1, v), 1);
+    ck_assert_int_eq(fvi("response --potential 'x1^2/2+x2^2' --damper 'x1 : power:0.5,0.3' "
+                         "--omega 2"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# damper = x1 : power:0.5,0.3\n"));
+    ck_assert_uint_eq(rows_of_table(5, 1, w), 1);
+    for (size_t i = 1; i < 5; i++)
+        ck_assert_near(w[i], v[i], 1e-15, "%zu", i);
+    /* Z = diag(-1 + 4, -1 + 4) + 9 (0.6, 0.8) (0.6, 0.8)^T, a spring of 9 along the strut */
+    ck_assert_int_eq(fvi("response --potential '2*(x1-3)^2+2*(x2-4)^2' --x0 3,4 --damper "
+                         "'sqrt(x1^2+x2^2) : spring:9' --omega 1"), 0);
+    ck_assert_uint_eq(rows_of_table(5, 1, w), 1);
+    ck_assert_near(w[1], 0.36 / 12 + 0.64 / 3, 1e-15, "along and across");
+    ck_assert_int_eq(fvi("poles --potential 'x1^2/2+(x2-x1)^2/2' --damper 'x2-x1 : "
+                         "zener:1,0.3,1'"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# poles = 2 of 2\n"));
+    ck_assert_int_eq(fvi("response --of ground --potential 'x1^2/2+x2^2' --rho 0 --along 0,3 "
+                         "--at 2 --omega 0.5"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# at = 2\n# along = 0,3\n# omega"));
+    ck_assert_uint_eq(rows_of_table(5, 1, w), 1);
+    ck_assert_near(w[1], 3 / 0.875, 1e-14, "3 / (1 - omega^2 / 2)");
+    building(); /* its C.mtx as the matrix of a damper */
+    ck_assert_int_eq(fvi("poles --system bld --alpha 0.3 --count 1"), 0);
+    ck_assert_uint_eq(rows_of_table(5, 1, v), 1);
+    ck_assert_int_eq(shell("mv bld/C.mtx bld/C2.mtx"), 0);
+    ck_assert_int_eq(fvi("poles --system bld --damper 'C2.mtx : power:1,0.3' --count 1"), 0);
+    ck_assert_uint_eq(rows_of_table(5, 1, w), 1);
+    ck_assert_near(w[0], v[0], 1e-14, "re");
 }
 END_TEST
 
@@ -205,6 +241,8 @@ START_TEST(bad_questions_are_bad_use)
         { "response --omega 1 --at 2", "--at: '2' is outside [1, 1]" },
         { "response --omega 1 --by 0", "--by: '0' is outside [1, 1]" },
         { "response --omega 1 --of ground --by 1", "--by: not together with --of ground" },
+        { "response --omega 1 --along 1", "--along: without --of ground" },
+        { "response --omega 1 --of ground --along 1,2", "--along: '1,2'" },
         { "response --omega 1 --of moduli --mass 2", "--mass: not together with --of moduli" },
         { "response --omega 1 --of moduli --at 1", "--at: not together with --of moduli" },
         { "response --omega 1 --of moduli --damper 'x : viscous:1'",
@@ -254,8 +292,8 @@ int main(void)
     Suite *suite = suite_create("the program fvi: response and poles");
     ADD_CASE(suite, "numbers", responses_are_those_of_the_contract,
              moduli_are_those_of_the_contract, poles_are_those_of_the_contract,
-             what_does_not_swing_has_no_poles, a_potential_is_linear_at_x0,
-             dampers_have_responses_and_poles);
+             what_does_not_swing_has_no_poles, dampers_act_between_points,
+             a_potential_is_linear_at_x0, dampers_have_responses_and_poles);
     ADD_CASE(suite, "words", bad_questions_are_bad_use,
              tables_have_formats_and_pictures);
     return run_suite_of_program(suite);

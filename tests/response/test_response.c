@@ -232,6 +232,24 @@ START_TEST(a_structure_responds_as_its_masses_do)
 }
 END_TEST
 
+/* Two bodies on springs of their own, of which the ground moves the second by -2 and the first not at
+ * all: T = r / (1 - omega^2 / c). */
+START_TEST(eq_30_3_the_ground_moves_along_a_direction)
+{
+    const double mass[2] = { 1, 1 }, none[2] = { 0 }, along[2] = { 0, -2 }, c = 4, omega = 1;
+    const fvi_system system = { .d = 2, .mass = mass, .damping = none,
+                                .potential = fvi_potential_harmonic(&c) };
+    const fvi_linear_motion motion = { .system = &system, .along = along };
+    fvi_response *r = response_of(&motion);
+    for (size_t at = 0; at < 2; at++) {
+        double T[2];
+        OK(fvi_response_at(r, FVI_RESPONSE_GROUND, 1, &omega, at, 0, T, NULL));
+        ck_assert_near(T[0], along[at] / 0.75, 4 * U, "T of %zu", at);
+    }
+    fvi_response_free(r);
+}
+END_TEST
+
 /* ---- what is refused ---- */
 
 #define REFUSED(want, field_, call)                                            \
@@ -330,6 +348,7 @@ int main(void)
              eq_30_1_dampings_of_a_system_are_dampers,
              eq_30_1_is_linear_around_a_place, sparse_and_dense_factors_agree,
              a_response_is_what_is_left_of_a_motion,
+             eq_30_3_the_ground_moves_along_a_direction,
              a_structure_responds_as_its_masses_do);
     ADD_CASE(suite, "refused", bad_systems_are_refused,
              bad_questions_are_refused);

@@ -27,16 +27,16 @@ force = c * (moved(g) - at_a(g)) * moved(gradient)
 linear = force.applyfunc(lambda f: diff(f, e).subs(e, 0))
 prove("(30.1)", *(linear - c * at_a(gradient) * at_a(gradient).T * Matrix([u1, u2])))
 
-# ---- (30.3): x = y + g (1, ..., 1); K and B_j do not feel a common motion but through the ground
+# ---- (30.3): x = y + g r, and springs feel y alone
 s, m1, m2, k1, k2, a = symbols("s m1 m2 k1 k2 a")
 M, K = Matrix([[m1, 0], [0, m2]]), Matrix([[k1 + k2, -k2], [-k2, k2]])
-ones = Matrix([1, 1])
+along = Matrix(symbols("r1 r2"))
 Z = s**2 * M + K
-y = -Z.inv() * M * ones * a                # beside the ground, whose acceleration is a
-absolute = s**2 * y + ones * a
-whole = s**2 * M * (y + ones * a / s**2) + K * y    # M x'' + K (x - ground) = 0
+y = -Z.inv() * M * along * a                # beside the ground, whose acceleration is a
+absolute = s**2 * y + along * a
+whole = s**2 * M * (y + along * a / s**2) + K * y    # M x'' + K (x - g r) = 0
 prove("(30.3): the equation", *whole.applyfunc(simplify))
-prove("(30.3): 1 - s^2 H M 1", *(absolute - (eye(2) - s**2 * Z.inv() * M) * ones * a).applyfunc(simplify))
+prove("(30.3): r - s^2 H M r", *(absolute - (eye(2) - s**2 * Z.inv() * M) * along * a).applyfunc(simplify))
 
 # ---- (30.4): Z = (s - p) near a simple zero of a 2 by 2 symmetric matrix
 p, z1, z2, z3 = symbols("p z1 z2 z3")
