@@ -15,7 +15,7 @@
 static const char *const not_for_gradient[] = {
     "error",      "columns",  "reduce", "ground", "along", "every",    "format",   "plot",
     "checkpoint", "continue", "unknowns", "snapshot", "lagrangian",
-    "damper",     "constraint", "impose",  "force-on", "v0",         NULL
+    "constraint", "impose",  "force-on", "v0",         NULL
 };
 
 static const fvi_own_command gradient = {
@@ -49,6 +49,32 @@ static int interpret_of(request *r, fvi_error *c)
     return status;
 }
 
+/* Of several dampers those of a folder have a gradient. */
+static int check_dampers(const request *r, fvi_error *c)
+{
+    const fvi_scheme scheme = r->o.method->scheme;
+    if (!r->o.text[DAMPER])
+        return 0;
+    if (!r->o.directory)
+        return fvi_refuse(c, "damper", "'%s' has no gradient without --system",
+                          r->o.text[DAMPER]);
+    if (scheme == FVI_SCHEME_CQ2_SHIFTED || scheme == FVI_SCHEME_FVI) {
+        const fvi_mechanism *of = r->system.mechanism;
+        for (size_t j = 0; j < of->damper_count; j++) {
+            const fvi_kernel *kernel = of->damper[j].kernel;
+            const int is_power =
+                kernel->count == 1 && kernel->term->kind == FVI_KERNEL_POWER;
+            if (scheme == FVI_SCHEME_FVI
+                    ? of->damper[j].past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+                    : !is_power)
+                return fvi_refuse(c, "method", "'%s' has no gradient with the damper "
+                                  "'%s'; fvi-bdf2 and fvi-stable have",
+                                  r->o.method->name, r->o.list[0].value[j]);
+        }
+    }
+    return 0;
+}
+
 static int interpret(request *r, fvi_error *c)
 {
     const fvi_method *m = r->o.method;
@@ -66,6 +92,9 @@ static int interpret(request *r, fvi_error *c)
                           "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
                           "fvi-adaptive have",
                           m->name);
+    const int unknown = check_dampers(r, c);
+    if (unknown)
+        return unknown;
     for (size_t j = 0; j < r->o.lets.count; j++)
         if (m->scheme == FVI_SCHEME_VARIABLE_STEP && r->o.lets.used[j] & FVI_USED_BY_FORCE)
             return fvi_refuse(c,
@@ -85,10 +114,15 @@ static int interpret(request *r, fvi_error *c)
 
 /* ---- derivatives ---- */
 
+static size_t dampers_of(const request *r)
+{
+    return r->system.mechanism ? r->system.mechanism->damper_count : 0;
+}
+
 /* By x0, p0, masses and dampings, by alpha, c and g, by each --let, by the terms of a law. */
 static size_t numbers_of(const request *r)
 {
-    return 4 * r->o.d + 3 + r->o.lets.count
+    return 4 * r->o.d + 3 + r->o.lets.count + dampers_of(r)
            + 4 * (r->run.law ? r->run.law->count : 0);
 }
 
@@ -248,7 +282,7 @@ static int differentiate(request *r)
 static int has_alpha(const request *r)
 {
     const fvi_method *m = r->o.method;
-    if (r->run.law)
+    if (r->run.law || r->system.mechanism)
         return 0;
     if (m->scheme == FVI_SCHEME_VARIABLE_STEP
         && (r->run.alpha == 0 || r->run.alpha == 1))
@@ -280,6 +314,8 @@ static int make_room(request *r)
     r->to.damping = r->to.mass + d;
     r->to.alpha = has_alpha(r) ? r->to.damping + d : NULL;
     r->to.parameters = r->o.potential.expression ? r->lets : r->to.damping + d + 1;
+    if (r->system.mechanism) /* a number for each damper */
+        r->to.damping = r->lets + r->o.lets.count;
     if (!r->run.law)
         return 0;
     if (r->o.method->scheme != FVI_SCHEME_VARIABLE_STEP || terms == 1)

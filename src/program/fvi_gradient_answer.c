@@ -84,7 +84,14 @@ static void print_matrices(FILE *f, const request *r)
     print_row(f, "mass", "", *r->to.mass);
     for (size_t i = 0; r->run.law && i < r->run.law->count; i++)
         print_term(f, r, i);
-    if (!r->run.law) {
+    const fvi_mechanism *of = r->system.mechanism;
+    for (size_t j = 0; of && j < of->damper_count; j++) {
+        char name[24];
+        snprintf(name, sizeof name, "d%zu", j + 1);
+        print_row(f, of->damper[j].name ? of->damper[j].name : name, ".rho",
+                  r->to.damping[j]);
+    }
+    if (!r->run.law && !of) {
         print_row(f, "rho", "", *r->to.damping);
         print_row(f, "alpha", "", *r->to.alpha);
     }

@@ -222,7 +222,7 @@ static const char usage_gradient[] =
     "and of run: --method (all with memory; of --damping not fvi-shifted)\n"
     "--alpha --order --rho --damping --mass --potential --let --dimension --system\n"
     "--force --derivative --kappa --x0 --p0 --h --steps --time --step-error\n"
-    "--longest --most-steps --memory --tolerance -o\n"
+    "--longest --most-steps --memory --tolerance -o; with --system --damper\n"
     "  --problem FILE   these words in a file, one a line, without --\n"
     "\n"
     "example:\n"

@@ -108,6 +108,38 @@ START_TEST(a_law_of_a_folder_has_its_rows)
 }
 END_TEST
 
+/* Each damper of a folder has a row, by a factor of its law, against a difference of two runs. */
+START_TEST(dampers_of_a_folder_have_a_gradient)
+{
+    const char *same = "--system bare --x0 1,0,-1 --p0 0,0.5,0 --time 2 --steps 100 --method "
+                       "fvi-stable --damper 'x3-x2 : zener:2,0.3,1'";
+    char line[400];
+    double v[2];
+    write_chain();
+    ck_assert_int_eq(shell("mkdir -p bare && cp chain/M.mtx chain/K.mtx bare"), 0);
+    for (int side = 0; side < 2; side++) {
+        snprintf(line, sizeof line,
+                 "run %s --damper 'left=x1 : power:%.17g,0.7' --columns x --unknowns 2", same,
+                 0.5 * (side ? 1 + 1e-5 : 1 - 1e-5));
+        ck_assert_int_eq(fvi(line), 0);
+        v[side] = cell(count_rows() - 1, 0);
+    }
+    snprintf(line, sizeof line, "gradient %s --damper 'left=x1 : power:0.5,0.7' --of x:2",
+             same);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_near(by("left.rho"), (v[1] - v[0]) / 2e-5, 1e-9, "left");
+    by("d1.rho");
+    by("mass");
+    ck_assert_ptr_null(strstr(out, "\nalpha"));
+    ck_assert_int_eq(fvi("gradient --system bare --method fvi-shifted --damper 'x1 : "
+                         "zener:1,0.3,1'"),
+                     2);
+    ck_assert_ptr_nonnull(strstr(err, "'fvi-shifted' has no gradient with the damper"));
+    ck_assert_int_eq(fvi("gradient --damper 'x : viscous:1'"), 2);
+    ck_assert_ptr_nonnull(strstr(err, "--damper: 'x : viscous:1' has no gradient without"));
+}
+END_TEST
+
 /* The same operations but for the order of sums: as in test_structures.c. A power among the
  * laws of damping is summed another way. */
 START_TEST(a_folder_of_matrices_is_the_system_that_it_says)
@@ -398,6 +430,7 @@ int main(void)
              a_law_of_a_folder_has_its_rows,
              a_folder_of_matrices_is_the_system_that_it_says,
              dampers_of_a_folder_are_files_and_rows,
+             dampers_of_a_folder_have_a_gradient,
              forces_come_from_a_table_of_unknowns,
              unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot,
              a_system_goes_on_from_a_checkpoint_with_the_same_digits,
