@@ -38,16 +38,16 @@ size_t fvi_adjoint_factor(fvi_scheme scheme, double alpha, double *g,
 
 static int allocate(fvi_adjoint_constant *c)
 {
-    double **each[] = { &c->sum,  &c->sum_by_order, &c->value,
-                        &c->rate, &c->by_theta };
+    double **each[] = { &c->sum,      &c->sum_by_order, &c->value,       &c->rate,
+                        &c->by_theta, &c->now,          &c->now_by_order };
     enum { ARRAYS = sizeof each / sizeof *each };
-    c->block = calloc((ARRAYS + 2 * FVI_BDF2_TAPS) * c->width, sizeof *c->block);
+    c->block = calloc((ARRAYS + 4 * c->taps) * c->width, sizeof *c->block);
     if (!c->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
     for (size_t i = 0; i < ARRAYS; i++)
         *each[i] = c->block + i * c->width;
     c->past = c->block + ARRAYS * c->width;
-    c->past_by_order = c->past + FVI_BDF2_TAPS * c->width;
+    c->past_by_order = c->past + 2 * c->taps * c->width;
     return FVI_SUCCESS;
 }
 
@@ -63,13 +63,13 @@ int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run, siz
                                                   || scheme == FVI_SCHEME_FVI
                                               ? 0.5
                                               : 0 };
-    const int status = allocate(c);
-    if (status)
-        return status;
     c->taps = fvi_adjoint_factor(run->law && scheme == FVI_SCHEME_CQ_BDF2
                                      ? FVI_SCHEME_FVI /* no factor */
                                      : scheme,
                                  alpha, c->g, c->gdot);
+    const int status = allocate(c);
+    if (status)
+        return status;
     if (!run->law)
         return (by_order ? fvi_history_alloc_by_order : fvi_history_alloc)(
             2 * alpha, width, run->steps, run->memory, run->tolerance, &c->memory);
@@ -85,10 +85,13 @@ void fvi_adjoint_constant_stop(fvi_adjoint_constant *c)
     free(c->block);
 }
 
-/* A new term is to come in front of the last ones. */
-static void move_on(const fvi_adjoint_constant *c, double *past)
+/* The last terms of number i, after one more: the latest first. */
+static const double *with_term(const fvi_adjoint_constant *c, double *past, size_t i,
+                               double term)
 {
-    memmove(past + c->width, past, (c->taps - 1) * c->width * sizeof *past);
+    double *row = past + i * 2 * c->taps + c->place;
+    row[0] = row[c->taps] = term;
+    return row;
 }
 
 //> next
@@ -97,25 +100,29 @@ int fvi_adjoint_constant_next(fvi_adjoint_constant *c, const double *B,
 {
     const double theta = c->theta;
     c->has_begun = 1;
-    move_on(c, c->past);
-    move_on(c, c->past_by_order);
+    c->place = (c->place ? c->place : c->taps) - 1;
     const int status = c->by_order
-                           ? fvi_history_push_by_order(c->memory, B, change, c->past,
-                                                       c->past_by_order)
-                           : fvi_history_push(c->memory, B, change, c->past);
+                           ? fvi_history_push_by_order(c->memory, B, change, c->now,
+                                                       c->now_by_order)
+                           : fvi_history_push(c->memory, B, change, c->now);
     for (size_t i = 0; i < c->width; i++) {
-        const double before = c->sum[i], before_by_order = c->sum_by_order[i];
-        double sum = 0, by_order = 0;
-        for (size_t n = 0; n < c->taps; n++) {
-            const double past = c->past[n * c->width + i];
-            sum += c->g[n] * past;
-            by_order += c->g[n] * c->past_by_order[n * c->width + i] + c->gdot[n] * past;
-        }
+        const double *past = with_term(c, c->past, i, c->now[i]), before = c->sum[i];
+        double sum = 0;
+        for (size_t n = 0; n < c->taps; n++)
+            sum += c->g[n] * past[n];
         c->sum[i] = sum;
-        c->sum_by_order[i] = by_order;
         c->value[i] = (0.5 + theta) * sum + (0.5 - theta) * before;
-        c->rate[i] = (0.5 + theta) * by_order + (0.5 - theta) * before_by_order;
         c->by_theta[i] = sum - before;
+    }
+    for (size_t i = 0; c->by_order && i < c->width; i++) {
+        const double *past = c->past + i * 2 * c->taps + c->place,
+                     *rated = with_term(c, c->past_by_order, i, c->now_by_order[i]),
+                     before = c->sum_by_order[i];
+        double by_order = 0;
+        for (size_t n = 0; n < c->taps; n++)
+            by_order += c->g[n] * rated[n] + c->gdot[n] * past[n];
+        c->sum_by_order[i] = by_order;
+        c->rate[i] = (0.5 + theta) * by_order + (0.5 - theta) * before;
     }
     return status;
 }

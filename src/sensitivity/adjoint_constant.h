@@ -18,9 +18,11 @@ typedef struct {
     double theta;                      /* the shift of (23.7); 1/2 of Algorithm 3 */
     double *sum, *sum_by_order;        /* each: what the memory has of this node */
     double *value, *rate, *by_theta;   /* each: see below */
-    size_t taps;                       /* of a factor of the weights */
+    size_t taps, place;                /* of a factor of the weights; the latest is at [place] */
     double g[FVI_BDF2_TAPS], gdot[FVI_BDF2_TAPS];
-    double *past, *past_by_order; /* FVI_BDF2_TAPS each: without the factor, the latest first */
+    double *past, *past_by_order; /* 2 taps each: without the factor, twice, so that the last
+                                     ones stand in a row */
+    double *now, *now_by_order;   /* each: what the memory gives */
     double *block;                /* all these; owned */
 } fvi_adjoint_constant;
 

@@ -20,7 +20,7 @@ static int allocate(fvi_adjoint_multistep *m)
                         &m->change,  &m->CA,     &m->B,      &m->jump,
                         &m->CB };
     enum { ARRAYS = sizeof each / sizeof *each };
-    const size_t d = m->d, ring = m->want->alpha ? FVI_BDF2_TAPS * m->r : 0;
+    const size_t d = m->d, ring = m->want->alpha ? 2 * FVI_BDF2_TAPS * m->r : 0;
     m->block = calloc(ARRAYS * d + 2 * m->r + 2 * ring + m->linearised.size,
                       sizeof *m->block);
     if (!m->block)

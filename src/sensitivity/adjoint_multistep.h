@@ -52,7 +52,7 @@ typedef struct {
     double *nu, *behind, *mean, *change; /* each: of a law, (23.7) */
     double *CA; /* each: of a law with impulses of the past, C A */
     double *N, *Ndot;           /* r each: room for sums, and for their derivatives by order */
-    double *ring, *ring_by_order; /* r FVI_BDF2_TAPS each: their last values */
+    double *ring, *ring_by_order; /* r 2 FVI_BDF2_TAPS each: their last values, twice */
     double *G;
     double *block; /* all these; owned */
     double sum_of_C, sum_by_order, sum_by_theta; /* sum_j z_j C N_j, and its derivatives */

@@ -94,22 +94,20 @@ int fvi_adjoint_multistep_damping_start(fvi_adjoint_multistep *m, const fvi_meth
 //> filter
 static const double *differentiated_sums(fvi_adjoint_multistep *m)
 {
-    const size_t r = m->r, bytes = r * sizeof *m->N;
-    if (m->taps < 2)
+    const size_t taps = m->taps;
+    if (taps < 2)
         return m->damping->Hdot;
-    memcpy(m->Ndot, m->damping->Hdot, bytes);
-    m->place = (m->place + FVI_BDF2_TAPS - 1) % FVI_BDF2_TAPS;
-    double *y = m->ring_by_order + m->place * r;
-    memcpy(m->ring + m->place * r, m->damping->H, bytes);
-    memset(y, 0, bytes);
-    for (size_t n = 0; n < m->taps; n++) {
-        const size_t at = (m->place + n) % FVI_BDF2_TAPS * r;
-        for (size_t i = 0; i < r; i++)
-            y[i] += m->gdot[n] * m->ring[at + i]
-                    - (n > 0 ? m->g[n] * m->ring_by_order[at + i] : 0);
+    m->place = (m->place ? m->place : taps) - 1;
+    for (size_t i = 0; i < m->r; i++) {
+        double *past = m->ring + i * 2 * taps + m->place,
+               *rated = m->ring_by_order + i * 2 * taps + m->place, y = 0;
+        past[0] = past[taps] = m->damping->H[i];
+        y += m->gdot[0] * past[0];
+        for (size_t n = 1; n < taps; n++)
+            y += m->gdot[n] * past[n] - m->g[n] * rated[n];
+        rated[0] = rated[taps] = y /= m->g[0];
+        m->Ndot[i] = m->damping->Hdot[i] + y;
     }
-    for (size_t i = 0; i < r; i++)
-        m->Ndot[i] += y[i] /= m->g[0];
     return m->Ndot;
 }
 //< filter
