@@ -139,6 +139,7 @@ int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
         status = fvi_adjoint_multistep_first_sums(m, rows + m->d);
     m->is_alone = m->paper_convention && m->d == 1 && m->damping && m->terms == 0
                   && !run->system->matrices && !has_jumps;
+    m->steps_alone = fvi_adjoint_multistep_can_step_alone(m);
     m->inertia = m->is_alone ? *fvi_newton_diagonal(m->stepper->newton) : 0;
     return status;
 }
@@ -272,7 +273,8 @@ int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double 
         status = apply_slopes(m, k, rows, Jx);
     memcpy(m->right, s->x, m->d * sizeof *m->right);
     if (!status)
-        status = fvi_stepper_step(s);
+        status = m->steps_alone ? fvi_adjoint_multistep_advance_alone(m)
+                                : fvi_stepper_step(s);
     for (size_t i = 0; i < m->d; i++) { /* s->g is G M_k */
         m->M[i] = m->right[i] + m->kappa * (s->x[i] - m->right[i]);
         m->by_start[i] -= h * s->g[i];

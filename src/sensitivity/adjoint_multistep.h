@@ -23,6 +23,7 @@ typedef struct {
     int is_liouville;      /* and that of the run, too: z_j = x_j */
     int has_drift;         /* the memory of the run knows p0/m */
     int is_damped, has_initial_impulses, is_quadratic, has_hessian;
+    int steps_alone; /* one damped coordinate, by a method of order 2 */
     int is_alone;   /* one coordinate, by Algorithm 3, and no terms of a law: */
     double inertia; /* its m/h */
     double kappa, theta;   /* of the method, or of the run; the shift of (23.7) */
@@ -94,6 +95,12 @@ void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m);
 /* fvi_adjoint_multistep_step_alone -- the same in half the time where m->is_alone. */
 int fvi_adjoint_multistep_step_alone(fvi_adjoint_multistep *m, size_t k,
                                      const double *rows, double Jx);
+
+/* fvi_adjoint_multistep_can_step_alone -- may fvi_adjoint_multistep_advance_alone be called?
+ * fvi_adjoint_multistep_advance_alone -- fvi_stepper_step of the mirrored run where
+ * m->steps_alone, but for k and t, which nobody reads there. */
+int fvi_adjoint_multistep_can_step_alone(const fvi_adjoint_multistep *m);
+int fvi_adjoint_multistep_advance_alone(fvi_adjoint_multistep *m);
 
 /* What adjoint_multistep_damping.c has of these:
  * _damping_start  the memories of the terms of a law
