@@ -119,6 +119,17 @@ START_TEST(a_step_and_a_time_are_a_number_of_steps)
 }
 END_TEST
 
+START_TEST(a_hyphen_is_standard_output)
+{
+    ck_assert_int_eq(fvi("run --steps 3"), 0);
+    char *want = strdup(out);
+    ck_assert_int_eq(fvi("run --steps 3 -o -"), 0);
+    ck_assert_str_eq(out, want);
+    ck_assert(!exists("-"));
+    free(want);
+}
+END_TEST
+
 /* --order is twice --alpha, in every command that takes that. */
 START_TEST(an_order_is_twice_alpha)
 {
@@ -413,7 +424,8 @@ int main(void)
     ADD_CASE(suite, "values", a_motion_is_printed_down_to_the_smallest_number,
              run_prints_head_and_rows, rows_are_the_numbers_of_the_library,
              every_method_is_at_hand_by_its_name, a_time_is_as_good_as_a_step,
-             a_step_and_a_time_are_a_number_of_steps, an_order_is_twice_alpha,
+             a_step_and_a_time_are_a_number_of_steps,
+             a_hyphen_is_standard_output, an_order_is_twice_alpha,
              an_error_is_as_good_as_a_step,
              every_keeps_each_kth_row_and_the_last,
              a_chain_has_numbered_columns, a_chain_moves_as_the_library_says,

@@ -309,6 +309,8 @@ START_TEST(a_state_alone_has_its_columns_too)
         ck_assert_ulp(cell(k, 3), cos(2 * cell(k, 0)), 1, "F");
         ck_assert_near(cell(k, 4), 0, 4 * U, "energy");
     }
+    ck_assert_int_eq(fvi("run --steps 2 --columns balance"), 0);
+    ck_assert(cell(0, 0) == 0.625);
     ck_assert_int_eq(fvi("run --error 1e-8 --time 2 --steps 4 --columns "
                          "t,v-p,energy"),
                      0);
