@@ -61,33 +61,100 @@ static void fill_unseen(const fvi_estimation_model *m, const fvi_estimate *fitte
     }
 }
 
+/* Room for residuals, a column, their Jacobian and a basis; one block. */
+typedef struct {
+    double *block;
+    gsl_vector_view f, v;
+    gsl_matrix_view J, room;
+} workshop;
+
+static int workshop_alloc(const fvi_estimation *fit, workshop *w)
+{
+    const size_t n = fit->n, P = fit->parameters,
+                 columns = fvi_estimation_test_columns(fit);
+    w->block = malloc(n * (2 + P + columns) * sizeof *w->block);
+    if (!w->block)
+        FVI_FAIL("no memory for the residuals", FVI_ENOMEM);
+    w->f = gsl_vector_view_array(w->block, n);
+    w->v = gsl_vector_view_array(w->block + n, n);
+    w->J = gsl_matrix_view_array(w->block + 2 * n, n, P);
+    w->room = gsl_matrix_view_array(w->block + (2 + P) * n, n, columns);
+    return FVI_SUCCESS;
+}
+
+/* Residuals and Jacobian at u. */
+static int evaluate(fvi_estimation_work *o, const double *u, workshop *w)
+{
+    gsl_vector_const_view at = gsl_vector_const_view_array(u, o->fdf.p);
+    fvi_estimation_residuals(&at.vector, o, &w->f.vector);
+    o->fdf.df(&at.vector, o, &w->J.matrix);
+    return o->model.ended;
+}
+
+/* Is what is left over only the error of the method? */
+static int is_exact(const fvi_estimation_work *o, const fvi_estimate *fitted)
+{
+    return !(o->model.fit->sigma > 0) && !(fitted->sigma > EXACT * o->model.scale);
+}
+
 /* (24.13) to (24.15) at the estimates, where the work stands. */
 static int test_residuals(fvi_estimation_work *o, const fvi_estimate *fitted,
                           const double *u, fvi_examination *e)
 {
-    const fvi_estimation *fit = o->model.fit;
-    const size_t n = fit->n, P = fit->parameters,
-                 columns = fvi_estimation_test_columns(fit);
-    double *block = malloc(n * (2 + P + columns) * sizeof *block);
-    if (!block)
-        FVI_FAIL("no memory for the residuals", FVI_ENOMEM);
-    gsl_vector_view f = gsl_vector_view_array(block, n),
-                    v = gsl_vector_view_array(block + n, n);
-    gsl_matrix_view J = gsl_matrix_view_array(block + 2 * n, n, P),
-                    room = gsl_matrix_view_array(block + (2 + P) * n, n, columns);
-    gsl_vector_const_view at = gsl_vector_const_view_array(u, P);
-    fvi_estimation_residuals(&at.vector, o, &f.vector);
-    o->fdf.df(&at.vector, o, &J.matrix);
-    if (!o->model.ended) {
-        fill_unseen(&o->model, fitted, &J.matrix, &room.matrix, &v.vector, e);
-        if (fit->sigma > 0 || fitted->sigma > EXACT * o->model.scale)
-            fvi_estimation_tests(fit, o->model.scale, &f.vector, &J.matrix, &room.matrix,
-                                 &v.vector, e);
-        else
-            e->probability[4] = 0;
+    workshop w;
+    int status = workshop_alloc(o->model.fit, &w);
+    if (status)
+        return status;
+    status = evaluate(o, u, &w);
+    if (!status && is_exact(o, fitted)) {
+        e->probability[4] = 0;
+    } else if (!status) {
+        fill_unseen(&o->model, fitted, &w.J.matrix, &w.room.matrix, &w.v.vector, e);
+        fvi_estimation_tests(o->model.fit, o->model.scale, &w.f.vector, &w.J.matrix,
+                             &w.room.matrix, &w.v.vector, e);
     }
-    free(block);
-    return o->model.ended;
+    free(w.block);
+    return status;
+}
+
+/* estimate -+ quantile sd in the numbers of the search, so that no end leaves what is possible. */
+static void tangent_intervals(const fvi_estimation_model *m, const fvi_estimate *fitted,
+                              fvi_examination *e)
+{
+    for (size_t j = 0; j < m->fit->parameters; j++) {
+        const double theta = fitted->estimate[j],
+                     u = fvi_estimation_model_free(m, j, theta),
+                     reach = fitted->quantile * fitted->sd[j]
+                             / fvi_estimation_model_slope(m, j, theta);
+        e->lower[j] = fvi_estimation_model_bound(m, j, u - reach);
+        e->upper[j] = fvi_estimation_model_bound(m, j, u + reach);
+    }
+}
+
+int fvi_estimation_foresee(fvi_estimation_work *o, const double *u, fvi_estimate *planned,
+                           fvi_examination *e)
+{
+    workshop w;
+    const size_t P = o->fdf.p;
+    int status = workshop_alloc(o->model.fit, &w);
+    if (status)
+        return status;
+    double *kept = malloc(w.J.matrix.size1 * P * sizeof *kept);
+    status = kept ? evaluate(o, u, &w) : FVI_ENOMEM;
+    if (!status) {
+        gsl_matrix_view J = gsl_matrix_view_array(kept, w.J.matrix.size1, P);
+        gsl_matrix_memcpy(&J.matrix, &w.J.matrix);
+        status = fvi_estimation_errors(&J.matrix, planned->sd, planned->correlation);
+    }
+    for (size_t j = 0; j < P && !status; j++)
+        planned->sd[j] *= fvi_estimation_model_slope(&o->model, j, planned->estimate[j]);
+    if (!status) {
+        tangent_intervals(&o->model, planned, e);
+        fill_unseen(&o->model, planned, &w.J.matrix, &w.room.matrix, &w.v.vector, e);
+    }
+    free(kept);
+    free(w.block);
+    return status;
 }
 
 /* ---- other minima ---- */
@@ -204,6 +271,8 @@ static int examine(fvi_estimation_work *o, const fvi_estimate *fitted, fvi_exami
     int status = test_residuals(o, fitted, u, e);
     if (!status && !(e->probability[4] < least_probability[4])) {
         whole_range(fit, e);
+    } else if (!status && is_exact(o, fitted)) {
+        tangent_intervals(&o->model, fitted, e); /* a profile would be one of roundings */
     } else if (!status) {
         status = profiles(fit, fitted, e);
         if (!status)

@@ -214,6 +214,27 @@ int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimat
 int fvi_estimate_profile(const fvi_estimation *fit, const fvi_estimate *fitted, size_t j,
                     double *low, double *high);
 
+struct fvi_examination;
+
+/* fvi_estimate_design -- what a planned test will tell, before it is made.      [(24.3), (24.4)]
+ *
+ *   fit       the plan: method, run with the values that are expected, times t, sigma > 0, and
+ *             which parameters shall be fitted; x, low, high and starts are not read
+ *   planned   output: estimate are the values of the run, sd and correlation those of (24.3), which
+ *             are the inverse of Fisher's matrix, and h the step of the run
+ *   examined  output: lower and upper, estimate -+ 1.96 sd in the numbers of the search, and
+ *             unseen and swayed; no flag is up
+ *
+ *     if (fvi_estimate_design(&plan, &planned, &examined) == FVI_ESING)
+ *         puts("this experiment does not tell them apart");
+ *
+ * Cost: four runs, and a Jacobian. Returns FVI_SUCCESS; FVI_ESING if the data will not determine
+ * the parameters; FVI_EDOM if sigma is not above 0 or a value is at the end of its range; what
+ * fvi_estimate_multistart returns for a question that cannot be asked, and fvi_stepper_start and
+ * fvi_stepper_step for the run; FVI_ENOMEM. */
+int fvi_estimate_design(const fvi_estimation *fit, fvi_estimate *planned,
+                        struct fvi_examination *examined);
+
 /* What speaks against an answer: bits of fvi_examination.flags.          [(24.13) - (24.15)]
  *
  *   NO_MOTION   a constant explains the data as well: nothing was seen to move
@@ -253,7 +274,7 @@ enum {
  *                 the tests may overlook; 0 where it is fitted
  *   swayed        by how many sd that moves parameter j, (24.4)
  *   chi2          of the best of the other minima, infinite if there is none */
-typedef struct {
+typedef struct fvi_examination {
     double lower[FVI_ESTIMATION_MOST], upper[FVI_ESTIMATION_MOST];
     unsigned flags, grave;
     double probability[5];

@@ -28,7 +28,23 @@ static const fvi_own_command fit = {
     .own = { "fit", "sigma", "starts", "curve" },
     .without = not_for_fit,
     .method = "--method=fvi-lobatto4",
-    .operand = 1
+    .operand = 1,
+    .flag = "design"
+};
+
+/* A plan has no DATA: its times are those of --steps and --time. */
+static const char *const not_for_design[] = { "error",      "step-error", "columns", "reduce",
+                                              "ground",     "along",      "format",  "plot",
+                                              "checkpoint", "continue",   "system",  "unknowns",
+                                              "snapshot",   "longest",    "lagrangian",
+                                              "damper",     "constraint", "impose",
+                                              "force-on",   "v0",         NULL };
+static const fvi_own_command design = {
+    .name = "fit",
+    .own = { "fit", "sigma", "starts", "curve" },
+    .without = not_for_design,
+    .method = "--method=fvi-lobatto4",
+    .flag = "design"
 };
 
 typedef fvi_fit_request request;
@@ -38,12 +54,13 @@ typedef fvi_fit_request request;
 static int interpret(request *r, fvi_error *c)
 {
     fvi_options *o = &r->o;
+    const int has_step = r->words.given[H] && !r->words.flag;
     r->fit = (fvi_estimation){ .method = o->method,
                         .constants = o->potential.expression ? o->lets.value
                                                       : o->potential.constants,
                         .which = r->which,
-                        .h = r->words.given[H] ? o->h : 0 };
-    if (!r->words.given[H])
+                        .h = has_step ? o->h : 0 };
+    if (!has_step && !r->words.flag)
         o->text[H] = NULL; /* it is found: not in the head */
     int status = fvi_fit_names(r, c);
     const int by_number = o->text[DIMENSION] != NULL;
@@ -55,6 +72,10 @@ static int interpret(request *r, fvi_error *c)
     if (!status && r->words.own[SIGMA])
         status = fvi_parse_number("sigma", r->words.own[SIGMA], 0, INFINITY,
                                  "()", &r->fit.sigma, c);
+    if (r->words.flag && r->words.own[STARTS])
+        return fvi_refuse(c, "starts", "not together with --design, which fits nothing");
+    if (r->words.flag)
+        return status;
     if (!r->words.own[STARTS])
         r->words.own[STARTS] = "20";
     if (!status)
@@ -167,6 +188,58 @@ static int search_and_print(request *r)
     return failed ? failed : fvi_fit_print_curve(r);
 }
 
+/* ---- a plan ---- */
+
+/* The rows of the plan: the steps k, 2 k, ... of --every k. */
+static int planned_times(request *r, fvi_error *c)
+{
+    const fvi_options *o = &r->o;
+    const size_t n = o->steps / o->every;
+    if (r->words.own[CURVE])
+        return fvi_refuse(c, "curve", "not together with --design, which fits nothing");
+    if (!r->words.own[SIGMA])
+        return fvi_refuse(c, "sigma", "is missing: a plan needs the noise that is expected");
+    if (n <= r->fit.parameters)
+        return fvi_refuse(c, "steps", "%zu rows are not enough for %zu parameters", n,
+                          r->fit.parameters);
+    r->t = malloc(n * sizeof *r->t);
+    if (!r->t)
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    for (size_t i = 0; i < n; i++)
+        r->t[i] = (double)((i + 1) * o->every) * o->h;
+    r->fit.t = r->t;
+    r->fit.n = n;
+    return 0;
+}
+
+static int print_plan(request *r)
+{
+    const fvi_system system = fvi_options_system(&r->o);
+    const fvi_run run = fvi_options_run(&r->o, &system);
+    r->fit.run = &run;
+    fvi_estimate f = { .agree = 0 };
+    fvi_examination e;
+    const int status = fvi_estimate_design(&r->fit, &f, &e);
+    if (status == FVI_EDOM)
+        return fvi_complain("a value that is to be fitted is at the end of its range");
+    if (status)
+        return fvi_fit_complain(status, r, &f);
+    FILE *out = fvi_output_open(r->o.output);
+    if (!out)
+        return fvi_cannot_write(r->o.output);
+    fvi_subcommand_options_head(out, &design, &r->words, &r->o);
+    fvi_fit_print_plan(out, r, &f, &e);
+    return fvi_output_close(out, 1) ? fvi_cannot_write(r->o.output) : 0;
+}
+
+static int plans(int argc, char **argv)
+{
+    for (int i = 2; i < argc; i++)
+        if (strcmp(argv[i], "--design") == 0)
+            return 1;
+    return 0;
+}
+
 /* ---- the command ---- */
 
 int fvi_command_fit(int argc, char **argv)
@@ -175,16 +248,18 @@ int fvi_command_fit(int argc, char **argv)
         return fvi_fit_material(argc, argv);
     fvi_error error, *c = &error;
     request r = { .t = NULL };
-    int status = fvi_subcommand_options_parse(&fit, argc, argv, &r.words, &r.o, c);
+    const int is_plan = plans(argc, argv);
+    int status = fvi_subcommand_options_parse(is_plan ? &design : &fit, argc, argv, &r.words,
+                                              &r.o, c);
     const int parsed = !status;
     if (!status)
         status = interpret(&r, c);
     if (!status)
-        status = read_data(&r, c);
+        status = is_plan ? planned_times(&r, c) : read_data(&r, c);
     if (status)
         status = fvi_refused(&error, fit.name);
     else
-        status = search_and_print(&r);
+        status = is_plan ? print_plan(&r) : search_and_print(&r);
     if (parsed)
         fvi_options_free(&r.o);
     free(r.t);

@@ -53,12 +53,10 @@ void fvi_fit_warn_of_flags(const request *r, const fvi_estimate *f, const fvi_ex
     print_flags(NULL, r, f, e);
 }
 
-void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f,
-                          const fvi_examination *e)
+static void print_rows(FILE *out, const request *r, const fvi_estimate *f,
+                       const fvi_examination *e)
 {
-    const char *past = fvi_estimate_warning_of_initial_history(&r->fit, f);
-    fprintf(out, "# data = %s\n# name\testimate\tsd\tlower\tupper\n",
-            r->words.operand);
+    fputs("# name\testimate\tsd\tlower\tupper\n", out);
     for (size_t j = 0; j < r->fit.parameters; j++) {
         fputs(r->name[j], out);
         fvi_print_number(out, "\t", f->estimate[j]);
@@ -67,6 +65,35 @@ void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f,
         fvi_print_number(out, "\t", e->upper[j]);
         fputc('\n', out);
     }
+}
+
+static void print_correlations(FILE *out, const request *r, const fvi_estimate *f)
+{
+    for (size_t j = 0; j < r->fit.parameters; j++)
+        for (size_t i = 0; i < j; i++) {
+            fprintf(out, "\n# correlation %s %s", r->name[i], r->name[j]);
+            fvi_print_number(out, " = ", f->correlation[i][j]);
+        }
+    fputc('\n', out);
+}
+
+void fvi_fit_print_plan(FILE *out, const request *r, const fvi_estimate *f,
+                        const fvi_examination *e)
+{
+    print_rows(out, r, f, e);
+    fprintf(out, "# points = %zu", r->fit.n);
+    fvi_print_number(out, "\n# step = ", f->h);
+    print_correlations(out, r, f);
+    warn_alike(out, r, f);
+    warn_unseen(out, r, f, e);
+}
+
+void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f,
+                          const fvi_examination *e)
+{
+    const char *past = fvi_estimate_warning_of_initial_history(&r->fit, f);
+    fprintf(out, "# data = %s\n", r->words.operand);
+    print_rows(out, r, f, e);
     fvi_print_number(out, "# chi2 = ", f->chi2);
     if (r->fit.sigma > 0)
         fprintf(out, "\n# probability = %.3g", f->probability);
@@ -75,12 +102,7 @@ void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f,
     fprintf(out, "\n# points = %zu\n# starts = %zu, %zu agree", r->fit.n,
             r->fit.starts, f->agree);
     fvi_print_number(out, "\n# step = ", f->h);
-    for (size_t j = 0; j < r->fit.parameters; j++)
-        for (size_t i = 0; i < j; i++) {
-            fprintf(out, "\n# correlation %s %s", r->name[i], r->name[j]);
-            fvi_print_number(out, " = ", f->correlation[i][j]);
-        }
-    fputc('\n', out);
+    print_correlations(out, r, f);
     warn_alike(out, r, f);
     warn_unseen(out, r, f, e);
     if (past)

@@ -29,6 +29,10 @@ int fvi_fit_names(fvi_fit_request *r, fvi_error *c);
 void fvi_fit_print_answer(FILE *out, const fvi_fit_request *r,
                           const fvi_estimate *f, const fvi_examination *e);
 
+/* The same of a plan: standard deviations and correlations that are expected. */
+void fvi_fit_print_plan(FILE *out, const fvi_fit_request *r, const fvi_estimate *f,
+                        const fvi_examination *e);
+
 /* The flags alone, to standard error. */
 void fvi_fit_warn_of_flags(const fvi_fit_request *r, const fvi_estimate *f,
                            const fvi_examination *e);

@@ -191,6 +191,42 @@ START_TEST(a_drift_is_seen_and_can_be_fitted)
 }
 END_TEST
 
+/* Before the experiment: (24.3) of another program at the truth, with all five parameters. The sd
+ * come from a run whose error is below 1e-8 of x; what is twice as noisy has twice the sd. */
+START_TEST(eq_24_3_a_plan_foresees_the_standard_deviations)
+{
+    for (size_t motion = 0; motion < 2; motion++) {
+        const double *truth = ref_errors[2 * motion].truth;
+        question q;
+        fvi_estimate plan, loud;
+        fvi_examination e;
+        ask(&q, NULL, 3);
+        q.run.alpha = truth[0];
+        q.rho = truth[1];
+        q.constants[0] = truth[2];
+        q.fit.sigma = 0.02;
+        ck_assert_int_eq(fvi_estimate_design(&q.fit, &plan, &e), FVI_SUCCESS);
+        for (size_t j = 0; j < 3; j++) {
+            const double sd = 0.02 * ref_errors[2 * motion].sd[j];
+            seen(fabs(plan.sd[j] / sd - 1), "sd of a plan");
+            ck_assert_near(plan.sd[j], sd, 1e-5 * sd, "sd");
+            ck_assert(plan.estimate[j] == truth[j]);
+            ck_assert(e.lower[j] < truth[j] && truth[j] < e.upper[j]);
+        }
+        ck_assert_uint_eq(e.flags, 0);
+        q.fit.sigma = 0.04;
+        ck_assert_int_eq(fvi_estimate_design(&q.fit, &loud, &e), FVI_SUCCESS);
+        for (size_t j = 0; j < 3; j++)
+            ck_assert_near(loud.sd[j], 2 * plan.sd[j], 1e-9 * plan.sd[j], "twice the noise");
+        q.fit.sigma = 0;
+        ck_assert_int_eq(fvi_estimate_design(&q.fit, &plan, &e), FVI_EDOM);
+        q.fit.sigma = 0.02;
+        q.x0 = q.p0 = 0;
+        ck_assert_int_eq(fvi_estimate_design(&q.fit, &plan, &e), FVI_ESING);
+    }
+}
+END_TEST
+
 START_TEST(an_examination_refuses_what_is_no_answer)
 {
     question q;
@@ -215,6 +251,7 @@ int main(void)
              eq_24_11_silent_intervals_in_a_bent_valley_hold_the_truth,
              eq_24_14_an_offset_is_seen_or_said_to_be_unseen, eq_24_15_noise_is_no_motion,
              eq_24_13_noise_with_an_echo_is_seen, a_drift_is_seen_and_can_be_fitted,
+             eq_24_3_a_plan_foresees_the_standard_deviations,
              an_examination_refuses_what_is_no_answer);
     return run_suite(suite);
 }

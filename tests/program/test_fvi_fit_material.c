@@ -107,10 +107,42 @@ START_TEST(fit_reads_moduli_of_many_kinds)
 }
 END_TEST
 
+/* A plan has the standard deviations of a fit of such data: 1.96 sd are the halves of its
+ * intervals, in the logit; (24.3) at the truth is tested elsewhere. */
+START_TEST(fit_plans_a_test)
+{
+    double row[4];
+    ck_assert_int_eq(fvi("fit --design --fit alpha,rho,c --alpha 0.3 --rho 0.4 --p0 0.25 --sigma "
+                         "0.02 --time 20 --steps 200"),
+                     0);
+    row_of("alpha", row);
+    ck_assert_double_eq(row[0], 0.3);
+    ck_assert_double_eq_tol(row[1], 0.0024785, 1e-6);
+    ck_assert_double_eq_tol(row[3] - row[2], 2 * 1.96 * row[1], 0.01 * row[1]);
+    ck_assert_double_eq(value_of("points"), 200);
+    ck_assert_ptr_nonnull(strstr(err, "an offset of 0.51 sigma would not be seen"));
+    ck_assert_int_eq(fvi("fit --design --fit mass,rho,c,p0 --sigma 0.02"), 1);
+    ck_assert_ptr_nonnull(strstr(err, "do not determine mass,rho,c,p0 together"));
+    static const char *const wrong[][2] = {
+        { "fit --design --fit alpha", "--sigma: is missing" },
+        { "fit --design --sigma 0.1 --starts 4", "--starts: not together with --design" },
+        { "fit --design --sigma 0.1 --curve c.tsv", "--curve: not together with --design" },
+        { "fit --design --sigma 0.1 --steps 2", "--steps: 2 rows are not enough" },
+        { "fit --design --sigma 0.1 data.tsv", "'data.tsv': not expected here" },
+        { "fit --steps 3 data.tsv", "--steps" },
+    };
+    for (size_t i = 0; i < LEN(wrong); i++) {
+        ck_assert_msg(fvi(wrong[i][0]) == 2, "%s: %s", wrong[i][0], err);
+        ck_assert_msg(strstr(err, wrong[i][1]), "%s: %s", wrong[i][0], err);
+        ck_assert_str_eq(out, "");
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("fvi fit --moduli");
     ADD_CASE(suite, "materials", a_rheologist_needs_three_commands,
-             fit_reads_moduli_of_many_kinds);
+             fit_reads_moduli_of_many_kinds, fit_plans_a_test);
     return run_suite_of_program(suite);
 }

@@ -1,0 +1,87 @@
+/* src/estimation/identification_design.c -- What a planned test will tell. [H 24] */
+#include "identification_examine.h"
+
+#include "system/fail.h"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Steps four times as short as a fit would begin with: the data of a plan have no noise that a
+ * finer step would be lost in. */
+enum { FINER = 4 };
+
+/* The planned motion at the times: what the data would be without noise. */
+static int plan_motion(const fvi_estimation *fit, double *motion, double *h)
+{
+    fvi_estimation still = *fit;
+    fvi_estimation_model model;
+    int status = FVI_SUCCESS;
+    memset(motion, 0, fit->n * sizeof *motion);
+    still.x = motion;
+    for (int pass = 0; pass < 2 && !status; pass++) { /* the second knows its frequency */
+        double *next = malloc(fit->n * sizeof *next);
+        if (!next)
+            return FVI_ENOMEM;
+        *h = fit->h > 0 ? fit->h : fvi_estimation_first_step(&still) / FINER;
+        fvi_estimation_model_init(&model, &still, next);
+        fvi_estimation_model_step(&model, *h);
+        status = fvi_estimation_model_run(&model);
+        memcpy(motion, next, fit->n * sizeof *motion);
+        free(next);
+    }
+    return status;
+}
+
+/* sd, correlations and tangent intervals at the values of the run. */
+static int plan(const fvi_estimation *fit, double h, fvi_estimate *planned, fvi_examination *e)
+{
+    fvi_estimation_work o;
+    double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST], u[FVI_ESTIMATION_MOST];
+    int status = fvi_estimation_work_alloc(&o, fit, low, high);
+    const size_t P = fit->parameters;
+    *planned = (fvi_estimate){ .sigma = fit->sigma,
+                               .chi2 = (double)(fit->n - P),
+                               .probability = 1,
+                               .quantile = gsl_cdf_ugaussian_Pinv(0.975) };
+    *e = (fvi_examination){ .probability = { 1, 1, 1, 1, 0 }, .chi2 = GSL_POSINF };
+    for (size_t j = 0; !status && j < P; j++) {
+        planned->estimate[j] = fvi_estimation_model_get(&o.model, j);
+        u[j] = fvi_estimation_model_free(&o.model, j, planned->estimate[j]);
+        if (!isfinite(u[j]))
+            status = FVI_EDOM;
+    }
+    if (!status) {
+        fvi_estimation_model_step(&o.model, h);
+        planned->h = o.model.run.h;
+        status = fvi_estimation_foresee(&o, u, planned, e);
+    }
+    fvi_estimation_work_free(&o);
+    return status;
+}
+
+int fvi_estimate_design(const fvi_estimation *fit, fvi_estimate *planned,
+                        fvi_examination *examined)
+{
+    if (!fit || !planned || !examined)
+        FVI_FAIL("a pointer of the design is NULL", FVI_EFAULT);
+    fvi_estimation question = *fit;
+    double h, *motion = fit->n > 0 ? calloc(fit->n, sizeof *motion) : NULL;
+    if (!motion)
+        FVI_FAIL("a design needs times, and memory", fit->n > 0 ? FVI_ENOMEM : FVI_EINVAL);
+    question.x = motion;
+    question.low = question.high = NULL;
+    question.starts = 2;
+    int status = fvi_estimation_check(&question);
+    if (!status && !(fit->sigma > 0))
+        status = FVI_EDOM;
+    fvi_quiet();
+    if (!status)
+        status = plan_motion(&question, motion, &h);
+    if (!status)
+        status = plan(&question, h, planned, examined);
+    fvi_loud();
+    free(motion);
+    return status;
+}
