@@ -118,7 +118,7 @@ static int is_problem(char **argv, int argc, int *i, const char **value)
 
 int fvi_problem_words(int *argc, char ***argv, fvi_error *error)
 {
-    list l = { NULL, 0, 0 };
+    static list l; /* as long as the process: options point into it */
     int found = 0, status = 0;
     for (int i = 0; i < *argc && !status; i++) {
         const char *file;
@@ -130,10 +130,8 @@ int fvi_problem_words(int *argc, char ***argv, fvi_error *error)
         status = file ? take_file(&l, file, error)
                       : fvi_refuse(error, NULL, "--problem: a value is missing");
     }
-    if (!found) {
-        free(l.word);
+    if (!found)
         return status;
-    }
     *argc = l.count;
     *argv = l.word;
     return status;
