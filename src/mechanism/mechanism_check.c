@@ -39,16 +39,14 @@ static int check_damper(const fvi_damper *damper, size_t i, int wants_hessian,
         && damper->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
         return refuse(FVI_EINVAL, "damper", i, "damper %zu has an unknown past",
                       error);
-    if (damper->past == FVI_INITIAL_HISTORY_CAPUTO)
-        for (size_t k = 0; k < damper->kernel->count; k++) {
-            const fvi_kernel_term *t = &damper->kernel->term[k];
-            const fvi_kernel one = { 1, t };
-            if (t->kind != FVI_KERNEL_POWER && !fvi_kernel_takes_caputo(&one))
-                return refuse(FVI_EUNSUP, "damper", i,
-                              "damper %zu: above the order 1 only powers have "
-                              "Caputo's past",
-                              error);
-        }
+    const fvi_kernel *kernel = damper->kernel;
+    if (damper->past == FVI_INITIAL_HISTORY_CAPUTO
+        && !(kernel->count == 1 && kernel->term->kind == FVI_KERNEL_POWER)
+        && !fvi_kernel_takes_caputo(kernel))
+        return refuse(FVI_EUNSUP, "damper", i,
+                      "damper %zu: above the order 1 only a power alone has "
+                      "Caputo's past",
+                      error);
     return FVI_SUCCESS;
 }
 

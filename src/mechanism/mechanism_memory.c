@@ -16,51 +16,12 @@ static int is_power(const fvi_kernel_term *t)
            || (t->kind == FVI_KERNEL_ZENER && t->time == 0);
 }
 
-/* Does a straight line make a force that no weights give to full order, but a formula does? An
- * order of 2 is a mass, whose line makes none. */
-static int is_steep(const fvi_kernel_term *t)
-{
-    return is_power(t) && t->rho > 0 && t->alpha > 0.5 && t->alpha < 1;
-}
-
 static int acts(const fvi_kernel *kernel)
 {
     for (size_t i = 0; i < kernel->count; i++)
         if (kernel->term[i].rho > 0)
             return 1;
     return 0;
-}
-
-static int has_steep(const fvi_kernel *kernel)
-{
-    for (size_t i = 0; i < kernel->count; i++)
-        if (is_steep(&kernel->term[i]))
-            return 1;
-    return 0;
-}
-
-/* A part of a damper's kernel: all of it, or the steep terms, or the others. */
-static int add_part(fvi_mechanism_state *o, size_t j, const fvi_kernel *kernel,
-                    int whole, int steep, double drift)
-{
-    fvi_mechanism_part *part = &o->part[o->parts];
-    *part = (fvi_mechanism_part){ .damper = j,
-                                  .kernel = *kernel,
-                                  .drift = drift };
-    if (!whole) {
-        part->own = malloc(kernel->count * sizeof *part->own);
-        if (!part->own)
-            return FVI_ENOMEM;
-        part->kernel = (fvi_kernel){ 0, part->own };
-        for (size_t i = 0; i < kernel->count; i++)
-            if (is_steep(&kernel->term[i]) == steep)
-                part->own[part->kernel.count++] = kernel->term[i];
-    }
-    if (acts(&part->kernel))
-        o->parts++;
-    else
-        free(part->own);
-    return FVI_SUCCESS;
 }
 
 /* ---- pasts ---- */
@@ -73,10 +34,12 @@ static int add_pull(fvi_stepper *s, size_t j, const fvi_kernel_term *t,
     fvi_mechanism_pull *pull = &o->pull[o->pulls++];
     pull->damper = j;
     pull->size = amplitude;
+    const fvi_kernel *kernel = s->run.system->mechanism->damper[j].kernel;
     if (!t)
-        return fvi_impulses_of_kernel_alloc(
-            s->run.system->mechanism->damper[j].kernel, s->run.h,
-            &pull->of_kernel);
+        return o->rule ? fvi_impulses_of_kernel_at_stages(
+                             kernel, s->run.h, o->s, o->rule->c, &pull->of_kernel)
+                       : fvi_impulses_of_kernel_alloc(kernel, s->run.h,
+                                                      &pull->of_kernel);
     fvi_kernel_impulse_prepare(t->alpha, o->rule ? o->s : 2,
                                o->rule ? o->rule->c : ends, &pull->impulse);
     pull->size *= t->rho * pow(s->run.h, 1 + pull->impulse.e);
@@ -105,28 +68,16 @@ static int add_pulls_of_place(fvi_stepper *s, size_t j, fvi_error *error)
     return status;
 }
 
-/* A damper that feels the slope zdot of its start: t zdot is taken away from its elongation, and what it
- * makes of it is added exactly. At nodes that is one part of any kernel; at stages it is the
- * powers above the order 1, and weights do the rest. */
-static int add_pulls_of_slope(fvi_stepper *s, size_t j, double zdot)
+/* A damper that feels the slope zdot of its start: t zdot is taken away from its elongation, and what the
+ * kernel makes of it is added exactly; of Caputo's past it is nothing. */
+static int add_pull_of_slope(fvi_stepper *s, size_t j, double zdot)
 {
-    fvi_mechanism_state *o = s->method_state;
     const fvi_damper *damper = &s->run.system->mechanism->damper[j];
     const fvi_kernel *kernel = damper->kernel;
-    const int pulls = damper->past != FVI_INITIAL_HISTORY_CAPUTO;
-    int status = FVI_SUCCESS;
-    if (!o->rule) {
-        const int is_one = kernel->count == 1 && is_power(kernel->term);
-        if (pulls)
-            status = add_pull(s, j, is_one ? kernel->term : NULL, zdot);
-        return status ? status : add_part(o, j, kernel, 1, 0, zdot);
-    }
-    for (size_t i = 0; i < kernel->count && pulls && !status; i++)
-        if (is_steep(&kernel->term[i]))
-            status = add_pull(s, j, &kernel->term[i], zdot);
-    if (!status)
-        status = add_part(o, j, kernel, 0, 1, zdot);
-    return status ? status : add_part(o, j, kernel, 0, 0, 0);
+    const int is_one = kernel->count == 1 && is_power(kernel->term);
+    return damper->past == FVI_INITIAL_HISTORY_CAPUTO
+               ? FVI_SUCCESS
+               : add_pull(s, j, is_one ? kernel->term : NULL, zdot);
 }
 
 /* The slope of z at the start. */
@@ -143,14 +94,14 @@ static int slope(const fvi_stepper *s, size_t j, const double *v, double *zdot)
     return status;
 }
 
-/* Is there a term that a slope at the start is singular for? Of order 1 the weights alone act, as in the
- * paper, but for Caputo's past, which has no such term. */
+/* Does the force begin with a term that weights alone give to no full order? Of order 1 they act alone, as in
+ * the paper, but for Caputo's past, which has no such term. At stages an order of 2 is a mass, and has none. */
 static int feels_slope(const fvi_mechanism_state *o, const fvi_damper *damper)
 {
-    const int is_caputo = damper->past == FVI_INITIAL_HISTORY_CAPUTO;
-    if (o->rule || o->form == FVI_MECHANISM_FIRST_ORDER)
-        return has_steep(damper->kernel) && (o->rule || is_caputo);
-    return fvi_kernel_growth(damper->kernel) > 1;
+    const double growth = fvi_kernel_growth(damper->kernel);
+    return growth > 1 && !(o->rule && growth == 2)
+           && (o->form != FVI_MECHANISM_FIRST_ORDER
+               || damper->past == FVI_INITIAL_HISTORY_CAPUTO);
 }
 
 static int remember_damper(fvi_stepper *s, size_t j, const double *v,
@@ -165,11 +116,14 @@ static int remember_damper(fvi_stepper *s, size_t j, const double *v,
     o->z0[j] = first && is_rl ? 0 : o->z[j];
     if (!status && is_rl && !first)
         status = add_pulls_of_place(s, j, error);
-    if (status)
-        return status;
-    return zdot != 0 && feels_slope(o, damper)
-               ? add_pulls_of_slope(s, j, zdot)
-               : add_part(o, j, damper->kernel, 1, 0, 0);
+    const int feels = zdot != 0 && feels_slope(o, damper);
+    if (!status && feels)
+        status = add_pull_of_slope(s, j, zdot);
+    if (!status && acts(damper->kernel))
+        o->part[o->parts++] = (fvi_mechanism_part){ .damper = j,
+                                                    .kernel = *damper->kernel,
+                                                    .drift = feels ? zdot : 0 };
+    return status;
 }
 
 /* ---- histories ---- */
@@ -214,7 +168,7 @@ int fvi_mechanism_remember(fvi_stepper *s, const double *v, fvi_error *error)
     size_t terms = 0;
     for (size_t j = 0; j < o->r; j++)
         terms += mechanism->damper[j].kernel->count;
-    o->part = calloc(2 * o->r + 1, sizeof *o->part);
+    o->part = calloc(o->r + 1, sizeof *o->part);
     o->pull = calloc(terms + o->r + 1, sizeof *o->pull);
     if (!o->part || !o->pull)
         return FVI_ENOMEM;
@@ -310,20 +264,12 @@ int fvi_mechanism_push(fvi_stepper *s, double t, const double *z)
 static int copy_part(const fvi_mechanism_part *from, fvi_mechanism_part *to)
 {
     *to = *from;
-    to->own = NULL;
     to->history = NULL;
     to->stages = NULL;
     to->last = malloc(FVI_STAGES * sizeof *to->last);
     if (!to->last)
         return FVI_ENOMEM;
     memcpy(to->last, from->last, FVI_STAGES * sizeof *to->last);
-    if (from->own) {
-        to->own = malloc(from->kernel.count * sizeof *to->own);
-        if (!to->own)
-            return FVI_ENOMEM;
-        memcpy(to->own, from->own, from->kernel.count * sizeof *to->own);
-        to->kernel.term = to->own;
-    }
     return from->stages
                ? fvi_lobatto_history_copy(from->stages, &to->stages)
                : fvi_history_copy(from->history, &to->history);
@@ -375,7 +321,6 @@ void fvi_mechanism_free_parts(fvi_mechanism_state *o)
     for (size_t i = 0; o->part && i < o->parts; i++) {
         fvi_history_free(o->part[i].history);
         fvi_lobatto_history_free(o->part[i].stages);
-        free(o->part[i].own);
         free(o->part[i].last);
     }
     for (size_t i = 0; o->pull && i < o->pulls; i++)

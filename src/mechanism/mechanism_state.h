@@ -8,12 +8,10 @@
 #include "memory/kernel_impulses.h"
 #include "stages/lobatto_history.h"
 
-/* A part of a damper's kernel with a history of its own: where something is taken away from the
- * elongation, it is from these terms of the kernel alone. */
+/* A damper with a history. */
 typedef struct {
     size_t damper;
     fvi_kernel kernel;
-    fvi_kernel_term *own; /* its terms, if they are a choice of the damper's; or NULL */
     double drift;         /* t drift is taken away from z - z_0 */
     double first;         /* the weight of the present, order 1 and nodes */
     fvi_history *history;
@@ -26,7 +24,7 @@ typedef struct {
     size_t damper;
     double size; /* rho A h^(1 + e) of (19.3); or A */
     fvi_kernel_impulse impulse;
-    fvi_impulses_of_kernel *of_kernel; /* instead of it, at nodes; owned */
+    fvi_impulses_of_kernel *of_kernel; /* instead of it; owned */
 } fvi_mechanism_pull;
 
 /* d coordinates, r dampers, m constraints; stage i of coordinate j stands at [i * d + j], and q is the

@@ -2,35 +2,13 @@
  *                                                                             [H 26] */
 #include "kernel_impulses.h"
 
+#include "kernel_impulses_state.h"
 #include "kernel_terms.h"
-#include "laplace_parabola.h"
 #include "system/fail.h"
 
+#include <math.h>
 #include <stdlib.h>
-
-enum { NODES = FVI_PARABOLA_NODES, SPAN = FVI_PARABOLA_SPAN, EXACT = 64 };
-
-/* Kernels like a fraction with 2 alpha > 1 have poles off the cut: one and its conjugate. */
-enum { MOST_POLES = 16 };
-
-/* A pole s of C(s), with its residue. Of a derivative of C the pole moves: it gives the residue
- * times (part + moves s G'/G), where G(s) is what stands beside C in the integral, and `moves` is
- * the derivative of ln s. */
-typedef struct {
-    double complex s, residue, part, moves;
-} pole;
-
-struct fvi_impulses_of_kernel {
-    fvi_symbol_function *symbol;
-    const void *of;
-    double h;
-    size_t first, count, k;        /* the parabola is that of k from `first` on; the last k */
-    size_t poles;
-    pole pole[MOST_POLES];
-    double complex s[NODES + MOST_POLES], weight[NODES + MOST_POLES][2],
-        line[NODES + MOST_POLES][2], /* the weight of step k is weight + k line */
-        step[NODES + MOST_POLES], power[NODES + MOST_POLES]; /* e^{s h}, e^{s k h} */
-};
+#include <string.h>
 
 /* int_0^1 u e^{zu} du to w[1], int_0^1 (1 - u) e^{zu} du to w[0]; and their derivatives. */
 static void moments(double complex z, double complex w[2], double complex slope[2])
@@ -116,10 +94,16 @@ static void add_node(fvi_impulses_of_kernel *o, const pole *p)
 {
     const size_t j = o->count++;
     const double complex z = p->s * o->h;
-    double complex w[2] = { 0 }, slope[2] = { 0 };
-    (o->first > 0 ? moments : first_moments)(z, w, slope);
+    double complex w[MOST_IMPULSES] = { 0 }, slope[2] = { 0 };
     o->s[j] = p->s;
     o->step[j] = cexp(z);
+    if (o->at_stages) {
+        fvi_stage_moments(o, z, w);
+        for (size_t i = 0; i < o->n; i++)
+            o->weight[j][i] = p->residue / (p->s * p->s) * w[i];
+        return;
+    }
+    (o->first > 0 ? moments : first_moments)(z, w, slope);
     for (int end = 0; end < 2; end++) {
         const double complex G = p->residue / (p->s * p->s);
         o->weight[j][end] =
@@ -171,8 +155,12 @@ static size_t first_of(size_t k)
     return first;
 }
 
-void fvi_impulses_of_kernel_at(fvi_impulses_of_kernel *o, size_t k, double impulse[2])
+void fvi_impulses_of_kernel_at(fvi_impulses_of_kernel *o, size_t k, double *impulse)
 {
+    if (k == 0 && o->at_stages) {
+        memcpy(impulse, o->start, o->n * sizeof *impulse);
+        return;
+    }
     const size_t first = first_of(k);
     const int is_new = o->count == 0 || first != o->first;
     if (is_new)
@@ -180,10 +168,13 @@ void fvi_impulses_of_kernel_at(fvi_impulses_of_kernel *o, size_t k, double impul
     if (is_new || k != o->k)
         set_powers(o, k > 0 ? k : 1, !is_new && k == o->k + 1);
     o->k = k;
-    impulse[0] = impulse[1] = 0;
+    for (size_t i = 0; i < o->n; i++)
+        impulse[i] = 0;
     for (size_t j = 0; j < o->count; j++)
-        for (int end = 0; end < 2; end++)
-            impulse[end] += o->h * creal(o->weight[j][end] * o->power[j]);
+        for (size_t i = 0; i < o->n; i++)
+            impulse[i] += o->h * creal(o->weight[j][i] * o->power[j]);
+    if (o->at_stages)
+        return;
     const double steps = k > 0 ? (double)k : 1; /* only of poles that move */
     for (size_t j = NODES; j < o->count; j++)
         for (int end = 0; end < 2; end++)
@@ -201,6 +192,7 @@ static int make(fvi_symbol_function *symbol, const void *of, double h,
     o->symbol = symbol;
     o->of = of;
     o->h = h;
+    o->n = 2;
     *impulses = o;
     return FVI_SUCCESS;
 }

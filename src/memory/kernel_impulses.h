@@ -35,11 +35,18 @@ int fvi_impulses_of_slope_alloc(fvi_symbol_function *symbol, const fvi_kernel_te
                                 fvi_slope_by by, double h,
                                 fvi_impulses_of_kernel **impulses);
 
-/* fvi_impulses_of_kernel_at -- I_0 and I_1 of step k, times 1/v0. The numbers depend on k alone;
+/* fvi_impulses_of_kernel_at_stages -- the same on n stages c, 2 to 8: the impulses
+ * h int_0^1 l_i(u) q((k + u) h) du, l_i Lagrange's polynomials, as fvi_kernel_impulses has them of a
+ * power (19.5). */
+int fvi_impulses_of_kernel_at_stages(const fvi_kernel *law, double h, size_t n,
+                                     const double *c,
+                                     fvi_impulses_of_kernel **impulses);
+
+/* fvi_impulses_of_kernel_at -- I_0 and I_1 of step k, or those of the stages, times 1/v0. The numbers depend on k alone;
  * the cost is 150 products of complex numbers where k is the last one, plus 1.
  * Accuracy: 1e-13 of their sum (no proof; seen 2e-14). */
 void fvi_impulses_of_kernel_at(fvi_impulses_of_kernel *impulses, size_t k,
-                               double impulse[2]);
+                               double *impulse);
 
 /* fvi_impulses_of_kernel_copy -- the same again. Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_impulses_of_kernel_copy(const fvi_impulses_of_kernel *from,

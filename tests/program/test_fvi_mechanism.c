@@ -253,7 +253,7 @@ START_TEST(wrong_words_are_refused)
         { "run --damper 'a=x : viscous:1' --damper 'a=x : spring:1'",
           "fvi: --damper: 'a' is the name of two dampers" },
         { "run --damper 'x : distributed:1,0.2,0.9 : caputo'",
-          "fvi: --damper: damper 1: above the order 1 only powers have Caputo's" },
+          "fvi: --damper: damper 1: above the order 1 only a power alone has Caputo's" },
         { "run --damper 'x : power:1,0.7 : rl' --method fvi-stable",
           "fvi: --damper: the past rl of damper 1 wants powers of order 1" },
         { "run --force-on '2=v'", "fvi: --force-on: 'v': no such name" },

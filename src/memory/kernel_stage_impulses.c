@@ -1,0 +1,142 @@
+/* src/memory/kernel_stage_impulses.c -- The impulses of a kernel on the stages of a step.  [H 26] */
+#include "kernel_impulses_state.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <string.h>
+
+/* l_i(u) on the n stages */
+static double lagrange(const fvi_impulses_of_kernel *o, size_t i, double u)
+{
+    double l = 1;
+    for (size_t m = 0; m < o->n; m++)
+        if (m != i)
+            l *= (u - o->c[m]) / (o->c[i] - o->c[m]);
+    return l;
+}
+
+/* Point q of Gauss's rule of n nodes on [0, 1], and its weight. */
+static double gauss(int n, int q, double *weight)
+{
+    double y = cos(M_PI * (q + 0.75) / (n + 0.5)), slope = 0;
+    for (int tries = 0; tries < 5; tries++) {
+        double P = 1, lower = 0;
+        for (int k = 0; k < n; k++) {
+            const double next = ((2 * k + 1) * y * P - k * lower) / (k + 1);
+            lower = P;
+            P = next;
+        }
+        slope = n * (y * P - lower) / (y * y - 1);
+        y -= tries < 4 ? P / slope : 0;
+    }
+    *weight = 1 / ((1 - y * y) * slope * slope);
+    return (1 + y) / 2;
+}
+
+void fvi_stage_moments(const fvi_impulses_of_kernel *o, double complex z,
+                       double complex *w)
+{
+    enum { POINTS = 40 };
+    for (size_t i = 0; i < o->n; i++)
+        w[i] = 0;
+    for (int q = 0; q < POINTS; q++) {
+        double part;
+        const double u = gauss(POINTS, q, &part);
+        for (size_t i = 0; i < o->n; i++)
+            w[i] += part * lagrange(o, i, u) * cexp(z * u);
+    }
+}
+
+/* ---- step 0 at stages ---- */
+
+/* C(s)/s^2 at the nodes for the times from t to SPAN t, and of the poles; their count. */
+static size_t nodes_of(const fvi_impulses_of_kernel *o, double t, double complex *s,
+                       double complex *weight)
+{
+    fvi_parabola rule;
+    size_t count = 0;
+    fvi_parabola_make(t, &rule);
+    for (int j = 0; j < NODES; j++, count++) {
+        s[count] = rule.s[j];
+        weight[count] = rule.weight[j] * o->symbol(o->of, rule.s[j]);
+    }
+    for (size_t i = 0; i < o->poles; i++, count++) {
+        s[count] = o->pole[i].s;
+        weight[count] = 2 * o->pole[i].residue
+                        * fvi_parabola_left_out(&rule, s[count], NULL);
+    }
+    for (size_t j = 0; j < count; j++)
+        weight[j] /= s[j] * s[j];
+    return count;
+}
+
+/* The piece from u = a to 2 a, on which q is smooth. */
+static void add_piece(fvi_impulses_of_kernel *o, double a)
+{
+    enum { POINTS = 20 };
+    double complex s[NODES + MOST_POLES], weight[NODES + MOST_POLES];
+    const size_t count = nodes_of(o, a * o->h, s, weight);
+    for (int q = 0; q < POINTS; q++) {
+        double part, value = 0;
+        const double u = a * (1 + gauss(POINTS, q, &part));
+        for (size_t j = 0; j < count; j++)
+            value += creal(weight[j] * cexp(s[j] * (u * o->h)));
+        for (size_t i = 0; i < o->n; i++)
+            o->start[i] += o->h * a * part * lagrange(o, i, u) * value;
+    }
+}
+
+/* From u = 0 to e, where q is infinite: l_i by its first four powers of u, whose integrals are inverse
+ * transforms at t = e h, by parts. */
+static void add_corner(fvi_impulses_of_kernel *o, double e)
+{
+    enum { POWERS = 4 };
+    double complex s[NODES + MOST_POLES], weight[NODES + MOST_POLES];
+    const size_t count = nodes_of(o, e * o->h / SPAN, s, weight);
+    double moment[POWERS] = { 0 };
+    for (size_t j = 0; j < count; j++) {
+        const double complex z = s[j] * (e * o->h), f = weight[j] * cexp(z);
+        double complex m = 1 / z; /* m_k = (1 - k m_{k-1}) / z */
+        for (int k = 0; k < POWERS; k++, m = (1 - k * m) / z)
+            moment[k] += creal(f * m);
+    }
+    for (size_t i = 0; i < o->n; i++) {
+        double a[MOST_IMPULSES + 1] = { 1 };
+        for (size_t m = 0, degree = 0; m < o->n; m++) {
+            if (m == i)
+                continue;
+            degree++;
+            for (size_t k = degree + 1; k-- > 0;)
+                a[k] = ((k > 0 ? a[k - 1] : 0) - (k < degree ? a[k] * o->c[m] : 0))
+                       / (o->c[i] - o->c[m]);
+        }
+        double power = e * o->h;
+        for (size_t k = 0; k < POWERS && k < o->n; k++, power *= e)
+            o->start[i] += a[k] * power * moment[k];
+    }
+}
+
+static void start_at_stages(fvi_impulses_of_kernel *o)
+{
+    enum { HALVINGS = 16 };
+    double a = 1;
+    for (int m = 0; m < HALVINGS; m++) {
+        a /= 2;
+        add_piece(o, a);
+    }
+    add_corner(o, a);
+}
+
+int fvi_impulses_of_kernel_at_stages(const fvi_kernel *law, double h, size_t n,
+                                     const double *c,
+                                     fvi_impulses_of_kernel **impulses)
+{
+    const int status = fvi_impulses_of_kernel_alloc(law, h, impulses);
+    if (status)
+        return status;
+    (*impulses)->at_stages = 1;
+    (*impulses)->n = n;
+    memcpy((*impulses)->c, c, n * sizeof *c);
+    start_at_stages(*impulses);
+    return status;
+}
