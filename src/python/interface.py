@@ -172,7 +172,8 @@ int fvi_structure_alloc_dampers(const fvi_sparse *M, const fvi_sparse *K, size_t
 fvi_system fvi_structure_system(const fvi_structure *structure);
 void fvi_structure_free(fvi_structure *structure);
 
-typedef struct { const fvi_system *system; double alpha; const fvi_kernel *law; const double *at; } fvi_linear_motion;
+typedef struct { const fvi_system *system; double alpha; const fvi_kernel *law; const double *at, *along; }
+    fvi_linear_motion;
 typedef struct fvi_response fvi_response;
 typedef enum { FVI_RESPONSE_RECEPTANCE, FVI_RESPONSE_MOBILITY, FVI_RESPONSE_ACCELERANCE, FVI_RESPONSE_GROUND }
     fvi_response_kind;

@@ -141,6 +141,9 @@ def test_responses_are_the_programs(tmp_path):
         rows = program("response", *words, "--omega", "1,7.3,20", "--of", of, "--at", "5", *by)
         assert abs(H - rows[:, 1] - 1j * rows[:, 2]).max() <= 1e-12 * abs(H).max()
     assert abs(fvi.response(q, 7.3, at=5, by=5) - (0.0105922000152764 - 0.002537954736649039j)) < 1e-14
+    along = fvi.response(q, omega, "ground", at=2, along=[0, 0, 2, 1, 0])
+    rows = program("response", *words, "--omega", "1,7.3,20", "--of", "ground", "--at", "2", "--along", "0,0,2,1,0")
+    assert abs(along - rows[:, 1] - 1j * rows[:, 2]).max() <= 1e-12 * abs(along).max()
     assert fvi.response(q, [[1, 2]], hertz=True).shape == (1, 2)
     assert fvi.response(q, 1 / (2 * np.pi), hertz=True) == pytest.approx(fvi.response(q, 1))
     found, rows = fvi.poles(q), program("poles", *words)

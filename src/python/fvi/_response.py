@@ -20,13 +20,14 @@ KINDS = {"receptance": lib.FVI_RESPONSE_RECEPTANCE, "mobility": lib.FVI_RESPONSE
 class Linear:
     """A problem made linear at a place, with room for its factors."""
 
-    def __init__(self, problem: Problem, about: Optional[Numbers]):
+    def __init__(self, problem: Problem, about: Optional[Numbers], along: Optional[Numbers] = None):
         self.motion = Motion(problem, chosen(problem, None, None, None, None, None, None, None, None, None, "auto", 0.0))
         system, run = self.motion.system, self.motion.run
         at = system.x0 if about is None else np.ascontiguousarray(np.broadcast_to(numbers("about", about), (system.d,)))
         self.d = system.d
+        ground = np.ones(system.d) if along is None else np.ascontiguousarray(np.broadcast_to(numbers("along", along), (system.d,)))
         question = ffi.new("fvi_linear_motion *", {"system": system.system, "alpha": run.alpha, "law": run.law,
-                                                   "at": system.pointer(at)})
+                                                   "at": system.pointer(at), "along": system.pointer(ground)})
         out, error = ffi.new("fvi_response **"), ffi.new("fvi_error *")
         check(ask(lib.fvi_response_alloc, question, out, error), error)
         self.response = ffi.gc(out[0], lib.fvi_response_free)
@@ -46,7 +47,7 @@ def coordinate(what: str, given: Any, d: int) -> int:
 
 @spelt()
 def response(problem: Problem, omega: Numbers, of: str = "receptance", *, at: int = 1, by: int = 1, hertz: bool = False,
-             about: Optional[Numbers] = None) -> Array:
+             about: Optional[Numbers] = None, along: Optional[Numbers] = None) -> Array:
     """What a shaker test measures: complex numbers, one for each frequency.
 
     problem  made linear; its force is not read
@@ -56,9 +57,10 @@ def response(problem: Problem, omega: Numbers, of: str = "receptance", *, at: in
     at, by   the coordinate that is measured and the one that is pushed, from 1; by is not read for the ground
     hertz    True: the frequencies are in periods per unit of time
     about    the place at which it is made linear, one number or d of them; None: x0
+    along    how each coordinate moves with the ground, one number or d of them; None: 1
     """
     w = np.ascontiguousarray(np.atleast_1d(numbers("omega", omega)) * (2 * math.pi if hertz else 1.0))
-    linear, H, error = Linear(problem, about), np.empty(w.size, complex), ffi.new("fvi_error *")
+    linear, H, error = Linear(problem, about, along), np.empty(w.size, complex), ffi.new("fvi_error *")
     check(ask(lib.fvi_response_at, linear.response, choice("of", of, KINDS), w.size, ffi.from_buffer("double[]", w),
               coordinate("at", at, linear.d), coordinate("by", by, linear.d),
               ffi.cast("double *", H.ctypes.data), error), error)
