@@ -41,6 +41,7 @@ typedef struct {
     fvi_force force;
     const fvi_matrices *matrices;
     const struct fvi_mechanism *mechanism;
+    ...;
 } fvi_system;
 typedef enum { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, ... } fvi_initial_history;
 typedef enum { FVI_HISTORY_AUTO, FVI_HISTORY_DIRECT, FVI_HISTORY_MODES, ... } fvi_history_kind;
@@ -93,6 +94,7 @@ typedef struct {
     double T, alpha;
     const fvi_kernel *law;
     fvi_initial_history past;
+    ...;
 } fvi_problem;
 typedef struct {
     const fvi_method *method;
@@ -101,14 +103,16 @@ typedef struct {
     double longest, step_error;
     fvi_history_kind history;
     double history_tolerance;
+    ...;
 } fvi_solve_options;
-typedef struct { double tolerance; size_t most_steps; } fvi_accuracy;
+typedef struct { double tolerance; size_t most_steps; ...; } fvi_accuracy;
 typedef struct {
     size_t rows;
     const double *t;
     double *x, *p, *energy;
     int (*row)(size_t k, double t, const double *x, const double *p, void *params);
     void *params;
+    ...;
 } fvi_outputs;
 typedef struct { const fvi_method *method; size_t steps, rejected; double h, error; ...; } fvi_report;
 int fvi_energy(const fvi_system *system, const double *x, const double *p, double *E);
@@ -148,6 +152,7 @@ typedef struct {
     const char *lagrangian;
     size_t dampers, constraints, imposed, forces_on;
     const char *const *damper, *const *constraint, *const *impose, *const *force_on;
+    ...;
 } fvi_mechanism_texts;
 typedef struct fvi_typed_mechanism fvi_typed_mechanism;
 int fvi_parse_mechanism(const fvi_mechanism_texts *texts, size_t d, fvi_user_parameters *parameters,
@@ -163,6 +168,7 @@ typedef struct {
     const fvi_sparse *matrix;
     const fvi_kernel *kernel;
     fvi_initial_history past;
+    ...;
 } fvi_damper;
 typedef struct fvi_structure fvi_structure;
 int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K, const fvi_sparse *C, fvi_structure **structure,
@@ -172,12 +178,11 @@ int fvi_structure_alloc_dampers(const fvi_sparse *M, const fvi_sparse *K, size_t
 fvi_system fvi_structure_system(const fvi_structure *structure);
 void fvi_structure_free(fvi_structure *structure);
 
-typedef struct { const fvi_system *system; double alpha; const fvi_kernel *law; const double *at, *along; }
-    fvi_linear_motion;
+typedef struct { const fvi_system *system; double alpha; const fvi_kernel *law; const double *at, *along; ...; } fvi_linear_motion;
 typedef struct fvi_response fvi_response;
 typedef enum { FVI_RESPONSE_RECEPTANCE, FVI_RESPONSE_MOBILITY, FVI_RESPONSE_ACCELERANCE, FVI_RESPONSE_GROUND }
     fvi_response_kind;
-typedef struct { size_t count, expected, d; double *pole, *shape, *residual; } fvi_poles;
+typedef struct { size_t count, expected, d; double *pole, *shape, *residual; ...; } fvi_poles;
 int fvi_response_alloc(const fvi_linear_motion *motion, fvi_response **response, fvi_error *error);
 void fvi_response_free(fvi_response *response);
 int fvi_response_at(fvi_response *response, fvi_response_kind kind, size_t n, const double *omega, size_t at, size_t by,
@@ -185,12 +190,18 @@ int fvi_response_at(fvi_response *response, fvi_response_kind kind, size_t n, co
 int fvi_poles_find(fvi_response *response, size_t count, fvi_poles *poles, fvi_error *error);
 void fvi_poles_free(fvi_poles *poles);
 int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage, double *loss);
+typedef struct {
+    double alpha, kappa, T, damping, lipschitz, gradient, variation, start, speed, acceleration, room;
+    ...;
+} fvi_smoothness;
+typedef struct { double C, lambda, h; } fvi_error_bound;
+int fvi_error_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bound);
 int fvi_stability_number(const fvi_method *method, const fvi_run *run, double *load);
 int fvi_stability_longest_step(const fvi_method *method, const fvi_run *run, double *h);
-typedef struct { double cost, miss, change; size_t iterations; } fvi_control_result;
+typedef struct { double cost, miss, change; size_t iterations; ...; } fvi_control_result;
 int fvi_control_solve(const fvi_method *method, const fvi_run *run, const double *x, const double *p, double *u,
                       fvi_control_result *found);
-typedef struct { size_t n, columns; const double *t, *F; } fvi_force_rows;
+typedef struct { size_t n, columns; const double *t, *F; ...; } fvi_force_rows;
 fvi_force fvi_force_table(const fvi_force_rows *rows);
 
 typedef enum { FVI_FREE_PARAMETER_ALPHA, FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_MASS, FVI_FREE_PARAMETER_X0,
@@ -231,7 +242,34 @@ int fvi_estimate_warning_of_unseen(const fvi_estimation *fit, const fvi_estimate
                                    const fvi_examination *examined, size_t which, const char *const *names,
                                    size_t size, char *text);
 int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
-int fvi_estimate_moduli(size_t n, const double *w, const double *storage, const double *loss, fvi_estimate *fitted);
+typedef enum { FVI_MATERIAL_MODULI, FVI_MATERIAL_CREEP, FVI_MATERIAL_RELAXATION } fvi_material_test;
+typedef enum { FVI_ELEMENT_SPRING, ... } fvi_element;
+extern const char *const fvi_element_words[];
+const char *fvi_element_number(fvi_element kind, size_t i, size_t *field);
+typedef struct {
+    fvi_material_test test;
+    size_t n;
+    const double *at, *first, *second;
+    const double *unit, *second_unit;
+    double sigma, load;
+    size_t elements;
+    const fvi_element *kind;
+    size_t starts;
+    ...;
+} fvi_material_data;
+typedef struct {
+    size_t numbers;
+    double estimate[24], sd[24], lower[24], upper[24];
+    double sigma, chi2, probability, quantile, neighbours;
+    size_t starts, agree;
+    unsigned flags, grave;
+    ...;
+} fvi_material;
+int fvi_material_fit(const fvi_material_data *data, double *curve, fvi_material *material, fvi_error *error);
+int fvi_material_curve(fvi_material_test test, const fvi_kernel *kernel, double load, size_t n, const double *at,
+                       double *first, double *second, fvi_error *error);
+int fvi_material_flag_text(const fvi_material_data *data, const fvi_material *material, unsigned flag, size_t size,
+                           char *text);
 int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estimate *fitted);
 
 typedef enum { FVI_FORCING_NONE, FVI_FORCING_STEP, FVI_FORCING_COSINE } fvi_forcing;
@@ -265,10 +303,12 @@ typedef struct {
     int (*slopes)(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp);
     void *params;
     int has_momenta;
+    ...;
 } fvi_objective;
 typedef struct {
     double *x0, *p0, *mass, *damping, *alpha, *terms, *orders, *times, *ends, *force, *parameters;
     fvi_parameter_gradient sensitivity;
+    ...;
 } fvi_sensitivities;
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x, const double *p,
                 const fvi_objective *objective, const fvi_sensitivities *gradients);

@@ -221,7 +221,9 @@ static int walk(const fvi_method *method, fvi_checkpointing *path,
         status = begin(method, run, want, jumps, rows,
                        fvi_checkpointing_momentum(path), J + d, &m);
     for (size_t k = N; !status && k-- > 0;) {
-        if (k + 1 < N)
+        if (k % 64 == 0)
+            status = fvi_interrupted();
+        if (!status && k + 1 < N)
             status = fvi_checkpointing_step(path, k, &rows);
         if (!status)
             status = step(&m, k, rows, J);

@@ -256,7 +256,8 @@ def test_progress_is_told(capsys):
 
 
 @pytest.mark.parametrize("call", ["fvi.solve(q, [200], h=1e-6)", "fvi.solve(q, error=1e-13, method='fvi')",
-                                  "fvi.sweep(q, {'rho': [0.1, 0.2, 0.3]}, t_eval=[200], h=1e-6)"])
+                                  "fvi.sweep(q, {'rho': [0.1, 0.2, 0.3]}, t_eval=[200], h=1e-6)",
+                                  "[fvi.vjp(fvi.solve(q, h=1e-4), x=1) for _ in range(99)]"])
 def test_an_interrupt_ends_what_lasts(call):
     """Within 50 ms on a machine that is idle; the library is asked each 25 ms. Two seconds are allowed here."""
     script = textwrap.dedent(f"""

@@ -190,6 +190,20 @@ def test_the_least_force_ends_there():
     assert found.cost == pytest.approx(0.025 * (found.force**2).sum())
 
 
+def test_the_bound_of_the_theorem_holds():
+    """x'' + x + 0.2 D^0.6 x = 0 from rest at 1: |x|, |x'|, |x''| <= 1.3 on [0, 5]. It grows with the Lipschitz constant."""
+    known = dict(alpha=0.3, time=5, damping=0.2, gradient=1.3, variation=0, start=0, speed=1.3, acceleration=1.6)
+    bound = fvi.error_bound(lipschitz=1, **known)
+    h = 1 / 512
+    assert h < bound.h
+    s = fvi.solve(fvi.Problem(alpha=0.3, p0=0, time=5), h=h)
+    off = abs(s.x[:, 0] - fvi.exact(s.t, alpha=0.3, v0=0)[0])
+    assert (off <= 2 * bound.C * h * np.expm1(bound.rate * s.t) / bound.rate + 1e-12).all() and off.max() > 0
+    assert fvi.error_bound(lipschitz=2, **known).rate > bound.rate
+    with pytest.raises(fvi.Error):
+        fvi.error_bound(lipschitz=-1, **known)
+
+
 # ---- wrong ----
 
 @pytest.mark.parametrize("call, what, why", [
@@ -228,3 +242,48 @@ def test_the_libraries_of_the_wheel_are_its_own():
         loaded = {line.split()[-1] for line in maps if "/libcholmod" in line or "/libumfpack" in line}
     here = os.path.dirname(os.path.realpath(fvi.__file__))
     assert {os.path.dirname(path) for path in loaded} == {here}
+
+
+# ---- materials ----
+
+def test_curves_of_a_law_are_their_formulas():
+    """Creep of Maxwell's element is F (t + T)/R; relaxation of a spring beside a springpot z (k + rho t^(-2a)/Gamma(1 - 2a))."""
+    import math
+    t = np.array([0.01, 1, 30])
+    assert abs(fvi.creep("maxwell:2,0.5", t, load=3) / (3 * (t + 0.5) / 2) - 1).max() < 1e-11
+    want = 0.7 * (2 + 1.5 * t**-0.6 / math.gamma(0.4))
+    assert abs(fvi.relaxation("spring:2 + power:1.5,0.3", t, load=0.7) / want - 1).max() < 1e-11
+    assert fvi.creep("viscous:2", 3.0) == pytest.approx(1.5)
+    with pytest.raises(fvi.Error):
+        fvi.creep("viscous:2", -1.0)
+
+
+@pytest.mark.parametrize("test, law", [("moduli", "spring+zener"), ("creep", "spring+power"), ("relaxation", "spring+zener")])
+def test_a_fit_of_a_law_is_the_programs(test, law, tmp_path):
+    rng = np.random.default_rng(1)
+    true = "spring:1 + zener:3,0.25,1.5" if law == "spring+zener" else "spring:1 + power:2,0.3"
+    at = np.geomspace(0.01, 100, 41)
+    if test == "moduli":
+        G = fvi.moduli(true, at)
+        columns = [at, *(part * (1 + 0.01 * rng.standard_normal(41)) for part in (G.real, G.imag))]
+        head = "omega\tstorage\tloss"
+    else:
+        columns = [at, getattr(fvi, test)(true, at) * (1 + 0.01 * rng.standard_normal(41))]
+        head = "t\tx" if test == "creep" else "t\tf"
+    path = tmp_path / "data.tsv"
+    path.write_text(head + "\n" + "".join("\t".join(map(repr, row)) + "\n" for row in np.transpose(columns).tolist()))
+    found = getattr(fvi, "fit_" + test)(*columns, law)
+    run = subprocess.run([PROGRAM, "fit", "--" + test, "--law", law, str(path)], capture_output=True, text=True)
+    rows = {line.split("\t")[0]: [float(w) for w in line.split("\t")[1:]] for line in run.stdout.splitlines() if line[0] != "#"}
+    assert list(rows) == list(found.estimate) and not found.grave
+    for name in rows:
+        assert rows[name] == [found.estimate[name], found.sd[name], *found.interval[name]]
+        low, high = found.interval[name]
+        assert low - 2 * found.sd[name] < {"k": 1, "time": 1.5, "alpha": 0.25 if "zener" in name else 0.3}.get(
+            name.partition(".")[2], 3 if "zener" in name else 2) < high + 2 * found.sd[name]
+    assert abs(found.curve / (columns[1] + (1j * columns[2] if test == "moduli" else 0)) - 1).max() < 0.05
+    again = fvi.solve(fvi.Problem("free", damping=found.law, x0=0, p0=1, time=1), h=0.1, method="fvi-lobatto3")
+    assert np.isfinite(again.x).all()
+    for bad, why in ((dict(law="spring+zenr"), "^law: 'zenr'"), (dict(weights="both"), "^weights"), (dict(starts=1), "^starts")):
+        with pytest.raises(ValueError, match=why):
+            getattr(fvi, "fit_" + test)(*columns, **bad)

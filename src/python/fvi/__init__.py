@@ -17,8 +17,9 @@ Lengths, times and masses are in units of your own.
     vjp         the gradient of what is made of a motion, by all that determines it
     gradient    a loss and its gradient; `import fvi.torch` has motions for torch
     jacobian    the derivatives of each x, for least squares
-    fit         parameters from a measured motion; fit_moduli, a law from moduli
-    response    what a shaker test measures; poles: frequencies and damping ratios; moduli of a law of damping
+    fit         parameters from a measured motion
+    fit_moduli  a law of damping from moduli; fit_creep, fit_relaxation; moduli, creep, relaxation of a law
+    response    what a shaker test measures; poles: frequencies and damping ratios
     control     the least force that ends a motion at a place; stability: how long a step may be
     potential   U from functions of Python's, or compiled ones
     exact       the exact solution of the linear problem
@@ -30,11 +31,13 @@ Lengths, times and masses are in units of your own.
     FviWarning  what warnings.warn says where the numbers are not those of a motion
 """
 from ._exact import exact as exact, weights as weights
-from ._fit import Fit as Fit, Moduli as Moduli, fit as fit, fit_moduli as fit_moduli
+from ._fit import Fit as Fit, fit as fit
 from ._gradient import gradient as gradient, jacobian as jacobian, vjp as vjp
+from ._material import (Material as Material, creep as creep, fit_creep as fit_creep, fit_moduli as fit_moduli,
+                        fit_relaxation as fit_relaxation, moduli as moduli, relaxation as relaxation)
 from ._problem import Problem as Problem
-from ._response import (Control as Control, Poles as Poles, Stability as Stability, control as control,
-                        moduli as moduli, poles as poles, response as response, stability as stability)
+from ._response import (Bound as Bound, Control as Control, Poles as Poles, Stability as Stability, control as control,
+                        error_bound as error_bound, poles as poles, response as response, stability as stability)
 from ._run import Method as Method, Run as Run, Stepper as Stepper, methods as methods, run as run, version as version
 from ._solution import Solution as Solution
 from ._solve import solve as solve, sweep as sweep

@@ -123,32 +123,3 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
         error.fit = answer
         raise error
     return answer
-
-
-class Moduli(NamedTuple):
-    """`estimate` and `sd` of alpha, rho and k by name, `correlation` in this order; `sigma`, the relative error of the
-    data; `law`, the text of the law for `Problem(damping=...)`."""
-    estimate: dict
-    sd: dict
-    correlation: Array
-    sigma: float
-    law: str
-
-
-@spelt()
-def fit_moduli(omega: Numbers, storage: Numbers, loss: Numbers) -> Moduli:
-    """A spring beside a springpot, k + rho (i omega)^(2 alpha), from moduli that were measured.
-
-    omega          frequencies > 0, in radians per unit of time
-    storage, loss  the moduli there, with errors in proportion to their size
-    """
-    w, G1, G2 = (np.ascontiguousarray(numbers(name, a))
-                 for name, a in (("omega", omega), ("storage", storage), ("loss", loss)))
-    if w.ndim != 1 or not w.shape == G1.shape == G2.shape:
-        raise ValueError("omega, storage and loss are three arrays of one length")
-    f, room = ffi.new("fvi_estimate *"), lambda a: ffi.from_buffer("double[]", a)
-    succeed(ask(lib.fvi_estimate_moduli, w.size, room(w), room(G1), room(G2), f))
-    names = ("alpha", "rho", "k")
-    estimate = dict(zip(names, f.estimate))
-    return Moduli(estimate, dict(zip(names, f.sd)), np.array([[f.correlation[i][j] for j in range(3)] for i in range(3)]),
-                  f.sigma, f"spring:{estimate['k']!r} + power:{estimate['rho']!r},{estimate['alpha']!r}")

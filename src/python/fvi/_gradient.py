@@ -54,7 +54,7 @@ class Mirror:
         except ValueError as error:
             raise ValueError(f"{what}: the shape {a.shape} is not {shape}") from error
         full = np.zeros((self.steps + 1, *shape[1:]))
-        np.add.at(full, self.rows, a)
+        full[self.rows] = a  # each row is another step
         return full
 
     def times(self) -> Array:
@@ -140,8 +140,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
         succeed(ask(lib.energy_slopes, system.system, shape[0], *(ffi.from_buffer("double[]", np.ascontiguousarray(a))
                                                                   for a in (solution.x, solution.p, by_energy)),
                     ffi.from_buffer("double[]", Ex), ffi.from_buffer("double[]", Ep)))
-        np.add.at(Jx, mirror.rows, Ex)
-        np.add.at(Jp, mirror.rows, Ep)
+        Jx[mirror.rows] += Ex
+        Jp[mirror.rows] += Ep
     cotangents = ffi.new("cotangents *", {"Jx": ffi.from_buffer("double[]", Jx), "Jp": ffi.from_buffer("double[]", Jp)})
     objective = ffi.new("fvi_objective *", {"slopes": ffi.addressof(lib, "read_slopes"), "params": cotangents,
                                             "has_momenta": bool(Jp[:-1].any())})

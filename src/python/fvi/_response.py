@@ -1,4 +1,4 @@
-"""Linear motions by frequency: responses, poles, moduli; how long a step may be; from here to there."""
+"""Linear motions by frequency: responses, poles; how long a step may be; from here to there."""
 from __future__ import annotations
 
 import math
@@ -8,10 +8,9 @@ import numpy as np
 
 from ._arguments import Array, Numbers, choice, number, numbers, spelt, whole
 from ._fvi import ffi, lib
-from ._library import ask, error_of, succeed, understand
+from ._library import ask, error_of, succeed
 from ._problem import Problem
 from ._solve import Motion, Numerics, chosen
-from ._system import Law, law
 
 KINDS = {"receptance": lib.FVI_RESPONSE_RECEPTANCE, "mobility": lib.FVI_RESPONSE_MOBILITY,
          "accelerance": lib.FVI_RESPONSE_ACCELERANCE, "ground": lib.FVI_RESPONSE_GROUND}
@@ -102,27 +101,6 @@ def poles(problem: Problem, count: int = 0, *, about: Optional[Numbers] = None) 
         lib.fvi_poles_free(found)
 
 
-@spelt()
-def moduli(damping: Law, omega: Numbers, let: Optional[dict] = None) -> Array:
-    """C(i omega) of a law of damping, storage + i loss: what an experiment at one frequency sees.
-
-    damping  as for `Problem`
-    omega    frequencies > 0, in radians per unit of time
-    let      numbers that an expression names
-    """
-    parameters = ffi.new("fvi_user_parameters *")
-    for name, value in (let or {}).items():
-        understand(lib.fvi_user_parameters_set, parameters, name.encode(), number(f"let: {name}", value))
-    kept = law(damping, parameters)
-    storage, loss = ffi.new("double *"), ffi.new("double *")
-    w = numbers("omega", omega)
-    found = np.empty(w.shape, complex)
-    for i in np.ndindex(w.shape):
-        succeed(ask(lib.fvi_kernel_moduli, ffi.addressof(kept[0], "law"), w[i], storage, loss))
-        found[i] = complex(storage[0], loss[0])
-    return found[()]
-
-
 class Stability(NamedTuple):
     """`number`: above 1 a mode grows from step to step; `longest`: the longest step for which none does, None where
     that is not known."""
@@ -179,3 +157,29 @@ def control(problem: Problem, x: Numbers, p: Numbers, *, h: Optional[float] = No
     succeed(ask(lib.fvi_control_solve, motion.method, run, *(ffi.from_buffer("double[]", a) for a in end),
                 ffi.from_buffer("double[]", u), found))
     return Control(np.arange(run.steps + 1) * run.h, u, found.cost, found.miss, found.iterations)
+
+
+class Bound(NamedTuple):
+    """|x_k - x(t_k)| <= 2 C h (exp(rate t_k) - 1)/rate for every step below `h`, t_k in place of the quotient if rate is 0."""
+    C: float
+    rate: float
+    h: float
+
+
+@spelt()
+def error_bound(*, alpha: float, time: float, damping: float, lipschitz: float, gradient: float, variation: float,
+                start: float, speed: float, acceleration: float, kappa: float = 0.5, room: float = math.inf) -> Bound:
+    """How far a run of "fvi" can be from the motion, by the theorem of H 20, from what is known of the motion.
+
+    alpha, kappa, time   of the run
+    damping, lipschitz, gradient  the largest rho/m; a Lipschitz constant and a bound of grad U/m
+    variation            of F/m, jumps included
+    start, speed, acceleration  |v0|, and bounds of |x'| and |x''|
+    room                 how far from the path these hold; everywhere
+    """
+    motion = ffi.new("fvi_smoothness *", {"T": number("time", time), **{name: number(name, value) for name, value in (
+        ("alpha", alpha), ("kappa", kappa), ("damping", damping), ("lipschitz", lipschitz), ("gradient", gradient),
+        ("variation", variation), ("start", start), ("speed", speed), ("acceleration", acceleration), ("room", room))}})
+    bound = ffi.new("fvi_error_bound *")
+    succeed(ask(lib.fvi_error_bound_compute, motion, bound))
+    return Bound(bound.C, getattr(bound, "lambda"), bound.h)
