@@ -43,6 +43,10 @@ struct fvi_response {
 int fvi_stiffness_build(const fvi_linear_motion *motion, fvi_response *response,
                         fvi_error *error);
 
+/* fvi_stiffness_find_pattern -- of the sum of all terms, and room for it and its factors. Returns
+ * FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_stiffness_find_pattern(fvi_response *response);
+
 /* fvi_stiffness_at -- Z(s) and Z'(s), with e times the damping. */
 void fvi_stiffness_at(fvi_response *response, double complex s, double e);
 
