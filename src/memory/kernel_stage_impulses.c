@@ -138,5 +138,5 @@ int fvi_impulses_of_kernel_at_stages(const fvi_kernel *law, double h, size_t n,
     (*impulses)->n = n;
     memcpy((*impulses)->c, c, n * sizeof *c);
     start_at_stages(*impulses);
-    return status;
+    return FVI_SUCCESS;
 }

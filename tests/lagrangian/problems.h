@@ -4,7 +4,7 @@
 
 #include "mechanisms.h"
 
-enum { ELASTIC, CART, TWIN, VAN_DER_POL, MATHIEU, ROD, PROBLEMS };
+enum { ELASTIC, CART, TWIN, VAN_DER_POL, MATHIEU, ROD, PULLED, PROBLEMS };
 
 /* sin 1.2 and cos 1.2: the rod stands at the angle 1.2 and turns with 1/2. */
 #define SIN 0.93203908596722634967
@@ -49,6 +49,14 @@ static const mechanism_text problems[PROBLEMS] = {
               .constraint = { "(x1^2+x2^2-1)/2" },
               .x0 = { SIN, -COS },
               .v0 = { 0.5 * COS, 0.5 * SIN } },
+    /* laws above the order 1, and a start with a velocity along the damper */
+    [PULLED] = { .name = "pulled",
+                 .d = 2,
+                 .lagrangian = "(v1^2+v2^2)/2 - (x1^2+x2^2)^2/4",
+                 .damper = { "sqrt(x1^2+x2^2) : distributed:0.4,0.2,0.8 + power:0.1,0.7",
+                             "x2 : power:0.2,0.7" },
+                 .x0 = { 1.2, 0 },
+                 .v0 = { 0.3, 0.8 } },
 };
 
 #endif
