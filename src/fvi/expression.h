@@ -112,8 +112,8 @@ void fvi_expression_add_hessian(const fvi_expression *e, const double *x,
 /* fvi_expression_variables -- how many variables the expression is one of, n. */
 size_t fvi_expression_variables(const fvi_expression *e);
 
-/* fvi_name_finder -- which coordinate, from 0, has this name of so many letters? -1 if none. A point
- * may stand in such a name, before a letter: d1.force. */
+/* fvi_name_finder -- which coordinate, from 0, has this name of so many letters? -1 if none, -2 if
+ * there is no memory to find it. A point may stand in such a name, before a letter: d1.force. */
 typedef struct {
     int (*find)(const char *name, size_t length, void *params);
     void *params;

@@ -165,7 +165,7 @@ static int add_quantity(fvi_typed_columns *c, fvi_quantity q)
     if (values)
         c->value = values;
     if (!more || !values)
-        return -1;
+        return -2;
     c->quantity[c->quantities] = q;
     return (int)c->quantities++;
 }

@@ -70,7 +70,7 @@ struct fvi_typed_columns {
     fvi_reduction *reduction;
 };
 
-/* fvi_column_quantity -- the number of a quantity by its name, -1 if there is none such. It is new to the
+/* fvi_column_quantity -- the number of a quantity by its name, -1 if there is none such, -2 without memory. It is new to the
  * columns, perhaps. columns is a fvi_typed_columns *: for fvi_name_finder. */
 int fvi_column_quantity(const char *name, size_t length, void *columns);
 

@@ -257,6 +257,10 @@ static int name(parser *p)
     p->at += length;
     if (i >= 0)
         return append(p, (fvi_node){ TAPE_COORDINATE, 1, i, 0, 0 });
+    if (i == -2) {
+        p->status = p->status ? p->status : FVI_ENOMEM;
+        return 0;
+    }
     for (size_t j = 0; j < p->names->parameters; j++)
         if (is_word(from, length, p->names->parameter[j]))
             return append(p, (fvi_node){ TAPE_PARAMETER, 0, (int)j, 0, 0 });
