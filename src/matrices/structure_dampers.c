@@ -104,10 +104,10 @@ static int find_damper_space(fvi_structure *s, size_t j, fvi_error *error)
     if (!damper->matrix && !fvi_all_finite(d, row))
         return refuse_damper(j, FVI_EDOM, "its row has an entry that is not finite",
                              error);
-    if (!damper->matrix)
-        status = multiply_row(d, row, s->outer + j);
-    else if (fvi_sparse_is_symmetric(damper->matrix, &place) == FVI_EDOM)
-        return refuse_damper(j, FVI_EDOM, "its matrix is not symmetric", error);
+    status = damper->matrix ? fvi_sparse_is_symmetric(damper->matrix, &place)
+                            : multiply_row(d, row, s->outer + j);
+    if (status == FVI_EDOM)
+        return refuse_damper(j, status, "its matrix is not symmetric", error);
     if (!status)
         status = damper->matrix
                      ? fvi_history_space_find(s->M, damper->matrix, s->space + j)

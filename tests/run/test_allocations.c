@@ -4,7 +4,12 @@
  *
  * malloc and its kin are those of this file, on top of glibc's. Where a sanitizer brings its
  * own allocator nothing is tested. */
+#include <fvi/adjoint.h>
+#include <fvi/dampers.h>
+#include <fvi/exact_motion.h>
 #include <fvi/fvi.h>
+#include <fvi/stability.h>
+#include <fvi/structures.h>
 #include "harness/ulp.h"
 #include "run/whole_run.h"
 #include "matrices/factors.h"
@@ -190,6 +195,82 @@ static int life_of_mechanism(const fvi_method *method)
     return status;
 }
 
+static int no_slopes(size_t k, size_t d, const double *x, const double *p, void *params,
+                     double *Jx, double *Jp)
+{
+    (void)k, (void)d, (void)x, (void)params;
+    *Jx = 1;
+    if (p)
+        *Jp = 1;
+    return 0;
+}
+
+/* A structure with a damper along a row and one by a matrix, a law above the order 1 with a velocity at
+ * the start: a run, its copy and its sums, the adjoint, the load, and once the exact motion. */
+static int use_structure(const fvi_method *method, const fvi_system *system)
+{
+    fvi_run run = fvi_run_default(system, x0, p0, 0.1, 30);
+    fvi_stepper *s = NULL, *copy = NULL;
+    double number, by[3];
+    int status = fvi_stepper_start(method, &run, &s, NULL);
+    if (!status)
+        status = fvi_stepper_keep_dampers(s);
+    for (size_t k = 0; k < 2 && !status; k++)
+        status = fvi_stepper_step(s);
+    if (!status)
+        status = fvi_stepper_copy(s, &copy);
+    fvi_stepper_free(copy);
+    fvi_stepper_free(s);
+    if (!status)
+        status = fvi_stability_number(method, &run, &number);
+    const fvi_objective J = { .slopes = no_slopes };
+    const fvi_sensitivities want = { .p0 = by };
+    if (!status && method->scheme != FVI_SCHEME_CQ2_SHIFTED)
+        status = fvi_adjoint(method, &run, NULL, NULL, &J, &want);
+    const fvi_exact_problem problem = { .motion = { .system = system },
+                                        .x0 = x0,
+                                        .p0 = p0,
+                                        .forcing = FVI_FORCING_STEP,
+                                        .A = 1,
+                                        .T = 1 };
+    fvi_exact_motion *motion = NULL;
+    number = 2;
+    if (!status && method->scheme == FVI_SCHEME_FVI)
+        status = fvi_exact_motion_alloc(&problem, &motion, NULL);
+    if (!status && motion)
+        status = fvi_exact_motion_at(motion, 1, &number, by, NULL, NULL);
+    fvi_exact_motion_free(motion);
+    return status;
+}
+
+static int life_of_structure(const fvi_method *method)
+{
+    static const fvi_triplet ones[] = { { 0, 0, 2 }, { 1, 1, 2 }, { 2, 2, 2 } };
+    static const double row[] = { -1, 1, 0 };
+    static const fvi_kernel_term terms[] = {
+        { .kind = FVI_KERNEL_DISTRIBUTED, .rho = 0.5, .alpha = 0.1, .end = 0.8 },
+        { .kind = FVI_KERNEL_POWER, .rho = 0.5, .alpha = 0.7 }
+    };
+    static const fvi_kernel law = { 1, terms }, power = { 1, terms + 1 };
+    fvi_sparse A;
+    if (!method->takes_matrices)
+        return FVI_SUCCESS;
+    int status = fvi_sparse_assemble(3, 3, ones, &A);
+    if (status)
+        return status;
+    const fvi_damper dampers[] = { { .of = fvi_elongation_row(row), .kernel = &law },
+                                   { .matrix = &A, .kernel = &power } };
+    fvi_structure *structure;
+    status = fvi_structure_alloc_dampers(&A, &A, 2, dampers, &structure, NULL);
+    if (!status) {
+        const fvi_system system = fvi_structure_system(structure);
+        status = use_structure(method, &system);
+        fvi_structure_free(structure);
+    }
+    fvi_sparse_free(&A);
+    return status;
+}
+
 static int load(const fvi_method *method)
 {
     fvi_system system;
@@ -320,7 +401,8 @@ typedef int call(const fvi_method *method);
 
 START_TEST(a_call_without_memory_says_so)
 {
-    call *const calls[] = { life, life_with_a_law, life_of_mechanism, load, load_of_full, warnings, control, moduli, linear };
+    call *const calls[] = { life, life_with_a_law, life_of_mechanism,
+                            life_of_structure, load, load_of_full, warnings, control, moduli, linear };
     size_t said = 0;
 #ifdef OTHER_ALLOCATOR
     return;
