@@ -30,6 +30,7 @@ typedef struct {
     size_t most_steps;
     fvi_report *report;
     fvi_error *error;
+    fvi_variable_step_found found; /* of a search by fvi-adaptive */
 } solution;
 
 /* ---- what is asked for ---- */
@@ -225,67 +226,93 @@ static void report_of_mesh(fvi_report *report, const fvi_step_statistics *counts
     report->form = counts->form;
 }
 
-/* Row after row of one run; what is between two steps of the method's own is interpolated. */
-static int rows_of_run(const solution *o, fvi_stepper *s, double *room)
+/* Row k of a run that has come to its time, or just passed it. */
+static int row_of_run(const solution *o, fvi_stepper *s, fvi_observer *observer,
+                      size_t k, double *room)
 {
     const size_t d = o->run.system->d;
+    const double t = s->method->dense ? time_of_row(o, k) : s->t;
+    fvi_observation now;
+    int status;
+    if (observer) {
+        status = fvi_observer_read(observer, s, t, &now);
+        if (!status)
+            status = give_row(o, k, now.x, now.p);
+        return status ? status : o->out->observed(k, &now, o->out->params);
+    }
+    if (!s->method->dense || s->t == t)
+        return give_row(o, k, s->x, s->p);
+    status = fvi_stepper_advance_to(s, t, room, room + d);
+    return status ? status : give_row(o, k, room, room + d);
+}
+
+/* Row after row of one run; what is between two steps of the method's own is interpolated. */
+static int rows_of_run(const solution *o, fvi_stepper *s, fvi_observer *observer,
+                       double *room)
+{
     for (size_t k = 0; k < o->out->rows; k++) {
         const double t = time_of_row(o, k);
-        const size_t node = (size_t)round(t / o->run.h);
+        const size_t node = (size_t)round(t / s->run.h);
         int status = FVI_SUCCESS;
         while (!status && (s->method->dense ? s->t < t : s->k < node))
-            status = fvi_stepper_step(s);
+            status = observer ? fvi_observer_step(observer, s)
+                              : fvi_stepper_step(s);
         if (status)
             return fail_at_step(o, s->k + 1, status);
-        if (s->method->dense && s->t > t) {
-            status = fvi_stepper_advance_to(s, t, room, room + d);
-            if (!status)
-                status = give_row(o, k, room, room + d);
-        } else {
-            status = give_row(o, k, s->x, s->p);
-        }
+        status = row_of_run(o, s, observer, k, room);
         if (status)
             return fail_at_step(o, k, status);
     }
     return FVI_SUCCESS;
 }
 
+/* The rows of a run that has been started, with an observer if one is asked for. */
+static int observe_run(const solution *o, fvi_stepper *s)
+{
+    fvi_observer *observer = NULL;
+    double *room = malloc(2 * o->run.system->d * sizeof *room);
+    if (!room)
+        return fvi_fail(o->error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    int status = o->out->observed ? fvi_observer_start(s, o->out->wanted,
+                                                       &observer, o->error)
+                                  : FVI_SUCCESS;
+    if (!status)
+        status = rows_of_run(o, s, observer, room);
+    fvi_observer_free(observer);
+    free(room);
+    return status;
+}
+
 static int solve_by_steps(const solution *o)
 {
     fvi_stepper *s;
     fvi_step_statistics counts;
-    double *room = malloc(2 * o->run.system->d * sizeof *room);
-    if (!room)
-        return fvi_fail(o->error, FVI_ENOMEM, NULL, NAN, "not enough memory");
     int status = fvi_stepper_start(o->method, &o->run, &s, o->error);
-    if (status) {
-        free(room);
+    if (status)
         return status;
-    }
-    status = rows_of_run(o, s, room);
+    status = observe_run(o, s);
     o->report->steps = s->k;
     o->report->h = o->run.h;
     if (fvi_stepper_statistics(s, &counts) == FVI_SUCCESS)
         report_of_mesh(o->report, &counts);
     fvi_stepper_free(s);
-    free(room);
     return status;
 }
 
 /* ---- to a tolerance ---- */
 
 /* x and p of the rows of the run, or of the times of a method that has any; and what was found. */
-static int search(const solution *o, double *x, double *p)
+static int search(solution *o, double *x, double *p)
 {
     fvi_report *report = o->report;
     const size_t most = o->most_steps ? o->most_steps : USUAL_MOST_STEPS;
     int status;
     if (o->method->dense) {
-        fvi_variable_step_found found = { .estimate = INFINITY };
+        o->found = (fvi_variable_step_found){ .estimate = INFINITY };
         status = fvi_variable_step_search(&o->run, o->out->rows, o->out->t,
-                                          o->tolerance, most, x, p, &found);
-        report->error = found.estimate;
-        report_of_mesh(report, &found.counts);
+                                          o->tolerance, most, x, p, &o->found);
+        report->error = o->found.estimate;
+        report_of_mesh(report, &o->found.counts);
     } else {
         fvi_step_found found = { .estimate = INFINITY, .parts = 1 };
         status = fvi_step_search(o->method, &o->run, o->tolerance, most, x, p,
@@ -327,7 +354,31 @@ static size_t place_of_row(const solution *o, size_t k)
                : k;
 }
 
-static int solve_to_tolerance(const solution *o)
+/* The run that was found, for an observer: its rows are the same, to the bit. */
+static int observe_again(const solution *o)
+{
+    fvi_stepper *s;
+    fvi_run run = o->run;
+    int status;
+    if (o->method->dense) {
+        status = fvi_variable_step_again(
+            &run, o->most_steps ? o->most_steps : USUAL_MOST_STEPS, &o->found,
+            &s);
+    } else {
+        const double parts = round(o->run.h / o->report->h);
+        run.h = o->report->h;
+        run.steps *= (size_t)parts;
+        status = fvi_stepper_start(o->method, &run, &s, o->error);
+    }
+    if (status)
+        return fvi_fail(o->error, status, NULL, NAN, "%s",
+                        fvi_error_name(status));
+    status = observe_run(o, s);
+    fvi_stepper_free(s);
+    return status;
+}
+
+static int solve_to_tolerance(solution *o)
 {
     const size_t d = o->run.system->d, rows = rows_of_search(o);
     if (rows >= SIZE_MAX / sizeof(double) / 8 / d)
@@ -340,7 +391,9 @@ static int solve_to_tolerance(const solution *o)
     int status = search(o, x, p);
     if (status)
         fail_of_search(o, status);
-    for (size_t k = 0; !status && k < o->out->rows; k++) {
+    else if (o->out->observed)
+        status = observe_again(o);
+    for (size_t k = 0; !status && !o->out->observed && k < o->out->rows; k++) {
         const size_t at = place_of_row(o, k) * d;
         status = give_row(o, k, x + at, p + at);
         if (status)

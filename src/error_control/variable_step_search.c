@@ -25,7 +25,26 @@ typedef struct {
     double end;             /* the t that the last run came to */
     double *x, *before, *p; /* this run and the one before */
     fvi_step_statistics counts;
+    fvi_variable_step_found as; /* how this run was made */
 } pair;
+
+int fvi_variable_step_again(const fvi_run *of, size_t most,
+                            const fvi_variable_step_found *found,
+                            fvi_stepper **stepper)
+{
+    fvi_run run = *of;
+    run.h /= (double)found->first; /* a power of two: exact */
+    run.steps *= found->first;
+    run.step_error = found->step_error;
+    run.most_steps = most;
+    if (found->fine)
+        run.tolerance = FVI_FINE_MODES;
+    const int status =
+        fvi_stepper_start(&fvi_variable_step, &run, stepper, NULL);
+    if (!status)
+        fvi_variable_step_limit(*stepper, found->longest, found->growth);
+    return status;
+}
 
 //> trial
 /* A run with such a tolerance, no step longer than `longest`, and the growth of steps
@@ -33,18 +52,15 @@ typedef struct {
 static int trial(pair *o, double step_error, double longest, int growth)
 {
     const size_t d = o->run->system->d;
-    fvi_run run = *o->run;
-    run.h /= (double)o->first; /* a power of two: exact */
-    run.steps *= o->first;
-    run.step_error = step_error;
-    run.most_steps = o->most;
-    if (o->fine)
-        run.tolerance = FVI_FINE_MODES;
+    o->as = (fvi_variable_step_found){ .step_error = step_error,
+                                       .longest = longest,
+                                       .growth = growth,
+                                       .fine = o->fine,
+                                       .first = o->first };
     fvi_stepper *s;
-    int status = fvi_stepper_start(&fvi_variable_step, &run, &s, NULL);
+    int status = fvi_variable_step_again(o->run, o->most, &o->as, &s);
     if (status)
         return status;
-    fvi_variable_step_limit(s, longest, growth);
     for (size_t k = 0; k < o->count && !status; k++) {
         const double t = o->t[k];
         while (s->t < t && !status) {
@@ -105,8 +121,11 @@ static int search(pair *o, double error, fvi_variable_step_found *found)
         end = o->end;
         const double estimate =
             status || failed_before ? GSL_POSINF : distance(o, &largest);
-        if (estimate < found->estimate)
-            *found = (fvi_variable_step_found){ estimate, o->counts };
+        if (estimate < found->estimate) {
+            *found = o->as;
+            found->estimate = estimate;
+            found->counts = o->counts;
+        }
         if (estimate <= error)
             return FVI_SUCCESS;
         o->fine |= o->counts.memory * largest > error / 4;

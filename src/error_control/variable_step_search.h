@@ -8,8 +8,17 @@
 /* What fvi_variable_step_search found. */
 typedef struct {
     double estimate; /* of max |x_k - x(t_k)|, over rows and coordinates */
-    fvi_step_statistics counts; /* of the run whose rows are given out */
+    fvi_step_statistics counts; /* of the run whose rows are given out, */
+    double step_error, longest; /* its tolerance of a step, its limits, */
+    int growth, fine;
+    size_t first; /* and into how many its rows were divided */
 } fvi_variable_step_found;
+
+/* fvi_variable_step_again -- a stepper that makes that run again, to the bit. Errors as of
+ * fvi_stepper_start. */
+int fvi_variable_step_again(const fvi_run *run, size_t most,
+                            const fvi_variable_step_found *found,
+                            fvi_stepper **stepper);
 
 /* fvi_variable_step_search -- a run at given times, right to a wanted error.
  *

@@ -11,6 +11,7 @@
 #define FVI_SOLVE_H
 
 #include "error.h"
+#include "observer.h"
 #include "trajectory.h"
 
 #ifdef __cplusplus
@@ -75,7 +76,10 @@ typedef struct {
  *   energy  rows numbers, or NULL
  *   row     NULL, or called for each row in order, with its x and p; what it returns but 0 ends the
  *           call, which returns it
- *   params  handed to row */
+ *   params  handed to row, and to observed
+ *   observed, wanted  NULL, or called behind row with what an observer of the run knows (observer.h), of
+ *           which `wanted` says what: velocities, accelerations, forces, work. With a tolerance the
+ *           run that was found is made again for it */
 typedef struct {
     size_t rows;
     const double *t;
@@ -83,6 +87,8 @@ typedef struct {
     int (*row)(size_t k, double t, const double *x, const double *p,
                void *params);
     void *params;
+    int (*observed)(size_t k, const fvi_observation *now, void *params);
+    unsigned wanted;
 } fvi_outputs;
 
 /* fvi_report -- what was done.

@@ -60,12 +60,6 @@ int fvi_options_check_columns(const fvi_options *o, fvi_error *c)
                           "'%s': a, and a damper's force, impulse and work, are "
                           "known to run alone",
                           text);
-    if (fvi_options_observes(o) && o->error > 0)
-        return fvi_refuse(c, field,
-                          "'%s': a, and a damper's force, impulse and work, are "
-                          "not together with --error; with --step-error, or "
-                          "--method and --h",
-                          text);
     if (!o->text[REDUCE])
         return 0;
     if (o->error > 0)

@@ -141,7 +141,10 @@ static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
                 int mirror, double *row)
 {
     int status = FVI_SUCCESS;
-    if (!mirror && fvi_typed_columns_count(t->o->typed) > 0)
+    if (t->typed)
+        memcpy(t->o->typed_row, t->typed,
+               fvi_typed_columns_count(t->o->typed) * sizeof *row);
+    else if (!mirror && fvi_typed_columns_count(t->o->typed) > 0)
         status = fvi_typed_columns_values(t->o->typed, t->now, t->o->typed_row);
     for (size_t n = 0; n < t->o->columns.count && !status; n++) {
         const fvi_column column = t->o->columns.at[n];

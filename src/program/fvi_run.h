@@ -39,6 +39,10 @@ int fvi_run_row(fvi_table *t, fvi_stepper *s, size_t k);
 /* fvi_run_state_row -- the same of a state that no stepper has; without sums over the steps. */
 int fvi_run_state_row(fvi_table *t, size_t k, const double *x, const double *p);
 
+/* fvi_run_found_row -- row k of what fvi_run_search has found. */
+int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
+                      const double *typed);
+
 /* fvi_run_reduced -- the reductions of a run that is over, t->width numbers.
  * fvi_run_reductions -- they are printed, if any are asked for. FVI_EOVRFLW if one is not finite. */
 void fvi_run_reduced(const fvi_table *t, double *row);
@@ -49,9 +53,11 @@ int fvi_run_reductions(const fvi_table *t);
 int fvi_snapshot(const fvi_options *o, const fvi_stepper *s);
 
 /* fvi_run_search -- the rows k = 0, ..., steps of r by this method, right to o->error; x and p
- * have room for them. Returns what fvi_solve returns. */
+ * have room for them, and typed, or NULL, for the typed columns of each row, which are filled in if
+ * they have sums over the steps. Returns what fvi_solve returns. */
 int fvi_run_search(const fvi_options *o, const fvi_method *method,
-                   const fvi_run *r, double *x, double *p, fvi_report *found);
+                   const fvi_run *r, double *x, double *p, double *typed,
+                   fvi_report *found);
 
 /* fvi_variable_step_head -- two lines of the head: what a method that chooses its steps has
  * chosen; how many of them, if not 0. */

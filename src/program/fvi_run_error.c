@@ -7,15 +7,32 @@
 #include "fvi_run.h"
 #include <fvi/format_double.h>
 #include "options/fvi_values.h"
+#include "options/fvi_option_columns.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 
-int fvi_run_search(const fvi_options *o, const fvi_method *method,
-                   const fvi_run *r, double *x, double *p, fvi_report *found)
+/* Where the typed columns of all rows go. */
+typedef struct {
+    const fvi_options *o;
+    double *rows;
+} typed_rows;
+
+static int keep_typed(size_t k, const fvi_observation *now, void *params)
 {
+    const typed_rows *t = params;
+    return fvi_typed_columns_values(t->o->typed, now,
+                                    t->rows
+                                        + k * fvi_typed_columns_count(t->o->typed));
+}
+
+int fvi_run_search(const fvi_options *o, const fvi_method *method,
+                   const fvi_run *r, double *x, double *p, double *typed,
+                   fvi_report *found)
+{
+    typed_rows kept = { o, typed };
     const fvi_problem problem = { .system = *r->system,
                                   .x0 = r->x0,
                                   .p0 = r->p0,
@@ -29,17 +46,23 @@ int fvi_run_search(const fvi_options *o, const fvi_method *method,
                                         .history = r->memory,
                                         .history_tolerance = r->tolerance };
     const fvi_accuracy accuracy = { o->error, o->most_steps };
-    const fvi_outputs rows = { .rows = r->steps + 1, .x = x, .p = p };
+    fvi_outputs rows = { .rows = r->steps + 1, .x = x, .p = p };
+    if (typed && fvi_options_observes(o)) {
+        rows.observed = keep_typed;
+        rows.params = &kept;
+        rows.wanted = fvi_typed_columns_wanted(o->typed);
+    }
     return fvi_solve(&problem, &options, &accuracy, &rows, found, NULL);
 }
 
 static int search(const fvi_options *o, const fvi_method *method,
-                  const fvi_run *r, double *x, double *p, fvi_report *found)
+                  const fvi_run *r, double *x, double *p, double *typed,
+                  fvi_report *found)
 {
     const int terminal = isatty(STDERR_FILENO);
     if (terminal)
         fprintf(stderr, "looking for the step ...");
-    const int status = fvi_run_search(o, method, r, x, p, found);
+    const int status = fvi_run_search(o, method, r, x, p, typed, found);
     if (terminal)
         fprintf(stderr, "\r\033[K");
     return status;
@@ -75,7 +98,7 @@ static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
     }
     const fvi_method *other = found->other;
     fvi_report tried;
-    const int status = other ? search(o, other, r, x, p, &tried) : 0;
+    const int status = other ? search(o, other, r, x, p, NULL, &tried) : 0;
     if (other && !status)
         snprintf(advice, sizeof advice, "; try --method %s", other->name);
     else if (status == FVI_ETOL && tried.error < found->error) {
@@ -90,9 +113,9 @@ static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
 
 /* Find the step; say what was found, or how near it came. */
 static int find_step(const fvi_options *o, const fvi_run *r, double *x,
-                     double *p, fvi_report *found)
+                     double *p, double *typed, fvi_report *found)
 {
-    int status = search(o, o->method, r, x, p, found);
+    int status = search(o, o->method, r, x, p, typed, found);
     if (status == FVI_ETOL)
         say_how_near(o, r, x, p, found);
     else if (status == FVI_EMAXITER || status == FVI_EOVRFLW
@@ -127,7 +150,7 @@ static void head_of_search(FILE *out, const fvi_options *o,
 
 static int print_found(const fvi_options *o, const fvi_system *system,
                        const fvi_report *found, const double *x,
-                       const double *p)
+                       const double *p, const double *typed)
 {
     fvi_table t;
     fvi_table_shape(&t, o, system);
@@ -141,7 +164,7 @@ static int print_found(const fvi_options *o, const fvi_system *system,
         int status = 0;
         size_t k = 0;
         for (; k <= o->steps && !status && !ferror(t.out); k++)
-            status = fvi_run_state_row(&t, k, x + k * o->d, p + k * o->d);
+            status = fvi_run_found_row(&t, k, x, p, typed);
         failed =
             fvi_table_close(&t, status ? fvi_stopped_at(k - 1, status) : 0);
     }
@@ -173,14 +196,16 @@ int fvi_command_error(const fvi_options *o, const fvi_system *system)
     fvi_table_shape(&t, o, system);
     double *rows =
         fvi_run_room(&t); /* is there enough, before anything is tried? */
-    double *x = rows ? malloc(2 * (o->steps + 1) * o->d * sizeof *x) : NULL;
+    const size_t count = o->steps + 1,
+                 width = 2 * o->d + fvi_typed_columns_count(o->typed);
+    double *x = rows ? malloc(count * width * sizeof *x) : NULL;
     free(rows);
     if (!x)
         return fvi_complain("not enough memory");
-    double *p = x + (o->steps + 1) * o->d;
-    int failed = find_step(o, &r, x, p, &found);
+    double *p = x + count * o->d, *typed = p + count * o->d;
+    int failed = find_step(o, &r, x, p, typed, &found);
     if (!failed)
-        failed = print_found(o, system, &found, x, p);
+        failed = print_found(o, system, &found, x, p, typed);
     free(x);
     return failed;
 }

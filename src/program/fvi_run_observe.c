@@ -2,6 +2,7 @@
 #include "fvi_run.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_format.h"
+#include "options/fvi_option_columns.h"
 
 #include <fvi/lagrangian.h>
 
@@ -130,5 +131,17 @@ int fvi_run_state_row(fvi_table *t, size_t k, const double *x, const double *p)
         status = fvi_table_take(t, k, x, p);
     t->now = NULL;
     free(v);
+    return status;
+}
+
+int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
+                      const double *typed)
+{
+    const size_t d = t->o->d;
+    if (!fvi_options_observes(t->o))
+        return fvi_run_state_row(t, k, x + k * d, p + k * d);
+    t->typed = typed + k * fvi_typed_columns_count(t->o->typed);
+    const int status = fvi_table_take(t, k, x + k * d, p + k * d);
+    t->typed = NULL;
     return status;
 }

@@ -77,17 +77,19 @@ static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
 /* As many steps as the wanted error needs. */
 static verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
-    const size_t d = o->d, size = (o->steps + 1) * d;
-    double *x = malloc(2 * size * sizeof *x), *p = x ? x + size : NULL;
+    const size_t count = o->steps + 1,
+                 width = 2 * o->d + fvi_typed_columns_count(o->typed);
+    double *x = malloc(count * width * sizeof *x),
+           *p = x ? x + count * o->d : NULL, *typed = x ? p + count * o->d : NULL;
     fvi_report found;
     verdict v = { .status = FVI_ENOMEM };
     if (x)
-        v.status = fvi_run_search(o, o->method, r, x, p, &found);
+        v.status = fvi_run_search(o, o->method, r, x, p, typed, &found);
     if (!v.status)
-        v.status = fvi_run_state_row(t, 0, x, p);
+        v.status = fvi_run_found_row(t, 0, x, p, typed);
     for (size_t k = 0; k < o->steps && !v.status;) {
         k = fvi_table_next(t, k);
-        v.status = fvi_run_state_row(t, k, x + k * d, p + k * d);
+        v.status = fvi_run_found_row(t, k, x, p, typed);
     }
     free(x);
     return v;
