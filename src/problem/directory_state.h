@@ -33,6 +33,14 @@ struct fvi_directory {
     loads loads;
 };
 
+/* fvi_directory_path -- DIR/file into place, PATH_MAX + 8 characters; returns it.
+ * fvi_file_is_there -- a link that leads nowhere is there, and cannot be read. */
+const char *fvi_directory_path(const fvi_directory *d, const char *file, char *place);
+int fvi_file_is_there(const char *place);
+
+/* fvi_directory_typed_force -- the forces that were read. */
+fvi_force fvi_directory_typed_force(const fvi_directory *d);
+
 /* fvi_directory_read_matrix -- a file of the folder. */
 int fvi_directory_read_matrix(const fvi_directory *d, const char *file, fvi_sparse *A,
                               fvi_error *error);
