@@ -124,6 +124,13 @@ def test_a_structure_has_a_gradient():
         assert abs(g[name] - want) < 1e-7 * max(1, abs(want))
     far = [loss(fvi.solve(q.replace(alpha=0.3 + k * 1e-3), h=0.05))[0] for k in (-2, -1, 1, 2)]
     assert abs(g["alpha"] - (8 * (far[2] - far[1]) - far[3] + far[0]) / 12e-3) < 1e-7 * abs(g["alpha"])
+    C2 = np.diag([1.0, 0, 0, 0, 2])
+    two = q.replace(dampers=[(C, "power:1,0.3"), (C2, "zener:2,0.3,0.1")])
+    g = fvi.vjp(fvi.solve(two, h=0.05), x=wx)
+    for i, pair in enumerate((lambda f: [(f * C, "power:1,0.3"), (C2, "zener:2,0.3,0.1")],
+                              lambda f: [(C, "power:1,0.3"), (f * C2, "zener:2,0.3,0.1")])):
+        far = [(wx * fvi.solve(two.replace(dampers=pair(1 + k * 1e-3)), h=0.05).x).sum() for k in (-2, -1, 1, 2)]
+        assert abs(g["dampers"][i] - (8 * (far[2] - far[1]) - far[3] + far[0]) / 12e-3) < 1e-7 * max(1, abs(g["dampers"][i]))
     with pytest.raises(fvi.Error) as caught:
         fvi.vjp(fvi.solve(fvi.Problem(lagrangian="v^2/2 - x^2/2", x0=1, v0=0), h=0.1), x=1, wrt=["x0"])
     assert caught.value.code == 23

@@ -13,7 +13,7 @@ from ._solution import Solution
 from ._solve import Motion, as_run, solve
 from ._system import by_term, numbers_of_law
 
-ALL = ("x0", "p0", "v0", "mass", "rho", "alpha", "order", "potential", "let", "damping", "force", "M", "K", "C")
+ALL = ("x0", "p0", "v0", "mass", "rho", "alpha", "order", "potential", "let", "damping", "force", "M", "K", "C", "dampers")
 MOST_PARTS = 1 << 12  # of the time, for rows that have a common step
 
 
@@ -84,6 +84,8 @@ def of_table(t: Array, columns: int, times: Array, by: Array) -> Array:
 def known_of(q: Problem, is_expression: bool) -> set:
     """By what a problem has derivatives."""
     known = {"x0", "v0" if q.v0 is not None else "p0"} | ({"force"} if isinstance(q.force, tuple) else set())
+    if q.kind == "structure" and q.dampers:
+        return known | {"M", "K", "dampers"}
     known |= {"damping"} if q.damping is not None else {"order" if q.order is not None else "alpha"}
     if q.kind == "structure":
         return known | {"M", "K"} | ({"C"} if q.C is not None else set())
@@ -117,7 +119,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     wrt       by what: fields of the problem; None: by all of them that have a derivative
 
     Returns a dict by names: "x0", "p0" or "v0", "mass", "rho", "alpha" or "order", each in the shape that the problem
-    has it; of matrices "M", "K" and "C", by a factor of each; "let", by names; "potential", the derivatives by the constants of a potential that is ready to use;
+    has it; of matrices "M", "K" and "C", by a factor of each, and "dampers", by one of each
+    law; "let", by names; "potential", the derivatives by the constants of a potential that is ready to use;
     "damping", a dict for each term of the law, with rho, alpha, time and end; "force", of measured rows, by each F.
 
     These are the derivatives of the numbers that `solve` gives, exact but for rounding: no difference is taken. Of
@@ -152,7 +155,7 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
         setattr(to, field, ffi.cast("double *", found[field].ctypes.data))
     whole = q.kind == "structure"  # then by factors
     for field, size, by in (("x0", d, {"x0"}), ("p0", d, {"p0", "v0"}), ("mass", 1 if whole else d, {"mass", "M"}),
-                            ("damping", 1 if whole else d, {"rho", "C"}), ("alpha", 1, {"alpha", "order"})):
+                            ("damping", len(q.dampers) or 1 if whole else d, {"rho", "C", "dampers"}), ("alpha", 1, {"alpha", "order"})):
         if by & names or (field == "p0" and q.v0 is not None and "mass" in names):
             want(field, size)
     parts = numbers_of_law(system.law, mirror.is_dense) if "damping" in names else []
@@ -210,6 +213,8 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, lets
     for name, field in (("M", "mass"), ("C", "damping"), ("K", "parameters")):
         if name in names:
             answer[name] = float(found[field][0])
+    if "dampers" in names:
+        answer["dampers"] = found["damping"]
     for name, field, given in (("x0", "x0", 1.0 if q.x0 is None else q.x0), ("p0", "p0", 0.5 if q.p0 is None else q.p0),
                                ("rho", "damping", 0.2 if q.rho is None else q.rho)):
         if name in names:
