@@ -97,9 +97,27 @@ int fvi_damping_keep(fvi_damping *damping);
 /* fvi_damping_before, _after -- p before and after a damper has acted on it.
  * fvi_damping_end_step -- the increment of the step is dx: the work is the step's impulse times
  * dx/h. None of them does anything where nothing is kept. */
-void fvi_damping_before(fvi_damping *damping, const double *p);
-void fvi_damping_after(fvi_damping *damping, const double *p);
-void fvi_damping_end_step(fvi_damping *damping, double h, const double *dx);
+void fvi_damping_keep_before(fvi_damping *damping, const double *p);
+void fvi_damping_keep_after(fvi_damping *damping, const double *p);
+void fvi_damping_keep_step(fvi_damping *damping, double h, const double *dx);
+
+static inline void fvi_damping_before(fvi_damping *damping, const double *p)
+{
+    if (damping->kept)
+        fvi_damping_keep_before(damping, p);
+}
+
+static inline void fvi_damping_after(fvi_damping *damping, const double *p)
+{
+    if (damping->kept)
+        fvi_damping_keep_after(damping, p);
+}
+
+static inline void fvi_damping_end_step(fvi_damping *damping, double h, const double *dx)
+{
+    if (damping->kept)
+        fvi_damping_keep_step(damping, h, dx);
+}
 
 /* fvi_damping_sums -- what damper j of a run has given and taken, as fvi_stepper_damper has it. */
 int fvi_damping_sums(const fvi_stepper *s, size_t j, double *impulse, double *work);

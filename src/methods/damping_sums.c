@@ -18,25 +18,24 @@ int fvi_damping_keep(fvi_damping *damping)
     return FVI_SUCCESS;
 }
 
-void fvi_damping_before(fvi_damping *d, const double *p)
+void fvi_damping_keep_before(fvi_damping *d, const double *p)
 {
     const size_t n = d->system->d;
-    if (d->kept)
-        memcpy(d->kept + 2 * n, p, n * sizeof *p);
+    memcpy(d->kept + 2 * n, p, n * sizeof *p);
 }
 
-void fvi_damping_after(fvi_damping *d, const double *p)
+void fvi_damping_keep_after(fvi_damping *d, const double *p)
 {
     const size_t n = d->system->d;
-    for (size_t i = 0; d->kept && i < n; i++)
+    for (size_t i = 0; i < n; i++)
         d->kept[n + i] += d->kept[2 * n + i] - p[i];
 }
 
-void fvi_damping_end_step(fvi_damping *d, double h, const double *dx)
+void fvi_damping_keep_step(fvi_damping *d, double h, const double *dx)
 {
     const size_t n = d->system->d;
     double work = 0;
-    for (size_t i = 0; d->kept && i < n; i++) {
+    for (size_t i = 0; i < n; i++) {
         d->kept[i] += d->kept[n + i];
         work += d->kept[n + i] * dx[i];
         d->kept[n + i] = 0;
