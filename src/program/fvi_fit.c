@@ -95,6 +95,25 @@ static int interpret(request *r, fvi_error *c)
     return status;
 }
 
+/* Where equal steps as short as the gaps of the data would be thousands, as with times that are even
+ * in their logarithms, steps of their own length are taken, unless something was said of them. */
+enum { MANY_STEPS = 1 << 13 };
+static void choose_steps(request *r)
+{
+    static const option_index of_steps[] = { METHOD, H, KAPPA, MEMORY, TOLERANCE };
+    const double *t = r->t;
+    double gap = INFINITY;
+    for (size_t i = 0; i < sizeof of_steps / sizeof *of_steps; i++)
+        if (r->words.given[of_steps[i]])
+            return;
+    for (size_t i = 1; i < r->fit.n; i++)
+        gap = t[i] - t[i - 1] < gap ? t[i] - t[i - 1] : gap;
+    if (!(t[r->fit.n - 1] / gap > MANY_STEPS))
+        return;
+    r->o.method = r->fit.method = &fvi_variable_step;
+    r->o.text[METHOD] = r->o.method->name;
+}
+
 static int read_data(request *r, fvi_error *c)
 {
     static const char *const names[] = { "t", "x" };
@@ -120,6 +139,7 @@ static int read_data(request *r, fvi_error *c)
                           "DATA", "%s: %zu rows are not enough for %zu "
                           "parameters",
                           r->words.operand, r->fit.n, r->fit.parameters);
+    choose_steps(r);
     r->curve = malloc(r->fit.n * sizeof *r->curve);
     return r->curve ? 0
                     : fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
