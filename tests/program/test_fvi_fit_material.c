@@ -159,11 +159,48 @@ START_TEST(fit_chooses_steps_of_its_own_where_gaps_are_short)
 }
 END_TEST
 
+/* The numbers of the page: its table, fitted three times, and its first 25 rows. */
+START_TEST(the_table_of_the_page_is_fitted_as_it_says)
+{
+    static const char TABLE[] = "\"$SOURCES\"/../figures/identification/measured.tsv";
+    char line[300];
+    double row[4];
+    snprintf(line, sizeof line, "\"$FVI\" fit --p0 0.25 --fit alpha,rho %s", TABLE);
+    ck_assert_int_eq(shell(line), 1);
+    row_of("alpha", row);
+    ck_assert_double_eq_tol(row[0], 0.2963, 5e-5);
+    ck_assert_ptr_nonnull(strstr(err, "the residuals have a mean"));
+    snprintf(line, sizeof line, "\"$FVI\" fit --p0 0.25 --fit alpha,rho,c %s", TABLE);
+    ck_assert_int_eq(shell(line), 0);
+    row_of("alpha", row);
+    ck_assert_double_eq_tol(row[0], 0.2859, 5e-5);
+    ck_assert_double_eq_tol(row[2], 0.2817, 5e-5);
+    ck_assert_double_eq_tol(row[3], 0.2902, 5e-5);
+    ck_assert_ptr_nonnull(strstr(err, "an offset of 0.54 sigma would not be seen in the residuals "
+                                      "and moves alpha by 6.5 sd"));
+    snprintf(line, sizeof line, "\"$FVI\" fit --p0 0.25 --fit alpha,rho,c,offset %s", TABLE);
+    ck_assert_int_eq(shell(line), 0);
+    row_of("alpha", row);
+    ck_assert_double_eq_tol(row[0], 0.2937, 5e-5);
+    ck_assert(row[2] < 0.3 && 0.3 < row[3]);
+    snprintf(line, sizeof line,
+             "head -27 %s > short.tsv; \"$FVI\" fit --p0 0.25 --fit alpha,rho,c short.tsv", TABLE);
+    ck_assert_int_eq(shell(line), 0);
+    row_of("alpha", row);
+    ck_assert_double_eq(row[2], 0);
+    ck_assert_double_eq_tol(row[3], 0.42, 5e-3);
+}
+END_TEST
+
 int main(void)
 {
+    char *sources = realpath("src", NULL);
+    setenv("SOURCES", sources ? sources : "src", 1);
+    free(sources);
     Suite *suite = suite_create("fvi fit --moduli");
     ADD_CASE(suite, "materials", a_rheologist_needs_three_commands,
              fit_reads_moduli_of_many_kinds, fit_plans_a_test,
-             fit_chooses_steps_of_its_own_where_gaps_are_short);
+             fit_chooses_steps_of_its_own_where_gaps_are_short,
+             the_table_of_the_page_is_fitted_as_it_says);
     return run_suite_of_program(suite);
 }
