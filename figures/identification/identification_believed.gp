@@ -14,7 +14,7 @@ set xrange [0.27:0.335]
 set xtics 0.01
 set key top right
 set arrow 1 from 0.3, 0 to 0.3, 11 nohead dt 3 lc rgb "#555555"
-plot 3.84 with lines dt 2 lc rgb "#999999" title "95 %, and the truth (dotted)", \
+plot 3.84 with lines dt 2 lc rgb "#767676" title "95 %, and the truth (dotted)", \
      dat index 0 using 1:2 with lines ls 1 title "200 rows: α, ρ, c", \
      dat index 1 using 1:2 with lines ls 2 title "and the offset"
 set lmargin at screen 0.585
@@ -23,8 +23,8 @@ set xrange [0:0.5]
 set xtics 0.1
 unset ylabel
 set arrow 1 from 0.3, 0 to 0.3, 11
-set key top left
-plot 3.84 with lines dt 2 lc rgb "#999999" notitle, \
+set key top left # beside the curves, which would be crossed
+plot 3.84 with lines dt 2 lc rgb "#767676" notitle, \
      dat index 2 using 1:2 with lines ls 1 title "25 rows: α, ρ, c", \
      '' index 2 using 1:3 with lines ls 8 dt 4 title "their parabola"
 unset multiplot
