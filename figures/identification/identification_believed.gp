@@ -12,7 +12,7 @@ set lmargin at screen 0.075
 set rmargin at screen 0.52
 set xrange [0.27:0.335]
 set xtics 0.01
-set key top right
+set key top right # the names would cross the curves
 set arrow 1 from 0.3, 0 to 0.3, 11 nohead dt 3 lc rgb "#555555"
 plot 3.84 with lines dt 2 lc rgb "#767676" title "95 %, and the truth (dotted)", \
      dat index 0 using 1:2 with lines ls 1 title "200 rows: α, ρ, c", \
