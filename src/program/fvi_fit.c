@@ -102,13 +102,13 @@ static void choose_steps(request *r)
 {
     static const option_index of_steps[] = { METHOD, H, KAPPA, MEMORY, TOLERANCE };
     const double *t = r->t;
-    double gap = INFINITY;
+    int are_many = 0;
     for (size_t i = 0; i < sizeof of_steps / sizeof *of_steps; i++)
         if (r->words.given[of_steps[i]])
             return;
     for (size_t i = 1; i < r->fit.n; i++)
-        gap = t[i] - t[i - 1] < gap ? t[i] - t[i - 1] : gap;
-    if (!(t[r->fit.n - 1] / gap > MANY_STEPS))
+        are_many |= t[r->fit.n - 1] > MANY_STEPS * (t[i] - t[i - 1]);
+    if (!are_many)
         return;
     r->o.method = r->fit.method = &fvi_variable_step;
     r->o.text[METHOD] = r->o.method->name;
