@@ -15,8 +15,8 @@ set ylabel "largest acceleration"
 set logscale xy
 set xtics autofreq
 set xrange [0.2:15]
-set yrange [1:100]
-set key top left # the curves lie on each other
+set yrange [0.1:100]
+set key bottom right # the curves lie on each other
 plot dat index 12 using 1:2 with lines ls 7 title "no isolators", \
      '' index 2 using 1:2 with lines ls 1 title "α = 0.1", \
      '' index 11 using 1:2 with lines ls 2 title "α = 0.4"
