@@ -2,6 +2,7 @@
  * Run alone: make test-fvi_fit_material */
 #define _GNU_SOURCE
 #include "fit_rows.h"
+#include "program.h"
 
 #include <stdlib.h>
 
