@@ -334,6 +334,13 @@ def turning():
     return [(x * py - y * px,) * 2]
 
 
+def largest_ratios():
+    """The largest damping ratio of the lowest pole, for a springpot and for a dashpot on the first mass."""
+    def ratio(R, alpha):
+        return fvi("poles", potential="x1^2/2 + (x2-x1)^2/2 + (x3-x2)^2/2", dimension=3, rho=f"{R},0,0", alpha=alpha)[0][3]
+    return [(max(ratio(R / 20, alpha) for R in range(20, 60)),) * 2 for alpha in (0.25, 0.5)]
+
+
 EXPERIMENTS = {
     "00": creep, "25": swing_up, "26": slopes_of_tails,
     "01": half_derivative_of_t, "02": energy_band, "03": first_power, "04": half_of_the_sum,
@@ -342,4 +349,5 @@ EXPERIMENTS = {
     "13": orders_of_two, "14": longest_step, "15": velocity_that_is_left, "16": energy_of_euler,
     "17": order_of_lobatto, "18": honest, "19": two_pasts, "20": error_by_step, "21": pushed,
     "22": steps_by_decade, "23": least_answer, "24": deviations, "27": tips, "28": many_at_once, "29": turning,
+    "30": largest_ratios,
 }

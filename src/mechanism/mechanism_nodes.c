@@ -53,12 +53,14 @@ static int ask_end(fvi_stepper *s, const double *u)
     return status;
 }
 
+//> damper
 /* The force of damper j for the elongations at both ends, (29.6). */
 static double damper_force(const fvi_mechanism_state *o, size_t j)
 {
     const double mean = (o->z[j] + o->elongation[j]) / 2 - o->z0[j];
     return o->known[j] + o->W[j] * mean;
 }
+//< damper
 
 //> residual
 /* h times the equation of p_k; u is the increment, then h^2 / 2 Lambda. */

@@ -30,7 +30,7 @@ static double work_of(const fvi_stepper *s)
 }
 
 /* Both programs round: some 1e-14 of numbers of size 1, in 40 steps. Seen 5e-14 of 1e-13. */
-START_TEST(the_rows_are_those_of_another_program)
+START_TEST(eq_29_6_and_29_7_the_rows_are_those_of_another_program)
 {
     for (size_t i = 0; i < sizeof prototype_rows / sizeof *prototype_rows; i++) {
         const prototype_row *row = &prototype_rows[i];
@@ -230,7 +230,7 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("lagrangian");
-    ADD_CASE(suite, "rows", the_rows_are_those_of_another_program,
+    ADD_CASE(suite, "rows", eq_29_6_and_29_7_the_rows_are_those_of_another_program,
              a_potential_is_the_case_of_a_quadratic_lagrangian,
              a_run_can_be_forked_saved_and_begun_again,
              newtons_method_has_exact_derivatives);
