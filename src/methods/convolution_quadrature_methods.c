@@ -130,6 +130,7 @@ static int damp(fvi_stepper *s, fvi_cq_damper *o)
     return status;
 }
 
+//> second-order
 static int step_second_order(fvi_stepper *s)
 {
     fvi_cq_state *o = s->method_state;
@@ -149,6 +150,7 @@ static int step_second_order(fvi_stepper *s)
         status = damp(s, o->each + j);
     return status;
 }
+//< second-order
 //< step
 
 static int start_stable(fvi_stepper *s)
