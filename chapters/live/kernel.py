@@ -17,7 +17,9 @@ MODULES = [*wasm.MODULES, "linearised", "history_modes", "memory_nodes", "integr
 # Of the exponentials those of many masses, of gradients those of steps and methods that no figure has.
 ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_ahead fvi_history_tiled_alloc fvi_history_tiled_bytes fvi_history_tiled_copy
     fvi_history_tiled_push fvi_history_tiled_archive fvi_adjoint_variable fvi_adjoint_lobatto_end
-    fvi_adjoint_lobatto_start fvi_adjoint_lobatto_step fvi_tangent_stages_start fvi_tangent_stages_step""".split()]
+    fvi_adjoint_lobatto_start fvi_adjoint_lobatto_step fvi_tangent_stages_start fvi_tangent_stages_step
+    fvi_impulses_of_slope_alloc fvi_adjoint_lobatto_jump fvi_adjoint_dampers_check fvi_adjoint_dampers_end
+    fvi_adjoint_dampers_free fvi_adjoint_dampers_start fvi_adjoint_dampers_step""".split()]
 SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "orders.js", HERE / "modes.js"]
 WORDS = "scene, scenes, begin, open, start, settled, axes, error, span, short, readColours, stopsOf, orders, modes"
 

@@ -109,7 +109,8 @@ int fvi_initial_history_force_copy(const fvi_initial_history_force *from, size_t
 
 void fvi_initial_history_force_stop(fvi_initial_history_force *force)
 {
-    fvi_impulses_of_kernel_free(force->of_law);
+    if (force->of_law) /* the live page has no laws, and not this function */
+        fvi_impulses_of_kernel_free(force->of_law);
     free(force->size);
     force->of_law = NULL;
     force->size = NULL;

@@ -148,7 +148,8 @@ void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
 {
     fvi_stepper_free(m->stepper);
     fvi_adjoint_constant_stop(&m->constant);
-    fvi_impulses_of_kernel_free(m->impulses_of_law);
+    if (m->impulses_of_law)
+        fvi_impulses_of_kernel_free(m->impulses_of_law);
     fvi_adjoint_constant_stop(&m->jumped);
     for (size_t i = 0; i < m->terms; i++)
         fvi_adjoint_term_stop(&m->each[i]);
