@@ -17,6 +17,7 @@
 #include "directory.h"
 #include "discrete_mechanics.h"
 #include "error.h"
+#include "events.h"
 #include "expression.h"
 #include "exact_solution.h"
 #include "format_double.h"

@@ -47,6 +47,8 @@ extern "C" {
  *   most_steps  for methods that choose their steps: so many may be taken, with those that were
  *              given up; then FVI_ERUNAWAY. 0: no number, but a run ends so if the rest would
  *              take more than 2^40 steps at the pace of the last 2^18
+ *   events, event_count  for fvi_variable_step: what is watched along the run (events.h), or none;
+ *              must outlive the run
  *   law      NULL, or what stands in place of D^{2 alpha} (damping_laws.h): alpha is then
  *            not read, and the body was held before t = 0; must outlive the run. For
  *            methods that say so
@@ -69,7 +71,11 @@ typedef struct {
     double longest;
     size_t most_steps;
     const fvi_kernel *law;
+    const struct fvi_event *events;
+    size_t event_count;
 } fvi_run;
+
+typedef struct fvi_event fvi_event;
 
 /* fvi_run_default -- a run with kappa = 1/2 and alpha = 1/2, of a body that was held
  * at x0, its memory summed in the best way that there is; change what you like. */

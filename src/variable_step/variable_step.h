@@ -1,11 +1,12 @@
 /* src/variable_step/variable_step.h -- What a run with variable steps keeps.     [H 22]
  *
  * Internal: variable_step_start.c makes it, variable_step_state.c holds it, variable_steps.c steps
- * with it, variable_step_solve.c solves the equation of a step, variable_step_dense.c has what is
+ * with it, variable_step_events.c ends steps at events, variable_step_solve.c solves the equation of a step, variable_step_dense.c has what is
  * between its ends, variable_step_singular.c the start that is not smooth. */
 #ifndef FVI_VARIABLE_STEP_H
 #define FVI_VARIABLE_STEP_H
 
+#include <fvi/events.h>
 #include <fvi/variable_steps.h>
 #include "variable_step_band.h"
 #include "stages/variable_modes.h"
@@ -67,6 +68,25 @@ typedef struct {
         pull; /* what is left as a force: -pull ((rho/m) t^gap)^{J+1} t^{e-2} */
 } fvi_singular;
 
+/* What a run with events knows of them, one number of each event:
+ *
+ *   side      the sign of z before it passes 0, or 0: not yet known
+ *   size      the largest |z| so far
+ *   rounding  |z| where it was last made 0
+ *   has_hit   nonzero in the step after its impact
+ *   theta     where in the step that is tried it passes 0, or INFINITY
+ *   z         of each stage of that step, event by event
+ *   point     4 d numbers: x, p; the normal, and the acceleration */
+typedef struct {
+    size_t count;
+    double *side, *size, *rounding, *has_hit, *theta, *z, *point;
+    int is_ready; /* nonzero once the sides at the start are known */
+    int at_rest;  /* nonzero if the step ends where a hop is too short for steps */
+    int is_over;
+    fvi_event_time *times;
+    size_t happened, room;
+} fvi_event_watch;
+
 /* How the equation of a step is solved: at once, as U is quadratic and its Hessian
  * diagonal; as its Hessian is diagonal; as it is not, by iterations; all together at
  * once, as an iteration has not contracted too often. With a band the second and third
@@ -107,6 +127,8 @@ typedef struct {
     double *y, *y_less, *v, *v_less, t, t_less;
     double *impulse_dv; /* what the impulses at t have added to v */
     size_t hits;  /* impulses that have acted */
+    int takes_kicks; /* nonzero if steps can be as short as a jump of v asks for */
+    fvi_event_watch *watch; /* NULL: no events */
     /* this step, or the last: its start, its stages */
     double t0, *y0, *v0;
     double *base, *R, *delta;
@@ -200,6 +222,30 @@ fvi_variable_step_copy_kernel(const fvi_variable_step_kernel *from);
 int fvi_variable_step_begin_kernel(fvi_variable_step_state *o);
 void fvi_variable_step_present_kernel(fvi_variable_step_state *o, double h);
 
+/* fvi_variable_step_try -- delta of a step of such length, and the estimate of its error. Returns what
+ * fvi_variable_step_solve does. */
+int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
+                          double *error);
+
+/* fvi_variable_step_has_impacts -- is there one among the events of the run?
+ * fvi_variable_step_begin_events, _copy_events, _free_events -- o->watch, NULL where nothing is watched.
+ * FVI_ENOMEM.
+ * fvi_variable_step_end_at_event -- the step that has been tried ends at its first event: it is solved
+ * again with such a length. Returns what fvi_variable_step_solve or a function of an event does, and
+ * FVI_EOVRFLW where a z is not finite.
+ * fvi_variable_step_act -- behind that step, what its events do; how the next one begins. */
+int fvi_variable_step_has_impacts(const fvi_run *run);
+int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *o);
+int fvi_variable_step_copy_events(const fvi_event_watch *from, fvi_variable_step_state *o);
+void fvi_variable_step_free_events(fvi_event_watch *w);
+int fvi_variable_step_end_at_event(fvi_stepper *s, fvi_variable_step_state *o);
+int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o);
+
+/* fvi_variable_step_sides -- all z where the stepper stands. A side that is not known is that of its z;
+ * with `anew`, as p has jumped, so are those of events that are no impact of this moment. Returns what
+ * a function of an event does, and FVI_EOVRFLW where a z is not finite. */
+int fvi_variable_step_sides(const fvi_stepper *s, fvi_event_watch *w, int anew);
+
 /* fvi_variable_step_next_event -- the next time at which a step has to end.
  * fvi_variable_step_exponent -- the k of a length exp(L k), which may be none of the lattice.
  * fvi_variable_step_choose -- o->allowed, and the length of the next step: as o->next says, or
@@ -255,6 +301,10 @@ void fvi_variable_step_shapes(size_t s, const double *theta, fvi_square *R);
 
 /* fvi_variable_step_dense -- as fvi_method has it.                               (22.18) */
 int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p);
+
+/* fvi_variable_step_within -- x and p, d numbers each, at t + theta h of the step that has been tried. */
+void fvi_variable_step_within(const fvi_stepper *s, const fvi_variable_step_state *o,
+                              double theta, double *x, double *p);
 
 /* fvi_variable_step_acceleration -- x'' at a time within the last step, d numbers: the polynomial that
  * dense integrates, and G'' of a singular start. Returns as dense. */

@@ -128,6 +128,24 @@ int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p
 }
 //< dense
 
+void fvi_variable_step_within(const fvi_stepper *s, const fvi_variable_step_state *o,
+                              double theta, double *x, double *p)
+{
+    const double h = o->length.h, t = o->t + theta * h;
+    double by_x[FVI_LANES], by_v[FVI_LANES], g[FVI_LANES];
+    fvi_variable_step_twice(theta, by_x);
+    fvi_variable_step_once(theta, by_v);
+    for (size_t j = 0; j < o->d; j++) {
+        fvi_variable_step_powers(o->rule->s, o->accel_legendre + j * FVI_LANES, g);
+        x[j] = o->y[j]
+               + h * (theta * o->v[j] + product((const fvi_four *)by_x, g));
+        p[j] = s->run.system->mass[j]
+               * (o->v[j] + product((const fvi_four *)by_v, g));
+    }
+    if (fvi_singular_is(o, o->t) && t > 0)
+        add_singular(o, s->run.system->mass, t, x, p);
+}
+
 int fvi_variable_step_acceleration(const fvi_stepper *s, double t, double *a)
 {
     fvi_variable_step_state *o = s->method_state;

@@ -171,6 +171,22 @@ static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
     o->first_after_event = 1;
 }
 
+/* By impulses of the force, or by impacts? */
+static int velocities_jump(const fvi_stepper *s)
+{
+    return s->run.system->force.impulse_count > 0
+           || fvi_variable_step_has_impacts(&s->run);
+}
+
+/* Are the steps, and the modes, short enough for a velocity that jumps? */
+static int takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o)
+{
+    if (o->damped == 0 || velocities_jump(s))
+        return 1;
+    return o->kernel ? fvi_kernel_growth(s->run.law) <= 1
+                     : o->beta <= 0 || o->beta == 1;
+}
+
 /* The modes, if damping remembers; when the singular start is over. */
 static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
 {
@@ -193,7 +209,7 @@ static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
         return status;
     if (o->singular.J)
         o->least = smaller(o->least, o->singular.t1 / 16);
-    if (system->force.impulse_count > 0 && o->beta > 0) /* x'' is as h^-beta */
+    if (velocities_jump(s) && o->beta > 0) /* x'' is as h^-beta */
         o->least = smaller(
             o->least, o->T * pow(1e-4 * fmin(o->tolerance, 1), 1 / (1 - o->beta)));
     if (o->least < FVI_SHORTEST / 16 * o->T)
@@ -245,7 +261,7 @@ static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
     if (!s->run.law)
         return FVI_SUCCESS;
     s->run.alpha = 0.25;
-    int jumps = system->force.impulse_count > 0;
+    int jumps = velocities_jump(s);
     for (size_t j = 0; j < system->d; j++)
         jumps |= system->damping[j] > 0 && s->p[j] != 0;
     if (jumps && fvi_kernel_growth(s->run.law) > 1)
@@ -282,6 +298,8 @@ static int start(fvi_stepper *s, int open)
     }
     if (!status)
         status = find_events(s, o);
+    if (!status)
+        status = fvi_variable_step_begin_events(&s->run, o);
     free(springs);
     if (status)
         return status;
@@ -302,6 +320,7 @@ static int start(fvi_stepper *s, int open)
     o->fewest = (int)floor(log(o->least) / fvi_variable_spacing());
     o->first = (int)larger(o->first, o->fewest);
     o->next = o->first;
+    o->takes_kicks = takes_kicks(s, o);
     return FVI_SUCCESS;
 }
 

@@ -32,6 +32,7 @@ void fvi_variable_step_stop(fvi_stepper *s)
     free(o->events);
     free(o->jacobian);
     fvi_variable_step_band_free(o->band);
+    fvi_variable_step_free_events(o->watch);
     free(o->y);
     free(o);
 }
@@ -91,6 +92,7 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
     o->events = NULL;
     o->jacobian = NULL;
     o->band = NULL;
+    o->watch = NULL;
     o->y = NULL;
     o->coupled = old->band ? 0 : old->coupled; /* factors are not copied */
     int status = fvi_variable_step_allocate(o);
@@ -112,7 +114,8 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
     memcpy(o->events, old->events, o->event_count * sizeof *o->events);
     if (old->kernel && !(o->kernel = fvi_variable_step_copy_kernel(old->kernel)))
         FVI_FAIL("no memory for the law", FVI_ENOMEM);
-    if (old->modes)
+    status = fvi_variable_step_copy_events(old->watch, o);
+    if (!status && old->modes)
         status = fvi_modes_copy(old->modes, &o->modes);
     return status || !old->rising ? status
                                   : fvi_modes_copy(old->rising, &o->rising);
@@ -256,6 +259,8 @@ int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
     const size_t number = sizeof(double), whole = sizeof(int);
     const size_t once = STATE * o->d * number;
     const fvi_step_solver before = o->solve;
+    if (o->watch)
+        FVI_FAIL("a run with events cannot be saved", FVI_EUNSUP);
     const struct {
         void *data;
         size_t bytes;

@@ -145,9 +145,8 @@ static double estimate(fvi_variable_step_state *o)
 }
 //< estimate
 
-/* delta of a step of such length, and the estimate of its error. */
-static int try_step(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
-                 double *error)
+int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
+                          double *error)
 {
     int status = fvi_variable_step_matrices(o, length);
     if (status)
@@ -306,14 +305,15 @@ static int step(fvi_stepper *s)
     fvi_variable_step_state *o = s->method_state;
     const double event = fvi_variable_step_next_event(o);
     double found = 0, error = 0, found_before = 0, h_before = 0;
+    int status = FVI_SUCCESS;
     o->powers_known = 0; /* accel_legendre stands there */
     for (;;) {
         if (fvi_variable_step_runs_away(o, s->run.most_steps))
             return FVI_ERUNAWAY;
         fvi_length length;
-        int status = fvi_variable_step_choose(s, o, event, &length);
+        status = fvi_variable_step_choose(s, o, event, &length);
         if (!status)
-            status = try_step(s, o, length, &found);
+            status = fvi_variable_step_try(s, o, length, &found);
         const int failed = status == FVI_EMAXITER || status == FVI_ESING;
         if (status && !failed)
             return status;
@@ -331,6 +331,10 @@ static int step(fvi_stepper *s)
         found_before = failed ? 0 : found;
         h_before = length.h;
     }
+    if (o->watch)
+        status = fvi_variable_step_end_at_event(s, o);
+    if (status)
+        return status;
     accept_step(o, event);
     const int over = fvi_singular_is(o, o->t0) && !fvi_singular_is(o, o->t);
     if (over)
@@ -340,7 +344,7 @@ static int step(fvi_stepper *s)
     if (o->first_after_event)
         o->next = o->first;
     update_stepper(s, o);
-    return FVI_SUCCESS;
+    return o->watch ? fvi_variable_step_act(s, o) : FVI_SUCCESS;
 }
 //< step
 

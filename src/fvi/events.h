@@ -1,0 +1,103 @@
+/* src/fvi/events.h -- Events of a run: impacts, stops, marks.             [H 22]
+ *
+ *     const fvi_event floor = { .value = height, .gradient = upwards, .action = FVI_EVENT_IMPACT,
+ *                               .restitution = 0.8 };
+ *     run.events = &floor;
+ *     run.event_count = 1;
+ *     while (s->k < run.steps && !fvi_stepper_is_over(s) && !(status = fvi_stepper_step(s)))
+ *         ;
+ *
+ * An event is a function z(t, x, p) that passes 0. fvi_variable_step, the only method that takes
+ * events, shortens its step until z is 0 at its end: the length of the step is the unknown, and the
+ * step is solved again for each length that is tried. Then the event acts, between two steps.
+ *
+ * At an impact the momentum jumps along the normal n = dz/dx, with v = M^-1 p:
+ *
+ *     p -> p - (1 + e) n (n . v + dz/dt) / (n . M^-1 n)
+ *
+ * The speed n . v + dz/dt, at which z changes, is then -e times what it was. Positions and memory stay
+ * as they are; the memory sees the new velocity in the steps that follow. For alpha = 1 a damped mass
+ * is m + rho, as everywhere (19.5). For example a ball with m = 1 that falls with p = -2 onto z = x
+ * leaves with p = 1.6 for e = 0.8. */
+#ifndef FVI_EVENTS_H
+#define FVI_EVENTS_H
+
+#include "trajectory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* What happens: nothing but a note of the time; the run ends; the momentum jumps. */
+typedef enum {
+    FVI_EVENT_MARK,
+    FVI_EVENT_STOP,
+    FVI_EVENT_IMPACT
+} fvi_event_action;
+
+/* fvi_event -- what is watched.
+ *
+ *   value        z at a time; returns 0, or a code that ends the step
+ *   gradient     of an impact: dz/dx, d numbers, and dz/dt; else NULL
+ *   params       handed to both
+ *   direction    1: z must rise through 0, -1: fall; 0: either
+ *   action       as above
+ *   restitution  e of an impact, 0 <= e <= 1
+ *
+ * Which side of 0 the motion is on is known from its first time with z != 0: what begins with z = 0 is
+ * no event yet. A jump of p by another event at the same time is no passing of 0. z is looked at at
+ * six or eight times of each step, so one that passes 0 twice between two of them is not seen;
+ * run.longest makes the steps shorter. */
+struct fvi_event {
+    int (*value)(double t, size_t d, const double *x, const double *p,
+                 void *params, double *z);
+    int (*gradient)(double t, size_t d, const double *x, void *params,
+                    double *normal, double *rate);
+    void *params;
+    int direction;
+    fvi_event_action action;
+    double restitution;
+};
+
+/* fvi_event_time -- what has happened: when; which of run.events; nonzero if the body is at rest
+ * there. */
+typedef struct {
+    double t;
+    size_t event;
+    int at_rest;
+} fvi_event_time;
+
+/* fvi_stepper_events -- all events of a run so far, in their order. They belong to the stepper,
+ * until its next step. n may not be NULL; of a run without events it becomes 0. Cost O(1). */
+const fvi_event_time *fvi_stepper_events(const fvi_stepper *s, size_t *n);
+
+/* fvi_stepper_is_over -- nonzero once an event has ended the run: a stop; or a body that has come to
+ * rest. It has if an impact leaves it so slow that it would fall back from a height, in z, which
+ * is below the tolerance of a step: a bouncing ball ends so after finitely many impacts. The next
+ * fvi_stepper_step then returns FVI_EINVAL. */
+int fvi_stepper_is_over(const fvi_stepper *s);
+
+/* fvi_stepper_kick -- p += J between two steps of fvi_variable_step, as an impulse of the force does.
+ *
+ *   J   d finite numbers
+ *
+ * For alpha > 1/2 a run must know at its start that velocities will jump, as shorter steps follow
+ * then: by an impulse of its force, which may be 0, or by an impact among its events.
+ * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EDOM if a number is not finite; FVI_EINVAL of another
+ * method, or within a callback; FVI_EUNSUP if the run did not know, or has a law of damping that
+ * grows faster than s. Cost O(d). */
+int fvi_stepper_kick(fvi_stepper *s, const double *J);
+
+/* fvi_events_check -- FVI_SUCCESS; or what is wrong, field "events", the index that of the event:
+ * FVI_EUNSUP if the method takes none, FVI_EFAULT without an array or a function, FVI_EDOM for a
+ * restitution that is not in [0, 1], FVI_EINVAL for an unknown action. fvi_stepper_start asks. */
+int fvi_events_check(const fvi_method *method, const fvi_run *run,
+                     fvi_error *error);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

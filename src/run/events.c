@@ -1,0 +1,44 @@
+/* src/run/events.c -- Are these events that a run can have?              [H 22] */
+#include <fvi/events.h>
+
+#include <fvi/error.h>
+
+#include <math.h>
+
+static int refuse(int code, size_t i, double value, const char *reason,
+                  fvi_error *error)
+{
+    fvi_fail(error, code, "events", value, "event %zu: %s", i, reason);
+    if (error)
+        error->index = i;
+    return code;
+}
+
+int fvi_events_check(const fvi_method *method, const fvi_run *run,
+                     fvi_error *error)
+{
+    if (run->event_count == 0)
+        return FVI_SUCCESS;
+    if (!run->events)
+        return fvi_fail(error, FVI_EFAULT, "events", NAN,
+                        "events is a null pointer");
+    if (method->scheme != FVI_SCHEME_VARIABLE_STEP)
+        return fvi_fail(error, FVI_EUNSUP, "events", NAN,
+                        "this method has no events; fvi-adaptive has");
+    for (size_t i = 0; i < run->event_count; i++) {
+        const fvi_event *e = &run->events[i];
+        if (e->action != FVI_EVENT_MARK && e->action != FVI_EVENT_STOP
+            && e->action != FVI_EVENT_IMPACT)
+            return refuse(FVI_EINVAL, i, e->action, "unknown action", error);
+        const int hits = e->action == FVI_EVENT_IMPACT;
+        if (!e->value || (hits && !e->gradient))
+            return refuse(FVI_EFAULT, i, NAN,
+                          e->value ? "an impact needs its gradient"
+                                   : "it needs its value",
+                          error);
+        if (hits && !(e->restitution >= 0 && e->restitution <= 1))
+            return refuse(FVI_EDOM, i, e->restitution,
+                          "the restitution must be in [0, 1]", error);
+    }
+    return FVI_SUCCESS;
+}

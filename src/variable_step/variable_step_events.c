@@ -1,0 +1,309 @@
+/* src/variable_step/variable_step_events.c -- A step ends where an event is.   [H 22]
+ *
+ * A step has been tried. If z changes its sign within, the polynomial of that step says about when;
+ * then the length h of the step is the unknown of z(x(h)) = 0, and each trial solves the step anew.
+ * Nothing of the past has moved yet, so the last trial is the step. */
+#include "variable_step.h"
+
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- what is kept ---- */
+
+int fvi_variable_step_has_impacts(const fvi_run *run)
+{
+    for (size_t i = 0; i < run->event_count; i++)
+        if (run->events[i].action == FVI_EVENT_IMPACT)
+            return 1;
+    return 0;
+}
+
+static size_t numbers(const fvi_variable_step_state *o, size_t count)
+{
+    return count * (5 + o->rule->s) + 4 * o->d;
+}
+
+int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *o)
+{
+    const size_t n = run->event_count;
+    if (n == 0)
+        return FVI_SUCCESS;
+    fvi_event_watch *w = o->watch = calloc(1, sizeof *w);
+    if (w)
+        w->side = calloc(numbers(o, n), sizeof *w->side);
+    if (!w || !w->side)
+        FVI_FAIL("no memory for the events", FVI_ENOMEM);
+    w->count = n;
+    w->size = w->side + n;
+    w->rounding = w->size + n;
+    w->has_hit = w->rounding + n;
+    w->theta = w->has_hit + n;
+    w->z = w->theta + n;
+    w->point = w->z + n * o->rule->s;
+    return FVI_SUCCESS;
+}
+
+int fvi_variable_step_copy_events(const fvi_event_watch *from, fvi_variable_step_state *o)
+{
+    if (!from)
+        return FVI_SUCCESS;
+    const fvi_run run = { .event_count = from->count };
+    const int status = fvi_variable_step_begin_events(&run, o);
+    if (status)
+        return status;
+    fvi_event_watch *w = o->watch;
+    memcpy(w->side, from->side, numbers(o, w->count) * sizeof *w->side);
+    w->is_ready = from->is_ready;
+    w->is_over = from->is_over;
+    if (from->happened == 0)
+        return FVI_SUCCESS;
+    w->times = malloc(from->happened * sizeof *w->times);
+    if (!w->times)
+        FVI_FAIL("no memory for the events", FVI_ENOMEM);
+    memcpy(w->times, from->times, from->happened * sizeof *w->times);
+    w->happened = w->room = from->happened;
+    return FVI_SUCCESS;
+}
+
+void fvi_variable_step_free_events(fvi_event_watch *w)
+{
+    if (!w)
+        return;
+    free(w->times);
+    free(w->side);
+    free(w);
+}
+
+/* ---- z ---- */
+
+static int evaluate(const fvi_stepper *s, size_t i, double t, const double *x,
+                    const double *p, double *z)
+{
+    const fvi_event *e = &s->run.events[i];
+    fvi_event_watch *w = ((fvi_variable_step_state *)s->method_state)->watch;
+    const int status = e->value(t, s->run.system->d, x, p, e->params, z);
+    if (status)
+        return status;
+    if (!isfinite(*z))
+        return FVI_EOVRFLW;
+    w->size[i] = larger(w->size[i], fabs(*z));
+    return FVI_SUCCESS;
+}
+
+/* Its sign, or 0 where rounding may have made it. */
+static double sign_of(const fvi_event_watch *w, size_t i, double z)
+{
+    const double least = larger(8 * GSL_DBL_EPSILON * w->size[i], 4 * w->rounding[i]);
+    return fabs(z) <= least ? 0 : z > 0 ? 1 : -1;
+}
+
+/* At t + theta h of the step that has been tried. */
+static int value_within(const fvi_stepper *s, const fvi_variable_step_state *o,
+                        size_t i, double theta, double *z)
+{
+    double *x = o->watch->point, *p = x + o->d;
+    fvi_variable_step_within(s, o, theta, x, p);
+    return evaluate(s, i, o->t + theta * o->length.h, x, p, z);
+}
+
+/* At its end, as the step will have it. */
+static int value_at_end(const fvi_stepper *s, const fvi_variable_step_state *o,
+                        size_t i, double *z)
+{
+    const size_t last = o->rule->s - 1;
+    const double h = o->length.h, t = o->t + h;
+    double *x = o->watch->point, *p = x + o->d, move[FVI_LANES];
+    for (size_t j = 0; j < o->d; j++) {
+        const double *delta = o->delta + j * FVI_LANES;
+        double G = 0, slope = 0;
+        if (fvi_singular_is(o, o->t))
+            fvi_singular_at(&o->singular, j, t, &G, &slope, NULL);
+        fvi_square_apply(o->rule->s, o->to_x, delta, move);
+        x[j] = o->y[j] + h * (o->v[j] + move[last]) + G;
+        p[j] = s->run.system->mass[j] * (o->v[j] + delta[last] + slope);
+    }
+    return evaluate(s, i, t, x, p, z);
+}
+
+int fvi_variable_step_sides(const fvi_stepper *s, fvi_event_watch *w, int anew)
+{
+    for (size_t i = 0; i < w->count; i++) {
+        double z;
+        const int status = evaluate(s, i, s->t, s->x, s->p, &z);
+        if (status)
+            return status;
+        const double sign = sign_of(w, i, z);
+        if (sign != 0 && (w->side[i] == 0 || (anew && !w->has_hit[i])))
+            w->side[i] = sign;
+    }
+    return FVI_SUCCESS;
+}
+
+/* ---- the first event of a step ---- */
+
+/* Between two times of the polynomial, z on its side at the first, or not far from 0. */
+static int bisect(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
+                  double side, double low, double high, double *theta)
+{
+    for (int n = 0; n < 50; n++) {
+        const double middle = low + (high - low) / 2;
+        double z;
+        const int status = value_within(s, o, i, middle, &z);
+        if (status)
+            return status;
+        if (z * side > 0)
+            low = middle;
+        else
+            high = middle;
+    }
+    *theta = high;
+    return FVI_SUCCESS;
+}
+
+/* Where event i passes 0, to theta; INFINITY if it does not. *is_too_long: behind its impact z has
+ * not been on its side at any stage, so that a shorter step has to find it there. */
+static int find_passing(const fvi_stepper *s, const fvi_variable_step_state *o,
+                        size_t i, int *is_too_long)
+{
+    fvi_event_watch *w = o->watch;
+    const fvi_event *e = &s->run.events[i];
+    double side = w->side[i], low = 0;
+    int is_seen = !w->has_hit[i];
+    w->theta[i] = INFINITY;
+    for (size_t n = 1; n < o->rule->s; n++) {
+        const double sign = sign_of(w, i, w->z[i * o->rule->s + n]),
+                     here = n + 1 < o->rule->s ? o->rule->c[n] : 1;
+        const int passes = side != 0 && sign == -side;
+        if (sign == 0)
+            continue;
+        if (passes && !is_seen) {
+            *is_too_long = 1;
+            return FVI_SUCCESS;
+        }
+        if (passes && (e->direction == 0 || e->direction == -side))
+            return bisect(s, o, i, side, low, here, &w->theta[i]);
+        side = sign;
+        is_seen = 1;
+        low = here;
+    }
+    return FVI_SUCCESS;
+}
+
+/* The event that is the first; w->count if there is none. */
+static int find_first(const fvi_stepper *s, fvi_variable_step_state *o,
+                      size_t *first, int *is_too_long)
+{
+    fvi_event_watch *w = o->watch;
+    const size_t stages = o->rule->s;
+    int status = FVI_SUCCESS;
+    *is_too_long = 0;
+    *first = w->count;
+    for (size_t n = 1; n < stages && !status; n++)
+        for (size_t i = 0; i < w->count && !status; i++)
+            status = n + 1 < stages
+                         ? value_within(s, o, i, o->rule->c[n], &w->z[i * stages + n])
+                         : value_at_end(s, o, i, &w->z[i * stages + n]);
+    for (size_t i = 0; i < w->count && !status; i++) {
+        status = find_passing(s, o, i, is_too_long);
+        if (w->theta[i] < INFINITY
+            && (*first == w->count || w->theta[i] < w->theta[*first]))
+            *first = i;
+    }
+    return status;
+}
+
+/* ---- the length of the step ---- */
+
+//> event_length
+/* z at the end of a step of length h, which is solved for it. */
+static int try_length(fvi_stepper *s, fvi_variable_step_state *o, size_t i, double h,
+                      double *z)
+{
+    double error;
+    const int status = fvi_variable_step_try(s, o, (fvi_length){ h, FVI_OFF_LATTICE },
+                                             &error);
+    return status ? status : value_at_end(s, o, i, z);
+}
+
+/* The length at which z is 0, by secants, from what the polynomial says of it and of dz/dh. They
+ * end where z becomes no smaller, or h changes by a rounding of the time. */
+static int solve_length(fvi_stepper *s, fvi_variable_step_state *o, size_t i,
+                        double guess, double slope, double longest)
+{
+    const double least = 4 * GSL_DBL_EPSILON * (o->t + guess);
+    double h = larger(guess, least), best_h = h, best = INFINITY, h0 = 0, z0 = 0, z = 0;
+    for (int n = 0; n < 12; n++) {
+        const int status = try_length(s, o, i, h, &z);
+        if (status)
+            return status;
+        if (n > 0 && h != h0 && z != z0)
+            slope = (z - z0) / (h - h0);
+        const int is_better = fabs(z) < best;
+        if (is_better) {
+            best = fabs(z);
+            best_h = h;
+        }
+        const double next = fmin(larger(h - z / slope, least), longest);
+        if (!is_better || z == 0 || !isfinite(next)
+            || fabs(next - h) <= GSL_DBL_EPSILON / 2 * (o->t + h))
+            break;
+        h0 = h;
+        z0 = z;
+        h = next;
+    }
+    o->watch->rounding[i] = best;
+    return best_h == o->length.h ? FVI_SUCCESS : try_length(s, o, i, best_h, &z);
+}
+//< event_length
+
+/* dz/dh near theta, by the polynomial. */
+static int slope_of(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
+                    double theta, double *slope)
+{
+    const double low = larger(theta - 1e-4, 0), high = fmin(theta + 1e-4, 1);
+    double z, before;
+    int status = value_within(s, o, i, low, &before);
+    if (!status)
+        status = value_within(s, o, i, high, &z);
+    if (!status)
+        *slope = (z - before) / ((high - low) * o->length.h);
+    return status;
+}
+
+int fvi_variable_step_end_at_event(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    fvi_event_watch *w = o->watch;
+    size_t first;
+    int is_too_long, status = FVI_SUCCESS;
+    w->at_rest = 0;
+    if (w->is_over)
+        FVI_FAIL("an event has ended the run", FVI_EINVAL);
+    if (!w->is_ready)
+        status = fvi_variable_step_sides(s, w, 1);
+    w->is_ready = 1;
+    while (!status) {
+        double error, slope;
+        const double h = o->length.h;
+        status = find_first(s, o, &first, &is_too_long);
+        if (status)
+            return status;
+        if (is_too_long && h > larger(o->least, 64 * GSL_DBL_EPSILON * o->t)) {
+            status = fvi_variable_step_try(
+                s, o, (fvi_length){ h / 4, FVI_OFF_LATTICE }, &error);
+            continue;
+        }
+        w->at_rest = is_too_long;
+        if (is_too_long || first == w->count)
+            return FVI_SUCCESS;
+        status = slope_of(s, o, first, w->theta[first], &slope);
+        return status ? status
+                      : solve_length(s, o, first, w->theta[first] * h, slope, h);
+    }
+    return status;
+}

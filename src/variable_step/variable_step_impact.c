@@ -1,0 +1,157 @@
+/* src/variable_step/variable_step_impact.c -- What an event does.              [H 22]
+ *
+ * The step has ended there (variable_step_events.c): momenta jump, or the run is over. */
+#include "variable_step.h"
+
+#include "system/fail.h"
+
+#include <gsl/gsl_machine.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- impacts ---- */
+
+/* A mass as a jump of the velocity meets it. */
+static double mass_of(const fvi_stepper *s, size_t j)
+{
+    const fvi_variable_step_state *o = s->method_state;
+    return o->group[o->kind[j]].mass;
+}
+
+static void kick(fvi_stepper *s, const double *J, double factor)
+{
+    fvi_variable_step_state *o = s->method_state;
+    for (size_t j = 0; j < o->d; j++) {
+        const double jump = factor * J[j] / mass_of(s, j);
+        o->impulse_dv[j] += jump;
+        o->v[j] += jump;
+        s->p[j] += s->run.system->mass[j] * jump;
+    }
+    o->first_after_event = 1;
+    o->next = o->first;
+}
+
+/* The time is noted. */
+static int note(fvi_event_watch *w, double t, size_t i, int at_rest)
+{
+    if (w->happened == w->room) {
+        const size_t room = 2 * w->room + 16;
+        fvi_event_time *more = realloc(w->times, room * sizeof *more);
+        if (!more)
+            FVI_FAIL("no memory for the events", FVI_ENOMEM);
+        w->times = more;
+        w->room = room;
+    }
+    w->times[w->happened++] = (fvi_event_time){ t, i, at_rest };
+    return FVI_SUCCESS;
+}
+
+//> impact
+/* p -> p - (1 + e) n (n v + dz/dt) / (n M^-1 n), if the body comes nearer. Is it at rest then, as it
+ * would rise no higher, in z, than the step may err, before it falls back? */
+static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_rest)
+{
+    const fvi_event *e = &s->run.events[i];
+    fvi_event_watch *w = o->watch;
+    double *normal = w->point + 2 * o->d, *a = normal + o->d, rate, speed, size = 0,
+           inverse = 0, fall = 0;
+    int status = e->gradient(s->t, o->d, s->x, e->params, normal, &rate);
+    if (!status)
+        status = fvi_variable_step_acceleration(s, s->t, a);
+    if (status)
+        return status;
+    speed = rate;
+    for (size_t j = 0; j < o->d; j++) {
+        speed += normal[j] * s->p[j] / s->run.system->mass[j];
+        inverse += normal[j] * normal[j] / mass_of(s, j);
+        fall -= w->side[i] * normal[j] * a[j];
+        size += normal[j] * normal[j];
+    }
+    if (!isfinite(speed) || !isfinite(inverse))
+        return FVI_EOVRFLW;
+    if (inverse == 0)
+        FVI_FAIL("the normal of an impact is 0", FVI_ESING);
+    if (speed * w->side[i] < 0)
+        kick(s, normal, -(1 + e->restitution) * speed / inverse);
+    const double after = e->restitution * speed;
+    *at_rest = fall > 0 && after * after <= 2 * fall * o->allowed * sqrt(size);
+    return FVI_SUCCESS;
+}
+//< impact
+
+/* Event i is at the end of the step. */
+static int act(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
+{
+    fvi_event_watch *w = o->watch;
+    const fvi_event_action action = s->run.events[i].action;
+    int at_rest = 0, status = FVI_SUCCESS;
+    if (action == FVI_EVENT_IMPACT)
+        status = hit(s, o, i, &at_rest);
+    else
+        w->side[i] = 0; /* it has passed */
+    w->is_over |= at_rest || action == FVI_EVENT_STOP;
+    return status ? status : note(w, s->t, i, at_rest);
+}
+
+int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    fvi_event_watch *w = o->watch;
+    double first = INFINITY;
+    int status = FVI_SUCCESS, jumped = 0;
+    for (size_t i = 0; i < w->count; i++)
+        first = fmin(first, w->theta[i]);
+    for (size_t i = 0; i < w->count && !status; i++) {
+        const int is_stuck = w->at_rest && w->has_hit[i];
+        const int happens = first < INFINITY && w->theta[i] - first <= 8 * GSL_DBL_EPSILON;
+        w->has_hit[i] = 0;
+        if (is_stuck) {
+            w->is_over = 1;
+            status = note(w, s->t, i, 1);
+        } else if (happens) {
+            status = act(s, o, i);
+            w->has_hit[i] = s->run.events[i].action == FVI_EVENT_IMPACT;
+            jumped |= w->has_hit[i] != 0;
+        }
+        w->theta[i] = INFINITY;
+    }
+    return status ? status : fvi_variable_step_sides(s, w, jumped);
+}
+
+/* ---- from outside ---- */
+
+static const fvi_event_watch *watch_of(const fvi_stepper *s)
+{
+    return s && s->method->scheme == FVI_SCHEME_VARIABLE_STEP && s->method_state
+               ? ((const fvi_variable_step_state *)s->method_state)->watch
+               : NULL;
+}
+
+const fvi_event_time *fvi_stepper_events(const fvi_stepper *s, size_t *n)
+{
+    const fvi_event_watch *w = watch_of(s);
+    *n = w ? w->happened : 0;
+    return w ? w->times : NULL;
+}
+
+int fvi_stepper_is_over(const fvi_stepper *s)
+{
+    const fvi_event_watch *w = watch_of(s);
+    return w && w->is_over;
+}
+
+int fvi_stepper_kick(fvi_stepper *s, const double *J)
+{
+    if (!s || !J)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (s->is_busy)
+        FVI_FAIL("called by a callback of this stepper", FVI_EINVAL);
+    if (s->method->scheme != FVI_SCHEME_VARIABLE_STEP)
+        FVI_FAIL("not a stepper of fvi_variable_step", FVI_EINVAL);
+    if (!fvi_all_finite(s->run.system->d, J))
+        FVI_FAIL("J must be finite", FVI_EDOM);
+    fvi_variable_step_state *o = s->method_state;
+    if (!o->takes_kicks)
+        FVI_FAIL("the run did not know that a velocity would jump", FVI_EUNSUP);
+    kick(s, J, 1);
+    return o->watch ? fvi_variable_step_sides(s, o->watch, 1) : FVI_SUCCESS;
+}
