@@ -16,6 +16,7 @@
 #include "dampers.h"
 #include "damping_laws.h"
 #include "error.h"
+#include "events.h"
 #include "exact_solution.h"
 #include "expression.h"
 #include "solve.h"
@@ -335,6 +336,30 @@ const fvi_mechanism *fvi_mechanism_typed(const fvi_typed_mechanism *mechanism);
 
 /* fvi_typed_mechanism_free -- give everything back. NULL is allowed. */
 void fvi_typed_mechanism_free(fvi_typed_mechanism *mechanism);
+
+/* ---- events ---- */
+
+typedef struct fvi_typed_events fvi_typed_events;
+
+/* fvi_parse_events -- texts 'Z : WHAT', blanks around the colon: Z an expression in x1, ..., xd,
+ * v1, ..., vd, p1, ..., pd, t (with d = 1 also x, v, p); WHAT impact:E, 0 <= E <= 1, stop or mark.
+ * Z of an impact knows x and t alone. Field "event".
+ *
+ *   count       of the texts
+ *   mass        d numbers, kept: v = p / m
+ *   parameters  of the expressions, kept as well; NULL if there are none
+ *   events      output; give it back with fvi_typed_events_free
+ *
+ * fvi_events_typed -- events for a run; they belong to the typed ones. *count becomes their number.
+ * fvi_typed_event_name -- Z of event i, from 0, as it was typed. */
+int fvi_parse_events(size_t count, const char *const *texts, size_t d,
+                     const double *mass, fvi_user_parameters *parameters,
+                     fvi_typed_events **events, fvi_error *error);
+const fvi_event *fvi_events_typed(const fvi_typed_events *events, size_t *count);
+const char *fvi_typed_event_name(const fvi_typed_events *events, size_t i);
+
+/* fvi_typed_events_free -- give everything back. NULL is allowed. */
+void fvi_typed_events_free(fvi_typed_events *events);
 
 /* fvi_largest_index -- the largest i of a name like x3 or v3 in the text, or 1 if there is x or v
  * alone, else 0: the dimension of a problem that does not say it. */

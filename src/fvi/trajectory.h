@@ -25,6 +25,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
+typedef struct fvi_event fvi_event; /* events.h */
+
 /* fvi_run -- all that determines the numbers of a trajectory.
  *
  *   system   what moves; must outlive the run
@@ -71,11 +73,9 @@ typedef struct {
     double longest;
     size_t most_steps;
     const fvi_kernel *law;
-    const struct fvi_event *events;
+    const fvi_event *events;
     size_t event_count;
 } fvi_run;
-
-typedef struct fvi_event fvi_event;
 
 /* fvi_run_default -- a run with kappa = 1/2 and alpha = 1/2, of a body that was held
  * at x0, its memory summed in the best way that there is; change what you like. */

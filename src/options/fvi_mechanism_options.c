@@ -2,6 +2,9 @@
 #include "fvi_mechanism_options.h"
 #include "fvi_problem.h"
 
+#include <fvi/observer.h>
+#include <fvi/variable_steps.h>
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +13,7 @@
 
 /* In the order of fvi_options' lists. */
 static const option_index listed[FVI_LISTS] = { DAMPER, CONSTRAINT, IMPOSE,
-                                                FORCE_ON };
+                                                FORCE_ON, EVENT };
 
 static size_t place_of(option_index i)
 {
@@ -53,7 +56,7 @@ static int has_massless(const fvi_options *o)
 
 int fvi_wants_mechanism(const fvi_options *o)
 {
-    for (size_t n = 0; n < FVI_LISTS; n++)
+    for (size_t n = 0; n < FVI_OF_MECHANISM; n++)
         if (o->list[n].count > 0)
             return 1;
     return o->text[LAGRANGIAN] || has_massless(o) || o->potential_has_time;
@@ -84,11 +87,16 @@ int fvi_check_mechanism_words(const fvi_options *o, fvi_error *c)
                               of_damper[] = { ALPHA,   ORDER,      RHO,
                                               DAMPING, DERIVATIVE, OPTIONS },
                               of_start[] = { P0, SYSTEM, OPTIONS },
+                              of_event[] = { LAGRANGIAN, DAMPER,   CONSTRAINT,
+                                             IMPOSE,     FORCE_ON, SYSTEM,
+                                             ERROR,      CHECKPOINT, OPTIONS },
                               of_directory[] = { CONSTRAINT, IMPOSE, FORCE_ON,
                                                  OPTIONS };
     int status = refuse_pair(o, LAGRANGIAN, of_lagrangian, c);
     if (!status)
         status = refuse_pair(o, DAMPER, of_damper, c);
+    if (!status)
+        status = refuse_pair(o, EVENT, of_event, c);
     if (!status)
         status = refuse_pair(o, V0, of_start, c);
     if (!status)
@@ -109,7 +117,8 @@ size_t fvi_mechanism_dimension(const fvi_options *o)
 {
     const char *const texts[] = { o->text[LAGRANGIAN], o->list[0].text,
                                   o->list[1].text, o->list[2].text,
-                                  o->list[3].text, o->text[POTENTIAL] };
+                                  o->list[3].text, o->list[4].text,
+                                  o->text[POTENTIAL] };
     size_t d = 0;
     if (o->text[POTENTIAL] && strncasecmp(o->text[POTENTIAL], "chain", 5) == 0)
         return 0; /* it says its own */
@@ -195,6 +204,36 @@ int fvi_problem_mechanism(fvi_options *o, fvi_error *c)
     free(made);
     free(in_time);
     return status;
+}
+
+int fvi_problem_events(fvi_options *o, fvi_error *c)
+{
+    const fvi_option_values *list = &o->list[FVI_OF_MECHANISM];
+    return o->text[EVENT] ? fvi_parse_events(list->count, list->value, o->d, o->mass,
+                                             &o->lets, &o->events, c)
+                          : 0;
+}
+
+int fvi_check_events(const fvi_options *o, fvi_error *c)
+{
+    const unsigned sums = FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK;
+    const char *columns = o->text[o->text[REDUCE] ? REDUCE : COLUMNS];
+    if (!o->text[EVENT])
+        return 0;
+    if (o->method != &fvi_variable_step)
+        return fvi_refuse(c, "event", "'%s' is not for %s; fvi-adaptive has events",
+                          o->text[EVENT], o->method->name);
+    if (fvi_kernel_growth(&o->damping.law) > 1 && o->text[DAMPING]
+        && strstr(o->text[EVENT], " impact:"))
+        return fvi_refuse(c, "event", "'%s': fvi-adaptive takes no impact with a law "
+                          "that grows faster than s", o->text[EVENT]);
+    for (size_t i = 0; i < o->columns.count; i++)
+        if (o->columns.at[i] == FVI_COLUMN_Y)
+            return fvi_refuse(c, "event", "column y needs every row");
+    return fvi_typed_columns_wanted(o->typed) & sums
+               ? fvi_refuse(c, "columns", "'%s': a damper's force, impulse and work, and the "
+                            "balance, are not known with --event", columns)
+               : 0;
 }
 
 int fvi_problem_velocity(fvi_options *o, fvi_error *c)

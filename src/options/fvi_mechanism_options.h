@@ -33,6 +33,11 @@ int fvi_potential_in_time(fvi_options *o, size_t d);
 /* fvi_problem_mechanism -- o->mechanism, when masses and the law are known; rho goes into its dampers. */
 int fvi_problem_mechanism(fvi_options *o, fvi_error *c);
 
+/* fvi_problem_events -- o->events, when the masses are known.
+ * fvi_check_events -- refuse a method that has none, and columns that know nothing of them. */
+int fvi_problem_events(fvi_options *o, fvi_error *c);
+int fvi_check_events(const fvi_options *o, fvi_error *c);
+
 /* fvi_problem_velocity -- p0 of --v0, when the mechanism is known. */
 int fvi_problem_velocity(fvi_options *o, fvi_error *c);
 

@@ -20,6 +20,7 @@ const fvi_option fvi_option_list[OPTIONS] = {
     [CONSTRAINT] = { "constraint", RUN, NULL },
     [IMPOSE] = { "impose", RUN, NULL },
     [FORCE_ON] = { "force-on", RUN, NULL },
+    [EVENT] = { "event", RUN, NULL },
     [LET] = { "let", RUN | EXACT, NULL },
     [DIMENSION] = { "dimension", RUN | EXACT, NULL },
     [SYSTEM] = { "system", RUN | EXACT, NULL },

@@ -31,7 +31,7 @@ typedef enum { FVI_FORMAT_TSV, FVI_FORMAT_CSV, FVI_FORMAT_JSON } fvi_format;
 extern const char *const fvi_format_names[]; /* in this order, ended by NULL */
 
 /* The values of an option that may be given several times, and all of them in one text. */
-enum { FVI_LISTS = 4, FVI_MOST_LISTED = 64 };
+enum { FVI_LISTS = 5, FVI_OF_MECHANISM = 4, FVI_MOST_LISTED = 64 };
 typedef struct {
     size_t count;
     const char *value[FVI_MOST_LISTED];
@@ -58,7 +58,8 @@ typedef struct {
     fvi_directory *directory;   /* of matrices instead of the lists, or NULL */
     size_t *shown, shown_count; /* which of x, p, y are columns, from 0 */
     fvi_typed_mechanism *mechanism; /* or NULL */
-    fvi_option_values list[FVI_LISTS]; /* --damper, --constraint, --impose, --force-on */
+    fvi_option_values list[FVI_LISTS]; /* --damper, --constraint, --impose, --force-on; --event */
+    fvi_typed_events *events; /* or NULL */
     int method_is_preset;
     int potential_has_time; /* then it becomes a part of a Lagrangian */
     fvi_typed_damping damping; /* instead of alpha, and then law.count > 0 */
@@ -95,10 +96,11 @@ typedef enum {
     MASS,
     POTENTIAL,
     LAGRANGIAN, /* instead of it and of the masses */
-    DAMPER,     /* this and the next three: fvi_mechanism_options.h */
+    DAMPER,     /* this and the next four: fvi_mechanism_options.h */
     CONSTRAINT,
     IMPOSE,
     FORCE_ON,
+    EVENT,
     LET,
     DIMENSION,
     SYSTEM,

@@ -210,7 +210,7 @@ static int fill_in(fvi_options *o, fvi_error *c)
                               ? fvi_cq2_midpoint.name
                           : law           ? fvi_cq_bdf2.name
                                           : fvi_variable_step.name;
-    if ((o->text[STEP_ERROR] || o->text[LONGEST]) && !o->text[METHOD])
+    if ((o->text[STEP_ERROR] || o->text[LONGEST] || o->text[EVENT]) && !o->text[METHOD])
         o->text[METHOD] = fvi_variable_step.name;
     int status = check_system(o, c);
     if (!status)

@@ -219,7 +219,11 @@ fvi_system fvi_options_system(const fvi_options *o)
 
 fvi_run fvi_options_run(const fvi_options *o, const fvi_system *system)
 {
+    size_t event_count;
+    const fvi_event *events = fvi_events_typed(o->events, &event_count);
     return (fvi_run){ .system = system,
+                      .events = events,
+                      .event_count = event_count,
                       .x0 = o->x0,
                       .p0 = o->p0,
                       .h = o->h,

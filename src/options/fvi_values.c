@@ -273,6 +273,8 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
     if (!status)
         status = fvi_problem_mechanism(o, c);
     if (!status)
+        status = fvi_problem_events(o, c);
+    if (!status)
         status = fvi_problem_velocity(o, c);
     if (!status)
         status = fvi_problem_ground(o, c);
@@ -301,6 +303,8 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
         status = fvi_refuse(c, "plot", "the only column is t");
     if (!status && o->command == FVI_COMMAND_RUN)
         status = interpret_run(o, c);
+    if (!status)
+        status = fvi_check_events(o, c);
     if (!status && o->command == FVI_COMMAND_EXACT)
         status = check_linear(o, c);
     if (!status)
@@ -417,6 +421,8 @@ void fvi_options_free(fvi_options *o)
     o->ground = NULL;
     fvi_typed_mechanism_free(o->mechanism);
     o->mechanism = NULL;
+    fvi_typed_events_free(o->events);
+    o->events = NULL;
     fvi_directory_close(o->directory);
     free(o->shown);
     fvi_typed_columns_free(o->typed);

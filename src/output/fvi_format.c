@@ -119,6 +119,33 @@ void fvi_format_row(FILE *out, fvi_format format, size_t i, size_t width,
     fputs(format == FVI_FORMAT_JSON ? "]" : "\n", out);
 }
 
+void fvi_format_events_begin(FILE *out, fvi_format format)
+{
+    if (format == FVI_FORMAT_JSON)
+        fputs("\n],\n\"events\": [", out);
+}
+
+void fvi_format_event(FILE *out, fvi_format format, size_t i, double t,
+                      const char *name, int at_rest)
+{
+    const int is_json = format == FVI_FORMAT_JSON;
+    FILE *to = format == FVI_FORMAT_CSV ? stderr : out;
+    if (is_json)
+        fputs(i == 0 ? "\n " : ",\n ", to);
+    fvi_print_number(to, is_json                     ? "{\"t\": "
+                         : format == FVI_FORMAT_CSV ? "fvi: event at t = "
+                                                    : "# event at t = ", t);
+    fputs(is_json ? ", \"event\": " : " : ", to);
+    if (is_json)
+        print_quoted(to, name);
+    else
+        fputs(name, to);
+    if (is_json)
+        fputs(at_rest ? ", \"at rest\": true}" : "}", to);
+    else
+        fputs(at_rest ? " : at rest\n" : "\n", to);
+}
+
 void fvi_format_end(FILE *out, fvi_format format)
 {
     if (format == FVI_FORMAT_JSON)

@@ -25,6 +25,12 @@ void fvi_format_names_end(FILE *out, fvi_format format);
 /* Row i of `width` finite numbers. */
 void fvi_format_row(FILE *out, fvi_format format, size_t i, size_t width,
                     const double *row);
+
+/* Behind the rows: events, of each the time and what was watched. csv has no place for them:
+ * they go to standard error. */
+void fvi_format_events_begin(FILE *out, fvi_format format);
+void fvi_format_event(FILE *out, fvi_format format, size_t i, double t,
+                      const char *name, int at_rest);
 void fvi_format_end(FILE *out, fvi_format format);
 
 #endif

@@ -322,6 +322,10 @@ int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **to,
         && s->run.system->force.impulse_count && wanted & FVI_OBSERVE_WORK)
         return fvi_fail(error, FVI_EUNSUP, "observer", NAN,
                         "the work of impulses on a mechanism is not known");
+    if (s->run.event_count
+        && wanted & (FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK))
+        return fvi_fail(error, FVI_EUNSUP, "observer", NAN,
+                        "forces, impulses and work are not known with events");
     fvi_observer *o = calloc(1, sizeof *o);
     if (!o)
         return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");

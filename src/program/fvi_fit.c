@@ -21,7 +21,7 @@ static const char *const not_for_fit[] = { "steps",      "time",     "error",
                                            "unknowns",   "snapshot", "longest",
                                            "lagrangian", "damper",   "constraint",
                                            "impose",     "force-on", "v0",
-                                           NULL };
+                                           "event",      NULL };
 
 static const fvi_own_command fit = {
     .name = "fit",
@@ -38,7 +38,7 @@ static const char *const not_for_design[] = { "error",      "step-error", "colum
                                               "checkpoint", "continue",   "system",  "unknowns",
                                               "snapshot",   "longest",    "lagrangian",
                                               "damper",     "constraint", "impose",
-                                              "force-on",   "v0",         NULL };
+                                              "force-on",   "v0",         "event",   NULL };
 static const fvi_own_command design = {
     .name = "fit",
     .own = { "fit", "sigma", "starts", "curve" },

@@ -15,7 +15,7 @@
 static const char *const not_for_gradient[] = {
     "error",      "columns",  "reduce", "ground", "along", "every",    "format",   "plot",
     "checkpoint", "continue", "unknowns", "snapshot", "lagrangian",
-    "constraint", "impose",  "force-on", "v0",         NULL
+    "constraint", "impose",  "force-on", "v0",     "event",    NULL
 };
 
 static const fvi_own_command gradient = {

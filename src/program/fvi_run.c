@@ -91,7 +91,8 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
         status = fvi_run_row(t, s, t->begin);
     if (status)
         return fvi_stopped_at(t->begin, status);
-    while (s->k < steps && !ferror(t->out) && !fvi_checkpoint_stopped()) {
+    while (s->k < steps && !fvi_stepper_is_over(s) && !ferror(t->out)
+           && !fvi_checkpoint_stopped()) {
         status = fvi_run_step(t, s);
         if (status)
             return stopped(t->o, s, status);
@@ -119,7 +120,8 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
             && fvi_checkpoint_write(c, t, s))
             return 1;
     }
-    status = s->k == steps ? fvi_run_reductions(t) : FVI_SUCCESS;
+    status = s->k == steps || fvi_stepper_is_over(s) ? fvi_run_reductions(t)
+                                                     : FVI_SUCCESS;
     return status ? fvi_stopped_at(steps, status) : 0;
 }
 
@@ -184,6 +186,19 @@ static int rows_and_checkpoints(fvi_table *t, fvi_stepper *s, fvi_watch *w,
     return failed;
 }
 
+static void print_events(const fvi_table *t, const fvi_stepper *s)
+{
+    size_t n;
+    const fvi_event_time *at = fvi_stepper_events(s, &n);
+    if (!t->o->events)
+        return;
+    fvi_format_events_begin(t->out, t->o->format);
+    for (size_t i = 0; i < n; i++)
+        fvi_format_event(t->out, t->o->format, i, at[i].t,
+                         fvi_typed_event_name(t->o->events, at[i].event),
+                         at[i].at_rest);
+}
+
 /* The table of a run that has been started, or goes on. */
 static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
                           const fvi_checkpoint *c)
@@ -215,6 +230,8 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
     fvi_table_names(t);
     failed = rows_and_checkpoints(t, s, &watch, c);
     const int whole = !failed && !fvi_checkpoint_stopped();
+    if (!failed)
+        print_events(t, s);
     failed = fvi_table_close(t, !whole);
     if (whole && !failed)
         failed = fvi_snapshot(o, s);

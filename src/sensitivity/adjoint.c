@@ -33,6 +33,8 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (method->scheme == FVI_SCHEME_CLASSICAL)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
+    if (run->event_count > 0)
+        FVI_FAIL("a run with events has no adjoint", FVI_EUNSUP);
     const int dampers = run->system && run->system->mechanism
                             ? fvi_adjoint_dampers_check(method, run, J, want)
                             : FVI_SUCCESS;

@@ -139,7 +139,7 @@ int fvi_variable_step_sides(const fvi_stepper *s, fvi_event_watch *w, int anew)
         if (status)
             return status;
         const double sign = sign_of(w, i, z);
-        if (sign != 0 && (w->side[i] == 0 || (anew && !w->has_hit[i])))
+        if (sign != 0 && (w->side[i] == 0 || (anew && w->has_hit[i] == 0)))
             w->side[i] = sign;
     }
     return FVI_SUCCESS;
@@ -174,7 +174,7 @@ static int find_passing(const fvi_stepper *s, const fvi_variable_step_state *o,
     fvi_event_watch *w = o->watch;
     const fvi_event *e = &s->run.events[i];
     double side = w->side[i], low = 0;
-    int is_seen = !w->has_hit[i];
+    int is_seen = w->has_hit[i] == 0;
     w->theta[i] = INFINITY;
     for (size_t n = 1; n < o->rule->s; n++) {
         const double sign = sign_of(w, i, w->z[i * o->rule->s + n]),

@@ -4,6 +4,7 @@
 #include "variable_step.h"
 
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_machine.h>
 #include <math.h>
@@ -99,9 +100,9 @@ int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o)
     double first = INFINITY;
     int status = FVI_SUCCESS, jumped = 0;
     for (size_t i = 0; i < w->count; i++)
-        first = fmin(first, w->theta[i]);
+        first = smaller(first, w->theta[i]);
     for (size_t i = 0; i < w->count && !status; i++) {
-        const int is_stuck = w->at_rest && w->has_hit[i];
+        const int is_stuck = w->at_rest && w->has_hit[i] != 0;
         const int happens = first < INFINITY && w->theta[i] - first <= 8 * GSL_DBL_EPSILON;
         w->has_hit[i] = 0;
         if (is_stuck) {

@@ -1,0 +1,231 @@
+/* src/problem/typed_event.c -- Events as they are typed: 'x1 : impact:0.8'. [H 22] */
+#define _GNU_SOURCE /* strndup */
+#include "words.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of an impact, z of x1, ..., xd, t, with exact derivatives; of others also of v and p. */
+typedef struct {
+    fvi_expression *z;
+    char *name;
+    size_t d;
+    const double *mass;
+} typed_event;
+
+struct fvi_typed_events {
+    size_t count;
+    typed_event *typed;
+    fvi_event *events;
+};
+
+/* ---- z ---- */
+
+/* x, x1, ..., v, ..., p, ..., t as numbers from 0. */
+static int find_name(const char *name, size_t length, void *params)
+{
+    const size_t d = ((const typed_event *)params)->d;
+    static const char kinds[] = "xvp";
+    const char *kind = memchr(kinds, *name, 3);
+    size_t i = 0;
+    if (length == 1 && *name == 't')
+        return (int)(3 * d);
+    if (!kind || length > 9 || (length == 1 && d > 1) || (length > 1 && name[1] == '0'))
+        return -1;
+    for (size_t n = 1; n < length; n++) {
+        if (!isdigit((unsigned char)name[n]))
+            return -1;
+        i = 10 * i + (size_t)(name[n] - '0');
+    }
+    if (length == 1)
+        i = 1;
+    return i <= d ? (int)((size_t)(kind - kinds) * d + i - 1) : -1;
+}
+
+enum { FEW = 16 };
+
+/* x, v, p, t in one array, on the stack where they are few: runs in several threads may share
+ * an event. */
+static int value_of_state(double t, size_t d, const double *x, const double *p,
+                          void *params, double *z)
+{
+    const typed_event *e = params;
+    double small[3 * FEW + 1], *y = d > FEW ? malloc((3 * d + 1) * sizeof *y) : small;
+    if (!y)
+        return FVI_ENOMEM;
+    memcpy(y, x, d * sizeof *x);
+    for (size_t i = 0; i < d; i++)
+        y[d + i] = p[i] / e->mass[i];
+    memcpy(y + 2 * d, p, d * sizeof *p);
+    y[3 * d] = t;
+    *z = fvi_expression_value(e->z, y);
+    if (d > FEW)
+        free(y);
+    return FVI_SUCCESS;
+}
+
+/* z, or its derivatives by x and t, where they are wanted, of x and t. */
+static int of_place(const typed_event *e, double t, const double *x, double *z,
+                    double *normal, double *rate)
+{
+    const size_t d = e->d;
+    double small[2 * FEW + 2], *y = d > FEW ? malloc(2 * (d + 1) * sizeof *y) : small;
+    if (!y)
+        return FVI_ENOMEM;
+    double *slopes = y + d + 1;
+    memcpy(y, x, d * sizeof *x);
+    y[d] = t;
+    if (z)
+        *z = fvi_expression_value(e->z, y);
+    if (normal) {
+        fvi_expression_gradient(e->z, y, slopes);
+        memcpy(normal, slopes, d * sizeof *normal);
+        *rate = slopes[d];
+    }
+    if (d > FEW)
+        free(y);
+    return FVI_SUCCESS;
+}
+
+static int value_of_place(double t, size_t d, const double *x, const double *p,
+                          void *params, double *z)
+{
+    (void)d, (void)p;
+    return of_place(params, t, x, z, NULL, NULL);
+}
+
+static int gradient_of_place(double t, size_t d, const double *x, void *params,
+                             double *normal, double *rate)
+{
+    (void)d;
+    return of_place(params, t, x, NULL, normal, rate);
+}
+
+/* ---- texts ---- */
+
+static int no_memory(fvi_error *error)
+{
+    return fvi_fail(error, FVI_ENOMEM, "event", NAN, "not enough memory");
+}
+
+/* impact:E, stop, mark. */
+static int parse_action(const char *text, fvi_event *event, fvi_error *error)
+{
+    static const char *const words[] = { "impact", "stop", "mark", NULL };
+    static const fvi_event_action actions[] = { FVI_EVENT_IMPACT, FVI_EVENT_STOP,
+                                                FVI_EVENT_MARK };
+    const size_t length = strcspn(text, ":"), which = fvi_scan_word(text, length, words);
+    char place[64];
+    if (!words[which])
+        return fvi_fail(error, FVI_EINVAL, "event", NAN,
+                        "'%s' is none of impact:E, stop, mark%s", text,
+                        fvi_word_hint(text, length, words, place));
+    event->action = actions[which];
+    if (event->action == FVI_EVENT_IMPACT && text[length])
+        return fvi_parse_number("event", text + length + 1, 0, 1, "[]",
+                                &event->restitution, error);
+    return event->action != FVI_EVENT_IMPACT && !text[length]
+               ? FVI_SUCCESS
+               : fvi_fail(error, FVI_EINVAL, "event", NAN, "'%s' is not %s", text,
+                          which == 0 ? "impact:E" : words[which]);
+}
+
+/* z of the text e->name. */
+static int parse_value(typed_event *e, fvi_event *event,
+                       fvi_user_parameters *parameters, fvi_error *error)
+{
+    const fvi_name_finder finder = { find_name, e };
+    fvi_expression *of_state = NULL;
+    int status = fvi_parse_expression_of("event", &finder, e->name, parameters,
+                                         &of_state, error);
+    if (status || event->action != FVI_EVENT_IMPACT) {
+        e->z = of_state;
+        event->value = value_of_state;
+        return status;
+    }
+    fvi_expression_free(of_state);
+    event->value = value_of_place;
+    event->gradient = gradient_of_place;
+    status = fvi_parse_state_expression("event", e->d, 0, e->name, parameters, &e->z, error);
+    return status != FVI_EINVAL
+               ? status
+               : fvi_fail(error, status, "event", NAN,
+                          "'%s': an impact is where x and t alone say", e->name);
+}
+
+/* The last colon with blanks on both sides; NULL if there is none. */
+static const char *last_separator(const char *text)
+{
+    const char *last = NULL;
+    for (const char *at = text; (at = strstr(at, " : ")); at++)
+        last = at;
+    return last;
+}
+
+static int parse_event(const char *text, typed_event *e, fvi_event *event,
+                       fvi_user_parameters *parameters, fvi_error *error)
+{
+    const char *colon = last_separator(text), *end = colon;
+    if (!colon)
+        return fvi_fail(error, FVI_EINVAL, "event", NAN,
+                        "'%s' is not 'Z : WHAT', with blanks around the colon", text);
+    while (end > text && end[-1] == ' ')
+        end--;
+    text += strspn(text, " ");
+    e->name = strndup(text, end > text ? (size_t)(end - text) : 0);
+    if (!e->name)
+        return no_memory(error);
+    *event = (fvi_event){ .params = e };
+    const int status = parse_action(colon + 3 + strspn(colon + 3, " "), event, error);
+    return status ? status : parse_value(e, event, parameters, error);
+}
+
+int fvi_parse_events(size_t count, const char *const *texts, size_t d,
+                     const double *mass, fvi_user_parameters *parameters,
+                     fvi_typed_events **events, fvi_error *error)
+{
+    if (!texts || !mass || !events)
+        return fvi_fail(error, FVI_EFAULT, "event", NAN, "null pointer");
+    fvi_typed_events *new = calloc(1, sizeof *new);
+    if (!new)
+        return no_memory(error);
+    new->typed = calloc(count + 1, sizeof *new->typed);
+    new->events = calloc(count + 1, sizeof *new->events);
+    int status = new->typed && new->events ? FVI_SUCCESS : no_memory(error);
+    for (size_t i = 0; !status && i < count; i++) {
+        new->typed[i] = (typed_event){ .d = d, .mass = mass };
+        new->count = i + 1;
+        status = parse_event(texts[i], &new->typed[i], &new->events[i], parameters, error);
+    }
+    if (status)
+        fvi_typed_events_free(new);
+    else
+        *events = new;
+    return status;
+}
+
+const fvi_event *fvi_events_typed(const fvi_typed_events *events, size_t *count)
+{
+    *count = events ? events->count : 0;
+    return events ? events->events : NULL;
+}
+
+const char *fvi_typed_event_name(const fvi_typed_events *events, size_t i)
+{
+    return events->typed[i].name;
+}
+
+void fvi_typed_events_free(fvi_typed_events *events)
+{
+    if (!events)
+        return;
+    for (size_t i = 0; i < events->count; i++) {
+        fvi_expression_free(events->typed[i].z);
+        free(events->typed[i].name);
+    }
+    free(events->typed);
+    free(events->events);
+    free(events);
+}

@@ -1,0 +1,430 @@
+/* tests/events/test_events.c -- Events: impacts, stops, marks, kicks.     [H 22]
+ * Run alone: make test-events */
+#include "harness/ulp.h"
+
+#include "events_ref.h"
+
+#include <fvi/fvi.h>
+
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- what is watched ---- */
+
+static int height(double t, size_t d, const double *x, const double *p,
+                  void *params, double *z)
+{
+    (void)t, (void)d, (void)p;
+    *z = x[0] - (params ? *(const double *)params : 0);
+    return 0;
+}
+
+static int upwards(double t, size_t d, const double *x, void *params,
+                   double *normal, double *rate)
+{
+    (void)t, (void)x, (void)params;
+    for (size_t i = 0; i < d; i++)
+        normal[i] = i == 0;
+    *rate = 0;
+    return 0;
+}
+
+static int speed(double t, size_t d, const double *x, const double *p,
+                 void *params, double *z)
+{
+    (void)t, (void)d, (void)x, (void)params;
+    *z = p[0];
+    return 0;
+}
+
+/* A wall that is oblique and moves: x1 + 2 x2 = sin t. */
+static int oblique(double t, size_t d, const double *x, const double *p,
+                   void *params, double *z)
+{
+    (void)d, (void)p, (void)params;
+    *z = x[0] + 2 * x[1] - sin(t);
+    return 0;
+}
+
+static int oblique_normal(double t, size_t d, const double *x, void *params,
+                          double *normal, double *rate)
+{
+    (void)d, (void)x, (void)params;
+    normal[0] = 1;
+    normal[1] = 2;
+    *rate = -cos(t);
+    return 0;
+}
+
+static int weight(double t, size_t d, void *params, double *F)
+{
+    (void)t, (void)params;
+    for (size_t i = 0; i < d; i++)
+        F[i] = -1;
+    return 0;
+}
+
+static const double mass = 1, none = 0, one = 1;
+
+static fvi_event impact(double e)
+{
+    return (fvi_event){ .value = height,
+                        .gradient = upwards,
+                        .action = FVI_EVENT_IMPACT,
+                        .restitution = e };
+}
+
+static fvi_system ball(const double *rho)
+{
+    return (fvi_system){ .d = 1, .mass = &mass, .damping = rho, .force = { .value = weight } };
+}
+
+static fvi_run fall(const fvi_system *system, size_t count, const fvi_event *events,
+                    double T)
+{
+    fvi_run run = fvi_run_default(system, &one, &none, T / 8, 8);
+    run.events = events;
+    run.event_count = count;
+    return run;
+}
+
+static fvi_stepper *started(const fvi_run *run)
+{
+    fvi_stepper *s;
+    fvi_error error = { 0 };
+    ck_assert_msg(fvi_stepper_start(&fvi_variable_step, run, &s, &error) == 0, "%s",
+                  error.text);
+    return s;
+}
+
+/* To the end, or to an event that ends it. */
+static void go(fvi_stepper *s)
+{
+    while (s->k < s->run.steps && !fvi_stepper_is_over(s))
+        ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
+}
+
+/* With the tolerance 1e-14 the errors are roundings: two ulps of x, at most 1, in each step, and an
+ * error of x is twice one of t where the speed is 1/2. */
+static double bound(const fvi_stepper *s)
+{
+    fvi_step_statistics counts;
+    fvi_stepper_statistics(s, &counts);
+    return 4 * (double)counts.steps * U;
+}
+
+/* ---- impacts ---- */
+
+/* Exact by superposition. Seen: 0.024 of the bound. */
+START_TEST(a_ball_bounces_when_and_where_it_should)
+{
+    const fvi_event floor = impact(0.8);
+    for (size_t i = 0; i < LEN(ref_ball); i++) {
+        const fvi_system system = ball(&ref_ball[i].rho);
+        fvi_run run = fall(&system, 1, &floor, 5);
+        run.alpha = ref_ball[i].alpha;
+        run.step_error = 1e-14;
+        fvi_stepper *s = started(&run);
+        go(s);
+        size_t n;
+        const fvi_event_time *at = fvi_stepper_events(s, &n);
+        ck_assert_uint_eq(n, (size_t)ref_ball[i].count);
+        ck_assert(!fvi_stepper_is_over(s) && s->t == 5);
+        const double times[] = { ref_ball[i].t0, ref_ball[i].t1, ref_ball[i].t2,
+                                 ref_ball[i].t3 };
+        for (size_t k = 0; k < n; k++) {
+            ck_assert_near(at[k].t, times[k], bound(s), "alpha %g, impact %zu",
+                           run.alpha, k);
+            ck_assert(at[k].event == 0 && !at[k].at_rest);
+        }
+        ck_assert_near(s->x[0], ref_ball[i].x, bound(s), "alpha %g, x", run.alpha);
+        ck_assert_near(s->p[0], ref_ball[i].v, 4 * bound(s), "alpha %g, v", run.alpha);
+        fvi_stepper_free(s);
+    }
+}
+END_TEST
+
+/* Undamped, impact k is at sqrt(2) (1 + 2 (e + ... + e^k)), and all of them end before
+ * sqrt(2) (1 + e) / (1 - e): then the ball is at rest. Roundings: 64 u for each bounce.
+ * Seen: 0.03 of that. */
+START_TEST(a_ball_comes_to_rest)
+{
+    const fvi_event floor = impact(0.5);
+    const fvi_system system = ball(&none);
+    fvi_run run = fall(&system, 1, &floor, 20);
+    run.step_error = 1e-10;
+    fvi_stepper *s = started(&run);
+    go(s);
+    size_t n;
+    const fvi_event_time *at = fvi_stepper_events(s, &n);
+    /* the first hop that is not higher than 1e-10: 4^-k <= 1e-10 */
+    ck_assert_uint_eq(n, 17);
+    double want = sqrt(2), hop = sqrt(2);
+    for (size_t k = 0; k < n; k++) {
+        ck_assert_near(at[k].t, want, 64 * (double)(k + 1) * U * want, "impact %zu", k);
+        ck_assert_int_eq(at[k].at_rest, k + 1 == n);
+        want += hop;
+        hop /= 2;
+    }
+    ck_assert(fvi_stepper_is_over(s) && s->t == at[n - 1].t);
+    ck_assert_near(s->x[0], 0, 4 * U, "where it rests");
+    ck_assert_int_eq(fvi_stepper_step(s), FVI_EINVAL);
+    fvi_stepper_free(s);
+}
+END_TEST
+
+/* Elastic, the energy stays; e = 0 is at rest at once; damped ones come to rest, too. */
+START_TEST(elastic_and_plastic_impacts)
+{
+    const double rho[] = { 0.3, 0.3, 3 }, alpha[] = { 0.3, 0.7, 0.3 };
+    const fvi_event elastic = impact(1), plastic = impact(0), half = impact(0.5);
+    const fvi_system free_ball = ball(&none);
+    fvi_run run = fall(&free_ball, 1, &elastic, 40);
+    fvi_stepper *s = started(&run);
+    size_t n;
+    go(s);
+    fvi_stepper_events(s, &n);
+    ck_assert_uint_eq(n, 14); /* sqrt(2) (2 k - 1) < 40 */
+    ck_assert_near(s->x[0] + s->p[0] * s->p[0] / 2, 1, 1e-12, "energy");
+    fvi_stepper_free(s);
+    run.events = &plastic;
+    s = started(&run);
+    go(s);
+    const fvi_event_time *at = fvi_stepper_events(s, &n);
+    ck_assert(n == 1 && at[0].at_rest);
+    ck_assert_double_eq(s->p[0], 0);
+    fvi_stepper_free(s);
+    for (size_t i = 0; i < LEN(rho); i++) {
+        const fvi_system system = ball(&rho[i]);
+        run = fall(&system, 1, &half, 50);
+        run.alpha = alpha[i];
+        s = started(&run);
+        go(s);
+        at = fvi_stepper_events(s, &n);
+        ck_assert_msg(n > 8 && n < 30 && at[n - 1].at_rest, "rho %g: %zu", rho[i], n);
+        fvi_stepper_free(s);
+    }
+}
+END_TEST
+
+/* p -> p - (1 + e) n (n v + rate) / (n M^-1 n), two masses on Duffing's springs, from what the
+ * dense output has just before. Also the order: with the tolerance the errors of all times fall;
+ * the run with 1e-14 stands for the exact one. */
+START_TEST(an_oblique_wall_that_moves)
+{
+    const double masses[] = { 1, 2.5 }, rho[] = { 0.2, 0.1 }, x0[] = { 1, 0.5 },
+                 p0[] = { 0, -0.4 }, cg[] = { 1, 0.7 };
+    const fvi_event wall = { .value = oblique,
+                             .gradient = oblique_normal,
+                             .action = FVI_EVENT_IMPACT,
+                             .restitution = 0.7 };
+    const fvi_system system = { .d = 2,
+                                .mass = masses,
+                                .damping = rho,
+                                .potential = fvi_potential_duffing(cg) };
+    double times[4][64], before = 0;
+    const double tolerance[] = { 1e-14, 1e-5, 1e-7, 1e-9 };
+    size_t n;
+    for (size_t i = 0; i < 4; i++) {
+        fvi_run run = fvi_run_default(&system, x0, p0, 1, 9);
+        run.alpha = 0.35;
+        run.events = &wall;
+        run.event_count = 1;
+        run.step_error = tolerance[i];
+        fvi_stepper *s = started(&run);
+        size_t known = 0;
+        while (s->k < 9 && !fvi_stepper_is_over(s)) {
+            ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
+            const fvi_event_time *at = fvi_stepper_events(s, &n);
+            if (n == known)
+                continue;
+            double x[2], p[2], z;
+            const double t = s->t - 1e-12, v0 = 1 / masses[0] + 4 / masses[1];
+            ck_assert_int_eq(fvi_stepper_advance_to(s, t, x, p), FVI_SUCCESS);
+            const double along =
+                p[0] / masses[0] + 2 * p[1] / masses[1] - cos(s->t), J = -1.7 * along / v0;
+            /* p changes by forces < 10 in 1e-12 */
+            ck_assert_near(s->p[0] - p[0], J, 1e-10, "p1");
+            ck_assert_near(s->p[1] - p[1], 2 * J, 1e-10, "p2");
+            oblique(s->t, 2, s->x, s->p, NULL, &z);
+            ck_assert_near(z, 0, 16 * U, "z, %g", tolerance[i]); /* seen: 3 u */
+            times[i][n - 1] = at[n - 1].t;
+            known = n;
+        }
+        ck_assert_uint_ge(n, 3);
+        const double error = fabs(times[i][2] - times[0][2]);
+        ck_assert_msg(error <= 10 * tolerance[i], "%g: %g", tolerance[i], error);
+        ck_assert_msg(i < 2 || error < before / 4, "%g: %g, %g before", tolerance[i], error, before);
+        before = i > 0 ? error : 0;
+        fvi_stepper_free(s);
+    }
+}
+END_TEST
+
+/* ---- stops and marks ---- */
+
+/* Of a fall from 1, x = 1 - t^2/2: a quarter is passed at sqrt(3/2), down only; p = 0 at the
+ * start is no event, and its jump is none; at the top of the hop it is one. */
+START_TEST(stops_and_marks)
+{
+    double quarter = 0.25, end = 0.125;
+    fvi_event events[] = { impact(0.8),
+                           { .value = height, .params = &quarter, .direction = -1 },
+                           { .value = speed },
+                           { .value = height },
+                           { .value = height, .params = &end, .action = FVI_EVENT_STOP, .direction = 1 } };
+    const fvi_system system = ball(&none);
+    fvi_run run = fall(&system, 4, events, 5);
+    fvi_stepper *s = started(&run);
+    go(s);
+    const double T = sqrt(2), v = 0.8 * T, top = T + v, h = v * v / 2,
+                 want[] = { sqrt(1.5), T, T, top, top + sqrt(2 * (h - 0.25)), T + 2 * v, T + 2 * v };
+    const size_t which[] = { 1, 0, 3, 2, 1, 0, 3 };
+    size_t n;
+    const fvi_event_time *at = fvi_stepper_events(s, &n);
+    ck_assert_uint_ge(n, LEN(want));
+    for (size_t k = 0; k < LEN(want); k++) {
+        ck_assert_msg(at[k].event == which[k], "%zu: event %zu", k, at[k].event);
+        ck_assert_near(at[k].t, want[k], 64 * U * want[k], "event %zu", k);
+    }
+    fvi_stepper_free(s);
+    run.event_count = 5;
+    s = started(&run);
+    go(s);
+    at = fvi_stepper_events(s, &n);
+    ck_assert(fvi_stepper_is_over(s) && at[n - 1].event == 4 && n == 4);
+    ck_assert_near(s->t, T + v - sqrt(v * v - 0.25), 64 * U * 2, "it stops");
+    ck_assert_near(s->x[0], 0.125, 4 * U, "there");
+    fvi_stepper_free(s);
+}
+END_TEST
+
+/* A run goes on from a copy with the same digits, and with events of its own. */
+START_TEST(a_copy_knows_the_events)
+{
+    const fvi_event floor = impact(0.8);
+    const double rho = 0.3;
+    const fvi_system system = ball(&rho);
+    fvi_run run = fall(&system, 1, &floor, 5);
+    run.alpha = 0.7;
+    fvi_stepper *s = started(&run), *copy;
+    ck_assert_int_eq(fvi_stepper_advance_to(s, 2, NULL, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_copy(s, &copy), FVI_SUCCESS);
+    go(s);
+    go(copy);
+    size_t n, m;
+    const fvi_event_time *a = fvi_stepper_events(s, &n), *b = fvi_stepper_events(copy, &m);
+    ck_assert(n == 4 && m == 4 && s->x[0] == copy->x[0] && s->p[0] == copy->p[0]);
+    for (size_t k = 0; k < n; k++)
+        ck_assert(a[k].t == b[k].t);
+    ck_assert_int_eq(fvi_stepper_reset(copy), FVI_SUCCESS);
+    fvi_stepper_events(copy, &m);
+    ck_assert_uint_eq(m, 0);
+    go(copy);
+    ck_assert_double_eq(s->x[0], copy->x[0]);
+    fvi_stepper_free(copy);
+    fvi_stepper_free(s);
+}
+END_TEST
+
+/* ---- kicks ---- */
+
+/* As the impulse of a force at the same time, which both runs end a step at: to the bit. */
+START_TEST(a_kick_is_an_impulse)
+{
+    const double J = 0.5, rho = 0.3, alphas[] = { 0, 0.3, 0.7, 1 }, nothing = 0;
+    double hit_p = J;
+    const fvi_impulse hits[] = { { 1, &hit_p } }, empty[] = { { 1, &nothing } };
+    for (size_t i = 0; i < LEN(alphas); i++) {
+        fvi_system by_force = ball(&rho), by_kick = ball(&rho);
+        by_force.force.impulses = hits;
+        by_kick.force.impulses = empty;
+        by_force.force.impulse_count = by_kick.force.impulse_count = 1;
+        fvi_run a = fall(&by_force, 0, NULL, 4), b = fall(&by_kick, 0, NULL, 4);
+        a.alpha = b.alpha = alphas[i];
+        fvi_stepper *s = started(&a), *k = started(&b);
+        ck_assert_int_eq(fvi_stepper_advance_to(k, 1, NULL, NULL), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_kick(k, &J), FVI_SUCCESS);
+        go(s);
+        go(k);
+        ck_assert_near(s->x[0], k->x[0], 1e-12, "alpha %g", alphas[i]);
+        ck_assert_near(s->p[0], k->p[0], 1e-11, "alpha %g", alphas[i]);
+        ck_assert(fabs(s->p[0]) > 1e-3);
+        fvi_stepper_free(s);
+        fvi_stepper_free(k);
+    }
+}
+END_TEST
+
+/* ---- what is refused ---- */
+
+static int failing(double t, size_t d, const double *x, const double *p,
+                   void *params, double *z)
+{
+    (void)d, (void)x, (void)p, (void)params;
+    *z = t > 0.5 ? NAN : 1;
+    return 0;
+}
+
+static void refused(const fvi_method *method, const fvi_event *e, int code)
+{
+    const fvi_system system = ball(&none);
+    const fvi_run run = fall(&system, 1, e, 5);
+    fvi_stepper *s = NULL;
+    fvi_error error = { 0 };
+    ck_assert_int_eq(fvi_stepper_start(method, &run, &s, &error), code);
+    ck_assert_str_eq(error.field, "events");
+    ck_assert_ptr_null(s);
+}
+
+START_TEST(bad_events_are_refused)
+{
+    fvi_event e = impact(0.8);
+    refused(&fvi_fractional, &e, FVI_EUNSUP);
+    refused(&fvi_variable_step, NULL, FVI_EFAULT);
+    e.restitution = 1.5;
+    refused(&fvi_variable_step, &e, FVI_EDOM);
+    e.restitution = NAN;
+    refused(&fvi_variable_step, &e, FVI_EDOM);
+    e = impact(0.8);
+    e.gradient = NULL;
+    refused(&fvi_variable_step, &e, FVI_EFAULT);
+    e = (fvi_event){ .value = height, .action = 17 };
+    refused(&fvi_variable_step, &e, FVI_EINVAL);
+    const fvi_system system = ball(&none);
+    e = (fvi_event){ .value = failing };
+    fvi_run run = fall(&system, 1, &e, 5);
+    fvi_stepper *s = started(&run);
+    fvi_observer *o = NULL;
+    ck_assert_int_eq(fvi_observer_start(s, FVI_OBSERVE_FORCE, &o, NULL), FVI_EUNSUP);
+    int status = 0;
+    while (!status)
+        status = fvi_stepper_step(s);
+    ck_assert_int_eq(status, FVI_EOVRFLW);
+    const double J = NAN, fine = 1;
+    ck_assert_int_eq(fvi_stepper_kick(s, &J), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_kick(s, NULL), FVI_EFAULT);
+    fvi_stepper_free(s);
+    const double rho = 0.3; /* steps would have to be shorter than this run knows */
+    const fvi_system damped = ball(&rho);
+    run = fall(&damped, 0, NULL, 5);
+    run.alpha = 0.7;
+    s = started(&run);
+    ck_assert_int_eq(fvi_stepper_kick(s, &fine), FVI_EUNSUP);
+    fvi_stepper_free(s);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_kick(s, &fine), FVI_EINVAL);
+    fvi_stepper_free(s);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("events");
+    ADD_CASE(suite, "impacts", a_ball_bounces_when_and_where_it_should,
+             a_ball_comes_to_rest, elastic_and_plastic_impacts, an_oblique_wall_that_moves);
+    ADD_CASE(suite, "stops, marks, copies", stops_and_marks, a_copy_knows_the_events);
+    ADD_CASE(suite, "kicks", a_kick_is_an_impulse);
+    ADD_CASE(suite, "refused", bad_events_are_refused);
+    return run_suite(suite);
+}

@@ -1,0 +1,114 @@
+/* tests/program/test_fvi_events.c -- The program build/fvi: --event.
+ * Run alone: make test-fvi_events */
+#define _GNU_SOURCE
+#include <fvi/fvi.h>
+#include "program.h"
+
+#define BALL "run --potential x --p0 0 --rho 0.3 --alpha 0.3 --time 5 --steps 5 "
+#define FLOOR "--event 'x : impact:0.8' "
+
+/* By superposition of Mittag-Leffler functions (verify/events/events.py). */
+START_TEST(a_bouncing_ball_is_a_command)
+{
+    ck_assert_msg(fvi(BALL FLOOR) == 0, "%s", err);
+    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-adaptive\n"));
+    ck_assert_ptr_nonnull(strstr(out, "# event = x : impact:0.8\n"));
+    ck_assert_near(cell(5, 1), 0.0748348695586245, 1e-13, "x(5)");
+    const char *line = strstr(out, "\n# event at t = ");
+    for (int i = 0; i < 2; i++) {
+        static const double want[] = { 1.488362842713238, 3.559706909650378 };
+        char *end;
+        ck_assert_ptr_nonnull(line);
+        ck_assert_near(strtod(line + 16, &end), want[i], 1e-13, "impact %d", i);
+        ck_assert_msg(strncmp(end, " : x\n", 5) == 0, "%s", end);
+        line = end + 4;
+    }
+    ck_assert_str_eq(line, "\n"); /* nothing behind them */
+}
+END_TEST
+
+START_TEST(formats_have_a_place_for_events)
+{
+    ck_assert_int_eq(fvi(BALL FLOOR "--format json"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "]\n],\n\"events\": [\n {\"t\": 1.488362842713238, "
+                                      "\"event\": \"x\"},\n {\"t\": 3.5597069096503"));
+    ck_assert_ptr_nonnull(strstr(out, "\"event\": \"x\"}\n]}\n"));
+    ck_assert_int_eq(fvi(BALL "--event 'x+9 : mark' --format json"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "],\n\"events\": [\n]}\n"));
+    ck_assert_int_eq(fvi(BALL FLOOR "--format csv"), 0);
+    ck_assert_ptr_null(strchr(out, '#'));
+    ck_assert_ptr_nonnull(strstr(err, "fvi: event at t = 1.488362842713238 : x\n"));
+}
+END_TEST
+
+/* sqrt(2) (1 + 1 + 1/2 + ...) is below 4 sqrt(2) - 1.4: row 4 is the last, of 20. A stop by a name of
+ * --let, and one by p; a reduction over the motion until then. */
+START_TEST(runs_end_at_events)
+{
+    ck_assert_int_eq(fvi("run --potential x --p0 0 --rho 0 --time 20 --steps 20 --event 'x : impact:0.5'"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\n4\t"));
+    ck_assert_ptr_null(strstr(out, "\n5\t"));
+    const char *rest = strstr(out, " : x : at rest\n");
+    ck_assert(rest && strcmp(rest, " : x : at rest\n") == 0);
+    ck_assert_int_eq(fvi("run --potential x --p0 0 --rho 0 --time 5 --event 'x-c : stop' --let c=0.5 "
+                         "--event 'p+0.5 : mark' --reduce 'min(x),last(t)'"), 0);
+    ck_assert_near(cell(0, 0), 0.5, 1e-12, "min(x)");
+    ck_assert_near(cell(0, 1), 1, 1e-12, "x = 1 - t^2/2");
+    ck_assert_ptr_nonnull(strstr(out, " : p+0.5\n"));
+    ck_assert_ptr_nonnull(strstr(out, " : x-c\n"));
+}
+END_TEST
+
+/* Many coordinates: their own room; d follows from the index in the text. */
+START_TEST(coordinates_have_numbers)
+{
+    ck_assert_int_eq(fvi("run --event 'v20+0*x20+0*p1+0*t : mark' --event 'x20-t/9 : impact:1' --time 2 "
+                         "--unknowns 20 --columns x"), 0);
+    ck_assert_ptr_nonnull(strstr(out, " : v20+0*x20+0*p1+0*t\n"));
+    ck_assert_ptr_nonnull(strstr(out, " : x20-t/9\n"));
+}
+END_TEST
+
+START_TEST(what_is_wrong_is_said)
+{
+    static const char *const cases[][2] = {
+        { "run --event x", "fvi: --event: 'x' is not 'Z : WHAT', with blanks around" },
+        { "run --event 'x:mark'", "fvi: --event: 'x:mark' is not 'Z : WHAT'" },
+        { "run --event 'x : bounce'", "'bounce' is none of impact:E, stop, mark" },
+        { "run --event 'x : imapct:1'", "did you mean impact?" },
+        { "run --event 'x : impact'", "fvi: --event: 'impact' is not impact:E" },
+        { "run --event 'x : impact:1.5'", "fvi: --event: '1.5' is outside [0, 1]" },
+        { "run --event 'x : stop:3'", "fvi: --event: 'stop:3' is not stop" },
+        { "run --event 'y : mark'", "fvi: --event: 'y': no such name\n               ^" },
+        { "run --event 'x2 : mark' --dimension 1", "fvi: --event: 'x2': no such name" },
+        { "run --event 'v : impact:1'", "an impact is where x and t alone say" },
+        { "run --event ' : mark'", "fvi: --event: ''" },
+        { "run --event 'x : mark' --method fvi", "is not for fvi; fvi-adaptive has events" },
+        { "run --event 'x : mark' --error 1e-3", "fvi: --event: not together with --error" },
+        { "run --event 'x : mark' --checkpoint f", "fvi: --event: not together with --checkpoint" },
+        { "run --event 'x : mark' --lagrangian 'v^2/2'", "fvi: --event: not together with --lagrangian" },
+        { "run --event 'x : mark' --columns t,y", "fvi: --event: column y needs every row" },
+        { "run --event 'x : mark' --columns d1.force", "are not known with --event" },
+        { "run --event 'x : mark' --columns balance", "are not known with --event" },
+        { "sweep --event 'x : mark' --vary alpha=0:1:2", "not an option of this command" },
+        { "gradient --event 'x : mark'", "not an option of this command" },
+        { "exact --event 'x : mark'", "not an option of this command" },
+    };
+    for (size_t i = 0; i < LEN(cases); i++) {
+        ck_assert_msg(fvi(cases[i][0]) == 2, "%s: %s", cases[i][0], err);
+        ck_assert_msg(strstr(err, cases[i][1]), "%s: %s", cases[i][0], err);
+        ck_assert_str_eq(out, "");
+    }
+    ck_assert_int_eq(fvi("run --event 'log(x-0.5) : mark'"), 1); /* NaN below */
+    ck_assert_ptr_nonnull(strstr(err, "fvi: step "));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("fvi_events");
+    ADD_CASE(suite, "events", a_bouncing_ball_is_a_command, formats_have_a_place_for_events,
+             runs_end_at_events, coordinates_have_numbers);
+    ADD_CASE(suite, "words", what_is_wrong_is_said);
+    return run_suite_of_program(suite);
+}
