@@ -73,7 +73,7 @@ int main(void)
     run(5);
     for (int k = 0; k <= 5; k++)
         printf("%d  x = %8.5f  p = %8.5f\n", k, x[k], p[k]);
-    h = 0.1, kappa = 0.5; /* the body of chapter 1, for seven orders */
+    h = 0.1, kappa = 0.5; /* the running body, for seven orders */
     for (int i = 0; i < 7; i++) {
         double alphas[] = { 0, 0.25, 0.4, 0.5, 0.6, 0.75, 1 };
         alpha = alphas[i];

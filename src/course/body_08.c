@@ -109,7 +109,7 @@ double apart(int N)
 int main(void)
 {
     static double once[MAX];
-    run(140); /* any path will do: the body of chapter 1 */
+    run(140); /* any path will do: the running body */
     weights(0.5, 141);
     for (int k = 0; k <= 140; k++)
         once[k] = derivative(0.5, k, x);
