@@ -49,10 +49,39 @@ static double on_the_cut(const fvi_kernel_ready *r, double ln_radius)
     return sum;
 }
 
+/* More terms than these are not added one by one. */
+#define MANY 1e5
+
+/* The order of a Zener element is so small that its tail would have millions of terms, which hardly differ
+ * from one to the next. Their sum is an integral, here an arc, with two corrections by Euler and Maclaurin; the
+ * third is below (2 alpha step)^4 / 720, relative to the sum. The other sum ends with exp(at). */
+static void add_slow_tail(const fvi_kernel_simple *t, double factor, double ln_h, double first,
+                          double step, double *S0, double *S1)
+{
+    const double beta = 2 * t->alpha;
+    const double complex z = cexp(beta * (first - ln_h) + I * beta * M_PI),
+                         all = 1 + t->time * z;
+    *S0 += factor
+           * (carg(all) / (beta * t->time * step) - cimag(z / all) / 2
+              + step * beta * cimag(z / (all * all)) / 12);
+    for (double at = first - step; at > first - 45; at -= step)
+        *S1 += fvi_kernel_on_the_cut(t, factor, at - ln_h) * exp(at);
+}
+
+static int has_slow_tail(const fvi_kernel_simple *t, double ln_h, double first, double step, double n)
+{
+    return n == 0 && t->time > 0 && t->below == t->alpha
+           && log(t->time * 1e17) + 2 * t->below * (first - ln_h) > 2 * t->below * step * MANY;
+}
+
 void fvi_kernel_tail(const fvi_kernel_simple *t, double factor, double ln_h,
                      double first, double step, double n, double *S0,
                      double *S1)
 {
+    if (has_slow_tail(t, ln_h, first, step, n)) {
+        add_slow_tail(t, factor, ln_h, first, step, S0, S1);
+        return;
+    }
     const double beta = 2 * t->alpha;
     double at = first,
            now = fvi_kernel_on_the_cut(t, factor, at - ln_h) * exp(n * at);

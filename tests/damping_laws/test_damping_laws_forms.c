@@ -225,6 +225,52 @@ START_TEST(eq_23_15_derivatives_of_steep_laws)
 }
 END_TEST
 
+/* The tail of a Zener element of a tiny order has 390,000 terms and more: it is what they make, added one by
+ * one from the definition, in long double, and then the rest of a geometric sequence. Seen: 1e-15, 7e-16. */
+START_TEST(a_tiny_order_has_the_tail_of_its_terms)
+{
+    const double times[] = { 1e-3, 1, 200 }, alphas[] = { 1e-4, 3e-5 };
+    const double step = 0.5, first = -3, ln_h = log(0.1);
+    for (size_t i = 0; i < LEN(times) * LEN(alphas); i++) {
+        const double T = times[i % LEN(times)], alpha = alphas[i / LEN(times)];
+        const fvi_kernel_simple zener = { 1, alpha, T, alpha };
+        long double sum[2] = { 0, 0 }, now = 0;
+        double S[2] = { 0.25, 0 };
+        const size_t terms = (size_t)(30 / (alpha * step));
+        for (size_t k = 1; k <= terms; k++) {
+            const long double at = first - (long double)k * step;
+            const long double complex z =
+                cexpl(2 * alpha * (at - ln_h + I * acosl(-1.0L)));
+            now = cimagl(z / (1 + T * z));
+            sum[0] += now;
+            sum[1] += now * expl(at);
+        }
+        sum[0] += now / expm1l(2 * (long double)alpha * step);
+        fvi_kernel_tail(&zener, 1, ln_h, first, step, 0, &S[0], &S[1]);
+        ck_assert_near(S[0] - 0.25, (double)sum[0], 1e-14 * (double)sum[0], "%zu", i);
+        ck_assert_near(S[1], (double)sum[1], 1e-14 * (double)sum[1], "%zu", i);
+    }
+}
+END_TEST
+
+/* It costs no more than another: a body on a spring and, in the limit, on half a spring of 0.3 beyond. */
+START_TEST(a_tiny_order_ends_and_is_half_a_spring)
+{
+    const fvi_kernel law = { 1, &(fvi_kernel_term){ FVI_KERNEL_ZENER, .rho = 0.3, .alpha = 1e-12,
+                                                    .time = 1 } };
+    const double p0 = 0.5, spring = 1, w = sqrt(1.15), middle = 0.15 / 1.15;
+    static double x[101], p[101];
+    const fvi_system system = { .d = 1, .mass = &one, .damping = &one,
+                                .potential = fvi_potential_harmonic(&spring) };
+    const fvi_run run = { .system = &system, .x0 = &one, .p0 = &p0, .h = 0.1, .steps = 100,
+                          .law = &law };
+    ck_assert_int_eq(fvi_trajectory(&fvi_lobatto_m4, &run, x, p, NULL), 0);
+    /* ln omega times the order is below 1e-10, the method's error below 1e-9 */
+    ck_assert_near(x[100], middle + (1 - middle) * cos(w * 10) + p0 / w * sin(w * 10), 1e-9,
+                   "half a spring");
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("damping_laws, forms");
@@ -232,6 +278,8 @@ int main(void)
              eq_26_12_orders_of_form_m_on_a_nonlinear_problem,
              eq_26_13_the_load_of_two_stages, eq_26_13_springs_are_springs,
              eq_26_13_runs_grow_where_the_load_says_so);
+    ADD_CASE(suite, "tiny orders", a_tiny_order_has_the_tail_of_its_terms,
+             a_tiny_order_ends_and_is_half_a_spring);
     ADD_CASE(suite, "derivatives", eq_23_15_derivatives_of_steep_laws);
     return run_suite(suite);
 }
