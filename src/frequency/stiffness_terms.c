@@ -102,24 +102,38 @@ static int take_hessian(fvi_response *r, const fvi_system *system,
     return status;
 }
 
+/* Writes the gradient of an elongation at a place to g, d numbers. One that changes with t is refused, seen at
+ * a second time: what it makes is no linear motion with constant coefficients. */
+static int find_gradient(const fvi_elongation *of, size_t d, const double *at, double *g,
+                         fvi_error *error)
+{
+    if (of->row) {
+        memcpy(g, of->row, d * sizeof *g);
+        return FVI_SUCCESS;
+    }
+    double *later = calloc(d, sizeof *later);
+    if (!later)
+        return no_memory(error);
+    int status = of->gradient ? of->gradient(0, d, at, of->params, g) : FVI_EFAULT;
+    if (status)
+        (void)fvi_fail(error, status, "damper", NAN,
+                       "its elongation has no gradient where it is to be linear");
+    else if (of->rate && !of->gradient(0.73, d, at, of->params, later)
+             && memcmp(g, later, d * sizeof *g) != 0)
+        status = fvi_fail(error, FVI_EUNSUP, "damper", NAN,
+                          "the gradient of its elongation changes with t: there are no poles "
+                          "and no response");
+    free(later);
+    return status;
+}
+
 /* C(D) acts on g: what is linear in x - at is grad g grad g^T.              (30.1) */
 static int take_elongation(fvi_response *r, const fvi_damper *damper,
                            const double *at, fvi_error *error)
 {
     const size_t d = r->d;
-    const fvi_elongation *of = &damper->of;
     double *g = calloc(d, sizeof *g);
-    int status = g ? FVI_SUCCESS : no_memory(error);
-    if (!status && of->row)
-        memcpy(g, of->row, d * sizeof *g);
-    if (!status && !of->row) {
-        status = of->gradient ? of->gradient(0, d, at, of->params, g)
-                              : FVI_EFAULT;
-        if (status)
-            (void)fvi_fail(error, status, "damper", NAN,
-                           "its elongation has no gradient where it is to be "
-                           "linear");
-    }
+    int status = g ? find_gradient(&damper->of, d, at, g, error) : no_memory(error);
     size_t touched = 0, n = 0;
     for (size_t i = 0; !status && i < d; i++)
         touched += g[i] != 0;

@@ -124,7 +124,8 @@ static int answer(request *r)
     if (r->poles.count != r->poles.expected) {
         snprintf(warning, sizeof warning, "these are %s poles", found);
         fvi_warn(warning);
-    }
+    } else if (r->poles.expected < r->poles.d)
+        fvi_warn("what creeps or grows without a swing, e^{st} with a real s, is no row");
     const int failed = print(r, found);
     fvi_poles_free(&r->poles);
     return failed;

@@ -129,7 +129,8 @@ START_TEST(what_does_not_swing_has_no_poles)
 {
     ck_assert_int_eq(fvi("poles --rho 3"), 0);
     ck_assert_ptr_nonnull(strstr(out, "# poles = 0 of 0\n"));
-    ck_assert_str_eq(err, "");
+    ck_assert_str_eq(err, "fvi: warning: what creeps or grows without a swing, e^{st} with a real "
+                          "s, is no row\n");
     ck_assert_int_eq(fvi("response --rho 0 --omega 0.5,1"), 1);
     ck_assert_str_eq(err, "fvi: at omega = 1 the response is infinite: a mode without "
                           "damping\n");
@@ -228,6 +229,31 @@ START_TEST(dampers_have_responses_and_poles)
 }
 END_TEST
 
+/* What changes with t is not made linear, and what does not swing is not passed over in silence. */
+START_TEST(no_question_is_answered_in_part)
+{
+    const char *const asked[] = { "poles", "response --omega 1" };
+    char line[200];
+    for (int i = 0; i < 2; i++) {
+        snprintf(line, sizeof line, "%s --damper 'x*(1+sin(t)) : viscous:0.2'", asked[i]);
+        ck_assert_int_eq(fvi(line), 1);
+        ck_assert_str_eq(err, "fvi: the gradient of its elongation changes with t: there are no "
+                              "poles and no response\n");
+        snprintf(line, sizeof line, "%s --damper 'x+sin(t) : viscous:0.2'", asked[i]);
+        ck_assert_int_eq(fvi(line), 0);
+    }
+    const char *const no_swing[] = { "--potential 'cos(x)'", "--rho 5", "--potential free" };
+    for (int i = 0; i < 3; i++) {
+        snprintf(line, sizeof line, "poles %s", no_swing[i]);
+        ck_assert_int_eq(fvi(line), 0);
+        ck_assert_ptr_nonnull(strstr(err, "fvi: warning: what creeps or grows without a swing, "
+                                          "e^{st} with a real s, is no row\n"));
+    }
+    ck_assert_int_eq(fvi("poles --alpha 0.3"), 0);
+    ck_assert_str_eq(err, "");
+}
+END_TEST
+
 START_TEST(bad_questions_are_bad_use)
 {
     static const char *const bad[][2] = {
@@ -294,7 +320,7 @@ int main(void)
              moduli_are_those_of_the_contract, poles_are_those_of_the_contract,
              what_does_not_swing_has_no_poles, dampers_act_between_points,
              a_potential_is_linear_at_x0, dampers_have_responses_and_poles);
-    ADD_CASE(suite, "words", bad_questions_are_bad_use,
+    ADD_CASE(suite, "words", no_question_is_answered_in_part, bad_questions_are_bad_use,
              tables_have_formats_and_pictures);
     return run_suite_of_program(suite);
 }
