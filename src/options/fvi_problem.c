@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 /* What each mass has: x0, p0, mass, rho, one value for all, or a list. */
 int fvi_problem_lists(fvi_options *o, fvi_error *c)
@@ -64,6 +65,22 @@ static void mark_directory(const fvi_options *o)
     }
 }
 
+/* Without C.mtx nothing is damped: a law that was typed would have no effect. */
+static int check_damping(const fvi_options *o, fvi_error *c)
+{
+    static const option_index laws[] = { ALPHA, ORDER, DAMPING };
+    char path[2 * PATH_MAX];
+    snprintf(path, sizeof path, "%s/C.mtx", o->text[SYSTEM]);
+    if (o->text[DAMPER] || access(path, F_OK) == 0)
+        return 0;
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
+        if (o->text[laws[i]] && o->text[laws[i]] != fvi_option_list[laws[i]].preset)
+            return fvi_refuse(c, fvi_option_list[laws[i]].name,
+                              "'%s' damps nothing: there is no C.mtx in %s", o->text[laws[i]],
+                              o->text[SYSTEM]);
+    return 0;
+}
+
 static int read_system(fvi_options *o, fvi_error *c)
 {
     const fvi_option_values *dampers = fvi_dampers_typed(o);
@@ -72,6 +89,8 @@ static int read_system(fvi_options *o, fvi_error *c)
                                    &o->lets, &o->directory, c);
     if (status)
         return status;
+    if (check_damping(o, c))
+        return FVI_EINVAL;
     mark_directory(o);
     o->d = fvi_directory_system(o->directory).d;
     o->potential.kind = FVI_POTENTIAL_FREE;

@@ -284,6 +284,13 @@ START_TEST(unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot)
     ck_assert_refused(
         "run --system chain --unknowns 1,",
         "fvi: --unknowns: '1,' is not a list of numbers from 1 to 3");
+    ck_assert_int_eq(shell("mkdir -p bare && cp chain/M.mtx chain/K.mtx bare"), 0);
+    ck_assert_refused("run --system bare --alpha 0.3", /* which would change nothing */
+                      "fvi: --alpha: '0.3' damps nothing: there is no C.mtx in bare");
+    ck_assert_refused("run --system bare --order 0.5",
+                      "fvi: --order: '0.5' damps nothing: there is no C.mtx in bare");
+    ck_assert_refused("poles --system bare --damping viscous:1",
+                      "fvi: --damping: 'viscous:1' damps nothing: there is no C.mtx in bare");
     ck_assert_refused("run --snapshot a -o a",
                       "fvi: --snapshot: 'a' is the table's file, too");
     ck_assert_refused("run --snapshot a --checkpoint a",
