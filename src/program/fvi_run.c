@@ -93,9 +93,11 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
         return fvi_stopped_at(t->begin, status);
     while (s->k < steps && !fvi_stepper_is_over(s) && !ferror(t->out)
            && !fvi_checkpoint_stopped()) {
+        const size_t before = s->k;
         status = fvi_run_step(t, s);
-        if (status)
-            return stopped(t->o, s, status);
+        if (status) /* of the step, or of a reduction after it */
+            return s->k > before && !t->o->method->dense ? fvi_stopped_at(s->k, status)
+                                                         : stopped(t->o, s, status);
         status = warn_along(w, s);
         if (status)
             return fvi_stopped_at(s->k, status);

@@ -184,6 +184,11 @@ START_TEST(all_rows_of_each_run_may_be_printed)
     ck_assert_uint_eq(count_rows(), 5);
     ck_assert_refused("sweep --vary alpha=0.3 --every 2",
                       "fvi: --every: without --rows a run has one row");
+    ck_assert_int_eq(fvi("sweep --vary k=1,2 --lagrangian 'v^2/2-x^2' --constraint x-k --x0 1 "
+                         "--v0 0 --steps 2 --columns x"),
+                     1);
+    ck_assert_str_eq(err, "fvi: with k = 2: --x0: it does not keep to the constraint 'x-k', "
+                          "which is -1 there\n");
     ck_assert_refused("sweep --vary alpha=0.3 --rows --reduce 'max(x)'",
                       "fvi: --rows: not together with --reduce");
 }
