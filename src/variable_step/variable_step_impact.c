@@ -47,29 +47,52 @@ static int note(fvi_event_watch *w, double t, size_t i, int at_rest)
     return FVI_SUCCESS;
 }
 
+/* n . v + dz/dt, at which z changes; n to normal. */
+static int speed_at(const fvi_stepper *s, size_t i, double t, const double *x,
+                    const double *p, double *normal, double *speed)
+{
+    const fvi_event *e = &s->run.events[i];
+    const size_t d = s->run.system->d;
+    double sum;
+    const int status = e->gradient(t, d, x, e->params, normal, &sum);
+    for (size_t j = 0; j < d && !status; j++)
+        sum += normal[j] * p[j] / s->run.system->mass[j];
+    *speed = status ? 0 : sum;
+    return status || isfinite(sum) ? status : FVI_EOVRFLW;
+}
+
+/* How fast z falls ever faster, towards the side where it must not be, by the speeds at the end of the
+ * step and shortly before: of a wall that moves, or is bent, this knows too. */
+static int fall_of(const fvi_stepper *s, fvi_variable_step_state *o, size_t i,
+                   double speed, double *fall)
+{
+    double *x = o->watch->point, *p = x + o->d, before;
+    const double t = s->t - (s->t - o->t0) / 64;
+    int status = fvi_variable_step_dense(s, t, x, p);
+    if (!status)
+        status = speed_at(s, i, t, x, p, x + 3 * o->d, &before);
+    if (!status)
+        *fall = -o->watch->side[i] * (speed - before) / (s->t - t);
+    return status;
+}
+
 //> impact
 /* p -> p - (1 + e) n (n v + dz/dt) / (n M^-1 n), if the body comes nearer. Is it at rest then, as it
  * would rise no higher, in z, than the step may err, before it falls back? */
 static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_rest)
 {
     const fvi_event *e = &s->run.events[i];
-    fvi_event_watch *w = o->watch;
-    double *normal = w->point + 2 * o->d, *a = normal + o->d, rate, speed, size = 0,
-           inverse = 0, fall = 0;
-    int status = e->gradient(s->t, o->d, s->x, e->params, normal, &rate);
+    const fvi_event_watch *w = o->watch;
+    double *normal = w->point + 2 * o->d, speed, size = 0, inverse = 0, fall = 0;
+    int status = speed_at(s, i, s->t, s->x, s->p, normal, &speed);
     if (!status)
-        status = fvi_variable_step_acceleration(s, s->t, a);
+        status = fall_of(s, o, i, speed, &fall);
     if (status)
         return status;
-    speed = rate;
     for (size_t j = 0; j < o->d; j++) {
-        speed += normal[j] * s->p[j] / s->run.system->mass[j];
         inverse += normal[j] * normal[j] / mass_of(s, j);
-        fall -= w->side[i] * normal[j] * a[j];
         size += normal[j] * normal[j];
     }
-    if (!isfinite(speed) || !isfinite(inverse))
-        return FVI_EOVRFLW;
     if (inverse == 0)
         FVI_FAIL("the normal of an impact is 0", FVI_ESING);
     if (speed * w->side[i] < 0)

@@ -261,6 +261,46 @@ START_TEST(an_oblique_wall_that_moves)
 }
 END_TEST
 
+/* A wall that comes ever faster: z = x - t^2/10. */
+static int coming(double t, size_t d, const double *x, const double *p,
+                  void *params, double *z)
+{
+    (void)d, (void)p, (void)params;
+    *z = x[0] - t * t / 10;
+    return 0;
+}
+
+static int coming_normal(double t, size_t d, const double *x, void *params,
+                         double *normal, double *rate)
+{
+    (void)d, (void)x, (void)params;
+    *normal = 1;
+    *rate = -t / 5;
+    return 0;
+}
+
+/* A free body at 1 is met at sqrt(10). With e = 0 the wall carries it from then on, by its own
+ * acceleration alone: it is at rest there. With e = 1 it leaves with twice the wall's velocity. */
+START_TEST(a_wall_that_carries_a_body)
+{
+    fvi_event wall = { .value = coming, .gradient = coming_normal, .action = FVI_EVENT_IMPACT };
+    const fvi_system system = { .d = 1, .mass = &mass, .damping = &none };
+    const fvi_run run = fall(&system, 1, &wall, 4);
+    size_t n;
+    for (int elastic = 0; elastic < 2; elastic++) {
+        wall.restitution = elastic;
+        fvi_stepper *s = started(&run);
+        go(s);
+        const fvi_event_time *at = fvi_stepper_events(s, &n);
+        ck_assert_uint_eq(n, 1);
+        ck_assert_near(at[0].t, sqrt(10), 64 * U, "met");
+        ck_assert_int_eq(at[0].at_rest, !elastic);
+        ck_assert_near(s->p[0], (1 + elastic) * sqrt(10) / 5, 64 * U, "velocity");
+        fvi_stepper_free(s);
+    }
+}
+END_TEST
+
 /* ---- stops and marks ---- */
 
 /* Of a fall from 1, x = 1 - t^2/2: a quarter is passed at sqrt(3/2), down only; p = 0 at the
@@ -422,7 +462,8 @@ int main(void)
 {
     Suite *suite = suite_create("events");
     ADD_CASE(suite, "impacts", a_ball_bounces_when_and_where_it_should,
-             a_ball_comes_to_rest, elastic_and_plastic_impacts, an_oblique_wall_that_moves);
+             a_ball_comes_to_rest, elastic_and_plastic_impacts, an_oblique_wall_that_moves,
+             a_wall_that_carries_a_body);
     ADD_CASE(suite, "stops, marks, copies", stops_and_marks, a_copy_knows_the_events);
     ADD_CASE(suite, "kicks", a_kick_is_an_impulse);
     ADD_CASE(suite, "refused", bad_events_are_refused);
