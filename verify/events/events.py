@@ -26,7 +26,7 @@ n, p = sympy.Matrix([n1, n2]), sympy.Matrix([p1, p2])
 v = M.inv() * p
 speed, inverse = (n.T * v)[0], (n.T * M.inv() * n)[0]
 after = p - (1 + e) * n * (speed + r) / inverse
-claim("the speed is -e times what it was",
+claim("(22.27): the speed is -e times what it was",
       sympy.simplify((n.T * M.inv() * after)[0] + r + e * (speed + r)) == 0)
 claim("nothing along the wall", sympy.simplify(sympy.Matrix([-n2, n1]).dot(after - p)) == 0)
 energy = (p.T * v)[0] / 2 - (after.T * M.inv() * after)[0] / 2
