@@ -256,6 +256,26 @@ static void describe(fvi_observer *o, const fvi_stepper *s, unsigned wanted)
     o->degree = degree_of(s->method);
 }
 
+/* Multipliers at t = 0: the slope of the parabola through their impulses at 0, h and 2 h, or their mean
+ * over the first step where no second one can be made. fork: at the first node. */
+static int start_ties(fvi_observer *o, fvi_stepper *fork, double h)
+{
+    double *start = o->start + o->forces + o->slopes;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < o->ties && !status; i++) {
+        status = fvi_stepper_tie(fork, i, &start[i]);
+        start[i] /= h;
+    }
+    if (status || fork->k >= fork->run.steps || fvi_stepper_step(fork))
+        return status;
+    for (size_t i = 0; i < o->ties && !status; i++) {
+        double J;
+        status = fvi_stepper_tie(fork, i, &J);
+        start[i] = 2 * start[i] - J / (2 * h);
+    }
+    return status;
+}
+
 /* At t = 0, where a force is infinite: its mean over the first row. */
 static int take_means(fvi_observer *o, const fvi_stepper *s)
 {
@@ -276,10 +296,8 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
             o->start[j] = now.impulse[j] / h;
     for (size_t i = o->forces; i < o->forces + o->slopes && !status; i++)
         o->start[i] = (now.v[i - o->forces] - o->impulse[i]) / h;
-    for (size_t i = 0; i < o->ties && !status; i++) {
-        status = fvi_stepper_tie(fork, i, &o->start[o->forces + o->slopes + i]);
-        o->start[o->forces + o->slopes + i] /= h;
-    }
+    if (!status && o->ties > 0)
+        status = start_ties(o, fork, h);
     fvi_observer_free(sums);
     fvi_stepper_free(fork);
     return status;

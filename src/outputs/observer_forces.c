@@ -56,6 +56,8 @@ void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
         if (plain)
             changes(o, j, n, change);
         slope[j] = (plain ? backward(n, change) : near_start(o, j, k)) / h;
+        if (k == 1 && j >= o->forces + o->slopes) /* of a parabola, as at the start */
+            slope[j] = 2 * slope[j] - o->start[j];
     }
 }
 

@@ -196,6 +196,29 @@ START_TEST(multipliers_and_reactions_are_columns)
 }
 END_TEST
 
+/* The rod of a pendulum at its first nodes, where Lambda = (v^2 - x2) / 2 = (1 - 3 x2) / 2 by its energy: of
+ * second order by every method, seen 0.54 h^2 at most. A run of one step has the mean. */
+START_TEST(multipliers_of_the_first_nodes_are_of_second_order)
+{
+    const char *const methods[] = { "fvi-stable", "fvi-lobatto2", "fvi-lobatto4" };
+    const double steps[] = { 0.1, 0.05, 0.025 };
+    char line[300];
+    for (size_t i = 0; i < 9; i++) {
+        const double h = steps[i % 3];
+        snprintf(line, sizeof line,
+                 "run --lagrangian '(v1^2+v2^2)/2-x2' --constraint 'x1^2+x2^2-1' --x0 1,0 --v0 0,1 "
+                 "--columns 'multiplier1-(1-3*x2)/2' --steps 3 --h %g --method %s", h,
+                 methods[i / 3]);
+        ck_assert_int_eq(fvi(line), 0);
+        for (size_t k = 0; k < 4; k++)
+            ck_assert_near(cell(k, 0), 0, 0.6 * h * h, "%s, row %zu", line, k);
+    }
+    ck_assert_int_eq(fvi("run --lagrangian '(v1^2+v2^2)/2-x2' --constraint 'x1^2+x2^2-1' --x0 1,0 "
+                         "--v0 0,1 --columns multiplier1 --steps 1"), 0);
+    ck_assert_near(cell(0, 0), cell(1, 0), 1e-15, "the mean");
+}
+END_TEST
+
 /* The step that a wanted error needs: against the reference of 8 digits. */
 START_TEST(an_error_can_be_asked_for)
 {
@@ -317,6 +340,7 @@ int main(void)
              a_damper_on_each_coordinate_is_the_old_damping,
              time_and_dimension_are_seen_in_the_texts,
              a_massless_node_makes_zeners_law, wrong_words_are_refused,
-             multipliers_and_reactions_are_columns, an_error_can_be_asked_for, a_checkpoint_goes_on);
+             multipliers_and_reactions_are_columns,
+             multipliers_of_the_first_nodes_are_of_second_order, an_error_can_be_asked_for, a_checkpoint_goes_on);
     return run_suite_of_program(suite);
 }
