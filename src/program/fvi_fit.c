@@ -262,6 +262,21 @@ static int plans(int argc, char **argv)
 
 /* ---- the command ---- */
 
+/* Words that are known to the fit of a material alone. */
+static int check_words_of_material(int argc, char **argv, fvi_error *c)
+{
+    static const char *const names[] = { "law", "weights" };
+    for (int i = 2; i < argc; i++)
+        for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+            const size_t length = strcspn(argv[i], "=");
+            if (strncmp(argv[i], "--", 2) == 0 && length == strlen(names[n]) + 2
+                && strncmp(argv[i] + 2, names[n], length - 2) == 0)
+                return fvi_refuse(c, names[n],
+                                  "goes with --moduli, --creep or --relaxation alone");
+        }
+    return 0;
+}
+
 int fvi_command_fit(int argc, char **argv)
 {
     if (fvi_fit_is_material(argc, argv))
@@ -269,7 +284,9 @@ int fvi_command_fit(int argc, char **argv)
     fvi_error error, *c = &error;
     request r = { .t = NULL };
     const int is_plan = plans(argc, argv);
-    int status = fvi_subcommand_options_parse(is_plan ? &design : &fit, argc, argv, &r.words,
+    int status = check_words_of_material(argc, argv, c);
+    if (!status)
+        status = fvi_subcommand_options_parse(is_plan ? &design : &fit, argc, argv, &r.words,
                                               &r.o, c);
     const int parsed = !status;
     if (!status)

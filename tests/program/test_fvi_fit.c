@@ -291,6 +291,8 @@ static const char *const refused[][2] = {
     { "fit --plot a.svg d.tsv", "--plot: not an option of this command" },
     { "fit --checkpoint c d.tsv", "--checkpoint: not an option" },
     { "fit --sigm 1 d.tsv", "no such option" },
+    { "fit --law power d.tsv", "--law: goes with --moduli, --creep or --relaxation alone" },
+    { "fit d.tsv --weights=relative", "--weights: goes with --moduli, --creep or" },
     { "fit --h 0 d.tsv", "--h" },
     { "fit --alpha 2 d.tsv", "--alpha" },
     { "fit d.tsv --sigma", "a value is missing" },
