@@ -87,6 +87,7 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run, fvi_stepper 
 int fvi_stepper_step(fvi_stepper *s);
 int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
 int fvi_stepper_reset(fvi_stepper *s);
+int fvi_stepper_kick(fvi_stepper *s, const double *J);
 void fvi_stepper_free(fvi_stepper *s);
 typedef struct {
     fvi_system system;

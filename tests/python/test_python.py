@@ -203,6 +203,25 @@ def test_a_stepper_goes_forks_and_begins_anew():
     assert fork.x == run.x[1]
 
 
+def test_a_kick_changes_the_momentum_between_two_steps():
+    s = fvi.Stepper("free", rho=0, x0=[0, 0], p0=1, mass=[1, 2], h=0.5, steps=4, method="fvi-adaptive")
+    s.step(1)
+    t = s.t
+    s.kick([2, -1])
+    assert np.array_equal(s.p, [3, 0])
+    while s.k < s.steps:
+        s.step()
+    assert s.t == 2 and abs(s.x - [t + 3 * (2 - t), t / 2]).max() < 1e-14
+    sudden = fvi.Stepper(alpha=0.7, rho=0.3, method="fvi-adaptive", force="impulse:0,0")
+    sudden.kick(1)
+    assert sudden.p == 1.5
+    for options in ({"alpha": 0.7, "method": "fvi-adaptive"}, {"method": "fvi"}):
+        with pytest.raises(fvi.Error):
+            fvi.Stepper(**options).kick(1)
+    with pytest.raises(ValueError, match="^J has the shape"):
+        s.kick([1, 2, 3])
+
+
 def test_the_exact_solution_is_the_programs():
     t = program("exact", "--alpha", "0.3", "--time", "20", "--steps", "40")
     x, v = fvi.exact(t[:, 0], alpha=0.3)

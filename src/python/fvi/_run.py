@@ -7,7 +7,7 @@ from typing import Any, Callable, NamedTuple, Optional, Union
 
 import numpy as np
 
-from ._arguments import Array, Numbers, choice, number, numbers, spelt, whole, word
+from ._arguments import Array, Numbers, choice, number, numbers, row, spelt, whole, word
 from ._fvi import ffi, lib
 from ._library import STOPPED, ask, ask_for_warning, error_of, failure, succeed, text_of, warn_of_start
 from .errors import Error
@@ -177,6 +177,12 @@ class Stepper:
             if self._s.k >= self._watch.next:
                 self._alone(ask_for_warning, lib.fvi_warning_along, self._watch, self._method, self._run,
                             self._s.k, self._s.x)
+
+    def kick(self, J: Numbers) -> None:
+        """p += J between two steps, by fvi-adaptive, for each mass or one for all. For alpha > 1/2 the run has
+        to know it: with force="impulse:0,0" its steps are short enough."""
+        given = row("J", numbers("J", J), self._problem.d)
+        succeed(self._alone(ask, lib.fvi_stepper_kick, self._s, ffi.from_buffer("double[]", given)))
 
     def copy(self) -> "Stepper":
         """The same run again, at the same step; neither knows of the other."""
