@@ -14,14 +14,27 @@ static int reduces(const fvi_table *t)
     return fvi_reductions_count(t->o->typed) > 0;
 }
 
-/* The values at the place where the run stands go into the reductions. */
-static int reduce(fvi_table *t, const fvi_stepper *s)
+/* The values at a time go into the reductions: where the run stands, or within its last step. */
+static int reduce_at(fvi_table *t, const fvi_stepper *s, double time)
 {
     fvi_observation now;
-    int status = fvi_observer_read(t->observer, s, s->t, &now);
+    int status = fvi_observer_read(t->observer, s, time, &now);
     if (!status)
         status = fvi_typed_columns_values(t->o->typed, &now, t->o->typed_row);
-    return status ? status : fvi_reductions_add(t->o->typed, s->t);
+    return status ? status : fvi_reductions_add(t->o->typed, time);
+}
+
+/* A step that began at `begin`, behind row `row`, goes into the reductions. A method that chooses its steps may
+ * pass over many rows, and a peak among them, in one: they are taken, too, but at its ends. */
+static int reduce(fvi_table *t, const fvi_stepper *s, double begin, size_t row)
+{
+    const double h = t->o->h, least = 1e-6 * h;
+    int status = FVI_SUCCESS;
+    if (s->method->dense)
+        for (size_t k = row + 1; !status && k <= s->k; k++)
+            if ((double)k * h > begin + least && (double)k * h < s->t - least)
+                status = reduce_at(t, s, (double)k * h);
+    return status ? status : reduce_at(t, s, s->t);
 }
 
 int fvi_run_observe(fvi_table *t, const fvi_stepper *s)
@@ -32,15 +45,17 @@ int fvi_run_observe(fvi_table *t, const fvi_stepper *s)
         return FVI_SUCCESS;
     int status = fvi_observer_start(s, fvi_typed_columns_wanted(t->o->typed),
                                     &t->observer, NULL);
-    return !status && reduces(t) ? reduce(t, s) : status;
+    return !status && reduces(t) ? reduce_at(t, s, s->t) : status;
 }
 
 int fvi_run_step(fvi_table *t, fvi_stepper *s)
 {
     if (!t->observer)
         return fvi_stepper_step(s);
+    const double begin = s->t;
+    const size_t row = s->k;
     const int status = fvi_observer_step(t->observer, s);
-    return !status && reduces(t) ? reduce(t, s) : status;
+    return !status && reduces(t) ? reduce(t, s, begin, row) : status;
 }
 
 static int take_between_steps(fvi_table *t, fvi_stepper *s, size_t k,

@@ -43,6 +43,27 @@ START_TEST(drifts_floors_and_forces_are_columns)
 }
 END_TEST
 
+/* Steps of a method of its own length are longer than rows: reductions take the rows, too. Against all rows of the
+ * exact motion; without them the minimum was -0.51. */
+START_TEST(reductions_of_long_steps_see_the_rows)
+{
+    double least = INFINITY, most = -INFINITY;
+    ck_assert_int_eq(fvi("exact --alpha 0.3 --columns x"), 0);
+    for (size_t k = 0; k < count_rows(); k++) {
+        least = smaller(least, cell(k, 0));
+        most = larger(most, cell(k, 0));
+    }
+    ck_assert_int_eq(fvi("run --alpha 0.3 --step-error 1e-8 --reduce 'min(x),max(x),peak(x)'"), 0);
+    /* a step's own end may lie a little beyond the rows: h^2 a / 8 at most */
+    ck_assert(cell(0, 0) <= least + 1e-7 && cell(0, 0) > least - 0.01 / 8);
+    ck_assert(cell(0, 1) >= most - 1e-7 && cell(0, 1) < most + 1.2 * 0.01 / 8);
+    ck_assert_near(cell(0, 2), 1.11445376, 1e-4, "the peak, by fvi-lobatto6 in steps of 0.01");
+    ck_assert_int_eq(fvi("run --alpha 0.3 --step-error 1e-8 --longest 0.1 --reduce "
+                         "'peak(x),mean(x)'"), 0); /* many a step ends near a row */
+    ck_assert_near(cell(0, 0), 1.11445376, 1e-4, "the peak");
+}
+END_TEST
+
 /* The same prototype: over all steps, whatever is printed. */
 START_TEST(reductions_are_over_all_steps)
 {
@@ -361,6 +382,7 @@ int main(void)
              plain_columns_stay_what_they_are, sums_stand_in_the_checkpoint,
              a_state_alone_has_its_columns_too, a_wanted_error_has_all_columns);
     ADD_CASE(suite, "reductions", reductions_are_over_all_steps,
+             reductions_of_long_steps_see_the_rows,
              means_and_peaks_are_what_they_say);
     ADD_CASE(suite, "refused", what_no_column_is_is_refused);
     return run_suite_of_program(suite);
