@@ -81,6 +81,12 @@ static int take_line(list *l, const char *file, size_t number, char *line,
     return status;
 }
 
+/* Editors on Windows begin a file with a mark of its encoding. */
+static char *behind_mark(char *line)
+{
+    return strncmp(line, "\xef\xbb\xbf", 3) == 0 ? line + 3 : line;
+}
+
 static int take_file(list *l, const char *name, fvi_error *error)
 {
     FILE *f = fopen(name, "r");
@@ -92,8 +98,10 @@ static int take_file(list *l, const char *name, fvi_error *error)
                           strerror(errno));
     fvi_mark_read("problem", name);
     errno = 0;
-    while (!status && getline(&line, &room, f) >= 0)
-        status = take_line(l, name, ++number, line, error);
+    while (!status && getline(&line, &room, f) >= 0) {
+        number++;
+        status = take_line(l, name, number, number == 1 ? behind_mark(line) : line, error);
+    }
     if (!status && ferror(f))
         status = fvi_refuse(error, "problem", "cannot read '%s': %s", name,
                             strerror(errno));

@@ -93,6 +93,18 @@ START_TEST(a_bad_file_is_refused)
 }
 END_TEST
 
+/* As an editor on Windows writes it: a mark of its encoding, and \r\n. */
+START_TEST(a_file_from_windows_is_read)
+{
+    char same[4096];
+    ck_assert_int_eq(fvi("run --alpha 0.3 --rho 0.4 --steps 3 --columns x --format csv"), 0);
+    snprintf(same, sizeof same, "%s", out);
+    write_file("windows", "\xef\xbb\xbf" "alpha 0.3\r\nrho 0.4\r\n");
+    ck_assert_int_eq(fvi("run --problem windows --steps 3 --columns x --format csv"), 0);
+    ck_assert_str_eq(out, same);
+}
+END_TEST
+
 /* A checkpoint holds the words, and not the file: --steps may be another number there. */
 START_TEST(a_run_goes_on_from_a_file_with_more_steps)
 {
@@ -109,6 +121,6 @@ int main(void)
 {
     Suite *suite = suite_create("the program fvi: --problem");
     ADD_CASE(suite, "problem", a_file_says_what_its_words_say,
-             a_bad_file_is_refused, a_run_goes_on_from_a_file_with_more_steps);
+             a_bad_file_is_refused, a_file_from_windows_is_read, a_run_goes_on_from_a_file_with_more_steps);
     return run_suite_of_program(suite);
 }
