@@ -256,6 +256,7 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
         status = fvi_run_observe(&t, s);
     failed = status && o->mechanism && error.field
                  ? fvi_refused(&error, "run")
+             : status == FVI_EOVRFLW && s ? fvi_stopped_at(0, status) /* of a reduction */
              : status ? fvi_complain_of_start(o, status)
                     : fvi_checkpoint_begin(&t, s, &c);
     if (!failed)

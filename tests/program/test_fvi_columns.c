@@ -58,6 +58,10 @@ START_TEST(reductions_of_long_steps_see_the_rows)
     ck_assert(cell(0, 0) <= least + 1e-7 && cell(0, 0) > least - 0.01 / 8);
     ck_assert(cell(0, 1) >= most - 1e-7 && cell(0, 1) < most + 1.2 * 0.01 / 8);
     ck_assert_near(cell(0, 2), 1.11445376, 1e-4, "the peak, by fvi-lobatto6 in steps of 0.01");
+    ck_assert_int_eq(fvi("run --reduce 'max(1/(x-1))'"), 1);
+    ck_assert_str_eq(err, "fvi: step 0: a value is no longer finite\n");
+    ck_assert_int_eq(fvi("run --alpha 0.3 --reduce 'max(log(x))'"), 1); /* x < 0 at row 21 */
+    ck_assert_str_eq(err, "fvi: step 21: a value is no longer finite\n");
     ck_assert_int_eq(fvi("run --alpha 0.3 --step-error 1e-8 --longest 0.1 --reduce "
                          "'peak(x),mean(x)'"), 0); /* many a step ends near a row */
     ck_assert_near(cell(0, 0), 1.11445376, 1e-4, "the peak");
