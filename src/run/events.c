@@ -17,8 +17,6 @@ static int refuse(int code, size_t i, double value, const char *reason,
 int fvi_events_check(const fvi_method *method, const fvi_run *run,
                      fvi_error *error)
 {
-    if (run->event_count == 0)
-        return FVI_SUCCESS;
     if (!run->events)
         return fvi_fail(error, FVI_EFAULT, "events", NAN,
                         "events is a null pointer");

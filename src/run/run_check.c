@@ -144,7 +144,7 @@ int fvi_run_check(const fvi_method *method, const fvi_run *run,
     if (!status && !fvi_method_takes_history(method, run->memory))
         status = fvi_fail(error, FVI_EUNSUP, "memory", run->memory,
                           "this method has no such memory");
-    if (!status)
+    if (!status && run->event_count)
         status = fvi_events_check(method, run, error);
     if (!status)
         status = check_impulses(method, run, error);

@@ -196,7 +196,8 @@ static int finish(mirror *m, const fvi_sensitivities *want, size_t d,
 
 static void stop(mirror *m)
 {
-    fvi_adjoint_dampers_free(&m->several);
+    if (m->has_dampers) /* the book's figures that move have none, and not this function */
+        fvi_adjoint_dampers_free(&m->several);
     fvi_adjoint_lobatto_stop(&m->staged);
     fvi_adjoint_multistep_free(&m->plain);
 }
