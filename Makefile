@@ -106,6 +106,7 @@ text: | needs ## compare code and numbers in the chapters with their sources; fo
 	$(PYTHON) chapters/tools/excerpts.py --check
 	$(PYTHON) chapters/tools/quoted.py --check
 	$(PYTHON) chapters/tools/links.py
+	$(PYTHON) chapters/tools/formulas.py --check
 	$(PYTHON) chapters/tools/evidence.py --check
 	$(PYTHON) chapters/tools/words.py --check
 	$(PYTHON) chapters/tools/colours.py
