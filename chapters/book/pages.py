@@ -203,7 +203,7 @@ def row_of_files(page):
 
 def beside_stops(cell):
     """In a table a link is a block of its own, beside which a line could break: between it and a comma, too."""
-    return re.sub(r"(\(?<a\b[^>]*>(?:[^<]|<wbr>){1,27}</a>[.,;:)]+)", r'<span class="keep">\1</span>', cell)
+    return re.sub(r"(\(?<a\b[^>]*>(?:[^<]|<wbr>){1,32}</a>[.,;:)]+)", r'<span class="keep">\1</span>', cell)
 
 
 def number_figures(page, captions):
