@@ -127,6 +127,9 @@ static int parse_damper(fvi_typed_mechanism *m, size_t j, const char *text,
     if (!status)
         status = fvi_parse_state_expression("damper", m->d, 0, of, parameters,
                                             &damper->of.e, error);
+    if (!status && fvi_largest_index(of) == 0)
+        status = fvi_fail(error, FVI_EINVAL, "damper", NAN,
+                          "'%s' speaks of no coordinate: nothing is damped", of);
     free(of);
     m->damper[j] = (fvi_damper){
         .name = damper->name,

@@ -42,7 +42,7 @@ typedef struct {
  * for `lasts` if that is > 0. t is the time since then. */
 typedef struct {
     double t, start, sign, lasts;
-} fvi_event;
+} fvi_exact_part;
 
 /* fvi_inverse_prepare -- poles and residues. The problem is a valid one.
  * Returns FVI_SUCCESS; for a law what fvi_kernel_poles returns. */
@@ -53,16 +53,16 @@ int fvi_inverse_prepare(const fvi_linear_oscillator *problem, fvi_inverse *S,
 const fvi_contour *fvi_inverse_contour(fvi_inverse *S, size_t place);
 
 /* fvi_inverse_add -- add to x and v what an event does; t > 0, and t >= 2 lasts. */
-void fvi_inverse_add(fvi_inverse *S, const fvi_event *at, double *x, double *v);
+void fvi_inverse_add(fvi_inverse *S, const fvi_exact_part *at, double *x, double *v);
 
 /* fvi_inverse_oscillation -- of that only the residues of the zeros of Q, which
  * must exist; t >= lasts will do. */
-void fvi_inverse_oscillation(const fvi_inverse *S, const fvi_event *at,
+void fvi_inverse_oscillation(const fvi_inverse *S, const fvi_exact_part *at,
                              double *x, double *v);
 
 /* fvi_inverse_residue -- what one pole of them gives: twice the real part of it in x, of s
  * times it in v. t >= lasts. */
-double complex fvi_inverse_residue(const fvi_residue *a, const fvi_event *at,
+double complex fvi_inverse_residue(const fvi_residue *a, const fvi_exact_part *at,
                                    int with_force);
 
 /* fvi_inverse_resonance -- add the residues of a zero of Q and of the cosine together, by

@@ -110,7 +110,7 @@ static size_t resonant(const rows *r, const fvi_window *w, double t, double *x,
 
 /* e^{st} at the first row of a block, or of eight blocks where few digits are asked for,
  * and from there by turns. */
-static void add_all_residues(rows *r, const fvi_window *w, fvi_event event,
+static void add_all_residues(rows *r, const fvi_window *w, fvi_exact_part event,
                              range of)
 {
     const fvi_inverse *S = r->S;
@@ -144,7 +144,7 @@ static void add_all_residues(rows *r, const fvi_window *w, fvi_event event,
 /* ---- windows ---- */
 
 /* The integral of an event at rows. */
-static void add_integral_rows(const rows *r, fvi_window *w, fvi_event event,
+static void add_integral_rows(const rows *r, fvi_window *w, fvi_exact_part event,
                               range of)
 {
     if (of.a > of.b || w->count == 0)
@@ -185,8 +185,8 @@ static size_t row_after(const rows *r, range of, double after)
 static void add_step(rows *r, fvi_window *w, range of, size_t late)
 {
     const fvi_linear_oscillator *p = &r->S->p;
-    const fvi_event plain = { .start = 1, .sign = 1 }, start = { .start = 1 };
-    const fvi_event pulse = { .sign = p->T > 0, .lasts = p->T },
+    const fvi_exact_part plain = { .start = 1, .sign = 1 }, start = { .start = 1 };
+    const fvi_exact_part pulse = { .sign = p->T > 0, .lasts = p->T },
                     both = { .start = 1, .sign = p->T > 0, .lasts = p->T };
     range rest = { late, of.b, 0 };
     of.b = late - 1;
@@ -199,7 +199,7 @@ static void add_step(rows *r, fvi_window *w, range of, size_t late)
     add_integral_rows(r, w, pulse, rest);
 }
 
-static int add_rows(rows *r, const fvi_event *event, range of);
+static int add_rows(rows *r, const fvi_exact_part *event, range of);
 
 /* A window of a step that ends in it. Rows later than T + first / 2 see a pulse, and those
  * soon after T a second start downwards. The window is cut there if the force, had it
@@ -226,11 +226,11 @@ static int add_ended(rows *r, range *of)
         return status;
     add_step(r, &w, *of, late);
     fvi_window_close(&w);
-    const fvi_event off = { .sign = -1 };
+    const fvi_exact_part off = { .sign = -1 };
     return add_rows(r, &off, (range){ ended, late - 1, T });
 }
 
-static int add_window(rows *r, const fvi_event *event, range *of)
+static int add_window(rows *r, const fvi_exact_part *event, range *of)
 {
     const double first = time_of(r, of->a, of->since),
                  last = time_of(r, of->b, of->since);
@@ -248,7 +248,7 @@ static int add_window(rows *r, const fvi_event *event, range *of)
     return FVI_SUCCESS;
 }
 
-static int add_rows(rows *r, const fvi_event *event, range of)
+static int add_rows(rows *r, const fvi_exact_part *event, range of)
 {
     int status = FVI_SUCCESS;
     while (of.a <= of.b && !status) {
@@ -360,7 +360,7 @@ int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n,
         v[0] = problem->v0;
     }
     r.careful = must_be_careful(&r, n);
-    const fvi_event start = { .start = 1, .sign = 1 };
+    const fvi_exact_part start = { .start = 1, .sign = 1 };
     status = is_tame(&r, n) ? add_rows(&r, &start, (range){ 1, n, 0 })
                             : one_by_one(&r, n);
     for (size_t k = 0; k <= n && !status; k++)

@@ -62,7 +62,7 @@ FVI_VECTORS static void weigh_nodes(const fvi_window *w, double x0, double v0,
     }
 }
 
-void fvi_window_weigh(fvi_window *w, const fvi_event *event)
+void fvi_window_weigh(fvi_window *w, const fvi_exact_part *event)
 {
     const fvi_linear_oscillator *p = &w->S->p;
     const double t = w->unit,

@@ -259,7 +259,7 @@ static void add_to(double *x, size_t rows, size_t n, const fvi_window *w,
         x[j] += sums[j];
 }
 
-void fvi_window_add(fvi_window *w, const fvi_event *event, double h,
+void fvi_window_add(fvi_window *w, const fvi_exact_part *event, double h,
                     size_t rows, double *x, double *v)
 {
     size_t n = w->count;

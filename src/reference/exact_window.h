@@ -44,7 +44,7 @@ void fvi_window_close(fvi_window *w);
 /* fvi_window_add -- add what an event does, without the residues, at the times
  * event->t + j h, j < rows, to x[j] and v[j]; either may be NULL. The times of a force that
  * has ended (event->lasts > 0, and event->start = 0) count from its end. */
-void fvi_window_add(fvi_window *w, const fvi_event *event, double h,
+void fvi_window_add(fvi_window *w, const fvi_exact_part *event, double h,
                     size_t rows, double *x, double *v);
 
 /* ---- what exact_window.c and exact_weights.c have of each other ---- */
@@ -57,6 +57,6 @@ void fvi_window_exp(const fvi_window *w, size_t n, double a, int less,
 void fvi_window_divide(fvi_window *w);
 
 /* fvi_window_weigh -- x and v: what an event has on the nodes. */
-void fvi_window_weigh(fvi_window *w, const fvi_event *event);
+void fvi_window_weigh(fvi_window *w, const fvi_exact_part *event);
 
 #endif
