@@ -6,9 +6,7 @@
  * 20 s. Prints t, ground, roof without and with dampers, then floor, largest drift of the
  * storey below it without and with. */
 #include <fvi/fvi.h>
-#include "system/larger.h"
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -17,59 +15,9 @@ enum { FLOORS = 20, STEPS = 3000, EVERY = 5, DAMPERS = 6 };
 static const double h = 0.01, alpha = 0.3, stiffness = 800, damper = 600;
 static const int lower[DAMPERS] = { 0, 2, 4, 6, 8, 10 }; /* floors, from 0 */
 
-static void fail(int status)
-{
-    if (status)
-        exit(EXIT_FAILURE);
-}
+#include "frame.h"
 
-/* ---- the ground ---- */
-
-/* Evenly in [-1, 1], by a multiplier of 64 bits. */
-static double noise(void)
-{
-    static uint64_t state = 20;
-    state = 6364136223846793005u * state + 1442695040888963407u;
-    return (double)(int64_t)state * 0x1p-63;
-}
-
-/* The acceleration at the steps: a damped oscillator's answer to noise. */
-static void shake(double *ground)
-{
-    const double w = 2 * 3.14159265358979324 * 2.5, zeta = 0.6;
-    double y = 0, v = 0;
-    for (int k = 0; k <= STEPS; k++) {
-        const double t = k * h, envelope = t / 4 * exp(1 - t / 4);
-        v += h * (-2 * zeta * w * v - w * w * y) + 0.6 * sqrt(h) * noise();
-        y += h * v;
-        ground[k] = envelope * (2 * zeta * w * v + w * w * y);
-    }
-}
-
-/* Every floor feels -m a(t); linear between two steps. */
-static int load(double t, size_t d, void *params, double *F)
-{
-    const double *ground = params, at = smaller(larger(t / h, 0), STEPS - 1e-9);
-    const int k = (int)at;
-    for (size_t i = 0; i < d; i++)
-        F[i] = -(ground[k] + (at - k) * (ground[k + 1] - ground[k]));
-    return 0;
-}
-
-/* ---- the building ---- */
-
-//> springs
-/* A spring, or a damper, of that size between two floors; -1 is the ground. */
-static void add(fvi_triplet *list, size_t *count, int a, int b, double size)
-{
-    const int ends[] = { a, b };
-    for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 2; j++)
-            if (ends[i] >= 0 && ends[j] >= 0)
-                list[(*count)++] =
-                    (fvi_triplet){ ends[i], ends[j], i == j ? size : -size };
-}
-
+//> building
 static void build(double size, fvi_sparse *M, fvi_sparse *K, fvi_sparse *C)
 {
     fvi_triplet m[FLOORS], k[4 * FLOORS], c[4 * DAMPERS];
@@ -84,7 +32,7 @@ static void build(double size, fvi_sparse *M, fvi_sparse *K, fvi_sparse *C)
     fail(fvi_sparse_assemble(FLOORS, count, k, K));
     fail(fvi_sparse_assemble(FLOORS, dampers, c, C));
 }
-//< springs
+//< building
 
 /* The roof at every step, and the largest drift of each storey. */
 static void run(double size, double *ground, double *roof, double *drift)

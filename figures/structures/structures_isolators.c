@@ -11,9 +11,7 @@
 #include <fvi/fvi.h>
 #include <fvi/exact_motion.h>
 #include <fvi/observer.h>
-#include "system/larger.h"
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,59 +20,9 @@ enum { FLOORS = 6, STEPS = 6000, ORDERS = 4, FREQUENCIES = 90 };
 
 static const double h = 0.005, frame = 2000, stiff = 38, loss = 11.4, isolated = 2.5;
 
-static void fail(int status)
-{
-    if (status)
-        exit(EXIT_FAILURE);
-}
-
-/* ---- the ground ---- */
-
-/* Evenly in [-1, 1], by a multiplier of 64 bits. */
-static double noise(void)
-{
-    static uint64_t state = 20;
-    state = 6364136223846793005u * state + 1442695040888963407u;
-    return (double)(int64_t)state * 0x1p-63;
-}
+#include "frame.h"
 
 static double ground[STEPS + 2], roof[STEPS + 2];
-
-/* A damped oscillator's answer to noise, swelling and dying away. */
-static void shake(void)
-{
-    const double w = 2 * 3.14159265358979324 * 2.5, zeta = 0.6;
-    double y = 0, v = 0;
-    for (int k = 0; k <= STEPS; k++) {
-        const double t = k * h, envelope = t / 4 * exp(1 - t / 4);
-        v += h * (-2 * zeta * w * v - w * w * y) + 0.6 * sqrt(h) * noise();
-        y += h * v;
-        ground[k] = envelope * (2 * zeta * w * v + w * w * y);
-    }
-}
-
-/* -a(t) of a record, linear between two steps. */
-static int load(double t, size_t d, void *record, double *F)
-{
-    const double *a = record, at = smaller(larger(t / h, 0), STEPS - 1e-9);
-    const int k = (int)at;
-    for (size_t i = 0; i < d; i++)
-        F[i] = -(a[k] + (at - k) * (a[k + 1] - a[k]));
-    return 0;
-}
-
-/* ---- the building ---- */
-
-/* A spring between two floors; -1 is the ground. */
-static void add(fvi_triplet *list, size_t *count, int a, int b, double size)
-{
-    const int ends[] = { a, b };
-    for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 2; j++)
-            if (ends[i] >= 0 && ends[j] >= 0)
-                list[(*count)++] =
-                    (fvi_triplet){ ends[i], ends[j], i == j ? size : -size };
-}
 
 static void build(double below, fvi_sparse *M, fvi_sparse *K, fvi_sparse *C)
 {
@@ -185,7 +133,7 @@ static double largest_acceleration(double f)
 
 int main(void)
 {
-    shake();
+    shake(ground);
     for (int n = 1; n <= ORDERS + 1; n++) {
         run(n <= ORDERS ? 0.1 * n : 0);
         if (n <= ORDERS)

@@ -15,16 +15,6 @@
 
 /* ---- tables ---- */
 
-/* l_j(t) on the nodes of the rule */
-static double lagrange(const fvi_lobatto_rule *r, size_t s, size_t j, double t)
-{
-    double l = 1;
-    for (size_t m = 0; m < s; m++)
-        if (m != j)
-            l *= (t - r->c[m]) / (r->c[j] - r->c[m]);
-    return l;
-}
-
 //> tables
 /* A^-1 is D with 1 / b_1 more in its corner, (17.3); b^T A^-1 = e_s^T, so p_{k+1} = L_v of the last
  * stage in form D. */
@@ -38,7 +28,7 @@ void fvi_mechanism_tables(fvi_mechanism_state *o)
             o->E[i][j] = r->D[i][j] + corner;
             o->T[i][j] =
                 is_m ? r->b[j] * r->D[j][i] : -r->b[i] * (r->D[i][j] + corner);
-            o->next[i][j] = lagrange(r, o->s, j, 1 + r->c[i]);
+            o->next[i][j] = fvi_lobatto_polynomial(r, o->s, j, 1 + r->c[i]);
         }
 }
 //< tables

@@ -15,16 +15,6 @@
 
 /* ---- matrices ---- */
 
-/* l_j(t), of degree s - 1 */
-static double lagrange(const fvi_lobatto_rule *r, size_t s, size_t j, double t)
-{
-    double l = 1;
-    for (size_t m = 0; m < s; m++)
-        if (m != j)
-            l *= (t - r->c[m]) / (r->c[j] - r->c[m]);
-    return l;
-}
-
 //> table
 /* A of Lobatto IIIC: the integrals of l_j from 0 to c_i, by the rule itself, and in
  * the first column b_1. What that changes is paid back by w, which is orthogonal to all
@@ -37,7 +27,7 @@ void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
             A[i][j] = 0;
             for (size_t k = 0; k < s; k++)
                 A[i][j] +=
-                    r->c[i] * r->b[k] * lagrange(r, s, j, r->c[i] * r->c[k]);
+                    r->c[i] * r->b[k] * fvi_lobatto_polynomial(r, s, j, r->c[i] * r->c[k]);
         }
         const double missing = r->b[0] - A[i][0];
         double sign = 1; /* w_j = +-sqrt(b_j / b_1) */

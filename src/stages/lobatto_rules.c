@@ -106,3 +106,13 @@ const fvi_lobatto_rule *fvi_lobatto(size_t s)
 {
     return s >= 2 && s <= FVI_STAGES ? &rules[s - 2] : NULL;
 }
+
+double fvi_lobatto_polynomial(const fvi_lobatto_rule *r, size_t s, size_t j,
+                              double t)
+{
+    double l = 1;
+    for (size_t m = 0; m < s; m++)
+        if (m != j)
+            l *= (t - r->c[m]) / (r->c[j] - r->c[m]);
+    return l;
+}

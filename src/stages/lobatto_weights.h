@@ -22,6 +22,10 @@ typedef struct {
 /* fvi_lobatto -- the rule of s stages, s = 2, ..., 8; NULL for another s. */
 const fvi_lobatto_rule *fvi_lobatto(size_t s);
 
+/* fvi_lobatto_polynomial -- l_j(t), of degree s - 1: 1 at node j of the rule, 0 at the others. */
+double fvi_lobatto_polynomial(const fvi_lobatto_rule *r, size_t s, size_t j,
+                              double t);
+
 /* fvi_lobatto_weights -- the matrices W_0, ..., W_{n-1}.      [(17.5), (17.10)]
  *
  *   s      stages, 2 to 8
