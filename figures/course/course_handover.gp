@@ -21,6 +21,6 @@ set object 22 circle at 6,3.5 size 0.6 fc rgb "#ffffff" fs solid border rgb BLAC
 set label 4 "p_k" at 6,3.5 center tc rgb BLACK
 set arrow 3 from 0.1,1.6 to 5.7,2.9 head filled size .25,20 lc rgb "#666666" lw 2
 set label 5 "−hρ D_{−}^{2α}z_k" at 3.6,1.7 left tc rgb "#444444"
-set label 6 "momentum after this step: (6b)" at 3.4,4.9 center tc rgb BLUE
-set label 7 "momentum before this step: (6a)" at 8.6,4.9 center tc rgb RED
+set label 6 "after this step: (6b)" at 3.4,4.9 center tc rgb BLUE
+set label 7 "before this step: (6a)" at 8.6,4.9 center tc rgb RED
 plot NaN
