@@ -110,6 +110,7 @@ text: | needs ## compare code and numbers in the chapters with their sources; fo
 	$(PYTHON) chapters/tools/evidence.py --check
 	$(PYTHON) chapters/tools/words.py --check
 	$(PYTHON) chapters/tools/colours.py
+	$(PYTHON) src/make/top_level.py
 	$(PYTHON) src/make/lost_nan.py
 	$(PYTHON) tests/harness/mutants.py --lines
 	$(WORKSHOP) $B text
