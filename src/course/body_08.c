@@ -58,8 +58,9 @@ double solve(double A, double q, double r)
 /* The motion of a mass M for alpha = 1/2, rho^2 < 4 M c, (8c). */
 double exact(double M, double t)
 {
-    double rate = rho / (2 * M), s = sqrt(c / M - rate * rate);
-    return exp(-rate * t) * (x0 * cos(s * t) + (p0 / M + rate * x0) * sin(s * t) / s);
+    double rate = rho / (2 * M), omega = sqrt(c / M - rate * rate);
+    return exp(-rate * t)
+           * (x0 * cos(omega * t) + (p0 / M + rate * x0) * sin(omega * t) / omega);
 }
 
 /* N steps of the integrator: solve (6c), then push by (6d). */

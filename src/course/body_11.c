@@ -57,7 +57,7 @@ void make_modes(double b, int N)
     }
 }
 
-/* The derivative at the node k: the last NEAR weights, and for the rest (11c). */
+/* The derivative at the node k: the weights up to the lag NEAR, and the rest by (11c). */
 double recall(double b, int k, const double *path)
 {
     double sum = 0;

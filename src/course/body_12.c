@@ -11,7 +11,7 @@ enum { HELD, CAPUTO, RL };
 int past = HELD;            /* before t = 0, (7a) */
 double push = 0, until = 0; /* a force */
 double x[MAX], p[MAX], z[MAX], w[MAX];
-int second = 0;      /* damp a share of a step later, (12b) */
+int second = 0;      /* the damping on time, by (12b) */
 int fast = 0, modes; /* exponentials in the place of old weights, (11b) */
 double decay[MODES], share[MODES], mode[MODES];
 //< head
@@ -58,7 +58,7 @@ void make_modes(double b, int N)
     }
 }
 
-/* The derivative at the node k: the last NEAR weights, and for the rest (11c). */
+/* The derivative at the node k: the weights up to the lag NEAR, and the rest by (11c). */
 double recall(double b, int k, const double *path)
 {
     double sum = 0;
