@@ -10,7 +10,7 @@ set xlabel "step k"
 set ylabel "E / E_0"
 set logscale y
 set xrange [0:1e5]
-set xtics ("0" 0, "25 000" 25000, "50 000" 50000, "75 000" 75000, "10^5" 1e5)
+set xtics ("0" 0, "25 000" 25000, "50 000" 50000, "75 000" 75000, "100 000" 1e5)
 set format y "10^{%L}"
 set yrange [1e-20:1e20]
 set ytics 1e5; unset mytics
