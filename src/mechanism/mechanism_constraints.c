@@ -3,7 +3,6 @@
 #include "system/lagrangian_point.h"
 #include "system/larger.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,19 +12,22 @@
 int fvi_mechanism_hide(fvi_stepper *s, double t, const double *x,
                        const double *C, double *p, double *v, double *w)
 {
-    enum { MOST = 60 };
     fvi_mechanism_state *o = s->method_state;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t d = o->d, m = o->m, n = d + m;
     double *Lv = o->room, *Lvv = Lv + d, *r = Lvv + d * d, *J = r + n,
            *ct = J + n * n, *again = ct + m, last = INFINITY;
-    int status = FVI_SUCCESS;
+    int status = FVI_SUCCESS, is_done = 0;
     memset(w, 0, m * sizeof *w);
     if (m)
         status = c->gradient(t, d, x, c->params, again, ct);
-    for (int tries = 0; tries < MOST && !status; tries++) {
+    if (status)
+        return status;
+    for (int tries = 0; tries < FVI_VELOCITY_STEPS && !is_done; tries++) {
         status = fvi_lagrangian_point(s->run.system, t, x, v, NULL, NULL, Lv,
                                       NULL, NULL, Lvv);
+        if (status)
+            return status;
         memset(J, 0, n * n * sizeof *J);
         for (size_t i = 0; i < d; i++) {
             r[i] = p[i] - Lv[i];
@@ -44,31 +46,20 @@ int fvi_mechanism_hide(fvi_stepper *s, double t, const double *x,
             for (size_t i = 0; i < d; i++)
                 r[d + l] -= C[l * d + i] * v[i];
         }
+        status = fvi_solve_matrix(n, J, r, o->order);
         if (!status)
-            status = fvi_solve_matrix(n, J, r, o->order);
+            status = fvi_velocity_add(d, r, v, &last, &is_done);
         if (status)
             return status;
-        double change = 0, size = 0;
-        for (size_t i = 0; i < d; i++) {
-            v[i] += r[i];
-            change += fabs(r[i]);
-            size += fabs(v[i]);
-        }
         for (size_t l = 0; l < m; l++)
             w[l] += r[d + l];
-        if (!isfinite(change))
-            return FVI_EOVRFLW;
-        if (change <= 4 * DBL_EPSILON * size
-            || (change <= 1e-8 * size && change >= last / 2))
-            break;
-        last = change;
-        if (tries + 1 == MOST)
-            return FVI_EMAXITER;
     }
-    for (size_t i = 0; i < d && !status; i++)
+    if (!is_done)
+        return FVI_EMAXITER;
+    for (size_t i = 0; i < d; i++)
         for (size_t l = 0; l < m; l++)
             p[i] -= C[l * d + i] * w[l];
-    return status;
+    return FVI_SUCCESS;
 }
 //< hide
 

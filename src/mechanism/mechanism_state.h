@@ -96,13 +96,13 @@ void fvi_mechanism_free_parts(fvi_mechanism_state *o);
 
 /* ---- mechanism_newton.c ---- */
 
-/* fvi_mechanism_solve -- residual(u) = 0 for the n unknowns u, from a guess.
+/* fvi_mechanism_solve -- residual(u) = 0 for the n unknowns u.
  *
  *   assemble  writes residual and matrix, the residual's Jacobian, at u
- *   still     n numbers, a guess that is surely no bad one: where Newton's method from u fails it
- *             begins there, with steps as long as they may be
+ *   u         in: the guess; out: the root
  *
- * The first `places` of u are increments of coordinates. Returns FVI_SUCCESS, FVI_EMAXITER,
+ * Where Newton's method from the guess fails it begins again at u = 0, the body at rest, with steps
+ * that are shortened until they make the residual smaller. The first `places` of u are increments of coordinates. Returns FVI_SUCCESS, FVI_EMAXITER,
  * FVI_ESING, or what assemble returned. */
 int fvi_mechanism_solve(fvi_stepper *s,
                         int (*assemble)(fvi_stepper *s, const double *u),

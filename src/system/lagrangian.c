@@ -89,39 +89,47 @@ static void leave_out_massless(size_t d, double *Lvv, double *r)
     }
 }
 
+/* Near the root each change is about the square of the one before. So one below 1e-8, the root of a
+ * rounding, that is not half of the one before it is made of roundings. */
+int fvi_velocity_add(size_t d, const double *change, double *v, double *last,
+                     int *is_done)
+{
+    double now = 0, size = 0;
+    for (size_t i = 0; i < d; i++) {
+        v[i] += change[i];
+        now += fabs(change[i]);
+        size += fabs(v[i]);
+    }
+    *is_done = now <= 4 * DBL_EPSILON * size
+               || (now <= 1e-8 * size && now >= *last / 2);
+    *last = now;
+    return isfinite(now) ? FVI_SUCCESS : FVI_EOVRFLW;
+}
+
 //> velocity
 /* Newton's method. A Lagrangian is mostly quadratic in v, and then one step does it; another is
  * taken for its roundings. */
 int fvi_velocity_given(const fvi_system *s, double t, const double *x,
                        const double *p, double *v, double *room, size_t *order)
 {
-    enum { MOST = 60 };
     const size_t d = s->d;
     double *Lv = room, *r = room + d, *Lvv = room + 2 * d, last = INFINITY;
-    for (int n = 0; n < MOST; n++) {
+    int is_done = 0;
+    for (int n = 0; n < FVI_VELOCITY_STEPS && !is_done; n++) {
         int status =
             fvi_lagrangian_point(s, t, x, v, NULL, NULL, Lv, NULL, NULL, Lvv);
-        for (size_t i = 0; i < d && !status; i++)
-            r[i] = p[i] - Lv[i];
-        leave_out_massless(d, Lvv, r);
-        if (!status)
-            status = fvi_solve_matrix(d, Lvv, r, order);
         if (status)
             return status;
-        double change = 0, size = 0;
-        for (size_t i = 0; i < d; i++) {
-            v[i] += r[i];
-            change += fabs(r[i]);
-            size += fabs(v[i]);
-        }
-        if (!isfinite(change))
-            return FVI_EOVRFLW;
-        if (change <= 4 * DBL_EPSILON * size
-            || (change <= 1e-8 * size && change >= last / 2))
-            return FVI_SUCCESS;
-        last = change;
+        for (size_t i = 0; i < d; i++)
+            r[i] = p[i] - Lv[i];
+        leave_out_massless(d, Lvv, r);
+        status = fvi_solve_matrix(d, Lvv, r, order);
+        if (!status)
+            status = fvi_velocity_add(d, r, v, &last, &is_done);
+        if (status)
+            return status;
     }
-    return FVI_EMAXITER;
+    return is_done ? FVI_SUCCESS : FVI_EMAXITER;
 }
 //< velocity
 

@@ -19,6 +19,16 @@ int fvi_lagrangian_point(const fvi_system *system, double t, const double *x,
  * for n. Returns FVI_SUCCESS, or FVI_ESING for a pivot that is zero or not a number. */
 int fvi_solve_matrix(size_t n, double *A, double *r, size_t *order);
 
+/* fvi_velocity_add -- v += change, d numbers, a step of Newton's method for a velocity.
+ *
+ *   last     in: the size of the change before, INFINITY at first; out: of this one
+ *   is_done  output: nonzero if another step would change roundings alone
+ *
+ * Returns FVI_SUCCESS; FVI_EOVRFLW if the change is not finite. */
+enum { FVI_VELOCITY_STEPS = 60 }; /* the most that are taken */
+int fvi_velocity_add(size_t d, const double *change, double *v, double *last,
+                     int *is_done);
+
 /* fvi_velocity_given -- fvi_velocity_of_momentum without the heap.
  *
  *   room   2 d + d * d numbers     order  room for d */

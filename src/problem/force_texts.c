@@ -1,0 +1,281 @@
+/* src/problem/force_texts.c -- The texts of forces: step:8,1 + file:F.csv. */
+#define _GNU_SOURCE /* strdup */
+#include "typed_force.h"
+#include "words.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+static int no_memory(const char *field, fvi_error *error)
+{
+    return fvi_fail(error, FVI_ENOMEM, field, NAN, "not enough memory");
+}
+
+/* "F.csv", or "F.csv:TIME,VALUE" with the names of its columns, which must then be there. */
+static int read_columns(fvi_force_part *p, const char *field, const char *text,
+                        fvi_error *error)
+{
+    const char *colon = strrchr(text, ':'),
+               *comma = colon ? strchr(colon, ',') : NULL;
+    if (!comma) {
+        const char *const columns[] = { "t", strcmp(field, "ground") ? "F" : "ag" };
+        p->file = strdup(text);
+        return p->file ? fvi_parse_table(field, text, columns, &p->n, &p->t,
+                                         &p->F, error)
+                       : no_memory(field, error);
+    }
+    char *time = strndup(colon + 1, (size_t)(comma - colon - 1));
+    p->file = strndup(text, (size_t)(colon - text));
+    const char *const columns[] = { time, comma + 1 };
+    const int status =
+        time && p->file ? fvi_parse_named_table(field, p->file, columns, &p->n,
+                                                &p->t, &p->F, error)
+                        : no_memory(field, error);
+    free(time);
+    return status;
+}
+
+/* A table from 0 to the end of the run: nothing is made up. */
+static int read_file(fvi_force_part *p, const char *field, const char *text, double gain,
+                     double last, fvi_error *error)
+{
+    const int status = read_columns(p, field, text, error);
+    if (status)
+        return status;
+    for (size_t i = 0; i < p->n; i++)
+        p->F[i] *= gain;
+    if (!fvi_all_finite(p->n, p->F))
+        return fvi_fail(error, FVI_EDOM, field, gain,
+                        "a number of %s times its factor is not finite", p->file);
+    if (p->t[0] > 0)
+        return fvi_fail(error, FVI_EDOM, field, p->t[0],
+                        "%s begins at t = %g, the run at 0", p->file, p->t[0]);
+    if (p->t[p->n - 1] < last * (1 - 1e-12))
+        return fvi_fail(error, FVI_EDOM, field, p->t[p->n - 1],
+                        "%s ends at t = %g, the run at %g", p->file,
+                        p->t[p->n - 1], last);
+    return FVI_SUCCESS;
+}
+
+/* "-9.81*file:g.csv": where "file:" stands behind a factor; NULL if it does not. */
+static const char *file_behind_factor(const char *text, size_t length)
+{
+    for (const char *at = text; at + 6 <= text + length; at++)
+        if (strncasecmp(at, "*file:", 6) == 0)
+            return at + 1;
+    return NULL;
+}
+
+/* The factor, an expression of numbers alone. */
+static int read_scaled_file(fvi_force_part *p, const char *field, const char *text,
+                            const char *file, double last, fvi_error *error)
+{
+    fvi_expression *e = NULL;
+    char *factor = strndup(text, (size_t)(file - 1 - text));
+    int status = factor ? fvi_parse_expression(field, NULL, 0, factor, NULL, &e,
+                                               error)
+                        : no_memory(field, error);
+    free(factor);
+    if (status)
+        return status;
+    const double gain = fvi_expression_value(e, NULL);
+    fvi_expression_free(e);
+    return read_file(p, field, file + 5, gain, last, error);
+}
+
+/* One that comes when the run is over, or has not begun, would be ignored. */
+static int take_impulse(fvi_force_part *p, const char *field, const char *text,
+                        double last, fvi_error *error)
+{
+    p->hits = 1;
+    if (!(p->p[1] >= 0 && p->p[1] <= last * (1 + 1e-12)))
+        return fvi_fail(error, FVI_EDOM, field, p->p[1],
+                        "'%s' is not within the run, 0 <= T <= %g", text, last);
+    return FVI_SUCCESS;
+}
+
+/* None, step:A,T or cosine:A,W. */
+static int scan_ready_made(fvi_force_part *p, const char *text)
+{
+    p->kind = strcasecmp(text, "none") == 0             ? FVI_FORCING_NONE
+              : fvi_scan_call(text, "step", 2, p->p)   ? FVI_FORCING_STEP
+                                                       : FVI_FORCING_COSINE;
+    return p->kind != FVI_FORCING_COSINE
+           || fvi_scan_call(text, "cosine", 2, p->p);
+}
+
+/* An expression in t. One in x or v is no slip of the finger, but another option's. */
+static int parse_expression(fvi_force_part *p, const char *field, const char *text,
+                            fvi_user_parameters *parameters, fvi_error *error)
+{
+    fvi_error state = { 0 };
+    const size_t d = fvi_largest_index(text);
+    int status = fvi_parse_expression(field, "t", 1, text, parameters,
+                                      &p->expression, error);
+    if (status != FVI_EINVAL || d == 0
+        || fvi_parse_state_expression(field, d, 1, text, parameters,
+                                      &p->expression, &state))
+        return status;
+    fvi_expression_free(p->expression);
+    p->expression = NULL;
+    return fvi_fail(error, FVI_EINVAL, field, NAN,
+                    "'%s': a force knows t alone; --force-on knows x and v",
+                    text);
+}
+
+/* One part: a word with a colon, or an expression. */
+static int parse_part(fvi_force_part *p, const char *field, const char *text,
+                      fvi_user_parameters *parameters, double last,
+                      fvi_error *error)
+{
+    static const char *const words[] = { "none",    "step", "cosine",
+                                         "impulse", "file", NULL };
+    static const char *const forms[] = { "none", "step:A,T", "cosine:A,W",
+                                         "impulse:J,T", "file:F.tsv" };
+    const size_t length = strcspn(text, ":"),
+                 word = fvi_scan_word(text, length, words);
+    if (length == 4 && text[length] && strncasecmp(text, "file", 4) == 0)
+        return read_file(p, field, text + 5, 1, last, error);
+    const char *file = file_behind_factor(text, strlen(text));
+    if (file)
+        return read_scaled_file(p, field, text, file, last, error);
+    if (scan_ready_made(p, text))
+        return p->kind == FVI_FORCING_STEP && p->p[1] < 0
+                   ? fvi_fail(error, FVI_EDOM, field, p->p[1],
+                              "'%s' ends before it begins", text)
+                   : FVI_SUCCESS;
+    p->kind = FVI_FORCING_NONE;
+    if (fvi_scan_call(text, "impulse", 2, p->p))
+        return take_impulse(p, field, text, last, error);
+    if (words[word])
+        return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s' is not %s", text,
+                        forms[word]);
+    char place[64];
+    fvi_word_hint(text, length, words, place);
+    if (text[length] || *place)
+        return fvi_fail(error, FVI_EINVAL, field, NAN,
+                        "'%s' is none of none, step:A,T, cosine:A,W, "
+                        "impulse:J,T, file:F.tsv%s",
+                        text, place);
+    return parse_expression(p, field, text, parameters, error);
+}
+
+/* Does a word with a colon begin here, or a factor before one? */
+static int is_call(const char *at)
+{
+    const size_t letters = strspn(at, "abcdefghijklmnopqrstuvwxyz"
+                                      "ABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    const char *next = strstr(at, " + ");
+    return (letters > 0 && at[letters] == ':')
+           || file_behind_factor(at, next ? (size_t)(next - at) : strlen(at));
+}
+
+/* Where the part ends that begins at `at`: before a " + " if that part, or the next one, is
+ * a word with a colon; what stands between two of them is one expression. */
+static const char *end_of_part(const char *at)
+{
+    const int called = is_call(at);
+    for (const char *plus = at; (plus = strstr(plus, " + ")); plus += 3)
+        if (called || is_call(plus + 3 + strspn(plus + 3, " ")))
+            return plus;
+    return at + strlen(at);
+}
+
+/* Where the sum is not smooth. Returns 0, or FVI_ENOMEM. */
+static int collect_jumps(fvi_typed_force *f)
+{
+    size_t room = 0;
+    for (size_t i = 0; i < f->count; i++)
+        room += f->parts[i].t ? f->parts[i].n : 1;
+    f->jumps = malloc(room * sizeof *f->jumps);
+    if (!f->jumps)
+        return FVI_ENOMEM;
+    for (double t; !isnan(t = fvi_typed_force_jump(f, f->jump_count));)
+        f->jumps[f->jump_count++] = t;
+    for (size_t i = 0; i < f->count; i++)
+        for (size_t k = 0; f->parts[i].t && k < f->parts[i].n; k++)
+            f->jumps[f->jump_count++] = f->parts[i].t[k];
+    return 0;
+}
+
+static int by_time(const void *a, const void *b)
+{
+    const fvi_impulse *x = a, *y = b;
+    return (x->t > y->t) - (x->t < y->t);
+}
+
+/* Each on all d masses. Returns 0, or FVI_ENOMEM. */
+static int collect_impulses(fvi_typed_force *f, size_t d)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < f->count; i++)
+        n += f->parts[i].hits != 0;
+    if (n == 0)
+        return 0;
+    f->impulses = malloc(n * sizeof *f->impulses);
+    f->J = malloc(n * d * sizeof *f->J);
+    if (!f->impulses || !f->J)
+        return FVI_ENOMEM;
+    for (size_t i = 0; i < f->count; i++) {
+        if (!f->parts[i].hits)
+            continue;
+        double *J = f->J + f->impulse_count * d;
+        for (size_t j = 0; j < d; j++)
+            J[j] = f->parts[i].p[0];
+        f->impulses[f->impulse_count++] =
+            (fvi_impulse){ .t = f->parts[i].p[1], .J = J };
+    }
+    qsort(f->impulses, n, sizeof *f->impulses, by_time);
+    return 0;
+}
+
+/* One part at the end of the sum; `word` has room for its text. */
+static int add_part(fvi_typed_force *f, const char *field, char *word,
+                    const char *at, size_t length,
+                    fvi_user_parameters *parameters, double last,
+                    fvi_error *error)
+{
+    fvi_force_part *parts = realloc(f->parts, (f->count + 1) * sizeof *parts);
+    if (!parts)
+        return no_memory(field, error);
+    f->parts = parts;
+    parts[f->count] = (fvi_force_part){ .kind = FVI_FORCING_NONE };
+    memcpy(word, at, length);
+    word[length] = '\0';
+    return parse_part(&parts[f->count++], field, word, parameters, last, error);
+}
+
+int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters,
+                    double last, fvi_typed_force **force, fvi_error *error)
+{
+    return fvi_parse_force_of("force", text, d, parameters, last, force, error);
+}
+
+int fvi_parse_force_of(const char *field, const char *text, size_t d,
+                       fvi_user_parameters *parameters, double last,
+                       fvi_typed_force **force, fvi_error *error)
+{
+    if (!text || !force)
+        return fvi_fail(error, FVI_EFAULT, field, NAN, "null pointer");
+    char *word = malloc(strlen(text) + 1);
+    fvi_typed_force *new = calloc(1, sizeof *new);
+    int status = word && new ? FVI_SUCCESS : no_memory(field, error);
+    for (const char *at = text, *end; !status; at = end + 3) {
+        at += strspn(at, " ");
+        end = end_of_part(at);
+        status = add_part(new, field, word, at, (size_t)(end - at), parameters, last,
+                          error);
+        if (*end == '\0')
+            break;
+    }
+    if (!status && (collect_jumps(new) || collect_impulses(new, d)))
+        status = no_memory(field, error);
+    free(word);
+    if (status)
+        fvi_typed_force_free(new);
+    else
+        *force = new;
+    return status;
+}

@@ -1,0 +1,201 @@
+/* src/system/potentials.c -- Potentials that are ready to use.          [H 2] */
+#include <fvi/system.h>
+
+#include <math.h>
+
+/* ---- one spring of stretch r: (c + g r^2) r, and what belongs to it ---- */
+
+static double spring_energy(double c, double g, double r)
+{
+    return (c / 2 + g / 4 * r * r) * r * r;
+}
+
+static double spring_force(double c, double g, double r)
+{
+    return (c + g * r * r) * r;
+}
+
+static double spring_stiffness(double c, double g, double r)
+{
+    return c + 3 * g * r * r;
+}
+
+/* What is ready to use only reads its params: the casts below take no const away from
+ * anything that is written. */
+
+/* ---- harmonic and Duffing: a spring from each mass to its own origin ---- */
+
+static int duffing_value(size_t d, const double *x, void *params, double *value)
+{
+    const double *cg = params;
+    double sum = 0;
+    for (size_t i = 0; i < d; i++)
+        sum += spring_energy(cg[0], cg[1], x[i]);
+    *value = sum;
+    return 0;
+}
+
+static int duffing_gradient(size_t d, const double *x, void *params,
+                            double *grad)
+{
+    const double *cg = params;
+    for (size_t i = 0; i < d; i++)
+        grad[i] = spring_force(cg[0], cg[1], x[i]);
+    return 0;
+}
+
+static int duffing_hessian(size_t d, const double *x, void *params, double *H)
+{
+    const double *cg = params;
+    for (size_t i = 0; i < d; i++)
+        H[i] = spring_stiffness(cg[0], cg[1], x[i]);
+    return 0;
+}
+
+/* Of springs that are ready to use, duffing and chain: is there no r^4? */
+static int springs_are_linear(const void *params)
+{
+    const double *cg = params;
+    return cg[1] == 0;
+}
+
+fvi_potential fvi_potential_duffing(const double cg[2])
+{
+    return (fvi_potential){ .value = duffing_value,
+                            .gradient = duffing_gradient,
+                            .hessian = duffing_hessian,
+                            .params = (void *)cg,
+                            .quadratic = springs_are_linear,
+                            .diagonals = 1 };
+}
+
+/* Harmonic has its own functions because its parameter is one number. */
+static int harmonic_value(size_t d, const double *x, void *params,
+                          double *value)
+{
+    double cg[2] = { *(const double *)params, 0 };
+    return duffing_value(d, x, cg, value);
+}
+
+static int harmonic_gradient(size_t d, const double *x, void *params,
+                             double *grad)
+{
+    const double c = *(const double *)params;
+    for (size_t i = 0; i < d; i++)
+        grad[i] = c * x[i];
+    return 0;
+}
+
+static int harmonic_hessian(size_t d, const double *x, void *params, double *H)
+{
+    double cg[2] = { *(const double *)params, 0 };
+    return duffing_hessian(d, x, cg, H);
+}
+
+static int always(const void *params)
+{
+    (void)params;
+    return 1;
+}
+
+fvi_potential fvi_potential_harmonic(const double *c)
+{
+    return (fvi_potential){ .value = harmonic_value,
+                            .gradient = harmonic_gradient,
+                            .hessian = harmonic_hessian,
+                            .params = (void *)c,
+                            .quadratic = always,
+                            .diagonals = 1 };
+}
+
+/* ---- pendulum ---- */
+
+static int pendulum_value(size_t d, const double *x, void *params,
+                          double *value)
+{
+    double sum = 0;
+    for (size_t i = 0; i < d; i++) {
+        double s = sin(x[i] / 2);
+        sum += 2 * s * s; /* 1 - cos x, without the cancellation at small x */
+    }
+    *value = *(const double *)params * sum;
+    return 0;
+}
+
+static int pendulum_gradient(size_t d, const double *x, void *params,
+                             double *grad)
+{
+    for (size_t i = 0; i < d; i++)
+        grad[i] = *(const double *)params * sin(x[i]);
+    return 0;
+}
+
+static int pendulum_hessian(size_t d, const double *x, void *params, double *H)
+{
+    for (size_t i = 0; i < d; i++)
+        H[i] = *(const double *)params * cos(x[i]);
+    return 0;
+}
+
+fvi_potential fvi_potential_pendulum(const double *g)
+{
+    return (fvi_potential){ .value = pendulum_value,
+                            .gradient = pendulum_gradient,
+                            .hessian = pendulum_hessian,
+                            .params = (void *)g,
+                            .diagonals = 1 };
+}
+
+/* ---- chain: spring i ties mass i - 1 to mass i; -1 and d are the walls ---- */
+
+static double stretch(size_t d, const double *x, size_t i)
+{
+    return (i < d ? x[i] : 0) - (i > 0 ? x[i - 1] : 0);
+}
+
+static int chain_value(size_t d, const double *x, void *params, double *value)
+{
+    const double *cg = params;
+    double sum = 0;
+    for (size_t i = 0; i <= d; i++)
+        sum += spring_energy(cg[0], cg[1], stretch(d, x, i));
+    *value = sum;
+    return 0;
+}
+
+static int chain_gradient(size_t d, const double *x, void *params, double *grad)
+{
+    const double *cg = params;
+    double left = spring_force(cg[0], cg[1], stretch(d, x, 0));
+    for (size_t i = 0; i < d; i++) {
+        double right = spring_force(cg[0], cg[1], stretch(d, x, i + 1));
+        grad[i] = left - right;
+        left = right;
+    }
+    return 0;
+}
+
+/* Row i holds k_i + k_{i+1} and -k_{i+1}, the stiffnesses of its two springs. */
+static int chain_hessian(size_t d, const double *x, void *params, double *H)
+{
+    const double *cg = params;
+    double left = spring_stiffness(cg[0], cg[1], stretch(d, x, 0));
+    for (size_t i = 0; i < d; i++) {
+        double right = spring_stiffness(cg[0], cg[1], stretch(d, x, i + 1));
+        H[2 * i] = left + right;
+        if (i + 1 < d)
+            H[2 * i + 1] = -right;
+        left = right;
+    }
+    return 0;
+}
+
+fvi_potential fvi_potential_chain(const double cg[2])
+{
+    return (fvi_potential){ .value = chain_value,
+                            .gradient = chain_gradient,
+                            .hessian = chain_hessian,
+                            .params = (void *)cg,
+                            .quadratic = springs_are_linear,
+                            .diagonals = 2 };
+}
