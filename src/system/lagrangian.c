@@ -89,8 +89,8 @@ static void leave_out_massless(size_t d, double *Lvv, double *r)
     }
 }
 
-/* Near the root each change is about the square of the one before. So one below 1e-8, the root of a
- * rounding, that is not half of the one before it is made of roundings. */
+/* Near the root each change is about the square of the one before. So one that is below
+ * 1e-8, the root of a rounding, and not below half of the one before it, is made of roundings. */
 int fvi_velocity_add(size_t d, const double *change, double *v, double *last,
                      int *is_done)
 {

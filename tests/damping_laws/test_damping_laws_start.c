@@ -2,8 +2,10 @@
  * at the start.                              Run alone: make test-damping_laws_start */
 #include <fvi/fvi.h>
 #include "damping_laws_ref.h"
+#include "harness/seen.h"
 #include "harness/ulp.h"
 #include "memory/kernel_impulses.h"
+#include "system/larger.h"
 
 #include <stdlib.h>
 
@@ -147,10 +149,55 @@ START_TEST(eq_26_20_impulses_know_no_order)
 }
 END_TEST
 
+/* The impulses that a kernel makes of a straight line at stages: of a power those of its own formula (19.5),
+ * of a sum of two kernels the sum of both. Seen: 8.9e-14 of the sum over the stages, 7e-16 in step 0. */
+START_TEST(impulses_of_a_kernel_at_stages_are_those_of_its_powers)
+{
+    const double h = 0.1;
+    double worst = 0;
+    for (size_t n = 2; n <= 8; n++)
+        for (int a = 0; a < 5; a++) {
+            double c[8];
+            for (size_t i = 0; i < n; i++)
+                c[i] = fvi_lobatto_abscissa(n, i);
+            const double alpha = 0.55 + a * 0.1;
+            const fvi_kernel_term terms[] = { { FVI_KERNEL_POWER, 1.3, alpha, 0, 0 },
+                                              { FVI_KERNEL_ZENER, 2, 0.3, 0.5, 0 } };
+            const fvi_kernel power = { 1, terms }, zener = { 1, terms + 1 },
+                             both = { 2, terms };
+            fvi_kernel_impulse known;
+            fvi_impulses_of_kernel *of[3];
+            fvi_kernel_impulse_prepare(alpha, n, c, &known);
+            ck_assert_int_eq(fvi_impulses_of_kernel_at_stages(&power, h, n, c, &of[0]), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_impulses_of_kernel_at_stages(&zener, h, n, c, &of[1]), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_impulses_of_kernel_at_stages(&both, h, n, c, &of[2]), FVI_SUCCESS);
+            for (size_t k = 0; k < 300; k += k < 6 ? 1 : 37) {
+                double want[8], got[3][8], sum = 0;
+                fvi_kernel_impulses(&known, k, want);
+                for (int j = 0; j < 3; j++)
+                    fvi_impulses_of_kernel_at(of[j], k, got[j]);
+                for (size_t i = 0; i < n; i++)
+                    sum += fabs(want[i] *= 1.3 * pow(h, 1 + known.e));
+                for (size_t i = 0; i < n; i++)
+                    worst = larger(worst,
+                                   larger(fabs(got[0][i] - want[i]),
+                                          fabs(got[2][i] - got[1][i] - got[0][i])
+                                              / 4)
+                                       / sum);
+            }
+            for (int j = 0; j < 3; j++)
+                fvi_impulses_of_kernel_free(of[j]);
+        }
+    ck_assert_msg(worst <= 2e-13, "%g", worst);
+    seen(worst, "deviation");
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("damping_laws: start");
     ADD_CASE(suite, "push", eq_26_20_order_two_with_a_push, eq_26_20_a_power_is_alpha,
-             eq_26_20_impulses_of_powers, eq_26_20_impulses_know_no_order);
+             eq_26_20_impulses_of_powers, eq_26_20_impulses_know_no_order,
+             impulses_of_a_kernel_at_stages_are_those_of_its_powers);
     return run_suite(suite);
 }

@@ -9,7 +9,6 @@
 
 enum { STEPS = 40 };
 
-
 static double distance(const fvi_stepper *s, size_t d, const double *x,
                        const double *p)
 {

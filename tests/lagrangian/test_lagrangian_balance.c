@@ -3,7 +3,6 @@
 #include "problems.h"
 #include "lagrangian_ref.h"
 
-#include "memory/kernel_impulses.h"
 #include "system/larger.h"
 
 #define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
@@ -175,7 +174,7 @@ START_TEST(prop_29_3_dampers_never_give_more_than_they_took)
         ck_assert_msg(done[m] >= 52, "%s: %d of 60", methods[m]->name, done[m]);
         seen(done[m], "%s done", methods[m]->name);
     }
-    ck_assert_msg(!(least[4] >= -1), "fvi: %g", least[4]);
+    ck_assert_msg(least[4] < -1, "fvi: %g", least[4]);
 }
 END_TEST
 
@@ -316,7 +315,7 @@ START_TEST(constraints_hold_to_roundings)
 END_TEST
 
 /* Pulled from 0 to 1 at t = 0 and held there: the force is rho t^-o / Gamma(1 - o), and its integral is
- * exact, 4u for each of 40 steps. The multiplier is minus the reaction. */
+ * exact, 4u for each of 40 steps. */
 START_TEST(a_relaxation_test_is_exact)
 {
     static const mechanism_text text = { .name = "relaxation",
@@ -341,79 +340,6 @@ START_TEST(a_relaxation_test_is_exact)
 }
 END_TEST
 
-/* What a kernel makes of a straight line, on stages: of a power as by its own formula (19.5), to 1e-13 of
- * the sum; of a sum of two kernels their sum. Seen: 8e-14, 7e-16 in step 0. */
-START_TEST(impulses_of_a_kernel_at_stages_are_those_of_its_powers)
-{
-    const double h = 0.1;
-    double worst = 0;
-    for (size_t n = 2; n <= 8; n++)
-        for (int a = 0; a < 5; a++) {
-            double c[8];
-            for (size_t i = 0; i < n; i++)
-                c[i] = fvi_lobatto_abscissa(n, i);
-            const double alpha = 0.55 + a * 0.1;
-            const fvi_kernel_term terms[] = { { FVI_KERNEL_POWER, 1.3, alpha, 0, 0 },
-                                              { FVI_KERNEL_ZENER, 2, 0.3, 0.5, 0 } };
-            const fvi_kernel power = { 1, terms }, zener = { 1, terms + 1 },
-                             both = { 2, terms };
-            fvi_kernel_impulse known;
-            fvi_impulses_of_kernel *of[3];
-            fvi_kernel_impulse_prepare(alpha, n, c, &known);
-            OK(fvi_impulses_of_kernel_at_stages(&power, h, n, c, &of[0]));
-            OK(fvi_impulses_of_kernel_at_stages(&zener, h, n, c, &of[1]));
-            OK(fvi_impulses_of_kernel_at_stages(&both, h, n, c, &of[2]));
-            for (size_t k = 0; k < 300; k += k < 6 ? 1 : 37) {
-                double want[8], got[3][8], sum = 0;
-                fvi_kernel_impulses(&known, k, want);
-                for (int j = 0; j < 3; j++)
-                    fvi_impulses_of_kernel_at(of[j], k, got[j]);
-                for (size_t i = 0; i < n; i++)
-                    sum += fabs(want[i] *= 1.3 * pow(h, 1 + known.e));
-                for (size_t i = 0; i < n; i++)
-                    worst = larger(worst,
-                                   larger(fabs(got[0][i] - want[i]),
-                                          fabs(got[2][i] - got[1][i] - got[0][i])
-                                              / 4)
-                                       / sum);
-            }
-            for (int j = 0; j < 3; j++)
-                fvi_impulses_of_kernel_free(of[j]);
-        }
-    ck_assert_msg(worst <= 2e-13, "%g", worst);
-    seen(worst, "deviation");
-}
-END_TEST
-
-/* Held, with a velocity along a damper that grows like s^1.6 and is no power: the orders of H 17 with that
- * for the order of the damping. */
-START_TEST(a_range_of_orders_has_its_order_after_a_start_with_a_velocity)
-{
-    static const mechanism_text text = {
-        .name = "range",
-        .d = 1,
-        .lagrangian = "v^2/2 - x^2/2 - x^4/8",
-        .damper = { "x : distributed:0.4,0.2,0.8" },
-        .x0 = { 1 },
-        .v0 = { 0.5 }
-    };
-    mechanism_problem p;
-    open_problem(&text, &p);
-    double x[3];
-    for (size_t n = 0; n < 3; n++) {
-        const size_t N = n < 2 ? 40u << n : 640;
-        fvi_stepper *s = stepper_at(n < 2 ? &fvi_lobatto_m3 : &fvi_lobatto_m4, &p,
-                                    4 / (double)N, N, N);
-        x[n] = s->x[0];
-        fvi_stepper_free(s);
-    }
-    const double order = log2(fabs(x[0] - x[2]) / fabs(x[1] - x[2]));
-    ck_assert_msg(fabs(x[1] - x[2]) < 1e-7 && order > 3.3 && order < 4.2, "%g %g",
-                  fabs(x[1] - x[2]), order);
-    close_problem(&p);
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: balance");
@@ -424,8 +350,6 @@ int main(void)
              works_and_impulses_are_of_the_order_of_the_method,
              an_undamped_double_pendulum_keeps_its_energy,
              constraints_hold_to_roundings,
-             a_relaxation_test_is_exact,
-             impulses_of_a_kernel_at_stages_are_those_of_its_powers,
-             a_range_of_orders_has_its_order_after_a_start_with_a_velocity);
+             a_relaxation_test_is_exact);
     return run_suite(suite);
 }

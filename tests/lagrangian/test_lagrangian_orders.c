@@ -181,6 +181,35 @@ START_TEST(eq_29_17_creep_without_a_mass_converges)
 }
 END_TEST
 
+/* Held, with a velocity along a damper that grows like s^1.6 and is no power: the orders of H 17 with that
+ * for the order of the damping. */
+START_TEST(a_range_of_orders_has_its_order_after_a_start_with_a_velocity)
+{
+    static const mechanism_text text = {
+        .name = "range",
+        .d = 1,
+        .lagrangian = "v^2/2 - x^2/2 - x^4/8",
+        .damper = { "x : distributed:0.4,0.2,0.8" },
+        .x0 = { 1 },
+        .v0 = { 0.5 }
+    };
+    mechanism_problem p;
+    open_problem(&text, &p);
+    double x[3];
+    for (size_t n = 0; n < 3; n++) {
+        const size_t N = n < 2 ? 40u << n : 640;
+        fvi_stepper *s = stepper_at(n < 2 ? &fvi_lobatto_m3 : &fvi_lobatto_m4, &p,
+                                    4 / (double)N, N, N);
+        x[n] = s->x[0];
+        fvi_stepper_free(s);
+    }
+    const double order = log2(fabs(x[0] - x[2]) / fabs(x[1] - x[2]));
+    ck_assert_msg(fabs(x[1] - x[2]) < 1e-7 && order > 3.3 && order < 4.2, "%g %g",
+                  fabs(x[1] - x[2]), order);
+    close_problem(&p);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: orders");
@@ -188,6 +217,7 @@ int main(void)
     tcase_add_loop_test(tcase, eq_29_10_orders_are_what_the_table_says, 0, COUNT);
     tcase_add_test(tcase, a_linkage_of_four_bars_converges);
     tcase_add_test(tcase, eq_29_17_creep_without_a_mass_converges);
+    tcase_add_test(tcase, a_range_of_orders_has_its_order_after_a_start_with_a_velocity);
     suite_add_tcase(suite, tcase);
     return run_suite(suite);
 }
