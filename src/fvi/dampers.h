@@ -105,8 +105,8 @@ int fvi_stepper_keep_dampers(fvi_stepper *s);
  *            and of p's order: the force at a node is its difference, over a run. Of a damper by a
  *            matrix d numbers, the integral of C times the answer to x - x_0
  *   work     output or NULL: that of lambda dz. Never negative by fvi-stable and the methods with
- *            stages if the damper is held and its order at most 1, or its elongation starts
- *            without a slope, (29.11)
+ *            stages if the damper is held, and either its order is at most 1 or its elongation
+ *            starts without a slope, (29.11)
  *
  * Both are the scheme's own sums. FVI_EINVAL if there is no such damper; FVI_EUNSUP where nothing
  * was kept. */

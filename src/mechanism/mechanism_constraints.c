@@ -1,7 +1,6 @@
 /* src/mechanism/mechanism_constraints.c -- Momenta and velocities that keep to constraints. [H 29] */
 #include "mechanism_state.h"
 #include "system/lagrangian_point.h"
-#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -65,14 +64,6 @@ int fvi_mechanism_hide(fvi_stepper *s, double t, const double *x,
 
 /* ---- the start ---- */
 
-static double largest(size_t n, const double *v)
-{
-    double most = 0;
-    for (size_t i = 0; i < n; i++)
-        most = larger(most, fabs(v[i]));
-    return most;
-}
-
 static const char *name_of(const fvi_constraints *c, size_t i, char place[32])
 {
     if (c->name && c->name[i])
@@ -130,12 +121,12 @@ static int check_place(const fvi_stepper *s, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->method_state;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
-    double *value = o->residual, far = largest(o->d, s->x);
+    double *value = o->residual, far = fvi_mechanism_largest(o->d, s->x);
     char place[32];
     const int status = c->value(0, o->d, s->x, c->params, value);
     for (size_t i = 0; i < o->m && !status; i++)
         if (!(fabs(value[i])
-              <= 1e-9 * largest(o->d, o->C + i * o->d) * (far > 0 ? far : 1)))
+              <= 1e-9 * fvi_mechanism_largest(o->d, o->C + i * o->d) * (far > 0 ? far : 1)))
             return refuse(FVI_EDOM, "x0", value[i], i,
                           "it does not keep to the constraint '%s', which is "
                           "%g there",
@@ -159,7 +150,7 @@ static int check_momentum(fvi_stepper *s, fvi_error *error)
     if (!status)
         status = fvi_lagrangian_point(s->run.system, 0, s->x, o->v, NULL, NULL,
                                       Lv, NULL, NULL, NULL);
-    const double size = largest(o->d, s->p) + largest(o->d, Lv);
+    const double size = fvi_mechanism_largest(o->d, s->p) + fvi_mechanism_largest(o->d, Lv);
     for (size_t i = 0; i < o->d && !status; i++) {
         const double off = s->p[i] - (o->is_massless[i] ? Lv[i] : p[i]);
         if (fabs(off) <= 1e-9 * size)

@@ -9,7 +9,7 @@
 
 enum { MOST = 50, MOST_SLOW = 200 };
 
-static double largest(size_t n, const double *v)
+double fvi_mechanism_largest(size_t n, const double *v)
 {
     double most = 0;
     for (size_t i = 0; i < n; i++)
@@ -56,9 +56,9 @@ static int iterate(fvi_stepper *s,
             return status;
         for (size_t j = 0; j < o->n; j++)
             u[j] += o->change[j];
-        const double now = largest(places, o->change),
-                     scale = largest(o->d, s->x) + largest(places, u);
-        if (!isfinite(now) || !isfinite(largest(o->n, u)))
+        const double now = fvi_mechanism_largest(places, o->change),
+                     scale = fvi_mechanism_largest(o->d, s->x) + fvi_mechanism_largest(places, u);
+        if (!isfinite(now) || !isfinite(fvi_mechanism_largest(o->n, u)))
             return FVI_EMAXITER;
         if (is_done(now, before, scale))
             return FVI_SUCCESS;

@@ -96,14 +96,18 @@ void fvi_mechanism_free_parts(fvi_mechanism_state *o);
 
 /* ---- mechanism_newton.c ---- */
 
+/* fvi_mechanism_largest -- the largest absolute value of n numbers; NaN if one is NaN. */
+double fvi_mechanism_largest(size_t n, const double *v);
+
 /* fvi_mechanism_solve -- residual(u) = 0 for the n unknowns u.
  *
  *   assemble  writes residual and matrix, the residual's Jacobian, at u
  *   u         in: the guess; out: the root
  *
- * Where Newton's method from the guess fails it begins again at u = 0, the body at rest, with steps
- * that are shortened until they make the residual smaller. The first `places` of u are increments of coordinates. Returns FVI_SUCCESS, FVI_EMAXITER,
- * FVI_ESING, or what assemble returned. */
+ * Where Newton's method from the guess fails it begins again at u = 0, where nothing moves, with
+ * steps that are shortened until they make the residual smaller. The first `places` of u are
+ * increments of coordinates. Returns FVI_SUCCESS, FVI_EMAXITER, FVI_ESING, or what assemble
+ * returned. */
 int fvi_mechanism_solve(fvi_stepper *s,
                         int (*assemble)(fvi_stepper *s, const double *u),
                         size_t places, double *u);

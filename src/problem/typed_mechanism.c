@@ -55,20 +55,22 @@ size_t fvi_largest_index(const char *text)
 
 /* ---- dampers ---- */
 
+static int no_memory(fvi_error *error)
+{
+    return fvi_fail(error, FVI_ENOMEM, "damper", NAN, "not enough memory");
+}
+
 static int parse_law(fvi_typed_damper *damper, const char *text,
                      fvi_user_parameters *parameters, fvi_error *error)
 {
     char *law = piece(text, strlen(text)), *colon = law ? strstr(law, " : ") : NULL;
     size_t past = 0;
-    int status = law ? FVI_SUCCESS
-                     : fvi_fail(error, FVI_ENOMEM, "damper", NAN,
-                                "not enough memory");
+    int status = law ? FVI_SUCCESS : no_memory(error);
     if (colon) {
         char *word = piece(colon + 3, strlen(colon + 3));
         status = word ? fvi_parse_word("damper", word, fvi_initial_history_words,
                                        &past, error)
-                      : fvi_fail(error, FVI_ENOMEM, "damper", NAN,
-                                 "not enough memory");
+                      : no_memory(error);
         free(word);
         while (colon > law && colon[-1] == ' ')
             colon--;
@@ -81,11 +83,6 @@ static int parse_law(fvi_typed_damper *damper, const char *text,
     if (status && error)
         error->field = "damper";
     return status;
-}
-
-static int no_memory(fvi_error *error)
-{
-    return fvi_fail(error, FVI_ENOMEM, "damper", NAN, "not enough memory");
 }
 
 int fvi_parse_damper(const char *text, size_t count, const fvi_typed_damper *others,
