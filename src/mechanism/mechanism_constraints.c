@@ -6,10 +6,11 @@
 #include <stdio.h>
 #include <string.h>
 
-//> hide
+//> project
 /* L_v(x, v) + C^T w = p,  C v = -c_t, by Newton's method: one step of it mostly. */
-int fvi_mechanism_hide(fvi_stepper *s, double t, const double *x,
-                       const double *C, double *p, double *v, double *w)
+int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
+                                   const double *C, double *p, double *v,
+                                   double *w)
 {
     fvi_mechanism_state *o = s->method_state;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
@@ -60,7 +61,7 @@ int fvi_mechanism_hide(fvi_stepper *s, double t, const double *x,
             p[i] -= C[l * d + i] * w[l];
     return FVI_SUCCESS;
 }
-//< hide
+//< project
 
 /* ---- the start ---- */
 
@@ -141,7 +142,8 @@ static int check_momentum(fvi_stepper *s, fvi_error *error)
     fvi_mechanism_state *o = s->method_state;
     double *p = o->residual, *Lv = o->change;
     memcpy(p, s->p, o->d * sizeof *p);
-    int status = fvi_mechanism_hide(s, 0, s->x, o->C, p, o->v, o->ended);
+    int status = fvi_mechanism_project_momentum(s, 0, s->x, o->C, p, o->v,
+                                                o->ended);
     memset(o->ended, 0, o->m * sizeof *o->ended);
     if (status == FVI_ESING)
         return fvi_fail(error, status, "lagrangian", NAN,

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- which terms remember what ---- */
+/* ---- terms of a kernel ---- */
 
 static int is_power(const fvi_kernel_term *t)
 {
@@ -26,28 +26,29 @@ static int acts(const fvi_kernel *kernel)
 
 /* ---- pasts ---- */
 
-static int add_pull(fvi_stepper *s, size_t j, const fvi_kernel_term *t,
-                    double amplitude)
+static int add_start_force(fvi_stepper *s, size_t j, const fvi_kernel_term *t,
+                           double amplitude)
 {
     static const double ends[] = { 0, 1 };
     fvi_mechanism_state *o = s->method_state;
-    fvi_mechanism_pull *pull = &o->pull[o->pulls++];
-    pull->damper = j;
-    pull->size = amplitude;
+    fvi_mechanism_start_force *force = &o->start_force[o->start_forces++];
+    force->damper = j;
+    force->size = amplitude;
     const fvi_kernel *kernel = s->run.system->mechanism->damper[j].kernel;
     if (!t)
         return o->rule ? fvi_impulses_of_kernel_at_stages(
-                             kernel, s->run.h, o->s, o->rule->c, &pull->of_kernel)
+                             kernel, s->run.h, o->s, o->rule->c, &force->of_kernel)
                        : fvi_impulses_of_kernel_alloc(kernel, s->run.h,
-                                                      &pull->of_kernel);
+                                                      &force->of_kernel);
     fvi_kernel_impulse_prepare(t->alpha, o->rule ? o->s : 2,
-                               o->rule ? o->rule->c : ends, &pull->impulse);
-    pull->size *= t->rho * pow(s->run.h, 1 + pull->impulse.e);
+                               o->rule ? o->rule->c : ends, &force->impulse);
+    force->size *= t->rho * pow(s->run.h, 1 + force->impulse.e);
     return FVI_SUCCESS;
 }
 
-/* Has a past that was put at z a motion, and pulls that are known? Only of powers up to the order 1. */
-static int add_pulls_of_place(fvi_stepper *s, size_t j, fvi_error *error)
+/* The past rl, which was stretched to z at t = 0: its forces are known, and there is a motion, for powers of
+ * order 1 at most. */
+static int add_start_forces_of_place(fvi_stepper *s, size_t j, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->method_state;
     const fvi_kernel *kernel = s->run.system->mechanism->damper[j].kernel;
@@ -63,21 +64,21 @@ static int add_pulls_of_place(fvi_stepper *s, size_t j, fvi_error *error)
                             "1 at most, or an elongation of 0",
                             j + 1);
         if (t->alpha < 0.5)
-            status = add_pull(s, j, t, o->z[j]);
+            status = add_start_force(s, j, t, o->z[j]);
     }
     return status;
 }
 
 /* A damper that feels the slope zdot of its start: t zdot is taken away from its elongation, and what the
  * kernel makes of it is added exactly; of Caputo's past it is nothing. */
-static int add_pull_of_slope(fvi_stepper *s, size_t j, double zdot)
+static int add_start_force_of_slope(fvi_stepper *s, size_t j, double zdot)
 {
     const fvi_damper *damper = &s->run.system->mechanism->damper[j];
     const fvi_kernel *kernel = damper->kernel;
     const int is_one = kernel->count == 1 && is_power(kernel->term);
     return damper->past == FVI_INITIAL_HISTORY_CAPUTO
                ? FVI_SUCCESS
-               : add_pull(s, j, is_one ? kernel->term : NULL, zdot);
+               : add_start_force(s, j, is_one ? kernel->term : NULL, zdot);
 }
 
 /* The slope of z at the start. */
@@ -104,8 +105,8 @@ static int feels_slope(const fvi_mechanism_state *o, const fvi_damper *damper)
                || damper->past == FVI_INITIAL_HISTORY_CAPUTO);
 }
 
-static int remember_damper(fvi_stepper *s, size_t j, const double *v,
-                           fvi_error *error)
+static int begin_damper(fvi_stepper *s, size_t j, const double *v,
+                        fvi_error *error)
 {
     fvi_mechanism_state *o = s->method_state;
     const fvi_damper *damper = &s->run.system->mechanism->damper[j];
@@ -115,10 +116,10 @@ static int remember_damper(fvi_stepper *s, size_t j, const double *v,
     int status = slope(s, j, v, &zdot);
     o->z0[j] = first && is_rl ? 0 : o->z[j];
     if (!status && is_rl && !first)
-        status = add_pulls_of_place(s, j, error);
+        status = add_start_forces_of_place(s, j, error);
     const int feels = zdot != 0 && feels_slope(o, damper);
     if (!status && feels)
-        status = add_pull_of_slope(s, j, zdot);
+        status = add_start_force_of_slope(s, j, zdot);
     if (!status && acts(damper->kernel))
         o->part[o->parts++] = (fvi_mechanism_part){ .damper = j,
                                                     .kernel = *damper->kernel,
@@ -145,7 +146,7 @@ static int begin_nodes(fvi_stepper *s, fvi_mechanism_part *part)
     return status;
 }
 
-/* The finest there is, where nothing else is asked for: a tenth of the tolerance. */
+/* The histories of stages keep a tenth of the tolerance; without a tolerance the finest there is. */
 static int begin_stages(fvi_stepper *s, fvi_mechanism_part *part)
 {
     fvi_mechanism_state *o = s->method_state;
@@ -161,7 +162,8 @@ static int begin_stages(fvi_stepper *s, fvi_mechanism_part *part)
     return status;
 }
 
-int fvi_mechanism_remember(fvi_stepper *s, const double *v, fvi_error *error)
+int fvi_mechanism_begin_histories(fvi_stepper *s, const double *v,
+                                  fvi_error *error)
 {
     fvi_mechanism_state *o = s->method_state;
     const fvi_mechanism *mechanism = s->run.system->mechanism;
@@ -169,12 +171,12 @@ int fvi_mechanism_remember(fvi_stepper *s, const double *v, fvi_error *error)
     for (size_t j = 0; j < o->r; j++)
         terms += mechanism->damper[j].kernel->count;
     o->part = calloc(o->r + 1, sizeof *o->part);
-    o->pull = calloc(terms + o->r + 1, sizeof *o->pull);
-    if (!o->part || !o->pull)
+    o->start_force = calloc(terms + o->r + 1, sizeof *o->start_force);
+    if (!o->part || !o->start_force)
         return FVI_ENOMEM;
     int status = FVI_SUCCESS;
     for (size_t j = 0; j < o->r && !status; j++)
-        status = remember_damper(s, j, v, error);
+        status = begin_damper(s, j, v, error);
     for (size_t i = 0; i < o->parts && !status; i++) {
         o->part[i].last = calloc(FVI_STAGES, sizeof(double));
         if (!o->part[i].last)
@@ -186,27 +188,28 @@ int fvi_mechanism_remember(fvi_stepper *s, const double *v, fvi_error *error)
 
 /* ---- in a step ---- */
 
-/* What a pull gives to both ends of the step; or what it is at each stage. */
-static void expect_pulls(fvi_stepper *s)
+/* The impulses of each force of the start at both ends of the step; or the force at each stage. */
+static void predict_start_forces(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->method_state;
     double impulse[FVI_KERNEL_IMPULSE_NODES];
-    memset(o->pulled, 0, 2 * o->r * sizeof *o->pulled);
-    for (const fvi_mechanism_pull *p = o->pull; p < o->pull + o->pulls; p++) {
+    memset(o->start_impulse, 0, 2 * o->r * sizeof *o->start_impulse);
+    const fvi_mechanism_start_force *end = o->start_force + o->start_forces;
+    for (const fvi_mechanism_start_force *p = o->start_force; p < end; p++) {
         if (p->of_kernel)
             fvi_impulses_of_kernel_at(p->of_kernel, s->k, impulse);
         else
             fvi_kernel_impulses(&p->impulse, s->k, impulse);
         for (size_t i = 0; !o->rule && i < 2; i++)
-            o->pulled[2 * p->damper + i] += p->size * impulse[i];
+            o->start_impulse[2 * p->damper + i] += p->size * impulse[i];
         for (size_t i = 0; o->rule && i < o->s; i++)
             o->known[p->damper * o->s + i] +=
                 p->size / s->run.h * impulse[i] / o->rule->b[i];
     }
 }
 
-//> expect
-int fvi_mechanism_expect(fvi_stepper *s)
+//> predict
+int fvi_mechanism_predict_forces(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->method_state;
     const size_t n = o->s;
@@ -230,12 +233,12 @@ int fvi_mechanism_expect(fvi_stepper *s)
         status = fvi_history_ahead(p->history, p->last, &ahead);
         *known += p->first * (ahead - *p->last - p->drift * t);
     }
-    expect_pulls(s);
+    predict_start_forces(s);
     return status;
 }
-//< expect
+//< predict
 
-int fvi_mechanism_push(fvi_stepper *s, double t, const double *z)
+int fvi_mechanism_update_histories(fvi_stepper *s, double t, const double *z)
 {
     fvi_mechanism_state *o = s->method_state;
     const size_t n = o->s;
@@ -279,16 +282,16 @@ int fvi_mechanism_copy_parts(const fvi_mechanism_state *from,
                              fvi_mechanism_state *to)
 {
     to->part = calloc(from->parts + 1, sizeof *to->part);
-    to->pull = calloc(from->pulls + 1, sizeof *to->pull);
-    if (!to->part || !to->pull)
+    to->start_force = calloc(from->start_forces + 1, sizeof *to->start_force);
+    if (!to->part || !to->start_force)
         return FVI_ENOMEM;
     int status = FVI_SUCCESS;
-    for (size_t i = 0; i < from->pulls && !status; i++, to->pulls++) {
-        to->pull[i] = from->pull[i];
-        to->pull[i].of_kernel = NULL;
-        if (from->pull[i].of_kernel)
-            status = fvi_impulses_of_kernel_copy(from->pull[i].of_kernel,
-                                                 &to->pull[i].of_kernel);
+    for (size_t i = 0; i < from->start_forces && !status; i++, to->start_forces++) {
+        to->start_force[i] = from->start_force[i];
+        to->start_force[i].of_kernel = NULL;
+        if (from->start_force[i].of_kernel)
+            status = fvi_impulses_of_kernel_copy(from->start_force[i].of_kernel,
+                                                 &to->start_force[i].of_kernel);
     }
     for (size_t i = 0; i < from->parts && !status; i++, to->parts++)
         status = copy_part(&from->part[i], &to->part[i]);
@@ -323,8 +326,8 @@ void fvi_mechanism_free_parts(fvi_mechanism_state *o)
         fvi_lobatto_history_free(o->part[i].stages);
         free(o->part[i].last);
     }
-    for (size_t i = 0; o->pull && i < o->pulls; i++)
-        fvi_impulses_of_kernel_free(o->pull[i].of_kernel);
+    for (size_t i = 0; o->start_force && i < o->start_forces; i++)
+        fvi_impulses_of_kernel_free(o->start_force[i].of_kernel);
     free(o->part);
-    free(o->pull);
+    free(o->start_force);
 }

@@ -10,15 +10,15 @@ static double time_of(const fvi_stepper *s, size_t k)
     return (double)k * s->run.h;
 }
 
-/* Where in the step L is asked for: kappa x_k + (1 - kappa) x_{k+1}. */
+/* L is evaluated at kappa x_k + (1 - kappa) x_{k+1}. */
 static double kappa_of(const fvi_mechanism_state *o, const fvi_stepper *s)
 {
     return o->form == FVI_MECHANISM_NODES ? 0.5 : s->run.kappa;
 }
 
 //> point
-/* L at the point of the step, for x_{k+1} = x_k + u. */
-static int ask(fvi_stepper *s, const double *u)
+/* L and its derivatives at the point of the step, for x_{k+1} = x_k + u. */
+static int evaluate_point(fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->method_state;
     const double ahead = 1 - kappa_of(o, s);
@@ -32,7 +32,7 @@ static int ask(fvi_stepper *s, const double *u)
 //< point
 
 /* z, G and c at the end of the step, x_k + u. */
-static int ask_end(fvi_stepper *s, const double *u)
+static int evaluate_end(fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->method_state;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
@@ -70,13 +70,13 @@ static int assemble(fvi_stepper *s, const double *u)
     const size_t d = o->d, n = o->n;
     const double h = s->run.h, kappa = kappa_of(o, s), ahead = 1 - kappa;
     const int is_node = o->form == FVI_MECHANISM_NODES;
-    int status = ask(s, u);
+    int status = evaluate_point(s, u);
     if (!status && is_node)
-        status = ask_end(s, u);
+        status = evaluate_end(s, u);
     for (size_t i = 0; i < d; i++) {
         o->residual[i] = h
                          * (o->Lv[i] - kappa * h * o->f[i]
-                            - h / 2 * o->push[i] - s->p[i]);
+                            - h / 2 * o->load[i] - s->p[i]);
         for (size_t j = 0; j < d; j++)
             o->matrix[i * n + j] = o->Lvv[i * d + j]
                                    + h * (ahead * o->Lxv[j * d + i]
@@ -91,7 +91,7 @@ static int assemble(fvi_stepper *s, const double *u)
         const double force = damper_force(o, e);
         for (size_t i = 0; i < d; i++) {
             const double G = o->G[e * d + i], half = h * h / 2 * G;
-            o->residual[i] += half * force + h * G * o->pulled[2 * e];
+            o->residual[i] += half * force + h * G * o->start_impulse[2 * e];
             for (size_t j = 0; j < d; j++)
                 o->matrix[i * n + j] +=
                     half * o->W[e] / 2 * o->gradient[e * d + j];
@@ -108,20 +108,20 @@ static int end_first_order(fvi_stepper *s)
     const fvi_state_force *force = s->run.system->mechanism->force_on;
     const size_t d = o->d;
     const double h = s->run.h, t = time_of(s, s->k + 1);
-    int status = fvi_mechanism_force(s, t, o->push);
+    int status = fvi_mechanism_force(s, t, o->load);
     if (!status && force) {
         status = force->at(t, d, s->x, o->V, force->params, o->room, NULL, NULL);
         for (size_t i = 0; i < d; i++)
-            o->push[i] += o->room[i];
+            o->load[i] += o->room[i];
     }
     if (!status)
         status = fvi_mechanism_elongations(s, t, s->x, o->z, o->G);
     for (size_t j = 0; j < o->r; j++)
         o->zdot[j] = o->z[j] - o->z0[j];
     if (!status)
-        status = fvi_mechanism_push(s, t, o->zdot);
+        status = fvi_mechanism_update_histories(s, t, o->zdot);
     for (size_t i = 0; i < d; i++)
-        s->p[i] += h * (o->f[i] + o->push[i]);
+        s->p[i] += h * (o->f[i] + o->load[i]);
     for (size_t j = 0; j < o->r; j++) {
         const double *G = o->G + j * d, force_now = o->lambda[j];
         for (size_t i = 0; i < d; i++) {
@@ -149,7 +149,8 @@ static int end_constraints(fvi_stepper *s, const double *u)
     if (o->m)
         status = c->gradient(t, o->d, s->x, c->params, o->C, NULL);
     if (!status && o->m)
-        status = fvi_mechanism_hide(s, t, s->x, o->C, s->p, o->v, o->ended);
+        status = fvi_mechanism_project_momentum(s, t, s->x, o->C, s->p, o->v,
+                                                o->ended);
     for (size_t l = 0; l < o->m; l++) {
         o->ended[l] *= 2 / h;
         o->tie[l] += h / 2 * (o->begun[l] + o->ended[l]);
@@ -163,11 +164,11 @@ static int end_nodes(fvi_stepper *s, const double *u)
     const size_t d = o->d;
     const double h = s->run.h;
     for (size_t i = 0; i < d; i++)
-        s->p[i] += h * o->f[i] + h / 2 * (o->push[i] + o->push[d + i]);
+        s->p[i] += h * o->f[i] + h / 2 * (o->load[i] + o->load[d + i]);
     for (size_t j = 0; j < o->r; j++) {
         const double force = damper_force(o, j),
-                     before = h / 2 * force + o->pulled[2 * j],
-                     after = h / 2 * force + o->pulled[2 * j + 1];
+                     before = h / 2 * force + o->start_impulse[2 * j],
+                     after = h / 2 * force + o->start_impulse[2 * j + 1];
         for (size_t i = 0; i < d; i++)
             s->p[i] -= before * o->G[j * d + i] + after * o->gradient[j * d + i];
         o->impulse[j] += before + after;
@@ -177,7 +178,7 @@ static int end_nodes(fvi_stepper *s, const double *u)
     memcpy(o->z, o->elongation, o->r * sizeof *o->z);
     memcpy(o->G, o->gradient, o->r * d * sizeof *o->G);
     const int status =
-        fvi_mechanism_push(s, time_of(s, s->k) + h / 2, o->zdot);
+        fvi_mechanism_update_histories(s, time_of(s, s->k) + h / 2, o->zdot);
     return status ? status : end_constraints(s, u);
 }
 
@@ -186,21 +187,21 @@ static int forces_at_ends(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->method_state;
     const double in = 4 * GSL_DBL_EPSILON;
-    memset(o->push, 0, 2 * o->d * sizeof *o->push);
+    memset(o->load, 0, 2 * o->d * sizeof *o->load);
     if (o->form == FVI_MECHANISM_FIRST_ORDER || !s->run.system->force.value)
         return FVI_SUCCESS;
     const int status = fvi_mechanism_force(
-        s, fmax(time_of(s, s->k) * (1 + in), GSL_DBL_MIN), o->push);
+        s, fmax(time_of(s, s->k) * (1 + in), GSL_DBL_MIN), o->load);
     return status ? status
                   : fvi_mechanism_force(s, time_of(s, s->k + 1) * (1 - in),
-                                        o->push + o->d);
+                                        o->load + o->d);
 }
 
 //> smooth
 /* The equation of a coordinate without inertia knows the means of two nodes alone, so that a part (-1)^k of its
  * place stays for ever. What is shown is the line through the last two means at t_k:
  * (3 x_k + 2 x_{k-1} - x_{k-2}) / 4. (29.17) */
-static void show(fvi_stepper *s)
+static void smooth_massless(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->method_state;
     const size_t d = o->d;
@@ -225,15 +226,15 @@ int fvi_mechanism_step_nodes(fvi_stepper *s)
         memcpy(s->x, o->raw, d * sizeof *s->x);
     int status = forces_at_ends(s);
     if (!status)
-        status = fvi_mechanism_expect(s);
+        status = fvi_mechanism_predict_forces(s);
     if (!status) /* the last increment is the guess */
         status = fvi_mechanism_solve(s, assemble, d, o->u);
     o->has_root = 1;
     if (!status)
-        status = ask(s, o->u);
+        status = evaluate_point(s, o->u);
     o->has_root = 0;
     if (!status && o->form == FVI_MECHANISM_NODES)
-        status = ask_end(s, o->u);
+        status = evaluate_end(s, o->u);
     if (status)
         return status;
     memcpy(s->dx, o->u, d * sizeof *s->dx);
@@ -242,7 +243,7 @@ int fvi_mechanism_step_nodes(fvi_stepper *s)
     status = o->form == FVI_MECHANISM_NODES ? end_nodes(s, o->u)
                                             : end_first_order(s);
     if (!status && o->any_massless)
-        show(s);
+        smooth_massless(s);
     return status;
 }
 //< step

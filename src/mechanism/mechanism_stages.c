@@ -59,7 +59,7 @@ static double increment(const fvi_mechanism_state *o, const double *u, size_t i,
     return i < o->begin ? 0 : u[(i - o->begin) * o->d + j];
 }
 
-static void place(const fvi_stepper *s, const double *u)
+static void place_stages(const fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->method_state;
     for (size_t i = 0; i < o->s; i++)
@@ -73,7 +73,7 @@ static void place(const fvi_stepper *s, const double *u)
 }
 
 /* lambda of every damper at every stage. */
-static void dampers(const fvi_stepper *s)
+static void evaluate_dampers(const fvi_stepper *s)
 {
     const fvi_mechanism_state *o = s->method_state;
     const size_t n = o->s, r = o->r;
@@ -94,12 +94,12 @@ static void dampers(const fvi_stepper *s)
 }
 
 /* Everything at all stages; f then has the force of t, and of the dampers. */
-static int ask(fvi_stepper *s, const double *u)
+static int evaluate_stages(fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->method_state;
     const size_t d = o->d, r = o->r;
     int status = FVI_SUCCESS;
-    place(s, u);
+    place_stages(s, u);
     for (size_t i = 0; i < o->s && !status; i++) {
         status = fvi_mechanism_point(s, i, inner_time(s, i), 1);
         if (!status)
@@ -109,10 +109,10 @@ static int ask(fvi_stepper *s, const double *u)
     }
     if (status)
         return status;
-    dampers(s);
+    evaluate_dampers(s);
     for (size_t i = 0; i < o->s; i++)
         for (size_t j = 0; j < d; j++) {
-            double f = o->push[i * d + j];
+            double f = o->load[i * d + j];
             for (size_t e = 0; e < r; e++)
                 f -= o->gradient[(i * r + e) * d + j] * o->lambda[e * o->s + i];
             o->f[i * d + j] += f;
@@ -228,7 +228,7 @@ static int assemble(fvi_stepper *s, const double *u)
 {
     fvi_mechanism_state *o = s->method_state;
     const size_t d = o->d, inner = o->s - o->begin;
-    int status = ask(s, u);
+    int status = evaluate_stages(s, u);
     if (!status)
         status = add_curvature(s, u);
     if (status)
@@ -310,8 +310,8 @@ static int end_constraints(fvi_stepper *s)
     if (!status)
         status = c->gradient(time_of(s, inner), d, s->x, c->params, o->C, NULL);
     if (!status)
-        status = fvi_mechanism_hide(s, time_of(s, inner), s->x, o->C, s->p,
-                                    o->v, o->ended);
+        status = fvi_mechanism_project_momentum(s, time_of(s, inner), s->x,
+                                                o->C, s->p, o->v, o->ended);
     for (size_t l = 0; l < m; l++) {
         o->tie[l] += o->ended[l];
         o->ended[l] /= h * b[inner];
@@ -324,9 +324,9 @@ int fvi_mechanism_step_stages(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->method_state;
     const size_t places = (o->s - o->begin) * o->d;
-    int status = fvi_mechanism_expect(s);
+    int status = fvi_mechanism_predict_forces(s);
     for (size_t i = 0; i < o->s && !status; i++)
-        status = fvi_mechanism_force(s, inner_time(s, i), o->push + i * o->d);
+        status = fvi_mechanism_force(s, inner_time(s, i), o->load + i * o->d);
     if (status)
         return status;
     if (s->k > 0)
@@ -334,13 +334,13 @@ int fvi_mechanism_step_stages(fvi_stepper *s)
     status = fvi_mechanism_solve(s, assemble, places, o->u);
     o->has_root = 1;
     if (!status)
-        status = ask(s, o->u);
+        status = evaluate_stages(s, o->u);
     o->has_root = 0;
     if (status)
         return status;
     memcpy(s->dx, o->u + places - o->d, o->d * sizeof *s->dx);
     add_up(s);
-    status = fvi_mechanism_push(s, 0, o->zdot);
+    status = fvi_mechanism_update_histories(s, 0, o->zdot);
     return status || !o->m ? status : end_constraints(s);
 }
 //< step

@@ -30,10 +30,11 @@ static int allocate(fvi_mechanism_state *o)
         { &o->v, d }, { &o->u, n }, { &o->z, r }, { &o->G, r * d },
         { &o->C, m * d }, { &o->z0, r }, { &o->raw, 3 * d },
         { &o->W, r * s * s }, { &o->known, r * s }, { &o->lambda, r * s },
-        { &o->zdot, r * s }, { &o->pulled, 2 * r }, { &o->X, (q + 1) * d }, { &o->V, q * d },
+        { &o->zdot, r * s }, { &o->start_impulse, 2 * r }, { &o->X, (q + 1) * d },
+        { &o->V, q * d },
         { &o->f, q * d }, { &o->Lv, q * d }, { &o->fx, q * d * d },
         { &o->fv, q * d * d }, { &o->Lxv, q * d * d }, { &o->Lvv, q * d * d },
-        { &o->push, (q + 1) * d }, { &o->elongation, q * r },
+        { &o->load, (q + 1) * d }, { &o->elongation, q * r },
         { &o->gradient, q * r * d }, { &o->residual, n },
         { &o->matrix, n * n }, { &o->change, n }, { &o->trial, n },
         { &o->room, 4 * (d + m + 1) * (d + m + 1) }
@@ -151,7 +152,7 @@ int fvi_mechanism_start(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
     if (!status)
         status = check_massless(s, error);
     if (!status)
-        status = fvi_mechanism_remember(s, o->v, error);
+        status = fvi_mechanism_begin_histories(s, o->v, error);
     if (status)
         return status;
     guess(s);

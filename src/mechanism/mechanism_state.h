@@ -19,16 +19,16 @@ typedef struct {
     double *last;         /* the last term; of stages the sums over the past, s numbers */
 } fvi_mechanism_part;
 
-/* A force of the past that is known beforehand: of one term of one damper, or of all. */
+/* A force that the start leaves in a damper, known at every step: of one term of its kernel, or of all. */
 typedef struct {
     size_t damper;
     double size; /* rho A h^(1 + e) of (19.3); or A */
     fvi_kernel_impulse impulse;
     fvi_impulses_of_kernel *of_kernel; /* instead of it; owned */
-} fvi_mechanism_pull;
+} fvi_mechanism_start_force;
 
 /* d coordinates, r dampers, m constraints; stage i of coordinate j stands at [i * d + j], and q is the
- * number of points at which a step asks the Lagrangian: s, or 1. */
+ * number of points at which a step evaluates the Lagrangian: s, or 1. */
 typedef struct {
     fvi_method method; /* with these steps */
     fvi_mechanism_form form;
@@ -38,9 +38,9 @@ typedef struct {
         next[FVI_STAGES][FVI_STAGES]; /* (29.7) */
     size_t begin;          /* the first stage that is unknown: 1 in form M */
     int has_root;          /* of the equation: no second derivatives are wanted */
-    size_t parts, pulls;
+    size_t parts, start_forces;
     fvi_mechanism_part *part;
-    fvi_mechanism_pull *pull;
+    fvi_mechanism_start_force *start_force;
     char *is_massless; /* of each coordinate: neither inertia nor constraint */
     int any_massless;
 
@@ -52,9 +52,9 @@ typedef struct {
 
     double *W; /* r of s * s (1 of nodes): the present in the force of a damper */
     double *known, *lambda, *zdot; /* r of s */
-    double *pulled; /* 2 r: what the past gives to both ends of a step, at nodes */
+    double *start_impulse; /* 2 r: of the start forces, at both ends of a step; nodes */
     double *X, *V, *f, *Lv, *fx, *fv, *Lxv, *Lvv; /* of the q points */
-    double *push, *elongation, *gradient; /* q d; q r, q r d */
+    double *load, *elongation, *gradient; /* the force of t, (q + 1) d; q r, q r d */
     double *residual, *matrix, *change, *trial; /* n, n n, n, n */
     double *room; /* whatever a function needs: room_size numbers */
     size_t *order;
@@ -78,16 +78,18 @@ int fvi_mechanism_force(fvi_stepper *s, double t, double *F);
 
 /* ---- mechanism_memory.c ---- */
 
-/* fvi_mechanism_remember -- the parts and pulls of all dampers, for a start of the velocity v. */
-int fvi_mechanism_remember(fvi_stepper *s, const double *v, fvi_error *error);
+/* fvi_mechanism_begin_histories -- the histories and start forces of all dampers, for a start with the
+ * velocity v. */
+int fvi_mechanism_begin_histories(fvi_stepper *s, const double *v,
+                                  fvi_error *error);
 
-/* fvi_mechanism_expect -- `known` and `pulled` of this step: what the forces of the dampers are but for W times the
- * present, lambda = known + W z at the node scheme and W zdot at stages. */
-int fvi_mechanism_expect(fvi_stepper *s);
+/* fvi_mechanism_predict_forces -- `known` and `start_impulse` of this step. The force of a damper is then
+ * lambda = known + W z at the node scheme, and known + W zdot at stages. */
+int fvi_mechanism_predict_forces(fvi_stepper *s);
 
-/* fvi_mechanism_push -- the elongations z at the time t, less z_0, r numbers, go into the histories; or
- * of stages zdot. Of order 1, lambda comes out. */
-int fvi_mechanism_push(fvi_stepper *s, double t, const double *z);
+/* fvi_mechanism_update_histories -- add a step to the histories of the dampers. z is the elongation at the
+ * time t less z_0, r numbers; at stages zdot, r s numbers. Of order 1, lambda is an output. */
+int fvi_mechanism_update_histories(fvi_stepper *s, double t, const double *z);
 
 int fvi_mechanism_copy_parts(const fvi_mechanism_state *from,
                              fvi_mechanism_state *to);
@@ -114,7 +116,7 @@ int fvi_mechanism_solve(fvi_stepper *s,
 
 /* ---- mechanism_constraints.c ---- */
 
-/* fvi_mechanism_hide -- the hidden constraint, C v + c_t = 0.                 [(29.4)]
+/* fvi_mechanism_project_momentum -- make p and v obey the hidden constraint, C v + c_t = 0. [(29.4)]
  *
  *   t, x  the place     C  at x, m d numbers
  *   p     in: a momentum; out: p - C^T w, whose velocity keeps to the constraints
@@ -122,8 +124,9 @@ int fvi_mechanism_solve(fvi_stepper *s,
  *   w     output, m numbers
  *
  * Without constraints v is that of p. */
-int fvi_mechanism_hide(fvi_stepper *s, double t, const double *x,
-                       const double *C, double *p, double *v, double *w);
+int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
+                                   const double *C, double *p, double *v,
+                                   double *w);
 
 /* fvi_mechanism_check_start -- do x0 and p0 keep to the constraints, and are these independent? p
  * loses what its roundings have against them; o->v becomes the velocity. */

@@ -11,8 +11,8 @@ static double force_of_time(const fvi_stepper *s, const fvi_mechanism_state *o,
 {
     return o->form == FVI_MECHANISM_FIRST_ORDER ? s->F[j]
            : o->form == FVI_MECHANISM_NODES
-               ? (o->push[j] + o->push[o->d + j]) / 2
-               : o->push[i * o->d + j];
+               ? (o->load[j] + o->load[o->d + j]) / 2
+               : o->load[i * o->d + j];
 }
 
 static double time_of_point(const fvi_stepper *s, const fvi_mechanism_state *o,
