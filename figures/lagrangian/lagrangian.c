@@ -1,9 +1,10 @@
 /* figures/lagrangian/lagrangian.c -- H 29: an elastic pendulum without weight, on a springpot strut.
  *
  * Prints three blocks: t, x1, x2; t, E, J with the damper along the strut; t, E, J with two dampers along
- * the coordinates. J is the angular momentum, less what it was. */
+ * the coordinates. J is the angular momentum, less its value at the start. */
 #include <fvi/fvi.h>
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -16,7 +17,7 @@ static const char *const axes[] = { "x1 : power:0.1,0.3",
 /* A row of the run: the path, or energy and angular momentum. */
 static int print_row(const fvi_stepper *s, int path)
 {
-    double E;
+    double E = NAN;
     const double J = s->x[0] * s->p[1] - s->x[1] * s->p[0] - 0.96;
     const int status = fvi_stepper_energy(s, &E);
     if (path)
@@ -34,7 +35,7 @@ static int block(size_t dampers, const char *const *damper, int path)
         .damper = damper
     };
     fvi_typed_mechanism *typed;
-    fvi_stepper *s;
+    fvi_stepper *s = NULL;
     if (fvi_parse_mechanism(&texts, 2, NULL, &typed, NULL))
         return EXIT_FAILURE;
     const fvi_system system = { .d = 2,

@@ -315,16 +315,18 @@ START_TEST(an_undamped_double_pendulum_keeps_its_energy)
 }
 END_TEST
 
-/* Constraints, hidden ones, and multipliers: those of the rod in closed form. */
+/* The rod's length, its hidden constraint, and its multiplier at t = 4, known to 12 digits. The mean of both
+ * steps at that node is of order 2, and 4 from four stages on. Seen: 0.27 h^2 and 0.0055 h^4. */
 START_TEST(constraints_hold_to_roundings)
 {
+    const double h = 0.05;
     mechanism_problem p;
     open_problem(&problems[ROD], &p);
     const fvi_method *const methods[] = { &fvi_cq2_midpoint, &fvi_lobatto_m2,
                                           &fvi_lobatto_m3, &fvi_lobatto_m4,
                                           &fvi_lobatto_m6 };
     for (int m = 0; m < 5; m++) {
-        fvi_stepper *s = stepper_at(methods[m], &p, 0.05, 81, 0);
+        fvi_stepper *s = stepper_at(methods[m], &p, h, 81, 0);
         double length = 0, hidden = 0, v[2], begin, end, at_end = 0;
         while (s->k < 81) {
             OK(fvi_stepper_step(s));
@@ -340,8 +342,9 @@ START_TEST(constraints_hold_to_roundings)
         seen_worst(length, "constraint");
         seen_worst(hidden, "hidden");
         const double multiplier = (at_end + begin) / 2, exact = 0.627466407160;
-        ck_assert_msg(fabs(multiplier - exact) <= (m < 3 ? 2e-2 : 1e-5), "%s: %g",
-                      methods[m]->name, multiplier);
+        ck_assert_msg(fabs(multiplier - exact)
+                          <= (m < 3 ? 0.3 * h * h : 0.01 * pow(h, 4)),
+                      "%s: %g", methods[m]->name, multiplier);
         fvi_stepper_free(s);
     }
     close_problem(&p);
