@@ -1,194 +1,26 @@
 /* src/error_control/solve.c -- Where is the body at these times?        [H 18, 22] */
-#include <fvi/solve.h>
+#include "solve_state.h"
 
 #include <fvi/lagrangian.h>
 
-#include "run/run_check.h"
 #include "error_control/step_search.h"
-#include "variable_step_search.h"
 
-#include <fvi/fvi.h>
-
-#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    USUAL_MOST_STEPS = 1 << 24,
-    MOST_PARTS = 1 << 20, /* of T, for times that have a common step */
-    COMPARED = 128        /* at so many times at least, a power of two */
-};
-
-/* A problem as a run, and what its caller wants of it. */
-typedef struct {
-    const fvi_outputs *out;
-    const fvi_method *method;
-    fvi_run run;
-    double tolerance;
-    size_t most_steps;
-    fvi_report *report;
-    fvi_error *error;
-    fvi_variable_step_found found; /* of a search by fvi-adaptive */
-} solution;
-
-/* ---- what is asked for ---- */
-
-/* What a caller leaves open. */
-static const fvi_method *usual_method(const fvi_problem *problem,
-                                      double tolerance)
-{
-    if (!(tolerance > 0))
-        return &fvi_fractional;
-    if (problem->system.matrices || problem->system.mechanism)
-        return &fvi_cq2_midpoint;
-    return problem->law && !fvi_variable_step.takes_laws ? &fvi_cq_bdf2
-                                                         : &fvi_variable_step;
-}
-
-static int refuse_time(size_t k, double t, const char *reason, fvi_error *error)
-{
-    const int code =
-        fvi_fail(error, FVI_EDOM, "t", t, "t[%zu] is %.10g; %s", k, t, reason);
-    if (error)
-        error->index = k;
-    return code;
-}
-
-/* The times are there, increase, and lie within the motion. */
-static int check_times(const fvi_outputs *out, double T, fvi_error *error)
-{
-    if (out->rows == 0)
-        return fvi_fail(error, FVI_EINVAL, "rows", 0, "no time is asked for");
-    for (size_t k = 0; out->t && k < out->rows; k++) {
-        if (!(out->t[k] >= 0 && out->t[k] <= T))
-            return refuse_time(k, out->t[k], "it must be in [0, T]", error);
-        if (k > 0 && !(out->t[k] > out->t[k - 1]))
-            return refuse_time(k, out->t[k], "the times must increase", error);
-    }
-    return FVI_SUCCESS;
-}
-
-/* The first of the times that is no multiple of h, but for roundings; `rows` if there is none. */
-static size_t first_between(const fvi_outputs *out, double h)
-{
-    for (size_t k = 0; k < out->rows; k++) {
-        const double parts = out->t[k] / h;
-        if (!(fabs(parts - round(parts)) <= 16 * DBL_EPSILON * parts))
-            return k;
-    }
-    return out->rows;
-}
-
-/* The fewest steps from 0 to T that end at each of the times. */
-static int common_steps(const solution *o, double T, size_t *steps)
-{
-    size_t least = 0, k = 0;
-    for (*steps = 1; *steps <= MOST_PARTS; ++*steps) {
-        k = first_between(o->out, T / (double)*steps);
-        if (k == o->out->rows)
-            return FVI_SUCCESS;
-        least += k > least ? k - least : 0;
-    }
-    return refuse_time(least, o->out->t[least],
-                       "this method needs times with a common step; "
-                       "fvi-adaptive gives out any", o->error);
-}
-
-static int check_step(const solution *o, double h)
-{
-    return h > 0 && isfinite(h)
-               ? FVI_SUCCESS
-               : fvi_fail(o->error, FVI_EDOM, "h", h,
-                          "h is %g; without a tolerance a step > 0 is needed", h);
-}
-
-/* Steps of a given length, h, to T. */
-static int given_steps(solution *o, double T, double h)
-{
-    const int status = check_step(o, h);
-    if (status)
-        return status;
-    const double steps = round(T / h);
-    if (!(fabs(steps * h - T) <= 1e-9 * T) || !(steps < (double)SIZE_MAX))
-        return fvi_fail(o->error, FVI_EDOM, "T", T,
-                        "T is %.10g, which is no multiple of h = %.10g", T, h);
-    o->run.h = h;
-    o->run.steps = (size_t)steps;
-    if (!o->out->t && o->out->rows != o->run.steps + 1)
-        return fvi_fail(o->error, FVI_EINVAL, "rows", (double)o->out->rows,
-                        "%zu rows for %zu steps; there is one more of them",
-                        o->out->rows, o->run.steps);
-    const size_t k =
-        o->out->t && !o->method->dense ? first_between(o->out, h) : SIZE_MAX;
-    return k < o->out->rows
-               ? refuse_time(k, o->out->t[k],
-                             "this method gives out multiples of h; "
-                             "fvi-adaptive gives out any time", o->error)
-               : FVI_SUCCESS;
-}
-
-/* Rows of the run: those of the caller; what has any times is compared at some more. */
-static int choose_grid(solution *o, double T, double h)
-{
-    if (!(o->tolerance > 0) && !(o->method->dense && h == 0))
-        return given_steps(o, T, h);
-    int status = FVI_SUCCESS;
-    if (!o->out->t && o->out->rows < 2)
-        return fvi_fail(o->error, FVI_EINVAL, "rows", 1,
-                        "evenly from 0 to T are two rows at least");
-    o->run.steps = o->out->t ? COMPARED : o->out->rows - 1;
-    if (o->out->t && !o->method->dense)
-        status = common_steps(o, T, &o->run.steps);
-    o->run.h = T / (double)o->run.steps;
-    return status;
-}
-
-static int prepare(solution *o, const fvi_problem *problem,
-                   const fvi_solve_options *options,
-                   const fvi_accuracy *accuracy)
-{
-    o->tolerance = accuracy->tolerance;
-    o->most_steps = accuracy->most_steps;
-    if (!(o->tolerance >= 0 && isfinite(o->tolerance)))
-        return fvi_fail(o->error, FVI_EDOM, "tolerance", o->tolerance,
-                        "tolerance is %g; it must be finite and not negative",
-                        o->tolerance);
-    if (o->tolerance == 0 && options->h != 0 && check_step(o, options->h)) /* callers have T from it */
-        return FVI_EDOM;
-    if (!(problem->T > 0 && isfinite(problem->T)))
-        return fvi_fail(o->error, FVI_EDOM, "T", problem->T,
-                        "T is %g; it must be finite and positive", problem->T);
-    o->method = options->method ? options->method
-                                : usual_method(problem, o->tolerance);
-    o->run = (fvi_run){ .system = &problem->system,
-                        .x0 = problem->x0,
-                        .p0 = problem->p0,
-                        .kappa = options->kappa ? *options->kappa : 0.5,
-                        .alpha = problem->alpha,
-                        .past = problem->past,
-                        .memory = options->history,
-                        .tolerance = options->history_tolerance,
-                        .step_error = options->step_error,
-                        .longest = options->longest,
-                        .most_steps = o->most_steps,
-                        .law = problem->law };
-    int status = check_times(o->out, problem->T, o->error);
-    if (!status)
-        status = choose_grid(o, problem->T, options->h);
-    return status ? status : fvi_run_check(o->method, &o->run, o->error);
-}
+enum { USUAL_MOST_STEPS = 1 << 24 };
 
 /* ---- rows ---- */
 
-static double time_of_row(const solution *o, size_t k)
+static double time_of_row(const fvi_solve_state *o, size_t k)
 {
     return o->out->t ? o->out->t[k] : (double)k * o->run.h;
 }
 
 /* Row k, as it is. */
-static int give_row(const solution *o, size_t k, const double *x,
+static int give_row(const fvi_solve_state *o, size_t k, const double *x,
                     const double *p)
 {
     const fvi_outputs *out = o->out;
@@ -208,7 +40,7 @@ static int give_row(const solution *o, size_t k, const double *x,
 }
 
 /* In the words of a step that failed. */
-static int fail_at_step(const solution *o, size_t step, int status)
+static int fail_at_step(const fvi_solve_state *o, size_t step, int status)
 {
     fvi_fail(o->error, status, NULL, NAN, "step %zu: %s", step,
              fvi_error_name(status));
@@ -227,7 +59,7 @@ static void report_of_mesh(fvi_report *report, const fvi_step_statistics *counts
 }
 
 /* Row k of a run that has come to its time, or just passed it. */
-static int row_of_run(const solution *o, fvi_stepper *s, fvi_observer *observer,
+static int row_of_run(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
                       size_t k, double *room)
 {
     const size_t d = o->run.system->d;
@@ -247,7 +79,7 @@ static int row_of_run(const solution *o, fvi_stepper *s, fvi_observer *observer,
 }
 
 /* Row after row of one run; what is between two steps of the method's own is interpolated. */
-static int rows_of_run(const solution *o, fvi_stepper *s, fvi_observer *observer,
+static int rows_of_run(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
                        double *room)
 {
     for (size_t k = 0; k < o->out->rows; k++) {
@@ -267,7 +99,7 @@ static int rows_of_run(const solution *o, fvi_stepper *s, fvi_observer *observer
 }
 
 /* The rows of a run that has been started, with an observer if one is asked for. */
-static int observe_run(const solution *o, fvi_stepper *s)
+static int observe_run(const fvi_solve_state *o, fvi_stepper *s)
 {
     fvi_observer *observer = NULL;
     double *room = malloc(2 * o->run.system->d * sizeof *room);
@@ -283,7 +115,7 @@ static int observe_run(const solution *o, fvi_stepper *s)
     return status;
 }
 
-static int solve_by_steps(const solution *o)
+static int solve_by_steps(const fvi_solve_state *o)
 {
     fvi_stepper *s;
     fvi_step_statistics counts;
@@ -302,7 +134,7 @@ static int solve_by_steps(const solution *o)
 /* ---- to a tolerance ---- */
 
 /* x and p of the rows of the run, or of the times of a method that has any; and what was found. */
-static int search(solution *o, double *x, double *p)
+static int search(fvi_solve_state *o, double *x, double *p)
 {
     fvi_report *report = o->report;
     const size_t most = o->most_steps ? o->most_steps : USUAL_MOST_STEPS;
@@ -326,7 +158,7 @@ static int search(solution *o, double *x, double *p)
     return status;
 }
 
-static int fail_of_search(const solution *o, int status)
+static int fail_of_search(const fvi_solve_state *o, int status)
 {
     if (status != FVI_ETOL)
         return fvi_fail(o->error, status, NULL, NAN, "%s",
@@ -342,12 +174,12 @@ static int fail_of_search(const solution *o, int status)
 }
 
 /* How many rows the search writes, and where among them is row k. */
-static size_t rows_of_search(const solution *o)
+static size_t rows_of_search(const fvi_solve_state *o)
 {
     return o->out->t && o->method->dense ? o->out->rows : o->run.steps + 1;
 }
 
-static size_t place_of_row(const solution *o, size_t k)
+static size_t place_of_row(const fvi_solve_state *o, size_t k)
 {
     return o->out->t && !o->method->dense
                ? (size_t)round(o->out->t[k] / o->run.h)
@@ -355,7 +187,7 @@ static size_t place_of_row(const solution *o, size_t k)
 }
 
 /* The run that was found, for an observer: its rows are the same, to the bit. */
-static int observe_again(const solution *o)
+static int observe_again(const fvi_solve_state *o)
 {
     fvi_stepper *s;
     fvi_run run = o->run;
@@ -378,7 +210,7 @@ static int observe_again(const solution *o)
     return status;
 }
 
-static int solve_to_tolerance(solution *o)
+static int solve_to_tolerance(fvi_solve_state *o)
 {
     const size_t d = o->run.system->d, rows = rows_of_search(o);
     if (rows >= SIZE_MAX / sizeof(double) / 8 / d)
@@ -413,9 +245,9 @@ int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options,
         return fvi_fail(error, FVI_EFAULT, problem ? "outputs" : "problem", NAN,
                         "null pointer");
     fvi_report done = { .error = INFINITY };
-    solution o = { .out = outputs, .report = &done, .error = error };
-    int status = prepare(&o, problem, options ? options : &usual_options,
-                         accuracy ? accuracy : &not_asked_for);
+    fvi_solve_state o = { .out = outputs, .report = &done, .error = error };
+    int status = fvi_solve_prepare(&o, problem, options ? options : &usual_options,
+                                   accuracy ? accuracy : &not_asked_for);
     if (status)
         return status;
     done.method = o.method;

@@ -38,7 +38,8 @@ int fvi_method_has_modes(const fvi_method *method, const fvi_run *run, int *has)
  * arguments; nothing is allocated. */
 double fvi_run_bytes(const fvi_method *method, const fvi_run *run);
 
-/* fvi_velocity -- v = M^-1 p, d numbers each. Returns FVI_SUCCESS, or what factorise or solve of
+/* fvi_velocity -- v = M^-1 p, d numbers each. Returns FVI_SUCCESS; FVI_EUNSUP with a Lagrangian, of which
+ * fvi_velocity_of_momentum (lagrangian.h) has the velocity; or what factorise or solve of
  * the matrices returned. */
 int fvi_velocity(const fvi_system *system, const double *p, double *v);
 

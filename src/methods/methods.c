@@ -11,6 +11,7 @@
 #include "mechanism/mechanism.h"
 #include "memory/kernel_terms.h"
 #include "stages/lobatto_history.h"
+#include "system/lagrangian_point.h"
 
 #include <string.h>
 
@@ -97,11 +98,7 @@ double fvi_run_bytes(const fvi_method *method, const fvi_run *run)
 
 int fvi_velocity(const fvi_system *system, const double *p, double *v)
 {
-    if (system->matrices)
-        return fvi_damping_velocity(system, p, v);
-    if (system->mechanism && system->mechanism->lagrangian)
-        return FVI_EUNSUP;
-    for (size_t i = 0; i < system->d; i++)
-        v[i] = p[i] / system->mass[i];
-    return FVI_SUCCESS;
+    return !system->matrices && fvi_lagrangian_of(system)
+               ? FVI_EUNSUP
+               : fvi_damping_velocity(system, p, v);
 }

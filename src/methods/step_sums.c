@@ -8,8 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-/* F at a time, zeros if there is none. */
-static int force_at(const fvi_stepper *s, double t, double *F)
+int fvi_step_force(const fvi_stepper *s, double t, double *F)
 {
     const fvi_force *force = &s->run.system->force;
     const size_t d = s->run.system->d;
@@ -91,10 +90,11 @@ int fvi_step_begins(const fvi_stepper *s, fvi_step_begin *begin)
     }
     if (is_of_order_1(s->method) || s->method->stages)
         return FVI_SUCCESS;
-    return force_at(s,
-                    fmax((double)s->k * s->run.h * (1 + 4 * GSL_DBL_EPSILON),
-                         GSL_DBL_MIN),
-                    begin->F); /* (13.12) */
+    return fvi_step_force(s,
+                          fmax((double)s->k * s->run.h
+                                   * (1 + 4 * GSL_DBL_EPSILON),
+                               GSL_DBL_MIN),
+                          begin->F); /* (13.12) */
 }
 
 /* Of one gradient in a step, and one force at its end, or half of it at either end. */
@@ -171,11 +171,11 @@ static int forces_of_stages(const fvi_stepper *s, const fvi_lobatto_stages *o,
                  right = (double)s->k * h, in = 4 * GSL_DBL_EPSILON;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < o->s && !status; i++)
-        status = force_at(s,
-                          i == 0            ? left + in * fmax(left, h)
-                          : i + 1 == o->s ? right - in * right
-                                          : left + o->rule->c[i] * h,
-                          F + i * o->d);
+        status = fvi_step_force(s,
+                                i == 0          ? left + in * fmax(left, h)
+                                : i + 1 == o->s ? right - in * right
+                                                : left + o->rule->c[i] * h,
+                                F + i * o->d);
     return status;
 }
 

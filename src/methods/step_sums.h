@@ -23,6 +23,9 @@ typedef struct {
     double by_force;
 } fvi_step_sums;
 
+/* fvi_step_force -- the force F at a time, d numbers; zeros if there is none. Returns what it returned. */
+int fvi_step_force(const fvi_stepper *s, double t, double *F);
+
 /* fvi_step_dampers -- how many dampers have a force on each coordinate: those of a structure, or 1. */
 size_t fvi_step_dampers(const fvi_system *system);
 

@@ -9,10 +9,6 @@
  * error written and nothing allocated. */
 int fvi_options_interpret(fvi_options *o, fvi_error *c);
 
-/* fvi_is_oscillator -- is it one mass that alpha or a law damps? It has an exact solution of its own
- * (exact_solution.h); all else that of many masses (exact_motion.h). */
-int fvi_is_oscillator(const fvi_options *o);
-
 /* fvi_options_free -- give back what was allocated. */
 void fvi_options_free(fvi_options *o);
 

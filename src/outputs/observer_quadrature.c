@@ -17,7 +17,7 @@ int fvi_observer_quadrature(fvi_observer *o, const fvi_stepper *s, double from,
                      w = half * weight[i / 2];
         status = s->method->dense(s, t, o->begin.x, o->begin.p);
         if (!status)
-            status = fvi_observer_applied(s, t, o->begin.F);
+            status = fvi_step_force(s, t, o->begin.F);
         if (!status)
             status =
                 fvi_potential_gradient(s->run.system, o->begin.x, o->g);

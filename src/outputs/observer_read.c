@@ -22,7 +22,7 @@ static int read_state(fvi_observer *o, const fvi_stepper *s, double t,
     if (!status && o->wanted & FVI_OBSERVE_VELOCITY)
         status = fvi_observer_velocity(o, s, now->p, o->v);
     if (!status)
-        status = fvi_observer_applied(s, t, o->F);
+        status = fvi_step_force(s, t, o->F);
     return status;
 }
 

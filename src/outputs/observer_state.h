@@ -55,9 +55,6 @@ struct fvi_observer {
 int fvi_observer_velocity(const fvi_observer *o, const fvi_stepper *s,
                           const double *p, double *v);
 
-/* fvi_observer_applied -- F at a time, d numbers. */
-int fvi_observer_applied(const fvi_stepper *s, double t, double *F);
-
 /* fvi_observer_hits -- of a method that chooses its steps: add the impulses of the force that act at s->t
  * to known, and their work. */
 int fvi_observer_hits(fvi_observer *o, const fvi_stepper *s, double *known,

@@ -13,6 +13,7 @@
 #include "fvi_usage.h"
 #include "options/fvi_options.h"
 #include "input/fvi_problem_words.h"
+#include "options/fvi_checks.h"
 #include "options/fvi_values.h"
 
 #include <fcntl.h>

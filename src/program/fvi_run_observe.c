@@ -5,6 +5,7 @@
 #include "options/fvi_option_columns.h"
 
 #include <fvi/lagrangian.h>
+#include <fvi/methods.h>
 
 #include <stdlib.h>
 #include <string.h>
@@ -108,20 +109,9 @@ int fvi_run_reductions(const fvi_table *t)
 static int velocity(const fvi_system *system, double t, const double *x,
                     const double *p, double *v)
 {
-    const fvi_matrices *m = system->matrices;
-    void *factors;
-    if (system->mechanism && !m)
-        return fvi_velocity_of_momentum(system, t, x, p, v);
-    for (size_t i = 0; i < system->d; i++)
-        v[i] = m ? p[i] : p[i] / system->mass[i];
-    if (!m)
-        return FVI_SUCCESS;
-    int status = m->factorise(system->d, 1, 0, 0, m->params, &factors);
-    if (status)
-        return status;
-    status = m->solve(system->d, factors, v);
-    m->forget(factors);
-    return status;
+    return system->mechanism && !system->matrices
+               ? fvi_velocity_of_momentum(system, t, x, p, v)
+               : fvi_velocity(system, p, v);
 }
 
 int fvi_run_state_row(fvi_table *t, size_t k, const double *x, const double *p)

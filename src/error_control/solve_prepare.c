@@ -1,0 +1,160 @@
+/* src/error_control/solve_prepare.c -- The method, the steps and the rows that a caller asks for.  [H 18, 22] */
+#include "solve_state.h"
+
+#include "run/run_check.h"
+
+#include <fvi/fvi.h>
+
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+
+enum {
+    MOST_PARTS = 1 << 20, /* of T, for times that have a common step */
+    COMPARED = 128        /* at so many times at least, a power of two */
+};
+
+/* What a caller leaves open. */
+static const fvi_method *usual_method(const fvi_problem *problem,
+                                      double tolerance)
+{
+    if (!(tolerance > 0))
+        return &fvi_fractional;
+    if (problem->system.matrices || problem->system.mechanism)
+        return &fvi_cq2_midpoint;
+    return problem->law && !fvi_variable_step.takes_laws ? &fvi_cq_bdf2
+                                                         : &fvi_variable_step;
+}
+
+static int refuse_time(size_t k, double t, const char *reason, fvi_error *error)
+{
+    const int code =
+        fvi_fail(error, FVI_EDOM, "t", t, "t[%zu] is %.10g; %s", k, t, reason);
+    if (error)
+        error->index = k;
+    return code;
+}
+
+/* The times are there, increase, and lie within the motion. */
+static int check_times(const fvi_outputs *out, double T, fvi_error *error)
+{
+    if (out->rows == 0)
+        return fvi_fail(error, FVI_EINVAL, "rows", 0, "no time is asked for");
+    for (size_t k = 0; out->t && k < out->rows; k++) {
+        if (!(out->t[k] >= 0 && out->t[k] <= T))
+            return refuse_time(k, out->t[k], "it must be in [0, T]", error);
+        if (k > 0 && !(out->t[k] > out->t[k - 1]))
+            return refuse_time(k, out->t[k], "the times must increase", error);
+    }
+    return FVI_SUCCESS;
+}
+
+/* The first of the times that is no multiple of h, but for roundings; `rows` if there is none. */
+static size_t first_between(const fvi_outputs *out, double h)
+{
+    for (size_t k = 0; k < out->rows; k++) {
+        const double parts = out->t[k] / h;
+        if (!(fabs(parts - round(parts)) <= 16 * DBL_EPSILON * parts))
+            return k;
+    }
+    return out->rows;
+}
+
+/* The fewest steps from 0 to T that end at each of the times. */
+static int common_steps(const fvi_solve_state *o, double T, size_t *steps)
+{
+    size_t least = 0, k = 0;
+    for (*steps = 1; *steps <= MOST_PARTS; ++*steps) {
+        k = first_between(o->out, T / (double)*steps);
+        if (k == o->out->rows)
+            return FVI_SUCCESS;
+        least += k > least ? k - least : 0;
+    }
+    return refuse_time(least, o->out->t[least],
+                       "this method needs times with a common step; "
+                       "fvi-adaptive gives out any", o->error);
+}
+
+static int check_step(const fvi_solve_state *o, double h)
+{
+    return h > 0 && isfinite(h)
+               ? FVI_SUCCESS
+               : fvi_fail(o->error, FVI_EDOM, "h", h,
+                          "h is %g; without a tolerance a step > 0 is needed", h);
+}
+
+/* Steps of a given length, h, to T. */
+static int given_steps(fvi_solve_state *o, double T, double h)
+{
+    const int status = check_step(o, h);
+    if (status)
+        return status;
+    const double steps = round(T / h);
+    if (!(fabs(steps * h - T) <= 1e-9 * T) || !(steps < (double)SIZE_MAX))
+        return fvi_fail(o->error, FVI_EDOM, "T", T,
+                        "T is %.10g, which is no multiple of h = %.10g", T, h);
+    o->run.h = h;
+    o->run.steps = (size_t)steps;
+    if (!o->out->t && o->out->rows != o->run.steps + 1)
+        return fvi_fail(o->error, FVI_EINVAL, "rows", (double)o->out->rows,
+                        "%zu rows for %zu steps; there is one more of them",
+                        o->out->rows, o->run.steps);
+    const size_t k =
+        o->out->t && !o->method->dense ? first_between(o->out, h) : SIZE_MAX;
+    return k < o->out->rows
+               ? refuse_time(k, o->out->t[k],
+                             "this method gives out multiples of h; "
+                             "fvi-adaptive gives out any time", o->error)
+               : FVI_SUCCESS;
+}
+
+/* Rows of the run: those of the caller; what has any times is compared at some more. */
+static int choose_grid(fvi_solve_state *o, double T, double h)
+{
+    if (!(o->tolerance > 0) && !(o->method->dense && h == 0))
+        return given_steps(o, T, h);
+    int status = FVI_SUCCESS;
+    if (!o->out->t && o->out->rows < 2)
+        return fvi_fail(o->error, FVI_EINVAL, "rows", 1,
+                        "evenly from 0 to T are two rows at least");
+    o->run.steps = o->out->t ? COMPARED : o->out->rows - 1;
+    if (o->out->t && !o->method->dense)
+        status = common_steps(o, T, &o->run.steps);
+    o->run.h = T / (double)o->run.steps;
+    return status;
+}
+
+int fvi_solve_prepare(fvi_solve_state *o, const fvi_problem *problem,
+                      const fvi_solve_options *options,
+                      const fvi_accuracy *accuracy)
+{
+    o->tolerance = accuracy->tolerance;
+    o->most_steps = accuracy->most_steps;
+    if (!(o->tolerance >= 0 && isfinite(o->tolerance)))
+        return fvi_fail(o->error, FVI_EDOM, "tolerance", o->tolerance,
+                        "tolerance is %g; it must be finite and not negative",
+                        o->tolerance);
+    if (o->tolerance == 0 && options->h != 0 && check_step(o, options->h)) /* callers have T from it */
+        return FVI_EDOM;
+    if (!(problem->T > 0 && isfinite(problem->T)))
+        return fvi_fail(o->error, FVI_EDOM, "T", problem->T,
+                        "T is %g; it must be finite and positive", problem->T);
+    o->method = options->method ? options->method
+                                : usual_method(problem, o->tolerance);
+    o->run = (fvi_run){ .system = &problem->system,
+                        .x0 = problem->x0,
+                        .p0 = problem->p0,
+                        .kappa = options->kappa ? *options->kappa : 0.5,
+                        .alpha = problem->alpha,
+                        .past = problem->past,
+                        .memory = options->history,
+                        .tolerance = options->history_tolerance,
+                        .step_error = options->step_error,
+                        .longest = options->longest,
+                        .most_steps = o->most_steps,
+                        .law = problem->law };
+    int status = check_times(o->out, problem->T, o->error);
+    if (!status)
+        status = choose_grid(o, problem->T, options->h);
+    return status ? status : fvi_run_check(o->method, &o->run, o->error);
+}

@@ -1,0 +1,28 @@
+/* src/error_control/solve_state.h -- What fvi_solve keeps. Internal to the room. */
+#ifndef FVI_SOLVE_STATE_H
+#define FVI_SOLVE_STATE_H
+
+#include "variable_step_search.h"
+
+#include <fvi/solve.h>
+
+/* A problem as a run, and what its caller wants of it. */
+typedef struct {
+    const fvi_outputs *out;
+    const fvi_method *method;
+    fvi_run run;
+    double tolerance;
+    size_t most_steps;
+    fvi_report *report;
+    fvi_error *error;
+    fvi_variable_step_found found; /* of a search by fvi-adaptive */
+} fvi_solve_state;
+
+/* fvi_solve_prepare -- from what is asked for to a run that is checked: o->method, o->run, o->tolerance
+ * and o->most_steps. o->out and o->error are there. Returns FVI_SUCCESS, or a code with *o->error
+ * written. */
+int fvi_solve_prepare(fvi_solve_state *o, const fvi_problem *problem,
+                      const fvi_solve_options *options,
+                      const fvi_accuracy *accuracy);
+
+#endif

@@ -1,0 +1,158 @@
+/* src/options/fvi_checks.c -- What is asked for is done or refused: words that do not go together. */
+#include "fvi_checks.h"
+#include "fvi_problem.h"
+
+#include <fvi/fvi.h>
+
+#include <math.h>
+
+/* ---- what a method takes ---- */
+
+/* Does the velocity of a mass that is damped jump at some time? */
+static int begins_to_move(const fvi_options *o)
+{
+    for (size_t i = 0; i < o->d; i++)
+        if (o->p0[i] != 0 && o->rho[i] > 0)
+            return 1;
+    return o->force && fvi_force_typed(o->force).impulse_count > 0;
+}
+
+/* Exponentials of a law, or of the dampers of a folder, for steps of one length, are there or are
+ * refused. */
+static int check_modes(const fvi_options *o, fvi_error *c)
+{
+    const int of_folder = o->directory && o->text[DAMPER];
+    const fvi_system system =
+        of_folder ? fvi_options_system(o) : (fvi_system){ .d = o->d };
+    const fvi_run run = { .system = &system,
+                          .law = of_folder ? NULL : &o->damping.law,
+                          .h = o->h };
+    int has = 1;
+    if ((o->text[DAMPING] || of_folder) && o->memory == FVI_HISTORY_MODES
+        && !o->method->dense && fvi_method_has_modes(o->method, &run, &has))
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    return has ? 0
+               : fvi_refuse(c, "memory", "'exponentials': of --%s '%s' there "
+                            "are none with this step; 'auto' sums it all",
+                            of_folder ? "damper" : "damping",
+                            o->text[of_folder ? DAMPER : DAMPING]);
+}
+
+int fvi_check_method(const fvi_options *o, fvi_error *c)
+{
+    const fvi_method *m = o->method;
+    const int by_order = o->text[ORDER] != NULL;
+    if (o->alpha < m->alpha_least || o->alpha > m->alpha_most)
+        return fvi_refuse(c, by_order ? "order" : "alpha",
+                          "'%s' is not %g, all that %s knows",
+                          o->text[by_order ? ORDER : ALPHA],
+                          (1 + by_order) * m->alpha_least, m->name);
+    if (o->text[DAMPING] && !m->takes_laws)
+        return fvi_refuse(c, "damping", "'%s' is not known to %s",
+                          o->text[DAMPING], m->name);
+    if (o->text[DAMPING] && m->dense
+        && fvi_kernel_growth(&o->damping.law) > 1 && begins_to_move(o))
+        return fvi_refuse(c, "p0", "fvi-adaptive takes no velocity that jumps "
+                          "with a law that grows faster than s; fvi-bdf2 and "
+                          "fvi-stable do");
+    const int status = check_modes(o, c);
+    if (status)
+        return status;
+    if (o->directory && !m->takes_matrices)
+        return fvi_refuse(c,
+                          "method", "'%s' takes no matrices; fvi, fvi-shifted, "
+                          "fvi-bdf2 and fvi-stable do",
+                          m->name);
+    if (o->mechanism && !m->takes_mechanism)
+        return fvi_refuse(c, "method",
+                          "'%s' takes no Lagrangian, dampers between points, "
+                          "constraints or forces of velocity; fvi, fvi-stable, "
+                          "fvi-lobatto2 to 8 and 2d to 8d do",
+                          m->name);
+    if (!m->takes_kappa && o->kappa != 0.5)
+        return fvi_refuse(c, "kappa", "'%s' is not for %s, which has no kappa",
+                          o->text[KAPPA], m->name);
+    if (!fvi_method_takes_history(m, o->memory))
+        return fvi_refuse(c, "memory", "'%s' is not known to %s",
+                          o->text[MEMORY], m->name);
+    return 0;
+}
+
+/* ---- what has a solution ---- */
+
+int fvi_is_oscillator(const fvi_options *o)
+{
+    const fvi_potential_kind kind = o->potential.kind;
+    return o->d == 1 && !o->directory && !o->mechanism
+           && kind != FVI_POTENTIAL_EXPRESSION && kind != FVI_POTENTIAL_CHAIN;
+}
+
+/* Of many masses the library sees what is linear, when their poles are found; and of a single one
+ * whose potential is an expression. */
+static int check_many(const fvi_options *o, fvi_error *c)
+{
+    if (o->directory && o->text[FORCE] == fvi_directory_force_name(o->directory))
+        return fvi_refuse(c, "system", "%s has no exact solution here; without it, or "
+                          "--force step:A,T and cosine:A,W have",
+                          o->text[FORCE]);
+    if (o->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+        || (o->past == FVI_INITIAL_HISTORY_CAPUTO && o->alpha > 0.5))
+        return fvi_refuse(c, "derivative", "'%s' has no exact solution of several masses "
+                          "here; held has",
+                          o->text[DERIVATIVE]);
+    return 0;
+}
+
+int fvi_check_exact(const fvi_options *o, fvi_error *c)
+{
+    const fvi_typed_potential *u = &o->potential;
+    fvi_forcing kind;
+    double constants[2];
+    if (!fvi_is_oscillator(o)) {
+        const int status = check_many(o, c);
+        if (status)
+            return status;
+    } else if (o->library
+               || (u->kind != FVI_POTENTIAL_FREE
+                   && !(u->kind == FVI_POTENTIAL_HARMONIC && u->constants[0] >= 0))) {
+        return fvi_refuse(c,
+                          "potential", "'%s' has no exact solution here; "
+                          "harmonic:C with C >= 0 and free have",
+                          o->text[POTENTIAL]);
+    }
+    if (!fvi_typed_force_is_simple(o->force, &kind, constants))
+        return fvi_refuse(c,
+                          "force", "'%s' has no exact solution here; none, "
+                          "step:A,T and cosine:A,W have",
+                          o->text[FORCE]);
+    return 0;
+}
+
+int fvi_check_solution(fvi_options *o, fvi_error *c)
+{
+    const fvi_system system = fvi_options_system(o);
+    const fvi_run run = fvi_options_run(o, &system);
+    if (fvi_warning_of_initial_history(&run, &o->no_solution) < 0)
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    if (o->no_solution
+        && !(o->method && o->method->paper_convention && o->error == 0))
+        return fvi_refuse(c,
+                          "derivative", "'rl' has no solution for %s != 0 and "
+                          "alpha > 1/2; take held or caputo",
+                          o->directory ? "C x0" : "x0");
+    return 0;
+}
+
+int fvi_check_impulses(const fvi_options *o, fvi_error *c)
+{
+    int added_mass = 0;
+    for (size_t i = 0; i < o->d; i++)
+        added_mass |= o->alpha == 1 && o->rho[i] > 0;
+    if (added_mass && o->method && o->method->stages && o->force
+        && fvi_force_typed(o->force).impulse_count)
+        return fvi_refuse(c,
+                          "force", "'%s': %s takes no impulse at alpha = 1; "
+                          "fvi-adaptive does",
+                          o->text[FORCE], o->method->name);
+    return 0;
+}

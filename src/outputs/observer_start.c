@@ -1,0 +1,273 @@
+/* src/outputs/observer_start.c -- An observer starts with a run, is copied, archived and freed. */
+#include "observer_state.h"
+
+#include "system/fail.h"
+#include "variable_step/variable_step.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What needs the sums over the steps. */
+enum {
+    SUMMED = FVI_OBSERVE_ACCELERATION | FVI_OBSERVE_FORCE
+             | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK | FVI_OBSERVE_MULTIPLIER
+};
+
+/* ---- memory ---- */
+
+/* The places of all arrays in their one piece. */
+static void place_arrays(fvi_observer *o)
+{
+    const size_t d = o->d, f = o->tracked, room = d > f ? d : f;
+    double *at = o->numbers;
+    double **const state[] = { &o->impulse, &o->latest, &o->work, &o->known,
+                               &o->scalars },
+                   **const rest[] = { &o->p0,      &o->start,  &o->exponent,
+                                      &o->begin.x, &o->begin.p, &o->begin.F,
+                                      &o->begin.dampers,
+                                      &o->hit,     &o->change, &o->x,
+                                      &o->p,       &o->v,      &o->a,
+                                      &o->F,       &o->g,      &o->force,
+                                      &o->impulse_now, &o->work_now };
+    const size_t lengths[] = { f, o->degree * f, o->dampers, d, FVI_SCALARS };
+    for (size_t i = 0; i < 5; at += lengths[i++])
+        *state[i] = at;
+    o->saved = (size_t)(at - o->numbers);
+    for (size_t i = 0; i < sizeof rest / sizeof *rest; i++, at += room) {
+        *rest[i] = at;
+        if (rest[i] == &o->begin.F) /* of all stages */
+            at += 7 * room;
+    }
+    o->count = (size_t)(at - o->numbers);
+}
+
+/* The sizes are there. */
+static int allocate(fvi_observer *o)
+{
+    const size_t most = o->d > o->tracked ? o->d : o->tracked;
+    const size_t room = (o->degree + 2) * o->tracked + o->dampers + FVI_SCALARS
+                        + 27 * most;
+    o->numbers = calloc(room, sizeof *o->numbers);
+    if (!o->numbers)
+        return FVI_ENOMEM;
+    place_arrays(o);
+    return FVI_SUCCESS;
+}
+
+/* ---- what is asked for ---- */
+
+/* Differences of Algorithm 3's impulses are its own forces, and those of other methods have one
+ * degree more than they can have orders. */
+static size_t degree_of(const fvi_method *method)
+{
+    const size_t more = (size_t)method->highest + 1;
+    return method->highest == 1          ? 1
+           : more > FVI_MOST_DIFFERENCES ? FVI_MOST_DIFFERENCES
+                                         : more;
+}
+
+static int is_damped(const fvi_system *system)
+{
+    if (system->matrices)
+        return system->matrices->remembered > 0;
+    for (size_t j = 0; j < system->d; j++)
+        if (system->damping[j] > 0)
+            return 1;
+    return 0;
+}
+
+/* Is its acceleration more than (F - grad U - the forces of the dampers) / m? */
+static int needs_slope(const fvi_system *system)
+{
+    const fvi_mechanism *m = system->mechanism;
+    int massless = 0;
+    for (size_t j = 0; !m->lagrangian && j < system->d; j++)
+        massless |= system->mass[j] == 0;
+    return m->lagrangian || m->force_on || massless
+           || (m->constraints && m->constraints->count > 0);
+}
+
+static void describe(fvi_observer *o, const fvi_stepper *s, unsigned wanted)
+{
+    const fvi_system *system = s->run.system;
+    o->d = system->d;
+    o->wanted = wanted;
+    o->matrices = system->matrices;
+    o->is_summed = (wanted & SUMMED) != 0;
+    o->mechanism = system->mechanism;
+    o->has_mechanism = system->mechanism && !system->matrices;
+    o->dampers = o->has_mechanism ? system->mechanism->damper_count
+                                  : fvi_step_dampers(system);
+    o->forces = o->has_mechanism ? o->dampers : o->dampers * o->d;
+    o->by_velocity = o->has_mechanism && wanted & FVI_OBSERVE_ACCELERATION
+                     && needs_slope(system);
+    o->slopes = o->by_velocity ? o->d : 0;
+    o->ties = o->has_mechanism && wanted & FVI_OBSERVE_MULTIPLIER
+                      && system->mechanism->constraints
+                  ? system->mechanism->constraints->count
+                  : 0;
+    o->tracked = o->forces + o->slopes + o->ties;
+    o->is_damped = system->mechanism || is_damped(system);
+    o->is_mass = !system->mechanism && !o->matrices && !s->run.law
+                 && s->run.alpha == 1;
+    o->work_known = system->mechanism || fvi_step_work_is_known(s);
+    o->by_energy =
+        !system->mechanism && (s->method->stages || !o->work_known);
+    o->degree = degree_of(s->method);
+}
+
+/* ---- the start ---- */
+
+/* Multipliers at t = 0: the slope of the parabola through their impulses at 0, h and 2 h, or their mean
+ * over the first step where no second one can be made. fork: at the first node. */
+static int start_ties(fvi_observer *o, fvi_stepper *fork, double h)
+{
+    double *start = o->start + o->forces + o->slopes;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < o->ties && !status; i++) {
+        status = fvi_stepper_tie(fork, i, &start[i]);
+        start[i] /= h;
+    }
+    if (status || fork->k >= fork->run.steps || fvi_stepper_step(fork))
+        return status;
+    for (size_t i = 0; i < o->ties && !status; i++) {
+        double J;
+        status = fvi_stepper_tie(fork, i, &J);
+        start[i] = 2 * start[i] - J / (2 * h);
+    }
+    return status;
+}
+
+/* At t = 0, where a force is infinite: its mean over the first row. */
+static int take_means(fvi_observer *o, const fvi_stepper *s)
+{
+    fvi_stepper *fork = NULL;
+    fvi_observer *sums = NULL;
+    fvi_observation now;
+    const double h = s->run.h;
+    int status = fvi_stepper_copy(s, &fork);
+    if (!status)
+        status = fvi_observer_start(
+            fork, FVI_OBSERVE_IMPULSE | FVI_OBSERVE_VELOCITY, &sums, NULL);
+    while (!status && fork->t < h)
+        status = fvi_observer_step(sums, fork);
+    if (!status)
+        status = fvi_observer_read(sums, fork, h, &now);
+    for (size_t j = 0; j < o->forces && !status; j++)
+        if (isinf(o->start[j]))
+            o->start[j] = now.impulse[j] / h;
+    for (size_t i = o->forces; i < o->forces + o->slopes && !status; i++)
+        o->start[i] = (now.v[i - o->forces] - o->impulse[i]) / h;
+    if (!status && o->ties > 0)
+        status = start_ties(o, fork, h);
+    fvi_observer_free(sums);
+    fvi_stepper_free(fork);
+    return status;
+}
+
+static int begin(fvi_observer *o, const fvi_stepper *s)
+{
+    const unsigned forces = FVI_OBSERVE_FORCE | FVI_OBSERVE_ACCELERATION
+                            | FVI_OBSERVE_MULTIPLIER;
+    int status = FVI_SUCCESS;
+    if (o->matrices)
+        status = o->matrices->factorise(o->d, 1, 0, 0, o->matrices->params,
+                                        &o->factors);
+    if (!status)
+        status = allocate(o);
+    if (status)
+        return status;
+    memcpy(o->p0, s->p, o->d * sizeof *s->p);
+    if (s->method->dense)
+        o->scalars[FVI_HITS] =
+            (double)((const fvi_variable_step_state *)s->method_state)->hits;
+    if (o->wanted & FVI_OBSERVE_WORK)
+        status = fvi_energy_at(s->run.system, 0, s->x, s->p, &o->E0);
+    if (!status && o->wanted & forces)
+        status = fvi_observer_begin_forces(o, s);
+    for (size_t i = o->forces; i < o->forces + o->slopes; i++)
+        o->impulse[i] = o->v[i - o->forces];
+    return !status && o->is_infinite ? take_means(o, s) : status;
+}
+
+int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **to,
+                       fvi_error *error)
+{
+    if (!s || !to)
+        return fvi_fail(error, FVI_EFAULT, "observer", NAN, "null pointer");
+    if (s->k != 0 || s->t != 0)
+        return fvi_fail(error, FVI_EINVAL, "observer", (double)s->k,
+                        "an observer goes with a run from its start");
+    if (s->run.system->mechanism && !s->run.system->matrices
+        && s->run.system->force.impulse_count && wanted & FVI_OBSERVE_WORK)
+        return fvi_fail(error, FVI_EUNSUP, "observer", NAN,
+                        "the work of impulses on a mechanism is not known");
+    if (s->run.event_count
+        && wanted & (FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK))
+        return fvi_fail(error, FVI_EUNSUP, "observer", NAN,
+                        "forces, impulses and work are not known with events");
+    fvi_observer *o = calloc(1, sizeof *o);
+    if (!o)
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    describe(o, s, wanted);
+    const int status = begin(o, s);
+    if (status) {
+        fvi_observer_free(o);
+        return fvi_fail(error, status, "observer", NAN, "%s",
+                        fvi_error_name(status));
+    }
+    *to = o;
+    return FVI_SUCCESS;
+}
+
+/* ---- sizes, copy, archive, end ---- */
+
+size_t fvi_observer_dampers(const fvi_observer *o)
+{
+    return o->dampers;
+}
+
+size_t fvi_observer_width(const fvi_observer *o, size_t j)
+{
+    return j >= o->dampers ? 0
+           : o->mechanism && !o->mechanism->damper[j].matrix ? 1
+                                                             : o->d;
+}
+
+int fvi_observer_copy(const fvi_observer *from, fvi_observer **to)
+{
+    fvi_observer *o = from ? malloc(sizeof *o) : NULL;
+    if (!o)
+        return FVI_ENOMEM;
+    *o = *from;
+    o->factors = NULL;
+    o->numbers = NULL;
+    int status = allocate(o);
+    if (!status)
+        memcpy(o->numbers, from->numbers, o->count * sizeof *o->numbers);
+    if (!status && o->matrices)
+        status = o->matrices->factorise(o->d, 1, 0, 0, o->matrices->params,
+                                        &o->factors);
+    if (status)
+        fvi_observer_free(o);
+    else
+        *to = o;
+    return status;
+}
+
+int fvi_observer_archive(fvi_observer *o, fvi_archive *archive)
+{
+    return archive->serialize(archive, o->numbers,
+                              o->saved * sizeof *o->numbers, 0);
+}
+
+void fvi_observer_free(fvi_observer *o)
+{
+    if (!o)
+        return;
+    if (o->factors)
+        o->matrices->forget(o->factors);
+    free(o->numbers);
+    free(o);
+}
