@@ -50,6 +50,13 @@ int fvi_options_observes(const fvi_options *o)
     return (fvi_typed_columns_wanted(o->typed) & sums) != 0;
 }
 
+int fvi_options_needs_stepper(const fvi_options *o)
+{
+    return fvi_options_observes(o)
+           || (o->mechanism
+               && fvi_typed_columns_wanted(o->typed) & FVI_OBSERVE_VELOCITY);
+}
+
 /* Sums over the steps need a run of known steps. */
 int fvi_options_check_columns(const fvi_options *o, fvi_error *c)
 {

@@ -13,4 +13,8 @@ int fvi_options_check_columns(const fvi_options *o, fvi_error *c);
 /* fvi_options_observes -- nonzero if what is asked for has sums over the steps. */
 int fvi_options_observes(const fvi_options *o);
 
+/* fvi_options_needs_stepper -- nonzero if x and p of a row are not enough for its columns: they have sums over
+ * the steps, or a velocity of a mechanism, where p tells nothing of a coordinate without mass. */
+int fvi_options_needs_stepper(const fvi_options *o);
+
 #endif

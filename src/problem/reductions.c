@@ -38,13 +38,17 @@ static void trim(const char **text, size_t *length)
 
 static int refuse(const char *text, size_t length, fvi_error *error)
 {
-    char place[64];
+    char place[64] = "";
+    const size_t word = strcspn(text, "(");
+    const char *hint = kinds[fvi_scan_word(text, word, kinds)]
+                           ? "" /* the word is right, and what follows is not */
+                           : fvi_word_hint(text, word, kinds, place);
     return fvi_fail(error, FVI_EINVAL, "reduce", NAN,
                     "'%.*s' is not min, max, absmax, mean, rms, last, first or "
                     "peak of an expression, in parentheses, nor at(...) of "
                     "one%s",
                     length < 80 ? (int)length : 80, text,
-                    fvi_word_hint(text, strcspn(text, "("), kinds, place));
+                    hint);
 }
 
 /* "max(x2-x1)", without a name before it. */

@@ -36,7 +36,8 @@ int fvi_run_step(fvi_table *t, fvi_stepper *s);
  * what fvi_table_take, fvi_observer_read and fvi_stepper_advance_to return, or FVI_ENOMEM. */
 int fvi_run_row(fvi_table *t, fvi_stepper *s, size_t k);
 
-/* fvi_run_state_row -- the same of a state that no stepper has; without sums over the steps. */
+/* fvi_run_state_row -- the same of a state that no stepper has, where x and p are enough
+ * (fvi_options_needs_stepper). */
 int fvi_run_state_row(fvi_table *t, size_t k, const double *x, const double *p);
 
 /* fvi_run_found_row -- row k of what fvi_run_search has found. */
@@ -54,7 +55,7 @@ int fvi_snapshot(const fvi_options *o, const fvi_stepper *s);
 
 /* fvi_run_search -- the rows k = 0, ..., steps of r by this method, right to o->error; x and p
  * have room for them, and typed, or NULL, for the typed columns of each row, which are filled in if
- * they have sums over the steps. Returns what fvi_solve returns. */
+ * x and p are not enough for them. Returns what fvi_solve returns. */
 int fvi_run_search(const fvi_options *o, const fvi_method *method,
                    const fvi_run *r, double *x, double *p, double *typed,
                    fvi_report *found);

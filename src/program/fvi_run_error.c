@@ -47,7 +47,7 @@ int fvi_run_search(const fvi_options *o, const fvi_method *method,
                                         .history_tolerance = r->tolerance };
     const fvi_accuracy accuracy = { o->error, o->most_steps };
     fvi_outputs rows = { .rows = r->steps + 1, .x = x, .p = p };
-    if (typed && fvi_options_observes(o)) {
+    if (typed && fvi_options_needs_stepper(o)) {
         rows.observed = keep_typed;
         rows.params = &kept;
         rows.wanted = fvi_typed_columns_wanted(o->typed);

@@ -106,14 +106,6 @@ int fvi_run_reductions(const fvi_table *t)
 
 /* ---- without a stepper ---- */
 
-static int velocity(const fvi_system *system, double t, const double *x,
-                    const double *p, double *v)
-{
-    return system->mechanism && !system->matrices
-               ? fvi_velocity_of_momentum(system, t, x, p, v)
-               : fvi_velocity(system, p, v);
-}
-
 int fvi_run_state_row(fvi_table *t, size_t k, const double *x, const double *p)
 {
     const fvi_system *system = t->system;
@@ -126,7 +118,7 @@ int fvi_run_state_row(fvi_table *t, size_t k, const double *x, const double *p)
     const unsigned wanted = fvi_typed_columns_wanted(t->o->typed);
     int status = v ? FVI_SUCCESS : FVI_ENOMEM;
     if (!status && wanted & FVI_OBSERVE_VELOCITY)
-        status = velocity(system, time, x, p, v);
+        status = fvi_velocity(system, p, v);
     if (!status && wanted & FVI_OBSERVE_APPLIED && force->value)
         status = force->value(time, system->d, force->params, F);
     if (!status && wanted & FVI_OBSERVE_ENERGY)
@@ -143,7 +135,7 @@ int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
                       const double *typed)
 {
     const size_t d = t->o->d;
-    if (!fvi_options_observes(t->o))
+    if (!fvi_options_needs_stepper(t->o))
         return fvi_run_state_row(t, k, x + k * d, p + k * d);
     t->typed = typed + k * fvi_typed_columns_count(t->o->typed);
     const int status = fvi_table_take(t, k, x + k * d, p + k * d);

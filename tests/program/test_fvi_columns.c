@@ -290,6 +290,10 @@ START_TEST(what_no_column_is_is_refused)
                                   "mean, rms, last, first or peak of an "
                                   "expression, in parentheses, nor at(...) of "
                                   "one; did you mean max?" },
+        { "run --reduce 'max(x'", "--reduce: 'max(x' is not min, max, absmax, "
+                                  "mean, rms, last, first or peak of an "
+                                  "expression, in parentheses, nor at(...) of "
+                                  "one\n" },
         { "run --reduce 'max(x,p)'", "--reduce: 'max(x,p)' takes one expression" },
         { "run --reduce 'at(mean(x))'", "--reduce: 'mean(x)' has no time of its "
                                         "own" },

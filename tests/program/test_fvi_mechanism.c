@@ -164,6 +164,27 @@ START_TEST(a_massless_node_makes_zeners_law)
 }
 END_TEST
 
+/* p tells nothing of the velocity of a coordinate without mass: with --error, too, it is that of a run. */
+START_TEST(a_massless_node_has_a_velocity_with_an_error_too)
+{
+    const char *line = "run --mass 1,0 --potential 'x1^2/2 + (x1-x2)^2' --damper 'x2 : "
+                       "power:0.5,0.3' --x0 1 --v0 0 --time 2 --steps 4 --error 1e-5 "
+                       "--columns v,d1.force";
+    double v[5][2];
+    ck_assert_int_eq(fvi(line), 0);
+    for (size_t k = 0; k <= 4; k++)
+        for (size_t i = 0; i < 2; i++)
+            v[k][i] = cell(k, i);
+    ck_assert(v[4][1] < -0.1);
+    char alone[300];
+    snprintf(alone, sizeof alone, "%.*s", (int)(strlen(line) - strlen(",d1.force")), line);
+    ck_assert_int_eq(fvi(alone), 0);
+    for (size_t k = 0; k <= 4; k++)
+        for (size_t i = 0; i < 2; i++)
+            ck_assert(cell(k, i) == v[k][i]);
+}
+END_TEST
+
 /* The multiplier of the recipe's cart, driven by hand, at t = 4: order 2, and 4 at least. Seen: 9.2e-5,
  * 9.2e-7. */
 START_TEST(multipliers_and_reactions_are_columns)
@@ -211,7 +232,7 @@ START_TEST(multipliers_of_the_first_nodes_are_of_second_order)
                  methods[i / 3]);
         ck_assert_int_eq(fvi(line), 0);
         for (size_t k = 0; k < 4; k++)
-            ck_assert_near(cell(k, 0), 0, 0.6 * h * h, "%s, row %zu", line, k);
+            ck_assert_near(cell(k, 0), 0, 0.6 * h * h, "%.150s, row %zu", line, k);
     }
     ck_assert_int_eq(fvi("run --lagrangian '(v1^2+v2^2)/2-x2' --constraint 'x1^2+x2^2-1' --x0 1,0 "
                          "--v0 0,1 --columns multiplier1 --steps 1"), 0);
@@ -339,7 +360,8 @@ int main(void)
     ADD_CASE(suite, "mechanisms", a_lagrangian_is_a_command,
              a_damper_on_each_coordinate_is_the_old_damping,
              time_and_dimension_are_seen_in_the_texts,
-             a_massless_node_makes_zeners_law, wrong_words_are_refused,
+             a_massless_node_makes_zeners_law,
+             a_massless_node_has_a_velocity_with_an_error_too, wrong_words_are_refused,
              multipliers_and_reactions_are_columns,
              multipliers_of_the_first_nodes_are_of_second_order, an_error_can_be_asked_for, a_checkpoint_goes_on);
     return run_suite_of_program(suite);

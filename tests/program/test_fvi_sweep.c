@@ -106,6 +106,7 @@ START_TEST(points_between_decimal_ends_are_decimal)
         { "x0=-1000:-1:4:log", "-1000\n-100\n-10\n-1\n" },
         { "x0=0:1:4", "0\n0.3333333333333333\n0.6666666666666666\n1\n" },
         { "x0=1:2:3:log", "1\n1.4142135623730951\n2\n" },
+        { "p0=1e-200:1e-180:3:log", "1e-200\n1e-190\n1e-180\n" },
     };
     char line[200];
     for (size_t i = 0; i < LEN(grids); i++) {
