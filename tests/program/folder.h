@@ -40,4 +40,14 @@ static inline void write_chain(void)
     write_file("chain/C.mtx", HEAD "3 3 2\n1 1 0.3\n3 3 0.1\n");
 }
 
+/* The number of a row of a gradient. */
+static inline double by(const char *name)
+{
+    char start[40];
+    snprintf(start, sizeof start, "\n%s\t", name);
+    const char *at = strstr(out, start);
+    ck_assert_msg(at, "%s is not in %s", name, out);
+    return strtod(at + strlen(start), NULL);
+}
+
 #endif
