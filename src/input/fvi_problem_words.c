@@ -92,15 +92,19 @@ static int take_file(list *l, const char *name, fvi_error *error)
     FILE *f = fopen(name, "r");
     char *line = NULL;
     size_t room = 0, number = 0;
+    ssize_t length;
     int status = 0;
     if (!f)
         return fvi_refuse(error, "problem", "cannot read '%s': %s", name,
                           strerror(errno));
     fvi_mark_read("problem", name);
     errno = 0;
-    while (!status && getline(&line, &room, f) >= 0) {
+    while (!status && (length = getline(&line, &room, f)) >= 0) {
         number++;
-        status = take_line(l, name, number, number == 1 ? behind_mark(line) : line, error);
+        if (memchr(line, '\0', (size_t)length))
+            status = fvi_refuse(error, "problem", "%s, line %zu: a NUL byte", name, number);
+        else
+            status = take_line(l, name, number, number == 1 ? behind_mark(line) : line, error);
     }
     if (!status && ferror(f))
         status = fvi_refuse(error, "problem", "cannot read '%s': %s", name,

@@ -60,6 +60,13 @@ static void print_quoted(FILE *out, const char *text)
     fputc('"', out);
 }
 
+/* Two lines become one. */
+static void print_in_one_line(FILE *out, const char *text)
+{
+    for (; *text; text++)
+        fputc((unsigned char)*text < ' ' ? ' ' : *text, out);
+}
+
 void fvi_format_begin(FILE *out, fvi_format format)
 {
     if (format == FVI_FORMAT_TSV)
@@ -74,8 +81,7 @@ void fvi_format_parameter(FILE *out, fvi_format format, const char *name,
     char *end;
     if (format == FVI_FORMAT_TSV) {
         fprintf(out, "# %s = ", name);
-        for (const char *c = value; *c; c++) /* two lines become one */
-            fputc((unsigned char)*c < ' ' ? ' ' : *c, out);
+        print_in_one_line(out, value);
         fputc('\n', out);
     }
     if (format != FVI_FORMAT_JSON)
@@ -139,7 +145,7 @@ void fvi_format_event(FILE *out, fvi_format format, size_t i, double t,
     if (is_json)
         print_quoted(to, name);
     else
-        fputs(name, to);
+        print_in_one_line(to, name);
     if (is_json)
         fputs(at_rest ? ", \"at rest\": true}" : "}", to);
     else

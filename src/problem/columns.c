@@ -103,16 +103,18 @@ static int parse_text(const char *field, const char *text,
     return fvi_parse_expression_of(field, &finder, text, parameters, e, error);
 }
 
-/* Without the blanks at its ends. */
-static char *copy_of(const char *text, size_t length)
+char *fvi_column_text(const char *text, size_t length)
 {
-    while (length > 0 && *text == ' ') {
+    while (length > 0 && isspace((unsigned char)*text)) {
         text++;
         length--;
     }
-    while (length > 0 && text[length - 1] == ' ')
+    while (length > 0 && isspace((unsigned char)text[length - 1]))
         length--;
-    return strndup(text, length);
+    char *copy = strndup(text, length);
+    for (char *at = copy; at && *at; at++)
+        *at = isspace((unsigned char)*at) ? ' ' : *at;
+    return copy;
 }
 
 int fvi_column_item(const char *field, const char *text, size_t length,
@@ -121,8 +123,8 @@ int fvi_column_item(const char *field, const char *text, size_t length,
 {
     const char *equals = memchr(text, '=', length);
     const char *begin = equals ? equals + 1 : text;
-    char *right = copy_of(begin, length - (size_t)(begin - text)),
-         *name = copy_of(text, equals ? (size_t)(equals - text) : length);
+    char *right = fvi_column_text(begin, length - (size_t)(begin - text)),
+         *name = fvi_column_text(text, equals ? (size_t)(equals - text) : length);
     *column = (fvi_typed_column){ name, NULL, equals != NULL };
     int status = right && name ? FVI_SUCCESS : no_memory(error);
     if (!status && equals)

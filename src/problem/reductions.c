@@ -1,5 +1,4 @@
 /* src/problem/reductions.c -- What becomes of a column over a run: max(x), at(peak(v)). */
-#define _GNU_SOURCE /* strndup */
 #include "columns_state.h"
 #include "words.h"
 
@@ -98,9 +97,8 @@ static int add_reduction(fvi_typed_columns *c, fvi_reduction r,
 static int name_reduction(const char *text, size_t length, fvi_typed_columns *c,
                           fvi_reduction *r, fvi_error *error)
 {
-    trim(&text, &length);
     free(r->of.name);
-    r->of.name = strndup(text, length);
+    r->of.name = fvi_column_text(text, length);
     if (!r->of.name)
         return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
     for (size_t i = 0; i < c->reductions; i++)

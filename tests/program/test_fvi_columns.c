@@ -201,6 +201,13 @@ START_TEST(names_of_columns_survive_every_format)
     ck_assert_ptr_nonnull(strstr(
         out, "\"columns\": [\"t\", \"max(x,p)\", \"d1.force\", \"s\"]"));
     ck_assert_ptr_nonnull(strstr(out, "\n [0, 1, 0.1, 1],\n"));
+    /* an expression on two lines, or with a tab, has its name in one */
+    ck_assert_int_eq(fvi("run --columns 't,2*x\n+p' --steps 1 --format json"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\"columns\": [\"t\", \"2*x +p\"]"));
+    ck_assert_int_eq(fvi("run --columns 't,2*\tx' --steps 1"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\n# t\t2* x\n"));
+    ck_assert_int_eq(fvi("run --reduce 'max(x\n+p)' --steps 1 --format csv"), 0);
+    ck_assert(strncmp(out, "max(x +p)\n", 10) == 0);
 }
 END_TEST
 

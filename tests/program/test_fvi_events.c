@@ -38,6 +38,8 @@ START_TEST(formats_have_a_place_for_events)
     ck_assert_int_eq(fvi(BALL FLOOR "--format csv"), 0);
     ck_assert_ptr_null(strchr(out, '#'));
     ck_assert_ptr_nonnull(strstr(err, "fvi: event at t = 1.488362842713238 : x\n"));
+    ck_assert_int_eq(fvi(BALL "--event '0\n+x : impact:0.8'"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\n# event at t = 1.488362842713238 : 0 +x\n"));
 }
 END_TEST
 

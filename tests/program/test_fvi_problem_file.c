@@ -87,6 +87,8 @@ START_TEST(a_bad_file_is_refused)
                       "fvi: --problem: cannot read 'none': No such file or "
                       "directory\nTry 'fvi run --help'.");
     ck_assert_refused("exact --problem", "fvi: --problem: a value is missing");
+    ck_assert_int_eq(shell("printf 'steps 2\\0 3\\n' > bad"), 0);
+    ck_assert_refused("run --problem bad", "fvi: --problem: bad, line 1: a NUL byte");
     write_file("bad", "steps 3\n");
     ck_assert_refused("run --problem bad -o bad",
                       "fvi: -o: 'bad' is the file of --problem, too");
