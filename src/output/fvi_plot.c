@@ -1,5 +1,6 @@
 /* src/output/fvi_plot.c -- A picture of a table, drawn by gnuplot. */
 #include "fvi_plot.h"
+#include "fvi_table.h"
 
 #include <string.h>
 
@@ -44,10 +45,7 @@ static size_t place_columns(const fvi_options *o, size_t at[FVI_ALL_COLUMNS])
     for (size_t n = 0; n < o->columns.count; n++) {
         const fvi_column column = o->columns.at[n];
         at[column] = next;
-        next += column == FVI_COLUMN_TYPED ? o->columns.width[n]
-                : column == FVI_COLUMN_T || column == FVI_COLUMN_ENERGY
-                    ? 1
-                    : o->shown_count;
+        next += fvi_table_column_width(o, n);
         panels += column == FVI_COLUMN_TYPED ? o->columns.width[n]
                                              : column != FVI_COLUMN_T;
         /* p is the phase, or its own */
@@ -69,13 +67,8 @@ static void typed_panels(FILE *g, const fvi_options *o)
 {
     size_t next = 2;
     for (size_t n = 0; n < o->columns.count; n++) {
-        const fvi_column column = o->columns.at[n];
-        const int is_typed = column == FVI_COLUMN_TYPED;
-        const size_t width = is_typed ? o->columns.width[n]
-                             : column == FVI_COLUMN_T
-                                     || column == FVI_COLUMN_ENERGY
-                                 ? 1
-                                 : o->shown_count;
+        const int is_typed = o->columns.at[n] == FVI_COLUMN_TYPED;
+        const size_t width = fvi_table_column_width(o, n);
         for (size_t i = 0; i < width && is_typed; i++) {
             label(g, "x", "t");
             label(g, "y",

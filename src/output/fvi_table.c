@@ -27,8 +27,7 @@ void fvi_table_head(FILE *out, const fvi_options *o)
         fvi_format_parameter(out, o->format, "warning", o->no_solution);
 }
 
-/* Of item n. */
-static size_t column_width(const fvi_options *o, size_t n)
+size_t fvi_table_column_width(const fvi_options *o, size_t n)
 {
     const fvi_column column = o->columns.at[n];
     return column == FVI_COLUMN_TYPED                             ? o->columns.width[n]
@@ -42,7 +41,7 @@ static void print_names(FILE *out, const fvi_options *o, size_t n, size_t first)
     const fvi_column column = o->columns.at[n];
     const int numbered = o->numbered && column != FVI_COLUMN_T
                          && column != FVI_COLUMN_ENERGY;
-    for (size_t i = 0; i < column_width(o, n); i++)
+    for (size_t i = 0; i < fvi_table_column_width(o, n); i++)
         if (column == FVI_COLUMN_TYPED)
             fvi_format_name(out, o->format, first + i,
                             fvi_typed_column_name(o->typed,
@@ -58,7 +57,7 @@ void fvi_table_column_names(FILE *out, const fvi_options *o, size_t first)
     const size_t reductions = fvi_reductions_count(o->typed);
     for (size_t n = 0; n < o->columns.count && reductions == 0; n++) {
         print_names(out, o, n, first);
-        first += column_width(o, n);
+        first += fvi_table_column_width(o, n);
     }
     for (size_t i = 0; i < reductions; i++)
         fvi_format_name(out, o->format, first++, fvi_reduction_name(o->typed, i),
@@ -96,7 +95,7 @@ void fvi_table_shape(fvi_table *t, const fvi_options *o,
 {
     *t = (fvi_table){ .o = o, .system = system };
     for (size_t n = 0; n < o->columns.count; n++) {
-        t->width += column_width(o, n);
+        t->width += fvi_table_column_width(o, n);
         t->wait |= o->columns.at[n] == FVI_COLUMN_Y;
     }
     if (fvi_reductions_count(o->typed) > 0) { /* one row */
@@ -148,7 +147,7 @@ static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
         status = fvi_typed_columns_values(t->o->typed, t->now, t->o->typed_row);
     for (size_t n = 0; n < t->o->columns.count && !status; n++) {
         const fvi_column column = t->o->columns.at[n];
-        const size_t width = column_width(t->o, n);
+        const size_t width = fvi_table_column_width(t->o, n);
         if (mirror == (column == FVI_COLUMN_Y)) {
             if (column == FVI_COLUMN_TYPED)
                 memcpy(row, t->o->typed_row + t->o->columns.first[n],

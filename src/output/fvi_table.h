@@ -46,6 +46,9 @@ double *fvi_table_room(const fvi_table *t, double bytes);
 /* fvi_table_head -- "# name = value" lines, for any command, and the warning of the past. */
 void fvi_table_head(FILE *out, const fvi_options *o);
 
+/* fvi_table_column_width -- how many columns item n of o->columns has. */
+size_t fvi_table_column_width(const fvi_options *o, size_t n);
+
 /* fvi_table_names -- the line with the names of the columns; fvi_table_column_names: where
  * others come first. */
 void fvi_table_names(const fvi_table *t);
