@@ -4,6 +4,7 @@
 
 #include "fvi_checkpoint_head.h"
 #include "fvi_run.h"
+#include "options/fvi_option_columns.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_output.h"
 #include <fvi/error.h>
@@ -68,6 +69,16 @@ static int load_piece(fvi_archive *v, void *data, size_t bytes, int constant)
     if (!get(f, &length, sizeof length) || length != bytes)
         return -1;
     return (constant ? is_same(f, data, bytes) : get(f, data, bytes)) ? 0 : -1;
+}
+
+/* The pieces of the stepper, and of its observer where columns have sums: without sums an observer
+ * remembers nothing, and other columns may follow. */
+static int archive_run(const fvi_table *t, fvi_stepper *s, fvi_archive *archive)
+{
+    const int status = fvi_stepper_archive(s, archive);
+    return !status && t->observer && fvi_options_observes(t->o)
+               ? fvi_observer_archive(t->observer, archive)
+               : status;
 }
 
 /* ---- the rows ---- */
@@ -217,9 +228,7 @@ int fvi_checkpoint_write(const fvi_checkpoint *c, const fvi_table *t,
         return fvi_cannot_write(name);
     put(&f, c->head, strlen(c->head));
     put_rows(&f, t);
-    int status = fvi_stepper_archive(s, &f.archive);
-    if (!status && t->observer)
-        status = fvi_observer_archive(t->observer, &f.archive);
+    const int status = archive_run(t, s, &f.archive);
     const uint64_t sum = f.sum;
     put(&f, &sum, sizeof sum);
     const int why = errno, whole = !status && !f.failed;
@@ -258,9 +267,7 @@ static int is_whole(FILE *file)
 static int load_all(fvi_table *t, state *f, fvi_stepper *s, fvi_checkpoint *c)
 {
     const fvi_options *o = t->o;
-    int status = fvi_stepper_archive(s, &f->archive);
-    if (!status && t->observer)
-        status = fvi_observer_archive(t->observer, &f->archive);
+    const int status = archive_run(t, s, &f->archive);
     c->done = s->k;
     if (s->k > o->steps)
         return fvi_checkpoint_refuse(o, "it is further than --steps");

@@ -260,11 +260,21 @@ START_TEST(sums_stand_in_the_checkpoint)
         ck_assert_ptr_nonnull(strstr(both, last));
         free(both);
     }
-    ck_assert_int_eq(shell("rm -f s; $FVI run --steps 4 --checkpoint s"), 0);
-    ck_assert_int_eq(shell("$FVI run --steps 8 --checkpoint s --continue "
+    ck_assert_int_eq(shell("rm -f s; $FVI run --memory direct --steps 4 --checkpoint s"), 0);
+    ck_assert_int_eq(shell("$FVI run --memory direct --steps 8 --checkpoint s --continue "
                            "--columns t,work"),
                      2);
     ck_assert_ptr_nonnull(strstr(err, "columns with sums"));
+    /* a velocity is no sum: it may follow, and no step is done again */
+    ck_assert_int_eq(shell("$FVI run --memory direct --steps 8 --checkpoint s --continue "
+                           "--columns t,v"),
+                     0);
+    ck_assert_str_eq(err, "");
+    ck_assert_uint_eq(count_rows(), 4);
+    ck_assert_int_eq(shell("rm -f s; $FVI run --memory direct --steps 4 --checkpoint s --columns t,v"),
+                     0);
+    ck_assert_int_eq(fvi("run --memory direct --steps 8 --checkpoint s --continue"), 0);
+    ck_assert_str_eq(err, "");
 }
 END_TEST
 
