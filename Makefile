@@ -82,7 +82,7 @@ help: ## print this list
 	echo 'make TARGET, where TARGET is'
 	sed -nE 's/^([a-zA-Z%-]+):[^#]*## (.*)/  \1|\2/p' Makefile | awk -F'|' '{ printf "%-14s %s\n", $$1, $$2 }'
 	echo '  ch06         a chapter of the Course: its program, tests, proofs and figures (ch01 to ch12)'
-	echo '  h09          a page of Further or the Handbook: its tests, proofs and figures (h00 to h28)'
+	echo '  h09          a page of Further or the Handbook: its tests, proofs and figures (h00 to h30)'
 	echo '  workshop-04  its code by your hand, tested and drawn ($(HELD))'
 	echo '  exercise-04-7  an exercise; with ANSWER=527, is that right? (exercises: the table of all)'
 	echo 'and, for one STEM, test-STEM; where it has a proof, verify-STEM; a chapter, figures-STEM; stems:'

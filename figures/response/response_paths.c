@@ -1,7 +1,7 @@
 /* figures/response/response_paths.c -- H 30: the poles of three storeys as a damper grows.
  *
  * Masses and springs 1, a springpot of order 1/2 below the first floor, rho from 10^-3 to 10^3.
- * Blocks 0 to 2, a pole each: rho, Re, Im, damping ratio. Block 3: where they begin and end, and what
+ * Blocks 0 to 2, a pole each: rho, Re, Im, damping ratio. Block 3: where they begin. Block 4: what
  * they are for rho = 1. */
 #include <fvi/dampers.h>
 #include <fvi/response.h>
@@ -9,9 +9,17 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-/* The three poles, each the nearest to what it was before. */
-static void poles(const fvi_structure *storeys, double rho, double at[3][2])
+enum { STEPS = 600 };
+
+static double rho_of(int i)
+{
+    return pow(10, -3 + 6.0 * i / STEPS);
+}
+
+/* at[k] becomes the pole that is nearest to it. */
+static void find_poles(const fvi_structure *storeys, double rho, double at[3][2])
 {
     static const double row[3] = { 1, 0, 0 };
     const fvi_kernel_term term = { FVI_KERNEL_POWER, rho, 0.25, 0, 0 };
@@ -50,7 +58,6 @@ static void print(double rho, const double at[2])
 
 int main(void)
 {
-    enum { STEPS = 600 };
     static const fvi_triplet stiffness[] = { { 0, 0, 2 },  { 0, 1, -1 }, { 1, 0, -1 },
                                              { 1, 1, 2 },  { 1, 2, -1 }, { 2, 1, -1 },
                                              { 2, 2, 1 } },
@@ -60,31 +67,23 @@ int main(void)
     if (fvi_sparse_assemble(3, 3, mass, &M) || fvi_sparse_assemble(3, 7, stiffness, &K)
         || fvi_structure_alloc(&M, &K, NULL, &storeys, NULL))
         return EXIT_FAILURE;
-    for (int k = 0; k < 3; k++) {
-        double at[3][2];
-        for (int j = 0; j < 3; j++) { /* 2 sin((2 j + 1) pi / 14) */
-            at[j][0] = 0;
-            at[j][1] = 2 * sin((2 * j + 1) * acos(-1) / 14);
-        }
-        printf("%s# pole %d: rho, re, im, damping ratio\n", k ? "\n\n" : "", k + 1);
-        for (int i = 0; i <= STEPS; i++) {
-            const double rho = pow(10, -3 + 6.0 * i / STEPS);
-            poles(storeys, rho, at);
-            print(rho, at[k]);
-        }
+    double at[3][2] = { { 0 } };
+    static double path[STEPS + 1][3][2];
+    for (int j = 0; j < 3; j++) /* without damping: 2 sin((2 j + 1) pi / 14) */
+        at[j][1] = 2 * sin((2 * j + 1) * acos(-1) / 14);
+    for (int i = 0; i <= STEPS; i++) {
+        find_poles(storeys, rho_of(i), at);
+        memcpy(path[i], at, sizeof at);
     }
-    for (int block = 0; block < 3; block++) { /* begin, rho = 1, end */
-        double at[3][2];
-        for (int j = 0; j < 3; j++) {
-            at[j][0] = 0;
-            at[j][1] = 2 * sin((2 * j + 1) * acos(-1) / 14);
-        }
+    for (int k = 0; k < 3; k++) {
+        printf("%s# pole %d: rho, re, im, damping ratio\n", k ? "\n\n" : "", k + 1);
+        for (int i = 0; i <= STEPS; i++)
+            print(rho_of(i), path[i][k]);
+    }
+    for (int i = 0; i <= STEPS / 2; i += STEPS / 2) { /* rho = 10^-3, then rho = 1 */
         printf("\n\n# at one rho\n");
-        const double wanted = block == 0 ? 1e-3 : block == 1 ? 1 : 1e3;
-        for (int i = 0; i <= 200; i++)
-            poles(storeys, 1e-3 * pow(wanted / 1e-3, i / 200.0), at);
-        for (int j = 0; j < 3; j++)
-            print(wanted, at[j]);
+        for (int k = 0; k < 3; k++)
+            print(rho_of(i), path[i][k]);
     }
     fvi_structure_free(storeys);
     fvi_sparse_free(&M);

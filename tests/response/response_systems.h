@@ -145,4 +145,26 @@ static inline double chance(unsigned long long *seed)
     return ((double)(*seed >> 11) + 0.5) * 0x1p-53;
 }
 
+/* ---- poles ---- */
+
+static inline fvi_poles poles_of(fvi_response *r, size_t count)
+{
+    fvi_poles poles;
+    fvi_error error;
+    if (fvi_poles_find(r, count, &poles, &error))
+        ck_abort_msg("%s: %s", error.field ? error.field : "", error.text);
+    return poles;
+}
+
+static inline double complex pole(const fvi_poles *p, size_t k)
+{
+    return p->pole[2 * k] + I * p->pole[2 * k + 1];
+}
+
+static inline double complex shape(const fvi_poles *p, size_t k, size_t i)
+{
+    const double *v = p->shape + 2 * (k * p->d + i);
+    return v[0] + I * v[1];
+}
+
 #endif

@@ -1,0 +1,189 @@
+/* tests/response/test_response_pole_count.c -- How many poles there are.  [H 30]
+ * Run alone: make test-response_pole_count */
+#include "response_systems.h"
+
+#include "frequency/pole_count.h"
+
+/* n poles are found, and as many are expected. */
+static void ck_assert_poles(const fvi_linear_motion *motion, size_t n)
+{
+    fvi_response *r = response_of(motion);
+    fvi_poles p = poles_of(r, 0);
+    ck_assert_uint_eq(p.count, n);
+    ck_assert_uint_eq(p.expected, n);
+    fvi_poles_free(&p);
+    fvi_response_free(r);
+}
+
+/* ---- as many as unknowns ---- */
+
+/* A system of 2 to 12 masses with 1 to 3 dampers; its laws have orders below 1, or powers above. */
+static void random_system(unsigned long long *seed, int above, linear_system *s)
+{
+    *s = (linear_system){ .d = 2 + (size_t)(11 * chance(seed)),
+                          .dampers = 1 + (size_t)(3 * chance(seed)) };
+    double k[MOST];
+    for (size_t i = 0; i < s->d; i++) {
+        s->mass[i] = exp(2 * chance(seed) - 1);
+        k[i] = exp(4 * chance(seed) - 2);
+    }
+    springs(s, k);
+    for (size_t j = 0; j < s->dampers; j++) {
+        for (size_t i = 0; i < s->d; i++)
+            s->row[j][i] = chance(seed) < 0.4 ? 2 * chance(seed) - 1 : 0;
+        s->row[j][(size_t)((double)s->d * chance(seed))] = 1;
+        const double a = 0.01 + 0.48 * chance(seed), b = a * chance(seed);
+        const double rho = exp(6 * chance(seed) - 3), time = exp(4 * chance(seed) - 2);
+        const fvi_kernel_kind kinds[] = { FVI_KERNEL_POWER, FVI_KERNEL_ZENER,
+                                          FVI_KERNEL_MAXWELL2, FVI_KERNEL_DAVIDSON,
+                                          FVI_KERNEL_DISTRIBUTED };
+        const fvi_kernel_kind kind = kinds[above ? 0 : (size_t)(5 * chance(seed))];
+        s->term[j][0] = (fvi_kernel_term){ kind, rho, above ? 0.5 + a : a, time,
+                                           kind == FVI_KERNEL_DISTRIBUTED ? 0.49 : b };
+        s->kernel[j].count = 1;
+        if (kind != FVI_KERNEL_DAVIDSON && !above && chance(seed) < 0.3) { /* beside it */
+            s->term[j][1] = (fvi_kernel_term){ FVI_KERNEL_MAXWELL, rho * chance(seed), 0,
+                                               time * chance(seed), 0 };
+            s->kernel[j].count = 2;
+        }
+    }
+    point_into(s);
+}
+
+static void look_at(linear_system *s, int i)
+{
+    const fvi_linear_motion motion = { .system = &s->system };
+    fvi_response *r = response_of(&motion);
+    fvi_poles p = poles_of(r, 0);
+    ck_assert_msg(p.count == s->d && p.expected == s->d, "%d: %zu of %zu, expected %zu", i,
+                  p.count, s->d, p.expected);
+    for (size_t k = 0; k < p.count; k++) {
+        ck_assert_near(p.residual[k], 0, 1e-13, "%d, pole %zu", i, k);
+        ck_assert(p.pole[2 * k] <= 0 && p.pole[2 * k + 1] > 0);
+    }
+    const double low = log(cabs(pole(&p, 0))), high = log(cabs(pole(&p, p.count - 1)));
+    if (i % 5 == 0) {
+        const size_t counted = fvi_poles_counted(r, low - 12, high + 12);
+        ck_assert_msg(counted == s->d, "%d: counted %zu of %zu", i, counted, s->d);
+    }
+    fvi_poles_free(&p);
+    fvi_response_free(r);
+}
+
+START_TEST(eq_30_7_there_are_as_many_poles_as_unknowns)
+{
+    unsigned long long seed = 7;
+    for (int i = 0; i < 300; i++) { /* of a larger search: 5000 of 5000 */
+        linear_system s;
+        random_system(&seed, i % 3 == 2, &s);
+        look_at(&s, i);
+    }
+}
+END_TEST
+
+/* A power below 1 and one above: the theorem is silent, and the poles are counted. A power of order 1
+ * alone: counted; beside another in one law: by the theorem. Above 24 unknowns nothing is counted. */
+START_TEST(eq_30_7_laws_on_both_sides_are_counted)
+{
+    linear_system s;
+    make_system(2, &s);
+    s.term[1][0].alpha = 0.25;
+    const fvi_linear_motion motion = { .system = &s.system };
+    fvi_response *r = response_of(&motion);
+    ck_assert_int_eq(fvi_poles_by_theorem(r, 1), 0);
+    ck_assert_poles(&motion, 2);
+    s.term[0][0].alpha = 0.5;
+    ck_assert_int_eq(fvi_poles_by_theorem(r, 1), 0);
+    s.term[0][1] = s.term[1][0];
+    s.kernel[0].count = 2;
+    ck_assert_int_eq(fvi_poles_by_theorem(r, 1), 1);
+    ck_assert_int_eq(fvi_poles_by_theorem(r, 0), 0);
+    fvi_response_free(r);
+}
+END_TEST
+
+/* ---- fewer ---- */
+
+/* A mode that creeps back has no pole that oscillates, and the count says so. Each of these four masses
+ * is an oscillator of its own, with m = 1, k = 4 and a dashpot c_i. It is overdamped from c = 4 on. */
+START_TEST(eq_30_8_overdamped_modes_are_not_counted)
+{
+    linear_system s = { .d = 4, .dampers = 3, .mass = { 1, 1, 1, 1 } };
+    for (size_t i = 0; i < 4; i++)
+        s.K[i * 4 + i] = 4;
+    const double c[3] = { 1, 5, 3.9 };
+    for (size_t j = 0; j < 3; j++) {
+        s.row[j][j] = 1;
+        s.term[j][0] = (fvi_kernel_term){ FVI_KERNEL_POWER, c[j], 0.5, 0, 0 };
+        s.kernel[j].count = 1;
+    }
+    point_into(&s);
+    const fvi_linear_motion motion = { .system = &s.system };
+    fvi_response *r = response_of(&motion);
+    fvi_poles p = poles_of(r, 0);
+    ck_assert_uint_eq(p.count, 3);
+    ck_assert_uint_eq(p.expected, 3);
+    for (size_t k = 0; k < 3; k++)
+        ck_assert_near(cabs(pole(&p, k)), 2, 1e-14, "|s| of %zu", k);
+    fvi_poles_free(&p);
+    p = poles_of(r, 2);
+    ck_assert_uint_eq(p.count, 2);
+    ck_assert_uint_eq(p.expected, 3);
+    fvi_poles_free(&p);
+    fvi_response_free(r);
+}
+END_TEST
+
+/* A free body with a springpot to the ground: m s^2 + rho s^(2 alpha) = 0 has a pole at the angle
+ * pi / (2 - 2 alpha) if 2 alpha < 1, and none else. Beside it a mass on a spring. */
+START_TEST(a_free_body_swings_on_its_springpot)
+{
+    linear_system s = { .d = 2, .dampers = 1, .mass = { 2, 1 } };
+    s.K[3] = 9;
+    s.row[0][0] = 1;
+    s.term[0][0] = (fvi_kernel_term){ FVI_KERNEL_POWER, 3, 0.25, 0, 0 };
+    s.kernel[0].count = 1;
+    point_into(&s);
+    const fvi_linear_motion motion = { .system = &s.system };
+    fvi_response *r = response_of(&motion);
+    fvi_poles p = poles_of(r, 0);
+    ck_assert_uint_eq(p.count, 2);
+    ck_assert_uint_eq(p.expected, 2);
+    const double complex want = pow(1.5, 1 / 1.5) * cexp(I * M_PI / 1.5);
+    ck_assert_near(cabs(pole(&p, 0) - want), 0, 1e-14, "the free body");
+    ck_assert_near(cabs(pole(&p, 1) - 3 * I), 0, 1e-14, "the other");
+    fvi_poles_free(&p);
+    fvi_response_free(r);
+    s.term[0][0].alpha = 0.75;
+    ck_assert_poles(&motion, 1);
+}
+END_TEST
+
+/* Three masses in a ring move freely, but for springpots to the ground: two modes are
+ * oscillators, s^2 + 0.3 + 0.1 s^(3/2) = 0. The third is s^(1/2) = -0.1, which has no
+ * solution. Its lambda is 0 but for rounding, and must not become the start of a pole. */
+START_TEST(a_free_ring_has_two_poles)
+{
+    linear_system s = { .d = 3, .dampers = 3, .mass = { 1, 1, 1 } };
+    for (size_t i = 0; i < 3; i++) {
+        for (size_t j = 0; j < 3; j++)
+            s.K[i * 3 + j] = i == j ? 0.2 : -0.1;
+        s.row[i][i] = 1;
+        s.term[i][0] = (fvi_kernel_term){ FVI_KERNEL_POWER, 0.1, 0.75, 0, 0 };
+        s.kernel[i].count = 1;
+    }
+    point_into(&s);
+    const fvi_linear_motion motion = { .system = &s.system };
+    ck_assert_poles(&motion, 2);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("response_pole_count");
+    ADD_CASE(suite, "theorem", eq_30_7_there_are_as_many_poles_as_unknowns,
+             eq_30_7_laws_on_both_sides_are_counted);
+    ADD_CASE(suite, "fewer", eq_30_8_overdamped_modes_are_not_counted,
+             a_free_body_swings_on_its_springpot, a_free_ring_has_two_poles);
+    return run_suite(suite);
+}
