@@ -168,7 +168,7 @@ static const fvi_contour *choose(fvi_inverse *S, double t,
 //< place
 
 /* e^{st}, or for a force that has ended the difference e^{st} - e^{s(t - T)}. */
-static double complex grows(const fvi_residue *a, const fvi_exact_part *at,
+static double complex grows(const fvi_residue *a, const fvi_exact_source *at,
                             double lasts)
 {
     double complex e = fvi_pole_exp(a->s, a->low, at->t, 0);
@@ -181,7 +181,7 @@ static double complex grows(const fvi_residue *a, const fvi_exact_part *at,
     return e;
 }
 
-double complex fvi_inverse_residue(const fvi_residue *a, const fvi_exact_part *at,
+double complex fvi_inverse_residue(const fvi_residue *a, const fvi_exact_source *at,
                                    int with_force)
 {
     double complex r = at->start * a->start * grows(a, at, 0);
@@ -191,7 +191,7 @@ double complex fvi_inverse_residue(const fvi_residue *a, const fvi_exact_part *a
 }
 
 //> residues
-static void add_residue(const fvi_residue *a, const fvi_exact_part *at,
+static void add_residue(const fvi_residue *a, const fvi_exact_source *at,
                         int with_force, double *x, double *v)
 {
     double complex r = fvi_inverse_residue(a, at, with_force);
@@ -226,7 +226,7 @@ int fvi_inverse_resonance(const fvi_inverse *S, const fvi_pole *root, double t,
 //< resonance
 
 /* The transform of the force on the contour, times t / m and over A t^2 / m. */
-static double complex force_at(const fvi_inverse *S, const fvi_exact_part *at,
+static double complex force_at(const fvi_inverse *S, const fvi_exact_source *at,
                                double complex z)
 {
     if (S->p.forcing == FVI_FORCING_COSINE) {
@@ -240,7 +240,7 @@ static double complex force_at(const fvi_inverse *S, const fvi_exact_part *at,
 //> integral
 /* (11.10), with t as the unit of time. Small terms are added first. */
 static void add_integral(const fvi_inverse *S, const fvi_contour *k,
-                         const fvi_exact_part *at, double *x, double *v)
+                         const fvi_exact_source *at, double *x, double *v)
 {
     const fvi_linear_oscillator *p = &S->p;
     const double t = at->t, C = p->c / p->m * t * t;
@@ -268,7 +268,7 @@ static void add_integral(const fvi_inverse *S, const fvi_contour *k,
 }
 //< integral
 
-void fvi_inverse_add(fvi_inverse *S, const fvi_exact_part *at, double *x, double *v)
+void fvi_inverse_add(fvi_inverse *S, const fvi_exact_source *at, double *x, double *v)
 {
     int passed[FVI_POLES], all = 1;
     const fvi_contour *k = choose(S, at->t, passed);
@@ -287,7 +287,7 @@ void fvi_inverse_add(fvi_inverse *S, const fvi_exact_part *at, double *x, double
         add_integral(S, k, at, x, v);
 }
 
-void fvi_inverse_oscillation(const fvi_inverse *S, const fvi_exact_part *at,
+void fvi_inverse_oscillation(const fvi_inverse *S, const fvi_exact_source *at,
                              double *x, double *v)
 {
     for (size_t i = 0; i < S->roots; i++)

@@ -38,11 +38,12 @@ typedef struct {
     fvi_contour contour[FVI_POLES + 1]; /* made when first needed: count > 0 */
 } fvi_inverse;
 
-/* What acts: the start, if `start` is 1, and `sign` times the force, which lasts
- * for `lasts` if that is > 0. t is the time since then. */
+/* A source of the motion, which began a time t ago: x0 and v0 if `start` is 1, not if it is 0, and
+ * `sign` times the force, which ended `lasts` later if that is > 0. A step from 0 to T, for
+ * example, is two sources soon after T: one with sign 1, and from T on one with sign -1. */
 typedef struct {
     double t, start, sign, lasts;
-} fvi_exact_part;
+} fvi_exact_source;
 
 /* fvi_inverse_prepare -- poles and residues. The problem is a valid one.
  * Returns FVI_SUCCESS; for a law what fvi_kernel_poles returns. */
@@ -52,17 +53,17 @@ int fvi_inverse_prepare(const fvi_linear_oscillator *problem, fvi_inverse *S,
 /* fvi_inverse_contour -- contour number `place` of S->poles + 1, for (11.11). */
 const fvi_contour *fvi_inverse_contour(fvi_inverse *S, size_t place);
 
-/* fvi_inverse_add -- add to x and v what an event does; t > 0, and t >= 2 lasts. */
-void fvi_inverse_add(fvi_inverse *S, const fvi_exact_part *at, double *x, double *v);
+/* fvi_inverse_add -- add to x and v what a source does; t > 0, and t >= 2 lasts. */
+void fvi_inverse_add(fvi_inverse *S, const fvi_exact_source *at, double *x, double *v);
 
 /* fvi_inverse_oscillation -- of that only the residues of the zeros of Q, which
  * must exist; t >= lasts will do. */
-void fvi_inverse_oscillation(const fvi_inverse *S, const fvi_exact_part *at,
+void fvi_inverse_oscillation(const fvi_inverse *S, const fvi_exact_source *at,
                              double *x, double *v);
 
 /* fvi_inverse_residue -- what one pole of them gives: twice the real part of it in x, of s
  * times it in v. t >= lasts. */
-double complex fvi_inverse_residue(const fvi_residue *a, const fvi_exact_part *at,
+double complex fvi_inverse_residue(const fvi_residue *a, const fvi_exact_source *at,
                                    int with_force);
 
 /* fvi_inverse_resonance -- add the residues of a zero of Q and of the cosine together, by

@@ -40,7 +40,7 @@ typedef struct {
     fvi_error *error;
 } rows;
 
-/* Rows a to b, whose events lie at `since`. */
+/* Rows a to b, whose source began at the time `since`. */
 typedef struct {
     size_t a, b;
     double since;
@@ -110,7 +110,7 @@ static size_t resonant(const rows *r, const fvi_window *w, double t, double *x,
 
 /* e^{st} at the first row of a block, or of eight blocks where few digits are asked for,
  * and from there by turns. */
-static void add_all_residues(rows *r, const fvi_window *w, fvi_exact_part event,
+static void add_all_residues(rows *r, const fvi_window *w, fvi_exact_source source,
                              range of)
 {
     const fvi_inverse *S = r->S;
@@ -120,8 +120,8 @@ static void add_all_residues(rows *r, const fvi_window *w, fvi_exact_part event,
         prepare_turns(r);
     for (size_t k = of.a, count; k <= of.b && !fvi_interrupted(); k += count) {
         double x = 0, v = 0;
-        event.t = time_of(r, k, of.since);
-        const size_t near = resonant(r, w, event.t, &x, &v);
+        source.t = time_of(r, k, of.since);
+        const size_t near = resonant(r, w, source.t, &x, &v);
         count = near < S->poles ? 1 : GSL_MIN(of.b - k + 1, FVI_BLOCK);
         carried = r->careful ? 0 : carried % 8;
         if (r->x)
@@ -134,8 +134,8 @@ static void add_all_residues(rows *r, const fvi_window *w, fvi_exact_part event,
                 continue;
             at[i] = carried > 0
                         ? at[i] * r->turn[i][FVI_BLOCK]
-                        : fvi_inverse_residue(&S->pole[i], &event, force);
-            add_residues(r, i, at[i], event.t, k, count, of.since);
+                        : fvi_inverse_residue(&S->pole[i], &source, force);
+            add_residues(r, i, at[i], source.t, k, count, of.since);
         }
         carried += near == S->poles; /* resonant rows are the first ones */
     }
@@ -143,14 +143,14 @@ static void add_all_residues(rows *r, const fvi_window *w, fvi_exact_part event,
 
 /* ---- windows ---- */
 
-/* The integral of an event at rows. */
-static void add_integral_rows(const rows *r, fvi_window *w, fvi_exact_part event,
+/* The integral of a source at rows. */
+static void add_integral_rows(const rows *r, fvi_window *w, fvi_exact_source source,
                               range of)
 {
     if (of.a > of.b || w->count == 0)
         return;
-    event.t = time_of(r, of.a, of.since);
-    fvi_window_add(w, &event, r->h, of.b - of.a + 1, r->x ? r->x + of.a : NULL,
+    source.t = time_of(r, of.a, of.since);
+    fvi_window_add(w, &source, r->h, of.b - of.a + 1, r->x ? r->x + of.a : NULL,
                    r->v ? r->v + of.a : NULL);
 }
 
@@ -185,8 +185,8 @@ static size_t row_after(const rows *r, range of, double after)
 static void add_step(rows *r, fvi_window *w, range of, size_t late)
 {
     const fvi_linear_oscillator *p = &r->S->p;
-    const fvi_exact_part plain = { .start = 1, .sign = 1 }, start = { .start = 1 };
-    const fvi_exact_part pulse = { .sign = p->T > 0, .lasts = p->T },
+    const fvi_exact_source plain = { .start = 1, .sign = 1 }, start = { .start = 1 };
+    const fvi_exact_source pulse = { .sign = p->T > 0, .lasts = p->T },
                     both = { .start = 1, .sign = p->T > 0, .lasts = p->T };
     range rest = { late, of.b, 0 };
     of.b = late - 1;
@@ -199,7 +199,7 @@ static void add_step(rows *r, fvi_window *w, range of, size_t late)
     add_integral_rows(r, w, pulse, rest);
 }
 
-static int add_rows(rows *r, const fvi_exact_part *event, range of);
+static int add_rows(rows *r, const fvi_exact_source *source, range of);
 
 /* A window of a step that ends in it. Rows later than T + first / 2 see a pulse, and those
  * soon after T a second start downwards. The window is cut there if the force, had it
@@ -226,15 +226,15 @@ static int add_ended(rows *r, range *of)
         return status;
     add_step(r, &w, *of, late);
     fvi_window_close(&w);
-    const fvi_exact_part off = { .sign = -1 };
+    const fvi_exact_source off = { .sign = -1 };
     return add_rows(r, &off, (range){ ended, late - 1, T });
 }
 
-static int add_window(rows *r, const fvi_exact_part *event, range *of)
+static int add_window(rows *r, const fvi_exact_source *source, range *of)
 {
     const double first = time_of(r, of->a, of->since),
                  last = time_of(r, of->b, of->since);
-    if (r->S->p.forcing == FVI_FORCING_STEP && event->start == 1
+    if (r->S->p.forcing == FVI_FORCING_STEP && source->start == 1
         && last > r->S->p.T)
         return add_ended(r, of);
     fvi_window w;
@@ -242,18 +242,18 @@ static int add_window(rows *r, const fvi_exact_part *event, range *of)
         fvi_window_open(r->S, first, last, r->h, r->tolerance, 1, &w, r->error);
     if (status)
         return status;
-    add_integral_rows(r, &w, *event, *of);
-    add_all_residues(r, &w, *event, *of);
+    add_integral_rows(r, &w, *source, *of);
+    add_all_residues(r, &w, *source, *of);
     fvi_window_close(&w);
     return FVI_SUCCESS;
 }
 
-static int add_rows(rows *r, const fvi_exact_part *event, range of)
+static int add_rows(rows *r, const fvi_exact_source *source, range of)
 {
     int status = FVI_SUCCESS;
     while (of.a <= of.b && !status) {
         range window = { of.a, last_of_window(r, of), of.since };
-        status = add_window(r, event, &window);
+        status = add_window(r, source, &window);
         if (!status)
             status = fvi_interrupted();
         of.a = window.b + 1;
@@ -360,7 +360,7 @@ int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n,
         v[0] = problem->v0;
     }
     r.careful = must_be_careful(&r, n);
-    const fvi_exact_part start = { .start = 1, .sign = 1 };
+    const fvi_exact_source start = { .start = 1, .sign = 1 };
     status = is_tame(&r, n) ? add_rows(&r, &start, (range){ 1, n, 0 })
                             : one_by_one(&r, n);
     for (size_t k = 0; k <= n && !status; k++)

@@ -120,12 +120,11 @@ static int put(size_t i, double xi, double vi, double *x, double *v,
     return FVI_SUCCESS;
 }
 
-//> events
-/* The events of a time t: the start with its force, and, soon after the end of
+/* The sources at a time t: the start with its force, and, soon after the end of
  * a step, its end. Later the two are one pulse, which rounds less. */
-static size_t events_at(const fvi_linear_oscillator *p, double t, fvi_exact_part at[2])
+static size_t sources_at(const fvi_linear_oscillator *p, double t, fvi_exact_source at[2])
 {
-    at[0] = (fvi_exact_part){ .t = t, .start = 1, .sign = 1 };
+    at[0] = (fvi_exact_source){ .t = t, .start = 1, .sign = 1 };
     if (p->forcing != FVI_FORCING_STEP || t <= p->T)
         return 1;
     if (t >= 2 * p->T) {
@@ -133,18 +132,17 @@ static size_t events_at(const fvi_linear_oscillator *p, double t, fvi_exact_part
         at[0].sign = p->T > 0;
         return 1;
     }
-    at[1] = (fvi_exact_part){ .t = t - p->T, .sign = -1 }; /* exact: t < 2 T */
+    at[1] = (fvi_exact_source){ .t = t - p->T, .sign = -1 }; /* exact: t < 2 T */
     return 2;
 }
-//< events
 
 void fvi_exact_evaluate(fvi_inverse *S, double t, double *x, double *v)
 {
-    fvi_exact_part at[2];
-    const size_t events = t > 0 ? events_at(&S->p, t, at) : 0;
+    fvi_exact_source at[2];
+    const size_t sources = t > 0 ? sources_at(&S->p, t, at) : 0;
     *x = t > 0 ? 0 : S->p.x0;
     *v = t > 0 ? 0 : S->p.v0;
-    for (size_t j = 0; j < events; j++)
+    for (size_t j = 0; j < sources; j++)
         fvi_inverse_add(S, &at[j], x, v);
 }
 
@@ -181,7 +179,7 @@ int fvi_exact_oscillation(const fvi_linear_oscillator *problem, size_t n, const 
                         "there are no complex poles");
     for (size_t i = 0; i < n && !status; i++) {
         double xi = 0, vi = 0;
-        fvi_exact_part at = { .t = t[i], .start = 1, .sign = 1 };
+        fvi_exact_source at = { .t = t[i], .start = 1, .sign = 1 };
         if (fvi_exact_phase_is_lost(&S, t[i]))
             return fvi_fail(error, FVI_ELOSS, "t", t[i],
                         "the phase of the oscillation is lost");

@@ -62,18 +62,18 @@ FVI_VECTORS static void weigh_nodes(const fvi_window *w, double x0, double v0,
     }
 }
 
-void fvi_window_weigh(fvi_window *w, const fvi_exact_part *event)
+void fvi_window_weigh(fvi_window *w, const fvi_exact_source *source)
 {
     const fvi_linear_oscillator *p = &w->S->p;
     const double t = w->unit,
-                 F = p->forcing ? event->sign * p->A / p->m * t * t : 0;
+                 F = p->forcing ? source->sign * p->A / p->m * t * t : 0;
     const int cosine = p->forcing == FVI_FORCING_COSINE;
     transform(w, F, cosine, cosine ? p->w * t : 0, &w->scratch);
-    if (event->lasts > 0) { /* (11.19) */
-        fvi_window_exp(w, w->count, event->lasts / t, 1, &w->x);
+    if (source->lasts > 0) { /* (11.19) */
+        fvi_window_exp(w, w->count, source->lasts / t, 1, &w->x);
         multiply(w->count, &w->x, &w->scratch);
     }
-    weigh_nodes(w, event->start * p->x0, event->start * p->v0 * t, &w->scratch);
+    weigh_nodes(w, source->start * p->x0, source->start * p->v0 * t, &w->scratch);
 }
 
 void fvi_window_divide(fvi_window *w)

@@ -259,14 +259,14 @@ static void add_to(double *x, size_t rows, size_t n, const fvi_window *w,
         x[j] += sums[j];
 }
 
-void fvi_window_add(fvi_window *w, const fvi_exact_part *event, double h,
+void fvi_window_add(fvi_window *w, const fvi_exact_source *source, double h,
                     size_t rows, double *x, double *v)
 {
     size_t n = w->count;
-    fvi_window_weigh(w, event);
+    fvi_window_weigh(w, source);
     for (size_t k = 0; k < rows && n > 0 && !fvi_interrupted();
          k += FVI_BLOCK) {
-        const double t = (event->t + (double)k * h) / w->unit;
+        const double t = (source->t + (double)k * h) / w->unit;
         const size_t these = GSL_MIN(rows - k, FVI_BLOCK);
         while (n > 0 && w->z.re[n - 1] * t < -w->folds)
             n--;

@@ -18,7 +18,7 @@ typedef struct {
     int passed[FVI_POLES], all_passed;
     size_t count; /* nodes; 0: the integral is zero */
     fvi_parts z, weight, power, scratch;
-    fvi_parts x, v; /* what an event has on the nodes */
+    fvi_parts x, v; /* what a source has on the nodes */
     double *steps; /* e^{z j h} for j < FVI_BLOCK, real parts, then imaginary */
     double *memory;
 } fvi_window;
@@ -41,10 +41,10 @@ int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
                     fvi_error *error);
 void fvi_window_close(fvi_window *w);
 
-/* fvi_window_add -- add what an event does, without the residues, at the times
- * event->t + j h, j < rows, to x[j] and v[j]; either may be NULL. The times of a force that
- * has ended (event->lasts > 0, and event->start = 0) count from its end. */
-void fvi_window_add(fvi_window *w, const fvi_exact_part *event, double h,
+/* fvi_window_add -- add what a source does, without the residues, at the times
+ * source->t + j h, j < rows, to x[j] and v[j]; either may be NULL. The times of a force that
+ * has ended (source->lasts > 0, and source->start = 0) count from its end. */
+void fvi_window_add(fvi_window *w, const fvi_exact_source *source, double h,
                     size_t rows, double *x, double *v);
 
 /* ---- what exact_window.c and exact_weights.c have of each other ---- */
@@ -56,7 +56,7 @@ void fvi_window_exp(const fvi_window *w, size_t n, double a, int less,
 /* fvi_window_divide -- the weights of the rule become weights over t^2 Q(z/t) / m. */
 void fvi_window_divide(fvi_window *w);
 
-/* fvi_window_weigh -- x and v: what an event has on the nodes. */
-void fvi_window_weigh(fvi_window *w, const fvi_exact_part *event);
+/* fvi_window_weigh -- x and v: what a source has on the nodes. */
+void fvi_window_weigh(fvi_window *w, const fvi_exact_source *source);
 
 #endif
