@@ -21,11 +21,13 @@ static double turned(fvi_phase *phase, const void *params, const double a[2],
            + turned(phase, params, middle, b, here, at_b, depth - 1);
 }
 
-/* The same along a side of any length. */
+/* The same along a side of the box, on which u or v alone changes; NaN if its length is not finite. */
 static double along(fvi_phase *phase, const void *params, double step,
                     const double a[2], const double b[2])
 {
-    const double length = fmax(fabs(b[0] - a[0]), fabs(b[1] - a[1]));
+    const double length = fabs(b[0] - a[0]) + fabs(b[1] - a[1]);
+    if (!isfinite(length))
+        return GSL_NAN;
     const int pieces = (int)ceil(length / step);
     double sum = 0, from[2] = { a[0], a[1] }, before = phase(params, a[0], a[1]);
     for (int i = 1; i <= pieces; i++) {

@@ -10,13 +10,14 @@ typedef struct {
 /* The argument of a function, by whole turns, at s = e^(u + i v); NaN where it has none. */
 typedef double fvi_phase(const void *params, double u, double v);
 
-/* fvi_winding -- the zeros of the function in the box less its poles, by the argument
+/* fvi_winding -- how many more zeros than poles the function has in the box, by the argument
  * principle.                                                          [(26.11), (30.8)]
  *
  *   step  of ln s, from one look at the function to the next; where it turns by more than half
  *         a radian, pieces are halved. Within a step it must turn by less than a whole turn
  *
- * Returns their number; -1 if the phase does not settle, where a zero or a pole is on a side. */
+ * Returns that number; -1 if the phase does not settle, where a zero or a pole is on a side, or if
+ * the box is not finite. */
 int fvi_winding(fvi_phase *phase, const void *params, double step,
                 const fvi_log_box *b);
 

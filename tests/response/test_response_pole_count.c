@@ -3,6 +3,7 @@
 #include "response_systems.h"
 
 #include "frequency/pole_count.h"
+#include "frequency/winding.h"
 
 /* n poles are found, and as many are expected. */
 static void ck_assert_poles(const fvi_linear_motion *motion, size_t n)
@@ -178,6 +179,28 @@ START_TEST(a_free_ring_has_two_poles)
 }
 END_TEST
 
+/* ---- boxes ---- */
+
+/* The phase of s minus a zero, whose ln is in params. */
+static double phase_of_one_zero(const void *params, double u, double v)
+{
+    const double *zero = params;
+    return carg(cexp(u + I * v) - cexp(zero[0] + I * zero[1]));
+}
+
+START_TEST(eq_30_8_zeros_are_counted_in_finite_boxes)
+{
+    static const double zero[2] = { 0.25, 2 };
+    const fvi_log_box around = { { -1, 1 }, { 1.5, 3 } }, beside = { { 0.5, 1 }, { 1.5, 3 } },
+                      endless = { { -1, INFINITY }, { 1.5, 3 } },
+                      none = { { NAN, NAN }, { 1.5, 3 } };
+    ck_assert_int_eq(fvi_winding(phase_of_one_zero, zero, 0.1, &around), 1);
+    ck_assert_int_eq(fvi_winding(phase_of_one_zero, zero, 0.1, &beside), 0);
+    ck_assert_int_eq(fvi_winding(phase_of_one_zero, zero, 0.1, &endless), -1);
+    ck_assert_int_eq(fvi_winding(phase_of_one_zero, zero, 0.1, &none), -1);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("response_pole_count");
@@ -185,5 +208,6 @@ int main(void)
              eq_30_7_laws_on_both_sides_are_counted);
     ADD_CASE(suite, "fewer", eq_30_8_overdamped_modes_are_not_counted,
              a_free_body_swings_on_its_springpot, a_free_ring_has_two_poles);
+    ADD_CASE(suite, "boxes", eq_30_8_zeros_are_counted_in_finite_boxes);
     return run_suite(suite);
 }
