@@ -1,6 +1,7 @@
 /* src/frequency/undamped_modes.c -- K v = lambda M v, the lowest.        [H 30] */
 #include "undamped_modes.h"
 
+#include "matrices/cholesky.h"
 #include "matrices/factors.h"
 #include "matrices/sparse.h"
 #include "system/fail.h"
@@ -12,21 +13,6 @@
 #include <string.h>
 
 /* ---- full matrices ---- */
-
-/* M = L L^T in its lower triangle. */
-static int factorise(size_t n, double *M)
-{
-    for (size_t j = 0; j < n; j++)
-        for (size_t i = j; i < n; i++) {
-            double left = M[i * n + j];
-            for (size_t l = 0; l < j; l++)
-                left -= M[i * n + l] * M[j * n + l];
-            if (i == j && !(left > 0))
-                return FVI_ESING;
-            M[i * n + j] = i == j ? sqrt(left) : left / M[j * n + j];
-        }
-    return FVI_SUCCESS;
-}
 
 /* Each row of X becomes L^-1 of it, or with `transposed` L^-T of it. */
 static void divide_rows(size_t n, const double *L, int transposed, double *X)
@@ -56,7 +42,7 @@ static void transpose(size_t n, double *A)
 static int full_modes(size_t n, double *K, double *M, double *lambda, double *V,
                       double *room)
 {
-    int status = factorise(n, M);
+    int status = fvi_cholesky(n, M);
     if (status)
         return status;
     divide_rows(n, M, 0, K);

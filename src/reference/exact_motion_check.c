@@ -1,5 +1,6 @@
 /* src/reference/exact_motion_check.c -- Has a system an exact motion here?   [H 11] */
 #include "exact_motion_check.h"
+#include "matrices/cholesky.h"
 
 #include <fvi/dampers.h>
 #include <fvi/structures.h>
@@ -97,27 +98,8 @@ static int check_numbers(const fvi_exact_problem *p, fvi_error *error)
 
 /* ---- K ---- */
 
-/* Cholesky's elimination of a full matrix, its lower triangle: are all pivots positive? */
-static int is_positive(size_t d, double *A)
-{
-    for (size_t j = 0; j < d; j++) {
-        double pivot = A[j * d + j];
-        for (size_t l = 0; l < j; l++)
-            pivot -= A[j * d + l] * A[j * d + l];
-        if (!(pivot > 0))
-            return 0;
-        A[j * d + j] = sqrt(pivot);
-        for (size_t i = j + 1; i < d; i++) {
-            double left = A[i * d + j];
-            for (size_t l = 0; l < j; l++)
-                left -= A[i * d + l] * A[j * d + l];
-            A[i * d + j] = left / A[j * d + j];
-        }
-    }
-    return 1;
-}
-
-/* The Hessian with a thousand-millionth of its largest frequency squared, times M, added. */
+/* A body that moves freely has a pivot of 0 but for rounding. So 1e-9 of the trace of M^-1 K, which no
+ * frequency squared exceeds, is added times M before the pivots are looked at. */
 static int check_hessian(const fvi_system *system, fvi_error *error)
 {
     const size_t d = system->d;
@@ -129,7 +111,7 @@ static int check_hessian(const fvi_system *system, fvi_error *error)
         most += fabs(K[i * d + i]) / system->mass[i];
     for (size_t i = 0; i < d; i++)
         K[i * d + i] += 1e-9 * (most > 0 ? most : 1) * system->mass[i];
-    if (!status && !is_positive(d, K))
+    if (!status && fvi_cholesky(d, K))
         status = fvi_fail(error, FVI_EDOM, "potential", NAN,
                           "the potential has no minimum: its Hessian is negative somewhere");
     free(K);
