@@ -157,14 +157,12 @@ static void load(const fvi_response *r, fvi_response_kind kind, size_t by,
                  double complex *f)
 {
     const fvi_sparse *M = r->term[0].matrix;
-    for (size_t j = 0; j < r->d; j++) {
-        f[j] = j == by;
-        if (kind == FVI_RESPONSE_GROUND)
-            f[j] = 0;
-        for (int e = M->start[j];
-             kind == FVI_RESPONSE_GROUND && e < M->start[j + 1]; e++)
+    const int is_ground = kind == FVI_RESPONSE_GROUND;
+    for (size_t j = 0; j < r->d; j++)
+        f[j] = !is_ground && j == by;
+    for (size_t j = 0; is_ground && j < r->d; j++)
+        for (int e = M->start[j]; e < M->start[j + 1]; e++)
             f[j] += M->entry[e] * r->along[M->row[e]];
-    }
 }
 
 //> kinds

@@ -6,6 +6,7 @@
 #include "memory/laplace_parabola.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,8 +28,8 @@ struct fvi_exact_motion {
     fvi_poles poles;
     fvi_forcing forcing;
     double A, T, w;
-    double *x0, *p0, *v0, *pull; /* each; pull is K x_0 */
-    double complex *room;        /* each */
+    double *x0, *p0, *v0, *pull; /* d each; pull is K x_0 */
+    double complex *room;        /* d */
     source source[SOURCES];
     fvi_parabola rule;
 };
@@ -55,7 +56,7 @@ static int solve(fvi_exact_motion *o, double complex s, double complex *b,
 
 /* ---- the poles of Y ---- */
 
-/* v v^T b(s_k), as v v^T is the residue of Z^-1. */
+/* Pole k, with the residue v v^T b(s_k): v v^T is that of Z^-1. */
 static void set_residue(fvi_exact_motion *o, source_kind which, size_t k)
 {
     source *y = o->source + which;
@@ -69,7 +70,7 @@ static void set_residue(fvi_exact_motion *o, source_kind which, size_t k)
         y->residue[k * o->d + i] = product * v[i];
 }
 
-/* That of the cosine: half of Z(i w)^-1 A. */
+/* The pole i w of the cosine, with the residue Z(i w)^-1 A / 2. */
 static int add_answer(fvi_exact_motion *o, source *y, fvi_error *error)
 {
     double complex *residue = y->residue + y->count * o->d;
@@ -129,7 +130,7 @@ static int move_to(fvi_exact_motion *o, source_kind which, double t, fvi_error *
     return status;
 }
 
-/* x += factor Re sum a e^{st}, and v with s a; one node or pole. */
+/* One node or pole s: x += Re(factor a), and v += Re(factor s a). */
 static void add(size_t d, const double complex *a, double complex s, double complex factor,
                 double *x, double *v)
 {
@@ -229,7 +230,7 @@ static int find_poles(fvi_exact_motion *o, fvi_error *error)
     const int status = fvi_poles_find(o->response, 0, &o->poles, error);
     if (status)
         return status;
-    if (o->poles.expected == (size_t)-1)
+    if (o->poles.expected == SIZE_MAX)
         return fvi_fail(error, FVI_EUNSUP, NULL, NAN,
                         "it is not known how many poles this system has");
     if (o->poles.count != o->poles.expected)

@@ -11,7 +11,7 @@
 Inputs are the doubles they are."""
 import mpmath
 from mpmath import mp, mpc, mpf, matrix
-from sympy import I, Matrix, Rational, Symbol, cos, diff, eye, im, re, simplify, sin, symbols, zeros
+from sympy import I, Matrix, cos, diff, eye, im, re, simplify, sin, symbols
 
 from shared.refgen import claim, header, nearest, prove, table
 
@@ -139,10 +139,6 @@ SYSTEMS = {
     # two masses with orders above 1
     "inertial": (diagonal([1, 1]), shear([2, 3]), [([(POWER, "0.5", "0.8125", 0, 0)], row(1, 0)), ([(POWER, "0.25", "0.625", 0, 0)], row(-1, 1))]),
 }
-STARTS = {
-    "storeys": [(-.06, 2.89), (-.25, 8.49), (-.79, 13.55), (-.44, 16.99), (-1.05, 19.84)],
-    "three": None, "inertial": None,
-}
 
 
 def undamped(system):
@@ -201,7 +197,6 @@ def cut(system, s, i, j):
 
 
 header("verify/response/response.py")
-print("\n/* kinds, systems and orders of magnitude: see the script */")
 responses, roots, residues = [], [], []
 for number, (name, system) in enumerate(SYSTEMS.items()):
     n = system[0].rows
