@@ -58,7 +58,8 @@ typedef struct fvi_response fvi_response;
  * more are zero, else with dense ones.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EDOM or FVI_EINVAL, with the field,
  * for what the system, alpha, a law or a damper must not be; FVI_EUNSUP for matrices that do not
- * say their entries, and for a Lagrangian, forces of velocity and constraints; FVI_EBADFUNC if a Hessian or an elongation is not finite; what these
+ * say their entries, for a Lagrangian, forces of velocity and constraints, and for an elongation whose
+ * gradient changes with t; FVI_EBADFUNC if a Hessian or an elongation is not finite; what these
  * functions returned; FVI_ENOMEM. On error *response is untouched. */
 int fvi_response_alloc(const fvi_linear_motion *motion, fvi_response **response,
                        fvi_error *error);
@@ -140,12 +141,12 @@ typedef struct {
  * Each is looked for from an undamped mode, by Newton's method; if two arrive at one pole, they
  * follow the poles as the damping grows from 0. Of up to 64 unknowns all poles are found and the
  * lowest are kept; of more, those that the lowest count + 4 modes become, if fewer are asked for.
- * If K is positive definite there are d, where the symbols of all dampings lie above the real line on
- * the upper side of the cut, or on it and are not negative: orders below 1, beside which dashpots and
- * Maxwell elements may stand in one law. And so where all lie below: powers and ranges of orders between
- * 1 and 2 (30.7). Else up to 24 unknowns are counted by the argument principle, those with arg s < 3.14,
- * and one oscillator by (26.11). If fewer are found than there are, that is no error: compare count with
- * expected.
+ * By (30.7) there are d poles if K is positive definite and all orders are below 1. A dashpot or a
+ * Maxwell element may stand in one law with a power of such an order. There are d as well if all orders of powers
+ * and ranges lie between 1 and 2. Both suppose matrices of dampers that are positive semidefinite; of
+ * dampers.h's this is not checked. Else up to 24 unknowns are counted by the argument principle, which
+ * sees poles with arg s < 3.14, and one oscillator by (26.11). If fewer are found than there are, that
+ * is no error: compare count with expected.
  *
  * Accuracy: seen 1e-15 of |s| for well conditioned Z. Cost: two to four factorisations a pole, and
  * the undamped modes: O(d^3) up to 256 unknowns or for all modes, else by subspace iteration with
