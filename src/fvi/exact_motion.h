@@ -56,7 +56,7 @@ int fvi_exact_motion_alloc(const fvi_exact_problem *problem, fvi_exact_motion **
  *   x, v  outputs: n d numbers, those of a time after one another; one of them may be NULL
  *
  * Accuracy: 1e-12 of max |x| over [0, t], and of max |v|, while w t < 1e4 for every frequency
- * w (no proof; seen 2e-14); beyond that the poles' roundings, u w t, are added. A cosine in or near
+ * w (no proof; seen 1e-13); beyond that the poles' roundings, u w t, are added. A cosine in or near
  * resonance costs digits, because two large residues cancel: with delta = |s_k - i w| for the nearest
  * pole s_k the error is up to u (w/delta)^2 of max |x| (seen 0.1 of that). That is 1e-10 for a damping
  * ratio of 1/1000. At delta = 1e-8 w no digit is left. One oscillator loses none in fvi_exact_at.

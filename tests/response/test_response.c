@@ -158,7 +158,7 @@ START_TEST(sparse_and_dense_factors_agree)
 END_TEST
 
 /* After many periods the exact solution of H 11 swings as the response says: |x - Re(H e^(i w t))| falls
- * like t^(-2 - 2 alpha), 1e-11 at 1000 periods. Seen: 5e-11 of |H|, as a prototype saw. */
+ * like t^(-2 - 2 alpha), 1e-11 at 1000 periods. Seen: 5e-11 of |H|. */
 START_TEST(a_response_is_what_is_left_of_a_motion)
 {
     static const double cases[3][5] = { { 1, 1, 0.2, 0.3, 0.7 }, { 1, 1, 0.2, 0.3, 2 },
@@ -331,7 +331,7 @@ START_TEST(bad_questions_are_refused)
     REFUSED(FVI_EFAULT, "", fvi_response_multiply(r, NULL, 0, x, H, &error));
     fvi_response_free(r);
     fvi_response_free(NULL);
-    s.system.mechanism = NULL; /* x'' + 5 x = 0, x'' ... : resonance */
+    s.system.mechanism = NULL; /* x'' + 4 x = 0: resonance at 2 */
     s.K[1] = s.K[2] = 0;
     s.K[0] = 4;
     r = response_of(&motion);

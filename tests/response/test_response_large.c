@@ -89,8 +89,8 @@ START_TEST(the_lowest_poles_of_long_chains)
 END_TEST
 
 /* A clamped beam of 8 and of 64 elements with C = K / 50: each mode is one oscillator with the damping
- * of its own stiffness. lambda is rounded by some u of the largest, 1e5 or 1e9. The first pole is known from
- * a prototype, too. Seen: 0.4 of the bound. */
+ * of its own stiffness. lambda is rounded by some u of the largest, 1e5 or 1e9. Another program gave
+ * the first pole as well. Seen: 0.4 of the bound. */
 START_TEST(poles_of_a_beam_are_those_of_its_modes)
 {
     static const int elements[] = { 8, 64 };
