@@ -73,8 +73,8 @@ static int make_places(fvi_response *r)
     return FVI_SUCCESS;
 }
 
-/* The union of all patterns; what is small, or has less than three quarters of zeros, is solved as
- * dense. */
+/* The union of all patterns. A small matrix, or one with less than three quarters of zeros, has dense
+ * factors. */
 int fvi_stiffness_find_pattern(fvi_response *r)
 {
     const size_t d = r->d;

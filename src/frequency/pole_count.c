@@ -8,16 +8,14 @@
 
 /* ---- the theorem ---- */
 
-/* Where a symbol is at s = -r + i0: for all r > 0 above or below the real line, or on it and not
- * negative; for each r one of the first and the last; real and negative for some r; or none of
- * these is known. */
+/* Where the symbol of a term lies at s = -r + i0, for all r > 0. */
 typedef enum {
-    ON_THE_LINE = 0,
-    ABOVE = 1,
+    ON_THE_LINE = 0, /* real and not negative */
+    ABOVE = 1,       /* above the real line */
     BELOW = 2,
-    ABOVE_OR_ON = 4,
-    NEGATIVE = 8,
-    ANYWHERE = 16
+    ABOVE_OR_ON = 4, /* for some r above, for the others real and not negative */
+    NEGATIVE = 8,    /* real, and negative for some r */
+    ANYWHERE = 16    /* not known */
 } side;
 
 //> sides
@@ -55,7 +53,7 @@ static side side_of_term(const fvi_kernel_term *t)
     return ANYWHERE;
 }
 
-/* What is negative must have something above beside it, in the same law. */
+/* A negative term needs a term above the line beside it, in the same law. */
 int fvi_poles_by_theorem(const fvi_response *r, double least_lambda)
 {
     int all = 0, fits = least_lambda > 0;

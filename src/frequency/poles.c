@@ -13,7 +13,7 @@
 
 enum {
     ALL_ARE_SOUGHT = 64, /* unknowns whose lowest poles are chosen from all */
-    MORE = 4,            /* modes of others, beside those that are asked for */
+    MORE = 4,            /* modes beyond those that are asked for */
     MOST_OF_ONE = 8,     /* poles of one oscillator */
     FOLDS = 12           /* of e: poles are counted so far below and above those that were found */
 };
@@ -61,7 +61,8 @@ static void begin(search *s, size_t k)
     p->residual = 1;
 }
 
-/* Where poles may become real, those that are so nearly are not counted as oscillations. */
+/* Where the theorem does not apply, poles may be real. So a pole with arg s >= 3.14 is no oscillation
+ * there. */
 static int is_found(const search *s, size_t k)
 {
     return fvi_pole_is_found(&s->candidate[k], s->all_are_there ? 4 : 3.14);
@@ -109,8 +110,9 @@ static void mark_wrong(const search *s, unsigned char *wrong)
 static const double tight[] = { 1, 0.3, 0.1, 0.03, 0.01 };
 enum { LEVELS = sizeof tight / sizeof *tight, LEVELS_OF_SOME = 2 };
 
-/* Of those that are wrong the ones that were sought with the least care: along the damping, or in
- * shorter steps. What is found may show that another one was wrong. Returns 1 if there was one. */
+/* Seeks the wrong candidates of the lowest level again: along the damping, and at each further level in
+ * shorter steps. A pole that is found may show that another candidate was wrong. Returns 1 if there was
+ * a candidate to seek. */
 static int seek_again(search *s, const unsigned char *wrong,
                       unsigned char *level, int *status)
 {
@@ -313,7 +315,7 @@ static int hand_over(search *s, size_t count, size_t expect, fvi_poles *poles)
     return FVI_SUCCESS;
 }
 
-/* What is a zero but for rounding becomes one: a free motion has no undamped frequency. */
+/* A lambda that is 0 but for rounding becomes 0, because a free motion has no undamped frequency. */
 static void round_modes(const fvi_response *r, size_t n, double *lambda)
 {
     const double scale = r->term[1].norm / r->term[0].norm;
