@@ -13,7 +13,8 @@ int fvi_poles_by_theorem(const fvi_response *response, double least_lambda);
  *   low, high  ln |s| between which they are
  *
  * Returns their number, or SIZE_MAX if it is not known: of more unknowns than FVI_ALWAYS_DENSE,
- * with a symbol that has poles of its own, or where a zero is on the boundary. */
+ * with a symbol that has poles of its own, or where a zero is on the boundary. Two overdamped modes
+ * that are nearly alike may be counted by mistake. */
 size_t fvi_poles_counted(fvi_response *response, double low, double high);
 
 #endif

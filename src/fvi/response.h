@@ -145,8 +145,9 @@ typedef struct {
  * Maxwell element may stand in one law with a power of such an order. There are d as well if all orders of powers
  * and ranges lie between 1 and 2. Both suppose matrices of dampers that are positive semidefinite; of
  * dampers.h's this is not checked. Else up to 24 unknowns are counted by the argument principle, which
- * sees poles with arg s < 3.14, and one oscillator by (26.11). If fewer are found than there are, that
- * is no error: compare count with expected.
+ * sees poles with arg s < 3.14, and one oscillator by (26.11). The principle may count two overdamped
+ * modes by mistake if they are nearly alike. If fewer poles are found than there are, that is no error:
+ * compare count with expected.
  *
  * Accuracy: seen 1e-15 of |s| for well conditioned Z. Cost: two to four factorisations a pole, and
  * the undamped modes: O(d^3) up to 256 unknowns or for all modes, else by subspace iteration with
