@@ -64,13 +64,16 @@ static int check_numbers(const fvi_material_data *d, fvi_error *error)
         const int both = d->test == FVI_MATERIAL_MODULI;
         if (!(d->at[i] > 0) || !isfinite(d->at[i]))
             return fvi_fail(error, FVI_EDOM, "at", d->at[i], "must be finite and above 0");
-        if (!isfinite(d->first[i]) || (both && !isfinite(d->second[i])))
+        if (!isfinite(d->first[i]))
             return fvi_fail(error, FVI_EDOM, "data", d->first[i], "must be finite");
+        if (both && !isfinite(d->second[i]))
+            return fvi_fail(error, FVI_EDOM, "data", d->second[i], "must be finite");
         if (!d->unit && d->first[i] == 0 && (!both || d->second[i] == 0))
             return fvi_fail(error, FVI_EDOM, "data", 0, "a datum of 0 has no relative error");
         for (size_t k = 0; k < 2; k++)
             if (units[k] && !(units[k][i] > 0 && isfinite(units[k][i])))
-                return fvi_fail(error, FVI_EDOM, "unit", units[k][i], "must be above 0");
+                return fvi_fail(error, FVI_EDOM, "unit", units[k][i],
+                                "must be finite and above 0");
     }
     return FVI_SUCCESS;
 }
@@ -86,9 +89,10 @@ static int check(const fvi_material_data *d, const fvi_material *answer, fvi_err
     if (d->starts < 2 || d->starts > MOST_STARTS)
         return fvi_fail(error, FVI_EINVAL, "starts", (double)d->starts, "2 to %d starts",
                         MOST_STARTS);
-    if (!(d->sigma >= 0) || !isfinite(d->sigma) || d->load == 0 || !isfinite(d->load))
-        return fvi_fail(error, FVI_EDOM, "sigma", d->sigma,
-                        "sigma is not negative, the load not 0");
+    if (!(d->sigma >= 0) || !isfinite(d->sigma))
+        return fvi_fail(error, FVI_EDOM, "sigma", d->sigma, "must be finite and not negative");
+    if (d->load == 0 || !isfinite(d->load))
+        return fvi_fail(error, FVI_EDOM, "load", d->load, "must be finite and not 0");
     size_t numbers = d->elements;
     for (size_t n = 0; n < d->elements; n++) {
         const char *kinds;

@@ -328,10 +328,11 @@ int fvi_estimate_flag_text(const fvi_estimation *fit, const fvi_estimate *fitted
  *                  is that relative error, estimated. The rest but quantile, chi2 and
  *                  probability is 0
  *
- * Where k, too, shall not be negative, and for other laws: fvi_material_fit (rheology.h). For each alpha rho and k are had from two linear
- * equations, so that alpha alone is
- * searched: a scan of (0, 1), then Brent's method, to about 1e-8. The sign of rho is not
- * asked for. Cost: some 150 n powers. Returns FVI_SUCCESS; FVI_EFAULT if a pointer is
+ * For each alpha the best rho and k solve two linear equations, so alpha alone is searched: a
+ * scan of (0, 1), then Brent's method, to about 1e-8. rho and k may have either sign.
+ * fvi_material_fit (rheology.h) fits any law, with intervals of profiles, but only orders
+ * 2 alpha <= 1 and amplitudes that are not negative.
+ * Cost: some 150 n powers. Returns FVI_SUCCESS; FVI_EFAULT if a pointer is
  * NULL; FVI_EINVAL if n < 2; FVI_EDOM if a number is out of range; FVI_ESING, of which no
  * handler is called, if the data do not determine the three; FVI_EOVRFLW if a number of the
  * answer is not finite; FVI_ENOMEM. */

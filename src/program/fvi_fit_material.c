@@ -125,7 +125,7 @@ static int interpret(request *r, fvi_error *c)
 /* ---- data ---- */
 
 /* The rows of one file behind those of the files before. */
-static int read_file(request *r, const char *file, size_t *room, fvi_error *c)
+static int read_file(request *r, const char *file, fvi_error *c)
 {
     const char *names[DATA_COLUMNS];
     size_t which[FVI_COLUMNS_MOST] = { 0 }, n;
@@ -133,8 +133,7 @@ static int read_file(request *r, const char *file, size_t *room, fvi_error *c)
     const int own_weights = r->columns > (r->data.test == FVI_MATERIAL_MODULI ? 3 : 2);
     for (size_t k = 0; k < r->columns; k++)
         names[k] = r->names[k];
-    fvi_mark_read("DATA", file);
-    int status = fvi_parse_table_columns("DATA", file, r->columns, names, own_weights, &n,
+    const int status = fvi_parse_table_columns("DATA", file, r->columns, names, own_weights, &n,
                                          &columns, which, c);
     if (status)
         return status;
@@ -144,7 +143,6 @@ static int read_file(request *r, const char *file, size_t *room, fvi_error *c)
         return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
     }
     r->block = more;
-    *room = r->data.n + n;
     const double unit = r->data.test == FVI_MATERIAL_MODULI && which[0] >= 2 ? 2 * M_PI : 1;
     for (size_t i = 0; i < n; i++) /* row by row as yet */
         for (size_t k = 0; k < DATA_COLUMNS; k++)
@@ -181,12 +179,13 @@ static int arrange(request *r, fvi_error *c)
 
 static int read_data(request *r, fvi_error *c)
 {
-    size_t room = 0;
+    for (size_t i = 0; i < r->words.operands; i++)
+        fvi_mark_read("DATA", r->words.all[i]);
     int status = fvi_check_output("-o", r->o.output, c);
     if (!status)
         status = fvi_check_output("--curve", r->words.own[CURVE], c);
     for (size_t i = 0; !status && i < r->words.operands; i++)
-        status = read_file(r, r->words.all[i], &room, c);
+        status = read_file(r, r->words.all[i], c);
     return status ? status : arrange(r, c);
 }
 

@@ -57,8 +57,9 @@ START_TEST(eq_24_13_probabilities_of_noise_are_uniform)
 }
 END_TEST
 
-/* The first silent failure: 24 places, much noise, a bent valley. Of the intervals of answers
- * without a flag 95 % hold the truth; of 30 fewer than 80 % do so with a probability below 2e-3. None leaves the possible. */
+/* The first silent failure: 25 places, much noise, a bent valley. Of the intervals of answers
+ * without a flag 95 % hold the truth; of 30 fewer than 80 % do so with a probability below 2e-3.
+ * No interval leaves the possible. */
 START_TEST(eq_24_11_silent_intervals_in_a_bent_valley_hold_the_truth)
 {
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);

@@ -99,6 +99,9 @@ START_TEST(fit_reads_moduli_of_many_kinds)
         { "fit --moduli --starts 1 dma.tsv", "--starts" },
         { "fit --moduli --alpha 0.3 dma.tsv", "--alpha" },
         { "fit --relaxation --law viscous+zener dma.tsv", "relaxes at once" },
+        { "fit --moduli -o dma.tsv dma.tsv", "-o: 'dma.tsv' is the file of the data, too" },
+        { "fit --moduli --curve a.tsv dma.tsv a.tsv",
+          "--curve: 'a.tsv' is the file of the data, too" },
     };
     for (size_t i = 0; i < LEN(wrong); i++) {
         ck_assert_msg(fvi(wrong[i][0]) == 2, "%s: %s", wrong[i][0], err);

@@ -2,7 +2,6 @@
  * does a fit say so where they cannot? */
 #include "stress.h"
 #include "system/larger.h"
-#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
