@@ -133,7 +133,7 @@ static int is_elsewhere(const search *o, const double *u, const double *theta,
 }
 
 /* The best places where starts ended elsewhere; each is taken once, its sum being infinite then. */
-static void remember_others(search *o, fvi_estimate *fitted)
+static void record_other_minima(search *o, fvi_estimate *fitted)
 {
     const size_t starts = o->model.fit->starts;
     fitted->others = 0;
@@ -277,7 +277,7 @@ static int whole(search *o, const double *low, const double *high,
     if (curve)
         memcpy(curve, o->model.motion, fit->n * sizeof *curve);
     if (!status)
-        remember_others(o, fitted);
+        record_other_minima(o, fitted);
     return status ? status : status_of(o, fitted);
 }
 

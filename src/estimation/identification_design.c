@@ -55,7 +55,7 @@ static int plan(const fvi_estimation *fit, double h, fvi_estimate *planned, fvi_
     if (!status) {
         fvi_estimation_model_step(&o.model, h);
         planned->h = o.model.run.h;
-        status = fvi_estimation_foresee(&o, u, planned, e);
+        status = fvi_estimation_predict_errors(&o, u, planned, e);
     }
     fvi_estimation_work_free(&o);
     return status;

@@ -11,18 +11,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How improbable what is left over may be before it is said, in the order of the bits: one of
- * forty right models is flagged. */
+/* A flag goes up where noise alone makes such residuals with a smaller probability, in the order
+ * of the bits. One of forty right models is flagged. */
 static const double least_probability[] = { 0.004, 0.006, 0.004, 0.004, 0.01 };
 
 #define GRAVE 1e-4 /* residuals that noise alone makes more seldom are not believed */
-#define EXACT 1e-6 /* of the data: noise below that is none, and what is left are errors of the
-                      method */
+#define EXACT 1e-6 /* of the data: residuals below that are errors of the method, not noise */
 #define NEAR 6     /* of chi^2, beyond what the interval allows: a minimum that is nearly as good */
 #define MOVED 0.02 /* sd: so much may half a step move an estimate */
 #define LOWER 1e-6 /* of chi^2: a least that is lower by this is another one */
 
-/* ---- what is left over ---- */
+/* ---- residuals ---- */
 
 /* (24.4): by how many sd `size` sigma of a column moves each parameter. */
 static void fill_sway(const fvi_estimation_model *m, const fvi_estimate *fitted,
@@ -66,9 +65,9 @@ typedef struct {
     double *block;
     gsl_vector_view f, v;
     gsl_matrix_view J, room;
-} workshop;
+} workspace;
 
-static int workshop_alloc(const fvi_estimation *fit, workshop *w)
+static int workspace_alloc(const fvi_estimation *fit, workspace *w)
 {
     const size_t n = fit->n, P = fit->parameters,
                  columns = fvi_estimation_test_columns(fit);
@@ -83,7 +82,7 @@ static int workshop_alloc(const fvi_estimation *fit, workshop *w)
 }
 
 /* Residuals and Jacobian at u. */
-static int evaluate(fvi_estimation_work *o, const double *u, workshop *w)
+static int evaluate(fvi_estimation_work *o, const double *u, workspace *w)
 {
     gsl_vector_const_view at = gsl_vector_const_view_array(u, o->fdf.p);
     fvi_estimation_residuals(&at.vector, o, &w->f.vector);
@@ -91,7 +90,7 @@ static int evaluate(fvi_estimation_work *o, const double *u, workshop *w)
     return o->model.ended;
 }
 
-/* Is what is left over only the error of the method? */
+/* Are the residuals only the error of the method? */
 static int is_exact(const fvi_estimation_work *o, const fvi_estimate *fitted)
 {
     return !(o->model.fit->sigma > 0) && !(fitted->sigma > EXACT * o->model.scale);
@@ -101,8 +100,8 @@ static int is_exact(const fvi_estimation_work *o, const fvi_estimate *fitted)
 static int test_residuals(fvi_estimation_work *o, const fvi_estimate *fitted,
                           const double *u, fvi_examination *e)
 {
-    workshop w;
-    int status = workshop_alloc(o->model.fit, &w);
+    workspace w;
+    int status = workspace_alloc(o->model.fit, &w);
     if (status)
         return status;
     status = evaluate(o, u, &w);
@@ -131,12 +130,12 @@ static void tangent_intervals(const fvi_estimation_model *m, const fvi_estimate 
     }
 }
 
-int fvi_estimation_foresee(fvi_estimation_work *o, const double *u, fvi_estimate *planned,
+int fvi_estimation_predict_errors(fvi_estimation_work *o, const double *u, fvi_estimate *planned,
                            fvi_examination *e)
 {
-    workshop w;
+    workspace w;
     const size_t P = o->fdf.p;
-    int status = workshop_alloc(o->model.fit, &w);
+    int status = workspace_alloc(o->model.fit, &w);
     if (status)
         return status;
     double *kept = malloc(w.J.matrix.size1 * P * sizeof *kept);

@@ -33,10 +33,14 @@ void fvi_estimation_sensor_column(const fvi_estimation *fit, size_t which, gsl_v
 double fvi_estimation_length_unseen(const fvi_estimation *fit, size_t which, const gsl_matrix *J,
                                     gsl_matrix *room, gsl_vector *v);
 
-/* fvi_estimation_foresee -- (24.3) at u where the work's model stands: sd and correlations of
- * planned, whose estimates and sigma are there, the intervals of the tangent, and what would not be
- * seen. FVI_ESING where the parameters are not determined; FVI_ENOMEM; what the model returns. */
-int fvi_estimation_foresee(fvi_estimation_work *o, const double *u, fvi_estimate *planned,
+/* fvi_estimation_predict_errors -- (24.3) at u where the work's model stands.
+ *
+ *   planned    its estimates and sigma are there; output: sd and correlations
+ *   e          output: the intervals of the tangent, and what would not be seen
+ *
+ * Returns FVI_SUCCESS; FVI_ESING where the parameters are not determined; FVI_ENOMEM; what the
+ * model returns. */
+int fvi_estimation_predict_errors(fvi_estimation_work *o, const double *u, fvi_estimate *planned,
                            fvi_examination *e);
 
 #endif

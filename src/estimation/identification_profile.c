@@ -25,7 +25,7 @@ typedef struct {
     size_t others;
     fvi_estimation_work work;
     trail on;
-    double lean[FVI_ESTIMATION_MOST]; /* of the others by the fixed one, along the tangent (24.3) */
+    double tangent[FVI_ESTIMATION_MOST]; /* d of the others / d of the fixed one, by (24.3) */
     double unit, least; /* of the sum of squares in sigma^2; chi^2 of the fit */
     int is_least;       /* no chi^2 was lower than that */
 } profile;
@@ -98,7 +98,7 @@ static int tangent_edge(profile *o, double u, double length, double reach, doubl
     const trail here = o->on;
     double beyond = u + length;
     for (size_t i = 0; i < o->others; i++)
-        o->on.before.u[i] = o->on.at.u[i] - length * o->lean[i];
+        o->on.before.u[i] = o->on.at.u[i] - length * o->tangent[i];
     o->on.u_before = u - length;
     double now = excess(o, beyond);
     const int is_near = fabs(now - reach) < NEARLY * reach;
@@ -146,14 +146,14 @@ static double edge(profile *o, double u, double step, double reach)
 }
 
 /* (24.3): where parameter i is best if the fixed one, number j of the fit, moves by 1, in u. */
-static void fill_lean(profile *o, const fvi_estimate *fitted, size_t j)
+static void fill_tangent(profile *o, const fvi_estimate *fitted, size_t j)
 {
     const fvi_estimation_model *m = &o->work.model;
     const double sd = fitted->sd[j]
                       / fvi_estimation_model_slope(m, o->others, fitted->estimate[j]);
     for (size_t k = 0; k < o->others; k++) {
         const size_t i = k + (k >= j);
-        o->lean[k] = fitted->correlation[i][j] * fitted->sd[i]
+        o->tangent[k] = fitted->correlation[i][j] * fitted->sd[i]
                      / fvi_estimation_model_slope(m, k, fitted->estimate[i]) / sd;
     }
 }
@@ -183,7 +183,7 @@ static int begin(profile *o, const fvi_estimation *fit, const fvi_estimate *fitt
     }
     if (status)
         return status;
-    fill_lean(o, fitted, j);
+    fill_tangent(o, fitted, j);
     fvi_estimation_model_step(m, fitted->h);
     o->work.fine = 1e-5; /* chi^2 is flat at its least */
     o->unit = gsl_pow_2(m->scale / fitted->sigma);

@@ -254,7 +254,7 @@ static void raise_flags(const fvi_rheology *m, const double *z, fvi_material *a)
 }
 
 /* An amplitude of 0: nothing is known of the element's other numbers. */
-static void unneeded(const number *v, fvi_material *a, size_t j)
+static void set_unneeded(const number *v, fvi_material *a, size_t j)
 {
     a->estimate[j] = is_order(v) ? a->estimate[j] : v->i == 0 ? 0 : a->estimate[j];
     a->sd[j] = INFINITY;
@@ -289,7 +289,7 @@ void fvi_rheology_answer(fvi_rheology_work *o, const double *z, double sum, fvi_
             const size_t j = a->numbers++;
             a->estimate[j] = bound(&v, number_of(&v, z, g));
             if (!is_used[n] || a->flags & FVI_MATERIAL_SINGULAR) {
-                unneeded(&v, a, j);
+                set_unneeded(&v, a, j);
                 continue;
             }
             const double sd = a->sigma * deviation(P, A, length, g);
