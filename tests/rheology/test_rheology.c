@@ -252,6 +252,10 @@ START_TEST(a_question_that_cannot_be_asked_is_refused)
     q.data.starts = 1;
     ck_assert_int_eq(fvi_material_fit(&q.data, NULL, &m, &error), FVI_EINVAL);
     q.data.starts = 20;
+    q.data.load = 0;
+    ck_assert_int_eq(fvi_material_fit(&q.data, NULL, &m, &error), FVI_EDOM);
+    ck_assert_str_eq(error.field, "load");
+    q.data.load = 2;
     q.at[3] = 0;
     ck_assert_int_eq(fvi_material_fit(&q.data, NULL, &m, &error), FVI_EDOM);
     ck_assert_str_eq(error.field, "at");
@@ -260,6 +264,10 @@ START_TEST(a_question_that_cannot_be_asked_is_refused)
     ck_assert_int_eq(fvi_material_fit(&q.data, NULL, &m, &error), FVI_EDOM);
     q.first[0] = NAN;
     ck_assert_int_eq(fvi_material_fit(&q.data, NULL, &m, &error), FVI_EDOM);
+    q.first[0] = 1;
+    q.second[0] = INFINITY;
+    ck_assert_int_eq(fvi_material_fit(&q.data, NULL, &m, &error), FVI_EDOM);
+    ck_assert(error.value == INFINITY);
 }
 END_TEST
 
