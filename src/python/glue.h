@@ -157,13 +157,13 @@ static int take_steps(fvi_stepper *s, size_t count, const fvi_watch *watch, size
     return status;
 }
 /* fvi_warning_along at the rows of a run, as far as they are finite. */
-static int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run,
+static int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t rows, const double *t,
                       const double *x, size_t size, char *text)
 {
     const size_t d = run->system->d;
     int warned = 0;
-    for (size_t k = 1; !warned && k <= run->steps && fvi_all_finite(d, x + k * d); k++)
-        warned = fvi_warning_along(watch, method, run, k, x + k * d, size, text);
+    for (size_t j = 0; !warned && j < rows && fvi_all_finite(d, x + j * d); j++)
+        warned = fvi_warning_along(watch, method, run, (size_t)round(t[j] / run->h), x + j * d, size, text);
     return warned;
 }
 /* The cotangents of every row, as arrays: no Python in the mirrored run. */

@@ -1,7 +1,7 @@
 """What of the library Python calls, compiled by cffi into fvi._fvi.
 
-The declarations are those of src/fvi/*.h, as far as they are needed; the compiler
-compares them with the headers. `...;` leaves the rest of a struct to it."""
+The declarations repeat those of src/fvi/*.h, as far as they are needed. In a struct `...;` stands for all other
+fields: the compiler finds the places. tests/python/test_python_interface.py compares all of them with the headers."""
 import pathlib
 import shlex
 import subprocess
@@ -88,7 +88,7 @@ int fvi_stepper_step(fvi_stepper *s);
 int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
 int fvi_stepper_reset(fvi_stepper *s);
 int fvi_stepper_kick(fvi_stepper *s, const double *J);
-void fvi_stepper_free(fvi_stepper *s);
+int fvi_stepper_free(fvi_stepper *s);
 typedef struct {
     fvi_system system;
     const double *x0, *p0;
@@ -208,7 +208,7 @@ fvi_force fvi_force_table(const fvi_force_rows *rows);
 typedef enum { FVI_FREE_PARAMETER_ALPHA, FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_MASS, FVI_FREE_PARAMETER_X0,
                FVI_FREE_PARAMETER_P0, FVI_FREE_PARAMETER_OFFSET, FVI_FREE_PARAMETER_DRIFT,
                FVI_FREE_PARAMETER_CONSTANT, ... } fvi_free_parameter;
-enum { FVI_ESTIMATION_MOST = 8, FVI_EDOM = 1, FVI_EINVAL = 4, FVI_ENOMEM = 8, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
+enum { FVI_ESTIMATION_MOST = 8, FVI_EDOM = 1, FVI_EINVAL = 4, FVI_ENOMEM = 8, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21, FVI_EUNSUP = 23 };
 typedef struct {
     const fvi_method *method;
     const fvi_run *run;
@@ -347,8 +347,8 @@ void obey(const int *flag);
 int is_dense(const fvi_method *method);
 extern "Python" int report_progress(size_t rows, size_t all, void *tell);
 int take_steps(fvi_stepper *s, size_t count, const fvi_watch *watch, size_t *taken);
-int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, const double *x,
-               size_t size, char *text);
+int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t rows, const double *t,
+               const double *x, size_t size, char *text);
 extern "Python" int look_up(void);
 extern "Python" int ask_value(size_t d, const double *x, void *params, double *value);
 extern "Python" int ask_gradient(size_t d, const double *x, void *params, double *grad);
@@ -368,7 +368,7 @@ ffi.set_source(
     "fvi._fvi",
     (HERE / "glue.h").read_text(),
     include_dirs=[str(HERE / "include")],
-    extra_compile_args=["-std=c11", *flags("--cflags")],
+    extra_compile_args=["-std=c11", "-Werror=incompatible-pointer-types", *flags("--cflags")],
     extra_objects=[str(HERE / "libfvi.a")],
     # GSL's own products come before those of the library that SuiteSparse needs: the program's digits.
     extra_link_args=["-Wl,--no-as-needed", *flags("--libs"), "-lumfpack", "-lcholmod", "-Wl,--disable-new-dtags", "-Wl,-rpath,$ORIGIN"],

@@ -42,10 +42,17 @@ def test_bad_input_is_named(options, what):
         fvi.run(**options)
 
 
-@pytest.mark.parametrize("h", [-1, np.nan, np.inf])
-def test_a_bad_step_is_named_and_not_the_time_that_it_gives(h):
-    with pytest.raises(fvi.Error, match=f"^h is {h:g}; "):
-        fvi.run(h=h, steps=3)
+@pytest.mark.parametrize("bad", [0, -1, np.nan, np.inf])
+@pytest.mark.parametrize("name", ["h", "time"])
+@pytest.mark.parametrize("options", [{}, {"method": "fvi-adaptive"}, {"force": "impulse:1,1"}])
+def test_a_bad_step_or_time_is_named_as_it_was_given(name, bad, options):
+    for call in (fvi.run, fvi.Stepper):
+        with pytest.raises(fvi.Error, match=f"^{name} is {bad:g}; ") as caught:
+            call(**{name: bad}, steps=3, **options)
+        assert caught.value.field == name and caught.value.code == 1
+    if name == "time":
+        with pytest.raises(fvi.Error, match=f"^time is {bad:g}; "):
+            fvi.run(time=bad, error=1e-6)
 
 
 def test_what_a_function_raises_comes_out():

@@ -135,6 +135,8 @@ def test_a_solution_pickles():
     (lambda: fvi.solve(fvi.Problem("duffing:1")), ValueError, "^potential"),
     (lambda: fvi.solve(fvi.Problem("k*x", let={"k": 1, "c": 2})), ValueError, "'c' is in no expression"),
     (lambda: fvi.solve(fvi.Problem(past="rl ")), ValueError, "^past: 'rl '"),
+    (lambda: fvi.solve(fvi.Problem(M=[[1]], K=[[1]], dampers=[([1], "viscous:1", "rl ")])), ValueError,
+     "^dampers: past: 'rl ' is none of held, caputo, rl"),
     (lambda: fvi.solve(DUFFING, error=1e-6, h=0.1), ValueError, "^h: not together with error"),
     (lambda: fvi.solve(DUFFING, h=0.1, steps=9), ValueError, "^steps: not together with h"),
     (lambda: fvi.solve(DUFFING, h=0.3), ValueError, "^h: 20 is not a whole number of steps of 0.3"),

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple, Optional, Sequence
 
 import numpy as np
 
-from ._arguments import Array, described, numbers
+from ._arguments import Array, choice, described, numbers
 from ._fvi import ffi, lib
 from ._library import error_of, failure, understand
 from ._system import law
@@ -110,7 +110,7 @@ class Structure:
     def damper(self, s: Any, to: Any, given: tuple) -> None:
         of, kernel, past = (*given, "held")[:3]
         s.keep.append(law(kernel, s.parameters))
-        to.kernel, to.past = ffi.addressof(s.keep[-1][0], "law"), self.pasts[past]
+        to.kernel, to.past = ffi.addressof(s.keep[-1][0], "law"), choice("dampers: past", past, self.pasts)
         if isinstance(of, Matrix):
             to.matrix = self.sparse(s, of)
         else:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ._arguments import Array, Numbers, choice, number, numbers, spelt, whole
 from ._fvi import ffi, lib
-from ._library import ask, error_of, succeed
+from ._library import ask, error_of, succeed, warn_of_start
 from ._problem import Problem
 from ._solve import Motion, Numerics, chosen
 
@@ -126,6 +126,8 @@ def stability(problem: Problem, h: float, method: str = "fvi", *, kappa: Optiona
     load, longest = ffi.new("double *"), ffi.new("double *")
     succeed(ask(lib.fvi_stability_number, motion.method, motion.run, load))
     status = ask(lib.fvi_stability_longest_step, motion.method, motion.run, longest)
+    if status != lib.FVI_EUNSUP:
+        succeed(status)
     return Stability(load[0], None if status else longest[0])
 
 
@@ -152,6 +154,7 @@ def control(problem: Problem, x: Numbers, p: Numbers, *, h: Optional[float] = No
     """
     motion = Motion(problem, chosen(problem, None, None, method, h, steps, kappa, None, None, None, "auto", 0.0))
     run, d = motion.run, motion.system.d
+    warn_of_start(motion.method, run)
     end = [np.ascontiguousarray(np.broadcast_to(numbers(name, a), (d,))) for name, a in (("x", x), ("p", p))]
     u, found = np.zeros((run.steps + 1, d)), ffi.new("fvi_control_result *")
     succeed(ask(lib.fvi_control_solve, motion.method, run, *(ffi.from_buffer("double[]", a) for a in end),

@@ -58,6 +58,16 @@ def length(what: str, given: Optional[float]) -> float:
     return given or 0.0
 
 
+def positive(what: str, given: Any) -> float:
+    """A number that the library would refuse by a name of its own if it were not > 0 and finite."""
+    value = number(what, given)
+    if 0 < value < math.inf:
+        return value
+    refused = Error(f"{what} is {value:g}; it must be finite and positive", lib.FVI_EDOM)
+    refused.field, refused.value = what, None if math.isnan(value) else value
+    raise refused
+
+
 def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[float] = None, /, *, alpha: Optional[float] = None,
             rho: Optional[Numbers] = None, damping: Law = None, mass: Numbers = 1.0,
             force: Union[None, str, Callable[[float], Numbers]] = None, let: Optional[dict] = None,
@@ -71,9 +81,8 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[floa
     steps = whole("steps", steps, 1)
     if h is not None and time is not None:
         raise ValueError("h: not together with time")
-    if time is not None:
-        h = number("time", time) / steps
-    end = steps * number("h", 0.1 if h is None else h) if last is None else last
+    h = positive("time", time) / steps if time is not None else positive("h", 0.1 if h is None else h)
+    end = steps * h if last is None else last
     problem = System(potential, force, mass, default if rho is None else rho, x0, p0, let, end, damping)
     found = lib.fvi_method_find(word("method", method).encode())
     if found == ffi.NULL:
@@ -88,7 +97,7 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[floa
     run.most_steps = 0 if most_steps is None else whole("most_steps", most_steps, 1)
     run.system = problem.system
     run.x0, run.p0 = problem.pointer(problem.x0), problem.pointer(problem.p0)
-    run.h, run.steps = number("h", 0.1 if h is None else h), steps
+    run.h, run.steps = h, steps
     run.kappa, run.tolerance = number("kappa", kappa), number("tolerance", tolerance)
     run.alpha = number("alpha", 0.5 if alpha is None else alpha)
     run.law = problem.law
@@ -244,7 +253,8 @@ def by_steps(method: Any, r: Any, out: dict, pointers: list) -> None:
         solve(method, r, r.steps * r.h, 0.0, r.most_steps, [x, *pointers[1:]])
     finally:
         if watch.next <= r.steps:
-            ask_for_warning(lib.look_along, watch, method, r, x)
+            ask_for_warning(lib.look_along, watch, method, r, r.steps + 1,
+                            ffi.from_buffer("double[]", np.arange(r.steps + 1) * r.h), x)
 
 
 @spelt(prepare)

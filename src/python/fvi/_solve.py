@@ -189,8 +189,9 @@ def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
     t = np.arange(rows) * motion.run.h if how.t_eval is None else how.t_eval.copy()
     done = rows if not status else count.rows
     estimate = report.error if how.error is not None else None
-    if watch is not None and how.t_eval is None and watch.next <= how.steps:
-        ask_for_warning(lib.look_along, watch, motion.method, motion.run, ffi.from_buffer("double[]", x))
+    if watch is not None and watch.next <= how.steps:
+        ask_for_warning(lib.look_along, watch, motion.method, motion.run, rows, ffi.from_buffer("double[]", t),
+                        ffi.from_buffer("double[]", x))
     said = f"{report.steps} steps of {how.method}" + (f", error {estimate:.2g} by an estimate" if estimate else "")
     if not status:
         return Solution(problem, how, t, x, p, 0, said, report.steps, report.h, estimate)
