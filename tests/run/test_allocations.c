@@ -2,8 +2,7 @@
  * call says FVI_ENOMEM, nothing ends the process, and no block is left.
  * Run alone: make test-allocations
  *
- * malloc and its kin are those of this file, on top of glibc's. Where a sanitizer brings its
- * own allocator nothing is tested. */
+ * Where a sanitizer brings its own allocator nothing is tested. */
 #include <fvi/adjoint.h>
 #include <fvi/dampers.h>
 #include <fvi/exact_motion.h>
@@ -12,88 +11,7 @@
 #include <fvi/structures.h>
 #include "harness/ulp.h"
 #include "run/whole_run.h"
-#include "matrices/factors.h"
-
-#include <malloc.h>
-#include <stdlib.h>
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define OTHER_ALLOCATOR
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)              \
-    || !defined(__GLIBC__)
-#define OTHER_ALLOCATOR
-#endif
-
-static size_t made,
-    failing; /* allocations since the last call; which one fails */
-static int has_failed;
-static long alive; /* blocks that were allocated and not yet freed */
-static size_t used, budget; /* their bytes, and how many there may be; 0: any number */
-
-#ifndef OTHER_ALLOCATOR
-void *__libc_malloc(size_t bytes);
-void *__libc_calloc(size_t count, size_t bytes);
-void *__libc_realloc(void *old, size_t bytes);
-void *__libc_memalign(size_t alignment, size_t bytes);
-void __libc_free(void *block);
-
-static int fails(size_t bytes)
-{
-    made++;
-    if (made != failing && (budget == 0 || used + bytes <= budget))
-        return 0;
-    has_failed = 1;
-    return 1;
-}
-
-static void *counted(void *block)
-{
-    alive += block != NULL;
-    used += malloc_usable_size(block);
-    return block;
-}
-
-static void forget(void *block)
-{
-    alive -= block != NULL;
-    used -= malloc_usable_size(block);
-}
-
-/* Seen from without, so that GSL and CHOLMOD allocate by them, too. */
-#pragma GCC visibility push(default)
-void *malloc(size_t bytes)
-{
-    return fails(bytes) ? NULL : counted(__libc_malloc(bytes));
-}
-
-void *calloc(size_t count, size_t bytes)
-{
-    return fails(count * bytes) ? NULL : counted(__libc_calloc(count, bytes));
-}
-
-void *realloc(void *old, size_t bytes)
-{
-    if (fails(bytes))
-        return NULL;
-    forget(old);
-    return counted(__libc_realloc(old, bytes));
-}
-
-void *aligned_alloc(size_t alignment, size_t bytes)
-{
-    return fails(bytes) ? NULL : counted(__libc_memalign(alignment, bytes));
-}
-
-void free(void *block)
-{
-    forget(block);
-    __libc_free(block);
-}
-#pragma GCC visibility pop
-#endif
+#include "failing_allocator.h"
 
 /* ---- calls ---- */
 
@@ -434,88 +352,9 @@ START_TEST(a_call_without_memory_says_so)
 }
 END_TEST
 
-/* ---- libraries that do not give back what they have, or look at what they have not ---- */
-
-/* The order of an oscillator's damping, from so many places of its own motion. */
-static int fit(void)
-{
-    enum { N = 400 };
-    static const fvi_free_parameter alpha = FVI_FREE_PARAMETER_ALPHA;
-    static double t[N], x[N + 1];
-    fvi_system system;
-    fvi_run run = run_of(&system, NULL);
-    system.d = 1;
-    system.potential = fvi_potential_harmonic(cg);
-    run.steps = N;
-    const int status = fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL);
-    for (size_t i = 0; i < N; i++)
-        t[i] = run.h * (double)(i + 1);
-    const fvi_estimation question = { .method = &fvi_fractional,
-                                      .run = &run,
-                                      .parameters = 1,
-                                      .which = &alpha,
-                                      .n = N,
-                                      .t = t,
-                                      .x = x + 1,
-                                      .h = run.h,
-                                      .starts = 2 };
-    fvi_estimate fitted;
-    return status ? status : fvi_estimate_multistart(&question, NULL, &fitted);
-}
-
-/* GSL's solver of least squares is made where all of it has room, or not at all. */
-START_TEST(a_fit_in_any_room_loses_none)
-{
-    size_t said = 0;
-#ifdef OTHER_ALLOCATOR
-    return;
-#endif
-    ck_assert_int_eq(fit(), FVI_SUCCESS);
-    for (size_t room = 1 << 10;; room += 1 << 11) {
-        const long before = alive;
-        has_failed = 0;
-        budget = used + room;
-        const int status = fit();
-        budget = 0;
-        ck_assert_msg(alive == before, "%zu bytes: %ld blocks left", room, alive - before);
-        if (!has_failed)
-            break;
-        ck_assert_msg(status == FVI_ENOMEM, "%zu bytes: %d", room, status);
-        said++;
-    }
-    ck_assert_uint_gt(said, 100);
-}
-END_TEST
-
-/* CHOLMOD looks at the vectors of a solution before it looks whether it got them. So it has
- * them from the start: here of blocks, n = 600 springs from each mass to each. */
-START_TEST(a_solution_by_blocks_allocates_nothing)
-{
-    enum { n = 600 };
-    static double r[n];
-    fvi_triplet *list = malloc(n * n * sizeof *list);
-    fvi_sparse A;
-    fvi_factors *f;
-    for (int i = 0; i < n * n; i++)
-        list[i] = (fvi_triplet){ i / n, i % n, i / n == i % n ? n : -1 };
-    ck_assert_int_eq(fvi_sparse_assemble(n, n * n, list, &A), FVI_SUCCESS);
-    free(list);
-    ck_assert_int_eq(fvi_factors_alloc(FVI_BY_CHOLMOD, &A, &f), FVI_SUCCESS);
-    for (int solution = 0; solution < 2; solution++) {
-        made = 0;
-        const int status = fvi_factors_solve(f, r);
-        const size_t allocated = made;
-        ck_assert_int_eq(status, FVI_SUCCESS);
-        ck_assert_uint_eq(allocated, 0);
-    }
-    fvi_factors_free(f);
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("allocations that fail");
-    ADD_CASE(suite, "errors", a_call_without_memory_says_so, a_fit_in_any_room_loses_none,
-             a_solution_by_blocks_allocates_nothing);
+    ADD_CASE(suite, "errors", a_call_without_memory_says_so);
     return run_suite(suite);
 }
