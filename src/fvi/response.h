@@ -161,6 +161,18 @@ int fvi_poles_find(fvi_response *response, size_t count, fvi_poles *poles,
 /* fvi_poles_free -- give the arrays back; a zeroed one is allowed. */
 void fvi_poles_free(fvi_poles *poles);
 
+/* fvi_response_warning_of_... -- what to know before an answer is believed, as the functions of
+ * warnings.h: 1 and a text; or 0; or -1, with a text that says so, where there is no memory to find out.
+ *
+ *   place  the motion is made linear at x, d numbers, where a potential that is not quadratic has a
+ *          slope of more than 1e-8 (1 + |x_i|); text: a constant text, or NULL for 0
+ *   poles  fewer were found than there are, or how many there are is not known; or all were found that
+ *          oscillate, and they are fewer than d. Of 0 the text is untouched
+ *
+ * Cost: a gradient; nothing. */
+int fvi_response_warning_of_place(const fvi_system *system, const double *x, const char **text);
+int fvi_response_warning_of_poles(const fvi_poles *poles, size_t size, char *text);
+
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

@@ -3,7 +3,6 @@
 #include "output/fvi_complain.h"
 #include "output/fvi_format.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,19 +16,6 @@ static int is_quadratic(const fvi_system *s)
 {
     const fvi_potential *u = &s->potential;
     return !u->value || (u->quadratic && u->quadratic(u->params));
-}
-
-/* Has the potential no slope there, but for rounding? */
-static int is_equilibrium(const fvi_linear_request *r)
-{
-    const size_t d = r->o.d;
-    double *slope = malloc(d * sizeof *slope);
-    int is = 1; /* whoever makes it linear says what else is wrong */
-    if (slope && !fvi_potential_gradient(&r->system, r->o.x0, slope))
-        for (size_t i = 0; i < d; i++)
-            is = is && fabs(slope[i]) <= 1e-8 * (1 + fabs(r->o.x0[i]));
-    free(slope);
-    return is;
 }
 
 int fvi_linear_open(fvi_linear_request *r)
@@ -48,10 +34,11 @@ int fvi_linear_open(fvi_linear_request *r)
         return fvi_complain(status == FVI_ENOMEM || !*error.text
                                 ? fvi_code_in_words(status)
                                 : error.text);
-    if (!is_quadratic(&r->system) && !is_equilibrium(r)) {
-        r->warning = "the potential has a slope at x0: this is no equilibrium";
+    const int warned = fvi_response_warning_of_place(&r->system, r->o.x0, &r->warning);
+    if (warned < 0)
+        return fvi_complain(r->warning);
+    if (warned)
         fvi_warn(r->warning);
-    }
     return 0;
 }
 

@@ -6,6 +6,8 @@
 #include "output/fvi_format.h"
 #include "output/fvi_output.h"
 
+#include <fvi/warnings.h>
+
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdint.h>
@@ -114,18 +116,15 @@ static int print(const request *r, const char *found)
 
 static int answer(request *r)
 {
-    char found[64], warning[100];
+    char found[64], warning[FVI_WARNING_ROOM];
     fvi_error error;
     if (fvi_linear_open(&r->linear))
         return 1;
     if (fvi_poles_find(r->linear.response, r->count, &r->poles, &error))
         return fvi_complain(error.text);
     count_in_words(&r->poles, sizeof found, found);
-    if (r->poles.count != r->poles.expected) {
-        snprintf(warning, sizeof warning, "these are %s poles", found);
+    if (fvi_response_warning_of_poles(&r->poles, sizeof warning, warning))
         fvi_warn(warning);
-    } else if (r->poles.expected < r->poles.d)
-        fvi_warn("what creeps or grows without a swing, e^{st} with a real s, is no row");
     const int failed = print(r, found);
     fvi_poles_free(&r->poles);
     return failed;

@@ -190,6 +190,8 @@ int fvi_response_at(fvi_response *response, fvi_response_kind kind, size_t n, co
                     double *H, fvi_error *error);
 int fvi_poles_find(fvi_response *response, size_t count, fvi_poles *poles, fvi_error *error);
 void fvi_poles_free(fvi_poles *poles);
+int fvi_response_warning_of_place(const fvi_system *system, const double *x, const char **text);
+int fvi_response_warning_of_poles(const fvi_poles *poles, size_t size, char *text);
 int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage, double *loss);
 typedef struct {
     double alpha, kappa, T, damping, lipschitz, gradient, variation, start, speed, acceleration, room;

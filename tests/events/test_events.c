@@ -98,8 +98,8 @@ START_TEST(a_kick_is_an_impulse)
         ck_assert_int_eq(fvi_stepper_kick(k, &J), FVI_SUCCESS);
         go(s);
         go(k);
-        ck_assert_near(s->x[0], k->x[0], 1e-12, "alpha %g", alphas[i]);
-        ck_assert_near(s->p[0], k->p[0], 1e-11, "alpha %g", alphas[i]);
+        ck_assert_double_eq(s->x[0], k->x[0]);
+        ck_assert_double_eq(s->p[0], k->p[0]);
         ck_assert(fabs(s->p[0]) > 1e-3);
         fvi_stepper_free(s);
         fvi_stepper_free(k);

@@ -80,19 +80,18 @@ def bounces(o, rho, e, T):
 
 
 header(__file__)
-e, T, rows = mpf(4) / 5, mpf(5), []
+e, T, rows = mpf(0.8), mpf(5), []
 known = {"0.6": "1.488362842713238 3.559706909650385",
          "1.4": "1.558856990006441 3.108679570573761 4.044795610490283 4.651383333797419"}
 for alpha, rho in (("0", "0.3"), ("0.25", "0.3"), ("0.3", "0.3"), ("0.5", "0.3"), ("0.7", "0.3"),
                    ("0.75", "0.1"), ("0.5", "0")):
     a, r = mpf(float(alpha)), mpf(float(rho))
-    times, (x, v) = bounces(2 * a, r, mpf(0.8), T)
+    times, (x, v) = bounces(2 * a, r, e, T)
     if alpha in ("0.3", "0.7"):
         claim("another program, exponentials and Radau's method, finds the same impacts to 1e-14",
               all(abs(at - mpf(other)) < 1e-14 for at, other in
                   zip(times, known[str(round(2 * float(alpha), 1))].split(), strict=True)))
     if rho == "0":
-        e = mpf(0.8)
         claim("parabolas", all(abs(at - sqrt(mpf(2)) * (1 + 2 * sum(e**k for k in range(1, i + 1))))
                                < mpf(10) ** -35 for i, at in enumerate(times)))
     rows.append([nearest(w) for w in (a, r, len(times), *times, *[mpf(0)] * (4 - len(times)), x, v)])

@@ -132,14 +132,20 @@ def ask_for_warning(function: Callable[..., int], *arguments: Any) -> bool:
     return bool(found)
 
 
-def warn_of_start(method: Any, run: Any) -> Any:
-    """What the program says before the first step. Returns how to watch what comes after it."""
+def ask_for_constant_warning(function: Callable[..., int], *arguments: Any) -> None:
+    """Likewise of a function whose last argument becomes a text of the library's own."""
     text = ffi.new("const char **")
-    found = lib.fvi_warning_of_initial_history(run, text) if method.paper_convention else 0
+    found = ask(function, *arguments, text)
     if found < 0:
         raise MemoryError(text_of(text[0]))
     if found:
         warn(text_of(text[0]))
+
+
+def warn_of_start(method: Any, run: Any) -> Any:
+    """What the program says before the first step. Returns how to watch what comes after it."""
+    if method.paper_convention:
+        ask_for_constant_warning(lib.fvi_warning_of_initial_history, run)
     is_unstable = ask_for_warning(lib.fvi_warning_of_step, method, run)
     return ffi.new("fvi_watch *", lib.fvi_watch_begin(method, run, is_unstable))
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from ._arguments import Array, Numbers, choice, number, numbers, spelt, whole
 from ._fvi import ffi, lib
-from ._library import ask, error_of, succeed, warn_of_start
+from ._library import ask, ask_for_constant_warning, ask_for_warning, error_of, succeed, warn_of_start
 from ._problem import Problem
 from ._solve import Motion, Numerics, chosen
 
@@ -30,6 +30,7 @@ class Linear:
         out, error = ffi.new("fvi_response **"), ffi.new("fvi_error *")
         check(ask(lib.fvi_response_alloc, question, out, error), error)
         self.response = ffi.gc(out[0], lib.fvi_response_free)
+        ask_for_constant_warning(lib.fvi_response_warning_of_place, system.system, question.at)
 
 
 def check(status: int, error: Any) -> None:
@@ -57,6 +58,8 @@ def response(problem: Problem, omega: Numbers, of: str = "receptance", *, at: in
     hertz    True: the frequencies are in periods per unit of time
     about    the place at which it is made linear, one number or d of them; None: x0
     along    how each coordinate moves with the ground, one number or d of them; None: 1
+
+    Warns by fvi.FviWarning of a place that is no equilibrium.
     """
     w = np.ascontiguousarray(np.atleast_1d(numbers("omega", omega)) * (2 * math.pi if hertz else 1.0))
     linear, H, error = Linear(problem, about, along), np.empty(w.size, complex), ffi.new("fvi_error *")
@@ -85,10 +88,13 @@ def poles(problem: Problem, count: int = 0, *, about: Optional[Numbers] = None) 
     problem  made linear; its force is not read
     count    how many of the lowest; 0: all
     about    the place at which it is made linear, one number or d of them; None: x0
+
+    Warns by fvi.FviWarning of a place that is no equilibrium, and of poles that are not among the rows.
     """
     linear, found, error = Linear(problem, about), ffi.new("fvi_poles *"), ffi.new("fvi_error *")
     check(ask(lib.fvi_poles_find, linear.response, whole("count", count, 0), found, error), error)
     try:
+        ask_for_warning(lib.fvi_response_warning_of_poles, found)
         n, d = found.count, found.d
 
         def copy(pointer: Any, kind: Any, *shape: int) -> Array:
@@ -151,6 +157,8 @@ def control(problem: Problem, x: Numbers, p: Numbers, *, h: Optional[float] = No
     h, steps  as for `solve`
     method    "fvi", "fvi-shifted", "fvi-bdf2" or "fvi-stable"
     kappa     as for `solve`
+
+    Warns by fvi.FviWarning as `solve` does before the first step.
     """
     motion = Motion(problem, chosen(problem, None, None, method, h, steps, kappa, None, None, None, "auto", 0.0))
     run, d = motion.run, motion.system.d

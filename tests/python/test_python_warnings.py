@@ -1,0 +1,52 @@
+"""The Python package: what the program says with `fvi: warning:`, Python says by warnings.warn."""
+import os
+import subprocess
+import warnings
+
+import fvi
+import pytest
+
+PROGRAM = os.environ.get("FVI", "build/fvi")
+
+
+def said_by_the_program(*words):
+    text = subprocess.run([PROGRAM, *words], check=True, capture_output=True, text=True).stderr
+    return [line.removeprefix("fvi: warning: ") for line in text.splitlines() if line.startswith("fvi: warning: ")]
+
+
+def said_by(call):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        call()
+    assert all(each.category is fvi.FviWarning and each.filename == __file__ for each in caught)
+    return [str(each.message) for each in caught]
+
+
+STIFF = ["--potential", "harmonic:100", "--h", "0.5", "--steps", "4", "--kappa", "1", "--method", "fvi"]
+STIFFER = ["--potential", "pendulum:1", "--x0", "1.5", "--p0", "0", "--rho", "0.05", "--h", "2.5", "--steps", "20",
+           "--kappa", "1", "--method", "fvi"]
+NO_SOLUTION = ["--derivative", "rl", "--alpha", "0.7", "--h", "0.1", "--steps", "4", "--method", "fvi"]
+PENDULUM = fvi.Problem("pendulum:1", x0=1.5, p0=0, rho=0.05, time=50)
+
+
+@pytest.mark.parametrize("call, words", [
+    (lambda: fvi.solve(fvi.Problem("harmonic:100", time=2), h=0.5, kappa=1), ["run", *STIFF]),
+    (lambda: fvi.run("harmonic:100", h=0.5, steps=4, kappa=1), ["run", *STIFF]),
+    (lambda: fvi.Stepper("harmonic:100", h=0.5, steps=4, kappa=1), ["run", *STIFF]),
+    (lambda: fvi.control(fvi.Problem("harmonic:100", time=2), 0, 0, h=0.5, kappa=1, method="fvi"), ["run", *STIFF]),
+    (lambda: fvi.solve(PENDULUM, h=2.5, kappa=1), ["run", *STIFFER]),
+    (lambda: fvi.solve(PENDULUM, [7.5], h=2.5, kappa=1), ["run", *STIFFER]),
+    (lambda: fvi.solve(fvi.Problem(past="rl", alpha=0.7, time=0.4), h=0.1), ["run", *NO_SOLUTION]),
+    (lambda: fvi.control(fvi.Problem(past="rl", alpha=0.7, time=0.4), 0, 0, h=0.1, method="fvi"), ["run", *NO_SOLUTION]),
+    (lambda: fvi.poles(fvi.Problem("pendulum:1")), ["poles", "--potential", "pendulum:1", "--x0", "1"]),
+    (lambda: fvi.response(fvi.Problem("pendulum:1"), 1), ["response", "--omega", "1", "--potential", "pendulum:1", "--x0", "1"]),
+    (lambda: fvi.poles(fvi.Problem("chain:3,1,0", x0=0), 2), ["poles", "--potential", "chain:3,1,0", "--count", "2"]),
+    (lambda: fvi.poles(fvi.Problem(rho=5)), ["poles", "--rho", "5"]),
+])
+def test_a_warning_of_the_program_is_one_of_python(call, words):
+    said = said_by_the_program(*words)
+    assert len(said) == 1 and said_by(call) == said
+
+
+def test_of_times_of_ones_own_only_these_are_looked_at():
+    assert said_by(lambda: fvi.solve(PENDULUM, [5], h=2.5, kappa=1)) == []
