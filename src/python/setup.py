@@ -19,20 +19,20 @@ if not (HERE / "libfvi.a").exists():
     raise SystemExit("the library is not here: type `make python` in the top folder of the project")
 
 
-THOSE_OF_EVERY_SYSTEM = re.compile(r"linux-vdso|ld-linux|lib(c|m|dl|rt|pthread|gcc_s)[.]so")
+SYSTEM_LIBRARIES = re.compile(r"linux-vdso|ld-linux|lib(c|m|dl|rt|pthread|gcc_s)[.]so")
 
 
-LIBRARIES = pathlib.Path(subprocess.run(["pkg-config", "--variable=libdir", "gsl"], check=True,
+LIBRARY_FOLDER = pathlib.Path(subprocess.run(["pkg-config", "--variable=libdir", "gsl"], check=True,
                                         capture_output=True, text=True).stdout.split()[0])
 
 
 def bring(name, done):
     """A shared object and what it needs, copied into the package under the names that are asked for."""
-    if name in done or THOSE_OF_EVERY_SYSTEM.match(name):
+    if name in done or SYSTEM_LIBRARIES.match(name):
         return
     done.add(name)
-    text = subprocess.run(["objdump", "-p", LIBRARIES / name], check=True, capture_output=True, text=True).stdout
-    shutil.copy((LIBRARIES / name).resolve(), HERE / "fvi" / re.search(r"SONAME\s+(\S+)", text)[1])
+    text = subprocess.run(["objdump", "-p", LIBRARY_FOLDER / name], check=True, capture_output=True, text=True).stdout
+    shutil.copy((LIBRARY_FOLDER / name).resolve(), HERE / "fvi" / re.search(r"SONAME\s+(\S+)", text)[1])
     for other in re.findall(r"NEEDED\s+(\S+)", text):
         bring(other, done)
 
@@ -40,7 +40,7 @@ def bring(name, done):
 def bring_libraries():
     """GSL, and what factorises sparse matrices: SuiteSparse and what that needs."""
     done = set()
-    for path in (LIBRARIES / "libgsl.so", LIBRARIES / "libgslcblas.so"):
+    for path in (LIBRARY_FOLDER / "libgsl.so", LIBRARY_FOLDER / "libgslcblas.so"):
         bring(path.resolve().name, done)
     text = subprocess.run(["objdump", "-p", HERE / "fvi" / "program"], check=True, capture_output=True, text=True).stdout
     for name in re.findall(r"NEEDED\s+(\S+)", text):

@@ -1,8 +1,9 @@
 /* src/variable_step/variable_step.h -- What a run with variable steps keeps.     [H 22]
  *
  * Internal: variable_step_start.c makes it, variable_step_state.c holds it, variable_steps.c steps
- * with it, variable_step_events.c ends steps at events, variable_step_solve.c solves the equation of a step, variable_step_dense.c has what is
- * between its ends, variable_step_singular.c the start that is not smooth. */
+ * with it, variable_step_events.c ends a step at an event, variable_step_impact.c has what the event does,
+ * variable_step_solve.c solves the equation of a step, variable_step_dense.c has what is between its ends,
+ * variable_step_singular.c the start that is not smooth. */
 #ifndef FVI_VARIABLE_STEP_H
 #define FVI_VARIABLE_STEP_H
 

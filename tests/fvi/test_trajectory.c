@@ -205,13 +205,13 @@ START_TEST(start_refuses)
 }
 END_TEST
 
-/* x = 1, 1e100, 1e200, 1e300: the step from k = 3 leaves the doubles. */
 /* What comes out of a step is no mistake of the caller: no handler hears of it. */
 static void unheard(const char *reason, const char *file, int line, int code)
 {
     ck_abort_msg("%s:%d: %s (%d)", file, line, reason, code);
 }
 
+/* x = 1, 1e100, 1e200, 1e300: the step from k = 3 leaves the doubles. */
 START_TEST(a_value_that_stops_being_finite_is_reported_with_its_step)
 {
     fvi_error_handler *before = fvi_set_error_handler(unheard);

@@ -74,8 +74,8 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     """
     starts = whole("starts", starts, 2)
     times, xs = (np.ascontiguousarray(numbers(name, a)) for name, a in (("t", t), ("x", x)))
-    if times.ndim != 1 or times.shape != xs.shape:
-        raise ValueError("t and x are two arrays of one length")
+    if times.ndim != 1 or times.shape != xs.shape or times.size == 0:
+        raise ValueError(f"t and x are two arrays of one length >= 1; they have the shapes {times.shape} and {xs.shape}")
     for name in ("steps", "time"):
         if name in options:
             raise ValueError(f"{name}: not for a fit, whose times are those of the data")

@@ -72,7 +72,7 @@ def is_interrupted() -> bool:
 
 @ffi.def_extern(error=-1, onerror=keep)
 def look_up() -> int:
-    """The library calls this every 50 ms of a run in the main thread: Python then sees Ctrl-C."""
+    """A run in the main thread calls this, but not twice in 25 ms: Python then sees Ctrl-C."""
     return 0
 
 

@@ -9,6 +9,7 @@ from ._arguments import Array, Numbers, number, numbers, spelt, whole, word
 from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, error_of, text_of, understand
 from ._system import Law, law as law_of
+from .errors import Error
 
 Weights = Union[str, Numbers]
 
@@ -52,6 +53,14 @@ def names_of(kind: int) -> list:
     return found
 
 
+def refusal(error: Any, status: int, at: str) -> Error:
+    """Of the numbers `at`, which have a name of their own here, or of the law."""
+    found = error_of(error, status)
+    if found.field == "at":
+        found.field, found.args = at, (f"{at}: {found.args[0]}",)
+    return found
+
+
 def fit_material(test: int, at: tuple, first: tuple, second: Optional[tuple], law: str, weights: Weights,
                  sigma: Optional[float], load: float, starts: int) -> Material:
     rows = [(name, np.ascontiguousarray(numbers(name, a))) for name, a in (at, first, *([second] if second else []))]
@@ -77,7 +86,7 @@ def fit_material(test: int, at: tuple, first: tuple, second: Optional[tuple], la
     curve, m, error = np.empty((2 if second else 1, n)), ffi.new("fvi_material *"), ffi.new("fvi_error *")
     status = ask(lib.fvi_material_fit, data, ffi.from_buffer("double[]", curve), m, error)
     if status:
-        raise error_of(error, status)
+        raise refusal(error, status, at[0])
     names, parts, j = [], [], 0
     for i, (text, k) in enumerate(kinds, 1):
         own = names_of(k)
@@ -139,13 +148,14 @@ def curve(test: int, damping: Law, name: str, at: Numbers, load: float, let: Opt
     for key, value in (let or {}).items():
         understand(lib.fvi_user_parameters_set, parameters, key.encode(), number(f"let: {key}", value))
     kept, points = law_of(damping, parameters), numbers(name, at)
+    understand(lib.fvi_user_parameters_are_used, parameters)
     flat = np.ascontiguousarray(points.reshape(-1))
     first, second, error = np.empty(flat.size), np.empty(flat.size), ffi.new("fvi_error *")
     status = ask(lib.fvi_material_curve, test, ffi.addressof(kept[0], "law"), number("load", load), flat.size,
                  ffi.from_buffer("double[]", flat), ffi.from_buffer("double[]", first),
                  ffi.from_buffer("double[]", second), error)
     if status:
-        raise error_of(error, status)
+        raise refusal(error, status, name)
     return (first + 1j * second if test == lib.FVI_MATERIAL_MODULI else first).reshape(points.shape)[()]
 
 

@@ -47,7 +47,7 @@ class Problem:
                them, a list of such, "symbol:EXPRESSION" in s, or a function C(s); `help(fvi.run)` has them all
     force      None; a text, "cosine:A,W", "step:A,T", "impulse:J,T", "file:F.tsv" or an expression in t; a pair
                (t, F) of arrays, linear in between, F of one column for all coordinates or of d; or a function of t
-    past       what was before t = 0: "held" at x0, "caputo" or "rl"; "held"
+    past       what was before t = 0: "held" at x0, "caputo" or "rl"; "held"; of dampers each has its own
     x0         where it begins, one number or d of them; 1, with M 0
     p0         its momentum there, one number or d of them; 0.5, with M 0
     v0         or its velocity there
@@ -122,7 +122,7 @@ class Problem:
     def check_kind(self) -> None:
         """Masses and a potential, or a Lagrangian, or matrices."""
         instead = {"lagrangian": ("potential", "mass", "rho", "alpha", "order", "damping"),
-                   "dampers": ("rho", "alpha", "order", "damping"),
+                   "dampers": ("rho", "alpha", "order", "damping", "past"),
                    "M": ("potential", "mass", "rho", "lagrangian", "constraints", "impose", "force_on")}
         fields = {f.name: f.default for f in dataclasses.fields(self)}
         lists = ("dampers", "constraints", "impose", "force_on")
