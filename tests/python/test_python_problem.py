@@ -141,7 +141,7 @@ def test_a_solution_pickles():
     (lambda: fvi.moduli("power:1,0.3", 1, let={"k": 2}), ValueError, "'k' is in no expression"),
     (lambda: fvi.moduli("power:1,0.3", -1), fvi.Error, "^omega: must be finite and above 0"),
     (lambda: fvi.creep("power:1,0.3", 0), fvi.Error, "^t: must be finite and above 0"),
-    (lambda: fvi.fit_creep([0, 1, 2], [1, 2, 3]), fvi.Error, "^t: must be finite and above 0"),
+    (lambda: fvi.fit_creep([0, 1, 2, 3, 4], [1, 2, 3, 4, 5]), fvi.Error, "^t: must be finite and above 0"),
     (lambda: fvi.fit([], []), ValueError, "^t and x are two arrays of one length >= 1"),
     (lambda: fvi.solve(DUFFING, error=1e-6, h=0.1), ValueError, "^h: not together with error"),
     (lambda: fvi.solve(DUFFING, h=0.1, steps=9), ValueError, "^steps: not together with h"),
