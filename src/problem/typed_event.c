@@ -152,7 +152,7 @@ static int parse_value(typed_event *e, fvi_event *event,
     return status != FVI_EINVAL
                ? status
                : fvi_fail(error, status, "event", NAN,
-                          "'%s': an impact is where x and t alone say", e->name);
+                          "'%s': Z of an impact is an expression in x and t alone", e->name);
 }
 
 /* The last colon with blanks on both sides; NULL if there is none. */

@@ -83,7 +83,7 @@ START_TEST(what_is_wrong_is_said)
         { "run --event 'x : stop:3'", "fvi: --event: 'stop:3' is not stop" },
         { "run --event 'y : mark'", "fvi: --event: 'y': no such name\n               ^" },
         { "run --event 'x2 : mark' --dimension 1", "fvi: --event: 'x2': no such name" },
-        { "run --event 'v : impact:1'", "an impact is where x and t alone say" },
+        { "run --event 'v : impact:1'", "Z of an impact is an expression in x and t alone" },
         { "run --event ' : mark'", "fvi: --event: ''" },
         { "run --event 'x : mark' --method fvi", "is not for fvi; fvi-adaptive has events" },
         { "run --event 'x : mark' --error 1e-3", "fvi: --event: not together with --error" },
