@@ -7,6 +7,19 @@
 
 enum { D = 3, N = 40 };
 
+/* Orders and pasts, damped or not, of chains on meshes. */
+static const struct {
+    fvi_initial_history past;
+    double alpha, rho;
+} mesh_cases[] = {
+    { FVI_INITIAL_HISTORY_HELD, 0, 1 },      { FVI_INITIAL_HISTORY_HELD, 0.05, 1 },
+    { FVI_INITIAL_HISTORY_HELD, 0.3, 1 },    { FVI_INITIAL_HISTORY_HELD, 0.5, 1 },
+    { FVI_INITIAL_HISTORY_CAPUTO, 0.3, 1 },  { FVI_INITIAL_HISTORY_CAPUTO, 0.7, 1 },
+    { FVI_INITIAL_HISTORY_CAPUTO, 0.95, 1 }, { FVI_INITIAL_HISTORY_CAPUTO, 1, 1 },
+    { FVI_INITIAL_HISTORY_HELD, 0.5, 0 },    { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.5, 1 },
+    { FVI_INITIAL_HISTORY_CAPUTO, 0.7, 0 },  { FVI_INITIAL_HISTORY_HELD, 0.2, 0 },
+};
+
 /* Three masses in a chain under a constant force; the force is exact by its rows. */
 typedef struct {
     double x0[D], p0[D], mass[D], rho[D], cg[2], F[D];

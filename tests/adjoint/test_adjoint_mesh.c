@@ -5,18 +5,6 @@
 #include "stages/variable_modes.h"
 #include "system/larger.h"
 
-static const struct {
-    fvi_initial_history past;
-    double alpha, rho;
-} cases[] = {
-    { FVI_INITIAL_HISTORY_HELD, 0, 1 },      { FVI_INITIAL_HISTORY_HELD, 0.05, 1 },
-    { FVI_INITIAL_HISTORY_HELD, 0.3, 1 },    { FVI_INITIAL_HISTORY_HELD, 0.5, 1 },
-    { FVI_INITIAL_HISTORY_CAPUTO, 0.3, 1 },  { FVI_INITIAL_HISTORY_CAPUTO, 0.7, 1 },
-    { FVI_INITIAL_HISTORY_CAPUTO, 0.95, 1 }, { FVI_INITIAL_HISTORY_CAPUTO, 1, 1 },
-    { FVI_INITIAL_HISTORY_HELD, 0.5, 0 },    { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.5, 1 },
-    { FVI_INITIAL_HISTORY_CAPUTO, 0.7, 0 },  { FVI_INITIAL_HISTORY_HELD, 0.2, 0 },
-};
-
 /* H and dH/dbeta after three steps, the last one long, of modes that saw a rough v. */
 static void read_modes(size_t stages, fvi_modes_kind kind, double beta,
                        double *H, double *rate)
@@ -79,10 +67,10 @@ END_TEST
  * where that is 1e-5: 1e-12, and ten times that. Seen: 0.1 of it. */
 START_TEST(eq_23_16_start_and_force_add_up_to_a_linear_motion)
 {
-    for (size_t i = 0; i < 2 * LEN(cases); i++) {
+    for (size_t i = 0; i < 2 * LEN(mesh_cases); i++) {
         const size_t l = i / 2;
         chain c;
-        chain_at(&c, cases[l].past, cases[l].alpha, 0, cases[l].rho);
+        chain_at(&c, mesh_cases[l].past, mesh_cases[l].alpha, 0, mesh_cases[l].rho);
         c.run.step_error = i % 2 ? 1e-5 : 1e-12; /* six stages, or eight */
         ck_assert_near(off_linear(&c), 0,
                        1e-12 + (i % 2 ? 1e-2 : 1e-4) * c.run.step_error,
@@ -143,9 +131,9 @@ END_TEST
  * above. Seen: 0.03 of it. */
 START_TEST(eq_23_16_a_factor_of_all_forces_changes_no_position)
 {
-    for (size_t i = 0; i < LEN(cases); i++) {
+    for (size_t i = 0; i < LEN(mesh_cases); i++) {
         chain c;
-        chain_at(&c, cases[i].past, cases[i].alpha, 0.5, cases[i].rho);
+        chain_at(&c, mesh_cases[i].past, mesh_cases[i].alpha, 0.5, mesh_cases[i].rho);
         ck_assert_near(off_scaled(&c), 0, 1e-12, "past %d alpha=%g",
                        (int)c.run.past, c.run.alpha);
     }
@@ -158,9 +146,9 @@ END_TEST
  * logarithm there: 1e-7. Seen: 8.8e-9. */
 START_TEST(eq_23_16_two_methods_have_the_same_derivatives)
 {
-    for (size_t i = 0; i < LEN(cases); i++) {
+    for (size_t i = 0; i < LEN(mesh_cases); i++) {
         chain c;
-        chain_at(&c, cases[i].past, cases[i].alpha, 0.5, cases[i].rho);
+        chain_at(&c, mesh_cases[i].past, mesh_cases[i].alpha, 0.5, mesh_cases[i].rho);
         slopes *s = slopes_by(&c, 0);
         slopes *t = slopes_of(&c.run, N * 7 + 1);
         const fvi_objective J = { .slopes = to_sine, .params = &c.run };
@@ -180,110 +168,6 @@ START_TEST(eq_23_16_two_methods_have_the_same_derivatives)
         }
         slopes_free(s);
         slopes_free(t);
-    }
-}
-END_TEST
-
-/* As to_sine; and a share of each p_k, which lies within a step mostly. */
-static int with_momenta(size_t k, size_t d, const double *x, const double *p,
-                        void *params, double *Jx, double *Jp)
-{
-    for (size_t i = 0; k < N && i < d; i++)
-        Jp[i] += cos((double)(3 * k + 5 * i + 1)) / 8;
-    return to_sine(k, d, x, p, params, Jx, Jp);
-}
-
-/* (23.27), as above; p of fvi-lobatto8d errs by more than x in its first steps: 1e-6. */
-START_TEST(eq_23_27_two_methods_have_the_same_derivatives_by_momenta)
-{
-    for (size_t i = 0; i < LEN(cases); i++) {
-        chain c;
-        chain_at(&c, cases[i].past, cases[i].alpha, 0.5, cases[i].rho);
-        if (cases[i].alpha == 1 && cases[i].rho > 0)
-            continue; /* refused */
-        slopes *s = slopes_of(&c.run, N + 1), *t = slopes_of(&c.run, N * 7 + 1);
-        const fvi_objective J = { .slopes = with_momenta,
-                                  .params = &c.run,
-                                  .has_momenta = 1 };
-        ck_assert_int_eq(
-            fvi_adjoint(&fvi_variable_step, &c.run, NULL, NULL, &J, &s->to),
-            FVI_SUCCESS);
-        ck_assert_int_eq(fvi_adjoint(&fvi_lobatto_d8, &c.run, NULL, NULL, &J, &t->to),
-                         FVI_SUCCESS);
-        for (size_t j = 0; j < NUMBERS; j++) {
-            const int is_alpha = s->all + j == s->to.alpha;
-            seen_worst(fabs(s->all[j] - t->all[j]), is_alpha ? "by alpha" : "difference");
-            ck_assert_near(s->all[j], t->all[j], 1e-6,
-                           "past %d alpha=%g, number %zu", (int)c.run.past,
-                           c.run.alpha, j);
-        }
-        slopes_free(s);
-        slopes_free(t);
-    }
-}
-END_TEST
-
-/* sum_k a_k . p_k, k < N, of a run on its mesh. */
-static double momenta_of(chain *c)
-{
-    static double x[(N + 1) * D], p[(N + 1) * D];
-    double J = 0;
-    run_of(c, x, p);
-    for (size_t k = 0; k < N; k++)
-        for (size_t i = 0; i < D; i++)
-            J += cos((double)(3 * k + 5 * i + 1)) / 8 * p[k * D + i];
-    return J;
-}
-
-static int momenta_alone(size_t k, size_t d, const double *x, const double *p,
-                         void *params, double *Jx, double *Jp)
-{
-    (void)x, (void)p, (void)params, (void)Jx;
-    for (size_t i = 0; k < N && i < d; i++)
-        Jp[i] += cos((double)(3 * k + 5 * i + 1)) / 8;
-    return 0;
-}
-
-static double quotient_of_momenta(chain *c, double *number)
-{
-    const double was = *number, step = 1e-3;
-    double J[2];
-    for (size_t i = 0; i < 2; i++) {
-        *number = was + (i ? step : -step);
-        J[i] = momenta_of(c);
-    }
-    *number = was;
-    return (J[1] - J[0]) / (2 * step);
-}
-
-/* Rows within the first steps, where the past pulls: 40 of them to t = 0.08. Quotients of order 2,
- * in so short a time nearly lines. Seen: 3e-9. */
-START_TEST(eq_23_27_rows_where_the_past_pulls)
-{
-    static const double alphas[] = { 0.15, 0.4, 0.6, 0.85 };
-    for (size_t i = 0; i < LEN(alphas); i++) {
-        chain c;
-        chain_at(&c,
-                 alphas[i] < 0.5 ? FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
-                                 : FVI_INITIAL_HISTORY_HELD,
-                 alphas[i], 0.5, 1);
-        c.run.h = 1. / 512;
-        slopes *s = slopes_of(&c.run, N + 1);
-        const fvi_objective J = { .slopes = momenta_alone, .has_momenta = 1 };
-        s->to.alpha = NULL;
-        ck_assert_int_eq(
-            fvi_adjoint(&fvi_variable_step, &c.run, NULL, NULL, &J, &s->to), 0);
-        for (size_t j = 0; j < D; j++) {
-            double *const numbers[] = { &c.p0[j], &c.mass[j], &c.rho[j], &c.x0[j] };
-            const double got[] = { s->to.p0[j], s->to.mass[j], s->to.damping[j],
-                                   s->to.x0[j] };
-            for (size_t n = 0; n < LEN(numbers); n++)
-                if (!isnan(got[n]) && *numbers[n] > 0) /* rho may not be negative */
-                    ck_assert_near(got[n], quotient_of_momenta(&c, numbers[n]), 1e-7,
-                                   "past %d alpha=%g, number %zu of %zu",
-                                   (int)c.run.past, c.run.alpha, n, j);
-        }
-        slopes_free(s);
     }
 }
 END_TEST
@@ -369,9 +253,9 @@ START_TEST(eq_23_16_impulses_are_divided_by_the_mass)
     const fvi_impulse impulses[] = {
         { 0, J1 }, { 1.3, J0 }, { 3, J1 }, { 5, J0 }
     };
-    for (size_t i = 0; i < LEN(cases); i++) {
+    for (size_t i = 0; i < LEN(mesh_cases); i++) {
         chain c;
-        chain_at(&c, cases[i].past, cases[i].alpha, 0.5, cases[i].rho);
+        chain_at(&c, mesh_cases[i].past, mesh_cases[i].alpha, 0.5, mesh_cases[i].rho);
         c.system.force.impulses = impulses;
         c.system.force.impulse_count = LEN(impulses);
         fvi_stepper *refused;
@@ -447,8 +331,6 @@ int main(void)
              eq_23_16_the_derivatives_belong_to_the_modes_of_the_run,
              eq_23_16_a_factor_of_all_forces_changes_no_position,
              eq_23_16_two_methods_have_the_same_derivatives,
-             eq_23_27_two_methods_have_the_same_derivatives_by_momenta,
-             eq_23_27_rows_where_the_past_pulls,
              eq_23_16_a_law_has_its_derivatives_on_a_mesh,
              eq_23_16_impulses_are_divided_by_the_mass);
     ADD_CASE(suite, "errors", a_mesh_refuses_what_it_has_no_derivative_of);

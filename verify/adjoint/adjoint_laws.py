@@ -100,30 +100,31 @@ SYMBOLS = {
 
 @functools.cache
 def parabola():
-    """Laplace's inverse for t = h, ..., N h: s, and ds by 2 pi i. Poles up to 100 are inside."""
+    """Laplace's inverse for t = h, ..., N h, poles up to 100 inside: its points s, and for each impulse of
+    (26.20) the weights of the symbol at these points. A weight has no number of a law in it."""
     mu, spacing = 30 / (N * STEP), mpf("0.042")
-    v = [(1 + 1j * spacing * (j + mpf(0.5))) for j in range(-205, 205)]
-    return [mu * u * u for u in v], [mu / mpmath.pi * spacing * u for u in v]
+    points, weights = [], [[] for _ in range(2 * N)]
+    for u in [1 + 1j * spacing * (j + mpf(0.5)) for j in range(-205, 205)]:
+        s, ds = mu * u * u, mu / mpmath.pi * spacing * u  # ds by 2 pi i
+        z = s * STEP
+        f = mpmath.exp(z)
+        power = STEP * ds / (s * s) * f / (z * z)
+        points.append(s)
+        weights[0].append(power)
+        weights[1].append(power * (z - 1))
+        for k in range(1, N):
+            weights[2 * k].append(power * (f - 1 - z))
+            weights[2 * k + 1].append(power * (f * (z - 1) + 1))
+            power *= f
+    return points, weights
 
 
 def impulses(kind, a, T, e):
     """(26.20): h int (1 - u) q((k + u) h) du and h int u q du of all steps, q the inverse of C/s^2;
     of step 0 as integrals of q, by the inverses of C/s^3 and C/s^4."""
-    out = []
-    s, ds = parabola()
-    C = [w * SYMBOLS[kind](v, a, T, e) / (v * v) for v, w in zip(s, ds)]
-    step = [mpmath.exp(v * STEP) for v in s]
-    power = step
-    for k in range(N):
-        left, right = [], []
-        for v, c, E, f in zip(s, C, power, step):
-            z = v * STEP
-            left.append(c * E * ((f - 1 - z) / (z * z) if k else 1 / (z * z)))
-            right.append(c * E * ((f * (z - 1) + 1) / (z * z) if k else 1 / z - 1 / (z * z)))
-        out += [STEP * mpmath.fsum(left), STEP * mpmath.fsum(right)]
-        if k:
-            power = [E * f for E, f in zip(power, step)]
-    return out
+    points, weights = parabola()
+    C = [SYMBOLS[kind](s, a, T, e) for s in points]
+    return [mpmath.fdot(row, C) for row in weights]
 
 
 def growth(kind, factor, a, T, e):
