@@ -7,15 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The impulses for an amplitude of 1, and what their size is besides rho A. */
-static int prepare(const fvi_stepper *s, const fvi_run_damper *damper, size_t n,
-                   const double *c, fvi_initial_history_force *force, double *unit)
+int fvi_initial_history_force_prepare(const fvi_run_damper *damper, double h, size_t n,
+                                      const double *c, fvi_initial_history_force *force,
+                                      double *unit)
 {
     *unit = 1;
     if (damper->law)
-        return fvi_impulses_of_kernel_alloc(damper->law, s->run.h, &force->of_law);
+        return fvi_impulses_of_kernel_alloc(damper->law, h, &force->of_law);
     fvi_kernel_impulse_prepare(damper->alpha, n, c, &force->initial_impulse);
-    *unit = pow(s->run.h, 1 + force->initial_impulse.e); /* (19.3) */
+    *unit = pow(h, 1 + force->initial_impulse.e); /* (19.3) */
     return FVI_SUCCESS;
 }
 
@@ -50,7 +50,7 @@ static int start(const fvi_stepper *s, const fvi_run_damper *damper, size_t n,
     force->size = calloc(system->d, sizeof *force->size);
     if (!force->size)
         return FVI_ENOMEM;
-    status = prepare(s, damper, n, c, force, &unit);
+    status = fvi_initial_history_force_prepare(damper, s->run.h, n, c, force, &unit);
     if (!status)
         status = set_size(system, damper, unit, A, force->size);
     if (!status && is_zero(system->d, force->size))

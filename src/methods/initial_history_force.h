@@ -26,6 +26,19 @@ int fvi_initial_history_force_start(const fvi_stepper *s, const fvi_run_damper *
                                     size_t n, const double *c,
                                     fvi_initial_history_force *force);
 
+/* fvi_initial_history_force_prepare -- the impulses for an amplitude of 1, with no size.
+ *
+ *   h      length of a step
+ *   n, c   as above
+ *   force  zeroed before; give it back as above
+ *   unit   output: h^(1 + e) of a power, 1 of a law; an impulse is unit rho A times what
+ *          fvi_initial_history_force_impulses writes
+ *
+ * Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_initial_history_force_prepare(const fvi_run_damper *damper, double h, size_t n,
+                                      const double *c, fvi_initial_history_force *force,
+                                      double *unit);
+
 /* fvi_initial_history_amplitudes -- A of (19.3) of all coordinates, d numbers that are 0 before.
  * Returns FVI_SUCCESS, or what a function of matrices returned. */
 int fvi_initial_history_amplitudes(const fvi_system *system,

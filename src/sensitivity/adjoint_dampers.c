@@ -4,7 +4,6 @@
 
 #include "system/fail.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -89,15 +88,13 @@ static int start_stepper(fvi_adjoint_dampers *m, const fvi_method *method)
 static int start_impulses(const fvi_adjoint_dampers *m, fvi_adjoint_damper *a)
 {
     static const double ends[] = { 0, 1 };
-    const double h = m->run->h;
+    double unit;
     if (m->paper_convention || !fvi_initial_history_acts(a->of.past, a->of.growth / 2))
         return FVI_SUCCESS;
-    a->impulse_size = 1;
-    if (a->of.law)
-        return fvi_impulses_of_kernel_alloc(a->of.law, h, &a->impulses_of_law);
-    fvi_kernel_impulse_prepare(a->of.alpha, 2, ends, &a->impulse);
-    a->impulse_size = a->of.rho * pow(h, 1 + a->impulse.e);
-    return FVI_SUCCESS;
+    const int status = fvi_initial_history_force_prepare(&a->of, m->run->h, 2, ends,
+                                                         &a->history_force, &unit);
+    a->impulse_size = a->of.rho * unit;
+    return status;
 }
 
 static int is_zero(size_t d, const double *v)
@@ -236,10 +233,7 @@ static void add_impulses(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k
     double at[2];
     if (a->impulse_size == 0)
         return;
-    if (a->impulses_of_law)
-        fvi_impulses_of_kernel_at(a->impulses_of_law, k, at);
-    else
-        fvi_kernel_impulses(&a->impulse, k, at);
+    fvi_initial_history_force_impulses(&a->history_force, k, at);
     for (size_t i = 0; i < m->d; i++)
         a->pull[i] += at[0] * m->stepper->x[i] + at[1] * m->right[i];
 }
@@ -368,7 +362,7 @@ void fvi_adjoint_dampers_free(fvi_adjoint_dampers *m)
     fvi_stepper_free(m->stepper);
     for (size_t j = 0; m->each && j < m->count; j++) {
         fvi_adjoint_constant_stop(&m->each[j].constant);
-        fvi_impulses_of_kernel_free(m->each[j].impulses_of_law);
+        fvi_initial_history_force_stop(&m->each[j].history_force);
     }
     free(m->each);
     free(m->held);

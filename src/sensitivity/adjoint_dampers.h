@@ -10,8 +10,7 @@
 #include <fvi/dampers.h>
 
 #include "adjoint_constant.h"
-#include "memory/kernel_impulses.h"
-#include "methods/damping.h"
+#include "methods/initial_history_force.h"
 #include "system/linearised.h"
 
 /* Of one damper; where the comment says "each", d numbers. */
@@ -22,8 +21,7 @@ typedef struct {
     int has_drift;              /* the memory of the run knows v_0 */
     fvi_adjoint_constant constant;
     double impulse_size;        /* of a past that acts, else 0 */
-    fvi_kernel_impulse impulse;
-    fvi_impulses_of_kernel *impulses_of_law; /* instead, of a law; owned */
+    fvi_initial_history_force history_force; /* its impulses for an amplitude of 1 */
     double sum;                 /* sum_k z_k . C N_k */
     double *by_drift;           /* each: sum_k t_k C N_k */
     double *pull;               /* each: impulses of the past times lambda */
