@@ -72,17 +72,14 @@ static int start_initial_history(fvi_adjoint_multistep *m)
 {
     static const double ends[] = { 0, 1 };
     const fvi_run *run = m->run;
+    const fvi_run_damper damper = fvi_run_damper_of(run, 0);
     m->has_initial_impulses =
         !m->paper_convention && m->is_damped
         && fvi_initial_history_acts(run->past, m->growth / 2);
-    m->impulse_size = m->has_initial_impulses;
     if (!m->has_initial_impulses)
         return FVI_SUCCESS;
-    if (run->law)
-        return fvi_impulses_of_kernel_alloc(run->law, run->h, &m->impulses_of_law);
-    fvi_kernel_impulse_prepare(run->alpha, 2, ends, &m->initial_impulse);
-    m->impulse_size = pow(run->h, 1 + m->initial_impulse.e);
-    return FVI_SUCCESS;
+    return fvi_initial_history_force_prepare(&damper, run->h, 2, ends,
+                                             &m->history_force, &m->impulse_size);
 }
 
 static void describe(const fvi_method *method, const fvi_run *run,
@@ -148,8 +145,7 @@ void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
 {
     fvi_stepper_free(m->stepper);
     fvi_adjoint_constant_stop(&m->constant);
-    if (m->impulses_of_law)
-        fvi_impulses_of_kernel_free(m->impulses_of_law);
+    fvi_initial_history_force_stop(&m->history_force);
     fvi_adjoint_constant_stop(&m->jumped);
     for (size_t i = 0; i < m->terms; i++)
         fvi_adjoint_term_stop(&m->each[i]);
@@ -249,12 +245,9 @@ static void accumulate_forces(fvi_adjoint_multistep *m, size_t k)
         return;
     double at[2] = { 0 }, slope[2] = { 0 };
     accumulate_impulses_of_terms(m, k);
-    if (m->impulses_of_law)
-        fvi_impulses_of_kernel_at(m->impulses_of_law, k, at);
-    else
-        fvi_kernel_impulses(&m->initial_impulse, k, at);
+    fvi_initial_history_force_impulses(&m->history_force, k, at);
     if (m->want->alpha)
-        fvi_kernel_impulses_by_order(&m->initial_impulse, k, slope);
+        fvi_kernel_impulses_by_order(&m->history_force.initial_impulse, k, slope);
     for (size_t i = 0; i < d; i++) {
         m->pull[i] += at[0] * left[i] + at[1] * right[i];
         m->impulse_sum_by_order[i] += slope[0] * left[i] + slope[1] * right[i];

@@ -9,7 +9,7 @@
 #include <fvi/adjoint.h>
 #include "adjoint_constant.h"
 #include "adjoint_kernel.h"
-#include "methods/damping.h"
+#include "methods/initial_history_force.h"
 #include "system/linearised.h"
 
 /* One mirrored run. Where the comment says "each", d numbers; r of them are remembered, all of
@@ -35,8 +35,7 @@ typedef struct {
     double growth; /* 2 alpha, or that of the law */
     int has_jumps;               /* J depends on p_k, k < N, too: */
     fvi_adjoint_constant jumped; /* the memory of what lambda has jumped by, B */
-    fvi_kernel_impulse initial_impulse;
-    fvi_impulses_of_kernel *impulses_of_law; /* instead, of a law; owned */
+    fvi_initial_history_force history_force; /* its impulses for an amplitude of 1 */
     double impulse_size; /* h^(1 + e) of a past that acts, else 0 */
 
     double *Jp, *CJ;            /* each: J_p, C J_p; without matrices C is the unit matrix */
