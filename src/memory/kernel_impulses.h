@@ -42,8 +42,8 @@ int fvi_impulses_of_kernel_at_stages(const fvi_kernel *law, double h, size_t n,
                                      const double *c,
                                      fvi_impulses_of_kernel **impulses);
 
-/* fvi_impulses_of_kernel_at -- I_0 and I_1 of step k, or those of the stages, times 1/v0. The numbers depend on k alone;
- * the cost is 150 products of complex numbers where k is the last one, plus 1.
+/* fvi_impulses_of_kernel_at -- I_0 and I_1 of step k, or those of the stages, times 1/v0. The numbers
+ * depend on k alone; the cost is 150 products of complex numbers where k is the last one, plus 1.
  * Accuracy: 1e-13 of their sum (no proof; seen 2e-14). */
 void fvi_impulses_of_kernel_at(fvi_impulses_of_kernel *impulses, size_t k,
                                double *impulse);

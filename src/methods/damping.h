@@ -126,8 +126,9 @@ int fvi_damping_sums(const fvi_stepper *s, size_t j, double *impulse, double *wo
  * or NULL. */
 const fvi_damping *fvi_damping_of(const fvi_stepper *s);
 
-/* fvi_damping_move_origin -- the origin of the first damping of a stepper that has one moves by d
- * numbers: s->x may jump by them and the memory does not see it. Returns FVI_SUCCESS, or what remember returned; FVI_ENOMEM. */
+/* fvi_damping_move_origin -- move the origin of the first damping of a stepper, which has one, by d
+ * numbers. Then s->x may jump by them, and the memory does not see the jump. Returns FVI_SUCCESS;
+ * FVI_ENOMEM; what remember returned. */
 int fvi_damping_move_origin(fvi_stepper *s, const double *by);
 
 /* fvi_damping_copy -- all of them again, memory included; NULL of NULL.
