@@ -143,5 +143,5 @@ await test("the page is one file, up to date, that asks nobody for anything", as
   assert.doesNotMatch(page.replace(wasm, ""), /https?:|\bsrc=|\bimport\b|@import|url\(|fetch\(/);
   // 135,000; of these 12.5 kB are wasi-libc's log, sin of huge numbers, complex products, and 13 kB
   // what understands an expression.
-  assert.ok(page.length < 144e3);
+  assert.ok(page.length < 140e3);
 });

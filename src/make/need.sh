@@ -18,7 +18,7 @@ have() {
     sympy | numpy | cffi | setuptools | wheel | pytest) "$PYTHON" -c "from importlib.util import find_spec; raise SystemExit(not find_spec('$1'))" ;;
     Python.h) "$PYTHON" -c "import os, sysconfig; raise SystemExit(not os.path.exists(sysconfig.get_path('include') + '/Python.h'))" ;;
     pdfinfo) command -v pdfinfo && command -v pdftotext ;;
-    wasm) command -v clang && command -v wasm-ld && test -e /usr/lib/wasm32-wasi/libc.a ;;
+    wasm) command -v clang && command -v wasm-ld && test -e /usr/lib/wasm32-wasi/libc.a && command -v zopfli ;;
     *) command -v "$1" ;;
     esac >/dev/null 2>&1
 }
@@ -35,7 +35,7 @@ packages() {
     Python.h) echo python3-dev ;;
     sympy) echo python3-sympy python3-mpmath python3-gmpy2 ;; # without the last proofs hold, too, a third more slowly
     numpy | cffi | setuptools | wheel | pytest) echo "python3-$1" ;;
-    wasm) echo clang lld wasi-libc libclang-rt-dev-wasm32 ;;
+    wasm) echo clang lld wasi-libc libclang-rt-dev-wasm32 zopfli ;;
     node) echo nodejs ;;
     pdfinfo) echo poppler-utils ;;
     *) echo "$1" ;;
