@@ -133,8 +133,9 @@ class Student:
         """Of each test that is asked: its stage, its name, whether it passed, and a sentence."""
         tests, helpers = asked(self.stage)
         if not library:
-            helpers = [h for h in helpers if "fvi_" not in h.text]
-            tests = [t for t in tests if "library_run" not in t.words]
+            of_library = {h.name for h in helpers if "fvi_" in h.text}
+            helpers = [h for h in helpers if h.name not in of_library]
+            tests = [t for t in tests if "fvi_" not in t.text and not of_library & t.words]
         if self.stage == 1 and "main" not in self.has:
             raise runner.NotBuilt(f"there is no main in {self.file}")
         lacks = {test.name: sorted(test.needs - self.has) for test in tests}
