@@ -151,12 +151,21 @@ typedef struct fvi_ground fvi_ground;
  *
  * FVI_EUNSUP, too, of matrices without inertia.
  *
+ * fvi_ground_alloc -- the same of an acceleration that is no text: a force of one number without
+ * impulses (FVI_EINVAL). What its params point to must outlive the ground. Cost O(d), and that of M r.
+ *
+ *     const fvi_force shaking = { .value = acceleration_of_the_table };
+ *     if (fvi_ground_alloc(&shaking, &system, r, &ground, &error) == FVI_SUCCESS)
+ *         system.force = fvi_ground_force(ground);
+ *
  * fvi_ground_force -- that F, to be put into the system for its runs.
  * fvi_ground_acceleration -- a_g, a force of one number, for columns (columns.h).
- * fvi_ground_typed -- the same as it was typed: its files and jumps. */
+ * fvi_ground_typed -- the same as it was typed: its files and jumps; NULL if it was not. */
 int fvi_parse_ground(const char *text, const fvi_system *system,
                      const double *r, fvi_user_parameters *parameters,
                      double last, fvi_ground **ground, fvi_error *error);
+int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system,
+                     const double *r, fvi_ground **ground, fvi_error *error);
 fvi_force fvi_ground_force(const fvi_ground *ground);
 const fvi_force *fvi_ground_acceleration(const fvi_ground *ground);
 const fvi_typed_force *fvi_ground_typed(const fvi_ground *ground);

@@ -90,12 +90,14 @@ static int collect_jumps(fvi_ground *g)
     return FVI_SUCCESS;
 }
 
-int fvi_parse_ground(const char *text, const fvi_system *system,
-                     const double *r, fvi_user_parameters *parameters,
-                     double last, fvi_ground **ground, fvi_error *error)
+int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system,
+                     const double *r, fvi_ground **ground, fvi_error *error)
 {
-    if (!text || !system || !r || !ground)
+    if (!acceleration || !system || !r || !ground)
         return fvi_fail(error, FVI_EFAULT, "ground", NAN, "null pointer");
+    if (acceleration->impulse_count)
+        return fvi_fail(error, FVI_EINVAL, "ground", NAN,
+                        "an impulse is no acceleration");
     fvi_ground *g = calloc(1, sizeof *g);
     double *pull = calloc(system->d, sizeof *pull);
     if (!g || !pull) {
@@ -103,24 +105,40 @@ int fvi_parse_ground(const char *text, const fvi_system *system,
         free(pull);
         return fvi_fail(error, FVI_ENOMEM, "ground", NAN, "not enough memory");
     }
-    g->d = system->d;
-    g->pull = pull;
-    g->others = system->force;
-    int status = fvi_parse_force_of("ground", text, 1, parameters, last,
-                                    &g->typed, error);
-    if (!status)
-        g->acceleration = fvi_force_typed(g->typed);
-    if (!status && g->acceleration.impulse_count)
-        status = fvi_fail(error, FVI_EINVAL, "ground", NAN,
-                          "'%s': an impulse is no acceleration", text);
-    if (!status)
-        status = find_pull(g, system, r, error);
+    *g = (fvi_ground){ .d = system->d,
+                       .pull = pull,
+                       .acceleration = *acceleration,
+                       .others = system->force };
+    int status = find_pull(g, system, r, error);
     if (!status && collect_jumps(g))
         status = fvi_fail(error, FVI_ENOMEM, "ground", NAN, "not enough memory");
     if (status)
         fvi_ground_free(g);
     else
         *ground = g;
+    return status;
+}
+
+int fvi_parse_ground(const char *text, const fvi_system *system,
+                     const double *r, fvi_user_parameters *parameters,
+                     double last, fvi_ground **ground, fvi_error *error)
+{
+    fvi_typed_force *typed = NULL;
+    if (!text || !system || !r || !ground)
+        return fvi_fail(error, FVI_EFAULT, "ground", NAN, "null pointer");
+    int status = fvi_parse_force_of("ground", text, 1, parameters, last, &typed,
+                                    error);
+    if (status)
+        return status;
+    const fvi_force acceleration = fvi_force_typed(typed);
+    status = acceleration.impulse_count
+                 ? fvi_fail(error, FVI_EINVAL, "ground", NAN,
+                            "'%s': an impulse is no acceleration", text)
+                 : fvi_ground_alloc(&acceleration, system, r, ground, error);
+    if (status)
+        fvi_typed_force_free(typed);
+    else
+        (*ground)->typed = typed;
     return status;
 }
 

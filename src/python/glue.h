@@ -77,17 +77,35 @@ static int energies(const fvi_system *system, size_t rows, const double *t, cons
         status = fvi_energy_at(system, t[*done], x + *done * d, p + *done * d, energy + *done);
     return status;
 }
-/* What an observer says at the rows; *done of them stand. `width`: of the forces of all dampers. */
-typedef struct {
-    double *a, *force, *impulse, *work, *work_of_force, *balance;
-} observed;
-static int observe(fvi_observer *o, fvi_stepper *s, size_t rows, const double *t, size_t width, const observed *to,
-                   size_t *done)
+/* How many constraints a system has; and the coordinate, from 1, that number i prescribes, or 0. */
+static size_t constraints(const fvi_system *system)
 {
-    const size_t d = s->run.system->d, dampers = fvi_observer_dampers(o);
+    const fvi_constraints *ties = system->mechanism ? system->mechanism->constraints : NULL;
+    return ties ? ties->count : 0;
+}
+static size_t imposed_on(const fvi_system *system, size_t i)
+{
+    const size_t *imposed = system->mechanism->constraints->imposed;
+    return imposed ? imposed[i] : 0;
+}
+/* What an observer says at the rows, where there is room for it; *done of them stand. */
+typedef struct {
+    double *a, *force, *impulse, *work, *multiplier, *work_of_force, *balance;
+} observed;
+static void put_row(double *to, size_t k, size_t n, const double *from)
+{
+    if (to && n)
+        memcpy(to + k * n, from, n * sizeof *to);
+}
+static int observe(fvi_observer *o, fvi_stepper *s, size_t rows, const double *t, const observed *to, size_t *done)
+{
+    const size_t dampers = fvi_observer_dampers(o), ties = constraints(s->run.system);
     const int is_dense = s->method->dense != NULL;
     fvi_observation now;
+    size_t width = 0;
     int status = 0;
+    for (size_t j = 0; j < dampers; j++)
+        width += fvi_observer_width(o, j);
     for (*done = 0; *done < rows && !status; *done += !status) {
         const size_t k = *done, node = (size_t)round(t[k] / s->run.h);
         while (!status && (is_dense ? s->t < t[k] : s->k < node))
@@ -96,13 +114,50 @@ static int observe(fvi_observer *o, fvi_stepper *s, size_t rows, const double *t
             status = fvi_observer_read(o, s, is_dense ? t[k] : s->t, &now);
         if (status)
             break;
-        memcpy(to->a + k * d, now.a, d * sizeof *to->a);
-        memcpy(to->force + k * width, now.force, width * sizeof *to->force);
-        memcpy(to->impulse + k * width, now.impulse, width * sizeof *to->impulse);
-        memcpy(to->work + k * dampers, now.work, dampers * sizeof *to->work);
-        to->work_of_force[k] = now.work_of_force;
-        to->balance[k] = now.balance;
+        put_row(to->a, k, s->run.system->d, now.a);
+        put_row(to->force, k, width, now.force);
+        put_row(to->impulse, k, width, now.impulse);
+        put_row(to->work, k, dampers, now.work);
+        put_row(to->multiplier, k, ties, now.multiplier);
+        put_row(to->work_of_force, k, 1, &now.work_of_force);
+        put_row(to->balance, k, 1, &now.balance);
     }
+    return status;
+}
+/* More rows of a run with events, behind the count->rows that stand, until there is another event or the run is over. */
+static int rows_to_event(fvi_stepper *s, size_t rows, const double *t, double *x, double *p, row_count *count)
+{
+    const size_t d = s->run.system->d;
+    size_t before, now;
+    int status = 0;
+    fvi_stepper_events(s, &before);
+    while (count->rows < rows && !status) {
+        const size_t k = count->rows;
+        if (s->t >= t[k]) {
+            status = fvi_stepper_advance_to(s, t[k], x + k * d, p + k * d);
+            if (!status)
+                status = count_row(k, t[k], NULL, NULL, count);
+        } else if (fvi_stepper_is_over(s)) {
+            break;
+        } else {
+            status = fvi_stepper_step(s);
+            fvi_stepper_events(s, &now);
+            if (now > before)
+                break;
+        }
+    }
+    return status;
+}
+/* The acceleration of the ground at the rows. */
+static int accelerations_of_ground(const fvi_ground *ground, size_t rows, const double *t, double *ag)
+{
+    const fvi_force *of = fvi_ground_acceleration(ground);
+    int status = 0;
+    for (size_t k = 0; k < rows && !status; k++)
+        if (of->value)
+            status = of->value(t[k], 1, of->params, ag + k);
+        else
+            ag[k] = 0;
     return status;
 }
 /* NULL: it has none. */

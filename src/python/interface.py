@@ -65,7 +65,8 @@ typedef struct {
     double tolerance, step_error, longest;
     size_t most_steps;
     const fvi_kernel *law;
-    ...;
+    const struct fvi_event *events;
+    size_t event_count;
 } fvi_run;
 typedef struct {
     const char *name, *order, *memory;
@@ -80,6 +81,21 @@ typedef struct {
     double *x, *p;
     ...;
 } fvi_stepper;
+typedef enum { FVI_EVENT_MARK, FVI_EVENT_STOP, FVI_EVENT_IMPACT } fvi_event_action;
+typedef struct fvi_event {
+    int (*value)(double t, size_t d, const double *x, const double *p, void *params, double *z);
+    int (*gradient)(double t, size_t d, const double *x, void *params, double *normal, double *rate);
+    void *params;
+    int direction;
+    fvi_event_action action;
+    double restitution;
+} fvi_event;
+typedef struct { double t; size_t event; int at_rest; } fvi_event_time;
+const fvi_event_time *fvi_stepper_events(const fvi_stepper *s, size_t *n);
+int fvi_stepper_is_over(const fvi_stepper *s);
+typedef struct { size_t steps, rejected; double longest; ...; } fvi_step_statistics;
+int fvi_stepper_statistics(const fvi_stepper *s, fvi_step_statistics *counts);
+typedef struct fvi_typed_events fvi_typed_events;
 extern const fvi_method *const fvi_methods[];
 const fvi_method *fvi_method_find(const char *name);
 fvi_run fvi_run_default(const fvi_system *system, const double *x0, const double *p0, double h, size_t steps);
@@ -145,6 +161,14 @@ typedef struct { fvi_kernel law; fvi_kernel_function function; ...; } fvi_typed_
 int fvi_parse_damping(const char *text, fvi_user_parameters *parameters, fvi_typed_damping *damping, fvi_error *error);
 void fvi_typed_damping_free(fvi_typed_damping *damping);
 typedef struct fvi_typed_force fvi_typed_force;
+typedef struct fvi_ground fvi_ground;
+int fvi_parse_ground(const char *text, const fvi_system *system, const double *r, fvi_user_parameters *parameters,
+                     double last, fvi_ground **ground, fvi_error *error);
+int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system, const double *r, fvi_ground **ground,
+                     fvi_error *error);
+fvi_force fvi_ground_force(const fvi_ground *ground);
+const fvi_force *fvi_ground_acceleration(const fvi_ground *ground);
+void fvi_ground_free(fvi_ground *ground);
 int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters, double last, fvi_typed_force **force,
                     fvi_error *error);
 fvi_force fvi_force_typed(const fvi_typed_force *force);
@@ -160,6 +184,11 @@ int fvi_parse_mechanism(const fvi_mechanism_texts *texts, size_t d, fvi_user_par
                         fvi_typed_mechanism **mechanism, fvi_error *error);
 const struct fvi_mechanism *fvi_mechanism_typed(const fvi_typed_mechanism *mechanism);
 void fvi_typed_mechanism_free(fvi_typed_mechanism *mechanism);
+int fvi_parse_events(size_t count, const char *const *texts, size_t d, const double *mass, fvi_user_parameters *parameters,
+                     fvi_typed_events **events, fvi_error *error);
+const fvi_event *fvi_events_typed(const fvi_typed_events *events, size_t *count);
+const char *fvi_typed_event_name(const fvi_typed_events *events, size_t i);
+void fvi_typed_events_free(fvi_typed_events *events);
 size_t fvi_largest_index(const char *text);
 typedef struct { size_t n; int *start, *row; double *entry; } fvi_sparse;
 typedef struct { const double *row; ...; } fvi_elongation;
@@ -332,14 +361,17 @@ typedef struct { size_t rows, all; void *tell; ...; } row_count;
 int count_row(size_t k, double t, const double *x, const double *p, void *params);
 typedef struct fvi_observer fvi_observer;
 enum { FVI_OBSERVE_VELOCITY = 1, FVI_OBSERVE_ACCELERATION = 2, FVI_OBSERVE_FORCE = 4, FVI_OBSERVE_IMPULSE = 8,
-       FVI_OBSERVE_WORK = 16, FVI_OBSERVE_ENERGY = 32, FVI_OBSERVE_APPLIED = 64 };
+       FVI_OBSERVE_WORK = 16, FVI_OBSERVE_ENERGY = 32, FVI_OBSERVE_APPLIED = 64, FVI_OBSERVE_MULTIPLIER = 128 };
 int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **o, fvi_error *error);
 size_t fvi_observer_dampers(const fvi_observer *o);
 size_t fvi_observer_width(const fvi_observer *o, size_t j);
 void fvi_observer_free(fvi_observer *o);
-typedef struct { double *a, *force, *impulse, *work, *work_of_force, *balance; } observed;
-int observe(fvi_observer *o, fvi_stepper *s, size_t rows, const double *t, size_t width, const observed *to,
-            size_t *done);
+typedef struct { double *a, *force, *impulse, *work, *multiplier, *work_of_force, *balance; } observed;
+int observe(fvi_observer *o, fvi_stepper *s, size_t rows, const double *t, const observed *to, size_t *done);
+size_t constraints(const fvi_system *system);
+size_t imposed_on(const fvi_system *system, size_t i);
+int rows_to_event(fvi_stepper *s, size_t rows, const double *t, double *x, double *p, row_count *count);
+int accelerations_of_ground(const fvi_ground *ground, size_t rows, const double *t, double *ag);
 const char *damper_name(const fvi_system *system, size_t j);
 int energies(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p, double *energy,
              size_t *done);
@@ -357,6 +389,8 @@ extern "Python" int ask_gradient(size_t d, const double *x, void *params, double
 extern "Python" int ask_hessian(size_t d, const double *x, void *params, double *H);
 extern "Python" int ask_force(double t, size_t d, void *params, double *F);
 extern "Python" int ask_quadratic(const void *params);
+extern "Python" int ask_event(double t, size_t d, const double *x, const double *p, void *params, double *z);
+extern "Python" int ask_normal(double t, size_t d, const double *x, void *params, double *normal, double *rate);
 extern "Python" void ask_symbol(double re, double im, void *params, double *C_re, double *C_im);
 """)
 

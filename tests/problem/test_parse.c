@@ -262,6 +262,34 @@ START_TEST(a_table_is_linear_between_its_rows)
 }
 END_TEST
 
+/* m = 2, 4 along r = 1, -1/2, a_g = 3 t on two rows, and a force of 1 besides: F = 1 - 6 t, 1 + 6 t. */
+START_TEST(a_ground_is_also_an_acceleration_that_is_no_text)
+{
+    const double t[] = { 0, 1 }, a[] = { 0, 3 }, mass[] = { 2, 4 }, r[] = { 1, -0.5 },
+                 one = 1;
+    const fvi_force_rows rows = { 2, 1, t, a }, besides = { 1, 1, t, &one };
+    const fvi_force shaking = fvi_force_table(&rows);
+    const fvi_system system = { .d = 2, .mass = mass, .force = fvi_force_table(&besides) };
+    fvi_ground *ground;
+    double F[2], ag, most[4];
+    ck_assert_int_eq(fvi_ground_alloc(&shaking, &system, r, &ground, &error), 0);
+    const fvi_force force = fvi_ground_force(ground),
+                    *acceleration = fvi_ground_acceleration(ground);
+    ck_assert_int_eq(force.value(0.5, 2, force.params, F), 0);
+    ck_assert(F[0] == -2 && F[1] == 4);
+    ck_assert_int_eq(acceleration->value(0.5, 1, acceleration->params, &ag), 0);
+    ck_assert(ag == 1.5 && !fvi_ground_typed(ground));
+    ck_assert(force.jump_count == 3 && force.bound);
+    ck_assert_int_eq(force.bound(0, 0.5, 1, 2, force.params, most), 0);
+    ck_assert(most[2] >= 6 && most[3] >= 6 && most[3] < 6.01);
+    fvi_ground_free(ground);
+    const fvi_force hammer = { .impulse_count = 1 };
+    ck_assert_int_eq(fvi_ground_alloc(&hammer, &system, r, &ground, &error), FVI_EINVAL);
+    expect(FVI_EINVAL, "ground", "an impulse is no acceleration");
+    ck_assert_int_eq(fvi_ground_alloc(&hammer, &system, NULL, &ground, &error), FVI_EFAULT);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("problems as they are typed");
@@ -269,6 +297,7 @@ int main(void)
              an_error_says_field_value_index_and_text,
              parameters_are_names_with_one_value_that_are_used,
              a_text_becomes_a_force, a_table_is_linear_between_its_rows,
+             a_ground_is_also_an_acceleration_that_is_no_text,
              a_text_becomes_a_problem, a_text_becomes_a_mechanism);
     return run_suite(suite);
 }

@@ -13,6 +13,7 @@ Lengths, times and masses are in units of your own.
 
     Problem     what moves: potential, mass, damping, force, start; never changes, pickles
     solve       its motion: a Solution with t, x, p, v, energy, which gives out any time and plots
+    Event       what is watched along a motion: a mark, a stop, an impact
     sweep       the motions of many problems, on all cores
     vjp         the gradient of what is made of a motion, by all that determines it
     gradient    a loss and its gradient; `import fvi.torch` has motions for torch
@@ -30,6 +31,7 @@ Lengths, times and masses are in units of your own.
     Error       what is raised where the library returns a code
     FviWarning  what warnings.warn says where the numbers are not those of a motion
 """
+from ._events import Event as Event
 from ._exact import exact as exact, weights as weights
 from ._fit import Fit as Fit, fit as fit
 from ._gradient import gradient as gradient, jacobian as jacobian, vjp as vjp

@@ -8,9 +8,10 @@ import numpy as np
 from ._arguments import Array, Numbers, described, numbers, spelt
 from ._fvi import ffi, lib
 from ._library import ask, failure, succeed
+from ._observe import as_run
 from ._problem import Problem
 from ._solution import Solution
-from ._solve import Motion, as_run, solve
+from ._solve import Motion, solve
 from ._system import by_term, numbers_of_law
 
 ALL = ("x0", "p0", "v0", "mass", "rho", "alpha", "order", "potential", "let", "damping", "force", "M", "K", "C", "dampers")
@@ -85,11 +86,12 @@ def known_of(q: Problem, is_expression: bool) -> set:
     """By what a problem has derivatives."""
     known = {"x0", "v0" if q.v0 is not None else "p0"} | ({"force"} if isinstance(q.force, tuple) else set())
     if q.kind == "structure" and q.dampers:
-        return known | {"M", "K", "dampers"}
+        return known | {"K", "dampers"} | ({"M"} if q.ground is None else set())
     known |= {"damping"} if q.damping is not None else {"order" if q.order is not None else "alpha"}
+    inertia = set() if q.ground is not None else {"M"} if q.kind == "structure" else {"mass"}  # the ground pulls at it
     if q.kind == "structure":
-        return known | {"M", "K"} | ({"C"} if q.C is not None else set())
-    known |= {"mass"} | ({"rho"} if q.damping is None else set()) | ({"let"} if q.let else set())
+        return known | inertia | {"K"} | ({"C"} if q.C is not None else set())
+    known |= inertia | ({"rho"} if q.damping is None else set()) | ({"let"} if q.let else set())
     return known | ({"potential"} if isinstance(q.potential, str) and not is_expression else set())
 
 
@@ -120,7 +122,7 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
 
     Returns a dict by names: "x0", "p0" or "v0", "mass", "rho", "alpha" or "order", each in the shape that the problem
     has it; of matrices "M", "K" and "C", by a factor of each, and "dampers", by one of each
-    law; "let", by names; "potential", the derivatives by the constants of a potential that is ready to use;
+    law ("mass" and "M" only where no ground moves); "let", by names; "potential", the derivatives by the constants of a potential that is ready to use;
     "damping", a dict for each term of the law, with rho, alpha, time and end; "force", of measured rows, by each F.
 
     These are the derivatives of the numbers that `solve` gives, exact but for rounding: no difference is taken. Of
@@ -170,6 +172,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
         want("parameters", 1 if whole else to.sensitivity.count)
     used = [system.parameters.used[j] for j in range(len(lets))]
     has_force = "let" in names and any(u & lib.FVI_USED_BY_FORCE for u in used)
+    if has_force and isinstance(q.ground, str):
+        raise ValueError("let: where a ground moves, forces have no derivative by their names; leave let out of wrt")
     if "let" in names and any(u & lib.FVI_USED_BY_DAMPING for u in used):
         raise ValueError("let: a law that is an expression has no derivative by its names; leave let out of wrt")
     if has_force and mirror.is_dense:

@@ -14,7 +14,7 @@ from ._system import Law, Potential
 
 Force = Union[None, str, Callable[[float], Numbers], tuple[Sequence[float], Numbers]]
 NUMERIC = ("t_eval", "error", "method", "h", "steps", "kappa", "progress", "step_error", "longest", "most_steps",
-           "memory", "tolerance")
+           "memory", "tolerance", "events")
 OTHERS = {"derivative": "past", "U": "potential", "m": "mass", "F": "force", "T": "time", "M": "mass", "beta": "order"}
 
 
@@ -47,6 +47,9 @@ class Problem:
                them, a list of such, "symbol:EXPRESSION" in s, or a function C(s); `help(fvi.run)` has them all
     force      None; a text, "cosine:A,W", "step:A,T", "impulse:J,T", "file:F.tsv" or an expression in t; a pair
                (t, F) of arrays, linear in between, F of one column for all coordinates or of d; or a function of t
+    ground     the acceleration of the ground, as a force: a text, a pair (t, a) of arrays, or a function of t. x is then
+               relative to the ground, which pulls with -M r a
+    along      r, how each coordinate moves with the ground, one number or d of them; 1
     past       what was before t = 0: "held" at x0, "caputo" or "rl"; "held"; of dampers each has its own
     x0         where it begins, one number or d of them; 1, with M 0
     p0         its momentum there, one number or d of them; 0.5, with M 0
@@ -57,7 +60,7 @@ class Problem:
     dampers      each '[NAME=] G : LAW [: PAST]', on the elongation G, an expression in x1, ...: "x2 - x1 : viscous:1";
                  with M a triple (C, LAW) or (C, LAW, PAST), C a matrix or, of an elongation, a row of d numbers
     constraints  each an expression in x1, ..., t that is 0
-    impose       each a coordinate that is prescribed, "x1=sin(t)"
+    impose       each a coordinate that is prescribed, "x1=sin(t)"; a Solution has the force that it takes, `reactions`
     force_on     each a force that knows x, v and t, "2=-0.1*v2^3"
     M, K, C      matrices of scipy.sparse or arrays (d, d), M x'' + C D^order x + K x = F, instead of mass, potential, rho
 
@@ -74,6 +77,8 @@ class Problem:
     order: Optional[float] = None
     damping: Law = None
     force: Force = None
+    ground: Union[None, str, Callable[[float], float], tuple[Sequence[float], Numbers]] = None
+    along: Optional[Numbers] = None
     past: str = "held"
     x0: Optional[Numbers] = None
     p0: Optional[Numbers] = None
@@ -98,7 +103,7 @@ class Problem:
         for name in ("time", "alpha", "order"):
             if getattr(self, name) is not None:
                 put(name, number(name, getattr(self, name)))
-        for name in ("mass", "rho", "x0", "p0", "v0"):
+        for name in ("mass", "rho", "x0", "p0", "v0", "along"):
             if getattr(self, name) is not None:
                 put(name, frozen(name, getattr(self, name)))
         if self.let is not None:
@@ -114,14 +119,20 @@ class Problem:
             self.damper(given) for given in self.dampers))
         if isinstance(self.damping, list):
             put("damping", tuple(self.damping))
-        if isinstance(self.force, (tuple, list)):
-            if len(self.force) != 2:
-                raise TypeError(f"force: a pair (t, F) of arrays has two members, not {len(self.force)}")
-            put("force", tuple(frozen(f"force: {name}", a) for name, a in zip("tF", self.force)))
+        for name, of in (("force", "tF"), ("ground", "ta")):
+            given = getattr(self, name)
+            if isinstance(given, (tuple, list)):
+                if len(given) != 2:
+                    raise TypeError(f"{name}: a pair (t, {of[1]}) of arrays has two members, not {len(given)}")
+                put(name, tuple(frozen(f"{name}: {each}", a) for each, a in zip(of, given)))
+        if self.along is not None and self.ground is None:
+            raise ValueError("along: without ground nothing moves along it")
+        if not (self.ground is None or isinstance(self.ground, (str, tuple)) or callable(self.ground)):
+            raise TypeError(f"ground: {described(self.ground)} is no text, no function of t and no pair (t, a) of arrays")
 
     def check_kind(self) -> None:
         """Masses and a potential, or a Lagrangian, or matrices."""
-        instead = {"lagrangian": ("potential", "mass", "rho", "alpha", "order", "damping"),
+        instead = {"lagrangian": ("potential", "mass", "rho", "alpha", "order", "damping", "ground"),
                    "dampers": ("rho", "alpha", "order", "damping", "past"),
                    "M": ("potential", "mass", "rho", "lagrangian", "constraints", "impose", "force_on")}
         fields = {f.name: f.default for f in dataclasses.fields(self)}
@@ -187,6 +198,8 @@ class Problem:
             if changes.get(one) is not None:
                 for other in others:
                     changes.setdefault(other, None)
+        if "ground" in changes and changes["ground"] is None:
+            changes.setdefault("along", None)
         if len(changes.get("dampers", ())):
             for other in ("alpha", "order", "rho", "damping", "C"):
                 changes.setdefault(other, None)

@@ -6,6 +6,7 @@ from typing import Any, Optional
 import numpy as np
 
 from ._arguments import Array, Numbers, numbers
+from ._events import rows_with_events
 from ._fvi import ffi, lib
 from ._library import ask, error_of, failure, succeed
 from ._problem import Problem
@@ -21,6 +22,9 @@ class Solution:
     forces      of each damper, a dict by its name, "d1", ... if it has none: (n, its number of forces)
     impulses    their integrals, likewise
     work        what each damper has taken, a dict by names of n numbers, and "force" what the force has given
+    multipliers of the constraints, (n, their number); reactions: what moves each coordinate that is imposed, a dict, "x1", ...
+    ag          acceleration of the ground, n numbers, 0 if it does not move
+    t_events    of each event an array of its times; x_events, p_events: x and p there, (k, d), p behind an impact
     balance     energy + work of the dampers - work of the force: that of the start
     status      0; or the code with which the run ended, of the rows of an Error
     message     in words
@@ -34,15 +38,16 @@ class Solution:
     for many times at once. A Solution pickles with its problem."""
 
     def __init__(self, problem: Problem, how: Any, t: Array, x: Array, p: Array, status: int, message: str,
-                 steps: Optional[int], step: float, estimate: Optional[float]):
+                 steps: Optional[int], step: float, estimate: Optional[float], events: Optional[tuple] = None):
         self.problem, self.how = problem, how
         self.t, self.x, self.p = t, x, p
         self.status, self.message, self.steps, self.estimate = status, message, steps, estimate
         self.step = step
+        self.t_events, self.x_events, self.p_events = ([], [], []) if events is None else events
         self._motion: Any = None
         self._energy: Optional[Array] = None
         self._v: Optional[Array] = None
-        self._observed: Optional[dict] = None
+        self._observed: dict = {}
 
     def __getstate__(self) -> dict:
         return {**self.__dict__, "_motion": None}
@@ -84,42 +89,67 @@ class Solution:
             self._energy = energy
         return self._energy
 
-    @property
-    def observed(self) -> dict:
-        """What an observer that goes along says (fvi/observer.h): the motion is run again for it."""
-        if self._observed is None:
-            from ._solve import observe
-            self._observed = observe(self)
-        return self._observed
+    def observed(self, name: str) -> Any:
+        """What an observer says; all of it at once, but for what is not known with events."""
+        found: dict = self._observed
+        if name not in found:
+            from ._observe import observe
+            wanted = lib.FVI_OBSERVE_ACCELERATION | lib.FVI_OBSERVE_MULTIPLIER
+            if name not in ("a", "multipliers", "reactions") or not self.how.events:
+                wanted |= lib.FVI_OBSERVE_FORCE | lib.FVI_OBSERVE_IMPULSE | lib.FVI_OBSERVE_WORK
+            found.update(observe(self, wanted))
+        return found[name]
 
     @property
     def a(self) -> Array:
-        return self.observed["a"]
+        return self.observed("a")
 
     @property
     def forces(self) -> dict:
-        return self.observed["forces"]
+        return self.observed("forces")
 
     @property
     def impulses(self) -> dict:
-        return self.observed["impulses"]
+        return self.observed("impulses")
 
     @property
     def work(self) -> dict:
-        return self.observed["work"]
+        return self.observed("work")
 
     @property
     def balance(self) -> Array:
-        return self.observed["balance"]
+        return self.observed("balance")
+
+    @property
+    def multipliers(self) -> Array:
+        return self.observed("multipliers")
+
+    @property
+    def reactions(self) -> dict:
+        return self.observed("reactions")
+
+    @property
+    def ag(self) -> Array:
+        found = np.zeros(len(self.t))
+        if self.problem.ground is not None:
+            succeed(ask(lib.accelerations_of_ground, self.motion.system.ground, len(self.t), self.arrays()[0],
+                        ffi.from_buffer("double[]", found)), " (ground)")
+        return found
 
     def __call__(self, t: Numbers) -> Array:
         times = numbers("t", t)
         wanted, back = np.unique(times, return_inverse=True)
         x, p = np.empty((2, wanted.size, self.x.shape[1]))
         count = ffi.new("row_count *", {"all": wanted.size})
-        status, _, error = self.motion.solve(self.how, self.problem.time, np.ascontiguousarray(wanted), x, p, count)
-        if status:
-            raise error_of(error, status) if error.code == status else failure(status)
+        if self.how.events:
+            raised, _, stepper = rows_with_events(self.motion, self.how.events, wanted, x, p, count)
+            if raised is None and count.rows < wanted.size:
+                raise ValueError(f"t: {wanted[count.rows]:g} is behind the end of the motion, t = {stepper.t:g}")
+        else:
+            status, _, error = self.motion.solve(self.how, self.problem.time, np.ascontiguousarray(wanted), x, p, count)
+            raised = None if not status else error_of(error, status) if error.code == status else failure(status)
+        if raised is not None:
+            raise raised
         return x[back.reshape(-1)].reshape(times.shape + (self.x.shape[1],))
 
     # ---- for others ----

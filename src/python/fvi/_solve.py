@@ -7,11 +7,12 @@ import math
 import os
 import sys
 from dataclasses import dataclass
-from typing import Any, Callable, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
 from ._arguments import Array, Numbers, choice, described, number, numbers, spelt, whole, word
+from ._events import Event, Events, listed, rows_with_events
 from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, warn_of_start
 from ._mechanism import Mechanism, Structure, own_law
@@ -19,6 +20,7 @@ from ._problem import Problem
 from ._run import MEMORIES, PASTS, length, methods
 from ._solution import Solution
 from ._system import System
+from .errors import Error
 
 Progress = Union[None, bool, Callable[[int, int], Any]]
 NEEDS_ROWS = 200  # steps between the rows, where nobody says how many
@@ -38,6 +40,7 @@ class Numerics:
     memory: str
     tolerance: float
     t_eval: Optional[Array]
+    events: tuple = ()
 
 
 class Motion:
@@ -52,8 +55,10 @@ class Motion:
         mechanism = Mechanism(q.lagrangian, q.dampers, q.constraints, q.impose, q.force_on, own_law(
             alpha, q.damping, q.past)) if q.kind == "mechanism" else None
         structure = Structure(q.M, q.K, q.C, q.dampers, PASTS) if is_structure else None
+        self.time = q.time
         self.system = s = System(q.potential, q.force, 1.0 if is_structure else q.mass, 0.0 if is_structure else rho, x0,
-                                 p0, q.let, q.time, q.damping, mechanism, structure)
+                                 p0, q.let, q.time, q.damping, mechanism, structure, q.ground, q.along,
+                                 Events(how.events) if how.events else None)
         if q.v0 is not None:
             self.put_velocity(is_structure)
         self.method = lib.fvi_method_find(how.method.encode())
@@ -65,6 +70,7 @@ class Motion:
         run.past, run.law = choice("past", q.past, PASTS), s.law
         run.step_error, run.longest = length("step_error", how.step_error), length("longest", how.longest)
         run.most_steps = how.most_steps
+        run.events, run.event_count = s.events or ffi.NULL, len(how.events)
 
     def put_velocity(self, is_structure: bool) -> None:
         """p0 of the v0 that stands in its place."""
@@ -119,18 +125,22 @@ def report_progress(rows: int, all: int, tell: Any) -> int:
 
 def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], method: Optional[str],
            h: Optional[float], steps: Optional[int], kappa: Optional[float], step_error: Optional[float],
-           longest: Optional[float], most_steps: Optional[int], memory: str, tolerance: float) -> Numerics:
+           longest: Optional[float], most_steps: Optional[int], memory: str, tolerance: float, events: tuple = ()) -> Numerics:
     """What the arguments of `solve` mean together."""
     if not isinstance(problem, Problem):
         raise TypeError(f"problem: {described(problem)} is no fvi.Problem")
     if not 0 < problem.time < math.inf:
         raise ValueError(f"time: {problem.time} is not above 0, or not finite")
+    if events and error is not None:
+        raise ValueError("error: not together with events; step_error is what one step of fvi-adaptive may be off by")
     for name, one, others in (("error", error, ("h", "step_error")), ("step_error", step_error, ("h",))):
         for other in others:
             if one is not None and {"h": h, "step_error": step_error}[other] is not None:
                 raise ValueError(f"{other}: not together with {name}")
     if problem.kind == "mechanism" and error is not None:
         raise ValueError("error: not of a Lagrangian, dampers, constraints or forces of velocity, whose steps are given")
+    if method is None and events:
+        method = "fvi-adaptive"
     if method is None and problem.kind != "masses":
         method = "fvi-stable"
     if method is None:
@@ -170,7 +180,7 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
     return Numerics(method, h, count, 0.5 if kappa is None else number("kappa", kappa), error, step_error, longest,
                     0 if most_steps is None else whole("most_steps", most_steps, 1),
                     next(name for name in MEMORIES if choice("memory", memory, MEMORIES) == MEMORIES[name]),
-                    number("tolerance", tolerance), times)
+                    number("tolerance", tolerance), times, events)
 
 
 def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
@@ -181,26 +191,57 @@ def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
     tell: Any = Bar() if progress is True else progress or None
     handle = ffi.new_handle(tell)
     count = ffi.new("row_count *", {"all": rows, "tell": ffi.NULL if tell is None else handle})
+    t = np.arange(rows) * motion.run.h if how.t_eval is None else how.t_eval.copy()
     try:
-        status, report, error = motion.solve(how, problem.time, how.t_eval, x, p, count)
+        found = by_events(motion, how, t, x, p, count) if how.events else by_library(motion, how, x, p, count)
     finally:
         if isinstance(tell, Bar):
             tell.clear()
-    t = np.arange(rows) * motion.run.h if how.t_eval is None else how.t_eval.copy()
-    done = rows if not status else count.rows
-    estimate = report.error if how.error is not None else None
+    raised, done, solution = found.error, found.rows, None
     if watch is not None and watch.next <= how.steps:
         ask_for_warning(lib.look_along, watch, motion.method, motion.run, rows, ffi.from_buffer("double[]", t),
                         ffi.from_buffer("double[]", x))
-    said = f"{report.steps} steps of {how.method}" + (f", error {estimate:.2g} by an estimate" if estimate else "")
-    if not status:
-        return Solution(problem, how, t, x, p, 0, said, report.steps, report.h, estimate)
-    raised = error_of(error, status) if error.code == status else failure(status)
-    if done:
-        raised.time = float(t[done - 1])
-        raised.rows = Solution(problem, how, t[:done], x[:done], p[:done], status, str(raised), None, motion.run.h,
-                               None)
+    if raised is None or done:
+        solution = Solution(problem, how, t[:done], x[:done], p[:done], 0 if raised is None else raised.code,
+                            found.said if raised is None else str(raised), found.steps, found.step, found.estimate,
+                            found.events)
+    if raised is None:
+        assert solution is not None
+        return solution
+    if solution is not None:
+        raised.time, raised.rows = float(t[done - 1]), solution
     raise raised
+
+
+class Found(NamedTuple):
+    """What a run has left: how many rows stand, and why it ended."""
+    error: Optional[Error]
+    rows: int
+    said: str
+    steps: Optional[int]
+    step: float
+    estimate: Optional[float] = None
+    events: Optional[tuple] = None
+
+
+def by_library(motion: Motion, how: Numerics, x: Array, p: Array, count: Any) -> Found:
+    status, report, error = motion.solve(how, motion.time, how.t_eval, x, p, count)
+    if status:
+        return Found(error_of(error, status) if error.code == status else failure(status), count.rows, "", None,
+                     motion.run.h)
+    estimate = report.error if how.error is not None else None
+    said = f"{report.steps} steps of {how.method}" + (f", error {estimate:.2g} by an estimate" if estimate else "")
+    return Found(None, len(x), said, report.steps, report.h, estimate)
+
+
+def by_events(motion: Motion, how: Numerics, t: Array, x: Array, p: Array, count: Any) -> Found:
+    raised, happened, stepper = rows_with_events(motion, how.events, t, x, p, count)
+    if raised is not None:
+        return Found(raised, count.rows, "", None, motion.run.h, None, happened.arrays())
+    counts = ffi.new("fvi_step_statistics *")
+    succeed(ask(lib.fvi_stepper_statistics, stepper, counts))
+    return Found(None, count.rows, f"{counts.steps} steps of {how.method}" + (f", {happened.end}" if happened.end else ""),
+                 counts.steps, counts.longest, None, happened.arrays())
 
 
 @spelt()
@@ -208,7 +249,7 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
           method: Optional[str] = None, h: Optional[float] = None, steps: Optional[int] = None,
           kappa: Optional[float] = None, progress: Progress = None, *, step_error: Optional[float] = None,
           longest: Optional[float] = None, most_steps: Optional[int] = None, memory: str = "auto",
-          tolerance: float = 0.0) -> Solution:
+          tolerance: float = 0.0, events: Union[str, Event, Sequence[Union[str, Event]]] = ()) -> Solution:
     """The motion of a problem, from 0 to its time, as a `Solution`.
 
         fvi.solve(problem)                                  steps are found, each right to 1e-10 of the largest |x|
@@ -226,58 +267,15 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
     step_error  of "fvi-adaptive": how far x may be off by one step, instead of 1e-10 of the largest |x|
     longest     of "fvi-adaptive", or with error: no step is longer, so that no pulse of a function is passed over
     most_steps  likewise: no run takes more
+    events      what is watched, of "fvi-adaptive": 'Z : WHAT' as the program has them, "x : impact:0.8", "v : mark",
+                "x1 - 2 : stop", or an `Event`; one or several. The Solution has their times, t_events
     memory, tolerance  how the past is summed, "auto", "direct" or "exponentials", and the tolerance of the latter
 
     Raises TypeError and ValueError for what cannot be meant; fvi.Error with the library's code for what could not
     be done, its `rows` being the motion until then; what a function of yours raised. Warns by fvi.FviWarning.
     """
     return solved(problem, chosen(problem, t_eval, error, method, h, steps, kappa, step_error, longest, most_steps,
-                                  memory, tolerance), progress)
-
-
-def as_run(motion: Motion, s: Solution) -> Any:
-    """The run whose steps a solution has. Where an error was asked of "fvi-adaptive" its rows are those of a run with
-    a tenth of it as the tolerance of a step, or less."""
-    run, how = motion.run, s.how
-    if lib.is_dense(motion.method):
-        if how.error is not None:
-            run.step_error = how.error / 10
-    elif how.error is not None and s.step:
-        run.steps = round(s.problem.time / s.step)
-        run.h = s.problem.time / run.steps
-    return run
-
-
-def observe(s: Solution) -> dict:
-    motion = Motion(s.problem, s.how)
-    run, d, n = as_run(motion, s), motion.system.d, len(s.t)
-    out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
-    status = ask(lib.fvi_stepper_start, motion.method, run, out, error)
-    if status:
-        raise error_of(error, status)
-    stepper = ffi.gc(out[0], lib.fvi_stepper_free)
-    wanted = (lib.FVI_OBSERVE_ACCELERATION | lib.FVI_OBSERVE_FORCE | lib.FVI_OBSERVE_IMPULSE | lib.FVI_OBSERVE_WORK)
-    made = ffi.new("fvi_observer **")
-    status = ask(lib.fvi_observer_start, stepper, wanted, made, error)
-    if status:
-        raise error_of(error, status) if error.code == status else failure(status)
-    observer = ffi.gc(made[0], lib.fvi_observer_free)
-    widths = [lib.fvi_observer_width(observer, j) for j in range(lib.fvi_observer_dampers(observer))]
-    told = [lib.damper_name(motion.system.system, j) for j in range(len(widths))]
-    names = [f"d{j + 1}" if name == ffi.NULL else text_of(name) for j, name in enumerate(told)]
-    rooms = {name: np.empty((n, size)) for name, size in (
-        ("a", d), ("force", sum(widths)), ("impulse", sum(widths)), ("work", len(widths)), ("work_of_force", 1),
-        ("balance", 1))}
-    to = ffi.new("observed *", {name: ffi.cast("double *", room.ctypes.data) for name, room in rooms.items()})
-    done = ffi.new("size_t *")
-    succeed(ask(lib.observe, observer, stepper, n, ffi.from_buffer("double[]", np.ascontiguousarray(s.t)), sum(widths),
-                to, done), f" (row {done[0]})")
-    cuts = np.cumsum(widths)[:-1]
-    return {"a": rooms["a"], "balance": rooms["balance"][:, 0],
-            "forces": dict(zip(names, np.split(rooms["force"], cuts, axis=1))),
-            "impulses": dict(zip(names, np.split(rooms["impulse"], cuts, axis=1))),
-            "work": {**{name: rooms["work"][:, j] for j, name in enumerate(names)},
-                     "force": rooms["work_of_force"][:, 0]}}
+                                  memory, tolerance, listed(events)), progress)
 
 
 @spelt(solve)

@@ -52,10 +52,11 @@ def potential(value: Any, gradient: Any, hessian: Any, *, quadratic: bool = Fals
 
 
 class Asked:
-    """The functions of one run."""
+    """The functions of one run; `what` the force is, a force or the acceleration of the ground."""
 
-    def __init__(self, U: Optional[Potential], F: Optional[Callable[[float], Numbers]], scalar: bool):
-        self.U, self.F, self.scalar = U, F, scalar
+    def __init__(self, U: Optional[Potential], F: Optional[Callable[[float], Numbers]], scalar: bool,
+                 what: str = "force"):
+        self.U, self.F, self.scalar, self.what = U, F, scalar, what
         self.views: dict = {}  # the library asks with the same few arrays again and again
 
     def view(self, pointer: Any, n: int) -> Array:
@@ -113,7 +114,7 @@ def ask_hessian(d, x, params, H):
 @ffi.def_extern(error=-1, onerror=keep)
 def ask_force(t, d, params, F):
     asked = ffi.from_handle(params)
-    return -1 if is_interrupted() else asked.answer("force", F, (d,), asked.F(t))
+    return -1 if is_interrupted() else asked.answer(asked.what, F, (d,), asked.F(t))
 
 
 @ffi.def_extern(error=0)
@@ -182,7 +183,8 @@ class System:
 
     def __init__(self, potential: Union[str, Potential], force: Any, mass: Numbers, rho: Numbers,
                  x0: Numbers, p0: Numbers, let: Optional[Mapping[str, float]] = None, last: float = math.inf,
-                 damping: Any = None, mechanism: Any = None, structure: Any = None):
+                 damping: Any = None, mechanism: Any = None, structure: Any = None, ground: Any = None,
+                 along: Optional[Numbers] = None, events: Any = None):
         self.keep: list = []
         if let is not None and not (isinstance(let, Mapping) and all(isinstance(name, str) for name in let)):
             raise TypeError(f"let: {arguments.described(let)} is no dict of names and numbers")
@@ -226,6 +228,12 @@ class System:
             structure.put(self)
         if mechanism is not None:
             mechanism.put(self)
+        self.ground: Any = None
+        if ground is not None:
+            self.put_ground(ground, 1.0 if along is None else along)
+        self.events: Any = ()
+        if events is not None:
+            events.put(self)
         understand(lib.fvi_user_parameters_are_used, self.parameters)
 
     @property
@@ -267,27 +275,43 @@ class System:
         U.diagonals = given.diagonals
         return U[0]
 
-    def measured(self, given: Any) -> Any:
+    def measured(self, given: Any, what: str, name: str, d: int) -> Any:
         """(t, F): rows of a table, linear in between; they reach from 0 to the end."""
-        t, F = (np.ascontiguousarray(arguments.numbers(f"force: {name}", a)) for name, a in zip("tF", given))
-        if t.ndim != 1 or t.size < 2 or F.shape not in ((t.size,), (t.size, 1), (t.size, self.d)):
-            raise ValueError(f"force: t and F have the shapes {t.shape} and {F.shape}, not (n,), n >= 2, and (n,) "
-                             f"or (n, {self.d})")
+        t, F = (np.ascontiguousarray(arguments.numbers(f"{what}: {each}", a)) for each, a in zip(("t", name), given))
+        if t.ndim != 1 or t.size < 2 or F.shape not in ((t.size,), (t.size, 1), (t.size, d)):
+            raise ValueError(f"{what}: t and {name} have the shapes {t.shape} and {F.shape}, not (n,), n >= 2, and (n,) "
+                             f"or (n, {d})")
         if not (np.isfinite(t).all() and np.isfinite(F).all() and (np.diff(t) > 0).all()):
-            raise ValueError("force: t must increase, and t and F must be finite")
+            raise ValueError(f"{what}: t must increase, and t and {name} must be finite")
         if t[0] > 0 or t[-1] < self.last * (1 - 1e-12):
-            raise ValueError(f"force: it is known from {t[0]:g} to {t[-1]:g}, and the motion lasts from 0 to {self.last:g}")
+            raise ValueError(f"{what}: it is known from {t[0]:g} to {t[-1]:g}, and the motion lasts from 0 to {self.last:g}")
         rows = ffi.new("fvi_force_rows *", {"n": t.size, "columns": F.size // t.size, "t": self.pointer(t),
                                             "F": self.pointer(F)})
         self.keep.append(rows)
         return lib.fvi_force_table(rows)
+
+    def put_ground(self, given: Any, along: Numbers) -> None:
+        """The ground moves with the acceleration that is given; what acts besides is there already."""
+        out, r = ffi.new("fvi_ground **"), self.pointer(arguments.row("along", arguments.numbers("along", along), self.d))
+        if isinstance(given, str):
+            understand(lib.fvi_parse_ground, given.encode(), self.system, r, self.parameters, self.last, out)
+        else:
+            acceleration = ffi.new("fvi_force *")
+            if isinstance(given, tuple):
+                acceleration[0] = self.measured(given, "ground", "a", 1)
+            else:
+                self.keep.append(ffi.new_handle(Asked(None, given, True, "ground")))
+                acceleration.value, acceleration.params = lib.ask_force, self.keep[-1]
+            understand(lib.fvi_ground_alloc, acceleration, self.system, r, out)
+        self.ground = ffi.gc(out[0], lib.fvi_ground_free)
+        self.system.force = lib.fvi_ground_force(self.ground)
 
     def force(self, given: Any) -> Any:
         F = ffi.new("fvi_force *")
         if given is None:
             return F[0]
         if isinstance(given, tuple) and len(given) == 2:
-            return self.measured(given)
+            return self.measured(given, "force", "F", self.d)
         if callable(given):
             F.value, F.params = lib.ask_force, self.handle
             return F[0]

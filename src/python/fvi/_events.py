@@ -1,0 +1,168 @@
+"""Events of a motion: marks, stops, impacts."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Optional, Sequence, Union
+
+import numpy as np
+
+from ._arguments import Array, described, word
+from ._fvi import ffi, lib
+from ._library import ask, error_of, failure, keep, understand
+from ._system import Asked
+
+
+@dataclass(frozen=True)
+class Event:
+    """What is watched along a motion: when a number z passes 0.
+
+        floor = fvi.Event("x", "impact:0.8")
+        lowest = fvi.Event("v", "mark", direction=1)
+        near = fvi.Event(lambda t, x, p: x - 0.1, "stop")
+
+    value      z: an expression in x, v, p and t, or in x1, ..., v1, ..., p1, ..., t; or a function z(t, x, p). x and p are
+               arrays of d numbers, or numbers where the start is one. z of an impact knows x and t alone
+    action     "mark", the time is noted; "stop", the motion ends; "impact:E", the momentum jumps along the normal dz/dx, and
+               the speed with which z changes is then -E times what it was, 0 <= E <= 1
+    gradient   of an impact whose z is a function: a function of (t, x) that gives dz/dx, d numbers, and dz/dt
+    direction  1: z must rise through 0; -1: fall; 0: either
+    """
+    value: Union[str, Callable[..., float]]
+    action: str = "mark"
+    gradient: Optional[Callable[..., tuple]] = None
+    direction: int = 0
+
+    def __post_init__(self) -> None:
+        word("events: action", self.action)
+        if not (isinstance(self.value, str) or callable(self.value)):
+            raise TypeError(f"events: {described(self.value)} is no text and no function of t, x, p")
+        if self.direction not in (-1, 0, 1):
+            raise ValueError(f"events: direction: {described(self.direction)} is none of -1, 0, 1")
+        if self.gradient is not None and isinstance(self.value, str):
+            raise ValueError("events: gradient: a text has its own")
+
+    @property
+    def text(self) -> str:
+        """As the library reads it; of a function the action alone is read."""
+        return f"{self.value if isinstance(self.value, str) else 't'} : {self.action}"
+
+    @property
+    def name(self) -> str:
+        return self.value.strip() if isinstance(self.value, str) else getattr(self.value, "__name__", "a function")
+
+
+def listed(given: Any) -> tuple:
+    """One text or event, or several."""
+    each = (given,) if isinstance(given, (str, Event)) else given
+    if not isinstance(each, (list, tuple)):
+        raise TypeError(f"events: {described(given)} is no text, no fvi.Event and no list of such")
+    return tuple(event_of(one) for one in each)
+
+
+def event_of(given: Any) -> Event:
+    if isinstance(given, Event):
+        return given
+    if not isinstance(given, str):
+        raise TypeError(f"events: {described(given)} is no text 'Z : WHAT' and no fvi.Event")
+    value, colon, action = given.rpartition(" : ")
+    if not colon:
+        raise ValueError(f"events: '{given}' is not 'Z : WHAT', with blanks around the colon")
+    return Event(value, action.strip())
+
+
+class Watched:
+    """An event that is a function, as the library asks it."""
+
+    def __init__(self, event: Event, scalar: bool):
+        self.event, self.asked = event, Asked(None, None, scalar)
+
+
+@ffi.def_extern(error=-1, onerror=keep)
+def ask_event(t, d, x, p, params, z):
+    watched = ffi.from_handle(params)
+    asked = watched.asked
+    z[0] = watched.event.value(t, asked.at(x, d), asked.at(p, d))
+    return 0
+
+
+@ffi.def_extern(error=-1, onerror=keep)
+def ask_normal(t, d, x, params, normal, rate):
+    watched = ffi.from_handle(params)
+    given = watched.event.gradient(t, watched.asked.at(x, d))
+    if not (isinstance(given, tuple) and len(given) == 2):
+        raise TypeError(f"events: gradient gave {described(given)}, not dz/dx and dz/dt")
+    watched.asked.answer("events: gradient", normal, (d,), given[0])
+    rate[0] = given[1]
+    return 0
+
+
+class Events:
+    """Those of a motion, for a System, which keeps what C points to."""
+
+    def __init__(self, events: Sequence[Event]):
+        self.events = events
+
+    def put(self, s: Any) -> None:
+        texts = [ffi.new("char[]", event.text.encode()) for event in self.events]
+        out, count = ffi.new("fvi_typed_events **"), ffi.new("size_t *")
+        mass = s.pointer(np.ones(s.d)) if s.system.mass == ffi.NULL else s.system.mass  # NULL: of matrices
+        understand(lib.fvi_parse_events, len(texts), ffi.new("char *[]", texts), s.d, mass, s.parameters, out)
+        typed = ffi.gc(out[0], lib.fvi_typed_events_free)
+        s.events = ffi.new("fvi_event[]", ffi.unpack(lib.fvi_events_typed(typed, count), len(texts)))
+        s.keep.append(typed)
+        for event, to in zip(self.events, s.events):
+            to.direction = event.direction
+            if isinstance(event.value, str):
+                continue
+            s.keep.append(ffi.new_handle(Watched(event, s.scalar)))
+            to.value, to.params, to.gradient = lib.ask_event, s.keep[-1], ffi.NULL
+            if event.gradient is not None:
+                to.gradient = lib.ask_normal
+
+
+class Happened:
+    """What has happened along a motion: of each event its times, and x and p there, behind its impact."""
+
+    def __init__(self, events: Sequence[Event], d: int):
+        self.events, self.d = events, d
+        self.rows: list = [[] for _ in events]
+        self.end: Optional[str] = None
+
+    def note(self, stepper: Any, known: int) -> int:
+        """Those behind the first `known`; how many there are."""
+        count = ffi.new("size_t *")
+        at = lib.fvi_stepper_events(stepper, count)
+        x, p = (np.frombuffer(ffi.buffer(a, 8 * self.d)).copy() for a in (stepper.x, stepper.p))
+        for i in range(known, count[0]):
+            self.rows[at[i].event].append((at[i].t, x, p))
+            if lib.fvi_stepper_is_over(stepper):
+                name = self.events[at[i].event].name
+                self.end = f"at rest at '{name}' from t = {at[i].t:.6g}" if at[i].at_rest else \
+                    f"ended by '{name}' at t = {at[i].t:.6g}"
+        return count[0]
+
+    def arrays(self) -> tuple:
+        """t, x and p: of each event an array."""
+        return tuple([np.array([row[i] for row in rows]).reshape((-1,) + (() if i == 0 else (self.d,)))
+                      for rows in self.rows] for i in range(3))
+
+
+def rows_with_events(motion: Any, events: Sequence[Event], t: Array, x: Array, p: Array, count: Any) -> tuple:
+    """Rows until an event ends the motion: what it returned, as an error or None; what happened; the stepper."""
+    out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
+    happened, known = Happened(events, motion.system.d), 0
+    status = ask(lib.fvi_stepper_start, motion.method, motion.run, out, error)
+    if status:
+        return error_of(error, status) if error.code == status else failure(status), happened, None
+    stepper = ffi.gc(out[0], lib.fvi_stepper_free)
+    arrays = [ffi.from_buffer("double[]", a) for a in (t, x, p)]
+    while not status and count.rows < len(t):
+        status = ask(lib.rows_to_event, stepper, len(t), *arrays, count)
+        known = happened.note(stepper, known)
+        if lib.fvi_stepper_is_over(stepper) and not (count.rows < len(t) and t[count.rows] <= stepper.t):
+            break
+    if not status:
+        return None, happened, stepper
+    failed = failure(status, f" (step {stepper.k + 1})")
+    failed.step = stepper.k + 1
+    return failed, happened, stepper

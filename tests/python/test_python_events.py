@@ -1,0 +1,198 @@
+"""The Python package: events, a ground that moves, coordinates that are imposed."""
+import os
+import pickle
+import subprocess
+
+import fvi
+import numpy as np
+import pytest
+
+PROGRAM = os.environ.get("FVI", "build/fvi")
+BALL = fvi.Problem("9.81*x", rho=0.05, alpha=0.3, x0=1, p0=0, time=3)
+WORDS = ["--potential", "9.81*x", "--rho", "0.05", "--alpha", "0.3", "--x0", "1", "--p0", "0", "--time", "3", "--steps", "6"]
+FRAME = fvi.Problem("k*x1^2/2 + k*(x2-x1)^2/2", let={"k": 100}, rho=[5, 0], order=0.6, x0=0, p0=0, time=10)
+OF_FRAME = ["--potential", "k*x1^2/2 + k*(x2-x1)^2/2", "--let", "k=100", "--rho", "5,0", "--order", "0.6", "--x0", "0",
+            "--p0", "0", "--time", "10", "--h", "0.02", "--method", "fvi-lobatto4"]
+
+
+def program(*words):
+    """Its rows, and of each event the time and the name."""
+    text = subprocess.run([PROGRAM, "run", *words], check=True, capture_output=True, text=True).stdout.splitlines()
+    said = [line.removeprefix("# event at t = ").split(" : ", 1) for line in text if line.startswith("# event at t = ")]
+    return np.array([line.split("\t") for line in text if line[0] != "#"], dtype=float), said
+
+
+# ---- events ----
+
+@pytest.mark.parametrize("events", [["x : impact:0.8", "v : mark"], ["x - 0.5 : stop"], ["x : impact:0.3", "x - v/9 : mark"],
+                                    ["x + t/9 : impact:1", "p + 2 : mark"]])
+def test_events_are_the_programs(events):
+    s = fvi.solve(BALL, events=events, steps=6)
+    rows, said = program(*WORDS, *(word for event in events for word in ("--event", event)))
+    assert np.array_equal(np.column_stack([s.t, s.x, s.p, s.energy]), rows)
+    mine = sorted((t, event.partition(" : ")[0]) for event, times in zip(events, s.t_events) for t in times)
+    assert mine == sorted((float(t), name.removesuffix(" : at rest")) for t, name in said) and len(mine) > 0
+
+
+def test_a_ball_bounces_at_the_times_of_free_fall():
+    """No damping: it falls for (2/g)^(1/2), and flies for 2 e^n (2/g)^(1/2) after each impact."""
+    g, e = 9.81, 0.8
+    s = fvi.solve(BALL.replace(rho=0), events="x : impact:0.8")
+    first = np.sqrt(2 / g)
+    exact = first * np.cumsum([1, *(2 * e ** np.arange(1, len(s.t_events[0])))])
+    assert len(exact) == 6 and abs(s.t_events[0] - exact).max() < 1e-14  # seen: 1e-15
+    assert abs(s.p_events[0][:, 0] - np.sqrt(2 * g) * e ** np.arange(1, 7)).max() < 1e-13  # seen: 5e-15
+    assert abs(s.x_events[0]).max() < 1e-14
+    t = np.array([0.1, 0.5, 1.5])
+    k = np.searchsorted(exact, t)
+    since = t - np.append(0, exact)[k]
+    fly = np.where(k == 0, 1 - g * t**2 / 2, np.sqrt(2 * g) * e**k * since - g * since**2 / 2)
+    assert abs(s(t)[:, 0] - fly).max() < 1e-13
+
+
+def test_an_event_may_be_a_function():
+    texts = fvi.solve(BALL, events=["x : impact:0.8", fvi.Event("v", direction=-1), "x - 2 : stop"])
+    own = fvi.solve(BALL, events=[fvi.Event(lambda t, x, p: x, "impact:0.8", lambda t, x: (1, 0)),
+                                  fvi.Event(lambda t, x, p: p, direction=-1), fvi.Event(lambda t, x, p: x - 2, "stop")])
+    assert np.array_equal(texts.x, own.x) and len(texts.t_events[1]) > 3 and len(texts.t_events[2]) == 0
+    assert all(np.array_equal(a, b) for a, b in zip(texts.t_events, own.t_events))
+    two = BALL.replace(potential="9.81*x1 + x2^2/2", x0=[1, 1], p0=[0, 0])
+    wall = fvi.Event(lambda t, x, p: x[0] + x[1] / 9 - t, "impact:0.5", lambda t, x: ([1, 1 / 9], -1))
+    one, other = (fvi.solve(two, events=event) for event in (wall, "x1 + x2/9 - t : impact:0.5"))
+    assert abs(one.x - other.x).max() < 1e-13 and one.x_events[0].shape[1] == 2 and len(one.t_events[0]) > 0
+    with pytest.raises(ZeroDivisionError):
+        fvi.solve(BALL, events=fvi.Event(lambda t, x, p: 1 / 0))
+    with pytest.raises(TypeError, match="^events: gradient gave 1, not dz/dx and dz/dt"):
+        fvi.solve(BALL, events=fvi.Event(lambda t, x, p: x, "impact:1", lambda t, x: 1))
+
+
+def test_a_motion_that_has_ended_says_where():
+    s = fvi.solve(BALL, events="x - 0.5 : stop", steps=30)
+    assert s.success and s.message.endswith("ended by 'x - 0.5' at t = 0.319594") and s.t[-1] < s.t_events[0][0] < s.t[-1] + 0.1
+    assert abs(s(s.t_events[0])[0, 0] - 0.5) < 1e-14 and np.array_equal(s(s.t), s.x)
+    with pytest.raises(ValueError, match="^t: 2 is behind the end of the motion, t = 0.319594"):
+        s(2)
+    rest = fvi.solve(BALL, [0.5, 2.5], events="x : impact:0.3")
+    assert "at rest at 'x' from t = 0.8398" in rest.message and len(rest.t) == 1 and len(rest.t_events[0]) > 9
+    again = pickle.loads(pickle.dumps(rest))
+    assert np.array_equal(again.t_events[0], rest.t_events[0]) and again(0.7) == rest(0.7)
+
+
+def test_with_events_an_acceleration_is_known_and_a_force_is_not():
+    s = fvi.solve(BALL.replace(rho=0), events="x : impact:0.8")
+    assert abs(s.a + 9.81).max() < 1e-12 and s.v.shape == s.x.shape
+    with pytest.raises(fvi.Error, match="not known with events") as caught:
+        s.forces
+    assert caught.value.code == 23
+
+
+@pytest.mark.parametrize("call, what, why", [
+    (lambda: fvi.solve(BALL, events="x"), ValueError, "^events: 'x' is not 'Z : WHAT'"),
+    (lambda: fvi.solve(BALL, events=3), TypeError, "^events: 3 is no text"),
+    (lambda: fvi.solve(BALL, events=[3]), TypeError, "^events: 3 is no text 'Z : WHAT' and no fvi.Event"),
+    (lambda: fvi.solve(BALL, events="x : impct:1"), ValueError, "did you mean impact"),
+    (lambda: fvi.solve(BALL, events="x : impact:2"), fvi.Error, "^event: .*2"),
+    (lambda: fvi.solve(BALL, events="v : impact:1"), ValueError, "knows a velocity|x and t alone"),
+    (lambda: fvi.solve(BALL, events="y : stop"), ValueError, "^event: .*y"),
+    (lambda: fvi.solve(BALL, events="x : stop", error=1e-6), ValueError, "^error: not together with events"),
+    (lambda: fvi.solve(BALL, events="x : stop", method="fvi", h=0.1), fvi.Error, "has no events; fvi-adaptive has"),
+    (lambda: fvi.solve(BALL, events=fvi.Event(lambda t, x, p: x, "impact:1")), fvi.Error, "needs its gradient"),
+    (lambda: fvi.Event("x", direction=2), ValueError, "^events: direction: 2"),
+    (lambda: fvi.Event(3), TypeError, "^events: 3"), (lambda: fvi.Event("x", 3), TypeError, "^events: action: 3"),
+    (lambda: fvi.Event("x", gradient=abs), ValueError, "^events: gradient: a text has its own"),
+    (lambda: fvi.Problem(events="x : stop"), TypeError, "fvi.solve takes it"),
+    (lambda: fvi.solve(fvi.Problem(M=[[1]], K=[[1]]), events="x : stop"), fvi.Error, "matrices"),
+    (lambda: fvi.vjp(fvi.solve(BALL, events="v : mark"), x=1), fvi.Error, "a run with events has no adjoint"),
+])
+def test_a_wrong_event_is_named(call, what, why):
+    with pytest.raises(what, match=why):
+        call()
+
+
+def test_names_of_let_may_stand_in_an_event():
+    s = fvi.solve(BALL.replace(let={"c": 0.5}), events="x - c : stop")
+    assert abs(s.x_events[0][0, 0] - 0.5) < 1e-14
+    with pytest.raises(ValueError, match="'c' is in no expression"):
+        fvi.solve(BALL.replace(let={"c": 0.5}), events="x : stop")
+
+
+# ---- the ground, and imposed motion ----
+
+def test_a_ground_is_the_programs():
+    s = fvi.solve(FRAME.replace(ground="sin(8*t)"), h=0.02, method="fvi-lobatto4")
+    names = "x1,x2,v1,v2,a1,a2,ag,d1.force1,d1.force2,d1.work,balance"
+    rows, _ = program(*OF_FRAME, "--ground", "sin(8*t)", "--columns", names)
+    mine = np.column_stack([s.x, s.v, s.a, s.ag, s.forces["d1"], s.work["d1"], s.balance])
+    assert np.array_equal(mine, rows)
+    assert not fvi.solve(FRAME, h=0.02, method="fvi-lobatto4").ag.any()
+
+
+def test_a_ground_is_a_text_a_function_or_arrays(tmp_path):
+    def solve(**fields):
+        return fvi.solve(FRAME.replace(**fields), h=0.02, method="fvi-lobatto4").x
+    assert abs(solve(ground="sin(8*t)") - solve(ground=lambda t: np.sin(8 * t))).max() < 1e-14  # seen: 1e-16
+    t, a = np.array([0, 0.5, 1, 1.5, 10]), np.array([0, 0.3, -0.2, 0, 0])
+    table = tmp_path / "quake.csv"
+    table.write_text("t,ag\n" + "".join(f"{u!r},{b!r}\n" for u, b in zip(t.tolist(), a.tolist())))
+    rows, _ = program(*OF_FRAME, "--ground", f"file:{table}", "--columns", "x")
+    assert np.array_equal(solve(ground=(t, a)), rows)
+    assert np.array_equal(solve(ground=(t, a)), solve(ground=f"file:{table}"))
+    rows, _ = program(*OF_FRAME, "--ground", "sin(8*t)", "--along", "0,1", "--force", "cosine:1,2", "--columns", "x")
+    assert np.array_equal(solve(ground="sin(8*t)", along=[0, 1], force="cosine:1,2"), rows)
+    q = pickle.loads(pickle.dumps(FRAME.replace(ground=(t, a))))
+    assert np.array_equal(fvi.solve(q, h=0.02).ag, np.interp(np.arange(501) * 0.02, t, a)) and q != FRAME
+    with pytest.raises(ZeroDivisionError):
+        solve(ground=lambda t: 1 / 0)
+    with pytest.raises(TypeError, match="^ground gave"):
+        solve(ground=lambda t: "a")
+
+
+def test_the_ground_pulls_at_the_matrix_of_masses():
+    """-M r a_g as a force of one's own, for matrices that are not diagonal."""
+    M, K, r = np.array([[2.0, 0.5], [0.5, 1.0]]), np.array([[200.0, -100], [-100, 100]]), np.array([1.0, 0.5])
+    t = np.linspace(0, 5, 26)
+    a = np.random.default_rng(4).standard_normal(26)
+    shaken = fvi.Problem(M=M, K=K, C=K / 50, order=0.6, time=5, ground=(t, a), along=r)
+    pushed = fvi.Problem(M=M, K=K, C=K / 50, order=0.6, time=5, force=(t, -np.outer(a, M @ r)))
+    x = fvi.solve(pushed, h=0.01).x
+    assert abs(fvi.solve(shaken, h=0.01).x - x).max() < 1e-13 * abs(x).max()  # seen: 2e-15
+    assert "M" not in fvi.vjp(fvi.solve(shaken, h=0.1), x=1) and "M" in fvi.vjp(fvi.solve(pushed, h=0.1), x=1)
+
+
+def test_a_coordinate_that_is_imposed_has_a_reaction():
+    q = fvi.Problem("(x2-x1)^2/2", impose="x1=sin(t)", constraints="x3 - x2/2", mass=1, x0=[0, 0, 0], v0=[1, 0, 0], time=5)
+    s = fvi.solve(q, h=0.01)
+    rows, _ = program("--potential", "(x2-x1)^2/2", "--impose", "x1=sin(t)", "--constraint", "x3 - x2/2", "--x0", "0,0,0",
+                      "--v0", "1,0,0", "--h", "0.01", "--time", "5", "--columns", "x,reaction1,multiplier1,a1", "--rho", "0.2")
+    assert np.array_equal(np.column_stack([s.x, s.reactions["x1"], s.multipliers, s.a[:, 0]]), rows)
+    assert s.multipliers.shape == (501, 1) and fvi.solve(BALL, h=0.1).multipliers.shape == (31, 0)
+
+
+@pytest.mark.parametrize("fields, what, why", [
+    (dict(ground=3), TypeError, "^ground: 3 is no text"), (dict(ground="impulse:1,2"), ValueError, "^ground: .*impulse"),
+    (dict(along=1), ValueError, "^along: without ground"), (dict(ground="sin(t)", along=[1, 2, 3]), ValueError, "^along has"),
+    (dict(ground=([0, 9], [0, 1])), ValueError, "^ground: it is known from 0 to 9"),
+    (dict(ground=([0, 9, 3], [0, 1, 2])), ValueError, "^ground: t must increase"),
+    (dict(ground=([0, 10], [[0, 1], [0, 1]])), ValueError, "^ground: t and a have the shapes"),
+    (dict(ground=(1, 2, 3)), TypeError, r"^ground: a pair \(t, a\)"), (dict(ground="sn(t)"), ValueError, "^ground: "),
+])
+def test_a_wrong_ground_is_named(fields, what, why):
+    with pytest.raises(what, match=why):
+        fvi.solve(FRAME.replace(**fields))
+
+
+def test_a_lagrangian_holds_its_ground_itself():
+    with pytest.raises(ValueError, match="^lagrangian: not together with ground"):
+        fvi.Problem(lagrangian="v^2/2", x0=0, v0=1, ground="sin(t)")
+
+
+def test_a_ground_has_no_derivative_by_its_names():
+    q = FRAME.replace(ground="A*sin(8*t)", let={"k": 100, "A": 1})
+    s = fvi.solve(q, h=0.1, method="fvi-lobatto4")
+    with pytest.raises(ValueError, match="^let: where a ground moves"):
+        fvi.vjp(s, x=1)
+    g = fvi.vjp(s, x=1, wrt=["rho", "alpha" if q.order is None else "order"])
+    with pytest.raises(ValueError, match="no mass to differentiate by"):
+        fvi.vjp(s, x=1, wrt=["mass"])
+    up, down = (fvi.solve(q.replace(order=0.6 + e), h=0.1, method="fvi-lobatto4").x.sum() for e in (1e-5, -1e-5))
+    assert g["order"] == pytest.approx((up - down) / 2e-5, rel=1e-7)
