@@ -111,6 +111,25 @@ extern const fvi_method fvi_lobatto_d2, fvi_lobatto_d3, fvi_lobatto_d4,
 int fvi_lobatto_correct_momenta(const fvi_method *method, const fvi_run *run,
                         const double *x, double *p);
 
+/* fvi_lobatto_within -- x within the last step, by the polynomial of its stages.            [(17.1)]
+ *
+ *   s  a stepper of a method with stages whose last step has just been made; reads, changes nothing
+ *   t  t_{k-1} <= t <= t_k = s->t
+ *   x  output, d numbers
+ *
+ *     while (s->t < t && !(status = fvi_stepper_step(s)))
+ *         ;
+ *     if (!status && s->k > 0)
+ *         status = fvi_lobatto_within(s, t, x);
+ *
+ * It is the path that the method itself has: of degree s - 1 through X_1, ..., X_s. At t_k it is s->x to the
+ * bit. Order: s at a fixed t > 0 where F does not jump, or what x_k has if that is less; in form D the path
+ * begins at X_1, which differs from x_{k-1} by as much. The momentum has no such polynomial. With a
+ * mechanism (dampers.h) as well. Cost O(s (s + d)).
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP of another method; FVI_EDOM at k = 0, or if t is
+ * not in the last step. */
+int fvi_lobatto_within(const fvi_stepper *s, double t, double *x);
+
 /* fvi_lobatto_abscissa -- c_i, i = 0, ..., s - 1: stage i stands at t_k + c_i h; 0 where s is not 2 to 8,
  * or i is beyond. */
 double fvi_lobatto_abscissa(size_t s, size_t i);

@@ -148,6 +148,24 @@ static int rows_to_event(fvi_stepper *s, size_t rows, const double *t, double *x
     }
     return status;
 }
+/* x at increasing times: at the ends of steps, but for roundings, as they are, and by their stages between them. */
+static int places_within(fvi_stepper *s, size_t count, const double *t, double *x)
+{
+    const size_t d = s->run.system->d;
+    int status = 0;
+    for (size_t i = 0; i < count && !status; i++) {
+        const double parts = t[i] / s->run.h, node = round(parts);
+        const int is_end = fabs(parts - node) <= 1e-12 * fmax(parts, 1);
+        const size_t k = (size_t)(is_end ? node : ceil(parts));
+        while (!status && s->k < k)
+            status = fvi_stepper_step(s);
+        if (!status && is_end)
+            memcpy(x + i * d, s->x, d * sizeof *x);
+        else if (!status)
+            status = fvi_lobatto_within(s, t[i], x + i * d);
+    }
+    return status;
+}
 /* The acceleration of the ground at the rows. */
 static int accelerations_of_ground(const fvi_ground *ground, size_t rows, const double *t, double *ag)
 {

@@ -85,6 +85,8 @@ def test_a_solution_gives_out_any_time():
     assert np.array_equal(s(s.t), s.x) and s(3.0).shape == (1,) and s(3.0)[0] == s.x[3, 0]
     with pytest.raises(fvi.Error, match="multiples of h"):
         fvi.solve(DUFFING, h=0.1)(0.25)
+    with pytest.raises(ValueError, match="^t: 21 is not within the motion, 0 ... 20"):
+        fvi.solve(DUFFING, h=0.1, method="fvi-lobatto4")([3, 21])
     with pytest.raises(fvi.Error) as caught:
         s(21.0)
     assert caught.value.field == "t"

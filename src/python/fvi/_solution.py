@@ -10,6 +10,7 @@ from ._events import rows_with_events
 from ._fvi import ffi, lib
 from ._library import ask, error_of, failure, succeed
 from ._problem import Problem
+from .errors import Error
 
 
 class Solution:
@@ -34,7 +35,8 @@ class Solution:
     problem     what was solved
 
     A call, solution(t), gives x at other times, (d,) or (n, d), by the polynomials of the method's own
-    steps: "fvi-adaptive" knows any time, other methods the ends of their steps. Each call is a run; so ask
+    steps: "fvi-adaptive" is as right there as at its rows, "fvi-lobattoS" of order S at most; methods without stages
+    know the ends of their steps. Each call is a run; so ask
     for many times at once. A Solution pickles with its problem."""
 
     def __init__(self, problem: Problem, how: Any, t: Array, x: Array, p: Array, status: int, message: str,
@@ -145,12 +147,28 @@ class Solution:
             raised, _, stepper = rows_with_events(self.motion, self.how.events, wanted, x, p, count)
             if raised is None and count.rows < wanted.size:
                 raise ValueError(f"t: {wanted[count.rows]:g} is behind the end of the motion, t = {stepper.t:g}")
+        elif self.motion.method.stages:
+            raised = self.within_steps(wanted, x)
         else:
             status, _, error = self.motion.solve(self.how, self.problem.time, np.ascontiguousarray(wanted), x, p, count)
             raised = None if not status else error_of(error, status) if error.code == status else failure(status)
         if raised is not None:
             raise raised
         return x[back.reshape(-1)].reshape(times.shape + (self.x.shape[1],))
+
+    def within_steps(self, t: Array, x: Array) -> Optional[Error]:
+        """x at increasing times, by the polynomials of the stages."""
+        from ._observe import as_run
+        end = self.problem.time
+        if not (t.size == 0 or 0 <= t[0] <= t[-1] <= end):
+            raise ValueError(f"t: {t[0] if not t[0] >= 0 else t[-1]:g} is not within the motion, 0 ... {end:g}")
+        out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
+        status = ask(lib.fvi_stepper_start, self.motion.method, as_run(self.motion, self), out, error)
+        if not status:
+            stepper = ffi.gc(out[0], lib.fvi_stepper_free)
+            status = ask(lib.places_within, stepper, t.size, ffi.from_buffer("double[]", np.ascontiguousarray(t)),
+                         ffi.from_buffer("double[]", x))
+        return None if not status else error_of(error, status) if error.code == status else failure(status)
 
     # ---- for others ----
 
