@@ -11,12 +11,12 @@ MODULES = """band error expression expression_parse expression_values lu newton 
     lobatto_nodes lobatto_rules lobatto_weights memory history_direct past impulses run_check solution trajectory
     convolution_quadrature_stability stability stability_explicit stability_step
     convolution_quadrature_dampers convolution_quadrature_methods damping damping_sums discrete_mechanics fvi stability_number lobatto lobatto_damped
-    lobatto_start initial_history_force exact_inverse exact_pole exact_solution""".split()
+    lobatto_start initial_history_force run_damper exact_inverse exact_pole exact_solution""".split()
 # What they call and no page reaches: other laws of damping, matrices, many masses at once, the
 # stability of the explicit method. It is imported, and says its name if it is called all the same
 # (kernel() of model.js); any other name that is missing stops the link.
 ABSENT = """fvi_kernel_at fvi_kernel_check fvi_kernel_growth fvi_kernel_history fvi_kernel_symbol
-    fvi_kernel_of_function fvi_kernel_takes_caputo fvi_shifted_theta fvi_shifted_symbol fvi_shifted_is_itself
+    fvi_kernel_of_function fvi_kernel_takes_caputo fvi_shifted_symbol
     fvi_lobatto_kernel_free fvi_lobatto_kernel_nodes fvi_lobatto_kernel_prepare fvi_lobatto_kernel_weights
     fvi_events_check fvi_mechanism_start fvi_damping_begin_matrices fvi_damping_multiply fvi_check_dampers_of_matrices
     fvi_impulses_of_kernel_alloc fvi_impulses_of_kernel_at fvi_impulses_of_kernel_copy fvi_impulses_of_kernel_free

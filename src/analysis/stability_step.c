@@ -1,6 +1,7 @@
 /* src/analysis/stability_step.c -- The longest stable step of a method. [H 14] */
 #include <fvi/stability.h>
 
+#include "run/run_damper.h"
 #include "system/fail.h"
 #include "system/newton.h"
 
@@ -18,10 +19,10 @@ int fvi_stability_number(const fvi_method *method, const fvi_run *run,
         FVI_FAIL("the load of this method is not known", FVI_EUNSUP);
     if (run->law && !method->takes_laws)
         FVI_FAIL("this method knows no laws of damping", FVI_EUNSUP);
-    if (!(run->alpha >= method->alpha_least
-          && run->alpha <= method->alpha_most))
+    const fvi_run normal = fvi_run_normal(method, run);
+    if (!(normal.alpha >= method->alpha_least && normal.alpha <= method->alpha_most))
         FVI_FAIL("this method does not know this alpha", FVI_EDOM);
-    return method->stability_number(run, load);
+    return method->stability_number(&normal, load);
 }
 
 /* The Hessian of U, which is asked for once, at x0, when a load first needs it. */

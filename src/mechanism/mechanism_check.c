@@ -1,6 +1,8 @@
 /* src/mechanism/mechanism_check.c -- Is it a mechanism that these steps take?     [H 29] */
 #include "mechanism.h"
 
+#include "memory/kernel_terms.h"
+
 #include <math.h>
 
 static int refuse(int code, const char *field, size_t i, const char *text,
@@ -41,7 +43,7 @@ static int check_damper(const fvi_damper *damper, size_t i, int wants_hessian,
                       error);
     const fvi_kernel *kernel = damper->kernel;
     if (damper->past == FVI_INITIAL_HISTORY_CAPUTO
-        && !(kernel->count == 1 && kernel->term->kind == FVI_KERNEL_POWER)
+        && !fvi_kernel_is_power(kernel)
         && !fvi_kernel_takes_caputo(kernel))
         return refuse(FVI_EUNSUP, "damper", i,
                       "damper %zu: above the order 1 only a power alone has "

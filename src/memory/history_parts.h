@@ -1,4 +1,4 @@
-/* src/memory/history_parts.h -- A push in parts.                          [H 28]
+/* src/memory/history_parts.h -- A push in parts, and what else a step asks of a history. [H 28]
  *
  * Internal: for steps that take some coordinates through everything before the next ones. */
 #ifndef FVI_HISTORY_PARTS_H
@@ -9,6 +9,9 @@
 /* fvi_history_takes_parts -- nonzero if fvi_history_push_part may be called: many coordinates
  * that go by blocks, and are not shared among threads. */
 int fvi_history_takes_parts(const fvi_history *m);
+
+/* fvi_history_sums_increments -- does a push read dx, and not x? */
+int fvi_history_sums_increments(const fvi_history *m);
 
 /* fvi_history_terms -- how many terms have come in. */
 size_t fvi_history_terms(const fvi_history *m);

@@ -15,6 +15,12 @@ typedef struct {
     double rho, alpha, time, below;
 } fvi_kernel_simple;
 
+/* fvi_kernel_is_power -- is the law one power of s? */
+static inline int fvi_kernel_is_power(const fvi_kernel *law)
+{
+    return law->count == 1 && law->term->kind == FVI_KERNEL_POWER;
+}
+
 /* fvi_kernel_is_relaxation -- a Maxwell element: its one pole is on the cut, and all of it. */
 static inline int fvi_kernel_is_relaxation(const fvi_kernel_simple *t)
 {

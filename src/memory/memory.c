@@ -256,6 +256,11 @@ int fvi_history_push(fvi_history *m, const double *x, const double *dx, double *
 }
 //< push
 
+int fvi_history_sums_increments(const fvi_history *m)
+{
+    return m->on_increments;
+}
+
 size_t fvi_history_terms(const fvi_history *m)
 {
     return m->k;

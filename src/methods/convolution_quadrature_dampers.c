@@ -186,15 +186,15 @@ static size_t two_taps(double alpha, double *g)
 static void choose_scheme(fvi_scheme scheme, fvi_cq_damper *o)
 {
     const fvi_run_damper *of = &o->damping->of;
-    o->increments = of->law ? of->growth > 1 : of->growth >= 1;
+    o->increments = o->damping->increments;
     if (scheme == FVI_SCHEME_CQ2_SHIFTED)
         o->theta = of->growth / 2;
-    if (scheme == FVI_SCHEME_CQ_BDF2 && !of->law)
+    if (scheme == FVI_SCHEME_CQ_BDF2 && of->alpha > 0)
         o->taps = fvi_cq_bdf2_factor(2 * of->alpha, o->g);
     if (scheme != FVI_SCHEME_CQ2_MIDPOINT)
         return;
     o->theta = 0.5;
-    o->taps = two_taps(of->law ? 0 : of->alpha, o->g);
+    o->taps = two_taps(of->alpha, o->g);
 }
 
 static int start_damper(const fvi_stepper *s, fvi_cq_damper *o)

@@ -12,46 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- which dampers a run has ---- */
-
-size_t fvi_run_damper_count(const fvi_run *run)
-{
-    const fvi_mechanism *mechanism = run->system->mechanism;
-    return mechanism ? mechanism->damper_count : 1;
-}
-
-static fvi_run_damper one_power(double rho, double alpha)
-{
-    return (fvi_run_damper){ .alpha = alpha, .rho = rho, .growth = 2 * alpha };
-}
-
-static fvi_run_damper of_kernel(const fvi_kernel *law)
-{
-    return (fvi_run_damper){ .law = law, .rho = 1, .growth = fvi_kernel_growth(law) };
-}
-
-fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j)
-{
-    const fvi_system *system = run->system;
-    const fvi_matrices *m = system->matrices;
-    fvi_run_damper damper = run->law ? of_kernel(run->law) : one_power(1, run->alpha);
-    damper.past = run->past;
-    if (system->mechanism) {
-        const fvi_damper *of = system->mechanism->damper + j;
-        const fvi_kernel_term *term = of->kernel->term;
-        damper = of->kernel->count == 1 && term->kind == FVI_KERNEL_POWER
-                     ? one_power(term->rho, term->alpha)
-                     : of_kernel(of->kernel);
-        damper.past = of->past;
-    }
-    if (m)
-        damper.matrix = system->mechanism
-                            ? m->damper[j]
-                            : (fvi_damping_matrix){ m->remembered, m->remember,
-                                                    m->damp, m->params };
-    return damper;
-}
-
 /* ---- one damping ---- */
 
 void fvi_damping_free(fvi_damping *d)
@@ -96,23 +56,25 @@ fvi_delta fvi_damping_quadrature(const fvi_method *method)
                                                : method->quadrature;
 }
 
-/* The memory of a law; its first weight goes into the factors. */
-static int law_of(const fvi_stepper *s, fvi_damping *d)
+/* The memory of the damper, with its derivative by the order if sums of it are wanted. The first
+ * weight goes into the factors. */
+static int alloc_history(const fvi_stepper *s, fvi_damping *d)
 {
     const fvi_run *run = &s->run;
-    const fvi_kernel *law = d->of.law;
-    double first = 0;
-    fvi_shifted_kernel shifted = { law, run->h, fvi_shifted_theta(law) };
+    fvi_run_damper of = d->of;
+    double first;
+    fvi_shifted_kernel shifted = { of.law, run->h, of.growth / 2 };
     const fvi_kernel_function function = { { FVI_KERNEL_SYMBOL, 1, 0, 0, 0 },
                                            fvi_shifted_symbol,
                                            &shifted };
-    const fvi_kernel corrected = fvi_kernel_of_function(&function);
-    const int is_itself = s->method->scheme != FVI_SCHEME_CQ2_SHIFTED
-                          || fvi_shifted_is_itself(law);
-    int status = fvi_kernel_history(is_itself ? law : &corrected,
-                                fvi_damping_quadrature(s->method),
-                                run->h, d->count, run->steps, run->memory,
-                                run->tolerance, &first, &d->memory);
+    fvi_kernel corrected;
+    if (s->method->scheme == FVI_SCHEME_CQ2_SHIFTED && !fvi_shifted_is_itself(of.law)) {
+        corrected = fvi_kernel_of_function(&function);
+        of.law = &corrected;
+    }
+    const int status = fvi_run_damper_history(&of, run, fvi_damping_quadrature(s->method),
+                                              d->Hdot != NULL, d->count, &first,
+                                              &d->memory);
     for (size_t j = 0; j < d->count; j++)
         d->factor[j] *= first;
     d->unit *= first;
@@ -251,10 +213,8 @@ static int start_one(const fvi_stepper *s, fvi_initial_history past, fvi_damping
 {
     const fvi_run *run = &s->run;
     const fvi_linearised *linearised = fvi_linearised_of(run->system);
-    const double order = 2 * d->of.alpha;
     int status = FVI_SUCCESS;
-    d->increments = d->of.law || order >= 1;
-    d->unit = d->of.law ? run->h : d->of.rho * pow(run->h, 1 - order);
+    d->unit = d->of.rho * pow(run->h, 1 - 2 * d->of.alpha);
     if (linearised)
         status = keep_sums(d, linearised->by_order);
     if (status)
@@ -265,11 +225,8 @@ static int start_one(const fvi_stepper *s, fvi_initial_history past, fvi_damping
         begin(s, past, d);
     if (status)
         return status;
-    status = d->of.law
-                 ? law_of(s, d)
-                 : (d->Hdot ? fvi_history_alloc_by_order : fvi_history_alloc)(
-                     order, d->count, run->steps, run->memory,
-                     run->tolerance, &d->memory);
+    status = alloc_history(s, d);
+    d->increments = !status && fvi_history_sums_increments(d->memory);
     return status ? status : fvi_damping_update_history(d, d->dz);
 }
 

@@ -4,24 +4,7 @@
 #ifndef FVI_DAMPING_H
 #define FVI_DAMPING_H
 
-#include <fvi/dampers.h>
-#include <fvi/trajectory.h>
-
-/* What a damper of a run is: the only one, of alpha or of the law of the run, or one of several
- * of a mechanism. A law that is one power is a power here: its history is that of an alpha, to
- * the bit, and so are its impulses of the past. */
-typedef struct {
-    const fvi_kernel *law; /* NULL: the kernel is rho s^{2 alpha}, and alpha is read */
-    double alpha, rho;
-    double growth;         /* its kernel is like |s|^growth for large s */
-    fvi_initial_history past;
-    fvi_damping_matrix matrix; /* remember is NULL: coordinates, each with its own rho */
-} fvi_run_damper;
-
-/* fvi_run_damper_count -- how many dampers a run has.
- * fvi_run_damper_of -- damper j of them. */
-size_t fvi_run_damper_count(const fvi_run *run);
-fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j);
+#include "run/run_damper.h"
 
 /* The history of one damper, and of those behind it. */
 typedef struct fvi_damping {

@@ -125,7 +125,7 @@ static int prepare(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const fvi_run *run = &s->run;
     const double beta = 2 * run->alpha - 1;
-    o->scale = run->law ? 1 : pow(run->h, -beta);
+    o->scale = pow(run->h, -beta);
     if (o->damped == 0 || (!run->law && beta == 0 && !o->Ydot)) {
         for (size_t i = 0; i < o->s; i++)
             o->W[i][i] = o->damped > 0;
@@ -175,13 +175,11 @@ static int start(fvi_stepper *s, size_t stages, int damped)
     if (status)
         return status;
     fvi_lobatto_stages *o = s->method_state;
-    if (s->run.law) /* it acts on V as it is: nothing pulls */
-        s->run.alpha = 0.5;
     find_damped(s, o);
     const fvi_run_damper damper = fvi_run_damper_of(&s->run, 0);
-    status = s->run.law ? FVI_SUCCESS
-                        : fvi_initial_history_force_start(s, &damper, stages, o->rule->c,
-                                                          &o->history_force);
+    if (!damper.law) /* a law acts on V as it is */
+        status = fvi_initial_history_force_start(s, &damper, stages, o->rule->c,
+                                                 &o->history_force);
     if (!status)
         status = prepare(s, o);
     if (!status && damped)

@@ -66,7 +66,7 @@ static double bytes_of_dampers(const fvi_run *run)
     for (size_t j = 0; j < fvi_run_damper_count(run); j++) {
         const fvi_run_damper damper = fvi_run_damper_of(run, j);
         if (damper.matrix.remembered > 0)
-            bytes += (double)fvi_history_bytes(damper.law ? 0.5 : 2 * damper.alpha,
+            bytes += (double)fvi_history_bytes(fvi_run_damper_bytes_order(&damper),
                                                damper.matrix.remembered, run->steps,
                                                run->memory, run->tolerance);
     }
@@ -84,16 +84,17 @@ double fvi_run_bytes(const fvi_method *method, const fvi_run *run)
         return fvi_mechanism_bytes(method, run);
     if (system->matrices && system->mechanism)
         return bytes_of_dampers(run);
-    if (!method->memories || !is_damped(system) || (s > 0 && run->alpha == 1))
+    const fvi_run_damper damper = fvi_run_damper_of(run, 0);
+    const double order = fvi_run_damper_bytes_order(&damper);
+    if (!method->memories || !is_damped(system) || (s > 0 && order == 2))
         return bytes;
     if (s > 0)
         return bytes
-               + fvi_lobatto_history_bytes(
-                   s, run->law ? -0.5 : 2 * run->alpha - 1, d, run->steps,
-                   run->memory, run->tolerance);
+               + fvi_lobatto_history_bytes(s, order - 1, d, run->steps, run->memory,
+                                           run->tolerance);
     return bytes
-           + (double)fvi_history_bytes(run->law ? 0.5 : 2 * run->alpha, d,
-                                       run->steps, run->memory, run->tolerance);
+           + (double)fvi_history_bytes(order, d, run->steps, run->memory,
+                                       run->tolerance);
 }
 
 int fvi_velocity(const fvi_system *system, const double *p, double *v)

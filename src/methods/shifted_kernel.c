@@ -1,18 +1,6 @@
 /* src/methods/shifted_kernel.c -- What fvi-shifted puts in the place of a law.  [H 26] */
 #include "shifted_kernel.h"
 
-#include "memory/kernel_terms.h"
-
-double fvi_shifted_theta(const fvi_kernel *law)
-{
-    return fvi_kernel_growth(law) / 2;
-}
-
-int fvi_shifted_is_itself(const fvi_kernel *law)
-{
-    return law->count == 1 && law->term->kind == FVI_KERNEL_POWER;
-}
-
 //> corrected
 void fvi_shifted_symbol(double re, double im, void *params, double *E_re,
                         double *E_im)

@@ -7,23 +7,23 @@
 #ifndef FVI_SHIFTED_KERNEL_H
 #define FVI_SHIFTED_KERNEL_H
 
-#include <fvi/damping_laws.h>
+#include "memory/kernel_terms.h"
 
-/* A law at one step, as the params of fvi_shifted_symbol. */
+/* A law at one step, with theta, as the params of fvi_shifted_symbol. */
 typedef struct {
     const fvi_kernel *law;
     double h, theta;
 } fvi_shifted_kernel;
-
-/* fvi_shifted_theta -- the weight of the later end of a step, 0 to 1. */
-double fvi_shifted_theta(const fvi_kernel *law);
 
 /* fvi_shifted_symbol -- E, as the value of a fvi_kernel_function. Beyond 100/h, which no
  * weight sees, it is C, so that E grows as C does. */
 void fvi_shifted_symbol(double re, double im, void *params, double *E_re,
                         double *E_im);
 
-/* fvi_shifted_is_itself -- is E = C, of one power? */
-int fvi_shifted_is_itself(const fvi_kernel *law);
+/* fvi_shifted_is_itself -- is E = C? So it is of one power, which NULL is, too. */
+static inline int fvi_shifted_is_itself(const fvi_kernel *law)
+{
+    return !law || fvi_kernel_is_power(law);
+}
 
 #endif

@@ -11,30 +11,22 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* C(s/h) of the run's law over the power that alpha would give there: 1 without a law. At
- * z = -1 delta(z) is s = 2 for Euler, 4 for BDF2. */
+/* C(s/h) over (s/h)^{2 alpha}, for the alpha of fvi_run_normal. At z = -1 delta(z) is s = 2 for
+ * Euler, 4 for BDF2. */
 static double of_law(const fvi_run *run, double s)
 {
-    return run->law ? fvi_kernel_symbol(run->law, s / run->h)
-                          / pow(s / run->h, 2 * run->alpha)
-                    : 1;
+    return run->law ? fvi_kernel_symbol(run->law, s / run->h) : 1;
 }
 
 /* What a method takes of a damper at z = -1, where delta(z) is `s`. */
 typedef double of_kernel(const fvi_run_damper *damper, double s);
 
-static double symbol(const fvi_run_damper *damper, double s)
-{
-    return damper->law ? fvi_kernel_symbol(damper->law, s)
-                       : damper->rho * pow(s, 2 * damper->alpha);
-}
-
 /* (1 - 2 theta) E(s), s = 2/h: of one power E is its symbol. */
 static double shifted_symbol(const fvi_run_damper *damper, double s)
 {
     const double mean = 1 - damper->growth;
-    if (!damper->law || fvi_shifted_is_itself(damper->law))
-        return mean * symbol(damper, s);
+    if (fvi_shifted_is_itself(damper->law))
+        return mean * fvi_run_damper_symbol(damper, s);
     double complex slope;
     const double complex C = fvi_kernel_at(damper->law, s, &slope);
     return mean * creal(mean * C + slope);
@@ -70,22 +62,18 @@ static int has_dampers(const fvi_run *run)
 int fvi_stability_number_backward(const fvi_run *run, double *load)
 {
     if (has_dampers(run))
-        return of_dampers(run, symbol, 2, load);
+        return of_dampers(run, fvi_run_damper_symbol, 2, load);
     return fvi_stability_share(of_law(run, 2), run, load);
 }
 
 int fvi_stability_number_shifted(const fvi_run *run, double *load)
 {
-    double largest, share = 1 - 2 * run->alpha;
     if (has_dampers(run))
         return of_dampers(run, shifted_symbol, 2, load);
-    if (run->law) { /* (1 - 2 theta) E(2/h) */
-        const double s = 2 / run->h,
-                     mean = 1 - 2 * fvi_shifted_theta(run->law);
-        double complex slope;
-        const double complex C = fvi_kernel_at(run->law, s, &slope);
-        share = mean * creal(mean * C + slope) / pow(s, 2 * run->alpha);
-    }
+    const fvi_run_damper of = fvi_run_damper_of(run, 0);
+    double largest;
+    const double share =
+        of.law ? shifted_symbol(&of, 2 / run->h) : 1 - of.growth;
     int status = fvi_stability_share(share, run, &largest);
     if (!status)
         *load = fmax(0, largest); /* alpha > 1/2: the damping helps */
@@ -95,7 +83,7 @@ int fvi_stability_number_shifted(const fvi_run *run, double *load)
 int fvi_stability_number_bdf2(const fvi_run *run, double *load)
 {
     if (has_dampers(run))
-        return of_dampers(run, symbol, 4, load);
+        return of_dampers(run, fvi_run_damper_symbol, 4, load);
     return fvi_stability_share(pow(4, run->alpha) * of_law(run, 4), run, load);
 }
 

@@ -227,12 +227,11 @@ int fvi_step_work_is_known(const fvi_stepper *s)
     const fvi_lobatto_stages *o = s->method_state;
     if (s->method->dense)
         return 0;
-    if (s->run.law ? !is_of_order_1(s->method)
-                         && fvi_kernel_growth(s->run.law) > 1
-                   : s->run.alpha == 1)
+    const fvi_run_damper of = fvi_run_damper_of(&s->run, 0);
+    if (of.law ? !is_of_order_1(s->method) && of.growth > 1 : of.alpha == 1)
         return 0;
     if (s->method->stages)
         return o->history_force.size == NULL;
-    return is_of_order_1(s->method) || s->run.law || is_several(s)
+    return is_of_order_1(s->method) || is_several(s)
            || !fvi_initial_history_acts(s->run.past, s->run.alpha);
 }

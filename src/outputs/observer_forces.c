@@ -91,26 +91,26 @@ int fvi_observer_damping(const fvi_observer *o, const fvi_stepper *s,
 /* ---- the start ---- */
 
 /* lim C(s)/s, s to infinity, of a kernel that grows like s; like s / log s it is 0. */
-static double slope_at_infinity(const fvi_kernel *law)
+static double slope_at_infinity(const fvi_run_damper *of)
 {
     const double far = 1e100, farther = 1e200,
-                 a = fvi_kernel_symbol(law, far) / far,
-                 b = fvi_kernel_symbol(law, farther) / farther;
+                 a = fvi_run_damper_symbol(of, far) / far,
+                 b = fvi_run_damper_symbol(of, farther) / farther;
     return fabs(a - b) <= 1e-9 * fabs(a) ? b : 0;
 }
 
-/* A force at t = 0+ of an elongation with the velocity zdot and, of Riemann and Liouville's past, a
- * jump by z0, for 1 as the damping. INFINITY where there is none. */
-static double force_at_start(double order, const fvi_kernel *law,
-                             fvi_initial_history past, double z0, double zdot)
+/* A damper's force at t = 0+ of an elongation with the velocity zdot and, of Riemann and
+ * Liouville's past, a jump by z0. INFINITY where there is none. */
+static double force_at_start(const fvi_run_damper *of, double z0, double zdot)
 {
-    if (past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && z0 != 0 && !law)
-        return order == 0 ? z0 : order == 1 ? zdot : INFINITY;
+    const double order = of->growth;
+    if (of->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && z0 != 0)
+        return order == 0 ? of->rho * z0 : order == 1 ? of->rho * zdot : INFINITY;
     if (order < 1 || zdot == 0)
         return 0;
     if (order == 1)
-        return law ? slope_at_infinity(law) * zdot : zdot;
-    return past == FVI_INITIAL_HISTORY_CAPUTO ? 0 : INFINITY;
+        return slope_at_infinity(of) * zdot;
+    return of->past == FVI_INITIAL_HISTORY_CAPUTO ? 0 : INFINITY;
 }
 
 static double exponent_at_start(double order, fvi_initial_history past,
@@ -134,16 +134,14 @@ static int begin_coordinates(fvi_observer *o, const fvi_stepper *s)
         if (o->matrices)
             status = fvi_damping_multiply(&of.matrix, d, 1, o->v, o->F);
         for (size_t i = 0; i < d && !status; i++) {
-            const double rho =
-                             of.rho * (o->matrices ? 1 : run->system->damping[i]),
+            const double factor = o->matrices ? 1 : run->system->damping[i],
                          rate = o->matrices ? o->F[i] : o->v[i];
             o->exponent[j * d + i] =
                 exponent_at_start(of.growth, of.past, run->x0[i]);
             o->start[j * d + i] =
-                rho == 0 ? 0
-                         : rho
-                               * force_at_start(of.growth, of.law, of.past,
-                                                run->x0[i], rate);
+                factor == 0 || of.rho == 0
+                    ? 0
+                    : factor * force_at_start(&of, run->x0[i], rate);
         }
     }
     return status;
@@ -168,16 +166,11 @@ static int begin_mechanism(fvi_observer *o, const fvi_stepper *s)
     int status = FVI_SUCCESS;
     for (size_t j = 0; j < o->dampers && !status; j++) {
         const fvi_damper *damper = &m->damper[j];
-        const double order = fvi_kernel_growth(damper->kernel);
+        const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
         double rate = 0;
         status = elongation_rate(o, s, &damper->of, &rate);
-        o->exponent[j] = 2 - order;
-        o->start[j] = force_at_start(
-            order, damper->kernel,
-            damper->past == FVI_INITIAL_HISTORY_CAPUTO
-                ? damper->past
-                : FVI_INITIAL_HISTORY_HELD,
-            0, rate);
+        o->exponent[j] = 2 - of.growth;
+        o->start[j] = force_at_start(&of, 0, rate);
     }
     for (size_t i = o->forces; i < o->tracked; i++) {
         o->exponent[i] = NAN;

@@ -109,8 +109,7 @@ static void describe(fvi_observer *o, const fvi_stepper *s, unsigned wanted)
                   : 0;
     o->tracked = o->forces + o->slopes + o->ties;
     o->is_damped = system->mechanism || is_damped(system);
-    o->is_mass = !system->mechanism && !o->matrices && !s->run.law
-                 && s->run.alpha == 1;
+    o->is_mass = !system->mechanism && !o->matrices && s->run.alpha == 1;
     o->work_known = system->mechanism || fvi_step_work_is_known(s);
     o->by_energy =
         !system->mechanism && (s->method->stages || !o->work_known);

@@ -80,13 +80,14 @@ static int interpret(request *r, fvi_error *c)
     const fvi_method *m = r->o.method;
     r->system = fvi_options_system(&r->o);
     r->run = fvi_options_run(&r->o, &r->system);
+    r->terms = r->run.law ? r->run.law->count : 0;
     if (m->scheme == FVI_SCHEME_CLASSICAL)
         return fvi_refuse(c,
                           "method", "'%s' has no gradient; fvi, fvi-shifted, "
                           "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
                           "fvi-adaptive have",
                           m->name);
-    if (r->run.law && m->scheme == FVI_SCHEME_CQ2_SHIFTED)
+    if (r->terms && m->scheme == FVI_SCHEME_CQ2_SHIFTED)
         return fvi_refuse(c,
                           "method", "'%s' has no gradient with --damping; fvi, "
                           "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
@@ -122,8 +123,7 @@ static size_t dampers_of(const request *r)
 /* By x0, p0, masses and dampings, by alpha, c and g, by each --let, by the terms of a law. */
 static size_t numbers_of(const request *r)
 {
-    return 4 * r->o.d + 3 + r->o.lets.count + dampers_of(r)
-           + 4 * (r->run.law ? r->run.law->count : 0);
+    return 4 * r->o.d + 3 + r->o.lets.count + dampers_of(r) + 4 * r->terms;
 }
 
 static int by_let(size_t j, size_t d, const double *x, void *params, double *S)
@@ -228,7 +228,7 @@ static int are_finite(const request *r)
 {
     const size_t d = r->o.d, end = numbers_of(r);
     const int by_x0 = r->run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
-              by_p0 = r->o.method->scheme != FVI_SCHEME_VARIABLE_STEP || !r->run.law;
+              by_p0 = r->o.method->scheme != FVI_SCHEME_VARIABLE_STEP || !r->terms;
     return isfinite(r->value) && fvi_all_finite(end - 2 * d, r->numbers + 2 * d)
            && (!by_x0 || fvi_all_finite(d, r->numbers))
            && (!by_p0 || fvi_all_finite(d, r->numbers + d));
@@ -282,7 +282,7 @@ static int differentiate(request *r)
 static int has_alpha(const request *r)
 {
     const fvi_method *m = r->o.method;
-    if (r->run.law || r->system.mechanism)
+    if (r->terms || r->system.mechanism)
         return 0;
     if (m->scheme == FVI_SCHEME_VARIABLE_STEP
         && (r->run.alpha == 0 || r->run.alpha == 1))
@@ -300,7 +300,7 @@ static int make_room(request *r)
         8 * (double)d * (double)r->per * (double)(r->o.steps + 1);
     const int wanted =
         r->words.own[FORCES] || force_has_lets(r);
-    const size_t terms = r->run.law ? r->run.law->count : 0;
+    const size_t terms = r->terms;
     r->numbers = calloc(numbers_of(r), sizeof(double));
     if (wanted && rows < fvi_machine_bytes())
         r->force = malloc((r->o.steps * r->per + 1) * d * sizeof *r->force);
@@ -316,7 +316,7 @@ static int make_room(request *r)
     r->to.parameters = r->o.potential.expression ? r->lets : r->to.damping + d + 1;
     if (r->system.mechanism) /* a number for each damper */
         r->to.damping = r->lets + r->o.lets.count;
-    if (!r->run.law)
+    if (terms == 0)
         return 0;
     if (r->o.method->scheme != FVI_SCHEME_VARIABLE_STEP || terms == 1)
         r->to.terms = r->lets + r->o.lets.count;

@@ -60,7 +60,7 @@ static void print_term(FILE *f, const request *r, size_t i)
     const int is_maxwell = kind == FVI_KERNEL_MAXWELL,
               is_range = kind == FVI_KERNEL_DISTRIBUTED;
     char number[24] = "", name[32];
-    if (r->run.law->count > 1)
+    if (r->terms > 1)
         snprintf(number, sizeof number, "_%zu", i + 1);
     snprintf(name, sizeof name, "damping%s", number);
     if (kind >= FVI_KERNEL_MAXWELL2 || !r->to.terms) {
@@ -82,7 +82,7 @@ static void print_term(FILE *f, const request *r, size_t i)
 static void print_matrices(FILE *f, const request *r)
 {
     print_row(f, "mass", "", *r->to.mass);
-    for (size_t i = 0; r->run.law && i < r->run.law->count; i++)
+    for (size_t i = 0; i < r->terms; i++)
         print_term(f, r, i);
     const fvi_mechanism *of = r->system.mechanism;
     for (size_t j = 0; of && j < of->damper_count; j++) {
@@ -91,7 +91,7 @@ static void print_matrices(FILE *f, const request *r)
         print_row(f, of->damper[j].name ? of->damper[j].name : name, ".rho",
                   r->to.damping[j]);
     }
-    if (!r->run.law && !of) {
+    if (r->terms == 0 && !of) {
         print_row(f, "rho", "", *r->to.damping);
         print_row(f, "alpha", "", *r->to.alpha);
     }
@@ -106,14 +106,13 @@ static void print_numbers(FILE *f, const request *r)
         return;
     }
     print_each(f, r, "mass", r->to.mass);
-    if (r->run.law)
-        for (size_t i = 0; i < r->run.law->count; i++)
-            print_term(f, r, i);
-    else
+    for (size_t i = 0; i < r->terms; i++)
+        print_term(f, r, i);
+    if (r->terms == 0)
         print_each(f, r, "rho", r->to.damping);
     if (r->to.alpha)
         print_row(f, "alpha", "", *r->to.alpha);
-    else if (!r->run.law)
+    else if (r->terms == 0)
         fprintf(f, "# warning = no derivative by alpha: %s\n",
                 r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP
                     ? "there x has a logarithm at 0, for which these "

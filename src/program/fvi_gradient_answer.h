@@ -16,6 +16,7 @@ typedef struct {
     size_t of, i; /* 0, 1, 2: x, p, energy; the coordinate, from 0 */
     fvi_system system;
     fvi_run run;
+    size_t terms; /* of the law, whose numbers take the place of rho and alpha; 0 without one */
     double value; /* of what is differentiated */
     double *last; /* x and p of the last row */
     fvi_sensitivities to;

@@ -1,6 +1,8 @@
 /* src/run/dampers_check.c -- Are these dampers that a structure can have?  [H 27] */
 #include "dampers_check.h"
 
+#include "memory/kernel_terms.h"
+
 #include <fvi/dampers.h>
 
 #include <math.h>
@@ -19,8 +21,7 @@ static int check_damper(size_t j, const fvi_damper *damper, fvi_error *error)
     if (status)
         return refuse(j, status == FVI_ENOMEM ? status : FVI_EINVAL, "its kernel is not one", error);
     const fvi_kernel_term *term = damper->kernel->term;
-    const int is_power =
-        damper->kernel->count == 1 && term->kind == FVI_KERNEL_POWER;
+    const int is_power = fvi_kernel_is_power(damper->kernel);
     switch (damper->past) {
     case FVI_INITIAL_HISTORY_HELD:
         return FVI_SUCCESS;

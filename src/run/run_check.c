@@ -2,6 +2,7 @@
 #include "run_check.h"
 
 #include "impulses.h"
+#include "run_damper.h"
 #include "dampers_check.h"
 #include <fvi/events.h>
 #include "solution.h"
@@ -128,6 +129,7 @@ int fvi_run_check(const fvi_method *method, const fvi_run *run,
     if (system && system->mechanism && !system->matrices && !method->takes_mechanism)
         return fvi_fail(error, FVI_EUNSUP, "mechanism", NAN,
                         "this method takes no system with a mechanism");
+    const fvi_run normal = fvi_run_normal(method, run);
     int status = fvi_system_check_any(system, error);
     if (!status && system->matrices)
         status = fvi_check_dampers_of_matrices(run, error);
@@ -136,7 +138,9 @@ int fvi_run_check(const fvi_method *method, const fvi_run *run,
     if (run->steps == 0)
         return fvi_fail(error, FVI_EINVAL, "steps", 0,
                         "a run has at least one step");
-    status = check_numbers(method, run, error);
+    status = check_law(method, run, error);
+    if (!status)
+        status = check_numbers(method, &normal, error);
     if (!status)
         status = check_start("x0", run->system->d, run->x0, error);
     if (!status)
@@ -147,8 +151,6 @@ int fvi_run_check(const fvi_method *method, const fvi_run *run,
     if (!status && run->event_count)
         status = fvi_events_check(method, run, error);
     if (!status)
-        status = check_impulses(method, run, error);
-    if (!status)
-        status = check_law(method, run, error);
+        status = check_impulses(method, &normal, error);
     return status ? status : check_past(method, run, error);
 }

@@ -5,6 +5,7 @@
 
 #include "impulses.h"
 #include "run_check.h"
+#include "run_damper.h"
 #include "whole_run.h"
 #include "system/fail.h"
 #include "system/newton.h"
@@ -58,10 +59,8 @@ static fvi_stepper *make(const fvi_method *method, const fvi_run *run)
                         .dx = block + 2 * d,
                         .g = block + 3 * d,
                         .F = block + 4 * d,
-                        .run = *run,
+                        .run = fvi_run_normal(method, run),
                         .method = method };
-    if (run->law) /* what else is allowed is the same */
-        s->run.past = FVI_INITIAL_HISTORY_HELD;
     s->run.x0 = memcpy(block + 5 * d, run->x0, d * sizeof *s->x);
     s->run.p0 = memcpy(block + 6 * d, run->p0, d * sizeof *s->p);
     memcpy(s->x, run->x0, d * sizeof *s->x);

@@ -22,7 +22,25 @@ static int momenta_are_known(const fvi_method *method, const fvi_run *run,
     int known = 1;
     for (size_t i = 0; system && system->damping && i < system->d; i++)
         known &= !(system->damping[i] > 0);
-    return known || !J->has_momenta || !splits || run->law || run->alpha != 1;
+    return known || !J->has_momenta || !splits
+           || fvi_run_normal(method, run).alpha != 1;
+}
+
+/* How many terms the law of a run has, whose numbers there may be derivatives by. */
+static size_t terms_of(const fvi_run *run)
+{
+    return run->law ? run->law->count : 0;
+}
+
+/* fvi-shifted puts another kernel in the place of a law, of which there is no adjoint. */
+static int check_shifted(const fvi_run *run)
+{
+    for (size_t j = 0; run->system && j < fvi_run_damper_count(run); j++)
+        if (fvi_run_damper_of(run, j).law)
+            FVI_FAIL("fvi-shifted has no adjoint with a law; fvi-bdf2 and fvi-stable have, "
+                     "and of one damping fvi-adaptive and the methods with stages",
+                     FVI_EUNSUP);
+    return FVI_SUCCESS;
 }
 
 static int check(const fvi_method *method, const fvi_run *run, const double *x,
@@ -35,17 +53,17 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
     if (run->event_count > 0)
         FVI_FAIL("a run with events has no adjoint", FVI_EUNSUP);
-    const int dampers = run->system && run->system->mechanism
-                            ? fvi_adjoint_dampers_check(method, run, J, want)
-                            : FVI_SUCCESS;
-    if (dampers)
-        return dampers;
-    for (size_t i = 0; run->law && i < run->law->count; i++)
+    int status = method->scheme == FVI_SCHEME_CQ2_SHIFTED ? check_shifted(run) : FVI_SUCCESS;
+    if (!status && run->system && run->system->mechanism)
+        status = fvi_adjoint_dampers_check(method, run, J, want);
+    if (status)
+        return status;
+    for (size_t i = 0; i < terms_of(run); i++)
         if (run->law->term[i].kind >= FVI_KERNEL_MAXWELL2
             && (want->orders || want->times || want->ends))
             FVI_FAIL("this kind of law has a derivative by rho alone",
                      FVI_EUNSUP);
-    if (run->law ? want->alpha != NULL : fvi_adjoint_kernel_is_wanted(want))
+    if (terms_of(run) ? want->alpha != NULL : fvi_adjoint_kernel_is_wanted(want))
         FVI_FAIL("a law has terms, and no alpha; a power the other way round",
                  FVI_EINVAL);
     if ((method->scheme == FVI_SCHEME_LOBATTO
@@ -55,16 +73,11 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     if (method->scheme == FVI_SCHEME_LOBATTO && !method->damped_inertia
         && want->alpha && run->alpha == 1)
         FVI_FAIL("p of form M jumps at alpha = 1", FVI_EUNSUP);
-    if (method->scheme == FVI_SCHEME_VARIABLE_STEP && run->law
+    if (method->scheme == FVI_SCHEME_VARIABLE_STEP
         && (want->orders || want->times || want->ends
-            || (want->terms
-                && !(run->law->count == 1 && run->law->term[0].rho > 0))))
+            || (want->terms && !(terms_of(run) == 1 && run->law->term[0].rho > 0))))
         FVI_FAIL("steps of any length have no derivative by the numbers of a law "
                  "but the factor of one that stands alone; fvi-bdf2, fvi-stable, "
-                 "fvi-adaptive and the methods with stages have",
-                 FVI_EUNSUP);
-    if (method->scheme == FVI_SCHEME_CQ2_SHIFTED && run->law)
-        FVI_FAIL("fvi-shifted has no adjoint with a law; fvi-bdf2, fvi-stable, "
                  "fvi-adaptive and the methods with stages have",
                  FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_VARIABLE_STEP && want->alpha
@@ -83,7 +96,7 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         *s; /* knows what a run may be; one of a step has no long memory */
     fvi_run one = *run;
     one.steps = run->steps > 0;
-    int status = fvi_stepper_start(method, &one, &s, NULL);
+    status = fvi_stepper_start(method, &one, &s, NULL);
     if (!status)
         fvi_stepper_free(s);
     return status;
@@ -120,7 +133,7 @@ static void clear(const fvi_run *run, const fvi_sensitivities *want, size_t per)
     double *const of_law[] = { want->terms, want->orders, want->times,
                                want->ends };
     for (size_t l = 0; l < sizeof of_law / sizeof *of_law; l++)
-        for (size_t i = 0; of_law[l] && i < run->law->count; i++)
+        for (size_t i = 0; of_law[l] && i < terms_of(run); i++)
             of_law[l][i] = 0;
     if (want->damping)
         memset(want->damping, 0, dampings_of(run->system) * sizeof *want->damping);
@@ -247,10 +260,11 @@ static int walk(const fvi_method *method, fvi_checkpointing *path,
 static int are_finite(const fvi_method *method, const fvi_run *run,
                       const fvi_sensitivities *want, size_t per)
 {
-    const int is_still = method->scheme == FVI_SCHEME_VARIABLE_STEP && run->law
-                         && fvi_kernel_growth(run->law) > 1;
+    const fvi_run_damper of = fvi_run_damper_of(run, 0);
+    const int is_still =
+        method->scheme == FVI_SCHEME_VARIABLE_STEP && of.law && of.growth > 1;
     const int whole = run->system->matrices != NULL;
-    const size_t d = run->system->d, l = run->law ? run->law->count : 0,
+    const size_t d = run->system->d, l = terms_of(run),
                  c = whole ? 1 : want->sensitivity.count;
     const struct {
         const double *by;
@@ -302,10 +316,8 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
     int status = check(method, run, x, p, objective, want);
     if (status)
         return status;
-    fvi_run held = *run; /* what else a law allows is the same */
-    if (run->law)
-        held.past = FVI_INITIAL_HISTORY_HELD;
-    run = &held;
+    const fvi_run normal = fvi_run_normal(method, run);
+    run = &normal;
     clear(run, want, forces_of(method));
     status = all_derivatives(method, run, x, p, objective, want);
     return status || are_finite(method, run, want, forces_of(method)) ? status

@@ -51,32 +51,24 @@ static int allocate(fvi_adjoint_constant *c)
     return FVI_SUCCESS;
 }
 
-int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run, size_t width,
-                               int by_order, fvi_adjoint_constant *c)
+int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run,
+                               const fvi_run_damper *of, size_t width, int by_order,
+                               fvi_adjoint_constant *c)
 {
     const fvi_scheme scheme = method->scheme;
-    const double alpha = run->law ? 0 : run->alpha; /* (26.15) */
+    double first; /* the damping has it */
     *c = (fvi_adjoint_constant){ .width = width,
                                  .by_order = by_order,
-                                 .theta = scheme == FVI_SCHEME_CQ2_SHIFTED ? run->alpha
+                                 .theta = scheme == FVI_SCHEME_CQ2_SHIFTED ? of->alpha
                                           : scheme == FVI_SCHEME_CQ2_MIDPOINT
                                                   || scheme == FVI_SCHEME_FVI
                                               ? 0.5
                                               : 0 };
-    c->taps = fvi_adjoint_factor(run->law && scheme == FVI_SCHEME_CQ_BDF2
-                                     ? FVI_SCHEME_FVI /* no factor */
-                                     : scheme,
-                                 alpha, c->g, c->gdot);
+    c->taps = fvi_adjoint_factor(scheme, of->alpha, c->g, c->gdot);
     const int status = allocate(c);
-    if (status)
-        return status;
-    if (!run->law)
-        return (by_order ? fvi_history_alloc_by_order : fvi_history_alloc)(
-            2 * alpha, width, run->steps, run->memory, run->tolerance, &c->memory);
-    double first; /* the damping has it */
-    return fvi_kernel_history(run->law, fvi_damping_quadrature(method), run->h, width,
-                              run->steps, run->memory, run->tolerance, &first,
-                              &c->memory);
+    return status ? status
+                  : fvi_run_damper_history(of, run, fvi_damping_quadrature(method),
+                                           by_order, width, &first, &c->memory);
 }
 
 void fvi_adjoint_constant_stop(fvi_adjoint_constant *c)

@@ -8,7 +8,7 @@
 #define FVI_ADJOINT_CONSTANT_H
 
 #include <fvi/convolution_quadrature.h>
-#include <fvi/trajectory.h>
+#include "run/run_damper.h"
 
 /* Of a sequence of `width` numbers at the nodes; where the comment says "each", so many. */
 typedef struct {
@@ -39,13 +39,15 @@ size_t fvi_adjoint_factor(fvi_scheme scheme, double alpha, double *g,
 /* fvi_adjoint_constant_start -- before node N.
  *
  *   method    without stages
+ *   of        the damper whose memory it is
  *   width     1, of a constant; d, of what lambda has jumped by
  *   by_order  nonzero if the derivatives by 2 alpha and by the shift are wanted
  *   c         output; in any case to be given back by fvi_adjoint_constant_stop
  *
- * Returns FVI_SUCCESS, what fvi_history_alloc and fvi_kernel_history return; FVI_ENOMEM. */
-int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run, size_t width,
-                               int by_order, fvi_adjoint_constant *c);
+ * Returns FVI_SUCCESS, what fvi_run_damper_history returns; FVI_ENOMEM. */
+int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run,
+                               const fvi_run_damper *of, size_t width, int by_order,
+                               fvi_adjoint_constant *c);
 
 /* fvi_adjoint_constant_next -- for N, N - 1, ..., 0: B is the sequence there, `change` its
  * increment. By what of h^(1 - 2 alpha) C the momentum falls, as c->value; its derivative by

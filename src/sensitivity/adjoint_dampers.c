@@ -32,9 +32,6 @@ int fvi_adjoint_dampers_check(const fvi_method *method, const fvi_run *run,
             FVI_FAIL("no adjoint by fvi with Riemann and Liouville's past of one of "
                      "several dampers; by fvi-bdf2 and fvi-stable there is",
                      FVI_EUNSUP);
-        if (method->scheme == FVI_SCHEME_CQ2_SHIFTED && fvi_run_damper_of(run, j).law)
-            FVI_FAIL("fvi-shifted has no adjoint with a law; fvi-bdf2 and fvi-stable have",
-                     FVI_EUNSUP);
     }
     return FVI_SUCCESS;
 }
@@ -109,12 +106,10 @@ static int is_zero(size_t d, const double *v)
 static int start_constant(const fvi_adjoint_dampers *m, const fvi_method *method,
                           fvi_adjoint_damper *a)
 {
-    fvi_run one = *m->run;
     if (m->paper_convention || is_zero(m->d, m->Jp))
         return FVI_SUCCESS;
-    one.law = a->of.law;
-    one.alpha = a->of.alpha;
-    const int status = fvi_adjoint_constant_start(method, &one, 1, 0, &a->constant);
+    const int status =
+        fvi_adjoint_constant_start(method, m->run, &a->of, 1, 0, &a->constant);
     return status ? status
                   : fvi_damping_multiply(&a->of.matrix, m->d, 1, m->Jp, a->CJ);
 }

@@ -76,12 +76,10 @@ int fvi_adjoint_lobatto_start(const fvi_method *method, const fvi_run *run,
                               .s = s,
                               .d = run->system->d,
                               .damped_inertia = method->damped_inertia,
-                              .mass_plus_damping = run->alpha == 1 && !run->law
-                                       && !method->damped_inertia,
+                              .mass_plus_damping =
+                                  run->alpha == 1 && !method->damped_inertia,
                               .linearised = fvi_linearised_begin(run->system, s) };
     run = m->run;
-    if (run->law) /* as the run does: nothing pulls */
-        m->own.alpha = 0.5;
     int status = allocate(m);
     if (status)
         return status;

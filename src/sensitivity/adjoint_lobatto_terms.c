@@ -93,10 +93,10 @@ static int start_one(const fvi_adjoint_lobatto *m, fvi_adjoint_lobatto_term *t)
 int fvi_adjoint_terms_start(fvi_adjoint_lobatto *m)
 {
     const fvi_kernel *law = m->run->law;
-    const size_t count = law && fvi_adjoint_kernel_is_wanted(m->want) ? law->count : 0;
     int status = FVI_SUCCESS;
-    if (count == 0)
+    if (!fvi_adjoint_kernel_is_wanted(m->want))
         return status;
+    const size_t count = law->count;
     m->each = calloc(count, sizeof *m->each);
     if (!m->each)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);

@@ -41,6 +41,7 @@ static int allocate(fvi_adjoint_multistep *m)
 static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
 {
     fvi_run back = *m->run;
+    const fvi_run_damper of = fvi_run_damper_of(m->run, 0);
     int moves = 0;
     m->linearised.G = m->has_hessian ? m->G : NULL;
     m->linearised.is_constant = m->is_quadratic;
@@ -60,10 +61,10 @@ static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
     for (size_t i = 0; i < m->d; i++)
         moves |= m->Jp[i] != 0;
     if (m->damping && moves && !m->paper_convention)
-        status = fvi_adjoint_constant_start(method, m->run, 1, m->want->alpha != NULL,
+        status = fvi_adjoint_constant_start(method, m->run, &of, 1, m->want->alpha != NULL,
                                             &m->constant);
     if (!status && m->damping && m->has_jumps)
-        status = fvi_adjoint_constant_start(method, m->run, m->d,
+        status = fvi_adjoint_constant_start(method, m->run, &of, m->d,
                                             m->want->alpha != NULL, &m->jumped);
     return status;
 }
@@ -90,9 +91,9 @@ static void describe(const fvi_method *method, const fvi_run *run,
     m->d = m->r = system->d;
     m->scheme = method->scheme;
     m->paper_convention = method->scheme == FVI_SCHEME_FVI;
-    m->is_liouville = m->paper_convention && !run->law
+    m->is_liouville = m->paper_convention
                       && run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
-    m->growth = run->law ? fvi_kernel_growth(run->law) : 2 * run->alpha;
+    m->growth = fvi_run_damper_of(run, 0).growth;
     m->has_drift = m->growth > 1
                    && (run->past == FVI_INITIAL_HISTORY_CAPUTO || !m->paper_convention);
     m->kappa = method->takes_kappa ? run->kappa : 0.5;
@@ -364,7 +365,7 @@ int fvi_adjoint_multistep_end(fvi_adjoint_multistep *m, const double *Jx)
     if (!status)
         status = by_momentum(m, more);
     for (size_t i = 0; i < m->d; i++) {
-        const int has = run->law || m->paper_convention
+        const int has = m->paper_convention
                         || fvi_initial_history_solvable(run->past, run->alpha,
                                                         run->system->damping[i], 1);
         if (want->x0)

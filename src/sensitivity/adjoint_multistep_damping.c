@@ -68,7 +68,7 @@ int fvi_adjoint_multistep_damping_start(fvi_adjoint_multistep *m, const fvi_meth
         status = fvi_adjoint_multistep_apply_damping(m, -1, m->Jp, m->CJ);
     else
         memcpy(m->CJ, m->Jp, m->d * sizeof *m->CJ);
-    if (!run->law)
+    if (m->want->alpha)
         m->taps = fvi_adjoint_factor(m->scheme, run->alpha, m->g, m->gdot);
     if (status || !fvi_adjoint_kernel_is_wanted(m->want))
         return status;

@@ -77,7 +77,7 @@ static int start(fvi_adjoint_variable_run *m)
     fvi_square_apply(m->s, &path->W0, ones, m->W_1);
     if (!m->has_history || (path->beta == 0 && !m->want->alpha))
         return FVI_SUCCESS;
-    if (m->run->law)
+    if (path->stepper)
         return start_kernel(m);
     status = fvi_modes_alloc(m->rule, path->modes_kind, path->beta, m->d, path->T,
                              path->least, &m->modes);
@@ -370,8 +370,6 @@ int fvi_adjoint_variable(const fvi_run *run, const fvi_objective *J,
     fvi_adjoint_variable_run m = {
         .run = &own, .J = J, .want = want, .d = run->system->d
     };
-    if (run->law) /* as the run does: nothing pulls */
-        own.alpha = 0.25;
     int status = fvi_recorded_steps_run(&own, needs_open(&own, want), &m.path);
     if (!status)
         status = start(&m);

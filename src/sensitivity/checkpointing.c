@@ -40,8 +40,10 @@ void fvi_checkpointing_free(fvi_checkpointing *b)
 static size_t length_of(const fvi_run *run)
 {
     const size_t d = run->system->d;
-    const double bytes = (double)fvi_history_bytes(2 * run->alpha, d, run->steps,
-                                                  run->memory, run->tolerance);
+    const fvi_run_damper of = fvi_run_damper_of(run, 0);
+    const double bytes = (double)fvi_history_bytes(fvi_run_damper_bytes_order(&of), d,
+                                                   run->steps, run->memory,
+                                                   run->tolerance);
     const double rows = 32 + bytes / (double)(d * sizeof(double));
     const double L = ceil(sqrt(rows * (double)run->steps));
     return L < (double)run->steps ? (size_t)L : run->steps;

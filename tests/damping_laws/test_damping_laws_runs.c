@@ -306,11 +306,42 @@ START_TEST(who_does_not_know_laws_says_so)
 }
 END_TEST
 
+/* With a law nobody reads alpha, be it 1, where stages take no impulse on a power, or no number:
+ * every method, its stability and its copy give the same digits. */
+START_TEST(alpha_is_not_read_where_there_is_a_law)
+{
+    const double J = 0.3, alphas[] = { 0.5, 1, NAN };
+    const fvi_impulse hit = { 0.7, &J };
+    fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one), { 0 }, NULL, NULL };
+    system.force.impulse_count = 1;
+    system.force.impulses = &hit;
+    size_t ran = 0;
+    for (const fvi_method *const *m = fvi_methods; *m; m++) {
+        fvi_run run = fvi_run_default(&system, &one, &one, 0.1, 20);
+        double x[3][21], load[3] = { 0 };
+        if (!(*m)->takes_laws)
+            continue;
+        run.law = &ref_laws[0];
+        for (size_t i = 0; i < LEN(alphas); i++) {
+            run.alpha = alphas[i];
+            ck_assert_int_eq(fvi_trajectory(*m, &run, x[i], NULL, NULL), FVI_SUCCESS);
+            if ((*m)->stability_number)
+                ck_assert_int_eq(fvi_stability_number(*m, &run, &load[i]), FVI_SUCCESS);
+            ck_assert_mem_eq(x[i], x[0], sizeof x[0]);
+            ck_assert_double_eq(load[i], load[0]);
+        }
+        ran++;
+    }
+    ck_assert_uint_eq(ran, 19);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("damping_laws_runs");
     ADD_CASE(suite, "motions", eq_26_9_motions,
              eq_26_9_orders_of_a_nonlinear_motion,
+             alpha_is_not_read_where_there_is_a_law,
              a_power_is_the_run_that_alpha_gives,
              a_law_of_nothing_is_no_damping, a_chain_with_a_law_and_its_copy,
              eq_26_10_the_longest_step, eq_26_10_no_law_gains_energy);

@@ -1,0 +1,81 @@
+/* src/run/run_damper.c -- What damps a run.                         [H 9, 26, 27] */
+#include "run_damper.h"
+
+#include "memory/kernel_terms.h"
+
+#include <math.h>
+
+/* ---- which dampers a run has ---- */
+
+size_t fvi_run_damper_count(const fvi_run *run)
+{
+    const fvi_mechanism *mechanism = run->system->mechanism;
+    return mechanism ? mechanism->damper_count : 1;
+}
+
+static fvi_run_damper one_power(double rho, double alpha)
+{
+    return (fvi_run_damper){ .alpha = alpha, .rho = rho, .growth = 2 * alpha };
+}
+
+static fvi_run_damper of_kernel(const fvi_kernel *law)
+{
+    return (fvi_run_damper){ .law = law, .rho = 1, .growth = fvi_kernel_growth(law) };
+}
+
+fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j)
+{
+    const fvi_system *system = run->system;
+    const fvi_matrices *m = system->matrices;
+    const int of_mechanism = system->mechanism && j < system->mechanism->damper_count;
+    fvi_run_damper damper = run->law ? of_kernel(run->law) : one_power(1, run->alpha);
+    damper.past = run->past;
+    if (of_mechanism) {
+        const fvi_damper *of = system->mechanism->damper + j;
+        const fvi_kernel_term *term = of->kernel->term;
+        damper = fvi_kernel_is_power(of->kernel)
+                     ? one_power(term->rho, term->alpha)
+                     : of_kernel(of->kernel);
+        damper.past = of->past;
+    }
+    if (m)
+        damper.matrix = of_mechanism
+                            ? m->damper[j]
+                            : (fvi_damping_matrix){ m->remembered, m->remember,
+                                                    m->damp, m->params };
+    return damper;
+}
+
+fvi_run fvi_run_normal(const fvi_method *method, const fvi_run *run)
+{
+    fvi_run normal = *run;
+    if (!run->law)
+        return normal;
+    normal.past = FVI_INITIAL_HISTORY_HELD;
+    normal.alpha = method->stages ? 0.5 : method->dense ? 0.25 : 0;
+    return normal;
+}
+
+/* ---- what a damper is asked ---- */
+
+double fvi_run_damper_symbol(const fvi_run_damper *damper, double s)
+{
+    return damper->law ? fvi_kernel_symbol(damper->law, s)
+                       : damper->rho * pow(s, 2 * damper->alpha);
+}
+
+int fvi_run_damper_history(const fvi_run_damper *damper, const fvi_run *run, fvi_delta kind,
+                           int by_order, size_t d, double *first, fvi_history **memory)
+{
+    *first = 1;
+    if (damper->law)
+        return fvi_kernel_history(damper->law, kind, run->h, d, run->steps, run->memory,
+                                  run->tolerance, first, memory);
+    return (by_order ? fvi_history_alloc_by_order : fvi_history_alloc)(
+        2 * damper->alpha, d, run->steps, run->memory, run->tolerance, memory);
+}
+
+double fvi_run_damper_bytes_order(const fvi_run_damper *damper)
+{
+    return damper->law ? 0.5 : 2 * damper->alpha;
+}
