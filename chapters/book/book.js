@@ -187,19 +187,20 @@ function search() {
 // ---- figures that move ----
 
 function figures() {
-  for (const figure of document.querySelectorAll("[data-live]"))
+  for (const figure of document.querySelectorAll("[data-live]")) {
+    FVI_LIVE.frame(figure); // at once, so that nothing moves below it later
     new IntersectionObserver(async (seen, observer) => {
       if (!seen.some(one => one.isIntersecting)) return;
       observer.disconnect();
-      try { // without it there is the picture alone
-        await load("live/live.js");
+      try {
         await load("live/kernel.js");
-        await load(`live/${figure.dataset.live}.js`);
         await FVI_LIVE.begin(figure);
-      } catch (error) {
+      } catch (error) { // the still picture, then
+        figure.classList.remove("is-live");
         console.error(error);
       }
     }, { rootMargin: "300px" }).observe(figure);
+  }
 }
 
 menu();

@@ -76,9 +76,16 @@ def turn(before, after):
     return f'<nav class="turn" aria-label="Neighbours">{back}{on}</nav>'
 
 
+def live_scripts(body):
+    """The scripts of the figures that move on a page; the C comes when one of them is near."""
+    names = ["live", *dict.fromkeys(re.findall(r'data-live="(\w+)"', body))]
+    return "".join(f'<script src="live/{name}.js" defer></script>\n' for name in names) if len(names) > 1 else ""
+
+
 def framed(body, title, table, root="", kind="text", neighbours=""):
     page = FRAME
-    for name, value in (("root", root), ("title", title), ("kind", kind), ("contents", table), ("turn", neighbours), ("page", body)):
+    for name, value in (("root", root), ("title", title), ("kind", kind), ("contents", table), ("turn", neighbours), ("scripts", live_scripts(body)),
+                        ("page", body)):
         page = page.replace(f"{{{name}}}", value)
     return page
 

@@ -3,6 +3,7 @@
 pandoc makes the HTML, of all pages in one call; katex.js renders the formulas; the rest
 is here: ids of headings, equations and figures, links to places of the site, the row of
 files below a title, quoted code with its colours, and a link on each number of an equation."""
+import functools
 import html
 import json
 import pathlib
@@ -26,6 +27,7 @@ OTHERS = {"README.md": "index", "chapters/README.md": "course",
              ("manual", "reports", "python", "tour", "equations", "statements", "what_the_principle_buys", "evidence", "symbols", "glossary", "bibliography")}}
 FOLDERS = ("", "further", "handbook")  # of the Course, and of the two that stand behind it
 CUT = "page-ends-here"
+MOVES = re.compile(r"<!-- moves: (\w+) -->")
 
 
 def file_name(path):
@@ -219,13 +221,24 @@ def number_figures(page, captions):
         return (f'<figure id="fig-{number.replace(" ", "")}"{live(source)}><a href="{source}"><img src="{source}" alt="{alt}" width="{wide}" height="{high}" style="width: {int(wide) / 16:g}rem"></a>\n'
                 f'<figcaption><a href="#fig-{number.replace(" ", "")}">Figure {number}</a> {captions(source, alt)}</figcaption></figure>')
 
+    def moving(match):
+        return (f'<figure id="fig-{match[1]}" data-live="{match[1]}"><figcaption><a href="#fig-{match[1]}">This figure</a> moves, '
+                'in a browser that runs scripts.</figcaption></figure>')
+
+    page.body = MOVES.sub(moving, page.body)
     page.body = re.sub(r'<p><img\s+src="(?P<src>figures/[^"]*)"\s+alt="(?P<alt>[^"]*)"\s*/>\s*</p>', figure, page.body)
 
 
 def live(source):
-    """A figure that a script of chapters/live moves says which: by its own name."""
+    """A figure whose place in a page a moving one takes says which: by its own name. One that a comment puts elsewhere takes no place."""
     name = pathlib.Path(source).stem
-    return f' data-live="{name}"' if (HERE.parent / "live" / f"{name}.js").exists() else ""
+    return f' data-live="{name}"' if name not in alone() and (HERE.parent / "live" / f"{name}.js").exists() else ""
+
+
+@functools.cache
+def alone():
+    """The figures that move where a page says <!-- moves: NAME -->."""
+    return {name for path in (ROOT / "chapters").rglob("*.md") for name in MOVES.findall(path.read_text())}
 
 
 def size_of(page, source):

@@ -53,6 +53,7 @@ def on_paper(page, body, names):
     """Its places and links, as they are in the one document."""
     body = re.sub(r'<a class="anchor".*?</a>', "", answers_last(page, body), flags=re.S)
     body = re.sub(r'<p>Play with it:\s*<a [^>]*>[^<]*</a>\.\s*</p>', "", body)  # paper does not
+    body = re.sub(r'<figure [^>]*data-live="[^"]*"><figcaption>.*?</figure>', "", body, flags=re.S)  # nothing moves on paper
     body = re.sub(r' data-live="[^"]*"', "", body)
     body = re.sub(r"<details[^>]*>\s*<summary>(.*?)</summary>", r'<div class="more"><p class="summary">\1</p>', body, flags=re.S)
     body = body.replace("</details>", "</div>")  # nothing is folded

@@ -81,8 +81,11 @@ export async function testPages(browser, test, { names, url, read, moves, axe })
       assert.deepEqual(await evaluate(`(${unread})()`), []);
       await evaluate(`(${watchWords})()`);
       for (const live of figures) {
+        const before = await evaluate(`${figure(live)}.offsetHeight`);
         await evaluate(`${figure(live)}.scrollIntoView()`);
         await until(`${figure(live)}.live`);
+        const after = await evaluate(`${figure(live)}.offsetHeight`); // at 320; two lines more at most
+        if (after - before > 40) faults.push(`${live} was ${before} high, and is ${after}`);
       }
       await evaluate(`document.querySelectorAll("details").forEach(one => { one.open = true; }), document.fonts.ready.then(() => 0)`);
       for (const width of WIDTHS) {
@@ -116,7 +119,8 @@ export async function testPages(browser, test, { names, url, read, moves, axe })
 }
 
 async function slide({ evaluate }, figure, name) {
-  assert.ok(await evaluate(`${figure}.querySelector("img").offsetParent !== null`), `${name}: the image is there`);
+  const [still, moving] = await evaluate(`["img", "canvas"].map(of => ${figure}.querySelector(of)?.offsetParent != null)`);
+  assert.ok(moving && !still, `${name}: it stands in the place of its still picture`);
   for (const control of await evaluate(`[...${figure}.querySelectorAll("input[data-of]")].map(slider => slider.dataset.of)`)) {
     const before = await evaluate(`${figure}.live.values.${control}`);
     await evaluate(`(slider => { slider.value = Math.round(0.7 * slider.max) - (slider.value > 0.6 * slider.max ? Math.ceil(slider.max / 3) : 0);

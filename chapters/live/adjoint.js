@@ -5,6 +5,7 @@ FVI_LIVE.scene("adjoint", {
   about: "Drag the start, left, or a sample of the force, right: the gradient of x(20) by every push is one run that goes backwards, "
     + "and two runs with a push more and less say whether it is right there.",
   c: "chapters-live-inverse",
+  keeps: { force: 21 },
   controls: { alpha: ["α", 0, 1, 0.3, 0.01], rho: ["ρ", 0, 1, 0.3, 0.01], g: ["cubic stiffness g", 0, 2, 0.5, 0.05],
     x0: ["start x(0)", -2, 2, 1.2, 0.01], at: ["the push is at t", 1, 20, 7, 1] },
   pictures: ["The run; its start can be dragged", "The force ●, which can be dragged, and what a push at t does to x(20), dashed; wide, the mirror"],
@@ -32,14 +33,17 @@ FVI_LIVE.scene("adjoint", {
   },
 
   draw({ x, force, by, mirror, k, checkPush }, { x0, at, force: samples }, [left, right]) {
-    const t = [...x.keys()].map(j => j * h), run = FVI_LIVE.axes(left, { x: [0, 20], y: [-2.2, 2.2], names: ["t", "x"] });
+    const t = [...x.keys()].map(j => j * h), run = FVI_LIVE.axes(left, { x: [0, 20], y: [-2.2, 2.2], names: ["t", "x"], ends: ["x(20)"] });
     run.curve(t, x, "run");
-    run.dot(0, x0, "run", 7);
-    const push = FVI_LIVE.axes(right, { x: [0, 20], y: [-1.2, 1.2], names: ["t", "F, dx(20)/d impulse"] });
+    run.ends([["x(20)", "run", t, x]]);
+    run.handle(0, x0, "run", 7);
+    const push = FVI_LIVE.axes(right, { x: [0, 20], y: [-1.2, 1.2], names: ["t", "F, dx(20)/d impulse"], ends: ["gradient"] });
     push.curve(t, mirror, "axis", [], 5);
     push.curve(t, force, "positive");
-    samples.forEach((F, j) => push.dot(j, F, "positive", j === at ? 6 : 3.5));
-    push.curve(t.slice(1), by.slice(1).map(value => value / h), "negative", [7, 4]);
+    const slope = by.slice(1).map(value => value / h);
+    samples.forEach((F, j) => (j === at ? push.handle : push.dot)(j, F, "positive", j === at ? 5 : 3.5));
+    push.curve(t.slice(1), slope, "negative", [7, 4]);
+    push.ends([["F", "positive", t, force], ["gradient", "negative", t.slice(1), slope], ["mirror", "axis", t, mirror]]);
     push.dot(k * h, checkPush, "ink", 7, true);
   },
 

@@ -2,7 +2,7 @@
 FVI_LIVE.scene("coefficients_weights", {
   about: "Move the order from 0 to 1 and on to 2; look n steps back.",
   controls: { order: ["order of the derivative", 0, 2, 0.5, 0.01], n: ["n steps ago", 1, 2000, 10, "log"] },
-  pictures: ["The first weights and their partial sums", "Sizes of weights and partial sums, logarithmic"],
+  pictures: ["The first weights and their partial sums", "Sizes of weights and partial sums; drag the dot"],
 
   compute({ order, n }, { c, view }) {
     const last = 2000, sums = [];
@@ -22,11 +22,13 @@ FVI_LIVE.scene("coefficients_weights", {
       first.dot(i, w[i], "run", 4);
       first.dot(i, sums[i], "negative", 4, true);
     }
-    const far = FVI_LIVE.axes(right, { x: [0.9, 2500], y: [1e-9, 4], log: "xy", names: ["n", "size"] });
+    const far = FVI_LIVE.axes(right, { x: [0.9, 2500], y: [1e-9, 4], log: "xy", names: ["n", "size"], ends: ["weights"] });
     const steps = [...w.keys()].slice(1);
-    far.curve(steps, steps.map(i => Math.abs(w[i]) || NaN), "run");
-    far.curve(steps, steps.map(i => Math.abs(sums[i]) || NaN), "negative", [7, 4]);
-    if (w[n]) far.dot(n, Math.abs(w[n]), "run", 5);
+    const size = steps.map(i => Math.abs(w[i]) || NaN), total = steps.map(i => Math.abs(sums[i]) || NaN);
+    far.curve(steps, size, "run");
+    far.curve(steps, total, "negative", [7, 4]);
+    far.ends([["weights", "run", steps, size], ["sums", "negative", steps, total]]);
+    if (w[n]) far.handle(n, Math.abs(w[n]), "run", 5);
     if (sums[n]) far.dot(n, Math.abs(sums[n]), "negative", 5, true);
   },
 

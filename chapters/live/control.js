@@ -23,13 +23,16 @@ FVI_LIVE.scene("control", {
   },
 
   draw({ N, force, held, freed }, { T }, [left, right]) {
-    const t = [...held.keys()].map(k => k * h), body = FVI_LIVE.axes(left, { x: [0, 20], y: [-1.2, 1.2], names: ["t", "x"] });
+    const t = [...held.keys()].map(k => k * h), body = FVI_LIVE.axes(left, { x: [0, 20], y: [-1.2, 1.2], names: ["t", "x"], ends: ["let go"] });
     body.curve([T, T], [-1.2, 1.2], "axis", [], 2);
     body.curve(t, held, "run");
     body.curve(t.slice(N), freed.slice(N), "negative", [7, 4]);
-    const pull = FVI_LIVE.axes(right, { x: [0, 20], y: FVI_LIVE.span(force), names: ["t", "F"] });
+    body.ends([["held", "run", t, held], ["let go", "negative", t, freed]]);
+    body.handle(T, 0, "run", 6);
+    const pull = FVI_LIVE.axes(right, { x: [0, 20], y: FVI_LIVE.span(force), names: ["t", "F"], ends: ["it holds"] });
     pull.curve(t.slice(0, N + 1), force.slice(0, N + 1), "positive");
     pull.curve(t.slice(N + 1), force.slice(N + 1), "negative", [7, 4]);
+    pull.ends([["it holds", "negative", t, force]]);
   },
 
   drag(values, picture, x) {

@@ -27,18 +27,18 @@ FVI_LIVE.scene("course_bend", {
     + `Its slope at ε = 0 is ${Math.abs(slopes[0]) < 1e-8 ? "0" : slopes[0].toPrecision(3)} for both, and ${FVI_LIVE.short(Number(slopes[1].toPrecision(3)))} for x alone.`,
 
   draw({ t, x, y, bentX, bentY, e, both, one, here }, { bend }, [left, right]) {
-    const paths = FVI_LIVE.axes(left, { x: [0, 10], y: [-1.1, 1.3], names: ["t", "place"] });
-    for (const [of, moved, name, word] of [[x, bentX, "run", "x"], [y, bentY, "positive", "y"]]) {
+    const paths = FVI_LIVE.axes(left, { x: [0, 10], y: [-1.1, 1.3], names: ["t", "place"], ends: ["y bent"] });
+    for (const [of, moved, name] of [[x, bentX, "run"], [y, bentY, "positive"]]) {
       paths.curve(t, of, name);
       paths.curve(t, moved, name, [2, 3], 1.4);
-      paths.text(t[8], of[8] + 0.12, word, name);
     }
-    const change = FVI_LIVE.axes(right, { x: [-0.5, 0.5], y: FVI_LIVE.span(both, one), names: ["ε", "S − S(0)"] });
+    paths.ends([["x", "run", t, x], ["x bent", "run", t.slice(0, 90), bentX.slice(0, 90)], ["y", "positive", t, y]]);
+    paths.handle(t[67], bentX[67], "run", 5); // where the bump is largest
+    const change = FVI_LIVE.axes(right, { x: [-0.5, 0.5], y: FVI_LIVE.span(both, one), names: ["ε", "S − S(0)"], ends: ["x alone"] });
     change.curve(e, one, "negative", [7, 4]);
     change.curve(e, both, "run");
-    change.text(e[3], both[3], "both", "run");
-    change.text(e[3], one[3], "x alone", "negative");
-    change.dot(bend, here[0], "run", 5);
+    change.ends([["both", "run", e, both], ["x alone", "negative", e, one]]);
+    change.handle(bend, here[0], "run", 5);
     change.dot(bend, here[1], "negative", 5, true);
   },
 

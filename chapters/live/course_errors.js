@@ -21,11 +21,11 @@ FVI_LIVE.scene("course_errors", {
     + `${edge >= 4 ? "Every step shown is stable, up to 4" : edge <= 1 ? "No step shown is stable, from 1 on" : `The edge is at h = ${FVI_LIVE.short(Number(edge.toPrecision(3)))}`}.`,
 
   draw({ steps, loads, load, x }, { h }, [left, right]) {
-    const map = FVI_LIVE.axes(left, { x: [1, 4], y: [0, 2], names: ["h", "load"] }), cut = 1e3;
+    const map = FVI_LIVE.axes(left, { x: [1, 4], y: [0, 2], names: ["h", "load"], ends: ["load"] }), cut = 1e3;
     map.curve([1, 4], [1, 1], "negative", [6, 4], 1.4);
     map.curve(steps, loads.map(value => Math.min(value, 2.5)), "run");
-    map.text(1, 1.08, "the edge", "negative");
-    map.dot(h, Math.min(load, 2), "run", 6);
+    map.ends([["load", "run", steps, loads], ["edge", "negative", [1, 4], [1, 1]]]);
+    map.handle(h, Math.min(load, 2), "run", 6);
     const k = x.map((_, i) => i), shown = x.map(value => Math.min(Math.max(value, -cut), cut)); // what blows up is cut
     const run = FVI_LIVE.axes(right, { x: [0, 100], y: FVI_LIVE.span(shown), names: ["k", "x"] });
     run.curve(k, shown, "run", [], 1.2);

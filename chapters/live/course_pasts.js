@@ -17,7 +17,7 @@ FVI_LIVE.scene("course_pasts", {
 
   draw({ h, held, line, zero }, values, [left, right]) {
     const times = of => of.map((_, k) => 6 * k / (of.length - 1)), last = zero.at(-1);
-    const pasts = FVI_LIVE.axes(left, { x: [-2, 6], y: FVI_LIVE.span(held, line, last, [-0.2]), names: ["t", "x"] });
+    const pasts = FVI_LIVE.axes(left, { x: [-2, 6], y: FVI_LIVE.span(held, line, last, [-0.2]), names: ["t", "x"], ends: ["held"] });
     const draw = (before, of, name, dash) => {
       pasts.curve([-2, 0, 0], [...before, of[0]], name, dash);
       pasts.curve(times(of), of, name, dash);
@@ -25,9 +25,7 @@ FVI_LIVE.scene("course_pasts", {
     draw([1, 1], held, "run", []);
     draw([0, 1], line, "positive", [2, 3]);
     draw([0, 0], last, "negative", [7, 4]);
-    pasts.text(-2, 1.2, "held", "run");
-    pasts.text(-1.2, 0.35, "line", "positive");
-    pasts.text(-2, -0.25, "zero", "negative");
+    pasts.ends([["held", "run", times(held), held], ["line", "positive", times(line), line], ["zero", "negative", times(last), last]]);
     const steps = FVI_LIVE.axes(right, { x: [0, 6], y: FVI_LIVE.span(...zero), names: ["t", "x"] });
     zero.forEach((of, i) => {
       steps.curve(times(of), of, i === zero.length - 1 ? "negative" : "past", i === zero.length - 1 ? [7, 4] : [], i === zero.length - 1 ? 2.4 : 1.2);

@@ -11,6 +11,7 @@ FVI_LIVE.scene("course_seven", {
   about: "Move α from a spring (0) through a dashpot (1/2) to a mass (1). Drag the body, left, and let go: the dots behind it are its past, "
     + "each as large as its weight in the force of the springpot.",
   controls: { alpha: ["α: 0 spring, ½ dashpot, 1 mass;", 0, 1, 0.25, 0.01], rho: ["ρ", 0, 2, 0.5, 0.02] },
+  keeps: { x0: 1 },
   buttons: { again: ["Let go again", values => { values.at = 0; }] },
   pictures: ["The body, which can be dragged, and its past", "Its place against time; thin, other α"],
 
@@ -39,7 +40,7 @@ FVI_LIVE.scene("course_seven", {
   says: ({ x }, { alpha }) => `${words(alpha)}: at t = 14 the body is at ${FVI_LIVE.short(Number(x[steps].toPrecision(4)))}, `
     + `and on the way it came to ${FVI_LIVE.short(Number(Math.min(...x.map(value => value * Math.sign(x[0] || 1))).toPrecision(4) * Math.sign(x[0] || 1)))} on the other side.`,
 
-  draw({ x, weights, seven }, { x0, at }, [left, right]) {
+  draw({ x, weights, seven }, { alpha, x0, at }, [left, right]) {
     const k = Math.round(at), body = FVI_LIVE.axes(left, { x: [-2.2, 1.6], y: [-8.5, 3], names: ["x", "time ago, downwards from 0"] });
     for (let n = back; n > 0; n--) { // before t = 0 it was held
       const then = k - n * ago / h;
@@ -54,10 +55,11 @@ FVI_LIVE.scene("course_seven", {
     body.curve([here, here], [0.4, 1.9], "soft-ink");
     body.text(wall, 2.7, "spring", "soft-ink");
     body.text(wall, -0.6, "springpot", "run");
-    body.dot(here, 1.1, "run", 11);
-    const place = FVI_LIVE.axes(right, { x: [0, 14], y: [-1.3, 1.3], names: ["t", "x"] });
+    body.handle(here, 1.1, "run", 9);
+    const place = FVI_LIVE.axes(right, { x: [0, 14], y: [-1.3, 1.3], names: ["t", "x"], ends: orders.map(a => `α = ${a}`) });
     const t = x.map((_, i) => i * h);
     for (const one of seven) place.curve(t, one.map(value => value * x0), "grid", [], 1.2);
+    place.ends(orders.map((a, i) => [`α = ${a}`, a === alpha ? "run" : "soft-ink", t, seven[i].map(value => value * x0)]));
     place.curve(t, x, "past", [], 1.2);
     place.curve(t.slice(0, k + 1), x.slice(0, k + 1), "run", [], 2.4);
     place.dot(t[k], x[k], "run", 6);

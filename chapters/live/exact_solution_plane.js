@@ -21,14 +21,17 @@ FVI_LIVE.scene("exact_solution_plane", {
 
   draw({ way, re, im, t, x, swing, tail }, values, [left, right]) {
     const plane = FVI_LIVE.axes(left, { x: [-1.6, 0.4], y: [-1.6, 1.6], names: ["Re s", "Im s"] });
-    plane.curve([-9, 0], [0, 0], "negative", [], 4); // the cut
+    plane.curve([-9, 0], [0, 0], "negative", [], 4);
+    plane.text(-1.5, 0.14, "the cut", "negative");
+    plane.text(re, im + 0.16, "pole", "run");
     for (const sign of [1, -1]) {
       plane.curve(way.map(([a]) => a), way.map(([, b]) => sign * b), "run", [3, 3], 1.2);
       plane.dot(re, sign * im, "run", 5);
     }
-    const motion = FVI_LIVE.axes(right, { x: [0, 30], y: [-1.1, 1.1], names: ["t", "x"] });
+    const motion = FVI_LIVE.axes(right, { x: [0, 30], y: [-1.1, 1.1], names: ["t", "x"], ends: ["oscillation"] });
     motion.curve(t, swing, "positive", [7, 4], 1.3);
     motion.curve(t, tail, "negative", [2, 3]);
     motion.curve(t, x, "run");
+    motion.ends([["motion", "run", t, x], ["oscillation", "positive", t, swing], ["tail", "negative", t, tail]]);
   },
 });

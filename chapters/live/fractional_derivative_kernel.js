@@ -18,12 +18,14 @@ FVI_LIVE.scene("fractional_derivative_kernel", {
     + `at t = 6 the derivative of the sine is ${FVI_LIVE.short(derivative[600])}.`,
 
   draw({ t, derivative, age, kernel }, { order }, [left, right]) {
-    const weight = FVI_LIVE.axes(left, { x: [0, 5], y: [0, 2], names: ["age", "weight"] });
+    const weight = FVI_LIVE.axes(left, { x: [0, 5], y: [0, 2], names: ["age", "weight"], ends: ["weight"] });
     weight.curve(age, kernel, "run");
+    weight.ends([["weight", "run", age, kernel]]);
     if (order === 1) weight.note("only the present");
-    const sine = FVI_LIVE.axes(right, { x: [0, 12], y: [-1.3, 1.3], names: ["t", ""] });
+    const sine = FVI_LIVE.axes(right, { x: [0, 12], y: [-1.3, 1.3], names: ["t", ""], ends: ["derivative"] });
     sine.curve(t, t.map(Math.sin), "exact", [2, 3], 1.2);
     sine.curve(t, t.map(Math.cos), "exact", [8, 5], 1.2);
     sine.curve(t, derivative, "run");
+    sine.ends([["sine", "exact", t, t.map(Math.sin)], ["cosine", "exact", t, t.map(Math.cos)], ["derivative", "run", t, derivative]]);
   },
 });

@@ -14,8 +14,11 @@ FVI_LIVE.scene("fvi_kick", {
   says: ({ sizes }, { h }) => `h = ${FVI_LIVE.short(h)}: largest |x| is ${FVI_LIVE.short(sizes[0])} as printed, ${FVI_LIVE.short(sizes[1])} held.`,
 
   draw({ t, printed, held, sizes }, values, canvases) {
-    const top = Math.max(1.2, 1.1 * sizes[0]), axes = { x: [0, 15], y: [-top, top], names: ["t", "x"] };
-    FVI_LIVE.axes(canvases[0], axes).curve(t, printed, "negative");
-    FVI_LIVE.axes(canvases[1], axes).curve(t, held, "run");
+    const top = Math.max(1.2, 1.1 * sizes[0]), axes = { x: [0, 15], y: [-top, top], names: ["t", "x"], ends: ["printed"] };
+    [["printed", printed, "negative"], ["held", held, "run"]].forEach(([name, x, colour], i) => {
+      const one = FVI_LIVE.axes(canvases[i], axes);
+      one.curve(t, x, colour);
+      one.ends([[name, colour, t, x]]);
+    });
   },
 });

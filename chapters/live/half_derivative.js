@@ -17,11 +17,15 @@ FVI_LIVE.scene("half_derivative", {
   says: ({ apart }, { alpha }) => `Order ${FVI_LIVE.short(2 * alpha)} in all; largest distance from the slope: `
     + `${FVI_LIVE.short(apart)}${alpha === 0.5 ? ", which is rounding" : ""}.`,
 
-  draw({ x, t, twice, slope }, values, [left, right]) {
-    FVI_LIVE.axes(left, { x: [0, 3], y: [-1.5, 1.5], names: ["t", "x"] }).curve(t, x, "exact");
-    const both = FVI_LIVE.axes(right, { x: [0, 3], y: FVI_LIVE.span(twice.slice(1), slope.slice(1)), names: ["t", ""] });
+  draw({ x, t, twice, slope }, { last }, [left, right]) {
+    const drawn = FVI_LIVE.axes(left, { x: [0, 3], y: [-1.5, 1.5], names: ["t", "x"], ends: ["x"] }), pen = last ?? x.indexOf(Math.max(...x));
+    drawn.curve(t, x, "exact");
+    drawn.ends([["x", "exact", t, x]]);
+    drawn.handle(t[pen], x[pen], "exact", 4);
+    const both = FVI_LIVE.axes(right, { x: [0, 3], y: FVI_LIVE.span(twice.slice(1), slope.slice(1)), names: ["t", ""], ends: ["slope"] });
     both.curve(t, twice, "run");
     both.curve(t, slope, "negative", [7, 4]);
+    both.ends([["twice", "run", t, twice], ["slope", "negative", t, slope]]);
   },
 
   // The curve under the pointer, drawn by hand: straight from where it was last.

@@ -9,6 +9,7 @@ const noise = Array.from({ length: n }, () => Math.sqrt(-2 * Math.log(uniform())
 FVI_LIVE.scene("identification", {
   about: "Drag a dot up or down: the least squares are searched from where they were, a step of Levenberg and Marquardt for each picture.",
   c: "chapters-live-inverse",
+  keeps: { moved: 40 },
   controls: { alpha: ["α of the data", 0.05, 0.7, 0.3, 0.05], sigma: ["noise σ", 0.002, 0.2, 0.05, "log"] },
   pictures: ["Data, which can be dragged, the fit, and the motion behind the data, dashed", "α and ρ: the fit, 95 of 100 repetitions within the ellipse; ○, the truth"],
   buttons: { again: ["Begin again", values => { values.moved = values.theta = undefined; }] },
@@ -35,17 +36,21 @@ FVI_LIVE.scene("identification", {
       + `χ² = ${chi2.toFixed(1)}, where ${n - theta.length} is expected, give or take ${Math.sqrt(2 * (n - theta.length)).toFixed(0)}.`;
   },
 
-  draw({ exact, data, x, theta, sd, together }, { alpha }, [left, right]) {
-    const motion = FVI_LIVE.axes(left, { x: [0, 20], y: [-1.4, 1.4], names: ["t", "x"] });
-    motion.curve([...exact.keys()].map(i => i * every * h), exact, "exact", [3, 4], 1.2);
-    motion.curve([...x.keys()].map(k => k * h), x, "run");
-    data.forEach((value, i) => motion.dot((i + 1) * every * h, value, "negative", 4));
+  draw({ exact, data, x, theta, sd, together }, { alpha, held: last }, [left, right]) {
+    const motion = FVI_LIVE.axes(left, { x: [0, 20], y: [-1.4, 1.4], names: ["t", "x"], ends: ["truth"] });
+    const times = [...exact.keys()].map(i => i * every * h), fine = [...x.keys()].map(k => k * h);
+    motion.curve(times, exact, "exact", [3, 4], 1.2);
+    motion.curve(fine, x, "run");
+    motion.ends([["fit", "run", fine, x], ["truth", "exact", times, exact]]);
+    data.forEach((value, i) => (i === (last ?? 11) ? motion.handle : motion.dot)((i + 1) * every * h, value, "negative", 4));
     const plane = FVI_LIVE.axes(right, { x: [alpha - 0.2, alpha + 0.2], y: [0.2, 0.6], names: ["α", "ρ"] }), around = Array.from({ length: 61 }, (_, i) => i * Math.PI / 30);
     const reach = 2.4477; // (-2 ln 0.05)^(1/2)
     plane.curve(around.map(a => theta[0] + reach * sd[0] * Math.cos(a)),
       around.map(a => theta[1] + reach * sd[1] * (together * Math.cos(a) + Math.sqrt(1 - together * together) * Math.sin(a))), "run");
     plane.dot(theta[0], theta[1], "run", 4);
+    plane.text(theta[0], theta[1], "fit", "run");
     plane.dot(alpha, truth.rho, "ink", 6, true);
+    plane.text(alpha, truth.rho + 0.02, "truth", "ink", true);
   },
 
   drag(values, picture, x, y, type) {

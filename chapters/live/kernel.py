@@ -20,8 +20,8 @@ ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_ahead fvi_history
     fvi_adjoint_lobatto_start fvi_adjoint_lobatto_step fvi_tangent_stages_start fvi_tangent_stages_step
     fvi_impulses_of_slope_alloc fvi_adjoint_lobatto_jump fvi_adjoint_dampers_check fvi_adjoint_dampers_end
     fvi_adjoint_dampers_free fvi_adjoint_dampers_start fvi_adjoint_dampers_step""".split()]
-SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "orders.js", HERE / "modes.js"]
-WORDS = "scene, scenes, begin, open, start, settled, axes, error, span, short, readColours, stopsOf, orders, modes"
+SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "labels.js", HERE / "address.js", HERE / "orders.js", HERE / "modes.js"]
+WORDS = "scene, scenes, frame, begin, addressOf, asked, open, start, settled, axes, span, short, readColours, stopsOf, orders, modes"
 
 
 def write(out):

@@ -1,7 +1,7 @@
 // chapters/live/live.js -- What the figures that move share: sliders, pictures, the C behind them.
 //
-// kernel.py puts model.js and plot.js of the live page in front of this, orders.js and modes.js behind it, and
-// all into one function. A figure's script says what moves it, what is computed and how it is drawn:
+// kernel.py puts model.js and plot.js of the live page in front of this, labels.js, address.js, orders.js and
+// modes.js behind it, and all into one function. A figure's script says what moves it, what is computed and how it is drawn:
 //
 //   FVI_LIVE.scene("name of the picture", {
 //     about: "what to do and what to see",
@@ -10,9 +10,10 @@
 //     pictures: ["what the first canvas shows", ...],
 //     compute(values, kernel, scene) -> data,      numbers only: a test runs it in node
 //     says(data, values) -> a sentence with the numbers,
-//     draw(data, values, canvases),                with picture() of plot.js
+//     draw(data, values, canvases),                with axes() of labels.js
 //     drag(values, i, x, y, type): the pointer, or what the arrow keys move, is in canvas i, at
-//       those fractions of its axes
+//       those fractions of its axes; a finger must begin at a handle(), else it scrolls the page
+//     keeps: { name: how many numbers }, of what is dragged and belongs into a link; see address.js
 //     buttons: { again: ["label", values => what it does] }
 //     more(data, values, kernel): after a picture, what goes on by itself; true: another picture
 //     notes(data, values) -> a sentence with what only this browser knows, such as times
@@ -56,6 +57,12 @@ function start(scene) {
 
 // ---- in a page ----
 
+// Other words into the text that is there: with a new one a browser looks for the style of the whole page again.
+function write(element, words) {
+  if (element.firstChild) element.firstChild.data = words;
+  else element.append(words);
+}
+
 function control(name, of, values, moved) {
   const row = document.createElement("label"), shown = document.createElement("output"), slider = document.createElement("input");
   const at = stopsOf(of);
@@ -64,7 +71,7 @@ function control(name, of, values, moved) {
   row.append(`${of[0]} `, shown, slider);
   const show = () => {
     slider.value = nearest(of, values[name]);
-    shown.textContent = short(values[name]);
+    write(shown, short(values[name]));
     slider.setAttribute("aria-valuetext", short(values[name]));
   };
   slider.addEventListener("input", () => { values[name] = at(Number(slider.value)); moved(); });
@@ -90,42 +97,110 @@ function button([label, act], values, moved) {
 function canvasOf(label, i, scene, values, moved) {
   const canvas = document.createElement("canvas");
   canvas.setAttribute("role", "img");
+  canvas.setAttribute("aria-label", label);
   canvas.dataset.label = label;
   if (scene.drag) draggable(canvas, (x, y, type) => {
     if (scene.drag(values, i, x, y, type) !== false) moved();
-  }, scene.drag.length > 3);
+  });
   return canvas;
 }
 
-// By the pointer, and by the arrow keys, with Shift in small steps. A finger scrolls the page
-// where only x matters.
-function draggable(canvas, to, both) {
+// By the pointer, and by the arrow keys, with Shift in small steps. A finger scrolls the page, unless it
+// begins at a handle.
+const REACH = 28; // pixels, of a finger
+function draggable(canvas, to) {
   const within = share => Math.min(Math.max(share, 0), 1), place = [0.5, 0.5];
+  const inside = event => { const box = canvas.getBoundingClientRect(); return [event.clientX - box.left, event.clientY - box.top]; };
+  const taken = event => { const [x, y] = inside(event); return canvas.handles?.some(([a, b]) => Math.hypot(a - x, b - y) < REACH); };
   const go = type => to(...place, type);
+  let finger = false; // one that took a handle
   const pointer = event => {
-    if (event.type === "pointermove" && event.buttons === 0) return;
-    const box = canvas.getBoundingClientRect();
-    place[0] = within(canvas.axes.fraction(event.clientX - box.left));
-    place[1] = within(canvas.axes.height(event.clientY - box.top));
+    if (!canvas.axes || (event.type === "pointermove" && event.buttons === 0) || (event.pointerType === "touch" && !finger)) return;
+    const [x, y] = inside(event);
+    place[0] = within(canvas.axes.fraction(x));
+    place[1] = within(canvas.axes.height(y));
     go(event.type);
   };
-  canvas.addEventListener("pointerdown", event => { canvas.setPointerCapture(event.pointerId); pointer(event); });
+  canvas.addEventListener("pointerdown", event => {
+    finger = event.pointerType === "touch" && taken(event);
+    if (event.pointerType === "touch" && !finger) return;
+    canvas.setPointerCapture(event.pointerId);
+    pointer(event);
+  });
+  canvas.addEventListener("touchstart", event => { if (finger && event.cancelable) event.preventDefault(); }, { passive: false });
   canvas.addEventListener("pointermove", pointer);
   canvas.tabIndex = 0;
   canvas.addEventListener("keydown", event => {
     const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
-    if (!by) return;
+    if (!by || !canvas.axes) return;
     event.preventDefault();
     by.forEach((step, j) => { place[j] = within(place[j] + step / (event.shiftKey ? 200 : 40)); });
     go("pointerdown");
   });
   canvas.classList.add("draggable");
-  if (both) canvas.style.touchAction = "none";
 }
 
-// The scene of a figure below its image, of which the text speaks.
+const element = (name, of = {}, ...inside) => {
+  const made = Object.assign(document.createElement(name), of);
+  made.append(...inside);
+  return made;
+};
+
+// The frame of a figure, in the place of its still picture and as high as it will be: before the C is there.
+function frame(figure) {
+  const scene = scenes.get(figure.dataset.live), values = { ...start(scene), ...asked(location.hash, figure.id, scene) };
+  const moved = () => figure.redraw?.();
+  const byHand = () => { moved(); remember(figure, scene, values); };
+  const rows = [...Object.entries(scene.controls ?? {}).map(([name, of]) => control(name, of, values, byHand)),
+    ...Object.entries(scene.choices ?? {}).map(([name, of]) => choice(name, of, values, byHand))];
+  const canvases = scene.pictures.map((label, i) => canvasOf(label, i, scene, values, byHand));
+  const number = figure.querySelector("figcaption > a").cloneNode(true), says = element("p", { className: "says" });
+  const panel = element("div", { className: "live" }, element("p", {}, number, ` moves. ${scene.about}`),
+    element("div", { className: "controls" }, ...rows.map(({ row }) => row), ...Object.values(scene.buttons ?? {}).map(of => button(of, values, byHand))),
+    element("div", { className: "pictures" }, ...canvases.map(canvas =>
+      element("div", {}, element("p", { className: "title", textContent: canvas.dataset.label }), canvas))), says);
+  const notes = scene.notes ? panel.appendChild(element("p", { className: "says" })) : null, took = element("output");
+  rows.forEach(row => row.show());
+  figure.append(panel, linksOf(figure, scene, took));
+  figure.classList.add("is-live");
+  addEventListener("hashchange", () => {
+    const values_ = asked(location.hash, figure.id, scene);
+    if (values_) { Object.assign(values, start(scene), values_); moved(); figure.scrollIntoView(); }
+  });
+  Object.assign(figure, { parts: { scene, values, rows, canvases, says, notes, took, panel } });
+  if (asked(location.hash, figure.id, scene)) figure.scrollIntoView();
+}
+
+// Below a figure: its sources, and its still picture, of which the text may say more.
+function linksOf(figure, scene, took) {
+  const links = element("p", { className: "links" }, element("a", { href: `${figure.dataset.root ?? ""}source/chapters-live-${figure.dataset.live}.js.html`, textContent: "its script" }), " ",
+    element("a", { href: `${figure.dataset.root ?? ""}source/${scene.c ?? "chapters-live-live"}.c.html`, textContent: "its C" }), " ");
+  if (figure.querySelector("img")) {
+    const still = element("button", { type: "button", textContent: "still picture" });
+    still.addEventListener("click", () => { still.textContent = figure.classList.toggle("is-live") ? "still picture" : "moving picture"; });
+    links.append(still, " ");
+  }
+  links.append(took);
+  return links;
+}
+
+// The address shows what was moved by hand, once it rests: browsers count how often it changes.
+let resting;
+function remember(figure, scene, values) {
+  clearTimeout(resting);
+  resting = setTimeout(() => history.replaceState(null, "", addressOf(figure.id, scene, values)), 300);
+}
+
+// A panel is as high as it ever was, so that nothing below it jumps. And what changes in it is laid out without
+// the rest of the page, whose formulas would take longer than the figure.
+function keepHeight(panel) {
+  if (panel.scrollHeight > panel.clientHeight || !panel.style.height) panel.style.height = `${panel.scrollHeight + 2}px`;
+  panel.style.contain = "strict";
+}
+
+// Its first picture, as soon as the C is there; and then whenever something moves.
 async function begin(figure) {
-  const scene = scenes.get(figure.dataset.live), values = start(scene), panel = document.createElement("div");
+  const { scene, values, rows, canvases, says, notes, took, panel } = figure.parts;
   library ??= await open(FVI_WASM);
   let waiting = false;
   const redraw = () => {
@@ -135,65 +210,28 @@ async function begin(figure) {
     rows.forEach(row => row.show());
     const data = scene.compute(values, library, scene), words = scene.says(data, values);
     scene.draw(data, values, canvases);
-    says.textContent = words;
-    notes.textContent = scene.notes?.(data, values) ?? "";
+    write(says, words);
+    if (notes) write(notes, scene.notes(data, values));
     canvases.forEach(canvas => canvas.setAttribute("aria-label", `${canvas.dataset.label}. ${words}`));
+    keepHeight(panel);
     figure.dataset.frame = (performance.now() - began).toFixed(2);
-    took.textContent = `drawn in ${Math.max(1, Math.round(figure.dataset.frame))} ms`;
+    write(took, `drawn in ${Math.max(1, Math.round(figure.dataset.frame))} ms`);
     if (scene.more?.(data, values, library)) moved();
     else figure.live = { values, moved, data }; // it stands still
   };
-  const moved = () => {
+  const moved = figure.redraw = () => {
     if (!waiting) requestAnimationFrame(redraw);
     waiting = true;
   };
-  const rows = [...Object.entries(scene.controls ?? {}).map(([name, of]) => control(name, of, values, moved)),
-    ...Object.entries(scene.choices ?? {}).map(([name, of]) => choice(name, of, values, moved))];
-  const canvases = scene.pictures.map((label, i) => canvasOf(label, i, scene, values, moved));
-  const about = document.createElement("p"), says = document.createElement("p"), notes = document.createElement("p"), pictures = document.createElement("div");
-  const controls = document.createElement("div"), took = document.createElement("output");
-  about.textContent = scene.about;
-  says.className = "says";
-  pictures.className = "pictures";
-  controls.className = "controls";
-  pictures.append(...canvases.map(canvas => {
-    const box = document.createElement("div"), title = document.createElement("p");
-    title.textContent = canvas.dataset.label;
-    title.className = "title";
-    box.append(title, canvas);
-    return box;
-  }));
-  controls.append(...rows.map(({ row }) => row), ...Object.values(scene.buttons ?? {}).map(of => button(of, values, moved)));
-  panel.className = "live";
-  panel.append(about, controls, pictures, says);
-  if (scene.notes) panel.append(notes);
-  figure.append(panel); // the canvases have sizes from here on
   redraw();
-  const source = document.createElement("a");
-  source.href = `source/chapters-live-${figure.dataset.live}.js.html`;
-  source.textContent = "its script";
-  const c = document.createElement("a");
-  c.href = `source/${scene.c ?? "chapters-live-live"}.c.html`;
-  c.textContent = "its C";
-  const links = document.createElement("p");
-  links.className = "links";
-  links.append(source, " ", c, " ", took);
-  panel.after(links);
-  new ResizeObserver(moved).observe(panel);
+  let wide = panel.offsetWidth;
+  new ResizeObserver(() => {
+    if (panel.offsetWidth === wide) return;
+    wide = panel.offsetWidth;
+    Object.assign(panel.style, { contain: "", height: "" });
+    moved();
+  }).observe(panel);
   addEventListener("themechange", moved);
-}
-
-// How far a run is from the exact motion, at the nodes from that one on.
-function error({ x, exact, every, parts }, first) {
-  let worst = 0;
-  for (let i = Math.ceil(first / every); i * every < x.length && i * parts < exact.x.length; i++)
-    worst = Math.max(worst, Math.abs(x[i * every] - exact.x[i * parts]));
-  return worst;
-}
-
-// A picture, whose axes the pointer of its canvas then asks.
-function axes(canvas, of) {
-  return canvas.axes = picture(canvas, of);
 }
 
 const scene = (name, what) => scenes.set(name, what);

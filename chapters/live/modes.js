@@ -24,11 +24,15 @@ const modes = name => scene(name, {
 
   draw({ Q, s, a, lags, size, error }, { N, tolerance }, [left, right]) {
     const many = Array.from({ length: 200 }, (_, i) => N ** (i / 199)), least = 1e-3 * N ** -1.5;
-    const all = axes(left, { x: [1, N], y: [least, 1], log: "xy", names: ["n", "weight, negative"] });
+    const all = axes(left, { x: [1, N], y: [least, 1], log: "xy", names: ["n", "weight, negative"], ends: ["exponentials"] });
     for (let q = 0; q < Q; q++) all.curve(many, many.map(n => -a[q] * Math.exp(-n * s[q]) || NaN), "past", [], 1);
     all.curve(lags, size, "run", [], 2.5);
-    const errors = axes(right, { x: [30, 8200], y: [1e-17, 1], log: "xy", names: ["n", "relative error"] });
+    const q = [...s.keys()].reduce((best, i) => (-a[i] * Math.exp(-N * s[i]) > -a[best] * Math.exp(-N * s[best]) ? i : best)); // the last has the name of all
+    all.ends([["weights", "run", lags, size], ["exponentials", "past", many, many.map(n => -a[q] * Math.exp(-n * s[q]))]]);
+    const errors = axes(right, { x: [30, 8200], y: [1e-17, 1], log: "xy", names: ["n", "relative error"], ends: ["error"] });
     errors.curve([30, 8200], [tolerance, tolerance], "exact", [6, 4], 1.2);
-    errors.curve(lags, error.map(e => Math.max(e, 1e-17)), "run");
+    const seen = error.map(e => Math.max(e, 1e-17));
+    errors.curve(lags, seen, "run");
+    errors.ends([["δ", "exact", [30, 8200], [tolerance, tolerance]], ["error", "run", lags, seen]]);
   },
 });

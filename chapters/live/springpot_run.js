@@ -17,11 +17,15 @@ FVI_LIVE.scene("springpot_run", {
     + `the springpot gives way like t to the power ${FVI_LIVE.short(2 * alpha)}.`,
 
   draw({ x, exact, t, creep }, { rho }, [left, right]) {
-    const body = FVI_LIVE.axes(left, { x: [0, 30], y: [-1.1, 1.1], names: ["t", "x"] });
-    body.curve(exact.t, exact.x, "exact", [8, 5]);
-    body.curve([...x.keys()].map(i => i / 10), x, "run");
-    const way = FVI_LIVE.axes(right, { x: [0.1, 100], y: [0.01, 1e4], log: "xy", names: ["t", "stretch"] });
-    if (rho > 0) way.curve(t, creep, "negative");
-    else way.note("no springpot");
+    const body = FVI_LIVE.axes(left, { x: [0, 30], y: [-1.1, 1.1], names: ["t", "x"], ends: ["exact, dashed"] });
+    const times = [...x.keys()].map(i => i / 10);
+    body.curve(times, x, "run");
+    body.curve(exact.t, exact.x, "exact", [8, 5], 1);
+    body.ends([["body", "run", times, x], ["exact, dashed", "exact", exact.t, exact.x]]);
+    const way = FVI_LIVE.axes(right, { x: [0.1, 100], y: [0.01, 1e4], log: "xy", names: ["t", "stretch"], ends: ["springpot"] });
+    if (rho > 0) {
+      way.curve(t, creep, "negative");
+      way.ends([["springpot", "negative", t, creep]]);
+    } else way.note("no springpot");
   },
 });

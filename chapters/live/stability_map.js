@@ -19,9 +19,10 @@ FVI_LIVE.scene("stability_map", {
     + `Largest |x| in 60 steps: ${FVI_LIVE.short(x.reduce((most, value) => Math.max(most, Math.abs(value)), 0))}.`,
 
   draw({ edge, x }, { alpha, R }, [left, right]) {
-    const map = FVI_LIVE.axes(left, { x: [0, 1], y: [0.1, 60], log: "y", names: ["α", "R"] });
-    map.curve(edge.alpha, edge.R.map(r => (r > 0 && r < 1e3 ? r : NaN)), "negative", [], 2.5);
-    map.dot(alpha, R, "run", 6);
+    const map = FVI_LIVE.axes(left, { x: [0, 1], y: [0.1, 60], log: "y", names: ["α", "R"], ends: ["edge"] }), edges = edge.R.map(r => (r > 0 && r < 1e3 ? r : NaN));
+    map.curve(edge.alpha, edges, "negative", [], 2.5);
+    map.ends([["edge", "negative", edge.alpha, edges]]);
+    map.handle(alpha, R, "run", 6);
     const cut = 1e3, k = [...x.keys()], shown = [...x].map(value => Math.min(Math.max(value, -cut), cut)); // what blows up is cut
     const run = FVI_LIVE.axes(right, { x: [0, 60], y: FVI_LIVE.span(shown), names: ["k", "x"] });
     run.curve(k, shown, "run", [], 1.3);

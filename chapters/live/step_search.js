@@ -63,17 +63,19 @@ FVI_LIVE.scene("step_search", {
 
   draw({ errors }, { times = [] }, [left, right]) {
     const low = Math.min(...errors.flat()) / 3, high = 3 * Math.max(...errors.flat()), known = times.length ? times : [0.01, 10];
-    const cost = FVI_LIVE.axes(left, { x: [Math.min(...known) / 2, Math.max(...known) * 4], y: [low, high], log: "xy", names: ["ms", "error"] });
-    const work = FVI_LIVE.axes(right, { x: [10, 12000], y: [low, high], log: "xy", names: ["steps", "error"] });
+    const cost = FVI_LIVE.axes(left, { x: [Math.min(...known) / 2, Math.max(...known) * 1.5], y: [low, high], log: "xy", names: ["ms", "error"], ends: ["fvi-lobatto3"] });
+    const work = FVI_LIVE.axes(right, { x: [10, 3000], y: [low, high], log: "xy", names: ["steps", "error"], ends: ["fvi-lobatto3"] });
     if (times.length === 0) cost.note("press Measure");
+    const mines = names.map((_, i) => times.slice(i * steps.length, (i + 1) * steps.length));
     names.forEach((method, i) => {
-      const mine = times.slice(i * steps.length, (i + 1) * steps.length);
+      const mine = mines[i];
       for (const [at, x] of [[cost, mine], [work, steps]]) {
         at.curve(x, errors[i].slice(0, x.length), ...methods[method]);
         x.forEach((value, j) => at.dot(value, errors[i][j], methods[method][0], 3.5));
-        if (x.length) at.text(x.at(-1), errors[i][x.length - 1], method.replace("fvi-", ""), methods[method][0]);
       }
     });
+    for (const [at, xs] of [[cost, mines], [work, names.map(() => steps)]])
+      at.ends(names.map((method, i) => [method, methods[method][0], xs[i], errors[i].slice(0, xs[i].length)]));
   },
 });
 }

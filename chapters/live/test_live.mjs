@@ -13,7 +13,7 @@ import vm from "node:vm";
 const [, , book, program, movesName] = process.argv, folder = `${book}/live`;
 const read = name => vm.runInThisContext(readFileSync(`${folder}/${name}`, "utf8"), name);
 ["kernel.js", "live.js", ...readdirSync(folder).filter(name => !["kernel.js", "live.js"].includes(name))].forEach(read);
-const { scenes, open, start, settled } = vm.runInThisContext("FVI_LIVE");
+const { scenes, open, start, settled, addressOf, asked: askedBy } = vm.runInThisContext("FVI_LIVE");
 const library = await open(vm.runInThisContext("FVI_WASM"));
 const shown = movesName && existsSync(movesName) ? JSON.parse(readFileSync(movesName, "utf8")) : null, moves = [];
 let tests = 0;
@@ -287,8 +287,24 @@ await test("25: the force brings the program's run to rest, is the least, and ho
 });
 
 // What is dragged where N = 2000; the processor's time, as others may be at work.
+await test("the address has what was moved, and a link of a stranger cannot do harm", () => {
+  const orders = scenes.get("convolution_quadrature"), map = scenes.get("stability_map"), push = scenes.get("adjoint");
+  assert.equal(addressOf("fig-1", orders, start(orders)), "#fig-1");
+  assert.equal(addressOf("fig-1", orders, { ...start(orders), alpha: 0.4 }), "#fig-1&alpha=0.4");
+  const force = new Array(21).fill(0);
+  assert.equal(addressOf("fig-2", push, { ...start(push), force }), "#fig-2");
+  force[3] = -0.5;
+  for (const [scene, values] of [[orders, { k: 4, alpha: 0.4 }], [map, { method: "fvi-bdf2", R: 3 }], [push, { x0: -1, force }]])
+    assert.deepEqual(askedBy(addressOf("fig-2", scene, { ...start(scene), ...values }), "fig-2", scene), values);
+  assert.deepEqual(askedBy("#fig-1&alpha=7&k=x&method=<b>&__proto__=1&force=1,2", "fig-1", orders), { alpha: 0.95 });
+  assert.deepEqual(askedBy("#fig-2&method=none&R=NaN&W=1,2", "fig-2", map), {});
+  assert.equal(askedBy("#fig-1", "fig-1", orders), null);
+  assert.equal(askedBy("#fig-10&alpha=0.4", "fig-1", orders), null);
+});
+
 await test("the numbers of a picture with two thousand steps take less than a sixtieth of a second", () => {
-  const drags = { fvi_kick: values => { values.h = 0.0075; }, adjoint: (values, i) => { values.x0 = 1 + i / 50; },
+  const drags = { convolution_quadrature: (values, i) => { values.alpha = 0.05 + i / 25; }, lobatto: (values, i) => { values.alpha = 0.05 + i / 25; },
+    fvi_kick: values => { values.h = 0.0075; }, adjoint: (values, i) => { values.x0 = 1 + i / 50; },
     identification: (values, i) => { values.moved[10] = i / 50; }, control: (values, i) => { values.T = 8 + i / 10; } };
   for (const name in drags) {
     const scene = scenes.get(name), values = start(scene), times = [];

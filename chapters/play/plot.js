@@ -47,7 +47,7 @@ function label(value) {
 const enlarged = () => parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
 
 // One picture. axes: { x: [low, high], y: [low, high], log: "", "x", "y" or "xy", names: [x, y],
-// bare: without an axis y }. canvas.pen draws in place of the canvas's own; canvas.series, if it is
+// bare: without an axis y, room: pixels kept free at the right }. canvas.pen draws in place of the canvas's own; canvas.series, if it is
 // there, gets [name, x, y] of all that is drawn.
 // Returns what draws into it, in the units of the axes.
 function picture(canvas, axes) {
@@ -58,7 +58,7 @@ function picture(canvas, axes) {
     canvas.height = Math.round(height * dots);
   }
   const pen = canvas.pen ?? canvas.getContext("2d"), logs = ["x", "y"].map(name => (axes.log ?? "").includes(name));
-  const left = axes.bare ? 20 : 52, right = width - 10, top = axes.bare ? 2 : 20, bottom = height - (axes.bare ? 18 : 34);
+  const left = axes.bare ? 20 : 52, right = width - (axes.room ?? 10), top = axes.bare ? 2 : 20, bottom = height - (axes.bare ? 18 : 34);
   const place = ([low, high], from, to, log) => {
     const scale = log ? Math.log10 : value => value, a = scale(low), by = (to - from) / (scale(high) - a);
     return value => from + (scale(value) - a) * by;
@@ -110,7 +110,10 @@ function picture(canvas, axes) {
     pen.restore();
   };
   return {
-    note,
+    note, pen,
+    edges: { left, right, top, bottom },
+    // Where a point is, in pixels of the pen.
+    at: (x, y) => [X(x), Y(y)],
     left: axes.x[0],
     // Where a pixel is on the axis x: 0 at its left end, 1 at its right.
     fraction: pixel => (pixel / unit - left) / (right - left),
