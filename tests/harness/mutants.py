@@ -72,6 +72,12 @@ def compile_object(source, target, *beside):
     return target
 
 
+def runs_the_program(test):
+    """Does a test, or a header of its folder that it includes, include program.h?"""
+    beside = [test.parent / name for name in re.findall(r'^#include "([\w.]+)"', test.read_text(), re.M)]
+    return any(file.name == "program.h" or file.exists() and runs_the_program(file) for file in beside)
+
+
 def build(folder, entry, test):
     """The test binary, and the program if the test runs it, with the mutant in."""
     file = pathlib.Path(entry["file"])
@@ -89,7 +95,7 @@ def build(folder, entry, test):
     subprocess.run(["ar", "rcs", parser, *(o for o, p in zip(program, PROGRAM) if p != "fvi_cli")], check=True)
     subprocess.run([*CC, BUILD / "mutants" / f"{test.stem}.o", parser, *library, *LIBS,
                     *entry["options"], "-o", folder / "test"], check=True)
-    if '"program.h"' in test.read_text():
+    if runs_the_program(test):
         subprocess.run([*CC, *program, *library, *LIBS, *entry["options"], "-o", folder / "fvi"], check=True)
 
 
