@@ -1,7 +1,8 @@
 /* src/frequency/dynamic_stiffness.c -- Z(s) = s^2 M + K + sum_j C_j(s) B_j.  [H 30] */
 #include "dynamic_stiffness.h"
 
-#include "complex_factors.h"
+#include "matrices/complex_factors.h"
+#include "matrices/sparse.h"
 #include "memory/kernel_terms.h"
 
 #include <math.h>
@@ -9,59 +10,6 @@
 #include <string.h>
 
 /* ---- the pattern of the sum ---- */
-
-/* The rows of column j, in order; mark[i] is j + 1 for those that are in the list. */
-static size_t column_of_sum(const fvi_response *r, size_t j, size_t *mark,
-                            int *list)
-{
-    size_t count = 0;
-    for (size_t l = 0; l < r->terms; l++) {
-        const fvi_sparse *A = r->term[l].matrix;
-        for (int e = A->start[j]; e < A->start[j + 1]; e++) {
-            const int row = A->row[e];
-            if (mark[row] == j + 1)
-                continue;
-            mark[row] = j + 1;
-            size_t at = count++;
-            for (; at > 0 && list[at - 1] > row; at--)
-                list[at] = list[at - 1];
-            list[at] = row;
-        }
-    }
-    return count;
-}
-
-/* Where the entries of column j stand, whose rows begin at `first` in the sum. */
-static void place_column(const fvi_response *r, size_t j, int first,
-                         const int *rows)
-{
-    for (size_t l = 0; l < r->terms; l++) {
-        const fvi_sparse *A = r->term[l].matrix;
-        int at = 0;
-        for (int e = A->start[j]; e < A->start[j + 1]; e++) {
-            while (rows[at] != A->row[e])
-                at++;
-            r->term[l].place[e] = first + at;
-        }
-    }
-}
-
-static int pattern_with(fvi_response *r, size_t *mark, int *list)
-{
-    size_t most = 0;
-    for (size_t l = 0; l < r->terms; l++)
-        most += (size_t)r->term[l].matrix->start[r->d];
-    if (most > (size_t)1 << 30 || !(r->row = malloc((most + 1) * sizeof(int))))
-        return FVI_ENOMEM;
-    for (size_t j = 0; j < r->d; j++) {
-        const size_t count = column_of_sum(r, j, mark, list);
-        const int first = r->start[j];
-        memcpy(r->row + first, list, count * sizeof *list);
-        r->start[j + 1] = first + (int)count;
-        place_column(r, j, first, list);
-    }
-    return FVI_SUCCESS;
-}
 
 static int make_places(fvi_response *r)
 {
@@ -73,18 +21,28 @@ static int make_places(fvi_response *r)
     return FVI_SUCCESS;
 }
 
-/* The union of all patterns. A small matrix, or one with less than three quarters of zeros, has dense
- * factors. */
+/* The union of all patterns. */
+static int find_union(fvi_response *r)
+{
+    const fvi_sparse **matrix = malloc(r->terms * sizeof *matrix);
+    int **place = malloc(r->terms * sizeof *place),
+        status = matrix && place ? make_places(r) : FVI_ENOMEM;
+    for (size_t l = 0; !status && l < r->terms; l++) {
+        matrix[l] = r->term[l].matrix;
+        place[l] = r->term[l].place;
+    }
+    if (!status)
+        status = fvi_sparse_union(r->terms, matrix, place, &r->start, &r->row);
+    free(matrix);
+    free(place);
+    return status;
+}
+
+/* A small matrix, or one with less than three quarters of zeros, has dense factors. */
 int fvi_stiffness_find_pattern(fvi_response *r)
 {
     const size_t d = r->d;
-    size_t *mark = calloc(d, sizeof *mark);
-    int *list = malloc(d * sizeof *list), status = FVI_ENOMEM;
-    r->start = calloc(d + 1, sizeof *r->start);
-    if (mark && list && r->start && !make_places(r))
-        status = pattern_with(r, mark, list);
-    free(mark);
-    free(list);
+    const int status = find_union(r);
     if (status)
         return status;
     const size_t entries = (size_t)r->start[d];

@@ -1,7 +1,7 @@
 /* src/frequency/response.c -- Responses by frequency.                  [H 30] */
 #include "dynamic_stiffness.h"
 
-#include "complex_factors.h"
+#include "matrices/complex_factors.h"
 #include "system/fail.h"
 #include "system/newton.h"
 

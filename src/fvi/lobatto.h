@@ -85,7 +85,12 @@ extern const fvi_method fvi_lobatto_m5, fvi_lobatto_m6, fvi_lobatto_m7, fvi_loba
  * alpha <= 1/2 or p_0 = 0, p^2/2m + U is never above its start (17.26), (17.28). Without
  * damping it is not symplectic: it loses half the squares of the jumps of V.
  * Cost of a step: s gradients; nonlinear U: three or four times s, with Hessians, and
- * factors of an s d matrix with s times the diagonals of a Hessian; history as above. */
+ * factors of an s d matrix with s times the diagonals of a Hessian; history as above.
+ *
+ * Form D takes matrices (structures.h), by their complex factors (27.14): s/2 of them, and one real where s
+ * is odd, are made when the run starts, and a step solves once with each. A law that grows faster than s acts
+ * on V - v_0 there, and what it makes of v_0 is added exactly (26.20), as with a mechanism. FVI_EUNSUP if
+ * the matrices have no complex factors or no inertia. No adjoint. */
 extern const fvi_method fvi_lobatto_d2, fvi_lobatto_d3, fvi_lobatto_d4,
     fvi_lobatto_d5, fvi_lobatto_d6, fvi_lobatto_d7, fvi_lobatto_d8;
 

@@ -5,7 +5,8 @@
  * with symmetric matrices M, K and C, or with several C's, each with a kernel and a past of its
  * own. Element matrices are summed to them by
  * fvi_sparse_assemble, files are read by fvi_sparse_read; fvi_structure_system is then a system
- * for the methods that take matrices: fvi_fractional, fvi_cq2_shifted, fvi_cq_bdf2, fvi_cq2_midpoint. */
+ * for the methods that take matrices: fvi_fractional, fvi_cq2_shifted, fvi_cq_bdf2, fvi_cq2_midpoint, and
+ * for high order fvi_lobatto_d2 to d8. */
 #ifndef FVI_STRUCTURES_H
 #define FVI_STRUCTURES_H
 

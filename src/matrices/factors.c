@@ -23,50 +23,10 @@ fvi_way fvi_way_of(const fvi_sparse *A)
 
 /* ---- bands ---- */
 
-//> band
-/* A = L D L^T, row by row: L_ij D_j is what is left of A_ij. */
-static int factorise_band(fvi_factors *f)
-{
-    const size_t w = f->w, row = w + 1;
-    for (size_t i = 0; i < f->n; i++) {
-        double *a = f->number + i * row, pivot = a[w];
-        const size_t first = i > w ? i - w : 0;
-        for (size_t j = first; j < i; j++) {
-            const double *b = f->number + j * row;
-            double left = a[w + j - i];
-            for (size_t l = j > w && j - w > first ? j - w : first; l < j; l++)
-                left -= a[w + l - i] * b[w + l - j];
-            a[w + j - i] = left; /* times D_j, until the row is done */
-        }
-        for (size_t j = first; j < i; j++) {
-            const double left = a[w + j - i], l = left * f->number[j * row + w];
-            pivot -= left * l;
-            a[w + j - i] = l;
-        }
-        if (!(pivot > 0))
-            return FVI_ESING;
-        a[w] = 1 / pivot;
-    }
-    return FVI_SUCCESS;
-}
-
-static void solve_band(const fvi_factors *f, double *r)
-{
-    const size_t w = f->w, row = w + 1;
-    for (size_t i = 0; i < f->n; i++) {
-        const double *a = f->number + i * row;
-        for (size_t j = i > w ? i - w : 0; j < i; j++)
-            r[i] -= a[w + j - i] * r[j];
-    }
-    for (size_t i = 0; i < f->n; i++)
-        r[i] *= f->number[i * row + w];
-    for (size_t i = f->n; i-- > 0;) {
-        const double *a = f->number + i * row;
-        for (size_t j = i > w ? i - w : 0; j < i; j++)
-            r[j] -= a[w + j - i] * r[i];
-    }
-}
-//< band
+#define NUMBER double
+#define TIMES(a, b) ((a) * (b))
+#define IS_POSITIVE(a) ((a) > 0)
+#include "band_elimination.h"
 
 static int begin_band(fvi_factors *f, const fvi_sparse *A)
 {
@@ -80,7 +40,7 @@ static int begin_band(fvi_factors *f, const fvi_sparse *A)
             if (i >= j)
                 f->number[i * (f->w + 1) + f->w + j - i] = A->entry[e];
         }
-    return factorise_band(f);
+    return factorise_band(f->n, f->w, f->number);
 }
 
 /* ---- all of them ---- */
@@ -111,7 +71,7 @@ int fvi_factors_solve(fvi_factors *f, double *r)
             r[i] *= f->number[i];
         return FVI_SUCCESS;
     case FVI_BY_BAND:
-        solve_band(f, r);
+        solve_band(f->n, f->w, f->number, r);
         return FVI_SUCCESS;
     case FVI_BY_CHOLMOD:
         break;

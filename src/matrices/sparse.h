@@ -28,6 +28,15 @@ size_t fvi_sparse_line(const char *file, int row, int column);
 int fvi_sparse_add(size_t count, const fvi_sparse *const *A, const double *a,
                    fvi_sparse *sum);
 
+/* fvi_sparse_union -- the pattern of the sum of `count` >= 1 matrices of one size.
+ *
+ *   place       of each matrix a list as long as its entries: entry e stands at place[l][e]
+ *   start, row  outputs, as those of a matrix; the caller frees both, also after an error
+ *
+ * Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_sparse_union(size_t count, const fvi_sparse *const *A, int *const *place,
+                     int **start, int **row);
+
 /* fvi_sparse_half_band -- the largest |i - j| of a stored entry. */
 size_t fvi_sparse_half_band(const fvi_sparse *A);
 

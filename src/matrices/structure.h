@@ -26,6 +26,14 @@ int fvi_structure_factorise(size_t count, const fvi_sparse *const *terms, const 
 const fvi_sparse **fvi_structure_terms(const fvi_structure *s, double m, const double *c,
                                        double k, double **a);
 
+/* fvi_structure_dampings -- how many matrices damp it: those of the dampers, or C alone: 1.
+ * fvi_structure_damping -- that of damper j. */
+size_t fvi_structure_dampings(const fvi_structure *s);
+const fvi_sparse *fvi_structure_damping(const fvi_structure *s, size_t j);
+
+/* fvi_structure_add_complex -- the equations with complex numbers, of methods with stages. */
+void fvi_structure_add_complex(fvi_structure *s);
+
 /* fvi_structure_add_dampers -- what fvi_structure_alloc_dampers has besides M and K. */
 int fvi_structure_add_dampers(fvi_structure *s, size_t count, const fvi_damper *damper,
                               fvi_error *error);

@@ -21,10 +21,15 @@ static int damp_by_damper(size_t d, double a, const double *z, const void *param
     return FVI_SUCCESS;
 }
 
-static const fvi_sparse *matrix_of(const fvi_structure *s, size_t j)
+const fvi_sparse *fvi_structure_damping(const fvi_structure *s, size_t j)
 {
     const fvi_damper *damper = s->mechanism.damper + j;
     return damper->matrix ? damper->matrix : s->outer + j;
+}
+
+size_t fvi_structure_dampings(const fvi_structure *s)
+{
+    return s->space ? s->mechanism.damper_count : 1;
 }
 
 /* M, C_1, C_2, ..., K and their factors; one block with room for both. */
@@ -41,7 +46,7 @@ const fvi_sparse **fvi_structure_terms(const fvi_structure *s, double m, const d
     (*a)[0] = m;
     (*a)[count - 1] = k;
     for (size_t j = 0; j + 2 < count; j++) {
-        terms[j + 1] = matrix_of(s, j);
+        terms[j + 1] = fvi_structure_damping(s, j);
         (*a)[j + 1] = c[j];
     }
     return terms;

@@ -168,6 +168,7 @@ static int make(const fvi_sparse *M, const fvi_sparse *K, fvi_structure **struct
                                   .params = s,
                                   .M = M,
                                   .K = K };
+    fvi_structure_add_complex(s);
     *structure = s;
     return FVI_SUCCESS;
 }

@@ -105,6 +105,11 @@ static inline void fvi_damping_end_step(fvi_damping *damping, double h, const do
 /* fvi_damping_sums -- what damper j of a run has given and taken, as fvi_stepper_damper has it. */
 int fvi_damping_sums(const fvi_stepper *s, size_t j, double *impulse, double *work);
 
+/* fvi_damping_impulse -- of the impulse that a damper has given to the d unknowns, NULL for zeros, what
+ * is told: along a row one number, of a matrix all. */
+void fvi_damping_impulse(const fvi_damper *damper, size_t d, const double *kept,
+                         double *impulse);
+
 /* fvi_damping_of -- the first damping of a stepper of Algorithm 3, or of a method of order 2;
  * or NULL. */
 const fvi_damping *fvi_damping_of(const fvi_stepper *s);

@@ -54,6 +54,17 @@ static double along(size_t n, const double *row, const double *impulse)
     return square > 0 ? product / square : 0;
 }
 
+void fvi_damping_impulse(const fvi_damper *damper, size_t d, const double *kept,
+                         double *impulse)
+{
+    if (!damper->matrix)
+        *impulse = kept ? along(d, damper->of.row, kept) : 0;
+    else if (kept)
+        memcpy(impulse, kept, d * sizeof *impulse);
+    else
+        memset(impulse, 0, d * sizeof *impulse);
+}
+
 int fvi_damping_sums(const fvi_stepper *s, size_t j, double *impulse, double *work)
 {
     const fvi_system *system = s->run.system;
@@ -66,16 +77,10 @@ int fvi_damping_sums(const fvi_stepper *s, size_t j, double *impulse, double *wo
         d = d->next;
     if (d && !d->kept)
         return FVI_EUNSUP;
-    const double *row = system->mechanism->damper[j].of.row;
-    const int is_matrix = system->mechanism->damper[j].matrix != NULL;
-    const size_t bytes = system->d * sizeof *impulse;
     if (work)
         *work = d ? d->work : 0;
-    if (impulse && is_matrix && d)
-        memcpy(impulse, d->kept, bytes);
-    else if (impulse && is_matrix)
-        memset(impulse, 0, bytes);
-    else if (impulse)
-        *impulse = d ? along(system->d, row, d->kept) : 0;
+    if (impulse)
+        fvi_damping_impulse(system->mechanism->damper + j, system->d, d ? d->kept : NULL,
+                            impulse);
     return FVI_SUCCESS;
 }

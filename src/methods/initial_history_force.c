@@ -13,7 +13,8 @@ int fvi_initial_history_force_prepare(const fvi_run_damper *damper, double h, si
 {
     *unit = 1;
     if (damper->law)
-        return fvi_impulses_of_kernel_alloc(damper->law, h, &force->of_law);
+        return n == 2 ? fvi_impulses_of_kernel_alloc(damper->law, h, &force->of_law)
+                      : fvi_impulses_of_kernel_at_stages(damper->law, h, n, c, &force->of_law);
     fvi_kernel_impulse_prepare(damper->alpha, n, c, &force->initial_impulse);
     *unit = pow(h, 1 + force->initial_impulse.e); /* (19.3) */
     return FVI_SUCCESS;

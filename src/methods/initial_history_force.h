@@ -18,7 +18,7 @@ typedef struct {
 /* fvi_initial_history_force_start -- what the past of a damper does at a method's nodes.
  *
  *   s      a stepper at k = 0
- *   n, c   the nodes, as fvi_kernel_impulse_prepare has them; of a law the two ends of a step
+ *   n, c   the nodes, as fvi_kernel_impulse_prepare has them; two are the ends of a step
  *   force  output; give it back with fvi_initial_history_force_stop, also after an error
  *
  * Returns FVI_SUCCESS or FVI_ENOMEM, or what a function of matrices returned. */

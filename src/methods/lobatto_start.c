@@ -4,6 +4,7 @@
 
 #include "mechanism/mechanism.h"
 #include "stability_number.h"
+#include "lobatto_matrices.h"
 #include "lobatto_stages.h"
 #include "system/fail.h"
 #include "system/larger.h"
@@ -168,6 +169,8 @@ static void find_damped(const fvi_stepper *s, fvi_lobatto_stages *o)
 
 static int start(fvi_stepper *s, size_t stages, int damped)
 {
+    if (s->run.system->matrices)
+        return fvi_lobatto_matrices_start(s, stages, damped);
     if (fvi_has_mechanism_steps(s->run.system))
         return fvi_mechanism_start(
             s, damped ? FVI_MECHANISM_FORM_D : FVI_MECHANISM_FORM_M, stages);
@@ -240,6 +243,7 @@ static int serialize_lobatto(fvi_stepper *s, fvi_archive *v)
         .alpha_most = 1,                                                       \
         .takes_laws = 1,                                                       \
         .takes_mechanism = 1,                                                  \
+        .takes_matrices = damped,                                              \
         .memories = FVI_ALL_MEMORIES,                                          \
         .implicit = is_implicit,                                               \
         .stability_number = its_load,                                                      \

@@ -59,16 +59,21 @@ static int is_damped(const fvi_system *system)
     return 0;
 }
 
-/* Several dampers with matrices, of methods without stages. */
-static double bytes_of_dampers(const fvi_run *run)
+/* With matrices: each damper has its own. */
+static double bytes_of_dampers(const fvi_method *method, const fvi_run *run)
 {
-    double bytes = 100 * (double)run->system->d;
+    const size_t s = (size_t)method->stages;
+    double bytes = (100 + 24 * (double)s) * (double)run->system->d;
     for (size_t j = 0; j < fvi_run_damper_count(run); j++) {
         const fvi_run_damper damper = fvi_run_damper_of(run, j);
-        if (damper.matrix.remembered > 0)
-            bytes += (double)fvi_history_bytes(fvi_run_damper_bytes_order(&damper),
-                                               damper.matrix.remembered, run->steps,
-                                               run->memory, run->tolerance);
+        const size_t r = damper.matrix.remembered;
+        const double order = fvi_run_damper_bytes_order(&damper);
+        if (r > 0 && s > 0)
+            bytes += fvi_lobatto_history_bytes(s, order - 1, r, run->steps, run->memory,
+                                               run->tolerance);
+        else if (r > 0)
+            bytes += (double)fvi_history_bytes(order, r, run->steps, run->memory,
+                                               run->tolerance);
     }
     return bytes;
 }
@@ -82,8 +87,8 @@ double fvi_run_bytes(const fvi_method *method, const fvi_run *run)
     const double bytes = 100 * (double)system->d;
     if (fvi_has_mechanism_steps(system))
         return fvi_mechanism_bytes(method, run);
-    if (system->matrices && system->mechanism)
-        return bytes_of_dampers(run);
+    if (system->matrices && (system->mechanism || s > 0))
+        return bytes_of_dampers(method, run);
     const fvi_run_damper damper = fvi_run_damper_of(run, 0);
     const double order = fvi_run_damper_bytes_order(&damper);
     if (!method->memories || !is_damped(system) || (s > 0 && order == 2))

@@ -2,6 +2,7 @@
 #include "step_sums.h"
 
 #include "convolution_quadrature_dampers.h"
+#include "lobatto_matrices.h"
 #include "lobatto_stages.h"
 
 #include <gsl/gsl_machine.h>
@@ -83,12 +84,14 @@ int fvi_step_begins(const fvi_stepper *s, fvi_step_begin *begin)
     const size_t bytes = s->run.system->d * sizeof *s->x;
     memcpy(begin->x, s->x, bytes);
     memcpy(begin->p, s->p, bytes);
+    if (s->method->stages)
+        return FVI_SUCCESS;
     if (is_several(s)) {
         const int status = begin_several(s, begin->dampers);
         if (status)
             return status;
     }
-    if (is_of_order_1(s->method) || s->method->stages)
+    if (is_of_order_1(s->method))
         return FVI_SUCCESS;
     return fvi_step_force(s,
                           fmax((double)s->k * s->run.h
@@ -164,18 +167,19 @@ static double as_a_mass(const fvi_stepper *s, const fvi_lobatto_stages *o,
     return (change + pull) / o->share[j] - change;
 }
 
-static int forces_of_stages(const fvi_stepper *s, const fvi_lobatto_stages *o,
-                            double *F)
+int fvi_step_forces_at_stages(const fvi_stepper *s, size_t k, size_t stages,
+                              const fvi_lobatto_rule *rule, double *F)
 {
-    const double h = s->run.h, left = ((double)s->k - 1) * h,
-                 right = (double)s->k * h, in = 4 * GSL_DBL_EPSILON;
+    const double h = s->run.h, left = (double)k * h, right = (double)(k + 1) * h,
+                 in = 4 * GSL_DBL_EPSILON;
+    const size_t d = s->run.system->d;
     int status = FVI_SUCCESS;
-    for (size_t i = 0; i < o->s && !status; i++)
+    for (size_t i = 0; i < stages && !status; i++)
         status = fvi_step_force(s,
-                                i == 0          ? left + in * fmax(left, h)
-                                : i + 1 == o->s ? right - in * right
-                                                : left + o->rule->c[i] * h,
-                                F + i * o->d);
+                                i == 0            ? left + in * fmax(left, h)
+                                : i + 1 == stages ? right - in * right
+                                                  : left + rule->c[i] * h,
+                                F + i * d);
     return status;
 }
 
@@ -185,7 +189,7 @@ static int of_stages(const fvi_stepper *s, const fvi_step_begin *begin,
 {
     const fvi_lobatto_stages *o = s->method_state;
     double V[FVI_STAGES], impulse[FVI_STAGES], *F = begin->F;
-    const int status = forces_of_stages(s, o, F);
+    const int status = fvi_step_forces_at_stages(s, s->k - 1, o->s, o->rule, F);
     for (size_t j = 0; j < o->d && !status; j++) {
         const double change = s->p[j] - hit[j] - begin->p[j];
         velocities(s, o, j, V);
@@ -210,6 +214,8 @@ int fvi_step_ends(const fvi_stepper *s, const fvi_step_begin *begin,
                  count = fvi_step_dampers(s->run.system);
     sums->by_force = 0;
     memset(sums->work, 0, count * sizeof *sums->work);
+    if (fvi_lobatto_matrices_of(s))
+        return fvi_lobatto_matrices_ends(s, sums);
     if (s->method->stages)
         return of_stages(s, begin, hit, sums);
     of_nodes(s, begin, hit, sums);
@@ -230,6 +236,8 @@ int fvi_step_work_is_known(const fvi_stepper *s)
     const fvi_run_damper of = fvi_run_damper_of(&s->run, 0);
     if (of.law ? !is_of_order_1(s->method) && of.growth > 1 : of.alpha == 1)
         return 0;
+    if (fvi_lobatto_matrices_of(s))
+        return !fvi_lobatto_matrices_is_pulled(s);
     if (s->method->stages)
         return o->history_force.size == NULL;
     return is_of_order_1(s->method) || is_several(s)

@@ -4,6 +4,8 @@
 #ifndef FVI_STEP_SUMS_H
 #define FVI_STEP_SUMS_H
 
+#include "stages/lobatto_weights.h"
+
 #include <fvi/trajectory.h>
 
 /* What stood in a stepper before its step, d numbers each: x_k, p_k, and F(t_k) from above; and of a
@@ -25,6 +27,11 @@ typedef struct {
 
 /* fvi_step_force -- the force F at a time, d numbers; zeros if there is none. Returns what it returned. */
 int fvi_step_force(const fvi_stepper *s, double t, double *F);
+
+/* fvi_step_forces_at_stages -- F at the s stages of step k, d numbers each, from within the step at its
+ * ends. Returns what it returned. */
+int fvi_step_forces_at_stages(const fvi_stepper *s, size_t k, size_t stages,
+                              const fvi_lobatto_rule *rule, double *F);
 
 /* fvi_step_dampers -- how many dampers have a force on each coordinate: those of a structure, or 1. */
 size_t fvi_step_dampers(const fvi_system *system);

@@ -165,9 +165,11 @@ static const char *solver(const fvi_options *o)
 {
     const fvi_scheme scheme = o->method->scheme;
     const int stable = scheme == FVI_SCHEME_CQ2_MIDPOINT,
-              damped = stable || scheme == FVI_SCHEME_CQ2_SHIFTED,
-              pulled = stable || (o->kappa > 0 && o->kappa < 1);
-    return fvi_directory_solver(o->directory, 1, damped, pulled);
+              staged = scheme == FVI_SCHEME_LOBATTO,
+              damped = stable || staged || scheme == FVI_SCHEME_CQ2_SHIFTED,
+              pulled = stable || staged || (o->kappa > 0 && o->kappa < 1);
+    const char *name = fvi_directory_solver(o->directory, 1, damped, pulled);
+    return staged && strcmp(name, "CHOLMOD") == 0 ? "UMFPACK" : name; /* (27.14) is complex */
 }
 
 /* What comes between the head and the end: rows that were saved, then those of the run, with

@@ -108,10 +108,10 @@ START_TEST(what_a_system_replaces_or_no_method_takes_is_refused)
                       "fvi: --system: not together with --dimension");
     ck_assert_refused("run --system chain --error 1e-3 --method fvi-adaptive",
                       "fvi: --method: 'fvi-adaptive' takes no matrices; fvi, "
-                      "fvi-shifted, fvi-bdf2 and fvi-stable do");
+                      "fvi-shifted, fvi-bdf2, fvi-stable and fvi-lobatto2d to 8d do");
     ck_assert_refused("run --system chain --method fvi-lobatto4",
                       "fvi: --method: 'fvi-lobatto4' takes no matrices; fvi, "
-                      "fvi-shifted, fvi-bdf2 and fvi-stable do");
+                      "fvi-shifted, fvi-bdf2, fvi-stable and fvi-lobatto2d to 8d do");
     ck_assert_refused("fit --system chain d.tsv",
                       "fvi: --system: not an option of this command");
     ck_assert_int_eq(fvi("sweep --system chain --vary alpha=0.1:0.9:3 --method "

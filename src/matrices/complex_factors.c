@@ -1,4 +1,4 @@
-/* src/frequency/complex_factors.c -- Equations with a complex matrix.   [H 30] */
+/* src/matrices/complex_factors.c -- Equations with a complex matrix.   [H 30] */
 #include "complex_factors.h"
 
 #include <fvi/error.h>

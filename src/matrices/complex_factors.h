@@ -1,4 +1,4 @@
-/* src/frequency/complex_factors.h -- Equations with a complex matrix.   [H 30] */
+/* src/matrices/complex_factors.h -- Equations with a complex matrix.   [H 30] */
 #ifndef FVI_COMPLEX_FACTORS_H
 #define FVI_COMPLEX_FACTORS_H
 

@@ -1,0 +1,128 @@
+/* src/methods/lobatto_matrices.c -- Stages of a system with matrices: a step.  [H 27] */
+#include "lobatto_matrices.h"
+
+#include "system/fail.h"
+
+#include <gsl/gsl_machine.h>
+#include <math.h>
+#include <string.h>
+
+/* An impulse has changed p since the last step: so it changes v. */
+static int find_velocity(fvi_stepper *s, fvi_lobatto_matrices *o)
+{
+    const size_t bytes = o->d * sizeof *s->p;
+    if (memcmp(s->p, o->p, bytes) == 0)
+        return FVI_SUCCESS;
+    memcpy(o->p, s->p, bytes);
+    return fvi_damping_velocity(s->run.system, s->p, o->v);
+}
+
+/* F - K (x_k + h c_i v_k) at the stages; F from within the step at its ends. */
+static int begin_load(fvi_stepper *s, fvi_lobatto_matrices *o)
+{
+    const fvi_matrices *m = s->run.system->matrices;
+    const size_t d = o->d;
+    const double h = s->run.h;
+    int status = fvi_step_forces_at_stages(s, s->k, o->s, o->rule, o->F);
+    if (!status)
+        status = m->stiffness(d, s->x, m->params, o->Kx);
+    if (!status)
+        status = m->stiffness(d, o->v, m->params, o->Kv);
+    for (size_t i = 0; !status && i < o->s; i++) {
+        const double ch = h * o->rule->c[i];
+        for (size_t j = 0; j < d; j++)
+            o->load[i * d + j] = o->F[i * d + j] - o->Kx[j] - ch * o->Kv[j];
+    }
+    return status;
+}
+
+//> one-pair
+/* What pair l gives to V: v Z^{-1} w^T h load, and of a complex one the conjugate, too. (27.14) */
+static int add_pair(fvi_stepper *s, fvi_lobatto_matrices *o, size_t l)
+{
+    const fvi_matrices *m = s->run.system->matrices;
+    const fvi_lobatto_pair *pair = o->pair + l;
+    const size_t d = o->d, parts = cimag(pair->lambda) == 0 ? 1 : 2;
+    double *r = o->room;
+    memset(r, 0, parts * d * sizeof *r);
+    for (size_t i = 0; i < o->s; i++) {
+        const double complex w = s->run.h * o->rule->b[i] * pair->v[o->s - 1 - i];
+        const double re = creal(w), im = cimag(w), *load = o->load + i * d;
+        for (size_t j = 0; j < d && parts == 1; j++)
+            r[j] += re * load[j];
+        for (size_t j = 0; j < d && parts == 2; j++) {
+            r[2 * j] += re * load[j];
+            r[2 * j + 1] += im * load[j];
+        }
+    }
+    const int status = parts == 1 ? m->solve(d, o->factors[l], r)
+                                  : m->solve_complex(d, o->factors[l], r);
+    for (size_t i = 0; !status && i < o->s; i++) {
+        const double re = (double)parts * creal(pair->v[i]), im = 2 * cimag(pair->v[i]);
+        double *V = o->V + i * d;
+        for (size_t j = 0; j < d && parts == 1; j++)
+            V[j] += re * r[j];
+        for (size_t j = 0; j < d && parts == 2; j++)
+            V[j] += re * r[2 * j] - im * r[2 * j + 1];
+    }
+    return status;
+}
+//< one-pair
+
+/* x_{k+1} = x_k + h sum_i b_i V_i, p_{k+1} = p_k + M (V_s - v_k). V becomes the velocities. */
+static int advance(fvi_stepper *s, fvi_lobatto_matrices *o)
+{
+    const fvi_matrices *m = s->run.system->matrices;
+    const size_t d = o->d, end = (o->s - 1) * d;
+    const int status = m->inertia(d, o->V + end, m->params, o->Kx);
+    for (size_t j = 0; !status && j < d; j++) {
+        double mean = 0;
+        for (size_t i = 0; i < o->s; i++) {
+            mean += o->rule->b[i] * o->V[i * d + j];
+            o->V[i * d + j] += o->v[j];
+        }
+        s->x[j] += s->run.h * (o->v[j] + mean);
+        s->p[j] += o->Kx[j];
+        o->v[j] = o->V[end + j];
+        o->p[j] = s->p[j];
+    }
+    return status;
+}
+
+//> step
+int fvi_lobatto_matrices_step(fvi_stepper *s)
+{
+    fvi_lobatto_matrices *o = s->method_state;
+    int status = find_velocity(s, o);
+    if (!status)
+        status = begin_load(s, o);
+    if (!status)
+        status = fvi_stage_dampers_begin_step(s);
+    memset(o->V, 0, o->s * o->d * sizeof *o->V);
+    for (size_t l = 0; !status && l < o->pairs; l++)
+        status = add_pair(s, o, l);
+    if (!status)
+        status = fvi_stage_dampers_end_step(s);
+    if (!status)
+        status = advance(s, o);
+    for (size_t j = 0; !status && j < o->dampers; j++)
+        if (o->each[j].kept)
+            status = fvi_stage_damper_sums(s, j, o->each[j].kept, &o->each[j].work);
+    return status;
+}
+//< step
+
+int fvi_lobatto_matrices_ends(const fvi_stepper *s, fvi_step_sums *sums)
+{
+    const fvi_lobatto_matrices *o = s->method_state;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t j = 0; j < o->d; j++)
+            sums->by_force += s->run.h * o->rule->b[i] * o->F[i * o->d + j] * o->V[i * o->d + j];
+    memset(sums->damper, 0, fvi_step_dampers(s->run.system) * o->d * sizeof *sums->damper);
+    for (size_t j = 0; !status && j < o->dampers; j++) {
+        const size_t number = o->each[j].number;
+        status = fvi_stage_damper_sums(s, j, sums->damper + number * o->d, sums->work + number);
+    }
+    return status;
+}

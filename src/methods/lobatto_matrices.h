@@ -1,0 +1,86 @@
+/* src/methods/lobatto_matrices.h -- Stages of a system with matrices.      [H 27]
+ *
+ * Internal: the methods of lobatto_start.c start these steps in place of their own where the
+ * system has matrices. */
+#ifndef FVI_LOBATTO_MATRICES_H
+#define FVI_LOBATTO_MATRICES_H
+
+#include "initial_history_force.h"
+#include "stages/lobatto_eigenvalues.h"
+#include "stages/lobatto_history.h"
+#include "step_sums.h"
+
+/* A damper of C = S B^T, which remembers r numbers z = B^T x. Number n of stage i stands at
+ * [n * s + i] where the history reads and writes, and at [i * r + n] where the matrix does. */
+typedef struct {
+    fvi_run_damper of;
+    size_t number, r;                  /* its place among the dampers of the run */
+    double W[FVI_STAGES * FVI_STAGES]; /* what the velocities of a step do in this step */
+    double scale;                      /* rho h^(-beta) before the sums of the history; 1 of a law */
+    double *drift;                     /* r: of a velocity that the past does not see, else 0 */
+    double *slope;                     /* s r: B^T V_i - drift of the step at hand, for the history */
+    double *Y;                         /* s r: its sums */
+    double *force;                     /* s r: of the step at hand, before S, for the matrix */
+    double *z, *zero;                  /* r: room, and zeros */
+    double *kept, work;                /* d impulses up to now, and the work; NULL: nobody asked */
+    fvi_lobatto_history *memory;
+    fvi_initial_history_force past;
+    double impulse[FVI_STAGES];        /* of the past in the step at hand */
+} fvi_stage_damper;
+
+/* Stage i of unknown j stands at [i * d + j]. */
+typedef struct {
+    fvi_method method; /* with these steps */
+    const fvi_lobatto_rule *rule;
+    size_t s, d, dampers, pairs;
+    fvi_lobatto_pair pair[FVI_STAGES / 2];
+    void *factors[FVI_STAGES / 2]; /* of (27.14), one for each pair */
+    fvi_stage_damper *each;
+    double *numbers;   /* all that follows, in one piece */
+    double *v, *p;     /* d: M^-1 p and p where the last step ended; go from step to step */
+    double *F, *load;  /* s d: the forces of t; what is left for the inertia to answer */
+    double *V;         /* s d: V_i - v_k */
+    double *Kx, *Kv;   /* d */
+    double *room;      /* 2 d */
+} fvi_lobatto_matrices;
+
+/* fvi_lobatto_matrices_start -- as the start of a method; s->method becomes a copy of it with these
+ * steps. Errors as fvi_stepper_start; FVI_EUNSUP where the matrices have no complex factors, or no
+ * product with M. */
+int fvi_lobatto_matrices_start(fvi_stepper *s, size_t stages, int damped);
+
+/* fvi_lobatto_matrices_of -- of a stepper that takes these steps; NULL else. */
+fvi_lobatto_matrices *fvi_lobatto_matrices_of(const fvi_stepper *s);
+
+/* fvi_lobatto_matrices_step -- as fvi_stepper_step.                        [(27.14)] */
+int fvi_lobatto_matrices_step(fvi_stepper *s);
+
+/* fvi_lobatto_matrices_ends -- as fvi_step_ends. */
+int fvi_lobatto_matrices_ends(const fvi_stepper *s, fvi_step_sums *sums);
+
+/* fvi_lobatto_matrices_is_pulled -- does the past of a damper pull with a known force? (19.3) */
+int fvi_lobatto_matrices_is_pulled(const fvi_stepper *s);
+
+/* ---- lobatto_matrices_dampers.c ---- */
+
+/* fvi_stage_dampers_start -- the dampers of a run, with their histories; v is the velocity at t = 0. */
+int fvi_stage_dampers_start(fvi_stepper *s, const double *v);
+
+/* fvi_stage_dampers_begin_step -- takes from load what the pasts and the histories do in this step, and
+ * what the damping makes of a constant velocity v_k. */
+int fvi_stage_dampers_begin_step(fvi_stepper *s);
+
+/* fvi_stage_dampers_end_step -- V is there: the forces of the step, and the histories are a step on. */
+int fvi_stage_dampers_end_step(fvi_stepper *s);
+
+/* fvi_stage_damper_sums -- adds the impulse of the last step to `impulse`, d numbers, and its work to
+ * *work. */
+int fvi_stage_damper_sums(const fvi_stepper *s, size_t i, double *impulse, double *work);
+
+int fvi_stage_dampers_keep(fvi_stepper *s);
+int fvi_stage_dampers_told(const fvi_stepper *s, size_t j, double *impulse, double *work);
+int fvi_stage_dampers_copy(const fvi_stepper *from, fvi_stepper *to);
+int fvi_stage_dampers_serialize(fvi_stepper *s, fvi_archive *archive);
+void fvi_stage_dampers_stop(fvi_lobatto_matrices *o);
+
+#endif

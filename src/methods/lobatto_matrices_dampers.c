@@ -1,0 +1,275 @@
+/* src/methods/lobatto_matrices_dampers.c -- The dampers of a structure on Lobatto nodes.  [H 27] */
+#include "lobatto_matrices.h"
+
+#include "lobatto_stages.h"
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the start ---- */
+
+/* Zeros for the numbers of a damper. */
+static int make_numbers(fvi_stage_damper *a, size_t s)
+{
+    const size_t stages = s * a->r;
+    a->drift = calloc(3 * a->r + 3 * stages, sizeof *a->drift);
+    if (!a->drift)
+        FVI_FAIL("no memory for a damper", FVI_ENOMEM);
+    a->z = a->drift + a->r;
+    a->zero = a->z + a->r;
+    a->slope = a->zero + a->r;
+    a->Y = a->slope + stages;
+    a->force = a->Y + stages;
+    return FVI_SUCCESS;
+}
+
+/* The power of a law that is one is scaled here; other laws know the length of the step. */
+static int make_history(const fvi_run *run, size_t s, fvi_stage_damper *a)
+{
+    const double beta = 2 * a->of.alpha - 1,
+                 finest = run->tolerance > 0 ? fmax(run->tolerance / 10, 1e-14) : 1e-14,
+                 keep = run->system->mechanism ? finest
+                                               : fvi_lobatto_history_tolerance(run);
+    const int status =
+        a->of.law ? fvi_lobatto_history_of_kernel(s, a->of.law, run->h, a->r, run->steps,
+                                                  run->memory, keep, &a->memory)
+                  : fvi_lobatto_history_alloc(s, beta, a->r, run->steps, run->memory, keep,
+                                              &a->memory);
+    a->scale = a->of.law ? 1 : a->of.rho * pow(run->h, -beta);
+    for (size_t i = 0; !status && i < s * s; i++)
+        a->W[i] = a->scale * fvi_lobatto_history_now(a->memory)[i];
+    return status;
+}
+
+/* Where the kernel grows faster than s, the history does not see the velocity of the start, and what
+ * the past makes of it is added exactly; but an order of 2 of a law is a mass. */
+static int start_damper(fvi_stepper *s, const double *v, fvi_stage_damper *a)
+{
+    const fvi_lobatto_matrices *o = s->method_state;
+    const fvi_damping_matrix *C = &a->of.matrix;
+    const int is_mass = a->of.law && a->of.growth == 2;
+    int status = make_numbers(a, o->s);
+    if (!status && a->of.growth > 1 && !is_mass)
+        status = C->remember(o->d, v, a->zero, C->params, a->drift);
+    if (!status && !is_mass)
+        status = fvi_initial_history_force_start(s, &a->of, o->s, o->rule->c, &a->past);
+    return status ? status : make_history(&s->run, o->s, a);
+}
+
+int fvi_stage_dampers_start(fvi_stepper *s, const double *v)
+{
+    fvi_lobatto_matrices *o = s->method_state;
+    const size_t count = fvi_run_damper_count(&s->run);
+    int status = FVI_SUCCESS;
+    o->each = calloc(count + 1, sizeof *o->each);
+    if (!o->each)
+        FVI_FAIL("no memory for the dampers", FVI_ENOMEM);
+    for (size_t j = 0; !status && j < count; j++) {
+        const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
+        if (of.matrix.remembered == 0)
+            continue;
+        fvi_stage_damper *a = o->each + o->dampers++;
+        *a = (fvi_stage_damper){ .of = of, .number = j, .r = of.matrix.remembered };
+        status = start_damper(s, v, a);
+    }
+    return status;
+}
+
+/* ---- a step ---- */
+
+/* What is known of the force of a damper at stage i, before S: z += ... */
+static void add_known(const fvi_stage_damper *a, size_t s, size_t i, const double *velocity)
+{
+    double row = 0;
+    for (size_t c = 0; c < s; c++)
+        row += a->W[i * s + c];
+    double *force = a->force + i * a->r;
+    for (size_t n = 0; n < a->r; n++)
+        force[n] = a->scale * a->Y[n * s + i] + row * velocity[n];
+}
+
+static int begin_damper(fvi_stepper *s, fvi_stage_damper *a)
+{
+    const fvi_lobatto_matrices *o = s->method_state;
+    const fvi_damping_matrix *C = &a->of.matrix;
+    const double h = s->run.h;
+    int status = C->remember(o->d, o->v, a->drift, C->params, a->z);
+    for (size_t i = 0; !status && i < o->s; i++) {
+        add_known(a, o->s, i, a->z);
+        status = C->damp(o->d, 1, a->force + i * a->r, C->params, o->load + i * o->d);
+    }
+    if (status || !a->past.size)
+        return status;
+    fvi_initial_history_force_impulses(&a->past, s->k, a->impulse);
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t j = 0; j < o->d; j++)
+            o->load[i * o->d + j] -= a->past.size[j] * a->impulse[i] / (h * o->rule->b[i]);
+    return FVI_SUCCESS;
+}
+
+int fvi_stage_dampers_begin_step(fvi_stepper *s)
+{
+    fvi_lobatto_matrices *o = s->method_state;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; !status && j < o->dampers; j++)
+        status = begin_damper(s, o->each + j);
+    return status;
+}
+
+/* What V_i - v_k adds to the force of a damper, and its slopes. z holds B^T v_k - drift. */
+static int end_damper(const fvi_lobatto_matrices *o, fvi_stage_damper *a)
+{
+    const fvi_damping_matrix *C = &a->of.matrix;
+    const size_t s = o->s, r = a->r;
+    double *change = a->Y; /* the sums of this step have been read */
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < s; i++)
+        status = C->remember(o->d, o->V + i * o->d, a->zero, C->params, change + i * r);
+    for (size_t i = 0; !status && i < s; i++)
+        for (size_t n = 0; n < r; n++)
+            a->slope[n * s + i] = change[i * r + n];
+    for (size_t n = 0; !status && n < r; n++)
+        for (size_t i = 0; i < s; i++)
+            for (size_t c = 0; c < s; c++)
+                a->force[i * r + n] += a->W[i * s + c] * a->slope[n * s + c];
+    for (size_t n = 0; !status && n < r; n++)
+        for (size_t i = 0; i < s; i++)
+            a->slope[n * s + i] += a->z[n];
+    return status ? status : fvi_lobatto_history_push(a->memory, a->slope, a->Y);
+}
+
+int fvi_stage_dampers_end_step(fvi_stepper *s)
+{
+    fvi_lobatto_matrices *o = s->method_state;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; !status && j < o->dampers; j++)
+        status = end_damper(o, o->each + j);
+    return status;
+}
+
+/* ---- what they gave and took ---- */
+
+int fvi_stage_damper_sums(const fvi_stepper *s, size_t index, double *impulse, double *work)
+{
+    const fvi_lobatto_matrices *o = s->method_state;
+    const fvi_stage_damper *a = o->each + index;
+    const fvi_damping_matrix *C = &a->of.matrix;
+    double *J = o->room;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < o->s; i++) {
+        memset(J, 0, o->d * sizeof *J);
+        status = C->damp(o->d, -s->run.h * o->rule->b[i], a->force + i * a->r, C->params, J);
+        for (size_t j = 0; j < o->d; j++) {
+            if (a->past.size)
+                J[j] += a->past.size[j] * a->impulse[i];
+            impulse[j] += J[j];
+            *work += J[j] * o->V[i * o->d + j];
+        }
+    }
+    return status;
+}
+
+int fvi_stage_dampers_keep(fvi_stepper *s)
+{
+    fvi_lobatto_matrices *o = s->method_state;
+    for (size_t j = 0; j < o->dampers; j++) {
+        free(o->each[j].kept);
+        o->each[j].work = 0;
+        o->each[j].kept = calloc(o->d, sizeof *o->each[j].kept);
+        if (!o->each[j].kept)
+            FVI_FAIL("no memory for the sums of the dampers", FVI_ENOMEM);
+    }
+    return FVI_SUCCESS;
+}
+
+int fvi_stage_dampers_told(const fvi_stepper *s, size_t j, double *impulse, double *work)
+{
+    const fvi_lobatto_matrices *o = s->method_state;
+    const fvi_mechanism *mechanism = s->run.system->mechanism;
+    const fvi_stage_damper *a = o->each, *end = o->each + o->dampers;
+    if (!mechanism)
+        return FVI_EUNSUP;
+    if (j >= mechanism->damper_count)
+        return FVI_EINVAL;
+    while (a < end && a->number != j)
+        a++;
+    if (a < end && !a->kept)
+        return FVI_EUNSUP;
+    if (work)
+        *work = a < end ? a->work : 0;
+    if (impulse)
+        fvi_damping_impulse(mechanism->damper + j, o->d, a < end ? a->kept : NULL, impulse);
+    return FVI_SUCCESS;
+}
+
+/* ---- copies ---- */
+
+static size_t numbers_of(const fvi_lobatto_matrices *o, const fvi_stage_damper *a)
+{
+    return 3 * a->r + 3 * o->s * a->r;
+}
+
+static int copy_damper(const fvi_lobatto_matrices *o, const fvi_stage_damper *from,
+                       fvi_stage_damper *to)
+{
+    *to = *from;
+    to->drift = to->kept = NULL;
+    to->memory = NULL;
+    to->past = (fvi_initial_history_force){ 0 };
+    int status = make_numbers(to, o->s);
+    if (!status)
+        memcpy(to->drift, from->drift, numbers_of(o, from) * sizeof *to->drift);
+    if (!status && from->kept) {
+        to->kept = malloc(o->d * sizeof *to->kept);
+        if (!to->kept)
+            FVI_FAIL("no memory for the sums of the dampers", FVI_ENOMEM);
+        memcpy(to->kept, from->kept, o->d * sizeof *to->kept);
+    }
+    if (!status)
+        status = fvi_initial_history_force_copy(&from->past, o->d, &to->past);
+    return status ? status : fvi_lobatto_history_copy(from->memory, &to->memory);
+}
+
+int fvi_stage_dampers_copy(const fvi_stepper *from, fvi_stepper *to)
+{
+    const fvi_lobatto_matrices *old = from->method_state;
+    fvi_lobatto_matrices *o = to->method_state;
+    int status = FVI_SUCCESS;
+    o->each = calloc(old->dampers + 1, sizeof *o->each);
+    if (!o->each)
+        FVI_FAIL("no memory for the dampers", FVI_ENOMEM);
+    for (size_t j = 0; !status && j < old->dampers; j++)
+        status = copy_damper(old, old->each + j, o->each + o->dampers++);
+    return status;
+}
+
+int fvi_stage_dampers_serialize(fvi_stepper *s, fvi_archive *v)
+{
+    fvi_lobatto_matrices *o = s->method_state;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; !status && j < o->dampers; j++) {
+        fvi_stage_damper *a = o->each + j;
+        status = v->serialize(v, a->drift, numbers_of(o, a) * sizeof *a->drift, 0);
+        if (!status)
+            status = fvi_lobatto_history_archive(a->memory, s->k, v);
+        if (!status && a->kept)
+            status = v->serialize(v, a->kept, o->d * sizeof *a->kept, 0);
+        if (!status && a->kept)
+            status = v->serialize(v, &a->work, sizeof a->work, 0);
+    }
+    return status;
+}
+
+void fvi_stage_dampers_stop(fvi_lobatto_matrices *o)
+{
+    for (size_t j = 0; o->each && j < o->dampers; j++) {
+        fvi_stage_damper *a = o->each + j;
+        fvi_lobatto_history_free(a->memory);
+        fvi_initial_history_force_stop(&a->past);
+        free(a->drift);
+        free(a->kept);
+    }
+    free(o->each);
+}

@@ -1,0 +1,172 @@
+/* src/methods/lobatto_matrices_start.c -- Stages of a system with matrices: the start.  [H 27] */
+#include "lobatto_matrices.h"
+
+#include "system/fail.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void stop(fvi_stepper *s)
+{
+    fvi_lobatto_matrices *o = s->method_state;
+    if (!o)
+        return;
+    const fvi_matrices *m = s->run.system->matrices;
+    for (size_t l = 0; l < o->pairs; l++)
+        if (o->factors[l] && cimag(o->pair[l].lambda) == 0)
+            m->forget(o->factors[l]);
+        else if (o->factors[l])
+            m->forget_complex(o->factors[l]);
+    fvi_stage_dampers_stop(o);
+    free(o->numbers);
+    free(o);
+}
+
+/* ---- the equation of a step ---- */
+
+/* w^T W v: what W, a function of A^{-1}, is at an eigenvalue. */
+static double complex value_at(const fvi_lobatto_matrices *o, size_t l, const double *W)
+{
+    const double complex *v = o->pair[l].v;
+    double complex sum = 0;
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t c = 0; c < o->s; c++)
+            sum += o->rule->b[i] * v[o->s - 1 - i] * W[i * o->s + c] * v[c];
+    return sum;
+}
+
+//> factors
+/* Z = lambda M + h sum_j W_j(lambda) C_j + (h^2 / lambda) K of pair l. (27.14) */
+static int factorise_pair(fvi_stepper *s, fvi_lobatto_matrices *o, size_t l, double complex *c)
+{
+    const fvi_matrices *m = s->run.system->matrices;
+    const size_t d = o->d, count = m->damper_count > 0 ? m->damper_count : 1;
+    const double complex lambda = o->pair[l].lambda;
+    const double h = s->run.h;
+    c[0] = lambda;
+    c[count + 1] = h * h / lambda;
+    for (size_t j = 0; j < o->dampers; j++)
+        c[1 + o->each[j].number] = h * value_at(o, l, o->each[j].W);
+    if (cimag(lambda) != 0)
+        return m->factorise_complex(d, (double *)c, m->params, &o->factors[l]);
+    double *re = (double *)c; /* the real parts, one after another */
+    for (size_t j = 0; j < count + 2; j++)
+        re[j] = creal(c[j]);
+    return m->damper_count > 0
+               ? m->factorise_dampers(d, re[0], re + 1, re[count + 1], m->params,
+                                      &o->factors[l])
+               : m->factorise(d, re[0], re[1], re[2], m->params, &o->factors[l]);
+}
+//< factors
+
+static int factorise(fvi_stepper *s, fvi_lobatto_matrices *o)
+{
+    const size_t count = s->run.system->matrices->damper_count + 3;
+    double complex *c = malloc(count * sizeof *c);
+    if (!c)
+        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    int status = FVI_SUCCESS;
+    for (size_t l = 0; !status && l < o->pairs; l++) {
+        memset(c, 0, count * sizeof *c);
+        status = factorise_pair(s, o, l, c);
+    }
+    free(c);
+    return status;
+}
+
+/* ---- a state ---- */
+
+static int copy(const fvi_stepper *from, fvi_stepper *to);
+static int serialize(fvi_stepper *s, fvi_archive *v);
+
+/* v and p go from step to step; V and F are read after it. */
+static size_t saved(const fvi_lobatto_matrices *o)
+{
+    return (2 + 2 * o->s) * o->d;
+}
+
+/* A state, and the method with these steps, which now is the stepper's. */
+static int make_state(fvi_stepper *s, size_t stages)
+{
+    const size_t d = s->run.system->d;
+    fvi_lobatto_matrices *o = s->method_state = calloc(1, sizeof *o);
+    if (!o)
+        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    o->method = *s->method;
+    o->method.step = fvi_lobatto_matrices_step;
+    o->method.copy = copy;
+    o->method.serialize = serialize;
+    o->method.stop = stop;
+    o->method.damper = fvi_stage_dampers_told;
+    o->method.keep_dampers = fvi_stage_dampers_keep;
+    s->method = &o->method;
+    o->rule = fvi_lobatto(stages);
+    o->s = stages;
+    o->d = d;
+    o->pairs = fvi_lobatto_eigenvalues(stages, o->pair);
+    o->numbers = calloc((6 + 3 * stages) * d, sizeof *o->numbers);
+    if (!o->numbers)
+        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    o->v = o->numbers;
+    o->p = o->v + d;
+    o->V = o->p + d;
+    o->F = o->V + stages * d;
+    o->load = o->F + stages * d;
+    o->Kx = o->load + stages * d;
+    o->Kv = o->Kx + d;
+    o->room = o->Kv + d;
+    return FVI_SUCCESS;
+}
+
+int fvi_lobatto_matrices_start(fvi_stepper *s, size_t stages, int damped)
+{
+    const fvi_matrices *m = s->run.system->matrices;
+    (void)damped;
+    if (!m->factorise_complex || !m->solve_complex || !m->forget_complex || !m->inertia)
+        return fvi_fail(s->error, FVI_EUNSUP, "matrices", NAN,
+                        "these matrices have no complex factors, or no product with M, which "
+                        "methods with stages need");
+    int status = make_state(s, stages);
+    if (status)
+        return status;
+    fvi_lobatto_matrices *o = s->method_state;
+    status = fvi_damping_velocity(s->run.system, s->p, o->v);
+    memcpy(o->p, s->p, o->d * sizeof *o->p);
+    if (!status)
+        status = fvi_stage_dampers_start(s, o->v);
+    return status ? status : factorise(s, o);
+}
+
+fvi_lobatto_matrices *fvi_lobatto_matrices_of(const fvi_stepper *s)
+{
+    return s->method->step == fvi_lobatto_matrices_step ? s->method_state : NULL;
+}
+
+int fvi_lobatto_matrices_is_pulled(const fvi_stepper *s)
+{
+    const fvi_lobatto_matrices *o = s->method_state;
+    for (size_t j = 0; j < o->dampers; j++)
+        if (o->each[j].past.size)
+            return 1;
+    return 0;
+}
+
+/* The factors belong to one run: they are made again. */
+static int copy(const fvi_stepper *from, fvi_stepper *to)
+{
+    const fvi_lobatto_matrices *old = from->method_state;
+    int status = make_state(to, old->s);
+    if (status)
+        return status;
+    fvi_lobatto_matrices *o = to->method_state;
+    memcpy(o->numbers, old->numbers, saved(o) * sizeof *o->numbers);
+    status = fvi_stage_dampers_copy(from, to);
+    return status ? status : factorise(to, o);
+}
+
+static int serialize(fvi_stepper *s, fvi_archive *v)
+{
+    fvi_lobatto_matrices *o = s->method_state;
+    const int status = v->serialize(v, o->numbers, saved(o) * sizeof *o->numbers, 0);
+    return status ? status : fvi_stage_dampers_serialize(s, v);
+}
