@@ -286,7 +286,7 @@ uninstall: ## remove what install put there
 	rm -rf $(DESTDIR)$(PREFIX)/include/fvi
 
 # The Python package: laid out with headers and library in one folder, then made a wheel.
-PACKAGE := $(wildcard src/python/*.* src/python/fvi/*)
+PACKAGE := $(wildcard src/python/*.* src/python/declarations/* src/python/fvi/*)
 
 python: $B/python/wheel ## the Python package as a wheel, build/python/fvi-*.whl (cffi)
 	ls $B/python/*.whl

@@ -1,4 +1,5 @@
 /* src/python/glue.h -- What the Python package has of C besides the library. */
+#include <fvi/columns.h>
 #include <fvi/fvi.h>
 #include <fvi/lobatto.h>
 #include <fvi/observer.h>
@@ -90,30 +91,37 @@ static size_t imposed_on(const fvi_system *system, size_t i)
 }
 /* What an observer says at the rows, where there is room for it; *done of them stand. */
 typedef struct {
-    double *a, *force, *impulse, *work, *multiplier, *work_of_force, *balance;
+    double *v, *a, *force, *impulse, *work, *multiplier, *work_of_force, *balance;
 } observed;
 static void put_row(double *to, size_t k, size_t n, const double *from)
 {
     if (to && n)
         memcpy(to + k * n, from, n * sizeof *to);
 }
+/* The steps to a row, and what is known there. */
+static int observe_row(fvi_observer *o, fvi_stepper *s, double t, fvi_observation *now)
+{
+    const int is_dense = s->method->dense != NULL;
+    const size_t node = (size_t)round(t / s->run.h);
+    int status = 0;
+    while (!status && (is_dense ? s->t < t : s->k < node))
+        status = fvi_observer_step(o, s);
+    return status ? status : fvi_observer_read(o, s, is_dense ? t : s->t, now);
+}
 static int observe(fvi_observer *o, fvi_stepper *s, size_t rows, const double *t, const observed *to, size_t *done)
 {
     const size_t dampers = fvi_observer_dampers(o), ties = constraints(s->run.system);
-    const int is_dense = s->method->dense != NULL;
     fvi_observation now;
     size_t width = 0;
     int status = 0;
     for (size_t j = 0; j < dampers; j++)
         width += fvi_observer_width(o, j);
     for (*done = 0; *done < rows && !status; *done += !status) {
-        const size_t k = *done, node = (size_t)round(t[k] / s->run.h);
-        while (!status && (is_dense ? s->t < t[k] : s->k < node))
-            status = fvi_observer_step(o, s);
-        if (!status)
-            status = fvi_observer_read(o, s, is_dense ? t[k] : s->t, &now);
+        const size_t k = *done;
+        status = observe_row(o, s, t[k], &now);
         if (status)
             break;
+        put_row(to->v, k, s->run.system->d, now.v);
         put_row(to->a, k, s->run.system->d, now.a);
         put_row(to->force, k, width, now.force);
         put_row(to->impulse, k, width, now.impulse);
@@ -124,29 +132,90 @@ static int observe(fvi_observer *o, fvi_stepper *s, size_t rows, const double *t
     }
     return status;
 }
-/* More rows of a run with events, behind the count->rows that stand, until there is another event or the run is over. */
-static int rows_to_event(fvi_stepper *s, size_t rows, const double *t, double *x, double *p, row_count *count)
+/* Typed columns at the rows; or, without room for them, their reductions. *done rows stand. */
+static int table_of_run(fvi_typed_columns *c, fvi_observer *o, fvi_stepper *s, size_t rows, const double *t,
+                        double *values, size_t *done)
+{
+    const size_t width = fvi_typed_columns_count(c);
+    double *row = malloc((width + 1) * sizeof *row);
+    fvi_observation now;
+    int status = row ? 0 : FVI_ENOMEM;
+    for (*done = 0; *done < rows && !status; *done += !status) {
+        status = observe_row(o, s, t[*done], &now);
+        if (!status)
+            status = fvi_typed_columns_values(c, &now, values ? values + *done * width : row);
+        if (!status && !values)
+            status = fvi_reductions_add(c, t[*done]);
+    }
+    free(row);
+    return status;
+}
+/* More rows behind the count->rows that stand, until there is an event, the run is over or so much time has passed. */
+static int rows_of_stepper(fvi_stepper *s, size_t rows, const double *t, double *x, double *p, row_count *count,
+                           double seconds)
 {
     const size_t d = s->run.system->d;
-    size_t before, now;
+    const int is_dense = s->method->dense != NULL;
+    struct timespec begin, here;
+    size_t before, now, steps = 0;
     int status = 0;
     fvi_stepper_events(s, &before);
+    clock_gettime(CLOCK_MONOTONIC, &begin);
     while (count->rows < rows && !status) {
         const size_t k = count->rows;
-        if (s->t >= t[k]) {
-            status = fvi_stepper_advance_to(s, t[k], x + k * d, p + k * d);
+        if (is_dense ? s->t >= t[k] : s->k >= (size_t)round(t[k] / s->run.h)) {
+            status = fvi_stepper_advance_to(s, is_dense ? t[k] : s->t, x + k * d, p + k * d);
             if (!status)
                 status = count_row(k, t[k], NULL, NULL, count);
-        } else if (fvi_stepper_is_over(s)) {
+            continue;
+        }
+        if (fvi_stepper_is_over(s))
             break;
-        } else {
-            status = fvi_stepper_step(s);
-            fvi_stepper_events(s, &now);
-            if (now > before)
+        status = fvi_stepper_step(s);
+        fvi_stepper_events(s, &now);
+        if (now > before)
+            break;
+        if (++steps % 64 == 0) {
+            clock_gettime(CLOCK_MONOTONIC, &here);
+            if ((double)(here.tv_sec - begin.tv_sec) + 1e-9 * (double)(here.tv_nsec - begin.tv_nsec) >= seconds)
                 break;
         }
     }
     return status;
+}
+/* What steps have changed, as bytes; `to` NULL: how many. */
+typedef struct {
+    fvi_archive archive;
+    unsigned char *bytes;
+    size_t at, size;
+    int is_loaded;
+} stepper_bytes;
+static int pass_piece(fvi_archive *archive, void *data, size_t bytes, int constant)
+{
+    stepper_bytes *b = (stepper_bytes *)archive;
+    unsigned char *here = b->bytes + b->at;
+    if (b->bytes && bytes > b->size - b->at)
+        return FVI_EINVAL;
+    b->at += bytes;
+    if (!b->bytes || bytes == 0)
+        return 0;
+    if (b->is_loaded && constant)
+        return memcmp(data, here, bytes) == 0 ? 0 : FVI_EINVAL;
+    memcpy(b->is_loaded ? data : here, b->is_loaded ? here : data, bytes);
+    return 0;
+}
+static int save_stepper(fvi_stepper *s, unsigned char *to, size_t room, size_t *size)
+{
+    stepper_bytes b = { .archive = { pass_piece }, .bytes = to, .size = room };
+    const int status = fvi_stepper_archive(s, &b.archive);
+    *size = b.at;
+    return status;
+}
+static int load_stepper(fvi_stepper *s, const unsigned char *from, size_t size)
+{
+    stepper_bytes b = { .archive = { pass_piece }, .bytes = (unsigned char *)from, .size = size, .is_loaded = 1 };
+    const int status = fvi_stepper_archive(s, &b.archive);
+    return status ? status : b.at == size ? 0 : FVI_EINVAL;
 }
 /* x at increasing times: at the ends of steps, but for roundings, as they are, and by their stages between them. */
 static int places_within(fvi_stepper *s, size_t count, const double *t, double *x)
@@ -183,25 +252,12 @@ static const char *damper_name(const fvi_system *system, size_t j)
 {
     return system->mechanism ? system->mechanism->damper[j].name : NULL;
 }
-/* The velocities of each row; of a coordinate without inertia NaN. */
-static int velocities(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p,
-                      double *v)
+/* fvi_velocity of each row. */
+static int velocities(const fvi_system *system, size_t rows, const double *p, double *v)
 {
-    const size_t d = system->d;
-    const int has_lagrangian = system->mechanism && system->mechanism->lagrangian;
     int status = 0;
-    for (size_t k = 0; k < rows && !status; k++) {
-        double *now = v + k * d;
-        for (size_t i = 0; i < d; i++)
-            now[i] = k > 0 ? now[i - d] : 0; /* a guess */
-        if (has_lagrangian)
-            status = fvi_velocity_of_momentum(system, t[k], x + k * d, p + k * d, now);
-        else if (system->matrices)
-            status = fvi_velocity(system, p + k * d, now);
-        else
-            for (size_t i = 0; i < d; i++)
-                now[i] = system->mass[i] > 0 ? p[k * d + i] / system->mass[i] : NAN;
-    }
+    for (size_t k = 0; k < rows && !status; k++)
+        status = fvi_velocity(system, p + k * system->d, v + k * system->d);
     return status;
 }
 static void listen(unsigned long thread)

@@ -44,4 +44,4 @@ def test_an_example_says_what_it_should(name):
 
 
 def test_the_gallery_is_complete():
-    assert {path.stem for path in EXAMPLES.glob("*.py")} == {*SAYS, "duffing"}
+    assert {path.stem for path in EXAMPLES.glob("*.py")} == {*SAYS, "duffing", "report"}

@@ -1,4 +1,4 @@
-"""The Python package: what interface.py declares is what the headers say.
+"""The Python package: what it declares is what the headers say.
 
 cffi compares a struct with the header only when the struct is first used. It compiles a call of each function, but in a
 call an int becomes a double without a word. Here all structs are read, and all functions declared behind the headers."""
@@ -12,9 +12,10 @@ from fvi._fvi import ffi, lib
 
 
 def declared():
-    """The statements of interface.py, without comments; a brace holds one together."""
-    text = re.search(r'cdef\("""(.*?)"""\)', pathlib.Path("src/python/interface.py").read_text(), re.S)[1]
-    text = re.sub(r"^#.*$", "", text, flags=re.M)
+    """The statements of src/python/declarations, without comments; a brace holds one together."""
+    parts = sorted(pathlib.Path("src/python/declarations").glob("*.h"))
+    text = "\n".join(part.read_text() for part in parts)
+    text = re.sub(r"^#.*$|/\*.*?\*/", "", text, flags=re.M)
     return [each.strip() for each in re.findall(r"(?:[^;{}]|\{[^{}]*\})+;", text)]
 
 
@@ -47,7 +48,8 @@ def test_structs_and_constants_are_those_of_the_headers():
 @pytest.mark.skipif(not shutil.which("gcc"), reason="no gcc")
 def test_functions_are_those_of_the_headers(tmp_path):
     found = functions()
-    own = {"ask_value", "ask_gradient", "ask_hessian", "ask_quadratic", "ask_force", "ask_symbol", "look_up", "report_progress"}
+    own = {"ask_value", "ask_gradient", "ask_hessian", "ask_quadratic", "ask_force", "ask_symbol", "ask_event", "ask_normal",
+           "look_up", "report_progress"}
     called = {name for name in dir(lib) if isinstance(getattr(lib, name), type(lib.fvi_version))}
     assert {match[1] for each in found if (match := re.search(r"(\w+)\(", each))} == called - own and len(called) > 80
     assert refused(found, tmp_path) == ""

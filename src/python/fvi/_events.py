@@ -1,6 +1,7 @@
 """Events of a motion: marks, stops, impacts."""
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, Callable, Optional, Sequence, Union
 
@@ -157,7 +158,7 @@ def rows_with_events(motion: Any, events: Sequence[Event], t: Array, x: Array, p
     stepper = ffi.gc(out[0], lib.fvi_stepper_free)
     arrays = [ffi.from_buffer("double[]", a) for a in (t, x, p)]
     while not status and count.rows < len(t):
-        status = ask(lib.rows_to_event, stepper, len(t), *arrays, count)
+        status = ask(lib.rows_of_stepper, stepper, len(t), *arrays, count, math.inf)
         known = happened.note(stepper, known)
         if lib.fvi_stepper_is_over(stepper) and not (count.rows < len(t) and t[count.rows] <= stepper.t):
             break

@@ -14,7 +14,7 @@ from ._system import Law, Potential
 
 Force = Union[None, str, Callable[[float], Numbers], tuple[Sequence[float], Numbers]]
 NUMERIC = ("t_eval", "error", "method", "h", "steps", "kappa", "progress", "step_error", "longest", "most_steps",
-           "memory", "tolerance", "events")
+           "memory", "tolerance", "events", "checkpoint")
 OTHERS = {"derivative": "past", "U": "potential", "m": "mass", "F": "force", "T": "time", "M": "mass", "beta": "order"}
 
 

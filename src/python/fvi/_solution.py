@@ -5,7 +5,7 @@ from typing import Any, Optional
 
 import numpy as np
 
-from ._arguments import Array, Numbers, numbers
+from ._arguments import Array, Numbers, numbers, word
 from ._events import rows_with_events
 from ._fvi import ffi, lib
 from ._library import ask, error_of, failure, succeed
@@ -76,9 +76,11 @@ class Solution:
 
     @property
     def v(self) -> Array:
+        if self.problem.kind == "mechanism":  # the run knows more of them than x and p
+            return self.observed("v")
         if self._v is None:
             self._v = np.empty(self.x.shape)
-            succeed(ask(lib.velocities, self.motion.run.system, len(self.t), *self.arrays(),
+            succeed(ask(lib.velocities, self.motion.run.system, len(self.t), self.arrays()[2],
                         ffi.from_buffer("double[]", self._v)), " (velocities)")
         return self._v
 
@@ -96,8 +98,8 @@ class Solution:
         found: dict = self._observed
         if name not in found:
             from ._observe import observe
-            wanted = lib.FVI_OBSERVE_ACCELERATION | lib.FVI_OBSERVE_MULTIPLIER
-            if name not in ("a", "multipliers", "reactions") or not self.how.events:
+            wanted = lib.FVI_OBSERVE_VELOCITY if name == "v" else lib.FVI_OBSERVE_ACCELERATION | lib.FVI_OBSERVE_MULTIPLIER
+            if name != "v" and (name not in ("a", "multipliers", "reactions") or not self.how.events):
                 wanted |= lib.FVI_OBSERVE_FORCE | lib.FVI_OBSERVE_IMPULSE | lib.FVI_OBSERVE_WORK
             found.update(observe(self, wanted))
         return found[name]
@@ -169,6 +171,22 @@ class Solution:
             status = ask(lib.places_within, stepper, t.size, ffi.from_buffer("double[]", np.ascontiguousarray(t)),
                          ffi.from_buffer("double[]", x))
         return None if not status else error_of(error, status) if error.code == status else failure(status)
+
+    def table(self, columns: str) -> dict:
+        """Columns as the program has them, "t, drift=x2-x1, floor=a2+ag, d1.force", a dict by names of arrays (n,).
+
+        The names are t, x, p, v, a, F, ag, energy, work, balance and those of dampers, d1.force, d1.impulse, d1.work, with
+        numbers in more dimensions: x1, ..., d1.force1, ... NAME=... gives a name. The motion is run again for it."""
+        from ._observe import Columns
+        return Columns(self, word("columns", columns)).table()
+
+    def reduce(self, reductions: str, columns: Optional[str] = None) -> dict:
+        """What becomes of columns over all rows, "peak(x2-x1), at(peak(x2-x1)), rms(v1)", a dict by names of numbers.
+
+        min, max, absmax, mean, rms, first, last, and peak, which is absmax refined by the parabola through three rows;
+        at(...) is the time of it. They may use the names of `columns`. The motion is run again for it."""
+        from ._observe import Columns
+        return Columns(self, None if columns is None else word("columns", columns), word("reduce", reductions)).reduced()
 
     # ---- for others ----
 

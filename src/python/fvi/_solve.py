@@ -12,6 +12,7 @@ from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
 import numpy as np
 
 from ._arguments import Array, Numbers, choice, described, number, numbers, spelt, whole, word
+from ._checkpoint import Checkpoint, rows_with_checkpoint
 from ._events import Event, Events, listed, rows_with_events
 from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, warn_of_start
@@ -41,6 +42,7 @@ class Numerics:
     tolerance: float
     t_eval: Optional[Array]
     events: tuple = ()
+    checkpoint: Optional[str] = None
 
 
 class Motion:
@@ -55,7 +57,7 @@ class Motion:
         mechanism = Mechanism(q.lagrangian, q.dampers, q.constraints, q.impose, q.force_on, own_law(
             alpha, q.damping, q.past)) if q.kind == "mechanism" else None
         structure = Structure(q.M, q.K, q.C, q.dampers, PASTS) if is_structure else None
-        self.time = q.time
+        self.problem, self.time = q, q.time
         self.system = s = System(q.potential, q.force, 1.0 if is_structure else q.mass, 0.0 if is_structure else rho, x0,
                                  p0, q.let, q.time, q.damping, mechanism, structure, q.ground, q.along,
                                  Events(how.events) if how.events else None)
@@ -125,7 +127,8 @@ def report_progress(rows: int, all: int, tell: Any) -> int:
 
 def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], method: Optional[str],
            h: Optional[float], steps: Optional[int], kappa: Optional[float], step_error: Optional[float],
-           longest: Optional[float], most_steps: Optional[int], memory: str, tolerance: float, events: tuple = ()) -> Numerics:
+           longest: Optional[float], most_steps: Optional[int], memory: str, tolerance: float, events: tuple = (),
+           checkpoint: Union[None, str, os.PathLike] = None) -> Numerics:
     """What the arguments of `solve` mean together."""
     if not isinstance(problem, Problem):
         raise TypeError(f"problem: {described(problem)} is no fvi.Problem")
@@ -133,6 +136,9 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
         raise ValueError(f"time: {problem.time} is not above 0, or not finite")
     if events and error is not None:
         raise ValueError("error: not together with events; step_error is what one step of fvi-adaptive may be off by")
+    for other, is_there in (("error", error is not None), ("events", bool(events))):
+        if checkpoint is not None and is_there:
+            raise ValueError(f"checkpoint: not together with {other}")
     for name, one, others in (("error", error, ("h", "step_error")), ("step_error", step_error, ("h",))):
         for other in others:
             if one is not None and {"h": h, "step_error": step_error}[other] is not None:
@@ -180,7 +186,8 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
     return Numerics(method, h, count, 0.5 if kappa is None else number("kappa", kappa), error, step_error, longest,
                     0 if most_steps is None else whole("most_steps", most_steps, 1),
                     next(name for name in MEMORIES if choice("memory", memory, MEMORIES) == MEMORIES[name]),
-                    number("tolerance", tolerance), times, events)
+                    number("tolerance", tolerance), times, events,
+                    None if checkpoint is None else os.fspath(checkpoint))
 
 
 def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
@@ -193,7 +200,8 @@ def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
     count = ffi.new("row_count *", {"all": rows, "tell": ffi.NULL if tell is None else handle})
     t = np.arange(rows) * motion.run.h if how.t_eval is None else how.t_eval.copy()
     try:
-        found = by_events(motion, how, t, x, p, count) if how.events else by_library(motion, how, x, p, count)
+        found = by_stepper(motion, how, t, x, p, count) if how.events or how.checkpoint else \
+            by_library(motion, how, x, p, count)
     finally:
         if isinstance(tell, Bar):
             tell.clear()
@@ -234,14 +242,21 @@ def by_library(motion: Motion, how: Numerics, x: Array, p: Array, count: Any) ->
     return Found(None, len(x), said, report.steps, report.h, estimate)
 
 
-def by_events(motion: Motion, how: Numerics, t: Array, x: Array, p: Array, count: Any) -> Found:
-    raised, happened, stepper = rows_with_events(motion, how.events, t, x, p, count)
+def by_stepper(motion: Motion, how: Numerics, t: Array, x: Array, p: Array, count: Any) -> Found:
+    events, end = None, None
+    if how.checkpoint:
+        raised, stepper = rows_with_checkpoint(motion, Checkpoint(how.checkpoint, motion.problem, how), t, x, p, count)
+    else:
+        raised, happened, stepper = rows_with_events(motion, how.events, t, x, p, count)
+        events, end = happened.arrays(), happened.end
     if raised is not None:
-        return Found(raised, count.rows, "", None, motion.run.h, None, happened.arrays())
-    counts = ffi.new("fvi_step_statistics *")
-    succeed(ask(lib.fvi_stepper_statistics, stepper, counts))
-    return Found(None, count.rows, f"{counts.steps} steps of {how.method}" + (f", {happened.end}" if happened.end else ""),
-                 counts.steps, counts.longest, None, happened.arrays())
+        return Found(raised, count.rows, "", None, motion.run.h, None, events)
+    steps, longest = stepper.k, motion.run.h
+    if lib.is_dense(motion.method):
+        counts = ffi.new("fvi_step_statistics *")
+        succeed(ask(lib.fvi_stepper_statistics, stepper, counts))
+        steps, longest = counts.steps, counts.longest
+    return Found(None, count.rows, f"{steps} steps of {how.method}" + (f", {end}" if end else ""), steps, longest, None, events)
 
 
 @spelt()
@@ -249,7 +264,8 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
           method: Optional[str] = None, h: Optional[float] = None, steps: Optional[int] = None,
           kappa: Optional[float] = None, progress: Progress = None, *, step_error: Optional[float] = None,
           longest: Optional[float] = None, most_steps: Optional[int] = None, memory: str = "auto",
-          tolerance: float = 0.0, events: Union[str, Event, Sequence[Union[str, Event]]] = ()) -> Solution:
+          tolerance: float = 0.0, events: Union[str, Event, Sequence[Union[str, Event]]] = (),
+          checkpoint: Union[None, str, os.PathLike] = None) -> Solution:
     """The motion of a problem, from 0 to its time, as a `Solution`.
 
         fvi.solve(problem)                                  steps are found, each right to 1e-10 of the largest |x|
@@ -269,13 +285,15 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
     most_steps  likewise: no run takes more
     events      what is watched, of "fvi-adaptive": 'Z : WHAT' as the program has them, "x : impact:0.8", "v : mark",
                 "x1 - 2 : stop", or an `Event`; one or several. The Solution has their times, t_events
+    checkpoint  the name of a file to which the motion is written, every 10 s and at its end. If it is there, the motion
+                goes on from it: the numbers are those of a run that was never stopped, to the bit
     memory, tolerance  how the past is summed, "auto", "direct" or "exponentials", and the tolerance of the latter
 
     Raises TypeError and ValueError for what cannot be meant; fvi.Error with the library's code for what could not
     be done, its `rows` being the motion until then; what a function of yours raised. Warns by fvi.FviWarning.
     """
     return solved(problem, chosen(problem, t_eval, error, method, h, steps, kappa, step_error, longest, most_steps,
-                                  memory, tolerance, listed(events)), progress)
+                                  memory, tolerance, listed(events), checkpoint), progress)
 
 
 @spelt(solve)
@@ -295,6 +313,8 @@ def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[
 
     The first motion that fails raises its error; Ctrl-C ends all of them.
     """
+    if options.get("checkpoint") is not None:
+        raise ValueError("checkpoint: of one motion, not of many")
     names = list(vary)
     grid = list(itertools.product(*(list(vary[name]) for name in names)))
     shape = tuple(len(list(vary[name])) for name in names)
