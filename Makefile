@@ -360,6 +360,8 @@ test-example: tests/example/duffing.c $B/libfvi.a
 	$B/example > $B/example.out && test "$$(wc -l < $B/example.out)" -eq 201 && echo 'README example: 201 rows'
 	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc tests/example/observer.c $B/libfvi.a $(LINKED) -o $B/example_observer
 	test "$$($B/example_observer | wc -l)" -eq 200 && echo 'example of an observer: 200 rows'
+	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc tests/example/moving.c $B/libfvi.a $(LINKED) -o $B/example_moving
+	$B/example_moving | cmp - $B/example.out && echo 'example of version 0.2, with new names: the same 201 rows'
 
 test-install: $B/libfvi.so.$(VERSION) $B/libfvi.a $B/fvi test-example
 	GSL_CFLAGS='$(GSL_CFLAGS)' $(PYTHON) src/make/interface.py $<

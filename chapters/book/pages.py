@@ -24,7 +24,7 @@ OTHERS = {"README.md": "index", "chapters/README.md": "course",
           "chapters/workshop/README.md": "workshop", "chapters/workshop/exercises.md": "exercises",
           "chapters/workshop/lectures.md": "lectures",
           **{f"chapters/handbook/{name}.md": name for name in
-             ("manual", "reports", "python", "tour", "equations", "statements", "what_the_principle_buys", "evidence", "symbols", "glossary", "bibliography")}}
+             ("manual", "reports", "python", "tour", "moving", "equations", "statements", "what_the_principle_buys", "evidence", "symbols", "glossary", "bibliography")}}
 FOLDERS = ("", "further", "handbook")  # of the Course, and of the two that stand behind it
 CUT = "page-ends-here"
 MOVES = re.compile(r"<!-- moves: (\w+) -->")

@@ -1,7 +1,8 @@
 """Follow every relative link of README.md and the chapters; see that the page of
 statements names all 87 of the paper, each with a link; see that an entry of the bibliography
-names the pages that cite it, and that no other page prints a volume and a year. Exit 1 with
-the list of what is wrong."""
+names the pages that cite it, and that no other page prints a volume and a year; that the page
+on names from one version to the next gives a name that there is for one that there is not. Exit 1
+with the list of what is wrong."""
 import pathlib
 import re
 import sys
@@ -78,12 +79,28 @@ def faults_of_bibliography(pages):
             yield f"{BIBLIOGRAPHY}: {name}: no page cites it"
 
 
+def faults_of_names(page):
+    """Rows `| old | new | header |`, each in backquotes but the header, below src/fvi."""
+    rows = re.findall(r"^\| `(\w+)` \| `(\w+)` \| ([\w/]+\.h) \|$", page.read_text(), re.M)
+    headers = {str(path.relative_to("src/fvi")): set(re.findall(r"\w+", re.sub(r"/\*.*?\*/", "", path.read_text(), flags=re.S)))
+               for path in pathlib.Path("src/fvi").rglob("*.h")}
+    public = set().union(*headers.values())
+    for old, new, header in rows:
+        if new not in headers.get(header, ()):
+            yield f"{page}: {new} is not in src/fvi/{header}"
+        if old in public:
+            yield f"{page}: {old} is a name of today's"
+    if not rows:
+        yield f"{page}: there is no table of names"
+
+
 def main():
     root = pathlib.Path(".")
     pages = [root / "README.md", *sorted(root.glob("chapters/**/*.md"))]
     faults = [fault for page in pages for fault in (*faults_of_links(page), *faults_of_regions(page))]
     faults += faults_of_statements(root / "chapters/handbook/statements.md")
     faults += faults_of_bibliography(pages)
+    faults += faults_of_names(root / "chapters/handbook/moving.md")
     sys.exit("\n".join(faults) or 0)
 
 
