@@ -39,8 +39,8 @@ typedef struct {
  *   mass, damping  by each mass and each damping, d numbers each
  *   alpha          by alpha, one number, all dampings together; there is none of a law
  *   terms, orders, times, ends  by rho, alpha, time and end of each term of run->law,
- *                  law->count numbers each; 0 where its kind has no such number. Only
- *                  terms is known of a law with a MAXWELL2
+ *                  law->count numbers each; 0 where its kind has no such number. Of several
+ *                  dampers those of the terms of all their laws, one damper behind another
  *   force          by the force: component i at t_k at [k * d + i], (N + 1) d numbers;
  *                  of a method with s stages at all their times t_k + c_i h in one row,
  *                  ((s - 1) N + 1) d numbers. Where a step ends and the next begins,
@@ -71,8 +71,9 @@ typedef struct {
  * for: no step size is small. With a compressed memory they belong to the weights as
  * they are compressed; the derivative by alpha is that of the true weights to (23.11),
  * (23.14), and on a mesh that of the weights (22.10) as they are, (23.18); those by the
- * orders and times of a law are sums of sums, (23.21), each compressed by itself: up to
- * three memories a term.
+ * orders and times of a law are sums of sums, (23.21), or weights of their own, (23.28), each
+ * compressed by itself: up to four memories a term. With stages a DAVIDSON has a derivative by
+ * rho alone.
  *
  *   past   alpha > 1/2, CAPUTO: the memory knows p0/m; at alpha = 1/2 it begins to, and
  *          x jumps if p0 != 0: the derivative by alpha is that from below. The other
@@ -88,8 +89,8 @@ typedef struct {
  *          that of a law of one term; by p0, where the law grows faster than s, NaN is
  *          written, as such a run begins at rest
  *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19) With several
- *          dampers `damping` has a number for each, by a factor of its kernel; there is none by the
- *          numbers of their laws, nor of a J that depends on momenta before p_N
+ *          dampers `damping` has a number for each, by a factor of its kernel. There is none of a J
+ *          that depends on momenta before p_N
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
  *          fvi_variable_step, where nothing is damped, is the one of form M with such a damping
  *

@@ -33,7 +33,7 @@ static double *weights_of(const fvi_kernel_ready *r, size_t count, double *first
         return NULL;
     }
     *first = w[0];
-    for (size_t n = 0; n < count && *first > 0; n++)
+    for (size_t n = 0; n < count && *first != 0; n++)
         w[n] /= *first;
     return w;
 }

@@ -216,7 +216,7 @@ static int start_one(const fvi_stepper *s, fvi_initial_history past, fvi_damping
     int status = FVI_SUCCESS;
     d->unit = d->of.rho * pow(run->h, 1 - 2 * d->of.alpha);
     if (linearised)
-        status = keep_sums(d, linearised->by_order);
+        status = keep_sums(d, linearised->by_order && !d->of.law);
     if (status)
         return status;
     if (run->system->matrices)

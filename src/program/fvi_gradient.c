@@ -2,6 +2,7 @@
 #include "fvi_commands.h"
 
 #include "fvi_gradient_answer.h"
+#include "fvi_gradient_rows.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
@@ -19,7 +20,7 @@ static const char *const not_for_gradient[] = {
 };
 
 static const fvi_own_command gradient = {
-    .name = "gradient", .own = { "of", "forces" }, .without = not_for_gradient
+    .name = "gradient", .own = { "of", "by", "forces" }, .without = not_for_gradient
 };
 
 typedef fvi_gradient_request request;
@@ -119,25 +120,6 @@ static int interpret(request *r, fvi_error *c)
 
 /* ---- derivatives ---- */
 
-static size_t dampers_of(const request *r)
-{
-    return r->system.mechanism ? r->system.mechanism->damper_count : 0;
-}
-
-/* By x0, p0, masses and dampings, by alpha, c and g, by each --let, by the terms of a law. */
-static size_t numbers_of(const request *r)
-{
-    return 4 * r->o.d + 3 + r->o.lets.count + dampers_of(r) + 4 * r->terms;
-}
-
-static int by_let(size_t j, size_t d, const double *x, void *params, double *S)
-{
-    double value;
-    (void)d;
-    fvi_expression_parameter_gradient(params, j, x, &value, S);
-    return 0;
-}
-
 /* The row N comes first: it is kept, and so is the number of which these are the slopes. */
 static int slopes(size_t k, size_t d, const double *x, const double *p,
                   void *params, double *Jx, double *Jp)
@@ -182,8 +164,10 @@ static int add_energy_of_matrices(request *r, const double *x)
     if (!none)
         return FVI_ENOMEM;
     const int status = fvi_energy(&r->system, x, none, &still);
-    *r->to.mass -= r->value - still;
-    *r->to.parameters += still;
+    if (r->to.mass)
+        *r->to.mass -= r->value - still;
+    if (r->to.parameters)
+        *r->to.parameters += still;
     free(none);
     return status;
 }
@@ -193,12 +177,12 @@ static int add_energy(request *r, const double *x, const double *p)
 {
     if (r->system.matrices)
         return add_energy_of_matrices(r, x);
-    for (size_t i = 0; i < r->o.d; i++) {
+    for (size_t i = 0; r->to.mass && i < r->o.d; i++) {
         const double v = p[i] / r->o.mass[i];
         r->to.mass[i] -= v * v / 2;
     }
     int status = 0;
-    for (size_t j = 0; j < r->to.sensitivity.count && !status; j++) {
+    for (size_t j = 0; r->to.parameters && j < r->to.sensitivity.count && !status; j++) {
         double value = 0;
         status = energy_by(r, j, x, &value);
         r->to.parameters[j] += value;
@@ -206,18 +190,10 @@ static int add_energy(request *r, const double *x, const double *p)
     return status;
 }
 
-static int force_has_lets(const request *r)
-{
-    for (size_t j = 0; j < r->o.lets.count; j++)
-        if (r->o.lets.used[j] & FVI_USED_BY_FORCE)
-            return 1;
-    return 0;
-}
-
 /* A --let may stand in the force. */
 static void add_forces(request *r)
 {
-    for (size_t j = 0; force_has_lets(r) && j < r->o.lets.count; j++)
+    for (size_t j = 0; fvi_gradient_force_has_lets(r) && j < r->o.lets.count; j++)
         for (size_t k = 0; k <= r->o.steps * r->per; k++) {
             const double by = fvi_typed_force_by_parameter(
                 r->o.force, j, fvi_gradient_row_time(r, k));
@@ -230,7 +206,7 @@ static void add_forces(request *r)
  * and Liouville's past NaN says that there is no derivative by x0. */
 static int are_finite(const request *r)
 {
-    const size_t d = r->o.d, end = numbers_of(r);
+    const size_t d = r->o.d, end = fvi_gradient_numbers(r);
     const int by_x0 = r->run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
               by_p0 = r->o.method->scheme != FVI_SCHEME_VARIABLE_STEP || !r->terms;
     return isfinite(r->value) && fvi_all_finite(end - 2 * d, r->numbers + 2 * d)
@@ -272,6 +248,8 @@ static int differentiate(request *r)
                                         &objective, &r->to);
     fvi_progress_clear();
     if (!status)
+        fvi_gradient_name_pairs(r);
+    if (!status)
         add_forces(r);
     if (!status && r->of == 2)
         status = add_energy(r, r->last, r->last + d);
@@ -281,65 +259,15 @@ static int differentiate(request *r)
     return status ? complain_of(r, status) : 0;
 }
 
-/* A law has none. In form M p is another number at alpha = 1 than below, (17.17); a mesh that
- * was made without a singular start has none by it. */
-static int has_alpha(const request *r)
-{
-    const fvi_method *m = r->o.method;
-    if (r->terms || r->system.mechanism)
-        return 0;
-    if (m->scheme == FVI_SCHEME_VARIABLE_STEP
-        && (r->run.alpha == 0 || r->run.alpha == 1))
-        return !fvi_initial_history_acts(r->run.past, r->run.alpha);
-    return !m->stages || m->damped_inertia || r->o.alpha < 1;
-}
-
-static int make_room(request *r)
-{
-    const size_t d = r->o.d;
-    r->to.sensitivity = fvi_parameter_gradient_of(&r->system.potential);
-    if (r->o.potential.expression)
-        r->to.sensitivity = (fvi_parameter_gradient){ r->o.lets.count, by_let };
-    const double rows =
-        8 * (double)d * (double)r->per * (double)(r->o.steps + 1);
-    const int wanted =
-        r->words.own[FORCES] || force_has_lets(r);
-    const size_t terms = r->terms;
-    r->numbers = calloc(numbers_of(r), sizeof(double));
-    if (wanted && rows < fvi_machine_bytes())
-        r->force = malloc((r->o.steps * r->per + 1) * d * sizeof *r->force);
-    if (!r->numbers || (wanted && !r->force))
-        return fvi_complain("not enough memory");
-    r->to.x0 = r->numbers;
-    r->to.p0 = r->to.x0 + d;
-    r->to.force = r->force;
-    r->lets = r->to.p0 + 3 * d + 3; /* behind c and g */
-    r->to.mass = r->to.p0 + d;
-    r->to.damping = r->to.mass + d;
-    r->to.alpha = has_alpha(r) ? r->to.damping + d : NULL;
-    r->to.parameters = r->o.potential.expression ? r->lets : r->to.damping + d + 1;
-    if (r->system.mechanism) /* a number for each damper */
-        r->to.damping = r->lets + r->o.lets.count;
-    if (terms == 0)
-        return 0;
-    if (r->o.method->scheme != FVI_SCHEME_VARIABLE_STEP || terms == 1)
-        r->to.terms = r->lets + r->o.lets.count;
-    if (r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP)
-        return 0;
-    for (size_t i = 0; i < terms; i++)
-        if (r->run.law->term[i].kind >= FVI_KERNEL_MAXWELL2)
-            return 0;
-    r->to.orders = r->to.terms + terms;
-    r->to.times = r->to.orders + terms;
-    r->to.ends = r->to.times + terms;
-    return 0;
-}
-
 /* ---- the command ---- */
 
 static int answer(request *r)
 {
-    int failed = make_room(r);
+    fvi_error error;
+    r->by_lets = 1;
+    int failed = fvi_gradient_make_room(r);
+    if (!failed && fvi_gradient_choose(r, &error))
+        failed = fvi_refused(&error, gradient.name);
     if (!failed)
         failed = fvi_run_warn(&r->o, &r->run, sizeof r->unstable, r->unstable);
     if (!failed)

@@ -7,7 +7,7 @@
 #include "fvi_run.h"
 
 /* Its own options, words.own[OF] and so on. */
-enum { OF, FORCES };
+enum { OF, BY, FORCES };
 
 /* What the words say, and what comes out. */
 typedef struct {
@@ -22,8 +22,27 @@ typedef struct {
     fvi_sensitivities to;
     size_t per;                     /* rows of the force in a step */
     double *numbers, *lets, *force; /* by each --let, by each F */
+    int by_lets;                    /* some --let is asked for */
+    int has_alpha, has_terms, has_orders, has_pairs; /* which rows there are; has_pairs: of two
+                                                      * springpots in series */
     char unstable[FVI_WARNING_ROOM];    /* what is said of the step */
 } fvi_gradient_request;
+
+/* How many dampers; how many terms their laws have, or that of --damping. */
+size_t fvi_gradient_dampers(const fvi_gradient_request *r);
+size_t fvi_gradient_terms(const fvi_gradient_request *r);
+
+/* How many numbers stand in `numbers`. */
+size_t fvi_gradient_numbers(const fvi_gradient_request *r);
+
+/* Is a --let asked for that stands in the force? */
+int fvi_gradient_force_has_lets(const fvi_gradient_request *r);
+
+/* Room for all numbers that a run of this kind has. Returns the exit code. */
+int fvi_gradient_make_room(fvi_gradient_request *r);
+
+/* The numbers of two springpots in series, after the derivatives, become those of the words. */
+void fvi_gradient_name_pairs(fvi_gradient_request *r);
 
 /* The time of row k of the forces. */
 double fvi_gradient_row_time(const fvi_gradient_request *r, size_t k);

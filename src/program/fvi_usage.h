@@ -229,6 +229,7 @@ static const char usage_gradient[] =
     "the derivatives of the last row of a run by all that determines it\n"
     "  --of WHAT        x, p, energy; x:2 of the second mass   [x; energy of "
     "many]\n"
+    "  --by NAMES       these rows alone, as x0,alpha,d1.rho   [all]\n"
     "  --forces FILE    t, and the derivative by the force at t\n"
     "and of run: --method (all with memory; of --damping not fvi-shifted)\n"
     "--alpha --order --rho --damping --mass --potential --let --dimension --system\n"

@@ -26,10 +26,15 @@ static int momenta_are_known(const fvi_method *method, const fvi_run *run,
            || fvi_run_normal(method, run).alpha != 1;
 }
 
-/* How many terms the law of a run has, whose numbers there may be derivatives by. */
+/* Terms of the law of a run, or of the laws of all its dampers, whose numbers there may be derivatives
+ * by. */
 static size_t terms_of(const fvi_run *run)
 {
-    return run->law ? run->law->count : 0;
+    const fvi_mechanism *m = run->system ? run->system->mechanism : NULL;
+    size_t terms = run->law ? run->law->count : 0;
+    for (size_t j = 0; m && j < m->damper_count; j++)
+        terms += m->damper[j].kernel->count;
+    return terms;
 }
 
 /* fvi-shifted puts another kernel in the place of a law, of which there is no adjoint. */
@@ -41,6 +46,14 @@ static int check_shifted(const fvi_run *run)
                      "and of one damping fvi-adaptive and the methods with stages",
                      FVI_EUNSUP);
     return FVI_SUCCESS;
+}
+
+static int has_kind(const fvi_kernel *law, fvi_kernel_kind kind)
+{
+    for (size_t i = 0; law && i < law->count; i++)
+        if (law->term[i].kind == kind)
+            return 1;
+    return 0;
 }
 
 static int check(const fvi_method *method, const fvi_run *run, const double *x,
@@ -62,14 +75,16 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         status = fvi_adjoint_dampers_check(method, run, J, want);
     if (status)
         return status;
-    for (size_t i = 0; i < terms_of(run); i++)
-        if (run->law->term[i].kind >= FVI_KERNEL_MAXWELL2
-            && (want->orders || want->times || want->ends))
-            FVI_FAIL("this kind of law has a derivative by rho alone",
-                     FVI_EUNSUP);
-    if (terms_of(run) ? want->alpha != NULL : fvi_adjoint_kernel_is_wanted(want))
+    if (run->law ? want->alpha != NULL
+                 : !(run->system && run->system->mechanism)
+                       && fvi_adjoint_kernel_is_wanted(want))
         FVI_FAIL("a law has terms, and no alpha; a power the other way round",
                  FVI_EINVAL);
+    if (method->scheme == FVI_SCHEME_LOBATTO && (want->orders || want->times)
+        && has_kind(run->law, FVI_KERNEL_DAVIDSON))
+        FVI_FAIL("with stages Cole and Davidson's law has a derivative by rho alone; by "
+                 "fvi, fvi-bdf2 and fvi-stable it has all",
+                 FVI_EUNSUP);
     if ((method->scheme == FVI_SCHEME_LOBATTO
          || method->scheme == FVI_SCHEME_VARIABLE_STEP)
         && x)
@@ -79,7 +94,8 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("p of form M jumps at alpha = 1", FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_VARIABLE_STEP
         && (want->orders || want->times || want->ends
-            || (want->terms && !(terms_of(run) == 1 && run->law->term[0].rho > 0))))
+            || (want->terms
+                && !(run->law && run->law->count == 1 && run->law->term[0].rho > 0))))
         FVI_FAIL("steps of any length have no derivative by the numbers of a law "
                  "but the factor of one that stands alone; fvi-bdf2, fvi-stable, "
                  "fvi-adaptive and the methods with stages have",

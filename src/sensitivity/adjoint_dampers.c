@@ -4,6 +4,7 @@
 
 #include "system/fail.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,10 +17,8 @@ int fvi_adjoint_dampers_check(const fvi_method *method, const fvi_run *run,
         FVI_FAIL("no adjoint of a run with dampers between points, a Lagrangian or "
                  "constraints; of a structure with several dampers there is one",
                  FVI_EUNSUP);
-    if (want->alpha || want->terms || want->orders || want->times || want->ends)
-        FVI_FAIL("several dampers have a derivative by a factor of each, and none by the "
-                 "numbers of their laws; one damping has",
-                 FVI_EUNSUP);
+    if (want->alpha)
+        FVI_FAIL("several dampers have orders, and no alpha", FVI_EINVAL);
     if (objective->has_momenta)
         FVI_FAIL("with several dampers J depends on positions and p_N; with one damping on "
                  "every momentum",
@@ -41,21 +40,27 @@ int fvi_adjoint_dampers_check(const fvi_method *method, const fvi_run *run,
 static int allocate(fvi_adjoint_dampers *m)
 {
     double **each[] = { &m->Jp, &m->v0, &m->right, &m->by_start,
-                        &m->z,  &m->work, &m->column };
-    enum { ARRAYS = sizeof each / sizeof *each };
+                        &m->z,  &m->work, &m->column, &m->moved, &m->zeros,
+                        &m->multipliers.nu, &m->multipliers.behind,
+                        &m->multipliers.mean, &m->multipliers.change };
+    enum { ARRAYS = sizeof each / sizeof *each, OF_A_DAMPER = 5 };
     const size_t d = m->d;
     m->each = calloc(m->count, sizeof *m->each);
     m->held = calloc(m->count, sizeof *m->held);
-    m->block = calloc((ARRAYS + 3 * m->count) * d, sizeof *m->block);
+    m->block = calloc((ARRAYS + 2 + OF_A_DAMPER * m->count) * d, sizeof *m->block);
     if (!m->each || !m->held || !m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
     double *next = m->block;
     for (size_t i = 0; i < ARRAYS; i++, next += d)
         *each[i] = next;
-    for (size_t j = 0; j < m->count; j++, next += 3 * d) {
+    m->remembered = next;
+    next += 2 * d;
+    for (size_t j = 0; j < m->count; j++, next += OF_A_DAMPER * d) {
         m->each[j].by_drift = next;
         m->each[j].pull = next + d;
         m->each[j].CJ = next + 2 * d;
+        m->each[j].pull_by_order = next + 3 * d;
+        m->each[j].CA = next + 4 * d;
     }
     return FVI_SUCCESS;
 }
@@ -72,6 +77,7 @@ static int start_stepper(fvi_adjoint_dampers *m, const fvi_method *method)
     m->mechanism = (fvi_mechanism){ .damper_count = m->count, .damper = m->held };
     m->linearised = fvi_linearised_begin(system, 1);
     m->linearised.from_zero = m->paper_convention;
+    m->linearised.by_order = m->want->orders != NULL;
     m->system = fvi_linearised_system(system, &m->linearised);
     m->system.mechanism = &m->mechanism;
     back.system = &m->system;
@@ -85,13 +91,10 @@ static int start_stepper(fvi_adjoint_dampers *m, const fvi_method *method)
 static int start_impulses(const fvi_adjoint_dampers *m, fvi_adjoint_damper *a)
 {
     static const double ends[] = { 0, 1 };
-    double unit;
     if (m->paper_convention || !fvi_initial_history_acts(a->of.past, a->of.growth / 2))
         return FVI_SUCCESS;
-    const int status = fvi_initial_history_force_prepare(&a->of, m->run->h, 2, ends,
-                                                         &a->history_force, &unit);
-    a->impulse_size = a->of.rho * unit;
-    return status;
+    return fvi_initial_history_force_prepare(&a->of, m->run->h, 2, ends, &a->history_force,
+                                             &a->impulse_unit);
 }
 
 static int is_zero(size_t d, const double *v)
@@ -108,8 +111,9 @@ static int start_constant(const fvi_adjoint_dampers *m, const fvi_method *method
 {
     if (m->paper_convention || is_zero(m->d, m->Jp))
         return FVI_SUCCESS;
-    const int status =
-        fvi_adjoint_constant_start(method, m->run, &a->of, 1, 0, &a->constant);
+    const int by_order = m->want->orders && !a->of.law,
+              status = fvi_adjoint_constant_start(method, m->run, &a->of, 1, by_order,
+                                                  &a->constant);
     return status ? status
                   : fvi_damping_multiply(&a->of.matrix, m->d, 1, m->Jp, a->CJ);
 }
@@ -118,26 +122,29 @@ static int start_damper(fvi_adjoint_dampers *m, const fvi_method *method, size_t
 {
     fvi_adjoint_damper *a = m->each + j;
     a->of = fvi_run_damper_of(m->run, j);
+    a->first = j > 0 ? a[-1].first + m->run->system->mechanism->damper[j - 1].kernel->count : 0;
     a->damping = fvi_damping_of(m->stepper);
     while (a->damping && a->damping->number != j)
         a->damping = a->damping->next;
     if (!a->damping)
         return FVI_SUCCESS;
-    a->unit = a->damping->unit;
+    a->unit = a->of.law ? a->damping->unit : pow(m->run->h, 1 - 2 * a->of.alpha);
     a->theta = method->scheme == FVI_SCHEME_CQ2_SHIFTED    ? a->of.growth / 2
                : method->scheme == FVI_SCHEME_CQ2_MIDPOINT ? 0.5
                                                            : 0;
     a->has_drift = a->of.growth > 1
                    && (a->of.past == FVI_INITIAL_HISTORY_CAPUTO || !m->paper_convention);
-    const int status = start_impulses(m, a);
-    return status ? status : start_constant(m, method, a);
+    int status = start_impulses(m, a);
+    if (!status)
+        status = start_constant(m, method, a);
+    return status || !m->by_numbers ? status
+                                    : fvi_adjoint_dampers_numbers_start(m, method, a);
 }
 
 /* ---- a node ---- */
 
-/* z = x - x_0 - t v_0 of node k, on which the memory of a damper acts. */
-static void find_elongation(const fvi_adjoint_dampers *m, const fvi_adjoint_damper *a,
-                            size_t k, const double *x, double *z)
+void fvi_adjoint_dampers_elongation(const fvi_adjoint_dampers *m, const fvi_adjoint_damper *a,
+                                    size_t k, const double *x, double *z)
 {
     const double t = (double)k * m->run->h;
     for (size_t i = 0; i < m->d; i++)
@@ -173,13 +180,15 @@ static int multiply_sums(fvi_adjoint_dampers *m, const fvi_adjoint_damper *a, do
 static int first_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, const double *x)
 {
     const size_t N = m->run->steps;
-    find_elongation(m, a, N, x, m->z);
+    fvi_adjoint_dampers_elongation(m, a, N, x, m->z);
     int status = fvi_damping_apply_force(a->damping, 1, a->damping->H, m->stepper->p);
     if (!status)
         status = multiply_sums(m, a, m->column);
     if (!status)
         accumulate(m, a, 1, m->z, m->column, (double)N * m->run->h);
-    return status;
+    return status || !m->by_numbers
+               ? status
+               : fvi_adjoint_dampers_numbers_sums(m, a, m->z, NULL);
 }
 
 int fvi_adjoint_dampers_start(const fvi_method *method, const fvi_run *run,
@@ -191,7 +200,15 @@ int fvi_adjoint_dampers_start(const fvi_method *method, const fvi_run *run,
                                 .d = run->system->d,
                                 .count = run->system->mechanism->damper_count,
                                 .paper_convention = method->scheme == FVI_SCHEME_FVI,
+                                .is_shifted = method->scheme == FVI_SCHEME_CQ2_SHIFTED,
+                                .by_numbers = fvi_adjoint_kernel_is_wanted(want),
                                 .kappa = method->takes_kappa ? run->kappa : 0.5 };
+    m->multipliers = (fvi_adjoint_multipliers){
+        .d = m->d,
+        .is_first_order = m->paper_convention,
+        .is_mean = method->scheme == FVI_SCHEME_CQ2_MIDPOINT,
+        .theta = method->scheme == FVI_SCHEME_CQ2_MIDPOINT ? 0.5 : 0
+    };
     int status = allocate(m);
     if (status)
         return status;
@@ -216,21 +233,30 @@ static int add_constant(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,
         return FVI_SUCCESS;
     const int status = fvi_adjoint_constant_next(&a->constant, &one, &change);
     const double value = *a->constant.value;
-    find_elongation(m, a, k + 1, x, m->z);
+    fvi_adjoint_dampers_elongation(m, a, k + 1, x, m->z);
     for (size_t i = 0; i < m->d; i++)
-        m->stepper->p[i] -= a->unit * value * a->CJ[i];
+        m->stepper->p[i] -= a->unit * a->of.rho * value * a->CJ[i];
     accumulate(m, a, value, m->z, a->CJ, (double)(k + 1) * m->run->h);
+    const double product = dot(m->d, m->z, a->CJ);
+    a->sum_by_order += *a->constant.rate * product;
+    a->sum_by_theta += m->is_shifted ? *a->constant.by_theta * product : 0;
     return status;
 }
 
 static void add_impulses(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k)
 {
-    double at[2];
-    if (a->impulse_size == 0)
+    const double *left = m->stepper->x, *right = m->right;
+    double at[2], slope[2];
+    if (a->impulse_unit == 0)
         return;
     fvi_initial_history_force_impulses(&a->history_force, k, at);
     for (size_t i = 0; i < m->d; i++)
-        a->pull[i] += at[0] * m->stepper->x[i] + at[1] * m->right[i];
+        a->pull[i] += at[0] * left[i] + at[1] * right[i];
+    if (!m->want->orders || a->of.law)
+        return;
+    fvi_kernel_impulses_by_order(&a->history_force.initial_impulse, k, slope);
+    for (size_t i = 0; i < m->d; i++)
+        a->pull_by_order[i] += slope[0] * left[i] + slope[1] * right[i];
 }
 
 /* The memory is at node k: N = (1 - theta) H_k + theta H_{k-1}. */
@@ -238,13 +264,16 @@ static int add_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,
                     const double *rows)
 {
     const double t = ((double)k + a->theta) * m->run->h;
-    find_elongation(m, a, k, rows, m->z);
-    find_elongation(m, a, k + 1, rows + m->d, m->work);
+    fvi_adjoint_dampers_elongation(m, a, k, rows, m->z);
+    fvi_adjoint_dampers_elongation(m, a, k + 1, rows + m->d, m->work);
     for (size_t i = 0; i < m->d; i++)
         m->z[i] += a->theta * (m->work[i] - m->z[i]);
-    const int status = multiply_sums(m, a, m->column);
+    int status = multiply_sums(m, a, m->column);
     accumulate(m, a, 1, m->z, m->column, t);
-    return status;
+    if (!status && m->by_numbers)
+        status = fvi_adjoint_dampers_numbers_sums(m, a, m->z, rows);
+    return status || !m->by_numbers ? status
+                                    : fvi_adjoint_dampers_numbers_step(m, a, k, rows);
 }
 
 /* By factors of M and K; stepper->g is K M_k. */
@@ -294,6 +323,9 @@ int fvi_adjoint_dampers_step(fvi_adjoint_dampers *m, size_t k, const double *row
     add_force(m, k);
     if (!status)
         status = add_matrices(m, rows);
+    if (m->by_numbers)
+        fvi_adjoint_multipliers_next(&m->multipliers, k + 1 == m->run->steps, m->right, s->x,
+                                     NULL);
     for (size_t j = 0; !status && j < m->count; j++) {
         add_impulses(m, m->each + j, k);
         if (m->each[j].damping)
@@ -314,16 +346,17 @@ static int end_damper(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double *by_
     double *to = by_place ? m->by_start : by_velocity;
     memset(m->column, 0, m->d * sizeof *m->column);
     for (size_t i = 0; a->has_drift && i < m->d; i++)
-        by_velocity[i] += a->unit * a->by_drift[i];
-    int status = a->impulse_size != 0
-                     ? fvi_damping_multiply(&a->of.matrix, m->d, a->impulse_size, a->pull,
+        by_velocity[i] += a->of.rho * a->unit * a->by_drift[i];
+    int status = a->impulse_unit != 0
+                     ? fvi_damping_multiply(&a->of.matrix, m->d, a->impulse_unit, a->pull,
                                             m->column)
                      : FVI_SUCCESS;
     for (size_t i = 0; i < m->d; i++)
-        to[i] -= m->column[i];
+        to[i] -= a->of.rho * m->column[i];
+    const double at = dot(m->d, A, m->column);
     if (by_damper)
-        *by_damper = -a->unit * a->sum - dot(m->d, A, m->column);
-    return status;
+        *by_damper = -a->of.rho * (a->unit * a->sum + at);
+    return status || !m->by_numbers ? status : fvi_adjoint_dampers_numbers_end(m, a, at);
 }
 
 int fvi_adjoint_dampers_end(fvi_adjoint_dampers *m, const double *Jx)
@@ -358,6 +391,7 @@ void fvi_adjoint_dampers_free(fvi_adjoint_dampers *m)
     for (size_t j = 0; m->each && j < m->count; j++) {
         fvi_adjoint_constant_stop(&m->each[j].constant);
         fvi_initial_history_force_stop(&m->each[j].history_force);
+        fvi_adjoint_dampers_numbers_stop(m->each + j);
     }
     free(m->each);
     free(m->held);

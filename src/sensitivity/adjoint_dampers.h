@@ -1,8 +1,8 @@
 /* src/sensitivity/adjoint_dampers.h -- The run of a structure with several dampers, backwards.
  *                                                                     [H 23, 27]
- * Internal: as adjoint_multistep.h, which has one damping, and derivatives by its numbers. Here is a
- * list of dampers, and a derivative by a factor of each. The mirrored run has the same matrices and
- * kernels, and what each memory remembers of it is N_j of (23.5). */
+ * Internal: as adjoint_multistep.h, which has one damping. Here is a list of dampers, and derivatives
+ * by a factor of each and by the numbers of their laws, adjoint_dampers_numbers.c. The mirrored run
+ * has the same matrices and kernels, and what each memory remembers of it is N_j of (23.5). */
 #ifndef FVI_ADJOINT_DAMPERS_H
 #define FVI_ADJOINT_DAMPERS_H
 
@@ -10,6 +10,8 @@
 #include <fvi/dampers.h>
 
 #include "adjoint_constant.h"
+#include "adjoint_filter.h"
+#include "adjoint_kernel.h"
 #include "methods/initial_history_force.h"
 #include "system/linearised.h"
 
@@ -17,22 +19,30 @@
 typedef struct {
     fvi_run_damper of;          /* of the run that is derived */
     const fvi_damping *damping; /* of the mirrored run; NULL: it remembers nothing */
-    double theta, unit;
+    double theta, unit;         /* unit: of rho = 1, as impulse_unit is */
     int has_drift;              /* the memory of the run knows v_0 */
     fvi_adjoint_constant constant;
-    double impulse_size;        /* of a past that acts, else 0 */
+    double impulse_unit;        /* of a past that acts, else 0 */
     fvi_initial_history_force history_force; /* its impulses for an amplitude of 1 */
     double sum;                 /* sum_k z_k . C N_k */
     double *by_drift;           /* each: sum_k t_k C N_k */
     double *pull;               /* each: impulses of the past times lambda */
     double *CJ;                 /* each: C J_p */
+    /* by the numbers of its law */
+    double *pull_by_order;      /* each: the impulses' derivative by e times lambda */
+    size_t first, terms;        /* the place of its terms among all; so many have memories */
+    fvi_adjoint_term *term;     /* of a law; owned */
+    double *CA;                 /* each: C v_0, where the start of a law has impulses */
+    fvi_adjoint_filter filter;  /* of a power */
+    double *Ndot;               /* room for what it remembers; owned */
+    double sum_by_order, sum_by_theta;
 } fvi_adjoint_damper;
 
 typedef struct {
     const fvi_run *run;
     const fvi_sensitivities *want;
     size_t d, count;
-    int paper_convention;
+    int paper_convention, is_shifted;
     double kappa;
     fvi_damper *held; /* the dampers of the mirrored run; owned */
     fvi_mechanism mechanism;
@@ -40,7 +50,10 @@ typedef struct {
     fvi_system system;
     fvi_stepper *stepper;
     fvi_adjoint_damper *each;   /* owned */
-    double *Jp, *v0, *right, *by_start, *z, *work, *column; /* each */
+    int by_numbers;             /* those of laws are wanted */
+    fvi_adjoint_multipliers multipliers;
+    double *Jp, *v0, *right, *by_start, *z, *work, *column, *moved; /* each */
+    double *zeros, *remembered; /* as many as unknowns; twice what a damper remembers */
     double *block;              /* all of these and of the dampers; owned */
     double by_M, by_K;
 } fvi_adjoint_dampers;
@@ -58,5 +71,25 @@ int fvi_adjoint_dampers_step(fvi_adjoint_dampers *m, size_t k, const double *row
                              const double *Jx);
 int fvi_adjoint_dampers_end(fvi_adjoint_dampers *m, const double *Jx);
 void fvi_adjoint_dampers_free(fvi_adjoint_dampers *m);
+
+/* fvi_adjoint_dampers_elongation -- z = x - x_0 - t v_0 of node k, on which the memory of a damper
+ * acts; d numbers. */
+void fvi_adjoint_dampers_elongation(const fvi_adjoint_dampers *m, const fvi_adjoint_damper *a,
+                                    size_t k, const double *x, double *z);
+
+/* What adjoint_dampers_numbers.c has, all of one damper, where the numbers of laws are wanted:
+ * _numbers_start  the memories; its past is prepared
+ * _numbers_sums   of node k, where the memory of the mirrored run is; z as in the sum of C
+ * _numbers_step   from node k + 1 to node k, of a law
+ * _numbers_end    its derivatives; `at` is what the impulses of its past have of rho = 1
+ * _numbers_stop   gives all back */
+int fvi_adjoint_dampers_numbers_start(fvi_adjoint_dampers *m, const fvi_method *method,
+                                      fvi_adjoint_damper *a);
+int fvi_adjoint_dampers_numbers_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper *a,
+                                     const double *z, const double *rows);
+int fvi_adjoint_dampers_numbers_step(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,
+                                     const double *rows);
+int fvi_adjoint_dampers_numbers_end(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double at);
+void fvi_adjoint_dampers_numbers_stop(fvi_adjoint_damper *a);
 
 #endif

@@ -1,7 +1,6 @@
 /* src/sensitivity/adjoint_kernel.c -- What a term of a law gives, going backwards. [H 23] */
 #include "adjoint_kernel.h"
 
-#include "memory/kernel_terms.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -23,23 +22,25 @@ int fvi_adjoint_has_order(const fvi_kernel_term *t)
     return t->kind == FVI_KERNEL_POWER || t->kind == FVI_KERNEL_ZENER;
 }
 
-void fvi_adjoint_unit_term(const fvi_kernel_term *of, fvi_kernel_term *unit,
-                          double *rho)
+void fvi_adjoint_unit_term(const fvi_kernel_term *of, fvi_kernel_function *unit,
+                           double *rho)
 {
-    *unit = *of;
+    if (of->kind == FVI_KERNEL_SYMBOL)
+        *unit = *(const fvi_kernel_function *)of;
+    else
+        unit->term = *of;
     *rho = of->rho;
-    unit->rho = 1;
+    unit->term.rho = 1;
     if (of->kind == FVI_KERNEL_POWER || of->kind == FVI_KERNEL_DISTRIBUTED)
-        unit->time = 0;
+        unit->term.time = 0;
 }
 
 /* ---- the start ---- */
 
-static int convolve(const fvi_run *run, fvi_kernel_term term, fvi_delta kind,
+static int convolve(const fvi_run *run, const fvi_kernel *alone, fvi_delta kind,
                     size_t d, fvi_adjoint_convolution *c)
 {
-    const fvi_kernel alone = { 1, &term };
-    return fvi_kernel_history(&alone, kind, run->h, d, run->steps, run->memory,
+    return fvi_kernel_history(alone, kind, run->h, d, run->steps, run->memory,
                           run->tolerance, &c->first, &c->memory);
 }
 
@@ -59,27 +60,32 @@ static int start_log(const fvi_run *run, fvi_delta kind,
                                  run->tolerance, &t->log);
 }
 
-static int start_range(const fvi_run *run, const fvi_sensitivities *want,
-                       fvi_delta kind, fvi_adjoint_term *t)
+static int start_slopes(const fvi_run *run, const fvi_sensitivities *want, fvi_delta kind,
+                        fvi_adjoint_term *t)
 {
-    const fvi_kernel_term from = { FVI_KERNEL_POWER, 1, t->term.alpha, 0, 0 },
-                       to = { FVI_KERNEL_POWER, 1, t->term.end, 0, 0 };
+    const double *const wanted[] = { want->orders, want->times, want->ends };
     int status = FVI_SUCCESS;
-    if (want->orders)
-        status = convolve(run, from, kind, t->d, &t->lower);
-    if (!status && want->ends)
-        status = convolve(run, to, kind, t->d, &t->upper);
+    for (int by = 0; !status && by < FVI_ADJOINT_SLOPES; by++) {
+        fvi_adjoint_slope *slope = &t->slope[by];
+        if (!wanted[by] || !fvi_adjoint_slope_of(&t->unit.term, (fvi_slope_by)by, slope))
+            continue;
+        fvi_adjoint_slope_begin_at(slope, (kind == FVI_DELTA_BDF2 ? 1.5 : 1) / run->h);
+        status = convolve(run, &slope->kernel, kind, t->d, &t->slopes[by]);
+    }
     return status;
 }
 
 int fvi_adjoint_term_start(const fvi_run *run, const fvi_sensitivities *want,
-                          fvi_delta kind, size_t i, size_t d,
-                          fvi_adjoint_term *t)
+                          fvi_delta kind, const fvi_kernel_term *term, size_t d,
+                          const fvi_damping_matrix *matrix, fvi_adjoint_term *t)
 {
     enum { ROWS = 6 };
-    *t = (fvi_adjoint_term){ .d = d };
-    fvi_adjoint_unit_term(&run->law->term[i], &t->term, &t->rho);
-    t->block = calloc((ROWS + FVI_BDF2_TAPS) * d, sizeof *t->block);
+    *t = (fvi_adjoint_term){ .d = d,
+                             .matrix = matrix,
+                             .whole = matrix ? run->system->d : 0 };
+    fvi_adjoint_unit_term(term, &t->unit, &t->rho);
+    t->alone = (fvi_kernel){ 1, &t->unit.term };
+    t->block = calloc((ROWS + FVI_BDF2_TAPS) * d + t->whole, sizeof *t->block);
     if (!t->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
     double **each[ROWS] = { &t->sum,  &t->change, &t->square,
@@ -87,25 +93,24 @@ int fvi_adjoint_term_start(const fvi_run *run, const fvi_sensitivities *want,
     for (size_t j = 0; j < ROWS; j++)
         *each[j] = t->block + j * d;
     t->past = t->block + ROWS * d;
-    const int by_order = want->orders && fvi_adjoint_has_order(&t->term),
-              is_squared = fvi_adjoint_is_fraction(&t->term)
-                           && (want->times || (by_order && t->term.time > 0));
-    int status = convolve(run, t->term, kind, d, &t->self);
+    t->product = t->past + FVI_BDF2_TAPS * d;
+    const int by_order = want->orders && fvi_adjoint_has_order(&t->unit.term),
+              is_squared = fvi_adjoint_is_fraction(&t->unit.term)
+                           && (want->times || (by_order && t->unit.term.time > 0));
+    int status = convolve(run, &t->alone, kind, d, &t->self);
     if (!status && is_squared)
-        status = convolve(run, t->term, kind, d, &t->again);
+        status = convolve(run, &t->alone, kind, d, &t->again);
     if (!status && by_order)
         status = start_log(run, kind, t);
-    if (!status && t->term.kind == FVI_KERNEL_DISTRIBUTED)
-        status = start_range(run, want, kind, t);
-    return status;
+    return status ? status : start_slopes(run, want, kind, t);
 }
 
 void fvi_adjoint_term_stop(fvi_adjoint_term *t)
 {
     fvi_history_free(t->self.memory);
     fvi_history_free(t->again.memory);
-    fvi_history_free(t->lower.memory);
-    fvi_history_free(t->upper.memory);
+    for (int by = 0; by < FVI_ADJOINT_SLOPES; by++)
+        fvi_history_free(t->slopes[by].memory);
     fvi_history_free(t->log);
     for (size_t l = 0; l < sizeof t->impulses / sizeof *t->impulses; l++)
         fvi_impulses_of_kernel_free(t->impulses[l]);
@@ -114,53 +119,18 @@ void fvi_adjoint_term_stop(fvi_adjoint_term *t)
 
 /* ---- the impulses of a start with a velocity ---- */
 
-static double complex unit_symbol(const void *term, double complex s)
-{
-    return fvi_kernel_at(&(fvi_kernel){ 1, term }, s, NULL);
-}
-
-/* dC/d alpha and dC/d time of a power, a fraction or a Maxwell element; dC/da and dC/de of a
- * range of orders. (23.21) */
-static double complex symbol_by_order(const void *term, double complex s)
-{
-    const fvi_kernel_term *t = term;
-    const double complex C = unit_symbol(t, s);
-    return t->kind == FVI_KERNEL_DISTRIBUTED ? -cpow(s, 2 * t->alpha)
-                                             : 2 * clog(s) * C * (1 - t->time * C);
-}
-
-static double complex symbol_by_time(const void *term, double complex s)
-{
-    const double complex C = unit_symbol(term, s);
-    return -C * C;
-}
-
-static double complex symbol_by_end(const void *term, double complex s)
-{
-    return cpow(s, 2 * ((const fvi_kernel_term *)term)->end);
-}
-
 int fvi_adjoint_term_start_impulses(fvi_adjoint_term *t, double h,
                                     const fvi_sensitivities *want)
 {
-    const int is_range = t->term.kind == FVI_KERNEL_DISTRIBUTED;
-    fvi_symbol_function *const symbol[] = {
-        want->terms ? unit_symbol : NULL,
-        want->orders && (fvi_adjoint_has_order(&t->term) || is_range) ? symbol_by_order
-                                                                      : NULL,
-        want->times && fvi_adjoint_is_fraction(&t->term) ? symbol_by_time : NULL,
-        want->ends && is_range ? symbol_by_end : NULL
-    };
-    static const fvi_slope_by by[] = { 0, FVI_SLOPE_BY_ORDER, FVI_SLOPE_BY_TIME,
-                                       FVI_SLOPE_BY_END };
-    int status = FVI_SUCCESS;
-    t->alone = (fvi_kernel){ 1, &t->term };
-    if (symbol[0])
-        status = fvi_impulses_of_kernel_alloc(&t->alone, h, &t->impulses[0]);
-    for (size_t l = 1; !status && l < sizeof symbol / sizeof *symbol; l++)
-        if (symbol[l])
-            status = fvi_impulses_of_slope_alloc(symbol[l], &t->term, by[l], h,
-                                                 &t->impulses[l]);
+    const double *const wanted[] = { want->orders, want->times, want->ends };
+    int status = want->terms
+                     ? fvi_impulses_of_kernel_alloc(&t->alone, h, &t->impulses[0])
+                     : FVI_SUCCESS;
+    for (int by = 0; !status && by < FVI_ADJOINT_SLOPES; by++)
+        if (wanted[by] && fvi_adjoint_has_slope(&t->unit.term, (fvi_slope_by)by))
+            status = fvi_impulses_of_slope_alloc(
+                fvi_adjoint_slope_symbol(&t->unit.term, (fvi_slope_by)by), &t->unit.term,
+                (fvi_slope_by)by, h, &t->impulses[1 + by]);
     return status;
 }
 
@@ -180,6 +150,24 @@ void fvi_adjoint_term_accumulate_impulses(fvi_adjoint_term *t, size_t k, double 
 
 /* ---- a node ---- */
 
+void fvi_adjoint_multipliers_next(fvi_adjoint_multipliers *f, int is_last, const double *right,
+                                  const double *left, const double *jump)
+{
+    const double theta = f->theta,
+                 share = f->is_first_order ? 1
+                         : is_last         ? 0.5
+                                           : 1 - theta;
+    for (size_t i = 0; i < f->d; i++) {
+        f->nu[i] = share * right[i] + theta * left[i];
+        if (jump && !f->is_first_order && !is_last)
+            f->nu[i] += (theta - 0.5) * jump[i];
+        const double now = f->is_mean ? (f->nu[i] + f->behind[i]) / 2 : f->nu[i];
+        f->behind[i] = f->nu[i];
+        f->change[i] = now - f->mean[i];
+        f->mean[i] = now;
+    }
+}
+
 static int push(const fvi_adjoint_term *t, const fvi_adjoint_convolution *c,
                 const double *in, const double *change, double *out)
 {
@@ -189,14 +177,21 @@ static int push(const fvi_adjoint_term *t, const fvi_adjoint_convolution *c,
     return status;
 }
 
-/* Takes weight . v away. */
-static void subtract_product(const fvi_adjoint_term *t, double factor, const double *weight,
-                 const double *v, double *to)
+/* Takes weight . v away, or weight . S v. */
+static int subtract_product(const fvi_adjoint_term *t, double factor, const double *weight,
+                            const double *v, double *to)
 {
     double sum = 0;
-    for (size_t i = 0; i < t->d; i++)
+    int status = FVI_SUCCESS;
+    if (t->matrix) {
+        memset(t->product, 0, t->whole * sizeof *t->product);
+        status = t->matrix->damp(t->whole, -1, v, t->matrix->params, t->product);
+        v = t->product;
+    }
+    for (size_t i = 0; i < (t->matrix ? t->whole : t->d); i++)
         sum += weight[i] * v[i];
     *to -= factor * sum;
+    return status;
 }
 
 /* rate += ln((3 - z)/2) left, whose last terms stand in a ring. */
@@ -219,7 +214,7 @@ static void add_factor(fvi_adjoint_term *t)
 static int by_order(fvi_adjoint_term *t)
 {
     for (size_t i = 0; i < t->d; i++) {
-        const double now = t->sum[i] - t->term.time * t->square[i];
+        const double now = t->sum[i] - t->unit.term.time * t->square[i];
         t->moved[i] = now - t->left[i];
         t->left[i] = now;
     }
@@ -232,17 +227,20 @@ static int by_order(fvi_adjoint_term *t)
 }
 //< by-order
 
-static int accumulate_range(fvi_adjoint_term *t, const double *nu, const double *dnu,
-                      const double *weight, const fvi_sensitivities *want, size_t i)
+static int accumulate_slopes(fvi_adjoint_term *t, const double *nu, const double *dnu,
+                             const double *weight, const fvi_sensitivities *want, size_t i)
 {
+    double *const to[] = { want->orders, want->times, want->ends };
     int status = FVI_SUCCESS;
-    if (t->lower.memory) {
-        status = push(t, &t->lower, nu, dnu, t->square);
-        subtract_product(t, -t->rho, weight, t->square, &want->orders[i]);
-    }
-    if (t->upper.memory && !status) {
-        status = push(t, &t->upper, nu, dnu, t->square);
-        subtract_product(t, t->rho, weight, t->square, &want->ends[i]);
+    for (int by = 0; !status && by < FVI_ADJOINT_SLOPES; by++) {
+        if (!t->slopes[by].memory)
+            continue;
+        status = push(t, &t->slopes[by], nu, dnu, t->square);
+        for (size_t j = 0; j < t->d; j++)
+            t->square[j] -= t->slope[by].more * t->sum[j];
+        if (!status)
+            status = subtract_product(t, t->slope[by].sign * t->rho, weight, t->square,
+                                      &to[by][i]);
     }
     return status;
 }
@@ -256,15 +254,15 @@ int fvi_adjoint_term_accumulate(fvi_adjoint_term *t, const double *nu,
     int status = push(t, &t->self, nu, dnu, t->sum);
     for (size_t j = 0; j < t->d; j++)
         t->change[j] += t->sum[j];
-    if (want->terms)
-        subtract_product(t, 1, weight, t->sum, &want->terms[i]);
+    if (!status && want->terms)
+        status = subtract_product(t, 1, weight, t->sum, &want->terms[i]);
     if (!status && t->again.memory)
         status = push(t, &t->again, t->sum, t->change, t->square);
-    if (t->again.memory && want->times)
-        subtract_product(t, -t->rho, weight, t->square, &want->times[i]);
-    if (!status && t->log) {
+    if (!status && t->again.memory && want->times)
+        status = subtract_product(t, -t->rho, weight, t->square, &want->times[i]);
+    if (!status && t->log)
         status = by_order(t);
-        subtract_product(t, 2 * t->rho, weight, t->rate, &want->orders[i]);
-    }
-    return status ? status : accumulate_range(t, nu, dnu, weight, want, i);
+    if (!status && t->log)
+        status = subtract_product(t, 2 * t->rho, weight, t->rate, &want->orders[i]);
+    return status ? status : accumulate_slopes(t, nu, dnu, weight, want, i);
 }

@@ -11,7 +11,28 @@
 
 #include <fvi/adjoint.h>
 #include <fvi/convolution_quadrature.h>
+#include "adjoint_slopes.h"
 #include "memory/kernel_impulses.h"
+#include "methods/damping.h"
+
+/* nu of (23.7), which the memories of the terms of a law take in. Where the comment says "each", d
+ * numbers. */
+typedef struct {
+    size_t d;
+    int is_first_order; /* of Algorithm 3 it is lambda */
+    int is_mean;        /* of fvi-stable, whose memory takes in means */
+    double theta;
+    double *nu, *behind;    /* each: now, and one node later */
+    double *mean, *change;  /* each: what goes in, and its increment */
+} fvi_adjoint_multipliers;
+
+/* fvi_adjoint_multipliers_next -- at a node.
+ *
+ *   is_last      nonzero at node N
+ *   right, left  lambda_{k+1} and lambda_k, d numbers each
+ *   jump         what lambda_{k+1} has jumped by, (23.27); NULL: nothing */
+void fvi_adjoint_multipliers_next(fvi_adjoint_multipliers *f, int is_last, const double *right,
+                                  const double *left, const double *jump);
 
 /* One memory of a law with its first weight. */
 typedef struct {
@@ -21,12 +42,13 @@ typedef struct {
 
 /* Where the comment says "each", d numbers. */
 typedef struct {
-    fvi_kernel_term term; /* with rho = 1, */
+    fvi_kernel_function unit; /* its term has rho = 1, */
     fvi_kernel alone;     /* and as a law */
     size_t d;
     double log_h, rho;                   /* of the law */
     fvi_adjoint_convolution self, again;  /* of nu; of what self gives */
-    fvi_adjoint_convolution lower, upper; /* of a range: powers of its ends */
+    fvi_adjoint_slope slope[FVI_ADJOINT_SLOPES]; /* derivatives that are kernels, */
+    fvi_adjoint_convolution slopes[FVI_ADJOINT_SLOPES]; /* of nu, of a range or a symbol */
     fvi_history *log;                     /* of (1 - z)^0, with its rate */
     fvi_impulses_of_kernel *impulses[4];  /* of C and its derivatives by order, time and end,
                                            * where the start of the run has impulses; or NULL */
@@ -37,31 +59,42 @@ typedef struct {
     double *left, *moved; /* each: C (1 - time C) nu, and its increment */
     double *rate;         /* each: its derivative by the order of (1 - z)^0 */
     double *past;         /* each of taps: left */
+    const fvi_damping_matrix *matrix; /* C = S B^T: what is remembered are B^T nu; or NULL, */
+    size_t whole;                     /* and else C has so many rows, */
+    double *product;                  /* room for so many numbers */
     double *block;        /* all these; owned */
 } fvi_adjoint_term;
 
 /* fvi_adjoint_kernel_is_wanted -- are derivatives by numbers of a law wanted? */
 int fvi_adjoint_kernel_is_wanted(const fvi_sensitivities *want);
 
-/* fvi_adjoint_is_fraction, _has_order -- a ZENER or MAXWELL; a POWER or ZENER. */
+/* fvi_adjoint_is_fraction, _has_order -- a ZENER or MAXWELL; a POWER or ZENER: their derivatives are
+ * products of memories. */
 int fvi_adjoint_is_fraction(const fvi_kernel_term *t);
 int fvi_adjoint_has_order(const fvi_kernel_term *t);
 
-/* fvi_adjoint_unit_term -- the term with rho = 1, time = 0 if it has none; and its rho. */
-void fvi_adjoint_unit_term(const fvi_kernel_term *of, fvi_kernel_term *unit,
-                          double *rho);
+/* fvi_adjoint_unit_term -- the term with rho = 1, time = 0 if it has none; and its rho. A SYMBOL is the
+ * first member of a function, which comes with it. */
+void fvi_adjoint_unit_term(const fvi_kernel_term *of, fvi_kernel_function *unit,
+                           double *rho);
 
-/* fvi_adjoint_term_start -- the memories for what is wanted of term i of run->law, of `d`
- * numbers. t is in any case to be given back by fvi_adjoint_term_stop. Returns FVI_SUCCESS;
- * what fvi_kernel_history and fvi_history_alloc_by_order return; FVI_ENOMEM. */
+/* fvi_adjoint_term_start -- the memories for what is wanted of a term of the law of a run, of `d`
+ * numbers.
+ *
+ *   matrix  NULL; or of a structure C = S B^T, of which the memories take in B^T nu, d numbers, and
+ *           what they give has S and meets weights of run->system->d numbers
+ *
+ * t is in any case to be given back by fvi_adjoint_term_stop, and stays where it is. Returns
+ * FVI_SUCCESS; what fvi_kernel_history and fvi_history_alloc_by_order return; FVI_ENOMEM. */
 int fvi_adjoint_term_start(const fvi_run *run, const fvi_sensitivities *want,
-                          fvi_delta kind, size_t i, size_t d,
-                          fvi_adjoint_term *t);
+                          fvi_delta kind, const fvi_kernel_term *term, size_t d,
+                          const fvi_damping_matrix *matrix, fvi_adjoint_term *t);
 
 /* fvi_adjoint_term_accumulate -- nu comes in; the sums that the derivatives of C make of it, times
  * `weight`, are taken away from entry i of what is wanted.
  *
- *   nu, dnu, weight  d numbers each; dnu the increment of nu */
+ *   nu, dnu, weight  d numbers each; dnu the increment of nu. With a matrix the weight is of all
+ *                    unknowns */
 int fvi_adjoint_term_accumulate(fvi_adjoint_term *t, const double *nu,
                          const double *dnu, const double *weight,
                          const fvi_sensitivities *want, size_t i);

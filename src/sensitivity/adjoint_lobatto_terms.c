@@ -20,45 +20,43 @@ typedef struct {
 
 /* Where the comment says "each", s d numbers. */
 struct fvi_adjoint_lobatto_term {
-    fvi_kernel_term term; /* with rho = 1 */
+    fvi_kernel_function unit; /* its term has rho = 1 */
     double rho;        /* of the law */
-    convolution self, again, lower, upper;
+    convolution self, again, slopes[FVI_ADJOINT_SLOPES];
+    fvi_adjoint_slope slope[FVI_ADJOINT_SLOPES];
     convolution log; /* Delta^beta at beta = 0; past: that of its rate */
-    double *u, *slope, *left; /* each: W nu, (Delta/h) u, u - time W slope */
+    double *u, *rate, *left; /* each: W nu, (Delta/h) u, u - time W rate */
     double *before;           /* d numbers: the last of u of step k + 1 */
     double *room, *block;     /* each; all these and past; owned */
 };
 
 /* ---- the start ---- */
 
-static int convolve(const fvi_adjoint_lobatto *m, fvi_kernel_term term,
-                    convolution *c)
+static int convolve(const fvi_adjoint_lobatto *m, const fvi_kernel *alone, convolution *c)
 {
     const fvi_run *run = m->run;
-    const fvi_kernel alone = { 1, &term };
-    return fvi_lobatto_history_of_kernel(m->s, &alone, run->h, m->d, run->steps,
+    return fvi_lobatto_history_of_kernel(m->s, alone, run->h, m->d, run->steps,
                                      run->memory, fvi_lobatto_history_tolerance(run),
                                      &c->memory);
 }
 
-static int start_range(const fvi_adjoint_lobatto *m, fvi_adjoint_lobatto_term *t)
+static int start_slopes(const fvi_adjoint_lobatto *m, fvi_adjoint_lobatto_term *t)
 {
-    const fvi_kernel_term from = { FVI_KERNEL_POWER, 1, t->term.alpha, 0, 0 },
-                       to = { FVI_KERNEL_POWER, 1, t->term.end, 0, 0 };
+    const double *const wanted[] = { m->want->orders, m->want->times, m->want->ends };
     int status = FVI_SUCCESS;
-    if (m->want->orders)
-        status = convolve(m, from, &t->lower);
-    if (!status && m->want->ends)
-        status = convolve(m, to, &t->upper);
+    for (int by = 0; !status && by < FVI_ADJOINT_SLOPES; by++)
+        if (wanted[by] && fvi_adjoint_slope_of(&t->unit.term, (fvi_slope_by)by, &t->slope[by]))
+            status = convolve(m, &t->slope[by].kernel, &t->slopes[by]);
     return status;
 }
 
 /* Room for all that a term may need. */
 static int make_room(const fvi_adjoint_lobatto *m, fvi_adjoint_lobatto_term *t)
 {
-    double **each[] = { &t->self.past,  &t->again.past, &t->lower.past,
-                        &t->upper.past, &t->log.past,   &t->u,
-                        &t->slope,      &t->left,       &t->room };
+    double **each[] = { &t->self.past,      &t->again.past,     &t->slopes[0].past,
+                        &t->slopes[1].past, &t->slopes[2].past, &t->log.past,
+                        &t->u,              &t->rate,           &t->left,
+                        &t->room };
     const size_t rows = sizeof each / sizeof *each, n = m->s * m->d;
     t->block = calloc(rows * n + m->d, sizeof *t->block);
     if (!t->block)
@@ -73,21 +71,20 @@ static int start_one(const fvi_adjoint_lobatto *m, fvi_adjoint_lobatto_term *t)
 {
     const fvi_run *run = m->run;
     const fvi_sensitivities *want = m->want;
-    const fvi_kernel_term *term = &t->term;
+    const fvi_kernel_term *term = &t->unit.term;
+    const fvi_kernel alone = { 1, term };
     const int by_order = want->orders && fvi_adjoint_has_order(term);
     int status = make_room(m, t);
     if (!status)
-        status = convolve(m, *term, &t->self);
+        status = convolve(m, &alone, &t->self);
     if (!status && fvi_adjoint_is_fraction(term)
         && (want->times || (by_order && term->time > 0)))
-        status = convolve(m, *term, &t->again);
+        status = convolve(m, &alone, &t->again);
     if (!status && by_order)
         status = fvi_lobatto_history_alloc_by_order(
             m->s, 0, m->d, run->steps, run->memory, fvi_lobatto_history_tolerance(run),
             &t->log.memory);
-    if (!status && term->kind == FVI_KERNEL_DISTRIBUTED)
-        status = start_range(m, t);
-    return status;
+    return status ? status : start_slopes(m, t);
 }
 
 int fvi_adjoint_terms_start(fvi_adjoint_lobatto *m)
@@ -102,7 +99,7 @@ int fvi_adjoint_terms_start(fvi_adjoint_lobatto *m)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
     for (; !status && m->terms < count; m->terms++) {
         fvi_adjoint_lobatto_term *t = &m->each[m->terms];
-        fvi_adjoint_unit_term(&law->term[m->terms], &t->term, &t->rho);
+        fvi_adjoint_unit_term(&law->term[m->terms], &t->unit, &t->rho);
         status = start_one(m, t);
     }
     return status;
@@ -114,8 +111,8 @@ void fvi_adjoint_terms_stop(fvi_adjoint_lobatto *m)
         fvi_adjoint_lobatto_term *t = &m->each[l];
         fvi_lobatto_history_free(t->self.memory);
         fvi_lobatto_history_free(t->again.memory);
-        fvi_lobatto_history_free(t->lower.memory);
-        fvi_lobatto_history_free(t->upper.memory);
+        for (int by = 0; by < FVI_ADJOINT_SLOPES; by++)
+            fvi_lobatto_history_free(t->slopes[by].memory);
         fvi_lobatto_history_free(t->log.memory);
         free(t->block);
     }
@@ -169,20 +166,20 @@ static void accumulate_term(fvi_adjoint_lobatto *m, size_t l, size_t j, const do
     const size_t s = m->s;
     const double weight = m->run->h * m->run->system->damping[j],
                  scaled = weight * t->rho;
-    double *u = t->u + j * s, *slope = t->slope + j * s,
+    double *u = t->u + j * s, *rate = t->rate + j * s,
            *left = t->left + j * s, T[FVI_STAGES] = { 0 };
     const double *W = fvi_lobatto_history_now(t->self.memory);
     through(m, j, W, t->self.past, nu, u);
     if (want->terms)
         want->terms[l] -= weight * dot(m, v, u);
     if (t->again.memory) {
-        differentiate(m, u, t->before[j], slope);
-        through(m, j, W, t->again.past, slope, T);
+        differentiate(m, u, t->before[j], rate);
+        through(m, j, W, t->again.past, rate, T);
     }
     if (t->again.memory && want->times)
         want->times[l] += scaled * dot(m, v, T);
     for (size_t i = 0; i < s; i++)
-        left[i] = u[i] - t->term.time * T[i];
+        left[i] = u[i] - t->unit.term.time * T[i];
     if (!t->log.memory)
         return;
     through(m, j, fvi_lobatto_history_now_by_order(t->log.memory), t->log.past, left,
@@ -192,20 +189,19 @@ static void accumulate_term(fvi_adjoint_lobatto *m, size_t l, size_t j, const do
 }
 //< stage-term
 
-static void accumulate_range(fvi_adjoint_lobatto *m, size_t l, size_t j,
-                       const double *nu, const double *v)
+static void accumulate_slopes(fvi_adjoint_lobatto *m, size_t l, size_t j,
+                              const double *nu, const double *v)
 {
     const fvi_adjoint_lobatto_term *t = &m->each[l];
-    const convolution *const ends[] = { &t->lower, &t->upper };
-    double *const by[] = { m->want->orders, m->want->ends };
+    double *const to[] = { m->want->orders, m->want->times, m->want->ends };
     const double weight = m->run->h * m->run->system->damping[j] * t->rho;
-    for (size_t i = 0; i < 2; i++) {
+    for (int by = 0; by < FVI_ADJOINT_SLOPES; by++) {
+        const convolution *c = t->slopes + by;
         double T[FVI_STAGES];
-        if (!ends[i]->memory)
+        if (!c->memory)
             continue;
-        through(m, j, fvi_lobatto_history_now(ends[i]->memory), ends[i]->past,
-                nu, T);
-        by[i][l] += (i == 0 ? weight : -weight) * dot(m, v, T);
+        through(m, j, fvi_lobatto_history_now(c->memory), c->past, nu, T);
+        to[by][l] -= t->slope[by].sign * weight * dot(m, v, T);
     }
 }
 
@@ -216,7 +212,7 @@ void fvi_adjoint_terms_accumulate(fvi_adjoint_lobatto *m, size_t j, const double
         nu[i] = m->Lambda[j * m->s + m->s - 1 - i];
     for (size_t l = 0; l < m->terms; l++) {
         accumulate_term(m, l, j, nu, v);
-        accumulate_range(m, l, j, nu, v);
+        accumulate_slopes(m, l, j, nu, v);
     }
 }
 
@@ -231,11 +227,11 @@ int fvi_adjoint_terms_update_history(fvi_adjoint_lobatto *m)
     int status = FVI_SUCCESS;
     for (size_t l = 0; !status && l < m->terms; l++) {
         fvi_adjoint_lobatto_term *t = &m->each[l];
-        convolution *const of_nu[] = { &t->self, &t->lower, &t->upper };
-        for (size_t i = 0; !status && i < 3; i++)
-            status = push(of_nu[i], m->reversed);
+        status = push(&t->self, m->reversed);
+        for (int by = 0; !status && by < FVI_ADJOINT_SLOPES; by++)
+            status = push(&t->slopes[by], m->reversed);
         if (!status)
-            status = push(&t->again, t->slope);
+            status = push(&t->again, t->rate);
         if (!status && t->log.memory)
             status = fvi_lobatto_history_push_by_order(t->log.memory, t->left,
                                                   t->room, t->log.past);

@@ -16,13 +16,12 @@ static int allocate(fvi_adjoint_multistep *m)
                         &m->S,       &m->M,      &m->by_start, &m->by_line,
                         &m->kinetic, &m->pull,   &m->impulse_sum_by_order,
                         &m->z,       &m->z_next, &m->sum,    &m->work,
-                        &m->column,  &m->nu,     &m->behind, &m->mean,
-                        &m->change,  &m->CA,     &m->B,      &m->jump,
-                        &m->CB };
+                        &m->column,  &m->multipliers.nu, &m->multipliers.behind,
+                        &m->multipliers.mean, &m->multipliers.change,
+                        &m->CA,      &m->B,      &m->jump,   &m->CB };
     enum { ARRAYS = sizeof each / sizeof *each };
-    const size_t d = m->d, ring = m->want->alpha ? 2 * FVI_BDF2_TAPS * m->r : 0;
-    m->block = calloc(ARRAYS * d + 2 * m->r + 2 * ring + m->linearised.size,
-                      sizeof *m->block);
+    const size_t d = m->d;
+    m->block = calloc(ARRAYS * d + 2 * m->r + m->linearised.size, sizeof *m->block);
     if (!m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
     double *next = m->block;
@@ -30,9 +29,7 @@ static int allocate(fvi_adjoint_multistep *m)
         *each[i] = next;
     m->N = next;
     m->Ndot = m->N + m->r;
-    m->ring = m->Ndot + m->r;
-    m->ring_by_order = m->ring + ring;
-    m->G = m->ring_by_order + ring;
+    m->G = m->Ndot + m->r;
     return FVI_SUCCESS;
 }
 
@@ -100,6 +97,12 @@ static void describe(const fvi_method *method, const fvi_run *run,
     m->theta = method->scheme == FVI_SCHEME_CQ2_SHIFTED    ? run->alpha
                : method->scheme == FVI_SCHEME_CQ2_MIDPOINT ? 0.5
                                                            : 0;
+    m->multipliers = (fvi_adjoint_multipliers){
+        .d = m->d,
+        .is_first_order = m->paper_convention,
+        .is_mean = m->scheme == FVI_SCHEME_CQ2_MIDPOINT,
+        .theta = m->theta
+    };
     m->linearised = fvi_linearised_begin(system, 1);
     m->has_hessian = !system->matrices && u->hessian;
     m->is_quadratic = u->quadratic && u->quadratic(u->params);
@@ -148,6 +151,7 @@ void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
     fvi_adjoint_constant_stop(&m->constant);
     fvi_initial_history_force_stop(&m->history_force);
     fvi_adjoint_constant_stop(&m->jumped);
+    fvi_adjoint_filter_stop(&m->filter);
     for (size_t i = 0; i < m->terms; i++)
         fvi_adjoint_term_stop(&m->each[i]);
     free(m->each);

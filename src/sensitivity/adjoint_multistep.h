@@ -8,6 +8,7 @@
 
 #include <fvi/adjoint.h>
 #include "adjoint_constant.h"
+#include "adjoint_filter.h"
 #include "adjoint_kernel.h"
 #include "methods/initial_history_force.h"
 #include "system/linearised.h"
@@ -49,16 +50,14 @@ typedef struct {
     double *z, *z_next;         /* each: z_k, z_{k+1} */
     double *sum;                /* each: sum_j z_j N_j, where there are no matrices */
     double *work, *column;      /* each */
-    double *nu, *behind, *mean, *change; /* each: of a law, (23.7) */
+    fvi_adjoint_multipliers multipliers; /* of a law, (23.7) */
     double *CA; /* each: of a law with impulses of the past, C A */
     double *N, *Ndot;           /* r each: room for sums, and for their derivatives by order */
-    double *ring, *ring_by_order; /* r 2 FVI_BDF2_TAPS each: their last values, twice */
     double *G;
     double *block; /* all these; owned */
     double sum_of_C, sum_by_order, sum_by_theta; /* sum_j z_j C N_j, and its derivatives */
     double by_M, by_K;
-    size_t taps, place; /* of the factor of the weights; the latest is at [place] */
-    double g[FVI_BDF2_TAPS], gdot[FVI_BDF2_TAPS]; /* (13.11), (13.16) */
+    fvi_adjoint_filter filter; /* of the factor of the weights, where alpha is wanted */
     size_t terms;           /* of a law whose terms are wanted, */
     fvi_adjoint_term *each; /* their memories; owned */
 } fvi_adjoint_multistep;

@@ -68,8 +68,8 @@ int fvi_adjoint_multistep_damping_start(fvi_adjoint_multistep *m, const fvi_meth
         status = fvi_adjoint_multistep_apply_damping(m, -1, m->Jp, m->CJ);
     else
         memcpy(m->CJ, m->Jp, m->d * sizeof *m->CJ);
-    if (m->want->alpha)
-        m->taps = fvi_adjoint_factor(m->scheme, run->alpha, m->g, m->gdot);
+    if (!status && m->want->alpha)
+        status = fvi_adjoint_filter_start(m->scheme, run->alpha, m->r, &m->filter);
     if (status || !fvi_adjoint_kernel_is_wanted(m->want))
         return status;
     m->each = calloc(run->law->count, sizeof *m->each);
@@ -78,7 +78,7 @@ int fvi_adjoint_multistep_damping_start(fvi_adjoint_multistep *m, const fvi_meth
     for (; !status && m->terms < run->law->count; m->terms++) {
         fvi_adjoint_term *t = &m->each[m->terms];
         status = fvi_adjoint_term_start(run, m->want, fvi_damping_quadrature(method),
-                                        m->terms, m->d, t);
+                                        run->law->term + m->terms, m->d, NULL, t);
         if (!status && m->has_initial_impulses)
             status = fvi_adjoint_term_start_impulses(t, run->h, m->want);
     }
@@ -89,35 +89,15 @@ int fvi_adjoint_multistep_damping_start(fvi_adjoint_multistep *m, const fvi_meth
 
 /* ---- a node ---- */
 
-/* The derivative of N by 2 alpha, from what the memory has given. It takes in g lambda, so
- * that the derivative by g is that of the filter g'/g on its sums:  g y = g' N. */
-//> filter
-static const double *differentiated_sums(fvi_adjoint_multistep *m)
-{
-    const size_t taps = m->taps;
-    if (taps < 2)
-        return m->damping->Hdot;
-    m->place = (m->place ? m->place : taps) - 1;
-    for (size_t i = 0; i < m->r; i++) {
-        double *past = m->ring + i * 2 * taps + m->place,
-               *rated = m->ring_by_order + i * 2 * taps + m->place, y = 0;
-        past[0] = past[taps] = m->damping->H[i];
-        y += m->gdot[0] * past[0];
-        for (size_t n = 1; n < taps; n++)
-            y += m->gdot[n] * past[n] - m->g[n] * rated[n];
-        rated[0] = rated[taps] = y /= m->g[0];
-        m->Ndot[i] = m->damping->Hdot[i] + y;
-    }
-    return m->Ndot;
-}
-//< filter
-
 /* z and the sums of this node, to all that is summed up. */
 static int accumulate_sums(fvi_adjoint_multistep *m, const double *z)
 {
     int status = multiply(m, z, m->damping->H, 1, m->sum, &m->sum_of_C);
     if (!status && m->damping->Hdot)
-        status = multiply(m, z, differentiated_sums(m), 1, NULL, &m->sum_by_order);
+        status = multiply(m, z,
+                          fvi_adjoint_filter_next(&m->filter, m->damping->H,
+                                                  m->damping->Hdot, m->Ndot),
+                          1, NULL, &m->sum_by_order);
     return status;
 }
 
@@ -176,41 +156,23 @@ int fvi_adjoint_multistep_add_jumps(fvi_adjoint_multistep *m, size_t j, const do
         m->sum[i] += m->z_next[i] * c->value[i];
         m->stepper->p[i] -= m->damping->unit * m->CB[i];
     }
-    memset(m->jump, 0, (m->terms ? 0 : m->d) * sizeof *m->jump); /* find_nu asks for it */
+    memset(m->jump, 0, (m->terms ? 0 : m->d) * sizeof *m->jump); /* the terms ask for it */
     return status;
-}
-
-/* nu_{k+1} and its increment, (23.7); of fvi-stable the mean of nu_{k+1} and nu_{k+2}. */
-static void find_nu(fvi_adjoint_multistep *m, size_t k)
-{
-    const double *left = m->stepper->x, theta = m->theta,
-                 share = m->paper_convention         ? 1
-                         : k + 1 == m->run->steps ? 0.5
-                                                  : 1 - theta;
-    for (size_t i = 0; i < m->d; i++) {
-        m->nu[i] = share * m->right[i] + theta * left[i];
-        if (m->has_jumps && !m->paper_convention && k + 1 < m->run->steps)
-            m->nu[i] += (theta - 0.5) * m->jump[i];
-        const double now = m->scheme == FVI_SCHEME_CQ2_MIDPOINT
-                               ? (m->nu[i] + m->behind[i]) / 2
-                               : m->nu[i];
-        m->behind[i] = m->nu[i];
-        m->change[i] = now - m->mean[i];
-        m->mean[i] = now;
-    }
 }
 
 /* What each term of the law, alone, gives to its derivatives: h C z_{k+1} meets its sums. */
 static int accumulate_terms(fvi_adjoint_multistep *m, size_t k)
 {
     int status = FVI_SUCCESS;
-    find_nu(m, k);
+    fvi_adjoint_multipliers_next(&m->multipliers, k + 1 == m->run->steps, m->right,
+                                 m->stepper->x, m->has_jumps ? m->jump : NULL);
     memset(m->jump, 0, m->d * sizeof *m->jump);
     memset(m->column, 0, m->d * sizeof *m->column);
     status = fvi_adjoint_multistep_apply_damping(m, -m->run->h, m->z_next, m->column);
     for (size_t l = 0; !status && l < m->terms; l++)
-        status = fvi_adjoint_term_accumulate(&m->each[l], m->mean, m->change,
-                                             m->column, m->want, l);
+        status = fvi_adjoint_term_accumulate(&m->each[l], m->multipliers.mean,
+                                             m->multipliers.change, m->column, m->want,
+                                             l);
     return status;
 }
 

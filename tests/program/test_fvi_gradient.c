@@ -186,9 +186,13 @@ START_TEST(rows_of_a_law_are_differences_of_runs)
     rows_of_a_law("--method fvi-stable");
     ck_assert_int_eq(
         fvi("gradient --damping 'maxwell2:1,0.4,2,0.1 + power:0.2,0.3'"), 0);
-    ck_assert_ptr_nonnull(
-        strstr(out, "# warning = no derivatives by the numbers of damping_1\n"));
+    derivative("damping_1_R2");
     ck_assert_ptr_nonnull(strstr(out, "\ndamping_2\t"));
+    ck_assert_int_eq(fvi("gradient --damping symbol:s^0.5"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivatives by the numbers of damping\n"));
+    ck_assert_int_eq(fvi("gradient --damping davidson:1,0.4,2 --method fvi-lobatto3d"), 0);
+    derivative("damping");
+    ck_assert_ptr_null(strstr(out, "\ndamping_A\t"));
     ck_assert_int_eq(fvi("gradient --damping zener:1,0.3,2 --method fvi-shifted"),
                      2);
     ck_assert_ptr_nonnull(strstr(err, "has no gradient with --damping"));
@@ -196,6 +200,64 @@ START_TEST(rows_of_a_law_are_differences_of_runs)
     derivative("damping");
     derivative("damping_A");
     ck_assert_ptr_null(strstr(out, "warning"));
+}
+END_TEST
+
+/* maxwell2:R1,A,R2,B by its four numbers, against central differences; and where the time of the kernel,
+ * R1 / R2, is not wanted. */
+START_TEST(two_springpots_in_series_have_rows)
+{
+    static const char *const names[] = { "damping", "damping_A", "damping_R2", "damping_B" };
+    const double at[] = { 1, 0.4, 2, 0.1 };
+    const char *methods[] = { "--method fvi", "--method fvi-lobatto3d" };
+    for (size_t m = 0; m < LEN(methods); m++)
+        for (size_t i = 0; i < LEN(names); i++) {
+            char options[200], line[300];
+            double v[2];
+            for (int side = 0; side < 2; side++) {
+                double n[LEN(at)];
+                for (size_t j = 0; j < LEN(at); j++)
+                    n[j] = at[j] + (j == i ? (side ? 1e-5 : -1e-5) : 0);
+                snprintf(options, sizeof options,
+                         "--damping maxwell2:%.17g,%.17g,%.17g,%.17g", n[0], n[1], n[2], n[3]);
+                v[side] = last(options, "x", methods[m]);
+            }
+            snprintf(line, sizeof line, "gradient %s --damping maxwell2:1,0.4,2,0.1 --by %s",
+                     methods[m], names[i]);
+            ck_assert_int_eq(fvi(line), 0);
+            ck_assert_near(derivative(names[i]), (v[1] - v[0]) / 2e-5, 1e-6, "%s", names[i]);
+        }
+}
+END_TEST
+
+/* The same digits, and no other row; a word that no row has is refused. */
+START_TEST(by_chooses_rows)
+{
+    static const char *const names[] = { "x0_1", "x0_2", "mass_2", "damping_1", "damping_1_R2",
+                                         "k" };
+    const char *same = "gradient --mass 1,2 --potential 'k*x1^2+x2^2+(x2-x1)^4' --let k=1,b=2 "
+                       "--damping maxwell2:1,0.4,2,0.1 --damping zener:1,0.3,1 --force b*t";
+    double all[LEN(names)];
+    char line[500];
+    ck_assert_int_eq(fvi(same), 0);
+    for (size_t i = 0; i < LEN(names); i++)
+        all[i] = derivative(names[i]);
+    snprintf(line, sizeof line, "%s --by x0,mass_2,damping_1,damping_1_R2,k", same);
+    ck_assert_int_eq(fvi(line), 0);
+    for (size_t i = 0; i < LEN(names); i++)
+        ck_assert_near(derivative(names[i]), all[i], 0, "%s", names[i]);
+    ck_assert_uint_eq(count_rows(), LEN(names));
+    snprintf(line, sizeof line, "%s --by damping_1", same);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_near(derivative("damping_1"), all[3], 0, "alone");
+    snprintf(line, sizeof line, "%s --by b", same);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_uint_eq(count_rows(), 1);
+    ck_assert_int_eq(fvi("gradient --by alhpa"), 2);
+    ck_assert_ptr_nonnull(strstr(err, "--by: 'alhpa' is none of x0, p0, mass, rho, alpha, c; did "
+                                      "you mean alpha?"));
+    ck_assert_int_eq(fvi("gradient --by ''"), 2);
+    ck_assert_int_eq(fvi("gradient --by x0,"), 2);
 }
 END_TEST
 
@@ -381,6 +443,7 @@ int main(void)
     Suite *suite = suite_create("fvi gradient");
     ADD_CASE(suite, "answers", rows_of_a_gradient_are_differences_of_runs,
              rows_of_a_law_on_steps_of_any_length, rows_of_a_law_are_differences_of_runs,
+             two_springpots_in_series_have_rows, by_chooses_rows,
              the_forces_and_the_start_add_up_to_a_linear_motion,
              nothing_has_no_sign, bad_words_of_a_gradient_are_refused,
              a_gradient_that_cannot_be_had_says_why);

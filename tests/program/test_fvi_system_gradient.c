@@ -117,8 +117,25 @@ START_TEST(dampers_of_a_folder_have_a_gradient)
     snprintf(line, sizeof line, "gradient %s --damper 'left=x1 : power:0.5,0.7' --of x:2",
              same);
     ck_assert_int_eq(fvi(line), 0);
-    ck_assert_near(by("left.rho"), (v[1] - v[0]) / 2e-5, 1e-9, "left");
-    by("d1.rho");
+    ck_assert_near(by("left.factor"), (v[1] - v[0]) / 2e-5, 1e-9, "left");
+    ck_assert_near(0.5 * by("left.rho"), by("left.factor"), 1e-14, "rho of left");
+    by("d1.factor");
+    for (int side = 0; side < 2; side++) {
+        snprintf(line, sizeof line,
+                 "run %s --damper 'left=x1 : power:0.5,%.17g' --columns x --unknowns 2", same,
+                 0.7 + (side ? 1e-5 : -1e-5));
+        ck_assert_int_eq(fvi(line), 0);
+        v[side] = cell(count_rows() - 1, 0);
+    }
+    snprintf(line, sizeof line, "gradient %s --damper 'left=x1 : power:0.5,0.7' --of x:2 --by "
+             "d1.time,left.alpha", same);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_near(by("left.alpha"), (v[1] - v[0]) / 2e-5, 1e-8, "the order of left");
+    by("d1.time");
+    ck_assert_ptr_null(strstr(out, "\nmass"));
+    snprintf(line, sizeof line, "gradient %s --damper 'left=x1 : power:0.5,0.7' --of x:2",
+             same);
+    ck_assert_int_eq(fvi(line), 0);
     by("mass");
     ck_assert_ptr_null(strstr(out, "\nalpha"));
     ck_assert_int_eq(fvi("gradient --system bare --method fvi-shifted --damper 'x1 : "

@@ -131,6 +131,20 @@ def test_a_structure_has_a_gradient():
                               lambda f: [(C, "power:1,0.3"), (f * C2, "zener:2,0.3,0.1")])):
         far = [(wx * fvi.solve(two.replace(dampers=pair(1 + k * 1e-3)), h=0.05).x).sum() for k in (-2, -1, 1, 2)]
         assert abs(g["dampers"][i] - (8 * (far[2] - far[1]) - far[3] + far[0]) / 12e-3) < 1e-7 * max(1, abs(g["dampers"][i]))
+    numbers = [0.3, 0.3, 2, 0.3, 0.1, 1, 0.4, 2, 0.1]  # of three laws
+
+    def laws(v):
+        return two.replace(dampers=[(C, "power:1,%.17g" % v[1]), (C2, "zener:%.17g,%.17g,%.17g" % tuple(v[2:5])),
+                                    ([1, 0, 0, 0, -1], "maxwell2:%.17g,%.17g,%.17g,%.17g + viscous:0.1" % tuple(v[5:]))])
+    g = fvi.vjp(fvi.solve(laws(numbers), h=0.05), x=wx, wrt="laws")["laws"]
+    found = [None, g[0][0]["alpha"], *g[1][0].values(), *(g[2][0][name] for name in ("rho1", "alpha1", "rho2", "alpha2"))]
+    assert list(g[2][1]) == ["rho", "alpha"] and list(g[1][0]) == ["rho", "alpha", "time"]
+    for i in range(1, len(numbers)):
+        far = [(wx * fvi.solve(laws([v + k * 1e-3 * (j == i) for j, v in enumerate(numbers)]), h=0.05).x).sum()
+               for k in (-2, -1, 1, 2)]
+        assert abs(found[i] - (8 * (far[2] - far[1]) - far[3] + far[0]) / 12e-3) < 1e-6 * max(1, abs(found[i]))
+    rows = fvi.jacobian(fvi.solve(laws(numbers).replace(time=1.0), h=0.5), ["laws"])["laws"]
+    assert rows.shape == (3, 5, 2 + 3 + 4 + 2)
     with pytest.raises(fvi.Error) as caught:
         fvi.vjp(fvi.solve(fvi.Problem(lagrangian="v^2/2 - x^2/2", x0=1, v0=0), h=0.1), x=1, wrt=["x0"])
     assert caught.value.code == 23

@@ -8,7 +8,6 @@ Proved here:
 Printed: derivatives of runs of two masses by fvi, fvi-bdf2 and fvi-stable as they stand, by dual
 numbers of 45 digits, the weights by complex steps of 10^-45 with 100 digits; and of five masses
 with stages, form D, the symbol differentiated by a difference of 10^-20."""
-import functools
 from random import Random
 
 import mpmath
@@ -17,6 +16,7 @@ from sympy import Rational, cancel, diff, exp, integrate, log, series, simplify,
 
 from shared.adjoint_chain import D5, N as N6, LawChain, numbers
 from shared.arithmetic import HALF, TINY, UNITS, ZERO, Dual, apart, dot, dual
+from shared.damper_runs import HAS, SYMBOLS, parabola
 from shared.refgen import METHODS, claim, header, hexd, nearest, prove, table
 
 # ---- the symbols ----
@@ -90,39 +90,10 @@ def symbol(kind, a, T, e, bdf2):
     return over(top, [(n == 0) + T * v for n, v in enumerate(top)])
 
 
-SYMBOLS = {
-    "POWER": lambda v, a, T, e: v ** (2 * a),
-    "ZENER": lambda v, a, T, e: v ** (2 * a) / (1 + T * v ** (2 * a)),
-    "MAXWELL": lambda v, a, T, e: v / (1 + T * v),
-    "DISTRIBUTED": lambda v, a, T, e: (v ** (2 * e) - v ** (2 * a)) / (2 * mpmath.log(v)),
-}
-
-
-@functools.cache
-def parabola():
-    """Laplace's inverse for t = h, ..., N h, poles up to 100 inside: its points s, and for each impulse of
-    (26.20) the weights of the symbol at these points. A weight has no number of a law in it."""
-    mu, spacing = 30 / (N * STEP), mpf("0.042")
-    points, weights = [], [[] for _ in range(2 * N)]
-    for u in [1 + 1j * spacing * (j + mpf(0.5)) for j in range(-205, 205)]:
-        s, ds = mu * u * u, mu / mpmath.pi * spacing * u  # ds by 2 pi i
-        z = s * STEP
-        f = mpmath.exp(z)
-        power = STEP * ds / (s * s) * f / (z * z)
-        points.append(s)
-        weights[0].append(power)
-        weights[1].append(power * (z - 1))
-        for k in range(1, N):
-            weights[2 * k].append(power * (f - 1 - z))
-            weights[2 * k + 1].append(power * (f * (z - 1) + 1))
-            power *= f
-    return points, weights
-
-
 def impulses(kind, a, T, e):
     """(26.20): h int (1 - u) q((k + u) h) du and h int u q du of all steps, q the inverse of C/s^2;
     of step 0 as integrals of q, by the inverses of C/s^3 and C/s^4."""
-    points, weights = parabola()
+    points, weights = parabola(STEP, N)
     C = [SYMBOLS[kind](s, a, T, e) for s in points]
     return [mpmath.fdot(row, C) for row in weights]
 
@@ -197,7 +168,6 @@ def run(method, kappa, terms, data):
 
 
 KINDS = ["POWER", "ZENER", "MAXWELL", "DISTRIBUTED"]
-HAS = {"POWER": (1, 0, 0), "ZENER": (1, 1, 0), "MAXWELL": (0, 1, 0), "DISTRIBUTED": (1, 0, 1)}
 EDGES = [[("POWER", 0.0, 1.0, 1.0), ("POWER", 0.5, 1.0, 1.0), ("POWER", 1.0, 1.0, 1.0)],
          [("ZENER", 0.0, 0.75, 1.0), ("ZENER", 0.5, 0.75, 1.0), ("ZENER", 0.75, 0.0, 1.0)],
          [("ZENER", 0.875, 0.5, 1.0), ("MAXWELL", 0.25, 0.0, 1.0), ("DISTRIBUTED", 0.0, 1.0, 1.0)],
@@ -262,8 +232,9 @@ def slope_of(kind, numbers, which):
 
 
 staged = []
-for which in range(10):
-    s, terms = 2 + which % 3, drawn(random, which, 0.97)
+SERIES = [("MAXWELL2", 0.375, 0.75, 0.625, 0.375), ("ZENER", 0.5, 0.3125, 0.75, 1.0), ("MAXWELL2", 0.25, 0.5, 1.5, 0.125)]
+for which in range(12):
+    s, terms = 2 + which % 3, SERIES if which >= 10 else drawn(random, which, 0.97)
     data = dict(x0=[uniform(-1, 1) for _ in range(D5)], p0=[uniform(-1, 1) for _ in range(D5)],
                 mass=[uniform(0.5, 2) for _ in range(D5)],
                 rho=[0.0 if i == which % D5 else uniform(0, 1.5) for i in range(D5)],

@@ -12,9 +12,9 @@ from ._observe import as_run
 from ._problem import Problem
 from ._solution import Solution
 from ._solve import Motion, solve
-from ._system import by_term, numbers_of_law
+from ._system import by_law, numbers_of_laws
 
-ALL = ("x0", "p0", "v0", "mass", "rho", "alpha", "order", "potential", "let", "damping", "force", "M", "K", "C", "dampers")
+ALL = ("x0", "p0", "v0", "mass", "rho", "alpha", "order", "potential", "let", "damping", "force", "M", "K", "C", "dampers", "laws")
 MOST_PARTS = 1 << 12  # of the time, for rows that have a common step
 
 
@@ -86,7 +86,7 @@ def known_of(q: Problem, is_expression: bool) -> set:
     """By what a problem has derivatives."""
     known = {"x0", "v0" if q.v0 is not None else "p0"} | ({"force"} if isinstance(q.force, tuple) else set())
     if q.kind == "structure" and q.dampers:
-        return known | {"K", "dampers"} | ({"M"} if q.ground is None else set())
+        return known | {"K", "dampers", "laws"} | ({"M"} if q.ground is None else set())
     known |= {"damping"} if q.damping is not None else {"order" if q.order is not None else "alpha"}
     inertia = set() if q.ground is not None else {"M"} if q.kind == "structure" else {"mass"}  # the ground pulls at it
     if q.kind == "structure":
@@ -121,8 +121,9 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     wrt       by what: fields of the problem; None: by all of them that have a derivative
 
     Returns a dict by names: "x0", "p0" or "v0", "mass", "rho", "alpha" or "order", each in the shape that the problem
-    has it; of matrices "M", "K" and "C", by a factor of each, and "dampers", by one of each
-    law ("mass" and "M" only where no ground moves); "let", by names; "potential", the derivatives by the constants of a potential that is ready to use;
+    has it; of matrices "M", "K" and "C", by a factor of each, "dampers", by a factor of the law of each, and
+    "laws", for each damper a dict for each term of its law ("mass" and "M" only where no ground moves); "let", by names;
+    "potential", the derivatives by the constants of a potential that is ready to use;
     "damping", a dict for each term of the law, with rho, alpha, time and end; "force", of measured rows, by each F.
 
     These are the derivatives of the numbers that `solve` gives, exact but for rounding: no difference is taken. Of
@@ -160,9 +161,10 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
                             ("damping", len(q.dampers) or 1 if whole else d, {"rho", "C", "dampers"}), ("alpha", 1, {"alpha", "order"})):
         if by & names or (field == "p0" and q.v0 is not None and "mass" in names):
             want(field, size)
-    parts = numbers_of_law(system.law, mirror.is_dense) if "damping" in names else []
+    laws = system.laws_of_dampers if "laws" in names else [system.law] if "damping" in names else []
+    parts = numbers_of_laws(laws, mirror.method, mirror.is_dense) if laws else []
     for field in parts:
-        want(field, system.law.count)
+        want(field, sum(law.count for law in laws))
     typed = system.typed_potential
     if system.is_expression:
         to.sensitivity.count, to.sensitivity.column = len(lets), ffi.addressof(lib, "by_parameter")
@@ -184,7 +186,7 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     if status:
         raise failure(status)
     add_energy(solution, by_energy, system, found)
-    return named(q, names, mirror, found, parts, lets, used)
+    return named(q, names, mirror, found, parts, laws, lets, used)
 
 
 def add_energy(s: Solution, by: Optional[Array], system: Any, found: dict) -> None:
@@ -209,7 +211,7 @@ def add_energy(s: Solution, by: Optional[Array], system: Any, found: dict) -> No
             found["parameters"][j] += by[k] * value[0]
 
 
-def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, lets: list, used: list) -> dict:
+def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws: list, lets: list, used: list) -> dict:
     """By the names of the problem, in its shapes."""
     answer: dict = {}
     system, d = mirror.motion.system, mirror.d
@@ -243,8 +245,11 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, lets
                                  for t, f in zip(times, by_force))
         answer["let"] = dict(zip(lets, by_let.tolist()))
     if "damping" in names:
-        answer["damping"] = [by_term(system.law.term[i].kind, {f: found[f][i] for f in parts})
-                             for i in range(system.law.count)] if parts else None
+        answer["damping"] = by_law(system.law, {f: found[f] for f in parts}) if parts else None
+    if "laws" in names:
+        answer["laws"] = []
+        for law, first in zip(laws, np.cumsum([0] + [law.count for law in laws])):
+            answer["laws"].append(by_law(law, {f: found[f] for f in parts}, int(first)))
     if "force" in names:
         t, F = (np.asarray(a) for a in cast(tuple, q.force))
         if mirror.is_dense and (abs(t / mirror.motion.run.h - np.round(t / mirror.motion.run.h)) > 1e-9).any():
@@ -300,7 +305,8 @@ def flat(found: Any) -> Any:
     if isinstance(found, dict):
         return np.array(list(found.values()))
     if isinstance(found, list):
-        return np.array([v for term in found for v in term.values()])
+        return np.array([v for each in found for term in (each if isinstance(each, list) else [each])
+                         for v in term.values()])
     return np.asarray(found)
 
 

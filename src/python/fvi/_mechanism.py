@@ -110,7 +110,8 @@ class Structure:
     def damper(self, s: Any, to: Any, given: tuple) -> None:
         of, kernel, past = (*given, "held")[:3]
         s.keep.append(law(kernel, s.parameters))
-        to.kernel, to.past = ffi.addressof(s.keep[-1][0], "law"), choice("dampers: past", past, self.pasts)
+        s.laws_of_dampers.append(ffi.addressof(s.keep[-1][0], "law"))
+        to.kernel, to.past = s.laws_of_dampers[-1], choice("dampers: past", past, self.pasts)
         if isinstance(of, Matrix):
             to.matrix = self.sparse(s, of)
         else:

@@ -155,21 +155,32 @@ def law(given: Any, parameters: Any = ffi.NULL) -> tuple:
 
 FIELDS_OF_LAW = {"terms": "rho", "orders": "alpha", "times": "time", "ends": "end"}  # of fvi_sensitivities
 OF_KIND = {lib.FVI_KERNEL_POWER: ("rho", "alpha"), lib.FVI_KERNEL_ZENER: ("rho", "alpha", "time"),
-           lib.FVI_KERNEL_MAXWELL: ("rho", "time"), lib.FVI_KERNEL_DISTRIBUTED: ("rho", "alpha", "end")}
+           lib.FVI_KERNEL_MAXWELL: ("rho", "time"), lib.FVI_KERNEL_DISTRIBUTED: ("rho", "alpha", "end"),
+           lib.FVI_KERNEL_DAVIDSON: ("rho", "alpha", "time")}
 
 
-def numbers_of_law(law: Any, is_dense: bool) -> list:
-    """By which fields a law has derivatives: on steps of any length by the factor of one term; where there are terms of
-    other kinds by factors alone."""
+def numbers_of_laws(laws: Sequence, method: Any, is_dense: bool) -> list:
+    """By which fields laws have derivatives: on steps of any length by the factor of one term; with stages Cole and
+    Davidson's by its factor alone."""
+    terms = [law.term[i].kind for law in laws for i in range(law.count)]
     if is_dense:
-        return ["terms"] if law.count == 1 else []
-    return list(FIELDS_OF_LAW) if all(law.term[i].kind in OF_KIND for i in range(law.count)) else ["terms"]
+        return ["terms"] if len(terms) == 1 else []
+    return ["terms"] if method.stages and lib.FVI_KERNEL_DAVIDSON in terms else list(FIELDS_OF_LAW)
 
 
-def by_term(kind: int, by: dict) -> dict:
-    """The derivatives of one term by the names of its numbers."""
-    names = OF_KIND.get(kind, ("rho",))
+def by_term(term: Any, by: dict) -> dict:
+    """The derivatives of one term by the names of its numbers; those of two springpots in series are named as in a fit."""
+    if term.kind == lib.FVI_KERNEL_MAXWELL2 and "times" in by and term.rho > 0:
+        part = term.time / term.rho  # 1 over rho2
+        return {"rho1": float(by["terms"] + part * by["times"]), "alpha1": float(by["orders"]),
+                "rho2": float(-term.time * part * by["times"]), "alpha2": float(by["ends"])}
+    names = OF_KIND.get(term.kind, ("rho",))
     return {FIELDS_OF_LAW[f]: float(v) for f, v in by.items() if FIELDS_OF_LAW[f] in names}
+
+
+def by_law(law: Any, found: dict, first: int = 0) -> list:
+    """A dict for each term of a law, whose numbers begin at `first`."""
+    return [by_term(law.term[i], {f: v[first + i] for f, v in found.items()}) for i in range(law.count)]
 
 
 def typed_force(text: str, d: int, parameters: Any, last: float) -> Any:
@@ -186,6 +197,7 @@ class System:
                  damping: Any = None, mechanism: Any = None, structure: Any = None, ground: Any = None,
                  along: Optional[Numbers] = None, events: Any = None):
         self.keep: list = []
+        self.laws_of_dampers: list = []
         if let is not None and not (isinstance(let, Mapping) and all(isinstance(name, str) for name in let)):
             raise TypeError(f"let: {arguments.described(let)} is no dict of names and numbers")
         self.let = {name: arguments.number(f"let: {name}", value) for name, value in (let or {}).items()}

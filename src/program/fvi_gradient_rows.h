@@ -1,0 +1,23 @@
+/* src/program/fvi_gradient_rows.h -- The rows of `fvi gradient`, by name. */
+#ifndef FVI_GRADIENT_ROWS_H
+#define FVI_GRADIENT_ROWS_H
+
+#include "fvi_gradient_answer.h"
+
+/* A row: its name, and where its number stands, or will stand; or a line of warning instead. */
+typedef struct {
+    void (*visit)(void *to, const char *name, const double *by, const char *warning);
+    void *to;
+} fvi_gradient_visitor;
+
+/* fvi_gradient_rows -- all rows that a gradient has, in the order of the table. */
+void fvi_gradient_rows(const fvi_gradient_request *r, const fvi_gradient_visitor *visitor);
+
+/* fvi_gradient_has_row -- is the row asked for? Without --by each is; x0 stands for x0_1, x0_2, ... */
+int fvi_gradient_has_row(const fvi_gradient_request *r, const char *name);
+
+/* fvi_gradient_choose -- what --by does not ask for is not computed. A name that no row has is refused,
+ * as fvi_refuse does. */
+int fvi_gradient_choose(fvi_gradient_request *r, fvi_error *c);
+
+#endif
