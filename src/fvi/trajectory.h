@@ -109,6 +109,7 @@ typedef struct {
     double *dx, *g, *F; /* the last increment, gradient and force */
     struct fvi_newton *newton;
     void *method_state; /* what only this method has */
+    struct fvi_mechanism_state *mechanism; /* of a system with a mechanism; or NULL */
     fvi_run run;
     const fvi_method *method;
     int is_busy; /* nonzero while a function has it that calls the caller's */

@@ -94,8 +94,9 @@ int fvi_mechanism_check(const fvi_method *method, const fvi_run *run,
         return fvi_fail(error, FVI_EFAULT, "mechanism", NAN,
                         "a function or the list of dampers is missing");
     int status = FVI_SUCCESS;
+    const int has_stages = method->stages > 0 || method->scheme == FVI_SCHEME_VARIABLE_STEP;
     for (size_t i = 0; i < m->damper_count && !status; i++)
-        status = check_damper(&m->damper[i], i, method->stages > 0, error);
+        status = check_damper(&m->damper[i], i, has_stages, error);
     return status || !m->constraints ? status
                                      : check_constraints(method, run, error);
 }

@@ -12,7 +12,7 @@ int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
                                    const double *C, double *p, double *v,
                                    double *w)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t d = o->d, m = o->m, n = d + m;
     double *Lv = o->room, *Lvv = Lv + d, *r = Lvv + d * d, *J = r + n,
@@ -85,7 +85,7 @@ static int refuse(int code, const char *field, double value, size_t i,
 /* Is each gradient more than a sum of those before it? By Gram and Schmidt. */
 static int check_independent(const fvi_stepper *s, fvi_error *error)
 {
-    const fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t d = o->d;
     double *rest = o->room;
@@ -120,7 +120,7 @@ static int check_independent(const fvi_stepper *s, fvi_error *error)
 /* c(x0) = 0, but for the digits that a start is typed with. */
 static int check_place(const fvi_stepper *s, fvi_error *error)
 {
-    const fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
     double *value = o->residual, far = fvi_mechanism_largest(o->d, s->x);
     char place[32];
@@ -139,7 +139,7 @@ static int check_place(const fvi_stepper *s, fvi_error *error)
  * more than its digits. */
 static int check_momentum(fvi_stepper *s, fvi_error *error)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     double *p = o->residual, *Lv = o->change;
     memcpy(p, s->p, o->d * sizeof *p);
     int status = fvi_mechanism_project_momentum(s, 0, s->x, o->C, p, o->v,
@@ -175,7 +175,7 @@ static int check_momentum(fvi_stepper *s, fvi_error *error)
 /* Which coordinates have neither inertia nor a constraint? Their velocity is not that of p. */
 static int find_massless(fvi_stepper *s)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d;
     double *Lvv = o->room;
     const int status = fvi_lagrangian_point(s->run.system, 0, s->x, o->v, NULL,
@@ -194,7 +194,7 @@ static int find_massless(fvi_stepper *s)
 
 int fvi_mechanism_check_start(fvi_stepper *s, fvi_error *error)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
     int status = FVI_SUCCESS;
     if (o->m) {

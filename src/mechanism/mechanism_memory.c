@@ -30,7 +30,7 @@ static int add_start_force(fvi_stepper *s, size_t j, const fvi_kernel_term *t,
                            double amplitude)
 {
     static const double ends[] = { 0, 1 };
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     fvi_mechanism_start_force *force = &o->start_force[o->start_forces++];
     force->damper = j;
     force->size = amplitude;
@@ -46,24 +46,32 @@ static int add_start_force(fvi_stepper *s, size_t j, const fvi_kernel_term *t,
     return FVI_SUCCESS;
 }
 
-/* The past rl, which was stretched to z at t = 0: its forces are known, and there is a motion, for powers of
- * order 1 at most. */
-static int add_start_forces_of_place(fvi_stepper *s, size_t j, fvi_error *error)
+int fvi_mechanism_check_stretch(const fvi_kernel *kernel, size_t j, fvi_error *error)
 {
-    const fvi_mechanism_state *o = s->method_state;
-    const fvi_kernel *kernel = s->run.system->mechanism->damper[j].kernel;
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; i < kernel->count && o->z[j] != 0 && !status; i++) {
+    for (size_t i = 0; i < kernel->count; i++) {
         const fvi_kernel_term *t = &kernel->term[i];
-        if (t->rho == 0)
-            continue;
-        if (!is_power(t) || t->alpha > 0.5)
+        if (t->rho != 0 && (!is_power(t) || t->alpha > 0.5))
             return fvi_fail(error, is_power(t) ? FVI_EDOM : FVI_EUNSUP,
                             "damper", (double)j,
                             "the past rl of damper %zu wants powers of order "
                             "1 at most, or an elongation of 0",
                             j + 1);
-        if (t->alpha < 0.5)
+    }
+    return FVI_SUCCESS;
+}
+
+/* The past rl, which was stretched to z at t = 0: its forces are known, and there is a motion, for powers of
+ * order 1 at most. */
+static int add_start_forces_of_place(fvi_stepper *s, size_t j, fvi_error *error)
+{
+    const fvi_mechanism_state *o = s->mechanism;
+    const fvi_kernel *kernel = s->run.system->mechanism->damper[j].kernel;
+    int status = FVI_SUCCESS;
+    if (o->z[j] != 0)
+        status = fvi_mechanism_check_stretch(kernel, j, error);
+    for (size_t i = 0; i < kernel->count && o->z[j] != 0 && !status; i++) {
+        const fvi_kernel_term *t = &kernel->term[i];
+        if (t->rho != 0 && t->alpha < 0.5)
             status = add_start_force(s, j, t, o->z[j]);
     }
     return status;
@@ -84,7 +92,7 @@ static int add_start_force_of_slope(fvi_stepper *s, size_t j, double zdot)
 /* The slope of z at the start. */
 static int slope(const fvi_stepper *s, size_t j, const double *v, double *zdot)
 {
-    const fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism_state *o = s->mechanism;
     const fvi_elongation *of = &s->run.system->mechanism->damper[j].of;
     int status = FVI_SUCCESS;
     *zdot = 0;
@@ -108,7 +116,7 @@ static int feels_slope(const fvi_mechanism_state *o, const fvi_damper *damper)
 static int begin_damper(fvi_stepper *s, size_t j, const double *v,
                         fvi_error *error)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const fvi_damper *damper = &s->run.system->mechanism->damper[j];
     const int first = o->form == FVI_MECHANISM_FIRST_ORDER,
               is_rl = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
@@ -131,7 +139,7 @@ static int begin_damper(fvi_stepper *s, size_t j, const double *v,
 
 static int begin_nodes(fvi_stepper *s, fvi_mechanism_part *part)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const int first = o->form == FVI_MECHANISM_FIRST_ORDER;
     int status = fvi_kernel_history(
         &part->kernel, first ? FVI_DELTA_EULER : FVI_DELTA_BDF2, s->run.h, 1,
@@ -149,7 +157,7 @@ static int begin_nodes(fvi_stepper *s, fvi_mechanism_part *part)
 /* The histories of stages keep a tenth of the tolerance; without a tolerance the finest there is. */
 static int begin_stages(fvi_stepper *s, fvi_mechanism_part *part)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const size_t n = o->s;
     const double keep =
         s->run.tolerance > 0 ? fmax(s->run.tolerance / 10, 1e-14) : 1e-14;
@@ -165,7 +173,7 @@ static int begin_stages(fvi_stepper *s, fvi_mechanism_part *part)
 int fvi_mechanism_begin_histories(fvi_stepper *s, const double *v,
                                   fvi_error *error)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const fvi_mechanism *mechanism = s->run.system->mechanism;
     size_t terms = 0;
     for (size_t j = 0; j < o->r; j++)
@@ -191,7 +199,7 @@ int fvi_mechanism_begin_histories(fvi_stepper *s, const double *v,
 /* The impulses of each force of the start at both ends of the step; or the force at each stage. */
 static void predict_start_forces(fvi_stepper *s)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     double impulse[FVI_KERNEL_IMPULSE_NODES];
     memset(o->start_impulse, 0, 2 * o->r * sizeof *o->start_impulse);
     const fvi_mechanism_start_force *end = o->start_force + o->start_forces;
@@ -211,7 +219,7 @@ static void predict_start_forces(fvi_stepper *s)
 //> predict
 int fvi_mechanism_predict_forces(fvi_stepper *s)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const size_t n = o->s;
     const double t = ((double)s->k + 0.5) * s->run.h;
     int status = FVI_SUCCESS;
@@ -240,7 +248,7 @@ int fvi_mechanism_predict_forces(fvi_stepper *s)
 
 int fvi_mechanism_update_histories(fvi_stepper *s, double t, const double *z)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const size_t n = o->s;
     int status = FVI_SUCCESS;
     memset(o->lambda, 0, o->r * n * sizeof *o->lambda);
@@ -301,7 +309,7 @@ int fvi_mechanism_copy_parts(const fvi_mechanism_state *from,
 /* Of order 1 a term came in at the start, too. */
 int fvi_mechanism_serialize_parts(fvi_stepper *s, fvi_archive *v)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const size_t first = o->form == FVI_MECHANISM_FIRST_ORDER;
     int status = FVI_SUCCESS;
     for (fvi_mechanism_part *p = o->part; p < o->part + o->parts && !status;

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST = 50, MOST_SLOW = 200 };
+enum { FEW = 15, MOST = 50, MOST_SLOW = 200 };
 
 double fvi_mechanism_largest(size_t n, const double *v)
 {
@@ -46,9 +46,9 @@ static int iterate(fvi_stepper *s,
                    int (*assemble)(fvi_stepper *s, const double *u),
                    size_t places, double *u)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     double before = INFINITY;
-    for (int i = 0; i < MOST; i++) {
+    for (int i = 0; i < (o->is_on_mesh ? FEW : MOST); i++) {
         int status = assemble(s, u);
         if (!status)
             status = change_of(o);
@@ -57,7 +57,8 @@ static int iterate(fvi_stepper *s,
         for (size_t j = 0; j < o->n; j++)
             u[j] += o->change[j];
         const double now = fvi_mechanism_largest(places, o->change),
-                     scale = fvi_mechanism_largest(o->d, s->x) + fvi_mechanism_largest(places, u);
+                     near = o->is_on_mesh ? 0 : fvi_mechanism_largest(o->d, s->x),
+                     scale = near + fvi_mechanism_largest(places, u);
         if (!isfinite(now) || !isfinite(fvi_mechanism_largest(o->n, u)))
             return FVI_EMAXITER;
         if (is_done(now, before, scale))
@@ -71,7 +72,7 @@ static int iterate(fvi_stepper *s,
 static int descend(fvi_stepper *s,
                    int (*assemble)(fvi_stepper *s, const double *u), double *u)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const size_t n = o->n;
     int status = assemble(s, u);
     double size = norm(n, o->residual);
@@ -104,9 +105,9 @@ int fvi_mechanism_solve(fvi_stepper *s,
                         int (*assemble)(fvi_stepper *s, const double *u),
                         size_t places, double *u)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     int status = iterate(s, assemble, places, u);
-    if (status != FVI_EMAXITER && status != FVI_ESING)
+    if (o->is_on_mesh || (status != FVI_EMAXITER && status != FVI_ESING))
         return status;
     memset(u, 0, o->n * sizeof *u);
     status = descend(s, assemble, u);

@@ -20,7 +20,7 @@ static double kappa_of(const fvi_mechanism_state *o, const fvi_stepper *s)
 /* L and its derivatives at the point of the step, for x_{k+1} = x_k + u. */
 static int evaluate_point(fvi_stepper *s, const double *u)
 {
-    const fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism_state *o = s->mechanism;
     const double ahead = 1 - kappa_of(o, s);
     for (size_t i = 0; i < o->d; i++) {
         o->X[i] = s->x[i] + ahead * u[i];
@@ -34,7 +34,7 @@ static int evaluate_point(fvi_stepper *s, const double *u)
 /* z, G and c at the end of the step, x_k + u. */
 static int evaluate_end(fvi_stepper *s, const double *u)
 {
-    const fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
     const double t = time_of(s, s->k + 1);
     double *x = o->X + o->d; /* a second point has room */
@@ -66,7 +66,7 @@ static double damper_force(const fvi_mechanism_state *o, size_t j)
 /* h times the equation of p_k; u is the increment, then h^2 / 2 Lambda. */
 static int assemble(fvi_stepper *s, const double *u)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d, n = o->n;
     const double h = s->run.h, kappa = kappa_of(o, s), ahead = 1 - kappa;
     const int is_node = o->form == FVI_MECHANISM_NODES;
@@ -104,7 +104,7 @@ static int assemble(fvi_stepper *s, const double *u)
 /* Of order 1 F, the forces of velocity and the dampers act at the end of the step. */
 static int end_first_order(fvi_stepper *s)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const fvi_state_force *force = s->run.system->mechanism->force_on;
     const size_t d = o->d;
     const double h = s->run.h, t = time_of(s, s->k + 1);
@@ -136,7 +136,7 @@ static int end_first_order(fvi_stepper *s)
 /* What is left of the multipliers: p_{k+1} keeps to the hidden constraint. */
 static int end_constraints(fvi_stepper *s, const double *u)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
     const double t = time_of(s, s->k + 1), h = s->run.h;
     for (size_t l = 0; l < o->m; l++) {
@@ -160,7 +160,7 @@ static int end_constraints(fvi_stepper *s, const double *u)
 
 static int end_nodes(fvi_stepper *s, const double *u)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d;
     const double h = s->run.h;
     for (size_t i = 0; i < d; i++)
@@ -185,7 +185,7 @@ static int end_nodes(fvi_stepper *s, const double *u)
 /* F on either side of a jump at a node, (13.12); of order 1 nothing acts at the beginning. */
 static int forces_at_ends(fvi_stepper *s)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const double in = 4 * GSL_DBL_EPSILON;
     memset(o->load, 0, 2 * o->d * sizeof *o->load);
     if (o->form == FVI_MECHANISM_FIRST_ORDER || !s->run.system->force.value)
@@ -203,7 +203,7 @@ static int forces_at_ends(fvi_stepper *s)
  * (3 x_k + 2 x_{k-1} - x_{k-2}) / 4. (29.17) */
 static void smooth_massless(fvi_stepper *s)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d;
     double *now = o->raw, *before = now + d, *last = before + d;
     memcpy(last, before, d * sizeof *last);
@@ -220,7 +220,7 @@ static void smooth_massless(fvi_stepper *s)
 //> step
 int fvi_mechanism_step_nodes(fvi_stepper *s)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d;
     if (o->any_massless)
         memcpy(s->x, o->raw, d * sizeof *s->x);

@@ -6,9 +6,7 @@
 
 const fvi_mechanism_state *fvi_mechanism_of(const fvi_stepper *s)
 {
-    const int has_steps = s->method->step == fvi_mechanism_step_nodes
-                          || s->method->step == fvi_mechanism_step_stages;
-    return has_steps ? s->method_state : NULL;
+    return s->mechanism;
 }
 
 int fvi_stepper_velocity(const fvi_stepper *s, double *v)

@@ -7,7 +7,7 @@
 
 int fvi_mechanism_point(fvi_stepper *s, size_t i, double t, int with_forces)
 {
-    const fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism_state *o = s->mechanism;
     const fvi_state_force *force = s->run.system->mechanism->force_on;
     const size_t d = o->d, dd = d * d;
     const double *x = o->X + i * d, *v = o->V + i * d;

@@ -33,132 +33,18 @@ void fvi_mechanism_tables(fvi_mechanism_state *o)
 }
 //< tables
 
-/* ---- the stages for increments u ---- */
-
-static double time_of(const fvi_stepper *s, size_t i)
-{
-    const fvi_mechanism_state *o = s->method_state;
-    return ((double)s->k + o->rule->c[i]) * s->run.h;
-}
-
-/* From within the step at its ends: a jump at a node belongs to neither side. */
-static double inner_time(const fvi_stepper *s, size_t i)
-{
-    const fvi_mechanism_state *o = s->method_state;
-    const double h = s->run.h, left = (double)s->k * h,
-                 right = (double)(s->k + 1) * h, in = 4 * GSL_DBL_EPSILON;
-    return i == 0          ? left + in * fmax(left, h)
-           : i + 1 == o->s ? right - in * right
-                           : time_of(s, i);
-}
-
-/* The increment of stage i, coordinate j. */
-static double increment(const fvi_mechanism_state *o, const double *u, size_t i,
-                        size_t j)
-{
-    return i < o->begin ? 0 : u[(i - o->begin) * o->d + j];
-}
-
-static void place_stages(const fvi_stepper *s, const double *u)
-{
-    const fvi_mechanism_state *o = s->method_state;
-    for (size_t i = 0; i < o->s; i++)
-        for (size_t j = 0; j < o->d; j++) {
-            double V = 0;
-            for (size_t l = o->begin; l < o->s; l++)
-                V += o->E[i][l] * increment(o, u, l, j);
-            o->X[i * o->d + j] = s->x[j] + increment(o, u, i, j);
-            o->V[i * o->d + j] = V / s->run.h;
-        }
-}
-
-/* lambda of every damper at every stage. */
-static void evaluate_dampers(const fvi_stepper *s)
-{
-    const fvi_mechanism_state *o = s->method_state;
-    const size_t n = o->s, r = o->r;
-    for (size_t e = 0; e < r; e++)
-        for (size_t i = 0; i < n; i++) {
-            double slope = 0;
-            for (size_t l = o->begin; l < n; l++)
-                slope += o->E[i][l] * (o->elongation[l * r + e] - o->z[e]);
-            o->zdot[e * n + i] = slope / s->run.h;
-        }
-    for (size_t e = 0; e < r; e++)
-        for (size_t i = 0; i < n; i++) {
-            double force = o->known[e * n + i];
-            for (size_t l = 0; l < n; l++)
-                force += o->W[(e * n + i) * n + l] * o->zdot[e * n + l];
-            o->lambda[e * n + i] = force;
-        }
-}
-
-/* Everything at all stages; f then has the force of t, and of the dampers. */
-static int evaluate_stages(fvi_stepper *s, const double *u)
-{
-    const fvi_mechanism_state *o = s->method_state;
-    const size_t d = o->d, r = o->r;
-    int status = FVI_SUCCESS;
-    place_stages(s, u);
-    for (size_t i = 0; i < o->s && !status; i++) {
-        status = fvi_mechanism_point(s, i, inner_time(s, i), 1);
-        if (!status)
-            status = fvi_mechanism_elongations(s, time_of(s, i), o->X + i * d,
-                                               o->elongation + i * r,
-                                               o->gradient + i * r * d);
-    }
-    if (status)
-        return status;
-    evaluate_dampers(s);
-    for (size_t i = 0; i < o->s; i++)
-        for (size_t j = 0; j < d; j++) {
-            double f = o->load[i * d + j];
-            for (size_t e = 0; e < r; e++)
-                f -= o->gradient[(i * r + e) * d + j] * o->lambda[e * o->s + i];
-            o->f[i * d + j] += f;
-        }
-    return status;
-}
-
-/* Second derivatives of elongations and constraints: what lambda and Lambda change of fx. */
-static int add_curvature(fvi_stepper *s, const double *u)
-{
-    const fvi_mechanism_state *o = s->method_state;
-    const fvi_mechanism *mechanism = s->run.system->mechanism;
-    const fvi_constraints *c = mechanism->constraints;
-    const size_t d = o->d, inner = o->s - o->begin;
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; i < o->s && !status; i++) {
-        double *fx = o->fx + i * d * d;
-        const double *x = o->X + i * d, t = time_of(s, i);
-        for (size_t e = 0; e < o->r && !status; e++) {
-            const fvi_elongation *of = &mechanism->damper[e].of;
-            if (!of->row)
-                status = of->hessian(t, d, x, -o->lambda[e * o->s + i],
-                                     of->params, fx);
-        }
-        if (o->m == 0 || i + 1 == o->s || status)
-            continue;
-        for (size_t l = 0; l < o->m; l++)
-            o->room[l] = -u[inner * d + i * o->m + l]
-                         / (s->run.h * s->run.h * o->rule->b[i]);
-        status = c->hessian(t, d, x, o->room, c->params, fx);
-    }
-    return status;
-}
-
 /* ---- the equation ---- */
 
 //> row
 /* h R_i, coordinate j, but for the constraints. */
 static double residual(const fvi_stepper *s, size_t i, size_t j)
 {
-    const fvi_mechanism_state *o = s->method_state;
-    double R = s->run.h * o->rule->b[i] * o->f[i * o->d + j]
+    const fvi_mechanism_state *o = s->mechanism;
+    double R = o->h * o->rule->b[i] * o->f[i * o->d + j]
                + (i == 0 ? s->p[j] : 0);
     for (size_t l = 0; l < o->s; l++)
         R += o->T[i][l] * o->Lv[l * o->d + j];
-    return s->run.h * R;
+    return o->h * R;
 }
 //< row
 
@@ -166,9 +52,9 @@ static double residual(const fvi_stepper *s, size_t i, size_t j)
 /* The derivative of the rows of stage i by the increments of stage l, into J. */
 static void block(const fvi_stepper *s, size_t i, size_t l, double *J)
 {
-    const fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d, dd = d * d, n = o->n, r = o->r;
-    const double h = s->run.h, b = o->rule->b[i];
+    const double h = o->h, b = o->rule->b[i];
     double inertia[FVI_STAGES];
     for (size_t m = 0; m < o->s; m++)
         inertia[m] = o->T[i][m] * o->E[m][l];
@@ -199,13 +85,13 @@ static void block(const fvi_stepper *s, size_t i, size_t l, double *J)
 /* -C_i^T mu_i in the rows of stage i < s, mu_i = h^2 b_i Lambda_i; c = 0 at the next stage. */
 static int add_constraints(fvi_stepper *s, const double *u)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t d = o->d, m = o->m, n = o->n, inner = o->s - 1;
     double *C = o->room;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < o->s && !status; i++) {
-        const double *x = o->X + i * d, t = time_of(s, i);
+        const double *x = o->X + i * d, t = fvi_mechanism_stage_time(s, i);
         status = c->gradient(t, d, x, c->params, C, NULL);
         for (size_t l = 0; l < m && i < inner; l++)
             for (size_t j = 0; j < d; j++) {
@@ -226,11 +112,11 @@ static int add_constraints(fvi_stepper *s, const double *u)
 
 static int assemble(fvi_stepper *s, const double *u)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d, inner = o->s - o->begin;
-    int status = evaluate_stages(s, u);
+    int status = fvi_mechanism_evaluate_stages(s, u);
     if (!status)
-        status = add_curvature(s, u);
+        status = fvi_mechanism_add_curvature(s, u);
     if (status)
         return status;
     if (o->m)
@@ -250,16 +136,16 @@ static int assemble(fvi_stepper *s, const double *u)
 static void guess(const fvi_stepper *s)
 {
     enum { FEW = 5 };
-    const fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d;
     for (size_t j = 0; j < d; j++) {
-        double u[FVI_STAGES] = { 0 }, slope = 0, end = increment(o, o->u, o->s - 1, j);
+        double u[FVI_STAGES] = { 0 }, slope = 0, end = fvi_mechanism_increment(o, o->u, o->s - 1, j);
         for (size_t l = o->begin; l < o->s; l++)
-            slope += o->E[o->s - 1][l] * increment(o, o->u, l, j);
+            slope += o->E[o->s - 1][l] * fvi_mechanism_increment(o, o->u, l, j);
         for (size_t i = 0; i < o->s; i++) {
             u[i] = -end;
             for (size_t l = 0; l < o->s; l++)
-                u[i] += o->next[i][l] * increment(o, o->u, l, j);
+                u[i] += o->next[i][l] * fvi_mechanism_increment(o, o->u, l, j);
             if (o->s > FEW)
                 u[i] = o->rule->c[i] * slope;
         }
@@ -268,36 +154,42 @@ static void guess(const fvi_stepper *s)
     }
 }
 
-/* Sums over the step: momentum, impulse and work of the dampers. */
-static void add_up(fvi_stepper *s)
+void fvi_mechanism_keep_dampers(fvi_mechanism_state *o)
 {
-    fvi_mechanism_state *o = s->method_state;
-    const size_t d = o->d, last = o->s - 1;
-    for (size_t i = 0; i < o->s; i++) {
-        const double weight = s->run.h * o->rule->b[i];
-        for (size_t j = 0; j < d; j++)
-            s->p[j] += weight * o->f[i * d + j];
-        for (size_t e = 0; e < o->r; e++) {
-            const double force = o->lambda[e * o->s + i];
+    const size_t d = o->d, r = o->r, last = o->s - 1;
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t e = 0; e < r; e++) {
+            const double weight = o->h * o->rule->b[i], force = o->lambda[e * o->s + i];
             o->impulse[e] += weight * force;
             o->work[e] += weight * force * o->zdot[e * o->s + i];
         }
-    }
-    memcpy(s->x, o->X + last * d, d * sizeof *s->x);
     memcpy(o->v, o->V + last * d, d * sizeof *o->v);
-    memcpy(o->z, o->elongation + last * o->r, o->r * sizeof *o->z);
+    memcpy(o->z, o->elongation + last * r, r * sizeof *o->z);
+    memcpy(o->G, o->gradient + last * r * d, r * d * sizeof *o->G);
+}
+
+/* Sums over the step: momentum, impulse and work of the dampers. */
+static void add_up(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->mechanism;
+    const size_t d = o->d;
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t j = 0; j < d; j++)
+            s->p[j] += o->h * o->rule->b[i] * o->f[i * d + j];
+    memcpy(s->x, o->X + (o->s - 1) * d, d * sizeof *s->x);
+    fvi_mechanism_keep_dampers(o);
 }
 
 /* The multipliers' impulses, and the last one, from the hidden constraint. */
 static int end_constraints(fvi_stepper *s)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t d = o->d, m = o->m, inner = o->s - 1;
-    const double h = s->run.h, *b = o->rule->b, *mu = o->u + inner * d;
+    const double h = o->h, *b = o->rule->b, *mu = o->u + inner * d;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < inner && !status; i++) {
-        status = c->gradient(time_of(s, i), d, o->X + i * d, c->params, o->C,
+        status = c->gradient(fvi_mechanism_stage_time(s, i), d, o->X + i * d, c->params, o->C,
                              NULL);
         for (size_t l = 0; l < m; l++) {
             o->tie[l] += mu[i * m + l] / h;
@@ -308,9 +200,9 @@ static int end_constraints(fvi_stepper *s)
     for (size_t l = 0; l < m; l++)
         o->begun[l] = mu[l] / (h * h * b[0]);
     if (!status)
-        status = c->gradient(time_of(s, inner), d, s->x, c->params, o->C, NULL);
+        status = c->gradient(fvi_mechanism_stage_time(s, inner), d, s->x, c->params, o->C, NULL);
     if (!status)
-        status = fvi_mechanism_project_momentum(s, time_of(s, inner), s->x,
+        status = fvi_mechanism_project_momentum(s, fvi_mechanism_stage_time(s, inner), s->x,
                                                 o->C, s->p, o->v, o->ended);
     for (size_t l = 0; l < m; l++) {
         o->tie[l] += o->ended[l];
@@ -319,23 +211,31 @@ static int end_constraints(fvi_stepper *s)
     return status;
 }
 
+int fvi_mechanism_solve_stages(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->mechanism;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < o->s && !status; i++)
+        status = fvi_mechanism_force(s, fvi_mechanism_inner_time(s, i), o->load + i * o->d);
+    if (!status)
+        status = fvi_mechanism_solve(s, assemble, (o->s - o->begin) * o->d, o->u);
+    o->has_root = 1;
+    if (!status)
+        status = fvi_mechanism_evaluate_stages(s, o->u);
+    o->has_root = 0;
+    return status;
+}
+
 //> step
 int fvi_mechanism_step_stages(fvi_stepper *s)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const size_t places = (o->s - o->begin) * o->d;
     int status = fvi_mechanism_predict_forces(s);
-    for (size_t i = 0; i < o->s && !status; i++)
-        status = fvi_mechanism_force(s, inner_time(s, i), o->load + i * o->d);
-    if (status)
-        return status;
-    if (s->k > 0)
+    if (!status && s->k > 0)
         guess(s);
-    status = fvi_mechanism_solve(s, assemble, places, o->u);
-    o->has_root = 1;
     if (!status)
-        status = evaluate_stages(s, o->u);
-    o->has_root = 0;
+        status = fvi_mechanism_solve_stages(s);
     if (status)
         return status;
     memcpy(s->dx, o->u + places - o->d, o->d * sizeof *s->dx);

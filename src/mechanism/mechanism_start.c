@@ -5,9 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void stop(fvi_stepper *s)
+void fvi_mechanism_free(fvi_mechanism_state *o)
 {
-    fvi_mechanism_state *o = s->method_state;
     if (!o)
         return;
     fvi_mechanism_free_parts(o);
@@ -15,6 +14,11 @@ static void stop(fvi_stepper *s)
     free(o->order);
     free(o->is_massless);
     free(o);
+}
+
+static void stop(fvi_stepper *s)
+{
+    fvi_mechanism_free(s->mechanism);
 }
 
 /* Every array of doubles stands in one block; those that go from step to step come first. */
@@ -58,34 +62,33 @@ static int allocate(fvi_mechanism_state *o)
     return FVI_SUCCESS;
 }
 
-static int copy(const fvi_stepper *from, fvi_stepper *to);
-static int serialize(fvi_stepper *s, fvi_archive *v);
-
-/* A state, and the method with these steps, which now is the stepper's. */
-static fvi_mechanism_state *become(fvi_stepper *s, fvi_mechanism_form form)
+/* The method with these steps, which now is the stepper's; a mesh has its own. */
+static void become(fvi_stepper *s, fvi_mechanism_form form)
 {
-    fvi_mechanism_state *o = calloc(1, sizeof *o);
-    if (!o)
-        return NULL;
+    fvi_mechanism_state *o = s->mechanism;
+    if (o->is_on_mesh)
+        return;
     o->method = *s->method;
     o->method.step = form == FVI_MECHANISM_FORM_M || form == FVI_MECHANISM_FORM_D
                          ? fvi_mechanism_step_stages
                          : fvi_mechanism_step_nodes;
-    o->method.copy = copy;
-    o->method.serialize = serialize;
+    o->method.copy = fvi_mechanism_copy;
+    o->method.serialize = fvi_mechanism_serialize;
     o->method.stop = stop;
-    o->form = form;
     s->method_state = o;
     s->method = &o->method;
-    return o;
 }
 
 static int make_state(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
 {
     const fvi_mechanism *mechanism = s->run.system->mechanism;
-    fvi_mechanism_state *o = become(s, form);
+    fvi_mechanism_state *o = s->mechanism = calloc(1, sizeof *o);
     if (!o)
         return FVI_ENOMEM;
+    o->is_on_mesh = s->method->scheme == FVI_SCHEME_VARIABLE_STEP;
+    o->form = form;
+    o->h = s->run.h;
+    become(s, form);
     const int has_stages =
         form == FVI_MECHANISM_FORM_M || form == FVI_MECHANISM_FORM_D;
     o->d = s->run.system->d;
@@ -105,7 +108,7 @@ static int make_state(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
  * with orders of 1 and below there is no step (29.16). */
 static int check_massless(const fvi_stepper *s, fvi_error *error)
 {
-    const fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism_state *o = s->mechanism;
     const fvi_mechanism *mechanism = s->run.system->mechanism;
     for (size_t i = 0; i < o->d; i++) {
         if (!o->is_massless[i] || o->form == FVI_MECHANISM_NODES
@@ -128,7 +131,7 @@ static int check_massless(const fvi_stepper *s, fvi_error *error)
 /* The first guess: the velocity goes on. */
 static void guess(fvi_stepper *s)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     for (size_t i = o->begin; i < o->s; i++)
         for (size_t j = 0; j < o->d; j++)
             o->u[(i - o->begin) * o->d + j] =
@@ -145,14 +148,15 @@ int fvi_mechanism_start(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
         status = make_state(s, form, stages);
     if (status)
         return status;
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     status = fvi_mechanism_check_start(s, error);
     if (!status)
         status = fvi_mechanism_elongations(s, 0, s->x, o->z, o->G);
     if (!status)
         status = check_massless(s, error);
-    if (!status)
-        status = fvi_mechanism_begin_histories(s, o->v, error);
+    if (status || o->is_on_mesh)
+        return status;
+    status = fvi_mechanism_begin_histories(s, o->v, error);
     if (status)
         return status;
     guess(s);
@@ -178,13 +182,13 @@ double fvi_mechanism_bytes(const fvi_method *method, const fvi_run *run)
 
 /* ---- copies ---- */
 
-static int copy(const fvi_stepper *from, fvi_stepper *to)
+int fvi_mechanism_copy(const fvi_stepper *from, fvi_stepper *to)
 {
-    const fvi_mechanism_state *old = from->method_state;
+    const fvi_mechanism_state *old = from->mechanism;
     int status = make_state(to, old->form, old->s);
     if (status)
         return status;
-    fvi_mechanism_state *o = to->method_state;
+    fvi_mechanism_state *o = to->mechanism;
     memcpy(o->numbers, old->numbers, o->saved * sizeof *o->numbers);
     memcpy(o->W, old->W, o->r * o->s * o->s * sizeof *o->W);
     memcpy(o->is_massless, old->is_massless, o->d);
@@ -192,9 +196,9 @@ static int copy(const fvi_stepper *from, fvi_stepper *to)
     return fvi_mechanism_copy_parts(old, o);
 }
 
-static int serialize(fvi_stepper *s, fvi_archive *v)
+int fvi_mechanism_serialize(fvi_stepper *s, fvi_archive *v)
 {
-    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_state *o = s->mechanism;
     const int status =
         v->serialize(v, o->numbers, o->saved * sizeof *o->numbers, 0);
     return status ? status : fvi_mechanism_serialize_parts(s, v);

@@ -29,9 +29,11 @@ typedef struct {
 
 /* d coordinates, r dampers, m constraints; stage i of coordinate j stands at [i * d + j], and q is the
  * number of points at which a step evaluates the Lagrangian: s, or 1. */
-typedef struct {
-    fvi_method method; /* with these steps */
+typedef struct fvi_mechanism_state {
+    fvi_method method; /* with these steps; not read on a mesh */
     fvi_mechanism_form form;
+    int is_on_mesh;    /* steps of any length, the one that is tried from t on */
+    double h, t;       /* the length of a step */
     size_t s, q, d, r, m, n; /* n unknowns */
     const fvi_lobatto_rule *rule;
     double E[FVI_STAGES][FVI_STAGES], T[FVI_STAGES][FVI_STAGES],
@@ -63,6 +65,12 @@ typedef struct {
 /* fvi_mechanism_of -- of a stepper that takes these steps; NULL else. */
 const fvi_mechanism_state *fvi_mechanism_of(const fvi_stepper *s);
 
+/* fvi_mechanism_copy, _serialize, _free -- as fvi_method has them; s->mechanism is made anew, or given back.
+ * What only a mesh has is left to who steps on it. */
+int fvi_mechanism_copy(const fvi_stepper *from, fvi_stepper *to);
+int fvi_mechanism_serialize(fvi_stepper *s, fvi_archive *v);
+void fvi_mechanism_free(fvi_mechanism_state *o);
+
 /* ---- mechanism_point.c ---- */
 
 /* fvi_mechanism_point -- L's derivatives and the forces of velocity at point number i: f, fx, fv,
@@ -82,6 +90,9 @@ int fvi_mechanism_force(fvi_stepper *s, double t, double *F);
  * velocity v. */
 int fvi_mechanism_begin_histories(fvi_stepper *s, const double *v,
                                   fvi_error *error);
+
+/* fvi_mechanism_check_stretch -- can damper j, from 0, have been stretched at t = 0 at once, the past rl? */
+int fvi_mechanism_check_stretch(const fvi_kernel *kernel, size_t j, fvi_error *error);
 
 /* fvi_mechanism_predict_forces -- `known` and `start_impulse` of this step. The force of a damper is then
  * lambda = known + W z at the node scheme, and known + W zdot at stages. */
@@ -132,10 +143,32 @@ int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
  * loses what its roundings have against them; o->v becomes the velocity. */
 int fvi_mechanism_check_start(fvi_stepper *s, fvi_error *error);
 
+/* ---- mechanism_stage_forces.c: for the increments u of the stages ---- */
+
+/* fvi_mechanism_stage_time -- of stage i. fvi_mechanism_inner_time -- from within the step at its ends: a jump
+ * at a node belongs to neither side. */
+double fvi_mechanism_stage_time(const fvi_stepper *s, size_t i);
+double fvi_mechanism_inner_time(const fvi_stepper *s, size_t i);
+
+/* fvi_mechanism_increment -- of stage i, coordinate j. */
+double fvi_mechanism_increment(const fvi_mechanism_state *o, const double *u, size_t i, size_t j);
+
+/* fvi_mechanism_evaluate_stages -- X, V, the derivatives of L, elongations, lambda; f has all forces.
+ * fvi_mechanism_add_curvature -- second derivatives of elongations and constraints: what lambda and Lambda
+ * change of fx. */
+int fvi_mechanism_evaluate_stages(fvi_stepper *s, const double *u);
+int fvi_mechanism_add_curvature(fvi_stepper *s, const double *u);
+
 /* ---- mechanism_nodes.c, mechanism_stages.c ---- */
 
 int fvi_mechanism_step_nodes(fvi_stepper *s);
 int fvi_mechanism_step_stages(fvi_stepper *s);
+
+/* fvi_mechanism_solve_stages -- the stages of a step, from the guess o->u, for the forces o->known + o->W
+ * zdot of dampers: nothing that goes from step to step has changed.
+ * fvi_mechanism_keep_dampers -- such a step is taken: impulses and work, z, G and v at its end. */
+int fvi_mechanism_solve_stages(fvi_stepper *s);
+void fvi_mechanism_keep_dampers(fvi_mechanism_state *o);
 
 /* fvi_mechanism_tables -- E, T and next of the form. */
 void fvi_mechanism_tables(fvi_mechanism_state *o);

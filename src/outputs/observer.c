@@ -130,6 +130,8 @@ int fvi_observer_step(fvi_observer *o, fvi_stepper *s)
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!o->is_summed)
         return fvi_stepper_step(s);
+    if (s->method->dense && o->has_mechanism)
+        return fvi_stepper_step(s); /* which keeps all sums */
     int status = s->method->dense ? close_chosen_step(o, s)
                                   : fvi_step_begins(s, &o->begin);
     if (!status)

@@ -2,10 +2,16 @@
 #include "observer_state.h"
 
 #include "system/fail.h"
-#include "variable_step/variable_step.h"
+#include "variable_step/variable_mechanism.h"
 
 #include <math.h>
 #include <string.h>
+
+/* A mechanism whose steps are chosen: what its dampers do is known at all times. */
+static int is_on_mesh(const fvi_observer *o, const fvi_stepper *s)
+{
+    return o->has_mechanism && s->method->dense;
+}
 
 static int read_state(fvi_observer *o, const fvi_stepper *s, double t,
                       fvi_observation *now)
@@ -20,7 +26,8 @@ static int read_state(fvi_observer *o, const fvi_stepper *s, double t,
                                   : FVI_EDOM;
     }
     if (!status && o->wanted & FVI_OBSERVE_VELOCITY)
-        status = fvi_observer_velocity(o, s, now->p, o->v);
+        status = is_on_mesh(o, s) ? fvi_mesh_velocity(s, t, now->x, now->p, o->v)
+                                  : fvi_observer_velocity(o, s, now->p, o->v);
     if (!status)
         status = fvi_step_force(s, t, o->F);
     return status;
@@ -33,6 +40,13 @@ static int read_sums(fvi_observer *o, const fvi_stepper *s, double t,
     now->work_of_force = o->scalars[FVI_BY_FORCE];
     if (!s->method->dense) {
         memcpy(o->impulse_now, o->impulse, o->forces * sizeof *o->impulse);
+        return FVI_SUCCESS;
+    }
+    if (is_on_mesh(o, s)) {
+        double force;
+        for (size_t j = 0; j < o->dampers; j++)
+            fvi_mesh_sums(s, j, t, &force, &o->impulse_now[j], &o->work[j]);
+        now->work_of_force = fvi_mesh_work_of_forces(s, t);
         return FVI_SUCCESS;
     }
     memcpy(o->change, o->known, o->d * sizeof *o->known);
@@ -84,6 +98,12 @@ static int read_forces(fvi_observer *o, const fvi_stepper *s, double t,
     const fvi_system *system = s->run.system;
     const int is_chosen = s->method->dense != NULL && t > 0;
     int status = FVI_SUCCESS;
+    if (is_chosen && o->has_mechanism) {
+        double impulse, work;
+        for (size_t j = 0; j < o->dampers; j++)
+            fvi_mesh_sums(s, j, t, &o->force[j], &impulse, &work);
+        return fvi_variable_step_acceleration(s, t, o->a);
+    }
     if (is_chosen || o->is_mass
         || (o->wanted & FVI_OBSERVE_ACCELERATION && !o->by_velocity))
         status = fvi_potential_gradient(system, now->x, o->g);

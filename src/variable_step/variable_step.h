@@ -122,6 +122,7 @@ typedef struct {
     fvi_modes *rising;     /* of its terms that grow faster than s, or NULL */
     size_t damped, *index; /* the coordinates that have modes */
     double *centre; /* alpha = 0: where the springs of the damping rest */
+    struct fvi_mesh_mechanism *mechanism; /* variable_mechanism.h; NULL: none */
     fvi_singular singular;
     int open; /* it is there where A = 0, too, for a derivative by A */
     /* the state at t, compensated; y is x without its singular part */
@@ -174,8 +175,9 @@ int fvi_variable_step_runs_away(fvi_variable_step_state *o, size_t most_steps);
  * the last by more than `growth` factors exp(FVI_SPACING). */
 void fvi_variable_step_limit(fvi_stepper *s, double longest, int growth);
 
-/* fvi_variable_step_strike -- let the impulses at o->t act that have not: v jumps, (22.22). */
-void fvi_variable_step_strike(const fvi_stepper *s, fvi_variable_step_state *o);
+/* fvi_variable_step_strike -- let the impulses at o->t act that have not: v jumps, (22.22). Returns as
+ * fvi_mesh_jump of a mechanism. */
+int fvi_variable_step_strike(fvi_stepper *s, fvi_variable_step_state *o);
 
 /* fvi_variable_step_start_open -- as fvi_variable_step_start; steps end at t1 where the past could pull a
  * damped coordinate, though none of them moves so far. */
@@ -210,18 +212,32 @@ static inline double fvi_variable_step_compliance(const fvi_variable_step_state 
     return fmin(kind->compliance, o->T - o->t);
 }
 
-/* fvi_variable_step_prepare_kernel, _copy_kernel -- run->law as a run needs it; give it back with
+/* fvi_variable_step_prepare_kernel, _copy_kernel -- a law as a run needs it; give it back with
  * free. FVI_ENOMEM; NULL.
  * fvi_variable_step_begin_kernel -- o->modes and o->rising of o->kernel: FVI_EUNSUP where poles are
  * too near to the cut, or off it; FVI_ENOMEM.
  * fvi_variable_step_present_kernel -- W0, W1 and memory_leakage of steps of length h.   (26.18) */
 typedef struct fvi_variable_step_kernel fvi_variable_step_kernel;
-int fvi_variable_step_prepare_kernel(const fvi_run *run,
+int fvi_variable_step_prepare_kernel(const fvi_kernel *law,
                                      fvi_variable_step_kernel **kernel);
 fvi_variable_step_kernel *
 fvi_variable_step_copy_kernel(const fvi_variable_step_kernel *from);
 int fvi_variable_step_begin_kernel(fvi_variable_step_state *o);
 void fvi_variable_step_present_kernel(fvi_variable_step_state *o, double h);
+
+/* The same of any law: d numbers feel it, in a run of the time T whose steps are never shorter than
+ * `least`. W1 is W0 1 of the terms that do not rise. fvi_memory_leakage is |b . W0 A P_{s-1}|. */
+typedef struct {
+    const fvi_variable_step_kernel *kernel;
+    const fvi_variable_rule *rule;
+    size_t d;
+    double T, least;
+} fvi_kernel_on_mesh;
+int fvi_kernel_begin_on_mesh(const fvi_kernel_on_mesh *o, fvi_modes **modes,
+                             fvi_modes **rising);
+void fvi_kernel_present_on_mesh(const fvi_kernel_on_mesh *o, double h, double beta,
+                                fvi_square *W0, double *W1);
+double fvi_memory_leakage(const fvi_variable_rule *rule, const fvi_square *W0);
 
 /* fvi_variable_step_try -- delta of a step of such length, and the estimate of its error. Returns what
  * fvi_variable_step_solve does. */

@@ -1,5 +1,5 @@
 /* src/variable_step/variable_step_dense.c -- Between the ends of a step, and behind it. [H 22] */
-#include "variable_step.h"
+#include "variable_mechanism.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include <fvi/error.h>
@@ -120,7 +120,9 @@ int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p
         make_powers(o);
     if (x)
         positions(o, h, theta, x);
-    if (p)
+    if (p && o->mechanism)
+        fvi_mesh_momentum(s, o, theta, 0, p);
+    else if (p)
         momenta(o, s->run.system->mass, theta, p);
     if (fvi_singular_is(o, o->t0) && t > 0)
         add_singular(o, s->run.system->mass, t, x, p);
@@ -139,9 +141,12 @@ void fvi_variable_step_within(const fvi_stepper *s, const fvi_variable_step_stat
         fvi_variable_step_powers(o->rule->s, o->accel_legendre + j * FVI_LANES, g);
         x[j] = o->y[j]
                + h * (theta * o->v[j] + product((const fvi_four *)by_x, g));
-        p[j] = s->run.system->mass[j]
-               * (o->v[j] + product((const fvi_four *)by_v, g));
+        if (!o->mechanism)
+            p[j] = s->run.system->mass[j]
+                   * (o->v[j] + product((const fvi_four *)by_v, g));
     }
+    if (o->mechanism)
+        fvi_mesh_momentum(s, o, theta, 1, p);
     if (fvi_singular_is(o, o->t) && t > 0)
         add_singular(o, s->run.system->mass, t, x, p);
 }

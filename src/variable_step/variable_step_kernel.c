@@ -96,7 +96,7 @@ static double strip(const fvi_variable_step_kernel *k, int rising, int *any)
 /* From mu = 1e6 in the shortest step down to sigma T = 1e-8; what lies below is one mode, by two
  * moments. */
 //> ladder
-static int add_ladder(const fvi_variable_step_state *o, int rising,
+static int add_ladder(const fvi_kernel_on_mesh *o, int rising,
                       mode_list *l)
 {
     const fvi_variable_step_kernel *k = o->kernel;
@@ -121,7 +121,7 @@ static int add_ladder(const fvi_variable_step_state *o, int rising,
 //< ladder
 
 /* Single poles, and the springs as one with a rate that is none. */
-static int add_poles(const fvi_variable_step_state *o, mode_list *l)
+static int add_poles(const fvi_kernel_on_mesh *o, mode_list *l)
 {
     const fvi_variable_step_kernel *k = o->kernel;
     double springs = 0;
@@ -156,7 +156,7 @@ static int says_all(const fvi_kernel_term *t, const fvi_kernel_modes *m,
 }
 
 /* Of one such term, the widest strip first. */
-static int add_general_term(const fvi_variable_step_state *o,
+static int add_general_term(const fvi_kernel_on_mesh *o,
                             const fvi_kernel_term *t, mode_list *l)
 {
     for (double width = 1; width > 0.1; width /= 2) {
@@ -178,7 +178,7 @@ static int add_general_term(const fvi_variable_step_state *o,
     return FVI_EUNSUP;
 }
 
-static int add_general(const fvi_variable_step_state *o, mode_list *l)
+static int add_general(const fvi_kernel_on_mesh *o, mode_list *l)
 {
     const fvi_kernel *law = o->kernel->law;
     int status = FVI_SUCCESS;
@@ -189,7 +189,7 @@ static int add_general(const fvi_variable_step_state *o, mode_list *l)
 }
 
 /* The modes of one group as a memory; none where the list is empty. */
-static int make_modes(const fvi_variable_step_state *o, int rising, mode_list *l,
+static int make_modes(const fvi_kernel_on_mesh *o, int rising, mode_list *l,
                       fvi_modes **modes)
 {
     const double standstill = 1e-16 / o->T;
@@ -198,25 +198,25 @@ static int make_modes(const fvi_variable_step_state *o, int rising, mode_list *l
         l->weight[q] /= rising ? -l->rate[q] : l->rate[q];
     }
     return l->count == 0 ? FVI_SUCCESS
-                         : fvi_modes_of_rates(o->rule, rising, o->damped, o->T,
+                         : fvi_modes_of_rates(o->rule, rising, o->d, o->T,
                                               l->count, l->rate, l->weight,
                                               modes);
 }
 
 /* ---- the start ---- */
 
-int fvi_variable_step_prepare_kernel(const fvi_run *run,
+int fvi_variable_step_prepare_kernel(const fvi_kernel *law,
                                      fvi_variable_step_kernel **kernel)
 {
     fvi_kernel_simple *term;
     size_t terms;
-    int status = fvi_kernel_flatten(run->law, &term, &terms);
+    int status = fvi_kernel_flatten(law, &term, &terms);
     if (status)
         return status;
     fvi_variable_step_kernel *k =
         malloc(sizeof *k + terms * sizeof *k->term);
     if (k) {
-        *k = (fvi_variable_step_kernel){ .law = run->law, .terms = terms };
+        *k = (fvi_variable_step_kernel){ .law = law, .terms = terms };
         memcpy(k->term, term, terms * sizeof *term);
     }
     free(term);
@@ -234,7 +234,8 @@ fvi_variable_step_copy_kernel(const fvi_variable_step_kernel *from)
     return k ? memcpy(k, from, bytes) : NULL;
 }
 
-int fvi_variable_step_begin_kernel(fvi_variable_step_state *o)
+int fvi_kernel_begin_on_mesh(const fvi_kernel_on_mesh *o, fvi_modes **modes,
+                             fvi_modes **rising)
 {
     double *room = malloc(4 * MOST * sizeof *room);
     if (!room)
@@ -250,9 +251,9 @@ int fvi_variable_step_begin_kernel(fvi_variable_step_state *o)
         status = add_ladder(o, 1, &fast);
     const int none = status == FVI_EUNSUP;
     if (!status)
-        status = make_modes(o, 0, &slow, &o->modes);
+        status = make_modes(o, 0, &slow, modes);
     if (!status)
-        status = make_modes(o, 1, &fast, &o->rising);
+        status = make_modes(o, 1, &fast, rising);
     free(room);
     if (none)
         FVI_FAIL("law: a pole of this law is too near to its cut, or off it, for "
@@ -277,12 +278,13 @@ static double complex present(const fvi_variable_step_kernel *k, int rising,
     return C / (modulus * (cos(angle) + I * sin(angle)));
 }
 
-void fvi_variable_step_present_kernel(fvi_variable_step_state *o, double h)
+void fvi_kernel_present_on_mesh(const fvi_kernel_on_mesh *o, double h, double beta,
+                                fvi_square *W0, double *W1)
 {
     const fvi_variable_rule *rule = o->rule;
-    const double scale = pow(h, o->beta), ones[FVI_LANES] = { 1, 1, 1, 1,
-                                                              1, 1, 1, 1 };
-    double re[2][FVI_LANES / 2], im[2][FVI_LANES / 2], W_last[FVI_LANES];
+    const double scale = pow(h, beta), ones[FVI_LANES] = { 1, 1, 1, 1,
+                                                           1, 1, 1, 1 };
+    double re[2][FVI_LANES / 2], im[2][FVI_LANES / 2];
     for (size_t n = 0; n < rule->s / 2; n++) {
         const double modulus = exp(rule->log_modulus[n]) / h;
         const double complex slow =
@@ -294,12 +296,36 @@ void fvi_variable_step_present_kernel(fvi_variable_step_state *o, double h)
         re[1][n] = creal(all);
         im[1][n] = cimag(all);
     }
-    fvi_variable_function(rule, re[0], im[0], &o->W0);
-    fvi_square_apply(rule->s, &o->W0, ones, o->W1);
-    fvi_variable_function(rule, re[1], im[1], &o->W0);
-    fvi_square_apply(rule->s, &o->W0, rule->last, W_last);
-    o->memory_leakage = 0;
+    fvi_variable_function(rule, re[0], im[0], W0);
+    fvi_square_apply(rule->s, W0, ones, W1);
+    fvi_variable_function(rule, re[1], im[1], W0);
+}
+
+double fvi_memory_leakage(const fvi_variable_rule *rule, const fvi_square *W0)
+{
+    double W_last[FVI_LANES], sum = 0;
+    fvi_square_apply(rule->s, W0, rule->last, W_last);
     for (size_t i = 0; i < rule->s; i++)
-        o->memory_leakage += rule->b[i] * W_last[i];
-    o->memory_leakage = fabs(o->memory_leakage);
+        sum += rule->b[i] * W_last[i];
+    return fabs(sum);
+}
+
+/* ---- of a run with one law ---- */
+
+static fvi_kernel_on_mesh law_of(const fvi_variable_step_state *o)
+{
+    return (fvi_kernel_on_mesh){ o->kernel, o->rule, o->damped, o->T, o->least };
+}
+
+int fvi_variable_step_begin_kernel(fvi_variable_step_state *o)
+{
+    const fvi_kernel_on_mesh law = law_of(o);
+    return fvi_kernel_begin_on_mesh(&law, &o->modes, &o->rising);
+}
+
+void fvi_variable_step_present_kernel(fvi_variable_step_state *o, double h)
+{
+    const fvi_kernel_on_mesh law = law_of(o);
+    fvi_kernel_present_on_mesh(&law, h, o->beta, &o->W0, o->W1);
+    o->memory_leakage = fvi_memory_leakage(o->rule, &o->W0);
 }

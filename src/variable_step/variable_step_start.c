@@ -1,5 +1,5 @@
 /* src/variable_step/variable_step_start.c -- A run with variable steps begins.   [H 22] */
-#include "variable_step.h"
+#include "variable_mechanism.h"
 
 #include "system/fail.h"
 #include "system/larger.h"
@@ -135,6 +135,14 @@ static fvi_modes_kind kind_of_modes(const fvi_run *run, double tolerance)
                                                   : FVI_MODES_FINE;
 }
 
+static int is_damped(const fvi_system *system)
+{
+    int damped = system->mechanism != NULL; /* which has form D */
+    for (size_t j = 0; j < system->d && !system->mechanism; j++)
+        damped |= system->damping[j] > 0;
+    return damped;
+}
+
 /* What does not depend on the system: form, stages, the lengths of steps. */
 static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
 {
@@ -143,9 +151,7 @@ static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
                  tolerance = run->step_error > 0
                             ? fmax(run->step_error / scale, FVI_TOLERANCE_LEAST)
                             : 1e-10;
-    int damped = 0;
-    for (size_t j = 0; j < o->d; j++)
-        damped |= run->system->damping[j] > 0;
+    const int damped = is_damped(run->system);
     o->rule = fvi_variable(tolerance > 1e-3 ? 6 : 8);
     o->tolerance = tolerance;
     o->modes_kind = kind_of_modes(run, tolerance);
@@ -156,7 +162,7 @@ static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
     o->diagonals =
         o->solve == FVI_SOLVE_COUPLED ? run->system->potential.diagonals : 1;
     const int each = o->solve == FVI_SOLVE_DIAGONAL && tolerance > FVI_TOLERANCE_VERY_LOOSE;
-    if (!damped || each || o->kernel || o->diagonals > o->rule->s)
+    if (run->system->mechanism || !damped || each || o->kernel || o->diagonals > o->rule->s)
         o->diagonals = 0; /* no functions of A; the steps are too long for one
                              Hessian; no room for them in hessian */
     o->scale = scale;
@@ -199,11 +205,7 @@ static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
     fvi_variable_present(o->rule, o->beta, &o->W0);
     const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
     fvi_square_apply(o->rule->s, &o->W0, ones, o->W1);
-    double W_last[FVI_LANES], memory_leakage = 0;
-    fvi_square_apply(o->rule->s, &o->W0, o->rule->last, W_last);
-    for (size_t i = 0; i < o->rule->s; i++)
-        memory_leakage += o->rule->b[i] * W_last[i];
-    o->memory_leakage = fabs(memory_leakage);
+    o->memory_leakage = fvi_memory_leakage(o->rule, &o->W0);
     int status = fvi_singular_start(s, o);
     if (status || o->damped == 0 || fabs(o->beta) == 1 || o->beta == 0)
         return status;
@@ -268,7 +270,47 @@ static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
         FVI_FAIL("p0: fvi-adaptive takes no velocity that jumps with a law that "
                  "grows faster than s; fvi-bdf2 and fvi-stable do",
                  FVI_EUNSUP);
-    return fvi_variable_step_prepare_kernel(&s->run, &o->kernel);
+    return fvi_variable_step_prepare_kernel(s->run.law, &o->kernel);
+}
+
+/* The first steps are as short as the start asks for, and no shorter than `least`. */
+static void set_first(fvi_variable_step_state *o)
+{
+    o->fewest = (int)floor(log(o->least) / fvi_variable_spacing());
+    o->first = (int)larger(o->first, o->fewest);
+    o->next = o->first;
+}
+
+/* A mechanism: its state, its dampers, and as many modes as its shortest step asks for. */
+static int start_mechanism(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    double scale;
+    o->kinds = o->d;
+    o->solve = FVI_SOLVE_TOGETHER;
+    int status = fvi_mesh_scale(s, &scale);
+    if (status)
+        return status;
+    plan(s, o, scale);
+    status = fvi_mesh_start(s, o);
+    if (!status)
+        status = fvi_variable_step_allocate(o);
+    if (status)
+        return status;
+    o->least = smaller(o->least, o->T * fvi_mesh_shortest(s, o));
+    if (o->least < FVI_SHORTEST / 16 * o->T)
+        FVI_FAIL("no step is short enough for what such a damper makes of a "
+                 "velocity that jumps",
+                 FVI_EUNSUP);
+    status = fvi_mesh_begin(s, o);
+    if (!status)
+        status = find_events(s, o);
+    if (!status)
+        status = fvi_variable_step_begin_events(&s->run, o);
+    if (!status)
+        status = fvi_variable_step_strike(s, o);
+    set_first(o);
+    o->takes_kicks = fvi_mesh_takes_kicks(s);
+    return status;
 }
 
 static int start(fvi_stepper *s, int open)
@@ -280,6 +322,8 @@ static int start(fvi_stepper *s, int open)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->d = d;
     o->open = open;
+    if (s->run.system->mechanism)
+        return start_mechanism(s, o);
     int status = begin_law(s, o);
     if (!status)
         status = find_springs(s, o, &springs);
@@ -314,14 +358,12 @@ static int start(fvi_stepper *s, int open)
             o->v[j] = o->singular.c[j * (o->singular.J + 1)];
         o->centre[j] = s->run.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? 0 : s->x[j];
     }
-    fvi_variable_step_strike(s, o);
+    status = fvi_variable_step_strike(s, o);
     for (size_t j = 0; j < d; j++)
         s->p[j] += s->run.system->mass[j] * o->impulse_dv[j];
-    o->fewest = (int)floor(log(o->least) / fvi_variable_spacing());
-    o->first = (int)larger(o->first, o->fewest);
-    o->next = o->first;
+    set_first(o);
     o->takes_kicks = takes_kicks(s, o);
-    return FVI_SUCCESS;
+    return status;
 }
 
 int fvi_variable_step_start(fvi_stepper *s)

@@ -1,6 +1,6 @@
 /* src/variable_step/variable_step_state.c -- What a run with variable steps keeps: room, copies, the
  * matrices of a step, and what is saved.                              [H 22] */
-#include "variable_step.h"
+#include "variable_mechanism.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
@@ -25,6 +25,8 @@ void fvi_variable_step_stop(fvi_stepper *s)
     fvi_variable_step_state *o = s->method_state;
     if (!o)
         return;
+    fvi_mesh_free(o);
+    fvi_mechanism_free(s->mechanism);
     fvi_modes_free(o->modes);
     fvi_modes_free(o->rising);
     free(o->kernel);
@@ -93,6 +95,7 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
     o->jacobian = NULL;
     o->band = NULL;
     o->watch = NULL;
+    o->mechanism = NULL;
     o->y = NULL;
     o->coupled = old->band ? 0 : old->coupled; /* factors are not copied */
     int status = fvi_variable_step_allocate(o);
@@ -101,6 +104,10 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
     memcpy(o->y, old->y, numbers(o) * sizeof *o->y);
     memcpy(o->kind, old->kind, 2 * o->d * sizeof *o->kind);
     memcpy(o->group, old->group, o->kinds * sizeof *o->group);
+    if (old->mechanism)
+        status = fvi_mesh_copy(from, to);
+    if (status)
+        return status;
     if (old->singular.c) {
         const size_t n = o->d * (old->singular.J + 3);
         status = fvi_singular_allocate(o->d, &o->singular);
@@ -151,19 +158,24 @@ int fvi_variable_step_runs_away(fvi_variable_step_state *o, size_t most_steps)
 }
 
 //> strike
-void fvi_variable_step_strike(const fvi_stepper *s, fvi_variable_step_state *o)
+int fvi_variable_step_strike(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_force *force = &s->run.system->force;
     const double now = o->t * (1 + 8 * GSL_DBL_EPSILON);
+    int status = FVI_SUCCESS;
     memset(o->impulse_dv, 0, o->d * sizeof *o->impulse_dv);
-    for (; o->hits < force->impulse_count && force->impulses[o->hits].t <= now;
-         o->hits++)
-        for (size_t j = 0; j < o->d; j++) {
-            const double jump =
-                force->impulses[o->hits].J[j] / o->group[o->kind[j]].mass;
+    for (; o->hits < force->impulse_count && force->impulses[o->hits].t <= now && !status;
+         o->hits++) {
+        const double *J = force->impulses[o->hits].J;
+        if (o->mechanism)
+            status = fvi_mesh_jump(s, o, J, 1);
+        for (size_t j = 0; j < o->d && !o->mechanism; j++) {
+            const double jump = J[j] / o->group[o->kind[j]].mass;
             o->impulse_dv[j] += jump;
             o->v[j] += jump;
         }
+    }
+    return status;
 }
 //< strike
 
@@ -310,6 +322,8 @@ int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
     if (status)
         return status;
     const fvi_length length = o->length;
+    if (o->mechanism)
+        return fvi_mesh_archive(s, v);
     o->length.h = 0;
     o->coupled = 0;
     o->powers_known = 0;

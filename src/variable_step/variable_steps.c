@@ -13,7 +13,7 @@
  * and p in between. Form M, for rho = 0, has another matrix in place of A (22.15). */
 #include <fvi/variable_steps.h>
 
-#include "variable_step.h"
+#include "variable_mechanism.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 #include "system/larger.h"
@@ -148,6 +148,8 @@ static double estimate(fvi_variable_step_state *o)
 int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
                           double *error)
 {
+    if (o->mechanism)
+        return fvi_mesh_try(s, o, length, error);
     int status = fvi_variable_step_matrices(o, length);
     if (status)
         return status;
@@ -247,7 +249,8 @@ static void update_stepper(fvi_stepper *s, fvi_variable_step_state *o)
         if (fvi_singular_is(o, o->t))
             fvi_singular_at(&o->singular, j, o->t, &G, &slope, NULL);
         s->x[j] = o->y[j] + G;
-        s->p[j] = s->run.system->mass[j] * (o->v[j] + slope);
+        if (!o->mechanism) /* p is its own there */
+            s->p[j] = s->run.system->mass[j] * (o->v[j] + slope);
         o->scale = larger(o->scale, fabs(s->x[j]));
     }
     s->t = o->t;
@@ -264,8 +267,8 @@ FVI_VECTORS static void stage_velocities(const fvi_variable_step_state *o, size_
 }
 
 //> take
-/* The trial is the step: x, v, the modes, the time. */
-static void accept_step(fvi_variable_step_state *o, double event)
+/* The trial is the step: x, v, the modes. */
+static void accept_motion(fvi_variable_step_state *o)
 {
     const size_t s = o->rule->s;
     const double h = o->length.h;
@@ -287,6 +290,15 @@ static void accept_step(fvi_variable_step_state *o, double event)
         add(&o->y[j], &o->y_less[j], h * (o->v[j] + move[s - 1]));
         add(&o->v[j], &o->v_less[j], delta[s - 1]);
     }
+}
+
+/* The same, and the time. */
+static int accept_step(fvi_stepper *s, fvi_variable_step_state *o, double event)
+{
+    const double h = o->length.h;
+    const int status = o->mechanism ? fvi_mesh_accept(s, o) : FVI_SUCCESS;
+    if (!o->mechanism)
+        accept_motion(o);
     memcpy(o->accel_legendre0, o->accel_legendre, o->d * FVI_LANES * sizeof *o->accel_legendre);
     o->t0 = o->t;
     add(&o->t, &o->t_less, h);
@@ -296,6 +308,7 @@ static void accept_step(fvi_variable_step_state *o, double event)
     }
     o->counts.steps++;
     o->counts.longest = larger(o->counts.longest, h);
+    return status;
 }
 //< take
 
@@ -333,13 +346,16 @@ static int step(fvi_stepper *s)
     }
     if (o->watch)
         status = fvi_variable_step_end_at_event(s, o);
+    if (!status)
+        status = accept_step(s, o, event);
     if (status)
         return status;
-    accept_step(o, event);
     const int over = fvi_singular_is(o, o->t0) && !fvi_singular_is(o, o->t);
     if (over)
         fvi_singular_hand_over(o);
-    fvi_variable_step_strike(s, o);
+    status = fvi_variable_step_strike(s, o);
+    if (status)
+        return status;
     o->first_after_event = o->t == event && !over;
     if (o->first_after_event)
         o->next = o->first;
@@ -368,6 +384,7 @@ const fvi_method fvi_variable_step = {
     .highest = 12,
     .alpha_most = 1,
     .takes_laws = 1,
+    .takes_mechanism = 1,
     .scheme = FVI_SCHEME_VARIABLE_STEP,
     .memories = 1u << FVI_HISTORY_AUTO | 1u << FVI_HISTORY_MODES,
     .implicit = 1,

@@ -1,0 +1,382 @@
+/* src/variable_step/variable_mechanism.c -- Steps of any length of a mechanism.   [H 29, 22] */
+#include "variable_mechanism.h"
+
+#include "system/fail.h"
+#include "system/lagrangian_point.h"
+#include "system/larger.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the start ---- */
+
+/* v of p, and M^-1 (L_x + F), at the start; what cannot be had there is for others to refuse. */
+static int motion_at_start(fvi_stepper *s, double *v, double *a)
+{
+    const fvi_system *system = s->run.system;
+    const size_t d = system->d;
+    double *Lvv = calloc(d * d, sizeof *Lvv);
+    size_t *order = calloc(d, sizeof *order);
+    int status = Lvv && order ? FVI_SUCCESS : FVI_ENOMEM;
+    if (!status)
+        status = fvi_velocity_of_momentum(system, 0, s->x, s->p, v);
+    if (!status)
+        status = fvi_lagrangian_point(system, 0, s->x, v, NULL, a, NULL, NULL, NULL, Lvv);
+    if (!status)
+        status = fvi_force_value(s, 0);
+    for (size_t j = 0; j < d && !status; j++)
+        a[j] += s->F[j];
+    if (!status)
+        status = fvi_solve_matrix(d, Lvv, a, order);
+    free(Lvv);
+    free(order);
+    return status;
+}
+
+/* What is not zero, but for rounding, beside the next. */
+static double or_else(double size, double next)
+{
+    return size > 1e-12 * next ? size : next;
+}
+
+int fvi_mesh_scale(fvi_stepper *s, double *scale)
+{
+    const size_t d = s->run.system->d;
+    const double h = s->run.h;
+    double *v = calloc(2 * d, sizeof *v);
+    if (!v)
+        FVI_FAIL("no memory for the start", FVI_ENOMEM);
+    const int status = motion_at_start(s, v, v + d);
+    double size = fvi_mechanism_largest(d, s->x);
+    if (!status)
+        size = or_else(size, or_else(h * fvi_mechanism_largest(d, v),
+                                     h * h * fvi_mechanism_largest(d, v + d)));
+    *scale = size > 0 && isfinite(size) ? size : 1;
+    free(v);
+    return status == FVI_ENOMEM ? status : FVI_SUCCESS;
+}
+
+/* A force of 1 on one coordinate moves another with 1 / mass at most: for bounds of forces. A coordinate
+ * without inertia is moved by none. */
+static void set_masses(fvi_variable_step_state *o)
+{
+    const size_t d = o->d;
+    struct fvi_mesh_mechanism *m = o->mechanism;
+    for (size_t j = 0; j < d; j++) {
+        double most = 0;
+        for (size_t i = 0; i < d; i++)
+            most = larger(most, fabs(m->inverse[i * d + j]));
+        m->mass[j] = o->group[j].mass = 1 / most;
+    }
+}
+
+/* L_vv^{-1}, rows and columns of coordinates without inertia zeros. */
+static int invert(const fvi_mechanism_state *o, const double *Lvv, double *inverse)
+{
+    const size_t d = o->d;
+    double *copy = o->room, *column = copy + d * d;
+    for (size_t j = 0; j < d; j++) {
+        memcpy(copy, Lvv, d * d * sizeof *copy);
+        for (size_t i = 0; i < d; i++) {
+            column[i] = i == j && !o->is_massless[j];
+            if (o->is_massless[i])
+                copy[i * d + i] = 1;
+        }
+        const int status = fvi_solve_matrix(d, copy, column, o->order);
+        if (status)
+            return status;
+        for (size_t i = 0; i < d; i++)
+            inverse[i * d + j] = o->is_massless[i] ? 0 : column[i];
+    }
+    return FVI_SUCCESS;
+}
+
+int fvi_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const size_t d = o->d;
+    fvi_mechanism_state *of = s->mechanism;
+    int status = fvi_mesh_begin_dampers(s, o);
+    if (!status)
+        status = fvi_lagrangian_point(s->run.system, 0, s->x, of->v, NULL, NULL, NULL, NULL,
+                                      NULL, of->Lvv);
+    if (!status)
+        status = invert(of, of->Lvv, o->mechanism->inverse);
+    if (status)
+        return status;
+    for (size_t j = 0; j < d; j++) {
+        o->kind[j] = j;
+        o->group[j].compliance = o->T;
+        o->y[j] = s->x[j];
+        o->v[j] = of->v[j];
+    }
+    set_masses(o);
+    return status;
+}
+
+/* ---- a trial of a step, and its error ---- */
+
+/* The polynomial of the last step goes on, as that of velocities. */
+static void guess(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const size_t d = o->d, n = o->rule->s;
+    const double h = o->length.h;
+    fvi_variable_step_extrapolate(o);
+    for (size_t j = 0; j < d; j++) {
+        double move[FVI_LANES];
+        fvi_square_apply(n, o->to_x, o->delta + j * FVI_LANES, move);
+        for (size_t i = 0; i < n; i++)
+            s->mechanism->u[i * d + j] = h * (o->rule->c[i] * o->v[j] + move[i]);
+    }
+}
+
+/* delta = V - v_k, and the Legendre coefficients of x'' and p'. */
+static void describe_stages(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const fvi_mechanism_state *of = s->mechanism;
+    const size_t d = o->d, n = o->rule->s;
+    for (size_t j = 0; j < d; j++) {
+        double *delta = o->delta + j * FVI_LANES, gain[FVI_LANES] = { 0 };
+        for (size_t i = 0; i < n; i++) {
+            delta[i] = of->V[i * d + j] - o->v[j];
+            gain[i] = of->Lv[i * d + j] - s->p[j];
+        }
+        fvi_square_apply(n, &o->rule->legendre, delta, o->accel_legendre + j * FVI_LANES);
+        fvi_square_apply(n, &o->rule->legendre, gain, o->mechanism->slope + j * FVI_LANES);
+    }
+}
+
+/* The last Legendre coefficient of z'' in this step, times h. */
+static double last_of_damper(const fvi_stepper *s, const fvi_variable_step_state *o, size_t e)
+{
+    const size_t n = o->rule->s;
+    double change[FVI_LANES] = { 0 }, all[FVI_LANES];
+    for (size_t i = 0; i < n; i++)
+        change[i] = s->mechanism->zdot[e * n + i] - o->mechanism->damper[e].now;
+    fvi_square_apply(n, &o->rule->legendre, change, all);
+    return all[n - 1];
+}
+
+/* What the memory of damper e does to v_j for this coefficient: M^{-1} G lambda.     (22.16) */
+static double leak_of_damper(const fvi_stepper *s, const fvi_variable_step_state *o, size_t e,
+                             size_t j)
+{
+    const fvi_mesh_damper *of = &o->mechanism->damper[e];
+    const double *G = s->mechanism->gradient + ((o->rule->s - 1) * s->mechanism->r + e) * o->d;
+    double sum = 0;
+    for (size_t i = 0; i < o->d; i++)
+        sum += o->mechanism->inverse[j * o->d + i] * G[i];
+    return of->leakage * of->rho * pow(o->length.h, 1 - of->beta) * fabs(sum);
+}
+
+/* As that of variable_steps.c. A coordinate without inertia keeps no velocity, so that an error of its
+ * velocity moves it no farther than this step. NaN if a number is not finite. */
+//> estimate
+static double estimate(const fvi_stepper *s, const fvi_variable_step_state *o)
+{
+    const size_t n = o->rule->s;
+    const double h = o->length.h, reach = o->T - o->t;
+    double worst = 0;
+    for (size_t j = 0; j < o->d; j++) {
+        const double last = fabs(o->accel_legendre[j * FVI_LANES + n - 1]);
+        double of_v = s->mechanism->is_massless[j] ? 0 : o->rule->alias * last;
+        for (size_t e = 0; e < o->mechanism->r; e++)
+            of_v += leak_of_damper(s, o, e, j) * fabs(last_of_damper(s, o, e));
+        worst = larger(worst, o->rule->stage * h * last + reach * of_v);
+    }
+    return worst;
+}
+//< estimate
+
+int fvi_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
+                 double *error)
+{
+    fvi_mechanism_state *of = s->mechanism;
+    o->length = length;
+    of->h = length.h;
+    of->t = o->t;
+    fvi_mesh_present(s, o);
+    fvi_mesh_predict(s, o);
+    guess(s, o);
+    int status = fvi_mechanism_solve_stages(s);
+    if (status == FVI_EOVRFLW) /* outside of where L is known: a shorter step may not be */
+        status = FVI_EMAXITER;
+    if (!status)
+        status = invert(of, of->Lvv + (o->rule->s - 1) * o->d * o->d, o->mechanism->inverse);
+    if (status)
+        return status;
+    describe_stages(s, o);
+    *error = estimate(s, o);
+    return status;
+}
+
+/* ---- a step ---- */
+
+/* sum += more, what rounding takes from it kept in less (Kahan). */
+static void add(double *sum, double *less, double more)
+{
+    const double y = more - *less, t = *sum + y;
+    *less = (t - *sum) - y;
+    *sum = t;
+}
+
+/* Coefficients of h f for the values of f at the stages, `stride` apart. */
+static void describe(const fvi_variable_step_state *o, const double *f, double *to)
+{
+    double values[FVI_LANES] = { 0 }, sums[FVI_LANES];
+    for (size_t i = 0; i < o->rule->s; i++)
+        values[i] = o->length.h * f[i];
+    fvi_square_apply(o->rule->s, &o->rule->A, values, sums);
+    fvi_square_apply(o->rule->s, &o->rule->legendre, sums, to);
+}
+
+/* F v at the stages, F the force of t and those of velocity. */
+static int powers_of_forces(fvi_stepper *s, double *power)
+{
+    const fvi_mechanism_state *of = s->mechanism;
+    const fvi_state_force *force = s->run.system->mechanism->force_on;
+    const size_t d = of->d;
+    double *F = of->room;
+    int status = FVI_SUCCESS;
+    memset(F, 0, d * sizeof *F);
+    for (size_t i = 0; i < of->s && !status; i++) {
+        if (force)
+            status = force->at(fvi_mechanism_inner_time(s, i), d, of->X + i * d, of->V + i * d,
+                               force->params, F, NULL, NULL);
+        power[i] = 0;
+        for (size_t j = 0; j < d && !status; j++)
+            power[i] += (of->load[i * d + j] + F[j]) * of->V[i * d + j];
+    }
+    return status;
+}
+
+/* What is between the ends of the step: lambda, its power, that of the forces. */
+static int describe_forces(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    struct fvi_mesh_mechanism *m = o->mechanism;
+    const fvi_mechanism_state *of = s->mechanism;
+    const size_t n = o->rule->s;
+    double power[FVI_LANES] = { 0 };
+    for (size_t e = 0; e < m->r; e++) {
+        const double *lambda = of->lambda + e * n;
+        for (size_t i = 0; i < n; i++)
+            power[i] = lambda[i] * of->zdot[e * n + i];
+        describe(o, lambda, m->force0 + e * FVI_LANES);
+        describe(o, power, m->power0 + e * FVI_LANES);
+    }
+    const int status = powers_of_forces(s, power);
+    if (status)
+        return status;
+    describe(o, power, m->by_force0);
+    m->by_force_begin = m->by_force;
+    for (size_t i = 0; i < n; i++)
+        m->by_force += o->length.h * o->rule->b[i] * power[i];
+    return status;
+}
+
+//> take
+int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    struct fvi_mesh_mechanism *m = o->mechanism;
+    fvi_mechanism_state *of = s->mechanism;
+    const size_t d = o->d, n = o->rule->s;
+    int status = describe_forces(s, o);
+    memcpy(m->slope0, m->slope, d * FVI_LANES * sizeof *m->slope);
+    memcpy(m->p0, s->p, d * sizeof *s->p);
+    memcpy(m->impulse0, of->impulse, m->r * sizeof *of->impulse);
+    memcpy(m->work0, of->work, m->r * sizeof *of->work);
+    fvi_mesh_advance(s, o);
+    for (size_t j = 0; j < d; j++) {
+        o->y0[j] = o->y[j];
+        o->v0[j] = o->v[j];
+        add(&o->y[j], &o->y_less[j], of->u[(n - 1) * d + j]);
+        o->v[j] = of->V[(n - 1) * d + j];
+        double gain = 0;
+        for (size_t i = 0; i < n; i++)
+            gain += o->length.h * o->rule->b[i] * of->f[i * d + j];
+        add(&s->p[j], &m->p_less[j], gain);
+    }
+    fvi_mechanism_keep_dampers(of);
+    set_masses(o);
+    return status;
+}
+//< take
+
+int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
+                  double factor)
+{
+    fvi_mechanism_state *of = s->mechanism;
+    double *v = o->mechanism->slope; /* which has been read */
+    memcpy(v, o->v, o->d * sizeof *v);
+    for (size_t j = 0; j < o->d; j++)
+        s->p[j] += factor * J[j];
+    const int status = fvi_velocity_of_momentum(s->run.system, o->t, o->y, s->p, v);
+    for (size_t j = 0; j < o->d && !status; j++) {
+        for (size_t e = 0; e < o->mechanism->r; e++)
+            o->mechanism->damper[e].now += of->G[e * o->d + j] * (v[j] - o->v[j]);
+        o->v[j] = of->v[j] = v[j];
+    }
+    return status;
+}
+
+/* ---- copies ---- */
+
+int fvi_mesh_copy(const fvi_stepper *from, fvi_stepper *to)
+{
+    const fvi_variable_step_state *old = from->method_state;
+    fvi_variable_step_state *o = to->method_state;
+    o->mechanism = NULL;
+    int status = fvi_mechanism_copy(from, to);
+    if (!status)
+        status = fvi_mesh_allocate(o, old->mechanism->r);
+    if (status)
+        return status;
+    struct fvi_mesh_mechanism *m = o->mechanism;
+    const struct fvi_mesh_mechanism *of = old->mechanism;
+    memcpy(m->numbers, of->numbers, (size_t)(of->slope - of->numbers) * sizeof *m->numbers);
+    m->by_force = of->by_force;
+    m->by_force_begin = of->by_force_begin;
+    return fvi_mesh_copy_dampers(of, m);
+}
+
+int fvi_mesh_archive(fvi_stepper *s, fvi_archive *v)
+{
+    fvi_variable_step_state *o = s->method_state;
+    struct fvi_mesh_mechanism *m = o->mechanism;
+    int status = fvi_mechanism_serialize(s, v);
+    if (!status)
+        status = v->serialize(v, m->numbers, (size_t)(m->slope - m->numbers) * sizeof *m->numbers, 0);
+    if (!status)
+        status = v->serialize(v, &m->by_force, sizeof m->by_force, 0);
+    if (!status)
+        status = v->serialize(v, &m->by_force_begin, sizeof m->by_force_begin, 0);
+    for (size_t j = 0; j < m->r && !status; j++) {
+        fvi_mesh_damper *of = &m->damper[j];
+        status = v->serialize(v, &of->before, sizeof of->before, 0);
+        if (!status)
+            status = v->serialize(v, &of->now, sizeof of->now, 0);
+        if (!status && of->modes)
+            status = fvi_modes_archive(of->modes, v);
+        if (!status && of->rising)
+            status = fvi_modes_archive(of->rising, v);
+    }
+    for (size_t j = 0; j < o->d; j++)
+        o->group[j].mass = m->mass[j];
+    m->h = 0;
+    return status;
+}
+
+void fvi_mesh_free(fvi_variable_step_state *o)
+{
+    struct fvi_mesh_mechanism *m = o->mechanism;
+    for (size_t j = 0; m && m->damper && j < m->r; j++) {
+        fvi_modes_free(m->damper[j].modes);
+        fvi_modes_free(m->damper[j].rising);
+        free(m->damper[j].kernel);
+    }
+    if (m) {
+        free(m->damper);
+        free(m->numbers);
+    }
+    free(m);
+}

@@ -1,0 +1,94 @@
+/* src/variable_step/variable_mechanism.h -- A mechanism on a mesh of steps of any length.   [H 29, 22]
+ *
+ * Internal. Form D of (29.7), (29.8) with s = 6 or 8 stages, where damper j has at a step of length h
+ *
+ *     lambda = H + rho h^{-beta} W0 (zdot - [beta > 0] zdot_e),                (29.18)
+ *
+ * H its modes (22.10), W0 = (A^{-1})^beta, beta = order - 1, and zdot_e the last zdot of the step before.
+ * So an elongation is to its modes what a coordinate is to those of variable_step.h. A law that is more
+ * than one power has the modes and the W0 of (26.18). */
+#ifndef FVI_VARIABLE_MECHANISM_H
+#define FVI_VARIABLE_MECHANISM_H
+
+#include "mechanism/mechanism_state.h"
+#include "variable_step.h"
+
+typedef struct {
+    double beta, rho;
+    fvi_square W0;
+    double W1[FVI_LANES]; /* W0 1 of what sees zdot - before, and not zdot */
+    double leakage;
+    fvi_modes *modes, *rising;
+    fvi_variable_step_kernel *kernel; /* NULL: a power */
+    double before, now; /* zdot at the end of the last step; behind a jump of the velocity */
+    double centre;      /* of a spring: where it rests */
+} fvi_mesh_damper;
+
+/* Stages stand as in variable_step.h; Legendre coefficients of functions of a step are those of h f. */
+struct fvi_mesh_mechanism {
+    size_t r;
+    fvi_mesh_damper *damper;
+    double h;         /* of the steps for which W0 is */
+    double *numbers;  /* all that follows, in one piece */
+    double *p_less, *p0, *slope0, *force0, *power0, *by_force0, *impulse0, *work0, *mass;
+    double by_force;  /* the work of the forces F until the end of the last step, and its begin */
+    double by_force_begin;
+    double *slope, *inverse; /* those of p', of the step that is tried; L_vv^{-1} at its end */
+};
+
+/* fvi_mesh_start -- s->mechanism and the dampers of a run, and what the start says of steps: o->d is known.
+ * Returns as fvi_stepper_start. fvi_mesh_scale -- a size for a tolerance that is none: of x0; or of what the
+ * body does in the time of a row; or 1. o->rule must be known to the first. */
+int fvi_mesh_start(fvi_stepper *s, fvi_variable_step_state *o);
+int fvi_mesh_scale(fvi_stepper *s, double *scale);
+
+/* fvi_mesh_begin -- once T, `least`, y and the groups are there: modes, y, v. */
+int fvi_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o);
+
+/* fvi_mesh_shortest -- how short steps may have to be, as a part of T, for what the start, impulses and
+ * impacts make of the velocities of dampers; 1 if it asks for nothing.
+ * fvi_mesh_takes_kicks -- as o->takes_kicks. */
+double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o);
+int fvi_mesh_takes_kicks(const fvi_stepper *s);
+
+/* fvi_mesh_try, fvi_mesh_accept -- as fvi_variable_step_try; and the step is taken, but for the time. */
+int fvi_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
+                 double *error);
+int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o);
+
+/* fvi_mesh_jump -- p += factor J at the end of the last step, where x is: v and all zdot follow.
+ * Returns what the Lagrangian does, FVI_ESING, FVI_EMAXITER. */
+int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
+                  double factor);
+
+/* fvi_mesh_momentum -- p at theta of the last step, or of the one that is tried.
+ * fvi_mesh_end -- x and p at the end of the one that is tried. */
+void fvi_mesh_momentum(const fvi_stepper *s, const fvi_variable_step_state *o, double theta,
+                       int is_tried, double *p);
+void fvi_mesh_end(const fvi_stepper *s, const fvi_variable_step_state *o, double *x,
+                  double *p);
+
+/* fvi_mesh_sums -- of damper j at a time t in the last step: force, impulse and work.
+ * fvi_mesh_work_of_forces -- what F gave until then. fvi_mesh_velocity -- the velocity of x and p there. */
+void fvi_mesh_sums(const fvi_stepper *s, size_t j, double t, double *force, double *impulse,
+                   double *work);
+double fvi_mesh_work_of_forces(const fvi_stepper *s, double t);
+int fvi_mesh_velocity(const fvi_stepper *s, double t, const double *x, const double *p,
+                      double *v);
+
+/* fvi_mesh_copy, _archive, _free -- as fvi_method has them. */
+int fvi_mesh_copy(const fvi_stepper *from, fvi_stepper *to);
+int fvi_mesh_archive(fvi_stepper *s, fvi_archive *v);
+void fvi_mesh_free(fvi_variable_step_state *o);
+
+/* ---- variable_mechanism_memory.c: each of all dampers ---- */
+
+int fvi_mesh_allocate(fvi_variable_step_state *o, size_t r);
+int fvi_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o);
+void fvi_mesh_present(const fvi_stepper *s, fvi_variable_step_state *o);
+void fvi_mesh_predict(const fvi_stepper *s, fvi_variable_step_state *o);
+void fvi_mesh_advance(const fvi_stepper *s, fvi_variable_step_state *o);
+int fvi_mesh_copy_dampers(const struct fvi_mesh_mechanism *from,
+                          struct fvi_mesh_mechanism *to);
+
+#endif

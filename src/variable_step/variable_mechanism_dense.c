@@ -1,0 +1,85 @@
+/* src/variable_step/variable_mechanism_dense.c -- A mechanism between the ends of a step.   [H 29, 22] */
+#include "variable_mechanism.h"
+
+#include <string.h>
+
+/* sum_k w_k g_k, g the powers of Legendre coefficients. */
+static double combine(size_t s, const double *coefficients, const double *w)
+{
+    double g[FVI_LANES], sum = 0;
+    fvi_variable_step_powers(s, coefficients, g);
+    for (size_t k = 0; k < s; k++)
+        sum += w[k] * g[k];
+    return sum;
+}
+
+void fvi_mesh_momentum(const fvi_stepper *s, const fvi_variable_step_state *o, double theta,
+                       int is_tried, double *p)
+{
+    const struct fvi_mesh_mechanism *m = o->mechanism;
+    const double *from = is_tried ? s->p : m->p0, *slope = is_tried ? m->slope : m->slope0;
+    double w[FVI_LANES];
+    fvi_variable_step_once(theta, w);
+    for (size_t j = 0; j < o->d; j++)
+        p[j] = from[j] + combine(o->rule->s, slope + j * FVI_LANES, w);
+}
+
+void fvi_mesh_end(const fvi_stepper *s, const fvi_variable_step_state *o, double *x,
+                  double *p)
+{
+    const fvi_mechanism_state *of = s->mechanism;
+    const size_t d = o->d, n = o->rule->s;
+    for (size_t j = 0; j < d; j++) {
+        x[j] = o->y[j] + of->u[(n - 1) * d + j];
+        p[j] = s->p[j];
+        for (size_t i = 0; i < n; i++)
+            p[j] += o->length.h * o->rule->b[i] * of->f[i * d + j];
+    }
+}
+
+/* Where in the last step t is. */
+static double place(const fvi_stepper *s, double t)
+{
+    const fvi_variable_step_state *o = s->method_state;
+    return s->t > o->t0 ? (t - o->t0) / (s->t - o->t0) : 0;
+}
+
+void fvi_mesh_sums(const fvi_stepper *s, size_t j, double t, double *force, double *impulse,
+                   double *work)
+{
+    const fvi_variable_step_state *o = s->method_state;
+    const struct fvi_mesh_mechanism *m = o->mechanism;
+    const double theta = place(s, t), h = s->t - o->t0;
+    double w[FVI_LANES], power[FVI_LANES] = { 1 };
+    fvi_variable_step_once(theta, w);
+    for (size_t k = 1; k < FVI_LANES; k++)
+        power[k] = theta * power[k - 1];
+    const double *force0 = m->force0 + j * FVI_LANES, *power0 = m->power0 + j * FVI_LANES;
+    *force = h > 0 ? combine(o->rule->s, force0, power) / h : 0;
+    *impulse = t == s->t ? s->mechanism->impulse[j]
+                         : m->impulse0[j] + combine(o->rule->s, force0, w);
+    *work = t == s->t ? s->mechanism->work[j] : m->work0[j] + combine(o->rule->s, power0, w);
+}
+
+double fvi_mesh_work_of_forces(const fvi_stepper *s, double t)
+{
+    const fvi_variable_step_state *o = s->method_state;
+    const struct fvi_mesh_mechanism *m = o->mechanism;
+    double w[FVI_LANES];
+    fvi_variable_step_once(place(s, t), w);
+    return t == s->t ? m->by_force
+                     : m->by_force_begin + combine(o->rule->s, m->by_force0, w);
+}
+
+int fvi_mesh_velocity(const fvi_stepper *s, double t, const double *x, const double *p,
+                      double *v)
+{
+    const fvi_variable_step_state *o = s->method_state;
+    double w[FVI_LANES];
+    fvi_variable_step_once(place(s, t), w);
+    for (size_t j = 0; j < o->d; j++)
+        v[j] = t == s->t ? o->v[j]
+                         : o->v0[j]
+                               + combine(o->rule->s, o->accel_legendre0 + j * FVI_LANES, w);
+    return fvi_velocity_of_momentum(s->run.system, t, x, p, v);
+}

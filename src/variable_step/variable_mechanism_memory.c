@@ -1,0 +1,307 @@
+/* src/variable_step/variable_mechanism_memory.c -- Dampers on a mesh: their modes.   [H 29, 22] */
+#include "variable_mechanism.h"
+
+#include "system/fail.h"
+
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A power has the modes of the lattice; a sum, or another law, its own. */
+static const fvi_kernel_term *power_of(const fvi_kernel *kernel)
+{
+    const fvi_kernel_term *t = kernel->term;
+    const int is_power = t->kind == FVI_KERNEL_POWER
+                         || (t->kind == FVI_KERNEL_ZENER && t->time == 0);
+    return kernel->count == 1 && is_power ? t : NULL;
+}
+
+static const fvi_damper *damper_of(const fvi_stepper *s, size_t j)
+{
+    return &s->run.system->mechanism->damper[j];
+}
+
+/* ---- the start ---- */
+
+/* zdot at the start. */
+static int slope_at_start(const fvi_stepper *s, size_t j, double *zdot)
+{
+    const fvi_mechanism_state *m = s->mechanism;
+    const fvi_elongation *of = &damper_of(s, j)->of;
+    int status = FVI_SUCCESS;
+    *zdot = 0;
+    if (!of->row && of->rate)
+        status = of->rate(0, m->d, s->x, of->params, zdot);
+    for (size_t i = 0; i < m->d; i++)
+        *zdot += m->G[j * m->d + i] * m->v[i];
+    return status;
+}
+
+/* Is damper j, of the past rl, stretched at once at t = 0? */
+static int is_struck(const fvi_stepper *s, size_t j)
+{
+    return damper_of(s, j)->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+           && s->mechanism->z[j] != 0;
+}
+
+static int feels_jumps(const fvi_stepper *s, size_t j)
+{
+    return fvi_kernel_growth(damper_of(s, j)->kernel) > 1;
+}
+
+/* The largest order below 1 of its powers. */
+static double order_below_one(const fvi_kernel *kernel)
+{
+    double order = 0;
+    for (size_t i = 0; i < kernel->count; i++)
+        if (kernel->term[i].rho > 0 && kernel->term[i].alpha < 0.5)
+            order = fmax(order, 2 * kernel->term[i].alpha);
+    return order;
+}
+
+static int velocities_jump(const fvi_stepper *s)
+{
+    return s->run.system->force.impulse_count > 0
+           || fvi_variable_step_has_impacts(&s->run);
+}
+
+/* lambda is as t^{1 - order} behind a jump of zdot, and as t^{-order} behind one of z. A step as short as h
+ * then adds h^{2 - order}, or h^{1 - order}, to p, which may be 1e-4 of the tolerance. */
+double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
+{
+    const struct fvi_mesh_mechanism *m = o->mechanism;
+    double shortest = 1;
+    for (size_t j = 0; j < m->r; j++) {
+        const int jumps = feels_jumps(s, j)
+                          && (velocities_jump(s) || m->damper[j].before != m->damper[j].now);
+        const double power = jumps ? 2 - fvi_kernel_growth(damper_of(s, j)->kernel)
+                             : is_struck(s, j) ? 1 - order_below_one(damper_of(s, j)->kernel)
+                                               : INFINITY;
+        shortest = fmin(shortest, pow(1e-4 * fmin(o->tolerance, 1), 1 / power));
+    }
+    return shortest;
+}
+
+int fvi_mesh_takes_kicks(const fvi_stepper *s)
+{
+    for (size_t j = 0; j < s->mechanism->r; j++)
+        if (feels_jumps(s, j) && !velocities_jump(s))
+            return 0;
+    return 1;
+}
+
+static int refuse(fvi_error *error, int code, size_t j, const char *text)
+{
+    fvi_fail(error, code, "damper", (double)j + 1, text, j + 1);
+    if (error)
+        error->index = j;
+    return code;
+}
+
+/* The past rl: y = sigma z_0 in every mode, or for a spring the place where it rests. */
+static int strike(const fvi_stepper *s, fvi_variable_step_state *o, size_t j)
+{
+    const double z = s->mechanism->z[j];
+    fvi_mesh_damper *to = &o->mechanism->damper[j];
+    to->centre = is_struck(s, j) ? 0 : z;
+    if (!is_struck(s, j) || !to->modes)
+        return FVI_SUCCESS;
+    o->undeclared_jump_until = o->T; /* such a start shows a part of its error alone */
+    fvi_modes_activate_all(to->modes);
+    for (size_t q = 0; q < fvi_modes_count(to->modes); q++)
+        fvi_modes_add(to->modes, 0, q, fvi_modes_decay(to->modes, q) * z);
+    return FVI_SUCCESS;
+}
+
+/* What sees zdot - before: a power above the order 1, or the terms of a law that rise. */
+static void set_rising(const fvi_variable_rule *rule, fvi_mesh_damper *to)
+{
+    const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
+    double all[FVI_LANES];
+    fvi_square_apply(rule->s, &to->W0, ones, all);
+    for (size_t i = 0; i < FVI_LANES; i++)
+        to->W1[i] = to->kernel ? all[i] - to->W1[i] : to->beta > 0 ? all[i] : 0;
+    to->leakage = fvi_memory_leakage(rule, &to->W0);
+}
+
+static int begin_power(const fvi_variable_step_state *o, const fvi_kernel_term *t,
+                       fvi_mesh_damper *to)
+{
+    to->rho = t->rho;
+    to->beta = 2 * t->alpha - 1;
+    fvi_variable_present(o->rule, to->beta, &to->W0);
+    set_rising(o->rule, to);
+    if (to->rho == 0 || to->beta == 0 || to->beta == -1)
+        return FVI_SUCCESS;
+    return fvi_modes_alloc(o->rule, o->modes_kind, to->beta, 1, o->T, o->least, &to->modes);
+}
+
+static int begin_law(const fvi_stepper *s, fvi_variable_step_state *o, size_t j,
+                     fvi_mesh_damper *to)
+{
+    to->rho = 1;
+    to->beta = -0.5; /* a scale of W0 alone */
+    int status = fvi_variable_step_prepare_kernel(damper_of(s, j)->kernel, &to->kernel);
+    const fvi_kernel_on_mesh law = { to->kernel, o->rule, 1, o->T, o->least };
+    if (!status)
+        status = fvi_kernel_begin_on_mesh(&law, &to->modes, &to->rising);
+    return status == FVI_EUNSUP
+               ? refuse(s->error, status, j,
+                        "damper %zu: a pole of this law is too near to its cut, or off it, for "
+                        "modes of variable steps; fvi-stable takes it")
+               : status;
+}
+
+int fvi_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < o->mechanism->r && !status; j++) {
+        const fvi_kernel_term *power = power_of(damper_of(s, j)->kernel);
+        fvi_mesh_damper *to = &o->mechanism->damper[j];
+        if (is_struck(s, j))
+            status = fvi_mechanism_check_stretch(damper_of(s, j)->kernel, j, s->error);
+        if (status)
+            return status;
+        status = power ? begin_power(o, power, to) : begin_law(s, o, j, to);
+        if (!status)
+            status = strike(s, o, j);
+    }
+    return status;
+}
+
+int fvi_mesh_allocate(fvi_variable_step_state *o, size_t r)
+{
+    const size_t d = o->d;
+    struct fvi_mesh_mechanism *m = o->mechanism = calloc(1, sizeof *m);
+    if (m)
+        m->damper = calloc(r + 1, sizeof *m->damper);
+    const size_t lengths[] = { d, d, FVI_LANES * d, FVI_LANES * r, FVI_LANES * r,
+                               FVI_LANES, r, r, d, FVI_LANES * d, d * d };
+    size_t count = 0;
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++)
+        count += lengths[i];
+    if (m)
+        m->numbers = calloc(count, sizeof *m->numbers);
+    if (!m || !m->damper || !m->numbers)
+        FVI_FAIL("no memory for the mechanism", FVI_ENOMEM);
+    double **const places[] = { &m->p_less, &m->p0, &m->slope0, &m->force0, &m->power0,
+                                &m->by_force0, &m->impulse0, &m->work0, &m->mass, &m->slope,
+                                &m->inverse }, *at = m->numbers;
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; at += lengths[i++])
+        *places[i] = at;
+    m->r = r;
+    return FVI_SUCCESS;
+}
+
+int fvi_mesh_start(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const size_t r = s->run.system->mechanism->damper_count;
+    int status = fvi_mechanism_start(s, FVI_MECHANISM_FORM_D, o->rule->s);
+    if (!status)
+        status = fvi_mesh_allocate(o, r);
+    for (size_t j = 0; j < r && !status; j++) {
+        fvi_mesh_damper *to = &o->mechanism->damper[j];
+        status = slope_at_start(s, j, &to->now);
+        const int jumps = feels_jumps(s, j) && damper_of(s, j)->past != FVI_INITIAL_HISTORY_CAPUTO;
+        to->before = jumps ? 0 : to->now;
+        if (fvi_kernel_growth(damper_of(s, j)->kernel) == 2)
+            return refuse(s->error, FVI_EUNSUP, j,
+                          "damper %zu has the order 2, which is a mass: fvi-adaptive takes it "
+                          "in the Lagrangian, fvi-lobatto2d to 8d as it is");
+    }
+    return status;
+}
+
+/* ---- in a step ---- */
+
+void fvi_mesh_present(const fvi_stepper *s, fvi_variable_step_state *o)
+{
+    struct fvi_mesh_mechanism *m = o->mechanism;
+    const double h = o->length.h;
+    const size_t n = o->rule->s;
+    if (m->h == h)
+        return;
+    m->h = h;
+    for (size_t j = 0; j < m->r; j++) {
+        fvi_mesh_damper *of = &m->damper[j];
+        const fvi_kernel_on_mesh law = { of->kernel, o->rule, 1, o->T, o->least };
+        if (of->kernel) {
+            fvi_kernel_present_on_mesh(&law, h, of->beta, &of->W0, of->W1);
+            set_rising(o->rule, of);
+        }
+        const double factor = of->rho * pow(h, -of->beta);
+        for (size_t i = 0; i < n; i++)
+            for (size_t l = 0; l < n; l++)
+                s->mechanism->W[(j * n + i) * n + l] = factor * of->W0.column[l][i];
+    }
+}
+
+/* known += rho H of one set of modes, or of none. */
+static void add_modes(fvi_modes *modes, fvi_length length, double rho, size_t n, double *known)
+{
+    double H[FVI_LANES];
+    if (!modes)
+        return;
+    fvi_modes_begin(modes, length);
+    fvi_modes_history(modes, 0, H);
+    for (size_t i = 0; i < n; i++)
+        known[i] += rho * H[i];
+}
+
+//> predict
+void fvi_mesh_predict(const fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const size_t n = o->rule->s;
+    for (size_t j = 0; j < o->mechanism->r; j++) {
+        const fvi_mesh_damper *of = &o->mechanism->damper[j];
+        double *known = s->mechanism->known + j * n;
+        const double factor = of->rho * pow(o->length.h, -of->beta) * of->before,
+                     spring = of->beta == -1 ? of->rho * (s->mechanism->z[j] - of->centre) : 0;
+        for (size_t i = 0; i < n; i++)
+            known[i] = spring - (of->W1[i] != 0 ? factor * of->W1[i] : 0);
+        add_modes(of->modes, o->length, of->rho, n, known);
+        add_modes(of->rising, o->length, of->rho, n, known);
+    }
+}
+//< predict
+
+void fvi_mesh_advance(const fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const size_t n = o->rule->s;
+    for (size_t j = 0; j < o->mechanism->r; j++) {
+        fvi_mesh_damper *of = &o->mechanism->damper[j];
+        const double *zdot = s->mechanism->zdot + j * n;
+        double v[FVI_LANES] = { 0 }, change[FVI_LANES] = { 0 };
+        for (size_t i = 0; i < n; i++) {
+            v[i] = zdot[i];
+            change[i] = zdot[i] - of->before;
+        }
+        if (of->modes)
+            fvi_modes_advance(of->modes, 0, of->beta > 0 ? change : v, of->before);
+        if (of->rising)
+            fvi_modes_advance(of->rising, 0, change, of->before);
+        of->before = of->now = zdot[n - 1];
+    }
+}
+
+/* ---- copies ---- */
+
+int fvi_mesh_copy_dampers(const struct fvi_mesh_mechanism *from,
+                          struct fvi_mesh_mechanism *to)
+{
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < from->r && !status; j++) {
+        const fvi_mesh_damper *old = &from->damper[j];
+        fvi_mesh_damper *new = &to->damper[j];
+        *new = *old;
+        new->modes = new->rising = NULL;
+        new->kernel = old->kernel ? fvi_variable_step_copy_kernel(old->kernel) : NULL;
+        if (old->kernel && !new->kernel)
+            return FVI_ENOMEM;
+        if (old->modes)
+            status = fvi_modes_copy(old->modes, &new->modes);
+        if (!status && old->rising)
+            status = fvi_modes_copy(old->rising, &new->rising);
+    }
+    return status;
+}
