@@ -20,7 +20,8 @@ static const fvi_method *usual_method(const fvi_problem *problem,
 {
     if (!(tolerance > 0))
         return &fvi_fractional;
-    if (problem->system.matrices || problem->system.mechanism)
+    const fvi_mechanism *mechanism = problem->system.mechanism;
+    if (problem->system.matrices || (mechanism && mechanism->constraints))
         return &fvi_cq2_midpoint;
     return problem->law && !fvi_variable_step.takes_laws ? &fvi_cq_bdf2
                                                          : &fvi_variable_step;

@@ -67,7 +67,7 @@ int fvi_check_method(const fvi_options *o, fvi_error *c)
         return fvi_refuse(c, "method",
                           "'%s' takes no Lagrangian, dampers between points, "
                           "constraints or forces of velocity; fvi, fvi-stable, "
-                          "fvi-lobatto2 to 8 and 2d to 8d do",
+                          "fvi-lobatto2 to 8, 2d to 8d and fvi-adaptive do",
                           m->name);
     if (!m->takes_kappa && o->kappa != 0.5)
         return fvi_refuse(c, "kappa", "'%s' is not for %s, which has no kappa",

@@ -17,8 +17,10 @@ const fvi_option_values *fvi_dampers_typed(const fvi_options *o);
 /* fvi_wants_mechanism -- do the words, or a mass of 0, ask for a mechanism? */
 int fvi_wants_mechanism(const fvi_options *o);
 
-/* fvi_wants_stable -- is fvi-stable the method, unless another is named? */
+/* fvi_wants_stable -- is fvi-stable the method, unless another is named?
+ * fvi_leaves_steps -- but is an error, or an event, asked for without constraints, so that fvi-adaptive is? */
 int fvi_wants_stable(const fvi_options *o);
+int fvi_leaves_steps(const fvi_options *o);
 
 /* fvi_check_mechanism_words -- refuse what goes with no mechanism. */
 int fvi_check_mechanism_words(const fvi_options *o, fvi_error *c);

@@ -69,7 +69,7 @@ static int interpret_of_steps(fvi_options *o, option_index i, double *value,
 
 static int interpret_method(fvi_options *o, fvi_error *c)
 {
-    if (o->method_is_preset && fvi_wants_stable(o))
+    if (o->method_is_preset && fvi_wants_stable(o) && !fvi_leaves_steps(o))
         o->text[METHOD] = "fvi-stable";
     const int status = fvi_parse_method(o->text[METHOD], &o->method, c);
     if (status)

@@ -143,9 +143,9 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
         for other in others:
             if one is not None and {"h": h, "step_error": step_error}[other] is not None:
                 raise ValueError(f"{other}: not together with {name}")
-    if problem.kind == "mechanism" and error is not None:
-        raise ValueError("error: not of a Lagrangian, dampers, constraints or forces of velocity, whose steps are given")
-    if method is None and events:
+    chooses = error is not None or step_error is not None or longest is not None
+    if method is None and (events or (problem.kind == "mechanism" and chooses and not problem.constraints
+                                      and not problem.impose)):
         method = "fvi-adaptive"
     if method is None and problem.kind != "masses":
         method = "fvi-stable"
