@@ -73,8 +73,8 @@ typedef struct fvi_damper {
  *   force_on     NULL, or forces that know x and v; the system's force acts, too
  *   constraints  NULL, or equations between the coordinates
  *
- * fvi, fvi-stable and fvi-lobatto2 to 8, 2d to 8d take it; constraints only fvi-stable and
- * fvi-lobatto2 to 8. What they refuse at the start (FVI_EUNSUP, FVI_EDOM, FVI_ESING) they say with its
+ * fvi, fvi-stable, fvi-lobatto2 to 8, 2d to 8d and fvi-adaptive take it; constraints only fvi-stable and
+ * fvi-lobatto2 to 8; fvi-adaptive no damper of the order 2, nor a law with a pole beside its cut. What they refuse at the start (FVI_EUNSUP, FVI_EDOM, FVI_ESING) they say with its
  * field: "lagrangian", "damper", "constraint", "x0", "p0", the number as the index. */
 typedef struct fvi_mechanism {
     size_t damper_count;
@@ -101,6 +101,7 @@ int fvi_stepper_keep_dampers(fvi_stepper *s);
 
 /* fvi_stepper_damper -- what damper j, from 0, has given and taken from t = 0 to the last step.
  *
+ *   (of fvi-adaptive: to the end of its last step, whatever the rows; an observer knows them at any time)
  *   impulse  output or NULL: the integral of its force lambda = C(D) (z - z_0), the partner of p,
  *            and of p's order: the force at a node is its difference, over a run. Of a damper by a
  *            matrix d numbers, the integral of C times the answer to x - x_0

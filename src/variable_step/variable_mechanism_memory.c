@@ -2,6 +2,7 @@
 #include "variable_mechanism.h"
 
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -55,7 +56,7 @@ static double order_below_one(const fvi_kernel *kernel)
     double order = 0;
     for (size_t i = 0; i < kernel->count; i++)
         if (kernel->term[i].rho > 0 && kernel->term[i].alpha < 0.5)
-            order = fmax(order, 2 * kernel->term[i].alpha);
+            order = larger(order, 2 * kernel->term[i].alpha);
     return order;
 }
 
@@ -77,7 +78,7 @@ double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
         const double power = jumps ? 2 - fvi_kernel_growth(damper_of(s, j)->kernel)
                              : is_struck(s, j) ? 1 - order_below_one(damper_of(s, j)->kernel)
                                                : INFINITY;
-        shortest = fmin(shortest, pow(1e-4 * fmin(o->tolerance, 1), 1 / power));
+        shortest = smaller(shortest, pow(1e-4 * fmin(o->tolerance, 1), 1 / power));
     }
     return shortest;
 }

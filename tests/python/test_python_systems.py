@@ -53,6 +53,25 @@ def test_a_mechanism_has_the_programs_digits(problem, options, words):
     assert abs(s.energy - rows[:, n]).max() <= 1e-13 * abs(s.energy).max() or np.isnan(s.energy).any()
 
 
+def test_an_error_chooses_the_steps_of_a_mechanism():
+    """By fvi-adaptive, and the rows, energies and forces of dampers are the program's."""
+    q = fvi.Problem(lagrangian=DOUBLE, x0=[2, 2], v0=[0, 0.5], time=2, dampers=["elbow=x2-x1 : power:0.3,0.25"])
+    words = ["--lagrangian", DOUBLE, "--x0", "2,2", "--v0", "0,0.5", "--damper", "elbow=x2-x1 : power:0.3,0.25", "--time",
+             "2", "--steps", "20"]
+    s, rows = fvi.solve(q, error=1e-9, steps=20), program("run", *words, "--error", "1e-9")
+    assert np.array_equal(table(s)[:, :5], rows[:, :5]) and s.estimate <= 1e-9
+    fine = fvi.solve(q, h=0.001, method="fvi-lobatto4d")
+    assert abs(s.x - fine.x[::100]).max() <= 2e-9
+    own = fvi.solve(q, steps=20, step_error=1e-9)
+    assert "fvi-adaptive" in own.message
+    rows = program("run", *words, "--step-error", "1e-9", "--columns", "x,v,elbow.force,elbow.work,balance")
+    assert abs(own.v - rows[:, 2:4]).max() <= 1e-12
+    assert abs(rows[:, -1] - rows[0, -1]).max() <= 1e-8
+    stable = fvi.solve(fvi.Problem(lagrangian="(v1^2+v2^2)/2 - x2", constraints=["x1^2+x2^2-1"], x0=[1, 0], v0=[0, 0],
+                                   time=1), error=1e-3, steps=4)
+    assert "fvi-stable" in stable.message
+
+
 def test_velocities_of_a_lagrangian():
     """p = L_v: of the double pendulum (2 v1 + v2 cos, v2 + v1 cos), solved to 1e-13."""
     s = fvi.solve(fvi.Problem(lagrangian=DOUBLE, x0=[2, 2], v0=[0, 0.5], time=3), h=0.01)
@@ -240,8 +259,7 @@ def test_the_bound_of_the_theorem_holds():
     (lambda: fvi.solve(fvi.Problem(M=np.eye(2), K=np.array([[1, 2], [0, 1.0]])), h=0.1), fvi.Error, "^K: .*symmetric"),
     (lambda: fvi.solve(fvi.Problem(M=-np.eye(2), K=np.eye(2)), h=0.1), fvi.Error, "^M: "),
     (lambda: fvi.solve(fvi.Problem(dampers=["x : viscos:1"]), h=0.1), ValueError, "^damper: .*did you mean viscous"),
-    (lambda: fvi.solve(fvi.Problem(dampers=["x : viscous:1"]), error=1e-3), ValueError, "^error: not of a Lagrangian"),
-    (lambda: fvi.solve(fvi.Problem(dampers=["x : viscous:1"]), method="fvi-adaptive"), fvi.Error, ""),
+    (lambda: fvi.solve(fvi.Problem(dampers=["x : power:1,1"]), method="fvi-adaptive"), fvi.Error, "order 2, which is a mass"),
     (lambda: fvi.response(fvi.Problem(), 0.0), fvi.Error, ""), (lambda: fvi.response(fvi.Problem(), 1, at=2), ValueError, "^at: 2"),
     (lambda: fvi.response(fvi.Problem(), 1, "recptance"), ValueError, "^of: 'recptance'"),
     (lambda: fvi.poles(fvi.Problem(), 2), fvi.Error, ""), (lambda: fvi.moduli("zener:1", 1), ValueError, "^damping"),

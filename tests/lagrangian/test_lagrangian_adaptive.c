@@ -1,0 +1,439 @@
+/* tests/lagrangian/test_lagrangian_adaptive.c -- Form D on a mesh, whose steps are chosen.
+ * Run alone: make test-lagrangian_adaptive */
+#include "problems.h"
+
+#include "run/whole_run.h"
+#include "system/larger.h"
+
+#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
+
+static const mechanism_text
+    friction = { .name = "friction",
+                 .d = 1,
+                 .lagrangian = "v^2/2-x^2/2",
+                 .damper = { "x : power:0.2,0.3" },
+                 .force_on = { "1=-0.3*tanh(v/0.1)+0.5*sin(1.3*t)" },
+                 .x0 = { 1 },
+                 .v0 = { 0.1 } },
+    drag = { .name = "drag",
+             .d = 2,
+             .lagrangian = "3*v1^2/2 + v1*v2*cos(x2) + v2^2/2 + cos(x2) - x1^2/2",
+             .damper = { "x1 : power:0.3,0.3" },
+             .force_on = { "1=-0.2*v1*sqrt(v1^2+0.01)", "2=0.2*v2" },
+             .x0 = { 0.2, 1.2 },
+             .v0 = { 0, 0.5 } },
+    /* order 1.4, held with a velocity along the damper */
+    steep = { .name = "steep",
+              .d = 2,
+              .lagrangian = "(v1^2+v2^2)/2 - 2*(sqrt(x1^2+x2^2)-1)^2 - x2",
+              .damper = { "sqrt(x1^2+x2^2) : power:0.4,0.7" },
+              .x0 = { 1.2, 0 },
+              .v0 = { 0.3, 0.8 } };
+
+/* References as in test_lagrangian_orders.c: Prony sums and Radau's method. */
+enum { COUNT = 7 };
+static const struct {
+    const mechanism_text *text;
+    double T, digits, x[2];
+} references[COUNT] = {
+    { &problems[CART], 4, 1e-12, { 0.127966315868, -0.687174193121 } },
+    { &problems[TWIN], 4, 1e-12, { -0.883946635396, -0.825565360704 } },
+    { &problems[VAN_DER_POL], 6, 1e-12, { 1.660268711808 } },
+    { &problems[MATHIEU], 6, 1e-12, { 0.383718180036 } },
+    { &friction, 6, 1e-12, { -0.160835363216 } },
+    { &drag, 4, 1e-12, { 0.170596353837, -1.704472329246 } },
+    { &steep, 4, 1e-10, { -0.578302121583, -1.387803211541 } },
+};
+
+/* The stepper at the end of a run of one row; an error ends the test. */
+static fvi_stepper *at_end(const fvi_run *run)
+{
+    fvi_stepper *s;
+    fvi_error error = { 0 };
+    const int status = fvi_stepper_start(&fvi_variable_step, run, &s, &error);
+    ck_assert_msg(status == 0, "%d %s", status, error.text);
+    while (s->k < run->steps)
+        OK(fvi_stepper_step(s));
+    return s;
+}
+
+static double off(const fvi_stepper *s, const double *x)
+{
+    double most = 0;
+    for (size_t j = 0; j < s->run.system->d; j++)
+        most = larger(most, fabs(s->x[j] - x[j]));
+    return most;
+}
+
+/* What a step may err by is what the end errs by at most, though steps add up: the estimate is a cautious
+ * one. The largest part of it that was seen is 0.97. */
+START_TEST(the_error_of_a_step_is_kept_at_the_end)
+{
+    mechanism_problem p;
+    open_problem(references[_i].text, &p);
+    for (double asked = 1e-3; asked > 0.5e-11; asked /= 100) {
+        fvi_run run = run_of(&p, references[_i].T, 1);
+        run.step_error = asked;
+        fvi_stepper *s = at_end(&run);
+        const double error = off(s, references[_i].x);
+        ck_assert_msg(error <= asked + 2 * references[_i].digits, "%s: asked %g, reached %g",
+                      references[_i].text->name, asked, error);
+        seen(error / asked, "%s %g", references[_i].text->name, asked);
+        fvi_stepper_free(s);
+    }
+    close_problem(&p);
+}
+END_TEST
+
+/* fvi_solve with a tolerance: fvi-adaptive is its method, and its estimate is honest. */
+START_TEST(a_tolerance_is_kept_and_its_estimate_honest)
+{
+    mechanism_problem p;
+    open_problem(references[_i].text, &p);
+    fvi_problem problem = { .system = p.system, .x0 = p.x0, .p0 = p.p0, .T = references[_i].T };
+    for (double asked = 1e-3; asked > 0.5e-11; asked /= 100) {
+        double x[2 * 2];
+        const fvi_accuracy accuracy = { asked, 0 };
+        const fvi_outputs out = { .rows = 2, .x = x };
+        fvi_report report;
+        OK(fvi_solve(&problem, NULL, &accuracy, &out, &report, NULL));
+        ck_assert_ptr_eq(report.method, &fvi_variable_step);
+        ck_assert_int_eq(report.form, 'D');
+        double error = 0;
+        for (size_t j = 0; j < p.system.d; j++)
+            error = larger(error, fabs(x[p.system.d + j] - references[_i].x[j]));
+        ck_assert_msg(error <= report.error + 2 * references[_i].digits && report.error <= asked,
+                      "%s: asked %g, estimate %g, reached %g", references[_i].text->name, asked,
+                      report.error, error);
+    }
+    close_problem(&p);
+}
+END_TEST
+
+/* Steps no longer than h, of six stages: the error at the end falls with h^(2 s - 2), h from 0.779 to
+ * 0.287, on average. The reference is the same method with 1e-13 and the others agree to its digits. */
+START_TEST(eq_29_18_the_order_is_2s_minus_2)
+{
+    static const mechanism_text *const texts[] = { &problems[CART], &problems[TWIN],
+                                                   &problems[ELASTIC] };
+    mechanism_problem p;
+    open_problem(texts[_i], &p);
+    fvi_run run = run_of(&p, 4, 1);
+    run.step_error = 1e-13;
+    fvi_stepper *s = at_end(&run);
+    double reference[2], errors[2];
+    memcpy(reference, s->x, sizeof reference);
+    fvi_stepper_free(s);
+    const fvi_method *other = fvi_method_find("fvi-lobatto8d");
+    s = stepper_at(other, &p, 4. / 320, 320, 320);
+    ck_assert_msg(off(s, reference) <= 1e-12, "%s: %g", texts[_i]->name, off(s, reference));
+    fvi_stepper_free(s);
+    for (int k = 0; k < 2; k++) {
+        run.step_error = 0.5;
+        run.tolerance = 1e-300; /* the finest modes */
+        run.longest = exp(k ? -1.25 : -0.25);
+        s = at_end(&run);
+        fvi_step_statistics counts;
+        OK(fvi_stepper_statistics(s, &counts));
+        ck_assert_int_eq(counts.stages, 6);
+        errors[k] = off(s, reference);
+        fvi_stepper_free(s);
+    }
+    const double order = log(errors[0] / errors[1]);
+    ck_assert_msg(fabs(order - 10) <= 1.5, "%s: order %g, errors %g, %g", texts[_i]->name, order,
+                  errors[0], errors[1]);
+    seen(order, "%s", texts[_i]->name);
+    close_problem(&p);
+}
+END_TEST
+
+/* A damper on each coordinate alone is the damping of a run without a mechanism, whatever its past. The two
+ * choose their steps alike, but solve for other unknowns, and start a singular past in another way. */
+START_TEST(dampers_on_coordinates_are_the_old_damping)
+{
+    static const double alphas[] = { 0, 0.2, 0.45, 0.5, 0.7 }, row[] = { 1 }, cg[] = { 1, 0.5 },
+                        x0 = 1, p0 = 0.5, rho = 0.4, mass = 1, none = 0;
+    static const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_HELD,
+                                                 FVI_INITIAL_HISTORY_CAPUTO,
+                                                 FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
+    const double alpha = alphas[_i % 5];
+    const fvi_initial_history past = pasts[_i / 5];
+    if (past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && alpha > 0.5)
+        return;
+    const fvi_kernel_term term = { FVI_KERNEL_POWER, rho, alpha, 0, 0 };
+    const fvi_kernel law = { 1, &term };
+    const fvi_damper damper = { .of = fvi_elongation_row(row), .kernel = &law, .past = past };
+    const fvi_mechanism m = { .damper_count = 1, .damper = &damper };
+    const fvi_potential spring = fvi_potential_duffing(cg);
+    const fvi_system plain = { .d = 1, .mass = &mass, .damping = &rho, .potential = spring },
+                     other = { .d = 1, .mass = &mass, .damping = &none, .potential = spring,
+                               .mechanism = &m };
+    fvi_run run = fvi_run_default(&plain, &x0, &p0, 0.1, 60);
+    double x[61], p[61], X[61], P[61], worst = 0;
+    run.step_error = 1e-10;
+    run.alpha = alpha;
+    run.past = past;
+    OK(fvi_trajectory(&fvi_variable_step, &run, x, p, NULL));
+    run.system = &other;
+    run.alpha = 0.5;
+    run.past = FVI_INITIAL_HISTORY_HELD;
+    OK(fvi_trajectory(&fvi_variable_step, &run, X, P, NULL));
+    for (int k = 0; k <= 60; k++)
+        worst = larger(worst, fabs(x[k] - X[k]));
+    ck_assert_msg(worst <= 1e-10, "alpha %g, past %d: %g", alpha, past, worst);
+    seen(worst, "alpha %g past %d", alpha, past);
+}
+END_TEST
+
+/* Every law by its own modes: the rows are those of the damping of a run, by the same law. */
+START_TEST(laws_on_coordinates_are_the_old_laws)
+{
+    static const char *const laws[] = { "zener:0.4,0.3,0.5", "maxwell:0.3,0.5",
+                                        "distributed:0.3,0.1,0.4", "davidson:0.3,0.3,0.5",
+                                        "viscous:0.1 + spring:0.2 + power:0.2,0.3",
+                                        "symbol:0.2*s^0.5/(1+s^0.3)" };
+    static const double row[] = { 1 }, cg[] = { 1, 0.5 }, x0 = 1, p0 = 0.5, one = 1, none = 0;
+    fvi_typed_damping law = { 0 };
+    OK(fvi_parse_damping(laws[_i], NULL, &law, NULL));
+    const fvi_kernel *kernel = &law.law;
+    const fvi_damper damper = { .of = fvi_elongation_row(row), .kernel = kernel };
+    const fvi_mechanism m = { .damper_count = 1, .damper = &damper };
+    const fvi_potential spring = fvi_potential_duffing(cg);
+    const fvi_system plain = { .d = 1, .mass = &one, .damping = &one, .potential = spring },
+                     other = { .d = 1, .mass = &one, .damping = &none, .potential = spring,
+                               .mechanism = &m };
+    fvi_run run = fvi_run_default(&plain, &x0, &p0, 0.1, 60);
+    double x[61], X[61];
+    run.step_error = 1e-11;
+    run.law = kernel;
+    OK(fvi_trajectory(&fvi_variable_step, &run, x, NULL, NULL));
+    run.system = &other;
+    run.law = NULL;
+    OK(fvi_trajectory(&fvi_variable_step, &run, X, NULL, NULL));
+    for (int k = 0; k <= 60; k++)
+        ck_assert_msg(fabs(x[k] - X[k]) <= 1e-11, "%s, row %d: %g", laws[_i], k, x[k] - X[k]);
+    fvi_typed_damping_free(&law);
+}
+END_TEST
+
+/* ---- a mesh has copies, archives and sums ---- */
+
+typedef struct {
+    fvi_archive archive;
+    char *room;
+    size_t at;
+    int is_saved;
+} saved;
+
+static int serialize(fvi_archive *archive, void *data, size_t bytes, int constant)
+{
+    saved *to = (saved *)archive;
+    char *here = to->room + to->at;
+    to->at += bytes;
+    if (!to->is_saved)
+        memcpy(here, data, bytes);
+    else if (constant)
+        return memcmp(here, data, bytes) != 0;
+    else
+        memcpy(data, here, bytes);
+    return 0;
+}
+
+/* A kick at 1.5, a power above the order 1, a law: what a state may be made of. */
+static const mechanism_text rich = {
+    .name = "rich",
+    .d = 2,
+    .lagrangian = "v1^2+v2^2/2+v1*v2*cos(x1-x2)+2*cos(x1)+cos(x2)",
+    .damper = { "x1 : power:0.2,0.7", "x2-x1 : zener:0.3,0.3,0.5 + power:0.1,0.25", "x2 : spring:0.1" },
+    .force_on = { "1=-0.1*v1+0.1*sin(t)" },
+    .x0 = { 1, 1.5 },
+    .v0 = { 0.2, 0.5 }
+};
+static const double kick[] = { 0.1, -0.2 };
+static const fvi_impulse hit = { 1.5, kick };
+
+START_TEST(a_copy_and_an_archive_go_on_with_the_same_digits)
+{
+    mechanism_problem p;
+    open_problem(&rich, &p);
+    p.system.force.impulse_count = 1;
+    p.system.force.impulses = &hit;
+    fvi_run run = run_of(&p, 0.5, 8);
+    run.step_error = 1e-8;
+    fvi_stepper *s = NULL, *copy, *again;
+    OK(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL));
+    while (s->t < 1)
+        OK(fvi_stepper_step(s));
+    OK(fvi_stepper_copy(s, &copy));
+    saved to = { .archive = { serialize }, .room = malloc(1 << 20) };
+    OK(fvi_stepper_archive(s, &to.archive));
+    OK(fvi_stepper_start(&fvi_variable_step, &run, &again, NULL));
+    to.is_saved = 1;
+    to.at = 0;
+    OK(fvi_stepper_archive(again, &to.archive));
+    fvi_stepper *const all[] = { s, copy, again };
+    double work[3], impulse[3];
+    for (int i = 0; i < 3; i++) {
+        while (all[i]->k < 8)
+            OK(fvi_stepper_step(all[i]));
+        OK(fvi_stepper_damper(all[i], 1, &impulse[i], &work[i]));
+        ck_assert_double_eq(all[i]->x[0], s->x[0]);
+        ck_assert_double_eq(all[i]->p[1], s->p[1]);
+        ck_assert_double_eq(work[i], work[0]);
+        ck_assert_double_eq(impulse[i], impulse[0]);
+    }
+    OK(fvi_stepper_reset(s));
+    while (s->k < 8)
+        OK(fvi_stepper_step(s));
+    ck_assert_double_eq(s->x[0], copy->x[0]);
+    for (int i = 0; i < 3; i++)
+        fvi_stepper_free(all[i]);
+    free(to.room);
+    close_problem(&p);
+}
+END_TEST
+
+/* The impulse of a force is that of fvi-lobatto6d: both are right to 1e-8, of a law, and of an order above 1. */
+START_TEST(an_impulse_between_two_steps)
+{
+    mechanism_problem p;
+    open_problem(&rich, &p);
+    p.system.force.impulse_count = 1;
+    p.system.force.impulses = &hit;
+    fvi_run run = run_of(&p, 4, 1);
+    run.step_error = 1e-10;
+    fvi_stepper *s = at_end(&run),
+                *other = stepper_at(fvi_method_find("fvi-lobatto6d"), &p, 4. / 640, 640, 640);
+    ck_assert_msg(off(s, other->x) <= 2e-8, "%g", off(s, other->x));
+    fvi_stepper_free(s);
+    fvi_stepper_free(other);
+    close_problem(&p);
+}
+END_TEST
+
+/* At any time, within steps, too: v, a, forces, impulses and work are those of fvi-lobatto6 with 640 steps,
+ * and E + work of dampers - work of forces stays. */
+START_TEST(forces_and_work_are_known_within_steps)
+{
+    mechanism_problem p;
+    mechanism_text text = rich;
+    text.damper[0] = "x1 : power:0.2,0.3"; /* of order 0.6: fvi-lobatto6 has ten digits of it */
+    open_problem(&text, &p);
+    fvi_run run = run_of(&p, 0.05, 80);
+    run.step_error = 1e-11;
+    const unsigned wanted = FVI_OBSERVE_VELOCITY | FVI_OBSERVE_ACCELERATION | FVI_OBSERVE_FORCE
+                            | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK;
+    const fvi_method *const methods[] = { &fvi_variable_step, fvi_method_find("fvi-lobatto6") };
+    fvi_stepper *s[2];
+    fvi_observer *o[2];
+    fvi_observation now[2];
+    double balance = NAN;
+    for (int i = 0; i < 2; i++) {
+        fvi_run each = run;
+        each.h /= i ? 8 : 1;
+        each.steps *= i ? 8 : 1;
+        OK(fvi_stepper_start(methods[i], &each, &s[i], NULL));
+        OK(fvi_observer_start(s[i], wanted, &o[i], NULL));
+    }
+    for (size_t k = 40; k <= 80; k += 8) {
+        const double t = (double)k * 0.05;
+        for (int i = 0; i < 2; i++) {
+            while (s[i]->t < t)
+                OK(fvi_observer_step(o[i], s[i]));
+            OK(fvi_observer_read(o[i], s[i], t, &now[i]));
+        }
+        for (int j = 0; j < 2; j++) {
+            ck_assert_double_eq_tol(now[0].v[j], now[1].v[j], 1e-9);
+            ck_assert_double_eq_tol(now[0].a[j], now[1].a[j], 1e-6);
+        }
+        for (int j = 0; j < 3; j++) {
+            ck_assert_double_eq_tol(now[0].force[j], now[1].force[j], 1e-6);
+            ck_assert_double_eq_tol(now[0].impulse[j], now[1].impulse[j], 1e-8);
+            ck_assert_double_eq_tol(now[0].work[j], now[1].work[j], 1e-8);
+        }
+        ck_assert_double_eq_tol(now[0].work_of_force, now[1].work_of_force, 1e-8);
+        if (k > 40)
+            ck_assert_double_eq_tol(now[0].balance, balance, 1e-10);
+        balance = now[0].balance;
+    }
+    for (int i = 0; i < 2; i++) {
+        fvi_observer_free(o[i]);
+        fvi_stepper_free(s[i]);
+    }
+    close_problem(&p);
+}
+END_TEST
+
+/* A spring in series with a springpot, and no mass between them, is Zener's law. */
+START_TEST(eq_29_15_a_coordinate_without_mass)
+{
+    static const mechanism_text
+        pair = { .name = "pair", .d = 2, .lagrangian = "v1^2/2 - x1^2/2 - (x1-x2)^2",
+                 .damper = { "x2 : power:0.5,0.3" }, .v0 = { 1, 0 } },
+        zener = { .name = "zener", .d = 1, .lagrangian = "v^2/2 - x^2/2",
+                  .damper = { "x : zener:0.5,0.3,0.25" }, .v0 = { 1 } };
+    double x[2];
+    for (int i = 0; i < 2; i++) {
+        mechanism_problem p;
+        open_problem(i ? &zener : &pair, &p);
+        fvi_run run = run_of(&p, 10, 1);
+        run.step_error = 1e-12;
+        fvi_stepper *s = at_end(&run);
+        x[i] = *s->x;
+        fvi_stepper_free(s);
+        close_problem(&p);
+    }
+    ck_assert_double_eq_tol(x[0], x[1], 1e-12);
+}
+END_TEST
+
+/* What it refuses, with the field and the number. */
+START_TEST(what_a_mesh_does_not_take_is_named)
+{
+    static const struct {
+        mechanism_text text;
+        const char *field, *says;
+        int code;
+    } wrong[] = {
+        { { .name = "rod", .d = 2, .lagrangian = "(v1^2+v2^2)/2 - x2",
+            .constraint = { "x1^2+x2^2-1" }, .x0 = { 1, 0 } },
+          "constraint", "takes no constraints", FVI_EUNSUP },
+        { { .name = "mass", .d = 1, .lagrangian = "v^2/2", .damper = { "x : viscous:1", "x : power:1,1" } },
+          "damper", "damper 2 has the order 2", FVI_EUNSUP },
+        { { .name = "cut", .d = 1, .lagrangian = "v^2/2", .damper = { "x : zener:1,0.7,1" } },
+          "damper", "damper 1: a pole", FVI_EUNSUP },
+        { { .name = "rl", .d = 1, .lagrangian = "v^2/2", .damper = { "x : zener:1,0.3,1 : rl" }, .x0 = { 1 } },
+          "damper", "past rl", FVI_EUNSUP },
+        { { .name = "rl", .d = 1, .lagrangian = "v^2/2", .damper = { "x : power:1,0.7 : rl" }, .x0 = { 1 } },
+          "damper", "past rl", FVI_EDOM },
+    };
+    mechanism_problem p;
+    open_problem(&wrong[_i].text, &p);
+    const fvi_run run = run_of(&p, 0.1, 10);
+    fvi_stepper *s = NULL;
+    fvi_error error = { 0 };
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, &error), wrong[_i].code);
+    ck_assert_str_eq(error.field, wrong[_i].field);
+    ck_assert_ptr_nonnull(strstr(error.text, wrong[_i].says));
+    close_problem(&p);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("lagrangian: steps of any length");
+    TCase *errors = tcase_create("errors"), *memory = tcase_create("memory");
+    tcase_add_loop_test(errors, the_error_of_a_step_is_kept_at_the_end, 0, COUNT);
+    tcase_add_loop_test(errors, a_tolerance_is_kept_and_its_estimate_honest, 0, COUNT);
+    tcase_add_loop_test(errors, eq_29_18_the_order_is_2s_minus_2, 0, 3);
+    tcase_add_loop_test(errors, what_a_mesh_does_not_take_is_named, 0, 5);
+    tcase_add_loop_test(memory, dampers_on_coordinates_are_the_old_damping, 0, 15);
+    tcase_add_loop_test(memory, laws_on_coordinates_are_the_old_laws, 0, 6);
+    tcase_add_test(memory, a_copy_and_an_archive_go_on_with_the_same_digits);
+    tcase_add_test(memory, an_impulse_between_two_steps);
+    tcase_add_test(memory, forces_and_work_are_known_within_steps);
+    tcase_add_test(memory, eq_29_15_a_coordinate_without_mass);
+    suite_add_tcase(suite, errors);
+    suite_add_tcase(suite, memory);
+    return run_suite(suite);
+}
