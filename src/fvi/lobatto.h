@@ -130,7 +130,7 @@ int fvi_lobatto_correct_momenta(const fvi_method *method, const fvi_run *run,
  * It is the path that the method itself has: of degree s - 1 through X_1, ..., X_s. At t_k it is s->x to the
  * bit. Order: s at a fixed t > 0 where F does not jump, or what x_k has if that is less; in form D the path
  * begins at X_1, which differs from x_{k-1} by as much. The momentum has no such polynomial. With a
- * mechanism (dampers.h) as well. Cost O(s (s + d)).
+ * mechanism (dampers.h) or matrices (structures.h) as well. Cost O(s (s + d)), with matrices O(s^3 + s d).
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP of another method; FVI_EDOM at k = 0, or if t is
  * not in the last step. */
 int fvi_lobatto_within(const fvi_stepper *s, double t, double *x);

@@ -19,6 +19,13 @@ static int push(double t, size_t d, void *params, double *F)
     return 0;
 }
 
+static int push_twice(double t, size_t d, void *params, double *F)
+{
+    const int status = push(t, d, params, F);
+    *F *= 2;
+    return status;
+}
+
 static double motion(size_t s, double t)
 {
     return x0 + p0 * t + (s < 3 ? 0 : pow(t, (double)s - 1));
@@ -65,6 +72,32 @@ START_TEST(a_polynomial_of_the_stages_degree_is_met_between_the_steps)
 }
 END_TEST
 
+/* M = 2, K = 0, and twice that force: form D alone takes matrices. */
+START_TEST(a_structure_has_a_path_between_the_steps_too)
+{
+    const fvi_triplet two = { 0, 0, 2 }, none = { 0, 0, 0 };
+    const double p = 2 * p0;
+    fvi_sparse M, K;
+    fvi_structure *structure;
+    char fault;
+    ck_assert(!fvi_sparse_assemble(1, 1, &two, &M) && !fvi_sparse_assemble(1, 1, &none, &K));
+    ck_assert_int_eq(fvi_structure_alloc(&M, &K, NULL, &structure, &fault), 0);
+    fvi_system system = fvi_structure_system(structure);
+    for (size_t i = 7; i < LEN(methods); i++) {
+        size_t stages = (size_t)methods[i]->stages;
+        fvi_stepper *s;
+        system.force = (fvi_force){ .value = push_twice, .params = &stages };
+        const fvi_run run = fvi_run_default(&system, &x0, &p, h, STEPS);
+        ck_assert_int_eq(fvi_stepper_start(methods[i], &run, &s, NULL), 0);
+        follow(s, stages, methods[i]->name, "a matrix");
+        fvi_stepper_free(s);
+    }
+    fvi_structure_free(structure);
+    fvi_sparse_free(&M);
+    fvi_sparse_free(&K);
+}
+END_TEST
+
 START_TEST(a_time_beside_the_step_is_refused)
 {
     const fvi_system system = { .d = 1, .mass = &one, .damping = &one };
@@ -90,6 +123,6 @@ int main(void)
 {
     Suite *suite = suite_create("Lobatto methods: within a step");
     ADD_CASE(suite, "within", a_polynomial_of_the_stages_degree_is_met_between_the_steps,
-             a_time_beside_the_step_is_refused);
+             a_structure_has_a_path_between_the_steps_too, a_time_beside_the_step_is_refused);
     return run_suite(suite);
 }

@@ -36,3 +36,13 @@ def test_the_path_goes_through_the_rows():
     for s in (fvi.solve(arm, h=0.02, method="fvi-lobatto4"), fvi.solve(DUFFING, error=1e-6, method="fvi-lobatto3")):
         assert np.array_equal(s(s.t), s.x) and np.array_equal(s(s.t[::-1]), s.x[::-1])
     assert abs(fvi.solve(arm, h=0.02, method="fvi-lobatto4")(fine.t) - fine.x).max() < 1e-5  # seen: 3e-6
+
+
+def test_a_structure_has_a_path_between_the_steps():
+    """Two unknowns that are one oscillator each, as masses and as matrices."""
+    t = np.random.default_rng(5).uniform(0, 5, 200)
+    M, K = np.diag([1.0, 2.0]), np.diag([1.0, 3.0])
+    masses = fvi.Problem("x1^2/2 + 3*x2^2/2", mass=[1, 2], rho=0, x0=[1, 0.5], p0=[0, 1], time=5)
+    structure = fvi.Problem(M=M, K=K, x0=[1, 0.5], p0=[0, 1], time=5)
+    one, other = (fvi.solve(q, h=0.1, method="fvi-lobatto4d")(t) for q in (masses, structure))
+    assert abs(one - other).max() < 1e-13  # seen: 2e-15
