@@ -1,12 +1,15 @@
 /* src/stages/lobatto_modes.c -- The modes of a memory on Lobatto nodes, a step on.
  *                                                               [H 17] */
 #include "lobatto_weights.h"
+#include "variable_rule.h" /* fvi_four */
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 
-enum { LANES = FVI_MODE_LANES };
+enum { LANES = FVI_MODE_LANES, HALVES = LANES / 4 };
 
 enum { FEW = 4 }; /* stages, for which there is a loop of their own */
+
+#define FOUR(x) (*(const fvi_four *)(x))
 
 /* All modes one step on: z += a~.v - p z, and H += sum_j q_j a_j z_j. Written for
  * s = 4; a rule of fewer stages repeats its last row with u = 0. The partial sums
@@ -17,27 +20,29 @@ FVI_VECTORS static void advance_few(size_t s, size_t Q,
                                     const double *restrict a, const double *u,
                                     double *restrict z, double *H)
 {
-    const double *a2 = a + (s > 2 ? 2 : 1) * Q, *a3 = a + (s - 1) * Q;
-    double sum[FEW][LANES] = { { 0 } };
+    const double *a1 = a + Q, *a2 = a + (s > 2 ? 2 : 1) * Q, *a3 = a + (s - 1) * Q;
+    fvi_four sum[FEW][HALVES] = { { { 0 } } };
     for (size_t j = 0; j < Q; j += LANES) {
-#pragma GCC unroll 8
-        //> modes
-        for (size_t l = 0; l < LANES; l++) {
-            const double x0 = a[j + l], x1 = a[Q + j + l], x2 = a2[j + l],
-                         x3 = a3[j + l];
-            z[j + l] += (u[0] * x0 + u[1] * x1) + (u[2] * x2 + u[3] * x3)
-                        - p[j + l] * z[j + l]; /* (17.12) */
-            const double y = q[j + l] * z[j + l];
+#pragma GCC unroll 2
+        for (size_t l = 0; l < HALVES; l++) {
+            const size_t at = j + 4 * l;
+            //> modes
+            const fvi_four x0 = FOUR(a + at), x1 = FOUR(a1 + at), x2 = FOUR(a2 + at),
+                           x3 = FOUR(a3 + at), old = FOUR(z + at),
+                           new = old + ((u[0] * x0 + u[1] * x1) + (u[2] * x2 + u[3] * x3)
+                                        - FOUR(p + at) * old), /* (17.12) */
+                           y = FOUR(q + at) * new;
             sum[0][l] += x0 * y;
             sum[1][l] += x1 * y;
             sum[2][l] += x2 * y;
             sum[3][l] += x3 * y;
+            //< modes
+            *(fvi_four *)(z + at) = new;
         }
-        //< modes
     }
     for (size_t i = 0; i < s; i++)
         for (size_t l = 0; l < LANES; l++)
-            H[i] += sum[i][l];
+            H[i] += sum[i][l / 4][l % 4];
 }
 
 /* The same for s = 8, and 5, 6, 7 in its place. */
