@@ -15,8 +15,8 @@ DARK = {"255,255,255": "#17181a", "#ffffff": "#17181a", "221,221,221": "#34383d"
         "196,106,155": "#e2a3c7", "46,143,196": "#7cc4ee", "176,122,0": "#e69f00", "122,95,192": "#b3a0ee",
         "0,114,178": "#56b4e9", "213,94,0": "#f2803c", "0,158,115": "#1fc296", "204,121,167": "#e2a3c7",
         "230,159,0": "#e69f00", "86,180,233": "#a5d8f5", "148,0,211": "#c58af9", "212,0,0": "#ff7b72"}
-# Two of Okabe and Ito's colours are too light for a line on white.
-LIGHT = {"230,159,0": "#b87a00", "86,180,233": "#2b8cc4"}
+# Two of Okabe and Ito's colours are too light for a line on white; and the ground is that of the page.
+LIGHT = {"230,159,0": "#b87a00", "86,180,233": "#2b8cc4", "255,255,255": "#fdfdfb", "#ffffff": "#fdfdfb"}
 KEPT = {"identification_landscape", "structures_membrane"}  # a map is the same by night, and so is its scale, of polygons
 COLOUR = re.compile(r"""\b(stroke|fill|color|flood-color) ?= ?['"]([^'"]*)['"]""")
 
@@ -53,7 +53,57 @@ def themed(path):
     return svg.replace('<g id="gnuplot_canvas">', style + '\n<g id="gnuplot_canvas">', 1)
 
 
+# ---- on a phone: two panels below each other ----
+
+TEXT = re.compile(r"""<g transform="translate\(([\d.]+),[\d.]+\)( rotate\(-?[\d.]+\))?"[^>]*font-size="([\d.]+)"[^>]*text-anchor="(\w+)"[^>]*>\s*<text>(.*?)</text>""", re.S)
+NARROW = set(" .,:;|'()/[]!fijltrI-")  # letters of a third of their size; others have two thirds, at most
+
+
+def words(svg):
+    """Of each text in a figure, where it begins and ends in x, by its letters; and whether it is that of an axis y."""
+    for x, turned, size, anchor, inside in TEXT.findall(svg):
+        x, size, letters = float(x), float(size), re.sub("<[^>]*>", "", re.sub("&[^;]*;", "x", inside))
+        long = size * sum(0.36 if letter in NARROW else 0.62 for letter in letters)
+        if turned:
+            yield x - size, x + size / 2, True
+        else:
+            begin = x - long * {"start": 0, "middle": 0.5, "end": 1}[anchor]
+            yield begin, begin + long, anchor == "end"
+
+
+def split(path):
+    """Where a vertical line divides the two panels of a figure and cuts no word; None, if there is no such place."""
+    script = path.with_suffix(".gp").read_text() if path.with_suffix(".gp").exists() else ""
+    layout = re.search(r"multiplot layout 1,2(?: margins ([\d.]+),([\d.]+),[\d.]+,[\d.]+ spacing ([\d.]+))?", script)
+    if not layout:
+        return None
+    svg = path.read_text()
+    wide = float(re.search(r'viewBox="0 0 (\d+) ', svg)[1])
+    left, right, space = (float(part) for part in layout.groups()) if layout[1] else (0.08, 0.98, 0.13)
+    end, begin = wide * (left + right - space) / 2, wide * (left + right + space) / 2  # of the panels
+    texts = list(words(svg))
+    most = min((a for a, b, of_axis in texts if of_axis and end < a and b < begin + 3), default=begin - 12)
+    return max((x for x in range(round(end) + 1, round(most) - 1) if not any(a < x < b for a, b, _ in texts)), default=None)
+
+
+def stacked(path, svg):
+    """A figure of two panels, the second one below the first; None, if it is none."""
+    x = split(path)
+    if x is None:
+        return None
+    wide, high = (int(size) for size in re.search(r'viewBox="0 0 (\d+) (\d+)"', svg).groups())
+    head, rest = svg.split('<g id="gnuplot_canvas">', 1)
+    head = re.sub(r'width="\d+" height="\d+"\s+viewBox="[^"]*"', f'width="{max(x, wide - x)}" height="{2 * high}" viewBox="0 0 {max(x, wide - x)} {2 * high}"', head, count=1)
+    canvas = '<g id="gnuplot_canvas">' + rest.rsplit("</svg>", 1)[0]
+    return (f'{head}<svg width="{x}" height="{high}" viewBox="0 0 {x} {high}">{canvas}</svg>'
+            f'<svg y="{high}" width="{wide - x}" height="{high}" viewBox="{x} 0 {wide - x} {high}"><use href="#gnuplot_canvas"/></svg></svg>')
+
+
 def copy_all(out):
+    """Copies all; of those with two panels there is a second one, NAME.narrow.svg, for a phone."""
     out.mkdir(parents=True)
     for path in pathlib.Path("figures").glob("*/*.svg"):
-        (out / path.name).write_text(themed(path))
+        svg = themed(path)
+        (out / path.name).write_text(svg)
+        if narrow := stacked(path, svg):
+            (out / f"{path.stem}.narrow.svg").write_text(narrow)

@@ -11,6 +11,7 @@ import re
 import subprocess
 import sys
 
+import figures
 from sources import colour, source_page
 
 HERE = pathlib.Path(__file__).parent
@@ -218,7 +219,8 @@ def number_figures(page, captions):
         source, alt = match["src"], match["alt"]
         number = f"{page.number}.{count}" if page.number else str(count)
         wide, high = size_of(page, source)
-        return (f'<figure id="fig-{number.replace(" ", "")}"{live(source)}><a href="{source}"><img src="{source}" alt="{alt}" width="{wide}" height="{high}" style="width: {int(wide) / 16:g}rem"></a>\n'
+        image = f'<img src="{source}" alt="{alt}" width="{wide}" height="{high}" style="width: {int(wide) / 16:g}rem">'
+        return (f'<figure id="fig-{number.replace(" ", "")}"{live(source)}><a href="{source}">{in_two(source, image)}</a>\n'
                 f'<figcaption><a href="#fig-{number.replace(" ", "")}">Figure {number}</a> {captions(source, alt)}</figcaption></figure>')
 
     def moving(match):
@@ -233,6 +235,13 @@ def live(source):
     """A figure whose place in a page a moving one takes says which: by its own name. One that a comment puts elsewhere takes no place."""
     name = pathlib.Path(source).stem
     return f' data-live="{name}"' if name not in alone() and (HERE.parent / "live" / f"{name}.js").exists() else ""
+
+
+def in_two(source, image):
+    """On a phone the second panel of a figure stands below the first."""
+    if figures.split(next(ROOT.glob(f"figures/*/{pathlib.Path(source).name}"))) is None:
+        return image
+    return f'<picture><source media="screen and (max-width: 40rem)" srcset="{source[:-4]}.narrow.svg">{image}</picture>'
 
 
 @functools.cache

@@ -3,11 +3,11 @@
 width = 900; height = 440
 load 'figures/style.gp'
 unset key
-set multiplot layout 1,2 margins 0.1,0.985,0.14,0.91 spacing 0.09
+set multiplot layout 1,2 margins 0.105,0.985,0.14,0.91 spacing 0.09
 
 set title "a spring: the energy over 100 000 steps"
 set xlabel "step k"
-set ylabel "E / E_0"
+set ylabel "E / E_0" offset 1
 set logscale y
 set xrange [0:1e5]
 set xtics ("0" 0, "25 000" 25000, "50 000" 50000, "75 000" 75000, "100 000" 1e5)

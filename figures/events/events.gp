@@ -21,7 +21,9 @@ plot dat index 0 using 1:2 with lines ls 1 notitle, \
 set title "The velocity"
 set ylabel "v" offset 1.5
 set yrange [-1.55:1.3]
-unset label
+set label 1 "undamped" at 1.55,1.18 left
+set label 2 "order 3/5" at 3.5,0.78 right
+set label 3 "order 7/5" at 1.5,0.72 right
 plot dat index 0 using 1:3 with lines ls 1 notitle, \
      dat index 2 using 1:3 with lines ls 2 notitle, \
      dat index 4 using 1:3 with lines ls 3 notitle

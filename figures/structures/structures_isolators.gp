@@ -8,7 +8,10 @@ set xlabel "shift of the slab"
 set ylabel "force"
 set xtics 0.2
 unset key
+set label 1 "α = 0.1" at graph 0.05,0.93 tc ls 1
+set label 2 "α = 0.4" at graph 0.05,0.86 tc ls 2
 plot dat index 0 using 1:2 with lines ls 1, '' index 9 using 1:2 with lines ls 2
+unset label
 set title "an earthquake: the roof"
 set xlabel "frequency in Hz"
 set ylabel "largest acceleration"

@@ -20,9 +20,12 @@ set format y "10^{%L}"
 set yrange [1e-8:1e8]
 set ytics 1e2
 unset grid
-set key at graph 0.98, graph 0.97 top right # marks stand alone
-set style line 9 lc rgb "#7891a3" dt 1 lw 0.7
-plot dat index 2 using 1:2 with lines ls 9 title "1/σ, awake", \
+set key at graph 0.98, graph 0.99 top right # marks stand alone
+set style line 9 lc rgb "#5f7a8e" dt 1 lw 1.4
+# Of the rungs those nearest to five powers of ten: two of them end as the steps grow.
+near(y, e) = abs(log(y) - e * log(10)) < 0.13 ? y : NaN
+do for [e in "3 0 -3 -5 -6"] { set label (e == 0 ? "1/σ = 1" : sprintf("1/σ = 10^{%s}", e)) at (e == -3 ? 30 : 9.5),10**(e + 0.45) center tc rgb "#48606f" font ",11" }
+plot for [e in "3 0 -3 -5 -6"] dat index 2 using 1:(near($2, e)) with lines ls 9 notitle, \
      dat index 1 using ($5 == 1 ? $1 : NaN):4 with points ls 2 pt 7 ps 0.6 title "h, on a rung", \
      dat index 1 using ($5 == 0 ? $1 : NaN):4 with points ls 2 pt 6 ps 0.8 title "h, to meet a time"
 unset multiplot
