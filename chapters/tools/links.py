@@ -1,7 +1,7 @@
 """Follow every relative link of README.md and the chapters; see that the page of
 statements names all 87 of the paper, each with a link; see that an entry of the bibliography
-names the pages that cite it, and that no other page prints a volume and a year; that the page
-on names from one version to the next gives a name that there is for one that there is not. Exit 1
+names the pages that cite it, and that no other page prints a volume and a year; that a function
+stands in the file that a table names beside it; that the page on names from one version to the next gives a name that there is for one that there is not. Exit 1
 with the list of what is wrong."""
 import pathlib
 import re
@@ -79,6 +79,14 @@ def faults_of_bibliography(pages):
             yield f"{BIBLIOGRAPHY}: {name}: no page cites it"
 
 
+def faults_of_places(page):
+    """Rows `| function | file | ...`: the function stands in that file."""
+    for name, path in re.findall(r"^\| `(\w+)` \| `(src/[\w/]+\.c)` \|", page.read_text(), re.M):
+        file = pathlib.Path(path)
+        if not file.exists() or not re.search(rf"^\w[\w *]*\b{name}\([^;]*\n", file.read_text(), re.M):
+            yield f"{page}: no function {name} in {path}"
+
+
 def faults_of_names(page):
     """Rows `| old | new | header |`, each in backquotes but the header, below src/fvi."""
     rows = re.findall(r"^\| `(\w+)` \| `(\w+)` \| ([\w/]+\.h) \|$", page.read_text(), re.M)
@@ -97,7 +105,7 @@ def faults_of_names(page):
 def main():
     root = pathlib.Path(".")
     pages = [root / "README.md", *sorted(root.glob("chapters/**/*.md"))]
-    faults = [fault for page in pages for fault in (*faults_of_links(page), *faults_of_regions(page))]
+    faults = [fault for page in pages for fault in (*faults_of_links(page), *faults_of_regions(page), *faults_of_places(page))]
     faults += faults_of_statements(root / "chapters/handbook/statements.md")
     faults += faults_of_bibliography(pages)
     faults += faults_of_names(root / "chapters/handbook/moving.md")
