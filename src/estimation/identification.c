@@ -1,7 +1,7 @@
 /* src/estimation/identification.c -- Parameters from a measured motion.   [H 24] */
 #include <fvi/identification.h>
 
-#include "identification_search.h"
+#include "identification_robust.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -12,6 +12,7 @@
 
 #define ROUGH 1e-6 /* of u: here the starts end, */
 #define FINE 1e-9  /* and here the best of them */
+#define PASSING 1e-4 /* and here those that go on with more rows */
 #define VAGUE 20   /* sd of a logit or a logarithm that says nothing */
 
 typedef fvi_estimation_slot place;
@@ -39,6 +40,7 @@ static void begin(search *o, const double *low, const double *high,
                                      : low[j] + (high[j] - low[j]) * share[j];
         u[j] = fvi_estimation_model_free(m, j, theta);
     }
+    memcpy(o->found[start].from, u, sizeof o->found[start].from);
 }
 //< starts
 
@@ -93,6 +95,39 @@ static int go_on(search *o, size_t *best)
         }
     return any;
 }
+
+//> windows
+/* A motion with a swing too many is a false minimum, but not for the first few swings. So the starts
+ * that ended elsewhere begin again with the first tenth of the rows, then two and four tenths, then
+ * all. Did any of them come lower, or as low? */
+static int grow_windows(search *o, size_t *best)
+{
+    static const double windows[] = { 0.1, 0.2, 0.4, 1 };
+    fvi_estimation_model *m = &o->model;
+    const double h = m->run.h, rough = o->fine;
+    int any = 0;
+    for (size_t k = 0; k < m->fit->starts && !fvi_interrupted(); k++) {
+        place at = { .gave_up = 0 };
+        if (!fvi_all_finite(m->fit->parameters, o->found[k].from))
+            continue;
+        memcpy(at.u, o->found[k].from, sizeof at.u);
+        memcpy(at.from, at.u, sizeof at.from);
+        for (size_t w = 0; w < sizeof windows / sizeof *windows; w++) {
+            m->window = windows[w];
+            fvi_estimation_model_step(m, h);
+            o->fine = m->window < 1 ? PASSING : ROUGH;
+            fvi_estimation_minimise(o, &at, GSL_POSINF);
+        }
+        if (at.sum < o->found[k].sum) {
+            o->found[k] = at;
+            any = 1;
+        }
+        keep(o, k, best);
+    }
+    o->fine = rough;
+    return any;
+}
+//< windows
 
 /* The size of parameter j, of which small parts do not count: a start or a constant may be
  * 0, and has still that of the data. */
@@ -158,13 +193,19 @@ static void record_other_minima(search *o, fvi_estimate *fitted)
 /* ---- what the data say of the parameters ---- */
 
 //> covariance
-/* (24.3), from the Jacobian by u where the solver stands. */
+/* (24.3), from the Jacobian by u where the solver stands; robust, (24.20). */
 static int covariance(search *o, const place *at, fvi_estimate *fitted)
 {
     const fvi_estimation_model *m = &o->model;
     const size_t P = o->fdf.p, n = o->fdf.n;
-    const double deviation =
-        m->fit->sigma > 0 ? 1 : sqrt(at->sum / (double)(n - P)); /* of f */
+    const double huber = m->fit->huber;
+    double deviation = fvi_estimation_knows_sigma(m->fit)
+                           ? 1
+                           : sqrt(at->sum / (double)(n - P)); /* of f */
+    if (huber > 0) {
+        fvi_estimation_robust_units(huber, P, o->solver->f, &deviation, &fitted->loss_unit);
+        fvi_estimation_unroll(huber, o->solver->f, gsl_multifit_nlinear_jac(o->solver));
+    }
     if (fvi_estimation_errors(gsl_multifit_nlinear_jac(o->solver), fitted->sd,
                        fitted->correlation))
         return FVI_ESING;
@@ -181,28 +222,52 @@ static int covariance(search *o, const place *at, fvi_estimate *fitted)
 }
 //< covariance
 
+/* The correlation of neighbouring residuals, in a record and a column each. */
+static double neighbours(const search *o, double sum)
+{
+    const gsl_vector *f = gsl_multifit_nlinear_residual(o->solver);
+    double pairs = 0;
+    for (size_t k = 0; k < fvi_estimation_pieces(o->model.fit); k++) {
+        const fvi_estimation_piece p = fvi_estimation_piece_at(o->model.fit, k);
+        for (size_t i = p.first + 1; i < p.first + p.n; i++)
+            pairs += gsl_vector_get(f, i - 1) * gsl_vector_get(f, i);
+    }
+    return sum > 0 ? pairs / sum : 0;
+}
+
+/* sigma of each column, as given, or of all in proportion to their units. */
+static void fill_sigma(const search *o, const place *at, fvi_estimate *fitted)
+{
+    const fvi_estimation_model *m = &o->model;
+    const int known = fvi_estimation_knows_sigma(m->fit);
+    const double of_unit = known || m->fit->huber > 0
+                               ? 1
+                               : sqrt(at->sum / (double)(o->fdf.n - o->fdf.p));
+    for (size_t c = 0; c < fvi_estimation_columns(m->fit); c++)
+        fitted->column_sigma[c] = m->scale[c] * of_unit;
+    fitted->sigma = fitted->column_sigma[0];
+}
+
 /* Everything of *fitted but what the starts and the steps say. */
 static int statistics(search *o, const place *at, fvi_estimate *fitted)
 {
     const fvi_estimation_model *m = &o->model;
-    const gsl_vector *f = gsl_multifit_nlinear_residual(o->solver);
     const double freedom = (double)(o->fdf.n - o->fdf.p);
-    const int known = m->fit->sigma > 0;
-    double pairs = 0;
+    const int known = fvi_estimation_knows_sigma(m->fit), is_robust = m->fit->huber > 0;
     for (size_t j = 0; j < o->fdf.p; j++)
         fitted->estimate[j] = fvi_estimation_model_bound(m, j, at->u[j]);
-    for (size_t i = 1; i < f->size; i++)
-        pairs += gsl_vector_get(f, i - 1) * gsl_vector_get(f, i);
-    fitted->neighbours = at->sum > 0 ? pairs / at->sum : 0;
-    fitted->sigma = known ? m->fit->sigma : m->scale * sqrt(at->sum / freedom);
-    fitted->chi2 = known ? at->sum : freedom;
-    fitted->probability = !known ? 1
-                                 : fmin(gsl_cdf_chisq_P(at->sum, freedom),
-                                        gsl_cdf_chisq_Q(at->sum, freedom));
+    fitted->neighbours = neighbours(o, at->sum);
+    fill_sigma(o, at, fitted);
+    fitted->probability = !known || is_robust ? 1
+                                              : fmin(gsl_cdf_chisq_P(at->sum, freedom),
+                                                     gsl_cdf_chisq_Q(at->sum, freedom));
     fitted->quantile = known ? gsl_cdf_ugaussian_Pinv(0.975)
                              : gsl_cdf_tdist_Pinv(0.975, freedom);
     fitted->h = m->run.h;
-    return covariance(o, at, fitted);
+    fitted->loss_unit = 1;
+    const int status = covariance(o, at, fitted);
+    fitted->chi2 = is_robust ? fitted->loss_unit * at->sum : known ? at->sum : freedom;
+    return status;
 }
 
 //> refine
@@ -237,8 +302,8 @@ static int status_of(const search *o, const fvi_estimate *fitted)
 {
     if (fitted->agree < 2)
         return FVI_EMAXITER;
-    return o->model.fit->sigma > 0 && fitted->probability < 1e-6 ? FVI_ETOL
-                                                                 : FVI_SUCCESS;
+    return fvi_estimation_knows_sigma(o->model.fit) && fitted->probability < 1e-6 ? FVI_ETOL
+                                                                                  : FVI_SUCCESS;
 }
 
 /* The place where start `first` ended, to the last digits; who else came there. */
@@ -252,21 +317,41 @@ static int refine_estimate(search *o, size_t first, place *best, fvi_estimate *f
     return status;
 }
 
+/* Is the best one in doubt: do few starts agree on it, and is it not to be believed? */
+static int is_doubtful(const search *o, const fvi_estimate *fitted)
+{
+    return status_of(o, fitted) && fitted->agree <= o->model.fit->starts / 2;
+}
+
+/* From all starts, until two agree on a best one that may be believed. */
+static int search_everywhere(search *o, size_t *first, place *best, fvi_estimate *fitted)
+{
+    int status = refine_estimate(o, *first, best, fitted);
+    if (fitted->agree < 2 && go_on(o, first))
+        status = refine_estimate(o, *first, best, fitted);
+    if (!status && is_doubtful(o, fitted) && grow_windows(o, first))
+        status = refine_estimate(o, *first, best, fitted);
+    return status;
+}
+
 static int whole(search *o, const double *low, const double *high,
                  double *curve, fvi_estimate *fitted)
 {
     const fvi_estimation *fit = o->model.fit;
     size_t first = 0;
-    const double h = fit->h > 0 ? fit->h : fvi_estimation_first_step(fit);
-    fvi_estimation_model_step(&o->model, fmax(h, fit->t[fit->n - 1] / FVI_FIT_MOST_EQUAL_STEPS));
+    const double h = fit->h > 0 ? fit->h : fvi_estimation_first_step(fit),
+                 last = fvi_estimation_last_time(fit);
+    fvi_estimation_model_step(&o->model, fmax(h, last / FVI_FIT_MOST_EQUAL_STEPS));
     int status = try_all(o, low, high, &first);
     if (status)
         return status;
     place best;
     *fitted = (fvi_estimate){ .bias = GSL_NAN };
-    status = refine_estimate(o, first, &best, fitted);
-    if (fitted->agree < 2 && go_on(o, &first))
-        status = refine_estimate(o, first, &best, fitted);
+    status = search_everywhere(o, &first, &best, fitted);
+    if (!status && fvi_estimation_finds_units(fit)) {
+        status = fvi_estimation_reweigh(o, &best);
+        status = status ? status : statistics(o, &best, fitted);
+    }
     if (!status && fit->h == 0)
         status = refine(o, &best, fitted);
     const int end = fvi_interrupted();
@@ -275,7 +360,7 @@ static int whole(search *o, const double *low, const double *high,
     gsl_vector_const_view u = gsl_vector_const_view_array(best.u, o->fdf.p);
     fvi_estimation_residuals(&u.vector, o, o->solver->f); /* for the motion there */
     if (curve)
-        memcpy(curve, o->model.motion, fit->n * sizeof *curve);
+        memcpy(curve, o->model.motion, o->fdf.n * sizeof *curve);
     if (!status)
         record_other_minima(o, fitted);
     return status ? status : status_of(o, fitted);

@@ -6,8 +6,11 @@
 
 #include "system/fail.h"
 #include "system/larger.h"
+#include "system/newton.h"
 
 #include <gsl/gsl_math.h>
+#include <stdint.h>
+#include <stdlib.h>
 
 enum { LOOKED_AT = 1024, PARTS = 8 };
 
@@ -50,12 +53,15 @@ static int meets(size_t n, const double *t, double *h)
     return 1;
 }
 
-double fvi_estimation_first_step(const fvi_estimation *fit)
+/* That of one piece. */
+static double first_step_of(const fvi_estimation_piece *p)
 {
-    const size_t n = fit->n;
-    const double *t = fit->t, T = t[n - 1], mean = T / (double)n;
+    const size_t n = p->n;
+    const double *t = p->t, T = t[n - 1], mean = T / (double)n;
     double w, A, h = mean;
-    fvi_estimation_frequency(n, t, fit->x, &w, &A);
+    if (n < 2)
+        return T;
+    fvi_estimation_frequency(n, t, p->x, &w, &A);
     double gap = t[0] > 0 ? t[0] : T;
     for (size_t i = 1; i < n; i++)
         gap = smaller(gap, t[i] - t[i - 1]);
@@ -69,11 +75,25 @@ double fvi_estimation_first_step(const fvi_estimation *fit)
     return h / fmax(1, ceil(h * w));
 }
 
+double fvi_estimation_first_step(const fvi_estimation *fit)
+{
+    double h = GSL_POSINF;
+    for (size_t k = 0; k < fvi_estimation_pieces(fit); k++) {
+        const fvi_estimation_piece p = fvi_estimation_piece_at(fit, k);
+        const double step = first_step_of(&p);
+        h = step > 0 ? smaller(h, step) : h;
+    }
+    return h;
+}
+
 /* A number of a law: of a size as that of a springpot, of a time as 1/w, or an order. */
-static void plausible_of_law(const fvi_estimation *fit, size_t which, double m, double w,
+static void plausible_of_law(const fvi_estimation *fit, size_t j, double m, double w,
                              double *low, double *high)
 {
-    const fvi_kernel_term *t = &fit->run->law->term[which / 4];
+    const size_t which = fvi_free_parameter_base(fit->which[j]) - FVI_FREE_PARAMETER_LAW;
+    const fvi_kernel *law =
+        fvi_estimation_law(fit->run, fvi_free_parameter_index(fit->which[j]));
+    const fvi_kernel_term *t = &law->term[which / 4];
     const double order = t->kind == FVI_KERNEL_MAXWELL ? 1 : 2 * t->alpha;
     if (which % 2) {
         *low = 0.02;
@@ -87,13 +107,69 @@ static void plausible_of_law(const fvi_estimation *fit, size_t which, double m, 
     }
 }
 
+/* What the data say: w of the first column, and the mean and A of what shows parameter j; of several
+ * columns or coordinates, 0 and the largest |x|. */
+typedef struct {
+    double w, mean, A;
+    double inertia; /* 1; or, of a body whose inertia is nothing beside its force, what makes m w^2 of
+                     * the first mass the force over A */
+} look;
+
+enum { NOTHING = 1000 };
+
+/* The largest force at the times of a record. */
+static double largest_force(const fvi_estimation *fit, const fvi_record *record)
+{
+    const fvi_system *system = fit->run->system;
+    const fvi_force *force = record->force ? record->force : &system->force;
+    double most = 0, *F = calloc(system->d, sizeof *F);
+    for (size_t i = 0; i < record->n && i < LOOKED_AT && F && force->value; i++) {
+        if (force->value(record->t[i], system->d, force->params, F))
+            break;
+        for (size_t j = 0; j < system->d; j++)
+            most = larger(most, fabs(F[j]));
+    }
+    free(F);
+    return isfinite(most) ? most : 0;
+}
+
+static double inertia_of(const fvi_estimation *fit, double w, double A)
+{
+    const fvi_record first = fvi_estimation_record(fit, 0);
+    const double by_mass = fit->run->system->mass[0] * w * w, by_force = largest_force(fit, &first) / A;
+    return by_force > NOTHING * by_mass && by_mass > 0 ? by_force / by_mass : 1;
+}
+
+static look look_at(const fvi_estimation *fit)
+{
+    const fvi_estimation_piece p = fvi_estimation_piece_at(fit, 0);
+    look at = { 1, 0, 1, 1 };
+    if (p.n > 1)
+        fvi_estimation_frequency(p.n, p.t, p.x, &at.w, &at.A);
+    for (size_t i = 0; i < p.n; i++)
+        at.mean += p.x[i] / (double)p.n;
+    if (fvi_estimation_pieces(fit) > 1 || fit->run->system->d > 1) {
+        at.mean = at.A = 0;
+        for (size_t c = 0; c < fvi_estimation_columns(fit); c++)
+            at.A = larger(at.A, fvi_estimation_size(fit, c));
+    }
+    at.A = at.A > 0 ? at.A : 1;
+    at.inertia = inertia_of(fit, at.w, at.A);
+    return at;
+}
+
 //> box
 /* What parameter j may plausibly be. */
-static void plausible(const fvi_estimation *fit, size_t j, double mean, double w,
-                      double A, double *low, double *high)
+static void plausible(const fvi_estimation *fit, size_t j, const look *at, double *low,
+                      double *high)
 {
-    const double m = fit->run->system->mass[0], c = m * w * w;
-    switch (fit->which[j]) {
+    const fvi_free_parameter base = fvi_free_parameter_base(fit->which[j]);
+    const size_t i = fvi_free_parameter_index(fit->which[j]);
+    const int is_of_coordinate = base != FVI_FREE_PARAMETER_OFFSET && base != FVI_FREE_PARAMETER_DRIFT
+                                 && i > 0 && i <= fit->run->system->d;
+    const double mass = fit->run->system->mass[is_of_coordinate ? i - 1 : 0],
+                 m = mass * at->inertia, w = at->w, A = at->A, c = m * w * w;
+    switch (base) {
     case FVI_FREE_PARAMETER_ALPHA:
         *low = fit->method->alpha_least;
         *high = fit->method->alpha_most;
@@ -103,12 +179,12 @@ static void plausible(const fvi_estimation *fit, size_t j, double mean, double w
         *high = m * w * 2;
         break;
     case FVI_FREE_PARAMETER_MASS:
-        *low = m / 3;
-        *high = m * 3;
+        *low = mass / 3;
+        *high = mass * 3;
         break;
     case FVI_FREE_PARAMETER_X0:
-        *low = mean - 1.5 * A;
-        *high = mean + 1.5 * A;
+        *low = at->mean - 1.5 * A;
+        *high = at->mean + 1.5 * A;
         break;
     case FVI_FREE_PARAMETER_P0:
         *high = 1.5 * m * w * A;
@@ -119,7 +195,7 @@ static void plausible(const fvi_estimation *fit, size_t j, double mean, double w
         *low = -*high;
         break;
     case FVI_FREE_PARAMETER_DRIFT:
-        *high = A / 4 / (fit->t[fit->n - 1] - fit->t[0]);
+        *high = A / 4 / (fvi_estimation_last_time(fit) - fvi_estimation_record(fit, 0).t[0]);
         *low = -*high;
         break;
     case FVI_FREE_PARAMETER_CONSTANT: /* of a linear spring, or of a pendulum */
@@ -127,8 +203,8 @@ static void plausible(const fvi_estimation *fit, size_t j, double mean, double w
         *high = c * 4;
         break;
     default:
-        if (fit->which[j] < FVI_FREE_PARAMETER_CONSTANT) {
-            plausible_of_law(fit, fit->which[j] - FVI_FREE_PARAMETER_LAW, m, w, low, high);
+        if (base < FVI_FREE_PARAMETER_CONSTANT) {
+            plausible_of_law(fit, j, m, w, low, high);
             return;
         } /* of x^4 / 4 */
         *low = -c / (A * A) / 2;
@@ -144,46 +220,71 @@ int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high)
         return status;
     if (!low || !high)
         FVI_FAIL("no room for the box", FVI_EFAULT);
-    double w, A, mean = 0;
-    fvi_estimation_frequency(fit->n, fit->t, fit->x, &w, &A);
-    for (size_t i = 0; i < fit->n; i++)
-        mean += fit->x[i] / (double)fit->n;
+    const look at = look_at(fit);
     for (size_t j = 0; j < fit->parameters; j++)
-        plausible(fit, j, mean, w, A > 0 ? A : 1, &low[j], &high[j]);
+        plausible(fit, j, &at, &low[j], &high[j]);
     return FVI_SUCCESS;
 }
 
 /* ---- what can be asked ---- */
 
-static int check_data(const fvi_estimation *fit)
-{
-    if (fit->n <= fit->parameters)
-        FVI_FAIL("a fit needs more data than parameters", FVI_EINVAL);
-    if (!fvi_all_finite(fit->n, fit->t) || !fvi_all_finite(fit->n, fit->x)
-        || !isfinite(fit->sigma) || fit->sigma < 0 || !isfinite(fit->h)
-        || fit->h < 0 || fit->t[0] < 0)
-        FVI_FAIL("data are finite; t, sigma, h not negative", FVI_EDOM);
-    for (size_t i = 1; i < fit->n; i++)
-        if (!(fit->t[i] > fit->t[i - 1]))
-            FVI_FAIL("the times increase", FVI_EINVAL);
-    return FVI_SUCCESS;
-}
-
-/* Is it no number of a law, or one that the run's law has? A dashpot's order is none. */
+/* Is it no number of a law, or one that its law has? A dashpot's order is none. */
 static int has_number(const fvi_estimation *fit, fvi_free_parameter which)
 {
-    const size_t number = which - FVI_FREE_PARAMETER_LAW;
-    const fvi_kernel *law = fit->run->law;
-    if (which < FVI_FREE_PARAMETER_LAW || which >= FVI_FREE_PARAMETER_CONSTANT)
+    const size_t number = fvi_free_parameter_base(which) - FVI_FREE_PARAMETER_LAW;
+    const fvi_kernel *law;
+    if (!fvi_free_parameter_is_of_law(which))
         return 1;
-    if (!law || law->count > FVI_ESTIMATION_TERMS || number / 4 >= law->count
-        || law->term[number / 4].kind == FVI_KERNEL_SYMBOL)
+    law = fvi_estimation_law(fit->run, fvi_free_parameter_index(which));
+    if (!law || number / 4 >= law->count || law->term[number / 4].kind == FVI_KERNEL_SYMBOL)
         return 0;
     const fvi_element kind = fvi_element_of(&law->term[number / 4]);
     for (size_t i = 0, field = 0; fvi_element_number(kind, i, &field); i++)
         if (field == number % 4)
             return 1;
     return 0;
+}
+
+/* Of how many things there may be one such parameter each. */
+static size_t most_of(const fvi_estimation *fit, fvi_free_parameter base)
+{
+    const fvi_system *system = fit->run->system;
+    switch (base) {
+    case FVI_FREE_PARAMETER_RHO:
+    case FVI_FREE_PARAMETER_MASS:
+        return system->matrices ? 0 : system->d;
+    case FVI_FREE_PARAMETER_X0:
+    case FVI_FREE_PARAMETER_P0:
+        return system->d;
+    case FVI_FREE_PARAMETER_OFFSET:
+    case FVI_FREE_PARAMETER_DRIFT:
+        return fvi_estimation_columns(fit);
+    default: /* a law is asked for by has_number */
+        return base >= FVI_FREE_PARAMETER_LAW && base < FVI_FREE_PARAMETER_CONSTANT ? SIZE_MAX : 0;
+    }
+}
+
+/* Is there such a thing as this parameter in the model? */
+static int check_which(const fvi_estimation *fit, fvi_free_parameter which)
+{
+    const fvi_free_parameter base = fvi_free_parameter_base(which);
+    const fvi_system *system = fit->run->system;
+    if (fvi_free_parameter_index(which) > most_of(fit, base))
+        FVI_FAIL("there are not so many of this parameter", FVI_EINVAL);
+    if (base == FVI_FREE_PARAMETER_ALPHA
+        && fit->method->alpha_least == fit->method->alpha_most)
+        FVI_FAIL("the method knows one alpha", FVI_EUNSUP);
+    if (base == FVI_FREE_PARAMETER_ALPHA && (fit->run->law || system->mechanism))
+        FVI_FAIL("a law of damping does not read alpha", FVI_EUNSUP);
+    if ((base == FVI_FREE_PARAMETER_RHO || base == FVI_FREE_PARAMETER_MASS) && system->matrices)
+        FVI_FAIL("masses and dampings of matrices are not fitted", FVI_EUNSUP);
+    if (base == FVI_FREE_PARAMETER_RHO && system->mechanism)
+        FVI_FAIL("a system with dampers has no rho", FVI_EUNSUP);
+    if (!has_number(fit, which))
+        FVI_FAIL("the law has no such number", FVI_EINVAL);
+    if (base >= FVI_FREE_PARAMETER_CONSTANT && !fit->constants)
+        FVI_FAIL("there are no constants", FVI_EFAULT);
+    return FVI_SUCCESS;
 }
 
 static int check_parameters(const fvi_estimation *fit)
@@ -195,15 +296,9 @@ static int check_parameters(const fvi_estimation *fit)
         for (size_t i = 0; i < j; i++)
             if (fit->which[i] == fit->which[j])
                 FVI_FAIL("a parameter is fitted once", FVI_EINVAL);
-        if (fit->which[j] == FVI_FREE_PARAMETER_ALPHA
-            && fit->method->alpha_least == fit->method->alpha_most)
-            FVI_FAIL("the method knows one alpha", FVI_EUNSUP);
-        if (fit->which[j] == FVI_FREE_PARAMETER_ALPHA && fit->run->law)
-            FVI_FAIL("a law of damping does not read alpha", FVI_EUNSUP);
-        if (!has_number(fit, fit->which[j]))
-            FVI_FAIL("the law has no such number", FVI_EINVAL);
-        if (fit->which[j] >= FVI_FREE_PARAMETER_CONSTANT && !fit->constants)
-            FVI_FAIL("there are no constants", FVI_EFAULT);
+        const int status = check_which(fit, fit->which[j]);
+        if (status)
+            return status;
         if (fit->low && fit->high
             && !(isfinite(fit->low[j]) && isfinite(fit->high[j])
                  && fit->low[j] < fit->high[j]))
@@ -214,13 +309,15 @@ static int check_parameters(const fvi_estimation *fit)
 
 int fvi_estimation_check(const fvi_estimation *fit)
 {
-    if (!fit || !fit->method || !fit->run || !fit->run->x0 || !fit->run->p0
-        || !fit->t || !fit->x || !fit->which || !fit->low != !fit->high)
+    if (!fit || !fit->method || !fit->run || !fit->run->x0 || !fit->run->p0 || !fit->which
+        || !fit->low != !fit->high)
         FVI_FAIL("a pointer of the fit is NULL", FVI_EFAULT);
-    int status = fvi_system_check(fit->run->system, NULL);
-    if (!status && fit->run->system->d != 1)
-        FVI_FAIL("a fit is of one mass", FVI_EINVAL);
+    const fvi_system *system = fit->run->system;
+    int status = fvi_system_check_any(system, NULL);
+    if (!status && system->mechanism
+        && (system->mechanism->lagrangian || system->mechanism->constraints))
+        FVI_FAIL("a fit is of masses and a potential, or of matrices", FVI_EUNSUP);
     if (!status)
         status = check_parameters(fit);
-    return status ? status : check_data(fit);
+    return status ? status : fvi_estimation_check_data(fit);
 }

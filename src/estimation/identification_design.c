@@ -25,9 +25,12 @@ static int plan_motion(const fvi_estimation *fit, double *motion, double *h)
         if (!next)
             return FVI_ENOMEM;
         *h = fit->h > 0 ? fit->h : fvi_estimation_first_step(&still) / FINER;
-        fvi_estimation_model_init(&model, &still, next);
-        fvi_estimation_model_step(&model, *h);
-        status = fvi_estimation_model_run(&model);
+        status = fvi_estimation_model_init(&model, &still, next);
+        if (!status) {
+            fvi_estimation_model_step(&model, *h);
+            status = fvi_estimation_model_run(&model);
+        }
+        fvi_estimation_model_clear(&model);
         memcpy(motion, next, fit->n * sizeof *motion);
         free(next);
     }
@@ -66,6 +69,8 @@ int fvi_estimate_design(const fvi_estimation *fit, fvi_estimate *planned,
 {
     if (!fit || !planned || !examined)
         FVI_FAIL("a pointer of the design is NULL", FVI_EFAULT);
+    if (fit->records > 0 || fit->huber > 0)
+        FVI_FAIL("a plan is of one column, by least squares", FVI_EUNSUP);
     fvi_estimation question = *fit;
     double h, *motion = fit->n > 0 ? calloc(fit->n, sizeof *motion) : NULL;
     if (!motion)

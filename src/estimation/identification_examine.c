@@ -1,5 +1,6 @@
 /* src/estimation/identification_examine.c -- Can an answer be believed?   [H 24] */
 #include "identification_examine.h"
+#include "identification_robust.h"
 
 #include "system/fail.h"
 #include "system/larger.h"
@@ -33,31 +34,57 @@ static void fill_sway(const fvi_estimation_model *m, const fvi_estimate *fitted,
         double sum;
         gsl_vector_const_view by = gsl_matrix_const_column(J, j);
         gsl_blas_ddot(&by.vector, column, &sum);
-        sum *= size * m->scale / fitted->sigma * fitted->sd[j]
+        sum *= size * fvi_estimation_model_unit(m, fitted) * fitted->sd[j]
                / fvi_estimation_model_slope(m, j, fitted->estimate[j]);
         for (size_t i = 0; i < P; i++)
             swayed[i] += fitted->correlation[i][j] * sum;
     }
 }
 
-/* What an offset and a drift do that nobody sees; not where they are fitted. */
+static int is_fitted(const fvi_estimation *fit, fvi_free_parameter base, size_t column)
+{
+    for (size_t j = 0; j < fit->parameters; j++) {
+        const size_t index = fvi_free_parameter_index(fit->which[j]);
+        if (fvi_free_parameter_base(fit->which[j]) == base && (index == 0 || index == column + 1))
+            return 1;
+    }
+    return 0;
+}
+
+static double largest(size_t n, const double *v)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = larger(most, fabs(v[i]));
+    return most;
+}
+
+/* What an offset and a drift of a column do that nobody sees, of the column where that is most; not
+ * where they are fitted. */
 static void fill_unseen(const fvi_estimation_model *m, const fvi_estimate *fitted,
                         const gsl_matrix *J, gsl_matrix *room, gsl_vector *v,
                         fvi_examination *e)
 {
     static const fvi_free_parameter of[] = { FVI_FREE_PARAMETER_OFFSET,
                                              FVI_FREE_PARAMETER_DRIFT };
+    const size_t P = m->fit->parameters;
     const double z = gsl_cdf_ugaussian_Qinv(least_probability[1] / 2);
-    for (size_t which = 0; which < 2; which++) {
-        int is_fitted = 0;
-        for (size_t j = 0; j < m->fit->parameters; j++)
-            is_fitted |= m->fit->which[j] == of[which];
-        if (is_fitted)
-            continue;
-        e->unseen[which] = z / fvi_estimation_length_unseen(m->fit, which, J, room, v);
-        fvi_estimation_sensor_column(m->fit, which, v);
-        fill_sway(m, fitted, J, v, e->unseen[which], e->swayed[which]);
-    }
+    for (size_t which = 0; which < 2; which++)
+        for (size_t c = 0; c < fvi_estimation_columns(m->fit); c++) {
+            double swayed[FVI_ESTIMATION_MOST] = { 0 };
+            if (is_fitted(m->fit, of[which], c))
+                continue;
+            const double unseen =
+                z / fvi_estimation_length_unseen(m->fit, which, c, J, room, v);
+            fvi_estimation_sensor_column(m->fit, which, c, v);
+            fill_sway(m, fitted, J, v, unseen, swayed);
+            if (e->unseen[which] > 0
+                && !(largest(P, swayed) > largest(P, e->swayed[which])))
+                continue;
+            e->unseen[which] = unseen;
+            e->unseen_column[which] = c;
+            memcpy(e->swayed[which], swayed, sizeof swayed);
+        }
 }
 
 /* Room for residuals, a column, their Jacobian and a basis; one block. */
@@ -69,7 +96,7 @@ typedef struct {
 
 static int workspace_alloc(const fvi_estimation *fit, workspace *w)
 {
-    const size_t n = fit->n, P = fit->parameters,
+    const size_t n = fvi_estimation_rows(fit), P = fit->parameters,
                  columns = fvi_estimation_test_columns(fit);
     w->block = malloc(n * (2 + P + columns) * sizeof *w->block);
     if (!w->block)
@@ -81,19 +108,22 @@ static int workspace_alloc(const fvi_estimation *fit, workspace *w)
     return FVI_SUCCESS;
 }
 
-/* Residuals and Jacobian at u. */
+/* Residuals and Jacobian at u; of a robust fit the influences, which its parameters do not explain,
+ * either. */
 static int evaluate(fvi_estimation_work *o, const double *u, workspace *w)
 {
     gsl_vector_const_view at = gsl_vector_const_view_array(u, o->fdf.p);
     fvi_estimation_residuals(&at.vector, o, &w->f.vector);
     o->fdf.df(&at.vector, o, &w->J.matrix);
+    fvi_estimation_unroll(o->model.fit->huber, &w->f.vector, &w->J.matrix);
     return o->model.ended;
 }
 
 /* Are the residuals only the error of the method? */
 static int is_exact(const fvi_estimation_work *o, const fvi_estimate *fitted)
 {
-    return !(o->model.fit->sigma > 0) && !(fitted->sigma > EXACT * o->model.scale);
+    return !fvi_estimation_knows_sigma(o->model.fit)
+           && !(fitted->sigma > EXACT * fvi_estimation_size(o->model.fit, 0));
 }
 
 /* (24.13) to (24.15) at the estimates, where the work stands. */
@@ -109,7 +139,7 @@ static int test_residuals(fvi_estimation_work *o, const fvi_estimate *fitted,
         e->probability[4] = 0;
     } else if (!status) {
         fill_unseen(&o->model, fitted, &w.J.matrix, &w.room.matrix, &w.v.vector, e);
-        fvi_estimation_tests(o->model.fit, o->model.scale, &w.f.vector, &w.J.matrix,
+        fvi_estimation_tests(&o->model, &w.f.vector, &w.J.matrix,
                              &w.room.matrix, &w.v.vector, e);
     }
     free(w.block);
@@ -171,7 +201,8 @@ static void visit_others(fvi_estimation_work *o, const fvi_estimate *fitted,
                          fvi_examination *e)
 {
     const size_t P = o->fdf.p;
-    const double unit = gsl_pow_2(o->model.scale / fitted->sigma),
+    const double unit =
+                     gsl_pow_2(fvi_estimation_model_unit(&o->model, fitted)) * fitted->loss_unit,
                  near = fitted->chi2 + gsl_pow_2(fitted->quantile) + NEAR;
     for (size_t i = 0; i < fitted->others; i++) {
         fvi_estimation_slot at;
@@ -210,7 +241,7 @@ static int profiles(const fvi_estimation *fit, const fvi_estimate *fitted,
 void fvi_estimation_range(const fvi_estimation *fit, size_t j, double *low, double *high)
 {
     const fvi_estimation_kind kind = fvi_estimation_kind_of(fit->which[j]);
-    const int is_alpha = fit->which[j] == FVI_FREE_PARAMETER_ALPHA;
+    const int is_alpha = fvi_free_parameter_base(fit->which[j]) == FVI_FREE_PARAMETER_ALPHA;
     *low = kind == FVI_ESTIMATION_NUMBER ? GSL_NEGINF
            : is_alpha                    ? fit->method->alpha_least
                                          : 0;
@@ -266,6 +297,7 @@ static int examine(fvi_estimation_work *o, const fvi_estimate *fitted, fvi_exami
         u[j] = fvi_estimation_model_free(&o->model, j, fitted->estimate[j]);
     }
     o->fine = 1e-6;
+    fvi_estimation_model_weigh(&o->model, fitted);
     fvi_estimation_model_step(&o->model, fitted->h);
     int status = test_residuals(o, fitted, u, e);
     if (!status && !(e->probability[4] < least_probability[4])) {

@@ -8,11 +8,11 @@
 
 /* fvi_estimation_tests -- the probabilities of an examination, (24.13) to (24.15).
  *
- *   f, J   residuals over `scale`, which is sigma where that is known, and their Jacobian, which
- *          is lost
+ *   f, J   residuals in the units of the model, which are sigma where that is known, and their
+ *          Jacobian, which is lost
  *   room   n rows and fvi_estimation_test_columns(fit) columns
  *   v      n numbers */
-void fvi_estimation_tests(const fvi_estimation *fit, double scale, const gsl_vector *f,
+void fvi_estimation_tests(const fvi_estimation_model *m, const gsl_vector *f,
                           gsl_matrix *J, gsl_matrix *room, gsl_vector *v,
                           fvi_examination *examined);
 
@@ -24,14 +24,15 @@ int fvi_estimation_is_open(const fvi_estimation *fit, const fvi_examination *e, 
 /* fvi_estimation_range -- all values that parameter j may have. */
 void fvi_estimation_range(const fvi_estimation *fit, size_t j, double *low, double *high);
 
-/* fvi_estimation_sensor_column -- what an offset (which = 0) of 1 adds to the data, or a drift (1)
- * by 1 over the whole record. */
-void fvi_estimation_sensor_column(const fvi_estimation *fit, size_t which, gsl_vector *v);
+/* fvi_estimation_sensor_column -- what an offset (which = 0) of 1 adds to the data of this column, or
+ * a drift (1) by 1 over the whole record. */
+void fvi_estimation_sensor_column(const fvi_estimation *fit, size_t which, size_t column,
+                                  gsl_vector *v);
 
 /* fvi_estimation_length_unseen -- the length of that column but for what the parameters make up
  * for. J, room, v as above; J stays. */
-double fvi_estimation_length_unseen(const fvi_estimation *fit, size_t which, const gsl_matrix *J,
-                                    gsl_matrix *room, gsl_vector *v);
+double fvi_estimation_length_unseen(const fvi_estimation *fit, size_t which, size_t column,
+                                    const gsl_matrix *J, gsl_matrix *room, gsl_vector *v);
 
 /* fvi_estimation_predict_errors -- (24.3) at u where the work's model stands.
  *

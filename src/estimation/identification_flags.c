@@ -66,143 +66,189 @@ static double chance(double along, double sum, size_t k, size_t left, int known)
 }
 //< score
 
-/* L q: the mean of both neighbours. */
-static double neighbour_mean(const gsl_vector *q, size_t i)
+/* L q: the mean of both neighbours in the same piece. */
+static double neighbour_mean(const gsl_vector *q, const fvi_estimation_piece *p, size_t i)
 {
-    const size_t n = q->size;
-    return ((i > 0 ? gsl_vector_get(q, i - 1) : 0)
-            + (i + 1 < n ? gsl_vector_get(q, i + 1) : 0))
+    return ((i > p->first ? gsl_vector_get(q, i - 1) : 0)
+            + (i + 1 < p->first + p->n ? gsl_vector_get(q, i + 1) : 0))
            / 2;
 }
 
 //> neighbours
 /* (24.13): r^T L r / r^T r of white noise of which the first `count` columns have been taken out:
  * its mean is tr(M L) / f, its variance 2 (tr (M L)^2 - tr^2 (M L) / f) / (f (f + 2)), where M is
- * the projection and f its rank. */
-static void neighbours_of_noise(const basis *b, double *mean, double *sd)
+ * the projection and f its rank. Column l of Q^T L Q is added up piece by piece. */
+static void neighbours_of_noise(const fvi_estimation *fit, const basis *b, double *mean, double *sd)
 {
-    const size_t n = b->Q->size1, P = b->count;
-    const double f = (double)(n - P);
-    double trace = 0, square = (double)(n - 1) / 2; /* of L L */
-    for (size_t k = 0; k < P; k++) {
-        gsl_vector_const_view q = gsl_matrix_const_column(b->Q, k);
-        for (size_t i = 0; i < n; i++)
-            square -= 2 * gsl_pow_2(neighbour_mean(&q.vector, i));
-        for (size_t l = 0; l < P; l++) {
-            gsl_vector_const_view o = gsl_matrix_const_column(b->Q, l);
-            double with = 0;
-            for (size_t i = 0; i < n; i++)
-                with += gsl_vector_get(&o.vector, i) * neighbour_mean(&q.vector, i);
-            trace -= k == l ? with : 0;
-            square += with * with;
+    const size_t P = b->count;
+    const double f = (double)(b->Q->size1 - P);
+    double trace = 0, square = 0, with[FVI_ESTIMATION_MOST][FVI_ESTIMATION_MOST] = { { 0 } };
+    for (size_t m = 0; m < fvi_estimation_pieces(fit); m++) {
+        const fvi_estimation_piece p = fvi_estimation_piece_at(fit, m);
+        square += (double)(p.n - 1) / 2; /* of L L */
+        for (size_t k = 0; k < P; k++) {
+            gsl_vector_const_view q = gsl_matrix_const_column(b->Q, k);
+            for (size_t i = p.first; i < p.first + p.n; i++) {
+                const double Lq = neighbour_mean(&q.vector, &p, i);
+                square -= 2 * gsl_pow_2(Lq);
+                for (size_t l = 0; l < P; l++)
+                    with[k][l] += gsl_matrix_get(b->Q, i, l) * Lq;
+            }
         }
+    }
+    for (size_t k = 0; k < P; k++) {
+        trace -= with[k][k];
+        for (size_t l = 0; l < P; l++)
+            square += gsl_pow_2(with[k][l]);
     }
     *mean = trace / f;
     *sd = sqrt(2 * (square - trace * trace / f) / (f * (f + 2)));
 }
 //< neighbours
 
-static double chance_of_neighbours(const basis *b, double correlation)
+static double chance_of_neighbours(const fvi_estimation *fit, const basis *b, double correlation)
 {
     double mean, sd;
-    neighbours_of_noise(b, &mean, &sd);
+    neighbours_of_noise(fit, b, &mean, &sd);
     return gsl_cdf_ugaussian_Q((correlation - mean) / sd);
 }
 
-/* Smooth patterns: as many half waves over the rows as the motion has in this time, and half as
- * many more. */
-static size_t patterns(const fvi_estimation *fit)
+/* Smooth patterns of a piece: as many half waves over the rows as the motion has in this time, and
+ * half as many more. */
+static size_t patterns(const fvi_estimation_piece *p)
 {
     double w, A;
-    fvi_estimation_frequency(fit->n, fit->t, fit->x, &w, &A);
-    const double half_waves = w * (fit->t[fit->n - 1] - fit->t[0]) / M_PI;
+    if (p->n < 4)
+        return 0;
+    fvi_estimation_frequency(p->n, p->t, p->x, &w, &A);
+    const double half_waves = w * (p->t[p->n - 1] - p->t[0]) / M_PI;
     const size_t wanted = (size_t)ceil(fmin(1.5 * half_waves, 1e6)) + 2;
-    return GSL_MAX(3, GSL_MIN(wanted, fit->n / 4));
+    return GSL_MAX(3, GSL_MIN(wanted, p->n / 4));
 }
 
-void fvi_estimation_sensor_column(const fvi_estimation *fit, size_t which, gsl_vector *v)
+void fvi_estimation_sensor_column(const fvi_estimation *fit, size_t which, size_t column,
+                                  gsl_vector *v)
 {
-    for (size_t i = 0; i < v->size; i++)
-        gsl_vector_set(v, i, which == 0 ? 1 : fit->t[i] / fit->t[fit->n - 1]);
+    const double last = fvi_estimation_last_time(fit);
+    gsl_vector_set_zero(v);
+    for (size_t r = 0; r < fvi_estimation_records(fit); r++) {
+        const fvi_estimation_piece p = fvi_estimation_piece_of(fit, r, column);
+        for (size_t i = 0; i < p.n; i++)
+            gsl_vector_set(v, p.first + i, which == 0 ? 1 : p.t[i] / last);
+    }
 }
 
-/* Half wave number k over the rows. */
-static void pattern_column(size_t k, gsl_vector *v)
+/* Half wave number k over the rows of a piece. */
+static void pattern_column(const fvi_estimation_piece *p, size_t k, gsl_vector *v)
 {
-    const double n = (double)v->size;
-    for (size_t i = 0; i < v->size; i++)
-        gsl_vector_set(v, i, cos(M_PI * (double)k * ((double)i + 0.5) / n));
+    gsl_vector_set_zero(v);
+    for (size_t i = 0; i < p->n; i++)
+        gsl_vector_set(v, p->first + i,
+                       cos(M_PI * (double)k * ((double)i + 0.5) / (double)p->n));
 }
 
-double fvi_estimation_length_unseen(const fvi_estimation *fit, size_t which, const gsl_matrix *J,
-                                    gsl_matrix *room, gsl_vector *v)
+double fvi_estimation_length_unseen(const fvi_estimation *fit, size_t which, size_t column,
+                                    const gsl_matrix *J, gsl_matrix *room, gsl_vector *v)
 {
     basis b = { room, 0 };
     double along;
     for (size_t j = 0; j < J->size2; j++) {
-        gsl_vector_const_view column = gsl_matrix_const_column(J, j);
-        gsl_vector_memcpy(v, &column.vector);
+        gsl_vector_const_view of_j = gsl_matrix_const_column(J, j);
+        gsl_vector_memcpy(v, &of_j.vector);
         add_column(&b, v);
     }
-    fvi_estimation_sensor_column(fit, which, v);
+    fvi_estimation_sensor_column(fit, which, column, v);
     if (!add_column(&b, v))
         return 0;
-    fvi_estimation_sensor_column(fit, which, v);
+    fvi_estimation_sensor_column(fit, which, column, v);
     gsl_vector_view q = gsl_matrix_column(room, b.count - 1);
     gsl_blas_ddot(&q.vector, v, &along);
     return fabs(along);
 }
 
-/* (24.15): the same of a constant instead of the motion. So many frequencies may have been tried
- * that the best of n is asked for. */
-static double chance_of_no_motion(const fvi_estimation *fit, double scale, double sum,
-                                  int known)
+/* (24.15): the same of a constant for each piece instead of the motion. So many frequencies may have
+ * been tried that the best of n is asked for. */
+static double chance_of_no_motion(const fvi_estimation_model *m, double sum, int known)
 {
-    const size_t n = fit->n, P = fit->parameters;
-    double mean = 0, still = 0;
-    for (size_t i = 0; i < n; i++)
-        mean += fit->x[i] / (double)n;
-    for (size_t i = 0; i < n; i++)
-        still += gsl_pow_2((fit->x[i] - mean) / scale);
+    const fvi_estimation *fit = m->fit;
+    const size_t n = fvi_estimation_rows(fit), pieces = fvi_estimation_pieces(fit);
+    double still = 0;
+    for (size_t k = 0; k < pieces; k++) {
+        const fvi_estimation_piece p = fvi_estimation_piece_at(fit, k);
+        const double scale = fvi_estimation_model_scale(m, &p);
+        double mean = 0;
+        for (size_t i = 0; i < p.n; i++)
+            mean += p.x[i] / (double)p.n;
+        for (size_t i = 0; i < p.n; i++)
+            still += gsl_pow_2((p.x[i] - mean) / scale);
+    }
     if (still <= sum)
         return 1;
-    return fmin(1, (double)n * chance(still - sum, still, P, n - 1, known));
+    return fmin(1, (double)n
+                       * chance(still - sum, still, fit->parameters, n - pieces, known));
 }
 
-void fvi_estimation_tests(const fvi_estimation *fit, double scale, const gsl_vector *f,
+/* The chance of what f has along the offsets, or drifts, of all columns. */
+static double chance_of_sensors(const fvi_estimation *fit, size_t which, basis *b,
+                                const gsl_vector *f, double sum, size_t left, int known,
+                                gsl_vector *v)
+{
+    const size_t first = b->count;
+    for (size_t c = 0; c < fvi_estimation_columns(fit); c++) {
+        fvi_estimation_sensor_column(fit, which, c, v);
+        add_column(b, v);
+    }
+    return chance(squares_along(b, first, f), sum, b->count - first, left, known);
+}
+
+static double chance_of_patterns(const fvi_estimation *fit, basis *b, const gsl_vector *f,
+                                 double sum, size_t left, int known, gsl_vector *v)
+{
+    const size_t first = b->count;
+    for (size_t m = 0; m < fvi_estimation_pieces(fit); m++) {
+        const fvi_estimation_piece p = fvi_estimation_piece_at(fit, m);
+        const size_t smooth = patterns(&p);
+        for (size_t k = 0; k < smooth && b->count < b->Q->size2; k++) {
+            pattern_column(&p, k + 1, v);
+            add_column(b, v);
+        }
+    }
+    return chance(squares_along(b, first, f), sum, b->count - first, left, known);
+}
+
+void fvi_estimation_tests(const fvi_estimation_model *m, const gsl_vector *f,
                           gsl_matrix *J, gsl_matrix *room, gsl_vector *v,
                           fvi_examination *e)
 {
-    const size_t n = f->size, P = J->size2, smooth = patterns(fit);
-    const int known = fit->sigma > 0;
+    const fvi_estimation *fit = m->fit;
+    const int known = fvi_estimation_knows_sigma(fit) && fit->huber == 0;
     basis b = { room, 0 };
     double sum, pairs = 0;
     gsl_blas_ddot(f, f, &sum);
-    for (size_t i = 1; i < n; i++)
-        pairs += gsl_vector_get(f, i - 1) * gsl_vector_get(f, i);
-    for (size_t j = 0; j < P; j++) {
+    for (size_t k = 0; k < fvi_estimation_pieces(fit); k++) {
+        const fvi_estimation_piece p = fvi_estimation_piece_at(fit, k);
+        for (size_t i = p.first + 1; i < p.first + p.n; i++)
+            pairs += gsl_vector_get(f, i - 1) * gsl_vector_get(f, i);
+    }
+    for (size_t j = 0; j < J->size2; j++) {
         gsl_vector_view column = gsl_matrix_column(J, j);
         add_column(&b, &column.vector);
     }
-    const size_t left = n - b.count;
-    e->probability[0] = sum > 0 ? chance_of_neighbours(&b, pairs / sum) : 1;
-    for (size_t which = 0, first = b.count; which < 2; which++, first = b.count) {
-        fvi_estimation_sensor_column(fit, which, v);
-        const int is_new = add_column(&b, v);
+    const size_t left = f->size - b.count;
+    e->probability[0] = sum > 0 ? chance_of_neighbours(fit, &b, pairs / sum) : 1;
+    for (size_t which = 0; which < 2; which++)
         e->probability[1 + which] =
-            is_new ? chance(squares_along(&b, first, f), sum, 1, left, known) : 1;
-    }
-    const size_t first = b.count;
-    for (size_t k = 0; k < smooth && b.count < room->size2; k++) {
-        pattern_column(k + 1, v);
-        add_column(&b, v);
-    }
-    e->probability[3] =
-        chance(squares_along(&b, first, f), sum, b.count - first, left, known);
-    e->probability[4] = chance_of_no_motion(fit, scale, sum, known);
+            chance_of_sensors(fit, which, &b, f, sum, left, known, v);
+    e->probability[3] = chance_of_patterns(fit, &b, f, sum, left, known, v);
+    e->probability[4] = chance_of_no_motion(m, sum, known);
 }
 
 size_t fvi_estimation_test_columns(const fvi_estimation *fit)
 {
-    return GSL_MIN(fit->parameters + 2 + patterns(fit), fit->n);
+    size_t columns = fit->parameters + 2 * fvi_estimation_columns(fit);
+    for (size_t k = 0; k < fvi_estimation_pieces(fit); k++) {
+        const fvi_estimation_piece p = fvi_estimation_piece_at(fit, k);
+        columns += patterns(&p);
+    }
+    return GSL_MIN(columns, fvi_estimation_rows(fit));
 }

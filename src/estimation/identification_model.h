@@ -6,27 +6,35 @@
 #ifndef FVI_IDENTIFICATION_MODEL_H
 #define FVI_IDENTIFICATION_MODEL_H
 
-#include <fvi/identification.h>
+#include "identification_data.h"
+
+#include <fvi/dampers.h>
 
 #include <gsl/gsl_matrix.h>
 
-enum { FVI_ESTIMATION_TERMS = 64 }; /* of a law whose numbers are fitted */
 enum { FVI_FIT_RUNAWAYS = 3 }; /* end a fit: each may take seconds, and hundreds follow */
+
+/* Copies of the law of a run and of the dampers of its mechanism, whose numbers may be fitted. */
+typedef struct {
+    fvi_mechanism mechanism;
+    fvi_damper *damper;
+    fvi_kernel *kernel;    /* that of the run, if it has one, then those of the dampers; owned */
+    fvi_kernel_term *term; /* of all, one behind the other */
+    size_t *first;         /* kernel k has the terms from first[k] on */
+} fvi_estimation_laws;
 
 typedef struct {
     const fvi_estimation *fit;
     fvi_system system;
-    fvi_run
-        run; /* of that system; x0, p0, masses and dampings are the next four */
-    double mass, damping, x0, p0;
-    double offset, drift; /* of the sensor */
-    fvi_kernel law; /* a copy of the run's, if numbers of it are fitted; with the next */
-    fvi_kernel_term term[FVI_ESTIMATION_TERMS];
-    size_t rows;    /* of the data that count: all, or those of a first window */
-    double scale;    /* the residuals' unit: sigma, or the size of the data */
+    fvi_run run; /* of that system and of record 0; x0, p0, masses and dampings are the next four */
+    double *mass, *damping, *x0, *p0; /* d each; mass stands before the others, owned */
+    fvi_estimation_laws laws;
+    double offset[FVI_MEASURED_MOST], drift[FVI_MEASURED_MOST]; /* of the sensors */
+    double window;   /* the share of each record's rows that count: 1, or less */
+    double scale[FVI_MEASURED_MOST]; /* the residuals' unit: sigma, or the size of the data */
     double hopeless; /* the residual where there is no motion, or one a 10^8 times as far
                         off as the data are from 0 */
-    double *motion; /* x(t_i), n numbers, of the last call */
+    double *motion; /* what the sensors show, of all rows, of the last call */
     int ended; /* FVI_ENOMEM once a motion had no memory, FVI_ERUNAWAY once FVI_FIT_RUNAWAYS took
                 * all the steps that they may: what was found counts no more */
     int ran_away;   /* so many did */
@@ -35,14 +43,39 @@ typedef struct {
 } fvi_estimation_model;
 
 /* The model with the values of fit->run; `motion` is the caller's. It points into itself: do not
- * copy it. */
-void fvi_estimation_model_init(fvi_estimation_model *m, const fvi_estimation *fit, double *motion);
+ * copy it. Give it back with fvi_estimation_model_clear, in any case. FVI_ENOMEM. */
+int fvi_estimation_model_init(fvi_estimation_model *m, const fvi_estimation *fit, double *motion);
+void fvi_estimation_model_clear(fvi_estimation_model *m);
+
+/* Are the units of the residuals found on the way? Not where sigma is known, and not for one column by
+ * least squares, which needs none. */
+int fvi_estimation_finds_units(const fvi_estimation *fit);
+
+/* The unit of the residuals in this column, sigma if it is known; take other ones; and those of an
+ * answer, if they were found. */
+double fvi_estimation_model_scale(const fvi_estimation_model *m, const fvi_estimation_piece *p);
+void fvi_estimation_model_rescale(fvi_estimation_model *m, const double *scale);
+void fvi_estimation_model_weigh(fvi_estimation_model *m, const fvi_estimate *fitted);
+
+/* What a residual in that unit is in sigma. */
+double fvi_estimation_model_unit(const fvi_estimation_model *m, const fvi_estimate *fitted);
+
+/* How many rows of a record count. */
+size_t fvi_estimation_model_rows(const fvi_estimation_model *m, size_t n);
 
 /* How parameter `which` is bounded: an order between two, a size above 0, or any number. */
 typedef enum { FVI_ESTIMATION_ORDER, FVI_ESTIMATION_SIZE, FVI_ESTIMATION_NUMBER } fvi_estimation_kind;
 fvi_estimation_kind fvi_estimation_kind_of(fvi_free_parameter which);
 
-/* Steps no longer than h that meet the last time of the rows that count. */
+/* Of a parameter its kind, which is less than EACH, and of which it is one, 0: all alike. */
+fvi_free_parameter fvi_free_parameter_base(fvi_free_parameter which);
+size_t fvi_free_parameter_index(fvi_free_parameter which);
+
+/* Is parameter j a number of a law? And the law of that of its index, 0 the run's; NULL: none. */
+int fvi_free_parameter_is_of_law(fvi_free_parameter which);
+const fvi_kernel *fvi_estimation_law(const fvi_run *run, size_t index);
+
+/* Steps no longer than h that meet the last time of the rows that count, of record 0. */
 void fvi_estimation_model_step(fvi_estimation_model *m, double h);
 
 /* The present value of parameter j; write it. */
@@ -64,6 +97,12 @@ int fvi_estimation_model_has_tangents(const fvi_estimation_model *m);
 /* d motion_i / d parameter j for the present values, at slope[i * P + j]. Errors as
  * fvi_tangent. */
 int fvi_estimation_model_tangents(fvi_estimation_model *m, double *slope);
+
+/* Hermite's cubic at s of a step: x and h v at its ends. */
+double fvi_estimation_hermite(double s, double x, double hv, double next, double hnext);
+
+/* May fvi_stepper_start be asked? A trial may be out of range, or have no solution (19.2). */
+int fvi_estimation_model_is_possible(const fvi_estimation_model *m);
 
 /* The longest step for a first look: it meets all times if one does that is not much
  * shorter than their gaps; w h <= 1, w as below. */

@@ -46,9 +46,7 @@ static double excess(profile *o, double u)
     if (o->others > 0) {
         fvi_estimation_minimise(&o->work, &now, GSL_POSINF);
     } else {
-        now.sum = fvi_estimation_model_run(m) ? GSL_POSINF : 0;
-        for (size_t i = 0; i < o->fit.n && now.sum < GSL_POSINF; i++)
-            now.sum += gsl_pow_2((m->motion[i] - o->fit.x[i]) / m->scale);
+        now.sum = fvi_estimation_sum_here(&o->work);
     }
     if (!(now.sum < GSL_POSINF))
         return GSL_POSINF;
@@ -186,7 +184,8 @@ static int begin(profile *o, const fvi_estimation *fit, const fvi_estimate *fitt
     fill_tangent(o, fitted, j);
     fvi_estimation_model_step(m, fitted->h);
     o->work.fine = 1e-5; /* chi^2 is flat at its least */
-    o->unit = gsl_pow_2(m->scale / fitted->sigma);
+    fvi_estimation_model_weigh(m, fitted);
+    o->unit = gsl_pow_2(fvi_estimation_model_unit(m, fitted)) * fitted->loss_unit;
     o->least = fitted->chi2;
     return FVI_SUCCESS;
 }

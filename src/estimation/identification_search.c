@@ -1,6 +1,8 @@
 /* src/estimation/identification_search.c -- One search downhill.          [H 24] */
 #include "identification_search.h"
 
+#include "identification_robust.h"
+
 #include "system/fail.h"
 
 #include <gsl/gsl_blas.h>
@@ -18,6 +20,24 @@ typedef fvi_estimation_work search;
 //> residuals
 /* f_i = (x(t_i) - x_i) / scale. If the integrator fails, every f_i is a large number, so
  * that the search turns away. */
+static void fill_residuals(search *o)
+{
+    fvi_estimation_model *m = &o->model;
+    const int failed = fvi_estimation_model_run(m);
+    for (size_t k = 0; k < fvi_estimation_pieces(m->fit); k++) {
+        const fvi_estimation_piece p = fvi_estimation_piece_at(m->fit, k);
+        const double scale = fvi_estimation_model_scale(m, &p);
+        const size_t rows = fvi_estimation_model_rows(m, p.n);
+        for (size_t i = 0; i < p.n; i++) {
+            const double r = i < rows ? (m->motion[p.first + i] - p.x[i]) / scale : 0;
+            o->last[p.first + i] = !failed && fabs(r) < m->hopeless
+                                       ? fvi_estimation_loss(m->fit->huber, r)
+                                       : m->hopeless;
+        }
+    }
+}
+//< residuals
+
 int fvi_estimation_residuals(const gsl_vector *u, void *params, gsl_vector *f)
 {
     search *o = params;
@@ -25,15 +45,20 @@ int fvi_estimation_residuals(const gsl_vector *u, void *params, gsl_vector *f)
     for (size_t j = 0; j < u->size; j++)
         fvi_estimation_model_set(m, j,
                           fvi_estimation_model_bound(m, j, gsl_vector_get(u, j)));
-    const int failed = fvi_estimation_model_run(m);
-    for (size_t i = 0; i < f->size; i++) {
-        const double r = i < m->rows ? (m->motion[i] - m->fit->x[i]) / m->scale : 0;
-        o->last[i] = !failed && fabs(r) < m->hopeless ? r : m->hopeless;
+    fill_residuals(o);
+    for (size_t i = 0; i < f->size; i++)
         gsl_vector_set(f, i, o->last[i]);
-    }
     return m->ended ? GSL_ENOMEM : GSL_SUCCESS;
 }
-//< residuals
+
+double fvi_estimation_sum_here(search *o)
+{
+    double sum = 0;
+    fill_residuals(o);
+    for (size_t i = 0; i < o->fdf.n; i++)
+        sum += gsl_pow_2(o->last[i]);
+    return sum < gsl_pow_2(o->model.hopeless) ? sum : GSL_POSINF;
+}
 
 /* The Jacobian from slopes that ride along with the run; 0 if they cannot be had. */
 static int ride(const gsl_vector *u, search *o, gsl_matrix *J)
@@ -43,14 +68,18 @@ static int ride(const gsl_vector *u, search *o, gsl_matrix *J)
     for (size_t j = 0; j < P; j++)
         fvi_estimation_model_set(m, j,
                           fvi_estimation_model_bound(m, j, gsl_vector_get(u, j)));
+    if (o->ridden && m->window < 1)
+        memset(o->ridden, 0, J->size1 * P * sizeof *o->ridden);
     if (!o->ridden || fvi_estimation_model_tangents(m, o->ridden)
         || !fvi_all_finite(J->size1 * P, o->ridden))
         return 0;
+    const double huber = m->fit->huber; /* one piece alone has such slopes */
     for (size_t j = 0; j < P; j++) {
         const double by =
-            fvi_estimation_model_slope(m, j, fvi_estimation_model_get(m, j)) / m->scale;
+            fvi_estimation_model_slope(m, j, fvi_estimation_model_get(m, j)) / m->scale[0];
         for (size_t i = 0; i < J->size1; i++)
-            gsl_matrix_set(J, i, j, by * o->ridden[i * P + j]);
+            gsl_matrix_set(J, i, j,
+                           by * o->ridden[i * P + j] / fvi_estimation_stretch(huber, o->last[i]));
     }
     return 1;
 }
@@ -146,23 +175,24 @@ static int search_alloc(search *o, const fvi_estimation *fit)
 {
     const gsl_multifit_nlinear_parameters how =
         gsl_multifit_nlinear_default_parameters();
-    double *motion = malloc(fit->n * sizeof *motion);
-    fvi_estimation_model_init(&o->model, fit, motion);
+    const size_t n = fvi_estimation_rows(fit);
+    double *motion = malloc(n * sizeof *motion);
+    const int status = fvi_estimation_model_init(&o->model, fit, motion);
     o->fdf = (gsl_multifit_nlinear_fdf){ .f = fvi_estimation_residuals,
                                          .df = slopes,
-                                         .n = fit->n,
+                                         .n = n,
                                          .p = fit->parameters,
                                          .params = o };
-    o->last = calloc(2 * fit->n, sizeof *o->last);
-    o->base = o->last ? o->last + fit->n : NULL;
+    o->last = calloc(2 * n, sizeof *o->last);
+    o->base = o->last ? o->last + n : NULL;
     o->found = calloc(fit->starts, sizeof *o->found);
     const int rides = fvi_estimation_model_has_tangents(&o->model);
     o->ridden =
-        rides ? malloc(fit->n * fit->parameters * sizeof *o->ridden) : NULL;
-    if (solver_has_room(fit->n, fit->parameters))
+        rides ? malloc(n * fit->parameters * sizeof *o->ridden) : NULL;
+    if (solver_has_room(n, fit->parameters))
         o->solver = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how,
-                                               fit->n, fit->parameters);
-    if (!motion || !o->last || !o->found || !o->solver || (rides && !o->ridden))
+                                               n, fit->parameters);
+    if (status || !motion || !o->last || !o->found || !o->solver || (rides && !o->ridden))
         FVI_FAIL("no memory for the fit", FVI_ENOMEM);
     return FVI_SUCCESS;
 }
@@ -174,8 +204,8 @@ int fvi_estimation_work_alloc(search *o, const fvi_estimation *fit, double *low,
     if (status)
         return status;
     o->believed =
-        fit->sigma > 0
-            ? gsl_cdf_chisq_Pinv(0.99, (double)(fit->n - fit->parameters))
+        fvi_estimation_knows_sigma(fit) && fit->huber == 0
+            ? gsl_cdf_chisq_Pinv(0.99, (double)(fvi_estimation_rows(fit) - fit->parameters))
             : 0;
     set_sizes(o, fit, low, high);
     if (fit->low) {
@@ -193,4 +223,5 @@ void fvi_estimation_work_free(search *o)
     free(o->last);
     free(o->ridden);
     free(o->model.motion);
+    fvi_estimation_model_clear(&o->model);
 }

@@ -9,9 +9,9 @@
 
 #include <gsl/gsl_multifit_nlinear.h>
 
-/* Where a search ended: the parameters as u, and the sum of squares; on its way? */
+/* Where a search began and ended: the parameters as u, and the sum of squares; on its way? */
 typedef struct {
-    double u[FVI_ESTIMATION_MOST], sum;
+    double from[FVI_ESTIMATION_MOST], u[FVI_ESTIMATION_MOST], sum;
     int gave_up;
 } fvi_estimation_slot;
 
@@ -39,6 +39,9 @@ int fvi_estimation_work_alloc(fvi_estimation_work *o, const fvi_estimation *fit,
 
 /* f_i = (x(t_i) - x_i) / scale at u, and the motion there; params: the work. As GSL asks. */
 int fvi_estimation_residuals(const gsl_vector *u, void *params, gsl_vector *f);
+
+/* The sum of their squares at the present values of the model, infinite without a motion. */
+double fvi_estimation_sum_here(fvi_estimation_work *o);
 
 /* From at->u downhill; sum is infinite if that leads nowhere. A search that creeps above
  * `below` may end on its way. */

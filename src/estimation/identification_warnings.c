@@ -28,6 +28,8 @@ int fvi_estimate_warning_of_unseen(const fvi_estimation *fit, const fvi_estimate
                                    const char *const *names, size_t size, char *text)
 {
     static const char *const words[] = { "an offset of %.2g sigma", "a drift by %.2g sigma" };
+    const size_t column = examined->unseen_column[which];
+    char of_column[40] = "";
     size_t most = 0;
     for (size_t j = 0; j < fit->parameters; j++)
         if (fabs(examined->swayed[which][j]) > fabs(examined->swayed[which][most]))
@@ -37,10 +39,12 @@ int fvi_estimate_warning_of_unseen(const fvi_estimation *fit, const fvi_estimate
         return 0;
     snprintf(text, size, words[which], examined->unseen[which]);
     const size_t end = strlen(text);
+    if (fvi_estimation_columns(fit) > 1)
+        snprintf(of_column, sizeof of_column, " of column %zu", column + 1);
     snprintf(text + end, size - end,
-             " would not be seen in the residuals and moves %s by %.2g sd: fit %s, too, or be sure "
+             "%s would not be seen in the residuals and moves %s by %.2g sd: fit %s, too, or be sure "
              "that there is none",
-             names[most], by, which ? "drift" : "offset");
+             of_column, names[most], by, which ? "drift" : "offset");
     return 1;
 }
 
@@ -107,23 +111,19 @@ int fvi_estimate_flag_text(const fvi_estimation *fit, const fvi_estimate *fitted
 const char *fvi_estimate_warning_of_initial_history(const fvi_estimation *fit,
                                     const fvi_estimate *fitted)
 {
-    fvi_system system = *fit->run->system;
-    fvi_run run = *fit->run;
-    double x0 = *run.x0, damping = *system.damping;
-    for (size_t j = 0; j < fit->parameters; j++) {
-        const double estimate = fitted->estimate[j];
-        if (fit->which[j] == FVI_FREE_PARAMETER_ALPHA)
-            run.alpha = estimate;
-        else if (fit->which[j] == FVI_FREE_PARAMETER_RHO)
-            damping = estimate;
-        else if (fit->which[j] == FVI_FREE_PARAMETER_X0)
-            x0 = estimate;
+    fvi_estimation_model m;
+    const char *text = NULL;
+    double were[FVI_ESTIMATION_MOST];
+    if (!fvi_estimation_model_init(&m, fit, NULL)) {
+        for (size_t j = 0; j < fit->parameters; j++) {
+            were[j] = fvi_estimation_model_get(&m, j);
+            fvi_estimation_model_set(&m, j, fitted->estimate[j]);
+        }
+        fvi_warning_of_initial_history(&m.run, &text);
+        for (size_t j = 0; j < fit->parameters; j++)
+            fvi_estimation_model_set(&m, j, were[j]);
     }
-    system.damping = &damping;
-    run.system = &system;
-    run.x0 = &x0;
-    const char *text; /* one mass takes no memory to find out */
-    fvi_warning_of_initial_history(&run, &text);
+    fvi_estimation_model_clear(&m);
     return text;
 }
 
@@ -133,30 +133,33 @@ static int is_mass_free(const fvi_estimation *fit)
     const fvi_force *force = &fit->run->system->force;
     int fits_mass = 0;
     for (size_t j = 0; j < fit->parameters; j++)
-        fits_mass |= fit->which[j] == FVI_FREE_PARAMETER_MASS;
+        fits_mass |= fvi_free_parameter_base(fit->which[j]) == FVI_FREE_PARAMETER_MASS;
     return fits_mass && !force->value && force->impulse_count == 0;
 }
 
-/* The steps that a method of equal steps would take to the last time: of the length asked for,
- * or of the shortest gap between the times. */
-static double equal_steps_needed(const fvi_estimation *fit)
+double fvi_estimation_equal_steps(const fvi_estimation *fit)
 {
-    const double *t = fit->t, T = t[fit->n - 1];
-    double gap = fit->h > 0 ? fit->h : T;
-    for (size_t i = 1; i < fit->n && fit->h == 0; i++)
-        gap = smaller(gap, t[i] - t[i - 1]);
-    return fit->method->dense ? 0 : T / gap;
+    double most = 0;
+    for (size_t r = 0; r < fvi_estimation_records(fit); r++) {
+        const fvi_record record = fvi_estimation_record(fit, r);
+        const double *t = record.t, T = t[record.n - 1];
+        double gap = fit->h > 0 ? fit->h : T;
+        for (size_t i = 1; i < record.n && fit->h == 0; i++)
+            gap = smaller(gap, t[i] - t[i - 1]);
+        most = T > 0 ? larger(most, T / gap) : most;
+    }
+    return most;
 }
 
 static void add_equal_steps(const fvi_estimation *fit, size_t size, char *text)
 {
-    const double needed = equal_steps_needed(fit);
+    const double needed = fit->method->dense ? 0 : fvi_estimation_equal_steps(fit);
     const size_t end = strlen(text);
     if (needed > FVI_FIT_MOST_EQUAL_STEPS)
         snprintf(text + end, size - end,
                  "; to t = %.10g %s take %.3g equal steps, and a fit makes %d; "
                  "fvi-adaptive chooses its own",
-                 fit->t[fit->n - 1],
+                 fvi_estimation_last_time(fit),
                  fit->h > 0 ? "steps of that length"
                             : "steps as short as the gaps of the data",
                  needed, FVI_FIT_MOST_EQUAL_STEPS);
@@ -176,7 +179,7 @@ int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimat
                  "chi2 = %.6g, where about %g is expected (probability %.1g): "
                  "the model, its past, its force or %ssigma is not that of the "
                  "data",
-                 fitted->chi2, (double)(fit->n - fit->parameters),
+                 fitted->chi2, (double)(fvi_estimation_rows(fit) - fit->parameters),
                  fitted->probability, dashes);
     else if (status == FVI_ESING)
         snprintf(text, size, "these data do not determine %s%s%s", names,
@@ -191,7 +194,7 @@ int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimat
                  "t = %.10g, where the data go to t = %.10g; %s N allows N",
                  fit->run->most_steps > 0 ? fit->run->most_steps
                                           : (size_t)FVI_FIT_MOST_STEPS,
-                 fitted->reached, fit->t[fit->n - 1],
+                 fitted->reached, fvi_estimation_last_time(fit),
                  *dashes ? "--most-steps" : "most_steps");
     else if (status == FVI_EBADFUNC)
         snprintf(text, size, "no start gives a motion that can be computed");

@@ -1,6 +1,6 @@
 /* src/fvi/identification.h -- Parameters from a measured motion.     [H 24]
  *
- * Somebody measured x_i at the times t_i, of one mass that moves as
+ * Somebody measured x_i at the times t_i, of a body that moves as
  *
  *     m x'' + U'(x) + rho D^{2 alpha} x = F(t).
  *
@@ -13,6 +13,7 @@
 #ifndef FVI_IDENTIFICATION_H
 #define FVI_IDENTIFICATION_H
 
+#include "records.h"
 #include "sensitivity.h"
 #include "trajectory.h"
 #include "warnings.h"
@@ -27,37 +28,23 @@ enum { FVI_ESTIMATION_OTHERS = 4 };    /* other minima that are remembered */
 enum { FVI_FIT_MOST_STEPS = 1 << 22 }; /* of a run; a fit is hundreds of them */
 enum { FVI_FIT_MOST_EQUAL_STEPS = 1 << 17 }; /* of a run whose steps are equally long */
 
-/* fvi_free_parameter -- what a fit may look for.
- *
- *   OFFSET, DRIFT  of the sensor, which shows x(t) + offset + drift t; 0 where not fitted
- *   LAW + 4 i + f  field f of term i of run->law: 0 rho, 1 alpha, 2 time, 3 end. Of two
- *                  springpots in series (MAXWELL2) the fields are the numbers r1, alpha1, r2,
- *                  alpha2 of the two, in the order 0, 1, 2, 3
- *   CONSTANT + i   number i of the constants of the potential */
-typedef enum {
-    FVI_FREE_PARAMETER_ALPHA,
-    FVI_FREE_PARAMETER_RHO,
-    FVI_FREE_PARAMETER_MASS,
-    FVI_FREE_PARAMETER_X0,
-    FVI_FREE_PARAMETER_P0,
-    FVI_FREE_PARAMETER_OFFSET,
-    FVI_FREE_PARAMETER_DRIFT,
-    FVI_FREE_PARAMETER_LAW,
-    FVI_FREE_PARAMETER_CONSTANT = FVI_FREE_PARAMETER_LAW + 4 * 64
-} fvi_free_parameter;
-
 /* fvi_estimation -- a question: data, model, what is unknown in it.
  *
- *   method     integrator; one of high order, best fvi_lobatto_m4: its error counts as
- *              if it were in the data
- *   run        the model: one mass, potential, force, past, and the values of all
- *              parameters that are not fitted; those that are, are one of the starts.
+ *   method     integrator; one of high order, as fvi_estimate_method has one: its error
+ *              counts as if it were in the data
+ *   run        the model: masses, potential or matrices, dampers, force, past, and the values
+ *              of all parameters that are not fitted; those that are, are one of the starts.
  *              run->h and run->steps are not read
  *   constants  NULL, or the numbers that the potential reads as its params; the fit
  *              writes to them, and leaves them as they were
- *   n, t, x    data, n > parameters; t from t[0] >= 0 on increasing, finite, in any
- *              spacing
+ *   n, t, x    data of the first coordinate, n > parameters; t from t[0] >= 0 on increasing,
+ *              finite, in any spacing
  *   sigma      standard deviation of each x, finite; 0: unknown
+ *   records, columns, record  0, 0 and NULL; or as many records (records.h), each with so many
+ *              columns, and n, t, x and sigma are not read. Where no sigma is known that of each
+ *              column is estimated
+ *   huber      0: least squares; k > 0: a residual r, in sigma, counts r^2 up to k and 2 k |r| - k^2
+ *              beyond, so that a few wrong readings count little. 1.345 is usual  [(24.19)]
  *   parameters, which  how many, at most FVI_ESTIMATION_MOST, and which, all different
  *   low, high  NULL, or the box from which the starts are taken, a number for each
  *              parameter, low < high; fvi_estimate_box stands for NULL. No bounds: the
@@ -78,6 +65,9 @@ typedef struct {
     const double *low, *high;
     size_t starts;
     double h;
+    size_t records, columns;
+    const fvi_record *record;
+    double huber;
 } fvi_estimation;
 
 /* fvi_estimate -- the answer. Numbers of parameter j stand at [j]. */
@@ -86,8 +76,8 @@ typedef struct {
     double sd[FVI_ESTIMATION_MOST]; /* (24.3) */
     double correlation[FVI_ESTIMATION_MOST][FVI_ESTIMATION_MOST];
     double quantile; /* 95 %: estimate -+ quantile sd; normal's, or Student's */
-    double sigma;    /* as given, or sqrt(sum of squares / (n - parameters)) */
-    double chi2;     /* (24.1) with that sigma */
+    double sigma;    /* of the first column: as given, or sqrt(sum of squares / (n - parameters)) */
+    double chi2;     /* (24.1) with that sigma; robust: (24.20) */
     double
         probability; /* of a chi^2 beyond that one, on its side; 1 if sigma is
                            estimated */
@@ -102,7 +92,15 @@ typedef struct {
     size_t others;  /* places, not within a standard deviation of this one or of each other,
                        where other starts ended, the best first */
     double other[FVI_ESTIMATION_OTHERS][FVI_ESTIMATION_MOST];
+    double column_sigma[FVI_MEASURED_MOST]; /* of each column, given or estimated */
+    double loss_unit; /* 1; robust: what makes chi2 grow by 1 where a parameter moves by an sd */
 } fvi_estimate;
+
+/* fvi_estimate_method -- the method that suits the data: fvi_lobatto_m4; fvi_variable_step where equal
+ * steps as short as the least gap of the times, or as a radian of the fastest swing about the start,
+ * would be more than 8192; fvi_cq2_midpoint with matrices. fit->method is not read; nothing is checked
+ * but what fvi_estimate_multistart checks: NULL for a question that cannot be asked. */
+const fvi_method *fvi_estimate_method(const fvi_estimation *fit);
 
 /* fvi_estimate_box -- a box of plausible starts, by the size and the frequency of the data.
  *
@@ -117,7 +115,9 @@ typedef struct {
  *     x0     mean -+ 3/2 A                 constant 0   m w^2 (1/10 ... 4)
  *     p0     -+ 3/2 m w A                  others       m w^2 / A^2 (-1/2 ... 2)
  *
- * Cost: min(n, 1024)^2 sines. Errors as fvi_estimate_multistart. */
+ * of several columns or coordinates mean is 0, A the largest |x|, and w that of the first column. Where
+ * the largest force is above 1000 m w^2 A, the body's inertia is nothing beside it, and m w^2 stands
+ * for that force over A. Cost: min(n, 1024)^2 sines. Errors as fvi_estimate_multistart. */
 int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
 
 /* fvi_estimate_multistart -- the least chi^2, from several starts.     [(24.1) - (24.4)]
@@ -229,7 +229,7 @@ struct fvi_examination;
  *         puts("this experiment does not tell them apart");
  *
  * Cost: four runs, and a Jacobian. Returns FVI_SUCCESS; FVI_ESING if the data will not determine
- * the parameters; FVI_EDOM if sigma is not above 0 or a value is at the end of its range; what
+ * the parameters; FVI_EUNSUP for records and huber; FVI_EDOM if sigma is not above 0 or a value is at the end of its range; what
  * fvi_estimate_multistart returns for a question that cannot be asked, and fvi_stepper_start and
  * fvi_stepper_step for the run; FVI_ENOMEM. */
 int fvi_estimate_design(const fvi_estimation *fit, fvi_estimate *planned,
@@ -273,6 +273,7 @@ enum {
  *   unseen        how large an offset of the sensor, and a drift over the whole record, in sigma,
  *                 the tests may overlook; 0 where it is fitted
  *   swayed        by how many sd that moves parameter j, (24.4)
+ *   unseen_column  of which column, from 0: that where it moves a parameter most
  *   chi2          of the best of the other minima, infinite if there is none */
 typedef struct fvi_examination {
     double lower[FVI_ESTIMATION_MOST], upper[FVI_ESTIMATION_MOST];
@@ -280,6 +281,7 @@ typedef struct fvi_examination {
     double probability[5];
     double unseen[2], swayed[2][FVI_ESTIMATION_MOST];
     double chi2;
+    size_t unseen_column[2];
 } fvi_examination;
 
 /* fvi_estimate_examine -- can this answer be believed?                  [(24.13) - (24.15)]

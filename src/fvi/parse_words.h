@@ -82,7 +82,7 @@ int fvi_parse_named_table(const char *field, const char *file,
  *            `count` stand for them
  *   columns  output: count columns of n numbers each, one block, free(*columns)
  *   which    output: which of its names each column had, from 0; 0 where none stood there */
-enum { FVI_COLUMNS_MOST = 8 };
+enum { FVI_COLUMNS_MOST = 9 };
 int fvi_parse_table_columns(const char *field, const char *file, size_t count,
                       const char *const *names, int must_be_named, size_t *n,
                       double **columns, size_t *which, fvi_error *error);

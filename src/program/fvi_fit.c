@@ -2,6 +2,7 @@
 #include "fvi_commands.h"
 
 #include "fvi_fit_answer.h"
+#include "fvi_fit_records.h"
 #include "fvi_fit_material.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_output.h"
@@ -17,19 +18,19 @@ static const char *const not_for_fit[] = { "steps",      "time",     "error",
                                            "step-error", "columns", "reduce",
                                            "ground",     "along",
                                            "every",      "format",   "plot",
-                                           "checkpoint", "continue", "system",
-                                           "unknowns",   "snapshot", "longest",
-                                           "lagrangian", "damper",   "constraint",
-                                           "impose",     "force-on", "v0",
-                                           "event",      NULL };
+                                           "checkpoint", "continue", "unknowns",
+                                           "snapshot",   "longest",  "lagrangian",
+                                           "constraint", "impose",   "force-on",
+                                           "v0",         "event",    NULL };
 
 static const fvi_own_command fit = {
     .name = "fit",
-    .own = { "fit", "sigma", "starts", "curve" },
+    .own = { "fit", "sigma", "starts", "compare", "huber", "curve" },
     .without = not_for_fit,
     .method = "--method=fvi-lobatto4",
-    .operand = 1,
-    .flag = "design"
+    .operand = FVI_OPERANDS_MOST,
+    .flag = "design",
+    .more = fvi_fit_time
 };
 
 /* A plan has no DATA: its times are those of --steps and --time. */
@@ -41,7 +42,7 @@ static const char *const not_for_design[] = { "error",      "step-error", "colum
                                               "force-on",   "v0",         "event",   NULL };
 static const fvi_own_command design = {
     .name = "fit",
-    .own = { "fit", "sigma", "starts", "curve" },
+    .own = { "fit", "sigma", "starts", "compare", "huber", "curve" },
     .without = not_for_design,
     .method = "--method=fvi-lobatto4",
     .flag = "design"
@@ -51,96 +52,103 @@ typedef fvi_fit_request request;
 
 /* ---- what is asked for ---- */
 
+/* A body of several masses shows several things: which of them does the data show? */
+static int check_columns(const request *r, fvi_error *c)
+{
+    const fvi_options *o = &r->o;
+    const option_index by = o->text[SYSTEM] ? SYSTEM : o->text[DIMENSION] ? DIMENSION : POTENTIAL;
+    if (r->columns || o->d == 1)
+        return 0;
+    return fvi_refuse(c, fvi_option_list[by].name,
+                      "'%s' has %zu masses: --compare says what the columns of DATA show, as in "
+                      "--compare x1,x2",
+                      o->text[by], o->d);
+}
+
+/* What a plan has not, and how it says so. */
+static int check_plan(const request *r, fvi_error *c)
+{
+    static const int none_of[] = { STARTS, COMPARE, HUBER };
+    for (size_t i = 0; i < sizeof none_of / sizeof *none_of; i++)
+        if (r->words.own[none_of[i]])
+            return fvi_refuse(c, design.own[none_of[i]],
+                              none_of[i] == STARTS
+                                  ? "not together with --design, which fits nothing"
+                                  : "not together with --design, which is of one column by least "
+                                    "squares");
+    return 0;
+}
+
+static int interpret_starts(request *r, fvi_error *c)
+{
+    if (!r->words.own[STARTS])
+        r->words.own[STARTS] = "20";
+    const int status =
+        fvi_parse_whole("starts", r->words.own[STARTS], 1000000, &r->fit.starts, c);
+    if (!status && r->fit.starts < 2)
+        return fvi_refuse(c, "starts", "'%s' is less than 2: one start alone proves nothing",
+                          r->words.own[STARTS]);
+    return status;
+}
+
+static int check_curve(const request *r, fvi_error *c)
+{
+    const char *curve = r->words.own[CURVE];
+    if (curve && !*curve)
+        return fvi_refuse(c, "curve", "'' is not a file's name");
+    if (curve && fvi_same_file(curve, r->o.output))
+        return fvi_refuse(c, "curve", "'%s' is the table's file, too", curve);
+    return 0;
+}
+
 static int interpret(request *r, fvi_error *c)
 {
     fvi_options *o = &r->o;
     const int has_step = r->words.given[H] && !r->words.flag;
+    r->system = fvi_options_system(o);
+    r->run = fvi_options_run(o, &r->system);
     r->fit = (fvi_estimation){ .method = o->method,
+                        .run = &r->run,
                         .constants = o->potential.expression ? o->lets.value
                                                       : o->potential.constants,
                         .which = r->which,
                         .h = has_step ? o->h : 0 };
     if (!has_step && !r->words.flag)
         o->text[H] = NULL; /* it is found: not in the head */
-    int status = fvi_fit_names(r, c);
-    const int by_number = o->text[DIMENSION] != NULL;
-    if (!status && o->d != 1)
-        status = fvi_refuse(c,
-                            by_number ? "dimension" : "potential", "'%s' has more masses than the one column of "
-                            "a fit",
-                            o->text[by_number ? DIMENSION : POTENTIAL]);
-    if (!status && r->words.own[SIGMA])
-        status = fvi_parse_number("sigma", r->words.own[SIGMA], 0, INFINITY,
-                                 "()", &r->fit.sigma, c);
-    if (r->words.flag && r->words.own[STARTS])
-        return fvi_refuse(c, "starts", "not together with --design, which fits nothing");
-    if (r->words.flag)
-        return status;
-    if (!r->words.own[STARTS])
-        r->words.own[STARTS] = "20";
+    int status = fvi_fit_columns(r, c);
     if (!status)
-        status = fvi_parse_whole("starts", r->words.own[STARTS], 1000000,
-                                &r->fit.starts, c);
-    if (!status && r->fit.starts < 2)
-        status = fvi_refuse(c,
-                            "starts", "'%s' is less than 2: one start alone "
-                            "proves nothing",
-                            r->words.own[STARTS]);
-    if (!status && r->words.own[CURVE] && !*r->words.own[CURVE])
-        status = fvi_refuse(c, "curve", "'' is not a file's name");
-    if (!status && r->words.own[CURVE]
-        && fvi_same_file(r->words.own[CURVE], o->output))
-        status = fvi_refuse(c, "curve", "'%s' is the table's file, too",
-                            r->words.own[CURVE]);
-    return status;
+        status = fvi_fit_names(r, c);
+    if (!status)
+        status = check_columns(r, c);
+    if (!status)
+        status = fvi_fit_sigma(r, c);
+    if (!status && r->words.own[HUBER])
+        status = fvi_parse_number("huber", r->words.own[HUBER], 0, INFINITY, "()", &r->fit.huber, c);
+    if (!status && r->words.flag)
+        return check_plan(r, c);
+    if (!status)
+        status = interpret_starts(r, c);
+    return status ? status : check_curve(r, c);
 }
 
-/* Where equal steps as short as the gaps of the data would be thousands, as with times that are even
- * in their logarithms, steps of their own length are taken, unless something was said of them. */
-enum { MANY_STEPS = 1 << 13 };
+/* Steps of their own length where the data ask for them, unless something was said of steps. */
 static void choose_steps(request *r)
 {
     static const option_index of_steps[] = { METHOD, H, KAPPA, MEMORY, TOLERANCE };
-    const double *t = r->t;
-    int are_many = 0;
     for (size_t i = 0; i < sizeof of_steps / sizeof *of_steps; i++)
         if (r->words.given[of_steps[i]])
             return;
-    for (size_t i = 1; i < r->fit.n; i++)
-        are_many |= t[r->fit.n - 1] > MANY_STEPS * (t[i] - t[i - 1]);
-    if (!are_many)
-        return;
-    r->o.method = r->fit.method = &fvi_variable_step;
+    r->o.method = r->fit.method = fvi_estimate_method(&r->fit);
     r->o.text[METHOD] = r->o.method->name;
 }
 
 static int read_data(request *r, fvi_error *c)
 {
-    static const char *const names[] = { "t", "x" };
-    if (!r->words.operand)
-        return fvi_refuse(c,
-                          NULL, "DATA: a file with the columns t and x is missing");
-    fvi_mark_read("DATA", r->words.operand);
-    int status = fvi_check_output("-o", r->o.output, c);
-    if (!status)
-        status = fvi_check_output("--curve", r->words.own[CURVE], c);
-    if (!status)
-        status = fvi_parse_table("DATA", r->words.operand, names, &r->fit.n,
-                                &r->t, &r->x, c);
+    const int status = fvi_fit_read(r, c);
     if (status)
         return status;
-    r->fit.t = r->t;
-    r->fit.x = r->x;
-    if (r->t[0] < 0)
-        return fvi_refuse(c, "DATA", "%s: t begins before 0, with %g",
-                          r->words.operand, r->t[0]);
-    if (r->fit.n <= r->fit.parameters)
-        return fvi_refuse(c,
-                          "DATA", "%s: %zu rows are not enough for %zu "
-                          "parameters",
-                          r->words.operand, r->fit.n, r->fit.parameters);
     choose_steps(r);
-    r->curve = malloc(r->fit.n * sizeof *r->curve);
+    r->curve = malloc(r->points * sizeof *r->curve);
     return r->curve ? 0
                     : fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
 }
@@ -153,7 +161,7 @@ static int make_box(request *r)
 {
     const int status = fvi_estimate_box(&r->fit, r->low, r->high);
     for (size_t j = 0; j < r->fit.parameters && r->o.potential.expression; j++)
-        if (r->which[j] >= FVI_FREE_PARAMETER_CONSTANT) {
+        if (r->which[j] >= FVI_FREE_PARAMETER_CONSTANT && r->which[j] < FVI_FREE_PARAMETER_EACH) {
             const double k =
                 r->o.lets.value[r->which[j] - FVI_FREE_PARAMETER_CONSTANT];
             r->low[j] = k > 0 ? k / 10 : k < 0 ? 10 * k : -1;
@@ -186,9 +194,6 @@ static int search(request *r, fvi_estimate *f, fvi_examination *e)
  * the flags are said without it. */
 static int search_and_print(request *r)
 {
-    const fvi_system system = fvi_options_system(&r->o);
-    const fvi_run run = fvi_options_run(&r->o, &system);
-    r->fit.run = &run;
     fvi_estimate f = { .agree = 0 };
     fvi_examination e = { .flags = 0 };
     const int status = search(r, &f, &e), is_believed = !status && !e.grave;
@@ -234,9 +239,6 @@ static int planned_times(request *r, fvi_error *c)
 
 static int print_plan(request *r)
 {
-    const fvi_system system = fvi_options_system(&r->o);
-    const fvi_run run = fvi_options_run(&r->o, &system);
-    r->fit.run = &run;
     fvi_estimate f = { .agree = 0 };
     fvi_examination e;
     const int status = fvi_estimate_design(&r->fit, &f, &e);
@@ -252,10 +254,12 @@ static int print_plan(request *r)
     return fvi_output_close(out, 1) ? fvi_cannot_write(r->o.output) : 0;
 }
 
-static int plans(int argc, char **argv)
+/* Is it a word, or the first of a word and its value, "--system=DIR"? */
+static int has_word(int argc, char **argv, const char *word)
 {
+    const size_t length = strlen(word);
     for (int i = 2; i < argc; i++)
-        if (strcmp(argv[i], "--design") == 0)
+        if (strncmp(argv[i], word, length) == 0 && (!argv[i][length] || argv[i][length] == '='))
             return 1;
     return 0;
 }
@@ -283,11 +287,13 @@ int fvi_command_fit(int argc, char **argv)
         return fvi_fit_material(argc, argv);
     fvi_error error, *c = &error;
     request r = { .t = NULL };
-    const int is_plan = plans(argc, argv);
+    const int is_plan = has_word(argc, argv, "--design");
     int status = check_words_of_material(argc, argv, c);
+    fvi_own_command command = is_plan ? design : fit;
+    if (has_word(argc, argv, "--system"))
+        command.method = "--method=fvi-stable"; /* the others of high order take no matrices */
     if (!status)
-        status = fvi_subcommand_options_parse(is_plan ? &design : &fit, argc, argv, &r.words,
-                                              &r.o, c);
+        status = fvi_subcommand_options_parse(&command, argc, argv, &r.words, &r.o, c);
     const int parsed = !status;
     if (!status)
         status = interpret(&r, c);
@@ -297,6 +303,7 @@ int fvi_command_fit(int argc, char **argv)
         status = fvi_refused(&error, fit.name);
     else
         status = is_plan ? print_plan(&r) : search_and_print(&r);
+    fvi_fit_records_free(&r);
     if (parsed)
         fvi_options_free(&r.o);
     free(r.t);

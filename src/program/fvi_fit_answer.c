@@ -88,18 +88,32 @@ void fvi_fit_print_plan(FILE *out, const request *r, const fvi_estimate *f,
     warn_unseen(out, r, f, e);
 }
 
+static void print_sigmas(FILE *out, const request *r, const fvi_estimate *f)
+{
+    if (r->words.own[SIGMA])
+        fprintf(out, "\n# probability = %.3g", f->probability);
+    else if (!r->columns)
+        fvi_print_number(out, "\n# estimated sigma = ", f->sigma);
+    for (size_t k = 0; k < r->columns && !r->words.own[SIGMA]; k++) {
+        fprintf(out, "\n# estimated sigma of %s", r->column[k]);
+        fvi_print_number(out, " = ", f->column_sigma[k]);
+    }
+    if (r->fit.huber > 0)
+        fprintf(out, "\n# intervals = by the profile of Huber's loss with k = %s, scaled by the "
+                     "scatter of the residuals",
+                r->words.own[HUBER]);
+}
+
 void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f,
                           const fvi_examination *e)
 {
     const char *past = fvi_estimate_warning_of_initial_history(&r->fit, f);
-    fprintf(out, "# data = %s\n", r->words.operand);
+    for (size_t k = 0; k < r->words.operands; k++)
+        fprintf(out, "# data = %s\n", r->words.all[k]);
     print_rows(out, r, f, e);
     fvi_print_number(out, "# chi2 = ", f->chi2);
-    if (r->fit.sigma > 0)
-        fprintf(out, "\n# probability = %.3g", f->probability);
-    else
-        fvi_print_number(out, "\n# estimated sigma = ", f->sigma);
-    fprintf(out, "\n# points = %zu\n# starts = %zu, %zu agree", r->fit.n,
+    print_sigmas(out, r, f);
+    fprintf(out, "\n# points = %zu\n# starts = %zu, %zu agree", r->points,
             r->fit.starts, f->agree);
     fvi_print_number(out, "\n# step = ", f->h);
     print_correlations(out, r, f);
@@ -110,6 +124,30 @@ void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f,
     print_flags(out, r, f, e);
 }
 
+/* record, t, and of each column the data, the fit and the residual. */
+static void print_curve(FILE *out, const request *r)
+{
+    const size_t columns = r->columns ? r->columns : 1, is_one = r->words.operands == 1;
+    const double *curve = r->curve;
+    fputs(is_one ? "# t" : "# record\tt", out);
+    for (size_t k = 0; k < r->columns; k++)
+        fprintf(out, "\t%s\t%s_fit\t%s_residual", r->column[k], r->column[k], r->column[k]);
+    fputs(r->columns ? "\n" : "\tdata\tfit\tresidual\n", out);
+    for (size_t m = 0; m < r->words.operands; m++) {
+        const fvi_record *o = r->record + m;
+        for (size_t i = 0; i < o->n; i++) {
+            double row[2 + 3 * FVI_MEASURED_MOST] = { (double)(m + 1), o->t[i] }, *at = row + 2;
+            for (size_t k = 0; k < columns; k++) {
+                *at++ = o->measured[k].x[i];
+                *at++ = curve[k * o->n + i];
+                *at++ = o->measured[k].x[i] - curve[k * o->n + i];
+            }
+            fvi_format_row(out, FVI_FORMAT_TSV, i, (size_t)(at - row) - is_one, row + is_one);
+        }
+        curve += columns * o->n;
+    }
+}
+
 int fvi_fit_print_curve(const request *r)
 {
     if (!r->words.own[CURVE])
@@ -117,11 +155,7 @@ int fvi_fit_print_curve(const request *r)
     FILE *out = fvi_output_open(r->words.own[CURVE]);
     if (!out)
         return fvi_cannot_write(r->words.own[CURVE]);
-    fprintf(out, "# t\tdata\tfit\tresidual\n");
-    for (size_t i = 0; i < r->fit.n; i++)
-        fvi_format_row(
-            out, FVI_FORMAT_TSV, i, 4,
-            (double[]){ r->t[i], r->x[i], r->curve[i], r->x[i] - r->curve[i] });
+    print_curve(out, r);
     return fvi_output_close(out, 1) ? fvi_cannot_write(r->words.own[CURVE]) : 0;
 }
 

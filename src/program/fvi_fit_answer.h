@@ -8,18 +8,28 @@
 #include <stdio.h>
 
 /* Its own options, words.own[FIT] and so on. */
-enum { FIT, SIGMA, STARTS, CURVE };
+enum { FIT, SIGMA, STARTS, COMPARE, HUBER, CURVE };
 
-/* What the words say, and what is read. */
+/* What the words say, and what is read. Without --compare columns is 0, and one column is x. */
 typedef struct {
     fvi_subcommand_options words;
     fvi_options o;
+    fvi_system system; /* of o */
+    fvi_run run;
     fvi_free_parameter which[FVI_ESTIMATION_MOST];
     const char *name[FVI_ESTIMATION_MOST];
-    char names[200], preset[200]; /* in pieces; without --fit */
+    char names[400], preset[400]; /* in pieces; without --fit */
     fvi_estimation fit;
     double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST];
-    double *t, *x, *curve;
+    size_t columns;
+    char sensor[FVI_MEASURED_MOST][FVI_SENSOR_ROOM];
+    const char *column[FVI_MEASURED_MOST];
+    fvi_expression *shows[FVI_MEASURED_MOST];
+    double sigma[FVI_MEASURED_MOST];
+    fvi_record *record;
+    struct fvi_fit_record *read; /* what they are made of */
+    size_t points;
+    double *t, *curve; /* the times of a plan; the fitted motion, of all rows */
 } fvi_fit_request;
 
 /* The parameters of --fit, into which and name. Returns 0, or 2 with the error written. */

@@ -111,7 +111,7 @@ static int sort_words(sorter *s, int argc, char **argv)
 int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char **argv,
                         fvi_subcommand_options *w, fvi_options *o, fvi_error *c)
 {
-    char **room = malloc(((size_t)argc + 2 + FVI_PRESETS_MOST) * sizeof *room);
+    char **room = malloc(((size_t)argc + 3 + FVI_PRESETS_MOST) * sizeof *room);
     if (!room) {
         return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
     }
@@ -121,6 +121,12 @@ int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char 
         if (!w->given[fvi_option_named(command->presets[i])])
             s.run[s.count++] = command->presets[i];
     s.run[s.count] = NULL;
+    if (!status && command->more) {
+        command->more(w, s.run, sizeof w->more, w->more);
+        if (*w->more)
+            s.run[s.count++] = w->more;
+        s.run[s.count] = NULL;
+    }
     /* The method goes ahead: a last word without its value must not find it there. */
     const int preset = command->method && !w->given[METHOD];
     char **run = room + !preset;

@@ -8,10 +8,12 @@
 #include <stdio.h>
 
 enum {
-    FVI_SUBCOMMAND_MOST = 5, /* options of its own that a command may have */
+    FVI_SUBCOMMAND_MOST = 6, /* options of its own that a command may have */
     FVI_OPERANDS_MOST = 64,
     FVI_PRESETS_MOST = 5
 };
+
+struct fvi_subcommand_options;
 
 /* What such a command knows. */
 typedef struct {
@@ -25,16 +27,20 @@ typedef struct {
     const char *const *with; /* or those that it has, likewise, and no others */
     const char *flag;        /* its option that has no value, or NULL */
     char *const *presets;    /* words for run, where they are not given; ended by NULL */
+    /* NULL, or one more word for run that the operands ask for, which is written to `text`, or no
+     * letter: the words for run so far are given, too. */
+    void (*more)(const struct fvi_subcommand_options *w, char *const *run, size_t size, char *text);
 } fvi_own_command;
 
 /* What the words say of that. */
-typedef struct {
+typedef struct fvi_subcommand_options {
     const char *own[FVI_SUBCOMMAND_MOST]; /* texts, in that order, or NULL */
     const char *operand;           /* the first, or NULL */
     const char *all[FVI_OPERANDS_MOST];
     size_t operands;               /* of them */
     int flag;                      /* is the flag given? */
     int given[OPTIONS];            /* is this option of run? */
+    char more[64];                 /* the word that the operands asked for */
 } fvi_subcommand_options;
 
 /* fvi_subcommand_options_parse -- sort the words of main behind the name of the command: its own

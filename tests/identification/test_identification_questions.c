@@ -9,13 +9,6 @@ static int code_of(const question *q)
     return fvi_estimate_multistart(&q->fit, NULL, &f);
 }
 
-static void two_masses(question *q)
-{
-    static const double ones[] = { 1, 1 };
-    q->system.d = 2;
-    q->system.mass = q->system.damping = ones;
-}
-
 #define REFUSED(change, code)                                                  \
     do {                                                                       \
         question q;                                                            \
@@ -44,7 +37,6 @@ START_TEST(fit_refuses_what_cannot_be_asked)
     REFUSED(q.fit.which = NULL, FVI_EFAULT);
     REFUSED(q.fit.constants = NULL, FVI_EFAULT);
     REFUSED(q.fit.low = box, FVI_EFAULT);
-    REFUSED(two_masses(&q), FVI_EINVAL);
     REFUSED(q.fit.parameters = 0, FVI_EINVAL);
     REFUSED(q.fit.parameters = FVI_ESTIMATION_MOST + 1, FVI_EINVAL);
     REFUSED(q.fit.n = 3, FVI_EINVAL);

@@ -101,7 +101,7 @@ START_TEST(fit_knows_the_numbers_of_a_law)
     row_of("d1.zener2.alpha", row);
     ck_assert_double_eq_tol(row[0], 0.3, 1e-6);
     ck_assert_int_eq(fvi("fit --damping zener:0.3,0.4,1 --fit alpha z.tsv"), 2);
-    ck_assert_ptr_nonnull(strstr(err, "'alpha': with --damping the numbers are those of the law, "
+    ck_assert_ptr_nonnull(strstr(err, "'alpha': with a law of damping the numbers are those of the law, "
                                       "d1.rho"));
     ck_assert_int_eq(fvi("fit --damping zener:0.3,0.4,1 --fit d1.end z.tsv"), 2);
 }

@@ -7,7 +7,25 @@
 /* "arguments", what the line on standard error must say. */
 static const char *const refused[][2] = {
     { "fit", "DATA" },
-    { "fit d.tsv d.tsv", "not expected here" },
+    { "fit d.tsv none.tsv", "cannot read 'none.tsv'" },
+    { "fit 'd.tsv : y0=1'", "'y0=1': of its own a record has x0=, p0= and force=" },
+    { "fit 'd.tsv : x0=1 : x0=2'", "'x0=2': of its own a record has" },
+    { "fit 'd.tsv : x0=one'", "DATA: x0: 'one'" },
+    { "fit 'd.tsv : x0=1,2'", "DATA: x0: '1,2'" },
+    { "fit 'd.tsv : force=sin(u)'", "'sin(u)'" },
+    { "fit --compare x2 d.tsv", "--compare" },
+    { "fit --compare x,x d.tsv", "--compare: 'x' stands twice" },
+    { "fit --compare '' d.tsv", "--compare" },
+    { "fit --compare x,v d.tsv", "d.tsv:3:12: a number is missing" },
+    { "fit --potential chain:2,1,0 --compare x3 d.tsv", "--compare" },
+    { "fit --compare x --sigma 1,2 d.tsv", "--sigma" },
+    { "fit --compare x --fit offset.v d.tsv", "'offset.v'" },
+    { "fit --fit x0_2 d.tsv", "'x0_2'" },
+    { "fit --huber 0 d.tsv", "--huber" },
+    { "fit --huber -1 d.tsv", "--huber" },
+    { "fit --design --huber 1 --sigma 1", "--huber: not together with --design" },
+    { "fit --design --compare x --sigma 1", "--compare: not together with --design" },
+    { "fit --force file:short_force.tsv d.tsv", "ends at t = 5, the run at" },
     { "fit none.tsv", "cannot read 'none.tsv'" },
     { "fit --fit beta d.tsv", "'beta'" },
     { "fit --fit alpha,alpha d.tsv", "twice" },
@@ -57,6 +75,7 @@ static const char *const refused[][2] = {
 START_TEST(fit_refuses_words_and_tables)
 {
     write_data("d.tsv", 0.02, 1);
+    write_file("short_force.tsv", "0 1\n5 1\n");
     write_file("word.tsv", "t x\n1 2\n2 two\n3 4\n");
     write_file("back.tsv", "1 2\n2 3\n2 4\n5 6\n");
     write_file("short.tsv", "1 2\n2\n3 4\n");

@@ -146,6 +146,52 @@ def test_a_fit_is_the_programs(tmp_path):
             fvi.fit(t, data, **{name: 5})
 
 
+def test_a_fit_of_columns_and_records_is_the_programs(tmp_path):
+    """Two masses, a damper between them, two tests, wrong readings: the numbers of `fvi fit`."""
+    t, r = 0.1 * np.arange(1, 81), np.random.default_rng(3)
+    true = fvi.Problem("chain:2,4,0", dampers=["d=x2-x1 : power:1,0.3"], x0=[1, 0], p0=0, time=8)
+    other = true.replace(x0=[0, 1])
+    data = []
+    for k, q in enumerate((true, other)):
+        s = fvi.solve(q, method="fvi-lobatto6", steps=80)
+        columns = np.stack([s.x[1:, 0], s.p[1:, 1]], axis=1) + 0.01 * r.standard_normal((80, 2))
+        columns[11, 0] += 1
+        data.append(columns)
+        (tmp_path / f"{k}.tsv").write_text("# t\tx1\tspeed\n" + "".join(
+            f"{a!r}\t{b!r}\t{c!r}\n" for a, (b, c) in zip(t.tolist(), columns.tolist())))
+    guess = fvi.Problem("chain:2,3,0", dampers=["d=x2-x1 : power:0.5,0.4"], x0=[1, 0], p0=0)
+    which = "c,d.rho,d.alpha,offset.speed"
+    found = fvi.fit(t, data[0], guess, shows=["x1", "speed=v2"], which=which, huber=1.345, starts=3,
+                    records=[{"t": t, "x": data[1], "x0": [0, 1]}])
+    text = subprocess.run([PROGRAM, "fit", "--potential", "chain:2,3,0", "--damper", "d=x2-x1 : power:0.5,0.4", "--x0", "1,0",
+                           "--p0", "0", "--compare", "x1,speed=v2", "--fit", which, "--huber", "1.345", "--starts", "3",
+                           "0.tsv", "1.tsv : x0=0,1"], capture_output=True, text=True, cwd=tmp_path).stdout
+    rows = {line.split("\t")[0]: [float(v) for v in line.split("\t")[1:]] for line in text.splitlines()
+            if not line.startswith("#")}
+    for name, row in rows.items():
+        assert row == [found.estimate[name], found.sd[name], *found.interval[name]]
+    assert abs(found.estimate["c"] - 4) < 0.1 and found.sigma.shape == (2,) and abs(found.sigma[1] - 0.01) < 0.003
+    assert [c.shape for c in found.curve] == [(80, 2), (80, 2)]
+    with pytest.raises(ValueError, match="^shows: a body of 2 masses"):
+        fvi.fit(t, data[0], guess)
+    with pytest.raises(ValueError, match="^shows: 1 for 2 columns"):
+        fvi.fit(t, data[0], guess, shows="x1")
+    with pytest.raises(TypeError, match="^records: "):
+        fvi.fit(t, data[0], guess, shows=["x1", "v2"], records=[{"t": t}])
+    with pytest.raises(ValueError, match="^which: 'offset.v1'"):
+        fvi.fit(t, data[0], guess, shows=["x1", "v2"], which="offset.v1")
+
+
+def test_a_fit_of_matrices():
+    """Exact rows of a structure: its order comes back."""
+    K, C = np.array([[4.0, -2], [-2, 4]]), np.diag([0.3, 0.1])
+    true = fvi.Problem(M=np.eye(2), K=K, C=C, alpha=0.3, x0=[1, 0], time=6)
+    t = 0.05 * np.arange(1, 121)
+    data = fvi.solve(true, method="fvi-stable", steps=1920).x[16::16]
+    found = fvi.fit(t, data, true.replace(alpha=0.4), shows=["x1", "x2"], which="alpha", starts=2)
+    assert abs(found.estimate["alpha"] - 0.3) < 1e-3  # the data are of order 2, too
+
+
 def test_a_fit_varies_a_parameter_in_the_force_too():
     """The data are the model's own: 50 steps of at most 50 roundings, and dx/dk is of order 1.
     Seen: 4e-16. With k varied in the potential alone the estimate is 1.85."""

@@ -97,7 +97,7 @@ def test_a_fit_that_is_not_believed_says_why(which, options, words, tmp_path):
     data = fvi.run("duffing:2,1.5", steps=40, alpha=0.3, h=0.1, method="fvi-lobatto4").x[1:]
     path = tmp_path / "data.tsv"
     path.write_text("".join(f"{a!r}\t{b!r}\n" for a, b in zip(t.tolist(), data.tolist())))
-    U = "duffing:40,-9" if which == "c,g" else "harmonic:1"
+    U = "duffing:4e5,-9" if which == "c,g" else "harmonic:1"
     text = subprocess.run([PROGRAM, "fit", "--fit", which, "--potential", U, *words, str(path)],
                           capture_output=True, text=True).stderr.splitlines()[-1]
     with warnings.catch_warnings():

@@ -27,9 +27,29 @@ int fvi_control_solve(const fvi_method *method, const fvi_run *run, const double
 typedef struct { size_t n, columns; const double *t, *F; ...; } fvi_force_rows;
 fvi_force fvi_force_table(const fvi_force_rows *rows);
 
-typedef enum { FVI_FREE_PARAMETER_ALPHA, FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_MASS, FVI_FREE_PARAMETER_X0,
-               FVI_FREE_PARAMETER_P0, FVI_FREE_PARAMETER_OFFSET, FVI_FREE_PARAMETER_DRIFT,
-               FVI_FREE_PARAMETER_CONSTANT, ... } fvi_free_parameter;
+typedef enum { FVI_FREE_PARAMETER_CONSTANT, FVI_FREE_PARAMETER_EACH, ... } fvi_free_parameter;
+enum { FVI_MEASURED_MOST = 8, FVI_SENSOR_ROOM = 64 };
+typedef struct { const double *x; double sigma; const fvi_expression *shows; } fvi_measured;
+typedef struct {
+    size_t n;
+    const double *t;
+    const fvi_measured *measured;
+    const double *x0, *p0;
+    const fvi_force *force;
+} fvi_record;
+typedef struct {
+    const fvi_run *run;
+    size_t columns;
+    const char *const *column;
+    size_t constants;
+    const char *const *constant;
+} fvi_free_parameter_names;
+int fvi_parse_sensor(const char *field, const char *text, size_t d, fvi_user_parameters *parameters, char *name,
+                     fvi_expression **shows, fvi_error *error);
+void fvi_expression_free(fvi_expression *e);
+int fvi_parse_free_parameter(const char *field, const char *text, const fvi_free_parameter_names *names,
+                             fvi_free_parameter *which, fvi_error *error);
+const char *fvi_free_parameters_of_laws(const fvi_run *run, size_t most, size_t size, char *text);
 enum { FVI_ESTIMATION_MOST = 8, FVI_EDOM = 1, FVI_EINVAL = 4, FVI_ENOMEM = 8, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21, FVI_EUNSUP = 23 };
 typedef struct {
     const fvi_method *method;
@@ -43,6 +63,9 @@ typedef struct {
     size_t starts;
     double h;
     const double *low, *high;
+    size_t records, columns;
+    const fvi_record *record;
+    double huber;
     ...;
 } fvi_estimation;
 typedef struct {
@@ -50,6 +73,7 @@ typedef struct {
     double quantile, sigma, chi2, probability, neighbours;
     size_t agree;
     double h, bias, reached;
+    double column_sigma[8];
     ...;
 } fvi_estimate;
 typedef struct {
@@ -65,6 +89,7 @@ int fvi_estimate_warning_of_unseen(const fvi_estimation *fit, const fvi_estimate
                                    const fvi_examination *examined, size_t which, const char *const *names,
                                    size_t size, char *text);
 int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
+const fvi_method *fvi_estimate_method(const fvi_estimation *fit);
 typedef enum { FVI_MATERIAL_MODULI, FVI_MATERIAL_CREEP, FVI_MATERIAL_RELAXATION } fvi_material_test;
 typedef enum { FVI_ELEMENT_SPRING, ... } fvi_element;
 extern const char *const fvi_element_words[];

@@ -1,0 +1,47 @@
+/* src/estimation/identification_steps.c -- Which method suits the data.   [H 24] */
+#include "identification_model.h"
+
+#include "system/larger.h"
+
+#include <fvi/convolution_quadrature_methods.h>
+#include <fvi/lobatto.h>
+#include <fvi/variable_steps.h>
+
+#include <stdlib.h>
+
+enum { MANY_STEPS = 1 << 13, MOST_COORDINATES = 64 };
+
+/* The largest sum of a row of |M^-1 Hess U| at the start, which is not less than w^2 of any mode;
+ * 0 where it is not known. */
+static double fastest_square(const fvi_run *run)
+{
+    const fvi_system *system = run->system;
+    double most = 0;
+    if (system->d > MOST_COORDINATES || system->matrices)
+        return 0;
+    double *H = malloc(fvi_potential_hessian_size(system) * sizeof *H);
+    const int is_known = H && !fvi_potential_hessian(system, run->x0, H);
+    for (size_t i = 0; i < system->d && is_known; i++) {
+        double sum = 0;
+        for (size_t j = 0; j < system->d; j++)
+            sum += fabs(H[i * system->d + j]);
+        most = larger(most, sum / system->mass[i]);
+    }
+    free(H);
+    return isfinite(most) ? most : 0;
+}
+
+const fvi_method *fvi_estimate_method(const fvi_estimation *fit)
+{
+    fvi_estimation asked = *fit;
+    asked.method = &fvi_lobatto_m4;
+    if (fvi_estimation_check(&asked))
+        return NULL;
+    if (fit->run->system->matrices)
+        return &fvi_cq2_midpoint;
+    if (fit->run->system->mechanism)
+        return &fvi_lobatto_m4;
+    const double swings = fvi_estimation_last_time(fit) * sqrt(fastest_square(fit->run));
+    return larger(fvi_estimation_equal_steps(fit), swings) > MANY_STEPS ? &fvi_variable_step
+                                                                        : &fvi_lobatto_m4;
+}

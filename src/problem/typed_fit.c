@@ -1,0 +1,219 @@
+/* src/problem/typed_fit.c -- Sensors and parameters of a fit, as they are typed. [H 24] */
+#include <fvi/typed_fit.h>
+
+#include "words.h"
+
+#include <fvi/dampers.h>
+#include <fvi/rheology.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The names that stand in no list are made here; room for them and their meanings. */
+enum { LETTERS = 100 };
+typedef struct {
+    size_t count, room;
+    char (*name)[LETTERS];
+    fvi_free_parameter *which;
+} dictionary;
+
+static int add(dictionary *d, const char *name, size_t which)
+{
+    if (d->count == d->room) {
+        const size_t room = 2 * d->room + 32;
+        char (*names)[LETTERS] = realloc(d->name, room * sizeof *names);
+        d->name = names ? names : d->name;
+        fvi_free_parameter *meanings = realloc(d->which, room * sizeof *meanings);
+        d->which = meanings ? meanings : d->which;
+        if (!names || !meanings)
+            return FVI_ENOMEM;
+        d->room = room;
+    }
+    snprintf(d->name[d->count], LETTERS, "%s", name);
+    d->which[d->count++] = (fvi_free_parameter)which;
+    return FVI_SUCCESS;
+}
+
+/* ---- laws ---- */
+
+/* d1.rho, d1.alpha; d1.zener2.alpha of the second term of a sum. A function of s has no numbers but
+ * those of its expression. */
+static int add_law(dictionary *d, const char *damper, const fvi_kernel *law, size_t index)
+{
+    int status = FVI_SUCCESS;
+    for (size_t term = 0; law && term < law->count && !status; term++) {
+        if (law->term[term].kind == FVI_KERNEL_SYMBOL)
+            return FVI_SUCCESS;
+        const fvi_element kind = fvi_element_of(&law->term[term]);
+        char place[LETTERS], name[2 * LETTERS];
+        const char *number;
+        snprintf(place, sizeof place, "%.60s", damper);
+        if (law->count > 1)
+            snprintf(place, sizeof place, "%.60s.%s%zu", damper, fvi_element_words[kind], term + 1);
+        for (size_t i = 0, field; !status && (number = fvi_element_number(kind, i, &field)); i++) {
+            snprintf(name, sizeof name, "%s.%s", place, number);
+            status = add(d, name, FVI_FREE_PARAMETER_LAW + 4 * term + field
+                                      + index * FVI_FREE_PARAMETER_EACH);
+        }
+    }
+    return status;
+}
+
+static int add_laws(dictionary *d, const fvi_run *run)
+{
+    const fvi_mechanism *mechanism = run->system->mechanism;
+    int status = add_law(d, "d1", run->law, 0);
+    for (size_t k = 0; mechanism && k < mechanism->damper_count && !status; k++) {
+        char number[LETTERS];
+        const char *name = mechanism->damper[k].name;
+        snprintf(number, sizeof number, "d%zu", k + 1);
+        status = add_law(d, name ? name : number, mechanism->damper[k].kernel, k + 1);
+    }
+    return status;
+}
+
+/* ---- sensors, and all others ---- */
+
+static int add_sensors(dictionary *d, const fvi_free_parameter_names *names)
+{
+    static const char *const words[] = { "offset", "drift" };
+    int status = FVI_SUCCESS;
+    for (size_t w = 0; w < 2 && !status; w++) {
+        const size_t which = FVI_FREE_PARAMETER_OFFSET + w;
+        status = add(d, words[w], which);
+        for (size_t c = 0; c < names->columns && names->column && !status; c++) {
+            char name[LETTERS];
+            snprintf(name, sizeof name, "%s.%.80s", words[w], names->column[c]);
+            status = add(d, name, which + (c + 1) * FVI_FREE_PARAMETER_EACH);
+        }
+    }
+    return status;
+}
+
+static int fill(dictionary *d, const fvi_free_parameter_names *names)
+{
+    const fvi_run *run = names->run;
+    const int has_laws = run->law || run->system->mechanism, is_matrix = run->system->matrices != NULL;
+    int status = add_laws(d, run);
+    if (!status && !has_laws)
+        status = add(d, "alpha", FVI_FREE_PARAMETER_ALPHA);
+    if (!status && !has_laws && !is_matrix)
+        status = add(d, "rho", FVI_FREE_PARAMETER_RHO);
+    if (!status && !is_matrix)
+        status = add(d, "mass", FVI_FREE_PARAMETER_MASS);
+    if (!status)
+        status = add(d, "x0", FVI_FREE_PARAMETER_X0);
+    if (!status)
+        status = add(d, "p0", FVI_FREE_PARAMETER_P0);
+    if (!status)
+        status = add_sensors(d, names);
+    for (size_t i = 0; i < names->constants && !status; i++)
+        status = add(d, names->constant[i], FVI_FREE_PARAMETER_CONSTANT + i);
+    return status;
+}
+
+/* "x0_3": the number behind the last _, from 1 to d, and the letters before; 0 if there is none. */
+static size_t number_of(const char *text, size_t d, char stem[LETTERS])
+{
+    const char *bar = strrchr(text, '_');
+    char *end;
+    if (!bar || bar[1] < '1' || bar[1] > '9' || (size_t)(bar - text) >= LETTERS)
+        return 0;
+    const unsigned long i = strtoul(bar + 1, &end, 10);
+    snprintf(stem, LETTERS, "%.*s", (int)(bar - text), text);
+    return *end == '\0' && i <= d ? i : 0;
+}
+
+static int find(const dictionary *d, const char *name, fvi_free_parameter *which)
+{
+    for (size_t i = 0; i < d->count; i++)
+        if (strcmp(d->name[i], name) == 0) {
+            *which = d->which[i];
+            return 1;
+        }
+    return 0;
+}
+
+static int look_up(const char *field, const char *text, const fvi_run *run, const dictionary *d,
+                   fvi_free_parameter *which, fvi_error *error)
+{
+    char stem[LETTERS];
+    size_t place;
+    if (find(d, text, which))
+        return FVI_SUCCESS;
+    const size_t i = number_of(text, run->system->d, stem);
+    if (i > 0 && find(d, stem, which) && *which >= FVI_FREE_PARAMETER_RHO
+        && *which <= FVI_FREE_PARAMETER_P0) {
+        *which = (fvi_free_parameter)(*which + i * FVI_FREE_PARAMETER_EACH);
+        return FVI_SUCCESS;
+    }
+    if ((run->law || run->system->mechanism)
+        && (strcmp(text, "alpha") == 0 || strcmp(text, "rho") == 0))
+        return fvi_fail(error, FVI_EINVAL, field, NAN,
+                        "'%s': with a law of damping the numbers are those of the law, %s and so on",
+                        text, d->name[0]);
+    const char **known = malloc((d->count + 1) * sizeof *known);
+    if (!known)
+        return fvi_fail(error, FVI_ENOMEM, field, NAN, "not enough memory");
+    for (size_t k = 0; k < d->count; k++)
+        known[k] = d->name[k];
+    known[d->count] = NULL;
+    const int status = fvi_parse_word(field, text, known, &place, error); /* capitals, a near name */
+    if (!status)
+        *which = d->which[place];
+    free(known);
+    return status;
+}
+
+int fvi_parse_free_parameter(const char *field, const char *text,
+                             const fvi_free_parameter_names *names, fvi_free_parameter *which,
+                             fvi_error *error)
+{
+    dictionary d = { .count = 0 };
+    if (!text || !names || !names->run || !names->run->system || !which)
+        return fvi_fail(error, FVI_EFAULT, field, NAN, "null pointer");
+    int status = fill(&d, names);
+    if (status)
+        fvi_fail(error, status, field, NAN, "not enough memory");
+    else
+        status = look_up(field, text, names->run, &d, which, error);
+    free(d.name);
+    free(d.which);
+    return status;
+}
+
+const char *fvi_free_parameters_of_laws(const fvi_run *run, size_t most, size_t size, char *text)
+{
+    dictionary d = { .count = 0 };
+    size_t length = 0;
+    *text = '\0';
+    if (!add_laws(&d, run))
+        for (size_t i = 0; i < d.count && i < most && length < size; i++)
+            length += (size_t)snprintf(text + length, size - length, "%s%s", i ? "," : "",
+                                       d.name[i]);
+    free(d.name);
+    free(d.which);
+    return *text ? text : "alpha,rho";
+}
+
+/* ---- what a column shows ---- */
+
+int fvi_parse_sensor(const char *field, const char *text, size_t d,
+                     fvi_user_parameters *parameters, char name[FVI_SENSOR_ROOM],
+                     fvi_expression **shows, fvi_error *error)
+{
+    if (!text || !name || !shows)
+        return fvi_fail(error, FVI_EFAULT, field, NAN, "null pointer");
+    const char *equals = strchr(text, '=');
+    const size_t length = equals ? (size_t)(equals - text) : strlen(text);
+    if (length == 0 || length >= FVI_SENSOR_ROOM)
+        return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s' has no name, or a long one: write "
+                                                       "NAME=EXPRESSION", text);
+    const int status = fvi_parse_state_expression(field, d, 1, equals ? equals + 1 : text,
+                                                  parameters, shows, error);
+    if (!status)
+        snprintf(name, FVI_SENSOR_ROOM, "%.*s", (int)length, text);
+    return status;
+}

@@ -1,0 +1,134 @@
+/* tests/program/test_fvi_fit_records.c -- The command `fvi fit`: several masses and columns, several
+ * records, folders of matrices, wrong readings.
+ * Run alone: make test-fvi_fit_records */
+#define _GNU_SOURCE
+#include "fit_rows.h"
+#include "fit_tables.h"
+#include "folder.h"
+
+static double estimate_of(const char *name)
+{
+    double row[4];
+    row_of(name, row);
+    ck_assert(row[2] <= row[0] && row[0] <= row[3]);
+    return row[0];
+}
+
+#define CHAIN "--potential chain:2,4,0 --damper 'd=x2-x1 : zener:1.2,0.3,0.8' "
+#define GUESS "--potential chain:2,3,0 --damper 'd=x2-x1 : zener:1,0.4,1' "
+
+/* Exact rows of `fvi exact`, which takes no steps, give back what was put in. */
+START_TEST(fit_compares_columns_of_several_masses)
+{
+    ck_assert_int_eq(fvi("exact " CHAIN "--x0 1,0 --p0 0 --h 0.1 --steps 100 --columns t,x2,v1,x1 "
+                         "-o two.tsv"),
+                     0);
+    ck_assert_int_eq(fvi("fit " GUESS "--x0 1,0 --p0 0 --starts 3 --fit c,d.rho,d.alpha,d.time "
+                         "--compare 'x1,x2,v1' two.tsv --curve c.tsv"),
+                     0);
+    ck_assert_double_eq_tol(estimate_of("c"), 4, 1e-6);
+    ck_assert_double_eq_tol(estimate_of("d.rho"), 1.2, 1e-5);
+    ck_assert_double_eq_tol(estimate_of("d.alpha"), 0.3, 1e-6);
+    ck_assert_double_eq_tol(estimate_of("d.time"), 0.8, 1e-5);
+    ck_assert(strstr(out, "# compare = x1,x2,v1\n") && strstr(out, "# estimated sigma of v1 = "));
+    ck_assert_double_eq(value_of("points"), 303);
+    static char text[1 << 16];
+    char path[PATH_MAX + 100];
+    snprintf(path, sizeof path, "%s/c.tsv", folder);
+    read_file(path, text, sizeof text);
+    ck_assert(strncmp(text, "# t\tx1\tx1_fit\tx1_residual\tx2\t", 29) == 0);
+    ck_assert_int_eq(fvi("fit " GUESS "--x0 1,0 --p0 0 two.tsv"), 2);
+    ck_assert(strstr(err, "has 2 masses: --compare says"));
+}
+END_TEST
+
+/* Two tests of one body, the second with its own start and its own force, which its file has up to its
+ * own last time. */
+START_TEST(fit_takes_several_records)
+{
+    write_file("push.tsv", "0 0\n3 1\n6 0\n");
+    ck_assert_int_eq(fvi("run --alpha 0.3 --rho 0.4 --p0 0 --method fvi-lobatto6 --h 0.1 --steps 100 "
+                         "--columns t,x -o one.tsv"),
+                     0);
+    ck_assert_int_eq(fvi("run --alpha 0.3 --rho 0.4 --x0 0 --p0 0.2 --force file:push.tsv --method "
+                         "fvi-lobatto6 --h 0.1 --steps 60 --columns t,x -o two.tsv"),
+                     0);
+    ck_assert_int_eq(fvi("fit --p0 0 --fit alpha,rho,c --starts 4 one.tsv "
+                         "'two.tsv : x0=0 : p0=0.2 : force=file:push.tsv' --curve c.tsv"),
+                     0);
+    ck_assert_double_eq_tol(estimate_of("alpha"), 0.3, 1e-6);
+    ck_assert_double_eq_tol(estimate_of("rho"), 0.4, 1e-6);
+    ck_assert_double_eq_tol(estimate_of("c"), 1, 1e-6);
+    ck_assert_double_eq(value_of("points"), 162);
+    ck_assert(strstr(out, "# data = one.tsv\n# data = two.tsv : x0=0 : p0=0.2"));
+    /* a force of all records, as long as the longest of them */
+    ck_assert_int_eq(fvi("fit --x0 0 --p0 0.2 --force file:push.tsv --fit alpha,rho,c --starts 4 two.tsv"),
+                     0);
+    ck_assert_double_eq_tol(estimate_of("alpha"), 0.3, 1e-6);
+    ck_assert_int_eq(fvi("fit --p0 0 --force file:push.tsv --fit alpha one.tsv"), 2);
+    ck_assert(strstr(err, "ends at t = 6, the run at 10"));
+}
+END_TEST
+
+/* A folder of matrices, with the law of its C.mtx or with several dampers. The method has order 2, and
+ * the step is halved until that is nothing. */
+START_TEST(fit_takes_a_folder)
+{
+    write_chain();
+    ck_assert_int_eq(fvi("exact --system chain --alpha 0.3 --x0 1,0,0 --h 0.1 --steps 100 "
+                         "--columns t,x1,x3 -o c.tsv"),
+                     0);
+    ck_assert_int_eq(fvi("fit --system chain --alpha 0.4 --x0 1,0,0 --compare x1,x3 --sigma 0.001 "
+                         "--fit alpha,x0_2 --starts 2 c.tsv"),
+                     1); /* no noise: chi2 is too small to be believed */
+    ck_assert_double_eq_tol(estimate_of("alpha"), 0.3, 1e-4);
+    ck_assert_double_eq_tol(estimate_of("x0_2"), 0, 1e-4);
+    ck_assert(strstr(out, "# method = fvi-stable\n"));
+    ck_assert_int_eq(fvi("fit --system chain --damper 'C.mtx : power:0.7,0.4' --x0 1,0,0 --compare "
+                         "x1,x3 --sigma 0.001 --fit d1.rho,d1.alpha --starts 2 c.tsv"),
+                     1);
+    ck_assert_double_eq_tol(estimate_of("d1.rho"), 1, 1e-3);
+    ck_assert_double_eq_tol(estimate_of("d1.alpha"), 0.3, 1e-3);
+    ck_assert_int_eq(fvi("fit --system chain --x0 1,0,0 --compare x1,x3 --fit mass c.tsv"), 2);
+    ck_assert(strstr(err, "'mass'"));
+}
+END_TEST
+
+/* One reading in twenty is nonsense. */
+START_TEST(fit_forgives_wrong_readings)
+{
+    FILE *f = file_in_folder("wild.tsv");
+    for (size_t i = 0; i < REF_POINTS; i++)
+        fprintf(f, "%.1f\t%.5f\n", 0.1 * (double)(i + 1),
+                ref_low[i] + 0.001 * sin(99. * (double)i) + (i % 20 == 7 ? 1 : 0));
+    fclose(f);
+    ck_assert_int_eq(fvi("fit --p0 0.25 --fit alpha,rho,c --starts 4 --huber 1.345 wild.tsv"), 0);
+    ck_assert_double_eq_tol(estimate_of("alpha"), 0.3, 1e-3);
+    ck_assert(strstr(out, "# huber = 1.345\n") && strstr(out, "# intervals = by the profile of Huber's"));
+    ck_assert(value_of("estimated sigma") < 0.002);
+}
+END_TEST
+
+/* A body that swings fast and is seen seldom is stiff: the steps are its own, without a word. */
+START_TEST(fit_of_a_stiff_body_takes_steps_of_its_own)
+{
+    ck_assert_int_eq(fvi("exact --mass 1e-7 --alpha 0.3 --rho 0.4 --x0 0 --p0 0 --force step:1,100 --h 0.1 "
+                         "--steps 60 --columns t,x -o stiff.tsv"),
+                     0);
+    ck_assert_int_eq(fvi("fit --mass 1e-7 --x0 0 --p0 0 --force step:1,100 --fit alpha,rho,c --starts 3 "
+                         "stiff.tsv"),
+                     0);
+    ck_assert(strstr(out, "# method = fvi-adaptive\n"));
+    ck_assert_double_eq_tol(estimate_of("alpha"), 0.3, 1e-6);
+    ck_assert_double_eq_tol(estimate_of("rho"), 0.4, 1e-6);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("fits of records");
+    ADD_CASE(suite, "records", fit_compares_columns_of_several_masses, fit_takes_several_records,
+             fit_takes_a_folder, fit_forgives_wrong_readings,
+             fit_of_a_stiff_body_takes_steps_of_its_own);
+    return run_suite_of_program(suite);
+}
