@@ -4,7 +4,7 @@
 #include "stability_share.h"
 #include "system/fail.h"
 #include "system/larger.h"
-#include "system/newton.h"
+#include "system/system_check.h"
 
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_math.h>

@@ -3,7 +3,7 @@
 
 #include "run/run_damper.h"
 #include "system/fail.h"
-#include "system/newton.h"
+#include "system/system_check.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -6,7 +6,7 @@
 
 #include "system/fail.h"
 #include "system/larger.h"
-#include "system/newton.h"
+#include "system/system_check.h"
 
 #include <gsl/gsl_math.h>
 #include <stdint.h>

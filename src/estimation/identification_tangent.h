@@ -5,7 +5,7 @@
 
 #include <fvi/identification.h>
 #include "methods/lobatto_stages.h"
-#include "system/linearised.h"
+#include "newton/linearised.h"
 
 /* The derivatives by P parameters are P coordinates of one linearised run, by the method of
  * the run itself: each has the mass, the damping and the Hessian of the body, and forces of

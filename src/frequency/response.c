@@ -3,7 +3,7 @@
 
 #include "matrices/complex_factors.h"
 #include "system/fail.h"
-#include "system/newton.h"
+#include "system/system_check.h"
 
 #include <fvi/dampers.h>
 

@@ -28,7 +28,8 @@ FLOORS = [
     {"run": "a start, a step, a whole trajectory", "stages": "weights and memory of steps with stages",
      "frequency": "responses and poles of linear systems"},
     {"memory": "weights, and sums over the past", "matrices": "sparse matrices, their files and factors"},
-    {"system": "potentials, forces, the one equation of a step, errors"},
+    {"newton": "the one equation of a step", "expression": "texts as functions, with derivatives and bounds"},
+    {"system": "potentials, forces, Lagrangians, errors"},
 ]
 PROGRAM = {"program", "output", "options", "input"}   # they know the library by its public headers
 FLOOR = {room: -number for number, rooms in enumerate(FLOORS) for room in rooms}

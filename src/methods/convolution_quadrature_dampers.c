@@ -2,7 +2,7 @@
 #include "convolution_quadrature_dampers.h"
 
 #include "system/fail.h"
-#include "system/newton.h"
+#include "newton/newton.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #include "convolution_quadrature_dampers.h"
 #include "mechanism/mechanism.h"
 #include "stability_number.h"
-#include "system/newton.h"
+#include "newton/newton.h"
 
 #include <gsl/gsl_machine.h>
 #include <math.h>

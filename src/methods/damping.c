@@ -6,7 +6,7 @@
 #include "shifted_kernel.h"
 #include "memory/history_parts.h"
 #include "system/fail.h"
-#include "system/linearised.h"
+#include "newton/linearised.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 
 #include "stability_number.h"
 #include "system/fail.h"
-#include "system/newton.h"
+#include "newton/newton.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>

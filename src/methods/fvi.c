@@ -7,7 +7,7 @@
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "memory/history_parts.h"
 #include "system/fail.h"
-#include "system/newton_stages.h"
+#include "newton/newton_stages.h"
 
 enum { PART = 2048 }; /* coordinates: their numbers stay near the core */
 

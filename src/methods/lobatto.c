@@ -5,7 +5,7 @@
 #include <fvi/discrete_mechanics.h>
 #include "lobatto_stages.h"
 #include "system/fail.h"
-#include "system/linearised.h"
+#include "newton/linearised.h"
 
 #include <gsl/gsl_machine.h>
 #include <math.h>

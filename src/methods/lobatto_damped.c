@@ -6,7 +6,7 @@
 #include "lobatto_stages.h"
 #include "system/fail.h"
 #include "system/lu.h"
-#include "system/linearised.h"
+#include "newton/linearised.h"
 
 #include <gsl/gsl_linalg.h>
 #include <math.h>

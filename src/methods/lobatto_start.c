@@ -8,7 +8,7 @@
 #include "lobatto_stages.h"
 #include "system/fail.h"
 #include "system/larger.h"
-#include "system/linearised.h"
+#include "newton/linearised.h"
 #include "system/lu.h"
 
 #include <gsl/gsl_linalg.h>

@@ -6,7 +6,7 @@
 #include "dampers_check.h"
 #include <fvi/events.h>
 #include "solution.h"
-#include "system/newton.h"
+#include "system/system_check.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -8,7 +8,7 @@
 #include "run_damper.h"
 #include "whole_run.h"
 #include "system/fail.h"
-#include "system/newton.h"
+#include "newton/newton.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

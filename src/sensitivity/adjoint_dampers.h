@@ -13,7 +13,7 @@
 #include "adjoint_filter.h"
 #include "adjoint_kernel.h"
 #include "methods/initial_history_force.h"
-#include "system/linearised.h"
+#include "newton/linearised.h"
 
 /* Of one damper; where the comment says "each", d numbers. */
 typedef struct {

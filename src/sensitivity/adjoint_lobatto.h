@@ -10,7 +10,7 @@
 #include <fvi/adjoint.h>
 #include "adjoint_kernel.h"
 #include "methods/lobatto_stages.h"
-#include "system/linearised.h"
+#include "newton/linearised.h"
 
 typedef struct fvi_adjoint_lobatto_term fvi_adjoint_lobatto_term;
 

@@ -11,7 +11,7 @@
 #include "adjoint_filter.h"
 #include "adjoint_kernel.h"
 #include "methods/initial_history_force.h"
-#include "system/linearised.h"
+#include "newton/linearised.h"
 
 /* One mirrored run. Where the comment says "each", d numbers; r of them are remembered, all of
  * them where there are no matrices. */

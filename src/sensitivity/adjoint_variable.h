@@ -7,7 +7,7 @@
 #include <fvi/adjoint.h>
 #include "recorded_steps.h"
 #include "singular_start_adjoint.h"
-#include "system/linearised.h"
+#include "newton/linearised.h"
 
 /* Stage i of coordinate j stands at [j * FVI_LANES + i]. Where the comment says "each",
  * d numbers. */

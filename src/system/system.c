@@ -2,7 +2,7 @@
 #include <fvi/system.h>
 
 #include "system/fail.h"
-#include "system/newton.h"
+#include "system_check.h"
 
 #include <fvi/dampers.h>
 

@@ -14,7 +14,7 @@
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 #include "system/larger.h"
-#include "system/newton.h"
+#include "newton/newton.h"
 
 #include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>

@@ -5,7 +5,7 @@
 #include <fvi/error.h>
 #include "harness/fvi_runs.h"
 #include "harness/ulp.h"
-#include "system/newton.h"
+#include "newton/newton.h"
 
 #include <gsl/gsl_math.h>
 

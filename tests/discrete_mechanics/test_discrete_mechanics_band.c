@@ -4,7 +4,7 @@
 #include "run/whole_run.h"
 #include "newton_solver.h"
 #include "harness/full_chain.h"
-#include "system/band.h"
+#include "newton/band.h"
 #include "system/larger.h"
 
 #include <stdlib.h>

@@ -52,7 +52,7 @@ ONE, TWO = Number(1), Number(2)
 
 
 def function(name, u):
-    """f, f', f'' as src/system/tape.c computes them."""
+    """f, f', f'' as src/expression/tape.c computes them."""
     m = mpmath
     minus = Number(-1)
     if name in ("sin", "cos"):

@@ -1,4 +1,4 @@
-/* src/system/expression_values.c -- Values and derivatives of an expression.  [H 9] */
+/* src/expression/expression_values.c -- Values and derivatives of an expression.  [H 9] */
 #include <fvi/expression.h>
 
 #include "enclosure.h"

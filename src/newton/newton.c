@@ -1,4 +1,4 @@
-/* src/system/newton.c -- The one equation that a step has to solve.     [H 2] */
+/* src/newton/newton.c -- The one equation that a step has to solve.     [H 2] */
 #include "linearised.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/system/linearised.c -- A run that is the derivative of another run.  [H 23] */
+/* src/newton/linearised.c -- A run that is the derivative of another run.  [H 23] */
 #include "linearised.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/system/newton_stages.c -- The equations of the stages, their Jacobian. [H 2] */
+/* src/newton/newton_stages.c -- The equations of the stages, their Jacobian. [H 2] */
 #include "linearised.h"
 
 #include "system/fail.h"

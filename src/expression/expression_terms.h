@@ -1,4 +1,4 @@
-/* src/system/expression_terms.h -- What an expression is made of.       [H 9] */
+/* src/expression/expression_terms.h -- What an expression is made of.       [H 9] */
 #ifndef FVI_EXPRESSION_TERMS_H
 #define FVI_EXPRESSION_TERMS_H
 

@@ -1,4 +1,4 @@
-/* src/system/enclosure.h -- What a function can be in an interval of t.  [H 22]
+/* src/expression/enclosure.h -- What a function can be in an interval of t.  [H 22]
  *
  * Interval arithmetic along a tape. It takes t from an interval and gives, of each node f,
  * an interval that holds all its values, and bounds of its derivatives:

@@ -1,4 +1,4 @@
-/* src/system/newton.h -- The one equation that a step has to solve.     [H 2]
+/* src/newton/newton.h -- The one equation that a step has to solve.     [H 2]
  *
  *     A d + s grad U(x + theta d) = r      for d in R^d,            (2.10)
  *
@@ -62,10 +62,6 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
  * range; FVI_ENOMEM; what factorise returned. */
 int fvi_newton_matrices_alloc(const fvi_system *system, double m, const double *c,
                               double s, double theta, fvi_newton **newton);
-
-/* fvi_system_check_any -- as fvi_system_check, but matrices are welcome: FVI_EFAULT if one of
- * their functions is missing, FVI_EINVAL if there is a potential, too. */
-int fvi_system_check_any(const fvi_system *system, fvi_error *error);
 
 /* fvi_newton_solve -- one solution of (2.10), or of the equations of q stages.
  *

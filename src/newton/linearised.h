@@ -1,4 +1,4 @@
-/* src/system/linearised.h -- A run that is the derivative of another run.  [H 23]
+/* src/newton/linearised.h -- A run that is the derivative of another run.  [H 23]
  *
  * Internal. The potential of such a run is U = x^T G x / 2, with a G of its own at each
  * stage of each step: the Hessians along the run that is derived. All its equations are

@@ -1,4 +1,4 @@
-/* src/system/newton_stages.h -- The equations of the stages, their Jacobian. [H 2]
+/* src/newton/newton_stages.h -- The equations of the stages, their Jacobian. [H 2]
  *
  * What newton.c, which solves them, sees of newton_stages.c, which has them. */
 #ifndef FVI_NEWTON_STAGES_H

@@ -1,7 +1,7 @@
-/* src/system/expression.c -- A parsed sum, term by term.               [H 9] */
+/* src/expression/expression.c -- A parsed sum, term by term.               [H 9] */
 #include <fvi/expression.h>
 
-#include "fail.h"
+#include "system/fail.h"
 #include "expression_terms.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* src/system/band.h -- Linear equations with a band matrix.             [H 2]
+/* src/newton/band.h -- Linear equations with a band matrix.             [H 2]
  *
  * An n by n matrix J with J_ij = 0 for |i - j| > w, and its LU factors with row
  * exchanges, which a matrix that is not definite needs. An exchange may fill w

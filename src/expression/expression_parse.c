@@ -1,4 +1,4 @@
-/* src/system/expression_parse.c -- From a text to nodes.               [H 9] */
+/* src/expression/expression_parse.c -- From a text to nodes.               [H 9] */
 #include "tape.h"
 
 #include <locale.h>

@@ -1,4 +1,4 @@
-/* src/system/band.c -- Linear equations with a band matrix.             [H 2] */
+/* src/newton/band.c -- Linear equations with a band matrix.             [H 2] */
 #include "band.h"
 
 #include "system/fail.h"

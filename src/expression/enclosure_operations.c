@@ -1,4 +1,4 @@
-/* src/system/enclosure_operations.c -- Sums, products and powers of bounds.  [H 22] */
+/* src/expression/enclosure_operations.c -- Sums, products and powers of bounds.  [H 22] */
 #include "enclosure_operations.h"
 
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* src/system/enclosure.c -- What a function can be in an interval of t.  [H 22] */
+/* src/expression/enclosure.c -- What a function can be in an interval of t.  [H 22] */
 #include "enclosure.h"
 
 #include "enclosure_operations.h"

@@ -1,4 +1,4 @@
-/* src/system/enclosure_operations.h -- Sums, products and powers of bounds. [H 22]
+/* src/expression/enclosure_operations.h -- Sums, products and powers of bounds. [H 22]
  *
  * Internal to src/system/. The derivatives follow the recursions of Taylor series, with
  * absolute values in place of the coefficients. */

@@ -1,4 +1,4 @@
-/* src/system/tape.c -- Values and derivatives along a tape.            [H 9] */
+/* src/expression/tape.c -- Values and derivatives along a tape.            [H 9] */
 #include "tape.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* src/system/tape.h -- An expression as a list of operations.          [H 9]
+/* src/expression/tape.h -- An expression as a list of operations.          [H 9]
  *
  * Each node works on nodes before it, so that one walk from the first to the last
  * evaluates it, with as many derivatives as are wanted. */
