@@ -244,15 +244,18 @@ typedef struct fvi_typed_events fvi_typed_events;
  * Z of an impact knows x and t alone. Field "event".
  *
  *   count       of the texts
- *   mass        d numbers, kept: v = p / m
+ *   mass        d numbers, kept: v = p / m, if fvi_typed_events_of says nothing else
  *   parameters  of the expressions, kept as well; NULL if there are none
  *   events      output; give it back with fvi_typed_events_free
  *
+ * fvi_typed_events_of -- the velocities are those of the Lagrangian of a mechanism, which must outlive them; one
+ * that is NULL, or has none, changes nothing. NULL events are allowed.
  * fvi_events_typed -- events for a run; they belong to the typed ones. *count becomes their number.
  * fvi_typed_event_name -- Z of event i, from 0, as it was typed. */
 int fvi_parse_events(size_t count, const char *const *texts, size_t d,
                      const double *mass, fvi_user_parameters *parameters,
                      fvi_typed_events **events, fvi_error *error);
+void fvi_typed_events_of(fvi_typed_events *events, const fvi_mechanism *mechanism);
 const fvi_event *fvi_events_typed(const fvi_typed_events *events, size_t *count);
 const char *fvi_typed_event_name(const fvi_typed_events *events, size_t i);
 

@@ -93,9 +93,8 @@ int fvi_check_mechanism_words(const fvi_options *o, fvi_error *c)
                               of_damper[] = { ALPHA,   ORDER,      RHO,
                                               DAMPING, DERIVATIVE, OPTIONS },
                               of_start[] = { P0, SYSTEM, OPTIONS },
-                              of_event[] = { LAGRANGIAN, DAMPER,   CONSTRAINT,
-                                             IMPOSE,     FORCE_ON, SYSTEM,
-                                             ERROR,      CHECKPOINT, OPTIONS },
+                              of_event[] = { CONSTRAINT, IMPOSE, SYSTEM, ERROR,
+                                             CHECKPOINT, OPTIONS },
                               of_directory[] = { CONSTRAINT, IMPOSE, FORCE_ON,
                                                  OPTIONS };
     int status = refuse_pair(o, LAGRANGIAN, of_lagrangian, c);
@@ -215,9 +214,12 @@ int fvi_problem_mechanism(fvi_options *o, fvi_error *c)
 int fvi_problem_events(fvi_options *o, fvi_error *c)
 {
     const fvi_option_values *list = &o->list[FVI_OF_MECHANISM];
-    return o->text[EVENT] ? fvi_parse_events(list->count, list->value, o->d, o->mass,
-                                             &o->lets, &o->events, c)
-                          : 0;
+    const int status = o->text[EVENT] ? fvi_parse_events(list->count, list->value, o->d, o->mass,
+                                                         &o->lets, &o->events, c)
+                                      : 0;
+    if (!status && o->mechanism)
+        fvi_typed_events_of(o->events, fvi_mechanism_typed(o->mechanism));
+    return status;
 }
 
 int fvi_check_events(const fvi_options *o, fvi_error *c)
@@ -236,7 +238,7 @@ int fvi_check_events(const fvi_options *o, fvi_error *c)
     for (size_t i = 0; i < o->columns.count; i++)
         if (o->columns.at[i] == FVI_COLUMN_Y)
             return fvi_refuse(c, "event", "column y needs every row");
-    return fvi_typed_columns_wanted(o->typed) & sums
+    return fvi_typed_columns_wanted(o->typed) & sums && !o->mechanism
                ? fvi_refuse(c, "columns", "'%s': a damper's force, impulse and work, and the "
                             "balance, are not known with --event", columns)
                : 0;

@@ -202,7 +202,7 @@ int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **to,
         && s->run.system->force.impulse_count && wanted & FVI_OBSERVE_WORK)
         return fvi_fail(error, FVI_EUNSUP, "observer", NAN,
                         "the work of impulses on a mechanism is not known");
-    if (s->run.event_count
+    if (s->run.event_count && !s->mechanism
         && wanted & (FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK))
         return fvi_fail(error, FVI_EUNSUP, "observer", NAN,
                         "forces, impulses and work are not known with events");

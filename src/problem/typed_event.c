@@ -13,6 +13,8 @@ typedef struct {
     char *name;
     size_t d;
     const double *mass;
+    const fvi_mechanism *mechanism; /* whose velocities are meant; or NULL */
+    int knows_velocity;
 } typed_event;
 
 struct fvi_typed_events {
@@ -26,7 +28,8 @@ struct fvi_typed_events {
 /* x, x1, ..., v, ..., p, ..., t as numbers from 0. */
 static int find_name(const char *name, size_t length, void *params)
 {
-    const size_t d = ((const typed_event *)params)->d;
+    typed_event *e = params;
+    const size_t d = e->d;
     static const char kinds[] = "xvp";
     const char *kind = memchr(kinds, *name, 3);
     size_t i = 0;
@@ -41,10 +44,20 @@ static int find_name(const char *name, size_t length, void *params)
     }
     if (length == 1)
         i = 1;
+    e->knows_velocity |= *name == 'v';
     return i <= d ? (int)((size_t)(kind - kinds) * d + i - 1) : -1;
 }
 
 enum { FEW = 16 };
+
+/* v of p; a coordinate without mass has none here: 0. */
+static int velocity_of(const typed_event *e, double t, const double *x, const double *p,
+                       double *v)
+{
+    const fvi_system system = { .d = e->d, .mass = e->mass, .mechanism = e->mechanism };
+    memset(v, 0, e->d * sizeof *v);
+    return e->knows_velocity ? fvi_velocity_of_momentum(&system, t, x, p, v) : FVI_SUCCESS;
+}
 
 /* x, v, p, t in one array, on the stack where they are few: runs in several threads may share
  * an event. */
@@ -56,14 +69,14 @@ static int value_of_state(double t, size_t d, const double *x, const double *p,
     if (!y)
         return FVI_ENOMEM;
     memcpy(y, x, d * sizeof *x);
-    for (size_t i = 0; i < d; i++)
-        y[d + i] = p[i] / e->mass[i];
     memcpy(y + 2 * d, p, d * sizeof *p);
     y[3 * d] = t;
-    *z = fvi_expression_value(e->z, y);
+    const int status = velocity_of(e, t, x, p, y + d);
+    if (!status)
+        *z = fvi_expression_value(e->z, y);
     if (d > FEW)
         free(y);
-    return FVI_SUCCESS;
+    return status;
 }
 
 /* z, or its derivatives by x and t, where they are wanted, of x and t. */
@@ -204,6 +217,12 @@ int fvi_parse_events(size_t count, const char *const *texts, size_t d,
     else
         *events = new;
     return status;
+}
+
+void fvi_typed_events_of(fvi_typed_events *events, const fvi_mechanism *mechanism)
+{
+    for (size_t i = 0; events && i < events->count; i++)
+        events->typed[i].mechanism = mechanism;
 }
 
 const fvi_event *fvi_events_typed(const fvi_typed_events *events, size_t *count)

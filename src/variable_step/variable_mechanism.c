@@ -302,23 +302,6 @@ int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o)
 }
 //< take
 
-int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
-                  double factor)
-{
-    fvi_mechanism_state *of = s->mechanism;
-    double *v = o->mechanism->slope; /* which has been read */
-    memcpy(v, o->v, o->d * sizeof *v);
-    for (size_t j = 0; j < o->d; j++)
-        s->p[j] += factor * J[j];
-    const int status = fvi_velocity_of_momentum(s->run.system, o->t, o->y, s->p, v);
-    for (size_t j = 0; j < o->d && !status; j++) {
-        for (size_t e = 0; e < o->mechanism->r; e++)
-            o->mechanism->damper[e].now += of->G[e * o->d + j] * (v[j] - o->v[j]);
-        o->v[j] = of->v[j] = v[j];
-    }
-    return status;
-}
-
 /* ---- copies ---- */
 
 int fvi_mesh_copy(const fvi_stepper *from, fvi_stepper *to)

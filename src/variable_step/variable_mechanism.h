@@ -61,6 +61,15 @@ int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o);
 int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
                   double factor);
 
+/* fvi_mesh_inverse_along -- n . M^{-1} n at the end of the last step, M = L_vv at the velocity v.
+ * fvi_mesh_impact -- lambda with n . v(p + lambda n) = n . v + change there, from a guess. v is that of p.
+ *                                                                            (29.20)
+ * Both return as fvi_mesh_jump. */
+int fvi_mesh_inverse_along(fvi_stepper *s, const double *normal, const double *v,
+                           double *inverse);
+int fvi_mesh_impact(fvi_stepper *s, const double *normal, const double *v, double change,
+                    double *lambda);
+
 /* fvi_mesh_momentum -- p at theta of the last step, or of the one that is tried.
  * fvi_mesh_end -- x and p at the end of the one that is tried. */
 void fvi_mesh_momentum(const fvi_stepper *s, const fvi_variable_step_state *o, double theta,

@@ -77,7 +77,7 @@ typedef struct {
  *   has_hit   nonzero in the step after its impact
  *   theta     where in the step that is tried it passes 0, or INFINITY
  *   z         of each stage of that step, event by event
- *   point     4 d numbers: x, p; the normal, and one before */
+ *   point     6 d numbers: x, p; the normal and v; both shortly before */
 typedef struct {
     size_t count;
     double *side, *size, *rounding, *has_hit, *theta, *z, *point;

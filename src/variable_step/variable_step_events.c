@@ -3,7 +3,7 @@
  * A step has been tried. If z changes its sign within, the polynomial of that step says about when;
  * then the length h of the step is the unknown of z(x(h)) = 0, and each trial solves the step anew.
  * Nothing of the past has moved yet, so the last trial is the step. */
-#include "variable_step.h"
+#include "variable_mechanism.h"
 
 #include "system/fail.h"
 #include "system/larger.h"
@@ -26,7 +26,7 @@ int fvi_variable_step_has_impacts(const fvi_run *run)
 
 static size_t numbers(const fvi_variable_step_state *o, size_t count)
 {
-    return count * (5 + o->rule->s) + 4 * o->d;
+    return count * (5 + o->rule->s) + 6 * o->d;
 }
 
 int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *o)
@@ -119,7 +119,9 @@ static int value_at_end(const fvi_stepper *s, const fvi_variable_step_state *o,
     const size_t last = o->rule->s - 1;
     const double h = o->length.h, t = o->t + h;
     double *x = o->watch->point, *p = x + o->d, move[FVI_LANES];
-    for (size_t j = 0; j < o->d; j++) {
+    if (o->mechanism)
+        fvi_mesh_end(s, o, x, p);
+    for (size_t j = 0; j < o->d && !o->mechanism; j++) {
         const double *delta = o->delta + j * FVI_LANES;
         double G = 0, slope = 0;
         if (fvi_singular_is(o, o->t))

@@ -1,7 +1,7 @@
 /* src/variable_step/variable_step_impact.c -- What an event does.              [H 22]
  *
  * The step has ended there (variable_step_events.c): momenta jump, or the run is over. */
-#include "variable_step.h"
+#include "variable_mechanism.h"
 
 #include "system/fail.h"
 #include "system/larger.h"
@@ -19,10 +19,11 @@ static double mass_of(const fvi_stepper *s, size_t j)
     return o->group[o->kind[j]].mass;
 }
 
-static void kick(fvi_stepper *s, const double *J, double factor)
+static int kick(fvi_stepper *s, const double *J, double factor)
 {
     fvi_variable_step_state *o = s->method_state;
-    for (size_t j = 0; j < o->d; j++) {
+    const int status = o->mechanism ? fvi_mesh_jump(s, o, J, factor) : FVI_SUCCESS;
+    for (size_t j = 0; j < o->d && !o->mechanism; j++) {
         const double jump = factor * J[j] / mass_of(s, j);
         o->impulse_dv[j] += jump;
         o->v[j] += jump;
@@ -30,6 +31,7 @@ static void kick(fvi_stepper *s, const double *J, double factor)
     }
     o->first_after_event = 1;
     o->next = o->first;
+    return status;
 }
 
 /* The time is noted. */
@@ -47,16 +49,18 @@ static int note(fvi_event_watch *w, double t, size_t i, int at_rest)
     return FVI_SUCCESS;
 }
 
-/* n . v + dz/dt, at which z changes; n to normal. */
+/* n . v + dz/dt, at which z changes; to normal n, and of a mechanism v behind it. */
 static int speed_at(const fvi_stepper *s, size_t i, double t, const double *x,
                     const double *p, double *normal, double *speed)
 {
     const fvi_event *e = &s->run.events[i];
     const size_t d = s->run.system->d;
-    double sum;
-    const int status = e->gradient(t, d, x, e->params, normal, &sum);
+    double sum, *v = normal + d;
+    int status = e->gradient(t, d, x, e->params, normal, &sum);
+    if (!status && s->mechanism)
+        status = fvi_mesh_velocity(s, t, x, p, v);
     for (size_t j = 0; j < d && !status; j++)
-        sum += normal[j] * p[j] / s->run.system->mass[j];
+        sum += s->mechanism ? normal[j] * v[j] : normal[j] * p[j] / s->run.system->mass[j];
     *speed = status ? 0 : sum;
     return status || isfinite(sum) ? status : FVI_EOVRFLW;
 }
@@ -70,7 +74,7 @@ static int fall_of(const fvi_stepper *s, fvi_variable_step_state *o, size_t i,
     const double t = s->t - (s->t - o->t0) / 64;
     int status = fvi_variable_step_dense(s, t, x, p);
     if (!status)
-        status = speed_at(s, i, t, x, p, x + 3 * o->d, &before);
+        status = speed_at(s, i, t, x, p, x + 4 * o->d, &before);
     if (!status)
         *fall = -o->watch->side[i] * (speed - before) / (s->t - t);
     return status;
@@ -90,16 +94,22 @@ static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_res
     if (status)
         return status;
     for (size_t j = 0; j < o->d; j++) {
-        inverse += normal[j] * normal[j] / mass_of(s, j);
+        if (!o->mechanism)
+            inverse += normal[j] * normal[j] / mass_of(s, j);
         size += normal[j] * normal[j];
     }
-    if (inverse == 0)
+    if (o->mechanism)
+        status = fvi_mesh_inverse_along(s, normal, normal + o->d, &inverse);
+    if (!status && inverse == 0)
         FVI_FAIL("the normal of an impact is 0", FVI_ESING);
-    if (speed * w->side[i] < 0)
-        kick(s, normal, -(1 + e->restitution) * speed / inverse);
+    double jump = -(1 + e->restitution) * speed / inverse;
+    if (!status && o->mechanism)
+        status = fvi_mesh_impact(s, normal, normal + o->d, -(1 + e->restitution) * speed, &jump);
+    if (!status && speed * w->side[i] < 0)
+        status = kick(s, normal, jump);
     const double after = e->restitution * speed;
     *at_rest = fall > 0 && after * after <= 2 * fall * o->allowed * sqrt(size);
-    return FVI_SUCCESS;
+    return status;
 }
 //< impact
 
@@ -176,6 +186,6 @@ int fvi_stepper_kick(fvi_stepper *s, const double *J)
     fvi_variable_step_state *o = s->method_state;
     if (!o->takes_kicks)
         FVI_FAIL("the run did not know that a velocity would jump", FVI_EUNSUP);
-    kick(s, J, 1);
-    return o->watch ? fvi_variable_step_sides(s, o->watch, 1) : FVI_SUCCESS;
+    const int status = kick(s, J, 1);
+    return !status && o->watch ? fvi_variable_step_sides(s, o->watch, 1) : status;
 }

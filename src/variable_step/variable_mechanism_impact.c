@@ -1,0 +1,92 @@
+/* src/variable_step/variable_mechanism_impact.c -- Momenta of a mechanism that jump.   [H 29, 22]
+ *
+ * With the normal n = dZ/dx an impact is p+ = p + lambda n, and lambda is such that the speed of Z becomes
+ * -e times what it was: n . v(p + lambda n) = n . v(p) - (1 + e) (n . v(p) + dZ/dt).       (29.20) */
+#include "variable_mechanism.h"
+
+#include "system/fail.h"
+#include "system/lagrangian_point.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
+                  double factor)
+{
+    fvi_mechanism_state *of = s->mechanism;
+    double *v = o->mechanism->slope; /* which has been read */
+    memcpy(v, o->v, o->d * sizeof *v);
+    for (size_t j = 0; j < o->d; j++)
+        s->p[j] += factor * J[j];
+    const int status = fvi_velocity_of_momentum(s->run.system, o->t, o->y, s->p, v);
+    for (size_t j = 0; j < o->d && !status; j++) {
+        for (size_t e = 0; e < o->mechanism->r; e++)
+            o->mechanism->damper[e].now += of->G[e * o->d + j] * (v[j] - o->v[j]);
+        o->v[j] = of->v[j] = v[j];
+    }
+    return status;
+}
+
+/* ---- impacts ---- */
+
+static double along(size_t d, const double *normal, const double *v)
+{
+    double sum = 0;
+    for (size_t j = 0; j < d; j++)
+        sum += normal[j] * v[j];
+    return sum;
+}
+
+int fvi_mesh_inverse_along(fvi_stepper *s, const double *normal, const double *v,
+                           double *inverse)
+{
+    fvi_mechanism_state *of = s->mechanism;
+    const size_t d = of->d;
+    double *Lvv = of->room, *r = Lvv + d * d;
+    int status = fvi_lagrangian_point(s->run.system, s->t, s->x, v, NULL, NULL, NULL, NULL, NULL,
+                                      Lvv);
+    for (size_t j = 0; j < d; j++) {
+        r[j] = of->is_massless[j] ? 0 : normal[j];
+        if (of->is_massless[j])
+            Lvv[j * d + j] = 1;
+    }
+    if (!status)
+        status = fvi_solve_matrix(d, Lvv, r, of->order);
+    *inverse = status ? 0 : along(d, normal, r);
+    return status;
+}
+
+//> impact
+/* By Newton's method. Where L is quadratic in v the guess is right, but for a rounding, and the changes
+ * are roundings, which do not fall. */
+int fvi_mesh_impact(fvi_stepper *s, const double *normal, const double *v, double change,
+                    double *lambda)
+{
+    enum { MOST = 30 };
+    const fvi_variable_step_state *o = s->method_state;
+    const size_t d = o->d;
+    double *p = o->mechanism->slope, *w = p + d; /* which have been read */
+    const double wanted = along(d, normal, v) + change;
+    double before = INFINITY;
+    memcpy(w, v, d * sizeof *w);
+    for (int i = 0; i < MOST; i++) {
+        double inverse;
+        for (size_t j = 0; j < d; j++)
+            p[j] = s->p[j] + *lambda * normal[j];
+        int status = fvi_velocity_of_momentum(s->run.system, s->t, s->x, p, w);
+        if (!status)
+            status = fvi_mesh_inverse_along(s, normal, w, &inverse);
+        if (status)
+            return status;
+        const double more = (wanted - along(d, normal, w)) / inverse;
+        if (!isfinite(more))
+            return FVI_EOVRFLW;
+        *lambda += more;
+        if (fabs(more) <= 16 * DBL_EPSILON * fabs(*lambda) || fabs(more) >= before / 2)
+            return FVI_SUCCESS;
+        before = fabs(more);
+    }
+    return FVI_EMAXITER;
+}
+//< impact
