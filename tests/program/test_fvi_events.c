@@ -71,6 +71,25 @@ START_TEST(coordinates_have_numbers)
 }
 END_TEST
 
+/* A Lagrangian, a damper and a wall that moves: the method is fvi-adaptive, v is that of L_v = p, forces and the
+ * balance are known, and the motion is that of a mass and a potential. */
+START_TEST(a_lagrangian_has_events)
+{
+#define WORDS " --damper 'x : power:0.3,0.3' --x0 1 --time 5 --steps 5 --event 'x-0.1*sin(t) : impact:0.8' --event '2*v-p-1e-3 : mark' " \
+              "--event 'v : mark' --columns t,x,p,d1.force,balance | grep -v '^# [a-z0-9]* ='"
+    ck_assert_int_eq(fvi("run --mass 2 --potential 2*x --p0 0" WORDS), 0);
+    ck_assert_ptr_nonnull(strstr(out, " : v\n"));
+    ck_assert_ptr_null(strstr(out, " : 2*v-p-1e-3\n"));
+    ck_assert_ptr_nonnull(strstr(out, " : x-0.1*sin(t)\n"));
+    const char *last = strstr(out, "\n5\t");
+    ck_assert_ptr_nonnull(last);
+    const double x = strtod(last + 3, NULL);
+    ck_assert_int_eq(fvi("run --lagrangian 'v^2-2*x' --v0 0" WORDS), 0);
+    ck_assert_ptr_nonnull(last = strstr(out, "\n5\t"));
+    ck_assert_double_eq_tol(strtod(last + 3, NULL), x, 1e-12);
+}
+END_TEST
+
 START_TEST(what_is_wrong_is_said)
 {
     static const char *const cases[][2] = {
@@ -88,7 +107,11 @@ START_TEST(what_is_wrong_is_said)
         { "run --event 'x : mark' --method fvi", "is not for fvi; fvi-adaptive has events" },
         { "run --event 'x : mark' --error 1e-3", "fvi: --event: not together with --error" },
         { "run --event 'x : mark' --checkpoint f", "fvi: --event: not together with --checkpoint" },
-        { "run --event 'x : mark' --lagrangian 'v^2/2'", "fvi: --event: not together with --lagrangian" },
+        { "run --event 'x : mark' --constraint 'x1'", "fvi: --event: not together with --constraint" },
+        { "run --event 'v : impact:1' --lagrangian 'v^2/2' --x0 1 --v0 0",
+          "Z of an impact is an expression in x and t alone" },
+        { "run --event 'x : mark' --lagrangian 'v^2/2' --x0 1 --v0 0 --method fvi-lobatto4d",
+          "is not for fvi-lobatto4d; fvi-adaptive has events" },
         { "run --event 'x : mark' --columns t,y", "fvi: --event: column y needs every row" },
         { "run --event 'x : mark' --columns d1.force", "are not known with --event" },
         { "run --event 'x : mark' --columns balance", "are not known with --event" },
@@ -109,7 +132,7 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("fvi_events");
-    ADD_CASE(suite, "events", a_bouncing_ball_is_a_command, formats_have_a_place_for_events,
+    ADD_CASE(suite, "events", a_bouncing_ball_is_a_command, a_lagrangian_has_events, formats_have_a_place_for_events,
              runs_end_at_events, coordinates_have_numbers);
     ADD_CASE(suite, "words", what_is_wrong_is_said);
     return run_suite_of_program(suite);

@@ -50,6 +50,20 @@ def test_a_ball_bounces_at_the_times_of_free_fall():
     assert abs(s(t)[:, 0] - fly).max() < 1e-13
 
 
+def test_a_lagrangian_has_events():
+    """The program's rows and times; forces and work are known, and what the balance loses the impacts took."""
+    L, wall = "v1^2 + v2^2/2 + v1*v2*cos(x1-x2) + 2*cos(x1) + cos(x2)", "sin(x1)+sin(x2)-0.2 : impact:0.6"
+    q = fvi.Problem(lagrangian=L, dampers=["elbow=x2-x1 : power:0.3,0.25"], x0=[1, 1.5], v0=[0, 0.5], time=6)
+    s = fvi.solve(q, events=[wall, "v1 : mark"], steps=6)
+    rows, said = program("--lagrangian", L, "--damper", "elbow=x2-x1 : power:0.3,0.25", "--x0", "1,1.5", "--v0", "0,0.5",
+                         "--time", "6", "--steps", "6", "--event", wall, "--event", "v1 : mark")
+    assert np.array_equal(np.column_stack([s.t, s.x, s.p]), rows[:, :5])
+    assert len(s.t_events[0]) > 0 and len(said) == sum(map(len, s.t_events))
+    for t, x, p in zip(s.t_events[1], s.x_events[1], s.p_events[1]):
+        c = np.cos(x[0] - x[1])  # v = M^-1 p
+        assert abs(np.linalg.solve([[2, c], [c, 1]], p)[0]) < 1e-9
+
+
 def test_an_event_may_be_a_function():
     texts = fvi.solve(BALL, events=["x : impact:0.8", fvi.Event("v", direction=-1), "x - 2 : stop"])
     own = fvi.solve(BALL, events=[fvi.Event(lambda t, x, p: x, "impact:0.8", lambda t, x: (1, 0)),

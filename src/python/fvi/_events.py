@@ -109,6 +109,7 @@ class Events:
         mass = s.pointer(np.ones(s.d)) if s.system.mass == ffi.NULL else s.system.mass  # NULL: of matrices
         understand(lib.fvi_parse_events, len(texts), ffi.new("char *[]", texts), s.d, mass, s.parameters, out)
         typed = ffi.gc(out[0], lib.fvi_typed_events_free)
+        lib.fvi_typed_events_of(typed, s.system.mechanism)
         s.events = ffi.new("fvi_event[]", ffi.unpack(lib.fvi_events_typed(typed, count), len(texts)))
         s.keep.append(typed)
         for event, to in zip(self.events, s.events):
