@@ -42,7 +42,7 @@ const struct fvi_mechanism *fvi_mechanism_typed(const fvi_typed_mechanism *mecha
 void fvi_typed_mechanism_free(fvi_typed_mechanism *mechanism);
 int fvi_parse_events(size_t count, const char *const *texts, size_t d, const double *mass, fvi_user_parameters *parameters,
                      fvi_typed_events **events, fvi_error *error);
-void fvi_typed_events_of(fvi_typed_events *events, const fvi_mechanism *mechanism);
+void fvi_typed_events_of(fvi_typed_events *events, const struct fvi_mechanism *mechanism);
 const fvi_event *fvi_events_typed(const fvi_typed_events *events, size_t *count);
 const char *fvi_typed_event_name(const fvi_typed_events *events, size_t i);
 void fvi_typed_events_free(fvi_typed_events *events);
