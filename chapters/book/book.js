@@ -36,6 +36,26 @@ function menu() {
   if (here) place.scrollTop = here.offsetTop - place.clientHeight / 3;
 }
 
+// In the contents the section that is being read.
+function section() {
+  const links = new Map([...element("contents").querySelectorAll('a[href^="#"]')].map(link => [link.getAttribute("href").slice(1), link]));
+  const headings = [...document.querySelectorAll("main h2[id]")].filter(heading => links.has(heading.id));
+  let now, waiting = false;
+  const look = () => {
+    waiting = false;
+    const last = headings.findLast(heading => heading.getBoundingClientRect().top < 0.3 * innerHeight);
+    if (last === now) return;
+    if (now) links.get(now.id).removeAttribute("aria-current");
+    if (last) links.get(last.id).setAttribute("aria-current", "location");
+    now = last;
+  };
+  addEventListener("scroll", () => {
+    if (!waiting) requestAnimationFrame(look);
+    waiting = true;
+  }, { passive: true });
+  look();
+}
+
 function theme() {
   const button = element("theme"), system = matchMedia("(prefers-color-scheme: dark)");
   const now = () => document.documentElement.dataset.theme ?? (system.matches ? "dark" : "light");
@@ -204,6 +224,7 @@ function figures() {
 }
 
 menu();
+section();
 theme();
 copyButtons();
 wideOnes();

@@ -233,6 +233,7 @@ def main():
     for page in all_pages:
         pages.to_places(page)
         pages.number_headings(page)
+        pages.exercises(page)
         pages.row_of_files(page)
         pages.without_neighbours(page)
         pages.number_figures(page, captions())

@@ -23,9 +23,9 @@ from links import heading_id  # noqa: E402
 # The pages that are no chapter, and what they are called in the site.
 OTHERS = {"README.md": "index", "chapters/README.md": "course",
           "chapters/workshop/README.md": "workshop", "chapters/workshop/exercises.md": "exercises",
-          "chapters/workshop/lectures.md": "lectures",
+          "chapters/workshop/lectures.md": "lectures", ".github/CONTRIBUTING.md": "contributing",
           **{f"chapters/handbook/{name}.md": name for name in
-             ("manual", "reports", "python", "tour", "moving", "equations", "statements", "what_the_principle_buys", "evidence", "symbols", "glossary", "bibliography")}}
+             ("manual", "reports", "python", "packages", "tour", "moving", "equations", "statements", "what_the_principle_buys", "evidence", "symbols", "glossary", "bibliography")}}
 FOLDERS = ("", "further", "handbook")  # of the Course, and of the two that stand behind it
 CUT = "page-ends-here"
 MOVES = re.compile(r"<!-- moves: (\w+) -->")
@@ -54,14 +54,14 @@ def on_paper(page):
 
 
 class Page:
-    """name: of the file, without .html; path: of the Markdown; number: "4" of the Course, "H 04" or "";
+    """name: of the file, without .html; path: of the Markdown; number: "4" of the Course, "H 4" or "";
     title, body: HTML; headings: [(level, id, title as HTML)]; sections: see search.py."""
 
     def __init__(self, path):
         self.path = path
         self.name = OTHERS.get(str(path), file_name(path))
         number = path.name[:2] if re.match(r"\d\d-", path.name) else ""
-        self.number = f"H {number}" if number and path.parent.name in FOLDERS[1:] else number.lstrip("0")
+        self.number = f"H {int(number)}" if number and path.parent.name in FOLDERS[1:] else number.lstrip("0")
         self.headings = []
 
     @property
@@ -235,6 +235,26 @@ def live(source):
     """A figure whose place in a page a moving one takes says which: by its own name. One that a comment puts elsewhere takes no place."""
     name = pathlib.Path(source).stem
     return f' data-live="{name}"' if name not in alone() and (HERE.parent / "live" / f"{name}.js").exists() else ""
+
+
+def exercises(page):
+    """The third exercise of a page has the address #exercise-3, and the link that is called 04-3 leads there."""
+    start = page.body.find('<h2 id="exercises"')
+    depth = count = 0
+
+    def item(match):
+        nonlocal depth, count
+        depth += {"<ol": 1, "</o": -1}.get(match[0][:3], 0)
+        if match[0][:3] == "<ol" and depth == 1:
+            count = int((re.search(r'start="(\d+)"', match[0]) or [0, 1])[1]) - 1
+        if match[0] != "<li>" or depth != 1:
+            return match[0]
+        count += 1
+        return f'<li id="exercise-{count}"><a class="anchor" href="#exercise-{count}" aria-label="Link to this exercise">#</a>'
+
+    if start >= 0:
+        page.body = page.body[:start] + re.sub(r"<ol[^>]*>|</ol>|<li>", item, page.body[start:])
+    page.body = re.sub(r'(href="[^"]*)#exercises"(>\d\d-(\d+)</a>)', r'\1#exercise-\3"\2', page.body)
 
 
 def in_two(source, image):

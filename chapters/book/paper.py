@@ -36,10 +36,10 @@ def answers_last(page, body):
     if start < 0:
         return body
     out, answers, number, depth, end = [], [], 0, 0, start
-    for match in re.finditer(r"<ol[^>]*>|</ol>|<li>|<details>\s*<summary>Answer\.?</summary>(.*?)</details>", body[start:], re.S):
+    for match in re.finditer(r"<ol[^>]*>|</ol>|<li\b[^>]*>|<details>\s*<summary>Answer\.?</summary>(.*?)</details>", body[start:], re.S):
         if match[1] is None:
             depth += {"<ol": 1, "</o": -1}.get(match[0][:3], 0)
-            number += match[0] == "<li>" and depth == 1
+            number += match[0].startswith("<li") and depth == 1
             continue
         out.append(body[end:start + match.start()])
         end = start + match.end()

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { lookWithAxe } from "./test_axe.mjs";
 
-const WIDTHS = [320, 800, 1600, 3840];
+const WIDTHS = [320, 360, 800, 970, 1024, 1180, 1600, 3840];
 
 // Run in the page, before its figures are drawn: gathers the words on canvases that an edge cuts.
 function watchWords() {

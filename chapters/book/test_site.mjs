@@ -118,6 +118,13 @@ export async function testSite({ call, evaluate, go, key, name: browser, scheme,
     assert.equal(await evaluate("document.getElementById('found').hidden"), true);
   });
 
+  await test("site", "the contents mark the section that is read, and an exercise has an address", async () => {
+    await size(1280);
+    await go(`${url("h04-coefficients.html")}#exercise-3`);
+    await until(`document.querySelector('#contents [aria-current=location]')?.getAttribute("href") === "#exercises"`);
+    assert.ok(await evaluate(`Math.abs(document.getElementById("exercise-3").getBoundingClientRect().top) < 150`));
+  });
+
   await test("site", "an equation shows itself at its number, from this page and from another", async () => {
     await go(url("h07-half_derivative.html"));
     for (const start of ["#eq-7", "h04-coefficients.html#eq-4"]) {

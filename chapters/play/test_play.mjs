@@ -303,7 +303,7 @@ await test("the words for the past are those of the motion", () => {
 
 // ---- weights ----
 
-await test("every digit of the weights of Grunwald and Letnikov", () => {
+await test("every digit of the weights of Grünwald and Letnikov", () => {
   for (const alpha of [0, 0.005, 0.25, 0.3, 0.5, 0.775, 0.995, 1]) {
     const { table } = rows(["coefficients", "--alpha", 2 * alpha, "--count", 4001]);
     for (const method of ["fvi", "fvi-shifted"]) {

@@ -1,5 +1,5 @@
 /* figures/fractional_derivative/fractional_derivative.c -- H 1: from a sine to a cosine, and the
- * Grunwald-Letnikov sum on its way to the derivative.
+ * Grünwald-Letnikov sum on its way to the derivative.
  *
  * Block 0: t and D_-^alpha sin(t) from t = 0 on, for five alpha; last what the
  * half derivative is without a beginning. Block 1: h and the error of the sum

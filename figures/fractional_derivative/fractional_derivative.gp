@@ -1,5 +1,5 @@
 # figures/fractional_derivative/fractional_derivative.gp -- H 1: a sine becomes a cosine; the
-# Grunwald-Letnikov sum converges. Input: figures/fractional_derivative/fractional_derivative.c.
+# Grünwald-Letnikov sum converges. Input: figures/fractional_derivative/fractional_derivative.c.
 # Output: figures/fractional_derivative/fractional_derivative.svg.
 width = 900; height = 480
 load 'figures/style.gp'

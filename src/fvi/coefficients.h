@@ -1,4 +1,4 @@
-/* src/fvi/coefficients.h -- Grunwald-Letnikov weights.               [H 4] */
+/* src/fvi/coefficients.h -- Grünwald-Letnikov weights.               [H 4] */
 #ifndef FVI_COEFFICIENTS_H
 #define FVI_COEFFICIENTS_H
 

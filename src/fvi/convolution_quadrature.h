@@ -1,4 +1,4 @@
-/* src/fvi/convolution_quadrature.h -- Other weights than Grunwald and Letnikov's.
+/* src/fvi/convolution_quadrature.h -- Other weights than Grünwald and Letnikov's.
  *                                                                [H 13] */
 #ifndef FVI_CONVOLUTION_QUADRATURE_H
 #define FVI_CONVOLUTION_QUADRATURE_H

@@ -1,4 +1,4 @@
-/* src/memory/coefficients.c -- Grunwald-Letnikov weights.               [H 4] */
+/* src/memory/coefficients.c -- Grünwald-Letnikov weights.               [H 4] */
 #include <fvi/coefficients.h>
 
 #include "double_double.h"

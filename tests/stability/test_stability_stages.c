@@ -10,7 +10,7 @@
 
 enum { MOST = 8 };
 
-/* The stability function N/Q of Lobatto IIIC: Pade's of the exponential, of the degrees
+/* The stability function N/Q of Lobatto IIIC: Padé's of the exponential, of the degrees
  * s - 2 and s. */
 typedef struct {
     size_t s;

@@ -1,4 +1,4 @@
-"""H 4. The Grunwald-Letnikov weights alpha_n = (-1)^n binom(alpha, n).
+"""H 4. The Grünwald-Letnikov weights alpha_n = (-1)^n binom(alpha, n).
 
 Proved here, alpha symbolic:
   (4.2)  the printed product, the binomial and the recurrence are the same;

@@ -11,7 +11,7 @@ Proved here, alpha (and beta, and exponents) symbolic:
   (1.9)   orders add on powers; (1.10) and where they do not;
   (1.11)  the limits alpha -> 0 and alpha -> 1;
   (1.12)  what a sine has forgotten lies between two powers of t;
-  (1.13)  the first error term of the Grunwald-Letnikov sum, on all polynomials.
+  (1.13)  the first error term of the Grünwald-Letnikov sum, on all polynomials.
 Printed: powers from the gamma function, functions from their Taylor series at the
 end, term by term, and one that is not entire from the defining integral (mpmath,
 two precisions), at random orders, times and exponents; the seed is in the script."""

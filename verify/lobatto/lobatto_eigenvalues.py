@@ -27,7 +27,7 @@ def rule(s):
 
 
 def eigenvalues(s):
-    """1/A: the zeros of det(1 - y A), the denominator of Pade's approximation (s - 2, s) of exp y."""
+    """1/A: the zeros of det(1 - y A), the denominator of Padé's approximation (s - 2, s) of exp y."""
     f = mp.factorial
     return polyroots([(-1) ** j * f(2 * s - 2 - j) * f(s) / (f(2 * s - 2) * f(j) * f(s - j)) for j in range(s, -1, -1)],
                      maxsteps=500, extraprec=400)

@@ -25,7 +25,7 @@ Lengths, times and masses are in units of your own.
     potential   U from functions of Python's, or compiled ones
     exact       the exact solution of the linear problem
     methods     what `method` can be
-    weights     the Grunwald-Letnikov weights of any order up to 2
+    weights     the Grünwald-Letnikov weights of any order up to 2
     run         a whole trajectory as arrays, its options those of the program `fvi run`
     Stepper     one step after the other: look, fork, go on
     Error       what is raised where the library returns a code
