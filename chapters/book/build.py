@@ -116,20 +116,27 @@ def add_index(all_pages):
 
 
 def write_sources(all_pages):
-    files = sources.all_sources()
+    """A page for each source that a page of the text leads to, for the library's headers and for the figures that
+    move; the others are named in the list."""
+    every = sources.all_sources()
     folder, table = OUT / "source", contents(all_pages, None, "../")
     folder.mkdir()
     for page in all_pages:
         page.sources = set(re.findall(r'"source/([^"#]*)', page.body))
+    opened = set().union(*(page.sources for page in all_pages))
+    files = [path for path in every if sources.source_page(path) in opened or path.parts[:2] in (("src", "fvi"), ("chapters", "live"))
+             or path == pathlib.Path("chapters/play/play.c")]
+    names = {sources.source_page(path) for path in files}
     for path in files:
         name = sources.source_page(path)
         users = [page for page in all_pages if name in page.sources]
         used = "".join(f'<a href="../{page.name}.html">{page.number or unlinked(page.title)}</a> ' for page in users)
-        body = sources.source_html(path).replace("{used}", f"<p>Read about it in: {used}</p>" if used else "", 1)
+        body = sources.source_html(path, names).replace("{used}", f"<p>Read about it in: {used}</p>" if used else "", 1)
         (folder / name).write_text(framed(body, str(path), table, "../", "source"))
     rows = []
-    for parent in sorted({path.parent for path in files}):
-        links = " ".join(f'<li><a href="{sources.source_page(p)}">{p.name}</a></li>' for p in files if p.parent == parent)
+    for parent in sorted({path.parent for path in every}):
+        links = " ".join(f'<li><a href="{sources.source_page(p)}">{p.name}</a></li>' if sources.source_page(p) in names else f"<li>{p.name}</li>"
+                         for p in every if p.parent == parent)
         rows.append(f'<h2 id="{"-".join(parent.parts) or "root"}">{parent}/</h2><ul class="names">{links}</ul>')
     (folder / "index.html").write_text(framed(f'<h1 id="top">The sources</h1>{"".join(rows)}', "The sources", table, "../", "source"))
     return files

@@ -76,20 +76,20 @@ def lines_of(code):
     return out
 
 
-def include(match):
-    """#include <fvi/x.h> or "room/x.h" -> a link to that header's page."""
+def include(match, names):
+    """#include <fvi/x.h> or "room/x.h" -> a link to that header's page, if it has one of those names."""
     header = pathlib.Path("src") / match[2]  # the include paths are src and tests
-    if ".." in match[2] or not header.exists():
+    if ".." in match[2] or source_page(header) not in names:
         return match[0]
     return f'{match[1]}<a href="{source_page(header)}">{match[2]}</a>{match[3]}'
 
 
-def source_html(path):
-    """The body of the page of one source."""
+def source_html(path, names):
+    """The body of the page of one source; names: of the pages that there are."""
     language = "sh" if path.name == "Makefile" else SUFFIXES.get(path.suffix, "text")
     code = colour(path.read_text(errors="replace").rstrip("\n"), language)
     if language == "c":
-        code = re.sub(r'(<span class="kw">#include</span> (?:&lt;|<span class="st">"))([\w/.]+)(&gt;|")', include, code)
+        code = re.sub(r'(<span class="kw">#include</span> (?:&lt;|<span class="st">"))([\w/.]+)(&gt;|")', lambda found: include(found, names), code)
     lines = "\n".join(f'<span class="l" id="L{i}"><a href="#L{i}" aria-label="Line {i}"></a>{line}</span>'
                       for i, line in enumerate(lines_of(code), 1))
     return f'<h1 id="top">{html.escape(str(path))}</h1>\n{{used}}<pre class="source">{lines}</pre>'
