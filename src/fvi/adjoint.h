@@ -108,7 +108,7 @@ typedef struct {
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms, orders,
  * times or ends of none; FVI_EUNSUP if the method has no adjoint, or not this one (with matrices
- * none that has stages has), or mass
+ * none that has stages, nor fvi_variable_step, has), or mass
  * is wanted of matrices that have no inertia, or all momenta at alpha = 1 of a damped
  * run of form M or of fvi_variable_step, or no step is short enough
  * for a body whose A is 0 (22.23);

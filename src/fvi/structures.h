@@ -6,7 +6,7 @@
  * own. Element matrices are summed to them by
  * fvi_sparse_assemble, files are read by fvi_sparse_read; fvi_structure_system is then a system
  * for the methods that take matrices: fvi_fractional, fvi_cq2_shifted, fvi_cq_bdf2, fvi_cq2_midpoint, and
- * for high order fvi_lobatto_d2 to d8. */
+ * for high order fvi_lobatto_d2 to d8 and fvi_variable_step. */
 #ifndef FVI_STRUCTURES_H
 #define FVI_STRUCTURES_H
 

@@ -36,39 +36,6 @@ static int begin_load(fvi_stepper *s, fvi_lobatto_matrices *o)
     return status;
 }
 
-//> one-pair
-/* What pair l gives to V: v Z^{-1} w^T h load, and of a complex one the conjugate, too. (27.14) */
-static int add_pair(fvi_stepper *s, fvi_lobatto_matrices *o, size_t l)
-{
-    const fvi_matrices *m = s->run.system->matrices;
-    const fvi_lobatto_pair *pair = o->pair + l;
-    const size_t d = o->d, parts = cimag(pair->lambda) == 0 ? 1 : 2;
-    double *r = o->room;
-    memset(r, 0, parts * d * sizeof *r);
-    for (size_t i = 0; i < o->s; i++) {
-        const double complex w = s->run.h * o->rule->b[i] * pair->v[o->s - 1 - i];
-        const double re = creal(w), im = cimag(w), *load = o->load + i * d;
-        for (size_t j = 0; j < d && parts == 1; j++)
-            r[j] += re * load[j];
-        for (size_t j = 0; j < d && parts == 2; j++) {
-            r[2 * j] += re * load[j];
-            r[2 * j + 1] += im * load[j];
-        }
-    }
-    const int status = parts == 1 ? m->solve(d, o->factors[l], r)
-                                  : m->solve_complex(d, o->factors[l], r);
-    for (size_t i = 0; !status && i < o->s; i++) {
-        const double re = (double)parts * creal(pair->v[i]), im = 2 * cimag(pair->v[i]);
-        double *V = o->V + i * d;
-        for (size_t j = 0; j < d && parts == 1; j++)
-            V[j] += re * r[j];
-        for (size_t j = 0; j < d && parts == 2; j++)
-            V[j] += re * r[2 * j] - im * r[2 * j + 1];
-    }
-    return status;
-}
-//< one-pair
-
 /* x_{k+1} = x_k + h sum_i b_i V_i, p_{k+1} = p_k + M (V_s - v_k). V becomes the velocities. */
 static int advance(fvi_stepper *s, fvi_lobatto_matrices *o)
 {
@@ -98,9 +65,8 @@ int fvi_lobatto_matrices_step(fvi_stepper *s)
         status = begin_load(s, o);
     if (!status)
         status = fvi_stage_dampers_begin_step(s);
-    memset(o->V, 0, o->s * o->d * sizeof *o->V);
-    for (size_t l = 0; !status && l < o->pairs; l++)
-        status = add_pair(s, o, l);
+    if (!status)
+        status = fvi_stage_solver_solve(o->solver, o->load, o->V); /* (27.14) */
     if (!status)
         status = fvi_stage_dampers_end_step(s);
     if (!status)

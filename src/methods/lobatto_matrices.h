@@ -6,8 +6,8 @@
 #define FVI_LOBATTO_MATRICES_H
 
 #include "initial_history_force.h"
-#include "stages/lobatto_eigenvalues.h"
 #include "stages/lobatto_history.h"
+#include "stages/stage_solver.h"
 #include "step_sums.h"
 
 /* A damper of C = S B^T, which remembers r numbers z = B^T x. Number n of stage i stands at
@@ -32,16 +32,15 @@ typedef struct {
 typedef struct {
     fvi_method method; /* with these steps */
     const fvi_lobatto_rule *rule;
-    size_t s, d, dampers, pairs;
-    fvi_lobatto_pair pair[FVI_STAGES / 2];
-    void *factors[FVI_STAGES / 2]; /* of (27.14), one for each pair */
+    size_t s, d, dampers;
+    fvi_stage_solver *solver;
     fvi_stage_damper *each;
     double *numbers;   /* all that follows, in one piece */
     double *v, *p;     /* d: M^-1 p and p where the last step ended; go from step to step */
     double *F, *load;  /* s d: the forces of t; what is left for the inertia to answer */
     double *V;         /* s d: V_i - v_k */
     double *Kx, *Kv;   /* d */
-    double *room;      /* 2 d */
+    double *room;      /* d */
 } fvi_lobatto_matrices;
 
 /* fvi_lobatto_matrices_start -- as the start of a method; s->method becomes a copy of it with these

@@ -11,12 +11,7 @@ static void stop(fvi_stepper *s)
     fvi_lobatto_matrices *o = s->method_state;
     if (!o)
         return;
-    const fvi_matrices *m = s->run.system->matrices;
-    for (size_t l = 0; l < o->pairs; l++)
-        if (o->factors[l] && cimag(o->pair[l].lambda) == 0)
-            m->forget(o->factors[l]);
-        else if (o->factors[l])
-            m->forget_complex(o->factors[l]);
+    fvi_stage_solver_free(o->solver);
     fvi_stage_dampers_stop(o);
     free(o->numbers);
     free(o);
@@ -24,53 +19,16 @@ static void stop(fvi_stepper *s)
 
 /* ---- the equation of a step ---- */
 
-/* w^T W v: what W, a function of A^{-1}, is at an eigenvalue. */
-static double complex value_at(const fvi_lobatto_matrices *o, size_t l, const double *W)
-{
-    const double complex *v = o->pair[l].v;
-    double complex sum = 0;
-    for (size_t i = 0; i < o->s; i++)
-        for (size_t c = 0; c < o->s; c++)
-            sum += o->rule->b[i] * v[o->s - 1 - i] * W[i * o->s + c] * v[c];
-    return sum;
-}
-
-//> factors
-/* Z = lambda M + h sum_j W_j(lambda) C_j + (h^2 / lambda) K of pair l. (27.14) */
-static int factorise_pair(fvi_stepper *s, fvi_lobatto_matrices *o, size_t l, double complex *c)
+static int make_solver(fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     const fvi_matrices *m = s->run.system->matrices;
-    const size_t d = o->d, count = m->damper_count > 0 ? m->damper_count : 1;
-    const double complex lambda = o->pair[l].lambda;
-    const double h = s->run.h;
-    c[0] = lambda;
-    c[count + 1] = h * h / lambda;
-    for (size_t j = 0; j < o->dampers; j++)
-        c[1 + o->each[j].number] = h * value_at(o, l, o->each[j].W);
-    if (cimag(lambda) != 0)
-        return m->factorise_complex(d, (double *)c, m->params, &o->factors[l]);
-    double *re = (double *)c; /* the real parts, one after another */
-    for (size_t j = 0; j < count + 2; j++)
-        re[j] = creal(c[j]);
-    return m->damper_count > 0
-               ? m->factorise_dampers(d, re[0], re + 1, re[count + 1], m->params,
-                                      &o->factors[l])
-               : m->factorise(d, re[0], re[1], re[2], m->params, &o->factors[l]);
-}
-//< factors
-
-static int factorise(fvi_stepper *s, fvi_lobatto_matrices *o)
-{
-    const size_t count = s->run.system->matrices->damper_count + 3;
-    double complex *c = malloc(count * sizeof *c);
-    if (!c)
+    const double **W = calloc(m->damper_count + 1, sizeof *W);
+    if (!W)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
-    int status = FVI_SUCCESS;
-    for (size_t l = 0; !status && l < o->pairs; l++) {
-        memset(c, 0, count * sizeof *c);
-        status = factorise_pair(s, o, l, c);
-    }
-    free(c);
+    for (size_t j = 0; j < o->dampers; j++)
+        W[o->each[j].number] = o->each[j].W;
+    const int status = fvi_stage_solver_alloc(m, o->d, o->s, s->run.h, W, &o->solver);
+    free(W);
     return status;
 }
 
@@ -103,8 +61,7 @@ static int make_state(fvi_stepper *s, size_t stages)
     o->rule = fvi_lobatto(stages);
     o->s = stages;
     o->d = d;
-    o->pairs = fvi_lobatto_eigenvalues(stages, o->pair);
-    o->numbers = calloc((6 + 3 * stages) * d, sizeof *o->numbers);
+    o->numbers = calloc((5 + 3 * stages) * d, sizeof *o->numbers);
     if (!o->numbers)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->v = o->numbers;
@@ -134,7 +91,7 @@ int fvi_lobatto_matrices_start(fvi_stepper *s, size_t stages, int damped)
     memcpy(o->p, s->p, o->d * sizeof *o->p);
     if (!status)
         status = fvi_stage_dampers_start(s, o->v);
-    return status ? status : factorise(s, o);
+    return status ? status : make_solver(s, o);
 }
 
 fvi_lobatto_matrices *fvi_lobatto_matrices_of(const fvi_stepper *s)
@@ -161,7 +118,7 @@ static int copy(const fvi_stepper *from, fvi_stepper *to)
     fvi_lobatto_matrices *o = to->method_state;
     memcpy(o->numbers, old->numbers, saved(o) * sizeof *o->numbers);
     status = fvi_stage_dampers_copy(from, to);
-    return status ? status : factorise(to, o);
+    return status ? status : make_solver(to, o);
 }
 
 static int serialize(fvi_stepper *s, fvi_archive *v)

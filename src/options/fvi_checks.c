@@ -61,7 +61,7 @@ int fvi_check_method(const fvi_options *o, fvi_error *c)
     if (o->directory && !m->takes_matrices)
         return fvi_refuse(c,
                           "method", "'%s' takes no matrices; fvi, fvi-shifted, "
-                          "fvi-bdf2, fvi-stable and fvi-lobatto2d to 8d do",
+                          "fvi-bdf2, fvi-stable, fvi-lobatto2d to 8d and fvi-adaptive do",
                           m->name);
     if (o->mechanism && !m->takes_mechanism)
         return fvi_refuse(c, "method",

@@ -92,6 +92,19 @@ static void divide_by_masses(fvi_observer *o, const fvi_system *system)
     }
 }
 
+/* Where the method knows x'': what it leaves of F - grad U is the damping. */
+static int read_chosen_forces(fvi_observer *o, const fvi_stepper *s, double t)
+{
+    int status = fvi_variable_step_acceleration(s, t, o->a);
+    for (size_t j = 0; j < o->d && !o->matrices; j++)
+        o->force[j] = s->run.system->mass[j] * o->a[j];
+    if (!status && o->matrices)
+        status = o->matrices->inertia(o->d, o->a, o->matrices->params, o->force);
+    for (size_t j = 0; j < o->d; j++)
+        o->force[j] = o->is_damped ? o->F[j] - o->g[j] - o->force[j] : 0;
+    return status;
+}
+
 static int read_forces(fvi_observer *o, const fvi_stepper *s, double t,
                        fvi_observation *now)
 {
@@ -113,14 +126,8 @@ static int read_forces(fvi_observer *o, const fvi_stepper *s, double t,
         divide_by_masses(o, system);
         return FVI_SUCCESS;
     }
-    if (is_chosen) {
-        status = fvi_variable_step_acceleration(s, t, o->a);
-        for (size_t j = 0; j < o->d; j++)
-            o->force[j] = o->is_damped ? o->F[j] - o->g[j]
-                                             - system->mass[j] * o->a[j]
-                                       : 0;
-        return status;
-    }
+    if (is_chosen)
+        return read_chosen_forces(o, s, t);
     fvi_observer_differences(o, s->k, s->run.h, o->force);
     return o->wanted & FVI_OBSERVE_ACCELERATION ? solve_motion(o, s)
                                                 : FVI_SUCCESS;

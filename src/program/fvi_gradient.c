@@ -94,7 +94,7 @@ static int interpret(request *r, fvi_error *c)
                           "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
                           "fvi-adaptive have",
                           m->name);
-    if (r->system.matrices && m->stages)
+    if (r->system.matrices && (m->stages || m->dense))
         return fvi_refuse(c, "method", "'%s' has no gradient with --system; fvi, fvi-shifted, "
                           "fvi-bdf2 and fvi-stable have",
                           m->name);

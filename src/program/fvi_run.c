@@ -26,6 +26,10 @@ int fvi_complain_of_start(const fvi_options *o, int status)
               "negative somewhere, and h too long for it"
         : status == FVI_EINVAL
             ? "--steps: the compressed memory reaches back 10^9 steps at most"
+        : status == FVI_EUNSUP && o->directory && o->method->dense
+            ? "--method: with --system fvi-adaptive takes no damping of order 2 and no law with a pole "
+              "beside its cut, and does not tell the forces of several dampers apart; "
+              "fvi-lobatto2d to 8d do"
         : status == FVI_EUNSUP && o->text[DAMPING] && o->method->dense
             ? "--damping: a pole of this law is too near to its cut, or off "
               "it, for fvi-adaptive; fvi-bdf2 and fvi-stable take it"

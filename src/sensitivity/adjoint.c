@@ -66,8 +66,8 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
     if (run->event_count > 0)
         FVI_FAIL("a run with events has no adjoint", FVI_EUNSUP);
-    if (method->stages && run->system && run->system->matrices)
-        FVI_FAIL("methods with stages have no adjoint of a system with matrices; fvi, "
+    if ((method->stages || method->dense) && run->system && run->system->matrices)
+        FVI_FAIL("methods with stages, and fvi-adaptive, have no adjoint of a system with matrices; fvi, "
                  "fvi-shifted, fvi-bdf2 and fvi-stable have",
                  FVI_EUNSUP);
     int status = method->scheme == FVI_SCHEME_CQ2_SHIFTED ? check_shifted(run) : FVI_SUCCESS;

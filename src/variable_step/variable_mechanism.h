@@ -92,6 +92,15 @@ void fvi_mesh_free(fvi_variable_step_state *o);
 
 /* ---- variable_mechanism_memory.c: each of all dampers ---- */
 
+/* fvi_mesh_begin_damper -- the modes and W0 of a damper that remembers `count` numbers; j is its number, for
+ * what is refused. fvi_mesh_present_damper -- the present part of its force for steps of length h, s s numbers,
+ * row by row. */
+int fvi_mesh_begin_damper(fvi_stepper *s, const fvi_variable_step_state *o,
+                          const fvi_kernel *kernel, size_t count, size_t j,
+                          fvi_mesh_damper *to);
+void fvi_mesh_present_damper(const fvi_variable_step_state *o, double h, fvi_mesh_damper *of,
+                             double *W);
+
 int fvi_mesh_allocate(fvi_variable_step_state *o, size_t r);
 int fvi_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o);
 void fvi_mesh_present(const fvi_stepper *s, fvi_variable_step_state *o);

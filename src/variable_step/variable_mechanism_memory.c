@@ -125,25 +125,25 @@ static void set_rising(const fvi_variable_rule *rule, fvi_mesh_damper *to)
     to->leakage = fvi_memory_leakage(rule, &to->W0);
 }
 
-static int begin_power(const fvi_variable_step_state *o, const fvi_kernel_term *t,
+static int begin_power(const fvi_variable_step_state *o, double rho, double alpha, size_t count,
                        fvi_mesh_damper *to)
 {
-    to->rho = t->rho;
-    to->beta = 2 * t->alpha - 1;
+    to->rho = rho;
+    to->beta = 2 * alpha - 1;
     fvi_variable_present(o->rule, to->beta, &to->W0);
     set_rising(o->rule, to);
     if (to->rho == 0 || to->beta == 0 || to->beta == -1)
         return FVI_SUCCESS;
-    return fvi_modes_alloc(o->rule, o->modes_kind, to->beta, 1, o->T, o->least, &to->modes);
+    return fvi_modes_alloc(o->rule, o->modes_kind, to->beta, count, o->T, o->least, &to->modes);
 }
 
-static int begin_law(const fvi_stepper *s, fvi_variable_step_state *o, size_t j,
-                     fvi_mesh_damper *to)
+static int begin_law(fvi_stepper *s, const fvi_variable_step_state *o, const fvi_kernel *kernel,
+                     size_t count, size_t j, fvi_mesh_damper *to)
 {
     to->rho = 1;
     to->beta = -0.5; /* a scale of W0 alone */
-    int status = fvi_variable_step_prepare_kernel(damper_of(s, j)->kernel, &to->kernel);
-    const fvi_kernel_on_mesh law = { to->kernel, o->rule, 1, o->T, o->least };
+    int status = fvi_variable_step_prepare_kernel(kernel, &to->kernel);
+    const fvi_kernel_on_mesh law = { to->kernel, o->rule, count, o->T, o->least };
     if (!status)
         status = fvi_kernel_begin_on_mesh(&law, &to->modes, &to->rising);
     return status == FVI_EUNSUP
@@ -153,17 +153,25 @@ static int begin_law(const fvi_stepper *s, fvi_variable_step_state *o, size_t j,
                : status;
 }
 
+int fvi_mesh_begin_damper(fvi_stepper *s, const fvi_variable_step_state *o,
+                          const fvi_kernel *kernel, size_t count, size_t j,
+                          fvi_mesh_damper *to)
+{
+    const fvi_kernel_term *power = power_of(kernel);
+    return power ? begin_power(o, power->rho, power->alpha, count, to)
+                 : begin_law(s, o, kernel, count, j, to);
+}
+
 int fvi_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o)
 {
     int status = FVI_SUCCESS;
     for (size_t j = 0; j < o->mechanism->r && !status; j++) {
-        const fvi_kernel_term *power = power_of(damper_of(s, j)->kernel);
         fvi_mesh_damper *to = &o->mechanism->damper[j];
         if (is_struck(s, j))
             status = fvi_mechanism_check_stretch(damper_of(s, j)->kernel, j, s->error);
         if (status)
             return status;
-        status = power ? begin_power(o, power, to) : begin_law(s, o, j, to);
+        status = fvi_mesh_begin_damper(s, o, damper_of(s, j)->kernel, 1, j, to);
         if (!status)
             status = strike(s, o, j);
     }
@@ -215,6 +223,21 @@ int fvi_mesh_start(fvi_stepper *s, fvi_variable_step_state *o)
 
 /* ---- in a step ---- */
 
+void fvi_mesh_present_damper(const fvi_variable_step_state *o, double h, fvi_mesh_damper *of,
+                             double *W)
+{
+    const size_t n = o->rule->s;
+    const fvi_kernel_on_mesh law = { of->kernel, o->rule, 1, o->T, o->least };
+    if (of->kernel) {
+        fvi_kernel_present_on_mesh(&law, h, of->beta, &of->W0, of->W1);
+        set_rising(o->rule, of);
+    }
+    const double factor = of->rho * pow(h, -of->beta);
+    for (size_t i = 0; i < n; i++)
+        for (size_t l = 0; l < n; l++)
+            W[i * n + l] = factor * of->W0.column[l][i];
+}
+
 void fvi_mesh_present(const fvi_stepper *s, fvi_variable_step_state *o)
 {
     struct fvi_mesh_mechanism *m = o->mechanism;
@@ -223,18 +246,8 @@ void fvi_mesh_present(const fvi_stepper *s, fvi_variable_step_state *o)
     if (m->h == h)
         return;
     m->h = h;
-    for (size_t j = 0; j < m->r; j++) {
-        fvi_mesh_damper *of = &m->damper[j];
-        const fvi_kernel_on_mesh law = { of->kernel, o->rule, 1, o->T, o->least };
-        if (of->kernel) {
-            fvi_kernel_present_on_mesh(&law, h, of->beta, &of->W0, of->W1);
-            set_rising(o->rule, of);
-        }
-        const double factor = of->rho * pow(h, -of->beta);
-        for (size_t i = 0; i < n; i++)
-            for (size_t l = 0; l < n; l++)
-                s->mechanism->W[(j * n + i) * n + l] = factor * of->W0.column[l][i];
-    }
+    for (size_t j = 0; j < m->r; j++)
+        fvi_mesh_present_damper(o, h, &m->damper[j], s->mechanism->W + j * n * n);
 }
 
 /* known += rho H of one set of modes, or of none. */

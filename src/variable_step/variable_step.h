@@ -122,6 +122,7 @@ typedef struct {
     fvi_modes *rising;     /* of its terms that grow faster than s, or NULL */
     size_t damped, *index; /* the coordinates that have modes */
     double *centre; /* alpha = 0: where the springs of the damping rest */
+    struct fvi_mesh_structure *structure; /* variable_structure.h; NULL: no matrices */
     struct fvi_mesh_mechanism *mechanism; /* variable_mechanism.h; NULL: none */
     fvi_singular singular;
     int open; /* it is there where A = 0, too, for a derivative by A */

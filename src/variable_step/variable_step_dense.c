@@ -1,5 +1,5 @@
 /* src/variable_step/variable_step_dense.c -- Between the ends of a step, and behind it. [H 22] */
-#include "variable_mechanism.h"
+#include "variable_structure.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include <fvi/error.h>
@@ -85,6 +85,15 @@ FVI_VECTORS static void momenta(const fvi_variable_step_state *o, const double *
         p[j] = (o->v0[j] + product(w, o->powers + j * FVI_LANES)) * mass[j];
 }
 
+/* M v in its place. */
+static int momenta_of_matrices(const fvi_stepper *s, fvi_variable_step_state *o, double theta,
+                               double *p)
+{
+    const fvi_matrices *m = s->run.system->matrices;
+    momenta(o, o->structure->ones, theta, o->structure->Kv);
+    return m->inertia(o->d, o->structure->Kv, m->params, p);
+}
+
 /* x'' of the last step as powers. */
 static void make_powers(fvi_variable_step_state *o)
 {
@@ -122,6 +131,8 @@ int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p
         positions(o, h, theta, x);
     if (p && o->mechanism)
         fvi_mesh_momentum(s, o, theta, 0, p);
+    else if (p && o->structure)
+        return momenta_of_matrices(s, o, theta, p);
     else if (p)
         momenta(o, s->run.system->mass, theta, p);
     if (fvi_singular_is(o, o->t0) && t > 0)

@@ -1,5 +1,5 @@
 /* src/variable_step/variable_step_start.c -- A run with variable steps begins.   [H 22] */
-#include "variable_mechanism.h"
+#include "variable_structure.h"
 
 #include "system/fail.h"
 #include "system/larger.h"
@@ -137,8 +137,8 @@ static fvi_modes_kind kind_of_modes(const fvi_run *run, double tolerance)
 
 static int is_damped(const fvi_system *system)
 {
-    int damped = system->mechanism != NULL; /* which has form D */
-    for (size_t j = 0; j < system->d && !system->mechanism; j++)
+    int damped = system->mechanism || system->matrices; /* which have form D */
+    for (size_t j = 0; j < system->d && !damped; j++)
         damped |= system->damping[j] > 0;
     return damped;
 }
@@ -162,7 +162,7 @@ static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
     o->diagonals =
         o->solve == FVI_SOLVE_COUPLED ? run->system->potential.diagonals : 1;
     const int each = o->solve == FVI_SOLVE_DIAGONAL && tolerance > FVI_TOLERANCE_VERY_LOOSE;
-    if (run->system->mechanism || !damped || each || o->kernel || o->diagonals > o->rule->s)
+    if (run->system->mechanism || run->system->matrices || !damped || each || o->kernel || o->diagonals > o->rule->s)
         o->diagonals = 0; /* no functions of A; the steps are too long for one
                              Hessian; no room for them in hessian */
     o->scale = scale;
@@ -313,6 +313,40 @@ static int start_mechanism(fvi_stepper *s, fvi_variable_step_state *o)
     return status;
 }
 
+/* The same of matrices. */
+static int start_structure(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    double scale;
+    o->kinds = 1;
+    o->solve = FVI_SOLVE_TOGETHER;
+    o->rule = fvi_variable(8);
+    int status = fvi_structure_mesh_scale(s, &scale);
+    if (status)
+        return status;
+    plan(s, o, scale);
+    status = fvi_structure_mesh_start(s, o);
+    if (!status)
+        status = fvi_variable_step_allocate(o);
+    if (status)
+        return status;
+    o->least = smaller(o->least, o->T * fvi_structure_mesh_shortest(s, o));
+    if (o->least < FVI_SHORTEST / 16 * o->T)
+        FVI_FAIL("no step is short enough for what such a damper makes of a "
+                 "velocity that jumps",
+                 FVI_EUNSUP);
+    status = fvi_structure_mesh_begin(s, o);
+    if (!status)
+        status = find_events(s, o);
+    if (!status)
+        status = fvi_variable_step_strike(s, o);
+    if (!status)
+        status = s->run.system->matrices->inertia(o->d, o->v, s->run.system->matrices->params,
+                                                  s->p);
+    set_first(o);
+    o->takes_kicks = fvi_structure_mesh_takes_kicks(s, o);
+    return status;
+}
+
 static int start(fvi_stepper *s, int open)
 {
     const size_t d = s->run.system->d;
@@ -322,6 +356,8 @@ static int start(fvi_stepper *s, int open)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->d = d;
     o->open = open;
+    if (s->run.system->matrices)
+        return start_structure(s, o);
     if (s->run.system->mechanism)
         return start_mechanism(s, o);
     int status = begin_law(s, o);

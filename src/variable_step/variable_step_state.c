@@ -1,6 +1,6 @@
 /* src/variable_step/variable_step_state.c -- What a run with variable steps keeps: room, copies, the
  * matrices of a step, and what is saved.                              [H 22] */
-#include "variable_mechanism.h"
+#include "variable_structure.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
@@ -26,6 +26,7 @@ void fvi_variable_step_stop(fvi_stepper *s)
     if (!o)
         return;
     fvi_mesh_free(o);
+    fvi_structure_mesh_free(o);
     fvi_mechanism_free(s->mechanism);
     fvi_modes_free(o->modes);
     fvi_modes_free(o->rising);
@@ -96,6 +97,7 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
     o->band = NULL;
     o->watch = NULL;
     o->mechanism = NULL;
+    o->structure = NULL;
     o->y = NULL;
     o->coupled = old->band ? 0 : old->coupled; /* factors are not copied */
     int status = fvi_variable_step_allocate(o);
@@ -106,6 +108,8 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
     memcpy(o->group, old->group, o->kinds * sizeof *o->group);
     if (old->mechanism)
         status = fvi_mesh_copy(from, to);
+    else if (old->structure)
+        status = fvi_structure_mesh_copy(from, to);
     if (status)
         return status;
     if (old->singular.c) {
@@ -169,7 +173,9 @@ int fvi_variable_step_strike(fvi_stepper *s, fvi_variable_step_state *o)
         const double *J = force->impulses[o->hits].J;
         if (o->mechanism)
             status = fvi_mesh_jump(s, o, J, 1);
-        for (size_t j = 0; j < o->d && !o->mechanism; j++) {
+        else if (o->structure)
+            status = fvi_structure_mesh_jump(s, o, J);
+        for (size_t j = 0; j < o->d && !o->mechanism && !o->structure; j++) {
             const double jump = J[j] / o->group[o->kind[j]].mass;
             o->impulse_dv[j] += jump;
             o->v[j] += jump;
@@ -324,6 +330,8 @@ int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
     const fvi_length length = o->length;
     if (o->mechanism)
         return fvi_mesh_archive(s, v);
+    if (o->structure)
+        return fvi_structure_mesh_archive(s, v);
     o->length.h = 0;
     o->coupled = 0;
     o->powers_known = 0;

@@ -13,7 +13,7 @@
  * and p in between. Form M, for rho = 0, has another matrix in place of A (22.15). */
 #include <fvi/variable_steps.h>
 
-#include "variable_mechanism.h"
+#include "variable_structure.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 #include "system/larger.h"
@@ -150,6 +150,8 @@ int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length
 {
     if (o->mechanism)
         return fvi_mesh_try(s, o, length, error);
+    if (o->structure)
+        return fvi_structure_mesh_try(s, o, length, error);
     int status = fvi_variable_step_matrices(o, length);
     if (status)
         return status;
@@ -242,18 +244,20 @@ static void add(double *sum, double *less, double more)
 }
 
 /* x and p of the state. */
-static void update_stepper(fvi_stepper *s, fvi_variable_step_state *o)
+static int update_stepper(fvi_stepper *s, fvi_variable_step_state *o)
 {
+    const fvi_matrices *m = s->run.system->matrices;
     for (size_t j = 0; j < o->d; j++) {
         double G = 0, slope = 0;
         if (fvi_singular_is(o, o->t))
             fvi_singular_at(&o->singular, j, o->t, &G, &slope, NULL);
         s->x[j] = o->y[j] + G;
-        if (!o->mechanism) /* p is its own there */
+        if (!o->mechanism && !o->structure) /* p is another matter there */
             s->p[j] = s->run.system->mass[j] * (o->v[j] + slope);
         o->scale = larger(o->scale, fabs(s->x[j]));
     }
     s->t = o->t;
+    return m ? m->inertia(o->d, o->v, m->params, s->p) : FVI_SUCCESS;
 }
 
 /* The velocities of coordinate j at the stages, as its memory wants them, to v. */
@@ -296,7 +300,9 @@ static void accept_motion(fvi_variable_step_state *o)
 static int accept_step(fvi_stepper *s, fvi_variable_step_state *o, double event)
 {
     const double h = o->length.h;
-    const int status = o->mechanism ? fvi_mesh_accept(s, o) : FVI_SUCCESS;
+    const int status = o->mechanism   ? fvi_mesh_accept(s, o)
+                       : o->structure ? fvi_structure_mesh_advance(o)
+                                      : FVI_SUCCESS;
     if (!o->mechanism)
         accept_motion(o);
     memcpy(o->accel_legendre0, o->accel_legendre, o->d * FVI_LANES * sizeof *o->accel_legendre);
@@ -359,8 +365,8 @@ static int step(fvi_stepper *s)
     o->first_after_event = o->t == event && !over;
     if (o->first_after_event)
         o->next = o->first;
-    update_stepper(s, o);
-    return o->watch ? fvi_variable_step_act(s, o) : FVI_SUCCESS;
+    status = update_stepper(s, o);
+    return status || !o->watch ? status : fvi_variable_step_act(s, o);
 }
 //< step
 
@@ -385,6 +391,7 @@ const fvi_method fvi_variable_step = {
     .alpha_most = 1,
     .takes_laws = 1,
     .takes_mechanism = 1,
+    .takes_matrices = 1,
     .scheme = FVI_SCHEME_VARIABLE_STEP,
     .memories = 1u << FVI_HISTORY_AUTO | 1u << FVI_HISTORY_MODES,
     .implicit = 1,

@@ -344,8 +344,6 @@ START_TEST(loads_that_are_not_known_are_refused)
     fvi_stepper *s = NULL;
     ck_assert_int_eq(fvi_stepper_start(&fvi_lobatto_m4, &run, &s,
                                        NULL), FVI_EUNSUP);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
-                                       NULL), FVI_EUNSUP);
     ck_assert(h == 7 && !s);
     drop(&m);
 }

@@ -1,0 +1,159 @@
+/* src/stages/stage_solver.c -- The equation of all stages of a structure.     [H 27] */
+#include "stage_solver.h"
+
+#include "lobatto_eigenvalues.h"
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct fvi_stage_solver {
+    const fvi_matrices *matrices;
+    const fvi_lobatto_rule *rule;
+    size_t s, d, pairs;
+    double h;
+    fvi_lobatto_pair pair[FVI_STAGES / 2];
+    void *factors[FVI_STAGES / 2];
+    double room[]; /* 2 d */
+};
+
+static int is_real(const fvi_lobatto_pair *pair)
+{
+    return cimag(pair->lambda) == 0;
+}
+
+/* w^T W v: what W, a function of A^{-1}, is at an eigenvalue. */
+static double complex value_at(const fvi_stage_solver *o, size_t l, const double *W)
+{
+    const double complex *v = o->pair[l].v;
+    double complex sum = 0;
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t c = 0; c < o->s; c++)
+            sum += o->rule->b[i] * v[o->s - 1 - i] * W[i * o->s + c] * v[c];
+    return sum;
+}
+
+//> factors
+/* Z of pair l; c has room for its numbers before M, the C_j and K. */
+static int factorise_pair(fvi_stage_solver *o, size_t l, const double *const *W,
+                          double complex *c)
+{
+    const fvi_matrices *m = o->matrices;
+    const size_t count = m->damper_count > 0 ? m->damper_count : 1;
+    const double complex lambda = o->pair[l].lambda;
+    c[0] = lambda;
+    for (size_t j = 0; j < count; j++)
+        c[1 + j] = W[j] ? o->h * value_at(o, l, W[j]) : 0;
+    c[count + 1] = o->h * o->h / lambda;
+    if (!is_real(&o->pair[l]))
+        return m->factorise_complex(o->d, (double *)c, m->params, &o->factors[l]);
+    double *re = (double *)c; /* the real parts, one after another */
+    for (size_t j = 0; j < count + 2; j++)
+        re[j] = creal(c[j]);
+    return m->damper_count > 0
+               ? m->factorise_dampers(o->d, re[0], re + 1, re[count + 1], m->params,
+                                      &o->factors[l])
+               : m->factorise(o->d, re[0], re[1], re[2], m->params, &o->factors[l]);
+}
+//< factors
+
+int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, double h,
+                           const double *const *W, fvi_stage_solver **solver)
+{
+    fvi_stage_solver *o = calloc(1, sizeof *o + 2 * d * sizeof *o->room);
+    double complex *c = calloc(matrices->damper_count + 3, sizeof *c);
+    int status = o && c ? FVI_SUCCESS : FVI_ENOMEM;
+    if (!status) {
+        o->matrices = matrices;
+        o->rule = fvi_lobatto(s);
+        o->s = s;
+        o->d = d;
+        o->h = h;
+        o->pairs = fvi_lobatto_eigenvalues(s, o->pair);
+    }
+    for (size_t l = 0; !status && l < o->pairs; l++)
+        status = factorise_pair(o, l, W, c);
+    free(c);
+    if (status)
+        fvi_stage_solver_free(o);
+    else
+        *solver = o;
+    if (status == FVI_ENOMEM)
+        FVI_FAIL("no memory for the factors of the stages", FVI_ENOMEM);
+    return status;
+}
+
+/* r = w^T h load of pair l. */
+static void project(fvi_stage_solver *o, size_t l, const double *load)
+{
+    const size_t d = o->d;
+    const int real = is_real(&o->pair[l]);
+    double *r = o->room;
+    memset(r, 0, 2 * d * sizeof *r);
+    for (size_t i = 0; i < o->s; i++, load += d) {
+        const double complex w = o->h * o->rule->b[i] * o->pair[l].v[o->s - 1 - i];
+        const double re = creal(w), im = cimag(w);
+        for (size_t j = 0; j < d && real; j++)
+            r[j] += re * load[j];
+        for (size_t j = 0; j < d && !real; j++) {
+            r[2 * j] += re * load[j];
+            r[2 * j + 1] += im * load[j];
+        }
+    }
+}
+
+//> one-pair
+/* What pair l gives to delta: v Z^{-1} w^T h load, and its conjugate, too. (27.14) */
+static int add_pair(fvi_stage_solver *o, size_t l, const double *load, double *delta)
+{
+    const fvi_matrices *m = o->matrices;
+    const fvi_lobatto_pair *pair = &o->pair[l];
+    const double *r = o->room;
+    const size_t d = o->d;
+    const int real = is_real(pair);
+    project(o, l, load);
+    const int status = real ? m->solve(d, o->factors[l], o->room)
+                            : m->solve_complex(d, o->factors[l], o->room);
+    for (size_t i = 0; !status && i < o->s; i++, delta += d) {
+        const double re = creal(pair->v[i]), im = cimag(pair->v[i]);
+        for (size_t j = 0; j < d && real; j++)
+            delta[j] += re * r[j];
+        for (size_t j = 0; j < d && !real; j++)
+            delta[j] += 2 * (re * r[2 * j] - im * r[2 * j + 1]);
+    }
+    return status;
+}
+//< one-pair
+
+int fvi_stage_solver_solve(fvi_stage_solver *o, const double *load, double *delta)
+{
+    int status = FVI_SUCCESS;
+    memset(delta, 0, o->s * o->d * sizeof *delta);
+    for (size_t l = 0; !status && l < o->pairs; l++)
+        status = add_pair(o, l, load, delta);
+    return status;
+}
+
+int fvi_stage_solver_filter(fvi_stage_solver *o, const double *load, double *size)
+{
+    const double factor = o->h * cabs(o->pair[0].lambda);
+    for (size_t j = 0; j < o->d; j++) {
+        o->room[2 * j] = factor * load[j];
+        o->room[2 * j + 1] = 0;
+    }
+    const int status = o->matrices->solve_complex(o->d, o->factors[0], o->room);
+    for (size_t j = 0; !status && j < o->d; j++)
+        size[j] = hypot(o->room[2 * j], o->room[2 * j + 1]);
+    return status;
+}
+
+void fvi_stage_solver_free(fvi_stage_solver *o)
+{
+    for (size_t l = 0; o && l < o->pairs; l++)
+        if (o->factors[l] && is_real(&o->pair[l]))
+            o->matrices->forget(o->factors[l]);
+        else if (o->factors[l])
+            o->matrices->forget_complex(o->factors[l]);
+    free(o);
+}

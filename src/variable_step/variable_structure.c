@@ -1,0 +1,338 @@
+/* src/variable_step/variable_structure.c -- Steps of any length of a structure.   [H 27, 22] */
+#include "variable_structure.h"
+
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the start ---- */
+
+/* The factors of a M + b K. */
+static int factorise(const fvi_system *system, double a, double b, void **factors)
+{
+    const fvi_matrices *m = system->matrices;
+    double *none = calloc(m->damper_count + 1, sizeof *none);
+    if (!none)
+        FVI_FAIL("no memory for the start", FVI_ENOMEM);
+    *factors = NULL;
+    const int status =
+        m->damper_count > 0
+            ? m->factorise_dampers(system->d, a, none, b, m->params, factors)
+            : m->factorise(system->d, a, 0, b, m->params, factors);
+    free(none);
+    return status;
+}
+
+/* r becomes M^{-1} r. */
+static int divide_by_mass(const fvi_system *system, double *r)
+{
+    void *factors;
+    int status = factorise(system, 1, 0, &factors);
+    if (!status)
+        status = system->matrices->solve(system->d, factors, r);
+    if (factors)
+        system->matrices->forget(factors);
+    return status;
+}
+
+/* What is not zero, but for rounding, beside the next. */
+static double or_else(double size, double next)
+{
+    return size > 1e-12 * next ? size : next;
+}
+
+static double largest(size_t d, const double *v)
+{
+    double most = 0;
+    for (size_t j = 0; j < d; j++)
+        most = larger(most, fabs(v[j]));
+    return most;
+}
+
+int fvi_structure_mesh_scale(fvi_stepper *s, double *scale)
+{
+    const fvi_system *system = s->run.system;
+    const size_t d = system->d;
+    const double h = s->run.h;
+    double *v = calloc(2 * d, sizeof *v), *a = v + d;
+    if (!v)
+        FVI_FAIL("no memory for the start", FVI_ENOMEM);
+    memcpy(v, s->p, d * sizeof *v);
+    for (size_t i = 0; i < system->force.impulse_count; i++)
+        for (size_t j = 0; j < d; j++)
+            v[j] = larger(fabs(v[j]), fabs(system->force.impulses[i].J[j]));
+    int status = fvi_force_value(s, 0);
+    if (!status)
+        status = system->matrices->stiffness(d, s->x, system->matrices->params, a);
+    for (size_t j = 0; j < d; j++)
+        a[j] = s->F[j] - a[j];
+    if (!status)
+        status = divide_by_mass(system, v);
+    if (!status)
+        status = divide_by_mass(system, a);
+    const double size =
+        or_else(largest(d, s->x), or_else(h * largest(d, v), h * h * largest(d, a)));
+    *scale = size > 0 && isfinite(size) ? size : 1;
+    free(v);
+    return status;
+}
+
+/* Twice what a velocity of 1 moves the lowest mode, 1/omega; T where a motion is free. By inverse iteration, which
+ * comes to it from above in omega. */
+static int find_reach(const fvi_system *system, double T, double *x, double *Mx, double *reach)
+{
+    enum { TIMES = 30 };
+    const fvi_matrices *m = system->matrices;
+    const size_t d = system->d;
+    void *factors;
+    int status = factorise(system, 0, 1, &factors);
+    *reach = T;
+    for (size_t j = 0; j < d; j++)
+        x[j] = 1 + 0.37 * sin((double)(3 * j + 1)); /* no mode is orthogonal to it but by chance */
+    for (int i = 0; i < TIMES && !status; i++) {
+        double of_x = 0, of_y = 0;
+        status = m->inertia(d, x, m->params, Mx);
+        for (size_t j = 0; j < d; j++)
+            of_x += x[j] * Mx[j];
+        memcpy(x, Mx, d * sizeof *x);
+        if (!status)
+            status = m->solve(d, factors, x); /* y = K^{-1} M x */
+        for (size_t j = 0; j < d; j++)
+            of_y += x[j] * Mx[j];
+        *reach = smaller(T, 2 * sqrt(fabs(of_y / of_x)));
+        const double size = largest(d, x);
+        for (size_t j = 0; j < d; j++)
+            x[j] /= size;
+    }
+    if (factors)
+        m->forget(factors);
+    return status == FVI_ESING ? FVI_SUCCESS : status;
+}
+
+/* What cannot be: the error's text. */
+static int refuse(const fvi_stepper *s)
+{
+    const fvi_matrices *m = s->run.system->matrices;
+    if (!m->factorise_complex || !m->solve_complex || !m->forget_complex || !m->inertia)
+        return fvi_fail(s->error, FVI_EUNSUP, "matrices", NAN,
+                        "these matrices have no complex factors, or no product with M, which "
+                        "methods with stages need");
+    if (s->run.event_count > 0)
+        return fvi_fail(s->error, FVI_EUNSUP, "events", NAN,
+                        "a system with matrices has no events");
+    for (size_t j = 0; j < fvi_run_damper_count(&s->run); j++) {
+        const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
+        if (of.growth == 2 && of.matrix.remembered > 0)
+            return fvi_fail(s->error, FVI_EUNSUP,
+                            s->run.system->mechanism ? "damper" : s->run.law ? "law" : "alpha",
+                            (double)j + 1,
+                            "a damping of order 2 is a mass: fvi-lobatto2d to 8d take it with "
+                            "matrices, fvi-adaptive does not");
+    }
+    return FVI_SUCCESS;
+}
+
+int fvi_structure_mesh_start(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const int status = refuse(s);
+    return status ? status : fvi_structure_mesh_allocate(s, o);
+}
+
+int fvi_structure_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const fvi_system *system = s->run.system;
+    const size_t bytes = o->d * sizeof *o->v;
+    struct fvi_mesh_structure *m = o->structure;
+    double reach = o->T, mass = INFINITY;
+    memcpy(o->y, s->x, bytes);
+    memcpy(o->v, s->p, bytes);
+    int status = divide_by_mass(system, o->v);
+    if (!status)
+        status = find_reach(system, o->T, m->Kx, m->Kv, &reach);
+    for (size_t j = 0; j < o->d; j++)
+        mass = smaller(mass, system->mass[j]);
+    *o->group = (fvi_coordinate_group){ .mass = mass, .compliance = reach };
+    return status ? status : fvi_structure_mesh_begin_dampers(s, o);
+}
+
+static int feels_jumps(const fvi_mesh_matrix *of)
+{
+    return of->of.growth > 1;
+}
+
+/* As fvi_mesh_shortest, of which each damper here has many numbers. */
+double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
+{
+    const struct fvi_mesh_structure *m = o->structure;
+    double shortest = 1;
+    for (size_t j = 0; j < m->count; j++) {
+        const fvi_mesh_matrix *of = &m->damper[j];
+        const int moves = largest(o->d, s->p) > 0 || s->run.system->force.impulse_count > 0,
+                  jumps = feels_jumps(of) && moves
+                          && (s->run.system->force.impulse_count > 0
+                              || of->of.past != FVI_INITIAL_HISTORY_CAPUTO),
+                  is_struck = of->of.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+                              && of->of.growth < 1 && largest(o->d, s->x) > 0;
+        const double power = jumps       ? 2 - of->of.growth
+                             : is_struck ? 1 - of->of.growth
+                                         : INFINITY;
+        shortest = smaller(shortest, pow(1e-4 * fmin(o->tolerance, 1), 1 / power));
+    }
+    return shortest;
+}
+
+int fvi_structure_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o)
+{
+    for (size_t j = 0; j < o->structure->count; j++)
+        if (feels_jumps(&o->structure->damper[j]) && !s->run.system->force.impulse_count)
+            return 0;
+    return 1;
+}
+
+/* ---- a trial of a step, and its error ---- */
+
+/* F - K (x_k + h c_i v_k) at the stages. */
+static int begin_load(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const fvi_matrices *m = s->run.system->matrices;
+    struct fvi_mesh_structure *of = o->structure;
+    const size_t d = o->d;
+    const double h = o->length.h;
+    int status = m->stiffness(d, o->y, m->params, of->Kx);
+    if (!status)
+        status = m->stiffness(d, o->v, m->params, of->Kv);
+    for (size_t i = 0; i < o->rule->s && !status; i++) {
+        const double ch = h * o->rule->c[i];
+        status = fvi_force_value(s, fvi_variable_step_stage_time(o->rule, o->t, h, i));
+        for (size_t j = 0; j < d; j++)
+            of->load[i * d + j] = s->F[j] - of->Kx[j] - ch * of->Kv[j];
+    }
+    return status;
+}
+
+/* As that of variable_steps.c, but for what the memory does, which moves all unknowns together. */
+static int estimate(fvi_variable_step_state *o, double *error)
+{
+    struct fvi_mesh_structure *m = o->structure;
+    const fvi_variable_rule *rule = o->rule;
+    const size_t d = o->d, s = rule->s;
+    for (size_t j = 0; j < d; j++) {
+        double *delta = o->delta + j * FVI_LANES;
+        for (size_t i = 0; i < s; i++)
+            delta[i] = m->delta[i * d + j];
+        fvi_square_apply(s, &rule->legendre, delta, o->accel_legendre + j * FVI_LANES);
+        m->last[j] = o->accel_legendre[j * FVI_LANES + s - 1];
+    }
+    const int status = fvi_structure_mesh_leak(o, m->last, m->size);
+    const double reach = fvi_variable_step_compliance(o, o->group);
+    *error = 0;
+    for (size_t j = 0; j < d && !status; j++)
+        *error = larger(*error, (rule->stage * o->length.h + reach * rule->alias) * fabs(m->last[j])
+                                    + reach * m->size[j]);
+    return status;
+}
+
+int fvi_structure_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
+                           double *error)
+{
+    o->length = length;
+    int status = fvi_structure_mesh_solver(s, o, length.h);
+    if (!status)
+        status = begin_load(s, o);
+    if (!status)
+        status = fvi_structure_mesh_predict(o);
+    if (!status)
+        status = fvi_stage_solver_solve(o->structure->solver, o->structure->load,
+                                        o->structure->delta);
+    return status ? status : estimate(o, error);
+}
+
+int fvi_structure_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J)
+{
+    struct fvi_mesh_structure *m = o->structure;
+    double *v = m->Kv;
+    memcpy(v, J, o->d * sizeof *v);
+    int status = divide_by_mass(s->run.system, v);
+    for (size_t j = 0; j < m->count && !status; j++) {
+        const fvi_mesh_matrix *of = &m->damper[j];
+        const fvi_damping_matrix *C = &of->of.matrix;
+        status = C->remember(o->d, v, of->zero, C->params, of->z);
+        for (size_t n = 0; n < of->r; n++)
+            of->now[n] += of->z[n];
+    }
+    for (size_t j = 0; j < o->d; j++)
+        o->v[j] += v[j];
+    return status;
+}
+
+/* ---- copies ---- */
+
+static size_t numbers_of(const fvi_variable_step_state *o, const fvi_mesh_matrix *of)
+{
+    return (5 + 2 * o->rule->s) * of->r;
+}
+
+static int copy_damper(const fvi_variable_step_state *o, const fvi_mesh_matrix *old,
+                       fvi_mesh_matrix *new)
+{
+    fvi_mesh_damper *to = &new->memory;
+    memcpy(new->before, old->before, numbers_of(o, old) * sizeof *new->before);
+    memcpy(new->W, old->W, sizeof new->W);
+    *to = old->memory;
+    to->modes = to->rising = NULL;
+    to->kernel = to->kernel ? fvi_variable_step_copy_kernel(to->kernel) : NULL;
+    if (old->memory.kernel && !to->kernel)
+        return FVI_ENOMEM;
+    int status = old->memory.modes ? fvi_modes_copy(old->memory.modes, &to->modes) : FVI_SUCCESS;
+    return status || !old->memory.rising ? status
+                                         : fvi_modes_copy(old->memory.rising, &to->rising);
+}
+
+int fvi_structure_mesh_copy(const fvi_stepper *from, fvi_stepper *to)
+{
+    const fvi_variable_step_state *old = from->method_state;
+    fvi_variable_step_state *o = to->method_state;
+    o->structure = NULL;
+    int status = fvi_structure_mesh_allocate(to, o);
+    for (size_t j = 0; !status && j < old->structure->count; j++)
+        status = copy_damper(o, &old->structure->damper[j], &o->structure->damper[j]);
+    return status;
+}
+
+int fvi_structure_mesh_archive(fvi_stepper *s, fvi_archive *v)
+{
+    fvi_variable_step_state *o = s->method_state;
+    struct fvi_mesh_structure *m = o->structure;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < m->count && !status; j++) {
+        fvi_mesh_matrix *of = &m->damper[j];
+        status = v->serialize(v, of->before, 3 * of->r * sizeof *of->before, 0);
+        if (!status && of->memory.modes)
+            status = fvi_modes_archive(of->memory.modes, v);
+        if (!status && of->memory.rising)
+            status = fvi_modes_archive(of->memory.rising, v);
+    }
+    m->h = 0;
+    return status;
+}
+
+void fvi_structure_mesh_free(fvi_variable_step_state *o)
+{
+    struct fvi_mesh_structure *m = o->structure;
+    if (!m)
+        return;
+    for (size_t j = 0; m->damper && j < m->count; j++) {
+        fvi_modes_free(m->damper[j].memory.modes);
+        fvi_modes_free(m->damper[j].memory.rising);
+        free(m->damper[j].memory.kernel);
+        free(m->damper[j].before);
+    }
+    for (size_t i = 0; i < FVI_MESH_RUNGS; i++)
+        fvi_stage_solver_free(m->rung[i].solver);
+    free(m->damper);
+    free(m->numbers);
+    free(m);
+}

@@ -1,0 +1,240 @@
+/* src/variable_step/variable_structure_memory.c -- Dampers of a structure on a mesh: their modes.   [H 27, 22] */
+#include "variable_structure.h"
+
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the start ---- */
+
+/* The numbers of all dampers that remember any, in one piece each. */
+int fvi_structure_mesh_allocate(const fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const size_t d = o->d, n = o->rule->s, count = fvi_run_damper_count(&s->run);
+    struct fvi_mesh_structure *m = o->structure = calloc(1, sizeof *m);
+    if (m)
+        m->damper = calloc(count + 1, sizeof *m->damper);
+    if (m)
+        m->numbers = calloc((5 + 2 * n) * d, sizeof *m->numbers);
+    if (!m || !m->damper || !m->numbers)
+        FVI_FAIL("no memory for the structure", FVI_ENOMEM);
+    m->load = m->numbers + 5 * d;
+    m->delta = m->load + n * d;
+    m->Kx = m->numbers;
+    m->Kv = m->Kx + d;
+    m->last = m->Kv + d;
+    m->size = m->last + d;
+    m->ones = m->size + d;
+    for (size_t j = 0; j < d; j++)
+        m->ones[j] = 1;
+    for (size_t j = 0; j < count; j++) {
+        const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
+        const size_t r = of.matrix.remembered;
+        if (r == 0)
+            continue;
+        fvi_mesh_matrix *to = &m->damper[m->count++];
+        *to = (fvi_mesh_matrix){ .of = of, .number = j, .r = r };
+        to->before = calloc((5 + 2 * n) * r, sizeof *to->before);
+        if (!to->before)
+            FVI_FAIL("no memory for a damper", FVI_ENOMEM);
+        to->now = to->before + r;
+        to->centre = to->now + r;
+        to->z = to->centre + r;
+        to->zero = to->z + r;
+        to->force = to->zero + r;
+        to->slope = to->force + n * r;
+    }
+    return FVI_SUCCESS;
+}
+
+/* Riemann and Liouville's past below the order 1: the place is a jump at t = 0, y = sigma z_0 in every mode. */
+static void strike(fvi_variable_step_state *o, fvi_mesh_matrix *to)
+{
+    fvi_modes *modes = to->memory.modes;
+    memset(to->centre, 0, to->r * sizeof *to->centre);
+    if (!modes)
+        return;
+    o->undeclared_jump_until = o->T; /* such a start shows a part of its error alone */
+    fvi_modes_activate_all(modes);
+    for (size_t n = 0; n < to->r; n++)
+        for (size_t q = 0; q < fvi_modes_count(modes); q++)
+            fvi_modes_add(modes, n, q, fvi_modes_decay(modes, q) * to->z[n]);
+}
+
+static int begin_damper(fvi_stepper *s, fvi_variable_step_state *o, fvi_mesh_matrix *to)
+{
+    const fvi_kernel_term power = { FVI_KERNEL_POWER, to->of.rho, to->of.alpha, 0, 0 };
+    const fvi_kernel alone = { 1, &power };
+    const fvi_damping_matrix *C = &to->of.matrix;
+    int status = C->remember(o->d, s->x, to->zero, C->params, to->z);
+    memcpy(to->centre, to->z, to->r * sizeof *to->z);
+    if (!status)
+        status = C->remember(o->d, o->v, to->zero, C->params, to->now);
+    if (!status)
+        status = fvi_mesh_begin_damper(s, o, to->of.law ? to->of.law : &alone, to->r, to->number,
+                                       &to->memory);
+    if (status)
+        return status;
+    if (to->of.growth <= 1 || to->of.past == FVI_INITIAL_HISTORY_CAPUTO) /* else it was at rest */
+        memcpy(to->before, to->now, to->r * sizeof *to->now);
+    if (to->of.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && to->of.growth < 1)
+        strike(o, to);
+    return status;
+}
+
+int fvi_structure_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < o->structure->count && !status; j++)
+        status = begin_damper(s, o, &o->structure->damper[j]);
+    return status;
+}
+
+/* ---- in a step ---- */
+
+/* The place of this length among the rungs, or of the one that has not been used for longest. */
+static size_t find_rung(const struct fvi_mesh_structure *m, double h)
+{
+    size_t oldest = 0;
+    for (size_t i = 0; i < FVI_MESH_RUNGS; i++) {
+        if (m->rung[i].solver && m->rung[i].h == h)
+            return i;
+        if (m->rung[i].used < m->rung[oldest].used)
+            oldest = i;
+    }
+    return oldest;
+}
+
+int fvi_structure_mesh_solver(const fvi_stepper *s, fvi_variable_step_state *o, double h)
+{
+    struct fvi_mesh_structure *m = o->structure;
+    const fvi_matrices *matrices = s->run.system->matrices;
+    for (size_t j = 0; m->h != h && j < m->count; j++)
+        fvi_mesh_present_damper(o, h, &m->damper[j].memory, m->damper[j].W);
+    m->h = h;
+    const size_t i = find_rung(m, h);
+    int status = FVI_SUCCESS;
+    if (!m->rung[i].solver || m->rung[i].h != h) {
+        const double **W = calloc(matrices->damper_count + 1, sizeof *W);
+        if (!W)
+            FVI_FAIL("no memory for the factors", FVI_ENOMEM);
+        for (size_t j = 0; j < m->count; j++)
+            W[m->damper[j].number] = m->damper[j].W;
+        fvi_stage_solver_free(m->rung[i].solver);
+        m->rung[i].solver = NULL;
+        status = fvi_stage_solver_alloc(matrices, o->d, o->rule->s, h, W, &m->rung[i].solver);
+        free(W);
+    }
+    m->rung[i].h = h;
+    m->rung[i].used = ++m->uses;
+    m->solver = m->rung[i].solver;
+    return status;
+}
+
+/* rho H of one set of modes, or of none. */
+static void add_modes(const fvi_variable_step_state *o, const fvi_mesh_matrix *to,
+                      fvi_modes *modes)
+{
+    double H[FVI_LANES];
+    if (!modes)
+        return;
+    fvi_modes_begin(modes, o->length);
+    for (size_t n = 0; n < to->r; n++) {
+        fvi_modes_history(modes, n, H);
+        for (size_t i = 0; i < o->rule->s; i++)
+            to->force[i * to->r + n] += to->memory.rho * H[i];
+    }
+}
+
+/* The modes, what the present makes of a constant velocity, and of a spring where it is. */
+static int predict_damper(fvi_variable_step_state *o, fvi_mesh_matrix *to)
+{
+    const fvi_damping_matrix *C = &to->of.matrix;
+    const size_t s = o->rule->s, r = to->r;
+    const double factor = to->memory.rho * pow(o->length.h, -to->memory.beta);
+    int status = FVI_SUCCESS;
+    if (to->memory.beta == -1)
+        status = C->remember(o->d, o->y, to->centre, C->params, to->z);
+    for (size_t i = 0; i < s; i++) {
+        double present = 0;
+        for (size_t c = 0; c < s; c++)
+            present += to->W[i * s + c];
+        for (size_t n = 0; n < r; n++)
+            to->force[i * r + n] =
+                present * to->now[n]
+                - (to->memory.W1[i] != 0 ? factor * to->memory.W1[i] * to->before[n] : 0)
+                + (to->memory.beta == -1 ? to->memory.rho * to->z[n] : 0);
+    }
+    add_modes(o, to, to->memory.modes);
+    add_modes(o, to, to->memory.rising);
+    for (size_t i = 0; i < s && !status; i++)
+        status = C->damp(o->d, 1, to->force + i * r, C->params, o->structure->load + i * o->d);
+    return status;
+}
+
+int fvi_structure_mesh_predict(fvi_variable_step_state *o)
+{
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < o->structure->count && !status; j++)
+        status = predict_damper(o, &o->structure->damper[j]);
+    return status;
+}
+
+int fvi_structure_mesh_leak(fvi_variable_step_state *o, const double *last, double *size)
+{
+    struct fvi_mesh_structure *m = o->structure;
+    int status = FVI_SUCCESS, any = 0;
+    memset(m->Kv, 0, o->d * sizeof *m->Kv);
+    for (size_t j = 0; j < m->count && !status; j++) {
+        const fvi_mesh_matrix *of = &m->damper[j];
+        const fvi_damping_matrix *C = &of->of.matrix;
+        const double factor =
+            of->memory.leakage * of->memory.rho * pow(o->length.h, -of->memory.beta);
+        if (factor == 0)
+            continue;
+        any = 1;
+        status = C->remember(o->d, last, of->zero, C->params, of->z);
+        if (!status)
+            status = C->damp(o->d, factor, of->z, C->params, m->Kv);
+    }
+    if (any && !status)
+        return fvi_stage_solver_filter(m->solver, m->Kv, size);
+    memset(size, 0, o->d * sizeof *size);
+    return status;
+}
+
+/* ---- the step is taken ---- */
+
+static int advance_damper(fvi_variable_step_state *o, fvi_mesh_matrix *of)
+{
+    const fvi_damping_matrix *C = &of->of.matrix;
+    const size_t s = o->rule->s, r = of->r;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < s && !status; i++)
+        status = C->remember(o->d, o->structure->delta + i * o->d, of->zero, C->params,
+                             of->slope + i * r);
+    for (size_t n = 0; n < r && !status; n++) {
+        double v[FVI_LANES] = { 0 }, change[FVI_LANES] = { 0 };
+        for (size_t i = 0; i < s; i++) {
+            v[i] = of->now[n] + of->slope[i * r + n];
+            change[i] = v[i] - of->before[n];
+        }
+        if (of->memory.modes)
+            fvi_modes_advance(of->memory.modes, n, of->memory.beta > 0 ? change : v,
+                              of->before[n]);
+        if (of->memory.rising)
+            fvi_modes_advance(of->memory.rising, n, change, of->before[n]);
+        of->before[n] = of->now[n] = v[s - 1];
+    }
+    return status;
+}
+
+int fvi_structure_mesh_advance(fvi_variable_step_state *o)
+{
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < o->structure->count && !status; j++)
+        status = advance_damper(o, &o->structure->damper[j]);
+    return status;
+}
