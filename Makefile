@@ -301,14 +301,12 @@ $B/python/wheel: $(PACKAGE) $(HEADERS) $B/libfvi.a $B/fvi
 	cd $B/python/package && $(PYTHON) setup.py -q bdist_wheel -d .. >../wheel.log 2>&1 || { cat ../wheel.log; exit 1; }
 	touch $@
 
-# The notebook, executed with the wheel; it takes no Jupyter to be made.
 $B/python/site: $B/python/wheel
 	rm -rf $@
 	$(PYTHON) -m zipfile -e $B/python/fvi-*.whl $@
 
-notebook: $B/python/site | needs ## the notebook, executed: build/python/experiments.ipynb (cffi, numpy)
-	PYTHONPATH=$< $(PYTHON) src/python/notebook/build.py src/python/notebook/experiments.py $B/python/experiments.ipynb
-	ls $B/python/experiments.ipynb
+notebook: $B/python/site | needs ## the notebooks of the twelve weeks, executed, into build/notebooks (Jupyter; WEEK=03-discrete_mechanics for one)
+	PYTHONPATH=$(abspath $<) $(PYTHON) src/make/notebooks.py $B/notebooks $(WEEK)
 
 ## -- tests -----------------------------------------------------------------
 
@@ -513,7 +511,7 @@ NEEDS := $(sort cc gsl cholmod \
   $(call goal,book pdf test-book,wasm) \
   $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
-  $(call goal,check python notebook test-python,cffi setuptools wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,cppcheck,cppcheck) $(call goal,valgrind valgrind-%,valgrind))
+  $(call goal,check python notebook test-python,cffi setuptools wheel numpy Python.h) $(call goal,notebook,nbclient nbformat ipykernel matplotlib) $(call goal,check test-python,pytest) $(call goal,cppcheck,cppcheck) $(call goal,valgrind valgrind-%,valgrind))
 
 needs:
 	sh src/make/need.sh $(if $(filter all $B/fvi install,$(GOALS)),,--bring) $(NEEDS)

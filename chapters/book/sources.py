@@ -1,10 +1,12 @@
 """The sources as pages with colours, a number and an anchor for each line."""
 import html
+import json
 import pathlib
 import re
 
 SUFFIXES = {".c": "c", ".h": "c", ".py": "python", ".sh": "sh", ".gp": "sh", ".mjs": "js", ".js": "js",
-            ".txt": "text", ".toml": "sh", ".tsv": "text", ".css": "text", ".html": "text", ".1": "text", ".md": "text"}
+            ".txt": "text", ".toml": "sh", ".tsv": "text", ".css": "text", ".html": "text", ".1": "text", ".md": "text",
+            ".ipynb": "python"}
 WORDS = {
     "c": "auto break case char const continue default do double else enum extern float for goto if inline int long "
          "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while "
@@ -84,10 +86,19 @@ def include(match, names):
     return f'{match[1]}<a href="{source_page(header)}">{match[2]}</a>{match[3]}'
 
 
+def text_of(path):
+    """What a reader wants to see of a source: of a notebook its cells, as a script."""
+    if path.suffix != ".ipynb":
+        return path.read_text(errors="replace")
+    cells = json.loads(path.read_text())["cells"]
+    return "\n\n".join("".join(cell["source"] if cell["cell_type"] == "code" else ["# " + line for line in cell["source"]])
+                       for cell in cells)
+
+
 def source_html(path, names):
     """The body of the page of one source; names: of the pages that there are."""
     language = "sh" if path.name == "Makefile" else SUFFIXES.get(path.suffix, "text")
-    code = colour(path.read_text(errors="replace").rstrip("\n"), language)
+    code = colour(text_of(path).rstrip("\n"), language)
     if language == "c":
         code = re.sub(r'(<span class="kw">#include</span> (?:&lt;|<span class="st">"))([\w/.]+)(&gt;|")', lambda found: include(found, names), code)
     lines = "\n".join(f'<span class="l" id="L{i}"><a href="#L{i}" aria-label="Line {i}"></a>{line}</span>'

@@ -15,7 +15,7 @@ have() {
     cholmod) test -e /usr/include/suitesparse/umfpack.h || printf '#include <suitesparse/%s.h>\n' cholmod umfpack | ${CC%% *} -E - ;;
     gnuplot) command -v "$GNUPLOT" ;;
     python) command -v "$PYTHON" ;;
-    sympy | numpy | cffi | setuptools | wheel | pytest) "$PYTHON" -c "from importlib.util import find_spec; raise SystemExit(not find_spec('$1'))" ;;
+    sympy | numpy | cffi | setuptools | wheel | pytest | nbclient | nbformat | ipykernel | matplotlib) "$PYTHON" -c "from importlib.util import find_spec; raise SystemExit(not find_spec('$1'))" ;;
     Python.h) "$PYTHON" -c "import os, sysconfig; raise SystemExit(not os.path.exists(sysconfig.get_path('include') + '/Python.h'))" ;;
     pdfinfo) command -v pdfinfo && command -v pdftotext ;;
     wasm) command -v clang && command -v wasm-ld && test -e /usr/lib/wasm32-wasi/libc.a && command -v zopfli ;;
@@ -34,7 +34,7 @@ packages() {
     python) echo python3 ;;
     Python.h) echo python3-dev ;;
     sympy) echo python3-sympy python3-mpmath python3-gmpy2 ;; # without the last proofs hold, too, a third more slowly
-    numpy | cffi | setuptools | wheel | pytest) echo "python3-$1" ;;
+    numpy | cffi | setuptools | wheel | pytest | nbclient | nbformat | ipykernel | matplotlib) echo "python3-$1" ;;
     wasm) echo clang lld wasi-libc libclang-rt-dev-wasm32 zopfli ;;
     node) echo nodejs ;;
     pdfinfo) echo poppler-utils ;;

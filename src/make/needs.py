@@ -108,8 +108,8 @@ def of_words(words):
                 found |= of_python(path)
             elif path.is_dir() and "import pytest" in found:
                 found = found.union(*map(of_python, path.glob("*.py")))
-        if "src/make/prove.py" in rest:
-            found = found.union(*(of_python(SCRIPTS[stem]) for stem in rest if stem in SCRIPTS))
+        if "src/make/prove.py" in rest:  # behind it stand the folder of what is built, and proofs
+            found = found.union(*(of_python(SCRIPTS[stem]) for stem in rest[rest.index("src/make/prove.py") + 2:] if stem in SCRIPTS))
     if program == "node":
         found |= of_node(pathlib.Path(rest[0]))
     return found
