@@ -27,7 +27,8 @@ int fvi_control_solve(const fvi_method *method, const fvi_run *run, const double
 typedef struct { size_t n, columns; const double *t, *F; ...; } fvi_force_rows;
 fvi_force fvi_force_table(const fvi_force_rows *rows);
 
-typedef enum { FVI_FREE_PARAMETER_CONSTANT, FVI_FREE_PARAMETER_EACH, ... } fvi_free_parameter;
+typedef enum { FVI_FREE_PARAMETER_ALPHA, FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_MASS, FVI_FREE_PARAMETER_X0,
+               FVI_FREE_PARAMETER_P0, FVI_FREE_PARAMETER_CONSTANT, FVI_FREE_PARAMETER_EACH, ... } fvi_free_parameter;
 enum { FVI_MEASURED_MOST = 8, FVI_SENSOR_ROOM = 64 };
 typedef struct { const double *x; double sigma; const fvi_expression *shows; } fvi_measured;
 typedef struct {

@@ -89,7 +89,8 @@ def sensors_of(system: Any, shows: Optional[Sequence[str]], columns: int) -> tup
     texts = [shows] if isinstance(shows, str) else list(shows)
     if len(texts) != columns:
         raise ValueError(f"shows: {len(texts)} for {columns} columns")
-    found, name, out = ([], []), ffi.new("char[]", lib.FVI_SENSOR_ROOM), ffi.new("fvi_expression **")
+    found: tuple[list, list] = ([], [])
+    name, out = ffi.new("char[]", lib.FVI_SENSOR_ROOM), ffi.new("fvi_expression **")
     for text in texts:
         understand(lib.fvi_parse_sensor, b"shows", word("shows", text).encode(), system.d, system.parameters, name, out)
         found[0].append(text_of(name))
