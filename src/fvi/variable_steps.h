@@ -85,6 +85,13 @@ extern "C" {
  * 1 - (4 + n) / 498 < alpha < 1 and a step_error of 10^-n of the size. */
 extern const fvi_method fvi_variable_step;
 
+/* fvi_variable_step_takes_structure -- nonzero if fvi_variable_step takes a system with matrices (structures.h)
+ * for sure: they have complex factors, no damping has the order 2, and each law is a sum of powers, of
+ * fractions with 2 alpha < 0.98, of relaxations, or of powers side by side. alpha, law: as those of a run; with
+ * dampers neither is read. fvi_solve asks this when it chooses the method. */
+int fvi_variable_step_takes_structure(const fvi_system *system, double alpha,
+                                      const fvi_kernel *law);
+
 /* fvi_step_statistics -- what a run of fvi_variable_step has done so far.
  *
  *   steps, rejected  steps taken; trials that were given up

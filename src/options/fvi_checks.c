@@ -50,7 +50,7 @@ int fvi_check_method(const fvi_options *o, fvi_error *c)
     if (o->text[DAMPING] && !m->takes_laws)
         return fvi_refuse(c, "damping", "'%s' is not known to %s",
                           o->text[DAMPING], m->name);
-    if (o->text[DAMPING] && m->dense
+    if (o->text[DAMPING] && m->dense && !o->directory
         && fvi_kernel_growth(&o->damping.law) > 1 && begins_to_move(o))
         return fvi_refuse(c, "p0", "fvi-adaptive takes no velocity that jumps "
                           "with a law that grows faster than s; fvi-bdf2 and "

@@ -74,7 +74,7 @@ static const char usage_run[] =
     "                   or of --steps: N = T/H, a whole number\n"
     "  --error E        instead of --h: N rows to T, and the steps between\n"
     "                   them so short that x is right to E by an      [T 20]\n"
-    "                   estimate; by fvi-adaptive, fvi-stable with --system,\n"
+    "                   estimate; by fvi-adaptive, with --system mostly, too,\n"
     "                   else fvi-bdf2 with --damping, unless one is named\n"
     "  --step-error E   what fvi-adaptive, the method then, lets one step be\n"
     "                   off by; not with --error\n"

@@ -135,6 +135,33 @@ static int refuse(const fvi_stepper *s)
     return FVI_SUCCESS;
 }
 
+/* No pole beside the cut is too near to it. */
+static int has_known_modes(const fvi_kernel *law)
+{
+    for (size_t i = 0; i < law->count; i++) {
+        const fvi_kernel_term *t = &law->term[i];
+        const int is_fraction = t->kind == FVI_KERNEL_ZENER && t->time > 0;
+        if (t->kind > FVI_KERNEL_DISTRIBUTED || (is_fraction && !(t->alpha < 0.49)))
+            return 0;
+    }
+    return 1;
+}
+
+int fvi_variable_step_takes_structure(const fvi_system *system, double alpha,
+                                      const fvi_kernel *law)
+{
+    const fvi_matrices *m = system->matrices;
+    const fvi_run run = { .system = system, .alpha = alpha, .law = law };
+    if (!m || !m->factorise_complex || !m->solve_complex || !m->forget_complex || !m->inertia)
+        return 0;
+    for (size_t j = 0; j < fvi_run_damper_count(&run); j++) {
+        const fvi_run_damper of = fvi_run_damper_of(&run, j);
+        if (of.growth == 2 || (of.law && !has_known_modes(of.law)))
+            return 0;
+    }
+    return 1;
+}
+
 int fvi_structure_mesh_start(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const int status = refuse(s);

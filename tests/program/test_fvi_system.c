@@ -207,7 +207,7 @@ START_TEST(eq_18_2_a_system_is_run_to_a_wanted_error)
           "--error 1e-5 "
           "--columns x",
           found, sizeof found);
-    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable"));
+    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-adaptive"));
     ck_assert_uint_eq(compare(found, fine, 1e-5), 5 * 3);
     table_of("run --system chain --x0 1 --p0 0.5 --damping zener:1,0.3,0.5 "
           "--damping power:1,0.8 "
@@ -217,11 +217,19 @@ START_TEST(eq_18_2_a_system_is_run_to_a_wanted_error)
           "--damping power:1,0.8 "
           "--time 4 --steps 4 --error 1e-5 --columns x",
           found, sizeof found);
-    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable"));
+    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-adaptive"));
     ck_assert_uint_eq(compare(found, fine, 1e-5), 5 * 3);
     ck_assert_int_eq(fvi("run --system chain --x0 0 --p0 0 --time 4 --steps 4 "
                          "--error 1e-5"),
                      0);
+    ck_assert_int_eq(fvi("run --system chain --order 2 --x0 1 --time 4 --steps 4 "
+                         "--error 1e-2"),
+                     0); /* a damping of order 2 is a mass */
+    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable"));
+    ck_assert_int_eq(fvi("run --system chain --damper 'C.mtx : power:1,0.3' --x0 1 --time 4 "
+                         "--steps 4 --error 1e-2 --columns t,d1.force"),
+                     0); /* forces of dampers are told by given steps */
+    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable"));
 }
 END_TEST
 

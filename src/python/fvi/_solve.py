@@ -275,7 +275,7 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
     t_eval      the times of the rows, increasing, within 0 ... time; None: evenly, or each step
     error       how far x may be off at any row, a length > 0, by the library's estimate
     method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h; "fvi-bdf2" for a law with error;
-                "fvi-stable" for matrices and where there is more than masses and a potential
+                "fvi-stable" with constraints, and for matrices with a damping of order 2
     h           the step, a time > 0 of which the problem's time is a multiple
     steps       instead of h: how many steps, or, where the steps are found, how many rows but one; 200
     kappa       0 ... 1: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}, of methods that have it; 0.5
