@@ -20,7 +20,8 @@ ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_ahead fvi_history
     fvi_adjoint_lobatto_start fvi_adjoint_lobatto_step fvi_tangent_stages_start fvi_tangent_stages_step
     fvi_impulses_of_slope_alloc fvi_adjoint_lobatto_jump fvi_adjoint_dampers_check fvi_adjoint_dampers_end
     fvi_adjoint_dampers_free fvi_adjoint_dampers_start fvi_adjoint_dampers_step fvi_adjoint_slope_of
-    fvi_adjoint_slope_symbol fvi_adjoint_has_slope fvi_adjoint_slope_begin_at""".split()]
+    fvi_adjoint_slope_symbol fvi_adjoint_has_slope fvi_adjoint_slope_begin_at
+    fvi_adjoint_mechanism_check fvi_adjoint_mechanism_run""".split()]
 SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "labels.js", HERE / "address.js", HERE / "orders.js", HERE / "modes.js"]
 WORDS = "scene, scenes, frame, begin, addressOf, asked, open, start, settled, axes, span, short, readColours, stopsOf, orders, modes"
 

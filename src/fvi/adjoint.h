@@ -31,6 +31,11 @@ typedef struct {
     int has_momenta;
 } fvi_objective;
 
+/* fvi_lagrangian_column -- the derivatives of L_x and L_v by parameter j, from 0, at (x, v, t): added to
+ * Sx and Sv, d zeros each. params are those of the Lagrangian. Returns as its functions do. */
+typedef int fvi_lagrangian_column(size_t j, double t, size_t d, const double *x, const double *v,
+                                  void *params, double *Sx, double *Sv);
+
 /* fvi_sensitivities -- where the derivatives go; what is NULL is not wanted. Of a system with
  * matrices mass, damping and parameters are one number each: by a factor of M, of C and of
  * K, at 1; the sensitivity is not read.
@@ -46,11 +51,13 @@ typedef struct {
  *                  ((s - 1) N + 1) d numbers. Where a step ends and the next begins,
  *                  both limits of F change together
  *   sensitivity    of the potential (sensitivity.h)
- *   parameters     by its parameters, sensitivity.count numbers; NULL if count is 0 */
+ *   parameters     by its parameters, sensitivity.count numbers; NULL if count is 0
+ *   lagrangian     of a mechanism with a Lagrangian, instead of sensitivity.column: see below */
 typedef struct {
     double *x0, *p0, *mass, *damping, *alpha, *terms, *orders, *times, *ends,
         *force, *parameters;
     fvi_parameter_gradient sensitivity;
+    fvi_lagrangian_column *lagrangian;
 } fvi_sensitivities;
 
 /* fvi_adjoint -- the derivatives of J by all that determines a run.
@@ -91,6 +98,14 @@ typedef struct {
  *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19) With several
  *          dampers `damping` has a number for each, by a factor of its kernel. There is none of a J
  *          that depends on momenta before p_N
+ *   mechanism  fvi, fvi-stable and the methods with stages, x and p NULL: dampers between points, a
+ *          Lagrangian, forces of velocity and constraints that do not know the time, or imposed
+ *          coordinates; elongations and constraints with second derivatives. (23.29) `damping` has a
+ *          number for each damper, by a factor of its kernel, and terms to ends have those of all
+ *          kernels. With constraints x0 and p0 are for changes that keep to them. Every p_k may be
+ *          in J. Not by fvi-stable with a coordinate without inertia; with stages there are no terms
+ *          to ends of a sum of laws that grows faster than s. All steps are kept: N (3 d + r s)
+ *          numbers and more with stages
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
  *          fvi_variable_step, where nothing is damped, is the one of form M with such a damping
  *

@@ -160,7 +160,8 @@ typedef struct fvi_ground fvi_ground;
  *
  * fvi_ground_force -- that F, to be put into the system for its runs.
  * fvi_ground_acceleration -- a_g, a force of one number, for columns (columns.h).
- * fvi_ground_typed -- the same as it was typed: its files and jumps; NULL if it was not. */
+ * fvi_ground_typed -- the same as it was typed: its files and jumps; NULL if it was not.
+ * fvi_ground_pull -- M r, d numbers: F is -M r a_g and what acts besides. */
 int fvi_parse_ground(const char *text, const fvi_system *system,
                      const double *r, fvi_user_parameters *parameters,
                      double last, fvi_ground **ground, fvi_error *error);
@@ -169,6 +170,7 @@ int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system,
 fvi_force fvi_ground_force(const fvi_ground *ground);
 const fvi_force *fvi_ground_acceleration(const fvi_ground *ground);
 const fvi_typed_force *fvi_ground_typed(const fvi_ground *ground);
+const double *fvi_ground_pull(const fvi_ground *ground);
 void fvi_ground_free(fvi_ground *ground);
 
 /* fvi_force_rows -- forces that were measured: n rows at increasing times.
@@ -231,6 +233,18 @@ int fvi_damper_texts(size_t d, const double *rho, double alpha, const char *law,
 
 /* fvi_mechanism_typed -- the mechanism, for a system; it belongs to the typed one. */
 const fvi_mechanism *fvi_mechanism_typed(const fvi_typed_mechanism *mechanism);
+
+/* fvi_typed_lagrangian_by_parameter -- the derivatives of a typed Lagrangian by parameter j of its text: of
+ * L itself to *value, if it is not NULL, and of L_x and L_v added to Sx and Sv, d numbers each.
+ * fvi_typed_lagrangian_column -- the last two, an fvi_lagrangian_column (adjoint.h).
+ *
+ *   params  those of the fvi_lagrangian
+ *
+ * Return FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_typed_lagrangian_by_parameter(size_t j, double t, size_t d, const double *x, const double *v,
+                                      void *params, double *value, double *Sx, double *Sv);
+int fvi_typed_lagrangian_column(size_t j, double t, size_t d, const double *x, const double *v,
+                                void *params, double *Sx, double *Sv);
 
 /* fvi_typed_mechanism_free -- give everything back. NULL is allowed. */
 void fvi_typed_mechanism_free(fvi_typed_mechanism *mechanism);

@@ -93,14 +93,17 @@ int fvi_parse_table_columns(const char *field, const char *file, size_t count,
  * not copy one that is in use: name points into names. A value may be changed while no run goes on.
  *
  *   used  for each, who speaks of it: FVI_USED_BY_POTENTIAL, FVI_USED_BY_FORCE,
- *         FVI_USED_BY_PARAMETER, FVI_USED_BY_DAMPING, FVI_USED_BY_COLUMN, added */
+ *         FVI_USED_BY_PARAMETER, FVI_USED_BY_DAMPING, FVI_USED_BY_COLUMN, added; of a
+ *         Lagrangian _POTENTIAL, and _MECHANISM of an elongation, a constraint, an imposed
+ *         coordinate and a force of velocity */
 enum {
     FVI_MOST_USER_PARAMETERS = 64,
     FVI_USED_BY_POTENTIAL = 1,
     FVI_USED_BY_FORCE = 2,
     FVI_USED_BY_PARAMETER = 4,
     FVI_USED_BY_DAMPING = 8,
-    FVI_USED_BY_COLUMN = 16
+    FVI_USED_BY_COLUMN = 16,
+    FVI_USED_BY_MECHANISM = 32
 };
 typedef struct {
     size_t count;

@@ -103,9 +103,7 @@ static int slope(const fvi_stepper *s, size_t j, const double *v, double *zdot)
     return status;
 }
 
-/* Does the force begin with a term that weights alone give to no full order? Of order 1 they act alone, as in
- * the paper, but for Caputo's past, which has no such term. At stages an order of 2 is a mass, and has none. */
-static int feels_slope(const fvi_mechanism_state *o, const fvi_damper *damper)
+int fvi_mechanism_feels_slope(const fvi_mechanism_state *o, const fvi_damper *damper)
 {
     const double growth = fvi_kernel_growth(damper->kernel);
     return growth > 1 && !(o->rule && growth == 2)
@@ -125,7 +123,7 @@ static int begin_damper(fvi_stepper *s, size_t j, const double *v,
     o->z0[j] = first && is_rl ? 0 : o->z[j];
     if (!status && is_rl && !first)
         status = add_start_forces_of_place(s, j, error);
-    const int feels = zdot != 0 && feels_slope(o, damper);
+    const int feels = zdot != 0 && fvi_mechanism_feels_slope(o, damper);
     if (!status && feels)
         status = add_start_force_of_slope(s, j, zdot);
     if (!status && acts(damper->kernel))
@@ -154,13 +152,16 @@ static int begin_nodes(fvi_stepper *s, fvi_mechanism_part *part)
     return status;
 }
 
-/* The histories of stages keep a tenth of the tolerance; without a tolerance the finest there is. */
+double fvi_mechanism_tolerance(const fvi_run *run)
+{
+    return run->tolerance > 0 ? fmax(run->tolerance / 10, 1e-14) : 1e-14;
+}
+
 static int begin_stages(fvi_stepper *s, fvi_mechanism_part *part)
 {
     fvi_mechanism_state *o = s->mechanism;
     const size_t n = o->s;
-    const double keep =
-        s->run.tolerance > 0 ? fmax(s->run.tolerance / 10, 1e-14) : 1e-14;
+    const double keep = fvi_mechanism_tolerance(&s->run);
     const int status = fvi_lobatto_history_of_kernel(
         n, &part->kernel, s->run.h, 1, s->run.steps, s->run.memory, keep,
         &part->stages);

@@ -101,6 +101,13 @@ static int assemble(fvi_stepper *s, const double *u)
 }
 //< residual
 
+int fvi_mechanism_linearise_nodes(fvi_stepper *s, const double *u)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const int status = assemble(s, u);
+    return status || o->form == FVI_MECHANISM_NODES ? status : evaluate_end(s, u);
+}
+
 /* Of order 1 F, the forces of velocity and the dampers act at the end of the step. */
 static int end_first_order(fvi_stepper *s)
 {

@@ -130,6 +130,12 @@ static int assemble(fvi_stepper *s, const double *u)
     return o->m ? add_constraints(s, u) : status;
 }
 
+int fvi_mechanism_linearise(fvi_stepper *s, const double *u)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    return (o->rule ? assemble : fvi_mechanism_linearise_nodes)(s, u);
+}
+
 /* ---- a step ---- */
 
 /* The polynomial of the last step goes on; of many stages it would swing, and its last slope does. */

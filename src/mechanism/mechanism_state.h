@@ -102,6 +102,15 @@ int fvi_mechanism_predict_forces(fvi_stepper *s);
  * time t less z_0, r numbers; at stages zdot, r s numbers. Of order 1, lambda is an output. */
 int fvi_mechanism_update_histories(fvi_stepper *s, double t, const double *z);
 
+/* fvi_mechanism_feels_slope -- does the force of a damper begin with a term that weights alone give to no
+ * full order? Of order 1 they act alone, as in the paper, but for Caputo's past, which has no such term.
+ * At stages an order of 2 is a mass, and has none. */
+int fvi_mechanism_feels_slope(const fvi_mechanism_state *o, const fvi_damper *damper);
+
+/* fvi_mechanism_tolerance -- what the histories of stages keep: a tenth of the tolerance of the run;
+ * without one the finest there is. */
+double fvi_mechanism_tolerance(const fvi_run *run);
+
 int fvi_mechanism_copy_parts(const fvi_mechanism_state *from,
                              fvi_mechanism_state *to);
 int fvi_mechanism_serialize_parts(fvi_stepper *s, fvi_archive *archive);
@@ -169,6 +178,11 @@ int fvi_mechanism_step_stages(fvi_stepper *s);
  * fvi_mechanism_keep_dampers -- such a step is taken: impulses and work, z, G and v at its end. */
 int fvi_mechanism_solve_stages(fvi_stepper *s);
 void fvi_mechanism_keep_dampers(fvi_mechanism_state *o);
+
+/* fvi_mechanism_linearise -- everything at the unknowns u of the step that begins at s->x: `matrix`, and all
+ * that it was made of. */
+int fvi_mechanism_linearise(fvi_stepper *s, const double *u);
+int fvi_mechanism_linearise_nodes(fvi_stepper *s, const double *u);
 
 /* fvi_mechanism_tables -- E, T and next of the form. */
 void fvi_mechanism_tables(fvi_mechanism_state *o);

@@ -164,3 +164,8 @@ const fvi_typed_force *fvi_ground_typed(const fvi_ground *g)
 {
     return g->typed;
 }
+
+const double *fvi_ground_pull(const fvi_ground *g)
+{
+    return g->pull;
+}

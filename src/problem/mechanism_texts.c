@@ -78,6 +78,32 @@ static int lagrangian_at(double t, size_t d, const double *x, const double *v,
     return FVI_SUCCESS;
 }
 
+int fvi_typed_lagrangian_by_parameter(size_t j, double t, size_t d, const double *x, const double *v,
+                                      void *params, double *value, double *Sx, double *Sv)
+{
+    const fvi_expression *e = params;
+    variables w;
+    double own;
+    const int status = open_variables(&w, e, d, x, v, t);
+    if (status)
+        return status;
+    fvi_expression_parameter_gradient(e, j, w.y, &own, w.gradient);
+    if (value)
+        *value = own;
+    for (size_t i = 0; i < d; i++) {
+        Sx[i] += w.gradient[i];
+        Sv[i] += w.gradient[d + i];
+    }
+    close_variables(&w);
+    return FVI_SUCCESS;
+}
+
+int fvi_typed_lagrangian_column(size_t j, double t, size_t d, const double *x, const double *v,
+                                void *params, double *Sx, double *Sv)
+{
+    return fvi_typed_lagrangian_by_parameter(j, t, d, x, v, params, NULL, Sx, Sv);
+}
+
 /* ---- elongations ---- */
 
 static int elongation_value(double t, size_t d, const double *x, void *params,

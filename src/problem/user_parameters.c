@@ -86,7 +86,8 @@ int fvi_parse_expression(const char *field, const char *variable, size_t d,
               field, text, wrong, error);
     if (!status && parameters)
         note_use(parameters, text,
-                 !variable          ? FVI_USED_BY_PARAMETER
+                 !variable                      ? FVI_USED_BY_PARAMETER
+                 : strcmp(field, "impose") == 0 ? FVI_USED_BY_MECHANISM
                  : *variable == 't' ? FVI_USED_BY_FORCE
                  : *variable == 's' ? FVI_USED_BY_DAMPING
                                     : FVI_USED_BY_POTENTIAL);
@@ -110,7 +111,9 @@ int fvi_parse_state_expression(const char *field, size_t d, int velocities,
                                                         known->value, e, &wrong),
                              field, text, wrong, error);
     if (!status && parameters)
-        note_use(parameters, text, FVI_USED_BY_POTENTIAL);
+        note_use(parameters, text,
+                 strcmp(field, "lagrangian") == 0 ? FVI_USED_BY_POTENTIAL
+                                                  : FVI_USED_BY_MECHANISM);
     return status;
 }
 

@@ -14,9 +14,8 @@
 
 /* Of a run, and of no use to its derivatives. */
 static const char *const not_for_gradient[] = {
-    "error",      "columns",  "reduce", "ground", "along", "every",    "format",   "plot",
-    "checkpoint", "continue", "unknowns", "snapshot", "lagrangian",
-    "constraint", "impose",  "force-on", "v0",     "event",    NULL
+    "error",      "columns",  "reduce",   "every",    "format", "plot",
+    "checkpoint", "continue", "unknowns", "snapshot", "event",  NULL
 };
 
 static const fvi_own_command gradient = {
@@ -50,15 +49,23 @@ static int interpret_of(request *r, fvi_error *c)
     return status;
 }
 
-/* Of several dampers those of a folder have a gradient. */
+/* A coordinate without inertia, whose places fvi-stable smooths. */
+static int check_masses(const request *r, fvi_error *c)
+{
+    for (size_t i = 0; r->o.mass && !r->o.directory && i < r->o.d; i++)
+        if (r->o.mass[i] == 0 && r->o.method->scheme == FVI_SCHEME_CQ2_MIDPOINT)
+            return fvi_refuse(c, "method", "'%s' has no gradient with a mass of 0; fvi-lobatto2d to "
+                              "8d have",
+                              r->o.method->name);
+    return 0;
+}
+
+/* Of a folder not all methods have a gradient with all dampers. */
 static int check_dampers(const request *r, fvi_error *c)
 {
     const fvi_scheme scheme = r->o.method->scheme;
-    if (!r->o.text[DAMPER])
+    if (!r->o.text[DAMPER] || !r->o.directory)
         return 0;
-    if (!r->o.directory)
-        return fvi_refuse(c, "damper", "'%s' has no gradient without --system",
-                          r->o.text[DAMPER]);
     if (scheme == FVI_SCHEME_CQ2_SHIFTED || scheme == FVI_SCHEME_FVI) {
         const fvi_mechanism *of = r->system.mechanism;
         for (size_t j = 0; j < of->damper_count; j++) {
@@ -98,7 +105,11 @@ static int interpret(request *r, fvi_error *c)
         return fvi_refuse(c, "method", "'%s' has no gradient with --system; fvi, fvi-shifted, "
                           "fvi-bdf2 and fvi-stable have",
                           m->name);
-    const int unknown = check_dampers(r, c);
+    if (r->system.mechanism && !r->system.matrices && m->scheme == FVI_SCHEME_VARIABLE_STEP)
+        return fvi_refuse(c, "method", "'%s' has no gradient with a Lagrangian or dampers between "
+                          "points; fvi, fvi-stable and fvi-lobatto2 to 8d have",
+                          m->name);
+    const int unknown = check_masses(r, c) || check_dampers(r, c) ? 2 : 0;
     if (unknown)
         return unknown;
     for (size_t j = 0; j < r->o.lets.count; j++)
@@ -120,6 +131,43 @@ static int interpret(request *r, fvi_error *c)
 
 /* ---- derivatives ---- */
 
+static double last_time(const request *r)
+{
+    return (double)r->o.steps * r->o.h;
+}
+
+/* E = v . L_v - L: by p it is v, and by x it is -L_x. */
+static int slopes_of_energy(request *r, const double *x, const double *p, double *Jx, double *Jp)
+{
+    const fvi_lagrangian *L = fvi_gradient_lagrangian(r);
+    const double t = last_time(r);
+    int status = fvi_energy_at(&r->system, t, x, p, &r->value);
+    if (!status)
+        status = fvi_velocity_of_momentum(&r->system, t, x, p, Jp);
+    if (!status)
+        status = L->at(t, r->o.d, x, Jp, L->params, NULL, Jx, NULL, NULL, NULL, NULL);
+    for (size_t i = 0; i < r->o.d; i++)
+        Jx[i] = -Jx[i];
+    return status;
+}
+
+/* At the place and the momentum E falls by what L grows with a parameter. */
+static int add_energy_of_lagrangian(request *r, const double *x, const double *p)
+{
+    const size_t d = r->o.d;
+    double *v = calloc(3 * d, sizeof *v);
+    int status = v ? fvi_velocity_of_momentum(&r->system, last_time(r), x, p, v) : FVI_ENOMEM;
+    for (size_t j = 0; r->to.parameters && !status && j < r->to.sensitivity.count; j++) {
+        double value;
+        status = fvi_typed_lagrangian_by_parameter(j, last_time(r), d, x, v,
+                                                   fvi_gradient_lagrangian(r)->params, &value,
+                                                   v + d, v + 2 * d);
+        r->to.parameters[j] -= value;
+    }
+    free(v);
+    return status;
+}
+
 /* The row N comes first: it is kept, and so is the number of which these are the slopes. */
 static int slopes(size_t k, size_t d, const double *x, const double *p,
                   void *params, double *Jx, double *Jp)
@@ -135,6 +183,8 @@ static int slopes(size_t k, size_t d, const double *x, const double *p,
     }
     memcpy(r->last, x, d * sizeof *x);
     memcpy(r->last + d, p, d * sizeof *p);
+    if (fvi_gradient_lagrangian(r))
+        return slopes_of_energy(r, x, p, Jx, Jp);
     int status = fvi_energy(&r->system, x, p, &r->value);
     if (status)
         return status;
@@ -177,6 +227,8 @@ static int add_energy(request *r, const double *x, const double *p)
 {
     if (r->system.matrices)
         return add_energy_of_matrices(r, x);
+    if (fvi_gradient_lagrangian(r))
+        return add_energy_of_lagrangian(r, x, p);
     for (size_t i = 0; r->to.mass && i < r->o.d; i++) {
         const double v = p[i] / r->o.mass[i];
         r->to.mass[i] -= v * v / 2;
@@ -190,16 +242,49 @@ static int add_energy(request *r, const double *x, const double *p)
     return status;
 }
 
-/* A --let may stand in the force. */
+/* Row k of the forces, each number times that of pull; without pull their sum. */
+static double sum_of_forces(const request *r, size_t k, const double *pull)
+{
+    double sum = 0;
+    for (size_t i = 0; i < r->o.d; i++)
+        sum += (pull ? -pull[i] : 1) * r->force[k * r->o.d + i];
+    return sum;
+}
+
+/* A --let may stand in the force, and in the acceleration of the ground. */
 static void add_forces(request *r)
 {
+    const fvi_typed_force *ground = r->o.ground ? fvi_ground_typed(r->o.ground) : NULL;
     for (size_t j = 0; fvi_gradient_force_has_lets(r) && j < r->o.lets.count; j++)
         for (size_t k = 0; k <= r->o.steps * r->per; k++) {
-            const double by = fvi_typed_force_by_parameter(
-                r->o.force, j, fvi_gradient_row_time(r, k));
-            for (size_t i = 0; i < r->o.d; i++)
-                r->lets[j] += by * r->force[k * r->o.d + i];
+            const double t = fvi_gradient_row_time(r, k);
+            if (r->o.force)
+                r->lets[j] += fvi_typed_force_by_parameter(r->o.force, j, t)
+                              * sum_of_forces(r, k, NULL);
+            if (ground)
+                r->lets[j] += fvi_typed_force_by_parameter(ground, j, t)
+                              * sum_of_forces(r, k, fvi_ground_pull(r->o.ground));
         }
+}
+
+/* The ground pulls with -M r a_g, in which each mass stands, or a factor of M. */
+static int add_ground(request *r)
+{
+    const size_t d = r->o.d;
+    int status = 0;
+    if (!r->o.ground || !r->to.mass)
+        return status;
+    const fvi_force *ag = fvi_ground_acceleration(r->o.ground);
+    const double *pull = fvi_ground_pull(r->o.ground);
+    for (size_t k = 0; !status && k <= r->o.steps * r->per; k++) {
+        double a = 0;
+        status = ag->value(fvi_gradient_row_time(r, k), 1, ag->params, &a);
+        if (r->system.matrices)
+            *r->to.mass += a * sum_of_forces(r, k, pull);
+        for (size_t i = 0; !r->system.matrices && i < d; i++)
+            r->to.mass[i] -= a * pull[i] / r->o.mass[i] * r->force[k * d + i];
+    }
+    return status;
 }
 
 /* What an energy and forces add may be too large where the adjoint's part is not. With Riemann
@@ -251,6 +336,8 @@ static int differentiate(request *r)
         fvi_gradient_name_pairs(r);
     if (!status)
         add_forces(r);
+    if (!status)
+        status = add_ground(r);
     if (!status && r->of == 2)
         status = add_energy(r, r->last, r->last + d);
     free(r->last);
@@ -268,6 +355,8 @@ static int answer(request *r)
     int failed = fvi_gradient_make_room(r);
     if (!failed && fvi_gradient_choose(r, &error))
         failed = fvi_refused(&error, gradient.name);
+    if (!failed)
+        failed = fvi_gradient_make_room_of_forces(r);
     if (!failed)
         failed = fvi_run_warn(&r->o, &r->run, sizeof r->unstable, r->unstable);
     if (!failed)

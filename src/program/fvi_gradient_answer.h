@@ -23,7 +23,7 @@ typedef struct {
     size_t per;                     /* rows of the force in a step */
     double *numbers, *lets, *force; /* by each --let, by each F */
     int by_lets;                    /* some --let is asked for */
-    int has_alpha, has_terms, has_orders, has_pairs; /* which rows there are; has_pairs: of two
+    int has_mass, has_alpha, has_terms, has_orders, has_pairs; /* which rows there are; has_pairs: of two
                                                       * springpots in series */
     char unstable[FVI_WARNING_ROOM];    /* what is said of the step */
 } fvi_gradient_request;
@@ -38,8 +38,13 @@ size_t fvi_gradient_numbers(const fvi_gradient_request *r);
 /* Is a --let asked for that stands in the force? */
 int fvi_gradient_force_has_lets(const fvi_gradient_request *r);
 
-/* Room for all numbers that a run of this kind has. Returns the exit code. */
+/* Room for all numbers that a run of this kind has; and for those of the forces, where they are asked
+ * for. Each returns the exit code. */
 int fvi_gradient_make_room(fvi_gradient_request *r);
+int fvi_gradient_make_room_of_forces(fvi_gradient_request *r);
+
+/* The Lagrangian of the run, or NULL. */
+const fvi_lagrangian *fvi_gradient_lagrangian(const fvi_gradient_request *r);
 
 /* The numbers of two springpots in series, after the derivatives, become those of the words. */
 void fvi_gradient_name_pairs(fvi_gradient_request *r);

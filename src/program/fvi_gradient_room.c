@@ -85,31 +85,56 @@ static int has_alpha(const request *r)
     return !m->stages || m->damped_inertia || r->o.alpha < 1;
 }
 
+const fvi_lagrangian *fvi_gradient_lagrangian(const request *r)
+{
+    return r->system.mechanism ? r->system.mechanism->lagrangian : NULL;
+}
+
+/* A sum of laws that grows faster than s has no derivatives by its numbers with stages. */
+static int grows(const fvi_kernel *kernel)
+{
+    return (kernel->count > 1 || kernel->term->kind != FVI_KERNEL_POWER)
+           && fvi_kernel_growth(kernel) > 1;
+}
+
+int fvi_gradient_make_room_of_forces(request *r)
+{
+    const size_t d = r->o.d;
+    const double rows = 8 * (double)d * (double)r->per * (double)(r->o.steps + 1);
+    if (!r->words.own[FORCES] && !fvi_gradient_force_has_lets(r) && !(r->o.ground && r->to.mass))
+        return 0;
+    if (rows < fvi_machine_bytes())
+        r->force = malloc((r->o.steps * r->per + 1) * d * sizeof *r->force);
+    r->to.force = r->force;
+    return r->force ? 0 : fvi_complain("not enough memory");
+}
+
 int fvi_gradient_make_room(request *r)
 {
     const size_t d = r->o.d;
     r->to.sensitivity = fvi_parameter_gradient_of(&r->system.potential);
     if (r->o.potential.expression)
         r->to.sensitivity = (fvi_parameter_gradient){ r->o.lets.count, by_let };
-    const double rows =
-        8 * (double)d * (double)r->per * (double)(r->o.steps + 1);
-    const int wanted =
-        r->words.own[FORCES] || fvi_gradient_force_has_lets(r);
+    const fvi_lagrangian *L = fvi_gradient_lagrangian(r);
     const size_t terms = fvi_gradient_terms(r);
+    if (L) {
+        r->to.sensitivity = (fvi_parameter_gradient){ r->o.lets.count, NULL };
+        r->to.lagrangian = fvi_typed_lagrangian_column;
+    }
     r->numbers = calloc(fvi_gradient_numbers(r), sizeof(double));
-    if (wanted && rows < fvi_machine_bytes())
-        r->force = malloc((r->o.steps * r->per + 1) * d * sizeof *r->force);
-    if (!r->numbers || (wanted && !r->force))
+    if (!r->numbers)
         return fvi_complain("not enough memory");
     r->to.x0 = r->numbers;
     r->to.p0 = r->to.x0 + d;
-    r->to.force = r->force;
     r->lets = r->to.p0 + 3 * d + 3; /* behind c and g */
     r->to.mass = r->to.p0 + d;
     r->to.damping = r->to.mass + d;
+    r->has_mass = !L && !(r->o.ground && r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP);
+    if (!r->has_mass)
+        r->to.mass = NULL;
     r->has_alpha = has_alpha(r);
     r->to.alpha = r->has_alpha ? r->to.damping + d : NULL;
-    r->to.parameters = r->o.potential.expression ? r->lets : r->to.damping + d + 1;
+    r->to.parameters = r->o.potential.expression || L ? r->lets : r->to.damping + d + 1;
     double *of_laws = r->lets + r->o.lets.count;
     if (r->system.mechanism) { /* a number for each damper */
         r->to.damping = of_laws;
@@ -122,6 +147,12 @@ int fvi_gradient_make_room(request *r)
     r->has_terms = r->to.terms != NULL;
     if (r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP)
         return 0;
+    for (size_t j = 0; r->o.method->stages && j < fvi_gradient_dampers(r); j++)
+        if (grows(r->system.mechanism->damper[j].kernel)) {
+            r->to.terms = NULL;
+            r->has_terms = 0;
+            return 0;
+        }
     for (size_t i = 0; i < terms; i++) {
         if (term_of(r, i)->kind == FVI_KERNEL_DAVIDSON && r->o.method->stages)
             return 0;

@@ -44,6 +44,31 @@ static void rows_of_masses(const visitor *v, const request *r, const char *name,
     }
 }
 
+/* Is coordinate i imposed? It starts as it is told. */
+static int is_imposed(const request *r, size_t i)
+{
+    const fvi_constraints *c =
+        r->system.mechanism ? r->system.mechanism->constraints : NULL;
+    for (size_t l = 0; c && c->imposed && l < c->count; l++)
+        if (c->imposed[l] == i + 1)
+            return 1;
+    return 0;
+}
+
+static void rows_of_start(const visitor *v, const request *r, const char *name, const double *by)
+{
+    for (size_t i = 0; i < r->o.d; i++) {
+        char number[24] = "", whole[LETTERS];
+        if (r->o.numbered)
+            snprintf(number, sizeof number, "_%zu", i + 1);
+        snprintf(whole, sizeof whole, "%s%s", name, number);
+        if (is_imposed(r, i))
+            warn(v, whole, "no derivative by %s: this coordinate is imposed", whole);
+        else
+            row(v, whole, "", at(by, i));
+    }
+}
+
 /* By each number of one --damping, R without a letter. */
 static void rows_of_term(const visitor *v, const request *r, size_t i)
 {
@@ -87,8 +112,10 @@ static void rows_of_damper(const visitor *v, const request *r, size_t j, size_t 
     for (size_t i = 0; i < law->count; i++) {
         char part[LETTERS / 2] = ".", whole[LETTERS];
         const char *number;
-        if (law->term[i].kind == FVI_KERNEL_SYMBOL || !r->has_terms)
+        if (law->term[i].kind == FVI_KERNEL_SYMBOL || !r->has_terms || !r->has_orders) {
+            warn(v, name, "no derivatives by the numbers of the law of %s", name);
             return;
+        }
         const fvi_element kind = fvi_element_of(law->term + i);
         if (law->count > 1)
             snprintf(part, sizeof part, ".%s%zu.", fvi_element_words[kind], i + 1);
@@ -98,16 +125,26 @@ static void rows_of_damper(const visitor *v, const request *r, size_t j, size_t 
     }
 }
 
+static void rows_of_dampers(const visitor *v, const request *r)
+{
+    const fvi_mechanism *of = r->system.mechanism;
+    for (size_t j = 0, first = 0; of && j < of->damper_count;
+         first += of->damper[j++].kernel->count)
+        rows_of_damper(v, r, j, first);
+}
+
 /* By one factor of each matrix. */
 static void rows_of_matrices(const visitor *v, const request *r)
 {
     const fvi_mechanism *of = r->system.mechanism;
-    row(v, "mass", "", r->to.mass);
+    if (r->has_mass)
+        row(v, "mass", "", r->to.mass);
+    else
+        warn(v, "mass", "no derivative by mass: steps of any length ask for the ground between the "
+             "rows", "");
     for (size_t i = 0; i < r->terms; i++)
         rows_of_term(v, r, i);
-    for (size_t j = 0, first = 0; of && j < of->damper_count;
-         first += of->damper[j++].kernel->count)
-        rows_of_damper(v, r, j, first);
+    rows_of_dampers(v, r);
     if (r->terms == 0 && !of) {
         row(v, "rho", "", r->to.damping);
         row(v, "alpha", "", r->to.alpha);
@@ -118,27 +155,33 @@ static void rows_of_matrices(const visitor *v, const request *r)
 static void rows_of_masses_and_potential(const visitor *v, const request *r)
 {
     static const char *const c_and_g[] = { "c", "g" };
-    rows_of_masses(v, r, "mass", r->to.mass);
+    if (r->has_mass)
+        rows_of_masses(v, r, "mass", r->to.mass);
+    else if (!r->o.text[LAGRANGIAN])
+        warn(v, "mass", "no derivative by mass: %s",
+             r->o.ground ? "steps of any length ask for the ground between the rows"
+                         : "the potential knows the time");
     for (size_t i = 0; i < r->terms; i++)
         rows_of_term(v, r, i);
-    if (r->terms == 0)
+    rows_of_dampers(v, r);
+    if (r->terms == 0 && !r->system.mechanism)
         rows_of_masses(v, r, "rho", r->to.damping);
     if (r->has_alpha)
         row(v, "alpha", "", r->to.alpha);
-    else if (r->terms == 0)
+    else if (r->terms == 0 && !r->system.mechanism)
         warn(v, "alpha", "no derivative by alpha: %s",
              r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP
                  ? "there x has a logarithm at 0, for which these steps are not made"
                  : "p of this method jumps at 1");
     const int pendulum = r->o.potential.kind == FVI_POTENTIAL_PENDULUM;
-    for (size_t j = 0; !r->o.potential.expression && j < r->to.sensitivity.count; j++)
+    for (size_t j = 0; !r->to.lagrangian && !r->o.potential.expression && j < r->to.sensitivity.count; j++)
         row(v, pendulum ? "g" : c_and_g[j], "", at(r->to.parameters, j));
 }
 
 void fvi_gradient_rows(const request *r, const visitor *v)
 {
-    rows_of_masses(v, r, "x0", r->to.x0);
-    rows_of_masses(v, r, "p0", r->to.p0);
+    rows_of_start(v, r, "x0", r->to.x0);
+    rows_of_start(v, r, "p0", r->to.p0);
     if (r->system.matrices)
         rows_of_matrices(v, r);
     else
@@ -146,6 +189,10 @@ void fvi_gradient_rows(const request *r, const visitor *v)
     for (size_t j = 0; j < r->o.lets.count; j++)
         if (r->o.lets.used[j] & FVI_USED_BY_DAMPING)
             warn(v, r->o.lets.name[j], "no derivative by %s, of which the law speaks",
+                 r->o.lets.name[j]);
+        else if (r->o.lets.used[j] & FVI_USED_BY_MECHANISM)
+            warn(v, r->o.lets.name[j], "no derivative by %s, of which a damper, a constraint or a "
+                 "force of velocity speaks",
                  r->o.lets.name[j]);
         else
             row(v, r->o.lets.name[j], "", r->lets + j);
@@ -206,7 +253,7 @@ static int check_words(const request *r, const choice *all, fvi_error *c)
 {
     const char *known[MOST + 5] = { "x0", "p0", "mass", "rho" };
     char word[LETTERS];
-    size_t which, n = !r->o.numbered ? 0 : r->system.matrices ? 2 : r->terms ? 3 : 4;
+    size_t which, n = !r->o.numbered ? 0 : !r->has_mass || r->system.matrices ? 2 : r->terms || r->system.mechanism ? 3 : 4;
     for (size_t i = 0; i < all->count; i++)
         known[n++] = all->name[i];
     for (const char *at = r->words.own[BY];;) {

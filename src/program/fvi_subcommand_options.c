@@ -137,7 +137,8 @@ int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char 
     if (!status)
         status = fvi_options_parse(s.count + 2 + preset, run, o, c);
     free(room);
-    if (!status && o->mechanism && !o->text[DAMPER]) { /* a mass of 0, a potential with t in it */
+    if (!status && o->mechanism && !o->text[DAMPER] && !o->text[LAGRANGIAN]
+        && !o->text[CONSTRAINT] && !o->text[IMPOSE] && !o->text[FORCE_ON]) { /* a mass of 0, a potential with t in it */
         status = fvi_refuse(c, o->potential_has_time ? "potential" : "mass",
                             "'%s' is not for %s",
                             o->text[o->potential_has_time ? POTENTIAL : MASS],

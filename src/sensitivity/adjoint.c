@@ -3,6 +3,7 @@
 
 #include "checkpointing.h"
 #include "adjoint_dampers.h"
+#include "adjoint_mechanism.h"
 #include "adjoint_multistep.h"
 #include "adjoint_variable.h"
 #include "adjoint_lobatto.h"
@@ -72,7 +73,10 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
                  FVI_EUNSUP);
     int status = method->scheme == FVI_SCHEME_CQ2_SHIFTED ? check_shifted(run) : FVI_SUCCESS;
     if (!status && run->system && run->system->mechanism)
-        status = fvi_adjoint_dampers_check(method, run, J, want);
+        status = run->system->matrices ? fvi_adjoint_dampers_check(method, run, J, want)
+                                       : fvi_adjoint_mechanism_check(method, run, want);
+    if (!status && run->system && fvi_has_mechanism_steps(run->system) && x)
+        FVI_FAIL("a mechanism needs its own run", FVI_EUNSUP);
     if (status)
         return status;
     if (run->law ? want->alpha != NULL
@@ -110,7 +114,8 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("at alpha = 1 the derivatives of this method are by p_N alone",
                  FVI_EUNSUP);
     if (want->parameters && want->sensitivity.count > 0
-        && !(run->system && run->system->matrices) && !want->sensitivity.column)
+        && !(run->system && run->system->matrices) && !want->sensitivity.column
+        && !want->lagrangian)
         FVI_FAIL("derivatives by parameters need a sensitivity", FVI_EINVAL);
     fvi_stepper
         *s; /* knows what a run may be; one of a step has no long memory */
@@ -275,14 +280,21 @@ static int walk(const fvi_method *method, fvi_checkpointing *path,
 }
 //< walk
 
+/* By fvi-adaptive a run whose law grows faster than s begins at rest. */
+static int is_at_rest(const fvi_method *method, const fvi_run *run)
+{
+    if (method->scheme != FVI_SCHEME_VARIABLE_STEP || run->system->mechanism)
+        return 0;
+    const fvi_run_damper of = fvi_run_damper_of(run, 0);
+    return of.law && of.growth > 1;
+}
+
 /* Is every derivative a number? With Riemann and Liouville's past NaN says that there is
  * none by x0, and where no velocity may jump that there is none by p0. */
 static int are_finite(const fvi_method *method, const fvi_run *run,
                       const fvi_sensitivities *want, size_t per)
 {
-    const fvi_run_damper of = fvi_run_damper_of(run, 0);
-    const int is_still =
-        method->scheme == FVI_SCHEME_VARIABLE_STEP && of.law && of.growth > 1;
+    const int is_still = is_at_rest(method, run);
     const int whole = run->system->matrices != NULL;
     const size_t d = run->system->d, l = terms_of(run),
                  c = whole ? 1 : want->sensitivity.count;
@@ -315,6 +327,8 @@ static int all_derivatives(const fvi_method *method, const fvi_run *run,
     fvi_checkpointing *path;
     if (method->scheme == FVI_SCHEME_VARIABLE_STEP)
         return fvi_adjoint_variable(run, objective, want);
+    if (fvi_has_mechanism_steps(run->system))
+        return fvi_adjoint_mechanism_run(method, run, objective, want);
     int status = fvi_checkpointing_alloc(method, run, x, p, &path);
     if (status)
         return status;

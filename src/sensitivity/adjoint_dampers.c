@@ -13,10 +13,6 @@ int fvi_adjoint_dampers_check(const fvi_method *method, const fvi_run *run,
                               const fvi_sensitivities *want)
 {
     const fvi_mechanism *m = run->system->mechanism;
-    if (!run->system->matrices)
-        FVI_FAIL("no adjoint of a run with dampers between points, a Lagrangian or "
-                 "constraints; of a structure with several dampers there is one",
-                 FVI_EUNSUP);
     if (want->alpha)
         FVI_FAIL("several dampers have orders, and no alpha", FVI_EINVAL);
     if (objective->has_momenta)

@@ -133,8 +133,6 @@ START_TEST(a_bad_ground_is_refused)
                       "fvi: --ground: not together with --lagrangian");
     ck_assert_refused("fit --ground 1 data", "fvi: --ground: not an option of "
                                              "this command");
-    ck_assert_refused("gradient --ground 1", "fvi: --ground: not an option of "
-                                             "this command");
     ck_assert_refused("exact --ground 1", "fvi: --ground: not an option of this "
                                           "command");
 }

@@ -326,7 +326,7 @@ START_TEST(wrong_words_are_refused)
           "fvi: --method: 'fvi-bdf2' takes no Lagrangian" },
         { "fit --mass 0 data", "" },
         { "gradient --mass 0", "fvi: --mass: '0' is not for gradient" },
-        { "gradient --lagrangian 'v^2'", "not an option of this command" },
+        { "gradient --lagrangian 'v^2'", "a start is missing" },
         { "run --lagrangian 'v^2' --x0 1 --v0 0 --let v=2", "fvi: --let: 'v' is a velocity in 'v^2'" },
     };
     for (size_t i = 0; i < LEN(cases); i++) {

@@ -1,0 +1,108 @@
+/* src/sensitivity/adjoint_mechanism.h -- A run with a mechanism, backwards.       [H 23, 29]
+ *
+ * Internal. A step of (29.5) to (29.8) is R(x_k, p_k, u, lambda) = 0 and p_{k+1} = P(...), where the
+ * forces lambda of the dampers are sums over all steps. Its transposed equation has the transposed
+ * matrix of Newton's method, and its sums are those of the same weights, (23.2) and (17.6):
+ *
+ *     eta_k = sum_{n >= 0} w_n nu_{k+n},   nu_k = what lambda_k does to the step           (23.29)
+ *
+ * So the run keeps of each step what its equation was solved at, and the walk back solves one linear
+ * system a step. */
+#ifndef FVI_ADJOINT_MECHANISM_H
+#define FVI_ADJOINT_MECHANISM_H
+
+#include <fvi/adjoint.h>
+#include <fvi/dampers.h>
+
+#include "adjoint_lobatto.h"
+#include "mechanism/mechanism_state.h"
+
+/* Of one damper. Of nodes s is 1. */
+typedef struct {
+    size_t damper, first;       /* the place of its terms among all */
+    const fvi_kernel *kernel;
+    double weight;              /* of nodes: the first, taken out of the history */
+    fvi_history *history;       /* of nu, of nodes; */
+    fvi_lobatto_history *stages;
+    double last, past[FVI_STAGES]; /* the last nu; of stages the sums over later steps */
+    double nu[FVI_STAGES], eta[FVI_STAGES];
+    /* its start: A is the slope of z, or z itself of the past rl */
+    int feels_slope, feels_place;
+    double A, unit;             /* of the impulses for rho A = 1, or A = 1 */
+    fvi_kernel_impulse power;   /* of a power; */
+    fvi_impulses_of_kernel *impulses; /* else */
+    double impulse[FVI_KERNEL_IMPULSE_NODES], slope[FVI_KERNEL_IMPULSE_NODES];
+    double by_A, by_A_and_order, by_drift, by_origin; /* derivatives of J by these */
+    double factor;              /* by a factor of the kernel */
+    /* the numbers of its kernel */
+    fvi_adjoint_term *term;     /* of nodes, one for each term; owned */
+    fvi_adjoint_lobatto of_stages; /* what adjoint_lobatto_terms.c reads */
+    fvi_sensitivities want;
+    fvi_run run;
+    fvi_system system;
+    double one;
+} fvi_adjoint_mechanism_damper;
+
+typedef struct {
+    const fvi_run *run;
+    const fvi_sensitivities *want;
+    const fvi_objective *J;
+    fvi_stepper *stepper;       /* of the run; its state is put back to each step */
+    fvi_mechanism_state *o;
+    size_t d, r, s, n, row;     /* numbers of a record */
+    const double *unknown;      /* u of the step at hand */
+    double *record;             /* x_k, u, known, start_impulse, v_k, w_k of each step; owned */
+    double *last;               /* x_N, p_N, v_N, and w of the constraints there */
+    double *G0, *z0, *v0;       /* of the start: r d, r, d */
+    double *g, *beta, *next;    /* dJ/dx_{k+1} of all later; multiplier of p_{k+1}; the same of k */
+    double *multiplier;         /* n: of the equations */
+    double *phi, *kappa, *tau;  /* s d each: what f_i, V_i and L_v,i do */
+    double *matrix, *room;
+    double *projection, *gradient, *factors; /* of c constraints: (d + c)^2, c d, c */
+    double *block;              /* all these; owned */
+    size_t *order;
+    fvi_adjoint_mechanism_damper *damper; /* r; owned */
+} fvi_adjoint_mechanism;
+
+/* fvi_adjoint_mechanism_check -- FVI_EUNSUP for what has no adjoint.
+ * fvi_adjoint_mechanism_run -- fvi_adjoint of a checked run; the outputs are zeros before. */
+int fvi_adjoint_mechanism_check(const fvi_method *method, const fvi_run *run,
+                                const fvi_sensitivities *want);
+int fvi_adjoint_mechanism_run(const fvi_method *method, const fvi_run *run,
+                              const fvi_objective *J, const fvi_sensitivities *want);
+
+/* ---- adjoint_mechanism_dampers.c ---- */
+
+/* fvi_adjoint_mechanism_damper_start -- the memories of damper j of a run at k = 0.
+ * _impulses  those of step k, and their derivatives by the order of a power
+ * _push      nu of a step goes in: eta, and at nodes what the numbers of its kernel have of it, which
+ *            meets zeta; with_stages: zdot less the drift, s numbers, in zeta
+ * _ahead     of nodes: eta of this step but for weight nu
+ * _end       by its start, into by_x0 and by_v, d numbers each, and all derivatives by its kernel */
+int fvi_adjoint_mechanism_damper_start(fvi_adjoint_mechanism *m, size_t j);
+void fvi_adjoint_mechanism_damper_impulses(const fvi_adjoint_mechanism *m, size_t k,
+                                           fvi_adjoint_mechanism_damper *a);
+int fvi_adjoint_mechanism_damper_ahead(const fvi_adjoint_mechanism_damper *a, double *eta);
+int fvi_adjoint_mechanism_damper_push(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,
+                                      const double *zeta);
+int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,
+                                     double *by_x0, double *by_v);
+void fvi_adjoint_mechanism_damper_stop(fvi_adjoint_mechanism_damper *a);
+
+/* ---- adjoint_mechanism_nodes.c, adjoint_mechanism_stages.c ---- */
+
+/* From node k + 1 to node k: g, beta; the stepper stands at step k, whose equation is linearised. */
+int fvi_adjoint_mechanism_nodes(fvi_adjoint_mechanism *m, size_t k);
+int fvi_adjoint_mechanism_stages(fvi_adjoint_mechanism *m, size_t k);
+
+/* fvi_adjoint_mechanism_project -- what the constraints do to p at node k: beta in, of what comes out,
+ * and out, of what comes in; g. v is the velocity there, and w their impulse. */
+int fvi_adjoint_mechanism_project(fvi_adjoint_mechanism *m, size_t k, const double *x,
+                                  const double *v, const double *w);
+
+/* fvi_adjoint_mechanism_point -- what masses and the parameters of the potential or the Lagrangian have
+ * of the point number i of a step at the time t: tau multiplies L_v there, and phi the force f. */
+int fvi_adjoint_mechanism_point(fvi_adjoint_mechanism *m, size_t i, double t, const double *tau,
+                                const double *phi);
+
+#endif

@@ -1,0 +1,297 @@
+/* src/sensitivity/adjoint_mechanism_dampers.c -- Dampers of a mechanism, backwards.  [H 23, 29] */
+#include "adjoint_mechanism.h"
+
+#include "memory/history_parts.h"
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int is_power(const fvi_kernel *kernel)
+{
+    return kernel->count == 1 && kernel->term->kind == FVI_KERNEL_POWER;
+}
+
+static const fvi_damper *damper_of(const fvi_adjoint_mechanism *m,
+                                   const fvi_adjoint_mechanism_damper *a)
+{
+    return m->run->system->mechanism->damper + a->damper;
+}
+
+static int is_first_order(const fvi_adjoint_mechanism *m)
+{
+    return m->o->form == FVI_MECHANISM_FIRST_ORDER;
+}
+
+/* ---- the start ---- */
+
+/* A and the impulses for an A of 1, and of a power for a rho of 1. */
+static int start_impulses(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
+{
+    static const double ends[] = { 0, 1 };
+    const fvi_lobatto_rule *rule = m->o->rule;
+    const fvi_damper *damper = damper_of(m, a);
+    const size_t j = a->damper, d = m->d;
+    a->feels_slope = fvi_mechanism_feels_slope(m->o, damper);
+    a->feels_place = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+                     && !is_first_order(m) && fvi_kernel_growth(a->kernel) < 1;
+    a->A = a->feels_place ? m->o->z[j] : 0;
+    for (size_t i = 0; a->feels_slope && i < d; i++)
+        a->A += m->G0[j * d + i] * m->v0[i];
+    if ((!a->feels_slope && !a->feels_place) || is_first_order(m)
+        || (a->feels_slope && damper->past == FVI_INITIAL_HISTORY_CAPUTO))
+        return FVI_SUCCESS;
+    a->unit = 1;
+    if (is_power(a->kernel)) {
+        fvi_kernel_impulse_prepare(a->kernel->term->alpha, rule ? m->s : 2,
+                                   rule ? rule->c : ends, &a->power);
+        a->unit = pow(m->run->h, 1 + a->power.e);
+        return FVI_SUCCESS;
+    }
+    return rule ? fvi_impulses_of_kernel_at_stages(a->kernel, m->run->h, m->s, rule->c,
+                                                   &a->impulses)
+                : fvi_impulses_of_kernel_alloc(a->kernel, m->run->h, &a->impulses);
+}
+
+static int start_history(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
+{
+    const fvi_run *run = m->run;
+    double some = 0;
+    for (size_t i = 0; i < a->kernel->count; i++)
+        some += a->kernel->term[i].rho;
+    if (!(some > 0))
+        return FVI_SUCCESS;
+    if (m->o->rule)
+        return fvi_lobatto_history_of_kernel(m->s, a->kernel, run->h, 1, run->steps,
+                                             run->memory, fvi_mechanism_tolerance(run),
+                                             &a->stages);
+    return fvi_kernel_history(a->kernel, is_first_order(m) ? FVI_DELTA_EULER : FVI_DELTA_BDF2,
+                              run->h, 1, run->steps + 1, run->memory, run->tolerance,
+                              &a->weight, &a->history);
+}
+
+/* The terms of a kernel through stages are those of one body with a damping of 1. */
+static int start_terms_of_stages(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
+{
+    const fvi_sensitivities *want = m->want;
+    fvi_adjoint_lobatto *of = &a->of_stages;
+    a->want = (fvi_sensitivities){ .terms = want->terms ? want->terms + a->first : NULL,
+                                   .orders = want->orders ? want->orders + a->first : NULL,
+                                   .times = want->times ? want->times + a->first : NULL,
+                                   .ends = want->ends ? want->ends + a->first : NULL };
+    a->one = 1;
+    a->system = (fvi_system){ .d = 1, .mass = &a->one, .damping = &a->one };
+    a->run = *m->run;
+    a->run.system = &a->system;
+    a->run.law = a->kernel;
+    *of = (fvi_adjoint_lobatto){ .run = &a->run,
+                                 .want = &a->want,
+                                 .rule = m->o->rule,
+                                 .s = m->s,
+                                 .d = 1 };
+    of->block = calloc(2 * m->s, sizeof *of->block);
+    if (!of->block)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    of->Lambda = of->block;
+    of->reversed = of->block + m->s;
+    return fvi_adjoint_terms_start(of);
+}
+
+static int start_terms(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
+{
+    int status = FVI_SUCCESS;
+    if (!fvi_adjoint_kernel_is_wanted(m->want))
+        return status;
+    if (m->o->rule)
+        return start_terms_of_stages(m, a);
+    a->term = calloc(a->kernel->count, sizeof *a->term);
+    if (!a->term)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    fvi_run longer = *m->run; /* of order 1 node 0 comes in, too */
+    longer.steps++;
+    for (size_t l = 0; !status && l < a->kernel->count; l++) {
+        status = fvi_adjoint_term_start(&longer, m->want,
+                                        is_first_order(m) ? FVI_DELTA_EULER : FVI_DELTA_BDF2,
+                                        a->kernel->term + l, 1, NULL, a->term + l);
+        if (!status && a->feels_slope && a->unit != 0)
+            status = fvi_adjoint_term_start_impulses(a->term + l, m->run->h, m->want);
+    }
+    return status;
+}
+
+int fvi_adjoint_mechanism_damper_start(fvi_adjoint_mechanism *m, size_t j)
+{
+    fvi_adjoint_mechanism_damper *a = m->damper + j;
+    a->damper = j;
+    a->first = j > 0 ? a[-1].first + a[-1].kernel->count : 0;
+    a->kernel = damper_of(m, a)->kernel;
+    int status = start_impulses(m, a);
+    if (!status)
+        status = start_history(m, a);
+    return status ? status : start_terms(m, a);
+}
+
+void fvi_adjoint_mechanism_damper_stop(fvi_adjoint_mechanism_damper *a)
+{
+    for (size_t l = 0; a->term && l < a->kernel->count; l++)
+        fvi_adjoint_term_stop(a->term + l);
+    if (a->of_stages.each)
+        fvi_adjoint_terms_stop(&a->of_stages);
+    fvi_history_free(a->history);
+    fvi_lobatto_history_free(a->stages);
+    fvi_impulses_of_kernel_free(a->impulses);
+    free(a->of_stages.block);
+    free(a->term);
+}
+
+/* ---- a step ---- */
+
+void fvi_adjoint_mechanism_damper_impulses(const fvi_adjoint_mechanism *m, size_t k,
+                                           fvi_adjoint_mechanism_damper *a)
+{
+    const size_t n = m->o->rule ? m->s : 2;
+    if (a->unit == 0)
+        return;
+    if (a->impulses)
+        fvi_impulses_of_kernel_at(a->impulses, k, a->impulse);
+    else {
+        fvi_kernel_impulses(&a->power, k, a->impulse);
+        fvi_kernel_impulses_by_order(&a->power, k, a->slope);
+    }
+    const double scale = a->impulses ? 1 : a->unit;
+    for (size_t i = 0; i < n; i++) {
+        a->impulse[i] *= scale;
+        a->slope[i] *= scale;
+    }
+}
+
+int fvi_adjoint_mechanism_damper_ahead(const fvi_adjoint_mechanism_damper *a, double *eta)
+{
+    double ahead;
+    *eta = 0;
+    if (!a->history)
+        return FVI_SUCCESS;
+    const int status = fvi_history_ahead(a->history, &a->last, &ahead);
+    *eta = a->weight * (ahead - a->last);
+    return status;
+}
+
+static int push_nodes(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,
+                      const double *zeta)
+{
+    const double nu = a->nu[0], change = nu - a->last;
+    double H = 0;
+    int status = a->history ? fvi_history_push(a->history, &nu, &change, &H) : FVI_SUCCESS;
+    a->eta[0] = a->weight * H;
+    a->by_origin += a->eta[0];
+    a->factor -= nu * m->o->lambda[a->damper];
+    for (size_t l = 0; !status && a->term && l < a->kernel->count; l++)
+        status = fvi_adjoint_term_accumulate(a->term + l, &nu, &change, zeta, m->want,
+                                             a->first + l);
+    a->last = nu;
+    return status;
+}
+
+int fvi_adjoint_mechanism_damper_push(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,
+                                      const double *zeta)
+{
+    const fvi_lobatto_rule *rule = m->o->rule;
+    double y[FVI_STAGES];
+    int status = FVI_SUCCESS;
+    if (!rule)
+        return push_nodes(m, a, zeta);
+    for (size_t i = 0; i < m->s; i++)
+        y[i] = a->nu[m->s - 1 - i] / rule->b[m->s - 1 - i];
+    if (a->stages)
+        status = fvi_lobatto_history_push(a->stages, y, a->past);
+    if (status || !a->of_stages.each)
+        return status;
+    for (size_t i = 0; i < m->s; i++) { /* their weights have h */
+        a->of_stages.reversed[i] = -y[i] / m->run->h;
+        a->of_stages.Lambda[m->s - 1 - i] = a->of_stages.reversed[i];
+    }
+    fvi_adjoint_terms_accumulate(&a->of_stages, 0, zeta);
+    return fvi_adjoint_terms_update_history(&a->of_stages);
+}
+
+/* ---- the end ---- */
+
+/* By rho and the order of a power through the impulses of its start; e falls by 2 dalpha. Of any other
+ * kernel, at nodes, its terms have them. */
+static void add_impulses_of_power(const fvi_adjoint_mechanism *m,
+                                  const fvi_adjoint_mechanism_damper *a)
+{
+    const fvi_sensitivities *want = m->want;
+    const double rho = a->kernel->term->rho;
+    if (!is_power(a->kernel) || a->unit == 0 || (a->term && a->feels_slope))
+        return;
+    if (want->terms)
+        want->terms[a->first] += a->A * a->by_A;
+    if (want->orders)
+        want->orders[a->first] -=
+            2 * rho * a->A * (log(m->run->h) * a->by_A + a->by_A_and_order);
+}
+
+/* Does the rate of an elongation change with the place? Nobody gives its slope; of g(x) - u(t) it is 0. */
+static int check_rate(const fvi_adjoint_mechanism *m, const fvi_elongation *of)
+{
+    double *x = m->room, here, there;
+    int status = FVI_SUCCESS;
+    if (of->row || !of->rate)
+        return status;
+    memcpy(x, m->run->x0, m->d * sizeof *x);
+    status = of->rate(0, m->d, x, of->params, &here);
+    for (size_t i = 0; i < 2 * m->d && !status; i++) {
+        x[i / 2] = m->run->x0[i / 2] + (i % 2 ? 1e-3 : -1e-3);
+        status = of->rate(0, m->d, x, of->params, &there);
+        x[i / 2] = m->run->x0[i / 2];
+        if (!status && there != here)
+            FVI_FAIL("no derivative of a start with a velocity where a damper grows faster than s "
+                     "and the rate of its elongation changes with the place",
+                     FVI_EUNSUP);
+    }
+    return status;
+}
+
+int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,
+                                     double *by_x0, double *by_v)
+{
+    const fvi_damper *damper = damper_of(m, a);
+    const size_t d = m->d, j = a->damper;
+    const double *G = m->G0 + j * d,
+                 size = is_power(a->kernel) ? a->kernel->term->rho : 1;
+    const int is_liouville =
+        damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && is_first_order(m);
+    double by_place = m->o->rule || is_liouville ? 0 : a->by_origin, by_slope = 0;
+    int status = FVI_SUCCESS;
+    if (is_liouville) { /* node 0 has an elongation, and no force acts there */
+        const double zeta = m->z0[j];
+        a->nu[0] = 0;
+        status = push_nodes(m, a, &zeta);
+        by_place = -a->eta[0];
+    }
+    if (a->feels_place)
+        by_place += size * a->by_A;
+    if (a->feels_slope)
+        by_slope = size * a->by_A + a->by_drift;
+    if (!status && by_slope != 0)
+        status = check_rate(m, &damper->of);
+    if (status)
+        return status;
+    for (size_t i = 0; i < d; i++) {
+        by_x0[i] += by_place * G[i];
+        by_v[i] += by_slope * G[i];
+    }
+    if (!status && by_slope != 0 && !damper->of.row) { /* z' = grad g . v0 */
+        double *H = m->room;
+        memset(H, 0, d * d * sizeof *H);
+        status = damper->of.hessian(0, d, m->run->x0, by_slope, damper->of.params, H);
+        for (size_t i = 0; i < d * d; i++)
+            by_x0[i / d] += H[i] * m->v0[i % d];
+    }
+    if (m->want->damping)
+        m->want->damping[j] = a->factor;
+    add_impulses_of_power(m, a);
+    return status;
+}

@@ -1,0 +1,150 @@
+/* tests/program/test_fvi_gradient_mechanism.c -- The program build/fvi: gradients with dampers between points,
+ * Lagrangians, constraints and a ground that moves.  Run alone: make test-fvi_gradient_mechanism */
+#define _GNU_SOURCE
+#include "program.h"
+#include "system/larger.h"
+
+#include <string.h>
+
+/* A row of the gradient against a difference of two runs, each with the number moved: `words` has one
+ * %.17g for it. */
+typedef struct {
+    const char *words, *of, *row;
+    double at;
+} moved;
+
+static double derivative_of(const char *name)
+{
+    char start[80];
+    snprintf(start, sizeof start, "\n%s\t", name);
+    const char *found = strstr(out, start);
+    ck_assert_msg(found != NULL, "no row %s in %s", name, out);
+    return strtod(found + strlen(start), NULL);
+}
+
+/* The last number of the last row. */
+static double last_of(const char *words, double at, const char *column)
+{
+    char options[600], line[700];
+    snprintf(options, sizeof options, words, at);
+    snprintf(line, sizeof line, "run %s --columns %s", options, column);
+    ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+    return cell(count_rows() - 1, 0);
+}
+
+/* Differences of 1e-5 are off by 1e-10 times a third derivative, and by rounding over 1e-5. */
+static void ck_assert_row_is_difference(const moved *m)
+{
+    char options[600], line[700], column[20];
+    const char *number = strchr(m->of, ':');
+    snprintf(column, sizeof column, "%.*s%s", (int)strcspn(m->of, ":"), m->of,
+             number ? number + 1 : "");
+    const double after = last_of(m->words, m->at + 1e-5, column),
+                 before = last_of(m->words, m->at - 1e-5, column),
+                 want = (after - before) / 2e-5;
+    snprintf(options, sizeof options, m->words, m->at);
+    snprintf(line, sizeof line, "gradient %s --of %s", options, m->of);
+    ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+    const double got = derivative_of(m->row);
+    ck_assert_near(got, want, 1e-6 * larger(1, fabs(want)), "%.100s by %s", m->words, m->row);
+}
+
+#define SPRING "--lagrangian '(v1^2+v2^2)/2 - k*(sqrt(x1^2+x2^2)-1)^2 - x2' --x0 1.2,0 --p0 0.3,0.8 "
+#define CART                                                                                       \
+    "--lagrangian '1.5*v1^2+v1*v2*cos(x2)+v2^2/2+c*cos(x2)-x1^2/2' --force-on '2=-0.1*v2^3' "
+#define FEW "--h 0.1 --steps 30 "
+
+START_TEST(rows_of_a_mechanism_are_differences_of_runs)
+{
+    static const moved rows[] = {
+        { SPRING "--damper 'strut=sqrt(x1^2+x2^2) : power:0.4,0.3' " FEW "--let k=%.17g", "x:1", "k", 2 },
+        { SPRING "--damper 'strut=sqrt(x1^2+x2^2) : power:0.4,0.3' " FEW "--let k=%.17g", "energy",
+          "k", 2 },
+        { SPRING "--let k=2 --damper 'strut=sqrt(x1^2+x2^2) : power:%.17g,0.3' " FEW, "p:2",
+          "strut.rho", 0.4 },
+        { SPRING "--let k=2 --damper 'strut=sqrt(x1^2+x2^2) : power:0.4,%.17g' " FEW
+                 "--method fvi-lobatto3",
+          "x:2", "strut.alpha", 0.3 },
+        { SPRING "--let k=2 --damper 'strut=sqrt(x1^2+x2^2) : power:0.4,%.17g' " FEW, "energy",
+          "strut.alpha", 0.7 },
+        { SPRING "--let k=2 --damper 'sqrt(x1^2+x2^2) : viscous:0.2 + zener:0.4,0.3,%.17g' " FEW
+                 "--method fvi-lobatto4d",
+          "x:1", "d1.zener2.time", 0.5 },
+        { CART "--let c=%.17g --x0 0.2,1.2 --p0 0.1,0.5 --damper 'x1 : power:0.3,0.3' " FEW,
+          "energy", "c", 1 },
+        { CART "--let c=1 --x0 0.2,1.2 --p0 %.17g,0.5 --damper 'x1 : power:0.3,0.7' " FEW, "x:2",
+          "p0_1", 0.1 },
+        { CART "--let c=1 --x0 0.2,%.17g --p0 0.1,0.5 --damper 'x1 : power:0.3,0.7' " FEW, "x:2",
+          "x0_2", 1.2 },
+        { "--mass 1,%.17g --potential chain:2,1,0.5 --damper 'x2-x1 : maxwell:1,0.4' " FEW, "x:1",
+          "mass_2", 2 },
+        { "--mass 1,2 --potential chain:2,1,0.5 --damper 'x2-x1 : maxwell:1,%.17g' " FEW
+          "--method fvi-lobatto3d",
+          "x:1", "d1.time", 0.4 },
+        { CART "--let c=%.17g --impose 'x1=0.3*sin(2*t)' --x0 0,1.2 --v0 0.6,0 --damper 'x2-x1 : "
+               "power:0.3,0.3' " FEW,
+          "x:2", "c", 1 },
+        { CART "--let c=1 --impose 'x1=0.3*sin(2*t)' --x0 0,1.2 --v0 0.6,0 --damper 'x2-x1 : "
+               "power:0.3,%.17g' " FEW "--method fvi-lobatto3",
+          "p:2", "d1.alpha", 0.3 },
+        { "--lagrangian '(v1^2+v2^2)/2-g*x2' --constraint '(x1^2+x2^2-1)/2' --x0 0.6,-0.8 --p0 "
+          "0.4,0.3 --damper 'sqrt((x1-1.5)^2+x2^2) : power:0.4,0.3' --let g=%.17g " FEW,
+          "x:1", "g", 1 },
+    };
+    for (size_t i = 0; i < LEN(rows); i++)
+        ck_assert_row_is_difference(rows + i);
+}
+END_TEST
+
+START_TEST(rows_where_the_ground_moves_are_differences_of_runs)
+{
+    static const moved rows[] = {
+        { "--potential harmonic:4 --ground 'A*sin(2*t)' --let A=%.17g --rho 0.5 " FEW, "x", "A", 1 },
+        { "--potential harmonic:4 --ground 'sin(2*t)' --mass %.17g --rho 0.5 " FEW, "x", "mass", 2 },
+        { "--potential harmonic:4 --ground 'sin(2*t)' --mass %.17g --rho 0.5 " FEW
+          "--method fvi-lobatto3",
+          "energy", "mass", 2 },
+        { "--potential chain:2,4,0 --ground 'sin(2*t)' --mass 1,%.17g --along 1,0.5 --rho 0.5 " FEW
+          "--method fvi-stable --force 't*t'",
+          "x:1", "mass_2", 2 },
+        { "--potential chain:2,4,0 --ground 'sin(2*t)' --mass 1,2 --damper 'x1 : power:%.17g,0.3' " FEW,
+          "x:2", "d1.rho", 0.7 },
+    };
+    for (size_t i = 0; i < LEN(rows); i++)
+        ck_assert_row_is_difference(rows + i);
+    ck_assert_int_eq(fvi("gradient --ground 'sin(2*t)' --method fvi-adaptive --steps 20"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by mass: steps of any length"));
+}
+END_TEST
+
+START_TEST(what_a_mechanism_has_no_row_of_is_said)
+{
+    ck_assert_int_eq(fvi("gradient " CART "--let c=1 --impose 'x1=0.3*sin(2*t)' --x0 0,1.2 --v0 "
+                         "0.6,0 --damper 'x2-r*x1 : power:0.3,0.3' --let r=1 " FEW),
+                     0);
+    ck_assert_ptr_nonnull(
+        strstr(out, "# warning = no derivative by x0_1: this coordinate is imposed\n"));
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by r, of which a damper"));
+    derivative_of("x0_2");
+    ck_assert_int_eq(fvi("gradient --mass 1,0 --potential 'x1^2/2 + (x1-x2)^2' --damper 'x2 : "
+                         "power:0.5,0.3' --method fvi-stable"),
+                     2);
+    ck_assert_ptr_nonnull(strstr(err, "--method: 'fvi-stable' has no gradient with a mass of 0"));
+    ck_assert_int_eq(fvi("gradient --mass 1,0 --potential 'x1^2/2 + (x1-x2)^2' --damper 'x2 : "
+                         "power:0.5,0.3' --x0 0 --p0 1,0 --method fvi-lobatto3d --of x:1"),
+                     0);
+    ck_assert_int_eq(fvi("gradient --damper 'x : power:0.3,0.7 + zener:0.3,0.3,1' --method "
+                         "fvi-lobatto3"),
+                     0);
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivatives by the numbers of the law of d1"));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the program fvi: gradients of mechanisms");
+    ADD_CASE(suite, "gradient", rows_of_a_mechanism_are_differences_of_runs,
+             rows_where_the_ground_moves_are_differences_of_runs,
+             what_a_mechanism_has_no_row_of_is_said);
+    return run_suite_of_program(suite);
+}
