@@ -111,12 +111,6 @@ double EXPORT(live_action)(double alpha, double rho, double h, int N)
 
 /* ---- what the exponentials call ---- */
 
-/* Tiles are for many masses; here there is one, and none. */
-void fvi_history_tiled_free(fvi_history_tiled *t)
-{
-    (void)t;
-}
-
 double gsl_sf_lngamma(const double x)
 {
     return lgamma(x);

@@ -188,10 +188,3 @@ gsl_error_handler_t *gsl_set_error_handler(gsl_error_handler_t *handler)
 {
     return handler;
 }
-
-/* ---- what memory.c gives back although it is not there ---- */
-
-__attribute__((weak)) void fvi_history_modes_free(fvi_history_modes *e)
-{
-    (void)e; /* where history_modes.c is linked, its own takes this place */
-}

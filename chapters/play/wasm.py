@@ -20,13 +20,13 @@ ABSENT = """fvi_kernel_at fvi_kernel_check fvi_kernel_growth fvi_kernel_history 
     fvi_lobatto_kernel_free fvi_lobatto_kernel_nodes fvi_lobatto_kernel_prepare fvi_lobatto_kernel_weights
     fvi_events_check fvi_lobatto_matrices_start fvi_mechanism_start fvi_damping_begin_matrices fvi_damping_multiply fvi_check_dampers_of_matrices
     fvi_impulses_of_kernel_alloc fvi_impulses_of_kernel_at fvi_impulses_of_kernel_at_stages fvi_impulses_of_kernel_copy fvi_impulses_of_kernel_free
-    fvi_stability_of_matrices fvi_history_tiled_push_part
+    fvi_stability_of_matrices
     gsl_complex_abs gsl_eigen_nonsymm gsl_eigen_nonsymm_alloc gsl_eigen_nonsymm_free
     gsl_eigen_nonsymm_params
     gsl_vector_complex_alloc gsl_vector_complex_free gsl_vector_complex_get""".split()
 # A run of the live page is no linearised one, and keeps its whole past.
 NOT_LINEARISED = "fvi_linearised_force fvi_newton_by_linearised".split()
-NO_EXPONENTIALS = [f"fvi_history_modes_{act}" for act in "ahead alloc bytes copy delta plan push push_by_order tiles archive".split()]
+NO_EXPONENTIALS = [f"fvi_history_modes_{act}" for act in "alloc bytes delta plan".split()]
 # Small code, linked as a whole. As the Makefile has it: no contraction to fma, or the last digits
 # would differ. The stack comes first in memory: what needs more of it ends in a trap, and does not
 # write over other numbers. Of the figures that move one needs between 128 and 160 kB.

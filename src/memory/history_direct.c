@@ -6,18 +6,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct fvi_history_direct {
-    size_t d, steps, k; /* k terms have come in */
-    double *weights;    /* w_n at [steps - n], so that both factors */
-    double *history;    /* ascend; component i of term k at [i (steps+1)+k] */
-    double *rates;      /* d w_n / d nu, as the weights, or NULL */
-};
+typedef struct {
+    fvi_history_head head;
+    size_t steps;
+    double *weights; /* w_n at [steps - n], so that both factors */
+    double *history; /* ascend; component i of term k at [i (steps+1)+k] */
+    double *rates;   /* d w_n / d nu, as the weights; of a memory by_order */
+    _Alignas(64) double numbers[];
+} direct_engine;
 
-size_t fvi_history_direct_bytes(size_t d, size_t steps)
+static size_t bytes_of(size_t d, size_t steps, int by_order)
 {
     if (steps >= SIZE_MAX / sizeof(double) / 3 / d - 1)
         return SIZE_MAX;
-    return sizeof(fvi_history_direct) + (d + 1) * (steps + 1) * sizeof(double);
+    return fvi_history_piece(sizeof(direct_engine), (d + 1 + (by_order != 0)) * (steps + 1));
+}
+
+size_t fvi_history_direct_bytes(size_t d, size_t steps)
+{
+    return bytes_of(d, steps, 0);
 }
 
 /* w_n at [steps - n] */
@@ -30,87 +37,59 @@ static void reverse(size_t steps, double *weights)
     }
 }
 
-fvi_history_direct *fvi_history_direct_of(size_t d, size_t steps, double *weights)
+static void place(fvi_history_head *head)
 {
-    fvi_history_direct *m = malloc(sizeof *m);
-    double *history = malloc((steps + 1) * d * sizeof *history);
-    if (!m || !weights || !history) {
-        free(m);
-        free(weights);
-        free(history);
+    direct_engine *m = (direct_engine *)head;
+    m->weights = m->numbers;
+    m->history = m->weights + m->steps + 1;
+    m->rates = m->history + head->d * (m->steps + 1);
+}
+
+static const fvi_history_engine engine;
+
+static direct_engine *make(size_t d, size_t steps, int by_order)
+{
+    direct_engine *m = fvi_history_make((fvi_history_head){
+        .is = &engine, .bytes = bytes_of(d, steps, by_order), .d = d });
+    if (!m)
         return NULL;
-    }
-    *m = (fvi_history_direct){
-        .d = d, .steps = steps, .weights = weights, .history = history
-    };
-    reverse(steps, weights);
+    m->steps = steps;
+    place(&m->head);
     return m;
 }
 
-fvi_history_direct *fvi_history_direct_alloc(double nu, int by_order, size_t d, size_t steps)
+fvi_history_head *fvi_history_direct_of(size_t d, size_t steps, const double *weights)
 {
-    const size_t count = steps + 1;
-    double *weights = malloc(count * sizeof *weights);
-    if (weights)
-        fvi_gl_weights(nu, count, weights);
-    fvi_history_direct *m = fvi_history_direct_of(d, steps, weights);
-    if (!m || !by_order)
-        return m;
-    m->rates = malloc(count * sizeof *m->rates);
-    if (!m->rates) {
-        fvi_history_direct_free(m);
+    direct_engine *m = make(d, steps, 0);
+    if (!m)
         return NULL;
+    for (size_t n = 0; n <= steps; n++)
+        m->weights[steps - n] = weights[n];
+    return &m->head;
+}
+
+fvi_history_head *fvi_history_direct_alloc(double nu, int by_order, size_t d, size_t steps)
+{
+    direct_engine *m = make(d, steps, by_order);
+    if (!m)
+        return NULL;
+    fvi_gl_weights(nu, steps + 1, m->weights);
+    reverse(steps, m->weights);
+    if (by_order) {
+        fvi_gl_weights_by_order(nu, steps + 1, m->rates);
+        reverse(steps, m->rates);
     }
-    fvi_gl_weights_by_order(nu, count, m->rates);
-    reverse(steps, m->rates);
-    return m;
-}
-
-/* n numbers again, or NULL; nothing of nothing. */
-static double *duplicate(const double *from, size_t n, int *all)
-{
-    double *to = from ? malloc(n * sizeof *to) : NULL;
-    if (to)
-        memcpy(to, from, n * sizeof *to);
-    *all &= !from == !to;
-    return to;
-}
-
-fvi_history_direct *fvi_history_direct_copy(const fvi_history_direct *from)
-{
-    int all = 1;
-    const size_t count = from->steps + 1;
-    fvi_history_direct *m = malloc(sizeof *m);
-    if (!m)
-        return NULL;
-    *m = *from;
-    m->weights = duplicate(from->weights, count, &all);
-    m->history = duplicate(from->history, count * from->d, &all);
-    m->rates = duplicate(from->rates, count, &all);
-    if (all)
-        return m;
-    fvi_history_direct_free(m);
-    return NULL;
-}
-
-void fvi_history_direct_free(fvi_history_direct *m)
-{
-    if (!m)
-        return;
-    free(m->weights);
-    free(m->history);
-    free(m->rates);
-    free(m);
+    return &m->head;
 }
 
 /* The terms so far, coordinate by coordinate: the room behind them depends on N. */
-int fvi_history_direct_archive(fvi_history_direct *m, size_t k, fvi_archive *v)
+static int archive(fvi_history_head *head, fvi_archive *v)
 {
+    direct_engine *m = (direct_engine *)head;
     int status = FVI_SUCCESS;
-    m->k = k;
-    for (size_t i = 0; !status && i < m->d; i++)
+    for (size_t i = 0; !status && i < head->d; i++)
         status = v->serialize(v, m->history + i * (m->steps + 1),
-                          k * sizeof *m->history, 0);
+                          head->k * sizeof *m->history, 0);
     return status;
 }
 
@@ -134,30 +113,39 @@ FVI_VECTORS static double dot(size_t n, const double *restrict a,
 }
 
 //> direct
-void fvi_history_direct_push(fvi_history_direct *m, const double *term, double *H)
+static void push(fvi_history_head *head, const double *term, double *H)
 {
-    for (size_t i = 0; i < m->d; i++) {
+    direct_engine *m = (direct_engine *)head;
+    const size_t k = head->k;
+    for (size_t i = 0; i < head->d; i++) {
         double *history = m->history + i * (m->steps + 1);
-        history[m->k] = term[i];
-        H[i] = dot(m->k + 1, m->weights + (m->steps - m->k), history);
+        history[k] = term[i];
+        H[i] = dot(k + 1, m->weights + (m->steps - k), history);
     }
-    m->k++;
 }
 //< direct
 
-/* The same sums with other weights, of the terms that are in. */
-void fvi_history_direct_push_by_order(fvi_history_direct *m, const double *term, double *H,
+/* The same sums with other weights, of the terms before this one. */
+static void push_by_order(fvi_history_head *head, const double *term, double *H,
                           double *rate)
 {
-    fvi_history_direct_push(m, term, H);
-    for (size_t i = 0; i < m->d; i++)
-        rate[i] = dot(m->k, m->rates + (m->steps + 1 - m->k),
+    direct_engine *m = (direct_engine *)head;
+    const size_t k = head->k;
+    push(head, term, H);
+    for (size_t i = 0; i < head->d; i++)
+        rate[i] = dot(k + 1, m->rates + (m->steps - k), m->history + i * (m->steps + 1));
+}
+
+static void ahead(const fvi_history_head *head, double *sum)
+{
+    const direct_engine *m = (const direct_engine *)head;
+    for (size_t i = 0; i < head->d; i++)
+        sum[i] += dot(head->k, m->weights + (m->steps - head->k),
                       m->history + i * (m->steps + 1));
 }
 
-void fvi_history_direct_ahead(const fvi_history_direct *m, double *sum)
-{
-    for (size_t i = 0; i < m->d; i++)
-        sum[i] += dot(m->k, m->weights + (m->steps - m->k),
-                      m->history + i * (m->steps + 1));
-}
+static const fvi_history_engine engine = { .place = place,
+                                           .push = push,
+                                           .push_by_order = push_by_order,
+                                           .ahead = ahead,
+                                           .archive = archive };

@@ -1,11 +1,8 @@
 /* src/memory/history_kinds.h -- The ways to sum behind memory.h.        [H 12]
  *
  * Internal: memory.c chooses one and checks the arguments; nothing is checked
- * here. The order nu is in (0, 1), the weights are w_n = (-1)^n binom(nu, n),
- * and each kind has the same five functions: bytes, alloc, push, ahead, free.
- * bytes is what alloc will ask for, SIZE_MAX if that cannot be addressed; alloc
- * returns NULL if it is not there; push takes d terms and writes d sums; ahead
- * adds to `sum` the d sums to come next, their first terms left out. */
+ * here. The order nu is in (0, 1), the weights are w_n = (-1)^n binom(nu, n). Each
+ * way is an engine. */
 #ifndef FVI_HISTORY_KINDS_H
 #define FVI_HISTORY_KINDS_H
 
@@ -36,8 +33,8 @@
 #define FVI_VECTORS
 #endif
 
-/* Of the places that a count k decides, those of another count may be out of the arrays: a
- * visitor that writes must have written the same one everywhere. */
+/* A count that was read must be the one that the run has: of the places that it decides, those of
+ * another count may be out of the arrays. */
 static inline int fvi_check_count(size_t written, size_t k)
 {
     if (written != k)
@@ -46,24 +43,59 @@ static inline int fvi_check_count(size_t written, size_t k)
     return FVI_SUCCESS;
 }
 
+/* ---- an engine ---- */
+
+typedef struct fvi_history_engine fvi_history_engine;
+
+/* With what every engine begins. It is one piece of memory, constant tables and state, and only
+ * `place` knows the addresses in it: a copy is a copy of the bytes, then placed; free frees it. */
+typedef struct {
+    const fvi_history_engine *is;
+    size_t bytes; /* of the piece, a multiple of 64 */
+    size_t d, k;  /* d numbers come in with a term; so many terms have. memory.c counts them */
+} fvi_history_head;
+
+/* What an engine does with term k, from 0.
+ *
+ *   place          finds its arrays again, after a copy
+ *   push           takes the d numbers of the term, and writes d sums, which may be in their place
+ *   push_by_order  the same, and their derivatives by the order to rate, if it was made so
+ *   push_part      the same of `count` coordinates from `first` on (history_parts.h); NULL: it
+ *                  takes them together
+ *   ahead          adds to sum the sums to come next, their first terms left out
+ *   archive        shows what is constant and the state after k terms */
+struct fvi_history_engine {
+    void (*place)(fvi_history_head *m);
+    void (*push)(fvi_history_head *m, const double *term, double *H);
+    void (*push_by_order)(fvi_history_head *m, const double *term, double *H,
+                          double *rate);
+    void (*push_part)(fvi_history_head *m, size_t first, size_t count,
+                      const double *term, double *H);
+    void (*ahead)(const fvi_history_head *m, double *sum);
+    int (*archive)(fvi_history_head *m, fvi_archive *v);
+};
+
+/* fvi_history_take -- a term comes in. */
+static inline void fvi_history_take(fvi_history_head *m, const double *term, double *H)
+{
+    m->is->push(m, term, H);
+    m->k++;
+}
+
+/* fvi_history_piece -- how many bytes an engine of so many has, with n numbers behind them; SIZE_MAX
+ * if they cannot be addressed.
+ * fvi_history_make -- zeros of the size of `of`, with its head; not yet placed. NULL if there is no
+ * memory. */
+size_t fvi_history_piece(size_t bytes, size_t n);
+void *fvi_history_make(fvi_history_head of);
+
 /* ---- the sum as it stands (history_direct.c) ---- */
 
-typedef struct fvi_history_direct fvi_history_direct;
-
 size_t fvi_history_direct_bytes(size_t d, size_t steps);
-/* `by_order`: nonzero for a kind that push_rate can be called of; 0 <= nu <= 1 then. */
-fvi_history_direct *fvi_history_direct_alloc(double nu, int by_order, size_t d, size_t steps);
-/* Takes over weights 1, w_1, ..., w_steps of another's making, or NULL, of which it makes
- * NULL; they are freed if it fails. */
-fvi_history_direct *fvi_history_direct_of(size_t d, size_t steps, double *weights);
-fvi_history_direct *fvi_history_direct_copy(const fvi_history_direct *from);
-void fvi_history_direct_push(fvi_history_direct *m, const double *term, double *H);
-void fvi_history_direct_push_by_order(fvi_history_direct *m, const double *term, double *H,
-                          double *rate);
-void fvi_history_direct_ahead(const fvi_history_direct *m, double *sum);
-/* k: how many terms there are, or will be when v has written them. */
-int fvi_history_direct_archive(fvi_history_direct *m, size_t k, fvi_archive *v);
-void fvi_history_direct_free(fvi_history_direct *m);
+/* `by_order`: nonzero for an engine whose push_by_order can be called; 0 <= nu <= 1 then. */
+fvi_history_head *fvi_history_direct_alloc(double nu, int by_order, size_t d, size_t steps);
+/* Of the weights 1, w_1, ..., w_steps of another's making. */
+fvi_history_head *fvi_history_direct_of(size_t d, size_t steps, const double *weights);
 
 /* ---- a window and decaying exponentials (history_modes.c, memory_nodes.c) ---- */
 
@@ -111,43 +143,32 @@ fvi_node_range fvi_node_range_of(double nu, double order, double most, double N,
 void fvi_history_modes_rule(const fvi_node_range *g, double nu, double N, double *s,
                            double *c, double *rate);
 
-typedef struct fvi_history_modes fvi_history_modes;
-
 /* delta of (12.6) for a run: see (12.11). */
 double fvi_history_modes_delta(size_t steps, double tolerance);
 
 /* The nodes of a run, which the next two want. */
 fvi_node_range fvi_history_modes_plan(double nu, size_t steps, double delta);
 
-/* `by_order`: nonzero for a kind that push_rate can be called of; 0 <= nu <= 1 then. */
+/* `by_order` as above. From 16 coordinates on, and not by_order, it is an engine that goes by
+ * tiles (history_tiled.h). */
 size_t fvi_history_modes_bytes(const fvi_node_range *g, int by_order, size_t d);
-fvi_history_modes *fvi_history_modes_alloc(const fvi_node_range *g, double nu,
-                                         int by_order, size_t d, size_t steps);
+fvi_history_head *fvi_history_modes_alloc(const fvi_node_range *g, double nu,
+                                          int by_order, size_t d, size_t steps);
 /* Modes and the weights 1, w_1, ..., w_32 of another's making. */
-fvi_history_modes *fvi_history_modes_of(size_t Q, const double *s,
-                                      const double *c, const double *w,
-                                      size_t d);
-fvi_history_modes *fvi_history_modes_copy(const fvi_history_modes *from);
-void fvi_history_modes_push(fvi_history_modes *e, const double *term, double *H);
-void fvi_history_modes_push_by_order(fvi_history_modes *e, const double *term,
-                                double *H, double *rate);
-/* NULL, or the blocks that many coordinates go by (history_tiled.h). */
-struct fvi_history_tiled *fvi_history_modes_tiles(const fvi_history_modes *e);
-void fvi_history_modes_ahead(const fvi_history_modes *e, double *sum);
-int fvi_history_modes_archive(fvi_history_modes *e, size_t k, fvi_archive *v);
-void fvi_history_modes_free(fvi_history_modes *e);
+fvi_history_head *fvi_history_modes_of(size_t Q, const double *s, const double *c,
+                                       const double *w, size_t d);
 
 /* ---- a memory with weights of another's making (memory.c) ---- */
 
 struct fvi_history;
 
-/* fvi_history_of_weights -- takes over either weights, 1, w_1, ..., w_steps, or e; the other one
- * is NULL. What it takes over is freed if it fails.
+/* fvi_history_of_engine -- takes over the engine, which may be NULL, where there was no memory for
+ * it; it is freed if this fails.
  *
  *   increments  nonzero if push shall sum dx, not x
  *
  * Returns FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_history_of_weights(int increments, size_t d, size_t steps, double *weights,
-                  fvi_history_modes *e, struct fvi_history **memory);
+int fvi_history_of_engine(int increments, size_t steps, fvi_history_head *engine,
+                          struct fvi_history **memory);
 
 #endif

@@ -13,8 +13,10 @@ enum {
     PAIR = 2   /* steps that are done at once */
 };
 
-struct fvi_history_modes {
-    size_t d, Q, k;      /* Q padded to a multiple of LANES */
+typedef struct {
+    fvi_history_head head;
+    size_t Q;            /* padded to a multiple of LANES */
+    int by_order;
     double near[PAIR];   /* w_1 and w_2; that of lag 0 is 1 */
     double slopes[PAIR]; /* their rates */
     double *p, *c;       /* Q numbers: z += x - p z, worth c z */
@@ -22,11 +24,10 @@ struct fvi_history_modes {
     double *z;           /* Q modes for each coordinate */
     double *past;        /* the last 32 terms of each, twice over: a ring */
     double *far;         /* of each, two sums to come, over the lags >= 1 */
-    double *rates; /* NULL, or dc/d nu: Q numbers; the rates of the window;
-                                  and two sums of each with them, as far */
-    fvi_history_tiled
-        *tiles; /* NULL, or what stands for z, past and far (H 28) */
-};
+    double *rates;       /* dc/d nu: Q numbers; the rates of the window; and two sums of each with
+                          * them, as far. Of a memory by_order */
+    _Alignas(64) double numbers[];
+} modes_engine;
 
 /* The rates are read from modes that stand as after each step. */
 static int tiled(int by_order, size_t d)
@@ -47,8 +48,6 @@ static double lags(size_t steps)
 
 static size_t numbers(size_t Q, int by_order, size_t d) /* a multiple of 8 */
 {
-    if (tiled(by_order, d))
-        d = 0;
     return 2 * Q + FVI_WINDOW + d * (Q + 2 * FVI_WINDOW) + padded(PAIR * d)
            + (by_order ? Q + FVI_WINDOW + padded(PAIR * d) : 0);
 }
@@ -63,37 +62,42 @@ size_t fvi_history_modes_bytes(const fvi_node_range *g, int by_order, size_t d)
     const size_t Q = padded(g->Q);
     if (d > SIZE_MAX / sizeof(double) / 2 / (Q + 2 * FVI_WINDOW))
         return SIZE_MAX;
-    const size_t bytes =
-        sizeof(fvi_history_modes) + numbers(Q, by_order, d) * sizeof(double);
-    return tiled(by_order, d) ? bytes + fvi_history_tiled_bytes(d, Q) : bytes;
+    return tiled(by_order, d)
+               ? fvi_history_tiled_bytes(d, Q)
+               : fvi_history_piece(sizeof(modes_engine), numbers(Q, by_order, d));
 }
 
-/* Zeros, or NULL. */
-static fvi_history_modes *make(size_t Q, int by_order, size_t d)
+static void place(fvi_history_head *head)
 {
-    const size_t n = numbers(Q, by_order, d);
-    fvi_history_modes *e = malloc(sizeof *e);
-    double *block = aligned_alloc(64, n * sizeof *block);
-    if (!e || !block) {
-        free(e);
-        free(block);
-        return NULL;
-    }
-    memset(block, 0, n * sizeof *block);
-    *e = (fvi_history_modes){ .d = d, .Q = Q, .p = block, .c = block + Q };
-    e->window = e->c + Q;
-    if (tiled(by_order, d))
-        return e;
+    modes_engine *e = (modes_engine *)head;
+    e->p = e->numbers;
+    e->c = e->p + e->Q;
+    e->window = e->c + e->Q;
     e->z = e->window + FVI_WINDOW;
-    e->past = e->z + d * Q;
-    e->far = e->past + d * 2 * FVI_WINDOW;
-    if (by_order)
-        e->rates = e->far + padded(PAIR * d);
+    e->past = e->z + head->d * e->Q;
+    e->far = e->past + head->d * 2 * FVI_WINDOW;
+    e->rates = e->far + padded(PAIR * head->d);
+}
+
+static const fvi_history_engine engine;
+
+/* Zeros, or NULL. */
+static modes_engine *make(size_t Q, int by_order, size_t d)
+{
+    modes_engine *e = fvi_history_make((fvi_history_head){
+        .is = &engine,
+        .bytes = fvi_history_piece(sizeof *e, numbers(Q, by_order, d)),
+        .d = d });
+    if (!e)
+        return NULL;
+    e->Q = Q;
+    e->by_order = by_order;
+    place(&e->head);
     return e;
 }
 
 /* Of a rated memory. */
-static double *further(const fvi_history_modes *e)
+static double *further(const modes_engine *e)
 {
     return e->rates + e->Q + FVI_WINDOW;
 }
@@ -107,35 +111,34 @@ static void open_window(const double *w, double *near, double *window)
 }
 
 /* p holds s, and becomes what a mode loses in a step; padding ends as c = 0. */
-static void decays(fvi_history_modes *e)
+static void decays(modes_engine *e)
 {
     for (size_t q = 0; q < e->Q; q++) {
         const double tail = exp(-FVI_TAIL * e->p[q]);
         e->c[q] *= tail;
-        if (e->rates)
+        if (e->by_order)
             e->rates[q] *= tail;
         e->p[q] = -expm1(-e->p[q]);
     }
 }
 
-/* e, or NULL if there is no memory for many coordinates. */
-static fvi_history_modes *finish(fvi_history_modes *e, const double *w)
+/* The engine for d coordinates: e, or if it was made for none one that goes by tiles. */
+static fvi_history_head *finish(modes_engine *e, const double *w, size_t d)
 {
-    open_window(w, e->near, e->window);
     decays(e);
-    if (!tiled(e->rates != NULL, e->d))
-        return e;
-    e->tiles = fvi_history_tiled_alloc(e->d, e->Q, e->p, e->c, w);
-    if (e->tiles)
-        return e;
-    fvi_history_modes_free(e);
-    return NULL;
+    if (e->head.d == d) {
+        open_window(w, e->near, e->window);
+        return &e->head;
+    }
+    fvi_history_head *tiles = fvi_history_tiled_alloc(d, e->Q, e->p, e->c, w);
+    free(e);
+    return tiles;
 }
 
-fvi_history_modes *fvi_history_modes_alloc(const fvi_node_range *g, double nu,
-                                         int by_order, size_t d, size_t steps)
+fvi_history_head *fvi_history_modes_alloc(const fvi_node_range *g, double nu,
+                                          int by_order, size_t d, size_t steps)
 {
-    fvi_history_modes *e = make(padded(g->Q), by_order, d);
+    modes_engine *e = make(padded(g->Q), by_order, tiled(by_order, d) ? 0 : d);
     if (!e)
         return NULL;
     double w[FVI_WINDOW + 1];
@@ -144,67 +147,34 @@ fvi_history_modes *fvi_history_modes_alloc(const fvi_node_range *g, double nu,
         open_window(w, e->slopes, e->rates + e->Q);
     }
     fvi_gl_weights(nu, FVI_WINDOW + 1, w);
-    fvi_history_modes_rule(g, nu, lags(steps), e->p, e->c, e->rates);
-    return finish(e, w);
+    fvi_history_modes_rule(g, nu, lags(steps), e->p, e->c, by_order ? e->rates : NULL);
+    return finish(e, w, d);
 }
 
-fvi_history_modes *fvi_history_modes_of(size_t Q, const double *s,
-                                      const double *c, const double *w,
-                                      size_t d)
+fvi_history_head *fvi_history_modes_of(size_t Q, const double *s, const double *c,
+                                       const double *w, size_t d)
 {
-    fvi_history_modes *e = make(padded(Q), 0, d);
+    modes_engine *e = make(padded(Q), 0, tiled(0, d) ? 0 : d);
     if (!e)
         return NULL;
     memcpy(e->p, s, Q * sizeof *s);
     memcpy(e->c, c, Q * sizeof *c);
-    return finish(e, w);
+    return finish(e, w, d);
 }
 
-fvi_history_modes *fvi_history_modes_copy(const fvi_history_modes *from)
+/* The nodes depend on N, and must be the same. The sums by the order end the piece. */
+static int archive(fvi_history_head *head, fvi_archive *v)
 {
-    fvi_history_modes *e = make(from->Q, from->rates != NULL, from->d);
-    if (!e)
-        return NULL;
-    memcpy(e->p, from->p, numbers(e->Q, e->rates != NULL, e->d) * sizeof *e->p);
-    memcpy(e->near, from->near, sizeof e->near);
-    memcpy(e->slopes, from->slopes, sizeof e->slopes);
-    e->k = from->k;
-    e->tiles = from->tiles ? fvi_history_tiled_copy(from->tiles) : NULL;
-    if (!e->tiles == !from->tiles)
-        return e;
-    fvi_history_modes_free(e);
-    return NULL;
-}
-
-/* The nodes depend on N, and must be the same. */
-int fvi_history_modes_archive(fvi_history_modes *e, size_t k, fvi_archive *v)
-{
-    const size_t number = sizeof(double);
+    modes_engine *e = (modes_engine *)head;
+    const size_t number = sizeof(double), sums = padded(PAIR * head->d);
     int status = v->serialize(v, &e->Q, sizeof e->Q, 1);
     if (!status)
         status = v->serialize(v, e->p, 2 * e->Q * number, 1);
-    if (!status && e->tiles)
-        return fvi_history_tiled_archive(e->tiles, k, v);
-    if (!status)
-        status = v->serialize(v, &e->k, sizeof e->k, 0);
-    if (!status)
-        status = fvi_check_count(e->k, k);
     if (!status)
         status = v->serialize(
-            v, e->z,
-            (e->d * (e->Q + 2 * FVI_WINDOW) + padded(PAIR * e->d)) * number, 0);
-    return status || !e->rates
-               ? status
-               : v->serialize(v, further(e), padded(PAIR * e->d) * number, 0);
-}
-
-void fvi_history_modes_free(fvi_history_modes *e)
-{
-    if (!e)
-        return;
-    fvi_history_tiled_free(e->tiles);
-    free(e->p);
-    free(e);
+            v, e->z, (head->d * (e->Q + 2 * FVI_WINDOW) + sums) * number, 0);
+    return status || !e->by_order ? status
+                                  : v->serialize(v, further(e), sums * number, 0);
 }
 
 typedef double four
@@ -230,7 +200,7 @@ WITHIN void keep(double *past, double new)
  * before it, which stands at past. Partial sum l takes every eighth term, from the l-th
  * on, on every machine: vectors of 2 or 4 doubles change the time and not one digit. No
  * vector waits for the two terms that came in last. */
-WITHIN void sweep(const fvi_history_modes *e, double *modes, double *past,
+WITHIN void sweep(const modes_engine *e, double *modes, double *past,
                   double new, int by_order, double *far, double *slope)
 {
     const four *p = (four *)e->p, *c = (four *)e->c, *by = (four *)e->rates;
@@ -274,13 +244,13 @@ WITHIN void sweep(const fvi_history_modes *e, double *modes, double *past,
     keep(past + 1, new);
 }
 
-FVI_VECTORS static void advance(const fvi_history_modes *e, double *modes,
+FVI_VECTORS static void advance(const modes_engine *e, double *modes,
                                 double *past, double new, double *far)
 {
     sweep(e, modes, past, new, 0, far, NULL);
 }
 
-FVI_VECTORS static void advance_rated(const fvi_history_modes *e, double *modes,
+FVI_VECTORS static void advance_rated(const modes_engine *e, double *modes,
                                       double *past, double new, double *far,
                                       double *slope)
 {
@@ -289,7 +259,7 @@ FVI_VECTORS static void advance_rated(const fvi_history_modes *e, double *modes,
 
 //> push
 /* Term k of coordinate i comes in. */
-WITHIN void push_one(const fvi_history_modes *e, size_t i, size_t k, double new,
+WITHIN void push_one(const modes_engine *e, size_t i, size_t k, double new,
                      double *H)
 {
     double *past = e->past + i * 2 * FVI_WINDOW + k % FVI_WINDOW;
@@ -304,42 +274,29 @@ WITHIN void push_one(const fvi_history_modes *e, size_t i, size_t k, double new,
 //< push
 
 /* Apart: whoever has one coordinate saves no register for it. */
-__attribute__((noinline)) static void push_each(fvi_history_modes *e,
-                                                const double *term, double *H)
+__attribute__((noinline)) static void push_each(modes_engine *e, const double *term, double *H)
 {
-    for (size_t i = 0; i < e->d; i++)
-        push_one(e, i, e->k, term[i], H + i);
-    e->k++;
+    for (size_t i = 0; i < e->head.d; i++)
+        push_one(e, i, e->head.k, term[i], H + i);
 }
 
-/* No loop has to find out that it runs once. */
-static void push_alone(fvi_history_modes *e, double new, double *H)
+static void push(fvi_history_head *head, const double *term, double *H)
 {
-    push_one(e, 0, e->k++, new, H);
-}
-
-void fvi_history_modes_push(fvi_history_modes *e, const double *term, double *H)
-{
-    if (e->tiles)
-        fvi_history_tiled_push(e->tiles, term, H);
-    else if (e->d == 1)
-        push_alone(e, *term, H);
+    modes_engine *e = (modes_engine *)head;
+    if (head->d == 1) /* no loop has to find out that it runs once */
+        push_one(e, 0, head->k, *term, H);
     else
         push_each(e, term, H);
 }
 
-fvi_history_tiled *fvi_history_modes_tiles(const fvi_history_modes *e)
-{
-    return e->tiles;
-}
-
 //> push-rate
-void fvi_history_modes_push_by_order(fvi_history_modes *e, const double *term,
-                                double *H, double *rate)
+static void push_by_order(fvi_history_head *head, const double *term, double *H,
+                          double *rate)
 {
-    const size_t place = e->k % FVI_WINDOW, now = e->k++ % PAIR;
-    for (size_t i = 0; i < e->d; i++) {
-        double new = term[i], *past = e->past + i * 2 * FVI_WINDOW + place;
+    modes_engine *e = (modes_engine *)head;
+    const size_t at = head->k % FVI_WINDOW, now = head->k % PAIR;
+    for (size_t i = 0; i < head->d; i++) {
+        double new = term[i], *past = e->past + i * 2 * FVI_WINDOW + at;
         double *far = e->far + PAIR * i, *slope = further(e) + PAIR * i;
         H[i] = new + far[now];
         rate[i] = slope[now];
@@ -353,12 +310,15 @@ void fvi_history_modes_push_by_order(fvi_history_modes *e, const double *term,
 }
 //< push-rate
 
-void fvi_history_modes_ahead(const fvi_history_modes *e, double *sum)
+static void ahead(const fvi_history_head *head, double *sum)
 {
-    if (e->tiles) {
-        fvi_history_tiled_ahead(e->tiles, sum);
-        return;
-    }
-    for (size_t i = 0; i < e->d; i++)
-        sum[i] += e->far[PAIR * i + e->k % PAIR];
+    const modes_engine *e = (const modes_engine *)head;
+    for (size_t i = 0; i < head->d; i++)
+        sum[i] += e->far[PAIR * i + head->k % PAIR];
 }
+
+static const fvi_history_engine engine = { .place = place,
+                                           .push = push,
+                                           .push_by_order = push_by_order,
+                                           .ahead = ahead,
+                                           .archive = archive };

@@ -57,8 +57,9 @@ enum {
     FARTHEST = 2 * FVI_SLABS - 1    /* so far are two eights apart at most */
 };
 
-struct fvi_history_tiled {
-    size_t d, Q, k, tiles;
+typedef struct {
+    fvi_history_head head;
+    size_t Q, tiles;
     product *times;
     double *w;     /* w_1 to w_63 at their lags */
     double *lags;  /* w_{8 D + r - j} for D from 7 down to 1: (28.3) */
@@ -66,9 +67,9 @@ struct fvi_history_tiled {
     double *decay; /* e^{-s_q (31 - j)} by eights of modes: (28.2) */
     double *lose;  /* 1 - e^{-32 s_q} */
     double *z;     /* Q modes of each coordinate, tile by tile */
-    double
-        *slab[FVI_SLABS]; /* rows: terms that are in, sums of those to come */
-};
+    double *slab[FVI_SLABS]; /* rows: terms that are in, sums of those to come */
+    _Alignas(64) double numbers[];
+} tiled_engine;
 
 /* Numbers of the tables, and of the state. */
 static size_t tables(size_t Q)
@@ -85,33 +86,20 @@ size_t fvi_history_tiled_bytes(size_t d, size_t Q)
 {
     if (d > SIZE_MAX / sizeof(double) / 4 / (Q + FVI_WINDOW))
         return SIZE_MAX;
-    return sizeof(fvi_history_tiled) + (tables(Q) + state(d, Q)) * sizeof(double);
+    return fvi_history_piece(sizeof(tiled_engine), tables(Q) + state(d, Q));
 }
 
-/* Zeros, or NULL. */
-static fvi_history_tiled *make(size_t d, size_t Q)
+static void place(fvi_history_head *head)
 {
-    fvi_history_tiled *t = malloc(sizeof *t);
-    const size_t n = tables(Q) + state(d, Q);
-    double *block = aligned_alloc(64, n * sizeof *block);
-    if (!t || !block) {
-        free(t);
-        free(block);
-        return NULL;
-    }
-    memset(block, 0, n * sizeof *block);
-    *t = (fvi_history_tiled){ .d = d, .Q = Q, .w = block };
-    for (size_t lanes = 8; !fvi_history_tiled_width(t, lanes); lanes /= 2)
-        ;
-    t->tiles = (d + FVI_TILE - 1) / FVI_TILE;
+    tiled_engine *t = (tiled_engine *)head;
+    t->w = t->numbers;
     t->lags = t->w + 2 * FVI_WINDOW;
     t->far = t->lags + FARTHEST * SQUARE;
-    t->decay = t->far + FVI_WINDOW * Q;
-    t->lose = t->decay + FVI_WINDOW * Q;
-    t->z = t->lose + Q;
+    t->decay = t->far + FVI_WINDOW * t->Q;
+    t->lose = t->decay + FVI_WINDOW * t->Q;
+    t->z = t->lose + t->Q;
     for (size_t s = 0; s < FVI_SLABS; s++)
-        t->slab[s] = t->z + t->tiles * (FVI_TILE * Q + s * AREA);
-    return t;
+        t->slab[s] = t->z + t->tiles * (FVI_TILE * t->Q + s * AREA);
 }
 
 /* (1 - p)^n; where p is 1, that is 1 for n = 0. */
@@ -121,14 +109,14 @@ static double power(double p, size_t n)
 }
 
 /* The table between eights D apart; that of the next nearer one follows it. */
-static double *square(const fvi_history_tiled *t, size_t D)
+static double *square(const tiled_engine *t, size_t D)
 {
     return t->lags + (FARTHEST - D) * SQUARE;
 }
 
 //> tables
 /* The weights from lag 33 on are what the modes say, so that both ways have the same. */
-static void fill(fvi_history_tiled *t, const double *p, const double *c)
+static void fill(tiled_engine *t, const double *p, const double *c)
 {
     for (size_t q = 0; q < t->Q; q++) {
         double *decay = t->decay + (q / FVI_EIGHT * FVI_WINDOW) * FVI_EIGHT;
@@ -149,64 +137,58 @@ static void fill(fvi_history_tiled *t, const double *p, const double *c)
 }
 //< tables
 
-fvi_history_tiled *fvi_history_tiled_alloc(size_t d, size_t Q, const double *p, const double *c,
-                           const double *w)
+static const fvi_history_engine engine;
+
+fvi_history_head *fvi_history_tiled_alloc(size_t d, size_t Q, const double *p,
+                                          const double *c, const double *w)
 {
-    fvi_history_tiled *t = make(d, Q);
+    tiled_engine *t = fvi_history_make((fvi_history_head){
+        .is = &engine, .bytes = fvi_history_tiled_bytes(d, Q), .d = d });
     if (!t)
         return NULL;
+    t->Q = Q;
+    t->tiles = (d + FVI_TILE - 1) / FVI_TILE;
+    place(&t->head);
+    for (size_t lanes = 8; !fvi_history_tiled_width(&t->head, lanes); lanes /= 2)
+        ;
     memcpy(t->w + 1, w + 1, FVI_WINDOW * sizeof *w);
     fill(t, p, c);
-    return t;
+    return &t->head;
 }
 
-int fvi_history_tiled_width(fvi_history_tiled *t, size_t lanes)
+int fvi_history_tiled_width(fvi_history_head *head, size_t lanes)
 {
+    tiled_engine *t = (tiled_engine *)head;
     product *times = product_of(lanes);
     if (times)
         t->times = times;
     return times != NULL;
 }
 
-fvi_history_tiled *fvi_history_tiled_copy(const fvi_history_tiled *from)
+/* What the weights and the decays are, must be the same. */
+static int archive(fvi_history_head *head, fvi_archive *v)
 {
-    fvi_history_tiled *t = make(from->d, from->Q);
-    if (!t)
-        return NULL;
-    memcpy(t->w, from->w, (tables(t->Q) + state(t->d, t->Q)) * sizeof *t->w);
-    t->k = from->k;
-    t->times = from->times;
-    return t;
-}
-
-int fvi_history_tiled_archive(fvi_history_tiled *t, size_t k, fvi_archive *v)
-{
-    int status = v->serialize(v, &t->k, sizeof t->k, 0);
+    tiled_engine *t = (tiled_engine *)head;
+    int status = v->serialize(v, &t->Q, sizeof t->Q, 1);
     if (!status)
-        status = fvi_check_count(t->k, k);
+        status = v->serialize(v, t->w, 2 * FVI_WINDOW * sizeof *t->w, 1);
+    if (!status)
+        status = v->serialize(v, t->lose, t->Q * sizeof *t->lose, 1);
     return status ? status
-                  : v->serialize(v, t->z, state(t->d, t->Q) * sizeof *t->z, 0);
-}
-
-void fvi_history_tiled_free(fvi_history_tiled *t)
-{
-    if (!t)
-        return;
-    free(t->w);
-    free(t);
+                  : v->serialize(v, t->z, state(head->d, t->Q) * sizeof *t->z, 0);
 }
 
 /* ---- the sums ---- */
 
-static size_t columns(const fvi_history_tiled *t, size_t tile)
+static size_t columns(const tiled_engine *t, size_t tile)
 {
-    const size_t rest = t->d - tile * FVI_TILE;
+    const size_t rest = t->head.d - tile * FVI_TILE;
     return rest < FVI_TILE ? rest : FVI_TILE;
 }
 
 /* To the sums of the eight rows of `to`, what so many eights of terms say, one after the
  * other, the first of them D before these rows. */
-static void between(const fvi_history_tiled *t, size_t count, size_t eights, size_t D,
+static void between(const tiled_engine *t, size_t count, size_t eights, size_t D,
                     const double *terms, double *to)
 {
     static const double none[FVI_EIGHT] = { 0 };
@@ -223,7 +205,7 @@ static void fetch(const double *from, size_t count)
 //> block
 /* Thirty-two terms are in: what they and all before them say to the next 32 sums, and
  * then to the modes. The sums take the places of the terms. */
-static void open_block(fvi_history_tiled *t, size_t tile)
+static void open_block(tiled_engine *t, size_t tile)
 {
     static const double none[FVI_EIGHT] = { 0 };
     const size_t count = columns(t, tile);
@@ -249,7 +231,7 @@ static void open_block(fvi_history_tiled *t, size_t tile)
 
 //> eight
 /* After every eighth term: to the next eight sums, what the block has so far. */
-static void open_eight(fvi_history_tiled *t, size_t tile, size_t g)
+static void open_eight(tiled_engine *t, size_t tile, size_t g)
 {
     for (size_t s = 0; s < g; s++)
         between(t, columns(t, tile), 1, g - s, t->slab[s] + tile * AREA,
@@ -275,11 +257,12 @@ FVI_VECTORS static void next_row(size_t r, const double *restrict w,
 }
 
 //> push
-void fvi_history_tiled_push_part(fvi_history_tiled *t, size_t first, size_t count,
-                         const double *term, double *H)
+static void push_part(fvi_history_head *head, size_t first, size_t count,
+                      const double *term, double *H)
 {
-    const size_t r = t->k % FVI_EIGHT, g = t->k / FVI_EIGHT % FVI_SLABS;
-    const size_t next = (t->k + 1) / FVI_EIGHT % FVI_SLABS;
+    tiled_engine *t = (tiled_engine *)head;
+    const size_t k = head->k, r = k % FVI_EIGHT, g = k / FVI_EIGHT % FVI_SLABS;
+    const size_t next = (k + 1) / FVI_EIGHT % FVI_SLABS;
 #pragma omp parallel for schedule(static) if (count >= THREADS_FROM)
     for (size_t i = 0; i < count; i += FVI_TILE) {
         const size_t tile = (first + i) / FVI_TILE;
@@ -297,18 +280,18 @@ void fvi_history_tiled_push_part(fvi_history_tiled *t, size_t first, size_t coun
         else if (r + 1 == FVI_EIGHT)
             open_eight(t, tile, next);
     }
-    t->k += first + count == t->d;
 }
 //< push
 
-void fvi_history_tiled_push(fvi_history_tiled *t, const double *term, double *H)
+static void push(fvi_history_head *head, const double *term, double *H)
 {
-    fvi_history_tiled_push_part(t, 0, t->d, term, H);
+    push_part(head, 0, head->d, term, H);
 }
 
-void fvi_history_tiled_ahead(const fvi_history_tiled *t, double *sum)
+static void ahead(const fvi_history_head *head, double *sum)
 {
-    const size_t r = t->k % FVI_EIGHT, g = t->k / FVI_EIGHT % FVI_SLABS;
+    const tiled_engine *t = (const tiled_engine *)head;
+    const size_t r = head->k % FVI_EIGHT, g = head->k / FVI_EIGHT % FVI_SLABS;
     for (size_t tile = 0; tile < t->tiles; tile++) {
         double row[FVI_TILE];
         next_row(r, t->w, t->slab[g] + tile * AREA, row);
@@ -316,3 +299,9 @@ void fvi_history_tiled_ahead(const fvi_history_tiled *t, double *sum)
             sum[tile * FVI_TILE + i] += row[i];
     }
 }
+
+static const fvi_history_engine engine = { .place = place,
+                                           .push = push,
+                                           .push_part = push_part,
+                                           .ahead = ahead,
+                                           .archive = archive };

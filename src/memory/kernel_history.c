@@ -38,7 +38,7 @@ static double *weights_of(const fvi_kernel_ready *r, size_t count, double *first
     return w;
 }
 
-static fvi_history_modes *compressed(const fvi_kernel_ready *r, size_t d, size_t steps,
+static fvi_history_head *compressed(const fvi_kernel_ready *r, size_t d, size_t steps,
                                     double delta, double *first)
 {
     const double N = fmax((double)steps, 128);
@@ -47,7 +47,7 @@ static fvi_history_modes *compressed(const fvi_kernel_ready *r, size_t d, size_t
         return NULL;
     double *w = weights_of(r, FVI_WINDOW + 1, first);
     double *s = malloc(2 * (Q + 1) * sizeof *s);
-    fvi_history_modes *e = NULL;
+    fvi_history_head *e = NULL;
     if (w && s && !fvi_kernel_ready_modes(r, N, delta, s, s + Q, &Q)) {
         for (size_t q = 0; q < Q; q++)
             s[Q + q] /= *first;
@@ -130,17 +130,15 @@ static int make(const fvi_kernel_ready *r, size_t d, size_t steps, fvi_history_k
     int status = choose(r, steps, tolerance, &how);
     if (status)
         return status;
-    double w0;
-    double *weights = NULL;
-    fvi_history_modes *e = NULL;
+    double w0, *weights = NULL;
+    fvi_history_head *e = NULL;
     if (how == FVI_HISTORY_MODES)
         e = compressed(r, d, steps, fvi_history_modes_delta(steps, tolerance),
                        &w0);
-    else
-        weights = weights_of(r, steps + 1, &w0);
-    if (!e && !weights)
-        FVI_FAIL("no memory for the history", FVI_ENOMEM);
-    status = fvi_history_of_weights(r->increments, d, steps, weights, e, memory);
+    else if ((weights = weights_of(r, steps + 1, &w0)))
+        e = fvi_history_direct_of(d, steps, weights);
+    free(weights);
+    status = fvi_history_of_engine(r->increments, steps, e, memory);
     if (!status)
         *first = w0;
     return status;

@@ -1,7 +1,6 @@
 /* src/memory/memory.c -- The history of a fractional derivative.       [H 12] */
 #include <fvi/memory.h>
 
-#include "history_tiled.h"
 #include "history_kinds.h"
 #include "history_parts.h"
 #include "system/fail.h"
@@ -20,12 +19,92 @@ struct fvi_history {
     fvi_node_range nodes; /* of a compressed memory */
     int on_increments;
     fvi_history_kind kind; /* never AUTO */
-    size_t d, steps, k;   /* k terms have come in */
-    double *last;         /* d numbers: the last term, if order is 0 or 1 */
-    int by_order;            /* dH/d beta is wanted, too */
-    fvi_history_direct *direct;   /* one of last, direct and exponentials is not NULL */
-    fvi_history_modes *exponentials;
+    size_t steps;
+    int by_order;             /* dH/d beta is wanted, too */
+    fvi_history_head *engine; /* how it is summed; owned */
 };
+
+/* ---- engines ---- */
+
+size_t fvi_history_piece(size_t bytes, size_t n)
+{
+    return n > (SIZE_MAX - bytes) / sizeof(double) - 64
+               ? SIZE_MAX
+               : (bytes + n * sizeof(double) + 63) / 64 * 64;
+}
+
+void *fvi_history_make(fvi_history_head of)
+{
+    fvi_history_head *m = of.bytes == SIZE_MAX ? NULL : aligned_alloc(64, of.bytes);
+    if (!m)
+        return NULL;
+    memset(m, 0, of.bytes);
+    *m = of;
+    return m;
+}
+
+static fvi_history_head *copy_engine(const fvi_history_head *from)
+{
+    fvi_history_head *m = aligned_alloc(64, from->bytes);
+    if (!m)
+        return NULL;
+    memcpy(m, from, from->bytes);
+    m->is->place(m);
+    return m;
+}
+
+/* Weights 1, or 1 and -1: of the past the last term alone. */
+typedef struct {
+    fvi_history_head head;
+    int subtracts;
+    double *last;
+    _Alignas(64) double numbers[];
+} local_engine;
+
+static void place_local(fvi_history_head *head)
+{
+    local_engine *m = (local_engine *)head;
+    m->last = m->numbers;
+}
+
+static void push_local(fvi_history_head *head, const double *term, double *H)
+{
+    local_engine *m = (local_engine *)head;
+    for (size_t i = 0; i < head->d; i++) {
+        double new = term[i];
+        H[i] = m->subtracts ? new - m->last[i] : new;
+        m->last[i] = new;
+    }
+}
+
+static void local_ahead(const fvi_history_head *head, double *sum)
+{
+    const local_engine *m = (const local_engine *)head;
+    for (size_t i = 0; m->subtracts && i < head->d; i++)
+        sum[i] -= m->last[i];
+}
+
+static int archive_local(fvi_history_head *head, fvi_archive *v)
+{
+    return v->serialize(v, ((local_engine *)head)->last, head->d * sizeof(double), 0);
+}
+
+static fvi_history_head *local_alloc(double order, size_t d)
+{
+    static const fvi_history_engine engine = { .place = place_local,
+                                               .push = push_local,
+                                               .ahead = local_ahead,
+                                               .archive = archive_local };
+    local_engine *m = fvi_history_make((fvi_history_head){
+        .is = &engine, .bytes = fvi_history_piece(sizeof *m, d), .d = d });
+    if (!m)
+        return NULL;
+    m->subtracts = order == 1;
+    place_local(&m->head);
+    return &m->head;
+}
+
+/* ---- which engine ---- */
 
 static int is_local(double order)
 {
@@ -68,13 +147,12 @@ static int plan(double beta, int by_order, size_t d, size_t steps,
     *m = (fvi_history){ .order = order_of(beta),
                        .on_increments = beta >= 1,
                        .by_order = by_order,
-                       .d = d,
                        .steps = steps };
     m->kind = kind != FVI_HISTORY_AUTO ? kind
               : by_order ? fvi_history_choose(0.5, steps) /* no beta is local */
                       : fvi_history_choose(beta, steps);
     if (needs_no_past(m)) {
-        *bytes = d * sizeof(double);
+        *bytes = fvi_history_piece(sizeof(local_engine), d);
     } else if (m->kind == FVI_HISTORY_DIRECT) {
         *bytes = fvi_history_direct_bytes(d, steps);
     } else {
@@ -102,19 +180,27 @@ size_t fvi_history_bytes(double beta, size_t d, size_t steps,
     return plan(beta, 0, d, steps, kind, tolerance, &m, &bytes) ? 0 : bytes;
 }
 
-static int alloc_kind(fvi_history *m)
+static fvi_history_head *alloc_engine(const fvi_history *m, size_t d)
 {
-    if (needs_no_past(m)) {
-        m->last = calloc(m->d, sizeof *m->last);
-        return m->last != NULL;
+    if (needs_no_past(m))
+        return local_alloc(m->order, d);
+    return m->kind == FVI_HISTORY_DIRECT
+               ? fvi_history_direct_alloc(m->order, m->by_order, d, m->steps)
+               : fvi_history_modes_alloc(&m->nodes, m->order, m->by_order, d, m->steps);
+}
+
+/* Takes the engine over. */
+static int wrap(fvi_history of, fvi_history_head *engine, fvi_history **memory)
+{
+    fvi_history *m = engine ? malloc(sizeof *m) : NULL;
+    if (!m) {
+        free(engine);
+        FVI_FAIL("no memory for the history", FVI_ENOMEM);
     }
-    if (m->kind == FVI_HISTORY_DIRECT)
-        return (m->direct =
-                    fvi_history_direct_alloc(m->order, m->by_order, m->d, m->steps))
-               != NULL;
-    m->exponentials =
-        fvi_history_modes_alloc(&m->nodes, m->order, m->by_order, m->d, m->steps);
-    return m->exponentials != NULL;
+    *m = of;
+    m->engine = engine;
+    *memory = m;
+    return FVI_SUCCESS;
 }
 
 static int alloc(double beta, int by_order, size_t d, size_t steps,
@@ -125,17 +211,7 @@ static int alloc(double beta, int by_order, size_t d, size_t steps,
     fvi_history m;
     size_t bytes;
     int status = plan(beta, by_order, d, steps, kind, tolerance, &m, &bytes);
-    if (status)
-        return status;
-    fvi_history *out = malloc(sizeof *out);
-    if (out)
-        *out = m;
-    if (!out || !alloc_kind(out)) {
-        fvi_history_free(out);
-        FVI_FAIL("no memory for the history", FVI_ENOMEM);
-    }
-    *memory = out;
-    return FVI_SUCCESS;
+    return status ? status : wrap(m, alloc_engine(&m, d), memory);
 }
 
 int fvi_history_alloc(double beta, size_t d, size_t steps, fvi_history_kind kind,
@@ -151,49 +227,18 @@ int fvi_history_alloc_by_order(double beta, size_t d, size_t steps,
     return alloc(beta, 1, d, steps, kind, tolerance, memory);
 }
 
-int fvi_history_of_weights(int increments, size_t d, size_t steps, double *weights,
-                  fvi_history_modes *e, fvi_history **memory)
+int fvi_history_of_engine(int increments, size_t steps, fvi_history_head *engine,
+                          fvi_history **memory)
 {
-    fvi_history *m = malloc(sizeof *m);
-    fvi_history_direct *direct = weights ? fvi_history_direct_of(d, steps, weights) : NULL;
-    if (!m || !direct == !e) {
-        free(m);
-        fvi_history_direct_free(direct);
-        fvi_history_modes_free(e);
-        FVI_FAIL("no memory for the history", FVI_ENOMEM);
-    }
-    *m = (fvi_history){ .order = NAN,
-                       .on_increments = increments,
-                       .d = d,
-                       .steps = steps,
-                       .direct = direct,
-                       .exponentials = e };
-    *memory = m;
-    return FVI_SUCCESS;
+    return wrap((fvi_history){ .order = NAN, .on_increments = increments, .steps = steps },
+                engine, memory);
 }
 
 int fvi_history_copy(const fvi_history *from, fvi_history **to)
 {
     if (!from || !to)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    fvi_history *m = malloc(sizeof *m);
-    if (!m)
-        FVI_FAIL("no memory for the history", FVI_ENOMEM);
-    *m = *from;
-    m->last = from->last ? malloc(m->d * sizeof *m->last) : NULL;
-    if (m->last)
-        memcpy(m->last, from->last, m->d * sizeof *m->last);
-    m->direct = from->direct ? fvi_history_direct_copy(from->direct) : NULL;
-    m->exponentials =
-        from->exponentials ? fvi_history_modes_copy(from->exponentials) : NULL;
-    const int all = !from->last == !m->last && !from->direct == !m->direct
-                    && !from->exponentials == !m->exponentials;
-    if (!all) {
-        fvi_history_free(m);
-        FVI_FAIL("no memory for the history", FVI_ENOMEM);
-    }
-    *to = m;
-    return FVI_SUCCESS;
+    return wrap(*from, copy_engine(from->engine), to);
 }
 
 int fvi_history_archive(fvi_history *m, fvi_archive *v)
@@ -204,37 +249,19 @@ int fvi_history_archive(fvi_history *m, fvi_archive *v)
     if (!status)
         status = v->serialize(v, &m->kind, sizeof m->kind, 1);
     if (!status)
-        status = v->serialize(v, &m->k, sizeof m->k, 0);
+        status = v->serialize(v, &m->engine->k, sizeof m->engine->k, 0);
     if (status)
         return status;
-    if (m->k > m->steps + 1)
+    if (m->engine->k > m->steps + 1)
         FVI_FAIL("more terms than there is room for", FVI_EINVAL);
-    if (m->last)
-        status = v->serialize(v, m->last, m->d * sizeof *m->last, 0);
-    if (!status && m->direct)
-        status = fvi_history_direct_archive(m->direct, m->k, v);
-    return status || !m->exponentials
-               ? status
-               : fvi_history_modes_archive(m->exponentials, m->k, v);
+    return m->engine->is->archive(m->engine, v);
 }
 
 void fvi_history_free(fvi_history *m)
 {
-    if (!m)
-        return;
-    free(m->last);
-    fvi_history_direct_free(m->direct);
-    fvi_history_modes_free(m->exponentials);
+    if (m)
+        free(m->engine);
     free(m);
-}
-
-static void push_local(fvi_history *m, const double *term, double *H)
-{
-    for (size_t i = 0; i < m->d; i++) { /* weights 1, or 1 and -1 */
-        double new = term[i];
-        H[i] = m->order == 0 ? new : new - m->last[i];
-        m->last[i] = new;
-    }
 }
 
 //> push
@@ -242,16 +269,10 @@ int fvi_history_push(fvi_history *m, const double *x, const double *dx, double *
 {
     if (!m || !x || !dx || !H)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    if (m->k > m->steps)
+    fvi_history_head *e = m->engine;
+    if (e->k > m->steps)
         FVI_FAIL("more terms than were announced", FVI_EINVAL);
-    const double *term = m->on_increments ? dx : x; /* (12.2) */
-    if (m->exponentials)
-        fvi_history_modes_push(m->exponentials, term, H);
-    else if (m->last)
-        push_local(m, term, H);
-    else
-        fvi_history_direct_push(m->direct, term, H);
-    m->k++;
+    fvi_history_take(e, m->on_increments ? dx : x, H); /* (12.2) */
     return FVI_SUCCESS;
 }
 //< push
@@ -263,7 +284,7 @@ int fvi_history_sums_increments(const fvi_history *m)
 
 size_t fvi_history_terms(const fvi_history *m)
 {
-    return m->k;
+    return m->engine->k;
 }
 
 int fvi_history_takes_parts(const fvi_history *m)
@@ -271,18 +292,18 @@ int fvi_history_takes_parts(const fvi_history *m)
 #if defined(_OPENMP)
     return (void)m, 0;
 #else
-    return m->exponentials && fvi_history_modes_tiles(m->exponentials);
+    return m->engine->is->push_part != NULL;
 #endif
 }
 
 int fvi_history_push_part(fvi_history *m, size_t first, size_t count,
                          const double *x, const double *dx, double *H)
 {
-    if (m->k > m->steps)
+    fvi_history_head *e = m->engine;
+    if (e->k > m->steps)
         FVI_FAIL("more terms than were announced", FVI_EINVAL);
-    fvi_history_tiled_push_part(fvi_history_modes_tiles(m->exponentials), first, count,
-                        m->on_increments ? dx : x, H);
-    m->k += first + count == m->d;
+    e->is->push_part(e, first, count, m->on_increments ? dx : x, H);
+    e->k += first + count == e->d;
     return FVI_SUCCESS;
 }
 
@@ -293,14 +314,11 @@ int fvi_history_push_by_order(fvi_history *m, const double *x, const double *dx,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!m->by_order)
         FVI_FAIL("this memory was not made for its rate", FVI_EUNSUP);
-    if (m->k > m->steps)
+    fvi_history_head *e = m->engine;
+    if (e->k > m->steps)
         FVI_FAIL("more terms than were announced", FVI_EINVAL);
-    const double *term = m->on_increments ? dx : x; /* d beta = d(beta - 1) */
-    if (m->exponentials)
-        fvi_history_modes_push_by_order(m->exponentials, term, H, rate);
-    else
-        fvi_history_direct_push_by_order(m->direct, term, H, rate);
-    m->k++;
+    e->is->push_by_order(e, m->on_increments ? dx : x, H, rate); /* d beta = d(beta - 1) */
+    e->k++;
     return FVI_SUCCESS;
 }
 
@@ -309,17 +327,12 @@ int fvi_history_ahead(const fvi_history *m, const double *x, double *ahead)
 {
     if (!m || !x || !ahead)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    if (m->k > m->steps)
+    const fvi_history_head *e = m->engine;
+    if (e->k > m->steps)
         FVI_FAIL("more terms than were announced", FVI_EINVAL);
-    for (size_t i = 0; i < m->d; i++) {
+    for (size_t i = 0; i < e->d; i++)
         ahead[i] = m->on_increments ? 0 : x[i]; /* w_0 x_{k+1}, no increment */
-        if (m->last)
-            ahead[i] -= m->order == 0 ? 0 : m->last[i];
-    }
-    if (m->direct)
-        fvi_history_direct_ahead(m->direct, ahead);
-    if (m->exponentials)
-        fvi_history_modes_ahead(m->exponentials, ahead);
+    e->is->ahead(e, ahead);
     return FVI_SUCCESS;
 }
 //< ahead

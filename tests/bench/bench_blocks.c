@@ -36,17 +36,17 @@ static size_t modes(void)
 }
 
 /* Rated memories push the plain way, whatever d. */
-static fvi_history_modes *plain_of(size_t d)
+static fvi_history_head *plain_of(size_t d)
 {
     const fvi_node_range g =
         fvi_history_modes_plan(0.5, STEPS, fvi_history_modes_delta(STEPS, 0));
-    fvi_history_modes *e = fvi_history_modes_alloc(&g, 0.5, 1, d, STEPS);
+    fvi_history_head *e = fvi_history_modes_alloc(&g, 0.5, 1, d, STEPS);
     if (!e)
         exit(EXIT_FAILURE);
     return e;
 }
 
-static fvi_history_tiled *tiles_of(size_t d, size_t lanes)
+static fvi_history_head *tiles_of(size_t d, size_t lanes)
 {
     double p[MODES] = { 0 }, c[MODES] = { 0 }, w[FVI_WINDOW + 1];
     const size_t Q = modes();
@@ -57,9 +57,9 @@ static fvi_history_tiled *tiles_of(size_t d, size_t lanes)
         p[q] = -expm1(-p[q]);
     }
     fvi_gl_weights(0.5, FVI_WINDOW + 1, w);
-    fvi_history_tiled *t = fvi_history_tiled_alloc(d, Q, p, c, w);
+    fvi_history_head *t = fvi_history_tiled_alloc(d, Q, p, c, w);
     if (!t || (lanes && !fvi_history_tiled_width(t, lanes))) {
-        fvi_history_tiled_free(t);
+        free(t);
         return NULL;
     }
     return t;
@@ -67,7 +67,7 @@ static fvi_history_tiled *tiles_of(size_t d, size_t lanes)
 
 /* ns a coordinate and push: the least of twelve, or of four, times as many pushes as make 2 10^6
  * coordinates, whole blocks, but one block at least. */
-static double push_time(fvi_history_modes *e, fvi_history_tiled *t, size_t d)
+static double push_time(fvi_history_head *m, size_t d)
 {
     const size_t count = 32 + 2000000 / d / 32 * 32;
     double *x = room(2 * d), best = 1e30;
@@ -75,12 +75,8 @@ static double push_time(fvi_history_modes *e, fvi_history_tiled *t, size_t d)
         x[i] = cos((double)i);
     for (int i = 0; i < (d < MOST ? 12 : 4); i++) {
         const double start = now();
-        for (size_t k = 0; k < count; k++) {
-            if (t)
-                fvi_history_tiled_push(t, x, x + d);
-            else
-                fvi_history_modes_push(e, x, x + d);
-        }
+        for (size_t k = 0; k < count; k++)
+            fvi_history_take(m, x, x + d);
         best = smaller(best, now() - start);
     }
     free(x);
@@ -89,17 +85,17 @@ static double push_time(fvi_history_modes *e, fvi_history_tiled *t, size_t d)
 
 static double plain_time(size_t d)
 {
-    fvi_history_modes *e = plain_of(d);
-    const double ns = push_time(e, NULL, d);
-    fvi_history_modes_free(e);
+    fvi_history_head *e = plain_of(d);
+    const double ns = push_time(e, d);
+    free(e);
     return ns;
 }
 
 static double tiles_time(size_t d, size_t lanes)
 {
-    fvi_history_tiled *t = tiles_of(d, lanes);
-    const double ns = t ? push_time(NULL, t, d) : NAN;
-    fvi_history_tiled_free(t);
+    fvi_history_head *t = tiles_of(d, lanes);
+    const double ns = t ? push_time(t, d) : NAN;
+    free(t);
     return ns;
 }
 

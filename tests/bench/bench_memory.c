@@ -238,16 +238,16 @@ static void against_batch(void)
 static double pushes(size_t N, double delta)
 {
     const fvi_node_range g = fvi_history_modes_plan(0.5, N, delta);
-    fvi_history_modes *e = fvi_history_modes_alloc(&g, 0.5, 0, 1, N);
+    fvi_history_head *e = fvi_history_modes_alloc(&g, 0.5, 0, 1, N);
     double x = 1, v = 0, H;
     const double start = now();
     for (size_t k = 0; e && k <= N; k++) {
-        fvi_history_modes_push(e, &x, &H);
+        fvi_history_take(e, &x, &H);
         v -= 1e-5 * (x + H);
         x += 1e-5 * v;
     }
     const double taken = now() - start;
-    fvi_history_modes_free(e);
+    free(e);
     return taken;
 }
 

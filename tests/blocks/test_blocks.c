@@ -34,7 +34,7 @@ static void push(fvi_history *m, const double *x, double *H)
 /* ---- against exact sums ---- */
 
 /* The modes of blocks_ref.h, by vectors of a width. */
-static fvi_history_tiled *tiles_of(size_t d, size_t lanes)
+static fvi_history_head *tiles_of(size_t d, size_t lanes)
 {
     enum { Q = FVI_EIGHT };
     double p[Q] = { 0 }, c[Q] = { 0 };
@@ -42,11 +42,11 @@ static fvi_history_tiled *tiles_of(size_t d, size_t lanes)
         p[q] = ref_modes[q].p;
         c[q] = ref_modes[q].c;
     }
-    fvi_history_tiled *t = fvi_history_tiled_alloc(d, Q, p, c, ref_window);
+    fvi_history_head *t = fvi_history_tiled_alloc(d, Q, p, c, ref_window);
     ck_assert_ptr_nonnull(t);
     if (fvi_history_tiled_width(t, lanes))
         return t;
-    fvi_history_tiled_free(t);
+    free(t);
     return NULL;
 }
 
@@ -59,18 +59,18 @@ START_TEST(eq_28_1_sums_are_the_exact_ones)
 {
     enum { D = 21 };
     for (size_t lanes = 2; lanes <= 8; lanes *= 2) {
-        fvi_history_tiled *t = tiles_of(D, lanes);
+        fvi_history_head *t = tiles_of(D, lanes);
         for (size_t k = 0; t && k < LEN(ref_terms); k++) {
             double x[D], H[D];
             for (size_t i = 0; i < D; i++)
                 x[i] = ldexp(ref_terms[k], (int)(i % 5));
-            fvi_history_tiled_push(t, x, H);
+            fvi_history_take(t, x, H);
             for (size_t i = 0; i < D; i++)
                 ck_assert_near(ldexp(H[i], -(int)(i % 5)), ref_sums[k].want,
                                500 * U * ref_sums[k].size,
                                "by %zu, k = %zu, i = %zu", lanes, k, i);
         }
-        fvi_history_tiled_free(t);
+        free(t);
     }
 }
 END_TEST
@@ -194,23 +194,23 @@ START_TEST(eq_28_4_no_digit_depends_on_the_others_nor_on_the_vectors)
     static double x[MANY], H[MANY];
     double few[FEW];
     for (size_t lanes = 2; lanes <= 8; lanes *= 2) {
-        fvi_history_tiled *s = tiles_of(FEW, 2), *t = tiles_of(MANY, lanes);
+        fvi_history_head *s = tiles_of(FEW, 2), *t = tiles_of(MANY, lanes);
         srand(2);
         for (size_t k = 0; t && k < N; k++) {
             for (size_t i = 0; i < MANY; i++)
                 x[i] = random_term();
-            fvi_history_tiled_push(s, x + MANY - FEW, few);
-            fvi_history_tiled_push(t, x, H);
+            fvi_history_take(s, x + MANY - FEW, few);
+            fvi_history_take(t, x, H);
             for (size_t i = 0; i < FEW; i++)
                 ck_assert_ulp(H[MANY - FEW + i], few[i], 0,
                               "by %zu, k = %zu, i = %zu", lanes, k, i);
         }
-        fvi_history_tiled_free(s);
-        fvi_history_tiled_free(t);
+        free(s);
+        free(t);
     }
-    fvi_history_tiled *t = tiles_of(FEW, 2);
+    fvi_history_head *t = tiles_of(FEW, 2);
     ck_assert_int_eq(fvi_history_tiled_width(t, 16), 0);
-    fvi_history_tiled_free(t);
+    free(t);
 }
 END_TEST
 
