@@ -196,8 +196,9 @@ static int normal_at(const data *o, const double theta[P], normal *e)
 
 //> marquardt
 /* One step by Levenberg and Marquardt, (A + mu diag A) step = b: mu grows until chi^2 does not.
- * theta and e: in, and out. far: output, the largest step, measured by what chi^2 + 1 takes. */
-static int improve(const data *o, double theta[P], normal *e, double *far)
+ * theta and e: in, and out; alpha stays where it is held. far: output, the largest step, measured by
+ * what chi^2 + 1 takes. */
+static int improve(const data *o, int is_held, double theta[P], normal *e, double *far)
 {
     for (double mu = 1e-4; mu < 1e12; mu *= 10) {
         double damped[P * P], step[P], there[P];
@@ -206,6 +207,8 @@ static int improve(const data *o, double theta[P], normal *e, double *far)
         memcpy(step, e->b, sizeof step);
         for (int j = 0; j < P; j++)
             damped[j * P + j] *= 1 + mu;
+        for (int j = 1; j < P && is_held; j++)
+            damped[j] = damped[j * P] = step[0] = 0;
         if (solve(damped, step))
             return FVI_ESING;
         *far = 0;
@@ -236,7 +239,7 @@ int EXPORT(live_fit)(double x0, double p0, double h, int n, int every,
     normal e;
     int status = normal_at(&o, theta, &e);
     if (!status)
-        status = improve(&o, theta, &e, &far);
+        status = improve(&o, 0, theta, &e, &far);
     for (int j = 0; j < P && !status; j++) {
         C[j][j] = 1;
         status = solve(e.A, C[j]) ? FVI_ESING : FVI_SUCCESS;
@@ -248,6 +251,21 @@ int EXPORT(live_fit)(double x0, double p0, double h, int n, int every,
     theta[2 * P + 1] = e.chi2;
     theta[2 * P + 2] = far;
     return FVI_SUCCESS;
+}
+
+/* One place of the profile (24.11). Array 3, in: alpha, and rho and c near its best ones; out: rho and c
+ * that are best for this alpha, and chi^2 there. */
+int EXPORT(live_valley)(double x0, double p0, double h, int n, int every,
+                        double sigma)
+{
+    const data o = { h, x0, p0, sigma, n, every };
+    double *theta = live_array(3), far = 1;
+    normal e;
+    int status = normal_at(&o, theta, &e);
+    for (int i = 0; i < 20 && !status && far > 1e-4; i++)
+        status = improve(&o, 1, theta, &e, &far);
+    theta[P] = e.chi2;
+    return status;
 }
 
 /* ---- H 25: to rest, and afterwards ---- */

@@ -266,6 +266,19 @@ await test("24: the fit is the program's, and follows a dot that is dragged", ()
   assert.ok(Math.abs(after.theta[0] - before.theta[0]) > 0.01);
 });
 
+await test("24: the interval of the valley is the program's, and holds what a bent one must", () => {
+  for (const [alpha, sigma] of [[0.3, 0.02], [0.3, 0.15], [0.6, 0.05]]) {
+    const { data, theta, sd, low, high, going } = moved("identification_believed", { alpha, sigma }), t = data.map((_, i) => 0.4 * (i + 1));
+    const { stdout } = answer(`fit --method fvi --h 0.02 --fit alpha,rho,c --sigma ${sigma} --starts 4 --alpha 0.5 --rho 0.3 --potential harmonic:1.2 --x0 1 --p0 0 ${table(t, data)}`);
+    const [estimate, its, lower, upper] = stdout.match(/^alpha\t(\S+)\t(\S+)\t(\S+)\t(\S+)/m).slice(1).map(Number);
+    assert.equal(going, 0);
+    near(theta[0], estimate, 1e-3 * its, "alpha");
+    near(sd, its, 1e-3 * its, "sd");
+    near(low, lower, 0.02 * its, `lower end for ${alpha}, ${sigma}`); // between two places of the walk
+    near(high, upper, 0.02 * its, `upper end for ${alpha}, ${sigma}`);
+  }
+});
+
 await test("25: the force brings the program's run to rest, is the least, and holds", () => {
   const { N, force, held, freed, cost, miss } = moved("control", { T: 6, alpha: 0.4 }), t = [...force.keys()].map(k => k * 0.01);
   const problem = "--alpha 0.4 --rho 0.375 --p0 0.25 --h 0.01";
@@ -305,7 +318,7 @@ await test("the address has what was moved, and a link of a stranger cannot do h
 await test("the numbers of a picture with two thousand steps take less than a sixtieth of a second", () => {
   const drags = { convolution_quadrature: (values, i) => { values.alpha = 0.05 + i / 25; }, lobatto: (values, i) => { values.alpha = 0.05 + i / 25; },
     fvi_kick: values => { values.h = 0.0075; }, adjoint: (values, i) => { values.x0 = 1 + i / 50; },
-    identification: (values, i) => { values.moved[10] = i / 50; }, control: (values, i) => { values.T = 8 + i / 10; } };
+    identification: (values, i) => { values.moved[10] = i / 50; }, identification_believed: (values, i) => { values.sigma = 0.02 + i / 200; }, control: (values, i) => { values.T = 8 + i / 10; } };
   for (const name in drags) {
     const scene = scenes.get(name), values = start(scene), times = [];
     scene.compute(values, library, scene);
