@@ -3,7 +3,6 @@
 
 #include "system/larger.h"
 
-#include <fvi/convolution_quadrature_methods.h>
 #include <fvi/lobatto.h>
 #include <fvi/variable_steps.h>
 
@@ -38,7 +37,7 @@ const fvi_method *fvi_estimate_method(const fvi_estimation *fit)
     if (fvi_estimation_check(&asked))
         return NULL;
     if (fit->run->system->matrices)
-        return &fvi_cq2_midpoint;
+        return &fvi_lobatto_d4;
     if (fit->run->system->mechanism)
         return &fvi_lobatto_m4;
     const double swings = fvi_estimation_last_time(fit) * sqrt(fastest_square(fit->run));

@@ -291,7 +291,7 @@ int fvi_command_fit(int argc, char **argv)
     int status = check_words_of_material(argc, argv, c);
     fvi_own_command command = is_plan ? design : fit;
     if (has_word(argc, argv, "--system"))
-        command.method = "--method=fvi-stable"; /* the others of high order take no matrices */
+        command.method = "--method=fvi-lobatto4d"; /* of the methods with stages those take matrices */
     if (!status)
         status = fvi_subcommand_options_parse(&command, argc, argv, &r.words, &r.o, c);
     const int parsed = !status;

@@ -206,7 +206,7 @@ static const char usage_fit[] =
     "the starts) --let --force --derivative --kappa\n"
     "--most-steps --memory --tolerance -o\n"
     "--method [fvi-lobatto4; fvi-adaptive where more than 8192 equal steps\n"
-    "would be needed; fvi-stable with --system]\n"
+    "would be needed; fvi-lobatto4d with --system]\n"
     "  --problem FILE   these words in a file, one a line, without --\n"
     "\n"
     "examples:\n"

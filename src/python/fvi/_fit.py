@@ -124,7 +124,7 @@ def model_of(potential: Any, last: float, method: Optional[str], options: dict) 
         return prepare(potential, last, method=method or "fvi-lobatto4", **options)
     if options:
         raise ValueError(f"{next(iter(options))}: not together with a Problem, which says it")
-    default = "fvi-stable" if potential.kind == "structure" else "fvi-lobatto4"
+    default = "fvi-lobatto4d" if potential.kind == "structure" else "fvi-lobatto4"
     motion = Motion(potential.replace(time=last), Numerics(word("method", method or default), None, 1, 0.5, None, None,
                                                            None, 0, "auto", 0.0, None))
     if motion.method == ffi.NULL:
@@ -190,7 +190,7 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential, Problem] = "har
     starts     how many searches, a whole number >= 2, the first from the values given; 20
     h          the longest step, a time > 0; 0: found
     method     as for `run`, best one of high order, as its error counts as one of the data; None: "fvi-lobatto4", or
-               "fvi-adaptive" where the data ask for more than 8192 equal steps, or "fvi-stable" with matrices
+               "fvi-adaptive" where the data ask for more than 8192 equal steps, or "fvi-lobatto4d" with matrices
     the rest   the model, potential and all, as for `run`, but for steps and time: those are the data's. With
                damping, rho (from 1) multiplies the law, and alpha is not among `which`
 
