@@ -20,11 +20,10 @@ static const fvi_method *usual_method(const fvi_problem *problem,
 {
     if (!(tolerance > 0))
         return &fvi_fractional;
-    const fvi_mechanism *mechanism = problem->system.mechanism;
     if (problem->system.matrices
         && fvi_variable_step_takes_structure(&problem->system, problem->alpha, problem->law))
         return &fvi_variable_step;
-    if (problem->system.matrices || (mechanism && mechanism->constraints))
+    if (problem->system.matrices)
         return &fvi_cq2_midpoint;
     return problem->law && !fvi_variable_step.takes_laws ? &fvi_cq_bdf2
                                                          : &fvi_variable_step;

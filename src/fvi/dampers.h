@@ -73,8 +73,8 @@ typedef struct fvi_damper {
  *   force_on     NULL, or forces that know x and v; the system's force acts, too
  *   constraints  NULL, or equations between the coordinates
  *
- * fvi, fvi-stable, fvi-lobatto2 to 8, 2d to 8d and fvi-adaptive take it; constraints only fvi-stable and
- * fvi-lobatto2 to 8; fvi-adaptive no damper of the order 2, nor a law with a pole beside its cut. What they refuse at the start (FVI_EUNSUP, FVI_EDOM, FVI_ESING) they say with its
+ * fvi, fvi-stable, fvi-lobatto2 to 8, 2d to 8d and fvi-adaptive take it; constraints
+ * not fvi; fvi-adaptive no damper of the order 2, nor a law with a pole beside its cut. What they refuse at the start (FVI_EUNSUP, FVI_EDOM, FVI_ESING) they say with its
  * field: "lagrangian", "damper", "constraint", "x0", "p0", the number as the index. */
 typedef struct fvi_mechanism {
     size_t damper_count;

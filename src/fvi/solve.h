@@ -41,7 +41,7 @@ typedef struct {
 /* fvi_solve_options -- how it is solved; NULL or a zeroed one is the usual way.
  *
  *   method   NULL: with a tolerance fvi_variable_step, or where that does not take the problem
- *            fvi_cq_bdf2, or fvi_cq2_midpoint for constraints, and for matrices of which
+ *            fvi_cq_bdf2, or fvi_cq2_midpoint for matrices of which
  *            fvi_variable_step_takes_structure says 0; without one fvi_fractional
  *   h        the step, > 0, without a tolerance; not read with one
  *   kappa    NULL: 1/2; or, of methods with a kappa: the potential is taken at

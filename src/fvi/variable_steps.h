@@ -28,7 +28,7 @@ extern "C" {
  * stages the error of x over all t falls about like n^-10: fits lie between 9 and 12.
  *
  * Any system in R^d, all coordinates with the same steps, also with a mechanism
- * without constraints (dampers.h), which is form D, or with matrices (structures.h) that have complex
+ * (dampers.h), which is form D, or with matrices (structures.h) that have complex
  * factors, of which each length of a step has its own (27.14), and no damping of order 2; any alpha
  * in [0, 1], any rho, any past; or a law of damping whose poles beside the cut have 2 alpha <
  * 0.98 (26.18), with p0 = 0 and no impulse where it grows faster than s. run->h and

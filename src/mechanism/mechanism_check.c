@@ -57,10 +57,10 @@ static int check_constraints(const fvi_method *method, const fvi_run *run,
 {
     const fvi_constraints *c = run->system->mechanism->constraints;
     const int is_node = method->scheme == FVI_SCHEME_CQ2_MIDPOINT;
-    if (!is_node && (!method->stages || method->damped_inertia))
+    if (!is_node && !method->stages && method->scheme != FVI_SCHEME_VARIABLE_STEP)
         return fvi_fail(error, FVI_EUNSUP, "constraint", NAN,
-                        "this method takes no constraints; fvi-stable and "
-                        "fvi-lobatto2 to 8 do");
+                        "this method takes no constraints; fvi-stable, fvi-lobatto2 to 8, 2d to "
+                        "8d and fvi-adaptive do");
     if (!c->value || !c->gradient || (!is_node && !c->hessian))
         return fvi_fail(error, FVI_EFAULT, "constraint", NAN,
                         "a function of the constraints is missing");

@@ -152,7 +152,7 @@ int fvi_mechanism_add_curvature(fvi_stepper *s, const double *u)
                 status = of->hessian(t, d, x, -o->lambda[e * o->s + i],
                                      of->params, fx);
         }
-        if (o->m == 0 || i + 1 == o->s || status)
+        if (o->m == 0 || i >= inner || status)
             continue;
         for (size_t l = 0; l < o->m; l++)
             o->room[l] = -u[inner * d + i * o->m + l]

@@ -82,12 +82,12 @@ static void block(const fvi_stepper *s, size_t i, size_t l, double *J)
 }
 //< block
 
-/* -C_i^T mu_i in the rows of stage i < s, mu_i = h^2 b_i Lambda_i; c = 0 at the next stage. */
+/* -C_i^T mu_i in the rows of each equation, mu_i = h^2 b_i Lambda_i; c = 0 at each unknown stage. */
 static int add_constraints(fvi_stepper *s, const double *u)
 {
     fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
-    const size_t d = o->d, m = o->m, n = o->n, inner = o->s - 1;
+    const size_t d = o->d, m = o->m, n = o->n, inner = o->s - o->begin;
     double *C = o->room;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < o->s && !status; i++) {
@@ -99,12 +99,12 @@ static int add_constraints(fvi_stepper *s, const double *u)
                 o->matrix[(i * d + j) * n + inner * d + i * m + l] =
                     -C[l * d + j];
             }
-        if (i == 0 || status)
+        if (i < o->begin || status)
             continue;
-        const size_t row = inner * d + (i - 1) * m;
+        const size_t unknown = i - o->begin, row = inner * d + unknown * m;
         status = c->value(t, d, x, c->params, o->residual + row);
         for (size_t l = 0; l < m; l++)
-            memcpy(o->matrix + (row + l) * n + (i - 1) * d, C + l * d,
+            memcpy(o->matrix + (row + l) * n + unknown * d, C + l * d,
                    d * sizeof *C);
     }
     return status;
@@ -186,13 +186,14 @@ static void add_up(fvi_stepper *s)
     fvi_mechanism_keep_dampers(o);
 }
 
-/* The multipliers' impulses, and the last one, from the hidden constraint. */
-static int end_constraints(fvi_stepper *s)
+/* The multipliers' impulses, and the last one, from the hidden constraint. Form D has one more, at the last
+ * stage, to which this is a correction. */
+int fvi_mechanism_end_constraints(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
-    const size_t d = o->d, m = o->m, inner = o->s - 1;
-    const double h = o->h, *b = o->rule->b, *mu = o->u + inner * d;
+    const size_t d = o->d, m = o->m, inner = o->s - o->begin, last = o->s - 1;
+    const double h = o->h, *b = o->rule->b, *mu = o->u + inner * d, t = fvi_mechanism_stage_time(s, last);
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < inner && !status; i++) {
         status = c->gradient(fvi_mechanism_stage_time(s, i), d, o->X + i * d, c->params, o->C,
@@ -206,13 +207,14 @@ static int end_constraints(fvi_stepper *s)
     for (size_t l = 0; l < m; l++)
         o->begun[l] = mu[l] / (h * h * b[0]);
     if (!status)
-        status = c->gradient(fvi_mechanism_stage_time(s, inner), d, s->x, c->params, o->C, NULL);
+        status = c->gradient(t, d, o->X + last * d, c->params, o->C, NULL);
     if (!status)
-        status = fvi_mechanism_project_momentum(s, fvi_mechanism_stage_time(s, inner), s->x,
-                                                o->C, s->p, o->v, o->ended);
+        status = fvi_mechanism_project_momentum(s, t, o->X + last * d, o->C, s->p, o->v, o->ended);
     for (size_t l = 0; l < m; l++) {
         o->tie[l] += o->ended[l];
-        o->ended[l] /= h * b[inner];
+        if (o->begin == 0)
+            o->ended[l] += mu[last * m + l] / h;
+        o->ended[l] /= h * b[last];
     }
     return status;
 }
@@ -247,6 +249,6 @@ int fvi_mechanism_step_stages(fvi_stepper *s)
     memcpy(s->dx, o->u + places - o->d, o->d * sizeof *s->dx);
     add_up(s);
     status = fvi_mechanism_update_histories(s, 0, o->zdot);
-    return status || !o->m ? status : end_constraints(s);
+    return status || !o->m ? status : fvi_mechanism_end_constraints(s);
 }
 //< step

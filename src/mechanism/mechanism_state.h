@@ -184,6 +184,10 @@ void fvi_mechanism_keep_dampers(fvi_mechanism_state *o);
 int fvi_mechanism_linearise(fvi_stepper *s, const double *u);
 int fvi_mechanism_linearise_nodes(fvi_stepper *s, const double *u);
 
+/* fvi_mechanism_end_constraints -- behind that: s->p loses the impulses of the multipliers, and what the hidden
+ * constraint says of it. */
+int fvi_mechanism_end_constraints(fvi_stepper *s);
+
 /* fvi_mechanism_tables -- E, T and next of the form. */
 void fvi_mechanism_tables(fvi_mechanism_state *o);
 

@@ -71,7 +71,7 @@ int fvi_wants_stable(const fvi_options *o)
 int fvi_leaves_steps(const fvi_options *o)
 {
     return (o->text[ERROR] || o->text[STEP_ERROR] || o->text[LONGEST] || o->text[EVENT])
-           && !o->text[CONSTRAINT] && !o->text[IMPOSE] && !o->text[SYSTEM];
+           && !o->text[SYSTEM];
 }
 
 static int refuse_pair(const fvi_options *o, option_index a,

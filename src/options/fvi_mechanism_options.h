@@ -18,7 +18,7 @@ const fvi_option_values *fvi_dampers_typed(const fvi_options *o);
 int fvi_wants_mechanism(const fvi_options *o);
 
 /* fvi_wants_stable -- is fvi-stable the method, unless another is named?
- * fvi_leaves_steps -- but is an error, or an event, asked for without constraints, so that fvi-adaptive is? */
+ * fvi_leaves_steps -- but is an error, or an event, asked for, so that fvi-adaptive is? */
 int fvi_wants_stable(const fvi_options *o);
 int fvi_leaves_steps(const fvi_options *o);
 

@@ -115,6 +115,8 @@ static int read_forces(fvi_observer *o, const fvi_stepper *s, double t,
         double impulse, work;
         for (size_t j = 0; j < o->dampers; j++)
             fvi_mesh_sums(s, j, t, &o->force[j], &impulse, &work);
+        for (size_t i = 0; i < o->ties; i++)
+            o->force[o->forces + o->slopes + i] = fvi_mesh_multiplier(s, i, t);
         return fvi_variable_step_acceleration(s, t, o->a);
     }
     if (is_chosen || o->is_mass

@@ -2,7 +2,7 @@
 #include "observer_state.h"
 
 #include "system/fail.h"
-#include "variable_step/variable_step.h"
+#include "variable_step/variable_mechanism.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -138,6 +138,19 @@ static int start_ties(fvi_observer *o, fvi_stepper *fork, double h)
     return status;
 }
 
+/* The same of steps that are chosen: by the polynomial of the first. */
+static int start_ties_on_mesh(fvi_observer *o, const fvi_stepper *s)
+{
+    fvi_stepper *fork = NULL;
+    int status = fvi_stepper_copy(s, &fork);
+    if (!status)
+        status = fvi_stepper_step(fork);
+    for (size_t i = 0; i < o->ties && !status; i++)
+        o->start[o->forces + o->slopes + i] = fvi_mesh_multiplier(fork, i, 0);
+    fvi_stepper_free(fork);
+    return status;
+}
+
 /* At t = 0, where a force is infinite: its mean over the first row. */
 static int take_means(fvi_observer *o, const fvi_stepper *s)
 {
@@ -159,7 +172,7 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
     for (size_t i = o->forces; i < o->forces + o->slopes && !status; i++)
         o->start[i] = (now.v[i - o->forces] - o->impulse[i]) / h;
     if (!status && o->ties > 0)
-        status = start_ties(o, fork, h);
+        status = s->method->dense ? start_ties_on_mesh(o, s) : start_ties(o, fork, h);
     fvi_observer_free(sums);
     fvi_stepper_free(fork);
     return status;

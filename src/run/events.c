@@ -1,4 +1,5 @@
 /* src/run/events.c -- Are these events that a run can have?              [H 22] */
+#include <fvi/dampers.h>
 #include <fvi/events.h>
 
 #include <fvi/error.h>
@@ -23,6 +24,9 @@ int fvi_events_check(const fvi_method *method, const fvi_run *run,
     if (method->scheme != FVI_SCHEME_VARIABLE_STEP)
         return fvi_fail(error, FVI_EUNSUP, "events", NAN,
                         "this method has no events; fvi-adaptive has");
+    if (run->system->mechanism && run->system->mechanism->constraints)
+        return fvi_fail(error, FVI_EUNSUP, "events", NAN,
+                        "events and constraints do not go together");
     for (size_t i = 0; i < run->event_count; i++) {
         const fvi_event *e = &run->events[i];
         if (e->action != FVI_EVENT_MARK && e->action != FVI_EVENT_STOP

@@ -71,25 +71,42 @@ static void set_masses(fvi_variable_step_state *o)
     }
 }
 
-/* L_vv^{-1}, rows and columns of coordinates without inertia zeros. */
-static int invert(const fvi_mechanism_state *o, const double *Lvv, double *inverse)
+/* How v answers to p: L_vv^{-1}, rows and columns of coordinates without inertia zeros; and with the constraints
+ * C v = 0 the first block of the inverse of [L_vv C^T; C 0]. */
+static int invert(const fvi_mechanism_state *o, const double *Lvv, const double *C, double *inverse)
 {
-    const size_t d = o->d;
-    double *copy = o->room, *column = copy + d * d;
+    const size_t d = o->d, n = d + o->m;
+    double *copy = o->room, *column = copy + n * n;
     for (size_t j = 0; j < d; j++) {
-        memcpy(copy, Lvv, d * d * sizeof *copy);
+        memset(copy, 0, (n * n + n) * sizeof *copy);
+        column[j] = !o->is_massless[j];
         for (size_t i = 0; i < d; i++) {
-            column[i] = i == j && !o->is_massless[j];
+            memcpy(copy + i * n, Lvv + i * d, d * sizeof *copy);
             if (o->is_massless[i])
-                copy[i * d + i] = 1;
+                copy[i * n + i] = 1;
+            for (size_t l = 0; l < o->m; l++)
+                copy[i * n + d + l] = copy[(d + l) * n + i] = C[l * d + i];
         }
-        const int status = fvi_solve_matrix(d, copy, column, o->order);
+        const int status = fvi_solve_matrix(n, copy, column, o->order);
         if (status)
             return status;
         for (size_t i = 0; i < d; i++)
             inverse[i * d + j] = o->is_massless[i] ? 0 : column[i];
     }
     return FVI_SUCCESS;
+}
+
+/* The same at the end of the step that has been tried. */
+static int invert_at_end(const fvi_stepper *s, const fvi_variable_step_state *o)
+{
+    const fvi_mechanism_state *of = s->mechanism;
+    const fvi_constraints *c = s->run.system->mechanism->constraints;
+    const size_t last = of->s - 1, d = of->d;
+    double *C = of->room + 2 * (d + of->m + 1) * (d + of->m + 1);
+    const int status = of->m ? c->gradient(fvi_mechanism_stage_time(s, last), d, of->X + last * d,
+                                           c->params, C, NULL)
+                             : FVI_SUCCESS;
+    return status ? status : invert(of, of->Lvv + last * d * d, C, o->mechanism->inverse);
 }
 
 int fvi_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o)
@@ -101,7 +118,7 @@ int fvi_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o)
         status = fvi_lagrangian_point(s->run.system, 0, s->x, of->v, NULL, NULL, NULL, NULL,
                                       NULL, of->Lvv);
     if (!status)
-        status = invert(of, of->Lvv, o->mechanism->inverse);
+        status = invert(of, of->Lvv, of->C, o->mechanism->inverse);
     if (status)
         return status;
     for (size_t j = 0; j < d; j++) {
@@ -116,7 +133,7 @@ int fvi_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o)
 
 /* ---- a trial of a step, and its error ---- */
 
-/* The polynomial of the last step goes on, as that of velocities. */
+/* The polynomial of the last step goes on, as that of velocities, and so do the last multipliers. */
 static void guess(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const size_t d = o->d, n = o->rule->s;
@@ -128,6 +145,10 @@ static void guess(fvi_stepper *s, fvi_variable_step_state *o)
         for (size_t i = 0; i < n; i++)
             s->mechanism->u[i * d + j] = h * (o->rule->c[i] * o->v[j] + move[i]);
     }
+    const fvi_mechanism_state *of = s->mechanism;
+    for (size_t i = 0; i < n; i++)
+        for (size_t l = 0; l < of->m; l++)
+            of->u[n * d + i * of->m + l] = h * h * o->rule->b[i] * of->ended[l];
 }
 
 /* delta = V - v_k, and the Legendre coefficients of x'' and p'. */
@@ -146,48 +167,6 @@ static void describe_stages(fvi_stepper *s, fvi_variable_step_state *o)
     }
 }
 
-/* The last Legendre coefficient of z'' in this step, times h. */
-static double last_of_damper(const fvi_stepper *s, const fvi_variable_step_state *o, size_t e)
-{
-    const size_t n = o->rule->s;
-    double change[FVI_LANES] = { 0 }, all[FVI_LANES];
-    for (size_t i = 0; i < n; i++)
-        change[i] = s->mechanism->zdot[e * n + i] - o->mechanism->damper[e].now;
-    fvi_square_apply(n, &o->rule->legendre, change, all);
-    return all[n - 1];
-}
-
-/* What the memory of damper e does to v_j for this coefficient: M^{-1} G lambda.     (22.16) */
-static double leak_of_damper(const fvi_stepper *s, const fvi_variable_step_state *o, size_t e,
-                             size_t j)
-{
-    const fvi_mesh_damper *of = &o->mechanism->damper[e];
-    const double *G = s->mechanism->gradient + ((o->rule->s - 1) * s->mechanism->r + e) * o->d;
-    double sum = 0;
-    for (size_t i = 0; i < o->d; i++)
-        sum += o->mechanism->inverse[j * o->d + i] * G[i];
-    return of->leakage * of->rho * pow(o->length.h, 1 - of->beta) * fabs(sum);
-}
-
-/* As that of variable_steps.c. A coordinate without inertia keeps no velocity, so that an error of its
- * velocity moves it no farther than this step. NaN if a number is not finite. */
-//> estimate
-static double estimate(const fvi_stepper *s, const fvi_variable_step_state *o)
-{
-    const size_t n = o->rule->s;
-    const double h = o->length.h, reach = o->T - o->t;
-    double worst = 0;
-    for (size_t j = 0; j < o->d; j++) {
-        const double last = fabs(o->accel_legendre[j * FVI_LANES + n - 1]);
-        double of_v = s->mechanism->is_massless[j] ? 0 : o->rule->alias * last;
-        for (size_t e = 0; e < o->mechanism->r; e++)
-            of_v += leak_of_damper(s, o, e, j) * fabs(last_of_damper(s, o, e));
-        worst = larger(worst, o->rule->stage * h * last + reach * of_v);
-    }
-    return worst;
-}
-//< estimate
-
 int fvi_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
                  double *error)
 {
@@ -202,12 +181,11 @@ int fvi_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
     if (status == FVI_EOVRFLW) /* outside of where L is known: a shorter step may not be */
         status = FVI_EMAXITER;
     if (!status)
-        status = invert(of, of->Lvv + (o->rule->s - 1) * o->d * o->d, o->mechanism->inverse);
+        status = invert_at_end(s, o);
     if (status)
         return status;
     describe_stages(s, o);
-    *error = estimate(s, o);
-    return status;
+    return fvi_mesh_estimate(s, o, error);
 }
 
 /* ---- a step ---- */
@@ -271,6 +249,12 @@ static int describe_forces(fvi_stepper *s, fvi_variable_step_state *o)
     m->by_force_begin = m->by_force;
     for (size_t i = 0; i < n; i++)
         m->by_force += o->length.h * o->rule->b[i] * power[i];
+    for (size_t l = 0; l < of->m; l++) {
+        for (size_t i = 0; i < n; i++)
+            power[i] = of->u[n * o->d + i * of->m + l]
+                       / (o->length.h * o->length.h * o->rule->b[i]);
+        describe(o, power, m->multiplier0 + l * FVI_LANES);
+    }
     return status;
 }
 
@@ -290,13 +274,20 @@ int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o)
         o->y0[j] = o->y[j];
         o->v0[j] = o->v[j];
         add(&o->y[j], &o->y_less[j], of->u[(n - 1) * d + j]);
-        o->v[j] = of->V[(n - 1) * d + j];
         double gain = 0;
         for (size_t i = 0; i < n; i++)
             gain += o->length.h * o->rule->b[i] * of->f[i * d + j];
         add(&s->p[j], &m->p_less[j], gain);
     }
     fvi_mechanism_keep_dampers(of);
+    if (!status && of->m)
+        status = fvi_mechanism_end_constraints(s);
+    memcpy(o->v, of->v, d * sizeof *o->v);
+    for (size_t e = 0; e < m->r && of->m; e++) { /* as the hidden constraint has it */
+        m->damper[e].now = 0;
+        for (size_t j = 0; j < d; j++)
+            m->damper[e].now += of->G[e * d + j] * o->v[j];
+    }
     set_masses(o);
     return status;
 }
@@ -311,7 +302,7 @@ int fvi_mesh_copy(const fvi_stepper *from, fvi_stepper *to)
     o->mechanism = NULL;
     int status = fvi_mechanism_copy(from, to);
     if (!status)
-        status = fvi_mesh_allocate(o, old->mechanism->r);
+        status = fvi_mesh_allocate(o, old->mechanism->r, to->mechanism->m);
     if (status)
         return status;
     struct fvi_mesh_mechanism *m = o->mechanism;

@@ -30,7 +30,8 @@ struct fvi_mesh_mechanism {
     fvi_mesh_damper *damper;
     double h;         /* of the steps for which W0 is */
     double *numbers;  /* all that follows, in one piece */
-    double *p_less, *p0, *slope0, *force0, *power0, *by_force0, *impulse0, *work0, *mass;
+    double *p_less, *p0, *slope0, *force0, *power0, *by_force0, *impulse0, *work0, *mass,
+        *multiplier0;
     double by_force;  /* the work of the forces F until the end of the last step, and its begin */
     double by_force_begin;
     double *slope, *inverse; /* those of p', of the step that is tried; L_vv^{-1} at its end */
@@ -56,6 +57,9 @@ int fvi_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
                  double *error);
 int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o);
 
+/* fvi_mesh_estimate -- the error of the step that has been tried, NaN if a number is not finite.   (22.16) */
+int fvi_mesh_estimate(fvi_stepper *s, const fvi_variable_step_state *o, double *error);
+
 /* fvi_mesh_jump -- p += factor J at the end of the last step, where x is: v and all zdot follow.
  * Returns what the Lagrangian does, FVI_ESING, FVI_EMAXITER. */
 int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
@@ -78,10 +82,14 @@ void fvi_mesh_end(const fvi_stepper *s, const fvi_variable_step_state *o, double
                   double *p);
 
 /* fvi_mesh_sums -- of damper j at a time t in the last step: force, impulse and work.
- * fvi_mesh_work_of_forces -- what F gave until then. fvi_mesh_velocity -- the velocity of x and p there. */
+ * fvi_mesh_work_of_forces -- what F gave until then. fvi_mesh_multiplier -- of constraint i there.
+ * fvi_mesh_velocity -- the velocity of x and p there. fvi_mesh_project -- and p keeps to the hidden constraint,
+ * from a guess of v: the stages know it to a lower order than the ends of steps do. */
 void fvi_mesh_sums(const fvi_stepper *s, size_t j, double t, double *force, double *impulse,
                    double *work);
 double fvi_mesh_work_of_forces(const fvi_stepper *s, double t);
+double fvi_mesh_multiplier(const fvi_stepper *s, size_t i, double t);
+int fvi_mesh_project(const fvi_stepper *s, double t, const double *x, double *p, double *v);
 int fvi_mesh_velocity(const fvi_stepper *s, double t, const double *x, const double *p,
                       double *v);
 
@@ -101,7 +109,7 @@ int fvi_mesh_begin_damper(fvi_stepper *s, const fvi_variable_step_state *o,
 void fvi_mesh_present_damper(const fvi_variable_step_state *o, double h, fvi_mesh_damper *of,
                              double *W);
 
-int fvi_mesh_allocate(fvi_variable_step_state *o, size_t r);
+int fvi_mesh_allocate(fvi_variable_step_state *o, size_t r, size_t m);
 int fvi_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o);
 void fvi_mesh_present(const fvi_stepper *s, fvi_variable_step_state *o);
 void fvi_mesh_predict(const fvi_stepper *s, fvi_variable_step_state *o);

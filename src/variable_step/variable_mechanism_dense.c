@@ -1,6 +1,8 @@
 /* src/variable_step/variable_mechanism_dense.c -- A mechanism between the ends of a step.   [H 29, 22] */
 #include "variable_mechanism.h"
 
+#include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* sum_k w_k g_k, g the powers of Legendre coefficients. */
@@ -71,6 +73,29 @@ double fvi_mesh_work_of_forces(const fvi_stepper *s, double t)
                      : m->by_force_begin + combine(o->rule->s, m->by_force0, w);
 }
 
+double fvi_mesh_multiplier(const fvi_stepper *s, size_t i, double t)
+{
+    const fvi_variable_step_state *o = s->method_state;
+    const double theta = place(s, t), h = s->t - o->t0;
+    double power[FVI_LANES] = { 1 };
+    for (size_t k = 1; k < FVI_LANES; k++)
+        power[k] = theta * power[k - 1];
+    return combine(o->rule->s, o->mechanism->multiplier0 + i * FVI_LANES, power) / h;
+}
+
+int fvi_mesh_project(const fvi_stepper *s, double t, const double *x, double *p, double *v)
+{
+    fvi_stepper *own = (fvi_stepper *)(uintptr_t)s; /* whose room it takes */
+    const fvi_mechanism_state *of = s->mechanism;
+    const fvi_constraints *c = s->run.system->mechanism->constraints;
+    double *C = calloc(of->m * (of->d + 1), sizeof *C);
+    int status = C ? c->gradient(t, of->d, x, c->params, C, NULL) : FVI_ENOMEM;
+    if (!status)
+        status = fvi_mechanism_project_momentum(own, t, x, C, p, v, C + of->m * of->d);
+    free(C);
+    return status;
+}
+
 int fvi_mesh_velocity(const fvi_stepper *s, double t, const double *x, const double *p,
                       double *v)
 {
@@ -81,5 +106,13 @@ int fvi_mesh_velocity(const fvi_stepper *s, double t, const double *x, const dou
         v[j] = t == s->t ? o->v[j]
                          : o->v0[j]
                                + combine(o->rule->s, o->accel_legendre0 + j * FVI_LANES, w);
-    return fvi_velocity_of_momentum(s->run.system, t, x, p, v);
+    if (s->mechanism->m == 0)
+        return fvi_velocity_of_momentum(s->run.system, t, x, p, v);
+    double *same = malloc(o->d * sizeof *same); /* p has been projected */
+    if (!same)
+        return FVI_ENOMEM;
+    memcpy(same, p, o->d * sizeof *p);
+    const int status = fvi_mesh_project(s, t, x, same, v);
+    free(same);
+    return status;
 }

@@ -178,14 +178,14 @@ int fvi_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o)
     return status;
 }
 
-int fvi_mesh_allocate(fvi_variable_step_state *o, size_t r)
+int fvi_mesh_allocate(fvi_variable_step_state *o, size_t r, size_t constraints)
 {
     const size_t d = o->d;
     struct fvi_mesh_mechanism *m = o->mechanism = calloc(1, sizeof *m);
     if (m)
         m->damper = calloc(r + 1, sizeof *m->damper);
     const size_t lengths[] = { d, d, FVI_LANES * d, FVI_LANES * r, FVI_LANES * r,
-                               FVI_LANES, r, r, d, FVI_LANES * d, d * d };
+                               FVI_LANES, r, r, d, FVI_LANES * constraints, FVI_LANES * d, d * d };
     size_t count = 0;
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++)
         count += lengths[i];
@@ -194,7 +194,8 @@ int fvi_mesh_allocate(fvi_variable_step_state *o, size_t r)
     if (!m || !m->damper || !m->numbers)
         FVI_FAIL("no memory for the mechanism", FVI_ENOMEM);
     double **const places[] = { &m->p_less, &m->p0, &m->slope0, &m->force0, &m->power0,
-                                &m->by_force0, &m->impulse0, &m->work0, &m->mass, &m->slope,
+                                &m->by_force0, &m->impulse0, &m->work0, &m->mass,
+                                &m->multiplier0, &m->slope,
                                 &m->inverse }, *at = m->numbers;
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; at += lengths[i++])
         *places[i] = at;
@@ -207,7 +208,7 @@ int fvi_mesh_start(fvi_stepper *s, fvi_variable_step_state *o)
     const size_t r = s->run.system->mechanism->damper_count;
     int status = fvi_mechanism_start(s, FVI_MECHANISM_FORM_D, o->rule->s);
     if (!status)
-        status = fvi_mesh_allocate(o, r);
+        status = fvi_mesh_allocate(o, r, s->mechanism->m);
     for (size_t j = 0; j < r && !status; j++) {
         fvi_mesh_damper *to = &o->mechanism->damper[j];
         status = slope_at_start(s, j, &to->now);

@@ -4,6 +4,9 @@
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include <fvi/error.h>
 
+#include <stdlib.h>
+#include <string.h>
+
 /* ---- within a step: powers ---- */
 
 /* P_n(2 theta - 1) = sum_k (-1)^{n+k} binom(n, k) binom(n + k, k) theta^k, column by
@@ -117,6 +120,20 @@ static void add_singular(const fvi_variable_step_state *o, const double *mass,
     }
 }
 
+/* p of a mechanism with constraints, at theta. */
+static int project(const fvi_stepper *s, double t, double theta, double *p)
+{
+    const fvi_variable_step_state *o = s->method_state;
+    double *x = malloc(2 * o->d * sizeof *x);
+    if (!x)
+        return FVI_ENOMEM;
+    positions(o, s->t - o->t0, theta, x);
+    memcpy(x + o->d, o->v, o->d * sizeof *x);
+    const int status = fvi_mesh_project(s, t, x, p, x + o->d);
+    free(x);
+    return status;
+}
+
 //> dense
 /* x and p at a time within the last step: x'' integrated twice, once.       (22.18) */
 int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p)
@@ -129,11 +146,13 @@ int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p
         make_powers(o);
     if (x)
         positions(o, h, theta, x);
-    if (p && o->mechanism)
+    if (p && o->mechanism) {
         fvi_mesh_momentum(s, o, theta, 0, p);
-    else if (p && o->structure)
+        return s->mechanism->m ? project(s, t, theta, p) : FVI_SUCCESS;
+    }
+    if (p && o->structure)
         return momenta_of_matrices(s, o, theta, p);
-    else if (p)
+    if (p)
         momenta(o, s->run.system->mass, theta, p);
     if (fvi_singular_is(o, o->t0) && t > 0)
         add_singular(o, s->run.system->mass, t, x, p);

@@ -184,6 +184,8 @@ int fvi_stepper_kick(fvi_stepper *s, const double *J)
     if (!fvi_all_finite(s->run.system->d, J))
         FVI_FAIL("J must be finite", FVI_EDOM);
     fvi_variable_step_state *o = s->method_state;
+    if (s->mechanism && s->mechanism->m)
+        FVI_FAIL("kicks and constraints do not go together", FVI_EUNSUP);
     if (!o->takes_kicks)
         FVI_FAIL("the run did not know that a velocity would jump", FVI_EUNSUP);
     const int status = kick(s, J, 1);

@@ -82,7 +82,8 @@ START_TEST(a_mechanism_that_is_none_is_refused)
     const fvi_constraints c = { .count = 1, .value = half };
     m.constraints = &c;
     ck_assert_refused(&fvi_fractional, &m, NULL, FVI_EUNSUP, "constraint");
-    ck_assert_refused(&fvi_lobatto_d3, &m, NULL, FVI_EUNSUP, "constraint");
+    ck_assert_refused(&fvi_lobatto_d3, &m, NULL, FVI_EFAULT, "constraint");
+    ck_assert_refused(&fvi_variable_step, &m, NULL, FVI_EFAULT, "constraint");
     ck_assert_refused(&fvi_cq2_midpoint, &m, NULL, FVI_EFAULT, "constraint");
 }
 END_TEST

@@ -36,7 +36,8 @@ static const known references[COUNT] = {
         { "fvi-lobatto3", 80, 4, 0.1 }, { "fvi-lobatto3d", 320, 4, 0.2 } } },
     { ROD, { 0 }, 4, 1e-12, { -0.6238293682574, -0.7815605666227 },
       { { "fvi-stable", 160, 2, 0.05 }, { "fvi-lobatto2", 160, 2, 0.05 },
-        { "fvi-lobatto3", 160, 4, 0.1 }, { "fvi-lobatto4", 40, 5.4, 0.5 } } },
+        { "fvi-lobatto3", 160, 4, 0.1 }, { "fvi-lobatto4", 40, 5.4, 0.5 },
+        { "fvi-lobatto3d", 80, 4, 0.1 }, { "fvi-lobatto4d", 40, 6, 0.3 } } },
     /* friction that is nearly dry: -0.3 tanh(v/0.1) */
     { -1, { .name = "friction",
         .d = 1,
@@ -68,7 +69,8 @@ static const known references[COUNT] = {
         .v0 = { 0.6, 0.5 } },
       4, 1e-12, { 0.29680747398701454, -1.815275855394 },
       { { "fvi-stable", 160, 2, 0.05 }, { "fvi-lobatto2", 160, 2, 0.05 },
-        { "fvi-lobatto3", 80, 4, 0.1 }, { "fvi-lobatto4", 40, 6, 0.2 } } },
+        { "fvi-lobatto3", 80, 4, 0.1 }, { "fvi-lobatto4", 40, 6, 0.2 },
+        { "fvi-lobatto3d", 80, 4, 0.2 }, { "fvi-lobatto4d", 40, 6, 0.5 } } },
     /* order 1.4, held with a velocity along the damper */
     { -1, { .name = "steep",
         .d = 2,

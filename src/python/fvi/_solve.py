@@ -144,8 +144,7 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
             if one is not None and {"h": h, "step_error": step_error}[other] is not None:
                 raise ValueError(f"{other}: not together with {name}")
     chooses = error is not None or step_error is not None or longest is not None
-    if method is None and (events or (problem.kind == "mechanism" and chooses and not problem.constraints
-                                      and not problem.impose)):
+    if method is None and (events or (problem.kind == "mechanism" and chooses)):
         method = "fvi-adaptive"
     if method is None and problem.kind != "masses":
         method = "fvi-stable"
