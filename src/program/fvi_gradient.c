@@ -109,6 +109,10 @@ static int interpret(request *r, fvi_error *c)
         return fvi_refuse(c, "method", "'%s' has no gradient with a Lagrangian or dampers between "
                           "points; fvi, fvi-stable and fvi-lobatto2 to 8d have",
                           m->name);
+    if (m->damped_inertia && (r->o.text[CONSTRAINT] || r->o.text[IMPOSE]))
+        return fvi_refuse(c, "method", "'%s' has no gradient with constraints; fvi-stable and "
+                          "fvi-lobatto2 to 8 have",
+                          m->name);
     const int unknown = check_masses(r, c) || check_dampers(r, c) ? 2 : 0;
     if (unknown)
         return unknown;

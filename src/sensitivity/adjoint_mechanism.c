@@ -42,6 +42,8 @@ int fvi_adjoint_mechanism_check(const fvi_method *method, const fvi_run *run,
     if (mechanism->constraints && mechanism->constraints->count > 0
         && !mechanism->constraints->hessian)
         FVI_FAIL("the adjoint of constraints asks for their second derivatives", FVI_EUNSUP);
+    if (mechanism->constraints && mechanism->constraints->count > 0 && method->damped_inertia)
+        FVI_FAIL("form D with constraints has no adjoint; fvi-stable and fvi-lobatto2 to 8 have", FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_VARIABLE_STEP)
         FVI_FAIL("steps of any length have no adjoint with a mechanism; fvi, fvi-stable and the "
                  "methods with stages have",
