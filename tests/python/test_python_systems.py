@@ -116,6 +116,22 @@ def test_a_structure_has_the_programs_digits(tmp_path):
     assert abs(row.x - same.x).max() < 1e-12
 
 
+def test_a_structure_takes_high_order(tmp_path):
+    """Eight stages have the program's digits, and steps of any length agree with them; what is refused names the matrices."""
+    q = fvi.Problem(M=np.eye(N), K=K, dampers=[(C, "power:1,0.3"), ([0, -1, 1, 0, 0], "zener:2,0.3,0.1")],
+                    x0=[1, 0, 0, 0, 0], time=2)
+    s = fvi.solve(q, h=0.02, method="fvi-lobatto8d")
+    words = folder(tmp_path, M=np.eye(N), K=K, C2=C)
+    assert np.array_equal(table(s), program("run", *words, "--damper", "C2.mtx : power:1,0.3", "--damper",
+                                            "x3-x2 : zener:2,0.3,0.1", "--x0", "1,0,0,0,0", "--h", "0.02", "--steps", "100",
+                                            "--method", "fvi-lobatto8d"))
+    found = fvi.solve(q, error=1e-9, steps=100)
+    assert abs(found.x - s.x).max() < 1e-9
+    assert abs(fvi.solve(q, steps=100, method="fvi-adaptive").x - s.x).max() < 1e-8  # each step right to 1e-10
+    with pytest.raises(fvi.Error, match="matrices"):
+        fvi.vjp(s, x=np.ones_like(s.x))
+
+
 def test_matrices_of_scipy_are_taken():
     sparse = pytest.importorskip("scipy.sparse")
     dense = fvi.Problem(M=np.eye(N), K=K, C=C, alpha=0.3, x0=[1, 0, 0, 0, 0], time=2)

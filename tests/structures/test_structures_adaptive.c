@@ -108,6 +108,79 @@ START_TEST(eq_27_14_diagonal_matrices_by_steps_of_their_own)
 }
 END_TEST
 
+/* ---- wide matrices ---- */
+
+enum { WIDE = 24, TIMES = 4 };
+
+/* A chain whose bodies are numbered by sevens: its matrices are wider than a band. */
+static void shuffled(double a, double b, fvi_sparse *A)
+{
+    fvi_triplet list[3 * WIDE];
+    size_t count = 0;
+    for (int i = 0; i < WIDE; i++)
+        for (int j = i > 0 ? i - 1 : 0; j <= i + 1 && j < WIDE; j++)
+            list[count++] = (fvi_triplet){ 7 * i % WIDE, 7 * j % WIDE, i == j ? a : b };
+    OK(fvi_sparse_assemble(WIDE, count, list, A));
+}
+
+/* A step force on all unknowns jumps at 1.25; M is consistent, C couples its unknowns, and a second damper joins
+ * two of them. Eight stages, each step a 64th, and steps of any length, beside the exact motion by its poles, which
+ * is right to 1e-12 of |x| < 4. Their factors are UMFPACK's. Seen: 3.7e-14 of 4e-12. */
+START_TEST(eq_27_14_wide_matrices_beside_the_exact_motion)
+{
+    const double aT[] = { 1, 1.25 }, jump = 1.25, t[TIMES] = { 0.5, 1.25, 2, 3 };
+    const fvi_kernel_term terms[] = { { FVI_KERNEL_POWER, 1, 0.3, 0, 0 },
+                                      { FVI_KERNEL_ZENER, 2, 0.2, 0.5, 0 } };
+    const fvi_kernel kernels[] = { { 1, terms }, { 1, terms + 1 } };
+    double row[WIDE] = { [3] = 1, [20] = -1 }, x[WIDE], p[WIDE] = { 0 }, exact[TIMES * WIDE];
+    fvi_sparse M, K, C;
+    fvi_structure *structure;
+    fvi_exact_motion *motion;
+    shuffled(1, 0.2, &M);
+    shuffled(8, -4, &K);
+    shuffled(0.4, -0.2, &C);
+    for (size_t i = 0; i < WIDE; i++)
+        x[i] = cos((double)i);
+    const fvi_damper dampers[] = { { .matrix = &C, .kernel = kernels },
+                                   { .of = fvi_elongation_row(row), .kernel = kernels + 1 } };
+    OK(fvi_structure_alloc_dampers(&M, &K, 2, dampers, &structure, NULL));
+    ck_assert_str_eq(fvi_structure_solver_name(structure, 1, 1, 1), "CHOLMOD");
+    fvi_system system = fvi_structure_system(structure);
+    const fvi_exact_problem problem = { .motion = { .system = &system },
+                                        .x0 = x,
+                                        .p0 = p,
+                                        .forcing = FVI_FORCING_STEP,
+                                        .A = 1,
+                                        .T = 1.25 };
+    OK(fvi_exact_motion_alloc(&problem, &motion, NULL));
+    OK(fvi_exact_motion_at(motion, TIMES, t, exact, NULL, NULL));
+    fvi_exact_motion_free(motion);
+    system.force = fvi_force_step(aT);
+    system.force.jumps = &jump;
+    system.force.jump_count = 1;
+    const fvi_method *const two[] = { &fvi_lobatto_d8, &fvi_variable_step };
+    for (size_t i = 0; i < 2; i++) {
+        fvi_stepper *s;
+        double worst = 0, at[WIDE];
+        fvi_run run = run_of(&system, 0.5, 1. / 64, 192, x, p);
+        run.step_error = 1e-11;
+        OK(fvi_stepper_start(two[i], &run, &s, NULL));
+        for (size_t k = 0; k < TIMES; k++) {
+            OK(fvi_stepper_advance_to(s, t[k], at, NULL));
+            for (size_t j = 0; j < WIDE; j++)
+                worst = larger(worst, fabs(at[j] - exact[k * WIDE + j]));
+        }
+        ck_assert_msg(worst <= 4e-12, "%s: %g", two[i]->name, worst);
+        seen(worst, "wide, %s", two[i]->name);
+        fvi_stepper_free(s);
+    }
+    fvi_structure_free(structure);
+    fvi_sparse_free(&M);
+    fvi_sparse_free(&K);
+    fvi_sparse_free(&C);
+}
+END_TEST
+
 /* ---- impulses ---- */
 
 /* M is consistent, and the impulse comes at a time that no row knows: beside eight stages, which have a node
@@ -178,6 +251,7 @@ int main(void)
     Suite *suite = suite_create("structures_adaptive");
     ADD_CASE(suite, "motions", eq_27_14_the_building_by_steps_of_its_own_to_the_tolerance,
              eq_27_14_diagonal_matrices_by_steps_of_their_own,
+             eq_27_14_wide_matrices_beside_the_exact_motion,
              an_impulse_of_a_structure_ends_a_step);
     ADD_CASE(suite, "refusals", what_steps_of_any_length_do_not_take_of_matrices);
     return run_suite(suite);
