@@ -197,7 +197,6 @@ function control(name) {
     if (!wrong) set(name, number(text));
   });
   field.addEventListener("change", () => show());
-  if (name === "alpha") row.insertAdjacentHTML("beforeend", '<p class="ends"><span>spring</span><span>dashpot</span><span>mass</span></p>');
   return row;
 }
 
@@ -215,7 +214,7 @@ function change() {
   clearTimeout(linkTimer);
   linkTimer = setTimeout(() => { // the hand rests
     remember();
-    history.replaceState(null, "", wholeLink());
+    history.replaceState(null, "", link(state));
     showTour();
   }, 150);
   redraw();
@@ -299,15 +298,7 @@ function build() {
   });
   window.addEventListener("hashchange", read);
   window.addEventListener("resize", redraw);
-  const dress = () => { wear(chosen()); element("theme").textContent = chosen() === "dark" ? "Light" : "Dark"; redraw(); };
-  night.addEventListener("change", dress);
-  element("theme").addEventListener("click", () => {
-    const theme = chosen() === "dark" ? "light" : "dark";
-    try { localStorage.setItem("theme", theme); } catch { /* the cookie, then */ }
-    document.cookie = `theme=${theme};max-age=31536000;path=/;samesite=lax`;
-    dress();
-  });
-  dress();
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
 }
 
 // The link into the state; what is wrong with it is said, not hidden.
@@ -320,8 +311,6 @@ function read() {
     Object.assign(meant, { potential: "harmonic", own: defaults().own });
   }
   state = meant;
-  if (meant.method !== "fvi" || meant.kappa !== 0.5) element("numerics").open = true;
-  pinFrom(location.hash);
   remember();
   showTour();
   say(wrong.length ? [`This link is not all understood: ${wrong.join("; ")}`] : []);

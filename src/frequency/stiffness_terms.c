@@ -3,6 +3,8 @@
 
 #include <fvi/dampers.h>
 
+#include "system/all_zero.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -175,21 +177,13 @@ static int take_dampers(fvi_response *r, const fvi_mechanism *mechanism,
     return status;
 }
 
-static int is_zero(size_t n, const double *v)
-{
-    for (size_t i = 0; i < n; i++)
-        if (v[i] != 0)
-            return 0;
-    return 1;
-}
-
 /* The system's own damping, by alpha or by the law. */
 static int take_damping(fvi_response *r, const fvi_linear_motion *motion,
                         fvi_error *error)
 {
     const fvi_system *system = motion->system;
     const int none = system->matrices ? !system->matrices->C
-                                      : is_zero(r->d, system->damping);
+                                      : fvi_all_zero(r->d, system->damping);
     if (none)
         return FVI_SUCCESS;
     if (!motion->law && !(motion->alpha >= 0 && motion->alpha <= 1))

@@ -1,5 +1,6 @@
 /* src/mechanism/mechanism_nodes.c -- Order 1, and the node scheme.             [H 29] */
 #include "mechanism_state.h"
+#include "run/step_times.h"
 
 #include <gsl/gsl_machine.h>
 #include <math.h>
@@ -193,14 +194,13 @@ static int end_nodes(fvi_stepper *s, const double *u)
 static int forces_at_ends(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
-    const double in = 4 * GSL_DBL_EPSILON;
     memset(o->load, 0, 2 * o->d * sizeof *o->load);
     if (o->form == FVI_MECHANISM_FIRST_ORDER || !s->run.system->force.value)
         return FVI_SUCCESS;
     const int status = fvi_mechanism_force(
-        s, fmax(time_of(s, s->k) * (1 + in), GSL_DBL_MIN), o->load);
+        s, fvi_just_after(time_of(s, s->k)), o->load);
     return status ? status
-                  : fvi_mechanism_force(s, time_of(s, s->k + 1) * (1 - in),
+                  : fvi_mechanism_force(s, fvi_just_before(time_of(s, s->k + 1)),
                                         o->load + o->d);
 }
 

@@ -2,6 +2,7 @@
  *
  *     V = E (X - x_k) / h,     zdot = E (g(X) - g(x_k)) / h,     lambda = known + W zdot */
 #include "mechanism_state.h"
+#include "run/step_times.h"
 
 #include <gsl/gsl_machine.h>
 #include <math.h>
@@ -18,11 +19,8 @@ double fvi_mechanism_inner_time(const fvi_stepper *s, size_t i)
 {
     const fvi_mechanism_state *o = s->mechanism;
     const double h = o->h, left = o->is_on_mesh ? o->t : (double)s->k * h,
-                 right = o->is_on_mesh ? o->t + h : (double)(s->k + 1) * h,
-                 in = 4 * GSL_DBL_EPSILON;
-    return i == 0          ? left + in * fmax(left, h)
-           : i + 1 == o->s ? right - in * right
-                           : fvi_mechanism_stage_time(s, i);
+                 right = o->is_on_mesh ? o->t + h : (double)(s->k + 1) * h;
+    return fvi_inner_time(left, right, h, fvi_mechanism_stage_time(s, i), i, o->s);
 }
 
 /* The increment of stage i, coordinate j. */

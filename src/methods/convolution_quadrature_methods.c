@@ -4,6 +4,7 @@
 #include "mechanism/mechanism.h"
 #include "stability_number.h"
 #include "newton/newton.h"
+#include "run/step_times.h"
 
 #include <gsl/gsl_machine.h>
 #include <math.h>
@@ -12,18 +13,15 @@
 /* ---- what the methods do ---- */
 
 //> force
-/* The limits of F at t_k from below and from above. h, the product k h and the place
- * of a jump may each be off by half an ulp, and T / N for h by as much again: four
- * ulp on either side are enough. (13.12) */
+/* The limits of F at t_k from below and from above. (13.12) */
 static int force_before(fvi_stepper *s, size_t k)
 {
-    return fvi_force_value(s, (double)k * s->run.h * (1 - 4 * GSL_DBL_EPSILON));
+    return fvi_force_value(s, fvi_just_before((double)k * s->run.h));
 }
 
 static int force_after(fvi_stepper *s, size_t k)
 {
-    double t = (double)k * s->run.h * (1 + 4 * GSL_DBL_EPSILON);
-    return fvi_force_value(s, fmax(t, GSL_DBL_MIN));
+    return fvi_force_value(s, fvi_just_after((double)k * s->run.h));
 }
 //< force
 

@@ -1,6 +1,7 @@
 /* src/methods/initial_history_force.c -- What the past adds to Caputo's damping in a run. [H 19] */
 #include "initial_history_force.h"
 
+#include "system/all_zero.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -32,21 +33,13 @@ static int set_size(const fvi_system *system, const fvi_run_damper *damper, doub
     return FVI_SUCCESS;
 }
 
-static int is_zero(size_t d, const double *v)
-{
-    for (size_t i = 0; i < d; i++)
-        if (v[i] != 0)
-            return 0;
-    return 1;
-}
-
 static int start(const fvi_stepper *s, const fvi_run_damper *damper, size_t n,
                  const double *c, double *A, fvi_initial_history_force *force)
 {
     const fvi_system *system = s->run.system;
     double unit;
     int status = fvi_initial_history_amplitudes(system, damper, s->x, s->p, A);
-    if (status || is_zero(system->d, A))
+    if (status || fvi_all_zero(system->d, A))
         return status;
     force->size = calloc(system->d, sizeof *force->size);
     if (!force->size)
@@ -54,7 +47,7 @@ static int start(const fvi_stepper *s, const fvi_run_damper *damper, size_t n,
     status = fvi_initial_history_force_prepare(damper, s->run.h, n, c, force, &unit);
     if (!status)
         status = set_size(system, damper, unit, A, force->size);
-    if (!status && is_zero(system->d, force->size))
+    if (!status && fvi_all_zero(system->d, force->size))
         fvi_initial_history_force_stop(force);
     return status;
 }

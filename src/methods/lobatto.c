@@ -6,6 +6,7 @@
 #include "lobatto_stages.h"
 #include "system/fail.h"
 #include "newton/linearised.h"
+#include "run/step_times.h"
 
 #include <gsl/gsl_machine.h>
 #include <math.h>
@@ -148,14 +149,10 @@ static void apply_damping(fvi_stepper *s, fvi_lobatto_stages *o)
 static int apply_forces(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const double h = s->run.h, left = (double)s->k * h,
-                 right = (double)(s->k + 1) * h, in = 4 * GSL_DBL_EPSILON;
+                 right = (double)(s->k + 1) * h;
     for (size_t i = 0; i < o->s; i++) {
-        double t = left + o->rule->c[i] * h;
-        if (i == 0)
-            t = left + in * fmax(left, h);
-        else if (i + 1 == o->s)
-            t = right - in * right;
-        int status = fvi_force_value(s, t);
+        int status = fvi_force_value(
+            s, fvi_inner_time(left, right, h, left + o->rule->c[i] * h, i, o->s));
         if (status)
             return status;
         for (size_t j = 0; j < o->d; j++)

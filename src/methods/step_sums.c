@@ -5,8 +5,8 @@
 #include "lobatto_matrices.h"
 #include "lobatto_stages.h"
 
-#include <gsl/gsl_machine.h>
-#include <math.h>
+#include "run/step_times.h"
+
 #include <string.h>
 
 int fvi_step_force(const fvi_stepper *s, double t, double *F)
@@ -93,11 +93,7 @@ int fvi_step_begins(const fvi_stepper *s, fvi_step_begin *begin)
     }
     if (is_of_order_1(s->method))
         return FVI_SUCCESS;
-    return fvi_step_force(s,
-                          fmax((double)s->k * s->run.h
-                                   * (1 + 4 * GSL_DBL_EPSILON),
-                               GSL_DBL_MIN),
-                          begin->F); /* (13.12) */
+    return fvi_step_force(s, fvi_just_after((double)s->k * s->run.h), begin->F);
 }
 
 /* Of one gradient in a step, and one force at its end, or half of it at either end. */
@@ -170,15 +166,13 @@ static double as_a_mass(const fvi_stepper *s, const fvi_lobatto_stages *o,
 int fvi_step_forces_at_stages(const fvi_stepper *s, size_t k, size_t stages,
                               const fvi_lobatto_rule *rule, double *F)
 {
-    const double h = s->run.h, left = (double)k * h, right = (double)(k + 1) * h,
-                 in = 4 * GSL_DBL_EPSILON;
+    const double h = s->run.h, left = (double)k * h, right = (double)(k + 1) * h;
     const size_t d = s->run.system->d;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < stages && !status; i++)
         status = fvi_step_force(s,
-                                i == 0            ? left + in * fmax(left, h)
-                                : i + 1 == stages ? right - in * right
-                                                  : left + rule->c[i] * h,
+                                fvi_inner_time(left, right, h, left + rule->c[i] * h, i,
+                                               stages),
                                 F + i * d);
     return status;
 }

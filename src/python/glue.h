@@ -252,15 +252,6 @@ static const char *damper_name(const fvi_system *system, size_t j)
 {
     return system->mechanism ? system->mechanism->damper[j].name : NULL;
 }
-/* How many dampers a system has, and the law of damper j. */
-static size_t dampers(const fvi_system *system)
-{
-    return system->mechanism ? system->mechanism->damper_count : 0;
-}
-static const fvi_kernel *law_of_damper(const fvi_system *system, size_t j)
-{
-    return system->mechanism->damper[j].kernel;
-}
 /* fvi_velocity of each row. */
 static int velocities(const fvi_system *system, size_t rows, const double *p, double *v)
 {

@@ -2,6 +2,7 @@
  *                                                                     [H 23, 27] */
 #include "adjoint_dampers.h"
 
+#include "system/all_zero.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -93,19 +94,11 @@ static int start_impulses(const fvi_adjoint_dampers *m, fvi_adjoint_damper *a)
                                              &a->impulse_unit);
 }
 
-static int is_zero(size_t d, const double *v)
-{
-    for (size_t i = 0; i < d; i++)
-        if (v[i] != 0)
-            return 0;
-    return 1;
-}
-
 /* What the memory held at J_p leaves out, (23.23). */
 static int start_constant(const fvi_adjoint_dampers *m, const fvi_method *method,
                           fvi_adjoint_damper *a)
 {
-    if (m->paper_convention || is_zero(m->d, m->Jp))
+    if (m->paper_convention || fvi_all_zero(m->d, m->Jp))
         return FVI_SUCCESS;
     const int by_order = m->want->orders && !a->of.law,
               status = fvi_adjoint_constant_start(method, m->run, &a->of, 1, by_order,

@@ -10,6 +10,7 @@
 #include <fvi/events.h>
 #include <fvi/variable_steps.h>
 #include "variable_step_band.h"
+#include "run/step_times.h"
 #include "stages/variable_modes.h"
 
 #include <gsl/gsl_machine.h>
@@ -189,10 +190,7 @@ int fvi_variable_step_start_open(fvi_stepper *s);
 static inline double fvi_variable_step_stage_time(const fvi_variable_rule *rule,
                                              double t, double h, size_t i)
 {
-    const double in = 4 * GSL_DBL_EPSILON, end = t + h;
-    return i == 0            ? t + in * fmax(t, h)
-           : i + 1 < rule->s ? t + rule->c[i] * h
-                             : end - in * end;
+    return fvi_inner_time(t, t + h, h, t + rule->c[i] * h, i, rule->s);
 }
 
 /* fvi_variable_step_start, _stop, _copy, _visit -- as fvi_method has them. */

@@ -180,52 +180,9 @@ def test_a_structure_has_a_gradient():
         assert abs(found[i] - (8 * (far[2] - far[1]) - far[3] + far[0]) / 12e-3) < 1e-6 * max(1, abs(found[i]))
     rows = fvi.jacobian(fvi.solve(laws(numbers).replace(time=1.0), h=0.5), ["laws"])["laws"]
     assert rows.shape == (3, 5, 2 + 3 + 4 + 2)
-
-
-@pytest.mark.parametrize("method", ["fvi", "fvi-stable", "fvi-lobatto3", "fvi-lobatto3d"])
-def test_a_mechanism_has_a_gradient(method):
-    w = np.random.default_rng(3).standard_normal((2, 21, 2))
-    numbers = dict(c=1.3, x=0.2, p=0.5, rho=0.4, alpha=0.7, T=0.5, m=2.0)
-
-    def cart(v):
-        return fvi.Problem(lagrangian="1.5*v1^2 + v1*v2*cos(x2) + v2^2/2 + c*cos(x2) - x1^2/2", let={"c": v["c"]},
-                           x0=[v["x"], 1.2], p0=[0.1, v["p"]], time=2, force_on=["2=-0.1*v2^3"],
-                           dampers=[f"strut=sqrt((x1-2)^2+x2^2) : power:{v['rho']!r},{v['alpha']!r}", f"x2 : maxwell:0.3,{v['T']!r}"])
-
-    def masses(v):
-        return fvi.Problem(potential="c*x1^2/2 + (x2-x1)^2 + x2^4/4", let={"c": v["c"]}, mass=[1, v["m"]],
-                           x0=[v["x"], 1.2], p0=[0.1, v["p"]], time=2, force="sin(c*t)",
-                           dampers=[f"x2-x1 : power:{v['rho']!r},{v['alpha']!r}", f"x1 : maxwell:0.3,{v['T']!r}"])
-
-    def value(problem):
-        s = fvi.solve(problem, h=0.1, method=method)
-        return (w[0] * s.x).sum() + (w[1] * s.p).sum()
-    for problem in cart, masses:
-        g = fvi.vjp(fvi.solve(problem(numbers), h=0.1, method=method), x=w[0], p=w[1])
-        found = dict(c=g["let"]["c"], x=g["x0"][0], p=g["p0"][1], rho=g["laws"][0][0]["rho"], alpha=g["laws"][0][0]["alpha"],
-                     T=g["laws"][1][0]["time"])
-        assert g["dampers"][0] == pytest.approx(0.4 * found["rho"], rel=1e-12)
-        if problem is masses:
-            found["m"] = g["mass"][1]
-        for name, got in found.items():
-            far = [value(problem({**numbers, name: numbers[name] + k * 1e-3})) for k in (-2, -1, 1, 2)]
-            assert abs(got - (8 * (far[2] - far[1]) - far[3] + far[0]) / 12e-3) < 1e-6 * max(1, abs(got)), name
-    few = fvi.solve(cart(numbers).replace(time=0.4), h=0.2, method=method)
-    rows = fvi.jacobian(few, ["laws", "x0"])
-    assert rows["laws"].shape == (3, 2, 4) and np.allclose(rows["x0"][0], np.eye(2), atol=1e-15)
-
-
-def test_what_a_mechanism_has_no_gradient_by_is_refused():
-    q = fvi.Problem(lagrangian="v^2/2 - k*x^2/2", let={"k": 1, "r": 1}, dampers=["r*x : viscous:1"], x0=1, v0=0)
-    s = fvi.solve(q, h=0.1)
-    with pytest.raises(ValueError, match="^let: a damper"):
-        fvi.vjp(s, x=1)
-    with pytest.raises(ValueError, match="^energy: with a Lagrangian"):
-        fvi.vjp(s, energy=1, wrt=["x0"])
-    with pytest.raises(ValueError, match="^wrt: this problem has no mass"):
-        fvi.vjp(s, x=1, wrt=["mass"])
-    assert set(fvi.vjp(s, x=1, wrt=["x0", "p0", "laws", "dampers"])) == {"x0", "p0", "laws", "dampers"}
-
+    with pytest.raises(fvi.Error) as caught:
+        fvi.vjp(fvi.solve(fvi.Problem(lagrangian="v^2/2 - x^2/2", x0=1, v0=0), h=0.1), x=1, wrt=["x0"])
+    assert caught.value.code == 23
 
 
 # ---- by frequency ----

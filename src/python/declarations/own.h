@@ -47,8 +47,6 @@ int save_stepper(fvi_stepper *s, unsigned char *to, size_t room, size_t *size);
 int load_stepper(fvi_stepper *s, const unsigned char *from, size_t size);
 int accelerations_of_ground(const fvi_ground *ground, size_t rows, const double *t, double *ag);
 const char *damper_name(const fvi_system *system, size_t j);
-size_t dampers(const fvi_system *system);
-const fvi_kernel *law_of_damper(const fvi_system *system, size_t j);
 int energies(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p, double *energy,
              size_t *done);
 int velocities(const fvi_system *system, size_t rows, const double *p, double *v);

@@ -82,21 +82,8 @@ def of_table(t: Array, columns: int, times: Array, by: Array) -> Array:
     return found if columns == by.shape[1] else found.sum(axis=1, keepdims=True)
 
 
-def known_of_mechanism(q: Problem, system: Any) -> set:
-    """With a Lagrangian the momentum is held where x0 changes, also if v0 was given."""
-    known = {"x0"} | ({"force"} if isinstance(q.force, tuple) else set()) | ({"let"} if q.let else set())
-    known |= {"dampers", "laws"} if system.laws_of_dampers else set()
-    if q.lagrangian is not None:
-        return known | {"p0"}
-    known |= {"v0" if q.v0 is not None else "p0"} | ({"mass"} if q.ground is None else set())
-    return known | ({"potential"} if isinstance(q.potential, str) and not system.is_expression else set())
-
-
-def known_of(q: Problem, system: Any) -> set:
+def known_of(q: Problem, is_expression: bool) -> set:
     """By what a problem has derivatives."""
-    if q.kind == "mechanism":
-        return known_of_mechanism(q, system)
-    is_expression = system.is_expression
     known = {"x0", "v0" if q.v0 is not None else "p0"} | ({"force"} if isinstance(q.force, tuple) else set())
     if q.kind == "structure" and q.dampers:
         return known | {"K", "dampers", "laws"} | ({"M"} if q.ground is None else set())
@@ -108,8 +95,8 @@ def known_of(q: Problem, system: Any) -> set:
     return known | ({"potential"} if isinstance(q.potential, str) and not is_expression else set())
 
 
-def wanted_of(q: Problem, wrt: Optional[Sequence[str]], system: Any) -> set:
-    known = known_of(q, system)
+def wanted_of(q: Problem, wrt: Optional[Sequence[str]], is_expression: bool) -> set:
+    known = known_of(q, is_expression)
     if wrt is None:
         return known
     wanted = {wrt} if isinstance(wrt, str) else set(wrt)
@@ -138,7 +125,6 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     "laws", for each damper a dict for each term of its law ("mass" and "M" only where no ground moves); "let", by names;
     "potential", the derivatives by the constants of a potential that is ready to use;
     "damping", a dict for each term of the law, with rho, alpha, time and end; "force", of measured rows, by each F.
-    With a Lagrangian "x0" holds the momentum p0, also where v0 was given; imposed coordinates start as they are told.
 
     These are the derivatives of the numbers that `solve` gives, exact but for rounding: no difference is taken. Of
     "fvi-adaptive" the steps are held, and with error they are those of another run as fine.
@@ -148,14 +134,12 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
         raise TypeError(f"solution: {described(solution)} is no Solution")
     q, mirror = solution.problem, Mirror(solution)
     system, d = mirror.motion.system, mirror.d
-    names = wanted_of(q, wrt, system)
+    names = wanted_of(q, wrt, system.is_expression)
     shape = solution.x.shape
     Jx = mirror.spread("x", 0.0 if x is None else x, shape)
     Jp = mirror.spread("p", 0.0 if p is None else p, shape)
     lets = list(q.let or {})
     by_energy = None
-    if energy is not None and q.lagrangian is not None:
-        raise ValueError("energy: with a Lagrangian it has no derivative here; make it of x and p")
     if energy is not None:
         by_energy = mirror.spread("energy", energy, shape[:1])[mirror.rows]
         Ex, Ep = np.zeros((2, *shape))
@@ -174,8 +158,7 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
         setattr(to, field, ffi.cast("double *", found[field].ctypes.data))
     whole = q.kind == "structure"  # then by factors
     for field, size, by in (("x0", d, {"x0"}), ("p0", d, {"p0", "v0"}), ("mass", 1 if whole else d, {"mass", "M"}),
-                            ("damping", len(system.laws_of_dampers) or 1 if whole or "dampers" in names else d,
-                             {"rho", "C", "dampers"}), ("alpha", 1, {"alpha", "order"})):
+                            ("damping", len(q.dampers) or 1 if whole else d, {"rho", "C", "dampers"}), ("alpha", 1, {"alpha", "order"})):
         if by & names or (field == "p0" and q.v0 is not None and "mass" in names):
             want(field, size)
     laws = system.laws_of_dampers if "laws" in names else [system.law] if "damping" in names else []
@@ -183,9 +166,7 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     for field in parts:
         want(field, sum(law.count for law in laws))
     typed = system.typed_potential
-    if q.lagrangian is not None:
-        to.sensitivity.count, to.lagrangian = len(lets), ffi.addressof(lib, "fvi_typed_lagrangian_column")
-    elif system.is_expression:
+    if system.is_expression:
         to.sensitivity.count, to.sensitivity.column = len(lets), ffi.addressof(lib, "by_parameter")
     elif typed is not None and not whole:
         to.sensitivity = lib.fvi_parameter_gradient_of(ffi.addressof(system.system, "potential"))
@@ -197,9 +178,6 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
         raise ValueError("let: where a ground moves, forces have no derivative by their names; leave let out of wrt")
     if "let" in names and any(u & lib.FVI_USED_BY_DAMPING for u in used):
         raise ValueError("let: a law that is an expression has no derivative by its names; leave let out of wrt")
-    if "let" in names and any(u & lib.FVI_USED_BY_MECHANISM for u in used):
-        raise ValueError("let: a damper, a constraint and a force of velocity have no derivative by their names; leave let "
-                         "out of wrt")
     if has_force and mirror.is_dense:
         raise ValueError("let: fvi-adaptive asks for the force between the rows, and has no derivative by a name in it")
     if has_force or "force" in names:
@@ -243,7 +221,7 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
             answer[name] = float(found[field][0])
     if "dampers" in names:
         answer["dampers"] = found["damping"]
-    for name, field, given in (("x0", "x0", 1.0 if q.x0 is None else q.x0), ("p0", "p0", q.p0 if q.p0 is not None else q.v0 if q.v0 is not None else 0.5),
+    for name, field, given in (("x0", "x0", 1.0 if q.x0 is None else q.x0), ("p0", "p0", 0.5 if q.p0 is None else q.p0),
                                ("rho", "damping", 0.2 if q.rho is None else q.rho)):
         if name in names:
             answer[name] = like(given, found[field])
@@ -260,7 +238,7 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
     times = mirror.times() if not mirror.is_dense else np.arange(mirror.steps + 1) * mirror.motion.run.h
     by_force = found["force"].reshape(-1, d) if "force" in found else None
     if "let" in names:
-        by_let = found["parameters"].copy() if system.is_expression or q.lagrangian is not None else np.zeros(len(lets))
+        by_let = found["parameters"].copy() if system.is_expression else np.zeros(len(lets))
         for j in range(len(lets)):
             if used[j] & lib.FVI_USED_BY_FORCE:
                 by_let[j] += sum(lib.fvi_typed_force_by_parameter(system.typed_force, j, t) * f.sum()
@@ -347,7 +325,7 @@ def jacobian(solution: Solution, wrt: Sequence[str]) -> dict:
     name. Else there is a mirrored run for each x: ask for few rows then.
     """
     names = [wrt] if isinstance(wrt, str) else list(wrt)
-    wanted_of(solution.problem, names, solution.motion.system)
+    wanted_of(solution.problem, names, solution.motion.system.is_expression)
     found = tangents(solution, names)
     if found is not None:
         return found

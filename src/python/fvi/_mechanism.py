@@ -61,7 +61,6 @@ class Mechanism:
         understand(lib.fvi_parse_mechanism, t, s.d, s.parameters, out)
         s.keep.append(ffi.gc(out[0], lib.fvi_typed_mechanism_free))
         s.system.mechanism = lib.fvi_mechanism_typed(out[0])
-        s.laws_of_dampers = [lib.law_of_damper(s.system, j) for j in range(lib.dampers(s.system))]
 
 
 class Matrix(NamedTuple):
