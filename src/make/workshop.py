@@ -48,6 +48,11 @@ def page(stage):
     return next(pathlib.Path("chapters").glob(f"{stage:02d}-*.md"))
 
 
+def title(stage):
+    """A stage has the name of its chapter."""
+    return page(stage).read_text().partition("\n")[0].partition(". ")[2]
+
+
 def stage_at_hand():
     """The stage after the last that held; or a later one, if body.c has all its functions."""
     least = min(last_passed() + 1, course.STAGES[-1])
@@ -80,7 +85,7 @@ def start():
         print("all twelve stages hold")
         return
     gone = course.no_longer_needed(stage + 1)
-    print(f"next: stage {stage + 1}, {page(stage + 1)}: write {', '.join(course.added(stage + 1))}"
+    print(f"next: stage {stage + 1}, {title(stage + 1)}, {page(stage + 1)}: write {', '.join(course.added(stage + 1))}"
           + (f"; you may remove {', '.join(gone)}" if gone else ""))
 
 
@@ -88,7 +93,7 @@ def show(stage, results):
     """A line for each equation of this stage; of earlier ones only what does not hold."""
     before = [(f"stage {number} does not hold: {runner.title(name)[1]}", text) for number, name, passed, text in results
               if number < stage and not passed]
-    print(f"stage {stage}, chapter {stage}")
+    print(f"stage {stage}, {title(stage)}")
     for what, text in before:
         print(f"  {what}: {text}")
     return runner.show([result for number, *result in results if number == stage]) and not before
