@@ -13,9 +13,9 @@ Proved here:
         m - rho h/2, for a generic U; the motion of the mass m satisfies it only up to h;
   (10c) at the longest stable step of the running body, h = 2^(5/3), the load is 1;
   (12a) the delay alpha h disappears if theta = alpha.
-  (12, at its end)  the derivative of x_3 by rho is a sum over a second body that starts at 0
+  (12, what the principle buys)  the derivative of x_3 by rho is a sum over a second body that starts at 0
         with the momentum 1 and is read backwards, for every rho.
-  (12, at its end)  for a stiffening spring the film of the equations with a quarter, a half and
+  (H 23, a method without an action)  for a stiffening spring the film of the equations with a quarter, a half and
         a quarter of the forces gives another derivative than two runs, the film of (3b) the same.
 Printed: the runs of the stages by the definition, as fractions where h = 1, else with 50
 digits by double sums over binomial coefficients."""
