@@ -50,3 +50,15 @@ def test_a_warning_of_the_program_is_one_of_python(call, words):
 
 def test_of_times_of_ones_own_only_these_are_looked_at():
     assert said_by(lambda: fvi.solve(PENDULUM, [5], h=2.5, kappa=1)) == []
+
+
+def test_a_sweep_warns_once_of_the_callers_line():
+    """The program counts the rows, too: "rows with an unstable step: 2 of 3, the first with rho = 0.2"."""
+    q = fvi.Problem("harmonic:1", alpha=0.5, time=40)
+    said = said_by(lambda: fvi.sweep(q, {"rho": [0.01, 8, 9]}, lambda s: 0, h=1, jobs=2))
+    assert len(said) == 1 and said[0].startswith("2 of 3 motions, the first with rho = 8: this step is unstable")
+    words = ["sweep", "--potential", "harmonic:1", "--time", "40", "--h", "1", "--method", "fvi", "--vary", "rho=0.01,8,9"]
+    assert said_by_the_program(*words) == ["rows with an unstable step: 2 of 3, the first with rho = 8"]
+    assert said_by(lambda: fvi.solve(q.replace(rho=8), h=1)) == [said[0].partition(": ")[2]]  # as ever behind a sweep
+    past = fvi.Problem(past="rl", alpha=0.7, time=0.4)
+    assert len(said_by(lambda: fvi.sweep(past, {"rho": [1, 2]}, lambda s: 0, h=0.1))) == 1

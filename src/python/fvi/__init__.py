@@ -12,7 +12,7 @@ A problem is the mathematics, `solve` the numerics; `help(fvi.Problem)` and `hel
 Lengths, times and masses are in units of your own.
 
     Problem     what moves: potential, mass, damping, force, start; never changes, pickles
-    solve       its motion: a Solution with t, x, p, v, energy, which gives out any time and plots
+    solve       its motion: a Solution with t, x, p, v, a, energy, forces, work; any time, tables, peaks, plots
     Event       what is watched along a motion: a mark, a stop, an impact
     sweep       the motions of many problems, on all cores
     vjp         the gradient of what is made of a motion, by all that determines it
@@ -42,7 +42,8 @@ from ._response import (Bound as Bound, Control as Control, Poles as Poles, Stab
                         error_bound as error_bound, poles as poles, response as response, stability as stability)
 from ._run import Method as Method, Run as Run, Stepper as Stepper, methods as methods, run as run, version as version
 from ._solution import Solution as Solution
-from ._solve import solve as solve, sweep as sweep
+from ._solve import solve as solve
+from ._sweep import sweep as sweep
 from ._system import Potential as Potential, potential as potential
 from .errors import Error as Error, FviWarning as FviWarning, Warning as Warning
 

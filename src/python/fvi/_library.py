@@ -43,7 +43,10 @@ def error_of(error: Any, status: int) -> Error:
 
 
 def warn(text: str) -> None:
-    """Said of the line that called this package."""
+    """Said of the line that called this package; of a sweep, when all motions are there."""
+    if waiting.heard is not None:
+        waiting.heard.append(text)
+        return
     level, frame = 1, sys._getframe()
     while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == __name__.partition(".")[0]:
         level, frame = level + 1, frame.f_back
@@ -51,8 +54,10 @@ def warn(text: str) -> None:
 
 
 class Waiting(threading.local):
-    """What was raised while the library ran in this thread, until it has returned."""
+    """What was raised while the library ran in this thread, until it has returned; and what a thread of a sweep was
+    warned of."""
     raised: Optional[BaseException] = None
+    heard: Optional[list] = None
 
 
 waiting = Waiting()

@@ -1,8 +1,6 @@
 """The motion of a problem: one call, whatever the method; and many such calls."""
 from __future__ import annotations
 
-import concurrent.futures
-import itertools
 import math
 import os
 import sys
@@ -293,64 +291,3 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
     """
     return solved(problem, chosen(problem, t_eval, error, method, h, steps, kappa, step_error, longest, most_steps,
                                   memory, tolerance, listed(events), checkpoint), progress)
-
-
-@spelt(solve)
-def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[[Solution], Any]] = None, *,
-          jobs: Optional[int] = None, progress: Progress = None, **options: Any) -> Array:
-    """The motions of many problems, on all cores: an array with an axis for each name of `vary`.
-
-        peak = fvi.sweep(problem, {"alpha": np.linspace(0.1, 0.5, 9), "rho": [0.1, 0.2]}, lambda s: abs(s.x).max())
-        peak.shape == (9, 2)
-
-    problem   what is varied
-    vary      values by name: of a field of the problem, or of a number in its `let`
-    of        what is kept of each Solution; None: the Solution itself
-    jobs      how many threads; None: one for each core. Functions of Python's in a problem take turns
-    progress  True: a bar; or a function f(motions done, motions)
-    the rest  as for `solve`
-
-    The first motion that fails raises its error; Ctrl-C ends all of them.
-    """
-    if options.get("checkpoint") is not None:
-        raise ValueError("checkpoint: of one motion, not of many")
-    names = list(vary)
-    grid = list(itertools.product(*(list(vary[name]) for name in names)))
-    shape = tuple(len(list(vary[name])) for name in names)
-    let = problem.let or {}
-    for name in names:
-        if name not in let and name not in problem.__dataclass_fields__:
-            raise ValueError(f"vary: '{name}' is no field of the problem and no name of its let")
-    stop, tell = ffi.new("int *"), Bar() if progress is True else progress
-
-    def one(values: tuple) -> Any:
-        lib.obey(stop)
-        try:
-            own = {name: v for name, v in zip(names, values) if name not in let}
-            lets = {name: v for name, v in zip(names, values) if name in let}
-            found = solve(problem.replace(**own, **({"let": {**let, **lets}} if lets else {})), **options)
-            return found if of is None else of(found)
-        finally:
-            lib.obey(ffi.NULL)
-    answers: list = [None] * len(grid)
-    with concurrent.futures.ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
-        futures = {pool.submit(one, values): i for i, values in enumerate(grid)}
-        try:
-            for n, future in enumerate(concurrent.futures.as_completed(futures), 1):
-                answers[futures[future]] = future.result()
-                if tell:
-                    tell(n, len(grid))
-        except BaseException:
-            stop[0] = 1
-            for future in futures:
-                future.cancel()
-            raise
-        finally:
-            if isinstance(tell, Bar):
-                tell.clear()
-    if of is None:
-        kept = np.empty(len(grid), dtype=object)
-        kept[:] = answers
-        return kept.reshape(shape)
-    made = np.array(answers)
-    return made.reshape(shape + made.shape[1:])

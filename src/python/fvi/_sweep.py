@@ -1,0 +1,90 @@
+"""The motions of many problems, on all cores."""
+from __future__ import annotations
+
+import concurrent.futures
+import itertools
+import os
+from typing import Any, Callable, Mapping, Optional, Sequence
+
+import numpy as np
+
+from ._arguments import Array, spelt
+from ._fvi import ffi, lib
+from ._library import waiting, warn
+from ._problem import Problem
+from ._solution import Solution
+from ._solve import Bar, Progress, solve
+
+
+def warn_of_all(names: Sequence[str], grid: Sequence[tuple], heard: Sequence[list]) -> None:
+    """What some of the motions are warned of, once."""
+    warned = [i for i, texts in enumerate(heard) if texts]
+    if warned:
+        first = ", ".join(f"{name} = {value}" for name, value in zip(names, grid[warned[0]]))
+        warn(f"{len(warned)} of {len(grid)} motions, the first with {first}: {'; '.join(heard[warned[0]])}")
+
+
+@spelt(solve)
+def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[[Solution], Any]] = None, *,
+          jobs: Optional[int] = None, progress: Progress = None, **options: Any) -> Array:
+    """The motions of many problems, on all cores: an array with an axis for each name of `vary`.
+
+        peak = fvi.sweep(problem, {"alpha": np.linspace(0.1, 0.5, 9), "rho": [0.1, 0.2]}, lambda s: abs(s.x).max())
+        peak.shape == (9, 2)
+
+    problem   what is varied
+    vary      values by name: of a field of the problem, or of a number in its `let`
+    of        what is kept of each Solution; None: the Solution itself
+    jobs      how many threads; None: one for each core. Functions of Python's in a problem take turns
+    progress  True: a bar; or a function f(motions done, motions)
+    the rest  as for `solve`
+
+    The first motion that fails raises its error; Ctrl-C ends all of them. What several motions are warned of is one
+    FviWarning, with the values of the first.
+    """
+    if options.get("checkpoint") is not None:
+        raise ValueError("checkpoint: of one motion, not of many")
+    names = list(vary)
+    grid = list(itertools.product(*(list(vary[name]) for name in names)))
+    shape = tuple(len(list(vary[name])) for name in names)
+    let = problem.let or {}
+    for name in names:
+        if name not in let and name not in problem.__dataclass_fields__:
+            raise ValueError(f"vary: '{name}' is no field of the problem and no name of its let")
+    stop, tell = ffi.new("int *"), Bar() if progress is True else progress
+
+    def one(number: int, values: tuple) -> Any:
+        lib.obey(stop)
+        waiting.heard = []
+        try:
+            own = {name: v for name, v in zip(names, values) if name not in let}
+            lets = {name: v for name, v in zip(names, values) if name in let}
+            found = solve(problem.replace(**own, **({"let": {**let, **lets}} if lets else {})), **options)
+            return found if of is None else of(found)
+        finally:
+            heard[number], waiting.heard = waiting.heard or [], None
+            lib.obey(ffi.NULL)
+    answers: list = [None] * len(grid)
+    heard: list = [[]] * len(grid)
+    with concurrent.futures.ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
+        futures = {pool.submit(one, i, values): i for i, values in enumerate(grid)}
+        try:
+            for n, future in enumerate(concurrent.futures.as_completed(futures), 1):
+                answers[futures[future]] = future.result()
+                if tell:
+                    tell(n, len(grid))
+        except BaseException:
+            stop[0] = 1
+            for future in futures:
+                future.cancel()
+            raise
+        finally:
+            if isinstance(tell, Bar):
+                tell.clear()
+    warn_of_all(names, grid, heard)
+    if of is None:
+        kept = np.empty(len(grid), dtype=object)
+        kept[:] = answers
+        return kept.reshape(shape)
+    made = np.array(answers)
+    return made.reshape(shape + made.shape[1:])
