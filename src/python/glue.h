@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include "glue_gradient.h"
 static int look_up(void);
 static int report_progress(size_t rows, size_t all, void *tell);
 /* The last error's reason and code, of this thread: for the text of the exception. */
@@ -294,61 +295,6 @@ static int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run 
     for (size_t j = 0; !warned && j < rows && fvi_all_finite(d, x + j * d); j++)
         warned = fvi_warning_along(watch, method, run, (size_t)round(t[j] / run->h), x + j * d, size, text);
     return warned;
-}
-/* The cotangents of every row, as arrays: no Python in the mirrored run. */
-typedef struct {
-    const double *Jx, *Jp; /* Jp may be NULL */
-} cotangents;
-static int read_slopes(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp)
-{
-    const cotangents *c = params;
-    (void)x, (void)p;
-    for (size_t i = 0; i < d; i++)
-        Jx[i] += c->Jx[k * d + i];
-    for (size_t i = 0; Jp && c->Jp && i < d; i++)
-        Jp[i] += c->Jp[k * d + i];
-    return 0;
-}
-/* d^2U/(dx dk_j) of an expression, as fvi_parameter_gradient has it. */
-static int by_parameter(size_t j, size_t d, const double *x, void *params, double *S)
-{
-    double value;
-    (void)d;
-    fvi_expression_parameter_gradient(params, j, x, &value, S);
-    return 0;
-}
-/* What an objective that has by[k] of the energies has of x and p, added. */
-static int energy_slopes(const fvi_system *system, size_t rows, const double *x, const double *p,
-                         const double *by, double *Jx, double *Jp)
-{
-    const size_t d = system->d;
-    double *room = calloc(2 * d, sizeof *room);
-    int status = room ? 0 : FVI_ENOMEM;
-    for (size_t k = 0; k < rows && !status; k++) {
-        if (by[k] == 0)
-            continue;
-        status = fvi_potential_gradient(system, x + k * d, room);
-        if (!status)
-            status = fvi_velocity(system, p + k * d, room + d);
-        for (size_t i = 0; i < d; i++) {
-            Jx[k * d + i] += by[k] * room[i];
-            Jp[k * d + i] += by[k] * room[d + i];
-        }
-    }
-    free(room);
-    return status;
-}
-/* dU/dk_j at x; U is linear in the constants of what is ready to use. */
-static int energy_by_parameter(const fvi_typed_potential *potential, size_t d, size_t j, const double *x,
-                               double *value)
-{
-    const double unit[2] = { j == 0, j == 1 };
-    fvi_potential u = fvi_potential_typed(potential);
-    if (potential->expression) {
-        fvi_expression_parameter_gradient(potential->expression, j, x, value, NULL);
-        return 0;
-    }
-    return u.value(d, x, (void *)unit, value);
 }
 /* The reason of this code, or NULL; no reason is given twice, or for another code. */
 static const char *why(int code)

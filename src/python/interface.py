@@ -23,7 +23,7 @@ def flags(what):
 ffi.set_source(
     "fvi._fvi",
     (HERE / "glue.h").read_text(),
-    include_dirs=[str(HERE / "include")],
+    include_dirs=[str(HERE / "include"), str(HERE)],
     extra_compile_args=["-std=c11", "-Werror=incompatible-pointer-types", *flags("--cflags")],
     extra_objects=[str(HERE / "libfvi.a")],
     # GSL's own products come before those of the library that SuiteSparse needs: the program's digits.

@@ -169,13 +169,6 @@ def test_the_jacobian_is_that_of_each_row():
     (lambda s: fvi.vjp(s, wrt=["order"]), ValueError, "^wrt: this problem has no order"),
     (lambda s: fvi.gradient(TWO, lambda s: (1, 2), h=0.1), TypeError, "^loss"),
     (lambda s: fvi.vjp(fvi.solve(TWO.replace(alpha=0.5), h=0.02, method="euler-explicit"), x=1), fvi.Error, "no adjoint"),
-    *((lambda s, q=q: fvi.vjp(fvi.solve(q, h=0.1), x=1), fvi.Error,
-       "^no adjoint of a run with dampers between points, a Lagrangian or constraints")
-      for q in (fvi.Problem(lagrangian="v^2/2 - x^4/4", x0=1, v0=0, time=1), fvi.Problem(dampers=["x1 : power:1,0.3"], time=1),
-                fvi.Problem("(x2-x1)^2/2", impose="x1=sin(t)", x0=[0, 0], v0=[1, 0], time=1),
-                fvi.Problem(force_on=["1=-v1^3"], time=1))),
-    (lambda s: fvi.gradient(fvi.Problem(lagrangian="v^2/2", x0=1, v0=0, time=1), lambda s: (0, {"x": 1}), h=0.1), fvi.Error, "^no adjoint"),
-    (lambda s: fvi.jacobian(fvi.solve(fvi.Problem(lagrangian="v^2/2", x0=1, v0=0, time=1), h=0.5), ["x0"]), fvi.Error, "^no adjoint"),
     (lambda s: fvi.vjp(fvi.solve(TWO.replace(alpha=1), h=0.05, method="fvi-lobatto3"), x=1), fvi.Error, "alpha = 1"),
     (lambda s: fvi.vjp(fvi.solve(fvi.Problem(damping="symbol:k*s", let={"k": 1}), h=0.1), x=1), ValueError, "^let: a law"),
 ])

@@ -157,8 +157,11 @@ typedef struct {
 typedef struct {
     double *x0, *p0, *mass, *damping, *alpha, *terms, *orders, *times, *ends, *force, *parameters;
     fvi_parameter_gradient sensitivity;
+    int (*lagrangian)(size_t j, double t, size_t d, const double *x, const double *v, void *params, double *Sx, double *Sv);
     ...;
 } fvi_sensitivities;
+int fvi_typed_lagrangian_column(size_t j, double t, size_t d, const double *x, const double *v, void *params, double *Sx,
+                                double *Sv);
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x, const double *p,
                 const fvi_objective *objective, const fvi_sensitivities *gradients);
 double fvi_typed_force_by_parameter(const fvi_typed_force *force, size_t j, double t);

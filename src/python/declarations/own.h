@@ -2,8 +2,14 @@
 typedef struct { const double *Jx, *Jp; ...; } cotangents;
 int read_slopes(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp);
 int by_parameter(size_t j, size_t d, const double *x, void *params, double *S);
-int energy_slopes(const fvi_system *system, size_t rows, const double *x, const double *p, const double *by,
-                  double *Jx, double *Jp);
+int energy_slopes(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p,
+                  const double *by, double *Jx, double *Jp);
+int energies_by_lagrangian(const fvi_system *system, size_t rows, const double *t, const double *x, const double *v,
+                           const double *by, size_t n, double *parameters);
+int start_by_velocity(const fvi_system *system, const double *x0, const double *v0, const double *by_p0, double *by_x0,
+                      double *by_v0, size_t n, double *parameters);
+size_t dampers_of(const fvi_system *system);
+const fvi_kernel *kernel_of(const fvi_system *system, size_t j);
 int energy_by_parameter(const fvi_typed_potential *potential, size_t d, size_t j, const double *x, double *value);
 const char *why(int code);
 void listen(unsigned long thread);

@@ -2,6 +2,7 @@
 typedef struct { size_t count; double value[64]; unsigned char used[64]; ...; } fvi_user_parameters;
 #define FVI_USED_BY_FORCE ...
 #define FVI_USED_BY_DAMPING ...
+#define FVI_USED_BY_MECHANISM ...
 int fvi_user_parameters_set(fvi_user_parameters *parameters, const char *name, double value, fvi_error *error);
 int fvi_user_parameters_are_used(const fvi_user_parameters *parameters, fvi_error *error);
 typedef enum { FVI_POTENTIAL_HARMONIC, FVI_POTENTIAL_DUFFING, FVI_POTENTIAL_PENDULUM, FVI_POTENTIAL_CHAIN,
@@ -24,6 +25,8 @@ int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system, co
                      fvi_error *error);
 fvi_force fvi_ground_force(const fvi_ground *ground);
 const fvi_force *fvi_ground_acceleration(const fvi_ground *ground);
+const fvi_typed_force *fvi_ground_typed(const fvi_ground *ground);
+const double *fvi_ground_pull(const fvi_ground *ground);
 void fvi_ground_free(fvi_ground *ground);
 int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters, double last, fvi_typed_force **force,
                     fvi_error *error);

@@ -34,7 +34,8 @@ Lengths, times and masses are in units of your own.
 from ._events import Event as Event
 from ._exact import exact as exact, weights as weights
 from ._fit import Fit as Fit, fit as fit
-from ._gradient import gradient as gradient, jacobian as jacobian, vjp as vjp
+from ._gradient import gradient as gradient, vjp as vjp
+from ._jacobian import jacobian as jacobian
 from ._material import (Material as Material, creep as creep, fit_creep as fit_creep, fit_moduli as fit_moduli,
                         fit_relaxation as fit_relaxation, moduli as moduli, relaxation as relaxation)
 from ._problem import Problem as Problem

@@ -82,21 +82,34 @@ def of_table(t: Array, columns: int, times: Array, by: Array) -> Array:
     return found if columns == by.shape[1] else found.sum(axis=1, keepdims=True)
 
 
-def known_of(q: Problem, is_expression: bool) -> set:
+def known_of(q: Problem, is_expression: bool, is_dense: bool) -> set:
     """By what a problem has derivatives."""
     known = {"x0", "v0" if q.v0 is not None else "p0"} | ({"force"} if isinstance(q.force, tuple) else set())
     if q.kind == "structure" and q.dampers:
-        return known | {"K", "dampers", "laws"} | ({"M"} if q.ground is None else set())
+        return known | {"K", "dampers", "laws", "M"}
+    inertia = set() if q.ground is not None and is_dense else {"M"} if q.kind == "structure" else {"mass"}
+    if q.kind == "mechanism":
+        return known | known_of_mechanism(q, is_expression) | (inertia if q.lagrangian is None else set())
     known |= {"damping"} if q.damping is not None else {"order" if q.order is not None else "alpha"}
-    inertia = set() if q.ground is not None else {"M"} if q.kind == "structure" else {"mass"}  # the ground pulls at it
     if q.kind == "structure":
         return known | inertia | {"K"} | ({"C"} if q.C is not None else set())
     known |= inertia | ({"rho"} if q.damping is None else set()) | ({"let"} if q.let else set())
     return known | ({"potential"} if isinstance(q.potential, str) and not is_expression else set())
 
 
-def wanted_of(q: Problem, wrt: Optional[Sequence[str]], is_expression: bool) -> set:
-    known = known_of(q, is_expression)
+def known_of_mechanism(q: Problem, is_expression: bool) -> set:
+    """Dampers by a factor and the numbers of each; where each coordinate is damped by itself, by rho and the order."""
+    found = {"let"} if q.let else set()
+    rho = 0.2 if q.rho is None else q.rho
+    if len(q.dampers):
+        found |= {"dampers", "laws"}
+    elif q.lagrangian is None and q.damping is None and np.all(np.asarray(rho) > 0):
+        found |= {"rho", "order" if q.order is not None else "alpha"}
+    return found | ({"potential"} if q.lagrangian is None and isinstance(q.potential, str) and not is_expression else set())
+
+
+def wanted_of(q: Problem, wrt: Optional[Sequence[str]], is_expression: bool, is_dense: bool = False) -> set:
+    known = known_of(q, is_expression, is_dense)
     if wrt is None:
         return known
     wanted = {wrt} if isinstance(wrt, str) else set(wrt)
@@ -122,7 +135,7 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
 
     Returns a dict by names: "x0", "p0" or "v0", "mass", "rho", "alpha" or "order", each in the shape that the problem
     has it; of matrices "M", "K" and "C", by a factor of each, "dampers", by a factor of the law of each, and
-    "laws", for each damper a dict for each term of its law ("mass" and "M" only where no ground moves); "let", by names;
+    "laws", for each damper a dict for each term of its law; "let", by names;
     "potential", the derivatives by the constants of a potential that is ready to use;
     "damping", a dict for each term of the law, with rho, alpha, time and end; "force", of measured rows, by each F.
 
@@ -134,7 +147,7 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
         raise TypeError(f"solution: {described(solution)} is no Solution")
     q, mirror = solution.problem, Mirror(solution)
     system, d = mirror.motion.system, mirror.d
-    names = wanted_of(q, wrt, system.is_expression)
+    names = wanted_of(q, wrt, system.is_expression, mirror.is_dense)
     shape = solution.x.shape
     Jx = mirror.spread("x", 0.0 if x is None else x, shape)
     Jp = mirror.spread("p", 0.0 if p is None else p, shape)
@@ -143,9 +156,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     if energy is not None:
         by_energy = mirror.spread("energy", energy, shape[:1])[mirror.rows]
         Ex, Ep = np.zeros((2, *shape))
-        succeed(ask(lib.energy_slopes, system.system, shape[0], *(ffi.from_buffer("double[]", np.ascontiguousarray(a))
-                                                                  for a in (solution.x, solution.p, by_energy)),
-                    ffi.from_buffer("double[]", Ex), ffi.from_buffer("double[]", Ep)))
+        succeed(ask(lib.energy_slopes, system.system, shape[0], *solution.arrays(),
+                    ffi.from_buffer("double[]", np.ascontiguousarray(by_energy)), ffi.from_buffer("double[]", Ex), ffi.from_buffer("double[]", Ep)))
         Jx[mirror.rows] += Ex
         Jp[mirror.rows] += Ep
     cotangents = ffi.new("cotangents *", {"Jx": ffi.from_buffer("double[]", Jx), "Jp": ffi.from_buffer("double[]", Jp)})
@@ -156,17 +168,24 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     def want(field: str, size: int) -> None:
         found[field] = np.zeros(size)
         setattr(to, field, ffi.cast("double *", found[field].ctypes.data))
-    whole = q.kind == "structure"  # then by factors
+    whole, is_mechanism, count = q.kind == "structure", q.kind == "mechanism", lib.dampers_of(system.system)
     for field, size, by in (("x0", d, {"x0"}), ("p0", d, {"p0", "v0"}), ("mass", 1 if whole else d, {"mass", "M"}),
-                            ("damping", len(q.dampers) or 1 if whole else d, {"rho", "C", "dampers"}), ("alpha", 1, {"alpha", "order"})):
-        if by & names or (field == "p0" and q.v0 is not None and "mass" in names):
+                            ("damping", len(q.dampers) or 1 if whole else count if is_mechanism else d, {"rho", "C", "dampers"}),
+                            ("alpha", 1, set() if is_mechanism else {"alpha", "order"})):
+        if by & names or (field == "p0" and q.v0 is not None and names & {"mass", "x0", "let"}):
             want(field, size)
     laws = system.laws_of_dampers if "laws" in names else [system.law] if "damping" in names else []
+    if is_mechanism:
+        laws = [lib.kernel_of(system.system, j) for j in range(count)] if names & {"laws", "alpha", "order"} else []
     parts = numbers_of_laws(laws, mirror.method, mirror.is_dense) if laws else []
+    if is_mechanism and "laws" not in names:
+        parts = parts and ["orders"]
     for field in parts:
         want(field, sum(law.count for law in laws))
     typed = system.typed_potential
-    if system.is_expression:
+    if q.lagrangian is not None:
+        to.sensitivity.count, to.lagrangian = len(lets), ffi.addressof(lib, "fvi_typed_lagrangian_column")
+    elif system.is_expression:
         to.sensitivity.count, to.sensitivity.column = len(lets), ffi.addressof(lib, "by_parameter")
     elif typed is not None and not whole:
         to.sensitivity = lib.fvi_parameter_gradient_of(ffi.addressof(system.system, "potential"))
@@ -174,18 +193,20 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
         want("parameters", 1 if whole else to.sensitivity.count)
     used = [system.parameters.used[j] for j in range(len(lets))]
     has_force = "let" in names and any(u & lib.FVI_USED_BY_FORCE for u in used)
-    if has_force and isinstance(q.ground, str):
-        raise ValueError("let: where a ground moves, forces have no derivative by their names; leave let out of wrt")
-    if "let" in names and any(u & lib.FVI_USED_BY_DAMPING for u in used):
-        raise ValueError("let: a law that is an expression has no derivative by its names; leave let out of wrt")
+    for use, what in ((lib.FVI_USED_BY_DAMPING, "a law that is an expression has"), (
+            lib.FVI_USED_BY_MECHANISM, "elongations, constraints, imposed coordinates and forces of velocity have")):
+        if "let" in names and any(u & use for u in used):
+            raise ValueError(f"let: {what} no derivative by its names; leave let out of wrt")
     if has_force and mirror.is_dense:
         raise ValueError("let: fvi-adaptive asks for the force between the rows, and has no derivative by a name in it")
-    if has_force or "force" in names:
+    if has_force or "force" in names or (q.ground is not None and names & {"mass", "M"}):
         want("force", (mirror.per * mirror.steps + 1 if not mirror.is_dense else mirror.steps + 1) * d)
     status = ask(lib.fvi_adjoint, mirror.method, mirror.motion.run, ffi.NULL, ffi.NULL, objective, to)
     if status:
         raise failure(status)
     add_energy(solution, by_energy, system, found)
+    if q.ground is not None and "mass" in found:
+        add_ground(system, mirror, found, whole)
     return named(q, names, mirror, found, parts, laws, lets, used)
 
 
@@ -201,6 +222,12 @@ def add_energy(s: Solution, by: Optional[Array], system: Any, found: dict) -> No
             if field in found:
                 found[field] += by @ share
         return
+    if s.problem.lagrangian is not None:
+        if "parameters" in found:
+            succeed(ask(lib.energies_by_lagrangian, system.system, len(s.t), *s.arrays()[:2], *(
+                ffi.from_buffer("double[]", np.ascontiguousarray(a)) for a in (s.v, by)), len(found["parameters"]),
+                ffi.from_buffer("double[]", found["parameters"])))
+        return
     if "mass" in found:
         found["mass"] -= by @ (s.v**2) / 2
     value = ffi.new("double *")
@@ -209,6 +236,16 @@ def add_energy(s: Solution, by: Optional[Array], system: Any, found: dict) -> No
             row = ffi.from_buffer("double[]", np.ascontiguousarray(s.x[k]))
             succeed(lib.energy_by_parameter(system.typed_potential, s.x.shape[1], j, row, value))
             found["parameters"][j] += by[k] * value[0]
+
+
+def add_ground(system: Any, mirror: Mirror, found: dict, whole: bool) -> None:
+    """The ground pulls with -M r a, in which each mass stands, or a factor of M."""
+    d, times = mirror.d, mirror.times()
+    a, pull = np.empty(times.size), np.frombuffer(ffi.buffer(lib.fvi_ground_pull(system.ground), 8 * d))
+    succeed(ask(lib.accelerations_of_ground, system.ground, times.size, ffi.from_buffer("double[]", times),
+                ffi.from_buffer("double[]", a)))
+    by = -(a @ found["force"].reshape(-1, d)) * pull
+    found["mass"] += by.sum() if whole else by / np.frombuffer(ffi.buffer(system.system.mass, 8 * d))
 
 
 def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws: list, lets: list, used: list) -> dict:
@@ -223,10 +260,29 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
         answer["dampers"] = found["damping"]
     for name, field, given in (("x0", "x0", 1.0 if q.x0 is None else q.x0), ("p0", "p0", 0.5 if q.p0 is None else q.p0),
                                ("rho", "damping", 0.2 if q.rho is None else q.rho)):
-        if name in names:
+        if name in names and not (name == "rho" and q.kind == "mechanism"):
             answer[name] = like(given, found[field])
+    if q.lagrangian is not None and q.v0 is not None and "p0" in found:
+        by_v0, by_x0, n = np.zeros(d), found.get("x0", np.zeros(d)), len(found.get("parameters", ()))
+        parameters = found.get("parameters", np.zeros(1))
+        v0 = np.ascontiguousarray(np.broadcast_to(np.asarray(q.v0, dtype=float), (d,)))
+        succeed(ask(lib.start_by_velocity, system.system, *(ffi.from_buffer("double[]", each) for each in (
+            system.x0, v0, found["p0"], by_x0, by_v0)), n, ffi.from_buffer("double[]", parameters)))
+        if "x0" in names:
+            answer["x0"] = like(1.0 if q.x0 is None else q.x0, by_x0)
+        mass_of_v0 = by_v0
+    else:
+        mass_of_v0 = mass * found["p0"] if "p0" in found else np.zeros(d)
     if "v0" in names:
-        answer["v0"] = like(q.v0, mass * found["p0"])
+        answer["v0"] = like(q.v0, mass_of_v0)
+    if q.kind == "mechanism" and names & {"rho", "alpha", "order"}:
+        rho = np.broadcast_to(np.asarray(0.2 if q.rho is None else q.rho, dtype=float), (d,))
+        if "rho" in names:
+            answer["rho"] = like(0.2 if q.rho is None else q.rho, found["damping"] / rho)
+        for name, share in (("alpha", 1), ("order", 0.5)):
+            if name in names:
+                answer[name] = share * float(found["orders"].sum())
+        names = names - {"rho", "alpha", "order"}
     if "mass" in names:
         answer["mass"] = like(q.mass, found["mass"] + (found["p0"] * np.asarray(q.v0) if q.v0 is not None else 0))
     if "alpha" in names:
@@ -238,11 +294,15 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
     times = mirror.times() if not mirror.is_dense else np.arange(mirror.steps + 1) * mirror.motion.run.h
     by_force = found["force"].reshape(-1, d) if "force" in found else None
     if "let" in names:
-        by_let = found["parameters"].copy() if system.is_expression else np.zeros(len(lets))
+        by_let = found["parameters"].copy() if "parameters" in found and (system.is_expression or q.lagrangian is not None) \
+            else np.zeros(len(lets))
+        sums = [] if by_force is None or system.typed_force is None else [(system.typed_force, by_force.sum(axis=1))]
+        if by_force is not None and isinstance(q.ground, str):
+            pull = np.frombuffer(ffi.buffer(lib.fvi_ground_pull(system.ground), 8 * d))
+            sums.append((lib.fvi_ground_typed(system.ground), -by_force @ pull))
         for j in range(len(lets)):
             if used[j] & lib.FVI_USED_BY_FORCE:
-                by_let[j] += sum(lib.fvi_typed_force_by_parameter(system.typed_force, j, t) * f.sum()
-                                 for t, f in zip(times, by_force))
+                by_let[j] += sum(lib.fvi_typed_force_by_parameter(typed, j, t) * f for typed, by in sums for t, f in zip(times, by))
         answer["let"] = dict(zip(lets, by_let.tolist()))
     if "damping" in names:
         answer["damping"] = by_law(system.law, {f: found[f] for f in parts}) if parts else None
@@ -280,61 +340,3 @@ def gradient(problem: Problem, loss: Callable[[Solution], tuple], *, wrt: Option
     if not isinstance(by, Mapping) or not set(by) <= {"x", "p", "energy"}:
         raise TypeError("loss: it gives a number, and a dict of derivatives by x, p, energy")
     return value, vjp(s, wrt=wrt, **by)
-
-
-def tangents(s: Solution, names: Sequence[str]) -> Optional[dict]:
-    """By (24.6), side by side with the run: of one mass by Algorithm 3. None where the library has no such run."""
-    mirror = Mirror(s)
-    system, places = mirror.motion.system, {"alpha": lib.FVI_FREE_PARAMETER_ALPHA, "rho": lib.FVI_FREE_PARAMETER_RHO,
-                                            "mass": lib.FVI_FREE_PARAMETER_MASS, "x0": lib.FVI_FREE_PARAMETER_X0,
-                                            "p0": lib.FVI_FREE_PARAMETER_P0}
-    if (mirror.method != lib.fvi_method_find(b"fvi") or mirror.d > 1 or s.problem.damping is not None
-            or not set(names) <= set(places) or s.problem.v0 is not None):
-        return None
-    which = ffi.new("fvi_free_parameter[]", [int(places[name]) for name in names])
-    x, slope = np.empty(mirror.steps + 1), np.empty((mirror.steps + 1, len(names)))
-    succeed(ask(lib.fvi_tangent, mirror.motion.run, len(names), which, ffi.from_buffer("double[]", x),
-                ffi.from_buffer("double[]", slope)))
-    given = {name: getattr(s.problem, name) for name in names}
-    return {name: slope[mirror.rows, j].reshape((len(s.t), 1) + np.shape(given[name] if given[name] is not None else 0))
-            for j, name in enumerate(names)}
-
-
-def flat(found: Any) -> Any:
-    """A gradient's member as an array."""
-    if isinstance(found, dict):
-        return np.array(list(found.values()))
-    if isinstance(found, list):
-        return np.array([v for each in found for term in (each if isinstance(each, list) else [each])
-                         for v in term.values()])
-    return np.asarray(found)
-
-
-@spelt()
-def jacobian(solution: Solution, wrt: Sequence[str]) -> dict:
-    """The derivatives of every x of every row: for least squares.
-
-        J = fvi.jacobian(s, ["alpha", "rho"])
-        J["alpha"].shape == (len(s.t), d)
-
-    solution  of `solve`
-    wrt       fields of the problem, as `vjp` has them
-
-    Returns a dict by names of arrays (n, d) and the shape of the field; of "let" and "damping" in the order of
-    their numbers. One coordinate by "fvi" goes by tangents, (24.6), side by side with the run: the cost of a run for each
-    name. Else there is a mirrored run for each x: ask for few rows then.
-    """
-    names = [wrt] if isinstance(wrt, str) else list(wrt)
-    wanted_of(solution.problem, names, solution.motion.system.is_expression)
-    found = tangents(solution, names)
-    if found is not None:
-        return found
-    n, d = solution.x.shape
-    rows: dict = {name: [] for name in names}
-    for k in range(n * d):
-        one = np.zeros(n * d)
-        one[k] = 1
-        g = vjp(solution, x=one.reshape(n, d), wrt=names)
-        for name in names:
-            rows[name].append(flat(g[name]))
-    return {name: np.array(each).reshape((n, d) + each[0].shape) for name, each in rows.items()}
