@@ -21,7 +21,7 @@ FLOORS = [
     {"problem": "problems as they are typed, or stand in files"},
     {"estimation": "what is unknown, from what was measured", "sensitivity": "gradients and control"},
     {"error_control": "the step that a wanted error needs", "paper": "what only the paper needs"},
-    {"outputs": "velocities, accelerations, forces and work along a run"},
+    {"observer": "velocities, accelerations, forces and work along a run"},
     {"methods": "the integrators", "reference": "the exact solution of the linear problem"},
     {"analysis": "the longest step", "variable_step": "an integrator whose steps are its own"},
     {"mechanism": "steps of any Lagrangian, with dampers and constraints"},

@@ -1,4 +1,4 @@
-/* src/outputs/lobatto_within.c -- Where is the body within the last step of a method with stages? [H 17] */
+/* src/observer/lobatto_within.c -- Where is the body within the last step of a method with stages? [H 17] */
 #include <fvi/lobatto.h>
 
 #include <fvi/error.h>

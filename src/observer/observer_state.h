@@ -1,4 +1,4 @@
-/* src/outputs/observer_state.h -- What an observer keeps.
+/* src/observer/observer_state.h -- What an observer keeps.
  *
  * Internal to the room. */
 #ifndef FVI_OBSERVER_STATE_H

@@ -1,4 +1,4 @@
-/* src/outputs/observer_mechanism.c -- What the forces on a mechanism give in a step. */
+/* src/observer/observer_mechanism.c -- What the forces on a mechanism give in a step. */
 #include "observer_state.h"
 
 #include "mechanism/mechanism_state.h"

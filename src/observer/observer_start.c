@@ -1,4 +1,4 @@
-/* src/outputs/observer_start.c -- An observer starts with a run, is copied, archived and freed. */
+/* src/observer/observer_start.c -- An observer starts with a run, is copied, archived and freed. */
 #include "observer_state.h"
 
 #include "system/fail.h"

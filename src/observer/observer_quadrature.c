@@ -1,4 +1,4 @@
-/* src/outputs/observer_quadrature.c -- What the forces do in a step that the method chose. */
+/* src/observer/observer_quadrature.c -- What the forces do in a step that the method chose. */
 #include "observer_state.h"
 
 /* Gauss's rule of eight nodes: exact up to the degree 15, above the orders of fvi-adaptive. */

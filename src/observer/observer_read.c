@@ -1,4 +1,4 @@
-/* src/outputs/observer_read.c -- What an observer knows at a time. */
+/* src/observer/observer_read.c -- What an observer knows at a time. */
 #include "observer_state.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/outputs/observer.c -- Velocities, accelerations, forces and work along a run. */
+/* src/observer/observer.c -- Velocities, accelerations, forces and work along a run. */
 #include "observer_state.h"
 
 #include "run/impulses.h"

@@ -1,4 +1,4 @@
-/* src/outputs/observer_forces.c -- A damper's force from its impulses. */
+/* src/observer/observer_forces.c -- A damper's force from its impulses. */
 #include "observer_state.h"
 #include "methods/damping.h"
 
