@@ -201,6 +201,13 @@ double complex fvi_pole_start(const fvi_response *r, double lambda,
     return low == -300 ? 0 : I * exp(low);
 }
 
+double complex fvi_pole_estimate(const fvi_response *r, double lambda,
+                                 const double complex *v, double complex *form)
+{
+    find_forms(r, v, form);
+    return rayleigh(r, form, I * sqrt(lambda));
+}
+
 /* ---- along the damping ---- */
 
 /* One pole on its path: s and v with e of the damping, |v| = 1, and the next step of e. */

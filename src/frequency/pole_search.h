@@ -24,6 +24,11 @@ int fvi_pole_newton(fvi_response *response, fvi_pole_candidate *p);
 double complex fvi_pole_start(const fvi_response *response, double lambda,
                               const double complex *v, double complex *form);
 
+/* fvi_pole_estimate -- the zero of v^T Z(s) v near i sqrt(lambda) for an undamped mode v: no factors are
+ * made, and it is off by the square of what the damping changes of the shape. lambda > 0. */
+double complex fvi_pole_estimate(const fvi_response *response, double lambda,
+                                 const double complex *v, double complex *form);
+
 /* fvi_pole_follow -- from an undamped mode with s = i omega, v along the damping, from none of it
  * to all. The smaller `tight` <= 1 is, the shorter are the steps.            (30.10)
  * Returns as fvi_pole_newton. */

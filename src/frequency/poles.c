@@ -17,11 +17,12 @@ enum {
     MOST_OF_ONE = 8,     /* poles of one oscillator */
     FOLDS = 12           /* of e: poles are counted so far below and above those that were found */
 };
+#define ABOVE 1.1 /* times the highest estimate of those that are asked for */
 
 /* The search: starts from n undamped modes; places for `room` candidates. */
 typedef struct {
     fvi_response *response;
-    size_t d, n, room, count;
+    size_t d, n, room, count, wanted;
     int all_are_there; /* by the theorem */
     double *lambda, *mode;
     fvi_pole_candidate *candidate;
@@ -39,7 +40,7 @@ static int search_alloc(fvi_response *r, size_t count, search *s)
 {
     const size_t d = r->d;
     const int all = d <= ALL_ARE_SOUGHT || d - count < MORE;
-    *s = (search){ .response = r, .d = d, .n = all ? d : count + MORE };
+    *s = (search){ .response = r, .d = d, .n = all ? d : count + MORE, .wanted = count };
     s->room = d == 1 ? MOST_OF_ONE : s->n;
     s->lambda = malloc(s->n * (d + 1) * sizeof *s->lambda);
     s->mode = s->lambda + s->n;
@@ -133,9 +134,30 @@ static int seek_again(search *s, const unsigned char *wrong,
     return !*status;
 }
 
+/* Of the modes beyond those that are asked for, which are sought because damping may change the order, the
+ * last ones are left out that by their estimates stay above. */
+static void leave_out(search *s)
+{
+    double highest = 0;
+    size_t n = s->wanted;
+    for (size_t k = 0; k < s->n && s->n < s->d; k++) {
+        const double lambda = s->lambda[k];
+        double size = 0;
+        begin(s, k);
+        if (lambda > 0)
+            size = cabs(fvi_pole_estimate(s->response, lambda, s->candidate[k].v, s->form));
+        if (k < s->wanted)
+            highest = larger(highest, size);
+        else if (!(size > ABOVE * highest))
+            n = k + 1;
+    }
+    s->n = s->n < s->d ? n : s->n;
+}
+
 /* From each mode to a pole. */
 static int search_from_modes(search *s)
 {
+    leave_out(s);
     unsigned char *wrong = calloc(2 * s->n, 1);
     int status = wrong ? FVI_SUCCESS : FVI_ENOMEM;
     for (size_t k = 0; !status && k < s->n; k++) {

@@ -140,7 +140,8 @@ typedef struct {
  *
  * Each is looked for from an undamped mode, by Newton's method; if two arrive at one pole, they
  * follow the poles as the damping grows from 0. Of up to 64 unknowns all poles are found and the
- * lowest are kept; of more, those that the lowest count + 4 modes become, if fewer are asked for.
+ * lowest are kept; of more, those that the lowest count + 4 modes become, if fewer are asked for. Of the four
+ * those are left out that stay a tenth above the others by v^T Z(s) v = 0 of their undamped shapes.
  * By (30.7) there are d poles if K is positive definite and all orders are below 1. A dashpot or a
  * Maxwell element may stand in one law with a power of such an order. There are d as well if all orders of powers
  * and ranges lie between 1 and 2. Both suppose matrices of dampers that are positive semidefinite; of
@@ -149,7 +150,7 @@ typedef struct {
  * modes by mistake if they are nearly alike. If fewer poles are found than there are, that is no error:
  * compare count with expected.
  *
- * Accuracy: seen 1e-15 of |s| for well conditioned Z. Cost: two to four factorisations a pole, and
+ * Accuracy: seen 1e-15 of |s| for well conditioned Z. Cost: one to four factorisations a pole, and
  * the undamped modes: O(d^3) up to 256 unknowns or for all modes, else by subspace iteration with
  * factors of K.
  * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL if count > d; FVI_EUNSUP for more than FVI_MOST_POLES

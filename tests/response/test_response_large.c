@@ -130,11 +130,40 @@ START_TEST(poles_of_a_beam_are_those_of_its_modes)
 }
 END_TEST
 
+/* Eighty bodies that know nothing of each other, with omega_i = 1 + i/10. The fifth has a damping of
+ * order 1.6, which acts like a mass and brings its pole below the three lowest: it is among the four more
+ * that are looked at. */
+START_TEST(damping_may_bring_a_pole_below_others)
+{
+    enum { D = 80, DAMPED = 4, COUNT = 3 };
+    static double mass[D], rho[D];
+    const double c = 1;
+    for (size_t i = 0; i < D; i++)
+        mass[i] = pow(1 + 0.1 * (double)i, -2);
+    rho[DAMPED] = 1.2;
+    const fvi_system system = { .d = D, .mass = mass, .damping = rho,
+                                .potential = fvi_potential_harmonic(&c) };
+    const fvi_linear_motion motion = { .system = &system, .alpha = 0.8 };
+    const fvi_linear_oscillator one = { .m = mass[DAMPED], .c = c, .rho = rho[DAMPED], .alpha = 0.8 };
+    double re, im;
+    OK(fvi_exact_pole(&one, &re, &im, NULL));
+    ck_assert(hypot(re, im) < 1);
+    fvi_response *r = response_of(&motion);
+    fvi_poles p = poles_of(r, COUNT);
+    ck_assert_uint_eq(p.count, COUNT);
+    ck_assert_near(p.pole[0], re, 1e-13, "re");
+    ck_assert_near(p.pole[1], im, 1e-13, "im");
+    ck_assert_near(p.pole[3], 1, 1e-13, "the lowest without damping");
+    fvi_poles_free(&p);
+    fvi_response_free(r);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("response_large");
     ADD_CASE(suite, "large", free_structures_have_modes,
-             the_lowest_poles_of_long_chains,
+             the_lowest_poles_of_long_chains, damping_may_bring_a_pole_below_others,
              poles_of_a_beam_are_those_of_its_modes);
     return run_suite(suite);
 }
