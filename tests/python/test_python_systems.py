@@ -126,6 +126,9 @@ def test_a_structure_takes_high_order(tmp_path):
                                             "x3-x2 : zener:2,0.3,0.1", "--x0", "1,0,0,0,0", "--h", "0.02", "--steps", "100",
                                             "--method", "fvi-lobatto8d"))
     found = fvi.solve(q, error=1e-9, steps=100)
+    assert "fvi-adaptive" in repr(found)
+    heavy = q.replace(dampers=[(C, "power:1,1")])  # a damping of order 2 is a mass
+    assert "fvi-stable" in repr(fvi.solve(heavy, error=1e-2, steps=100))
     assert abs(found.x - s.x).max() < 1e-9
     assert abs(fvi.solve(q, steps=100, method="fvi-adaptive").x - s.x).max() < 1e-8  # each step right to 1e-10
     with pytest.raises(fvi.Error, match="matrices"):

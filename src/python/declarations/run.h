@@ -81,6 +81,7 @@ typedef struct { double t; size_t event; int at_rest; } fvi_event_time;
 const fvi_event_time *fvi_stepper_events(const fvi_stepper *s, size_t *n);
 int fvi_stepper_is_over(const fvi_stepper *s);
 typedef struct { size_t steps, rejected; double longest; ...; } fvi_step_statistics;
+int fvi_variable_step_takes_structure(const fvi_system *system, double alpha, const fvi_kernel *law);
 int fvi_stepper_statistics(const fvi_stepper *s, fvi_step_statistics *counts);
 typedef struct fvi_typed_events fvi_typed_events;
 extern const fvi_method *const fvi_methods[];

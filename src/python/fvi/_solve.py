@@ -144,6 +144,8 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
     chooses = error is not None or step_error is not None or longest is not None
     if method is None and (events or (problem.kind == "mechanism" and chooses)):
         method = "fvi-adaptive"
+    if method is None and problem.kind == "structure" and chooses and takes_any_steps(problem):
+        method = "fvi-adaptive"
     if method is None and problem.kind != "masses":
         method = "fvi-stable"
     if method is None:
@@ -185,6 +187,12 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
                     next(name for name in MEMORIES if choice("memory", memory, MEMORIES) == MEMORIES[name]),
                     number("tolerance", tolerance), times, events,
                     None if checkpoint is None else os.fspath(checkpoint))
+
+
+def takes_any_steps(structure: Problem) -> bool:
+    """Does fvi-adaptive take it? Not with a damping of order 2."""
+    motion = Motion(structure, Numerics("fvi-stable", structure.time, 1, 0.5, None, None, None, 0, "auto", 0.0, None))
+    return bool(lib.fvi_variable_step_takes_structure(motion.run.system, motion.run.alpha, motion.run.law))
 
 
 def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
