@@ -2,6 +2,8 @@
 #include "fvi_option_columns.h"
 #include "fvi_problem.h"
 
+#include <ctype.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 static int start(fvi_options *o, fvi_error *c)
@@ -57,6 +59,45 @@ int fvi_options_needs_stepper(const fvi_options *o)
                && fvi_typed_columns_wanted(o->typed) & FVI_OBSERVE_VELOCITY);
 }
 
+/* Does the name stand in the text, with no letter, digit or _ beside it? */
+static int speaks_of(const char *text, const char *name, size_t length)
+{
+    for (const char *at = text; (at = strstr(at, name)); at++) {
+        const int before = at > text && (isalnum((unsigned char)at[-1]) || at[-1] == '_'),
+                  after = isalnum((unsigned char)at[length]) || at[length] == '_';
+        if (!before && !after)
+            return 1;
+    }
+    return 0;
+}
+
+/* With --reduce there are no columns but those that have a name for it. */
+static int check_named_columns(const fvi_options *o, fvi_error *c)
+{
+    for (const char *at = o->text[COLUMNS]; *at;) {
+        char name[64] = "";
+        size_t length = 0, named = strcspn(at, "=,(");
+        for (int depth = 0; at[length] && (depth > 0 || at[length] != ','); length++)
+            depth += (at[length] == '(') - (at[length] == ')');
+        snprintf(name, sizeof name, "%.*s", (int)(named < 60 ? named : 60), at);
+        if (at[named] != '=' || !speaks_of(o->text[REDUCE], name, strlen(name)))
+            return fvi_refuse(c, "columns", "'%.*s' is of no use to --reduce, which has one row; "
+                              "NAME=EXPRESSION is, if it speaks of NAME",
+                              length < 60 ? (int)length : 60, at);
+        at += length + (at[length] == ',');
+    }
+    return 0;
+}
+
+int fvi_options_check_reduced(const fvi_options *o, fvi_error *c)
+{
+    if (!o->text[REDUCE])
+        return 0;
+    if (o->every > 1)
+        return fvi_refuse(c, "every", "not together with --reduce, which has one row, of all steps");
+    return o->text[COLUMNS] ? check_named_columns(o, c) : 0;
+}
+
 /* Sums over the steps need a run of known steps. */
 int fvi_options_check_columns(const fvi_options *o, fvi_error *c)
 {
@@ -69,10 +110,6 @@ int fvi_options_check_columns(const fvi_options *o, fvi_error *c)
                           text);
     if (!o->text[REDUCE])
         return 0;
-    if (o->error > 0)
-        return fvi_refuse(c, "reduce", "not together with --error");
-    if (o->checkpoint)
-        return fvi_refuse(c, "reduce", "not together with --checkpoint");
     if (o->plot)
         return fvi_refuse(c, "reduce", "not together with --plot: it has one row");
     return 0;

@@ -10,6 +10,10 @@
 int fvi_options_columns(fvi_options *o, fvi_error *c);
 int fvi_options_check_columns(const fvi_options *o, fvi_error *c);
 
+/* fvi_options_check_reduced -- refuse what a run with --reduce has no use for. A sweep takes it: its runs share
+ * their words with others. */
+int fvi_options_check_reduced(const fvi_options *o, fvi_error *c);
+
 /* fvi_options_observes -- nonzero if what is asked for has sums over the steps. */
 int fvi_options_observes(const fvi_options *o);
 

@@ -72,7 +72,7 @@ void fvi_table_names(const fvi_table *t)
 
 void fvi_table_mark_last(fvi_table *t)
 {
-    if (t->o->steps % t->o->every == 0)
+    if (t->o->steps % t->o->every == 0 && !t->o->text[REDUCE])
         return;
     t->last = ftello(t->out);
     t->last_drawn = t->plot ? ftello(t->plot) : 0;

@@ -71,14 +71,14 @@ static int load_piece(fvi_archive *v, void *data, size_t bytes, int constant)
     return (constant ? is_same(f, data, bytes) : get(f, data, bytes)) ? 0 : -1;
 }
 
-/* The pieces of the stepper, and of its observer where columns have sums: without sums an observer
- * remembers nothing, and other columns may follow. */
+/* The pieces of the stepper, of its observer where columns have sums, and of the reductions: without sums an
+ * observer remembers nothing, and other columns may follow. */
 static int archive_run(const fvi_table *t, fvi_stepper *s, fvi_archive *archive)
 {
-    const int status = fvi_stepper_archive(s, archive);
-    return !status && t->observer && fvi_options_observes(t->o)
-               ? fvi_observer_archive(t->observer, archive)
-               : status;
+    int status = fvi_stepper_archive(s, archive);
+    if (!status && t->observer && fvi_options_observes(t->o))
+        status = fvi_observer_archive(t->observer, archive);
+    return status ? status : fvi_reductions_archive(t->o->typed, archive);
 }
 
 /* ---- the rows ---- */

@@ -11,6 +11,7 @@
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
 #include "fvi_usage.h"
+#include "options/fvi_option_columns.h"
 #include "options/fvi_options.h"
 #include "input/fvi_problem_words.h"
 #include "options/fvi_checks.h"
@@ -226,6 +227,10 @@ int main(int argc, char **argv)
     case FVI_COMMAND_POLES:
         return fvi_command_poles(argc, argv);
     case FVI_COMMAND_RUN:
+        if (fvi_options_check_reduced(&o, &error)) {
+            status = fvi_refused(&error, "run");
+            break;
+        }
         status =
             with_system(&o, o.error > 0 ? fvi_command_error : fvi_command_run);
         break;

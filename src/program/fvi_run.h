@@ -47,7 +47,7 @@ int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
 /* fvi_run_reduced -- the reductions of a run that is over, t->width numbers.
  * fvi_run_reductions -- they are printed, if any are asked for. FVI_EOVRFLW if one is not finite. */
 void fvi_run_reduced(const fvi_table *t, double *row);
-int fvi_run_reductions(const fvi_table *t);
+int fvi_run_reductions(fvi_table *t);
 
 /* fvi_snapshot -- a line for each unknown of s, number, x and p, into o->snapshot, complete or
  * not at all, if there is such a name. Returns 0, or 1 after it has said what is wrong. */

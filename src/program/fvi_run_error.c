@@ -23,9 +23,16 @@ typedef struct {
 static int keep_typed(size_t k, const fvi_observation *now, void *params)
 {
     const typed_rows *t = params;
-    return fvi_typed_columns_values(t->o->typed, now,
-                                    t->rows
-                                        + k * fvi_typed_columns_count(t->o->typed));
+    const int reduces = fvi_reductions_count(t->o->typed) > 0,
+              status = fvi_typed_columns_values(
+                  t->o->typed, now,
+                  reduces ? t->o->typed_row
+                          : t->rows + k * fvi_typed_columns_count(t->o->typed));
+    if (status || !reduces)
+        return status;
+    if (k == 0) /* the search begins another run */
+        fvi_reductions_restart(t->o->typed);
+    return fvi_reductions_add(t->o->typed, now->t);
 }
 
 int fvi_run_search(const fvi_options *o, const fvi_method *method,
@@ -165,6 +172,8 @@ static int print_found(const fvi_options *o, const fvi_system *system,
         size_t k = 0;
         for (; k <= o->steps && !status && !ferror(t.out); k++)
             status = fvi_run_found_row(&t, k, x, p, typed);
+        if (!status)
+            status = fvi_run_reductions(&t);
         failed =
             fvi_table_close(&t, status ? fvi_stopped_at(k - 1, status) : 0);
     }

@@ -93,10 +93,11 @@ void fvi_run_reduced(const fvi_table *t, double *row)
     fvi_reductions_values(t->o->typed, row);
 }
 
-int fvi_run_reductions(const fvi_table *t)
+int fvi_run_reductions(fvi_table *t)
 {
     if (!reduces(t))
         return FVI_SUCCESS;
+    fvi_table_mark_last(t); /* a longer run has another one */
     fvi_run_reduced(t, t->rows);
     if (!fvi_all_finite(t->width, t->rows))
         return FVI_EOVRFLW;
@@ -111,7 +112,7 @@ int fvi_run_state_row(fvi_table *t, size_t k, const double *x, const double *p)
     const fvi_system *system = t->system;
     const fvi_force *force = &system->force;
     const double time = (double)k * t->o->h;
-    if (fvi_typed_columns_count(t->o->typed) == 0)
+    if (fvi_typed_columns_count(t->o->typed) == 0 && !reduces(t))
         return fvi_table_take(t, k, x, p);
     double *v = calloc(2 * system->d, sizeof *v), *F = v ? v + system->d : NULL;
     fvi_observation now = { .t = time, .x = x, .p = p, .v = v, .F = F };
@@ -124,7 +125,11 @@ int fvi_run_state_row(fvi_table *t, size_t k, const double *x, const double *p)
     if (!status && wanted & FVI_OBSERVE_ENERGY)
         status = fvi_energy_at(system, time, x, p, &now.energy);
     t->now = &now;
-    if (!status)
+    if (!status && reduces(t)) {
+        status = fvi_typed_columns_values(t->o->typed, &now, t->o->typed_row);
+        if (!status)
+            status = fvi_reductions_add(t->o->typed, time);
+    } else if (!status)
         status = fvi_table_take(t, k, x, p);
     t->now = NULL;
     free(v);
@@ -137,6 +142,8 @@ int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
     const size_t d = t->o->d;
     if (!fvi_options_needs_stepper(t->o))
         return fvi_run_state_row(t, k, x + k * d, p + k * d);
+    if (reduces(t)) /* they were taken on the way */
+        return FVI_SUCCESS;
     t->typed = typed + k * fvi_typed_columns_count(t->o->typed);
     const int status = fvi_table_take(t, k, x + k * d, p + k * d);
     t->typed = NULL;

@@ -69,6 +69,55 @@ START_TEST(reductions_of_long_steps_see_the_rows)
 END_TEST
 
 /* The same prototype: over all steps, whatever is printed. */
+/* A run that stops and goes on has the reductions of one that did not, to the bit, also where it is already at
+ * its end, and on standard output. */
+START_TEST(reductions_go_on_from_a_checkpoint)
+{
+    const char *same = "--alpha 0.3 --h 0.1 --reduce "
+                       "'max(x),peak(x),at(peak(x)),rms(p),mean(x),min(a),last(work)'";
+    char line[300], want[4096];
+    snprintf(line, sizeof line, "run --steps 200 %s", same);
+    ck_assert_int_eq(fvi(line), 0);
+    snprintf(want, sizeof want, "%s", out);
+    for (int to_file = 0; to_file < 2; to_file++) {
+        static const char *const steps[] = { "57", "200", "200" };
+        ck_assert_int_eq(shell("rm -f half"), 0);
+        for (size_t i = 0; i < LEN(steps); i++) {
+            snprintf(line, sizeof line, "run --steps %s %s --checkpoint half %s %s", steps[i], same,
+                     i > 0 ? "--continue" : "", to_file ? "-o half.tsv" : "");
+            ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+        }
+        if (to_file)
+            ck_assert_int_eq(shell("cat half.tsv"), 0);
+        ck_assert_str_eq(out, want);
+    }
+    ck_assert_int_eq(fvi("run --steps 300 --alpha 0.3 --h 0.1 --reduce 'max(x)' --checkpoint half "
+                         "--continue"),
+                     2);
+    ck_assert_ptr_nonnull(strstr(err, "fvi: --continue: half: a run with reduce = max(x),peak(x)"));
+}
+END_TEST
+
+/* With --error they are over the rows; x(t) = cos t has them exactly. */
+START_TEST(reductions_with_an_error_are_over_the_rows)
+{
+    static const char *const methods[] = { "fvi-adaptive", "fvi-lobatto4", "fvi-bdf2" };
+    for (size_t i = 0; i < LEN(methods); i++) {
+        char line[300];
+        snprintf(line, sizeof line,
+                 "run --rho 0 --x0 1 --p0 0 --time 3 --steps 30 --error 1e-6 --method %s --reduce "
+                 "'min(x),at(min(x)),last(x),max(v),max(a)'",
+                 methods[i]);
+        ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+        ck_assert_uint_eq(count_rows(), 1);
+        const double want[] = { cos(3), 3, cos(3), 0, -cos(3) };
+        for (size_t n = 0; n < LEN(want); n++) /* the slope of a is not below that of x */
+            ck_assert_near(cell(0, n), want[n], n < 3 ? 1e-6 : n == 3 ? 1e-6 : 1e-4, "%s %zu",
+                           methods[i], n);
+    }
+}
+END_TEST
+
 START_TEST(reductions_are_over_all_steps)
 {
     static const double want[] = { -0.037478151188046864, 0.03968137041438314,
@@ -77,7 +126,7 @@ START_TEST(reductions_are_over_all_steps)
                                    1.72475795,            1.829478634096023,
                                    10,                    0 };
     const char *list =
-        "--columns drift=x2-x1 --every 100 --reduce 'min(drift),max(drift),"
+        "--columns drift=x2-x1 --reduce 'min(drift),max(drift),"
         "rms(x2-x1),absmax(drift),at(absmax(drift)),peak(drift),"
         "at(peak(drift)),rms(a2+sin(8*t)),last(t),low=first(drift)'";
     ck_assert_int_eq(fvi_two("run", list), 0);
@@ -319,10 +368,11 @@ START_TEST(what_no_column_is_is_refused)
         { "run --reduce 'max(x),max(x)'", "--reduce: 'max(x)' is asked for "
                                           "twice" },
         { "run --reduce ''", "--reduce: '' is not" },
-        { "run --reduce 'max(x)' --checkpoint s",
-          "--reduce: not together with --checkpoint" },
-        { "run --reduce 'max(x)' --error 1e-3",
-          "--reduce: not together with --error" },
+        { "run --reduce 'max(x)' --every 3", "--every: not together with --reduce" },
+        { "run --reduce 'max(x)' --columns t,x", "--columns: 't' is of no use to --reduce" },
+        { "run --reduce 'max(ee)' --columns 'e=x,ee=x^2'", "--columns: 'e=x' is" },
+        { "run --reduce 'max(e)' --columns 'e=x^2,max(x,p)'",
+          "--columns: 'max(x,p)' is of no use to --reduce" },
         { "exact --columns t,work", "--columns: 't,work': a, and a damper's" },
     };
     for (size_t i = 0; i < LEN(cases); i++) {
@@ -407,6 +457,8 @@ int main(void)
              plain_columns_stay_what_they_are, sums_stand_in_the_checkpoint,
              a_state_alone_has_its_columns_too, a_wanted_error_has_all_columns);
     ADD_CASE(suite, "reductions", reductions_are_over_all_steps,
+             reductions_go_on_from_a_checkpoint,
+             reductions_with_an_error_are_over_the_rows,
              reductions_of_long_steps_see_the_rows,
              means_and_peaks_are_what_they_say);
     ADD_CASE(suite, "refused", what_no_column_is_is_refused);
