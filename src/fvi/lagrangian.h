@@ -83,7 +83,7 @@ int fvi_momentum_of_velocity(const fvi_system *system, double t,
 /* fvi_velocity_of_momentum -- v with L_v(x, v, t) = p, by Newton's method.
  *
  *   v  in: a guess; out: the velocity. That of a coordinate without inertia stays the guess: one
- *      whose row and column of L_vv are zeros at the guess, as those of L = v^4 are at v = 0
+ *      whose row and column of L_vv are zeros there and where all velocities are 1
  *
  * Returns as above; FVI_ESING if L_vv is singular in another way; FVI_EMAXITER. */
 int fvi_velocity_of_momentum(const fvi_system *system, double t,

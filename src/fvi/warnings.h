@@ -67,6 +67,41 @@ int fvi_warning_along(fvi_watch *watch, const fvi_method *method,
                       const fvi_run *run, size_t k, const double *x,
                       size_t size, char *text);
 
+/* fvi_inertia_watch_begin -- for runs of a Lagrangian whose L_vv may become singular, as that of v^4 does at
+ * v = 0, and that of polar coordinates at the pole.                                          [H 29]
+ *
+ *   system  as for fvi_stepper_start; kept
+ *   watch   output, give it back with fvi_inertia_watch_free; NULL where there is no Lagrangian
+ *
+ * Returns FVI_SUCCESS or FVI_ENOMEM. */
+typedef struct fvi_inertia_watch fvi_inertia_watch;
+int fvi_inertia_watch_begin(const fvi_system *system, fvi_inertia_watch **watch);
+void fvi_inertia_watch_free(fvi_inertia_watch *watch);
+
+/* fvi_warning_of_inertia -- 1 and a text, once in a run, where a pivot of L_vv is below 1e-6 of the largest
+ * inertia of its coordinates so far, at this time or between the last look and this one, along the straight
+ * line; or where L_v(x, v) = p cannot be solved. Else 0, and the text is untouched; -1 without memory.
+ *
+ *   watch       of this run, or NULL: 0
+ *   t, x, p     a time, and d positions and momenta there; times increase
+ *   size, text  as above
+ *
+ * A body that was thrown up has v = 0 for a moment, and for L = v^4/12 the velocity is then as (t - t1)^(1/3):
+ * no method has its order there. Cost: two to four evaluations of L_vv, some forty more where a velocity changes
+ * its sign.
+ *
+ *     fvi_inertia_watch *watch;
+ *     fvi_inertia_watch_begin(&system, &watch);
+ *     if (fvi_warning_of_inertia(watch, s->t, s->x, s->p, sizeof text, text) > 0) puts(text); */
+int fvi_warning_of_inertia(fvi_inertia_watch *watch, double t, const double *x, const double *p,
+                           size_t size, char *text);
+
+/* fvi_warning_of_inertia_in_rows -- the same of a run that is over, at its rows, as far as they are finite.
+ *
+ *   t, x, p  rows numbers; rows d numbers each, component i of row k at [k d + i] */
+int fvi_warning_of_inertia_in_rows(const fvi_system *system, size_t rows, const double *t,
+                                   const double *x, const double *p, size_t size, char *text);
+
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

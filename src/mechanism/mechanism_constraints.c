@@ -145,7 +145,7 @@ static int check_momentum(fvi_stepper *s, fvi_error *error)
     int status = fvi_mechanism_project_momentum(s, 0, s->x, o->C, p, o->v,
                                                 o->ended);
     memset(o->ended, 0, o->m * sizeof *o->ended);
-    if (status == FVI_ESING)
+    if (status == FVI_ESING || status == FVI_EMAXITER)
         return fvi_fail(error, status, "lagrangian", NAN,
                         "its second derivatives by the velocities are a "
                         "singular matrix at the start");
@@ -172,22 +172,21 @@ static int check_momentum(fvi_stepper *s, fvi_error *error)
     return status;
 }
 
-/* Which coordinates have neither inertia nor a constraint? Their velocity is not that of p. */
+/* Which coordinates have neither inertia nor a constraint? Their velocity is not that of p. Where an inertia
+ * vanishes at rest alone the search for the velocity begins elsewhere. */
 static int find_massless(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d;
-    double *Lvv = o->room;
-    const int status = fvi_lagrangian_point(s->run.system, 0, s->x, o->v, NULL,
-                                            NULL, NULL, NULL, NULL, Lvv);
+    int vanishes;
+    const int status = fvi_inertia_at_rest(s->run.system, 0, s->x, o->v, o->room, o->order, &vanishes);
     for (size_t i = 0; i < d && !status; i++) {
-        o->is_massless[i] = 1;
-        for (size_t j = 0; j < d; j++)
-            if (Lvv[i * d + j] != 0 || Lvv[j * d + i] != 0)
-                o->is_massless[i] = 0;
+        o->is_massless[i] = o->order[i] != 0;
         for (size_t l = 0; l < o->m; l++)
             if (o->C[l * d + i] != 0)
                 o->is_massless[i] = 0;
+        if (vanishes)
+            o->v[i] = 1;
     }
     return status;
 }

@@ -53,12 +53,30 @@ double *fvi_run_room(const fvi_table *t)
                                  : fvi_run_bytes(o->method, &run));
 }
 
-/* After a step, of a run that has become too stiff for its step. Returns a status. */
-static int warn_along(fvi_watch *w, const fvi_stepper *s)
+/* What is looked at along a run: its step, and the inertia of a Lagrangian. */
+typedef struct {
+    fvi_watch of_step;
+    fvi_inertia_watch *of_inertia;
+    size_t steps;
+} watches;
+
+/* Is the inertia looked at after so many steps? Each look costs as much as a part of a step. */
+static int is_looked_at(const fvi_stepper *s, size_t steps)
+{
+    enum { BETWEEN = 16 };
+    return s->method->dense || steps <= BETWEEN || steps % BETWEEN == 0 || s->k == s->run.steps;
+}
+
+/* After a step, of a run that has become too stiff for its step, or whose inertia vanishes. Returns a status. */
+static int warn_along(watches *w, const fvi_stepper *s)
 {
     char text[FVI_WARNING_ROOM];
-    const int warned =
-        fvi_warning_along(w, s->method, &s->run, s->k, s->x, sizeof text, text);
+    int warned = fvi_warning_along(&w->of_step, s->method, &s->run, s->k, s->x, sizeof text, text);
+    if (warned > 0)
+        fvi_warn(text);
+    if (warned < 0 || !w->of_inertia || !is_looked_at(s, w->steps++))
+        return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
+    warned = fvi_warning_of_inertia(w->of_inertia, s->t, s->x, s->p, sizeof text, text);
     if (warned > 0)
         fvi_warn(text);
     return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
@@ -81,7 +99,7 @@ static int stopped(const fvi_options *o, const fvi_stepper *s, int status)
 }
 
 /* Returns 0, or 1 after it has said at which step the run ended. */
-static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
+static int steps_and_rows(fvi_table *t, fvi_stepper *s, watches *w,
                           const fvi_checkpoint *c)
 {
     const size_t steps = t->o->steps, d = t->o->d;
@@ -178,7 +196,7 @@ static const char *solver(const fvi_options *o)
 
 /* What comes between the head and the end: rows that were saved, then those of the run, with
  * its checkpoints. */
-static int rows_and_checkpoints(fvi_table *t, fvi_stepper *s, fvi_watch *w,
+static int rows_and_checkpoints(fvi_table *t, fvi_stepper *s, watches *w,
                                 const fvi_checkpoint *c)
 {
     if (!t->o->checkpoint)
@@ -229,14 +247,22 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
     fvi_run_head(t->out, o, unstable);
     if (solved)
         fvi_format_parameter(t->out, o->format, "solver", solved);
-    fvi_watch watch = fvi_watch_begin(o->method, r, *unstable != '\0');
+    watches watch = { .of_step = fvi_watch_begin(o->method, r, *unstable != '\0') };
     fvi_step_statistics counts;
     if (o->method->dense && fvi_stepper_statistics(s, &counts) == 0) {
         /* how many steps, of a run that goes on, too: not before its end */
         fvi_variable_step_head(t->out, o, counts.stages, counts.form, 0);
     }
     fvi_table_names(t);
-    failed = rows_and_checkpoints(t, s, &watch, c);
+    char text[FVI_WARNING_ROOM];
+    failed = fvi_inertia_watch_begin(s->run.system, &watch.of_inertia)
+                 ? fvi_complain("not enough memory")
+                 : 0;
+    if (fvi_warning_of_inertia(watch.of_inertia, s->t, s->x, s->p, sizeof text, text) > 0)
+        fvi_warn(text);
+    if (!failed)
+        failed = rows_and_checkpoints(t, s, &watch, c);
+    fvi_inertia_watch_free(watch.of_inertia);
     const int whole = !failed && !fvi_checkpoint_stopped();
     if (!failed)
         print_events(t, s);

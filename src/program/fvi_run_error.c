@@ -194,6 +194,24 @@ static int check_start(const fvi_options *o, const fvi_run *r)
                       : fvi_stepper_free(s);
 }
 
+/* Of a Lagrangian whose inertia vanishes between the rows that were found. Returns an exit code. */
+static int warn_of_inertia(const fvi_options *o, const fvi_system *system, const double *x,
+                           const double *p)
+{
+    char text[FVI_WARNING_ROOM];
+    double *t = o->text[LAGRANGIAN] ? malloc((o->steps + 1) * sizeof *t) : NULL;
+    if (!t)
+        return o->text[LAGRANGIAN] ? fvi_complain("not enough memory") : 0;
+    for (size_t k = 0; k <= o->steps; k++)
+        t[k] = (double)k * o->h;
+    const int warned =
+        fvi_warning_of_inertia_in_rows(system, o->steps + 1, t, x, p, sizeof text, text);
+    free(t);
+    if (warned > 0)
+        fvi_warn(text);
+    return warned < 0 ? fvi_complain("not enough memory") : 0;
+}
+
 int fvi_command_error(const fvi_options *o, const fvi_system *system)
 {
     const fvi_run r = fvi_options_run(o, system);
@@ -213,6 +231,8 @@ int fvi_command_error(const fvi_options *o, const fvi_system *system)
         return fvi_complain("not enough memory");
     double *p = x + count * o->d, *typed = p + count * o->d;
     int failed = find_step(o, &r, x, p, typed, &found);
+    if (!failed)
+        failed = warn_of_inertia(o, system, x, p);
     if (!failed)
         failed = print_found(o, system, &found, x, p, typed);
     free(x);

@@ -89,6 +89,56 @@ static void leave_out_massless(size_t d, double *Lvv, double *r)
     }
 }
 
+static int row_is_zero(size_t d, const double *Lvv, size_t i)
+{
+    for (size_t j = 0; j < d; j++)
+        if (Lvv[i * d + j] != 0 || Lvv[j * d + i] != 0)
+            return 0;
+    return 1;
+}
+
+int fvi_inertia_at_rest(const fvi_system *s, double t, const double *x, const double *v,
+                        double *room, size_t *is_zero, int *vanishes)
+{
+    const size_t d = s->d;
+    double *Lvv = room, *ones = room + d * d;
+    int any = 0, status = fvi_lagrangian_point(s, t, x, v, NULL, NULL, NULL, NULL, NULL, Lvv);
+    *vanishes = 0;
+    for (size_t i = 0; i < d && !status; i++) {
+        is_zero[i] = (size_t)row_is_zero(d, Lvv, i);
+        any |= is_zero[i] != 0;
+        ones[i] = 1;
+    }
+    if (status || !any)
+        return status;
+    status = fvi_lagrangian_point(s, t, x, ones, NULL, NULL, NULL, NULL, NULL, Lvv);
+    for (size_t i = 0; i < d && !status; i++) {
+        const int has = is_zero[i] && !row_is_zero(d, Lvv, i);
+        is_zero[i] = is_zero[i] && !has;
+        *vanishes |= has;
+    }
+    return status;
+}
+
+static int has_zero_row(size_t d, const double *Lvv)
+{
+    for (size_t i = 0; i < d; i++)
+        if (row_is_zero(d, Lvv, i))
+            return 1;
+    return 0;
+}
+
+/* Where an inertia vanishes at v alone, Newton's method begins with the velocities 1. */
+static int leave_rest(const fvi_system *s, double t, const double *x, double *v, double *room,
+                      size_t *order)
+{
+    int vanishes;
+    const int status = fvi_inertia_at_rest(s, t, x, v, room, order, &vanishes);
+    for (size_t i = 0; i < s->d && !status && vanishes; i++)
+        v[i] = 1;
+    return status;
+}
+
 /* Near the root each change is about the square of the one before. So one that is below
  * 1e-8, the root of a rounding, and not below half of the one before it, is made of roundings. */
 int fvi_velocity_add(size_t d, const double *change, double *v, double *last,
@@ -114,10 +164,14 @@ int fvi_velocity_given(const fvi_system *s, double t, const double *x,
 {
     const size_t d = s->d;
     double *Lv = room, *r = room + d, *Lvv = room + 2 * d, last = INFINITY;
-    int is_done = 0;
-    for (int n = 0; n < FVI_VELOCITY_STEPS && !is_done; n++) {
-        int status =
-            fvi_lagrangian_point(s, t, x, v, NULL, NULL, Lv, NULL, NULL, Lvv);
+    int is_done = 0, is_checked = 0, status = FVI_SUCCESS;
+    for (int n = 0; n < FVI_VELOCITY_STEPS && !is_done && !status; n++) {
+        status = fvi_lagrangian_point(s, t, x, v, NULL, NULL, Lv, NULL, NULL, Lvv);
+        if (!status && !is_checked && has_zero_row(d, Lvv)) {
+            status = leave_rest(s, t, x, v, room, order);
+            is_checked = 1;
+            continue;
+        }
         if (status)
             return status;
         for (size_t i = 0; i < d; i++)
@@ -129,7 +183,7 @@ int fvi_velocity_given(const fvi_system *s, double t, const double *x,
         if (status)
             return status;
     }
-    return is_done ? FVI_SUCCESS : FVI_EMAXITER;
+    return status || is_done ? status : FVI_EMAXITER;
 }
 //< velocity
 

@@ -29,6 +29,16 @@ enum { FVI_VELOCITY_STEPS = 60 }; /* the most that are taken */
 int fvi_velocity_add(size_t d, const double *change, double *v, double *last,
                      int *is_done);
 
+/* fvi_inertia_at_rest -- which coordinates have no inertia whatever the velocity: their rows of L_vv are zeros at
+ * v, and where all velocities are 1.
+ *
+ *   room      d * d + d numbers     is_zero  d numbers: nonzero for those
+ *   vanishes  output: nonzero if a row is zero at v alone, as that of L = v^4 at rest
+ *
+ * Returns what the Lagrangian does. Cost: its second derivatives, twice where a row is zero. */
+int fvi_inertia_at_rest(const fvi_system *s, double t, const double *x, const double *v,
+                        double *room, size_t *is_zero, int *vanishes);
+
 /* fvi_velocity_given -- fvi_velocity_of_momentum without the heap.
  *
  *   room   2 d + d * d numbers     order  room for d */

@@ -260,6 +260,22 @@ START_TEST(an_error_can_be_asked_for)
 }
 END_TEST
 
+/* Where the inertia of a Lagrangian vanishes on the way there is a warning with the time. */
+START_TEST(an_inertia_that_vanishes_is_warned_of)
+{
+    static const char *const words[] = { "--h 0.01 --steps 60", "--time 0.6 --steps 60 --step-error 1e-6",
+                                         "--time 0.6 --steps 60 --error 1e-2" };
+    for (int i = 0; i < 3; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "run --lagrangian 'v^4/12-x^2/2' --x0 1 --v0 1 %s", words[i]);
+        ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+        ck_assert_msg(strstr(err, "is nearly singular at t = 0.2"), "%s: %s", line, err);
+    }
+    ck_assert_int_eq(fvi("run --lagrangian 'v^2/2-x^2/2' --x0 1 --v0 1"), 0);
+    ck_assert_str_eq(err, "");
+}
+END_TEST
+
 /* Every text that is wrong is shown, and what does not go together is said. */
 START_TEST(wrong_words_are_refused)
 {
@@ -363,7 +379,7 @@ int main(void)
              a_damper_on_each_coordinate_is_the_old_damping,
              time_and_dimension_are_seen_in_the_texts,
              a_massless_node_makes_zeners_law,
-             a_massless_node_has_a_velocity_with_an_error_too, wrong_words_are_refused,
+             a_massless_node_has_a_velocity_with_an_error_too, an_inertia_that_vanishes_is_warned_of, wrong_words_are_refused,
              multipliers_and_reactions_are_columns,
              multipliers_of_the_first_nodes_are_of_second_order, an_error_can_be_asked_for, a_checkpoint_goes_on);
     return run_suite_of_program(suite);

@@ -72,6 +72,13 @@ def test_an_error_chooses_the_steps_of_a_mechanism():
     assert "fvi-adaptive" in rod.message and abs((rod.x ** 2).sum(1) - 1).max() < 1e-9
 
 
+def test_an_inertia_that_vanishes_is_warned_of():
+    q = fvi.Problem(lagrangian="v^4/12 - x^2/2", x0=1, v0=1, time=0.6)
+    for options in (dict(h=0.01), dict(error=1e-2, steps=60)):
+        with pytest.warns(fvi.FviWarning, match="is nearly singular at t = 0.2"):
+            fvi.solve(q, **options)
+
+
 def test_velocities_of_a_lagrangian():
     """p = L_v: of the double pendulum (2 v1 + v2 cos, v2 + v1 cos), solved to 1e-13."""
     s = fvi.solve(fvi.Problem(lagrangian=DOUBLE, x0=[2, 2], v0=[0, 0.5], time=3), h=0.01)

@@ -214,6 +214,9 @@ def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
     if watch is not None and watch.next <= how.steps:
         ask_for_warning(lib.look_along, watch, motion.method, motion.run, rows, ffi.from_buffer("double[]", t),
                         ffi.from_buffer("double[]", x))
+    if problem.lagrangian is not None:
+        ask_for_warning(lib.fvi_warning_of_inertia_in_rows, motion.run.system, done, *(
+            ffi.from_buffer("double[]", a) for a in (t, x, p)))
     if raised is None or done:
         solution = Solution(problem, how, t[:done], x[:done], p[:done], 0 if raised is None else raised.code,
                             found.said if raised is None else str(raised), found.steps, found.step, found.estimate,
