@@ -56,7 +56,7 @@ static double least_pivot(fvi_inertia_watch *w)
         const double pivot = M[k * d + k];
         if (w->largest[k] == 0)
             continue;
-        least = fmin(least, fabs(pivot));
+        least = smaller(least, fabs(pivot));
         if (!(fabs(pivot) > 0))
             return 0;
         for (size_t i = k + 1; i < d; i++)
@@ -96,7 +96,7 @@ static double least_between(fvi_inertia_watch *w, double t, double *tau)
         }
     }
     *tau = at_a < at_b ? a : b;
-    return fmin(at_a, at_b);
+    return smaller(at_a, at_b);
 }
 
 int fvi_inertia_watch_begin(const fvi_system *system, fvi_inertia_watch **watch)
