@@ -5,42 +5,64 @@
 #ifndef FVI_H
 #define FVI_H
 
-#include "adjoint.h"
-#include "coefficients.h"
-#include "control.h"
-#include "convergence.h"
-#include "convolution_quadrature.h"
-#include "convolution_quadrature_methods.h"
-#include "convolution_quadrature_stability.h"
-#include "dampers.h"
-#include "damping_laws.h"
-#include "directory.h"
-#include "discrete_mechanics.h"
-#include "error.h"
-#include "events.h"
-#include "expression.h"
-#include "exact_motion.h"
-#include "exact_solution.h"
-#include "format_double.h"
-#include "identification.h"
-#include "lagrangian.h"
-#include "lobatto.h"
-#include "memory.h"
-#include "methods.h"
-#include "parse.h"
-#include "past.h"
-#include "response.h"
-#include "sensitivity.h"
-#include "rheology.h"
-#include "solve.h"
-#include "stability.h"
-#include "structures.h"
+/* What moves, and what acts on it */
 #include "system.h"
+#include "expression.h"
+#include "lagrangian.h"
+#include "dampers.h"
+#include "structures.h"
+
+/* What remembers: kernels of damping, what was before t = 0, and the sums over the past */
+#include "damping_laws.h"
+#include "past.h"
+#include "memory.h"
+#include "coefficients.h"
+#include "convolution_quadrature.h"
+
+/* Its motion: to a tolerance, or step by step, by one of these methods */
+#include "solve.h"
 #include "trajectory.h"
-#include "typed_fit.h"
+#include "archive.h"
+#include "methods.h"
+#include "discrete_mechanics.h"
+#include "convolution_quadrature_methods.h"
+#include "lobatto.h"
 #include "variable_steps.h"
-#include "version.h"
+
+/* What a run tells besides x and p */
+#include "observer.h"
+#include "events.h"
 #include "warnings.h"
+
+/* Derivatives, and what they are for */
+#include "adjoint.h"
+#include "sensitivity.h"
+#include "control.h"
+#include "records.h"
+#include "identification.h"
+#include "rheology.h"
+
+/* How long a step may be, and what the error is */
+#include "stability.h"
+#include "convolution_quadrature_stability.h"
+#include "convergence.h"
+
+/* Linear systems: exact motions, responses, poles */
+#include "exact_solution.h"
+#include "exact_motion.h"
+#include "response.h"
+
+/* Texts and files */
+#include "parse.h"
+#include "parse_words.h"
+#include "columns.h"
+#include "directory.h"
+#include "typed_fit.h"
+#include "format_double.h"
+
+/* Codes, and which library this is */
+#include "error.h"
+#include "version.h"
 
 #ifdef __cplusplus
 extern "C" {
