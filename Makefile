@@ -508,7 +508,7 @@ NEEDS := $(sort cc gsl cholmod \
   $(call goal,text errata erratum-% excerpts check workshop hint workshop-% exercise-% exercises test-workshop test-workshop-accidents layers portability mutants seen python notebook test-python test-install,python) \
   $(call goal,book pdf test-book slides petsc,python) \
   $(call goal,book pdf test-book slides,pandoc katex node) \
-  $(call goal,book pdf test-book,wasm) \
+  $(call goal,book pdf test-book slides,wasm) \
   $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
   $(call goal,check python notebook test-python,cffi setuptools wheel numpy Python.h) $(call goal,notebook,nbclient nbformat ipykernel matplotlib) $(call goal,check test-python,pytest) $(call goal,cppcheck,cppcheck) $(call goal,valgrind valgrind-%,valgrind))

@@ -188,7 +188,7 @@ function linksOf(figure, scene, took) {
 let resting;
 function remember(figure, scene, values) {
   clearTimeout(resting);
-  resting = setTimeout(() => history.replaceState(null, "", addressOf(figure.id, scene, values)), 300);
+  if (figure.id) resting = setTimeout(() => history.replaceState(null, "", addressOf(figure.id, scene, values)), 300);
 }
 
 // A panel is as high as it ever was, so that nothing below it jumps. And what changes in it is laid out without

@@ -2,26 +2,29 @@
 
 OUT/06-fvi.html is Chapter 6 of the Course, OUT/h09-fvi.html is page 9 of the Handbook.
 A file has the question, the first picture, and for each section of the main text its statements,
-figures and numbered equations with the sentence before them. Slides of the Course also show tables, code and what we
-have now. What stands in boxes that fold is left out. Each file
-stands alone: pictures, style and fonts are in it. The formulas go the way of the book,
+figures and numbered equations with the sentence before them. Slides of the Course also show tables, code, what we
+have now, and each exercise: about 25 for a lecture. Figures that move, move here, too. What stands in boxes that fold is left out, but for the
+program. Each file stands alone: pictures, scripts, style and fonts are in it. The formulas go the way of the book,
 by pandoc and KaTeX. Keys: right and left, Home and End; on paper a slide is a page."""
 import base64
 import html
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
 sys.dont_write_bytecode = True
-sys.path.append("chapters/book")
-from pages import file_name, pandoc_math  # noqa: E402
+sys.path += ["chapters/book", "chapters/live"]
+import kernel  # noqa: E402
+from pages import MOVES, alone, file_name, pandoc_math  # noqa: E402
 
 OUT = pathlib.Path(sys.argv[1])
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 FIGURE = re.compile(r"^!\[([^\]]*)\]\((?:\.\./)+(figures/[^)]*\.svg)\)$", re.M)
 EQUATION = re.compile(r"^```math\n(?:(?!^```).)*?\\tag\{.*?^```$", re.M | re.S)
+FORMULA = re.compile(r"^```math\n.*?^```$", re.M | re.S)
 TABLE = re.compile(r"^\|.*\n(?:\|.*\n)+", re.M)
 CODE = re.compile(r"^```(?:c|text)\n.*?^```$", re.M | re.S)
 LIST = re.compile(r"^- .*?(?=\n\n|\Z)", re.M | re.S)
@@ -29,7 +32,9 @@ LINES = 18  # of code on a slide
 WORD = r"\*\*(?:Theorem|Lemma|Proposition|Corollary|Definition)\b"
 STATEMENT = re.compile(rf"^{WORD}.*?(?=\n\n)", re.M | re.S)
 QUOTED = re.compile(rf"^> {WORD}.*\n(?:>.*\n)*", re.M)
-ASIDE = re.compile(r"<details>.*?</details>|<!--.*?-->", re.S)
+PROGRAM = re.compile(r"<details><summary>Our lines:.*?</summary>(.*?)</details>", re.S)
+ASIDE = re.compile(r"<details>.*?</details>|<!--(?! moves:).*?-->", re.S)
+TASK = re.compile(r"^(\d+)\. (.*?)(?=^\d+\. |^\*How we know|\Z)", re.M | re.S)
 STYLE = """
 body { margin: 0; font: 1.6rem/1.4 Georgia, "DejaVu Serif", serif; color: #222; background: #fff; }
 section { box-sizing: border-box; width: 100vw; min-height: 100vh; padding: 4vh 6vw; page-break-after: always; }
@@ -40,7 +45,12 @@ figure { margin: 0; text-align: center; } img { max-width: 100%; max-height: 68v
 figure:not(:last-child) img { max-height: 50vh; } figure + p { font-size: .75em; }
 figcaption { font-size: .75em; color: #444; } footer { position: fixed; right: 2vw; bottom: 1vh; font-size: .9rem; color: #666; }
 code { font-size: .85em; } pre { font-size: .75em; line-height: 1.25; } table { border-collapse: collapse; } td, th { padding: .2em .8em; border-bottom: 1px solid #ccc; } .katex { font-size: 1em; } .katex-display { margin: 1.2em 0; }
-@media print { footer { display: none; } .live section { display: block; } }
+figure.is-live > img, figure.is-live > figcaption, figure:not(.is-live) > .live, .links { display: none; }
+.live { font: 1.1rem/1.3 "Helvetica Neue", Arial, "DejaVu Sans", sans-serif; text-align: left; } .live p { margin: .2rem 0; font-size: 1rem; }
+.live .controls { display: grid; grid-template-columns: repeat(auto-fit, minmax(14rem, 1fr)); gap: .2rem 2rem; } .live label { display: block; }
+.live input { display: block; width: 100%; } .live output { font-weight: bold; } .live .says { min-height: 2.8em; }
+.live .pictures { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; } .live canvas { display: block; width: 100%; height: 38vh; cursor: crosshair; }
+@media print { .live { display: none; } figure.is-live > img, figure.is-live > figcaption { display: block; } footer { display: none; } .live section { display: block; } }
 """
 SCRIPT = """
 const all = [...document.querySelectorAll('section')], foot = document.querySelector('footer');
@@ -53,14 +63,18 @@ function fit(slide) {
 function show(n) {
   n = Math.max(0, Math.min(all.length - 1, n));
   all.forEach((s, i) => s.classList.toggle('now', i === n));
+  for (const figure of all[n].querySelectorAll('[data-live]:not(.is-live)')) {
+    FVI_LIVE.frame(figure);
+    FVI_LIVE.begin(figure).then(() => fit(all[n]));
+  }
   fit(all[n]);
   foot.textContent = `${n + 1} / ${all.length}`;
   history.replaceState(null, '', `#${n + 1}`);
 }
 const here = () => all.findIndex(s => s.classList.contains('now'));
 const steps = { ArrowRight: 1, ' ': 1, PageDown: 1, ArrowLeft: -1, PageUp: -1, Home: -1e9, End: 1e9 };
-addEventListener('keydown', e => { if (e.key in steps) { e.preventDefault(); show(here() + steps[e.key]); } });
-addEventListener('click', e => { if (!e.target.closest('a')) show(here() + 1); });
+addEventListener('keydown', e => { if (e.key in steps && !e.target.closest('input, select, canvas, button')) { e.preventDefault(); show(here() + steps[e.key]); } });
+addEventListener('click', e => { if (!e.target.closest('a, .live')) show(here() + 1); });
 const again = () => fit(all[here()]);
 addEventListener('resize', again);
 document.fonts.ready.then(again);
@@ -78,21 +92,24 @@ def picture(match, known):
     file = pathlib.Path(match[2])
     words = known.get(file.stem) if file.stem in known else re.split(r"(?<=[^\d])[.;:] ", match[1])[0].rstrip(".;:") + "."
     data = base64.b64encode(file.read_bytes()).decode()
-    return (f'<figure><img src="data:image/svg+xml;base64,{data}" alt="{html.escape(match[1])}">'
-            f"<figcaption>{html.escape(words, quote=False)}</figcaption></figure>")
+    live = f' data-live="{file.stem}"' if file.stem not in alone() and (kernel.HERE / f"{file.stem}.js").exists() else ""
+    return (f'<figure{live}><img src="data:image/svg+xml;base64,{data}" alt="{html.escape(match[1])}">'
+            f"<figcaption>{'<a>This figure</a> ' if live else ''}{html.escape(words, quote=False)}</figcaption></figure>")
 
 
 def sentence_before(body, at):
-    """The last sentence of the paragraph that ends at this place; nothing, if no words stand there."""
-    paragraph = body[:at].rstrip().rpartition("\n\n")[2]
-    if re.match(r"[|>!<-]|```", paragraph):
+    """The last sentence before this place, past formulas, tables and code; nothing, if no words stand there."""
+    words = re.sub(r"^```.*?^```$", "", body[:at], flags=re.M | re.S).rstrip()
+    paragraphs = [p for p in words.split("\n\n") if p.strip() and not re.match(r"[|>!<]", p.strip())]
+    if not paragraphs:
         return ""
+    paragraph = re.sub(r"^- ", "", paragraphs[-1].strip(), flags=re.M)
     return re.split(r"(?<=[.?!])\s+(?=[A-Z])", paragraph)[-1] + "\n\n"
 
 
 def slides(page, known):
     """The Markdown of each slide."""
-    text = ASIDE.sub("", page.read_text())
+    text = ASIDE.sub("", PROGRAM.sub(r"\1", page.read_text()))
     course = page.parent.name == "chapters"
     front, *sections = re.split(r"^## ", text, flags=re.M)
     title = re.search(r"^# (.*)", front)[1]
@@ -104,21 +121,27 @@ def slides(page, known):
         yield f"## {title}\n\n{picture(match, {pathlib.Path(match[2]).stem: ''})}\n\n{words}"
     for section in sections:
         heading, _, body = section.partition("\n")
+        if heading == "Exercises" and course:
+            for match in TASK.finditer(body):
+                yield f"## Exercise {match[1]}\n\n{match[2]}"
+            return
         if heading.startswith(("Exercises", "Sources", "Appendix")):
             break
-        kinds = [STATEMENT, QUOTED, EQUATION, FIGURE] + ([TABLE, CODE] if course else [])
-        kinds += [LIST] if heading == "What we have now" else []
+        kinds = [STATEMENT, QUOTED, FIGURE, MOVES] + ([FORMULA, TABLE, CODE, LIST] if course else [EQUATION])
         found = sorted([m for kind in kinds for m in kind.finditer(body)], key=lambda m: m.start())
         waiting = []
         for match in found:
             if match.re is FIGURE:
                 yield f"## {heading}\n\n" + picture(match, known)
                 continue
+            if match.re is MOVES:
+                yield f"## {heading}\n\n<figure data-live=\"{match[1]}\"><figcaption><a>This figure</a></figcaption></figure>"
+                continue
             if match.re is CODE and match[0].count("\n") > LINES:
                 continue
-            before = sentence_before(body, match.start()) if match.re in (EQUATION, TABLE, CODE) else ""
+            before = sentence_before(body, match.start()) if match.re in (EQUATION, FORMULA, TABLE, CODE, LIST) else ""
             waiting.append(before + re.sub(r"^> ?", "", match[0], flags=re.M).strip())
-            if match.re in (TABLE, CODE):
+            if course or match.re in (TABLE, CODE):
                 yield f"## {heading}\n\n" + "\n\n".join(waiting)
                 waiting = []
             if len(waiting) == 2:
@@ -126,7 +149,7 @@ def slides(page, known):
                 waiting = []
         if waiting:
             yield f"## {heading}\n\n" + "\n\n".join(waiting)
-    yield f"## Exercises\n\nThey stand at the end of `{page}`." + ("" if course else " All of them: `chapters/workshop/exercises.md`.")
+    yield f"## Exercises\n\nThey stand at the end of `{page}`. All of them: `chapters/workshop/exercises.md`."
 
 
 def to_html(markdown):
@@ -150,9 +173,18 @@ def style():
     return re.sub(r"url\(fonts/([\w-]+\.woff2)\)", font, css) + STYLE
 
 
+def scripts(body):
+    """Of the figures that move on these slides, with the C."""
+    names = list(dict.fromkeys(re.findall(r'data-live="(\w+)"', "".join(body))))
+    return "".join(f"<script>{(OUT / f'live/{name}.js').read_text()}</script>" for name in (["kernel", "live", *names] if names else []))
+
+
 def main():
     known, css = captions(), style()
+    css += re.search(r":root \{[^}]*\}", pathlib.Path("chapters/book/style.css").read_text())[0].replace("light dark", "light")  # the colours of curves
     OUT.mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(OUT / "live", ignore_errors=True)
+    kernel.write(OUT / "live")
     pages = sorted(pathlib.Path("chapters").glob(f"**/{(sys.argv[2:] or ['[0-9][0-9]'])[0]}-*.md"))
     total = 0
     for page in pages:
@@ -161,7 +193,7 @@ def main():
         sections = "\n".join(f"<section>{piece}</section>" for piece in body)
         (OUT / f"{file_name(page)}.html").write_text(
             f'<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>{file_name(page)}</title><style>{css}</style>'
-            f"<body>{sections}<footer></footer><script>{SCRIPT}</script></body></html>\n")
+            f"<body>{sections}<footer></footer>{scripts(body)}<script>{SCRIPT}</script></body></html>\n")
     print(f"{total} slides of {len(pages)} chapters: {OUT}/*.html")
 
 
