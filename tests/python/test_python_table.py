@@ -129,6 +129,15 @@ def test_a_checkpoint_of_another_motion_is_refused(tmp_path):
         fvi.Problem(checkpoint=path)
 
 
+@pytest.mark.parametrize("t, why", [([0.25], "multiples of h"), ([2, 1], "must increase"), ([1, 101], "must be in .0, "),
+                                    ([float("nan")], "must be in .0, ")])
+def test_times_of_a_checkpoint_are_those_of_the_method(t, why, tmp_path):
+    with pytest.raises(ValueError, match="^t_eval: t.* " + why):
+        fvi.solve(DUFFING, t, h=0.1, checkpoint=tmp_path / "state")
+    with pytest.raises(fvi.Error, match=why):  # without a checkpoint the library says it
+        fvi.solve(DUFFING, t, h=0.1)
+
+
 def test_a_checkpoint_that_cannot_be_written_says_so(tmp_path):
     with pytest.raises(OSError):
         fvi.solve(DUFFING, h=0.1, checkpoint=tmp_path / "none" / "state")

@@ -15,9 +15,8 @@ from ._solution import Solution
 def tangents(s: Solution, names: Sequence[str]) -> Optional[dict]:
     """By (24.6), side by side with the run: of one mass by Algorithm 3. None where the library has no such run."""
     mirror = Mirror(s)
-    system, places = mirror.motion.system, {"alpha": lib.FVI_FREE_PARAMETER_ALPHA, "rho": lib.FVI_FREE_PARAMETER_RHO,
-                                            "mass": lib.FVI_FREE_PARAMETER_MASS, "x0": lib.FVI_FREE_PARAMETER_X0,
-                                            "p0": lib.FVI_FREE_PARAMETER_P0}
+    places = {"alpha": lib.FVI_FREE_PARAMETER_ALPHA, "rho": lib.FVI_FREE_PARAMETER_RHO,
+              "mass": lib.FVI_FREE_PARAMETER_MASS, "x0": lib.FVI_FREE_PARAMETER_X0, "p0": lib.FVI_FREE_PARAMETER_P0}
     if (mirror.method != lib.fvi_method_find(b"fvi") or mirror.d > 1 or s.problem.damping is not None
             or not set(names) <= set(places) or s.problem.v0 is not None):
         return None

@@ -146,6 +146,7 @@ class Solution:
         x, p = np.empty((2, wanted.size, self.x.shape[1]))
         count = ffi.new("row_count *", {"all": wanted.size})
         if self.how.events:
+            self.check(wanted)
             raised, _, stepper = rows_with_events(self.motion, self.how.events, wanted, x, p, count)
             if raised is None and count.rows < wanted.size:
                 raise ValueError(f"t: {wanted[count.rows]:g} is behind the end of the motion, t = {stepper.t:g}")
@@ -158,12 +159,16 @@ class Solution:
             raise raised
         return x[back.reshape(-1)].reshape(times.shape + (self.x.shape[1],))
 
-    def within_steps(self, t: Array, x: Array) -> Optional[Error]:
-        """x at increasing times, by the polynomials of the stages."""
-        from ._observe import as_run
+    def check(self, t: Array) -> None:
+        """Do increasing times lie within the motion?"""
         end = self.problem.time
         if not (t.size == 0 or 0 <= t[0] <= t[-1] <= end):
             raise ValueError(f"t: {t[0] if not t[0] >= 0 else t[-1]:g} is not within the motion, 0 ... {end:g}")
+
+    def within_steps(self, t: Array, x: Array) -> Optional[Error]:
+        """x at increasing times, by the polynomials of the stages."""
+        from ._observe import as_run
+        self.check(t)
         out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
         status = ask(lib.fvi_stepper_start, self.motion.method, as_run(self.motion, self), out, error)
         if not status:

@@ -250,8 +250,21 @@ def by_library(motion: Motion, how: Numerics, x: Array, p: Array, count: Any) ->
     return Found(None, len(x), said, report.steps, report.h, estimate)
 
 
+def check_times(t: Array, time: float, h: Optional[float]) -> None:
+    """What fvi_solve asks of the times of rows, in its words; h: of steps of one length."""
+    for k in np.flatnonzero(~((t >= 0) & (t <= time)))[:1]:
+        raise ValueError(f"t_eval: t[{k}] is {t[k]:.10g}; it must be in [0, {time:g}]")
+    for k in np.flatnonzero(np.diff(t) <= 0)[:1]:
+        raise ValueError(f"t_eval: t[{k + 1}] is {t[k + 1]:.10g}; the times must increase")
+    parts = t / h if h else np.zeros(1)
+    for k in np.flatnonzero(abs(parts - np.round(parts)) > 1e-12 * np.maximum(parts, 1))[:1]:
+        raise ValueError(f"t_eval: t[{k}] is {t[k]:.10g}; this method gives out multiples of h; fvi-adaptive gives out any time")
+
+
 def by_stepper(motion: Motion, how: Numerics, t: Array, x: Array, p: Array, count: Any) -> Found:
     events, end = None, None
+    if how.t_eval is not None:
+        check_times(t, motion.time, None if lib.is_dense(motion.method) else motion.run.h)
     if how.checkpoint:
         raised, stepper = rows_with_checkpoint(motion, Checkpoint(how.checkpoint, motion.problem, how), t, x, p, count)
     else:
