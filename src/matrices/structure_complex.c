@@ -11,8 +11,8 @@
 /* A product; C's own asks for NaNs. */
 static inline double complex times(double complex a, double complex b)
 {
-    return CMPLX(creal(a) * creal(b) - cimag(a) * cimag(b),
-                 creal(a) * cimag(b) + cimag(a) * creal(b));
+    return creal(a) * creal(b) - cimag(a) * cimag(b)
+           + I * (creal(a) * cimag(b) + cimag(a) * creal(b));
 }
 
 #define NUMBER double complex
@@ -60,8 +60,8 @@ static int sum(size_t count, const fvi_sparse *const *A, const double *factor,
         status = FVI_ENOMEM;
     for (size_t l = 0; !status && l < count; l++)
         for (int e = 0; e < A[l]->start[c->n]; e++)
-            c->entry[place[l][e]] += CMPLX(factor[2 * l] * A[l]->entry[e],
-                                           factor[2 * l + 1] * A[l]->entry[e]);
+            c->entry[place[l][e]] +=
+                (factor[2 * l] + I * factor[2 * l + 1]) * A[l]->entry[e];
     free(place);
     free(room);
     return status;
