@@ -404,6 +404,7 @@ TABLE_prototype := figures/variable_steps/prototype.tsv
 TABLE_adjoint   := figures/adjoint/adjoint_bench.tsv
 TABLE_blocks    := figures/blocks/blocks_bench.tsv
 TABLE_structures := figures/structures/structures_bench.tsv
+TABLE_structures_order := figures/structures/structures_order.tsv
 
 $B/trajectories: tests/run/trajectories.c tests/run/many_runs.h $B/libfvi.a
 	$(COMPILE) -Itests $(filter %.c %.a,$^) $(LINKED) -o $@
@@ -494,6 +495,7 @@ figures/memory/memory_bench.svg: $(TABLE_memory)
 figures/step_search/step_search.svg: $(TABLE_precision)
 figures/blocks/blocks_bench.svg: $(TABLE_blocks)
 figures/structures/structures_bench.svg: $(TABLE_structures)
+figures/structures/structures_order.svg: $(TABLE_structures_order)
 
 ## -- what has to be installed ----------------------------------------------
 

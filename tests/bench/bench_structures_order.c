@@ -1,0 +1,236 @@
+/* tests/bench/bench_structures_order.c -- H 27: what a digit costs, by order 2 and by high order.
+ *
+ * Five storeys with three kinds of dampers up to t = 60, and a beam of 16 elements with C = K/100 up to t = 2, let
+ * go from a bend: the largest error of any unknown in 60 rows, against fvi-adaptive with steps right to 1e-14, and
+ * the time of the processor, the start of the run included. Then a step of a membrane of 99,856 unknowns, with one
+ * damper and with C = K/100. Some two minutes. */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
+#include <fvi/fvi.h>
+#include <fvi/structures.h>
+#include "../../figures/structures/cantilever.h"
+#include "bench.h"
+#include "system/larger.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { ROWS = 60, FLOORS = 5, ELEMENTS = 16, SIDE = 316 };
+
+/* A motion from x0 and p0 at rest in its rows, and its rows as they should be. */
+typedef struct {
+    fvi_system system;
+    double T, *x0, *p0, *rows;
+} motion;
+
+static void ok(int status)
+{
+    if (status)
+        exit(EXIT_FAILURE);
+}
+
+static double *numbers(size_t n)
+{
+    double *v = calloc(n, sizeof *v);
+    ok(!v);
+    return v;
+}
+
+/* ---- systems ---- */
+
+/* Mass 1 and stiffness 100, a springpot below the first floor, a power of an order above 1 below the third, a
+ * dashpot with a fraction beside it below the fifth. */
+static motion building(void)
+{
+    static fvi_kernel_term term[4] = { { FVI_KERNEL_POWER, 5, 0.3125, 0, 0 },
+                                       { FVI_KERNEL_POWER, 1, 0.6875, 0, 0 },
+                                       { FVI_KERNEL_POWER, 0.5, 0.5, 0, 0 },
+                                       { FVI_KERNEL_ZENER, 3, 0.25, 2, 0 } };
+    static fvi_kernel kernel[3] = { { 1, term }, { 1, term + 1 }, { 2, term + 2 } };
+    static double row[3][FLOORS] = { { 1 }, { 0, -1, 1 }, { 0, 0, 0, -1, 1 } };
+    static fvi_damper damper[3];
+    static fvi_sparse M, K;
+    fvi_triplet m[FLOORS], k[3 * FLOORS];
+    fvi_structure *structure;
+    size_t count = 0;
+    for (int i = 0; i < FLOORS; i++) {
+        m[i] = (fvi_triplet){ i, i, 1 };
+        for (int j = i > 0 ? i - 1 : 0; j <= i + 1 && j < FLOORS; j++)
+            k[count++] = (fvi_triplet){ i, j, i != j ? -100 : i < FLOORS - 1 ? 200 : 100 };
+    }
+    for (int j = 0; j < 3; j++)
+        damper[j] = (fvi_damper){ .of = fvi_elongation_row(row[j]), .kernel = kernel + j };
+    ok(fvi_sparse_assemble(FLOORS, FLOORS, m, &M));
+    ok(fvi_sparse_assemble(FLOORS, count, k, &K));
+    ok(fvi_structure_alloc_dampers(&M, &K, 3, damper, &structure, NULL));
+    motion b = { fvi_structure_system(structure), 60, numbers(FLOORS), numbers(FLOORS), NULL };
+    for (int i = 0; i < FLOORS; i++) {
+        b.x0[i] = (i + 1) / 16.;
+        b.p0[i] = i % 2 ? -0.25 : 0.5;
+    }
+    return b;
+}
+
+/* Bent by a load at its tip. */
+static motion beam_of(void)
+{
+    static fvi_sparse M, K, C;
+    fvi_structure *structure;
+    ok(cantilever(ELEMENTS, 0.01, &M, &K, &C));
+    ok(fvi_structure_alloc(&M, &K, &C, &structure, NULL));
+    motion b = { fvi_structure_system(structure), 2, numbers(M.n), numbers(M.n), NULL };
+    for (size_t e = 0; e < M.n / 2; e++) {
+        const double y = (double)(e + 1) / ELEMENTS;
+        b.x0[2 * e] = y * y * (3 - y) / 2;
+        b.x0[2 * e + 1] = (3 * y - 1.5 * y * y) / ELEMENTS; /* slopes are times the length */
+    }
+    return b;
+}
+
+/* ---- errors ---- */
+
+/* The rows of a run with so many steps for each, or of its own; returns the seconds. */
+static double rows_of(const motion *m, const fvi_method *method, size_t per, double step_error, double *rows)
+{
+    const size_t d = m->system.d, parts = method->dense ? 1 : per;
+    fvi_run run = fvi_run_default(&m->system, m->x0, m->p0, m->T / (double)(ROWS * parts), ROWS * parts);
+    run.alpha = m->system.mechanism ? 0.5 : 0.25;
+    run.step_error = step_error;
+    fvi_stepper *s;
+    const double begin = now();
+    ok(fvi_stepper_start(method, &run, &s, NULL));
+    for (size_t k = 1; k <= ROWS; k++)
+        ok(fvi_stepper_advance_to(s, (double)(k * parts) * run.h, rows + (k - 1) * d, NULL));
+    const double seconds = now() - begin;
+    fvi_stepper_free(s);
+    return seconds;
+}
+
+/* A row of the table: steps for each row, or the tolerance of a step; returns the error. */
+static double measure(const motion *m, const fvi_method *method, size_t per, double step_error)
+{
+    enum { TIMES = 9 };
+    const size_t count = ROWS * m->system.d;
+    double *rows = numbers(count), least = INFINITY, worst = 0;
+    for (int i = 0; i < TIMES; i++)
+        least = smaller(least, rows_of(m, method, per, step_error, rows));
+    for (size_t i = 0; i < count; i++)
+        worst = larger(worst, fabs(rows[i] - m->rows[i]));
+    if (worst < 0.03)
+        printf("%s\t%.0e\t%.3g\t%.2g\n", method->name, method->dense ? step_error : m->T / (double)(ROWS * per),
+               1e3 * least, worst);
+    free(rows);
+    return worst;
+}
+
+static const fvi_method *const methods[] = { &fvi_cq2_midpoint, &fvi_lobatto_d3, &fvi_lobatto_d4, &fvi_lobatto_d6,
+                                             &fvi_lobatto_d8 };
+
+static void table(const char *name, motion m)
+{
+    m.rows = numbers(ROWS * m.system.d);
+    rows_of(&m, &fvi_variable_step, 1, 1e-14, m.rows);
+    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
+        printf("\n\n#> %s-%s\n# method\th\tms\tlargest error\n", name, methods[i]->name + 4);
+        for (size_t per = 1; per <= (i ? 64 : 1024); per *= 2)
+            if (measure(&m, methods[i], per, 0) < 1e-12)
+                break;
+        printf("#< %s-%s\n", name, methods[i]->name + 4);
+    }
+    printf("\n\n#> %s-adaptive\n# method\tstep error\tms\tlargest error\n", name);
+    for (double tolerance = 1e-3; tolerance > 1e-12; tolerance /= 10)
+        measure(&m, &fvi_variable_step, 1, tolerance);
+    printf("#< %s-adaptive\n", name);
+    free(m.rows);
+}
+
+/* ---- a step of many unknowns ---- */
+
+static void membrane(fvi_sparse *M, fvi_sparse *K, fvi_sparse *C)
+{
+    const int n = SIDE, d = n * n;
+    const double k = (n + 1.) * (n + 1.);
+    fvi_triplet *t = malloc(5 * (size_t)d * sizeof *t), *next = t;
+    ok(!t);
+    for (int i = 0; i < d; i++) {
+        *next++ = (fvi_triplet){ i, i, 4 * k };
+        const int beside[] = { i % n > 0 ? i - 1 : -1, i % n < n - 1 ? i + 1 : -1, i - n, i + n };
+        for (int j = 0; j < 4; j++)
+            if (beside[j] >= 0 && beside[j] < d)
+                *next++ = (fvi_triplet){ i, beside[j], -k };
+    }
+    const size_t count = (size_t)(next - t);
+    ok(fvi_sparse_assemble((size_t)d, count, t, K));
+    for (size_t l = 0; l < count; l++)
+        t[l].entry /= 100;
+    ok(fvi_sparse_assemble((size_t)d, count, t, C));
+    for (int i = 0; i < d; i++)
+        t[i] = (fvi_triplet){ i, i, 1 };
+    ok(fvi_sparse_assemble((size_t)d, (size_t)d, t, M));
+    free(t);
+}
+
+/* Seconds to the start, and of one step behind the first twenty. */
+static double step_of(const fvi_system *system, const fvi_method *method, double *start)
+{
+    enum { BEFORE = 20, STEPS = 32, TIMES = 4 };
+    const size_t d = system->d;
+    double *x0 = numbers(2 * d), least = INFINITY;
+    for (size_t i = 0; i < d; i++)
+        x0[i] = sin(0.01 * (double)i);
+    fvi_run run = fvi_run_default(system, x0, x0 + d, 1. / SIDE, 400);
+    run.alpha = system->mechanism ? 0.5 : 0.25;
+    fvi_stepper *s;
+    const double begin = now();
+    ok(fvi_stepper_start(method, &run, &s, NULL));
+    *start = now() - begin;
+    for (int i = 0; i < BEFORE; i++)
+        ok(fvi_stepper_step(s));
+    for (int i = 0; i < TIMES; i++) {
+        const double from = now();
+        for (int l = 0; l < STEPS; l++)
+            ok(fvi_stepper_step(s));
+        least = smaller(least, (now() - from) / STEPS);
+    }
+    fvi_stepper_free(s);
+    free(x0);
+    return least;
+}
+
+static void table_of_steps(void)
+{
+    fvi_sparse M, K, C;
+    membrane(&M, &K, &C);
+    const fvi_kernel_term springpot = { FVI_KERNEL_POWER, 1, 0.25, 0, 0 };
+    const fvi_kernel kernel = { 1, &springpot };
+    double *row = numbers(M.n);
+    row[M.n / 2] = 1;
+    const fvi_damper damper = { .of = fvi_elongation_row(row), .kernel = &kernel };
+    fvi_structure *structure[2];
+    ok(fvi_structure_alloc_dampers(&M, &K, 1, &damper, &structure[0], NULL));
+    ok(fvi_structure_alloc(&M, &K, &C, &structure[1], NULL));
+    printf("\n\n#> step\n# method\ts to the start\tms a step, one damper\tby that of order 2\tms a step, C = K/100\tby that "
+           "of order 2\n");
+    double base[2] = { 0 };
+    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
+        double start, seconds[2];
+        for (int j = 0; j < 2; j++) {
+            const fvi_system system = fvi_structure_system(structure[j]);
+            seconds[j] = step_of(&system, methods[i], &start);
+            base[j] = i ? base[j] : seconds[j];
+        }
+        printf("%s\t%.2g\t%.3g\t%.2g\t%.3g\t%.2g\n", methods[i]->name, start, 1e3 * seconds[0], seconds[0] / base[0],
+               1e3 * seconds[1], seconds[1] / base[1]);
+        fflush(stdout);
+    }
+    printf("#< step\n");
+}
+
+int main(void)
+{
+    describe();
+    table("building", building());
+    table("beam", beam_of());
+    table_of_steps();
+    return EXIT_SUCCESS;
+}
