@@ -373,12 +373,14 @@ int fvi_poles_find(fvi_response *r, size_t count, fvi_poles *poles,
         return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
     if (count > r->d)
         return fvi_fail(error, FVI_EINVAL, "count", (double)count,
-                        "there are %zu unknowns", r->d);
+                        "%zu poles of %zu unknowns", count, r->d);
     const size_t wanted = count ? count : r->d;
     if (wanted > FVI_MOST_POLES)
         return fvi_fail(error, FVI_EUNSUP, "count", (double)wanted,
-                        "at most %d poles are looked for; say how many of the "
-                        "lowest", FVI_MOST_POLES);
+                        count ? "%zu: at most %d poles are looked for"
+                              : "of %zu unknowns at most %d poles are looked for; say how many of "
+                                "the lowest",
+                        wanted, FVI_MOST_POLES);
     search s;
     int status = search_alloc(r, wanted, &s);
     if (!status)

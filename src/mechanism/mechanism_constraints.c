@@ -106,7 +106,7 @@ static int check_independent(const fvi_stepper *s, fvi_error *error)
         for (size_t a = 0; a < d; a++)
             left += row[a] * row[a];
         if (!(left > 1e-20 * whole))
-            return refuse(FVI_ESING, "constraint", 0, i,
+            return refuse(FVI_ESING, c->imposed && c->imposed[i] ? "impose" : "constraint", 0, i,
                           whole > 0 ? "'%s' is redundant: at x0 the "
                                       "constraints before it say the same"
                                     : "'%s' has no gradient at x0",

@@ -2,6 +2,7 @@
 #include "mechanism_state.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -104,6 +105,25 @@ static int make_state(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
     return allocate(o);
 }
 
+/* An elongation such as sqrt(x - 1) has no slope at x = 1, and its damper no force there. */
+static int check_elongations(const fvi_stepper *s, fvi_error *error)
+{
+    const fvi_mechanism_state *o = s->mechanism;
+    for (size_t j = 0; j < o->r; j++)
+        if (!isfinite(o->z[j]) || !fvi_all_finite(o->d, o->G + j * o->d)) {
+            const char *name = s->run.system->mechanism->damper[j].name;
+            char place[24];
+            snprintf(place, sizeof place, "d%zu", j + 1);
+            fvi_fail(error, FVI_EDOM, "damper", o->z[j],
+                     "the elongation of %.40s, or its slope, is not finite at x0",
+                     name ? name : place);
+            if (error)
+                error->index = j;
+            return FVI_EDOM;
+        }
+    return FVI_SUCCESS;
+}
+
 /* A coordinate without inertia is nothing for order 1. For form M it needs a damper that stands for it:
  * with orders of 1 and below there is no step (29.16). */
 static int check_massless(const fvi_stepper *s, fvi_error *error)
@@ -152,6 +172,8 @@ int fvi_mechanism_start(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
     status = fvi_mechanism_check_start(s, error);
     if (!status)
         status = fvi_mechanism_elongations(s, 0, s->x, o->z, o->G);
+    if (!status)
+        status = check_elongations(s, error);
     if (!status)
         status = check_massless(s, error);
     if (status || o->is_on_mesh)

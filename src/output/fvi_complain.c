@@ -21,6 +21,13 @@ void fvi_warn(const char *what)
     fprintf(stderr, "fvi: warning: %s\n", what);
 }
 
+int fvi_complain_of(const fvi_error *error)
+{
+    char complaint[FVI_COMPLAINT];
+    fvi_complaint(error, complaint);
+    return fvi_complain(complaint);
+}
+
 int fvi_refused(const fvi_error *error, const char *command)
 {
     char complaint[FVI_COMPLAINT];

@@ -8,6 +8,7 @@
 
 /* What went wrong, as a line on standard error; each returns 1. */
 int fvi_complain(const char *what);
+int fvi_complain_of(const fvi_error *error); /* with its field, if it names one */
 int fvi_cannot_write(
     const char *name); /* as errno says; NULL: standard output */
 int fvi_stopped_at(size_t step, int status); /* a code of fvi/error.h */

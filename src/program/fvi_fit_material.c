@@ -124,12 +124,43 @@ static int interpret(request *r, fvi_error *c)
 
 /* ---- data ---- */
 
+/* Does a line of the file name columns of another test, so that the first columns are not what they seem? */
+static int check_names(const request *r, const char *file, fvi_error *c)
+{
+    static const char *const of_moduli[] = { "omega|w|frequency|hertz|hz", "storage|Gp|G'|E'|G1|E1",
+                                             "loss|Gpp|G''|E''|G2|E2" },
+                            *const in_time[] = { "t|time", "x|strain|creep",
+                                                 "force|stress|relaxation" };
+    const int both = r->data.test == FVI_MATERIAL_MODULI;
+    const char *own[] = { r->names[0], r->names[1], r->names[2] };
+    for (size_t k = 0, count = 1; k < 4; k++) { /* its own columns; then those of another test */
+        const char *const *names = k == 0 ? own : both ? in_time + k - 1 : of_moduli + k - 1;
+        size_t which[FVI_COLUMNS_MOST], n;
+        double *columns;
+        fvi_error none;
+        count = k > 0 ? 1 : both ? 3 : 2;
+        if (fvi_parse_table_columns("DATA", file, count, names, 1, &n, &columns, which, &none))
+            continue;
+        free(columns);
+        return k == 0 ? 0
+                      : fvi_refuse(c, NULL, "DATA: '%s' has a column %.*s, and no %s: it is not of --%s",
+                                   file, (int)strcspn(names[0], "|"), names[0],
+                                   both ? "omega, storage and loss"
+                                   : r->data.test == FVI_MATERIAL_CREEP ? "t and x"
+                                                                        : "t and f",
+                                   tests[r->data.test]);
+    }
+    return 0;
+}
+
 /* The rows of one file behind those of the files before. */
 static int read_file(request *r, const char *file, fvi_error *c)
 {
     const char *names[DATA_COLUMNS];
     size_t which[FVI_COLUMNS_MOST] = { 0 }, n;
     double *columns;
+    if (check_names(r, file, c))
+        return 2;
     const int own_weights = r->columns > (r->data.test == FVI_MATERIAL_MODULI ? 3 : 2);
     for (size_t k = 0; k < r->columns; k++)
         names[k] = r->names[k];

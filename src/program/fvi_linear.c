@@ -31,9 +31,8 @@ int fvi_linear_open(fvi_linear_request *r)
     };
     const int status = fvi_response_alloc(&motion, &r->response, &error);
     if (status)
-        return fvi_complain(status == FVI_ENOMEM || !*error.text
-                                ? fvi_code_in_words(status)
-                                : error.text);
+        return status == FVI_ENOMEM || !*error.text ? fvi_complain(fvi_code_in_words(status))
+                                                    : fvi_complain_of(&error);
     const int warned = fvi_response_warning_of_place(&r->system, r->o.x0, &r->warning);
     if (warned < 0)
         return fvi_complain(r->warning);

@@ -121,7 +121,7 @@ static int answer(request *r)
     if (fvi_linear_open(&r->linear))
         return 1;
     if (fvi_poles_find(r->linear.response, r->count, &r->poles, &error))
-        return fvi_complain(error.text);
+        return fvi_complain_of(&error);
     count_in_words(&r->poles, sizeof found, found);
     if (fvi_response_warning_of_poles(&r->poles, sizeof warning, warning))
         fvi_warn(warning);

@@ -158,7 +158,7 @@ static int compute_row(const request *r, double f, double row[4])
     status = fvi_response_at(r->linear.response, (fvi_response_kind)r->of, 1,
                              &omega, r->at - 1, r->by - 1, row, &error);
     if (status)
-        return fvi_complain(error.text);
+        return fvi_complain_of(&error);
     row[2] = hypot(row[0], row[1]);
     row[3] = atan2(row[1], row[0]);
     return 0;

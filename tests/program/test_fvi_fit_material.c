@@ -88,6 +88,7 @@ START_TEST(fit_reads_moduli_of_many_kinds)
     ck_assert(!exists("no.tsv") && !exists("no2.tsv"));
     ck_assert_int_eq(fvi("fit --moduli --law spring+power dma.tsv"), 1);
     ck_assert_ptr_nonnull(strstr(out, "\n# flag = neighbouring residuals are alike"));
+    ck_assert_int_eq(shell("awk '!/^#/{print $1, $2}' dma.tsv > plain.tsv"), 0);
     static const char *const wrong[][2] = {
         { "fit --moduli", "DATA: a file with the columns omega, storage and loss" },
         { "fit --creep", "DATA: a file with the columns t and x" },
@@ -98,7 +99,7 @@ START_TEST(fit_reads_moduli_of_many_kinds)
         { "fit --moduli --sigma -1 dma.tsv", "--sigma" },
         { "fit --moduli --starts 1 dma.tsv", "--starts" },
         { "fit --moduli --alpha 0.3 dma.tsv", "--alpha" },
-        { "fit --relaxation --law viscous+zener dma.tsv", "relaxes at once" },
+        { "fit --relaxation --law viscous+zener plain.tsv", "relaxes at once" },
         { "fit --moduli -o dma.tsv dma.tsv", "-o: 'dma.tsv' is the file of the data, too" },
         { "fit --moduli --curve a.tsv dma.tsv a.tsv",
           "--curve: 'a.tsv' is the file of the data, too" },
@@ -113,6 +114,32 @@ END_TEST
 
 /* A plan has the standard deviations of a fit of such data: 1.96 sd are the halves of its
  * intervals, in the logit; (24.3) at the truth is tested elsewhere. */
+/* A table whose header names the columns of another test is not taken for numbers without names. */
+START_TEST(a_table_of_another_test_is_refused)
+{
+    static const char *const rows = "printf '%s\\n1\\t2\\t3\\n2\\t2.5\\t3\\n3\\t3\\t3\\n"
+                                    "4\\t3.5\\t3\\n' > other.tsv";
+    static const char *const other[][3] = {
+        { "# omega\\tstorage\\tloss", "--creep", "has a column omega, and no t and x: it is not of "
+                                               "--creep" },
+        { "w\\tGp\\tGpp", "--relaxation", "has a column omega, and no t and f" },
+        { "t\\tx\\tsd", "--moduli", "has a column t, and no omega, storage and loss" },
+    };
+    char line[300];
+    for (size_t i = 0; i < LEN(other); i++) {
+        snprintf(line, sizeof line, rows, other[i][0]);
+        ck_assert_int_eq(shell(line), 0);
+        snprintf(line, sizeof line, "fit %s --law spring+zener other.tsv", other[i][1]);
+        ck_assert_int_eq(fvi(line), 2);
+        ck_assert_msg(strstr(err, other[i][2]) != NULL, "%s: %s", line, err);
+    }
+    snprintf(line, sizeof line, rows, "f\\tstress\\tsd"); /* f is a force here */
+    ck_assert_int_eq(shell(line), 0);
+    fvi("fit --relaxation --law power other.tsv");
+    ck_assert_ptr_null(strstr(err, "has a column"));
+}
+END_TEST
+
 START_TEST(fit_plans_a_test)
 {
     double row[4];
@@ -203,7 +230,8 @@ int main(void)
     free(sources);
     Suite *suite = suite_create("fvi fit --moduli");
     ADD_CASE(suite, "materials", a_rheologist_needs_three_commands,
-             fit_reads_moduli_of_many_kinds, fit_plans_a_test,
+             fit_reads_moduli_of_many_kinds, a_table_of_another_test_is_refused,
+             fit_plans_a_test,
              fit_chooses_steps_of_its_own_where_gaps_are_short,
              the_table_of_the_page_is_fitted_as_it_says);
     return run_suite_of_program(suite);

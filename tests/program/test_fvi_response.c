@@ -132,7 +132,7 @@ START_TEST(what_does_not_swing_has_no_poles)
     ck_assert_str_eq(err, "fvi: warning: what creeps or grows without a swing, e^{st} with a real "
                           "s, is no row\n");
     ck_assert_int_eq(fvi("response --rho 0 --omega 0.5,1"), 1);
-    ck_assert_str_eq(err, "fvi: at omega = 1 the response is infinite: a mode without "
+    ck_assert_str_eq(err, "fvi: --omega: at omega = 1 the response is infinite: a mode without "
                           "damping\n");
 }
 END_TEST
@@ -237,8 +237,11 @@ START_TEST(no_question_is_answered_in_part)
     for (int i = 0; i < 2; i++) {
         snprintf(line, sizeof line, "%s --damper 'x*(1+sin(t)) : viscous:0.2'", asked[i]);
         ck_assert_int_eq(fvi(line), 1);
-        ck_assert_str_eq(err, "fvi: the gradient of its elongation changes with t: there are no "
-                              "poles and no response\n");
+        ck_assert_str_eq(err, "fvi: --damper: the gradient of its elongation changes with t: there "
+                              "are no poles and no response\n");
+        snprintf(line, sizeof line, "%s --potential 'log(x)'", asked[i]);
+        ck_assert_int_eq(fvi(line), 1);
+        ck_assert_str_eq(err, "fvi: --potential: the Hessian is not finite\n");
         snprintf(line, sizeof line, "%s --damper 'x+sin(t) : viscous:0.2'", asked[i]);
         ck_assert_int_eq(fvi(line), 0);
     }
