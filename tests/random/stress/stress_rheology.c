@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <time.h>
 
-enum { POINTS = 60, FROM = 50, SETS = 200 };
+enum { POINTS = 60, FROM = 50, SETS = 600 };
 
 /* Ten laws for moduli, five for creep and for relaxation, by their terms. */
 static const struct {
@@ -124,12 +124,14 @@ static void truth_of(size_t law, double *truth)
     }
 }
 
-/* Three in a hundred are what 200 sets of 95 % scatter by, twice. */
+/* 600 sets of 95 % scatter by 0.9 %. 200 sets scatter by 1.5 %, and the numbers of one law hold the truth
+ * together or not: with 200 sets, seed 1, all of creep of a spring and zener's element held it in 89.5 to
+ * 91.5 %, and with 4000, seed 5, in 94.3 to 94.8 %. */
 double stress_rheology(gsl_rng *random, char *describe, size_t size)
 {
     int all = 0, flagged = 0, sets = 0;
     double longest = 0, least_share = 1;
-    printf("test\tlaw\tarrived of 50\tms a fit\tflagged of 200\theld\n");
+    printf("test\tlaw\tarrived of 50\tms a fit\tflagged of 600\theld\n");
     for (size_t which = 0; which < CASES; which++) {
         question q;
         double truth[FVI_MATERIAL_NUMBERS], held[FVI_MATERIAL_NUMBERS] = { 0 };
