@@ -127,7 +127,8 @@ static int believe(const data_set *o, const double *x, double sigma, double hube
 /* How likely the best test of residuals would see this fault. By Neyman and Pearson's lemma that is the
  * test along the fault itself, which knows what the fault is, and its sign: the residuals have the part
  * `visible` sigma of it, that which no parameter makes up for, and noise alone is beyond 1.88 sigma in
- * 3 % of data sets. No test that raises 3 % of false flags sees more. */
+ * 3 % of data sets. No test that raises 3 % of false flags in each experiment
+ * sees more, to first order in the noise. */
 static double best_chance(const data_set *o, fault what, const fvi_examination *e)
 {
     double visible;
