@@ -139,6 +139,7 @@ static void pick(const fvi_options *o, const double *from, double *row)
 static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
                 int mirror, double *row)
 {
+    const double time = t->ended > 0 ? t->ended : (double)k * t->o->h; /* one product */
     int status = FVI_SUCCESS;
     if (t->typed)
         memcpy(t->o->typed_row, t->typed,
@@ -153,10 +154,9 @@ static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
                 memcpy(row, t->o->typed_row + t->o->columns.first[n],
                        width * sizeof *row);
             else if (column == FVI_COLUMN_T)
-                *row = (double)k * t->o->h; /* one product */
+                *row = time;
             else if (column == FVI_COLUMN_ENERGY)
-                status = fvi_energy_at(t->system, (double)k * t->o->h, x, p,
-                                       row);
+                status = fvi_energy_at(t->system, time, x, p, row);
             else
                 pick(t->o, column == FVI_COLUMN_P ? p : x, row);
         }

@@ -22,6 +22,7 @@ typedef struct {
     fvi_observer *observer; /* that goes with the run, or NULL */
     const fvi_observation *now; /* what typed columns are made of, at the row that is taken */
     const double *typed;        /* or these themselves; else NULL */
+    double ended; /* when an event ended the run whose last row is taken; or 0 */
     FILE *plot;   /* where rows are kept to be drawn; or NULL */
     size_t begin; /* the first row of a run that goes on; 0 */
     int goes_on;  /* are there rows of it in the table before? */

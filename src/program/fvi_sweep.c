@@ -46,6 +46,23 @@ typedef struct {
 
 /* ---- one run ---- */
 
+/* The last row of a run that an event has ended, where it stands. */
+static int take_end(fvi_table *t, const fvi_stepper *s)
+{
+    fvi_observation now;
+    int status = FVI_SUCCESS;
+    t->ended = s->t;
+    if (fvi_reductions_count(t->o->typed) > 0)
+        return status;
+    if (t->observer)
+        status = fvi_observer_read(t->observer, s, s->t, &now);
+    t->now = t->observer ? &now : NULL;
+    if (!status)
+        status = fvi_table_take(t, t->o->steps, s->x, s->p);
+    t->now = NULL;
+    return status;
+}
+
 /* All steps of o->h, and the rows that o->every asks for. */
 static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
@@ -59,6 +76,10 @@ static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
     if (!v.status)
         v.status = fvi_run_row(t, s, 0);
     for (size_t k = 0, next = fvi_table_next(t, 0); !v.status && k < o->steps;) {
+        if (s->k < next && fvi_stepper_is_over(s)) {
+            v.status = take_end(t, s);
+            break;
+        }
         if (s->k < next) {
             v.step = s->k + 1;
             v.status = fvi_run_step(t, s);
@@ -340,8 +361,9 @@ static int check_all(const sweep_grid *g, const char **no_solution,
         if (o.no_solution)
             *no_solution = o.no_solution;
         first[i + 1] = first[i] + rows_of_run(g, &o);
-        if (g->has_rows && fvi_reductions_count(o.typed) > 0)
-            status = fvi_refuse(c, "rows", "not together with --reduce");
+        if (g->has_rows && (fvi_reductions_count(o.typed) > 0 || o.text[EVENT]))
+            status = fvi_refuse(c, "rows", "not together with --%s",
+                                o.text[EVENT] ? "event" : "reduce");
         fvi_options_free(&o);
     }
     return status;

@@ -174,8 +174,7 @@ static int check_word(const char *word, fvi_error *c)
 {
     static const char *const names[] = { "vary", "jobs", "part", "rows", NULL };
     const option_index i = fvi_option_named(word);
-    if (i == PLOT || i == SNAPSHOT || i == CHECKPOINT || i == EVENT
-        || i == CONTINUE)
+    if (i == PLOT || i == SNAPSHOT || i == CHECKPOINT || i == CONTINUE)
         return fvi_refuse(c, fvi_option_list[i].name, "not an option of this command");
     if (strncmp(word, "--", 2) != 0 || i < OPTIONS
         || !fvi_nearest_word(word + 2, strcspn(word + 2, "="), names))

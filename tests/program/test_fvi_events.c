@@ -90,6 +90,29 @@ START_TEST(a_lagrangian_has_events)
 }
 END_TEST
 
+/* The time of a first passing for each run: a stop, and the column t. A ball that falls from h with the weight g,
+ * free, has t = sqrt(2 h / g), and the impacts of another lose no row. */
+START_TEST(a_sweep_has_events)
+{
+    ck_assert_int_eq(fvi("sweep --lagrangian 'v^2/2-g*x' --x0 2 --v0 0 --event 'x : stop' --vary g=1,4 --time 5 --steps 5 "
+                         "--columns t,x,v | grep -v '^#'"), 0);
+    double g, t, x, v;
+    const char *row = out;
+    for (int i = 0; i < 2; i++) {
+        ck_assert_int_eq(sscanf(row, "%lf %lf %lf %lf", &g, &t, &x, &v), 4);
+        ck_assert_double_eq_tol(t, sqrt(4 / g), 1e-12);
+        ck_assert_double_eq_tol(x, 0, 1e-12);
+        ck_assert_double_eq_tol(v, -sqrt(4 * g), 1e-11);
+        row = strchr(row, '\n') + 1;
+    }
+    ck_assert_int_eq(fvi("sweep --potential x --rho 0 --x0 1 --p0 0 --event 'x : impact:1' --vary mass=1,4 --time 5 --steps 5 "
+                         "--columns t,energy | grep -v '^#'"), 0);
+    ck_assert_int_eq(sscanf(out, "%lf %lf %lf", &g, &t, &x), 3);
+    ck_assert_double_eq(t, 5);
+    ck_assert_double_eq_tol(x, 1, 1e-9);
+}
+END_TEST
+
 START_TEST(what_is_wrong_is_said)
 {
     static const char *const cases[][2] = {
@@ -115,7 +138,7 @@ START_TEST(what_is_wrong_is_said)
         { "run --event 'x : mark' --columns t,y", "fvi: --event: column y needs every row" },
         { "run --event 'x : mark' --columns d1.force", "are not known with --event" },
         { "run --event 'x : mark' --columns balance", "are not known with --event" },
-        { "sweep --event 'x : mark' --vary alpha=0:1:2", "not an option of this command" },
+        { "sweep --event 'x : mark' --vary alpha=0:1:2 --rows", "fvi: --rows: not together with --event" },
         { "gradient --event 'x : mark'", "not an option of this command" },
         { "exact --event 'x : mark'", "not an option of this command" },
     };
@@ -132,7 +155,7 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("fvi_events");
-    ADD_CASE(suite, "events", a_bouncing_ball_is_a_command, a_lagrangian_has_events, formats_have_a_place_for_events,
+    ADD_CASE(suite, "events", a_bouncing_ball_is_a_command, a_lagrangian_has_events, a_sweep_has_events, formats_have_a_place_for_events,
              runs_end_at_events, coordinates_have_numbers);
     ADD_CASE(suite, "words", what_is_wrong_is_said);
     return run_suite_of_program(suite);
