@@ -25,19 +25,13 @@ static int make_numbers(fvi_stage_damper *a, size_t s)
     return FVI_SUCCESS;
 }
 
-/* The power of a law that is one is scaled here; other laws know the length of the step. */
 static int make_history(const fvi_run *run, size_t s, fvi_stage_damper *a)
 {
-    const double beta = 2 * a->of.alpha - 1,
-                 finest = run->tolerance > 0 ? fmax(run->tolerance / 10, 1e-14) : 1e-14,
+    const double finest = run->tolerance > 0 ? fmax(run->tolerance / 10, 1e-14) : 1e-14,
                  keep = run->system->mechanism ? finest
                                                : fvi_lobatto_history_tolerance(run);
-    const int status =
-        a->of.law ? fvi_lobatto_history_of_kernel(s, a->of.law, run->h, a->r, run->steps,
-                                                  run->memory, keep, &a->memory)
-                  : fvi_lobatto_history_alloc(s, beta, a->r, run->steps, run->memory, keep,
-                                              &a->memory);
-    a->scale = a->of.law ? 1 : a->of.rho * pow(run->h, -beta);
+    const int status = fvi_lobatto_history_of_damper(run, &a->of, s, a->r, 0, keep,
+                                                     &a->scale, &a->memory);
     for (size_t i = 0; !status && i < s * s; i++)
         a->W[i] = a->scale * fvi_lobatto_history_now(a->memory)[i];
     return status;

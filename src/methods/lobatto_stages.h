@@ -36,6 +36,18 @@ void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
 /* fvi_lobatto_history_tolerance -- the tolerance that the memory of a run is asked for, (17.21). */
 double fvi_lobatto_history_tolerance(const fvi_run *run);
 
+/* fvi_lobatto_history_of_damper -- the sums of d velocities over the past, on s stages.
+ *
+ *   by_order  nonzero: with their derivative by the order; of a power alone
+ *   keep      the tolerance
+ *   scale     output: what stands before the sums, rho h^(1 - 2 alpha) of a power; the sums of a law
+ *             have it in them
+ *
+ * Returns what fvi_lobatto_history_alloc and fvi_lobatto_history_of_kernel return. */
+int fvi_lobatto_history_of_damper(const fvi_run *run, const fvi_run_damper *of, size_t s,
+                                  size_t d, int by_order, double keep, double *scale,
+                                  fvi_lobatto_history **memory);
+
 /* fvi_lobatto_assemble_known_rhs -- S_i but for grad U and the part of the present in the memory:
  * force, impulses of the past and history. o->v holds the v of the step before.
  * Returns what the force and fvi_lobatto_history_push return. */

@@ -121,25 +121,33 @@ double fvi_lobatto_history_tolerance(const fvi_run *run)
 }
 //< finer
 
+int fvi_lobatto_history_of_damper(const fvi_run *run, const fvi_run_damper *of, size_t s,
+                                  size_t d, int by_order, double keep, double *scale,
+                                  fvi_lobatto_history **memory)
+{
+    const double beta = 2 * of->alpha - 1;
+    *scale = of->law ? 1 : of->rho * pow(run->h, -beta);
+    if (of->law)
+        return fvi_lobatto_history_of_kernel(s, of->law, run->h, d, run->steps,
+                                             run->memory, keep, memory);
+    return (by_order ? fvi_lobatto_history_alloc_by_order : fvi_lobatto_history_alloc)(
+        s, beta, d, run->steps, run->memory, keep, memory);
+}
+
 /* W_0 and the memory for the order beta = 2 alpha - 1; W = 0 if none is damped. */
 static int prepare(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const fvi_run *run = &s->run;
-    const double beta = 2 * run->alpha - 1;
-    o->scale = pow(run->h, -beta);
-    if (o->damped == 0 || (!run->law && beta == 0 && !o->Ydot)) {
+    const fvi_run_damper of = fvi_run_damper_of(run, 0);
+    o->scale = 1;
+    if (o->damped == 0 || (of.alpha == 0.5 && !o->Ydot)) {
         for (size_t i = 0; i < o->s; i++)
             o->W[i][i] = o->damped > 0;
         return FVI_SUCCESS;
     }
     const double keep = fvi_lobatto_history_tolerance(run);
-    int status =
-        run->law ? fvi_lobatto_history_of_kernel(o->s, run->law, run->h, o->damped,
-                                             run->steps, run->memory, keep,
-                                             &o->memory)
-                 : (o->Ydot ? fvi_lobatto_history_alloc_by_order
-                            : fvi_lobatto_history_alloc)(
-                     o->s, beta, o->damped, run->steps, run->memory, keep, &o->memory);
+    const int status = fvi_lobatto_history_of_damper(
+        run, &of, o->s, o->damped, o->Ydot != NULL, keep, &o->scale, &o->memory);
     for (size_t i = 0; !status && i < o->s; i++)
         for (size_t j = 0; j < o->s; j++)
             o->W[i][j] =
