@@ -199,6 +199,7 @@ def write_live_page():
     """The live page, whose links to the chapters are those of the repository."""
     (OUT / "play").mkdir()
     page = (HERE.parent / "play/index.html").read_text()
+    page = page.replace('href="../README.md"', 'href="../index.html"')
     (OUT / "play/index.html").write_text(re.sub(r'href="\.\./(?:further|handbook)/(\d\d-\w+)\.md', r'href="../h\1.html', page))
 
 

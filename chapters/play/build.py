@@ -6,6 +6,7 @@ so that OUT/index.html opens from a disk and asks nobody for anything. The C lib
 is wasi-libc's, 12.5 kB of the page, but for its allocator: that would be 4.8 kB more,
 and malloc.c does what the page needs."""
 import pathlib
+import re
 import sys
 
 from wasm import ABSENT, MODULES, NO_EXPONENTIALS, NOT_LINEARISED, compile_to, packed
@@ -19,8 +20,9 @@ def main():
     OUT.mkdir(parents=True, exist_ok=True)
     code = compile_to(OUT / "play.wasm", SOURCES, MODULES, [*ABSENT, *NO_EXPONENTIALS, *NOT_LINEARISED])
     page = (HERE / "page.html").read_text()
-    for name in ("model.js", "plot.js", "explain.js", "play.js"):
-        page = page.replace("{" + name + "}", (HERE / name).read_text().strip())
+    for name in ("theme.js", "model.js", "plot.js", "explain.js", "play.js"):
+        script = re.sub(r"^\s*//.*\n", "", (HERE / name).read_text(), flags=re.M)  # the comments stay here
+        page = page.replace("{" + name + "}", script.strip())
     text = packed(code)
     page = page.replace("{wasm}", text)
     (OUT / "index.html").write_text(page)

@@ -7,10 +7,32 @@ let pinned; // { name, t, x, p, energy, error } of the run that was pinned, or n
 
 function pin() {
   if (pinned) pinned = undefined;
-  else if (result.rows > 0) {
-    const { x, p, energy } = result, t = Array.from(x, (_, i) => i * state.h);
-    pinned = { name: link(state), t, x: x.slice(), p: p.slice(), energy: energy.slice(), error: errors() };
-  }
+  else if (result.rows > 0) keepRun(state, result);
+  showPinned();
+  history.replaceState(null, "", wholeLink());
+}
+function keepRun(of, { x, p, energy, ...run }) {
+  pinned = { name: link(of), t: Array.from(x, (_, i) => i * of.h), x: x.slice(), p: p.slice(), energy: energy.slice(), error: errors({ x, ...run }, of.h) };
+}
+
+// The link with the run that is pinned, whose words are joined by semicolons: #alpha=0.3&pin=alpha=0.5;rho=1
+function wholeLink() {
+  return link(state) + (pinned ? `&pin=${pinned.name.slice(1).replaceAll("&", ";")}` : "");
+}
+function pinFrom(hash) {
+  const [, words] = /&pin=([^&]*)/.exec(hash) ?? [];
+  if (!words) return;
+  const { state: of, wrong } = parse(words.replaceAll(";", "&")), run = wrong.length || (of.potential === "own" && fvi.misprint(of)) ? { rows: 0 } : fvi.run(of);
+  if (run.rows > 0) keepRun(of, run);
+  showPinned();
+}
+async function copyLink() {
+  await navigator.clipboard.writeText(location.href.replace(/#.*/, "") + wholeLink());
+  element("copy").textContent = "Copied";
+  setTimeout(() => { element("copy").textContent = "Copy link"; }, 1500);
+}
+
+function showPinned() {
   element("pin").textContent = pinned ? "Unpin" : "Pin this run";
   element("pin").setAttribute("aria-pressed", Boolean(pinned));
   element("legend-pinned").hidden = !pinned;
@@ -19,10 +41,10 @@ function pin() {
 }
 
 // [t, |x - exact|] at the nodes where both are known.
-function errors() {
-  const { exact, every, parts, x, rows } = result, found = [];
+function errors({ exact, every, parts, x, rows } = result, h = state.h) {
+  const found = [];
   for (let i = 0; i * every < rows && i * parts < exact.x.length; i++)
-    found.push([i * every * state.h, Math.abs(x[i * every] - exact.x[i * parts])]);
+    found.push([i * every * h, Math.abs(x[i * every] - exact.x[i * parts])]);
   return found;
 }
 
@@ -57,7 +79,7 @@ function sayCut(high) {
 // A wall, a spring above, a springpot below, the body, and where it was, as large as that weighs.
 function drawBody(high) {
   const canvas = element("body"), { x, weights } = result, k = moment();
-  const at = picture(canvas, { x: span(x, [0]).map(end => Math.min(Math.max(end, -high), high)), y: [-1, 1], names: ["", ""], bare: true });
+  const at = picture(canvas, { x: span(x, [0]).map(end => Math.min(Math.max(end, -high), high)), y: [-1.6, 1.6], names: ["", ""], bare: true });
   const wall = at.left, place = Math.min(Math.max(x[k], -high), high), coils = 12, along = share => wall + (place - wall) * share;
   if (state.potential !== "free")
     at.curve(Array.from({ length: 2 * coils + 1 }, (_, i) => along(i / 2 / coils)),
@@ -70,6 +92,10 @@ function drawBody(high) {
   }
   at.curve([place, place], [-0.7, 0.7], "axis", [], 3);
   at.dot(place, 0, "run", 9);
+  const name = state.alpha === 0 ? "a second spring" : state.alpha === 0.5 ? "dashpot" : state.alpha === 1 ? "a second mass" : "springpot";
+  if (state.potential !== "free") at.text(wall, 1.1, "spring", "soft-ink");
+  if (state.rho > 0) at.text(wall, -1.15, name, "soft-ink");
+  at.text(place, 1.1, "mass", "run");
 }
 
 // ---- weight times x ----
@@ -224,6 +250,6 @@ async function savePicture(kind) {
 
 function explain() {
   for (const [id, what] of [["pin", pin], ["play", togglePlay], ["undo", undo], ["save-table", saveTable],
-    ["three", toggleThree], ...Object.keys(kinds).map(kind => [`save-${kind}`, () => savePicture(kind)]), ["tour-back", () => goTour(-1)], ["tour-next", () => goTour(1)]])
+    ["three", toggleThree], ["copy", copyLink], ...Object.keys(kinds).map(kind => [`save-${kind}`, () => savePicture(kind)]), ["tour-back", () => goTour(-1)], ["tour-next", () => goTour(1)]])
     element(id).addEventListener("click", what);
 }

@@ -140,7 +140,7 @@ function settle(state) {
 // there has its default.
 function parse(hash) {
   const state = defaults(), wrong = [], seen = new Set();
-  for (const pair of (hash.replace(/^#/, "") || first).split("&").filter(Boolean)) {
+  for (const pair of (hash.replace(/^#/, "").replace(/&pin=[^&]*/, "") || first).split("&").filter(Boolean)) {
     const equals = pair.indexOf("=");
     let name = pair.slice(0, Math.max(equals, 0)), text = pair.slice(equals + 1), complaint;
     try {

@@ -197,6 +197,7 @@ function control(name) {
     if (!wrong) set(name, number(text));
   });
   field.addEventListener("change", () => show());
+  if (name === "alpha") row.insertAdjacentHTML("beforeend", '<p class="ends"><span>spring</span><span>dashpot</span><span>mass</span></p>');
   return row;
 }
 
@@ -214,7 +215,7 @@ function change() {
   clearTimeout(linkTimer);
   linkTimer = setTimeout(() => { // the hand rests
     remember();
-    history.replaceState(null, "", link(state));
+    history.replaceState(null, "", wholeLink());
     showTour();
   }, 150);
   redraw();
@@ -298,7 +299,15 @@ function build() {
   });
   window.addEventListener("hashchange", read);
   window.addEventListener("resize", redraw);
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
+  const dress = () => { wear(chosen()); element("theme").textContent = chosen() === "dark" ? "Light" : "Dark"; redraw(); };
+  night.addEventListener("change", dress);
+  element("theme").addEventListener("click", () => {
+    const theme = chosen() === "dark" ? "light" : "dark";
+    try { localStorage.setItem("theme", theme); } catch { /* the cookie, then */ }
+    document.cookie = `theme=${theme};max-age=31536000;path=/;samesite=lax`;
+    dress();
+  });
+  dress();
 }
 
 // The link into the state; what is wrong with it is said, not hidden.
@@ -311,6 +320,8 @@ function read() {
     Object.assign(meant, { potential: "harmonic", own: defaults().own });
   }
   state = meant;
+  if (meant.method !== "fvi" || meant.kappa !== 0.5) element("numerics").open = true;
+  pinFrom(location.hash);
   remember();
   showTour();
   say(wrong.length ? [`This link is not all understood: ${wrong.join("; ")}`] : []);

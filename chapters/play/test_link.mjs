@@ -137,8 +137,8 @@ await test("the page is one file, up to date, that asks nobody for anything", as
     assert.throws(() => absent[name](), { message: `${name} is not in this page` });
   }
   let want = source("page.html").replace("{wasm}", () => wasm);
-  for (const name of ["model.js", "plot.js", "explain.js", "play.js"])
-    want = want.replace(`{${name}}`, () => source(name).trim());
+  for (const name of ["theme.js", "model.js", "plot.js", "explain.js", "play.js"])
+    want = want.replace(`{${name}}`, () => source(name).replaceAll(/^\s*\/\/.*\n/gm, "").trim()); // the comments stay in the parts
   assert.equal(page, want, "chapters/play/index.html is older than its parts: make play");
   assert.doesNotMatch(page.replace(wasm, ""), /https?:|\bsrc=|\bimport\b|@import|url\(|fetch\(/);
   // 135,000; of these 12.5 kB are wasi-libc's log, sin of huge numbers, complex products, and 13 kB
