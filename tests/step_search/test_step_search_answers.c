@@ -138,13 +138,13 @@ START_TEST(another_method_is_named_if_its_order_is_higher)
     ck_assert(other && other->takes_laws && !other->dense);
     run.law = NULL;
     const fvi_matrices matrices = { 0 };
-    fvi_system with_matrices = system; /* not for the stages */
+    fvi_system with_matrices = system; /* fvi-adaptive takes them, and of the stages form D */
     with_matrices.matrices = &matrices;
     run.system = &with_matrices;
-    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_cq2_shifted);
-    ck_assert(fvi_step_search_other(&fvi_cq_bdf2, &run) == NULL);
+    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_variable_step);
+    ck_assert(fvi_step_search_other(&fvi_cq_bdf2, &run) == &fvi_variable_step);
     run.kappa = 1; /* leaves order 1 to all but Lobatto's */
-    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == NULL);
+    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_lobatto_d8);
 }
 END_TEST
 
