@@ -190,14 +190,6 @@ int fvi_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
 
 /* ---- a step ---- */
 
-/* sum += more, what rounding takes from it kept in less (Kahan). */
-static void add(double *sum, double *less, double more)
-{
-    const double y = more - *less, t = *sum + y;
-    *less = (t - *sum) - y;
-    *sum = t;
-}
-
 /* Coefficients of h f for the values of f at the stages, `stride` apart. */
 static void describe(const fvi_variable_step_state *o, const double *f, double *to)
 {
@@ -273,11 +265,11 @@ int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o)
     for (size_t j = 0; j < d; j++) {
         o->y0[j] = o->y[j];
         o->v0[j] = o->v[j];
-        add(&o->y[j], &o->y_less[j], of->u[(n - 1) * d + j]);
+        fvi_add_compensated(&o->y[j], &o->y_less[j], of->u[(n - 1) * d + j]);
         double gain = 0;
         for (size_t i = 0; i < n; i++)
             gain += o->length.h * o->rule->b[i] * of->f[i * d + j];
-        add(&s->p[j], &m->p_less[j], gain);
+        fvi_add_compensated(&s->p[j], &m->p_less[j], gain);
     }
     fvi_mechanism_keep_dampers(of);
     if (!status && of->m)

@@ -238,6 +238,14 @@ void fvi_kernel_present_on_mesh(const fvi_kernel_on_mesh *o, double h, double be
                                 fvi_square *W0, double *W1);
 double fvi_memory_leakage(const fvi_variable_rule *rule, const fvi_square *W0);
 
+/* fvi_add_compensated -- sum += more, what rounding takes from it kept in less (Kahan). */
+static inline void fvi_add_compensated(double *sum, double *less, double more)
+{
+    const double y = more - *less, t = *sum + y;
+    *less = (t - *sum) - y;
+    *sum = t;
+}
+
 /* fvi_variable_step_try -- delta of a step of such length, and the estimate of its error. Returns what
  * fvi_variable_step_solve does. */
 int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
@@ -262,11 +270,13 @@ int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o);
  * a function of an event does, and FVI_EOVRFLW where a z is not finite. */
 int fvi_variable_step_sides(const fvi_stepper *s, fvi_event_watch *w, int anew);
 
-/* fvi_variable_step_next_event -- the next time at which a step has to end.
+/* fvi_variable_step_find_events -- o->events, in order. FVI_EINVAL; FVI_ENOMEM.
+ * fvi_variable_step_next_event -- the next time at which a step has to end.
  * fvi_variable_step_exponent -- the k of a length exp(L k), which may be none of the lattice.
  * fvi_variable_step_choose -- o->allowed, and the length of the next step: as o->next says, or
  * shorter, where the step would pass over something of the force (22.25), or before an
  * event. o->next then says so too. Returns what force.bound does. */
+int fvi_variable_step_find_events(const fvi_stepper *s, fvi_variable_step_state *o);
 double fvi_variable_step_next_event(fvi_variable_step_state *o);
 int fvi_variable_step_exponent(fvi_length length);
 int fvi_variable_step_choose(const fvi_stepper *s, fvi_variable_step_state *o, double event,

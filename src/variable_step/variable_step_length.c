@@ -1,9 +1,41 @@
 /* src/variable_step/variable_step_length.c -- How long the next step may be.      [H 22] */
 #include "variable_step.h"
 
-#include <fvi/error.h>
+#include "system/fail.h"
 
 #include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Where steps end: the jumps and the impulses of the force within the run, the end of the
+ * singular start, and of the run, in order. */
+int fvi_variable_step_find_events(const fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const fvi_force *force = &s->run.system->force;
+    const size_t hits = force->impulse_count;
+    if (force->jump_count > SIZE_MAX / sizeof(double) - 2 - hits)
+        FVI_FAIL("jumps must be addressable", FVI_EINVAL);
+    o->events = malloc((force->jump_count + hits + 2) * sizeof *o->events);
+    if (!o->events)
+        FVI_FAIL("no memory for the jumps", FVI_ENOMEM);
+    for (size_t i = 0; i < force->jump_count; i++)
+        if (force->jumps[i] > 0 && force->jumps[i] < o->T)
+            o->events[o->event_count++] = force->jumps[i];
+    for (size_t i = 0; i < hits; i++)
+        if (force->impulses[i].t > 0 && force->impulses[i].t < o->T)
+            o->events[o->event_count++] = force->impulses[i].t;
+    if (o->singular.J && o->singular.t1 < o->T)
+        o->events[o->event_count++] = o->singular.t1;
+    o->events[o->event_count++] = o->T;
+    qsort(o->events, o->event_count, sizeof *o->events, compare);
+    return FVI_SUCCESS;
+}
 
 /* The next time at which a step has to end. */
 double fvi_variable_step_next_event(fvi_variable_step_state *o)

@@ -225,36 +225,6 @@ static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
                            &o->modes);
 }
 
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* Where steps end: the jumps and the impulses of the force within the run, the end of the
- * singular start, and of the run, in order. */
-static int find_events(const fvi_stepper *s, fvi_variable_step_state *o)
-{
-    const fvi_force *force = &s->run.system->force;
-    const size_t hits = force->impulse_count;
-    if (force->jump_count > SIZE_MAX / sizeof(double) - 2 - hits)
-        FVI_FAIL("jumps must be addressable", FVI_EINVAL);
-    o->events = malloc((force->jump_count + hits + 2) * sizeof *o->events);
-    if (!o->events)
-        FVI_FAIL("no memory for the jumps", FVI_ENOMEM);
-    for (size_t i = 0; i < force->jump_count; i++)
-        if (force->jumps[i] > 0 && force->jumps[i] < o->T)
-            o->events[o->event_count++] = force->jumps[i];
-    for (size_t i = 0; i < hits; i++)
-        if (force->impulses[i].t > 0 && force->impulses[i].t < o->T)
-            o->events[o->event_count++] = force->impulses[i].t;
-    if (o->singular.J && o->singular.t1 < o->T)
-        o->events[o->event_count++] = o->singular.t1;
-    o->events[o->event_count++] = o->T;
-    qsort(o->events, o->event_count, sizeof *o->events, compare);
-    return FVI_SUCCESS;
-}
-
 /* What a law asks for: a nominal alpha for the lengths that are guessed, and that no velocity
  * jumps where a term grows faster than s, which would make x'' infinite. */
 static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
@@ -303,7 +273,7 @@ static int start_mechanism(fvi_stepper *s, fvi_variable_step_state *o)
                  FVI_EUNSUP);
     status = fvi_mesh_begin(s, o);
     if (!status)
-        status = find_events(s, o);
+        status = fvi_variable_step_find_events(s, o);
     if (!status)
         status = fvi_variable_step_begin_events(&s->run, o);
     if (!status)
@@ -336,7 +306,7 @@ static int start_structure(fvi_stepper *s, fvi_variable_step_state *o)
                  FVI_EUNSUP);
     status = fvi_structure_mesh_begin(s, o);
     if (!status)
-        status = find_events(s, o);
+        status = fvi_variable_step_find_events(s, o);
     if (!status)
         status = fvi_variable_step_strike(s, o);
     if (!status)
@@ -377,7 +347,7 @@ static int start(fvi_stepper *s, int open)
         status = begin_memory(s, o);
     }
     if (!status)
-        status = find_events(s, o);
+        status = fvi_variable_step_find_events(s, o);
     if (!status)
         status = fvi_variable_step_begin_events(&s->run, o);
     free(springs);

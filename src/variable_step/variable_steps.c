@@ -235,14 +235,6 @@ static void shrink_step(fvi_variable_step_state *o, fvi_length length, double er
     o->counts.rejected++;
 }
 
-/* sum += more, what rounding takes from it kept in less (Kahan). */
-static void add(double *sum, double *less, double more)
-{
-    const double y = more - *less, t = *sum + y;
-    *less = (t - *sum) - y;
-    *sum = t;
-}
-
 /* x and p of the state. */
 static int update_stepper(fvi_stepper *s, fvi_variable_step_state *o)
 {
@@ -291,8 +283,8 @@ static void accept_motion(fvi_variable_step_state *o)
         fvi_square_apply(s, o->to_x, delta, move);
         o->y0[j] = o->y[j];
         o->v0[j] = o->v[j];
-        add(&o->y[j], &o->y_less[j], h * (o->v[j] + move[s - 1]));
-        add(&o->v[j], &o->v_less[j], delta[s - 1]);
+        fvi_add_compensated(&o->y[j], &o->y_less[j], h * (o->v[j] + move[s - 1]));
+        fvi_add_compensated(&o->v[j], &o->v_less[j], delta[s - 1]);
     }
 }
 
@@ -307,7 +299,7 @@ static int accept_step(fvi_stepper *s, fvi_variable_step_state *o, double event)
         accept_motion(o);
     memcpy(o->accel_legendre0, o->accel_legendre, o->d * FVI_LANES * sizeof *o->accel_legendre);
     o->t0 = o->t;
-    add(&o->t, &o->t_less, h);
+    fvi_add_compensated(&o->t, &o->t_less, h);
     if (fabs(o->t - event) <= 8 * GSL_DBL_EPSILON * event || o->t > event) {
         o->t = event;
         o->t_less = 0;
