@@ -111,6 +111,9 @@ function wideOnes() {
   const boxes = document.querySelectorAll(".scroll, .formula, pre");
   const left = part => part.getBoundingClientRect().left;
   const look = () => boxes.forEach(box => {
+    box.style.fontSize = "";
+    const over = box.scrollWidth - box.clientWidth; // a pixel or two are no reason for a scroll bar
+    if (over > 0 && over < 3 && box.matches(".formula")) box.style.fontSize = "99%";
     if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
     else box.removeAttribute("tabindex");
     const parts = [...box.querySelectorAll(".katex-display > .katex > .katex-html > .base")];
