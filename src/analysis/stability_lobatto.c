@@ -1,6 +1,6 @@
 /* src/analysis/stability_lobatto.c -- Is this step stable, with stages?  [H 17] */
 #include <fvi/stability.h>
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 #include "stages/lobatto_weights.h"
 #include "system/fail.h"
 #include "system/larger.h"

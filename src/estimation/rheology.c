@@ -2,8 +2,8 @@
 #include <fvi/rheology.h>
 
 #include "rheology_answer.h"
-#include "memory/kernel_terms.h"
-#include "memory/laplace_parabola.h"
+#include "kernel/kernel_terms.h"
+#include "kernel/laplace_parabola.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_rng.h>

@@ -1,7 +1,7 @@
 /* src/estimation/rheology_model.c -- What a test measures of a law.       [H 24] */
 #include "rheology_model.h"
 
-#include "memory/laplace_parabola.h"
+#include "kernel/laplace_parabola.h"
 #include <fvi/error.h>
 #include "system/larger.h"
 

@@ -3,7 +3,7 @@
 
 #include "matrices/complex_factors.h"
 #include "matrices/sparse.h"
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 
 #include <math.h>
 #include <stdlib.h>

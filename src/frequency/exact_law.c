@@ -2,7 +2,7 @@
 #include "exact_law.h"
 #include "winding.h"
 
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_math.h>

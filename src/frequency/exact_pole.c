@@ -2,7 +2,7 @@
 #include "exact_pole.h"
 
 #include "memory/double_double.h"
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* src/frequency/pole_search.c -- One pole of a system, from an undamped mode.  [H 30] */
 #include "pole_search.h"
 
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 #include "system/larger.h"
 
 #include <float.h>

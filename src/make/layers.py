@@ -27,6 +27,7 @@ FLOORS = [
     {"mechanism": "steps of any Lagrangian, with dampers and constraints"},
     {"run": "a start, a step, a whole trajectory", "stages": "weights and memory of steps with stages",
      "frequency": "responses and poles of linear systems"},
+    {"kernel": "damping kernels: symbols, weights, modes, impulses"},
     {"memory": "weights, and sums over the past", "matrices": "sparse matrices, their files and factors"},
     {"newton": "the one equation of a step", "expression": "texts as functions, with derivatives and bounds"},
     {"system": "potentials, forces, Lagrangians, errors"},

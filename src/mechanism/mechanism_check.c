@@ -1,7 +1,7 @@
 /* src/mechanism/mechanism_check.c -- Is it a mechanism that these steps take?     [H 29] */
 #include "mechanism.h"
 
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 
 #include <math.h>
 

@@ -5,7 +5,7 @@
 #define FVI_MECHANISM_STATE_H
 
 #include "mechanism.h"
-#include "memory/kernel_impulses.h"
+#include "kernel/kernel_impulses.h"
 #include "stages/lobatto_history.h"
 
 /* A damper with a history. */

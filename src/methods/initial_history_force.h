@@ -5,7 +5,7 @@
 #define FVI_INITIAL_HISTORY_FORCE_H
 
 #include "damping.h"
-#include "memory/kernel_impulses.h"
+#include "kernel/kernel_impulses.h"
 
 /* Of one damper. */
 typedef struct {

@@ -9,7 +9,7 @@
 
 #include "damping.h"
 #include "mechanism/mechanism.h"
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 #include "stages/lobatto_history.h"
 #include "system/lagrangian_point.h"
 

@@ -7,7 +7,7 @@
 #ifndef FVI_SHIFTED_KERNEL_H
 #define FVI_SHIFTED_KERNEL_H
 
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 
 /* A law at one step, with theta, as the params of fvi_shifted_symbol. */
 typedef struct {

@@ -1,7 +1,7 @@
 /* src/methods/stability_number.c -- The loads of the methods.       [H 13, 14 and 17] */
 #include "stability_number.h"
 #include "damping.h"
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 #include "shifted_kernel.h"
 #include "system/fail.h"
 

@@ -2,7 +2,7 @@
 #include "exact_inverse.h"
 
 #include "frequency/exact_law.h"
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 #include <fvi/error.h>
 
 #include <gsl/gsl_math.h>

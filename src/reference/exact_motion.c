@@ -3,7 +3,7 @@
 #include <fvi/exact_motion.h>
 
 #include "exact_motion_check.h"
-#include "memory/laplace_parabola.h"
+#include "kernel/laplace_parabola.h"
 
 #include <math.h>
 #include <stdint.h>

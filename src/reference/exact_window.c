@@ -2,7 +2,7 @@
 #include "exact_window.h"
 
 #include "exact_vectors.h"
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 

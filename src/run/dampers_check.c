@@ -1,7 +1,7 @@
 /* src/run/dampers_check.c -- Are these dampers that a structure can have?  [H 27] */
 #include "dampers_check.h"
 
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 
 #include <fvi/dampers.h>
 

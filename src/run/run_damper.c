@@ -1,7 +1,7 @@
 /* src/run/run_damper.c -- What damps a run.                         [H 9, 26, 27] */
 #include "run_damper.h"
 
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 
 #include <math.h>
 

@@ -12,7 +12,7 @@
 #include <fvi/adjoint.h>
 #include <fvi/convolution_quadrature.h>
 #include "adjoint_slopes.h"
-#include "memory/kernel_impulses.h"
+#include "kernel/kernel_impulses.h"
 #include "methods/damping.h"
 
 /* nu of (23.7), which the memories of the terms of a law take in. Where the comment says "each", d

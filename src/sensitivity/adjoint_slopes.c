@@ -1,7 +1,7 @@
 /* src/sensitivity/adjoint_slopes.c -- Kernels by their orders and times, as symbols.   [H 23] */
 #include "adjoint_slopes.h"
 
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 
 /* ---- symbols ---- */
 

@@ -12,7 +12,7 @@
 #define FVI_ADJOINT_SLOPES_H
 
 #include <fvi/damping_laws.h>
-#include "memory/kernel_impulses.h"
+#include "kernel/kernel_impulses.h"
 
 /* By which number: as fvi_slope_by counts them. */
 enum { FVI_ADJOINT_SLOPES = 3 };

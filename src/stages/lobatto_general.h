@@ -5,7 +5,7 @@
 #define FVI_LOBATTO_GENERAL_H
 
 #include "lobatto_weights.h"
-#include "memory/kernel_general.h"
+#include "kernel/kernel_general.h"
 
 /* fvi_lobatto_contour -- adds to W the first `count` matrices of rho C(Delta(z)/h)
  * (Delta(z)/h)^{-1}, by Cauchy's integral around the eigenvalues of A^{-1}. To 100 u of the

@@ -7,7 +7,7 @@
 #ifndef FVI_LOBATTO_KERNEL_H
 #define FVI_LOBATTO_KERNEL_H
 
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 #include "lobatto_weights.h"
 
 /* A law's terms at one step; release with fvi_lobatto_kernel_free. */

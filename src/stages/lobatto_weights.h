@@ -7,7 +7,7 @@
 #ifndef FVI_LOBATTO_WEIGHTS_H
 #define FVI_LOBATTO_WEIGHTS_H
 
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 
 #include <stddef.h>
 

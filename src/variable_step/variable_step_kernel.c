@@ -13,7 +13,7 @@
  * cut ask for, and those of single poles, which stand nowhere on a ladder.        (26.18) */
 #include "variable_step.h"
 
-#include "memory/kernel_general.h"
+#include "kernel/kernel_general.h"
 #include "system/fail.h"
 #include "system/larger.h"
 

@@ -4,7 +4,7 @@
 #include "damping_laws_ref.h"
 #include "reference/exact_inverse.h"
 #include "frequency/exact_law.h"
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 #include "harness/ulp.h"
 
 #include <gsl/gsl_math.h>

@@ -4,7 +4,7 @@
 #include "run/whole_run.h"
 #include "harness/ulp.h"
 #include "law_runs.h"
-#include "memory/kernel_terms.h"
+#include "kernel/kernel_terms.h"
 
 #include <complex.h>
 #include <gsl/gsl_math.h>

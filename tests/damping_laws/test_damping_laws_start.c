@@ -4,7 +4,7 @@
 #include "damping_laws_ref.h"
 #include "harness/seen.h"
 #include "harness/ulp.h"
-#include "memory/kernel_impulses.h"
+#include "kernel/kernel_impulses.h"
 #include "system/larger.h"
 
 #include <stdlib.h>

@@ -1,7 +1,7 @@
-/* src/memory/kernel_modes.c -- One set of modes for all terms of a law.      [H 26] */
+/* src/kernel/kernel_modes.c -- One set of modes for all terms of a law.      [H 26] */
 #include "kernel_ready.h"
 
-#include "history_kinds.h"
+#include "memory/history_kinds.h"
 #include "system/larger.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
-/* src/memory/kernel_history.c -- The memory of a law.  [H 26] */
+/* src/kernel/kernel_history.c -- The memory of a law.  [H 26] */
 #include <fvi/damping_laws.h>
 
 #include "kernel_ready.h"
-#include "history_kinds.h"
+#include "memory/history_kinds.h"
 #include "system/fail.h"
 #include "system/larger.h"
 

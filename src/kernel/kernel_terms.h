@@ -1,4 +1,4 @@
-/* src/memory/kernel_terms.h -- What damping_laws.c shares with other files. [H 26]
+/* src/kernel/kernel_terms.h -- What damping_laws.c shares with other files. [H 26]
  *
  * Internal; nothing is checked, but by fvi_kernel_check_weights. */
 #ifndef FVI_KERNEL_TERMS_H

@@ -1,4 +1,4 @@
-/* src/memory/kernel_impulses.h -- The impulses of a start with a velocity, by any kernel. [H 26]
+/* src/kernel/kernel_impulses.h -- The impulses of a start with a velocity, by any kernel. [H 26]
  *
  * A body that was held until t = 0, and then got the velocity v0, moves like x_0 + v0 t at first.
  * A kernel answers to that line with v0 q(t), where q has the Laplace transform C(s)/s^2. If the

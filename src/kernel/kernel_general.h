@@ -1,4 +1,4 @@
-/* src/memory/kernel_general.h -- Kernels that are no fractions of powers.      [H 26]
+/* src/kernel/kernel_general.h -- Kernels that are no fractions of powers.      [H 26]
  *
  * Internal; nothing is checked. A term of the kind DAVIDSON or SYMBOL is known by its symbol:
  * its weights by Cauchy's integral, its tail by the values of the symbol on the cut. */

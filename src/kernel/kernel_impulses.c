@@ -1,4 +1,4 @@
-/* src/memory/kernel_impulses.c -- The impulses of a start with a velocity, by any kernel.
+/* src/kernel/kernel_impulses.c -- The impulses of a start with a velocity, by any kernel.
  *                                                                             [H 26] */
 #include "kernel_impulses.h"
 

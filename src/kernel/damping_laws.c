@@ -1,4 +1,4 @@
-/* src/memory/damping_laws.c -- Damping by its symbol: weights.        [H 26] */
+/* src/kernel/damping_laws.c -- Damping by its symbol: weights.        [H 26] */
 #include <fvi/damping_laws.h>
 
 #include <fvi/coefficients.h>

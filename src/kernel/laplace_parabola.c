@@ -1,4 +1,4 @@
-/* src/memory/laplace_parabola.c -- Laplace's inverse integral along a parabola.    [H 26] */
+/* src/kernel/laplace_parabola.c -- Laplace's inverse integral along a parabola.    [H 26] */
 #include "laplace_parabola.h"
 
 #include <gsl/gsl_math.h>

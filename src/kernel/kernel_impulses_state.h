@@ -1,4 +1,4 @@
-/* src/memory/kernel_impulses_state.h -- What the impulses of a kernel are made of.  [H 26] */
+/* src/kernel/kernel_impulses_state.h -- What the impulses of a kernel are made of.  [H 26] */
 #ifndef FVI_KERNEL_IMPULSES_STATE_H
 #define FVI_KERNEL_IMPULSES_STATE_H
 

@@ -1,4 +1,4 @@
-/* src/memory/kernel_classes.c -- Kinds of kernels: ranges, symbols, growth.   [H 26] */
+/* src/kernel/kernel_classes.c -- Kinds of kernels: ranges, symbols, growth.   [H 26] */
 #include <fvi/damping_laws.h>
 
 #include "kernel_general.h"

@@ -1,4 +1,4 @@
-/* src/memory/kernel_ready.h -- A law at one step, for its modes and its memory. [H 26]
+/* src/kernel/kernel_ready.h -- A law at one step, for its modes and its memory. [H 26]
  *
  * Internal; nothing is checked. */
 #ifndef FVI_KERNEL_READY_H

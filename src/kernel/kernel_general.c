@@ -1,4 +1,4 @@
-/* src/memory/kernel_general.c -- Weights and modes of a symbol alone.          [H 26] */
+/* src/kernel/kernel_general.c -- Weights and modes of a symbol alone.          [H 26] */
 #include "kernel_general.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/memory/kernel_stage_impulses.c -- The impulses of a kernel on the stages of a step.  [H 26] */
+/* src/kernel/kernel_stage_impulses.c -- The impulses of a kernel on the stages of a step.  [H 26] */
 #include "kernel_impulses_state.h"
 
 #include <gsl/gsl_math.h>

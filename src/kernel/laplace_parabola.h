@@ -1,4 +1,4 @@
-/* src/memory/laplace_parabola.h -- Laplace's inverse integral along a parabola.    [H 26]
+/* src/kernel/laplace_parabola.h -- Laplace's inverse integral along a parabola.    [H 26]
  *
  *     f(t) = (1/2 pi i) int F(s) e^{st} ds = Re sum_j weight_j F(s_j) e^{s_j t} + poles,
  *
