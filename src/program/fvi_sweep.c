@@ -4,9 +4,8 @@
 #include <fvi/fvi.h>
 #include "fvi_commands.h"
 #include "output/fvi_format.h"
-#include "sweep_grid.h"
+#include "sweep_run.h"
 #include "output/fvi_output.h"
-#include "fvi_run.h"
 #include "output/fvi_table.h"
 #include "options/fvi_options.h"
 #include <fvi/format_double.h>
@@ -24,148 +23,23 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* What became of a run: 0, or a code, and the step in which it failed; 0 is its start. Does a
- * mode of it grow by its step? */
-typedef struct {
-    int status;
-    size_t step;
-    int unstable;
-} verdict;
-
 /* What the processes share. Each takes the next run that nobody has taken, and writes its
  * row: the table does not depend on who does what. */
 typedef struct {
     _Atomic size_t next;
     double *rows; /* width numbers each */
-    verdict *verdicts;
+    sweep_verdict *verdicts;
     size_t *first; /* row of each run; behind the last how many there are */
     size_t width, count;
     void *map;
     size_t bytes;
 } board;
 
-/* ---- one run ---- */
-
-/* The last row of a run that an event has ended, where it stands. */
-static int take_end(fvi_table *t, const fvi_stepper *s)
-{
-    fvi_observation now;
-    int status = FVI_SUCCESS;
-    t->ended = s->t;
-    if (fvi_reductions_count(t->o->typed) > 0)
-        return status;
-    if (t->observer)
-        status = fvi_observer_read(t->observer, s, s->t, &now);
-    t->now = t->observer ? &now : NULL;
-    if (!status)
-        status = fvi_table_take(t, t->o->steps, s->x, s->p);
-    t->now = NULL;
-    return status;
-}
-
-/* All steps of o->h, and the rows that o->every asks for. */
-static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
-{
-    fvi_stepper *s;
-    verdict v = { .status = fvi_stepper_start(o->method, r, &s, NULL) };
-    char unstable[FVI_WARNING_ROOM];
-    if (v.status)
-        return v;
-    v.unstable = fvi_warning_of_step(o->method, r, sizeof unstable, unstable);
-    v.status = v.unstable < 0 ? FVI_ENOMEM : fvi_run_observe(t, s);
-    if (!v.status)
-        v.status = fvi_run_row(t, s, 0);
-    for (size_t k = 0, next = fvi_table_next(t, 0); !v.status && k < o->steps;) {
-        if (s->k < next && fvi_stepper_is_over(s)) {
-            v.status = take_end(t, s);
-            break;
-        }
-        if (s->k < next) {
-            v.step = s->k + 1;
-            v.status = fvi_run_step(t, s);
-            continue;
-        }
-        v.status = fvi_run_row(t, s, k = next);
-        next = k < o->steps ? fvi_table_next(t, k) : k;
-    }
-    if (!v.status && fvi_reductions_count(o->typed) > 0)
-        fvi_run_reduced(t, t->rows + t->width);
-    fvi_observer_free(t->observer);
-    fvi_stepper_free(s);
-    return v;
-}
-
-/* As many steps as the wanted error needs. */
-static verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
-{
-    const size_t count = o->steps + 1,
-                 width = 2 * o->d + fvi_typed_columns_count(o->typed);
-    double *x = malloc(count * width * sizeof *x),
-           *p = x ? x + count * o->d : NULL, *typed = x ? p + count * o->d : NULL;
-    fvi_report found;
-    verdict v = { .status = FVI_ENOMEM };
-    if (x)
-        v.status = fvi_run_search(o, o->method, r, x, p, typed, &found);
-    if (!v.status)
-        v.status = fvi_run_found_row(t, 0, x, p, typed);
-    for (size_t k = 0; k < o->steps && !v.status;) {
-        k = fvi_table_next(t, k);
-        v.status = fvi_run_found_row(t, k, x, p, typed);
-    }
-    free(x);
-    return v;
-}
-
-/* How many rows a run gives. */
-static size_t rows_of_run(const sweep_grid *g, const fvi_options *o)
-{
-    return g->has_rows ? o->steps / o->every + 1 + (o->steps % o->every != 0)
-                       : 1;
-}
-
-/* The table of a run that keeps its rows: all, or the first and the last. */
-static verdict run_table(const sweep_grid *g, fvi_options *o, fvi_table *t)
-{
-    const fvi_system system = fvi_options_system(o);
-    const fvi_run r = fvi_options_run(o, &system);
-    verdict v = { .status = FVI_ENOMEM };
-    if (!g->has_rows)
-        o->every = o->steps;
-    fvi_table_shape(t, o, &system);
-    t->wait = 1;
-    t->height = g->has_rows ? rows_of_run(g, o) : 2;
-    if ((t->rows = fvi_table_room(t, 0)))
-        v = (o->error > 0 ? by_error : by_steps)(o, &r, t);
-    return v;
-}
-
-/* Run number i into its rows: the values of the grid, then the columns; of the last step where one row
- * is asked for. */
-static verdict one_run(const sweep_grid *g, size_t i, double *rows)
-{
-    fvi_options o;
-    fvi_table t;
-    if (sweep_grid_options(g, i, &o, NULL))
-        return (verdict){ .status = FVI_ENOMEM }; /* it was understood before */
-    const size_t count = rows_of_run(g, &o);
-    const verdict v = run_table(g, &o, &t);
-    const size_t width = g->count + t.width, skipped = t.height - count;
-    for (size_t k = 0; k < count && !v.status; k++) {
-        for (size_t n = 0; n < g->count; n++)
-            rows[k * width + n] = sweep_grid_value(g, i, n);
-        memcpy(rows + k * width + g->count, t.rows + (k + skipped) * t.width,
-               t.width * sizeof *rows);
-    }
-    free(t.rows);
-    fvi_options_free(&o);
-    return v;
-}
-
 /* ---- all runs ---- */
 
 static int board_open(board *b, size_t count, size_t rows, size_t width)
 {
-    const size_t per_run = sizeof(verdict) + sizeof(size_t);
+    const size_t per_run = sizeof(sweep_verdict) + sizeof(size_t);
     const double bytes = (double)rows * (double)width * sizeof(double)
                          + (double)count * (double)per_run;
     *b = (board){ .width = width, .count = count, .map = MAP_FAILED };
@@ -195,7 +69,7 @@ static void work(const sweep_grid *g, board *shared, pid_t parent)
     for (size_t i; getppid() == parent
                    && (i = atomic_fetch_add(&shared->next, 1)) < shared->count;)
         shared->verdicts[i] =
-            one_run(g, g->first + i, shared->rows + shared->first[i] * shared->width);
+            sweep_run(g, g->first + i, shared->rows + shared->first[i] * shared->width);
     _exit(0);
 }
 
@@ -301,7 +175,7 @@ static void reason_of_start(const sweep_grid *g, size_t i, size_t size, char *te
 }
 
 /* Which run failed, and how. */
-static int complain_of(const sweep_grid *g, size_t i, verdict v)
+static int complain_of(const sweep_grid *g, size_t i, sweep_verdict v)
 {
     char reason[sizeof((fvi_error *)0)->text + 32] = "";
     if (v.step == 0)
@@ -360,7 +234,7 @@ static int check_all(const sweep_grid *g, const char **no_solution,
             return status;
         if (o.no_solution)
             *no_solution = o.no_solution;
-        first[i + 1] = first[i] + rows_of_run(g, &o);
+        first[i + 1] = first[i] + sweep_run_rows(g, &o);
         if (g->has_rows && (fvi_reductions_count(o.typed) > 0 || o.text[EVENT]))
             status = fvi_refuse(c, "rows", "not together with --%s",
                                 o.text[EVENT] ? "event" : "reduce");
@@ -383,7 +257,7 @@ static int run_all(const sweep_grid *g, const fvi_options *o,
     shared->rows = (double *)(shared + 1);
     shared->first = (size_t *)(void *)(shared->rows + first[g->runs] * b.width);
     memcpy(shared->first, first, (g->runs + 1) * sizeof *first);
-    shared->verdicts = (verdict *)(shared->first + g->runs + 1);
+    shared->verdicts = (sweep_verdict *)(shared->first + g->runs + 1);
     if (no_solution)
         fvi_warn(no_solution);
     int failed = work_together(g, shared)

@@ -1,0 +1,120 @@
+/* src/program/sweep_run.c -- One run of a sweep: by its steps or by its wanted error, into its rows. */
+#include "sweep_run.h"
+#include "fvi_run.h"
+#include "options/fvi_options.h"
+#include "output/fvi_table.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The last row of a run that an event has ended, where it stands. */
+static int take_end(fvi_table *t, const fvi_stepper *s)
+{
+    fvi_observation now;
+    int status = FVI_SUCCESS;
+    t->ended = s->t;
+    if (fvi_reductions_count(t->o->typed) > 0)
+        return status;
+    if (t->observer)
+        status = fvi_observer_read(t->observer, s, s->t, &now);
+    t->now = t->observer ? &now : NULL;
+    if (!status)
+        status = fvi_table_take(t, t->o->steps, s->x, s->p);
+    t->now = NULL;
+    return status;
+}
+
+/* All steps of o->h, and the rows that o->every asks for. */
+static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
+{
+    fvi_stepper *s;
+    sweep_verdict v = { .status = fvi_stepper_start(o->method, r, &s, NULL) };
+    char unstable[FVI_WARNING_ROOM];
+    if (v.status)
+        return v;
+    v.unstable = fvi_warning_of_step(o->method, r, sizeof unstable, unstable);
+    v.status = v.unstable < 0 ? FVI_ENOMEM : fvi_run_observe(t, s);
+    if (!v.status)
+        v.status = fvi_run_row(t, s, 0);
+    for (size_t k = 0, next = fvi_table_next(t, 0); !v.status && k < o->steps;) {
+        if (s->k < next && fvi_stepper_is_over(s)) {
+            v.status = take_end(t, s);
+            break;
+        }
+        if (s->k < next) {
+            v.step = s->k + 1;
+            v.status = fvi_run_step(t, s);
+            continue;
+        }
+        v.status = fvi_run_row(t, s, k = next);
+        next = k < o->steps ? fvi_table_next(t, k) : k;
+    }
+    if (!v.status && fvi_reductions_count(o->typed) > 0)
+        fvi_run_reduced(t, t->rows + t->width);
+    fvi_observer_free(t->observer);
+    fvi_stepper_free(s);
+    return v;
+}
+
+/* As many steps as the wanted error needs. */
+static sweep_verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
+{
+    const size_t count = o->steps + 1,
+                 width = 2 * o->d + fvi_typed_columns_count(o->typed);
+    double *x = malloc(count * width * sizeof *x),
+           *p = x ? x + count * o->d : NULL, *typed = x ? p + count * o->d : NULL;
+    fvi_report found;
+    sweep_verdict v = { .status = FVI_ENOMEM };
+    if (x)
+        v.status = fvi_run_search(o, o->method, r, x, p, typed, &found);
+    if (!v.status)
+        v.status = fvi_run_found_row(t, 0, x, p, typed);
+    for (size_t k = 0; k < o->steps && !v.status;) {
+        k = fvi_table_next(t, k);
+        v.status = fvi_run_found_row(t, k, x, p, typed);
+    }
+    free(x);
+    return v;
+}
+
+size_t sweep_run_rows(const sweep_grid *g, const fvi_options *o)
+{
+    return g->has_rows ? o->steps / o->every + 1 + (o->steps % o->every != 0)
+                       : 1;
+}
+
+/* The table of a run that keeps its rows: all, or the first and the last. */
+static sweep_verdict run_table(const sweep_grid *g, fvi_options *o, fvi_table *t)
+{
+    const fvi_system system = fvi_options_system(o);
+    const fvi_run r = fvi_options_run(o, &system);
+    sweep_verdict v = { .status = FVI_ENOMEM };
+    if (!g->has_rows)
+        o->every = o->steps;
+    fvi_table_shape(t, o, &system);
+    t->wait = 1;
+    t->height = g->has_rows ? sweep_run_rows(g, o) : 2;
+    if ((t->rows = fvi_table_room(t, 0)))
+        v = (o->error > 0 ? by_error : by_steps)(o, &r, t);
+    return v;
+}
+
+sweep_verdict sweep_run(const sweep_grid *g, size_t i, double *rows)
+{
+    fvi_options o;
+    fvi_table t;
+    if (sweep_grid_options(g, i, &o, NULL))
+        return (sweep_verdict){ .status = FVI_ENOMEM }; /* it was understood before */
+    const size_t count = sweep_run_rows(g, &o);
+    const sweep_verdict v = run_table(g, &o, &t);
+    const size_t width = g->count + t.width, skipped = t.height - count;
+    for (size_t k = 0; k < count && !v.status; k++) {
+        for (size_t n = 0; n < g->count; n++)
+            rows[k * width + n] = sweep_grid_value(g, i, n);
+        memcpy(rows + k * width + g->count, t.rows + (k + skipped) * t.width,
+               t.width * sizeof *rows);
+    }
+    free(t.rows);
+    fvi_options_free(&o);
+    return v;
+}

@@ -1,0 +1,23 @@
+/* src/program/sweep_run.h -- One run of a sweep. */
+#ifndef FVI_SWEEP_RUN_H
+#define FVI_SWEEP_RUN_H
+
+#include "sweep_grid.h"
+
+/* What became of a run: 0, or a code, and the step in which it failed; 0 is its start. Does a
+ * mode of it grow by its step? */
+typedef struct {
+    int status;
+    size_t step;
+    int unstable;
+} sweep_verdict;
+
+/* sweep_run_rows -- how many rows a run with these options gives. */
+size_t sweep_run_rows(const sweep_grid *g, const fvi_options *o);
+
+/* sweep_run -- run number i of the whole grid into its rows: the values of the grid, then the columns; of the
+ * last step where one row is asked for. `rows` has room for the rows of the run; where it fails they are
+ * not written. */
+sweep_verdict sweep_run(const sweep_grid *g, size_t i, double *rows);
+
+#endif
