@@ -1,9 +1,9 @@
 /* src/frequency/poles.c -- All poles of a system, or the lowest.        [H 30] */
+#include "oscillator_poles.h"
 #include "pole_count.h"
 #include "pole_search.h"
 #include "undamped_modes.h"
 
-#include "exact_law.h"
 #include "system/larger.h"
 
 #include <math.h>
@@ -177,53 +177,12 @@ static int search_from_modes(search *s)
 
 /* ---- one oscillator ---- */
 
-/* All dampings of one unknown as one law, and its factor; NULL if they have none. */
-static fvi_kernel_term *sum_of_laws(const fvi_response *r, fvi_kernel *law,
-                                    double *factor)
-{
-    size_t count = 0;
-    for (size_t l = 2; l < r->terms; l++)
-        count += r->term[l].kernel->count;
-    fvi_kernel_term *term = malloc((count + 1) * sizeof *term);
-    *law = (fvi_kernel){ 0, term };
-    *factor = 1;
-    for (size_t l = 2; term && l < r->terms; l++)
-        for (size_t i = 0; i < r->term[l].kernel->count; i++) {
-            term[law->count] = r->term[l].kernel->term[i];
-            term[law->count++].rho *= *r->term[l].matrix->entry;
-        }
-    if (r->terms == 3 && r->term[2].kernel->term->kind == FVI_KERNEL_SYMBOL) {
-        *law = *r->term[2].kernel; /* its term is the head of a function */
-        *factor = *r->term[2].matrix->entry;
-    }
-    return term;
-}
-
-/* The poles of H 11, or all those of (26.11). Some laws are left to the general search: several
- * with functions, and a pole that is further away than (26.11) looks. */
+/* As fvi_oscillator_poles. */
 static int search_of_one(search *s)
 {
     const fvi_response *r = s->response;
-    const double m = *r->term[0].matrix->entry, c = *r->term[1].matrix->entry;
     fvi_pole pole[MOST_OF_ONE];
-    fvi_kernel law;
-    double factor;
-    fvi_kernel_term *term = sum_of_laws(r, &law, &factor);
-    int status = term ? FVI_SUCCESS : FVI_ENOMEM, is_special = c >= 0;
-    for (size_t i = 0; !status && law.count > 1 && i < law.count; i++)
-        is_special = is_special && law.term[i].kind != FVI_KERNEL_SYMBOL;
-    if (!status && is_special) {
-        const int is_power =
-            law.count == 1 && law.term->kind == FVI_KERNEL_POWER;
-        if (is_power || law.count == 0)
-            s->count = (size_t)fvi_pole_find(m, c, is_power ? law.term->rho : 0,
-                                             is_power ? 2 * law.term->alpha : 0,
-                                             pole);
-        else if (fvi_kernel_poles(m, c, factor, &law, MOST_OF_ONE, pole,
-                                  &s->count, NULL))
-            s->count = 0;
-    }
-    free(term);
+    const int status = fvi_oscillator_poles(r, MOST_OF_ONE, pole, &s->count);
     for (size_t k = 0; k < s->count; k++) {
         s->candidate[k].s = pole[k].s;
         s->candidate[k].v[0] = 1;
