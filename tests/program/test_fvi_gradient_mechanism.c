@@ -1,7 +1,7 @@
 /* tests/program/test_fvi_gradient_mechanism.c -- The program build/fvi: gradients with dampers between points,
  * Lagrangians, constraints and a ground that moves.  Run alone: make test-fvi_gradient_mechanism */
 #define _GNU_SOURCE
-#include "program.h"
+#include "gradient_rows.h"
 #include "system/larger.h"
 
 #include <string.h>
@@ -12,15 +12,6 @@ typedef struct {
     const char *words, *of, *row;
     double at;
 } moved;
-
-static double derivative_of(const char *name)
-{
-    char start[80];
-    snprintf(start, sizeof start, "\n%s\t", name);
-    const char *found = strstr(out, start);
-    ck_assert_msg(found != NULL, "no row %s in %s", name, out);
-    return strtod(found + strlen(start), NULL);
-}
 
 /* The last number of the last row. */
 static double last_of(const char *words, double at, const char *column)
@@ -45,7 +36,7 @@ static void ck_assert_row_is_difference(const moved *m)
     snprintf(options, sizeof options, m->words, m->at);
     snprintf(line, sizeof line, "gradient %s --of %s", options, m->of);
     ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
-    const double got = derivative_of(m->row);
+    const double got = derivative(m->row);
     ck_assert_near(got, want, 1e-6 * larger(1, fabs(want)), "%.100s by %s", m->words, m->row);
 }
 
@@ -125,7 +116,7 @@ START_TEST(what_a_mechanism_has_no_row_of_is_said)
     ck_assert_ptr_nonnull(
         strstr(out, "# warning = no derivative by x0_1: this coordinate is imposed\n"));
     ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by r, of which a damper"));
-    derivative_of("x0_2");
+    derivative("x0_2");
     ck_assert_int_eq(fvi("gradient --mass 1,0 --potential 'x1^2/2 + (x1-x2)^2' --damper 'x2 : "
                          "power:0.5,0.3' --method fvi-stable"),
                      2);

@@ -72,7 +72,7 @@ START_TEST(a_gradient_of_a_folder_is_that_of_its_masses)
 }
 END_TEST
 
-/* A row of a law against a difference of two runs, as in test_fvi_gradient.c. */
+/* A row of a law against a difference of two runs, as in test_fvi_gradient_laws.c. */
 START_TEST(a_law_of_a_folder_has_its_rows)
 {
     const char *law =
