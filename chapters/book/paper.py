@@ -2,7 +2,9 @@
 
 Places get the name of their chapter in front, so that none stands twice; a link to a
 file that is not on paper keeps its words only; answers stand at the end of their chapter."""
+import datetime
 import re
+import subprocess
 
 FRAME = """<!DOCTYPE html>
 <html lang="en" data-theme="light">
@@ -19,7 +21,9 @@ FRAME = """<!DOCTYPE html>
 <body>
 <section class="cover"><p class="title">Fractional variational integrators</p>
 <p>A course that runs: mechanics with memory, simulated by discretising a variational principle.</p>
-<p class="small">Version {version}. Each chapter has a module in C, a test, a proof by sympy and figures drawn from what the C
+<p>The method is by Fernando Jiménez and Sina Ober-Blöbaum, <em>Fractional damping through restricted calculus of
+variations</em>. The course, the program and the library are by the authors of the repository.</p>
+<p class="small">Version {version}, {date}, made from {source} by <code>make pdf</code>. Each chapter has a module in C, a test, a proof by sympy and figures drawn from what the C
 printed; the files that are named here stand in the repository of the course.</p></section>
 <nav class="toc"><h1 class="plain">Contents</h1><ol>
 {rows}
@@ -77,8 +81,16 @@ def row(level, ident, title):
             f'<span class="page"></span></a></li>')
 
 
+def made_from():
+    """The day and the name of the state of the repository; without git, today."""
+    run = subprocess.run(["git", "log", "-1", "--format=%cs %h"], capture_output=True, text=True)
+    day, name = run.stdout.split() if run.returncode == 0 else (datetime.date.today().isoformat(), "")
+    return f"{int(day[8:])} {datetime.date.fromisoformat(day):%B %Y}", f"the state {name} of the repository" if name else "the sources"
+
+
 def write(out, chapters, words, version):
     """words: of a title, its words (for running heads)."""
+    date, source = made_from()
     names = {page.name for page in chapters}
     heads, rows, bodies = [], [], []
     for page in chapters:
@@ -88,5 +100,5 @@ def write(out, chapters, words, version):
         rows.append(row(1, page.name, page.title))
         rows += [row(2, f"{page.name}--{ident}", title) for level, ident, title in page.headings if level == 2]
         bodies.append(f'<article class="{mark}">{on_paper(page, page.body, names)}</article>')
-    (out / "print.html").write_text(FRAME.replace("{heads}", "\n".join(heads)).replace("{version}", version)
+    (out / "print.html").write_text(FRAME.replace("{heads}", "\n".join(heads)).replace("{version}", version).replace("{date}", date).replace("{source}", source)
                                     .replace("{rows}", "\n".join(rows)).replace("{chapters}", "\n".join(bodies)))

@@ -29,6 +29,14 @@ test("every page but the cover has its number at its foot", () => {
   pages.slice(1).forEach((text, i) => assert.equal(text.trimEnd().split("\n").at(-1).trim(), String(i + 2)));
 });
 
+test("the cover says whose method it is, the version, the day, and from what it is made", () => {
+  for (const words of [/Fernando Jiménez and Sina Ober-Blöbaum/, /Version \d+\.\d+\.\d+, \d+ [A-Z]\w+ 20\d\d/, /make pdf/]) assert.match(pages[0].replace(/\s+/g, " "), words);
+});
+
+test("symbols, glossary and one bibliography are on paper", () => {
+  for (const name of ["symbols", "glossary", "bibliography"]) assert.equal(chapters.filter(chapter => chapter.name === name).length, 1, name);
+});
+
 test("the head of a page is the title of its chapter", () => {
   assert.ok(chapters.length > 26);
   chapters.forEach(({ head, name }, i) => {
