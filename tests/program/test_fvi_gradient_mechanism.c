@@ -81,6 +81,9 @@ START_TEST(rows_of_a_mechanism_are_differences_of_runs)
         { "--lagrangian '(v1^2+v2^2)/2-g*x2' --constraint '(x1^2+x2^2-1)/2' --x0 0.6,-0.8 --p0 "
           "0.4,0.3 --damper 'sqrt((x1-1.5)^2+x2^2) : power:0.4,0.3' --let g=%.17g " FEW,
           "x:1", "g", 1 },
+        { "--lagrangian '(v1^2+v2^2)/2+x1*x2*v1-g*x2' --constraint '(x1^2+x2^2-1)/2' --x0 0.6,-0.8 "
+          "--v0 0.4,0.3 --method fvi-lobatto3 --let g=%.17g " FEW,
+          "p:2", "g", 1 }, /* the slope L_xv is not 0, nor is the multiplier of the last row */
     };
     for (size_t i = 0; i < LEN(rows); i++)
         ck_assert_row_is_difference(rows + i);
