@@ -207,6 +207,39 @@ START_TEST(eq_24_3_standard_deviations_and_correlations)
 END_TEST
 //< covariance
 
+/* a + b t is a straight line through readings with a known sigma, so that the covariance of a and b
+ * is sigma^2 times the inverse of [n, sum t; sum t, sum t^2], whatever the motion is. Sums of 200
+ * terms round by at most 200 * 2^-53 = 2e-14 each, and the determinant loses a factor of 4. Seen: 2.2e-16. */
+START_TEST(eq_24_3_an_offset_and_a_drift_are_a_straight_line)
+{
+    static const fvi_free_parameter line[] = { FVI_FREE_PARAMETER_OFFSET,
+                                               FVI_FREE_PARAMETER_DRIFT };
+    const double n = REF_POINTS, sigma = 0.02;
+    double t = 0, tt = 0;
+    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
+    question q;
+    fvi_estimate f;
+    ask(&q, ref_low, 2);
+    q.run.alpha = 0.3;
+    q.rho = 0.4;
+    q.constants[0] = 1;
+    q.fit.which = line;
+    add_noise(&q, sigma, r);
+    for (size_t i = 0; i < REF_POINTS; i++) {
+        t += q.t[i];
+        tt += q.t[i] * q.t[i];
+    }
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
+    const double det = n * tt - t * t;
+    const double want[] = { sigma * sqrt(tt / det), sigma * sqrt(n / det) };
+    for (size_t j = 0; j < 2; j++) {
+        seen(fabs(f.sd[j] / want[j] - 1), "relative error of sd of a line");
+        ck_assert_double_eq_tol(f.sd[j] / want[j], 1, 1e-12);
+    }
+    gsl_rng_free(r);
+}
+END_TEST
+
 //> recovers
 /* All of three Gaussian estimates are within 3 sd with a probability of at least
  * 1 - 3 * 0.0027 = 0.9919, whatever their correlations. Of 20 data sets more than 2 miss
@@ -315,6 +348,7 @@ int main(void)
              eq_26_1_a_fit_with_a_law_finds_what_multiplies_it,
              eq_24_4_the_error_of_a_method_is_one_of_the_parameters,
              eq_24_3_standard_deviations_and_correlations,
+             eq_24_3_an_offset_and_a_drift_are_a_straight_line,
              eq_24_3_sigma_is_estimated);
     ADD_CASE(suite, "noise",
              eq_24_2_noisy_data_of_another_program_within_three_sd);
