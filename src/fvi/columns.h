@@ -96,11 +96,9 @@ const char *fvi_reduction_name(const fvi_typed_columns *columns, size_t i);
 
 /* fvi_reductions_add -- one more step at the time t, after fvi_typed_columns_values has read it, in the order
  * of time, the first at t = 0. FVI_EOVRFLW if a number is not finite.
- * fvi_reductions_restart -- as if there had been no step.
  * fvi_reductions_values -- of all steps so far; fvi_reductions_count numbers.
  * fvi_reductions_archive -- what steps changed, as fvi_stepper_archive. */
 int fvi_reductions_add(fvi_typed_columns *columns, double t);
-void fvi_reductions_restart(fvi_typed_columns *columns);
 void fvi_reductions_values(const fvi_typed_columns *columns, double *values);
 int fvi_reductions_archive(fvi_typed_columns *columns, fvi_archive *archive);
 

@@ -223,12 +223,6 @@ int fvi_reductions_add(fvi_typed_columns *c, double t)
     return FVI_SUCCESS;
 }
 
-void fvi_reductions_restart(fvi_typed_columns *c)
-{
-    for (size_t i = 0; i < c->reductions; i++)
-        c->reduction[i].state = (fvi_reduction_state){ .count = 0 };
-}
-
 void fvi_reductions_values(const fvi_typed_columns *c, double *values)
 {
     for (size_t i = 0; i < c->reductions; i++) {

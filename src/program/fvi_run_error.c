@@ -30,8 +30,6 @@ static int keep_typed(size_t k, const fvi_observation *now, void *params)
                           : t->rows + k * fvi_typed_columns_count(t->o->typed));
     if (status || !reduces)
         return status;
-    if (k == 0) /* the search begins another run */
-        fvi_reductions_restart(t->o->typed);
     return fvi_reductions_add(t->o->typed, now->t);
 }
 
