@@ -52,7 +52,7 @@ fvi_run fvi_run_normal(const fvi_method *method, const fvi_run *run)
     if (!run->law)
         return normal;
     normal.past = FVI_INITIAL_HISTORY_HELD;
-    normal.alpha = method->stages ? 0.5 : method->dense ? 0.25 : 0;
+    normal.alpha = method->dense ? 0.25 : 0;
     return normal;
 }
 
