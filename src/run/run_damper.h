@@ -29,8 +29,8 @@ fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j);
 /* fvi_run_normal -- the run as the steps of a method see it. Without a law it is as it was. With a law
  *
  *   past   is HELD: what else fvi_run_check takes is the same
- *   alpha  is 0, since a law scales the sums of a method itself; 1/4
- *          where steps vary, whose lengths are guessed by it */
+ *   alpha  is 0, since a law scales the sums of a method itself. Where steps vary it is 1/4, by
+ *          which their lengths are guessed */
 fvi_run fvi_run_normal(const fvi_method *method, const fvi_run *run);
 
 /* fvi_run_damper_symbol -- its C(s) of s > 0. */
