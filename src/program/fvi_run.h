@@ -49,6 +49,9 @@ int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
 void fvi_run_reduced(const fvi_table *t, double *row);
 int fvi_run_reductions(fvi_table *t);
 
+/* fvi_warn_of_reduced_rows -- with a wanted error the rows alone are reduced: that is said. */
+void fvi_warn_of_reduced_rows(const fvi_options *o);
+
 /* fvi_snapshot -- a line for each unknown of s, number, x and p, into o->snapshot, complete or
  * not at all, if there is such a name. Returns 0, or 1 after it has said what is wrong. */
 int fvi_snapshot(const fvi_options *o, const fvi_stepper *s);

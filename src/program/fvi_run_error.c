@@ -153,6 +153,13 @@ static void head_of_search(FILE *out, const fvi_options *o,
     fvi_format_parameter(out, o->format, "error estimate", text);
 }
 
+void fvi_warn_of_reduced_rows(const fvi_options *o)
+{
+    if (o->error > 0 && fvi_reductions_count(o->typed) > 0)
+        fvi_warn("--reduce: with --error only the rows are reduced, "
+                 "not what is between them; --steps N gives more rows");
+}
+
 static int print_found(const fvi_options *o, const fvi_system *system,
                        const fvi_report *found, const double *x,
                        const double *p, const double *typed)
@@ -231,8 +238,10 @@ int fvi_command_error(const fvi_options *o, const fvi_system *system)
     int failed = find_step(o, &r, x, p, typed, &found);
     if (!failed)
         failed = warn_of_inertia(o, system, x, p);
-    if (!failed)
+    if (!failed) {
+        fvi_warn_of_reduced_rows(o);
         failed = print_found(o, system, &found, x, p, typed);
+    }
     free(x);
     return failed;
 }

@@ -3,6 +3,7 @@
 #include "output/fvi_complain.h"
 #include <fvi/fvi.h>
 #include "fvi_commands.h"
+#include "fvi_run.h"
 #include "output/fvi_format.h"
 #include "sweep_run.h"
 #include "output/fvi_output.h"
@@ -284,6 +285,7 @@ int fvi_command_sweep(int argc, char **argv)
     if (status) {
         status = fvi_refused(&error, "sweep");
     } else {
+        fvi_warn_of_reduced_rows(&o);
         status = run_all(&g, &o, first, no_solution);
         fvi_options_free(&o);
     }

@@ -97,6 +97,7 @@ START_TEST(reductions_with_an_error_are_over_the_rows)
                  "'min(x),at(min(x)),last(x),max(v),max(a)'",
                  methods[i]);
         ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+        ck_assert_ptr_nonnull(strstr(err, "warning: --reduce: with --error only the rows"));
         ck_assert_uint_eq(count_rows(), 1);
         const double want[] = { cos(3), 3, cos(3), 0, -cos(3) };
         for (size_t n = 0; n < LEN(want); n++) /* the slope of a is not below that of x */

@@ -1,4 +1,5 @@
 """The Python package: mechanisms, structures, responses, poles, control."""
+import math
 import os
 import pickle
 import subprocess
@@ -349,3 +350,12 @@ def test_a_fit_of_a_law_is_the_programs(test, law, tmp_path):
     for bad, why in ((dict(law="spring+zenr"), "^law: 'zenr'"), (dict(weights="both"), "^weights"), (dict(starts=1), "^starts")):
         with pytest.raises(ValueError, match=why):
             getattr(fvi, "fit_" + test)(*columns, **bad)
+
+
+def test_what_is_solved_without_a_step_is_right_or_warns():
+    """Eigenvalue 2 of both masses, no damping: x = cos(sqrt(2) t)."""
+    two = dict(M=np.eye(2), K=2 * np.eye(2), x0=1, p0=0, time=20)
+    s = fvi.solve(fvi.Problem(C=np.zeros((2, 2)), **two))
+    assert np.abs(s.x - np.cos(math.sqrt(2) * s.t)[:, None]).max() < 1e-8
+    with pytest.warns(fvi.FviWarning, match="200 steps of fvi-stable"):
+        fvi.solve(fvi.Problem(dampers=[([1, 0], "power:0,0.3"), ([0, 1], "viscous:0")], **two))

@@ -13,7 +13,7 @@ from ._arguments import Array, Numbers, choice, described, number, numbers, spel
 from ._checkpoint import Checkpoint, rows_with_checkpoint
 from ._events import Event, Events, listed, rows_with_events
 from ._fvi import ffi, lib
-from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, warn_of_start
+from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, warn, warn_of_start
 from ._mechanism import Mechanism, Structure, own_law
 from ._problem import Problem
 from ._run import MEMORIES, PASTS, length, methods
@@ -142,12 +142,17 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
             if one is not None and {"h": h, "step_error": step_error}[other] is not None:
                 raise ValueError(f"{other}: not together with {name}")
     chooses = error is not None or step_error is not None or longest is not None
-    if method is None and (events or (problem.kind == "mechanism" and chooses)):
+    is_open = h is None and steps is None  # nobody said which steps
+    if method is None and (events or (problem.kind == "mechanism" and (chooses or is_open))):
         method = "fvi-adaptive"
-    if method is None and problem.kind == "structure" and chooses and takes_any_steps(problem):
+    # With several dampers it does not tell their forces, which a says, too.
+    if method is None and problem.kind == "structure" and (chooses or is_open and len(problem.dampers) < 2) \
+            and takes_any_steps(problem):
         method = "fvi-adaptive"
     if method is None and problem.kind != "masses":
         method = "fvi-stable"
+        if is_open and not chooses:
+            warn(f"{NEEDS_ROWS} steps of fvi-stable, as neither h nor steps nor error is given: how far x is off is not estimated")
     if method is None:
         method = "fvi" if h is not None else "fvi-adaptive"
         if error is not None and problem.damping is not None:
@@ -296,7 +301,8 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
     t_eval      the times of the rows, increasing, within 0 ... time; None: evenly, or each step
     error       how far x may be off at any row, a length > 0, by the library's estimate
     method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h; "fvi-bdf2" for a law with error;
-                "fvi-stable" with constraints, and for matrices with a damping of order 2
+                "fvi-stable" of mechanisms and matrices with h or steps, and for matrices with a damping of order 2 or,
+                with a warning, with several dampers
     h           the step, a time > 0 of which the problem's time is a multiple
     steps       instead of h: how many steps, or, where the steps are found, how many rows but one; 200
     kappa       0 ... 1: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}, of methods that have it; 0.5
