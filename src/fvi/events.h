@@ -48,7 +48,9 @@ typedef enum {
  *   restitution  e of an impact, 0 <= e <= 1
  *
  * Which side of 0 the motion is on is known from its first time with z != 0: what begins with z = 0 is
- * no event yet. A jump of p by another event at the same time is no passing of 0. z is looked at at
+ * no event yet. But a wall stands where an impact begins: the body is where z > 0, or where z < 0 with the
+ * direction 1. One that lies there and would fall is at rest in the first step, and fvi_stepper_start refuses
+ * one that moves into the wall, with FVI_EINVAL. A jump of p by another event at the same time is no passing of 0. z is looked at at
  * six or eight times of each step, so one that passes 0 twice between two of them is not seen;
  * run.longest makes the steps shorter. */
 struct fvi_event {

@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* What the parser let through is in range: FVI_EINVAL is then a number of steps that no
  * memory is made for, FVI_EDOM an m / h, FVI_EUNSUP a start of fvi-adaptive, or a law that
@@ -212,6 +213,16 @@ static int rows_and_checkpoints(fvi_table *t, fvi_stepper *s, watches *w,
     return failed;
 }
 
+/* An event that no run can begin with, by the name that was typed. Returns an exit code. */
+static int refused_event(const fvi_options *o, const fvi_error *error)
+{
+    fvi_error named = { 0 };
+    const char *reason = strstr(error->text, ": ");
+    fvi_fail(&named, error->code, "event", error->value, "'%s'%s",
+             fvi_typed_event_name(o->events, error->index), reason ? reason : "");
+    return fvi_refused(&named, "run");
+}
+
 static void print_events(const fvi_table *t, const fvi_stepper *s)
 {
     size_t n;
@@ -286,7 +297,9 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
         status = fvi_stepper_start(o->method, &r, &s, &error);
     if (!status)
         status = fvi_run_observe(&t, s);
-    failed = status && o->mechanism && error.field
+    failed = status && error.field && strcmp(error.field, "events") == 0
+                 ? refused_event(o, &error)
+             : status && o->mechanism && error.field
                  ? fvi_refused(&error, "run")
              : status == FVI_EOVRFLW && s ? fvi_stopped_at(0, status) /* of a reduction */
              : status ? fvi_complain_of_start(o, status)

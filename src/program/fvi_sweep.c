@@ -169,7 +169,7 @@ static void reason_of_start(const sweep_grid *g, size_t i, size_t size, char *te
         return;
     const fvi_system system = fvi_options_system(&o);
     const fvi_run r = fvi_options_run(&o, &system);
-    if (o.mechanism && fvi_stepper_start(o.method, &r, &s, &error) && error.field)
+    if ((o.mechanism || o.events) && fvi_stepper_start(o.method, &r, &s, &error) && error.field)
         snprintf(text, size, "--%s: %s", error.field, error.text);
     fvi_stepper_free(s);
     fvi_options_free(&o);

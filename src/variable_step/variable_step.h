@@ -257,12 +257,16 @@ int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length
  * fvi_variable_step_end_at_event -- the step that has been tried ends at its first event: it is solved
  * again with such a length. Returns what fvi_variable_step_solve or a function of an event does, and
  * FVI_EOVRFLW where a z is not finite.
+ * fvi_variable_step_outside -- the sign of z where a body is that starts on the wall: 1, or -1 if z acts as it rises.
+ * fvi_variable_step_check_walls -- FVI_EINVAL if a body starts on a wall and moves into it; what a gradient returns.
  * fvi_variable_step_act -- behind that step, what its events do; how the next one begins. */
 int fvi_variable_step_has_impacts(const fvi_run *run);
 int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *o);
 int fvi_variable_step_copy_events(const fvi_event_watch *from, fvi_variable_step_state *o);
 void fvi_variable_step_free_events(fvi_event_watch *w);
 int fvi_variable_step_end_at_event(fvi_stepper *s, fvi_variable_step_state *o);
+double fvi_variable_step_outside(const fvi_event *e);
+int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o);
 int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o);
 
 /* fvi_variable_step_sides -- all z where the stepper stands. A side that is not known is that of its z;

@@ -169,14 +169,16 @@ static int bisect(const fvi_stepper *s, const fvi_variable_step_state *o, size_t
 }
 
 /* Where event i passes 0, to theta; INFINITY if it does not. *is_too_long: behind its impact z has
- * not been on its side at any stage, so that a shorter step has to find it there. */
+ * not been on its side at any stage, so that a shorter step has to find it there. A body that starts
+ * on its wall is one that has just hit it. */
 static int find_passing(const fvi_stepper *s, const fvi_variable_step_state *o,
                         size_t i, int *is_too_long)
 {
     fvi_event_watch *w = o->watch;
     const fvi_event *e = &s->run.events[i];
-    double side = w->side[i], low = 0;
-    int is_seen = w->has_hit[i] == 0;
+    const int on_wall = w->side[i] == 0 && e->action == FVI_EVENT_IMPACT;
+    double side = on_wall ? fvi_variable_step_outside(e) : w->side[i], low = 0;
+    int is_seen = w->has_hit[i] == 0 && !on_wall;
     w->theta[i] = INFINITY;
     for (size_t n = 1; n < o->rule->s; n++) {
         const double sign = sign_of(w, i, w->z[i * o->rule->s + n]),
@@ -186,6 +188,7 @@ static int find_passing(const fvi_stepper *s, const fvi_variable_step_state *o,
             continue;
         if (passes && !is_seen) {
             *is_too_long = 1;
+            w->has_hit[i] = 1;
             return FVI_SUCCESS;
         }
         if (passes && (e->direction == 0 || e->direction == -side))
@@ -278,6 +281,21 @@ static int slope_of(const fvi_stepper *s, const fvi_variable_step_state *o, size
     return status;
 }
 
+/* A body that has started on its wall, and that longer steps have seen fall: does it lie there, as z is
+ * nothing but rounding in a short one? */
+static int lies_on_wall(const fvi_variable_step_state *o)
+{
+    const fvi_event_watch *w = o->watch;
+    for (size_t i = 0; i < w->count; i++) {
+        int lies = w->side[i] == 0 && w->has_hit[i] != 0;
+        for (size_t n = 1; n < o->rule->s && lies; n++)
+            lies = sign_of(w, i, w->z[i * o->rule->s + n]) == 0;
+        if (lies)
+            return 1;
+    }
+    return 0;
+}
+
 int fvi_variable_step_end_at_event(fvi_stepper *s, fvi_variable_step_state *o)
 {
     fvi_event_watch *w = o->watch;
@@ -300,8 +318,8 @@ int fvi_variable_step_end_at_event(fvi_stepper *s, fvi_variable_step_state *o)
                 s, o, (fvi_length){ h / 4, FVI_OFF_LATTICE }, &error);
             continue;
         }
-        w->at_rest = is_too_long;
-        if (is_too_long || first == w->count)
+        w->at_rest = is_too_long || lies_on_wall(o);
+        if (w->at_rest || first == w->count)
             return FVI_SUCCESS;
         status = slope_of(s, o, first, w->theta[first], &slope);
         return status ? status

@@ -80,6 +80,33 @@ static int fall_of(const fvi_stepper *s, fvi_variable_step_state *o, size_t i,
     return status;
 }
 
+double fvi_variable_step_outside(const fvi_event *e)
+{
+    return e->direction > 0 ? -1 : 1;
+}
+
+int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    for (size_t i = 0; o->watch && i < o->watch->count; i++) {
+        const fvi_event *e = &s->run.events[i];
+        double z, speed;
+        if (e->action != FVI_EVENT_IMPACT
+            || e->value(s->t, o->d, s->x, s->p, e->params, &z) || z != 0)
+            continue; /* what fails here fails in the first step, too */
+        const int status = speed_at(s, i, s->t, s->x, s->p, o->watch->point + 2 * o->d, &speed);
+        if (status)
+            return status;
+        if (speed * fvi_variable_step_outside(e) < 0) {
+            fvi_fail(s->error, FVI_EINVAL, "events", speed,
+                     "event %zu: starts at Z = 0 and moves into the wall", i);
+            if (s->error)
+                s->error->index = i;
+            return FVI_EINVAL;
+        }
+    }
+    return FVI_SUCCESS;
+}
+
 //> impact
 /* p -> p - (1 + e) n (n v + dz/dt) / (n M^-1 n), if the body comes nearer. Is it at rest then, as it
  * would rise no higher, in z, than the step may err, before it falls back? */

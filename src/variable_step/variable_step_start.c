@@ -374,7 +374,8 @@ static int start(fvi_stepper *s, int open)
 
 int fvi_variable_step_start(fvi_stepper *s)
 {
-    return start(s, 0);
+    const int status = start(s, 0);
+    return status ? status : fvi_variable_step_check_walls(s, s->method_state);
 }
 
 int fvi_variable_step_start_open(fvi_stepper *s)

@@ -92,6 +92,41 @@ START_TEST(a_ball_comes_to_rest)
 }
 END_TEST
 
+/* On the floor from the start, a ball lies there for any e, thrown up it lands after 2 p, also where the first
+ * step is longer than that, and thrown down it is refused. */
+START_TEST(a_ball_starts_on_the_floor)
+{
+    static const double zero = 0, up = 0.1, down = -1, restitution[] = { 0, 0.5, 1 };
+    const fvi_system system = ball(&none);
+    for (size_t i = 0; i < LEN(restitution); i++) {
+        const fvi_event floor = impact(restitution[i]);
+        fvi_run run = fall(&system, 1, &floor, 3);
+        size_t n;
+        run.x0 = &zero;
+        fvi_stepper *s = started(&run);
+        go(s);
+        const fvi_event_time *at = fvi_stepper_events(s, &n);
+        ck_assert_uint_eq(n, 1);
+        ck_assert(at[0].at_rest && fvi_stepper_is_over(s));
+        /* t^2/2 is below the rounding of the z that the first trials have seen, 8 eps 3^2/2 */
+        ck_assert_near(s->t, 0, 1.5e-7, "at once");
+        ck_assert_near(s->x[0], 0, 1e-14, "where it lies");
+        fvi_stepper_free(s);
+        run.p0 = &up;
+        s = started(&run);
+        go(s);
+        at = fvi_stepper_events(s, &n);
+        ck_assert_uint_ge(n, 1);
+        ck_assert_near(at[0].t, 0.2, 64 * U, "it lands");
+        fvi_stepper_free(s);
+        run.p0 = &down;
+        fvi_error error = { 0 };
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, &error), FVI_EINVAL);
+        ck_assert_str_eq(error.text, "event 0: starts at Z = 0 and moves into the wall");
+    }
+}
+END_TEST
+
 /* Elastic, the energy stays; e = 0 is at rest at once; damped ones come to rest, too. */
 START_TEST(elastic_and_plastic_impacts)
 {
@@ -224,7 +259,7 @@ int main(void)
 {
     Suite *suite = suite_create("impacts");
     ADD_CASE(suite, "a ball", a_ball_bounces_when_and_where_it_should, a_ball_comes_to_rest,
-             elastic_and_plastic_impacts);
+             a_ball_starts_on_the_floor, elastic_and_plastic_impacts);
     ADD_CASE(suite, "walls", an_oblique_wall_that_moves, a_wall_that_carries_a_body);
     return run_suite(suite);
 }

@@ -139,6 +139,8 @@ START_TEST(what_is_wrong_is_said)
         { "run --event 'x : mark' --columns d1.force", "are not known with --event" },
         { "run --event 'x : mark' --columns balance", "are not known with --event" },
         { "sweep --event 'x : mark' --vary alpha=0:1:2 --rows", "fvi: --rows: not together with --event" },
+        { "run --potential x --x0 0 --p0 -1 --event 'x+0 : impact:0.5'",
+          "fvi: --event: 'x+0': starts at Z = 0 and moves into the wall" },
         { "gradient --event 'x : mark'", "not an option of this command" },
         { "exact --event 'x : mark'", "not an option of this command" },
     };
