@@ -93,6 +93,16 @@ typedef struct {
 int fvi_parse_damping(const char *text, fvi_user_parameters *parameters,
                       fvi_typed_damping *damping, fvi_error *error);
 
+/* fvi_check_pairs -- may numbers of two springpots in series be asked for by name? A term keeps that of the
+ * larger order first, so that after maxwell2:R1,A,R2,B with A < B the names 1 and 2 would be exchanged.
+ *
+ *   field  what asks, for the error
+ *
+ * Errors: FVI_EUNSUP if such a law was parsed with these parameters.
+ *     if (fvi_check_pairs("fit", &parameters, &error))
+ *         puts(error.text); */
+int fvi_check_pairs(const char *field, const fvi_user_parameters *parameters, fvi_error *error);
+
 /* fvi_typed_damping_free -- give the expression back; the struct is the caller's. */
 void fvi_typed_damping_free(fvi_typed_damping *damping);
 

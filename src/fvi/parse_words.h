@@ -95,7 +95,8 @@ int fvi_parse_table_columns(const char *field, const char *file, size_t count,
  *   used  for each, who speaks of it: FVI_USED_BY_POTENTIAL, FVI_USED_BY_FORCE,
  *         FVI_USED_BY_PARAMETER, FVI_USED_BY_DAMPING, FVI_USED_BY_COLUMN, added; of a
  *         Lagrangian _POTENTIAL, and _MECHANISM of an elongation, a constraint, an imposed
- *         coordinate and a force of velocity */
+ *         coordinate and a force of velocity
+ *   lower_first  nonzero once a law maxwell2:R1,A,R2,B with A < B was read, see fvi_check_pairs */
 enum {
     FVI_MOST_USER_PARAMETERS = 64,
     FVI_USED_BY_POTENTIAL = 1,
@@ -111,6 +112,7 @@ typedef struct {
     double value[FVI_MOST_USER_PARAMETERS];
     unsigned char used[FVI_MOST_USER_PARAMETERS];
     char names[1024];
+    int lower_first;
 } fvi_user_parameters;
 
 /* fvi_user_parameters_set -- one more name with a finite value; again with the same value is

@@ -41,7 +41,8 @@ typedef struct {
  *
  *     alpha  rho  mass  x0  p0          x0_2 of the second coordinate, and so on
  *     offset  drift                     offset.NAME of the column with this name
- *     d1.rho  d1.zener2.alpha           of run->law, or of the damper NAME: NAME.rho
+ *     d1.rho  d1.zener2.alpha           of run->law, or of the damper NAME: NAME.rho; after a text of
+ *                                       two springpots first ask fvi_check_pairs
  *     c  g  k                           of the constants
  *
  * As the parsers (parse.h); `field` is that of the error. */

@@ -98,8 +98,8 @@ static int refuse_range(const char *text, size_t i, double value,
 }
 
 /* One term at the end of the sum. */
-static int add_term(const char *text, fvi_typed_damping *damping,
-                    fvi_error *error)
+static int add_term(const char *text, fvi_user_parameters *parameters,
+                    fvi_typed_damping *damping, fvi_error *error)
 {
     const size_t length = strcspn(text, ":"),
                  i = fvi_scan_word(text, length, words);
@@ -124,6 +124,8 @@ static int add_term(const char *text, fvi_typed_damping *damping,
     if (damping->law.count == FVI_MOST_TERMS)
         return fvi_fail(error, FVI_EINVAL, "damping", NAN,
                         "'%s': too many terms", text);
+    if (parameters && term.kind == FVI_KERNEL_MAXWELL2 && p[1] < p[3])
+        parameters->lower_first = 1;
     damping->term[damping->law.count++] = term;
     damping->law.term = damping->term;
     return FVI_SUCCESS;
@@ -151,6 +153,15 @@ static int parse_symbol(const char *text, fvi_user_parameters *parameters,
     return FVI_SUCCESS;
 }
 
+int fvi_check_pairs(const char *field, const fvi_user_parameters *parameters, fvi_error *error)
+{
+    if (!parameters->lower_first)
+        return FVI_SUCCESS;
+    return fvi_fail(error, FVI_EUNSUP, field, NAN,
+                    "maxwell2:R1,A,R2,B with A < B has no derivatives and no fit by its numbers: write the "
+                    "term of the larger order first");
+}
+
 void fvi_typed_damping_free(fvi_typed_damping *damping)
 {
     fvi_expression_free(damping->symbol);
@@ -174,7 +185,7 @@ int fvi_parse_damping(const char *text, fvi_user_parameters *parameters,
             *next = '\0';
             next += 3;
         }
-        status = add_term(at, damping, error);
+        status = add_term(at, parameters, damping, error);
     }
     free(copy);
     return status;

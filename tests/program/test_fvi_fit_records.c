@@ -42,6 +42,19 @@ START_TEST(fit_compares_columns_of_several_masses)
 }
 END_TEST
 
+/* Numbers of two springpots in series are not fitted by the other's name. */
+START_TEST(fit_wants_the_larger_order_first)
+{
+    ck_assert_int_eq(fvi("run --alpha 0.3 --rho 0.4 --p0 0 --h 0.1 --steps 100 --columns t,x -o one.tsv"), 0);
+    ck_assert_int_eq(fvi("fit --p0 0 --damper 'd=x : maxwell2:0.4,0.2,0.7,0.4' --fit d.rho1 one.tsv"), 2);
+    ck_assert(strstr(err, "write the term of the larger order first"));
+    ck_assert_int_eq(fvi("fit --p0 0 --damping maxwell2:0.4,0.2,0.7,0.4 --fit c,d1.alpha2 one.tsv"), 2);
+    ck_assert(strstr(err, "write the term of the larger order first"));
+    ck_assert_int_ne(fvi("fit --p0 0 --damping maxwell2:0.4,0.2,0.7,0.4 --fit c one.tsv"), 2);
+    ck_assert_int_ne(fvi("fit --p0 0 --damping maxwell2:0.7,0.4,0.4,0.2 --fit d1.rho1 one.tsv"), 2);
+}
+END_TEST
+
 /* Two tests of one body, the second with its own start and its own force, which its file has up to its
  * own last time. */
 START_TEST(fit_takes_several_records)
@@ -127,7 +140,7 @@ int main(void)
 {
     Suite *suite = suite_create("fits of records");
     ADD_CASE(suite, "records", fit_compares_columns_of_several_masses, fit_takes_several_records,
-             fit_takes_a_folder, fit_forgives_wrong_readings,
+             fit_wants_the_larger_order_first, fit_takes_a_folder, fit_forgives_wrong_readings,
              fit_of_a_stiff_body_takes_steps_of_its_own);
     return run_suite_of_program(suite);
 }

@@ -94,6 +94,30 @@ START_TEST(two_springpots_in_series_have_rows)
 }
 END_TEST
 
+/* The names 1 and 2 would be exchanged where the order that stands second is the larger: no such row; that by x0
+ * there is, and of two equal orders those of all numbers. */
+START_TEST(the_larger_order_stands_first)
+{
+    static const char *const laws[] = { "--damping maxwell2:0.4,0.2,0.7,0.4",
+                                        "--damper 'd=x : maxwell2:0.4,0.2,0.7,0.4'",
+                                        "--damper 'd=x : power:1,0.3 + maxwell2:0.4,0.2,0.7,0.4'" };
+    char line[300];
+    for (size_t i = 0; i < LEN(laws); i++) {
+        const char *by = i ? "" : "--by damping_A";
+        snprintf(line, sizeof line, "gradient --potential x^4/4 --method fvi-lobatto4 %s %s", laws[i], by);
+        ck_assert_int_eq(fvi(line), 2);
+        ck_assert_ptr_nonnull(strstr(err, "write the term of the larger order first"));
+        snprintf(line, sizeof line, "gradient --potential x^4/4 --method fvi-lobatto4 %s --by x0", laws[i]);
+        ck_assert_int_eq(fvi(line), 0);
+        derivative("x0");
+    }
+    ck_assert_int_eq(fvi("gradient --damping maxwell2:0.4,0.2,0.7,0.2"), 0);
+    derivative("damping_R2");
+    ck_assert_int_eq(fvi("gradient --damper 'd=x : maxwell2:0.7,0.4,0.4,0.2'"), 0);
+    derivative("d.rho1");
+}
+END_TEST
+
 /* By fvi-adaptive as by another method, but for the numbers of the law behind its factor. */
 START_TEST(rows_of_a_law_on_steps_of_any_length)
 {
@@ -127,6 +151,6 @@ int main(void)
 {
     Suite *suite = suite_create("fvi gradient: laws of damping");
     ADD_CASE(suite, "answers", rows_of_a_law_are_differences_of_runs,
-             rows_of_a_law_on_steps_of_any_length, two_springpots_in_series_have_rows);
+             rows_of_a_law_on_steps_of_any_length, two_springpots_in_series_have_rows, the_larger_order_stands_first);
     return run_suite_of_program(suite);
 }

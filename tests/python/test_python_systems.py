@@ -191,6 +191,10 @@ def test_a_structure_has_a_gradient():
         assert abs(found[i] - (8 * (far[2] - far[1]) - far[3] + far[0]) / 12e-3) < 1e-6 * max(1, abs(found[i]))
     rows = fvi.jacobian(fvi.solve(laws(numbers).replace(time=1.0), h=0.5), ["laws"])["laws"]
     assert rows.shape == (3, 5, 2 + 3 + 4 + 2)
+    exchanged = fvi.solve(two.replace(dampers=[([1, 0, 0, 0, -1], "maxwell2:0.4,0.2,0.7,0.4")]), h=0.05)
+    with pytest.raises(Exception, match="write the term of the larger order first"):
+        fvi.vjp(exchanged, x=wx, wrt="laws")
+    assert np.isfinite(fvi.vjp(exchanged, x=wx, wrt="x0")["x0"]).all()
 
 
 # ---- by frequency ----

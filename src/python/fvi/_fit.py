@@ -147,6 +147,8 @@ def which_of(system: Any, run: Any, which: Optional[str], columns: list) -> tupl
     for name in asked:
         understand(lib.fvi_parse_free_parameter, b"which", name.encode(), names, out)
         found.append(int(out[0]))
+        if name.lower().endswith((".rho1", ".alpha1", ".rho2", ".alpha2")):
+            understand(lib.fvi_check_pairs, b"which", system.parameters)
     return asked, found
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from ._arguments import Array, Numbers, described, numbers, spelt
 from ._fvi import ffi, lib
-from ._library import ask, failure, succeed
+from ._library import ask, failure, succeed, understand
 from ._observe import as_run
 from ._problem import Problem
 from ._solution import Solution
@@ -137,7 +137,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     has it; of matrices "M", "K" and "C", by a factor of each, "dampers", by a factor of the law of each, and
     "laws", for each damper a dict for each term of its law; "let", by names;
     "potential", the derivatives by the constants of a potential that is ready to use;
-    "damping", a dict for each term of the law, with rho, alpha, time and end; "force", of measured rows, by each F.
+    "damping", a dict for each term of the law, with rho, alpha, time and end; not of maxwell2:R1,A,R2,B with A < B: write
+    the term of the larger order first; "force", of measured rows, by each F.
 
     These are the derivatives of the numbers that `solve` gives, exact but for rounding: no difference is taken. Of
     "fvi-adaptive" the steps are held, and with error they are those of another run as fine.
@@ -177,6 +178,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     laws = system.laws_of_dampers if "laws" in names else [system.law] if "damping" in names else []
     if is_mechanism:
         laws = [lib.kernel_of(system.system, j) for j in range(count)] if names & {"laws", "alpha", "order"} else []
+    if laws and names & {"laws", "damping"}:
+        understand(lib.fvi_check_pairs, b"damping", system.parameters)
     parts = numbers_of_laws(laws, mirror.method, mirror.is_dense) if laws else []
     if is_mechanism and "laws" not in names:
         parts = parts and ["orders"]
