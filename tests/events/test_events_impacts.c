@@ -92,6 +92,25 @@ START_TEST(a_ball_comes_to_rest)
 }
 END_TEST
 
+/* A ball that starts on a floor at x = 1, where a short step changes no digit of x, lies there, too. */
+START_TEST(a_ball_starts_on_a_floor_that_is_not_at_0)
+{
+    double floor_at = 1;
+    fvi_event floor = impact(0);
+    floor.params = &floor_at;
+    const fvi_system system = ball(&none);
+    const fvi_run run = fall(&system, 1, &floor, 3);
+    size_t n;
+    fvi_stepper *s = started(&run);
+    go(s);
+    const fvi_event_time *at = fvi_stepper_events(s, &n);
+    ck_assert_uint_eq(n, 1);
+    ck_assert(at[0].at_rest && fvi_stepper_is_over(s));
+    ck_assert_near(s->t, 0, 1.5e-7, "at once"); /* as t^2/2 is below 8 eps 3^2/2 */
+    fvi_stepper_free(s);
+}
+END_TEST
+
 /* On the floor from the start, a ball lies there for any e, thrown up it lands after 2 p, also where the first
  * step is longer than that, and thrown down it is refused. */
 START_TEST(a_ball_starts_on_the_floor)
@@ -259,7 +278,8 @@ int main(void)
 {
     Suite *suite = suite_create("impacts");
     ADD_CASE(suite, "a ball", a_ball_bounces_when_and_where_it_should, a_ball_comes_to_rest,
-             a_ball_starts_on_the_floor, elastic_and_plastic_impacts);
+             a_ball_starts_on_the_floor, a_ball_starts_on_a_floor_that_is_not_at_0,
+             elastic_and_plastic_impacts);
     ADD_CASE(suite, "walls", an_oblique_wall_that_moves, a_wall_that_carries_a_body);
     return run_suite(suite);
 }
