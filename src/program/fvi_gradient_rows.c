@@ -78,7 +78,9 @@ static void rows_of_term(const visitor *v, const request *r, size_t i)
     if (r->terms > 1)
         snprintf(number, sizeof number, "_%zu", i + 1);
     snprintf(name, sizeof name, "damping%s", number);
-    if (kind == FVI_KERNEL_SYMBOL || !r->has_terms) {
+    /* The kernel has rho = R1 and time = R1 / R2: by R1 alone both derivatives are needed. */
+    const int lacks_time = kind == FVI_KERNEL_MAXWELL2 && !r->has_orders;
+    if (kind == FVI_KERNEL_SYMBOL || !r->has_terms || lacks_time) {
         warn(v, name, "no derivatives by the numbers of %s", name);
         return;
     }

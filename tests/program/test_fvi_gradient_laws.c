@@ -94,6 +94,17 @@ START_TEST(two_springpots_in_series_have_rows)
 }
 END_TEST
 
+/* On steps of any length the kernel's own rho is no number of two springpots in series. */
+START_TEST(two_springpots_in_series_have_no_row_by_half_a_number)
+{
+    ck_assert_int_eq(fvi("gradient --method fvi-adaptive --potential x^4/4 --time 3 --steps 3 "
+                         "--damping maxwell2:0.7,0.4,0.4,0.2"),
+                     0);
+    ck_assert_ptr_nonnull(strstr(out, "no derivatives by the numbers of damping"));
+    ck_assert_ptr_null(strstr(out, "\ndamping\t"));
+}
+END_TEST
+
 /* The names 1 and 2 would be exchanged where the order that stands second is the larger: no such row; that by x0
  * there is, and of two equal orders those of all numbers. */
 START_TEST(the_larger_order_stands_first)
@@ -151,6 +162,7 @@ int main(void)
 {
     Suite *suite = suite_create("fvi gradient: laws of damping");
     ADD_CASE(suite, "answers", rows_of_a_law_are_differences_of_runs,
-             rows_of_a_law_on_steps_of_any_length, two_springpots_in_series_have_rows, the_larger_order_stands_first);
+             rows_of_a_law_on_steps_of_any_length, two_springpots_in_series_have_rows,
+             two_springpots_in_series_have_no_row_by_half_a_number, the_larger_order_stands_first);
     return run_suite_of_program(suite);
 }

@@ -174,6 +174,8 @@ def by_term(term: Any, by: dict) -> dict:
         part = term.time / term.rho  # 1 over rho2
         return {"rho1": float(by["terms"] + part * by["times"]), "alpha1": float(by["orders"]),
                 "rho2": float(-term.time * part * by["times"]), "alpha2": float(by["ends"])}
+    if term.kind == lib.FVI_KERNEL_MAXWELL2:  # rho of the kernel alone is no number of it
+        return {}
     names = OF_KIND.get(term.kind, ("rho",))
     return {FIELDS_OF_LAW[f]: float(v) for f, v in by.items() if FIELDS_OF_LAW[f] in names}
 
