@@ -209,7 +209,8 @@ mutants: $B/libfvi.a $B/peers.a $(if $(STEM),,test-workshop-accidents) | needs #
 clean: ## remove everything that was made
 	rm -rf $B
 
-# `make ch06` is what belongs to the stem of chapters/06-*.md and to the stems beside it;
+# `make ch06` is what belongs to the stem of chapters/06-*.md and to the stems beside it, and the
+# pictures of the page;
 # `make h09` what belongs to the stem of the page with this number.
 BESIDE_02 := fractional_derivative
 BESIDE_05 := discrete_principle
@@ -224,7 +225,8 @@ $1: $B/fvi $3 $(foreach s,$2,$(filter test-$s test-$s_%,$(TESTS:%=test-%)) $(fil
 .PHONY: $1
 endef
 $(foreach s,$(sort $(foreach p,$(PAGES) $(CHAPTERS),$(call after,$p))),$(eval $(call stem,$s)))
-$(foreach c,$(CHAPTERS),$(eval $(call chapter,ch$(call number,$c),$(call after,$c) $(BESIDE_$(call number,$c)),$(filter test-body_$(call number,$c)%,$(TESTS:%=test-%)) verify-course)))
+shown = $(shell sed -nE 's|.*\]\(\.\./(figures/course/[a-z_]+\.svg)\).*|\1|p' $(wildcard chapters/$(call number,$1)-*.md))
+$(foreach c,$(CHAPTERS),$(eval $(call chapter,ch$(call number,$c),$(call after,$c) $(BESIDE_$(call number,$c)),$(filter test-body_$(call number,$c)%,$(TESTS:%=test-%)) verify-course $(call shown,$c))))
 $(foreach p,$(PAGES),$(eval $(call chapter,h$(call number,$p),$(call after,$p))))
 
 .PHONY: all help slides check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop hint $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall notebook book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind cppcheck portability stress bench petsc mutants clean needs \
