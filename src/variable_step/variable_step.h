@@ -33,8 +33,7 @@
 /* Coordinates with the same mass, damping and spring share their matrices. */
 typedef struct {
     double mass, damping; /* m, or m + rho for alpha = 1; rho */
-    double
-        spring; /* the c of U = c x^2 / 2 + ..., where that is all of it; or 0 */
+    double spring; /* the c of U = c x^2 / 2 + ..., where that is all of it; or 0 */
     double damping_coeff;        /* rho h^{1 - beta} */
     double compliance;       /* about how far x moves for a velocity 1 more */
     fvi_square L;       /* m A^{-1} + rho h^{1 - beta} W0 + c h^2 to_x */
