@@ -69,9 +69,33 @@ START_TEST(the_second_body_gives_a_derivative)
 }
 END_TEST
 
+/* By (12b), too, a push h F at the node k moves the last place by h F times the second body.
+ * The motion is linear in the push. Rounding is seen divided by the push, 1e-4. */
+START_TEST(eq_12b_the_second_body_answers_for_pushes)
+{
+    enum { N = 200 };
+    static double body[N + 1];
+    second = 1, kappa = 0.5, h = 0.1, x0 = 0, p0 = 1;
+    run(N);
+    for (int k = 0; k <= N; k++)
+        body[k] = x[N - k];
+    x0 = 1, p0 = 0, push = 1e-3;
+    for (int k = 1; k < N; k++) {
+        until = (k + 0.5) * h;
+        run(N);
+        double last = x[N];
+        until = (k - 0.5) * h;
+        run(N);
+        ck_assert_near((last - x[N]) / (h * push), body[k],
+                       2 * rounding_of_run(N, 0.16) / (h * push), "k = %d", k);
+    }
+    second = 0, push = 0, until = 0;
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("stage 12");
-    ADD_CASE(suite, "order two", eq_6d_the_steps_by_hand, eq_6d_seven_alphas, eq_10b_the_orders, eq_8b_three_pasts_are_one_at_one_half, eq_11b_modes_are_weights, eq_11c_modes_make_the_same_run, eq_12b_the_steps_by_hand, eq_12a_order_two, eq_12b_the_library_makes_the_same_run, the_second_body_gives_a_derivative);
+    ADD_CASE(suite, "order two", eq_6d_the_steps_by_hand, eq_6d_seven_alphas, eq_10b_the_orders, eq_8b_three_pasts_are_one_at_one_half, eq_11b_modes_are_weights, eq_11c_modes_make_the_same_run, eq_12b_the_steps_by_hand, eq_12a_order_two, eq_12b_the_library_makes_the_same_run, the_second_body_gives_a_derivative, eq_12b_the_second_body_answers_for_pushes);
     return run_suite(suite);
 }
