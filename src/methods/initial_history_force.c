@@ -69,11 +69,13 @@ int fvi_initial_history_amplitudes(const fvi_system *system,
                                    const fvi_run_damper *damper, const double *x0,
                                    const double *p0, double *A)
 {
+    /* A law has another past only where that is the same (dampers_check.h). */
+    const fvi_initial_history past = damper->law ? FVI_INITIAL_HISTORY_HELD : damper->past;
     int status = FVI_SUCCESS;
     if (damper->growth > 1) /* else no velocity is asked for */
         status = fvi_damping_velocity(system, p0, A);
     for (size_t i = 0; !status && i < system->d; i++)
-        A[i] = fvi_initial_history_amplitude(damper->past, damper->growth / 2, x0[i],
+        A[i] = fvi_initial_history_amplitude(past, damper->growth / 2, x0[i],
                                              A[i]);
     return status;
 }

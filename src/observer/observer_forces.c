@@ -100,12 +100,15 @@ static double slope_at_infinity(const fvi_run_damper *of)
 }
 
 /* A damper's force at t = 0+ of an elongation with the velocity zdot and, of Riemann and
- * Liouville's past, a jump by z0. INFINITY where there is none. */
+ * Liouville's past, a jump by z0. INFINITY where there is none, and of a law that jumps, where it is not known. */
 static double force_at_start(const fvi_run_damper *of, double z0, double zdot)
 {
     const double order = of->growth;
     if (of->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && z0 != 0)
-        return order == 0 ? of->rho * z0 : order == 1 ? of->rho * zdot : INFINITY;
+        return of->law      ? INFINITY
+               : order == 0 ? of->rho * z0
+               : order == 1 ? of->rho * zdot
+                            : INFINITY;
     if (order < 1 || zdot == 0)
         return 0;
     if (order == 1)
@@ -127,36 +130,46 @@ static int begin_coordinates(fvi_observer *o, const fvi_stepper *s)
 {
     const fvi_run *run = &s->run;
     const size_t d = o->d;
+    double *z = o->change;
     int status = FVI_SUCCESS;
+    memcpy(z, run->x0, d * sizeof *z);
     for (size_t j = 0; j < o->dampers && !status; j++) {
         const fvi_run_damper of = fvi_run_damper_of(run, j);
         memset(o->F, 0, d * sizeof *o->F);
-        if (o->matrices)
+        if (o->matrices) {
+            memset(z, 0, d * sizeof *z);
+            status = fvi_damping_multiply(&of.matrix, d, 1, run->x0, z);
+        }
+        if (o->matrices && !status)
             status = fvi_damping_multiply(&of.matrix, d, 1, o->v, o->F);
         for (size_t i = 0; i < d && !status; i++) {
             const double factor = o->matrices ? 1 : run->system->damping[i],
                          rate = o->matrices ? o->F[i] : o->v[i];
             o->exponent[j * d + i] =
-                exponent_at_start(of.growth, of.past, run->x0[i]);
+                exponent_at_start(of.growth, of.past, z[i]);
             o->start[j * d + i] =
                 factor == 0 || of.rho == 0
                     ? 0
-                    : factor * force_at_start(&of, run->x0[i], rate);
+                    : factor * force_at_start(&of, z[i], rate);
         }
     }
     return status;
 }
 
-/* zdot = G v of damper j at the start. */
-static int elongation_rate(fvi_observer *o, const fvi_stepper *s,
-                           const fvi_elongation *of, double *rate)
+/* z = g(x) and zdot = G v of damper j at the start. */
+static int elongation_at_start(fvi_observer *o, const fvi_stepper *s,
+                               const fvi_elongation *of, double *z, double *rate)
 {
     int status = FVI_SUCCESS;
+    *z = *rate = 0;
     if (!of->row)
+        status = of->value(0, o->d, s->x, of->params, z);
+    if (!of->row && !status)
         status = of->gradient(0, o->d, s->x, of->params, o->F);
-    *rate = 0;
-    for (size_t i = 0; i < o->d && !status; i++)
+    for (size_t i = 0; i < o->d && !status; i++) {
+        *z += of->row ? of->row[i] * s->x[i] : 0;
         *rate += (of->row ? of->row[i] : o->F[i]) * o->v[i];
+    }
     return status;
 }
 
@@ -167,10 +180,10 @@ static int begin_mechanism(fvi_observer *o, const fvi_stepper *s)
     for (size_t j = 0; j < o->dampers && !status; j++) {
         const fvi_damper *damper = &m->damper[j];
         const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
-        double rate = 0;
-        status = elongation_rate(o, s, &damper->of, &rate);
-        o->exponent[j] = 2 - of.growth;
-        o->start[j] = force_at_start(&of, 0, rate);
+        double z, rate;
+        status = elongation_at_start(o, s, &damper->of, &z, &rate);
+        o->exponent[j] = exponent_at_start(of.growth, of.past, z);
+        o->start[j] = force_at_start(&of, z, rate);
     }
     for (size_t i = o->forces; i < o->tracked; i++) {
         o->exponent[i] = NAN;

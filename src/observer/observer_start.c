@@ -166,9 +166,11 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
         status = fvi_observer_step(sums, fork);
     if (!status)
         status = fvi_observer_read(sums, fork, h, &now);
+    /* A node's sums are as long as o->start; what is read is one number of a row's damper. */
+    const double *J = s->method->dense || status ? now.impulse : sums->impulse;
     for (size_t j = 0; j < o->forces && !status; j++)
         if (isinf(o->start[j]))
-            o->start[j] = now.impulse[j] / h;
+            o->start[j] = J[j] / h;
     for (size_t i = o->forces; i < o->forces + o->slopes && !status; i++)
         o->start[i] = (now.v[i - o->forces] - o->impulse[i]) / h;
     if (!status && o->ties > 0)
@@ -231,7 +233,7 @@ int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **to,
     const int status = begin(o, s);
     if (status) {
         fvi_observer_free(o);
-        return fvi_fail(error, status, "observer", NAN, "%s",
+        return fvi_fail(error, status, NULL, NAN, "%s",
                         fvi_error_name(status));
     }
     *to = o;

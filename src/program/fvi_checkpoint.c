@@ -280,7 +280,7 @@ static int load_all(fvi_table *t, state *f, fvi_stepper *s, fvi_checkpoint *c)
             "steps are done again\n",
             c->done);
     c->anew = 1;
-    return fvi_stepper_reset(s) || fvi_run_observe(t, s)
+    return fvi_stepper_reset(s) || fvi_run_observe(t, s, NULL)
                ? fvi_complain("not enough memory")
                : 0;
 }

@@ -66,19 +66,19 @@ static int check_dampers(const request *r, fvi_error *c)
     const fvi_scheme scheme = r->o.method->scheme;
     if (!r->o.text[DAMPER] || !r->o.directory)
         return 0;
-    if (scheme == FVI_SCHEME_CQ2_SHIFTED || scheme == FVI_SCHEME_FVI) {
-        const fvi_mechanism *of = r->system.mechanism;
-        for (size_t j = 0; j < of->damper_count; j++) {
-            const fvi_kernel *kernel = of->damper[j].kernel;
-            const int is_power =
-                kernel->count == 1 && kernel->term->kind == FVI_KERNEL_POWER;
-            if (scheme == FVI_SCHEME_FVI
-                    ? of->damper[j].past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
-                    : !is_power)
-                return fvi_refuse(c, "method", "'%s' has no gradient with the damper "
-                                  "'%s'; fvi-bdf2 and fvi-stable have",
-                                  r->o.method->name, r->o.list[0].value[j]);
-        }
+    const fvi_mechanism *of = r->system.mechanism;
+    for (size_t j = 0; j < of->damper_count; j++) {
+        const fvi_kernel *kernel = of->damper[j].kernel;
+        const int is_power = kernel->count == 1 && kernel->term->kind == FVI_KERNEL_POWER,
+                  is_rl = of->damper[j].past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+        if ((scheme == FVI_SCHEME_CQ2_SHIFTED && !is_power) || (scheme == FVI_SCHEME_FVI && is_rl))
+            return fvi_refuse(c, "method", "'%s' has no gradient with the damper "
+                              "'%s'; fvi-bdf2 and fvi-stable have",
+                              r->o.method->name, r->o.list[0].value[j]);
+        if (is_rl && !(is_power && kernel->term->alpha <= 0.5))
+            return fvi_refuse(c, "damper", "'%s' has no gradient: of the starts that "
+                              "stretch it none is known; held has one",
+                              r->o.list[0].value[j]);
     }
     return 0;
 }

@@ -13,37 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What the parser let through is in range: FVI_EINVAL is then a number of steps that no
- * memory is made for, FVI_EDOM an m / h, FVI_EUNSUP a start of fvi-adaptive, or a law that
- * stages do not take. */
-int fvi_complain_of_start(const fvi_options *o, int status)
-{
-    if (status == FVI_ESING && !o->directory)
-        return fvi_stopped_at(1, status);
-    return fvi_complain(
-        status == FVI_ENOMEM ? "not enough memory"
-        : status == FVI_ESING
-            ? "--system: the matrix of a step is not positive definite: K is "
-              "negative somewhere, and h too long for it"
-        : status == FVI_EINVAL
-            ? "--steps: the compressed memory reaches back 10^9 steps at most"
-        : status == FVI_EUNSUP && o->directory && o->method->dense
-            ? "--method: with --system fvi-adaptive takes no damping of order 2 and no law with a pole "
-              "beside its cut, and does not tell the forces of several dampers apart; "
-              "fvi-lobatto2d to 8d do"
-        : status == FVI_EUNSUP && o->text[DAMPING] && o->method->dense
-            ? "--damping: a pole of this law is too near to its cut, or off "
-              "it, for fvi-adaptive; fvi-bdf2 and fvi-stable take it"
-        : status == FVI_EUNSUP && o->text[DAMPING]
-            ? "--damping: the tail of this law is no sum of decaying modes; "
-              "fvi, fvi-bdf2 and fvi-stable take it"
-        : status == FVI_EUNSUP
-            ? "no step is short enough for a velocity that jumps: alpha is too "
-              "near to 1"
-        : status == FVI_EDOM ? "--h: mass / h is not a finite number"
-                             : fvi_code_in_words(status));
-}
-
 double *fvi_run_room(const fvi_table *t)
 {
     const fvi_options *o = t->o;
@@ -213,16 +182,6 @@ static int rows_and_checkpoints(fvi_table *t, fvi_stepper *s, watches *w,
     return failed;
 }
 
-/* An event that no run can begin with, by the name that was typed. Returns an exit code. */
-static int refused_event(const fvi_options *o, const fvi_error *error)
-{
-    fvi_error named = { 0 };
-    const char *reason = strstr(error->text, ": ");
-    fvi_fail(&named, error->code, "event", error->value, "'%s'%s",
-             fvi_typed_event_name(o->events, error->index), reason ? reason : "");
-    return fvi_refused(&named, "run");
-}
-
 static void print_events(const fvi_table *t, const fvi_stepper *s)
 {
     size_t n;
@@ -291,18 +250,15 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
     fvi_checkpoint c = { .head = NULL };
     fvi_stepper *s = NULL;
     fvi_error error = { 0 };
-    int failed, status = FVI_ENOMEM;
+    int failed, status;
     fvi_table_shape(&t, o, system);
-    if ((t.rows = fvi_run_room(&t)))
-        status = fvi_stepper_start(o->method, &r, &s, &error);
+    t.rows = fvi_run_room(&t);
+    status = t.rows ? fvi_stepper_start(o->method, &r, &s, &error)
+                    : fvi_fail(&error, FVI_ENOMEM, NULL, NAN, "not enough memory");
     if (!status)
-        status = fvi_run_observe(&t, s);
-    failed = status && error.field && strcmp(error.field, "events") == 0
-                 ? refused_event(o, &error)
-             : status && o->mechanism && error.field
-                 ? fvi_refused(&error, "run")
-             : status == FVI_EOVRFLW && s ? fvi_stopped_at(0, status) /* of a reduction */
-             : status ? fvi_complain_of_start(o, status)
+        status = fvi_run_observe(&t, s, &error);
+    failed = status == FVI_EOVRFLW && s ? fvi_stopped_at(0, status) /* of a reduction */
+             : status ? fvi_complain_of_start(o, &error, "run")
                     : fvi_checkpoint_begin(&t, s, &c);
     if (!failed)
         failed = run_to_the_end(&t, &r, s, &c);

@@ -13,8 +13,13 @@
  * than the machine has. */
 double *fvi_run_room(const fvi_table *t);
 
-/* fvi_complain_of_start -- why a run could not begin, on standard error; returns 1. */
-int fvi_complain_of_start(const fvi_options *o, int status);
+/* fvi_complain_of_start -- why a run of this command could not begin, on standard error: with the option
+ * that the error's field is about, or by its code. Returns an exit code. */
+int fvi_complain_of_start(const fvi_options *o, const fvi_error *error, const char *command);
+
+/* fvi_reason_of_start -- why a run, or its observer, could not begin, of which only the status came back: both
+ * are started once more. A field of the error is an option; NULL if nothing more is known. */
+void fvi_reason_of_start(const fvi_options *o, const fvi_run *r, int status, fvi_error *error);
 
 /* fvi_run_warn -- on standard error, before a run that has no limit, or must blow up; it goes on
  * all the same. What is said of the step is left in text, for the head: room for
@@ -29,7 +34,7 @@ void fvi_run_head(FILE *out, const fvi_options *o, const char *unstable);
 /* fvi_run_observe -- at the start of a run, or again: t->observer, if a column or a reduction needs
  * one; free it with fvi_observer_free. fvi_run_step -- one step, with what is observed of it.
  * Both return as fvi_observer_start and fvi_observer_step. */
-int fvi_run_observe(fvi_table *t, const fvi_stepper *s);
+int fvi_run_observe(fvi_table *t, const fvi_stepper *s, fvi_error *error);
 int fvi_run_step(fvi_table *t, fvi_stepper *s);
 
 /* fvi_run_row -- take row k, which the run has reached or just passed; nothing with reductions. Returns

@@ -116,7 +116,15 @@ static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
             o->error, own, advice);
 }
 
-/* Find the step; say what was found, or how near it came. */
+/* Returns an exit code. */
+static int complain_of_search(const fvi_options *o, const fvi_run *r, int status)
+{
+    fvi_error error;
+    fvi_reason_of_start(o, r, status, &error);
+    return fvi_complain_of_start(o, &error, "run");
+}
+
+/* Find the step; say what was found, or how near it came. Returns an exit code. */
 static int find_step(const fvi_options *o, const fvi_run *r, double *x,
                      double *p, double *typed, fvi_report *found)
 {
@@ -127,7 +135,7 @@ static int find_step(const fvi_options *o, const fvi_run *r, double *x,
              || (status == FVI_ESING && !o->directory))
         fvi_complain("--error: no step gives a result that can be trusted");
     else if (status)
-        fvi_complain_of_start(o, status);
+        return complain_of_search(o, r, status);
     if (!status) {
         char text[80];
         describe(found, sizeof text, text);
@@ -193,10 +201,8 @@ static int check_start(const fvi_options *o, const fvi_run *r)
     fvi_stepper *s;
     if (!o->mechanism)
         return 0;
-    if (fvi_stepper_start(o->method, r, &s, &error) && error.field)
-        return fvi_refused(&error, "run");
-    return error.code ? fvi_complain_of_start(o, error.code)
-                      : fvi_stepper_free(s);
+    return fvi_stepper_start(o->method, r, &s, &error) ? fvi_complain_of_start(o, &error, "run")
+                                                       : fvi_stepper_free(s);
 }
 
 /* Of a Lagrangian whose inertia vanishes between the rows that were found. Returns an exit code. */

@@ -7,6 +7,7 @@
 #include <fvi/lagrangian.h>
 #include <fvi/methods.h>
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -38,15 +39,18 @@ static int reduce(fvi_table *t, const fvi_stepper *s, double begin, size_t row)
     return status ? status : reduce_at(t, s, s->t);
 }
 
-int fvi_run_observe(fvi_table *t, const fvi_stepper *s)
+int fvi_run_observe(fvi_table *t, const fvi_stepper *s, fvi_error *error)
 {
     fvi_observer_free(t->observer);
     t->observer = NULL;
     if (fvi_typed_columns_count(t->o->typed) == 0 && !reduces(t))
         return FVI_SUCCESS;
     int status = fvi_observer_start(s, fvi_typed_columns_wanted(t->o->typed),
-                                    &t->observer, NULL);
-    return !status && reduces(t) ? reduce_at(t, s, s->t) : status;
+                                    &t->observer, error);
+    if (status || !reduces(t))
+        return status;
+    status = reduce_at(t, s, s->t);
+    return status ? fvi_fail(error, status, NULL, NAN, "%s", fvi_error_name(status)) : status;
 }
 
 int fvi_run_step(fvi_table *t, fvi_stepper *s)

@@ -159,19 +159,18 @@ static void print_head(FILE *out, const sweep_grid *g, const fvi_options *o,
 
 /* Why a run did not start: it is tried again here, because no text came back from its process. Empty if
  * nothing more is known. */
-static void reason_of_start(const sweep_grid *g, size_t i, size_t size, char *text)
+static void reason_of_start(const sweep_grid *g, size_t i, int status, size_t size, char *text)
 {
     fvi_options o;
     fvi_error error = { 0 };
-    fvi_stepper *s = NULL;
     *text = '\0';
     if (sweep_grid_options(g, i, &o, &error))
         return;
     const fvi_system system = fvi_options_system(&o);
     const fvi_run r = fvi_options_run(&o, &system);
-    if ((o.mechanism || o.events) && fvi_stepper_start(o.method, &r, &s, &error) && error.field)
+    fvi_reason_of_start(&o, &r, status, &error);
+    if (error.field)
         snprintf(text, size, "--%s: %s", error.field, error.text);
-    fvi_stepper_free(s);
     fvi_options_free(&o);
 }
 
@@ -180,7 +179,7 @@ static int complain_of(const sweep_grid *g, size_t i, sweep_verdict v)
 {
     char reason[sizeof((fvi_error *)0)->text + 32] = "";
     if (v.step == 0)
-        reason_of_start(g, i, sizeof reason, reason);
+        reason_of_start(g, i, v.status, sizeof reason, reason);
     fputs("fvi: with ", stderr);
     name_run(stderr, g, i);
     if (v.step > 0)

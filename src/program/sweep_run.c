@@ -33,7 +33,7 @@ static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table 
     if (v.status)
         return v;
     v.unstable = fvi_warning_of_step(o->method, r, sizeof unstable, unstable);
-    v.status = v.unstable < 0 ? FVI_ENOMEM : fvi_run_observe(t, s);
+    v.status = v.unstable < 0 ? FVI_ENOMEM : fvi_run_observe(t, s, NULL);
     if (!v.status)
         v.status = fvi_run_row(t, s, 0);
     for (size_t k = 0, next = fvi_table_next(t, 0); !v.status && k < o->steps;) {

@@ -2,10 +2,12 @@
 #include "dampers_check.h"
 
 #include "kernel/kernel_terms.h"
+#include "system/all_zero.h"
 
 #include <fvi/dampers.h>
 
 #include <math.h>
+#include <stdlib.h>
 
 static int refuse(size_t j, int code, const char *reason, fvi_error *error)
 {
@@ -15,34 +17,64 @@ static int refuse(size_t j, int code, const char *reason, fvi_error *error)
     return code;
 }
 
-static int check_damper(size_t j, const fvi_damper *damper, fvi_error *error)
+/* Is C_j x_0 = 0? Then what was at 0 until t = 0 and what was held are the same. */
+static int starts_unstretched(const fvi_run *run, size_t j, int *is_unstretched)
 {
+    const fvi_damping_matrix *C = &run->system->matrices->damper[j];
+    const size_t d = run->system->d, r = C->remembered;
+    double *y = calloc(d + 2 * r + 1, sizeof *y);
+    if (!y)
+        return FVI_ENOMEM;
+    int status = r > 0 ? C->remember(d, run->x0, y + d + r, C->params, y + d) : FVI_SUCCESS;
+    if (!status && r > 0)
+        status = C->damp(d, -1, y + d, C->params, y);
+    *is_unstretched = fvi_all_zero(d, y);
+    free(y);
+    return status;
+}
+
+/* Riemann and Liouville's past: what stretches a damper at t = 0 has a motion for one power up to the order 1. The
+ * paper's method needs none: its sum is (7a) whatever the law. */
+static int check_liouville(const fvi_method *method, const fvi_run *run, size_t j,
+                           fvi_error *error)
+{
+    const fvi_kernel *kernel = run->system->mechanism->damper[j].kernel;
+    int is_unstretched;
+    if (method->paper_convention
+        || (fvi_kernel_is_power(kernel) && kernel->term->alpha <= 0.5))
+        return FVI_SUCCESS;
+    const int status = starts_unstretched(run, j, &is_unstretched);
+    if (status)
+        return refuse(j, status, fvi_error_name(status), error);
+    return is_unstretched ? FVI_SUCCESS
+                          : refuse(j, FVI_EUNSUP,
+                                   "the past rl wants one power of order 1 at most, or a start "
+                                   "that does not stretch the damper; fvi takes it",
+                                   error);
+}
+
+static int check_damper(const fvi_method *method, const fvi_run *run, size_t j, fvi_error *error)
+{
+    const fvi_damper *damper = run->system->mechanism->damper + j;
     const int status = damper->kernel ? fvi_kernel_check(damper->kernel) : FVI_EFAULT;
     if (status)
         return refuse(j, status == FVI_ENOMEM ? status : FVI_EINVAL, "its kernel is not one", error);
-    const fvi_kernel_term *term = damper->kernel->term;
-    const int is_power = fvi_kernel_is_power(damper->kernel);
     switch (damper->past) {
     case FVI_INITIAL_HISTORY_HELD:
         return FVI_SUCCESS;
     case FVI_INITIAL_HISTORY_CAPUTO:
-        return is_power || fvi_kernel_takes_caputo(damper->kernel)
+        return fvi_kernel_is_power(damper->kernel) || fvi_kernel_takes_caputo(damper->kernel)
                    ? FVI_SUCCESS
                    : refuse(j, FVI_EUNSUP,
                             "Caputo's past is that of one power, or of orders up to 1",
                             error);
     case FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE:
-        return is_power && term->alpha <= 0.5
-                   ? FVI_SUCCESS
-                   : refuse(j, FVI_EUNSUP,
-                            "Riemann-Liouville's past is that of one power up to the "
-                            "order 1",
-                            error);
+        return check_liouville(method, run, j, error);
     }
     return refuse(j, FVI_EINVAL, "unknown past", error);
 }
 
-int fvi_check_dampers_of_matrices(const fvi_run *run, fvi_error *error)
+int fvi_check_dampers_of_matrices(const fvi_method *method, const fvi_run *run, fvi_error *error)
 {
     const fvi_mechanism *mechanism = run->system->mechanism;
     const size_t count = mechanism ? mechanism->damper_count : 0;
@@ -62,6 +94,6 @@ int fvi_check_dampers_of_matrices(const fvi_run *run, fvi_error *error)
         return fvi_fail(error, FVI_EUNSUP, "past", run->past,
                         "with several dampers each has its own past");
     for (size_t j = 0; !status && j < count; j++)
-        status = check_damper(j, mechanism->damper + j, error);
+        status = check_damper(method, run, j, error);
     return status;
 }

@@ -131,8 +131,10 @@ int fvi_run_check(const fvi_method *method, const fvi_run *run,
                         "this method takes no system with a mechanism");
     const fvi_run normal = fvi_run_normal(method, run);
     int status = fvi_system_check_any(system, error);
+    if (!status && system->matrices) /* whose pasts ask for the start */
+        status = check_start("x0", system->d, run->x0, error);
     if (!status && system->matrices)
-        status = fvi_check_dampers_of_matrices(run, error);
+        status = fvi_check_dampers_of_matrices(method, run, error);
     if (status)
         return status;
     if (run->steps == 0)

@@ -2,6 +2,7 @@
  *                                                                     [H 23, 27] */
 #include "adjoint_dampers.h"
 
+#include "kernel/kernel_terms.h"
 #include "system/all_zero.h"
 #include "system/fail.h"
 
@@ -23,10 +24,16 @@ int fvi_adjoint_dampers_check(const fvi_method *method, const fvi_run *run,
     if (want->mass && !run->system->matrices->inertia)
         FVI_FAIL("no derivative by a factor of M without its products", FVI_EUNSUP);
     for (size_t j = 0; j < m->damper_count; j++) {
-        if (method->scheme == FVI_SCHEME_FVI
-            && m->damper[j].past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
+        const fvi_kernel *kernel = m->damper[j].kernel;
+        if (m->damper[j].past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
+            continue;
+        if (method->scheme == FVI_SCHEME_FVI)
             FVI_FAIL("no adjoint by fvi with Riemann and Liouville's past of one of "
                      "several dampers; by fvi-bdf2 and fvi-stable there is",
+                     FVI_EUNSUP);
+        if (!fvi_kernel_is_power(kernel) || kernel->term->alpha > 0.5)
+            FVI_FAIL("no adjoint with Riemann and Liouville's past of a law that other starts would "
+                     "stretch: no method of an adjoint knows them",
                      FVI_EUNSUP);
     }
     return FVI_SUCCESS;

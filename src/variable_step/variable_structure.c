@@ -201,8 +201,7 @@ double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step
                   jumps = feels_jumps(of) && moves
                           && (s->run.system->force.impulse_count > 0
                               || of->of.past != FVI_INITIAL_HISTORY_CAPUTO),
-                  is_struck = of->of.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
-                              && of->of.growth < 1 && largest(o->d, s->x) > 0;
+                  is_struck = fvi_structure_mesh_is_struck(&of->of) && largest(o->d, s->x) > 0;
         const double power = jumps       ? 2 - of->of.growth
                              : is_struck ? 1 - of->of.growth
                                          : INFINITY;

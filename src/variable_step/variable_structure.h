@@ -50,6 +50,9 @@ int fvi_structure_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o);
 double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o);
 int fvi_structure_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o);
 
+/* fvi_structure_mesh_is_struck -- is the place itself a jump of this damper at t = 0? */
+int fvi_structure_mesh_is_struck(const fvi_run_damper *of);
+
 /* fvi_structure_mesh_try -- as fvi_variable_step_try. fvi_structure_mesh_advance -- its step is taken: the
  * histories go on. fvi_structure_mesh_jump -- v += M^{-1} J. */
 int fvi_structure_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,

@@ -63,6 +63,12 @@ static void strike(fvi_variable_step_state *o, fvi_mesh_matrix *to)
             fvi_modes_add(modes, n, q, fvi_modes_decay(modes, q) * to->z[n]);
 }
 
+/* A law has such a past only where nothing is stretched (dampers_check.h), and then it was held. */
+int fvi_structure_mesh_is_struck(const fvi_run_damper *of)
+{
+    return of->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !of->law && of->growth < 1;
+}
+
 static int begin_damper(fvi_stepper *s, fvi_variable_step_state *o, fvi_mesh_matrix *to)
 {
     const fvi_kernel_term power = { FVI_KERNEL_POWER, to->of.rho, to->of.alpha, 0, 0 };
@@ -79,7 +85,7 @@ static int begin_damper(fvi_stepper *s, fvi_variable_step_state *o, fvi_mesh_mat
         return status;
     if (to->of.growth <= 1 || to->of.past == FVI_INITIAL_HISTORY_CAPUTO) /* else it was at rest */
         memcpy(to->before, to->now, to->r * sizeof *to->now);
-    if (to->of.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && to->of.growth < 1)
+    if (fvi_structure_mesh_is_struck(&to->of))
         strike(o, to);
     return status;
 }

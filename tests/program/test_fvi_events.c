@@ -149,6 +149,8 @@ START_TEST(what_is_wrong_is_said)
         ck_assert_msg(strstr(err, cases[i][1]), "%s: %s", cases[i][0], err);
         ck_assert_str_eq(out, "");
     }
+    ck_assert_int_eq(fvi("sweep --x0 0 --p0 -1 --event 'x : impact:1' --vary rho=0,1 -o none"), 1);
+    ck_assert_str_eq(err, "fvi: with rho = 0: --event: 'x': starts at Z = 0 and moves into the wall\n");
     ck_assert_int_eq(fvi("run --event 'log(x-0.5) : mark'"), 1); /* NaN below */
     ck_assert_ptr_nonnull(strstr(err, "fvi: step "));
 }

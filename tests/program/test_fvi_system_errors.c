@@ -175,11 +175,54 @@ START_TEST(dampers_of_a_folder_that_are_none_are_refused)
 }
 END_TEST
 
+/* What fvi-adaptive does not take of matrices is named alone, with the option that asks for it. */
+START_TEST(of_three_things_the_one_that_fvi_adaptive_does_not_take_is_said)
+{
+#define ADAPTIVE "run --system chain --method fvi-adaptive --steps 3 --x0 1 "
+    static const char *const of_mass = "a damping of order 2 is a mass: fvi-lobatto2d to 8d take it "
+                                       "with matrices, fvi-adaptive does not\n",
+                            *const of_pole = "damper 1: a pole of this law is too near to its cut, or "
+                                             "off it, for modes of variable steps; fvi-stable takes it\n",
+                            *const of_forces = "fvi-adaptive does not tell the forces of several dampers "
+                                               "of a system with matrices apart; fvi-lobatto2d to 8d do\n";
+    const struct {
+        const char *words, *option, *reason;
+    } wrong[] = {
+        { "--alpha 1", "alpha", of_mass },
+        { "--alpha 1 --error 1e-3", "alpha", of_mass },
+        { "--damping power:1,1", "damping", of_mass },
+        { "--damping zener:1,0.6,2", "damping", of_pole },
+        { "--damper 'x1 : power:1,1'", "damper", of_mass },
+        { "--damper 'x1 : zener:1,0.6,2'", "damper", of_pole },
+        { "--damper 'x1 : zener:1,0.6,2' --error 1e-3", "damper", of_pole },
+        { "--damper 'x1 : power:1,0.3' --columns d1.force", "columns", of_forces },
+        { "--damper 'x1 : power:1,0.3' --reduce 'max(d1.force)'", "reduce", of_forces },
+        { "--damper 'x1 : power:1,0.3' --columns d1.force --error 1e-3", "columns", of_forces },
+    };
+    char line[300], said[300];
+    write_chain();
+    for (size_t i = 0; i < LEN(wrong); i++) {
+        if (strstr(wrong[i].words, "--damper"))
+            shell("rm -f chain/C.mtx");
+        snprintf(line, sizeof line, ADAPTIVE "%s", wrong[i].words);
+        snprintf(said, sizeof said, "fvi: --%s: %s", wrong[i].option, wrong[i].reason);
+        ck_assert_refused_with(line, said);
+    }
+    ck_assert_int_eq(fvi("sweep --system chain --method fvi-adaptive --steps 3 --x0 1 --vary h=0.1,0.2 "
+                         "--damper 'x1 : zener:1,0.6,2' -o none"),
+                     1);
+    snprintf(said, sizeof said, "fvi: with h = 0.1: --damper: %s", of_pole);
+    ck_assert_str_eq(err, said);
+    ck_assert_int_eq(shell("rm -r chain"), 0);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: no systems of matrices");
     ADD_CASE(suite, "errors", bad_folders_are_refused_with_file_and_line,
              what_a_system_replaces_or_no_method_takes_is_refused,
-             dampers_of_a_folder_that_are_none_are_refused);
+             dampers_of_a_folder_that_are_none_are_refused,
+             of_three_things_the_one_that_fvi_adaptive_does_not_take_is_said);
     return run_suite_of_program(suite);
 }
