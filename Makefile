@@ -247,8 +247,9 @@ $B/program.a: $(PROGRAM:src/%.c=$B/%.o)
 	rm -f $@
 	ar rcs $@ $^
 
-# The program has GSL within where that is there as archives: with two libraries less to open
-# a short run takes two thirds of its time.
+# The program has GSL within where that is there as archives, and opens CHOLMOD and UMFPACK, with the
+# dozen libraries that they bring, when it first solves by them (src/program/fvi_solver_libraries.c):
+# a short run takes less than half of its time.
 archive  = $(if $(findstring /,$2),$2,$1)
 GSL_WITHIN = $(if $(filter -L%,$(GSL_LIBS)),$(GSL_LIBS),$(foreach l,$(GSL_LIBS),$(if $(filter -lgsl%,$l),$(call archive,$l,$(shell $(CC) -print-file-name=$(l:-l%=lib%.a))),$l)))
 

@@ -5,6 +5,7 @@
 #include "folder.h"
 
 #include <string.h>
+#include <suitesparse/cholmod.h>
 
 /* The same operations but for the order of sums: as in test_structures.c. A power among the
  * laws of damping is summed another way. */
@@ -304,6 +305,33 @@ START_TEST(a_start_that_no_damper_feels_has_a_solution)
 }
 END_TEST
 
+/* CHOLMOD is opened when a matrix asks for it, here one whose first row is full: with a broken
+ * library in its place a run without one goes well, and a run with one ends and names it. */
+START_TEST(a_solver_is_opened_when_it_is_needed)
+{
+    char line[200];
+    ck_assert_int_eq(
+        shell("mkdir -p star broken; for A in M K C; do awk -v A=$A 'BEGIN { n = 300; "
+              "print \"%%MatrixMarket matrix coordinate real symmetric\"; "
+              "print n, n, A == \"K\" ? 2 * n - 1 : n; "
+              "for (i = 1; i <= n; i++) print i, i, A == \"C\" ? 0.1 : 1; "
+              "for (i = 2; A == \"K\" && i <= n; i++) print i, 1, -0.01 }' > star/$A.mtx; "
+              "done"),
+        0);
+    const char *run = "run --system star --x0 1 --p0 0 --steps 3 --method fvi-stable";
+    snprintf(line, sizeof line, "echo nothing > broken/libcholmod.so.%d",
+             CHOLMOD_MAIN_VERSION);
+    ck_assert_int_eq(shell(line), 0);
+    ck_assert_int_eq(fvi(run), 0);
+    setenv("LD_LIBRARY_PATH", "broken", 1);
+    ck_assert_int_eq(fvi("run --steps 3"), 0);
+    ck_assert_int_eq(fvi(run), 1);
+    ck_assert_msg(strncmp(err, "fvi: ", 5) == 0 && strstr(err, "libcholmod.so."),
+                  "%s", err);
+    unsetenv("LD_LIBRARY_PATH");
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: systems of matrices");
@@ -314,6 +342,7 @@ int main(void)
              a_system_goes_on_from_a_checkpoint_with_the_same_digits,
              eq_18_2_a_system_is_run_to_a_wanted_error,
              an_unstable_step_is_told_of_a_system_too,
-             a_start_that_no_damper_feels_has_a_solution);
+             a_start_that_no_damper_feels_has_a_solution,
+             a_solver_is_opened_when_it_is_needed);
     return run_suite_of_program(suite);
 }
