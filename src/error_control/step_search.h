@@ -22,22 +22,23 @@ typedef struct {
  *     D_j / (2^q - 1) + tolerance max |x^(j)|,    q = min(q_{j-1}, q_j, p),
  *
  * p the order of x that the method has on this run at a fixed t, tolerance that of
- * the run's memory (and of its rounding). The search ends when the estimate is
+ * the run's memory (and of its rounding; of eight stages and matrices 5e-12 at least). The search ends when the estimate is
  * <= error and is believed, which takes four runs at least:
  *
  *     q_{j-1}, q_j >= p' - min(1/2, p'/2)                                 (18.5)
  *         (p' = p but for fvi_midpoint_variational, 1, and three stages and more, whose
  *         order over all t may be as low as 3 - 2 alpha, 2 with a law. p = 1 - 2 alpha for
  *         a method with paper_convention, Riemann-Liouville, alpha < 1/2, where a damped
- *         coordinate does not start at 0; p = 1 for kappa != 1/2 but in Lobatto's methods);
+ *         coordinate does not start at 0; p = 1 for kappa != 1/2 in methods that have a kappa;
+ *         of several dampers alpha is that of the highest order);
  *     F, at 128 random times, is at most half as far from its linear interpolant
  *         between nodes as with steps twice as long                       (18.7)
  *         (the random times are the same in each search);
  *     if D_{j-1} and D_j are rounding, <= 10 tolerance max |x|, the estimate is
  *         D_j + tolerance max |x| and, in place of (18.5),
  *         h_j^2 max_i sum_j |U_ij| / m_i <= 1 at the rows of the run      (18.6);
- *     with matrices (18.6) is 4 times the load of Algorithm 3, kappa = 0, instead
- *     (fvi_stability_number, from below by some percent).
+ *     with matrices (18.6) is h^2 times the largest eigenvalue of M^-1 K instead
+ *     (from below by some percent).
  *
  * A run that overflows, or does not converge, says only that its step is too long.
  *

@@ -105,7 +105,8 @@ static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
     fvi_report tried;
     const int status = other ? search(o, other, r, x, p, NULL, &tried) : 0;
     if (other && !status)
-        snprintf(advice, sizeof advice, "; try --method %s", other->name);
+        snprintf(advice, sizeof advice, "; try --method %s%s", other->name,
+                 o->kappa != 0.5 && !other->takes_kappa ? " without --kappa" : "");
     else if (status == FVI_ETOL && tried.error < found->error) {
         describe(&tried, sizeof others, others);
         snprintf(advice, sizeof advice, "; by %s %s", other->name, others);

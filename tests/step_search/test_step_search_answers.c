@@ -143,8 +143,25 @@ START_TEST(another_method_is_named_if_its_order_is_higher)
     run.system = &with_matrices;
     ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_variable_step);
     ck_assert(fvi_step_search_other(&fvi_cq_bdf2, &run) == &fvi_variable_step);
-    run.kappa = 1; /* leaves order 1 to all but Lobatto's */
+    run.kappa = 1; /* leaves order 1 to those that have a kappa */
+    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_variable_step);
+    ck_assert(fvi_step_search_other(&fvi_variable_step, &run) == NULL);
+    run.memory = FVI_HISTORY_DIRECT; /* not for fvi-adaptive */
     ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_lobatto_d8);
+}
+END_TEST
+
+/* Algorithm 3 has its order 1 from a start that was held away from 0. */
+START_TEST(eq_18_2_a_held_start_is_no_kick)
+{
+    const fvi_system system = pair();
+    fvi_run run = pair_run(&system);
+    double x[82];
+    fvi_step_found found;
+    run.alpha = 0.3;
+    run.past = FVI_INITIAL_HISTORY_HELD;
+    ck_assert_int_eq(fvi_step_search(&fvi_fractional, &run, 1e-3, 1 << 20, x, NULL, &found), FVI_SUCCESS);
+    ck_assert_near(found.order, 1, 0.2, "order"); /* seen: 0.90 */
 }
 END_TEST
 
@@ -262,7 +279,8 @@ int main(void)
     ADD_CASE(suite, "identities", the_rows_are_those_of_the_run_that_was_found,
              two_methods_agree_to_what_was_asked_of_them,
              the_order_is_a_number_of_the_method,
-             another_method_is_named_if_its_order_is_higher);
+             another_method_is_named_if_its_order_is_higher,
+             eq_18_2_a_held_start_is_no_kick);
     ADD_CASE(suite, "errors", an_error_out_of_reach_is_reported_with_the_best,
              bad_arguments_are_refused, what_has_no_solution_has_no_error);
     return run_suite(suite);
