@@ -6,6 +6,7 @@ are committed stay as gnuplot wrote them."""
 import colorsys
 import pathlib
 import re
+import sys
 
 # What gnuplot draws with, and the same on a dark ground: 3:1 at least for lines, 4.5:1 for words.
 DARK = {"255,255,255": "#17181a", "#ffffff": "#17181a", "221,221,221": "#34383d", "lightgrey": "#34383d",
@@ -72,7 +73,7 @@ def words(svg):
 
 
 def split(path):
-    """Where a vertical line divides the two panels of a figure and cuts no word; None, if there is no such place."""
+    """Where a vertical line divides the two panels of a figure and cuts no word; None, if it has not two panels."""
     script = path.with_suffix(".gp").read_text() if path.with_suffix(".gp").exists() else ""
     layout = re.search(r"multiplot layout 1,2(?: margins ([\d.]+),([\d.]+),[\d.]+,[\d.]+ spacing ([\d.]+))?", script)
     if not layout:
@@ -83,11 +84,14 @@ def split(path):
     end, begin = wide * (left + right - space) / 2, wide * (left + right + space) / 2  # of the panels
     texts = list(words(svg))
     most = min((a for a, b, of_axis in texts if of_axis and end < a and b < begin + 3), default=begin - 12)
-    return max((x for x in range(round(end) + 1, round(most) - 1) if not any(a < x < b for a, b, _ in texts)), default=None)
+    free = [x for x in range(round(end) + 1, round(most) - 1) if not any(a < x < b for a, b, _ in texts)]
+    if not free:
+        sys.exit(f"{path}: a phone shows the panels one below the other, and words fill the room between them: widen its spacing")
+    return free[-1]
 
 
 def stacked(path, svg):
-    """A figure of two panels, the second one below the first; None, if it is none."""
+    """A figure of two panels, the second one below the first; None, if it has not two panels."""
     x = split(path)
     if x is None:
         return None

@@ -8,7 +8,7 @@ set yrange [1e-18:10]
 set ytics 1e3
 set xrange [0:60]
 set xlabel "k"
-set multiplot layout 1,2 margins 0.095,0.985,0.12,0.92 spacing 0.06
+set multiplot layout 1,2 margins 0.095,0.985,0.12,0.92 spacing 0.075
 unset key
 unset mytics
 

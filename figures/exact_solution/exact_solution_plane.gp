@@ -3,16 +3,16 @@
 # Output: figures/exact_solution/exact_solution_plane.svg.
 width = 900; height = 430
 load 'figures/style.gp'
-set multiplot layout 1,2 margins 0.085,0.985,0.13,0.9 spacing 0.09
+set multiplot layout 1,2 margins 0.085,0.985,0.13,0.9 spacing 0.1
 unset key
 set xlabel "Re s"
 set ylabel "Im s"
 set title "the cut, and the poles as ρ grows from 0"
-set xrange [-2.2:0.6]
+set xrange [-2:0.9]
 set yrange [-1.6:1.6]
-set arrow 1 from -2.2,0 to 0,0 nohead lc rgb "#222222" lw 4
+set arrow 1 from -2,0 to 0,0 nohead lc rgb "#222222" lw 4
 set arrow 2 from 0,-1.6 to 0,1.6 nohead lc rgb "#888888" lw 0.8
-set label 1 "cut" at -1.9,0.13 tc rgb "#222222"
+set label 1 "cut" at -1.75,0.13 tc rgb "#222222"
 set label 2 "α = 1/4" at -0.62,1.35 right tc rgb "#009E73"
 set label 3 "α = 1/2" at -0.87,0.66 right tc rgb "#0072B2"
 set label 4 "α = 3/4" at -0.4,0.35 right tc rgb "#D55E00"

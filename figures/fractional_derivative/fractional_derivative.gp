@@ -19,7 +19,7 @@ do for [i=1:6] { # one number of block 2 at a time
 }
 least = 9; most = 0
 do for [i=1:6] { least = S[i] < least ? S[i] : least; most = S[i] > most ? S[i] : most }
-set multiplot layout 1,2 margins 0.065,0.985,0.13,0.91 spacing 0.1
+set multiplot layout 1,2 margins 0.065,0.985,0.13,0.91 spacing 0.115
 
 set title "D^{α} sin t, begun at t = 0: α = 0, 1/4, 1/2, 3/4, 1"
 set xlabel "t"

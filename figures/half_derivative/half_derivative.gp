@@ -2,7 +2,7 @@
 # Input: figures/half_derivative/half_derivative.c. Output: figures/half_derivative/half_derivative.svg.
 width = 860; height = 480
 load 'figures/style.gp'
-set multiplot layout 1,2 margins 0.09,0.97,0.13,0.91 spacing 0.1
+set multiplot layout 1,2 margins 0.09,0.97,0.13,0.91 spacing 0.11
 set format y "10^{%L}"
 set logscale y
 unset mytics
