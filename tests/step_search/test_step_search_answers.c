@@ -162,6 +162,9 @@ START_TEST(eq_18_2_a_held_start_is_no_kick)
     run.past = FVI_INITIAL_HISTORY_HELD;
     ck_assert_int_eq(fvi_step_search(&fvi_fractional, &run, 1e-3, 1 << 20, x, NULL, &found), FVI_SUCCESS);
     ck_assert_near(found.order, 1, 0.2, "order"); /* seen: 0.90 */
+    run.kappa = 1; /* and so have methods of order 2 with such a kappa */
+    ck_assert_int_eq(fvi_step_search(&fvi_cq_bdf2, &run, 1e-3, 1 << 20, x, NULL, &found), FVI_SUCCESS);
+    ck_assert_near(found.order, 1, 0.2, "order");
 }
 END_TEST
 
