@@ -22,14 +22,14 @@ static inline double fvi_just_after(double t)
 }
 
 /* fvi_inner_time -- of stage i of s in the step from left to right, of length h: from within at its
- * ends, and between them `middle`, which is that of the stage. */
+ * ends, and between them `middle`, which is that of the stage. A step that is shorter than the roundings of
+ * its times sees what is after `left`. */
 static inline double fvi_inner_time(double left, double right, double h, double middle,
                                     size_t i, size_t s)
 {
-    const double in = 4 * GSL_DBL_EPSILON;
-    return i == 0       ? left + in * fmax(left, h)
-           : i + 1 == s ? right - in * right
-                        : middle;
+    const double in = 4 * GSL_DBL_EPSILON, after = left + in * fmax(left, h),
+                 t = i + 1 == s ? right - in * right : middle;
+    return i == 0 || t < after ? after : t;
 }
 
 #endif

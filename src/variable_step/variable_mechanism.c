@@ -270,6 +270,10 @@ int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o)
         for (size_t i = 0; i < n; i++)
             gain += o->length.h * o->rule->b[i] * of->f[i * d + j];
         fvi_add_compensated(&s->p[j], &m->p_less[j], gain);
+        if (of->is_massless[j]) { /* else a rounding of p is a force p/h of the next step, however short */
+            s->p[j] = of->Lv[(n - 1) * d + j];
+            m->p_less[j] = 0;
+        }
     }
     fvi_mechanism_keep_dampers(of);
     if (!status && of->m)

@@ -66,12 +66,29 @@ static int velocities_jump(const fvi_stepper *s)
            || fvi_variable_step_has_impacts(&s->run);
 }
 
+/* Without inertia a coordinate moves as t^q out of its balance, q < 1 the highest order of its dampers: the smallest
+ * q, or INFINITY. */
+static double power_of_massless(const fvi_stepper *s)
+{
+    const fvi_mechanism_state *m = s->mechanism;
+    double least = INFINITY;
+    for (size_t i = 0; i < m->d; i++) {
+        double q = 0;
+        for (size_t j = 0; m->is_massless[i] && j < m->r; j++)
+            if (m->G[j * m->d + i] != 0)
+                q = larger(q, fvi_kernel_growth(damper_of(s, j)->kernel));
+        if (q > 0 && q < 1)
+            least = smaller(least, q);
+    }
+    return least;
+}
+
 /* lambda is as t^{1 - order} behind a jump of zdot, and as t^{-order} behind one of z. A step as short as h
- * then adds h^{2 - order}, or h^{1 - order}, to p, which may be 1e-4 of the tolerance. */
+ * then adds h^{2 - order}, or h^{1 - order}, to p, which may be 1e-4 of the tolerance, as may h^q be of x. */
 double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     const struct fvi_mesh_mechanism *m = o->mechanism;
-    double shortest = 1;
+    double shortest = smaller(1, pow(1e-4 * fmin(o->tolerance, 1), 1 / power_of_massless(s)));
     for (size_t j = 0; j < m->r; j++) {
         const int jumps = feels_jumps(s, j)
                           && (velocities_jump(s) || m->damper[j].before != m->damper[j].now);

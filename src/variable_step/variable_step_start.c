@@ -251,6 +251,14 @@ static void set_first(fvi_variable_step_state *o)
     o->next = o->first;
 }
 
+/* A damper makes of a jump what no step is short enough for. */
+static int refuse_shortest(const fvi_stepper *s)
+{
+    return fvi_fail(s->error, FVI_EUNSUP, "damper", NAN,
+                    "no step is short enough for this error: an order is too near to 2 behind a "
+                    "velocity that jumps, or to 0 at a coordinate without mass");
+}
+
 /* A mechanism: its state, its dampers, and as many modes as its shortest step asks for. */
 static int start_mechanism(fvi_stepper *s, fvi_variable_step_state *o)
 {
@@ -268,9 +276,7 @@ static int start_mechanism(fvi_stepper *s, fvi_variable_step_state *o)
         return status;
     o->least = smaller(o->least, o->T * fvi_mesh_shortest(s, o));
     if (o->least < FVI_SHORTEST / 16 * o->T)
-        FVI_FAIL("no step is short enough for what such a damper makes of a "
-                 "velocity that jumps",
-                 FVI_EUNSUP);
+        return refuse_shortest(s);
     status = fvi_mesh_begin(s, o);
     if (!status)
         status = fvi_variable_step_find_events(s, o);
@@ -301,9 +307,7 @@ static int start_structure(fvi_stepper *s, fvi_variable_step_state *o)
         return status;
     o->least = smaller(o->least, o->T * fvi_structure_mesh_shortest(s, o));
     if (o->least < FVI_SHORTEST / 16 * o->T)
-        FVI_FAIL("no step is short enough for what such a damper makes of a "
-                 "velocity that jumps",
-                 FVI_EUNSUP);
+        return refuse_shortest(s);
     status = fvi_structure_mesh_begin(s, o);
     if (!status)
         status = fvi_variable_step_find_events(s, o);
