@@ -84,6 +84,30 @@ int fvi_stepper_tie(const fvi_stepper *s, size_t i, double *impulse)
     return FVI_SUCCESS;
 }
 
+int fvi_mechanism_work_of_impulse(const fvi_stepper *s, double t, const double *x, const double *p,
+                                  const double *J, double *work)
+{
+    const fvi_system *system = s->run.system;
+    const size_t d = system->d;
+    double before = 0, after = 0;
+    if (!system->mechanism->lagrangian) {
+        for (size_t j = 0; j < d; j++)
+            *work += system->mass[j] > 0 ? J[j] * (p[j] - J[j] / 2) / system->mass[j] : 0;
+        return FVI_SUCCESS;
+    }
+    double *less = malloc(d * sizeof *less);
+    if (!less)
+        return FVI_ENOMEM;
+    for (size_t j = 0; j < d; j++)
+        less[j] = p[j] - J[j];
+    int status = fvi_energy_at(system, t, x, less, &before);
+    if (!status)
+        status = fvi_energy_at(system, t, x, p, &after);
+    free(less);
+    *work += after - before;
+    return status;
+}
+
 int fvi_stepper_energy(const fvi_stepper *s, double *E)
 {
     return !s || !E ? FVI_EFAULT

@@ -65,6 +65,12 @@ typedef struct fvi_mechanism_state {
 /* fvi_mechanism_of -- of a stepper that takes these steps; NULL else. */
 const fvi_mechanism_state *fvi_mechanism_of(const fvi_stepper *s);
 
+/* fvi_mechanism_work_of_impulse -- what an impulse J has given at x, by which p, d numbers, is what it is: J v
+ * with the mean v of before and after for masses, and what the energy of a Lagrangian has gained; it
+ * is added to *work. Returns FVI_SUCCESS; FVI_ENOMEM; what the Lagrangian returned. */
+int fvi_mechanism_work_of_impulse(const fvi_stepper *s, double t, const double *x, const double *p,
+                                  const double *J, double *work);
+
 /* fvi_mechanism_copy, _serialize, _free -- as fvi_method has them; s->mechanism is made anew, or given back.
  * What only a mesh has is left to who steps on it. */
 int fvi_mechanism_copy(const fvi_stepper *from, fvi_stepper *to);

@@ -1,6 +1,7 @@
 /* src/observer/observer.c -- Velocities, accelerations, forces and work along a run. */
 #include "observer_state.h"
 
+#include "mechanism/mechanism_state.h"
 #include "run/impulses.h"
 #include "system/fail.h"
 #include "variable_step/variable_step.h"
@@ -64,6 +65,9 @@ static int add_mechanism(fvi_observer *o, const fvi_stepper *s)
     }
     if (!status && o->wanted & FVI_OBSERVE_WORK)
         status = fvi_observer_mechanism_work(s, &o->scalars[FVI_BY_FORCE]);
+    if (!status && o->wanted & FVI_OBSERVE_WORK && s->run.system->force.impulse_count)
+        status = fvi_mechanism_work_of_impulse(s, s->t, s->x, s->p, o->hit,
+                                               &o->scalars[FVI_BY_FORCE]);
     if (!status)
         push_impulse(o, o->change);
     return status;

@@ -213,10 +213,6 @@ int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **to,
     if (s->k != 0 || s->t != 0)
         return fvi_fail(error, FVI_EINVAL, "observer", (double)s->k,
                         "an observer goes with a run from its start");
-    if (s->run.system->mechanism && !s->run.system->matrices
-        && s->run.system->force.impulse_count && wanted & FVI_OBSERVE_WORK)
-        return fvi_fail(error, FVI_EUNSUP, "observer", NAN,
-                        "the work of impulses on a mechanism is not known");
     if (s->run.event_count && !s->mechanism
         && wanted & (FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK))
         return fvi_fail(error, FVI_EUNSUP, "observer", NAN,

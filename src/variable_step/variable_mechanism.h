@@ -61,9 +61,11 @@ int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o);
 int fvi_mesh_estimate(fvi_stepper *s, const fvi_variable_step_state *o, double *error);
 
 /* fvi_mesh_jump -- p += factor J at the end of the last step, where x is: v and all zdot follow.
+ * fvi_mesh_strike -- the same of an impulse of the force, 1 J, whose work counts after t = 0.
  * Returns what the Lagrangian does, FVI_ESING, FVI_EMAXITER. */
 int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
                   double factor);
+int fvi_mesh_strike(fvi_stepper *s, fvi_variable_step_state *o, const double *J);
 
 /* fvi_mesh_inverse_along -- n . M^{-1} n at the end of the last step, M = L_vv at the velocity v.
  * fvi_mesh_impact -- lambda with n . v(p + lambda n) = n . v + change there, from a guess. v is that of p.

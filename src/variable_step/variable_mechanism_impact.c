@@ -28,6 +28,14 @@ int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
     return status;
 }
 
+int fvi_mesh_strike(fvi_stepper *s, fvi_variable_step_state *o, const double *J)
+{
+    const int status = fvi_mesh_jump(s, o, J, 1);
+    if (status || o->t == 0) /* the energy of the start has it */
+        return status;
+    return fvi_mechanism_work_of_impulse(s, o->t, o->y, s->p, J, &o->mechanism->by_force);
+}
+
 /* ---- impacts ---- */
 
 static double along(size_t d, const double *normal, const double *v)

@@ -172,7 +172,7 @@ int fvi_variable_step_strike(fvi_stepper *s, fvi_variable_step_state *o)
          o->hits++) {
         const double *J = force->impulses[o->hits].J;
         if (o->mechanism)
-            status = fvi_mesh_jump(s, o, J, 1);
+            status = fvi_mesh_strike(s, o, J);
         else if (o->structure)
             status = fvi_structure_mesh_jump(s, o, J);
         for (size_t j = 0; j < o->d && !o->mechanism && !o->structure; j++) {

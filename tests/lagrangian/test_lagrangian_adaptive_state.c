@@ -148,10 +148,57 @@ START_TEST(forces_and_work_are_known_within_steps)
 }
 END_TEST
 
+/* A relativistic body, whose kinetic energy is no square, and two masses: what an impulse gives is work of the
+ * force, at t = 0 it belongs to the start, and one between two nodes acts on both. */
+static const mechanism_text fast = { .name = "fast", .d = 1, .lagrangian = "-sqrt(1-v^2)-x^2/2",
+                                     .damper = { "x : power:0.3,0.3" }, .x0 = { 0.3 }, .v0 = { 0.5 } };
+
+START_TEST(eq_29_11_the_balance_holds_through_impulses)
+{
+    static const struct {
+        const fvi_method *method;
+        double bound; /* of the balance */
+    } cases[] = { { &fvi_cq2_midpoint, 2e-3 }, { &fvi_lobatto_m4, 1e-5 }, { &fvi_lobatto_d4, 1e-5 },
+                  { &fvi_variable_step, 1e-8 } };
+    static const double kicks[2][2] = { { 0.4, 0 }, { 0.7, -0.5 } };
+    static const fvi_impulse hits[] = { { 0, kicks[0] }, { 1.013, kicks[1] } };
+    for (size_t i = 0; i < 2 * LEN(cases); i++) {
+        const fvi_method *method = cases[i / 2].method;
+        mechanism_problem p;
+        open_problem(i % 2 ? &fast : &rich, &p);
+        p.system.force.impulse_count = 2;
+        p.system.force.impulses = hits;
+        fvi_run run = run_of(&p, 0.02, 100);
+        run.step_error = 1e-10;
+        fvi_stepper *s;
+        fvi_observer *o;
+        fvi_observation now;
+        OK(fvi_stepper_start(method, &run, &s, NULL));
+        OK(fvi_observer_start(s, FVI_OBSERVE_WORK | FVI_OBSERVE_ENERGY, &o, NULL));
+        OK(fvi_observer_read(o, s, 0, &now));
+        const double E0 = now.energy;
+        ck_assert_double_eq_tol(now.balance, E0, 1e-15);
+        for (size_t k = 1; k <= 100; k++) {
+            const double t = (double)k * run.h;
+            while (method->dense ? s->t < t : s->k < k)
+                OK(fvi_observer_step(o, s));
+            OK(fvi_observer_read(o, s, t, &now));
+            ck_assert_msg(fabs(now.balance - E0) <= cases[i / 2].bound, "%s %zu k %zu: %g", method->name,
+                          i % 2, k, now.balance - E0);
+        }
+        ck_assert(fabs(now.work_of_force) > 0.1);
+        fvi_observer_free(o);
+        fvi_stepper_free(s);
+        close_problem(&p);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: the state of steps of any length");
     ADD_CASE(suite, "state", a_copy_and_an_archive_go_on_with_the_same_digits,
-             an_impulse_between_two_steps, forces_and_work_are_known_within_steps);
+             an_impulse_between_two_steps, forces_and_work_are_known_within_steps,
+             eq_29_11_the_balance_holds_through_impulses);
     return run_suite(suite);
 }

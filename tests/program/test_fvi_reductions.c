@@ -136,6 +136,28 @@ START_TEST(reductions_go_on_from_a_checkpoint)
 }
 END_TEST
 
+/* A damper between points is on one body what its own damping is, also through an impulse between two rows. */
+START_TEST(the_work_of_an_impulse_on_a_mechanism_is_that_on_masses)
+{
+    static const char *const methods[] = { "fvi", "fvi-lobatto4", "fvi-lobatto4d", "fvi-adaptive" };
+    char line[300];
+    for (size_t i = 0; i < LEN(methods); i++) {
+        double want[3];
+        for (int damper = 0; damper < 2; damper++) {
+            snprintf(line, sizeof line, "run --method %s %s --x0 1 --p0 0 --time 5 --steps 50 --every 25 "
+                     "--force impulse:1,2.33 --columns x,work,balance", methods[i],
+                     damper ? "--damper 'x : power:1,0.3'" : "--alpha 0.3 --rho 1");
+            ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+            for (size_t c = 0; c < 3; c++)
+                if (damper)
+                    ck_assert_near(cell(2, c), want[c], 1e-6, "%s column %zu", methods[i], c);
+                else
+                    want[c] = cell(2, c);
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: reductions");
@@ -143,6 +165,7 @@ int main(void)
              reductions_go_on_from_a_checkpoint,
              reductions_with_an_error_are_over_the_rows,
              reductions_of_long_steps_see_the_rows,
-             means_and_peaks_are_what_they_say);
+             means_and_peaks_are_what_they_say,
+             the_work_of_an_impulse_on_a_mechanism_is_that_on_masses);
     return run_suite_of_program(suite);
 }
