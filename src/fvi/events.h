@@ -19,7 +19,7 @@
  * as they are; the memory sees the new velocity in the steps that follow. For alpha = 1 a damped mass
  * is m + rho, as everywhere (19.5). With a Lagrangian v is that of L_v = p, and the factor of n is such
  * that n . v + dz/dt turns round so: with M = L_vv it is the same formula where L is quadratic in v
- * (29.20). Constraints do not go with events. For example a ball with m = 1 that falls with p = -2 onto z = x
+ * (29.20). Constraints have impulses of their own, so that v keeps to them (29.22). For example a ball with m = 1 that falls with p = -2 onto z = x
  * leaves with p = 1.6 for e = 0.8. */
 #ifndef FVI_EVENTS_H
 #define FVI_EVENTS_H
@@ -84,7 +84,7 @@ int fvi_stepper_is_over(const fvi_stepper *s);
 
 /* fvi_stepper_kick -- p += J between two steps of fvi_variable_step, as an impulse of the force does.
  *
- *   J   d finite numbers; of a mechanism v follows from L_v = p
+ *   J   d finite numbers; of a mechanism v follows from L_v = p, and constraints answer (29.22)
  *
  * For alpha > 1/2 a run must know at its start that velocities will jump, as shorter steps follow
  * then: by an impulse of its force, which may be 0, or by an impact among its events.

@@ -68,9 +68,9 @@ static int check_constraints(const fvi_method *method, const fvi_run *run,
         return fvi_fail(error, FVI_EINVAL, "constraint", (double)c->count,
                         "%zu constraints of %zu coordinates", c->count,
                         run->system->d);
-    if (run->system->force.impulse_count)
+    if (run->system->force.impulse_count && method->scheme != FVI_SCHEME_VARIABLE_STEP)
         return fvi_fail(error, FVI_EUNSUP, "constraint", NAN,
-                        "impulses and constraints do not go together");
+                        "impulses and constraints go together with fvi-adaptive alone");
     return FVI_SUCCESS;
 }
 

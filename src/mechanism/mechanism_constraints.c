@@ -2,12 +2,16 @@
 #include "mechanism_state.h"
 #include "system/lagrangian_point.h"
 
+#include "system/larger.h"
+
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 //> project
-/* L_v(x, v) + C^T w = p,  C v = -c_t, by Newton's method: one step of it mostly. */
+/* L_v(x, v) + C^T w = p,  C v = -c_t, by Newton's method: one step of it mostly. A body that turns back has
+ * a v of nothing but roundings: then the changes are small beside the v that it began with. */
 int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
                                    const double *C, double *p, double *v,
                                    double *w)
@@ -16,7 +20,7 @@ int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
     const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t d = o->d, m = o->m, n = d + m;
     double *Lv = o->room, *Lvv = Lv + d, *r = Lvv + d * d, *J = r + n,
-           *ct = J + n * n, *again = ct + m, last = INFINITY;
+           *ct = J + n * n, *again = ct + m, last = INFINITY, most = 0;
     int status = FVI_SUCCESS, is_done = 0;
     memset(w, 0, m * sizeof *w);
     if (m)
@@ -29,6 +33,7 @@ int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
         if (status)
             return status;
         memset(J, 0, n * n * sizeof *J);
+        most = larger(most, fvi_mechanism_largest(d, v));
         for (size_t i = 0; i < d; i++) {
             r[i] = p[i] - Lv[i];
             memcpy(J + i * n, Lvv + i * d, d * sizeof *J);
@@ -54,7 +59,7 @@ int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
         for (size_t l = 0; l < m; l++)
             w[l] += r[d + l];
     }
-    if (!is_done)
+    if (!is_done && !(last <= 4 * DBL_EPSILON * most))
         return FVI_EMAXITER;
     for (size_t i = 0; i < d; i++)
         for (size_t l = 0; l < m; l++)

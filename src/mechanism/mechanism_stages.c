@@ -186,6 +186,22 @@ static void add_up(fvi_stepper *s)
     fvi_mechanism_keep_dampers(o);
 }
 
+int fvi_mechanism_subtract_multipliers(const fvi_stepper *s, double *C, double *p)
+{
+    const fvi_mechanism_state *o = s->mechanism;
+    const fvi_constraints *c = s->run.system->mechanism->constraints;
+    const size_t d = o->d, m = o->m, inner = o->s - o->begin;
+    const double h = o->h, *mu = o->u + inner * d;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < inner && !status; i++) {
+        status = c->gradient(fvi_mechanism_stage_time(s, i), d, o->X + i * d, c->params, C, NULL);
+        for (size_t l = 0; l < m; l++)
+            for (size_t j = 0; j < d; j++)
+                p[j] -= C[l * d + j] * mu[i * m + l] / h;
+    }
+    return status;
+}
+
 /* The multipliers' impulses, and the last one, from the hidden constraint. Form D has one more, at the last
  * stage, to which this is a correction. */
 int fvi_mechanism_end_constraints(fvi_stepper *s)
@@ -194,16 +210,9 @@ int fvi_mechanism_end_constraints(fvi_stepper *s)
     const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t d = o->d, m = o->m, inner = o->s - o->begin, last = o->s - 1;
     const double h = o->h, *b = o->rule->b, *mu = o->u + inner * d, t = fvi_mechanism_stage_time(s, last);
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; i < inner && !status; i++) {
-        status = c->gradient(fvi_mechanism_stage_time(s, i), d, o->X + i * d, c->params, o->C,
-                             NULL);
-        for (size_t l = 0; l < m; l++) {
-            o->tie[l] += mu[i * m + l] / h;
-            for (size_t j = 0; j < d; j++)
-                s->p[j] -= o->C[l * d + j] * mu[i * m + l] / h;
-        }
-    }
+    int status = fvi_mechanism_subtract_multipliers(s, o->C, s->p);
+    for (size_t i = 0; i < inner * m; i++)
+        o->tie[i % m] += mu[i] / h;
     for (size_t l = 0; l < m; l++)
         o->begun[l] = mu[l] / (h * h * b[0]);
     if (!status)

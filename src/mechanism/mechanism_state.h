@@ -191,8 +191,10 @@ int fvi_mechanism_linearise(fvi_stepper *s, const double *u);
 int fvi_mechanism_linearise_nodes(fvi_stepper *s, const double *u);
 
 /* fvi_mechanism_end_constraints -- behind that: s->p loses the impulses of the multipliers, and what the hidden
- * constraint says of it. */
+ * constraint says of it. fvi_mechanism_subtract_multipliers -- the first alone, of p, d numbers; C is room for
+ * m d numbers. */
 int fvi_mechanism_end_constraints(fvi_stepper *s);
+int fvi_mechanism_subtract_multipliers(const fvi_stepper *s, double *C, double *p);
 
 /* fvi_mechanism_tables -- E, T and next of the form. */
 void fvi_mechanism_tables(fvi_mechanism_state *o);

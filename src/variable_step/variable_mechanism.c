@@ -71,29 +71,41 @@ static void set_masses(fvi_variable_step_state *o)
     }
 }
 
-/* How v answers to p: L_vv^{-1}, rows and columns of coordinates without inertia zeros; and with the constraints
- * C v = 0 the first block of the inverse of [L_vv C^T; C 0]. */
+int fvi_mesh_answer(const fvi_mechanism_state *o, const double *Lvv, const double *C, double *r)
+{
+    const size_t d = o->d, n = d + o->m;
+    double *J = o->room;
+    memset(J, 0, n * n * sizeof *J);
+    for (size_t i = 0; i < d; i++) {
+        memcpy(J + i * n, Lvv + i * d, d * sizeof *J);
+        if (o->is_massless[i]) {
+            J[i * n + i] = 1;
+            r[i] = 0;
+        }
+        for (size_t l = 0; l < o->m; l++)
+            J[i * n + d + l] = J[(d + l) * n + i] = C[l * d + i];
+    }
+    const int status = fvi_solve_matrix(n, J, r, o->order);
+    for (size_t i = 0; i < d; i++)
+        if (o->is_massless[i])
+            r[i] = 0;
+    return status;
+}
+
+/* How v answers to p, column by column. */
 static int invert(const fvi_mechanism_state *o, const double *Lvv, const double *C, double *inverse)
 {
     const size_t d = o->d, n = d + o->m;
-    double *copy = o->room, *column = copy + n * n;
-    for (size_t j = 0; j < d; j++) {
-        memset(copy, 0, (n * n + n) * sizeof *copy);
-        column[j] = !o->is_massless[j];
-        for (size_t i = 0; i < d; i++) {
-            memcpy(copy + i * n, Lvv + i * d, d * sizeof *copy);
-            if (o->is_massless[i])
-                copy[i * n + i] = 1;
-            for (size_t l = 0; l < o->m; l++)
-                copy[i * n + d + l] = copy[(d + l) * n + i] = C[l * d + i];
-        }
-        const int status = fvi_solve_matrix(n, copy, column, o->order);
-        if (status)
-            return status;
+    double *column = o->room + n * n;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < d && !status; j++) {
+        memset(column, 0, n * sizeof *column);
+        column[j] = 1;
+        status = fvi_mesh_answer(o, Lvv, C, column);
         for (size_t i = 0; i < d; i++)
-            inverse[i * d + j] = o->is_massless[i] ? 0 : column[i];
+            inverse[i * d + j] = column[i];
     }
-    return FVI_SUCCESS;
+    return status;
 }
 
 /* The same at the end of the step that has been tried. */

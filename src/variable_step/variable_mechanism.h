@@ -60,14 +60,22 @@ int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o);
 /* fvi_mesh_estimate -- the error of the step that has been tried, NaN if a number is not finite.   (22.16) */
 int fvi_mesh_estimate(fvi_stepper *s, const fvi_variable_step_state *o, double *error);
 
-/* fvi_mesh_jump -- p += factor J at the end of the last step, where x is: v and all zdot follow.
+/* fvi_mesh_answer -- how v answers to an impulse r: L_vv^{-1} r, zeros for coordinates without inertia; and with
+ * the constraints C v = 0 the first part of the solution of [L_vv C^T; C 0] (v, w) = (r, 0). r has d + m
+ * numbers, zeros behind the first d. It takes (d + m)^2 numbers of o->room.
+ * Returns FVI_SUCCESS, FVI_ESING. */
+int fvi_mesh_answer(const fvi_mechanism_state *o, const double *Lvv, const double *C, double *r);
+
+/* fvi_mesh_jump -- p += factor J at the end of the last step, where x is: v and all zdot follow. With
+ * constraints p also takes their own impulses, so that v keeps to them.      (29.22)
  * fvi_mesh_strike -- the same of an impulse of the force, 1 J, whose work counts after t = 0.
  * Returns what the Lagrangian does, FVI_ESING, FVI_EMAXITER. */
 int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
                   double factor);
 int fvi_mesh_strike(fvi_stepper *s, fvi_variable_step_state *o, const double *J);
 
-/* fvi_mesh_inverse_along -- n . M^{-1} n at the end of the last step, M = L_vv at the velocity v.
+/* fvi_mesh_inverse_along -- n . M^{-1} n at the end of the last step, M = L_vv at the velocity v; M^{-1} as
+ * fvi_mesh_answer has it.
  * fvi_mesh_impact -- lambda with n . v(p + lambda n) = n . v + change there, from a guess. v is that of p.
  *                                                                            (29.20)
  * Both return as fvi_mesh_jump. */
@@ -77,11 +85,10 @@ int fvi_mesh_impact(fvi_stepper *s, const double *normal, const double *v, doubl
                     double *lambda);
 
 /* fvi_mesh_momentum -- p at theta of the last step, or of the one that is tried.
- * fvi_mesh_end -- x and p at the end of the one that is tried. */
+ * fvi_mesh_end -- x and p at the end of the one that is tried. Returns what the constraints do, FVI_ENOMEM. */
 void fvi_mesh_momentum(const fvi_stepper *s, const fvi_variable_step_state *o, double theta,
                        int is_tried, double *p);
-void fvi_mesh_end(const fvi_stepper *s, const fvi_variable_step_state *o, double *x,
-                  double *p);
+int fvi_mesh_end(const fvi_stepper *s, const fvi_variable_step_state *o, double *x, double *p);
 
 /* fvi_mesh_sums -- of damper j at a time t in the last step: force, impulse and work.
  * fvi_mesh_work_of_forces -- what F gave until then. fvi_mesh_multiplier -- of constraint i there.

@@ -26,8 +26,22 @@ void fvi_mesh_momentum(const fvi_stepper *s, const fvi_variable_step_state *o, d
         p[j] = from[j] + combine(o->rule->s, slope + j * FVI_LANES, w);
 }
 
-void fvi_mesh_end(const fvi_stepper *s, const fvi_variable_step_state *o, double *x,
-                  double *p)
+/* What the constraints take of p at the end of the step that is tried. */
+static int take_ties(const fvi_stepper *s, const double *x, double *p)
+{
+    const fvi_mechanism_state *of = s->mechanism;
+    double *C = malloc(of->m * of->d * sizeof *C), *v = malloc(of->d * sizeof *v);
+    int status = C && v ? fvi_mechanism_subtract_multipliers(s, C, p) : FVI_ENOMEM;
+    if (!status) {
+        memcpy(v, of->V + (of->s - 1) * of->d, of->d * sizeof *v);
+        status = fvi_mesh_project(s, fvi_mechanism_stage_time(s, of->s - 1), x, p, v);
+    }
+    free(v);
+    free(C);
+    return status;
+}
+
+int fvi_mesh_end(const fvi_stepper *s, const fvi_variable_step_state *o, double *x, double *p)
 {
     const fvi_mechanism_state *of = s->mechanism;
     const size_t d = o->d, n = o->rule->s;
@@ -37,6 +51,7 @@ void fvi_mesh_end(const fvi_stepper *s, const fvi_variable_step_state *o, double
         for (size_t i = 0; i < n; i++)
             p[j] += o->length.h * o->rule->b[i] * of->f[i * d + j];
     }
+    return of->m ? take_ties(s, x, p) : FVI_SUCCESS;
 }
 
 /* Where in the last step t is. */

@@ -1,7 +1,8 @@
 /* src/variable_step/variable_mechanism_impact.c -- Momenta of a mechanism that jump.   [H 29, 22]
  *
  * With the normal n = dZ/dx an impact is p+ = p + lambda n, and lambda is such that the speed of Z becomes
- * -e times what it was: n . v(p + lambda n) = n . v(p) - (1 + e) (n . v(p) + dZ/dt).       (29.20) */
+ * -e times what it was: n . v(p + lambda n) = n . v(p) - (1 + e) (n . v(p) + dZ/dt).       (29.20)
+ * Constraints have impulses of their own: p+ = p + lambda n - C^T w, C v(p+) + c_t = 0.    (29.22) */
 #include "variable_mechanism.h"
 
 #include "system/fail.h"
@@ -11,6 +12,21 @@
 #include <math.h>
 #include <string.h>
 
+/* v of p, where the last step ended; with constraints p takes their impulses, which tie, if it is not NULL, adds
+ * up. */
+static int keep_to_ties(fvi_stepper *s, double t, const double *x, double *p, double *v,
+                        double *tie)
+{
+    const fvi_mechanism_state *of = s->mechanism;
+    if (of->m == 0)
+        return fvi_velocity_of_momentum(s->run.system, t, x, p, v);
+    double *w = of->residual;
+    const int status = fvi_mechanism_project_momentum(s, t, x, of->C, p, v, w);
+    for (size_t l = 0; l < of->m && tie; l++)
+        tie[l] += w[l];
+    return status;
+}
+
 int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
                   double factor)
 {
@@ -19,7 +35,7 @@ int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
     memcpy(v, o->v, o->d * sizeof *v);
     for (size_t j = 0; j < o->d; j++)
         s->p[j] += factor * J[j];
-    const int status = fvi_velocity_of_momentum(s->run.system, o->t, o->y, s->p, v);
+    const int status = keep_to_ties(s, o->t, o->y, s->p, v, of->tie);
     for (size_t j = 0; j < o->d && !status; j++) {
         for (size_t e = 0; e < o->mechanism->r; e++)
             o->mechanism->damper[e].now += of->G[e * o->d + j] * (v[j] - o->v[j]);
@@ -30,10 +46,14 @@ int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
 
 int fvi_mesh_strike(fvi_stepper *s, fvi_variable_step_state *o, const double *J)
 {
+    double *made = o->mechanism->slope + o->d; /* with what the constraints answer */
+    memcpy(made, s->p, o->d * sizeof *made);
     const int status = fvi_mesh_jump(s, o, J, 1);
     if (status || o->t == 0) /* the energy of the start has it */
         return status;
-    return fvi_mechanism_work_of_impulse(s, o->t, o->y, s->p, J, &o->mechanism->by_force);
+    for (size_t j = 0; j < o->d; j++)
+        made[j] = s->mechanism->m ? s->p[j] - made[j] : J[j];
+    return fvi_mechanism_work_of_impulse(s, o->t, o->y, s->p, made, &o->mechanism->by_force);
 }
 
 /* ---- impacts ---- */
@@ -50,17 +70,14 @@ int fvi_mesh_inverse_along(fvi_stepper *s, const double *normal, const double *v
                            double *inverse)
 {
     fvi_mechanism_state *of = s->mechanism;
-    const size_t d = of->d;
-    double *Lvv = of->room, *r = Lvv + d * d;
+    const size_t d = of->d, n = d + of->m;
+    double *r = of->room + n * n, *Lvv = r + n;
     int status = fvi_lagrangian_point(s->run.system, s->t, s->x, v, NULL, NULL, NULL, NULL, NULL,
                                       Lvv);
-    for (size_t j = 0; j < d; j++) {
-        r[j] = of->is_massless[j] ? 0 : normal[j];
-        if (of->is_massless[j])
-            Lvv[j * d + j] = 1;
-    }
+    memset(r, 0, n * sizeof *r);
+    memcpy(r, normal, d * sizeof *r);
     if (!status)
-        status = fvi_solve_matrix(d, Lvv, r, of->order);
+        status = fvi_mesh_answer(of, Lvv, of->C, r);
     *inverse = status ? 0 : along(d, normal, r);
     return status;
 }
@@ -82,7 +99,7 @@ int fvi_mesh_impact(fvi_stepper *s, const double *normal, const double *v, doubl
         double inverse;
         for (size_t j = 0; j < d; j++)
             p[j] = s->p[j] + *lambda * normal[j];
-        int status = fvi_velocity_of_momentum(s->run.system, s->t, s->x, p, w);
+        int status = keep_to_ties(s, s->t, s->x, p, w, NULL);
         if (!status)
             status = fvi_mesh_inverse_along(s, normal, w, &inverse);
         if (status)

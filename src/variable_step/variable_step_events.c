@@ -108,8 +108,15 @@ static int value_within(const fvi_stepper *s, const fvi_variable_step_state *o,
                         size_t i, double theta, double *z)
 {
     double *x = o->watch->point, *p = x + o->d;
+    const double t = o->t + theta * o->length.h;
+    int status = FVI_SUCCESS;
     fvi_variable_step_within(s, o, theta, x, p);
-    return evaluate(s, i, o->t + theta * o->length.h, x, p, z);
+    if (o->mechanism && s->mechanism->m) {
+        double *v = p + o->d;
+        memcpy(v, o->v, o->d * sizeof *v);
+        status = fvi_mesh_project(s, t, x, p, v);
+    }
+    return status ? status : evaluate(s, i, t, x, p, z);
 }
 
 /* At its end, as the step will have it. */
@@ -119,8 +126,7 @@ static int value_at_end(const fvi_stepper *s, const fvi_variable_step_state *o,
     const size_t last = o->rule->s - 1;
     const double h = o->length.h, t = o->t + h;
     double *x = o->watch->point, *p = x + o->d, move[FVI_LANES];
-    if (o->mechanism)
-        fvi_mesh_end(s, o, x, p);
+    const int status = o->mechanism ? fvi_mesh_end(s, o, x, p) : FVI_SUCCESS;
     for (size_t j = 0; j < o->d && !o->mechanism; j++) {
         const double *delta = o->delta + j * FVI_LANES;
         double G = 0, slope = 0;
@@ -130,7 +136,7 @@ static int value_at_end(const fvi_stepper *s, const fvi_variable_step_state *o,
         x[j] = o->y[j] + h * (o->v[j] + move[last]) + G;
         p[j] = s->run.system->mass[j] * (o->v[j] + delta[last] + slope);
     }
-    return evaluate(s, i, t, x, p, z);
+    return status ? status : evaluate(s, i, t, x, p, z);
 }
 
 int fvi_variable_step_sides(const fvi_stepper *s, fvi_event_watch *w, int anew)

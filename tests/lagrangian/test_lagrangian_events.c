@@ -1,12 +1,9 @@
 /* tests/lagrangian/test_lagrangian_events.c -- Impacts, stops and marks of a mechanism.
  * Run alone: make test-lagrangian_events */
 #include "problems.h"
+#include "watched.h"
 
 #include "system/larger.h"
-
-#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
-
-enum { MOST_EVENTS = 3 };
 
 static const mechanism_text
     ball = { .name = "ball", .d = 1, .lagrangian = "v^2/2 - x", .damper = { "x : power:0.3,0.3" },
@@ -38,42 +35,6 @@ static const struct {
       { 1.788114076084374 } },
 };
 enum { COUNT = sizeof references / sizeof *references };
-
-typedef struct {
-    mechanism_problem p;
-    fvi_typed_events *typed;
-    fvi_run run;
-} watched;
-
-static void open_watched(const mechanism_text *text, const char *const *events, double T, watched *w)
-{
-    size_t count = 0;
-    while (count < MOST_EVENTS && events[count])
-        count++;
-    open_problem(text, &w->p);
-    static const double ones[] = { 1, 1, 1, 1 };
-    OK(fvi_parse_events(count, events, text->d, ones, NULL, &w->typed, NULL));
-    fvi_typed_events_of(w->typed, w->p.system.mechanism);
-    w->run = run_of(&w->p, T, 1);
-    w->run.events = fvi_events_typed(w->typed, &w->run.event_count);
-}
-
-static void close_watched(watched *w)
-{
-    fvi_typed_events_free(w->typed);
-    close_problem(&w->p);
-}
-
-/* To the end, or to an event that ends the run. */
-static fvi_stepper *at_end(const fvi_run *run)
-{
-    fvi_stepper *s;
-    fvi_error error = { 0 };
-    ck_assert_msg(fvi_stepper_start(&fvi_variable_step, run, &s, &error) == 0, "%s", error.text);
-    while (s->k < run->steps && !fvi_stepper_is_over(s))
-        OK(fvi_stepper_step(s));
-    return s;
-}
 
 /* Times of impacts, x and p behind them: what a step may err is not lost at an impact. */
 START_TEST(eq_29_20_impacts_are_where_the_reference_has_them)

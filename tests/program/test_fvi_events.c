@@ -130,7 +130,6 @@ START_TEST(what_is_wrong_is_said)
         { "run --event 'x : mark' --method fvi", "is not for fvi; fvi-adaptive has events" },
         { "run --event 'x : mark' --error 1e-3", "fvi: --event: not together with --error" },
         { "run --event 'x : mark' --checkpoint f", "fvi: --event: not together with --checkpoint" },
-        { "run --event 'x : mark' --constraint 'x1'", "fvi: --event: not together with --constraint" },
         { "run --event 'v : impact:1' --lagrangian 'v^2/2' --x0 1 --v0 0",
           "Z of an impact is an expression in x and t alone" },
         { "run --event 'x : mark' --lagrangian 'v^2/2' --x0 1 --v0 0 --method fvi-lobatto4d",

@@ -175,6 +175,22 @@ def test_the_ground_pulls_at_the_matrix_of_masses():
     assert abs(fvi.solve(shaken, h=0.01).x - x).max() < 1e-13 * abs(x).max()  # seen: 2e-15
 
 
+def test_a_bob_on_a_rod_hits_a_wall():
+    """As the program has it, and as the same pendulum in its angle does."""
+    bob = fvi.Problem(lagrangian="(v1^2+v2^2)/2 - x2", constraints="(x1^2+x2^2-1)/2", dampers="x1 : power:0.3,0.3",
+                      x0=[1, 0], v0=[0, 0], time=6)
+    s = fvi.solve(bob, events=["x1+0.2 : impact:0.7", "v2 : mark"], steps=6, step_error=1e-12)
+    rows, said = program("--lagrangian", "(v1^2+v2^2)/2 - x2", "--constraint", "(x1^2+x2^2-1)/2", "--damper", "x1 : power:0.3,0.3",
+                         "--x0", "1,0", "--v0", "0,0", "--time", "6", "--steps", "6", "--step-error", "1e-12", "--columns", "t,x,p",
+                         "--event", "x1+0.2 : impact:0.7", "--event", "v2 : mark")
+    assert np.array_equal(np.column_stack([s.t, s.x, s.p]), rows)
+    assert sorted(s.t_events[0].tolist() + s.t_events[1].tolist()) == [float(t) for t, _ in said] and len(said) > 3
+    angle = fvi.Problem(lagrangian="v^2/2 + cos(x)", dampers="sin(x) : power:0.3,0.3", x0=np.pi / 2, v0=0, time=6)
+    r = fvi.solve(angle, events="sin(x)+0.2 : impact:0.7", steps=6, step_error=1e-12)
+    assert abs(s.t_events[0] - r.t_events[0]).max() < 1e-11
+    assert abs(s.x[:, 0] - np.sin(r.x[:, 0])).max() < 1e-11
+
+
 def test_a_coordinate_that_is_imposed_has_a_reaction():
     q = fvi.Problem("(x2-x1)^2/2", impose="x1=sin(t)", constraints="x3 - x2/2", mass=1, x0=[0, 0, 0], v0=[1, 0, 0], time=5)
     s = fvi.solve(q, h=0.01)

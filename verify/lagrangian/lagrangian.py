@@ -187,6 +187,37 @@ th, om = symbols("theta omega")
 place, speed = Matrix([sin(th), -cos(th)]), om * Matrix([cos(th), sin(th)])
 prove("(29.4) the rod's velocity keeps to it", simplify((place.T * speed)[0]))
 
+# ---- (29.20), (29.21), (29.22): impacts, of masses M in three coordinates with one constraint whose gradient is c
+m, v3, n3, q3, e, c_t, Z_t = symbols("m1:4", positive=True), *(symbols(f"{letter}1:4") for letter in "vnq"), *symbols("e c_t Z_t")
+M3, n, c = diag(*m), Matrix(n3), Matrix(q3)
+Mi = M3.inv()
+P = Mi - Mi * c * c.T * Mi / (c.T * Mi * c)[0]
+v = Matrix(v3)
+
+
+def dot(left, right):
+    return (left.T * right)[0]
+
+
+lam = -(1 + e) * (dot(n, v) + Z_t) / dot(n, P * n)
+after = v + lam * P * n
+prove("(29.22) the constraint's velocity does not jump", simplify(dot(c, after - v)))
+prove("(29.22) the speed of Z turns round", simplify(dot(n, after) + Z_t + e * (dot(n, v) + Z_t)))
+w_tie = lam * dot(c, Mi * n) / dot(c, Mi * c)
+prove("(29.22) the jump of p is one along n and one along c", *(M3 * (after - v) - lam * n + w_tie * c).applyfunc(simplify))
+free = v - (1 + e) * (dot(n, v) + Z_t) / dot(n, Mi * n) * Mi * n
+prove("(29.21) without a constraint", simplify(dot(n, free) + Z_t + e * (dot(n, v) + Z_t)))
+held = P * M3 * v                                    # any velocity with c . v = 0
+bounced = held - 2 * dot(n, held) / dot(n, P * n) * P * n
+prove("with e = 1 no energy is lost", simplify(dot(bounced, M3 * bounced) - dot(held, M3 * held)))
+# In coordinates of the surface, x = phi(q) with two slopes T, c . T = 0, it is (29.21) of T^T M T and T^T n.
+T = Matrix([[c[1], c[2]], [-c[0], 0], [0, -c[0]]])
+prove("the slopes lie in the surface", *(c.T * T))
+prove("(29.22) is (29.21) in coordinates of the surface", *(P - T * (T.T * M3 * T).inv() * T.T).applyfunc(simplify))
+tau, push = Matrix([Rational(1, 2), sqrt(3) / 2]), Matrix([-1, 0])
+hit = 2 * tau - Rational(3, 2) * dot(push, 2 * tau) / dot(push, tau)**2 * tau * dot(tau, push)
+prove("the bob of the page", *(hit + tau), -Rational(3, 2) * dot(push, 2 * tau) / dot(push, tau)**2 - 6)
+
 header("verify/lagrangian/lagrangian.py")
 
 
