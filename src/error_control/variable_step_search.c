@@ -61,16 +61,19 @@ static int trial(pair *o, double step_error, double longest, int growth)
     int status = fvi_variable_step_again(o->run, o->most, &o->as, &s);
     if (status)
         return status;
-    for (size_t k = 0; k < o->count && !status; k++) {
-        const double t = o->t[k];
-        while (s->t < t && !status) {
+    for (size_t k = 0, rows; k < o->count && !status; k += rows) {
+        while (s->t < o->t[k] && !status) {
             status = fvi_stepper_step(s);
             fvi_stepper_statistics(s, &o->counts);
             if (status == FVI_ERUNAWAY)
                 status = FVI_ETOL;
         }
+        rows = 1;
+        while (k + rows < o->count && o->t[k + rows] <= s->t)
+            rows++;
         if (!status)
-            status = fvi_stepper_advance_to(s, t, o->x + k * d, o->p + k * d);
+            status = fvi_stepper_advance_through(s, rows, o->t + k, o->x + k * d,
+                                                 o->p + k * d);
     }
     o->end = s->t;
     fvi_stepper_free(s);

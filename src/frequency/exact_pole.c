@@ -102,7 +102,9 @@ double complex fvi_pole_derivative(const fvi_pole *p)
         (void)fvi_kernel_at(p->law, s, &slope);
         return 2 * p->m * s + p->rho * slope / s;
     }
-    return 2 * p->m * s + p->beta * p->rho * cexp((p->beta - 1) * clog(s));
+    const double complex power =
+        p->beta == 1 ? 1 : cexp((p->beta - 1) * clog(s));
+    return 2 * p->m * s + p->beta * p->rho * power;
 }
 
 /* The first guess is good to some digits, so a large step means two zeros that

@@ -159,6 +159,8 @@ typedef struct {
  *   dense  NULL, or of a method that chooses its steps: x and p (either may be NULL) at a
  *          time t <= s->t within the last step; FVI_EDOM before it. Such a method's step
  *          sets s->t, to steps h in the end
+ *   rows   NULL, or of a method with dense: the same at `count` increasing times within the last
+ *          step, to the bit, row after row into x and p; FVI_EDOM if one is outside
  *   copy   makes to->method_state out of from->method_state; NULL only if method_state is never set. The rest of
  *          *to is there, and stop will be called for it, whatever copy returns
  *   visit  shows what steps change of own to a visitor, and what must be the same
@@ -180,6 +182,7 @@ struct fvi_method {
     int (*start)(fvi_stepper *s);
     int (*step)(fvi_stepper *s);
     int (*dense)(const fvi_stepper *s, double t, double *x, double *p);
+    int (*rows)(const fvi_stepper *s, size_t count, const double *t, double *x, double *p);
     int (*copy)(const fvi_stepper *from, fvi_stepper *to);
     int (*serialize)(fvi_stepper *s, fvi_archive *archive);
     void (*stop)(fvi_stepper *s);
@@ -243,6 +246,17 @@ int fvi_force_value(fvi_stepper *s, double t);
  * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EDOM if there is no state at t to be
  * had; FVI_EOVRFLW if x or p is not finite there; what fvi_stepper_step returns. */
 int fvi_stepper_advance_to(fvi_stepper *s, double t, double *x, double *p);
+
+/* fvi_stepper_advance_through -- fvi_stepper_advance_to, to one time after the other: the same
+ * numbers, but faster where a method that chooses its steps passes many times in one.
+ *
+ *   t     count times, none before the one in front of it
+ *   x, p  outputs, each may be NULL: count d numbers, row after row
+ *
+ * Returns what fvi_stepper_advance_to returns for the first time that it cannot reach; the rows before
+ * it stand, unless numbers stopped being finite within its step. */
+int fvi_stepper_advance_through(fvi_stepper *s, size_t count, const double *t, double *x,
+                                double *p);
 
 /* fvi_stepper_copy -- the same trajectory again, at the same k, history included: a fork, or a
  * place to come back to. Both go on with the same digits, and neither knows of the

@@ -46,8 +46,9 @@ static void prepare_root(fvi_inverse *S, const fvi_pole *root)
     const double complex slope = fvi_pole_derivative(root);
     double complex unused;
     const double complex memory = p->rho
-                                  * (p->law ? fvi_kernel_at(p->law, s, &unused) / s
-                                            : cexp((S->beta - 1) * clog(s)));
+                                  * (p->law         ? fvi_kernel_at(p->law, s, &unused) / s
+                                     : S->beta == 1 ? 1
+                                                    : cexp((S->beta - 1) * clog(s)));
     fvi_residue *a = &S->pole[S->poles++];
     *a = (fvi_residue){ .s = s };
     a->low = root->low;

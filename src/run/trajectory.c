@@ -201,6 +201,38 @@ int fvi_stepper_advance_to(fvi_stepper *s, double t, double *x, double *p)
                : FVI_SUCCESS;
 }
 
+/* How many of the times are behind the last step's beginning and before its end. */
+static size_t times_within(const fvi_stepper *s, size_t count, const double *t)
+{
+    size_t n = 0;
+    while (n < count && t[n] < s->t && (n == 0 || t[n] >= t[n - 1]))
+        n++;
+    return n;
+}
+
+int fvi_stepper_advance_through(fvi_stepper *s, size_t count, const double *t, double *x,
+                                double *p)
+{
+    if (!s || (!t && count))
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    const size_t d = s->run.system->d;
+    int status = FVI_SUCCESS;
+    for (size_t k = 0, n; k < count && !status; k += n) {
+        double *to_x = x ? x + k * d : NULL, *to_p = p ? p + k * d : NULL;
+        n = s->method->rows ? times_within(s, count - k, t + k) : 0;
+        if (n < 2) {
+            n = 1;
+            status = fvi_stepper_advance_to(s, t[k], to_x, to_p);
+            continue;
+        }
+        if (s->method->rows(s, n, t + k, to_x, to_p))
+            FVI_FAIL("no state at such a time", FVI_EDOM);
+        if ((x && !fvi_all_finite(n * d, to_x)) || (p && !fvi_all_finite(n * d, to_p)))
+            status = FVI_EOVRFLW;
+    }
+    return status;
+}
+
 int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to)
 {
     if (!from || !to)

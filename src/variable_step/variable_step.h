@@ -328,8 +328,10 @@ void fvi_variable_step_twice(double theta, double *w);
  * (i, n), at s times of which FVI_LANES are there; the rest of the matrix is of no use. */
 void fvi_variable_step_shapes(size_t s, const double *theta, fvi_square *R);
 
-/* fvi_variable_step_dense -- as fvi_method has it.                               (22.18) */
+/* fvi_variable_step_dense, fvi_variable_step_rows -- as fvi_method has them.      (22.18) */
 int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p);
+int fvi_variable_step_rows(const fvi_stepper *s, size_t count, const double *t, double *x,
+                           double *p);
 
 /* fvi_variable_step_within -- x and p, d numbers each, at t + theta h of the step that has been tried. */
 void fvi_variable_step_within(const fvi_stepper *s, const fvi_variable_step_state *o,

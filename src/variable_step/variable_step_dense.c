@@ -160,6 +160,70 @@ int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p
 }
 //< dense
 
+/* first theta^k by_k g_k, summed as `product` sums: four rows or eight in a vector. */
+static inline __attribute__((always_inline)) double
+sum_of_row(double first, double theta, const double *by, const double *g)
+{
+    const double square = theta * theta, cube = square * theta,
+                 four = square * square, w[4] = { first, first * theta,
+                                                  first * square, first * cube };
+    double sum[4];
+    for (int l = 0; l < 4; l++)
+        sum[l] = w[l] * by[l] * g[l] + w[l] * four * by[l + 4] * g[l + 4];
+    return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+}
+
+/* The sums of eight rows of one mass, from theta to theta. Whether all eight are wanted or not: a loop of
+ * known length is one vector. */
+FVI_VECTORS static void sums_of_eight_rows(const double *restrict g, int twice,
+                                           const double *restrict theta,
+                                           double *restrict sum)
+{
+    const double *by = (const double *)(twice ? double_integral : integral);
+#pragma omp simd
+    for (int i = 0; i < 8; i++)
+        sum[i] = sum_of_row(twice ? theta[i] * theta[i] : theta[i], theta[i], by, g);
+}
+
+/* At most eight rows of one mass, by the operations of `positions` and `momenta`. */
+static void rows_of_one_mass(const fvi_stepper *s, size_t count, const double *t, double *x,
+                             double *p)
+{
+    const fvi_variable_step_state *o = s->method_state;
+    const double h = s->t - o->t0, y = o->y0[0], v = o->v0[0],
+                 mass = s->run.system->mass[0];
+    double theta[8] = { 0 }, sum[8];
+    for (size_t i = 0; i < count; i++)
+        theta[i] = (t[i] - o->t0) / h;
+    if (x)
+        sums_of_eight_rows(o->powers, 1, theta, sum);
+    for (size_t i = 0; i < count && x; i++)
+        x[i] = y + h * (theta[i] * v + sum[i]);
+    if (p)
+        sums_of_eight_rows(o->powers, 0, theta, sum);
+    for (size_t i = 0; i < count && p; i++)
+        p[i] = (v + sum[i]) * mass;
+}
+
+int fvi_variable_step_rows(const fvi_stepper *s, size_t count, const double *t, double *x,
+                           double *p)
+{
+    fvi_variable_step_state *o = s->method_state;
+    const int is_plain = o->d == 1 && !o->mechanism && !o->structure
+                         && !fvi_singular_is(o, o->t0) && s->t > o->t0
+                         && t[0] >= o->t0 && t[count - 1] <= s->t;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < count && !is_plain && !status; i++)
+        status = fvi_variable_step_dense(s, t[i], x ? x + i * o->d : NULL,
+                                         p ? p + i * o->d : NULL);
+    if (is_plain && !o->powers_known)
+        make_powers(o);
+    for (size_t i = 0; i < count && is_plain; i += 8)
+        rows_of_one_mass(s, count - i < 8 ? count - i : 8, t + i, x ? x + i : NULL,
+                         p ? p + i : NULL);
+    return status;
+}
+
 void fvi_variable_step_within(const fvi_stepper *s, const fvi_variable_step_state *o,
                               double theta, double *x, double *p)
 {

@@ -390,6 +390,7 @@ const fvi_method fvi_variable_step = {
     .start = fvi_variable_step_start,
     .step = step,
     .dense = fvi_variable_step_dense,
+    .rows = fvi_variable_step_rows,
     .copy = fvi_variable_step_copy,
     .serialize = fvi_variable_step_archive,
     .stop = fvi_variable_step_stop,

@@ -215,11 +215,89 @@ START_TEST(what_callbacks_say_comes_back)
 }
 END_TEST
 
+/* Many times together: what one after the other gives, to the bit; for one mass and many, with a start
+ * that is singular, and by a method whose steps are all alike. Times may be rows, ends of steps, anything
+ * between, and the same twice. */
+START_TEST(rows_together_are_rows_one_by_one)
+{
+    enum { TIMES = 300 };
+    static double t[TIMES], u[D * TIMES], v[D * TIMES], w[D], z[D];
+    static const struct {
+        size_t d;
+        fvi_initial_history past;
+        double alpha;
+        const fvi_method *method;
+    } of[] = { { 1, FVI_INITIAL_HISTORY_HELD, 0.3, &fvi_variable_step },
+               { 1, FVI_INITIAL_HISTORY_CAPUTO, 0.75, &fvi_variable_step },
+               { 1, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.2, &fvi_variable_step },
+               { 1, FVI_INITIAL_HISTORY_HELD, 0.5, &fvi_variable_step },
+               { D, FVI_INITIAL_HISTORY_HELD, 0.3, &fvi_variable_step },
+               { 1, FVI_INITIAL_HISTORY_HELD, 0.3, &fvi_cq2_midpoint } };
+    for (size_t i = 0; i < LEN(of); i++) {
+        const fvi_system system = { .d = of[i].d,
+                                    .mass = mass,
+                                    .damping = rho,
+                                    .potential = fvi_potential_duffing(cg) };
+        fvi_run run = run_of(&system, 1e-3);
+        run.alpha = of[i].alpha;
+        run.past = of[i].past;
+        const int dense = of[i].method->dense != NULL;
+        for (size_t k = 0; k < TIMES; k++)
+            t[k] = dense ? 10 * (double)(k - k % 7 / 6) / (TIMES - 1)
+                         : 0.125 * (double)(k * N / (TIMES - 1));
+        for (int wanted = 1; wanted <= 3; wanted++) {
+            fvi_stepper *one_by_one, *together;
+            ck_assert_int_eq(fvi_stepper_start(of[i].method, &run, &one_by_one, NULL), 0);
+            ck_assert_int_eq(fvi_stepper_start(of[i].method, &run, &together, NULL), 0);
+            ck_assert_int_eq(fvi_stepper_advance_through(together, TIMES, t, wanted & 1 ? u : NULL,
+                                                         wanted & 2 ? v : NULL),
+                             0);
+            for (size_t k = 0; k < TIMES; k++) {
+                ck_assert_int_eq(fvi_stepper_advance_to(one_by_one, t[k], w, z), 0);
+                const size_t bytes = of[i].d * sizeof *w, at = k * of[i].d;
+                ck_assert_msg((!(wanted & 1) || memcmp(u + at, w, bytes) == 0)
+                                  && (!(wanted & 2) || memcmp(v + at, z, bytes) == 0),
+                              "case %zu, row %zu", i, k);
+            }
+            ck_assert_int_eq(fvi_stepper_free(one_by_one), 0);
+            ck_assert_int_eq(fvi_stepper_free(together), 0);
+        }
+    }
+}
+END_TEST
+
+START_TEST(rows_that_are_not_to_be_had_are_refused)
+{
+    const fvi_system system = { .d = 1, .mass = mass, .damping = rho,
+                                .potential = fvi_potential_duffing(cg) };
+    const fvi_run run = run_of(&system, 1e-3);
+    fvi_stepper *s;
+    const double past_the_end[] = { 1, 2, 11 }, back[] = { 10, 0.1, 0.2, 0.3 },
+                 turning[] = { 9.9, 9.95, 9.93, 9.94 };
+    double u[4], v[4];
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), 0);
+    ck_assert_int_eq(fvi_stepper_advance_through(NULL, 1, back, u, v), FVI_EFAULT);
+    ck_assert_int_eq(fvi_stepper_advance_through(s, 1, NULL, u, v), FVI_EFAULT);
+    ck_assert_int_eq(fvi_stepper_advance_through(s, 0, NULL, u, v), 0);
+    ck_assert_int_eq(fvi_stepper_advance_through(s, 3, past_the_end, u, v), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_advance_through(s, 4, back, u, v), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_advance_through(s, 3, back + 1, u, v), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_advance_through(s, 4, turning, u, v), 0);
+    for (size_t k = 0; k < LEN(turning); k++) { /* within one step they may turn back */
+        double at;
+        ck_assert_int_eq(fvi_stepper_advance_to(s, turning[k], &at, NULL), 0);
+        ck_assert(at == u[k]);
+    }
+    ck_assert_int_eq(fvi_stepper_free(s), 0);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("variable_steps: the life of a stepper");
     ADD_CASE(suite, "stepper", a_copy_goes_on_with_the_same_digits,
              a_copy_makes_factors_of_its_own, uniform_methods_have_rows_only,
-             what_callbacks_say_comes_back);
+             what_callbacks_say_comes_back, rows_together_are_rows_one_by_one,
+             rows_that_are_not_to_be_had_are_refused);
     return run_suite(suite);
 }
