@@ -21,10 +21,12 @@ set palette defined (-1 "#66BBEB", 0 "#F7F7F7", 1 "#EBAD26")
 set cbrange [-1:1]
 bounded(r) = log10(r) > 1 ? 1 : log10(r) < -1 ? -1 : log10(r)
 text(r) = r < 1e-8 ? "ours" : r > 1e8 ? "peer" : r < 9.95 ? sprintf("%.2g", r) : sprintf("%.0f", r)
-# Below it, where ours took no step, that of ours which do; red where the peer is ahead of them.
+# Below it, where ours took no step, that of ours which do. Red and bold, above and below, where
+# the peer is ahead.
 steps(all, some) = some == all ? "" : text(some)
 up(all, some) = some == all ? 0 : -0.14
 plot tsv index "picture:" using 1:2:(0.48):(0.46):(bounded($3)) with boxxyerror fs solid fc palette, \
-     tsv index "picture:" using 1:($2 + up($3, $4)):(text($3)) with labels font ",11", \
+     tsv index "picture:" using 1:($2 + up($3, $4)):($3 > 1 ? "" : text($3)) with labels font ",11", \
+     tsv index "picture:" using 1:($2 + up($3, $4)):($3 > 1 ? "{/:Bold ".text($3)."}" : "") with labels font ",11" tc rgb "#8A1C00", \
      tsv index "picture:" using 1:($2 + 0.24):($4 > 1 ? "" : steps($3, $4)) with labels font ",9", \
      tsv index "picture:" using 1:($2 + 0.24):($4 > 1 && $4 != $3 ? "{/:Bold ".steps($3, $4)."}" : "") with labels font ",9" tc rgb "#8A1C00"

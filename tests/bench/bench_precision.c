@@ -62,15 +62,19 @@ int main(int argc, char **argv)
     describe();
     print_load();
     for (int P = 0; P < PROBLEMS; P++) {
-        double front[OURS_EXACT + 1][DECADES + 1] = { { 0 } };
+        fronts front = { { 0 } };
         double least[OURS_EXACT + 1] = { GSL_POSINF, GSL_POSINF, GSL_POSINF };
         if (only && only != P + 1)
             continue;
         find_truth(P, truth);
-        for (size_t i = r.count; i-- > 0;)
-            if (r.all[i].peer ? r.all[i].peer->takes(problem_number(P)) : 1)
+        for (size_t j = 2 * r.count; j-- > 0;) { /* who may be the fastest goes first */
+            const size_t i = j % r.count;
+            const contender *c = &r.all[i];
+            const int is_fast = c->peer || c->method->dense;
+            if ((j >= r.count) == is_fast && (!c->peer || c->peer->takes(problem_number(P))))
                 sweep(&r.all[i], P, truth, r.best[P][i], r.late[P][i],
-                      front[r.all[i].of], &least[r.all[i].of]);
+                      front, &least[r.all[i].of]);
+        }
         compare_in_turn(&r, P);
         for (size_t i = 0; i < r.count; i++)
             if (r.all[i].peer && r.all[i].peer->takes(problem_number(P))
@@ -84,6 +88,7 @@ int main(int argc, char **argv)
     printf("\n\n");
     print_verdict(&r);
     print_ratios(&r);
+    print_places(&r);
     print_picture(&r);
     for (int P = 0; P < PROBLEMS; P++)
         print_fronts(&r, P);

@@ -35,11 +35,13 @@ size_t gather(contender *all);
 
 /* sweep -- runs of one contender on problem P, with more and more steps, and tolerances
  * about the error that comes. best[k], k = 1 ... DECADES: the fastest run whose error
- * over all rows is at most 10^-k; late[k] the same for the rows with t >= 2. front[k]:
- * the least time of its side so far: runs that are far from it are not repeated.
+ * over all rows is at most 10^-k; late[k] the same for the rows with t >= 2. all[side][k]:
+ * the least time of a side so far: runs that are far from it are not repeated, those ten times slower
+ * get no tolerance of their own, and fifty times slower ends the sweep.
  * *least: becomes the least error of its side. */
+typedef double fronts[OURS_EXACT + 1][DECADES + 1];
 void sweep(const contender *c, int P, const double *truth, timing *best,
-           timing *late, double *front, double *least);
+           timing *late, fronts all, double *least);
 
 /* timed_run -- the rows of one run of a contender on p, with N steps and this tolerance, and
  * its seconds, > 0 if it went well. Returns its status. */
@@ -73,6 +75,7 @@ double ratio(const results *r, const timing from[][DECADES + 1], side ours,
 /* Tables and sentences, each a region of the file that is printed. */
 void print_verdict(const results *r);
 void print_ratios(const results *r);
+void print_places(const results *r);
 void print_picture(const results *r);
 void print_fronts(const results *r, int P);
 void print_memory(const results *r);

@@ -10,7 +10,8 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { RUNS = 9, FEW = 3, HOPELESS = 50 };
+enum { RUNS = 9, FEW = 3, HOPELESS = 50, SLOW = 10 };
+#define BATCH 2e-5 /* seconds that a measurement takes at least */
 
 size_t gather(contender *all)
 {
@@ -51,30 +52,33 @@ static int run_once(const contender *c, const problem *p, size_t N,
     }
     fvi_run run = problem_run(p, N, c->kind, tolerance);
     run.step_error = tolerance; /* read by methods that choose their steps */
-    const size_t d = p->system.d;
     fvi_stepper *s;
     int status = fvi_stepper_start(c->method, &run, &s, NULL);
     if (status)
         return status;
-    for (size_t k = 0; k <= ROWS && !status; k++)
-        status =
-            fvi_stepper_advance_to(s, (double)(k * (N / ROWS)) * run.h, rows + k * d, NULL);
+    double t[ROWS + 1];
+    for (size_t k = 0; k <= ROWS; k++)
+        t[k] = (double)(k * (N / ROWS)) * run.h;
+    status = fvi_stepper_advance_through(s, ROWS + 1, t, rows, NULL);
     fvi_stepper_free(s);
     return status;
 }
 
-/* Of a million times that this clock measures, one or two come out as 0, which would stand
- * for "not reached". */
+/* A look at the clock takes half a microsecond, a run may take no more. So a short run is
+ * repeated within one measurement, all that it makes included. */
 int timed_run(const contender *c, const problem *p, size_t N, double tolerance,
               double *rows, double *seconds)
 {
-    int status;
-    do {
+    int status = FVI_SUCCESS, runs = 1;
+    for (;;) {
         const double start = now();
-        status = run_once(c, p, N, tolerance, rows);
-        *seconds = now() - start;
-    } while (!status && !(*seconds > 0));
-    return status;
+        for (int i = 0; i < runs && !status; i++)
+            status = run_once(c, p, N, tolerance, rows);
+        *seconds = (now() - start) / runs;
+        if (status || *seconds * runs > BATCH)
+            return status;
+        runs = *seconds > 0 ? (int)ceil(1.2 * BATCH / *seconds) : 2 * runs;
+    }
 }
 
 static double error_from(const problem *p, double from, const double *rows,
@@ -106,11 +110,14 @@ static int may_matter(double error, double seconds, const double *front)
     return k >= 1 && (front[k] == 0 || seconds < 2 * front[k]);
 }
 
-/* So far from the front that more steps will not bring it back. */
-static int is_hopeless(double error, double seconds, const double *front)
+/* So many times slower than the front, that of its own side or of the other: HOPELESS, and more
+ * steps will not bring it back; SLOW, and no tolerance will. */
+static int is_behind(double error, double seconds, double (*all)[DECADES + 1], int times)
 {
     const int k = (int)smaller(DECADES, floor(-log10(larger(error, 1e-99))));
-    return k >= 1 && front[k] > 0 && seconds > HOPELESS * front[k];
+    return k >= 1
+           && ((all[PEERS][k] > 0 && seconds > times * all[PEERS][k])
+               || (all[OURS_THAT_STEP][k] > 0 && seconds > times * all[OURS_THAT_STEP][k]));
 }
 
 /* What a sweep is about, and where its runs are kept. */
@@ -156,14 +163,20 @@ static double point(place *o, size_t N, double tolerance, double *seconds)
     return error;
 }
 
-/* More steps: all numbers that the contender takes, each half as many again or double. */
+/* More steps: for a peer the next of those that it takes, by a quarter to a half; for ours twice
+ * as many. */
 static size_t next(const contender *c, size_t N)
 {
-    return c->peer && c->peer->any ? (size_t)ceil(1.4 * (double)N) : 2 * N;
+    if (!c->peer)
+        return 2 * N;
+    if (c->peer->any)
+        return N < 32 ? N + 1 + N / 16 : (size_t)ceil((c->peer->tolerance ? 1.4 : 1.25) * (double)N);
+    const size_t one = c->peer->fewest, n = N / one;
+    return one * (n & (n - 1) ? (n / 3) * 4 : n > 1 ? n / 2 * 3 : 2);
 }
 
 void sweep(const contender *c, int P, const double *truth, timing *best,
-           timing *late, double *front, double *least)
+           timing *late, fronts all, double *least)
 {
     const problem *p = problem_number(P);
     const int by_steps = !c->peer || c->peer->fewest > 0,
@@ -173,7 +186,7 @@ void sweep(const contender *c, int P, const double *truth, timing *best,
     place o = { c,     p,
                 truth, malloc((ROWS + 1) * p->system.d * sizeof(double)),
                 best,  late,
-                front, least };
+                all[c->of], least };
     double before = GSL_POSINF, seconds = 0;
     size_t N = c->peer && by_steps ? c->peer->fewest : ROWS;
     int stalls = 0;
@@ -186,15 +199,15 @@ void sweep(const contender *c, int P, const double *truth, timing *best,
         /* tolerances about the error; at first all, as some go by them alone */
         const double most = first ? sqrt(0.1) : smaller(0.1, 30 * error),
                      lowest = by_steps ? larger(1e-14, error / 3e3) : 1e-15;
-        if (tunes && (error < 1 || !by_steps)
+        if (tunes && (error < 1 || !by_steps) && !is_behind(error, seconds, all, SLOW)
             && seconds < p->seconds / (first ? 1 : 4))
             for (double t = most; t >= lowest; t /= first ? sqrt(10) : 10)
                 point(&o, N, t, &time);
         if (isatty(STDERR_FILENO))
             fprintf(stderr, "\rP%d %-40s %10zu", P + 1, c->name, N);
-        stalls = error < 0.1 && error > before / 1.5 ? stalls + 1 : 0;
+        stalls = error < 0.1 && error > before / (c->peer ? 1.1 : 1.5) ? stalls + 1 : 0;
         if (!by_steps || stalls == 2 || error < 3e-15
-            || is_hopeless(error, seconds, front) || 2 * seconds > p->seconds)
+            || is_behind(error, seconds, all, HOPELESS) || 2 * seconds > p->seconds)
             break;
         before = error;
     }

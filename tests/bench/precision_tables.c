@@ -75,6 +75,42 @@ void print_fronts(const results *r, int P)
     printf("#< fronts-%d\n\n\n", P + 1);
 }
 
+/* The ratio of a side at a place, the larger of both spreads, and whose time is the least;
+ * "even" where the ratio is no further from 1 than the spread. */
+static void print_place(const results *r, int P, side ours, int k)
+{
+    size_t mine = 0, theirs = 0;
+    const timing *a = fastest(r, r->best[P], OURS_THAT_STEP, ours, k, &mine),
+                 *b = fastest(r, r->best[P], PEERS, PEERS, k, &theirs);
+    const double q = ratio(r, r->best[P], ours, k),
+                 spread = larger(a ? a->spread : 1, b ? b->spread : 1);
+    char over[16];
+    write_number(over, sizeof over, q);
+    printf("\t%-11s\t%-5.3g\t%-24s", over, spread,
+           !a && !b                           ? "-"
+           : a && b && q < spread && 1 < q * spread ? "even"
+           : a && (!b || q < 1)               ? r->all[mine].name
+                                              : r->all[theirs].name);
+}
+
+void print_places(const results *r)
+{
+    printf("# all places: our time over that of the best peer, the larger spread of the "
+           "two, who is the fastest; then the same for ours that step\n#> places\n"
+           "# place \t%-11s\t%-5s\t%-24s\t%-11s\t%-5s\t%s\n",
+           "ours / peer", "spread", "winner", "by steps", "spread", "winner");
+    for (int P = 0; P < PROBLEMS; P++)
+        for (int k = 1; k <= DECADES; k++) {
+            char place[16];
+            snprintf(place, sizeof place, "P%d 1e-%d", P + 1, k);
+            printf("%-8s", place);
+            print_place(r, P, OURS_EXACT, k);
+            print_place(r, P, OURS_THAT_STEP, k);
+            printf("\n");
+        }
+    printf("#< places\n\n\n");
+}
+
 /* Milliseconds of every method, by error. */
 void print_methods(const results *r, int P)
 {

@@ -129,7 +129,8 @@ START_TEST(eq_18_4_methods_of_order_two)
 {
     static const char *const names[] = { "product trapezoid",
                                          "FLMM2 trapezoidal",
-                                         "FLMM2 Newton-Gregory", "FLMM2 BDF2" };
+                                         "FLMM2 Newton-Gregory", "FLMM2 BDF2",
+                                         "FLMM2 trapezoidal, modes" };
     double want[ROWS + 1];
     for (size_t i = 0; i < LEN(names); i++) {
         exact_rows(problem_number(0), want);
@@ -213,13 +214,81 @@ START_TEST(radau_memories_keep_their_tolerance)
 }
 END_TEST
 
+/* The modes are the weights: with a tolerance t the same rows to about t, at orders on both
+ * sides of 1. Seen: 0.9 t. */
+START_TEST(modes_of_the_trapezoidal_rule_are_its_weights)
+{
+    static const int of[] = { 1, 2, 3, 8 };
+    static double want[ROWS + 1];
+    for (size_t i = 0; i < LEN(of); i++) {
+        const task t = { problem_number(of[i] - 1), 320, 0 };
+        ck_assert_int_eq(named("FLMM2 trapezoidal")->run(&t, want), 0);
+        for (double tolerance = 1e-3; tolerance > 1e-13; tolerance /= 100) {
+            const double off = error_of("FLMM2 trapezoidal, modes", of[i], 320,
+                                        tolerance, want);
+            seen_worst(off / tolerance, "modes: error over tolerance");
+            ck_assert_msg(off < 10 * tolerance, "P%d: %.2e at %.0e", of[i], off,
+                          tolerance);
+        }
+    }
+}
+END_TEST
+
+/* Rows at the ends of steps and within them. */
 START_TEST(solvers_of_ordinary_differential_equations)
 {
     double want[ROWS + 1];
     exact_rows(problem_number(1), want);
     ck_assert_order("RK4", 2, 160, 4, want);
+    ck_assert_order("RK4", 2, 150, 4, want);
+    ck_assert_order("RK8", 2, 80, 8, want);
+    ck_assert_order("RK8", 2, 50, 8, want);
     ck_assert_order("rk8pd, uniform", 2, 80, 8, want);
+    ck_assert_order("Taylor series, order 4", 2, 100, 4, want);
+    ck_assert_order("Taylor series, order 6", 2, 60, 6, want);
+    ck_assert_order("Taylor series, order 8", 2, 40, 8, want);
+    ck_assert_order("Taylor series, order 12", 2, 20, 12, want);
+    ck_assert_order("Taylor series, order 16", 2, 10, 16, want);
+    ck_assert_double_lt(error_of("Taylor series, order 24", 2, 12, 0, want),
+                        4e-15);
     ck_assert_double_lt(error_of("rk8pd", 2, 0, 1e-12, want), 1e-11);
+    for (double t = 1e-2; t > 1e-14; t /= 100)
+        ck_assert_double_lt(error_of("Taylor series", 2, 0, t, want), t);
+}
+END_TEST
+
+/* The series of x^3 and of sin x, which no problem of the benchmark without a memory has,
+ * against Prince and Dormand's method; and two masses by RK8. */
+START_TEST(taylor_series_of_other_forces)
+{
+    static const double one = 1, hard[] = { 0.5, 1 }, pair[] = { 1, 0 },
+                        masses[] = { 1, 2 }, rho[] = { 0.2, 0.4 },
+                        x0[] = { 1.5, 1.5 }, p0[] = { 0.5, 1 };
+    static double a[2 * (ROWS + 1)], b[2 * (ROWS + 1)];
+    const fvi_potential of[] = { fvi_potential_duffing(hard),
+                                 fvi_potential_pendulum(&one),
+                                 fvi_potential_duffing(pair) };
+    static const char *const names[] = { "Taylor series, order 24", "Taylor series",
+                                         "RK8" };
+    for (size_t i = 0; i < LEN(of) * LEN(names); i++) {
+        const size_t d = i / LEN(names) == 2 ? 2 : 1;
+        problem p = *problem_number(1);
+        p.system = (fvi_system){ .d = d, .mass = masses, .damping = rho,
+                                 .potential = of[i / LEN(names)] };
+        p.x0 = x0;
+        p.p0 = p0;
+        const task exactly = { &p, 0, 1e-14 }, t = { &p, 400, 1e-13 };
+        const peer *who = named(names[i % LEN(names)]);
+        ck_assert_int_eq(named("rk8pd")->run(&exactly, a), 0);
+        ck_assert_int_eq(who->takes(&p), d == 1 || i % LEN(names) == 2);
+        if (!who->takes(&p))
+            continue;
+        ck_assert_int_eq(who->run(&t, b), 0);
+        seen_worst(distance(&p, a, b), "other forces");
+        ck_assert_msg(distance(&p, a, b) < 1e-11, "%zu, %s: %.2e", i / LEN(names),
+                      who->name, distance(&p, a, b));
+    }
+    ck_assert(!named("Taylor series")->takes(problem_number(2)));
 }
 END_TEST
 
@@ -314,7 +383,9 @@ int main(void)
              the_fast_formula_after_a_jump, radau_methods_have_their_order,
              radau_convolution_quadrature_converges,
              radau_memories_keep_their_tolerance,
+             modes_of_the_trapezoidal_rule_are_its_weights,
              solvers_of_ordinary_differential_equations,
+             taylor_series_of_other_forces,
              linear_problems_need_no_steps);
     ADD_CASE(suite, "blocks", eq_12_4_blocks_of_convolutions_are_the_direct_sum,
              eq_12_4_blocks_of_convolutions_are_the_modes);

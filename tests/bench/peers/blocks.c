@@ -13,6 +13,7 @@ enum { BLOCK = 256, MOST_BITS = 40 };
 
 struct blocks {
     const double *w;
+    double *reversed; /* w_N ... w_0: sums run forwards through two arrays */
     size_t N, d;
     double *spectrum[MOST_BITS];
     double *g, *sum,
@@ -29,12 +30,15 @@ blocks *blocks_alloc(const double *w, size_t N, size_t d)
         return NULL;
     *b = (blocks){ .w = w, .N = N, .d = d };
     const size_t far = N < 2 * BLOCK ? 0 : N + 1; /* sums that blocks add to */
-    b->g = malloc((d * (N + 1) + d * far + (far ? longest : 0)) * sizeof *b->g);
+    b->g = malloc(((d + 1) * (N + 1) + d * far + (far ? longest : 0)) * sizeof *b->g);
     if (!b->g) {
         free(b);
         return NULL;
     }
-    b->sum = b->g + d * (N + 1);
+    b->reversed = b->g + d * (N + 1);
+    for (size_t k = 0; k <= N; k++)
+        b->reversed[k] = w[N - k];
+    b->sum = b->reversed + N + 1;
     b->work = b->sum + d * far;
     memset(b->sum, 0, d * far * sizeof *b->sum);
     return b;
@@ -91,15 +95,13 @@ static int add_block(blocks *b, size_t n)
     return 0;
 }
 
-/* sum_{j=from}^{n-1} w_{n-j} g_j */
-FVI_VECTORS static double direct(size_t from, size_t n,
-                                 const double *restrict w,
-                                 const double *restrict g)
+FVI_VECTORS static double multiply_sums(size_t count, const double *restrict w,
+                                const double *restrict g)
 {
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
-    for (size_t j = from; j < n; j++)
-        sum += w[n - j] * g[j];
+    for (size_t j = 0; j < count; j++)
+        sum += w[j] * g[j];
     return sum;
 }
 
@@ -111,7 +113,8 @@ int blocks_sum(blocks *b, size_t n, double *sum)
         return 1;
     for (size_t i = 0; i < b->d; i++)
         sum[i] = (far ? b->sum[i * (b->N + 1) + n] : 0)
-                 + direct(from, n, b->w, b->g + i * (b->N + 1));
+                 + multiply_sums(n - from, b->reversed + (b->N - n + from),
+                         b->g + i * (b->N + 1) + from);
     return 0;
 }
 

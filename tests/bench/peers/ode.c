@@ -1,7 +1,7 @@
 /* tests/bench/peers/ode.c -- alpha = 1/2: x' = v, m v' = F - grad U(x) - rho v is an
  * ordinary differential equation. GSL's rk8pd (P. J. Prince, J. R. Dormand, J. Comput.
- * Appl. Math. 7 (1981)) with its step control, and with steps of one length; RK4. The
- * Radau IIA methods are in radau.c, Euler's methods in the table of the library.
+ * Appl. Math. 7 (1981)) with its step control, and with steps of one length. The Radau
+ * IIA methods are in radau.c, Euler's methods in the table of the library.
  *                                                                       [H 18] */
 #include "peers.h"
 
@@ -86,36 +86,6 @@ static int run_uniform(const task *of, double *rows)
     return status;
 }
 
-/* y <- y + h sum_i b_i k_i, k_i = f(t + a_i h, y + a_i h k_{i-1}). */
-static int run_rk4(const task *of, double *rows)
-{
-    static const double a[] = { 0, 0.5, 0.5, 1 },
-                        b[] = { 1 / 6.0, 1 / 3.0, 1 / 3.0, 1 / 6.0 };
-    const problem *p = of->p;
-    const size_t d = p->system.d, every = of->N / ROWS;
-    const double h = p->T / (double)of->N;
-    double *y = calloc(8 * d, sizeof *y), *k = y + 2 * d, *z = y + 4 * d,
-           *sum = y + 6 * d;
-    int status = y ? FVI_SUCCESS : FVI_ENOMEM;
-    if (!status)
-        begin(p, y, rows);
-    for (size_t n = 0; n < of->N && !status; n++) {
-        memcpy(sum, y, 2 * d * sizeof *y);
-        for (int i = 0; i < 4 && !status; i++) {
-            for (size_t j = 0; j < 2 * d; j++)
-                z[j] = y[j] + (i ? h * a[i] * k[j] : 0);
-            status = slope(h * ((double)n + a[i]), z, k, (void *)(size_t)p);
-            for (size_t j = 0; j < 2 * d; j++)
-                sum[j] += h * b[i] * k[j];
-        }
-        memcpy(y, sum, 2 * d * sizeof *y);
-        if ((n + 1) % every == 0)
-            memcpy(rows + (n + 1) / every * d, y, d * sizeof *y);
-    }
-    free(y);
-    return status;
-}
-
 static int half(const problem *p)
 {
     return p->alpha == 0.5;
@@ -134,5 +104,4 @@ const peer peer_rk8pd = { "rk8pd", "Prince, Dormand 1981; GSL",
                                   ROWS,
                                   0,
                                   half,
-                                  run_uniform },
-           peer_rk4 = { "RK4", "Kutta 1901", why, 0, ROWS, 0, half, run_rk4 };
+                                  run_uniform };

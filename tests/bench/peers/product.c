@@ -14,12 +14,12 @@
  *     Comput. Simul. 110 (2015), whose code is for one order at most 1), and J^2 as the
  *     product trapezoid has it.
  *
- * Where F jumps it is the mean of both limits. One mass is solved by Newton's method,
- * more by the fixed-point iteration, where it contracts, both from a guess by quadratic
- * extrapolation.                                                        [H 18] */
+ * Where F jumps it is the mean of both limits. One mass is solved by Newton's method, in
+ * product_one.c; more by the fixed-point iteration, where it contracts, both from a guess
+ * by quadratic extrapolation.                                           [H 18] */
 #include "blocks.h"
 #include "peers.h"
-#include "product_weights.h"
+#include "product_one.h"
 #include "system/larger.h"
 
 #include <gsl/gsl_math.h>
@@ -34,7 +34,6 @@ typedef struct {
     double *x[4];                /* the last three positions, and the new one */
     double *I1, *I2, *g, *F, *r, *sum, *u, *first, *one, *grad;
     blocks *past;
-    int linear;
 } solver;
 
 /* ---- steps ---- */
@@ -62,24 +61,20 @@ static int solve(solver *o, double A)
     const double B = o->h * o->h / 6;
     double *x = o->x[3], before = GSL_POSINF;
     for (int i = 0; i < 60; i++) {
-        double curvature = 0, moved = 0, largest = 1e-30;
-        int status = fvi_potential_gradient(s, x, o->grad);
-        if (!status && o->d == 1 && s->potential.hessian)
-            status =
-                s->potential.hessian(1, x, s->potential.params, &curvature);
+        double moved = 0, largest = 1e-30;
+        const int status = fvi_potential_gradient(s, x, o->grad);
         if (status)
             return status;
         for (size_t a = 0; a < o->d; a++) {
             const double M = s->mass[a] + s->damping[a] * A,
                          by = (o->r[a] + B * (o->F[a] - o->grad[a]) - M * x[a])
-                              / (M + B * curvature);
+                              / M;
             x[a] += by;
             moved = larger(moved, fabs(by));
             largest = larger(largest, fabs(x[a]));
         }
         moved /= largest;
-        if (o->linear || moved < 1e-15 || (moved < 1e-13 && moved >= before)
-            || (o->d == 1 && moved < 1e-8))
+        if (moved < 1e-15 || (moved < 1e-13 && moved >= before))
             return FVI_SUCCESS;
         if (!(moved < 1e6) || (i > 5 && moved > 2 * before))
             break;
@@ -146,12 +141,12 @@ static int step(solver *o, size_t n)
 static int run(const task *of, rule which, double *rows)
 {
     const problem *p = of->p;
-    const fvi_potential *U = &p->system.potential;
     const size_t d = p->system.d, N = of->N, n = 3 * (N + 1);
+    if (d == 1)
+        return product_one(of, which, 0, rows);
     solver o = { .p = p, .d = d, .N = N, .gamma = 2 - 2 * p->alpha };
     o.h = p->T / (double)N;
     o.size = pow(o.h, o.gamma);
-    o.linear = d == 1 && U->quadratic && U->quadratic(U->params);
     o.w = calloc(n + 14 * d, sizeof *o.w);
     if (!o.w)
         return FVI_ENOMEM;
@@ -204,3 +199,22 @@ RULE(product, "product trapezoid", PRODUCT, "Diethelm, Ford, Freed 2004")
 RULE(flmm_trapezoidal, "FLMM2 trapezoidal", TRAPEZOIDAL, "Garrappa 2015")
 RULE(flmm_newton, "FLMM2 Newton-Gregory", NEWTON_GREGORY, "Garrappa 2015")
 RULE(flmm_bdf2, "FLMM2 BDF2", BDF2, "Garrappa 2015")
+
+static int run_flmm_modes(const task *t, double *rows)
+{
+    return product_one(t, TRAPEZOIDAL, 1, rows);
+}
+
+static int one_mass(const problem *p)
+{
+    return p->system.d == 1;
+}
+
+const peer peer_flmm_modes = { "FLMM2 trapezoidal, modes",
+                               "Garrappa 2015; Lopez-Fernandez, Lubich, Schaedle 2008",
+                               "a step is one short sum over modes",
+                               1,
+                               ROWS,
+                               0,
+                               one_mass,
+                               run_flmm_modes };

@@ -4,6 +4,20 @@
 
 #include <math.h>
 
+/* n^e for n = 1, ..., N: a product where 2, 3, 5 or 7 divides n, so that one number in four
+ * takes a power. */
+static void powers_of(double e, size_t N, double *power)
+{
+    static const size_t prime[] = { 2, 3, 5, 7 };
+    for (size_t n = 1; n <= N; n++) {
+        size_t i = 0;
+        while (i < 4 && (n % prime[i] || n == prime[i]))
+            i++;
+        power[n] = i < 4 ? power[prime[i]] * power[n / prime[i]]
+                         : pow((double)n, e);
+    }
+}
+
 /* w_k = (k+1)^e - 2 k^e + (k-1)^e and start_k = (k-1)^e - k^gamma (k - e), e = gamma + 1,
  * over Gamma(gamma + 2); by their series in 1/k where they would cancel. */
 static void trapezoid(double gamma, size_t N, double *w, double *start0)
@@ -71,9 +85,10 @@ static void multistep(rule which, double gamma, size_t N, double *w,
         w[0] *= 1 - gamma / 2;
     /* exact for 1 and t: sum_{j=1}^{n} w_{n-j} and sum j w_{n-j} by running sums */
     double ones = 0, lines = 0;
+    powers_of(gamma, N, start0);
     const double unit = 1 / tgamma(gamma + 1), slope = unit / (gamma + 1);
     for (size_t n = 1; n <= N; n++) {
-        const double size = pow((double)n, gamma);
+        const double size = start0[n];
         ones += w[n - 1];
         lines += ones;
         start1[n] = slope * size * (double)n - lines;

@@ -86,8 +86,24 @@ FVI_VECTORS static void mix(int s, size_t d, const double *restrict K,
         }
 }
 
-/* X, and G = F - grad U(X) - H, from D = V - v. */
-static int pull(radau_solver *o, double t, double h)
+/* H <- H - F: what the iterations leave as it is. */
+static int subtract_force(radau_solver *o, double t, double h)
+{
+    const size_t d = o->d;
+    const fvi_force *force = &o->p->system.force;
+    for (int i = 0; i < o->s && force->value; i++) {
+        const int status =
+            force->value(t + h * o->m->c[i], d, force->params, o->room);
+        if (status)
+            return status;
+        for (size_t a = 0; a < d; a++)
+            o->H[(size_t)i * d + a] -= o->room[a];
+    }
+    return FVI_SUCCESS;
+}
+
+/* X, and G = -grad U(X) - H, from D = V - v. */
+static int pull(radau_solver *o, double h)
 {
     const size_t d = o->d;
     const fvi_system *system = &o->p->system;
@@ -96,15 +112,11 @@ static int pull(radau_solver *o, double t, double h)
         double *X = o->X + (size_t)i * d, *G = o->G + (size_t)i * d;
         for (size_t a = 0; a < d; a++)
             X[a] = o->x[a] + h * (o->m->c[i] * o->v[a] + X[a]);
-        int status = fvi_potential_gradient(system, X, o->room);
-        memset(G, 0, d * sizeof *G);
-        if (!status && system->force.value)
-            status = system->force.value(t + h * o->m->c[i], d,
-                                         system->force.params, G);
+        const int status = fvi_potential_gradient(system, X, o->room);
         if (status)
             return status;
         for (size_t a = 0; a < d; a++)
-            G[a] -= o->room[a] + o->H[(size_t)i * d + a];
+            G[a] = -o->room[a] - o->H[(size_t)i * d + a];
     }
     return FVI_SUCCESS;
 }
@@ -152,63 +164,26 @@ static double iterate(radau_solver *o, const radau_factor *f)
     return moved / larger(largest, 1e-30);
 }
 
-/* Newton's correction D <- D + J^{-1} (G - K D) of one mass. */
-static double correct(radau_solver *o, const radau_factor *f, const double *J)
-{
-    const int s = o->s;
-    double moved = 0, largest = 0, r[S];
-    for (int i = 0; i < s; i++) {
-        r[i] = o->G[i];
-        for (int j = 0; j < s; j++)
-            r[i] -= f->K[i * s + j] * o->D[j];
-    }
-    for (int i = 0; i < s; i++) {
-        double sum = 0;
-        for (int j = 0; j < s; j++)
-            sum += J[i * s + j] * r[j];
-        o->D[i] += sum;
-        moved = larger(moved, fabs(sum));
-        largest = larger(largest, fabs(o->D[i]));
-    }
-    return moved / larger(largest, 1e-30);
-}
-
-/* The Jacobian at the guess, inverted: one mass, any U. */
-static int jacobian(radau_solver *o, double h, const radau_factor *f,
-                    double *inverse)
-{
-    double J[S * S];
-    for (int i = 0; i < o->s; i++) {
-        double curvature;
-        int status = o->p->system.potential.hessian(
-            1, o->X + i, o->p->system.potential.params, &curvature);
-        if (status)
-            return status;
-        for (int j = 0; j < o->s; j++)
-            J[i * o->s + j] =
-                f->K[i * o->s + j] + curvature * h * o->m->A[i][j];
-    }
-    invert(o->s, J, inverse);
-    return FVI_SUCCESS;
-}
-
 int radau_solve(radau_solver *o, double t, double h)
 {
     known(o, t, h);
     const radau_factor *f = factor_of(o, h);
-    const int linear = o->curvature != 0, newton = o->d == 1 && !linear;
-    double J[S * S], moved = 1, before = GSL_POSINF;
+    const int linear = o->curvature != 0;
+    double moved = 1, before = GSL_POSINF;
     if (!f)
         return FVI_ENOMEM;
+    int status = subtract_force(o, t, h);
+    if (status)
+        return status;
+    if (o->d == 1 && !linear)
+        return radau_solve_one(o, h, f);
     if (linear)
         memset(o->D, 0, (size_t)o->s * sizeof *o->D);
     for (int i = 0; i < 100; i++) {
-        int status = pull(o, t, h);
-        if (!status && newton && i == 0)
-            status = jacobian(o, h, f, J);
+        status = pull(o, h);
         if (status)
             return status;
-        moved = newton ? correct(o, f, J) : iterate(o, f);
+        moved = iterate(o, f);
         if (linear || moved <= o->stop || (moved < 1e-13 && moved >= before))
             return FVI_SUCCESS;
         if (!(moved < 1e10) || (i > 5 && moved > 2 * before))

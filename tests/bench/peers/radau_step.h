@@ -38,6 +38,9 @@ typedef struct {
  * used. FVI_EMAXITER if the iteration does not end; FVI_ENOMEM; what a callback returned. */
 int radau_solve(radau_solver *o, double t, double h);
 
+/* radau_solve_one -- the same for one mass by Newton's method; F is in H, f the factors for h. */
+int radau_solve_one(radau_solver *o, double h, const radau_factor *f);
+
 /* radau_uniform, radau_graded -- the steps: N of one length; or from 0 and from the jump
  * on, `first` long at first, growing by e^{4 L} at most and as t^{3/4}, up to *longest,
  * which is chosen so that all steps after the jump are on the lattice and meet T. At most
