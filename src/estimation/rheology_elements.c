@@ -27,6 +27,14 @@ const char *fvi_element_number(fvi_element kind, size_t i, size_t *field)
     return numbers[kind].name[i];
 }
 
+const char *fvi_element_number_typed(fvi_element kind, size_t i, int is_exchanged, size_t *field)
+{
+    const char *name = fvi_element_number(kind, i, field);
+    if (name && is_exchanged && kind == FVI_ELEMENT_MAXWELL2)
+        fvi_element_number(kind, (i + 2) % 4, field);
+    return name;
+}
+
 fvi_element fvi_element_of(const fvi_kernel_term *term)
 {
     switch (term->kind) {

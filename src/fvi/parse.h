@@ -93,15 +93,16 @@ typedef struct {
 int fvi_parse_damping(const char *text, fvi_user_parameters *parameters,
                       fvi_typed_damping *damping, fvi_error *error);
 
-/* fvi_check_pairs -- may numbers of two springpots in series be asked for by name? A term keeps that of the
- * larger order first, so that after maxwell2:R1,A,R2,B with A < B the names 1 and 2 would be exchanged.
+/* fvi_pair_is_exchanged -- does a term keep the parts of maxwell2:R1,A,R2,B the other way round? It keeps that of
+ * the larger order first, so that after A < B its rho and alpha are R2 and B.
  *
- *   field  what asks, for the error
+ *   parameters  with which the laws were parsed; NULL: nothing is exchanged
+ *   term        its place, from 0, among all terms of the last laws that were parsed so, in their order,
+ *   terms       as many as these
  *
- * Errors: FVI_EUNSUP if such a law was parsed with these parameters.
- *     if (fvi_check_pairs("fit", &parameters, &error))
- *         puts(error.text); */
-int fvi_check_pairs(const char *field, const fvi_user_parameters *parameters, fvi_error *error);
+ *     if (fvi_pair_is_exchanged(&parameters, 0, damping.law.count))
+ *         puts("rho1 and alpha1 are those of the second part"); */
+int fvi_pair_is_exchanged(const fvi_user_parameters *parameters, size_t term, size_t terms);
 
 /* fvi_typed_damping_free -- give the expression back; the struct is the caller's. */
 void fvi_typed_damping_free(fvi_typed_damping *damping);

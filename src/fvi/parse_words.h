@@ -96,8 +96,10 @@ int fvi_parse_table_columns(const char *field, const char *file, size_t count,
  *         FVI_USED_BY_PARAMETER, FVI_USED_BY_DAMPING, FVI_USED_BY_COLUMN, added; of a
  *         Lagrangian _POTENTIAL, and _MECHANISM of an elongation, a constraint, an imposed
  *         coordinate and a force of velocity
- *   lower_first  nonzero once a law maxwell2:R1,A,R2,B with A < B was read, see fvi_check_pairs */
+ *   terms      how many terms of laws were read, and
+ *   exchanged  of which of them, a bit each, the parts are exchanged, see fvi_pair_is_exchanged */
 enum {
+    FVI_MOST_EXCHANGED = 4096,
     FVI_MOST_USER_PARAMETERS = 64,
     FVI_USED_BY_POTENTIAL = 1,
     FVI_USED_BY_FORCE = 2,
@@ -112,7 +114,8 @@ typedef struct {
     double value[FVI_MOST_USER_PARAMETERS];
     unsigned char used[FVI_MOST_USER_PARAMETERS];
     char names[1024];
-    int lower_first;
+    size_t terms;
+    unsigned char exchanged[FVI_MOST_EXCHANGED / 8];
 } fvi_user_parameters;
 
 /* fvi_user_parameters_set -- one more name with a finite value; again with the same value is

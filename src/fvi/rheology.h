@@ -47,6 +47,10 @@ fvi_element fvi_element_of(const fvi_kernel_term *term);
  * fvi_free_parameter. */
 const char *fvi_element_number(fvi_element kind, size_t i, size_t *field);
 
+/* fvi_element_number_typed -- the same of a term that was typed: if its parts are exchanged
+ * (fvi_pair_is_exchanged, parse.h), rho1 stands where rho2 would, and so on. */
+const char *fvi_element_number_typed(fvi_element kind, size_t i, int is_exchanged, size_t *field);
+
 /* fvi_material_test -- what a laboratory measures of a law C(s).          [(24.16), (24.17)]
  *
  *     MODULI      storage + i loss = C(i omega)

@@ -28,21 +28,22 @@ int fvi_parse_sensor(const char *field, const char *text, size_t d,
  *
  *   run        its system, law and dampers
  *   column     `columns` names of what is measured, or NULL for one column
- *   constant   `constants` names of the constants of the potential */
+ *   constant   `constants` names of the constants of the potential
+ *   parameters  with which law and dampers were parsed; NULL if they were not */
 typedef struct {
     const fvi_run *run;
     size_t columns;
     const char *const *column;
     size_t constants;
     const char *const *constant;
+    const fvi_user_parameters *parameters;
 } fvi_free_parameter_names;
 
 /* fvi_parse_free_parameter -- which parameter has this name?
  *
  *     alpha  rho  mass  x0  p0          x0_2 of the second coordinate, and so on
  *     offset  drift                     offset.NAME of the column with this name
- *     d1.rho  d1.zener2.alpha           of run->law, or of the damper NAME: NAME.rho; after a text of
- *                                       two springpots first ask fvi_check_pairs
+ *     d1.rho  d1.zener2.alpha           of run->law, or of the damper NAME: NAME.rho
  *     c  g  k                           of the constants
  *
  * As the parsers (parse.h); `field` is that of the error. */

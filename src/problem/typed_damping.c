@@ -97,6 +97,20 @@ static int refuse_range(const char *text, size_t i, double value,
                     kinds[i].form, kinds[i].range);
 }
 
+/* Is it a pair whose smaller order stands first? That has to be known of each term that was read. */
+static int note_term(const char *text, fvi_user_parameters *parameters, int is_exchanged,
+                     fvi_error *error)
+{
+    const size_t i = parameters ? parameters->terms++ : 0;
+    if (!parameters || !is_exchanged)
+        return FVI_SUCCESS;
+    if (i >= FVI_MOST_EXCHANGED)
+        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
+                        "'%s': of so many terms the larger order must stand first", text);
+    parameters->exchanged[i / 8] |= (unsigned char)(1u << i % 8);
+    return FVI_SUCCESS;
+}
+
 /* One term at the end of the sum. */
 static int add_term(const char *text, fvi_user_parameters *parameters,
                     fvi_typed_damping *damping, fvi_error *error)
@@ -124,8 +138,8 @@ static int add_term(const char *text, fvi_user_parameters *parameters,
     if (damping->law.count == FVI_MOST_TERMS)
         return fvi_fail(error, FVI_EINVAL, "damping", NAN,
                         "'%s': too many terms", text);
-    if (parameters && term.kind == FVI_KERNEL_MAXWELL2 && p[1] < p[3])
-        parameters->lower_first = 1;
+    if (note_term(text, parameters, term.kind == FVI_KERNEL_MAXWELL2 && p[1] < p[3], error))
+        return FVI_EINVAL;
     damping->term[damping->law.count++] = term;
     damping->law.term = damping->term;
     return FVI_SUCCESS;
@@ -139,8 +153,10 @@ static int parse_symbol(const char *text, fvi_user_parameters *parameters,
     if (damping->law.count > 0 || strchr(expression, ':'))
         return fvi_fail(error, FVI_EINVAL, "damping", NAN,
                         "'%s': a symbol stands alone", text);
-    const int status = fvi_parse_expression("damping", "s", 1, expression,
-                                            parameters, &damping->symbol, error);
+    int status = note_term(text, parameters, 0, error);
+    if (!status)
+        status = fvi_parse_expression("damping", "s", 1, expression, parameters,
+                                      &damping->symbol, error);
     if (status)
         return status;
     damping->function = fvi_kernel_of_expression(damping->symbol, 1);
@@ -153,13 +169,12 @@ static int parse_symbol(const char *text, fvi_user_parameters *parameters,
     return FVI_SUCCESS;
 }
 
-int fvi_check_pairs(const char *field, const fvi_user_parameters *parameters, fvi_error *error)
+int fvi_pair_is_exchanged(const fvi_user_parameters *parameters, size_t term, size_t terms)
 {
-    if (!parameters->lower_first)
-        return FVI_SUCCESS;
-    return fvi_fail(error, FVI_EUNSUP, field, NAN,
-                    "maxwell2:R1,A,R2,B with A < B has no derivatives and no fit by its numbers: write the "
-                    "term of the larger order first");
+    if (!parameters || terms > parameters->terms || term >= terms)
+        return 0;
+    const size_t i = parameters->terms - terms + term;
+    return i < FVI_MOST_EXCHANGED && (parameters->exchanged[i / 8] >> i % 8 & 1);
 }
 
 void fvi_typed_damping_free(fvi_typed_damping *damping)

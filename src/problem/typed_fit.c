@@ -4,6 +4,7 @@
 #include "words.h"
 
 #include <fvi/dampers.h>
+#include <fvi/parse.h>
 #include <fvi/rheology.h>
 
 #include <math.h>
@@ -38,9 +39,16 @@ static int add(dictionary *d, const char *name, size_t which)
 
 /* ---- laws ---- */
 
+/* Where the terms of a law stand among all that were parsed. */
+typedef struct {
+    const fvi_user_parameters *parameters;
+    size_t first, terms;
+} places;
+
 /* d1.rho, d1.alpha; d1.zener2.alpha of the second term of a sum. A function of s has no numbers but
  * those of its expression. */
-static int add_law(dictionary *d, const char *damper, const fvi_kernel *law, size_t index)
+static int add_law(dictionary *d, const char *damper, const fvi_kernel *law, size_t index,
+                   const places *of)
 {
     int status = FVI_SUCCESS;
     for (size_t term = 0; law && term < law->count && !status; term++) {
@@ -49,10 +57,11 @@ static int add_law(dictionary *d, const char *damper, const fvi_kernel *law, siz
         const fvi_element kind = fvi_element_of(&law->term[term]);
         char place[LETTERS], name[2 * LETTERS];
         const char *number;
+        const int is_exchanged = fvi_pair_is_exchanged(of->parameters, of->first + term, of->terms);
         snprintf(place, sizeof place, "%.60s", damper);
         if (law->count > 1)
             snprintf(place, sizeof place, "%.60s.%s%zu", damper, fvi_element_words[kind], term + 1);
-        for (size_t i = 0, field; !status && (number = fvi_element_number(kind, i, &field)); i++) {
+        for (size_t i = 0, field; !status && (number = fvi_element_number_typed(kind, i, is_exchanged, &field)); i++) {
             snprintf(name, sizeof name, "%s.%s", place, number);
             status = add(d, name, FVI_FREE_PARAMETER_LAW + 4 * term + field
                                       + index * FVI_FREE_PARAMETER_EACH);
@@ -61,15 +70,19 @@ static int add_law(dictionary *d, const char *damper, const fvi_kernel *law, siz
     return status;
 }
 
-static int add_laws(dictionary *d, const fvi_run *run)
+static int add_laws(dictionary *d, const fvi_run *run, const fvi_user_parameters *parameters)
 {
     const fvi_mechanism *mechanism = run->system->mechanism;
-    int status = add_law(d, "d1", run->law, 0);
+    places of = { parameters, 0, run->law ? run->law->count : 0 };
+    for (size_t k = 0; mechanism && k < mechanism->damper_count; k++)
+        of.terms += mechanism->damper[k].kernel->count;
+    int status = add_law(d, "d1", run->law, 0, &of);
     for (size_t k = 0; mechanism && k < mechanism->damper_count && !status; k++) {
         char number[LETTERS];
         const char *name = mechanism->damper[k].name;
         snprintf(number, sizeof number, "d%zu", k + 1);
-        status = add_law(d, name ? name : number, mechanism->damper[k].kernel, k + 1);
+        status = add_law(d, name ? name : number, mechanism->damper[k].kernel, k + 1, &of);
+        of.first += mechanism->damper[k].kernel->count;
     }
     return status;
 }
@@ -96,7 +109,7 @@ static int fill(dictionary *d, const fvi_free_parameter_names *names)
 {
     const fvi_run *run = names->run;
     const int has_laws = run->law || run->system->mechanism, is_matrix = run->system->matrices != NULL;
-    int status = add_laws(d, run);
+    int status = add_laws(d, run, names->parameters);
     if (!status && !has_laws)
         status = add(d, "alpha", FVI_FREE_PARAMETER_ALPHA);
     if (!status && !has_laws && !is_matrix)
@@ -189,7 +202,7 @@ const char *fvi_free_parameters_of_laws(const fvi_run *run, size_t most, size_t 
     dictionary d = { .count = 0 };
     size_t length = 0;
     *text = '\0';
-    if (!add_laws(&d, run))
+    if (!add_laws(&d, run, NULL))
         for (size_t i = 0; i < d.count && i < most && length < size; i++)
             length += (size_t)snprintf(text + length, size - length, "%s%s", i ? "," : "",
                                        d.name[i]);

@@ -36,11 +36,6 @@ static int check(const request *r, size_t n, fvi_error *c)
         && r->o.method->alpha_least == r->o.method->alpha_most)
         return fvi_refuse(c, "fit", "'alpha' is %g for %s, and no other",
                           r->o.method->alpha_least, r->o.method->name);
-    const char *dot = strrchr(r->name[n], '.');
-    const size_t base = (size_t)which % FVI_FREE_PARAMETER_EACH;
-    if (dot && strpbrk(dot, "12") && base >= FVI_FREE_PARAMETER_LAW
-        && base < FVI_FREE_PARAMETER_CONSTANT && fvi_check_pairs("fit", &r->o.lets, c))
-        return 2;
     const size_t constant = (size_t)which - FVI_FREE_PARAMETER_CONSTANT;
     if (which >= FVI_FREE_PARAMETER_CONSTANT && which < FVI_FREE_PARAMETER_EACH
         && r->o.potential.expression && r->o.lets.used[constant] & FVI_USED_BY_PARAMETER)
@@ -55,7 +50,7 @@ int fvi_fit_names(request *r, fvi_error *c)
 {
     const char *constants[FVI_MOST_USER_PARAMETERS + 2];
     fvi_free_parameter_names known = { &r->run, r->columns, r->columns ? r->column : NULL, 0,
-                                       constants };
+                                       constants, &r->o.lets };
     while (constant_name(&r->o, known.constants)) {
         constants[known.constants] = constant_name(&r->o, known.constants);
         known.constants++;

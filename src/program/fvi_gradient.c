@@ -352,19 +352,12 @@ static int differentiate(request *r)
 
 /* ---- the command ---- */
 
-/* Numbers of laws that are asked for must have the names that were typed. */
-static int check_pairs(const request *r, fvi_error *error)
-{
-    const int by_laws = r->to.terms || r->to.orders || r->to.times || r->to.ends;
-    return by_laws ? fvi_check_pairs(r->terms ? "damping" : "damper", &r->o.lets, error) : FVI_SUCCESS;
-}
-
 static int answer(request *r)
 {
     fvi_error error;
     r->by_lets = 1;
     int failed = fvi_gradient_make_room(r);
-    if (!failed && (fvi_gradient_choose(r, &error) || check_pairs(r, &error)))
+    if (!failed && fvi_gradient_choose(r, &error))
         failed = fvi_refused(&error, gradient.name);
     if (!failed)
         failed = fvi_gradient_make_room_of_forces(r);
@@ -372,6 +365,8 @@ static int answer(request *r)
         failed = fvi_run_warn(&r->o, &r->run, sizeof r->unstable, r->unstable);
     if (!failed)
         failed = differentiate(r);
+    if (!failed && fvi_gradient_check_answer(r, &error))
+        failed = fvi_refused(&error, gradient.name);
     if (!failed)
         failed = fvi_gradient_print_answer(&gradient, r);
     if (!failed)

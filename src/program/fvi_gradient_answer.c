@@ -42,7 +42,7 @@ static void print_row(void *to, const char *name, const double *by, const char *
     if (warning)
         fprintf(t->f, "# warning = %s\n", warning);
     else if (isnan(*by))
-        fprintf(t->f, "# warning = no derivative by %s: other starts have no solution\n", name);
+        fprintf(t->f, "# warning = " FVI_GRADIENT_NO_START "\n", name);
     else {
         fprintf(t->f, "%s", name);
         fvi_print_number(t->f, "\t", *by + 0.0); /* no -0 */

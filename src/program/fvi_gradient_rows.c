@@ -1,8 +1,10 @@
 /* src/program/fvi_gradient_rows.c -- The rows of `fvi gradient`, by name. */
 #include "fvi_gradient_rows.h"
 
+#include <fvi/parse.h>
 #include <fvi/rheology.h>
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -69,34 +71,62 @@ static void rows_of_start(const visitor *v, const request *r, const char *name, 
     }
 }
 
+/* Why a law has no derivatives, or only that by its factor. */
+static const char *reason_of_laws(const request *r)
+{
+    return r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP
+               ? "steps of any length have only that by the factor of a law that stands alone"
+           : !r->has_terms
+               ? "with stages a sum of laws that grows faster than s has none; by fvi-stable it has"
+               : "with stages davidson has only that by its factor, and so have the laws beside it; by "
+                 "fvi-stable they have all";
+}
+
+/* By one number of a term, or why there is none: the kernel has rho = rho1 and time = rho1/rho2 of two springpots in
+ * series, so that both fields are needed. */
+static void row_of_number(const visitor *v, const request *r, const char *name, size_t term,
+                          fvi_element kind, size_t field)
+{
+    const double *const fields[] = { r->to.terms, r->to.orders, r->to.times, r->to.ends };
+    char text[3 * LETTERS];
+    const int is_known = r->has_orders
+                         || (r->has_terms && field == 0 && kind != FVI_ELEMENT_MAXWELL2);
+    snprintf(text, sizeof text, "no derivative by %%s: %s", reason_of_laws(r));
+    if (is_known)
+        row(v, name, "", at(fields[field], term));
+    else
+        warn(v, name, text, name);
+}
+
 /* By each number of one --damping, R without a letter. */
 static void rows_of_term(const visitor *v, const request *r, size_t i)
 {
-    const fvi_kernel_kind kind = r->run.law->term[i].kind;
-    const fvi_sensitivities *to = &r->to;
-    char number[24] = "", name[LETTERS];
+    /* A power has A even if it is a spring or a dashpot. */
+    static const char *const letters[][4] = { [FVI_ELEMENT_SPRING] = { "", "_A" },
+                                              [FVI_ELEMENT_VISCOUS] = { "", "_A" },
+                                              [FVI_ELEMENT_POWER] = { "", "_A" },
+                                              [FVI_ELEMENT_ZENER] = { "", "_A", "_T" },
+                                              [FVI_ELEMENT_MAXWELL] = { "", "_T" },
+                                              [FVI_ELEMENT_MAXWELL2] = { "", "_A", "_R2", "_B" },
+                                              [FVI_ELEMENT_DAVIDSON] = { "", "_A", "_T" },
+                                              [FVI_ELEMENT_DISTRIBUTED] = { "", "_A", "_B" } };
+    const fvi_kernel_term *term = r->run.law->term + i;
+    char number[24] = "", name[LETTERS], whole[2 * LETTERS];
     if (r->terms > 1)
         snprintf(number, sizeof number, "_%zu", i + 1);
     snprintf(name, sizeof name, "damping%s", number);
-    /* The kernel has rho = R1 and time = R1 / R2: by R1 alone both derivatives are needed. */
-    const int lacks_time = kind == FVI_KERNEL_MAXWELL2 && !r->has_orders;
-    if (kind == FVI_KERNEL_SYMBOL || !r->has_terms || lacks_time) {
+    if (term->kind == FVI_KERNEL_SYMBOL) {
         warn(v, name, "no derivatives by the numbers of %s", name);
         return;
     }
-    row(v, name, "", at(to->terms, i));
-    if (!r->has_orders && kind >= FVI_KERNEL_MAXWELL2)
-        warn(v, name, "with stages no derivatives by A, T and B of %s", name);
-    if (!r->has_orders)
-        return;
-    if (kind != FVI_KERNEL_MAXWELL)
-        row(v, name, "_A", at(to->orders, i));
-    if (kind == FVI_KERNEL_MAXWELL2)
-        row(v, name, "_R2", at(to->times, i));
-    if (kind == FVI_KERNEL_DISTRIBUTED || kind == FVI_KERNEL_MAXWELL2)
-        row(v, name, "_B", at(to->ends, i));
-    if (kind == FVI_KERNEL_MAXWELL || kind == FVI_KERNEL_ZENER || kind == FVI_KERNEL_DAVIDSON)
-        row(v, name, "_T", at(to->times, i));
+    const fvi_element kind = fvi_element_of(term);
+    const int is_exchanged = fvi_pair_is_exchanged(&r->o.lets, i, r->terms);
+    for (size_t l = 0; l < 4 && letters[kind][l]; l++) {
+        size_t field = l; /* of the order of a spring */
+        fvi_element_number_typed(kind, l, is_exchanged, &field);
+        snprintf(whole, sizeof whole, "%s%s", name, letters[kind][l]);
+        row_of_number(v, r, whole, i, kind, field);
+    }
 }
 
 /* By a factor of the law of a damper, and by its numbers as `fvi fit` names them. `first` is the place of
@@ -105,7 +135,6 @@ static void rows_of_damper(const visitor *v, const request *r, size_t j, size_t 
 {
     const fvi_damper *damper = r->system.mechanism->damper + j;
     const fvi_kernel *law = damper->kernel;
-    const double *const fields[] = { r->to.terms, r->to.orders, r->to.times, r->to.ends };
     char name[LETTERS / 2];
     snprintf(name, sizeof name, "d%zu", j + 1);
     if (damper->name)
@@ -114,16 +143,20 @@ static void rows_of_damper(const visitor *v, const request *r, size_t j, size_t 
     for (size_t i = 0; i < law->count; i++) {
         char part[LETTERS / 2] = ".", whole[LETTERS];
         const char *number;
-        if (law->term[i].kind == FVI_KERNEL_SYMBOL || !r->has_terms || !r->has_orders) {
+        if (law->term[i].kind == FVI_KERNEL_SYMBOL) {
             warn(v, name, "no derivatives by the numbers of the law of %s", name);
             return;
         }
         const fvi_element kind = fvi_element_of(law->term + i);
+        const int is_exchanged =
+            fvi_pair_is_exchanged(&r->o.lets, first + i, fvi_gradient_terms(r));
         if (law->count > 1)
             snprintf(part, sizeof part, ".%s%zu.", fvi_element_words[kind], i + 1);
-        snprintf(whole, sizeof whole, "%s%s", name, part);
-        for (size_t l = 0, field; (number = fvi_element_number(kind, l, &field)); l++)
-            row(v, whole, number, at(fields[field], first + i));
+        for (size_t l = 0, field;
+             (number = fvi_element_number_typed(kind, l, is_exchanged, &field)); l++) {
+            snprintf(whole, sizeof whole, "%s%s%s", name, part, number);
+            row_of_number(v, r, whole, first + i, kind, field);
+        }
     }
 }
 
@@ -232,6 +265,7 @@ enum { FIELDS = 10, MOST = 1024 };
 typedef struct {
     request *r;
     char name[MOST][LETTERS];
+    char reason[MOST][3 * LETTERS]; /* why there is no derivative by it, or empty */
     size_t count;
     struct {
         double **to;
@@ -243,25 +277,78 @@ typedef struct {
 static void note(void *to, const char *name, const double *by, const char *warning)
 {
     choice *c = to;
-    (void)warning;
-    if (c->count < MOST)
+    if (c->count < MOST) {
+        char *reason = c->reason[c->count];
         snprintf(c->name[c->count++], LETTERS, "%s", name);
+        if (warning)
+            snprintf(reason, sizeof *c->reason, "%s", warning);
+        else if (by && isnan(*by))
+            snprintf(reason, sizeof *c->reason, FVI_GRADIENT_NO_START, name);
+    }
     for (size_t i = 0; by && i < FIELDS; i++)
         if (*c->field[i].to && by >= *c->field[i].to && by < *c->field[i].to + c->field[i].size)
             c->field[i].is_wanted |= fvi_gradient_has_row(c->r, name);
 }
 
+/* The names of --by that stand for all masses. */
+static size_t name_masses(const request *r, const char **known)
+{
+    const size_t count = !r->o.numbered                           ? 0
+                         : !r->has_mass || r->system.matrices     ? 2
+                         : r->terms || r->system.mechanism        ? 3
+                                                                  : 4;
+    static const char *const of_masses[] = { "x0", "p0", "mass", "rho" };
+    for (size_t i = 0; i < count; i++)
+        known[i] = of_masses[i];
+    return count;
+}
+
+/* A word, of so many letters, whose rows all are a line of warning: refused with the last of them. */
+static int check_has_derivative(const choice *all, const char *word, size_t length, fvi_error *c)
+{
+    const char *reason = NULL;
+    for (size_t i = 0; i < all->count; i++) {
+        if (!names_row(word, length, all->name[i]))
+            continue;
+        if (!*all->reason[i])
+            return 0;
+        reason = all->reason[i];
+    }
+    return reason ? fvi_refuse(c, "by", "'%.*s': %s", (int)length, word, reason) : 0;
+}
+
+int fvi_gradient_check_answer(request *r, fvi_error *c)
+{
+    choice *all = r->words.own[BY] ? calloc(1, sizeof *all) : NULL;
+    int status = 0;
+    if (!r->words.own[BY])
+        return 0;
+    if (!all)
+        return fvi_fail(c, FVI_ENOMEM, NULL, 0, "not enough memory");
+    for (size_t i = 0; i < FIELDS; i++) /* each has been computed, or not */
+        all->field[i].to = &r->numbers;
+    all->r = r;
+    fvi_gradient_rows(r, &(visitor){ note, all });
+    for (const char *at = r->words.own[BY]; at && !status; at = strchr(at, ',')) {
+        at += *at == ',';
+        status = check_has_derivative(all, at, strcspn(at, ","), c);
+    }
+    free(all);
+    return status;
+}
+
 static int check_words(const request *r, const choice *all, fvi_error *c)
 {
-    const char *known[MOST + 5] = { "x0", "p0", "mass", "rho" };
+    const char *known[MOST + 5] = { NULL };
     char word[LETTERS];
-    size_t which, n = !r->o.numbered ? 0 : !r->has_mass || r->system.matrices ? 2 : r->terms || r->system.mechanism ? 3 : 4;
+    size_t which, n = name_masses(r, known);
     for (size_t i = 0; i < all->count; i++)
         known[n++] = all->name[i];
     for (const char *at = r->words.own[BY];;) {
         const size_t length = strcspn(at, ",");
         snprintf(word, sizeof word, "%.*s", (int)length, at);
-        if (fvi_parse_word("by", word, known, &which, c))
+        if (fvi_parse_word("by", word, known, &which, c)
+            || check_has_derivative(all, at, length, c))
             return 2;
         if (!at[length])
             return 0;

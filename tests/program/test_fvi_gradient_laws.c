@@ -100,32 +100,82 @@ START_TEST(two_springpots_in_series_have_no_row_by_half_a_number)
     ck_assert_int_eq(fvi("gradient --method fvi-adaptive --potential x^4/4 --time 3 --steps 3 "
                          "--damping maxwell2:0.7,0.4,0.4,0.2"),
                      0);
-    ck_assert_ptr_nonnull(strstr(out, "no derivatives by the numbers of damping"));
+    ck_assert_ptr_nonnull(strstr(out, "no derivative by damping: steps of any length"));
     ck_assert_ptr_null(strstr(out, "\ndamping\t"));
 }
 END_TEST
 
-/* The names 1 and 2 would be exchanged where the order that stands second is the larger: no such row; that by x0
- * there is, and of two equal orders those of all numbers. */
-START_TEST(the_larger_order_stands_first)
+/* The kernel keeps the part of the larger order first; the names are those that were typed. */
+START_TEST(the_parts_of_a_pair_keep_their_names)
 {
-    static const char *const laws[] = { "--damping maxwell2:0.4,0.2,0.7,0.4",
-                                        "--damper 'd=x : maxwell2:0.4,0.2,0.7,0.4'",
-                                        "--damper 'd=x : power:1,0.3 + maxwell2:0.4,0.2,0.7,0.4'" };
-    char line[300];
-    for (size_t i = 0; i < LEN(laws); i++) {
-        const char *by = i ? "" : "--by damping_A";
-        snprintf(line, sizeof line, "gradient --potential x^4/4 --method fvi-lobatto4 %s %s", laws[i], by);
-        ck_assert_int_eq(fvi(line), 2);
-        ck_assert_ptr_nonnull(strstr(err, "write the term of the larger order first"));
-        snprintf(line, sizeof line, "gradient --potential x^4/4 --method fvi-lobatto4 %s --by x0", laws[i]);
+    static const char *const laws[] = { "--damping 'maxwell2:%s'", "--damping 'power:1,0.3 + maxwell2:%s'",
+                                        "--damper 'd=x : maxwell2:%s'", "--force-on '1=-0.1*v' --damping 'maxwell2:%s'",
+                                        "--damper 'e=x : maxwell2:1,0.3,0.5,0.1' --damper 'd=x : power:1,0.3 + maxwell2:%s'" },
+                            *const names[][4] = {
+                                { "damping", "damping_A", "damping_R2", "damping_B" },
+                                { "damping_2", "damping_2_A", "damping_2_R2", "damping_2_B" },
+                                { "d.rho1", "d.alpha1", "d.rho2", "d.alpha2" },
+                                { "d1.rho1", "d1.alpha1", "d1.rho2", "d1.alpha2" },
+                                { "d.maxwell22.rho1", "d.maxwell22.alpha1", "d.maxwell22.rho2",
+                                  "d.maxwell22.alpha2" } },
+                            *const methods[] = { "fvi-stable", "fvi-lobatto4" };
+    char law[200], line[400];
+    for (size_t i = 0; i < LEN(laws) * LEN(methods); i++) {
+        const size_t which = i / LEN(methods);
+        double by[4];
+        snprintf(law, sizeof law, laws[which], "0.7,0.4,0.4,0.2");
+        snprintf(line, sizeof line, "gradient --potential x^4/4 --method %s %s", methods[i % 2], law);
         ck_assert_int_eq(fvi(line), 0);
-        derivative("x0");
+        for (size_t j = 0; j < 4; j++)
+            by[j] = derivative(names[which][j]);
+        snprintf(law, sizeof law, laws[which], "0.4,0.2,0.7,0.4");
+        for (size_t j = 0; j < 4; j++) {
+            snprintf(line, sizeof line, "gradient --potential x^4/4 --method %s %s --by %s", methods[i % 2],
+                     law, names[which][j]);
+            ck_assert_int_eq(fvi(line), 0);
+            ck_assert_near(derivative(names[which][j]), by[(j + 2) % 4], 0, "%s", names[which][j]);
+        }
+        if (which == 4) /* and not those of a damper beside it */
+            ck_assert_int_eq(fvi(strcat(line, " --by e.rho1")), 2);
     }
     ck_assert_int_eq(fvi("gradient --damping maxwell2:0.4,0.2,0.7,0.2"), 0);
     derivative("damping_R2");
-    ck_assert_int_eq(fvi("gradient --damper 'd=x : maxwell2:0.7,0.4,0.4,0.2'"), 0);
-    derivative("d.rho1");
+}
+END_TEST
+
+/* A number that has no derivative is refused if it is asked for, and else its line says why. */
+START_TEST(what_has_no_derivative_is_refused_by_its_name)
+{
+#define OF_DAVIDSON "with stages davidson has only that by its factor, and so have the laws beside it; by fvi-stable they have all\n"
+#define OF_MESH "steps of any length have only that by the factor of a law that stands alone\n"
+    static const char *const wrong[][2] = {
+        { "--damping symbol:a*s^0.5 --let a=1 --by a", "'a': no derivative by a, of which the law speaks\n" },
+        { "--damping symbol:s^0.5 --by damping", "'damping': no derivatives by the numbers of damping\n" },
+        { "--lagrangian v^2/2-x^2/2 --x0 1 --v0 0 --by mass", "'mass' is none of x0, p0" },
+        { "--method fvi-stable --alpha 0.7 --derivative rl --x0 0 --by p0,x0",
+          "'x0': no derivative by x0: other starts have no solution\n" },
+        { "--method fvi-lobatto4 --damping davidson:1,0.3,2 --by damping_T",
+          "'damping_T': no derivative by damping_T: " OF_DAVIDSON },
+        { "--method fvi-lobatto4 --damper 'd=x : davidson:1,0.3,2' --damper 'e=x : power:1,0.3' --by e.alpha",
+          "'e.alpha': no derivative by e.alpha: " OF_DAVIDSON },
+        { "--method fvi-adaptive --damping zener:1,0.3,2 --by damping,damping_A",
+          "'damping_A': no derivative by damping_A: " OF_MESH },
+        { "--method fvi-lobatto3 --damper 'd=x : power:0.3,0.7 + zener:0.3,0.3,1' --by d.power1.alpha",
+          "'d.power1.alpha': no derivative by d.power1.alpha: with stages a sum of laws" },
+    };
+    char line[300], said[300];
+    for (size_t i = 0; i < LEN(wrong); i++) {
+        snprintf(line, sizeof line, "gradient --steps 20 %s", wrong[i][0]);
+        snprintf(said, sizeof said, "fvi: --by: %s", wrong[i][1]);
+        ck_assert_refused_with(line, said);
+    }
+    ck_assert_int_eq(fvi("gradient --steps 20 --method fvi-lobatto4 --damper 'd=x : davidson:1,0.3,2' "
+                         "--damper 'e=x : power:1,0.3'"),
+                     0);
+    ck_assert_near(derivative("d.rho"), derivative("d.factor"), 1e-12, "R = 1");
+    ck_assert_near(derivative("e.rho"), derivative("e.factor"), 1e-12, "R = 1");
+    ck_assert_ptr_nonnull(strstr(out, "\n# warning = no derivative by d.alpha: " OF_DAVIDSON));
+    ck_assert_ptr_nonnull(strstr(out, "\n# warning = no derivative by e.alpha: " OF_DAVIDSON));
 }
 END_TEST
 
@@ -145,7 +195,7 @@ START_TEST(rows_of_a_law_on_steps_of_any_length)
     ck_assert_int_eq(fvi(line), 0);
     for (size_t i = 0; i < LEN(names); i++)
         ck_assert_near(derivative(names[i]), by[i], 1e-8, "%s", names[i]);
-    ck_assert_ptr_null(strstr(out, "damping_A"));
+    ck_assert_ptr_null(strstr(out, "\ndamping_A"));
     ck_assert_int_eq(fvi("gradient --method fvi-adaptive --damping power:1,0.7 "
                          "--p0 0"),
                      0);
@@ -154,7 +204,7 @@ START_TEST(rows_of_a_law_on_steps_of_any_length)
                          "--damping maxwell:1,2"),
                      0);
     ck_assert_ptr_nonnull(
-        strstr(out, "# warning = no derivatives by the numbers of damping_2"));
+        strstr(out, "# warning = no derivative by damping_2: steps of any length"));
 }
 END_TEST
 
@@ -163,6 +213,7 @@ int main(void)
     Suite *suite = suite_create("fvi gradient: laws of damping");
     ADD_CASE(suite, "answers", rows_of_a_law_are_differences_of_runs,
              rows_of_a_law_on_steps_of_any_length, two_springpots_in_series_have_rows,
-             two_springpots_in_series_have_no_row_by_half_a_number, the_larger_order_stands_first);
+             two_springpots_in_series_have_no_row_by_half_a_number, the_parts_of_a_pair_keep_their_names,
+             what_has_no_derivative_is_refused_by_its_name);
     return run_suite_of_program(suite);
 }

@@ -16,7 +16,7 @@ void fvi_typed_potential_free(fvi_typed_potential *potential);
 fvi_kernel fvi_kernel_of_function(const fvi_kernel_function *function);
 typedef struct { fvi_kernel law; fvi_kernel_function function; ...; } fvi_typed_damping;
 int fvi_parse_damping(const char *text, fvi_user_parameters *parameters, fvi_typed_damping *damping, fvi_error *error);
-int fvi_check_pairs(const char *field, const fvi_user_parameters *parameters, fvi_error *error);
+int fvi_pair_is_exchanged(const fvi_user_parameters *parameters, size_t term, size_t terms);
 void fvi_typed_damping_free(fvi_typed_damping *damping);
 typedef struct fvi_typed_force fvi_typed_force;
 typedef struct fvi_ground fvi_ground;

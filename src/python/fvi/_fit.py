@@ -140,6 +140,7 @@ def which_of(system: Any, run: Any, which: Optional[str], columns: list) -> tupl
     of_constants = ffi.new("char *[]", kept[len(columns):] or [ffi.NULL])
     names.run, names.columns, names.column = run, len(columns), of_columns
     names.constants, names.constant = len(system.names), of_constants
+    names.parameters = system.parameters
     if which is None:
         text = ffi.new("char[]", 400)
         which = text_of(lib.fvi_free_parameters_of_laws(run, lib.FVI_ESTIMATION_MOST, 400, text))
@@ -147,8 +148,6 @@ def which_of(system: Any, run: Any, which: Optional[str], columns: list) -> tupl
     for name in asked:
         understand(lib.fvi_parse_free_parameter, b"which", name.encode(), names, out)
         found.append(int(out[0]))
-        if name.lower().endswith((".rho1", ".alpha1", ".rho2", ".alpha2")):
-            understand(lib.fvi_check_pairs, b"which", system.parameters)
     return asked, found
 
 

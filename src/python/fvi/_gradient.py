@@ -137,8 +137,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     has it; of matrices "M", "K" and "C", by a factor of each, "dampers", by a factor of the law of each, and
     "laws", for each damper a dict for each term of its law; "let", by names;
     "potential", the derivatives by the constants of a potential that is ready to use;
-    "damping", a dict for each term of the law, with rho, alpha, time and end; not of maxwell2:R1,A,R2,B with A < B: write
-    the term of the larger order first; "force", of measured rows, by each F.
+    "damping", a dict for each term of the law, with rho, alpha, time and end; of maxwell2 rho1, alpha1, rho2
+    and alpha2; "force", of measured rows, by each F.
 
     These are the derivatives of the numbers that `solve` gives, exact but for rounding: no difference is taken. Of
     "fvi-adaptive" the steps are held, and with error they are those of another run as fine.
@@ -178,8 +178,6 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     laws = system.laws_of_dampers if "laws" in names else [system.law] if "damping" in names else []
     if is_mechanism:
         laws = [lib.kernel_of(system.system, j) for j in range(count)] if names & {"laws", "alpha", "order"} else []
-    if laws and names & {"laws", "damping"}:
-        understand(lib.fvi_check_pairs, b"damping", system.parameters)
     parts = numbers_of_laws(laws, mirror.method, mirror.is_dense) if laws else []
     if is_mechanism and "laws" not in names:
         parts = parts and ["orders"]
@@ -308,11 +306,12 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
                 by_let[j] += sum(lib.fvi_typed_force_by_parameter(typed, j, t) * f for typed, by in sums for t, f in zip(times, by))
         answer["let"] = dict(zip(lets, by_let.tolist()))
     if "damping" in names:
-        answer["damping"] = by_law(system.law, {f: found[f] for f in parts}) if parts else None
+        answer["damping"] = by_law(system.law, {f: found[f] for f in parts}, system.parameters) if parts else None
     if "laws" in names:
         answer["laws"] = []
         for law, first in zip(laws, np.cumsum([0] + [law.count for law in laws])):
-            answer["laws"].append(by_law(law, {f: found[f] for f in parts}, int(first)))
+            answer["laws"].append(by_law(law, {f: found[f] for f in parts}, system.parameters, int(first),
+                                          sum(law.count for law in laws)))
     if "force" in names:
         t, F = (np.asarray(a) for a in cast(tuple, q.force))
         if mirror.is_dense and (abs(t / mirror.motion.run.h - np.round(t / mirror.motion.run.h)) > 1e-9).any():

@@ -168,21 +168,24 @@ def numbers_of_laws(laws: Sequence, method: Any, is_dense: bool) -> list:
     return ["terms"] if method.stages and lib.FVI_KERNEL_DAVIDSON in terms else list(FIELDS_OF_LAW)
 
 
-def by_term(term: Any, by: dict) -> dict:
+def by_term(term: Any, by: dict, is_exchanged: bool) -> dict:
     """The derivatives of one term by the names of its numbers; those of two springpots in series are named as in a fit."""
     if term.kind == lib.FVI_KERNEL_MAXWELL2 and "times" in by and term.rho > 0:
         part = term.time / term.rho  # 1 over rho2
-        return {"rho1": float(by["terms"] + part * by["times"]), "alpha1": float(by["orders"]),
-                "rho2": float(-term.time * part * by["times"]), "alpha2": float(by["ends"])}
+        parts = [(by["terms"] + part * by["times"], by["orders"]), (-term.time * part * by["times"], by["ends"])]
+        (rho1, alpha1), (rho2, alpha2) = reversed(parts) if is_exchanged else parts
+        return {"rho1": float(rho1), "alpha1": float(alpha1), "rho2": float(rho2), "alpha2": float(alpha2)}
     if term.kind == lib.FVI_KERNEL_MAXWELL2:  # rho of the kernel alone is no number of it
         return {}
     names = OF_KIND.get(term.kind, ("rho",))
     return {FIELDS_OF_LAW[f]: float(v) for f, v in by.items() if FIELDS_OF_LAW[f] in names}
 
 
-def by_law(law: Any, found: dict, first: int = 0) -> list:
-    """A dict for each term of a law, whose numbers begin at `first`."""
-    return [by_term(law.term[i], {f: v[first + i] for f, v in found.items()}) for i in range(law.count)]
+def by_law(law: Any, found: dict, parameters: Any, first: int = 0, terms: int = 0) -> list:
+    """A dict for each term of a law, whose numbers begin at `first` of those of all terms; the law was parsed with
+    `parameters`."""
+    return [by_term(law.term[i], {f: v[first + i] for f, v in found.items()},
+                    bool(lib.fvi_pair_is_exchanged(parameters, first + i, terms or law.count))) for i in range(law.count)]
 
 
 def typed_force(text: str, d: int, parameters: Any, last: float) -> Any:
