@@ -159,6 +159,11 @@ static int parse_value(typed_event *e, fvi_event *event,
         return status;
     }
     fvi_expression_free(of_state);
+    if (fvi_largest_index(e->name) == 0)
+        return fvi_fail(error, FVI_EINVAL, "event", NAN,
+                        "'%s': Z of an impact without x has no normal along which a momentum could "
+                        "jump; stop and mark need none",
+                        e->name);
     event->value = value_of_place;
     event->gradient = gradient_of_place;
     status = fvi_parse_state_expression("event", e->d, 0, e->name, parameters, &e->z, error);

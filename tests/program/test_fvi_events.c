@@ -130,6 +130,9 @@ START_TEST(what_is_wrong_is_said)
         { "run --event 'x : mark' --method fvi", "is not for fvi; fvi-adaptive has events" },
         { "run --event 'x : mark' --error 1e-3", "fvi: --event: not together with --error" },
         { "run --event 'x : mark' --checkpoint f", "fvi: --event: not together with --checkpoint" },
+        { "run --event 't-1 : impact:1'", "fvi: --event: 't-1': Z of an impact without x has no normal" },
+        { "run --event '0.5 : impact:1'", "fvi: --event: '0.5': Z of an impact without x has no normal" },
+        { "run --event 'k*t-1 : impact:1' --let k=2", "'k*t-1': Z of an impact without x" },
         { "run --event 'v : impact:1' --lagrangian 'v^2/2' --x0 1 --v0 0",
           "Z of an impact is an expression in x and t alone" },
         { "run --event 'x : mark' --lagrangian 'v^2/2' --x0 1 --v0 0 --method fvi-lobatto4d",
@@ -150,6 +153,7 @@ START_TEST(what_is_wrong_is_said)
     }
     ck_assert_int_eq(fvi("sweep --x0 0 --p0 -1 --event 'x : impact:1' --vary rho=0,1 -o none"), 1);
     ck_assert_str_eq(err, "fvi: with rho = 0: --event: 'x': starts at Z = 0 and moves into the wall\n");
+    ck_assert_int_eq(fvi("run --event 't-1 : mark' --event 'x-sin(t) : impact:1' --steps 3"), 0);
     ck_assert_int_eq(fvi("run --event 'log(x-0.5) : mark'"), 1); /* NaN below */
     ck_assert_ptr_nonnull(strstr(err, "fvi: step "));
 }
