@@ -52,12 +52,16 @@ typedef int fvi_lagrangian_column(size_t j, double t, size_t d, const double *x,
  *                  both limits of F change together
  *   sensitivity    of the potential (sensitivity.h)
  *   parameters     by its parameters, sensitivity.count numbers; NULL if count is 0
- *   lagrangian     of a mechanism with a Lagrangian, instead of sensitivity.column: see below */
+ *   lagrangian     of a mechanism with a Lagrangian, instead of sensitivity.column: see below
+ *   names          by the numbers of its forces of velocity, elongations and constraints, columns->count
+ *                  of them; NaN by one of a constraint that x0 or p0 would have to follow */
 typedef struct {
     double *x0, *p0, *mass, *damping, *alpha, *terms, *orders, *times, *ends,
         *force, *parameters;
     fvi_parameter_gradient sensitivity;
     fvi_lagrangian_column *lagrangian;
+    double *names;
+    const fvi_mechanism_columns *columns;
 } fvi_sensitivities;
 
 /* fvi_adjoint -- the derivatives of J by all that determines a run.

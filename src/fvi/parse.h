@@ -20,6 +20,7 @@
 #include "exact_solution.h"
 #include "expression.h"
 #include "parse_words.h"
+#include "sensitivity.h"
 #include "solve.h"
 #include "system.h"
 
@@ -256,6 +257,10 @@ int fvi_typed_lagrangian_by_parameter(size_t j, double t, size_t d, const double
                                       void *params, double *value, double *Sx, double *Sv);
 int fvi_typed_lagrangian_column(size_t j, double t, size_t d, const double *x, const double *v,
                                 void *params, double *Sx, double *Sv);
+
+/* fvi_typed_mechanism_columns -- how its forces, elongations and constraints depend on the `count` parameters of
+ * its texts; it points to the mechanism, and `columns` of fvi_sensitivities to it. */
+fvi_mechanism_columns fvi_typed_mechanism_columns(const fvi_typed_mechanism *mechanism, size_t count);
 
 /* fvi_typed_mechanism_free -- give everything back. NULL is allowed. */
 void fvi_typed_mechanism_free(fvi_typed_mechanism *mechanism);

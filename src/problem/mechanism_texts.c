@@ -1,6 +1,7 @@
 /* src/problem/mechanism_texts.c -- Lagrangians, elongations, constraints and forces of texts. [H 29] */
 #include "typed_mechanism.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -260,6 +261,73 @@ static int forces_at(double t, size_t d, const double *x, const double *v,
     for (size_t i = 0; i < m->forces && !status; i++)
         status = add_force(&m->force[i], t, d, x, v, F, Fx, Fv);
     return status;
+}
+
+/* ---- by the parameters of the texts ---- */
+
+/* The value of e by parameter j, to *value, and its gradient: by x to `by_x`, d numbers, by t to *by_t. */
+static int column(const fvi_expression *e, size_t j, double t, size_t d, const double *x,
+                  const double *v, double *value, double *by_x, double *by_t)
+{
+    variables w;
+    const int status = open_variables(&w, e, d, x, v, t);
+    if (status)
+        return status;
+    fvi_expression_parameter_gradient(e, j, w.y, value, w.gradient);
+    if (by_x)
+        memcpy(by_x, w.gradient, d * sizeof *by_x);
+    if (by_t)
+        *by_t = w.gradient[w.n - 1];
+    close_variables(&w);
+    return FVI_SUCCESS;
+}
+
+static int force_column(size_t j, double t, size_t d, const double *x, const double *v,
+                        void *params, double *F)
+{
+    const fvi_typed_mechanism *m = params;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < m->forces && !status; i++) {
+        double more = 0;
+        status = column(m->force[i].e, j, t, d, x, v, &more, NULL, NULL);
+        F[m->force[i].index - 1] += more;
+    }
+    return status;
+}
+
+static int elongation_column(size_t j, size_t e, double t, size_t d, const double *x, void *params,
+                             double *g, double *G, double *gt)
+{
+    const fvi_typed_mechanism *m = params;
+    return column(m->typed[e].of.e, j, t, d, x, NULL, g, G, gt);
+}
+
+static int constraint_column(size_t j, double t, size_t d, const double *x, void *params, double *c,
+                             double *C, double *ct)
+{
+    const fvi_typed_mechanism *m = params;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < m->constraints && !status; i++) {
+        const fvi_typed_expression *of = &m->constraint[i];
+        if (!of->index) {
+            status = column(of->e, j, t, d, x, NULL, c + i, C + i * d, ct + i);
+            continue;
+        }
+        fvi_expression_parameter_gradient(of->e, j, &t, c + i, ct + i);
+        memset(C + i * d, 0, d * sizeof *C);
+        c[i] = -c[i];
+        ct[i] = -ct[i];
+    }
+    return status;
+}
+
+fvi_mechanism_columns fvi_typed_mechanism_columns(const fvi_typed_mechanism *m, size_t count)
+{
+    return (fvi_mechanism_columns){ .count = count,
+                                    .force = force_column,
+                                    .elongation = elongation_column,
+                                    .constraint = constraint_column,
+                                    .params = (void *)(uintptr_t)m };
 }
 
 /* ---- all of it ---- */

@@ -271,6 +271,15 @@ static void add_forces(request *r)
         }
 }
 
+/* A --let may stand in dampers, constraints and forces of velocity. */
+static void add_names(request *r)
+{
+    for (size_t j = 0; r->to.names && j < r->columns.count; j++) {
+        r->is_tied[j] = isnan(r->names[j]);
+        r->lets[j] += r->is_tied[j] ? 0 : r->names[j];
+    }
+}
+
 /* The ground pulls with -M r a_g, in which each mass stands, or a factor of M. */
 static int add_ground(request *r)
 {
@@ -340,6 +349,8 @@ static int differentiate(request *r)
         fvi_gradient_name_pairs(r);
     if (!status)
         add_forces(r);
+    if (!status)
+        add_names(r);
     if (!status)
         status = add_ground(r);
     if (!status && r->of == 2)

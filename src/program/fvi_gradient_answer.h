@@ -23,6 +23,9 @@ typedef struct {
     size_t per;                     /* rows of the force in a step */
     double *numbers, *lets, *force; /* by each --let, by each F */
     int by_lets;                    /* some --let is asked for */
+    fvi_mechanism_columns columns;  /* how dampers, constraints and forces of velocity speak of each */
+    double names[FVI_MOST_USER_PARAMETERS];
+    int is_tied[FVI_MOST_USER_PARAMETERS]; /* the start would have to follow it */
     int has_mass, has_alpha, has_terms, has_orders, has_pairs; /* which rows there are; has_pairs: of two
                                                       * springpots in series */
     char unstable[FVI_WARNING_ROOM];    /* what is said of the step */

@@ -109,9 +109,23 @@ int fvi_gradient_make_room_of_forces(request *r)
     return r->force ? 0 : fvi_complain("not enough memory");
 }
 
+/* By each --let through dampers between points, constraints and forces of velocity. */
+static void make_room_of_mechanism(request *r)
+{
+    int is_used = 0;
+    for (size_t j = 0; j < r->o.lets.count; j++)
+        is_used |= (r->o.lets.used[j] & FVI_USED_BY_MECHANISM) != 0;
+    if (!is_used || !r->o.mechanism)
+        return;
+    r->columns = fvi_typed_mechanism_columns(r->o.mechanism, r->o.lets.count);
+    r->to.columns = &r->columns;
+    r->to.names = r->names;
+}
+
 int fvi_gradient_make_room(request *r)
 {
     const size_t d = r->o.d;
+    make_room_of_mechanism(r);
     r->to.sensitivity = fvi_parameter_gradient_of(&r->system.potential);
     if (r->o.potential.expression)
         r->to.sensitivity = (fvi_parameter_gradient){ r->o.lets.count, by_let };

@@ -225,9 +225,9 @@ void fvi_gradient_rows(const request *r, const visitor *v)
         if (r->o.lets.used[j] & FVI_USED_BY_DAMPING)
             warn(v, r->o.lets.name[j], "no derivative by %s, of which the law speaks",
                  r->o.lets.name[j]);
-        else if (r->o.lets.used[j] & FVI_USED_BY_MECHANISM)
-            warn(v, r->o.lets.name[j], "no derivative by %s, of which a damper, a constraint or a "
-                 "force of velocity speaks",
+        else if (r->is_tied[j])
+            warn(v, r->o.lets.name[j], "no derivative by %s: by a constraint the start would have to "
+                 "follow it",
                  r->o.lets.name[j]);
         else
             row(v, r->o.lets.name[j], "", r->lets + j);
@@ -387,6 +387,8 @@ int fvi_gradient_choose(request *r, fvi_error *c)
     r->by_lets = 0;
     for (size_t j = 0; j < r->o.lets.count; j++)
         r->by_lets |= fvi_gradient_has_row(r, r->o.lets.name[j]);
+    if (!r->by_lets)
+        r->to.names = NULL;
     free(all);
     return status;
 }

@@ -53,6 +53,11 @@ int fvi_adjoint_mechanism_check(const fvi_method *method, const fvi_run *run,
     if (mechanism->lagrangian && want->parameters && !want->lagrangian)
         FVI_FAIL("derivatives by the parameters of a Lagrangian need its sensitivity",
                  FVI_EINVAL);
+    const fvi_mechanism_columns *by = want->columns;
+    if (want->names && (!by || (mechanism->force_on && !by->force)
+                        || (mechanism->damper_count && !by->elongation)
+                        || (mechanism->constraints && !by->constraint)))
+        FVI_FAIL("derivatives by the numbers of a mechanism need its columns", FVI_EINVAL);
     return check_dampers(method, mechanism, want);
 }
 
@@ -71,6 +76,7 @@ static int allocate(fvi_adjoint_mechanism *m)
                    { &m->kappa, s * d },      { &m->tau, s * d },      { &m->matrix, n * n },
                    { &m->projection, (d + c) * (d + c) }, { &m->gradient, c * d },
                    { &m->factors, c },
+                   { &m->column, (2 + c) * (d + 2) },
                    { &m->room, 2 * (d + 1) * (d + 1) + 2 * d } };
     enum { COUNT = sizeof arrays / sizeof *arrays };
     size_t all = 0;
@@ -233,6 +239,8 @@ static int finish(fvi_adjoint_mechanism *m)
     memset(by_v, 0, d * sizeof *by_v);
     for (size_t j = 0; !status && j < m->r; j++)
         status = fvi_adjoint_mechanism_damper_end(m, m->damper + j, m->g, by_v);
+    if (!status)
+        status = fvi_adjoint_mechanism_names_check(m);
     if (!status)
         status = add_velocity(m, by_v, m->g, m->beta);
     if (want->x0)

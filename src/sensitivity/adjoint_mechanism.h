@@ -59,6 +59,7 @@ typedef struct {
     double *phi, *kappa, *tau;  /* s d each: what f_i, V_i and L_v,i do */
     double *matrix, *room;
     double *projection, *gradient, *factors; /* of c constraints: (d + c)^2, c d, c */
+    double *column;             /* 2 (d + 2) + c (d + 2): by a name */
     double *block;              /* all these; owned */
     size_t *order;
     fvi_adjoint_mechanism_damper *damper; /* r; owned */
@@ -94,6 +95,24 @@ void fvi_adjoint_mechanism_damper_stop(fvi_adjoint_mechanism_damper *a);
 /* From node k + 1 to node k: g, beta; the stepper stands at step k, whose equation is linearised. */
 int fvi_adjoint_mechanism_nodes(fvi_adjoint_mechanism *m, size_t k);
 int fvi_adjoint_mechanism_stages(fvi_adjoint_mechanism *m, size_t k);
+
+/* ---- adjoint_mechanism_names.c: what want->names have of a step, of a node, and of the start of damper j ---- */
+
+/* fvi_adjoint_mechanism_names_nodes, _stages -- of step k, once its multipliers and those of its dampers are
+ * known, and before beta becomes that of p_k.
+ * _node   of p at node k, where beta multiplies what comes out, and delta what C v + c_t is
+ * _start  of g at x_0 and of the slope that damper j begins with
+ * _check  NaN for those that would move x_0 or p_0 */
+int fvi_adjoint_mechanism_names_nodes(fvi_adjoint_mechanism *m, size_t k, double ahead);
+int fvi_adjoint_mechanism_names_stages(fvi_adjoint_mechanism *m, size_t k);
+int fvi_adjoint_mechanism_names_node(fvi_adjoint_mechanism *m, double t, const double *x,
+                                     const double *v, const double *w, const double *delta);
+int fvi_adjoint_mechanism_names_start(fvi_adjoint_mechanism *m, size_t j, double by_place,
+                                      double by_slope);
+int fvi_adjoint_mechanism_names_check(fvi_adjoint_mechanism *m);
+
+/* fvi_adjoint_mechanism_share -- what multiplies grad g of damper e at an end of a step of nodes. */
+double fvi_adjoint_mechanism_share(const fvi_adjoint_mechanism *m, size_t e, size_t end);
 
 /* fvi_adjoint_mechanism_project -- what the constraints do to p at node k: beta in, of what comes out,
  * and out, of what comes in; g. v is the velocity there, and w their impulse. */

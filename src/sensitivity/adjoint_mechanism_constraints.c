@@ -91,6 +91,8 @@ int fvi_adjoint_mechanism_project(fvi_adjoint_mechanism *m, size_t k, const doub
     }
     if (!status)
         status = add_to_place(m, t, x, v, w, right);
+    if (!status)
+        status = fvi_adjoint_mechanism_names_node(m, t, x, v, w, right + d);
     memset(m->phi, 0, d * sizeof *m->phi);
     return status ? status : fvi_adjoint_mechanism_point(m, 0, t, m->tau, m->phi);
 }

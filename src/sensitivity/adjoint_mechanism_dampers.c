@@ -277,6 +277,8 @@ int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mecha
         by_slope = size * a->by_A + a->by_drift;
     if (!status && by_slope != 0)
         status = check_rate(m, &damper->of);
+    if (!status)
+        status = fvi_adjoint_mechanism_names_start(m, j, by_place, by_slope);
     if (status)
         return status;
     for (size_t i = 0; i < d; i++) {

@@ -23,8 +23,7 @@ static double ahead_of(const fvi_adjoint_mechanism *m)
     return is_node(m) ? 0.5 : 1 - m->run->kappa;
 }
 
-/* What multiplies grad g of damper e at an end of the step. */
-static double share(const fvi_adjoint_mechanism *m, size_t e, size_t end)
+double fvi_adjoint_mechanism_share(const fvi_adjoint_mechanism *m, size_t e, size_t end)
 {
     const fvi_mechanism_state *o = m->o;
     const double h = m->run->h;
@@ -120,7 +119,7 @@ static int right_hand_side(fvi_adjoint_mechanism *m, size_t k, const double *x, 
         for (size_t i = 0; i < d; i++)
             right[i] -= eta * G[i];
         if (!status)
-            status = subtract_curvature(m, e, t, x, share(m, e, 1), m->beta, right);
+            status = subtract_curvature(m, e, t, x, fvi_adjoint_mechanism_share(m, e, 1), m->beta, right);
     }
     return status;
 }
@@ -194,7 +193,7 @@ static int left_end(fvi_adjoint_mechanism *m, size_t k, const double *x)
     for (size_t e = 0; !status && e < m->r && is_node(m); e++) {
         for (size_t i = 0; i < d; i++)
             m->next[i] -= m->damper[e].eta[0] / 2 * o->G[e * d + i];
-        status = subtract_curvature(m, e, t, x, share(m, e, 0), m->multiplier, m->next);
+        status = subtract_curvature(m, e, t, x, fvi_adjoint_mechanism_share(m, e, 0), m->multiplier, m->next);
     }
     for (size_t i = 0; i < d; i++)
         z[i] *= h;
@@ -225,6 +224,8 @@ int fvi_adjoint_mechanism_nodes(fvi_adjoint_mechanism *m, size_t k)
         status = push_dampers(m, k);
     if (!status)
         status = left_end(m, k, x);
+    if (!status)
+        status = fvi_adjoint_mechanism_names_nodes(m, k, ahead_of(m));
     add_force(m, k);
     memcpy(m->g, m->next, d * sizeof *m->g);
     memcpy(m->beta, m->multiplier, d * sizeof *m->beta);

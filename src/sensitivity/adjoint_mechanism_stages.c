@@ -191,6 +191,8 @@ int fvi_adjoint_mechanism_stages(fvi_adjoint_mechanism *m, size_t k)
     add_forces(m, k);
     if (!status)
         status = push_dampers(m, k);
+    if (!status)
+        status = fvi_adjoint_mechanism_names_stages(m, k);
     for (size_t j = 0; j < d; j++)
         m->beta[j] += m->multiplier[j];
     return status;

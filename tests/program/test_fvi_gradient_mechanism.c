@@ -84,6 +84,14 @@ START_TEST(rows_of_a_mechanism_are_differences_of_runs)
         { "--lagrangian '(v1^2+v2^2)/2+x1*x2*v1-g*x2' --constraint '(x1^2+x2^2-1)/2' --x0 0.6,-0.8 "
           "--v0 0.4,0.3 --method fvi-lobatto3 --let g=%.17g " FEW,
           "p:2", "g", 1 }, /* the slope L_xv is not 0, nor is the multiplier of the last row */
+        /* names in an elongation, beside the Lagrangian, in a force of velocity, in an imposed place, in a constraint */
+        { SPRING "--let k=%.17g --damper 'sqrt(x1^2+x2^2)+k*x1 : power:0.4,0.3' " FEW, "energy", "k", 2 },
+        { "--mass 1,2 --potential chain:2,1,0.5 --let r=%.17g --damper 'x2-r*x1 : maxwell:1,0.4' " FEW, "x:1", "r", 2 },
+        { "--force-on '1=mu*(1-x1^2)*v1' --let mu=%.17g --damper 'x1 : power:0.3,0.3' " FEW "--method fvi-lobatto3d", "x",
+          "mu", 1 },
+        { CART "--let c=1 --let a=%.17g --impose 'x1=a*(1-cos(2*t))' --x0 0,1.2 --v0 0,0 " FEW, "x:2", "a", 0.3 },
+        { "--lagrangian '(v1^2+v2^2)/2-x2' --constraint 'x2-a*x1^2' --let a=%.17g --x0 0,0 --v0 0.7,0 --method "
+          "fvi-lobatto4 " FEW, "x:1", "a", 0.5 },
     };
     for (size_t i = 0; i < LEN(rows); i++)
         ck_assert_row_is_difference(rows + i);
@@ -118,8 +126,15 @@ START_TEST(what_a_mechanism_has_no_row_of_is_said)
                      0);
     ck_assert_ptr_nonnull(
         strstr(out, "# warning = no derivative by x0_1: this coordinate is imposed\n"));
-    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by r, of which a damper"));
+    derivative("r");
     derivative("x0_2");
+    ck_assert_int_eq(fvi("gradient --lagrangian '(v1^2+v2^2)/2-x2' --constraint 'x1^2+x2^2-l^2' --let l=1 --x0 1,0 --v0 0,1 "
+                         FEW), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by l: by a constraint the start would have to follow it\n"));
+    derivative("x0_1");
+    ck_assert_int_eq(fvi("gradient --lagrangian '(v1^2+v2^2)/2-x2' --constraint 'x1^2+x2^2-l^2' --let l=1 --x0 1,0 --v0 0,1 "
+                         "--by l " FEW), 2);
+    ck_assert_ptr_nonnull(strstr(err, "fvi: --by: 'l': no derivative by l: by a constraint the start would"));
     ck_assert_int_eq(fvi("gradient --mass 1,0 --potential 'x1^2/2 + (x1-x2)^2' --damper 'x2 : "
                          "power:0.5,0.3' --method fvi-stable"),
                      2);
