@@ -30,8 +30,7 @@ typedef struct {
     size_t steps;
 } watches;
 
-/* Is the inertia looked at after so many steps? Each look costs as much as a part of a step. */
-static int is_looked_at(const fvi_stepper *s, size_t steps)
+int fvi_run_looks_at_inertia(const fvi_stepper *s, size_t steps)
 {
     enum { BETWEEN = 16 };
     return s->method->dense || steps <= BETWEEN || steps % BETWEEN == 0 || s->k == s->run.steps;
@@ -44,7 +43,7 @@ static int warn_along(watches *w, const fvi_stepper *s)
     int warned = fvi_warning_along(&w->of_step, s->method, &s->run, s->k, s->x, sizeof text, text);
     if (warned > 0)
         fvi_warn(text);
-    if (warned < 0 || !w->of_inertia || !is_looked_at(s, w->steps++))
+    if (warned < 0 || !w->of_inertia || !fvi_run_looks_at_inertia(s, w->steps++))
         return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
     warned = fvi_warning_of_inertia(w->of_inertia, s->t, s->x, s->p, sizeof text, text);
     if (warned > 0)

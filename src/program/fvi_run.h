@@ -27,6 +27,13 @@ void fvi_reason_of_start(const fvi_options *o, const fvi_run *r, int status, fvi
 int fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
                   char *text);
 
+/* fvi_run_looks_at_inertia -- after so many steps? Each look costs as much as a part of a step.
+ * fvi_run_inertia_of_rows -- fvi_warning_of_inertia_in_rows of the rows that a search has found, for a text of
+ * FVI_WARNING_ROOM; 0 without a Lagrangian, -1 without memory. */
+int fvi_run_looks_at_inertia(const fvi_stepper *s, size_t steps);
+int fvi_run_inertia_of_rows(const fvi_options *o, const fvi_system *system, const double *x,
+                            const double *p, char *text);
+
 /* fvi_run_head -- that text in the head of a table, if it is one, under a name that no other
  * warning has: what is read as JSON keeps one of two. */
 void fvi_run_head(FILE *out, const fvi_options *o, const char *unstable);

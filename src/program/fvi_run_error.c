@@ -206,19 +206,26 @@ static int check_start(const fvi_options *o, const fvi_run *r)
                                                        : fvi_stepper_free(s);
 }
 
+int fvi_run_inertia_of_rows(const fvi_options *o, const fvi_system *system, const double *x,
+                            const double *p, char *text)
+{
+    double *t = o->text[LAGRANGIAN] ? malloc((o->steps + 1) * sizeof *t) : NULL;
+    if (!t)
+        return o->text[LAGRANGIAN] ? -1 : 0;
+    for (size_t k = 0; k <= o->steps; k++)
+        t[k] = (double)k * o->h;
+    const int warned =
+        fvi_warning_of_inertia_in_rows(system, o->steps + 1, t, x, p, FVI_WARNING_ROOM, text);
+    free(t);
+    return warned;
+}
+
 /* Of a Lagrangian whose inertia vanishes between the rows that were found. Returns an exit code. */
 static int warn_of_inertia(const fvi_options *o, const fvi_system *system, const double *x,
                            const double *p)
 {
     char text[FVI_WARNING_ROOM];
-    double *t = o->text[LAGRANGIAN] ? malloc((o->steps + 1) * sizeof *t) : NULL;
-    if (!t)
-        return o->text[LAGRANGIAN] ? fvi_complain("not enough memory") : 0;
-    for (size_t k = 0; k <= o->steps; k++)
-        t[k] = (double)k * o->h;
-    const int warned =
-        fvi_warning_of_inertia_in_rows(system, o->steps + 1, t, x, p, sizeof text, text);
-    free(t);
+    const int warned = fvi_run_inertia_of_rows(o, system, x, p, text);
     if (warned > 0)
         fvi_warn(text);
     return warned < 0 ? fvi_complain("not enough memory") : 0;

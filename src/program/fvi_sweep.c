@@ -107,24 +107,33 @@ static void name_run(FILE *out, const sweep_grid *g, size_t i)
     }
 }
 
-/* How many steps are unstable, and the first of them; on standard error, and left in text. */
-static void warn_of_unstable(const sweep_grid *g, const board *b, size_t size,
-                             char *text)
+/* How many runs are so, and the first of them; on standard error, and left in text, which is empty if none is. */
+static void warn_of_rows(const sweep_grid *g, const board *b, int (*is_so)(const sweep_verdict *v),
+                         const char *what, size_t size, char *text)
 {
     size_t many = 0, first = 0;
     *text = '\0';
     for (size_t i = b->count; i-- > 0;)
-        if (b->verdicts[i].unstable) {
+        if (is_so(b->verdicts + i)) {
             many++;
             first = i;
         }
     if (many == 0)
         return;
-    snprintf(text, size, "rows with an unstable step: %zu of %zu", many,
-             b->count);
+    snprintf(text, size, "%s: %zu of %zu", what, many, b->count);
     fprintf(stderr, "fvi: warning: %s, the first with ", text);
     name_run(stderr, g, g->first + first);
     fputc('\n', stderr);
+}
+
+static int is_unstable(const sweep_verdict *v)
+{
+    return v->unstable > 0;
+}
+
+static int is_singular(const sweep_verdict *v)
+{
+    return v->singular > 0;
 }
 
 static void print_head(FILE *out, const sweep_grid *g, const fvi_options *o,
@@ -204,8 +213,12 @@ static int print_table(const sweep_grid *g, const fvi_options *o, const board *b
     if (!out)
         return fvi_cannot_write(o->output);
     int failed = 0;
-    char unstable[FVI_WARNING_ROOM];
-    warn_of_unstable(g, b, sizeof unstable, unstable);
+    char unstable[FVI_WARNING_ROOM], singular[FVI_WARNING_ROOM];
+    warn_of_rows(g, b, is_unstable, "rows with an unstable step", sizeof unstable, unstable);
+    warn_of_rows(g, b, is_singular,
+                 "rows of a Lagrangian whose inertia, its second derivatives by the velocities, is nearly "
+                 "singular on the way, where a method may lose its order",
+                 sizeof singular, singular);
     print_head(out, g, o, no_solution, unstable);
     for (size_t i = 0; i < b->count && !failed && !ferror(out); i++) {
         if (b->verdicts[i].status)

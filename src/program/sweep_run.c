@@ -24,16 +24,39 @@ static int take_end(fvi_table *t, const fvi_stepper *s)
     return status;
 }
 
+/* The inertia of a Lagrangian, NULL without one, and after how many steps. */
+typedef struct {
+    fvi_inertia_watch *watch;
+    size_t steps;
+} inertia_watch;
+
+/* At the start, and where fvi_run looks. Returns a status. */
+static int look_at_inertia(inertia_watch *w, const fvi_stepper *s, sweep_verdict *v)
+{
+    char text[FVI_WARNING_ROOM];
+    if (!w->watch || !fvi_run_looks_at_inertia(s, w->steps++))
+        return FVI_SUCCESS;
+    const int warned = fvi_warning_of_inertia(w->watch, s->t, s->x, s->p, sizeof text, text);
+    v->singular |= warned > 0;
+    return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
+}
+
 /* All steps of o->h, and the rows that o->every asks for. */
 static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     fvi_stepper *s;
     sweep_verdict v = { .status = fvi_stepper_start(o->method, r, &s, NULL) };
     char unstable[FVI_WARNING_ROOM];
+    inertia_watch inertia = { 0 };
     if (v.status)
         return v;
     v.unstable = fvi_warning_of_step(o->method, r, sizeof unstable, unstable);
     v.status = v.unstable < 0 ? FVI_ENOMEM : fvi_run_observe(t, s, NULL);
+    if (!v.status)
+        v.status = fvi_inertia_watch_begin(r->system, &inertia.watch);
+    if (!v.status)
+        v.status = look_at_inertia(&inertia, s, &v);
+    inertia.steps = 0; /* the start is none */
     if (!v.status)
         v.status = fvi_run_row(t, s, 0);
     for (size_t k = 0, next = fvi_table_next(t, 0); !v.status && k < o->steps;) {
@@ -44,6 +67,8 @@ static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table 
         if (s->k < next) {
             v.step = s->k + 1;
             v.status = fvi_run_step(t, s);
+            if (!v.status)
+                v.status = look_at_inertia(&inertia, s, &v);
             continue;
         }
         v.status = fvi_run_row(t, s, k = next);
@@ -51,6 +76,7 @@ static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table 
     }
     if (!v.status && fvi_reductions_count(o->typed) > 0)
         fvi_run_reduced(t, t->rows + t->width);
+    fvi_inertia_watch_free(inertia.watch);
     fvi_observer_free(t->observer);
     fvi_stepper_free(s);
     return v;
@@ -65,8 +91,13 @@ static sweep_verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table 
            *p = x ? x + count * o->d : NULL, *typed = x ? p + count * o->d : NULL;
     fvi_report found;
     sweep_verdict v = { .status = FVI_ENOMEM };
+    char text[FVI_WARNING_ROOM];
     if (x)
         v.status = fvi_run_search(o, o->method, r, x, p, typed, &found);
+    if (!v.status)
+        v.singular = fvi_run_inertia_of_rows(o, r->system, x, p, text);
+    if (v.singular < 0)
+        v.status = FVI_ENOMEM;
     if (!v.status)
         v.status = fvi_run_found_row(t, 0, x, p, typed);
     for (size_t k = 0; k < o->steps && !v.status;) {

@@ -5,11 +5,11 @@
 #include "sweep_grid.h"
 
 /* What became of a run: 0, or a code, and the step in which it failed; 0 is its start. Does a
- * mode of it grow by its step? */
+ * mode of it grow by its step? Was the inertia of its Lagrangian nearly singular on the way? */
 typedef struct {
     int status;
     size_t step;
-    int unstable;
+    int unstable, singular;
 } sweep_verdict;
 
 /* sweep_run_rows -- how many rows a run with these options gives. */

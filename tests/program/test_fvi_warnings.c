@@ -220,6 +220,26 @@ START_TEST(a_run_that_gets_stiffer_is_warned_of)
 }
 END_TEST
 
+/* A sweep says of how many rows the inertia vanishes, and of which first, by its steps and to a wanted error. */
+START_TEST(an_inertia_that_vanishes_is_warned_of_in_a_sweep)
+{
+    static const char said[] = "fvi: warning: rows of a Lagrangian whose inertia, its second derivatives by the "
+                               "velocities, is nearly singular on the way, where a method may lose its order: ",
+                      *const ways[] = { "--h 0.05 --method fvi-lobatto4", "--h 0.05",
+                                          "--steps 20 --error 1e-2" };
+    char line[300];
+    for (size_t i = 0; i < LEN(ways); i++) { /* thrown up with p = v^3/3 from g: v is 0 at t = p/g */
+        snprintf(line, sizeof line, "sweep --lagrangian 'v^4/12-g*x' --x0 0 --p0 0.3 --vary g=0.1,0.2,1 "
+                 "--time 1 %s", ways[i]);
+        ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+        ck_assert_msg(strncmp(err, said, strlen(said)) == 0, "%s: %s", line, err);
+        ck_assert_str_eq(err + strlen(said), "1 of 3, the first with g = 1\n");
+    }
+    ck_assert_int_eq(fvi("sweep --lagrangian 'v^2/2-g*x' --x0 0 --p0 0.3 --vary g=0.1,1 --time 1"), 0);
+    ck_assert_str_eq(err, "");
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: what it warns of");
@@ -228,6 +248,7 @@ int main(void)
              an_unstable_step_is_warned_of,
              an_unstable_step_with_stages_is_warned_of,
              an_unstable_step_of_explicit_euler_is_warned_of,
-             a_run_that_gets_stiffer_is_warned_of);
+             a_run_that_gets_stiffer_is_warned_of,
+             an_inertia_that_vanishes_is_warned_of_in_a_sweep);
     return run_suite_of_program(suite);
 }
