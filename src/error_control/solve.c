@@ -78,6 +78,18 @@ static int row_of_run(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *ob
     return status ? status : give_row(o, k, room, room + d);
 }
 
+/* Where a run stands behind a step, if that is no row, before it goes on. */
+static int stand_between(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
+                         double last_row)
+{
+    const double near = s->method->dense ? 1e-6 * o->run.h : s->run.h / 4;
+    fvi_observation now;
+    if (!observer || !o->out->between || s->t <= last_row + near)
+        return FVI_SUCCESS;
+    const int status = fvi_observer_read(observer, s, s->t, &now);
+    return status ? status : o->out->between(&now, o->out->params);
+}
+
 /* Row after row of one run; what is between two steps of the method's own is interpolated. */
 static int rows_of_run(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
                        double *room)
@@ -85,10 +97,14 @@ static int rows_of_run(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *o
     for (size_t k = 0; k < o->out->rows; k++) {
         const double t = time_of_row(o, k);
         const size_t node = (size_t)round(t / s->run.h);
+        const double before = k > 0 ? time_of_row(o, k - 1) : -INFINITY;
         int status = FVI_SUCCESS;
-        while (!status && (s->method->dense ? s->t < t : s->k < node))
-            status = observer ? fvi_observer_step(observer, s)
-                              : fvi_stepper_step(s);
+        while (!status && (s->method->dense ? s->t < t : s->k < node)) {
+            status = stand_between(o, s, observer, before);
+            if (!status)
+                status = observer ? fvi_observer_step(observer, s)
+                                  : fvi_stepper_step(s);
+        }
         if (status)
             return fail_at_step(o, s->k + 1, status);
         status = row_of_run(o, s, observer, k, room);

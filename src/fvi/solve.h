@@ -77,10 +77,12 @@ typedef struct {
  *   energy  rows numbers, or NULL
  *   row     NULL, or called for each row in order, with its x and p; what it returns but 0 ends the
  *           call, which returns it
- *   params  handed to row, and to observed
+ *   params  handed to row, to observed and to between
  *   observed, wanted  NULL, or called behind row with what an observer of the run knows (observer.h), of
  *           which `wanted` says what: velocities, accelerations, forces, work. With a tolerance the
- *           run that was found is made again for it */
+ *           run that was found is made again for it
+ *   between  NULL, or called with the same at each step that is no row, in the order of the times: what is
+ *           largest may stand between two rows. It needs observed */
 typedef struct {
     size_t rows;
     const double *t;
@@ -90,6 +92,7 @@ typedef struct {
     void *params;
     int (*observed)(size_t k, const fvi_observation *now, void *params);
     unsigned wanted;
+    int (*between)(const fvi_observation *now, void *params);
 } fvi_outputs;
 
 /* fvi_report -- what was done.

@@ -61,16 +61,14 @@ int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
 void fvi_run_reduced(const fvi_table *t, double *row);
 int fvi_run_reductions(fvi_table *t);
 
-/* fvi_warn_of_reduced_rows -- with a wanted error the rows alone are reduced: that is said. */
-void fvi_warn_of_reduced_rows(const fvi_options *o);
-
 /* fvi_snapshot -- a line for each unknown of s, number, x and p, into o->snapshot, complete or
  * not at all, if there is such a name. Returns 0, or 1 after it has said what is wrong. */
 int fvi_snapshot(const fvi_options *o, const fvi_stepper *s);
 
 /* fvi_run_search -- the rows k = 0, ..., steps of r by this method, right to o->error; x and p
  * have room for them, and typed, or NULL, for the typed columns of each row, which are filled in if
- * x and p are not enough for them. Returns what fvi_solve returns. */
+ * x and p are not enough for them. Returns what fvi_solve returns; reductions have then seen
+ * each step of the run that was found. */
 int fvi_run_search(const fvi_options *o, const fvi_method *method,
                    const fvi_run *r, double *x, double *p, double *typed,
                    fvi_report *found);

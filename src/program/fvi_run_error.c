@@ -23,14 +23,22 @@ typedef struct {
 static int keep_typed(size_t k, const fvi_observation *now, void *params)
 {
     const typed_rows *t = params;
-    const int reduces = fvi_reductions_count(t->o->typed) > 0,
-              status = fvi_typed_columns_values(
-                  t->o->typed, now,
-                  reduces ? t->o->typed_row
-                          : t->rows + k * fvi_typed_columns_count(t->o->typed));
-    if (status || !reduces)
-        return status;
-    return fvi_reductions_add(t->o->typed, now->t);
+    return fvi_typed_columns_values(t->o->typed, now,
+                                    t->rows + k * fvi_typed_columns_count(t->o->typed));
+}
+
+/* At a row and at each step of the run that was found, in the order of the times. */
+static int reduce_step(const fvi_observation *now, void *params)
+{
+    const fvi_options *o = ((const typed_rows *)params)->o;
+    const int status = fvi_typed_columns_values(o->typed, now, o->typed_row);
+    return status ? status : fvi_reductions_add(o->typed, now->t);
+}
+
+static int reduce_row(size_t k, const fvi_observation *now, void *params)
+{
+    (void)k;
+    return reduce_step(now, params);
 }
 
 int fvi_run_search(const fvi_options *o, const fvi_method *method,
@@ -52,8 +60,10 @@ int fvi_run_search(const fvi_options *o, const fvi_method *method,
                                         .history_tolerance = r->tolerance };
     const fvi_accuracy accuracy = { o->error, o->most_steps };
     fvi_outputs rows = { .rows = r->steps + 1, .x = x, .p = p };
-    if (typed && fvi_options_needs_stepper(o)) {
-        rows.observed = keep_typed;
+    const int reduces = fvi_reductions_count(o->typed) > 0;
+    if (typed && (reduces || fvi_options_needs_stepper(o))) {
+        rows.observed = reduces ? reduce_row : keep_typed;
+        rows.between = reduces ? reduce_step : NULL;
         rows.params = &kept;
         rows.wanted = fvi_typed_columns_wanted(o->typed);
     }
@@ -162,13 +172,6 @@ static void head_of_search(FILE *out, const fvi_options *o,
     fvi_format_parameter(out, o->format, "error estimate", text);
 }
 
-void fvi_warn_of_reduced_rows(const fvi_options *o)
-{
-    if (o->error > 0 && fvi_reductions_count(o->typed) > 0)
-        fvi_warn("--reduce: with --error only the rows are reduced, "
-                 "not what is between them; --steps N gives more rows");
-}
-
 static int print_found(const fvi_options *o, const fvi_system *system,
                        const fvi_report *found, const double *x,
                        const double *p, const double *typed)
@@ -252,10 +255,8 @@ int fvi_command_error(const fvi_options *o, const fvi_system *system)
     int failed = find_step(o, &r, x, p, typed, &found);
     if (!failed)
         failed = warn_of_inertia(o, system, x, p);
-    if (!failed) {
-        fvi_warn_of_reduced_rows(o);
+    if (!failed)
         failed = print_found(o, system, &found, x, p, typed);
-    }
     free(x);
     return failed;
 }

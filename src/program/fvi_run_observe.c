@@ -144,10 +144,10 @@ int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
                       const double *typed)
 {
     const size_t d = t->o->d;
-    if (!fvi_options_needs_stepper(t->o))
-        return fvi_run_state_row(t, k, x + k * d, p + k * d);
     if (reduces(t)) /* they were taken on the way */
         return FVI_SUCCESS;
+    if (!fvi_options_needs_stepper(t->o))
+        return fvi_run_state_row(t, k, x + k * d, p + k * d);
     t->typed = typed + k * fvi_typed_columns_count(t->o->typed);
     const int status = fvi_table_take(t, k, x + k * d, p + k * d);
     t->typed = NULL;

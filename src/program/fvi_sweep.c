@@ -297,7 +297,6 @@ int fvi_command_sweep(int argc, char **argv)
     if (status) {
         status = fvi_refused(&error, "sweep");
     } else {
-        fvi_warn_of_reduced_rows(&o);
         status = run_all(&g, &o, first, no_solution);
         fvi_options_free(&o);
     }

@@ -104,6 +104,8 @@ static sweep_verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table 
         k = fvi_table_next(t, k);
         v.status = fvi_run_found_row(t, k, x, p, typed);
     }
+    if (!v.status && fvi_reductions_count(o->typed) > 0)
+        fvi_run_reduced(t, t->rows + t->width);
     free(x);
     return v;
 }

@@ -86,8 +86,8 @@ START_TEST(reductions_of_long_steps_see_the_rows)
 }
 END_TEST
 
-/* With --error they are over the rows; x(t) = cos t has them exactly. */
-START_TEST(reductions_with_an_error_are_over_the_rows)
+/* With --error x(t) = cos t has them at its rows exactly. */
+START_TEST(reductions_with_an_error_are_those_of_the_cosine)
 {
     static const char *const methods[] = { "fvi-adaptive", "fvi-lobatto4", "fvi-bdf2" };
     for (size_t i = 0; i < LEN(methods); i++) {
@@ -97,7 +97,7 @@ START_TEST(reductions_with_an_error_are_over_the_rows)
                  "'min(x),at(min(x)),last(x),max(v),max(a)'",
                  methods[i]);
         ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
-        ck_assert_ptr_nonnull(strstr(err, "warning: --reduce: with --error only the rows"));
+        ck_assert_ptr_null(strstr(err, "warning"));
         ck_assert_uint_eq(count_rows(), 1);
         const double want[] = { cos(3), 3, cos(3), 0, -cos(3) };
         for (size_t n = 0; n < LEN(want); n++) /* the slope of a is not below that of x */
@@ -158,14 +158,73 @@ START_TEST(the_work_of_an_impulse_on_a_mechanism_is_that_on_masses)
 }
 END_TEST
 
+/* To a wanted error all steps of the run that was found are reduced: the numbers are those of the run with this step, and
+ * a sweep has them, too. */
+START_TEST(all_steps_to_a_wanted_error_are_reduced)
+{
+    static const char *const runs[] = { "--alpha 0.2 --rho 0.5 --method fvi-lobatto3",
+                                        "--alpha 0.2 --rho 0.5 --method fvi-stable",
+                                        "--lagrangian 'v^2/2-x^4/4' --x0 1 --v0 0.3 --damper 'x : power:0.3,0.3' "
+                                        "--method fvi-lobatto4" },
+                            *const reduced[] = { "max(x),last(x),mean(x),rms(x),at(max(x)),min(x*x)",
+                                                 "absmax(a),peak(x),last(work),max(d1.force)" };
+    char line[400];
+    for (size_t i = 0; i < LEN(runs) * LEN(reduced); i++) {
+        double found[6], h;
+        const size_t count = i % 2 ? 4 : 6;
+        snprintf(line, sizeof line, "run %s --time 5 --steps 10 --error 1e-4 --reduce '%s'", runs[i / 2], reduced[i % 2]);
+        ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+        ck_assert_ptr_null(strstr(err, "warning"));
+        ck_assert_int_eq(sscanf(strstr(out, "# step = "), "# step = %lg", &h), 1);
+        for (size_t c = 0; c < count; c++)
+            found[c] = cell(0, c);
+        snprintf(line, sizeof line, "run %s --time 5 --steps %.0f --reduce '%s'", runs[i / 2], 5 / h, reduced[i % 2]);
+        ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+        for (size_t c = 0; c < count; c++)
+            ck_assert_near(found[c], cell(0, c), 1e-12 * (1 + fabs(found[c])), "%zu column %zu", i, c);
+        snprintf(line, sizeof line, "sweep %s --time 5 --steps 10 --error 1e-4 --reduce '%s' --vary kappa=0.5,0.5", runs[i / 2],
+                 reduced[i % 2]);
+        ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+        for (size_t c = 0; c < count; c++)
+            ck_assert_near(cell(1, c + 1), found[c], 0, "sweep %zu column %zu", i, c);
+    }
+}
+END_TEST
+
+/* Of fvi-adaptive its steps are reduced, and the rows that they pass over, in the order of their times. */
+START_TEST(steps_of_any_length_are_reduced_with_the_rows_between)
+{
+    double few[3], many[3];
+    ck_assert_int_eq(fvi("run --potential duffing:40,5 --alpha 0.2 --time 5 --steps 2 --error 1e-6 --reduce "
+                         "'max(t),max(x),absmax(x-1)'"),
+                     0);
+    for (size_t c = 0; c < 3; c++)
+        few[c] = cell(0, c);
+    ck_assert_int_eq(fvi("run --potential duffing:40,5 --alpha 0.2 --time 5 --steps 5000 --error 1e-6 --reduce "
+                         "'last(t),max(x),mean(x)'"),
+                     0);
+    for (size_t c = 0; c < 3; c++)
+        many[c] = cell(0, c);
+    ck_assert(few[0] == 5 && many[0] == 5);
+    ck_assert_near(few[1], many[1], 0.05, "many steps between two rows");
+    ck_assert(few[2] > 1.5);
+    ck_assert_int_eq(fvi("run --potential duffing:40,5 --alpha 0.2 --time 5 --steps 5000 --step-error 1e-9 --reduce "
+                         "'max(x),mean(x)'"),
+                     0);
+    ck_assert_near(many[1], cell(0, 0), 1e-6, "max");
+    ck_assert_near(many[2], cell(0, 1), 1e-6, "mean");
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: reductions");
     ADD_CASE(suite, "reductions", reductions_are_over_all_steps,
              reductions_go_on_from_a_checkpoint,
-             reductions_with_an_error_are_over_the_rows,
+             reductions_with_an_error_are_those_of_the_cosine,
              reductions_of_long_steps_see_the_rows,
              means_and_peaks_are_what_they_say,
-             the_work_of_an_impulse_on_a_mechanism_is_that_on_masses);
+             the_work_of_an_impulse_on_a_mechanism_is_that_on_masses,
+             all_steps_to_a_wanted_error_are_reduced, steps_of_any_length_are_reduced_with_the_rows_between);
     return run_suite_of_program(suite);
 }
