@@ -40,11 +40,9 @@ def bring(name, done):
 def bring_libraries():
     """GSL, and what factorises sparse matrices: SuiteSparse and what that needs."""
     done = set()
-    for path in (LIBRARY_FOLDER / "libgsl.so", LIBRARY_FOLDER / "libgslcblas.so"):
-        bring(path.resolve().name, done)
-    text = subprocess.run(["objdump", "-p", HERE / "fvi" / "program"], check=True, capture_output=True, text=True).stdout
-    for name in re.findall(r"NEEDED\s+(\S+)", text):
-        bring(name, done)
+    for name in ("gsl", "gslcblas", "cholmod", "umfpack"):
+        text = subprocess.run(["objdump", "-p", LIBRARY_FOLDER / f"lib{name}.so"], check=True, capture_output=True, text=True).stdout
+        bring(re.search(r"SONAME\s+(\S+)", text)[1], done)
 
 
 version = re.search(r'FVI_VERSION "(.*)"', (HERE / "include" / "fvi" / "version.h").read_text())[1]
