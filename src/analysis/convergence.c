@@ -24,7 +24,7 @@ static int check(const fvi_smoothness *q, const void *output)
     if (!is_bound(q->damping) || !is_bound(q->lipschitz)
         || !is_bound(q->gradient) || !is_bound(q->variation)
         || !is_bound(q->start) || !is_bound(q->speed)
-        || !is_bound(q->acceleration))
+        || !is_bound(q->acceleration) || !is_bound(q->velocity_variation))
         FVI_FAIL("a bound must be finite and >= 0", FVI_EDOM);
     return FVI_SUCCESS;
 }
@@ -59,20 +59,48 @@ static double rate(const fvi_smoothness *q)
 }
 //< defect
 
+/* The constants for a C; growth is that of an error of size 1 up to T, by which x may leave
+ * the path. Without a defect, x does not leave it, however much errors would grow. */
+static int make_bound(const fvi_smoothness *q, double C, double growth,
+                      fvi_error_bound *bound)
+{
+    const double lambda = rate(q), k = q->kappa * (1 - q->kappa) * q->lipschitz;
+    if (!isfinite(C) || !isfinite(lambda))
+        FVI_FAIL("no finite bound", FVI_EOVRFLW);
+    *bound = (fvi_error_bound){ C, lambda, 1 / sqrt(k) };
+    if (isfinite(q->room) && C > 0)
+        bound->h = smaller(bound->h, q->room / (2 * C * growth));
+    return FVI_SUCCESS;
+}
+
 int fvi_error_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bound)
 {
     int status = check(motion, bound);
     if (status)
         return status;
-    const double C = defect(motion), lambda = rate(motion), T = motion->T;
-    if (!isfinite(C) || !isfinite(lambda))
-        FVI_FAIL("no finite bound", FVI_EOVRFLW);
-    /* x stays within the room, and a step has one solution there. Without a defect, x does not
-     * leave the exact motion, however much errors would grow. */
-    const double growth = lambda > 0 ? expm1(lambda * T) / lambda : T,
-                 k = motion->kappa * (1 - motion->kappa) * motion->lipschitz;
-    *bound = (fvi_error_bound){ C, lambda, 1 / sqrt(k) };
-    if (isfinite(motion->room) && C > 0)
-        bound->h = smaller(bound->h, motion->room / (2 * C * growth));
-    return FVI_SUCCESS;
+    const double lambda = rate(motion), T = motion->T;
+    return make_bound(motion, defect(motion), lambda > 0 ? expm1(lambda * T) / lambda : T,
+                      bound);
+}
+
+//> variation
+/* D, from the variation of the velocity. */
+static double defect_of_positions(const fvi_smoothness *q)
+{
+    const double gamma = 2 - 2 * q->alpha, W = q->velocity_variation,
+                 memory = q->start + 17. / 8 * W;
+    return q->T * (q->variation + q->lipschitz * q->speed * q->T / 2 + q->kappa * q->gradient)
+           + W
+           + q->damping * fabs(gamma - 1) * pow(q->T, gamma) / tgamma(gamma + 1)
+                 * memory; /* (20.14) */
+}
+//< variation
+
+int fvi_position_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bound)
+{
+    int status = check(motion, bound);
+    if (status)
+        return status;
+    return make_bound(motion, defect_of_positions(motion), exp(rate(motion) * motion->T),
+                      bound);
 }

@@ -21,6 +21,8 @@ extern "C" {
  *   start         |v0|, read if 2 alpha < 1
  *   speed         V, a bound of |x'|
  *   acceleration  A, a bound of |x''|
+ *   velocity_variation  W, the total variation of x' on [0, T]; only
+ *                 fvi_position_bound_compute reads it
  *   room          > 0; GSL_POSINF if ell and G hold everywhere
  *
  * All others are finite and >= 0. The norm is Euclid's. */
@@ -30,7 +32,7 @@ typedef struct {
     double damping;
     double lipschitz, gradient;
     double variation;
-    double start, speed, acceleration;
+    double start, speed, acceleration, velocity_variation;
     double room;
 } fvi_smoothness;
 //< motion
@@ -57,6 +59,22 @@ typedef struct {
  * On error *bound is untouched. bound->h is 0 if e^(lambda T) overflows and room is
  * finite. */
 int fvi_error_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bound);
+
+/* fvi_position_bound_compute -- the bound for a velocity that may have an infinite slope
+ *
+ *     |x_k - x(t_k)|      <= 2 C h e^(lambda t_k)                      [(20.14)]
+ *
+ * for a run of fvi_fractional with h < bound->h and Caputo's past, or held. A held body with
+ * 2 alpha > 1 and v0 != 0 has no bound A of |x''|, but a finite W: `acceleration` is not read,
+ * `velocity_variation` is. `start` is |v0|, for every alpha; with Caputo's past and
+ * 2 alpha > 1 it is 0. (20.15) bounds the momenta.
+ *
+ *     fvi_smoothness known = { .alpha = 0.75, .T = 1, .damping = 0.5, .lipschitz = 1,
+ *         .gradient = 2, .start = 1, .speed = 1.5, .velocity_variation = 2, .room = 1 };
+ *     status = fvi_position_bound_compute(&known, &bound);
+ *
+ * Accuracy, cost and errors are those of fvi_error_bound_compute. */
+int fvi_position_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bound);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -79,6 +79,8 @@ static inline fvi_smoothness know(const motion *q, size_t fine, const double *x,
     for (size_t i = 0; i <= fine; i++) {
         far = larger(far, fabs(x[i]));
         k.speed = larger(k.speed, 1.01 * fabs(p[i] / m));
+        if (i > 0)
+            k.velocity_variation += 1.01 * fabs(p[i] - p[i - 1]) / m;
         if (i >= 8)
             k.acceleration = larger(k.acceleration,
                                     1.05 * fabs(p[i] - p[i - 8]) / (8 * h * m));

@@ -136,30 +136,54 @@ END_TEST
 
 /* ---- the constants ---- */
 
+/* What a row of references says of a motion; the tenth number is A, or W. */
+static fvi_smoothness known(const double *v, int by_variation)
+{
+    return (fvi_smoothness){ .alpha = v[0],
+                             .kappa = v[1],
+                             .T = v[2],
+                             .damping = v[3],
+                             .lipschitz = v[4],
+                             .gradient = v[5],
+                             .variation = v[6],
+                             .start = v[7],
+                             .speed = v[8],
+                             .acceleration = by_variation ? 0 : v[9],
+                             .velocity_variation = by_variation ? v[9] : 0,
+                             .room = v[10] > 0 ? v[10] : GSL_POSINF };
+}
+
+static void check_constants(const fvi_error_bound *got, double C, double lambda, double h,
+                            size_t i)
+{
+    ck_assert_ulp(got->C, C, 16, "C, %zu", i);
+    ck_assert_ulp(got->lambda, lambda, 16, "lambda, %zu", i);
+    if (h > 0)
+        ck_assert_ulp(got->h, h, 64, "h, %zu", i);
+    else
+        ck_assert(got->h == GSL_POSINF);
+}
+
 /* Seen: 4 ulp. */
 START_TEST(eq_20_5_constants)
 {
     for (size_t i = 0; i < LEN(ref_bounds); i++) {
-        const double *v = ref_bounds[i].motion;
-        const fvi_smoothness q = { .alpha = v[0],
-                               .kappa = v[1],
-                               .T = v[2],
-                               .damping = v[3],
-                               .lipschitz = v[4],
-                               .gradient = v[5],
-                               .variation = v[6],
-                               .start = v[7],
-                               .speed = v[8],
-                               .acceleration = v[9],
-                               .room = v[10] > 0 ? v[10] : GSL_POSINF };
+        const fvi_smoothness q = known(ref_bounds[i].motion, 0);
         fvi_error_bound got;
         ck_assert_int_eq(fvi_error_bound_compute(&q, &got), 0);
-        ck_assert_ulp(got.C, ref_bounds[i].C, 16, "C, %zu", i);
-        ck_assert_ulp(got.lambda, ref_bounds[i].lambda, 16, "lambda, %zu", i);
-        if (ref_bounds[i].h > 0)
-            ck_assert_ulp(got.h, ref_bounds[i].h, 64, "h, %zu", i);
-        else
-            ck_assert(got.h == GSL_POSINF);
+        check_constants(&got, ref_bounds[i].C, ref_bounds[i].lambda, ref_bounds[i].h, i);
+    }
+}
+END_TEST
+
+START_TEST(eq_20_14_constants)
+{
+    for (size_t i = 0; i < LEN(ref_position_bounds); i++) {
+        const fvi_smoothness q = known(ref_position_bounds[i].motion, 1);
+        fvi_error_bound got;
+        ck_assert_int_eq(fvi_position_bound_compute(&q, &got), 0);
+        check_constants(&got, ref_position_bounds[i].C, ref_position_bounds[i].lambda,
+                        ref_position_bounds[i].h, i);
     }
 }
 END_TEST
@@ -181,12 +205,14 @@ START_TEST(eq_20_8_what_is_no_motion_is_refused)
     fvi_error_bound got = untouched;
     ck_assert_int_eq(fvi_error_bound_compute(NULL, &got), FVI_EFAULT);
     ck_assert_int_eq(fvi_error_bound_compute(&good, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_position_bound_compute(NULL, &got), FVI_EFAULT);
+    ck_assert_int_eq(fvi_position_bound_compute(&good, NULL), FVI_EFAULT);
     fvi_smoothness q[16];
     size_t bad = 0;
     double *const places[] = {
         &q[0].alpha,     &q[1].kappa,        &q[2].T,         &q[3].damping,
         &q[4].lipschitz, &q[5].gradient,     &q[6].variation, &q[7].start,
-        &q[8].speed,     &q[9].acceleration, &q[10].room
+        &q[8].speed,     &q[9].acceleration, &q[10].room, &q[11].velocity_variation
     };
     for (size_t i = 0; i < LEN(places); i++)
         for (int j = 0; j < 3; j++) {
@@ -195,9 +221,10 @@ START_TEST(eq_20_8_what_is_no_motion_is_refused)
             if (i == 10 && j == 2)
                 continue; /* an infinite room is allowed */
             ck_assert_int_eq(fvi_error_bound_compute(&q[i], &got), FVI_EDOM);
+            ck_assert_int_eq(fvi_position_bound_compute(&q[i], &got), FVI_EDOM);
             bad++;
         }
-    ck_assert_uint_eq(bad, 32);
+    ck_assert_uint_eq(bad, 35);
     q[0] = good;
     q[0].alpha = 1;
     ck_assert_int_eq(fvi_error_bound_compute(&q[0], &got), FVI_EDOM);
@@ -248,7 +275,7 @@ int main(void)
     ADD_CASE(suite, "velocity", eq_20_1_the_run_in_its_velocities);
     ADD_CASE(suite, "lemmas", eq_20_3_gamma_quotients,
              eq_20_4_the_memory_of_a_parabola);
-    ADD_CASE(suite, "constants", eq_20_5_constants,
+    ADD_CASE(suite, "constants", eq_20_5_constants, eq_20_14_constants,
              eq_20_8_what_is_no_motion_is_refused);
     ADD_CASE(suite, "series", the_series_is_the_motion_of_a_spring);
     return run_suite(suite);

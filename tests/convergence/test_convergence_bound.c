@@ -73,6 +73,81 @@ START_TEST(eq_20_8_errors_are_below_the_bound)
 END_TEST
 //< bound
 
+/* Errors below (20.14) and (20.15), of bodies that were held and start with a velocity,
+ * alpha above 1/2: 400 motions, those whose h the theorem allows. */
+START_TEST(eq_20_14_a_held_body_that_starts_fast)
+{
+    size_t allowed = 0;
+    double of_x = 0, of_p = 0;
+    for (size_t seed = 0; seed < 400; seed++) {
+        motion q = some_motion(seed);
+        q.alpha = 0.5 + 0.48 * q.alpha;
+        q.past = FVI_INITIAL_HISTORY_HELD;
+        const size_t N = COARSE, ratio = FINE / N;
+        const double h = q.T / (double)N, gamma = 2 - 2 * q.alpha;
+        solve(&fvi_lobatto_m4, &q, FINE, fine_x, fine_p);
+        fvi_smoothness known = know(&q, FINE, fine_x, fine_p);
+        known.acceleration = 0;
+        fvi_error_bound bound;
+        ck_assert_int_eq(fvi_position_bound_compute(&known, &bound), 0);
+        if (!(h < bound.h))
+            continue;
+        allowed++;
+        solve(&fvi_fractional, &q, N, x, p);
+        for (size_t k = 1; k <= N; k++) {
+            const double t = (double)k * h,
+                         off = fabs(x[k] - fine_x[k * ratio]),
+                         off_p = fabs(p[k] - fine_p[k * ratio]) / q.mass,
+                         allowed_x = 2 * bound.C * h * exp(bound.lambda * t),
+                         feeds = known.lipschitz * t + known.damping * pow(h, gamma - 1),
+                         missed = h * (known.variation + known.lipschitz * known.speed * q.T / 2)
+                                  + 2 * known.damping * (1 - gamma) * pow(h, gamma)
+                                        / tgamma(gamma + 1)
+                                        * (known.start + known.velocity_variation);
+            ck_assert_double_le(off, allowed_x);
+            ck_assert_double_le(off_p, feeds * allowed_x + missed);
+            of_x = larger(of_x, off / allowed_x);
+            of_p = larger(of_p, off_p / (feeds * allowed_x + missed));
+        }
+    }
+    seen((double)allowed, "motions");
+    seen(of_x, "x of the bound");
+    seen(of_p, "p of the bound");
+    ck_assert_uint_ge(allowed, 200);
+}
+END_TEST
+
+/* A free body on friction of an order near 2, held, and a force that jumps: the largest part of
+ * the bound that the errors reach. */
+START_TEST(eq_20_14_how_sharp)
+{
+    const double alphas[] = { 0.5, 0.6, 0.75, 0.9 };
+    double most = 0;
+    for (size_t i = 0; i < LEN(alphas); i++) {
+        const size_t N = 4096;
+        const motion q = { .alpha = alphas[i], .mass = 1, .rho = 0.1, .p0 = 1, .T = 0.25,
+                           .past = FVI_INITIAL_HISTORY_HELD };
+        const fvi_linear_oscillator exact = { .m = 1, .rho = q.rho, .alpha = q.alpha,
+                                              .past = q.past, .v0 = 1 };
+        double t[2] = { 0, q.T }, want[2], slope[2];
+        ck_assert_int_eq(fvi_exact_at(&exact, 2, t, want, slope, NULL), 0);
+        /* Without a force the velocity falls all the way: its variation is v0 - v(T). */
+        const fvi_smoothness known = { .alpha = q.alpha, .T = q.T, .damping = q.rho, .start = 1,
+                                       .speed = 1, .velocity_variation = 1 - slope[1],
+                                       .room = GSL_POSINF };
+        fvi_error_bound bound;
+        ck_assert_int_eq(fvi_position_bound_compute(&known, &bound), 0);
+        solve(&fvi_fractional, &q, N, x, p);
+        const double h = q.T / (double)N,
+                     part = fabs(x[N] - want[1]) / (2 * bound.C * h * exp(bound.lambda * q.T));
+        ck_assert_double_le(part, 1);
+        most = larger(most, part);
+    }
+    seen(most, "of the bound");
+    ck_assert_double_ge(most, 0.1);
+}
+END_TEST
+
 /* A free body, F = -1/2 and 1/2 from just before t_1: the sum takes the jump a step too
  * early, and the bound is 2.5 times the error of p, 3.4 times that of x. */
 START_TEST(eq_20_8_how_sharp)
@@ -239,7 +314,8 @@ int main(void)
 {
     Suite *suite = suite_create("20 convergence, the theorem run");
     ADD_CASE(suite, "theorem", eq_20_8_errors_are_below_the_bound,
-             eq_20_8_how_sharp, eq_20_8_holds_where_the_run_explodes);
+             eq_20_8_how_sharp, eq_20_8_holds_where_the_run_explodes,
+             eq_20_14_a_held_body_that_starts_fast, eq_20_14_how_sharp);
     ADD_CASE(suite, "order", eq_20_8_order_one_with_a_jump_between_nodes,
              eq_20_10_order_two_over_all_nodes);
     return run_suite(suite);

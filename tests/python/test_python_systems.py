@@ -275,6 +275,19 @@ def test_the_bound_of_the_theorem_holds():
         fvi.error_bound(lipschitz=-1, **known)
 
 
+def test_the_bound_holds_for_a_held_body_that_starts_fast():
+    """x'' + x + 0.5 D^1.5 x = 0 held at 1 with v0 = 1: x'' is infinite at first, x' falls from 1 to -0.28 on [0, 1]."""
+    known = dict(alpha=0.75, time=1, damping=0.5, lipschitz=1, gradient=1.4, variation=0, start=1, speed=1)
+    bound = fvi.error_bound(velocity_variation=1.28, **known)
+    s = fvi.solve(fvi.Problem(alpha=0.75, rho=0.5, x0=1, p0=1, time=1), h=1 / 512)
+    off = abs(s.x[:, 0] - fvi.exact(s.t, alpha=0.75, rho=0.5, x0=1, v0=1)[0])
+    assert (off <= 2 * bound.C / 512 * np.exp(bound.rate * s.t)).all() and off.max() > 0
+    with pytest.raises(ValueError):
+        fvi.error_bound(**known)
+    with pytest.raises(ValueError):
+        fvi.error_bound(acceleration=1, velocity_variation=1, **known)
+
+
 # ---- wrong ----
 
 @pytest.mark.parametrize("call, what, why", [

@@ -14,7 +14,7 @@ import random
 
 import mpmath
 from mpmath import mp, mpf
-from sympy import Rational, exp, expand, gamma, gammasimp, prod, series, sinh, symbols
+from sympy import Rational, exp, expand, gamma, gammasimp, log, prod, series, simplify, sinh, symbols
 
 from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
@@ -126,6 +126,50 @@ def constants(alpha, kappa_, T, r, l, G_, var, start, V, A, room):
     return C, rate, min(steps) if steps else mpf(0)
 
 
+def position_constants(alpha, kappa_, T, r, l, G_, var, start, V, W, room):
+    """D, lambda and the largest step of (20.14), from the page."""
+    alpha, kappa_, T, r, l, G_, var, start, V, W = map(
+        mpf, (alpha, kappa_, T, r, l, G_, var, start, V, W))
+    order = 2 - 2 * alpha
+    D = (T * (var + l * V * T / 2 + kappa_ * G_) + W
+         + r * abs(1 - 2 * alpha) * T**order / mpmath.gamma(order + 1) * (start + mpf(17) / 8 * W))
+    rate = max(mpmath.sqrt(4 * l), (4 * r) ** (1 / order))
+    steps = [mpf(room) / (2 * D * mpmath.exp(rate * T))] if room else []
+    if 0 < kappa_ < 1 and l:
+        steps.append(1 / mpmath.sqrt(kappa_ * (1 - kappa_) * l))
+    return D, rate, min(steps) if steps else mpf(0)
+
+
+#> variation
+def missed(n, theta, order):
+    """Gamma(gamma + 1) h^-gamma |K_h - K|, n + theta steps back: K_h is a straight line between nodes."""
+    left, right = (quotient(j, order) if j else mpf(0) for j in (n, n + 1))
+    return abs((1 - theta) * left + theta * right - (n + mpf(theta)) ** mpf(order))
+
+
+for _ in range(300):                    # (20.13), at offsets theta of all sizes
+    order, theta, steps_ = mpf(random.uniform(0, 2)), 10 ** random.uniform(-4, 0), random.randint(1, 60)
+    total_ = sum(missed(n, theta, order) for n in range(steps_) if n + theta <= steps_ - 1)
+    claim("(20.13) between nodes", total_ <= mpf(17) / 8 * abs(1 - order) * mpf(steps_) ** order)
+    total_ = sum(missed(n, 0, order) for n in range(steps_))
+    claim("(20.13) at nodes", total_ <= abs(1 - order) * mpf(steps_) ** order)
+    claim("(20.15) each of them, below 1",
+          order > 1 or max(missed(n, theta, order) for n in range(steps_)) <= 2 * (1 - order))
+# In the first step y^gamma - y is largest at y = exp(L / (1 - gamma)), L = log gamma.
+L = log(g)
+prove("(20.13) the top of the first step", simplify(g * exp((g - 1) * L / (1 - g)) - 1))
+prove("(20.13) its height", simplify(
+    (exp(g * L / (1 - g)) - exp(L / (1 - g))) / exp(g * L / (1 - g)) - (1 - g)))
+#< variation
+
+
+def literal_of_positions(row, i):
+    def at(digits):
+        mp.dps = digits + 20
+        return mpmath.nstr(position_constants(*row)[i], digits)
+    return hexd_real(at, 30)
+
+
 def literal(row, i):
     def at(digits):
         mp.dps = digits + 20
@@ -175,3 +219,7 @@ print("\n/* A room of 0 stands for infinity, as does a step h of 0. */")
 table("ref_bounds", "double motion[11]; double C, lambda, h;",
       [["{ " + ", ".join(hexd(v) for v in row) + " }"]
        + [literal(row, i) for i in range(3)] for row in MOTIONS])
+print("\n/* From the variation of the velocity, which stands in the place of the acceleration. */")
+table("ref_position_bounds", "double motion[11]; double C, lambda, h;",
+      [["{ " + ", ".join(hexd(v) for v in row) + " }"]
+       + [literal_of_positions(row, i) for i in range(3)] for row in MOTIONS])

@@ -14,11 +14,12 @@ int fvi_response_warning_of_place(const fvi_system *system, const double *x, con
 int fvi_response_warning_of_poles(const fvi_poles *poles, size_t size, char *text);
 int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage, double *loss);
 typedef struct {
-    double alpha, kappa, T, damping, lipschitz, gradient, variation, start, speed, acceleration, room;
+    double alpha, kappa, T, damping, lipschitz, gradient, variation, start, speed, acceleration, velocity_variation, room;
     ...;
 } fvi_smoothness;
 typedef struct { double C, lambda, h; } fvi_error_bound;
 int fvi_error_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bound);
+int fvi_position_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bound);
 int fvi_stability_number(const fvi_method *method, const fvi_run *run, double *load);
 int fvi_stability_longest_step(const fvi_method *method, const fvi_run *run, double *h);
 typedef struct { double cost, miss, change; size_t iterations; ...; } fvi_control_result;

@@ -171,7 +171,8 @@ def control(problem: Problem, x: Numbers, p: Numbers, *, h: Optional[float] = No
 
 
 class Bound(NamedTuple):
-    """|x_k - x(t_k)| <= 2 C h (exp(rate t_k) - 1)/rate for every step below `h`, t_k in place of the quotient if rate is 0."""
+    """What `error_bound` returns: |x_k - x(t_k)| <= 2 C h (exp(rate t_k) - 1)/rate for every step below `h`, t_k in place of the
+    quotient if rate is 0. From a `velocity_variation` it is 2 C h exp(rate t_k)."""
     C: float
     rate: float
     h: float
@@ -179,18 +180,24 @@ class Bound(NamedTuple):
 
 @spelt()
 def error_bound(*, alpha: float, time: float, damping: float, lipschitz: float, gradient: float, variation: float,
-                start: float, speed: float, acceleration: float, kappa: float = 0.5, room: float = math.inf) -> Bound:
+                start: float, speed: float, acceleration: Optional[float] = None, velocity_variation: Optional[float] = None,
+                kappa: float = 0.5, room: float = math.inf) -> Bound:
     """How far a run of "fvi" can be from the motion, by the theorem of H 20, from what is known of the motion.
 
     alpha, kappa, time   of the run
     damping, lipschitz, gradient  the largest rho/m; a Lipschitz constant and a bound of grad U/m
     variation            of F/m, jumps included
     start, speed, acceleration  |v0|, and bounds of |x'| and |x''|
+    velocity_variation   of x', in the place of `acceleration`: for a held body with alpha above 1/2 and v0 not 0,
+                         whose x'' is infinite at first
     room                 how far from the path these hold; everywhere
     """
+    if (acceleration is None) == (velocity_variation is None):
+        raise ValueError("acceleration: give either acceleration or velocity_variation")
     motion = ffi.new("fvi_smoothness *", {"T": number("time", time), **{name: number(name, value) for name, value in (
         ("alpha", alpha), ("kappa", kappa), ("damping", damping), ("lipschitz", lipschitz), ("gradient", gradient),
-        ("variation", variation), ("start", start), ("speed", speed), ("acceleration", acceleration), ("room", room))}})
+        ("variation", variation), ("start", start), ("speed", speed), ("acceleration", acceleration or 0),
+        ("velocity_variation", velocity_variation or 0), ("room", room))}})
     bound = ffi.new("fvi_error_bound *")
-    succeed(ask(lib.fvi_error_bound_compute, motion, bound))
+    succeed(ask(lib.fvi_error_bound_compute if velocity_variation is None else lib.fvi_position_bound_compute, motion, bound))
     return Bound(bound.C, getattr(bound, "lambda"), bound.h)
