@@ -216,7 +216,7 @@ function figures() {
       if (!seen.some(one => one.isIntersecting)) return;
       observer.disconnect();
       try {
-        await load("live/kernel.js");
+        await load(`live/${FVI_LIVE.kernelOf(FVI_LIVE.scenes.get(figure.dataset.live)).name}.js`);
         await FVI_LIVE.begin(figure);
       } catch (error) { // the still picture, then
         figure.classList.remove("is-live");

@@ -13,17 +13,18 @@ FVI_LIVE.scene("adjoint", {
   compute(values, { c, view }) {
     const { alpha, rho, g, x0, at } = values, k = Math.round(at / h);
     values.force ??= new Array(21).fill(0); // a sample for each unit of t, lines between
-    const force = view(0, N + 1), samples = values.force;
+    const force = new Float64Array(N + 1), samples = values.force;
     force.forEach((_, j) => { const i = Math.min(Math.floor(j * h), 19), s = j * h - i; force[j] = (1 - s) * samples[i] + s * samples[i + 1]; });
+    view(0, N + 1).set(force); // a view ends when the memory grows
     c.live_gradient(alpha, rho, g, x0, h, N, 1);
     const x = view(1, N + 1).slice(), by = view(2, N + 1).slice(), mirror = view(3, N + 1).slice().reverse(), [byStart] = view(4, 1);
     const end = (start, push) => { // x(20) if both change by that much
-      force[k] += push;
+      view(0, N + 1)[k] = force[k] + push;
       c.live_gradient(alpha, rho, g, x0 + start, h, N, 0);
-      force[k] -= push;
+      view(0, N + 1)[k] = force[k];
       return view(1, N + 1)[N];
     };
-    return { x, force: force.slice(), by, mirror, byStart, k, byPush: by[k] / h,
+    return { x, force, by, mirror, byStart, k, byPush: by[k] / h,
       checkPush: (end(0, eps / h) - end(0, -eps / h)) / (2 * eps), checkStart: (end(eps, 0) - end(-eps, 0)) / (2 * eps) };
   },
 

@@ -5,14 +5,13 @@ const h = 0.05, steps = 280, ago = 0.5, back = 16; // dots of the past: one in a
 const orders = [0, 0.25, 0.4, 0.5, 0.6, 0.75, 1];
 const words = alpha => (alpha === 0 ? "A second spring" : alpha < 0.5 ? "Between a spring and a dashpot" : alpha === 0.5
   ? "A dashpot, friction without memory" : alpha < 1 ? "Between a dashpot and a mass" : "A second mass");
-const still = () => globalThis.matchMedia?.("(prefers-reduced-motion: reduce)").matches;
 
 FVI_LIVE.scene("course_seven", {
   about: "Move α from a spring (0) through a dashpot (1/2) to a mass (1). Drag the body, left, and let go: the dots behind it are its past, "
     + "each as large as its weight in the force of the springpot.",
   controls: { alpha: ["α: 0 spring, ½ dashpot, 1 mass;", 0, 1, 0.25, 0.01], rho: ["ρ", 0, 2, 0.5, 0.02] },
   keeps: { x0: 1 },
-  buttons: { again: ["Let go again", values => { values.at = 0; }] },
+  buttons: { again: ["Let go again", FVI_LIVE.again] },
   pictures: ["The body, which can be dragged, and its past", "Its place against time; thin, other α"],
 
   compute(values, { c, view, run }, scene) {
@@ -28,14 +27,7 @@ FVI_LIVE.scene("course_seven", {
     return { x, weights: [...view(0, back + 1)], seven: scene.seven.map(one => [...one]) };
   },
 
-  // A picture goes on by some hundredths of the motion until its end.
-  more(data, values) {
-    const now = performance.now(), passed = now - (values.clock ?? now);
-    values.clock = now;
-    if (values.at >= steps) { values.clock = undefined; return false; }
-    values.at = still() ? steps : Math.min(steps, values.at + Math.min(Math.max(passed / 12, 0.5), 10));
-    return true;
-  },
+  more: (data, values) => FVI_LIVE.goOn(values, steps, 1 / 12),
 
   says: ({ x }, { alpha }) => `${words(alpha)}: at t = 14 the body is at ${FVI_LIVE.short(Number(x[steps].toPrecision(4)))}, `
     + `and on the way it came to ${FVI_LIVE.short(Number(Math.min(...x.map(value => value * Math.sign(x[0] || 1))).toPrecision(4) * Math.sign(x[0] || 1)))} on the other side.`,
@@ -68,8 +60,7 @@ FVI_LIVE.scene("course_seven", {
   drag(values, picture, x) {
     if (picture !== 0) return false;
     values.x0 = Math.round(Math.min(Math.max(-2.2 + 3.8 * x, -1.3), 1.3) * 100) / 100;
-    values.at = 0;
-    values.clock = undefined;
+    FVI_LIVE.again(values);
   },
 });
 }

@@ -1,8 +1,10 @@
 """The scripts of the figures that move, into a folder.      Used by book/build.py
 
 kernel.js has the C, live.js what they share; then there is one script a figure, by its
-picture's name. All are classic scripts: a page from a disk may load no others."""
+picture's name. What one figure alone needs, structures, is a module of its own, building_kernel.js.
+All are classic scripts: a page from a disk may load no others."""
 import pathlib
+import re
 import shutil
 import sys
 
@@ -11,7 +13,7 @@ PLAY = HERE.parent / "play"
 sys.path.append(str(PLAY))
 import wasm  # noqa: E402
 
-SOURCES = [PLAY / "play.c", PLAY / "gsl.c", PLAY / "strtod.c", HERE / "live.c", HERE / "inverse.c"]
+SOURCES = [PLAY / "play.c", PLAY / "gsl.c", HERE / "gsl_modes.c", PLAY / "strtod.c", HERE / "live.c", HERE / "inverse.c", HERE / "pendulum.c"]
 MODULES = [*wasm.MODULES, "linearised", "history_modes", "memory_nodes", "integration_by_parts", "half_derivative", "discrete_principle",
            "sensitivity", "adjoint", "checkpointing", "adjoint_multistep", "adjoint_kernel", "adjoint_multistep_damping", "adjoint_multistep_alone", "adjoint_constant", "adjoint_filter", "adjoint_stages", "control", "identification_tangent"]
 # Of the exponentials those of many masses, of gradients those of steps and methods that no figure has.
@@ -21,15 +23,32 @@ ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_alloc fvi_history
     fvi_adjoint_dampers_free fvi_adjoint_dampers_start fvi_adjoint_dampers_step fvi_adjoint_slope_of
     fvi_adjoint_slope_symbol fvi_adjoint_has_slope fvi_adjoint_slope_begin_at
     fvi_adjoint_mechanism_check fvi_adjoint_mechanism_run""".split()]
+BUILDING = [PLAY / "gsl.c", HERE / "gsl_modes.c", HERE / "building.c"]
+BUILDING_MODULES = """structures structure_dampers sparse factors history_space convolution_quadrature_methods convolution_quadrature_dampers
+    damping damping_matrices damping_sums initial_history_force kernel_history kernel_modes kernel_classes kernel_general damping_laws
+    coefficients convolution_quadrature history_direct history_modes memory memory_nodes past newton newton_stages band lu
+    dampers_check run_check run_damper solution trajectory impulses error system lagrangian""".split()
+BUILDING_ABSENT = """fvi_cholmod_alloc fvi_cholmod_solve fvi_events_check fvi_impulses_of_kernel_alloc fvi_impulses_of_kernel_at
+    fvi_impulses_of_kernel_copy fvi_impulses_of_kernel_free fvi_history_tiled_alloc fvi_history_tiled_bytes fvi_linearised_force
+    fvi_newton_by_linearised fvi_shifted_symbol fvi_stability_number_none fvi_mechanism_start gsl_integration_glfixed_point
+    gsl_integration_glfixed_table_alloc gsl_integration_glfixed_table_free gsl_fft_complex_radix2_forward""".split()
 SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "labels.js", HERE / "address.js", HERE / "orders.js", HERE / "modes.js"]
-WORDS = "scene, scenes, frame, begin, addressOf, asked, open, start, settled, axes, span, short, readColours, stopsOf, orders, modes"
+WORDS = "scene, scenes, frame, begin, kernelOf, libraryOf, goOn, again, addressOf, asked, start, settled, axes, span, short, readColours, stopsOf, orders, modes"
+
+
+def script_of(name):
+    """The script with the C of a figure."""
+    named = re.search(r'^  kernel: \["(\w+)"', (HERE / f"{name}.js").read_text(), re.M)
+    return named[1] if named else "kernel"
 
 
 def write(out):
     out.mkdir(parents=True)
-    code = wasm.compile_to(out / "live.wasm", SOURCES, MODULES, ABSENT)
-    (out / "live.wasm").unlink()
-    (out / "kernel.js").write_text(f'const FVI_WASM = "{wasm.packed(code)}";\n')
+    for name, const, *what in (("kernel", "FVI_WASM", SOURCES, MODULES, ABSENT),
+                               ("building_kernel", "FVI_WASM_BUILDING", BUILDING, BUILDING_MODULES, BUILDING_ABSENT)):
+        code = wasm.compile_to(out / f"{name}.wasm", *what)
+        (out / f"{name}.wasm").unlink()
+        (out / f"{name}.js").write_text(f'const {const} = "{wasm.packed(code)}";\n')
     shared = "\n".join(path.read_text() for path in SHARED)
     (out / "live.js").write_text(f"const FVI_LIVE = (() => {{\n{shared}\nreturn {{ {WORDS} }};\n}})();\n")
     for path in HERE.glob("*.js"):

@@ -12,8 +12,6 @@
 #include <fvi/paper/discrete_principle.h>
 #include <fvi/paper/half_derivative.h>
 #include <fvi/paper/integration_by_parts.h>
-#include <gsl/gsl_sf_gamma.h>
-#include <gsl/gsl_sf_lambert.h>
 #include <math.h>
 
 #define EXPORT(name) __attribute__((export_name(#name))) name
@@ -107,20 +105,4 @@ double EXPORT(live_action)(double alpha, double rho, double h, int N)
     }
     return action(alpha, 0, 1, h, N, x, y) + action(alpha, rho, 0, h, N, z, ahead)
            - action(alpha, 0, 0, h, N, z, ahead);
-}
-
-/* ---- what the exponentials call ---- */
-
-double gsl_sf_lngamma(const double x)
-{
-    return lgamma(x);
-}
-
-/* The x with x e^x = A, A > 0, by Newton's method for x + ln x = ln A. */
-double gsl_sf_lambert_W0(double A)
-{
-    double x = A < 1 ? A / (1 + A) : fmax(log(A), 0.5);
-    for (int i = 0; i < 20; i++)
-        x *= (1 + log(A) - log(x)) / (1 + x);
-    return x;
 }

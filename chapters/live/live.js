@@ -17,9 +17,17 @@
 //     buttons: { again: ["label", values => what it does] }
 //     more(data, values, kernel): after a picture, what goes on by itself; true: another picture
 //     notes(data, values) -> a sentence with what only this browser knows, such as times
+//     kernel: the script with its C, if that is not kernel.js, and what it is called there
 //   });
-const scenes = new Map();
-let library; // the C, once for all figures of a page
+const scenes = new Map(), libraries = new Map();
+const kernelOf = ({ kernel: [name, text] = ["kernel", () => FVI_WASM] }) => ({ name, text });
+
+// The C of a scene, once for all figures of a page that have it.
+function libraryOf(scene) {
+  const { name, text } = kernelOf(scene);
+  if (!libraries.has(name)) libraries.set(name, open(text()));
+  return libraries.get(name);
+}
 
 const stopsOf = ([, least, most, , step]) => {
   const many = step === "log" ? 200 : Math.round((most - least) / step);
@@ -49,6 +57,17 @@ function settled(scene, values, kernel) {
     if (!scene.more?.(data, values, kernel)) return data;
   }
 }
+
+// For `more`: a motion of that many steps goes on by itself, from values.at, so many steps in a millisecond.
+const isStill = () => globalThis.matchMedia?.("(prefers-reduced-motion: reduce)").matches;
+function goOn(values, steps, pace) {
+  const now = performance.now(), passed = now - (values.clock ?? now);
+  values.clock = now;
+  if (values.at >= steps) { values.clock = undefined; return false; }
+  values.at = isStill() ? steps : Math.min(steps, values.at + Math.min(Math.max(passed * pace, steps / 560), steps / 28));
+  return true;
+}
+const again = values => Object.assign(values, { at: 0, clock: undefined });
 
 function start(scene) {
   return Object.fromEntries([...Object.entries(scene.controls ?? {}).map(([name, control]) => [name, control[3]]),
@@ -201,7 +220,7 @@ function keepHeight(panel) {
 // Its first picture, as soon as the C is there; and then whenever something moves.
 async function begin(figure) {
   const { scene, values, rows, canvases, says, notes, took, panel } = figure.parts;
-  library ??= await open(FVI_WASM);
+  const library = await libraryOf(scene);
   let waiting = false;
   const redraw = () => {
     waiting = false;

@@ -12,9 +12,12 @@ import vm from "node:vm";
 
 const [, , book, program, movesName] = process.argv, folder = `${book}/live`;
 const read = name => vm.runInThisContext(readFileSync(`${folder}/${name}`, "utf8"), name);
-["kernel.js", "live.js", ...readdirSync(folder).filter(name => !["kernel.js", "live.js"].includes(name))].forEach(read);
-const { scenes, open, start, settled, addressOf, asked: askedBy } = vm.runInThisContext("FVI_LIVE");
-const library = await open(vm.runInThisContext("FVI_WASM"));
+["kernel.js", "building_kernel.js", "live.js"].forEach(read);
+readdirSync(folder).filter(name => !/^(live|kernel|building_kernel)\.js$/.test(name)).forEach(read);
+const { scenes, libraryOf, start, settled, addressOf, asked: askedBy } = vm.runInThisContext("FVI_LIVE");
+const libraries = new Map();
+for (const [name, scene] of scenes) libraries.set(name, await libraryOf(scene));
+const library = libraries.get("fvi_kick"); // that of most figures
 const shown = movesName && existsSync(movesName) ? JSON.parse(readFileSync(movesName, "utf8")) : null, moves = [];
 let tests = 0;
 async function test(name, body) {
@@ -36,7 +39,7 @@ function moved(name, values) {
     assert.equal(move.name, name);
     return { ...move.data, said: move.said };
   }
-  const data = settled(scene, all, library);
+  const data = settled(scene, all, libraries.get(name));
   return { ...data, said: scene.says(data, all) };
 }
 // The columns of a table, as the program prints it.
@@ -299,6 +302,48 @@ await test("25: the force brings the program's run to rest, is the least, and ho
   u.forEach((F, k) => near(F, p * a[k] + q * b[k], 1e-10, `least, ${k}`));
 });
 
+// M, K and the storeys' dashpots are put together here from the page's words, and the program reads them.
+await test("27: the building's run is the program's, on isolators and on firm ground, in an earthquake and in a wind", () => {
+  const write = (name, entries) => writeFileSync(`${folderOfTables}/${name}.mtx`, `%%MatrixMarket matrix coordinate real symmetric\n6 6 ${entries.length}\n`
+    + entries.map(([i, j, value]) => `${i} ${j} ${value}\n`).join(""));
+  const chain = (storey, below) => [...[1, 2, 3, 4, 5, 6].map(i => [i, i, (i === 1 ? below : storey) + (i < 6 ? storey : 0)]),
+    ...[2, 3, 4, 5, 6].map(i => [i, i - 1, -storey])];
+  write("M", [1, 2, 3, 4, 5, 6].map(i => [i, i, 1]));
+  write("C2", chain(2000 * 0.04 / 12.73, 0));
+  for (const [alpha, load] of [[0.15, "earthquake"], [0.4, "wind"], [0.5, "wind"]]) {
+    const { spring, places, roof, ground, firm } = moved("structures_isolators", { alpha, load }), angle = Math.PI * alpha;
+    const rho = 11.4 / (2.5 ** (2 * alpha) * Math.sin(angle)), below = 38 - 11.4 / Math.tan(angle), h = load === "wind" ? 0.05 : 0.005;
+    near(spring, below, 1e-12, "the spring");
+    const acts = load === "wind" ? "--force 0.1" : `--ground file:${table([...ground.keys()].map(k => k * h), ground)}`;
+    for (const [found, stiffness, dampers] of [[{ places, roof }, below, `x1:power:${rho},${alpha}|C2.mtx:viscous:1`], [firm, 1e6, "C2.mtx:viscous:1"]]) {
+      write("K", chain(2000, stiffness));
+      const words = `run --system ${folderOfTables} --method fvi-stable --h ${h} --steps 4000 --columns x,p ${acts}`.split(" ");
+      const { stdout, stderr } = spawnSync(program, [...words, ...dampers.split("|").flatMap(one => ["--damper", one.replace(/:(power|viscous)/, " : $1")])], { encoding: "utf8", maxBuffer: 1 << 26 });
+      const of = columns(stdout), most = Math.max(...of(5).map(Math.abs));
+      assert.ok(most > 1e-4, stderr);
+      for (const i of [0, 3, 5]) nearAll(found.places[i], of(i).filter((_, k) => k % 4 === 0), 1e-9 * most, `floor ${i}`);
+      const p = of(11);
+      if (load === "earthquake") nearAll(found.roof, p.slice(1).map((value, k) => (value - p[k]) / h + (ground[k] + ground[k + 1]) / 2), 1e-6, "the roof");
+    }
+  }
+});
+
+await test("29: the pendulum's run is the program's, and its angular momentum stays to the last digits", () => {
+  for (const [damper, words] of [["strut", "sqrt(x1^2+x2^2)"], ["axes", "x1|x2"]]) {
+    const { path1, path2, energy, turning, changed } = moved("lagrangian", { damper, alpha: 0.4, rho: 0.2, x1: 0.9, x2: -0.7 });
+    const { stdout, stderr } = spawnSync(program, [..."run --method fvi-stable --h 0.05 --steps 1200 --x0 0.9,-0.7 --p0 0.3,0.8 --columns x,p,energy --potential".split(" "),
+      "2*(sqrt(x1^2+x2^2)-1)^2", ...words.split("|").flatMap(one => ["--damper", `${one} : power:0.2,0.4`])], { encoding: "utf8" });
+    const of = columns(stdout);
+    assert.ok(of(0).length === 1201, stderr);
+    nearAll(path1, of(0), 1e-9, "x1");
+    nearAll(path2, of(1), 1e-9, "x2");
+    nearAll(energy, of(4), 1e-9, "E");
+    nearAll(turning, of(0).map((x, k) => x * of(3)[k] - of(1)[k] * of(2)[k]), 1e-9, "J");
+    near(turning[0], 0.9 * 0.8 + 0.7 * 0.3, 1e-15, "J at the start");
+    assert.ok(damper === "strut" ? changed < 1e-13 : changed > 0.5, `${damper}: ${changed}`);
+  }
+});
+
 // What is dragged where N = 2000; the processor's time, as others may be at work.
 await test("the address has what was moved, and a link of a stranger cannot do harm", () => {
   const orders = scenes.get("convolution_quadrature"), map = scenes.get("stability_map"), push = scenes.get("adjoint");
@@ -318,14 +363,15 @@ await test("the address has what was moved, and a link of a stranger cannot do h
 await test("the numbers of a picture with two thousand steps take less than a sixtieth of a second", () => {
   const drags = { convolution_quadrature: (values, i) => { values.alpha = 0.05 + i / 25; }, lobatto: (values, i) => { values.alpha = 0.05 + i / 25; },
     fvi_kick: values => { values.h = 0.0075; }, adjoint: (values, i) => { values.x0 = 1 + i / 50; },
-    identification: (values, i) => { values.moved[10] = i / 50; }, identification_believed: (values, i) => { values.sigma = 0.02 + i / 200; }, control: (values, i) => { values.T = 8 + i / 10; } };
+    identification: (values, i) => { values.moved[10] = i / 50; }, identification_believed: (values, i) => { values.sigma = 0.02 + i / 200; }, control: (values, i) => { values.T = 8 + i / 10; },
+    structures_isolators: (values, i) => { values.alpha = 0.1 + i / 100; }, lagrangian: (values, i) => { values.x1 = 1 + i / 50; } };
   for (const name in drags) {
     const scene = scenes.get(name), values = start(scene), times = [];
-    scene.compute(values, library, scene);
+    scene.compute(values, libraries.get(name), scene);
     for (let i = 0; i < 20; i++) {
       drags[name](values, i);
       const began = process.cpuUsage();
-      scene.compute(values, library, scene);
+      scene.compute(values, libraries.get(name), scene);
       times.push(process.cpuUsage(began).user / 1000);
     }
     times.sort((a, b) => a - b);

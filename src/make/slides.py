@@ -97,6 +97,10 @@ def picture(match, known):
             f"<figcaption>{'<a>This figure</a> ' if live else ''}{html.escape(words, quote=False)}</figcaption></figure>")
 
 
+def moving(match):
+    return f'<figure data-live="{match[1]}"><figcaption><a>This figure</a></figcaption></figure>'
+
+
 def sentence_before(body, at):
     """The last sentence before this place, past formulas, tables and code; nothing, if no words stand there."""
     words = re.sub(r"^```.*?^```$", "", body[:at], flags=re.M | re.S).rstrip()
@@ -119,6 +123,8 @@ def slides(page, known):
     for match in FIGURE.finditer(front):  # what is to be seen in it stands below
         words = front[match.end():].strip().partition("\n\n")[0]
         yield f"## {title}\n\n{picture(match, {pathlib.Path(match[2]).stem: ''})}\n\n{words}"
+    for match in MOVES.finditer(front):
+        yield f"## {title}\n\n{moving(match)}"
     for section in sections:
         heading, _, body = section.partition("\n")
         if heading == "Exercises" and course:
@@ -135,7 +141,7 @@ def slides(page, known):
                 yield f"## {heading}\n\n" + picture(match, known)
                 continue
             if match.re is MOVES:
-                yield f"## {heading}\n\n<figure data-live=\"{match[1]}\"><figcaption><a>This figure</a></figcaption></figure>"
+                yield f"## {heading}\n\n{moving(match)}"
                 continue
             if match.re is CODE and match[0].count("\n") > LINES:
                 continue
@@ -176,7 +182,7 @@ def style():
 def scripts(body):
     """Of the figures that move on these slides, with the C."""
     names = list(dict.fromkeys(re.findall(r'data-live="(\w+)"', "".join(body))))
-    return "".join(f"<script>{(OUT / f'live/{name}.js').read_text()}</script>" for name in (["kernel", "live", *names] if names else []))
+    return "".join(f"<script>{(OUT / f'live/{name}.js').read_text()}</script>" for name in ([*dict.fromkeys(map(kernel.script_of, names)), "live", *names] if names else []))
 
 
 def main():
