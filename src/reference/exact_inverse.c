@@ -185,8 +185,10 @@ static double complex grows(const fvi_residue *a, const fvi_exact_source *at,
 double complex fvi_inverse_residue(const fvi_residue *a, const fvi_exact_source *at,
                                    int with_force)
 {
-    double complex r = at->start * a->start * grows(a, at, 0);
-    if (with_force)
+    double complex r = 0;
+    if (a->start != 0)
+        r = at->start * a->start * grows(a, at, 0);
+    if (with_force && a->force != 0)
         r += at->sign * a->force * grows(a, at, at->lasts);
     return r;
 }

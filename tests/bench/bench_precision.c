@@ -67,13 +67,13 @@ int main(int argc, char **argv)
         if (only && only != P + 1)
             continue;
         find_truth(P, truth);
+        r.trials = 0;
         for (size_t j = 2 * r.count; j-- > 0;) { /* who may be the fastest goes first */
             const size_t i = j % r.count;
             const contender *c = &r.all[i];
             const int is_fast = c->peer || c->method->dense;
             if ((j >= r.count) == is_fast && (!c->peer || c->peer->takes(problem_number(P))))
-                sweep(&r.all[i], P, truth, r.best[P][i], r.late[P][i],
-                      front, &least[r.all[i].of]);
+                sweep(&r, i, P, truth, front, &least[c->of]);
         }
         compare_in_turn(&r, P);
         for (size_t i = 0; i < r.count; i++)

@@ -33,31 +33,43 @@ typedef struct {
  * how many. */
 size_t gather(contender *all);
 
-/* sweep -- runs of one contender on problem P, with more and more steps, and tolerances
- * about the error that comes. best[k], k = 1 ... DECADES: the fastest run whose error
- * over all rows is at most 10^-k; late[k] the same for the rows with t >= 2. all[side][k]:
- * the least time of a side so far: runs that are far from it are not repeated, those ten times slower
- * get no tolerance of their own, and fifty times slower ends the sweep.
- * *least: becomes the least error of its side. */
-typedef double fronts[OURS_EXACT + 1][DECADES + 1];
-void sweep(const contender *c, int P, const double *truth, timing *best,
-           timing *late, fronts all, double *least);
-
 /* timed_run -- the rows of one run of a contender on p, with N steps and this tolerance, and
  * its seconds, > 0 if it went well. Returns its status. */
 int timed_run(const contender *c, const problem *p, size_t N, double tolerance,
               double *rows, double *seconds);
 
-/* results -- the fastest runs of all contenders on all problems. */
+/* trial -- one run of a sweep: whose, its error over all rows, and over those with t >= 2. */
 typedef struct {
-    size_t count;
+    size_t who;
+    double error, late;
+    timing is;
+} trial;
+
+/* results -- the fastest runs of all contenders on all problems, and all runs on the last one. */
+enum { MOST_TRIALS = 1 << 15 };
+typedef struct {
+    size_t count, trials;
     contender all[MOST_CONTENDERS];
     timing best[PROBLEMS][MOST_CONTENDERS][DECADES + 1],
         late[PROBLEMS][MOST_CONTENDERS][DECADES + 1];
+    trial tried[MOST_TRIALS];
 } results;
 
+/* sweep -- runs of contender i on problem P, with more and more steps, and tolerances
+ * about the error that comes, into r->best[P][i][k], k = 1 ... DECADES: the fastest run whose error
+ * over all rows is at most 10^-k; late[P][i][k] the same for the rows with t >= 2; and each of them
+ * into r->tried. all[side][k]: the least time of a side so far: runs that are far from it are not
+ * repeated, those ten times slower get no tolerance of their own, and fifty times slower ends the sweep.
+ * *least: becomes the least error of its side. */
+typedef double fronts[OURS_EXACT + 1][DECADES + 1];
+void sweep(results *r, size_t i, int P, const double *truth, fronts all, double *least);
+
+/* keep_if_faster -- the run into all places of a table that its error reaches and where it is the
+ * fastest. */
+void keep_if_faster(timing *all, double error, const timing *t);
+
 /* compare_in_turn -- a processor may be fast for some seconds and slow for others, and the
- * sweeps are seconds apart. So all runs on problem P that are within twice the least time
+ * sweeps are seconds apart. So all trials on problem P within twice the least time
  * of their side at some decade are timed again, in turn: one of each, then all once more.
  * Their times in r become those. */
 void compare_in_turn(results *r, int P);
@@ -71,6 +83,10 @@ const timing *fastest(const results *r, const timing from[][DECADES + 1],
  * peer is as exact, infinite if ours is not, NaN if nobody is. */
 double ratio(const results *r, const timing from[][DECADES + 1], side ours,
              int k);
+
+/* spread_at -- the larger spread of the two times of that ratio. A ratio no further from 1 than
+ * this is undecided. */
+double spread_at(const results *r, const timing from[][DECADES + 1], side ours, int k);
 
 /* Tables and sentences, each a region of the file that is printed. */
 void print_verdict(const results *r);

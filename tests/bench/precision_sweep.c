@@ -95,7 +95,7 @@ static double error_from(const problem *p, double from, const double *rows,
     return worst;
 }
 
-static void keep(timing *all, double error, const timing *t)
+void keep_if_faster(timing *all, double error, const timing *t)
 {
     for (int k = 1; k <= DECADES; k++)
         if (error <= pow(10, -k)
@@ -122,6 +122,8 @@ static int is_behind(double error, double seconds, double (*all)[DECADES + 1], i
 
 /* What a sweep is about, and where its runs are kept. */
 typedef struct {
+    results *r;
+    size_t who;
     const contender *c;
     const problem *p;
     const double *truth;
@@ -153,8 +155,10 @@ static double point(place *o, size_t N, double tolerance, double *seconds)
     const timing t = { times[0], times[runs / 2] / times[0], tolerance, N,
                        runs };
     *o->least = smaller(*o->least, error);
-    keep(o->best, error, &t);
-    keep(o->late, after, &t);
+    keep_if_faster(o->best, error, &t);
+    keep_if_faster(o->late, after, &t);
+    if (o->r->trials < MOST_TRIALS)
+        o->r->tried[o->r->trials++] = (trial){ o->who, error, after, t };
     for (int k = 1; k <= DECADES; k++)
         if (error <= pow(10, -k)
             && (o->front[k] == 0 || t.seconds < o->front[k]))
@@ -175,17 +179,18 @@ static size_t next(const contender *c, size_t N)
     return one * (n & (n - 1) ? (n / 3) * 4 : n > 1 ? n / 2 * 3 : 2);
 }
 
-void sweep(const contender *c, int P, const double *truth, timing *best,
-           timing *late, fronts all, double *least)
+void sweep(results *r, size_t i, int P, const double *truth, fronts all, double *least)
 {
+    const contender *c = &r->all[i];
     const problem *p = problem_number(P);
     const int by_steps = !c->peer || c->peer->fewest > 0,
               tunes = c->peer ? c->peer->tolerance
                               : c->method->memories != 0
                                     && c->kind == FVI_HISTORY_MODES;
-    place o = { c,     p,
+    place o = { r,     i,
+                c,     p,
                 truth, malloc((ROWS + 1) * p->system.d * sizeof(double)),
-                best,  late,
+                r->best[P][i], r->late[P][i],
                 all[c->of], least };
     double before = GSL_POSINF, seconds = 0;
     size_t N = c->peer && by_steps ? c->peer->fewest : ROWS;

@@ -75,20 +75,28 @@ void print_fronts(const results *r, int P)
     printf("#< fronts-%d\n\n\n", P + 1);
 }
 
-/* The ratio of a side at a place, the larger of both spreads, and whose time is the least;
- * "even" where the ratio is no further from 1 than the spread. */
+double spread_at(const results *r, const timing from[][DECADES + 1], side ours, int k)
+{
+    size_t i;
+    const timing *a = fastest(r, from, OURS_THAT_STEP, ours, k, &i),
+                 *b = fastest(r, from, PEERS, PEERS, k, &i);
+    return a && b ? larger(a->spread, b->spread) : 1;
+}
+
+/* The ratio of a side at a place, the spread, and whose time is the least; "even" where the
+ * ratio is no further from 1 than the spread. */
 static void print_place(const results *r, int P, side ours, int k)
 {
     size_t mine = 0, theirs = 0;
     const timing *a = fastest(r, r->best[P], OURS_THAT_STEP, ours, k, &mine),
                  *b = fastest(r, r->best[P], PEERS, PEERS, k, &theirs);
     const double q = ratio(r, r->best[P], ours, k),
-                 spread = larger(a ? a->spread : 1, b ? b->spread : 1);
+                 spread = spread_at(r, r->best[P], ours, k);
     char over[16];
     write_number(over, sizeof over, q);
     printf("\t%-11s\t%-5.3g\t%-24s", over, spread,
            !a && !b                           ? "-"
-           : a && b && q < spread && 1 < q * spread ? "even"
+           : q > 0 && q < spread && 1 < q * spread ? "even"
            : a && (!b || q < 1)               ? r->all[mine].name
                                               : r->all[theirs].name);
 }

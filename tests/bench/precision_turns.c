@@ -1,17 +1,18 @@
 /* tests/bench/precision_turns.c -- The runs near the front, timed in turn: precision.h.
  *                                                                       [H 18] */
 #include "precision.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_sort.h>
 #include <stdlib.h>
 
-enum { ROUNDS = 15, FEW = 3, NEAR = 2, MOST_RUNS = 1024 };
+enum { ROUNDS = 15, FEW = 3, NEAR = 2, MOST_RUNS = 4096 };
 #define LONG 0.1 /* seconds; of such runs there are FEW */
 
 /* One run of one contender, which may be the fastest at several decades. */
 typedef struct {
-    size_t who;
-    timing is; /* N, tolerance, and what it took in the sweep */
+    const trial *of;
+    timing is; /* N, tolerance, and what it took */
     double seconds[ROUNDS];
 } entrant;
 
@@ -20,29 +21,28 @@ static int is_same(const timing *a, const timing *b)
     return a->N == b->N && a->tolerance == b->tolerance;
 }
 
-static size_t enter(entrant *all, size_t count, size_t who, const timing *t)
+/* Is a run with this error within NEAR times the least of its side, at the last decade that it
+ * reaches? */
+static int is_near(const results *r, const timing table[][DECADES + 1], const trial *t,
+                   double error)
 {
-    for (size_t i = 0; i < count; i++)
-        if (all[i].who == who && is_same(&all[i].is, t))
-            return count;
-    if (count == MOST_RUNS)
-        abort();
-    all[count] = (entrant){ .who = who, .is = *t };
-    return count + 1;
+    size_t who;
+    const int k = (int)smaller(DECADES, floor(-log10(larger(error, 1e-99))));
+    const side of = r->all[t->who].of;
+    const timing *least = k >= 1 ? fastest(r, table, of, of, k, &who) : NULL;
+    return least && t->is.seconds <= NEAR * least->seconds;
 }
 
-/* All that is within NEAR times the least of its side at a decade. */
-static size_t gather_near(const results *r, const timing table[][DECADES + 1],
-                          entrant *all, size_t count)
+static size_t gather_near(const results *r, int P, entrant *all)
 {
-    for (int k = 1; k <= DECADES; k++)
-        for (size_t i = 0, who; i < r->count; i++) {
-            const timing *t = &table[i][k],
-                         *least = fastest(r, table, r->all[i].of, r->all[i].of,
-                                          k, &who);
-            if (t->seconds > 0 && t->seconds <= NEAR * least->seconds)
-                count = enter(all, count, i, t);
-        }
+    size_t count = 0;
+    for (const trial *t = r->tried; t < r->tried + r->trials; t++) {
+        if (!is_near(r, r->best[P], t, t->error) && !is_near(r, r->late[P], t, t->late))
+            continue;
+        if (count == MOST_RUNS)
+            abort();
+        all[count++] = (entrant){ .of = t, .is = t->is };
+    }
     return count;
 }
 
@@ -53,19 +53,18 @@ static double turn(const results *r, const entrant *e, const problem *p,
     double least = 0;
     for (int i = 0; i < 2; i++) {
         double seconds;
-        timed_run(&r->all[e->who], p, e->is.N, e->is.tolerance, rows, &seconds);
+        timed_run(&r->all[e->of->who], p, e->is.N, e->is.tolerance, rows, &seconds);
         least = i && least < seconds ? least : seconds;
     }
     return least;
 }
 
-static void replace(timing table[][DECADES + 1], const entrant *e)
+/* The new time in place of the old one. */
+static void replace(timing *table, const entrant *e)
 {
-    for (int k = 1; k <= DECADES; k++) {
-        timing *t = &table[e->who][k];
-        if (t->seconds > 0 && is_same(t, &e->is))
-            *t = e->is;
-    }
+    for (int k = 1; k <= DECADES; k++)
+        if (table[k].seconds > 0 && is_same(&table[k], &e->is))
+            table[k] = e->is;
 }
 
 void compare_in_turn(results *r, int P)
@@ -73,9 +72,7 @@ void compare_in_turn(results *r, int P)
     static entrant all[MOST_RUNS];
     const problem *p = problem_number(P);
     double *rows = malloc((ROWS + 1) * p->system.d * sizeof(double));
-    const results *found = r;
-    size_t count = gather_near(found, found->best[P], all, 0);
-    count = gather_near(found, found->late[P], all, count);
+    const size_t count = gather_near(r, P, all);
     if (!rows)
         exit(EXIT_FAILURE);
     for (int round = 0; round < ROUNDS; round++)
@@ -89,8 +86,12 @@ void compare_in_turn(results *r, int P)
         gsl_sort(e->seconds, 1, runs);
         e->is.seconds = e->seconds[0];
         e->is.spread = e->seconds[runs / 2] / e->seconds[0];
-        replace(r->best[P], e);
-        replace(r->late[P], e);
+        replace(r->best[P][e->of->who], e);
+        replace(r->late[P][e->of->who], e);
+    }
+    for (entrant *e = all; e < all + count; e++) {
+        keep_if_faster(r->best[P][e->of->who], e->of->error, &e->is);
+        keep_if_faster(r->late[P][e->of->who], e->of->late, &e->is);
     }
     free(rows);
 }

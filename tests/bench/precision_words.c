@@ -123,6 +123,19 @@ static void print_by_steps(const results *r)
     printf(".\n");
 }
 
+/* At how many places the ratio is no further from 1 than the spread. */
+static int undecided(const results *r, side of)
+{
+    int sum = 0;
+    for (int P = 0; P < PROBLEMS; P++)
+        for (int k = 1; k <= DECADES; k++) {
+            const double q = ratio(r, r->best[P], of, k),
+                         spread = spread_at(r, r->best[P], of, k);
+            sum += q > 0 && q < spread && 1 < q * spread;
+        }
+    return sum;
+}
+
 void print_verdict(const results *r)
 {
     const int a = how_many(r, OURS_EXACT, 1), b = how_many(r, OURS_EXACT, 0);
@@ -141,5 +154,8 @@ void print_verdict(const results *r)
         print_sentence(r, P);
     print_reasons(r);
     print_by_steps(r);
+    printf("The two times differ by less than the spread at %d of all places, and at %d if "
+           "only ours that\nstep count.\n",
+           undecided(r, OURS_EXACT), undecided(r, OURS_THAT_STEP));
     printf("#< verdict\n\n\n");
 }
