@@ -15,6 +15,14 @@ int fvi_kernel_is_general(const fvi_kernel_term *t)
            || t->kind == FVI_KERNEL_SYMBOL;
 }
 
+int fvi_kernel_has_general(const fvi_kernel *law)
+{
+    for (size_t i = 0; i < law->count; i++)
+        if (fvi_kernel_is_general(&law->term[i]) && law->term[i].rho > 0)
+            return 1;
+    return 0;
+}
+
 /* ---- weights ---- */
 
 /* C(delta(z)/h), divided by 1 - z if wanted. */

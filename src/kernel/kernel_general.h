@@ -10,6 +10,9 @@
 /* fvi_kernel_is_general -- is the term none of those that fvi_kernel_flatten knows? */
 int fvi_kernel_is_general(const fvi_kernel_term *t);
 
+/* fvi_kernel_has_general -- does such a term act? Then the last digits of the weights depend on how many there are. */
+int fvi_kernel_has_general(const fvi_kernel *law);
+
 /* fvi_kernel_term_at -- rho C(s) of one term at s = modulus e^(i angle). */
 double complex fvi_kernel_term_at(const fvi_kernel_term *t, double modulus,
                                   double angle);

@@ -1,6 +1,7 @@
 /* src/kernel/kernel_history.c -- The memory of a law.  [H 26] */
 #include <fvi/damping_laws.h>
 
+#include "kernel_general.h"
 #include "kernel_ready.h"
 #include "memory/history_kinds.h"
 #include "system/fail.h"
@@ -136,7 +137,7 @@ static int make(const fvi_kernel_ready *r, size_t d, size_t steps, fvi_history_k
         e = compressed(r, d, steps, fvi_history_modes_delta(steps, tolerance),
                        &w0);
     else if ((weights = weights_of(r, steps + 1, &w0)))
-        e = fvi_history_direct_of(d, steps, weights);
+        e = fvi_history_direct_of(d, steps, weights, fvi_kernel_has_general(r->law));
     free(weights);
     status = fvi_history_of_engine(r->increments, steps, e, memory);
     if (!status)

@@ -9,6 +9,7 @@
 typedef struct {
     fvi_history_head head;
     size_t steps;
+    int depends_on_steps; /* the weights, in their last digits */
     double *weights; /* w_n at [steps - n], so that both factors */
     double *history; /* ascend; component i of term k at [i (steps+1)+k] */
     double *rates;   /* d w_n / d nu, as the weights; of a memory by_order */
@@ -58,11 +59,13 @@ static direct_engine *make(size_t d, size_t steps, int by_order)
     return m;
 }
 
-fvi_history_head *fvi_history_direct_of(size_t d, size_t steps, const double *weights)
+fvi_history_head *fvi_history_direct_of(size_t d, size_t steps, const double *weights,
+                                        int depend_on_steps)
 {
     direct_engine *m = make(d, steps, 0);
     if (!m)
         return NULL;
+    m->depends_on_steps = depend_on_steps;
     for (size_t n = 0; n <= steps; n++)
         m->weights[steps - n] = weights[n];
     return &m->head;
@@ -82,11 +85,15 @@ fvi_history_head *fvi_history_direct_alloc(double nu, int by_order, size_t d, si
     return &m->head;
 }
 
-/* The terms so far, coordinate by coordinate: the room behind them depends on N. */
+/* The terms so far, coordinate by coordinate: the room behind them depends on N. Weights that do, too, must be those
+ * by which the run has come so far. */
 static int archive(fvi_history_head *head, fvi_archive *v)
 {
     direct_engine *m = (direct_engine *)head;
     int status = FVI_SUCCESS;
+    if (m->depends_on_steps)
+        status = v->serialize(v, m->weights + (m->steps + 1 - head->k),
+                              head->k * sizeof *m->weights, 1);
     for (size_t i = 0; !status && i < head->d; i++)
         status = v->serialize(v, m->history + i * (m->steps + 1),
                           head->k * sizeof *m->history, 0);

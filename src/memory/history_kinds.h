@@ -94,8 +94,10 @@ void *fvi_history_make(fvi_history_head of);
 size_t fvi_history_direct_bytes(size_t d, size_t steps);
 /* `by_order`: nonzero for an engine whose push_by_order can be called; 0 <= nu <= 1 then. */
 fvi_history_head *fvi_history_direct_alloc(double nu, int by_order, size_t d, size_t steps);
-/* Of the weights 1, w_1, ..., w_steps of another's making. */
-fvi_history_head *fvi_history_direct_of(size_t d, size_t steps, const double *weights);
+/* Of the weights 1, w_1, ..., w_steps of another's making, whose last digits depend on `steps` or not: a longer run
+ * can go on from a state only if they are the same. */
+fvi_history_head *fvi_history_direct_of(size_t d, size_t steps, const double *weights,
+                                        int depend_on_steps);
 
 /* ---- a window and decaying exponentials (history_modes.c, memory_nodes.c) ---- */
 

@@ -54,7 +54,11 @@ START_TEST(a_run_that_is_over_can_be_made_longer)
         "run --alpha 0.3 --memory direct",
         "run --method lda",
         "run --alpha 1 --rho 0.3 --method fvi-shifted",
+        "run --damping distributed:1,0.1,0.4 --memory direct",
         "run --alpha 0.3",
+        "run --damping davidson:1,0.3,2 --memory direct",
+        "run --damping 'symbol:s^0.5/(1+s)' --method fvi-stable",
+        "run --damper 'x : davidson:1,0.3,2 + viscous:1' --method fvi-stable --memory direct",
         "run --alpha 0.7 --method fvi-lobatto3",
         "run --alpha 0.3 --method fvi-bdf2 --memory exponentials"
     };
@@ -66,13 +70,13 @@ START_TEST(a_run_that_is_over_can_be_made_longer)
                  "\"$FVI\" %s --steps 900 --checkpoint c --continue > rest",
                  runs[n], runs[n], runs[n]);
         ck_assert_msg(shell(line) == 0, "%s", err);
-        if (n < 3)
+        if (n < 4)
             ck_assert_str_eq(err, "");
         else
             ck_assert_str_eq(err, "fvi: --continue: the memory depends on "
                                   "--steps: the first 300 steps are done "
                                   "again\n");
-        if (n < 3)
+        if (n < 4)
             rows_make_a_whole("whole", "first", "rest");
         ck_assert_int_eq(shell("grep -v '^#' rest > r; grep -v '^#' whole | "
                                "tail -n 600 | cmp - r"),
