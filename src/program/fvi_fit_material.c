@@ -124,6 +124,28 @@ static int interpret(request *r, fvi_error *c)
 
 /* ---- data ---- */
 
+/* Without names a file has the columns of the test and no more: another is not passed by, as the first may not be what
+ * they seem. */
+static int check_width(const request *r, const char *file, fvi_error *c)
+{
+    const int both = r->data.test == FVI_MATERIAL_MODULI;
+    const size_t count = both ? 3 : 2;
+    const char *names[] = { r->names[0], r->names[1], r->names[2], r->names[2] };
+    size_t which[FVI_COLUMNS_MOST], n;
+    double *columns;
+    fvi_error none;
+    if (fvi_parse_table_columns("DATA", file, count + 1, names, 0, &n, &columns, which, &none))
+        return 0;
+    free(columns);
+    return fvi_refuse(c, NULL, "DATA: '%s' has more than %zu columns, and no names: a line '# %s' would say which "
+                      "are those of --%s",
+                      file, count,
+                      both                                   ? "omega storage loss"
+                      : r->data.test == FVI_MATERIAL_CREEP ? "t x"
+                                                           : "t f",
+                      tests[r->data.test]);
+}
+
 /* Does a line of the file name columns of another test, so that the first columns are not what they seem? */
 static int check_names(const request *r, const char *file, fvi_error *c)
 {
@@ -150,7 +172,7 @@ static int check_names(const request *r, const char *file, fvi_error *c)
                                                                         : "t and f",
                                    tests[r->data.test]);
     }
-    return 0;
+    return check_width(r, file, c);
 }
 
 /* The rows of one file behind those of the files before. */

@@ -124,6 +124,8 @@ START_TEST(a_table_of_another_test_is_refused)
                                                "--creep" },
         { "w\\tGp\\tGpp", "--relaxation", "has a column omega, and no t and f" },
         { "t\\tx\\tsd", "--moduli", "has a column t, and no omega, storage and loss" },
+        { "", "--creep", "has more than 2 columns, and no names: a line '# t x' would say which are those of --creep" },
+        { "", "--relaxation", "has more than 2 columns, and no names: a line '# t f'" },
     };
     char line[300];
     for (size_t i = 0; i < LEN(other); i++) {
@@ -137,6 +139,9 @@ START_TEST(a_table_of_another_test_is_refused)
     ck_assert_int_eq(shell(line), 0);
     fvi("fit --relaxation --law power other.tsv");
     ck_assert_ptr_null(strstr(err, "has a column"));
+    snprintf(line, sizeof line, rows, "# t\\tx\\tsd"); /* named columns may have others beside them */
+    ck_assert_int_eq(shell(line), 0);
+    ck_assert_int_ne(fvi("fit --creep --law power other.tsv"), 2);
 }
 END_TEST
 
