@@ -7,6 +7,7 @@
  *
  *     t  x p v a F energy work balance ag  NAME.force NAME.impulse NAME.work
  *     multiplier1 ... of constraints, reaction3 of a coordinate x3 that is prescribed
+ *     event1.count, event1.last of the first event: how often it has happened, and when the last time, 0 before
  *
  * with a number in more dimensions, x1 ... xd, and NAME.force1 ... where a damper acts on each
  * coordinate. F is what acts, a ground's part of it included; ag is the acceleration of the ground,
@@ -39,6 +40,7 @@ typedef struct fvi_typed_columns fvi_typed_columns;
  *   mechanism   NULL: one damper d1 that acts on each coordinate; else its dampers
  *   is_structure  nonzero: a damper by a matrix acts on each coordinate, too
  *   ground      NULL, or its acceleration, a force of one number: ag
+ *   events      how many events are watched
  *   shown, shown_count  which coordinates a name alone stands for, from 0; NULL: all
  *
  * It is kept, not copied. */
@@ -50,6 +52,7 @@ typedef struct {
     const fvi_force *ground;
     const size_t *shown;
     size_t shown_count;
+    size_t events;
 } fvi_column_source;
 
 /* fvi_typed_columns_start -- none yet; free them with fvi_typed_columns_free. FVI_ENOMEM. */

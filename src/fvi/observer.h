@@ -33,6 +33,7 @@
 #ifndef FVI_OBSERVER_H
 #define FVI_OBSERVER_H
 
+#include "events.h"
 #include "trajectory.h"
 
 #ifdef __cplusplus
@@ -66,6 +67,7 @@ enum {
  *   work_of_force   by F, and by impulses of the force
  *   energy          E
  *   balance         E + work of the dampers - work_of_force: E at t = 0, see above
+ *   event, events   what has happened up to then, in its order (events.h)
  *   is_mean         nonzero if force and a are infinite, or not known, at this time, t = 0, and are their means over
  *                   the first row in their place: held with v_0 != 0 and an order above 1 */
 typedef struct {
@@ -74,6 +76,8 @@ typedef struct {
         *multiplier;
     double work_of_force, energy, balance;
     int is_mean;
+    const fvi_event_time *event;
+    size_t events;
 } fvi_observation;
 
 /* fvi_observer_start -- of a stepper at k = 0.

@@ -200,6 +200,9 @@ int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
                               .work = o->work_now,
                               .multiplier = o->force + o->forces + o->slopes,
                               .is_mean = o->is_infinite && t == 0 };
+    now->event = fvi_stepper_events(s, &now->events);
+    while (now->events > 0 && now->event[now->events - 1].t > t)
+        now->events--;
     int status = read_state(o, s, t, now);
     if (!status && o->is_summed)
         status = read_sums(o, s, t, now);

@@ -24,6 +24,7 @@ static int start(fvi_options *o, fvi_error *c)
                                                      : NULL,
                                              .shown = o->shown,
                                              .shown_count = o->shown_count };
+    fvi_events_typed(o->events, &o->column_source->events);
     return fvi_typed_columns_start(o->column_source, &o->typed, c);
 }
 

@@ -47,7 +47,8 @@ size_t fvi_column_width(const fvi_typed_columns *c, const fvi_quantity *q)
     const fvi_mechanism *m = c->source->mechanism;
     if (q->kind == QUANTITY_MULTIPLIER)
         return m->constraints->count;
-    if (q->kind == QUANTITY_DAMPER_WORK || q->kind == QUANTITY_REACTION)
+    if (q->kind == QUANTITY_DAMPER_WORK || q->kind == QUANTITY_REACTION
+        || q->kind == QUANTITY_EVENT_COUNT || q->kind == QUANTITY_EVENT_LAST)
         return 1;
     return (q->kind == QUANTITY_FORCE || q->kind == QUANTITY_IMPULSE) && m
                    && !(c->source->is_structure && m->damper[q->j].matrix)
@@ -120,6 +121,26 @@ static int find_of_constraint(const fvi_typed_columns *c, const char *name,
     return 0;
 }
 
+/* "event2.count", "event2.last". */
+static int find_of_event(const fvi_typed_columns *c, const char *name, size_t length,
+                         fvi_quantity *q)
+{
+    static const char word[] = "event";
+    const size_t stem = sizeof word - 1;
+    const char *point = memchr(name, '.', length);
+    if (!point || length < stem || strncmp(name, word, stem) != 0)
+        return 0;
+    const size_t before = (size_t)(point - name), left = length - before - 1;
+    if (is_word(point + 1, left, "count"))
+        q->kind = QUANTITY_EVENT_COUNT;
+    else if (is_word(point + 1, left, "last"))
+        q->kind = QUANTITY_EVENT_LAST;
+    else
+        return 0;
+    q->i = index_of(name + stem, before - stem, c->source->events);
+    return q->i < c->source->events;
+}
+
 int fvi_column_find(const fvi_typed_columns *c, const char *name,
                     size_t length, fvi_quantity *q, int *is_all)
 {
@@ -146,7 +167,7 @@ int fvi_column_find(const fvi_typed_columns *c, const char *name,
             return 1;
     }
     return find_of_constraint(c, name, length, q, is_all)
-           || find_of_damper(c, name, length, q, is_all);
+           || find_of_damper(c, name, length, q, is_all) || find_of_event(c, name, length, q);
 }
 
 /* ---- for expressions ---- */
@@ -188,7 +209,7 @@ int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
                        size_t length, fvi_error *error)
 {
     enum { DAMPERS = 20 };
-    const char *names[PLAIN + 3 + 3 * DAMPERS + 1];
+    const char *names[PLAIN + 5 + 3 * DAMPERS + 1];
     char own[3 * DAMPERS][80], place[64], damper[24];
     size_t n = 0;
     for (; n < PLAIN; n++)
@@ -199,6 +220,10 @@ int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
     if (c->source->mechanism && c->source->mechanism->constraints) {
         names[n++] = "multiplier1";
         names[n++] = "reaction1";
+    }
+    if (c->source->events) {
+        names[n++] = "event1.count";
+        names[n++] = "event1.last";
     }
     for (size_t j = 0; j < damper_count(c) && j < DAMPERS; j++)
         for (size_t k = 0; k < 3; k++, n++) {
@@ -213,12 +238,13 @@ int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
     names[n] = NULL;
     return fvi_fail(error, FVI_EINVAL, "columns", NAN,
                     "'%.*s' is none of t, x, p, v, a, F, energy, work, "
-                    "balance, y%s%s, %s, nor an expression%s",
+                    "balance, y%s%s%s, %s, nor an expression%s",
                     length < 40 ? (int)length : 40, word,
                     c->source->ground ? ", ag" : "",
                     c->source->mechanism && c->source->mechanism->constraints
                         ? ", multiplier1, reaction1"
                         : "",
+                    c->source->events ? ", event1.count, event1.last" : "",
                     damper_count(c) > 0 ? names[n - 3] : "DAMPER.force",
                     fvi_word_hint(word, length, names, place));
 }

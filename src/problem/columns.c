@@ -271,6 +271,18 @@ static size_t place_of_force(const fvi_typed_columns *c, fvi_quantity q)
     return place;
 }
 
+/* How often event i has happened, or when the last time. */
+static double value_of_event(const fvi_observation *now, fvi_quantity q)
+{
+    double count = 0, last = 0;
+    for (size_t n = 0; n < now->events; n++)
+        if (now->event[n].event == q.i) {
+            count++;
+            last = now->event[n].t;
+        }
+    return q.kind == QUANTITY_EVENT_COUNT ? count : last;
+}
+
 static int value_of(const fvi_typed_columns *c, fvi_quantity q,
                     const fvi_observation *now, double *value)
 {
@@ -319,6 +331,10 @@ static int value_of(const fvi_typed_columns *c, fvi_quantity q,
         break;
     case QUANTITY_REACTION:
         *value = -now->multiplier[q.i];
+        break;
+    case QUANTITY_EVENT_COUNT:
+    case QUANTITY_EVENT_LAST:
+        *value = value_of_event(now, q);
         break;
     case QUANTITY_COLUMN:
         break; /* it is filled when its column is */

@@ -20,6 +20,8 @@ typedef enum {
     QUANTITY_DAMPER_WORK,
     QUANTITY_MULTIPLIER, /* of constraint i */
     QUANTITY_REACTION,   /* minus that */
+    QUANTITY_EVENT_COUNT, /* of event i */
+    QUANTITY_EVENT_LAST,
     QUANTITY_COLUMN /* a column with a name, number i */
 } fvi_quantity_kind;
 

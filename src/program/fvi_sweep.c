@@ -200,7 +200,7 @@ static int complain_of(const sweep_grid *g, size_t i, sweep_verdict v)
 static void print_rows(FILE *out, const fvi_options *o, const board *b,
                        size_t run)
 {
-    for (size_t k = b->first[run]; k < b->first[run + 1]; k++)
+    for (size_t k = b->first[run]; k < b->first[run] + b->verdicts[run].rows; k++)
         fvi_format_row(out, o->format, k, b->width, b->rows + k * b->width);
 }
 
@@ -248,9 +248,8 @@ static int check_all(const sweep_grid *g, const char **no_solution,
         if (o.no_solution)
             *no_solution = o.no_solution;
         first[i + 1] = first[i] + sweep_run_rows(g, &o);
-        if (g->has_rows && (fvi_reductions_count(o.typed) > 0 || o.text[EVENT]))
-            status = fvi_refuse(c, "rows", "not together with --%s",
-                                o.text[EVENT] ? "event" : "reduce");
+        if (g->has_rows && fvi_reductions_count(o.typed) > 0)
+            status = fvi_refuse(c, "rows", "not together with --reduce");
         fvi_options_free(&o);
     }
     return status;

@@ -7,19 +7,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The last row of a run that an event has ended, where it stands. */
-static int take_end(fvi_table *t, const fvi_stepper *s)
+/* How many rows there are up to step k, whose row is one of them. */
+static size_t rows_up_to(const fvi_options *o, size_t k)
 {
+    return k / o->every + 1 + (k == o->steps && k % o->every != 0);
+}
+
+/* The last row of a run that an event has ended, where it stands: in the place of the next one, unless the event
+ * is at a row. To *rows how many there are. */
+static int take_end(fvi_table *t, const fvi_stepper *s, size_t *rows)
+{
+    const fvi_options *o = t->o;
+    const size_t last = s->k / o->every * o->every,
+                 next = last + o->every < o->steps ? last + o->every : o->steps;
+    const int is_at_row = s->k == last && s->t == (double)last * o->h;
     fvi_observation now;
     int status = FVI_SUCCESS;
     t->ended = s->t;
-    if (fvi_reductions_count(t->o->typed) > 0)
+    *rows = rows_up_to(o, is_at_row ? last : next);
+    if (fvi_reductions_count(o->typed) > 0 || is_at_row)
         return status;
     if (t->observer)
         status = fvi_observer_read(t->observer, s, s->t, &now);
     t->now = t->observer ? &now : NULL;
     if (!status)
-        status = fvi_table_take(t, t->o->steps, s->x, s->p);
+        status = fvi_table_take(t, next, s->x, s->p);
     t->now = NULL;
     return status;
 }
@@ -61,7 +73,7 @@ static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table 
         v.status = fvi_run_row(t, s, 0);
     for (size_t k = 0, next = fvi_table_next(t, 0); !v.status && k < o->steps;) {
         if (s->k < next && fvi_stepper_is_over(s)) {
-            v.status = take_end(t, s);
+            v.status = take_end(t, s, &v.rows);
             break;
         }
         if (s->k < next) {
@@ -112,8 +124,7 @@ static sweep_verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table 
 
 size_t sweep_run_rows(const sweep_grid *g, const fvi_options *o)
 {
-    return g->has_rows ? o->steps / o->every + 1 + (o->steps % o->every != 0)
-                       : 1;
+    return g->has_rows ? rows_up_to(o, o->steps) : 1;
 }
 
 /* The table of a run that keeps its rows: all, or the first and the last. */
@@ -139,9 +150,11 @@ sweep_verdict sweep_run(const sweep_grid *g, size_t i, double *rows)
     if (sweep_grid_options(g, i, &o, NULL))
         return (sweep_verdict){ .status = FVI_ENOMEM }; /* it was understood before */
     const size_t count = sweep_run_rows(g, &o);
-    const sweep_verdict v = run_table(g, &o, &t);
+    sweep_verdict v = run_table(g, &o, &t);
     const size_t width = g->count + t.width, skipped = t.height - count;
-    for (size_t k = 0; k < count && !v.status; k++) {
+    if (!g->has_rows || v.rows == 0) /* no event has ended it before */
+        v.rows = count;
+    for (size_t k = 0; k < v.rows && !v.status; k++) {
         for (size_t n = 0; n < g->count; n++)
             rows[k * width + n] = sweep_grid_value(g, i, n);
         memcpy(rows + k * width + g->count, t.rows + (k + skipped) * t.width,

@@ -10,6 +10,7 @@ typedef struct {
     int status;
     size_t step;
     int unstable, singular;
+    size_t rows; /* how many there are: less where an event ends the run */
 } sweep_verdict;
 
 /* sweep_run_rows -- how many rows a run with these options gives. */

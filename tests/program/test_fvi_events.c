@@ -113,6 +113,64 @@ START_TEST(a_sweep_has_events)
 }
 END_TEST
 
+/* All rows of runs that an event ends: up to it, and the row there; none twice where a row is there already. A
+ * ball that falls from 2 with the weight g is at 0 at sqrt(4 / g). */
+START_TEST(a_sweep_of_rows_has_events)
+{
+    ck_assert_int_eq(fvi("sweep --lagrangian 'v^2/2-g*x' --x0 2 --v0 0 --event 'x : stop' --event 'x-1 : mark' --vary g=1,4,0.1 "
+                         "--time 4 --steps 8 --rows --every 2 --columns t,x,event1.count,event1.last,event2.count | grep -v '^#'"), 0);
+    static const double g[] = { 1, 4, 0.1 }, rows[3][5] = { { 0, 1, 2 }, { 0, 1 }, { 0, 1, 2, 3, 4 } };
+    static const size_t count[] = { 3, 2, 5 };
+    const char *row = out;
+    for (size_t i = 0; i < 3; i++)
+        for (size_t k = 0; k < count[i]; k++) {
+            double is_g, t, x, stops, last, marks;
+            ck_assert_int_eq(sscanf(row, "%lf %lf %lf %lf %lf %lf", &is_g, &t, &x, &stops, &last, &marks), 6);
+            ck_assert_double_eq_tol(is_g, g[i], 1e-15);
+            ck_assert_double_eq_tol(t, rows[i][k], 1e-12);
+            ck_assert_double_eq_tol(x, 2 - g[i] * t * t / 2, 1e-12);
+            const int is_over = i < 2 && k + 1 == count[i];
+            ck_assert_double_eq(stops, is_over);
+            ck_assert_double_eq_tol(last, is_over ? sqrt(4 / g[i]) : 0, 1e-12);
+            ck_assert_double_eq(marks, i < 2 && t > sqrt(2 / g[i]));
+            row = strchr(row, '\n') + 1;
+        }
+    ck_assert_int_eq(*row, '\0');
+    ck_assert_int_eq(fvi("sweep --lagrangian 'v^2/2-g*x' --x0 2 --v0 0 --event 'x : stop' --vary g=1.1,4.1 "
+                         "--time 4 --steps 4 --rows --columns t,x --format json"), 0);
+    ck_assert_int_eq(fvi("sweep --lagrangian 'v^2/2-g*x' --x0 2 --v0 0 --event 'x : stop' --vary g=1.1,4.1 "
+                         "--time 4 --steps 4 --rows --every 3 --columns t | grep -v '^#'"), 0);
+    const double ends[] = { 0, sqrt(4 / 1.1), 0, sqrt(4 / 4.1) };
+    row = out;
+    for (size_t k = 0; k < 4; k++) {
+        double is_g, t;
+        ck_assert_int_eq(sscanf(row, "%lf %lf", &is_g, &t), 2);
+        ck_assert_double_eq_tol(t, ends[k], 1e-12);
+        row = strchr(row, '\n') + 1;
+    }
+    ck_assert_int_eq(*row, '\0');
+}
+END_TEST
+
+/* How often, and when the last time: of rows between steps, in expressions, and reduced. The ball's impacts are at
+ * 1.488 and 3.560. */
+START_TEST(events_are_columns)
+{
+    ck_assert_int_eq(fvi("run --event 'x : impact:0.8' --event 'v : mark' --potential x --p0 0 --alpha 0.3 --rho 0.3 --time 5 "
+                         "--steps 10 --columns 't,n=event1.count,event1.last,2*event2.count' | grep -v '^#'"), 0);
+    for (size_t k = 0; k <= 10; k++) {
+        const double t = (double)k / 2;
+        ck_assert_double_eq(cell(k, 1), (t > 1.4883) + (t > 3.5597));
+        ck_assert_double_eq_tol(cell(k, 2), t > 3.5597 ? 3.559706909650385 : t > 1.4883 ? 1.488362842713238 : 0, 1e-12);
+        ck_assert_double_eq(cell(k, 3), 2 * ((t > 2.45) + (t > 4.3)));
+    }
+    ck_assert_int_eq(fvi("run --event 'x : impact:0.8' --potential x --p0 0 --alpha 0.3 --rho 0.3 --time 5 --steps 10 "
+                         "--reduce 'last(event1.count),at(max(event1.count))' | grep -v '^#'"), 0);
+    ck_assert_double_eq(cell(0, 0), 2);
+    ck_assert_double_eq_tol(cell(0, 1), 3.559706909650385, 1e-12);
+}
+END_TEST
+
 START_TEST(what_is_wrong_is_said)
 {
     static const char *const cases[][2] = {
@@ -140,7 +198,9 @@ START_TEST(what_is_wrong_is_said)
         { "run --event 'x : mark' --columns t,y", "fvi: --event: column y needs every row" },
         { "run --event 'x : mark' --columns d1.force", "are not known with --event" },
         { "run --event 'x : mark' --columns balance", "are not known with --event" },
-        { "sweep --event 'x : mark' --vary alpha=0:1:2 --rows", "fvi: --rows: not together with --event" },
+        { "run --event 'x : mark' --columns event2.count", "event1.count, event1.last, d1.force, nor an expression" },
+        { "run --event 'x : mark' --columns event1.cont", "did you mean event1.count?" },
+        { "run --columns event1.count", "'event1.count' is none of t, x" },
         { "run --potential x --x0 0 --p0 -1 --event 'x+0 : impact:0.5'",
           "fvi: --event: 'x+0': starts at Z = 0 and moves into the wall" },
         { "gradient --event 'x : mark'", "not an option of this command" },
@@ -163,7 +223,7 @@ int main(void)
 {
     Suite *suite = suite_create("fvi_events");
     ADD_CASE(suite, "events", a_bouncing_ball_is_a_command, a_lagrangian_has_events, a_sweep_has_events, formats_have_a_place_for_events,
-             runs_end_at_events, coordinates_have_numbers);
+             runs_end_at_events, coordinates_have_numbers, a_sweep_of_rows_has_events, events_are_columns);
     ADD_CASE(suite, "words", what_is_wrong_is_said);
     return run_suite_of_program(suite);
 }
