@@ -26,11 +26,9 @@ FVI_LIVE.scene("course_pasts", {
     draw([0, 1], line, "positive", [2, 3]);
     draw([0, 0], last, "negative", [7, 4]);
     pasts.ends([["held", "run", times(held), held], ["line", "positive", times(line), line], ["zero", "negative", times(last), last]]);
-    const steps = FVI_LIVE.axes(right, { x: [0, 6], y: FVI_LIVE.span(...zero), names: ["t", "x"] });
-    zero.forEach((of, i) => {
-      steps.curve(times(of), of, i === zero.length - 1 ? "negative" : "past", i === zero.length - 1 ? [7, 4] : [], i === zero.length - 1 ? 2.4 : 1.2);
-      const top = of.indexOf(Math.max(...of));
-      if (i % 2 === 0 || i === zero.length - 1) steps.text(6 * top / (of.length - 1), of[top], FVI_LIVE.short(0.2 / 2 ** i), "soft-ink");
-    });
+    const look = i => (i === zero.length - 1 ? ["negative", [7, 4], 2.4] : ["past", [], 1.2]), name = i => `h = ${FVI_LIVE.short(0.2 / 2 ** i)}`;
+    const steps = FVI_LIVE.axes(right, { x: [0, 6], y: FVI_LIVE.span(...zero), names: ["t", "x"], ends: zero.map((_, i) => name(i)) });
+    zero.forEach((of, i) => steps.curve(times(of), of, ...look(i)));
+    steps.ends(zero.map((of, i) => [name(i), look(i)[0], times(of), of]));
   },
 });

@@ -2,23 +2,24 @@
 FVI_LIVE.scene("half_derivative", {
   about: "Draw a curve with the pointer, and bring α to 1/2: twice the half derivative is the slope, and nothing else is remembered.",
   controls: { alpha: ["α", 0, 1, 0.35, 0.01] },
+  keeps: FVI_LIVE.drawn.keeps,
   pictures: ["The curve: draw here", "Its derivative of order α, taken twice; dashed, its slope"],
 
   compute(values, { c, view }) {
     const N = 300, h = 0.01;
-    values.curve ??= Array.from({ length: N + 1 }, (_, k) => Math.exp(-(((k - 100) / 30) ** 2))); // a bump
-    view(0, N + 1).set(values.curve);
+    const x = FVI_LIVE.drawn.curve(values, N, 100);
+    view(0, N + 1).set(x);
     c.live_operators(values.alpha, h, N);
-    const twice = view(3, N + 1).slice(), slope = values.curve.map((value, k) => (value - (values.curve[k - 1] ?? 0)) / h);
-    return { x: values.curve.slice(), t: [...twice.keys()].map(k => k * h), twice, slope,
+    const twice = view(3, N + 1).slice(), slope = x.map((value, k) => (value - (x[k - 1] ?? 0)) / h);
+    return { x, t: [...twice.keys()].map(k => k * h), twice, slope,
       apart: twice.reduce((most, value, k) => Math.max(most, Math.abs(value - slope[k])), 0) };
   },
 
   says: ({ apart }, { alpha }) => `Order ${FVI_LIVE.short(2 * alpha)} in all; largest distance from the slope: `
     + `${FVI_LIVE.short(apart)}${alpha === 0.5 ? ", which is rounding" : ""}.`,
 
-  draw({ x, t, twice, slope }, { last }, [left, right]) {
-    const drawn = FVI_LIVE.axes(left, { x: [0, 3], y: [-1.5, 1.5], names: ["t", "x"], ends: ["x"] }), pen = last ?? x.indexOf(Math.max(...x));
+  draw({ x, t, twice, slope }, values, [left, right]) {
+    const drawn = FVI_LIVE.axes(left, { x: [0, 3], y: [-1.5, 1.5], names: ["t", "x"], ends: ["x"] }), pen = FVI_LIVE.drawn.pen(values, x);
     drawn.curve(t, x, "exact");
     drawn.ends([["x", "exact", t, x]]);
     drawn.handle(t[pen], x[pen], "exact", 4);
@@ -28,12 +29,5 @@ FVI_LIVE.scene("half_derivative", {
     both.ends([["twice", "run", t, twice], ["slope", "negative", t, slope]]);
   },
 
-  // The curve under the pointer, drawn by hand: straight from where it was last.
-  drag(values, picture, x, y, type) {
-    if (picture !== 0) return false;
-    const { curve } = values, N = curve.length - 1, i = Math.round(x * N), height = 3 * y - 1.5;
-    const from = type === "pointerdown" ? i : values.last, by = Math.sign(i - from) || 1;
-    for (let j = from; j !== i + by; j += by) curve[j] = from === i ? height : curve[from] + (height - curve[from]) * (j - from) / (i - from);
-    values.last = i;
-  },
+  drag: (values, picture, x, y, type) => (picture === 0 ? FVI_LIVE.drawn.drag(values, x, y, type, 300, 100) : false),
 });

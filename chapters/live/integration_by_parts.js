@@ -2,22 +2,23 @@
 FVI_LIVE.scene("integration_by_parts", {
   about: "Draw a curve with the pointer: the retarded derivative knows what came before, the advanced one what is to come.",
   controls: { alpha: ["α", 0, 1, 0.5, 0.01] },
+  keeps: FVI_LIVE.drawn.keeps,
   pictures: ["The curve: draw here", "Its retarded derivative, full, and its advanced one, dashed"],
 
   compute(values, { c, view }) {
     const N = 300, h = 0.01;
-    values.curve ??= Array.from({ length: N + 1 }, (_, k) => Math.exp(-(((k - 150) / 30) ** 2))); // a bump
-    view(0, N + 1).set(values.curve);
+    const x = FVI_LIVE.drawn.curve(values, N, 150);
+    view(0, N + 1).set(x);
     c.live_operators(values.alpha, h, N);
     const back = view(1, N + 1).slice(), ahead = view(2, N + 1).slice();
-    const sum = of => h * of.reduce((total, value, k) => total + value * values.curve[k], 0);
-    return { x: values.curve.slice(), t: [...back.keys()].map(k => k * h), back, ahead, sums: [sum(back), sum(ahead)] };
+    const sum = of => h * of.reduce((total, value, k) => total + value * x[k], 0);
+    return { x, t: [...back.keys()].map(k => k * h), back, ahead, sums: [sum(back), sum(ahead)] };
   },
 
   says: ({ sums }) => `The sums of x Δ₋x and of x Δ₊x, all nodes in, are one number: ${FVI_LIVE.short(sums[0])} and ${FVI_LIVE.short(sums[1])}.`,
 
-  draw({ x, t, back, ahead }, { last }, [left, right]) {
-    const drawn = FVI_LIVE.axes(left, { x: [0, 3], y: [-1.5, 1.5], names: ["t", "x"], ends: ["x"] }), pen = last ?? x.indexOf(Math.max(...x));
+  draw({ x, t, back, ahead }, values, [left, right]) {
+    const drawn = FVI_LIVE.axes(left, { x: [0, 3], y: [-1.5, 1.5], names: ["t", "x"], ends: ["x"] }), pen = FVI_LIVE.drawn.pen(values, x);
     drawn.curve(t, x, "exact");
     drawn.ends([["x", "exact", t, x]]);
     drawn.handle(t[pen], x[pen], "exact", 4);
@@ -27,12 +28,5 @@ FVI_LIVE.scene("integration_by_parts", {
     both.ends([["looks back", "run", t, back], ["looks ahead", "negative", t, ahead]]);
   },
 
-  // The curve under the pointer, drawn by hand: straight from where it was last.
-  drag(values, picture, x, y, type) {
-    if (picture !== 0) return false;
-    const { curve } = values, N = curve.length - 1, i = Math.round(x * N), height = 3 * y - 1.5;
-    const from = type === "pointerdown" ? i : values.last, by = Math.sign(i - from) || 1;
-    for (let j = from; j !== i + by; j += by) curve[j] = from === i ? height : curve[from] + (height - curve[from]) * (j - from) / (i - from);
-    values.last = i;
-  },
+  drag: (values, picture, x, y, type) => (picture === 0 ? FVI_LIVE.drawn.drag(values, x, y, type, 300, 150) : false),
 });

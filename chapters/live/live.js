@@ -1,7 +1,7 @@
 // chapters/live/live.js -- What the figures that move share: sliders, pictures, the C behind them.
 //
-// kernel.py puts model.js and plot.js of the live page in front of this, labels.js, address.js, orders.js and
-// modes.js behind it, and all into one function. A figure's script says what moves it, what is computed and how it is drawn:
+// kernel.py puts model.js and plot.js of the live page in front of this, labels.js, address.js, orders.js,
+// modes.js and drawn.js behind it, and all into one function. A figure's script says what moves it, what is computed and how it is drawn:
 //
 //   FVI_LIVE.scene("name of the picture", {
 //     about: "what to do and what to see",

@@ -360,6 +360,21 @@ await test("the address has what was moved, and a link of a stranger cannot do h
   assert.equal(askedBy("#fig-10&alpha=0.4", "fig-1", orders), null);
 });
 
+await test("5, 7: a curve that was drawn is in the link, and is the same behind it", () => {
+  for (const name of ["integration_by_parts", "half_derivative"]) {
+    const scene = scenes.get(name), values = { ...start(scene), alpha: 0.4 };
+    assert.equal(addressOf("fig-1", scene, values), "#fig-1&alpha=0.4");
+    for (const [x, y, type] of [[0.25, 0.8, "pointerdown"], [0.5, 0.4, "pointermove"], [0.45, 0.9, "pointermove"]]) scene.drag(values, 0, x, y, type);
+    assert.equal(scene.drag(values, 1, 0.5, 0.5, "pointerdown"), false);
+    const { x } = moved(name, values), { last, ...rest } = values;
+    near(x[75], 0.9, 1e-12, "where the pen began");
+    near(x[135], 1.2, 1e-12, "where it is");
+    near(x[100], 0.9 + (25 / 75) * (-0.3 - 0.9), 1e-3, "straight between");
+    assert.deepEqual(askedBy(addressOf("fig-1", scene, values), "fig-1", scene), rest);
+    assert.ok(addressOf("fig-1", scene, values).length < 500 && last === 27);
+  }
+});
+
 await test("the numbers of a picture with two thousand steps take less than a sixtieth of a second", () => {
   const drags = { convolution_quadrature: (values, i) => { values.alpha = 0.05 + i / 25; }, lobatto: (values, i) => { values.alpha = 0.05 + i / 25; },
     fvi_kick: values => { values.h = 0.0075; }, adjoint: (values, i) => { values.x0 = 1 + i / 50; },

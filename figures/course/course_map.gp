@@ -8,10 +8,10 @@ set margins 0, 0, 0, 0
 # name       chapter: column, height, the two lines in its box
 place(c) = word("0 1 1 2 3 4 0 1 2 3 4 5", c) + 0
 level(c) = word("31 36.5 25.5 31 31 31 10 10 10 10 10 10", c) + 0
-array first[12] = ["A body that", "Half a", "An action", "Friction from", "The same", "Your", "What was", "Half a deriv-", "The paper's", "How wrong,", "A million", "Order two"]
-array second[12] = ["remembers", "derivative", "made of points", "an action", "on a grid", "integrator", "before t = 0?", "ative, twice", "experiments", "how long?", "steps", ""]
+array first[12] = ["A body that", "Half a", "An action", "Friction from", "The same", "Your", "What was", "Half a deriv-", "The paper's", "How wrong, and", "A million", "Order two"]
+array second[12] = ["remembers", "derivative", "made of points", "an action", "on a grid", "integrator", "before t = 0?", "ative, twice", "experiments", "how long a step?", "steps", ""]
 side(c) = 7.5 + 17 * place(c)
-half = 5.6; tall = 3.4
+half = 6.2; tall = 3.4
 do for [c = 1:12] {
     set object c rectangle center side(c), level(c) size 2 * half, 2 * tall \
         fc rgb (c <= 6 ? "#dbe9f6" : "#eef3e6") fillstyle solid border lc rgb "#333333" lw 0.8

@@ -6,10 +6,15 @@ set multiplot layout 1,2
 set title "the beam, six times within half a swing"
 set xlabel "along the beam"
 set ylabel "deflection"
-set xrange [0:1]
+set xrange [0:1.28] # behind the curves stand their times
+set xtics 0,0.2,1
 set yrange [-1.05:1.05]
 unset key
-plot for [i=0:5] dat index 3 every :::i::i using 1:2 with lines ls 1 lw (3.2 - 0.45 * i)
+stats dat index 3 every :::0::0 using 1 nooutput
+tip = STATS_records - 1
+plot for [i=0:5] dat index 3 every :::i::i using 1:2 with lines ls 1 lw (3.2 - 0.45 * i), \
+     for [i=0:5] '' index 3 every ::tip:i:tip:i using (1.02):2:(sprintf(i ? "t = %.2f" : "t = 0", i * 71 / 400.)) with labels left tc ls 1 font ",11"
+set xtics autofreq
 set title "its tip"
 set xlabel "t"
 set xrange [0:8]
