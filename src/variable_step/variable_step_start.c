@@ -225,14 +225,13 @@ static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
                            &o->modes);
 }
 
-/* What a law asks for: a nominal alpha for the lengths that are guessed, and that no velocity
+/* What a law asks for, whose nominal alpha for the lengths that are guessed is that of fvi_run_normal: that no velocity
  * jumps where a term grows faster than s, which would make x'' infinite. */
 static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_system *system = s->run.system;
     if (!s->run.law)
         return FVI_SUCCESS;
-    s->run.alpha = 0.25;
     int jumps = velocities_jump(s);
     for (size_t j = 0; j < system->d; j++)
         jumps |= system->damping[j] > 0 && s->p[j] != 0;
