@@ -10,8 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
-
 enum { MOST = 3, NAMES = 3, STEPS = 12 };
 
 static const char *const names[] = { "a", "b", "c" };

@@ -1,6 +1,7 @@
 /* tests/adjoint/test_adjoint_stages.c -- H 23: methods with stages, and identities
  * that every method has to keep.       Run alone: make test-adjoint_stages */
 #include "adjoint_runs.h"
+#include "distance_to_sine.h"
 #include "run/whole_run.h"
 #include "stages/lobatto_weights.h"
 #include "system/larger.h"
@@ -170,16 +171,8 @@ END_TEST
 static double objective(const fvi_method *method, chain *c)
 {
     static double x[(N + 1) * D], p[(N + 1) * D];
-    double J = 0;
     run_of(method, c, x, p);
-    for (size_t i = 0; i < D; i++) {
-        for (size_t k = 1; k <= N; k++) {
-            const double away = x[k * D + i] - sin((double)k * c->run.h);
-            J += c->run.h / 2 * away * away;
-        }
-        J += x[N * D + i] / 2 + x[N * D + i] * p[N * D + i] * p[N * D + i] / 4;
-    }
-    return J;
+    return distance_to_sine(D, N, c->run.h, x, p);
 }
 
 START_TEST(eq_23_6_what_the_gradient_of_stages_leaves_is_of_order_2)

@@ -4,6 +4,7 @@
 #include "run/whole_run.h"
 #include "reference/exact_inverse.h"
 #include "exact_problems.h"
+#include "harness/bagley_torvik.h"
 
 #include "exact_solution_ref.h"
 #include "system/larger.h"
@@ -75,13 +76,7 @@ END_TEST
 /* TOL max|x|, max|x| = 4.6, is 1.6e-13; this is tighter. Seen: 1.2e-15. */
 START_TEST(eq_11_14_bagley_torvik)
 {
-    const fvi_linear_oscillator p = { .m = 1,
-                           .c = 1,
-                           .rho = 1,
-                           .alpha = 0.75,
-                           .forcing = FVI_FORCING_STEP,
-                           .A = 8,
-                           .T = 1 };
+    const fvi_linear_oscillator p = bagley_torvik();
     for (size_t i = 0; i < LEN(ref_bagley_torvik); i++) {
         double t = ref_bagley_torvik[i].t;
         ck_assert_near(solve_x(p, t), ref_bagley_torvik[i].x, 1e-14, "t=%g", t);

@@ -2,6 +2,7 @@
  * Run alone: make test-exact_solution_rows */
 #include "reference/exact_window.h"
 #include "exact_rows.h"
+#include "harness/bagley_torvik.h"
 
 #include "exact_solution_ref.h"
 #include "system/larger.h"
@@ -159,13 +160,7 @@ END_TEST
 /* Bagley and Torvik's plate, 80 rows. The count is the claim of (11.16). */
 START_TEST(eq_11_16_nodes_of_a_window)
 {
-    const fvi_linear_oscillator plate = { .m = 1,
-                               .c = 1,
-                               .rho = 1,
-                               .alpha = 0.75,
-                               .forcing = FVI_FORCING_STEP,
-                               .A = 8,
-                               .T = 1 };
+    const fvi_linear_oscillator plate = bagley_torvik();
     const double tolerances[] = { 1e-2, 1e-12 };
     const char *names[] = { "nodes for 1e-2", "nodes for 1e-12" };
     const size_t most[] = { 40, 100 };

@@ -30,6 +30,9 @@ static inline void mark_line_once(const char *file, int line)
 
 #define LEN(array) (sizeof(array) / sizeof((array)[0]))
 
+/* A call of the library that does not fail. */
+#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
+
 /* Unit roundoff: the largest relative error of one rounding to nearest. */
 #define U 0x1p-53
 

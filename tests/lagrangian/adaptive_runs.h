@@ -7,8 +7,6 @@
 #include "run/whole_run.h"
 #include "system/larger.h"
 
-#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
-
 /* The stepper at the end of a run of one row; an error ends the test. */
 static inline fvi_stepper *at_end(const fvi_run *run)
 {

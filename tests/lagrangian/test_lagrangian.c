@@ -5,8 +5,6 @@
 
 #include "system/larger.h"
 
-#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
-
 enum { STEPS = 40 };
 
 static double distance(const fvi_stepper *s, size_t d, const double *x,

@@ -5,8 +5,6 @@
 
 #include "system/larger.h"
 
-#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
-
 /* sum x p' - y p of bodies in the plane. */
 static double turn(const fvi_stepper *s)
 {

@@ -3,8 +3,6 @@
 #include "problems.h"
 #include "run/whole_run.h"
 
-#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
-
 static const double row[] = { 1 }, mass = 1, none = 0;
 static const fvi_kernel_term power = { FVI_KERNEL_POWER, 0.4, 0.3, 0, 0 };
 static const fvi_kernel kernel = { 1, &power }, no_terms = { 0, NULL };

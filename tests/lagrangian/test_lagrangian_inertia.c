@@ -2,8 +2,6 @@
  * Run alone: make test-lagrangian_inertia */
 #include "problems.h"
 
-#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
-
 static const mechanism_text
     quartic = { .name = "v^4", .d = 1, .lagrangian = "v^4/12-x^2/2", .x0 = { 1 }, .v0 = { 1 } };
 

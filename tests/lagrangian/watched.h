@@ -4,8 +4,6 @@
 
 #include "mechanisms.h"
 
-#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
-
 enum { MOST_EVENTS = 3 };
 
 typedef struct {

@@ -2,7 +2,8 @@
  * orders. Run alone: make test-lobatto_forms */
 #include <fvi/exact_solution.h>
 #include "run/whole_run.h"
-#include "lobatto_runs.h"
+#include "driven_duffing.h"
+#include "harness/bagley_torvik.h"
 #include "system/larger.h"
 
 enum { MOST = 1280 };
@@ -20,11 +21,6 @@ static double order_p(size_t s, double alpha)
     return smaller(2 * (double)s - 2, (double)s + 3 - 2 * alpha);
 }
 
-typedef struct {
-    size_t count;
-    double errors[12]; /* at h, h/2, h/4, ... */
-} errors;
-
 /* The slope between the last two errors above the floor of rounding; NaN where there
  * are not two. */
 static double slope(const errors *e, double floor)
@@ -35,42 +31,17 @@ static double slope(const errors *e, double floor)
     return last < 2 ? NAN : log2(e->errors[last - 2] / e->errors[last - 1]);
 }
 
-typedef struct {
-    double alpha, rho;
-} driving;
-
-/* x = t^8 on a Duffing oscillator */
-static int drive(double t, size_t d, void *params, double *F)
-{
-    const driving *a = params;
-    const double b = 2 * a->alpha, q = pow(t, 8),
-                 D = tgamma(9) / tgamma(9 - b) * pow(t, 8 - b);
-    for (size_t i = 0; i < d; i++)
-        F[i] = 56 * pow(t, 6) + (1 + q * q) * q + a->rho * D;
-    return 0;
-}
-
 static void run_driven(const fvi_method *method, const driving *a, errors *ex,
                        errors *ep)
 {
-    const double one = 1, zero = 0, cg[] = { 1, 1 };
-    const fvi_system system = { 1,
-                                &one,
-                                &a->rho,
-                                fvi_potential_duffing(cg),
-                                { .value = drive, .params = (void *)a },
-                                NULL, NULL };
+    const double zero = 0;
+    const fvi_system system = driven_duffing(a);
     ex->count = ep->count = 0;
     for (size_t N = 4; N <= MOST; N *= 2) {
         fvi_run run = fvi_run_default(&system, &zero, &zero, 1 / (double)N, N);
         run.alpha = a->alpha;
         ck_assert_int_eq(fvi_trajectory(method, &run, x, p, NULL), 0);
-        for (size_t k = 0; k <= N; k++) {
-            want_x[k] = pow((double)k * run.h, 8);
-            want_p[k] = 8 * pow((double)k * run.h, 7);
-        }
-        ex->errors[ex->count++] = farthest(0, N + 1, x, want_x);
-        ep->errors[ep->count++] = farthest(0, N + 1, p, want_p);
+        compare_driven(N, run.h, x, p, want_x, want_p, ex, ep);
     }
 }
 
@@ -182,13 +153,7 @@ END_TEST
  * s + 1/2. With 80 steps form D has seven stages down to 1e-13. */
 START_TEST(eq_17_27_bagley_torvik_with_both_forms)
 {
-    const fvi_linear_oscillator problem = { .m = 1,
-                                 .c = 1,
-                                 .rho = 1,
-                                 .alpha = 0.75,
-                                 .forcing = FVI_FORCING_STEP,
-                                 .A = 8,
-                                 .T = 1 };
+    const fvi_linear_oscillator problem = bagley_torvik();
     for (size_t s = 3; s <= 8; s++) {
         errors M, D, pM, pD;
         run_linear(methods[s], &problem, 20, 20, &M, &pM);

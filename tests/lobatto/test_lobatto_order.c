@@ -2,7 +2,7 @@
  * Run alone: make test-lobatto_order */
 #include <fvi/exact_solution.h>
 #include "run/whole_run.h"
-#include "lobatto_runs.h"
+#include "driven_duffing.h"
 #include "system/larger.h"
 
 enum { MOST = 2560 };
@@ -10,11 +10,6 @@ static double x[MOST + 1], p[MOST + 1], want_x[MOST + 1], want_p[MOST + 1];
 static double times[MOST + 1];
 
 /* ---- fits ---- */
-
-typedef struct {
-    size_t count;
-    double errors[12]; /* at h, h/2, h/4, ... */
-} errors;
 
 //> fit
 /* The mean slope over the last three errors above the floor of rounding: the
@@ -44,32 +39,13 @@ static double order_p(size_t s, double alpha)
 
 /* ---- a driven Duffing oscillator along x = t^8 ---- */
 
-typedef struct {
-    double alpha, rho;
-} driving;
-
-static int drive(double t, size_t d, void *params, double *F)
-{
-    const driving *a = params;
-    const double b = 2 * a->alpha, q = pow(t, 8),
-                 D = tgamma(9) / tgamma(9 - b) * pow(t, 8 - b);
-    for (size_t i = 0; i < d; i++)
-        F[i] = 56 * pow(t, 6) + (1 + q * q) * q + a->rho * D;
-    return 0;
-}
-
 /* The largest errors on [0, 1] with N = 20, 40, ..., 1280 steps; fixed: of the
  * momenta that could be corrected. */
 static void run_driven(size_t s, const driving *a, errors *ex, errors *ep,
                        errors *fixed)
 {
-    const double one = 1, zero = 0, cg[] = { 1, 1 };
-    const fvi_system system = { 1,
-                                &one,
-                                &a->rho,
-                                fvi_potential_duffing(cg),
-                                { .value = drive, .params = (void *)a },
-                                NULL, NULL };
+    const double zero = 0;
+    const fvi_system system = driven_duffing(a);
     ex->count = ep->count = fixed->count = 0;
     for (size_t N = 20; N <= 1280; N *= 2) {
         const fvi_run run = { .system = &system,
@@ -80,12 +56,7 @@ static void run_driven(size_t s, const driving *a, errors *ex, errors *ep,
                               .alpha = a->alpha,
                               .memory = FVI_HISTORY_MODES };
         ck_assert_int_eq(fvi_trajectory(methods[s], &run, x, p, NULL), 0);
-        for (size_t k = 0; k <= N; k++) {
-            want_x[k] = pow((double)k * run.h, 8);
-            want_p[k] = 8 * pow((double)k * run.h, 7);
-        }
-        ex->errors[ex->count++] = farthest(0, N + 1, x, want_x);
-        ep->errors[ep->count++] = farthest(0, N + 1, p, want_p);
+        compare_driven(N, run.h, x, p, want_x, want_p, ex, ep);
         ck_assert_int_eq(fvi_lobatto_correct_momenta(methods[s], &run, x, p), 0);
         fixed->errors[fixed->count++] = farthest(0, N - 1, p, want_p);
     }

@@ -10,8 +10,6 @@
 #include "harness/seen.h"
 #include "harness/ulp.h"
 
-#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
-
 enum { MOST = 12, DAMPERS = 3 };
 
 /* Masses in a row on springs between them, the first to the ground, and dampers by rows. */

@@ -188,10 +188,7 @@ END_TEST
 START_TEST(an_impulse_of_a_structure_ends_a_step)
 {
     matrices m;
-    tridiagonal(D, 1, 0.2, &m.M);
-    tridiagonal(D, 4, -2, &m.K);
-    tridiagonal(D, 0.2, -0.1, &m.C);
-    make(&m);
+    make_consistent(D, &m);
     const fvi_impulse hit = { 1.3, p0 };
     m.system.force.impulses = &hit;
     m.system.force.impulse_count = 1;

@@ -1,9 +1,7 @@
 /* tests/structures/test_structures_dampers.c -- Structures with several dampers.
  * Run alone: make test-structures_dampers */
-#include "building.h"
+#include "building_error.h"
 #include "run/whole_run.h"
-#include "structures_ref.h"
-#include "system/larger.h"
 
 enum { N = 300 };
 
@@ -65,22 +63,6 @@ START_TEST(eq_27_11_one_damper_is_the_damping_matrix_to_the_bit)
 END_TEST
 
 /* ---- the building ---- */
-
-/* max |x - x(t)| and |p - v(t)| / 10 at t = 6, after so many steps. */
-static double error_of(const fvi_method *method, const building *b, size_t steps)
-{
-    fvi_stepper *s;
-    const fvi_run run = run_of(&b->system, 0.5, 6. / (double)steps, steps, shape, push);
-    double worst = 0;
-    OK(fvi_stepper_start(method, &run, &s, NULL));
-    while (s->k < steps)
-        OK(fvi_stepper_step(s));
-    for (size_t i = 0; i < D; i++)
-        worst = larger(worst, larger(fabs(s->x[i] - ref_building[2].x[i]),
-                                     fabs(s->p[i] - ref_building[2].v[i]) / 10));
-    fvi_stepper_free(s);
-    return worst;
-}
 
 /* The highest mode has h w = 0.04 with the shorter step: its orders are seen to 0.1. Seen:
  * 0.90, 2.01, 2.00, 2.01. */

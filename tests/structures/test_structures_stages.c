@@ -1,9 +1,7 @@
 /* tests/structures/test_structures_stages.c -- Methods with stages, and matrices.
  * Run alone: make test-structures_stages */
-#include "building.h"
+#include "building_error.h"
 #include "run/whole_run.h"
-#include "structures_ref.h"
-#include "system/larger.h"
 
 enum { N = 60 };
 
@@ -83,22 +81,6 @@ START_TEST(eq_27_14_diagonal_matrices_are_masses_and_dampings)
 END_TEST
 
 /* ---- the building ---- */
-
-/* max |x - x(t)| and |p - v(t)| / 10 at t = 6, after so many steps. */
-static double error_of(const fvi_method *method, const building *b, size_t steps)
-{
-    fvi_stepper *s;
-    const fvi_run run = run_of(&b->system, 0.5, 6. / (double)steps, steps, shape, push);
-    double worst = 0;
-    OK(fvi_stepper_start(method, &run, &s, NULL));
-    while (s->k < steps)
-        OK(fvi_stepper_step(s));
-    for (size_t i = 0; i < D; i++)
-        worst = larger(worst, larger(fabs(s->x[i] - ref_building[2].x[i]),
-                                     fabs(s->p[i] - ref_building[2].v[i]) / 10));
-    fvi_stepper_free(s);
-    return worst;
-}
 
 /* Against the exact motion, 35 digits by the inversion of the transform. It starts with a velocity, and one
  * of its dampers has the order 11/8, another one is a sum. Of s stages 2 s - 2 is the order. With these
@@ -218,10 +200,7 @@ END_TEST
 START_TEST(an_impulse_at_a_node_is_a_new_velocity)
 {
     matrices m;
-    tridiagonal(D, 1, 0.2, &m.M);
-    tridiagonal(D, 4, -2, &m.K);
-    tridiagonal(D, 0.2, -0.1, &m.C);
-    make(&m);
+    make_consistent(D, &m);
     const fvi_impulse hit = { 0, p0 };
     fvi_system with = m.system;
     with.force.impulses = &hit;

@@ -9,25 +9,11 @@
 #include "variable_step/variable_step.h"
 
 #include "adaptive_problems.h"
+#include "five_masses.h"
 
-enum { D = 5, N = 80 };
-static const double one = 1;
 static double x[(N + 1) * D], y[(N + 1) * D], p[(N + 1) * D], q[(N + 1) * D];
 
 /* ---- many masses ---- */
-
-static const double mass[D] = { 1, 1, 2, 0.5, 1 },
-                    rho[D] = { 0.3, 0.3, 0, 1, 0.1 },
-                    start[D] = { 0.5, -0.2, 0.1, 0.7, 0 },
-                    push[D] = { 0, 1, -0.5, 0.2, 0.3 };
-
-static fvi_run run_of(const fvi_system *system, double step_error)
-{
-    fvi_run run = fvi_run_default(system, start, push, 0.125, N);
-    run.alpha = 0.3;
-    run.step_error = step_error;
-    return run;
-}
 
 static double distance(size_t n, const double *a, const double *b)
 {
