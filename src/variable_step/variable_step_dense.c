@@ -160,29 +160,23 @@ int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p
 }
 //< dense
 
-/* first theta^k by_k g_k, summed as `product` sums: four rows or eight in a vector. */
-static inline __attribute__((always_inline)) double
-sum_of_row(double first, double theta, const double *by, const double *g)
+/* sum_k first_i theta_i^k by_k g_k for eight rows of one mass, summed as `product` sums. Whether all
+ * eight are wanted or not: a loop of known length is one vector. */
+FVI_VECTORS static void sums_of_eight_rows(const double *restrict g, const double *restrict by,
+                                           const double *restrict first,
+                                           const double *restrict theta, double *restrict sum)
 {
-    const double square = theta * theta, cube = square * theta,
-                 four = square * square, w[4] = { first, first * theta,
-                                                  first * square, first * cube };
-    double sum[4];
-    for (int l = 0; l < 4; l++)
-        sum[l] = w[l] * by[l] * g[l] + w[l] * four * by[l + 4] * g[l + 4];
-    return (sum[0] + sum[2]) + (sum[1] + sum[3]);
-}
-
-/* The sums of eight rows of one mass, from theta to theta. Whether all eight are wanted or not: a loop of
- * known length is one vector. */
-FVI_VECTORS static void sums_of_eight_rows(const double *restrict g, int twice,
-                                           const double *restrict theta,
-                                           double *restrict sum)
-{
-    const double *by = (const double *)(twice ? double_integral : integral);
 #pragma omp simd
-    for (int i = 0; i < 8; i++)
-        sum[i] = sum_of_row(twice ? theta[i] * theta[i] : theta[i], theta[i], by, g);
+    for (int i = 0; i < 8; i++) {
+        const double square = theta[i] * theta[i], cube = square * theta[i],
+                     four = square * square, one = first[i] * theta[i],
+                     two = first[i] * square, three = first[i] * cube;
+        const double a = first[i] * by[0] * g[0] + first[i] * four * by[4] * g[4],
+                     b = one * by[1] * g[1] + one * four * by[5] * g[5],
+                     c = two * by[2] * g[2] + two * four * by[6] * g[6],
+                     d = three * by[3] * g[3] + three * four * by[7] * g[7];
+        sum[i] = (a + c) + (b + d);
+    }
 }
 
 /* At most eight rows of one mass, by the operations of `positions` and `momenta`. */
@@ -192,15 +186,17 @@ static void rows_of_one_mass(const fvi_stepper *s, size_t count, const double *t
     const fvi_variable_step_state *o = s->method_state;
     const double h = s->t - o->t0, y = o->y0[0], v = o->v0[0],
                  mass = s->run.system->mass[0];
-    double theta[8] = { 0 }, sum[8];
-    for (size_t i = 0; i < count; i++)
+    double theta[8] = { 0 }, square[8] = { 0 }, sum[8];
+    for (size_t i = 0; i < count; i++) {
         theta[i] = (t[i] - o->t0) / h;
+        square[i] = theta[i] * theta[i];
+    }
     if (x)
-        sums_of_eight_rows(o->powers, 1, theta, sum);
+        sums_of_eight_rows(o->powers, (const double *)double_integral, square, theta, sum);
     for (size_t i = 0; i < count && x; i++)
         x[i] = y + h * (theta[i] * v + sum[i]);
     if (p)
-        sums_of_eight_rows(o->powers, 0, theta, sum);
+        sums_of_eight_rows(o->powers, (const double *)integral, theta, theta, sum);
     for (size_t i = 0; i < count && p; i++)
         p[i] = (v + sum[i]) * mass;
 }

@@ -83,9 +83,9 @@ double spread_at(const results *r, const timing from[][DECADES + 1], side ours, 
     return a && b ? larger(a->spread, b->spread) : 1;
 }
 
-/* The ratio of a side at a place, the spread, and whose time is the least; "even" where the
- * ratio is no further from 1 than the spread. */
-static void print_place(const results *r, int P, side ours, int k)
+/* The ratio of a side at a place, the spread, and whose time is the least, to so many letters; "even"
+ * where the ratio is no further from 1 than the spread. */
+static void print_place(const results *r, int P, side ours, int k, int width)
 {
     size_t mine = 0, theirs = 0;
     const timing *a = fastest(r, r->best[P], OURS_THAT_STEP, ours, k, &mine),
@@ -94,7 +94,7 @@ static void print_place(const results *r, int P, side ours, int k)
                  spread = spread_at(r, r->best[P], ours, k);
     char over[16];
     write_number(over, sizeof over, q);
-    printf("\t%-11s\t%-5.3g\t%-24s", over, spread,
+    printf("\t%-11s\t%-5.3g\t%-*s", over, spread, width,
            !a && !b                           ? "-"
            : q > 0 && q < spread && 1 < q * spread ? "even"
            : a && (!b || q < 1)               ? r->all[mine].name
@@ -112,8 +112,8 @@ void print_places(const results *r)
             char place[16];
             snprintf(place, sizeof place, "P%d 1e-%d", P + 1, k);
             printf("%-8s", place);
-            print_place(r, P, OURS_EXACT, k);
-            print_place(r, P, OURS_THAT_STEP, k);
+            print_place(r, P, OURS_EXACT, k, 24);
+            print_place(r, P, OURS_THAT_STEP, k, 0);
             printf("\n");
         }
     printf("#< places\n\n\n");
