@@ -45,7 +45,7 @@ class Event:
     @property
     def text(self) -> str:
         """As the library reads it; of a function the action alone is read."""
-        return f"{self.value if isinstance(self.value, str) else 't'} : {self.action}"
+        return f"{self.value if isinstance(self.value, str) else 'x1'} : {self.action}"
 
     @property
     def name(self) -> str:
