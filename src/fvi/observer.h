@@ -19,6 +19,10 @@
  * the impulses of the last steps, of an order that is one above the highest of the method, 9 at
  * most; near t = 0, where J = t^q g(t) with q = 2 - the order of the damping, by those of g. So
  * force and a have the order of p at a fixed t; at the first nodes they are of low order, as p is.
+ * Of a start with a velocity and an order of the damping up to 1, the methods of order 2 get the first impulses wrong,
+ * by a quarter for a dashpot. What the steps take from the line x_0 + v_0 t and what is exact are both known, and J and the
+ * work have the difference (13.18): over all rows J and the work then have the order 2, the force 2 - that of the
+ * damping. x, p and the balance are those of the steps; so are accelerations that are slopes of velocities, and multipliers.
  * The acceleration is the equation of motion, a = M^-1 (F - grad U - force). Differences reach back
  * over a jump of F: a few rows behind it are of low order.
  * The work of one damper is what the energy has lost, E_0 - E + the work of F, with stages, where the

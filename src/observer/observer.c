@@ -48,11 +48,11 @@ static void push_impulse(fvi_observer *o, const double *change)
 /* The sums of a mechanism are its stepper's own. */
 static int add_mechanism(fvi_observer *o, const fvi_stepper *s)
 {
-    int status = FVI_SUCCESS;
+    int status = o->ramp ? fvi_observer_step_ramps(o, o->change) : FVI_SUCCESS;
     for (size_t j = 0; j < o->dampers && !status; j++) {
         double J;
         status = fvi_stepper_damper(s, j, &J, &o->work[j]);
-        o->change[j] = J - o->impulse[j];
+        o->change[j] = J + o->rate[j] * o->lead[j] - o->impulse[j];
     }
     if (!status && o->by_velocity)
         status = fvi_observer_velocity(o, s, s->p, o->v);
@@ -91,6 +91,13 @@ static int add_step(fvi_observer *o, const fvi_stepper *s)
         memset(o->change, 0, o->forces * sizeof *o->change);
         *sums.work = 0;
     }
+    if (o->ramp)
+        status = fvi_observer_step_ramps(o, o->force);
+    for (size_t j = 0; o->ramp && j < o->dampers && !status; j++)
+        for (size_t i = j * o->d; i < (j + 1) * o->d; i++)
+            o->change[i] += o->rate[i] * o->force[j];
+    if (status)
+        return status;
     push_impulse(o, o->change);
     for (size_t j = 0; j < o->dampers; j++)
         o->work[j] += sums.work[j];

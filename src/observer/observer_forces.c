@@ -156,13 +156,14 @@ static int begin_coordinates(fvi_observer *o, const fvi_stepper *s)
     return status;
 }
 
-/* z = g(x) and zdot = G v of damper j at the start. */
-static int elongation_at_start(fvi_observer *o, const fvi_stepper *s,
-                               const fvi_elongation *of, double *z, double *rate)
+int fvi_observer_elongation(fvi_observer *o, const fvi_stepper *s,
+                            const fvi_elongation *of, double *z, double *rate)
 {
     int status = FVI_SUCCESS;
     *z = *rate = 0;
-    if (!of->row)
+    if (!of->row && of->rate)
+        status = of->rate(0, o->d, s->x, of->params, rate);
+    if (!of->row && !status)
         status = of->value(0, o->d, s->x, of->params, z);
     if (!of->row && !status)
         status = of->gradient(0, o->d, s->x, of->params, o->F);
@@ -181,7 +182,7 @@ static int begin_mechanism(fvi_observer *o, const fvi_stepper *s)
         const fvi_damper *damper = &m->damper[j];
         const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
         double z, rate;
-        status = elongation_at_start(o, s, &damper->of, &z, &rate);
+        status = fvi_observer_elongation(o, s, &damper->of, &z, &rate);
         o->exponent[j] = exponent_at_start(of.growth, of.past, z);
         o->start[j] = force_at_start(&of, z, rate);
     }

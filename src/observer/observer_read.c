@@ -141,7 +141,8 @@ static int read_balance(fvi_observer *o, const fvi_stepper *s, double t,
     int status = fvi_energy_at(s->run.system, t, now->x, now->p, &now->energy);
     if (!(o->wanted & FVI_OBSERVE_WORK))
         return status;
-    memcpy(o->work_now, o->work, o->dampers * sizeof *o->work);
+    for (size_t j = 0; j < o->dampers; j++)
+        o->work_now[j] = o->work[j] + o->power[j] * o->lead[j];
     if (o->is_damped && o->by_energy)
         o->work_now[0] = o->E0 - now->energy + now->work_of_force;
     const double *sums = o->work_known ? o->work : o->work_now;

@@ -21,17 +21,18 @@ static void place_arrays(fvi_observer *o)
 {
     const size_t d = o->d, f = o->tracked, room = d > f ? d : f;
     double *at = o->numbers;
-    double **const state[] = { &o->impulse, &o->latest, &o->work, &o->known,
+    double **const state[] = { &o->impulse, &o->latest, &o->work, &o->lead, &o->known,
                                &o->scalars },
                    **const rest[] = { &o->p0,      &o->start,  &o->exponent,
+                                      &o->rate,    &o->power,
                                       &o->begin.x, &o->begin.p, &o->begin.F,
                                       &o->begin.dampers,
                                       &o->hit,     &o->change, &o->x,
                                       &o->p,       &o->v,      &o->a,
                                       &o->F,       &o->g,      &o->force,
                                       &o->impulse_now, &o->work_now };
-    const size_t lengths[] = { f, o->degree * f, o->dampers, d, FVI_SCALARS };
-    for (size_t i = 0; i < 5; at += lengths[i++])
+    const size_t lengths[] = { f, o->degree * f, o->dampers, o->dampers, d, FVI_SCALARS };
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; at += lengths[i++])
         *state[i] = at;
     o->saved = (size_t)(at - o->numbers);
     for (size_t i = 0; i < sizeof rest / sizeof *rest; i++, at += room) {
@@ -46,8 +47,8 @@ static void place_arrays(fvi_observer *o)
 static int allocate(fvi_observer *o)
 {
     const size_t most = o->d > o->tracked ? o->d : o->tracked;
-    const size_t room = (o->degree + 2) * o->tracked + o->dampers + FVI_SCALARS
-                        + 27 * most;
+    const size_t room = (o->degree + 2) * o->tracked + 2 * o->dampers + FVI_SCALARS
+                        + 29 * most;
     o->numbers = calloc(room, sizeof *o->numbers);
     if (!o->numbers)
         return FVI_ENOMEM;
@@ -202,6 +203,8 @@ static int begin(fvi_observer *o, const fvi_stepper *s)
         status = fvi_observer_begin_forces(o, s);
     for (size_t i = o->forces; i < o->forces + o->slopes; i++)
         o->impulse[i] = o->v[i - o->forces];
+    if (!status && o->is_summed)
+        status = fvi_observer_begin_ramps(o, s);
     return !status && o->is_infinite ? take_means(o, s) : status;
 }
 
@@ -258,12 +261,15 @@ int fvi_observer_copy(const fvi_observer *from, fvi_observer **to)
     *o = *from;
     o->factors = NULL;
     o->numbers = NULL;
+    o->ramp = NULL;
     int status = allocate(o);
     if (!status)
         memcpy(o->numbers, from->numbers, o->count * sizeof *o->numbers);
     if (!status && o->matrices)
         status = o->matrices->factorise(o->d, 1, 0, 0, o->matrices->params,
                                         &o->factors);
+    if (!status && from->ramp)
+        status = fvi_observer_copy_ramps(from, o);
     if (status)
         fvi_observer_free(o);
     else
@@ -273,8 +279,12 @@ int fvi_observer_copy(const fvi_observer *from, fvi_observer **to)
 
 int fvi_observer_archive(fvi_observer *o, fvi_archive *archive)
 {
-    return archive->serialize(archive, o->numbers,
-                              o->saved * sizeof *o->numbers, 0);
+    int status = archive->serialize(archive, o->numbers,
+                                    o->saved * sizeof *o->numbers, 0);
+    for (size_t j = 0; o->ramp && j < o->dampers && !status; j++)
+        if (o->ramp[j])
+            status = fvi_ramp_archive(o->ramp[j], archive);
+    return status;
 }
 
 void fvi_observer_free(fvi_observer *o)
@@ -283,6 +293,7 @@ void fvi_observer_free(fvi_observer *o)
         return;
     if (o->factors)
         o->matrices->forget(o->factors);
+    fvi_observer_free_ramps(o);
     free(o->numbers);
     free(o);
 }

@@ -5,6 +5,7 @@
 #define FVI_OBSERVER_STATE_H
 
 #include "methods/step_sums.h"
+#include "observer_ramp.h"
 
 #include <fvi/dampers.h>
 #include <fvi/observer.h>
@@ -39,11 +40,15 @@ struct fvi_observer {
     double *impulse; /* J of each force, and the velocities */
     double *latest;  /* degree times what the last steps have added to them, the latest first */
     double *work;    /* of each damper */
+    double *lead;    /* of each damper, what the start with a velocity leaves in its impulse, of a unit */
     double *known;   /* the impulses of F - grad U, d numbers: of chosen steps, at their begin */
     double *scalars; /* the work of the force; the time at which `known` stands; impulses so far */
     /* what does not change */
     double *p0, *start; /* d; the forces at t = 0 */
     double *exponent;   /* q of each force: J = t^q g(t) at first; NaN of a velocity */
+    double *rate;       /* by which lead comes into the impulse of each force, and of the work of each damper */
+    double *power;
+    fvi_ramp **ramp;    /* of each damper, NULL if it has none; or NULL */
     double E0;
     /* what is made anew */
     fvi_step_begin begin;
@@ -62,6 +67,21 @@ int fvi_observer_hits(fvi_observer *o, const fvi_stepper *s, double *known,
 
 /* fvi_observer_begin_forces -- the forces at t = 0 and the exponents of their impulses. */
 int fvi_observer_begin_forces(fvi_observer *o, const fvi_stepper *s);
+
+/* fvi_observer_begin_ramps -- rate, power and ramp of all dampers, of a start with a velocity.
+ * fvi_observer_step_ramps -- lead of all dampers at the end of the step; changed, room for as many numbers, is what it
+ * has grown by.
+ * fvi_observer_copy_ramps -- those of another observer; `to` has none.
+ * fvi_observer_free_ramps -- give them back.
+ * The first three return FVI_SUCCESS or what failed. */
+int fvi_observer_begin_ramps(fvi_observer *o, const fvi_stepper *s);
+int fvi_observer_step_ramps(fvi_observer *o, double *changed);
+int fvi_observer_copy_ramps(const fvi_observer *from, fvi_observer *to);
+void fvi_observer_free_ramps(fvi_observer *o);
+
+/* fvi_observer_elongation -- z = g(x) and zdot of a damper of a mechanism at the start, from o->v; o->F is used. */
+int fvi_observer_elongation(fvi_observer *o, const fvi_stepper *s,
+                            const fvi_elongation *of, double *z, double *rate);
 
 /* fvi_observer_differences -- at node k of steps h, the slopes of what is tracked. */
 void fvi_observer_differences(const fvi_observer *o, size_t k, double h,

@@ -12,7 +12,8 @@ unless something else is said:
   (13.10) the momentum form is (13.7), with the momentum (13.9) at both its ends;
   (13.11) delta of BDF2 is (1 - z) (3 - z)/2;
   (13.13) to (13.15), (13.17) arguments on the unit circle, values at -1;
-  (13.16) is of order 2.
+  (13.16) is of order 2;
+  (13.18), (13.19) the impulses of a line.
 Printed: weights by the binomial series, 60 and 90 digits; trajectories of the
 three-term equation (13.7) as it stands, the derivative of order alpha taken
 twice; growth factors by bisection."""
@@ -191,6 +192,14 @@ late = ((1 + b) / 2 + (1 - b) / 2 * exp(-s)) * (1 + exp(s)) / 2
 prove("(13.16) order 2: no term of order s", series(
     ((1 - exp(-s)) / s) ** b * late, s, 0, 2).removeO() - 1)
 #< stable
+#> line
+bdf = (1 - z) + (1 - z) ** 2 / 2
+summed = bdf * z / (1 - z) ** 2 * (1 + z) / 2 / (1 - z)      # of the dashpot, o = 1, h = 1: sums R_k of the line
+prove("(13.18) a dashpot's R_1 is 3/4, then it is k", series(summed - (z / (1 - z) ** 2 - z / 4), z, 0, 9).removeO())
+e = exp(-s)                                                  # of o = b: s^(b - 3) (1 - b/3 s^2 + ...)
+line = (bdf.subs(z, e) / s) ** b * s**2 * e / (1 - e) ** 2 * s * (1 + e) / 2 / (1 - e)
+prove("(13.19) the difference is b/3 s^2 of it", series(line, s, 0, 3).removeO() - (1 - b * s**2 / 3))
+#< line
 #> bdf2
 delta = DELTA["BDF2"].subs(z, exp(-I * phi)).rewrite(cos).expand()
 prove("(13.14) Re delta = (1 - cos)^2, Im delta = sin (2 - cos)",

@@ -1,0 +1,237 @@
+/* src/observer/observer_ramp.c -- What a start with a velocity leaves in the impulses of a damper. [H 13] */
+#include "observer_state.h"
+
+#include "kernel/kernel_impulses.h"
+#include "kernel/kernel_terms.h"
+#include "mechanism/mechanism_state.h"
+#include "methods/convolution_quadrature_dampers.h"
+#include "run/run_damper.h"
+
+#include <fvi/convolution_quadrature_methods.h>
+
+#include <math.h>
+#include <stdlib.h>
+
+/* A body so heavy that no damper slows it down: it moves along x = t, and its damper's impulses are those of the line. */
+static const double heavy_mass = 1e150, one = 1, zero = 0;
+
+struct fvi_ramp {
+    fvi_system system;
+    fvi_run run;
+    const fvi_method *method;
+    fvi_stepper *heavy;
+    fvi_impulses_of_kernel *exact; /* of a law that is not one power */
+    double rho, order;             /* of one power */
+    double is_over;                /* nothing is added any more */
+};
+
+static int is_by_quadrature(const fvi_method *method)
+{
+    return method->scheme == FVI_SCHEME_CQ_BDF2 || method->scheme == FVI_SCHEME_CQ2_SHIFTED
+           || method->scheme == FVI_SCHEME_CQ2_MIDPOINT;
+}
+
+/* The law by which the damper is summed, or NULL of an alpha. A mechanism sums each of its kernels as a law. */
+static const fvi_kernel *law_of(const fvi_stepper *s, size_t j)
+{
+    const fvi_system *system = s->run.system;
+    if (system->mechanism && !system->matrices)
+        return system->mechanism->damper[j].kernel;
+    return fvi_run_damper_of(&s->run, j).law;
+}
+
+/* The line of one body, h, N and the memory as in the run. */
+static int begin(fvi_ramp *o)
+{
+    o->system = (fvi_system){ .d = 1,
+                              .mass = &heavy_mass,
+                              .damping = &one,
+                              .potential = fvi_potential_harmonic(&zero) };
+    o->run.system = &o->system;
+    o->run.x0 = &zero;
+    o->run.p0 = &heavy_mass;
+    return fvi_stepper_start(o->method, &o->run, &o->heavy, NULL);
+}
+
+static fvi_ramp *describe(const fvi_stepper *s, size_t j)
+{
+    const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
+    fvi_ramp *o = calloc(1, sizeof *o);
+    if (!o)
+        return NULL;
+    o->method = s->mechanism ? &fvi_cq2_midpoint : s->method; /* whose steps are not a mechanism's */
+    o->order = of.growth;
+    o->run = fvi_run_default(&o->system, NULL, NULL, s->run.h, s->run.steps);
+    o->run.memory = s->run.memory;
+    o->run.tolerance = s->run.tolerance;
+    o->run.alpha = of.alpha;
+    o->run.law = law_of(s, j);
+    o->rho = !o->run.law ? 1 : fvi_kernel_is_power(o->run.law) ? o->run.law->term->rho : NAN;
+    return o;
+}
+
+int fvi_ramp_start(const fvi_stepper *s, size_t j, fvi_ramp **ramp)
+{
+    *ramp = NULL;
+    if (!is_by_quadrature(s->method) || !(fvi_run_damper_of(&s->run, j).growth <= 1))
+        return FVI_SUCCESS;
+    fvi_ramp *o = describe(s, j);
+    if (!o)
+        return FVI_ENOMEM;
+    int status = begin(o);
+    if (!status && isnan(o->rho))
+        status = fvi_impulses_of_kernel_alloc(o->run.law, o->run.h, &o->exact);
+    if (status)
+        fvi_ramp_free(o);
+    else
+        *ramp = o;
+    return status;
+}
+
+/* The exact impulse of the line from t_k to t_{k+1}. */
+static double exact_impulse(fvi_ramp *o, size_t k)
+{
+    double ends[2];
+    if (o->exact) {
+        fvi_impulses_of_kernel_at(o->exact, k, ends);
+        return ends[0] + ends[1];
+    }
+    const double e = 2 - o->order, n = (double)k;
+    const double rise = k == 0 ? 1 : pow(n, e) * expm1(e * log1p(1 / n));
+    return o->rho * pow(o->run.h, e) * rise / tgamma(1 + e);
+}
+
+/* That of the steps: the part of D_k at the begin of the step, and the part of D_{k+1} at its end (13.10). */
+static int step_line(fvi_ramp *o, double *impulse)
+{
+    const fvi_cq_state *cq = o->heavy->method_state;
+    const fvi_cq_damper *a = cq->each;
+    double J = 0;
+    *impulse = 0;
+    if (cq->count == 0)
+        return fvi_stepper_step(o->heavy);
+    int status = fvi_damping_apply_force(a->damping, a->theta - 0.5, a->H, &J);
+    if (!status)
+        status = fvi_stepper_step(o->heavy);
+    if (!status)
+        status = fvi_damping_apply_force(a->damping, -0.5 - a->theta, a->H, &J);
+    *impulse = J;
+    return status;
+}
+
+int fvi_ramp_step(fvi_ramp *o, double *lead)
+{
+    if (o->is_over != 0)
+        return FVI_SUCCESS;
+    double impulse;
+    const double exact = exact_impulse(o, o->heavy->k);
+    const int status = step_line(o, &impulse);
+    *lead += exact - impulse;
+    o->is_over = fabs(exact - impulse) <= 1e-10 * fabs(exact) && o->heavy->k > 4;
+    return status;
+}
+
+int fvi_ramp_copy(const fvi_ramp *from, fvi_ramp **to)
+{
+    fvi_ramp *o = *to = malloc(sizeof *o);
+    if (!o)
+        return FVI_ENOMEM;
+    *o = *from;
+    o->heavy = NULL;
+    o->exact = NULL;
+    int status = begin(o);
+    if (!status && from->exact)
+        status = fvi_impulses_of_kernel_copy(from->exact, &o->exact);
+    while (!status && o->heavy->k < from->heavy->k)
+        status = fvi_stepper_step(o->heavy);
+    return status;
+}
+
+int fvi_ramp_archive(fvi_ramp *o, fvi_archive *archive)
+{
+    const int status = archive->serialize(archive, &o->is_over, sizeof o->is_over, 0);
+    return status || o->is_over != 0 ? status : fvi_stepper_archive(o->heavy, archive);
+}
+
+void fvi_ramp_free(fvi_ramp *o)
+{
+    if (!o)
+        return;
+    fvi_stepper_free(o->heavy);
+    fvi_impulses_of_kernel_free(o->exact);
+    free(o);
+}
+
+/* ---- of all dampers of a run ---- */
+
+/* The rates of damper j: of a mechanism that of its elongation, else what C v0 is on each coordinate. */
+static int begin_rates(fvi_observer *o, const fvi_stepper *s, size_t j, int *acts)
+{
+    const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
+    const size_t d = o->d;
+    double z, *rate = o->rate + (o->has_mechanism ? j : j * d);
+    int status = FVI_SUCCESS;
+    if (o->has_mechanism) {
+        status = fvi_observer_elongation(o, s, &s->run.system->mechanism->damper[j].of, &z, rate);
+        o->power[j] = *rate * *rate;
+        *acts = *rate != 0;
+        return status;
+    }
+    if (o->matrices)
+        status = fvi_damping_multiply(&of.matrix, d, of.rho, o->v, rate);
+    for (size_t i = 0; i < d && !status; i++) {
+        if (!o->matrices)
+            rate[i] = s->run.system->damping[i] * o->v[i];
+        o->power[j] += rate[i] * o->v[i];
+        *acts |= rate[i] != 0;
+    }
+    return status;
+}
+
+int fvi_observer_begin_ramps(fvi_observer *o, const fvi_stepper *s)
+{
+    if (!o->is_damped || o->is_mass || !is_by_quadrature(s->method))
+        return FVI_SUCCESS;
+    o->ramp = calloc(o->dampers + 1, sizeof *o->ramp);
+    if (!o->ramp)
+        return FVI_ENOMEM;
+    int status = fvi_observer_velocity(o, s, s->p, o->v);
+    for (size_t j = 0; j < o->dampers && !status; j++) {
+        int acts = 0;
+        status = begin_rates(o, s, j, &acts);
+        if (!status && acts)
+            status = fvi_ramp_start(s, j, &o->ramp[j]);
+    }
+    return status;
+}
+
+int fvi_observer_step_ramps(fvi_observer *o, double *changed)
+{
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < o->dampers && !status; j++) {
+        const double lead = o->lead[j];
+        if (o->ramp[j])
+            status = fvi_ramp_step(o->ramp[j], &o->lead[j]);
+        changed[j] = o->lead[j] - lead;
+    }
+    return status;
+}
+
+int fvi_observer_copy_ramps(const fvi_observer *from, fvi_observer *to)
+{
+    int status = FVI_SUCCESS;
+    to->ramp = calloc(from->dampers + 1, sizeof *to->ramp);
+    if (!to->ramp)
+        return FVI_ENOMEM;
+    for (size_t j = 0; j < from->dampers && !status; j++)
+        if (from->ramp[j])
+            status = fvi_ramp_copy(from->ramp[j], &to->ramp[j]);
+    return status;
+}
+
+void fvi_observer_free_ramps(fvi_observer *o)
+{
+    for (size_t j = 0; o->ramp && j < o->dampers; j++)
+        fvi_ramp_free(o->ramp[j]);
+    free(o->ramp);
+}
