@@ -16,6 +16,14 @@ void fvi_print_number(FILE *out, const char *before, double v)
     fwrite(text, 1, (size_t)fvi_format_double(v, text), out);
 }
 
+void fvi_print_estimate(FILE *out, double estimate, double sd, double lower, double upper)
+{
+    const double numbers[] = { estimate, sd, lower, upper };
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        fvi_print_number(out, "\t", numbers[i]);
+    fputc('\n', out);
+}
+
 /* How many bytes the character at `at` has in UTF-8, or 0 if it is none: no surrogates, no
  * longer form than need be, nothing behind U+10FFFF. */
 static size_t bytes_of_character(const char *at)

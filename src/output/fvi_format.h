@@ -9,6 +9,9 @@
 /* fvi_print_number -- `before`, and then v as the shortest number that comes back. */
 void fvi_print_number(FILE *out, const char *before, double v);
 
+/* fvi_print_estimate -- the rest of the row of a fitted number, behind its name. */
+void fvi_print_estimate(FILE *out, double estimate, double sd, double lower, double upper);
+
 /* In this order: the version, as the first parameter; parameters; the names of the columns,
  * then rows; the end. What a format has no place for is not printed. */
 void fvi_format_begin(FILE *out, fvi_format format);

@@ -59,11 +59,7 @@ static void print_rows(FILE *out, const request *r, const fvi_estimate *f,
     fputs("# name\testimate\tsd\tlower\tupper\n", out);
     for (size_t j = 0; j < r->fit.parameters; j++) {
         fputs(r->name[j], out);
-        fvi_print_number(out, "\t", f->estimate[j]);
-        fvi_print_number(out, "\t", f->sd[j]);
-        fvi_print_number(out, "\t", e->lower[j]);
-        fvi_print_number(out, "\t", e->upper[j]);
-        fputc('\n', out);
+        fvi_print_estimate(out, f->estimate[j], f->sd[j], e->lower[j], e->upper[j]);
     }
 }
 

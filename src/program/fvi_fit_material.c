@@ -265,11 +265,7 @@ static void print_rows(FILE *out, const request *r, const fvi_material *m)
         const char *name;
         for (size_t i = 0; (name = fvi_element_number(r->kind[n], i, NULL)); i++, j++) {
             fprintf(out, "%s%zu.%s", fvi_element_words[r->kind[n]], n + 1, name);
-            fvi_print_number(out, "\t", m->estimate[j]);
-            fvi_print_number(out, "\t", m->sd[j]);
-            fvi_print_number(out, "\t", m->lower[j]);
-            fvi_print_number(out, "\t", m->upper[j]);
-            fputc('\n', out);
+            fvi_print_estimate(out, m->estimate[j], m->sd[j], m->lower[j], m->upper[j]);
         }
     }
 }

@@ -54,18 +54,6 @@ static inline void chain_at(chain *c, fvi_initial_history past, double alpha, do
     c->run.step_error = 1e-12;
 }
 
-/* J = x_N,1 + p_N,2 */
-static inline int ends(size_t k, size_t d, const double *x, const double *p,
-                       void *params, double *Jx, double *Jp)
-{
-    (void)k, (void)d, (void)x, (void)params;
-    if (p) {
-        Jx[0] = 1;
-        Jp[1] = 1;
-    }
-    return 0;
-}
-
 static inline slopes *slopes_by(chain *c, int of_ends)
 {
     slopes *s = slopes_of(&c->run, N + 1);

@@ -7,10 +7,10 @@
 #include "system/larger.h"
 
 #include "adjoint_dampers_ref.h"
+#include "sine_and_momenta.h"
 
 enum { D = 3, N = 12, DAMPERS = 3, TERMS = 2, NUMBERS = 4 };
 
-static const double h = 1. / 16;
 static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_MODES };
 
 static int cosine(double t, size_t d, void *params, double *F)
@@ -18,19 +18,6 @@ static int cosine(double t, size_t d, void *params, double *F)
     (void)params;
     for (size_t i = 0; i < d; i++)
         F[i] = (double)(i + 1) * cos(1.25 * t) / 5;
-    return 0;
-}
-
-/* The J of adjoint_dampers.py. */
-static int to_sine(size_t k, size_t d, const double *x, const double *p, void *params,
-                   double *Jx, double *Jp)
-{
-    (void)params;
-    for (size_t i = 0; i < d; i++) {
-        Jx[i] += k > 0 ? h * (x[i] - sin((double)k * h)) : 0;
-        if (p)
-            Jp[i] += p[i];
-    }
     return 0;
 }
 

@@ -45,18 +45,6 @@ static void chain_at(chain *c, fvi_history_kind memory, double t)
     c->run.alpha = 0.9; /* not read */
 }
 
-/* J = x_N,1 + p_N,2 */
-static int ends(size_t k, size_t d, const double *x, const double *p,
-                void *params, double *Jx, double *Jp)
-{
-    (void)k, (void)d, (void)x, (void)params;
-    if (p) {
-        Jx[0] = 1;
-        Jp[1] = 1;
-    }
-    return 0;
-}
-
 /* The first six have the digits of the tests before Taylor's. */
 static const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq_bdf2,
                                              &fvi_lobatto_d2,  &fvi_lobatto_d3,

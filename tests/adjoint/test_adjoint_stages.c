@@ -42,18 +42,6 @@ static void chain_at(chain *c, fvi_initial_history past, double alpha, double g,
     c->run.past = past;
 }
 
-/* J = x_N,1 + p_N,2; or the J of to_sine. */
-static int ends(size_t k, size_t d, const double *x, const double *p,
-                void *params, double *Jx, double *Jp)
-{
-    (void)k, (void)d, (void)x, (void)params;
-    if (p) {
-        Jx[0] = 1;
-        Jp[1] = 1;
-    }
-    return 0;
-}
-
 static int last_position(size_t k, size_t d, const double *x, const double *p,
                          void *params, double *Jx, double *Jp)
 {

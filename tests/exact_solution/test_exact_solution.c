@@ -6,24 +6,14 @@
 #include "exact_problems.h"
 #include "harness/bagley_torvik.h"
 
-#include "exact_solution_ref.h"
+#include "reference_problem.h"
 #include "system/larger.h"
 
 /* TOL. Seen: 8 u. Without the low part of the pole, thousands at t = 10^4. */
 START_TEST(eq_11_7_solutions_match_talbot_and_the_cut)
 {
     for (size_t i = 0; i < LEN(ref_solutions); i++) {
-        fvi_linear_oscillator p = { ref_solutions[i].m,
-                         ref_solutions[i].c,
-                         ref_solutions[i].rho,
-                         ref_solutions[i].alpha,
-                         (fvi_initial_history)ref_solutions[i].past,
-                         ref_solutions[i].x0,
-                         ref_solutions[i].v0,
-                         (fvi_forcing)ref_solutions[i].forcing,
-                         ref_solutions[i].A,
-                         ref_solutions[i].T,
-                         ref_solutions[i].w, NULL };
+        fvi_linear_oscillator p = reference_problem(i);
         double t = ref_solutions[i].t, x, v, X = ref_solutions[i].size_x;
         solve(&p, t, &x, &v);
         ck_assert_near(x, ref_solutions[i].x, TOL * X, "x, row %zu", i);

@@ -4,7 +4,7 @@
 #include "exact_rows.h"
 #include "harness/bagley_torvik.h"
 
-#include "exact_solution_ref.h"
+#include "reference_problem.h"
 #include "system/larger.h"
 
 enum { PROBLEMS = 600 };
@@ -68,18 +68,7 @@ START_TEST(eq_11_15_rows_match_talbot_and_the_cut)
 {
     for (size_t i = 0; i < LEN(ref_solutions); i++)
         for (size_t n = 1; n <= 64; n = n == 1 ? 2 : 32 * n) {
-            const fvi_linear_oscillator p = { ref_solutions[i].m,
-                                   ref_solutions[i].c,
-                                   ref_solutions[i].rho,
-                                   ref_solutions[i].alpha,
-                                   (fvi_initial_history)ref_solutions[i].past,
-                                   ref_solutions[i].x0,
-                                   ref_solutions[i].v0,
-                                   (fvi_forcing)ref_solutions[i].forcing,
-                                   ref_solutions[i].A,
-                                   ref_solutions[i].T,
-                                   ref_solutions[i].w,
-                                   NULL };
+            const fvi_linear_oscillator p = reference_problem(i);
             double t = ref_solutions[i].t, x[65], v[65],
                    X = ref_solutions[i].size_x;
             ck_assert_int_eq(fvi_exact_grid(&p, t / (double)n, n, 0, x, v,

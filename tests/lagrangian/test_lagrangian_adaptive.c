@@ -3,20 +3,8 @@
 #include "adaptive_runs.h"
 
 static const mechanism_text
-    friction = { .name = "friction",
-                 .d = 1,
-                 .lagrangian = "v^2/2-x^2/2",
-                 .damper = { "x : power:0.2,0.3" },
-                 .force_on = { "1=-0.3*tanh(v/0.1)+0.5*sin(1.3*t)" },
-                 .x0 = { 1 },
-                 .v0 = { 0.1 } },
-    drag = { .name = "drag",
-             .d = 2,
-             .lagrangian = "3*v1^2/2 + v1*v2*cos(x2) + v2^2/2 + cos(x2) - x1^2/2",
-             .damper = { "x1 : power:0.3,0.3" },
-             .force_on = { "1=-0.2*v1*sqrt(v1^2+0.01)", "2=0.2*v2" },
-             .x0 = { 0.2, 1.2 },
-             .v0 = { 0, 0.5 } },
+    friction = FRICTION,
+    drag = DRAG,
     /* order 1.4, held with a velocity along the damper */
     steep = { .name = "steep",
               .d = 2,
