@@ -72,10 +72,15 @@ def words(svg):
             yield begin, begin + long, anchor == "end"
 
 
+def script_of(path):
+    """What draws a figure, with the scripts that it loads."""
+    script = path.with_suffix(".gp").read_text() if path.with_suffix(".gp").exists() else ""
+    return script + "".join(pathlib.Path(name).read_text() for name in re.findall(r"^load '([^']*)'", script, re.M))
+
+
 def split(path):
     """Where a vertical line divides the two panels of a figure and cuts no word; None, if it has not two panels."""
-    script = path.with_suffix(".gp").read_text() if path.with_suffix(".gp").exists() else ""
-    layout = re.search(r"multiplot layout 1,2(?: margins ([\d.]+),([\d.]+),[\d.]+,[\d.]+ spacing ([\d.]+))?", script)
+    layout = re.search(r"multiplot layout 1,2(?: margins ([\d.]+),([\d.]+),[\d.]+,[\d.]+ spacing ([\d.]+))?", script_of(path))
     if not layout:
         return None
     svg = path.read_text()

@@ -219,7 +219,7 @@ def number_figures(page, captions):
         source, alt = match["src"], match["alt"]
         number = f"{page.number}.{count}" if page.number else str(count)
         wide, high = size_of(page, source)
-        image = f'<img src="{source}" alt="{alt}" width="{wide}" height="{high}" style="width: {int(wide) / 16:g}rem">'
+        image = f'<img src="{source}" alt="{alt}" width="{wide}" height="{high}" style="--wide: {int(wide) / 16:g}rem">'
         return (f'<figure id="fig-{number.replace(" ", "")}"{live(source)}><a href="{source}">{in_two(source, image)}</a>\n'
                 f'<figcaption><a href="#fig-{number.replace(" ", "")}">Figure {number}</a> {captions(source, alt)}</figcaption></figure>')
 
