@@ -32,7 +32,7 @@ LINES = 18  # of code on a slide
 WORD = r"\*\*(?:Theorem|Lemma|Proposition|Corollary|Definition)\b"
 STATEMENT = re.compile(rf"^{WORD}.*?(?=\n\n)", re.M | re.S)
 QUOTED = re.compile(rf"^> {WORD}.*\n(?:>.*\n)*", re.M)
-PROGRAM = re.compile(r"<details><summary>Our lines:.*?</summary>(.*?)</details>", re.S)
+PROGRAM = re.compile(r"<details><summary>(?:Our|The library's) lines:.*?</summary>(.*?)</details>", re.S)
 ASIDE = re.compile(r"<details>.*?</details>|<!--(?! moves:).*?-->", re.S)
 TASK = re.compile(r"^(\d+)\. (.*?)(?=^\d+\. |^\*How we know|\Z)", re.M | re.S)
 STYLE = """

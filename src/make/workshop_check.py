@@ -122,9 +122,19 @@ def session_fails():
     return None
 
 
+def unfolded():
+    """Code of the Course that a reader sees before he has asked for it: of a stage only its head and main may stand
+    open, and the first program, which is typed; the library's lines give away those of a stage."""
+    for page in sorted(pathlib.Path("chapters").glob("[0-9][0-9]-*.md")):
+        shown = re.sub(r"<details>.*?</details>", "", page.read_text(), flags=re.S)
+        for quote in re.findall(r"<!-- excerpt: (\S+) -->", shown):
+            if not re.fullmatch(r"src/course/body_(01\.c|\d\d\.c#(head|main\(\)))", quote):
+                yield f"{page}: {quote} stands open, and a stage asks for such lines: it belongs into <details>"
+
+
 def text():
     """What needs no compiler: the part of `make text`."""
-    if failed := list(filter(None, map(text_fails, holes.holes()))):
+    if failed := [*filter(None, map(text_fails, holes.holes())), *unfolded()]:
         sys.exit("\n".join(failed))
 
 
