@@ -53,6 +53,7 @@
 #include "response.h"
 
 /* Texts and files */
+#include "formulas.h"
 #include "parse.h"
 #include "parse_words.h"
 #include "columns.h"

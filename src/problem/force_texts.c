@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* strdup */
 #include "typed_force.h"
 #include "words.h"
+#include <fvi/formulas.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -132,8 +133,6 @@ static int parse_part(fvi_force_part *p, const char *field, const char *text,
 {
     static const char *const words[] = { "none",    "step", "cosine",
                                          "impulse", "file", NULL };
-    static const char *const forms[] = { "none", "step:A,T", "cosine:A,W",
-                                         "impulse:J,T", "file:F.tsv" };
     const size_t length = strcspn(text, ":"),
                  word = fvi_scan_word(text, length, words);
     if (length == 4 && text[length] && strncasecmp(text, "file", 4) == 0)
@@ -151,7 +150,7 @@ static int parse_part(fvi_force_part *p, const char *field, const char *text,
         return take_impulse(p, field, text, last, error);
     if (words[word])
         return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s' is not %s", text,
-                        forms[word]);
+                        word ? fvi_force_formulas[word - 1].form : words[0]);
     char place[64];
     fvi_word_hint(text, length, words, place);
     if (text[length] || *place)

@@ -1,5 +1,6 @@
 /* src/problem/typed_damping.c -- Laws of damping as they are typed: zener:1,0.3,2. */
 #include "words.h"
+#include <fvi/formulas.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -66,21 +67,20 @@ static fvi_kernel_term distributed(const double *p)
 
 enum { MOST_NUMBERS = 4 };
 
-/* In the order of the words. */
+/* In the order of the words and of fvi_law_formulas. */
 static const struct {
-    const char *form;
     int count;
     const char *range;
     fvi_kernel_term (*term)(const double *p);
 } kinds[] = {
-    { "viscous:R", 1, "R >= 0", viscous },
-    { "spring:K", 1, "K >= 0", spring },
-    { "power:R,A", 2, "R >= 0 and 0 <= A <= 1", power },
-    { "zener:R,A,T", 3, "R, T >= 0 and 0 <= A <= 1", zener },
-    { "maxwell:R,T", 2, "R, T >= 0", maxwell },
-    { "maxwell2:R1,A,R2,B", 4, "R1, R2 >= 0 and A, B in [0, 1]", maxwell2 },
-    { "davidson:R,A,T", 3, "R, T >= 0 and 0 <= A <= 1", davidson },
-    { "distributed:R,A,B", 3, "R >= 0 and 0 <= A < B <= 1", distributed },
+    { 1, "R >= 0", viscous },
+    { 1, "K >= 0", spring },
+    { 2, "R >= 0 and 0 <= A <= 1", power },
+    { 3, "R, T >= 0 and 0 <= A <= 1", zener },
+    { 2, "R, T >= 0", maxwell },
+    { 4, "R1, R2 >= 0 and A, B in [0, 1]", maxwell2 },
+    { 3, "R, T >= 0 and 0 <= A <= 1", davidson },
+    { 3, "R >= 0 and 0 <= A < B <= 1", distributed },
 };
 
 /* ---- texts ---- */
@@ -94,7 +94,7 @@ static int refuse_range(const char *text, size_t i, double value,
                         fvi_error *error)
 {
     return fvi_fail(error, FVI_EDOM, "damping", value, "'%s': %s with %s", text,
-                    kinds[i].form, kinds[i].range);
+                    fvi_law_formulas[i].form, kinds[i].range);
 }
 
 /* Is it a pair whose smaller order stands first? That has to be known of each term that was read. */
@@ -128,7 +128,7 @@ static int add_term(const char *text, fvi_user_parameters *parameters,
                         fvi_word_hint(text, length, words, place));
     if (!fvi_scan_call(text, words[i], kinds[i].count, p))
         return fvi_fail(error, FVI_EINVAL, "damping", NAN, "'%s' is not %s",
-                        text, kinds[i].form);
+                        text, fvi_law_formulas[i].form);
     for (int j = 0; j < kinds[i].count; j++)
         if (p[j] < 0)
             return refuse_range(text, i, p[j], error);

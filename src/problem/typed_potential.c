@@ -1,20 +1,14 @@
 /* src/problem/typed_potential.c -- Potentials as they are typed: duffing:1,0.5. */
 #include "words.h"
+#include <fvi/formulas.h>
 
 #include <math.h>
 #include <string.h>
 
-/* In the order of fvi_potential_kind. */
+/* In the order of fvi_potential_kind and of fvi_potential_formulas. */
 static const char *const words[] = { "harmonic", "duffing", "pendulum",
                                      "free",     "chain",   NULL };
-static const struct {
-    const char *form;
-    int count;
-} forms[] = { { "harmonic:C", 1 },
-              { "duffing:C,G", 2 },
-              { "pendulum:G", 1 },
-              { "free", 0 },
-              { "chain:D,C,G", 3 } };
+static const int counts[] = { 1, 2, 1, 0, 3 };
 #define ALL_FORMS "harmonic:C, duffing:C,G, pendulum:G, free, chain:D,C,G"
 
 /* Of a word that is nearly one of the known ones, that word is what was meant, and not what is
@@ -73,9 +67,9 @@ int fvi_parse_potential(const char *text, size_t d,
         new.kind = FVI_POTENTIAL_EXPRESSION;
         status = parse_expression(text, d, parameters, &new, error);
     } else if (new.kind != FVI_POTENTIAL_HARMONIC || text[length]) {
-        if (!fvi_scan_call(text, words[i], forms[i].count, p))
+        if (!fvi_scan_call(text, words[i], counts[i], p))
             return fvi_fail(error, FVI_EINVAL, "potential", NAN,
-                            "'%s' is not %s", text, forms[i].form);
+                            "'%s' is not %s", text, fvi_potential_formulas[i].form);
         if (new.kind == FVI_POTENTIAL_CHAIN)
             status = take_chain(text, d, p, &new, error);
         else

@@ -4,6 +4,7 @@
 #include <fvi/coefficients.h>
 #include <fvi/error.h>
 #include <fvi/exact_solution.h>
+#include <fvi/formulas.h>
 #include <fvi/methods.h>
 #include "fvi_commands.h"
 #include "fvi_run.h"
@@ -193,6 +194,21 @@ static int print_text(const char *text, const char *more)
     return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;
 }
 
+/* The options, what their words stand for, and examples. */
+static int print_help_of_run(void)
+{
+    const size_t size = fvi_formulas_write(0, NULL) + 1;
+    char *formulas = malloc(size);
+    if (!formulas)
+        return fvi_complain("not enough memory");
+    fvi_formulas_write(size, formulas);
+    fputs(usage_run, stdout);
+    fputs(usage_run_rest, stdout);
+    const int failed = print_text(formulas, usage_run_examples);
+    free(formulas);
+    return failed;
+}
+
 /* Both commands speak of a system. */
 static int with_system(const fvi_options *o,
                        int (*command)(const fvi_options *, const fvi_system *))
@@ -247,8 +263,8 @@ int main(int argc, char **argv)
         status = print_text("fvi " FVI_VERSION, "\n");
         break;
     default:
-        status = print_text(o.about == FVI_COMMAND_RUN        ? usage_run
-                            : o.about == FVI_COMMAND_EXACT    ? usage_exact
+        status = o.about == FVI_COMMAND_RUN ? print_help_of_run() :
+                 print_text(o.about == FVI_COMMAND_EXACT      ? usage_exact
                             : o.about == FVI_COMMAND_SWEEP    ? usage_sweep
                             : o.about == FVI_COMMAND_FIT      ? usage_fit
                             : o.about == FVI_COMMAND_GRADIENT ? usage_gradient
@@ -257,8 +273,7 @@ int main(int argc, char **argv)
                             : o.about == FVI_COMMAND_COEFFICIENTS
                                 ? usage_coefficients
                                 : usage,
-                            o.about == FVI_COMMAND_RUN ? usage_run_examples
-                                                       : "");
+                            "");
     }
     fvi_options_free(&o);
     return status;

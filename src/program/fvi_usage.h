@@ -35,10 +35,7 @@ static const char usage_run[] =
     "  --order B        the same by the order, B = 2A, instead of --alpha\n"
     "  --rho R          damping, R >= 0; a list, one for each mass    [0.2]\n"
     "  --damping LAW    instead of --alpha and --rho; may be repeated, laws\n"
-    "                   add: power:R,A (R D^{2A} x)  viscous:R  spring:K\n"
-    "                   zener:R,A,T  maxwell:R,T  maxwell2:R1,A,R2,B\n"
-    "                   davidson:R,A,T  distributed:R,A,B, parted by ' + ';\n"
-    "                   or symbol:C(s)\n"
+    "                   add; what a LAW is stands below\n"
     "  --mass M         mass, M >= 0; a list, one for each            [1]\n"
     "  --potential P    harmonic:C  duffing:C,G  pendulum:G  free\n"
     "                   chain:D,C,G (D masses between two walls), or an\n"
@@ -59,11 +56,7 @@ static const char usage_run[] =
     "                   are relative to it, column ag\n"
     "  --along LIST     how each coordinate moves with it             [1]\n"
     "  --derivative D   the past, until t = 0                         [held]\n"
-    "                     held: at rest at x0, the memory acts on x - x0\n"
-    "                     caputo: the same for A <= 1/2; for A > 1/2 it came\n"
-    "                       along a straight line: on x - x0 - t v0\n"
-    "                     rl: at 0, then put at x0: on x. No solution for\n"
-    "                       x0 or C x0 != 0, A > 1/2: fvi warns, others refuse\n"
+    "                     held, caputo or rl, see below\n"
     "  --kappa K        potential at K x_k + (1 - K) x_{k+1};         [0.5]\n"
     "                   (fvi-lobatto, -stable, -adaptive, euler: none)\n"
     "  --x0 X, --p0 P   start; a list 1,2,3 or @FILE, or one for all  [1, "
@@ -83,7 +76,7 @@ static const char usage_run[] =
     "  --most-steps N   fvi-adaptive and --error: no run takes more steps\n";
 
 /* Apart, as C promises 4095 characters in one string. */
-static const char usage_run_examples[] =
+static const char usage_run_rest[] =
     "  --columns LIST   of t, x, p, v, a, F, energy, work, balance, y, ag,\n"
     "                   d1.force, d1.impulse, d1.work, and expressions of\n"
     "                   them: drift=x2-x1                   [t,x,p,energy]\n"
@@ -120,6 +113,9 @@ static const char usage_run_examples[] =
     "  --format F       tsv; csv (names in the first line); json      [tsv]\n"
     "  -o FILE          write there, complete or not at all           "
     "[stdout]\n"
+    "\n";
+
+static const char usage_run_examples[] =
     "\n"
     "examples:\n"
     "  fvi run --potential 'x^4/4 - k*x^2/2' --let k=1 --force 'cos(2*t)/4'\n"

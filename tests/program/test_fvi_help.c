@@ -72,6 +72,9 @@ START_TEST(help_is_asked_for_in_many_ways)
     }
     ck_assert_int_eq(fvi("help run"), 0);
     ck_assert_ptr_nonnull(strstr(out, "[held]"));
+    ck_assert_ptr_nonnull(strstr(out, "\n  zener:R,A,T         R s^{2A}/(1 + T s^{2A})\n"));
+    ck_assert_ptr_nonnull(strstr(out, "\n  duffing:C,G         C x^2/2 + G x^4/4, "));
+    ck_assert_ptr_nonnull(strstr(out, "\n                      stretched by r: "));
     ck_assert_int_eq(fvi("help run x"), 2);
     ck_assert_int_eq(fvi("run -h0.1"), 2); /* not the step, nor the help */
 }
@@ -84,7 +87,7 @@ START_TEST(a_help_lists_what_its_command_takes)
 {
     static const char *const commands[] = { "exact", "fit", "gradient",
                                             "sweep", "response", "poles" };
-    static char of_run[8000], of_it[8000];
+    static char of_run[16000], of_it[16000];
     ck_assert_int_eq(fvi("run --help"), 0);
     strcpy(of_run, out);
     for (size_t i = 0; i < LEN(commands); i++) {

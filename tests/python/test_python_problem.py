@@ -324,6 +324,46 @@ def test_help_fits_on_two_screens():
         assert f"    {name} " in fvi.__doc__ and getattr(fvi, name).__doc__
 
 
+def test_help_has_the_formulas_of_the_program():
+    """Word for word, from one place; and each formula is what the library computes with."""
+    told = subprocess.run([PROGRAM, "help", "run"], check=True, capture_output=True, text=True).stdout
+    text = fvi.formulas()
+    assert text in told and text in fvi.formulas.__doc__ and text in textwrap.dedent(fvi.Problem.__doc__.partition("for:\n\n")[2])
+    lines = [line[2:].split(None, 1) for line in text.splitlines() if re.match("  [a-z]", line)]
+    known = {form: formula.partition(",")[0] for form, formula in lines}
+    numbers, s = {"R": 0.7, "R1": 0.7, "R2": 1.3, "A": 0.4, "B": 0.3, "T": 2.1, "K": 0.6, "C": 1.2, "G": 0.8}, 1.7j
+    for form, formula in known.items():
+        word, _, names = form.partition(":")
+        if word in ("viscous", "power", "zener", "maxwell", "maxwell2", "davidson", "spring"):
+            python = re.sub(r"(?<=[\w)]) (?=[\w(])", "*", formula.replace("{", "(").replace("}", ")").replace("^", "**"))
+            python = re.sub(r"\b2([AB])", r"2*\1", python)
+            value = ",".join(str(numbers[name]) for name in names.split(","))
+            assert abs(fvi.moduli(f"{word}:{value}", [1.7])[0] - eval(python, {**numbers, "s": s})) < 1e-15 * 10
+    x = 0.9
+    for form, U in (("harmonic:C", 1.2 * x**2 / 2), ("duffing:C,G", 1.2 * x**2 / 2 + 0.8 * x**4 / 4),
+                    ("pendulum:G", 0.8 * (1 - np.cos(x))), ("free", 0.0)):
+        word, _, names = form.partition(":")
+        text = word + ":" * bool(names) + ",".join(str(numbers[name]) for name in names.split(",") if name)
+        assert form in known and abs(fvi.solve(fvi.Problem(text, x0=x, p0=0), h=1).energy[0] - U) < 1e-15
+    assert known["pendulum:G"] == "G (1 - cos x)" and known["duffing:C,G"] == "C x^2/2 + G x^4/4"
+
+
+def test_help_of_torch_needs_no_torch():
+    """It is a page, and quiet; what needs torch says so."""
+    run = subprocess.run([sys.executable, "-c", "import fvi; help(fvi.torch)"], capture_output=True, text=True)
+    text = re.sub(".\b", "", run.stdout)
+    assert run.stderr == "" and "backward()" in text and "solve(problem" in text and len(text.splitlines()) < 60
+    hidden = "import sys; sys.modules['torch'] = None\nimport fvi\nfvi.torch.solve(fvi.Problem(), {'alpha': 1})"
+    run = subprocess.run([sys.executable, "-c", hidden], capture_output=True, text=True)
+    assert run.returncode == 1 and "\nModuleNotFoundError: fvi.torch needs torch, " in run.stderr
+
+
+@pytest.mark.parametrize("module, package", [("numpy", "numpy"), ("_cffi_backend", "cffi")])
+def test_a_package_that_is_missing_is_named(module, package):
+    run = subprocess.run([sys.executable, "-c", f"import sys; sys.modules['{module}'] = None\nimport fvi"], capture_output=True, text=True)
+    assert f"\nModuleNotFoundError: fvi needs {package}, which this Python does not find: python -m pip install {package}" in run.stderr
+
+
 def test_each_field_is_explained():
     import dataclasses
     import inspect

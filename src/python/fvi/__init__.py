@@ -22,6 +22,7 @@ Lengths, times and masses are in units of your own.
     fit_moduli  a law of damping from moduli; fit_creep, fit_relaxation; moduli, creep, relaxation of a law
     response    what a shaker test measures; poles: frequencies and damping ratios
     control     the least force that ends a motion at a place; stability: how long a step may be
+    formulas    what each word stands for: laws, potentials, forces, the past
     potential   U from functions of Python's, or compiled ones
     exact       the exact solution of the linear problem
     methods     what `method` can be
@@ -31,6 +32,16 @@ Lengths, times and masses are in units of your own.
     Error       what is raised where the library returns a code
     FviWarning  what warnings.warn says where the numbers are not those of a motion
 """
+import importlib as _importlib
+from typing import Any as _Any
+
+for _name, _package in (("numpy", "numpy"), ("_cffi_backend", "cffi")):
+    try:
+        _importlib.import_module(_name)
+    except ModuleNotFoundError as _missing:
+        raise ModuleNotFoundError(f"fvi needs {_package}, which this Python does not find: python -m pip install {_package}",
+                                  name=_package) from _missing
+
 from ._events import Event as Event
 from ._exact import exact as exact, weights as weights
 from ._fit import Fit as Fit, fit as fit
@@ -45,7 +56,14 @@ from ._run import Method as Method, Run as Run, Stepper as Stepper, methods as m
 from ._solution import Solution as Solution
 from ._solve import solve as solve
 from ._sweep import sweep as sweep
-from ._system import Potential as Potential, potential as potential
+from ._system import Potential as Potential, formulas as formulas, potential as potential
 from .errors import Error as Error, FviWarning as FviWarning, Warning as Warning
 
 __version__ = version()
+
+
+def __getattr__(name: str) -> _Any:
+    """fvi.torch is there without an import, and asks for torch only when it is used."""
+    if name == "torch":
+        return _importlib.import_module(".torch", __name__)
+    raise AttributeError(f"module 'fvi' has no attribute '{name}'")

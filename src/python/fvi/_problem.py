@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import dataclasses
+import textwrap
 from collections.abc import Mapping
 from dataclasses import KW_ONLY, dataclass
 from typing import Any, Callable, Optional, Sequence, Union
@@ -10,7 +11,7 @@ import numpy as np
 
 from ._arguments import Array, Numbers, described, number, numbers, spelt
 from ._mechanism import matrix, texts
-from ._system import Law, Potential
+from ._system import Law, Potential, formulas
 
 Force = Union[None, str, Callable[[float], Numbers], tuple[Sequence[float], Numbers]]
 NUMERIC = ("t_eval", "error", "method", "h", "steps", "kappa", "progress", "step_error", "longest", "most_steps",
@@ -44,13 +45,14 @@ class Problem:
     alpha      half the order of the derivative in the damping, 0 ... 1; 0.5, a dashpot
     order      or that order itself, 0 ... 2: order = 2 alpha
     damping    instead of alpha and rho a law: "zener:R,A,T", "maxwell:R,T", ..., several with " + " between
-               them, a list of such, "symbol:EXPRESSION" in s, or a function C(s); `help(fvi.run)` has them all
+               them, a list of such, "symbol:EXPRESSION" in s, or a function C(s) of the complex s; see below
     force      None; a text, "cosine:A,W", "step:A,T", "impulse:J,T", "file:F.tsv" or an expression in t; a pair
                (t, F) of arrays, linear in between, F of one column for all coordinates or of d; or a function of t
     ground     the acceleration of the ground, as a force: a text, a pair (t, a) of arrays, or a function of t. x is then
                relative to the ground, which pulls with -M r a
     along      r, how each coordinate moves with the ground, one number or d of them; 1
-    past       what was before t = 0: "held" at x0, "caputo" or "rl"; "held"; of dampers each has its own
+    past       what was before t = 0: "held" at x0, "caputo" or "rl"; "held": the damping acts on x - x0, not on x, so
+               that a body which rests at x0 feels none of it; see below. Of dampers each has its own
     x0         where it begins, one number or d of them; 1, with M 0
     p0         its momentum there, one number or d of them; 0.5, with M 0
     v0         or its velocity there
@@ -216,3 +218,5 @@ def alike(a: Any, b: Any) -> bool:
 
 
 Problem.__init__ = spelt(hints=OTHERS, elsewhere={name: "fvi.solve" for name in NUMERIC})(Problem.__init__)  # type: ignore
+# The library has them in one place.
+Problem.__doc__ = f"{Problem.__doc__}\n" + textwrap.indent("What the words stand for:\n\n" + formulas(), "    ")

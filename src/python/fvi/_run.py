@@ -268,16 +268,15 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     let         the numbers that expressions name: {"k": 3}; one that none names is a ValueError
     alpha       0 ... 1, a pure number; the damping is of order 2 alpha; 0.5
     rho, mass   one number, or d of them: rho >= 0 in mass time^(2 alpha - 2), 0.2; mass > 0, 1
-    damping     instead of alpha and rho a law, "viscous:R", "spring:K", "power:R,A", "zener:R,A,T",
-                "maxwell:R,T", "maxwell2:R1,A,R2,B", "davidson:R,A,T" or "distributed:R,A,B" as the
-                program has them, several with " + " between them, or a list of such, which add;
+    damping     instead of alpha and rho a law, "zener:R,A,T" or another one of those that
+                `help(fvi.formulas)` has, several with " + " between them, or a list of such, which add;
                 or alone "symbol:EXPRESSION" in s and the names of let, or a function C(s) of the
                 complex s: analytic but for s <= 0 (there the limit from above is asked for), real
                 for s > 0, and growing no faster than s^2
     force       None, "step:A,T", "cosine:A,W", "impulse:J,T" (every momentum jumps by J at T), "file:F.tsv",
                 an expression in t, or a function of t that gives one number or d of them, in
                 mass length / time^2
-    derivative  the past, what was before t = 0: "held" at x0, "caputo" or "rl"; "held"
+    derivative  the past, what was before t = 0: "held" at x0, "caputo" or "rl"; "held": the damping acts on x - x0
     x0, p0      the start, one number or d of them: a length, 1; a momentum, mass length / time, 0.5
     h, steps    the step, a time > 0, and how many, a whole number >= 1; 0.1 and 200
     time        instead of h the time > 0 of the last row: h = time / steps

@@ -11,9 +11,19 @@ import numpy as np
 from . import _arguments as arguments
 from ._arguments import Array, Numbers
 from ._fvi import ffi, lib
-from ._library import is_interrupted, keep, understand
+from ._library import is_interrupted, keep, text_of, understand
 
 Law = Union[None, str, Sequence[str], Callable[[complex], complex]]
+
+
+def formulas() -> str:
+    size = lib.fvi_formulas_write(0, ffi.NULL) + 1
+    text = ffi.new("char[]", size)
+    lib.fvi_formulas_write(size, text)
+    return text_of(text)
+
+
+formulas.__doc__ = "What each word of a problem stands for, as a text.\n\n" + formulas()
 
 
 class Potential:
