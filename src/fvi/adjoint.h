@@ -102,14 +102,16 @@ typedef struct {
  *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19) With several
  *          dampers `damping` has a number for each, by a factor of its kernel. There is none of a J
  *          that depends on momenta before p_N
- *   mechanism  fvi, fvi-stable and the methods with stages, x and p NULL: dampers between points, a
+ *   mechanism  fvi, fvi-stable, the methods with stages and fvi_variable_step, x and p NULL: dampers between points, a
  *          Lagrangian, forces of velocity and constraints that do not know the time, or imposed
  *          coordinates; elongations and constraints with second derivatives. (23.29) `damping` has a
  *          number for each damper, by a factor of its kernel, and terms to ends have those of all
  *          kernels. With constraints x0 and p0 are for changes that keep to them. Every p_k may be
  *          in J. Not by fvi-stable with a coordinate without inertia; with stages there are no terms
  *          to ends of a sum of laws that grows faster than s. All steps are kept: N (3 d + r s)
- *          numbers and more with stages
+ *          numbers and more with stages. fvi_variable_step: by factors of laws and no terms to ends, of
+ *          J with the last momentum alone; without constraints, impulses, coordinates without inertia, the
+ *          past RIEMANN_LIOUVILLE, and CAPUTO of a law that grows faster than s
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
  *          fvi_variable_step, where nothing is damped, is the one of form M with such a damping
  *

@@ -132,7 +132,7 @@ static int assemble(fvi_stepper *s, const double *u)
 
 int fvi_mechanism_linearise(fvi_stepper *s, const double *u)
 {
-    const fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism_state *o = s->mechanism;
     return (o->rule ? assemble : fvi_mechanism_linearise_nodes)(s, u);
 }
 

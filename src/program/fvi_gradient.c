@@ -105,10 +105,6 @@ static int interpret(request *r, fvi_error *c)
         return fvi_refuse(c, "method", "'%s' has no gradient with --system; fvi, fvi-shifted, "
                           "fvi-bdf2 and fvi-stable have",
                           m->name);
-    if (r->system.mechanism && !r->system.matrices && m->scheme == FVI_SCHEME_VARIABLE_STEP)
-        return fvi_refuse(c, "method", "'%s' has no gradient with a Lagrangian or dampers between "
-                          "points; fvi, fvi-stable and fvi-lobatto2 to 8d have",
-                          m->name);
     if (m->damped_inertia && (r->o.text[CONSTRAINT] || r->o.text[IMPOSE]))
         return fvi_refuse(c, "method", "'%s' has no gradient with constraints; fvi-stable and "
                           "fvi-lobatto2 to 8 have",

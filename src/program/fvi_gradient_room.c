@@ -156,7 +156,7 @@ int fvi_gradient_make_room(request *r)
     }
     if (terms == 0)
         return 0;
-    if (r->o.method->scheme != FVI_SCHEME_VARIABLE_STEP || terms == 1)
+    if (r->o.method->scheme != FVI_SCHEME_VARIABLE_STEP || (terms == 1 && !r->system.mechanism))
         r->to.terms = of_laws;
     r->has_terms = r->to.terms != NULL;
     if (r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP)

@@ -66,7 +66,9 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     if (method->scheme == FVI_SCHEME_CLASSICAL)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
     if (run->event_count > 0)
-        FVI_FAIL("a run with events has no adjoint", FVI_EUNSUP);
+        FVI_FAIL("a run with events has no adjoint: the derivative of x by the time of an impact jumps, and a memory "
+                 "answers that by a force without bound",
+                 FVI_EUNSUP);
     if ((method->stages || method->dense) && run->system && run->system->matrices)
         FVI_FAIL("methods with stages, and fvi-adaptive, have no adjoint of a system with matrices; fvi, "
                  "fvi-shifted, fvi-bdf2 and fvi-stable have",
@@ -75,6 +77,9 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     if (!status && run->system && run->system->mechanism)
         status = run->system->matrices ? fvi_adjoint_dampers_check(method, run, J, want)
                                        : fvi_adjoint_mechanism_check(method, run, want);
+    if (!status && run->system && fvi_has_mechanism_steps(run->system)
+        && method->scheme == FVI_SCHEME_VARIABLE_STEP)
+        status = fvi_adjoint_mesh_check(run, J, want);
     if (!status && run->system && fvi_has_mechanism_steps(run->system) && x)
         FVI_FAIL("a mechanism needs its own run", FVI_EUNSUP);
     if (status)
@@ -325,9 +330,10 @@ static int all_derivatives(const fvi_method *method, const fvi_run *run,
                            const fvi_sensitivities *want)
 {
     fvi_checkpointing *path;
+    const int has_mechanism = fvi_has_mechanism_steps(run->system);
     if (method->scheme == FVI_SCHEME_VARIABLE_STEP)
-        return fvi_adjoint_variable(run, objective, want);
-    if (fvi_has_mechanism_steps(run->system))
+        return (has_mechanism ? fvi_adjoint_mesh_run : fvi_adjoint_variable)(run, objective, want);
+    if (has_mechanism)
         return fvi_adjoint_mechanism_run(method, run, objective, want);
     int status = fvi_checkpointing_alloc(method, run, x, p, &path);
     if (status)

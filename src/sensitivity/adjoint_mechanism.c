@@ -44,10 +44,6 @@ int fvi_adjoint_mechanism_check(const fvi_method *method, const fvi_run *run,
         FVI_FAIL("the adjoint of constraints asks for their second derivatives", FVI_EUNSUP);
     if (mechanism->constraints && mechanism->constraints->count > 0 && method->damped_inertia)
         FVI_FAIL("form D with constraints has no adjoint; fvi-stable and fvi-lobatto2 to 8 have", FVI_EUNSUP);
-    if (method->scheme == FVI_SCHEME_VARIABLE_STEP)
-        FVI_FAIL("steps of any length have no adjoint with a mechanism; fvi, fvi-stable and the "
-                 "methods with stages have",
-                 FVI_EUNSUP);
     if (mechanism->lagrangian && want->mass)
         FVI_FAIL("a Lagrangian has no masses to differentiate by", FVI_EINVAL);
     if (mechanism->lagrangian && want->parameters && !want->lagrangian)
@@ -63,7 +59,7 @@ int fvi_adjoint_mechanism_check(const fvi_method *method, const fvi_run *run,
 
 /* ---- the run, and what is kept of it ---- */
 
-static int allocate(fvi_adjoint_mechanism *m)
+int fvi_adjoint_mechanism_allocate(fvi_adjoint_mechanism *m)
 {
     const size_t d = m->d, r = m->r, s = m->s, n = m->n;
     const size_t c = m->o->m;
@@ -85,8 +81,7 @@ static int allocate(fvi_adjoint_mechanism *m)
     m->block = calloc(all + 1, sizeof *m->block);
     m->order = calloc(n + d + c, sizeof *m->order);
     m->damper = calloc(r + 1, sizeof *m->damper);
-    m->record = malloc((m->run->steps * m->row + 1) * sizeof *m->record);
-    if (!m->block || !m->order || !m->damper || !m->record)
+    if (!m->block || !m->order || !m->damper)
         FVI_FAIL("no memory for the steps of the run", FVI_ENOMEM);
     for (size_t i = 0, at = 0; i < COUNT; at += arrays[i++].count)
         *arrays[i].to = m->block + at;
@@ -113,9 +108,12 @@ static int start(const fvi_method *method, fvi_adjoint_mechanism *m)
         FVI_FAIL("no adjoint by fvi-stable of a coordinate without inertia; by fvi-lobatto2d to 8d "
                  "there is",
                  FVI_EUNSUP);
-    status = allocate(m);
+    status = fvi_adjoint_mechanism_allocate(m);
     if (status)
         return status;
+    m->record = malloc((m->run->steps * m->row + 1) * sizeof *m->record);
+    if (!m->record)
+        FVI_FAIL("no memory for the steps of the run", FVI_ENOMEM);
     memcpy(m->G0, o->G, m->r * m->d * sizeof *m->G0);
     memcpy(m->z0, o->z, m->r * sizeof *m->z0);
     memcpy(m->v0, o->v, m->d * sizeof *m->v0);
@@ -204,8 +202,9 @@ int fvi_adjoint_mechanism_point(fvi_adjoint_mechanism *m, size_t i, double t, co
 
 /* ---- the start of the run ---- */
 
-/* v0 is that of L_v(x0, v0, 0) = p0: what it does is taken to p0, x0 and what L depends on. */
-static int add_velocity(fvi_adjoint_mechanism *m, double *by_v, double *by_x0, double *by_p0)
+/* v0 is that of L_v(x0, v0, 0) = p0. */
+int fvi_adjoint_mechanism_add_velocity(fvi_adjoint_mechanism *m, double *by_v, double *by_x0,
+                                       double *by_p0)
 {
     const size_t d = m->d;
     fvi_mechanism_state *o = m->o;
@@ -242,7 +241,7 @@ static int finish(fvi_adjoint_mechanism *m)
     if (!status)
         status = fvi_adjoint_mechanism_names_check(m);
     if (!status)
-        status = add_velocity(m, by_v, m->g, m->beta);
+        status = fvi_adjoint_mechanism_add_velocity(m, by_v, m->g, m->beta);
     if (want->x0)
         memcpy(want->x0, m->g, d * sizeof *m->g);
     if (want->p0)
@@ -274,6 +273,17 @@ static int add_slopes(fvi_adjoint_mechanism *m, size_t k)
                                                   v + d);
 }
 
+void fvi_adjoint_mechanism_stop(fvi_adjoint_mechanism *m)
+{
+    for (size_t j = 0; m->damper && j < m->r; j++)
+        fvi_adjoint_mechanism_damper_stop(m->damper + j);
+    fvi_stepper_free(m->stepper);
+    free(m->damper);
+    free(m->record);
+    free(m->block);
+    free(m->order);
+}
+
 //> walk-mechanism
 int fvi_adjoint_mechanism_run(const fvi_method *method, const fvi_run *run,
                               const fvi_objective *J, const fvi_sensitivities *want)
@@ -296,13 +306,7 @@ int fvi_adjoint_mechanism_run(const fvi_method *method, const fvi_run *run,
     }
     if (!status)
         status = finish(&m);
-    for (size_t j = 0; m.damper && j < m.r; j++)
-        fvi_adjoint_mechanism_damper_stop(m.damper + j);
-    fvi_stepper_free(m.stepper);
-    free(m.damper);
-    free(m.record);
-    free(m.block);
-    free(m.order);
+    fvi_adjoint_mechanism_stop(&m);
     return status;
 }
 //< walk-mechanism

@@ -26,6 +26,7 @@ typedef struct {
     fvi_lobatto_history *stages;
     double last, past[FVI_STAGES]; /* the last nu; of stages the sums over later steps */
     double nu[FVI_STAGES], eta[FVI_STAGES];
+    double spring;              /* on a mesh, of a spring: its stiffness */
     /* its start: A is the slope of z, or z itself of the past rl */
     int feels_slope, feels_place;
     double A, unit;             /* of the impulses for rho A = 1, or A = 1 */
@@ -63,6 +64,8 @@ typedef struct {
     double *block;              /* all these; owned */
     size_t *order;
     fvi_adjoint_mechanism_damper *damper; /* r; owned */
+    const double *source;       /* s d: what V_i does to J besides; NULL: nothing */
+    struct fvi_adjoint_mesh *mesh; /* of steps of any length; NULL else */
 } fvi_adjoint_mechanism;
 
 /* fvi_adjoint_mechanism_check -- FVI_EUNSUP for what has no adjoint.
@@ -71,6 +74,23 @@ int fvi_adjoint_mechanism_check(const fvi_method *method, const fvi_run *run,
                                 const fvi_sensitivities *want);
 int fvi_adjoint_mechanism_run(const fvi_method *method, const fvi_run *run,
                               const fvi_objective *J, const fvi_sensitivities *want);
+
+/* fvi_adjoint_mechanism_allocate -- all but the record; the stepper has been started.
+ * fvi_adjoint_mechanism_add_velocity -- what v_0 does, by_v, d numbers, goes to p_0, x_0 and what L depends on.
+ * fvi_adjoint_mechanism_stop -- give everything back. */
+int fvi_adjoint_mechanism_allocate(fvi_adjoint_mechanism *m);
+int fvi_adjoint_mechanism_add_velocity(fvi_adjoint_mechanism *m, double *by_v, double *by_x0,
+                                       double *by_p0);
+void fvi_adjoint_mechanism_stop(fvi_adjoint_mechanism *m);
+
+/* ---- adjoint_mechanism_mesh.c: steps of any length ---- */
+
+/* fvi_adjoint_mesh_run -- as fvi_adjoint_mechanism_run, of fvi_variable_step.
+ * fvi_adjoint_mesh_check -- FVI_EUNSUP for what has no adjoint there alone.
+ * fvi_adjoint_mesh_push -- the nu of a step go into the memories, and what springs do into g. */
+int fvi_adjoint_mesh_run(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want);
+int fvi_adjoint_mesh_check(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want);
+int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m);
 
 /* ---- adjoint_mechanism_dampers.c ---- */
 
@@ -98,13 +118,13 @@ int fvi_adjoint_mechanism_stages(fvi_adjoint_mechanism *m, size_t k);
 
 /* ---- adjoint_mechanism_names.c: what want->names have of a step, of a node, and of the start of damper j ---- */
 
-/* fvi_adjoint_mechanism_names_nodes, _stages -- of step k, once its multipliers and those of its dampers are
+/* fvi_adjoint_mechanism_names_nodes, _stages -- of step k, or of that of the stepper, once its multipliers and those of its dampers are
  * known, and before beta becomes that of p_k.
  * _node   of p at node k, where beta multiplies what comes out, and delta what C v + c_t is
  * _start  of g at x_0 and of the slope that damper j begins with
  * _check  NaN for those that would move x_0 or p_0 */
 int fvi_adjoint_mechanism_names_nodes(fvi_adjoint_mechanism *m, size_t k, double ahead);
-int fvi_adjoint_mechanism_names_stages(fvi_adjoint_mechanism *m, size_t k);
+int fvi_adjoint_mechanism_names_stages(fvi_adjoint_mechanism *m);
 int fvi_adjoint_mechanism_names_node(fvi_adjoint_mechanism *m, double t, const double *x,
                                      const double *v, const double *w, const double *delta);
 int fvi_adjoint_mechanism_names_start(fvi_adjoint_mechanism *m, size_t j, double by_place,

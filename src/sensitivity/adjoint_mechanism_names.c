@@ -61,15 +61,25 @@ static int add_damper_at_nodes(fvi_adjoint_mechanism *m, size_t j, size_t e, dou
     return status;
 }
 
-static int add_damper_at_stages(fvi_adjoint_mechanism *m, size_t j, size_t e, double t)
+/* The time of x_k. */
+static double begin_of(const fvi_adjoint_mechanism *m)
+{
+    return m->mesh ? m->o->t : (double)m->stepper->k * m->run->h;
+}
+
+static int add_damper_at_stages(fvi_adjoint_mechanism *m, size_t j, size_t e)
 {
     const fvi_mechanism_state *o = m->o;
     const size_t d = m->d, s = m->s;
-    const double h = m->run->h, *eta = m->damper[e].eta;
+    const double h = m->o->h, *eta = m->damper[e].eta;
     double *begin = m->column, *here = begin + d + 2, *sum = m->want->names + j;
-    int status = elongation(m, j, e, t, m->stepper->x, begin);
+    double spring = 0; /* on a mesh its force is that of its own length */
+    for (size_t i = 0; m->mesh && i < s; i++)
+        spring += m->damper[e].spring * m->damper[e].nu[i];
+    int status = elongation(m, j, e, begin_of(m), m->stepper->x, begin);
+    *sum += spring * *begin;
     for (size_t l = 0; l < s && !status; l++) {
-        status = elongation(m, j, e, t + o->rule->c[l] * h, o->X + l * d, here);
+        status = elongation(m, j, e, fvi_mechanism_stage_time(m->stepper, l), o->X + l * d, here);
         *sum -= o->lambda[e * s + l] * dot(d, m->phi + l * d, here + 1);
         for (size_t i = 0; i < s; i++)
             *sum += eta[i] * o->E[i][l] * (*here - *begin) / h;
@@ -123,14 +133,14 @@ static int add_constraints_at_nodes(fvi_adjoint_mechanism *m, size_t j, double t
     return status;
 }
 
-static int add_constraints_at_stages(fvi_adjoint_mechanism *m, size_t j, double t)
+static int add_constraints_at_stages(fvi_adjoint_mechanism *m, size_t j)
 {
     const fvi_mechanism_state *o = m->o;
     const size_t d = m->d, s = m->s, c = o->m, inner = s - o->begin;
     const double h = m->run->h;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < s && !status; i++) {
-        status = constraints(m, j, t + o->rule->c[i] * h, o->X + i * d);
+        status = constraints(m, j, fvi_mechanism_stage_time(m->stepper, i), o->X + i * d);
         for (size_t l = 0; l < c; l++)
             m->factors[l] = i < inner ? m->unknown[inner * d + i * c + l] / h : 0;
         if (i < inner) {
@@ -197,20 +207,19 @@ int fvi_adjoint_mechanism_names_nodes(fvi_adjoint_mechanism *m, size_t k, double
     return status;
 }
 
-int fvi_adjoint_mechanism_names_stages(fvi_adjoint_mechanism *m, size_t k)
+int fvi_adjoint_mechanism_names_stages(fvi_adjoint_mechanism *m)
 {
     const fvi_mechanism_state *o = m->o;
     const size_t d = m->d;
-    const double h = m->run->h, t = (double)k * h;
     int status = FVI_SUCCESS;
     for (size_t j = 0; m->want->names && j < m->want->columns->count && !status; j++) {
         for (size_t i = 0; i < m->s && !status; i++)
-            status = add_force(m, j, t + o->rule->c[i] * h, o->X + i * d, o->V + i * d,
-                               m->phi + i * d, 1);
+            status = add_force(m, j, fvi_mechanism_stage_time(m->stepper, i), o->X + i * d,
+                               o->V + i * d, m->phi + i * d, 1);
         for (size_t e = 0; e < m->r && !status; e++)
-            status = add_damper_at_stages(m, j, e, t);
+            status = add_damper_at_stages(m, j, e);
         if (!status && o->m)
-            status = add_constraints_at_stages(m, j, t);
+            status = add_constraints_at_stages(m, j);
     }
     return status;
 }

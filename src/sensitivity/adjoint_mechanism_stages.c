@@ -22,7 +22,7 @@ static void find_forces(fvi_adjoint_mechanism *m, const double *A)
 {
     const fvi_mechanism_state *o = m->o;
     const size_t d = m->d, s = m->s, inner = s - o->begin;
-    const double h = m->run->h;
+    const double h = m->o->h;
     for (size_t i = 0; i < s; i++)
         for (size_t j = 0; j < d; j++) {
             const double own = A && i < inner ? A[i * d + j] : 0;
@@ -60,7 +60,7 @@ static void find_slopes(fvi_adjoint_mechanism *m)
     const size_t d = m->d;
     for (size_t i = 0; i < m->s; i++)
         for (size_t c = 0; c < d; c++) {
-            double sum = 0;
+            double sum = m->source ? m->source[i * d + c] : 0;
             for (size_t a = 0; a < d; a++)
                 sum += o->Lvv[(i * d + c) * d + a] * m->tau[i * d + a]
                        + o->fv[(i * d + a) * d + c] * m->phi[i * d + a];
@@ -86,7 +86,7 @@ static void add_slopes(const fvi_adjoint_mechanism *m, size_t l, double factor, 
     const fvi_mechanism_state *o = m->o;
     const size_t d = m->d;
     for (size_t i = 0; i < m->s; i++) {
-        const double E = factor * o->E[i][l] / m->run->h;
+        const double E = factor * o->E[i][l] / m->o->h;
         for (size_t c = 0; c < d; c++)
             to[c] += E * m->kappa[i * d + c];
         for (size_t e = 0; e < m->r; e++)
@@ -101,7 +101,7 @@ static int add_constraints(fvi_adjoint_mechanism *m, size_t i)
     const fvi_mechanism_state *o = m->o;
     const fvi_constraints *c = m->run->system->mechanism->constraints;
     const size_t d = m->d, inner = m->s - 1;
-    const double h = m->run->h, t = ((double)m->stepper->k + o->rule->c[i]) * h;
+    const double h = m->o->h, t = fvi_mechanism_stage_time(m->stepper, i);
     double *to = m->multiplier + inner * d + i * o->m;
     const int status = c->gradient(t, d, o->X + i * d, c->params, m->gradient, NULL);
     for (size_t l = 0; l < o->m; l++)
@@ -131,7 +131,7 @@ static int solve_multipliers(fvi_adjoint_mechanism *m)
     if (status)
         return status;
     for (size_t i = 0; i < n; i++) {
-        m->multiplier[i] *= -m->run->h; /* the rows of the equation are h times (29.7) */
+        m->multiplier[i] *= -m->o->h; /* the rows of the equation are h times (29.7) */
         for (size_t j = 0; j < n; j++)
             m->matrix[j * n + i] = o->matrix[i * n + j];
     }
@@ -150,7 +150,7 @@ static int push_dampers(fvi_adjoint_mechanism *m, size_t k)
 {
     const fvi_mechanism_state *o = m->o;
     const size_t s = m->s;
-    const double h = m->run->h;
+    const double h = m->o->h;
     int status = FVI_SUCCESS;
     for (size_t e = 0; !status && e < m->r; e++) {
         fvi_adjoint_mechanism_damper *a = m->damper + e;
@@ -169,10 +169,39 @@ static int push_dampers(fvi_adjoint_mechanism *m, size_t k)
     return status;
 }
 
+/* What acts on x_k if all increments stay, added to g, what acts on x_{k+1}. Where a step is so short that 1/h is
+ * large this loses no digits. */
+static void add_all_places(fvi_adjoint_mechanism *m)
+{
+    const fvi_mechanism_state *o = m->o;
+    const size_t d = m->d;
+    for (size_t l = 0; l < m->s; l++) {
+        add_place(m, l, m->g);
+        for (size_t e = 0; e < m->r; e++) {
+            const double *G = o->gradient + (l * m->r + e) * d;
+            double sum = 0;
+            for (size_t i = 0; i < m->s; i++)
+                sum += m->damper[e].eta[i] * o->E[i][l];
+            for (size_t c = 0; c < d; c++)
+                m->g[c] += sum / o->h * (G[c] - o->G[e * d + c]);
+        }
+    }
+}
+
+/* The same by the slopes of the stages, whose equation has been solved. */
+static void find_places(fvi_adjoint_mechanism *m)
+{
+    const fvi_mechanism_state *o = m->o;
+    memset(m->g, 0, m->d * sizeof *m->g);
+    for (size_t l = o->begin; l < m->s; l++)
+        add_slopes(m, l, -1, o->G, m->g);
+    for (size_t l = 0; l < o->begin; l++)
+        add_place(m, l, m->g);
+}
+
 //> stages
 int fvi_adjoint_mechanism_stages(fvi_adjoint_mechanism *m, size_t k)
 {
-    const fvi_mechanism_state *o = m->o;
     const size_t d = m->d;
     int status = solve_multipliers(m);
     if (status)
@@ -180,19 +209,16 @@ int fvi_adjoint_mechanism_stages(fvi_adjoint_mechanism *m, size_t k)
     find_forces(m, m->multiplier);
     find_dampers(m);
     find_slopes(m);
-    memset(m->g, 0, d * sizeof *m->g);
-    for (size_t l = o->begin; l < m->s; l++)
-        add_slopes(m, l, -1, o->G, m->g);
-    for (size_t l = 0; l < o->begin; l++)
-        add_place(m, l, m->g);
+    (m->mesh ? add_all_places : find_places)(m);
     for (size_t i = 0; !status && i < m->s; i++)
-        status = fvi_adjoint_mechanism_point(m, i, ((double)k + o->rule->c[i]) * m->run->h,
+        status = fvi_adjoint_mechanism_point(m, i, fvi_mechanism_stage_time(m->stepper, i),
                                              m->tau + i * d, m->phi + i * d);
-    add_forces(m, k);
     if (!status)
-        status = push_dampers(m, k);
+        status = m->mesh ? fvi_adjoint_mesh_push(m) : push_dampers(m, k);
+    if (!m->mesh)
+        add_forces(m, k);
     if (!status)
-        status = fvi_adjoint_mechanism_names_stages(m, k);
+        status = fvi_adjoint_mechanism_names_stages(m);
     for (size_t j = 0; j < d; j++)
         m->beta[j] += m->multiplier[j];
     return status;

@@ -55,6 +55,19 @@ def test_a_lagrangian_has_a_gradient(options):
     assert close(g["laws"][1][0]["rho"], differences(lambda r: of(dampers=dampers(r=r)), 0.4))
 
 
+@pytest.mark.parametrize("q, names", [(ARM, {"x0", "v0", "let", "dampers"}), (OWN.replace(let={"k": 2}), {"x0", "p0", "mass", "rho", "let"})])
+def test_steps_of_any_length_have_the_gradient_of_short_ones(q, names):
+    """Of the places of all rows, by fvi-adaptive and by form D."""
+    s, r = fvi.solve(q, step_error=1e-11, steps=40), fvi.solve(q, h=0.05, method="fvi-lobatto8d")
+    wx = np.sin(np.arange(s.x.size)).reshape(s.x.shape)
+    g, want = fvi.vjp(s, x=wx), fvi.vjp(r, x=wx, wrt=sorted(names))
+    assert set(g) == names
+    for name in names - {"let"}:
+        assert abs(np.asarray(g[name]) - np.asarray(want[name])).max() < 1e-8
+    for name in q.let:
+        assert abs(g["let"][name] - want["let"][name]) < 1e-8
+
+
 def test_a_start_by_momentum_is_not_one_by_velocity():
     q = ARM.replace(p0=[0.3, -0.1])
     g = fvi.vjp(fvi.solve(q, h=0.05), x=1, wrt=["x0", "p0"])
@@ -118,7 +131,8 @@ def test_the_matrix_of_masses_on_a_ground_has_a_factor():
 @pytest.mark.parametrize("call, what, why", [
     (lambda: fvi.vjp(fvi.solve(ARM, h=0.1), x=1, wrt=["mass"]), ValueError, "^wrt: this problem has no mass"),
     (lambda: fvi.vjp(fvi.solve(ARM.replace(dampers=["k*x1 : power:1,0.3"]), h=0.1), x=1), ValueError, "^let: elongations"),
-    (lambda: fvi.vjp(fvi.solve(ARM, step_error=1e-6), x=1), fvi.Error, "."),
+    (lambda: fvi.vjp(fvi.solve(ARM, step_error=1e-6), x=1, wrt=["laws"]), ValueError, "^wrt: this problem has no laws"),
+    (lambda: fvi.vjp(fvi.solve(ARM, step_error=1e-6), x=1, p=1), fvi.Error, "."),
     (lambda: fvi.vjp(fvi.solve(fvi.Problem(ground="sin(t)"), step_error=1e-6), x=1, wrt=["mass"]), ValueError, "no mass"),
 ])
 def test_what_has_no_gradient_says_so(call, what, why):

@@ -89,7 +89,8 @@ def known_of(q: Problem, is_expression: bool, is_dense: bool) -> set:
         return known | {"K", "dampers", "laws", "M"}
     inertia = set() if q.ground is not None and is_dense else {"M"} if q.kind == "structure" else {"mass"}
     if q.kind == "mechanism":
-        return known | known_of_mechanism(q, is_expression) | (inertia if q.lagrangian is None else set())
+        of_laws = {"laws", "alpha", "order"} if is_dense else set()  # steps of any length know their factors alone
+        return known | (known_of_mechanism(q, is_expression) - of_laws) | (inertia if q.lagrangian is None else set())
     known |= {"damping"} if q.damping is not None else {"order" if q.order is not None else "alpha"}
     if q.kind == "structure":
         return known | inertia | {"K"} | ({"C"} if q.C is not None else set())

@@ -1,0 +1,232 @@
+/* tests/adjoint/test_adjoint_mechanism_mesh.c -- H 23, 29: derivatives of mechanisms by fvi_variable_step.
+ * Run alone: make test-adjoint_mechanism_mesh */
+#include <fvi/fvi.h>
+
+#include "harness/seen.h"
+#include "harness/ulp.h"
+#include "system/larger.h"
+
+#include <check.h>
+#include <math.h>
+#include <string.h>
+
+#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
+
+enum { MOST = 3, NAMES = 4, ROWS = 500 };
+
+static const char *const names[] = { "a", "b", "c", "k" };
+static const double values[] = { 1.5, 0.25, 0.375, 2 }, span = 2;
+
+typedef struct {
+    const char *name, *lagrangian, *damper[MOST], *force;
+    size_t d, dampers;
+    double x0[2], p0[2];
+} mesh_problem;
+
+/* Laws below and above the order 1, at rest and with a slope, springs and dashpots, and sums that have modes that
+ * rise; g knows t. */
+static const mesh_problem problems[] = {
+    { .name = "below the order 1",
+      .lagrangian = "(v1^2+v2^2)/2-k*(sqrt(x1^2+x2^2)-1)^2-x2",
+      .damper = { "sqrt((x1-a)^2+x2^2)+b*x1^2 : power:0.4,0.3", "x2 : viscous:0.2", "x1*x2+b*t : spring:0.3" },
+      .force = "1=c*v1*(1-x1^2)",
+      .d = 2, .dampers = 3, .x0 = { 1.2, 0.3 }, .p0 = { 0.3, 0.8 } },
+    { .name = "Zener and Maxwell",
+      .lagrangian = "(v1^2+v2^2)/2+b*v1*v2*cos(x1)-k*(sqrt(x1^2+x2^2)-1)^2-x2",
+      .damper = { "sqrt((x1-a)^2+x2^2) : zener:0.4,0.3,0.5", "x2-c*x1 : maxwell:0.4,0.7" },
+      .d = 2, .dampers = 2, .x0 = { 1.2, 0.3 }, .p0 = { 0.3, 0.8 } },
+    { .name = "steep, at rest",
+      .lagrangian = "(v1^2+v2^2)/2-k*(sqrt(x1^2+x2^2)-1)^2-x2+b*c*x1",
+      .damper = { "sqrt((x1-a)^2+x2^2) : power:0.4,0.7" },
+      .d = 2, .dampers = 1, .x0 = { 1.2, 0.3 } },
+    { .name = "steep, with a slope",
+      .lagrangian = "(v1^2+v2^2)/2-k*(sqrt(x1^2+x2^2)-1)^2-x2+b*c*x1",
+      .damper = { "sqrt((x1-a)^2+x2^2) : power:0.4,0.7" },
+      .d = 2, .dampers = 1, .x0 = { 1.2, 0.3 }, .p0 = { 0.3, 0.8 } },
+    { .name = "a law that rises",
+      .lagrangian = "(v1^2+v2^2)/2-k*(sqrt(x1^2+x2^2)-1)^2-x2+b*c*x1",
+      .damper = { "sqrt((x1-a)^2+x2^2) : distributed:0.4,0.2,0.8" },
+      .d = 2, .dampers = 1, .x0 = { 1.2, 0.3 }, .p0 = { 0.3, 0.8 } },
+};
+enum { COUNT = sizeof problems / sizeof *problems };
+
+typedef struct {
+    fvi_user_parameters known;
+    fvi_typed_mechanism *typed;
+    fvi_system system;
+    fvi_run run;
+} opened;
+
+static void open_problem(const mesh_problem *t, opened *o)
+{
+    fvi_error error = { 0 };
+    memset(o, 0, sizeof *o);
+    o->known.count = NAMES;
+    for (size_t j = 0; j < NAMES; j++) {
+        o->known.name[j] = names[j];
+        o->known.value[j] = values[j];
+    }
+    const fvi_mechanism_texts texts = { .lagrangian = t->lagrangian,
+                                        .dampers = t->dampers,
+                                        .damper = t->damper,
+                                        .forces_on = t->force != NULL,
+                                        .force_on = &t->force };
+    ck_assert_msg(!fvi_parse_mechanism(&texts, t->d, &o->known, &o->typed, &error), "%s", error.text);
+    o->system = (fvi_system){ .d = t->d, .mechanism = fvi_mechanism_typed(o->typed) };
+    o->run = fvi_run_default(&o->system, t->x0, t->p0, span / ROWS, ROWS);
+    o->run.step_error = 1e-12;
+}
+
+/* J has every row, and the last momentum. */
+static int slopes(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx,
+                  double *Jp)
+{
+    (void)x, (void)params;
+    for (size_t i = 0; i < d; i++) {
+        Jx[i] += k < ROWS ? cos((double)(k * (i + 1)) / 40) / 100 : 1;
+        if (p)
+            Jp[i] += (double)(i + 1) / 2;
+    }
+    return 0;
+}
+
+typedef struct {
+    double x0[2], p0[2], damping[MOST], by[NAMES], of_L[NAMES], force[2 * (ROWS + 1)];
+} answers;
+
+static void derivatives(const fvi_method *method, const mesh_problem *t, answers *a)
+{
+    const fvi_objective J = { .slopes = slopes };
+    opened o;
+    open_problem(t, &o);
+    memset(a, 0, sizeof *a);
+    const fvi_mechanism_columns columns = fvi_typed_mechanism_columns(o.typed, NAMES);
+    const fvi_sensitivities want = { .x0 = a->x0,
+                                     .p0 = a->p0,
+                                     .damping = a->damping,
+                                     .names = a->by,
+                                     .columns = &columns,
+                                     .sensitivity = { .count = NAMES },
+                                     .parameters = a->of_L,
+                                     .lagrangian = fvi_typed_lagrangian_column,
+                                     .force = method->dense ? a->force : NULL };
+    OK(fvi_adjoint(method, &o.run, NULL, NULL, &J, &want));
+    for (size_t j = 0; j < NAMES; j++)
+        a->by[j] += a->of_L[j];
+    fvi_typed_mechanism_free(o.typed);
+}
+
+static void ck_assert_same(double got, double want, const char *name, const char *what, size_t i)
+{
+    const double off = fabs(got - want) / larger(1, fabs(want));
+    ck_assert_msg(off <= 2e-10, "%s, %s %zu: %.15g, %.15g", name, what, i, got, want);
+    seen_worst(off, "off");
+}
+
+/* 500 steps of form D with six stages, and fewer than 40 of eight stages, for the same rows. */
+START_TEST(eq_23_16_a_mechanism_on_a_mesh_has_the_derivatives_of_form_D)
+{
+    const mesh_problem *t = problems + _i;
+    answers mesh, fixed;
+    derivatives(&fvi_variable_step, t, &mesh);
+    derivatives(&fvi_lobatto_d6, t, &fixed);
+    for (size_t i = 0; i < 2; i++) {
+        ck_assert_same(mesh.x0[i], fixed.x0[i], t->name, "x0", i);
+        ck_assert_same(mesh.p0[i], fixed.p0[i], t->name, "p0", i);
+    }
+    for (size_t i = 0; i < t->dampers; i++)
+        ck_assert_same(mesh.damping[i], fixed.damping[i], t->name, "factor", i);
+    for (size_t i = 0; i < NAMES; i++)
+        ck_assert_same(mesh.by[i], fixed.by[i], t->name, names[i], i);
+}
+END_TEST
+
+/* A force that changes along lines is one in L: -b t x1 has the derivative of the rows of F_1 times t, and c x2 that
+ * of the sum of those of F_2. To rounding: both are of the same steps. */
+START_TEST(rows_of_the_force_are_those_of_the_lagrangian)
+{
+    static const mesh_problem t = { .name = "forces",
+                                    .lagrangian = "(v1^2+v2^2)/2-x1^4/4-x2^2/2+(x1*x2)^2/3+(b-0.25)*t*x1+(c-0.375)*x2",
+                                    .damper = { "x2-x1+x1^2/3 : power:0.4,0.3" },
+                                    .d = 2, .dampers = 1, .x0 = { 1, 0.2 }, .p0 = { 0, 0.5 } };
+    answers a;
+    double by_b = 0, by_c = 0;
+    derivatives(&fvi_variable_step, &t, &a);
+    for (size_t k = 0; k <= ROWS; k++) {
+        by_b += (double)k * span / ROWS * a.force[2 * k];
+        by_c += a.force[2 * k + 1];
+    }
+    ck_assert_double_eq_tol(a.by[1], by_b, 1e-12);
+    ck_assert_double_eq_tol(a.by[2], by_c, 1e-12);
+    ck_assert(fabs(by_b) > 0.1 && fabs(by_c) > 0.1);
+}
+END_TEST
+
+/* Masses and a potential beside dampers between points. */
+START_TEST(masses_have_derivatives_on_a_mesh)
+{
+    static const double m[] = { 1, 2 }, zeros[] = { 0, 0 }, cg[] = { 1, 0.5 };
+    static const mesh_problem t = { .damper = { "x2-x1 : power:0.4,0.3" }, .d = 2, .dampers = 1,
+                                    .x0 = { 1, -0.5 }, .p0 = { 0, 0.5 } };
+    const fvi_objective J = { .slopes = slopes };
+    double mass[2][2], by[2][2];
+    for (int i = 0; i < 2; i++) {
+        opened o;
+        open_problem(&t, &o);
+        o.system.mass = m;
+        o.system.damping = zeros;
+        o.system.potential = fvi_potential_duffing(cg);
+        memset(by[i], 0, sizeof by[i]);
+        const fvi_sensitivities want = { .mass = mass[i],
+                                         .parameters = by[i],
+                                         .sensitivity = fvi_parameter_gradient_of(&o.system.potential) };
+        OK(fvi_adjoint(i ? &fvi_lobatto_d6 : &fvi_variable_step, &o.run, NULL, NULL, &J, &want));
+        fvi_typed_mechanism_free(o.typed);
+    }
+    for (size_t j = 0; j < 2; j++) {
+        ck_assert_same(mass[0][j], mass[1][j], "masses", "mass", j);
+        ck_assert_same(by[0][j], by[1][j], "masses", "c, g", j);
+    }
+}
+END_TEST
+
+START_TEST(what_a_mesh_has_no_derivative_of_is_refused)
+{
+    static const mesh_problem stretched = { .lagrangian = "v1^2/2-x1^2/2", .damper = { "x1 : power:0.4,0.3 : rl" },
+                                            .d = 1, .dampers = 1, .x0 = { 1 } },
+                              caputo = { .lagrangian = "v1^2/2-x1^2/2", .damper = { "x1 : power:0.4,0.7 : caputo" },
+                                         .d = 1, .dampers = 1, .x0 = { 1 } };
+    const fvi_objective J = { .slopes = slopes }, all = { .slopes = slopes, .has_momenta = 1 };
+    double numbers[8];
+    static const double jump[] = { 0.1, 0.1 };
+    const fvi_impulse impulse = { 1, jump };
+    opened o;
+    for (int i = 0; i < 2; i++) {
+        open_problem(i ? &caputo : &stretched, &o);
+        const fvi_sensitivities want = { .x0 = numbers };
+        ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &o.run, NULL, NULL, &J, &want), FVI_EUNSUP);
+        fvi_typed_mechanism_free(o.typed);
+    }
+    open_problem(problems, &o);
+    const fvi_sensitivities want = { .x0 = numbers }, by_order = { .orders = numbers }, by_rho = { .terms = numbers };
+    ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &o.run, NULL, NULL, &all, &want), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &o.run, NULL, NULL, &J, &by_order), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &o.run, NULL, NULL, &J, &by_rho), FVI_EUNSUP);
+    o.system.force.impulse_count = 1;
+    o.system.force.impulses = &impulse;
+    ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &o.run, NULL, NULL, &J, &want), FVI_EUNSUP);
+    fvi_typed_mechanism_free(o.typed);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("adjoint, mechanisms on a mesh");
+    TCase *tcase = tcase_create("mesh");
+    tcase_add_loop_test(tcase, eq_23_16_a_mechanism_on_a_mesh_has_the_derivatives_of_form_D, 0, COUNT);
+    tcase_add_test(tcase, rows_of_the_force_are_those_of_the_lagrangian);
+    tcase_add_test(tcase, masses_have_derivatives_on_a_mesh);
+    tcase_add_test(tcase, what_a_mesh_has_no_derivative_of_is_refused);
+    suite_add_tcase(suite, tcase);
+    return run_suite(suite);
+}
