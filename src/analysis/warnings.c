@@ -31,7 +31,9 @@ int fvi_warning_of_initial_history(const fvi_run *run, const char **text)
     }
     if (status || has)
         return 0;
-    *text = run->system->matrices ? NO_SOLUTION("C x0") : NO_SOLUTION("x0");
+    *text = run->system->mechanism  ? NO_SOLUTION("an elongation")
+            : run->system->matrices ? NO_SOLUTION("C x0")
+                                    : NO_SOLUTION("x0");
     return 1;
 }
 

@@ -134,13 +134,18 @@ int fvi_check_solution(fvi_options *o, fvi_error *c)
     const fvi_run run = fvi_options_run(o, &system);
     if (fvi_warning_of_initial_history(&run, &o->no_solution) < 0)
         return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
-    if (o->no_solution
-        && !(o->method && o->method->paper_convention && o->error == 0))
-        return fvi_refuse(c,
-                          "derivative", "'rl' has no solution for %s != 0 and "
-                          "alpha > 1/2; take held or caputo",
-                          o->directory ? "C x0" : "x0");
-    return 0;
+    if (!o->no_solution || (o->method && o->method->paper_convention && o->error == 0))
+        return 0;
+    if (system.mechanism) {
+        o->no_solution = NULL; /* the start of other methods says which damper it is */
+        return o->method && o->method->paper_convention
+                   ? fvi_refuse(c, "error", "a damper whose order is above 1 has no solution with the past rl "
+                                "and an elongation that is not 0 at the start")
+                   : 0;
+    }
+    return fvi_refuse(c, "derivative", "'rl' has no solution for %s != 0 and "
+                      "alpha > 1/2; take held or caputo",
+                      o->directory ? "C x0" : "x0");
 }
 
 int fvi_check_impulses(const fvi_options *o, fvi_error *c)

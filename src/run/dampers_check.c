@@ -2,12 +2,11 @@
 #include "dampers_check.h"
 
 #include "kernel/kernel_terms.h"
-#include "system/all_zero.h"
+#include "solution.h"
 
 #include <fvi/dampers.h>
 
 #include <math.h>
-#include <stdlib.h>
 
 static int refuse(size_t j, int code, const char *reason, fvi_error *error)
 {
@@ -17,40 +16,24 @@ static int refuse(size_t j, int code, const char *reason, fvi_error *error)
     return code;
 }
 
-/* Is C_j x_0 = 0? Then what was at 0 until t = 0 and what was held are the same. */
-static int starts_unstretched(const fvi_run *run, size_t j, int *is_unstretched)
-{
-    const fvi_damping_matrix *C = &run->system->matrices->damper[j];
-    const size_t d = run->system->d, r = C->remembered;
-    double *y = calloc(d + 2 * r + 1, sizeof *y);
-    if (!y)
-        return FVI_ENOMEM;
-    int status = r > 0 ? C->remember(d, run->x0, y + d + r, C->params, y + d) : FVI_SUCCESS;
-    if (!status && r > 0)
-        status = C->damp(d, -1, y + d, C->params, y);
-    *is_unstretched = fvi_all_zero(d, y);
-    free(y);
-    return status;
-}
-
 /* Riemann and Liouville's past: what stretches a damper at t = 0 has a motion for one power up to the order 1. The
  * paper's method needs none: its sum is (7a) whatever the law. */
 static int check_liouville(const fvi_method *method, const fvi_run *run, size_t j,
                            fvi_error *error)
 {
     const fvi_kernel *kernel = run->system->mechanism->damper[j].kernel;
-    int is_unstretched;
+    int is_stretched;
     if (method->paper_convention
         || (fvi_kernel_is_power(kernel) && kernel->term->alpha <= 0.5))
         return FVI_SUCCESS;
-    const int status = starts_unstretched(run, j, &is_unstretched);
+    const int status = fvi_damper_is_stretched(run, j, &is_stretched);
     if (status)
         return refuse(j, status, fvi_error_name(status), error);
-    return is_unstretched ? FVI_SUCCESS
-                          : refuse(j, FVI_EUNSUP,
-                                   "the past rl wants one power of order 1 at most, or a start "
-                                   "that does not stretch the damper; fvi takes it",
-                                   error);
+    return is_stretched ? refuse(j, FVI_EUNSUP,
+                                 "the past rl wants one power of order 1 at most, or a start "
+                                 "that does not stretch the damper; fvi takes it",
+                                 error)
+                        : FVI_SUCCESS;
 }
 
 static int check_damper(const fvi_method *method, const fvi_run *run, size_t j, fvi_error *error)

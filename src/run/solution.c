@@ -1,5 +1,7 @@
 /* src/run/solution.c -- Is there a motion that starts so?            [H 19, 27] */
 #include "solution.h"
+#include <fvi/dampers.h>
+#include "system/all_zero.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -53,10 +55,58 @@ int fvi_run_start_is_damped(const fvi_run *run, int *felt)
     return status;
 }
 
+/* C_j x_0 of a damper of a system with matrices: is it not 0? */
+static int is_pulled(const fvi_run *run, size_t j, int *is_stretched)
+{
+    const fvi_damping_matrix *C = &run->system->matrices->damper[j];
+    const size_t d = run->system->d, r = C->remembered;
+    double *y = calloc(d + 2 * r + 1, sizeof *y);
+    if (!y)
+        FVI_FAIL("no memory for C x0", FVI_ENOMEM);
+    int status = r > 0 ? C->remember(d, run->x0, y + d + r, C->params, y + d) : FVI_SUCCESS;
+    if (!status && r > 0)
+        status = C->damp(d, -1, y + d, C->params, y);
+    *is_stretched = !fvi_all_zero(d, y);
+    free(y);
+    return status;
+}
+
+int fvi_damper_is_stretched(const fvi_run *run, size_t j, int *is_stretched)
+{
+    const fvi_elongation *of = &run->system->mechanism->damper[j].of;
+    double z = 0;
+    int status = FVI_SUCCESS;
+    if (run->system->matrices)
+        return is_pulled(run, j, is_stretched);
+    if (!of->row)
+        status = of->value(0, run->system->d, run->x0, of->params, &z);
+    for (size_t i = 0; of->row && i < run->system->d; i++)
+        z += of->row[i] * run->x0[i];
+    *is_stretched = z != 0;
+    return status;
+}
+
+/* With dampers: a law that grows faster than s has no motion that begins stretched, (19.2). */
+static int has_solution_of_dampers(const fvi_run *run, int *has)
+{
+    const fvi_mechanism *m = run->system->mechanism;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < m->damper_count && *has && !status; j++) {
+        int is_stretched = 0;
+        if (m->damper[j].past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+            && fvi_kernel_growth(m->damper[j].kernel) > 1)
+            status = fvi_damper_is_stretched(run, j, &is_stretched);
+        *has = !is_stretched;
+    }
+    return status;
+}
+
 int fvi_run_has_solution(const fvi_run *run, int *has)
 {
     int felt, status;
     *has = 1;
+    if (run->system->mechanism)
+        return has_solution_of_dampers(run, has);
     if (fvi_initial_history_solvable(run->past, run->alpha, 1, 1))
         return FVI_SUCCESS; /* from everywhere */
     status = fvi_run_start_is_damped(run, &felt);

@@ -24,8 +24,13 @@
 int fvi_run_start_is_damped(const fvi_run *run, int *felt);
 
 /* fvi_run_has_solution -- 0 if no motion with a finite velocity starts there:
- * Riemann-Liouville, alpha > 1/2, and a damping that feels x0; else 1.  [(19.2)]
+ * Riemann-Liouville, alpha > 1/2, and a damping that feels x0; or a damper with this past and a law that
+ * grows faster than s, which x0 stretches; else 1.  [(19.2)]
  * Arguments and codes as above. */
 int fvi_run_has_solution(const fvi_run *run, int *has);
+
+/* fvi_damper_is_stretched -- is the elongation of damper j at x0 not 0, or with matrices C_j x0? Codes as
+ * above, and what the elongation returned. */
+int fvi_damper_is_stretched(const fvi_run *run, size_t j, int *is_stretched);
 
 #endif

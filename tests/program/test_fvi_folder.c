@@ -153,6 +153,37 @@ START_TEST(eq_19_1_a_stretched_damper_of_a_folder_takes_the_past_rl_of_the_paper
 }
 END_TEST
 
+/* By fvi a start without a motion is run with a warning, of a matrix and between points; a law that grows slower has
+ * one. To a wanted error there is nothing to come near to. */
+START_TEST(eq_19_2_a_stretched_damper_that_has_no_motion_is_warned_of)
+{
+    static const char *const runs[] = { RL_OF_FOLDER, RL_OF_DAMPERS };
+    static const char warning[] = "fvi: warning: rl with an elongation != 0 and alpha > 1/2 has no solution; these rows "
+                                  "depend on h and come near to no motion\n";
+    char line[400];
+    write_chain();
+    ck_assert_int_eq(shell("rm chain/C.mtx"), 0);
+    for (size_t i = 0; i < LEN(runs); i++) {
+        static const char *const quiet[] = { "--x0 1,0.5,0 --damper 'x2-x1 : zener:1,0.3,2 : rl'",
+                                             "--x0 1,1,0 --damper 'x2-x1 : power:1,0.7 : rl'",
+                                             "--x0 1,0.5,0 --damper 'x2-x1 : power:1,0.7'" };
+        snprintf(line, sizeof line, "%s --x0 1,0.5,0 --damper 'x2-x1 : power:1,0.7 : rl'", runs[i]);
+        ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+        ck_assert_str_eq(err, warning);
+        ck_assert_ptr_nonnull(strstr(out, "# warning = rl with an elongation"));
+        for (size_t j = 0; j < LEN(quiet); j++) {
+            snprintf(line, sizeof line, "%s %s", runs[i], quiet[j]);
+            ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+            ck_assert_str_eq(err, "");
+        }
+        snprintf(line, sizeof line, "%s --x0 1,0.5,0 --damper 'x2-x1 : power:1,0.7 : rl' --method fvi --time 4 "
+                 "--error 1e-2", runs[i]);
+        ck_assert_refused_with(line, "fvi: --error: a damper whose order is above 1 has no solution with the past rl");
+    }
+    ck_assert_int_eq(shell("rm -r chain"), 0);
+}
+END_TEST
+
 /* Of a spring that was at 0 the force is there at t = 0, of a matrix and between points; a power of an
  * order below 1 has no finite one, and the row has the mean of the first step. */
 START_TEST(eq_19_3_the_force_at_the_start_of_what_was_stretched)
@@ -188,6 +219,7 @@ int main(void)
              a_pulse_of_a_folder_is_seen_between_the_rows,
              eq_19_1_an_unstretched_damper_of_a_folder_takes_the_past_rl,
              eq_19_1_a_stretched_damper_of_a_folder_takes_the_past_rl_of_the_paper,
+             eq_19_2_a_stretched_damper_that_has_no_motion_is_warned_of,
              eq_19_3_the_force_at_the_start_of_what_was_stretched);
     return run_suite_of_program(suite);
 }
