@@ -13,6 +13,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#define NO_EVENTS "a fit follows derivatives, and none goes through an event"
+
 /* Of a run, and not of a fit, which takes its times from the data. */
 static const char *const not_for_fit[] = { "steps",      "time",     "error",
                                            "step-error", "columns", "reduce",
@@ -27,6 +29,7 @@ static const fvi_own_command fit = {
     .name = "fit",
     .own = { "fit", "sigma", "starts", "compare", "huber", "curve" },
     .without = not_for_fit,
+    .no_events = NO_EVENTS,
     .method = "--method=fvi-lobatto4",
     .operand = FVI_OPERANDS_MOST,
     .flag = "design",
@@ -44,6 +47,7 @@ static const fvi_own_command design = {
     .name = "fit",
     .own = { "fit", "sigma", "starts", "compare", "huber", "curve" },
     .without = not_for_design,
+    .no_events = NO_EVENTS,
     .method = "--method=fvi-lobatto4",
     .flag = "design"
 };

@@ -19,7 +19,11 @@ static const char *const not_for_gradient[] = {
 };
 
 static const fvi_own_command gradient = {
-    .name = "gradient", .own = { "of", "by", "forces" }, .without = not_for_gradient
+    .name = "gradient",
+    .own = { "of", "by", "forces" },
+    .without = not_for_gradient,
+    .no_events = "no derivative goes through an event; a change of the time of an impact is a jump of x, "
+                 "to which a memory answers without bound"
 };
 
 typedef fvi_gradient_request request;

@@ -48,8 +48,10 @@ static int refuse_option(const sorter *s, const char *word, option_index i)
 {
     const char *names[FVI_SUBCOMMAND_MOST + OPTIONS + 3];
     size_t n = 0;
+    const char *why = i == EVENT ? s->command->no_events : NULL;
     if (i < OPTIONS)
-        return fvi_refuse(s->c, fvi_option_list[i].name, "not an option of this command");
+        return fvi_refuse(s->c, fvi_option_list[i].name, "not an option of this command%s%s", why ? ": " : "",
+                          why ? why : "");
     for (; s->command->own[n]; n++)
         names[n] = s->command->own[n];
     if (s->command->flag)

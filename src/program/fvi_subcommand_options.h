@@ -26,6 +26,7 @@ typedef struct {
     int operand;  /* so many words may be no options */
     const char *const *with; /* or those that it has, likewise, and no others */
     const char *flag;        /* its option that has no value, or NULL */
+    const char *no_events;   /* why it has no --event, or NULL */
     char *const *presets;    /* words for run, where they are not given; ended by NULL */
     /* NULL, or one more word for run that the operands ask for, which is written to `text`, or no
      * letter: the words for run so far are given, too. */

@@ -203,7 +203,9 @@ START_TEST(what_is_wrong_is_said)
         { "run --columns event1.count", "'event1.count' is none of t, x" },
         { "run --potential x --x0 0 --p0 -1 --event 'x+0 : impact:0.5'",
           "fvi: --event: 'x+0': starts at Z = 0 and moves into the wall" },
-        { "gradient --event 'x : mark'", "not an option of this command" },
+        { "gradient --event 'x : mark'", "fvi: --event: not an option of this command: no derivative goes through an event" },
+        { "fit --event 'x : mark' d.tsv", "fvi: --event: not an option of this command: a fit follows derivatives, and none" },
+        { "fit --design --event 'x : mark'", "a fit follows derivatives, and none goes through an event" },
         { "exact --event 'x : mark'", "not an option of this command" },
     };
     for (size_t i = 0; i < LEN(cases); i++) {
