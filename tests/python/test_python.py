@@ -248,7 +248,7 @@ def test_a_stepper_goes_forks_and_begins_anew():
 
 
 def test_a_kick_changes_the_momentum_between_two_steps():
-    s = fvi.Stepper("free", rho=0, x0=[0, 0], p0=1, mass=[1, 2], h=0.5, steps=4, method="fvi-adaptive")
+    s = fvi.Stepper("free", rho=0, x0=[0, 0], p0=1, mass=[1, 2], time=2, method="fvi-adaptive")
     s.step(1)
     t = s.t
     s.kick([2, -1])

@@ -47,8 +47,10 @@ def test_bad_input_is_named(options, what):
 @pytest.mark.parametrize("options", [{}, {"method": "fvi-adaptive"}, {"force": "impulse:1,1"}])
 def test_a_bad_step_or_time_is_named_as_it_was_given(name, bad, options):
     for call in (fvi.run, fvi.Stepper):
+        if call is fvi.Stepper and name == "h" and "method" in options:
+            continue  # it takes none
         with pytest.raises(fvi.Error, match=f"^{name} is {bad:g}; ") as caught:
-            call(**{name: bad}, steps=3, **options)
+            call(**{name: bad}, **options, **({} if call is fvi.Stepper and "method" in options else {"steps": 3}))
         assert caught.value.field == name and caught.value.code == 1
     if name == "time":
         with pytest.raises(fvi.Error, match=f"^time is {bad:g}; "):

@@ -302,7 +302,7 @@ def test_the_bound_holds_for_a_held_body_that_starts_fast():
     (lambda: fvi.solve(fvi.Problem(M=np.eye(2), K=np.eye(3)), h=0.1), fvi.Error, "size"),
     (lambda: fvi.solve(fvi.Problem(M=np.eye(2), K=np.array([[1, 2], [0, 1.0]])), h=0.1), fvi.Error, "^K: .*symmetric"),
     (lambda: fvi.solve(fvi.Problem(M=-np.eye(2), K=np.eye(2)), h=0.1), fvi.Error, "^M: "),
-    (lambda: fvi.solve(fvi.Problem(dampers=["x : viscos:1"]), h=0.1), ValueError, "^damper: .*did you mean viscous"),
+    (lambda: fvi.solve(fvi.Problem(dampers=["x : viscos:1"]), h=0.1), ValueError, "^dampers: .*did you mean viscous"),
     (lambda: fvi.solve(fvi.Problem(dampers=["x : power:1,1"]), method="fvi-adaptive"), fvi.Error, "order 2, which is a mass"),
     (lambda: fvi.response(fvi.Problem(), 0.0), fvi.Error, ""), (lambda: fvi.response(fvi.Problem(), 1, at=2), ValueError, "^at: 2"),
     (lambda: fvi.response(fvi.Problem(), 1, "recptance"), ValueError, "^of: 'recptance'"),

@@ -56,7 +56,7 @@ def choice(what: str, given: Any, known: dict) -> Any:
 
 
 def number(what: str, given: Any) -> float:
-    if isinstance(given, (str, bytes)) or given is None:
+    if isinstance(given, (str, bytes, bool, np.bool_)) or given is None:
         raise TypeError(f"{what}: {described(given)} is no number")
     try:
         return float(given)
@@ -75,13 +75,29 @@ def numbers(what: str, given: Any) -> Array:
     """An array of doubles, of whatever shape was given."""
     try:
         raw = np.asarray(given)
-        if raw.dtype.kind in "biuf":
+        if raw.dtype.kind in "iuf":
             return np.array(raw, dtype=float)
         if raw.dtype.kind == "O":  # fractions, say
             return np.array([number(what, each) for each in raw.flat]).reshape(raw.shape)
     except ValueError as error:
         raise ValueError(f"{what}: {error}") from error
     raise TypeError(f"{what}: {described(given)} is no number and no list of numbers")
+
+
+def names(what: str, given: Any) -> list:
+    """One name or several."""
+    found = [given] if isinstance(given, str) else given
+    if not isinstance(found, (list, tuple, set, frozenset)) or not all(isinstance(each, str) for each in found):
+        raise TypeError(f"{what}: {described(given)} is no name and no list of names")
+    if not found:
+        raise ValueError(f"{what}: there is no name")
+    return list(found)
+
+
+def function(what: str, given: Any, of: str) -> Any:
+    if not callable(given):
+        raise TypeError(f"{what}: {described(given)} is no function {of}")
+    return given
 
 
 def row(what: str, given: Array, d: int) -> Array:

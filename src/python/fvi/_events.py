@@ -7,7 +7,7 @@ from typing import Any, Callable, Optional, Sequence, Union
 
 import numpy as np
 
-from ._arguments import Array, described, word
+from ._arguments import Array, described, function, spelt, word
 from ._fvi import ffi, lib
 from ._library import ask, error_of, failure, keep, understand
 from ._system import Asked
@@ -37,10 +37,12 @@ class Event:
         word("events: action", self.action)
         if not (isinstance(self.value, str) or callable(self.value)):
             raise TypeError(f"events: {described(self.value)} is no text and no function of t, x, p")
-        if self.direction not in (-1, 0, 1):
+        if isinstance(self.direction, bool) or self.direction not in (-1, 0, 1):
             raise ValueError(f"events: direction: {described(self.direction)} is none of -1, 0, 1")
         if self.gradient is not None and isinstance(self.value, str):
             raise ValueError("events: gradient: a text has its own")
+        if self.gradient is not None:
+            function("events: gradient", self.gradient, "of t and x")
 
     @property
     def text(self) -> str:
@@ -50,6 +52,9 @@ class Event:
     @property
     def name(self) -> str:
         return self.value.strip() if isinstance(self.value, str) else getattr(self.value, "__name__", "a function")
+
+
+Event.__init__ = spelt()(Event.__init__)  # type: ignore
 
 
 def listed(given: Any) -> tuple:
@@ -82,7 +87,11 @@ class Watched:
 def ask_event(t, d, x, p, params, z):
     watched = ffi.from_handle(params)
     asked = watched.asked
-    z[0] = watched.event.value(t, asked.at(x, d), asked.at(p, d))
+    given = watched.event.value(t, asked.at(x, d), asked.at(p, d))
+    try:
+        z[0] = given
+    except (TypeError, OverflowError) as error:
+        raise TypeError(f"events: {watched.event.name} gave {described(given)}, not a number") from error
     return 0
 
 

@@ -1,11 +1,12 @@
 """Gradients of motions: one mirrored run gives the derivatives by all that determines them."""
 from __future__ import annotations
 
-from typing import Any, Callable, Mapping, Optional, Sequence, cast
+from collections.abc import Mapping
+from typing import Any, Callable, Optional, Sequence, cast
 
 import numpy as np
 
-from ._arguments import Array, Numbers, described, numbers, spelt
+from ._arguments import Array, Numbers, described, function, names as names_of, number, numbers, spelt
 from ._fvi import ffi, lib
 from ._library import ask, failure, succeed, understand
 from ._observe import as_run
@@ -54,6 +55,8 @@ class Mirror:
             a = np.broadcast_to(a, shape)
         except ValueError as error:
             raise ValueError(f"{what}: the shape {a.shape} is not {shape}") from error
+        for k in np.flatnonzero(~np.isfinite(a).reshape(shape[0], -1).all(axis=1))[:1]:
+            raise ValueError(f"{what}: row {k} is not finite")
         full = np.zeros((self.steps + 1, *shape[1:]))
         full[self.rows] = a  # each row is another step
         return full
@@ -113,7 +116,7 @@ def wanted_of(q: Problem, wrt: Optional[Sequence[str]], is_expression: bool, is_
     known = known_of(q, is_expression, is_dense)
     if wrt is None:
         return known
-    wanted = {wrt} if isinstance(wrt, str) else set(wrt)
+    wanted = set(names_of("wrt", wrt))
     for name in sorted(wanted - known):
         raise ValueError((f"wrt: this problem has no {name} to differentiate by; it has " if name in ALL else
                           f"wrt: '{name}' is none of ") + ", ".join(sorted(known)))
@@ -150,6 +153,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     q, mirror = solution.problem, Mirror(solution)
     system, d = mirror.motion.system, mirror.d
     names = wanted_of(q, wrt, system.is_expression, mirror.is_dense)
+    if x is None and p is None and energy is None:
+        raise TypeError("x: missing, as p and energy are: the derivatives of L by the rows")
     shape = solution.x.shape
     Jx = mirror.spread("x", 0.0 if x is None else x, shape)
     Jp = mirror.spread("p", 0.0 if p is None else p, shape)
@@ -339,7 +344,10 @@ def gradient(problem: Problem, loss: Callable[[Solution], tuple], *, wrt: Option
     Returns the number and what `vjp` makes of the derivatives.
     """
     s = solve(problem, **options)
-    value, by = loss(s)
-    if not isinstance(by, Mapping) or not set(by) <= {"x", "p", "energy"}:
-        raise TypeError("loss: it gives a number, and a dict of derivatives by x, p, energy")
+    given = function("loss", loss, "of a Solution")(s)
+    if not (isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], Mapping) and given[1]
+            and set(given[1]) <= {"x", "p", "energy"}):
+        raise TypeError(f"loss gave {described(given)}, not a number and a dict of its derivatives by x, p, energy")
+    value, by = given
+    number("loss", value)
     return value, vjp(s, wrt=wrt, **by)

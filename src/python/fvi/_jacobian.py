@@ -5,7 +5,7 @@ from typing import Any, Optional, Sequence
 
 import numpy as np
 
-from ._arguments import spelt
+from ._arguments import described, names as names_of, spelt
 from ._fvi import ffi, lib
 from ._gradient import Mirror, vjp, wanted_of
 from ._library import ask, succeed
@@ -53,7 +53,9 @@ def jacobian(solution: Solution, wrt: Sequence[str]) -> dict:
     their numbers. One coordinate by "fvi" goes by tangents, (24.6), side by side with the run: the cost of a run for each
     name. Else there is a mirrored run for each x: ask for few rows then.
     """
-    names = [wrt] if isinstance(wrt, str) else list(wrt)
+    if not isinstance(solution, Solution):
+        raise TypeError(f"solution: {described(solution)} is no Solution")
+    names = names_of("wrt", wrt)
     wanted_of(solution.problem, names, solution.motion.system.is_expression)
     found = tangents(solution, names)
     if found is not None:

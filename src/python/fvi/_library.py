@@ -32,10 +32,21 @@ def failure(code: int, where: str = "") -> Error:
     return Error(words + own_code(code) + where, code)
 
 
+IN_PYTHON = {"damper": "dampers", "constraint": "constraints", "force-on": "force_on", "event": "events"}
+
+
+def field_of(error: Any) -> Optional[str]:
+    """The argument of which a fvi_error speaks, by its name in this package."""
+    if error.field == ffi.NULL:
+        return None
+    field = text_of(error.field)
+    return IN_PYTHON.get(field, field)
+
+
 def error_of(error: Any, status: int) -> Error:
     """The exception for a code with the words of a fvi_error, its field, number and index."""
     found = Error(text_of(error.text) + own_code(status), status)
-    found.field = None if error.field == ffi.NULL else text_of(error.field)
+    found.field = field_of(error)
     found.value = None if math.isnan(error.value) else error.value
     if found.field is None and status in STOPPED:
         found.step = error.index
@@ -110,7 +121,7 @@ def understand(function: Callable[..., int], *arguments: Any) -> None:
     status = function(*arguments, error)
     if not status:
         return
-    field = text_of(error.field) + ": "
+    field = f"{field_of(error)}: "
     words = field + text_of(error.text).replace("\n", "\n" + " " * len(field))
     if status == lib.FVI_ENOMEM:
         raise MemoryError(words)

@@ -19,6 +19,13 @@ NUMERIC = ("t_eval", "error", "method", "h", "steps", "kappa", "progress", "step
 OTHERS = {"derivative": "past", "U": "potential", "m": "mass", "F": "force", "T": "time", "M": "mass", "beta": "order"}
 
 
+def listed(what: str, given: Any) -> tuple:
+    """One text or several members."""
+    if given is None or isinstance(given, (str, list, tuple)):
+        return () if given is None else (given,) if isinstance(given, str) else tuple(given)
+    raise TypeError(f"{what}: {described(given)} is no text and no list")
+
+
 def frozen(what: str, given: Any) -> Union[float, Array]:
     """A number, or an array that nobody changes."""
     a = numbers(what, given)
@@ -101,12 +108,14 @@ class Problem:
                            ("damping", "rho")):
             if getattr(self, one) is not None and getattr(self, other) is not None:
                 raise ValueError(f"{one}: not together with {other}")
+        for name in ("dampers", "constraints", "impose", "force_on"):
+            put(name, listed(name, getattr(self, name)))
         self.check_kind()
         for name in ("time", "alpha", "order"):
-            if getattr(self, name) is not None:
+            if name == "time" or getattr(self, name) is not None:
                 put(name, number(name, getattr(self, name)))
         for name in ("mass", "rho", "x0", "p0", "v0", "along"):
-            if getattr(self, name) is not None:
+            if name == "mass" or getattr(self, name) is not None:
                 put(name, frozen(name, getattr(self, name)))
         if self.let is not None:
             if not isinstance(self.let, Mapping):

@@ -58,14 +58,19 @@ def length(what: str, given: Optional[float]) -> float:
     return given or 0.0
 
 
+def refused(what: str, value: float, why: str) -> Error:
+    """Of a number that is out of its range."""
+    found = Error(f"{what} is {value:g}; it {why}", lib.FVI_EDOM)
+    found.field, found.value = what, None if math.isnan(value) else value
+    return found
+
+
 def positive(what: str, given: Any) -> float:
     """A number that the library would refuse by a name of its own if it were not > 0 and finite."""
     value = number(what, given)
     if 0 < value < math.inf:
         return value
-    refused = Error(f"{what} is {value:g}; it must be finite and positive", lib.FVI_EDOM)
-    refused.field, refused.value = what, None if math.isnan(value) else value
-    raise refused
+    raise refused(what, value, "must be finite and positive")
 
 
 def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[float] = None, /, *, alpha: Optional[float] = None,
@@ -115,7 +120,9 @@ class Stepper:
 
     `k` steps are done, `t` is the time, `x` and `p` are numbers, or arrays of d numbers
     of their own. `copy` forks the run with all that it remembers, `reset` goes back to
-    the start. After a step that failed it is over: reset, or begin anew.
+    the start. After a step that failed it is over: reset, or begin anew. "fvi-adaptive" chooses its
+    steps, and takes neither h nor steps: `time` is where the motion ends, 20, and k counts the 200 parts of it that
+    have passed, so that the same loop ends there.
 
     Several threads may share one: each call waits until the call of another thread is done. Its
     own potential or force cannot ask it for a step, a copy or a reset: that is a RuntimeError.
@@ -123,6 +130,10 @@ class Stepper:
 
     @spelt(prepare)
     def __init__(self, potential: Union[str, Potential] = "harmonic:1", **options: Any):
+        for name in ("h", "steps"):
+            if options.get("method") == "fvi-adaptive" and options.get(name) is not None:
+                raise ValueError(f"{name}: fvi-adaptive chooses its steps itself, in a Stepper, too; time is where the motion "
+                                 "is to end, and longest a step that none exceeds")
         self._problem, self._run, self._method = prepare(potential, **options)
         self._lock, self._is_busy, self._taken = threading.RLock(), False, ffi.new("size_t *")
         out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")

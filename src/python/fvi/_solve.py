@@ -9,14 +9,14 @@ from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
-from ._arguments import Array, Numbers, choice, described, number, numbers, spelt, whole, word
+from ._arguments import Array, Numbers, choice, described, function, number, numbers, spelt, whole, word
 from ._checkpoint import Checkpoint, rows_with_checkpoint
 from ._events import Event, Events, listed, rows_with_events
 from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, warn, warn_of_start
 from ._mechanism import Mechanism, Structure, own_law
 from ._problem import Problem
-from ._run import MEMORIES, PASTS, length, methods
+from ._run import MEMORIES, PASTS, length, methods, refused
 from ._solution import Solution
 from ._system import System
 from .errors import Error
@@ -51,6 +51,11 @@ class Motion:
         rho = (0.2 if q.damping is None else 1.0) if q.rho is None else q.rho
         x0 = (0.0 if is_structure else 1.0) if q.x0 is None else q.x0
         p0 = q.p0 if q.p0 is not None else q.v0 if q.v0 is not None else 0.0 if is_structure else 0.5
+        if q.order is not None and not 0 <= q.order <= 2:
+            raise refused("order", q.order, "must be in [0, 2]")
+        for v in np.atleast_1d(0.0 if q.v0 is None else q.v0).flat:
+            if not math.isfinite(v):
+                raise refused("v0", v, "must be finite")
         alpha = q.order / 2 if q.order is not None else 0.5 if q.alpha is None else q.alpha
         mechanism = Mechanism(q.lagrangian, q.dampers, q.constraints, q.impose, q.force_on, own_law(
             alpha, q.damping, q.past)) if q.kind == "mechanism" else None
@@ -58,7 +63,7 @@ class Motion:
         self.problem, self.time = q, q.time
         self.system = s = System(q.potential, q.force, 1.0 if is_structure else q.mass, 0.0 if is_structure else rho, x0,
                                  p0, q.let, q.time, q.damping, mechanism, structure, q.ground, q.along,
-                                 Events(how.events) if how.events else None)
+                                 Events(how.events) if how.events else None, "p0" if q.v0 is None else "v0")
         if q.v0 is not None:
             self.put_velocity(is_structure)
         self.method = lib.fvi_method_find(how.method.encode())
@@ -132,6 +137,12 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
         raise TypeError(f"problem: {described(problem)} is no fvi.Problem")
     if not 0 < problem.time < math.inf:
         raise ValueError(f"time: {problem.time} is not above 0, or not finite")
+    for name, value in (("h", h), ("steps", steps), ("error", error), ("step_error", step_error), ("longest", longest),
+                        ("kappa", kappa), ("most_steps", most_steps)):
+        if value is not None:
+            number(name, value)
+    if steps is not None and t_eval is not None and (error is not None or method in (None, "fvi-adaptive")):
+        raise ValueError("steps: not together with t_eval, which says where the rows are; the steps between them are found")
     if events and error is not None:
         raise ValueError("error: not together with events; step_error is what one step of fvi-adaptive may be off by")
     for other, is_there in (("error", error is not None), ("events", bool(events))):
@@ -191,7 +202,14 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
                     0 if most_steps is None else whole("most_steps", most_steps, 1),
                     next(name for name in MEMORIES if choice("memory", memory, MEMORIES) == MEMORIES[name]),
                     number("tolerance", tolerance), times, events,
-                    None if checkpoint is None else os.fspath(checkpoint))
+                    None if checkpoint is None else path("checkpoint", checkpoint))
+
+
+def path(what: str, given: Any) -> str:
+    try:
+        return os.fsdecode(given)
+    except TypeError as error:
+        raise TypeError(f"{what}: {described(given)} is no name of a file") from error
 
 
 def takes_any_steps(structure: Problem) -> bool:
@@ -200,12 +218,19 @@ def takes_any_steps(structure: Problem) -> bool:
     return bool(lib.fvi_variable_step_takes_structure(motion.run.system, motion.run.alpha, motion.run.law))
 
 
+def teller(progress: Progress) -> Any:
+    """Who is told how far a call is; or None."""
+    if progress is True:
+        return Bar()
+    return None if progress is None or progress is False else function("progress", progress, "of what is done and of all, nor True")
+
+
 def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
+    tell = teller(progress)
     motion = Motion(problem, how)
     watch = warn_of_start(motion.method, motion.run) if how.error is None else None
     rows, d = how.steps + 1 if how.t_eval is None else how.t_eval.size, motion.system.d
     x, p = np.full((2, rows, d), np.nan)
-    tell: Any = Bar() if progress is True else progress or None
     handle = ffi.new_handle(tell)
     count = ffi.new("row_count *", {"all": rows, "tell": ffi.NULL if tell is None else handle})
     t = np.arange(rows) * motion.run.h if how.t_eval is None else how.t_eval.copy()
@@ -248,8 +273,10 @@ class Found(NamedTuple):
 def by_library(motion: Motion, how: Numerics, x: Array, p: Array, count: Any) -> Found:
     status, report, error = motion.solve(how, motion.time, how.t_eval, x, p, count)
     if status:
-        return Found(error_of(error, status) if error.code == status else failure(status), count.rows, "", None,
-                     motion.run.h)
+        raised = error_of(error, status) if error.code == status else failure(status)
+        if str(raised).startswith("t["):
+            raised.field, raised.args = "t_eval", (f"t_eval: {raised}",)
+        return Found(raised, count.rows, "", None, motion.run.h)
     estimate = report.error if how.error is not None else None
     said = f"{report.steps} steps of {how.method}" + (f", error {estimate:.2g} by an estimate" if estimate else "")
     return Found(None, len(x), said, report.steps, report.h, estimate)
@@ -303,7 +330,8 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
     method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h; "fvi-bdf2" for a law with error;
                 "fvi-stable" of mechanisms and matrices with h or steps, and for matrices with a damping of order 2 or,
                 with a warning, with several dampers
-    h           the step, a time > 0 of which the problem's time is a multiple
+    h           the step, a time > 0 of which the problem's time is a multiple; of "fvi-adaptive", whose steps are its
+                own, the time between two rows
     steps       instead of h: how many steps, or, where the steps are found, how many rows but one; 200
     kappa       0 ... 1: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}, of methods that have it; 0.5
     progress    True: a bar on standard error; or a function f(rows done, rows), called now and then

@@ -4,16 +4,17 @@ from __future__ import annotations
 import concurrent.futures
 import itertools
 import os
-from typing import Any, Callable, Mapping, Optional, Sequence
+from collections.abc import Mapping
+from typing import Any, Callable, Optional, Sequence
 
 import numpy as np
 
-from ._arguments import Array, spelt
+from ._arguments import Array, described, function, spelt, whole
 from ._fvi import ffi, lib
 from ._library import waiting, warn
 from ._problem import Problem
 from ._solution import Solution
-from ._solve import Bar, Progress, solve
+from ._solve import Bar, Progress, solve, teller
 
 
 def warn_of_all(names: Sequence[str], grid: Sequence[tuple], heard: Sequence[list]) -> None:
@@ -22,6 +23,22 @@ def warn_of_all(names: Sequence[str], grid: Sequence[tuple], heard: Sequence[lis
     if warned:
         first = ", ".join(f"{name} = {value}" for name, value in zip(names, grid[warned[0]]))
         warn(f"{len(warned)} of {len(grid)} motions, the first with {first}: {'; '.join(heard[warned[0]])}")
+
+
+def axes_of(problem: Problem, vary: Any) -> dict:
+    """The values of each name, as lists."""
+    if not isinstance(vary, Mapping) or not vary:
+        raise TypeError(f"vary: {described(vary)} is no dict of names and their values")
+    axes: dict = {}
+    for name, values in vary.items():
+        if name not in (problem.let or {}) and name not in problem.__dataclass_fields__:
+            raise ValueError(f"vary: {described(name)} is no field of the problem and no name of its let")
+        if isinstance(values, (str, bytes, Mapping)) or not hasattr(values, "__iter__"):
+            raise TypeError(f"vary: {name}: {described(values)} is no list of values")
+        axes[name] = list(values)
+        if not axes[name]:
+            raise ValueError(f"vary: {name}: there is no value")
+    return axes
 
 
 @spelt(solve)
@@ -44,14 +61,15 @@ def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[
     """
     if options.get("checkpoint") is not None:
         raise ValueError("checkpoint: of one motion, not of many")
-    names = list(vary)
-    grid = list(itertools.product(*(list(vary[name]) for name in names)))
-    shape = tuple(len(list(vary[name])) for name in names)
-    let = problem.let or {}
-    for name in names:
-        if name not in let and name not in problem.__dataclass_fields__:
-            raise ValueError(f"vary: '{name}' is no field of the problem and no name of its let")
-    stop, tell = ffi.new("int *"), Bar() if progress is True else progress
+    if not isinstance(problem, Problem):
+        raise TypeError(f"problem: {described(problem)} is no fvi.Problem")
+    axes = axes_of(problem, vary)
+    names, grid = list(axes), list(itertools.product(*axes.values()))
+    shape, let = tuple(map(len, axes.values())), problem.let or {}
+    threads = (os.cpu_count() or 1) if jobs is None else whole("jobs", jobs, 1)
+    if of is not None:
+        function("of", of, "of a Solution")
+    stop, tell = ffi.new("int *"), teller(progress)
 
     def one(number: int, values: tuple) -> Any:
         lib.obey(stop)
@@ -66,7 +84,7 @@ def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[
             lib.obey(ffi.NULL)
     answers: list = [None] * len(grid)
     heard: list = [[]] * len(grid)
-    with concurrent.futures.ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
+    with concurrent.futures.ThreadPoolExecutor(min(threads, len(grid))) as pool:
         futures = {pool.submit(one, i, values): i for i, values in enumerate(grid)}
         try:
             for n, future in enumerate(concurrent.futures.as_completed(futures), 1):

@@ -55,6 +55,8 @@ def potential(value: Any, gradient: Any, hessian: Any, *, quadratic: bool = Fals
 
     What a function of Python's raises ends the run and comes out of it.
     """
+    if not isinstance(quadratic, bool):
+        raise TypeError(f"quadratic: {arguments.described(quadratic)} is neither True nor False")
     given = (value, gradient, hessian)
     if not (all(callable(f) for f in given) or all(isinstance(f, numbers.Integral) for f in given)):
         raise TypeError("value, gradient and hessian are three functions, or three addresses")
@@ -88,7 +90,7 @@ class Asked:
         if self.scalar:
             try:
                 out[0] = given
-            except TypeError as error:
+            except (TypeError, OverflowError) as error:
                 raise TypeError(f"{what} gave {arguments.described(given)}, not a number") from error
             return 0
         if given is None:
@@ -142,7 +144,11 @@ def keep_of_void(kind: Any, error: BaseException, trace: Any) -> None:
 
 @ffi.def_extern(onerror=keep_of_void)
 def ask_symbol(re, im, params, C_re, C_im):
-    C = complex(ffi.from_handle(params)(complex(re, im)))
+    given = ffi.from_handle(params)(complex(re, im))
+    try:
+        C = complex(given)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise TypeError(f"damping gave {arguments.described(given)}, not a number") from error
     C_re[0], C_im[0] = C.real, C.imag
 
 
@@ -210,7 +216,7 @@ class System:
     def __init__(self, potential: Union[str, Potential], force: Any, mass: Numbers, rho: Numbers,
                  x0: Numbers, p0: Numbers, let: Optional[Mapping[str, float]] = None, last: float = math.inf,
                  damping: Any = None, mechanism: Any = None, structure: Any = None, ground: Any = None,
-                 along: Optional[Numbers] = None, events: Any = None):
+                 along: Optional[Numbers] = None, events: Any = None, start: str = "p0"):
         self.keep: list = []
         self.laws_of_dampers: list = []
         if let is not None and not (isinstance(let, Mapping) and all(isinstance(name, str) for name in let)):
@@ -240,7 +246,7 @@ class System:
         self.handle = ffi.new_handle(self.asked)
         if isinstance(potential, Potential) and callable(potential.value):
             U.params = self.handle
-        self.x0, self.p0 = (arguments.row(name, rows[name], self.d) for name in ("x0", "p0"))
+        self.x0, self.p0 = (arguments.row(told, rows[name], self.d) for name, told in (("x0", "x0"), ("p0", start)))
         self.system = ffi.new("fvi_system *")
         self.system.d = self.d
         self.system.mass = self.pointer(arguments.row("mass", rows["mass"], self.d))
