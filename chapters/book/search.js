@@ -10,11 +10,12 @@ const FVI_SEARCH = (() => {
 
   // A word of a heading says more than one of its page's title or address, and that more than one
   // of the text, where the first few count. The begin of a page answers better than its
-  // exercises, a chapter of the Course better than a proof, and a page better than a source, unless a source is asked for.
+  // exercises, a chapter of the Course better than a proof, a page for readers better than one for those who change the
+  // code, and a page better than a source, unless a source is asked for.
   const IDLE = new Set("a an and are can do does for how i in is it my of on or the there to we what when where which why with you your".split(" "));
   const NAMED = 3, TITLE = 1, ADDRESS = 1;
   const worth = ({ p, t, u }) => (t === p ? 1.6 : 1)
-    * (/^(Exercises|Answers|How we know|What we have now)$/.test(t) ? 0.5 : 1) * (/^\d/.test(u) ? 1.3 : 1);
+    * (/^(Exercises|Answers|How we know|What we have now)$/.test(t) ? 0.5 : 1) * (/^\d/.test(u) ? 1.3 : /^(tour|evidence|moving|bibliography)\./.test(u) ? 0.6 : 1);
 
   function build() {
     index = new Map();
