@@ -1,7 +1,8 @@
 """Formulas within a line that GitHub would spoil are written with backticks.
 
     formulas.py            write them so, in every page
-    formulas.py --check    exit 1 if one is not (part of make text)
+    formulas.py --check    exit 1 if one is not, or if one has a line that begins as one of a list does
+                           (part of make text)
 
 GitHub reads $...$ as Markdown first, and takes a backslash before a punctuation mark away: $a\\,b$
 loses its space, and a matrix its rows. Of $`...`$ it takes nothing. Only Python's standard
@@ -35,12 +36,22 @@ def mended(text):
     return "".join([*out, mend(end, text[end:])]), lines
 
 
+LISTED = re.compile(r"\n *(?:[-+*]|\d+[.)]) ")
+
+
+def listed(text):
+    """The lines of formulas that a list ends, as a line of theirs begins with + or -."""
+    within = re.sub(r"^ *```.*?^ *```$|<!--.*?-->", lambda kept: re.sub(r"[^\n]", " ", kept[0]), text, flags=re.M | re.S)
+    return [within.count("\n", 0, match.start()) + 1 for match in re.finditer(rf"\$`.+?`\$|{FORMULA.pattern}", within, re.S) if LISTED.search(match[0])]
+
+
 def main():
     faults = []
     for page in PAGES:
         text, lines = mended(page.read_text())
         if sys.argv[1:] == ["--check"]:
             faults += [f"{page}:{line}: GitHub takes backslashes out of this formula; write $`...`$" for line in lines]
+            faults += [f"{page}:{line}: a line of this formula begins a list; break it elsewhere" for line in listed(page.read_text())]
         elif lines:
             page.write_text(text)
     sys.exit("\n".join(faults) or 0)
