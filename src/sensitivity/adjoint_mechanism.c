@@ -42,8 +42,6 @@ int fvi_adjoint_mechanism_check(const fvi_method *method, const fvi_run *run,
     if (mechanism->constraints && mechanism->constraints->count > 0
         && !mechanism->constraints->hessian)
         FVI_FAIL("the adjoint of constraints asks for their second derivatives", FVI_EUNSUP);
-    if (mechanism->constraints && mechanism->constraints->count > 0 && method->damped_inertia)
-        FVI_FAIL("form D with constraints has no adjoint; fvi-stable and fvi-lobatto2 to 8 have", FVI_EUNSUP);
     if (mechanism->lagrangian && want->mass)
         FVI_FAIL("a Lagrangian has no masses to differentiate by", FVI_EINVAL);
     if (mechanism->lagrangian && want->parameters && !want->lagrangian)
@@ -132,6 +130,8 @@ static void keep_velocity(const fvi_adjoint_mechanism *m, double *to)
     memcpy(to, o->v, m->d * sizeof *to);
     for (size_t l = 0; l < o->m; l++)
         to[m->d + l] = m->run->h * last * o->ended[l];
+    for (size_t l = 0; o->rule && o->begin == 0 && l < o->m; l++) /* the last stage of form D has its own */
+        to[m->d + l] -= o->u[o->s * m->d + (o->s - 1) * o->m + l] / m->run->h;
 }
 
 static int run_forwards(fvi_adjoint_mechanism *m)

@@ -34,7 +34,8 @@ int fvi_adjoint_mesh_check(const fvi_run *run, const fvi_objective *J, const fvi
 {
     const fvi_mechanism *mechanism = run->system->mechanism;
     if (mechanism->constraints && mechanism->constraints->count > 0)
-        FVI_FAIL("steps of any length have no adjoint with constraints; fvi-stable and fvi-lobatto2 to 8 have",
+        FVI_FAIL("steps of any length have no adjoint with constraints; fvi-stable and the methods with "
+                 "stages have",
                  FVI_EUNSUP);
     if (run->system->force.impulse_count)
         FVI_FAIL("steps of any length have no adjoint of a mechanism with impulses", FVI_EUNSUP);

@@ -100,7 +100,7 @@ static int add_constraints(fvi_adjoint_mechanism *m, size_t i)
 {
     const fvi_mechanism_state *o = m->o;
     const fvi_constraints *c = m->run->system->mechanism->constraints;
-    const size_t d = m->d, inner = m->s - 1;
+    const size_t d = m->d, inner = m->s - o->begin;
     const double h = m->o->h, t = fvi_mechanism_stage_time(m->stepper, i);
     double *to = m->multiplier + inner * d + i * o->m;
     const int status = c->gradient(t, d, o->X + i * d, c->params, m->gradient, NULL);
@@ -126,7 +126,7 @@ static int solve_multipliers(fvi_adjoint_mechanism *m)
             to[c] += m->g[c];
     }
     int status = FVI_SUCCESS;
-    for (size_t i = 0; !status && o->m && i + 1 < s; i++)
+    for (size_t i = 0; !status && o->m && i < s - o->begin; i++)
         status = add_constraints(m, i);
     if (status)
         return status;

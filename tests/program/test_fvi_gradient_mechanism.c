@@ -83,6 +83,9 @@ START_TEST(rows_of_a_mechanism_are_differences_of_runs)
           "x:1", "g", 1 },
         { "--lagrangian '(v1^2+v2^2)/2+x1*x2*v1-g*x2' --constraint '(x1^2+x2^2-1)/2' --x0 0.6,-0.8 "
           "--v0 0.4,0.3 --method fvi-lobatto3 --let g=%.17g " FEW,
+          "p:2", "g", 1 },
+        { "--lagrangian '(v1^2+v2^2)/2+x1*x2*v1-g*x2' --constraint '(x1^2+x2^2-1)/2' --x0 0.6,-0.8 "
+          "--v0 0.4,0.3 --method fvi-lobatto3d --let g=%.17g " FEW,
           "p:2", "g", 1 }, /* the slope L_xv is not 0, nor is the multiplier of the last row */
         { SPRING "--damper 'strut=sqrt(x1^2+x2^2) : power:0.4,0.3' --time 3 --steps 3 --method fvi-adaptive --step-error 1e-12 "
                  "--let k=%.17g", "energy", "k", 2 },
