@@ -68,11 +68,11 @@ int main(int argc, char **argv)
             continue;
         find_truth(P, truth);
         r.trials = 0;
-        for (size_t j = 2 * r.count; j-- > 0;) { /* who may be the fastest goes first */
+        for (size_t j = 0; j < 2 * r.count; j++) { /* who may be the fastest goes first */
             const size_t i = j % r.count;
             const contender *c = &r.all[i];
             const int is_fast = c->peer || c->method->dense;
-            if ((j >= r.count) == is_fast && (!c->peer || c->peer->takes(problem_number(P))))
+            if ((j < r.count) == is_fast && (!c->peer || c->peer->takes(problem_number(P))))
                 sweep(&r, i, P, truth, front, &least[c->of]);
         }
         compare_in_turn(&r, P);
