@@ -22,7 +22,7 @@ ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_alloc fvi_history
     fvi_impulses_of_slope_alloc fvi_adjoint_lobatto_jump fvi_adjoint_dampers_check fvi_adjoint_dampers_end
     fvi_adjoint_dampers_free fvi_adjoint_dampers_start fvi_adjoint_dampers_step fvi_adjoint_slope_of
     fvi_adjoint_slope_symbol fvi_adjoint_has_slope fvi_adjoint_slope_begin_at
-    fvi_adjoint_mechanism_check fvi_adjoint_mechanism_run""".split()]
+    fvi_adjoint_mechanism_check fvi_adjoint_mechanism_run fvi_adjoint_mesh_check fvi_adjoint_mesh_run""".split()]
 BUILDING = [PLAY / "gsl.c", HERE / "gsl_modes.c", HERE / "building.c"]
 BUILDING_MODULES = """structures structure_dampers sparse factors history_space convolution_quadrature_methods convolution_quadrature_dampers
     damping damping_matrices damping_sums initial_history_force kernel_history kernel_modes kernel_classes kernel_general damping_laws
