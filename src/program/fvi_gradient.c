@@ -109,10 +109,6 @@ static int interpret(request *r, fvi_error *c)
         return fvi_refuse(c, "method", "'%s' has no gradient with --system; fvi, fvi-shifted, "
                           "fvi-bdf2 and fvi-stable have",
                           m->name);
-    if (m->scheme == FVI_SCHEME_VARIABLE_STEP && (r->o.text[CONSTRAINT] || r->o.text[IMPOSE]))
-        return fvi_refuse(c, "method", "'%s' has no gradient with constraints; fvi-stable, "
-                          "fvi-lobatto2 to 8 and 2d to 8d have",
-                          m->name);
     const int unknown = check_masses(r, c) || check_dampers(r, c) ? 2 : 0;
     if (unknown)
         return unknown;

@@ -269,8 +269,8 @@ static int add_slopes(fvi_adjoint_mechanism *m, size_t k)
     }
     const double *v = is_last ? m->last + 2 * d : record_of(m, k) + m->row - d - m->o->m;
     return status ? status
-                  : fvi_adjoint_mechanism_project(m, k, is_last ? m->last : record_of(m, k), v,
-                                                  v + d);
+                  : fvi_adjoint_mechanism_project(m, (double)k * m->run->h,
+                                                  is_last ? m->last : record_of(m, k), v, v + d, NULL);
 }
 
 void fvi_adjoint_mechanism_stop(fvi_adjoint_mechanism *m)

@@ -134,10 +134,11 @@ int fvi_adjoint_mechanism_names_check(fvi_adjoint_mechanism *m);
 /* fvi_adjoint_mechanism_share -- what multiplies grad g of damper e at an end of a step of nodes. */
 double fvi_adjoint_mechanism_share(const fvi_adjoint_mechanism *m, size_t e, size_t end);
 
-/* fvi_adjoint_mechanism_project -- what the constraints do to p at node k: beta in, of what comes out,
- * and out, of what comes in; g. v is the velocity there, and w their impulse. */
-int fvi_adjoint_mechanism_project(fvi_adjoint_mechanism *m, size_t k, const double *x,
-                                  const double *v, const double *w);
+/* fvi_adjoint_mechanism_project -- what the constraints do to p at a node: beta in, of what comes out,
+ * and out, of what comes in; g. v is the velocity there, and w their impulse. by_v: what v itself does to J, or
+ * NULL. */
+int fvi_adjoint_mechanism_project(fvi_adjoint_mechanism *m, double t, const double *x,
+                                  const double *v, const double *w, const double *by_v);
 
 /* fvi_adjoint_mechanism_point -- what masses and the parameters of the potential or the Lagrangian have
  * of the point number i of a step at the time t: tau multiplies L_v there, and phi the force f. */

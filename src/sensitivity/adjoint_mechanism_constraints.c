@@ -3,7 +3,9 @@
  * At a node p becomes p - C^T w, with C v + c_t = 0 for the velocity of what comes out. With b the
  * multiplier of that, epsilon that of L_v(x, v) = p, and delta that of the hidden constraint,
  *
- *     L_vv epsilon = C^T delta,   C epsilon = -C b,   beta = b + epsilon                 (23.30) */
+ *     L_vv epsilon = C^T delta,   C epsilon = -C b,   beta = b + epsilon                 (23.30)
+ *
+ * What v itself does to J is added to C^T delta. */
 #include "adjoint_mechanism.h"
 
 #include "system/fail.h"
@@ -23,7 +25,7 @@ static int check_rates(const fvi_constraints *c, const double *ct)
 }
 
 /* epsilon and -delta, d + m numbers, by the matrix of the projection. */
-static int solve(fvi_adjoint_mechanism *m, const double *C, double *right)
+static int solve(fvi_adjoint_mechanism *m, const double *C, const double *by_v, double *right)
 {
     const fvi_mechanism_state *o = m->o;
     const size_t d = m->d, c = o->m, n = d + c;
@@ -35,7 +37,7 @@ static int solve(fvi_adjoint_mechanism *m, const double *C, double *right)
             A[i * n + d + l] = A[(d + l) * n + i] = C[l * d + i];
     }
     for (size_t i = 0; i < n; i++)
-        right[i] = 0;
+        right[i] = by_v && i < d ? by_v[i] : 0;
     for (size_t l = 0; l < c; l++)
         for (size_t i = 0; i < d; i++)
             right[d + l] -= C[l * d + i] * m->beta[i];
@@ -66,13 +68,12 @@ static int add_to_place(fvi_adjoint_mechanism *m, double t, const double *x, con
     return status;
 }
 
-int fvi_adjoint_mechanism_project(fvi_adjoint_mechanism *m, size_t k, const double *x,
-                                  const double *v, const double *w)
+int fvi_adjoint_mechanism_project(fvi_adjoint_mechanism *m, double t, const double *x,
+                                  const double *v, const double *w, const double *by_v)
 {
     fvi_mechanism_state *o = m->o;
     const fvi_constraints *c = m->run->system->mechanism->constraints;
     const size_t d = m->d;
-    const double t = (double)k * m->run->h;
     double *right = m->multiplier, *C = m->gradient, *ct = m->factors;
     if (o->m == 0)
         return FVI_SUCCESS;
@@ -84,7 +85,7 @@ int fvi_adjoint_mechanism_project(fvi_adjoint_mechanism *m, size_t k, const doub
     if (!status)
         status = check_rates(c, ct);
     if (!status)
-        status = solve(m, C, right);
+        status = solve(m, C, by_v, right);
     for (size_t i = 0; i < d; i++) {
         m->beta[i] += right[i];
         m->tau[i] = -right[i]; /* what masses and parameters have of L_v there */

@@ -33,10 +33,6 @@ struct fvi_adjoint_mesh {
 int fvi_adjoint_mesh_check(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want)
 {
     const fvi_mechanism *mechanism = run->system->mechanism;
-    if (mechanism->constraints && mechanism->constraints->count > 0)
-        FVI_FAIL("steps of any length have no adjoint with constraints; fvi-stable and the methods with "
-                 "stages have",
-                 FVI_EUNSUP);
     if (run->system->force.impulse_count)
         FVI_FAIL("steps of any length have no adjoint of a mechanism with impulses", FVI_EUNSUP);
     if (J && J->has_momenta)
@@ -67,7 +63,7 @@ static int start(fvi_adjoint_mechanism *m)
     m->r = o->r;
     m->s = o->s;
     m->n = o->n;
-    m->row = m->d + m->n + m->r * m->s;
+    m->row = 2 * m->d + m->n + m->r * m->s + o->m;
     mesh->rule = of->rule;
     mesh->row = m->run->steps;
     if (o->any_massless)
@@ -101,7 +97,19 @@ static int start(fvi_adjoint_mechanism *m)
     return status;
 }
 
-/* x_k, u and the known forces of the step that was done last, which began at x. */
+/* v, and the impulse w of the constraints but for that of the last stage, where the stepper is.      (29.4) */
+static void keep_velocity(const fvi_adjoint_mechanism *m, double *to)
+{
+    const fvi_mechanism_state *o = m->o;
+    memcpy(to, o->v, m->d * sizeof *to);
+    for (size_t l = 0; l < o->m; l++)
+        to[m->d + l] = o->h > 0 ? o->h * o->rule->b[m->s - 1] * o->ended[l]
+                                      - o->u[m->s * m->d + (m->s - 1) * o->m + l] / o->h
+                                : 0;
+}
+
+/* x_k, u and the known forces of the step that was done last, which began at x with the velocity and the impulse
+ * behind it. */
 static int record(fvi_adjoint_mechanism *m, const double *x)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
@@ -123,6 +131,7 @@ static int record(fvi_adjoint_mechanism *m, const double *x)
     memcpy(to, x, m->d * sizeof *to);
     memcpy(to + m->d, m->o->u, m->n * sizeof *to);
     memcpy(to + m->d + m->n, m->o->known, m->r * m->s * sizeof *to);
+    memcpy(to + m->row - m->d - m->o->m, x + m->d, (m->d + m->o->m) * sizeof *to);
     return FVI_SUCCESS;
 }
 
@@ -132,11 +141,12 @@ static int run_forwards(fvi_adjoint_mechanism *m)
     fvi_stepper *s = m->stepper;
     const size_t d = m->d, N = m->run->steps;
     const double T = ((const fvi_variable_step_state *)s->method_state)->T;
-    double *begin = m->next;
+    double *begin = m->last; /* x, v, w */
     int status = FVI_SUCCESS;
     memcpy(mesh->rows, s->x, d * sizeof *s->x);
     for (size_t k = 1; k <= N && !status;) {
         memcpy(begin, s->x, d * sizeof *begin);
+        keep_velocity(m, begin + d);
         status = fvi_stepper_step(s);
         if (!status)
             status = record(m, begin);
@@ -149,6 +159,8 @@ static int run_forwards(fvi_adjoint_mechanism *m)
     }
     mesh->p = mesh->rows + (N + 1) * d;
     memcpy(mesh->p, s->p, d * sizeof *s->p);
+    memcpy(begin, s->x, d * sizeof *begin);
+    keep_velocity(m, begin + d);
     return status;
 }
 
@@ -204,7 +216,7 @@ static int ask_row(fvi_adjoint_mechanism *m, size_t k)
 }
 
 /* All rows in step n that are not at its beginning: to V of its stages, to v and x at its beginning. What v at its
- * end does, by_v, is its last V. */
+ * end does, by_v, is done by its last V, or by p there. */
 static int read_rows(fvi_adjoint_mechanism *m, size_t n)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
@@ -213,7 +225,8 @@ static int read_rows(fvi_adjoint_mechanism *m, size_t n)
     const double h = step->length.h;
     int status = FVI_SUCCESS;
     memset(mesh->source, 0, s * d * sizeof *mesh->source);
-    memcpy(mesh->source + (s - 1) * d, mesh->by_v, d * sizeof *mesh->by_v);
+    if (m->o->m == 0) /* else the constraints know it */
+        memcpy(mesh->source + (s - 1) * d, mesh->by_v, d * sizeof *mesh->by_v);
     memset(mesh->by_v, 0, 2 * d * sizeof *mesh->by_v);
     for (; !status && mesh->row > 0; mesh->row--) {
         const double t = (double)mesh->row * m->run->h, theta = fmin((t - step->t) / h, 1);
@@ -306,18 +319,23 @@ int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m)
 
 static int step_back(fvi_adjoint_mechanism *m, size_t n)
 {
+    const size_t d = m->d;
+    const double *x = m->record + n * m->row, *v = x + m->row - d - m->o->m;
     int status = n % 64 == 0 ? fvi_interrupted() : FVI_SUCCESS;
     if (!status)
-        status = put_back(m, n);
-    if (!status)
         status = read_rows(m, n);
+    if (!status && n + 1 == m->mesh->steps)
+        status = fvi_adjoint_mechanism_project(m, m->stepper->t, m->last, m->last + d, m->last + 2 * d, NULL);
+    if (!status)
+        status = put_back(m, n);
     for (size_t e = 0; e < m->r && !status; e++)
         recall(m, e);
     if (!status)
         status = fvi_adjoint_mechanism_stages(m, n);
-    for (size_t j = 0; j < m->d; j++)
+    for (size_t j = 0; j < d; j++)
         m->g[j] += m->mesh->by_x[j];
-    return status;
+    return status ? status
+                  : fvi_adjoint_mechanism_project(m, m->mesh->step[n].t, x, v, v + d, m->mesh->by_v);
 }
 
 static int finish(fvi_adjoint_mechanism *m)
@@ -336,6 +354,8 @@ static int finish(fvi_adjoint_mechanism *m)
             want->damping[e] = a->factor;
     }
     if (!status)
+        status = fvi_adjoint_mechanism_names_check(m);
+    if (!status && m->o->m == 0)
         status = fvi_adjoint_mechanism_add_velocity(m, m->mesh->by_v, m->g, m->beta);
     if (want->x0)
         memcpy(want->x0, m->g, d * sizeof *m->g);

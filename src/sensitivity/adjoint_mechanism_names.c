@@ -137,7 +137,7 @@ static int add_constraints_at_stages(fvi_adjoint_mechanism *m, size_t j)
 {
     const fvi_mechanism_state *o = m->o;
     const size_t d = m->d, s = m->s, c = o->m, inner = s - o->begin;
-    const double h = m->run->h;
+    const double h = o->h;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < s && !status; i++) {
         status = constraints(m, j, fvi_mechanism_stage_time(m->stepper, i), o->X + i * d);

@@ -169,9 +169,27 @@ static int push_dampers(fvi_adjoint_mechanism *m, size_t k)
     return status;
 }
 
+/* With the increments the constraints of the stages stay no more: what their multipliers do to g. */
+static int add_rows_of_constraints(fvi_adjoint_mechanism *m)
+{
+    const fvi_mechanism_state *o = m->o;
+    const fvi_constraints *c = m->run->system->mechanism->constraints;
+    const size_t d = m->d, rows = (m->s - o->begin) * d;
+    int status = FVI_SUCCESS;
+    for (size_t i = o->begin; i < m->s && !status; i++) {
+        const double *by = m->multiplier + rows + (i - o->begin) * o->m;
+        status = c->gradient(fvi_mechanism_stage_time(m->stepper, i), d, o->X + i * d, c->params,
+                             m->gradient, NULL);
+        for (size_t l = 0; l < o->m; l++)
+            for (size_t j = 0; j < d; j++)
+                m->g[j] += by[l] / o->h * m->gradient[l * d + j];
+    }
+    return status;
+}
+
 /* What acts on x_k if all increments stay, added to g, what acts on x_{k+1}. Where a step is so short that 1/h is
  * large this loses no digits. */
-static void add_all_places(fvi_adjoint_mechanism *m)
+static int add_all_places(fvi_adjoint_mechanism *m)
 {
     const fvi_mechanism_state *o = m->o;
     const size_t d = m->d;
@@ -186,10 +204,11 @@ static void add_all_places(fvi_adjoint_mechanism *m)
                 m->g[c] += sum / o->h * (G[c] - o->G[e * d + c]);
         }
     }
+    return o->m ? add_rows_of_constraints(m) : FVI_SUCCESS;
 }
 
 /* The same by the slopes of the stages, whose equation has been solved. */
-static void find_places(fvi_adjoint_mechanism *m)
+static int find_places(fvi_adjoint_mechanism *m)
 {
     const fvi_mechanism_state *o = m->o;
     memset(m->g, 0, m->d * sizeof *m->g);
@@ -197,6 +216,7 @@ static void find_places(fvi_adjoint_mechanism *m)
         add_slopes(m, l, -1, o->G, m->g);
     for (size_t l = 0; l < o->begin; l++)
         add_place(m, l, m->g);
+    return FVI_SUCCESS;
 }
 
 //> stages
@@ -209,7 +229,7 @@ int fvi_adjoint_mechanism_stages(fvi_adjoint_mechanism *m, size_t k)
     find_forces(m, m->multiplier);
     find_dampers(m);
     find_slopes(m);
-    (m->mesh ? add_all_places : find_places)(m);
+    status = (m->mesh ? add_all_places : find_places)(m);
     for (size_t i = 0; !status && i < m->s; i++)
         status = fvi_adjoint_mechanism_point(m, i, fvi_mechanism_stage_time(m->stepper, i),
                                              m->tau + i * d, m->phi + i * d);

@@ -178,8 +178,6 @@ START_TEST(bad_words_of_a_gradient_are_refused)
         const char *words, *complaint;
     } bad[] = {
         { "--method lda", "--method: 'lda' has no gradient; fvi, " },
-        { "--lagrangian 'v^2/2' --constraint x --x0 0 --v0 0 --method fvi-adaptive",
-          "--method: 'fvi-adaptive' has no gradient with constraints; " },
         { "--method fvi-adaptive --potential b*x --force 'a*cos(t)' --let "
           "b=1,a=1",
           "--let: 'a' has no gradient with fvi-adaptive" },
