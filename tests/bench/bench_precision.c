@@ -5,7 +5,7 @@
  * The error is the largest of |x_k - x(t_k)| over all coordinates and 80 times, evenly
  * between 0 and T, from the first on (or from t = 2 on, where that is said). A time is
  * processor time and holds all that the problem, the steps or the tolerance decide: of
- * 15 turns (3, if a run takes more than 0.1 s) the best, where all that is near the front
+ * 15 turns (5, if a run takes more than 2 ms, and 3 above 0.1 s) the best, where all near the front
  * takes turns; elsewhere of at most 9 runs in a row. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include "bench.h"

@@ -6,8 +6,14 @@
 #include <gsl/gsl_sort.h>
 #include <stdlib.h>
 
-enum { ROUNDS = 15, FEW = 3, NEAR = 2, MOST_RUNS = 4096 };
-#define LONG 0.1 /* seconds; of such runs there are FEW */
+enum { ROUNDS = 15, SOME = 5, FEW = 3, NEAR = 2, MOST_RUNS = 4096 };
+#define LONG 0.1    /* seconds; of such runs there are FEW */
+#define MEDIUM 2e-3 /* and of such ones SOME */
+
+static int rounds_of(double seconds)
+{
+    return seconds > LONG ? FEW : seconds > MEDIUM ? SOME : ROUNDS;
+}
 
 /* One run of one contender, which may be the fastest at several decades. */
 typedef struct {
@@ -46,12 +52,12 @@ static size_t gather_near(const results *r, int P, entrant *all)
     return count;
 }
 
-/* One turn: of two runs the faster, as the first finds the caches full of another's data. */
+/* One turn: of two short runs the faster, as the first finds the caches full of another's data. */
 static double turn(const results *r, const entrant *e, const problem *p,
                    double *rows)
 {
     double least = 0;
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < (e->is.seconds > MEDIUM ? 1 : 2); i++) {
         double seconds;
         timed_run(&r->all[e->of->who], p, e->is.N, e->is.tolerance, rows, &seconds);
         least = i && least < seconds ? least : seconds;
@@ -77,7 +83,7 @@ void compare_in_turn(results *r, int P)
         exit(EXIT_FAILURE);
     for (int round = 0; round < ROUNDS; round++)
         for (entrant *e = all; e < all + count; e++)
-            if (round < FEW || e->is.seconds < LONG) {
+            if (round < rounds_of(e->is.seconds)) {
                 e->seconds[round] = turn(r, e, p, rows);
                 e->is.runs = round + 1;
             }
