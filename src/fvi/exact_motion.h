@@ -67,6 +67,32 @@ int fvi_exact_motion_alloc(const fvi_exact_problem *problem, fvi_exact_motion **
 int fvi_exact_motion_at(fvi_exact_motion *motion, size_t n, const double *t, double *x,
                         double *v, fvi_error *error);
 
+/* fvi_exact_outputs -- what is told at a time; x and v must be there, another is not computed if NULL.
+ *
+ *   x, v, a         d numbers each
+ *   force, impulse  of all dampers one after another, as an observer has them (observer.h): of a mechanism
+ *                   one along each elongation, and d of a matrix; else those of the damping, d numbers. The
+ *                   impulse is the integral of the force from 0 on */
+typedef struct {
+    double *x, *v, *a, *force, *impulse;
+} fvi_exact_outputs;
+
+/* fvi_exact_motion_forces -- how many numbers a force has.
+ *
+ * fvi_exact_motion_forces_at -- places, velocities, accelerations and dampers at one time.   [(11.21)]
+ *
+ *   t      finite, >= 0. At t = 0 forces are their limits from above
+ *   first  finite, > 0: where a force is infinite at t = 0, of an order above 1 and a velocity, its mean over
+ *          (0, first] stands in its place, and a is what it makes of the equation of motion
+ *   out    outputs
+ *
+ * At the end T of a step of the force a is the limit from below. Accuracy: that of x of fvi_exact_motion_at times
+ * the largest stiffness or |C(1/t)| that acts on it (no proof; seen 1e-13 of max |a|). Cost: three times a row of
+ * fvi_exact_motion_at. Returns as fvi_exact_motion_at. */
+size_t fvi_exact_motion_forces(const fvi_exact_motion *motion);
+int fvi_exact_motion_forces_at(fvi_exact_motion *motion, double t, double first,
+                               const fvi_exact_outputs *out, fvi_error *error);
+
 /* fvi_exact_motion_free -- give everything back. NULL is allowed. */
 void fvi_exact_motion_free(fvi_exact_motion *motion);
 

@@ -280,6 +280,13 @@ double fvi_kernel_growth(const fvi_kernel *law)
     return most;
 }
 
+double fvi_kernel_dashpot(const fvi_kernel *law)
+{
+    const double far = 1e100, farther = 1e200, a = fvi_kernel_symbol(law, far) / far,
+                 b = fvi_kernel_symbol(law, farther) / farther;
+    return fabs(a - b) <= 1e-9 * fabs(a) ? b : 0;
+}
+
 int fvi_kernel_takes_caputo(const fvi_kernel *law)
 {
     if (fvi_kernel_growth(law) > 1)

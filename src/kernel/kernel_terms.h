@@ -21,6 +21,10 @@ static inline int fvi_kernel_is_power(const fvi_kernel *law)
     return law->count == 1 && law->term->kind == FVI_KERNEL_POWER;
 }
 
+/* fvi_kernel_dashpot -- lim C(s)/s, s to infinity, of a law that grows like s: the dashpot in it; like s / log s
+ * it is 0. */
+double fvi_kernel_dashpot(const fvi_kernel *law);
+
 /* fvi_kernel_is_relaxation -- a Maxwell element: its one pole is on the cut, and all of it. */
 static inline int fvi_kernel_is_relaxation(const fvi_kernel_simple *t)
 {

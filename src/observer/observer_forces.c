@@ -1,5 +1,6 @@
 /* src/observer/observer_forces.c -- A damper's force from its impulses. */
 #include "observer_state.h"
+#include "kernel/kernel_terms.h"
 #include "methods/damping.h"
 
 #include <math.h>
@@ -90,13 +91,10 @@ int fvi_observer_damping(const fvi_observer *o, const fvi_stepper *s,
 
 /* ---- the start ---- */
 
-/* lim C(s)/s, s to infinity, of a kernel that grows like s; like s / log s it is 0. */
-static double slope_at_infinity(const fvi_run_damper *of)
+/* What stands before s in C(s) for large s, of a damper of the order 1. */
+static double dashpot(const fvi_run_damper *of)
 {
-    const double far = 1e100, farther = 1e200,
-                 a = fvi_run_damper_symbol(of, far) / far,
-                 b = fvi_run_damper_symbol(of, farther) / farther;
-    return fabs(a - b) <= 1e-9 * fabs(a) ? b : 0;
+    return of->law ? fvi_kernel_dashpot(of->law) : of->rho;
 }
 
 /* A damper's force at t = 0+ of an elongation with the velocity zdot and, of Riemann and
@@ -112,7 +110,7 @@ static double force_at_start(const fvi_run_damper *of, double z0, double zdot)
     if (order < 1 || zdot == 0)
         return 0;
     if (order == 1)
-        return slope_at_infinity(of) * zdot;
+        return dashpot(of) * zdot;
     return of->past == FVI_INITIAL_HISTORY_CAPUTO ? 0 : INFINITY;
 }
 

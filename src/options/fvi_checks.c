@@ -89,7 +89,7 @@ int fvi_is_oscillator(const fvi_options *o)
 
 /* Of many masses the library sees what is linear, when their poles are found; and of a single one
  * whose potential is an expression. */
-static int check_many(const fvi_options *o, fvi_error *c)
+int fvi_check_exact_motion(const fvi_options *o, fvi_error *c)
 {
     if (o->directory && o->text[FORCE] == fvi_directory_force_name(o->directory))
         return fvi_refuse(c, "system", "%s has no exact solution here; without it, or "
@@ -109,7 +109,7 @@ int fvi_check_exact(const fvi_options *o, fvi_error *c)
     fvi_forcing kind;
     double constants[2];
     if (!fvi_is_oscillator(o)) {
-        const int status = check_many(o, c);
+        const int status = fvi_check_exact_motion(o, c);
         if (status)
             return status;
     } else if (o->library

@@ -13,8 +13,11 @@ int fvi_check_method(const fvi_options *o, fvi_error *c);
  * (exact_solution.h); all else that of many masses (exact_motion.h). */
 int fvi_is_oscillator(const fvi_options *o);
 
-/* fvi_check_exact -- has the library an exact solution of it? */
+/* fvi_check_exact -- has the library an exact solution of it?
+ * fvi_check_exact_motion -- the part of it that is asked of many masses, and of one whose accelerations and forces are
+ * asked for. */
 int fvi_check_exact(const fvi_options *o, fvi_error *c);
+int fvi_check_exact_motion(const fvi_options *o, fvi_error *c);
 
 /* fvi_check_solution -- has the problem a solution? One that has none is for `run` with the paper's
  * method alone, and not with --error, as there is nothing to be near to. (19.2) It writes

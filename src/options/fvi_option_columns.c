@@ -1,5 +1,6 @@
 /* src/options/fvi_option_columns.c -- --columns and --reduce. */
 #include "fvi_option_columns.h"
+#include "fvi_checks.h"
 #include "fvi_problem.h"
 
 #include <ctype.h>
@@ -104,11 +105,11 @@ int fvi_options_check_columns(const fvi_options *o, fvi_error *c)
 {
     const char *field = o->text[REDUCE] ? "reduce" : "columns",
                *text = o->text[o->text[REDUCE] ? REDUCE : COLUMNS];
-    if (fvi_options_observes(o) && o->command == FVI_COMMAND_EXACT)
-        return fvi_refuse(c, field,
-                          "'%s': a, and a damper's force, impulse and work, are "
-                          "known to run alone",
-                          text);
+    const unsigned unknown = FVI_OBSERVE_WORK | FVI_OBSERVE_MULTIPLIER;
+    if (o->command == FVI_COMMAND_EXACT && fvi_typed_columns_wanted(o->typed) & unknown)
+        return fvi_refuse(c, field, "'%s': the work of dampers and the balance are known to run alone", text);
+    if (o->command == FVI_COMMAND_EXACT && fvi_options_observes(o))
+        return fvi_check_exact_motion(o, c);
     if (!o->text[REDUCE])
         return 0;
     if (o->plot)

@@ -127,7 +127,7 @@ static fvi_linear_oscillator linear_problem(const fvi_options *o)
 /* The same table from the exact solution; p = m v. */
 static int exact(const fvi_options *o, const fvi_system *system)
 {
-    if (!fvi_is_oscillator(o))
+    if (!fvi_is_oscillator(o) || fvi_options_observes(o))
         return fvi_command_exact_motion(o, system);
     const fvi_linear_oscillator problem = linear_problem(o);
     fvi_table t;

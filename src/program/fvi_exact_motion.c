@@ -1,7 +1,8 @@
-/* src/program/fvi_exact_motion.c -- `fvi exact` of several masses. */
+/* src/program/fvi_exact_motion.c -- `fvi exact` of several masses, and of accelerations and forces. */
 #define _GNU_SOURCE
 #include "fvi_commands.h"
 #include "fvi_run.h"
+#include "options/fvi_option_columns.h"
 #include "options/fvi_problem.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_format.h"
@@ -23,21 +24,39 @@ static int find_momentum(const fvi_system *system, const double *v, double *p)
     return m ? m->inertia(system->d, v, m->params, p) : FVI_SUCCESS;
 }
 
-static int write_rows(fvi_table *t, fvi_exact_motion *motion, const fvi_system *system,
-                      double *x)
+/* Of one row, d numbers each; of the dampers as many as they have. */
+typedef struct {
+    double *x, *v, *p, *a, *force, *impulse;
+} row_room;
+
+static row_room lay_out(double *room, size_t d, size_t forces)
 {
-    const size_t d = system->d, N = t->o->steps;
-    double *v = x + d, *p = v + d;
+    return (row_room){ room, room + d, room + 2 * d, room + 3 * d, room + 4 * d, room + 4 * d + forces };
+}
+
+/* Where accelerations or dampers are asked for: forces that are infinite at t = 0 have their mean over the first row. */
+static int observe(fvi_table *t, fvi_exact_motion *motion, double time, row_room *row, fvi_error *error)
+{
+    const fvi_exact_outputs out = { row->x, row->v, row->a, row->force, row->impulse };
+    return fvi_options_observes(t->o) ? fvi_exact_motion_forces_at(motion, time, t->o->h, &out, error)
+                                      : fvi_exact_motion_at(motion, 1, &time, row->x, row->v, error);
+}
+
+static int write_rows(fvi_table *t, fvi_exact_motion *motion, const fvi_system *system, row_room *row)
+{
+    const size_t N = t->o->steps;
     for (size_t k = 0;; k = fvi_table_next(t, k)) {
         const double time = (double)k * t->o->h;
         fvi_error error = { 0 };
         if (k == N)
             fvi_table_mark_last(t);
-        int status = fvi_exact_motion_at(motion, 1, &time, x, v, &error);
+        int status = observe(t, motion, time, row, &error);
         if (!status)
-            status = find_momentum(system, v, p);
+            status = find_momentum(system, row->v, row->p);
+        const fvi_observation now = { .x = row->x, .p = row->p, .a = row->a, .force = row->force,
+                                      .impulse = row->impulse };
         if (!status)
-            status = fvi_run_state_row(t, k, x, p);
+            status = fvi_run_observed_row(t, k, &now);
         if (status)
             return fvi_stopped_at(k, status);
         fvi_progress(k, N);
@@ -85,16 +104,18 @@ int fvi_command_exact_motion(const fvi_options *o, const fvi_system *system)
         return refuse(&error, status);
     fvi_table t;
     fvi_table_shape(&t, o, system);
-    double *x = malloc(3 * system->d * sizeof *x);
-    t.rows = x ? fvi_table_room(&t, 0) : NULL;
+    const size_t forces = fvi_exact_motion_forces(motion);
+    double *room = malloc((4 * system->d + 2 * forces) * sizeof *room);
+    row_room row = lay_out(room, system->d, forces);
+    t.rows = room ? fvi_table_room(&t, 0) : NULL;
     int failed = t.rows ? fvi_table_open(&t) : fvi_complain("not enough memory");
     if (!failed) {
         fvi_table_head(t.out, o);
         fvi_table_names(&t);
-        failed = fvi_table_close(&t, write_rows(&t, motion, system, x));
+        failed = fvi_table_close(&t, write_rows(&t, motion, system, &row));
     }
     free(t.rows);
-    free(x);
+    free(room);
     fvi_exact_motion_free(motion);
     return failed;
 }

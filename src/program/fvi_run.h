@@ -52,6 +52,9 @@ int fvi_run_row(fvi_table *t, fvi_stepper *s, size_t k);
  * (fvi_options_needs_stepper). */
 int fvi_run_state_row(fvi_table *t, size_t k, const double *x, const double *p);
 
+/* fvi_run_observed_row -- the same, of x, p, a, force and impulse of an observation that somebody else has made. */
+int fvi_run_observed_row(fvi_table *t, size_t k, const fvi_observation *given);
+
 /* fvi_run_found_row -- row k of what fvi_run_search has found. */
 int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
                       const double *typed);

@@ -113,13 +113,23 @@ int fvi_run_reductions(fvi_table *t)
 
 int fvi_run_state_row(fvi_table *t, size_t k, const double *x, const double *p)
 {
+    const fvi_observation given = { .x = x, .p = p };
+    return fvi_run_observed_row(t, k, &given);
+}
+
+int fvi_run_observed_row(fvi_table *t, size_t k, const fvi_observation *given)
+{
+    const double *x = given->x, *p = given->p;
     const fvi_system *system = t->system;
     const fvi_force *force = &system->force;
     const double time = (double)k * t->o->h;
     if (fvi_typed_columns_count(t->o->typed) == 0 && !reduces(t))
         return fvi_table_take(t, k, x, p);
     double *v = calloc(2 * system->d, sizeof *v), *F = v ? v + system->d : NULL;
-    fvi_observation now = { .t = time, .x = x, .p = p, .v = v, .F = F };
+    fvi_observation now = *given;
+    now.t = time;
+    now.v = v;
+    now.F = F;
     const unsigned wanted = fvi_typed_columns_wanted(t->o->typed);
     int status = v ? FVI_SUCCESS : FVI_ENOMEM;
     if (!status && wanted & FVI_OBSERVE_VELOCITY)

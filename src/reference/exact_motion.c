@@ -3,36 +3,12 @@
 #include <fvi/exact_motion.h>
 
 #include "exact_motion_check.h"
-#include "kernel/laplace_parabola.h"
+#include "exact_motion_state.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* What moves the body: the start and a cosine, or a force that is 1/s. */
-typedef enum { BY_START, BY_STEP, SOURCES } source_kind;
-
-/* Y(s) = Z(s)^-1 b(s) of one source: its poles, and its values at the nodes of the times from
- * `from` to SPAN from. */
-typedef struct {
-    double complex *pole, *residue; /* count, and d each */
-    size_t count;
-    double from;
-    double complex *at; /* d each of the nodes */
-} source;
-
-struct fvi_exact_motion {
-    size_t d;
-    fvi_response *response;
-    fvi_poles poles;
-    fvi_forcing forcing;
-    double A, T, w;
-    double *x0, *p0, *v0, *pull; /* d each; pull is K x_0 */
-    double complex *room;        /* d */
-    source source[SOURCES];
-    fvi_parabola rule;
-};
 
 /* ---- what stands on the right ---- */
 
@@ -131,54 +107,57 @@ static int move_to(fvi_exact_motion *o, source_kind which, double t, fvi_error *
 }
 
 /* One node or pole s: x += Re(factor a), and v += Re(factor s a). */
-static void add(size_t d, const double complex *a, double complex s, double complex factor,
-                double *x, double *v)
+static void add(const fvi_exact_motion *o, const double complex *a, double complex s,
+                double complex factor, const fvi_exact_sums *sums)
 {
     const double complex slope = factor * s;
-    for (size_t i = 0; i < d; i++) {
-        if (x)
-            x[i] += creal(factor * a[i]);
-        if (v)
-            v[i] += creal(slope * a[i]);
+    for (size_t i = 0; i < o->d; i++) {
+        if (sums->x)
+            sums->x[i] += creal(factor * a[i]);
+        if (sums->v)
+            sums->v[i] += creal(slope * a[i]);
     }
+    if (sums->force)
+        fvi_exact_motion_add_dampers(o, a, s, factor, sums);
 }
 
-/* x and v += sign times what a source does at t. */
+/* sums += sign times what a source does at t. */
 static int add_source(fvi_exact_motion *o, source_kind which, double sign, double t,
-                      double *x, double *v, fvi_error *error)
+                      const fvi_exact_sums *sums, fvi_error *error)
 {
     const source *y = o->source + which;
     const int status = move_to(o, which, t, error);
     if (status)
         return status;
     for (size_t j = 0; j < FVI_PARABOLA_NODES; j++)
-        add(o->d, y->at + j * o->d, o->rule.s[j], sign * cexp(o->rule.s[j] * t), x, v);
+        add(o, y->at + j * o->d, o->rule.s[j], sign * cexp(o->rule.s[j] * t), sums);
     for (size_t k = 0; k < y->count; k++) {
         const double complex s = y->pole[k],
                              part = fvi_parabola_left_out(&o->rule, s, NULL);
         if (part != 0)
-            add(o->d, y->residue + k * o->d, s, 2 * sign * part * cexp(s * t), x, v);
+            add(o, y->residue + k * o->d, s, 2 * sign * part * cexp(s * t), sums);
     }
     return status;
 }
 
-static int at_time(fvi_exact_motion *o, double t, double *x, double *v, fvi_error *error)
+int fvi_exact_motion_sum(fvi_exact_motion *o, double t, const fvi_exact_sums *sums,
+                         fvi_error *error)
 {
-    const size_t bytes = o->d * sizeof *x;
+    const size_t bytes = o->d * sizeof *sums->x;
     int status = FVI_SUCCESS;
-    if (x)
-        memcpy(x, o->x0, bytes);
-    if (v && t == 0)
-        memcpy(v, o->v0, bytes);
+    if (sums->x)
+        memcpy(sums->x, o->x0, bytes);
+    if (sums->v && t == 0)
+        memcpy(sums->v, o->v0, bytes);
     if (t == 0)
         return status;
-    if (v)
-        memset(v, 0, bytes);
-    status = add_source(o, BY_START, 1, t, x, v, error);
+    if (sums->v)
+        memset(sums->v, 0, bytes);
+    status = add_source(o, BY_START, 1, t, sums, error);
     if (!status && o->source[BY_STEP].pole)
-        status = add_source(o, BY_STEP, 1, t, x, v, error);
+        status = add_source(o, BY_STEP, 1, t, sums, error);
     if (!status && o->forcing == FVI_FORCING_STEP && t > o->T)
-        status = add_source(o, BY_STEP, -1, t - o->T, x, v, error);
+        status = add_source(o, BY_STEP, -1, t - o->T, sums, error);
     return status;
 }
 
@@ -192,7 +171,8 @@ int fvi_exact_motion_at(fvi_exact_motion *o, size_t n, const double *t, double *
             return fvi_fail(error, FVI_EDOM, "t", t[i],
                             "t is %g; it must be finite and not negative", t[i]);
         double *at = x ? x + i * o->d : NULL, *slope = v ? v + i * o->d : NULL;
-        const int status = at_time(o, t[i], at, slope, error);
+        const fvi_exact_sums sums = { .x = at, .v = slope };
+        const int status = fvi_exact_motion_sum(o, t[i], &sums, error);
         if (status)
             return status;
         if ((at && !fvi_all_finite(o->d, at)) || (slope && !fvi_all_finite(o->d, slope)))
@@ -209,6 +189,7 @@ static int copy_problem(const fvi_exact_problem *p, fvi_exact_motion *o, fvi_err
 {
     const fvi_system *system = p->motion.system;
     const size_t d = o->d = system->d;
+    o->system = *system;
     o->forcing = p->forcing;
     o->A = p->A;
     o->T = p->T;
@@ -277,6 +258,7 @@ void fvi_exact_motion_free(fvi_exact_motion *o)
         free(o->source[j].pole);
         free(o->source[j].at);
     }
+    fvi_exact_motion_forget_dampers(o);
     fvi_response_free(o->response);
     fvi_poles_free(&o->poles);
     free(o->x0);

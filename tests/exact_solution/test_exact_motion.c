@@ -41,6 +41,106 @@ START_TEST(eq_11_20_the_building_to_all_digits)
 }
 END_TEST
 
+/* Accelerations, forces and impulses of the building, against the same inversion; max |a| = 27, of the
+ * forces 5. At t = 0 the powers are 0 and infinite, and the dashpot of 0.5 has 0.5 times its rate 0.5. */
+START_TEST(eq_11_21_accelerations_and_forces_of_the_building)
+{
+    building b;
+    build(&b);
+    fvi_exact_motion *motion;
+    const fvi_exact_problem problem = { .motion = { .system = &b.system },
+                                        .x0 = shape,
+                                        .p0 = push };
+    OK(fvi_exact_motion_alloc(&problem, &motion, NULL));
+    ck_assert_uint_eq(fvi_exact_motion_forces(motion), 3);
+    double x[D], v[D], X[D], V[D], a[D], force[3], impulse[3];
+    const fvi_exact_outputs out = { x, v, a, force, impulse };
+    for (size_t i = 0; i < LEN(ref_building_forces); i++) {
+        const double t = ref_building_forces[i].t;
+        OK(fvi_exact_motion_forces_at(motion, t, 1, &out, NULL));
+        OK(fvi_exact_motion_at(motion, 1, &t, X, V, NULL));
+        ck_assert(memcmp(x, X, sizeof x) == 0 && memcmp(v, V, sizeof v) == 0);
+        for (size_t l = 0; l < D; l++) {
+            seen_worst(fabs(a[l] - ref_building_forces[i].a[l]), "of a");
+            ck_assert_near(a[l], ref_building_forces[i].a[l], 1e-12, "a at %g", t);
+        }
+        for (size_t j = 0; j < 3; j++) {
+            seen_worst(fabs(force[j] - ref_building_forces[i].force[j]), "of forces");
+            seen_worst(fabs(impulse[j] - ref_building_forces[i].impulse[j]), "of impulses");
+            ck_assert_near(force[j], ref_building_forces[i].force[j], 1e-12, "force at %g", t);
+            ck_assert_near(impulse[j], ref_building_forces[i].impulse[j], 1e-13, "impulse at %g", t);
+        }
+    }
+    const double first = 0.125;
+    OK(fvi_exact_motion_forces_at(motion, first, 1, &out, NULL));
+    const double mean = impulse[1] / first;
+    OK(fvi_exact_motion_forces_at(motion, 0, first, &out, NULL));
+    ck_assert(force[0] == 0 && impulse[1] == 0);
+    ck_assert_near(force[1], mean, 8 * U, "the mean of what is infinite");
+    ck_assert_near(force[2], 0.5 * 0.5, 2 * U, "the dashpot");
+    ck_assert_near(a[4], -100. / 16 - force[2], 64 * U * 10, "a at 0");
+    fvi_exact_motion_free(motion);
+    pull_down(&b);
+}
+END_TEST
+
+/* One mass, all forces of the oscillator: a is the slope of v, m a + c x + f = F, and J is the slope's integral. As
+ * a damping of the masses and as a damper along an elongation that is no row. */
+static int tilted(double t, size_t d, const double *x, void *params, double *g)
+{
+    (void)t, (void)d, (void)params;
+    *g = 2 * x[0];
+    return 0;
+}
+
+static int tilt(double t, size_t d, const double *x, void *params, double *G)
+{
+    (void)t, (void)d, (void)x, (void)params;
+    *G = 2;
+    return 0;
+}
+
+START_TEST(eq_11_21_forces_keep_the_equation_of_motion)
+{
+    const double c = 2, m = 1.5, rho = 0.4, none = 0, x0 = 1, p0 = -0.75;
+    const fvi_kernel_term term = { FVI_KERNEL_POWER, 0.1, 0.375, 0, 0 };
+    const fvi_kernel law = { 1, &term };
+    const fvi_damper damper = { .of = { .value = tilted, .gradient = tilt }, .kernel = &law };
+    const fvi_mechanism mechanism = { .damper = &damper, .damper_count = 1 };
+    for (int i = 0; i < 6; i++) {
+        const int is_damper = i % 2;
+        const fvi_system system = { .d = 1,
+                                    .mass = &m,
+                                    .damping = is_damper ? &none : &rho,
+                                    .potential = fvi_potential_harmonic(&c),
+                                    .mechanism = is_damper ? &mechanism : NULL };
+        const fvi_exact_problem problem = {
+            .motion = { .system = &system, .alpha = 0.375 }, /* 4 times 0.1 along 2 x is 0.4 along x */
+            .x0 = &x0, .p0 = &p0, .forcing = (fvi_forcing)(i / 2), .A = 0.5, .T = 3, .w = 1.25
+        };
+        fvi_exact_motion *motion;
+        OK(fvi_exact_motion_alloc(&problem, &motion, NULL));
+        for (double t = 1. / 64; t < 30; t *= 1.375) {
+            double x, v, a, force, impulse, late, before, late_x, early_x, J, L;
+            const fvi_exact_outputs out = { &x, &v, &a, &force, &impulse },
+                                    later = { &late_x, &late, NULL, NULL, &J },
+                                    earlier = { &early_x, &before, NULL, NULL, &L };
+            const double e = 1e-4 * (t < 1 ? t : 1), factor = is_damper ? 2 : 1;
+            OK(fvi_exact_motion_forces_at(motion, t, 1, &out, NULL));
+            OK(fvi_exact_motion_forces_at(motion, t + e, 1, &later, NULL));
+            OK(fvi_exact_motion_forces_at(motion, t - e, 1, &earlier, NULL));
+            if (i / 2 == 1 && fabs(t - 3) < 2 * e)
+                continue;
+            const double F = i / 2 == 0 ? 0 : i / 2 == 1 ? (t <= 3 ? 0.5 : 0) : 0.5 * cos(1.25 * t);
+            ck_assert_near(m * a + c * x + factor * force, F, 16 * U * 4, "case %d t %g", i, t);
+            ck_assert_near(a, (late - before) / (2 * e), 1e-6, "case %d: slope of v at %g", i, t);
+            ck_assert_near(force, (J - L) / (2 * e), 1e-6, "case %d: slope of J at %g", i, t);
+        }
+        fvi_exact_motion_free(motion);
+    }
+}
+END_TEST
+
 /* One mass as a system, by alpha and by laws, is the oscillator of fvi_exact_at, with all its forces,
  * to 1e-12 of max |x|, as exact_motion.h says. Seen: 1e-13. */
 START_TEST(eq_11_20_one_mass_is_one_oscillator)
@@ -214,6 +314,8 @@ int main(void)
 {
     Suite *suite = suite_create("exact_motion");
     ADD_CASE(suite, "motion", eq_11_20_the_building_to_all_digits,
+             eq_11_21_accelerations_and_forces_of_the_building,
+             eq_11_21_forces_keep_the_equation_of_motion,
              eq_11_20_one_mass_is_one_oscillator, eq_11_20_digits_are_lost_near_a_resonance,
              eq_11_20_runs_come_to_the_exact_motion,
              motions_that_have_no_closed_form_are_refused);

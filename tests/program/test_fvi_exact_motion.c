@@ -48,6 +48,31 @@ START_TEST(eq_11_20_dampings_of_all_masses)
 }
 END_TEST
 
+/* Accelerations, forces and impulses: of one mass and of two with dampers, as a run with eight stages has them. */
+START_TEST(eq_11_21_accelerations_and_forces_as_a_run_has_them)
+{
+    static const char *const words[] = {
+        "--alpha 0.3 --force cosine:0.5,2 --columns t,x,v,a,d1.force,d1.impulse",
+        "--damping zener:1,0.3,2 --force step:1,0.25 --columns t,a,d1.force",
+        "--potential 'x1^2+(x2-x1)^2' --x0 1,0 --p0 0,0.5 --damper 'a=x2-x1 : power:1,0.5 + zener:2,0.3,1' "
+        "--damper 'b=x1 : maxwell:1,2' --columns t,a,a.force,b.impulse"
+    };
+    static const size_t numbers[] = { 6, 3, 5 };
+    for (size_t i = 0; i < LEN(words); i++) {
+        char line[600];
+        snprintf(line, sizeof line, "exact %s --time 4 --steps 8", words[i]);
+        table_of(line, one, sizeof one);
+        snprintf(line, sizeof line, "run %s --method fvi-lobatto8d --time 4 --steps 320 --every 40", words[i]);
+        table_of(line, other, sizeof other);
+        ck_assert_uint_eq(compare(one, other, 1e-7), 9 * numbers[i]);
+    }
+    ck_assert_refused("exact --columns t,work", "fvi: --columns: 't,work': the work of dampers and the balance are "
+                                                "known to run alone");
+    ck_assert_refused("exact --derivative rl --x0 0 --columns t,a",
+                      "fvi: --derivative: 'rl' has no exact solution of several masses here; held has");
+}
+END_TEST
+
 START_TEST(what_has_no_exact_motion_is_refused)
 {
     write_chain();
@@ -81,6 +106,6 @@ int main(void)
 {
     Suite *suite = suite_create("the program fvi: exact motions");
     ADD_CASE(suite, "exact", eq_11_20_three_ways_to_one_motion,
-             eq_11_20_dampings_of_all_masses, what_has_no_exact_motion_is_refused);
+             eq_11_20_dampings_of_all_masses, eq_11_21_accelerations_and_forces_as_a_run_has_them, what_has_no_exact_motion_is_refused);
     return run_suite_of_program(suite);
 }

@@ -224,6 +224,28 @@ def test_responses_are_the_programs(tmp_path):
     assert fvi.poles(q, 2).pole.tolist() == pytest.approx(found.pole[:2].tolist())
 
 
+def test_exact_motions_are_the_programs(tmp_path):
+    q = fvi.Problem("x1^2+(x2-x1)^2", x0=[1, 0], p0=[0, 0.5], force="step:1,1.2",
+                    dampers=["a = x2-x1 : power:1,0.5 + zener:2,0.3,1", "x1 : maxwell:1,2"])
+    words = ["--potential", "x1^2+(x2-x1)^2", "--x0", "1,0", "--p0", "0,0.5", "--force", "step:1,1.2",
+             "--damper", "a = x2-x1 : power:1,0.5 + zener:2,0.3,1", "--damper", "b = x1 : maxwell:1,2", "--h", "0.5", "--steps", "4"]
+    rows = program("exact", *words, "--columns", "t,x,v,a,a.force,b.force,a.impulse,b.impulse")
+    found = fvi.exact_motion(q, rows[:, 0], 0.5)
+    assert abs(np.column_stack(found) - rows[:, 1:]).max() == 0
+    structure = fvi.exact_motion(fvi.Problem(M=np.eye(N), K=K, C=C, alpha=0.3, x0=[1, 0, 0, 0, 0], p0=0), [0.25, 2])
+    rows = program("exact", *folder(tmp_path, M=np.eye(N), K=K, C=C), "--alpha", "0.3", "--x0", "1,0,0,0,0", "--p0", "0",
+                   "--h", "0.25", "--steps", "8", "--columns", "x,a,d1.force")
+    assert abs(np.column_stack([structure.x, structure.a, structure.force]) - rows[[1, 8]]).max() < 1e-12
+    one = fvi.exact_motion(fvi.Problem(alpha=0.3, force="cosine:0.5,2"), 3)
+    x, v = fvi.exact(3, alpha=0.3, force="cosine:0.5,2")
+    assert abs(one.x[0, 0] - x) < 1e-12 and abs(one.a + one.x + one.force - 0.5 * np.cos(6)).max() < 1e-14
+    for wrong in (dict(force="t"), dict(past="rl", x0=0), dict(ground="t")):
+        with pytest.raises(ValueError):
+            fvi.exact_motion(fvi.Problem(**wrong), 1)
+    with pytest.raises(fvi.Error, match="not quadratic"):
+        fvi.exact_motion(fvi.Problem("duffing:1,1"), 1)
+
+
 def test_a_pendulum_swings_about_a_place():
     """omega^2 = g cos(0) and g cos(1): undamped, to 1e-14."""
     q = fvi.Problem("pendulum:4", rho=0, x0=1)

@@ -11,3 +11,10 @@ static const struct { double t, x[5], v[5]; } ref_building[] = {
     { 0x1.0000000000000p+1, { 0x1.c542467262213p-5, 0x1.6538d377a0ac3p-4, 0x1.8c4a3aa8b81cap-4, 0x1.ad5c85bb070c1p-4, 0x1.87e26944b627cp-4 }, { 0x1.440522eca20bep-3, 0x1.1eedabcbdec1bp-2, 0x1.85d933cbe6c22p-2, 0x1.cb0f84a241988p-2, 0x1.0526a32c6e8d7p-1 } },
     { 0x1.8000000000000p+2, { -0x1.c511c37f88d33p-6, -0x1.a46427d6d01d5p-5, -0x1.1cf425321360fp-4, -0x1.3e9e6da590567p-4, -0x1.4f0f3b7d362fep-4 }, { 0x1.5414f11c62cfdp-4, 0x1.6344e7106e933p-3, 0x1.394d2a8fac9c6p-2, 0x1.b2d43307eab3ep-2, 0x1.ed829583c5f4fp-2 } },
 };
+
+static const struct { double t, a[5], force[3], impulse[3]; } ref_building_forces[] = {
+    { 0x1.0000000000000p-6, { -0x1.db11d61111d35p+0, -0x1.0bf06b13dc187p+1, 0x1.d295b0ed9408cp+1, 0x1.1250909496734p-1, -0x1.c97a997ce54dfp+2 }, { 0x1.22eae7d3edf7bp-2, 0x1.1041a7c74bd5bp+1, 0x1.a07bb5c390aap-3 }, { 0x1.b0f3a0870ebecp-9, 0x1.74a4308bd7a4ap-5, 0x1.d2065149c0dcdp-9 } },
+    { 0x1.0000000000000p-1, { -0x1.20b56df6ee71fp+3, -0x1.e94b1b1e46ffp+0, 0x1.a37e430489b8cp-2, 0x1.0c3c6bbbc0fcdp-1, -0x1.a99f2882d538cp-4 }, { 0x1.f0ddf1864ca5bp-2, -0x1.42eff365fed0fp-1, -0x1.a8b4c1c1fdeadp-4 }, { 0x1.aa3964242a62fp-6, -0x1.9795e4fa2fa9ap-4, -0x1.ad76570d52242p-5 } },
+    { 0x1.0000000000000p+1, { -0x1.939bbb9324189p+1, -0x1.f241ec8c656c2p+0, -0x1.bcff2f1d9b1ffp-2, -0x1.c080aa5d6a11cp+0, 0x1.e39caa55f973p-1 }, { 0x1.9df8d10e1e2b9p-1, 0x1.2715701c06853p-2, -0x1.e4c8d1e0c9adcp-6 }, { -0x1.a4bfce1267e7bp-2, 0x1.dadd41c41f4c6p-6, -0x1.3d2d3f0ba5739p-3 } },
+    { 0x1.8000000000000p+2, { 0x1.6229efb6432d4p-2, 0x1.832d164eb4453p-1, 0x1.939cd61dbae0fp-1, 0x1.a61be14b27d41p-2, 0x1.a38531fc0c263p-2 }, { 0x1.b28150360da16p-5, 0x1.b831e0c822986p-3, -0x1.1022fd9b3d5f1p-7 }, { -0x1.a48c96439953cp-1, 0x1.7977afb1ab971p-7, -0x1.43f31a771eabfp-2 } },
+};

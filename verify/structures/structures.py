@@ -102,10 +102,10 @@ def pull(i):
 
 @functools.cache
 def building(t, digits):
-    """x and x' of all storeys; the contour encloses poles up to 120 / t."""
+    """x, x' and x'' of all storeys, the dampers' forces and their impulses; the contour encloses poles up to 120 / t."""
     mp.dps = digits + 60
     nodes = 5 * digits + 150
-    total = [mpf(0)] * (2 * storeys)
+    total = [mpf(0)] * (3 * storeys + 2 * len(between))
     for n in range(nodes):
         angle = pi * (n + mpf(1) / 2) / nodes
         radius = mpf(2) * nodes / 5 / t
@@ -115,9 +115,22 @@ def building(t, digits):
         for i in range(storeys):
             total[i] += (exp(s * t) * y[i] * slope).imag / nodes
             total[storeys + i] += (exp(s * t) * s * y[i] * slope).imag / nodes
+            total[2 * storeys + i] += (exp(s * t) * s * s * y[i] * slope).imag / nodes
+        for j, (n, law) in enumerate(between.items()):
+            force = law(s) * sum(r * part for r, part in zip(stretch(n), y))
+            total[3 * storeys + j] += (exp(s * t) * force * slope).imag / nodes
+            total[3 * storeys + len(between) + j] += (exp(s * t) * force / s * slope).imag / nodes
     return [x_start[i] + total[i] for i in range(storeys)] + total[storeys:]
 
 
-table("ref_building", "double t, x[5], v[5];",
-      [[float(t).hex()] + ["{ %s }" % ", ".join(hexd_real(lambda d: building(t, d)[i], 25, 10) for i in part)
-                           for part in (range(5), range(5, 10))] for t in (mpf(1) / 2, mpf(2), mpf(6))])
+times, parts = (mpf(1) / 2, mpf(2), mpf(6)), (range(5), range(5, 10))
+
+
+def row(t, parts):
+    return [float(t).hex()] + ["{ %s }" % ", ".join(hexd_real(lambda d: building(t, d)[i], 25, 10) for i in part)
+                               for part in parts]
+
+
+table("ref_building", "double t, x[5], v[5];", [row(t, parts) for t in times])
+table("ref_building_forces", "double t, a[5], force[3], impulse[3];",
+      [row(t, (range(10, 15), range(15, 18), range(18, 21))) for t in (mpf(1) / 64, *times)])

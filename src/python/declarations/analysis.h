@@ -142,6 +142,19 @@ int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t
                  fvi_error *error);
 int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n, double tolerance, double *x, double *v,
                    fvi_error *error);
+typedef struct {
+    fvi_linear_motion motion;
+    const double *x0, *p0;
+    fvi_forcing forcing;
+    double A, T, w;
+} fvi_exact_problem;
+typedef struct fvi_exact_motion fvi_exact_motion;
+typedef struct { double *x, *v, *a, *force, *impulse; } fvi_exact_outputs;
+int fvi_exact_motion_alloc(const fvi_exact_problem *problem, fvi_exact_motion **motion, fvi_error *error);
+size_t fvi_exact_motion_forces(const fvi_exact_motion *motion);
+int fvi_exact_motion_forces_at(fvi_exact_motion *motion, double t, double first, const fvi_exact_outputs *out,
+                               fvi_error *error);
+void fvi_exact_motion_free(fvi_exact_motion *motion);
 
 int fvi_gl_weights(double alpha, size_t count, double *w);
 const char *fvi_error_name(int code);

@@ -24,7 +24,7 @@ Lengths, times and masses are in units of your own.
     control     the least force that ends a motion at a place; stability: how long a step may be
     formulas    what each word stands for: laws, potentials, forces, the past
     potential   U from functions of Python's, or compiled ones
-    exact       the exact solution of the linear problem
+    exact       the exact solution of the linear problem; exact_motion: of several masses, with accelerations and forces
     methods     what `method` can be
     weights     the Grünwald-Letnikov weights of any order up to 2
     run         a whole trajectory as arrays, its options those of the program `fvi run`
@@ -51,7 +51,7 @@ from ._material import (Material as Material, creep as creep, fit_creep as fit_c
                         fit_relaxation as fit_relaxation, moduli as moduli, relaxation as relaxation)
 from ._problem import Problem as Problem
 from ._response import (Bound as Bound, Control as Control, Poles as Poles, Stability as Stability, control as control,
-                        error_bound as error_bound, poles as poles, response as response, stability as stability)
+                        ExactMotion as ExactMotion, error_bound as error_bound, exact_motion as exact_motion, poles as poles, response as response, stability as stability)
 from ._run import Method as Method, Run as Run, Stepper as Stepper, methods as methods, run as run, version as version
 from ._solution import Solution as Solution
 from ._solve import solve as solve

@@ -107,6 +107,54 @@ def poles(problem: Problem, count: int = 0, *, about: Optional[Numbers] = None) 
         lib.fvi_poles_free(found)
 
 
+class ExactMotion(NamedTuple):
+    """At each time: `x`, `v`, `a`, (n, d); of all dampers `force` and `impulse`, one column for each along an elongation, else
+    d columns."""
+    x: Array
+    v: Array
+    a: Array
+    force: Array
+    impulse: Array
+
+
+@spelt()
+def exact_motion(problem: Problem, t: Numbers, first: float = 1.0) -> ExactMotion:
+    """The exact motion of a linear problem, of one mass or many, all dampers held before t = 0, to about 1e-12.
+
+    problem  a quadratic potential, any dampers along linear elongations; a force None, "step:A,T" or "cosine:A,W"
+    t        one time or a list of them, >= 0
+    first    where a force is infinite at t = 0, of an order above 1 and a velocity, this has its mean over (0, first]
+
+    Raises fvi.Error where there is no exact motion, and says why.
+    """
+    if problem.force is not None and not isinstance(problem.force, str):
+        raise ValueError("force: it has no exact motion here; None, step:A,T and cosine:A,W have")
+    if any(given is not None for given in (problem.ground, problem.lagrangian)) or len(problem.constraints) or len(problem.impose):
+        raise ValueError("problem: with ground, lagrangian, constraints or impose it has no exact motion here")
+    times = np.atleast_1d(numbers("t", t)).astype(float)
+    linear = Linear(problem, 0)
+    system, d = linear.motion.system, linear.d
+    kind, constants = ffi.new("fvi_forcing *"), ffi.new("double[2]")
+    if problem.force is not None and not lib.fvi_typed_force_is_simple(system.typed_force, kind, constants):
+        raise ValueError(f"force: '{problem.force}' has no exact motion here; none, step:A,T and cosine:A,W have")
+    run = linear.motion.run
+    if run.past == lib.FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE or (run.past == lib.FVI_INITIAL_HISTORY_CAPUTO and run.alpha > 0.5):
+        raise ValueError("past: the exact motion is that of dampers that were held")
+    asked = ffi.new("fvi_exact_problem *", {"x0": run.x0, "p0": run.p0, "forcing": kind[0], "A": constants[0], "T": constants[1],
+                                            "w": constants[1]})
+    asked.motion.system, asked.motion.alpha, asked.motion.law = system.system, run.alpha, run.law
+    out, error = ffi.new("fvi_exact_motion **"), ffi.new("fvi_error *")
+    check(ask(lib.fvi_exact_motion_alloc, asked, out, error), error)
+    motion = ffi.gc(out[0], lib.fvi_exact_motion_free)
+    widths = (d, d, d, lib.fvi_exact_motion_forces(motion), lib.fvi_exact_motion_forces(motion))
+    rows = [np.empty((times.size, width)) for width in widths]
+    for n, time in enumerate(times):
+        places = ffi.new("fvi_exact_outputs *", {name: ffi.cast("double *", row[n:].ctypes.data) for name, row in
+                                                 zip(("x", "v", "a", "force", "impulse"), rows)})
+        check(ask(lib.fvi_exact_motion_forces_at, motion, number("t", time), number("first", first), places, error), error)
+    return ExactMotion(*rows)
+
+
 class Stability(NamedTuple):
     """`number`: above 1 a mode grows from step to step; `longest`: the longest step for which none does, None where
     that is not known."""

@@ -1,0 +1,203 @@
+/* src/reference/exact_motion_forces.c -- Accelerations and dampers' forces of an exact motion. [H 11] */
+#include "exact_motion_state.h"
+
+#include "kernel/kernel_terms.h"
+
+#include <fvi/dampers.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FIRST = 2 /* M and K stand before the dampings of a response */ };
+
+static size_t dampings(const fvi_exact_motion *o)
+{
+    return o->response->terms - FIRST;
+}
+
+/* A mechanism's dampers are the last of the dampings. */
+static size_t dampers(const fvi_exact_motion *o)
+{
+    const fvi_mechanism *m = o->system.mechanism;
+    return m ? m->damper_count : 1;
+}
+
+static int is_along(const fvi_exact_motion *o, size_t j)
+{
+    const fvi_mechanism *m = o->system.mechanism;
+    return m && !m->damper[j].matrix;
+}
+
+size_t fvi_exact_motion_forces(const fvi_exact_motion *o)
+{
+    size_t count = 0;
+    for (size_t j = 0; o && j < dampers(o); j++)
+        count += is_along(o, j) ? 1 : o->d;
+    return count;
+}
+
+//> dampers
+void fvi_exact_motion_add_dampers(const fvi_exact_motion *o, const double complex *a,
+                                  double complex s, double complex factor,
+                                  const fvi_exact_sums *sums)
+{
+    const size_t d = o->d;
+    for (size_t l = 0; l < dampings(o); l++) {
+        const fvi_stiffness_term *t = &o->response->term[FIRST + l];
+        const double complex force = factor * fvi_kernel_at(t->kernel, s, NULL), impulse = force / s;
+        for (size_t i = 0; i < d; i++) { /* column i is row i */
+            double complex sum = 0;
+            for (int e = t->matrix->start[i]; e < t->matrix->start[i + 1]; e++)
+                sum += t->matrix->entry[e] * a[t->matrix->row[e]];
+            sums->force[l * d + i] += creal(force * sum);
+            sums->impulse[l * d + i] += creal(impulse * sum);
+        }
+    }
+}
+//< dampers
+
+void fvi_exact_motion_forget_dampers(fvi_exact_motion *o)
+{
+    if (o->inertia)
+        o->system.matrices->forget(o->inertia);
+    free(o->gradient);
+    free(o->sum);
+}
+
+/* ---- what is made once ---- */
+
+/* The gradients of the elongations, which are linear: they are the same everywhere. */
+static int find_gradients(fvi_exact_motion *o)
+{
+    const fvi_mechanism *m = o->system.mechanism;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; m && j < m->damper_count && !status; j++) {
+        const fvi_elongation *of = &m->damper[j].of;
+        double *g = o->gradient + j * o->d;
+        if (m->damper[j].matrix)
+            continue;
+        if (of->row)
+            memcpy(g, of->row, o->d * sizeof *g);
+        else
+            status = of->gradient(0, o->d, o->x0, of->params, g);
+    }
+    return status;
+}
+
+static int prepare(fvi_exact_motion *o)
+{
+    const fvi_matrices *matrices = o->system.matrices;
+    if (o->sum)
+        return FVI_SUCCESS;
+    o->gradient = calloc(dampers(o) * o->d, sizeof *o->gradient);
+    o->sum = calloc((2 * dampings(o) + 1) * o->d, sizeof *o->sum);
+    if (!o->gradient || !o->sum)
+        return FVI_ENOMEM;
+    int status = find_gradients(o);
+    if (!status && matrices)
+        status = matrices->factorise(o->d, 1, 0, 0, matrices->params, &o->inertia);
+    return status;
+}
+
+/* ---- at a time ---- */
+
+/* The forces at t = 0+ of a body that was held: of C(s) that grows like c s they are c B v_0, below that 0. Above
+ * it they are infinite, and impulse is their mean over the time `first`. */
+static int find_limits(fvi_exact_motion *o, double first, fvi_error *error)
+{
+    const size_t d = o->d, all = dampings(o) * d;
+    double *force = o->sum, *impulse = force + all;
+    const fvi_exact_sums sums = { .force = force, .impulse = impulse };
+    int status = FVI_SUCCESS, is_infinite = 0;
+    for (size_t l = 0; l < dampings(o); l++)
+        is_infinite |= fvi_kernel_growth(o->response->term[FIRST + l].kernel) > 1;
+    if (is_infinite)
+        status = fvi_exact_motion_sum(o, first, &sums, error);
+    for (size_t l = 0; l < dampings(o); l++) {
+        const fvi_stiffness_term *t = &o->response->term[FIRST + l];
+        const double growth = fvi_kernel_growth(t->kernel),
+                     dashpot = growth == 1 ? fvi_kernel_dashpot(t->kernel) : 0;
+        for (size_t i = 0; i < d; i++) {
+            double rate = 0;
+            for (int e = t->matrix->start[i]; e < t->matrix->start[i + 1]; e++)
+                rate += t->matrix->entry[e] * o->v0[t->matrix->row[e]];
+            force[l * d + i] = growth > 1 ? impulse[l * d + i] / first : dashpot * rate;
+        }
+    }
+    memset(impulse, 0, all * sizeof *impulse);
+    return status;
+}
+
+/* a = M^-1 (F - grad U - the forces), and grad U = K x_0 + K (x - x_0). */
+static int find_acceleration(fvi_exact_motion *o, double t, const double *x, double *a)
+{
+    const size_t d = o->d;
+    const fvi_sparse *K = o->response->term[1].matrix;
+    const double F = o->forcing == FVI_FORCING_STEP     ? (t <= o->T ? o->A : 0)
+                     : o->forcing == FVI_FORCING_COSINE ? o->A * cos(o->w * t)
+                                                        : 0;
+    for (size_t i = 0; i < d; i++) {
+        a[i] = F - o->pull[i];
+        for (int e = K->start[i]; e < K->start[i + 1]; e++)
+            a[i] -= K->entry[e] * (x[K->row[e]] - o->x0[K->row[e]]);
+        for (size_t l = 0; l < dampings(o); l++)
+            a[i] -= o->sum[l * d + i];
+        if (!o->system.matrices)
+            a[i] /= o->system.mass[i];
+    }
+    return o->system.matrices ? o->system.matrices->solve(d, o->inertia, a) : FVI_SUCCESS;
+}
+
+/* Of all dampers, one after another; along an elongation f = lambda g, and lambda is told. */
+static void tell(const fvi_exact_motion *o, const double *sum, double *told)
+{
+    const size_t d = o->d, before = dampings(o) - (o->system.mechanism ? dampers(o) : 0);
+    for (size_t j = 0; j < dampers(o); j++) {
+        const double *f = sum + (o->system.mechanism ? before + j : 0) * d,
+                     *g = o->gradient + j * d;
+        double along = 0, square = 0;
+        for (size_t i = 0; i < d && is_along(o, j); i++) {
+            along += g[i] * f[i];
+            square += g[i] * g[i];
+        }
+        if (is_along(o, j))
+            *told++ = square > 0 ? along / square : 0;
+        for (size_t i = 0; i < d && !is_along(o, j); i++)
+            *told++ = dampings(o) > 0 ? f[i] : 0;
+    }
+}
+
+int fvi_exact_motion_forces_at(fvi_exact_motion *o, double t, double first,
+                               const fvi_exact_outputs *out, fvi_error *error)
+{
+    if (!o || !out || !out->x || !out->v)
+        return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
+    if (!(isfinite(t) && t >= 0))
+        return fvi_fail(error, FVI_EDOM, "t", t, "t is %g; it must be finite and not negative", t);
+    if (!(isfinite(first) && first > 0))
+        return fvi_fail(error, FVI_EDOM, "first", first, "first is %g; it must be finite and positive", first);
+    int status = prepare(o);
+    if (status)
+        return fvi_fail(error, status, NULL, NAN, "%s", fvi_error_name(status));
+    const size_t all = dampings(o) * o->d, told = fvi_exact_motion_forces(o);
+    const fvi_exact_sums sums = { out->x, out->v, o->sum, o->sum + all };
+    memset(o->sum, 0, 2 * all * sizeof *o->sum);
+    status = fvi_exact_motion_sum(o, t, &sums, error);
+    if (!status && t == 0)
+        status = find_limits(o, first, error);
+    if (!status && out->a)
+        status = find_acceleration(o, t, out->x, out->a);
+    if (status)
+        return status;
+    if (out->force)
+        tell(o, o->sum, out->force);
+    if (out->impulse)
+        tell(o, o->sum + all, out->impulse);
+    return fvi_all_finite(o->d, out->x) && fvi_all_finite(o->d, out->v)
+                   && (!out->a || fvi_all_finite(o->d, out->a))
+                   && (!out->force || fvi_all_finite(told, out->force))
+                   && (!out->impulse || fvi_all_finite(told, out->impulse))
+               ? FVI_SUCCESS
+               : fvi_fail(error, FVI_EOVRFLW, NULL, t, "the motion is not finite at t = %g", t);
+}
