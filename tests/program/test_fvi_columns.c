@@ -229,7 +229,7 @@ START_TEST(what_no_column_is_is_refused)
         { "run --reduce 'max(ee)' --columns 'e=x,ee=x^2'", "--columns: 'e=x' is" },
         { "run --reduce 'max(e)' --columns 'e=x^2,max(x,p)'",
           "--columns: 'max(x,p)' is of no use to --reduce" },
-        { "exact --columns t,work", "--columns: 't,work': a, and a damper's" },
+        { "exact --columns t,work", "--columns: 't,work': the work of dampers" },
     };
     for (size_t i = 0; i < LEN(cases); i++) {
         char said[300];
