@@ -34,7 +34,8 @@ int fvi_mechanism_start(fvi_stepper *s, fvi_mechanism_form form, size_t stages);
 int fvi_mechanism_check(const fvi_method *method, const fvi_run *run,
                         fvi_error *error);
 
-/* fvi_mechanism_bytes -- as fvi_run_bytes. */
+/* fvi_mechanism_bytes -- as fvi_run_bytes; of a mesh with the least number of stages, which the tolerance may raise. */
+enum { FVI_MESH_STAGES = 6 };
 double fvi_mechanism_bytes(const fvi_method *method, const fvi_run *run);
 
 #endif

@@ -188,18 +188,28 @@ int fvi_mechanism_start(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
     return status;
 }
 
+/* Of one damper. On a mesh it has modes: 24 at least, of six stages each, and two matrices of the stages. */
+static double bytes_of_damper(const fvi_method *method, const fvi_run *run)
+{
+    enum { MODES = 24, NUMBERS = 12, SQUARES = 2 * FVI_STAGES * FVI_STAGES };
+    if (method->dense)
+        return 8. * (MODES * NUMBERS + SQUARES);
+    return method->stages ? fvi_lobatto_history_bytes((size_t)method->stages, -0.5, 1, run->steps,
+                                                      run->memory, 0)
+                          : (double)fvi_history_bytes(0.5, 1, run->steps, run->memory, 0);
+}
+
+/* The points q of a step are its stages, on a mesh six or more of them. The matrix of Newton's method has q d
+ * rows, in form M (q - 1) d; and there are four matrices of d rows at each point. */
 double fvi_mechanism_bytes(const fvi_method *method, const fvi_run *run)
 {
-    const fvi_mechanism *mechanism = run->system->mechanism;
-    const size_t s = (size_t)method->stages, r = mechanism->damper_count;
-    const double d = (double)run->system->d,
-                 q = s ? (double)s : 1, n = 2 * q * d;
-    return 8 * (n * n + 4 * q * d * d + q * d * (double)r)
-           + (double)r
-                 * (s ? fvi_lobatto_history_bytes(s, -0.5, 1, run->steps,
-                                                  run->memory, 0)
-                      : (double)fvi_history_bytes(0.5, 1, run->steps,
-                                                  run->memory, 0));
+    const double r = (double)run->system->mechanism->damper_count,
+                 d = (double)run->system->d,
+                 q = method->dense    ? FVI_MESH_STAGES
+                     : method->stages ? (double)method->stages
+                                      : 1,
+                 n = method->stages && !method->damped_inertia ? (q - 1) * d : q * d;
+    return 8 * (n * n + 4 * (q + 1) * d * d + (q + 1) * d * r) + r * bytes_of_damper(method, run);
 }
 
 /* ---- copies ---- */

@@ -3,6 +3,10 @@
 #include "problems.h"
 #include "run/whole_run.h"
 
+#include <fvi/variable_steps.h>
+
+#include <malloc.h>
+
 static const double row[] = { 1 }, mass = 1, none = 0;
 static const fvi_kernel_term power = { FVI_KERNEL_POWER, 0.4, 0.3, 0, 0 };
 static const fvi_kernel kernel = { 1, &power }, no_terms = { 0, NULL };
@@ -203,11 +207,63 @@ START_TEST(pasts_are_those_of_the_old_damping)
 }
 END_TEST
 
+static double heap(void)
+{
+#ifdef __GLIBC__
+    const struct mallinfo2 info = mallinfo2();
+    return (double)(info.uordblks + info.hblkhd);
+#else
+    return 0;
+#endif
+}
+
+/* The memory that a run surely takes is not more than it takes, and half of it where there are many coordinates:
+ * on a mesh, with its six or eight stages, too. Where malloc does not count (sanitizers), no one can tell. */
+START_TEST(bytes_of_a_mechanism_are_those_that_it_takes)
+{
+    enum { MOST = 128 };
+    static const fvi_method *const methods[] = { &fvi_variable_step, &fvi_cq2_midpoint, &fvi_lobatto_d4,
+                                                 &fvi_lobatto_m3 };
+    static double m[MOST], still[MOST], x0[MOST], between[MOST][MOST];
+    const double c = 1;
+    for (size_t i = 0; i < MOST; i++) {
+        m[i] = 1;
+        x0[i] = 0.125 * (double)(i % 3);
+    }
+    for (size_t i = 0; i < 4 * LEN(methods); i++) {
+        const size_t d = i % 2 ? MOST : 4, count = i / 2 % 2 ? 16 : 1;
+        const fvi_method *method = methods[i / 4];
+        fvi_damper damper[16];
+        for (size_t j = 0; j < count; j++) {
+            memset(between[j], 0, sizeof between[j]);
+            between[j][j % d] = 1;
+            between[j][(j + 1) % d] = -1;
+            damper[j] = (fvi_damper){ .of = fvi_elongation_row(between[j]), .kernel = &kernel };
+        }
+        const fvi_mechanism mechanism = { .damper = damper, .damper_count = count };
+        const fvi_system system = { .d = d,
+                                    .mass = m,
+                                    .damping = still,
+                                    .potential = fvi_potential_harmonic(&c),
+                                    .mechanism = &mechanism };
+        const fvi_run run = fvi_run_default(&system, x0, still, 0.1, 1000);
+        fvi_stepper *s;
+        const double before = heap(), said = fvi_run_bytes(method, &run);
+        OK(fvi_stepper_start(method, &run, &s, NULL));
+        const double taken = heap() - before;
+        fvi_stepper_free(s);
+        if (heap() > 0)
+            ck_assert_msg(said <= taken && said >= taken * (d == MOST ? 0.5 : 0.05),
+                          "%s, %zu coordinates, %zu dampers: said %g, taken %g", method->name, d, count, said, taken);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: errors");
     ADD_CASE(suite, "errors", a_mechanism_that_is_none_is_refused,
              codes_of_callbacks_are_passed_on, outputs_are_those_of_a_mechanism,
-             pasts_are_those_of_the_old_damping);
+             pasts_are_those_of_the_old_damping, bytes_of_a_mechanism_are_those_that_it_takes);
     return run_suite(suite);
 }
