@@ -9,6 +9,7 @@
 #include <string.h>
 #include <time.h>
 #include "glue_gradient.h"
+#include "glue_impose.h"
 static int look_up(void);
 static int report_progress(size_t rows, size_t all, void *tell);
 /* The last error's reason and code, of this thread: for the text of the exception. */

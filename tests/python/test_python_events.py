@@ -216,3 +216,85 @@ def test_a_wrong_ground_is_named(fields, what, why):
 def test_a_lagrangian_holds_its_ground_itself():
     with pytest.raises(ValueError, match="^lagrangian: not together with ground"):
         fvi.Problem(lagrangian="v^2/2", x0=0, v0=1, ground="sin(t)")
+
+
+DRIVEN = fvi.Problem("(x2-x1)^2/2", x0=[0, 0], v0=[1, 0], rho=0.2, alpha=0.3, time=5)
+
+
+@pytest.mark.parametrize("method", ["fvi-stable", "fvi-lobatto4", "fvi-lobatto3d"])
+def test_what_is_imposed_may_be_a_function(method):
+    """As the text: its sine is another one, by a rounding."""
+    text, own = (fvi.solve(DRIVEN.replace(impose=how), h=0.05, method=method)
+                 for how in ("x1=sin(t)", {"x1": lambda t: (np.sin(t), np.cos(t))}))
+    assert abs(text.x - own.x).max() < 1e-14 and abs(text.p - own.p).max() < 1e-14
+    assert abs(text.reactions["x1"] - own.reactions["x1"]).max() < 1e-11
+    exact = [fvi.solve(DRIVEN.replace(x0=[0, 0], v0=[0.5, 0], impose=how), h=0.125, method=method)  # no rounding at all
+             for how in ("x1=t/2", {"x1": lambda t: (t / 2, 0.5)}, {"x1": "t/2"})]
+    for other in exact[1:]:
+        assert np.array_equal(exact[0].x, other.x) and np.array_equal(exact[0].p, other.p)
+        assert np.array_equal(exact[0].reactions["x1"], other.reactions["x1"])
+    if method != "fvi-lobatto3d":
+        a, b = (fvi.vjp(s, x=1.0, wrt=["rho", "alpha", "mass"]) for s in (text, own))
+        assert all(abs(np.asarray(a[name]) - b[name]).max() < 1e-12 for name in a)
+
+
+def test_what_is_imposed_may_be_rows():
+    """Of a cubic they are that cubic, on any grid; of a sine an error of order 4, at both ends, too."""
+    t = np.array([0, 0.3, 1.1, 2.4, 2.5, 4, 5])
+    cubic = fvi.solve(DRIVEN.replace(v0=[1, 0], impose="x1=t-t^2/4+t^3/30"), h=0.05, method="fvi-lobatto4")
+    rows = fvi.solve(DRIVEN.replace(v0=[1, 0], impose={"x1": (t, t - t**2 / 4 + t**3 / 30)}), h=0.05, method="fvi-lobatto4")
+    assert abs(cubic.x - rows.x).max() < 1e-14 and abs(cubic.reactions["x1"] - rows.reactions["x1"]).max() < 1e-11
+    t = np.array([0, 0.4, 0.7, 1.5, 2.1, 3.3, 4.2, 5])
+    of = reference_spline(t, np.sin(t) / 2)
+    start = DRIVEN.replace(v0=[of(0.0)[1], 0])
+    s, r = (fvi.solve(start.replace(impose={"x1": how}), h=0.05, method="fvi-lobatto4") for how in ((t, np.sin(t) / 2), of))
+    assert abs(s.x - r.x).max() < 1e-13 and abs(s.reactions["x1"] - r.reactions["x1"]).max() < 1e-10
+    assert 1e-4 < abs(s.x[:, 0] - np.sin(s.t) / 2).max() < 0.02
+    again = pickle.loads(pickle.dumps(DRIVEN.replace(impose={"x1": (t, t)})))
+    assert again == DRIVEN.replace(impose={"x1": (t, t)}) and not again.impose[0][1][0].flags.writeable
+
+
+def reference_spline(t, x):
+    """Place and velocity of cubics whose coefficients are found from all values and joints at once: at the second
+    and at the last row but one the third derivatives join, too."""
+    n = len(t) - 1
+    A, b, row = np.zeros((4 * n, 4 * n)), np.zeros(4 * n), 0
+
+    def put(piece, at, order, value, other=None):
+        nonlocal row
+        for k in range(order, 4):
+            factor = np.prod(range(k - order + 1, k + 1)) if order else 1
+            A[row, 4 * piece + k] += factor * (at - t[piece])**(k - order)
+            if other is not None:
+                A[row, 4 * other + k] -= factor * (at - t[other])**(k - order)
+        b[row] = value
+        row += 1
+    for i in range(n):
+        put(i, t[i], 0, x[i])
+        put(i, t[i + 1], 0, x[i + 1])
+    for i in range(1, n):
+        put(i - 1, t[i], 1, 0, i)
+        put(i - 1, t[i], 2, 0, i)
+    put(0, t[1], 3, 0, 1)
+    put(n - 2, t[n - 1], 3, 0, n - 1)
+    c = np.linalg.solve(A, b).reshape(n, 4)
+
+    def at(time):
+        i = min(max(np.searchsorted(t, time, side="right") - 1, 0), n - 1)
+        return tuple(sum(c[i, k] * f * (time - t[i])**e for k, f, e in terms) for terms in (
+            [(k, 1, k) for k in range(4)], [(k, k, k - 1) for k in range(1, 4)]))
+    return at
+
+
+@pytest.mark.parametrize("impose, what, why", [
+    ({"x1": 3}, TypeError, "^impose: x1: 3 is no text, no function"), ({"y": abs}, ValueError, "^impose: 'y' is no coordinate"),
+    ({"x3": lambda t: (t, 1)}, ValueError, "x0 has the shape"), ([3], TypeError, "^impose: 3"), (("x1", abs), TypeError, "^impose: <built-in"),
+    ({"x1": ([0, 1, 2, 5], [0, 1, 2])}, ValueError, "^impose: x1: t and x have the shapes"),
+    ({"x1": ([0, 1, 5], [0, 1, 2])}, ValueError, "not .n,. with n >= 4"), ({"x1": ([0, 1, 2, 4], [0, 1, 2, 3])}, ValueError, "^impose: x1: it is known from 0 to 4"),
+    ({"x1": ([0, 2, 1, 5], [0, 1, 2, 3])}, ValueError, "^impose: x1: t must increase"), ({"x1": lambda t: t}, TypeError, "^impose: x1 gave 0.0, not a place and a velocity"),
+    ({"x1": lambda t: (t, "a")}, TypeError, "^impose: x1 gave"), ({"x1": lambda t: 1 / 0}, ZeroDivisionError, ""),
+    ({"x1": lambda t: (1 + t, 1)}, fvi.Error, "constraint 'x1', which is -1 there"),
+])
+def test_a_wrong_imposed_motion_is_named(impose, what, why):
+    with pytest.raises(what, match=why):
+        fvi.solve(DRIVEN.replace(impose=impose), h=0.1)

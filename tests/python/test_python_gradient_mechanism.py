@@ -130,7 +130,7 @@ def test_the_matrix_of_masses_on_a_ground_has_a_factor():
 
 @pytest.mark.parametrize("call, what, why", [
     (lambda: fvi.vjp(fvi.solve(ARM, h=0.1), x=1, wrt=["mass"]), ValueError, "^wrt: this problem has no mass"),
-    (lambda: fvi.vjp(fvi.solve(ARM.replace(dampers=["k*x1 : power:1,0.3"]), h=0.1), x=1), ValueError, "^let: elongations"),
+    (lambda: fvi.vjp(fvi.solve(ARM.replace(dampers=["x1 : symbol:k*s^0.5"]), h=0.1), x=1), ValueError, "^let: a law that is an expression"),
     (lambda: fvi.vjp(fvi.solve(ARM, step_error=1e-6), x=1, wrt=["laws"]), ValueError, "^wrt: this problem has no laws"),
     (lambda: fvi.vjp(fvi.solve(ARM, step_error=1e-6), x=1, p=1), fvi.Error, "."),
     (lambda: fvi.vjp(fvi.solve(fvi.Problem(ground="sin(t)"), step_error=1e-6), x=1, wrt=["mass"]), ValueError, "no mass"),
@@ -138,3 +138,28 @@ def test_the_matrix_of_masses_on_a_ground_has_a_factor():
 def test_what_has_no_gradient_says_so(call, what, why):
     with pytest.raises(what, match=why):
         call()
+
+
+NAMED = fvi.Problem("k*x1^2/2 + (x2 - x1)^2/2", let={"k": 1.1, "a": 0.7, "b": 0.3, "w": 1.3, "c": 0.5}, mass=[1, 2, 1.5],
+                    dampers=["x2 - a*x1^2 : power:0.5,0.3"], force_on="2=-b*v2^3", constraints="x3 - c*x2^2", impose="x1=sin(w*t)/w",
+                    x0=[0, 0, 0], v0=[1, 0, 0], time=2)
+
+
+@pytest.mark.parametrize("options", [dict(h=0.05), dict(h=0.05, method="fvi-lobatto3")])
+def test_names_within_a_mechanism_have_derivatives(options):
+    """In an elongation, a force of velocity, a constraint and an imposed motion, of all rows, momenta and energies."""
+    g = fvi.gradient(NAMED, loss, wrt="let", **options)[1]["let"]
+    for name, value in NAMED.let.items():
+        want = differences(lambda v: loss(fvi.solve(NAMED.replace(let={**NAMED.let, name: v}), **options))[0], value)
+        assert close(g[name], want), name
+    assert list(g) == list(NAMED.let)
+
+
+def test_a_name_to_which_the_start_is_tied_has_none():
+    """The others have; and it is said."""
+    tied = NAMED.replace(x0=[0, 1, 0.5], impose=(), v0=[0, 0, 0], let={"k": 1.1, "a": 0.7, "b": 0.3, "c": 0.5})
+    s = fvi.solve(tied, h=0.05)
+    with pytest.warns(fvi.FviWarning, match="^let: no derivative by c: it stands in a constraint"):
+        g = fvi.vjp(s, x=1.0, wrt="let")["let"]
+    assert np.isnan(g["c"]) and all(np.isfinite(g[name]) for name in "kab")
+    assert close(g["a"], differences(lambda v: fvi.solve(tied.replace(let={**tied.let, "a": v}), h=0.05).x.sum(), 0.7))

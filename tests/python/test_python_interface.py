@@ -48,7 +48,7 @@ def test_structs_and_constants_are_those_of_the_headers():
 @pytest.mark.skipif(not shutil.which("gcc"), reason="no gcc")
 def test_functions_are_those_of_the_headers(tmp_path):
     found = functions()
-    own = {"ask_value", "ask_gradient", "ask_hessian", "ask_quadratic", "ask_force", "ask_symbol", "ask_event", "ask_normal",
+    own = {"ask_value", "ask_gradient", "ask_hessian", "ask_quadratic", "ask_force", "ask_symbol", "ask_event", "ask_normal", "ask_imposed",
            "look_up", "report_progress"}
     called = {name for name in dir(lib) if isinstance(getattr(lib, name), type(lib.fvi_version))}
     assert {match[1] for each in found if (match := re.search(r"(\w+)\(", each))} == called - own and len(called) > 80

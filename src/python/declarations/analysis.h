@@ -169,10 +169,14 @@ typedef struct {
     int has_momenta;
     ...;
 } fvi_objective;
+typedef struct { size_t count; ...; } fvi_mechanism_columns;
+fvi_mechanism_columns fvi_typed_mechanism_columns(const fvi_typed_mechanism *mechanism, size_t count);
 typedef struct {
     double *x0, *p0, *mass, *damping, *alpha, *terms, *orders, *times, *ends, *force, *parameters;
     fvi_parameter_gradient sensitivity;
     int (*lagrangian)(size_t j, double t, size_t d, const double *x, const double *v, void *params, double *Sx, double *Sv);
+    double *names;
+    const fvi_mechanism_columns *columns;
     ...;
 } fvi_sensitivities;
 int fvi_typed_lagrangian_column(size_t j, double t, size_t d, const double *x, const double *v, void *params, double *Sx,

@@ -11,6 +11,11 @@ int start_by_velocity(const fvi_system *system, const double *x0, const double *
 size_t dampers_of(const fvi_system *system);
 const fvi_kernel *kernel_of(const fvi_system *system, size_t j);
 int energy_by_parameter(const fvi_typed_potential *potential, size_t d, size_t j, const double *x, double *value);
+typedef struct own_imposed own_imposed;
+own_imposed *own_imposed_alloc(const struct fvi_mechanism *typed, const char *const *names, size_t count);
+int own_imposed_put(own_imposed *own, size_t i, size_t constraint, void *function, size_t n, const double *t, const double *x);
+const struct fvi_mechanism *own_imposed_mechanism(const own_imposed *own);
+void own_imposed_free(own_imposed *own);
 const char *why(int code);
 void listen(unsigned long thread);
 void begin(void);
@@ -68,6 +73,7 @@ extern "Python" int ask_value(size_t d, const double *x, void *params, double *v
 extern "Python" int ask_gradient(size_t d, const double *x, void *params, double *grad);
 extern "Python" int ask_hessian(size_t d, const double *x, void *params, double *H);
 extern "Python" int ask_force(double t, size_t d, void *params, double *F);
+extern "Python" int ask_imposed(double t, void *function, double *u, double *rate);
 extern "Python" int ask_quadratic(const void *params);
 extern "Python" int ask_event(double t, size_t d, const double *x, const double *p, void *params, double *z);
 extern "Python" int ask_normal(double t, size_t d, const double *x, void *params, double *normal, double *rate);

@@ -100,6 +100,14 @@ def function(what: str, given: Any, of: str) -> Any:
     return given
 
 
+def check_rows(what: str, name: str, t: Array, F: Array, last: float) -> None:
+    """Rows of a table that is asked for from 0 to the end."""
+    if not (np.isfinite(t).all() and np.isfinite(F).all() and (np.diff(t) > 0).all()):
+        raise ValueError(f"{what}: t must increase, and t and {name} must be finite")
+    if t[0] > 0 or t[-1] < last * (1 - 1e-12):
+        raise ValueError(f"{what}: it is known from {t[0]:g} to {t[-1]:g}, and the motion lasts from 0 to {last:g}")
+
+
 def row(what: str, given: Array, d: int) -> Array:
     """d numbers, of one for all or of d."""
     if given.shape not in ((), (1,), (d,)):

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
-from ._arguments import Array, Numbers, described, number, numbers, row, spelt, whole, word
+from ._arguments import Array, Numbers, described, names as names_of, number, numbers, row, spelt, whole, word
 from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, failure, succeed, text_of, understand, warn
 from .errors import Error
@@ -68,6 +68,8 @@ def record_of(what: str, t: Numbers, x: Numbers, own: Mapping) -> Record:
 
 
 def records_of(t: Numbers, x: Numbers, records: Sequence[Mapping]) -> list:
+    if not isinstance(records, (list, tuple)):
+        raise TypeError(f"records: {described(records)} is no list of dicts")
     found = [record_of("", t, x, {})]
     for k, each in enumerate(records):
         if not isinstance(each, Mapping) or not {"t", "x"} <= set(each) <= {"t", "x", "x0", "p0", "force"}:
@@ -86,7 +88,7 @@ def sensors_of(system: Any, shows: Optional[Sequence[str]], columns: int) -> tup
             raise ValueError(f"shows: a body of {system.d} masses, and {columns} columns: what does each show? "
                              "shows=['x1', 'x2-x1']")
         return [], [ffi.NULL]
-    texts = [shows] if isinstance(shows, str) else list(shows)
+    texts = names_of("shows", shows)
     if len(texts) != columns:
         raise ValueError(f"shows: {len(texts)} for {columns} columns")
     found: tuple[list, list] = ([], [])
@@ -121,11 +123,11 @@ def put_records(question: Any, system: Any, found: list, shows: list, sigma: Arr
 def model_of(potential: Any, last: float, method: Optional[str], options: dict) -> tuple:
     """The system, its run and the method, of a Problem or of what `run` takes."""
     if not isinstance(potential, Problem):
-        return prepare(potential, last, method=method or "fvi-lobatto4", **options)
+        return prepare(potential, last, method="fvi-lobatto4" if method is None else method, **options)
     if options:
         raise ValueError(f"{next(iter(options))}: not together with a Problem, which says it")
     default = "fvi-lobatto4d" if potential.kind == "structure" else "fvi-lobatto4"
-    motion = Motion(potential.replace(time=last), Numerics(word("method", method or default), None, 1, 0.5, None, None,
+    motion = Motion(potential.replace(time=last), Numerics(word("method", default if method is None else method), None, 1, 0.5, None, None,
                                                            None, 0, "auto", 0.0, None))
     if motion.method == ffi.NULL:
         raise ValueError(f"method: '{method}' is none that there is")

@@ -8,7 +8,7 @@ import numpy as np
 
 from ._arguments import Array, Numbers, described, function, names as names_of, number, numbers, spelt
 from ._fvi import ffi, lib
-from ._library import ask, failure, succeed, understand
+from ._library import ask, failure, succeed, understand, warn
 from ._observe import as_run
 from ._problem import Problem
 from ._solution import Solution
@@ -200,10 +200,12 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
         want("parameters", 1 if whole else to.sensitivity.count)
     used = [system.parameters.used[j] for j in range(len(lets))]
     has_force = "let" in names and any(u & lib.FVI_USED_BY_FORCE for u in used)
-    for use, what in ((lib.FVI_USED_BY_DAMPING, "a law that is an expression has"), (
-            lib.FVI_USED_BY_MECHANISM, "elongations, constraints, imposed coordinates and forces of velocity have")):
-        if "let" in names and any(u & use for u in used):
-            raise ValueError(f"let: {what} no derivative by its names; leave let out of wrt")
+    if "let" in names and any(u & lib.FVI_USED_BY_DAMPING for u in used):
+        raise ValueError("let: a law that is an expression has no derivative by its names; leave let out of wrt")
+    if "let" in names and any(u & lib.FVI_USED_BY_MECHANISM for u in used):
+        columns = ffi.new("fvi_mechanism_columns *", lib.fvi_typed_mechanism_columns(system.typed_mechanism, len(lets)))
+        to.columns = columns
+        want("names", len(lets))
     if has_force and mirror.is_dense:
         raise ValueError("let: fvi-adaptive asks for the force between the rows, and has no derivative by a name in it")
     if has_force or "force" in names or (q.ground is not None and names & {"mass", "M"}):
@@ -303,6 +305,9 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
     if "let" in names:
         by_let = found["parameters"].copy() if "parameters" in found and (system.is_expression or q.lagrangian is not None) \
             else np.zeros(len(lets))
+        by_let += found.get("names", 0.0)
+        for j in np.flatnonzero(np.isnan(by_let)):
+            warn(f"let: no derivative by {lets[j]}: it stands in a constraint, which the start would have to follow")
         sums = [] if by_force is None or system.typed_force is None else [(system.typed_force, by_force.sum(axis=1))]
         if by_force is not None and isinstance(q.ground, str):
             pull = np.frombuffer(ffi.buffer(lib.fvi_ground_pull(system.ground), 8 * d))

@@ -5,9 +5,9 @@ from typing import Any, NamedTuple, Optional, Sequence
 
 import numpy as np
 
-from ._arguments import Array, choice, described, numbers
+from ._arguments import Array, check_rows, choice, described, numbers
 from ._fvi import ffi, lib
-from ._library import error_of, failure, understand
+from ._library import error_of, failure, is_interrupted, keep, succeed, understand
 from ._system import law
 
 
@@ -20,13 +20,35 @@ def texts(what: str, given: Any) -> tuple:
     return found
 
 
+class Place:
+    """A coordinate that a function of t prescribes."""
+
+    def __init__(self, name: str, function: Any):
+        self.name, self.function = name, function
+
+
+@ffi.def_extern(error=-1, onerror=keep)
+def ask_imposed(t, function, u, rate):
+    if is_interrupted():
+        return -1
+    of = ffi.from_handle(function)
+    given = of.function(t)
+    try:
+        u[0], rate[0] = given
+    except (TypeError, ValueError, OverflowError) as error:
+        raise TypeError(f"impose: {of.name} gave {described(given)}, not a place and a velocity") from error
+    return 0
+
+
 class Mechanism:
     """A Lagrangian, dampers between points, constraints, imposed motions and forces of velocity; without dampers each
     coordinate is damped by itself."""
 
     def __init__(self, lagrangian: Optional[str], dampers: Sequence[str], constraints: Sequence[str],
-                 impose: Sequence[str], force_on: Sequence[str], own: Any = None):
-        self.lists = {"damper": dampers, "constraint": constraints, "impose": impose, "force_on": force_on}
+                 impose: Sequence, force_on: Sequence[str], own: Any = None):
+        texts = [each if isinstance(each, str) else f"{each[0]}=0" for each in impose]
+        self.lists = {"damper": dampers, "constraint": constraints, "impose": texts, "force_on": force_on}
+        self.places = [(len(constraints) + i, *each) for i, each in enumerate(impose) if not isinstance(each, str)]
         self.lagrangian, self.own = lagrangian, own
 
     def dimension(self, potential: Any) -> int:
@@ -60,7 +82,32 @@ class Mechanism:
         out = ffi.new("fvi_typed_mechanism **")
         understand(lib.fvi_parse_mechanism, t, s.d, s.parameters, out)
         s.keep.append(ffi.gc(out[0], lib.fvi_typed_mechanism_free))
-        s.system.mechanism = lib.fvi_mechanism_typed(out[0])
+        s.system.mechanism, s.typed_mechanism = lib.fvi_mechanism_typed(out[0]), out[0]
+        if self.places:
+            self.put_places(s)
+
+    def put_places(self, s: Any) -> None:
+        """What functions and rows impose, in the places of texts that impose 0."""
+        told = [*self.lists["constraint"], *self.lists["impose"]]
+        for at, name, _ in self.places:
+            told[at] = name
+        names = [ffi.new("char[]", each.encode()) for each in told]
+        list_of = ffi.new("char *[]", names)
+        made = ffi.gc(lib.own_imposed_alloc(s.system.mechanism, list_of, len(self.places)), lib.own_imposed_free)
+        if made == ffi.NULL:
+            raise MemoryError("impose")
+        s.keep += [names, list_of, made]
+        for i, (at, name, given) in enumerate(self.places):
+            if callable(given):
+                s.keep.append(ffi.new_handle(Place(name, given)))
+                succeed(lib.own_imposed_put(made, i, at, s.keep[-1], 0, ffi.NULL, ffi.NULL))
+                continue
+            t, x = (np.ascontiguousarray(numbers(f"impose: {name}", a)) for a in given)
+            if t.ndim != 1 or t.size < 4 or x.shape != t.shape:
+                raise ValueError(f"impose: {name}: t and x have the shapes {t.shape} and {x.shape}, not (n,) with n >= 4")
+            check_rows(f"impose: {name}", "x", t, x, s.last)
+            succeed(lib.own_imposed_put(made, i, at, ffi.NULL, t.size, s.pointer(t), s.pointer(x)))
+        s.system.mechanism = lib.own_imposed_mechanism(made)
 
 
 class Matrix(NamedTuple):

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 import textwrap
 from collections.abc import Mapping
 from dataclasses import KW_ONLY, dataclass
@@ -24,6 +25,24 @@ def listed(what: str, given: Any) -> tuple:
     if given is None or isinstance(given, (str, list, tuple)):
         return () if given is None else (given,) if isinstance(given, str) else tuple(given)
     raise TypeError(f"{what}: {described(given)} is no text and no list")
+
+
+def imposed(given: Any) -> Any:
+    """'x1=EXPRESSION', or of a name with a text, a function or a pair of arrays."""
+    if isinstance(given, str):
+        return given
+    if not (isinstance(given, (tuple, list)) and len(given) == 2 and isinstance(given[0], str)):
+        raise TypeError(f"impose: {described(given)} is no text 'x1=...', and no name of a coordinate with what it follows")
+    name, what = given
+    if not re.fullmatch(r"x\d*", name):
+        raise ValueError(f"impose: '{name}' is no coordinate, x1, x2, ...")
+    if isinstance(what, str):
+        return f"{name}={what}"
+    if isinstance(what, (tuple, list)) and len(what) == 2:
+        return name, tuple(frozen(f"impose: {name}: {of}", a) for of, a in zip("tx", what))
+    if not callable(what):
+        raise TypeError(f"impose: {name}: {described(what)} is no text, no function of t and no pair (t, x) of arrays")
+    return name, what
 
 
 def frozen(what: str, given: Any) -> Union[float, Array]:
@@ -69,7 +88,9 @@ class Problem:
     dampers      each '[NAME=] G : LAW [: PAST]', on the elongation G, an expression in x1, ...: "x2 - x1 : viscous:1";
                  with M a triple (C, LAW) or (C, LAW, PAST), C a matrix or, of an elongation, a row of d numbers
     constraints  each an expression in x1, ..., t that is 0
-    impose       each a coordinate that is prescribed, "x1=sin(t)"; a Solution has the force that it takes, `reactions`
+    impose       each a coordinate that is prescribed, "x1=sin(t)"; a Solution has the force that it takes, `reactions`.
+                 Or a dict by names, {"x1": ...}, of texts, of pairs (t, x) of arrays, with cubics between the rows
+                 (a spline), or of functions of t that give the place and the velocity, (sin(t), cos(t))
     force_on     each a force that knows x, v and t, "2=-0.1*v2^3"
     M, K, C      matrices of scipy.sparse or arrays (d, d), M x'' + C D^order x + K x = F, instead of mass, potential, rho
 
@@ -95,7 +116,7 @@ class Problem:
     lagrangian: Optional[str] = None
     dampers: Sequence = ()
     constraints: Sequence[str] = ()
-    impose: Sequence[str] = ()
+    impose: Union[str, Sequence, Mapping[str, Any]] = ()
     force_on: Sequence[str] = ()
     M: Any = None
     K: Any = None
@@ -108,6 +129,8 @@ class Problem:
                            ("damping", "rho")):
             if getattr(self, one) is not None and getattr(self, other) is not None:
                 raise ValueError(f"{one}: not together with {other}")
+        if isinstance(self.impose, Mapping):
+            put("impose", tuple(self.impose.items()))
         for name in ("dampers", "constraints", "impose", "force_on"):
             put(name, listed(name, getattr(self, name)))
         self.check_kind()
@@ -124,8 +147,9 @@ class Problem:
         for name in ("M", "K", "C"):
             if getattr(self, name) is not None:
                 put(name, matrix(name, getattr(self, name)))
-        for name in ("constraints", "impose", "force_on"):
+        for name in ("constraints", "force_on"):
             put(name, texts(name, getattr(self, name)))
+        put("impose", tuple(map(imposed, self.impose)))
         put("dampers", texts("dampers", self.dampers) if self.M is None else tuple(
             self.damper(given) for given in self.dampers))
         if isinstance(self.damping, list):
@@ -189,10 +213,13 @@ class Problem:
                      self.potential if isinstance(self.potential, str) else None))
 
     def __setstate__(self, state: dict) -> None:
+        def freeze(value: Any) -> None:
+            for a in value if isinstance(value, tuple) else ():
+                freeze(a)
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
         for name, value in state.items():  # arrays come writeable out of a pickle
-            for a in value if isinstance(value, tuple) else (value,):
-                if isinstance(a, np.ndarray):
-                    a.flags.writeable = False
+            freeze(value)
             object.__setattr__(self, name, value)
 
     def __repr__(self) -> str:

@@ -229,6 +229,7 @@ class System:
         self.last = last
         self.typed_force: Any = None
         self.typed_potential: Any = None
+        self.typed_mechanism: Any = None
         self.constants: Optional[Array] = None  # of the potential, by names
         self.names: list = []
         rows = {name: arguments.numbers(name, given)
@@ -314,10 +315,7 @@ class System:
         if t.ndim != 1 or t.size < 2 or F.shape not in ((t.size,), (t.size, 1), (t.size, d)):
             raise ValueError(f"{what}: t and {name} have the shapes {t.shape} and {F.shape}, not (n,), n >= 2, and (n,) "
                              f"or (n, {d})")
-        if not (np.isfinite(t).all() and np.isfinite(F).all() and (np.diff(t) > 0).all()):
-            raise ValueError(f"{what}: t must increase, and t and {name} must be finite")
-        if t[0] > 0 or t[-1] < self.last * (1 - 1e-12):
-            raise ValueError(f"{what}: it is known from {t[0]:g} to {t[-1]:g}, and the motion lasts from 0 to {self.last:g}")
+        arguments.check_rows(what, name, t, F, self.last)
         rows = ffi.new("fvi_force_rows *", {"n": t.size, "columns": F.size // t.size, "t": self.pointer(t),
                                             "F": self.pointer(F)})
         self.keep.append(rows)
