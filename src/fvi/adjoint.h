@@ -110,8 +110,8 @@ typedef struct {
  *          in J. Not by fvi-stable with a coordinate without inertia; with stages there are no terms
  *          to ends of a sum of laws that grows faster than s. All steps are kept: N (3 d + r s)
  *          numbers and more with stages. fvi_variable_step: by factors of laws and no terms to ends, of
- *          J with the last momentum alone; without impulses, coordinates without inertia, the past
- *          RIEMANN_LIOUVILLE, and CAPUTO of a law that grows faster than s
+ *          J with the last momentum alone; without coordinates without inertia, impulses beside constraints, the
+ *          past RIEMANN_LIOUVILLE, and CAPUTO of a law that grows faster than s
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
  *          fvi_variable_step, where nothing is damped, is the one of form M with such a damping
  *

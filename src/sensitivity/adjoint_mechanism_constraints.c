@@ -58,7 +58,8 @@ static int add_to_place(fvi_adjoint_mechanism *m, double t, const double *x, con
         for (size_t l = 0; l < o->m; l++)
             factor[l] = part ? -w[l] : -right[d + l];
         memset(H, 0, d * d * sizeof *H);
-        status = c->hessian(t, d, x, factor, c->params, H);
+        if (o->m)
+            status = c->hessian(t, d, x, factor, c->params, H);
         for (size_t i = 0; i < d * d; i++)
             m->g[i / d] += H[i] * meets[i % d];
     }
@@ -75,14 +76,14 @@ int fvi_adjoint_mechanism_project(fvi_adjoint_mechanism *m, double t, const doub
     const fvi_constraints *c = m->run->system->mechanism->constraints;
     const size_t d = m->d;
     double *right = m->multiplier, *C = m->gradient, *ct = m->factors;
-    if (o->m == 0)
+    if (o->m == 0 && !by_v)
         return FVI_SUCCESS;
     memcpy(o->X, x, d * sizeof *x);
     memcpy(o->V, v, d * sizeof *v);
     int status = fvi_mechanism_point(m->stepper, 0, t, 0);
-    if (!status)
+    if (!status && o->m)
         status = c->gradient(t, d, x, c->params, C, ct);
-    if (!status)
+    if (!status && o->m)
         status = check_rates(c, ct);
     if (!status)
         status = solve(m, C, by_v, right);
@@ -92,7 +93,7 @@ int fvi_adjoint_mechanism_project(fvi_adjoint_mechanism *m, double t, const doub
     }
     if (!status)
         status = add_to_place(m, t, x, v, w, right);
-    if (!status)
+    if (!status && o->m)
         status = fvi_adjoint_mechanism_names_node(m, t, x, v, w, right + d);
     memset(m->phi, 0, d * sizeof *m->phi);
     return status ? status : fvi_adjoint_mechanism_point(m, 0, t, m->tau, m->phi);

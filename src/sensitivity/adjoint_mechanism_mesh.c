@@ -12,10 +12,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where a step begins, and its length. */
+/* Where a step begins, and its length. Does an impulse act at its end, so that v there is that of p? */
 typedef struct {
     double t;
     fvi_length length;
+    int is_hit;
 } mesh_step;
 
 struct fvi_adjoint_mesh {
@@ -33,8 +34,8 @@ struct fvi_adjoint_mesh {
 int fvi_adjoint_mesh_check(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want)
 {
     const fvi_mechanism *mechanism = run->system->mechanism;
-    if (run->system->force.impulse_count)
-        FVI_FAIL("steps of any length have no adjoint of a mechanism with impulses", FVI_EUNSUP);
+    if (run->system->force.impulse_count && mechanism->constraints && mechanism->constraints->count > 0)
+        FVI_FAIL("steps of any length have no adjoint of impulses and constraints together", FVI_EUNSUP);
     if (J && J->has_momenta)
         FVI_FAIL("steps of any length have no adjoint of a mechanism by momenta before the last", FVI_EUNSUP);
     if (want->terms || want->orders || want->times || want->ends)
@@ -110,7 +111,7 @@ static void keep_velocity(const fvi_adjoint_mechanism *m, double *to)
 
 /* x_k, u and the known forces of the step that was done last, which began at x with the velocity and the impulse
  * behind it. */
-static int record(fvi_adjoint_mechanism *m, const double *x)
+static int record(fvi_adjoint_mechanism *m, const double *x, int is_hit)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
     const fvi_variable_step_state *of = m->stepper->method_state;
@@ -127,7 +128,7 @@ static int record(fvi_adjoint_mechanism *m, const double *x)
         mesh->room = room;
     }
     double *to = m->record + mesh->steps * m->row;
-    mesh->step[mesh->steps++] = (mesh_step){ of->t0, of->length };
+    mesh->step[mesh->steps++] = (mesh_step){ of->t0, of->length, is_hit || m->o->m };
     memcpy(to, x, m->d * sizeof *to);
     memcpy(to + m->d, m->o->u, m->n * sizeof *to);
     memcpy(to + m->d + m->n, m->o->known, m->r * m->s * sizeof *to);
@@ -140,16 +141,18 @@ static int run_forwards(fvi_adjoint_mechanism *m)
     struct fvi_adjoint_mesh *mesh = m->mesh;
     fvi_stepper *s = m->stepper;
     const size_t d = m->d, N = m->run->steps;
-    const double T = ((const fvi_variable_step_state *)s->method_state)->T;
+    const fvi_variable_step_state *of = s->method_state;
+    const double T = of->T;
     double *begin = m->last; /* x, v, w */
     int status = FVI_SUCCESS;
     memcpy(mesh->rows, s->x, d * sizeof *s->x);
     for (size_t k = 1; k <= N && !status;) {
         memcpy(begin, s->x, d * sizeof *begin);
         keep_velocity(m, begin + d);
+        const size_t hits = of->hits;
         status = fvi_stepper_step(s);
         if (!status)
-            status = record(m, begin);
+            status = record(m, begin, of->hits > hits);
         for (; !status && k <= N; k++) {
             const double t = fmin((double)k * m->run->h, T);
             if (t > s->t)
@@ -216,7 +219,7 @@ static int ask_row(fvi_adjoint_mechanism *m, size_t k)
 }
 
 /* All rows in step n that are not at its beginning: to V of its stages, to v and x at its beginning. What v at its
- * end does, by_v, is done by its last V, or by p there. */
+ * end does, by_v, is done by its last V, or by p there where constraints or an impulse change it. */
 static int read_rows(fvi_adjoint_mechanism *m, size_t n)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
@@ -225,7 +228,7 @@ static int read_rows(fvi_adjoint_mechanism *m, size_t n)
     const double h = step->length.h;
     int status = FVI_SUCCESS;
     memset(mesh->source, 0, s * d * sizeof *mesh->source);
-    if (m->o->m == 0) /* else the constraints know it */
+    if (!step->is_hit)
         memcpy(mesh->source + (s - 1) * d, mesh->by_v, d * sizeof *mesh->by_v);
     memset(mesh->by_v, 0, 2 * d * sizeof *mesh->by_v);
     for (; !status && mesh->row > 0; mesh->row--) {
@@ -324,7 +327,7 @@ static int step_back(fvi_adjoint_mechanism *m, size_t n)
     int status = n % 64 == 0 ? fvi_interrupted() : FVI_SUCCESS;
     if (!status)
         status = read_rows(m, n);
-    if (!status && n + 1 == m->mesh->steps)
+    if (!status && n + 1 == m->mesh->steps && m->o->m)
         status = fvi_adjoint_mechanism_project(m, m->stepper->t, m->last, m->last + d, m->last + 2 * d, NULL);
     if (!status)
         status = put_back(m, n);
@@ -334,8 +337,9 @@ static int step_back(fvi_adjoint_mechanism *m, size_t n)
         status = fvi_adjoint_mechanism_stages(m, n);
     for (size_t j = 0; j < d; j++)
         m->g[j] += m->mesh->by_x[j];
-    return status ? status
-                  : fvi_adjoint_mechanism_project(m, m->mesh->step[n].t, x, v, v + d, m->mesh->by_v);
+    if (status || n == 0 ? m->o->m == 0 : !m->mesh->step[n - 1].is_hit)
+        return status;
+    return fvi_adjoint_mechanism_project(m, m->mesh->step[n].t, x, v, v + d, m->mesh->by_v);
 }
 
 static int finish(fvi_adjoint_mechanism *m)
