@@ -262,6 +262,8 @@ int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length
 int fvi_variable_step_has_impacts(const fvi_run *run);
 int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *o);
 int fvi_variable_step_copy_events(const fvi_event_watch *from, fvi_variable_step_state *o);
+int fvi_variable_step_archive_events(const fvi_stepper *s, fvi_variable_step_state *o, fvi_archive *v);
+int fvi_variable_step_room_for_times(fvi_event_watch *w, size_t count);
 void fvi_variable_step_free_events(fvi_event_watch *w);
 int fvi_variable_step_end_at_event(fvi_stepper *s, fvi_variable_step_state *o);
 double fvi_variable_step_outside(const fvi_event *e);

@@ -71,6 +71,44 @@ int fvi_variable_step_copy_events(const fvi_event_watch *from, fvi_variable_step
     return FVI_SUCCESS;
 }
 
+/* On which side of 0 each z is, and what has happened. A run that goes on may have less room for the times. */
+int fvi_variable_step_archive_events(const fvi_stepper *s, fvi_variable_step_state *o, fvi_archive *v)
+{
+    fvi_event_watch *w = o->watch;
+    size_t happened = w->happened;
+    const struct {
+        void *data;
+        size_t bytes;
+        int constant;
+    } pieces[] = {
+        { &w->count, sizeof w->count, 1 },
+        { w->side, numbers(o, w->count) * sizeof *w->side, 0 },
+        { &w->is_ready, sizeof w->is_ready, 0 },
+        { &w->is_over, sizeof w->is_over, 0 },
+        { &happened, sizeof happened, 0 },
+    };
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
+        status = v->serialize(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
+    if (!status && happened > w->count * (o->counts.steps + 1))
+        FVI_FAIL("not a state of this run", FVI_EINVAL);
+    if (!status)
+        status = fvi_variable_step_room_for_times(w, happened);
+    if (status)
+        return status;
+    for (w->happened = 0; w->happened < happened && !status; w->happened++) {
+        fvi_event_time *at = &w->times[w->happened];
+        status = v->serialize(v, &at->t, sizeof at->t, 0);
+        if (!status)
+            status = v->serialize(v, &at->event, sizeof at->event, 0);
+        if (!status)
+            status = v->serialize(v, &at->at_rest, sizeof at->at_rest, 0);
+        if (!status && !(at->event < w->count && at->t <= s->t))
+            FVI_FAIL("not a state of this run", FVI_EINVAL);
+    }
+    return status;
+}
+
 void fvi_variable_step_free_events(fvi_event_watch *w)
 {
     if (!w)

@@ -34,17 +34,25 @@ static int kick(fvi_stepper *s, const double *J, double factor)
     return status;
 }
 
+int fvi_variable_step_room_for_times(fvi_event_watch *w, size_t count)
+{
+    if (count <= w->room)
+        return FVI_SUCCESS;
+    const size_t room = 2 * count + 16;
+    fvi_event_time *more = realloc(w->times, room * sizeof *more);
+    if (!more)
+        FVI_FAIL("no memory for the events", FVI_ENOMEM);
+    w->times = more;
+    w->room = room;
+    return FVI_SUCCESS;
+}
+
 /* The time is noted. */
 static int note(fvi_event_watch *w, double t, size_t i, int at_rest)
 {
-    if (w->happened == w->room) {
-        const size_t room = 2 * w->room + 16;
-        fvi_event_time *more = realloc(w->times, room * sizeof *more);
-        if (!more)
-            FVI_FAIL("no memory for the events", FVI_ENOMEM);
-        w->times = more;
-        w->room = room;
-    }
+    const int status = fvi_variable_step_room_for_times(w, w->happened + 1);
+    if (status)
+        return status;
     w->times[w->happened++] = (fvi_event_time){ t, i, at_rest };
     return FVI_SUCCESS;
 }

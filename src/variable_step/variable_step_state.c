@@ -277,8 +277,6 @@ int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
     const size_t number = sizeof(double), whole = sizeof(int);
     const size_t once = STATE * o->d * number;
     const fvi_step_solver before = o->solve;
-    if (o->watch)
-        FVI_FAIL("a run with events cannot be saved", FVI_EUNSUP);
     const struct {
         void *data;
         size_t bytes;
@@ -321,6 +319,8 @@ int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
         && !(has_room_to_solve(o, before) && has_possible_times(s, o)
              && has_possible_control(o)))
         FVI_FAIL("not a state of this run", FVI_EINVAL);
+    if (!status && o->watch)
+        status = fvi_variable_step_archive_events(s, o, v);
     if (!status && o->modes)
         status = fvi_modes_archive(o->modes, v);
     if (!status && o->rising)

@@ -78,6 +78,63 @@ START_TEST(a_copy_knows_the_events)
 }
 END_TEST
 
+typedef struct {
+    fvi_archive archive;
+    char room[20000];
+    size_t at;
+    int is_saved;
+} shelf;
+
+static int serialize(fvi_archive *archive, void *data, size_t bytes, int constant)
+{
+    shelf *to = (shelf *)archive;
+    char *here = to->room + to->at;
+    ck_assert_uint_le(to->at + bytes, sizeof to->room);
+    to->at += bytes;
+    if (!to->is_saved)
+        memcpy(here, data, bytes);
+    else if (constant)
+        return memcmp(here, data, bytes) != 0;
+    else
+        memcpy(data, here, bytes);
+    return 0;
+}
+
+/* To the bit, with the times of all events, also of those before it was saved, and of a run that is over. */
+START_TEST(a_run_with_events_that_was_saved_goes_on)
+{
+    const double low = -0.5, rho = 0.3;
+    const fvi_event events[] = { impact(0.8), { .value = height, .params = (void *)&low, .action = FVI_EVENT_STOP },
+                                 { .value = speed, .action = FVI_EVENT_MARK } };
+    for (int is_stopped = 0; is_stopped < 2; is_stopped++) {
+        const fvi_system system = ball(&rho);
+        fvi_run run = fall(&system, is_stopped ? 1 : 3, is_stopped ? events + 1 : events, 5);
+        run.alpha = 0.7;
+        fvi_stepper *s = started(&run), *again = started(&run);
+        ck_assert_int_eq(fvi_stepper_advance_to(s, is_stopped ? 1 : 2, NULL, NULL), FVI_SUCCESS);
+        if (is_stopped)
+            go(s);
+        shelf to = { .archive = { serialize } };
+        ck_assert_int_eq(fvi_stepper_archive(s, &to.archive), FVI_SUCCESS);
+        const size_t size = to.at;
+        to.is_saved = 1;
+        to.at = 0;
+        ck_assert_int_eq(fvi_stepper_archive(again, &to.archive), FVI_SUCCESS);
+        ck_assert_uint_eq(to.at, size);
+        ck_assert_int_eq(fvi_stepper_is_over(again), fvi_stepper_is_over(s));
+        if (!is_stopped)
+            go(s), go(again);
+        size_t n, m;
+        const fvi_event_time *a = fvi_stepper_events(s, &n), *b = fvi_stepper_events(again, &m);
+        ck_assert(n == (is_stopped ? 1 : 8) && m == n && s->x[0] == again->x[0] && s->p[0] == again->p[0]);
+        for (size_t k = 0; k < n; k++)
+            ck_assert(a[k].t == b[k].t && a[k].event == b[k].event && a[k].at_rest == b[k].at_rest);
+        fvi_stepper_free(again);
+        fvi_stepper_free(s);
+    }
+}
+END_TEST
+
 /* ---- kicks ---- */
 
 /* As the impulse of a force at the same time, which both runs end a step at: to the bit. */
@@ -172,7 +229,8 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("events");
-    ADD_CASE(suite, "stops, marks, copies", stops_and_marks, a_copy_knows_the_events);
+    ADD_CASE(suite, "stops, marks, copies", stops_and_marks, a_copy_knows_the_events,
+             a_run_with_events_that_was_saved_goes_on);
     ADD_CASE(suite, "kicks", a_kick_is_an_impulse);
     ADD_CASE(suite, "refused", bad_events_are_refused);
     return run_suite(suite);

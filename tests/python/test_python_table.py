@@ -79,6 +79,9 @@ DUFFING = fvi.Problem("duffing:1,0.5", alpha=0.3, rho=0.4, force="cosine:1,2", t
     (FRAME, HOW), (DUFFING, dict(h=0.01)), (DUFFING, dict(h=0.01, method="fvi-bdf2")), (DUFFING, dict(steps=3000)),
     (DUFFING.replace(force=(np.array([0.0, 50, 100]), np.array([0.0, 1, 0]))), dict(t_eval=np.arange(0, 100, 0.25), h=0.01)),
     (fvi.Problem(lagrangian="v^2/2 - x^4/4", x0=1, v0=0, time=20), dict(h=0.01)),
+    (fvi.Problem("9.81*x", rho=0.05, alpha=0.3, x0=1, p0=0, time=3), dict(events=["x : impact:0.8", "v : mark"])),
+    (fvi.Problem("9.81*x", rho=0.05, alpha=0.3, x0=1, p0=0, time=9), dict(events="x : impact:0.8", steps=3000)),  # at rest
+    (fvi.Problem(lagrangian="v^2/2 - x^4/4", x0=1, v0=0, time=20), dict(events=[fvi.Event("x - 0.5"), "v : mark", "x + t - 14 : stop"])),
     (fvi.Problem(M=np.eye(2), K=[[2, -1], [-1, 1]], C=np.eye(2), force="cosine:1,2", time=20), dict(h=0.01)),
 ])
 def test_a_motion_that_was_stopped_goes_on(problem, options, tmp_path, monkeypatch):
@@ -87,8 +90,8 @@ def test_a_motion_that_was_stopped_goes_on(problem, options, tmp_path, monkeypat
     monkeypatch.setattr(_checkpoint, "SECONDS", 0.0)  # it is written at every 64th step
     written = []
 
-    def save_and_stop(self, stepper, x, p):
-        save(self, stepper, x, p)
+    def save_and_stop(self, stepper, x, p, happened):
+        save(self, stepper, x, p, happened)
         written.append(len(x))
         if len(written) in (1, 3, 4):
             raise Stopped
@@ -99,9 +102,11 @@ def test_a_motion_that_was_stopped_goes_on(problem, options, tmp_path, monkeypat
     assert len(written) == 4 and written == sorted(written) and written[-1] < len(whole.t)
     s = fvi.solve(problem, **options, checkpoint=path)
     assert np.array_equal(s.x, whole.x) and np.array_equal(s.p, whole.p) and s.steps == whole.steps and s.message == whole.message
+    for name in ("t_events", "x_events", "p_events"):
+        assert all(map(np.array_equal, getattr(s, name), getattr(whole, name)))
     monkeypatch.setattr(_checkpoint.Checkpoint, "save", None)  # nothing is left to do
     again = fvi.solve(problem, **options, checkpoint=str(path))
-    assert np.array_equal(again.x, whole.x)
+    assert np.array_equal(again.x, whole.x) and all(map(np.array_equal, again.x_events, whole.x_events)) and again.message == whole.message
     assert [each.name for each in tmp_path.iterdir()] == ["state"]
 
 
@@ -120,9 +125,8 @@ def test_a_checkpoint_of_another_motion_is_refused(tmp_path):
     path.write_text("no zip")
     with pytest.raises(ValueError, match="^checkpoint: .* is no checkpoint"):
         fvi.solve(DUFFING, h=0.1, checkpoint=path)
-    for options in (dict(error=1e-3), dict(events="x : mark")):
-        with pytest.raises(ValueError, match="^checkpoint: not together with"):
-            fvi.solve(DUFFING, checkpoint=path, **options)
+    with pytest.raises(ValueError, match="^checkpoint: not together with error"):
+        fvi.solve(DUFFING, checkpoint=path, error=1e-3)
     with pytest.raises(ValueError, match="^checkpoint: of one motion"):
         fvi.sweep(DUFFING, {"rho": [1, 2]}, h=0.1, checkpoint=path)
     with pytest.raises(TypeError, match="fvi.solve takes it"):

@@ -3,12 +3,15 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
+import math
 import os
+import time
 from typing import Any, Optional
 
 import numpy as np
 
 from ._arguments import Array
+from ._events import Happened
 from ._fvi import ffi, lib
 from ._library import ask, error_of, failure, succeed
 from ._run import version
@@ -43,13 +46,14 @@ class Checkpoint:
         key = described_by([version(), problem, dataclasses.replace(how, checkpoint=None)])
         self.key = np.frombuffer(hashlib.sha256(key).digest(), np.uint8)
 
-    def load(self, stepper: Any, x: Array, p: Array) -> int:
-        """How many rows stood; the run is where it was."""
+    def load(self, stepper: Any, x: Array, p: Array, happened: Happened) -> tuple:
+        """How many rows stood, and how many events; the run is where it was."""
         if not os.path.exists(self.path):
-            return 0
+            return 0, 0
         try:
             with np.load(self.path, allow_pickle=False) as file:
                 key, state, old_x, old_p = (file[name] for name in ("key", "state", "x", "p"))
+                events = {name: file[name] for name in happened.flat()}
         except (OSError, ValueError, KeyError, EOFError) as error:
             raise ValueError(f"checkpoint: {self.path} is no checkpoint; remove it, or choose another name") from error
         if not np.array_equal(key, self.key):
@@ -60,9 +64,9 @@ class Checkpoint:
         succeed(ask(lib.load_stepper, stepper, ffi.from_buffer("unsigned char[]", np.ascontiguousarray(state)), state.size),
                 f" (checkpoint {self.path})")
         x[:rows], p[:rows] = old_x, old_p
-        return rows
+        return rows, happened.put(events)
 
-    def save(self, stepper: Any, x: Array, p: Array) -> None:
+    def save(self, stepper: Any, x: Array, p: Array, happened: Happened) -> None:
         """Complete or not at all."""
         size = ffi.new("size_t *")
         succeed(ask(lib.save_stepper, stepper, ffi.NULL, 0, size))
@@ -71,7 +75,7 @@ class Checkpoint:
         new = f"{self.path}.{os.getpid()}.new"
         try:
             with open(new, "wb") as file:
-                np.savez(file, key=self.key, state=state, x=x, p=p)
+                np.savez(file, key=self.key, state=state, x=x, p=p, **happened.flat())
                 file.flush()
                 os.fsync(file.fileno())
             os.replace(new, self.path)
@@ -81,20 +85,31 @@ class Checkpoint:
             raise
 
 
-def rows_with_checkpoint(motion: Any, file: Checkpoint, t: Array, x: Array, p: Array, count: Any) -> tuple:
-    """All rows, from where the file has come to: an error or None, and the stepper."""
+def rows_by_stepper(motion: Any, events: Any, file: Optional[Checkpoint], t: Array, x: Array, p: Array, count: Any) -> tuple:
+    """Rows, from where a file has come to if there is one, until an event ends the motion: an error or None, what
+    happened, and the stepper."""
     out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
+    happened, known, saved = Happened(events, motion.system.d), 0, time.monotonic()
     status = ask(lib.fvi_stepper_start, motion.method, motion.run, out, error)
     if status:
-        return error_of(error, status) if error.code == status else failure(status), None
-    stepper, failed = ffi.gc(out[0], lib.fvi_stepper_free), None  # type: Any, Optional[Error]
-    count.rows = file.load(stepper, x, p)
+        return error_of(error, status) if error.code == status else failure(status), happened, None
+    stepper = ffi.gc(out[0], lib.fvi_stepper_free)
+    if file:
+        count.rows, known = file.load(stepper, x, p, happened)
+        happened.note(stepper, known)
     arrays = [ffi.from_buffer("double[]", a) for a in (t, x, p)]
-    while failed is None and count.rows < len(t):
-        status = ask(lib.rows_of_stepper, stepper, len(t), *arrays, count, SECONDS)
+
+    def is_done() -> bool:
+        is_over = lib.fvi_stepper_is_over(stepper)
+        return count.rows == len(t) or bool(is_over and not t[count.rows] <= stepper.t)
+    while not is_done():
+        status = ask(lib.rows_of_stepper, stepper, len(t), *arrays, count, SECONDS if file else math.inf)
+        known = happened.note(stepper, known)
         if status:
-            failed = failure(status, f" (step {stepper.k + 1})")
+            failed: Error = failure(status, f" (step {stepper.k + 1})")
             failed.step = stepper.k + 1
-        else:
-            file.save(stepper, x[:count.rows], p[:count.rows])
-    return failed, stepper
+            return failed, happened, stepper
+        if file and (is_done() or time.monotonic() - saved >= SECONDS):
+            file.save(stepper, x[:count.rows], p[:count.rows], happened)
+            saved = time.monotonic()
+    return None, happened, stepper

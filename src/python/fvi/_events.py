@@ -1,7 +1,6 @@
 """Events of a motion: marks, stops, impacts."""
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Any, Callable, Optional, Sequence, Union
 
@@ -9,7 +8,7 @@ import numpy as np
 
 from ._arguments import Array, described, function, spelt, word
 from ._fvi import ffi, lib
-from ._library import ask, error_of, failure, keep, understand
+from ._library import keep, understand
 from ._system import Asked
 
 
@@ -146,34 +145,26 @@ class Happened:
         x, p = (np.frombuffer(ffi.buffer(a, 8 * self.d)).copy() for a in (stepper.x, stepper.p))
         for i in range(known, count[0]):
             self.rows[at[i].event].append((at[i].t, x, p))
-            if lib.fvi_stepper_is_over(stepper):
-                name = self.events[at[i].event].name
-                self.end = f"at rest at '{name}' from t = {at[i].t:.6g}" if at[i].at_rest else \
-                    f"ended by '{name}' at t = {at[i].t:.6g}"
+        if count[0] and lib.fvi_stepper_is_over(stepper):
+            last = at[count[0] - 1]
+            name = self.events[last.event].name
+            self.end = f"at rest at '{name}' from t = {last.t:.6g}" if last.at_rest else f"ended by '{name}' at t = {last.t:.6g}"
         return count[0]
+
+    def flat(self) -> dict:
+        """For a file: which event each of all rows is of, and these rows."""
+        which = [i for i, rows in enumerate(self.rows) for _ in rows]
+        rows = [row for each in self.rows for row in each]
+        return {"event": np.array(which, dtype=int), "event_t": np.array([row[0] for row in rows]),
+                **{name: np.array([row[k] for row in rows]).reshape(-1, self.d) for k, name in ((1, "event_x"), (2, "event_p"))}}
+
+    def put(self, flat: dict) -> int:
+        """From such a file; how many there are."""
+        for i, t, x, p in zip(*(flat[name] for name in ("event", "event_t", "event_x", "event_p"))):
+            self.rows[i].append((float(t), x.copy(), p.copy()))
+        return len(flat["event"])
 
     def arrays(self) -> tuple:
         """t, x and p: of each event an array."""
         return tuple([np.array([row[i] for row in rows]).reshape((-1,) + (() if i == 0 else (self.d,)))
                       for rows in self.rows] for i in range(3))
-
-
-def rows_with_events(motion: Any, events: Sequence[Event], t: Array, x: Array, p: Array, count: Any) -> tuple:
-    """Rows until an event ends the motion: what it returned, as an error or None; what happened; the stepper."""
-    out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
-    happened, known = Happened(events, motion.system.d), 0
-    status = ask(lib.fvi_stepper_start, motion.method, motion.run, out, error)
-    if status:
-        return error_of(error, status) if error.code == status else failure(status), happened, None
-    stepper = ffi.gc(out[0], lib.fvi_stepper_free)
-    arrays = [ffi.from_buffer("double[]", a) for a in (t, x, p)]
-    while not status and count.rows < len(t):
-        status = ask(lib.rows_of_stepper, stepper, len(t), *arrays, count, math.inf)
-        known = happened.note(stepper, known)
-        if lib.fvi_stepper_is_over(stepper) and not (count.rows < len(t) and t[count.rows] <= stepper.t):
-            break
-    if not status:
-        return None, happened, stepper
-    failed = failure(status, f" (step {stepper.k + 1})")
-    failed.step = stepper.k + 1
-    return failed, happened, stepper

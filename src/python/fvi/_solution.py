@@ -6,7 +6,7 @@ from typing import Any, Optional
 import numpy as np
 
 from ._arguments import Array, Numbers, numbers, word
-from ._events import rows_with_events
+from ._checkpoint import rows_by_stepper
 from ._fvi import ffi, lib
 from ._library import ask, error_of, failure, succeed
 from ._problem import Problem
@@ -147,7 +147,7 @@ class Solution:
         count = ffi.new("row_count *", {"all": wanted.size})
         if self.how.events:
             self.check(wanted)
-            raised, _, stepper = rows_with_events(self.motion, self.how.events, wanted, x, p, count)
+            raised, _, stepper = rows_by_stepper(self.motion, self.how.events, None, wanted, x, p, count)
             if raised is None and count.rows < wanted.size:
                 raise ValueError(f"t: {wanted[count.rows]:g} is behind the end of the motion, t = {stepper.t:g}")
         elif self.motion.method.stages:

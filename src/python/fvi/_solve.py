@@ -10,8 +10,8 @@ from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
 import numpy as np
 
 from ._arguments import Array, Numbers, choice, described, function, number, numbers, spelt, whole, word
-from ._checkpoint import Checkpoint, rows_with_checkpoint
-from ._events import Event, Events, listed, rows_with_events
+from ._checkpoint import Checkpoint, rows_by_stepper
+from ._events import Event, Events, listed
 from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, warn, warn_of_start
 from ._mechanism import Mechanism, Structure, own_law
@@ -145,9 +145,8 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
         raise ValueError("steps: not together with t_eval, which says where the rows are; the steps between them are found")
     if events and error is not None:
         raise ValueError("error: not together with events; step_error is what one step of fvi-adaptive may be off by")
-    for other, is_there in (("error", error is not None), ("events", bool(events))):
-        if checkpoint is not None and is_there:
-            raise ValueError(f"checkpoint: not together with {other}")
+    if checkpoint is not None and error is not None:
+        raise ValueError("checkpoint: not together with error")
     for name, one, others in (("error", error, ("h", "step_error")), ("step_error", step_error, ("h",))):
         for other in others:
             if one is not None and {"h": h, "step_error": step_error}[other] is not None:
@@ -297,10 +296,9 @@ def by_stepper(motion: Motion, how: Numerics, t: Array, x: Array, p: Array, coun
     events, end = None, None
     if how.t_eval is not None:
         check_times(t, motion.time, None if lib.is_dense(motion.method) else motion.run.h)
-    if how.checkpoint:
-        raised, stepper = rows_with_checkpoint(motion, Checkpoint(how.checkpoint, motion.problem, how), t, x, p, count)
-    else:
-        raised, happened, stepper = rows_with_events(motion, how.events, t, x, p, count)
+    file = Checkpoint(how.checkpoint, motion.problem, how) if how.checkpoint else None
+    raised, happened, stepper = rows_by_stepper(motion, how.events, file, t, x, p, count)
+    if how.events:
         events, end = happened.arrays(), happened.end
     if raised is not None:
         return Found(raised, count.rows, "", None, motion.run.h, None, events)
@@ -341,7 +339,7 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
     events      what is watched, of "fvi-adaptive": 'Z : WHAT' as the program has them, "x : impact:0.8", "v : mark",
                 "x1 - 2 : stop", or an `Event`; one or several. The Solution has their times, t_events
     checkpoint  the name of a file to which the motion is written, every 10 s and at its end. If it is there, the motion
-                goes on from it: the numbers are those of a run that was never stopped, to the bit
+                goes on from it: the numbers are those of a run that was never stopped, to the bit; events, too. Not with error
     memory, tolerance  how the past is summed, "auto", "direct" or "exponentials", and the tolerance of the latter
 
     Raises TypeError and ValueError for what cannot be meant; fvi.Error with the library's code for what could not
