@@ -219,8 +219,9 @@ static int load_stepper(fvi_stepper *s, const unsigned char *from, size_t size)
     const int status = fvi_stepper_archive(s, &b.archive);
     return status ? status : b.at == size ? 0 : FVI_EINVAL;
 }
-/* x at increasing times: at the ends of steps, but for roundings, as they are, and by their stages between them. */
-static int places_within(fvi_stepper *s, size_t count, const double *t, double *x)
+/* x at increasing times: at the ends of steps, but for roundings, as they are, and by their stages between them; and p, if
+ * it is not NULL, of the last end. */
+static int places_within(fvi_stepper *s, size_t count, const double *t, double *x, double *p)
 {
     const size_t d = s->run.system->d;
     int status = 0;
@@ -234,6 +235,8 @@ static int places_within(fvi_stepper *s, size_t count, const double *t, double *
             memcpy(x + i * d, s->x, d * sizeof *x);
         else if (!status)
             status = fvi_lobatto_within(s, t[i], x + i * d);
+        if (!status && p)
+            memcpy(p + i * d, s->p, d * sizeof *p);
     }
     return status;
 }

@@ -130,8 +130,9 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
 /* Before steps that take long, before one of many if they do not: asking costs nothing. */
 static int is_time_to_ask(const fvi_stepper *s)
 {
-    enum { FEW = 32 /* coordinates */, MANY = 64 /* steps */ };
-    return s->k % MANY == 0 || s->run.system->d >= FEW || s->method->dense;
+    enum { FEW = 32 /* coordinates, of each stage */, MANY = 64 /* steps */ };
+    const size_t unknowns = s->run.system->d * (s->method->stages ? s->method->stages : 1);
+    return s->k % MANY == 0 || unknowns >= FEW || s->method->dense;
 }
 
 /* How many rows a method that chooses its steps has passed at s->t. */

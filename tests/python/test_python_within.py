@@ -46,3 +46,24 @@ def test_a_structure_has_a_path_between_the_steps():
     structure = fvi.Problem(M=M, K=K, x0=[1, 0.5], p0=[0, 1], time=5)
     one, other = (fvi.solve(q, h=0.1, method="fvi-lobatto4d")(t) for q in (masses, structure))
     assert abs(one - other).max() < 1e-13  # seen: 2e-15
+
+
+def test_momenta_are_known_where_the_method_knows_them():
+    """By fvi-adaptive at any time, as a run with rows there gives them; else at the ends of steps; all to the bit."""
+    t = np.array([[0.3, 17.25], [3.21, 0.3]])
+    adaptive = fvi.solve(DUFFING, step_error=1e-8)
+    x, p = adaptive.state(t)
+    rows = fvi.solve(DUFFING, [0.3, 3.21, 17.25], step_error=1e-8)
+    assert x.shape == p.shape == (2, 2, 1) and np.array_equal(x, adaptive(t))
+    assert np.array_equal(x[..., 0].ravel()[[0, 2, 1]], rows.x[:, 0]) and np.array_equal(p[..., 0].ravel()[[0, 2, 1]], rows.p[:, 0])
+    for options in (dict(h=0.1), dict(h=0.1, method="fvi-lobatto4"), dict(error=1e-6), dict(error=1e-6, method="fvi-lobatto3")):
+        s = fvi.solve(DUFFING, **options)
+        x, p = s.state(s.t[::-7])
+        assert np.array_equal(x, s.x[::-7]) and np.array_equal(p, s.p[::-7])
+    ball = fvi.solve(fvi.Problem("9.81*x", rho=0.05, x0=1, p0=0, time=2), events="x : impact:0.8")
+    assert np.array_equal(ball.state(ball.t)[1], ball.p)
+    with pytest.raises(ValueError, match="^t: 0.25 is within a step, where fvi-lobatto4 knows no momentum"):
+        fvi.solve(DUFFING, h=0.1, method="fvi-lobatto4").state(0.25)
+    with pytest.raises(fvi.Error, match="^t_eval: .*solution.t. has the places between the steps"):
+        fvi.solve(DUFFING, [0.25], h=0.1, method="fvi-lobatto4")
+    assert fvi.solve(DUFFING, h=0.1, method="fvi-lobatto4").state(0.25, momenta=False)[1] is None

@@ -34,7 +34,7 @@ class Solution:
     estimate    of the largest error of x, where one was asked for
     problem     what was solved
 
-    A call, solution(t), gives x at other times, (d,) or (n, d), by the polynomials of the method's own
+    A call, solution(t), gives x at other times, (d,) or (n, d), and state(t) x and p, by the polynomials of the method's own
     steps: "fvi-adaptive" is as right there as at its rows, "fvi-lobattoS" of order S at most; methods without stages
     know the ends of their steps. Each call is a run; so ask
     for many times at once. A Solution pickles with its problem."""
@@ -141,6 +141,14 @@ class Solution:
         return found
 
     def __call__(self, t: Numbers) -> Array:
+        return self.state(t, momenta=False)[0]
+
+    def state(self, t: Numbers, *, momenta: bool = True) -> tuple:
+        """Places and momenta at other times, x and p, (d,) or (n, d) each: of "fvi-adaptive" at any time, of other methods
+        at the ends of their steps. momenta: False: x alone, at all times at which solution(t) knows it; p is None.
+
+            x, p = solution.state([1.5, 2.5])
+        """
         times = numbers("t", t)
         wanted, back = np.unique(times, return_inverse=True)
         x, p = np.empty((2, wanted.size, self.x.shape[1]))
@@ -151,13 +159,14 @@ class Solution:
             if raised is None and count.rows < wanted.size:
                 raise ValueError(f"t: {wanted[count.rows]:g} is behind the end of the motion, t = {stepper.t:g}")
         elif self.motion.method.stages:
-            raised = self.within_steps(wanted, x)
+            raised = self.within_steps(wanted, x, p if momenta else None)
         else:
             status, _, error = self.motion.solve(self.how, self.problem.time, np.ascontiguousarray(wanted), x, p, count)
             raised = None if not status else error_of(error, status) if error.code == status else failure(status)
         if raised is not None:
             raise raised
-        return x[back.reshape(-1)].reshape(times.shape + (self.x.shape[1],))
+        shape = times.shape + (self.x.shape[1],)
+        return x[back.reshape(-1)].reshape(shape), p[back.reshape(-1)].reshape(shape) if momenta else None
 
     def check(self, t: Array) -> None:
         """Do increasing times lie within the motion?"""
@@ -165,16 +174,21 @@ class Solution:
         if not (t.size == 0 or 0 <= t[0] <= t[-1] <= end):
             raise ValueError(f"t: {t[0] if not t[0] >= 0 else t[-1]:g} is not within the motion, 0 ... {end:g}")
 
-    def within_steps(self, t: Array, x: Array) -> Optional[Error]:
-        """x at increasing times, by the polynomials of the stages."""
+    def within_steps(self, t: Array, x: Array, p: Optional[Array]) -> Optional[Error]:
+        """x at increasing times, by the polynomials of the stages; p at the ends of steps."""
         from ._observe import as_run
         self.check(t)
+        h = as_run(self.motion, self).h
+        for k in np.flatnonzero(abs(t / h - np.round(t / h)) > 1e-12 * np.maximum(t / h, 1))[:1]:
+            if p is not None:
+                raise ValueError(f"t: {t[k]:.10g} is within a step, where {self.how.method} knows no momentum; the steps "
+                                 f"have the length {h:.10g}, and fvi-adaptive knows momenta at any time")
         out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
         status = ask(lib.fvi_stepper_start, self.motion.method, as_run(self.motion, self), out, error)
         if not status:
             stepper = ffi.gc(out[0], lib.fvi_stepper_free)
             status = ask(lib.places_within, stepper, t.size, ffi.from_buffer("double[]", np.ascontiguousarray(t)),
-                         ffi.from_buffer("double[]", x))
+                         ffi.from_buffer("double[]", x), ffi.NULL if p is None else ffi.from_buffer("double[]", p))
         return None if not status else error_of(error, status) if error.code == status else failure(status)
 
     def table(self, columns: str) -> dict:

@@ -274,7 +274,8 @@ def by_library(motion: Motion, how: Numerics, x: Array, p: Array, count: Any) ->
     if status:
         raised = error_of(error, status) if error.code == status else failure(status)
         if str(raised).startswith("t["):
-            raised.field, raised.args = "t_eval", (f"t_eval: {raised}",)
+            within = "; solution(t) has the places between the steps" if motion.method.stages else ""
+            raised.field, raised.args = "t_eval", (f"t_eval: {raised}{within}",)
         return Found(raised, count.rows, "", None, motion.run.h)
     estimate = report.error if how.error is not None else None
     said = f"{report.steps} steps of {how.method}" + (f", error {estimate:.2g} by an estimate" if estimate else "")

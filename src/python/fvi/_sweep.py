@@ -4,6 +4,7 @@ from __future__ import annotations
 import concurrent.futures
 import itertools
 import os
+import queue
 from collections.abc import Mapping
 from typing import Any, Callable, Optional, Sequence
 
@@ -84,17 +85,29 @@ def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[
             lib.obey(ffi.NULL)
     answers: list = [None] * len(grid)
     heard: list = [[]] * len(grid)
-    with concurrent.futures.ThreadPoolExecutor(min(threads, len(grid))) as pool:
-        futures = {pool.submit(one, i, values): i for i, values in enumerate(grid)}
+    todo, done = enumerate(grid), queue.SimpleQueue()  # type: Any, queue.SimpleQueue
+
+    def work() -> None:
+        for i, values in todo:  # which all threads share
+            if stop[0]:
+                return
+            try:
+                done.put((i, one(i, values), None))
+            except BaseException as error:
+                done.put((i, None, error))
+    count = min(threads, len(grid))
+    with concurrent.futures.ThreadPoolExecutor(count) as pool:
         try:
-            for n, future in enumerate(concurrent.futures.as_completed(futures), 1):
-                answers[futures[future]] = future.result()
+            for _ in range(count):
+                pool.submit(work)
+            for n in range(1, len(grid) + 1):
+                i, answers[i], failed = done.get()
+                if failed is not None:
+                    raise failed
                 if tell:
                     tell(n, len(grid))
         except BaseException:
             stop[0] = 1
-            for future in futures:
-                future.cancel()
             raise
         finally:
             if isinstance(tell, Bar):
