@@ -11,7 +11,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
 /* Of a run, and of no use to its derivatives. */
 static const char *const not_for_gradient[] = {
     "error",      "columns",  "reduce",   "every",    "format", "plot",

@@ -1,9 +1,8 @@
 /* src/variable_step/variable_step.h -- What a run with variable steps keeps.     [H 22]
  *
- * Internal: variable_step_start.c makes it, variable_step_state.c holds it, variable_steps.c steps
- * with it, variable_step_events.c ends a step at an event, variable_step_impact.c has what the event does,
- * variable_step_solve.c solves the equation of a step, variable_step_dense.c has what is between its ends,
- * variable_step_singular.c the start that is not smooth. */
+ * Internal. The files beside it each have one part: _start makes it, _state holds it, _solve solves the
+ * equation of a step, _dense has what is between its ends, _singular the start that is not smooth,
+ * _events ends a step at an event, and _impact has what the event does. */
 #ifndef FVI_VARIABLE_STEP_H
 #define FVI_VARIABLE_STEP_H
 
@@ -16,12 +15,10 @@
 #include <gsl/gsl_machine.h>
 #include <math.h>
 
-/* With a larger tolerance equations are solved to fewer digits, and of a singular start fewer
- * terms are taken; ten times larger, and the modes are coarse. */
+/* Above it equations have fewer digits and a singular start fewer terms; above ten times it modes are coarse. */
 #define FVI_TOLERANCE_LOOSE 1e-6
 
-/* With a still larger one steps are so long that a step's polynomial is no guess beyond it,
- * and one Hessian does not do for all stages. */
+/* Above it a step's polynomial is no guess beyond the step, and stages need Hessians of their own. */
 #define FVI_TOLERANCE_VERY_LOOSE 1e-2
 
 /* The least tolerance, of the size: rounding hides what is less. */
