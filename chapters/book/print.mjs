@@ -49,7 +49,7 @@ function fit() {
       return false;
     };
     box.classList.add("unbroken"); // better a little smaller than in two lines
-    if (fits(0.75)) continue;
+    if (fits(part.className === "table" ? 0.68 : 0.75)) continue;
     box.classList.remove("unbroken");
     if (part.className == "table" || !fits(0.65)) bad.push(box.textContent.slice(0, 60));
   }
