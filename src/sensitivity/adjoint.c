@@ -100,7 +100,8 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("stages need their own run", FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_LOBATTO && !method->damped_inertia
         && want->alpha && run->alpha == 1)
-        FVI_FAIL("p of form M jumps at alpha = 1", FVI_EUNSUP);
+        FVI_FAIL("at alpha = 1 fvi-lobatto2 to 8 have no derivative by alpha, as p jumps there; "
+                 "fvi-lobatto2d to 8d have", FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_VARIABLE_STEP
         && (want->orders || want->times || want->ends
             || (want->terms

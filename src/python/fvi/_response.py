@@ -20,7 +20,8 @@ class Linear:
     """A problem made linear at a place, with room for its factors."""
 
     def __init__(self, problem: Problem, about: Optional[Numbers], along: Optional[Numbers] = None):
-        self.motion = Motion(problem, chosen(problem, None, None, None, None, None, None, None, None, None, "auto", 0.0))
+        how = chosen(problem, None, None, "fvi-stable", None, 1, None, None, None, None, "auto", 0.0)  # no step is taken
+        self.motion = Motion(problem, how)
         system, run = self.motion.system, self.motion.run
         at = system.x0 if about is None else np.ascontiguousarray(np.broadcast_to(numbers("about", about), (system.d,)))
         self.d = system.d

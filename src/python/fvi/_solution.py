@@ -22,7 +22,8 @@ class Solution:
     a           accelerations, (n, d)
     forces      of each damper, a dict by its name, "d1", ... if it has none: (n, its number of forces)
     impulses    their integrals, likewise
-    work        what each damper has taken, a dict by names of n numbers, and "force" what the force has given
+    work        what each damper has taken, a dict by names of n numbers, and "force" what the force has given. Of several
+                dampers of matrices "fvi-lobatto4d" and its kin know forces and work, and "fvi-adaptive" does not
     multipliers of the constraints, (n, their number); reactions: what moves each coordinate that is imposed, a dict, "x1", ...
     ag          acceleration of the ground, n numbers, 0 if it does not move
     t_events    of each event an array of its times; x_events, p_events: x and p there, (k, d), p behind an impact

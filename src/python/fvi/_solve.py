@@ -108,9 +108,12 @@ class Bar:
     """A line on standard error that says how far a call is; it goes when the call is over."""
 
     def __init__(self) -> None:
-        self.is_there = False
+        self.is_there, self.percent = False, -1
 
     def __call__(self, rows: int, all: int) -> None:
+        if 100 * rows // all == self.percent:
+            return
+        self.percent = 100 * rows // all
         done = 30 * rows // all
         sys.stderr.write(f"\r[{'#' * done}{'.' * (30 - done)}] {100 * rows // all:3d} %")
         sys.stderr.flush()
@@ -326,7 +329,8 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
 
     t_eval      the times of the rows, increasing, within 0 ... time; None: evenly, or each step
     error       how far x may be off at any row, a length > 0, by the library's estimate
-    method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h; "fvi-bdf2" for a law with error;
+    method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h, of order 1, beside which "fvi-lobatto4"
+                has order 4 and more; "fvi-bdf2" for a law with error;
                 "fvi-stable" of mechanisms and matrices with h or steps, and for matrices with a damping of order 2 or,
                 with a warning, with several dampers
     h           the step, a time > 0 of which the problem's time is a multiple; of "fvi-adaptive", whose steps are its
