@@ -278,6 +278,11 @@ static int check_which(const fvi_estimation *fit, fvi_free_parameter which)
         FVI_FAIL("a law of damping does not read alpha", FVI_EUNSUP);
     if ((base == FVI_FREE_PARAMETER_RHO || base == FVI_FREE_PARAMETER_MASS) && system->matrices)
         FVI_FAIL("masses and dampings of matrices are not fitted", FVI_EUNSUP);
+    if (base == FVI_FREE_PARAMETER_MASS && system->mechanism && system->mechanism->lagrangian)
+        FVI_FAIL("the masses are those of the Lagrangian", FVI_EUNSUP);
+    if ((base == FVI_FREE_PARAMETER_MASS || base == FVI_FREE_PARAMETER_X0 || base == FVI_FREE_PARAMETER_P0)
+        && system->mechanism && system->mechanism->constraints)
+        FVI_FAIL("with another mass, x0 or p0 the start breaks a constraint", FVI_EUNSUP);
     if (base == FVI_FREE_PARAMETER_RHO && system->mechanism)
         FVI_FAIL("a system with dampers has no rho", FVI_EUNSUP);
     if (!has_number(fit, which))
@@ -314,9 +319,6 @@ int fvi_estimation_check(const fvi_estimation *fit)
         FVI_FAIL("a pointer of the fit is NULL", FVI_EFAULT);
     const fvi_system *system = fit->run->system;
     int status = fvi_system_check_any(system, NULL);
-    if (!status && system->mechanism
-        && (system->mechanism->lagrangian || system->mechanism->constraints))
-        FVI_FAIL("a fit is of masses and a potential, or of matrices", FVI_EUNSUP);
     if (!status)
         status = check_parameters(fit);
     return status ? status : fvi_estimation_check_data(fit);

@@ -2,7 +2,9 @@
 #include "identification_model.h"
 #include "identification_tangent.h"
 
+#include <fvi/dampers.h>
 #include <fvi/error.h>
+#include <fvi/lagrangian.h>
 #include <fvi/methods.h>
 
 #include <math.h>
@@ -91,16 +93,24 @@ static void stop_motion(motion *o)
     free(o->x);
 }
 
-/* h v of this p. */
-static int step_velocity(const motion *o, const double *p, double *hv)
+static int has_lagrangian(const motion *o)
+{
+    return o->system.mechanism && o->system.mechanism->lagrangian;
+}
+
+/* h v of this x and p at the time t. */
+static int step_velocity(const motion *o, double t, const double *x, const double *p, double *hv)
 {
     const size_t d = o->system.d;
     const double h = o->run.h;
+    const int is_solved = o->system.matrices || has_lagrangian(o);
     int status = FVI_SUCCESS;
-    if (o->system.matrices)
+    if (has_lagrangian(o))
+        status = fvi_velocity_of_momentum(&o->system, t, x, p, hv);
+    else if (o->system.matrices)
         status = fvi_velocity(&o->system, p, hv);
     for (size_t i = 0; i < d && !status; i++)
-        hv[i] = o->system.matrices ? h * hv[i] : h / o->system.mass[i] * p[i];
+        hv[i] = is_solved ? h * hv[i] : h / o->system.mass[i] * p[i];
     return status;
 }
 
@@ -111,9 +121,9 @@ static int read_between(motion *o, double t)
     const double h = o->run.h, share = (t - o->s->t) / h + 1;
     const int is_node = o->s->k == 0 || (o->system.matrices && fabs(share - 1) < 1e-9);
     int status = is_node && !o->asks_velocities ? FVI_SUCCESS
-                                                : step_velocity(o, o->s->p, o->hnext);
+                                                : step_velocity(o, o->s->t, o->s->x, o->s->p, o->hnext);
     if (!status && !is_node)
-        status = step_velocity(o, o->p, o->hv);
+        status = step_velocity(o, o->s->t - h, o->x, o->p, o->hv);
     for (size_t i = 0; i < d && !status; i++) {
         const double next = o->s->x[i];
         o->now[i] = is_node ? next
@@ -131,8 +141,10 @@ static int read_dense(motion *o, double t)
 {
     const size_t d = o->system.d;
     const double last = (double)o->run.steps * o->run.h;
-    const int status = fvi_stepper_advance_to(o->s, fmin(t, last), o->now,
-                                              o->asks_velocities ? o->p : NULL);
+    int status = fvi_stepper_advance_to(o->s, fmin(t, last), o->now,
+                                        o->asks_velocities ? o->p : NULL);
+    if (!status && o->asks_velocities && has_lagrangian(o))
+        return fvi_velocity_of_momentum(&o->system, fmin(t, last), o->now, o->p, o->now + d);
     for (size_t i = 0; i < d && !status && o->asks_velocities; i++)
         o->now[d + i] = o->p[i] / o->system.mass[i];
     return status;

@@ -61,9 +61,9 @@ int fvi_options_needs_stepper(const fvi_options *o)
                && fvi_typed_columns_wanted(o->typed) & FVI_OBSERVE_VELOCITY);
 }
 
-/* Does the name stand in the text, with no letter, digit or _ beside it? */
-static int speaks_of(const char *text, const char *name, size_t length)
+int fvi_text_speaks_of(const char *text, const char *name)
 {
+    const size_t length = strlen(name);
     for (const char *at = text; (at = strstr(at, name)); at++) {
         const int before = at > text && (isalnum((unsigned char)at[-1]) || at[-1] == '_'),
                   after = isalnum((unsigned char)at[length]) || at[length] == '_';
@@ -82,7 +82,7 @@ static int check_named_columns(const fvi_options *o, fvi_error *c)
         for (int depth = 0; at[length] && (depth > 0 || at[length] != ','); length++)
             depth += (at[length] == '(') - (at[length] == ')');
         snprintf(name, sizeof name, "%.*s", (int)(named < 60 ? named : 60), at);
-        if (at[named] != '=' || !speaks_of(o->text[REDUCE], name, strlen(name)))
+        if (at[named] != '=' || !fvi_text_speaks_of(o->text[REDUCE], name))
             return fvi_refuse(c, "columns", "'%.*s' is of no use to --reduce, which has one row; "
                               "NAME=EXPRESSION is, if it speaks of NAME",
                               length < 60 ? (int)length : 60, at);

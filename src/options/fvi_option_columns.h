@@ -14,6 +14,9 @@ int fvi_options_check_columns(const fvi_options *o, fvi_error *c);
  * their words with others. */
 int fvi_options_check_reduced(const fvi_options *o, fvi_error *c);
 
+/* fvi_text_speaks_of -- does the name stand in the text, with no letter, digit or _ beside it? */
+int fvi_text_speaks_of(const char *text, const char *name);
+
 /* fvi_options_observes -- nonzero if what is asked for has sums over the steps. */
 int fvi_options_observes(const fvi_options *o);
 

@@ -18,12 +18,10 @@
 /* Of a run, and not of a fit, which takes its times from the data. */
 static const char *const not_for_fit[] = { "steps",      "time",     "error",
                                            "step-error", "columns", "reduce",
-                                           "ground",     "along",
                                            "every",      "format",   "plot",
                                            "checkpoint", "continue", "unknowns",
-                                           "snapshot",   "longest",  "lagrangian",
-                                           "constraint", "impose",   "force-on",
-                                           "v0",         "event",    NULL };
+                                           "snapshot",   "longest",  "v0",
+                                           "event",      NULL };
 
 static const fvi_own_command fit = {
     .name = "fit",
@@ -113,7 +111,7 @@ static int interpret(request *r, fvi_error *c)
     r->run = fvi_options_run(o, &r->system);
     r->fit = (fvi_estimation){ .method = o->method,
                         .run = &r->run,
-                        .constants = o->potential.expression ? o->lets.value
+                        .constants = fvi_fit_has_lets(o) ? o->lets.value
                                                       : o->potential.constants,
                         .which = r->which,
                         .h = has_step ? o->h : 0 };
@@ -164,7 +162,7 @@ static int read_data(request *r, fvi_error *c)
 static int make_box(request *r)
 {
     const int status = fvi_estimate_box(&r->fit, r->low, r->high);
-    for (size_t j = 0; j < r->fit.parameters && r->o.potential.expression; j++)
+    for (size_t j = 0; j < r->fit.parameters && fvi_fit_has_lets(&r->o); j++)
         if (r->which[j] >= FVI_FREE_PARAMETER_CONSTANT && r->which[j] < FVI_FREE_PARAMETER_EACH) {
             const double k =
                 r->o.lets.value[r->which[j] - FVI_FREE_PARAMETER_CONSTANT];

@@ -32,6 +32,9 @@ typedef struct {
     double *t, *curve; /* the times of a plan; the fitted motion, of all rows */
 } fvi_fit_request;
 
+/* Are the constants those of --let: of a potential, or a Lagrangian, that is an expression? */
+int fvi_fit_has_lets(const fvi_options *o);
+
 /* The parameters of --fit, into which and name. Returns 0, or 2 with the error written. */
 int fvi_fit_names(fvi_fit_request *r, fvi_error *c);
 

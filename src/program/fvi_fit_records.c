@@ -60,7 +60,7 @@ static double step_among(char *const *run)
 void fvi_fit_time(const fvi_subcommand_options *w, char *const *run, size_t size, char *text)
 {
     double last = 0;
-    for (size_t k = 0; k < w->operands && w->given[FORCE]; k++) {
+    for (size_t k = 0; k < w->operands && (w->given[FORCE] || w->given[GROUND]); k++) {
         const double end = last_time_of(w->all[k]);
         if (!(end <= last)) /* a NaN stays */
             last = end;
@@ -158,6 +158,8 @@ static int read_start(const request *r, struct fvi_fit_record *o, fvi_record *to
 
 static int read_force(request *r, struct fvi_fit_record *o, fvi_record *to, fvi_error *c)
 {
+    if (o->force_text && r->o.ground)
+        return fvi_refuse(c, "ground", "not together with a force of its own of a record, which would take its place");
     if (!o->force_text)
         return 0;
     const int status = fvi_parse_force(o->force_text, r->o.d, &r->o.lets, to->t[to->n - 1],

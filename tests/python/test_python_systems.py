@@ -4,6 +4,7 @@ import os
 import pickle
 import subprocess
 import sys
+import warnings
 
 import fvi
 import numpy as np
@@ -198,6 +199,45 @@ def test_a_structure_has_a_gradient():
         assert given[a] == other[b] != 0
     assert list(given) == ["rho1", "alpha1", "rho2", "alpha2"]
     assert np.isfinite(fvi.vjp(exchanged, x=wx, wrt="x0")["x0"]).all()
+
+
+# ---- fits ----
+
+FITTED = [
+    (dict(lagrangian="(1.5+x^2)*v^2/2 - c*x^2/2", x0=1, p0=0.5), dict(let={"c": 2}, dampers=["d = x : power:0.4,0.3"]),
+     dict(let={"c": 1.5}, dampers=["d = x : power:0.3,0.3"]), {"c": 2, "d.rho": 0.4}),
+    (dict(potential="x^2/2", ground="0.5*sin(2*t)", x0=0, p0=0), dict(alpha=0.3, rho=0.4), dict(alpha=0.4, rho=0.3), {"alpha": 0.3, "rho": 0.4}),
+    (dict(potential="k*x^2/2", force_on=["1=-0.3*v*abs(v)"], x0=1, p0=0.5), dict(let={"k": 2}, dampers=["d = x : power:0.4,0.3"]),
+     dict(let={"k": 1.5}, dampers=["d = x : power:0.3,0.3"]), {"k": 2, "d.rho": 0.4}),
+    (dict(potential="k*(x2-x1)^2/2", impose=["x1=0.3*sin(2*t)"], x0=[0, 0.25], p0=[0.6, 0]),
+     dict(let={"k": 2}, dampers=["s = x2-x1 : power:0.4,0.3"]), dict(let={"k": 1.5}, dampers=["s = x2-x1 : power:0.3,0.3"]),
+     {"k": 2, "s.rho": 0.4}),
+    (dict(lagrangian="(v1^2+v2^2)/2 - g*x2", constraints=["(x1^2+x2^2-1)/2"], x0=[1, 0], p0=[0, 0.5]),
+     dict(let={"g": 1}, dampers=["s = x1-x2 : power:0.4,0.3"]), dict(let={"g": 1.2}, dampers=["s = x1-x2 : power:0.3,0.3"]),
+     {"g": 1, "s.rho": 0.4}),
+]
+
+
+@pytest.mark.parametrize("problem, truth, guess, want", FITTED)
+def test_a_fit_takes_what_a_motion_takes(problem, truth, guess, want):
+    s = fvi.solve(fvi.Problem(**problem, **truth, time=8), method="fvi-lobatto4", steps=160)
+    shows = ["x1", "x2"] if s.x.shape[1] == 2 else None
+    data = (s.x if shows else s.x[:, 0]) + 1e-8 * np.random.default_rng(5).normal(size=s.x.shape if shows else len(s.t))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # an offset that would not be seen
+        found = fvi.fit(s.t, data, fvi.Problem(**problem, **guess), shows=shows, which=",".join(want), starts=4,
+                        method="fvi-lobatto4", h=0.05)
+    assert found.estimate == pytest.approx(want, abs=1e-6)
+
+
+@pytest.mark.parametrize("problem, which, why", [
+    (dict(ground="t", x0=0, p0=0), "mass", "the ground pulls"), (dict(lagrangian="v^2/2-x^2", x0=1, p0=0), "mass", "of the Lagrangian"),
+    (dict(potential="(x2-x1)^2", impose=["x1=sin(t)"], x0=0, p0=[1, 0]), "p0_2", "breaks a constraint"),
+    (dict(lagrangian="(v1^2+v2^2)/2", let={"l": 1}, constraints=["x1^2+x2^2-l"], x0=[1, 0], p0=[0, 1]), "l", "breaks a constraint")])
+def test_what_would_break_the_start_is_not_fitted(problem, which, why):
+    shows = ["x1", "x2"] if "x2" in str(problem) else None
+    with pytest.raises(ValueError, match=why):
+        fvi.fit([0, 1, 2], np.zeros((3, 2)) if shows else [0, 1, 2], fvi.Problem(**problem), shows=shows, which=which)
 
 
 # ---- by frequency ----

@@ -1,6 +1,7 @@
 """Parameters from a measured motion."""
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any, NamedTuple, Optional, Sequence, Union
 
@@ -153,6 +154,23 @@ def which_of(system: Any, run: Any, which: Optional[str], columns: list) -> tupl
     return asked, found
 
 
+def check_made(potential: Any, names: list, records: Sequence[Mapping]) -> None:
+    """What the words of a Problem have made of numbers that would change, as the program refuses it."""
+    if not isinstance(potential, Problem):
+        return
+    ties = [*potential.constraints, *potential.impose]
+    if potential.ground is not None and any(record.get("force") is not None for record in records):
+        raise ValueError("records: a force of their own would take the place of the ground's")
+    for name in names:
+        base = name.split("_")[0]
+        if base == "mass" and potential.ground is not None:
+            raise ValueError(f"which: '{name}': the ground pulls each mass by -m a_g, and would keep the old one")
+        if base == "mass" and potential.lagrangian is not None:
+            raise ValueError(f"which: '{name}': the masses are those of the Lagrangian")
+        if ties and (base in ("mass", "x0", "p0") or any(re.search(rf"(?<![\w]){re.escape(name)}(?![\w])", tie) for tie in ties)):
+            raise ValueError(f"which: '{name}': with another one the start breaks a constraint")
+
+
 def put_box(question: Any, system: Any, names: list) -> None:
     """Where to begin: the library knows nothing of the constants of an expression."""
     box = np.empty((2, len(names)))
@@ -213,6 +231,7 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential, Problem] = "har
     system, model, best = model_of(potential, last, method, options)
     columns, shown = sensors_of(system, shows, len(found[0].x))
     names, places = which_of(system, model, which, columns)
+    check_made(potential, names, records)
     deviations = np.zeros(len(shown)) if sigma is None else row("sigma", numbers("sigma", sigma), len(shown))
     question = ffi.new("fvi_estimation *")
     question.method, question.run = best, model

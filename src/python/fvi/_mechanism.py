@@ -71,6 +71,7 @@ class Mechanism:
         if self.lagrangian is not None:
             s.keep.append(ffi.new("char[]", self.lagrangian.encode()))
             t.lagrangian = s.keep[-1]
+            s.constants, s.names = s.values, list(s.let)
         for name, count, given in (("damper", "dampers", dampers), ("constraint", "constraints", self.lists["constraint"]),
                                    ("impose", "imposed", self.lists["impose"]),
                                    ("force_on", "forces_on", self.lists["force_on"])):
