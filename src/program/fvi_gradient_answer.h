@@ -26,6 +26,7 @@ typedef struct {
     fvi_mechanism_columns columns;  /* how dampers, constraints and forces of velocity speak of each */
     double names[FVI_MOST_USER_PARAMETERS];
     int is_tied[FVI_MOST_USER_PARAMETERS]; /* the start would have to follow it */
+    int is_jumped[FVI_MOST_USER_PARAMETERS], ground_jumps; /* at a node, in form D: no derivative by it, or by masses */
     int has_mass, has_alpha, has_terms, has_orders, has_pairs; /* which rows there are; has_pairs: of two
                                                       * springpots in series */
     char unstable[FVI_WARNING_ROOM];    /* what is said of the step */

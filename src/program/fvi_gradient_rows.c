@@ -168,11 +168,15 @@ static void rows_of_dampers(const visitor *v, const request *r)
         rows_of_damper(v, r, j, first);
 }
 
+#define OF_A_JUMP "what acts jumps at a row, where the two sides of form D count differently"
+
 /* By one factor of each matrix. */
 static void rows_of_matrices(const visitor *v, const request *r)
 {
     const fvi_mechanism *of = r->system.mechanism;
-    if (r->has_mass)
+    if (r->has_mass && r->ground_jumps)
+        warn(v, "mass", "no derivative by mass: %s", OF_A_JUMP);
+    else if (r->has_mass)
         row(v, "mass", "", r->to.mass);
     else
         warn(v, "mass", "no derivative by mass: steps of any length ask for the ground between the "
@@ -190,7 +194,9 @@ static void rows_of_matrices(const visitor *v, const request *r)
 static void rows_of_masses_and_potential(const visitor *v, const request *r)
 {
     static const char *const c_and_g[] = { "c", "g" };
-    if (r->has_mass)
+    if (r->has_mass && r->ground_jumps)
+        warn(v, "mass", "no derivative by mass: %s", OF_A_JUMP);
+    else if (r->has_mass)
         rows_of_masses(v, r, "mass", r->to.mass);
     else if (!r->o.text[LAGRANGIAN])
         warn(v, "mass", "no derivative by mass: %s",
@@ -229,6 +235,8 @@ void fvi_gradient_rows(const request *r, const visitor *v)
             warn(v, r->o.lets.name[j], "no derivative by %s: by a constraint the start would have to "
                  "follow it",
                  r->o.lets.name[j]);
+        else if (r->is_jumped[j])
+            warn(v, r->o.lets.name[j], "no derivative by %s: " OF_A_JUMP, r->o.lets.name[j]);
         else
             row(v, r->o.lets.name[j], "", r->lets + j);
 }

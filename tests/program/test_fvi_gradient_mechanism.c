@@ -126,6 +126,36 @@ START_TEST(rows_where_the_ground_moves_are_differences_of_runs)
 }
 END_TEST
 
+/* A jump at a row belongs half to either side; in form D the sides count differently, and there is no row. */
+START_TEST(a_ground_may_jump_at_a_row)
+{
+    static const char *const methods[] = { "fvi", "fvi-bdf2", "fvi-stable", "fvi-shifted", "fvi-lobatto2", "fvi-lobatto4" },
+                             *const jumps[] = { "--ground step:0.5,1", "--ground '0.5*sign(1-t)'" };
+    for (size_t i = 0; i < LEN(jumps) * LEN(methods); i++) {
+        char line[400], by_force[400];
+        snprintf(line, sizeof line, "--potential harmonic:4 %s --mass %%.17g --rho 0.5 --alpha 0.3 --h 0.125 --steps 16 --method %s ",
+                 jumps[i % 2], methods[i / 2]);
+        ck_assert_row_is_difference((&(moved){ line, "x", "mass", 2 }));
+        snprintf(by_force, sizeof by_force,
+                 "--potential harmonic:4 --force 'A*sign(1-t)' --let A=%%.17g --rho 0.5 --alpha 0.3 --h 0.125 --steps 16 --method %s ",
+                 methods[i / 2]);
+        ck_assert_row_is_difference((&(moved){ by_force, "x", "A", 1 }));
+    }
+    const char *same = "gradient --h 0.125 --steps 16 --method fvi-lobatto4d";
+    char line[200];
+    snprintf(line, sizeof line, "%s --ground step:0.5,1", same);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by mass: what acts jumps at a row"));
+    ck_assert(!strstr(out, "\nmass\t"));
+    snprintf(line, sizeof line, "%s --force 'A*sign(1-t)' --let A=1", same);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by A: what acts jumps at a row"));
+    snprintf(line, sizeof line, "%s --ground step:0.5,0.96", same); /* within a step: there is one */
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\nmass\t"));
+}
+END_TEST
+
 START_TEST(what_a_mechanism_has_no_row_of_is_said)
 {
     ck_assert_int_eq(fvi("gradient " CART "--let c=1 --impose 'x1=0.3*sin(2*t)' --x0 0,1.2 --v0 "
@@ -160,7 +190,7 @@ int main(void)
 {
     Suite *suite = suite_create("the program fvi: gradients of mechanisms");
     ADD_CASE(suite, "gradient", rows_of_a_mechanism_are_differences_of_runs,
-             rows_where_the_ground_moves_are_differences_of_runs,
+             rows_where_the_ground_moves_are_differences_of_runs, a_ground_may_jump_at_a_row,
              what_a_mechanism_has_no_row_of_is_said);
     return run_suite_of_program(suite);
 }

@@ -175,6 +175,24 @@ def test_the_ground_pulls_at_the_matrix_of_masses():
     assert abs(fvi.solve(shaken, h=0.01).x - x).max() < 1e-13 * abs(x).max()  # seen: 2e-15
 
 
+@pytest.mark.parametrize("method", ["fvi", "fvi-bdf2", "fvi-lobatto4", "fvi-lobatto4d"])
+def test_a_ground_may_jump_at_a_row(method):
+    """The derivatives by a mass and by a name in the ground are differences of motions; of form D there is none."""
+    def end(mass=1.3, A=0.5):
+        q = fvi.Problem("harmonic:4", mass=mass, rho=0.5, alpha=0.3, ground="A*sign(1-t)", let={"A": A}, x0=0.2, p0=0.1, time=2)
+        return fvi.solve(q, method=method, steps=16)
+    s, e = end(), 1e-5
+    last = np.zeros_like(s.x)
+    last[-1] = 1
+    if method == "fvi-lobatto4d":
+        with pytest.warns(fvi.FviWarning, match="jumps at a row"):
+            assert np.isnan(fvi.vjp(s, x=last, wrt="mass")["mass"])
+        return
+    by = fvi.vjp(s, x=last, wrt=["mass", "let"])
+    assert by["mass"] == pytest.approx((end(mass=1.3 + e).x[-1, 0] - end(mass=1.3 - e).x[-1, 0]) / (2 * e), abs=1e-9)
+    assert by["let"]["A"] == pytest.approx((end(A=0.5 + e).x[-1, 0] - end(A=0.5 - e).x[-1, 0]) / (2 * e), abs=1e-9)
+
+
 def test_a_bob_on_a_rod_hits_a_wall():
     """As the program has it, and as the same pendulum in its angle does."""
     bob = fvi.Problem(lagrangian="(v1^2+v2^2)/2 - x2", constraints="(x1^2+x2^2-1)/2", dampers="x1 : power:0.3,0.3",

@@ -57,7 +57,7 @@ typedef struct {
 } fvi_run;
 typedef struct {
     const char *name, *order, *memory;
-    int lowest, highest, stages;
+    int lowest, highest, stages, damped_inertia;
     double alpha_least, alpha_most;
     int takes_kappa, implicit, paper_convention;
     ...;

@@ -68,6 +68,25 @@ class Mirror:
         return np.append((np.arange(self.steps)[:, None] + np.array(c)).reshape(-1), self.steps) * self.motion.run.h
 
 
+    def sides(self) -> tuple:
+        """The same from within the steps beside a node: methods of order 2 or more take both sides of a jump there."""
+        at, per = self.times(), max(1, self.per)
+        if self.method.highest == 1:
+            return at, at
+        node = np.arange(at.size) % per == 0
+        before, after = (np.where(node, at * (1 + side * 4 * np.finfo(float).eps), at) for side in (-1, 1))
+        after[0] = before[0] = np.finfo(float).tiny
+        after[-1] = before[-1]
+        return before, after
+
+    def mean_of_sides(self, name: str, before: Array, after: Array) -> Array:
+        """Half of either; of form D, whose sides count differently, a jump leaves no derivative: NaN, and a warning."""
+        if self.method.damped_inertia and (abs(before - after) > 1e-9 * (abs(before) + abs(after))).any():
+            warn(f"{name}: no derivative by it: what acts jumps at a row, where the two sides of form D count differently")
+            return np.full(before.size, np.nan)
+        return (before + after) / 2
+
+
 def like(given: Any, by: Array) -> Any:
     """The derivative by what was given: one number for all coordinates, or each."""
     return by if np.size(given) == by.size and np.ndim(given) else float(by.sum()) if np.ndim(given) == 0 \
@@ -249,10 +268,12 @@ def add_energy(s: Solution, by: Optional[Array], system: Any, found: dict) -> No
 
 def add_ground(system: Any, mirror: Mirror, found: dict, whole: bool) -> None:
     """The ground pulls with -M r a, in which each mass stands, or a factor of M."""
-    d, times = mirror.d, mirror.times()
-    a, pull = np.empty(times.size), np.frombuffer(ffi.buffer(lib.fvi_ground_pull(system.ground), 8 * d))
-    succeed(ask(lib.accelerations_of_ground, system.ground, times.size, ffi.from_buffer("double[]", times),
-                ffi.from_buffer("double[]", a)))
+    d, pull, sides = mirror.d, np.frombuffer(ffi.buffer(lib.fvi_ground_pull(system.ground), 8 * mirror.d)), []
+    for times in mirror.sides():
+        sides.append(np.empty(times.size))
+        succeed(ask(lib.accelerations_of_ground, system.ground, times.size, ffi.from_buffer("double[]", times),
+                    ffi.from_buffer("double[]", sides[-1])))
+    a = mirror.mean_of_sides("mass", *sides)
     by = -(a @ found["force"].reshape(-1, d)) * pull
     found["mass"] += by.sum() if whole else by / np.frombuffer(ffi.buffer(system.system.mass, 8 * d))
 
@@ -300,7 +321,6 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
         answer["order"] = float(found["alpha"][0]) / 2
     if "potential" in names:
         answer["potential"] = found.get("parameters", np.zeros(0))
-    times = mirror.times() if not mirror.is_dense else np.arange(mirror.steps + 1) * mirror.motion.run.h
     by_force = found["force"].reshape(-1, d) if "force" in found else None
     if "let" in names:
         by_let = found["parameters"].copy() if "parameters" in found and (system.is_expression or q.lagrangian is not None) \
@@ -314,7 +334,9 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
             sums.append((lib.fvi_ground_typed(system.ground), -by_force @ pull))
         for j in range(len(lets)):
             if used[j] & lib.FVI_USED_BY_FORCE:
-                by_let[j] += sum(lib.fvi_typed_force_by_parameter(typed, j, t) * f for typed, by in sums for t, f in zip(times, by))
+                for typed, by in sums:
+                    sides = ([lib.fvi_typed_force_by_parameter(typed, j, t) for t in times] for times in mirror.sides())
+                    by_let[j] += mirror.mean_of_sides(f"let: {lets[j]}", *map(np.array, sides)) @ by
         answer["let"] = dict(zip(lets, by_let.tolist()))
     if "damping" in names:
         answer["damping"] = by_law(system.law, {f: found[f] for f in parts}, system.parameters) if parts else None
@@ -328,6 +350,7 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
         if mirror.is_dense and (abs(t / mirror.motion.run.h - np.round(t / mirror.motion.run.h)) > 1e-9).any():
             raise ValueError("force: of fvi-adaptive the times of the force must be among those of the rows, by which "
                              "it has derivatives; choose steps")
+        times = mirror.times() if not mirror.is_dense else np.arange(mirror.steps + 1) * mirror.motion.run.h
         answer["force"] = of_table(t, F.size // t.size, times, by_force).reshape(F.shape)
     return answer
 
