@@ -131,7 +131,7 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
 static int is_time_to_ask(const fvi_stepper *s)
 {
     enum { FEW = 32 /* coordinates, of each stage */, MANY = 64 /* steps */ };
-    const size_t unknowns = s->run.system->d * (s->method->stages ? s->method->stages : 1);
+    const size_t unknowns = s->run.system->d * (size_t)(s->method->stages ? s->method->stages : 1);
     return s->k % MANY == 0 || unknowns >= FEW || s->method->dense;
 }
 
