@@ -7,7 +7,7 @@ set xlabel "t"
 unset key
 INK = "#222222"
 set multiplot layout 2,2 margins 0.08,0.985,0.085,0.935 spacing 0.1,0.13
-set title "h = 0.2: implicit Euler loses"
+set title "h = 0.2: implicit Euler loses too much"
 set ylabel "x" offset 1.5
 set yrange [-1.2:1.3]
 set label 1 "exact; dots: FVI" at 6.9,0.75 center tc rgb INK
@@ -15,7 +15,7 @@ set label 2 "implicit Euler" at 7.05,-0.3 center tc ls IMPLICIT
 plot dat index 0 using 1:2 with lines ls 7 lw 1.6, \
      '' index 1 using 1:2 every 2 with points ls FVI, \
      '' index 2 using 1:2 with lines ls IMPLICIT
-set title "h = 0.1: explicit Euler gains"
+set title "h = 0.1: explicit Euler loses too little"
 unset label 1
 set label 2 "explicit Euler" at 6.75,0.98 center tc ls EXPLICIT
 plot dat index 0 using 1:2 with lines ls 7 lw 1.6, \
