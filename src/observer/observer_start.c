@@ -223,8 +223,8 @@ int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **to,
     if (s->method->dense && s->run.system->matrices && s->run.system->mechanism
         && wanted & (FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK))
         return fvi_fail(error, FVI_EUNSUP, "observer", NAN,
-                        "fvi-adaptive does not tell the forces of several dampers of a system with "
-                        "matrices apart; fvi-lobatto2d to 8d do");
+                        "fvi-adaptive does not tell the forces of the dampers of a system with matrices; "
+                        "fvi-lobatto2d to 8d do");
     fvi_observer *o = calloc(1, sizeof *o);
     if (!o)
         return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");

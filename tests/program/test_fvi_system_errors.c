@@ -183,8 +183,8 @@ START_TEST(of_three_things_the_one_that_fvi_adaptive_does_not_take_is_said)
                                        "with matrices, fvi-adaptive does not\n",
                             *const of_pole = "damper 1: a pole of this law is too near to its cut, or "
                                              "off it, for modes of variable steps; fvi-stable takes it\n",
-                            *const of_forces = "fvi-adaptive does not tell the forces of several dampers "
-                                               "of a system with matrices apart; fvi-lobatto2d to 8d do\n";
+                            *const of_forces = "fvi-adaptive does not tell the forces of the dampers of a system with matrices; "
+                                               "fvi-lobatto2d to 8d do";
     const struct {
         const char *words, *option, *reason;
     } wrong[] = {

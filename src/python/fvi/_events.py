@@ -23,7 +23,8 @@ class Event:
     value      z: an expression in x, v, p and t, or in x1, ..., v1, ..., p1, ..., t; or a function z(t, x, p). x and p are
                arrays of d numbers, or numbers where the start is one. z of an impact knows x and t alone
     action     "mark", the time is noted; "stop", the motion ends; "impact:E", the momentum jumps along the normal dz/dx, and
-               the speed with which z changes is then -E times what it was, 0 <= E <= 1
+               the speed with which z changes is then -E times what it was, 0 <= E <= 1. A body that comes to rest there ends
+               the motion before `time`: see `message`, and len(t) for the rows that there are
     gradient   of an impact whose z is a function: a function of (t, x) that gives dz/dx, d numbers, and dz/dt
     direction  1: z must rise through 0; -1: fall; 0: either
     """

@@ -362,7 +362,7 @@ def gradient(problem: Problem, loss: Callable[[Solution], tuple], *, wrt: Option
 
         def loss(s):
             return ((s.x - data)**2).sum() / 2, {"x": s.x - data}
-        value, g = fvi.gradient(problem, loss, h=0.1)
+        value, g = fvi.gradient(problem, loss, steps=100)
 
     problem   what is solved
     loss      of a Solution gives a number and its derivatives by the rows, a dict of x, p and energy

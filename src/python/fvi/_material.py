@@ -18,7 +18,11 @@ class Material(NamedTuple):
     """The law that is nearest to the data: `estimate`, `sd` and `interval` (95 %, of the profile) by names such as
     "zener2.alpha"; `law`, its text for `Problem(damping=...)`; `sigma`, the relative error, given or estimated, with
     `chi2` and its `probability`; `neighbours`, the correlation of neighbouring residuals; how many starts `agree`;
-    `curve`, the law at the data, of moduli complex; `grave`, nonzero where a flag says that it is not to be believed."""
+    `curve`, the law at the data, of moduli complex; `grave`, nonzero where a flag says that it is not to be believed.
+
+    As damping a law acts on x - x0, so a spring in it pulls to the place where the body was held, and a body at rest stays
+    there. Of a mass on this material with its rest at 0 put the spring into the potential: for "spring:K + zener:R,A,T"
+    fvi.Problem("harmonic:K", damping="zener:R,A,T", ...)."""
     estimate: dict
     sd: dict
     interval: dict
