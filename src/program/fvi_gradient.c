@@ -2,6 +2,7 @@
 #include "fvi_commands.h"
 
 #include "fvi_gradient_answer.h"
+#include "fvi_gradient_complaint.h"
 #include "fvi_gradient_rows.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_output.h"
@@ -342,38 +343,17 @@ static int are_finite(const request *r)
            && (!by_p0 || fvi_all_finite(d, r->numbers + d));
 }
 
-/* What the gradient failed of, and in which step, if the run alone fails, too. */
-static int complain_of(request *r, int status)
-{
-    const size_t N = r->o.steps;
-    fvi_stepper *s;
-    if (status == FVI_ENOMEM)
-        return fvi_complain("not enough memory");
-    int failed = fvi_stepper_start(r->o.method, &r->run, &s, NULL);
-    if (failed)
-        return fvi_complain(fvi_code_in_words(failed));
-    while (s->k < N && !(failed = fvi_stepper_step(s)))
-        ;
-    const size_t reached = s->k;
-    double value;
-    if (!failed && r->of == 2)
-        failed = fvi_energy(&r->system, s->x, s->p, &value);
-    fvi_stepper_free(s);
-    if (failed)
-        return fvi_stopped_at(reached + (reached < N), failed);
-    return status == FVI_EOVRFLW ? fvi_stopped_at(N, status)
-                                 : fvi_complain(fvi_code_in_words(status));
-}
-
 /* The run, all its rows, and back. */
 static int differentiate(request *r)
 {
     const fvi_objective objective = { .slopes = slopes, .params = r };
     const size_t d = r->o.d;
     r->last = calloc(2 * d, sizeof *r->last);
+    fvi_gradient_note_reasons(1);
     int status = !r->last ? FVI_ENOMEM
                           : fvi_adjoint(r->o.method, &r->run, NULL, NULL,
                                         &objective, &r->to);
+    fvi_gradient_note_reasons(0);
     fvi_progress_clear();
     if (!status)
         fvi_gradient_name_pairs(r);
@@ -388,7 +368,7 @@ static int differentiate(request *r)
     free(r->last);
     if (!status && !are_finite(r))
         status = FVI_EOVRFLW;
-    return status ? complain_of(r, status) : 0;
+    return status ? fvi_gradient_complain(r, status) : 0;
 }
 
 /* ---- the command ---- */

@@ -186,11 +186,31 @@ START_TEST(what_a_mechanism_has_no_row_of_is_said)
 }
 END_TEST
 
+/* The library's own reason, or what is wrong with the start, and not that the method has no such thing. */
+START_TEST(why_a_mechanism_has_no_gradient_is_said)
+{
+    static const char *const words[][2] = {
+        { "--lagrangian '(v1^2+v2^2)/2-x2' --constraint 'x1^2+x2^2-1-t' --x0 0,-1 --v0 2,-0.5 " FEW,
+          "fvi: no adjoint of a constraint that knows the time" },
+        { "--lagrangian 'v1^2/2-x1^2/2' --damper 'x1 : power:1,0.3 : rl' --x0 0 --v0 1 --step-error 1e-8 " FEW,
+          "fvi: steps of any length have no adjoint of a damper with the past rl" },
+        { "--lagrangian '(v1^2+v2^2)/2-x2' --constraint 'x1^2+x2^2-1' --x0 0,-0.9 --v0 2,0 " FEW,
+          "fvi: --x0: it does not keep to the constraint" },
+    };
+    for (size_t i = 0; i < LEN(words); i++) {
+        char line[400];
+        snprintf(line, sizeof line, "gradient %s", words[i][0]);
+        ck_assert_int_eq(fvi(line), 1);
+        ck_assert_msg(strstr(err, words[i][1]) != NULL, "%s: %s", line, err);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: gradients of mechanisms");
     ADD_CASE(suite, "gradient", rows_of_a_mechanism_are_differences_of_runs,
              rows_where_the_ground_moves_are_differences_of_runs, a_ground_may_jump_at_a_row,
-             what_a_mechanism_has_no_row_of_is_said);
+             what_a_mechanism_has_no_row_of_is_said, why_a_mechanism_has_no_gradient_is_said);
     return run_suite_of_program(suite);
 }
