@@ -131,8 +131,6 @@ START_TEST(a_bad_ground_is_refused)
                       "fvi: --along: ");
     ck_assert_refused_with("run --lagrangian v^2/2 --x0 1 --v0 0 --ground 1",
                       "fvi: --ground: not together with --lagrangian");
-    ck_assert_refused("fit --ground 1 data", "fvi: --ground: not an option of "
-                                             "this command");
     ck_assert_refused("exact --ground 1", "fvi: --ground: not an option of this "
                                           "command");
 }
