@@ -59,8 +59,8 @@ static double rate(const fvi_smoothness *q)
 }
 //< defect
 
-/* The constants for a C; growth is that of an error of size 1 up to T, by which x may leave
- * the path. Without a defect, x does not leave it, however much errors would grow. */
+/* The constants for a C. 2 C h growth bounds the error of x at T, which has to stay in the room;
+ * if C is 0 it does so with every step. */
 static int make_bound(const fvi_smoothness *q, double C, double growth,
                       fvi_error_bound *bound)
 {

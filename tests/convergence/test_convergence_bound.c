@@ -117,8 +117,9 @@ START_TEST(eq_20_14_a_held_body_that_starts_fast)
 }
 END_TEST
 
-/* A free body on friction of an order near 2, held, and a force that jumps: the largest part of
- * the bound that the errors reach. */
+/* A free body with a weak damper that was held and starts with the velocity 1: the largest part
+ * of the bound that its errors reach. */
+
 START_TEST(eq_20_14_how_sharp)
 {
     const double alphas[] = { 0.5, 0.6, 0.75, 0.9 };
