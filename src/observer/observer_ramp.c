@@ -142,7 +142,7 @@ int fvi_ramp_copy(const fvi_ramp *from, fvi_ramp **to)
     int status = begin(o);
     if (!status && from->exact)
         status = fvi_impulses_of_kernel_copy(from->exact, &o->exact);
-    while (!status && o->heavy->k < from->heavy->k)
+    while (!status && o->is_over == 0 && o->heavy->k < from->heavy->k)
         status = fvi_stepper_step(o->heavy);
     return status;
 }

@@ -28,7 +28,8 @@ int fvi_ramp_start(const fvi_stepper *s, size_t j, fvi_ramp **ramp);
  * products of complex numbers. */
 int fvi_ramp_step(fvi_ramp *ramp, double *lead);
 
-/* fvi_ramp_copy -- the same again, by its steps from the start on.
+/* fvi_ramp_copy -- the same again, by its steps from the start on: as long as they add something, a copy takes as long
+ * as a run of one body up to this node.
  * fvi_ramp_archive -- what its steps change, as fvi_stepper_archive.
  * fvi_ramp_free -- give everything back. NULL is allowed. */
 int fvi_ramp_copy(const fvi_ramp *from, fvi_ramp **to);

@@ -67,7 +67,7 @@ char *fvi_checkpoint_head(const fvi_options *o)
     FILE *f = open_memstream(&text, &size);
     if (!f)
         return NULL;
-    fprintf(f, "fvi " FVI_VERSION " checkpoint 4\n");
+    fprintf(f, "fvi " FVI_VERSION " checkpoint 5\n");
     for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
         if (!is_free(name))
             fprintf(f, "%s = %s\n", name, value);

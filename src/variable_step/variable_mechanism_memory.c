@@ -1,5 +1,6 @@
 /* src/variable_step/variable_mechanism_memory.c -- Dampers on a mesh: their modes.   [H 29, 22] */
 #include "variable_mechanism.h"
+#include "variable_step_events.h"
 
 #include "system/fail.h"
 #include "system/larger.h"

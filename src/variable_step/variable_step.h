@@ -6,7 +6,6 @@
 #ifndef FVI_VARIABLE_STEP_H
 #define FVI_VARIABLE_STEP_H
 
-#include <fvi/events.h>
 #include <fvi/variable_steps.h>
 #include "variable_step_band.h"
 #include "run/step_times.h"
@@ -66,25 +65,6 @@ typedef struct {
         pull; /* what is left as a force: -pull ((rho/m) t^gap)^{J+1} t^{e-2} */
 } fvi_singular;
 
-/* What a run with events knows of them, one number of each event:
- *
- *   side      the sign of z before it passes 0, or 0: not yet known
- *   size      the largest |z| so far
- *   rounding  |z| where it was last made 0
- *   has_hit   nonzero in the step after its impact
- *   theta     where in the step that is tried it passes 0, or INFINITY
- *   z         of each stage of that step, event by event
- *   point     6 d numbers: x, p; the normal and v; both shortly before */
-typedef struct {
-    size_t count;
-    double *side, *size, *rounding, *has_hit, *theta, *z, *point;
-    int is_ready; /* nonzero once the sides at the start are known */
-    int at_rest;  /* nonzero if the step ends where a hop is too short for steps */
-    int is_over;
-    fvi_event_time *times;
-    size_t happened, room;
-} fvi_event_watch;
-
 /* How the equation of a step is solved: at once, as U is quadratic and its Hessian
  * diagonal; as its Hessian is diagonal; as it is not, by iterations; all together at
  * once, as an iteration has not contracted too often. With a band the second and third
@@ -128,7 +108,7 @@ typedef struct {
     double *impulse_dv; /* what the impulses at t have added to v */
     size_t hits;  /* impulses that have acted */
     int takes_kicks; /* nonzero if steps can be as short as a jump of v asks for */
-    fvi_event_watch *watch; /* NULL: no events */
+    struct fvi_event_watch *watch; /* variable_step_events.h; NULL: no events */
     /* this step, or the last: its start, its stages */
     double t0, *y0, *v0;
     double *base, *R, *delta;
@@ -246,31 +226,6 @@ static inline void fvi_add_compensated(double *sum, double *less, double more)
  * fvi_variable_step_solve does. */
 int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
                           double *error);
-
-/* fvi_variable_step_has_impacts -- is there one among the events of the run?
- * fvi_variable_step_begin_events, _copy_events, _free_events -- o->watch, NULL where nothing is watched.
- * FVI_ENOMEM.
- * fvi_variable_step_end_at_event -- the step that has been tried ends at its first event: it is solved
- * again with such a length. Returns what fvi_variable_step_solve or a function of an event does, and
- * FVI_EOVRFLW where a z is not finite.
- * fvi_variable_step_outside -- the sign of z where a body is that starts on the wall: 1, or -1 if z acts as it rises.
- * fvi_variable_step_check_walls -- FVI_EINVAL if a body starts on a wall and moves into it; what a gradient returns.
- * fvi_variable_step_act -- behind that step, what its events do; how the next one begins. */
-int fvi_variable_step_has_impacts(const fvi_run *run);
-int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *o);
-int fvi_variable_step_copy_events(const fvi_event_watch *from, fvi_variable_step_state *o);
-int fvi_variable_step_archive_events(const fvi_stepper *s, fvi_variable_step_state *o, fvi_archive *v);
-int fvi_variable_step_room_for_times(fvi_event_watch *w, size_t count);
-void fvi_variable_step_free_events(fvi_event_watch *w);
-int fvi_variable_step_end_at_event(fvi_stepper *s, fvi_variable_step_state *o);
-double fvi_variable_step_outside(const fvi_event *e);
-int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o);
-int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o);
-
-/* fvi_variable_step_sides -- all z where the stepper stands. A side that is not known is that of its z;
- * with `anew`, as p has jumped, so are those of events that are no impact of this moment. Returns what
- * a function of an event does, and FVI_EOVRFLW where a z is not finite. */
-int fvi_variable_step_sides(const fvi_stepper *s, fvi_event_watch *w, int anew);
 
 /* fvi_variable_step_find_events -- o->events, in order. FVI_EINVAL; FVI_ENOMEM.
  * fvi_variable_step_next_event -- the next time at which a step has to end.

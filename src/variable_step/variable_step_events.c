@@ -4,6 +4,7 @@
  * then the length h of the step is the unknown of z(x(h)) = 0, and each trial solves the step anew.
  * Nothing of the past has moved yet, so the last trial is the step. */
 #include "variable_mechanism.h"
+#include "variable_step_events.h"
 
 #include "system/fail.h"
 #include "system/larger.h"

@@ -2,6 +2,7 @@
  *
  * The step has ended there (variable_step_events.c): momenta jump, or the run is over. */
 #include "variable_mechanism.h"
+#include "variable_step_events.h"
 
 #include "system/fail.h"
 #include "system/larger.h"

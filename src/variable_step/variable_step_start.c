@@ -1,4 +1,5 @@
 /* src/variable_step/variable_step_start.c -- A run with variable steps begins.   [H 22] */
+#include "variable_step_events.h"
 #include "variable_structure.h"
 
 #include "system/fail.h"

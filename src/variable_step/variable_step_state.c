@@ -1,5 +1,6 @@
 /* src/variable_step/variable_step_state.c -- What a run with variable steps keeps: room, copies, the
  * matrices of a step, and what is saved.                              [H 22] */
+#include "variable_step_events.h"
 #include "variable_structure.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */

@@ -13,6 +13,7 @@
  * and p in between. Form M, for rho = 0, has another matrix in place of A (22.15). */
 #include <fvi/variable_steps.h>
 
+#include "variable_step_events.h"
 #include "variable_structure.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"

@@ -1,0 +1,57 @@
+/* src/variable_step/variable_step_events.h -- What a run with variable steps keeps of its events.     [H 22]
+ *
+ * Internal. variable_step_events.c ends a step at an event, and variable_step_impact.c has what the event does. */
+#ifndef FVI_VARIABLE_STEP_EVENTS_H
+#define FVI_VARIABLE_STEP_EVENTS_H
+
+#include <fvi/events.h>
+#include "variable_step.h"
+
+/* What a run with events knows of them, one number of each event:
+ *
+ *   side      the sign of z before it passes 0, or 0: not yet known
+ *   size      the largest |z| so far
+ *   rounding  |z| where it was last made 0
+ *   has_hit   nonzero in the step after its impact
+ *   theta     where in the step that is tried it passes 0, or INFINITY
+ *   z         of each stage of that step, event by event
+ *   point     6 d numbers: x, p; the normal and v; both shortly before */
+typedef struct fvi_event_watch {
+    size_t count;
+    double *side, *size, *rounding, *has_hit, *theta, *z, *point;
+    int is_ready; /* nonzero once the sides at the start are known */
+    int at_rest;  /* nonzero if the step ends where a hop is too short for steps */
+    int is_over;
+    fvi_event_time *times;
+    size_t happened, room;
+} fvi_event_watch;
+
+/* fvi_variable_step_has_impacts -- is there one among the events of the run?
+ * fvi_variable_step_begin_events, _copy_events, _free_events -- o->watch, NULL where nothing is watched.
+ * FVI_ENOMEM.
+ * fvi_variable_step_archive_events -- as fvi_method has it, of o->watch; s->t is read already. FVI_EINVAL if what
+ * comes back is no watch of this run.
+ * fvi_variable_step_room_for_times -- room for so many times in w->times. FVI_ENOMEM.
+ * fvi_variable_step_end_at_event -- the step that has been tried ends at its first event: it is solved
+ * again with such a length. Returns what fvi_variable_step_solve or a function of an event does, and
+ * FVI_EOVRFLW where a z is not finite.
+ * fvi_variable_step_outside -- the sign of z where a body is that starts on the wall: 1, or -1 if z acts as it rises.
+ * fvi_variable_step_check_walls -- FVI_EINVAL if a body starts on a wall and moves into it; what a gradient returns.
+ * fvi_variable_step_act -- behind that step, what its events do; how the next one begins. */
+int fvi_variable_step_has_impacts(const fvi_run *run);
+int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *o);
+int fvi_variable_step_copy_events(const fvi_event_watch *from, fvi_variable_step_state *o);
+int fvi_variable_step_archive_events(const fvi_stepper *s, fvi_variable_step_state *o, fvi_archive *v);
+int fvi_variable_step_room_for_times(fvi_event_watch *w, size_t count);
+void fvi_variable_step_free_events(fvi_event_watch *w);
+int fvi_variable_step_end_at_event(fvi_stepper *s, fvi_variable_step_state *o);
+double fvi_variable_step_outside(const fvi_event *e);
+int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o);
+int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o);
+
+/* fvi_variable_step_sides -- all z where the stepper stands. A side that is not known is that of its z;
+ * with `anew`, as p has jumped, so are those of events that are no impact of this moment. Returns what
+ * a function of an event does, and FVI_EOVRFLW where a z is not finite. */
+int fvi_variable_step_sides(const fvi_stepper *s, fvi_event_watch *w, int anew);
+
+#endif
