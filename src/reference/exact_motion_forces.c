@@ -63,6 +63,8 @@ void fvi_exact_motion_forget_dampers(fvi_exact_motion *o)
         o->system.matrices->forget(o->inertia);
     free(o->gradient);
     free(o->sum);
+    o->inertia = NULL;
+    o->gradient = o->sum = NULL;
 }
 
 /* ---- what is made once ---- */
@@ -92,11 +94,11 @@ static int prepare(fvi_exact_motion *o)
         return FVI_SUCCESS;
     o->gradient = calloc(dampers(o) * o->d, sizeof *o->gradient);
     o->sum = calloc((2 * dampings(o) + 1) * o->d, sizeof *o->sum);
-    if (!o->gradient || !o->sum)
-        return FVI_ENOMEM;
-    int status = find_gradients(o);
+    int status = o->gradient && o->sum ? find_gradients(o) : FVI_ENOMEM;
     if (!status && matrices)
         status = matrices->factorise(o->d, 1, 0, 0, matrices->params, &o->inertia);
+    if (status) /* who asks again begins anew */
+        fvi_exact_motion_forget_dampers(o);
     return status;
 }
 
