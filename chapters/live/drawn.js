@@ -13,8 +13,14 @@ const drawn = {
     });
   },
 
-  // Where the pen is: where it was last, or at the highest place.
-  pen: ({ last }, x) => (last === undefined ? x.indexOf(Math.max(...x)) : last * (x.length - 1) / KNOTS),
+  // With the pen where it was last, or at the highest place.
+  draw(canvas, { last }, t, x) {
+    const picture = axes(canvas, { x: [t[0], t.at(-1)], y: [-1.5, 1.5], names: ["t", "x"], ends: ["x"] });
+    const pen = last === undefined ? x.indexOf(Math.max(...x)) : last * (x.length - 1) / KNOTS;
+    picture.curve(t, x, "exact");
+    picture.ends([["x", "exact", t, x]]);
+    picture.handle(t[pen], x[pen], "exact", 4);
+  },
 
   // The knots under the pointer: straight from where it was last. The axis y goes from -1.5 to 1.5.
   drag(values, x, y, type, N, top) {

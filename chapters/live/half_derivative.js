@@ -19,10 +19,7 @@ FVI_LIVE.scene("half_derivative", {
     + `${FVI_LIVE.short(apart)}${alpha === 0.5 ? ", which is rounding" : ""}.`,
 
   draw({ x, t, twice, slope }, values, [left, right]) {
-    const drawn = FVI_LIVE.axes(left, { x: [0, 3], y: [-1.5, 1.5], names: ["t", "x"], ends: ["x"] }), pen = FVI_LIVE.drawn.pen(values, x);
-    drawn.curve(t, x, "exact");
-    drawn.ends([["x", "exact", t, x]]);
-    drawn.handle(t[pen], x[pen], "exact", 4);
+    FVI_LIVE.drawn.draw(left, values, t, x);
     const both = FVI_LIVE.axes(right, { x: [0, 3], y: FVI_LIVE.span(twice.slice(1), slope.slice(1)), names: ["t", ""], ends: ["slope"] });
     both.curve(t, twice, "run");
     both.curve(t, slope, "negative", [7, 4]);

@@ -18,10 +18,7 @@ FVI_LIVE.scene("integration_by_parts", {
   says: ({ sums }) => `The sums of x Δ₋x and of x Δ₊x, all nodes in, are one number: ${FVI_LIVE.short(sums[0])} and ${FVI_LIVE.short(sums[1])}.`,
 
   draw({ x, t, back, ahead }, values, [left, right]) {
-    const drawn = FVI_LIVE.axes(left, { x: [0, 3], y: [-1.5, 1.5], names: ["t", "x"], ends: ["x"] }), pen = FVI_LIVE.drawn.pen(values, x);
-    drawn.curve(t, x, "exact");
-    drawn.ends([["x", "exact", t, x]]);
-    drawn.handle(t[pen], x[pen], "exact", 4);
+    FVI_LIVE.drawn.draw(left, values, t, x);
     const both = FVI_LIVE.axes(right, { x: [0, 3], y: FVI_LIVE.span(back.slice(1), ahead.slice(0, -1)), names: ["t", ""], ends: ["looks ahead"] });
     both.curve(t, back, "run");
     both.curve(t, ahead, "negative", [7, 4]);

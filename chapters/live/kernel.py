@@ -33,7 +33,7 @@ BUILDING_ABSENT = """fvi_cholmod_alloc fvi_cholmod_solve fvi_events_check fvi_im
     fvi_newton_by_linearised fvi_shifted_symbol fvi_stability_number_none fvi_mechanism_start gsl_integration_glfixed_point
     gsl_integration_glfixed_table_alloc gsl_integration_glfixed_table_free gsl_fft_complex_radix2_forward""".split()
 SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "labels.js", HERE / "address.js", HERE / "orders.js", HERE / "modes.js", HERE / "drawn.js"]
-WORDS = "scene, scenes, frame, begin, kernelOf, libraryOf, goOn, again, addressOf, asked, start, settled, axes, span, short, readColours, stopsOf, orders, modes, drawn"
+WORDS = "scene, scenes, frame, begin, kernelOf, libraryOf, goOn, again, addressOf, asked, start, settled, axes, span, short, orders, modes, drawn"
 
 
 def script_of(name):

@@ -18,6 +18,7 @@
 //     more(data, values, kernel): after a picture, what goes on by itself; true: another picture
 //     notes(data, values) -> a sentence with what only this browser knows, such as times
 //     kernel: the script with its C, if that is not kernel.js, and what it is called there
+//     c: the page with its C, if that is not the one of live.c
 //   });
 const scenes = new Map(), libraries = new Map();
 const kernelOf = ({ kernel: [name, text] = ["kernel", () => FVI_WASM] }) => ({ name, text });
@@ -29,12 +30,12 @@ function libraryOf(scene) {
   return libraries.get(name);
 }
 
-const stopsOf = ([, least, most, , step]) => {
-  const many = step === "log" ? 200 : Math.round((most - least) / step);
+const countOf = ([, least, most, , step]) => (step === "log" ? 200 : Math.round((most - least) / step));
+const stopsOf = control => {
+  const [, least, most, , step] = control, many = countOf(control);
   return i => step === "log" ? Number((least * (most / least) ** (i / many)).toPrecision(3))
     : Number((least + (most - least) * i / many).toPrecision(12));
 };
-const countOf = ([, least, most, , step]) => step === "log" ? 200 : Math.round((most - least) / step);
 const nearest = (control, value) => {
   const [, least, most, , step] = control, many = countOf(control);
   const i = step === "log" ? Math.log(value / least) / Math.log(most / least) * many : (value - least) / (most - least) * many;

@@ -12,7 +12,7 @@ FVI_LIVE.scene("structures_isolators", {
   controls: { alpha: ["α of the isolators", 0.095, 0.5, 0.2, 0.005] },
   choices: { load: ["load", "earthquake", "wind"] },
   buttons: { again: ["Once more", FVI_LIVE.again] },
-  pictures: ["The building on its isolators, and the same on firm ground", "In the earthquake the acceleration of the roof, in the wind the way of the slab"],
+  pictures: ["The building on its isolators, and the same on firm ground", "In the earthquake the acceleration of the roof, in the wind the shift of the slab"],
 
   compute(values, { c, view }, scene) {
     const { alpha, load } = values;
@@ -47,16 +47,16 @@ FVI_LIVE.scene("structures_isolators", {
     const isWind = load === "wind", larger = isWind ? 5 : 1, now = Math.floor(at / seen);
     const house = FVI_LIVE.axes(left, { x: [-0.7, 1.9], y: [-0.9, 7], names: ["x", "floor"] });
     house.curve([-0.7, 1.9], [0, 0], "axis", [], 3);
-    const building = (of, from, colour) => {
-      const x = of.map(floor => from + larger * floor[now]), foot = colour === "run" ? 0.5 : 0;
+    const building = (of, from, colour, isIsolated) => {
+      const x = of.map(floor => from + larger * floor[now]);
       x.forEach((place, i) => house.curve([place - 0.25, place + 0.25], [i + 0.5, i + 0.5], colour, [], i ? 2 : 4));
       for (const side of [-0.25, 0.25]) house.curve(x.map(place => place + side), x.map((_, i) => i + 0.5), colour, [], 1.4);
-      for (const side of [-0.2, 0, 0.2]) house.curve([from + side, (from + x[0]) / 2 + side + (foot ? 0.06 : 0), x[0] + side], [0, 0.25, 0.5], colour, [], foot ? 1.6 : 4);
-      house.text(from - 0.35, 6.5, foot ? "isolators" : "firm ground", colour);
+      for (const side of [-0.2, 0, 0.2]) house.curve([from + side, (from + x[0]) / 2 + side + (isIsolated ? 0.06 : 0), x[0] + side], [0, 0.25, 0.5], colour, [], isIsolated ? 1.6 : 4);
+      house.text(from - 0.35, 6.5, isIsolated ? "isolators" : "firm ground", colour);
     };
-    building(places, 0, "run");
-    building(firm.places, 1.2, "soft-ink");
-    if (isWind) house.text(-0.7, -0.5, "ways are drawn five times as long", "soft-ink");
+    building(places, 0, "run", true);
+    building(firm.places, 1.2, "soft-ink", false);
+    if (isWind) house.text(-0.7, -0.5, "shifts are drawn five times as long", "soft-ink");
     if (isWind) drawWind(right, { places, others }, alpha, at / 20);
     else drawRoof(right, roof, firm.roof, at / 200);
   },

@@ -6,7 +6,7 @@ load 'figures/style.gp'
 tsv = 'figures/step_search/step_search.tsv'
 set datafile separator "\t"
 unset key; unset grid; unset colorbox
-set title "our best time over that of the best peer: below 1 ours is ahead" offset 0,-0.3
+set title "our best time divided by the best time of a peer: below 1 ours is ahead" offset 0,-0.3
 set xrange [0.5:13.5]; set yrange [11.5:0.5]
 set xtics nomirror out; set ytics nomirror out
 set xtics ("10^{-1}" 1, "10^{-2}" 2, "10^{-3}" 3, "10^{-4}" 4, "10^{-5}" 5, "10^{-6}" 6, "10^{-7}" 7, \
@@ -21,12 +21,12 @@ set palette defined (-1 "#66BBEB", 0 "#F7F7F7", 1 "#EBAD26")
 set cbrange [-1:1]
 bounded(r) = log10(r) > 1 ? 1 : log10(r) < -1 ? -1 : log10(r)
 text(r) = r < 1e-8 ? "ours" : r > 1e8 ? "peer" : r < 9.95 ? sprintf("%.2g", r) : sprintf("%.0f", r)
-# Below it, where ours took no step, that of ours which do. Red and bold, above and below, where
-# the peer is ahead.
+# Below it, where our fastest method takes no step, the ratio of the fastest that does. Red and bold,
+# above and below: a peer is ahead.
 steps(all, some) = some == all ? "" : text(some)
 up(all, some) = some == all ? 0 : -0.14
 plot tsv index "picture:" using 1:2:(0.48):(0.46):(bounded($3)) with boxxyerror fs solid fc palette, \
-     tsv index "picture:" using 1:($2 + up($3, $4)):($3 > 1 ? "" : text($3)) with labels font ",11", \
-     tsv index "picture:" using 1:($2 + up($3, $4)):($3 > 1 ? "{/:Bold ".text($3)."}" : "") with labels font ",11" tc rgb "#8A1C00", \
-     tsv index "picture:" using 1:($2 + 0.24):($4 > 1 ? "" : steps($3, $4)) with labels font ",9", \
-     tsv index "picture:" using 1:($2 + 0.24):($4 > 1 && $4 != $3 ? "{/:Bold ".steps($3, $4)."}" : "") with labels font ",9" tc rgb "#8A1C00"
+     tsv index "picture:" using 1:($2 + up($3, $4)):($3 >= 1 ? "" : text($3)) with labels font ",11", \
+     tsv index "picture:" using 1:($2 + up($3, $4)):($3 >= 1 ? "{/:Bold ".text($3)."}" : "") with labels font ",11" tc rgb "#8A1C00", \
+     tsv index "picture:" using 1:($2 + 0.24):($4 >= 1 ? "" : steps($3, $4)) with labels font ",9", \
+     tsv index "picture:" using 1:($2 + 0.24):($4 >= 1 && $4 != $3 ? "{/:Bold ".steps($3, $4)."}" : "") with labels font ",9" tc rgb "#8A1C00"

@@ -64,6 +64,10 @@ typedef struct {
 typedef double fronts[OURS_EXACT + 1][DECADES + 1];
 void sweep(results *r, size_t i, int P, const double *truth, fronts all, double *least);
 
+/* last_decade -- the largest k <= DECADES with error <= 10^-k, where a run of this error counts; 0 if
+ * there is none, as for NaN. */
+int last_decade(double error);
+
 /* keep_if_faster -- the run into all places of a table that its error reaches and where it is the
  * fastest. */
 void keep_if_faster(timing *all, double error, const timing *t);

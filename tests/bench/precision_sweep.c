@@ -103,10 +103,18 @@ void keep_if_faster(timing *all, double error, const timing *t)
             all[k] = *t;
 }
 
+int last_decade(double error)
+{
+    int k = 0;
+    while (k < DECADES && error <= pow(10, -(k + 1)))
+        k++;
+    return k;
+}
+
 /* The places that a run of this error and time would win: not far from the front? */
 static int may_matter(double error, double seconds, const double *front)
 {
-    const int k = (int)smaller(DECADES, floor(-log10(larger(error, 1e-99))));
+    const int k = last_decade(error);
     return k >= 1 && (front[k] == 0 || seconds < 2 * front[k]);
 }
 
@@ -114,7 +122,7 @@ static int may_matter(double error, double seconds, const double *front)
  * steps will not bring it back; SLOW, and no tolerance will. */
 static int is_behind(double error, double seconds, double (*all)[DECADES + 1], int times)
 {
-    const int k = (int)smaller(DECADES, floor(-log10(larger(error, 1e-99))));
+    const int k = last_decade(error);
     return k >= 1
            && ((all[PEERS][k] > 0 && seconds > times * all[PEERS][k])
                || (all[OURS_THAT_STEP][k] > 0 && seconds > times * all[OURS_THAT_STEP][k]));

@@ -169,8 +169,8 @@ void print_ratios(const results *r)
     print_side(r, OURS_THAT_STEP, "the time of ours that step", "ratios-steps");
 }
 
-/* Over the peers: ours, and ours that step. For the picture 1e-9 where ours is alone, 1e9
- * where peers are. */
+/* Over the peers: ours, and ours that step; in six digits, as 0.9996 is no tie. For the picture
+ * 1e-9 where ours is alone, 1e9 where peers are. */
 void print_picture(const results *r)
 {
     printf("# picture:\n# decade\tproblem\tours over peer\tby steps\n");
@@ -179,7 +179,7 @@ void print_picture(const results *r)
             const double q = ratio(r, r->best[P], OURS_EXACT, k),
                          steps = ratio(r, r->best[P], OURS_THAT_STEP, k);
             if (q == q)
-                printf("%d\t%d\t%.3g\t%.3g\n", k, P + 1,
+                printf("%d\t%d\t%.6g\t%.6g\n", k, P + 1,
                        smaller(larger(q, 1e-9), 1e9),
                        smaller(larger(steps, 1e-9), 1e9));
         }

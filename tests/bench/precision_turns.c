@@ -1,7 +1,6 @@
 /* tests/bench/precision_turns.c -- The runs near the front, timed in turn: precision.h.
  *                                                                       [H 18] */
 #include "precision.h"
-#include "system/larger.h"
 
 #include <gsl/gsl_sort.h>
 #include <stdlib.h>
@@ -33,7 +32,7 @@ static int is_near(const results *r, const timing table[][DECADES + 1], const tr
                    double error)
 {
     size_t who;
-    const int k = (int)smaller(DECADES, floor(-log10(larger(error, 1e-99))));
+    const int k = last_decade(error);
     const side of = r->all[t->who].of;
     const timing *least = k >= 1 ? fastest(r, table, of, of, k, &who) : NULL;
     return least && t->is.seconds <= NEAR * least->seconds;

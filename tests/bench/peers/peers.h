@@ -36,9 +36,9 @@ typedef struct {
  *   name       as the tables have it
  *   after      who described it, and where
  *   why        in a clause, why it is fast where it is
- *   fewest     the least N that is tried, a multiple of 20; 0: it goes by its tolerance alone
+ *   fewest     the least N that is tried; 0: it goes by its tolerance alone
  *   tolerance  nonzero: it reads the tolerance
- *   any        nonzero: N may be any number, not a multiple of `fewest` only
+ *   any        nonzero: N may be any number; 0: only a multiple of `fewest`
  *   takes      nonzero if it can solve the problem
  *   run        writes the ROWS + 1 rows of d positions; all that the problem, N or the
  *              tolerance decide is made within. Tables of numbers that belong to the
