@@ -112,7 +112,8 @@ int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
 size_t fvi_observer_dampers(const fvi_observer *o);
 size_t fvi_observer_width(const fvi_observer *o, size_t j);
 
-/* fvi_observer_copy -- the same again, for a copy of the stepper. FVI_ENOMEM.
+/* fvi_observer_copy -- the same again, for a copy of the stepper. FVI_ENOMEM. Of a method of order 2 that starts with
+ * a velocity it may take as long as a run of one body to this step, for each damper.
  * fvi_observer_archive -- its sums, as fvi_stepper_archive shows those of the stepper.
  * fvi_observer_free -- give everything back. NULL is allowed. */
 int fvi_observer_copy(const fvi_observer *from, fvi_observer **to);

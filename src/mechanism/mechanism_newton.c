@@ -42,8 +42,8 @@ static int is_done(double now, double before, double scale)
                && now / before * (now / before) * now <= rounding / 1e4);
 }
 
-/* On a mesh a step may be so short that increments are known to more digits than places. But c(x) = 0 says no
- * more of them than its roundings do. */
+/* On a mesh a step may be so short that the increments need more digits than c(x) = 0 gives, which knows x up to
+ * roundings. Then the iteration also ends when it changes x by no more than these. */
 static int iterate(fvi_stepper *s,
                    int (*assemble)(fvi_stepper *s, const double *u),
                    size_t places, double *u)

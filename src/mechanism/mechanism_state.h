@@ -65,9 +65,9 @@ typedef struct fvi_mechanism_state {
 /* fvi_mechanism_of -- of a stepper that takes these steps; NULL else. */
 const fvi_mechanism_state *fvi_mechanism_of(const fvi_stepper *s);
 
-/* fvi_mechanism_work_of_impulse -- what an impulse J has given at x, by which p, d numbers, is what it is: J v
- * with the mean v of before and after for masses, and what the energy of a Lagrangian has gained; it
- * is added to *work. Returns FVI_SUCCESS; FVI_ENOMEM; what the Lagrangian returned. */
+/* fvi_mechanism_work_of_impulse -- the work of an impulse J at x, added to *work; p is the momentum behind it. Of
+ * masses it is J v with the mean v of before and after, and of a Lagrangian what its energy has gained.
+ * Returns FVI_SUCCESS; FVI_ENOMEM; what the Lagrangian returned. */
 int fvi_mechanism_work_of_impulse(const fvi_stepper *s, double t, const double *x, const double *p,
                                   const double *J, double *work);
 

@@ -59,7 +59,7 @@ static fvi_ramp *describe(const fvi_stepper *s, size_t j)
     fvi_ramp *o = calloc(1, sizeof *o);
     if (!o)
         return NULL;
-    o->method = s->mechanism ? &fvi_cq2_midpoint : s->method; /* whose steps are not a mechanism's */
+    o->method = s->mechanism ? &fvi_cq2_midpoint : s->method; /* the line is no mechanism; both sum alike */
     o->order = of.growth;
     o->run = fvi_run_default(&o->system, NULL, NULL, s->run.h, s->run.steps);
     o->run.memory = s->run.memory;
@@ -101,7 +101,7 @@ static double exact_impulse(fvi_ramp *o, size_t k)
     return o->rho * pow(o->run.h, e) * rise / tgamma(1 + e);
 }
 
-/* That of the steps: the part of D_k at the begin of the step, and the part of D_{k+1} at its end (13.10). */
+/* The impulse of the steps: the part of D_k at the begin of the step, and the part of D_{k+1} at its end (13.10). */
 static int step_line(fvi_ramp *o, double *impulse)
 {
     const fvi_cq_state *cq = o->heavy->method_state;
@@ -164,7 +164,7 @@ void fvi_ramp_free(fvi_ramp *o)
 
 /* ---- of all dampers of a run ---- */
 
-/* The rates of damper j: of a mechanism that of its elongation, else what C v0 is on each coordinate. */
+/* The rates of damper j: in a mechanism one, of its elongation; else C v0, one for each coordinate. */
 static int begin_rates(fvi_observer *o, const fvi_stepper *s, size_t j, int *acts)
 {
     const fvi_run_damper of = fvi_run_damper_of(&s->run, j);

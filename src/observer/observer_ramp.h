@@ -24,8 +24,8 @@ int fvi_ramp_start(const fvi_stepper *s, size_t j, fvi_ramp **ramp);
  *   lead  in and out: the exact impulse of the line with zdot = 1 up to this node, less that of the steps. A damper
  *         of an alpha has rho = 1 here
  *
- * Once a step adds less than 1e-10 of the exact impulse, lead stays. Cost: a step of one body; with a law and 150
- * products of complex numbers. */
+ * Once a step adds less than 1e-10 of the exact impulse, lead stays. Cost: a step of one body; of a law 150 products
+ * of complex numbers, too. */
 int fvi_ramp_step(fvi_ramp *ramp, double *lead);
 
 /* fvi_ramp_copy -- the same again, by its steps from the start on: as long as they add something, a copy takes as long

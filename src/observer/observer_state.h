@@ -46,8 +46,8 @@ struct fvi_observer {
     /* what does not change */
     double *p0, *start; /* d; the forces at t = 0 */
     double *exponent;   /* q of each force: J = t^q g(t) at first; NaN of a velocity */
-    double *rate;       /* by which lead comes into the impulse of each force, and of the work of each damper */
-    double *power;
+    double *rate;       /* of each force: its impulse has rate times lead more */
+    double *power;      /* of each damper: its work has power times lead more */
     fvi_ramp **ramp;    /* of each damper, NULL if it has none; or NULL */
     double E0;
     /* what is made anew */

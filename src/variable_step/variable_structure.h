@@ -50,7 +50,7 @@ int fvi_structure_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o);
 double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o);
 int fvi_structure_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o);
 
-/* fvi_structure_mesh_is_struck -- is the place itself a jump of this damper at t = 0? */
+/* fvi_structure_mesh_is_struck -- does this damper see x_0 as a jump from 0 at t = 0? */
 int fvi_structure_mesh_is_struck(const fvi_run_damper *of);
 
 /* fvi_structure_mesh_try -- as fvi_variable_step_try. fvi_structure_mesh_advance -- its step is taken: the
