@@ -1,8 +1,8 @@
 """Formulas within a line that GitHub would spoil are written with backticks.
 
     formulas.py            write them so, in every page
-    formulas.py --check    exit 1 if one is not, or if one has a line that begins as one of a list does
-                           (part of make text)
+    formulas.py --check    exit 1 if one is not, or if a line of one begins with "- ", "+ " or "1. " as
+                           an item of a list does (part of make text)
 
 GitHub reads $...$ as Markdown first, and takes a backslash before a punctuation mark away: $a\\,b$
 loses its space, and a matrix its rows. Of $`...`$ it takes nothing. Only Python's standard
@@ -40,7 +40,7 @@ LISTED = re.compile(r"\n *(?:[-+*]|\d+[.)]) ")
 
 
 def listed(text):
-    """The lines of formulas that a list ends, as a line of theirs begins with + or -."""
+    """The numbers of the lines where a formula begins that has such a line: for GitHub a list ends the formula."""
     within = re.sub(r"^ *```.*?^ *```$|<!--.*?-->", lambda kept: re.sub(r"[^\n]", " ", kept[0]), text, flags=re.M | re.S)
     return [within.count("\n", 0, match.start()) + 1 for match in re.finditer(rf"\$`.+?`\$|{FORMULA.pattern}", within, re.S) if LISTED.search(match[0])]
 
