@@ -337,7 +337,8 @@ static int step_back(fvi_adjoint_mechanism *m, size_t n)
         status = fvi_adjoint_mechanism_stages(m, n);
     for (size_t j = 0; j < d; j++)
         m->g[j] += m->mesh->by_x[j];
-    if (status || n == 0 ? m->o->m == 0 : !m->mesh->step[n - 1].is_hit)
+    const int is_projected = n == 0 ? m->o->m > 0 : m->mesh->step[n - 1].is_hit;
+    if (status || !is_projected)
         return status;
     return fvi_adjoint_mechanism_project(m, m->mesh->step[n].t, x, v, v + d, m->mesh->by_v);
 }

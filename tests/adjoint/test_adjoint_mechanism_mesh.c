@@ -258,6 +258,27 @@ START_TEST(what_a_mesh_has_no_derivative_of_is_refused)
 }
 END_TEST
 
+/* J has no value at a row behind the start. */
+static int stop_at_3(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp)
+{
+    (void)d, (void)x, (void)p, (void)params, (void)Jx, (void)Jp;
+    return k == 3 ? -7 : 0;
+}
+
+START_TEST(what_a_callback_returns_comes_back)
+{
+    const fvi_objective J = { .slopes = stop_at_3 };
+    for (int i = 0; i < COUNT; i++) {
+        double x0[4];
+        opened o;
+        open_problem(&problems[i], &o);
+        const fvi_sensitivities want = { .x0 = x0 };
+        ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &o.run, NULL, NULL, &J, &want), -7);
+        fvi_typed_mechanism_free(o.typed);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("adjoint, mechanisms on a mesh");
@@ -266,6 +287,7 @@ int main(void)
     tcase_add_test(tcase, rows_of_the_force_are_those_of_the_lagrangian);
     tcase_add_test(tcase, masses_have_derivatives_on_a_mesh);
     tcase_add_test(tcase, what_a_mesh_has_no_derivative_of_is_refused);
+    tcase_add_test(tcase, what_a_callback_returns_comes_back);
     suite_add_tcase(suite, tcase);
     return run_suite(suite);
 }
