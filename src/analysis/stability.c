@@ -18,7 +18,7 @@ static int check(const fvi_run *run, const void *output)
 {
     if (!run || !output)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check_any(run->system, NULL);
+    int status = fvi_system_require_any(run->system);
     if (status)
         return status;
     if (run->system->mechanism && !run->system->matrices)

@@ -2,6 +2,7 @@
 #include <fvi/stability.h>
 
 #include "system/fail.h"
+#include "system/system_check.h"
 #include "system/stiffness.h"
 
 #include <stdlib.h>
@@ -28,7 +29,7 @@ int fvi_stability_along_run(const fvi_method *method, const fvi_run *run,
 {
     if (!method || !run || !x || !stiffest || !load)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check(run->system, NULL);
+    int status = fvi_system_require(run->system);
     if (status)
         return status;
     double stiffness = 0, there = 0;

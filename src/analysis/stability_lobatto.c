@@ -3,6 +3,7 @@
 #include "kernel/kernel_terms.h"
 #include "stages/lobatto_weights.h"
 #include "system/fail.h"
+#include "system/system_check.h"
 #include "system/larger.h"
 
 #include <complex.h>
@@ -191,7 +192,7 @@ static int check(size_t stages, const fvi_run *run, const void *load)
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!fvi_lobatto(stages))
         FVI_FAIL("the stages must be 2 to 8", FVI_EINVAL);
-    int status = fvi_system_check(run->system, NULL);
+    int status = fvi_system_require(run->system);
     if (status)
         return status;
     if (!run->x0)

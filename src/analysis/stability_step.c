@@ -82,7 +82,7 @@ int fvi_stability_longest_step(const fvi_method *method, const fvi_run *run, dou
     if (!method->stability_number_grows)
         FVI_FAIL("the stable steps are not all those up to a longest",
                  FVI_EUNSUP);
-    int status = fvi_system_check_any(run->system, NULL);
+    int status = fvi_system_require_any(run->system);
     if (status)
         return status;
     if (run->system->mechanism && !run->system->matrices)

@@ -318,7 +318,7 @@ int fvi_estimation_check(const fvi_estimation *fit)
         || !fit->low != !fit->high)
         FVI_FAIL("a pointer of the fit is NULL", FVI_EFAULT);
     const fvi_system *system = fit->run->system;
-    int status = fvi_system_check_any(system, NULL);
+    int status = fvi_system_require_any(system);
     if (!status)
         status = check_parameters(fit);
     return status ? status : fvi_estimation_check_data(fit);

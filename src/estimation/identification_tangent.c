@@ -4,6 +4,7 @@
 
 #include <fvi/fvi.h>
 #include "system/fail.h"
+#include "system/system_check.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -120,7 +121,7 @@ static int check(const fvi_tangent_run *o)
         FVI_FAIL("a pointer of the tangents is NULL", FVI_EFAULT);
     if (o->run->law)
         FVI_FAIL("the tangents are those of a power", FVI_EUNSUP);
-    int status = fvi_system_check(o->run->system, NULL);
+    int status = fvi_system_require(o->run->system);
     if (!status && (o->run->system->d != 1 || o->P == 0))
         FVI_FAIL("tangents are of one mass, by a parameter or more",
                  FVI_EINVAL);

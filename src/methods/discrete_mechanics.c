@@ -3,6 +3,7 @@
 
 #include "stability_number.h"
 #include "system/fail.h"
+#include "system/system_check.h"
 #include "newton/newton.h"
 
 #include <gsl/gsl_math.h>
@@ -14,7 +15,7 @@
 static int prepare(const fvi_system *system, double kappa, double h,
                    const double *x, const double *y, double **S)
 {
-    int status = fvi_system_check(system, NULL);
+    int status = fvi_system_require(system);
     if (status)
         return status;
     if (!x || !y)

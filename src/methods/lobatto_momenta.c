@@ -2,6 +2,7 @@
 #include <fvi/lobatto.h>
 #include "stages/lobatto_weights.h"
 #include "system/fail.h"
+#include "system/system_check.h"
 
 #include <gsl/gsl_math.h>
 
@@ -35,7 +36,7 @@ int fvi_lobatto_correct_momenta(const fvi_method *method, const fvi_run *run,
                                             { 1, -4, 6, -4, 1 } };
     if (!method || !run || !x || !p)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check(run->system, NULL);
+    int status = fvi_system_require(run->system);
     if (status)
         return status;
     const size_t s = (size_t)method->stages;

@@ -2,6 +2,7 @@
 #include "linearised.h"
 
 #include "system/fail.h"
+#include "system/system_check.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -208,7 +209,7 @@ static int finish(fvi_newton *n, fvi_newton **newton)
 int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
                      double theta, fvi_newton **newton)
 {
-    int status = fvi_system_check(system, NULL);
+    int status = fvi_system_require(system);
     if (status)
         return status;
     if (!A || !newton)
@@ -231,7 +232,7 @@ int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
 int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
                             fvi_newton **newton)
 {
-    int status = fvi_system_check(system, NULL);
+    int status = fvi_system_require(system);
     if (status)
         return status;
     if (!s || !newton)

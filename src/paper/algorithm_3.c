@@ -5,6 +5,7 @@
 #include <fvi/paper/half_derivative.h>
 #include <fvi/paper/legendre.h>
 #include "system/fail.h"
+#include "system/system_check.h"
 
 #include <gsl/gsl_math.h>
 #include <stdint.h>
@@ -50,7 +51,7 @@ int fvi_algorithm_3(const fvi_system *system, double alpha, double kappa,
 {
     if (!x)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check(system, NULL);
+    int status = fvi_system_require(system);
     if (status)
         return status;
     if (system->d != 1)

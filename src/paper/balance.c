@@ -2,6 +2,7 @@
 #include <fvi/paper/balance.h>
 
 #include "system/fail.h"
+#include "system/system_check.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -12,7 +13,7 @@ static int check(const fvi_balance_scheme *scheme, size_t N)
 {
     if (!scheme)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check(scheme->system, NULL);
+    int status = fvi_system_require(scheme->system);
     if (status)
         return status;
     if (!(scheme->alpha >= 0 && scheme->alpha <= 1))

@@ -5,6 +5,7 @@
 #include <fvi/discrete_mechanics.h>
 #include <fvi/paper/integration_by_parts.h>
 #include "system/fail.h"
+#include "system/system_check.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -21,7 +22,7 @@ typedef struct {
 
 static int check(const problem *p)
 {
-    int status = fvi_system_check(p->system, NULL);
+    int status = fvi_system_require(p->system);
     if (status)
         return status;
     if (!p->x || !p->y)

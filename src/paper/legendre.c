@@ -3,6 +3,7 @@
 
 #include <fvi/discrete_mechanics.h>
 #include "system/fail.h"
+#include "system/system_check.h"
 #include "newton/newton.h"
 
 #include <gsl/gsl_math.h>
@@ -60,7 +61,7 @@ static int solve_for_next(const fvi_system *system, double kappa, double h,
 int fvi_legendre_inverse(const fvi_system *system, double kappa, double h,
                          const double *x, const double *p, double *y)
 {
-    int status = fvi_system_check(system, NULL);
+    int status = fvi_system_require(system);
     if (status)
         return status;
     if (!x || !p || !y)

@@ -3,6 +3,7 @@
 
 #include <fvi/paper/fractional_derivative.h>
 #include "system/fail.h"
+#include "system/system_check.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -177,7 +178,7 @@ static int check_curve(const fvi_powers *f)
 static int check(const fvi_system *system, double alpha, double T, size_t count,
                  const fvi_powers *const *curve, const double *out)
 {
-    int status = fvi_system_check(system, NULL);
+    int status = fvi_system_require(system);
     if (!status && !out)
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!status && system->d != 1)

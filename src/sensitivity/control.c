@@ -4,6 +4,7 @@
 
 #include <fvi/adjoint.h>
 #include "system/fail.h"
+#include "system/system_check.h"
 #include "system/larger.h"
 
 #include <gsl/gsl_linalg.h>
@@ -294,7 +295,7 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
 {
     if (!method || !run || !x || !p || !u || !found)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check(run->system, NULL);
+    int status = fvi_system_require(run->system);
     if (status)
         return status;
     if (run->steps < 2)

@@ -9,4 +9,9 @@
  * their functions is missing, FVI_EINVAL if there is a potential, too. */
 int fvi_system_check_any(const fvi_system *system, fvi_error *error);
 
+/* fvi_system_require, fvi_system_require_any -- as fvi_system_check and fvi_system_check_any, for a function that
+ * returns a code and no fvi_error: the reason goes to the error handler. */
+int fvi_system_require(const fvi_system *system);
+int fvi_system_require_any(const fvi_system *system);
+
 #endif
