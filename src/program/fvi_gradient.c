@@ -4,7 +4,7 @@
 #include "fvi_gradient_answer.h"
 #include "fvi_gradient_complaint.h"
 #include "fvi_gradient_forces.h"
-#include "fvi_gradient_rows.h"
+#include "fvi_gradient_choice.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"

@@ -1,5 +1,6 @@
 /* src/program/fvi_gradient_answer.c -- What `fvi gradient` prints. */
 #include "fvi_gradient_answer.h"
+#include "fvi_gradient_choice.h"
 #include "fvi_gradient_rows.h"
 #include <fvi/lobatto.h>
 

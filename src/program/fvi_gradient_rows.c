@@ -1,7 +1,6 @@
 /* src/program/fvi_gradient_rows.c -- The rows of `fvi gradient`, by name. */
 #include "fvi_gradient_rows.h"
 
-#include <fvi/parse.h>
 #include <fvi/rheology.h>
 
 #include <math.h>
@@ -11,9 +10,7 @@
 typedef fvi_gradient_request request;
 typedef fvi_gradient_visitor visitor;
 
-enum { LETTERS = 80 };
-
-/* ---- all rows ---- */
+enum { LETTERS = FVI_GRADIENT_LETTERS };
 
 /* Number i of an array; NULL if it is not asked for. */
 static const double *at(const double *by, size_t i)
@@ -239,164 +236,4 @@ void fvi_gradient_rows(const request *r, const visitor *v)
             warn(v, r->o.lets.name[j], "no derivative by %s: " OF_A_JUMP, r->o.lets.name[j]);
         else
             row(v, r->o.lets.name[j], "", r->lets + j);
-}
-
-/* ---- those that are asked for ---- */
-
-/* Is the word of --by, of so many letters, this name, or the name of all masses? */
-static int names_row(const char *word, size_t length, const char *name)
-{
-    static const char *const of_masses[] = { "x0", "p0", "mass", "rho", NULL };
-    if (strncmp(word, name, length) != 0)
-        return 0;
-    for (int i = 0; of_masses[i]; i++)
-        if (strlen(of_masses[i]) == length && strncmp(word, of_masses[i], length) == 0
-            && name[length] == '_')
-            return 1;
-    return name[length] == '\0';
-}
-
-int fvi_gradient_has_row(const request *r, const char *name)
-{
-    const char *word = r->words.own[BY];
-    while (word && *word) {
-        const size_t length = strcspn(word, ",");
-        if (names_row(word, length, name))
-            return 1;
-        word += length + (word[length] == ',');
-    }
-    return !r->words.own[BY];
-}
-
-/* All names, and which arrays have a number that is asked for. */
-enum { FIELDS = 10, MOST = 1024 };
-typedef struct {
-    request *r;
-    char name[MOST][LETTERS];
-    char reason[MOST][3 * LETTERS]; /* why there is no derivative by it, or empty */
-    size_t count;
-    struct {
-        double **to;
-        size_t size;
-        int is_wanted;
-    } field[FIELDS];
-} choice;
-
-static void note(void *to, const char *name, const double *by, const char *warning)
-{
-    choice *c = to;
-    if (c->count < MOST) {
-        char *reason = c->reason[c->count];
-        snprintf(c->name[c->count++], LETTERS, "%s", name);
-        if (warning)
-            snprintf(reason, sizeof *c->reason, "%s", warning);
-        else if (by && isnan(*by))
-            snprintf(reason, sizeof *c->reason, FVI_GRADIENT_NO_START, name);
-    }
-    for (size_t i = 0; by && i < FIELDS; i++)
-        if (*c->field[i].to && by >= *c->field[i].to && by < *c->field[i].to + c->field[i].size)
-            c->field[i].is_wanted |= fvi_gradient_has_row(c->r, name);
-}
-
-/* The names of --by that stand for all masses. */
-static size_t name_masses(const request *r, const char **known)
-{
-    const size_t count = !r->o.numbered                           ? 0
-                         : !r->has_mass || r->system.matrices     ? 2
-                         : r->terms || r->system.mechanism        ? 3
-                                                                  : 4;
-    static const char *const of_masses[] = { "x0", "p0", "mass", "rho" };
-    for (size_t i = 0; i < count; i++)
-        known[i] = of_masses[i];
-    return count;
-}
-
-/* A word, of so many letters, whose rows all are a line of warning: refused with the last of them. */
-static int check_has_derivative(const choice *all, const char *word, size_t length, fvi_error *c)
-{
-    const char *reason = NULL;
-    for (size_t i = 0; i < all->count; i++) {
-        if (!names_row(word, length, all->name[i]))
-            continue;
-        if (!*all->reason[i])
-            return 0;
-        reason = all->reason[i];
-    }
-    return reason ? fvi_refuse(c, "by", "'%.*s': %s", (int)length, word, reason) : 0;
-}
-
-int fvi_gradient_check_answer(request *r, fvi_error *c)
-{
-    choice *all = r->words.own[BY] ? calloc(1, sizeof *all) : NULL;
-    int status = 0;
-    if (!r->words.own[BY])
-        return 0;
-    if (!all)
-        return fvi_fail(c, FVI_ENOMEM, NULL, 0, "not enough memory");
-    for (size_t i = 0; i < FIELDS; i++) /* each has been computed, or not */
-        all->field[i].to = &r->numbers;
-    all->r = r;
-    fvi_gradient_rows(r, &(visitor){ note, all });
-    for (const char *at = r->words.own[BY]; at && !status; at = strchr(at, ',')) {
-        at += *at == ',';
-        status = check_has_derivative(all, at, strcspn(at, ","), c);
-    }
-    free(all);
-    return status;
-}
-
-static int check_words(const request *r, const choice *all, fvi_error *c)
-{
-    const char *known[MOST + 5] = { NULL };
-    char word[LETTERS];
-    size_t which, n = name_masses(r, known);
-    for (size_t i = 0; i < all->count; i++)
-        known[n++] = all->name[i];
-    for (const char *at = r->words.own[BY];;) {
-        const size_t length = strcspn(at, ",");
-        snprintf(word, sizeof word, "%.*s", (int)length, at);
-        if (fvi_parse_word("by", word, known, &which, c)
-            || check_has_derivative(all, at, length, c))
-            return 2;
-        if (!at[length])
-            return 0;
-        at += length + 1;
-    }
-}
-
-int fvi_gradient_choose(request *r, fvi_error *c)
-{
-    const size_t d = r->o.d, terms = fvi_gradient_terms(r),
-                 constants = r->system.matrices ? 1 : r->to.sensitivity.count;
-    choice *all = calloc(1, sizeof *all);
-    if (!r->words.own[BY]) {
-        free(all);
-        return 0;
-    }
-    if (!all)
-        return fvi_fail(c, FVI_ENOMEM, NULL, 0, "not enough memory");
-    all->r = r;
-    double **const to[] = { &r->to.x0,    &r->to.p0,     &r->to.mass,  &r->to.damping,
-                            &r->to.alpha, &r->to.terms,  &r->to.orders, &r->to.times,
-                            &r->to.ends,  &r->to.parameters };
-    const size_t size[] = { d, d, d, d + fvi_gradient_dampers(r), 1, terms, terms, terms,
-                            terms, constants };
-    for (size_t i = 0; i < FIELDS; i++) {
-        all->field[i].to = to[i];
-        all->field[i].size = size[i];
-    }
-    fvi_gradient_rows(r, &(visitor){ note, all });
-    const int status = check_words(r, all, c);
-    enum { TERMS = 5, TIMES = 7 }; /* rho1 of two springpots in series stands in the time, too */
-    all->field[TIMES].is_wanted |= all->field[TERMS].is_wanted && r->has_pairs;
-    for (size_t i = 0; i < FIELDS; i++)
-        if (!all->field[i].is_wanted)
-            *to[i] = NULL;
-    r->by_lets = 0;
-    for (size_t j = 0; j < r->o.lets.count; j++)
-        r->by_lets |= fvi_gradient_has_row(r, r->o.lets.name[j]);
-    if (!r->by_lets)
-        r->to.names = NULL;
-    free(all);
-    return status;
 }

@@ -130,6 +130,8 @@ START_TEST(by_chooses_rows)
     snprintf(line, sizeof line, "%s --by b", same);
     ck_assert_int_eq(fvi(line), 0);
     ck_assert_uint_eq(count_rows(), 1);
+    ck_assert_int_eq(fvi("gradient --potential chain:600,1,0 --x0 0 --steps 3 --by rho_600,c"), 0); /* rows 1800 and 1802 */
+    ck_assert_uint_eq(count_rows(), 2);
     ck_assert_int_eq(fvi("gradient --by alhpa"), 2);
     ck_assert_ptr_nonnull(strstr(err, "--by: 'alhpa' is none of x0, p0, mass, rho, alpha, c; did "
                                       "you mean alpha?"));
