@@ -174,8 +174,16 @@ static int search(fvi_solve_state *o, double *x, double *p)
     return status;
 }
 
+/* Of a start that the method does not take the reason is that of the start. */
 static int fail_of_search(const fvi_solve_state *o, int status)
 {
+    if (status == FVI_EUNSUP) {
+        fvi_stepper *s = NULL;
+        const int again = fvi_stepper_start(o->method, &o->run, &s, o->error);
+        fvi_stepper_free(s);
+        if (again == status)
+            return status;
+    }
     if (status != FVI_ETOL)
         return fvi_fail(o->error, status, NULL, NAN, "%s",
                         fvi_error_name(status));

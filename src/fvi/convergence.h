@@ -18,11 +18,11 @@ extern "C" {
  *   lipschitz     ell, a Lipschitz constant of g in B
  *   gradient      G, a bound of |g| in B
  *   variation     the total variation of f on [0, T], jumps included
- *   start         |v0|, read if 2 alpha < 1
+ *   start         |v0|, used if 2 alpha < 1, and by fvi_position_bound_compute
  *   speed         V, a bound of |x'|
  *   acceleration  A, a bound of |x''|
  *   velocity_variation  W, the total variation of x' on [0, T]; only
- *                 fvi_position_bound_compute reads it
+ *                 fvi_position_bound_compute uses it
  *   room          > 0; GSL_POSINF if ell and G hold everywhere
  *
  * All others are finite and >= 0. The norm is Euclid's. */
@@ -39,7 +39,7 @@ typedef struct {
 
 /* fvi_error_bound -- the constants of the theorem. */
 typedef struct {
-    double C;      /* (20.5) */
+    double C;      /* (20.5), or (20.14) */
     double lambda; /* (20.6) */
     double h;      /* it speaks of all steps below this, GSL_POSINF if of all */
 } fvi_error_bound;
@@ -65,9 +65,9 @@ int fvi_error_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bound
  *     |x_k - x(t_k)|      <= 2 C h e^(lambda t_k)                      [(20.14)]
  *
  * for a run of fvi_fractional with h < bound->h and Caputo's past, or held. A held body with
- * 2 alpha > 1 and v0 != 0 has no bound A of |x''|, but a finite W: `acceleration` is not read,
- * `velocity_variation` is. `start` is |v0|, for every alpha; with Caputo's past and
- * 2 alpha > 1 it is 0. (20.15) bounds the momenta.
+ * 2 alpha > 1 and v0 != 0 has no bound A of |x''|, but a finite W: the bound has
+ * `velocity_variation` in the place of `acceleration`, which may be 0. `start` is |v0|,
+ * for every alpha; with Caputo's past and 2 alpha > 1 it is 0. (20.15) bounds the momenta.
  *
  *     fvi_smoothness known = { .alpha = 0.75, .T = 1, .damping = 0.5, .lipschitz = 1,
  *         .gradient = 2, .start = 1, .speed = 1.5, .velocity_variation = 2, .room = 1 };

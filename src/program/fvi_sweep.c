@@ -180,6 +180,8 @@ static void reason_of_start(const sweep_grid *g, size_t i, int status, size_t si
     fvi_reason_of_start(&o, &r, status, &error);
     if (error.field)
         snprintf(text, size, "--%s: %s", error.field, error.text);
+    else if (status == FVI_EUNSUP)
+        snprintf(text, size, "%s", error.text);
     fvi_options_free(&o);
 }
 

@@ -194,6 +194,17 @@ static int takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o)
                      : o->beta <= 0 || o->beta == 1;
 }
 
+/* The modes of a law. */
+static int begin_kernel(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const int status = fvi_variable_step_begin_kernel(o);
+    return status == FVI_EUNSUP
+               ? fvi_fail(s->error, status, NULL, NAN,
+                          "a pole of this law is too near to its cut, or off it, for fvi-adaptive; "
+                          "fvi-bdf2 and fvi-stable take it")
+               : status;
+}
+
 /* The modes, if damping remembers; when the singular start is over. */
 static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
 {
@@ -202,7 +213,7 @@ static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
         if (system->damping[j] > 0)
             o->index[o->damped++] = j;
     if (o->kernel)
-        return o->damped ? fvi_variable_step_begin_kernel(o) : FVI_SUCCESS;
+        return o->damped ? begin_kernel(s, o) : FVI_SUCCESS;
     fvi_variable_present(o->rule, o->beta, &o->W0);
     const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
     fvi_square_apply(o->rule->s, &o->W0, ones, o->W1);
@@ -216,9 +227,8 @@ static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
         o->least = smaller(
             o->least, o->T * pow(1e-4 * fmin(o->tolerance, 1), 1 / (1 - o->beta)));
     if (o->least < FVI_SHORTEST / 16 * o->T)
-        FVI_FAIL("no step is short enough for what such a damping makes of a "
-                 "velocity that jumps",
-                 FVI_EUNSUP);
+        return fvi_fail(s->error, FVI_EUNSUP, NULL, NAN,
+                        "no step is short enough for a velocity that jumps: alpha is too near to 1");
     o->counts.memory = o->modes_kind == FVI_MODES_COARSE   ? 1e-7
                        : o->modes_kind == FVI_MODES_MEDIUM ? 3e-10
                                                            : 0;
@@ -237,9 +247,9 @@ static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
     for (size_t j = 0; j < system->d; j++)
         jumps |= system->damping[j] > 0 && s->p[j] != 0;
     if (jumps && fvi_kernel_growth(s->run.law) > 1)
-        FVI_FAIL("p0: fvi-adaptive takes no velocity that jumps with a law that "
-                 "grows faster than s; fvi-bdf2 and fvi-stable do",
-                 FVI_EUNSUP);
+        return fvi_fail(s->error, FVI_EUNSUP, "p0", NAN,
+                        "fvi-adaptive takes no velocity that jumps with a law that "
+                        "grows faster than s; fvi-bdf2 and fvi-stable do");
     return fvi_variable_step_prepare_kernel(s->run.law, &o->kernel);
 }
 

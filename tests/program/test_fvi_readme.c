@@ -51,7 +51,7 @@ static int agree(const char *got, const char *want)
         char *ends[2];
         const double a = strtod(got, &ends[0]), b = strtod(want, &ends[1]);
         const int numbers = ends[0] == got + m && ends[1] == want + n;
-        if (numbers ? fabs(a - b) > 1e-6 * fabs(b)
+        if (numbers ? !(fabs(a - b) <= 1e-6 * fabs(b)) /* NaN is no number */
                     : m != n || strncmp(got, want, n) != 0)
             return 0;
         got += m;

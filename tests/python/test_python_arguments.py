@@ -57,6 +57,17 @@ def test_what_is_not_above_0_is_refused(name, value):
     (lambda: fvi.solve(Q.replace(order=3)), fvi.Error, r"^order is 3; it must be in \[0, 2\]"),
     (lambda: fvi.solve(Q.replace(order=nan)), fvi.Error, "^order is nan"), (lambda: fvi.solve(Q.replace(v0=nan)), fvi.Error, "^v0 is nan"),
     (lambda: fvi.solve(Q.replace(x0=[1, 2, 3], v0=[1, 2])), ValueError, r"^v0 has the shape \(2,\), not \(3,\)"),
+    # laws and starts that the default method does not take
+    *[(lambda how=how: fvi.solve(fvi.Problem(damping="zener:1,0.6,2", time=1), **how), fvi.Error, "^a pole of this law is too near")
+      for how in ({}, dict(events="x : mark"), dict(error=1e-3, method="fvi-adaptive"))],
+    (lambda: fvi.solve(fvi.Problem(damping="power:1,0.7 + viscous:1")), fvi.Error, "^fvi-adaptive takes no velocity that jumps"),
+    (lambda: fvi.solve(fvi.Problem(alpha=1 - 1e-9, force="impulse:1,2")), fvi.Error, "^no step is short enough for a velocity that jumps"),
+    # bounds, and pasts of an exact motion
+    *[(lambda name=name, v=v: fvi.error_bound(alpha=0.3, time=1, damping=1, lipschitz=1, gradient=1, variation=0, start=0, speed=1,
+                                              **{name: v}), TypeError, f"^{name}: .* is no number")
+      for name in ("acceleration", "velocity_variation") for v in ("", False, [])],
+    (lambda: fvi.exact_motion(fvi.Problem(damping="power:1,0.7", past="caputo"), 1), ValueError, "^past: "),
+    (lambda: fvi.exact_motion(fvi.Problem(alpha=0.7, past="caputo"), 1), ValueError, "^past: "),
     # what should be a list, a dict, a function, a file
     *[(lambda name=name, v=v: fvi.Problem(**{name: v}), TypeError, f"^{name}: .* is no text and no list")
       for name in ("dampers", "constraints", "impose", "force_on") for v in (3, nan, {1}, {}) if (name, v) != ("impose", {})],

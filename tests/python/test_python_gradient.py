@@ -61,6 +61,18 @@ def test_every_derivative_by_differences(method):
     compare(TWO, dict(h=0.05, method=method), FIELDS, 1e-7)
 
 
+def test_a_derivative_by_a_start_beside_which_there_is_no_motion_is_warned_of():
+    """With the past rl above the order 1 x0 is 0; with such a law fvi-adaptive begins at rest. The mass has its derivative."""
+    rl = fvi.solve(fvi.Problem(past="rl", x0=0, alpha=0.7, time=2), h=0.1, method="fvi-stable")
+    with pytest.warns(fvi.FviWarning, match="^x0: no derivative by it: other starts have no solution"):
+        assert np.isnan(fvi.vjp(rl, x=1.0, wrt="x0")["x0"])
+    for start in ("p0", "v0"):
+        s = fvi.solve(fvi.Problem(damping="power:1,0.7 + viscous:1", time=2, **{start: 0}))
+        with pytest.warns(fvi.FviWarning, match=f"^{start}: no derivative by it: other starts have no solution"):
+            by = fvi.vjp(s, x=1.0)
+        assert np.isnan(by[start]) and np.isfinite(by["mass"]) and np.isfinite(by["x0"])
+
+
 @pytest.mark.parametrize("past, alpha", [("caputo", 0.7), ("rl", 0.3), ("held", 0.7), ("held", 0.5)])
 def test_the_pasts_have_derivatives(past, alpha):
     for method in ("fvi", "fvi-stable", "fvi-lobatto3"):

@@ -282,6 +282,8 @@ def test_exact_motions_are_the_programs(tmp_path):
     for wrong in (dict(force="t"), dict(past="rl", x0=0), dict(ground="t")):
         with pytest.raises(ValueError):
             fvi.exact_motion(fvi.Problem(**wrong), 1)
+    like = [fvi.exact_motion(fvi.Problem(damping="zener:1,0.3,2", past=past), 1) for past in ("held", "caputo")]
+    assert like[0].x == like[1].x  # no order is above 1
     with pytest.raises(fvi.Error, match="not quadratic"):
         fvi.exact_motion(fvi.Problem("duffing:1,1"), 1)
 

@@ -12,6 +12,7 @@ int fvi_poles_find(fvi_response *response, size_t count, fvi_poles *poles, fvi_e
 void fvi_poles_free(fvi_poles *poles);
 int fvi_response_warning_of_place(const fvi_system *system, const double *x, const char **text);
 int fvi_response_warning_of_poles(const fvi_poles *poles, size_t size, char *text);
+int fvi_kernel_takes_caputo(const fvi_kernel *law);
 int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage, double *loss);
 typedef struct {
     double alpha, kappa, T, damping, lipschitz, gradient, variation, start, speed, acceleration, velocity_variation, room;

@@ -163,6 +163,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     "damping", a dict for each term of the law, with rho, alpha, time and end; of maxwell2 rho1, alpha1, rho2
     and alpha2; "force", of measured rows, by each F.
 
+    By x0, p0 or v0 it is NaN, and a warning says so, where other starts have no solution.
+
     These are the derivatives of the numbers that `solve` gives, exact but for rounding: no difference is taken. Of
     "fvi-adaptive" the steps are held, and with error they are those of another run as fine.
     Raises fvi.Error where the library has no such derivative (code 23): leave that out of wrt.
@@ -278,6 +280,12 @@ def add_ground(system: Any, mirror: Mirror, found: dict, whole: bool) -> None:
     found["mass"] += by.sum() if whole else by / np.frombuffer(ffi.buffer(system.system.mass, 8 * d))
 
 
+def warn_of_start(name: str, by: Array) -> None:
+    """The library leaves NaN where other starts have no solution."""
+    if np.isnan(by).any():
+        warn(f"{name}: no derivative by it: other starts have no solution")
+
+
 def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws: list, lets: list, used: list) -> dict:
     """By the names of the problem, in its shapes."""
     answer: dict = {}
@@ -291,6 +299,7 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
     for name, field, given in (("x0", "x0", 1.0 if q.x0 is None else q.x0), ("p0", "p0", 0.5 if q.p0 is None else q.p0),
                                ("rho", "damping", 0.2 if q.rho is None else q.rho)):
         if name in names and not (name == "rho" and q.kind == "mechanism"):
+            warn_of_start(name, found[field])
             answer[name] = like(given, found[field])
     if q.lagrangian is not None and q.v0 is not None and "p0" in found:
         by_v0, by_x0, n = np.zeros(d), found.get("x0", np.zeros(d)), len(found.get("parameters", ()))
@@ -304,6 +313,7 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
     else:
         mass_of_v0 = mass * found["p0"] if "p0" in found else np.zeros(d)
     if "v0" in names:
+        warn_of_start("v0", mass_of_v0)
         answer["v0"] = like(q.v0, mass_of_v0)
     if q.kind == "mechanism" and names & {"rho", "alpha", "order"}:
         rho = np.broadcast_to(np.asarray(0.2 if q.rho is None else q.rho, dtype=float), (d,))
@@ -314,7 +324,8 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
                 answer[name] = share * float(found["orders"].sum())
         names = names - {"rho", "alpha", "order"}
     if "mass" in names:
-        answer["mass"] = like(q.mass, found["mass"] + (found["p0"] * np.asarray(q.v0) if q.v0 is not None else 0))
+        of_start = 0 if q.v0 is None or not np.any(q.v0) else found["p0"] * np.asarray(q.v0)  # p0 = m v0
+        answer["mass"] = like(q.mass, found["mass"] + of_start)
     if "alpha" in names:
         answer["alpha"] = float(found["alpha"][0])
     if "order" in names:

@@ -32,7 +32,7 @@ def failure(code: int, where: str = "") -> Error:
     return Error(words + own_code(code) + where, code)
 
 
-IN_PYTHON = {"damper": "dampers", "constraint": "constraints", "force-on": "force_on", "event": "events"}
+IN_PYTHON = {"damper": "dampers", "constraint": "constraints", "force-on": "force_on", "event": "events", "law": "damping"}
 
 
 def field_of(error: Any) -> Optional[str]:

@@ -139,7 +139,8 @@ def exact_motion(problem: Problem, t: Numbers, first: float = 1.0) -> ExactMotio
     if problem.force is not None and not lib.fvi_typed_force_is_simple(system.typed_force, kind, constants):
         raise ValueError(f"force: '{problem.force}' has no exact motion here; none, step:A,T and cosine:A,W have")
     run = linear.motion.run
-    if run.past == lib.FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE or (run.past == lib.FVI_INITIAL_HISTORY_CAPUTO and run.alpha > 0.5):
+    is_like_held = run.alpha <= 0.5 if run.law == ffi.NULL else lib.fvi_kernel_takes_caputo(run.law)
+    if run.past == lib.FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE or (run.past == lib.FVI_INITIAL_HISTORY_CAPUTO and not is_like_held):
         raise ValueError("past: the exact motion is that of dampers that were held")
     asked = ffi.new("fvi_exact_problem *", {"x0": run.x0, "p0": run.p0, "forcing": kind[0], "A": constants[0], "T": constants[1],
                                             "w": constants[1]})
@@ -221,7 +222,7 @@ def control(problem: Problem, x: Numbers, p: Numbers, *, h: Optional[float] = No
 
 class Bound(NamedTuple):
     """What `error_bound` returns: |x_k - x(t_k)| <= 2 C h (exp(rate t_k) - 1)/rate for every step below `h`, t_k in place of the
-    quotient if rate is 0. From a `velocity_variation` it is 2 C h exp(rate t_k)."""
+    quotient if rate is 0. Of a bound from `velocity_variation` the right side is 2 C h exp(rate t_k)."""
     C: float
     rate: float
     h: float
@@ -245,8 +246,9 @@ def error_bound(*, alpha: float, time: float, damping: float, lipschitz: float, 
         raise ValueError("acceleration: give either acceleration or velocity_variation")
     motion = ffi.new("fvi_smoothness *", {"T": number("time", time), **{name: number(name, value) for name, value in (
         ("alpha", alpha), ("kappa", kappa), ("damping", damping), ("lipschitz", lipschitz), ("gradient", gradient),
-        ("variation", variation), ("start", start), ("speed", speed), ("acceleration", acceleration or 0),
-        ("velocity_variation", velocity_variation or 0), ("room", room))}})
+        ("variation", variation), ("start", start), ("speed", speed), ("room", room),
+        ("acceleration", 0.0 if acceleration is None else acceleration),
+        ("velocity_variation", 0.0 if velocity_variation is None else velocity_variation))}})
     bound = ffi.new("fvi_error_bound *")
     succeed(ask(lib.fvi_error_bound_compute if velocity_variation is None else lib.fvi_position_bound_compute, motion, bound))
     return Bound(bound.C, getattr(bound, "lambda"), bound.h)
