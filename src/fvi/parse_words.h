@@ -95,7 +95,7 @@ int fvi_parse_table_columns(const char *field, const char *file, size_t count,
  *   used  for each, who speaks of it: FVI_USED_BY_POTENTIAL, FVI_USED_BY_FORCE,
  *         FVI_USED_BY_PARAMETER, FVI_USED_BY_DAMPING, FVI_USED_BY_COLUMN, added; of a
  *         Lagrangian _POTENTIAL, and _MECHANISM of an elongation, a constraint, an imposed
- *         coordinate and a force of velocity
+ *         coordinate and a force of velocity; of a constraint and an imposed coordinate _CONSTRAINT, too
  *   terms      how many terms of laws were read, and
  *   exchanged  of which of them, a bit each, the parts are exchanged, see fvi_pair_is_exchanged */
 enum {
@@ -106,7 +106,8 @@ enum {
     FVI_USED_BY_PARAMETER = 4,
     FVI_USED_BY_DAMPING = 8,
     FVI_USED_BY_COLUMN = 16,
-    FVI_USED_BY_MECHANISM = 32
+    FVI_USED_BY_MECHANISM = 32,
+    FVI_USED_BY_CONSTRAINT = 64
 };
 typedef struct {
     size_t count;

@@ -29,7 +29,9 @@ int fvi_parse_sensor(const char *field, const char *text, size_t d,
  *   run        its system, law and dampers
  *   column     `columns` names of what is measured, or NULL for one column
  *   constant   `constants` names of the constants of the potential
- *   parameters  with which law and dampers were parsed; NULL if they were not */
+ *   parameters  with which law, dampers and constraints were parsed; NULL if they were not. If a constant of the
+ *               potential has the name of one of them, it is this one.
+ *   has_ground  is a ground part of the run's force? */
 typedef struct {
     const fvi_run *run;
     size_t columns;
@@ -37,6 +39,7 @@ typedef struct {
     size_t constants;
     const char *const *constant;
     const fvi_user_parameters *parameters;
+    int has_ground;
 } fvi_free_parameter_names;
 
 /* fvi_parse_free_parameter -- which parameter has this name?
@@ -45,6 +48,9 @@ typedef struct {
  *     offset  drift                     offset.NAME of the column with this name
  *     d1.rho  d1.zener2.alpha           of run->law, or of the damper NAME: NAME.rho
  *     c  g  k                           of the constants
+ *
+ * Refused, too, is a number of which the run keeps what was made of it: the masses of a Lagrangian, masses that a
+ * ground pulls, and masses, starts and constants that a constraint knows.
  *
  * As the parsers (parse.h); `field` is that of the error. */
 int fvi_parse_free_parameter(const char *field, const char *text,

@@ -4,6 +4,7 @@
 #include "words.h"
 
 #include <fvi/dampers.h>
+#include <fvi/lagrangian.h>
 #include <fvi/parse.h>
 #include <fvi/rheology.h>
 
@@ -180,6 +181,35 @@ static int look_up(const char *field, const char *text, const fvi_run *run, cons
     return status;
 }
 
+/* Does a constraint know this constant? */
+static int is_constrained(const fvi_free_parameter_names *names, size_t constant)
+{
+    const fvi_user_parameters *of = names->parameters;
+    for (size_t i = 0; of && i < of->count; i++)
+        if (of->used[i] & FVI_USED_BY_CONSTRAINT && strcmp(of->name[i], names->constant[constant]) == 0)
+            return 1;
+    return 0;
+}
+
+/* Would another value leave behind what the run has made of this one? */
+static int check_made(const char *field, const char *text, const fvi_free_parameter_names *names,
+                      fvi_free_parameter which, fvi_error *error)
+{
+    const fvi_mechanism *mechanism = names->run->system->mechanism;
+    const size_t base = (size_t)which % FVI_FREE_PARAMETER_EACH;
+    const int is_mass = base == FVI_FREE_PARAMETER_MASS,
+              is_start = base == FVI_FREE_PARAMETER_X0 || base == FVI_FREE_PARAMETER_P0;
+    if (is_mass && names->has_ground)
+        return fvi_fail(error, FVI_EINVAL, field, NAN,
+                        "'%s': the ground pulls each mass by -m a_g, and would keep the old one", text);
+    if (is_mass && mechanism && mechanism->lagrangian)
+        return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s': the masses are those of the Lagrangian", text);
+    if (((is_mass || is_start) && mechanism && mechanism->constraints)
+        || (base >= FVI_FREE_PARAMETER_CONSTANT && is_constrained(names, base - FVI_FREE_PARAMETER_CONSTANT)))
+        return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s': with another one the start breaks a constraint", text);
+    return FVI_SUCCESS;
+}
+
 int fvi_parse_free_parameter(const char *field, const char *text,
                              const fvi_free_parameter_names *names, fvi_free_parameter *which,
                              fvi_error *error)
@@ -192,6 +222,8 @@ int fvi_parse_free_parameter(const char *field, const char *text,
         fvi_fail(error, status, field, NAN, "not enough memory");
     else
         status = look_up(field, text, names->run, &d, which, error);
+    if (!status)
+        status = check_made(field, text, names, *which, error);
     free(d.name);
     free(d.which);
     return status;

@@ -87,7 +87,7 @@ int fvi_parse_expression(const char *field, const char *variable, size_t d,
     if (!status && parameters)
         note_use(parameters, text,
                  !variable                      ? FVI_USED_BY_PARAMETER
-                 : strcmp(field, "impose") == 0 ? FVI_USED_BY_MECHANISM
+                 : strcmp(field, "impose") == 0 ? FVI_USED_BY_MECHANISM | FVI_USED_BY_CONSTRAINT
                  : *variable == 't' ? FVI_USED_BY_FORCE
                  : *variable == 's' ? FVI_USED_BY_DAMPING
                                     : FVI_USED_BY_POTENTIAL);
@@ -112,8 +112,9 @@ int fvi_parse_state_expression(const char *field, size_t d, int velocities,
                              field, text, wrong, error);
     if (!status && parameters)
         note_use(parameters, text,
-                 strcmp(field, "lagrangian") == 0 ? FVI_USED_BY_POTENTIAL
-                                                  : FVI_USED_BY_MECHANISM);
+                 strcmp(field, "lagrangian") == 0   ? FVI_USED_BY_POTENTIAL
+                 : strcmp(field, "constraint") == 0 ? FVI_USED_BY_MECHANISM | FVI_USED_BY_CONSTRAINT
+                                                    : FVI_USED_BY_MECHANISM);
     return status;
 }
 

@@ -1,6 +1,5 @@
 /* src/program/fvi_fit_names.c -- What `fvi fit --fit` may ask for, by name. */
 #include "fvi_fit_answer.h"
-#include "options/fvi_option_columns.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -31,47 +30,10 @@ static const char *constant_name(const fvi_options *o, size_t i)
     }
 }
 
-static int is_let(const request *r, size_t n)
-{
-    return fvi_fit_has_lets(&r->o) && r->which[n] >= FVI_FREE_PARAMETER_CONSTANT
-           && r->which[n] < FVI_FREE_PARAMETER_EACH;
-}
-
-/* mass, or mass_2 of the second. */
-static int is_one_of(const request *r, size_t n, const char *name)
-{
-    const size_t length = strlen(name);
-    return !is_let(r, n) && strncmp(r->name[n], name, length) == 0
-           && (r->name[n][length] == '\0' || r->name[n][length] == '_');
-}
-
-/* What the words of a start, of a ground and of a Lagrangian have made of numbers that would change. */
-static int check_made(const request *r, size_t n, fvi_error *c)
-{
-    const fvi_options *o = &r->o;
-    const int is_mass = is_one_of(r, n, "mass"), is_start = is_one_of(r, n, "x0") || is_one_of(r, n, "p0");
-    if (is_mass && o->ground)
-        return fvi_refuse(c, "fit", "'%s': the ground pulls each mass by -m a_g, and would keep the old one", r->name[n]);
-    if (is_mass && o->text[LAGRANGIAN])
-        return fvi_refuse(c, "fit", "'%s': the masses are those of the Lagrangian", r->name[n]);
-    if ((is_mass || is_start) && (o->text[CONSTRAINT] || o->text[IMPOSE]))
-        return fvi_refuse(c, "fit", "'%s': with another one the start breaks --%s", r->name[n],
-                          o->text[CONSTRAINT] ? "constraint" : "impose");
-    for (int i = 0; i < 2 && is_let(r, n); i++) {
-        const option_index tie = i == 0 ? CONSTRAINT : IMPOSE;
-        if (o->text[tie] && fvi_text_speaks_of(o->text[tie], r->name[n]))
-            return fvi_refuse(c, "fit", "'%s': with another one the start breaks --%s", r->name[n],
-                              fvi_option_list[tie].name);
-    }
-    return 0;
-}
-
 /* What a parameter must be, beside known. */
 static int check(const request *r, size_t n, fvi_error *c)
 {
     const fvi_free_parameter which = r->which[n];
-    if (check_made(r, n, c))
-        return 2;
     for (size_t i = 0; i < n; i++)
         if (r->which[i] == which)
             return fvi_refuse(c, "fit", "'%s' stands twice", r->name[n]);
@@ -93,7 +55,7 @@ int fvi_fit_names(request *r, fvi_error *c)
 {
     const char *constants[FVI_MOST_USER_PARAMETERS + 2];
     fvi_free_parameter_names known = { &r->run, r->columns, r->columns ? r->column : NULL, 0,
-                                       constants, &r->o.lets };
+                                       constants, &r->o.lets, r->o.ground != NULL };
     while (constant_name(&r->o, known.constants)) {
         constants[known.constants] = constant_name(&r->o, known.constants);
         known.constants++;

@@ -314,7 +314,7 @@ START_TEST(parameters_have_names)
     body b;
     char text[100];
     build(&b, BEGIN);
-    const fvi_free_parameter_names known = { &b.run, COLUMNS, SHOWN, 2, constant, NULL };
+    const fvi_free_parameter_names known = { &b.run, COLUMNS, SHOWN, 2, constant, NULL, 0 };
     fvi_free_parameter which;
     fvi_error error;
     for (size_t i = 0; i < LEN(names); i++) {

@@ -56,17 +56,17 @@ END_TEST
 START_TEST(what_would_break_the_start_is_not_fitted)
 {
     ck_assert_int_eq(fvi("run --steps 20 --potential chain:2,1,0 --columns t,x -o data.tsv"), 0);
-    ck_assert_refused("fit data.tsv --compare x1,x2 --potential chain:2,1,0 --ground t --fit mass",
-                      "fvi: --fit: 'mass': the ground pulls each mass by -m a_g, and would keep the old one");
+    ck_assert_refused("fit data.tsv --compare x1,x2 --potential chain:2,1,0 --ground t --fit Mass",
+                      "fvi: --fit: 'Mass': the ground pulls each mass by -m a_g, and would keep the old one");
     ck_assert_refused("fit data.tsv --compare x1,x2 --lagrangian '(v1^2+v2^2)/2' --x0 1 --p0 0 --fit mass",
                       "fvi: --fit: 'mass': the masses are those of the Lagrangian");
     ck_assert_refused("fit data.tsv --compare x1,x2 --potential '(x2-x1)^2' --impose 'x1=sin(t)' --x0 0 --p0 1,0 --fit p0_2",
-                      "fvi: --fit: 'p0_2': with another one the start breaks --impose");
+                      "fvi: --fit: 'p0_2': with another one the start breaks a constraint");
     ck_assert_refused("fit 'data.tsv : force=t' --compare x1,x2 --potential chain:2,1,0 --ground t --fit c",
                       "fvi: --ground: not together with a force of its own of a record, which would take its place");
     ck_assert_refused("fit data.tsv --compare x1,x2 --lagrangian '(v1^2+v2^2)/2' --let l=1 --constraint 'x1^2+x2^2-l' --x0 1,0 "
                       "--p0 0,1 --fit l",
-                      "fvi: --fit: 'l': with another one the start breaks --constraint");
+                      "fvi: --fit: 'l': with another one the start breaks a constraint");
 }
 END_TEST
 

@@ -230,8 +230,19 @@ def test_a_fit_takes_what_a_motion_takes(problem, truth, guess, want):
     assert found.estimate == pytest.approx(want, abs=1e-6)
 
 
+def test_a_parameter_that_begins_like_the_mass_is_fitted():
+    problem = dict(potential="mass_k*x^2/2", ground="0.5*sin(t)", x0=1, p0=0)
+    s = fvi.solve(fvi.Problem(**problem, let={"mass_k": 2}, time=8), method="fvi-lobatto4", steps=160)
+    data = s.x[:, 0] + 1e-8 * np.random.default_rng(5).normal(size=len(s.t))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # an offset that would not be seen
+        found = fvi.fit(s.t, data, fvi.Problem(**problem, let={"mass_k": 1.5}), which="mass_k", starts=4, method="fvi-lobatto4", h=0.05)
+    assert found.estimate == pytest.approx({"mass_k": 2}, abs=1e-6)
+
+
 @pytest.mark.parametrize("problem, which, why", [
-    (dict(ground="t", x0=0, p0=0), "mass", "the ground pulls"), (dict(lagrangian="v^2/2-x^2", x0=1, p0=0), "mass", "of the Lagrangian"),
+    (dict(ground="t", x0=0, p0=0), "mass", "the ground pulls"), (dict(ground="t", x0=0, p0=0), "Mass", "the ground pulls"),
+    (dict(lagrangian="v^2/2-x^2", x0=1, p0=0), "mass", "of the Lagrangian"),
     (dict(potential="(x2-x1)^2", impose=["x1=sin(t)"], x0=0, p0=[1, 0]), "p0_2", "breaks a constraint"),
     (dict(lagrangian="(v1^2+v2^2)/2", let={"l": 1}, constraints=["x1^2+x2^2-l"], x0=[1, 0], p0=[0, 1]), "l", "breaks a constraint")])
 def test_what_would_break_the_start_is_not_fitted(problem, which, why):

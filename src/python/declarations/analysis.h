@@ -47,6 +47,7 @@ typedef struct {
     size_t constants;
     const char *const *constant;
     const fvi_user_parameters *parameters;
+    int has_ground;
 } fvi_free_parameter_names;
 int fvi_parse_sensor(const char *field, const char *text, size_t d, fvi_user_parameters *parameters, char *name,
                      fvi_expression **shows, fvi_error *error);

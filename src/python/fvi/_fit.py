@@ -1,7 +1,6 @@
 """Parameters from a measured motion."""
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from typing import Any, NamedTuple, Optional, Sequence, Union
 
@@ -135,7 +134,7 @@ def model_of(potential: Any, last: float, method: Optional[str], options: dict) 
     return motion.system, motion.run, motion.method
 
 
-def which_of(system: Any, run: Any, which: Optional[str], columns: list) -> tuple:
+def which_of(system: Any, run: Any, which: Optional[str], columns: list, has_ground: bool) -> tuple:
     """The names of the parameters, and what they mean."""
     names = ffi.new("fvi_free_parameter_names *")
     kept = [ffi.new("char[]", name.encode()) for name in (*columns, *system.names)]
@@ -143,7 +142,7 @@ def which_of(system: Any, run: Any, which: Optional[str], columns: list) -> tupl
     of_constants = ffi.new("char *[]", kept[len(columns):] or [ffi.NULL])
     names.run, names.columns, names.column = run, len(columns), of_columns
     names.constants, names.constant = len(system.names), of_constants
-    names.parameters = system.parameters
+    names.parameters, names.has_ground = system.parameters, has_ground
     if which is None:
         text = ffi.new("char[]", 400)
         which = text_of(lib.fvi_free_parameters_of_laws(run, lib.FVI_ESTIMATION_MOST, 400, text))
@@ -152,23 +151,6 @@ def which_of(system: Any, run: Any, which: Optional[str], columns: list) -> tupl
         understand(lib.fvi_parse_free_parameter, b"which", name.encode(), names, out)
         found.append(int(out[0]))
     return asked, found
-
-
-def check_made(potential: Any, names: list, records: Sequence[Mapping]) -> None:
-    """What the words of a Problem have made of numbers that would change, as the program refuses it."""
-    if not isinstance(potential, Problem):
-        return
-    ties = [*potential.constraints, *potential.impose]
-    if potential.ground is not None and any(record.get("force") is not None for record in records):
-        raise ValueError("records: a force of their own would take the place of the ground's")
-    for name in names:
-        base = name.split("_")[0]
-        if base == "mass" and potential.ground is not None:
-            raise ValueError(f"which: '{name}': the ground pulls each mass by -m a_g, and would keep the old one")
-        if base == "mass" and potential.lagrangian is not None:
-            raise ValueError(f"which: '{name}': the masses are those of the Lagrangian")
-        if ties and (base in ("mass", "x0", "p0") or any(re.search(rf"(?<![\w]){re.escape(name)}(?![\w])", tie) for tie in ties)):
-            raise ValueError(f"which: '{name}': with another one the start breaks a constraint")
 
 
 def put_box(question: Any, system: Any, names: list) -> None:
@@ -230,8 +212,10 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential, Problem] = "har
     last = max(float(each.t[-1]) for each in found)
     system, model, best = model_of(potential, last, method, options)
     columns, shown = sensors_of(system, shows, len(found[0].x))
-    names, places = which_of(system, model, which, columns)
-    check_made(potential, names, records)
+    has_ground = isinstance(potential, Problem) and potential.ground is not None
+    if has_ground and any(record.get("force") is not None for record in records):
+        raise ValueError("records: a force of their own would take the place of the ground's")
+    names, places = which_of(system, model, which, columns, has_ground)
     deviations = np.zeros(len(shown)) if sigma is None else row("sigma", numbers("sigma", sigma), len(shown))
     question = ffi.new("fvi_estimation *")
     question.method, question.run = best, model
