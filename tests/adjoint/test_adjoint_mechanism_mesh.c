@@ -282,12 +282,8 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("adjoint, mechanisms on a mesh");
-    TCase *tcase = tcase_create("mesh");
-    tcase_add_loop_test(tcase, eq_23_16_a_mechanism_on_a_mesh_has_the_derivatives_of_form_D, 0, COUNT);
-    tcase_add_test(tcase, rows_of_the_force_are_those_of_the_lagrangian);
-    tcase_add_test(tcase, masses_have_derivatives_on_a_mesh);
-    tcase_add_test(tcase, what_a_mesh_has_no_derivative_of_is_refused);
-    tcase_add_test(tcase, what_a_callback_returns_comes_back);
-    suite_add_tcase(suite, tcase);
+    ADD_LOOP(suite, eq_23_16_a_mechanism_on_a_mesh_has_the_derivatives_of_form_D, COUNT);
+    ADD_CASE(suite, "mesh", rows_of_the_force_are_those_of_the_lagrangian, masses_have_derivatives_on_a_mesh,
+             what_a_mesh_has_no_derivative_of_is_refused, what_a_callback_returns_comes_back);
     return run_suite(suite);
 }

@@ -330,11 +330,8 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("adjoint, names");
-    TCase *tcase = tcase_create("names");
-    tcase_add_loop_test(tcase, eq_23_31_names_have_the_derivatives_of_differences, 0, COUNT);
-    tcase_add_test(tcase, a_factor_of_an_elongation_is_twice_one_of_the_law);
-    tcase_add_test(tcase, eq_23_30_starts_along_a_constraint_by_every_method);
-    tcase_add_test(tcase, a_name_that_moves_the_start_has_none);
-    suite_add_tcase(suite, tcase);
+    ADD_LOOP(suite, eq_23_31_names_have_the_derivatives_of_differences, COUNT);
+    ADD_CASE(suite, "names", a_factor_of_an_elongation_is_twice_one_of_the_law,
+             eq_23_30_starts_along_a_constraint_by_every_method, a_name_that_moves_the_start_has_none);
     return run_suite(suite);
 }

@@ -108,4 +108,13 @@ static inline int run_suite(Suite *suite)
         suite_add_tcase(suite, case_);                                         \
     } while (0)
 
+/* A test of the suite that runs for _i = 0, ..., count - 1, as a case of its own. */
+#define ADD_LOOP(suite, test, count)                                           \
+    do {                                                                       \
+        TCase *case_ = tcase_create(#test);                                    \
+        tcase_set_timeout(case_, 60);                                          \
+        tcase_add_loop_test(case_, test, 0, (int)(count));                     \
+        suite_add_tcase(suite, case_);                                         \
+    } while (0)
+
 #endif

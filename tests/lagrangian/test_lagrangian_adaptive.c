@@ -301,16 +301,13 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: steps of any length");
-    TCase *errors = tcase_create("errors"), *memory = tcase_create("memory");
-    tcase_add_loop_test(errors, the_error_of_a_step_is_kept_at_the_end, 0, COUNT);
-    tcase_add_loop_test(errors, a_tolerance_is_kept_and_its_estimate_honest, 0, COUNT);
-    tcase_add_loop_test(errors, eq_29_18_the_order_is_2s_minus_2, 0, 3);
-    tcase_add_loop_test(errors, what_a_mesh_does_not_take_is_named, 0, 4);
-    tcase_add_loop_test(memory, dampers_on_coordinates_are_the_old_damping, 0, 15);
-    tcase_add_loop_test(memory, laws_on_coordinates_are_the_old_laws, 0, 6);
-    tcase_add_loop_test(memory, constraints_hold_on_a_mesh, 0, 2);
-    tcase_add_test(memory, eq_29_15_a_coordinate_without_mass);
-    suite_add_tcase(suite, errors);
-    suite_add_tcase(suite, memory);
+    ADD_LOOP(suite, the_error_of_a_step_is_kept_at_the_end, COUNT);
+    ADD_LOOP(suite, a_tolerance_is_kept_and_its_estimate_honest, COUNT);
+    ADD_LOOP(suite, eq_29_18_the_order_is_2s_minus_2, 3);
+    ADD_LOOP(suite, what_a_mesh_does_not_take_is_named, 4);
+    ADD_LOOP(suite, dampers_on_coordinates_are_the_old_damping, 15);
+    ADD_LOOP(suite, laws_on_coordinates_are_the_old_laws, 6);
+    ADD_LOOP(suite, constraints_hold_on_a_mesh, 2);
+    ADD_CASE(suite, "memory", eq_29_15_a_coordinate_without_mass);
     return run_suite(suite);
 }

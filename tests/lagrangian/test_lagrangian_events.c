@@ -282,15 +282,10 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: events");
-    TCase *tcase = tcase_create("events");
-    tcase_add_loop_test(tcase, eq_29_20_impacts_are_where_the_reference_has_them, 0, COUNT);
-    tcase_add_loop_test(tcase, eq_29_20_the_order_stays_2s_minus_2, 0, 2);
-    tcase_add_loop_test(tcase, eq_29_20_the_speed_of_z_turns_round, 0, 2);
-    tcase_add_test(tcase, an_elastic_impact_takes_no_energy);
-    tcase_add_test(tcase, hops_come_to_rest);
-    tcase_add_test(tcase, marks_and_stops_know_v_and_p);
-    tcase_add_test(tcase, a_kick_of_a_mechanism_is_an_impulse);
-    tcase_add_test(tcase, the_balance_falls_at_impacts_alone);
-    suite_add_tcase(suite, tcase);
+    ADD_LOOP(suite, eq_29_20_impacts_are_where_the_reference_has_them, COUNT);
+    ADD_LOOP(suite, eq_29_20_the_order_stays_2s_minus_2, 2);
+    ADD_LOOP(suite, eq_29_20_the_speed_of_z_turns_round, 2);
+    ADD_CASE(suite, "events", an_elastic_impact_takes_no_energy, hops_come_to_rest, marks_and_stops_know_v_and_p,
+             a_kick_of_a_mechanism_is_an_impulse, the_balance_falls_at_impacts_alone);
     return run_suite(suite);
 }

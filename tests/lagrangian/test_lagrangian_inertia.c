@@ -105,10 +105,8 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: inertia");
-    TCase *tcase = tcase_create("inertia");
-    tcase_add_test(tcase, where_v_passes_0_the_inertia_of_a_fourth_power_vanishes);
-    tcase_add_loop_test(tcase, the_pole_of_polar_coordinates_is_seen, 0, 5);
-    tcase_add_test(tcase, a_start_without_inertia_is_refused);
-    suite_add_tcase(suite, tcase);
+    ADD_LOOP(suite, the_pole_of_polar_coordinates_is_seen, 5);
+    ADD_CASE(suite, "inertia", where_v_passes_0_the_inertia_of_a_fourth_power_vanishes,
+             a_start_without_inertia_is_refused);
     return run_suite(suite);
 }

@@ -203,11 +203,8 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: orders");
-    TCase *tcase = tcase_create("orders");
-    tcase_add_loop_test(tcase, eq_29_10_orders_are_what_the_table_says, 0, COUNT);
-    tcase_add_test(tcase, a_linkage_of_four_bars_converges);
-    tcase_add_test(tcase, eq_29_17_creep_without_a_mass_converges);
-    tcase_add_test(tcase, a_range_of_orders_has_its_order_after_a_start_with_a_velocity);
-    suite_add_tcase(suite, tcase);
+    ADD_LOOP(suite, eq_29_10_orders_are_what_the_table_says, COUNT);
+    ADD_CASE(suite, "orders", a_linkage_of_four_bars_converges, eq_29_17_creep_without_a_mass_converges,
+             a_range_of_orders_has_its_order_after_a_start_with_a_velocity);
     return run_suite(suite);
 }

@@ -340,14 +340,9 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: ties");
-    TCase *tcase = tcase_create("ties");
-    tcase_add_loop_test(tcase, eq_29_22_a_tied_body_hits_as_one_in_angles_does, 0, TWINS);
-    tcase_add_test(tcase, a_bob_that_turns_back_is_marked);
-    tcase_add_test(tcase, eq_29_22_the_jump_has_two_directions);
-    tcase_add_test(tcase, rods_take_no_energy_of_an_impact);
-    tcase_add_test(tcase, the_hand_gives_an_impulse_too);
-    tcase_add_test(tcase, eq_29_22_a_kick_is_that_of_the_angle);
-    tcase_add_test(tcase, the_balance_holds_through_impulses);
-    suite_add_tcase(suite, tcase);
+    ADD_LOOP(suite, eq_29_22_a_tied_body_hits_as_one_in_angles_does, TWINS);
+    ADD_CASE(suite, "ties", a_bob_that_turns_back_is_marked, eq_29_22_the_jump_has_two_directions,
+             rods_take_no_energy_of_an_impact, the_hand_gives_an_impulse_too, eq_29_22_a_kick_is_that_of_the_angle,
+             the_balance_holds_through_impulses);
     return run_suite(suite);
 }

@@ -50,8 +50,6 @@ int main(void)
     setenv("SOURCES", sources ? sources : "src", 1);
     free(sources);
     Suite *suite = suite_create("the program fvi: codes of one's own");
-    TCase *values = tcase_create("values"); /* without words, and with */
-    tcase_add_loop_test(values, the_code_of_a_potential_of_ones_own_is_said, 0, 2);
-    suite_add_tcase(suite, values);
+    ADD_LOOP(suite, the_code_of_a_potential_of_ones_own_is_said, 2); /* without words, and with */
     return run_suite_of_program(suite);
 }

@@ -145,8 +145,6 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: six mechanisms");
-    TCase *tcase = tcase_create("six");
-    tcase_add_loop_test(tcase, six_mechanisms_have_the_same_digits_everywhere, 0, LEN(six));
-    suite_add_tcase(suite, tcase);
+    ADD_LOOP(suite, six_mechanisms_have_the_same_digits_everywhere, LEN(six));
     return run_suite_of_program(suite);
 }
