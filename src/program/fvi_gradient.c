@@ -258,8 +258,11 @@ static void add_names(request *r)
 static int are_finite(const request *r)
 {
     const size_t d = r->o.d, end = fvi_gradient_numbers(r);
-    const int by_x0 = r->run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
-              by_p0 = r->o.method->scheme != FVI_SCHEME_VARIABLE_STEP || !r->terms;
+    const fvi_mechanism *m = r->system.mechanism;
+    const int by_p0 = r->o.method->scheme != FVI_SCHEME_VARIABLE_STEP || !r->terms;
+    int by_x0 = r->run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+    for (size_t j = 0; m && j < m->damper_count; j++)
+        by_x0 &= m->damper[j].past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     return isfinite(r->value) && fvi_all_finite(end - 2 * d, r->numbers + 2 * d)
            && (!by_x0 || fvi_all_finite(d, r->numbers))
            && (!by_p0 || fvi_all_finite(d, r->numbers + d));

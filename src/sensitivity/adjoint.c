@@ -295,6 +295,16 @@ static int is_at_rest(const fvi_method *method, const fvi_run *run)
     return of.law && of.growth > 1;
 }
 
+/* Has a damping Riemann and Liouville's past? */
+static int is_liouville(const fvi_run *run)
+{
+    const fvi_mechanism *m = run->system->mechanism;
+    int is = run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+    for (size_t j = 0; m && j < m->damper_count; j++)
+        is |= m->damper[j].past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+    return is;
+}
+
 /* Is every derivative a number? With Riemann and Liouville's past NaN says that there is
  * none by x0, and where no velocity may jump that there is none by p0. */
 static int are_finite(const fvi_method *method, const fvi_run *run,
@@ -307,8 +317,7 @@ static int are_finite(const fvi_method *method, const fvi_run *run,
     const struct {
         const double *by;
         size_t count;
-    } outputs[] = { { run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? NULL : want->x0,
-                      d },
+    } outputs[] = { { is_liouville(run) ? NULL : want->x0, d },
                     { is_still ? NULL : want->p0, d },
                     { want->mass, whole ? 1 : d },
                     { want->damping, dampings_of(run->system) },

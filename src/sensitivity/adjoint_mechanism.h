@@ -99,7 +99,8 @@ int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m);
  * _push      nu of a step goes in: eta, and at nodes what the numbers of its kernel have of it, which
  *            meets zeta; with_stages: zdot less the drift, s numbers, in zeta
  * _ahead     of nodes: eta of this step but for weight nu
- * _end       by its start, into by_x0 and by_v, d numbers each, and all derivatives by its kernel */
+ * _end       by its start, into by_x0 and by_v, d numbers each, and all derivatives by its kernel
+ * _bar       NaN into by_x0 where another place would stretch it and leave no motion, (19.2) */
 int fvi_adjoint_mechanism_damper_start(fvi_adjoint_mechanism *m, size_t j);
 void fvi_adjoint_mechanism_damper_impulses(const fvi_adjoint_mechanism *m, size_t k,
                                            fvi_adjoint_mechanism_damper *a);
@@ -108,6 +109,8 @@ int fvi_adjoint_mechanism_damper_push(fvi_adjoint_mechanism *m, fvi_adjoint_mech
                                       const double *zeta);
 int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,
                                      double *by_x0, double *by_v);
+void fvi_adjoint_mechanism_damper_bar(const fvi_adjoint_mechanism *m,
+                                      const fvi_adjoint_mechanism_damper *a, double *by_x0);
 void fvi_adjoint_mechanism_damper_stop(fvi_adjoint_mechanism_damper *a);
 
 /* ---- adjoint_mechanism_nodes.c, adjoint_mechanism_stages.c ---- */

@@ -254,6 +254,17 @@ static int check_rate(const fvi_adjoint_mechanism *m, const fvi_elongation *of)
     return status;
 }
 
+void fvi_adjoint_mechanism_damper_bar(const fvi_adjoint_mechanism *m,
+                                      const fvi_adjoint_mechanism_damper *a, double *by_x0)
+{
+    if (damper_of(m, a)->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || is_first_order(m)
+        || (is_power(a->kernel) && a->kernel->term->alpha <= 0.5))
+        return;
+    for (size_t i = 0; i < m->d; i++)
+        if (m->G0[a->damper * m->d + i] != 0)
+            by_x0[i] = NAN; /* (19.2) */
+}
+
 int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,
                                      double *by_x0, double *by_v)
 {

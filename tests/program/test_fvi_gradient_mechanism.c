@@ -187,6 +187,31 @@ START_TEST(what_a_mechanism_has_no_row_of_is_said)
 END_TEST
 
 /* The library's own reason, or what is wrong with the start, and not that the method has no such thing. */
+/* With the past rl and an order above 1 only a start that does not stretch the damper has a motion. (19.2) */
+START_TEST(a_place_that_would_stretch_a_damper_of_the_past_rl_has_no_row)
+{
+    static const struct {
+        const char *words;
+        int has[3];
+    } runs[] = { { "--damper 'x1 : power:1,0.7 : rl' --x0 0,1,1 --method fvi-stable", { 0, 1, 1 } },
+                 { "--damper 'x2-x1 : zener:1,0.3,2 : rl' --x0 0.3,0.3,1 --method fvi-lobatto4", { 0, 0, 1 } },
+                 { "--damper 'x2-x1 : power:1,0.4 : rl' --x0 0.3,0.3,1 --method fvi-lobatto4", { 1, 1, 1 } },
+                 { "--damper 'x1 : power:1,0.7 : rl' --x0 0,1,1 --method fvi", { 1, 1, 1 } } };
+    for (size_t i = 0; i < LEN(runs); i++) {
+        char line[300], said[90];
+        snprintf(line, sizeof line, "gradient --dimension 3 %s --steps 20", runs[i].words);
+        ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+        for (size_t k = 0; k < 3; k++) {
+            snprintf(said, sizeof said, "# warning = no derivative by x0_%zu: other starts have no solution\n", k + 1);
+            ck_assert_msg((strstr(out, said) == NULL) == runs[i].has[k], "%s: %s", line, out);
+            snprintf(said, sizeof said, "\nx0_%zu\t", k + 1);
+            ck_assert_msg((strstr(out, said) != NULL) == runs[i].has[k], "%s: %s", line, out);
+        }
+        ck_assert_ptr_nonnull(strstr(out, "\np0_1\t"));
+    }
+}
+END_TEST
+
 START_TEST(why_a_mechanism_has_no_gradient_is_said)
 {
     static const char *const words[][2] = {
@@ -211,6 +236,7 @@ int main(void)
     Suite *suite = suite_create("the program fvi: gradients of mechanisms");
     ADD_CASE(suite, "gradient", rows_of_a_mechanism_are_differences_of_runs,
              rows_where_the_ground_moves_are_differences_of_runs, a_ground_may_jump_at_a_row,
-             what_a_mechanism_has_no_row_of_is_said, why_a_mechanism_has_no_gradient_is_said);
+             what_a_mechanism_has_no_row_of_is_said, a_place_that_would_stretch_a_damper_of_the_past_rl_has_no_row,
+             why_a_mechanism_has_no_gradient_is_said);
     return run_suite_of_program(suite);
 }

@@ -66,6 +66,10 @@ def test_a_derivative_by_a_start_beside_which_there_is_no_motion_is_warned_of():
     rl = fvi.solve(fvi.Problem(past="rl", x0=0, alpha=0.7, time=2), h=0.1, method="fvi-stable")
     with pytest.warns(fvi.FviWarning, match="^x0: no derivative by it: other starts have no solution"):
         assert np.isnan(fvi.vjp(rl, x=1.0, wrt="x0")["x0"])
+    damper = fvi.solve(fvi.Problem(dampers="x : power:1,0.7 : rl", x0=0, time=2), h=0.1, method="fvi-stable")
+    with pytest.warns(fvi.FviWarning, match="^x0: no derivative by it: other starts have no solution"):
+        by = fvi.vjp(damper, x=1.0)
+    assert np.isnan(by["x0"]) and np.isfinite(by["p0"])
     for start in ("p0", "v0"):
         s = fvi.solve(fvi.Problem(damping="power:1,0.7 + viscous:1", time=2, **{start: 0}))
         with pytest.warns(fvi.FviWarning, match=f"^{start}: no derivative by it: other starts have no solution"):
