@@ -78,7 +78,7 @@ def symbols(archives):
             continue
         if kind == "U":
             wants.append((member, symbol))
-        elif kind.isupper() and not symbol.startswith(("cholmod_", "umfpack_")):   # which the program defines to open CHOLMOD and UMFPACK late
+        elif kind.isupper() and member != "fvi_solver_libraries":   # it has the names of CHOLMOD and UMFPACK, to open them late
             home[symbol] = member
     for member, symbol in wants:
         if symbol in home:
