@@ -72,7 +72,7 @@ static int start_motion(const fvi_estimation_model *m, size_t r, motion *o)
     }
     for (size_t c = 0; c < fvi_estimation_columns(m->fit); c++)
         o->asks_velocities |= fvi_estimation_piece_of(m->fit, r, c).shows != NULL;
-    o->x = malloc((6 * d + 1) * sizeof *o->x);
+    o->x = calloc(6 * d + 1, sizeof *o->x); /* hv, too: of a coordinate without inertia the velocity stays 0 */
     if (!o->x)
         return FVI_ENOMEM;
     o->p = o->x + d;
