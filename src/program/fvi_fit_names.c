@@ -30,7 +30,7 @@ static const char *constant_name(const fvi_options *o, size_t i)
     }
 }
 
-/* What a parameter must be, beside known. */
+/* Refuse a parameter that stands twice, alpha where the method has only one, and a --let of which another was made. */
 static int check(const request *r, size_t n, fvi_error *c)
 {
     const fvi_free_parameter which = r->which[n];

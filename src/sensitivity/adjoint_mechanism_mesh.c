@@ -1,7 +1,7 @@
 /* src/sensitivity/adjoint_mechanism_mesh.c -- A mechanism on steps of any length, backwards.   [H 23, 29]
  *
  * The steps are those of form D, so that a step goes back as in adjoint_mechanism_stages.c. The memory of a damper goes
- * back as that of a coordinate does (23.16): the same modes, told of mu_i = nu_{s-1-i} / (h b_{s-1-i}) in the place of
+ * back as that of a coordinate does (23.16): the same modes, with mu_i = nu_{s-1-i} / (h b_{s-1-i}) in the place of
  * zdot. Within a step a row is a polynomial of V, and of v at its beginning, the last V of the step before. */
 #include "adjoint_mechanism.h"
 
@@ -12,11 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where a step begins, and its length. Does an impulse act at its end, so that v there is that of p? */
+/* Where a step begins, and its length. At its end v is solved from p, and is not the last V, if an impulse acts there
+ * or if there are constraints. */
 typedef struct {
     double t;
     fvi_length length;
-    int is_hit;
+    int solves_velocity;
 } mesh_step;
 
 struct fvi_adjoint_mesh {
@@ -188,8 +189,8 @@ static int put_back(fvi_adjoint_mechanism *m, size_t n)
 
 /* ---- rows within a step ---- */
 
-/* By V - v what moves x at theta of a step of length h.                        (22.18) */
-static void shape_of(const struct fvi_adjoint_mesh *mesh, double h, double theta, double *shape)
+/* The derivative of x at theta of a step of length h by each V_i - v.           (22.18) */
+static void find_shape(const struct fvi_adjoint_mesh *mesh, double h, double theta, double *shape)
 {
     const size_t s = mesh->rule->s;
     double twice[FVI_LANES];
@@ -218,9 +219,9 @@ static int ask_row(fvi_adjoint_mechanism *m, size_t k)
     return status;
 }
 
-/* All rows in step n that are not at its beginning: to V of its stages, to v and x at its beginning. What v at its
- * end does, by_v, is done by its last V, or by p there where constraints or an impulse change it. */
-static int read_rows(fvi_adjoint_mechanism *m, size_t n)
+/* Add dJ/dx of all rows in step n, but for one at its beginning, to the derivatives by V of its stages and by v and x
+ * at its beginning. The derivative by v at its end, by_v, goes to its last V, unless v is solved from p there. */
+static int add_rows(fvi_adjoint_mechanism *m, size_t n)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
     const mesh_step *step = mesh->step + n;
@@ -228,7 +229,7 @@ static int read_rows(fvi_adjoint_mechanism *m, size_t n)
     const double h = step->length.h;
     int status = FVI_SUCCESS;
     memset(mesh->source, 0, s * d * sizeof *mesh->source);
-    if (!step->is_hit)
+    if (!step->solves_velocity)
         memcpy(mesh->source + (s - 1) * d, mesh->by_v, d * sizeof *mesh->by_v);
     memset(mesh->by_v, 0, 2 * d * sizeof *mesh->by_v);
     for (; !status && mesh->row > 0; mesh->row--) {
@@ -237,7 +238,7 @@ static int read_rows(fvi_adjoint_mechanism *m, size_t n)
         if (t <= step->t)
             break;
         status = ask_row(m, mesh->row);
-        shape_of(mesh, h, theta, shape);
+        find_shape(mesh, h, theta, shape);
         for (size_t i = 0; i < s; i++)
             whole += shape[i];
         for (size_t j = 0; j < d; j++) {
@@ -252,8 +253,8 @@ static int read_rows(fvi_adjoint_mechanism *m, size_t n)
 
 /* ---- memories ---- */
 
-/* What is known of later steps, `past`: (22.10) of mu, told of a step of such length. */
-static void recall(fvi_adjoint_mechanism *m, size_t e)
+/* The sums over later steps, `past`, for a step of this length: (22.10) with mu. */
+static void find_past(fvi_adjoint_mechanism *m, size_t e)
 {
     const fvi_variable_step_state *of = m->stepper->method_state;
     fvi_mesh_damper *mirror = m->mesh->mirror + e;
@@ -326,18 +327,18 @@ static int step_back(fvi_adjoint_mechanism *m, size_t n)
     const double *x = m->record + n * m->row, *v = x + m->row - d - m->o->m;
     int status = n % 64 == 0 ? fvi_interrupted() : FVI_SUCCESS;
     if (!status)
-        status = read_rows(m, n);
+        status = add_rows(m, n);
     if (!status && n + 1 == m->mesh->steps && m->o->m)
         status = fvi_adjoint_mechanism_project(m, m->stepper->t, m->last, m->last + d, m->last + 2 * d, NULL);
     if (!status)
         status = put_back(m, n);
     for (size_t e = 0; e < m->r && !status; e++)
-        recall(m, e);
+        find_past(m, e);
     if (!status)
         status = fvi_adjoint_mechanism_stages(m, n);
     for (size_t j = 0; j < d; j++)
         m->g[j] += m->mesh->by_x[j];
-    const int is_projected = n == 0 ? m->o->m > 0 : m->mesh->step[n - 1].is_hit;
+    const int is_projected = n == 0 ? m->o->m > 0 : m->mesh->step[n - 1].solves_velocity;
     if (status || !is_projected)
         return status;
     return fvi_adjoint_mechanism_project(m, m->mesh->step[n].t, x, v, v + d, m->mesh->by_v);
