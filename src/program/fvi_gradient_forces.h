@@ -4,8 +4,9 @@
 
 #include "fvi_gradient_answer.h"
 
-/* From the derivatives by each number of the force, in r->force, those by names that stand in the force or
- * the ground; and by the masses, with which the ground pulls. The second returns a code. */
+/* fvi_gradient_add_forces -- add to r->lets the derivative by each --let that stands in the force or the ground. It
+ * is made of the derivatives by the numbers of the force, r->force.
+ * fvi_gradient_add_ground -- add to the derivatives by the masses what the ground's pull -m a_g gives. Returns a code. */
 void fvi_gradient_add_forces(fvi_gradient_request *r);
 int fvi_gradient_add_ground(fvi_gradient_request *r);
 
