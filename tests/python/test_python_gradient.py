@@ -72,9 +72,16 @@ def test_a_derivative_by_a_start_beside_which_there_is_no_motion_is_warned_of():
     assert np.isnan(by["x0"]) and np.isfinite(by["p0"])
     for start in ("p0", "v0"):
         s = fvi.solve(fvi.Problem(damping="power:1,0.7 + viscous:1", time=2, **{start: 0}))
-        with pytest.warns(fvi.FviWarning, match=f"^{start}: no derivative by it: other starts have no solution"):
+        with pytest.warns(fvi.FviWarning) as said:
             by = fvi.vjp(s, x=1.0)
-        assert np.isnan(by[start]) and np.isfinite(by["mass"]) and np.isfinite(by["x0"])
+        assert [str(each.message).split(": ")[0] for each in said] == ["damping", start]
+        assert by["damping"] is None and np.isnan(by[start]) and np.isfinite(by["mass"]) and np.isfinite(by["x0"])
+        for call in (lambda: fvi.vjp(s, x=1.0, wrt="damping"), lambda: fvi.jacobian(s, "damping")):
+            with pytest.raises(ValueError, match="^damping: no derivative by it: fvi-adaptive has only that by the factor"):
+                call()
+    pair = fvi.solve(fvi.Problem(damping="maxwell2:1,0.4,2,0.3", time=2))
+    with pytest.warns(fvi.FviWarning, match="^damping: no derivative by it"):
+        assert fvi.vjp(pair, x=1.0)["damping"] is None
 
 
 @pytest.mark.parametrize("past, alpha", [("caputo", 0.7), ("rl", 0.3), ("held", 0.7), ("held", 0.5)])

@@ -161,7 +161,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     "laws", for each damper a dict for each term of its law; "let", by names;
     "potential", the derivatives by the constants of a potential that is ready to use;
     "damping", a dict for each term of the law, with rho, alpha, time and end; of maxwell2 rho1, alpha1, rho2
-    and alpha2; "force", of measured rows, by each F.
+    and alpha2; with rho alone by "fvi-adaptive", and by methods with stages beside a davidson; None, with a warning, of
+    maxwell2 and of several terms by "fvi-adaptive", which wrt cannot ask for; "force", of measured rows, by each F.
 
     By x0, p0 or v0 it is NaN, and a warning says so, where other starts have no solution.
 
@@ -206,6 +207,12 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     if is_mechanism:
         laws = [lib.kernel_of(system.system, j) for j in range(count)] if names & {"laws", "alpha", "order"} else []
     parts = numbers_of_laws(laws, mirror.method, mirror.is_dense) if laws else []
+    if "damping" in names and mirror.is_dense and (not parts or laws[0].term[0].kind == lib.FVI_KERNEL_MAXWELL2):
+        why = "no derivative by it: fvi-adaptive has only that by the factor of a law that stands alone, not of maxwell2"
+        if wrt is not None:
+            raise ValueError(f"damping: {why}")
+        warn(f"damping: {why}")
+        parts = []
     if is_mechanism and "laws" not in names:
         parts = parts and ["orders"]
     for field in parts:
