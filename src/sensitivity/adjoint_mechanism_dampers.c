@@ -120,13 +120,26 @@ static int start_terms(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a
     return status;
 }
 
+/* What a start has stretched at once pulls with powers of t, of which the derivative of one is known. */
+static int check_past(const fvi_adjoint_mechanism *m, const fvi_adjoint_mechanism_damper *a)
+{
+    if (damper_of(m, a)->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !is_first_order(m)
+        && !is_power(a->kernel)
+        && fvi_mechanism_check_stretch(a->kernel, a->damper, NULL) == FVI_SUCCESS)
+        FVI_FAIL("no adjoint with the past rl of a damper of several powers; each as a damper of its own has one",
+                 FVI_EUNSUP);
+    return FVI_SUCCESS;
+}
+
 int fvi_adjoint_mechanism_damper_start(fvi_adjoint_mechanism *m, size_t j)
 {
     fvi_adjoint_mechanism_damper *a = m->damper + j;
     a->damper = j;
     a->first = j > 0 ? a[-1].first + a[-1].kernel->count : 0;
     a->kernel = damper_of(m, a)->kernel;
-    int status = start_impulses(m, a);
+    int status = check_past(m, a);
+    if (!status)
+        status = start_impulses(m, a);
     if (!status)
         status = start_history(m, a);
     return status ? status : start_terms(m, a);
@@ -258,7 +271,7 @@ void fvi_adjoint_mechanism_damper_bar(const fvi_adjoint_mechanism *m,
                                       const fvi_adjoint_mechanism_damper *a, double *by_x0)
 {
     if (damper_of(m, a)->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || is_first_order(m)
-        || (is_power(a->kernel) && a->kernel->term->alpha <= 0.5))
+        || fvi_mechanism_check_stretch(a->kernel, a->damper, NULL) == FVI_SUCCESS)
         return;
     for (size_t i = 0; i < m->d; i++)
         if (m->G0[a->damper * m->d + i] != 0)

@@ -219,6 +219,8 @@ START_TEST(why_a_mechanism_has_no_gradient_is_said)
           "fvi: no adjoint of a constraint that knows the time" },
         { "--lagrangian 'v1^2/2-x1^2/2' --damper 'x1 : power:1,0.3 : rl' --x0 0 --v0 1 --step-error 1e-8 " FEW,
           "fvi: steps of any length have no adjoint of a damper with the past rl" },
+        { "--damper 'x : power:1,0.3 + power:1,0.2 : rl' --x0 1 --method fvi-stable --steps 3",
+          "fvi: no adjoint with the past rl of a damper of several powers; each as a damper of its own has one" },
         { "--lagrangian '(v1^2+v2^2)/2-x2' --constraint 'x1^2+x2^2-1' --x0 0,-0.9 --v0 2,0 " FEW,
           "fvi: --x0: it does not keep to the constraint" },
     };
