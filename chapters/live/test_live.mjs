@@ -164,10 +164,10 @@ await test("4: a bend of both bodies leaves the action as it is, to first order,
 });
 
 await test("7: pasts are the program's, and the kick doubles where a quarter of the step does it", () => {
-  const { held, line, zero } = moved("course_pasts", { alpha: 0.75, halvings: 3 }), words = "--alpha 0.75 --rho 0.5 --p0 0.5 --h 0.025 --steps 240 --columns x --memory direct";
-  for (const [of, past] of [[held, "held"], [line, "caputo"], [zero[3], "rl"]])
-    nearAll(of, asked(`run ${words} --derivative ${past}`)(0), 1e-11, past);
-  near(moved("course_pasts", { alpha: 0.75, halvings: 5 }).kick / moved("course_pasts", { alpha: 0.75, halvings: 3 }).kick, 2, 1e-12, "kick");
+  const { held, line, jumps, zero, kick } = moved("course_pasts", { alpha: 0.75, quarters: 2 }), words = "--alpha 0.75 --rho 0.5 --p0 0.5 --columns x --memory direct";
+  for (const [of, past, lengths] of [[held, "held", "--h 0.05 --steps 120"], [line, "caputo", "--h 0.05 --steps 120"], [jumps, "rl", "--h 0.05 --steps 120"], [zero[2], "rl", "--h 0.0125 --steps 480"]])
+    nearAll(of, asked(`run ${words} ${lengths} --derivative ${past}`)(0), 1e-11, past);
+  near(moved("course_pasts", { alpha: 0.75, quarters: 3 }).kick / kick, 2, 1e-12, "kick");
 });
 
 await test("10: loads and runs are the program's, and the edge lies where (10c) says", () => {
