@@ -102,8 +102,7 @@ typedef struct {
  *          that of a law of one term; by p0, where the law grows faster than s, NaN is
  *          written, as such a run begins at rest
  *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19) With several
- *          dampers `damping` has a number for each, by a factor of its kernel. There is none of a J
- *          that depends on momenta before p_N
+ *          dampers `damping` has a number for each, by a factor of its kernel
  *   mechanism  fvi, fvi-stable, the methods with stages and fvi_variable_step, x and p NULL: dampers between points, a
  *          Lagrangian, forces of velocity and constraints that do not know the time, or imposed
  *          coordinates; elongations and constraints with second derivatives. (23.29) `damping` has a

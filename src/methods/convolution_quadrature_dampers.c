@@ -17,13 +17,16 @@ int fvi_damping_move_origin(fvi_stepper *s, const double *by)
 {
     const fvi_cq_state *o = s->method_state;
     fvi_damping *d = s->method->paper_convention ? s->method_state : o->damping;
-    double *moved = calloc(d->count + s->run.system->d, sizeof *moved);
-    if (!moved)
-        FVI_FAIL("no memory for the damping", FVI_ENOMEM);
-    int status = fvi_damping_gather(d, by, moved + d->count, moved);
-    for (size_t j = 0; !status && j < d->count; j++)
-        d->origin[j] += moved[j];
-    free(moved);
+    int status = FVI_SUCCESS;
+    for (; !status && d; d = d->next) {
+        double *moved = calloc(d->count + s->run.system->d, sizeof *moved);
+        if (!moved)
+            FVI_FAIL("no memory for the damping", FVI_ENOMEM);
+        status = fvi_damping_gather(d, by, moved + d->count, moved);
+        for (size_t j = 0; !status && j < d->count; j++)
+            d->origin[j] += moved[j];
+        free(moved);
+    }
     return status;
 }
 

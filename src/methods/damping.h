@@ -114,8 +114,8 @@ void fvi_damping_impulse(const fvi_damper *damper, size_t d, const double *kept,
  * or NULL. */
 const fvi_damping *fvi_damping_of(const fvi_stepper *s);
 
-/* fvi_damping_move_origin -- move the origin of the first damping of a stepper, which has one, by d
- * numbers. Then s->x may jump by them, and the memory does not see the jump. Returns FVI_SUCCESS;
+/* fvi_damping_move_origin -- move the origins of all dampings of a stepper, which has one at least,
+ * by d numbers. Then s->x may jump by them, and no memory sees the jump. Returns FVI_SUCCESS;
  * FVI_ENOMEM; what remember returned. */
 int fvi_damping_move_origin(fvi_stepper *s, const double *by);
 

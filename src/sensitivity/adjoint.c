@@ -75,7 +75,7 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
                  FVI_EUNSUP);
     int status = method->scheme == FVI_SCHEME_CQ2_SHIFTED ? check_shifted(run) : FVI_SUCCESS;
     if (!status && run->system && run->system->mechanism)
-        status = run->system->matrices ? fvi_adjoint_dampers_check(method, run, J, want)
+        status = run->system->matrices ? fvi_adjoint_dampers_check(method, run, want)
                                        : fvi_adjoint_mechanism_check(method, run, want);
     if (!status && run->system && fvi_has_mechanism_steps(run->system)
         && method->scheme == FVI_SCHEME_VARIABLE_STEP)
@@ -204,7 +204,7 @@ static int begin(const fvi_method *method, const fvi_run *run,
     m->stages = (size_t)method->stages;
     m->has_dampers = run->system->mechanism != NULL;
     if (m->has_dampers)
-        return fvi_adjoint_dampers_start(method, run, want, rows, Jp, &m->several);
+        return fvi_adjoint_dampers_start(method, run, want, jumps, rows, Jp, &m->several);
     return m->stages ? fvi_adjoint_lobatto_start(method, run, want, jumps, p, Jp,
                                                  &m->staged)
                      : fvi_adjoint_multistep_start(method, run, want, jumps, rows, Jp,
@@ -222,6 +222,8 @@ static int step(mirror *m, size_t k, const double *rows, const double *Jx)
 /* J depends on p_k, 0 < k < N: lambda_k jumps by J_p, (23.27). */
 static int jump(mirror *m, const double *Jp)
 {
+    if (m->has_dampers)
+        return fvi_adjoint_dampers_jump(&m->several, Jp);
     return m->stages ? fvi_adjoint_lobatto_jump(&m->staged, Jp)
                      : fvi_adjoint_multistep_jump(&m->plain, Jp);
 }

@@ -22,6 +22,8 @@ typedef struct {
     double theta, unit;         /* unit: of rho = 1, as impulse_unit is */
     int has_drift;              /* the memory of the run knows v_0 */
     fvi_adjoint_constant constant;
+    fvi_adjoint_constant jumped; /* the memory of what lambda has jumped by, (23.27) */
+    double *B, *dB;              /* what it remembers of all jumps so far, and of the last one */
     double impulse_unit;        /* of a past that acts, else 0 */
     fvi_initial_history_force history_force; /* its impulses for an amplitude of 1 */
     double sum;                 /* sum_k z_k . C N_k */
@@ -43,6 +45,7 @@ typedef struct {
     const fvi_sensitivities *want;
     size_t d, count;
     int paper_convention, is_shifted;
+    int has_jumps;              /* J depends on p_k, k < N, too */
     double kappa;
     fvi_damper *held; /* the dampers of the mirrored run; owned */
     fvi_mechanism mechanism;
@@ -52,7 +55,7 @@ typedef struct {
     fvi_adjoint_damper *each;   /* owned */
     int by_numbers;             /* those of laws are wanted */
     fvi_adjoint_multipliers multipliers;
-    double *Jp, *v0, *right, *by_start, *z, *work, *column, *moved; /* each */
+    double *Jp, *v0, *right, *by_start, *z, *work, *column, *moved, *jump; /* each */
     double *zeros, *remembered; /* as many as unknowns; twice what a damper remembers */
     double *block;              /* all of these and of the dampers; owned */
     double by_M, by_K;
@@ -60,15 +63,15 @@ typedef struct {
 
 /* fvi_adjoint_dampers_check -- FVI_EUNSUP for what is not known of several dampers. */
 int fvi_adjoint_dampers_check(const fvi_method *method, const fvi_run *run,
-                              const fvi_objective *objective,
                               const fvi_sensitivities *want);
 
-/* fvi_adjoint_dampers_start, _step, _end, _free -- as those of adjoint_multistep.h. */
+/* fvi_adjoint_dampers_start, _step, _jump, _end, _free -- as those of adjoint_multistep.h. */
 int fvi_adjoint_dampers_start(const fvi_method *method, const fvi_run *run,
-                              const fvi_sensitivities *want, const double *rows,
-                              const double *Jp, fvi_adjoint_dampers *m);
+                              const fvi_sensitivities *want, int has_jumps,
+                              const double *rows, const double *Jp, fvi_adjoint_dampers *m);
 int fvi_adjoint_dampers_step(fvi_adjoint_dampers *m, size_t k, const double *rows,
                              const double *Jx);
+int fvi_adjoint_dampers_jump(fvi_adjoint_dampers *m, const double *Jp);
 int fvi_adjoint_dampers_end(fvi_adjoint_dampers *m, const double *Jx);
 void fvi_adjoint_dampers_free(fvi_adjoint_dampers *m);
 
@@ -76,6 +79,13 @@ void fvi_adjoint_dampers_free(fvi_adjoint_dampers *m);
  * acts; d numbers. */
 void fvi_adjoint_dampers_elongation(const fvi_adjoint_dampers *m, const fvi_adjoint_damper *a,
                                     size_t k, const double *x, double *z);
+
+/* fvi_adjoint_dampers_first_sums -- of Algorithm 3 at node N, whose memory has taken in lambda_N; x: x_N. */
+int fvi_adjoint_dampers_first_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, const double *x);
+
+/* fvi_adjoint_dampers_multiply -- adds z . S v to *sum; v is what the damper remembers, z has d numbers. */
+int fvi_adjoint_dampers_multiply(fvi_adjoint_dampers *m, const fvi_adjoint_damper *a,
+                                 const double *z, const double *v, double *sum);
 
 /* What adjoint_dampers_numbers.c has, all of one damper, where the numbers of laws are wanted:
  * _numbers_start  the memories; its past is prepared

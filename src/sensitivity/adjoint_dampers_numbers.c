@@ -57,9 +57,8 @@ int fvi_adjoint_dampers_numbers_start(fvi_adjoint_dampers *m, const fvi_method *
 
 /* ---- a node ---- */
 
-/* z . S v, v what the damper remembers. */
-static int multiply(fvi_adjoint_dampers *m, const fvi_adjoint_damper *a, const double *z,
-                    const double *v, double *sum)
+int fvi_adjoint_dampers_multiply(fvi_adjoint_dampers *m, const fvi_adjoint_damper *a,
+                                 const double *z, const double *v, double *sum)
 {
     memset(m->column, 0, m->d * sizeof *m->column);
     const int status =
@@ -78,13 +77,14 @@ int fvi_adjoint_dampers_numbers_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper 
         const size_t d = m->d;
         for (size_t i = 0; i < d; i++)
             m->moved[i] = rows[d + i] - rows[i] - (a->has_drift ? m->run->h * m->v0[i] : 0);
-        status = multiply(m, a, m->moved, a->damping->H, &a->sum_by_theta);
+        status = fvi_adjoint_dampers_multiply(m, a, m->moved, a->damping->H, &a->sum_by_theta);
     }
     return status ? status
-                  : multiply(m, a, z,
-                             fvi_adjoint_filter_next(&a->filter, a->damping->H,
-                                                     a->damping->Hdot, a->Ndot),
-                             &a->sum_by_order);
+                  : fvi_adjoint_dampers_multiply(
+                      m, a, z,
+                      fvi_adjoint_filter_next(&a->filter, a->damping->H, a->damping->Hdot,
+                                              a->Ndot),
+                      &a->sum_by_order);
 }
 
 int fvi_adjoint_dampers_numbers_step(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,

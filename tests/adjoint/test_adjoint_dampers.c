@@ -180,15 +180,12 @@ START_TEST(what_several_dampers_have_no_derivative_by_is_refused)
     double x0[D], terms[4] = { 0 };
     build(&b);
     const fvi_run run = run_of(&b.system, 0.5, 0.02, N, shape, push);
-    const fvi_objective J = { .slopes = slopes }, momenta = { .slopes = slopes,
-                                                              .has_momenta = 1 };
+    const fvi_objective J = { .slopes = slopes };
     const fvi_sensitivities start = { .x0 = x0 }, by_alpha = { .alpha = terms },
                             by_terms = { .terms = terms }; /* four in all */
     ck_assert_int_eq(fvi_adjoint(&fvi_cq_bdf2, &run, NULL, NULL, &J, &by_alpha),
                      FVI_EINVAL);
     OK(fvi_adjoint(&fvi_cq_bdf2, &run, NULL, NULL, &J, &by_terms));
-    ck_assert_int_eq(fvi_adjoint(&fvi_cq_bdf2, &run, NULL, NULL, &momenta, &start),
-                     FVI_EUNSUP);
     ck_assert_int_eq(fvi_adjoint(&fvi_cq2_shifted, &run, NULL, NULL, &J, &start),
                      FVI_EUNSUP); /* of a law */
     b.term[1].alpha = 0.4;

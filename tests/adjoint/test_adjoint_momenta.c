@@ -74,15 +74,15 @@ static int last_momentum(size_t k, size_t d, const double *x, const double *p,
 enum { OF_LAW = 4 * D + 3, NUMBERS_IN_ALL = OF_LAW + 4 * TERMS + ROWS * D };
 static fvi_sensitivities into(double *all, const fvi_run *run)
 {
-    const int is_chain = !run->system->matrices;
+    const int is_chain = !run->system->matrices, has_dampers = run->system->mechanism != NULL;
     fvi_sensitivities to = { .x0 = all,
                              .p0 = all + D,
                              .mass = all + 2 * D,
                              .damping = all + 3 * D,
                              .parameters = all + 4 * D,
-                             .alpha = run->law ? NULL : all + 4 * D + 2,
+                             .alpha = run->law || has_dampers ? NULL : all + 4 * D + 2,
                              .force = all + OF_LAW + 4 * TERMS };
-    if (run->law) {
+    if (run->law || has_dampers) {
         to.terms = all + OF_LAW;
         to.orders = to.terms + TERMS;
         to.times = to.orders + TERMS;
@@ -182,6 +182,77 @@ START_TEST(eq_23_27_is_a_sum_with_matrices_too)
 }
 END_TEST
 
+/* Three dampers, two along rows and one of a matrix, with four terms in all. */
+enum { DAMPERS = 3 };
+typedef struct {
+    matrices m; /* without C */
+    fvi_sparse C;
+    double row[2][D];
+    fvi_kernel_term term[TERMS];
+    fvi_kernel kernel[DAMPERS];
+    fvi_damper damper[DAMPERS];
+    fvi_structure *structure;
+    fvi_system system;
+} damped_structure;
+
+static void make_damped(damped_structure *s, const double order[DAMPERS],
+                        const fvi_initial_history past[DAMPERS], int has_laws)
+{
+    *s = (damped_structure){
+        .row = { { 1, -1, 0 }, { 0.3, 0, 0.8 } },
+        .term = { { FVI_KERNEL_POWER, 0.4, order[0], 0, 0 },
+                  { FVI_KERNEL_POWER, 0.3, order[1], 0, 0 },
+                  { FVI_KERNEL_POWER, 0.5, order[2], 0, 0 },
+                  { FVI_KERNEL_ZENER, 0.4, 0.35, 0.6, 0 } },
+    };
+    if (has_laws)
+        s->term[0] = (fvi_kernel_term){ FVI_KERNEL_MAXWELL2, 0.5, 0.7, 0.4, 0.6 };
+    tridiagonal(D, 1, 0.2, &s->m.M);
+    tridiagonal(D, 3, -1.4, &s->m.K);
+    tridiagonal(D, 0.5, 0.15, &s->C);
+    for (size_t j = 0; j < DAMPERS; j++) {
+        s->kernel[j] = (fvi_kernel){ j == 2 && has_laws ? 2 : 1, s->term + j };
+        s->damper[j] = (fvi_damper){ .kernel = s->kernel + j, .past = past[j] };
+        if (j < 2)
+            s->damper[j].of = fvi_elongation_row(s->row[j]);
+        else
+            s->damper[j].matrix = &s->C;
+    }
+    OK(fvi_structure_alloc_dampers(&s->m.M, &s->m.K, DAMPERS, s->damper, &s->structure, NULL));
+    s->system = fvi_structure_system(s->structure);
+}
+
+static void drop_damped(damped_structure *s)
+{
+    fvi_structure_free(s->structure);
+    fvi_sparse_free(&s->m.M);
+    fvi_sparse_free(&s->m.K);
+    fvi_sparse_free(&s->C);
+}
+
+START_TEST(eq_23_27_is_a_sum_with_several_dampers_too)
+{
+    const double x0[D] = { 1, -0.5, 0.25 }, p0[D] = { 0.5, -0.3, 0.2 },
+                 orders[][DAMPERS] = { { 0.3, 0.05, 0.7 }, { 0, 0.4, 1 }, { 0.5, 0.2, 0.95 } };
+    const fvi_initial_history past[][DAMPERS] = {
+        { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_HELD },
+        { FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, FVI_INITIAL_HISTORY_CAPUTO }
+    };
+    for (size_t i = 0; i < 4 * LEN(orders) * LEN(past) * 2; i++) {
+        const fvi_method *method = methods[i % 4];
+        const size_t pull = i / 4 / LEN(orders) % LEN(past), has_laws = i / 4 / LEN(orders) / LEN(past);
+        damped_structure s;
+        if ((method == &fvi_fractional && pull) || (method == &fvi_cq2_shifted && has_laws))
+            continue; /* refused */
+        make_damped(&s, orders[i / 4 % LEN(orders)], past[pull], has_laws && !pull);
+        fvi_run run = run_of(&s.system, 0.5, 1. / 8, N, x0, p0);
+        run.kappa = 0.3;
+        ck_assert_sum(method, &run);
+        drop_damped(&s);
+    }
+}
+END_TEST
+
 /* Where alpha = 1 makes rho a mass, p_k is not m v_k. */
 START_TEST(momenta_at_alpha_1_are_refused_where_rho_is_a_mass)
 {
@@ -203,7 +274,7 @@ int main(void)
 {
     Suite *suite = suite_create("adjoint, every momentum");
     ADD_CASE(suite, "sums", eq_23_27_is_a_sum_of_shorter_runs,
-             eq_23_27_is_a_sum_with_a_law_too, eq_23_27_is_a_sum_with_matrices_too,
+             eq_23_27_is_a_sum_with_a_law_too, eq_23_27_is_a_sum_with_matrices_too, eq_23_27_is_a_sum_with_several_dampers_too,
              momenta_at_alpha_1_are_refused_where_rho_is_a_mass);
     return run_suite(suite);
 }
