@@ -32,30 +32,29 @@ static void combine(size_t s, double p, const series *x, double q,
                 out->w[n][i][j] = p * x->w[n][i][j] + q * y->w[n][i][j];
 }
 
-/* out += sign x y, matrices; half a row of sums side by side. */
-static inline void add_product(size_t s, double sign,
-                               double x[FVI_STAGES][FVI_STAGES],
-                               double y[FVI_STAGES][FVI_STAGES],
+/* out += sign x_l y_n, matrices of two series; half a row of sums side by side. */
+static inline void add_product(size_t s, double sign, const series *x, size_t l,
+                               const series *y, size_t n,
                                double out[FVI_STAGES][FVI_STAGES])
 {
     for (size_t i = 0; i < s; i++)
         for (size_t from = 0; from < s; from += HALF) {
             double sum[HALF];
             memcpy(sum, out[i] + from, sizeof sum);
-            for (size_t l = 0; l < s; l++)
+            for (size_t k = 0; k < s; k++)
 #pragma GCC unroll 4
                 for (size_t j = 0; j < HALF; j++)
-                    sum[j] += sign * x[i][l] * y[l][from + j];
+                    sum[j] += sign * x->w[l][i][k] * y->w[n][k][from + j];
             memcpy(out[i] + from, sum, sizeof sum);
         }
 }
 
-FVI_VECTORS static series times_series(size_t s, series *x, series *y)
+FVI_VECTORS static series times_series(size_t s, const series *x, const series *y)
 {
     series out = { 0 };
     for (size_t n = 0; n < TERMS; n++)
         for (size_t l = 0; l <= n; l++)
-            add_product(s, 1, x->w[l], y->w[n - l], out.w[n]);
+            add_product(s, 1, x, l, y, n - l, out.w[n]);
     return out;
 }
 
@@ -68,7 +67,7 @@ static series identity(size_t s)
 }
 
 /* y_0 = x_0^(-1), y_n = -y_0 (x_1 y_{n-1} + ... + x_n y_0) */
-static series invert(size_t s, series *x)
+static series invert(size_t s, const series *x)
 {
     series y = { 0 }, work = *x;
     size_t order[FVI_STAGES];
@@ -80,10 +79,10 @@ static series invert(size_t s, series *x)
     fvi_lu_factorise(&from.matrix, &permutation);
     gsl_linalg_LU_invert(&from.matrix, &permutation, &to.matrix);
     for (size_t n = 1; n < TERMS; n++) {
-        double sum[FVI_STAGES][FVI_STAGES] = { 0 };
+        series sum = { 0 };
         for (size_t l = 1; l <= n; l++)
-            add_product(s, 1, x->w[l], y.w[n - l], sum);
-        add_product(s, -1, y.w[0], sum, y.w[n]);
+            add_product(s, 1, x, l, &y, n - l, sum.w[0]);
+        add_product(s, -1, &y, 0, &sum, 0, y.w[n]);
     }
     return y;
 }
@@ -131,64 +130,83 @@ static series delta(size_t s)
     return x;
 }
 
-/* Delta^(1/2^k) = 1 + E; ln Delta = 2^k ln(1 + E). */
+/* Delta^(1/2^k) = 1 + E; ln Delta = 2^k ln(1 + E). power[j] = E^j, for j up to BLOCK. */
+enum { BLOCK = 6 };
 typedef struct {
-    series E, logarithm;
+    series power[BLOCK + 1], logarithm;
     int k;
 } deep_root;
 
 //> near
-/* Roots of Delta until E is small, and the series of the logarithm. */
+/* Roots of Delta until E is small, its powers, and the series of the logarithm. */
 static deep_root make_root(size_t s)
 {
     const series one = identity(s);
-    series x = delta(s);
+    series x = delta(s), E;
     deep_root r = { .k = 0 };
-    for (; combine(s, 1, &x, -1, &one, &r.E), norm(s, &r.E) > 0.25; r.k++)
+    for (; combine(s, 1, &x, -1, &one, &E), norm(s, &E) > 0.25; r.k++)
         x = root(s, &x);
-    x = r.E;
+    r.power[0] = one;
+    for (int j = 1; j <= BLOCK; j++)
+        r.power[j] = times_series(s, &r.power[j - 1], &E);
+    x = E;
     for (int j = 1; j <= 40; j++) {
         combine(s, 1, &r.logarithm, ldexp(j % 2 ? 1. : -1., r.k) / j, &x,
                 &r.logarithm);
-        x = times_series(s, &x, &r.E);
+        x = times_series(s, &x, &E);
     }
     return r;
 }
 
 /* The same for every order: made once in a process, by the thread that is first; one that
  * comes while it writes takes its own. */
-static deep_root root_of(size_t s)
+static const deep_root *root_of(size_t s, deep_root *own)
 {
     static deep_root kept[FVI_STAGES + 1];
     static atomic_int state[FVI_STAGES + 1];
     enum { NONE, WRITTEN, READY };
     if (atomic_load(&state[s]) == READY)
-        return kept[s];
-    const deep_root mine = make_root(s);
+        return &kept[s];
+    *own = make_root(s);
     int none = NONE;
     if (atomic_compare_exchange_strong(&state[s], &none, WRITTEN)) {
-        kept[s] = mine;
+        kept[s] = *own;
         atomic_store(&state[s], READY);
     }
-    return mine;
+    return own;
 }
 
-/* Delta(z)^beta: the binomial series of (1 + E)^beta, and k squares; what its 40 terms
- * leave is below 4^-40. Its derivative, if wanted: times ln Delta. */
+/* c_0 + c_1 E + ... + c_{BLOCK-1} E^(BLOCK-1) */
+static series add_powers(size_t s, const deep_root *r, const double *c)
+{
+    series sum = r->power[0];
+    combine(s, c[0], &sum, c[1], &r->power[1], &sum);
+    for (int l = 2; l < BLOCK; l++)
+        combine(s, 1, &sum, c[l], &r->power[l], &sum);
+    return sum;
+}
+
+/* Delta(z)^beta: the binomial series of (1 + E)^beta, and k squares; what its 42 terms
+ * leave is below 4^-41. Paterson and Stockmeyer: the terms come in blocks of six, and Horner's rule in E^6 joins
+ * them, so seven blocks cost six products. The derivative, if wanted: times ln Delta. */
 static series near(size_t s, double beta, series *rate)
 {
-    const series one = identity(s);
-    deep_root r = root_of(s);
-    series term = one, sum = one;
-    for (int j = 0; j < 40; j++) {
-        term = times_series(s, &term, &r.E);
-        combine(s, (beta - j) / (j + 1), &term, 0, &one, &term);
-        combine(s, 1, &sum, 1, &term, &sum);
+    enum { BLOCKS = 7 };
+    deep_root own;
+    const deep_root *r = root_of(s, &own);
+    double c[BLOCKS * BLOCK] = { 1 };
+    for (int j = 1; j < BLOCKS * BLOCK; j++)
+        c[j] = c[j - 1] * (beta - (j - 1)) / j;
+    series sum = add_powers(s, r, c + (BLOCKS - 1) * BLOCK);
+    for (int i = BLOCKS - 2; i >= 0; i--) {
+        const series block = add_powers(s, r, c + i * BLOCK);
+        sum = times_series(s, &sum, &r->power[BLOCK]);
+        combine(s, 1, &sum, 1, &block, &sum);
     }
-    while (r.k-- > 0)
+    for (int k = r->k; k > 0; k--)
         sum = times_series(s, &sum, &sum);
     if (rate)
-        *rate = times_series(s, &r.logarithm, &sum);
+        *rate = times_series(s, &r->logarithm, &sum);
     return sum;
 }
 //< near
