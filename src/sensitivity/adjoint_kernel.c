@@ -71,6 +71,8 @@ static int start_slopes(const fvi_run *run, const fvi_sensitivities *want, fvi_d
             continue;
         fvi_adjoint_slope_begin_at(slope, (kind == FVI_DELTA_BDF2 ? 1.5 : 1) / run->h);
         status = convolve(run, &slope->kernel, kind, t->d, &t->slopes[by]);
+        t->by[1 + by] = t->by_slope[by];
+        t->factor[1 + by] = slope->sign * t->rho;
     }
     return status;
 }
@@ -79,7 +81,7 @@ int fvi_adjoint_term_start(const fvi_run *run, const fvi_sensitivities *want,
                           fvi_delta kind, const fvi_kernel_term *term, size_t d,
                           const fvi_damping_matrix *matrix, fvi_adjoint_term *t)
 {
-    enum { ROWS = 6 };
+    enum { ROWS = 6 + FVI_ADJOINT_SLOPES };
     *t = (fvi_adjoint_term){ .d = d,
                              .matrix = matrix,
                              .whole = matrix ? run->system->d : 0 };
@@ -89,7 +91,8 @@ int fvi_adjoint_term_start(const fvi_run *run, const fvi_sensitivities *want,
     if (!t->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
     double **each[ROWS] = { &t->sum,  &t->change, &t->square,
-                            &t->left, &t->moved,  &t->rate };
+                            &t->left, &t->moved,  &t->rate,
+                            &t->by_slope[0], &t->by_slope[1], &t->by_slope[2] };
     for (size_t j = 0; j < ROWS; j++)
         *each[j] = t->block + j * d;
     t->past = t->block + ROWS * d;
@@ -97,6 +100,12 @@ int fvi_adjoint_term_start(const fvi_run *run, const fvi_sensitivities *want,
     const int by_order = want->orders && fvi_adjoint_has_order(&t->unit.term),
               is_squared = fvi_adjoint_is_fraction(&t->unit.term)
                            && (want->times || (by_order && t->unit.term.time > 0));
+    t->by[0] = want->terms ? t->sum : NULL;
+    t->factor[0] = 1;
+    t->by[1] = by_order ? t->rate : NULL;
+    t->factor[1] = 2 * t->rho;
+    t->by[2] = is_squared && want->times ? t->square : NULL;
+    t->factor[2] = -t->rho;
     int status = convolve(run, &t->alone, kind, d, &t->self);
     if (!status && is_squared)
         status = convolve(run, &t->alone, kind, d, &t->again);
@@ -227,42 +236,41 @@ static int by_order(fvi_adjoint_term *t)
 }
 //< by-order
 
-static int accumulate_slopes(fvi_adjoint_term *t, const double *nu, const double *dnu,
-                             const double *weight, const fvi_sensitivities *want, size_t i)
+static int next_slopes(fvi_adjoint_term *t, const double *nu, const double *dnu)
 {
-    double *const to[] = { want->orders, want->times, want->ends };
     int status = FVI_SUCCESS;
     for (int by = 0; !status && by < FVI_ADJOINT_SLOPES; by++) {
         if (!t->slopes[by].memory)
             continue;
-        status = push(t, &t->slopes[by], nu, dnu, t->square);
+        status = push(t, &t->slopes[by], nu, dnu, t->by_slope[by]);
         for (size_t j = 0; j < t->d; j++)
-            t->square[j] -= t->slope[by].more * t->sum[j];
-        if (!status)
-            status = subtract_product(t, t->slope[by].sign * t->rho, weight, t->square,
-                                      &to[by][i]);
+            t->by_slope[by][j] -= t->slope[by].more * t->sum[j];
     }
     return status;
 }
 
-int fvi_adjoint_term_accumulate(fvi_adjoint_term *t, const double *nu,
-                         const double *dnu, const double *weight,
-                         const fvi_sensitivities *want, size_t i)
+int fvi_adjoint_term_next(fvi_adjoint_term *t, const double *nu, const double *dnu)
 {
     for (size_t j = 0; j < t->d; j++)
         t->change[j] = -t->sum[j];
     int status = push(t, &t->self, nu, dnu, t->sum);
     for (size_t j = 0; j < t->d; j++)
         t->change[j] += t->sum[j];
-    if (!status && want->terms)
-        status = subtract_product(t, 1, weight, t->sum, &want->terms[i]);
     if (!status && t->again.memory)
         status = push(t, &t->again, t->sum, t->change, t->square);
-    if (!status && t->again.memory && want->times)
-        status = subtract_product(t, -t->rho, weight, t->square, &want->times[i]);
     if (!status && t->log)
         status = by_order(t);
-    if (!status && t->log)
-        status = subtract_product(t, 2 * t->rho, weight, t->rate, &want->orders[i]);
-    return status ? status : accumulate_slopes(t, nu, dnu, weight, want, i);
+    return status ? status : next_slopes(t, nu, dnu);
+}
+
+int fvi_adjoint_term_accumulate(fvi_adjoint_term *t, const double *nu,
+                         const double *dnu, const double *weight,
+                         const fvi_sensitivities *want, size_t i)
+{
+    double *const to[] = { want->terms, want->orders, want->times, want->ends };
+    int status = fvi_adjoint_term_next(t, nu, dnu);
+    for (size_t l = 0; !status && l < sizeof to / sizeof *to; l++)
+        if (t->by[l])
+            status = subtract_product(t, t->factor[l], weight, t->by[l], &to[l][i]);
+    return status;
 }

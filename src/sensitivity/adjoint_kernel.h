@@ -55,9 +55,12 @@ typedef struct {
     size_t taps, place;                  /* of ln((3 - z)/2); 0: none */
     double l[FVI_BDF2_TAPS];
     double *sum, *change; /* each: C nu, and its increment */
-    double *square;       /* each: C^2 nu, or a power */
+    double *square;       /* each: C^2 nu */
+    double *by_slope[FVI_ADJOINT_SLOPES]; /* each: what the slopes give */
     double *left, *moved; /* each: C (1 - time C) nu, and its increment */
     double *rate;         /* each: its derivative by the order of (1 - z)^0 */
+    const double *by[4];  /* each: what C nu changes by with rho, alpha, time and end, but for */
+    double factor[4];     /* this factor; NULL: not wanted, or there is no such number */
     double *past;         /* each of taps: left */
     const fvi_damping_matrix *matrix; /* C = S B^T: what is remembered are B^T nu; or NULL, */
     size_t whole;                     /* and else C has so many rows, */
@@ -90,11 +93,13 @@ int fvi_adjoint_term_start(const fvi_run *run, const fvi_sensitivities *want,
                           fvi_delta kind, const fvi_kernel_term *term, size_t d,
                           const fvi_damping_matrix *matrix, fvi_adjoint_term *t);
 
-/* fvi_adjoint_term_accumulate -- nu comes in; the sums that the derivatives of C make of it, times
- * `weight`, are taken away from entry i of what is wanted.
+/* fvi_adjoint_term_next -- nu comes in: t->by is what the derivatives of C make of it.
+ * fvi_adjoint_term_accumulate -- the same, and the products of these sums with `weight` are taken away
+ * from entry i of what is wanted.
  *
  *   nu, dnu, weight  d numbers each; dnu the increment of nu. With a matrix the weight is of all
  *                    unknowns */
+int fvi_adjoint_term_next(fvi_adjoint_term *t, const double *nu, const double *dnu);
 int fvi_adjoint_term_accumulate(fvi_adjoint_term *t, const double *nu,
                          const double *dnu, const double *weight,
                          const fvi_sensitivities *want, size_t i);

@@ -95,8 +95,9 @@ int fvi_adjoint_lobatto_start(const fvi_method *method, const fvi_run *run,
         fvi_lobatto_stages *o = m->stepper->method_state;
         o->jump = m->jump; /* none at the end: x0 is there */
     }
-    if (!status && m->is_damped)
-        status = fvi_adjoint_terms_start(m);
+    if (!status && m->is_damped && fvi_adjoint_kernel_is_wanted(want))
+        status = fvi_stage_terms_start(run, want, s, m->d, fvi_lobatto_history_tolerance(run), run->law,
+                                       &m->terms);
     fvi_lobatto_table(m->rule, s, m->A);
     m->has_initial_impulses = m->is_damped && fvi_initial_history_acts(run->past, run->alpha);
     if (m->has_initial_impulses)
@@ -107,7 +108,7 @@ int fvi_adjoint_lobatto_start(const fvi_method *method, const fvi_run *run,
 void fvi_adjoint_lobatto_stop(fvi_adjoint_lobatto *m)
 {
     fvi_stepper_free(m->stepper);
-    fvi_adjoint_terms_stop(m);
+    fvi_stage_terms_stop(&m->terms);
     free(m->block);
 }
 
@@ -201,7 +202,10 @@ static void accumulate_damping(fvi_adjoint_lobatto *m, const double *rows)
             m->sumdot[j] += m->rule->b[i] * (v[s - 1 - i] - v0) * Tdot[i];
             m->plain[j] += m->rule->b[i] * T[i];
         }
-        fvi_adjoint_terms_accumulate(m, j, v);
+        double nu[FVI_STAGES];
+        for (size_t i = 0; i < s; i++)
+            nu[i] = m->Lambda[j * s + s - 1 - i];
+        fvi_stage_terms_accumulate(&m->terms, j, nu, m->run->h * m->run->system->damping[j], v, m->want, 0);
     }
 }
 
@@ -275,7 +279,7 @@ int fvi_adjoint_lobatto_step(fvi_adjoint_lobatto *m, size_t k, const double *row
     accumulate_force(m, k);
     if (m->is_damped || m->want->mass)
         accumulate_damping(m, rows);
-    return fvi_adjoint_terms_update_history(m);
+    return fvi_stage_terms_update_history(&m->terms, m->reversed);
 }
 
 /* As at node N: of form M lambda jumps, and its history learns of it in the next step; of form D

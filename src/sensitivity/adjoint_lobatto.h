@@ -8,11 +8,9 @@
 #define FVI_ADJOINT_LOBATTO_H
 
 #include <fvi/adjoint.h>
-#include "adjoint_kernel.h"
+#include "adjoint_lobatto_terms.h"
 #include "methods/lobatto_stages.h"
 #include "newton/linearised.h"
-
-typedef struct fvi_adjoint_lobatto_term fvi_adjoint_lobatto_term;
 
 /* Stage i of coordinate j stands at [j * s + i]. */
 typedef struct {
@@ -38,8 +36,7 @@ typedef struct {
     double *T, *Tdot;                 /* d numbers each, of form M: what they end with */
     double *kinetic, *sum, *sumdot, *plain, *pull, *impulse_sum_by_order; /* d each */
     double *block;                                           /* these; owned */
-    size_t terms;                /* of a law whose terms are wanted, */
-    fvi_adjoint_lobatto_term *each; /* their memories; owned */
+    fvi_stage_terms terms; /* of a law whose terms are wanted */
     fvi_kernel_impulse initial_impulse;
 } fvi_adjoint_lobatto;
 
@@ -55,12 +52,5 @@ int fvi_adjoint_lobatto_step(fvi_adjoint_lobatto *m, size_t k, const double *row
                            const double *Jx);
 int fvi_adjoint_lobatto_end(fvi_adjoint_lobatto *m, const double *Jx);
 void fvi_adjoint_lobatto_stop(fvi_adjoint_lobatto *m);
-
-/* fvi_adjoint_terms_start, _meet, _remember, _stop -- what the terms of a law give: coordinate
- * j with the velocities v of its stages; T, which goes into all memories. */
-int fvi_adjoint_terms_start(fvi_adjoint_lobatto *m);
-void fvi_adjoint_terms_accumulate(fvi_adjoint_lobatto *m, size_t j, const double *v);
-int fvi_adjoint_terms_update_history(fvi_adjoint_lobatto *m);
-void fvi_adjoint_terms_stop(fvi_adjoint_lobatto *m);
 
 #endif

@@ -1,242 +1,206 @@
-/* src/sensitivity/adjoint_lobatto_terms.c -- The terms of a law, through stages. [H 23]
- *
- * The derivative by the factor of a term is that by rho with the weights of this term
- * alone: each has a memory of what goes backwards. With W = (Delta/h)^-1 C(Delta/h) of it
- * and u = W nu, those by time and order are -W (Delta/h) u and 2 L (u - time W (Delta/h) u),
- * L = ln(Delta/h): (23.21), memories one behind another. */
-#include "adjoint_lobatto.h"
+/* src/sensitivity/adjoint_lobatto_terms.c -- The terms of a law, through stages. [H 23] */
+#include "adjoint_lobatto_terms.h"
 
-#include "methods/lobatto_stages.h"
 #include "system/fail.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* One memory, and what it has given; s d numbers. */
-typedef struct {
-    fvi_lobatto_history *memory; /* NULL: not asked for */
-    double *past;
-} convolution;
-
-/* Where the comment says "each", s d numbers. */
-struct fvi_adjoint_lobatto_term {
-    fvi_kernel_function unit; /* its term has rho = 1 */
-    double rho;        /* of the law */
-    convolution self, again, slopes[FVI_ADJOINT_SLOPES];
-    fvi_adjoint_slope slope[FVI_ADJOINT_SLOPES];
-    convolution log; /* Delta^beta at beta = 0; past: that of its rate */
-    double *u, *rate, *left; /* each: W nu, (Delta/h) u, u - time W rate */
-    double *before;           /* d numbers: the last of u of step k + 1 */
-    double *room, *block;     /* each; all these and past; owned */
-};
-
 /* ---- the start ---- */
 
-static int convolve(const fvi_adjoint_lobatto *m, const fvi_kernel *alone, convolution *c)
+static int convolve(const fvi_stage_term *t, const fvi_run *run, double keep, const fvi_kernel *alone,
+                    fvi_stage_convolution *c)
 {
-    const fvi_run *run = m->run;
-    return fvi_lobatto_history_of_kernel(m->s, alone, run->h, m->d, run->steps,
-                                     run->memory, fvi_lobatto_history_tolerance(run),
-                                     &c->memory);
+    return fvi_lobatto_history_of_kernel(t->s, alone, run->h, t->d, run->steps, run->memory, keep,
+                                         &c->memory);
 }
 
-static int start_slopes(const fvi_adjoint_lobatto *m, fvi_adjoint_lobatto_term *t)
+static int start_slopes(const fvi_run *run, const fvi_sensitivities *want, double keep,
+                        fvi_stage_term *t)
 {
-    const double *const wanted[] = { m->want->orders, m->want->times, m->want->ends };
+    const double *const wanted[] = { want->orders, want->times, want->ends };
     int status = FVI_SUCCESS;
     for (int by = 0; !status && by < FVI_ADJOINT_SLOPES; by++)
         if (wanted[by] && fvi_adjoint_slope_of(&t->unit.term, (fvi_slope_by)by, &t->slope[by]))
-            status = convolve(m, &t->slope[by].kernel, &t->slopes[by]);
+            status = convolve(t, run, keep, &t->slope[by].kernel, &t->slopes[by]);
     return status;
 }
 
 /* Room for all that a term may need. */
-static int make_room(const fvi_adjoint_lobatto *m, fvi_adjoint_lobatto_term *t)
+static int make_room(fvi_stage_term *t)
 {
     double **each[] = { &t->self.past,      &t->again.past,     &t->slopes[0].past,
                         &t->slopes[1].past, &t->slopes[2].past, &t->log.past,
-                        &t->u,              &t->rate,           &t->left,
-                        &t->room };
-    const size_t rows = sizeof each / sizeof *each, n = m->s * m->d;
-    t->block = calloc(rows * n + m->d, sizeof *t->block);
+                        &t->slopes[0].now,  &t->slopes[1].now,  &t->slopes[2].now,
+                        &t->again.now,      &t->log.now,        &t->self.now,
+                        &t->rate,           &t->left,           &t->room };
+    const size_t rows = sizeof each / sizeof *each, n = t->s * t->d;
+    t->block = calloc(rows * n + t->d, sizeof *t->block);
     if (!t->block)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the terms of a law", FVI_ENOMEM);
     for (size_t i = 0; i < rows; i++)
         *each[i] = t->block + i * n;
     t->before = t->block + rows * n;
     return FVI_SUCCESS;
 }
 
-static int start_one(const fvi_adjoint_lobatto *m, fvi_adjoint_lobatto_term *t)
+int fvi_stage_term_start(const fvi_run *run, const fvi_sensitivities *want, size_t s, size_t d,
+                         double keep, const fvi_kernel_term *of, fvi_stage_term *t)
 {
-    const fvi_run *run = m->run;
-    const fvi_sensitivities *want = m->want;
+    *t = (fvi_stage_term){ .s = s, .d = d, .h = run->h, .rule = fvi_lobatto(s) };
+    fvi_adjoint_unit_term(of, &t->unit, &t->rho);
     const fvi_kernel_term *term = &t->unit.term;
     const fvi_kernel alone = { 1, term };
     const int by_order = want->orders && fvi_adjoint_has_order(term);
-    int status = make_room(m, t);
+    int status = make_room(t);
     if (!status)
-        status = convolve(m, &alone, &t->self);
+        status = convolve(t, run, keep, &alone, &t->self);
     if (!status && fvi_adjoint_is_fraction(term)
         && (want->times || (by_order && term->time > 0)))
-        status = convolve(m, &alone, &t->again);
+        status = convolve(t, run, keep, &alone, &t->again);
     if (!status && by_order)
-        status = fvi_lobatto_history_alloc_by_order(
-            m->s, 0, m->d, run->steps, run->memory, fvi_lobatto_history_tolerance(run),
-            &t->log.memory);
-    return status ? status : start_slopes(m, t);
+        status = fvi_lobatto_history_alloc_by_order(s, 0, d, run->steps, run->memory, keep,
+                                                    &t->log.memory);
+    return status ? status : start_slopes(run, want, keep, t);
 }
 
-int fvi_adjoint_terms_start(fvi_adjoint_lobatto *m)
+void fvi_stage_term_stop(fvi_stage_term *t)
 {
-    const fvi_kernel *law = m->run->law;
-    int status = FVI_SUCCESS;
-    if (!fvi_adjoint_kernel_is_wanted(m->want))
-        return status;
-    const size_t count = law->count;
-    m->each = calloc(count, sizeof *m->each);
-    if (!m->each)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    for (; !status && m->terms < count; m->terms++) {
-        fvi_adjoint_lobatto_term *t = &m->each[m->terms];
-        fvi_adjoint_unit_term(&law->term[m->terms], &t->unit, &t->rho);
-        status = start_one(m, t);
-    }
-    return status;
-}
-
-void fvi_adjoint_terms_stop(fvi_adjoint_lobatto *m)
-{
-    for (size_t l = 0; l < m->terms; l++) {
-        fvi_adjoint_lobatto_term *t = &m->each[l];
-        fvi_lobatto_history_free(t->self.memory);
-        fvi_lobatto_history_free(t->again.memory);
-        for (int by = 0; by < FVI_ADJOINT_SLOPES; by++)
-            fvi_lobatto_history_free(t->slopes[by].memory);
-        fvi_lobatto_history_free(t->log.memory);
-        free(t->block);
-    }
-    free(m->each);
+    fvi_lobatto_history_free(t->self.memory);
+    fvi_lobatto_history_free(t->again.memory);
+    for (int by = 0; by < FVI_ADJOINT_SLOPES; by++)
+        fvi_lobatto_history_free(t->slopes[by].memory);
+    fvi_lobatto_history_free(t->log.memory);
+    free(t->block);
 }
 
 /* ---- a step ---- */
 
-/* out = past + now in, of coordinate j. */
-static void through(const fvi_adjoint_lobatto *m, size_t j, const double *now,
-                    const double *past, const double *in, double *out)
+/* now = past + W in, of number j. */
+static void through(const fvi_stage_term *t, size_t j, const double *W, const double *in,
+                    fvi_stage_convolution *c)
 {
-    const size_t s = m->s;
+    const size_t s = t->s;
     for (size_t i = 0; i < s; i++) {
-        double sum = past[j * s + i];
-        for (size_t c = 0; c < s; c++)
-            sum += now[i * s + c] * in[c];
-        out[i] = sum;
+        double sum = c->past[j * s + i];
+        for (size_t l = 0; l < s; l++)
+            sum += W[i * s + l] * in[l];
+        c->now[j * s + i] = sum;
     }
 }
 
 /* (Delta/h) u, by the two coefficients of (17.5). */
-static void differentiate(const fvi_adjoint_lobatto *m, const double *u,
-                          double before, double *out)
+static void differentiate(const fvi_stage_term *t, const double *u, double before, double *out)
 {
-    const fvi_lobatto_rule *rule = m->rule;
-    for (size_t i = 0; i < m->s; i++) {
+    const fvi_lobatto_rule *rule = t->rule;
+    for (size_t i = 0; i < t->s; i++) {
         double sum = i == 0 ? (u[0] - before) / rule->b[0] : 0;
-        for (size_t c = 0; c < m->s; c++)
+        for (size_t c = 0; c < t->s; c++)
             sum += rule->D[i][c] * u[c];
-        out[i] = sum / m->run->h;
+        out[i] = sum / t->h;
     }
-}
-
-/* What the velocities meet in T, times b. */
-static double dot(const fvi_adjoint_lobatto *m, const double *v, const double *T)
-{
-    double sum = 0;
-    for (size_t i = 0; i < m->s; i++)
-        sum += m->rule->b[i] * v[m->s - 1 - i] * T[i];
-    return sum;
 }
 
 //> stage-term
-/* Coordinate j of one term, which is number l; nu = P Lambda. (23.21) */
-static void accumulate_term(fvi_adjoint_lobatto *m, size_t l, size_t j, const double *nu,
-                 const double *v)
+/* Number j of a term: what W nu changes by with the numbers of the law. (23.21) */
+void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu)
 {
-    fvi_adjoint_lobatto_term *t = &m->each[l];
-    const fvi_sensitivities *want = m->want;
-    const size_t s = m->s;
-    const double weight = m->run->h * m->run->system->damping[j],
-                 scaled = weight * t->rho;
-    double *u = t->u + j * s, *rate = t->rate + j * s,
-           *left = t->left + j * s, T[FVI_STAGES] = { 0 };
+    const size_t s = t->s;
     const double *W = fvi_lobatto_history_now(t->self.memory);
-    through(m, j, W, t->self.past, nu, u);
-    if (want->terms)
-        want->terms[l] -= weight * dot(m, v, u);
+    double *u = t->self.now + j * s, *rate = t->rate + j * s, *left = t->left + j * s;
+    through(t, j, W, nu, &t->self);
     if (t->again.memory) {
-        differentiate(m, u, t->before[j], rate);
-        through(m, j, W, t->again.past, rate, T);
+        differentiate(t, u, t->before[j], rate);
+        through(t, j, W, rate, &t->again);
     }
-    if (t->again.memory && want->times)
-        want->times[l] += scaled * dot(m, v, T);
     for (size_t i = 0; i < s; i++)
-        left[i] = u[i] - t->unit.term.time * T[i];
-    if (!t->log.memory)
-        return;
-    through(m, j, fvi_lobatto_history_now_by_order(t->log.memory), t->log.past, left,
-            T);
-    want->orders[l] -=
-        2 * scaled * (dot(m, v, T) - log(m->run->h) * dot(m, v, left));
+        left[i] = u[i] - t->unit.term.time * t->again.now[j * s + i];
+    if (t->log.memory)
+        through(t, j, fvi_lobatto_history_now_by_order(t->log.memory), left, &t->log);
+    for (int by = 0; by < FVI_ADJOINT_SLOPES; by++)
+        if (t->slopes[by].memory)
+            through(t, j, fvi_lobatto_history_now(t->slopes[by].memory), nu, &t->slopes[by]);
 }
 //< stage-term
 
-static void accumulate_slopes(fvi_adjoint_lobatto *m, size_t l, size_t j,
-                              const double *nu, const double *v)
-{
-    const fvi_adjoint_lobatto_term *t = &m->each[l];
-    double *const to[] = { m->want->orders, m->want->times, m->want->ends };
-    const double weight = m->run->h * m->run->system->damping[j] * t->rho;
-    for (int by = 0; by < FVI_ADJOINT_SLOPES; by++) {
-        const convolution *c = t->slopes + by;
-        double T[FVI_STAGES];
-        if (!c->memory)
-            continue;
-        through(m, j, fvi_lobatto_history_now(c->memory), c->past, nu, T);
-        to[by][l] -= t->slope[by].sign * weight * dot(m, v, T);
-    }
-}
-
-void fvi_adjoint_terms_accumulate(fvi_adjoint_lobatto *m, size_t j, const double *v)
-{
-    double nu[FVI_STAGES];
-    for (size_t i = 0; i < m->s; i++)
-        nu[i] = m->Lambda[j * m->s + m->s - 1 - i];
-    for (size_t l = 0; l < m->terms; l++) {
-        accumulate_term(m, l, j, nu, v);
-        accumulate_slopes(m, l, j, nu, v);
-    }
-}
-
-static int push(convolution *c, const double *in)
+static int push(fvi_stage_convolution *c, const double *in)
 {
     return c->memory ? fvi_lobatto_history_push(c->memory, in, c->past)
                      : FVI_SUCCESS;
 }
 
-int fvi_adjoint_terms_update_history(fvi_adjoint_lobatto *m)
+int fvi_stage_term_update_history(fvi_stage_term *t, const double *nu)
+{
+    int status = push(&t->self, nu);
+    for (int by = 0; !status && by < FVI_ADJOINT_SLOPES; by++)
+        status = push(&t->slopes[by], nu);
+    if (!status)
+        status = push(&t->again, t->rate);
+    if (!status && t->log.memory)
+        status = fvi_lobatto_history_push_by_order(t->log.memory, t->left, t->room, t->log.past);
+    for (size_t j = 0; j < t->d; j++)
+        t->before[j] = t->self.now[j * t->s + t->s - 1];
+    return status;
+}
+
+/* ---- all terms of one law ---- */
+
+int fvi_stage_terms_start(const fvi_run *run, const fvi_sensitivities *want, size_t s, size_t d,
+                          double keep, const fvi_kernel *law, fvi_stage_terms *terms)
 {
     int status = FVI_SUCCESS;
-    for (size_t l = 0; !status && l < m->terms; l++) {
-        fvi_adjoint_lobatto_term *t = &m->each[l];
-        status = push(&t->self, m->reversed);
-        for (int by = 0; !status && by < FVI_ADJOINT_SLOPES; by++)
-            status = push(&t->slopes[by], m->reversed);
-        if (!status)
-            status = push(&t->again, t->rate);
-        if (!status && t->log.memory)
-            status = fvi_lobatto_history_push_by_order(t->log.memory, t->left,
-                                                  t->room, t->log.past);
-        for (size_t j = 0; j < m->d; j++)
-            t->before[j] = t->u[j * m->s + m->s - 1];
-    }
+    *terms = (fvi_stage_terms){ 0 };
+    terms->each = calloc(law->count, sizeof *terms->each);
+    if (!terms->each)
+        FVI_FAIL("no memory for the terms of a law", FVI_ENOMEM);
+    for (; !status && terms->count < law->count; terms->count++)
+        status = fvi_stage_term_start(run, want, s, d, keep, law->term + terms->count,
+                                      terms->each + terms->count);
     return status;
+}
+
+/* What the velocities meet in T, times b. */
+static double dot(const fvi_stage_term *t, const double *v, const double *T)
+{
+    double sum = 0;
+    for (size_t i = 0; i < t->s; i++)
+        sum += t->rule->b[i] * v[t->s - 1 - i] * T[i];
+    return sum;
+}
+
+void fvi_stage_terms_accumulate(fvi_stage_terms *terms, size_t j, const double *nu, double weight,
+                                const double *v, const fvi_sensitivities *want, size_t first)
+{
+    double *const to[] = { want->orders, want->times, want->ends };
+    for (size_t l = 0; l < terms->count; l++) {
+        fvi_stage_term *t = terms->each + l;
+        const double scaled = weight * t->rho;
+        const size_t at = j * t->s, i = first + l;
+        fvi_stage_term_next(t, j, nu);
+        if (want->terms)
+            want->terms[i] -= weight * dot(t, v, t->self.now + at);
+        if (t->again.memory && want->times)
+            want->times[i] += scaled * dot(t, v, t->again.now + at);
+        if (t->log.memory)
+            want->orders[i] -= 2 * scaled
+                               * (dot(t, v, t->log.now + at) - log(t->h) * dot(t, v, t->left + at));
+        for (int by = 0; by < FVI_ADJOINT_SLOPES; by++)
+            if (t->slopes[by].memory)
+                to[by][i] -= t->slope[by].sign * weight * t->rho * dot(t, v, t->slopes[by].now + at);
+    }
+}
+
+int fvi_stage_terms_update_history(fvi_stage_terms *terms, const double *nu)
+{
+    int status = FVI_SUCCESS;
+    for (size_t l = 0; !status && l < terms->count; l++)
+        status = fvi_stage_term_update_history(terms->each + l, nu);
+    return status;
+}
+
+void fvi_stage_terms_stop(fvi_stage_terms *terms)
+{
+    for (size_t l = 0; l < terms->count; l++)
+        fvi_stage_term_stop(terms->each + l);
+    free(terms->each);
 }

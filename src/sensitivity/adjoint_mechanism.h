@@ -37,11 +37,7 @@ typedef struct {
     double factor;              /* by a factor of the kernel */
     /* the numbers of its kernel */
     fvi_adjoint_term *term;     /* of nodes, one for each term; owned */
-    fvi_adjoint_lobatto of_stages; /* what adjoint_lobatto_terms.c reads */
-    fvi_sensitivities want;
-    fvi_run run;
-    fvi_system system;
-    double one;
+    fvi_stage_terms of_stages;  /* of stages */
 } fvi_adjoint_mechanism_damper;
 
 typedef struct {

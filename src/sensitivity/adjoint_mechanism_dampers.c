@@ -74,28 +74,13 @@ static int start_history(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_d
 /* The terms of a kernel through stages are those of one body with a damping of 1. */
 static int start_terms_of_stages(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
 {
-    const fvi_sensitivities *want = m->want;
-    fvi_adjoint_lobatto *of = &a->of_stages;
-    a->want = (fvi_sensitivities){ .terms = want->terms ? want->terms + a->first : NULL,
-                                   .orders = want->orders ? want->orders + a->first : NULL,
-                                   .times = want->times ? want->times + a->first : NULL,
-                                   .ends = want->ends ? want->ends + a->first : NULL };
-    a->one = 1;
-    a->system = (fvi_system){ .d = 1, .mass = &a->one, .damping = &a->one };
-    a->run = *m->run;
-    a->run.system = &a->system;
-    a->run.law = a->kernel;
-    *of = (fvi_adjoint_lobatto){ .run = &a->run,
-                                 .want = &a->want,
-                                 .rule = m->o->rule,
-                                 .s = m->s,
-                                 .d = 1 };
-    of->block = calloc(2 * m->s, sizeof *of->block);
-    if (!of->block)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    of->Lambda = of->block;
-    of->reversed = of->block + m->s;
-    return fvi_adjoint_terms_start(of);
+    const double one = 1;
+    const fvi_system body = { .d = 1, .mass = &one, .damping = &one };
+    fvi_run run = *m->run;
+    run.system = &body;
+    run.law = a->kernel;
+    return fvi_stage_terms_start(&run, m->want, m->s, 1, fvi_lobatto_history_tolerance(&run),
+                                 a->kernel, &a->of_stages);
 }
 
 static int start_terms(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
@@ -149,12 +134,10 @@ void fvi_adjoint_mechanism_damper_stop(fvi_adjoint_mechanism_damper *a)
 {
     for (size_t l = 0; a->term && l < a->kernel->count; l++)
         fvi_adjoint_term_stop(a->term + l);
-    if (a->of_stages.each)
-        fvi_adjoint_terms_stop(&a->of_stages);
+    fvi_stage_terms_stop(&a->of_stages);
     fvi_history_free(a->history);
     fvi_lobatto_history_free(a->stages);
     fvi_impulses_of_kernel_free(a->impulses);
-    free(a->of_stages.block);
     free(a->term);
 }
 
@@ -220,12 +203,10 @@ int fvi_adjoint_mechanism_damper_push(fvi_adjoint_mechanism *m, fvi_adjoint_mech
         status = fvi_lobatto_history_push(a->stages, y, a->past);
     if (status || !a->of_stages.each)
         return status;
-    for (size_t i = 0; i < m->s; i++) { /* their weights have h */
-        a->of_stages.reversed[i] = -y[i] / m->run->h;
-        a->of_stages.Lambda[m->s - 1 - i] = a->of_stages.reversed[i];
-    }
-    fvi_adjoint_terms_accumulate(&a->of_stages, 0, zeta);
-    return fvi_adjoint_terms_update_history(&a->of_stages);
+    for (size_t i = 0; i < m->s; i++) /* their weights have h */
+        y[i] = -y[i] / m->run->h;
+    fvi_stage_terms_accumulate(&a->of_stages, 0, y, m->run->h, zeta, m->want, a->first);
+    return fvi_stage_terms_update_history(&a->of_stages, y);
 }
 
 /* ---- the end ---- */
