@@ -58,6 +58,18 @@ static void report_of_mesh(fvi_report *report, const fvi_step_statistics *counts
     report->form = counts->form;
 }
 
+int fvi_solve_tell_events(fvi_solve_state *o, double until)
+{
+    const size_t d = o->run.system->d;
+    int status = FVI_SUCCESS;
+    for (; !status && o->told < o->events.count && o->events.at[o->told].t <= until; o->told++) {
+        const double *place = o->events.place + 2 * d * o->told;
+        if (o->out->event)
+            status = o->out->event(&o->events.at[o->told], place, place + d, o->out->params);
+    }
+    return status;
+}
+
 /* Row k of a run that has come to its time, or just passed it. */
 static int row_of_run(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
                       size_t k, double *room)
@@ -90,33 +102,60 @@ static int stand_between(const fvi_solve_state *o, fvi_stepper *s, fvi_observer 
     return status ? status : o->out->between(&now, o->out->params);
 }
 
+/* Is row k behind the run's time? */
+static int is_ahead(const fvi_solve_state *o, const fvi_stepper *s, size_t k)
+{
+    const double t = time_of_row(o, k);
+    return s->method->dense ? s->t < t : s->k < (size_t)round(t / s->run.h);
+}
+
+/* Steps to the time of row k, or to an event that ends the run. */
+static int steps_to_row(fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer, size_t k)
+{
+    const double before = k > 0 ? time_of_row(o, k - 1) : -INFINITY;
+    int status = FVI_SUCCESS;
+    while (!status && is_ahead(o, s, k) && !fvi_stepper_is_over(s)) {
+        status = stand_between(o, s, observer, before);
+        if (!status)
+            status = fvi_solve_tell_events(o, INFINITY);
+        if (!status)
+            status = observer ? fvi_observer_step(observer, s)
+                              : fvi_stepper_step(s);
+        if (!status && o->run.event_count)
+            status = fvi_event_list_add(&o->events, s);
+    }
+    return status;
+}
+
 /* Row after row of one run; what is between two steps of the method's own is interpolated. */
-static int rows_of_run(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
+static int rows_of_run(fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
                        double *room)
 {
-    for (size_t k = 0; k < o->out->rows; k++) {
-        const double t = time_of_row(o, k);
-        const size_t node = (size_t)round(t / s->run.h);
-        const double before = k > 0 ? time_of_row(o, k - 1) : -INFINITY;
-        int status = FVI_SUCCESS;
-        while (!status && (s->method->dense ? s->t < t : s->k < node)) {
-            status = stand_between(o, s, observer, before);
-            if (!status)
-                status = observer ? fvi_observer_step(observer, s)
-                                  : fvi_stepper_step(s);
-        }
+    size_t k = 0;
+    for (; k < o->out->rows; k++) {
+        int status = steps_to_row(o, s, observer, k);
         if (status)
             return fail_at_step(o, s->k + 1, status);
-        status = row_of_run(o, s, observer, k, room);
+        if (is_ahead(o, s, k)) {
+            status = stand_between(o, s, observer, k > 0 ? time_of_row(o, k - 1) : -INFINITY);
+            if (status)
+                return fail_at_step(o, s->k + 1, status);
+            break;
+        }
+        status = fvi_solve_tell_events(o, time_of_row(o, k));
+        if (!status)
+            status = row_of_run(o, s, observer, k, room);
         if (status)
             return fail_at_step(o, k, status);
     }
-    return FVI_SUCCESS;
+    o->report->rows = k;
+    return fvi_solve_tell_events(o, INFINITY);
 }
 
 /* The rows of a run that has been started, with an observer if one is asked for. */
-static int observe_run(const fvi_solve_state *o, fvi_stepper *s)
+static int observe_run(fvi_solve_state *o, fvi_stepper *s)
 {
+    o->events.count = 0; /* what a search has found is told anew */
     fvi_observer *observer = NULL;
     double *room = malloc(2 * o->run.system->d * sizeof *room);
     if (!room)
@@ -131,7 +170,7 @@ static int observe_run(const fvi_solve_state *o, fvi_stepper *s)
     return status;
 }
 
-static int solve_by_steps(const fvi_solve_state *o)
+static int solve_by_steps(fvi_solve_state *o)
 {
     fvi_stepper *s;
     fvi_step_statistics counts;
@@ -159,13 +198,20 @@ static int search(fvi_solve_state *o, double *x, double *p)
         o->found = (fvi_variable_step_found){ .estimate = INFINITY };
         status = fvi_variable_step_search(&o->run, o->out->rows, o->out->t,
                                           o->tolerance, most, x, p, &o->found);
+        o->events = o->found.events;
         report->error = o->found.estimate;
+        report->rows = o->found.rows;
+        report->step_error = o->found.step_error;
+        report->agreed = o->found.common.agreed;
+        report->agreed_until = o->found.common.until;
+        report->events_differ = o->found.common.differ;
         report_of_mesh(report, &o->found.counts);
     } else {
         fvi_step_found found = { .estimate = INFINITY, .parts = 1 };
         status = fvi_step_search(o->method, &o->run, o->tolerance, most, x, p,
                                  &found);
         report->error = found.estimate;
+        report->rows = o->out->rows;
         report->steps = found.parts * o->run.steps;
         report->h = o->run.h / (double)found.parts;
         if (status == FVI_ETOL)
@@ -187,6 +233,11 @@ static int fail_of_search(const fvi_solve_state *o, int status)
     if (status != FVI_ETOL)
         return fvi_fail(o->error, status, NULL, NAN, "%s",
                         fvi_error_name(status));
+    if (!isfinite(o->report->error) && o->report->events_differ)
+        return fvi_fail(o->error, status, "tolerance", o->tolerance,
+                        "%g is out of reach: no two runs have the same events; they agree on %zu, "
+                        "until t = %.6g, and then a Z may touch 0, or the motion be chaotic",
+                        o->tolerance, o->report->agreed, o->report->agreed_until);
     if (!isfinite(o->report->error))
         return fvi_fail(o->error, status, "tolerance", o->tolerance,
                         "no step gives a result that can be trusted");
@@ -211,7 +262,7 @@ static size_t place_of_row(const fvi_solve_state *o, size_t k)
 }
 
 /* The run that was found, for an observer: its rows are the same, to the bit. */
-static int observe_again(const fvi_solve_state *o)
+static int observe_again(fvi_solve_state *o)
 {
     fvi_stepper *s;
     fvi_run run = o->run;
@@ -234,6 +285,21 @@ static int observe_again(const fvi_solve_state *o)
     return status;
 }
 
+/* The rows and the events that a search has found, in the order of their times. */
+static int give_found(fvi_solve_state *o, const double *x, const double *p)
+{
+    int status = FVI_SUCCESS;
+    for (size_t k = 0; !status && k < o->report->rows; k++) {
+        const size_t at = place_of_row(o, k) * o->run.system->d;
+        status = fvi_solve_tell_events(o, time_of_row(o, k));
+        if (!status)
+            status = give_row(o, k, x + at, p + at);
+        if (status)
+            fail_at_step(o, k, status);
+    }
+    return status ? status : fvi_solve_tell_events(o, INFINITY);
+}
+
 static int solve_to_tolerance(fvi_solve_state *o)
 {
     const size_t d = o->run.system->d, rows = rows_of_search(o);
@@ -249,12 +315,8 @@ static int solve_to_tolerance(fvi_solve_state *o)
         fail_of_search(o, status);
     else if (o->out->observed)
         status = observe_again(o);
-    for (size_t k = 0; !status && !o->out->observed && k < o->out->rows; k++) {
-        const size_t at = place_of_row(o, k) * d;
-        status = give_row(o, k, x + at, p + at);
-        if (status)
-            fail_at_step(o, k, status);
-    }
+    if (!status && !o->out->observed)
+        status = give_found(o, x, p);
     free(x);
     return status;
 }
@@ -276,6 +338,8 @@ int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options,
         return status;
     done.method = o.method;
     status = o.tolerance > 0 ? solve_to_tolerance(&o) : solve_by_steps(&o);
+    done.events = o.events.count;
+    fvi_event_list_free(&o.events);
     if (report && (!status || status == FVI_ETOL))
         *report = done;
     return status;

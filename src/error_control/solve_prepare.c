@@ -18,6 +18,8 @@ enum {
 static const fvi_method *usual_method(const fvi_problem *problem,
                                       double tolerance)
 {
+    if (problem->event_count > 0)
+        return &fvi_variable_step;
     if (!(tolerance > 0))
         return &fvi_fractional;
     if (problem->system.matrices
@@ -155,7 +157,9 @@ int fvi_solve_prepare(fvi_solve_state *o, const fvi_problem *problem,
                         .step_error = options->step_error,
                         .longest = options->longest,
                         .most_steps = o->most_steps,
-                        .law = problem->law };
+                        .law = problem->law,
+                        .events = problem->events,
+                        .event_count = problem->event_count };
     int status = check_times(o->out, problem->T, o->error);
     if (!status)
         status = choose_grid(o, problem->T, options->h);

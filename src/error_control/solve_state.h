@@ -16,7 +16,13 @@ typedef struct {
     fvi_report *report;
     fvi_error *error;
     fvi_variable_step_found found; /* of a search by fvi-adaptive */
+    fvi_event_list events;         /* of the run whose rows are given out, */
+    size_t told;                   /* of which the caller knows so many */
 } fvi_solve_state;
+
+/* fvi_solve_tell_events -- o->out->event is called with those of o->events that are not after `until`.
+ * Returns what it returns. */
+int fvi_solve_tell_events(fvi_solve_state *o, double until);
 
 /* fvi_solve_prepare -- from what is asked for to a run that is checked: o->method, o->run, o->tolerance
  * and o->most_steps. o->out and o->error are there. Returns FVI_SUCCESS, or a code with *o->error

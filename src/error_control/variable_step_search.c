@@ -18,12 +18,14 @@ enum { FEWEST = 128, MOST_RUNS = 16, SAME_END = 5 };
  * has, so that few rows do not hide what is between them, and the times that are wanted. */
 typedef struct {
     const fvi_run *run;
-    size_t first, count, length; /* of the times; of their numbers */
+    size_t first, count; /* of the times */
     double *t;
     size_t most;            /* no run of more steps */
     int fine;               /* are only the finest modes good enough? */
     double end;             /* the t that the last run came to */
     double *x, *before, *p; /* this run and the one before */
+    size_t reached, reached_before;   /* how many of the times; an event may end a run */
+    fvi_event_list events, events_before;
     fvi_step_statistics counts;
     fvi_variable_step_found as; /* how this run was made */
 } pair;
@@ -41,8 +43,25 @@ int fvi_variable_step_again(const fvi_run *of, size_t most,
         run.tolerance = FVI_FINE_MODES;
     const int status =
         fvi_stepper_start(&fvi_variable_step, &run, stepper, NULL);
-    if (!status)
+    if (!status) {
         fvi_variable_step_limit(*stepper, found->longest, found->growth);
+        fvi_variable_step_rest_below(*stepper, found->rest);
+    }
+    return status;
+}
+
+/* Steps until time k is passed, or an event ends the run. */
+static int go_to(pair *o, fvi_stepper *s, size_t k)
+{
+    int status = FVI_SUCCESS;
+    while (s->t < o->t[k] && !status && !fvi_stepper_is_over(s)) {
+        status = fvi_stepper_step(s);
+        fvi_stepper_statistics(s, &o->counts);
+        if (status == FVI_ERUNAWAY)
+            status = FVI_ETOL;
+        if (!status)
+            status = fvi_event_list_add(&o->events, s);
+    }
     return status;
 }
 
@@ -52,28 +71,25 @@ int fvi_variable_step_again(const fvi_run *of, size_t most,
 static int trial(pair *o, double step_error, double longest, int growth)
 {
     const size_t d = o->run->system->d;
-    o->as = (fvi_variable_step_found){ .step_error = step_error,
-                                       .longest = longest,
-                                       .growth = growth,
-                                       .fine = o->fine,
-                                       .first = o->first };
+    o->as.step_error = step_error;
+    o->as.longest = longest;
+    o->as.growth = growth;
+    o->as.fine = o->fine;
+    o->as.common = (fvi_event_agreement){ 0 };
+    o->events.count = o->reached = 0;
     fvi_stepper *s;
     int status = fvi_variable_step_again(o->run, o->most, &o->as, &s);
     if (status)
         return status;
-    for (size_t k = 0, rows; k < o->count && !status; k += rows) {
-        while (s->t < o->t[k] && !status) {
-            status = fvi_stepper_step(s);
-            fvi_stepper_statistics(s, &o->counts);
-            if (status == FVI_ERUNAWAY)
-                status = FVI_ETOL;
-        }
-        rows = 1;
+    for (size_t k = 0, rows; k < o->count && !status; k = o->reached += rows) {
+        status = go_to(o, s, k);
+        rows = 0;
         while (k + rows < o->count && o->t[k + rows] <= s->t)
             rows++;
-        if (!status)
-            status = fvi_stepper_advance_through(s, rows, o->t + k, o->x + k * d,
-                                                 o->p + k * d);
+        if (status || rows == 0)
+            break;
+        status = fvi_stepper_advance_through(s, rows, o->t + k, o->x + k * d,
+                                             o->p + k * d);
     }
     o->end = s->t;
     fvi_stepper_free(s);
@@ -91,13 +107,57 @@ static int too_long(int status)
  * the start, where the motion became larger; max |x|. */
 static double distance(const pair *o, double *largest)
 {
+    const size_t both = o->reached < o->reached_before ? o->reached : o->reached_before;
     double D = 0;
     *largest = 0;
-    for (size_t i = 0; i < o->length; i++) {
+    for (size_t i = 0; i < both * o->run->system->d; i++) {
         D = larger(D, fabs(o->x[i] - o->before[i]));
         *largest = larger(*largest, fabs(o->x[i]));
     }
     return D + (3e-14 + o->counts.memory) * *largest;
+}
+
+/* The largest speed of a coordinate, as a mean over half a row at least. */
+static double speed_of(const pair *o)
+{
+    const size_t d = o->run->system->d;
+    const double least = o->run->h / (double)(2 * o->first);
+    double speed = 0;
+    for (size_t k = 1, from = 0; k < o->reached; k++) {
+        const double time = o->t[k] - o->t[from];
+        if (time < least)
+            continue;
+        for (size_t i = 0; i < d; i++)
+            speed = larger(speed, fabs(o->x[k * d + i] - o->x[from * d + i]) / time);
+        from = k;
+    }
+    return speed;
+}
+
+/* The estimate of two runs that have come to their ends. */
+static int compare(pair *o, double error, double *estimate, double *largest)
+{
+    double of_events;
+    *estimate = distance(o, largest);
+    if (o->run->event_count == 0)
+        return FVI_SUCCESS;
+    const int status = fvi_event_list_distance(
+        &o->events, &o->events_before, o->run->system->d, o->run->event_count, speed_of(o),
+        o->run->h * (double)o->run->steps, error, &of_events, &o->as.common);
+    *estimate = larger(*estimate, of_events);
+    return status;
+}
+
+/* This run is the one before the next. */
+static void keep_run(pair *o)
+{
+    double *x = o->x;
+    o->x = o->before;
+    o->before = x;
+    const fvi_event_list events = o->events;
+    o->events = o->events_before;
+    o->events_before = events;
+    o->reached_before = o->reached;
 }
 
 //> search
@@ -105,7 +165,8 @@ static double distance(const pair *o, double *largest)
  * that do not fall end it only where they may be rounding. Where coarse modes are too coarse for
  * what the motion has become, the next runs take the finest. Where SAME_END runs in a row,
  * each with a tenth of the tolerance, come to no other end than to a thousandth of it, it is
- * the motion that ends there: it runs away in a finite time. */
+ * the motion that ends there: it runs away in a finite time. Lists of events that differ though steps are
+ * right to rounding will never agree. */
 static int search(pair *o, double error, fvi_variable_step_found *found)
 {
     const double T = o->run->h * (double)o->run->steps;
@@ -114,6 +175,7 @@ static int search(pair *o, double error, fvi_variable_step_found *found)
     double end = 0;
     int failed_before = 1, status = FVI_SUCCESS, worse = 0, same_end = 0;
     found->estimate = GSL_POSINF;
+    o->as = (fvi_variable_step_found){ .first = o->first, .rest = o->run->event_count ? error : 0 };
     for (int i = 0; i < MOST_RUNS && worse < 3 && same_end < SAME_END - 1;
          i++, step_error /= 10) {
         status = i % 2 ? trial(o, step_error, longest / 2, 3)
@@ -122,24 +184,26 @@ static int search(pair *o, double error, fvi_variable_step_found *found)
             return status;
         same_end = status && fabs(o->end - end) < 1e-3 * end ? same_end + 1 : 0;
         end = o->end;
-        const double estimate =
-            status || failed_before ? GSL_POSINF : distance(o, &largest);
+        double estimate = GSL_POSINF;
+        if (!status && !failed_before && compare(o, error, &estimate, &largest))
+            return FVI_ENOMEM;
         if (estimate < found->estimate) {
             *found = o->as;
             found->estimate = estimate;
             found->counts = o->counts;
         }
+        if (!failed_before && !status)
+            found->common = o->as.common;
         if (estimate <= error)
             return FVI_SUCCESS;
         o->fine |= o->counts.memory * largest > error / 4;
         worse += estimate > last / 2 && o->counts.memory == 0
                  && estimate <= GSL_SQRT_DBL_EPSILON * largest;
+        worse += o->as.common.differ && step_error <= GSL_DBL_EPSILON * largest;
         last = estimate;
         failed_before = status != 0;
         longest = status ? T : o->counts.longest;
-        double *swap = o->x;
-        o->x = o->before;
-        o->before = swap;
+        keep_run(o);
     }
     return status && !gsl_finite(found->estimate) ? status : FVI_ETOL;
 }
@@ -177,23 +241,27 @@ static void merge_times(pair *o, size_t count, const double *t)
                 o->t[o->count++] = t[i];
         o->t[o->count++] = row;
     }
-    o->length = o->count * o->run->system->d;
 }
 
-/* What stands in the last run at the times that are wanted: `count` at t, or its rows. */
-static void give_out(const pair *o, size_t count, const double *t, double *x,
-                     double *p)
+/* What stands in the last run at the times that are wanted: `count` at t, or its rows. Returns how many of
+ * them it has reached. */
+static size_t give_out(const pair *o, size_t count, const double *t, double *x,
+                       double *p)
 {
     const size_t d = o->run->system->d;
-    for (size_t k = 0, at = 0; k < count; k++, at++) {
+    size_t k = 0;
+    for (size_t at = 0; k < count; k++, at++) {
         while (t && o->t[at] < t[k])
             at++;
         if (!t)
             at = k * o->first;
+        if (at >= o->reached)
+            break;
         memcpy(x + k * d, o->x + at * d, d * sizeof *x);
         if (p)
             memcpy(p + k * d, o->p + at * d, d * sizeof *p);
     }
+    return k;
 }
 
 int fvi_variable_step_search(const fvi_run *run, size_t count, const double *t,
@@ -222,7 +290,12 @@ int fvi_variable_step_search(const fvi_run *run, size_t count, const double *t,
     fvi_variable_step_found best = { 0 };
     status = search(&o, error, &best);
     if (!status)
-        give_out(&o, t ? count : run->steps + 1, t, x, p);
+        best.rows = give_out(&o, t ? count : run->steps + 1, t, x, p);
+    if (!status)
+        best.events = o.events;
+    else
+        fvi_event_list_free(&o.events);
+    fvi_event_list_free(&o.events_before);
     free(block);
     if (!status || status == FVI_ETOL)
         *found = best;

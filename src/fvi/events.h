@@ -46,6 +46,8 @@ typedef enum {
  *   direction    1: z must rise through 0, -1: fall; 0: either
  *   action       as above
  *   restitution  e of an impact, 0 <= e <= 1
+ *   rest         of an impact: a body that would rise no higher than this, a length of x, is at rest; 0: the tolerance
+ *                of a step, or with a tolerance of fvi_solve that one
  *
  * Which side of 0 the motion is on is known from its first time with z != 0: what begins with z = 0 is
  * no event yet. But a wall stands where an impact begins: the body is where z > 0, or where z < 0 with the
@@ -62,6 +64,7 @@ struct fvi_event {
     int direction;
     fvi_event_action action;
     double restitution;
+    double rest;
 };
 
 /* fvi_event_time -- what has happened: when; which of run.events; nonzero if the body is at rest
@@ -78,7 +81,7 @@ const fvi_event_time *fvi_stepper_events(const fvi_stepper *s, size_t *n);
 
 /* fvi_stepper_is_over -- nonzero once an event has ended the run: a stop; or a body that has come to
  * rest. It has if an impact leaves it so slow that it would fall back from a height, in z, which
- * is below the tolerance of a step: a bouncing ball ends so after finitely many impacts. The next
+ * is not above `rest`, or the tolerance of a step: a bouncing ball ends so after finitely many impacts. The next
  * fvi_stepper_step then returns FVI_EINVAL. */
 int fvi_stepper_is_over(const fvi_stepper *s);
 
@@ -95,7 +98,7 @@ int fvi_stepper_kick(fvi_stepper *s, const double *J);
 
 /* fvi_events_check -- FVI_SUCCESS; or what is wrong, field "events", the index that of the event:
  * FVI_EUNSUP if the method takes none, FVI_EFAULT without an array or a function, FVI_EDOM for a
- * restitution that is not in [0, 1], FVI_EINVAL for an unknown action. fvi_stepper_start asks. */
+ * restitution that is not in [0, 1] or a rest that is not in [0, infinity), FVI_EINVAL for an unknown action. fvi_stepper_start asks. */
 int fvi_events_check(const fvi_method *method, const fvi_run *run,
                      fvi_error *error);
 

@@ -27,6 +27,7 @@ extern "C" {
  *   alpha    the damping is of order 2 alpha, 0 <= alpha <= 1; so 0 is a spring, and 1/2 a dashpot
  *   law      NULL, or a law of damping instead of alpha (damping_laws.h)
  *   past     what the body did before t = 0 (past.h); zeroed: it was held at x0
+ *   events, event_count  NULL and 0, or what is watched, and ends the motion or changes its momentum (events.h)
  *
  * All that it points to must outlive the call. */
 typedef struct {
@@ -36,11 +37,13 @@ typedef struct {
     double alpha;
     const fvi_kernel *law;
     fvi_initial_history past;
+    const struct fvi_event *events;
+    size_t event_count;
 } fvi_problem;
 
 /* fvi_solve_options -- how it is solved; NULL or a zeroed one is the usual way.
  *
- *   method   NULL: with a tolerance fvi_variable_step, or where that does not take the problem
+ *   method   NULL: with events, or a tolerance, fvi_variable_step; or where that does not take the problem
  *            fvi_cq_bdf2, or fvi_cq2_midpoint for matrices of which
  *            fvi_variable_step_takes_structure says 0; without one fvi_fractional
  *   h        the step, > 0, without a tolerance; not read with one
@@ -82,7 +85,9 @@ typedef struct {
  *           which `wanted` says what: velocities, accelerations, forces, work. With a tolerance the
  *           run that was found is made again for it
  *   between  NULL, or called with the same at each step that is no row, in the order of the times: what is
- *           largest may stand between two rows. It needs observed */
+ *           largest may stand between two rows. It needs observed
+ *   event   NULL, or called for each event with x there and p behind it, before the rows that are not earlier;
+ *           what it returns but 0 ends the call. Where an event ends the motion there are no rows behind it */
 typedef struct {
     size_t rows;
     const double *t;
@@ -93,6 +98,7 @@ typedef struct {
     int (*observed)(size_t k, const fvi_observation *now, void *params);
     unsigned wanted;
     int (*between)(const fvi_observation *now, void *params);
+    int (*event)(const fvi_event_time *at, const double *x, const double *p, void *params);
 } fvi_outputs;
 
 /* fvi_report -- what was done.
@@ -103,13 +109,20 @@ typedef struct {
  *   steps, rejected  of the run whose rows are given out; trials that were given up
  *   h         its step; of a method that chooses its steps the longest
  *   error     the estimate of max |x - x(t)|, with a tolerance; infinite if there is none
- *   stages, form  of fvi_variable_step, as fvi_step_statistics has them */
+ *   stages, form  of fvi_variable_step, as fvi_step_statistics has them
+ *   rows, events  how many there are: fewer rows than asked for where an event has ended the motion
+ *   step_error    of fvi_variable_step with a tolerance: that of a step of the run whose rows are given out
+ *   agreed, agreed_until, events_differ  for FVI_ETOL with events: how many of them the last two runs have in
+ *             common, the time of the last of these, and nonzero if the runs differ behind it */
 typedef struct {
     const fvi_method *method, *other;
     size_t steps, rejected;
     double h, error;
     int stages;
     char form;
+    size_t rows, events, agreed;
+    double step_error, agreed_until;
+    int events_differ;
 } fvi_report;
 
 /* fvi_solve -- the motion at the times of the outputs.
@@ -122,6 +135,13 @@ typedef struct {
  * they show is theirs (H 18). It is an estimate, no bound: what all runs pass over alike is not seen,
  * such as a pulse of a force without bounds that is shorter than their steps. The error of p is
  * another matter.
+ *
+ * With events and a tolerance the two runs must have the same events. The error is then also no smaller than the
+ * difference of x at each event, nor than the largest speed of x times the difference of the two times: so
+ * the time of an event is right to tolerance / speed. A body is at rest after an impact from which it would rise no
+ * higher than the tolerance. For example, for a ball that falls with g = 1 from the height 1 onto z = x with e = 1/2,
+ * hop n is 4^-n high; so with the tolerance 1e-6 it is at rest after the tenth, as 4^-10 = 0.95e-6. Where runs of
+ * any steps differ in their events, as where z only touches 0, or where a motion is chaotic, FVI_ETOL says so.
  *
  * fvi_variable_step gives out any time. Other methods have positions at their steps alone: without a
  * tolerance each t is a multiple of h, but for roundings; with one the times have a common step, of

@@ -93,7 +93,7 @@ int fvi_check_mechanism_words(const fvi_options *o, fvi_error *c)
                               of_damper[] = { ALPHA,   ORDER,      RHO,
                                               DAMPING, DERIVATIVE, OPTIONS },
                               of_start[] = { P0, SYSTEM, OPTIONS },
-                              of_event[] = { SYSTEM, ERROR, CHECKPOINT, OPTIONS },
+                              of_event[] = { SYSTEM, CHECKPOINT, OPTIONS },
                               of_directory[] = { CONSTRAINT, IMPOSE, FORCE_ON,
                                                  OPTIONS };
     int status = refuse_pair(o, LAGRANGIAN, of_lagrangian, c);

@@ -57,6 +57,7 @@ int fvi_options_observes(const fvi_options *o)
 int fvi_options_needs_stepper(const fvi_options *o)
 {
     return fvi_options_observes(o)
+           || (o->events && fvi_typed_columns_count(o->typed) > 0) /* how often, and when */
            || (o->mechanism
                && fvi_typed_columns_wanted(o->typed) & FVI_OBSERVE_VELOCITY);
 }

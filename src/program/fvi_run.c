@@ -181,10 +181,8 @@ static int rows_and_checkpoints(fvi_table *t, fvi_stepper *s, watches *w,
     return failed;
 }
 
-static void print_events(const fvi_table *t, const fvi_stepper *s)
+void fvi_run_print_events(const fvi_table *t, size_t n, const fvi_event_time *at)
 {
-    size_t n;
-    const fvi_event_time *at = fvi_stepper_events(s, &n);
     if (!t->o->events)
         return;
     fvi_format_events_begin(t->out, t->o->format);
@@ -233,8 +231,10 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
         failed = rows_and_checkpoints(t, s, &watch, c);
     fvi_inertia_watch_free(watch.of_inertia);
     const int whole = !failed && !fvi_checkpoint_stopped();
+    size_t happened;
+    const fvi_event_time *at = fvi_stepper_events(s, &happened);
     if (!failed)
-        print_events(t, s);
+        fvi_run_print_events(t, happened, at);
     failed = fvi_table_close(t, !whole);
     if (whole && !failed)
         failed = fvi_snapshot(o, s);

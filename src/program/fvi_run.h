@@ -28,11 +28,11 @@ int fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
                   char *text);
 
 /* fvi_run_looks_at_inertia -- after so many steps? Each look costs as much as a part of a step.
- * fvi_run_inertia_of_rows -- fvi_warning_of_inertia_in_rows of the rows that a search has found, for a text of
+ * fvi_run_inertia_of_rows -- fvi_warning_of_inertia_in_rows of so many rows that a search has found, for a text of
  * FVI_WARNING_ROOM; 0 without a Lagrangian, -1 without memory. */
 int fvi_run_looks_at_inertia(const fvi_stepper *s, size_t steps);
-int fvi_run_inertia_of_rows(const fvi_options *o, const fvi_system *system, const double *x,
-                            const double *p, char *text);
+int fvi_run_inertia_of_rows(const fvi_options *o, const fvi_system *system, size_t rows,
+                            const double *x, const double *p, char *text);
 
 /* fvi_run_head -- that text in the head of a table, if it is one, under a name that no other
  * warning has: what is read as JSON keeps one of two. */
@@ -64,6 +64,9 @@ int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
 void fvi_run_reduced(const fvi_table *t, double *row);
 int fvi_run_reductions(fvi_table *t);
 
+/* fvi_run_print_events -- n events behind the rows, in the words of the options; nothing without --event. */
+void fvi_run_print_events(const fvi_table *t, size_t n, const fvi_event_time *at);
+
 /* fvi_snapshot -- a line for each unknown of s, number, x and p, into o->snapshot, complete or
  * not at all, if there is such a name. Returns 0, or 1 after it has said what is wrong. */
 int fvi_snapshot(const fvi_options *o, const fvi_stepper *s);
@@ -71,10 +74,16 @@ int fvi_snapshot(const fvi_options *o, const fvi_stepper *s);
 /* fvi_run_search -- the rows k = 0, ..., steps of r by this method, right to o->error; x and p
  * have room for them, and typed, or NULL, for the typed columns of each row, which are filled in if
  * x and p are not enough for them. Returns what fvi_solve returns; reductions have then seen
- * each step of the run that was found. */
+ * each step of the run that was found. The events of it are added to `events`, unless that is NULL; free
+ * events->at. An event may have ended the run: found->rows rows are there, and in the place of the next one stands
+ * the event, unless that is at the last row. */
+typedef struct {
+    size_t count, room;
+    fvi_event_time *at;
+} fvi_run_events;
 int fvi_run_search(const fvi_options *o, const fvi_method *method,
                    const fvi_run *r, double *x, double *p, double *typed,
-                   fvi_report *found);
+                   fvi_report *found, fvi_run_events *events);
 
 /* fvi_variable_step_head -- two lines of the head: what a method that chooses its steps has
  * chosen; how many of them, if not 0. */

@@ -12,19 +12,56 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
-/* Where the typed columns of all rows go. */
+/* Where the typed columns of all rows go, and events. `next` is the row that comes next: there stands the last
+ * event, until there is such a row. */
 typedef struct {
     const fvi_options *o;
-    double *rows;
+    double *x, *p, *rows;
+    fvi_run_events *events;
+    size_t next;
 } typed_rows;
+
+static int count_row(size_t k, double t, const double *x, const double *p, void *params)
+{
+    (void)t, (void)x, (void)p;
+    ((typed_rows *)params)->next = k + 1;
+    return FVI_SUCCESS;
+}
+
+static int keep_event(const fvi_event_time *at, const double *x, const double *p, void *params)
+{
+    const typed_rows *kept = params;
+    fvi_run_events *events = kept->events;
+    const size_t d = kept->o->d, bytes = kept->next <= kept->o->steps ? d * sizeof *x : 0;
+    memcpy(kept->x + kept->next * d, x, bytes);
+    memcpy(kept->p + kept->next * d, p, bytes);
+    if (events->count == events->room) {
+        const size_t room = 2 * events->room + 16;
+        fvi_event_time *more = realloc(events->at, room * sizeof *more);
+        if (!more)
+            return FVI_ENOMEM;
+        events->at = more;
+        events->room = room;
+    }
+    events->at[events->count++] = *at;
+    return FVI_SUCCESS;
+}
 
 static int keep_typed(size_t k, const fvi_observation *now, void *params)
 {
     const typed_rows *t = params;
     return fvi_typed_columns_values(t->o->typed, now,
                                     t->rows + k * fvi_typed_columns_count(t->o->typed));
+}
+
+/* The same where the run stands between two rows: an event may end it there. */
+static int keep_between(const fvi_observation *now, void *params)
+{
+    const typed_rows *t = params;
+    return t->next > t->o->steps ? FVI_SUCCESS : keep_typed(t->next, now, params);
 }
 
 /* At a row and at each step of the run that was found, in the order of the times. */
@@ -43,28 +80,31 @@ static int reduce_row(size_t k, const fvi_observation *now, void *params)
 
 int fvi_run_search(const fvi_options *o, const fvi_method *method,
                    const fvi_run *r, double *x, double *p, double *typed,
-                   fvi_report *found)
+                   fvi_report *found, fvi_run_events *events)
 {
-    typed_rows kept = { o, typed };
+    typed_rows kept = { o, x, p, typed, events, 0 };
     const fvi_problem problem = { .system = *r->system,
                                   .x0 = r->x0,
                                   .p0 = r->p0,
                                   .T = o->time,
                                   .alpha = r->alpha,
                                   .law = r->law,
-                                  .past = r->past };
+                                  .past = r->past,
+                                  .events = r->events,
+                                  .event_count = r->event_count };
     const fvi_solve_options options = { .method = method,
                                         .kappa = &r->kappa,
                                         .longest = r->longest,
                                         .history = r->memory,
                                         .history_tolerance = r->tolerance };
     const fvi_accuracy accuracy = { o->error, o->most_steps };
-    fvi_outputs rows = { .rows = r->steps + 1, .x = x, .p = p };
+    fvi_outputs rows = { .rows = r->steps + 1, .x = x, .p = p, .params = &kept };
+    rows.event = events ? keep_event : NULL;
+    rows.row = count_row;
     const int reduces = fvi_reductions_count(o->typed) > 0;
     if (typed && (reduces || fvi_options_needs_stepper(o))) {
         rows.observed = reduces ? reduce_row : keep_typed;
-        rows.between = reduces ? reduce_step : NULL;
-        rows.params = &kept;
+        rows.between = reduces ? reduce_step : r->event_count ? keep_between : NULL;
         rows.wanted = fvi_typed_columns_wanted(o->typed);
     }
     return fvi_solve(&problem, &options, &accuracy, &rows, found, NULL);
@@ -72,12 +112,12 @@ int fvi_run_search(const fvi_options *o, const fvi_method *method,
 
 static int search(const fvi_options *o, const fvi_method *method,
                   const fvi_run *r, double *x, double *p, double *typed,
-                  fvi_report *found)
+                  fvi_report *found, fvi_run_events *events)
 {
     const int terminal = isatty(STDERR_FILENO);
     if (terminal)
         fprintf(stderr, "looking for the step ...");
-    const int status = fvi_run_search(o, method, r, x, p, typed, found);
+    const int status = fvi_run_search(o, method, r, x, p, typed, found, events);
     if (terminal)
         fprintf(stderr, "\r\033[K");
     return status;
@@ -107,13 +147,20 @@ static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
                 o->most_steps);
         return;
     }
+    if (!isfinite(found->error) && found->events_differ) {
+        fprintf(stderr,
+                "fvi: --error: %g is out of reach: no two runs have the same events; they agree on "
+                "%zu, until t = %.6g, and then a Z may touch 0, or the motion be chaotic\n",
+                o->error, found->agreed, found->agreed_until);
+        return;
+    }
     if (!isfinite(found->error)) {
         fvi_complain("--error: no step gives a result that can be trusted");
         return;
     }
     const fvi_method *other = found->other;
     fvi_report tried;
-    const int status = other ? search(o, other, r, x, p, NULL, &tried) : 0;
+    const int status = other ? search(o, other, r, x, p, NULL, &tried, NULL) : 0;
     if (other && !status)
         snprintf(advice, sizeof advice, "; try --method %s%s", other->name,
                  o->kappa != 0.5 && !other->takes_kappa ? " without --kappa" : "");
@@ -137,9 +184,9 @@ static int complain_of_search(const fvi_options *o, const fvi_run *r, int status
 
 /* Find the step; say what was found, or how near it came. Returns an exit code. */
 static int find_step(const fvi_options *o, const fvi_run *r, double *x,
-                     double *p, double *typed, fvi_report *found)
+                     double *p, double *typed, fvi_report *found, fvi_run_events *events)
 {
-    int status = search(o, o->method, r, x, p, typed, found);
+    int status = search(o, o->method, r, x, p, typed, found, events);
     if (status == FVI_ETOL)
         say_how_near(o, r, x, p, found);
     else if (status == FVI_EMAXITER || status == FVI_EOVRFLW
@@ -174,7 +221,7 @@ static void head_of_search(FILE *out, const fvi_options *o,
 
 static int print_found(const fvi_options *o, const fvi_system *system,
                        const fvi_report *found, const double *x,
-                       const double *p, const double *typed)
+                       const double *p, const double *typed, const fvi_run_events *events)
 {
     fvi_table t;
     fvi_table_shape(&t, o, system);
@@ -187,10 +234,12 @@ static int print_found(const fvi_options *o, const fvi_system *system,
         fvi_table_names(&t);
         int status = 0;
         size_t k = 0;
-        for (; k <= o->steps && !status && !ferror(t.out); k++)
+        for (; k < found->rows && !status && !ferror(t.out); k++)
             status = fvi_run_found_row(&t, k, x, p, typed);
         if (!status)
             status = fvi_run_reductions(&t);
+        if (!status)
+            fvi_run_print_events(&t, events->count, events->at);
         failed =
             fvi_table_close(&t, status ? fvi_stopped_at(k - 1, status) : 0);
     }
@@ -209,26 +258,26 @@ static int check_start(const fvi_options *o, const fvi_run *r)
                                                        : fvi_stepper_free(s);
 }
 
-int fvi_run_inertia_of_rows(const fvi_options *o, const fvi_system *system, const double *x,
-                            const double *p, char *text)
+int fvi_run_inertia_of_rows(const fvi_options *o, const fvi_system *system, size_t rows,
+                            const double *x, const double *p, char *text)
 {
-    double *t = o->text[LAGRANGIAN] ? malloc((o->steps + 1) * sizeof *t) : NULL;
+    double *t = o->text[LAGRANGIAN] ? malloc(rows * sizeof *t) : NULL;
     if (!t)
         return o->text[LAGRANGIAN] ? -1 : 0;
-    for (size_t k = 0; k <= o->steps; k++)
+    for (size_t k = 0; k < rows; k++)
         t[k] = (double)k * o->h;
     const int warned =
-        fvi_warning_of_inertia_in_rows(system, o->steps + 1, t, x, p, FVI_WARNING_ROOM, text);
+        fvi_warning_of_inertia_in_rows(system, rows, t, x, p, FVI_WARNING_ROOM, text);
     free(t);
     return warned;
 }
 
 /* Of a Lagrangian whose inertia vanishes between the rows that were found. Returns an exit code. */
-static int warn_of_inertia(const fvi_options *o, const fvi_system *system, const double *x,
-                           const double *p)
+static int warn_of_inertia(const fvi_options *o, const fvi_system *system, size_t rows,
+                           const double *x, const double *p)
 {
     char text[FVI_WARNING_ROOM];
-    const int warned = fvi_run_inertia_of_rows(o, system, x, p, text);
+    const int warned = fvi_run_inertia_of_rows(o, system, rows, x, p, text);
     if (warned > 0)
         fvi_warn(text);
     return warned < 0 ? fvi_complain("not enough memory") : 0;
@@ -252,11 +301,13 @@ int fvi_command_error(const fvi_options *o, const fvi_system *system)
     if (!x)
         return fvi_complain("not enough memory");
     double *p = x + count * o->d, *typed = p + count * o->d;
-    int failed = find_step(o, &r, x, p, typed, &found);
+    fvi_run_events events = { 0 };
+    int failed = find_step(o, &r, x, p, typed, &found, &events);
     if (!failed)
-        failed = warn_of_inertia(o, system, x, p);
+        failed = warn_of_inertia(o, system, found.rows, x, p);
     if (!failed)
-        failed = print_found(o, system, &found, x, p, typed);
+        failed = print_found(o, system, &found, x, p, typed, &events);
+    free(events.at);
     free(x);
     return failed;
 }

@@ -13,19 +13,26 @@ static size_t rows_up_to(const fvi_options *o, size_t k)
     return k / o->every + 1 + (k == o->steps && k % o->every != 0);
 }
 
-/* The last row of a run that an event has ended, where it stands: in the place of the next one, unless the event
- * is at a row. To *rows how many there are. */
+/* Where the last row of a run goes that an event has ended at the time t, behind row k: in the place of the next
+ * one, or 0 if the event is at a row, which is there already. To *rows how many there are. */
+static size_t place_of_end(const fvi_options *o, size_t k, double t, size_t *rows)
+{
+    const size_t last = k / o->every * o->every,
+                 next = last + o->every < o->steps ? last + o->every : o->steps;
+    const int is_at_row = k == last && t == (double)last * o->h;
+    *rows = rows_up_to(o, is_at_row ? last : next);
+    return is_at_row ? 0 : next;
+}
+
+/* That row, where the stepper stands. */
 static int take_end(fvi_table *t, const fvi_stepper *s, size_t *rows)
 {
     const fvi_options *o = t->o;
-    const size_t last = s->k / o->every * o->every,
-                 next = last + o->every < o->steps ? last + o->every : o->steps;
-    const int is_at_row = s->k == last && s->t == (double)last * o->h;
+    const size_t next = place_of_end(o, s->k, s->t, rows);
     fvi_observation now;
     int status = FVI_SUCCESS;
     t->ended = s->t;
-    *rows = rows_up_to(o, is_at_row ? last : next);
-    if (fvi_reductions_count(o->typed) > 0 || is_at_row)
+    if (fvi_reductions_count(o->typed) > 0 || next == 0)
         return status;
     if (t->observer)
         status = fvi_observer_read(t->observer, s, s->t, &now);
@@ -94,31 +101,62 @@ static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table 
     return v;
 }
 
+/* What a search has found. */
+typedef struct {
+    double *x, *p, *typed;
+    fvi_report report;
+    fvi_run_events events;
+} found_run;
+
+/* The last row of a run that an event has ended: it stands in the place of the row that would come next. */
+static int take_found_end(fvi_table *t, found_run *f, size_t *rows)
+{
+    const fvi_options *o = t->o;
+    const size_t d = o->d, at = f->report.rows, width = fvi_typed_columns_count(o->typed);
+    t->ended = f->events.at[f->events.count - 1].t;
+    const size_t next = place_of_end(o, at - 1, t->ended, rows);
+    if (next == 0)
+        return FVI_SUCCESS;
+    memmove(f->x + next * d, f->x + at * d, d * sizeof *f->x);
+    memmove(f->p + next * d, f->p + at * d, d * sizeof *f->p);
+    memmove(f->typed + next * width, f->typed + at * width, width * sizeof *f->typed);
+    return fvi_run_found_row(t, next, f->x, f->p, f->typed);
+}
+
+/* The rows that o->every asks for. */
+static void take_found(fvi_table *t, const fvi_run *r, found_run *f, sweep_verdict *v)
+{
+    const fvi_options *o = t->o;
+    char text[FVI_WARNING_ROOM];
+    v->singular = fvi_run_inertia_of_rows(o, r->system, f->report.rows, f->x, f->p, text);
+    v->status = v->singular < 0 ? FVI_ENOMEM : FVI_SUCCESS;
+    for (size_t k = 0; k < f->report.rows && !v->status; k = fvi_table_next(t, k)) {
+        v->status = fvi_run_found_row(t, k, f->x, f->p, f->typed);
+        if (k == o->steps)
+            break;
+    }
+    if (!v->status && f->report.rows <= o->steps)
+        v->status = take_found_end(t, f, &v->rows);
+    if (!v->status && fvi_reductions_count(o->typed) > 0)
+        fvi_run_reduced(t, t->rows + t->width);
+}
+
 /* As many steps as the wanted error needs. */
 static sweep_verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     const size_t count = o->steps + 1,
                  width = 2 * o->d + fvi_typed_columns_count(o->typed);
-    double *x = malloc(count * width * sizeof *x),
-           *p = x ? x + count * o->d : NULL, *typed = x ? p + count * o->d : NULL;
-    fvi_report found;
+    found_run f = { .x = malloc(count * width * sizeof *f.x) };
     sweep_verdict v = { .status = FVI_ENOMEM };
-    char text[FVI_WARNING_ROOM];
-    if (x)
-        v.status = fvi_run_search(o, o->method, r, x, p, typed, &found);
+    if (!f.x)
+        return v;
+    f.p = f.x + count * o->d;
+    f.typed = f.p + count * o->d;
+    v.status = fvi_run_search(o, o->method, r, f.x, f.p, f.typed, &f.report, &f.events);
     if (!v.status)
-        v.singular = fvi_run_inertia_of_rows(o, r->system, x, p, text);
-    if (v.singular < 0)
-        v.status = FVI_ENOMEM;
-    if (!v.status)
-        v.status = fvi_run_found_row(t, 0, x, p, typed);
-    for (size_t k = 0; k < o->steps && !v.status;) {
-        k = fvi_table_next(t, k);
-        v.status = fvi_run_found_row(t, k, x, p, typed);
-    }
-    if (!v.status && fvi_reductions_count(o->typed) > 0)
-        fvi_run_reduced(t, t->rows + t->width);
-    free(x);
+        take_found(t, r, &f, &v);
+    free(f.events.at);
+    free(f.x);
     return v;
 }
 

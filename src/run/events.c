@@ -38,6 +38,9 @@ int fvi_events_check(const fvi_method *method, const fvi_run *run,
         if (hits && !(e->restitution >= 0 && e->restitution <= 1))
             return refuse(FVI_EDOM, i, e->restitution,
                           "the restitution must be in [0, 1]", error);
+        if (hits && !(e->rest >= 0 && isfinite(e->rest)))
+            return refuse(FVI_EDOM, i, e->rest, "the height of rest must be finite and not negative",
+                          error);
     }
     return FVI_SUCCESS;
 }

@@ -153,6 +153,10 @@ int fvi_variable_step_runs_away(fvi_variable_step_state *o, size_t most_steps);
  * the last by more than `growth` factors exp(FVI_SPACING). */
 void fvi_variable_step_limit(fvi_stepper *s, double longest, int growth);
 
+/* fvi_variable_step_rest_below -- before the first step: an impact leaves a body at rest if it would rise no
+ * higher than `height`, a length of x, > 0; with 0, and without this, that is the tolerance of a step. */
+void fvi_variable_step_rest_below(fvi_stepper *s, double height);
+
 /* fvi_variable_step_strike -- let the impulses at o->t act that have not: v jumps, (22.22). Returns as
  * fvi_mesh_jump of a mechanism. */
 int fvi_variable_step_strike(fvi_stepper *s, fvi_variable_step_state *o);

@@ -62,6 +62,7 @@ int fvi_variable_step_copy_events(const fvi_event_watch *from, fvi_variable_step
     memcpy(w->side, from->side, numbers(o, w->count) * sizeof *w->side);
     w->is_ready = from->is_ready;
     w->is_over = from->is_over;
+    w->rest = from->rest;
     if (from->happened == 0)
         return FVI_SUCCESS;
     w->times = malloc(from->happened * sizeof *w->times);

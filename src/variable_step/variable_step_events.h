@@ -22,6 +22,7 @@ typedef struct fvi_event_watch {
     int is_ready; /* nonzero once the sides at the start are known */
     int at_rest;  /* nonzero if the step ends where a hop is too short for steps */
     int is_over;
+    double rest; /* a hop no higher than this ends at rest; 0: than the tolerance of a step */
     fvi_event_time *times;
     size_t happened, room;
 } fvi_event_watch;

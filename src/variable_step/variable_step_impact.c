@@ -118,7 +118,7 @@ int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o)
 
 //> impact
 /* p -> p - (1 + e) n (n v + dz/dt) / (n M^-1 n), if the body comes nearer. Is it at rest then, as it
- * would rise no higher, in z, than the step may err, before it falls back? */
+ * would rise no higher, in z, than the step may err, or than the height of rest, before it falls back? */
 static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_rest)
 {
     const fvi_event *e = &s->run.events[i];
@@ -143,8 +143,9 @@ static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_res
         status = fvi_mesh_impact(s, normal, normal + o->d, -(1 + e->restitution) * speed, &jump);
     if (!status && speed * w->side[i] < 0)
         status = kick(s, normal, jump);
-    const double after = e->restitution * speed;
-    *at_rest = fall > 0 && after * after <= 2 * fall * o->allowed * sqrt(size);
+    const double after = e->restitution * speed,
+                 height = e->rest > 0 ? e->rest : w->rest > 0 ? w->rest : o->allowed;
+    *at_rest = fall > 0 && after * after <= 2 * fall * height * sqrt(size);
     return status;
 }
 //< impact
@@ -201,6 +202,13 @@ const fvi_event_time *fvi_stepper_events(const fvi_stepper *s, size_t *n)
     const fvi_event_watch *w = watch_of(s);
     *n = w ? w->happened : 0;
     return w ? w->times : NULL;
+}
+
+void fvi_variable_step_rest_below(fvi_stepper *s, double height)
+{
+    fvi_event_watch *w = ((fvi_variable_step_state *)s->method_state)->watch;
+    if (w)
+        w->rest = height;
 }
 
 int fvi_stepper_is_over(const fvi_stepper *s)

@@ -152,6 +152,43 @@ START_TEST(a_sweep_of_rows_has_events)
 }
 END_TEST
 
+/* With a wanted error: the rows, the events and the columns are those of a run with fine steps, to that error;
+ * a run that an event ends has the rows before it, and a sweep the row there. The largest speed is sqrt(2). */
+START_TEST(an_error_may_be_asked_for_with_events)
+{
+    ck_assert_msg(fvi(BALL FLOOR "--error 1e-9 --columns t,x,event1.count | grep -v '^# [a-z0-9]* ='") == 0, "%s", err);
+    ck_assert_near(cell(5, 1), 0.0748348695586245, 1e-9, "x(5)");
+    ck_assert_double_eq(cell(5, 2), 2);
+    const char *line = strstr(out, "\n# event at t = ");
+    ck_assert_ptr_nonnull(line);
+    ck_assert_near(strtod(line + 16, NULL), 1.488362842713238, 1e-9, "the first impact");
+    ck_assert_ptr_nonnull(strstr(line + 16, "\n# event at t = 3.55970690"));
+    ck_assert_int_eq(fvi("run --potential x --p0 0 --rho 0 --time 20 --steps 20 --event 'x : impact:0.5' --error 1e-6 "
+                         "--reduce 'last(t),min(x),last(event1.count)'"), 0);
+    ck_assert_near(cell(0, 0), 4.237116415391265, 1e-6, "at rest"); /* sqrt(2) (3 - 2^-8) */
+    ck_assert_double_eq(cell(0, 2), 10);
+    ck_assert_ptr_nonnull(strstr(out, " : x : at rest\n"));
+    ck_assert_int_eq(fvi("sweep --lagrangian 'v^2/2-g*x' --x0 2 --v0 0 --event 'x : stop' --vary g=1,4 --time 4 --steps 4 "
+                         "--error 1e-8 --columns t,x,v,event1.count --rows | grep -v '^#'"), 0);
+    static const double rows[2][4] = { { 0, 1, 2 }, { 0, 1 } };
+    const char *row = out;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 3 - i; k++) {
+            double g, t, x, v, n;
+            ck_assert_int_eq(sscanf(row, "%lf %lf %lf %lf %lf", &g, &t, &x, &v, &n), 5);
+            ck_assert_double_eq_tol(t, rows[i][k], 1e-8);
+            ck_assert_double_eq_tol(x, 2 - g * rows[i][k] * rows[i][k] / 2, 1e-7);
+            ck_assert_double_eq_tol(v, -g * rows[i][k], 1e-7);
+            ck_assert_double_eq(n, k == 2 - i);
+            row = strchr(row, '\n') + 1;
+        }
+    ck_assert_int_eq(*row, '\0');
+    ck_assert_int_eq(fvi("run --potential x --p0 0 --rho 0 --event 'x-0.3*sin(3*t) : impact:1' --error 1e-6 --time 400"), 1);
+    ck_assert_str_eq(out, "");
+    ck_assert_ptr_nonnull(strstr(err, "fvi: --error: 1e-06 is out of reach: no two runs have the same events; they agree on "));
+}
+END_TEST
+
 /* How often, and when the last time: of rows between steps, in expressions, and reduced. The ball's impacts are at
  * 1.488 and 3.560. */
 START_TEST(events_are_columns)
@@ -186,7 +223,7 @@ START_TEST(what_is_wrong_is_said)
         { "run --event 'v : impact:1'", "Z of an impact is an expression in x and t alone" },
         { "run --event ' : mark'", "fvi: --event: ''" },
         { "run --event 'x : mark' --method fvi", "is not for fvi; fvi-adaptive has events" },
-        { "run --event 'x : mark' --error 1e-3", "fvi: --event: not together with --error" },
+        { "run --event 'x : mark' --error 1e-3 --method fvi-bdf2", "is not for fvi-bdf2; fvi-adaptive has events" },
         { "run --event 'x : mark' --checkpoint f", "fvi: --event: not together with --checkpoint" },
         { "run --event 't-1 : impact:1'", "fvi: --event: 't-1': Z of an impact without x has no normal" },
         { "run --event '0.5 : impact:1'", "fvi: --event: '0.5': Z of an impact without x has no normal" },
@@ -225,7 +262,7 @@ int main(void)
 {
     Suite *suite = suite_create("fvi_events");
     ADD_CASE(suite, "events", a_bouncing_ball_is_a_command, a_lagrangian_has_events, a_sweep_has_events, formats_have_a_place_for_events,
-             runs_end_at_events, coordinates_have_numbers, a_sweep_of_rows_has_events, events_are_columns);
+             runs_end_at_events, coordinates_have_numbers, a_sweep_of_rows_has_events, events_are_columns, an_error_may_be_asked_for_with_events);
     ADD_CASE(suite, "words", what_is_wrong_is_said);
     return run_suite_of_program(suite);
 }

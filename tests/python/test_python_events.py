@@ -80,6 +80,23 @@ def test_an_event_may_be_a_function():
         fvi.solve(BALL, events=fvi.Event(lambda t, x, p: x, "impact:1", lambda t, x: 1))
 
 
+@pytest.mark.parametrize("error", [1e-3, 1e-6, 1e-10])
+def test_an_error_may_be_asked_for_with_events(error):
+    """Against a run whose steps are right to rounding, with the same height of rest; the largest speed is 4.4."""
+    floor, top = fvi.Event("x", "impact:0.5", rest=error), fvi.Event("v", direction=-1)
+    fine = fvi.solve(BALL, events=[floor, top], step_error=1e-15)
+    for events in ([floor, top], ["x : impact:0.5", top]):
+        s = fvi.solve(BALL, events=events, error=error)
+        assert s.estimate <= error and len(s.t) == len(fine.t) and abs(s.x - fine.x).max() <= error + 1e-13
+        for mine, those in zip(s.t_events, fine.t_events):
+            assert len(mine) == len(those) > 3 and abs(mine - those).max() <= error + 1e-13  # seen: 0.01 error
+        assert "at rest at 'x' from t = 1." in s.message and abs(s.x_events[0]).max() < 1e-13
+        assert abs(s(s.t) - s.x).max() <= error and abs(s(s.t_events[1]) - s.x_events[1]).max() <= error
+        assert s.a.shape == s.x.shape and pickle.loads(pickle.dumps(s))(0.7) == s(0.7)
+    grid = fvi.sweep(BALL, {"rho": [0, 0.05]}, lambda s: s.t_events[0][-1], events=["x : impact:0.5"], error=error)
+    assert abs(grid[1] - fine.t_events[0][-1]) <= error + 1e-13
+
+
 def test_a_motion_that_has_ended_says_where():
     s = fvi.solve(BALL, events="x - 0.5 : stop", steps=30)
     assert s.success and s.message.endswith("ended by 'x - 0.5' at t = 0.319594") and s.t[-1] < s.t_events[0][0] < s.t[-1] + 0.1
@@ -108,7 +125,10 @@ def test_with_events_an_acceleration_is_known_and_a_force_is_not():
     (lambda: fvi.solve(BALL, events="x : impact:2"), fvi.Error, "^events: .*2"),
     (lambda: fvi.solve(BALL, events="v : impact:1"), ValueError, "knows a velocity|x and t alone"),
     (lambda: fvi.solve(BALL, events="y : stop"), ValueError, "^events: .*y"),
-    (lambda: fvi.solve(BALL, events="x : stop", error=1e-6), ValueError, "^error: not together with events"),
+    (lambda: fvi.solve(BALL, events="x : stop", error=1e-6, method="fvi-bdf2"), fvi.Error, "no events; fvi-adaptive has"),
+    (lambda: fvi.solve(BALL, events=fvi.Event("x", "impact:0.5", rest=-1)), ValueError, r"^events: rest: -1 is not in \[0"),
+    (lambda: fvi.solve(BALL.replace(rho=0, time=400), events="x-0.1*sin(7*t) : impact:1", error=1e-6), fvi.Error,
+     "^error: 1e-06 is out of reach: no two runs have the same events; they agree on "),
     (lambda: fvi.solve(BALL, events="x : stop", method="fvi", h=0.1), fvi.Error, "has no events; fvi-adaptive has"),
     (lambda: fvi.solve(BALL, events=fvi.Event(lambda t, x, p: x, "impact:1")), fvi.Error, "needs its gradient"),
     (lambda: fvi.solve(BALL, [2, 1], events="x : mark"), ValueError, "^t_eval: .* must increase"),

@@ -19,8 +19,9 @@ void own_imposed_free(own_imposed *own);
 const char *why(int code);
 void listen(unsigned long thread);
 void begin(void);
-typedef struct { size_t rows, all; void *tell; ...; } row_count;
+typedef struct { size_t rows, all; void *tell, *happened; ...; } row_count;
 int count_row(size_t k, double t, const double *x, const double *p, void *params);
+int count_event(const fvi_event_time *at, const double *x, const double *p, void *params);
 typedef struct fvi_observer fvi_observer;
 enum { FVI_OBSERVE_VELOCITY = 1, FVI_OBSERVE_ACCELERATION = 2, FVI_OBSERVE_FORCE = 4, FVI_OBSERVE_IMPULSE = 8,
        FVI_OBSERVE_WORK = 16, FVI_OBSERVE_ENERGY = 32, FVI_OBSERVE_APPLIED = 64, FVI_OBSERVE_MULTIPLIER = 128 };
@@ -65,6 +66,7 @@ int fvi_momentum_of_velocity(const fvi_system *system, double t, const double *x
 void obey(const int *flag);
 int is_dense(const fvi_method *method);
 extern "Python" int report_progress(size_t rows, size_t all, void *tell);
+extern "Python" int report_event(double t, size_t event, int at_rest, const double *x, const double *p, void *happened);
 int take_steps(fvi_stepper *s, size_t count, const fvi_watch *watch, size_t *taken);
 int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t rows, const double *t,
                const double *x, size_t size, char *text);

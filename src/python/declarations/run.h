@@ -75,7 +75,7 @@ typedef struct fvi_event {
     void *params;
     int direction;
     fvi_event_action action;
-    double restitution;
+    double restitution, rest;
 } fvi_event;
 typedef struct { double t; size_t event; int at_rest; } fvi_event_time;
 const fvi_event_time *fvi_stepper_events(const fvi_stepper *s, size_t *n);
@@ -99,6 +99,8 @@ typedef struct {
     double T, alpha;
     const fvi_kernel *law;
     fvi_initial_history past;
+    const struct fvi_event *events;
+    size_t event_count;
     ...;
 } fvi_problem;
 typedef struct {
@@ -117,9 +119,10 @@ typedef struct {
     double *x, *p, *energy;
     int (*row)(size_t k, double t, const double *x, const double *p, void *params);
     void *params;
+    int (*event)(const fvi_event_time *at, const double *x, const double *p, void *params);
     ...;
 } fvi_outputs;
-typedef struct { const fvi_method *method; size_t steps, rejected; double h, error; ...; } fvi_report;
+typedef struct { const fvi_method *method; size_t steps, rejected, rows; double h, error, step_error; ...; } fvi_report;
 int fvi_energy(const fvi_system *system, const double *x, const double *p, double *E);
 int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options, const fvi_accuracy *accuracy,
               const fvi_outputs *outputs, fvi_report *report, fvi_error *error);

@@ -1,12 +1,13 @@
 """Events of a motion: marks, stops, impacts."""
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, Callable, Optional, Sequence, Union
 
 import numpy as np
 
-from ._arguments import Array, described, function, spelt, word
+from ._arguments import Array, described, function, number, spelt, word
 from ._fvi import ffi, lib
 from ._library import keep, understand
 from ._system import Asked
@@ -27,11 +28,14 @@ class Event:
                the motion before `time`: see `message`, and len(t) for the rows that there are
     gradient   of an impact whose z is a function: a function of (t, x) that gives dz/dx, d numbers, and dz/dt
     direction  1: z must rise through 0; -1: fall; 0: either
+    rest       of an impact: a body that would rise no higher than this is at rest, a length of x; 0: what a step may be off
+               by, or the `error` of `solve`
     """
     value: Union[str, Callable[..., float]]
     action: str = "mark"
     gradient: Optional[Callable[..., tuple]] = None
     direction: int = 0
+    rest: float = 0.0
 
     def __post_init__(self) -> None:
         word("events: action", self.action)
@@ -41,6 +45,8 @@ class Event:
             raise ValueError(f"events: direction: {described(self.direction)} is none of -1, 0, 1")
         if self.gradient is not None and isinstance(self.value, str):
             raise ValueError("events: gradient: a text has its own")
+        if not 0 <= number("events: rest", self.rest) < math.inf:
+            raise ValueError(f"events: rest: {self.rest} is not in [0, inf)")
         if self.gradient is not None:
             function("events: gradient", self.gradient, "of t and x")
 
@@ -122,13 +128,21 @@ class Events:
         s.events = ffi.new("fvi_event[]", ffi.unpack(lib.fvi_events_typed(typed, count), len(texts)))
         s.keep.append(typed)
         for event, to in zip(self.events, s.events):
-            to.direction = event.direction
+            to.direction, to.rest = event.direction, event.rest
             if isinstance(event.value, str):
                 continue
             s.keep.append(ffi.new_handle(Watched(event, s.scalar)))
             to.value, to.params, to.gradient = lib.ask_event, s.keep[-1], ffi.NULL
             if event.gradient is not None:
                 to.gradient = lib.ask_normal
+
+
+@ffi.def_extern(error=-1, onerror=keep)
+def report_event(t: float, event: int, at_rest: int, x: Any, p: Any, happened: Any) -> int:
+    of = ffi.from_handle(happened)
+    of.add(t, event, x, p)
+    of.say_end(t, event, at_rest)
+    return 0
 
 
 class Happened:
@@ -143,14 +157,23 @@ class Happened:
         """Those behind the first `known`; how many there are."""
         count = ffi.new("size_t *")
         at = lib.fvi_stepper_events(stepper, count)
-        x, p = (np.frombuffer(ffi.buffer(a, 8 * self.d)).copy() for a in (stepper.x, stepper.p))
         for i in range(known, count[0]):
-            self.rows[at[i].event].append((at[i].t, x, p))
-        if count[0] and lib.fvi_stepper_is_over(stepper):
-            last = at[count[0] - 1]
-            name = self.events[last.event].name
-            self.end = f"at rest at '{name}' from t = {last.t:.6g}" if last.at_rest else f"ended by '{name}' at t = {last.t:.6g}"
+            self.add(at[i].t, at[i].event, stepper.x, stepper.p)
+        if count[0]:
+            self.say_end(at[count[0] - 1].t, at[count[0] - 1].event, at[count[0] - 1].at_rest)
         return count[0]
+
+    def add(self, t: float, event: int, x: Any, p: Any) -> None:
+        """One more, with its place and momentum as C has them."""
+        self.rows[event].append((t, *(np.frombuffer(ffi.buffer(a, 8 * self.d)).copy() for a in (x, p))))
+
+    def say_end(self, t: float, event: int, at_rest: int) -> None:
+        """In words, if this event, the last, ends the motion."""
+        name, action = self.events[event].name, self.events[event].action
+        if at_rest:
+            self.end = f"at rest at '{name}' from t = {t:.6g}"
+        elif action.strip() == "stop":
+            self.end = f"ended by '{name}' at t = {t:.6g}"
 
     def flat(self) -> dict:
         """For a file: which event each of all rows is of, and these rows."""

@@ -13,11 +13,13 @@ from ._solve import Motion
 
 def as_run(motion: Motion, s: Solution) -> Any:
     """The run whose steps a solution has. Where an error was asked of "fvi-adaptive" its rows are those of a run with
-    a tenth of it as the tolerance of a step, or less."""
+    a tenth of it as the tolerance of a step, or less; with events the very tolerance, and the height of rest."""
     run, how = motion.run, s.how
     if lib.is_dense(motion.method):
         if how.error is not None:
-            run.step_error = how.error / 10
+            run.step_error = how.error / 10 if not how.events or s.step_error is None else s.step_error
+            for i in range(len(how.events)):
+                motion.system.events[i].rest = how.events[i].rest or how.error
     elif how.error is not None and s.step:
         run.steps = round(s.problem.time / s.step)
         run.h = s.problem.time / run.steps

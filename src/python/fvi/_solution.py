@@ -41,11 +41,12 @@ class Solution:
     for many times at once. A Solution pickles with its problem."""
 
     def __init__(self, problem: Problem, how: Any, t: Array, x: Array, p: Array, status: int, message: str,
-                 steps: Optional[int], step: float, estimate: Optional[float], events: Optional[tuple] = None):
+                 steps: Optional[int], step: float, estimate: Optional[float], events: Optional[tuple] = None,
+                 step_error: Optional[float] = None):
         self.problem, self.how = problem, how
         self.t, self.x, self.p = t, x, p
         self.status, self.message, self.steps, self.estimate = status, message, steps, estimate
-        self.step = step
+        self.step, self.step_error = step, step_error
         self.t_events, self.x_events, self.p_events = ([], [], []) if events is None else events
         self._motion: Any = None
         self._energy: Optional[Array] = None
@@ -156,8 +157,13 @@ class Solution:
         count = ffi.new("row_count *", {"all": wanted.size})
         if self.how.events:
             self.check(wanted)
+            from ._observe import as_run
+            as_run(self.motion, self)
             raised, _, stepper = rows_by_stepper(self.motion, self.how.events, None, wanted, x, p, count)
-            if raised is None and count.rows < wanted.size:
+            last = max(float(of_one[-1]) for of_one in self.t_events if len(of_one)) if any(map(len, self.t_events)) else 0
+            if raised is None and count.rows < wanted.size and wanted[-1] <= last:  # the other run ends a rounding before
+                x[count.rows:], p[count.rows:] = (np.frombuffer(ffi.buffer(a, 8 * self.x.shape[1])) for a in (stepper.x, stepper.p))
+            elif raised is None and count.rows < wanted.size:
                 raise ValueError(f"t: {wanted[count.rows]:g} is behind the end of the motion, t = {stepper.t:g}")
         elif self.motion.method.stages:
             raised = self.within_steps(wanted, x, p if momenta else None)

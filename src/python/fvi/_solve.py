@@ -11,7 +11,7 @@ import numpy as np
 
 from ._arguments import Array, Numbers, choice, described, function, number, numbers, spelt, whole, word
 from ._checkpoint import Checkpoint, rows_by_stepper
-from ._events import Event, Events, listed
+from ._events import Event, Events, Happened, listed
 from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, warn, warn_of_start
 from ._mechanism import Mechanism, Structure, own_law
@@ -91,7 +91,8 @@ class Motion:
         """fvi_solve: x and p at the times t, or at each row. What it returned, with its report and its error."""
         r = self.run
         problem = ffi.new("fvi_problem *", {"system": r.system[0], "x0": r.x0, "p0": r.p0, "T": time,
-                                            "alpha": r.alpha, "law": r.law, "past": r.past})
+                                            "alpha": r.alpha, "law": r.law, "past": r.past,
+                                            "events": r.events, "event_count": r.event_count})
         options = ffi.new("fvi_solve_options *", {
             "method": self.method, "h": how.h or 0.0, "kappa": ffi.addressof(r, "kappa"), "longest": r.longest,
             "step_error": r.step_error, "history": r.memory, "history_tolerance": r.tolerance})
@@ -99,7 +100,8 @@ class Motion:
         outputs = ffi.new("fvi_outputs *", {
             "rows": len(x), "t": ffi.NULL if t is None else ffi.from_buffer("double[]", t),
             "x": ffi.from_buffer("double[]", x), "p": ffi.from_buffer("double[]", p),
-            "row": ffi.addressof(lib, "count_row"), "params": count})
+            "row": ffi.addressof(lib, "count_row"), "params": count,
+            "event": ffi.addressof(lib, "count_event") if how.events else ffi.NULL})
         report, error = ffi.new("fvi_report *"), ffi.new("fvi_error *")
         return ask(lib.fvi_solve, problem, options, accuracy, outputs, report, error), report, error
 
@@ -146,8 +148,6 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
             number(name, value)
     if steps is not None and t_eval is not None and (error is not None or method in (None, "fvi-adaptive")):
         raise ValueError("steps: not together with t_eval, which says where the rows are; the steps between them are found")
-    if events and error is not None:
-        raise ValueError("error: not together with events; step_error is what one step of fvi-adaptive may be off by")
     if checkpoint is not None and error is not None:
         raise ValueError("checkpoint: not together with error")
     for name, one, others in (("error", error, ("h", "step_error")), ("step_error", step_error, ("h",))):
@@ -237,7 +237,7 @@ def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
     count = ffi.new("row_count *", {"all": rows, "tell": ffi.NULL if tell is None else handle})
     t = np.arange(rows) * motion.run.h if how.t_eval is None else how.t_eval.copy()
     try:
-        found = by_stepper(motion, how, t, x, p, count) if how.events or how.checkpoint else \
+        found = by_stepper(motion, how, t, x, p, count) if (how.events and how.error is None) or how.checkpoint else \
             by_library(motion, how, x, p, count)
     finally:
         if isinstance(tell, Bar):
@@ -252,7 +252,7 @@ def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
     if raised is None or done:
         solution = Solution(problem, how, t[:done], x[:done], p[:done], 0 if raised is None else raised.code,
                             found.said if raised is None else str(raised), found.steps, found.step, found.estimate,
-                            found.events)
+                            found.events, found.step_error)
     if raised is None:
         assert solution is not None
         return solution
@@ -270,19 +270,27 @@ class Found(NamedTuple):
     step: float
     estimate: Optional[float] = None
     events: Optional[tuple] = None
+    step_error: Optional[float] = None
 
 
 def by_library(motion: Motion, how: Numerics, x: Array, p: Array, count: Any) -> Found:
+    happened = Happened(how.events, motion.system.d)
+    handle = ffi.new_handle(happened)
+    count.happened = handle
     status, report, error = motion.solve(how, motion.time, how.t_eval, x, p, count)
     if status:
         raised = error_of(error, status) if error.code == status else failure(status)
         if str(raised).startswith("t["):
             within = "; solution(t) has the places between the steps" if motion.method.stages else ""
             raised.field, raised.args = "t_eval", (f"t_eval: {raised}{within}",)
+        elif raised.field == "tolerance" and how.error is not None and raised.value == how.error:
+            raised.field, raised.args = "error", (f"error: {raised}",)
         return Found(raised, count.rows, "", None, motion.run.h)
     estimate = report.error if how.error is not None else None
-    said = f"{report.steps} steps of {how.method}" + (f", error {estimate:.2g} by an estimate" if estimate else "")
-    return Found(None, len(x), said, report.steps, report.h, estimate)
+    said = f"{report.steps} steps of {how.method}" + (f", error {estimate:.2g} by an estimate" if estimate else "") + (
+        f", {happened.end}" if happened.end else "")
+    return Found(None, report.rows, said, report.steps, report.h, estimate, happened.arrays() if how.events else None,
+                 report.step_error)
 
 
 def check_times(t: Array, time: float, h: Optional[float]) -> None:
@@ -328,7 +336,9 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
         fvi.solve(problem, h=0.1, method="fvi-lobatto4")    these steps of this method
 
     t_eval      the times of the rows, increasing, within 0 ... time; None: evenly, or each step
-    error       how far x may be off at any row, a length > 0, by the library's estimate
+    error       how far x may be off at any row and event, a length > 0, by the library's estimate. With events, two runs of
+                different accuracy must have the same events, and their times are right to error divided by the largest
+                speed; a body whose hops are no higher than error is at rest
     method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h, of order 1, beside which "fvi-lobatto4"
                 has order 4 and more; "fvi-bdf2" for a law with error;
                 "fvi-stable" of mechanisms and matrices with h or steps, and for matrices with a damping of order 2 or,
