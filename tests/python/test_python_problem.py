@@ -181,7 +181,7 @@ def test_an_error_carries_what_is_known():
     assert (e.code, e.field, e.value, e.step, e.rows) == (1, "alpha", 1.5, None, None)
     with pytest.raises(fvi.Error) as caught:
         fvi.solve(DUFFING, error=1e-17)
-    assert caught.value.code == 14 and caught.value.field == "tolerance"
+    assert caught.value.code == 14 and (caught.value.field, caught.value.value) == ("error", 1e-17)
     with pytest.raises(ZeroDivisionError):
         fvi.solve(fvi.Problem(force=lambda t: 1 / 0))
 
