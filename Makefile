@@ -199,8 +199,8 @@ stress: $B/stress $B/tests/test_fvi_memory $B/failing_malloc.so $B/fvi ## random
 bench: $(BENCHES:%=$B/tests/bench_%) ## time the memories and all methods, into figures/*/*.tsv, minutes; then `make figures excerpts`
 	+$(foreach b,$(BENCHES),$B/tests/bench_$b > $B/$b.tsv && mv $B/$b.tsv $(TABLE_$b) &&) true
 
-petsc: $B/fvi $B/libfvi.a | needs ## build/fvi_petsc, structures on many machines; 1, 2 and 4 ranks against build/fvi (PETSc, MPI)
-	LIBS='$(LINKED)' FLAGS='$(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS)' sh src/make/petsc.sh $B
+petsc: $B/fvi $B/libfvi.a | needs ## build/fvi_petsc, structures on many machines; 1 to 4 ranks against build/fvi; COST=1: what ten dampers cost (PETSc, MPI)
+	LIBS='$(LINKED)' FLAGS='$(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS)' COST='$(COST)' sh src/make/petsc.sh $B
 
 mutants: $B/libfvi.a $B/peers.a $(if $(STEM),,test-workshop-accidents) | needs ## test the tests: each wrong line of tests/*/mutants.txt must be named (minutes)
 	CFLAGS='$(DIALECT) -O1 $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(LINKED) $(CHECK_LIBS)' \

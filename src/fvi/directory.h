@@ -37,7 +37,8 @@ int fvi_directory_open(const char *name, fvi_directory **directory,
  *              xd that is linear. With count 0 as fvi_directory_open
  *   parameters  of the expressions, or NULL
  *
- * A C.mtx that no damper names is refused, as all other files that would not be read. */
+ * A C.mtx that no damper names is refused, as all other files that would not be read. The index of an
+ * error with the field "damper" is the damper's, from 0. */
 int fvi_directory_open_dampers(const char *name, size_t count, const char *const *damper,
                                fvi_user_parameters *parameters, fvi_directory **directory,
                                fvi_error *error);
@@ -61,6 +62,10 @@ const char *fvi_directory_force_name(const fvi_directory *directory);
 
 /* fvi_directory_system -- the system, with that force. It points into the directory. */
 fvi_system fvi_directory_system(const fvi_directory *directory);
+
+/* fvi_directory_damping -- C_j of damper j, from 0, of a folder that was opened with dampers: as it was
+ * read, or row^T row. It belongs to the directory. */
+const fvi_sparse *fvi_directory_damping(const fvi_directory *directory, size_t j);
 
 /* fvi_directory_matrices -- M, K and C as they were read; C is empty if there is none. */
 void fvi_directory_matrices(const fvi_directory *directory,

@@ -15,8 +15,15 @@ fi
 # -pedantic and -Wconversion speak of PETSc's own macros. A function that is not of the shape
 # that the library calls would read another argument than it was given.
 FLAGS="$(echo "$FLAGS" | sed 's/-pedantic//; s/-Wconversion//') -Werror=incompatible-pointer-types"
-mpicc $FLAGS -Isrc $(pkg-config --cflags petsc) src/petsc/*.c "$build"/input/*.o "$build/output/fvi_output.o" "$build/libfvi.a" \
-    $LIBS $(pkg-config --libs petsc) -lm -o "$build/fvi_petsc"
+compile() {
+    mpicc $FLAGS -Isrc $(pkg-config --cflags petsc) "$@" "$build"/input/*.o "$build/output/fvi_output.o" "$build/libfvi.a" \
+        $LIBS $(pkg-config --libs petsc) -lm
+}
+compile src/petsc/*.c -o "$build/fvi_petsc"
+compile $(ls src/petsc/*.c | grep -v fvi_petsc.c) tests/program/petsc_failures.c -o "$build/petsc_failures"
 # Root is let in, more ranks than cores too; else ranks and the threads of BLAS fight.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 OPENBLAS_NUM_THREADS=1
+"$build/petsc_failures" -malloc_debug
 $PYTHON tests/program/test_petsc.py "$build"
+$PYTHON tests/program/test_petsc_dampers.py "$build"
+test -z "${COST-}" || $PYTHON tests/program/petsc_cost.py "$build" # for figures/blocks/petsc_cost.tsv

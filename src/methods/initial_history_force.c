@@ -21,6 +21,12 @@ int fvi_initial_history_force_prepare(const fvi_run_damper *damper, double h, si
     return FVI_SUCCESS;
 }
 
+/* A law has another past only where that is the same (dampers_check.h). */
+static fvi_initial_history past_of(const fvi_run_damper *damper)
+{
+    return damper->law ? FVI_INITIAL_HISTORY_HELD : damper->past;
+}
+
 /* size = unit rho A, or unit rho C A. */
 static int set_size(const fvi_system *system, const fvi_run_damper *damper, double unit,
                     const double *A, double *size)
@@ -33,22 +39,30 @@ static int set_size(const fvi_system *system, const fvi_run_damper *damper, doub
     return FVI_SUCCESS;
 }
 
+/* With matrices A of other machines may be felt here, and they wait for this one in the product with
+ * C. So only what is the same on all machines is skipped before it. A law is prepared where it is
+ * felt alone: that takes time. */
 static int start(const fvi_stepper *s, const fvi_run_damper *damper, size_t n,
                  const double *c, double *A, fvi_initial_history_force *force)
 {
     const fvi_system *system = s->run.system;
-    double unit;
+    double unit = 1;
+    if (!fvi_initial_history_acts(past_of(damper), damper->growth / 2))
+        return FVI_SUCCESS;
     int status = fvi_initial_history_amplitudes(system, damper, s->x, s->p, A);
-    if (status || fvi_all_zero(system->d, A))
+    if (status || (!system->matrices && fvi_all_zero(system->d, A)))
         return status;
     force->size = calloc(system->d, sizeof *force->size);
     if (!force->size)
         return FVI_ENOMEM;
-    status = fvi_initial_history_force_prepare(damper, s->run.h, n, c, force, &unit);
+    if (!damper->law)
+        status = fvi_initial_history_force_prepare(damper, s->run.h, n, c, force, &unit);
     if (!status)
         status = set_size(system, damper, unit, A, force->size);
     if (!status && fvi_all_zero(system->d, force->size))
         fvi_initial_history_force_stop(force);
+    else if (!status && damper->law)
+        status = fvi_initial_history_force_prepare(damper, s->run.h, n, c, force, &unit);
     return status;
 }
 
@@ -69,14 +83,12 @@ int fvi_initial_history_amplitudes(const fvi_system *system,
                                    const fvi_run_damper *damper, const double *x0,
                                    const double *p0, double *A)
 {
-    /* A law has another past only where that is the same (dampers_check.h). */
-    const fvi_initial_history past = damper->law ? FVI_INITIAL_HISTORY_HELD : damper->past;
     int status = FVI_SUCCESS;
     if (damper->growth > 1) /* else no velocity is asked for */
         status = fvi_damping_velocity(system, p0, A);
     for (size_t i = 0; !status && i < system->d; i++)
-        A[i] = fvi_initial_history_amplitude(past, damper->growth / 2, x0[i],
-                                             A[i]);
+        A[i] = fvi_initial_history_amplitude(past_of(damper), damper->growth / 2,
+                                             x0[i], A[i]);
     return status;
 }
 

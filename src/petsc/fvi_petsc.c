@@ -1,18 +1,26 @@
 /* src/petsc/fvi_petsc.c -- A structure on many machines, by PETSc and MPI.  [H 28]
  *
- *     mpirun -n RANKS fvi_petsc -system DIR | -grid N[,N[,N]] [-damping C]
- *            -alpha A -h H -steps N [-x0 X] [-p0 P] [-o FILE]
+ *     mpirun -n RANKS fvi_petsc -system DIR | -grid N[,N[,N]]
+ *            [-alpha A [-damping C] | -damper_1 'G : LAW [: PAST]' [-damper_2 ...]]
+ *            -h H -steps N [-x0 X] [-p0 P] [-o FILE]
  *            [-checkpoint FILE [-stop K] [-resume]]
  *
  * runs fvi-stable on M x'' + C D^{2 alpha} x + K x = F(t) from x = X and p = P for all
  * unknowns: with the matrices and forces of a folder, as `fvi run --system`, or on a grid
  * (petsc_share.h). If they are not given, P is 0, and X is 0 of a folder and 1 of a grid.
+ *
+ * Several dampers, each with its own matrix, law and past, have the numbers 1, 2, ... in the names of
+ * their options, because PETSc keeps only the last of options with one name. The texts are those of
+ * `fvi run --damper`: G is a file of the folder or a row like x5-x4; of a grid it is M or K. PETSc
+ * takes a word that begins with - and a letter for an option, so write x4-x5 or (-x5+x4).
+ *
  * Each rank has some of the rows, and the library's stepper and memory for them: a memory
  * never asks for another unknown. Ranks exchange numbers in the products with M, K and C and
  * in the conjugate gradients, which are PETSc's and take its options
  * (-pc_type icc, -ksp_monitor, ...). FILE of -o gets x and p at the end, as two vectors in
  * PETSc's binary format, which petsc_vectors.py reads. -checkpoint writes the state where
  * the run ends, at step K if -stop says so; -resume begins there (make petsc). */
+#include "petsc_options.h"
 #include "petsc_share.h"
 
 #include <fvi/convolution_quadrature_methods.h>
@@ -20,72 +28,8 @@
 
 #include <petsctime.h>
 
-typedef struct {
-    char folder[PETSC_MAX_PATH_LEN], file[PETSC_MAX_PATH_LEN],
-        checkpoint[PETSC_MAX_PATH_LEN];
-    PetscReal alpha, h, x0, p0, damping;
-    PetscInt steps, stop, lengths, n[3];
-    PetscBool has_folder, has_grid, has_damping, writes, saves, stops, resumes;
-} wishes;
-
-static PetscErrorCode read_words(wishes *w)
-{
-    PetscFunctionBeginUser;
-    PetscCall(PetscOptionsGetString(NULL, NULL, "-system", w->folder,
-                                    sizeof w->folder, &w->has_folder));
-    if (w->has_folder)
-        w->x0 = 0; /* at rest, as `fvi run --system` */
-    w->lengths = 3;
-    PetscCall(PetscOptionsGetIntArray(NULL, NULL, "-grid", w->n, &w->lengths,
-                                      &w->has_grid));
-    PetscCall(PetscOptionsGetReal(NULL, NULL, "-damping", &w->damping,
-                                  &w->has_damping));
-    PetscCall(PetscOptionsGetString(NULL, NULL, "-o", w->file, sizeof w->file,
-                                    &w->writes));
-    PetscCall(PetscOptionsGetString(NULL, NULL, "-checkpoint", w->checkpoint,
-                                    sizeof w->checkpoint, &w->saves));
-    PetscCall(PetscOptionsGetBool(NULL, NULL, "-resume", &w->resumes, NULL));
-    PetscCall(PetscOptionsGetReal(NULL, NULL, "-alpha", &w->alpha, NULL));
-    PetscCall(PetscOptionsGetReal(NULL, NULL, "-h", &w->h, NULL));
-    PetscCall(PetscOptionsGetReal(NULL, NULL, "-x0", &w->x0, NULL));
-    PetscCall(PetscOptionsGetReal(NULL, NULL, "-p0", &w->p0, NULL));
-    PetscCall(PetscOptionsGetInt(NULL, NULL, "-steps", &w->steps, NULL));
-    PetscCall(PetscOptionsGetInt(NULL, NULL, "-stop", &w->stop, &w->stops));
-    PetscFunctionReturn(0);
-}
-
-static PetscErrorCode ask(wishes *w)
-{
-    PetscFunctionBeginUser;
-    *w = (wishes){ .alpha = 0.5,
-                   .h = 0.1,
-                   .x0 = 1,
-                   .steps = 200,
-                   .damping = 0.01,
-                   .n = { 1, 1, 1 } };
-    PetscCall(read_words(w));
-    PetscCheck(w->has_folder != w->has_grid, PETSC_COMM_WORLD, PETSC_ERR_USER,
-               "one of -system DIR and -grid N,N is wanted");
-    PetscCheck(!w->has_grid
-                   || (w->lengths >= 1 && w->n[0] >= 1 && w->n[1] >= 1
-                       && w->n[2] >= 1),
-               PETSC_COMM_WORLD, PETSC_ERR_USER, "-grid has a length below 1");
-    PetscCheck(w->damping >= 0, PETSC_COMM_WORLD, PETSC_ERR_USER,
-               "-damping is negative");
-    PetscCheck(w->has_grid || !w->has_damping, PETSC_COMM_WORLD, PETSC_ERR_USER,
-               "-damping is that of a grid; a folder has C.mtx");
-    PetscCheck(w->steps >= 1, PETSC_COMM_WORLD, PETSC_ERR_USER,
-               "-steps is less than 1");
-    PetscCheck(w->saves || (!w->stops && !w->resumes), PETSC_COMM_WORLD,
-               PETSC_ERR_USER, "-stop and -resume want -checkpoint FILE");
-    w->stop = w->stops ? w->stop : w->steps;
-    PetscCheck(w->stop >= 1 && w->stop <= w->steps, PETSC_COMM_WORLD,
-               PETSC_ERR_USER, "-stop is not from 1 to the number of steps");
-    PetscFunctionReturn(0);
-}
-
 /* From where the stepper is; what it took is said. */
-static PetscErrorCode go_on(const share *s, const wishes *w,
+static PetscErrorCode go_on(const share *s, const petsc_options *w,
                             fvi_stepper *stepper)
 {
     PetscLogDouble begin, end;
@@ -112,7 +56,7 @@ static PetscErrorCode go_on(const share *s, const wishes *w,
 }
 
 //> run
-static PetscErrorCode run(const share *s, const wishes *w, const double *mass,
+static PetscErrorCode run(const share *s, const petsc_options *w, const double *mass,
                           const double *damping, const double *x0,
                           const double *p0)
 {
@@ -121,15 +65,18 @@ static PetscErrorCode run(const share *s, const wishes *w, const double *mass,
                                 .mass = mass,
                                 .damping = damping,
                                 .force = s->force,
-                                .matrices = &matrices };
+                                .matrices = &matrices,
+                                .mechanism = s->mechanism };
     fvi_run wish = fvi_run_default(&system, x0, p0, w->h, (size_t)w->steps);
     wish.alpha = w->alpha;
     fvi_stepper *stepper;
+    fvi_error error = { 0 };
     PetscFunctionBeginUser;
     const int status = fvi_stepper_start(&fvi_cq2_midpoint, &wish, &stepper,
-                                         NULL);
-    PetscCheck(!status, PETSC_COMM_SELF, PETSC_ERR_USER, "%s",
-               fvi_error_name(status));
+                                         &error);
+    error.code = status;
+    if (status)
+        PetscCall(petsc_refuse(&error));
     if (w->resumes)
         PetscCall(petsc_load(s, w->checkpoint, stepper));
     PetscCall(go_on(s, w, stepper));
@@ -145,15 +92,15 @@ static PetscErrorCode run(const share *s, const wishes *w, const double *mass,
 int main(int argc, char **argv)
 {
     share s = { 0 };
-    wishes w;
+    petsc_options w;
     double *room;
     PetscFunctionBeginUser;
     PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-    PetscCall(ask(&w));
+    PetscCall(petsc_read_options(&w));
     if (w.has_grid)
-        PetscCall(petsc_of_grid(w.lengths, w.n, w.damping, &s));
+        PetscCall(petsc_of_grid(w.lengths, w.n, w.damping, w.dampers, w.damper, &s));
     else
-        PetscCall(petsc_of_files(w.folder, w.h * (double)w.steps, &s));
+        PetscCall(petsc_of_files(w.folder, w.h * (double)w.steps, w.dampers, w.damper, &s));
     PetscCall(VecDuplicate(s.x, &s.y));
     PetscCall(PetscCalloc1(5 * s.rows, &room));
     s.room = room;
@@ -171,6 +118,7 @@ int main(int argc, char **argv)
     PetscCall(PetscOptionsLeft(NULL)); /* names those that nobody asked for */
     PetscCall(PetscFree(room));
     PetscCall(petsc_forget(&s));
+    PetscCall(petsc_free_options(&w));
     PetscCall(PetscFinalize());
     return 0;
 }

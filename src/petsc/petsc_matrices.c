@@ -12,14 +12,14 @@
 
 //> product
 /* y = A x: each rank has its rows of all three, and gets from others what it lacks of x. */
-static int product(const share *s, Mat A, const double *x, double *y)
+int petsc_product(Mat A, Vec from, const double *x, Vec to, double *y)
 {
-    TRY(VecPlaceArray(s->x, x));
-    TRY(VecPlaceArray(s->y, y));
-    TRY(MatMult(A, s->x, s->y));
-    TRY(VecResetArray(s->x));
-    TRY(VecResetArray(s->y));
-    return FVI_SUCCESS;
+    TRY(VecPlaceArray(from, x));
+    TRY(VecPlaceArray(to, y));
+    const PetscErrorCode wrong = MatMult(A, from, to);
+    TRY(VecResetArray(from));
+    TRY(VecResetArray(to));
+    return wrong ? FVI_EBADFUNC : FVI_SUCCESS;
 }
 //< product
 
@@ -36,7 +36,7 @@ static int damp(size_t d, double a, const double *z, const void *params,
                 double *p)
 {
     const share *s = params;
-    const int status = product(s, s->C, z, s->room);
+    const int status = petsc_product(s->C, s->x, z, s->y, s->room);
     for (size_t i = 0; i < d && !status; i++)
         p[i] -= a * s->room[i];
     return status;
@@ -44,65 +44,109 @@ static int damp(size_t d, double a, const double *z, const void *params,
 
 static int stiffness(size_t d, const double *x, const void *params, double *y)
 {
+    const share *s = params;
     (void)d;
-    return product(params, ((const share *)params)->K, x, y);
+    return petsc_product(s->K, s->x, x, s->y, y);
 }
+
+/* ---- the equation of a step ---- */
 
 typedef struct {
-    share *s;
+    const share *s;
     KSP gradients;
 } factors;
-
-/* Nothing is factorised: m M + c C + k K, and a preconditioner of PETSc's. */
-static int factorise(size_t d, double m, double c, double k, const void *params,
-                     void **out)
-{
-    (void)d;
-    share *s = (share *)params;
-    factors *f = malloc(sizeof *f);
-    Mat A;
-    if (!f)
-        return FVI_ENOMEM;
-    *out = f;
-    f->s = s;
-    TRY(MatDuplicate(s->M, MAT_COPY_VALUES, &A));
-    TRY(MatScale(A, m));
-    if (c != 0)
-        TRY(MatAXPY(A, c, s->C, DIFFERENT_NONZERO_PATTERN));
-    if (k != 0)
-        TRY(MatAXPY(A, k, s->K, DIFFERENT_NONZERO_PATTERN));
-    TRY(KSPCreate(PETSC_COMM_WORLD, &f->gradients));
-    TRY(KSPSetOperators(f->gradients, A, A));
-    TRY(MatDestroy(&A)); /* the solver keeps it */
-    PC jacobi;
-    TRY(KSPSetType(f->gradients, KSPCG));
-    TRY(KSPGetPC(f->gradients, &jacobi));
-    TRY(PCSetType(jacobi, PCJACOBI));
-    TRY(KSPSetTolerances(f->gradients, 1e-15, 1e-300, PETSC_DEFAULT, 10000));
-    TRY(KSPSetFromOptions(f->gradients));
-    return FVI_SUCCESS;
-}
-
-static int solve(size_t d, void *of, double *r)
-{
-    (void)d;
-    factors *f = of;
-    share *s = f->s;
-    KSPConvergedReason reason;
-    TRY(VecPlaceArray(s->x, r));
-    TRY(KSPSolve(f->gradients, s->x, s->x));
-    TRY(VecResetArray(s->x));
-    TRY(KSPGetConvergedReason(f->gradients, &reason));
-    return reason > 0                              ? FVI_SUCCESS
-           : reason == KSP_DIVERGED_INDEFINITE_MAT ? FVI_ESING
-                                                   : FVI_EMAXITER;
-}
 
 static void forget(void *of)
 {
     factors *f = of;
     KSPDestroy(&f->gradients);
     free(f);
+}
+
+/* A += c C, if C is there. */
+static int add(Mat A, double c, Mat C)
+{
+    if (c != 0 && C)
+        TRY(MatAXPY(A, c, C, DIFFERENT_NONZERO_PATTERN));
+    return FVI_SUCCESS;
+}
+
+/* m M + sum_j c_j C_j + k K; *A is NULL, or to be given back, in any case. */
+static int sum(const share *s, double m, size_t count, const double *c, const Mat *C, double k,
+               Mat *A)
+{
+    int status = FVI_SUCCESS;
+    TRY(MatDuplicate(s->M, MAT_COPY_VALUES, A));
+    TRY(MatScale(*A, m));
+    for (size_t j = 0; j < count && !status; j++)
+        status = add(*A, c[j], C[j]);
+    return status ? status : add(*A, k, s->K);
+}
+
+/* Nothing is factorised: conjugate gradients, and a preconditioner of PETSc's. */
+static int make_gradients(Mat A, KSP *gradients)
+{
+    PC jacobi;
+    TRY(KSPCreate(PETSC_COMM_WORLD, gradients));
+    TRY(KSPSetOperators(*gradients, A, A)); /* it keeps A */
+    TRY(KSPSetType(*gradients, KSPCG));
+    TRY(KSPGetPC(*gradients, &jacobi));
+    TRY(PCSetType(jacobi, PCJACOBI));
+    TRY(KSPSetTolerances(*gradients, 1e-15, 1e-300, PETSC_DEFAULT, 10000));
+    TRY(KSPSetFromOptions(*gradients));
+    return FVI_SUCCESS;
+}
+
+static int make_factors(const share *s, double m, size_t count, const double *c, const Mat *C,
+                        double k, void **out)
+{
+    factors *f = calloc(1, sizeof *f);
+    Mat A = NULL;
+    if (!f)
+        return FVI_ENOMEM;
+    f->s = s;
+    int status = sum(s, m, count, c, C, k, &A);
+    if (!status)
+        status = make_gradients(A, &f->gradients);
+    if (MatDestroy(&A) && !status)
+        status = FVI_EBADFUNC;
+    if (status)
+        forget(f);
+    else
+        *out = f;
+    return status;
+}
+
+static int factorise(size_t d, double m, double c, double k, const void *params,
+                     void **out)
+{
+    const share *s = params;
+    (void)d;
+    return make_factors(s, m, 1, &c, &s->C, k, out);
+}
+
+static int factorise_dampers(size_t d, double m, const double *c, double k,
+                             const void *params, void **out)
+{
+    const share *s = params;
+    (void)d;
+    return make_factors(s, m, s->mechanism->damper_count, c, s->damper_matrices, k, out);
+}
+
+static int solve(size_t d, void *of, double *r)
+{
+    (void)d;
+    factors *f = of;
+    const share *s = f->s;
+    KSPConvergedReason reason;
+    TRY(VecPlaceArray(s->x, r));
+    const PetscErrorCode wrong = KSPSolve(f->gradients, s->x, s->x);
+    TRY(VecResetArray(s->x));
+    TRY(wrong);
+    TRY(KSPGetConvergedReason(f->gradients, &reason));
+    return reason > 0                              ? FVI_SUCCESS
+           : reason == KSP_DIVERGED_INDEFINITE_MAT ? FVI_ESING
+                                                   : FVI_EMAXITER;
 }
 
 fvi_matrices petsc_matrices(const share *s)
@@ -114,5 +158,8 @@ fvi_matrices petsc_matrices(const share *s)
                            .factorise = factorise,
                            .solve = solve,
                            .forget = forget,
-                           .params = s };
+                           .params = s,
+                           .damper_count = s->mechanism ? s->mechanism->damper_count : 0,
+                           .damper = s->damping,
+                           .factorise_dampers = factorise_dampers };
 }

@@ -2,8 +2,11 @@
 #include "output/fvi_output.h"
 #include "petsc_share.h"
 
+#include <errno.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Without the file of PETSc's own options beside it, which would forbid other ranks. */
@@ -28,7 +31,8 @@ PetscErrorCode petsc_write(const share *s, const char *file,
 
 /* ---- the state ---- */
 
-/* A file is a head, the pieces that fvi_stepper_archive shows, and the sum of all before. */
+/* A file is a head, for each of several dampers what it is, the pieces that fvi_stepper_archive shows,
+ * and the sum of all before. */
 typedef struct {
     char mark[16];
     PetscInt ranks, rank, all, first;
@@ -37,12 +41,21 @@ typedef struct {
     double norms[3]; /* Frobenius, of M, K and C */
 } head;
 
+/* One of several dampers: which it is and of how many, its matrix, its past, and how many terms its
+ * kernel has. Behind it their kinds and numbers stand, or of a function its values at some s. */
+enum { VALUES = 8, KINDS_AND_NUMBERS = 5 };
+typedef struct {
+    uint64_t number, count, terms, past;
+    double norm; /* Frobenius, of C_j */
+} damper_head;
+
 typedef struct {
     fvi_archive archive; /* the first: a pointer to it is one to this */
     FILE *file;
     uint64_t sum;
     double *room; /* what is compared, `bytes` of it */
     size_t bytes;
+    char part[60]; /* that differs, while a file is compared */
 } state;
 
 /* FNV-1a. */
@@ -86,29 +99,88 @@ static PetscErrorCode make_head(const share *s, const fvi_stepper *run, head *h)
     PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &ranks));
     PetscCallMPI(MPI_Comm_rank(PETSC_COMM_WORLD, &rank));
     memset(h, 0, sizeof *h); /* what lies between the numbers, too */
-    strcpy(h->mark, "fvi_petsc 1");
+    strcpy(h->mark, s->mechanism ? "fvi_petsc 2" : "fvi_petsc 1");
     h->ranks = ranks;
     h->rank = rank;
     h->all = s->all;
     h->first = s->first;
     h->steps = run->run.steps;
     h->h = run->run.h;
-    h->alpha = run->run.alpha;
+    h->alpha = s->mechanism ? 0 : run->run.alpha; /* which dampers do not read */
     for (int l = 0; l < 3; l++)
         if (A[l])
             PetscCall(MatNorm(A[l], NORM_FROBENIUS, &h->norms[l]));
     PetscFunctionReturn(0);
 }
 
+/* Of a head for each damper, of which all ranks make the norm. */
+static PetscErrorCode make_damper_heads(const share *s, damper_head **heads)
+{
+    const size_t count = s->mechanism ? s->mechanism->damper_count : 0;
+    PetscFunctionBeginUser;
+    PetscCall(PetscCalloc1(count + 1, heads));
+    for (size_t j = 0; j < count; j++) {
+        const fvi_damper *damper = s->mechanism->damper + j;
+        damper_head *h = *heads + j;
+        *h = (damper_head){ .number = j + 1,
+                            .count = count,
+                            .terms = damper->kernel->count,
+                            .past = damper->past };
+        PetscCall(MatNorm(s->damper_matrices[j], NORM_FROBENIUS, &h->norm));
+    }
+    PetscFunctionReturn(0);
+}
+
+/* The kinds and numbers of a kernel; and the values of a function, which has no numbers. */
+static int serialize_kernel(const fvi_kernel *kernel, fvi_archive *v)
+{
+    int status = 0;
+    for (size_t i = 0; !status && i < kernel->count; i++) {
+        const fvi_kernel_term *t = kernel->term + i;
+        double numbers[KINDS_AND_NUMBERS + VALUES] = { (double)t->kind, t->rho, t->alpha,
+                                                       t->time, t->end };
+        if (t->kind == FVI_KERNEL_SYMBOL)
+            for (int l = 0; l < VALUES; l++)
+                numbers[KINDS_AND_NUMBERS + l] = fvi_kernel_symbol(kernel, pow(7, l - 3));
+        status = v->serialize(v, numbers, sizeof numbers, 1);
+    }
+    return status;
+}
+
+static int serialize_dampers(const share *s, damper_head *heads, state *f)
+{
+    int status = 0;
+    for (size_t j = 0; s->mechanism && !status && j < s->mechanism->damper_count; j++) {
+        snprintf(f->part, sizeof f->part, "another damper %zu", j + 1);
+        status = f->archive.serialize(&f->archive, heads + j, sizeof *heads, 1);
+        if (!status)
+            status = serialize_kernel(s->mechanism->damper[j].kernel, &f->archive);
+    }
+    return status;
+}
+
+/* All of it but the sum. */
+static int serialize(const share *s, head *h, damper_head *dampers, fvi_stepper *run, state *f)
+{
+    snprintf(f->part, sizeof f->part, "other matrices, numbers or ranks");
+    int status = f->archive.serialize(&f->archive, h, sizeof *h, 1);
+    if (!status)
+        status = serialize_dampers(s, dampers, f);
+    if (status)
+        return status;
+    snprintf(f->part, sizeof f->part, "another start, or another kernel");
+    return fvi_stepper_archive(run, &f->archive);
+}
+
 /* The file of a rank, written but not yet under its name; NULL if that fails. */
-static FILE *write_state(const char *name, head *h, fvi_stepper *run)
+static FILE *write_state(const char *name, const share *s, head *h, damper_head *dampers,
+                         fvi_stepper *run)
 {
     state f = { .archive = { save_piece },
                 .file = fvi_output_open_file(name) };
     if (!f.file)
         return NULL;
-    if (save_piece(&f.archive, h, sizeof *h, 0) == 0
-        && fvi_stepper_archive(run, &f.archive) == 0
+    if (serialize(s, h, dampers, run, &f) == 0
         && fwrite(&f.sum, sizeof f.sum, 1, f.file) == 1 && fflush(f.file) == 0)
         return f.file;
     fvi_output_close(f.file, 0);
@@ -134,31 +206,35 @@ static int is_whole(FILE *file)
            && fseek(file, 0, SEEK_SET) == 0;
 }
 
-/* Zero if all goes well. The run is changed only by a file that is whole. */
-static int load(const char *name, head *h, fvi_stepper *run)
+/* "" if all goes well, else why not. The run is changed only by a file that is whole. */
+static void load(const char *name, const share *s, head *h, damper_head *dampers,
+                 fvi_stepper *run, char *why, size_t size)
 {
     state f = { .archive = { load_piece }, .file = fopen(name, "rb") };
     uint64_t sum;
+    snprintf(why, size, "%s", f.file ? "" : strerror(errno));
     if (!f.file)
-        return 1;
-    const int failed = !is_whole(f.file)
-                       || load_piece(&f.archive, h, sizeof *h, 1)
-                       || fvi_stepper_archive(run, &f.archive)
-                       || fread(&sum, sizeof sum, 1, f.file) != 1
-                       || fgetc(f.file) != EOF;
+        return;
+    if (!is_whole(f.file))
+        snprintf(why, size, "it is not whole");
+    else if (serialize(s, h, dampers, run, &f) || fread(&sum, sizeof sum, 1, f.file) != 1
+             || fgetc(f.file) != EOF)
+        snprintf(why, size, "it is of %s", f.part);
     fclose(f.file);
     free(f.room);
-    return failed;
 }
 
 PetscErrorCode petsc_save(const share *s, const char *file, fvi_stepper *run)
 {
     char name[PETSC_MAX_PATH_LEN];
     head h;
+    damper_head *dampers;
     PetscFunctionBeginUser;
     PetscCall(make_head(s, run, &h));
+    PetscCall(make_damper_heads(s, &dampers));
     PetscCall(PetscSNPrintf(name, sizeof name, "%s.%d", file, (int)h.rank));
-    FILE *written = write_state(name, &h, run);
+    FILE *written = write_state(name, s, &h, dampers, run);
+    PetscCall(PetscFree(dampers));
     PetscCheck(written, PETSC_COMM_SELF, PETSC_ERR_FILE_WRITE,
                "%s cannot be written", name);
     PetscCallMPI(MPI_Barrier(PETSC_COMM_WORLD));
@@ -170,13 +246,17 @@ PetscErrorCode petsc_save(const share *s, const char *file, fvi_stepper *run)
 /* Ranks that were ended between two files may have left steps that differ. */
 PetscErrorCode petsc_load(const share *s, const char *file, fvi_stepper *run)
 {
-    char name[PETSC_MAX_PATH_LEN];
+    char name[PETSC_MAX_PATH_LEN], why[100];
     head h;
+    damper_head *dampers;
     PetscFunctionBeginUser;
     PetscCall(make_head(s, run, &h));
+    PetscCall(make_damper_heads(s, &dampers));
     PetscCall(PetscSNPrintf(name, sizeof name, "%s.%d", file, (int)h.rank));
-    PetscCheck(!load(name, &h, run), PETSC_COMM_SELF, PETSC_ERR_FILE_UNEXPECTED,
-               "%s is not the state of such a run", name);
+    load(name, s, &h, dampers, run, why, sizeof why);
+    PetscCall(PetscFree(dampers));
+    PetscCheck(!*why, PETSC_COMM_SELF, PETSC_ERR_FILE_UNEXPECTED,
+               "%s is not the state of such a run: %s", name, why);
     PetscInt k[2] = { (PetscInt)run->k, -(PetscInt)run->k }, most[2];
     PetscCallMPI(
         MPI_Allreduce(k, most, 2, MPIU_INT, MPI_MAX, PETSC_COMM_WORLD));

@@ -1,7 +1,13 @@
 /* src/petsc/petsc_systems.c -- A rank's rows, from files or of a grid.   [H 28] */
 #include "petsc_share.h"
 
+#include "system/fail.h"
+
 #include <petscdmda.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* ---- from files ---- */
 
@@ -35,26 +41,45 @@ static int forces_of_rows(double t, size_t d, void *params, double *F)
     return status;
 }
 
-PetscErrorCode petsc_of_files(const char *folder, double last, share *s)
+/* M, K and C, and those of the dampers. */
+static PetscErrorCode matrices_of_files(share *s)
+{
+    const fvi_sparse *A[3];
+    Mat *const of[] = { &s->M, &s->K, &s->C }, C;
+    PetscFunctionBeginUser;
+    fvi_directory_matrices(s->directory, A);
+    for (int l = 0; l < 3; l++)
+        if (A[l]->n > 0) /* without C.mtx nothing is damped */
+            PetscCall(rows_of(A[l], s, of[l]));
+    if (fvi_directory_system(s->directory).mechanism)
+        PetscCall(petsc_add_dampers(fvi_directory_system(s->directory).mechanism, s));
+    for (size_t j = 0; s->mechanism && j < s->mechanism->damper_count; j++) {
+        PetscCall(rows_of(fvi_directory_damping(s->directory, j), s, &C));
+        PetscCall(petsc_set_damper(s, (PetscInt)j, C));
+        PetscCall(MatDestroy(&C));
+    }
+    PetscFunctionReturn(0);
+}
+
+PetscErrorCode petsc_of_files(const char *folder, double last, PetscInt count,
+                              const char *const *damper, share *s)
 {
     fvi_error error;
-    const fvi_sparse *A[3];
+    PetscMPIInt ranks;
     int forced = 0;
     PetscFunctionBeginUser;
-    PetscCheck(
-        !fvi_directory_open(folder, &s->directory, &error)
-            && !fvi_directory_force(s->directory, last, &forced, &error),
-        PETSC_COMM_SELF, PETSC_ERR_FILE_UNEXPECTED, "--%s: %s", error.field, error.text);
-    fvi_directory_matrices(s->directory, A);
-    s->all = (PetscInt)A[0]->n;
+    if (fvi_directory_open_dampers(folder, (size_t)count, damper, NULL, &s->directory, &error)
+        || fvi_directory_force(s->directory, last, &forced, &error))
+        PetscCall(petsc_refuse(&error));
+    s->all = (PetscInt)fvi_directory_system(s->directory).d;
+    PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &ranks));
+    PetscCheck(ranks <= s->all, PETSC_COMM_WORLD, PETSC_ERR_USER,
+               "%d ranks are more than the %d unknowns", ranks, (int)s->all);
     s->rows = PETSC_DECIDE;
     PetscCall(PetscSplitOwnership(PETSC_COMM_WORLD, &s->rows, &s->all));
     PetscCallMPI(MPI_Exscan(&s->rows, &s->first, 1, MPIU_INT, MPI_SUM,
                             PETSC_COMM_WORLD));
-    Mat *const of[] = { &s->M, &s->K, &s->C };
-    for (int l = 0; l < 3; l++)
-        if (A[l]->n > 0) /* without C.mtx nothing is damped */
-            PetscCall(rows_of(A[l], s, of[l]));
+    PetscCall(matrices_of_files(s));
     PetscCall(VecCreateMPIWithArray(PETSC_COMM_WORLD, 1, s->rows, s->all, NULL,
                                     &s->x));
     if (forced) {
@@ -93,14 +118,56 @@ static PetscErrorCode difference(Mat K, PetscInt count, const PetscInt n[3],
     PetscFunctionReturn(0);
 }
 
-PetscErrorCode petsc_of_grid(PetscInt count, const PetscInt n[3],
-                             double damping, share *s)
+/* Damper j of a text, by the matrix that stands before its law. */
+static PetscErrorCode read_damper(share *s, PetscInt j, const char *text)
+{
+    fvi_error error = { .index = (size_t)j };
+    char *of = NULL;
+    fvi_typed_damper *typed = s->typed + j;
+    PetscFunctionBeginUser;
+    int status = fvi_parse_damper(text, (size_t)j, s->typed, NULL, typed, &of, &error);
+    const int is_mass = of && strcmp(of, "M") == 0;
+    if (!status && !is_mass && strcmp(of, "K") != 0)
+        status = fvi_fail(&error, FVI_EINVAL, "damper", NAN,
+                          "'%s' is neither M nor K, which are the matrices of a grid", of);
+    free(of);
+    error.index = (size_t)j;
+    if (status)
+        PetscCall(petsc_refuse(&error));
+    s->kernel[j] = (fvi_damper){ .name = typed->name,
+                                 .kernel = &typed->law.law,
+                                 .past = typed->past };
+    PetscCall(petsc_set_damper(s, j, is_mass ? s->M : s->K));
+    PetscFunctionReturn(0);
+}
+
+static PetscErrorCode damp_grid(double damping, PetscInt count, const char *const *damper,
+                                share *s)
+{
+    PetscFunctionBeginUser;
+    if (count == 0 && damping > 0) {
+        PetscCall(MatDuplicate(s->K, MAT_COPY_VALUES, &s->C));
+        PetscCall(MatScale(s->C, damping));
+    }
+    if (count == 0)
+        PetscFunctionReturn(0);
+    PetscCall(PetscCalloc1(count, &s->typed));
+    PetscCall(PetscCalloc1(count, &s->kernel));
+    s->of_grid = (fvi_mechanism){ .damper_count = (size_t)count, .damper = s->kernel };
+    PetscCall(petsc_add_dampers(&s->of_grid, s));
+    for (PetscInt j = 0; j < count; j++)
+        PetscCall(read_damper(s, j, damper[j]));
+    PetscFunctionReturn(0);
+}
+
+PetscErrorCode petsc_of_grid(PetscInt lengths, const PetscInt n[3], double damping,
+                             PetscInt count, const char *const *damper, share *s)
 {
     DM grid;
     PetscInt from[3], size[3], at[3];
     PetscFunctionBeginUser;
     PetscCall(DMDACreate(PETSC_COMM_WORLD, &grid));
-    PetscCall(DMSetDimension(grid, count));
+    PetscCall(DMSetDimension(grid, lengths));
     PetscCall(DMDASetSizes(grid, n[0], n[1], n[2]));
     PetscCall(DMDASetDof(grid, 1));
     PetscCall(DMDASetStencilType(grid, DMDA_STENCIL_STAR));
@@ -112,19 +179,16 @@ PetscErrorCode petsc_of_grid(PetscInt count, const PetscInt n[3],
     for (at[2] = from[2]; at[2] < from[2] + size[2]; at[2]++)
         for (at[1] = from[1]; at[1] < from[1] + size[1]; at[1]++)
             for (at[0] = from[0]; at[0] < from[0] + size[0]; at[0]++)
-                PetscCall(difference(s->K, count, n, at));
+                PetscCall(difference(s->K, lengths, n, at));
     PetscCall(MatAssemblyBegin(s->K, MAT_FINAL_ASSEMBLY));
     PetscCall(MatAssemblyEnd(s->K, MAT_FINAL_ASSEMBLY));
     PetscCall(DMCreateMatrix(grid, &s->M));
     PetscCall(MatShift(s->M, 1));
-    if (damping > 0) {
-        PetscCall(MatDuplicate(s->K, MAT_COPY_VALUES, &s->C));
-        PetscCall(MatScale(s->C, damping));
-    }
     PetscCall(DMCreateGlobalVector(grid, &s->x)); /* which knows the grid */
     PetscCall(VecGetSize(s->x, &s->all));
     PetscCall(VecGetLocalSize(s->x, &s->rows));
     PetscCall(VecGetOwnershipRange(s->x, &s->first, NULL));
+    PetscCall(damp_grid(damping, count, damper, s));
     PetscCall(DMDestroy(&grid));
     PetscFunctionReturn(0);
 }
@@ -137,6 +201,7 @@ PetscErrorCode petsc_forget(share *s)
     PetscCall(MatDestroy(&s->M));
     PetscCall(MatDestroy(&s->K));
     PetscCall(MatDestroy(&s->C));
+    PetscCall(petsc_forget_dampers(s));
     PetscCall(PetscFree(s->forces));
     fvi_directory_close(s->directory);
     PetscFunctionReturn(0);

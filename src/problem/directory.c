@@ -3,6 +3,7 @@
 #include "directory_state.h"
 
 #include "matrices/sparse.h"
+#include "matrices/structure.h"
 
 #include <dirent.h>
 #include <stdio.h>
@@ -230,6 +231,11 @@ fvi_system fvi_directory_system(const fvi_directory *d)
     if (d->loads.rows > 0)
         s.force = fvi_directory_typed_force(d);
     return s;
+}
+
+const fvi_sparse *fvi_directory_damping(const fvi_directory *d, size_t j)
+{
+    return fvi_structure_damping(d->structure, j);
 }
 
 void fvi_directory_matrices(const fvi_directory *d, const fvi_sparse *A[3])

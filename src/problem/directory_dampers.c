@@ -11,6 +11,14 @@ static int no_memory(fvi_error *error)
     return fvi_fail(error, FVI_ENOMEM, "damper", NAN, "not enough memory");
 }
 
+/* The error of damper j, from 0. */
+static int of_damper(size_t j, int status, fvi_error *error)
+{
+    if (status && error)
+        error->index = j;
+    return status;
+}
+
 /* ---- words ---- */
 
 /* Does the text name a file, and not an elongation? */
@@ -39,6 +47,7 @@ int fvi_directory_parse_dampers(fvi_directory *d, size_t count, const char *cons
             status = fvi_fail(error, FVI_EINVAL, "damper", NAN,
                               "'%s' is not the name of a file of the folder",
                               damper->file);
+        of_damper(j, status, error);
     }
     free(known);
     return status;
@@ -109,7 +118,8 @@ static int refuse_structure(const fvi_directory *d, int status, const fvi_error 
     const fvi_directory_damper *damper = d->each + wrong->index;
     if (damper->file && is_file(damper->file))
         return fvi_directory_refuse_matrix(d, status, damper->file, &damper->C, error);
-    return fvi_fail(error, status, "damper", NAN, "%s", wrong->text);
+    fvi_fail(error, status, "damper", NAN, "%s", wrong->text);
+    return of_damper(wrong->index, status, error);
 }
 
 int fvi_directory_read_dampers(fvi_directory *d, fvi_user_parameters *parameters,
@@ -122,7 +132,7 @@ int fvi_directory_read_dampers(fvi_directory *d, fvi_user_parameters *parameters
         const int by_file = is_file(damper->file);
         status = by_file
                      ? fvi_directory_read_matrix(d, damper->file, &damper->C, error)
-                     : parse_row(d, damper, parameters, error);
+                     : of_damper(j, parse_row(d, damper, parameters, error), error);
         d->damper[j] = (fvi_damper){ .name = damper->typed.name,
                                      .of = fvi_elongation_row(damper->row),
                                      .matrix = by_file ? &damper->C : NULL,

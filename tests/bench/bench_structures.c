@@ -2,12 +2,14 @@
  *
  * u_tt + D^{1/2} u = u_xx on d points, from the first sine at rest, h = dx / 2, Algorithm 3
  * with kappa = 1: 1000 steps with the whole past, against the same mode as one oscillator;
- * then 1000 points for more and more steps; then a membrane, C = K / 100, by fvi-stable.
+ * then 1000 points for more and more steps; then a membrane, C = K / 100, by fvi-stable;
+ * then the largest membrane with one damper, and with ten of a tenth of the rows each.
  * Some two minutes, and a gigabyte at d = 10^6; a number of points as the argument runs
  * that wave alone. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, getrusage, uname */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
+#include "system/larger.h"
 #include "../../figures/structures/wave.h"
 #include "bench.h"
 
@@ -16,7 +18,7 @@
 #include <stdlib.h>
 #include <sys/resource.h>
 
-enum { STEPS = 1000, MOST = 100000, FEW = 64 };
+enum { STEPS = 1000, MOST = 100000, FEW = 64, TURNS = 3, PARTS = 10 };
 
 static const double alpha = 0.25, rho = 1;
 
@@ -85,23 +87,32 @@ static void wave(size_t d, size_t steps, int with_room)
     fflush(stdout);
 }
 
-/* Five points, by m + 1 to the square, times `factor`. */
-static void laplace(int m, double factor, fvi_sparse *A)
+/* Five points, by m + 1 to the square, times `factor`: between those of the points from `first` to
+ * `last` - 1 that are in one of `parts` parts. */
+static void laplace_between(int m, double factor, int first, int last, int parts,
+                            fvi_sparse *A)
 {
     const double k = factor * (m + 1) * (m + 1);
+    const long n = (long)m * m;
     fvi_triplet *list = malloc(5 * (size_t)(m * m) * sizeof *list);
     size_t count = 0;
-    for (int i = 0; list && i < m * m; i++) {
+    for (int i = first; list && i < last; i++) {
         const int beside[] = { i % m > 0 ? i - 1 : -1,
                                i % m < m - 1 ? i + 1 : -1, i - m, i + m };
         list[count++] = (fvi_triplet){ i, i, 4 * k };
         for (int l = 0; l < 4; l++)
-            if (beside[l] >= 0 && beside[l] < m * m)
+            if (beside[l] >= 0 && beside[l] < m * m
+                && beside[l] * (long)parts / n == i * (long)parts / n)
                 list[count++] = (fvi_triplet){ i, beside[l], -k };
     }
     if (!list || fvi_sparse_assemble((size_t)(m * m), count, list, A))
         exit(EXIT_FAILURE);
     free(list);
+}
+
+static void laplace(int m, double factor, fvi_sparse *A)
+{
+    laplace_between(m, factor, 0, m * m, 1, A);
 }
 
 /* A row: d, ms for the factors and the start, ns per unknown and step. */
@@ -146,6 +157,70 @@ static void membrane(int m)
     free(x0);
 }
 
+/* ns per unknown and step of `count` dampers that remember all unknowns together. */
+static double steps_of_dampers(const fvi_sparse *M, const fvi_sparse *K, int m, int count)
+{
+    const size_t d = M->n;
+    const fvi_kernel_term term = { FVI_KERNEL_POWER, 1, 0.3, 0, 0 };
+    const fvi_kernel kernel = { 1, &term };
+    double *x0 = calloc(2 * d, sizeof *x0);
+    fvi_sparse C[PARTS];
+    fvi_damper damper[PARTS];
+    fvi_structure *structure;
+    fvi_stepper *s;
+    for (int j = 0; j < count; j++) {
+        const int first = (int)(((long)d * j + count - 1) / count),
+                  last = (int)(((long)d * (j + 1) + count - 1) / count);
+        laplace_between(m, 0.01, first, last, PARTS, C + j);
+        damper[j] = (fvi_damper){ .matrix = C + j, .kernel = &kernel };
+    }
+    if (!x0
+        || fvi_structure_alloc_dampers(M, K, (size_t)count, damper, &structure, NULL))
+        exit(EXIT_FAILURE);
+    for (size_t i = 0; i < d; i++)
+        x0[i] = sin((double)i);
+    const fvi_system system = fvi_structure_system(structure);
+    fvi_run run = run_of(&system, x0, x0 + d, 1 / ((double)m + 1), STEPS);
+    run.past = FVI_INITIAL_HISTORY_HELD; /* each damper has its own */
+    if (fvi_stepper_start(&fvi_cq2_midpoint, &run, &s, NULL))
+        exit(EXIT_FAILURE);
+    const double started = now();
+    while (s->k < FEW)
+        if (fvi_stepper_step(s))
+            exit(EXIT_FAILURE);
+    const double ns = 1e9 * (now() - started) / FEW / (double)d;
+    fvi_stepper_free(s);
+    fvi_structure_free(structure);
+    for (int j = 0; j < count; j++)
+        fvi_sparse_free(C + j);
+    free(x0);
+    return ns;
+}
+
+/* A row: d, the least times of one damper and of ten, and their ratio. */
+static void several_dampers(int m)
+{
+    const size_t d = (size_t)(m * m);
+    fvi_triplet *ones = malloc(d * sizeof *ones);
+    fvi_sparse M, K;
+    double one = INFINITY, ten = INFINITY;
+    if (!ones)
+        exit(EXIT_FAILURE);
+    for (size_t i = 0; i < d; i++)
+        ones[i] = (fvi_triplet){ (int)i, (int)i, 1 };
+    laplace(m, 1, &K);
+    if (fvi_sparse_assemble(d, d, ones, &M))
+        exit(EXIT_FAILURE);
+    for (int turn = 0; turn < TURNS; turn++) {
+        one = smaller(one, steps_of_dampers(&M, &K, m, 1));
+        ten = smaller(ten, steps_of_dampers(&M, &K, m, PARTS));
+    }
+    printf("%zu\t%.3g\t%.3g\t%.2f\n", d, one, ten, ten / one);
+    fvi_sparse_free(&M);
+    fvi_sparse_free(&K);
+    free(ones);
+}
+
 int main(int argc, char **argv)
 {
     const char *names = "# d\tsteps\tseconds\tns per unknown and step\t"
@@ -166,6 +241,9 @@ int main(int argc, char **argv)
            "ns per unknown and step\tsolver\n");
     for (int l = 0; l < 4; l++)
         membrane(sides[l]);
-    puts("#< membrane");
+    printf("#< membrane\n\n\n# a membrane with dampers, fvi-stable\n#> dampers\n# d\tns per unknown and "
+           "step, one damper\tten dampers\ttimes as long\n");
+    several_dampers(sides[3]);
+    puts("#< dampers");
     return 0;
 }

@@ -13,77 +13,13 @@ A run that was stopped and goes on gives the same bytes; a state that is not of 
 refused. A state takes the place of no other file, and a link to one stays a link."""
 import math
 import pathlib
-import subprocess
 import sys
 
-sys.path.insert(0, "src/petsc")
-import petsc_vectors  # noqa: E402
+from petsc_runs import BUILD, NX, NY, STEPS, fresh, grid_matrices, matrices, one_machine, petsc_vectors, ranks, refused, start
 
-BUILD = pathlib.Path(sys.argv[1])
 FOLDER, GRID = BUILD / "petsc", BUILD / "petsc_grid"
-NX, NY, STEPS = 24, 17, 300
 WORDS = {"alpha": "0.3", "h": "0.2", "steps": str(STEPS), "x0": "1", "p0": "0.25"}
 OF_GRID = {**WORDS, "h": "0.01"}
-
-
-def matrices():
-    """Name -> {(row, column): entry}, the lower triangles, from 1."""
-    M, K = {}, {}
-    for i in range(NX):
-        for j in range(NY):
-            here = 1 + i * NY + j
-            M[here, here] = 1 + (7 * here % 5) / 8
-            K[here, here] = 4
-            if i > 0:
-                K[here, here - NY] = -1
-            if j > 0:
-                K[here, here - 1] = -1
-    C = {place: entry / 20 for place, entry in K.items()}
-    C[100, 100] += 3
-    return {"M": M, "K": K, "C": C}
-
-
-def grid_matrices():
-    """Those of -grid NY,NX -damping 0.05: NY points in a row, the first index fastest."""
-    a, b = (NY + 1) ** 2, (NX + 1) ** 2
-    M = {(n, n): 1 for n in range(1, NX * NY + 1)}
-    K = {place: 2 * a + 2 * b for place in M}
-    K |= {(n, n - 1): -a for n, _ in M if (n - 1) % NY > 0}
-    K |= {(n, n - NY): -b for n, _ in M if n > NY}
-    return {"M": M, "K": K, "C": {place: 0.05 * entry for place, entry in K.items()}}
-
-
-def write(folder, named):
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, entries in named.items():
-        lines = [f"{i} {j} {entry!r}" for (i, j), entry in sorted(entries.items())]
-        head = f"%%MatrixMarket matrix coordinate real symmetric\n{NX * NY} {NX * NY} {len(lines)}\n"
-        (folder / f"{name}.mtx").write_text(head + "\n".join(lines) + "\n")
-
-
-def one_machine(folder, words):
-    end = folder / "end.tsv"
-    subprocess.run([BUILD / "fvi", "run", "--system", folder, "--method", "fvi-stable", "--every", str(STEPS), "--unknowns", "1",
-                    "--snapshot", end, *(word for name, value in words.items() for word in (f"--{name}", value))],
-                   check=True, stdout=subprocess.DEVNULL)
-    rows = [line.split("\t") for line in end.read_text().splitlines() if not line.startswith("#")]
-    return [float(row[1]) for row in rows], [float(row[2]) for row in rows]
-
-
-def start(ranks, *words, **named):
-    return subprocess.run(["mpirun", "-n", str(ranks), BUILD / "fvi_petsc", *words,
-                           *(word for name, value in named.items() for word in (f"-{name}", value))], capture_output=True, text=True)
-
-
-def ranks(count, *words, **named):
-    """The file of the end."""
-    end = FOLDER / f"end_{count}.bin"
-    end.unlink(missing_ok=True)
-    done = start(count, *words, "-o", end, **named)
-    if done.returncode:
-        sys.exit(done.stdout + done.stderr)
-    print(f"petsc: {done.stdout.strip()}")
-    return end
 
 
 def compare(what, want, count, end):
@@ -97,24 +33,19 @@ def compare(what, want, count, end):
         sys.exit("petsc: too far")
 
 
-def refused(what, said, done):
-    if done.returncode == 0 and "left" not in what or said not in done.stdout + done.stderr:
-        sys.exit(f"petsc: {what}: '{said}' was not said\n{done.stdout}{done.stderr}")
-
-
-write(FOLDER, matrices())
-write(GRID, grid_matrices())
+fresh(FOLDER, matrices())
+fresh(GRID, grid_matrices())
 (FOLDER / "f.tsv").write_text("t f5 f200\n0 0 1\n20 2 -1\n60 -1 0.5\n")
 want, of_grid = one_machine(FOLDER, WORDS), one_machine(GRID, OF_GRID)
 state = FOLDER / "state"
 for count in (1, 2, 4):
-    whole = ranks(count, "-system", FOLDER, **WORDS)
+    whole = ranks(FOLDER / f"end_{count}.bin", count, "-system", FOLDER, **WORDS)
     compare("a folder", want, count, whole)
     bytes_of_whole = whole.read_bytes()
-    ranks(count, "-system", FOLDER, "-checkpoint", state, "-stop", "123", **WORDS)
-    if ranks(count, "-system", FOLDER, "-checkpoint", state, "-resume", **WORDS).read_bytes() != bytes_of_whole:
+    ranks(FOLDER / f"end_{count}.bin", count, "-system", FOLDER, "-checkpoint", state, "-stop", "123", **WORDS)
+    if ranks(FOLDER / f"end_{count}.bin", count, "-system", FOLDER, "-checkpoint", state, "-resume", **WORDS).read_bytes() != bytes_of_whole:
         sys.exit(f"petsc: a run that went on is another one, {count} ranks")
-    compare("a grid", of_grid, count, ranks(count, "-grid", f"{NY},{NX}", "-damping", "0.05", **OF_GRID))
+    compare("a grid", of_grid, count, ranks(FOLDER / f"end_{count}.bin", count, "-grid", f"{NY},{NX}", "-damping", "0.05", **OF_GRID))
 
 # A user's file of a similar name is not touched, and the name may be a link.
 mine, behind = pathlib.Path(f"{state}.0.new"), FOLDER / "behind"
@@ -122,7 +53,7 @@ mine.write_text("mine")
 pathlib.Path(f"{state}.0").rename(behind)
 pathlib.Path(f"{state}.0").symlink_to("behind")
 before = behind.read_bytes()
-ranks(4, "-system", FOLDER, "-checkpoint", state, **WORDS)
+ranks(FOLDER / "end_4.bin", 4, "-system", FOLDER, "-checkpoint", state, **WORDS)
 if mine.read_text() != "mine" or not pathlib.Path(f"{state}.0").is_symlink() or behind.read_bytes() != before:
     sys.exit("petsc: a state took the place of another file")
 mine.unlink()
@@ -130,12 +61,12 @@ mine.unlink()
 # What stands is the state of step 300, on 4 ranks.
 refused("the end", "has been reached before", start(4, "-system", FOLDER, "-checkpoint", state, "-resume", **WORDS))
 refused("fewer ranks", "is not the state of such a run", start(2, "-system", FOLDER, "-checkpoint", state, "-resume", **WORDS))
-refused("another alpha", "is not the state of such a run", start(4, "-system", FOLDER, "-checkpoint", state, "-resume", **{**WORDS, "alpha": "0.4"}))
+refused("another alpha", "is not the state of such a run: it is of other matrices, numbers or ranks", start(4, "-system", FOLDER, "-checkpoint", state, "-resume", **{**WORDS, "alpha": "0.4"}))
 part = pathlib.Path(f"{state}.2")
 bent = bytearray(part.read_bytes())
 bent[len(bent) // 2] ^= 1
 part.write_bytes(bent)
-refused("a bit that fell over", "state.2 is not the state of such a run", start(4, "-system", FOLDER, "-checkpoint", state, "-resume", **WORDS))
+refused("a bit that fell over", "state.2 is not the state of such a run: it is not whole", start(4, "-system", FOLDER, "-checkpoint", state, "-resume", **WORDS))
 
 # No option is ignored in silence.
 for words, said in (("-system", FOLDER, "-stpes", "-3"), "name:-stpes"), (("-system", FOLDER, "-steps", "-3"), "-steps is less than 1"), \

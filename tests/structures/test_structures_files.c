@@ -193,6 +193,51 @@ START_TEST(another_reader_agrees_where_the_file_is_good)
 }
 END_TEST
 
+/* ---- a folder with dampers ---- */
+
+static void write_into(const char *folder, const char *file, const char *text)
+{
+    char place[100];
+    snprintf(place, sizeof place, "%s/%s", folder, file);
+    FILE *f = fopen(place, "w");
+    ck_assert_ptr_nonnull(f);
+    fputs(text, f);
+    fclose(f);
+}
+
+/* Each damper has its matrix, also one along a row, and a bad one is known by its number. */
+START_TEST(dampers_of_a_folder_have_matrices_and_numbers)
+{
+    char folder[] = "/tmp/fvi_dampers_XXXXXX", place[100];
+    static const char *const files[] = { "M.mtx", "K.mtx", "C.mtx" };
+    const char *good[] = { "C.mtx : viscous:1", "x2-3*x1 : power:1,0.3" };
+    const char *const bad[] = { "x1 : nonsense:1", "x1*x2 : viscous:1", "a/b.mtx : viscous:1" };
+    fvi_directory *directory;
+    fvi_error error;
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    for (size_t i = 0; i < LEN(files); i++)
+        write_into(folder, files[i], HEAD "2 2 2\n1 1 2\n2 2 0.5\n");
+    OK(fvi_directory_open_dampers(folder, 2, good, NULL, &directory, &error));
+    const fvi_sparse *C = fvi_directory_damping(directory, 0),
+                     *row = fvi_directory_damping(directory, 1);
+    ck_assert(C->entry[0] == 2 && C->entry[1] == 0.5);
+    ck_assert(row->entry[0] == 9 && row->entry[1] == -3 && row->entry[3] == 1);
+    fvi_directory_close(directory);
+    for (size_t i = 0; i < LEN(bad); i++) {
+        good[1] = bad[i];
+        ck_assert_int_eq(fvi_directory_open_dampers(folder, 2, good, NULL, &directory, &error),
+                         FVI_EINVAL);
+        ck_assert_str_eq(error.field, "damper");
+        ck_assert_uint_eq(error.index, 1);
+    }
+    for (size_t i = 0; i < LEN(files); i++) {
+        snprintf(place, sizeof place, "%s/%s", folder, files[i]);
+        remove(place);
+    }
+    rmdir(folder);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("structures: files");
@@ -200,6 +245,7 @@ int main(void)
              bad_triplets_are_refused);
     ADD_CASE(suite, "files", a_file_is_the_matrix_that_it_says,
              bad_files_are_refused_with_their_line,
-             another_reader_agrees_where_the_file_is_good);
+             another_reader_agrees_where_the_file_is_good,
+             dampers_of_a_folder_have_matrices_and_numbers);
     return run_suite(suite);
 }

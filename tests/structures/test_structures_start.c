@@ -206,12 +206,69 @@ START_TEST(a_damping_that_cannot_be_asked_says_so)
 }
 END_TEST
 
+/* ---- machines that wait for each other ---- */
+
+static fvi_matrices counted;
+static int products;
+
+static int count_products(size_t d, double a, const double *z, const void *params, double *p)
+{
+    products++;
+    return counted.damp(d, a, z, params, p);
+}
+
+/* Products with C up to the end of the first step, from the momentum p in all unknowns. */
+static int products_from(const matrices *m, fvi_initial_history past, double alpha, double p)
+{
+    fvi_matrices with_count = counted = *m->system.matrices;
+    fvi_system system = m->system;
+    fvi_stepper *stepper;
+    double x0[D], p0[D];
+    for (size_t i = 0; i < D; i++) {
+        x0[i] = p;
+        p0[i] = p;
+    }
+    with_count.damp = count_products;
+    system.matrices = &with_count;
+    fvi_run run = run_of(&system, alpha, 0.1, 2, x0, p0);
+    run.past = past;
+    products = 0;
+    OK(fvi_stepper_start(&fvi_cq2_midpoint, &run, &stepper, NULL));
+    OK(fvi_stepper_step(stepper));
+    fvi_stepper_free(stepper);
+    return products;
+}
+
+/* A machine whose bodies all rest takes part in the products with C as often as one whose bodies move:
+ * in a product each machine waits for the others. Only the past and the order may change the number. */
+START_TEST(eq_19_3_bodies_at_rest_take_part_in_as_many_products)
+{
+    static const struct {
+        fvi_initial_history past;
+        double alpha;
+    } runs[] = { { FVI_INITIAL_HISTORY_HELD, 0.3 },
+                 { FVI_INITIAL_HISTORY_HELD, 0.8 },
+                 { FVI_INITIAL_HISTORY_CAPUTO, 0.8 },
+                 { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.3 } };
+    matrices m;
+    make_consistent(D, &m);
+    for (size_t i = 0; i < LEN(runs); i++) {
+        const int at_rest = products_from(&m, runs[i].past, runs[i].alpha, 0),
+                  moving = products_from(&m, runs[i].past, runs[i].alpha, 0.5);
+        ck_assert_int_eq(at_rest, moving);
+        ck_assert_int_gt(moving, 0);
+    }
+    drop(&m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("structures: starts");
     ADD_CASE(suite, "starts",
              eq_19_2_dampers_between_bodies_feel_no_common_start,
              eq_9_5_a_start_that_is_not_felt_is_no_kick,
-             a_damping_that_cannot_be_asked_says_so);
+             a_damping_that_cannot_be_asked_says_so,
+             eq_19_3_bodies_at_rest_take_part_in_as_many_products);
     return run_suite(suite);
 }

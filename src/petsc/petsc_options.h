@@ -1,0 +1,23 @@
+/* src/petsc/petsc_options.h -- What build/fvi_petsc was asked for.         [H 28]
+ *
+ * Internal to src/petsc/. */
+#ifndef PETSC_OPTIONS_H
+#define PETSC_OPTIONS_H
+
+#include <petscsys.h>
+
+typedef struct {
+    char folder[PETSC_MAX_PATH_LEN], file[PETSC_MAX_PATH_LEN],
+        checkpoint[PETSC_MAX_PATH_LEN];
+    PetscReal alpha, h, x0, p0, damping;
+    PetscInt steps, stop, lengths, n[3], dampers;
+    const char **damper; /* the texts of -damper_1, -damper_2, ..., which are PETSc's */
+    PetscBool has_folder, has_grid, has_alpha, has_damping, writes, saves, stops, resumes;
+} petsc_options;
+
+/* petsc_read_options -- all options but those of PETSc's solvers. What does not go together is refused.
+ * petsc_free_options -- give the list of texts back. */
+PetscErrorCode petsc_read_options(petsc_options *w);
+PetscErrorCode petsc_free_options(petsc_options *w);
+
+#endif
