@@ -233,24 +233,24 @@ int fvi_estimation_model_has_tangents(const fvi_estimation_model *m)
 
 //> tangents
 /* Hermite's cubic is linear in what it is made of. before: s and pi a step before. */
-static void read_slopes(const fvi_estimation_model *m, const fvi_tangent_run *o,
+static void read_slopes(const fvi_estimation_model *m, const fvi_estimation_tangents *o,
                         double share, double p_before, const double *before,
                         double *slope)
 {
     const size_t P = o->P;
-    const double mass = m->mass[0], drift = m->run.h / mass, p = o->stepper->p[0];
+    const double mass = m->mass[0], drift = m->run.h / mass, p = o->of.stepper->p[0];
     for (size_t j = 0; j < P; j++) {
         const double by =
             o->which[j] == FVI_FREE_PARAMETER_MASS ? -drift / mass : 0;
         slope[j] =
             fvi_estimation_hermite(share, before[j], drift * before[P + j] + by * p_before,
-                                   o->s[j], drift * o->pi[j] + by * p);
+                                   o->of.dx[j], drift * o->of.pi[j] + by * p);
     }
 }
 
 static int run_tangents(const fvi_estimation_model *m, double *slope)
 {
-    fvi_tangent_run o;
+    fvi_estimation_tangents o;
     const size_t P = m->fit->parameters;
     const double h = m->run.h;
     double before[2 * FVI_ESTIMATION_MOST] = { 0 }, p_before = 0;
@@ -259,25 +259,26 @@ static int run_tangents(const fvi_estimation_model *m, double *slope)
     if (m->fit->method->stages && m->run.alpha == 1) /* there are differences; no handler is told */
         return FVI_EUNSUP;
     int status =
-        fvi_tangent_start(m->fit->method, &m->run, P, m->fit->which, &o);
+        fvi_estimation_tangents_start(m->fit->method, &m->run, P, m->fit->which, &o);
+    const fvi_stepper *s = o.of.stepper;
     const size_t rows = fvi_estimation_model_rows(m, m->fit->n);
     for (size_t i = 0; i < rows && !status; i++, slope += P) {
         const double t = m->fit->t[i];
-        while (o.stepper->t < t - 1e-9 * h && o.stepper->k < m->run.steps
+        while (s->t < t - 1e-9 * h && s->k < m->run.steps
                && !status) {
-            memcpy(before, o.s, 2 * P * sizeof *before); /* pi is behind s */
-            p_before = o.stepper->p[0];
-            status = fvi_tangent_step(&o);
+            memcpy(before, o.of.dx, 2 * P * sizeof *before); /* pi is behind dx */
+            p_before = s->p[0];
+            status = fvi_tangent_step(&o.of);
         }
-        const int first = o.stepper->k == 0;
-        read_slopes(m, &o, first ? 1 : (t - o.stepper->t) / h + 1, p_before,
+        const int first = s->k == 0;
+        read_slopes(m, &o, first ? 1 : (t - s->t) / h + 1, p_before,
                     before, slope);
         for (size_t j = 0; j < P; j++)
             slope[j] += o.which[j] == FVI_FREE_PARAMETER_OFFSET  ? 1
                         : o.which[j] == FVI_FREE_PARAMETER_DRIFT ? t
                                                                  : 0;
     }
-    fvi_tangent_stop(&o);
+    fvi_estimation_tangents_stop(&o);
     return status;
 }
 

@@ -140,6 +140,41 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
                 const double *p, const fvi_objective *objective,
                 const fvi_sensitivities *gradients);
 
+/* fvi_directional_derivatives -- how every x_k and p_k of a run changes along directions: forward
+ * sensitivities, side by side with the run.                                         [(24.6), (24.12)]
+ *
+ *     dx_k = sum_theta (dx_k / dtheta) dtheta
+ *
+ *   method  as for fvi_adjoint, but for fvi_variable_step
+ *   run     of a system without a mechanism that is not one of several dampers of matrices; without events
+ *   count   directions, >= 1
+ *   along   of each what changes: the arrays of fvi_sensitivities, as fvi_adjoint writes them, hold dtheta, and
+ *           are read. NULL: nothing. `sensitivity` names the derivatives of U by its parameters
+ *   x       output: x_k of coordinate i at [k * d + i], (N + 1) d numbers
+ *   p       output: p_k, likewise; or NULL
+ *   dx, dp  outputs: along direction j at [(k * count + j) * d + i], (N + 1) count d numbers; dp may be NULL
+ *
+ * These are the derivatives of what the program computes, as fvi_adjoint has them: for any weights w_k,
+ * sum w_k . dx_k is the sum of dJ/dtheta dtheta of J = sum w_k . x_k, to rounding. Where no motion starts at another
+ * x0 (19.2), dx_k is NaN along such a direction. By a law DAVIDSON with stages: only its factor.
+ *
+ *     double step[] = { 1, 0 }, dx[(N + 1) * 2];
+ *     const fvi_sensitivities along = { .damping = step };      by the first damping of two
+ *     fvi_directional_derivatives(&fvi_cq2_midpoint, &run, 1, &along, x, NULL, dx, NULL);
+ *
+ * Cost: of one coordinate a run with as many coordinates as directions; else a run for each direction, with one
+ * factorisation a step; and a memory more where a damping is changed, with a number of a law up to four.
+ * Accuracy: that of the run; no bound is proved for the rounding.
+ *
+ * Returns FVI_SUCCESS; what fvi_stepper_start and fvi_stepper_step return; FVI_EFAULT if a pointer is NULL;
+ * FVI_EINVAL for no direction, alpha of a law or numbers of a law without one, or parameters without a sensitivity;
+ * FVI_EUNSUP for another method or run, with stages at alpha = 1, and what fvi_adjoint refuses of several dampers;
+ * FVI_ESING if the equation of a step has no unique solution; FVI_EOVRFLW if a derivative is not finite; FVI_ENOMEM;
+ * what a callback returned. */
+int fvi_directional_derivatives(const fvi_method *method, const fvi_run *run, size_t count,
+                                const fvi_sensitivities *along, double *x, double *p, double *dx,
+                                double *dp);
+
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

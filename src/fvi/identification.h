@@ -349,7 +349,8 @@ int fvi_estimate_moduli(size_t n, const double *w, const double *storage,
  *   x      output: x_k, N + 1 numbers
  *   slope  output: d x_k / d which[j] at [k * P + j], (N + 1) P numbers
  *
- * For those who solve least squares of their own; fvi_estimate_multistart takes them where it can.
+ * For those who solve least squares of their own; fvi_estimate_multistart takes them where it can. Of many
+ * coordinates, of laws and of other methods fvi_directional_derivatives (adjoint.h) has them.
  * They are the derivatives of what the program computes, as (24.6) solves the derived
  * equation of each step: no difference is taken. At alpha = 1/2, CAPUTO, the derivative
  * by alpha is that from below. Cost: a run, a second memory of P coordinates, a third of

@@ -56,7 +56,6 @@ int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run,
                                fvi_adjoint_constant *c)
 {
     const fvi_scheme scheme = method->scheme;
-    double first; /* the damping has it */
     *c = (fvi_adjoint_constant){ .width = width,
                                  .by_order = by_order,
                                  .theta = scheme == FVI_SCHEME_CQ2_SHIFTED ? of->alpha
@@ -68,7 +67,7 @@ int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run,
     const int status = allocate(c);
     return status ? status
                   : fvi_run_damper_history(of, run, fvi_damping_quadrature(method),
-                                           by_order, width, &first, &c->memory);
+                                           by_order, width, &c->first, &c->memory);
 }
 
 void fvi_adjoint_constant_stop(fvi_adjoint_constant *c)

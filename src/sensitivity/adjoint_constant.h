@@ -15,6 +15,7 @@ typedef struct {
     fvi_history *memory; /* NULL: nothing is left out */
     size_t width;
     int by_order, has_begun;
+    double first;                      /* the first weight, taken out of the sums, which a damping has */
     double theta;                      /* the shift of (23.7); 1/2 of Algorithm 3 */
     double *sum, *sum_by_order;        /* each: what the memory has of this node */
     double *value, *rate, *by_theta;   /* each: see below */

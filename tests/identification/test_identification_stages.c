@@ -50,7 +50,7 @@ START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
         const fvi_initial_history past = (fvi_initial_history)(way % 3);
         question q;
         double by_x[P], by_p[P], *to[] = { by_x, by_p };
-        fvi_tangent_run o;
+        fvi_estimation_tangents o;
         ask(&q, NULL, 2);
         q.constants[1] = 0.5;
         q.m = 1.3;
@@ -77,25 +77,25 @@ START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
             ck_assert_int_eq(fvi_adjoint(method, &q.run, NULL, NULL, &J, &want),
                              FVI_SUCCESS);
         }
-        ck_assert_int_eq(fvi_tangent_start(method, &q.run, P, ALL, &o),
+        ck_assert_int_eq(fvi_estimation_tangents_start(method, &q.run, P, ALL, &o),
                          FVI_SUCCESS);
         for (size_t k = 0; k < N; k++)
-            ck_assert_int_eq(fvi_tangent_step(&o), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_tangent_step(&o.of), FVI_SUCCESS);
         double most = 0;
         for (size_t j = 0; j < P; j++)
-            most = larger(most, larger(fabs(o.s[j]), fabs(o.pi[j])));
+            most = larger(most, larger(fabs(o.of.dx[j]), fabs(o.of.pi[j])));
         for (size_t j = 0; j < P; j++) {
             if (whole && q.run.alpha > 0.5 && ALL[j] == FVI_FREE_PARAMETER_X0)
                 continue;
             const int jumps = q.run.alpha > 0.5 && !method->damped_inertia;
             const double of_x = is_exact ? 1e-12 * most : 1e-9 * most,
                          of_p = is_exact && jumps ? 1e-10 * most : of_x;
-            ck_assert_near(o.s[j], by_x[j], of_x, "x, %s, %g, %d, %zu",
+            ck_assert_near(o.of.dx[j], by_x[j], of_x, "x, %s, %g, %d, %zu",
                            method->name, q.run.alpha, past, j);
-            ck_assert_near(o.pi[j], by_p[j], of_p, "p, %s, %g, %d, %zu",
+            ck_assert_near(o.of.pi[j], by_p[j], of_p, "p, %s, %g, %d, %zu",
                            method->name, q.run.alpha, past, j);
         }
-        fvi_tangent_stop(&o);
+        fvi_estimation_tangents_stop(&o);
     }
 }
 END_TEST
@@ -106,12 +106,12 @@ START_TEST(stages_have_no_tangents_at_the_end)
     const fvi_method *const methods[] = { &fvi_lobatto_m4, &fvi_lobatto_d4 };
     for (size_t i = 0; i < LEN(methods); i++) {
         question q;
-        fvi_tangent_run o;
+        fvi_estimation_tangents o;
         ask(&q, NULL, 2);
         q.run.alpha = 1;
-        ck_assert_int_eq(fvi_tangent_start(methods[i], &q.run, P - 2, ALL, &o),
+        ck_assert_int_eq(fvi_estimation_tangents_start(methods[i], &q.run, P - 2, ALL, &o),
                          FVI_EUNSUP);
-        fvi_tangent_stop(&o);
+        fvi_estimation_tangents_stop(&o);
     }
 }
 END_TEST

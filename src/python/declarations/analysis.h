@@ -183,6 +183,8 @@ typedef struct {
 } fvi_sensitivities;
 int fvi_typed_lagrangian_column(size_t j, double t, size_t d, const double *x, const double *v, void *params, double *Sx,
                                 double *Sv);
+int fvi_directional_derivatives(const fvi_method *method, const fvi_run *run, size_t count, const fvi_sensitivities *along,
+                                double *x, double *p, double *dx, double *dp);
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x, const double *p,
                 const fvi_objective *objective, const fvi_sensitivities *gradients);
 double fvi_typed_force_by_parameter(const fvi_typed_force *force, size_t j, double t);

@@ -142,6 +142,77 @@ def wanted_of(q: Problem, wrt: Optional[Sequence[str]], is_expression: bool, is_
     return wanted
 
 
+class Derivatives:
+    """By which numbers of the library a problem is differentiated, for the names that were asked for."""
+
+    def __init__(self, q: Problem, mirror: Mirror, names: set, is_chosen: bool):
+        system, d = mirror.motion.system, mirror.d
+        self.q, self.mirror, self.names, self.lets = q, mirror, names, list(q.let or {})
+        self.shared, self.sizes, self.parts = ffi.new("fvi_sensitivities *"), {}, []  # fields of the library, by names
+        whole, is_mechanism, count = q.kind == "structure", q.kind == "mechanism", lib.dampers_of(system.system)
+        for field, size, by in (("x0", d, {"x0"}), ("p0", d, {"p0", "v0"}), ("mass", 1 if whole else d, {"mass", "M"}),
+                                ("damping", len(q.dampers) or 1 if whole else count if is_mechanism else d, {"rho", "C", "dampers"}),
+                                ("alpha", 1, set() if is_mechanism else {"alpha", "order"})):
+            if by & names or (field == "p0" and q.v0 is not None and names & {"mass", "x0", "let"}):
+                self.sizes[field] = size
+        self.laws = system.laws_of_dampers if "laws" in names else [system.law] if "damping" in names else []
+        if is_mechanism:
+            self.laws = [lib.kernel_of(system.system, j) for j in range(count)] if names & {"laws", "alpha", "order"} else []
+        self.want_laws(is_mechanism, is_chosen)
+        self.want_parameters(whole)
+        self.want_names()
+
+    def want_laws(self, is_mechanism: bool, is_chosen: bool) -> None:
+        parts = numbers_of_laws(self.laws, self.mirror.method, self.mirror.is_dense) if self.laws else []
+        if "damping" in self.names and self.mirror.is_dense and (
+                not parts or self.laws[0].term[0].kind == lib.FVI_KERNEL_MAXWELL2):
+            why = "no derivative by it: fvi-adaptive has only that by the factor of a law that stands alone, not of maxwell2"
+            if is_chosen:
+                raise ValueError(f"damping: {why}")
+            warn(f"damping: {why}")
+            parts = []
+        if is_mechanism and "laws" not in self.names:
+            parts = parts and ["orders"]
+        for field in parts:
+            self.sizes[field] = sum(law.count for law in self.laws)
+        self.parts = parts
+
+    def want_parameters(self, whole: bool) -> None:
+        system, to = self.mirror.motion.system, self.shared
+        if self.q.lagrangian is not None:
+            to.sensitivity.count, to.lagrangian = len(self.lets), ffi.addressof(lib, "fvi_typed_lagrangian_column")
+        elif system.is_expression:
+            to.sensitivity.count, to.sensitivity.column = len(self.lets), ffi.addressof(lib, "by_parameter")
+        elif system.typed_potential is not None and not whole:
+            to.sensitivity = lib.fvi_parameter_gradient_of(ffi.addressof(system.system, "potential"))
+        if "K" in self.names or (to.sensitivity.count and {"let", "potential"} & self.names):
+            self.sizes["parameters"] = 1 if whole else to.sensitivity.count
+
+    def want_names(self) -> None:
+        """The numbers in forces, elongations and constraints."""
+        system, mirror, q = self.mirror.motion.system, self.mirror, self.q
+        self.used = [system.parameters.used[j] for j in range(len(self.lets))]
+        has_force = "let" in self.names and any(u & lib.FVI_USED_BY_FORCE for u in self.used)
+        if "let" in self.names and any(u & lib.FVI_USED_BY_DAMPING for u in self.used):
+            raise ValueError("let: a law that is an expression has no derivative by its names; leave let out of wrt")
+        if "let" in self.names and any(u & lib.FVI_USED_BY_MECHANISM for u in self.used):
+            self.columns = ffi.new("fvi_mechanism_columns *",
+                                   lib.fvi_typed_mechanism_columns(system.typed_mechanism, len(self.lets)))
+            self.shared.columns = self.columns
+            self.sizes["names"] = len(self.lets)
+        if has_force and mirror.is_dense:
+            raise ValueError("let: fvi-adaptive asks for the force between the rows, and has no derivative by a name in it")
+        if has_force or "force" in self.names or (q.ground is not None and self.names & {"mass", "M"}):
+            self.sizes["force"] = (mirror.per * mirror.steps + 1 if not mirror.is_dense else mirror.steps + 1) * mirror.d
+
+    def outputs(self, found: dict) -> Any:
+        """Where the library writes these arrays, or reads them."""
+        to = ffi.new("fvi_sensitivities *", self.shared[0])
+        for field, array in found.items():
+            setattr(to, field, ffi.cast("double *", array.ctypes.data))
+        return to
+
+
 @spelt()
 def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = None,
         energy: Optional[Numbers] = None, *, wrt: Optional[Sequence[str]] = None) -> dict:
@@ -173,14 +244,13 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     if not isinstance(solution, Solution):
         raise TypeError(f"solution: {described(solution)} is no Solution")
     q, mirror = solution.problem, Mirror(solution)
-    system, d = mirror.motion.system, mirror.d
+    system = mirror.motion.system
     names = wanted_of(q, wrt, system.is_expression, mirror.is_dense)
     if x is None and p is None and energy is None:
         raise TypeError("x: missing, as p and energy are: the derivatives of L by the rows")
     shape = solution.x.shape
     Jx = mirror.spread("x", 0.0 if x is None else x, shape)
     Jp = mirror.spread("p", 0.0 if p is None else p, shape)
-    lets = list(q.let or {})
     by_energy = None
     if energy is not None:
         by_energy = mirror.spread("energy", energy, shape[:1])[mirror.rows]
@@ -192,59 +262,15 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     cotangents = ffi.new("cotangents *", {"Jx": ffi.from_buffer("double[]", Jx), "Jp": ffi.from_buffer("double[]", Jp)})
     objective = ffi.new("fvi_objective *", {"slopes": ffi.addressof(lib, "read_slopes"), "params": cotangents,
                                             "has_momenta": bool(Jp[:-1].any())})
-    to, found = ffi.new("fvi_sensitivities *"), {}
-
-    def want(field: str, size: int) -> None:
-        found[field] = np.zeros(size)
-        setattr(to, field, ffi.cast("double *", found[field].ctypes.data))
-    whole, is_mechanism, count = q.kind == "structure", q.kind == "mechanism", lib.dampers_of(system.system)
-    for field, size, by in (("x0", d, {"x0"}), ("p0", d, {"p0", "v0"}), ("mass", 1 if whole else d, {"mass", "M"}),
-                            ("damping", len(q.dampers) or 1 if whole else count if is_mechanism else d, {"rho", "C", "dampers"}),
-                            ("alpha", 1, set() if is_mechanism else {"alpha", "order"})):
-        if by & names or (field == "p0" and q.v0 is not None and names & {"mass", "x0", "let"}):
-            want(field, size)
-    laws = system.laws_of_dampers if "laws" in names else [system.law] if "damping" in names else []
-    if is_mechanism:
-        laws = [lib.kernel_of(system.system, j) for j in range(count)] if names & {"laws", "alpha", "order"} else []
-    parts = numbers_of_laws(laws, mirror.method, mirror.is_dense) if laws else []
-    if "damping" in names and mirror.is_dense and (not parts or laws[0].term[0].kind == lib.FVI_KERNEL_MAXWELL2):
-        why = "no derivative by it: fvi-adaptive has only that by the factor of a law that stands alone, not of maxwell2"
-        if wrt is not None:
-            raise ValueError(f"damping: {why}")
-        warn(f"damping: {why}")
-        parts = []
-    if is_mechanism and "laws" not in names:
-        parts = parts and ["orders"]
-    for field in parts:
-        want(field, sum(law.count for law in laws))
-    typed = system.typed_potential
-    if q.lagrangian is not None:
-        to.sensitivity.count, to.lagrangian = len(lets), ffi.addressof(lib, "fvi_typed_lagrangian_column")
-    elif system.is_expression:
-        to.sensitivity.count, to.sensitivity.column = len(lets), ffi.addressof(lib, "by_parameter")
-    elif typed is not None and not whole:
-        to.sensitivity = lib.fvi_parameter_gradient_of(ffi.addressof(system.system, "potential"))
-    if "K" in names or (to.sensitivity.count and {"let", "potential"} & names):
-        want("parameters", 1 if whole else to.sensitivity.count)
-    used = [system.parameters.used[j] for j in range(len(lets))]
-    has_force = "let" in names and any(u & lib.FVI_USED_BY_FORCE for u in used)
-    if "let" in names and any(u & lib.FVI_USED_BY_DAMPING for u in used):
-        raise ValueError("let: a law that is an expression has no derivative by its names; leave let out of wrt")
-    if "let" in names and any(u & lib.FVI_USED_BY_MECHANISM for u in used):
-        columns = ffi.new("fvi_mechanism_columns *", lib.fvi_typed_mechanism_columns(system.typed_mechanism, len(lets)))
-        to.columns = columns
-        want("names", len(lets))
-    if has_force and mirror.is_dense:
-        raise ValueError("let: fvi-adaptive asks for the force between the rows, and has no derivative by a name in it")
-    if has_force or "force" in names or (q.ground is not None and names & {"mass", "M"}):
-        want("force", (mirror.per * mirror.steps + 1 if not mirror.is_dense else mirror.steps + 1) * d)
-    status = ask(lib.fvi_adjoint, mirror.method, mirror.motion.run, ffi.NULL, ffi.NULL, objective, to)
+    by = Derivatives(q, mirror, names, wrt is not None)
+    found = {field: np.zeros(size) for field, size in by.sizes.items()}
+    status = ask(lib.fvi_adjoint, mirror.method, mirror.motion.run, ffi.NULL, ffi.NULL, objective, by.outputs(found))
     if status:
         raise failure(status)
     add_energy(solution, by_energy, system, found)
     if q.ground is not None and "mass" in found:
-        add_ground(system, mirror, found, whole)
-    return named(q, names, mirror, found, parts, laws, lets, used)
+        add_ground(system, mirror, found, q.kind == "structure")
+    return named(by, found)
 
 
 def add_energy(s: Solution, by: Optional[Array], system: Any, found: dict) -> None:
@@ -293,9 +319,10 @@ def warn_of_start(name: str, by: Array) -> None:
         warn(f"{name}: no derivative by it: other starts have no solution")
 
 
-def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws: list, lets: list, used: list) -> dict:
+def named(by: Derivatives, found: dict) -> dict:
     """By the names of the problem, in its shapes."""
     answer: dict = {}
+    q, names, mirror, parts, laws, lets, used = by.q, by.names, by.mirror, by.parts, by.laws, by.lets, by.used
     system, d = mirror.motion.system, mirror.d
     mass = np.broadcast_to(np.asarray(q.mass), (d,))
     for name, field in (("M", "mass"), ("C", "damping"), ("K", "parameters")):
@@ -352,9 +379,9 @@ def named(q: Problem, names: set, mirror: Mirror, found: dict, parts: list, laws
             sums.append((lib.fvi_ground_typed(system.ground), -by_force @ pull))
         for j in range(len(lets)):
             if used[j] & lib.FVI_USED_BY_FORCE:
-                for typed, by in sums:
+                for typed, pushed in sums:
                     sides = ([lib.fvi_typed_force_by_parameter(typed, j, t) for t in times] for times in mirror.sides())
-                    by_let[j] += mirror.mean_of_sides(f"let: {lets[j]}", *map(np.array, sides)) @ by
+                    by_let[j] += mirror.mean_of_sides(f"let: {lets[j]}", *map(np.array, sides)) @ pushed
         answer["let"] = dict(zip(lets, by_let.tolist()))
     if "damping" in names:
         answer["damping"] = by_law(system.law, {f: found[f] for f in parts}, system.parameters) if parts else None

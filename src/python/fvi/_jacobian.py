@@ -7,26 +7,41 @@ import numpy as np
 
 from ._arguments import described, names as names_of, spelt
 from ._fvi import ffi, lib
-from ._gradient import Mirror, vjp, wanted_of
-from ._library import ask, succeed
+from ._gradient import Derivatives, Mirror, named, vjp, wanted_of
+from ._library import ask, failure
 from ._solution import Solution
 
 
-def tangents(s: Solution, names: Sequence[str]) -> Optional[dict]:
-    """By (24.6), side by side with the run: of one mass by Algorithm 3. None where the library has no such run."""
-    mirror = Mirror(s)
-    places = {"alpha": lib.FVI_FREE_PARAMETER_ALPHA, "rho": lib.FVI_FREE_PARAMETER_RHO,
-              "mass": lib.FVI_FREE_PARAMETER_MASS, "x0": lib.FVI_FREE_PARAMETER_X0, "p0": lib.FVI_FREE_PARAMETER_P0}
-    if (mirror.method != lib.fvi_method_find(b"fvi") or mirror.d > 1 or s.problem.damping is not None
-            or not set(names) <= set(places) or s.problem.v0 is not None):
+def tangents(by: Derivatives, n: int) -> Optional[np.ndarray]:
+    """How x of the rows changes with each number of the library, side by side with the run, (24.6): (rows, numbers, d).
+    None where the library has no such run, or a mirrored run for each of n numbers costs less."""
+    mirror, q, sizes = by.mirror, by.q, by.sizes
+    count = sum(sizes.values())
+    if (mirror.is_dense or q.kind == "mechanism" or {"names", "force"} & set(sizes) or count > n
+            or (mirror.method.stages and q.damping is None and not q.dampers and mirror.motion.run.alpha == 1)):
         return None
-    which = ffi.new("fvi_free_parameter[]", [int(places[name]) for name in names])
-    x, slope = np.empty(mirror.steps + 1), np.empty((mirror.steps + 1, len(names)))
-    succeed(ask(lib.fvi_tangent, mirror.motion.run, len(names), which, ffi.from_buffer("double[]", x),
-                ffi.from_buffer("double[]", slope)))
-    given = {name: getattr(s.problem, name) for name in names}
-    return {name: slope[mirror.rows, j].reshape((len(s.t), 1) + np.shape(given[name] if given[name] is not None else 0))
-            for j, name in enumerate(names)}
+    along, kept, first = ffi.new("fvi_sensitivities[]", count), [], 0
+    for field, size in sizes.items():
+        for unit in np.eye(size):
+            kept.append(unit.copy())
+            along[first] = by.outputs({field: kept[-1]})[0]
+            first += 1
+    x, dx = np.empty((mirror.steps + 1) * mirror.d), np.empty((mirror.steps + 1, count, mirror.d))
+    status = ask(lib.fvi_directional_derivatives, mirror.method, mirror.motion.run, count, along,
+                 ffi.from_buffer("double[]", x), ffi.NULL, ffi.from_buffer("double[]", dx), ffi.NULL)
+    if status:
+        raise failure(status)
+    return dx[mirror.rows]
+
+
+def by_numbers(by: Derivatives, dx: np.ndarray) -> list:
+    """The gradient of each x of each row, one after another."""
+    answers, ends = [], np.cumsum([0, *by.sizes.values()])
+    for row in dx:
+        for i in range(row.shape[1]):
+            found = {field: row[first:first + size, i].copy() for (field, size), first in zip(by.sizes.items(), ends)}
+            answers.append(named(by, found))
+    return answers
 
 
 def flat(found: Any) -> Any:
@@ -50,22 +65,20 @@ def jacobian(solution: Solution, wrt: Sequence[str]) -> dict:
     wrt       fields of the problem, as `vjp` has them
 
     Returns a dict by names of arrays (n, d) and the shape of the field; of "let" and "damping" in the order of
-    their numbers. One coordinate by "fvi" goes by tangents, (24.6), side by side with the run: the cost of a run for each
-    name. Else there is a mirrored run for each x: ask for few rows then.
+    their numbers. With equal steps the derivatives go side by side with the run, (24.6): the cost of a run for each number.
+    Of "fvi-adaptive", of mechanisms and by measured forces there is a mirrored run for each x: ask for few rows then.
     """
     if not isinstance(solution, Solution):
         raise TypeError(f"solution: {described(solution)} is no Solution")
     names = names_of("wrt", wrt)
-    wanted_of(solution.problem, names, solution.motion.system.is_expression)
-    found = tangents(solution, names)
-    if found is not None:
-        return found
+    q, mirror = solution.problem, Mirror(solution)
+    wanted = wanted_of(q, names, mirror.motion.system.is_expression, mirror.is_dense)
     n, d = solution.x.shape
+    by = Derivatives(q, mirror, wanted, True)
+    dx = tangents(by, n * d)
     rows: dict = {name: [] for name in names}
-    for k in range(n * d):
-        one = np.zeros(n * d)
-        one[k] = 1
-        g = vjp(solution, x=one.reshape(n, d), wrt=names)
+    ones = np.eye(n * d) if dx is None else np.zeros((0, 0))
+    for g in by_numbers(by, dx) if dx is not None else (vjp(solution, x=one.reshape(n, d), wrt=names) for one in ones):
         for name in names:
             rows[name].append(flat(g[name]))
     return {name: np.array(each).reshape((n, d) + each[0].shape) for name, each in rows.items()}

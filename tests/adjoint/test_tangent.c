@@ -1,0 +1,171 @@
+/* tests/adjoint/test_tangent.c -- H 24: derivatives along directions, side by side with a run.
+ *                                 Run alone: make test-tangent
+ *
+ * J = sum_k a_k . x_k + b_k . p_k has the derivative sum_k a_k . dx_k + b_k . dp_k along a direction, and the
+ * mirrored run has it as the product of the gradient with that direction. The two solve the same equations in
+ * opposite orders, with different memories; the gradient stands against references of 40 digits. */
+#include "runs_of_all_kinds.h"
+#include <fvi/adjoint.h>
+
+/* Numbers of no ratio to each other. */
+static double share_of_x(size_t k, size_t i)
+{
+    return cos((double)(3 * k + 5 * i + 1));
+}
+
+static double share_of_p(size_t k, size_t i)
+{
+    return sin((double)(2 * k + 7 * i + 1)) / 2;
+}
+
+static int all_rows(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx,
+                    double *Jp)
+{
+    (void)x, (void)p, (void)params;
+    for (size_t i = 0; i < d; i++) {
+        Jx[i] += share_of_x(k, i);
+        Jp[i] += share_of_p(k, i);
+    }
+    return 0;
+}
+
+/* Directions: each number moves by a number of its own; P of them. */
+enum { P = 2 };
+static double along[P][NUMBERS_IN_ALL];
+
+static void choose_directions(const fvi_run *run, fvi_sensitivities of[P])
+{
+    for (size_t j = 0; j < P; j++) {
+        for (size_t n = 0; n < NUMBERS_IN_ALL; n++)
+            along[j][n] = cos((double)(11 * n + 3 * j) + 0.3);
+        of[j] = into(along[j], run);
+    }
+}
+
+static double product(const double *gradient, const double *direction)
+{
+    double sum = 0;
+    for (size_t n = 0; n < NUMBERS_IN_ALL; n++)
+        sum += gradient[n] * direction[n];
+    return sum;
+}
+
+/* What the products are made of: rounding is a part of that. */
+static double size_of(const double *gradient, const double *direction)
+{
+    double sum = 0;
+    for (size_t n = 0; n < NUMBERS_IN_ALL; n++)
+        sum += fabs(gradient[n] * direction[n]);
+    return sum;
+}
+
+static double of_rows(const double *dx, const double *dp, size_t j)
+{
+    double sum = 0;
+    for (size_t k = 0; k <= N; k++)
+        for (size_t i = 0; i < D; i++)
+            sum += share_of_x(k, i) * dx[(k * P + j) * D + i] + share_of_p(k, i) * dp[(k * P + j) * D + i];
+    return sum;
+}
+
+/* Twelve steps of 100 roundings each, and products of sums of 100 terms: 1e-13 of the terms; with eight stages
+ * what adjoint.h says. Seen: 3e-15, with eight stages 5e-14. */
+static void ck_assert_same(const fvi_method *method, const fvi_run *run)
+{
+    static double gradient[NUMBERS_IN_ALL], x[(N + 1) * D], p[(N + 1) * D], dx[(N + 1) * P * D],
+        dp[(N + 1) * P * D];
+    const fvi_objective J = { .slopes = all_rows, .has_momenta = 1 };
+    fvi_sensitivities of[P];
+    memset(gradient, 0, sizeof gradient);
+    const fvi_sensitivities to = into(gradient, run);
+    OK(fvi_adjoint(method, run, NULL, NULL, &J, &to));
+    choose_directions(run, of);
+    for (size_t n = 0; n < NUMBERS_IN_ALL; n++)
+        if (isnan(gradient[n])) /* (19.2): no other start, so no direction either */
+            gradient[n] = along[0][n] = along[1][n] = 0;
+    OK(fvi_directional_derivatives(method, run, P, of, x, p, dx, dp));
+    const double bound = method->stages == 8 ? 1e-12 : 1e-13;
+    for (size_t j = 0; j < P; j++) {
+        const double want = product(gradient, along[j]), got = of_rows(dx, dp, j),
+                     size = size_of(gradient, along[j]);
+        seen_worst(fabs(got - want) / size, method->stages == 8 ? "eight stages" : "worst");
+        ck_assert_near(got, want, bound * size, "%s, past %d, alpha %g, direction %zu", method->name,
+                       (int)run->past, run->alpha, j);
+    }
+}
+
+START_TEST(a_chain_has_the_same_derivatives_forwards_and_backwards)
+{
+    const double alphas[] = { 0, 0.05, 0.3, 0.5, 0.7, 0.95, 1 };
+    for (size_t i = 0; i < LEN(methods) * LEN(alphas) * LEN(pasts); i++) {
+        const fvi_method *method = methods[i % LEN(methods)];
+        chain c;
+        chain_at(&c, pasts[i / LEN(methods) / LEN(alphas)], alphas[i / LEN(methods) % LEN(alphas)]);
+        if (c.run.alpha == 1 && method->stages)
+            continue; /* refused */
+        ck_assert_same(method, &c.run);
+    }
+}
+END_TEST
+
+START_TEST(so_has_a_chain_with_a_law)
+{
+    for (size_t i = 0; i < LEN(methods); i++) {
+        chain c;
+        chain_at(&c, FVI_INITIAL_HISTORY_HELD, 0.5);
+        c.run.law = &c.law;
+        if (methods[i] != &fvi_cq2_shifted)
+            ck_assert_same(methods[i], &c.run);
+    }
+}
+END_TEST
+
+START_TEST(so_has_a_structure)
+{
+    const double alphas[] = { 0.3, 0.5, 0.7 }, x0[D] = { 1, -0.5, 0.25 },
+                 p0[D] = { 0.5, -0.3, 0.2 };
+    matrices m;
+    tridiagonal(D, 1, 0.2, &m.M);
+    tridiagonal(D, 3, -1.4, &m.K);
+    tridiagonal(D, 0.5, 0.15, &m.C);
+    make(&m);
+    for (size_t i = 0; i < 4 * LEN(alphas) * LEN(pasts); i++) {
+        fvi_run run = run_of(&m.system, alphas[i / 4 % LEN(alphas)], 1. / 8, N, x0, p0);
+        run.past = pasts[i / 4 / LEN(alphas)];
+        if (run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || run.alpha < 0.5)
+            ck_assert_same(methods[i % 4], &run);
+    }
+    drop(&m);
+}
+END_TEST
+
+START_TEST(so_has_a_structure_with_several_dampers)
+{
+    const double x0[D] = { 1, -0.5, 0.25 }, p0[D] = { 0.5, -0.3, 0.2 },
+                 orders[][DAMPERS] = { { 0.3, 0.05, 0.7 }, { 0, 0.4, 1 }, { 0.5, 0.2, 0.95 } };
+    const fvi_initial_history past[][DAMPERS] = {
+        { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_HELD },
+        { FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, FVI_INITIAL_HISTORY_CAPUTO }
+    };
+    for (size_t i = 0; i < 4 * LEN(orders) * LEN(past) * 2; i++) {
+        const fvi_method *method = methods[i % 4];
+        const size_t pull = i / 4 / LEN(orders) % LEN(past), has_laws = i / 4 / LEN(orders) / LEN(past);
+        damped_structure s;
+        if ((method == &fvi_fractional && pull) || (method == &fvi_cq2_shifted && has_laws))
+            continue; /* refused */
+        make_damped(&s, orders[i / 4 % LEN(orders)], past[pull], has_laws && !pull);
+        fvi_run run = run_of(&s.system, 0.5, 1. / 8, N, x0, p0);
+        run.kappa = 0.3;
+        ck_assert_same(method, &run);
+        drop_damped(&s);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("tangents");
+    ADD_CASE(suite, "identity", a_chain_has_the_same_derivatives_forwards_and_backwards,
+             so_has_a_chain_with_a_law, so_has_a_structure, so_has_a_structure_with_several_dampers);
+    return run_suite(suite);
+}
