@@ -53,8 +53,9 @@ typedef enum {
  * no event yet. But a wall stands where an impact begins: the body is where z > 0, or where z < 0 with the
  * direction 1. One that lies there and would fall is at rest in the first step, and fvi_stepper_start refuses
  * one that moves into the wall, with FVI_EINVAL. A jump of p by another event at the same time is no passing of 0. z is looked at at
- * six or eight times of each step, so one that passes 0 twice between two of them is not seen;
- * run.longest makes the steps shorter. */
+ * six or eight times of each step, and where |z| is least between them, so one that passes 0 and turns back is seen if |z|
+ * has one such place between two of these times; run.longest makes the steps shorter. A z that comes no farther
+ * beyond 0 than the motion may err is seen or not. */
 struct fvi_event {
     int (*value)(double t, size_t d, const double *x, const double *p,
                  void *params, double *z);

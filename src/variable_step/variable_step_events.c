@@ -27,7 +27,7 @@ int fvi_variable_step_has_impacts(const fvi_run *run)
 
 static size_t numbers(const fvi_variable_step_state *o, size_t count)
 {
-    return count * (5 + o->rule->s) + 6 * o->d;
+    return count * (6 + o->rule->s) + 6 * o->d;
 }
 
 int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *o)
@@ -45,7 +45,8 @@ int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *
     w->rounding = w->size + n;
     w->has_hit = w->rounding + n;
     w->theta = w->has_hit + n;
-    w->z = w->theta + n;
+    w->behind = w->theta + n;
+    w->z = w->behind + n;
     w->point = w->z + n * o->rule->s;
     return FVI_SUCCESS;
 }
@@ -136,16 +137,14 @@ static int evaluate(const fvi_stepper *s, size_t i, double t, const double *x,
     return FVI_SUCCESS;
 }
 
-/* Its sign, or 0 where rounding may have made it. */
-static double sign_of(const fvi_event_watch *w, size_t i, double z)
+double fvi_event_sign(const fvi_event_watch *w, size_t i, double z)
 {
     const double least = larger(8 * GSL_DBL_EPSILON * w->size[i], 4 * w->rounding[i]);
     return fabs(z) <= least ? 0 : z > 0 ? 1 : -1;
 }
 
-/* At t + theta h of the step that has been tried. */
-static int value_within(const fvi_stepper *s, const fvi_variable_step_state *o,
-                        size_t i, double theta, double *z)
+int fvi_event_within(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i, double theta,
+                     double *z)
 {
     double *x = o->watch->point, *p = x + o->d;
     const double t = o->t + theta * o->length.h;
@@ -186,7 +185,7 @@ int fvi_variable_step_sides(const fvi_stepper *s, fvi_event_watch *w, int anew)
         const int status = evaluate(s, i, s->t, s->x, s->p, &z);
         if (status)
             return status;
-        const double sign = sign_of(w, i, z);
+        const double sign = fvi_event_sign(w, i, z);
         if (sign != 0 && (w->side[i] == 0 || (anew && w->has_hit[i] == 0)))
             w->side[i] = sign;
     }
@@ -202,7 +201,7 @@ static int bisect(const fvi_stepper *s, const fvi_variable_step_state *o, size_t
     for (int n = 0; n < 50; n++) {
         const double middle = low + (high - low) / 2;
         double z;
-        const int status = value_within(s, o, i, middle, &z);
+        const int status = fvi_event_within(s, o, i, middle, &z);
         if (status)
             return status;
         if (z * side > 0)
@@ -215,7 +214,7 @@ static int bisect(const fvi_stepper *s, const fvi_variable_step_state *o, size_t
 }
 
 /* Where event i passes 0, to theta; INFINITY if it does not. *is_too_long: behind its impact z has
- * not been on its side at any stage, so that a shorter step has to find it there. A body that starts
+ * not been on its side at any place, so that a shorter step has to find it there. A body that starts
  * on its wall is one that has just hit it. */
 static int find_passing(const fvi_stepper *s, const fvi_variable_step_state *o,
                         size_t i, int *is_too_long)
@@ -225,10 +224,11 @@ static int find_passing(const fvi_stepper *s, const fvi_variable_step_state *o,
     const int on_wall = w->side[i] == 0 && e->action == FVI_EVENT_IMPACT;
     double side = on_wall ? fvi_variable_step_outside(e) : w->side[i], low = 0;
     int is_seen = w->has_hit[i] == 0 && !on_wall;
+    fvi_event_places places;
+    const int status = fvi_event_places_of(s, o, i, &places);
     w->theta[i] = INFINITY;
-    for (size_t n = 1; n < o->rule->s; n++) {
-        const double sign = sign_of(w, i, w->z[i * o->rule->s + n]),
-                     here = n + 1 < o->rule->s ? o->rule->c[n] : 1;
+    for (size_t n = 0; !status && n < places.count; n++) {
+        const double sign = fvi_event_sign(w, i, places.z[n]), here = places.theta[n];
         const int passes = side != 0 && sign == -side;
         if (sign == 0)
             continue;
@@ -237,13 +237,15 @@ static int find_passing(const fvi_stepper *s, const fvi_variable_step_state *o,
             w->has_hit[i] = 1;
             return FVI_SUCCESS;
         }
-        if (passes && (e->direction == 0 || e->direction == -side))
+        if (passes && (e->direction == 0 || e->direction == -side)) {
+            w->behind[i] = -side;
             return bisect(s, o, i, side, low, here, &w->theta[i]);
+        }
         side = sign;
         is_seen = 1;
         low = here;
     }
-    return FVI_SUCCESS;
+    return status;
 }
 
 /* The event that is the first; w->count if there is none. */
@@ -258,7 +260,7 @@ static int find_first(const fvi_stepper *s, fvi_variable_step_state *o,
     for (size_t n = 1; n < stages && !status; n++)
         for (size_t i = 0; i < w->count && !status; i++)
             status = n + 1 < stages
-                         ? value_within(s, o, i, o->rule->c[n], &w->z[i * stages + n])
+                         ? fvi_event_within(s, o, i, o->rule->c[n], &w->z[i * stages + n])
                          : value_at_end(s, o, i, &w->z[i * stages + n]);
     for (size_t i = 0; i < w->count && !status; i++) {
         status = find_passing(s, o, i, is_too_long);
@@ -319,9 +321,9 @@ static int slope_of(const fvi_stepper *s, const fvi_variable_step_state *o, size
 {
     const double low = larger(theta - 1e-4, 0), high = fmin(theta + 1e-4, 1);
     double z, before;
-    int status = value_within(s, o, i, low, &before);
+    int status = fvi_event_within(s, o, i, low, &before);
     if (!status)
-        status = value_within(s, o, i, high, &z);
+        status = fvi_event_within(s, o, i, high, &z);
     if (!status)
         *slope = (z - before) / ((high - low) * o->length.h);
     return status;
@@ -335,7 +337,7 @@ static int lies_on_wall(const fvi_variable_step_state *o)
     for (size_t i = 0; i < w->count; i++) {
         int lies = w->side[i] == 0 && w->has_hit[i] != 0;
         for (size_t n = 1; n < o->rule->s && lies; n++)
-            lies = sign_of(w, i, w->z[i * o->rule->s + n]) == 0;
+            lies = fvi_event_sign(w, i, w->z[i * o->rule->s + n]) == 0;
         if (lies)
             return 1;
     }

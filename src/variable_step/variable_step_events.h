@@ -14,11 +14,12 @@
  *   rounding  |z| where it was last made 0
  *   has_hit   nonzero in the step after its impact
  *   theta     where in the step that is tried it passes 0, or INFINITY
+ *   behind    on which side of 0 it is behind that
  *   z         of each stage of that step, event by event
  *   point     6 d numbers: x, p; the normal and v; both shortly before */
 typedef struct fvi_event_watch {
     size_t count;
-    double *side, *size, *rounding, *has_hit, *theta, *z, *point;
+    double *side, *size, *rounding, *has_hit, *theta, *behind, *z, *point;
     int is_ready; /* nonzero once the sides at the start are known */
     int at_rest;  /* nonzero if the step ends where a hop is too short for steps */
     int is_over;
@@ -54,5 +55,21 @@ int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o);
  * with `anew`, as p has jumped, so are those of events that are no impact of this moment. Returns what
  * a function of an event does, and FVI_EOVRFLW where a z is not finite. */
 int fvi_variable_step_sides(const fvi_stepper *s, fvi_event_watch *w, int anew);
+
+/* fvi_event_sign -- the sign of a z of event i, or 0 where rounding may have made it.
+ * fvi_event_within -- z of event i at t + theta h of the step that has been tried. Returns as _sides. */
+double fvi_event_sign(const fvi_event_watch *w, size_t i, double z);
+int fvi_event_within(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i, double theta,
+                     double *z);
+
+/* fvi_event_places_of -- where z of event i is known in the step that has been tried, in the order of theta: at each
+ * stage but the first, and where between two of them it has come through 0 and turned back. Returns as _sides. */
+enum { FVI_EVENT_PLACES = 2 * FVI_LANES + 2 };
+typedef struct {
+    size_t count;
+    double theta[FVI_EVENT_PLACES], z[FVI_EVENT_PLACES];
+} fvi_event_places;
+int fvi_event_places_of(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
+                        fvi_event_places *places);
 
 #endif

@@ -159,7 +159,7 @@ static int act(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
     if (action == FVI_EVENT_IMPACT)
         status = hit(s, o, i, &at_rest);
     else
-        w->side[i] = 0; /* it has passed */
+        w->side[i] = w->behind[i]; /* it has passed */
     w->is_over |= at_rest || action == FVI_EVENT_STOP;
     return status ? status : note(w, s->t, i, at_rest);
 }
@@ -183,6 +183,10 @@ int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o)
             w->has_hit[i] = s->run.events[i].action == FVI_EVENT_IMPACT;
             jumped |= w->has_hit[i] != 0;
         }
+    }
+    for (size_t i = 0; i < w->count; i++) {
+        if (jumped && w->theta[i] < INFINITY && w->has_hit[i] == 0)
+            w->side[i] = 0; /* what an impact at the same time has made of it is not known yet */
         w->theta[i] = INFINITY;
     }
     return status ? status : fvi_variable_step_sides(s, w, jumped);

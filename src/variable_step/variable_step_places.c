@@ -1,0 +1,141 @@
+/* src/variable_step/variable_step_places.c -- Where z comes through 0 and turns back within a step.   [H 22]
+ *
+ * z is known at the stages. Where |z| is smaller at one of them than at the two beside it, it has a least value between
+ * these, and parabolas find whether that is beyond 0. At the ends of the step its slope there says whether there is one. */
+#include "variable_step_events.h"
+
+#include <math.h>
+
+/* Three places, z on the same side of 0 at all of them, and nearest to 0 in the middle. */
+typedef struct {
+    double theta[3], size[3]; /* |z| */
+} bracket;
+
+/* Where the parabola through them is least, and its value there. */
+static double lowest_of(const bracket *b, double *size)
+{
+    const double left = b->theta[0] - b->theta[1], right = b->theta[2] - b->theta[1],
+                 slope_left = (b->size[0] - b->size[1]) / left,
+                 slope_right = (b->size[2] - b->size[1]) / right,
+                 curvature = (slope_right - slope_left) / (right - left),
+                 slope = slope_left - curvature * left, move = -slope / (2 * curvature);
+    *size = b->size[1] + move * (slope + curvature * move);
+    return b->theta[1] + move;
+}
+
+/* The bracket closes in around one of four places. */
+static void close_in(bracket *b, double theta, double size)
+{
+    const int is_left = theta < b->theta[1], is_lower = size < b->size[1],
+              end = is_left == is_lower ? 2 : 0; /* the end that goes */
+    b->theta[end] = is_lower ? b->theta[1] : theta;
+    b->size[end] = is_lower ? b->size[1] : size;
+    if (is_lower) {
+        b->theta[1] = theta;
+        b->size[1] = size;
+    }
+}
+
+/* A place within the bracket where z is beyond 0: to *z, which else is 0. A parabola whose least value is hardly less
+ * than what is known ends the search. */
+static int find_beyond(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i, double side,
+                       bracket *b, double *theta, double *z)
+{
+    for (int n = 0; n < 20; n++) {
+        double least, here;
+        *theta = lowest_of(b, &least);
+        const int is_within = *theta > b->theta[0] && *theta < b->theta[2];
+        if (!is_within || fabs(*theta - b->theta[1]) < 1e-9 || (n > 0 && least > 0.9 * b->size[1]))
+            return FVI_SUCCESS;
+        const int status = fvi_event_within(s, o, i, *theta, &here);
+        if (status)
+            return status;
+        if (fvi_event_sign(o->watch, i, here) == -side) {
+            *z = here;
+            return FVI_SUCCESS;
+        }
+        close_in(b, *theta, side * here);
+    }
+    return FVI_SUCCESS;
+}
+
+/* Places, and which of them are stages. */
+typedef struct {
+    fvi_event_places at;
+    int is_stage[FVI_EVENT_PLACES];
+} known_places;
+
+static int look_at(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i, double theta,
+                   known_places *to)
+{
+    const size_t n = to->at.count++;
+    to->at.theta[n] = theta;
+    return fvi_event_within(s, o, i, theta, &to->at.z[n]);
+}
+
+/* The beginning, the stages, and near both ends of the step, where |z| is less than at the stage beside it, a place
+ * that says how it goes on. */
+static int find_known(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
+                      known_places *to)
+{
+    static const double NEAR = 1e-4;
+    const size_t stages = o->rule->s;
+    const double *z = o->watch->z + i * stages;
+    int status = look_at(s, o, i, 0, to);
+    if (!status && fabs(to->at.z[0]) < fabs(z[1]))
+        status = look_at(s, o, i, NEAR, to);
+    for (size_t n = 1; n < stages && !status; n++) {
+        const int is_last = n + 1 == stages;
+        if (is_last && fabs(z[n]) < fabs(z[n - 1]))
+            status = look_at(s, o, i, 1 - NEAR, to);
+        const size_t k = to->at.count++;
+        to->at.theta[k] = is_last ? 1 : o->rule->c[n];
+        to->at.z[k] = z[n];
+        to->is_stage[k] = 1;
+    }
+    return status;
+}
+
+/* Is |z| at place n less than at both places beside it, on the same side of 0? To *b those three; to *side that side. */
+static int is_least(const fvi_event_watch *w, size_t i, const fvi_event_places *at, size_t n,
+                    double *side, bracket *b)
+{
+    *side = fvi_event_sign(w, i, at->z[n]);
+    if (n == 0 || n + 1 >= at->count || *side == 0)
+        return 0;
+    for (size_t k = 0; k < 3; k++) {
+        if (fvi_event_sign(w, i, at->z[n - 1 + k]) != *side)
+            return 0;
+        b->theta[k] = at->theta[n - 1 + k];
+        b->size[k] = fabs(at->z[n - 1 + k]);
+    }
+    return b->size[1] <= b->size[0] && b->size[1] < b->size[2];
+}
+
+static void append(fvi_event_places *to, double theta, double z)
+{
+    to->theta[to->count] = theta;
+    to->z[to->count++] = z;
+}
+
+int fvi_event_places_of(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
+                        fvi_event_places *places)
+{
+    known_places known = { .at.count = 0 };
+    int status = find_known(s, o, i, &known);
+    places->count = 0;
+    for (size_t n = 0; n < known.at.count && !status; n++) {
+        const double here = known.at.theta[n];
+        double theta = here, side, beyond = 0;
+        bracket b;
+        if (is_least(o->watch, i, &known.at, n, &side, &b))
+            status = find_beyond(s, o, i, side, &b, &theta, &beyond);
+        if (beyond != 0 && theta < here)
+            append(places, theta, beyond);
+        if (known.is_stage[n])
+            append(places, here, known.at.z[n]);
+        if (beyond != 0 && theta > here)
+            append(places, theta, beyond);
+    }
+    return status;
+}
