@@ -280,6 +280,9 @@ static int check_which(const fvi_estimation *fit, fvi_free_parameter which)
         FVI_FAIL("masses and dampings of matrices are not fitted", FVI_EUNSUP);
     if (base == FVI_FREE_PARAMETER_MASS && system->mechanism && system->mechanism->lagrangian)
         FVI_FAIL("the masses are those of the Lagrangian", FVI_EUNSUP);
+    if ((base == FVI_FREE_PARAMETER_MASS || base == FVI_FREE_PARAMETER_P0)
+        && fvi_estimation_has_massless(system, fvi_free_parameter_index(which)))
+        FVI_FAIL("a coordinate without inertia keeps its mass and its momentum, 0", FVI_EUNSUP);
     if ((base == FVI_FREE_PARAMETER_MASS || base == FVI_FREE_PARAMETER_X0 || base == FVI_FREE_PARAMETER_P0)
         && system->mechanism && system->mechanism->constraints)
         FVI_FAIL("with another mass, x0 or p0 the start breaks a constraint", FVI_EUNSUP);

@@ -104,6 +104,9 @@ double fvi_estimation_hermite(double s, double x, double hv, double next, double
 /* May fvi_stepper_start be asked? A trial may be out of range, or have no solution (19.2). */
 int fvi_estimation_model_is_possible(const fvi_estimation_model *m);
 
+/* Is the mass of coordinate `index`, from 1, or of any if that is 0, a mass of 0 that a run takes? */
+int fvi_estimation_has_massless(const fvi_system *system, size_t index);
+
 /* The longest step for a first look: it meets all times if one does that is not much
  * shorter than their gaps; w h <= 1, w as below. */
 double fvi_estimation_first_step(const fvi_estimation *fit);

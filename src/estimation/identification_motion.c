@@ -26,10 +26,12 @@ static double hermite_slope(double s, double x, double hv, double next, double h
 
 int fvi_estimation_model_is_possible(const fvi_estimation_model *m)
 {
-    const int is_plain = !m->system.matrices && !m->system.mechanism;
+    const int is_plain = !m->system.matrices && !m->system.mechanism,
+              may_be_massless = !m->system.matrices && m->system.mechanism;
     for (size_t i = 0; i < m->system.d; i++) {
         const double x0 = m->x0[i];
-        if (!(m->mass[i] > 0) || !isfinite(m->mass[i]) || !isfinite(m->damping[i])
+        const int has_mass = m->mass[i] > 0 || (may_be_massless && m->mass[i] == 0);
+        if (!has_mass || !isfinite(m->mass[i]) || !isfinite(m->damping[i])
             || !isfinite(x0) || !isfinite(m->p0[i]))
             return 0;
         if (is_plain && !m->fit->method->paper_convention
@@ -98,7 +100,7 @@ static int has_lagrangian(const motion *o)
     return o->system.mechanism && o->system.mechanism->lagrangian;
 }
 
-/* h v of this x and p at the time t. */
+/* h v of this x and p at the time t; 0 of a mass of 0, whose velocity p does not tell. */
 static int step_velocity(const motion *o, double t, const double *x, const double *p, double *hv)
 {
     const size_t d = o->system.d;
@@ -110,8 +112,15 @@ static int step_velocity(const motion *o, double t, const double *x, const doubl
     else if (o->system.matrices)
         status = fvi_velocity(&o->system, p, hv);
     for (size_t i = 0; i < d && !status; i++)
-        hv[i] = is_solved ? h * hv[i] : h / o->system.mass[i] * p[i];
+        hv[i] = is_solved                 ? h * hv[i]
+                : o->system.mass[i] == 0 ? 0
+                                         : h / o->system.mass[i] * p[i];
     return status;
+}
+
+static int is_mass_zero(const motion *o, size_t i)
+{
+    return !o->system.matrices && !has_lagrangian(o) && o->system.mass[i] == 0;
 }
 
 /* x and, if they are asked for, v at the time t, within the last step or at the start. */
@@ -126,6 +135,8 @@ static int read_between(motion *o, double t)
         status = step_velocity(o, o->s->t - h, o->x, o->p, o->hv);
     for (size_t i = 0; i < d && !status; i++) {
         const double next = o->s->x[i];
+        if (is_mass_zero(o, i)) /* a straight line */
+            o->hv[i] = o->hnext[i] = next - o->x[i];
         o->now[i] = is_node ? next
                             : fvi_estimation_hermite(share, o->x[i], o->hv[i], next, o->hnext[i]);
         o->now[d + i] = !o->asks_velocities ? 0
@@ -146,7 +157,7 @@ static int read_dense(motion *o, double t)
     if (!status && o->asks_velocities && has_lagrangian(o))
         return fvi_velocity_of_momentum(&o->system, fmin(t, last), o->now, o->p, o->now + d);
     for (size_t i = 0; i < d && !status && o->asks_velocities; i++)
-        o->now[d + i] = o->p[i] / o->system.mass[i];
+        o->now[d + i] = is_mass_zero(o, i) ? 0 : o->p[i] / o->system.mass[i];
     return status;
 }
 

@@ -3,6 +3,7 @@
 
 #include "system/larger.h"
 
+#include <fvi/dampers.h>
 #include <fvi/lobatto.h>
 #include <fvi/variable_steps.h>
 
@@ -30,13 +31,24 @@ static double fastest_square(const fvi_run *run)
     return isfinite(most) ? most : 0;
 }
 
+int fvi_estimation_has_massless(const fvi_system *system, size_t index)
+{
+    const fvi_mechanism *mechanism = system->mechanism;
+    for (size_t i = 0; i < system->d && mechanism && !mechanism->lagrangian && !system->matrices; i++)
+        if (system->mass[i] == 0 && (index == 0 || index == i + 1))
+            return 1;
+    return 0;
+}
+
 const fvi_method *fvi_estimate_method(const fvi_estimation *fit)
 {
-    fvi_estimation asked = *fit;
+    fvi_estimation asked = { .method = &fvi_lobatto_m4 };
+    if (fit)
+        asked = *fit;
     asked.method = &fvi_lobatto_m4;
     if (fvi_estimation_check(&asked))
         return NULL;
-    if (fit->run->system->matrices)
+    if (fit->run->system->matrices || fvi_estimation_has_massless(fit->run->system, 0))
         return &fvi_lobatto_d4;
     if (fit->run->system->mechanism)
         return &fvi_lobatto_m4;

@@ -98,8 +98,8 @@ typedef struct {
 
 /* fvi_estimate_method -- the method that suits the data: fvi_lobatto_m4; fvi_variable_step where equal
  * steps as short as the least gap of the times, or as a radian of the fastest swing about the start,
- * would be more than 8192; fvi_lobatto_d4 with matrices. fit->method is not read; nothing is checked
- * but what fvi_estimate_multistart checks: NULL for a question that cannot be asked. */
+ * would be more than 8192; fvi_lobatto_d4 with matrices, and with a mass of 0. fit->method is not read;
+ * nothing is checked but what fvi_estimate_multistart checks: NULL for a question that cannot be asked. */
 const fvi_method *fvi_estimate_method(const fvi_estimation *fit);
 
 /* fvi_estimate_box -- a box of plausible starts, by the size and the frequency of the data.

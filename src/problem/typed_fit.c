@@ -1,6 +1,7 @@
 /* src/problem/typed_fit.c -- Sensors and parameters of a fit, as they are typed. [H 24] */
 #include <fvi/typed_fit.h>
 
+#include "estimation/identification_model.h"
 #include "words.h"
 
 #include <fvi/dampers.h>
@@ -204,6 +205,10 @@ static int check_made(const char *field, const char *text, const fvi_free_parame
                         "'%s': the ground pulls each mass by -m a_g, and would keep the old one", text);
     if (is_mass && mechanism && mechanism->lagrangian)
         return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s': the masses are those of the Lagrangian", text);
+    if ((is_mass || base == FVI_FREE_PARAMETER_P0)
+        && fvi_estimation_has_massless(names->run->system, (size_t)which / FVI_FREE_PARAMETER_EACH))
+        return fvi_fail(error, FVI_EINVAL, field, NAN,
+                        "'%s': a coordinate without inertia has no other mass, and no momentum", text);
     if (((is_mass || is_start) && mechanism && mechanism->constraints)
         || (base >= FVI_FREE_PARAMETER_CONSTANT && is_constrained(names, base - FVI_FREE_PARAMETER_CONSTANT)))
         return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s': with another one the start breaks a constraint", text);

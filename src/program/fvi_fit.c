@@ -38,9 +38,8 @@ static const fvi_own_command fit = {
 static const char *const not_for_design[] = { "error",      "step-error", "columns", "reduce",
                                               "ground",     "along",      "format",  "plot",
                                               "checkpoint", "continue",   "system",  "unknowns",
-                                              "snapshot",   "longest",    "lagrangian",
-                                              "damper",     "constraint", "impose",
-                                              "force-on",   "v0",         "event",   NULL };
+                                              "snapshot",   "longest",    "v0",      "event",
+                                              NULL };
 static const fvi_own_command design = {
     .name = "fit",
     .own = { "fit", "sigma", "starts", "compare", "huber", "curve" },
@@ -61,6 +60,10 @@ static int check_columns(const request *r, fvi_error *c)
     const option_index by = o->text[SYSTEM] ? SYSTEM : o->text[DIMENSION] ? DIMENSION : POTENTIAL;
     if (r->columns || o->d == 1)
         return 0;
+    if (r->words.flag)
+        return fvi_refuse(c, fvi_option_list[by].name,
+                          "'%s' has %zu masses: --design plans a test of one column, x of one mass",
+                          o->text[by], o->d);
     return fvi_refuse(c, fvi_option_list[by].name,
                       "'%s' has %zu masses: --compare says what the columns of DATA show, as in "
                       "--compare x1,x2",
@@ -103,11 +106,26 @@ static int check_curve(const request *r, fvi_error *c)
     return 0;
 }
 
+/* Form M of the methods with stages, which a fit has where nothing is said, has no step for a coordinate
+ * without inertia; form D has one. */
+static void choose_form(request *r)
+{
+    const fvi_mechanism *mechanism = r->system.mechanism;
+    int is_massless = 0;
+    for (size_t i = 0; i < r->system.d && mechanism && !mechanism->lagrangian; i++)
+        is_massless |= !r->system.matrices && r->system.mass[i] == 0;
+    if (!is_massless || r->words.given[METHOD])
+        return;
+    r->o.method = &fvi_lobatto_d4;
+    r->o.text[METHOD] = r->o.method->name;
+}
+
 static int interpret(request *r, fvi_error *c)
 {
     fvi_options *o = &r->o;
     const int has_step = r->words.given[H] && !r->words.flag;
     r->system = fvi_options_system(o);
+    choose_form(r);
     r->run = fvi_options_run(o, &r->system);
     r->fit = (fvi_estimation){ .method = o->method,
                         .run = &r->run,
@@ -140,8 +158,33 @@ static void choose_steps(request *r)
     for (size_t i = 0; i < sizeof of_steps / sizeof *of_steps; i++)
         if (r->words.given[of_steps[i]])
             return;
-    r->o.method = r->fit.method = fvi_estimate_method(&r->fit);
-    r->o.text[METHOD] = r->o.method->name;
+    const fvi_method *best = fvi_estimate_method(&r->fit);
+    if (!best) /* the search says why the question cannot be asked */
+        return;
+    r->o.method = r->fit.method = best;
+    r->o.text[METHOD] = best->name;
+}
+
+/* Does a record of the data begin where the options do not say? */
+static int has_own_start(const request *r)
+{
+    for (size_t i = 0; i < r->fit.records; i++)
+        if (r->fit.record[i].x0 || r->fit.record[i].p0)
+            return 1;
+    return 0;
+}
+
+/* What the method says of a run with the numbers of the options. No search helps where it takes no such
+ * system, or a p0 that is not fitted breaks a constraint. A plan has these numbers alone. */
+static int check_start(const request *r, fvi_error *c)
+{
+    fvi_stepper *s = NULL;
+    const int status = fvi_stepper_start(r->fit.method, &r->run, &s, c);
+    fvi_stepper_free(s);
+    if (!status || (has_own_start(r) && status != FVI_EUNSUP))
+        return 0;
+    const int is_of_p0 = r->system.mechanism && c->field && strcmp(c->field, "p0") == 0;
+    return status == FVI_EUNSUP || r->words.flag || is_of_p0 ? status : 0;
 }
 
 static int read_data(request *r, fvi_error *c)
@@ -301,6 +344,8 @@ int fvi_command_fit(int argc, char **argv)
         status = interpret(&r, c);
     if (!status)
         status = is_plan ? planned_times(&r, c) : read_data(&r, c);
+    if (!status)
+        status = check_start(&r, c);
     if (status)
         status = fvi_refused(&error, fit.name);
     else

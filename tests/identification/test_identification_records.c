@@ -347,6 +347,7 @@ START_TEST(the_data_choose_the_method)
     ck_assert_ptr_eq(fvi_estimate_method(&q.fit), &fvi_variable_step);
     q.fit.n = 0;
     ck_assert_ptr_null(fvi_estimate_method(&q.fit));
+    ck_assert_ptr_null(fvi_estimate_method(NULL));
 }
 END_TEST
 
