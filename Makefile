@@ -385,6 +385,7 @@ $B/tests/bench_%: tests/bench/bench_%.c $(wildcard tests/bench/*.h) $B/libfvi.a 
 	$(COMPILE) '-DOPTIONS="$(CFLAGS)"' -Itests $(filter %.c,$^) $(filter-out $B/libfvi.a,$(filter %.a,$^)) $B/libfvi.a $(LINKED) -o $@
 $B/tests/bench_memory: $B/peers.a
 $B/tests/bench_precision: $(wildcard tests/bench/precision_*.c) $B/peers.a | $B/fvi
+$B/tests/bench_batch: | $B/fvi
 $B/tests/bench_variable_steps $B/tests/bench_prototype: tests/bench/variable.c
 $B/tests/bench_prototype: tests/bench/prototype_random.c
 
@@ -406,6 +407,7 @@ TABLE_variable_steps := figures/variable_steps/variable_steps.tsv
 TABLE_prototype := figures/variable_steps/prototype.tsv
 TABLE_adjoint   := figures/adjoint/adjoint_bench.tsv
 TABLE_blocks    := figures/blocks/blocks_bench.tsv
+TABLE_batch     := figures/blocks/batch_bench.tsv
 TABLE_structures := figures/structures/structures_bench.tsv
 TABLE_structures_order := figures/structures/structures_order.tsv
 

@@ -2,6 +2,7 @@
 #include <fvi/expression.h>
 
 #include "enclosure.h"
+#include "expression_lanes.h"
 #include "expression_terms.h"
 
 #include <stdlib.h>
@@ -109,7 +110,8 @@ fvi_potential fvi_potential_expression(const fvi_expression *e)
                             .hessian = potential_hessian,
                             .params = (void *)e,
                             .quadratic = is_quadratic,
-                            .diagonals = e->reach + 1 };
+                            .diagonals = e->reach + 1,
+                            .lanes = e->d == 1 ? &fvi_expression_slope_lanes : NULL };
 }
 
 static int force_value(double t, size_t d, void *params, double *F)
@@ -140,7 +142,8 @@ fvi_force fvi_force_expression(const fvi_expression *e)
 {
     return (fvi_force){ .value = force_value,
                         .bound = force_bound,
-                        .params = (void *)e };
+                        .params = (void *)e,
+                        .lanes = &fvi_expression_value_lanes };
 }
 
 void fvi_expression_complex_value(const fvi_expression *e, double re, double im,

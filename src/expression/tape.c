@@ -1,6 +1,9 @@
 /* src/expression/tape.c -- Values and derivatives along a tape.            [H 9] */
 #include "tape.h"
 
+#include "tape_lanes.h"
+#include "system/vectors.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -93,14 +96,22 @@ static inline fvi_jet extreme(fvi_operation op, fvi_jet u, fvi_jet w)
     return u.v > w.v ? (op == TAPE_MIN ? w : u) : mean(u, w);
 }
 
+/* u^n, n >= 0, by squares. The lowest powers are loops that a compiler would not see through. */
+static inline double by_squares(double u, int n)
+{
+    double power = 1, square = u;
+    if (n < 3)
+        return n == 0 ? 1 : n == 1 ? u : u * u;
+    for (int left = n; left > 0; left >>= 1, square *= square)
+        if (left & 1)
+            power *= square;
+    return power;
+}
+
 /* u to a whole power n >= 2, by multiplication. */
 static inline void whole_power(double u, int n, double f[3])
 {
-    double rest = 1; /* u^(n - 2) */
-    double square = u;
-    for (int left = n - 2; left > 0; left >>= 1, square *= square)
-        if (left & 1)
-            rest *= square;
+    const double rest = by_squares(u, n - 2);
     f[0] = rest * u * u;
     f[1] = n * rest * u;
     f[2] = (double)n * (n - 1) * rest;
@@ -113,7 +124,7 @@ static inline fvi_jet chain(const double f[3], fvi_jet u)
 }
 
 /* u^w; by w only where w varies, as log u asks for u > 0. */
-static fvi_jet power(fvi_jet u, fvi_jet w)
+static inline fvi_jet power(fvi_jet u, fvi_jet w)
 {
     const double v = pow(u.v, w.v), n = w.v;
     const double by_u = n != 0 ? n * pow(u.v, n - 1) : 0;
@@ -222,4 +233,156 @@ fvi_jet fvi_tape_second_derivative(const fvi_node *node, size_t n, const double 
                       const double *k, int i, int j)
 {
     return walk(node, n, x, k, i, j, 2);
+}
+
+/* ---- several places at once ---- */
+
+enum { L = FVI_MOST_LANES };
+
+/* A node in each lane: value, first and second derivative by the one coordinate. */
+typedef struct {
+    double v[L], a[L], c[L];
+} lanes_of_node;
+
+INTO_THE_WALK fvi_jet jet_of(const lanes_of_node *u, size_t l, const int order)
+{
+    return (fvi_jet){ u->v[l], order > 0 ? u->a[l] : 0, order > 1 ? u->a[l] : 0,
+                      order > 1 ? u->c[l] : 0 };
+}
+
+INTO_THE_WALK void keep_jet(lanes_of_node *to, size_t l, fvi_jet r, const int order)
+{
+    to->v[l] = r.v;
+    if (order > 0) {
+        to->a[l] = r.a;
+        to->c[l] = r.c;
+    }
+}
+
+/* The lanes of one operation, in a vector where it is made of + - * /. */
+INTO_THE_WALK void operate_in_a_vector(const fvi_node *at, const lanes_of_node *u,
+                                       const lanes_of_node *w, lanes_of_node *to, const int order)
+{
+#pragma omp simd
+    for (size_t l = 0; l < L; l++)
+        keep_jet(to, l, operate(at, jet_of(u, l, order), jet_of(w, l, order), order), order);
+}
+
+INTO_THE_WALK int is_same_number(const double *u, size_t l)
+{
+    return memcmp(u + l, u + l - 1, sizeof *u) == 0;
+}
+
+/* Is a lane as the one before it? */
+INTO_THE_WALK int is_same(const lanes_of_node *u, size_t l, const int order)
+{
+    return is_same_number(u->v, l)
+           && (order == 0 || (is_same_number(u->a, l) && is_same_number(u->c, l)));
+}
+
+/* A function of the C library: asked for each lane, but not where the lane before has asked the
+ * same: cos(w t) is one call for all. */
+INTO_THE_WALK void operate_one_by_one(const fvi_node *at, const lanes_of_node *u,
+                                      const lanes_of_node *w, lanes_of_node *to, const int order)
+{
+    for (size_t l = 0; l < L; l++) {
+        const int is_known = l > 0 && is_same(u, l, order) && is_same(w, l, order);
+        keep_jet(to, l,
+                 is_known ? jet_of(to, l - 1, order)
+                          : operate(at, jet_of(u, l, order), jet_of(w, l, order), order),
+                 order);
+    }
+}
+
+/* The operation and the exponent are known to the compiler in each case. */
+#define IN_A_VECTOR(OP, NUMBER)                                                                    \
+    do {                                                                                           \
+        const fvi_node is = { .op = (OP), .number = (NUMBER) };                                    \
+        operate_in_a_vector(&is, u, w, to, order);                                                 \
+        return;                                                                                    \
+    } while (0)
+
+INTO_THE_WALK void operate_lanes(const fvi_node *at, const lanes_of_node *u, const lanes_of_node *w,
+                                 lanes_of_node *to, const int order)
+{
+    switch (at->op) {
+    case TAPE_ADD:
+        IN_A_VECTOR(TAPE_ADD, 0);
+    case TAPE_SUBTRACT:
+        IN_A_VECTOR(TAPE_SUBTRACT, 0);
+    case TAPE_MULTIPLY:
+        IN_A_VECTOR(TAPE_MULTIPLY, 0);
+    case TAPE_DIVIDE:
+        IN_A_VECTOR(TAPE_DIVIDE, 0);
+    case TAPE_NEGATE:
+        IN_A_VECTOR(TAPE_NEGATE, 0);
+    case TAPE_WHOLE_POWER:
+        if (at->number == 2)
+            IN_A_VECTOR(TAPE_WHOLE_POWER, 2);
+        if (at->number == 3)
+            IN_A_VECTOR(TAPE_WHOLE_POWER, 3);
+        if (at->number == 4)
+            IN_A_VECTOR(TAPE_WHOLE_POWER, 4);
+        break;
+    default:
+        break;
+    }
+    operate_one_by_one(at, u, w, to, order);
+}
+
+/* v by whole vectors, the first derivative the same in all lanes, the second 0. */
+INTO_THE_WALK void fill(lanes_of_node *to, const double *v, double a, const int order)
+{
+#pragma omp simd
+    for (size_t l = 0; l < L; l++)
+        keep_jet(to, l, (fvi_jet){ v[l], a, a, 0 }, order);
+}
+
+INTO_THE_WALK void fill_with_number(lanes_of_node *to, double v, const int order)
+{
+#pragma omp simd
+    for (size_t l = 0; l < L; l++)
+        keep_jet(to, l, (fvi_jet){ v, 0, 0, 0 }, order);
+}
+
+INTO_THE_WALK void walk_lanes(const fvi_node *node, size_t n, const double *x, const double *k,
+                              lanes_of_node *at, const int order)
+{
+    for (size_t m = 0; m < n; m++) {
+        if (node[m].op == TAPE_NUMBER)
+            fill_with_number(at + m, node[m].number, order);
+        else if (node[m].op == TAPE_COORDINATE)
+            fill(at + m, x, 1, order);
+        else if (node[m].op == TAPE_PARAMETER)
+            fill(at + m, k + (size_t)node[m].a * L, 0, order);
+        else
+            operate_lanes(node + m, at + node[m].a, at + node[m].b, at + m, order);
+    }
+}
+
+FVI_VECTORS static void walk_lane_values(const fvi_node *node, size_t n, const double *x,
+                                         const double *k, lanes_of_node *at)
+{
+    walk_lanes(node, n, x, k, at, 0);
+}
+
+FVI_VECTORS static void walk_lane_jets(const fvi_node *node, size_t n, const double *x,
+                                       const double *k, lanes_of_node *at)
+{
+    walk_lanes(node, n, x, k, at, 2);
+}
+
+void fvi_tape_lanes(const fvi_node *node, size_t n, const double *x, const double *k, double *v,
+                    double *a, double *c)
+{
+    lanes_of_node at[n]; /* n <= FVI_TAPE_LANES_LONGEST */
+    if (a)
+        walk_lane_jets(node, n, x, k, at);
+    else
+        walk_lane_values(node, n, x, k, at);
+    memcpy(v, at[n - 1].v, sizeof at->v);
+    if (!a)
+        return;
+    memcpy(a, at[n - 1].a, sizeof at->a);
+    memcpy(c, at[n - 1].c, sizeof at->c);
 }

@@ -28,6 +28,7 @@
 #include "convolution_quadrature_methods.h"
 #include "lobatto.h"
 #include "variable_steps.h"
+#include "batch.h"
 
 /* What a run tells besides x and p */
 #include "observer.h"

@@ -47,6 +47,9 @@ extern "C" {
  *              may be kept, and what it leaves of r is an error of the step; else
  *              a solution to eight digits does, and costs a step of Newton's more
  *
+ *   lanes      NULL; of the library's own potentials how they are evaluated for several
+ *              runs at once (batch.h)
+ *
  * The first three functions, or none: a zeroed potential is that of a free particle.
  * With solve a step of one equation makes no matrix and does not ask for the Hessian;
  * methods with stages, fvi_stability_number and the adjoint may. A Hessian that is out of
@@ -59,6 +62,7 @@ extern "C" {
  * give the same numbers for the same x; what else stands in the params, a count of the
  * calls, say, is theirs to write. Runs in several threads share it. A force may be
  * another one from a step on, as no method keeps it. */
+struct fvi_lane_functions;
 typedef struct {
     int (*value)(size_t d, const double *x, void *params, double *value);
     int (*gradient)(size_t d, const double *x, void *params, double *grad);
@@ -68,6 +72,7 @@ typedef struct {
     size_t diagonals;
     int (*solve)(size_t d, const double *x, const double *a, double c,
                  void *params, double *r);
+    const struct fvi_lane_functions *lanes;
 } fvi_potential;
 
 /* fvi_impulse -- at the time t >= 0 each momentum p_j jumps by J[j]; d numbers, finite. */
@@ -88,7 +93,9 @@ typedef struct {
  *          first derivative may jump. order <= FVI_BOUND_ORDER. Methods that choose their
  *          steps, and searches, ask for it. Returns 0 or a code
  *   impulses, impulse_count  what hits the body, t not falling; NULL and 0 if nothing does.
- *          How methods take them: (2.14), trajectory.h */
+ *          How methods take them: (2.14), trajectory.h
+ *   lanes  NULL; of the library's own forces how they are evaluated for several runs at
+ *          once (batch.h) */
 enum { FVI_BOUND_ORDER = 14 };
 typedef struct {
     int (*value)(double t, size_t d, void *params, double *F);
@@ -99,6 +106,7 @@ typedef struct {
     size_t impulse_count;
     int (*bound)(double from, double to, size_t order, size_t d, void *params,
                  double *most);
+    const struct fvi_lane_functions *lanes;
 } fvi_force;
 
 /* fvi_damping_matrix -- one symmetric C = S B^T that is not negative, as functions. [(27.4)]

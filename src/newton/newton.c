@@ -1,5 +1,7 @@
 /* src/newton/newton.c -- The one equation that a step has to solve.     [H 2] */
 #include "linearised.h"
+#include "newton_lanes.h"
+#include "newton_move.h"
 
 #include "system/fail.h"
 #include "system/larger.h"
@@ -201,27 +203,23 @@ static int newton_alone(fvi_newton *n, const double *x, const double *r,
     const double A = *n->A, s = *n->s, theta = n->theta;
     n->size = GSL_POSINF;
     for (int i = 0; i < NEWTON_STEPS; i++) {
-        const double z = *x + theta * *d, Ad = A * *d;
+        const double z = *x + theta * *d;
         n->callback_status = u->gradient(1, &z, u->params, g);
         if (!n->callback_status)
             n->callback_status = u->hessian(1, &z, u->params, n->H);
         if (n->callback_status)
             return n->callback_status;
-        const double sg = s * *g, e = *r - Ad - sg, J = s * theta * *n->H + A,
-                     terms = fabs(*r) + fabs(Ad) + fabs(sg),
-                     moves = fabs(s) * (fabs(*n->H) * (fabs(z) + fabs(*d))),
-                     allowed =
-                         2 * GSL_DBL_EPSILON * (terms + moves) + GSL_DBL_MIN;
-        if (J == 0)
+        const fvi_newton_move to =
+            fvi_newton_move_of(A, s, theta, *r, z, *g, *n->H, *d, n->size);
+        if (to.J == 0)
             return FVI_ESING;
-        const double step = e / J;
-        *d += step;
+        *d = to.d;
         n->last = n->size;
-        n->size = fabs(step);
-        n->largest = fabs(*d);
-        if ((fabs(e) <= allowed && allowed < GSL_POSINF) || is_stuck(n))
+        n->size = to.size;
+        n->largest = fabs(to.d);
+        if (to.is_enough)
             return FVI_SUCCESS;
-        if (!isfinite(n->size))
+        if (!isfinite(to.size))
             break;
     }
     return FVI_EMAXITER;
@@ -294,6 +292,12 @@ static int descend(fvi_newton *n, const double *x, const double *r, double *d,
 }
 //< descend
 
+/* Oscillators that are lanes, each with its own solution. */
+static int is_of_lanes(const fvi_newton *n)
+{
+    return fvi_lanes_of(n->system) && (n->q > 1 || !n->linear);
+}
+
 static int solve_nonlinear(fvi_newton *n, const double *x, const double *r,
                            double *d, double *g)
 {
@@ -317,6 +321,7 @@ int fvi_newton_solve(fvi_newton *n, const double *x, const double *r, double *d,
     solver *solve = n->system->matrices         ? fvi_newton_by_matrices
                     : !n->implicit              ? solve_explicit
                     : fvi_linearised_of(n->system) ? fvi_newton_by_linearised
+                    : is_of_lanes(n)            ? fvi_newton_by_lanes
                     : !n->linear                ? solve_nonlinear
                     : n->q > 1                  ? solve_linear_stages
                     : fvi_newton_is_diagonal(n) ? solve_diagonal

@@ -332,6 +332,7 @@ int fvi_newton_copy(const fvi_newton *from, fvi_newton **to)
         FVI_FAIL("no memory for the solver", FVI_ENOMEM);
     *n = *from;
     n->J = (fvi_band){ 0 };
+    memset(n->lane, 0, sizeof n->lane);
     if (allocate(n)) {
         fvi_newton_free(n);
         FVI_FAIL("no memory for the solver", FVI_ENOMEM);
@@ -349,6 +350,8 @@ void fvi_newton_free(fvi_newton *n)
         return;
     if (n->factors)
         n->system->matrices->forget(n->factors);
+    for (size_t l = 0; l < FVI_MOST_LANES; l++)
+        fvi_newton_free(n->lane[l]);
     fvi_band_free(&n->J);
     free(n->A);
     free(n);

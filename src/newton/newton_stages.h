@@ -6,6 +6,7 @@
 
 #include "band.h"
 #include "newton.h"
+#include "system/lanes.h"
 
 /* Stage l of coordinate j stands at [l * dim + j] in d, r and g, where the callbacks
  * want a stage in one piece; in what is eliminated, the rows of J, at [j * q + l],
@@ -30,6 +31,7 @@ struct fvi_newton {
     int callback_status;                 /* what a callback returned, if not 0 */
     double m, *c;               /* with matrices: of (27.3), s being *s, */
     void *factors;              /* and what they made of them */
+    fvi_newton *lane[FVI_MOST_LANES]; /* of single lanes, where they are needed; or NULL */
 };
 
 /* fvi_newton_is_diagonal -- is one stage of a quadratic U all, and the coordinates do not

@@ -23,7 +23,7 @@ static int is_ready_made(const fvi_force_part *p)
     return !p->expression && !p->t && !p->hits;
 }
 
-static int value_of(const fvi_force_part *p, double t, double *F)
+int fvi_typed_force_part_value(const fvi_force_part *p, double t, double *F)
 {
     if (p->expression) {
         *F = fvi_expression_value(p->expression, &t);
@@ -77,7 +77,7 @@ static int force_value(double t, size_t d, void *params, double *F)
     double sum = 0;
     for (size_t i = 0; i < f->count; i++) {
         double one;
-        int status = value_of(&f->parts[i], t, &one);
+        int status = fvi_typed_force_part_value(&f->parts[i], t, &one);
         if (status)
             return status;
         sum += one;
@@ -118,7 +118,8 @@ fvi_force fvi_force_typed(const fvi_typed_force *f)
                         .jumps = f->jumps,
                         .jump_count = f->jump_count,
                         .impulses = f->impulses,
-                        .impulse_count = f->impulse_count };
+                        .impulse_count = f->impulse_count,
+                        .lanes = &fvi_typed_force_lanes };
 }
 
 int fvi_typed_force_is_simple(const fvi_typed_force *f, fvi_forcing *kind,

@@ -3,6 +3,7 @@
 #define FVI_TYPED_FORCE_H
 
 #include <fvi/parse.h>
+#include "system/lanes.h"
 
 /* One of: an expression, a table of n rows, an impulse p[0] at p[1], a force of the
  * library's. */
@@ -25,5 +26,10 @@ struct fvi_typed_force {
     fvi_impulse *impulses;
     double *J; /* d numbers each */
 };
+
+/* fvi_typed_force_part_value -- of one part. Returns 0.
+ * fvi_typed_force_lanes -- of forces of as many parts in each lane; the params are fvi_typed_force. */
+int fvi_typed_force_part_value(const fvi_force_part *p, double t, double *F);
+extern const fvi_lane_functions fvi_typed_force_lanes;
 
 #endif

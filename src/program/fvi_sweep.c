@@ -5,7 +5,7 @@
 #include "fvi_commands.h"
 #include "fvi_run.h"
 #include "output/fvi_format.h"
-#include "sweep_run.h"
+#include "sweep_lanes.h"
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
 #include "options/fvi_options.h"
@@ -24,8 +24,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* What the processes share. Each takes the next run that nobody has taken, and writes its
- * row: the table does not depend on who does what. */
+/* What the processes share. Each takes the next group of runs that nobody has taken, and writes
+ * their rows: the table does not depend on who does what. */
 typedef struct {
     _Atomic size_t next;
     double *rows; /* width numbers each */
@@ -64,35 +64,66 @@ static void end_with(pid_t parent)
         _exit(1);
 }
 
-/* Take runs until there are none; ends the process. */
-static void work(const sweep_grid *g, board *shared, pid_t parent)
+/* Runs together, or if that cannot be one after the other. */
+static void work_on(const sweep_grid *g, board *shared, size_t count, const size_t *run)
 {
-    for (size_t i; getppid() == parent
-                   && (i = atomic_fetch_add(&shared->next, 1)) < shared->count;)
-        shared->verdicts[i] =
-            sweep_run(g, g->first + i, shared->rows + shared->first[i] * shared->width);
+    double *rows[FVI_BATCH_MOST];
+    sweep_verdict *verdicts[FVI_BATCH_MOST];
+    for (size_t l = 0; l < count; l++) {
+        const size_t i = run[l] - g->first;
+        rows[l] = shared->rows + shared->first[i] * shared->width;
+        verdicts[l] = shared->verdicts + i;
+    }
+    if (count > 1 && sweep_run_group(g, count, run, rows, verdicts))
+        return;
+    for (size_t l = 0; l < count; l++)
+        *verdicts[l] = sweep_run(g, run[l], rows[l]);
+}
+
+/* Take groups of runs until there are none; ends the process. */
+static void work(const sweep_grid *g, const sweep_plan *plan, board *shared, pid_t parent)
+{
+    for (size_t n; getppid() == parent
+                   && (n = atomic_fetch_add(&shared->next, 1)) < plan->groups;)
+        work_on(g, shared, plan->group[n + 1] - plan->group[n], plan->order + plan->group[n]);
     _exit(0);
 }
 
 /* All runs, by so many processes. Returns 0, or 1 if a process did not come to its
  * end. */
-static int work_together(const sweep_grid *g, board *shared)
+static int work_together(const sweep_grid *g, const sweep_plan *plan, board *shared)
 {
     size_t started = 0, ended = 0;
     const pid_t parent = getpid();
     fflush(NULL);
-    for (; started < g->jobs && started < shared->count; started++) {
+    for (; started < g->jobs && started < plan->groups; started++) {
         const pid_t child = fork();
         if (child == 0) {
             end_with(parent);
-            work(g, shared, parent);
+            work(g, plan, shared, parent);
         }
         if (child < 0)
             break; /* fewer do */
     }
     for (int state; ended < started && wait(&state) > 0;)
         ended += WIFEXITED(state) && WEXITSTATUS(state) == 0;
-    return (started == 0 && shared->count > 0) || ended < started;
+    return (started == 0 && plan->groups > 0) || ended < started;
+}
+
+/* How the runs were made, where a terminal shows it or --lanes was given; the rows do not depend on it. */
+static void tell(const sweep_grid *g, const sweep_plan *plan, const board *b)
+{
+    size_t together = 0;
+    if (!g->lanes && !isatty(STDERR_FILENO))
+        return;
+    for (size_t i = 0; i < b->count; i++)
+        together += b->verdicts[i].lanes > 0;
+    fprintf(stderr, "fvi: %zu runs: ", b->count);
+    if (together > 0)
+        fprintf(stderr, "%zu in groups of up to %zu that take their steps together%s\n", together, plan->most,
+                together < b->count ? ", the others one by one" : "");
+    else
+        fprintf(stderr, "one by one%s%s\n", plan->why ? ": " : "", plan->why ? plan->why : "");
 }
 
 /* ---- the table ---- */
@@ -274,9 +305,17 @@ static int run_all(const sweep_grid *g, const fvi_options *o,
     shared->verdicts = (sweep_verdict *)(shared->first + g->runs + 1);
     if (no_solution)
         fvi_warn(no_solution);
-    int failed = work_together(g, shared)
-                     ? fvi_complain("a process of the sweep was ended")
-                     : print_table(g, o, shared, no_solution);
+    sweep_plan plan;
+    int failed = 1;
+    if (sweep_plan_make(g, o, &plan)) {
+        fvi_complain("not enough memory");
+    } else if (work_together(g, &plan, shared)) {
+        fvi_complain("a process of the sweep was ended");
+    } else {
+        tell(g, &plan, shared);
+        failed = print_table(g, o, shared, no_solution);
+    }
+    sweep_plan_free(&plan);
     munmap(b.map, b.bytes);
     return failed;
 }

@@ -154,6 +154,8 @@ static const char usage_sweep[] =
     "  --rows             all rows of each run, or each K-th by --every\n"
     "  --jobs J           processes at a time; the table is the same   "
     "[cores]\n"
+    "  --lanes L          runs that take their steps together, 1 to 8; the table is\n"
+    "                     the same, and a line says how they were made  [8]\n"
     "  --part I/K         the I-th of K parts of the rows, I from 1    [1/1]\n"
     "and of run: --method --alpha --order --rho --damping --mass --potential --let\n"
     "--lagrangian --damper --constraint --impose --force-on --v0 --event\n"

@@ -145,15 +145,20 @@ static int take_part(sweep_grid *g, const char *text, fvi_error *c)
     return status;
 }
 
-/* --jobs, or --part; text is what it was before. */
-static int take_once(sweep_grid *g, int jobs, const char *value,
+/* What is given once, in this order. */
+enum { JOBS, LANES_TOGETHER, PART, ONCE };
+static const char *const once[ONCE] = { "--jobs", "--lanes", "--part" };
+
+/* text is what it was before. */
+static int take_once(sweep_grid *g, int which, const char *value,
                      const char **text, fvi_error *c)
 {
     const int status =
-        fvi_word_once("--", jobs ? "jobs" : "part", text, value, c);
-    return status ? status
-           : jobs ? fvi_parse_whole("jobs", value, 1024, &g->jobs, c)
-                  : take_part(g, value, c);
+        fvi_word_once("--", once[which] + 2, text, value, c);
+    return status          ? status
+           : which == JOBS ? fvi_parse_whole("jobs", value, 1024, &g->jobs, c)
+           : which == PART ? take_part(g, value, c)
+                           : fvi_parse_whole("lanes", value, 8, &g->lanes, c);
 }
 
 /* Is this word the option, with its value behind = or as the next word? Then *value is
@@ -172,7 +177,7 @@ static int option(char **argv, int *i, const char *name, const char **value)
  * one row has no use for. */
 static int check_word(const char *word, fvi_error *c)
 {
-    static const char *const names[] = { "vary", "jobs", "part", "rows", NULL };
+    static const char *const names[] = { "vary", "jobs", "lanes", "part", "rows", NULL };
     const option_index i = fvi_option_named(word);
     if (i == PLOT || i == SNAPSHOT || i == CHECKPOINT || i == CONTINUE)
         return fvi_refuse(c, fvi_option_list[i].name, "not an option of this command");
@@ -185,7 +190,7 @@ static int check_word(const char *word, fvi_error *c)
 /* Sort the words: those of a sweep are read, the others kept. */
 static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
 {
-    const char *texts[2] = { NULL, NULL }; /* of --part and --jobs */
+    const char *texts[ONCE] = { NULL };
     int every = 0;
     for (int i = 2; i < argc; i++) {
         if (strcmp(argv[i], "--rows") == 0) {
@@ -195,21 +200,22 @@ static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
         every = every || fvi_option_named(argv[i]) == EVERY;
         const char *value, *given = argv[i];
         int status = 0;
-        const int vary = option(argv, &i, "--vary", &value),
-                  jobs = !vary && option(argv, &i, "--jobs", &value),
-                  part = !vary && !jobs && option(argv, &i, "--part", &value);
-        if ((vary || jobs || part) && !value)
+        const int vary = option(argv, &i, "--vary", &value);
+        int which = vary ? ONCE : 0;
+        while (which < ONCE && !option(argv, &i, once[which], &value))
+            which++;
+        if ((vary || which < ONCE) && !value)
             return fvi_refuse(c, NULL, "%s: a value is missing", given);
         if (vary)
             status = take_axis(g, value, c);
-        else if (jobs || part)
-            status = take_once(g, jobs, value, &texts[jobs], c);
+        else if (which < ONCE)
+            status = take_once(g, which, value, &texts[which], c);
         else {
             status = check_word(argv[i], c);
             g->words[AHEAD + g->word_count++] = argv[i];
         }
         int at = i;
-        if (!vary && !jobs && !part && option(argv, &at, "--let", &value)
+        if (!vary && which == ONCE && option(argv, &at, "--let", &value)
             && value) {
             const size_t end = strlen(g->lets);
             snprintf(g->lets + end, sizeof g->lets - end, "%s%s",
@@ -221,6 +227,24 @@ static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
     return every && !g->has_rows
                ? fvi_refuse(c, "every", "without --rows a run has one row")
                : 0;
+}
+
+/* A point of a range is looked for among decimal numbers: once, and not once a run. */
+static int list_ranges(sweep_grid *g)
+{
+    enum { MANY = 1000000 };
+    for (size_t n = 0; n < g->count; n++) {
+        fvi_axis *a = &g->axis[n];
+        if (a->list || a->range.count > MANY)
+            continue;
+        double *list = malloc(a->range.count * sizeof *list);
+        if (!list)
+            return FVI_ENOMEM;
+        for (size_t i = 0; i < a->range.count; i++)
+            list[i] = fvi_range_value(&a->range, i);
+        a->list = list;
+    }
+    return FVI_SUCCESS;
 }
 
 int sweep_grid_parse(int argc, char **argv, sweep_grid *g, fvi_error *c)
@@ -247,7 +271,7 @@ int sweep_grid_parse(int argc, char **argv, sweep_grid *g, fvi_error *c)
     const size_t runs = (size_t)all;
     g->first = (g->part - 1) * runs / g->parts;
     g->runs = g->part * runs / g->parts - g->first;
-    return 0;
+    return list_ranges(g) ? fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory") : 0;
 }
 
 static int is_of_name(char letter)

@@ -13,7 +13,7 @@ typedef struct {
     char name[64];
     int is_let;
     fvi_range range;
-    double *list; /* NULL: the range; else range.count values, one by one: NAME=V1,V2,... */
+    double *list; /* the range.count values; NULL of a long range */
 } fvi_axis;
 
 /* The words of `fvi sweep`. The runs are numbered with the last axis fastest. */
@@ -23,6 +23,7 @@ typedef struct {
     size_t first, runs; /* of this part */
     size_t part, parts; /* part I of K, I from 1 */
     size_t jobs;
+    size_t lanes; /* runs that take their steps together, at most; 0: nothing is said */
     int has_rows; /* all rows of each run, and not the last alone */
     char text[400]; /* all axes, as they were given */
     char part_text[64];

@@ -165,20 +165,40 @@ size_t sweep_run_rows(const sweep_grid *g, const fvi_options *o)
     return g->has_rows ? rows_up_to(o, o->steps) : 1;
 }
 
-/* The table of a run that keeps its rows: all, or the first and the last. */
+int sweep_table_open(const sweep_grid *g, fvi_options *o, const fvi_system *system, fvi_table *t)
+{
+    if (!g->has_rows)
+        o->every = o->steps;
+    fvi_table_shape(t, o, system);
+    t->wait = 1;
+    t->height = g->has_rows ? sweep_run_rows(g, o) : 2;
+    t->rows = fvi_table_room(t, 0);
+    return t->rows != NULL;
+}
+
 static sweep_verdict run_table(const sweep_grid *g, fvi_options *o, fvi_table *t)
 {
     const fvi_system system = fvi_options_system(o);
     const fvi_run r = fvi_options_run(o, &system);
     sweep_verdict v = { .status = FVI_ENOMEM };
-    if (!g->has_rows)
-        o->every = o->steps;
-    fvi_table_shape(t, o, &system);
-    t->wait = 1;
-    t->height = g->has_rows ? sweep_run_rows(g, o) : 2;
-    if ((t->rows = fvi_table_room(t, 0)))
+    if (sweep_table_open(g, o, &system, t))
         v = (o->error > 0 ? by_error : by_steps)(o, &r, t);
     return v;
+}
+
+void sweep_keep_rows(const sweep_grid *g, size_t i, const fvi_options *o, const fvi_table *t,
+                     sweep_verdict *v, double *rows)
+{
+    const size_t count = sweep_run_rows(g, o), width = g->count + t->width,
+                 skipped = t->height - count;
+    if (!g->has_rows || v->rows == 0) /* no event has ended it before */
+        v->rows = count;
+    for (size_t k = 0; k < v->rows && !v->status; k++) {
+        for (size_t n = 0; n < g->count; n++)
+            rows[k * width + n] = sweep_grid_value(g, i, n);
+        memcpy(rows + k * width + g->count, t->rows + (k + skipped) * t->width,
+               t->width * sizeof *rows);
+    }
 }
 
 sweep_verdict sweep_run(const sweep_grid *g, size_t i, double *rows)
@@ -187,17 +207,8 @@ sweep_verdict sweep_run(const sweep_grid *g, size_t i, double *rows)
     fvi_table t;
     if (sweep_grid_options(g, i, &o, NULL))
         return (sweep_verdict){ .status = FVI_ENOMEM }; /* it was understood before */
-    const size_t count = sweep_run_rows(g, &o);
     sweep_verdict v = run_table(g, &o, &t);
-    const size_t width = g->count + t.width, skipped = t.height - count;
-    if (!g->has_rows || v.rows == 0) /* no event has ended it before */
-        v.rows = count;
-    for (size_t k = 0; k < v.rows && !v.status; k++) {
-        for (size_t n = 0; n < g->count; n++)
-            rows[k * width + n] = sweep_grid_value(g, i, n);
-        memcpy(rows + k * width + g->count, t.rows + (k + skipped) * t.width,
-               t.width * sizeof *rows);
-    }
+    sweep_keep_rows(g, i, &o, &t, &v, rows);
     free(t.rows);
     fvi_options_free(&o);
     return v;

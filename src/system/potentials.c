@@ -1,7 +1,11 @@
 /* src/system/potentials.c -- Potentials that are ready to use.          [H 2] */
 #include <fvi/system.h>
 
+#include "lanes.h"
+#include "vectors.h"
+
 #include <math.h>
+#include <stdlib.h>
 
 /* ---- one spring of stretch r: (c + g r^2) r, and what belongs to it ---- */
 
@@ -59,6 +63,43 @@ static int springs_are_linear(const void *params)
     return cg[1] == 0;
 }
 
+/* c and g of each lane. */
+typedef struct {
+    double c[FVI_MOST_LANES], g[FVI_MOST_LANES];
+} springs_of_lanes;
+
+static int prepare_springs(size_t count, void *const *params, void **prepared)
+{
+    springs_of_lanes *p = malloc(sizeof *p);
+    if (!p)
+        return FVI_ENOMEM;
+    for (size_t l = 0; l < FVI_MOST_LANES; l++) {
+        const double *cg = params[l < count ? l : count - 1];
+        p->c[l] = cg[0];
+        p->g[l] = cg[1];
+    }
+    *prepared = p;
+    return FVI_SUCCESS;
+}
+
+FVI_VECTORS static void slopes_of_springs(const springs_of_lanes *p, const double *x, double *f,
+                                          double *slope)
+{
+#pragma omp simd
+    for (size_t l = 0; l < FVI_MOST_LANES; l++) {
+        f[l] = spring_force(p->c[l], p->g[l], x[l]);
+        slope[l] = spring_stiffness(p->c[l], p->g[l], x[l]);
+    }
+}
+
+static void evaluate_springs(const void *prepared, const double *x, double *f, double *slope)
+{
+    double unused[FVI_MOST_LANES];
+    slopes_of_springs(prepared, x, f, slope ? slope : unused);
+}
+
+static const fvi_lane_functions duffing_lanes = { prepare_springs, evaluate_springs, free };
+
 fvi_potential fvi_potential_duffing(const double cg[2])
 {
     return (fvi_potential){ .value = duffing_value,
@@ -66,7 +107,8 @@ fvi_potential fvi_potential_duffing(const double cg[2])
                             .hessian = duffing_hessian,
                             .params = (void *)cg,
                             .quadratic = springs_are_linear,
-                            .diagonals = 1 };
+                            .diagonals = 1,
+                            .lanes = &duffing_lanes };
 }
 
 /* Harmonic has its own functions because its parameter is one number. */

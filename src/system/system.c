@@ -2,6 +2,7 @@
 #include <fvi/system.h>
 
 #include "system/fail.h"
+#include "lanes.h"
 #include "system_check.h"
 
 #include <fvi/dampers.h>
@@ -10,6 +11,7 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 int fvi_system_check(const fvi_system *s, fvi_error *error)
@@ -226,9 +228,46 @@ static int cosine_bound(double from, double to, size_t order, size_t d,
     return 0;
 }
 
+/* a and w of each lane. */
+typedef struct {
+    double a[FVI_MOST_LANES], w[FVI_MOST_LANES];
+} cosines_of_lanes;
+
+static int prepare_cosines(size_t count, void *const *params, void **prepared)
+{
+    cosines_of_lanes *p = malloc(sizeof *p);
+    if (!p)
+        return FVI_ENOMEM;
+    for (size_t l = 0; l < FVI_MOST_LANES; l++) {
+        const double *aw = params[l < count ? l : count - 1];
+        p->a[l] = aw[0];
+        p->w[l] = aw[1];
+    }
+    *prepared = p;
+    return FVI_SUCCESS;
+}
+
+/* One cosine for neighbours with the same argument; slope is not asked for. */
+static void evaluate_cosines(const void *prepared, const double *t, double *f, double *slope)
+{
+    const cosines_of_lanes *p = prepared;
+    double phase = p->w[0] * t[0], value = cos(phase);
+    (void)slope;
+    for (size_t l = 0; l < FVI_MOST_LANES; l++) {
+        if (p->w[l] * t[l] != phase) {
+            phase = p->w[l] * t[l];
+            value = cos(phase);
+        }
+        f[l] = p->a[l] * value;
+    }
+}
+
+static const fvi_lane_functions cosine_lanes = { prepare_cosines, evaluate_cosines, free };
+
 fvi_force fvi_force_cosine(const double aw[2])
 {
     return (fvi_force){ .value = cosine_value,
                         .bound = cosine_bound,
-                        .params = (void *)aw };
+                        .params = (void *)aw,
+                        .lanes = &cosine_lanes };
 }

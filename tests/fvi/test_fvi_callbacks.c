@@ -75,7 +75,7 @@ static fvi_system system_of(patient *a, size_t d)
     return (fvi_system){ d,
                          ones,
                          rho,
-                         { value, gradient, hessian, a, is_linear, 1, NULL },
+                         { value, gradient, hessian, a, is_linear, 1, NULL, NULL },
                          { .value = force, .params = a },
                          NULL, NULL };
 }
@@ -188,7 +188,7 @@ START_TEST(a_callback_that_fails_where_newton_loses_its_way)
     const double at = -0.5;
     patient a = { { 0, 0 }, { 0, 0 }, GRADIENT, -7, SIZE_MAX, 0, 0 };
     const fvi_system system = { 1,     ones,
-                                ones,  { value, sign, flat, &a, NULL, 0, NULL },
+                                ones,  { value, sign, flat, &a, NULL, 0, NULL, NULL },
                                 { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &at, ones, 1, N);
     run.alpha = 0.3;

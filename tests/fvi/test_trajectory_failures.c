@@ -120,7 +120,7 @@ START_TEST(a_step_that_cannot_be_solved_is_reported)
             1,
             one,
             one,
-            { no_value, sign, claimed, (void *)&bad[i].hessian, 0, 0, 0 },
+            { no_value, sign, claimed, (void *)&bad[i].hessian, 0, 0, 0, NULL },
             { 0 },
             NULL, NULL
         };
@@ -160,7 +160,7 @@ START_TEST(every_implicit_method_reports_a_step_that_cannot_be_solved)
         const double x0 = -0.5, hessian = i % 2 ? full : 0;
         const fvi_system system = {
             1,     one,
-            none,  { no_value, sign, claimed, (void *)&hessian, 0, 0, 0 },
+            none,  { no_value, sign, claimed, (void *)&hessian, 0, 0, 0, NULL },
             { 0 }, NULL, NULL
         };
         const fvi_run run = { .system = &system,

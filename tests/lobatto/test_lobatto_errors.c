@@ -155,7 +155,7 @@ START_TEST(a_singular_equation_is_refused)
     for (int i = 0; i < 40; i++, stiffness = nextafter(stiffness, 0)) {
         fvi_system system = {
             1,     &one,
-            &none, { no_value, sign, claimed, &stiffness, 0, 0, 0 },
+            &none, { no_value, sign, claimed, &stiffness, 0, 0, 0, NULL },
             { 0 }, NULL, NULL
         };
         for (int constant = 0; constant <= 1; constant++) {

@@ -75,7 +75,7 @@ static size_t run_plane(const plane *a, double *x, double *load)
                                 a->mass,
                                 a->rho,
                                 { plane_value, plane_gradient, plane_hessian,
-                                  (void *)a->C, plane_quadratic, 0, NULL },
+                                  (void *)a->C, plane_quadratic, 0, NULL, NULL },
                                 { 0 },
                                 NULL, NULL };
     const fvi_run run = { .system = &system,

@@ -107,7 +107,7 @@ START_TEST(eq_18_6_all_of_a_row_of_the_hessian_counts)
         fvi_potential u = {
             link_value, link_gradient, i < 2 ? link_full : link_band,
             NULL,       always,        i < 2 ? 0 : 2,
-            NULL
+            NULL,       NULL
         };
         const fvi_system system = { 2, masses[i % 2], none, u, { 0 }, NULL, NULL };
         const fvi_run run = { .system = &system,

@@ -177,6 +177,7 @@ static void small(const char *option, char *word)
                   { "vary", { "x0=1:2:3", "alpha=0:1:2", "k=1:4:3:log" } },
                   { "of", { "x", "p", "energy", "x:1" } },
                   { "jobs", { "1", "3" } },
+                  { "lanes", { "1", "8" } },
                   { "damping",
                     { "zener:1,0.3,0.1", "maxwell:1,2", "power:1,0.3",
                       "distributed:1,0,1" } },

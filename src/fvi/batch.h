@@ -1,0 +1,80 @@
+/* src/fvi/batch.h -- Many small runs as one.                          [H 28]
+ *
+ * A sweep, a picture of basins, or a fit makes many runs of one oscillator that differ in their
+ * start, in the amplitude of a force or in a parameter of the potential. Up to eight of them can
+ * be the coordinates of one run. They share the weights and modes of the memory, and each
+ * operation of a step is one instruction for all of them:
+ *
+ *     fvi_batch *batch;
+ *     fvi_stepper *s;
+ *     if (fvi_batch_alloc(&fvi_cq2_midpoint, 8, run, &batch, &error) == FVI_SUCCESS
+ *         && fvi_stepper_start(&fvi_cq2_midpoint, fvi_batch_run(batch), &s, &error) == FVI_SUCCESS) {
+ *         while (s->k < s->run.steps && fvi_stepper_step(s) == FVI_SUCCESS)
+ *             ;
+ *         for (size_t l = 0; l < 8; l++)
+ *             printf("%g %g\n", s->x[l], s->p[l]);
+ *         fvi_stepper_free(s);
+ *     }
+ *     fvi_batch_free(batch);
+ *
+ * The digits of a lane, x[l] and p[l], are those of its own run, whichever the others are. What
+ * takes a run takes a batch, too: copies, archives, and the adjoint (adjoint.h), whose derivatives
+ * by x0, p0, masses and dampings are those of each lane for an objective that is a sum over lanes;
+ * the derivative by alpha is the sum of theirs. */
+#ifndef FVI_BATCH_H
+#define FVI_BATCH_H
+
+#include "trajectory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* As many runs go together at most. */
+enum { FVI_BATCH_MOST = 8 };
+
+typedef struct fvi_batch fvi_batch;
+
+/* fvi_batch_refusal -- why these runs cannot go together by this method; NULL if they can.
+ *
+ *   method  with steps of a given length
+ *   count   1 to FVI_BATCH_MOST
+ *   run     count runs of one coordinate each, which each fvi_stepper_start would take
+ *
+ * They must have the same h, steps, alpha or law, kappa, past, memory and tolerance; with stages
+ * also the same mass and damping, on which the accuracy of their memory depends. All of them have
+ * a potential or none has, quadratic ones or others; the same of forces. Their parameters,
+ * functions, starts, masses and dampings may differ. There are no matrices, mechanisms, events
+ * or impulses. The text is in English, and lives as long as the program. Cost O(count). */
+const char *fvi_batch_refusal(const fvi_method *method, size_t count, const fvi_run *run);
+
+/* fvi_batch_alloc -- make one run of them.
+ *
+ *   method, count, run  as above. The array is copied; what the runs point to (systems, starts, a
+ *          law) must outlive the batch. The params of potentials and forces may not change until then
+ *   batch  output; give it back with fvi_batch_free
+ *   error  output, or NULL: what is wrong
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if count is out of range;
+ * FVI_EUNSUP with the text of fvi_batch_refusal; FVI_ENOMEM. On error *batch is untouched. */
+int fvi_batch_alloc(const fvi_method *method, size_t count, const fvi_run *run, fvi_batch **batch,
+                    fvi_error *error);
+
+/* fvi_batch_run -- the run whose coordinate l is run number l; it belongs to the batch. Its steppers
+ * must be freed before the batch is.
+ *
+ * A step fails if it fails in any lane. Which lane it was is not said: run them one by one.
+ * Cost of a step of eight: between two and three steps of one, if the library has the potential and the
+ * force; those of the caller are called for each lane. */
+const fvi_run *fvi_batch_run(const fvi_batch *batch);
+
+/* fvi_batch_free -- give it back. NULL is allowed. */
+void fvi_batch_free(fvi_batch *batch);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,149 @@
+/* src/run/batch.c -- Many small runs as one.                          [H 28] */
+#include <fvi/batch.h>
+
+#include "system/fail.h"
+#include "system/lanes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+_Static_assert((int)FVI_BATCH_MOST == (int)FVI_MOST_LANES, "a batch has a vector of lanes");
+
+struct fvi_batch {
+    fvi_lanes lanes;
+    fvi_system system;
+    fvi_run run;
+    double x0[FVI_MOST_LANES], p0[FVI_MOST_LANES], mass[FVI_MOST_LANES], damping[FVI_MOST_LANES];
+};
+
+/* ---- do they go together? ---- */
+
+static int is_same_law(const fvi_kernel *a, const fvi_kernel *b)
+{
+    if (a == b)
+        return 1;
+    if (!a || !b || a->count != b->count)
+        return 0;
+    for (size_t i = 0; i < a->count; i++) {
+        const fvi_kernel_term *s = a->term + i, *t = b->term + i;
+        if (s->kind != t->kind || s->rho != t->rho || s->alpha != t->alpha || s->time != t->time
+            || s->end != t->end || (s->kind == FVI_KERNEL_SYMBOL && s != t))
+            return 0;
+    }
+    return 1;
+}
+
+static int is_quadratic(const fvi_potential *u)
+{
+    return u->quadratic && u->quadratic(u->params);
+}
+
+/* Of one run. */
+static const char *refusal_alone(const fvi_method *method, const fvi_run *run)
+{
+    const fvi_system *system = run->system;
+    if (method->dense)
+        return "the method chooses its steps";
+    if (system->d != 1)
+        return "a run has more than one coordinate";
+    if (system->matrices || system->mechanism || fvi_lanes_of(system))
+        return "a system has matrices, a mechanism or lanes";
+    if (run->event_count > 0 || system->force.impulse_count > 0)
+        return "there are events or impulses";
+    return system->potential.solve ? "a potential solves its own equation" : NULL;
+}
+
+/* Of another run and the first. */
+static const char *refusal_of_two(const fvi_method *method, const fvi_run *a, const fvi_run *b)
+{
+    const fvi_system *s = a->system, *t = b->system;
+    const fvi_potential *u = &s->potential, *w = &t->potential;
+    if (a->h != b->h || a->steps != b->steps)
+        return "the steps differ";
+    if (a->alpha != b->alpha || !is_same_law(a->law, b->law) || a->past != b->past
+        || a->memory != b->memory || a->tolerance != b->tolerance)
+        return "the memories differ";
+    if (a->kappa != b->kappa)
+        return "kappa differs";
+    if (method->stages && (*s->mass != *t->mass || *s->damping != *t->damping))
+        return "with stages the masses and the dampings must be the same";
+    if (!u->gradient != !w->gradient || is_quadratic(u) != is_quadratic(w)
+        || !u->diagonals != !w->diagonals)
+        return "the potentials are of different kinds";
+    return !s->force.value != !t->force.value ? "one has a force, another none" : NULL;
+}
+
+const char *fvi_batch_refusal(const fvi_method *method, size_t count, const fvi_run *run)
+{
+    if (!method || !run || count == 0 || count > FVI_BATCH_MOST)
+        return "there must be 1 to 8 runs and a method";
+    const char *why = NULL;
+    for (size_t l = 0; l < count && !why; l++) {
+        if (!run[l].system || !run[l].x0 || !run[l].p0 || !run[l].system->mass
+            || !run[l].system->damping)
+            return "a pointer of a run is null";
+        why = refusal_alone(method, run + l);
+        if (!why)
+            why = refusal_of_two(method, run, run + l);
+    }
+    return why;
+}
+
+/* ---- the one run ---- */
+
+static void fill(fvi_batch *b, size_t count, const fvi_run *run)
+{
+    b->lanes.count = count;
+    for (size_t l = 0; l < count; l++) {
+        b->lanes.system[l] = run[l].system;
+        b->x0[l] = *run[l].x0;
+        b->p0[l] = *run[l].p0;
+        b->mass[l] = *run[l].system->mass;
+        b->damping[l] = *run[l].system->damping;
+    }
+    b->run = *run;
+    b->run.system = &b->system;
+    b->run.x0 = b->x0;
+    b->run.p0 = b->p0;
+    b->system = (fvi_system){ .d = count,
+                              .mass = b->mass,
+                              .damping = b->damping,
+                              .potential = fvi_lanes_potential(&b->lanes),
+                              .force = fvi_lanes_force(&b->lanes) };
+}
+
+int fvi_batch_alloc(const fvi_method *method, size_t count, const fvi_run *run, fvi_batch **batch,
+                    fvi_error *error)
+{
+    if (!method || !run || !batch)
+        return fvi_fail(error, FVI_EFAULT, !method ? "method" : !run ? "run" : "batch", NAN,
+                        "null pointer");
+    if (count == 0 || count > FVI_BATCH_MOST)
+        return fvi_fail(error, FVI_EINVAL, "count", (double)count, "count is %zu; it must be 1 to 8",
+                        count);
+    const char *why = fvi_batch_refusal(method, count, run);
+    if (why)
+        return fvi_fail(error, FVI_EUNSUP, "run", NAN, "the runs do not go together: %s", why);
+    fvi_batch *b = calloc(1, sizeof *b);
+    if (b)
+        fill(b, count, run);
+    if (!b || fvi_lanes_prepare(&b->lanes)) {
+        free(b);
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "no memory for the batch");
+    }
+    *batch = b;
+    return FVI_SUCCESS;
+}
+
+const fvi_run *fvi_batch_run(const fvi_batch *batch)
+{
+    return &batch->run;
+}
+
+void fvi_batch_free(fvi_batch *batch)
+{
+    if (batch)
+        fvi_lanes_discard(&batch->lanes);
+    free(batch);
+}
