@@ -181,11 +181,10 @@ static void fill(const sweep_grid *g, const keyed_run *runs, sweep_plan *plan)
 
 int sweep_plan_make(const sweep_grid *g, const fvi_options *o, sweep_plan *plan)
 {
-    const size_t each = g->runs / g->jobs;
+    const size_t each = g->runs / g->jobs,
+                 wanted = g->lanes ? g->lanes : each < FVI_BATCH_MOST ? each : FVI_BATCH_MOST;
     keyed_run *runs = malloc((g->runs + 1) * sizeof *runs);
-    *plan = (sweep_plan){ .most = g->lanes  ? g->lanes
-                                  : each < 1 ? 1
-                                             : each,
+    *plan = (sweep_plan){ .most = wanted < 1 ? 1 : wanted,
                           .order = malloc((g->runs + 1) * sizeof *plan->order),
                           .group = malloc((g->runs + 1) * sizeof *plan->group),
                           .why = refusal(o) };
@@ -194,8 +193,6 @@ int sweep_plan_make(const sweep_grid *g, const fvi_options *o, sweep_plan *plan)
         sweep_plan_free(plan);
         return FVI_ENOMEM;
     }
-    if (plan->most > FVI_BATCH_MOST)
-        plan->most = FVI_BATCH_MOST;
     if (plan->why)
         plan->most = 1;
     for (size_t i = 0; i < g->runs; i++)
