@@ -19,6 +19,8 @@
  * the impulses of the last steps, of an order that is one above the highest of the method, 9 at
  * most; near t = 0, where J = t^q g(t) with q = 2 - the order of the damping, by those of g. So
  * force and a have the order of p at a fixed t; at the first nodes they are of low order, as p is.
+ * A law that is not one power need not begin like t^q, because it may relax within a step. So near t = 0 its J is
+ * compared with what it answers to a jump, a line and a parabola (13.20), and its force has the order of p there, 3 at most.
  * Of a start with a velocity and an order of the damping up to 1, the methods of order 2 get the first impulses wrong,
  * by a quarter for a dashpot. What the steps take from the line x_0 + v_0 t and what is exact are both known, and J and the
  * work have the difference (13.18): over all rows J and the work then have the order 2, the force 2 - that of the

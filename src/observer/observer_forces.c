@@ -11,7 +11,7 @@
 
 /* f'(0) h = sum_{i=1}^{n} c_i (f(-i h) - f(0)), c_i = (-1)^i binom(n, i) / i, exact up to the
  * degree n. */
-static double backward(size_t n, const double *change)
+static double differentiate(size_t n, const double *change)
 {
     double sum = 0, binomial = 1;
     for (size_t i = 1; i <= n; i++) {
@@ -30,7 +30,7 @@ static void changes(const fvi_observer *o, size_t j, size_t n, double *change)
 }
 
 /* At first J = t^q g(t): J' = t^q g' + q J / t, and g is taken without t = 0. */
-static double near_start(const fvi_observer *o, size_t j, size_t k)
+static double near_start_of_power(const fvi_observer *o, size_t j, size_t k)
 {
     const size_t n = k - 1 < o->degree ? k - 1 : o->degree;
     const double q = o->exponent[j], J = o->impulse[j];
@@ -40,7 +40,59 @@ static double near_start(const fvi_observer *o, size_t j, size_t k)
         change[i] = (J + change[i])
                         * pow((double)k / (double)(k - i), q)
                     - J;
-    return backward(n, change) + q * J / (double)k;
+    return differentiate(n, change) + q * J / (double)k;
+}
+
+/* Does the first step nearly miss a parabola? In form D of two stages only. */
+static int misses_parabola(const fvi_law_row *first)
+{
+    return fabs(first->summed[FVI_PARABOLA]) < 0.25 * first->exact[FVI_PARABOLA + 1];
+}
+
+/* What the impulse of force j is compared with: J = ... + g S, g smooth. The jump and the line before it are taken
+ * away exactly, unless the order is above 1, where z goes on like t^(3 - 2 alpha) and not like t^2, or the parabola
+ * is missed. */
+static size_t compared_with(const fvi_observer *o, size_t j, size_t damper, const fvi_law_row *first)
+{
+    return o->line[j] != 0 && (o->growth[damper] > 1 || misses_parabola(first)) ? FVI_LINE : FVI_PARABOLA;
+}
+
+/* h J' by (13.20), without t = 0 and without a first step that tells nothing. */
+static double near_start_of_law(const fvi_observer *o, size_t j, size_t damper, size_t k, double h,
+                                const fvi_law_row *first)
+{
+    const size_t to = compared_with(o, j, damper, first),
+                 from = to == FVI_PARABOLA && misses_parabola(first) ? 2 : 1, known = k > from ? k - from : 0,
+                 n = known < o->degree ? known : o->degree;
+    const double size[] = { o->jump[j], o->line[j] }, *exact = first[k - 1].exact;
+    double change[FVI_MOST_DIFFERENCES + 1], force = 0, g = 0;
+    changes(o, j, n, change);
+    for (size_t i = 0; i < to; i++)
+        force += size[i] * exact[i];
+    for (size_t i = 0; i <= n; i++) {
+        const fvi_law_row *row = first + k - i - 1;
+        double rest = o->impulse[j] + change[i];
+        for (size_t of = 0; of < to; of++)
+            rest -= size[of] * row->summed[of];
+        rest /= k < from ? row->exact[to + 1] : row->summed[to];
+        g = i == 0 ? rest : g;
+        change[i] = rest - g;
+    }
+    return h * (force + g * exact[to]) + exact[to + 1] * differentiate(n, change);
+}
+
+static double near_start(const fvi_observer *o, size_t j, size_t k, double h)
+{
+    const size_t damper = o->has_mechanism ? j : j / o->d;
+    const fvi_law_row *first = fvi_law_rows_of(&o->law_rows, damper);
+    const int has_sums = first && (o->jump[j] == 0 || first->summed[FVI_JUMP] > 0);
+    return has_sums ? near_start_of_law(o, j, damper, k, h, first) : near_start_of_power(o, j, k);
+}
+
+/* So many rows are near the start. */
+static size_t first_rows(const fvi_observer *o)
+{
+    return 3 * o->degree;
 }
 
 void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
@@ -52,11 +104,11 @@ void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
         return;
     }
     for (size_t j = 0; j < o->tracked; j++) {
-        const int plain = k > 3 * o->degree || isnan(o->exponent[j]);
+        const int plain = k > first_rows(o) || isnan(o->exponent[j]);
         const size_t n = k < o->degree ? k : o->degree;
         if (plain)
             changes(o, j, n, change);
-        slope[j] = (plain ? backward(n, change) : near_start(o, j, k)) / h;
+        slope[j] = (plain ? differentiate(n, change) : near_start(o, j, k, h)) / h;
         if (k == 1 && j >= o->forces + o->slopes) /* of a parabola, as at the start */
             slope[j] = 2 * slope[j] - o->start[j];
     }
@@ -97,16 +149,23 @@ static double dashpot(const fvi_run_damper *of)
     return of->law ? fvi_kernel_dashpot(of->law) : of->rho;
 }
 
+/* lim C(s), s to infinity: the stiffness that a jump meets at first. Of a law of the order 0 that holds orders 2 alpha
+ * next to it, below 0.06, up to 1e-15. */
+static double stiffness_of_jump(const fvi_run_damper *of)
+{
+    const double limit = of->growth == 0 ? fvi_run_damper_symbol(of, 1e250) : INFINITY;
+    return isfinite(limit) ? limit : INFINITY;
+}
+
 /* A damper's force at t = 0+ of an elongation with the velocity zdot and, of Riemann and
- * Liouville's past, a jump by z0. INFINITY where there is none, and of a law that jumps, where it is not known. */
+ * Liouville's past, a jump by z0. INFINITY where there is none. */
 static double force_at_start(const fvi_run_damper *of, double z0, double zdot)
 {
     const double order = of->growth;
     if (of->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && z0 != 0)
-        return of->law      ? INFINITY
-               : order == 0 ? of->rho * z0
-               : order == 1 ? of->rho * zdot
-                            : INFINITY;
+        return order == 0             ? stiffness_of_jump(of) * z0
+               : order == 1 && !of->law ? of->rho * zdot
+                                        : INFINITY;
     if (order < 1 || zdot == 0)
         return 0;
     if (order == 1)
@@ -121,6 +180,13 @@ static double exponent_at_start(double order, fvi_initial_history past,
                    && order < 1
                ? 1 - order
                : 2 - order;
+}
+
+/* The jump and the line with which the elongation of force j begins. */
+static void keep_start(fvi_observer *o, size_t j, const fvi_run_damper *of, double z0, double zdot)
+{
+    o->jump[j] = of->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? z0 : 0;
+    o->line[j] = zdot;
 }
 
 /* One law or alpha, or the dampers of a structure: each with a force on every coordinate. */
@@ -145,6 +211,7 @@ static int begin_coordinates(fvi_observer *o, const fvi_stepper *s)
                          rate = o->matrices ? o->F[i] : o->v[i];
             o->exponent[j * d + i] =
                 exponent_at_start(of.growth, of.past, z[i]);
+            keep_start(o, j * d + i, &of, factor * z[i], factor * rate);
             o->start[j * d + i] =
                 factor == 0 || of.rho == 0
                     ? 0
@@ -182,6 +249,7 @@ static int begin_mechanism(fvi_observer *o, const fvi_stepper *s)
         double z, rate;
         status = fvi_observer_elongation(o, s, &damper->of, &z, &rate);
         o->exponent[j] = exponent_at_start(of.growth, of.past, z);
+        keep_start(o, j, &of, z, rate);
         o->start[j] = force_at_start(&of, z, rate);
     }
     for (size_t i = o->forces; i < o->tracked; i++) {
@@ -197,6 +265,10 @@ int fvi_observer_begin_forces(fvi_observer *o, const fvi_stepper *s)
     if (!status)
         status = o->has_mechanism ? begin_mechanism(o, s)
                                   : begin_coordinates(o, s);
+    for (size_t j = 0; j < o->dampers; j++)
+        o->growth[j] = fvi_run_damper_of(&s->run, j).growth;
+    if (!status && o->is_damped && !s->method->dense)
+        status = fvi_law_rows_start(&o->law_rows, s, o->dampers, first_rows(o));
     for (size_t j = 0; j < o->tracked && !o->is_mass; j++)
         o->is_infinite |= isinf(o->start[j]) != 0;
     return status;

@@ -31,6 +31,13 @@ static int is_by_quadrature(const fvi_method *method)
            || method->scheme == FVI_SCHEME_CQ2_MIDPOINT;
 }
 
+const fvi_method *fvi_ramp_method(const fvi_stepper *s)
+{
+    if (!is_by_quadrature(s->method))
+        return NULL;
+    return s->mechanism ? &fvi_cq2_midpoint : s->method; /* the line is no mechanism; both sum alike */
+}
+
 /* The law by which the damper is summed, or NULL of an alpha. A mechanism sums each of its kernels as a law. */
 static const fvi_kernel *law_of(const fvi_stepper *s, size_t j)
 {
@@ -59,7 +66,7 @@ static fvi_ramp *describe(const fvi_stepper *s, size_t j)
     fvi_ramp *o = calloc(1, sizeof *o);
     if (!o)
         return NULL;
-    o->method = s->mechanism ? &fvi_cq2_midpoint : s->method; /* the line is no mechanism; both sum alike */
+    o->method = fvi_ramp_method(s);
     o->order = of.growth;
     o->run = fvi_run_default(&o->system, NULL, NULL, s->run.h, s->run.steps);
     o->run.memory = s->run.memory;

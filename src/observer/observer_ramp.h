@@ -11,6 +11,10 @@
 
 typedef struct fvi_ramp fvi_ramp;
 
+/* fvi_ramp_method -- the steps of order 2 by convolution quadrature that sum the dampers of s, without a mechanism;
+ * NULL of other steps. */
+const fvi_method *fvi_ramp_method(const fvi_stepper *s);
+
 /* fvi_ramp_start -- of damper j of the run of s, for a method of order 2 (a scheme by convolution quadrature).
  *
  *   ramp  output; NULL if there is nothing to add: other methods, and orders above 1, whose line is taken out of the

@@ -25,6 +25,7 @@ static void place_arrays(fvi_observer *o)
                                &o->scalars },
                    **const rest[] = { &o->p0,      &o->start,  &o->exponent,
                                       &o->rate,    &o->power,
+                                   &o->jump,    &o->line,    &o->growth,
                                       &o->begin.x, &o->begin.p, &o->begin.F,
                                       &o->begin.dampers,
                                       &o->hit,     &o->change, &o->x,
@@ -48,7 +49,7 @@ static int allocate(fvi_observer *o)
 {
     const size_t most = o->d > o->tracked ? o->d : o->tracked;
     const size_t room = (o->degree + 2) * o->tracked + 2 * o->dampers + FVI_SCALARS
-                        + 29 * most;
+                        + 32 * most;
     o->numbers = calloc(room, sizeof *o->numbers);
     if (!o->numbers)
         return FVI_ENOMEM;
@@ -262,7 +263,9 @@ int fvi_observer_copy(const fvi_observer *from, fvi_observer **to)
     o->factors = NULL;
     o->numbers = NULL;
     o->ramp = NULL;
-    int status = allocate(o);
+    int status = fvi_law_rows_copy(&from->law_rows, &o->law_rows);
+    if (!status)
+        status = allocate(o);
     if (!status)
         memcpy(o->numbers, from->numbers, o->count * sizeof *o->numbers);
     if (!status && o->matrices)
@@ -294,6 +297,7 @@ void fvi_observer_free(fvi_observer *o)
     if (o->factors)
         o->matrices->forget(o->factors);
     fvi_observer_free_ramps(o);
+    fvi_law_rows_free(&o->law_rows);
     free(o->numbers);
     free(o);
 }

@@ -5,6 +5,7 @@
 #define FVI_OBSERVER_STATE_H
 
 #include "methods/step_sums.h"
+#include "observer_law.h"
 #include "observer_ramp.h"
 
 #include <fvi/dampers.h>
@@ -46,9 +47,12 @@ struct fvi_observer {
     /* what does not change */
     double *p0, *start; /* d; the forces at t = 0 */
     double *exponent;   /* q of each force: J = t^q g(t) at first; NaN of a velocity */
+    double *jump, *line; /* z of each force begins with jump + line t: Riemann and Liouville's z_0, and zdot */
+    double *growth;     /* of each damper: its law is like |s|^growth */
     double *rate;       /* of each force: its impulse has rate times lead more */
     double *power;      /* of each damper: its work has power times lead more */
     fvi_ramp **ramp;    /* of each damper, NULL if it has none; or NULL */
+    fvi_law_rows law_rows;
     double E0;
     /* what is made anew */
     fvi_step_begin begin;

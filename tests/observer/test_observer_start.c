@@ -113,7 +113,7 @@ static void worst(const fvi_method *method, damped_by way, double o, size_t N, d
     fvi_stepper_free(s);
 }
 
-/* (13.20): over all rows behind t = 0 the impulse and the work have the order 2 up to the order 1 of the damping,
+/* (13.18): over all rows behind t = 0 the impulse and the work have the order 2 up to the order 1 of the damping,
  * and 4 - 2 o above it, as p; the force has 2 - o. Margins: 0.3 for
  * N = 40 and 160; above the order 1 half of the order for 640 and 2560; seen 0.8 of them. */
 START_TEST(all_rows_of_a_start_with_a_velocity_have_their_order)

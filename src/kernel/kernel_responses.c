@@ -1,0 +1,56 @@
+/* src/kernel/kernel_responses.c -- How a law answers to a jump, a line and a parabola. [H 26] */
+#include "kernel_responses.h"
+
+#include "kernel_impulses_state.h"
+
+#include <string.h>
+
+/* The nodes of the parabola, and the poles of C off the cut. */
+typedef struct {
+    size_t count;
+    double complex s[NODES + MOST_POLES], weight[NODES + MOST_POLES];
+} inverse;
+
+/* For the times from t to SPAN t. */
+static void make_inverse(const fvi_impulses_of_kernel *law, double t, inverse *to)
+{
+    fvi_parabola rule;
+    fvi_parabola_make(t, &rule);
+    to->count = NODES;
+    for (size_t j = 0; j < NODES; j++) {
+        to->s[j] = rule.s[j];
+        to->weight[j] = rule.weight[j] * law->symbol(law->of, rule.s[j]);
+    }
+    for (size_t i = 0; i < law->poles; i++, to->count++) {
+        const double complex s = to->s[to->count] = law->pole[i].s;
+        to->weight[to->count] = 2 * law->pole[i].residue * fvi_parabola_left_out(&rule, s, NULL);
+    }
+}
+
+static void evaluate(const inverse *of, double t, double *response)
+{
+    memset(response, 0, FVI_KERNEL_RESPONSES * sizeof *response);
+    for (size_t j = 0; j < of->count; j++) {
+        double complex term = of->weight[j] * cexp(of->s[j] * t);
+        for (size_t m = 0; m < FVI_KERNEL_RESPONSES; m++)
+            response[m] += creal(term /= of->s[j]);
+    }
+}
+
+int fvi_kernel_responses(const fvi_kernel *law, double h, size_t count, double *response)
+{
+    fvi_impulses_of_kernel *o;
+    inverse now = { 0 };
+    const int status = fvi_impulses_of_kernel_alloc(law, h, &o);
+    if (status)
+        return status;
+    for (size_t k = 1, last = 0; k <= count; k++, response += FVI_KERNEL_RESPONSES) {
+        if (k > last) {
+            make_inverse(o, (double)k * h, &now);
+            last = SPAN * k;
+        }
+        evaluate(&now, (double)k * h, response);
+    }
+    fvi_impulses_of_kernel_free(o);
+    return FVI_SUCCESS;
+}

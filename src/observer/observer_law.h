@@ -1,0 +1,51 @@
+/* src/observer/observer_law.h -- The force of a law in the first rows, from its impulses. [H 13, 26]
+ *
+ * Internal to the room. Differences of impulses know a smooth force. In the first rows the force of a law is not
+ * smooth: it answers to a start with a velocity within its relaxation time, which may be shorter than a step. But its
+ * answers G_1 to G_4 to a jump, a line and a parabola are known (26.21). The steps sum the impulses S_1, S_2 and S_3
+ * of these three motions, which differ from G_2, G_3 and G_4 in the first rows. A damper with z = z_0 + v_0 t + ...
+ * takes the impulse
+ *
+ *     J = z_0 S_1 + v_0 S_2 + g S_3,     so its force is z_0 G_1 + v_0 G_2 + g G_3 + g' G_4,          (13.20)
+ *
+ * and only g is differentiated, which is smooth. */
+#ifndef FVI_OBSERVER_LAW_H
+#define FVI_OBSERVER_LAW_H
+
+#include <fvi/trajectory.h>
+
+#include <stdint.h>
+
+/* The motions, and the places of their numbers. */
+enum { FVI_JUMP, FVI_LINE, FVI_PARABOLA, FVI_STARTS };
+
+/* One row of a law: G_1 to G_4, and S_1 to S_3. Motion i has the force exact[i] and the impulses exact[i + 1] and
+ * summed[i]. */
+typedef struct {
+    double exact[FVI_STARTS + 1], summed[FVI_STARTS];
+} fvi_law_row;
+
+/* The rows 1 to `rows` of all different laws of a run. */
+typedef struct {
+    size_t rows, laws, dampers;
+    size_t *law_of;     /* of each damper; FVI_NO_LAW: it is one power */
+    fvi_law_row *first; /* of law i from [i * rows] on */
+} fvi_law_rows;
+#define FVI_NO_LAW SIZE_MAX
+
+/* fvi_law_rows_start -- of all dampers of the run of s that are not one power; o is zeroed. Cost: for each different
+ * law a run of two bodies with `rows` steps. Returns FVI_SUCCESS, FVI_ENOMEM or what the steps returned.
+ * fvi_law_rows_copy -- the same again.
+ * fvi_law_rows_free -- give the memory back. */
+int fvi_law_rows_start(fvi_law_rows *o, const fvi_stepper *s, size_t dampers, size_t rows);
+int fvi_law_rows_copy(const fvi_law_rows *from, fvi_law_rows *to);
+void fvi_law_rows_free(fvi_law_rows *o);
+
+/* fvi_law_rows_of -- those of damper j, row 1 first; NULL if it is one power, or takes no force. */
+const fvi_law_row *fvi_law_rows_of(const fvi_law_rows *o, size_t j);
+
+/* fvi_law_sums -- S_1 to S_3 of rows 1 to `rows`: two heavy bodies move along t and t^2/2 by the method of s, and
+ * the impulses of their dampers are read. S_1 is 0 but for `fvi`, the only method that takes a jump with a law. */
+int fvi_law_sums(const fvi_stepper *s, const fvi_kernel *law, size_t rows, fvi_law_row *first);
+
+#endif

@@ -1,0 +1,133 @@
+/* src/observer/observer_law_sums.c -- The impulses that the steps sum of a line and of a parabola. [H 13] */
+#include "observer_law.h"
+
+#include "methods/convolution_quadrature_dampers.h"
+#include "observer_ramp.h"
+
+#include <fvi/dampers.h>
+
+#include <math.h>
+
+/* Two bodies so heavy that no damper slows them down. One starts with the velocity 1, the other one falls with the
+ * acceleration 1, so that they move along x_1 = t and x_2 = t^2/2. */
+#define HEAVY 1e150
+static const double mass[] = { HEAVY, HEAVY }, origin[] = { 0, 0 }, momentum[] = { HEAVY, 0 };
+
+static int potential(size_t d, const double *x, void *params, double *value)
+{
+    (void)d, (void)params;
+    *value = -HEAVY * x[1];
+    return 0;
+}
+
+static int gradient(size_t d, const double *x, void *params, double *grad)
+{
+    (void)d, (void)x, (void)params;
+    grad[0] = 0;
+    grad[1] = -HEAVY;
+    return 0;
+}
+
+static int hessian(size_t d, const double *x, void *params, double *H)
+{
+    (void)d, (void)x, (void)params;
+    H[0] = H[1] = 0;
+    return 0;
+}
+
+static int is_quadratic(const void *params)
+{
+    (void)params;
+    return 1;
+}
+
+static const fvi_potential fall = {
+    .value = potential, .gradient = gradient, .hessian = hessian, .quadratic = is_quadratic, .diagonals = 1
+};
+
+/* An elongation that jumps from 0 to 1 at t = 0. */
+static int jump(double t, size_t d, const double *x, void *params, double *z)
+{
+    (void)t, (void)d, (void)x, (void)params;
+    *z = 1;
+    return 0;
+}
+
+static int jump_gradient(double t, size_t d, const double *x, void *params, double *G)
+{
+    (void)t, (void)d, (void)x, (void)params;
+    G[0] = G[1] = 0;
+    return 0;
+}
+
+static int jump_hessian(double t, size_t d, const double *x, double lambda, void *params, double *H)
+{
+    (void)t, (void)d, (void)x, (void)lambda, (void)params, (void)H;
+    return 0;
+}
+
+/* Steps that keep the impulse of each damper. */
+static int sum_by_dampers(const fvi_stepper *of, const fvi_kernel *law, size_t rows, fvi_law_row *row)
+{
+    static const double line[] = { 1, 0 }, parabola[] = { 0, 1 }, none[] = { 0, 0 };
+    const fvi_initial_history held = FVI_INITIAL_HISTORY_HELD, rl = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+    const fvi_damper damper[] = {
+        { .of.row = line, .kernel = law, .past = held },
+        { .of.row = parabola, .kernel = law, .past = held },
+        { .of = { .value = jump, .gradient = jump_gradient, .hessian = jump_hessian }, .kernel = law, .past = rl }
+    };
+    const int takes_jump = of->method->scheme == FVI_SCHEME_FVI && fvi_kernel_growth(law) <= 1;
+    const fvi_mechanism mechanism = { .damper = damper, .damper_count = takes_jump ? 3 : 2 };
+    const fvi_system system = {
+        .d = 2, .mass = mass, .damping = none, .potential = fall, .mechanism = &mechanism
+    };
+    const fvi_run run = fvi_run_default(&system, origin, momentum, of->run.h, rows);
+    fvi_stepper *s;
+    double work;
+    int status = fvi_stepper_start(of->method, &run, &s, NULL);
+    if (status)
+        return status;
+    for (size_t k = 0; k < rows && !status; k++, row++) {
+        status = fvi_stepper_step(s);
+        if (!status)
+            status = fvi_stepper_damper(s, 0, &row->summed[FVI_LINE], &work);
+        if (!status)
+            status = fvi_stepper_damper(s, 1, &row->summed[FVI_PARABOLA], &work);
+        if (!status && takes_jump)
+            status = fvi_stepper_damper(s, 2, &row->summed[FVI_JUMP], &work);
+    }
+    fvi_stepper_free(s);
+    return status;
+}
+
+/* Convolution quadrature of order 2, without a mechanism. The observer corrects the impulse of the line (13.18). */
+static int sum_by_quadrature(const fvi_stepper *of, const fvi_kernel *law, size_t rows, fvi_law_row *row)
+{
+    static const double damping[] = { 1, 1 };
+    const fvi_system system = { .d = 2, .mass = mass, .damping = damping, .potential = fall };
+    fvi_run run = fvi_run_default(&system, origin, momentum, of->run.h, rows);
+    fvi_stepper *s;
+    double J[] = { 0, 0 };
+    run.law = law;
+    int status = fvi_stepper_start(fvi_ramp_method(of), &run, &s, NULL);
+    if (status)
+        return status;
+    const fvi_cq_state *cq = s->method_state;
+    for (size_t k = 0; k < rows && cq->count > 0 && !status; k++, row++) {
+        const fvi_cq_damper *damper = cq->each;
+        status = fvi_damping_apply_force(damper->damping, damper->theta - 0.5, damper->H, J);
+        if (!status)
+            status = fvi_stepper_step(s);
+        if (!status)
+            status = fvi_damping_apply_force(damper->damping, -0.5 - damper->theta, damper->H, J);
+        row->summed[FVI_LINE] = row->exact[FVI_LINE + 1];
+        row->summed[FVI_PARABOLA] = J[1];
+    }
+    fvi_stepper_free(s);
+    return status;
+}
+
+int fvi_law_sums(const fvi_stepper *s, const fvi_kernel *law, size_t rows, fvi_law_row *first)
+{
+    return (fvi_ramp_method(s) ? sum_by_quadrature : sum_by_dampers)(s, law, rows, first);
+}

@@ -1,0 +1,101 @@
+"""Forces of laws in the first rows of an oscillator. Prints tests/observer/observer_laws_ref.h.
+
+    x'' + c x + C(D) (x - x0) = 0,     x(0) = x0, x'(0) = v0, held before t = 0.
+
+For z = x - x0 Laplace's transform is Z(s) = (v0 - c x0/s) / (s^2 + c + C(s)), and the force has the transform C Z.
+With a past that jumps, C acts on x, and X(s) = (s x0 + v0) / (s^2 + c + C(s)). Both are inverted along Talbot's
+contour, with two numbers of nodes that must agree. The answers of a law to 1, t and t^2/2 are (26.21), the inverse
+transforms of C/s^m. Claimed: for a Maxwell element they are what integrals of exp(-t/T) give, and the oscillator with
+a Maxwell element is the solution of three linear equations of first order."""
+from mpmath import exp, expm, invertlaplace, matrix, mp, mpf, quad
+
+from shared.refgen import claim, header, nearest as nearest_of, table
+
+mp.dps = 40
+H, c = mpf(1) / 64, mpf(2)
+ROWS = (1, 2, 3, 4, 7, 13)
+STARTS = ((0, 1), (1, 0), (mpf(1) / 2, mpf(3) / 4))
+
+
+def nearest(v):
+    return nearest_of(v, 20)
+
+
+def double(x):
+    return mpf(float(x))
+
+
+def zener(rho, alpha, T):
+    """A fraction with the relaxation time T."""
+    return ("ZENER", double(rho), double(alpha), double(mpf(T) ** (2 * double(alpha))), mpf(0), mpf(0))
+
+
+LAWS = [zener(0.75, a, T * H) for a in (0.1, 0.25, 0.4) for T in (0.1, 1, 10, 100)]
+LAWS += [("MAXWELL", mpf(0.75), mpf(0), double(T * H), mpf(0), mpf(0)) for T in (0.1, 1, 10, 100)]
+LAWS += [zener(0.75, 0.6, 8 * H), zener(0.75, 0.9, 8 * H),
+         ("ZENER", mpf(0.75), double(0.3), double(0.1), mpf(0), mpf(0.25)),       # and a dashpot
+         ("MAXWELL2", mpf(0.75), double(0.4), double(0.05), double(0.1), mpf(0)),
+         ("DAVIDSON", mpf(0.75), double(0.3), double(H), mpf(0), mpf(0)),
+         ("DISTRIBUTED", mpf(0.75), double(0.1), mpf(0), double(0.4), mpf(0))]
+
+
+def symbol(law, s):
+    kind, rho, alpha, time, end, dashpot = law
+    a = 2 * alpha
+    value = {"ZENER": lambda: s**a / (1 + time * s**a),
+             "MAXWELL": lambda: s / (1 + time * s),
+             "MAXWELL2": lambda: s**a / (1 + time * s**(2 * (alpha - end))),
+             "DAVIDSON": lambda: (s / (1 + time * s))**a,
+             "DISTRIBUTED": lambda: (s**(2 * end) - s**a) / (2 * mp.log(s))}[kind]()
+    return rho * value + dashpot * s
+
+
+def inverse(F, t):
+    """f(t) to 20 digits: contours of 60 and of 75 nodes agree."""
+    first, second = (invertlaplace(F, t, method="talbot", degree=n) for n in (60, 75))
+    claim("Talbot's contour has enough nodes", abs(first - second) <= mpf(10)**-26 * (abs(first) + mpf(10)**-6))
+    return second
+
+
+def force(law, x0, v0, t):
+    return inverse(lambda s: symbol(law, s) * (v0 - c * x0 / s) / (s**2 + c + symbol(law, s)), t)
+
+
+def force_of_jump(law, x0, v0, t):
+    return inverse(lambda s: symbol(law, s) * (s * x0 + v0) / (s**2 + c + symbol(law, s)), t)
+
+
+def responses(law, t):
+    return [inverse(lambda s, m=m: symbol(law, s) / s**m, t) for m in (1, 2, 3, 4)]
+
+
+def near(a, b):
+    return abs(a - b) <= mpf(10)**-22 * (abs(a) + mpf(10)**-10)
+
+
+maxwell = LAWS[12]
+rho, T = maxwell[1], maxwell[3]
+for t in (H, 5 * H):
+    G = responses(maxwell, t)
+    claim("a jump of a Maxwell element relaxes", near(G[0], rho / T * exp(-t / T)))
+    for m in (1, 2, 3):
+        parts = [0, T, min(t, 20 * T), t]
+        exact = quad(lambda u, m=m: rho / T * exp(-u / T) * (t - u)**(m - 1) / mp.factorial(m - 1), sorted(set(parts)))
+        claim("its integrals are the other answers", near(G[m], exact))
+    # (x, v, f)' = (v, -c x - f, (rho v - f)/T)
+    motion = expm(matrix([[0, 1, 0], [-c, 0, -1], [0, rho / T, -1 / T]]) * t, method="taylor")
+    for x0, v0 in STARTS:
+        claim("the oscillator with a Maxwell element", near((motion * matrix([x0, v0, 0]))[2], force(maxwell, x0, v0, t)))
+
+header(__file__)
+print("\n/* h = 1/64, c = 2. The rows of forces and answers name the law by its number. */")
+table("ref_laws", "int kind; double rho, alpha, time, end, dashpot;",
+      [[f"FVI_KERNEL_{kind}", *map(nearest, numbers)] for kind, *numbers in LAWS])
+table("ref_responses", "size_t law, k; double G_1, G_2, G_3, G_4;",
+      [[i, k, *map(nearest, responses(law, k * H))] for i, law in enumerate(LAWS) for k in (1, 5, 27)])
+table("ref_forces", "size_t law, k; double x0, v0, force;",
+      [[i, k, nearest(mpf(x0)), nearest(mpf(v0)), nearest(force(law, x0, v0, k * H))]
+       for i, law in enumerate(LAWS) for x0, v0 in STARTS for k in ROWS])
+table("ref_jumps", "size_t law, k; double x0, v0, force;",
+      [[i, k, nearest(mpf(1) / 2), nearest(mpf(v0)), nearest(force_of_jump(LAWS[i], mpf(1) / 2, v0, k * H))]
+       for i in (2, 6, 10, 13, 15) for v0 in (0, mpf(3) / 4) for k in (1, 2, 3)])
