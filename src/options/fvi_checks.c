@@ -97,8 +97,11 @@ int fvi_check_exact_motion(const fvi_options *o, fvi_error *c)
                           o->text[FORCE]);
     if (o->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
         || (o->past == FVI_INITIAL_HISTORY_CAPUTO && o->alpha > 0.5))
-        return fvi_refuse(c, "derivative", "'%s' has no exact solution of several masses "
-                          "here; held has",
+        return fvi_refuse(c, "derivative", fvi_is_oscillator(o)
+                              ? "'%s' has no exact accelerations and forces here, only x and v; "
+                                "held has"
+                          : o->d > 1 ? "'%s' has no exact solution of several masses here; held has"
+                                     : "'%s' has no exact solution of such a mass here; held has",
                           o->text[DERIVATIVE]);
     return 0;
 }

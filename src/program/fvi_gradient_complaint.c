@@ -1,6 +1,7 @@
 /* src/program/fvi_gradient_complaint.c -- Why there is no gradient. */
 #include "fvi_gradient_complaint.h"
 
+#include "fvi_run.h"
 #include "output/fvi_complain.h"
 
 #include <stdio.h>
@@ -51,12 +52,14 @@ static int repeat_run(fvi_gradient_request *r, size_t *reached, fvi_error *error
 int fvi_gradient_complain(fvi_gradient_request *r, int status)
 {
     size_t step;
-    fvi_error error;
+    fvi_error error = { 0 };
     if (status == FVI_ENOMEM)
         return fvi_complain("not enough memory");
     const int failed = repeat_run(r, &step, &error);
     if (failed)
-        return step > 0 ? fvi_stopped_at(step, failed) : fvi_complain_of(&error);
+        return step > 0      ? fvi_stopped_at(step, failed)
+               : error.field ? fvi_complain_of(&error)
+                             : fvi_complain(fvi_reason_of_code(&r->o, failed));
     if (status == FVI_EOVRFLW)
         return fvi_stopped_at(r->o.steps, status);
     return fvi_complain(noted.code == status ? noted.text : fvi_code_in_words(status));

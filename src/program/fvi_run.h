@@ -17,6 +17,10 @@ double *fvi_run_room(const fvi_table *t);
  * that the error's field is about, or by its code. Returns an exit code. */
 int fvi_complain_of_start(const fvi_options *o, const fvi_error *error, const char *command);
 
+/* fvi_reason_of_code -- why a run could not begin if the library named no field: with the option that its
+ * code speaks of before it. */
+const char *fvi_reason_of_code(const fvi_options *o, int status);
+
 /* fvi_reason_of_start -- why a run, or its observer, could not begin, of which only the status came back: both
  * are started once more. A field of the error is an option; NULL if nothing more is known. */
 void fvi_reason_of_start(const fvi_options *o, const fvi_run *r, int status, fvi_error *error);

@@ -57,7 +57,7 @@ void fvi_reason_of_start(const fvi_options *o, const fvi_run *r, int status, fvi
 /* What the parser let through is in range: without a field FVI_EINVAL is a number of steps that no
  * memory is made for, FVI_EDOM an m / h, FVI_EUNSUP a start of fvi-adaptive, or a law that
  * stages do not take. */
-static const char *reason_of_code(const fvi_options *o, int status)
+const char *fvi_reason_of_code(const fvi_options *o, int status)
 {
     return status == FVI_ENOMEM ? "not enough memory"
            : status == FVI_ESING
@@ -84,5 +84,5 @@ int fvi_complain_of_start(const fvi_options *o, const fvi_error *error, const ch
     name_option(o, &named);
     return named.field                                       ? fvi_refused(&named, command)
            : named.code == FVI_ESING && !o->directory ? fvi_stopped_at(1, named.code)
-                                                      : fvi_complain(reason_of_code(o, named.code));
+                                                      : fvi_complain(fvi_reason_of_code(o, named.code));
 }

@@ -212,7 +212,7 @@ static void reason_of_start(const sweep_grid *g, size_t i, int status, size_t si
     if (error.field)
         snprintf(text, size, "--%s: %s", error.field, error.text);
     else if (status == FVI_EUNSUP)
-        snprintf(text, size, "%s", error.text);
+        snprintf(text, size, "%s", fvi_reason_of_code(&o, status));
     fvi_options_free(&o);
 }
 
@@ -288,20 +288,24 @@ static int check_all(const sweep_grid *g, const char **no_solution,
     return status;
 }
 
+/* *first goes to where all processes see it, and is given back before they begin: they would keep it. */
 static int run_all(const sweep_grid *g, const fvi_options *o,
-                   const size_t *first, const char *no_solution)
+                   size_t **first, const char *no_solution)
 {
+    const size_t rows = (*first)[g->runs];
     const fvi_system system = fvi_options_system(o);
     fvi_table t;
     board b;
     fvi_table_shape(&t, o, &system);
-    if (!board_open(&b, g->runs, first[g->runs], g->count + t.width))
+    if (!board_open(&b, g->runs, rows, g->count + t.width))
         return fvi_complain("not enough memory");
     board *shared = b.map;
     *shared = b;
     shared->rows = (double *)(shared + 1);
-    shared->first = (size_t *)(void *)(shared->rows + first[g->runs] * b.width);
-    memcpy(shared->first, first, (g->runs + 1) * sizeof *first);
+    shared->first = (size_t *)(void *)(shared->rows + rows * b.width);
+    memcpy(shared->first, *first, (g->runs + 1) * sizeof **first);
+    free(*first);
+    *first = NULL;
     shared->verdicts = (sweep_verdict *)(shared->first + g->runs + 1);
     if (no_solution)
         fvi_warn(no_solution);
@@ -337,7 +341,7 @@ int fvi_command_sweep(int argc, char **argv)
     if (status) {
         status = fvi_refused(&error, "sweep");
     } else {
-        status = run_all(&g, &o, first, no_solution);
+        status = run_all(&g, &o, &first, no_solution);
         fvi_options_free(&o);
     }
     free(first);

@@ -69,7 +69,11 @@ START_TEST(eq_11_21_accelerations_and_forces_as_a_run_has_them)
     ck_assert_refused("exact --columns t,work", "fvi: --columns: 't,work': the work of dampers and the balance are "
                                                 "known to run alone");
     ck_assert_refused("exact --derivative rl --x0 0 --columns t,a",
-                      "fvi: --derivative: 'rl' has no exact solution of several masses here; held has");
+                      "fvi: --derivative: 'rl' has no exact accelerations and forces here, only x and v; held has");
+    ck_assert_refused("exact --derivative caputo --alpha 0.7 --columns t,a",
+                      "fvi: --derivative: 'caputo' has no exact accelerations and forces here, only x and v; held has");
+    ck_assert_refused("exact --derivative rl --potential 'x^2' --x0 0",
+                      "fvi: --derivative: 'rl' has no exact solution of such a mass here; held has");
 }
 END_TEST
 
