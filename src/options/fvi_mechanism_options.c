@@ -121,8 +121,7 @@ size_t fvi_mechanism_dimension(const fvi_options *o)
 {
     const char *const texts[] = { o->text[LAGRANGIAN], o->list[0].text,
                                   o->list[1].text, o->list[2].text,
-                                  o->list[3].text, o->list[4].text,
-                                  o->text[POTENTIAL] };
+                                  o->list[3].text, o->text[POTENTIAL] }; /* an event watches and makes none */
     size_t d = 0;
     if (o->text[POTENTIAL] && strncasecmp(o->text[POTENTIAL], "chain", 5) == 0)
         return 0; /* it says its own */

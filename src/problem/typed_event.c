@@ -4,6 +4,7 @@
 
 #include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -145,6 +146,33 @@ static int parse_action(const char *text, fvi_event *event, fvi_error *error)
                           which == 0 ? "impact:E" : words[which]);
 }
 
+/* The first name of a coordinate, velocity or momentum with a number above d, to *length; NULL if there is none. */
+static const char *beyond_dimension(const char *text, size_t d, size_t *length)
+{
+    for (const char *at = text; (at = strpbrk(at, "xvp")); at++) {
+        const int is_inside = at > text && (isalnum((unsigned char)at[-1]) || at[-1] == '_');
+        const size_t digits = strspn(at + 1, "0123456789");
+        *length = 1 + digits;
+        if (!is_inside && digits > 0 && !isalpha((unsigned char)at[*length]) && at[*length] != '_'
+            && strtoul(at + 1, NULL, 10) > d)
+            return at;
+    }
+    return NULL;
+}
+
+/* In the place of what the parser says of such a name. */
+static int refuse_coordinate(const typed_event *e, int status, fvi_error *error)
+{
+    size_t length;
+    const char *name = status == FVI_EINVAL ? beyond_dimension(e->name, e->d, &length) : NULL;
+    char all[64] = "x alone";
+    if (e->d > 1)
+        snprintf(all, sizeof all, "x1 ... x%zu", e->d);
+    return name ? fvi_fail(error, status, "event", NAN, "'%s': there is no %.*s; the coordinates are %s",
+                           e->name, (int)length, name, all)
+                : status;
+}
+
 /* z of the text e->name. */
 static int parse_value(typed_event *e, fvi_event *event,
                        fvi_user_parameters *parameters, fvi_error *error)
@@ -197,7 +225,7 @@ static int parse_event(const char *text, typed_event *e, fvi_event *event,
         return no_memory(error);
     *event = (fvi_event){ .params = e };
     const int status = parse_action(colon + 3 + strspn(colon + 3, " "), event, error);
-    return status ? status : parse_value(e, event, parameters, error);
+    return status ? status : refuse_coordinate(e, parse_value(e, event, parameters, error), error);
 }
 
 int fvi_parse_events(size_t count, const char *const *texts, size_t d,

@@ -61,10 +61,10 @@ START_TEST(runs_end_at_events)
 }
 END_TEST
 
-/* Many coordinates: their own room; d follows from the index in the text. */
+/* Many coordinates: their own room. */
 START_TEST(coordinates_have_numbers)
 {
-    ck_assert_int_eq(fvi("run --event 'v20+0*x20+0*p1+0*t : mark' --event 'x20-t/9 : impact:1' --time 2 "
+    ck_assert_int_eq(fvi("run --dimension 20 --event 'v20+0*x20+0*p1+0*t : mark' --event 'x20-t/9 : impact:1' --time 2 "
                          "--unknowns 20 --columns x"), 0);
     ck_assert_ptr_nonnull(strstr(out, " : v20+0*x20+0*p1+0*t\n"));
     ck_assert_ptr_nonnull(strstr(out, " : x20-t/9\n"));
@@ -219,7 +219,10 @@ START_TEST(what_is_wrong_is_said)
         { "run --event 'x : impact:1.5'", "fvi: --event: '1.5' is outside [0, 1]" },
         { "run --event 'x : stop:3'", "fvi: --event: 'stop:3' is not stop" },
         { "run --event 'y : mark'", "fvi: --event: 'y': no such name\n               ^" },
-        { "run --event 'x2 : mark' --dimension 1", "fvi: --event: 'x2': no such name" },
+        { "run --event 'x2 : mark' --dimension 1", "fvi: --event: 'x2': there is no x2; the coordinates are x alone\n" },
+        { "run --event 'x2 : mark'", "fvi: --event: 'x2': there is no x2; the coordinates are x alone\n" },
+        { "run --event '2*x1+p4_-v3 : stop' --potential 'x1^2+x2^2'", "there is no v3; the coordinates are x1 ... x2\n" },
+        { "run --event 'x1-x3 : impact:1' --dimension 2", "'x1-x3': there is no x3; the coordinates are x1 ... x2\n" },
         { "run --event 'v : impact:1'", "Z of an impact is an expression in x and t alone" },
         { "run --event ' : mark'", "fvi: --event: ''" },
         { "run --event 'x : mark' --method fvi", "is not for fvi; fvi-adaptive has events" },

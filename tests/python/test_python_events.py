@@ -125,6 +125,7 @@ def test_with_events_an_acceleration_is_known_and_a_force_is_not():
     (lambda: fvi.solve(BALL, events="x : impact:2"), fvi.Error, "^events: .*2"),
     (lambda: fvi.solve(BALL, events="v : impact:1"), ValueError, "knows a velocity|x and t alone"),
     (lambda: fvi.solve(BALL, events="y : stop"), ValueError, "^events: .*y"),
+    (lambda: fvi.solve(fvi.Problem(), events="x2 : mark"), ValueError, "^events: 'x2': there is no x2; .* x alone"),
     (lambda: fvi.solve(BALL, events="x : stop", error=1e-6, method="fvi-bdf2"), fvi.Error, "no events; fvi-adaptive has"),
     (lambda: fvi.solve(BALL, events=fvi.Event("x", "impact:0.5", rest=-1)), ValueError, r"^events: rest: -1 is not in \[0"),
     (lambda: fvi.solve(BALL.replace(rho=0, time=400), events="x-0.1*sin(7*t) : impact:1", error=1e-6), fvi.Error,
