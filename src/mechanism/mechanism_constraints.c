@@ -162,12 +162,14 @@ static int check_momentum(fvi_stepper *s, fvi_error *error)
         const double off = s->p[i] - (o->is_massless[i] ? Lv[i] : p[i]);
         if (fabs(off) <= 1e-9 * size)
             continue;
-        fvi_fail(error, FVI_EDOM, "p0", s->p[i],
-                 o->is_massless[i]
-                     ? "p%zu is off by %g: this coordinate has no inertia"
-                     : "p%zu is off by %g: the velocity does not keep to the "
-                       "constraints",
-                 i + 1, off);
+        if (o->is_massless[i])
+            fvi_fail(error, FVI_EDOM, "p0", s->p[i], "p%zu is off by %g: this coordinate has no inertia",
+                     i + 1, off);
+        else
+            fvi_fail(error, FVI_EDOM, "p0", s->p[i],
+                     "p%zu is off by %g: the velocity does not keep to the constraints, which need "
+                     "v%zu = %.12g, p%zu = %.12g",
+                     i + 1, off, i + 1, o->v[i], i + 1, p[i]);
         if (error)
             error->index = i;
         return FVI_EDOM;

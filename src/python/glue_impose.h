@@ -149,6 +149,11 @@ static int own_imposed_put(own_imposed *own, size_t i, size_t constraint, void *
     to->rows = (cubic_rows){ n, t, x, NULL };
     return find_cubics(&to->rows);
 }
+/* u and u' of place number i, which is given by rows. */
+static void own_imposed_at(const own_imposed *own, size_t i, double t, double *u, double *rate)
+{
+    cubic_at(&own->place[i].rows, t, u, rate);
+}
 static const fvi_mechanism *own_imposed_mechanism(const own_imposed *own)
 {
     return &own->all;

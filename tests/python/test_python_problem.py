@@ -109,7 +109,10 @@ def test_a_problem_is_data():
     assert kept.x0[0] == 1
     assert DUFFING.replace(order=0.5).alpha is None and DUFFING.replace(v0=1).p0 is None
     assert DUFFING.replace(damping="zener:1,0.3,2").rho is None
-    assert repr(DUFFING) == "Problem(potential='duffing:1,0.5', rho=0.4, alpha=0.3, x0=1.0, p0=0.5)"
+    assert repr(DUFFING) == "Problem(potential='duffing:1,0.5', time=20.0, rho=0.4, alpha=0.3, x0=1.0, p0=0.5)"
+    assert repr(fvi.Problem()) == "Problem(potential='harmonic:1', time=20.0, rho=0.2, alpha=0.5, x0=1.0, p0=0.5)"
+    assert repr(fvi.Problem("free", v0=1, order=1)) == "Problem(potential='free', time=20.0, rho=0.2, order=1.0, x0=1.0, v0=1.0)"
+    assert repr(fvi.Problem(M=[[1]], K=[[1]])) == "Problem(time=20.0, x0=0.0, p0=0.0, M=a Matrix, K=a Matrix)"
 
 
 def test_a_solution_pickles():

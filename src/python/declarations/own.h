@@ -14,6 +14,7 @@ int energy_by_parameter(const fvi_typed_potential *potential, size_t d, size_t j
 typedef struct own_imposed own_imposed;
 own_imposed *own_imposed_alloc(const struct fvi_mechanism *typed, const char *const *names, size_t count);
 int own_imposed_put(own_imposed *own, size_t i, size_t constraint, void *function, size_t n, const double *t, const double *x);
+void own_imposed_at(const own_imposed *own, size_t i, double t, double *u, double *rate);
 const struct fvi_mechanism *own_imposed_mechanism(const own_imposed *own);
 void own_imposed_free(own_imposed *own);
 const char *why(int code);

@@ -4,7 +4,7 @@ from __future__ import annotations
 import difflib
 import functools
 import inspect
-from typing import Any, Callable, Mapping, Sequence, TypeVar, Union, cast
+from typing import Any, Callable, Iterable, Mapping, Sequence, TypeVar, Union, cast
 
 import numpy as np
 
@@ -49,9 +49,15 @@ def word(what: str, given: Any) -> str:
     return given
 
 
+def nearest(given: str, known: Iterable[str]) -> str:
+    """A question, if one of the words is like this one."""
+    near = difflib.get_close_matches(given.lower(), list(known), 1)
+    return f"; did you mean '{near[0]}'?" if near else ""
+
+
 def choice(what: str, given: Any, known: dict) -> Any:
     if word(what, given) not in known:
-        raise ValueError(f"{what}: '{given}' is none of " + ", ".join(known))
+        raise ValueError(f"{what}: '{given}' is none of " + ", ".join(known) + nearest(given, known))
     return known[given]
 
 

@@ -40,6 +40,55 @@ def ask_imposed(t, function, u, rate):
     return 0
 
 
+LOOKS, NEAR = 9, 1e-6  # so often is a velocity compared with differences of the places, and over such a part of the motion
+
+
+def is_number(given: Any) -> bool:
+    return isinstance(given, (int, float, np.number)) and not isinstance(given, bool)
+
+
+def check_velocity(name: str, function: Any, last: float) -> None:
+    """Is the velocity that a function gives that of its places? Where it differs from their differences at most of
+    some times, by more than these differ from each other, it is not."""
+    wrong, near = [], NEAR * last
+    for k in range(LOOKS):
+        t = last * (NEAR + (0.05 + 0.618034 * k) % 1 * (1 - 2 * NEAR))
+        told = [function(at) for at in (t, t - near, t + near, t - near / 2, t + near / 2)]
+        if not all(isinstance(one, (tuple, list)) and len(one) == 2 and all(map(is_number, one)) for one in told):
+            return  # the run says what is wrong
+        rate, u = float(told[0][1]), [float(one[0]) for one in told]
+        coarse, fine = (u[2] - u[1]) / (2 * near), (u[4] - u[3]) / near
+        allowed = 1e-4 * (abs(rate) + abs(fine)) + 10 * abs(fine - coarse) + 1e-14 * max(map(abs, u)) / near
+        if abs(rate - fine) > allowed:
+            wrong.append((t, rate, fine))
+    if len(wrong) > LOOKS // 2:
+        t, rate, fine = wrong[0]
+        raise ValueError(f"impose: {name}: at t = {t:.6g} the function gives the velocity {rate:.6g}, and its places change "
+                         f"with {fine:.6g}")
+
+
+class Imposed:
+    """The coordinates that rows prescribe, whose velocities are those of cubics."""
+
+    def __init__(self, own: Any):
+        self.own, self.rows = own, []  # type: Any, list
+
+    def add(self, i: int, name: str, t: Array, x: Array) -> None:
+        self.rows.append((i, int(name.strip()[1:] or 1) - 1, t, x))
+
+    def velocities(self, v0: Array) -> Array:
+        """v0 with the velocity of the cubics where what is given is no farther from that than the slope of the parabola
+        through the first three rows: the rows do not know it better."""
+        found, u, rate = v0.copy(), ffi.new("double *"), ffi.new("double *")
+        for i, on, t, x in self.rows:
+            lib.own_imposed_at(self.own, i, 0.0, u, rate)
+            one, two = np.diff(x[:3]) / np.diff(t[:3])
+            parabola = one - (two - one) / (t[2] - t[0]) * (t[1] - t[0])
+            if abs(v0[on] - rate[0]) <= abs(parabola - rate[0]) + 1e-9 * abs(rate[0]):
+                found[on] = rate[0]
+        return found
+
+
 class Mechanism:
     """A Lagrangian, dampers between points, constraints, imposed motions and forces of velocity; without dampers each
     coordinate is damped by itself."""
@@ -98,8 +147,10 @@ class Mechanism:
         if made == ffi.NULL:
             raise MemoryError("impose")
         s.keep += [names, list_of, made]
+        s.imposed = Imposed(made)
         for i, (at, name, given) in enumerate(self.places):
             if callable(given):
+                check_velocity(name, given, s.last)
                 s.keep.append(ffi.new_handle(Place(name, given)))
                 succeed(lib.own_imposed_put(made, i, at, s.keep[-1], 0, ffi.NULL, ffi.NULL))
                 continue
@@ -108,6 +159,7 @@ class Mechanism:
                 raise ValueError(f"impose: {name}: t and x have the shapes {t.shape} and {x.shape}, not (n,) with n >= 4")
             check_rows(f"impose: {name}", "x", t, x, s.last)
             succeed(lib.own_imposed_put(made, i, at, ffi.NULL, t.size, s.pointer(t), s.pointer(x)))
+            s.imposed.add(i, name, t, x)
         s.system.mechanism = lib.own_imposed_mechanism(made)
 
 

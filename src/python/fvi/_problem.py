@@ -90,11 +90,13 @@ class Problem:
     constraints  each an expression in x1, ..., t that is 0
     impose       each a coordinate that is prescribed, "x1=sin(t)"; a Solution has the force that it takes, `reactions`.
                  Or a dict by names, {"x1": ...}, of texts, of pairs (t, x) of arrays, with cubics between the rows
-                 (a spline), or of functions of t that give the place and the velocity, (sin(t), cos(t))
+                 (a spline), or of functions of t that give the place and the velocity, (sin(t), cos(t)). Of rows v0 need be
+                 right as far as three of them tell it: the motion begins with the velocity of the cubics
     force_on     each a force that knows x, v and t, "2=-0.1*v2^3"
     M, K, C      matrices of scipy.sparse or arrays (d, d), M x'' + C D^order x + K x = F, instead of mass, potential, rho
 
-    A problem never changes; `replace` makes another one. Two are equal if all of their fields are. It pickles if
+    A problem never changes; `replace` makes another one. What is printed of it has the time, the start and the damping also
+    where they were not given. Two are equal if all of their fields are. It pickles if
     its functions do: those that stand in a module.
     """
     potential: Union[str, Potential] = "harmonic:1"
@@ -222,11 +224,28 @@ class Problem:
             freeze(value)
             object.__setattr__(self, name, value)
 
+    def usual(self) -> dict:
+        """What stands for fields that were not given, by their names: the start and the damping."""
+        is_structure = self.kind == "structure"
+        found = {"x0": 0.0 if is_structure else 1.0}
+        if self.v0 is None:
+            found["p0"] = 0.0 if is_structure else 0.5
+        if self.damping is None and self.lagrangian is None and not len(self.dampers) and (not is_structure or self.C is not None):
+            found |= ({} if is_structure else {"rho": 0.2}) | ({} if self.order is not None else {"alpha": 0.5})
+        return found
+
     def __repr__(self) -> str:
-        given = [(f.name, getattr(self, f.name)) for f in dataclasses.fields(self)]
-        return "Problem(" + ", ".join(f"{name}={described(value)}" for (name, value), field
-                                      in zip(given, dataclasses.fields(self))
-                                      if not alike(value, field.default)) + ")"
+        """All that was given, and of what was not the potential, the time, the start and the damping that hold then."""
+        shown, usual = [], self.usual()
+        for field in dataclasses.fields(self):
+            value = getattr(self, field.name)
+            if value is None and field.name in usual:
+                value = usual[field.name]
+            elif alike(value, field.default) and not (field.name == "time" or (field.name == "potential" and self.M is None
+                                                                              and self.lagrangian is None)):
+                continue
+            shown.append(f"{field.name}={described(value)}")
+        return f"Problem({', '.join(shown)})"
 
     def replace(self, **changes: Any) -> "Problem":
         """The same but for these fields. Of alpha and order, of p0 and v0, of a damping and rho with alpha, those

@@ -7,7 +7,7 @@ from typing import Any, Callable, NamedTuple, Optional, Union
 
 import numpy as np
 
-from ._arguments import Array, Numbers, choice, number, numbers, row, spelt, whole, word
+from ._arguments import Array, Numbers, choice, nearest, number, numbers, row, spelt, whole, word
 from ._fvi import ffi, lib
 from ._library import STOPPED, ask, ask_for_warning, error_of, failure, succeed, text_of, warn_of_start
 from .errors import Error
@@ -91,7 +91,8 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[floa
     problem = System(potential, force, mass, default if rho is None else rho, x0, p0, let, end, damping)
     found = lib.fvi_method_find(word("method", method).encode())
     if found == ffi.NULL:
-        raise ValueError(f"method: '{method}' is none of " + ", ".join(m.name for m in methods()))
+        names = [m.name for m in methods()]
+        raise ValueError(f"method: '{method}' is none of " + ", ".join(names) + nearest(method, names))
     if not found.takes_kappa and kappa != 0.5:
         raise ValueError(f"kappa: {method} has none")
     for name, value in (("step_error", step_error), ("longest", longest), ("most_steps", most_steps)):
@@ -112,11 +113,14 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[floa
 
 
 class Stepper:
-    """One trajectory, step by step. Arguments as `run`, but for `columns` and `error`.
+    """One trajectory, step by step. Arguments as `run`, but for `columns` and `error`; or an fvi.Problem, with a Lagrangian,
+    constraints, dampers or matrices, too, and beside it method, h or steps and the like, as `solve` has them.
 
         s = fvi.Stepper("pendulum:1", alpha=0.3, x0=2, p0=0)
         while s.k < s.steps and abs(s.x) > 1e-3:
             s.step()
+        rod = fvi.Problem(lagrangian="(v1^2+v2^2)/2 - x2", constraints=["x1^2+x2^2-1"], x0=[1, 0], v0=[0, 0])
+        s = fvi.Stepper(rod, h=0.1)
 
     `k` steps are done, `t` is the time, `x` and `p` are numbers, or arrays of d numbers
     of their own. `copy` forks the run with all that it remembers, `reset` goes back to
@@ -130,11 +134,33 @@ class Stepper:
 
     @spelt(prepare)
     def __init__(self, potential: Union[str, Potential] = "harmonic:1", **options: Any):
+        if hasattr(potential, "kind") and hasattr(potential, "replace"):
+            self._problem, self._run, self._method = self._of(potential, options)
+            self._begin()
+            return
         for name in ("h", "steps"):
             if options.get("method") == "fvi-adaptive" and options.get(name) is not None:
                 raise ValueError(f"{name}: fvi-adaptive chooses its steps itself, in a Stepper, too; time is where the motion "
                                  "is to end, and longest a step that none exceeds")
         self._problem, self._run, self._method = prepare(potential, **options)
+        self._begin()
+
+    @staticmethod
+    def _of(problem: Any, options: dict) -> tuple:
+        """Those of an fvi.Problem."""
+        from ._solve import Motion, chosen
+        own = ("method", "h", "steps", "kappa", "step_error", "longest", "most_steps", "memory", "tolerance")
+        for name in options:
+            if name not in own:
+                raise ValueError(f"{name}: the problem says it; problem.replace({name}=...) makes another one" if name in
+                                 problem.__dataclass_fields__ else f"{name}: not for a Problem; there are {', '.join(own)}")
+        given = {"memory": "auto", "tolerance": 0.0, **options}
+        how = chosen(problem, None, None, *(given.get(name) for name in ("method", "h", "steps", "kappa", "step_error",
+                                                                        "longest", "most_steps", "memory", "tolerance")))
+        motion = Motion(problem, how)
+        return motion.system, motion.run, motion.method
+
+    def _begin(self) -> None:
         self._lock, self._is_busy, self._taken = threading.RLock(), False, ffi.new("size_t *")
         out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
         status = ask(lib.fvi_stepper_start, self._method, self._run, out, error)

@@ -9,7 +9,7 @@ from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
-from ._arguments import Array, Numbers, choice, described, function, number, numbers, spelt, whole, word
+from ._arguments import Array, Numbers, choice, described, function, nearest, number, numbers, spelt, whole, word
 from ._checkpoint import Checkpoint, rows_by_stepper
 from ._events import Event, Events, Happened, listed
 from ._fvi import ffi, lib
@@ -83,6 +83,8 @@ class Motion:
         if is_structure:
             raise ValueError("v0: a structure begins with p0 = M v0")
         p0 = np.empty(s.d)
+        if s.imposed is not None:
+            s.p0 = s.imposed.velocities(s.p0)
         succeed(ask(lib.fvi_momentum_of_velocity, s.system, 0.0, s.pointer(s.x0), s.pointer(s.p0.copy()),
                     ffi.from_buffer("double[]", p0)))
         s.p0 = p0
@@ -155,7 +157,7 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
             if one is not None and {"h": h, "step_error": step_error}[other] is not None:
                 raise ValueError(f"{other}: not together with {name}")
     chooses = error is not None or step_error is not None or longest is not None
-    is_open = h is None and steps is None  # nobody said which steps
+    is_open = h is None  # nobody said which steps; how many rows there are is another matter
     if method is None and (events or (problem.kind == "mechanism" and (chooses or is_open))):
         method = "fvi-adaptive"
     # With several dampers it does not tell their forces, which a says, too.
@@ -165,14 +167,16 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
     if method is None and problem.kind != "masses":
         method = "fvi-stable"
         if is_open and not chooses:
-            warn(f"{NEEDS_ROWS} steps of fvi-stable, as neither h nor steps nor error is given: how far x is off is not estimated")
+            warn(f"{NEEDS_ROWS if steps is None else steps} steps of fvi-stable, as neither h nor error is given: how far x "
+                 "is off is not estimated")
     if method is None:
         method = "fvi" if h is not None else "fvi-adaptive"
         if error is not None and problem.damping is not None:
             method = "fvi-bdf2"
     found = lib.fvi_method_find(word("method", method).encode())
     if found == ffi.NULL:
-        raise ValueError(f"method: '{method}' is none of " + ", ".join(m.name for m in methods()))
+        names = [m.name for m in methods()]
+        raise ValueError(f"method: '{method}' is none of " + ", ".join(names) + nearest(method, names))
     if kappa is not None and not found.takes_kappa:
         raise ValueError(f"kappa: {method} has none")
     for name, value in (("step_error", step_error), ("longest", longest if error is None else None)):
@@ -273,6 +277,15 @@ class Found(NamedTuple):
     step_error: Optional[float] = None
 
 
+def in_words_of(problem: Problem, raised: Error) -> Error:
+    """The field of an error is the argument that the problem has."""
+    if raised.field == "p0" and problem.v0 is not None:
+        raised.field = "v0"
+    if raised.field == "dampers" and not len(problem.dampers):
+        raised.field = "damping" if problem.damping is not None else "alpha" if problem.order is None else "order"
+    return raised
+
+
 def by_library(motion: Motion, how: Numerics, x: Array, p: Array, count: Any) -> Found:
     happened = Happened(how.events, motion.system.d)
     handle = ffi.new_handle(happened)
@@ -285,7 +298,7 @@ def by_library(motion: Motion, how: Numerics, x: Array, p: Array, count: Any) ->
             raised.field, raised.args = "t_eval", (f"t_eval: {raised}{within}",)
         elif raised.field == "tolerance" and how.error is not None and raised.value == how.error:
             raised.field, raised.args = "error", (f"error: {raised}",)
-        return Found(raised, count.rows, "", None, motion.run.h)
+        return Found(in_words_of(motion.problem, raised), count.rows, "", None, motion.run.h)
     estimate = report.error if how.error is not None else None
     said = f"{report.steps} steps of {how.method}" + (f", error {estimate:.2g} by an estimate" if estimate else "") + (
         f", {happened.end}" if happened.end else "")
@@ -313,7 +326,7 @@ def by_stepper(motion: Motion, how: Numerics, t: Array, x: Array, p: Array, coun
     if how.events:
         events, end = happened.arrays(), happened.end
     if raised is not None:
-        return Found(raised, count.rows, "", None, motion.run.h, None, events)
+        return Found(in_words_of(motion.problem, raised), count.rows, "", None, motion.run.h, None, events)
     steps, longest = stepper.k, motion.run.h
     if lib.is_dense(motion.method):
         counts = ffi.new("fvi_step_statistics *")
@@ -341,11 +354,12 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
                 speed; a body whose hops are no higher than error is at rest
     method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h, of order 1, beside which "fvi-lobatto4"
                 has order 4 and more; "fvi-bdf2" for a law with error;
-                "fvi-stable" of mechanisms and matrices with h or steps, and for matrices with a damping of order 2 or,
-                with a warning, with several dampers
+                "fvi-stable" of mechanisms and matrices with h, and, with a warning, for matrices with a damping of order 2 or
+                several dampers
     h           the step, a time > 0 of which the problem's time is a multiple; of "fvi-adaptive", whose steps are its
                 own, the time between two rows
-    steps       instead of h: how many steps, or, where the steps are found, how many rows but one; 200
+    steps       instead of h: how many rows but one, whatever the problem; 200. A method whose steps are given, which you name
+                then, takes so many
     kappa       0 ... 1: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}, of methods that have it; 0.5
     progress    True: a bar on standard error; or a function f(rows done, rows), called now and then
     step_error  of "fvi-adaptive": how far x may be off by one step, instead of 1e-10 of the largest |x|

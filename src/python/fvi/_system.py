@@ -248,6 +248,7 @@ class System:
         if isinstance(potential, Potential) and callable(potential.value):
             U.params = self.handle
         self.x0, self.p0 = (arguments.row(told, rows[name], self.d) for name, told in (("x0", "x0"), ("p0", start)))
+        self.imposed: Any = None  # what functions and rows prescribe
         self.system = ffi.new("fvi_system *")
         self.system.d = self.d
         self.system.mass = self.pointer(arguments.row("mass", rows["mass"], self.d))
