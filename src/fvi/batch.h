@@ -65,12 +65,38 @@ int fvi_batch_alloc(const fvi_method *method, size_t count, const fvi_run *run, 
  * must be freed before the batch is.
  *
  * A step fails if it fails in any lane. Which lane it was is not said: run them one by one.
- * Cost of a step of eight: between two and three steps of one, if the library has the potential and the
- * force; those of the caller are called for each lane. */
+ * Cost of a step of eight by fvi_cq2_midpoint: some two steps of one if U and F are expressions, three if they
+ * are ready to use (figures/blocks/batch_bench.tsv); functions of the caller are called for each lane. */
 const fvi_run *fvi_batch_run(const fvi_batch *batch);
 
 /* fvi_batch_free -- give it back. NULL is allowed. */
 void fvi_batch_free(fvi_batch *batch);
+
+/* fvi_batch_trajectories -- rows of many runs into arrays, eight runs at a time where they go together.
+ *
+ *   method, count, run  any number of runs as fvi_stepper_start takes them. Neighbours that go together
+ *          (fvi_batch_refusal) do; others go one by one, and so do those of a group in which one fails
+ *   rows, row  how many rows, and at which steps they are, increasing and not above `steps` of any run. NULL:
+ *          row r is step r. No step is taken behind the last row
+ *   x, p   NULL, or an array for each run, which may be NULL: rows d numbers, component i of row r at
+ *          [r * d + i]; outputs
+ *   status  NULL, or count numbers; output: what became of each run
+ *
+ * The digits are those of single runs, whatever goes together. The rows of a run that fails are those before the
+ * failure; the other runs go on. Cost: that of single runs, or of fvi_batch_run. Example, the last places of 1600
+ * runs of 500 steps:
+ *
+ *     static double end[1600];
+ *     double *x[1600];
+ *     const size_t last = 500;
+ *     for (size_t i = 0; i < 1600; i++)
+ *         x[i] = end + i;
+ *     status = fvi_batch_trajectories(&fvi_cq2_midpoint, 1600, run, 1, &last, x, NULL, NULL);
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if method or run is NULL; else the status of the first run that failed: what
+ * fvi_stepper_start and fvi_stepper_advance_to return. */
+int fvi_batch_trajectories(const fvi_method *method, size_t count, const fvi_run *run, size_t rows,
+                           const size_t *row, double *const *x, double *const *p, int *status);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -141,6 +141,104 @@ const fvi_run *fvi_batch_run(const fvi_batch *batch)
     return &batch->run;
 }
 
+/* ---- many runs ---- */
+
+/* Which rows are wanted, and where they go: of each lane, or if there are none of all coordinates. */
+typedef struct {
+    size_t rows;
+    const size_t *row;
+    size_t lanes;
+    double *const *x, *const *p;
+} wanted_rows;
+
+static wanted_rows from_run(const wanted_rows *all, size_t first, size_t lanes)
+{
+    wanted_rows w = *all;
+    w.lanes = lanes;
+    w.x = all->x ? all->x + first : NULL;
+    w.p = all->p ? all->p + first : NULL;
+    return w;
+}
+
+/* Row r of v, d numbers, into the arrays of its lanes. */
+static void scatter(const wanted_rows *w, double *const *to, const double *v, size_t r)
+{
+    for (size_t l = 0; to && l < w->lanes; l++)
+        if (to[l])
+            to[l][r] = v[l];
+}
+
+static int take_row(fvi_stepper *s, const wanted_rows *w, size_t r)
+{
+    const size_t d = s->run.system->d;
+    const double t = (double)(w->row ? w->row[r] : r) * s->run.h;
+    double x[FVI_MOST_LANES], p[FVI_MOST_LANES];
+    if (w->lanes == 0)
+        return fvi_stepper_advance_to(s, t, w->x && *w->x ? *w->x + r * d : NULL,
+                                      w->p && *w->p ? *w->p + r * d : NULL);
+    const int status = fvi_stepper_advance_to(s, t, x, p);
+    if (!status) {
+        scatter(w, w->x, x, r);
+        scatter(w, w->p, p, r);
+    }
+    return status;
+}
+
+static int walk(const fvi_method *method, const fvi_run *run, const wanted_rows *w)
+{
+    fvi_stepper *s;
+    int status = fvi_stepper_start(method, run, &s, NULL);
+    if (status)
+        return status;
+    for (size_t r = 0; r < w->rows && !status; r++)
+        status = take_row(s, w, r);
+    fvi_stepper_free(s);
+    return status;
+}
+
+static int walk_together(const fvi_method *method, size_t count, const fvi_run *run,
+                         const wanted_rows *w)
+{
+    fvi_batch *batch;
+    int status = fvi_batch_alloc(method, count, run, &batch, NULL);
+    if (status)
+        return status;
+    status = walk(method, fvi_batch_run(batch), w);
+    fvi_batch_free(batch);
+    return status;
+}
+
+/* How many runs, from the first on, go together: 8, or fewer where the next one does not. */
+static size_t group_of(const fvi_method *method, size_t count, const fvi_run *run)
+{
+    size_t n = count < FVI_BATCH_MOST ? count : FVI_BATCH_MOST;
+    while (n > 1 && fvi_batch_refusal(method, n, run))
+        n--;
+    return n;
+}
+
+int fvi_batch_trajectories(const fvi_method *method, size_t count, const fvi_run *run, size_t rows,
+                           const size_t *row, double *const *x, double *const *p, int *status)
+{
+    if (!method || !run)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    const wanted_rows all = { rows, row, 0, x, p };
+    int first = FVI_SUCCESS;
+    for (size_t at = 0, n; at < count; at += n) {
+        n = group_of(method, count - at, run + at);
+        wanted_rows w = from_run(&all, at, n);
+        const int is_done = n > 1 && !walk_together(method, n, run + at, &w);
+        for (size_t i = at; i < at + n; i++) {
+            w = from_run(&all, i, 0);
+            const int own = is_done ? FVI_SUCCESS : walk(method, run + i, &w);
+            first = first ? first : own;
+            if (status)
+                status[i] = own;
+        }
+    }
+    return first;
+}
+
 void fvi_batch_free(fvi_batch *batch)
 {
     if (batch)

@@ -243,6 +243,52 @@ def test_a_sweep_is_what_a_loop_gives():
     assert seen == [(1, 3), (2, 3), (3, 3)]
 
 
+def same(a, b):
+    """Two Solutions, to the bit, with what is said of them."""
+    return all(np.array_equal(getattr(a, name), getattr(b, name)) for name in "txpv") and a.message == b.message \
+        and a.problem.let == b.problem.let
+
+
+@pytest.mark.parametrize("vary, options", [
+    ({"x0": np.linspace(-1, 1, 5), "k": [1, 2, 3]}, {"h": 0.05, "method": "fvi-stable"}),
+    ({"x0": np.linspace(-1, 1, 5), "alpha": [0, 0.3, 0.5]}, {"steps": 60, "method": "fvi-bdf2"}),
+    ({"k": np.linspace(1, 2, 17)}, {"h": 0.05, "t_eval": [0, 0.05, 1, 2.5]}), ({"k": [1, 2]}, {"h": 0.001, "t_eval": [1, 3.5]}),
+    ({"v0": np.linspace(-1, 1, 9), "rho": [0, 0.1]}, {"h": 0.05, "method": "fvi-lobatto3"}),
+    ({"force": ["cos(t)", "step:1,2 + t", None, "0"] * 2}, {"h": 0.1}),
+    ({"x0": [[1, 2], [3, 4]]}, {"h": 0.1}), ({"k": [1, 2, 3]}, {"error": 1e-6}), ({"k": [1, 2, 3]}, {})])
+def test_motions_together_are_those_of_a_loop(vary, options):
+    q = fvi.Problem("k*x^4/4 - x^2/2" if "x0" not in vary or not isinstance(vary["x0"][0], list) else "k*x1^4/4 - x2^2/2",
+                    let={"k": 1.0}, time=5, force=None if "force" in vary else "0.3*cos(1.2*t)", alpha=None, p0=None if "v0" in vary else 0.5)
+    found = fvi.sweep(q, vary, jobs=1, **options)
+    for place in np.ndindex(found.shape):
+        values = {name: v[i] for (name, v), i in zip(vary.items(), place)}
+        let = {"k": values.pop("k", 1.0)}
+        assert same(found[place], fvi.solve(q.replace(let=let, **values), **options))
+
+
+def test_motions_together_with_functions_failures_and_warnings():
+    q = fvi.Problem(fvi.potential(lambda x: x[0]**4 / 4, lambda x: x**3, lambda x: 3 * x**2), force=lambda t: np.sin(t), time=2, alpha=0.3)
+    starts = list(np.linspace(0.5, 1, 8))
+    found = fvi.sweep(q, {"x0": starts}, jobs=1, h=0.1, method="fvi-stable")
+    assert all(same(s, fvi.solve(q.replace(x0=x0), h=0.1, method="fvi-stable")) for s, x0 in zip(found, starts))
+    q = fvi.Problem("x^4/4", time=5)
+    with pytest.raises(fvi.Error) as alone:
+        fvi.solve(q.replace(x0=1e100), h=0.1)
+    with pytest.raises(fvi.Error) as raised:
+        fvi.sweep(q, {"x0": [1, 2, 1e100, 3]}, jobs=1, h=0.1)
+    assert str(raised.value) == str(alone.value) and raised.value.rows.t.size == alone.value.rows.t.size
+    with pytest.warns(fvi.FviWarning, match=r"^1 of 3 motions, the first with x0 = 1"), warnings.catch_warnings():
+        fvi.sweep(fvi.Problem("x^2/2", past="rl", alpha=0.7, time=5), {"x0": [0, 0, 1]}, jobs=1, h=0.1)
+
+    def fails(s):
+        raise KeyError(s.x[-1, 0])
+    with pytest.raises(KeyError):
+        fvi.sweep(q, {"x0": [1, 2, 3]}, fails, jobs=1, h=0.1)
+    seen = []
+    fvi.sweep(q, {"x0": [1, 2, 3], "alpha": [0.1, 0.2]}, jobs=1, h=0.1, progress=lambda n, all: seen.append((n, all)))
+    assert seen == [(n, 6) for n in range(1, 7)]
+
+
 def test_a_run_goes_on_beside_python():
     """The lock is not held: this loop counts while two runs go on."""
     counted, end = 0, threading.Event()

@@ -1,6 +1,7 @@
 /* tests/run/test_batch.c -- H 28: many small runs as one.       Run alone: make test-batch */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
+#include "run/whole_run.h"
 
 #include <stdlib.h>
 
@@ -151,6 +152,35 @@ START_TEST(texts_with_parameters_have_the_bits_of_their_own)
 }
 END_TEST
 
+/* Sums of a table, a step, a cosine and an expression, of which the tables and steps differ, too. */
+START_TEST(typed_forces_have_the_values_of_their_own)
+{
+    static const char *const texts[] = { "step:1,2 + k*t", "step:0.5,1 + k*t", "step:-1,0.5 + k*t" };
+    static const char *const sums[] = { "cosine:1,2 + k*t + 1", "cosine:1,3 + k*t + 1", "cosine:2,3 + k*t + 1" };
+    double k[8];
+    oscillator o[8];
+    fvi_run run[8];
+    fvi_user_parameters lets[8];
+    fvi_typed_force *force[8];
+    for (int sum = 0; sum < 2; sum++) {
+        for (size_t l = 0; l < 8; l++) {
+            char let[40];
+            fill(o + l);
+            snprintf(let, sizeof let, "k=%.17g", k[l] = between(0, 1));
+            lets[l] = (fvi_user_parameters){ 0 };
+            OK(fvi_parse_user_parameters(let, lets + l, NULL));
+            OK(fvi_parse_force((sum ? sums : texts)[l % 3], 1, lets + l, 60, force + l, NULL));
+            put_together(o + l, fvi_potential_duffing(o[l].cg), fvi_force_typed(force[l]));
+            run[l] = run_of(o + l, 0.3, 60);
+        }
+        for (size_t m = 0; m < LEN(methods); m++)
+            compare(methods[m], 8, run);
+        for (size_t l = 0; l < 8; l++)
+            fvi_typed_force_free(force[l]);
+    }
+}
+END_TEST
+
 /* Masses, dampings of which some are zero, pasts, orders, laws, memories; springs that are linear. */
 START_TEST(every_memory_has_the_bits_of_its_own)
 {
@@ -203,6 +233,10 @@ START_TEST(a_lane_that_is_lost_finds_its_own_way)
             for (size_t l = 0; l < 8; l++) {
                 fill(o + l);
                 o[l].cg[0] = l % 2 ? -8 : 1;
+                if (turn == 0 && l == 3) { /* m/h + h U''(0)/4 = 0 */
+                    o[l].x0 = 0;
+                    o[l].cg[0] = -4;
+                }
                 put_together(o + l, fvi_potential_duffing(o[l].cg), (fvi_force){ 0 });
                 run[l] = run_of(o + l, 0.25, 40);
                 run[l].h = all[m]->stages ? 0.1 : 1;
@@ -384,6 +418,66 @@ for (size_t i = 0; i < 4; i++)
 }
 END_TEST
 
+/* Any number of runs: two of them change their step in between, one fails and takes nobody along. */
+START_TEST(whole_trajectories_are_those_of_single_runs)
+{
+    enum { RUNS = 23, ROWS = 61 };
+    static double got[2][RUNS][ROWS], want[2][RUNS][ROWS];
+    oscillator o[RUNS];
+    fvi_run run[RUNS];
+    double *x[RUNS], *p[RUNS];
+    int status[RUNS];
+    for (size_t i = 0; i < RUNS; i++) {
+        fill(o + i);
+        put_together(o + i, fvi_potential_duffing(o[i].cg), fvi_force_cosine(o[i].aw));
+        run[i] = run_of(o + i, 0.3, ROWS - 1);
+        run[i].h = i < 11 ? 0.05 : 0.1;
+        x[i] = i == 4 ? NULL : got[0][i];
+        p[i] = i == 5 ? NULL : got[1][i];
+        OK(single(&fvi_cq2_midpoint, run + i, 1, want[0][i], want[1][i]));
+    }
+    OK(fvi_batch_trajectories(&fvi_cq2_midpoint, RUNS, run, ROWS, NULL, x, p, status));
+    for (size_t i = 0; i < RUNS; i++) {
+        ck_assert_int_eq(status[i], 0);
+        ck_assert(i == 4 || memcmp(got[0][i], want[0][i], sizeof *want[0]) == 0);
+        ck_assert(i == 5 || memcmp(got[1][i], want[1][i], sizeof *want[1]) == 0);
+    }
+    static const size_t some[] = { 0, 7, 40 };
+    OK(fvi_batch_trajectories(&fvi_cq2_midpoint, RUNS, run, LEN(some), some, x, p, NULL));
+    for (size_t i = 0; i < RUNS; i++)
+        for (size_t r = 0; r < LEN(some); r++) {
+            ck_assert(i == 4 || got[0][i][r] == want[0][i][some[r]]);
+            ck_assert(i == 5 || got[1][i][r] == want[1][i][some[r]]);
+        }
+    memset(got, 0, sizeof got);
+    o[2].x0 = 1e200;
+    const int code = fvi_batch_trajectories(&fvi_cq2_midpoint, RUNS, run, ROWS, NULL, x, NULL, status);
+    ck_assert_int_ne(code, 0);
+    for (size_t i = 0; i < RUNS; i++) {
+        ck_assert_int_eq(status[i], i == 2 ? code : 0);
+        ck_assert(i == 4 || i == 2 || memcmp(got[0][i], want[0][i], sizeof *want[0]) == 0);
+    }
+    /* Two coordinates, and a method that chooses its steps, go by themselves. */
+    static const double two[] = { 1, 0.5 }, spring = 2;
+    const fvi_system pair = { .d = 2, .mass = two, .damping = two, .potential = fvi_potential_harmonic(&spring) };
+    const fvi_run both[] = { fvi_run_default(&pair, two, two, 0.1, 20), fvi_run_default(&pair, two, two, 0.2, 20) };
+    const fvi_method *const choices[] = { &fvi_cq_bdf2, &fvi_variable_step };
+    for (size_t m = 0; m < LEN(choices); m++) {
+        double rows[2][6], own[2][42];
+        double *to[] = { rows[0], rows[1] };
+        OK(fvi_batch_trajectories(choices[m], 2, both, LEN(some) - 1, some, to, NULL, NULL));
+        for (size_t i = 0; i < 2; i++) {
+            OK(fvi_trajectory(choices[m], both + i, own[i], NULL, NULL));
+            ck_assert_mem_eq(rows[i], own[i], 2 * sizeof **own);
+            ck_assert_mem_eq(rows[i] + 2, own[i] + 2 * 7, 2 * sizeof **own);
+        }
+    }
+    OK(fvi_batch_trajectories(&fvi_cq2_midpoint, 0, run, ROWS, NULL, NULL, NULL, NULL));
+    ck_assert_int_eq(fvi_batch_trajectories(NULL, 1, run, ROWS, NULL, NULL, NULL, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_batch_trajectories(&fvi_cq2_midpoint, 1, NULL, ROWS, NULL, NULL, NULL, NULL), FVI_EFAULT);
+}
+END_TEST
+
 /* ---- what does not go together ---- */
 
 START_TEST(runs_that_differ_do_not_go_together)
@@ -447,9 +541,9 @@ int main(void)
     ADD_LOOP(suite, each_of_1600_runs_has_the_bits_of_its_own, LEN(methods));
     ADD_LOOP(suite, texts_with_parameters_have_the_bits_of_their_own, 10);
     ADD_LOOP(suite, every_memory_has_the_bits_of_its_own, LEN(methods));
-    ADD_CASE(suite, "lanes", a_lane_that_is_lost_finds_its_own_way,
+    ADD_CASE(suite, "lanes", typed_forces_have_the_values_of_their_own, a_lane_that_is_lost_finds_its_own_way,
              functions_of_the_caller_are_asked_as_by_their_own_runs);
-    ADD_CASE(suite, "uses", a_batch_is_copied_as_any_run, the_adjoint_of_a_batch_is_that_of_its_runs,
+    ADD_CASE(suite, "uses", a_batch_is_copied_as_any_run, whole_trajectories_are_those_of_single_runs, the_adjoint_of_a_batch_is_that_of_its_runs,
              runs_that_differ_do_not_go_together);
     return run_suite(suite);
 }

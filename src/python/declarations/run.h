@@ -124,6 +124,9 @@ typedef struct {
 } fvi_outputs;
 typedef struct { const fvi_method *method; size_t steps, rejected, rows; double h, error, step_error; ...; } fvi_report;
 int fvi_energy(const fvi_system *system, const double *x, const double *p, double *E);
+const char *fvi_batch_refusal(const fvi_method *method, size_t count, const fvi_run *run);
+int fvi_batch_trajectories(const fvi_method *method, size_t count, const fvi_run *run, size_t rows, const size_t *row,
+                           double *const *x, double *const *p, int *status);
 int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options, const fvi_accuracy *accuracy,
               const fvi_outputs *outputs, fvi_report *report, fvi_error *error);
 enum { FVI_WARNING_ROOM = 400 };

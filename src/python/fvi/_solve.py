@@ -22,6 +22,7 @@ from ._system import System
 from .errors import Error
 
 Progress = Union[None, bool, Callable[[int, int], Any]]
+MOST_TOGETHER = 1 << 22  # rows of all motions that take their steps together
 NEEDS_ROWS = 200  # steps between the rows, where nobody says how many
 
 
@@ -231,6 +232,18 @@ def teller(progress: Progress) -> Any:
     return None if progress is None or progress is False else function("progress", progress, "of what is done and of all, nor True")
 
 
+class Found(NamedTuple):
+    """What a run has left: how many rows stand, and why it ended."""
+    error: Optional[Error]
+    rows: int
+    said: str
+    steps: Optional[int]
+    step: float
+    estimate: Optional[float] = None
+    events: Optional[tuple] = None
+    step_error: Optional[float] = None
+
+
 def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
     tell = teller(progress)
     motion = Motion(problem, how)
@@ -246,6 +259,12 @@ def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
     finally:
         if isinstance(tell, Bar):
             tell.clear()
+    return finished(motion, how, watch, t, x, p, found)
+
+
+def finished(motion: Motion, how: Numerics, watch: Any, t: Array, x: Array, p: Array, found: Found) -> Solution:
+    """What a motion is warned of behind its end, and its Solution; or its error is raised."""
+    problem, rows = motion.problem, len(t)
     raised, done, solution = found.error, found.rows, None
     if watch is not None and watch.next <= how.steps:
         ask_for_warning(lib.look_along, watch, motion.method, motion.run, rows, ffi.from_buffer("double[]", t),
@@ -265,16 +284,56 @@ def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
     raise raised
 
 
-class Found(NamedTuple):
-    """What a run has left: how many rows stand, and why it ended."""
-    error: Optional[Error]
-    rows: int
-    said: str
-    steps: Optional[int]
-    step: float
-    estimate: Optional[float] = None
-    events: Optional[tuple] = None
-    step_error: Optional[float] = None
+def rows_of_steps(how: Numerics) -> Optional[Array]:
+    """At which steps the rows are; None if not each of them is at one."""
+    if how.t_eval is None:
+        return np.arange(how.steps + 1)
+    try:
+        check_times(how.t_eval, how.steps * how.h, how.h)  # type: ignore[operator]
+    except ValueError:
+        return None
+    return np.rint(how.t_eval / how.h).astype(int)
+
+
+def go_together(how: Numerics) -> bool:
+    """Has it steps of a given length, and nothing that only a run by itself has?"""
+    return how.error is None and not how.events and how.checkpoint is None and not lib.is_dense(
+        lib.fvi_method_find(how.method.encode()))
+
+
+def solved_together(problems: Sequence[Problem], hows: Sequence[Numerics]) -> Optional[list]:
+    """For each problem a function that gives its Solution, with its warnings, or None if it failed: the steps of all are taken
+    here, together (fvi/batch.h). None if they do not go together."""
+    if not all(map(go_together, hows)) or not all(q.kind == "masses" for q in problems):
+        return None
+    places = [rows_of_steps(how) for how in hows]
+    motions = [Motion(q, how) for q, how in zip(problems, hows)]
+    count, method = len(motions), motions[0].method
+    runs = ffi.new("fvi_run[]", count)
+    for i, (motion, k) in enumerate(zip(motions, places)):
+        runs[i] = motion.run[0]
+        runs[i].steps = 0 if k is None else int(k[-1])  # none behind the last row, of which the memory would know
+    if places[0] is None or runs[0].steps == 0 or any(motion.method != method for motion in motions) or \
+            any(k is None or not np.array_equal(k, places[0]) for k in places) or \
+            lib.fvi_batch_refusal(method, count, runs) != ffi.NULL:
+        return None
+    k = places[0]
+    if k.size * count > MOST_TOGETHER:
+        return None
+    x, p = np.empty((2, count, k.size, 1))
+    pointers = [ffi.new("double *[]", [ffi.from_buffer("double[]", rows) for rows in a]) for a in (x, p)]
+    steps, status = np.ascontiguousarray(k, dtype=np.uintp), ffi.new("int[]", count)
+    ask(lib.fvi_batch_trajectories, method, count, runs, k.size, ffi.from_buffer("size_t[]", steps), *pointers, status)
+
+    def finish(i: int) -> Callable[[], Solution]:
+        def one() -> Solution:
+            motion, how = motions[i], hows[i]
+            watch = warn_of_start(motion.method, motion.run)
+            t = k * motion.run.h if how.t_eval is None else how.t_eval.copy()
+            return finished(motion, how, watch, t, x[i], p[i], Found(
+                None, k.size, f"{k[-1]} steps of {how.method}", int(k[-1]), motion.run.h))
+        return one
+    return [None if status[i] else finish(i) for i in range(count)]
 
 
 def in_words_of(problem: Problem, raised: Error) -> Error:
@@ -335,6 +394,16 @@ def by_stepper(motion: Motion, how: Numerics, t: Array, x: Array, p: Array, coun
     return Found(None, count.rows, f"{steps} steps of {how.method}" + (f", {end}" if end else ""), steps, longest, None, events)
 
 
+def planned(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[float] = None, method: Optional[str] = None,
+            h: Optional[float] = None, steps: Optional[int] = None, kappa: Optional[float] = None,
+            step_error: Optional[float] = None, longest: Optional[float] = None, most_steps: Optional[int] = None,
+            memory: str = "auto", tolerance: float = 0.0, events: Union[str, Event, Sequence[Union[str, Event]]] = (),
+            checkpoint: Union[None, str, os.PathLike] = None) -> Numerics:
+    """The arguments of `solve` but the progress, as a plan."""
+    return chosen(problem, t_eval, error, method, h, steps, kappa, step_error, longest, most_steps, memory, tolerance,
+                  listed(events), checkpoint)
+
+
 @spelt()
 def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[float] = None,
           method: Optional[str] = None, h: Optional[float] = None, steps: Optional[int] = None,
@@ -374,5 +443,5 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
     Raises TypeError and ValueError for what cannot be meant; fvi.Error with the library's code for what could not
     be done, its `rows` being the motion until then; what a function of yours raised. Warns by fvi.FviWarning.
     """
-    return solved(problem, chosen(problem, t_eval, error, method, h, steps, kappa, step_error, longest, most_steps,
-                                  memory, tolerance, listed(events), checkpoint), progress)
+    return solved(problem, planned(problem, t_eval, error, method, h, steps, kappa, step_error, longest, most_steps,
+                                   memory, tolerance, events, checkpoint), progress)

@@ -15,7 +15,7 @@ from ._fvi import ffi, lib
 from ._library import waiting, warn
 from ._problem import Problem
 from ._solution import Solution
-from ._solve import Bar, Progress, solve, teller
+from ._solve import Bar, Progress, planned, solve, solved_together, teller
 
 
 def warn_of_all(names: Sequence[str], grid: Sequence[tuple], heard: Sequence[list]) -> None:
@@ -42,6 +42,25 @@ def axes_of(problem: Problem, vary: Any) -> dict:
     return axes
 
 
+# Problems that differ in these, or in numbers of `let`, may take their steps together; eight at most.
+SHARED, TOGETHER = ("rho", "mass", "x0", "p0", "v0", "potential", "force"), 8
+
+
+def groups_of(names: Sequence[str], shape: Sequence[int], let: Mapping, threads: int) -> list:
+    """The motions of the grid, by their numbers, in groups that may go together; there are as many groups as threads, or more."""
+    places = list(itertools.product(*map(range, shape)))
+    divides = [n for n, name in enumerate(names) if name not in let and name not in SHARED]
+
+    def key(i: int) -> list:
+        return [places[i][n] for n in divides]
+    most = max(1, min(TOGETHER, len(places) // threads))
+    groups: list = []
+    for _, same in itertools.groupby(sorted(range(len(places)), key=key), key):
+        alike = list(same)
+        groups += [alike[n:n + most] for n in range(0, len(alike), most)]
+    return groups
+
+
 @spelt(solve)
 def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[[Solution], Any]] = None, *,
           jobs: Optional[int] = None, progress: Progress = None, **options: Any) -> Array:
@@ -53,7 +72,8 @@ def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[
     problem   what is varied
     vary      values by name: of a field of the problem, or of a number in its `let`
     of        what is kept of each Solution; None: the Solution itself
-    jobs      how many threads; None: one for each core. Functions of Python's in a problem take turns
+    jobs      how many threads; None: one for each core. Functions of Python's in a problem take turns. On each thread up to
+              eight similar motions of one coordinate take their steps together, if these are given; the numbers are the same
     progress  True: a bar; or a function f(motions done, motions)
     the rest  as for `solve`
 
@@ -72,30 +92,49 @@ def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[
         function("of", of, "of a Solution")
     stop, tell = ffi.new("int *"), teller(progress)
 
-    def one(number: int, values: tuple) -> Any:
+    def problem_of(values: tuple) -> Problem:
+        own = {name: v for name, v in zip(names, values) if name not in let}
+        lets = {name: v for name, v in zip(names, values) if name in let}
+        return problem.replace(**own, **({"let": {**let, **lets}} if lets else {}))
+
+    def together(group: Sequence[int]) -> Optional[list]:
+        """As solved_together. What one of them raises or warns of is said when it is solved by itself."""
+        waiting.heard = []
+        try:
+            problems = [problem_of(grid[i]) for i in group]
+            return solved_together(problems, [planned(q, **options) for q in problems]) if len(group) > 1 else None
+        except BaseException:  # an interrupt, too, which stop tells the others
+            return None
+        finally:
+            waiting.heard = None
+
+    def one(number: int, ready: Optional[Callable[[], Solution]]) -> Any:
         lib.obey(stop)
         waiting.heard = []
         try:
-            own = {name: v for name, v in zip(names, values) if name not in let}
-            lets = {name: v for name, v in zip(names, values) if name in let}
-            found = solve(problem.replace(**own, **({"let": {**let, **lets}} if lets else {})), **options)
+            found = ready() if ready else solve(problem_of(grid[number]), **options)
             return found if of is None else of(found)
         finally:
             heard[number], waiting.heard = waiting.heard or [], None
             lib.obey(ffi.NULL)
+
     answers: list = [None] * len(grid)
     heard: list = [[]] * len(grid)
-    todo, done = enumerate(grid), queue.SimpleQueue()  # type: Any, queue.SimpleQueue
+    groups = groups_of(names, shape, let, threads)
+    todo, done = iter(groups), queue.SimpleQueue()  # type: Any, queue.SimpleQueue
 
     def work() -> None:
-        for i, values in todo:  # which all threads share
-            if stop[0]:
-                return
-            try:
-                done.put((i, one(i, values), None))
-            except BaseException as error:
-                done.put((i, None, error))
-    count = min(threads, len(grid))
+        for group in todo:  # which all threads share
+            lib.obey(stop)
+            ready = together(group) or [None] * len(group)
+            for i, solution in zip(group, ready):
+                if stop[0]:
+                    return
+                try:
+                    done.put((i, one(i, solution), None))
+                except BaseException as error:
+                    done.put((i, None, error))
+    count = min(threads, len(groups))
     with concurrent.futures.ThreadPoolExecutor(count) as pool:
         try:
             for _ in range(count):
