@@ -43,7 +43,7 @@ static fvi_kernel_term *term_of(const fvi_estimation_model *m, fvi_free_paramete
     return m->laws.term + m->laws.first[fvi_free_parameter_index(which)] + number / 4;
 }
 
-/* Of two springpots in series time is r1 / r2, and the third number r2. */
+/* Of two springpots in series time is rho1 / rho2, and the third number rho2. */
 static double get_law(const fvi_estimation_model *m, fvi_free_parameter which)
 {
     const fvi_kernel_term *t = term_of(m, which);

@@ -27,7 +27,8 @@ extern "C" {
  *   MAXWELL      s / (1 + time s)
  *   DISTRIBUTED  int_alpha^end s^{2 a} da
  *   MAXWELL2     s^{2 alpha} / (1 + time s^{2 (alpha - end)}): two springpots in series,
- *                rho s^{2 alpha} and (rho / time) s^{2 end}. A ZENER has end = 0
+ *                rho s^{2 alpha} and (rho / time) s^{2 end}. Where the two have names they are rho1 = rho,
+ *                alpha1 = alpha, rho2 = rho / time and alpha2 = end. A ZENER has end = 0
  *   DAVIDSON     (s / (1 + time s))^{2 alpha}, Cole and Davidson's
  *   SYMBOL       any function of s: a term of this kind is the first member of a
  *                fvi_kernel_function, and stands alone in its law */

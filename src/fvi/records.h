@@ -53,7 +53,7 @@ typedef struct {
  *   RHO, MASS, X0, P0  of each coordinate, all alike
  *   OFFSET, DRIFT  of each sensor, which shows offset + drift t more; 0 where not fitted
  *   LAW + 4 i + f  field f of term i of run->law: 0 rho, 1 alpha, 2 time, 3 end. Of two
- *                  springpots in series (MAXWELL2) the fields are the numbers r1, alpha1, r2,
+ *                  springpots in series (MAXWELL2) the fields are the numbers rho1, alpha1, rho2,
  *                  alpha2 of the two, in the order 0, 1, 2, 3
  *   CONSTANT + i   number i of the constants of the potential
  *   + i EACH       of coordinate i alone, from 1; of column i alone; of the law of damper i

@@ -95,7 +95,8 @@ static void row_of_number(const visitor *v, const request *r, const char *name, 
         warn(v, name, text, name);
 }
 
-/* By each number of one --damping, R without a letter. */
+/* By each number of one --damping, R without a letter; of two springpots in series by the names that they have
+ * everywhere. */
 static void rows_of_term(const visitor *v, const request *r, size_t i)
 {
     /* A power has A even if it is a spring or a dashpot. */
@@ -104,7 +105,8 @@ static void rows_of_term(const visitor *v, const request *r, size_t i)
                                               [FVI_ELEMENT_POWER] = { "", "_A" },
                                               [FVI_ELEMENT_ZENER] = { "", "_A", "_T" },
                                               [FVI_ELEMENT_MAXWELL] = { "", "_T" },
-                                              [FVI_ELEMENT_MAXWELL2] = { "", "_A", "_R2", "_B" },
+                                              [FVI_ELEMENT_MAXWELL2] = { "_rho1", "_alpha1",
+                                                                         "_rho2", "_alpha2" },
                                               [FVI_ELEMENT_DAVIDSON] = { "", "_A", "_T" },
                                               [FVI_ELEMENT_DISTRIBUTED] = { "", "_A", "_B" } };
     const fvi_kernel_term *term = r->run.law->term + i;

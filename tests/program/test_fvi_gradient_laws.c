@@ -50,7 +50,7 @@ START_TEST(rows_of_a_law_are_differences_of_runs)
     rows_of_a_law("--method fvi-stable");
     ck_assert_int_eq(
         fvi("gradient --damping 'maxwell2:1,0.4,2,0.1 + power:0.2,0.3'"), 0);
-    derivative("damping_1_R2");
+    derivative("damping_1_rho2");
     ck_assert_ptr_nonnull(strstr(out, "\ndamping_2\t"));
     ck_assert_int_eq(fvi("gradient --damping symbol:s^0.5"), 0);
     ck_assert_ptr_nonnull(strstr(out, "# warning = no derivatives by the numbers of damping\n"));
@@ -71,7 +71,7 @@ END_TEST
  * R1 / R2, is not wanted. */
 START_TEST(two_springpots_in_series_have_rows)
 {
-    static const char *const names[] = { "damping", "damping_A", "damping_R2", "damping_B" };
+    static const char *const names[] = { "damping_rho1", "damping_alpha1", "damping_rho2", "damping_alpha2" };
     const double at[] = { 1, 0.4, 2, 0.1 };
     const char *methods[] = { "--method fvi", "--method fvi-lobatto3d" };
     for (size_t m = 0; m < LEN(methods); m++)
@@ -100,8 +100,8 @@ START_TEST(two_springpots_in_series_have_no_row_by_half_a_number)
     ck_assert_int_eq(fvi("gradient --method fvi-adaptive --potential x^4/4 --time 3 --steps 3 "
                          "--damping maxwell2:0.7,0.4,0.4,0.2"),
                      0);
-    ck_assert_ptr_nonnull(strstr(out, "no derivative by damping: steps of any length"));
-    ck_assert_ptr_null(strstr(out, "\ndamping\t"));
+    ck_assert_ptr_nonnull(strstr(out, "no derivative by damping_rho1: steps of any length"));
+    ck_assert_ptr_null(strstr(out, "\ndamping_rho1\t"));
 }
 END_TEST
 
@@ -112,8 +112,8 @@ START_TEST(the_parts_of_a_pair_keep_their_names)
                                         "--damper 'd=x : maxwell2:%s'", "--force-on '1=-0.1*v' --damping 'maxwell2:%s'",
                                         "--damper 'e=x : maxwell2:1,0.3,0.5,0.1' --damper 'd=x : power:1,0.3 + maxwell2:%s'" },
                             *const names[][4] = {
-                                { "damping", "damping_A", "damping_R2", "damping_B" },
-                                { "damping_2", "damping_2_A", "damping_2_R2", "damping_2_B" },
+                                { "damping_rho1", "damping_alpha1", "damping_rho2", "damping_alpha2" },
+                                { "damping_2_rho1", "damping_2_alpha1", "damping_2_rho2", "damping_2_alpha2" },
                                 { "d.rho1", "d.alpha1", "d.rho2", "d.alpha2" },
                                 { "d1.rho1", "d1.alpha1", "d1.rho2", "d1.alpha2" },
                                 { "d.maxwell22.rho1", "d.maxwell22.alpha1", "d.maxwell22.rho2",
@@ -139,7 +139,7 @@ START_TEST(the_parts_of_a_pair_keep_their_names)
             ck_assert_int_eq(fvi(strcat(line, " --by e.rho1")), 2);
     }
     ck_assert_int_eq(fvi("gradient --damping maxwell2:0.4,0.2,0.7,0.2"), 0);
-    derivative("damping_R2");
+    derivative("damping_rho2");
 }
 END_TEST
 

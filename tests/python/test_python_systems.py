@@ -299,6 +299,17 @@ def test_exact_motions_are_the_programs(tmp_path):
         fvi.exact_motion(fvi.Problem("duffing:1,1"), 1)
 
 
+def test_an_exact_motion_takes_no_steps_and_warns_of_none():
+    """Stiff bodies, long times, structures and several dampers, of which a run without a step would warn."""
+    bodies = [dict(potential="harmonic:1e6", mass=1e-6), dict(potential="chain:2,400,0", rho=0.1, alpha=0.7),
+              dict(dampers=["x : power:1,0.3", "x : viscous:2"]), dict(M=np.eye(N), K=K, C=C, alpha=0.8),
+              dict(M=np.eye(N), K=K, dampers=[(C, "power:1,0.3", "held"), (np.eye(N), "viscous:1", "held")])]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for body in bodies:
+            fvi.exact_motion(fvi.Problem(**{"p0": 1, "force": "cosine:1,50", "time": 2000, **body}), [0, 1])
+
+
 def test_a_pendulum_swings_about_a_place():
     """omega^2 = g cos(0) and g cos(1): undamped, to 1e-14."""
     q = fvi.Problem("pendulum:4", rho=0, x0=1)
