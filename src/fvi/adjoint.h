@@ -102,7 +102,8 @@ typedef struct {
  *          that of a law of one term; by p0, where the law grows faster than s, NaN is
  *          written, as such a run begins at rest
  *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19) With several
- *          dampers `damping` has a number for each, by a factor of its kernel
+ *          dampers `damping` has a number for each, by a factor of its kernel.
+ *          With stages x and p are NULL, and a law that grows faster than s has no terms to ends
  *   mechanism  fvi, fvi-stable, the methods with stages and fvi_variable_step, x and p NULL: dampers between points, a
  *          Lagrangian, forces of velocity and constraints that do not know the time, or imposed
  *          coordinates; elongations and constraints with second derivatives. (23.29) `damping` has a
@@ -130,7 +131,7 @@ typedef struct {
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms, orders,
  * times or ends of none; FVI_EUNSUP if the method has no adjoint, or not this one (with matrices
- * none that has stages, nor fvi_variable_step, has), or mass
+ * fvi_variable_step has none), or mass
  * is wanted of matrices that have no inertia, or all momenta at alpha = 1 of a damped
  * run of form M or of fvi_variable_step, or no step is short enough
  * for a body whose A is 0 (22.23);

@@ -1,6 +1,7 @@
 /* src/methods/lobatto_matrices.c -- Stages of a system with matrices: a step.  [H 27] */
 #include "lobatto_matrices.h"
 
+#include "newton/linearised.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_machine.h>
@@ -17,6 +18,14 @@ static int find_velocity(fvi_stepper *s, fvi_lobatto_matrices *o)
     return fvi_damping_velocity(s->run.system, s->p, o->v);
 }
 
+/* A run in dual variables: v is the multiplier, and x the force that drives it, summed from the end of
+ * the run that is derived, K x of an ordinary run. (23.15) */
+static int is_dual(const fvi_stepper *s)
+{
+    const fvi_linearised *linearised = fvi_linearised_of(s->run.system);
+    return linearised && linearised->is_dual;
+}
+
 /* F - K (x_k + h c_i v_k) at the stages; F from within the step at its ends. */
 static int begin_load(fvi_stepper *s, fvi_lobatto_matrices *o)
 {
@@ -24,8 +33,10 @@ static int begin_load(fvi_stepper *s, fvi_lobatto_matrices *o)
     const size_t d = o->d;
     const double h = s->run.h;
     int status = fvi_step_forces_at_stages(s, s->k, o->s, o->rule, o->F);
-    if (!status)
+    if (!status && !is_dual(s))
         status = m->stiffness(d, s->x, m->params, o->Kx);
+    for (size_t j = 0; is_dual(s) && j < d; j++)
+        o->Kx[j] = -s->x[j];
     if (!status)
         status = m->stiffness(d, o->v, m->params, o->Kv);
     for (size_t i = 0; !status && i < o->s; i++) {
@@ -56,6 +67,26 @@ static int advance(fvi_stepper *s, fvi_lobatto_matrices *o)
     return status;
 }
 
+/* x -= h sum_i b_i K V_i in dual variables, and p stays: nobody reads it. */
+static int advance_dual(fvi_stepper *s, fvi_lobatto_matrices *o)
+{
+    const fvi_matrices *m = s->run.system->matrices;
+    const size_t d = o->d, end = (o->s - 1) * d;
+    for (size_t j = 0; j < d; j++) {
+        double mean = o->v[j];
+        for (size_t i = 0; i < o->s; i++) {
+            mean += o->rule->b[i] * o->V[i * d + j];
+            o->V[i * d + j] += o->v[j];
+        }
+        o->Kx[j] = mean;
+        o->v[j] = o->V[end + j];
+    }
+    const int status = m->stiffness(d, o->Kx, m->params, o->Kv);
+    for (size_t j = 0; j < d; j++)
+        s->x[j] -= s->run.h * o->Kv[j];
+    return status;
+}
+
 //> step
 int fvi_lobatto_matrices_step(fvi_stepper *s)
 {
@@ -70,7 +101,7 @@ int fvi_lobatto_matrices_step(fvi_stepper *s)
     if (!status)
         status = fvi_stage_dampers_end_step(s);
     if (!status)
-        status = advance(s, o);
+        status = is_dual(s) ? advance_dual(s, o) : advance(s, o);
     for (size_t j = 0; !status && j < o->dampers; j++)
         if (o->each[j].kept)
             status = fvi_stage_damper_sums(s, j, o->each[j].kept, &o->each[j].work);

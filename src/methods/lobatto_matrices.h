@@ -21,6 +21,7 @@ typedef struct {
     double *slope;                     /* s r: B^T V_i - drift of the step at hand, for the history */
     double *Y;                         /* s r: its sums */
     double *force;                     /* s r: of the step at hand, before S, for the matrix */
+    double *Ydot, *force_by_order;     /* s r each, of a linearised run: their derivatives by 2 alpha; or NULL */
     double *z, *zero;                  /* r: room, and zeros */
     double *kept, work;                /* d impulses up to now, and the work; NULL: nobody asked */
     fvi_lobatto_history *memory;
@@ -61,6 +62,9 @@ int fvi_lobatto_matrices_ends(const fvi_stepper *s, fvi_step_sums *sums);
 int fvi_lobatto_matrices_is_pulled(const fvi_stepper *s);
 
 /* ---- lobatto_matrices_dampers.c ---- */
+
+/* fvi_stage_dampers_tolerance -- the tolerance that the histories of a run are asked for. */
+double fvi_stage_dampers_tolerance(const fvi_run *run);
 
 /* fvi_stage_dampers_start -- the dampers of a run, with their histories; v is the velocity at t = 0. */
 int fvi_stage_dampers_start(fvi_stepper *s, const double *v);

@@ -2,6 +2,7 @@
 #include "lobatto_matrices.h"
 
 #include "lobatto_stages.h"
+#include "newton/linearised.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -11,10 +12,10 @@
 /* ---- the start ---- */
 
 /* Zeros for the numbers of a damper. */
-static int make_numbers(fvi_stage_damper *a, size_t s)
+static int make_numbers(fvi_stage_damper *a, size_t s, int by_order)
 {
     const size_t stages = s * a->r;
-    a->drift = calloc(3 * a->r + 3 * stages, sizeof *a->drift);
+    a->drift = calloc(3 * a->r + (by_order ? 5 : 3) * stages, sizeof *a->drift);
     if (!a->drift)
         FVI_FAIL("no memory for a damper", FVI_ENOMEM);
     a->z = a->drift + a->r;
@@ -22,16 +23,22 @@ static int make_numbers(fvi_stage_damper *a, size_t s)
     a->slope = a->zero + a->r;
     a->Y = a->slope + stages;
     a->force = a->Y + stages;
+    a->Ydot = by_order ? a->force + stages : NULL;
+    a->force_by_order = by_order ? a->Ydot + stages : NULL;
     return FVI_SUCCESS;
+}
+
+double fvi_stage_dampers_tolerance(const fvi_run *run)
+{
+    const double finest = run->tolerance > 0 ? fmax(run->tolerance / 10, 1e-14) : 1e-14;
+    return run->system->mechanism ? finest : fvi_lobatto_history_tolerance(run);
 }
 
 static int make_history(const fvi_run *run, size_t s, fvi_stage_damper *a)
 {
-    const double finest = run->tolerance > 0 ? fmax(run->tolerance / 10, 1e-14) : 1e-14,
-                 keep = run->system->mechanism ? finest
-                                               : fvi_lobatto_history_tolerance(run);
-    const int status = fvi_lobatto_history_of_damper(run, &a->of, s, a->r, 0, keep,
-                                                     &a->scale, &a->memory);
+    const int status = fvi_lobatto_history_of_damper(run, &a->of, s, a->r, a->Ydot != NULL,
+                                                     fvi_stage_dampers_tolerance(run), &a->scale,
+                                                     &a->memory);
     for (size_t i = 0; !status && i < s * s; i++)
         a->W[i] = a->scale * fvi_lobatto_history_now(a->memory)[i];
     return status;
@@ -44,7 +51,8 @@ static int start_damper(fvi_stepper *s, const double *v, fvi_stage_damper *a)
     const fvi_lobatto_matrices *o = s->method_state;
     const fvi_damping_matrix *C = &a->of.matrix;
     const int is_mass = a->of.law && a->of.growth == 2;
-    int status = make_numbers(a, o->s);
+    const fvi_linearised *linearised = fvi_linearised_of(s->run.system);
+    int status = make_numbers(a, o->s, linearised && linearised->by_order && !a->of.law && a->of.rho > 0);
     if (!status && a->of.growth > 1 && !is_mass)
         status = C->remember(o->d, v, a->zero, C->params, a->drift);
     if (!status && !is_mass)
@@ -84,6 +92,19 @@ static void add_known(const fvi_stage_damper *a, size_t s, size_t i, const doubl
         force[n] = a->scale * a->Y[n * s + i] + row * velocity[n];
 }
 
+/* The same for the derivative by 2 alpha at fixed h^(-beta); z holds B^T v_k. */
+static void add_known_by_order(const fvi_stage_damper *a, size_t s)
+{
+    const double *rate = fvi_lobatto_history_now_by_order(a->memory);
+    for (size_t i = 0; i < s; i++) {
+        double row = 0;
+        for (size_t c = 0; c < s; c++)
+            row += rate[i * s + c];
+        for (size_t n = 0; n < a->r; n++)
+            a->force_by_order[i * a->r + n] = a->scale * (a->Ydot[n * s + i] + row * a->z[n]);
+    }
+}
+
 static int begin_damper(fvi_stepper *s, fvi_stage_damper *a)
 {
     const fvi_lobatto_matrices *o = s->method_state;
@@ -94,6 +115,8 @@ static int begin_damper(fvi_stepper *s, fvi_stage_damper *a)
         add_known(a, o->s, i, a->z);
         status = C->damp(o->d, 1, a->force + i * a->r, C->params, o->load + i * o->d);
     }
+    if (!status && a->Ydot)
+        add_known_by_order(a, o->s);
     if (status || !a->past.size)
         return status;
     fvi_initial_history_force_impulses(&a->past, s->k, a->impulse);
@@ -128,10 +151,17 @@ static int end_damper(const fvi_lobatto_matrices *o, fvi_stage_damper *a)
         for (size_t i = 0; i < s; i++)
             for (size_t c = 0; c < s; c++)
                 a->force[i * r + n] += a->W[i * s + c] * a->slope[n * s + c];
+    for (size_t n = 0; !status && a->Ydot && n < r; n++)
+        for (size_t i = 0; i < s; i++)
+            for (size_t c = 0; c < s; c++)
+                a->force_by_order[i * r + n] += a->scale * fvi_lobatto_history_now_by_order(a->memory)[i * s + c]
+                                                * a->slope[n * s + c];
     for (size_t n = 0; !status && n < r; n++)
         for (size_t i = 0; i < s; i++)
             a->slope[n * s + i] += a->z[n];
-    return status ? status : fvi_lobatto_history_push(a->memory, a->slope, a->Y);
+    return status    ? status
+           : a->Ydot ? fvi_lobatto_history_push_by_order(a->memory, a->slope, a->Y, a->Ydot)
+                     : fvi_lobatto_history_push(a->memory, a->slope, a->Y);
 }
 
 int fvi_stage_dampers_end_step(fvi_stepper *s)
@@ -212,7 +242,7 @@ static int copy_damper(const fvi_lobatto_matrices *o, const fvi_stage_damper *fr
     to->drift = to->kept = NULL;
     to->memory = NULL;
     to->past = (fvi_initial_history_force){ 0 };
-    int status = make_numbers(to, o->s);
+    int status = make_numbers(to, o->s, 0); /* nobody copies a linearised run */
     if (!status)
         memcpy(to->drift, from->drift, numbers_of(o, from) * sizeof *to->drift);
     if (!status && from->kept) {

@@ -161,12 +161,14 @@ int fvi_gradient_make_room(request *r)
     r->has_terms = r->to.terms != NULL;
     if (r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP)
         return 0;
-    for (size_t j = 0; r->o.method->stages && j < fvi_gradient_dampers(r); j++)
-        if (grows(r->system.mechanism->damper[j].kernel)) {
-            r->to.terms = NULL;
-            r->has_terms = 0;
-            return 0;
-        }
+    int any_grows = r->system.matrices && r->run.law && grows(r->run.law);
+    for (size_t j = 0; j < fvi_gradient_dampers(r); j++)
+        any_grows |= grows(r->system.mechanism->damper[j].kernel);
+    if (r->o.method->stages && any_grows) {
+        r->to.terms = NULL;
+        r->has_terms = 0;
+        return 0;
+    }
     for (size_t i = 0; i < terms; i++) {
         if (term_of(r, i)->kind == FVI_KERNEL_DAVIDSON && r->o.method->stages)
             return 0;

@@ -7,6 +7,7 @@
 #include "adjoint_multistep.h"
 #include "adjoint_variable.h"
 #include "adjoint_lobatto.h"
+#include "adjoint_structure.h"
 #include "system/fail.h"
 
 #include <stdlib.h>
@@ -49,12 +50,11 @@ static int check_shifted(const fvi_run *run)
     return FVI_SUCCESS;
 }
 
-static int has_kind(const fvi_kernel *law, fvi_kernel_kind kind)
+static int check_stages(const fvi_method *method, const fvi_run *run, const fvi_sensitivities *want)
 {
-    for (size_t i = 0; law && i < law->count; i++)
-        if (law->term[i].kind == kind)
-            return 1;
-    return 0;
+    return run->system->matrices    ? fvi_adjoint_structure_check(method, run, want)
+           : run->system->mechanism ? fvi_adjoint_mechanism_check(method, run, want)
+                                    : fvi_adjoint_check_stage_laws(run, want);
 }
 
 static int check(const fvi_method *method, const fvi_run *run, const double *x,
@@ -69,14 +69,16 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("a run with events has no adjoint: the derivative of x by the time of an impact jumps, and a memory "
                  "answers that by a force without bound",
                  FVI_EUNSUP);
-    if ((method->stages || method->dense) && run->system && run->system->matrices)
-        FVI_FAIL("methods with stages, and fvi-adaptive, have no adjoint of a system with matrices; fvi, "
-                 "fvi-shifted, fvi-bdf2 and fvi-stable have",
+    if (method->dense && run->system && run->system->matrices)
+        FVI_FAIL("fvi-adaptive has no adjoint of a system with matrices; methods without stages, and "
+                 "fvi-lobatto2d to 8d, have",
                  FVI_EUNSUP);
     int status = method->scheme == FVI_SCHEME_CQ2_SHIFTED ? check_shifted(run) : FVI_SUCCESS;
-    if (!status && run->system && run->system->mechanism)
+    if (!status && run->system && run->system->mechanism && method->scheme != FVI_SCHEME_LOBATTO)
         status = run->system->matrices ? fvi_adjoint_dampers_check(method, run, want)
                                        : fvi_adjoint_mechanism_check(method, run, want);
+    if (!status && run->system && method->scheme == FVI_SCHEME_LOBATTO)
+        status = check_stages(method, run, want);
     if (!status && run->system && fvi_has_mechanism_steps(run->system)
         && method->scheme == FVI_SCHEME_VARIABLE_STEP)
         status = fvi_adjoint_mesh_check(run, J, want);
@@ -89,11 +91,6 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
                        && fvi_adjoint_kernel_is_wanted(want))
         FVI_FAIL("a law has terms, and no alpha; a power the other way round",
                  FVI_EINVAL);
-    if (method->scheme == FVI_SCHEME_LOBATTO && (want->orders || want->times)
-        && has_kind(run->law, FVI_KERNEL_DAVIDSON))
-        FVI_FAIL("with stages Cole and Davidson's law has a derivative by rho alone; by "
-                 "fvi, fvi-bdf2 and fvi-stable it has all",
-                 FVI_EUNSUP);
     if ((method->scheme == FVI_SCHEME_LOBATTO
          || method->scheme == FVI_SCHEME_VARIABLE_STEP)
         && x)
@@ -188,10 +185,12 @@ static int slopes(const fvi_objective *J, size_t k, size_t d, const double *x,
     return J->slopes(k, d, x, p, J->params, Jx, Jp);
 }
 
-/* One of the three kinds of mirrored runs: with stages, or without (0), or of several dampers. */
+/* One of the four kinds of mirrored runs: of a structure with stages; with stages, or without (0), or of several
+ * dampers. */
 typedef struct {
     size_t stages;
-    int has_dampers;
+    int is_structure, has_dampers;
+    fvi_adjoint_structure structure;
     fvi_adjoint_multistep plain;
     fvi_adjoint_lobatto staged;
     fvi_adjoint_dampers several;
@@ -202,7 +201,10 @@ static int begin(const fvi_method *method, const fvi_run *run,
                  const double *p, const double *Jp, mirror *m)
 {
     m->stages = (size_t)method->stages;
+    m->is_structure = m->stages && run->system->matrices;
     m->has_dampers = run->system->mechanism != NULL;
+    if (m->is_structure)
+        return fvi_adjoint_structure_start(method, run, want, Jp, &m->structure);
     if (m->has_dampers)
         return fvi_adjoint_dampers_start(method, run, want, jumps, rows, Jp, &m->several);
     return m->stages ? fvi_adjoint_lobatto_start(method, run, want, jumps, p, Jp,
@@ -213,6 +215,8 @@ static int begin(const fvi_method *method, const fvi_run *run,
 
 static int step(mirror *m, size_t k, const double *rows, const double *Jx)
 {
+    if (m->is_structure)
+        return fvi_adjoint_structure_step(&m->structure, k, rows, Jx);
     if (m->has_dampers)
         return fvi_adjoint_dampers_step(&m->several, k, rows, Jx);
     return m->stages ? fvi_adjoint_lobatto_step(&m->staged, k, rows, Jx)
@@ -222,6 +226,8 @@ static int step(mirror *m, size_t k, const double *rows, const double *Jx)
 /* J depends on p_k, 0 < k < N: lambda_k jumps by J_p, (23.27). */
 static int jump(mirror *m, const double *Jp)
 {
+    if (m->is_structure)
+        return fvi_adjoint_structure_jump(&m->structure, Jp);
     if (m->has_dampers)
         return fvi_adjoint_dampers_jump(&m->several, Jp);
     return m->stages ? fvi_adjoint_lobatto_jump(&m->staged, Jp)
@@ -232,7 +238,8 @@ static int jump(mirror *m, const double *Jp)
 static int finish(mirror *m, const fvi_sensitivities *want, size_t d,
                   const double *Jx, const double *Jp)
 {
-    const int status = m->has_dampers ? fvi_adjoint_dampers_end(&m->several, Jx)
+    const int status = m->is_structure  ? fvi_adjoint_structure_end(&m->structure, Jx)
+                       : m->has_dampers ? fvi_adjoint_dampers_end(&m->several, Jx)
                        : m->stages    ? fvi_adjoint_lobatto_end(&m->staged, Jx)
                                       : fvi_adjoint_multistep_end(&m->plain, Jx);
     for (size_t i = 0; Jp && want->p0 && i < d; i++)
@@ -242,7 +249,9 @@ static int finish(mirror *m, const fvi_sensitivities *want, size_t d,
 
 static void stop(mirror *m)
 {
-    if (m->has_dampers) /* the book's figures that move have none, and not this function */
+    if (m->is_structure)
+        fvi_adjoint_structure_free(&m->structure);
+    else if (m->has_dampers) /* the book's figures that move have none, and not this function */
         fvi_adjoint_dampers_free(&m->several);
     fvi_adjoint_lobatto_stop(&m->staged);
     fvi_adjoint_multistep_free(&m->plain);

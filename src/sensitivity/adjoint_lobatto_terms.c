@@ -6,6 +6,24 @@
 #include <math.h>
 #include <stdlib.h>
 
+int fvi_adjoint_check_stage_laws(const fvi_run *run, const fvi_sensitivities *want)
+{
+    for (size_t j = 0; j < fvi_run_damper_count(run); j++) {
+        const fvi_run_damper of = fvi_run_damper_of(run, j);
+        if (of.law && run->system->matrices && of.growth > 1
+            && fvi_adjoint_kernel_is_wanted(want))
+            FVI_FAIL("with stages a law that grows faster than s has no derivative by "
+                     "its numbers; by fvi-bdf2 and fvi-stable it has",
+                     FVI_EUNSUP);
+        for (size_t l = 0; of.law && l < of.law->count; l++)
+            if (of.law->term[l].kind == FVI_KERNEL_DAVIDSON && (want->orders || want->times))
+                FVI_FAIL("with stages Cole and Davidson's law has a derivative by rho alone; by "
+                         "fvi, fvi-bdf2 and fvi-stable it has all",
+                         FVI_EUNSUP);
+    }
+    return FVI_SUCCESS;
+}
+
 /* ---- the start ---- */
 
 static int convolve(const fvi_stage_term *t, const fvi_run *run, double keep, const fvi_kernel *alone,

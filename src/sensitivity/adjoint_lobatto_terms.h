@@ -44,6 +44,10 @@ void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu);
 int fvi_stage_term_update_history(fvi_stage_term *t, const double *nu);
 void fvi_stage_term_stop(fvi_stage_term *t);
 
+/* fvi_adjoint_check_stage_laws -- FVI_EUNSUP for numbers of the laws of a run, of a chain or a structure, which
+ * have no derivative through stages. */
+int fvi_adjoint_check_stage_laws(const fvi_run *run, const fvi_sensitivities *want);
+
 /* All terms of a law; zeroed before. */
 typedef struct {
     size_t count;

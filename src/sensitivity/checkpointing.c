@@ -1,6 +1,7 @@
 /* src/sensitivity/checkpointing.c -- A trajectory, read from its end.           [H 23] */
 #include "checkpointing.h"
 
+#include "methods/lobatto_matrices.h"
 #include "methods/lobatto_stages.h"
 #include "system/fail.h"
 
@@ -50,11 +51,18 @@ static size_t length_of(const fvi_run *run)
 }
 //< length
 
-/* The rows that the step just done adds behind the one at `row`. */
+/* The rows that the step just done adds behind the one at `row`; of a structure the velocities of all stages but
+ * the last, of which x_{k+1} tells. */
 static void keep(const fvi_checkpointing *b, const fvi_stepper *s, double *row)
 {
     const size_t d = b->d;
+    const fvi_lobatto_matrices *m = b->per > 1 ? fvi_lobatto_matrices_of(s) : NULL;
     const fvi_lobatto_stages *o = b->per > 1 ? s->method_state : NULL;
+    if (m) {
+        memcpy(row + d, m->V, (b->per - 1) * d * sizeof *row);
+        memcpy(row + b->per * d, s->x, d * sizeof *row);
+        return;
+    }
     for (size_t i = 1; i < b->per; i++)
         for (size_t j = 0; j < d; j++)
             row[i * d + j] = row[j] + o->dX[(i - b->first) * d + j];

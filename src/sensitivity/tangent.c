@@ -5,6 +5,7 @@
 #include "adjoint_stages.h"
 #include "mechanism/mechanism.h"
 #include "methods/damping.h"
+#include "methods/lobatto_matrices.h"
 #include "methods/lobatto_stages.h"
 #include "run/impulses.h"
 #include "system/fail.h"
@@ -22,13 +23,8 @@ static int check_laws(const fvi_method *method, const fvi_run *run, const fvi_se
         const fvi_kernel *law = fvi_run_damper_of(run, j).law;
         if (law && method->scheme == FVI_SCHEME_CQ2_SHIFTED)
             FVI_FAIL("fvi-shifted has no derivatives with a law; the other methods have", FVI_EUNSUP);
-        for (size_t l = 0; law && method->stages && l < law->count; l++)
-            if (law->term[l].kind == FVI_KERNEL_DAVIDSON && (along->orders || along->times))
-                FVI_FAIL("with stages Cole and Davidson's law has a derivative by rho alone; by "
-                         "fvi, fvi-bdf2 and fvi-stable it has all",
-                         FVI_EUNSUP);
     }
-    return FVI_SUCCESS;
+    return method->stages ? fvi_adjoint_check_stage_laws(run, along) : FVI_SUCCESS;
 }
 
 static int check_direction(const fvi_method *method, const fvi_run *run, const fvi_sensitivities *along)
@@ -260,10 +256,8 @@ static void move_starts(fvi_tangent_run *o)
 
 static int start_dampers(fvi_tangent_run *o)
 {
-    const fvi_run *run = o->run, *tangent = &o->lane[0]->run;
-    const double wish = tangent->tolerance,
-                 keep = run->system->mechanism ? (wish > 0 ? fmax(wish / 10, 1e-14) : 1e-14)
-                                               : fvi_lobatto_history_tolerance(tangent);
+    const fvi_run *run = o->run;
+    const double keep = fvi_stage_dampers_tolerance(&o->lane[0]->run);
     int status = FVI_SUCCESS;
     for (size_t j = 0, first = 0; !status && j < fvi_run_damper_count(run); j++) {
         fvi_tangent_damper *a = o->each + o->dampers++;

@@ -96,11 +96,25 @@ int fvi_tangent_evaluate_potential(fvi_tangent_run *o, size_t i, const double *X
  * fvi_tangent_damper_next -- node k: the impulses that the directions change, in now.
  * fvi_tangent_damper_impulses -- a step from node k: they, and the impulses of the past, are added to what the
  * step loses.
- * fvi_tangent_damper_stages -- step k with stages: its forces are taken away from the sources. */
+ *
+ * What methods with stages ask of tangent_dampers.c, too:
+ * fvi_tangent_numbers -- rho, alpha, time and end of term l along direction j.
+ * fvi_tangent_rho -- rho of number i, or that of the damper.
+ * fvi_tangent_multiply -- to += share S y, or share y.
+ * fvi_tangent_past -- the impulses of the past in step k, and their slopes by e if they are asked for.
+ * fvi_tangent_past_along -- what direction j changes in n of them for an A of 1, of coordinate i; those of the
+ * terms of a law at two ends. */
 int fvi_tangent_damper_start(fvi_tangent_run *o, double keep, fvi_tangent_damper *a);
 int fvi_tangent_damper_next(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a);
 int fvi_tangent_damper_impulses(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a);
-int fvi_tangent_damper_stages(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a);
+void fvi_tangent_numbers(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t j, size_t l,
+                         double number[4]);
+double fvi_tangent_rho(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t i);
+int fvi_tangent_multiply(const fvi_tangent_run *o, const fvi_tangent_damper *a, double share, const double *y,
+                         double *to);
+void fvi_tangent_past(const fvi_tangent_damper *a, size_t k, double *at, double *slope);
+void fvi_tangent_past_along(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t k, size_t j, size_t i,
+                            const double *at, const double *slope, size_t n, double *change);
 void fvi_tangent_damper_stop(fvi_tangent_damper *a);
 
 /* fvi_tangent_source -- the forces along direction j at stage i, d numbers. */

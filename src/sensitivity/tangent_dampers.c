@@ -188,7 +188,7 @@ static void find_mean(const fvi_tangent_run *o, fvi_tangent_damper *a)
 }
 
 /* The numbers of term l along direction j: rho, alpha, time and end. */
-static void numbers_along(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t j, size_t l,
+void fvi_tangent_numbers(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t j, size_t l,
                           double number[4])
 {
     const fvi_sensitivities *along = o->along + j;
@@ -197,7 +197,7 @@ static void numbers_along(const fvi_tangent_run *o, const fvi_tangent_damper *a,
         number[i] = of[i] ? of[i][a->first + l] : 0;
 }
 
-static double rho_of(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t i)
+double fvi_tangent_rho(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t i)
 {
     return a->of.matrix.remember ? a->of.rho : o->run->system->damping[i];
 }
@@ -212,15 +212,15 @@ static void fill_impulses(const fvi_tangent_run *o, fvi_tangent_damper *a)
         for (size_t n = 0; n < a->r; n++) {
             y[n] = a->memory.memory ? a->unit * H[n] * fvi_tangent_factor(o, a, j, n) : 0;
             if (order != 0)
-                y[n] += 2 * (rho_of(o, a, n) * a->unit) * (rate[n] - log_h * H[n]) * order;
+                y[n] += 2 * (fvi_tangent_rho(o, a, n) * a->unit) * (rate[n] - log_h * H[n]) * order;
         }
         for (size_t l = 0; l < a->terms; l++) {
             const fvi_adjoint_term *t = a->term + l;
             double number[4];
-            numbers_along(o, a, j, l, number);
+            fvi_tangent_numbers(o, a, j, l, number);
             for (size_t by = 0; by < 4; by++)
                 for (size_t n = 0; t->by[by] && number[by] != 0 && n < a->r; n++)
-                    y[n] += o->run->h * rho_of(o, a, n) * number[by] * t->factor[by] * t->by[by][n];
+                    y[n] += o->run->h * fvi_tangent_rho(o, a, n) * number[by] * t->factor[by] * t->by[by][n];
         }
     }
 }
@@ -242,7 +242,7 @@ int fvi_tangent_damper_next(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
 /* ---- a step ---- */
 
 /* to += share S y of a direction. */
-static int add(const fvi_tangent_run *o, const fvi_tangent_damper *a, double share, const double *y, double *to)
+int fvi_tangent_multiply(const fvi_tangent_run *o, const fvi_tangent_damper *a, double share, const double *y, double *to)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
     if (C->remember)
@@ -254,30 +254,30 @@ static int add(const fvi_tangent_run *o, const fvi_tangent_damper *a, double sha
 
 /* What direction j changes in the impulses of the past for an A of 1 at `n` places: those of coordinate i. `at`
  * and `slope` are there; those of the terms are asked for at two ends. */
-static void past_along(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t k, size_t j, size_t i,
+void fvi_tangent_past_along(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t k, size_t j, size_t i,
                        const double *at, const double *slope, size_t n, double *change)
 {
     const double factor = fvi_tangent_factor(o, a, j, i), order = fvi_tangent_order(o, a, j),
                  log_h = log(o->run->h);
     for (size_t e = 0; e < n; e++)
         change[e] = a->impulse_unit
-                    * (factor * at[e] - 2 * rho_of(o, a, i) * order * (log_h * at[e] + slope[e]));
+                    * (factor * at[e] - 2 * fvi_tangent_rho(o, a, i) * order * (log_h * at[e] + slope[e]));
     for (size_t l = 0; l < a->terms; l++) {
         const fvi_adjoint_term *t = a->term + l;
         double number[4];
-        numbers_along(o, a, j, l, number);
+        fvi_tangent_numbers(o, a, j, l, number);
         for (size_t by = 0; by < 4; by++) {
             double ends[2];
             if (!t->impulses[by] || number[by] == 0)
                 continue;
             fvi_impulses_of_kernel_at(t->impulses[by], k, ends);
             for (size_t e = 0; e < 2; e++)
-                change[e] += rho_of(o, a, i) * number[by] * (by == 0 ? 1 : t->rho) * ends[e];
+                change[e] += fvi_tangent_rho(o, a, i) * number[by] * (by == 0 ? 1 : t->rho) * ends[e];
         }
     }
 }
 
-static void find_past(const fvi_tangent_damper *a, size_t k, double *at, double *slope)
+void fvi_tangent_past(const fvi_tangent_damper *a, size_t k, double *at, double *slope)
 {
     fvi_initial_history_force_impulses(&a->past, k, at);
     if (!a->of.law && a->by_order)
@@ -289,10 +289,10 @@ static void add_past(fvi_tangent_run *o, size_t k, const fvi_tangent_damper *a)
     double at[2], slope[2] = { 0 }, change[2];
     if (a->impulse_unit == 0)
         return;
-    find_past(a, k, at, slope);
+    fvi_tangent_past(a, k, at, slope);
     for (size_t j = 0, n = 0; j < o->P; j++)
         for (size_t i = 0; i < o->d; i++, n++) {
-            past_along(o, a, k, j, i, at, slope, 2, change);
+            fvi_tangent_past_along(o, a, k, j, i, at, slope, 2, change);
             o->left[n] += a->CA[i] * change[0];
             o->right[n] += a->CA[i] * change[1];
         }
@@ -309,132 +309,17 @@ int fvi_tangent_damper_impulses(fvi_tangent_run *o, size_t k, fvi_tangent_damper
         const double *now = a->now + j * a->r, *before = a->before + j * a->r,
                      order = fvi_tangent_order(o, a, j);
         double *left = o->left + j * o->d, *right = o->right + j * o->d;
-        status = add(o, a, is_first_order ? 1 : 0.5, now, right);
+        status = fvi_tangent_multiply(o, a, is_first_order ? 1 : 0.5, now, right);
         if (!status && !is_first_order)
-            status = add(o, a, 0.5 - a->theta, before, left);
+            status = fvi_tangent_multiply(o, a, 0.5 - a->theta, before, left);
         if (!status && a->theta != 0)
-            status = add(o, a, a->theta, now, left);
+            status = fvi_tangent_multiply(o, a, a->theta, now, left);
         if (status || !is_shifted || order == 0)
             continue;
         for (size_t n = 0; n < a->r; n++)
-            a->by_theta[n] = order * a->unit * rho_of(o, a, n) * a->memory.by_theta[n];
-        status = add(o, a, 1, a->by_theta, left);
+            a->by_theta[n] = order * a->unit * fvi_tangent_rho(o, a, n) * a->memory.by_theta[n];
+        status = fvi_tangent_multiply(o, a, 1, a->by_theta, left);
     }
     add_past(o, k, a);
-    return status;
-}
-
-/* ---- a step with stages ---- */
-
-/* The velocities of the stages, less the line: what is remembered. */
-static int find_velocities(fvi_tangent_run *o, fvi_tangent_damper *a)
-{
-    const fvi_damping_matrix *C = &a->of.matrix;
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; !status && i < o->s; i++) {
-        const double *V = o->V + i * o->d;
-        double *v = C->remember ? o->room : a->by_theta, *felt = a->by_theta;
-        for (size_t n = 0; n < o->d; n++)
-            v[n] = V[n] - (a->has_line ? o->v0[n] : 0);
-        if (C->remember)
-            status = C->remember(o->d, v, a->zeros, C->params, felt);
-        for (size_t n = 0; n < a->r; n++)
-            a->v[n * o->s + i] = felt[n];
-    }
-    return status;
-}
-
-/* Y = W v with its history, and its derivative by beta; and the history of the next step. */
-static int find_sums(fvi_tangent_run *o, fvi_tangent_damper *a, double *Y, double *Ydot)
-{
-    const size_t s = o->s;
-    const double *W = fvi_lobatto_history_now(a->of_stages),
-                 *rate = a->of.law ? NULL : fvi_lobatto_history_now_by_order(a->of_stages),
-                 log_h = log(o->run->h);
-    for (size_t n = 0; n < a->r; n++)
-        for (size_t i = 0, at = n * s; i < s; i++, at++) {
-            Y[at] = a->Y[at];
-            Ydot[at] = a->Ydot[at];
-            for (size_t l = 0; l < s; l++) {
-                Y[at] += W[i * s + l] * a->v[n * s + l];
-                Ydot[at] += rate ? rate[i * s + l] * a->v[n * s + l] : 0;
-            }
-            Y[at] *= a->unit;
-            Ydot[at] = a->unit * Ydot[at] - log_h * Y[at];
-        }
-    return a->of.law ? fvi_lobatto_history_push(a->of_stages, a->v, a->Y)
-                     : fvi_lobatto_history_push_by_order(a->of_stages, a->v, a->Y, a->Ydot);
-}
-
-/* The force of number n at stage i that direction j changes through the numbers of a law. */
-static double terms_along(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t j, size_t at)
-{
-    const double log_h = log(o->run->h);
-    double sum = 0;
-    for (size_t l = 0; l < a->terms_of_stages.count; l++) {
-        const fvi_stage_term *t = a->terms_of_stages.each + l;
-        double number[4];
-        numbers_along(o, a, j, l, number);
-        sum += number[0] * t->self.now[at];
-        if (t->again.memory)
-            sum -= number[2] * t->rho * t->again.now[at];
-        if (t->log.memory)
-            sum += 2 * number[1] * t->rho * (t->log.now[at] - log_h * t->left[at]);
-        for (size_t by = 0; by < FVI_ADJOINT_SLOPES; by++)
-            if (t->slopes[by].memory)
-                sum += number[1 + by] * t->slope[by].sign * t->rho * t->slopes[by].now[at];
-    }
-    return sum;
-}
-
-static int add_forces(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a, const double *Y, const double *Ydot)
-{
-    double at[FVI_STAGES] = { 0 }, slope[FVI_STAGES] = { 0 }, change[FVI_STAGES] = { 0 }, *y = a->now;
-    const double log_h = log(o->run->h);
-    const int is_matrix = a->of.matrix.remember != NULL;
-    int status = FVI_SUCCESS;
-    if (a->impulse_unit != 0)
-        find_past(a, k, at, slope);
-    for (size_t j = 0; j < o->P; j++) {
-        const double order = fvi_tangent_order(o, a, j);
-        for (size_t i = 0; !status && i < o->s; i++) {
-            double *source = fvi_tangent_source(o, j, i);
-            for (size_t n = 0; n < a->r; n++) {
-                const size_t place = n * o->s + i;
-                const double impulse = is_matrix ? 0 : a->CA[n] * a->impulse_unit / (o->run->h * o->rule->b[i]);
-                y[n] = fvi_tangent_factor(o, a, j, n) * (Y[place] + impulse * at[i])
-                       + 2 * rho_of(o, a, n) * order
-                             * (Ydot[place] - impulse * (log_h * at[i] + slope[i]))
-                       + rho_of(o, a, n) * terms_along(o, a, j, place);
-            }
-            status = add(o, a, -1, y, source);
-        }
-        for (size_t c = 0; is_matrix && a->impulse_unit != 0 && c < o->d; c++) {
-            past_along(o, a, k, j, c, at, slope, o->s, change);
-            for (size_t i = 0; i < o->s; i++)
-                fvi_tangent_source(o, j, i)[c] -= a->CA[c] * change[i] / (o->run->h * o->rule->b[i]);
-        }
-    }
-    return status;
-}
-
-int fvi_tangent_damper_stages(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
-{
-    if (!a->block)
-        return FVI_SUCCESS;
-    double *sums = calloc(2 * o->s * a->r, sizeof *sums);
-    if (!sums)
-        FVI_FAIL("no memory for the tangents", FVI_ENOMEM);
-    int status = find_velocities(o, a);
-    if (!status && a->of_stages)
-        status = find_sums(o, a, sums, sums + o->s * a->r);
-    for (size_t n = 0; !status && n < a->r; n++)
-        for (size_t l = 0; l < a->terms_of_stages.count; l++)
-            fvi_stage_term_next(a->terms_of_stages.each + l, n, a->v + n * o->s);
-    if (!status)
-        status = add_forces(o, k, a, sums, sums + o->s * a->r);
-    if (!status)
-        status = fvi_stage_terms_update_history(&a->terms_of_stages, a->v);
-    free(sums);
     return status;
 }

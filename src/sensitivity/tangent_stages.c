@@ -3,7 +3,10 @@
 
 #include "methods/lobatto_matrices.h"
 #include "methods/lobatto_stages.h"
+#include "system/fail.h"
 
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* (17.3): the inverse of A, of form D; or D alone, of form M: of numbers that are `stride` apart. */
@@ -77,6 +80,123 @@ static int fill_sources(fvi_tangent_run *o, size_t k)
     return status;
 }
 
+/* ---- dampers ---- */
+
+/* The velocities of the stages, less the line: what is remembered. */
+static int find_velocities(fvi_tangent_run *o, fvi_tangent_damper *a)
+{
+    const fvi_damping_matrix *C = &a->of.matrix;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < o->s; i++) {
+        const double *V = o->V + i * o->d;
+        double *v = C->remember ? o->room : a->by_theta, *felt = a->by_theta;
+        for (size_t n = 0; n < o->d; n++)
+            v[n] = V[n] - (a->has_line ? o->v0[n] : 0);
+        if (C->remember)
+            status = C->remember(o->d, v, a->zeros, C->params, felt);
+        for (size_t n = 0; n < a->r; n++)
+            a->v[n * o->s + i] = felt[n];
+    }
+    return status;
+}
+
+/* Y = W v with its history, and its derivative by beta; and the history of the next step. */
+static int find_sums(fvi_tangent_run *o, fvi_tangent_damper *a, double *Y, double *Ydot)
+{
+    const size_t s = o->s;
+    const double *W = fvi_lobatto_history_now(a->of_stages),
+                 *rate = a->of.law ? NULL : fvi_lobatto_history_now_by_order(a->of_stages),
+                 log_h = log(o->run->h);
+    for (size_t n = 0; n < a->r; n++)
+        for (size_t i = 0, at = n * s; i < s; i++, at++) {
+            Y[at] = a->Y[at];
+            Ydot[at] = a->Ydot[at];
+            for (size_t l = 0; l < s; l++) {
+                Y[at] += W[i * s + l] * a->v[n * s + l];
+                Ydot[at] += rate ? rate[i * s + l] * a->v[n * s + l] : 0;
+            }
+            Y[at] *= a->unit;
+            Ydot[at] = a->unit * Ydot[at] - log_h * Y[at];
+        }
+    return a->of.law ? fvi_lobatto_history_push(a->of_stages, a->v, a->Y)
+                     : fvi_lobatto_history_push_by_order(a->of_stages, a->v, a->Y, a->Ydot);
+}
+
+/* The force of number n at stage i that direction j changes through the numbers of a law. */
+static double terms_along(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t j, size_t at)
+{
+    const double log_h = log(o->run->h);
+    double sum = 0;
+    for (size_t l = 0; l < a->terms_of_stages.count; l++) {
+        const fvi_stage_term *t = a->terms_of_stages.each + l;
+        double number[4];
+        fvi_tangent_numbers(o, a, j, l, number);
+        sum += number[0] * t->self.now[at];
+        if (t->again.memory)
+            sum -= number[2] * t->rho * t->again.now[at];
+        if (t->log.memory)
+            sum += 2 * number[1] * t->rho * (t->log.now[at] - log_h * t->left[at]);
+        for (size_t by = 0; by < FVI_ADJOINT_SLOPES; by++)
+            if (t->slopes[by].memory)
+                sum += number[1 + by] * t->slope[by].sign * t->rho * t->slopes[by].now[at];
+    }
+    return sum;
+}
+
+static int add_forces(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a, const double *Y, const double *Ydot)
+{
+    double at[FVI_STAGES] = { 0 }, slope[FVI_STAGES] = { 0 }, change[FVI_STAGES] = { 0 }, *y = a->now;
+    const double log_h = log(o->run->h);
+    const int is_matrix = a->of.matrix.remember != NULL;
+    int status = FVI_SUCCESS;
+    if (a->impulse_unit != 0)
+        fvi_tangent_past(a, k, at, slope);
+    for (size_t j = 0; j < o->P; j++) {
+        const double order = fvi_tangent_order(o, a, j);
+        for (size_t i = 0; !status && i < o->s; i++) {
+            double *source = fvi_tangent_source(o, j, i);
+            for (size_t n = 0; n < a->r; n++) {
+                const size_t place = n * o->s + i;
+                const double impulse = is_matrix ? 0 : a->CA[n] * a->impulse_unit / (o->run->h * o->rule->b[i]);
+                y[n] = fvi_tangent_factor(o, a, j, n) * (Y[place] + impulse * at[i])
+                       + 2 * fvi_tangent_rho(o, a, n) * order
+                             * (Ydot[place] - impulse * (log_h * at[i] + slope[i]))
+                       + fvi_tangent_rho(o, a, n) * terms_along(o, a, j, place);
+            }
+            status = fvi_tangent_multiply(o, a, -1, y, source);
+        }
+        for (size_t c = 0; is_matrix && a->impulse_unit != 0 && c < o->d; c++) {
+            fvi_tangent_past_along(o, a, k, j, c, at, slope, o->s, change);
+            for (size_t i = 0; i < o->s; i++)
+                fvi_tangent_source(o, j, i)[c] -= a->CA[c] * change[i] / (o->run->h * o->rule->b[i]);
+        }
+    }
+    return status;
+}
+
+static int step_damper(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
+{
+    if (!a->block)
+        return FVI_SUCCESS;
+    double *sums = calloc(2 * o->s * a->r, sizeof *sums);
+    if (!sums)
+        FVI_FAIL("no memory for the tangents", FVI_ENOMEM);
+    int status = find_velocities(o, a);
+    if (!status && a->of_stages)
+        status = find_sums(o, a, sums, sums + o->s * a->r);
+    for (size_t n = 0; !status && n < a->r; n++)
+        for (size_t l = 0; l < a->terms_of_stages.count; l++)
+            fvi_stage_term_next(a->terms_of_stages.each + l, n, a->v + n * o->s);
+    if (!status)
+        status = add_forces(o, k, a, sums, sums + o->s * a->r);
+    if (!status)
+        status = fvi_stage_terms_update_history(&a->terms_of_stages, a->v);
+    free(sums);
+    return status;
+}
+
+/* ---- a step ---- */
+
 //> stages
 /* (24.12): q_i, the forces on the slopes, from the stages of the step just done. */
 int fvi_tangent_stages_step(fvi_tangent_run *o)
@@ -97,7 +217,7 @@ int fvi_tangent_stages_step(fvi_tangent_run *o)
     if (!status)
         status = fill_sources(o, k);
     for (size_t j = 0; !status && j < o->dampers; j++)
-        status = fvi_tangent_damper_stages(o, k, o->each + j);
+        status = step_damper(o, k, o->each + j);
     for (size_t l = 0; !status && l < o->lanes; l++) {
         o->linearised[l].asked = 0;
         status = fvi_stepper_step(o->lane[l]);

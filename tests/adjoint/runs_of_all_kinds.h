@@ -119,6 +119,10 @@ static const fvi_method *const methods[] = {
     &fvi_lobatto_m2, &fvi_lobatto_m3,  &fvi_lobatto_m4, &fvi_lobatto_m8,
     &fvi_lobatto_d2, &fvi_lobatto_d3,  &fvi_lobatto_d4, &fvi_lobatto_d8
 };
+/* Those that take matrices. */
+static const fvi_method *const takers_of_matrices[] = { &fvi_fractional, &fvi_cq2_shifted, &fvi_cq_bdf2,
+                                                        &fvi_cq2_midpoint, &fvi_lobatto_d2, &fvi_lobatto_d3,
+                                                        &fvi_lobatto_d4, &fvi_lobatto_d8 };
 static const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_HELD,
                                              FVI_INITIAL_HISTORY_CAPUTO,
                                              FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };

@@ -193,6 +193,11 @@ START_TEST(what_several_dampers_have_no_derivative_by_is_refused)
     ck_assert_int_eq(fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &start),
                      FVI_EUNSUP);
     OK(fvi_adjoint(&fvi_cq_bdf2, &run, NULL, NULL, &J, &start));
+    b.term[2].kind = FVI_KERNEL_POWER; /* with stages no numbers of a sum that grows faster than s */
+    b.term[2].alpha = 0.7;
+    b.term[2].time = 0;
+    OK(fvi_adjoint(&fvi_lobatto_d3, &run, NULL, NULL, &J, &start));
+    ck_assert_int_eq(fvi_adjoint(&fvi_lobatto_d3, &run, NULL, NULL, &J, &by_terms), FVI_EUNSUP);
     pull_down(&b);
 }
 END_TEST

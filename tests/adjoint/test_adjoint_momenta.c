@@ -101,11 +101,11 @@ START_TEST(eq_23_27_is_a_sum_with_matrices_too)
     tridiagonal(D, 3, -1.4, &m.K);
     tridiagonal(D, 0.5, 0.15, &m.C);
     make(&m);
-    for (size_t i = 0; i < 4 * LEN(alphas) * LEN(pasts); i++) {
-        fvi_run run = run_of(&m.system, alphas[i / 4 % LEN(alphas)], 1. / 8, N, x0, p0);
-        run.past = pasts[i / 4 / LEN(alphas)];
+    for (size_t i = 0; i < LEN(takers_of_matrices) * LEN(alphas) * LEN(pasts); i++) {
+        fvi_run run = run_of(&m.system, alphas[i / LEN(takers_of_matrices) % LEN(alphas)], 1. / 8, N, x0, p0);
+        run.past = pasts[i / LEN(takers_of_matrices) / LEN(alphas)];
         if (run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || run.alpha < 0.5)
-            ck_assert_sum(methods[i % 4], &run);
+            ck_assert_sum(takers_of_matrices[i % LEN(takers_of_matrices)], &run);
     }
     drop(&m);
 }

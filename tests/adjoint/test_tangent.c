@@ -69,7 +69,7 @@ static double of_rows(const double *dx, const double *dp, size_t j)
 }
 
 /* Twelve steps of 100 roundings each, and products of sums of 100 terms: 1e-13 of the terms; with eight stages
- * what adjoint.h says. Seen: 3e-15, with eight stages 5e-14. */
+ * what adjoint.h says, of both. Seen: 1e-14, with eight stages 8e-13. */
 static void ck_assert_same(const fvi_method *method, const fvi_run *run)
 {
     static double gradient[NUMBERS_IN_ALL], x[(N + 1) * D], p[(N + 1) * D], dx[(N + 1) * P * D],
@@ -84,7 +84,7 @@ static void ck_assert_same(const fvi_method *method, const fvi_run *run)
         if (isnan(gradient[n])) /* (19.2): no other start, so no direction either */
             gradient[n] = along[0][n] = along[1][n] = 0;
     OK(fvi_directional_derivatives(method, run, P, of, x, p, dx, dp));
-    const double bound = method->stages == 8 ? 1e-12 : 1e-13;
+    const double bound = method->stages == 8 ? 2e-12 : 1e-13;
     for (size_t j = 0; j < P; j++) {
         const double want = product(gradient, along[j]), got = of_rows(dx, dp, j),
                      size = size_of(gradient, along[j]);
@@ -129,11 +129,11 @@ START_TEST(so_has_a_structure)
     tridiagonal(D, 3, -1.4, &m.K);
     tridiagonal(D, 0.5, 0.15, &m.C);
     make(&m);
-    for (size_t i = 0; i < 4 * LEN(alphas) * LEN(pasts); i++) {
-        fvi_run run = run_of(&m.system, alphas[i / 4 % LEN(alphas)], 1. / 8, N, x0, p0);
-        run.past = pasts[i / 4 / LEN(alphas)];
+    for (size_t i = 0; i < LEN(takers_of_matrices) * LEN(alphas) * LEN(pasts); i++) {
+        fvi_run run = run_of(&m.system, alphas[i / LEN(takers_of_matrices) % LEN(alphas)], 1. / 8, N, x0, p0);
+        run.past = pasts[i / LEN(takers_of_matrices) / LEN(alphas)];
         if (run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || run.alpha < 0.5)
-            ck_assert_same(methods[i % 4], &run);
+            ck_assert_same(takers_of_matrices[i % LEN(takers_of_matrices)], &run);
     }
     drop(&m);
 }
@@ -147,13 +147,16 @@ START_TEST(so_has_a_structure_with_several_dampers)
         { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_HELD },
         { FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, FVI_INITIAL_HISTORY_CAPUTO }
     };
-    for (size_t i = 0; i < 4 * LEN(orders) * LEN(past) * 2; i++) {
-        const fvi_method *method = methods[i % 4];
-        const size_t pull = i / 4 / LEN(orders) % LEN(past), has_laws = i / 4 / LEN(orders) / LEN(past);
+    for (size_t i = 0; i < LEN(takers_of_matrices) * LEN(orders) * LEN(past) * 2; i++) {
+        const size_t n = i / LEN(takers_of_matrices), pull = n / LEN(orders) % LEN(past),
+                     has_laws = n / LEN(orders) / LEN(past);
+        const fvi_method *method = takers_of_matrices[i % LEN(takers_of_matrices)];
         damped_structure s;
         if ((method == &fvi_fractional && pull) || (method == &fvi_cq2_shifted && has_laws))
             continue; /* refused */
-        make_damped(&s, orders[i / 4 % LEN(orders)], past[pull], has_laws && !pull);
+        make_damped(&s, orders[n % LEN(orders)], past[pull], has_laws && !pull);
+        if (method->stages && has_laws && !pull)
+            s.term[0].end = 0.45, s.term[2].alpha = 0.4; /* no numbers of one that grows faster than s */
         fvi_run run = run_of(&s.system, 0.5, 1. / 8, N, x0, p0);
         run.kappa = 0.3;
         ck_assert_same(method, &run);

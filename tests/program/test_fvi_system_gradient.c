@@ -40,7 +40,11 @@ START_TEST(a_gradient_of_a_folder_is_that_of_its_masses)
         "--of energy --alpha 0.8 --derivative caputo",
         "--of energy --alpha 0.8 --method fvi-stable",
         "--of p:1 --alpha 0.3 --method fvi-bdf2 --derivative rl",
-        "--of x:3 --alpha 0.3 --method fvi-shifted --derivative rl"
+        "--of x:3 --alpha 0.3 --method fvi-shifted --derivative rl",
+        "--of x:2 --alpha 0.3 --method fvi-lobatto3d",
+        "--of p:3 --alpha 0.8 --method fvi-lobatto4d --derivative caputo",
+        "--of energy --alpha 0.3 --method fvi-lobatto2d --derivative rl",
+        "--of x:1 --alpha 0.8 --method fvi-lobatto4d"
     };
     write_chain();
     for (size_t i = 0; i < LEN(what); i++) {

@@ -128,7 +128,7 @@ def test_the_matrix_of_masses_on_a_ground_has_a_factor():
     assert close(g["M"], differences(lambda f: fvi.solve(q.replace(M=f * M), h=0.05).x.sum(), 1))
 
 
-@pytest.mark.parametrize("method", ["fvi", "fvi-bdf2", "fvi-stable"])
+@pytest.mark.parametrize("method", ["fvi", "fvi-bdf2", "fvi-stable", "fvi-lobatto2d", "fvi-lobatto3d", "fvi-lobatto8d"])
 def test_every_momentum_of_a_structure_with_several_dampers_is_in_the_loss(method):
     """x, p and E of every row. Seen: 3e-11 of the differences."""
     M, K = np.array([[2.0, 0.5], [0.5, 1.0]]), np.array([[20.0, -10], [-10, 10]])
