@@ -54,13 +54,16 @@ static size_t next_time(const fvi_event_list *list, size_t from, size_t event)
     return from;
 }
 
-/* Two events that belong together. */
+/* Two events that belong together. An error of the time at which a body lifts off moves the body by its square, (29.23),
+ * and tells nothing. */
 static double apart(const fvi_event_list *a, size_t i, const fvi_event_list *b, size_t j, size_t d,
                     double speed)
 {
     double D = speed * fabs(a->at[i].t - b->at[j].t);
-    if (!a->at[i].at_rest != !b->at[j].at_rest)
+    if (!a->at[i].at_rest != !b->at[j].at_rest || !a->at[i].lifts_off != !b->at[j].lifts_off)
         return INFINITY;
+    if (a->at[i].lifts_off)
+        return 0;
     for (size_t n = 0; n < d; n++)
         D = larger(D, fabs(a->place[2 * d * i + n] - b->place[2 * d * j + n]));
     return D;

@@ -113,7 +113,7 @@ static int is_ahead(const fvi_solve_state *o, const fvi_stepper *s, size_t k)
 static int steps_to_row(fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer, size_t k)
 {
     const double before = k > 0 ? time_of_row(o, k - 1) : -INFINITY;
-    int status = FVI_SUCCESS;
+    int status = o->run.event_count ? fvi_event_list_add(&o->events, s) : FVI_SUCCESS;
     while (!status && is_ahead(o, s, k) && !fvi_stepper_is_over(s)) {
         status = stand_between(o, s, observer, before);
         if (!status)

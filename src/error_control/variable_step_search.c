@@ -81,6 +81,7 @@ static int trial(pair *o, double step_error, double longest, int growth)
     int status = fvi_variable_step_again(o->run, o->most, &o->as, &s);
     if (status)
         return status;
+    status = fvi_event_list_add(&o->events, s);
     for (size_t k = 0, rows; k < o->count && !status; k = o->reached += rows) {
         status = go_to(o, s, k);
         rows = 0;

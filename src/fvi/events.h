@@ -20,7 +20,14 @@
  * is m + rho, as everywhere (19.5). With a Lagrangian v is that of L_v = p, and the factor of n is such
  * that n . v + dz/dt turns round so: with M = L_vv it is the same formula where L is quadratic in v
  * (29.20). Constraints have impulses of their own, so that v keeps to them (29.22). For example a ball with m = 1 that falls with p = -2 onto z = x
- * leaves with p = 1.6 for e = 0.8. */
+ * leaves with p = 1.6 for e = 0.8.
+ *
+ * An impact ends the run where the body comes to rest. A contact goes on: z = 0 is then a constraint of the system's
+ * mechanism (dampers.h), the body may slide along it, and the surface pushes with the multiplier as its force. Where this
+ * force would have to pull the body lifts off: a force pulls, or the surface moves away. For example a body with
+ * m = g = 1 on z = x, under the force 2 sin t, lifts off at sin t = 1/2. Memories stay as they are. An impulse into the
+ * surface is taken by it; one that pulls opens the contact, and so does an impact on another wall. A system without dampers
+ * and constraints takes contacts with a mechanism that is all zeros. */
 #ifndef FVI_EVENTS_H
 #define FVI_EVENTS_H
 
@@ -31,11 +38,13 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* What happens: nothing but a note of the time; the run ends; the momentum jumps. */
+/* What happens: nothing but a note of the time; the run ends; the momentum jumps; it jumps, and a body that comes to
+ * rest stays on the surface. */
 typedef enum {
     FVI_EVENT_MARK,
     FVI_EVENT_STOP,
-    FVI_EVENT_IMPACT
+    FVI_EVENT_IMPACT,
+    FVI_EVENT_CONTACT
 } fvi_event_action;
 
 /* fvi_event -- what is watched.
@@ -45,9 +54,11 @@ typedef enum {
  *   params       handed to both
  *   direction    1: z must rise through 0, -1: fall; 0: either
  *   action       as above
- *   restitution  e of an impact, 0 <= e <= 1
- *   rest         of an impact: a body that would rise no higher than this, a length of x, is at rest; 0: the tolerance
+ *   restitution  e of an impact or a contact, 0 <= e <= 1
+ *   rest         of either: a body that would rise no higher than this, a length of x, is at rest; 0: the tolerance
  *                of a step, or with a tolerance of fvi_solve that one
+ *   hessian      of a contact: adds factor times the d * d second derivatives of z by x to H, row by row; or NULL, of a
+ *                surface that is flat, or so little bent that Newton's method does without
  *
  * Which side of 0 the motion is on is known from its first time with z != 0: what begins with z = 0 is
  * no event yet. But a wall stands where an impact begins: the body is where z > 0, or where z < 0 with the
@@ -66,14 +77,22 @@ struct fvi_event {
     fvi_event_action action;
     double restitution;
     double rest;
+    int (*hessian)(double t, size_t d, const double *x, double factor,
+                   void *params, double *H);
 };
 
+/* fvi_event_has_wall -- does the momentum jump there? */
+static inline int fvi_event_has_wall(const fvi_event *e)
+{
+    return e->action == FVI_EVENT_IMPACT || e->action == FVI_EVENT_CONTACT;
+}
+
 /* fvi_event_time -- what has happened: when; which of run.events; nonzero if the body is at rest
- * there. */
+ * there; nonzero if it was in contact and lifts off. */
 typedef struct {
     double t;
     size_t event;
-    int at_rest;
+    int at_rest, lifts_off;
 } fvi_event_time;
 
 /* fvi_stepper_events -- all events of a run so far, in their order. They belong to the stepper,
@@ -81,10 +100,21 @@ typedef struct {
 const fvi_event_time *fvi_stepper_events(const fvi_stepper *s, size_t *n);
 
 /* fvi_stepper_is_over -- nonzero once an event has ended the run: a stop; or a body that has come to
- * rest. It has if an impact leaves it so slow that it would fall back from a height, in z, which
+ * rest at an impact. It has if the impact leaves it so slow that it would fall back from a height, in z, which
  * is not above `rest`, or the tolerance of a step: a bouncing ball ends so after finitely many impacts. The next
  * fvi_stepper_step then returns FVI_EINVAL. */
 int fvi_stepper_is_over(const fvi_stepper *s);
+
+/* fvi_stepper_contact_force -- how strongly event i, a contact, pushes.
+ *
+ *   t      s->t, or a time within the last step
+ *   force  output: f >= 0, where the equation of motion has f dz/dx on the side z > 0, and -f dz/dx on the other: minus
+ *          the multiplier of the constraint z = 0, or plus. 0 while the contact is open. For example 1 for a body of the
+ *          weight 1 that lies on z = x
+ *
+ * At t = 0 a first step is made on a copy. Cost O(s^2). Returns FVI_SUCCESS; FVI_EFAULT; FVI_EUNSUP of another method or
+ * a system without a mechanism; FVI_EINVAL if event i is no contact; at t = 0 what a step returns. */
+int fvi_stepper_contact_force(const fvi_stepper *s, size_t i, double t, double *force);
 
 /* fvi_stepper_kick -- p += J between two steps of fvi_variable_step, as an impulse of the force does.
  *
@@ -98,7 +128,7 @@ int fvi_stepper_is_over(const fvi_stepper *s);
 int fvi_stepper_kick(fvi_stepper *s, const double *J);
 
 /* fvi_events_check -- FVI_SUCCESS; or what is wrong, field "events", the index that of the event:
- * FVI_EUNSUP if the method takes none, FVI_EFAULT without an array or a function, FVI_EDOM for a
+ * FVI_EUNSUP if the method takes none, or if a contact has no mechanism, FVI_EFAULT without an array or a function, FVI_EDOM for a
  * restitution that is not in [0, 1] or a rest that is not in [0, infinity), FVI_EINVAL for an unknown action. fvi_stepper_start asks. */
 int fvi_events_check(const fvi_method *method, const fvi_run *run,
                      fvi_error *error);

@@ -51,7 +51,7 @@ typedef struct fvi_observer fvi_observer;
 
 /* What is asked for, added. VELOCITY: v; ACCELERATION: a; FORCE, IMPULSE: of the dampers; WORK: of the
  * dampers and of the force, and the balance; ENERGY: E; APPLIED: F; MULTIPLIER: of a mechanism's constraints, from
- * their impulses as the forces. */
+ * their impulses as the forces; CONTACT: how strongly each contact among the events pushes. */
 enum {
     FVI_OBSERVE_VELOCITY = 1,
     FVI_OBSERVE_ACCELERATION = 2,
@@ -60,7 +60,8 @@ enum {
     FVI_OBSERVE_WORK = 16,
     FVI_OBSERVE_ENERGY = 32,
     FVI_OBSERVE_APPLIED = 64,
-    FVI_OBSERVE_MULTIPLIER = 128
+    FVI_OBSERVE_MULTIPLIER = 128,
+    FVI_OBSERVE_CONTACT = 256
 };
 
 /* fvi_observation -- what is known at a time. What was not asked for is of no use. The arrays
@@ -70,6 +71,7 @@ enum {
  *   force, impulse  of the dampers, one after another, each as many numbers as its width
  *   work            of each damper
  *   multiplier      of each constraint
+ *   contact         of each event, 0 if it is no contact (fvi_stepper_contact_force)
  *   work_of_force   by F, and by impulses of the force
  *   energy          E
  *   balance         E + work of the dampers - work_of_force: E at t = 0, see above
@@ -79,7 +81,7 @@ enum {
 typedef struct {
     double t;
     const double *x, *p, *v, *a, *F, *force, *impulse, *work,
-        *multiplier;
+        *multiplier, *contact;
     double work_of_force, energy, balance;
     int is_mean;
     const fvi_event_time *event;

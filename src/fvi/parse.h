@@ -270,7 +270,7 @@ void fvi_typed_mechanism_free(fvi_typed_mechanism *mechanism);
 typedef struct fvi_typed_events fvi_typed_events;
 
 /* fvi_parse_events -- texts 'Z : WHAT', blanks around the colon: Z an expression in x1, ..., xd,
- * v1, ..., vd, p1, ..., pd, t (with d = 1 also x, v, p); WHAT impact:E, 0 <= E <= 1, stop or mark.
+ * v1, ..., vd, p1, ..., pd, t (with d = 1 also x, v, p); WHAT impact:E or contact:E, 0 <= E <= 1, stop or mark.
  * Z of an impact knows x and t alone. Field "event".
  *
  *   count       of the texts

@@ -17,14 +17,13 @@ int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
                                    double *w)
 {
     fvi_mechanism_state *o = s->mechanism;
-    const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t d = o->d, m = o->m, n = d + m;
     double *Lv = o->room, *Lvv = Lv + d, *r = Lvv + d * d, *J = r + n,
            *ct = J + n * n, *again = ct + m, last = INFINITY, most = 0;
     int status = FVI_SUCCESS, is_done = 0;
     memset(w, 0, m * sizeof *w);
     if (m)
-        status = c->gradient(t, d, x, c->params, again, ct);
+        status = fvi_mechanism_tie_gradients(s, t, x, again, ct);
     if (status)
         return status;
     for (int tries = 0; tries < FVI_VELOCITY_STEPS && !is_done; tries++) {

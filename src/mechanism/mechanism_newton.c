@@ -43,7 +43,8 @@ static int is_done(double now, double before, double scale)
 }
 
 /* On a mesh a step may be so short that the increments need more digits than c(x) = 0 gives, which knows x up to
- * roundings. Then the iteration also ends when it changes x by no more than these. */
+ * roundings. Then the iteration also ends when it changes x by no more than these. Where a body rests nothing moves, and the
+ * size of all motion before says what is small. */
 static int iterate(fvi_stepper *s,
                    int (*assemble)(fvi_stepper *s, const double *u),
                    size_t places, double *u)
@@ -60,7 +61,7 @@ static int iterate(fvi_stepper *s,
             u[j] += o->change[j];
         const double now = fvi_mechanism_largest(places, o->change),
                      near = o->is_on_mesh ? 0 : fvi_mechanism_largest(o->d, s->x),
-                     scale = near + fvi_mechanism_largest(places, u);
+                     scale = near + fvi_mechanism_largest(places, u) + o->rest_scale;
         if (!isfinite(now) || !isfinite(fvi_mechanism_largest(o->n, u)))
             return FVI_EMAXITER;
         if (is_done(now, before, scale))

@@ -138,7 +138,6 @@ int fvi_mechanism_add_curvature(fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->mechanism;
     const fvi_mechanism *mechanism = s->run.system->mechanism;
-    const fvi_constraints *c = mechanism->constraints;
     const size_t d = o->d, inner = o->s - o->begin;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < o->s && !status; i++) {
@@ -155,7 +154,7 @@ int fvi_mechanism_add_curvature(fvi_stepper *s, const double *u)
         for (size_t l = 0; l < o->m; l++)
             o->room[l] = -u[inner * d + i * o->m + l]
                          / (o->h * o->h * o->rule->b[i]);
-        status = c->hessian(t, d, x, o->room, c->params, fx);
+        status = fvi_mechanism_tie_hessians(s, t, x, o->room, fx);
     }
     return status;
 }

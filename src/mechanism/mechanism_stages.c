@@ -86,13 +86,12 @@ static void block(const fvi_stepper *s, size_t i, size_t l, double *J)
 static int add_constraints(fvi_stepper *s, const double *u)
 {
     fvi_mechanism_state *o = s->mechanism;
-    const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t d = o->d, m = o->m, n = o->n, inner = o->s - o->begin;
     double *C = o->room;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < o->s && !status; i++) {
         const double *x = o->X + i * d, t = fvi_mechanism_stage_time(s, i);
-        status = c->gradient(t, d, x, c->params, C, NULL);
+        status = fvi_mechanism_tie_gradients(s, t, x, C, NULL);
         for (size_t l = 0; l < m && i < inner; l++)
             for (size_t j = 0; j < d; j++) {
                 o->residual[i * d + j] -= C[l * d + j] * u[inner * d + i * m + l];
@@ -102,7 +101,9 @@ static int add_constraints(fvi_stepper *s, const double *u)
         if (i < o->begin || status)
             continue;
         const size_t unknown = i - o->begin, row = inner * d + unknown * m;
-        status = c->value(t, d, x, c->params, o->residual + row);
+        status = fvi_mechanism_tie_values(s, t, x, o->residual + row);
+        if (!status)
+            status = fvi_mechanism_contact_increments(s, u, i, C, o->residual + row);
         for (size_t l = 0; l < m; l++)
             memcpy(o->matrix + (row + l) * n + unknown * d, C + l * d,
                    d * sizeof *C);
@@ -189,12 +190,11 @@ static void add_up(fvi_stepper *s)
 int fvi_mechanism_subtract_multipliers(const fvi_stepper *s, double *C, double *p)
 {
     const fvi_mechanism_state *o = s->mechanism;
-    const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t d = o->d, m = o->m, inner = o->s - o->begin;
     const double h = o->h, *mu = o->u + inner * d;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < inner && !status; i++) {
-        status = c->gradient(fvi_mechanism_stage_time(s, i), d, o->X + i * d, c->params, C, NULL);
+        status = fvi_mechanism_tie_gradients(s, fvi_mechanism_stage_time(s, i), o->X + i * d, C, NULL);
         for (size_t l = 0; l < m; l++)
             for (size_t j = 0; j < d; j++)
                 p[j] -= C[l * d + j] * mu[i * m + l] / h;
@@ -207,7 +207,6 @@ int fvi_mechanism_subtract_multipliers(const fvi_stepper *s, double *C, double *
 int fvi_mechanism_end_constraints(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
-    const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t d = o->d, m = o->m, inner = o->s - o->begin, last = o->s - 1;
     const double h = o->h, *b = o->rule->b, *mu = o->u + inner * d, t = fvi_mechanism_stage_time(s, last);
     int status = fvi_mechanism_subtract_multipliers(s, o->C, s->p);
@@ -216,7 +215,7 @@ int fvi_mechanism_end_constraints(fvi_stepper *s)
     for (size_t l = 0; l < m; l++)
         o->begun[l] = mu[l] / (h * h * b[0]);
     if (!status)
-        status = c->gradient(t, d, o->X + last * d, c->params, o->C, NULL);
+        status = fvi_mechanism_tie_gradients(s, t, o->X + last * d, o->C, NULL);
     if (!status)
         status = fvi_mechanism_project_momentum(s, t, o->X + last * d, o->C, s->p, o->v, o->ended);
     for (size_t l = 0; l < m; l++) {

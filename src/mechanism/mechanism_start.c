@@ -13,6 +13,7 @@ void fvi_mechanism_free(fvi_mechanism_state *o)
     fvi_mechanism_free_parts(o);
     free(o->numbers);
     free(o->order);
+    free(o->contact);
     free(o->is_massless);
     free(o);
 }
@@ -22,16 +23,18 @@ static void stop(fvi_stepper *s)
     fvi_mechanism_free(s->mechanism);
 }
 
-/* Every array of doubles stands in one block; those that go from step to step come first. */
+/* Every array of doubles stands in one block; those that go from step to step come first. There is room for all
+ * contacts at once. */
 static int allocate(fvi_mechanism_state *o)
 {
-    const size_t d = o->d, r = o->r, m = o->m, n = o->n, s = o->s, q = o->q;
+    const size_t d = o->d, r = o->r, m = o->most, s = o->s, q = o->q,
+                 n = o->n + (m - o->m) * (o->rule ? s - o->begin : 1);
     const struct {
         double **to;
         size_t count;
     } arrays[] = {
         { &o->impulse, r }, { &o->work, r }, { &o->begun, m }, { &o->ended, m },
-        { &o->tie, m },
+        { &o->tie, m }, { &o->level, m },
         { &o->v, d }, { &o->u, n }, { &o->z, r }, { &o->G, r * d },
         { &o->C, m * d }, { &o->z0, r }, { &o->raw, 3 * d },
         { &o->W, r * s * s }, { &o->known, r * s }, { &o->lambda, r * s },
@@ -44,15 +47,17 @@ static int allocate(fvi_mechanism_state *o)
         { &o->matrix, n * n }, { &o->change, n }, { &o->trial, n },
         { &o->room, 4 * (d + m + 1) * (d + m + 1) }
     };
-    enum { COUNT = sizeof arrays / sizeof *arrays, SAVED = 12 };
+    enum { COUNT = sizeof arrays / sizeof *arrays, SAVED = 13 };
     size_t all = 0;
     for (size_t i = 0; i < COUNT; i++)
         all += arrays[i].count;
     o->numbers = calloc(all, sizeof *o->numbers);
     o->order = calloc(n + d + m, sizeof *o->order);
     o->is_massless = calloc(d, 1);
-    if (!o->numbers || !o->order || !o->is_massless)
+    o->contact = calloc(2 * (m - o->own) + 1, sizeof *o->contact);
+    if (!o->numbers || !o->order || !o->is_massless || !o->contact)
         return FVI_ENOMEM;
+    o->last_contact = o->contact + (m - o->own);
     size_t at = 0;
     for (size_t i = 0; i < COUNT; i++) {
         *arrays[i].to = o->numbers + at;
@@ -94,7 +99,8 @@ static int make_state(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
         form == FVI_MECHANISM_FORM_M || form == FVI_MECHANISM_FORM_D;
     o->d = s->run.system->d;
     o->r = mechanism->damper_count;
-    o->m = mechanism->constraints ? mechanism->constraints->count : 0;
+    o->m = o->own = o->last_m = mechanism->constraints ? mechanism->constraints->count : 0;
+    o->most = o->own + fvi_mechanism_contact_count(&s->run);
     o->s = o->q = has_stages ? stages : 1;
     o->begin = form == FVI_MECHANISM_FORM_M;
     o->n = has_stages ? (o->s - o->begin) * (o->d + o->m) : o->d + o->m;
@@ -225,13 +231,18 @@ int fvi_mechanism_copy(const fvi_stepper *from, fvi_stepper *to)
     memcpy(o->W, old->W, o->r * o->s * o->s * sizeof *o->W);
     memcpy(o->is_massless, old->is_massless, o->d);
     o->any_massless = old->any_massless;
+    memcpy(o->contact, old->contact, 2 * (o->most - o->own) * sizeof *o->contact);
+    o->m = old->m;
+    o->n = old->n;
+    o->last_m = old->last_m;
     return fvi_mechanism_copy_parts(old, o);
 }
 
 int fvi_mechanism_serialize(fvi_stepper *s, fvi_archive *v)
 {
     fvi_mechanism_state *o = s->mechanism;
-    const int status =
-        v->serialize(v, o->numbers, o->saved * sizeof *o->numbers, 0);
+    int status = v->serialize(v, o->numbers, o->saved * sizeof *o->numbers, 0);
+    if (!status && o->most > o->own)
+        status = fvi_mechanism_serialize_contacts(s, v);
     return status ? status : fvi_mechanism_serialize_parts(s, v);
 }

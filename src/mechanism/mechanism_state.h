@@ -5,6 +5,7 @@
 #define FVI_MECHANISM_STATE_H
 
 #include "mechanism.h"
+#include <fvi/events.h>
 #include "kernel/kernel_impulses.h"
 #include "stages/lobatto_history.h"
 
@@ -28,13 +29,17 @@ typedef struct {
 } fvi_mechanism_start_force;
 
 /* d coordinates, r dampers, m constraints; stage i of coordinate j stands at [i * d + j], and q is the
- * number of points at which a step evaluates the Lagrangian: s, or 1. */
+ * number of points at which a step evaluates the Lagrangian: s, or 1. The first `own` constraints are those of
+ * the run, and the others are its contacts that are closed, of which there are `most` - `own` at most. */
 typedef struct fvi_mechanism_state {
     fvi_method method; /* with these steps; not read on a mesh */
     fvi_mechanism_form form;
     int is_on_mesh;    /* steps of any length, the one that is tried from t on */
     double h, t;       /* the length of a step */
+    double rest_scale; /* how far the bodies have been, where a contact is closed; else 0 */
     size_t s, q, d, r, m, n; /* n unknowns */
+    size_t own, most, *contact; /* which event each contact is */
+    size_t last_m, *last_contact; /* those of the last step, which a mesh has something within */
     const fvi_lobatto_rule *rule;
     double E[FVI_STAGES][FVI_STAGES], T[FVI_STAGES][FVI_STAGES],
         next[FVI_STAGES][FVI_STAGES]; /* (29.7) */
@@ -49,6 +54,7 @@ typedef struct fvi_mechanism_state {
     double *numbers; /* all that follows, in one piece */
     size_t saved;    /* so many of them go from step to step */
     double *impulse, *work, *begun, *ended, *tie; /* r, r, m, m, m */
+    double *level; /* m: of a contact the Z where it has closed, which is 0 but for roundings */
     double *v, *u, *z, *G, *C, *z0; /* d, n, r, r d, m d: at the node; r */
     double *raw; /* 3 d: x_k, x_{k-1}, x_{k-2} of the node scheme, for (29.17) */
 
@@ -157,6 +163,36 @@ int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
 /* fvi_mechanism_check_start -- do x0 and p0 keep to the constraints, and are these independent? p
  * loses what its roundings have against them; o->v becomes the velocity. */
 int fvi_mechanism_check_start(fvi_stepper *s, fvi_error *error);
+
+/* ---- mechanism_contacts.c ---- */
+
+/* fvi_mechanism_contact_count -- how many events of a run are contacts.
+ * fvi_mechanism_tie_values, _gradients, _hessians -- as fvi_constraints has them, of all m constraints. */
+size_t fvi_mechanism_contact_count(const fvi_run *run);
+int fvi_mechanism_tie_values(const fvi_stepper *s, double t, const double *x, double *c);
+int fvi_mechanism_tie_gradients(const fvi_stepper *s, double t, const double *x, double *C,
+                                double *ct);
+int fvi_mechanism_tie_hessians(const fvi_stepper *s, double t, const double *x,
+                               const double *factor, double *H);
+
+/* fvi_mechanism_contact_increments -- a step may be so short that Z of stage i has no digits left. Then it is the
+ * increments times the mean slope of both ends, where the two agree to rounding and the surface is so little bent that
+ * the errors of many steps do not add up. C: gradients there, o->room. */
+int fvi_mechanism_contact_increments(const fvi_stepper *s, const double *u, size_t i, const double *C,
+                                     double *c);
+
+/* fvi_mechanism_close_contact, _open_contact -- between two steps, at t and x: the contact that is event number
+ * `event` holds Z where it is from here on, or no longer. o->C follows; p and v do not. Return what the gradients do.
+ * fvi_mechanism_row_of_contact -- its row, m if it is open.
+ * fvi_mechanism_keep_contacts -- a step is taken: they are those of the last step.
+ * fvi_mechanism_swap_contacts -- those of the last step become those that hold, until the second call.
+ * fvi_mechanism_serialize_contacts -- as fvi_mechanism_serialize, where the run has contacts. */
+int fvi_mechanism_serialize_contacts(fvi_stepper *s, fvi_archive *v);
+int fvi_mechanism_close_contact(fvi_stepper *s, double t, const double *x, size_t event);
+int fvi_mechanism_open_contact(fvi_stepper *s, double t, const double *x, size_t event);
+size_t fvi_mechanism_row_of_contact(const fvi_mechanism_state *o, size_t event);
+void fvi_mechanism_keep_contacts(fvi_mechanism_state *o);
+void fvi_mechanism_swap_contacts(fvi_mechanism_state *o);
 
 /* ---- mechanism_stage_forces.c: for the increments u of the stages ---- */
 

@@ -187,6 +187,28 @@ static void fold_rows(const fvi_observer *o, double *forces)
     }
 }
 
+static int read_contacts(fvi_observer *o, const fvi_stepper *s, double t)
+{
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < s->run.event_count && !status; i++)
+        if (s->run.events[i].action == FVI_EVENT_CONTACT)
+            status = fvi_stepper_contact_force(s, i, t, &o->contact[i]);
+    return status;
+}
+
+/* Where a body lies on a surface at t = 0 the forces alone do not say how it moves: a first step does. */
+static int read_start_at_contact(fvi_observer *o, const fvi_stepper *s)
+{
+    fvi_stepper *fork = NULL;
+    int status = fvi_stepper_copy(s, &fork);
+    if (!status)
+        status = fvi_stepper_step(fork);
+    if (!status)
+        status = fvi_variable_step_acceleration(fork, 0, o->a);
+    fvi_stepper_free(fork);
+    return status;
+}
+
 int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
                       fvi_observation *now)
 {
@@ -200,6 +222,7 @@ int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
                               .impulse = o->impulse_now,
                               .work = o->work_now,
                               .multiplier = o->force + o->forces + o->slopes,
+                              .contact = o->contact,
                               .is_mean = o->is_infinite && t == 0 };
     now->event = fvi_stepper_events(s, &now->events);
     while (now->events > 0 && now->event[now->events - 1].t > t)
@@ -211,8 +234,13 @@ int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
         && o->wanted & (FVI_OBSERVE_FORCE | FVI_OBSERVE_ACCELERATION
                         | FVI_OBSERVE_MULTIPLIER))
         status = read_forces(o, s, t, now);
+    if (!status && t == 0 && o->has_mechanism && o->wanted & FVI_OBSERVE_ACCELERATION
+        && s->mechanism->m > s->mechanism->own)
+        status = read_start_at_contact(o, s);
     if (!status && o->wanted & (FVI_OBSERVE_WORK | FVI_OBSERVE_ENERGY))
         status = read_balance(o, s, t, now);
+    if (!status && o->contact)
+        status = read_contacts(o, s, t);
     fold_rows(o, o->force);
     fold_rows(o, o->impulse_now);
     return status || is_finite(o, now) ? status : FVI_EOVRFLW;

@@ -41,7 +41,8 @@ static void place_arrays(fvi_observer *o)
         if (rest[i] == &o->begin.F) /* of all stages */
             at += 7 * room;
     }
-    o->count = (size_t)(at - o->numbers);
+    o->contact = o->contacts ? at : NULL;
+    o->count = (size_t)(at + o->contacts - o->numbers);
 }
 
 /* The sizes are there. */
@@ -49,7 +50,7 @@ static int allocate(fvi_observer *o)
 {
     const size_t most = o->d > o->tracked ? o->d : o->tracked;
     const size_t room = (o->degree + 2) * o->tracked + 2 * o->dampers + FVI_SCALARS
-                        + 32 * most;
+                        + 32 * most + o->contacts;
     o->numbers = calloc(room, sizeof *o->numbers);
     if (!o->numbers)
         return FVI_ENOMEM;
@@ -110,6 +111,7 @@ static void describe(fvi_observer *o, const fvi_stepper *s, unsigned wanted)
                   ? system->mechanism->constraints->count
                   : 0;
     o->tracked = o->forces + o->slopes + o->ties;
+    o->contacts = o->has_mechanism && wanted & FVI_OBSERVE_CONTACT ? s->run.event_count : 0;
     o->is_damped = system->mechanism || is_damped(system);
     o->is_mass = !system->mechanism && !o->matrices && s->run.alpha == 1;
     o->work_known = system->mechanism || fvi_step_work_is_known(s);

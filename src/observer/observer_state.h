@@ -22,6 +22,7 @@ struct fvi_observer {
     size_t slopes;             /* d velocities where a is their slope, or 0 */
     size_t ties;               /* the constraints whose multipliers are asked for */
     size_t tracked;            /* all three, in this order */
+    size_t contacts;           /* the events whose contact forces are asked for */
     int has_mechanism;         /* whose forces are along elongations, one each */
     int by_velocity;           /* a is the slope of v: L, constraints, forces of velocity */
     unsigned wanted;
@@ -57,7 +58,7 @@ struct fvi_observer {
     /* what is made anew */
     fvi_step_begin begin;
     double *hit, *change;
-    double *x, *p, *v, *a, *F, *g, *force, *impulse_now, *work_now;
+    double *x, *p, *v, *a, *F, *g, *force, *impulse_now, *work_now, *contact;
 };
 
 /* fvi_observer_velocity -- v = M^-1 p, or that of the mechanism of s. */

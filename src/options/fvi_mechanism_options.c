@@ -54,12 +54,23 @@ static int has_massless(const fvi_options *o)
     return 0;
 }
 
+/* While a body rests on a surface its contact is a constraint. */
+static int has_contacts(const fvi_options *o)
+{
+    const fvi_option_values *list = &o->list[FVI_OF_MECHANISM];
+    for (size_t i = 0; i < list->count; i++)
+        if (strstr(list->value[i], " contact:"))
+            return 1;
+    return 0;
+}
+
 int fvi_wants_mechanism(const fvi_options *o)
 {
     for (size_t n = 0; n < FVI_OF_MECHANISM; n++)
         if (o->list[n].count > 0)
             return 1;
-    return o->text[LAGRANGIAN] || has_massless(o) || o->potential_has_time;
+    return o->text[LAGRANGIAN] || has_massless(o) || o->potential_has_time
+           || has_contacts(o);
 }
 
 int fvi_wants_stable(const fvi_options *o)

@@ -50,7 +50,7 @@ int fvi_options_observes(const fvi_options *o)
 {
     const unsigned sums = FVI_OBSERVE_ACCELERATION | FVI_OBSERVE_FORCE
                           | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK
-                          | FVI_OBSERVE_MULTIPLIER;
+                          | FVI_OBSERVE_MULTIPLIER | FVI_OBSERVE_CONTACT;
     return (fvi_typed_columns_wanted(o->typed) & sums) != 0;
 }
 

@@ -140,7 +140,7 @@ void fvi_format_events_begin(FILE *out, fvi_format format)
 }
 
 void fvi_format_event(FILE *out, fvi_format format, size_t i, double t,
-                      const char *name, int at_rest)
+                      const char *name, const char *ending)
 {
     const int is_json = format == FVI_FORMAT_JSON;
     FILE *to = format == FVI_FORMAT_CSV ? stderr : out;
@@ -154,10 +154,9 @@ void fvi_format_event(FILE *out, fvi_format format, size_t i, double t,
         print_quoted(to, name);
     else
         print_in_one_line(to, name);
-    if (is_json)
-        fputs(at_rest ? ", \"at rest\": true}" : "}", to);
-    else
-        fputs(at_rest ? " : at rest\n" : "\n", to);
+    if (ending)
+        fprintf(to, is_json ? ", \"%s\": true" : " : %s", ending);
+    fputs(is_json ? "}" : "\n", to);
 }
 
 void fvi_format_end(FILE *out, fvi_format format)

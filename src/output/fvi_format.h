@@ -33,7 +33,7 @@ void fvi_format_row(FILE *out, fvi_format format, size_t i, size_t width,
  * they go to standard error. */
 void fvi_format_events_begin(FILE *out, fvi_format format);
 void fvi_format_event(FILE *out, fvi_format format, size_t i, double t,
-                      const char *name, int at_rest);
+                      const char *name, const char *ending);
 void fvi_format_end(FILE *out, fvi_format format);
 
 #endif

@@ -48,7 +48,8 @@ size_t fvi_column_width(const fvi_typed_columns *c, const fvi_quantity *q)
     if (q->kind == QUANTITY_MULTIPLIER)
         return m->constraints->count;
     if (q->kind == QUANTITY_DAMPER_WORK || q->kind == QUANTITY_REACTION
-        || q->kind == QUANTITY_EVENT_COUNT || q->kind == QUANTITY_EVENT_LAST)
+        || q->kind == QUANTITY_EVENT_COUNT || q->kind == QUANTITY_EVENT_LAST
+        || q->kind == QUANTITY_CONTACT)
         return 1;
     return (q->kind == QUANTITY_FORCE || q->kind == QUANTITY_IMPULSE) && m
                    && !(c->source->is_structure && m->damper[q->j].matrix)
@@ -121,7 +122,7 @@ static int find_of_constraint(const fvi_typed_columns *c, const char *name,
     return 0;
 }
 
-/* "event2.count", "event2.last". */
+/* "event2.count", "event2.last", "event2.force". */
 static int find_of_event(const fvi_typed_columns *c, const char *name, size_t length,
                          fvi_quantity *q)
 {
@@ -135,6 +136,8 @@ static int find_of_event(const fvi_typed_columns *c, const char *name, size_t le
         q->kind = QUANTITY_EVENT_COUNT;
     else if (is_word(point + 1, left, "last"))
         q->kind = QUANTITY_EVENT_LAST;
+    else if (is_word(point + 1, left, "force"))
+        q->kind = QUANTITY_CONTACT;
     else
         return 0;
     q->i = index_of(name + stem, before - stem, c->source->events);
@@ -209,7 +212,7 @@ int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
                        size_t length, fvi_error *error)
 {
     enum { DAMPERS = 20 };
-    const char *names[PLAIN + 5 + 3 * DAMPERS + 1];
+    const char *names[PLAIN + 6 + 3 * DAMPERS + 1];
     char own[3 * DAMPERS][80], place[64], damper[24];
     size_t n = 0;
     for (; n < PLAIN; n++)
@@ -224,6 +227,7 @@ int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
     if (c->source->events) {
         names[n++] = "event1.count";
         names[n++] = "event1.last";
+        names[n++] = "event1.force";
     }
     for (size_t j = 0; j < damper_count(c) && j < DAMPERS; j++)
         for (size_t k = 0; k < 3; k++, n++) {
@@ -244,7 +248,7 @@ int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
                     c->source->mechanism && c->source->mechanism->constraints
                         ? ", multiplier1, reaction1"
                         : "",
-                    c->source->events ? ", event1.count, event1.last" : "",
+                    c->source->events ? ", event1.count, event1.last, event1.force" : "",
                     damper_count(c) > 0 ? names[n - 3] : "DAMPER.force",
                     fvi_word_hint(word, length, names, place));
 }

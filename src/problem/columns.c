@@ -234,6 +234,7 @@ unsigned fvi_typed_columns_wanted(const fvi_typed_columns *c)
         [QUANTITY_DAMPER_WORK] = FVI_OBSERVE_WORK,
         [QUANTITY_MULTIPLIER] = FVI_OBSERVE_MULTIPLIER,
         [QUANTITY_REACTION] = FVI_OBSERVE_MULTIPLIER,
+        [QUANTITY_CONTACT] = FVI_OBSERVE_CONTACT,
         [QUANTITY_COLUMN] = 0
     };
     unsigned wanted = 0;
@@ -271,12 +272,12 @@ static size_t place_of_force(const fvi_typed_columns *c, fvi_quantity q)
     return place;
 }
 
-/* How often event i has happened, or when the last time. */
+/* How often event i has happened, or when the last time; to lift off is none of these. */
 static double value_of_event(const fvi_observation *now, fvi_quantity q)
 {
     double count = 0, last = 0;
     for (size_t n = 0; n < now->events; n++)
-        if (now->event[n].event == q.i) {
+        if (now->event[n].event == q.i && !now->event[n].lifts_off) {
             count++;
             last = now->event[n].t;
         }
@@ -335,6 +336,9 @@ static int value_of(const fvi_typed_columns *c, fvi_quantity q,
     case QUANTITY_EVENT_COUNT:
     case QUANTITY_EVENT_LAST:
         *value = value_of_event(now, q);
+        break;
+    case QUANTITY_CONTACT:
+        *value = now->contact ? now->contact[q.i] : 0;
         break;
     case QUANTITY_COLUMN:
         break; /* it is filled when its column is */

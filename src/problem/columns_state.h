@@ -22,6 +22,7 @@ typedef enum {
     QUANTITY_REACTION,   /* minus that */
     QUANTITY_EVENT_COUNT, /* of event i */
     QUANTITY_EVENT_LAST,
+    QUANTITY_CONTACT,
     QUANTITY_COLUMN /* a column with a name, number i */
 } fvi_quantity_kind;
 

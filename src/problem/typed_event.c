@@ -117,6 +117,24 @@ static int gradient_of_place(double t, size_t d, const double *x, void *params,
     return of_place(params, t, x, NULL, normal, rate);
 }
 
+static int hessian_of_place(double t, size_t d, const double *x, double factor, void *params,
+                            double *H)
+{
+    const typed_event *e = params;
+    const size_t n = d + 1;
+    double *y = calloc(n + n * n, sizeof *y), *second = y + n;
+    if (!y)
+        return FVI_ENOMEM;
+    memcpy(y, x, d * sizeof *x);
+    y[d] = t;
+    fvi_expression_add_hessian(e->z, y, factor, second);
+    for (size_t i = 0; i < d; i++)
+        for (size_t j = 0; j < d; j++)
+            H[i * d + j] += second[i * n + j];
+    free(y);
+    return FVI_SUCCESS;
+}
+
 /* ---- texts ---- */
 
 static int no_memory(fvi_error *error)
@@ -124,26 +142,26 @@ static int no_memory(fvi_error *error)
     return fvi_fail(error, FVI_ENOMEM, "event", NAN, "not enough memory");
 }
 
-/* impact:E, stop, mark. */
+/* impact:E, contact:E, stop, mark. */
 static int parse_action(const char *text, fvi_event *event, fvi_error *error)
 {
-    static const char *const words[] = { "impact", "stop", "mark", NULL };
-    static const fvi_event_action actions[] = { FVI_EVENT_IMPACT, FVI_EVENT_STOP,
-                                                FVI_EVENT_MARK };
+    static const char *const words[] = { "impact", "contact", "stop", "mark", NULL };
+    static const fvi_event_action actions[] = { FVI_EVENT_IMPACT, FVI_EVENT_CONTACT,
+                                                FVI_EVENT_STOP, FVI_EVENT_MARK };
     const size_t length = strcspn(text, ":"), which = fvi_scan_word(text, length, words);
     char place[64];
     if (!words[which])
         return fvi_fail(error, FVI_EINVAL, "event", NAN,
-                        "'%s' is none of impact:E, stop, mark%s", text,
+                        "'%s' is none of impact:E, contact:E, stop, mark%s", text,
                         fvi_word_hint(text, length, words, place));
     event->action = actions[which];
-    if (event->action == FVI_EVENT_IMPACT && text[length])
+    if (fvi_event_has_wall(event) && text[length])
         return fvi_parse_number("event", text + length + 1, 0, 1, "[]",
                                 &event->restitution, error);
-    return event->action != FVI_EVENT_IMPACT && !text[length]
+    return !fvi_event_has_wall(event) && !text[length]
                ? FVI_SUCCESS
                : fvi_fail(error, FVI_EINVAL, "event", NAN, "'%s' is not %s", text,
-                          which == 0 ? "impact:E" : words[which]);
+                          which == 0 ? "impact:E" : which == 1 ? "contact:E" : words[which]);
 }
 
 /* The first name of a coordinate, velocity or momentum with a number above d, to *length; NULL if there is none. */
@@ -181,7 +199,7 @@ static int parse_value(typed_event *e, fvi_event *event,
     fvi_expression *of_state = NULL;
     int status = fvi_parse_expression_of("event", &finder, e->name, parameters,
                                          &of_state, error);
-    if (status || event->action != FVI_EVENT_IMPACT) {
+    if (status || !fvi_event_has_wall(event)) {
         e->z = of_state;
         event->value = value_of_state;
         return status;
@@ -194,6 +212,7 @@ static int parse_value(typed_event *e, fvi_event *event,
                         e->name);
     event->value = value_of_place;
     event->gradient = gradient_of_place;
+    event->hessian = hessian_of_place;
     status = fvi_parse_state_expression("event", e->d, 0, e->name, parameters, &e->z, error);
     return status != FVI_EINVAL
                ? status

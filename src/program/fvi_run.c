@@ -189,7 +189,9 @@ void fvi_run_print_events(const fvi_table *t, size_t n, const fvi_event_time *at
     for (size_t i = 0; i < n; i++)
         fvi_format_event(t->out, t->o->format, i, at[i].t,
                          fvi_typed_event_name(t->o->events, at[i].event),
-                         at[i].at_rest);
+                         at[i].at_rest     ? "at rest"
+                         : at[i].lifts_off ? "lifts off"
+                                           : NULL);
 }
 
 /* The table of a run that has been started, or goes on. */

@@ -27,13 +27,18 @@ int fvi_events_check(const fvi_method *method, const fvi_run *run,
     for (size_t i = 0; i < run->event_count; i++) {
         const fvi_event *e = &run->events[i];
         if (e->action != FVI_EVENT_MARK && e->action != FVI_EVENT_STOP
-            && e->action != FVI_EVENT_IMPACT)
+            && e->action != FVI_EVENT_IMPACT && e->action != FVI_EVENT_CONTACT)
             return refuse(FVI_EINVAL, i, e->action, "unknown action", error);
-        const int hits = e->action == FVI_EVENT_IMPACT;
+        const int hits = fvi_event_has_wall(e);
+        if (e->action == FVI_EVENT_CONTACT && !run->system->mechanism)
+            return refuse(FVI_EUNSUP, i, e->action,
+                          "a contact needs a system with a mechanism, which may be an empty one",
+                          error);
         if (!e->value || (hits && !e->gradient))
             return refuse(FVI_EFAULT, i, NAN,
-                          e->value ? "an impact needs its gradient"
-                                   : "it needs its value",
+                          !e->value ? "it needs its value"
+                          : e->action == FVI_EVENT_IMPACT ? "an impact needs its gradient"
+                                                          : "a contact needs its gradient",
                           error);
         if (hits && !(e->restitution >= 0 && e->restitution <= 1))
             return refuse(FVI_EDOM, i, e->restitution,

@@ -112,11 +112,10 @@ static int invert(const fvi_mechanism_state *o, const double *Lvv, const double 
 static int invert_at_end(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     const fvi_mechanism_state *of = s->mechanism;
-    const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t last = of->s - 1, d = of->d;
     double *C = of->room + 2 * (d + of->m + 1) * (d + of->m + 1);
-    const int status = of->m ? c->gradient(fvi_mechanism_stage_time(s, last), d, of->X + last * d,
-                                           c->params, C, NULL)
+    const int status = of->m ? fvi_mechanism_tie_gradients(s, fvi_mechanism_stage_time(s, last),
+                                                           of->X + last * d, C, NULL)
                              : FVI_SUCCESS;
     return status ? status : invert(of, of->Lvv + last * d * d, C, o->mechanism->inverse);
 }
@@ -186,6 +185,7 @@ int fvi_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
     o->length = length;
     of->h = length.h;
     of->t = o->t;
+    of->rest_scale = of->m > of->own ? o->scale : 0;
     fvi_mesh_present(s, o);
     fvi_mesh_predict(s, o);
     guess(s, o);
@@ -269,6 +269,7 @@ int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o)
     fvi_mechanism_state *of = s->mechanism;
     const size_t d = o->d, n = o->rule->s;
     int status = describe_forces(s, o);
+    fvi_mechanism_keep_contacts(of);
     memcpy(m->slope0, m->slope, d * FVI_LANES * sizeof *m->slope);
     memcpy(m->p0, s->p, d * sizeof *s->p);
     memcpy(m->impulse0, of->impulse, m->r * sizeof *of->impulse);
@@ -310,7 +311,7 @@ int fvi_mesh_copy(const fvi_stepper *from, fvi_stepper *to)
     o->mechanism = NULL;
     int status = fvi_mechanism_copy(from, to);
     if (!status)
-        status = fvi_mesh_allocate(o, old->mechanism->r, to->mechanism->m);
+        status = fvi_mesh_allocate(o, old->mechanism->r, to->mechanism->most);
     if (status)
         return status;
     struct fvi_mesh_mechanism *m = o->mechanism;

@@ -84,6 +84,22 @@ int fvi_mesh_inverse_along(fvi_stepper *s, const double *normal, const double *v
 int fvi_mesh_impact(fvi_stepper *s, const double *normal, const double *v, double change,
                     double *lambda);
 
+/* ---- variable_mechanism_contact.c: contacts that are closed ---- */
+
+/* fvi_mesh_contact_force -- Lambda of the constraint in row l at theta of the step that has been tried.
+ * fvi_mesh_contact_noise -- what roundings of the places make of it there.
+ * fvi_mesh_contact_error -- what (22.16) would say of the places at the stages if the body moved with the acceleration
+ * of the closed contacts: so the steps know how a contact force changes, though the body lies still. *error becomes no
+ * less. Returns FVI_SUCCESS, FVI_ESING.
+ * fvi_mesh_pulled_contact -- after p += factor J, the event whose closed contact would have to pull, or SIZE_MAX.
+ * Nothing changes. side: of each event, the sign of Z where its body is. Returns as fvi_mesh_jump. */
+double fvi_mesh_contact_force(const fvi_stepper *s, const fvi_variable_step_state *o, size_t l,
+                              double theta);
+double fvi_mesh_contact_noise(const fvi_stepper *s, const fvi_variable_step_state *o, size_t l);
+int fvi_mesh_contact_error(fvi_stepper *s, const fvi_variable_step_state *o, double *error);
+int fvi_mesh_pulled_contact(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
+                            double factor, const double *side, size_t *event);
+
 /* fvi_mesh_momentum -- p at theta of the last step, or of the one that is tried.
  * fvi_mesh_end -- x and p at the end of the one that is tried. Returns what the constraints do, FVI_ENOMEM. */
 void fvi_mesh_momentum(const fvi_stepper *s, const fvi_variable_step_state *o, double theta,
@@ -93,12 +109,14 @@ int fvi_mesh_end(const fvi_stepper *s, const fvi_variable_step_state *o, double 
 /* fvi_mesh_sums -- of damper j at a time t in the last step: force, impulse and work.
  * fvi_mesh_work_of_forces -- what F gave until then. fvi_mesh_multiplier -- of constraint i there.
  * fvi_mesh_velocity -- the velocity of x and p there. fvi_mesh_project -- and p keeps to the hidden constraint,
- * from a guess of v: the stages know it to a lower order than the ends of steps do. */
+ * from a guess of v: the stages know it to a lower order than the ends of steps do. fvi_mesh_project_within -- the
+ * same within the last step, with the contacts that were closed there. */
 void fvi_mesh_sums(const fvi_stepper *s, size_t j, double t, double *force, double *impulse,
                    double *work);
 double fvi_mesh_work_of_forces(const fvi_stepper *s, double t);
 double fvi_mesh_multiplier(const fvi_stepper *s, size_t i, double t);
 int fvi_mesh_project(const fvi_stepper *s, double t, const double *x, double *p, double *v);
+int fvi_mesh_project_within(const fvi_stepper *s, double t, const double *x, double *p, double *v);
 int fvi_mesh_velocity(const fvi_stepper *s, double t, const double *x, const double *p,
                       double *v);
 

@@ -102,12 +102,23 @@ int fvi_mesh_project(const fvi_stepper *s, double t, const double *x, double *p,
 {
     fvi_stepper *own = (fvi_stepper *)(uintptr_t)s; /* whose room it takes */
     const fvi_mechanism_state *of = s->mechanism;
-    const fvi_constraints *c = s->run.system->mechanism->constraints;
     double *C = calloc(of->m * (of->d + 1), sizeof *C);
-    int status = C ? c->gradient(t, of->d, x, c->params, C, NULL) : FVI_ENOMEM;
+    int status = C ? fvi_mechanism_tie_gradients(s, t, x, C, NULL) : FVI_ENOMEM;
     if (!status)
         status = fvi_mechanism_project_momentum(own, t, x, C, p, v, C + of->m * of->d);
     free(C);
+    return status;
+}
+
+/* A contact that closed, or opened, at the end of the last step, was not so within. */
+int fvi_mesh_project_within(const fvi_stepper *s, double t, const double *x, double *p, double *v)
+{
+    fvi_mechanism_state *own = ((fvi_stepper *)(uintptr_t)s)->mechanism;
+    int status = FVI_SUCCESS;
+    fvi_mechanism_swap_contacts(own);
+    if (own->m)
+        status = fvi_mesh_project(s, t, x, p, v);
+    fvi_mechanism_swap_contacts(own);
     return status;
 }
 
@@ -121,13 +132,14 @@ int fvi_mesh_velocity(const fvi_stepper *s, double t, const double *x, const dou
         v[j] = t == s->t ? o->v[j]
                          : o->v0[j]
                                + combine(o->rule->s, o->accel_legendre0 + j * FVI_LANES, w);
-    if (s->mechanism->m == 0)
+    const fvi_mechanism_state *of = s->mechanism;
+    if ((t == s->t ? of->m : of->last_m) == 0)
         return fvi_velocity_of_momentum(s->run.system, t, x, p, v);
     double *same = malloc(o->d * sizeof *same); /* p has been projected */
     if (!same)
         return FVI_ENOMEM;
     memcpy(same, p, o->d * sizeof *p);
-    const int status = fvi_mesh_project(s, t, x, same, v);
+    const int status = (t == s->t ? fvi_mesh_project : fvi_mesh_project_within)(s, t, x, same, v);
     free(same);
     return status;
 }

@@ -36,7 +36,6 @@ static double leak_of_damper(const fvi_stepper *s, const fvi_variable_step_state
 static int project_stages(fvi_stepper *s, double *v)
 {
     const fvi_mechanism_state *of = s->mechanism;
-    const fvi_constraints *c = s->run.system->mechanism->constraints;
     const size_t d = of->d, r = of->r, m = of->m;
     double *C = malloc((m * (d + 1) + d) * sizeof *C), *w = C + m * d, *p = w + m;
     int status = C ? FVI_SUCCESS : FVI_ENOMEM;
@@ -45,7 +44,7 @@ static int project_stages(fvi_stepper *s, double *v)
         const double t = fvi_mechanism_stage_time(s, i), *x = of->X + i * d;
         double *zdot = v + of->s * d + i * r;
         memcpy(p, of->Lv + i * d, d * sizeof *p);
-        status = c->gradient(t, d, x, c->params, C, NULL);
+        status = fvi_mechanism_tie_gradients(s, t, x, C, NULL);
         if (!status)
             status = fvi_mechanism_project_momentum(s, t, x, C, p, v + i * d, w);
         for (size_t e = 0; e < r; e++) {
@@ -92,5 +91,7 @@ int fvi_mesh_estimate(fvi_stepper *s, const fvi_variable_step_state *o, double *
     const int status = project_stages(s, v);
     *error = status ? 0 : estimate(s, o, v, v + of->s * of->d, of->r, 1);
     free(v);
-    return status == FVI_EOVRFLW ? FVI_EMAXITER : status;
+    if (status)
+        return status == FVI_EOVRFLW ? FVI_EMAXITER : status;
+    return fvi_mesh_contact_error(s, o, error);
 }

@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 /* v of p, where the last step ended; with constraints p takes their impulses, which tie, if it is not NULL, adds
@@ -24,6 +25,34 @@ static int keep_to_ties(fvi_stepper *s, double t, const double *x, double *p, do
     const int status = fvi_mechanism_project_momentum(s, t, x, of->C, p, v, w);
     for (size_t l = 0; l < of->m && tie; l++)
         tie[l] += w[l];
+    return status;
+}
+
+/* The impulse of a contact is -w along its normal, and it must push to the side where the body is. */
+int fvi_mesh_pulled_contact(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
+                            double factor, const double *side, size_t *event)
+{
+    fvi_mechanism_state *of = s->mechanism;
+    double *p = o->mechanism->slope, *v = p + o->d; /* which have been read */
+    *event = SIZE_MAX;
+    if (of->m == of->own)
+        return FVI_SUCCESS;
+    for (size_t j = 0; j < o->d; j++)
+        p[j] = s->p[j] + factor * J[j];
+    memcpy(v, o->v, o->d * sizeof *v);
+    const int status = keep_to_ties(s, o->t, o->y, p, v, NULL);
+    const double jump = fabs(factor) * fvi_mechanism_largest(o->d, J),
+                 least = 1e-12 * (jump + fvi_mechanism_largest(o->d, s->p));
+    double worst = 0;
+    for (size_t l = of->own; l < of->m && !status; l++) {
+        const size_t i = of->contact[l - of->own];
+        const double pull = side[i] * of->residual[l]
+                            * fvi_mechanism_largest(o->d, of->C + l * o->d);
+        if (pull > least && pull > worst) {
+            worst = pull;
+            *event = i;
+        }
+    }
     return status;
 }
 

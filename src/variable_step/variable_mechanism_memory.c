@@ -226,7 +226,7 @@ int fvi_mesh_start(fvi_stepper *s, fvi_variable_step_state *o)
     const size_t r = s->run.system->mechanism->damper_count;
     int status = fvi_mechanism_start(s, FVI_MECHANISM_FORM_D, o->rule->s);
     if (!status)
-        status = fvi_mesh_allocate(o, r, s->mechanism->m);
+        status = fvi_mesh_allocate(o, r, s->mechanism->most);
     for (size_t j = 0; j < r && !status; j++) {
         fvi_mesh_damper *to = &o->mechanism->damper[j];
         status = slope_at_start(s, j, &to->now);

@@ -243,6 +243,11 @@ int fvi_variable_step_exponent(fvi_length length);
 int fvi_variable_step_choose(const fvi_stepper *s, fvi_variable_step_state *o, double event,
                         fvi_length *length);
 
+/* fvi_variable_step_find -- the next step, tried with the longest length whose error is small enough, or cut by an
+ * event; o->next, for the step behind it. event: it ends there at the latest. Returns FVI_ERUNAWAY; FVI_EMAXITER or
+ * FVI_EOVRFLW where no step is short enough; what fvi_variable_step_try and the events return. */
+int fvi_variable_step_find(fvi_stepper *s, fvi_variable_step_state *o, double event);
+
 /* fvi_variable_step_matrices -- those of steps of such length. FVI_ESING if one is singular. */
 int fvi_variable_step_matrices(fvi_variable_step_state *o, fvi_length length);
 

@@ -129,7 +129,7 @@ static int project(const fvi_stepper *s, double t, double theta, double *p)
         return FVI_ENOMEM;
     positions(o, s->t - o->t0, theta, x);
     memcpy(x + o->d, o->v, o->d * sizeof *x);
-    const int status = fvi_mesh_project(s, t, x, p, x + o->d);
+    const int status = fvi_mesh_project_within(s, t, x, p, x + o->d);
     free(x);
     return status;
 }
@@ -148,7 +148,7 @@ int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p
         positions(o, h, theta, x);
     if (p && o->mechanism) {
         fvi_mesh_momentum(s, o, theta, 0, p);
-        return s->mechanism->m ? project(s, t, theta, p) : FVI_SUCCESS;
+        return s->mechanism->last_m ? project(s, t, theta, p) : FVI_SUCCESS;
     }
     if (p && o->structure)
         return momenta_of_matrices(s, o, theta, p);

@@ -20,14 +20,14 @@
 int fvi_variable_step_has_impacts(const fvi_run *run)
 {
     for (size_t i = 0; i < run->event_count; i++)
-        if (run->events[i].action == FVI_EVENT_IMPACT)
+        if (fvi_event_has_wall(&run->events[i]))
             return 1;
     return 0;
 }
 
 static size_t numbers(const fvi_variable_step_state *o, size_t count)
 {
-    return count * (6 + o->rule->s) + 6 * o->d;
+    return count * (8 + o->rule->s) + 6 * o->d;
 }
 
 int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *o)
@@ -46,7 +46,9 @@ int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *
     w->has_hit = w->rounding + n;
     w->theta = w->has_hit + n;
     w->behind = w->theta + n;
-    w->z = w->behind + n;
+    w->closed = w->behind + n;
+    w->is_new = w->closed + n;
+    w->z = w->is_new + n;
     w->point = w->z + n * o->rule->s;
     return FVI_SUCCESS;
 }
@@ -93,7 +95,7 @@ int fvi_variable_step_archive_events(const fvi_stepper *s, fvi_variable_step_sta
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
         status = v->serialize(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
-    if (!status && happened > w->count * (o->counts.steps + 1))
+    if (!status && happened > 2 * w->count * (o->counts.steps + 1))
         FVI_FAIL("not a state of this run", FVI_EINVAL);
     if (!status)
         status = fvi_variable_step_room_for_times(w, happened);
@@ -106,6 +108,8 @@ int fvi_variable_step_archive_events(const fvi_stepper *s, fvi_variable_step_sta
             status = v->serialize(v, &at->event, sizeof at->event, 0);
         if (!status)
             status = v->serialize(v, &at->at_rest, sizeof at->at_rest, 0);
+        if (!status)
+            status = v->serialize(v, &at->lifts_off, sizeof at->lifts_off, 0);
         if (!status && !(at->event < w->count && at->t <= s->t))
             FVI_FAIL("not a state of this run", FVI_EINVAL);
     }
@@ -149,6 +153,10 @@ int fvi_event_within(const fvi_stepper *s, const fvi_variable_step_state *o, siz
     double *x = o->watch->point, *p = x + o->d;
     const double t = o->t + theta * o->length.h;
     int status = FVI_SUCCESS;
+    if (o->watch->closed[i] != 0) {
+        *z = fvi_variable_step_push(s, o, i, theta);
+        return status;
+    }
     fvi_variable_step_within(s, o, theta, x, p);
     if (o->mechanism && s->mechanism->m) {
         double *v = p + o->d;
@@ -165,6 +173,10 @@ static int value_at_end(const fvi_stepper *s, const fvi_variable_step_state *o,
     const size_t last = o->rule->s - 1;
     const double h = o->length.h, t = o->t + h;
     double *x = o->watch->point, *p = x + o->d, move[FVI_LANES];
+    if (o->watch->closed[i] != 0) {
+        *z = fvi_variable_step_push(s, o, i, 1);
+        return FVI_SUCCESS;
+    }
     const int status = o->mechanism ? fvi_mesh_end(s, o, x, p) : FVI_SUCCESS;
     for (size_t j = 0; j < o->d && !o->mechanism; j++) {
         const double *delta = o->delta + j * FVI_LANES;
@@ -182,6 +194,8 @@ int fvi_variable_step_sides(const fvi_stepper *s, fvi_event_watch *w, int anew)
 {
     for (size_t i = 0; i < w->count; i++) {
         double z;
+        if (w->closed[i] != 0)
+            continue;
         const int status = evaluate(s, i, s->t, s->x, s->p, &z);
         if (status)
             return status;
@@ -221,12 +235,16 @@ static int find_passing(const fvi_stepper *s, const fvi_variable_step_state *o,
 {
     fvi_event_watch *w = o->watch;
     const fvi_event *e = &s->run.events[i];
-    const int on_wall = w->side[i] == 0 && e->action == FVI_EVENT_IMPACT;
+    const int on_wall = w->side[i] == 0 && fvi_event_has_wall(e);
     double side = on_wall ? fvi_variable_step_outside(e) : w->side[i], low = 0;
     int is_seen = w->has_hit[i] == 0 && !on_wall;
     fvi_event_places places;
-    const int status = fvi_event_places_of(s, o, i, &places);
     w->theta[i] = INFINITY;
+    if (w->closed[i] != 0) {
+        fvi_variable_step_find_lift(s, o, i);
+        return FVI_SUCCESS;
+    }
+    const int status = fvi_event_places_of(s, o, i, &places);
     for (size_t n = 0; !status && n < places.count; n++) {
         const double sign = fvi_event_sign(w, i, places.z[n]), here = places.theta[n];
         const int passes = side != 0 && sign == -side;
@@ -349,7 +367,7 @@ int fvi_variable_step_end_at_event(fvi_stepper *s, fvi_variable_step_state *o)
     fvi_event_watch *w = o->watch;
     size_t first;
     int is_too_long, status = FVI_SUCCESS;
-    w->at_rest = 0;
+    w->at_rest = w->is_released = 0;
     if (w->is_over)
         FVI_FAIL("an event has ended the run", FVI_EINVAL);
     if (!w->is_ready)
@@ -365,6 +383,10 @@ int fvi_variable_step_end_at_event(fvi_stepper *s, fvi_variable_step_state *o)
             status = fvi_variable_step_try(
                 s, o, (fvi_length){ h / 4, FVI_OFF_LATTICE }, &error);
             continue;
+        }
+        if (first < w->count && w->closed[first] != 0 && w->theta[first] == 0) {
+            w->is_released = 1;
+            return fvi_variable_step_open_contact(s, o, first);
         }
         w->at_rest = is_too_long || lies_on_wall(o);
         if (w->at_rest || first == w->count)

@@ -15,14 +15,18 @@
  *   has_hit   nonzero in the step after its impact
  *   theta     where in the step that is tried it passes 0, or INFINITY
  *   behind    on which side of 0 it is behind that
- *   z         of each stage of that step, event by event
+ *   closed    of a contact the side on which its body rests, or 0: it is open
+ *   is_new    nonzero of a contact that has just closed, until it is known whether it pushes: 1 where an impact
+ *             has been noted, 2 where nothing has
+ *   z         of each stage of that step, event by event; of a closed contact the force that pushes
  *   point     6 d numbers: x, p; the normal and v; both shortly before */
 typedef struct fvi_event_watch {
     size_t count;
-    double *side, *size, *rounding, *has_hit, *theta, *behind, *z, *point;
+    double *side, *size, *rounding, *has_hit, *theta, *behind, *closed, *is_new, *z, *point;
     int is_ready; /* nonzero once the sides at the start are known */
     int at_rest;  /* nonzero if the step ends where a hop is too short for steps */
     int is_over;
+    int is_released; /* nonzero if a contact has opened where the step begins, which is to be tried anew */
     double rest; /* a hop no higher than this ends at rest; 0: than the tolerance of a step */
     fvi_event_time *times;
     size_t happened, room;
@@ -50,6 +54,33 @@ int fvi_variable_step_end_at_event(fvi_stepper *s, fvi_variable_step_state *o);
 double fvi_variable_step_outside(const fvi_event *e);
 int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o);
 int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o);
+
+/* ---- variable_step_contact.c ---- */
+
+/* fvi_variable_step_close_contact -- contact i closes at the end of the last step: from here on Z = 0, and the
+ * momentum that is against it goes. fvi_variable_step_open_contact -- it opens there; noted unless it is_new.
+ * fvi_variable_step_open_pulled -- before p += factor J: the contacts that would have to pull open.
+ * fvi_variable_step_start_contacts -- where a body starts at Z = 0 without a speed of Z the contact is closed.
+ * fvi_variable_step_check_contacts -- where forces or velocities have jumped: contacts that would have to pull in the
+ * next step open, and others that are new are noted as at rest. It tries a step, or several.
+ * fvi_variable_step_push -- the force that pushes at theta of the step that has been tried, of a closed contact.
+ * fvi_variable_step_find_lift -- where in that step it passes 0, to theta: 0 if it never pushes there. */
+int fvi_variable_step_close_contact(fvi_stepper *s, fvi_variable_step_state *o, size_t i);
+int fvi_variable_step_open_contact(fvi_stepper *s, fvi_variable_step_state *o, size_t i);
+int fvi_variable_step_open_pulled(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
+                                  double factor);
+int fvi_variable_step_start_contacts(fvi_stepper *s, fvi_variable_step_state *o);
+int fvi_variable_step_check_contacts(fvi_stepper *s, fvi_variable_step_state *o);
+double fvi_variable_step_push(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
+                              double theta);
+void fvi_variable_step_find_lift(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i);
+
+/* fvi_variable_step_note_event -- the time is noted. FVI_ENOMEM.
+ * fvi_variable_step_speed_of_event -- n . v + dz/dt, at which z changes; to normal n, and of a mechanism v behind
+ * it. Returns what the functions do; FVI_EOVRFLW. */
+int fvi_variable_step_note_event(fvi_event_watch *w, fvi_event_time at);
+int fvi_variable_step_speed_of_event(const fvi_stepper *s, size_t i, double t, const double *x,
+                                     const double *p, double *normal, double *speed);
 
 /* fvi_variable_step_sides -- all z where the stepper stands. A side that is not known is that of its z;
  * with `anew`, as p has jumped, so are those of events that are no impact of this moment. Returns what

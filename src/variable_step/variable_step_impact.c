@@ -48,19 +48,17 @@ int fvi_variable_step_room_for_times(fvi_event_watch *w, size_t count)
     return FVI_SUCCESS;
 }
 
-/* The time is noted. */
-static int note(fvi_event_watch *w, double t, size_t i, int at_rest)
+int fvi_variable_step_note_event(fvi_event_watch *w, fvi_event_time at)
 {
     const int status = fvi_variable_step_room_for_times(w, w->happened + 1);
     if (status)
         return status;
-    w->times[w->happened++] = (fvi_event_time){ t, i, at_rest };
+    w->times[w->happened++] = at;
     return FVI_SUCCESS;
 }
 
-/* n . v + dz/dt, at which z changes; to normal n, and of a mechanism v behind it. */
-static int speed_at(const fvi_stepper *s, size_t i, double t, const double *x,
-                    const double *p, double *normal, double *speed)
+int fvi_variable_step_speed_of_event(const fvi_stepper *s, size_t i, double t, const double *x,
+                                     const double *p, double *normal, double *speed)
 {
     const fvi_event *e = &s->run.events[i];
     const size_t d = s->run.system->d;
@@ -83,7 +81,7 @@ static int fall_of(const fvi_stepper *s, fvi_variable_step_state *o, size_t i,
     const double t = s->t - (s->t - o->t0) / 64;
     int status = fvi_variable_step_dense(s, t, x, p);
     if (!status)
-        status = speed_at(s, i, t, x, p, x + 4 * o->d, &before);
+        status = fvi_variable_step_speed_of_event(s, i, t, x, p, x + 4 * o->d, &before);
     if (!status)
         *fall = -o->watch->side[i] * (speed - before) / (s->t - t);
     return status;
@@ -99,10 +97,10 @@ int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o)
     for (size_t i = 0; o->watch && i < o->watch->count; i++) {
         const fvi_event *e = &s->run.events[i];
         double z, speed;
-        if (e->action != FVI_EVENT_IMPACT
+        if (!fvi_event_has_wall(e)
             || e->value(s->t, o->d, s->x, s->p, e->params, &z) || z != 0)
             continue; /* what fails here fails in the first step, too */
-        const int status = speed_at(s, i, s->t, s->x, s->p, o->watch->point + 2 * o->d, &speed);
+        const int status = fvi_variable_step_speed_of_event(s, i, s->t, s->x, s->p, o->watch->point + 2 * o->d, &speed);
         if (status)
             return status;
         if (speed * fvi_variable_step_outside(e) < 0) {
@@ -117,31 +115,47 @@ int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o)
 }
 
 //> impact
+/* -(1 + e) (n v + dz/dt) / (n M^-1 n). A closed contact that would have to pull opens, and then M^-1 is another. */
+static int factor_of_jump(fvi_stepper *s, fvi_variable_step_state *o, const fvi_event *e,
+                          double *normal, double speed, double *jump)
+{
+    double inverse = 0;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < o->d && !o->mechanism; j++)
+        inverse += normal[j] * normal[j] / mass_of(s, j);
+    if (o->mechanism)
+        status = fvi_mesh_inverse_along(s, normal, normal + o->d, &inverse);
+    if (!status && !(fabs(inverse) > 0))
+        FVI_FAIL("the normal of an impact is 0", FVI_ESING);
+    *jump = -(1 + e->restitution) * speed / inverse;
+    if (status || !o->mechanism)
+        return status;
+    const size_t m = s->mechanism->m;
+    status = fvi_mesh_impact(s, normal, normal + o->d, -(1 + e->restitution) * speed, jump);
+    if (!status)
+        status = fvi_variable_step_open_pulled(s, o, normal, *jump);
+    return status || m == s->mechanism->m ? status
+                                          : factor_of_jump(s, o, e, normal, speed, jump);
+}
+
 /* p -> p - (1 + e) n (n v + dz/dt) / (n M^-1 n), if the body comes nearer. Is it at rest then, as it
  * would rise no higher, in z, than the step may err, or than the height of rest, before it falls back? */
 static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_rest)
 {
     const fvi_event *e = &s->run.events[i];
     const fvi_event_watch *w = o->watch;
-    double *normal = w->point + 2 * o->d, speed, size = 0, inverse = 0, fall = 0;
-    int status = speed_at(s, i, s->t, s->x, s->p, normal, &speed);
+    double *normal = w->point + 2 * o->d, speed, size = 0, fall = 0, jump = 0;
+    int status = fvi_variable_step_speed_of_event(s, i, s->t, s->x, s->p, normal, &speed);
     if (!status)
         status = fall_of(s, o, i, speed, &fall);
+    const int comes_nearer = speed * w->side[i] < 0;
+    if (!status && (comes_nearer || speed == 0))
+        status = factor_of_jump(s, o, e, normal, speed, &jump);
     if (status)
         return status;
-    for (size_t j = 0; j < o->d; j++) {
-        if (!o->mechanism)
-            inverse += normal[j] * normal[j] / mass_of(s, j);
+    for (size_t j = 0; j < o->d; j++)
         size += normal[j] * normal[j];
-    }
-    if (o->mechanism)
-        status = fvi_mesh_inverse_along(s, normal, normal + o->d, &inverse);
-    if (!status && !(fabs(inverse) > 0))
-        FVI_FAIL("the normal of an impact is 0", FVI_ESING);
-    double jump = -(1 + e->restitution) * speed / inverse;
-    if (!status && o->mechanism)
-        status = fvi_mesh_impact(s, normal, normal + o->d, -(1 + e->restitution) * speed, &jump);
-    if (!status && speed * w->side[i] < 0)
+    if (comes_nearer)
         status = kick(s, normal, jump);
     const double after = e->restitution * speed,
                  height = e->rest > 0 ? e->rest : w->rest > 0 ? w->rest : o->allowed;
@@ -150,18 +164,34 @@ static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_res
 }
 //< impact
 
+/* The body stays at the wall: the run is over, or the contact closes. */
+static int come_to_rest(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
+{
+    if (s->run.events[i].action == FVI_EVENT_CONTACT)
+        return fvi_variable_step_close_contact(s, o, i);
+    o->watch->is_over = 1;
+    return FVI_SUCCESS;
+}
+
 /* Event i is at the end of the step. */
 static int act(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
 {
     fvi_event_watch *w = o->watch;
-    const fvi_event_action action = s->run.events[i].action;
+    const fvi_event *e = &s->run.events[i];
     int at_rest = 0, status = FVI_SUCCESS;
-    if (action == FVI_EVENT_IMPACT)
+    if (w->closed[i] != 0)
+        return fvi_variable_step_open_contact(s, o, i);
+    if (fvi_event_has_wall(e))
         status = hit(s, o, i, &at_rest);
     else
         w->side[i] = w->behind[i]; /* it has passed */
-    w->is_over |= at_rest || action == FVI_EVENT_STOP;
-    return status ? status : note(w, s->t, i, at_rest);
+    w->is_over |= e->action == FVI_EVENT_STOP;
+    const int may_rest = e->action == FVI_EVENT_CONTACT; /* whether it does is seen below */
+    at_rest |= may_rest && e->restitution == 0;
+    if (!status)
+        status = fvi_variable_step_note_event(w, (fvi_event_time){ s->t, i, at_rest && !may_rest, 0 });
+    w->is_new[i] = at_rest && may_rest;
+    return status || !at_rest ? status : come_to_rest(s, o, i);
 }
 
 int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o)
@@ -176,11 +206,14 @@ int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o)
         const int happens = first < INFINITY && w->theta[i] - first <= 8 * GSL_DBL_EPSILON;
         w->has_hit[i] = 0;
         if (is_stuck) {
-            w->is_over = 1;
-            status = note(w, s->t, i, 1);
+            w->is_new[i] = s->run.events[i].action == FVI_EVENT_CONTACT ? 2 : 0;
+            if (w->is_new[i] == 0)
+                status = fvi_variable_step_note_event(w, (fvi_event_time){ s->t, i, 1, 0 });
+            if (!status)
+                status = come_to_rest(s, o, i);
         } else if (happens) {
             status = act(s, o, i);
-            w->has_hit[i] = s->run.events[i].action == FVI_EVENT_IMPACT;
+            w->has_hit[i] = fvi_event_has_wall(&s->run.events[i]);
             jumped |= w->has_hit[i] != 0;
         }
     }
@@ -189,6 +222,8 @@ int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o)
             w->side[i] = 0; /* what an impact at the same time has made of it is not known yet */
         w->theta[i] = INFINITY;
     }
+    if (!status && o->first_after_event)
+        status = fvi_variable_step_check_contacts(s, o);
     return status ? status : fvi_variable_step_sides(s, w, jumped);
 }
 
@@ -234,6 +269,8 @@ int fvi_stepper_kick(fvi_stepper *s, const double *J)
     fvi_variable_step_state *o = s->method_state;
     if (!o->takes_kicks)
         FVI_FAIL("the run did not know that a velocity would jump", FVI_EUNSUP);
-    const int status = kick(s, J, 1);
+    int status = fvi_variable_step_open_pulled(s, o, J, 1);
+    if (!status)
+        status = kick(s, J, 1);
     return !status && o->watch ? fvi_variable_step_sides(s, o->watch, 1) : status;
 }

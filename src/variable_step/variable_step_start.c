@@ -388,8 +388,10 @@ static int start(fvi_stepper *s, int open)
 
 int fvi_variable_step_start(fvi_stepper *s)
 {
-    const int status = start(s, 0);
-    return status ? status : fvi_variable_step_check_walls(s, s->method_state);
+    int status = start(s, 0);
+    if (!status)
+        status = fvi_variable_step_check_walls(s, s->method_state);
+    return status ? status : fvi_variable_step_start_contacts(s, s->method_state);
 }
 
 int fvi_variable_step_start_open(fvi_stepper *s)

@@ -173,6 +173,8 @@ int fvi_variable_step_strike(fvi_stepper *s, fvi_variable_step_state *o)
          o->hits++) {
         const double *J = force->impulses[o->hits].J;
         if (o->mechanism)
+            status = fvi_variable_step_open_pulled(s, o, J, 1);
+        if (o->mechanism && !status)
             status = fvi_mesh_strike(s, o, J);
         else if (o->structure)
             status = fvi_structure_mesh_jump(s, o, J);

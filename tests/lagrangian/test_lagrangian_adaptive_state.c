@@ -1,27 +1,7 @@
 /* tests/lagrangian/test_lagrangian_adaptive_state.c -- Form D on a mesh: copies, archives, impulses and sums.
  * Run alone: make test-lagrangian_adaptive_state */
 #include "adaptive_runs.h"
-
-typedef struct {
-    fvi_archive archive;
-    char *room;
-    size_t at;
-    int is_saved;
-} saved;
-
-static int serialize(fvi_archive *archive, void *data, size_t bytes, int constant)
-{
-    saved *to = (saved *)archive;
-    char *here = to->room + to->at;
-    to->at += bytes;
-    if (!to->is_saved)
-        memcpy(here, data, bytes);
-    else if (constant)
-        return memcmp(here, data, bytes) != 0;
-    else
-        memcpy(data, here, bytes);
-    return 0;
-}
+#include "saved.h"
 
 /* A kick at 1.5, a power above the order 1, a law: what a state may be made of. */
 static const mechanism_text rich = {

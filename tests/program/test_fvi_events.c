@@ -27,6 +27,33 @@ START_TEST(a_bouncing_ball_is_a_command)
 }
 END_TEST
 
+/* With contact:E the run goes on behind rest, and a plain potential, masses and --alpha do. The force is 1 - 2 sin t, and the
+ * lines say what happens; a lift-off does not count. */
+START_TEST(a_body_rests_and_lifts_off)
+{
+#define TABLE "run --potential x --x0 0 --p0 0 --alpha 0.3 --rho 0.2 --force '2*sin(t)' --event 'x : contact:0.5' --time 1.5 --steps 3 "
+    ck_assert_msg(fvi(TABLE "--columns t,x,event1.force,event1.count,balance") == 0, "%s", err);
+    for (int row = 0; row < 2; row++) {
+        ck_assert_near(cell(row, 1), 0, 1e-15, "x");
+        ck_assert_near(cell(row, 2), 1 - 2 * sin(row / 2.), 1e-9, "force");
+    }
+    ck_assert_double_eq(cell(3, 2), 0);
+    ck_assert_double_eq(cell(3, 3), 1);
+    ck_assert_near(cell(3, 4), 0, 1e-12, "balance");
+    ck_assert_ptr_nonnull(strstr(out, "\n# event at t = 0 : x : at rest\n# event at t = 0.52359877"));
+    ck_assert_str_eq(strrchr(out, 'x'), "x : lifts off\n");
+    ck_assert_int_eq(fvi(TABLE "--format json"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\"event\": \"x\", \"at rest\": true},\n"));
+    ck_assert_ptr_nonnull(strstr(out, "\"event\": \"x\", \"lifts off\": true}\n]}\n"));
+    ck_assert_int_eq(fvi(TABLE "--event 'x : contact'"), 2);
+    ck_assert_ptr_nonnull(strstr(err, "'contact' is not contact:E"));
+    ck_assert_int_eq(fvi(TABLE "--event 'x+v : contact:0'"), 2);
+    ck_assert_int_eq(fvi(TABLE "--reduce 'max(event1.force)'"), 0);
+    ck_assert_near(cell(0, 0), 1, 1e-9, "largest force");
+#undef TABLE
+}
+END_TEST
+
 START_TEST(formats_have_a_place_for_events)
 {
     ck_assert_int_eq(fvi(BALL FLOOR "--format json"), 0);
@@ -213,7 +240,7 @@ START_TEST(what_is_wrong_is_said)
     static const char *const cases[][2] = {
         { "run --event x", "fvi: --event: 'x' is not 'Z : WHAT', with blanks around" },
         { "run --event 'x:mark'", "fvi: --event: 'x:mark' is not 'Z : WHAT'" },
-        { "run --event 'x : bounce'", "'bounce' is none of impact:E, stop, mark" },
+        { "run --event 'x : bounce'", "'bounce' is none of impact:E, contact:E, stop, mark" },
         { "run --event 'x : imapct:1'", "did you mean impact?" },
         { "run --event 'x : impact'", "fvi: --event: 'impact' is not impact:E" },
         { "run --event 'x : impact:1.5'", "fvi: --event: '1.5' is outside [0, 1]" },
@@ -238,7 +265,7 @@ START_TEST(what_is_wrong_is_said)
         { "run --event 'x : mark' --columns t,y", "fvi: --event: column y needs every row" },
         { "run --event 'x : mark' --columns d1.force", "are not known with --event" },
         { "run --event 'x : mark' --columns balance", "are not known with --event" },
-        { "run --event 'x : mark' --columns event2.count", "event1.count, event1.last, d1.force, nor an expression" },
+        { "run --event 'x : mark' --columns event2.count", "event1.count, event1.last, event1.force, d1.force, nor an expression" },
         { "run --event 'x : mark' --columns event1.cont", "did you mean event1.count?" },
         { "run --columns event1.count", "'event1.count' is none of t, x" },
         { "run --potential x --x0 0 --p0 -1 --event 'x+0 : impact:0.5'",
@@ -264,7 +291,7 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("fvi_events");
-    ADD_CASE(suite, "events", a_bouncing_ball_is_a_command, a_lagrangian_has_events, a_sweep_has_events, formats_have_a_place_for_events,
+    ADD_CASE(suite, "events", a_bouncing_ball_is_a_command, a_body_rests_and_lifts_off, a_lagrangian_has_events, a_sweep_has_events, formats_have_a_place_for_events,
              runs_end_at_events, coordinates_have_numbers, a_sweep_of_rows_has_events, events_are_columns, an_error_may_be_asked_for_with_events);
     ADD_CASE(suite, "words", what_is_wrong_is_said);
     return run_suite_of_program(suite);

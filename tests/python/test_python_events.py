@@ -34,6 +34,19 @@ def test_events_are_the_programs(events):
     assert mine == sorted((float(t), name.removesuffix(" : at rest")) for t, name in said) and len(mine) > 0
 
 
+def test_a_body_rests_and_lifts_off():
+    """On a table, under the force 2 sin t: off at pi/6. As the program; and a function with a normal of its own does the same."""
+    table = fvi.Problem("x", force="2*sin(t)", x0=0, p0=0, alpha=0.3, rho=0.2, time=1.5)
+    s = fvi.solve(table, events="x : contact:0.5", steps=6)
+    rows, _ = program("--potential", "x", "--force", "2*sin(t)", "--x0", "0", "--p0", "0", "--alpha", "0.3", "--rho", "0.2",
+                      "--time", "1.5", "--steps", "6", "--event", "x : contact:0.5")
+    assert np.array_equal(np.column_stack([s.t, s.x, s.p, s.energy]), rows)
+    assert s.success and s.t_events[0][0] == 0 and abs(s.t_events[0][1] - np.pi / 6) < 1e-8
+    own = fvi.Event(lambda t, x, p: x, "contact:0.5", gradient=lambda t, x: (1.0, 0.0))
+    assert np.allclose(fvi.solve(table, events=own, steps=6).x, s.x, atol=1e-12)
+    assert np.allclose(s.v, s.p) and np.allclose(s.a[:3], 0, atol=1e-6)
+
+
 def test_a_ball_bounces_at_the_times_of_free_fall():
     """No damping: it falls for (2/g)^(1/2), and flies for 2 e^n (2/g)^(1/2) after each impact."""
     g, e = 9.81, 0.8

@@ -25,7 +25,8 @@ int count_row(size_t k, double t, const double *x, const double *p, void *params
 int count_event(const fvi_event_time *at, const double *x, const double *p, void *params);
 typedef struct fvi_observer fvi_observer;
 enum { FVI_OBSERVE_VELOCITY = 1, FVI_OBSERVE_ACCELERATION = 2, FVI_OBSERVE_FORCE = 4, FVI_OBSERVE_IMPULSE = 8,
-       FVI_OBSERVE_WORK = 16, FVI_OBSERVE_ENERGY = 32, FVI_OBSERVE_APPLIED = 64, FVI_OBSERVE_MULTIPLIER = 128 };
+       FVI_OBSERVE_WORK = 16, FVI_OBSERVE_ENERGY = 32, FVI_OBSERVE_APPLIED = 64, FVI_OBSERVE_MULTIPLIER = 128,
+       FVI_OBSERVE_CONTACT = 256 };
 int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **o, fvi_error *error);
 size_t fvi_observer_dampers(const fvi_observer *o);
 size_t fvi_observer_width(const fvi_observer *o, size_t j);

@@ -68,7 +68,7 @@ typedef struct {
     double *x, *p;
     ...;
 } fvi_stepper;
-typedef enum { FVI_EVENT_MARK, FVI_EVENT_STOP, FVI_EVENT_IMPACT } fvi_event_action;
+typedef enum { FVI_EVENT_MARK, FVI_EVENT_STOP, FVI_EVENT_IMPACT, FVI_EVENT_CONTACT } fvi_event_action;
 typedef struct fvi_event {
     int (*value)(double t, size_t d, const double *x, const double *p, void *params, double *z);
     int (*gradient)(double t, size_t d, const double *x, void *params, double *normal, double *rate);
@@ -76,8 +76,9 @@ typedef struct fvi_event {
     int direction;
     fvi_event_action action;
     double restitution, rest;
+    int (*hessian)(double t, size_t d, const double *x, double factor, void *params, double *H);
 } fvi_event;
-typedef struct { double t; size_t event; int at_rest; } fvi_event_time;
+typedef struct { double t; size_t event; int at_rest, lifts_off; } fvi_event_time;
 const fvi_event_time *fvi_stepper_events(const fvi_stepper *s, size_t *n);
 int fvi_stepper_is_over(const fvi_stepper *s);
 typedef struct { size_t steps, rejected; double longest; ...; } fvi_step_statistics;

@@ -13,7 +13,7 @@ Lengths, times and masses are in units of your own.
 
     Problem     what moves: potential, mass, damping, force, start; never changes, pickles
     solve       its motion: a Solution with t, x, p, v, a, energy, forces, work; any time, tables, peaks, plots
-    Event       what is watched along a motion: a mark, a stop, an impact
+    Event       what is watched along a motion: a mark, a stop, an impact, a contact
     sweep       the motions of many problems, on all cores
     vjp         the gradient of what is made of a motion, by all that determines it
     gradient    a loss and its gradient; `import fvi.torch` has motions for torch

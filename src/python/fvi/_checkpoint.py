@@ -96,7 +96,7 @@ def rows_by_stepper(motion: Any, events: Any, file: Optional[Checkpoint], t: Arr
     stepper = ffi.gc(out[0], lib.fvi_stepper_free)
     if file:
         count.rows, known = file.load(stepper, x, p, happened)
-        happened.note(stepper, known)
+    known = happened.note(stepper, known)
     arrays = [ffi.from_buffer("double[]", a) for a in (t, x, p)]
 
     def is_done() -> bool:

@@ -1,4 +1,4 @@
-"""Events of a motion: marks, stops, impacts."""
+"""Events of a motion: marks, stops, impacts, contacts."""
 from __future__ import annotations
 
 import math
@@ -25,8 +25,10 @@ class Event:
                arrays of d numbers, or numbers where the start is one. z of an impact knows x and t alone
     action     "mark", the time is noted; "stop", the motion ends; "impact:E", the momentum jumps along the normal dz/dx, and
                the speed with which z changes is then -E times what it was, 0 <= E <= 1. A body that comes to rest there ends
-               the motion before `time`: see `message`, and len(t) for the rows that there are
-    gradient   of an impact whose z is a function: a function of (t, x) that gives dz/dx, d numbers, and dz/dt
+               the motion before `time`: see `message`, and len(t) for the rows that there are. "contact:E", an impact, but a
+               body that comes to rest stays on the surface and may slide along it, until a force pulls it off: the time of
+               that is noted, too
+    gradient   of an impact or a contact whose z is a function: a function of (t, x) that gives dz/dx, d numbers, and dz/dt
     direction  1: z must rise through 0; -1: fall; 0: either
     rest       of an impact: a body that would rise no higher than this is at rest, a length of x; 0: what a step may be off
                by, or the `error` of `solve`
@@ -54,6 +56,10 @@ class Event:
     def text(self) -> str:
         """As the library reads it; of a function the action alone is read."""
         return f"{self.value if isinstance(self.value, str) else 'x1'} : {self.action}"
+
+    @property
+    def is_contact(self) -> bool:
+        return self.action.partition(":")[0].strip() == "contact"
 
     @property
     def name(self) -> str:
@@ -132,7 +138,7 @@ class Events:
             if isinstance(event.value, str):
                 continue
             s.keep.append(ffi.new_handle(Watched(event, s.scalar)))
-            to.value, to.params, to.gradient = lib.ask_event, s.keep[-1], ffi.NULL
+            to.value, to.params, to.gradient, to.hessian = lib.ask_event, s.keep[-1], ffi.NULL, ffi.NULL
             if event.gradient is not None:
                 to.gradient = lib.ask_normal
 

@@ -26,7 +26,8 @@ class Solution:
                 dampers of matrices "fvi-lobatto4d" and its kin know forces and work, and "fvi-adaptive" does not
     multipliers of the constraints, (n, their number); reactions: what moves each coordinate that is imposed, a dict, "x1", ...
     ag          acceleration of the ground, n numbers, 0 if it does not move
-    t_events    of each event an array of its times; x_events, p_events: x and p there, (k, d), p behind an impact
+    t_events    of each event an array of its times, of a contact also those at which a body lifts off; x_events, p_events:
+                x and p there, (k, d), p behind an impact
     balance     energy + work of the dampers - work of the force: that of the start
     status      0; or the code with which the run ended, of the rows of an Error
     message     in words

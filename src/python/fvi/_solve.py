@@ -58,8 +58,9 @@ class Motion:
             if not math.isfinite(v):
                 raise refused("v0", v, "must be finite")
         alpha = q.order / 2 if q.order is not None else 0.5 if q.alpha is None else q.alpha
+        is_mechanism = q.kind == "mechanism" or (q.kind == "masses" and any(e.is_contact for e in how.events))
         mechanism = Mechanism(q.lagrangian, q.dampers, q.constraints, q.impose, q.force_on, own_law(
-            alpha, q.damping, q.past)) if q.kind == "mechanism" else None
+            alpha, q.damping, q.past)) if is_mechanism else None
         structure = Structure(q.M, q.K, q.C, q.dampers, PASTS) if is_structure else None
         self.problem, self.time = q, q.time
         self.system = s = System(q.potential, q.force, 1.0 if is_structure else q.mass, 0.0 if is_structure else rho, x0,
@@ -435,7 +436,7 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
     longest     of "fvi-adaptive", or with error: no step is longer, so that no pulse of a function is passed over
     most_steps  likewise: no run takes more
     events      what is watched, of "fvi-adaptive": 'Z : WHAT' as the program has them, "x : impact:0.8", "v : mark",
-                "x1 - 2 : stop", or an `Event`; one or several. The Solution has their times, t_events
+                "x : contact:0.8", "x1 - 2 : stop", or an `Event`; one or several. The Solution has their times, t_events
     checkpoint  the name of a file to which the motion is written, every 10 s and at its end. If it is there, the motion
                 goes on from it: the numbers are those of a run that was never stopped, to the bit; events, too. Not with error
     memory, tolerance  how the past is summed, "auto", "direct" or "exponentials", and the tolerance of the latter

@@ -1,0 +1,210 @@
+/* src/variable_step/variable_step_contact.c -- A body rests on a surface, slides, and lifts off.   [H 29, 22]
+ *
+ * While a contact is closed its Z = 0 is a constraint, and the multiplier is the force of the surface. The
+ * contact opens where this force would have to pull. */
+#include "variable_mechanism.h"
+#include "variable_step_events.h"
+
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdint.h>
+
+int fvi_variable_step_close_contact(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
+{
+    fvi_event_watch *w = o->watch;
+    w->closed[i] = w->side[i] != 0 ? w->side[i] : fvi_variable_step_outside(&s->run.events[i]);
+    w->side[i] = w->closed[i];
+    int status = fvi_mechanism_close_contact(s, o->t, o->y, i);
+    if (!status)
+        status = fvi_mesh_jump(s, o, s->p, 0);
+    o->first_after_event = 1;
+    o->next = o->first;
+    return status;
+}
+
+/* A hop lower than the error of a step is nothing yet: z is 0 there. */
+int fvi_variable_step_open_contact(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
+{
+    fvi_event_watch *w = o->watch;
+    const fvi_mechanism_state *of = s->mechanism;
+    const double *normal = of->C + fvi_mechanism_row_of_contact(of, i) * of->d;
+    const int is_new = w->is_new[i] != 0;
+    w->rounding[i] = o->allowed * fvi_mechanism_largest(of->d, normal) / 4;
+    w->side[i] = w->closed[i];
+    w->closed[i] = w->is_new[i] = 0;
+    w->has_hit[i] = 1;
+    o->first_after_event = 1;
+    o->next = o->first;
+    const int status = fvi_mechanism_open_contact(s, o->t, o->y, i);
+    return status || is_new
+               ? status
+               : fvi_variable_step_note_event(w, (fvi_event_time){ o->t, i, .lifts_off = 1 });
+}
+
+int fvi_variable_step_open_pulled(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
+                                  double factor)
+{
+    int status = FVI_SUCCESS;
+    while (o->watch && o->mechanism && !status) {
+        size_t i;
+        status = fvi_mesh_pulled_contact(s, o, J, factor, o->watch->closed, &i);
+        if (status || i == SIZE_MAX)
+            break;
+        status = fvi_variable_step_open_contact(s, o, i);
+    }
+    return status;
+}
+
+/* A step from here, which is not taken: its stages know how the closed contacts push. */
+static int try_first_step(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    enum { SHORTER = 20 };
+    double h = fmin(exp(fvi_variable_spacing() * o->first), fvi_variable_step_next_event(o) - o->t), error;
+    int status = h > 0 ? FVI_SUCCESS : FVI_EMAXITER;
+    for (int i = 0; i < SHORTER && h > 0; i++, h /= 4) {
+        status = fvi_variable_step_try(s, o, (fvi_length){ h, FVI_OFF_LATTICE }, &error);
+        if (status != FVI_EMAXITER && status != FVI_ESING)
+            return status;
+    }
+    return status;
+}
+
+/* The contact that pulls most at the beginning of that step; SIZE_MAX if none does. */
+static size_t find_pull(const fvi_stepper *s, const fvi_variable_step_state *o)
+{
+    const fvi_mechanism_state *of = s->mechanism;
+    double worst = 0;
+    size_t which = SIZE_MAX;
+    for (size_t l = of->own; l < of->m; l++) {
+        const size_t i = of->contact[l - of->own];
+        const double pull = -fvi_variable_step_push(s, o, i, 0);
+        if (pull > worst && pull > fvi_mesh_contact_noise(s, o, l)) {
+            worst = pull;
+            which = i;
+        }
+    }
+    return which;
+}
+
+/* What has been closed and pushes is at rest. */
+static int note_rest(const fvi_stepper *s, fvi_event_watch *w)
+{
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < w->count && !status; i++) {
+        if (w->is_new[i] == 2)
+            status = fvi_variable_step_note_event(w, (fvi_event_time){ s->t, i, .at_rest = 1 });
+        for (size_t n = w->happened; n-- > 0 && w->is_new[i] == 1;)
+            if (w->times[n].event == i) {
+                w->times[n].at_rest = 1;
+                break;
+            }
+        w->is_new[i] = 0;
+    }
+    return status;
+}
+
+int fvi_variable_step_check_contacts(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const fvi_length length = o->length;
+    int status = FVI_SUCCESS;
+    while (o->mechanism && s->mechanism->m > s->mechanism->own && !status) {
+        status = try_first_step(s, o);
+        if (status == FVI_EMAXITER || status == FVI_ESING) { /* the step that follows says why */
+            status = FVI_SUCCESS;
+            break;
+        }
+        const size_t i = status ? SIZE_MAX : find_pull(s, o);
+        if (i == SIZE_MAX)
+            break;
+        status = fvi_variable_step_open_contact(s, o, i);
+    }
+    o->length = length;
+    o->powers_known = 0; /* the trial stands there */
+    return status ? status : note_rest(s, o->watch);
+}
+
+int fvi_variable_step_start_contacts(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    fvi_event_watch *w = o->watch;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; w && i < w->count && !status; i++) {
+        const fvi_event *e = &s->run.events[i];
+        double z, speed, *normal = w->point + 2 * o->d;
+        if (e->action != FVI_EVENT_CONTACT
+            || e->value(s->t, o->d, s->x, s->p, e->params, &z) || z != 0)
+            continue;
+        status = fvi_variable_step_speed_of_event(s, i, s->t, s->x, s->p, normal, &speed);
+        const double size = fvi_mechanism_largest(o->d, normal) * fvi_mechanism_largest(o->d, o->v);
+        if (status || fabs(speed) > 1e-12 * size)
+            continue;
+        status = fvi_variable_step_close_contact(s, o, i);
+        w->is_new[i] = 2;
+    }
+    return status || !w ? status : fvi_variable_step_check_contacts(s, o);
+}
+
+double fvi_variable_step_push(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
+                              double theta)
+{
+    const size_t row = fvi_mechanism_row_of_contact(s->mechanism, i);
+    return -o->watch->closed[i] * fvi_mesh_contact_force(s, o, row, theta);
+}
+
+/* At t = 0 no step has been made. */
+static int force_of_first_step(const fvi_stepper *s, size_t i, double *force)
+{
+    fvi_stepper *fork = NULL;
+    int status = fvi_stepper_copy(s, &fork);
+    if (!status)
+        status = fvi_stepper_step(fork);
+    if (!status)
+        status = fvi_stepper_contact_force(fork, i, 0, force);
+    fvi_stepper_free(fork);
+    return status;
+}
+
+int fvi_stepper_contact_force(const fvi_stepper *s, size_t i, double t, double *force)
+{
+    if (!s || !force)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    const fvi_mechanism_state *of = s->mechanism;
+    if (s->method->scheme != FVI_SCHEME_VARIABLE_STEP || !of)
+        FVI_FAIL("not a stepper of fvi_variable_step with a mechanism", FVI_EUNSUP);
+    if (i >= s->run.event_count || s->run.events[i].action != FVI_EVENT_CONTACT)
+        FVI_FAIL("there is no such contact", FVI_EINVAL);
+    const fvi_variable_step_state *o = s->method_state;
+    *force = 0;
+    if (s->t == 0)
+        return o->watch->closed[i] != 0 ? force_of_first_step(s, i, force) : FVI_SUCCESS;
+    for (size_t l = of->own; l < of->last_m; l++)
+        if (of->last_contact[l - of->own] == i)
+            *force = fabs(fvi_mesh_multiplier(s, l, t));
+    return FVI_SUCCESS;
+}
+
+void fvi_variable_step_find_lift(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i)
+{
+    const fvi_event_watch *w = o->watch;
+    const size_t row = fvi_mechanism_row_of_contact(s->mechanism, i), stages = o->rule->s;
+    const double noise = fvi_mesh_contact_noise(s, o, row);
+    double low = 0, high = 0;
+    size_t n = 0;
+    w->theta[i] = INFINITY;
+    w->z[i * stages] = fvi_variable_step_push(s, o, i, 0);
+    for (; n < stages; n++) {
+        high = n + 1 < stages ? o->rule->c[n] : 1;
+        if (w->z[i * stages + n] < -noise)
+            break;
+        low = high;
+    }
+    for (int k = 0; k < 50 && n > 0 && n < stages; k++) {
+        const double middle = low + (high - low) / 2;
+        if (fvi_variable_step_push(s, o, i, middle) > 0)
+            low = middle;
+        else
+            high = middle;
+    }
+    if (n < stages)
+        w->theta[i] = n == 0 ? 0 : high;
+}

@@ -1,0 +1,114 @@
+/* src/variable_step/variable_step_control.c -- Which length does the next step have?   [H 22] */
+#include "variable_step_events.h"
+
+#include "system/larger.h"
+
+#include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+//> control
+/* How many factors exp(L) the next step is longer: the error is of order h^{s+1}. */
+static int step_change(const fvi_variable_step_state *o, double error)
+{
+    const double L = fvi_variable_spacing(),
+                 order = ((double)o->rule->s + 1) * L;
+    const double room = log(o->allowed / error) / order;
+    if (error <= o->allowed) { /* (22.17) */
+        const double more = floor(0.9 * room - 0.3);
+        return more < -1 ? -1 : more < o->growth ? (int)more : o->growth;
+    }
+    const double less = ceil(log(1.5) / order - room);
+    return less < 1                    ? -1
+           : less <= FVI_VARIABLE_STEP_LESS ? -(int)less
+                                       : -FVI_VARIABLE_STEP_LESS; /* NaN, too */
+}
+//< control
+
+/* Where x'' is smooth, a shorter step has an error of order h^s at least. One that hardly
+ * falls tells of a jump that is not declared, whose coefficients hardly fall, and what
+ * (22.16) says of it is a hundredth of the truth: until the place is passed it counts so
+ * much more. */
+static double assess_error(fvi_variable_step_state *o, double error, double error_before,
+                    double h_before)
+{
+    if (!o->first_after_event && error_before > 0
+        && error > error_before * gsl_pow_4(o->length.h / h_before))
+        o->undeclared_jump_until = larger(o->undeclared_jump_until, o->t + h_before);
+    return o->t < o->undeclared_jump_until ? 100 * error : error;
+}
+
+/* The exponent of the next step, after one that is taken. A step that was made shorter
+ * before is not followed by a longer one. */
+static void grow_step(fvi_variable_step_state *o, double error, int again)
+{
+    const int more = step_change(o, error),
+              k = fvi_variable_step_exponent(o->length) + (again && more > 0 ? 0 : more);
+    o->next = o->length.k == FVI_OFF_LATTICE && !o->first_after_event
+                  ? (int)fmax(o->next, k) /* it was cut by an event */
+                  : k;
+    o->steps_since_failure = (o->steps_since_failure + 1) % FVI_VARIABLE_STEP_RETRY;
+    if (o->steps_since_failure == 0 && o->longest_solvable < o->most)
+        o->longest_solvable++;
+    o->next = (int)smaller(o->next, fmin(o->most, o->longest_solvable));
+    if (o->first_after_event) /* the next restart begins where this one got to */
+        o->first = o->next;
+}
+
+/* The same after one that is not, as its error is too large, or NaN; or as its equation
+ * was not solved. */
+static void shrink_step(fvi_variable_step_state *o, fvi_length length, double error,
+                    int failed)
+{
+    const int now = fvi_variable_step_exponent(length);
+    if (failed) {
+        o->longest_solvable = now - 1;
+        o->steps_since_failure = 0;
+    }
+    o->next = (int)fmax(now + (failed ? -2 : step_change(o, error)), o->fewest);
+    o->counts.rejected++;
+}
+
+//> find
+/* The first length whose error is small enough. */
+static int find_length(fvi_stepper *s, fvi_variable_step_state *o, double event)
+{
+    double found = 0, error = 0, found_before = 0, h_before = 0;
+    for (;;) {
+        if (fvi_variable_step_runs_away(o, s->run.most_steps))
+            return FVI_ERUNAWAY;
+        fvi_length length;
+        int status = fvi_variable_step_choose(s, o, event, &length);
+        if (!status)
+            status = fvi_variable_step_try(s, o, length, &found);
+        const int failed = status == FVI_EMAXITER || status == FVI_ESING;
+        if (status && !failed)
+            return status;
+        if (!failed)
+            error = assess_error(o, found, found_before, h_before);
+        if (!failed && error <= o->allowed) {
+            grow_step(o, error, h_before > 0);
+            return FVI_SUCCESS;
+        }
+        if (length.h <= o->least)
+            return status              ? status
+                   : gsl_finite(error) ? FVI_EMAXITER
+                                       : FVI_EOVRFLW;
+        shrink_step(o, length, error, failed);
+        found_before = failed ? 0 : found;
+        h_before = length.h;
+    }
+}
+
+/* A contact that opens where the step begins makes it another step. */
+int fvi_variable_step_find(fvi_stepper *s, fvi_variable_step_state *o, double event)
+{
+    int status;
+    do {
+        status = find_length(s, o, event);
+        if (!status && o->watch)
+            status = fvi_variable_step_end_at_event(s, o);
+    } while (!status && o->watch && o->watch->is_released);
+    return status;
+}
+//< find
