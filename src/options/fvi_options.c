@@ -207,8 +207,7 @@ static int fill_in(fvi_options *o, fvi_error *c)
     o->method_is_preset = !o->text[METHOD];
     if (o->text[ERROR] && !o->text[METHOD])
         o->text[METHOD] = o->text[SYSTEM] ? fvi_cq2_midpoint.name
-                          : law && !o->text[EVENT] ? fvi_cq_bdf2.name
-                                          : fvi_variable_step.name;
+                                          : fvi_variable_step.name; /* a law may ask for another */
     if ((o->text[STEP_ERROR] || o->text[LONGEST] || o->text[EVENT]) && !o->text[METHOD])
         o->text[METHOD] = fvi_variable_step.name;
     int status = check_system(o, c);

@@ -80,10 +80,25 @@ static int leaves_structure(const fvi_options *o)
            && !(system.mechanism && fvi_typed_columns_wanted(o->typed) & sums);
 }
 
+/* With --error and --damping the fastest method that takes the law, memory and kappa. */
+static const char *method_of_law(const fvi_options *o)
+{
+    double error;
+    if (!o->method_is_preset || !o->text[ERROR] || !o->text[DAMPING] || o->directory || o->mechanism
+        || fvi_parse_number("error", o->text[ERROR], 0, INFINITY, "()", &error, NULL))
+        return NULL;
+    const fvi_system system = fvi_options_system(o);
+    const fvi_run run = fvi_options_run(o, &system);
+    return fvi_method_for_error(&run, error)->name;
+}
+
 static int interpret_method(fvi_options *o, fvi_error *c)
 {
     if (leaves_structure(o))
         o->text[METHOD] = fvi_variable_step.name;
+    const char *of_law = method_of_law(o);
+    if (of_law)
+        o->text[METHOD] = of_law;
     if (o->method_is_preset && fvi_wants_stable(o) && !fvi_leaves_steps(o))
         o->text[METHOD] = "fvi-stable";
     const int status = fvi_parse_method(o->text[METHOD], &o->method, c);

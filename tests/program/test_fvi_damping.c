@@ -99,10 +99,24 @@ END_TEST
 
 START_TEST(error_takes_the_method_that_knows_laws)
 {
-    ck_assert_int_eq(fvi("run --damping power:0.2,0.3 --error 1e-6 --steps 4"),
-                     0);
-    ck_assert_ptr_nonnull(strstr(out, "\n# method = fvi-bdf2\n"));
-    ck_assert_ptr_nonnull(strstr(out, "\n# error estimate = "));
+    static const struct {
+        const char *words, *method;
+    } taken[] = { { "power:0.2,0.3 --error 1e-6", "adaptive" },
+                  { "'symbol:0.3*s^0.5' --error 1e-3", "adaptive" },
+                  { "power:0.1,0.7 --p0 0 --error 1e-3", "adaptive" },
+                  { "power:0.1,0.7 --error 1e-3", "bdf2" },
+                  { "zener:1,0.6,0.5 --error 1e-3", "bdf2" },
+                  { "zener:1,0.6,0.5 --error 1e-7", "lobatto4" },
+                  { "power:0.2,0.3 --error 1e-3 --kappa 1", "bdf2" },
+                  { "power:0.2,0.3 --error 1e-3 --memory direct", "bdf2" } };
+    for (size_t i = 0; i < LEN(taken); i++) {
+        char words[200], head[64];
+        snprintf(words, sizeof words, "run --steps 4 --damping %s", taken[i].words);
+        snprintf(head, sizeof head, "\n# method = fvi-%s\n", taken[i].method);
+        ck_assert_msg(fvi(words) == 0, "%s: %s", words, err);
+        ck_assert_msg(strstr(out, head) != NULL, "%s: %s", words, out);
+        ck_assert_ptr_nonnull(strstr(out, "\n# error estimate = "));
+    }
 }
 END_TEST
 

@@ -181,7 +181,7 @@ START_TEST(wrong_parameters_and_lists_are_refused)
         "fvi: --error: the force 'step:1,1 + step:1,1.05' jumps between two "
         "rows; take other --steps, or --method fvi-adaptive");
     ck_assert_refused(
-        "run --error 0.1 --force step:1,1.05 --damping zener:1,0.3,2",
+        "run --error 0.1 --force step:1,1.05 --damping zener:1,0.6,2",
         "fvi: --error: the force 'step:1,1.05' jumps between two rows; take "
         "other --steps");
 }

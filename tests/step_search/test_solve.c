@@ -77,6 +77,40 @@ START_TEST(a_tolerance_is_reached_at_any_times)
 }
 END_TEST
 
+/* Steps of any length wherever they take the law; else four stages for a small error, order 2 for a large one. Each
+ * reaches its tolerance: against a search by other steps, to 1.1 of it. */
+START_TEST(a_law_has_the_method_that_takes_it)
+{
+    const fvi_kernel_term terms[] = { { FVI_KERNEL_ZENER, 1, 0.3, 0.5, 0 }, { FVI_KERNEL_ZENER, 1, 0.6, 0.5, 0 } };
+    const double whole = 1, start = 0.5;
+    for (size_t i = 0; i < 2 * LEN(terms); i++) {
+        const fvi_kernel law = { 1, &terms[i / 2] };
+        const double tolerance = i % 2 ? 1e-7 : 1e-3;
+        double x[5], other[5];
+        fvi_problem problem = duffing();
+        problem.law = &law;
+        problem.p0 = &start;
+        const fvi_accuracy accuracy = { .tolerance = tolerance };
+        fvi_outputs outputs = { .rows = LEN(x), .x = x };
+        fvi_report report;
+        OK(fvi_solve(&problem, NULL, &accuracy, &outputs, &report, &error));
+        ck_assert_ptr_eq(report.method, i < 2    ? &fvi_variable_step
+                                        : i == 2 ? &fvi_cq_bdf2
+                                                 : &fvi_lobatto_m4);
+        const fvi_solve_options by_other = { .method = i < 2 ? &fvi_lobatto_m4 : &fvi_lobatto_d4 };
+        outputs.x = other;
+        OK(fvi_solve(&problem, &by_other, &(fvi_accuracy){ .tolerance = tolerance / 10 }, &outputs, NULL, &error));
+        for (size_t k = 0; k < LEN(x); k++)
+            ck_assert_double_le(fabs(x[k] - other[k]), 1.1 * tolerance);
+        const fvi_solve_options by_kappa = { .kappa = &whole };
+        if (tolerance > 1e-4) {
+            OK(fvi_solve(&problem, &by_kappa, &accuracy, &outputs, &report, &error));
+            ck_assert_ptr_eq(report.method, &fvi_cq_bdf2);
+        }
+    }
+}
+END_TEST
+
 /* A linear motion against the exact solution; of a law that fvi-adaptive may not take, too. */
 START_TEST(a_tolerance_is_reached_whatever_the_method)
 {
@@ -248,6 +282,7 @@ int main(void)
 {
     Suite *suite = suite_create("the one call");
     ADD_CASE(suite, "solve", a_tolerance_is_reached_at_any_times,
+             a_law_has_the_method_that_takes_it,
              a_tolerance_is_reached_whatever_the_method,
              a_method_and_a_step_are_steps,
              what_is_wrong_has_field_value_and_index, rows_come_in_order,

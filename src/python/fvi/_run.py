@@ -318,8 +318,8 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     h, steps    the step, a time > 0, and how many, a whole number >= 1; 0.1 and 200
     time        instead of h the time > 0 of the last row: h = time / steps
     error       instead of h, a length > 0: the rows to `time`, 20, with steps between them so chosen that x is
-                right to it by an estimate; by "fvi-adaptive", or "fvi-bdf2" with damping,
-                unless another method is named
+                right to it by an estimate; by "fvi-adaptive", or for a law that it does not take
+                "fvi-lobatto4" or "fvi-bdf2", unless another method is named
     step_error  instead of error, a length > 0: what x may be off by in one step of "fvi-adaptive", the method
                 then, by the estimate of that step
     longest     no step is longer, of "fvi-adaptive" or where `error` is given: shorter than the shortest
@@ -345,7 +345,8 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
             if options.get(name) is not None:
                 raise ValueError(f"{name}: not together with error")
         options.setdefault("time", 20.0)
-        options.setdefault("method", "fvi-adaptive" if options.get("damping") is None else "fvi-bdf2")
+        is_open = "method" not in options and options.get("damping") is not None
+        options.setdefault("method", "fvi-bdf2" if is_open else "fvi-adaptive")
         if options.get("most_steps") is not None:
             most = whole("most_steps", options.pop("most_steps"), 1)
     if options.get("step_error") is not None or options.get("longest") is not None:
@@ -366,6 +367,8 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     else:
         if not 0 < number("error", error) < math.inf:
             raise Error(f"error: {error} is not above 0, or not finite", lib.FVI_EDOM)
+        if is_open:
+            method = lib.fvi_method_for_error(r, number("error", error))
         estimate = solve(method, r, number("time", options["time"]), number("error", error), most, pointers)
     x, p, energy = (out[n] if n in wanted else None for n in ("x", "p", "energy"))
     return Run(np.arange(rows) * r.h, x, p, energy, estimate)

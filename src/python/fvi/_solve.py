@@ -174,7 +174,7 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
     if method is None:
         method = "fvi" if h is not None else "fvi-adaptive"
         if error is not None and problem.damping is not None:
-            method = "fvi-bdf2"
+            method = method_for_error(problem, error, kappa, memory, tolerance)
     found = lib.fvi_method_find(word("method", method).encode())
     if found == ffi.NULL:
         names = [m.name for m in methods()]
@@ -218,6 +218,13 @@ def path(what: str, given: Any) -> str:
         return os.fsdecode(given)
     except TypeError as error:
         raise TypeError(f"{what}: {described(given)} is no name of a file") from error
+
+
+def method_for_error(problem: Problem, error: float, kappa: Optional[float], memory: str, tolerance: float) -> str:
+    """The fastest that takes the law."""
+    motion = Motion(problem, Numerics("fvi-bdf2", problem.time, 1, 0.5 if kappa is None else number("kappa", kappa), None, None,
+                                      None, 0, "auto" if memory not in MEMORIES else memory, number("tolerance", tolerance), None))
+    return text_of(lib.fvi_method_for_error(motion.run, number("error", error)).name)
 
 
 def takes_any_steps(structure: Problem) -> bool:
@@ -423,7 +430,8 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
                 different accuracy must have the same events, and their times are right to error divided by the largest
                 speed; a body whose hops are no higher than error is at rest
     method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h, of order 1, beside which "fvi-lobatto4"
-                has order 4 and more; "fvi-bdf2" for a law with error;
+                has order 4 and more; with error and a law that
+                "fvi-adaptive" does not take, "fvi-lobatto4" or "fvi-bdf2", as measured to be the fastest;
                 "fvi-stable" of mechanisms and matrices with h, and, with a warning, for matrices with a damping of order 2 or
                 several dampers
     h           the step, a time > 0 of which the problem's time is a multiple; of "fvi-adaptive", whose steps are its
