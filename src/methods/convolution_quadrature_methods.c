@@ -25,6 +25,17 @@ static int force_after(fvi_stepper *s, size_t k)
 }
 //< force
 
+/* The same of eight coordinates: each sum is added up in the same order, and none waits for another. */
+static void filter_eight(const fvi_cq_damper *o, const double *past, double *term)
+{
+    enum { EIGHT = 8 };
+    double sum[EIGHT] = { 0 };
+    for (size_t n = 0; n < o->taps; n++)
+        for (size_t j = 0; j < EIGHT; j++)
+            sum[j] += o->g[n] * past[j * 2 * o->taps + n];
+    memcpy(term, sum, sizeof sum);
+}
+
 //> filter
 /* The factor g, ((3 - z)/2)^beta or g_0 + g_1 z, applied to the term that has come in.
  * (13.11), (13.16) */
@@ -34,8 +45,15 @@ static void filter(fvi_cq_damper *o, size_t count, double *term)
         return;
     o->place = (o->place + o->taps - 1) % o->taps;
     for (size_t j = 0; j < count; j++) {
-        double *past = o->past + j * 2 * o->taps + o->place, sum = 0;
+        double *past = o->past + j * 2 * o->taps + o->place;
         past[0] = past[o->taps] = term[j];
+    }
+    size_t j = 0;
+    for (; j + 8 <= count; j += 8)
+        filter_eight(o, o->past + j * 2 * o->taps + o->place, term + j);
+    for (; j < count; j++) {
+        const double *past = o->past + j * 2 * o->taps + o->place;
+        double sum = 0;
         for (size_t n = 0; n < o->taps; n++)
             sum += o->g[n] * past[n];
         term[j] = sum;

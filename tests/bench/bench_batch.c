@@ -56,18 +56,37 @@ static void walk(const fvi_method *method, const fvi_run *run)
     fvi_stepper_free(s);
 }
 
+/* The last place, or the sum of those of all lanes. */
+static int last_place(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp)
+{
+    (void)x, (void)p, (void)params, (void)Jp;
+    for (size_t j = 0; j < d && k == STEPS; j++)
+        Jx[j] += 1;
+    return 0;
+}
+
+/* Its derivatives by starts, masses, dampings and the order: a run forwards and one back. */
+static void walk_back(const fvi_method *method, const fvi_run *run)
+{
+    static const fvi_objective J = { .slopes = last_place };
+    double x0[8], p0[8], mass[8], damping[8], alpha;
+    const fvi_sensitivities by = { .x0 = x0, .p0 = p0, .mass = mass, .damping = damping, .alpha = &alpha };
+    check(fvi_adjoint(method, run, NULL, NULL, &J, &by));
+}
+
 /* ns a run and step, the start included. */
-static double time_of(const fvi_method *method, const fvi_run *run, size_t together)
+static double time_of(void (*go)(const fvi_method *, const fvi_run *), const fvi_method *method,
+                      const fvi_run *run, size_t together)
 {
     const double start = now();
     for (size_t i = 0; i < RUNS; i += together) {
         fvi_batch *batch;
         if (together == 1) {
-            walk(method, run + i);
+            go(method, run + i);
             continue;
         }
         check(fvi_batch_alloc(method, together, run + i, &batch, NULL));
-        walk(method, fvi_batch_run(batch));
+        go(method, fvi_batch_run(batch));
         fvi_batch_free(batch);
     }
     return 1e9 * (now() - start) / RUNS / (double)run->steps;
@@ -85,7 +104,7 @@ static double median(size_t n, double *v)
     return v[n / 2];
 }
 
-static void row(const fvi_method *method, int from_text)
+static void row(const fvi_method *method, int from_text, int is_adjoint)
 {
     static oscillator o[RUNS];
     fvi_run run[RUNS];
@@ -96,12 +115,12 @@ static void row(const fvi_method *method, int from_text)
         run[i].alpha = 0.3;
     }
     for (size_t turn = 0; turn < TURNS; turn++) {
-        alone[turn] = time_of(method, run, 1);
-        together[turn] = time_of(method, run, 8);
+        alone[turn] = time_of(is_adjoint ? walk_back : walk, method, run, 1);
+        together[turn] = time_of(is_adjoint ? walk_back : walk, method, run, 8);
         ratio[turn] = alone[turn] / together[turn];
     }
     const double middle = median(TURNS, ratio);
-    printf("%s, %s\t%.0f\t%.0f\t%.1f\t%.1f\t%.1f\n", method->name, from_text ? "texts" : "ready-made",
+    printf("%s%s, %s\t%.0f\t%.0f\t%.1f\t%.1f\t%.1f\n", is_adjoint ? "adjoint of " : "", method->name, from_text ? "texts" : "ready-made",
            median(TURNS, alone), median(TURNS, together), middle, ratio[0], ratio[TURNS - 1]);
     fflush(stdout);
     for (size_t i = 0; i < RUNS; i++) {
@@ -156,7 +175,9 @@ int main(void)
            "# method, potential and force\tone by one\ttogether\ttimes as fast\tleast\tlargest\n", STEPS);
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++)
         for (int from_text = 0; from_text < 2; from_text++)
-            row(methods[i], from_text);
+            row(methods[i], from_text, 0);
+    for (int from_text = 0; from_text < 2; from_text++)
+        row(&fvi_cq2_midpoint, from_text, 1);
     printf("#< runs\n\n\n# fvi sweep, 1600 runs of fvi-stable in one process, seconds\n#> sweep\n"
            "# potential and force\tone by one\ttogether\ttimes as fast\tleast\tlargest\n");
     for (int steps = 200; steps <= 2000; steps *= 10) {

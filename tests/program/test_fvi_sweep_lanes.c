@@ -19,18 +19,18 @@ static void same_table(const char *words)
     free(want);
 }
 
-/* The grid of a picture of basins, by each method. */
+/* The grid of a picture of basins, and a smaller one by the other methods. */
 START_TEST(a_thousand_and_six_hundred_rows_are_those_of_single_runs)
 {
-    static const char *const methods[] = { "fvi", "fvi-stable", "fvi-bdf2", "fvi-lobatto3", "euler-implicit" };
+    static const char *const methods[] = { "fvi-stable", "fvi", "fvi-bdf2", "fvi-lobatto3", "euler-implicit" };
     char line[400];
     for (size_t i = 0; i < LEN(methods); i++) {
         snprintf(line, sizeof line,
-                 "--vary x0=-1.5:1.5:40 --vary A=0:0.4:40 --potential 'x^4/4 - x^2/2' --force 'A*cos(1.2*t)' %s "
+                 "--vary x0=-1.5:1.5:%d --vary A=0:0.4:%d --potential 'x^4/4 - x^2/2' --force 'A*cos(1.2*t)' %s "
                  "--method %s --h 0.05 --steps 60 --columns x,energy",
-                 strcmp(methods[i], "euler-implicit") ? "--alpha 0.3" : "", methods[i]);
+                 i ? 9 : 40, i ? 9 : 40, strcmp(methods[i], "euler-implicit") ? "--alpha 0.3" : "", methods[i]);
         same_table(line);
-        ck_assert_uint_eq(count_rows(), 1600);
+        ck_assert_uint_eq(count_rows(), i ? 81 : 1600);
     }
 }
 END_TEST
