@@ -137,7 +137,10 @@ int fvi_stability_of_matrices(double spring, const double *damper, const fvi_run
                               double *load)
 {
     const fvi_matrices *m = run->system->matrices;
-    const fvi_damping_matrix C = { m->remembered, m->remember, m->damp, m->params };
+    const fvi_damping_matrix C = { .remembered = m->remembered,
+                                   .remember = m->remember,
+                                   .damp = m->damp,
+                                   .params = m->params };
     weighed w = { .run = run,
                   .spring = spring,
                   .count = m->damper_count > 0 ? m->damper_count : 1,

@@ -116,6 +116,8 @@ typedef struct {
  *   remember   writes B^T x - from to z, r numbers each; none is another
  *   damp       takes a S z away from the d numbers p
  *   params     handed to the functions, owned by the caller
+ *   diagonal   NULL; or writes the diagonal of C, d numbers, by which a run tells a C x0 that is felt
+ *              from roundings
  *
  * The functions return 0, or a code as those of a potential do. */
 typedef struct {
@@ -125,6 +127,7 @@ typedef struct {
     int (*damp)(size_t d, double a, const double *z, const void *params,
                 double *p);
     const void *params;
+    int (*diagonal)(size_t d, const void *params, double *C);
 } fvi_damping_matrix;
 
 /* fvi_matrices -- M, C and K of a linear system                          [H 27]

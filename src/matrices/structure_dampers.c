@@ -21,6 +21,14 @@ static int damp_by_damper(size_t d, double a, const double *z, const void *param
     return FVI_SUCCESS;
 }
 
+static int find_diagonal(size_t d, const void *params, double *C)
+{
+    const fvi_history_space *B = params;
+    for (size_t i = 0; i < d; i++)
+        C[i] = fvi_sparse_entry(B->C, i, i);
+    return FVI_SUCCESS;
+}
+
 const fvi_sparse *fvi_structure_damping(const fvi_structure *s, size_t j)
 {
     const fvi_damper *damper = s->mechanism.damper + j;
@@ -124,7 +132,7 @@ static int find_damper_space(fvi_structure *s, size_t j, fvi_error *error)
                                                 : "no memory for its matrix",
                              error);
     s->damper[j] = (fvi_damping_matrix){ s->space[j].r, select_damper_history,
-                                         damp_by_damper, s->space + j };
+                                         damp_by_damper, s->space + j, find_diagonal };
     return FVI_SUCCESS;
 }
 

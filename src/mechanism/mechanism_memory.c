@@ -2,6 +2,7 @@
 #include "mechanism_state.h"
 #include "memory/history_kinds.h"
 #include "memory/history_parts.h"
+#include "run/solution.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -60,16 +61,25 @@ int fvi_mechanism_check_stretch(const fvi_kernel *kernel, size_t j, fvi_error *e
     return FVI_SUCCESS;
 }
 
+int fvi_mechanism_is_stretched(const fvi_stepper *s, size_t j)
+{
+    const fvi_mechanism_state *o = s->mechanism;
+    double size = 0;
+    for (size_t i = 0; i < o->d; i++)
+        size += fabs(o->G[j * o->d + i] * s->x[i]);
+    return !(fabs(o->z[j]) <= FVI_FELT * size);
+}
+
 /* The past rl, which was stretched to z at t = 0: its forces are known, and there is a motion, for powers of
  * order 1 at most. */
 static int add_start_forces_of_place(fvi_stepper *s, size_t j, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->mechanism;
     const fvi_kernel *kernel = s->run.system->mechanism->damper[j].kernel;
-    int status = FVI_SUCCESS;
-    if (o->z[j] != 0)
-        status = fvi_mechanism_check_stretch(kernel, j, error);
-    for (size_t i = 0; i < kernel->count && o->z[j] != 0 && !status; i++) {
+    if (!fvi_mechanism_is_stretched(s, j))
+        return FVI_SUCCESS;
+    int status = fvi_mechanism_check_stretch(kernel, j, error);
+    for (size_t i = 0; i < kernel->count && !status; i++) {
         const fvi_kernel_term *t = &kernel->term[i];
         if (t->rho != 0 && t->alpha < 0.5)
             status = add_start_force(s, j, t, o->z[j]);

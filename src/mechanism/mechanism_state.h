@@ -103,7 +103,9 @@ int fvi_mechanism_force(fvi_stepper *s, double t, double *F);
 int fvi_mechanism_begin_histories(fvi_stepper *s, const double *v,
                                   fvi_error *error);
 
-/* fvi_mechanism_check_stretch -- can damper j, from 0, have been stretched at t = 0 at once, the past rl? */
+/* fvi_mechanism_is_stretched -- at the start: is the elongation of damper j more than roundings (run/solution.h)?
+ * fvi_mechanism_check_stretch -- can damper j, from 0, have been stretched at t = 0 at once, the past rl? */
+int fvi_mechanism_is_stretched(const fvi_stepper *s, size_t j);
 int fvi_mechanism_check_stretch(const fvi_kernel *kernel, size_t j, fvi_error *error);
 
 /* fvi_mechanism_predict_forces -- `known` and `start_impulse` of this step. The force of a damper is then

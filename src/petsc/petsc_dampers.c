@@ -27,6 +27,21 @@ static int damp_touched(size_t d, double a, const double *z, const void *params,
     return status;
 }
 
+/* Unknowns that it does not touch have 0. */
+static int find_diagonal(size_t d, const void *params, double *C)
+{
+    const petsc_damper *damper = params;
+    memset(C, 0, d * sizeof *C);
+    if (VecPlaceArray(damper->z, damper->product))
+        return FVI_EBADFUNC;
+    const PetscErrorCode wrong = MatGetDiagonal(damper->touched, damper->z);
+    if (VecResetArray(damper->z) || wrong)
+        return FVI_EBADFUNC;
+    for (PetscInt i = 0; i < damper->count; i++)
+        C[damper->index[i]] = damper->product[i];
+    return FVI_SUCCESS;
+}
+
 /* ---- which rows it has ---- */
 
 //> rows
@@ -82,7 +97,7 @@ PetscErrorCode petsc_set_damper(share *s, PetscInt j, Mat C)
     PetscCall(PetscMalloc1(damper->count + 1, &damper->product));
     PetscCall(MatCreateVecs(damper->touched, &damper->z, &damper->y));
     s->damping[j] = (fvi_damping_matrix){ (size_t)damper->count, remember_touched,
-                                          damp_touched, damper };
+                                          damp_touched, damper, find_diagonal };
     PetscFunctionReturn(0);
 }
 

@@ -41,8 +41,10 @@ fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j)
     if (m)
         damper.matrix = of_mechanism
                             ? m->damper[j]
-                            : (fvi_damping_matrix){ m->remembered, m->remember,
-                                                    m->damp, m->params };
+                            : (fvi_damping_matrix){ .remembered = m->remembered,
+                                                    .remember = m->remember,
+                                                    .damp = m->damp,
+                                                    .params = m->params };
     return damper;
 }
 

@@ -20,15 +20,15 @@ static int product(const fvi_run *run, double *y, double *z)
     return status;
 }
 
-static int is_felt(const fvi_run *run, const double *y)
+/* Is y = C x0 more than roundings, where C has this diagonal? */
+static int is_felt(const fvi_run *run, const double *C, const double *y)
 {
-    const double *C = run->system->damping; /* its diagonal */
     double largest = 0;
     int felt = 0;
     for (size_t i = 0; i < run->system->d; i++)
         largest = larger(largest, sqrt(C[i]) * fabs(run->x0[i]));
     for (size_t i = 0; i < run->system->d; i++)
-        felt |= !(fabs(y[i]) <= 64 * (DBL_EPSILON / 2) * sqrt(C[i]) * largest);
+        felt |= !(fabs(y[i]) <= FVI_FELT * sqrt(C[i]) * largest);
     return felt;
 }
 
@@ -50,7 +50,7 @@ int fvi_run_start_is_damped(const fvi_run *run, int *felt)
         FVI_FAIL("no memory for C x0", FVI_ENOMEM);
     const int status = product(run, y, y + d);
     if (!status)
-        *felt = is_felt(run, y);
+        *felt = is_felt(run, system->damping, y);
     free(y);
     return status;
 }
@@ -60,29 +60,51 @@ static int is_pulled(const fvi_run *run, size_t j, int *is_stretched)
 {
     const fvi_damping_matrix *C = &run->system->matrices->damper[j];
     const size_t d = run->system->d, r = C->remembered;
-    double *y = calloc(d + 2 * r + 1, sizeof *y);
+    *is_stretched = 0;
+    if (C->remembered == 0)
+        return FVI_SUCCESS;
+    double *y = calloc(2 * d + 2 * r, sizeof *y), *diagonal = y + d, *z = diagonal + d;
     if (!y)
         FVI_FAIL("no memory for C x0", FVI_ENOMEM);
-    int status = r > 0 ? C->remember(d, run->x0, y + d + r, C->params, y + d) : FVI_SUCCESS;
-    if (!status && r > 0)
-        status = C->damp(d, -1, y + d, C->params, y);
-    *is_stretched = !fvi_all_zero(d, y);
+    int status = C->remember(d, run->x0, z + r, C->params, z);
+    if (!status)
+        status = C->damp(d, -1, z, C->params, y);
+    if (!status && C->diagonal)
+        status = C->diagonal(d, C->params, diagonal);
+    *is_stretched = C->diagonal ? is_felt(run, diagonal, y) : !fvi_all_zero(d, y);
     free(y);
+    return status;
+}
+
+/* The elongation at x0, and the size of what it is a sum of, if its gradient stayed what it is there. */
+static int find_elongation(const fvi_run *run, const fvi_elongation *of, double *z, double *size)
+{
+    const size_t d = run->system->d;
+    double *G = calloc(d, sizeof *G);
+    int status = FVI_SUCCESS;
+    *z = *size = 0;
+    if (!G)
+        FVI_FAIL("no memory for an elongation", FVI_ENOMEM);
+    if (!of->row)
+        status = of->value(0, d, run->x0, of->params, z);
+    if (!of->row && !status)
+        status = of->gradient(0, d, run->x0, of->params, G);
+    for (size_t i = 0; i < d && !status; i++) {
+        const double term = (of->row ? of->row[i] : G[i]) * run->x0[i];
+        *z += of->row ? term : 0;
+        *size += fabs(term);
+    }
+    free(G);
     return status;
 }
 
 int fvi_damper_is_stretched(const fvi_run *run, size_t j, int *is_stretched)
 {
-    const fvi_elongation *of = &run->system->mechanism->damper[j].of;
-    double z = 0;
-    int status = FVI_SUCCESS;
+    double z = 0, size = 0;
     if (run->system->matrices)
         return is_pulled(run, j, is_stretched);
-    if (!of->row)
-        status = of->value(0, run->system->d, run->x0, of->params, &z);
-    for (size_t i = 0; of->row && i < run->system->d; i++)
-        z += of->row[i] * run->x0[i];
-    *is_stretched = z != 0;
+    const int status = find_elongation(run, &run->system->mechanism->damper[j].of, &z, &size);
+    *is_stretched = !status && !(fabs(z) <= FVI_FELT * size);
     return status;
 }
 

@@ -4,6 +4,11 @@
 
 #include <fvi/trajectory.h>
 
+#include <float.h>
+
+/* Of the size of its terms a sum that is less counts as roundings: 64 u. */
+#define FVI_FELT (64 * (DBL_EPSILON / 2))
+
 /* fvi_run_start_is_damped -- does the damping take hold of x0 itself: rho_i x0_i != 0 for some
  * i, or C x0 != 0?
  *
@@ -29,8 +34,12 @@ int fvi_run_start_is_damped(const fvi_run *run, int *felt);
  * Arguments and codes as above. */
 int fvi_run_has_solution(const fvi_run *run, int *has);
 
-/* fvi_damper_is_stretched -- is the elongation of damper j at x0 not 0, or with matrices C_j x0? Codes as
- * above, and what the elongation returned. */
+/* fvi_damper_is_stretched -- is the elongation z of damper j at x0 not 0, or with matrices C_j x0? C_j x0
+ * counts as zero as above, where C_j tells its diagonal, and else if it is zero. An elongation does while
+ *
+ *     |z| <= 64 u sum_i |dg/dx_i x0_i|.
+ *
+ * Codes as above, and what the elongation returned. */
 int fvi_damper_is_stretched(const fvi_run *run, size_t j, int *is_stretched);
 
 #endif

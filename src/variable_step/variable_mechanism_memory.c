@@ -43,7 +43,7 @@ static int slope_at_start(const fvi_stepper *s, size_t j, double *zdot)
 static int is_struck(const fvi_stepper *s, size_t j)
 {
     return damper_of(s, j)->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
-           && s->mechanism->z[j] != 0;
+           && fvi_mechanism_is_stretched(s, j);
 }
 
 static int feels_jumps(const fvi_stepper *s, size_t j)

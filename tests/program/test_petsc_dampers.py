@@ -109,6 +109,12 @@ for count in (1, 2, 3):
     D = 1 / 0.01 + of_grid["K"][1, 1] * (0.01 / 4 + 0.001 + 0.01) + 1
     compare("dampers of a grid", of_grid, 8e-15 * D * sum(math.dist(a, b) for a, b in zip(path, path[1:])), want, count, end)
 
+# Bodies that start alike stretch no damper between them, though C_j x_0 has roundings: on all ranks.
+assert 0.7 - 0.3 * 0.7 - 0.7 * 0.7 != 0
+for count in (1, 2, 3):
+    ranks(FOLDER / f"end_{count}.bin", count, "-system", FOLDER, *numbered((*HELD[::2], "x205-0.3*x204-0.7*x203 : power:1,0.8 : rl")),
+          **{**WORDS, "x0": "0.7"})
+
 # One damper in a list is C with -alpha, up to the roundings of two ways to the same sums; on 3 ranks to
 # the last bit, as all rows are touched.
 write(GRID, {"C": {place: 0.05 * entry for place, entry in of_grid["K"].items()}})
