@@ -82,7 +82,8 @@ typedef struct {
  * fvi_exact_motion_forces_at -- places, velocities, accelerations and dampers at one time.   [(11.21)]
  *
  *   t      finite, >= 0. At t = 0 forces are their limits from above
- *   first  finite, > 0: where a force is infinite at t = 0, of an order above 1 and a velocity, its mean over
+ *   first  finite, > 0: where a force is infinite at t = 0, of an order above 1 and a velocity, or not known, of the
+ *          order 2 beside other dampers, its mean over
  *          (0, first] stands in its place, and a is what it makes of the equation of motion
  *   out    outputs
  *

@@ -24,8 +24,12 @@
  * Of a start with a velocity and an order of the damping up to 1, the methods of order 2 get the first impulses wrong,
  * by a quarter for a dashpot. What the steps take from the line x_0 + v_0 t and what is exact are both known, and J and the
  * work have the difference (13.18): over all rows J and the work then have the order 2, the force 2 - that of the
- * damping. x, p and the balance are those of the steps; so are accelerations that are slopes of velocities, and multipliers.
- * The acceleration is the equation of motion, a = M^-1 (F - grad U - force). Differences reach back
+ * damping. x, p and the balance are those of the steps; so are, behind the first rows, accelerations that are slopes of velocities,
+ * and multipliers.
+ * The acceleration is the equation of motion, a = M^-1 (F - grad U - force); of a Lagrangian, of forces of velocity and
+ * of constraints it is the slope of v, and a multiplier is the slope of its impulses. Their first rows, and t = 0, come from
+ * the equation of motion (29.23), unless a coordinate has no inertia: then a and a multiplier at t = 0 are means over the
+ * first step, or the first row of a method that chooses its steps. Differences reach back
  * over a jump of F: a few rows behind it are of low order.
  * The work of one damper is what the energy has lost, E_0 - E + the work of F, with stages, where the
  * sum of force times motion would lose order in the first steps; and where that sum is not
@@ -76,8 +80,9 @@ enum {
  *   energy          E
  *   balance         E + work of the dampers - work_of_force: E at t = 0, see above
  *   event, events   what has happened up to then, in its order (events.h)
- *   is_mean         nonzero if force and a are infinite, or not known, at this time, t = 0, and are their means over
- *                   the first row in their place: held with v_0 != 0 and an order above 1 */
+ *   is_mean         nonzero if force and a are infinite, or not known, at this time, t = 0: held with v_0 != 0 and an
+ *                   order above 1. Then a force is its mean over the first row, and a is what it makes of the
+ *                   equation of motion, or a mean itself */
 typedef struct {
     double t;
     const double *x, *p, *v, *a, *F, *force, *impulse, *work,

@@ -70,6 +70,9 @@ static int add_mechanism(fvi_observer *o, const fvi_stepper *s)
                                                &o->scalars[FVI_BY_FORCE]);
     if (!status)
         push_impulse(o, o->change);
+    if (!status && o->ramp && o->bends > 0 && s->k <= fvi_observer_first_rows(o)
+        && fvi_observer_bend(o, s) == FVI_ENOMEM) /* else it is not needed */
+        status = FVI_ENOMEM;
     return status;
 }
 

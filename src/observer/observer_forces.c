@@ -7,6 +7,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+size_t fvi_observer_first_rows(const fvi_observer *o)
+{
+    return 3 * o->degree;
+}
+
+size_t fvi_observer_motion_rows(const fvi_observer *o)
+{
+    for (size_t j = 0; j < o->dampers; j++)
+        if (o->growth[j] > 1 && o->line[j] != 0)
+            return o->degree + 1;
+    return fvi_observer_first_rows(o);
+}
+
 /* ---- differences ---- */
 
 /* f'(0) h = sum_{i=1}^{n} c_i (f(-i h) - f(0)), c_i = (-1)^i binom(n, i) / i, exact up to the
@@ -57,8 +70,20 @@ static size_t compared_with(const fvi_observer *o, size_t j, size_t damper, cons
     return o->line[j] != 0 && (o->growth[damper] > 1 || misses_parabola(first)) ? FVI_LINE : FVI_PARABOLA;
 }
 
+/* The impulse that damper j lacks at row k: its elongation lacks a line of slope change_i from each node i on. */
+static double impulse_of_bend(const fvi_observer *o, size_t j, size_t k, double h, const fvi_law_row *first)
+{
+    const double *bend = o->bend + j * fvi_observer_first_rows(o) - 1; /* of rows 1, 2, ... */
+    double sum = 0;
+    for (size_t i = 0; i < k && o->bends > 0; i++) {
+        const double now = i > 0 ? bend[i] : 0, before = i > 1 ? bend[i - 1] : 0;
+        sum += (bend[i + 1] - 2 * now + before) / h * first[k - i - 1].uncorrected_line;
+    }
+    return sum;
+}
+
 /* h J' by (13.20), without t = 0 and without a first step that tells nothing. */
-static double near_start_of_law(const fvi_observer *o, size_t j, size_t damper, size_t k, double h,
+static double near_start_of_law(const fvi_observer *o, size_t j, size_t damper, size_t k, double h, int is_bent,
                                 const fvi_law_row *first)
 {
     const size_t to = compared_with(o, j, damper, first),
@@ -71,7 +96,7 @@ static double near_start_of_law(const fvi_observer *o, size_t j, size_t damper, 
         force += size[i] * exact[i];
     for (size_t i = 0; i <= n; i++) {
         const fvi_law_row *row = first + k - i - 1;
-        double rest = o->impulse[j] + change[i];
+        double rest = o->impulse[j] + change[i] + (is_bent ? impulse_of_bend(o, j, k - i, h, first) : 0);
         for (size_t of = 0; of < to; of++)
             rest -= size[of] * row->summed[of];
         rest /= k < from ? row->exact[to + 1] : row->summed[to];
@@ -81,18 +106,27 @@ static double near_start_of_law(const fvi_observer *o, size_t j, size_t damper, 
     return h * (force + g * exact[to]) + exact[to + 1] * differentiate(n, change);
 }
 
+/* The rows of the law of force j, or NULL if its start cannot be compared with anything. */
+static const fvi_law_row *rows_of(const fvi_observer *o, size_t j, size_t damper)
+{
+    const fvi_law_row *first = fvi_law_rows_of(&o->law_rows, damper);
+    return first && (o->jump[j] == 0 || first->summed[FVI_JUMP] > 0) ? first : NULL;
+}
+
 static double near_start(const fvi_observer *o, size_t j, size_t k, double h)
 {
     const size_t damper = o->has_mechanism ? j : j / o->d;
-    const fvi_law_row *first = fvi_law_rows_of(&o->law_rows, damper);
-    const int has_sums = first && (o->jump[j] == 0 || first->summed[FVI_JUMP] > 0);
-    return has_sums ? near_start_of_law(o, j, damper, k, h, first) : near_start_of_power(o, j, k);
+    const fvi_law_row *first = o->is_power[damper] != 0 ? NULL : rows_of(o, j, damper);
+    return first ? near_start_of_law(o, j, damper, k, h, 0, first) : near_start_of_power(o, j, k);
 }
 
-/* So many rows are near the start. */
-static size_t first_rows(const fvi_observer *o)
+void fvi_observer_compare_forces(const fvi_observer *o, size_t k, double h, double *force)
 {
-    return 3 * o->degree;
+    for (size_t j = 0; j < o->forces; j++) {
+        const fvi_law_row *first = rows_of(o, j, j);
+        if (first)
+            force[j] = near_start_of_law(o, j, j, k, h, 1, first) / h;
+    }
 }
 
 void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
@@ -104,7 +138,7 @@ void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
         return;
     }
     for (size_t j = 0; j < o->tracked; j++) {
-        const int plain = k > first_rows(o) || isnan(o->exponent[j]);
+        const int plain = k > fvi_observer_first_rows(o) || isnan(o->exponent[j]);
         const size_t n = k < o->degree ? k : o->degree;
         if (plain)
             changes(o, j, n, change);
@@ -239,6 +273,20 @@ int fvi_observer_elongation(fvi_observer *o, const fvi_stepper *s,
     return status;
 }
 
+int fvi_observer_begin_motion(fvi_observer *o, const fvi_stepper *s)
+{
+    for (size_t j = 0; j < o->forces; j++)
+        if (!isfinite(o->start[j]))
+            return FVI_SUCCESS;
+    int status = o->tracked > o->forces ? fvi_step_force(s, 0, o->F) : FVI_EUNSUP;
+    memcpy(o->force, o->start, o->forces * sizeof *o->force);
+    if (!status)
+        status = fvi_observer_motion(o, s, 0, s->x);
+    if (!status)
+        memcpy(o->start + o->forces, o->force + o->forces, (o->tracked - o->forces) * sizeof *o->start);
+    return status == FVI_ENOMEM ? status : FVI_SUCCESS;
+}
+
 static int begin_mechanism(fvi_observer *o, const fvi_stepper *s)
 {
     const fvi_mechanism *m = s->run.system->mechanism;
@@ -256,7 +304,7 @@ static int begin_mechanism(fvi_observer *o, const fvi_stepper *s)
         o->exponent[i] = NAN;
         o->start[i] = INFINITY; /* there is no slope at the first node */
     }
-    return status;
+    return status ? status : fvi_observer_begin_motion(o, s);
 }
 
 int fvi_observer_begin_forces(fvi_observer *o, const fvi_stepper *s)
@@ -265,10 +313,14 @@ int fvi_observer_begin_forces(fvi_observer *o, const fvi_stepper *s)
     if (!status)
         status = o->has_mechanism ? begin_mechanism(o, s)
                                   : begin_coordinates(o, s);
-    for (size_t j = 0; j < o->dampers; j++)
-        o->growth[j] = fvi_run_damper_of(&s->run, j).growth;
+    for (size_t j = 0; j < o->dampers; j++) {
+        const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
+        o->growth[j] = of.growth;
+        o->is_power[j] = !of.law || fvi_kernel_is_power(of.law);
+    }
     if (!status && o->is_damped && !s->method->dense)
-        status = fvi_law_rows_start(&o->law_rows, s, o->dampers, first_rows(o));
+        status = fvi_law_rows_start(&o->law_rows, s, o->dampers, o->tracked > o->forces,
+                                    fvi_observer_first_rows(o));
     for (size_t j = 0; j < o->tracked && !o->is_mass; j++)
         o->is_infinite |= isinf(o->start[j]) != 0;
     return status;

@@ -27,14 +27,19 @@ static int is_same_law(const fvi_kernel *a, const fvi_kernel *b)
     return 1;
 }
 
+/* The law of damper j, NULL if it is one power and powers are not asked for. */
+static const fvi_kernel *law_of(const fvi_stepper *s, size_t j, int has_powers)
+{
+    const fvi_kernel *law = has_powers ? s->run.system->mechanism->damper[j].kernel : fvi_run_damper_of(&s->run, j).law;
+    return law && fvi_kernel_is_power(law) && !has_powers ? NULL : law;
+}
+
 /* The different laws of the dampers, in the order in which they come. */
-static void find_laws(fvi_law_rows *o, const fvi_stepper *s, const fvi_kernel **law)
+static void find_laws(fvi_law_rows *o, const fvi_stepper *s, int has_powers, const fvi_kernel **law)
 {
     for (size_t j = 0; j < o->dampers; j++) {
-        const fvi_kernel *of = fvi_run_damper_of(&s->run, j).law;
+        const fvi_kernel *of = law_of(s, j, has_powers);
         size_t i = 0;
-        if (of && fvi_kernel_is_power(of))
-            of = NULL;
         while (of && i < o->laws && !is_same_law(law[i], of))
             i++;
         o->law_of[j] = of ? i : FVI_NO_LAW;
@@ -57,14 +62,14 @@ static int make_rows(const fvi_stepper *s, const fvi_kernel *law, size_t rows, f
     return status;
 }
 
-int fvi_law_rows_start(fvi_law_rows *o, const fvi_stepper *s, size_t dampers, size_t rows)
+int fvi_law_rows_start(fvi_law_rows *o, const fvi_stepper *s, size_t dampers, int has_powers, size_t rows)
 {
     const fvi_kernel **law = calloc(dampers + 1, sizeof *law);
     o->dampers = dampers;
     o->rows = rows;
     o->law_of = calloc(dampers + 1, sizeof *o->law_of);
     if (law && o->law_of)
-        find_laws(o, s, law);
+        find_laws(o, s, has_powers, law);
     o->first = calloc(o->laws * rows + 1, sizeof *o->first);
     int status = law && o->law_of && o->first ? FVI_SUCCESS : FVI_ENOMEM;
     for (size_t i = 0; i < o->laws && !status; i++)

@@ -23,25 +23,27 @@ enum { FVI_JUMP, FVI_LINE, FVI_PARABOLA, FVI_STARTS };
  * summed[i]. */
 typedef struct {
     double exact[FVI_STARTS + 1], summed[FVI_STARTS];
+    double uncorrected_line; /* S_2 of convolution quadrature without the correction (13.18) */
 } fvi_law_row;
 
 /* The rows 1 to `rows` of all different laws of a run. */
 typedef struct {
     size_t rows, laws, dampers;
-    size_t *law_of;     /* of each damper; FVI_NO_LAW: it is one power */
+    size_t *law_of;     /* of each damper; or FVI_NO_LAW */
     fvi_law_row *first; /* of law i from [i * rows] on */
 } fvi_law_rows;
 #define FVI_NO_LAW SIZE_MAX
 
-/* fvi_law_rows_start -- of all dampers of the run of s that are not one power; o is zeroed. Cost: for each different
+/* fvi_law_rows_start -- of all dampers of the run of s that are not one power, or, of a mechanism and with has_powers,
+ * of all; o is zeroed. Cost: for each different
  * law a run of two bodies with `rows` steps. Returns FVI_SUCCESS, FVI_ENOMEM or what the steps returned.
  * fvi_law_rows_copy -- the same again.
  * fvi_law_rows_free -- give the memory back. */
-int fvi_law_rows_start(fvi_law_rows *o, const fvi_stepper *s, size_t dampers, size_t rows);
+int fvi_law_rows_start(fvi_law_rows *o, const fvi_stepper *s, size_t dampers, int has_powers, size_t rows);
 int fvi_law_rows_copy(const fvi_law_rows *from, fvi_law_rows *to);
 void fvi_law_rows_free(fvi_law_rows *o);
 
-/* fvi_law_rows_of -- those of damper j, row 1 first; NULL if it is one power, or takes no force. */
+/* fvi_law_rows_of -- those of damper j, row 1 first; NULL if it has none, or takes no force. */
 const fvi_law_row *fvi_law_rows_of(const fvi_law_rows *o, size_t j);
 
 /* fvi_law_sums -- S_1 to S_3 of rows 1 to `rows`: two heavy bodies move along t and t^2/2 by the method of s, and

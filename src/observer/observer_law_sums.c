@@ -121,6 +121,7 @@ static int sum_by_quadrature(const fvi_stepper *of, const fvi_kernel *law, size_
         if (!status)
             status = fvi_damping_apply_force(damper->damping, -0.5 - damper->theta, damper->H, J);
         row->summed[FVI_LINE] = row->exact[FVI_LINE + 1];
+        row->uncorrected_line = J[0];
         row->summed[FVI_PARABOLA] = J[1];
     }
     fvi_stepper_free(s);

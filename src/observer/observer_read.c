@@ -131,6 +131,10 @@ static int read_forces(fvi_observer *o, const fvi_stepper *s, double t,
     if (is_chosen)
         return read_chosen_forces(o, s, t);
     fvi_observer_differences(o, s->k, s->run.h, o->force);
+    if (o->has_mechanism && o->tracked > o->forces && s->k > 0 && s->k <= fvi_observer_motion_rows(o))
+        status = fvi_observer_motion(o, s, t, now->x);
+    if (status == FVI_ENOMEM)
+        return status;
     return o->wanted & FVI_OBSERVE_ACCELERATION ? solve_motion(o, s)
                                                 : FVI_SUCCESS;
 }

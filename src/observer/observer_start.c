@@ -21,18 +21,19 @@ static void place_arrays(fvi_observer *o)
 {
     const size_t d = o->d, f = o->tracked, room = d > f ? d : f;
     double *at = o->numbers;
-    double **const state[] = { &o->impulse, &o->latest, &o->work, &o->lead, &o->known,
-                               &o->scalars },
+    double **const state[] = { &o->impulse, &o->latest, &o->work,       &o->lead,
+                               &o->known,   &o->bend,   &o->bend_rate, &o->scalars },
                    **const rest[] = { &o->p0,      &o->start,  &o->exponent,
                                       &o->rate,    &o->power,
-                                   &o->jump,    &o->line,    &o->growth,
+                                   &o->jump,    &o->line,    &o->growth,  &o->is_power,
                                       &o->begin.x, &o->begin.p, &o->begin.F,
                                       &o->begin.dampers,
                                       &o->hit,     &o->change, &o->x,
                                       &o->p,       &o->v,      &o->a,
                                       &o->F,       &o->g,      &o->force,
                                       &o->impulse_now, &o->work_now };
-    const size_t lengths[] = { f, o->degree * f, o->dampers, o->dampers, d, FVI_SCALARS };
+    const size_t lengths[] = { f, o->degree * f, o->dampers, o->dampers,
+                               d, o->bends, o->dampers, FVI_SCALARS };
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; at += lengths[i++])
         *state[i] = at;
     o->saved = (size_t)(at - o->numbers);
@@ -49,8 +50,8 @@ static void place_arrays(fvi_observer *o)
 static int allocate(fvi_observer *o)
 {
     const size_t most = o->d > o->tracked ? o->d : o->tracked;
-    const size_t room = (o->degree + 2) * o->tracked + 2 * o->dampers + FVI_SCALARS
-                        + 32 * most + o->contacts;
+    const size_t room = (o->degree + 2) * o->tracked + 3 * o->dampers + o->bends + FVI_SCALARS
+                        + 33 * most + o->contacts;
     o->numbers = calloc(room, sizeof *o->numbers);
     if (!o->numbers)
         return FVI_ENOMEM;
@@ -118,6 +119,9 @@ static void describe(fvi_observer *o, const fvi_stepper *s, unsigned wanted)
     o->by_energy =
         !system->mechanism && (s->method->stages || !o->work_known);
     o->degree = degree_of(s->method);
+    o->bends = fvi_ramp_method(s) && o->has_mechanism && o->tracked > o->forces
+                   ? o->dampers * fvi_observer_first_rows(o)
+                   : 0;
 }
 
 /* ---- the start ---- */
@@ -155,7 +159,8 @@ static int start_ties_on_mesh(fvi_observer *o, const fvi_stepper *s)
     return status;
 }
 
-/* At t = 0, where a force is infinite: its mean over the first row. */
+/* At t = 0, where a force is infinite: its mean over the first row, and what the equation of motion makes of it; or, of
+ * a mechanism whose equation cannot be solved, means. */
 static int take_means(fvi_observer *o, const fvi_stepper *s)
 {
     fvi_stepper *fork = NULL;
@@ -175,9 +180,12 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
     for (size_t j = 0; j < o->forces && !status; j++)
         if (isinf(o->start[j]))
             o->start[j] = J[j] / h;
-    for (size_t i = o->forces; i < o->forces + o->slopes && !status; i++)
+    if (!status && o->has_mechanism)
+        status = fvi_observer_begin_motion(o, s);
+    const int is_known = o->tracked > o->forces && isfinite(o->start[o->forces]);
+    for (size_t i = o->forces; i < o->forces + o->slopes && !is_known && !status; i++)
         o->start[i] = (now.v[i - o->forces] - o->impulse[i]) / h;
-    if (!status && o->ties > 0)
+    if (!status && !is_known && o->ties > 0)
         status = s->method->dense ? start_ties_on_mesh(o, s) : start_ties(o, fork, h);
     fvi_observer_free(sums);
     fvi_stepper_free(fork);

@@ -37,12 +37,15 @@ struct fvi_observer {
     void *factors;   /* of M, of a system with matrices; or NULL */
     const fvi_matrices *matrices;
     double *numbers; /* all arrays, in one piece */
+    size_t bends; /* dampers times first rows, or 0 */
     size_t count, saved; /* of the numbers; those that steps change */
     /* what steps change */
     double *impulse; /* J of each force, and the velocities */
     double *latest;  /* degree times what the last steps have added to them, the latest first */
     double *work;    /* of each damper */
     double *lead;    /* of each damper, what the start with a velocity leaves in its impulse, of a unit */
+    double *bend;    /* of each damper in rows 1, 2, ...: what its elongation lacks because of the start */
+    double *bend_rate; /* of each damper: the velocity that it lacks now */
     double *known;   /* the impulses of F - grad U, d numbers: of chosen steps, at their begin */
     double *scalars; /* the work of the force; the time at which `known` stands; impulses so far */
     /* what does not change */
@@ -50,6 +53,7 @@ struct fvi_observer {
     double *exponent;   /* q of each force: J = t^q g(t) at first; NaN of a velocity */
     double *jump, *line; /* z of each force begins with jump + line t: Riemann and Liouville's z_0, and zdot */
     double *growth;     /* of each damper: its law is like |s|^growth */
+    double *is_power;   /* of each damper: nonzero if its law is one power */
     double *rate;       /* of each force: its impulse has rate times lead more */
     double *power;      /* of each damper: its work has power times lead more */
     fvi_ramp **ramp;    /* of each damper, NULL if it has none; or NULL */
@@ -70,7 +74,11 @@ int fvi_observer_velocity(const fvi_observer *o, const fvi_stepper *s,
 int fvi_observer_hits(fvi_observer *o, const fvi_stepper *s, double *known,
                       double *by_force);
 
-/* fvi_observer_begin_forces -- the forces at t = 0 and the exponents of their impulses. */
+/* fvi_observer_begin_forces -- the forces at t = 0 and the exponents of their impulses.
+ * fvi_observer_begin_motion -- of a mechanism the accelerations and multipliers at t = 0 from the forces of its
+ * dampers, where these are finite and the equation of motion can be solved; else what stood there stays. Returns
+ * FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_observer_begin_motion(fvi_observer *o, const fvi_stepper *s);
 int fvi_observer_begin_forces(fvi_observer *o, const fvi_stepper *s);
 
 /* fvi_observer_begin_ramps -- rate, power and ramp of all dampers, of a start with a velocity.
@@ -91,6 +99,24 @@ int fvi_observer_elongation(fvi_observer *o, const fvi_stepper *s,
 /* fvi_observer_differences -- at node k of steps h, the slopes of what is tracked. */
 void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
                               double *slope);
+
+/* fvi_observer_first_rows -- so many rows are near the start, where differences have too few rows before them.
+ * fvi_observer_motion_rows -- so many of them take a and the multipliers from the equation of motion: all, but no more
+ * than differences need where the force of a damper is infinite at t = 0.
+ * fvi_observer_motion -- of a mechanism at the time t, where x is and the momenta of s belong to: accelerations and
+ * multipliers from the equation of motion (29.23), behind the forces of the dampers in o->force, from these and F in
+ * o->F, or, behind t = 0, from forces by fvi_observer_compare_forces.
+ * fvi_observer_compare_forces -- the forces of a mechanism's dampers at row k by (13.20), of one power, too; of steps
+ * that start with an error, those of the elongation without it (29.24).
+ * fvi_observer_bend -- at the end of a step near the start: bend and bend_rate.
+ * fvi_observer_motion and _bend return FVI_SUCCESS; FVI_ENOMEM; FVI_EUNSUP with a coordinate that has no inertia, and where
+ * a contact is closed; or why the equation has no
+ * solution. On error o->force is untouched. */
+size_t fvi_observer_first_rows(const fvi_observer *o);
+size_t fvi_observer_motion_rows(const fvi_observer *o);
+void fvi_observer_compare_forces(const fvi_observer *o, size_t k, double h, double *force);
+int fvi_observer_bend(fvi_observer *o, const fvi_stepper *s);
+int fvi_observer_motion(fvi_observer *o, const fvi_stepper *s, double t, const double *x);
 
 /* fvi_observer_damping -- what all dampers take from d/dt p, d numbers: the sum of their forces. */
 int fvi_observer_damping(const fvi_observer *o, const fvi_stepper *s,

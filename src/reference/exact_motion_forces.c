@@ -104,8 +104,40 @@ static int prepare(fvi_exact_motion *o)
 
 /* ---- at a time ---- */
 
-/* The forces at t = 0+ of a body that was held: of C(s) that grows like c s they are c B v_0, below that 0. Above
- * it they are infinite, and impulse is their mean over the time `first`. */
+static double applied(const fvi_exact_motion *o, double t)
+{
+    return o->forcing == FVI_FORCING_STEP     ? (t <= o->T ? o->A : 0)
+           : o->forcing == FVI_FORCING_COSINE ? o->A * cos(o->w * t)
+                                              : 0;
+}
+
+/* Is the damping a mass, rho s^2 alone on each coordinate? */
+static int is_mass(const fvi_exact_motion *o)
+{
+    if (dampings(o) != 1 || o->system.matrices)
+        return 0;
+    const fvi_stiffness_term *t = &o->response->term[FIRST];
+    int is_diagonal = fvi_kernel_is_power(t->kernel) && t->kernel->term->alpha == 1;
+    for (size_t i = 0; i < o->d; i++)
+        for (int e = t->matrix->start[i]; e < t->matrix->start[i + 1]; e++)
+            is_diagonal &= t->matrix->row[e] == (int)i;
+    return is_diagonal;
+}
+
+/* Its force is R a with (m + R) a = F - grad U. */
+static void find_force_of_mass(fvi_exact_motion *o, double *force)
+{
+    const fvi_stiffness_term *t = &o->response->term[FIRST];
+    for (size_t i = 0; i < o->d; i++) {
+        double R = 0;
+        for (int e = t->matrix->start[i]; e < t->matrix->start[i + 1]; e++)
+            R += t->kernel->term->rho * t->matrix->entry[e];
+        force[i] = R * (applied(o, 0) - o->pull[i]) / (o->system.mass[i] + R);
+    }
+}
+
+/* The forces at t = 0+ of a body that was held: of C(s) that grows like c s they are c B v_0, below that 0, and 0
+ * where B v_0 = 0. Above it they are infinite, and impulse is their mean over the time `first`. */
 static int find_limits(fvi_exact_motion *o, double first, fvi_error *error)
 {
     const size_t d = o->d, all = dampings(o) * d;
@@ -124,9 +156,12 @@ static int find_limits(fvi_exact_motion *o, double first, fvi_error *error)
             double rate = 0;
             for (int e = t->matrix->start[i]; e < t->matrix->start[i + 1]; e++)
                 rate += t->matrix->entry[e] * o->v0[t->matrix->row[e]];
-            force[l * d + i] = growth > 1 ? impulse[l * d + i] / first : dashpot * rate;
+            const int has_mean = growth == 2 || (growth > 1 && rate != 0);
+            force[l * d + i] = has_mean ? impulse[l * d + i] / first : dashpot * rate;
         }
     }
+    if (is_mass(o))
+        find_force_of_mass(o, force);
     memset(impulse, 0, all * sizeof *impulse);
     return status;
 }
@@ -136,9 +171,7 @@ static int find_acceleration(fvi_exact_motion *o, double t, const double *x, dou
 {
     const size_t d = o->d;
     const fvi_sparse *K = o->response->term[1].matrix;
-    const double F = o->forcing == FVI_FORCING_STEP     ? (t <= o->T ? o->A : 0)
-                     : o->forcing == FVI_FORCING_COSINE ? o->A * cos(o->w * t)
-                                                        : 0;
+    const double F = applied(o, t);
     for (size_t i = 0; i < d; i++) {
         a[i] = F - o->pull[i];
         for (int e = K->start[i]; e < K->start[i + 1]; e++)

@@ -141,6 +141,37 @@ START_TEST(eq_11_21_forces_keep_the_equation_of_motion)
 }
 END_TEST
 
+/* At t = 0 a force of an order above 1 is 0 without a velocity. Of the order 2 it is rho a with (m + rho) a = F - c x,
+ * as every method tells it: the damping is a mass. Sums of a few products, 4 u. */
+START_TEST(the_first_force_is_its_limit)
+{
+    const double c = 2, m[] = { 1.5, 0.75 }, rho[] = { 0.5, 0 }, x0[] = { 1, -0.5 };
+    for (int i = 0; i < 4; i++) {
+        const double p0[] = { i % 2 ? -0.75 : 0, i % 2 ? 0.25 : 0 }, alpha = i < 2 ? 1 : 0.75;
+        const fvi_system system = {
+            .d = 2, .mass = m, .damping = rho, .potential = fvi_potential_harmonic(&c)
+        };
+        const fvi_exact_problem problem = { .motion = { .system = &system, .alpha = alpha }, .x0 = x0, .p0 = p0,
+                                            .forcing = FVI_FORCING_COSINE, .A = 0.5, .w = 1.25 };
+        fvi_exact_motion *motion;
+        double x[2], v[2], a[2], force[2], impulse[2];
+        const fvi_exact_outputs out = { x, v, a, force, impulse };
+        OK(fvi_exact_motion_alloc(&problem, &motion, NULL));
+        OK(fvi_exact_motion_forces_at(motion, 0, 0.125, &out, NULL));
+        for (int j = 0; j < 2; j++) {
+            const double pull = 0.5 - c * x0[j], heavy = m[j] + (alpha == 1 ? rho[j] : 0), want = pull / heavy;
+            if (i == 3 && j == 0) {
+                ck_assert(fabs(force[j]) > 0.1); /* a mean */
+                continue;
+            }
+            ck_assert_near(a[j], want, 4 * U * fabs(pull), "%d, a%d", i, j + 1);
+            ck_assert_near(force[j], alpha == 1 ? rho[j] * want : 0, 4 * U * fabs(pull), "%d, force%d", i, j + 1);
+        }
+        fvi_exact_motion_free(motion);
+    }
+}
+END_TEST
+
 /* One mass as a system, by alpha and by laws, is the oscillator of fvi_exact_at, with all its forces,
  * to 1e-12 of max |x|, as exact_motion.h says. Seen: 1e-13. */
 START_TEST(eq_11_20_one_mass_is_one_oscillator)
@@ -315,7 +346,7 @@ int main(void)
     Suite *suite = suite_create("exact_motion");
     ADD_CASE(suite, "motion", eq_11_20_the_building_to_all_digits,
              eq_11_21_accelerations_and_forces_of_the_building,
-             eq_11_21_forces_keep_the_equation_of_motion,
+             eq_11_21_forces_keep_the_equation_of_motion, the_first_force_is_its_limit,
              eq_11_20_one_mass_is_one_oscillator, eq_11_20_digits_are_lost_near_a_resonance,
              eq_11_20_runs_come_to_the_exact_motion,
              motions_that_have_no_closed_form_are_refused);
