@@ -25,9 +25,10 @@ static const char *refusal(const fvi_options *o)
 {
     const fvi_system system = fvi_options_system(o);
     const fvi_run run = fvi_options_run(o, &system);
-    return o->error > 0                    ? "each has steps of its own"
-           : fvi_options_needs_stepper(o) ? "the columns have sums over the steps"
-                                          : fvi_batch_refusal(o->method, 1, &run);
+    const unsigned of_all = FVI_OBSERVE_WORK | FVI_OBSERVE_MULTIPLIER | FVI_OBSERVE_CONTACT;
+    return o->error > 0                                      ? "each has steps of its own"
+           : fvi_typed_columns_wanted(o->typed) & of_all     ? "the columns have work"
+                                                             : fvi_batch_refusal(o->method, 1, &run);
 }
 
 static int open_lane(const sweep_grid *g, size_t i, lane *l)
@@ -54,12 +55,35 @@ static int reduces(const lane *l)
 
 /* ---- all lanes ---- */
 
-/* Row k of each lane, or what a reduction asks for. */
-static int take_rows(size_t count, lane *lanes, const fvi_stepper *s, size_t k)
+/* The stepper of all lanes, and its observer if a column needs one. */
+typedef struct {
+    fvi_stepper *stepper;
+    fvi_observer *observer;
+} lanes_on_their_way;
+
+/* What is observed of all lanes, as lane l alone would have it. */
+static fvi_observation part_of(const fvi_observation *now, size_t l)
 {
-    int status = FVI_SUCCESS;
+    return (fvi_observation){ .x = now->x + l,
+                              .p = now->p + l,
+                              .a = now->a + l,
+                              .force = now->force + l,
+                              .impulse = now->impulse + l,
+                              .is_mean = now->is_mean };
+}
+
+/* Row k of each lane, or what a reduction asks for. */
+static int take_rows(size_t count, lane *lanes, const lanes_on_their_way *all, size_t k)
+{
+    const fvi_stepper *s = all->stepper;
+    fvi_observation now;
+    int status = all->observer ? fvi_observer_read(all->observer, s, s->t, &now) : FVI_SUCCESS;
     for (size_t l = 0; l < count && !status; l++)
-        status = fvi_run_state_row(&lanes[l].table, k, s->x + l, s->p + l);
+        if (all->observer) {
+            const fvi_observation part = part_of(&now, l);
+            status = fvi_run_observed_row(&lanes[l].table, k, &part);
+        } else
+            status = fvi_run_state_row(&lanes[l].table, k, s->x + l, s->p + l);
     return status;
 }
 
@@ -78,35 +102,44 @@ static int finish(size_t count, lane *lanes)
     return FVI_SUCCESS;
 }
 
-static int take_steps(size_t count, lane *lanes, fvi_stepper *s)
+static int take_steps(size_t count, lane *lanes, const lanes_on_their_way *all)
 {
     const size_t steps = lanes->o.steps;
-    int status = take_rows(count, lanes, s, 0);
+    fvi_stepper *s = all->stepper;
+    int status = take_rows(count, lanes, all, 0);
     for (size_t k = 0; !status && k < steps;) {
         k = reduces(lanes) ? k + 1 : fvi_table_next(&lanes->table, k);
         while (!status && s->k < k)
-            status = fvi_stepper_step(s);
+            status = all->observer ? fvi_observer_step(all->observer, s) : fvi_stepper_step(s);
         if (!status)
-            status = take_rows(count, lanes, s, k);
+            status = take_rows(count, lanes, all, k);
     }
     return status ? status : finish(count, lanes);
+}
+
+static int walk(const fvi_run *run, size_t count, lane *lanes)
+{
+    lanes_on_their_way all = { NULL, NULL };
+    int status = fvi_stepper_start(lanes->o.method, run, &all.stepper, NULL);
+    if (!status && fvi_options_needs_stepper(&lanes->o))
+        status = fvi_observer_start(all.stepper, fvi_typed_columns_wanted(lanes->o.typed), &all.observer, NULL);
+    if (!status)
+        status = take_steps(count, lanes, &all);
+    fvi_observer_free(all.observer);
+    fvi_stepper_free(all.stepper);
+    return status;
 }
 
 static int run_lanes(size_t count, lane *lanes)
 {
     fvi_run run[FVI_BATCH_MOST];
     fvi_batch *batch;
-    fvi_stepper *s;
     for (size_t l = 0; l < count; l++)
         run[l] = fvi_options_run(&lanes[l].o, &lanes[l].system);
     if (fvi_batch_refusal(lanes->o.method, count, run)
         || fvi_batch_alloc(lanes->o.method, count, run, &batch, NULL))
         return 0;
-    int status = fvi_stepper_start(lanes->o.method, fvi_batch_run(batch), &s, NULL);
-    if (!status) {
-        status = take_steps(count, lanes, s);
-        fvi_stepper_free(s);
-    }
+    const int status = walk(fvi_batch_run(batch), count, lanes);
     fvi_batch_free(batch);
     return !status;
 }
@@ -153,16 +186,21 @@ static int by_key(const void *a, const void *b)
                             : (x->run > y->run) - (x->run < y->run);
 }
 
-/* The same number for runs that may go together. */
-static size_t key_of(const sweep_grid *g, size_t i)
+/* The same number for runs that may go together. An observer asks once for all lanes whether anything is damped, and
+ * whether the start makes a force that is infinite: starts and dampings that are zero go by themselves. */
+static size_t key_of(const sweep_grid *g, size_t i, int is_observed)
 {
-    size_t key = 0, place = 1;
-    for (size_t n = g->count; n-- > 0; i /= g->axis[n].range.count) {
-        const size_t count = g->axis[n].range.count;
-        if (!divides(g->axis + n))
-            continue;
-        key += i % count * place;
-        place *= count;
+    size_t key = 0;
+    for (size_t n = 0; n < g->count; n++) {
+        const double value = sweep_grid_value(g, i, n);
+        size_t behind = 1;
+        for (size_t m = n + 1; m < g->count; m++)
+            behind *= g->axis[m].range.count;
+        key *= g->axis[n].range.count + 1;
+        if (divides(g->axis + n))
+            key += i / behind % g->axis[n].range.count;
+        else if (is_observed && !g->axis[n].is_let)
+            key += value == 0;
     }
     return key;
 }
@@ -181,6 +219,7 @@ static void fill(const sweep_grid *g, const keyed_run *runs, sweep_plan *plan)
 
 int sweep_plan_make(const sweep_grid *g, const fvi_options *o, sweep_plan *plan)
 {
+    const int is_observed = fvi_options_needs_stepper(o);
     const size_t each = g->runs / g->jobs,
                  wanted = g->lanes ? g->lanes : each < FVI_BATCH_MOST ? each : FVI_BATCH_MOST;
     keyed_run *runs = malloc((g->runs + 1) * sizeof *runs);
@@ -196,7 +235,7 @@ int sweep_plan_make(const sweep_grid *g, const fvi_options *o, sweep_plan *plan)
     if (plan->why)
         plan->most = 1;
     for (size_t i = 0; i < g->runs; i++)
-        runs[i] = (keyed_run){ plan->most > 1 ? key_of(g, g->first + i) : i, g->first + i };
+        runs[i] = (keyed_run){ plan->most > 1 ? key_of(g, g->first + i, is_observed) : i, g->first + i };
     qsort(runs, g->runs, sizeof *runs, by_key);
     fill(g, runs, plan);
     free(runs);

@@ -54,6 +54,13 @@ START_TEST(every_table_is_that_of_single_runs)
         "--vary x0=-1:1:9 --vary v0=1,2 --ground '0.3*sin(t)' --columns x,ag",
         "--vary x0=-1:1:9 --potential free --force 0.3 --part 2/3",
         "--vary x0=-1e200:1e200:9 --potential duffing:1,1",
+        "--vary x0=-1:1:5 --vary p0=-1:1:5 --force cosine:0.3,1.2 --alpha 0.3 --rows --every 9 --columns "
+        "t,v,a,F,d1.force,d1.impulse,a+x",
+        "--vary x0=-1:1:5 --vary p0=-1:1:5 --alpha 0.8 --method fvi-stable --columns a,d1.force,d1.impulse",
+        "--vary rho=0:1:9 --vary mass=1,2 --order 0.6 --method fvi-bdf2 --columns a,d1.force",
+        "--vary x0=-1:1:9 --damping zener:1,0.3,2 --method fvi-lobatto3 --rows --columns a,d1.force",
+        "--vary T=0.1:2:9:log --potential '(2*pi/T)^2*x^2/2' --ground '0.3*sin(t)' --reduce 'absmax(a+ag)' --v0 0 --x0 0",
+        "--vary k=1,2,3 --potential 'k*x^4' --force 'k*sin(t)' --v0 0 --reduce 'absmax(a),rms(d1.force),peak(a+x)'",
         "--vary x0=-2:1:9 --potential 'x^3' --steps 500 --method fvi-stable",
     };
     ck_assert_int_eq(shell("printf '# t F\\n0 0\\n1 1\\n2 0.5\\n60 0\\n' > f.tsv"), 0);
@@ -77,7 +84,8 @@ START_TEST(a_line_says_how_the_runs_were_made)
         { "--vary x0=1:2:8 --method fvi-adaptive --lanes 8", "fvi: 8 runs: one by one: the method chooses its steps\n" },
         { "--vary x0=1:2:8 --error 1e-4 --lanes 8", "fvi: 8 runs: one by one: each has steps of its own\n" },
         { "--vary x0=1:2:8 --dimension 2 --lanes 8", "fvi: 8 runs: one by one: a run has more than one coordinate\n" },
-        { "--vary x0=1:2:8 --columns a --lanes 8", "fvi: 8 runs: one by one: the columns have sums over the steps\n" },
+        { "--vary x0=1:2:8 --columns a,work --lanes 8", "fvi: 8 runs: one by one: the columns have work\n" },
+        { "--vary p0=-1:1:17 --columns a --lanes 8", "fvi: 17 runs: 16 in groups of up to 8 that take their steps together, the others one by one\n" },
         { "--vary x0=1:2:8 --force impulse:1,1 --lanes 8", "fvi: 8 runs: one by one: there are events or impulses\n" },
         { "--vary x0=1:2:9", "" },
     };
