@@ -103,7 +103,8 @@ typedef struct {
  *          written, as such a run begins at rest
  *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19) With several
  *          dampers `damping` has a number for each, by a factor of its kernel.
- *          With stages x and p are NULL, and a law that grows faster than s has no terms to ends
+ *          With stages x and p are NULL, and a law that grows faster than s has no terms to ends. Of
+ *          fvi_variable_step neither alpha nor orders to ends, and terms of a law of one term alone
  *   mechanism  fvi, fvi-stable, the methods with stages and fvi_variable_step, x and p NULL: dampers between points, a
  *          Lagrangian, forces of velocity and constraints that do not know the time, or imposed
  *          coordinates; elongations and constraints with second derivatives. (23.29) `damping` has a
@@ -130,8 +131,7 @@ typedef struct {
  * Returns FVI_SUCCESS; what fvi_stepper_start and fvi_stepper_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms, orders,
- * times or ends of none; FVI_EUNSUP if the method has no adjoint, or not this one (with matrices
- * fvi_variable_step has none), or mass
+ * times or ends of none; FVI_EUNSUP if the method has no adjoint, or not this one, or mass
  * is wanted of matrices that have no inertia, or all momenta at alpha = 1 of a damped
  * run of form M or of fvi_variable_step, or no step is short enough
  * for a body whose A is 0 (22.23);

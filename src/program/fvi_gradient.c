@@ -107,10 +107,6 @@ static int interpret(request *r, fvi_error *c)
                           "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
                           "fvi-adaptive have",
                           m->name);
-    if (r->system.matrices && m->dense)
-        return fvi_refuse(c, "method", "'%s' has no gradient with --system; fvi, fvi-shifted, "
-                          "fvi-bdf2, fvi-stable and fvi-lobatto2d to 8d have",
-                          m->name);
     const int unknown = check_masses(r, c) || check_dampers(r, c) ? 2 : 0;
     if (unknown)
         return unknown;

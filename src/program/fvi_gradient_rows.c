@@ -185,7 +185,10 @@ static void rows_of_matrices(const visitor *v, const request *r)
     rows_of_dampers(v, r);
     if (r->terms == 0 && !of) {
         row(v, "rho", "", r->to.damping);
-        row(v, "alpha", "", r->to.alpha);
+        if (r->has_alpha)
+            row(v, "alpha", "", r->to.alpha);
+        else
+            warn(v, "alpha", "no derivative by alpha: of a folder steps of any length have none%s", "");
     }
     row(v, "c", "", r->to.parameters);
 }

@@ -69,9 +69,9 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("a run with events has no adjoint: the derivative of x by the time of an impact jumps, and a memory "
                  "answers that by a force without bound",
                  FVI_EUNSUP);
-    if (method->dense && run->system && run->system->matrices)
-        FVI_FAIL("fvi-adaptive has no adjoint of a system with matrices; methods without stages, and "
-                 "fvi-lobatto2d to 8d, have",
+    if (method->dense && run->system && run->system->matrices && want->alpha)
+        FVI_FAIL("fvi-adaptive has no derivative by alpha of a system with matrices; methods without "
+                 "stages, and fvi-lobatto2d to 8d, have",
                  FVI_EUNSUP);
     int status = method->scheme == FVI_SCHEME_CQ2_SHIFTED ? check_shifted(run) : FVI_SUCCESS;
     if (!status && run->system && run->system->mechanism && method->scheme != FVI_SCHEME_LOBATTO)
@@ -352,6 +352,8 @@ static int all_derivatives(const fvi_method *method, const fvi_run *run,
 {
     fvi_checkpointing *path;
     const int has_mechanism = fvi_has_mechanism_steps(run->system);
+    if (method->scheme == FVI_SCHEME_VARIABLE_STEP && run->system->matrices)
+        return fvi_adjoint_structure_mesh(run, objective, want);
     if (method->scheme == FVI_SCHEME_VARIABLE_STEP)
         return (has_mechanism ? fvi_adjoint_mesh_run : fvi_adjoint_variable)(run, objective, want);
     if (has_mechanism)

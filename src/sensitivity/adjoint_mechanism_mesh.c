@@ -4,6 +4,7 @@
  * back as that of a coordinate does (23.16): the same modes, with mu_i = nu_{s-1-i} / (h b_{s-1-i}) in the place of
  * zdot. Within a step a row is a polynomial of V, and of v at its beginning, the last V of the step before. */
 #include "adjoint_mechanism.h"
+#include "adjoint_variable.h"
 
 #include "system/fail.h"
 #include "variable_step/variable_mechanism.h"
@@ -189,23 +190,6 @@ static int put_back(fvi_adjoint_mechanism *m, size_t n)
 
 /* ---- rows within a step ---- */
 
-/* The derivative of x at theta of a step of length h by each V_i - v.           (22.18) */
-static void find_shape(const struct fvi_adjoint_mesh *mesh, double h, double theta, double *shape)
-{
-    const size_t s = mesh->rule->s;
-    double twice[FVI_LANES];
-    fvi_variable_step_twice(theta, twice);
-    for (size_t i = 0; i < s; i++) {
-        double unit[FVI_LANES] = { 0 }, bend[FVI_LANES], power[FVI_LANES];
-        unit[i] = 1;
-        fvi_square_apply(s, &mesh->rule->legendre, unit, bend);
-        fvi_variable_step_powers(s, bend, power);
-        shape[i] = 0;
-        for (size_t k = 0; k < s; k++)
-            shape[i] += h * twice[k] * power[k];
-    }
-}
-
 /* dJ/dx of row k, and of the last one dJ/dp to beta. */
 static int ask_row(fvi_adjoint_mechanism *m, size_t k)
 {
@@ -234,11 +218,12 @@ static int add_rows(fvi_adjoint_mechanism *m, size_t n)
     memset(mesh->by_v, 0, 2 * d * sizeof *mesh->by_v);
     for (; !status && mesh->row > 0; mesh->row--) {
         const double t = (double)mesh->row * m->run->h, theta = fmin((t - step->t) / h, 1);
-        double shape[FVI_LANES], whole = 0;
+        double shape[FVI_LANES], twice[FVI_LANES], whole = 0;
         if (t <= step->t)
             break;
         status = ask_row(m, mesh->row);
-        find_shape(mesh, h, theta, shape);
+        fvi_variable_step_twice(theta, twice);
+        fvi_adjoint_mesh_shape(mesh->rule, h, twice, shape);
         for (size_t i = 0; i < s; i++)
             whole += shape[i];
         for (size_t j = 0; j < d; j++) {
@@ -276,19 +261,11 @@ static void find_past(fvi_adjoint_mechanism *m, size_t e)
                                                         : 0));
 }
 
-/* The force is changed along straight lines between the rows. */
 static void add_forces(fvi_adjoint_mechanism *m)
 {
-    const size_t d = m->d, N = m->run->steps;
-    double *force = m->want->force;
-    for (size_t i = 0; force && i < m->s; i++) {
-        const double at = fvi_mechanism_stage_time(m->stepper, i) / m->run->h,
-                     k = fmin(floor(at), (double)N - 1), share = fmin(at - k, 1);
-        for (size_t j = 0; j < d; j++) {
-            force[(size_t)k * d + j] += (1 - share) * m->phi[i * d + j];
-            force[((size_t)k + 1) * d + j] += share * m->phi[i * d + j];
-        }
-    }
+    for (size_t i = 0; m->want->force && i < m->s; i++)
+        fvi_adjoint_mesh_force(m->run, fvi_mechanism_stage_time(m->stepper, i), 1, 1, m->phi + i * m->d,
+                               m->want->force);
 }
 
 int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m)

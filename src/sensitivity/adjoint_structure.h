@@ -63,4 +63,7 @@ int fvi_adjoint_structure_step(fvi_adjoint_structure *m, size_t k, const double 
 int fvi_adjoint_structure_end(fvi_adjoint_structure *m, const double *Jx);
 void fvi_adjoint_structure_free(fvi_adjoint_structure *m);
 
+/* fvi_adjoint_structure_mesh -- as fvi_adjoint, of a structure by fvi_variable_step, which is run here. */
+int fvi_adjoint_structure_mesh(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want);
+
 #endif

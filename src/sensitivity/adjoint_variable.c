@@ -89,18 +89,16 @@ static int start(fvi_adjoint_variable_run *m)
 
 /* ---- what J has of the rows within a step ---- */
 
-/* By V - v: what moves x, or v, within a step, by the integrals of powers, (22.18): h times those
- * of fvi_variable_step_twice, or once those of _once. */
-static void shape_of(const fvi_adjoint_variable_run *m, double h, const double *integral,
-                     double *shape)
+void fvi_adjoint_mesh_shape(const fvi_variable_rule *rule, double h, const double *integral,
+                            double *shape)
 {
-    for (size_t i = 0; i < m->s; i++) {
+    for (size_t i = 0; i < rule->s; i++) {
         double unit[FVI_LANES] = { 0 }, bend[FVI_LANES], power[FVI_LANES];
         unit[i] = 1;
-        fvi_square_apply(m->s, &m->rule->legendre, unit, bend);
-        fvi_variable_step_powers(m->s, bend, power);
+        fvi_square_apply(rule->s, &rule->legendre, unit, bend);
+        fvi_variable_step_powers(rule->s, bend, power);
         shape[i] = 0;
-        for (size_t k = 0; k < m->s; k++)
+        for (size_t k = 0; k < rule->s; k++)
             shape[i] += h * integral[k] * power[k];
     }
 }
@@ -126,7 +124,7 @@ static void read_momentum(fvi_adjoint_variable_run *m, size_t n, double t, doubl
     const double *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
     double once[FVI_LANES], shape[FVI_LANES];
     fvi_variable_step_once(theta, once);
-    shape_of(m, 1, once, shape);
+    fvi_adjoint_mesh_shape(m->rule, 1, once, shape);
     for (size_t j = 0; j < m->d; j++) {
         const double by = m->run->system->mass[j] * m->Jk[j],
                      *delta = numbers + 3 * m->d + j * FVI_LANES;
@@ -162,7 +160,7 @@ static int read_rows(fvi_adjoint_variable_run *m, size_t n, double *by_v,
             break;
         status = evaluate_slopes(m, m->row);
         fvi_variable_step_twice(theta, twice);
-        shape_of(m, h, twice, shape);
+        fvi_adjoint_mesh_shape(m->rule, h, twice, shape);
         if (m->J->has_momenta && m->row < m->run->steps)
             read_momentum(m, n, t, theta, by_v);
         for (size_t j = 0; j < m->d; j++) {
@@ -235,23 +233,25 @@ static void accumulate_alpha(fvi_adjoint_variable_run *m, size_t j, const double
 }
 //< alpha
 
-/* The force acts at the stages; the derivative is by its values at the rows, between which
- * it is changed along lines. */
+void fvi_adjoint_mesh_force(const fvi_run *run, double t, double weight, size_t stride,
+                            const double *multiplier, double *force)
+{
+    const size_t d = run->system->d;
+    const double at = t / run->h, k = fmin(floor(at), (double)run->steps - 1),
+                 share = fmin(at - k, 1);
+    for (size_t j = 0; j < d; j++) {
+        const double by = weight * multiplier[j * stride];
+        force[(size_t)k * d + j] += (1 - share) * by;
+        force[((size_t)k + 1) * d + j] += share * by;
+    }
+}
+
 static void accumulate_force(fvi_adjoint_variable_run *m, const fvi_recorded_step *step)
 {
-    const size_t d = m->d, N = m->run->steps;
-    double *force = m->want->force;
-    for (size_t i = 0; force && i < m->s; i++) {
-        const double t = step->t + m->rule->c[i] * step->length.h,
-                     at = t / m->run->h, k = fmin(floor(at), (double)N - 1),
-                     share = fmin(at - k, 1);
-        for (size_t j = 0; j < d; j++) {
-            const double by =
-                step->length.h * m->rule->b[i] * m->Lambda[j * FVI_LANES + i];
-            force[(size_t)k * d + j] += (1 - share) * by;
-            force[((size_t)k + 1) * d + j] += share * by;
-        }
-    }
+    for (size_t i = 0; m->want->force && i < m->s; i++)
+        fvi_adjoint_mesh_force(m->run, step->t + m->rule->c[i] * step->length.h,
+                               step->length.h * m->rule->b[i], FVI_LANES, m->Lambda + i,
+                               m->want->force);
 }
 
 /* mu goes into the memory. */

@@ -43,6 +43,15 @@ typedef struct {
 int fvi_adjoint_variable(const fvi_run *run, const fvi_objective *objective,
                     const fvi_sensitivities *want);
 
+/* fvi_adjoint_mesh_shape -- by V - v of each stage: what moves x, or v, within a step, by the integrals of
+ * powers, (22.18): h times those of fvi_variable_step_twice, or once those of _once.
+ * fvi_adjoint_mesh_force -- the force acts at the time t of a stage; the derivative is by its values at the rows,
+ * between which it is changed along lines. The multiplier of coordinate j at [j * stride]. */
+void fvi_adjoint_mesh_shape(const fvi_variable_rule *rule, double h, const double *integral,
+                            double *shape);
+void fvi_adjoint_mesh_force(const fvi_run *run, double t, double weight, size_t stride,
+                            const double *multiplier, double *force);
+
 /* fvi_adjoint_variable_solve -- (23.16): Lambda and mu of step n, from source, after, xi and the
  * memory, which is told of its length; T is then what mu is not in. Also X, G and G Lambda.
  * Errors: FVI_ESING; what the Hessian returns. */

@@ -90,7 +90,7 @@ int fvi_recorded_steps_run(const fvi_run *run, int open, fvi_recorded_steps *m)
         return status;
     status = run_all(run, s, m);
     s->method = &fvi_variable_step; /* it outlives this function */
-    if (run->law)
+    if (run->law || run->system->matrices)
         m->stepper = s;
     else
         fvi_stepper_free(s);

@@ -26,7 +26,7 @@ typedef struct {
     double *numbers;
     double *rows, *p; /* x at the times of the rows; the last p */
     double *impulse_dv;     /* what an impulse at the last time added to v, d numbers */
-    fvi_stepper *stepper;   /* of a run with a law, which knows its kernel; else NULL */
+    fvi_stepper *stepper;   /* of a run with a law, or of a structure, which knows its kernels; else NULL */
 } fvi_recorded_steps;
 
 /* fvi_recorded_steps_run -- the run, recorded. path: output; fvi_recorded_steps_free it in any case.

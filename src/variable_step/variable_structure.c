@@ -289,8 +289,10 @@ int fvi_structure_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const do
         for (size_t n = 0; n < of->r; n++)
             of->now[n] += of->z[n];
     }
-    for (size_t j = 0; j < o->d; j++)
+    for (size_t j = 0; j < o->d; j++) {
+        o->impulse_dv[j] += v[j];
         o->v[j] += v[j];
+    }
     return status;
 }
 

@@ -3,6 +3,7 @@
 #define _GNU_SOURCE
 #include "program.h"
 #include "folder.h"
+#include "system/larger.h"
 
 #include <string.h>
 
@@ -149,11 +150,35 @@ START_TEST(dampers_of_a_folder_have_a_gradient)
 }
 END_TEST
 
+/* Steps of any length of 1e-13 each and form D of order 14, rows a twentieth apart: 1e-10 of a derivative. Seen: 8e-12. */
+START_TEST(steps_of_any_length_have_the_gradient_of_a_folder)
+{
+    static const char *const names[] = { "x0_1", "x0_3", "p0_2", "mass", "rho", "c" };
+    static const char *const method[] = { "fvi-lobatto8d --steps 400 --time 2",
+                                          "fvi-adaptive --step-error 1e-13 --steps 40 --time 2" };
+    double want[LEN(names)];
+    char line[300];
+    write_chain();
+    for (size_t i = 0; i < 2; i++) {
+        snprintf(line, sizeof line, "gradient --of energy --alpha 0.3 --x0 1,0,-1 --p0 0.5 --system chain --method %s",
+                 method[i]);
+        ck_assert_int_eq(fvi(line), 0);
+        for (size_t j = 0; i > 0 && j < LEN(names); j++) {
+            seen_worst(fabs(by(names[j]) - want[j]), "off");
+            ck_assert_near(by(names[j]), want[j], 1e-10 * larger(1, fabs(want[j])), "%s", names[j]);
+        }
+        for (size_t j = 0; i == 0 && j < LEN(names); j++)
+            want[j] = by(names[j]);
+    }
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by alpha: of a folder steps of any length"));
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: gradients of systems of matrices");
     ADD_CASE(suite, "gradient", a_gradient_of_a_folder_is_that_of_its_masses,
              a_law_of_a_folder_has_its_rows,
-             dampers_of_a_folder_have_a_gradient);
+             dampers_of_a_folder_have_a_gradient, steps_of_any_length_have_the_gradient_of_a_folder);
     return run_suite_of_program(suite);
 }

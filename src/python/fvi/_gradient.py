@@ -107,13 +107,14 @@ def of_table(t: Array, columns: int, times: Array, by: Array) -> Array:
 def known_of(q: Problem, is_expression: bool, is_dense: bool) -> set:
     """By what a problem has derivatives."""
     known = {"x0", "v0" if q.v0 is not None else "p0"} | ({"force"} if isinstance(q.force, tuple) else set())
-    if q.kind == "structure" and q.dampers:
-        return known | {"K", "dampers", "laws", "M"}
     inertia = set() if q.ground is not None and is_dense else {"M"} if q.kind == "structure" else {"mass"}
+    if q.kind == "structure" and q.dampers:
+        return known | inertia | {"K", "dampers"} | (set() if is_dense else {"laws"})
     if q.kind == "mechanism":
         of_laws = {"laws", "alpha", "order"} if is_dense else set()  # steps of any length know their factors alone
         return known | (known_of_mechanism(q, is_expression) - of_laws) | (inertia if q.lagrangian is None else set())
-    known |= {"damping"} if q.damping is not None else {"order" if q.order is not None else "alpha"}
+    if q.damping is not None or not (q.kind == "structure" and is_dense):  # steps of any length have no order of matrices
+        known |= {"damping"} if q.damping is not None else {"order" if q.order is not None else "alpha"}
     if q.kind == "structure":
         return known | inertia | {"K"} | ({"C"} if q.C is not None else set())
     known |= inertia | ({"rho"} if q.damping is None else set()) | ({"let"} if q.let else set())

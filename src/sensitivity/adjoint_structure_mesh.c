@@ -1,0 +1,313 @@
+/* src/sensitivity/adjoint_structure_mesh.c -- A structure on its mesh, backwards.   [H 23, 27]
+ *
+ * (23.16) with M, C_j and K in the place of numbers. The mirrored run takes the lengths of the steps from the end,
+ * with the factors and the modes of the run, at rest: o->v is lambda, o->y its integral, xi the force that drives
+ * it. Stages of it stand in reverse order. */
+#include "adjoint_structure_mesh.h"
+
+#include "adjoint_structure.h"
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the start ---- */
+
+static int allocate(fvi_structure_mirror *m)
+{
+    const size_t d = m->d;
+    double **each[] = { &m->v0, &m->xi, &m->by_v, &m->by_x, &m->extra, &m->Jx, &m->Jp,
+                        &m->Jk, &m->product, &m->room, &m->moved, &m->y };
+    enum { ARRAYS = sizeof each / sizeof *each };
+    m->each = calloc(m->count + 1, sizeof *m->each);
+    m->block = calloc((ARRAYS + 3 * m->s + m->count) * d, sizeof *m->block);
+    if (!m->each || !m->block)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    double *next = m->block;
+    for (size_t i = 0; i < ARRAYS; i++, next += d)
+        *each[i] = next;
+    m->source = next;
+    m->V = m->source + m->s * d;
+    m->mu = m->V + m->s * d;
+    next = m->mu + m->s * d;
+    for (size_t j = 0; j < m->count; j++, next += d)
+        m->each[j].plain = next;
+    return FVI_SUCCESS;
+}
+
+/* The modes of the run, at rest, of the same rates. */
+static int start_modes(fvi_structure_mirror *m)
+{
+    fvi_stepper *s = m->path.stepper;
+    const size_t bytes = m->d * sizeof(double);
+    m->o = s->method_state;
+    m->of = m->o->structure;
+    memset(s->x, 0, bytes);
+    memset(m->o->v, 0, bytes);
+    memset(m->o->y, 0, bytes);
+    for (size_t j = 0; j < m->of->count; j++) {
+        fvi_mesh_matrix *to = m->of->damper + j;
+        fvi_modes_free(to->memory.modes);
+        fvi_modes_free(to->memory.rising);
+        free(to->memory.kernel);
+        to->memory = (fvi_mesh_damper){ 0 };
+        memset(to->before, 0, to->r * sizeof *to->before);
+    }
+    m->of->h = 0;
+    return fvi_structure_mesh_begin_dampers(s, m->o);
+}
+
+static int start(fvi_structure_mirror *m)
+{
+    m->rule = m->path.rule;
+    m->s = m->rule->s;
+    m->row = m->run->steps;
+    m->count = fvi_run_damper_count(m->run);
+    int status = allocate(m);
+    if (!status)
+        status = fvi_damping_velocity(m->run->system, m->run->p0, m->v0);
+    if (!status)
+        status = start_modes(m);
+    for (size_t j = 0; !status && j < m->count; j++) {
+        fvi_structure_mirror_damper *a = m->each + j;
+        a->of = fvi_run_damper_of(m->run, j);
+        a->has_line = a->of.growth > 1 && a->of.past == FVI_INITIAL_HISTORY_CAPUTO && !a->of.law;
+        for (size_t i = 0; i < m->of->count; i++)
+            if (m->of->damper[i].number == j)
+                a->to = m->of->damper + i;
+    }
+    return status;
+}
+
+static double dot(size_t d, const double *a, const double *b)
+{
+    double sum = 0;
+    for (size_t i = 0; i < d; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/* ---- a step ---- */
+
+/* The multipliers mu of step n. (23.16) */
+static int solve(fvi_structure_mirror *m, size_t n)
+{
+    fvi_variable_step_state *o = m->o;
+    const fvi_matrices *matrices = m->run->system->matrices;
+    const fvi_length length = m->path.step[n].length;
+    const double h = length.h, *b = m->rule->b;
+    const size_t d = m->d, s = m->s;
+    o->length = length;
+    int status = fvi_structure_mesh_solver(m->path.stepper, o, h);
+    if (!status)
+        status = matrices->stiffness(d, o->v, matrices->params, m->product);
+    for (size_t i = 0; i < s; i++)
+        for (size_t j = 0; j < d; j++)
+            m->of->load[i * d + j] = m->xi[j] - h * m->rule->c[i] * m->product[j]
+                                     + (m->source[(s - 1 - i) * d + j] + (i == 0 ? m->extra[j] : 0)) / (h * b[i]);
+    if (!status)
+        status = fvi_structure_mesh_predict(o);
+    if (!status)
+        status = fvi_stage_solver_solve(m->of->solver, m->of->load, m->of->delta);
+    for (size_t i = 0; i < s; i++)
+        for (size_t j = 0; j < d; j++)
+            m->mu[i * d + j] = o->v[j] + m->of->delta[i * d + j];
+    return status;
+}
+
+/* By factors of M and K: V - v before an impulse, and X, of the stages. */
+static int add_matrices(fvi_structure_mirror *m, size_t n)
+{
+    const fvi_matrices *matrices = m->run->system->matrices;
+    const size_t d = m->d, s = m->s;
+    const double *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * d, h = m->path.step[n].length.h,
+                 *b = m->rule->b;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < s; i++)
+        for (size_t j = 0; j < d; j++)
+            m->V[i * d + j] = numbers[d + j] + numbers[3 * d + j * FVI_LANES + s - 1 - i];
+    for (size_t i = 0; !status && m->want->mass && i < s; i++) {
+        for (size_t j = 0; j < d; j++) {
+            m->room[j] = 0;
+            for (size_t l = 0; l < s; l++)
+                m->room[j] += b[i] * m->rule->inverse.column[l][s - 1 - i]
+                              * (numbers[3 * d + j * FVI_LANES + l] + numbers[2 * d + j]);
+        }
+        status = matrices->inertia(d, m->room, matrices->params, m->product);
+        m->by_M -= dot(d, m->mu + i * d, m->product);
+    }
+    m->by_M -= dot(d, m->by_v, numbers + 2 * d);
+    for (size_t i = 0; !status && m->want->parameters && i < s; i++) {
+        for (size_t j = 0; j < d; j++) {
+            double moved = m->rule->c[s - 1 - i] * numbers[d + j];
+            for (size_t l = 0; l < s; l++)
+                moved += m->path.to_x->column[l][s - 1 - i] * numbers[3 * d + j * FVI_LANES + l];
+            m->room[j] = numbers[j] + h * moved;
+        }
+        status = matrices->stiffness(d, m->room, matrices->params, m->product);
+        m->by_K += h * b[i] * dot(d, m->mu + i * d, m->product);
+    }
+    return status;
+}
+
+/* The forces of a damper on the mirrored run, which advance has told of its velocities, and V. */
+static int add_damper(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_damper *a)
+{
+    const fvi_damping_matrix *C = &a->of.matrix;
+    const double h = m->path.step[n].length.h;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; a->to && !status && i < m->s; i++) {
+        const size_t r = a->to->r;
+        for (size_t l = 0; l < r; l++) {
+            double force = a->to->force[i * r + l];
+            for (size_t c = 0; c < m->s; c++)
+                force += a->to->W[i * m->s + c] * a->to->slope[c * r + l];
+            m->y[l] = h * m->rule->b[i] * force;
+        }
+        memset(m->product, 0, m->d * sizeof *m->product);
+        status = C->damp(m->d, -1, m->y, C->params, m->product);
+        a->sum += dot(m->d, m->V + i * m->d, m->product) - (a->has_line ? dot(m->d, m->v0, m->product) : 0);
+        for (size_t j = 0; j < m->d; j++)
+            a->plain[j] += m->product[j];
+    }
+    return status;
+}
+
+/* The force is changed along lines between the rows. */
+static void add_force(const fvi_structure_mirror *m, size_t n)
+{
+    const fvi_recorded_step *step = m->path.step + n;
+    for (size_t i = 0; m->want->force && i < m->s; i++)
+        fvi_adjoint_mesh_force(m->run, step->t + m->rule->c[i] * step->length.h, step->length.h * m->rule->b[i], 1,
+                               m->mu + (m->s - 1 - i) * m->d, m->want->force);
+}
+
+static int step_back(fvi_structure_mirror *m, size_t n)
+{
+    const fvi_matrices *matrices = m->run->system->matrices;
+    const double h = m->path.step[n].length.h;
+    const size_t d = m->d, s = m->s;
+    int status = fvi_structure_mirror_read_rows(m, n);
+    if (!status)
+        status = solve(m, n);
+    if (!status)
+        status = add_matrices(m, n);
+    if (!status)
+        status = fvi_structure_mesh_advance(m->o);
+    for (size_t j = 0; !status && j < m->count; j++)
+        status = add_damper(m, n, m->each + j);
+    add_force(m, n);
+    memset(m->moved, 0, d * sizeof *m->moved);
+    for (size_t i = 0; i < s; i++)
+        for (size_t j = 0; j < d; j++)
+            m->moved[j] += h * m->rule->b[i] * m->mu[i * d + j];
+    if (!status)
+        status = matrices->stiffness(d, m->moved, matrices->params, m->product);
+    for (size_t j = 0; j < d; j++) {
+        m->xi[j] += m->by_x[j] - m->product[j];
+        m->o->y[j] += m->moved[j];
+        m->o->v[j] = m->mu[(s - 1) * d + j];
+    }
+    memcpy(m->extra, m->by_v, d * sizeof *m->extra);
+    return status;
+}
+
+/* ---- the end ---- */
+
+/* Riemann and Liouville's past below the order 1: x_0 is a jump at t = 0. What it does to J, S g. */
+static int end_struck(fvi_structure_mirror *m, fvi_structure_mirror_damper *a, double *by_place)
+{
+    fvi_mesh_matrix *to = a->to;
+    fvi_modes *modes = to->memory.modes;
+    const fvi_damping_matrix *C = &a->of.matrix;
+    int status = FVI_SUCCESS;
+    memset(m->y, 0, m->d * sizeof *m->y);
+    if (!modes && to->memory.beta == -1)
+        status = C->remember(m->d, m->o->y, to->zero, C->params, m->y);
+    if (modes) {
+        const size_t count = fvi_modes_count(modes);
+        double *ones = malloc(count * sizeof *ones);
+        if (!ones)
+            FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        for (size_t q = 0; q < count; q++)
+            ones[q] = 1;
+        fvi_modes_activate_all(modes);
+        for (size_t n = 0; n < to->r; n++)
+            m->y[n] = fvi_modes_accumulate(modes, n, ones, to->before[n], NULL);
+        free(ones);
+    }
+    memset(by_place, 0, m->d * sizeof *by_place);
+    return status ? status : C->damp(m->d, -to->memory.rho, m->y, C->params, by_place);
+}
+
+/* By a factor of each damper; what the start has through them. */
+static int end_dampers(fvi_structure_mirror *m)
+{
+    const fvi_sensitivities *want = m->want;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; !status && j < m->count; j++) {
+        fvi_structure_mirror_damper *a = m->each + j;
+        double by_factor = -a->sum;
+        if (a->to && fvi_structure_mesh_is_struck(&a->of)) {
+            status = end_struck(m, a, m->product);
+            by_factor -= dot(m->d, m->run->x0, m->product);
+            for (size_t i = 0; i < m->d; i++)
+                m->xi[i] -= m->product[i];
+        }
+        for (size_t i = 0; a->has_line && i < m->d; i++)
+            m->extra[i] += a->plain[i];
+        if (want->damping)
+            want->damping[j] = by_factor;
+        if (want->terms) /* of a law of one term */
+            want->terms[0] = by_factor / m->run->law->term[0].rho;
+    }
+    return status;
+}
+
+static int end(fvi_structure_mirror *m)
+{
+    const fvi_run *run = m->run;
+    const fvi_sensitivities *want = m->want;
+    const fvi_matrices *matrices = run->system->matrices;
+    const size_t d = m->d;
+    int status = fvi_structure_mirror_evaluate_slopes(m, 0);
+    for (size_t i = 0; i < d; i++)
+        m->xi[i] += m->Jx[i];
+    if (!status)
+        status = end_dampers(m);
+    if (!status)
+        status = fvi_damping_velocity(run->system, m->extra, m->room);
+    for (size_t i = 0; i < d; i++) {
+        const int has = run->law || run->system->mechanism
+                        || fvi_initial_history_solvable(run->past, run->alpha, run->system->damping[i], 1);
+        if (want->x0)
+            want->x0[i] = has ? m->xi[i] : NAN; /* (19.2) */
+        if (want->p0)
+            want->p0[i] = m->o->v[i] + m->room[i] + m->Jk[i];
+    }
+    if (want->mass && !status) { /* v0 is M^-1 p0; p_N is M v_N, and what hits the body there */
+        status = matrices->inertia(d, m->path.impulse_dv, matrices->params, m->product);
+        *want->mass = m->by_M - dot(d, run->p0, m->o->v) - dot(d, m->v0, m->extra) + dot(d, m->Jp, m->path.p)
+                      - dot(d, m->Jp, m->product);
+    }
+    if (want->parameters)
+        *want->parameters = -m->by_K;
+    return status || fvi_all_finite(d, m->xi) ? status : FVI_EOVRFLW;
+}
+
+int fvi_adjoint_structure_mesh(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want)
+{
+    fvi_structure_mirror m = { .run = run, .J = J, .want = want, .d = run->system->d };
+    int status = fvi_recorded_steps_run(run, 0, &m.path);
+    if (!status)
+        status = start(&m);
+    for (size_t n = m.path.steps; !status && n-- > 0;)
+        status = step_back(&m, n);
+    if (!status)
+        status = end(&m);
+    free(m.each);
+    free(m.block);
+    fvi_recorded_steps_free(&m.path);
+    return status;
+}
