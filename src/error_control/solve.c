@@ -2,9 +2,11 @@
 #include "solve_state.h"
 
 #include <fvi/lagrangian.h>
+#include <fvi/lobatto.h>
 
 #include "error_control/step_search.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -70,6 +72,32 @@ int fvi_solve_tell_events(fvi_solve_state *o, double until)
     return status;
 }
 
+/* The step of one length at whose end row k is known, and whether the row is there or before it. */
+static size_t node_of_row(const fvi_solve_state *o, const fvi_stepper *s, size_t k, int *is_there)
+{
+    const double parts = time_of_row(o, k) / s->run.h;
+    *is_there = !o->is_between || fabs(parts - round(parts)) <= 16 * DBL_EPSILON * parts;
+    return (size_t)(*is_there ? round(parts) : ceil(parts));
+}
+
+/* Is row k behind the run's time? */
+static int is_ahead(const fvi_solve_state *o, const fvi_stepper *s, size_t k)
+{
+    int is_there;
+    return s->method->dense ? s->t < time_of_row(o, k) : s->k < node_of_row(o, s, k, &is_there);
+}
+
+/* Row k within the last step, by the path of its stages. */
+static int row_of_stages(const fvi_solve_state *o, const fvi_stepper *s, size_t k, double *room)
+{
+    const double t = time_of_row(o, k);
+    double *p = room + o->run.system->d;
+    int status = fvi_lobatto_within(s, t, room);
+    if (!status)
+        status = fvi_lobatto_momentum_within(s, t, p);
+    return status ? status : give_row(o, k, room, p);
+}
+
 /* Row k of a run that has come to its time, or just passed it. */
 static int row_of_run(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
                       size_t k, double *room)
@@ -84,7 +112,12 @@ static int row_of_run(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *ob
             status = give_row(o, k, now.x, now.p);
         return status ? status : o->out->observed(k, &now, o->out->params);
     }
-    if (!s->method->dense || s->t == t)
+    if (!s->method->dense) {
+        int is_there;
+        node_of_row(o, s, k, &is_there);
+        return is_there ? give_row(o, k, s->x, s->p) : row_of_stages(o, s, k, room);
+    }
+    if (s->t == t)
         return give_row(o, k, s->x, s->p);
     status = fvi_stepper_advance_to(s, t, room, room + d);
     return status ? status : give_row(o, k, room, room + d);
@@ -100,13 +133,6 @@ static int stand_between(const fvi_solve_state *o, fvi_stepper *s, fvi_observer 
         return FVI_SUCCESS;
     const int status = fvi_observer_read(observer, s, s->t, &now);
     return status ? status : o->out->between(&now, o->out->params);
-}
-
-/* Is row k behind the run's time? */
-static int is_ahead(const fvi_solve_state *o, const fvi_stepper *s, size_t k)
-{
-    const double t = time_of_row(o, k);
-    return s->method->dense ? s->t < t : s->k < (size_t)round(t / s->run.h);
 }
 
 /* Steps to the time of row k, or to an event that ends the run. */
@@ -313,9 +339,9 @@ static int solve_to_tolerance(fvi_solve_state *o)
     int status = search(o, x, p);
     if (status)
         fail_of_search(o, status);
-    else if (o->out->observed)
+    else if (o->out->observed || o->is_between)
         status = observe_again(o);
-    if (!status && !o->out->observed)
+    if (!status && !o->out->observed && !o->is_between)
         status = give_found(o, x, p);
     free(x);
     return status;

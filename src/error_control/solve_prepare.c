@@ -113,6 +113,12 @@ static int check_step(const fvi_solve_state *o, double h)
                           "h is %g; without a tolerance a step > 0 is needed", h);
 }
 
+/* Is the body known between the ends of steps of one length? What an observer says is not. */
+static int has_path(const fvi_solve_state *o)
+{
+    return o->method->stages > 0 && !o->out->observed;
+}
+
 /* Steps of a given length, h, to T. */
 static int given_steps(fvi_solve_state *o, double T, double h)
 {
@@ -131,7 +137,8 @@ static int given_steps(fvi_solve_state *o, double T, double h)
                         o->out->rows, o->run.steps);
     const size_t k =
         o->out->t && !o->method->dense ? first_between(o->out, h) : SIZE_MAX;
-    return k < o->out->rows
+    o->is_between = k < o->out->rows && has_path(o);
+    return k < o->out->rows && !o->is_between
                ? refuse_time(k, o->out->t[k],
                              "this method gives out multiples of h; "
                              "fvi-adaptive gives out any time", o->error)
@@ -150,6 +157,11 @@ static int choose_grid(fvi_solve_state *o, double T, double h)
     o->run.steps = o->out->t ? COMPARED : o->out->rows - 1;
     if (o->out->t && !o->method->dense)
         status = common_steps(o, T, &o->run.steps);
+    if (status && has_path(o)) {
+        o->is_between = 1;
+        o->run.steps = COMPARED;
+        status = FVI_SUCCESS;
+    }
     o->run.h = T / (double)o->run.steps;
     return status;
 }

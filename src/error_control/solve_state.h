@@ -18,6 +18,7 @@ typedef struct {
     fvi_variable_step_found found; /* of a search by fvi-adaptive */
     fvi_event_list events;         /* of the run whose rows are given out, */
     size_t told;                   /* of which the caller knows so many */
+    int is_between; /* nonzero if times stand between steps of one length, where stages give a path */
 } fvi_solve_state;
 
 /* fvi_solve_tell_events -- o->out->event is called with those of o->events that are not after `until`.

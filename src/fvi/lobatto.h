@@ -129,11 +129,20 @@ int fvi_lobatto_correct_momenta(const fvi_method *method, const fvi_run *run,
  *
  * It is the path that the method itself has: of degree s - 1 through X_1, ..., X_s. At t_k it is s->x to the
  * bit. Order: s at a fixed t > 0 where F does not jump, or what x_k has if that is less; in form D the path
- * begins at X_1, which differs from x_{k-1} by as much. The momentum has no such polynomial. With a
+ * begins at X_1, which differs from x_{k-1} by as much. With a
  * mechanism (dampers.h) or matrices (structures.h) as well. Cost O(s (s + d)), with matrices O(s^3 + s d).
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP of another method; FVI_EDOM at k = 0, or if t is
  * not in the last step. */
 int fvi_lobatto_within(const fvi_stepper *s, double t, double *x);
+
+/* fvi_lobatto_momentum_within -- p within the last step: that of the velocity of this path, p = M x', or L_v.
+ *
+ *   s, t  as above
+ *   p     output, d numbers
+ *
+ * Order: s - 1 at a fixed t > 0, one less than x. At t_k it is not s->p, which is of a higher order. Cost as above, s times
+ * for each stage. Returns as above; FVI_ENOMEM; what a Lagrangian or a product with M returned. */
+int fvi_lobatto_momentum_within(const fvi_stepper *s, double t, double *p);
 
 /* fvi_lobatto_abscissa -- c_i, i = 0, ..., s - 1: stage i stands at t_k + c_i h; 0 where s is not 2 to 8,
  * or i is beyond. */

@@ -226,7 +226,7 @@ static int load_stepper(fvi_stepper *s, const unsigned char *from, size_t size)
     return status ? status : b.at == size ? 0 : FVI_EINVAL;
 }
 /* x at increasing times: at the ends of steps, but for roundings, as they are, and by their stages between them; and p, if
- * it is not NULL, of the last end. */
+ * it is not NULL, likewise. */
 static int places_within(fvi_stepper *s, size_t count, const double *t, double *x, double *p)
 {
     const size_t d = s->run.system->d;
@@ -241,8 +241,10 @@ static int places_within(fvi_stepper *s, size_t count, const double *t, double *
             memcpy(x + i * d, s->x, d * sizeof *x);
         else if (!status)
             status = fvi_lobatto_within(s, t[i], x + i * d);
-        if (!status && p)
+        if (!status && p && is_end)
             memcpy(p + i * d, s->p, d * sizeof *p);
+        else if (!status && p)
+            status = fvi_lobatto_momentum_within(s, t[i], p + i * d);
     }
     return status;
 }

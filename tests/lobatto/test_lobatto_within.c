@@ -37,15 +37,23 @@ static const fvi_method *const methods[] = {
     &fvi_lobatto_d7, &fvi_lobatto_d8
 };
 
-static void follow(fvi_stepper *s, size_t stages, const char *name, const char *kind)
+static double velocity(size_t s, double t)
 {
-    double x;
+    return p0 + (s < 3 ? 0 : ((double)s - 1) * pow(t, (double)s - 2));
+}
+
+/* The slope of the path: its weights are up to s (s - 1)/2 = 28 in units of a step of 1/4. */
+static void follow(fvi_stepper *s, double m, size_t stages, const char *name, const char *kind)
+{
+    double x, p;
     while (s->k < STEPS) {
         ck_assert_int_eq(fvi_stepper_step(s), 0);
         for (size_t i = 0; i <= 8; i++) {
             const double t = s->t - h + (double)i / 8 * h;
             ck_assert_int_eq(fvi_lobatto_within(s, t, &x), 0);
             ck_assert_near(x, motion(stages, t), 2000 * U, "%s, %s, t = %g", name, kind, t); /* seen: 700 U */
+            ck_assert_int_eq(fvi_lobatto_momentum_within(s, t, &p), 0);
+            ck_assert_near(p, m * velocity(stages, t), m * 28 * 4 * 2000 * U, "%s, %s, p at t = %g", name, kind, t);
         }
         ck_assert(fvi_lobatto_within(s, s->t, &x) == 0 && x == s->x[0]);
     }
@@ -65,7 +73,7 @@ START_TEST(a_polynomial_of_the_stages_degree_is_met_between_the_steps)
             const fvi_run run = fvi_run_default(&system, &x0, &p0, h, STEPS);
             fvi_stepper *s;
             ck_assert_int_eq(fvi_stepper_start(methods[i], &run, &s, NULL), 0);
-            follow(s, stages, methods[i]->name, is_mechanism ? "a Lagrangian" : "a mass");
+            follow(s, 1, stages, methods[i]->name, is_mechanism ? "a Lagrangian" : "a mass");
             fvi_stepper_free(s);
         }
     fvi_typed_mechanism_free(typed);
@@ -89,7 +97,7 @@ START_TEST(a_structure_has_a_path_between_the_steps_too)
         system.force = (fvi_force){ .value = push_twice, .params = &stages };
         const fvi_run run = fvi_run_default(&system, &x0, &p, h, STEPS);
         ck_assert_int_eq(fvi_stepper_start(methods[i], &run, &s, NULL), 0);
-        follow(s, stages, methods[i]->name, "a matrix");
+        follow(s, 2, stages, methods[i]->name, "a matrix");
         fvi_stepper_free(s);
     }
     fvi_structure_free(structure);
@@ -112,6 +120,8 @@ START_TEST(a_time_beside_the_step_is_refused)
     ck_assert_int_eq(fvi_lobatto_within(s, NAN, &x), FVI_EDOM);
     ck_assert_int_eq(fvi_lobatto_within(s, 0.3, NULL), FVI_EFAULT);
     ck_assert_int_eq(fvi_lobatto_within(NULL, 0.3, &x), FVI_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_momentum_within(s, 0.2, &x), FVI_EDOM);
+    ck_assert_int_eq(fvi_lobatto_momentum_within(s, 0.3, NULL), FVI_EFAULT);
     fvi_stepper_free(s);
     ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s, NULL), 0);
     ck_assert(!fvi_stepper_step(s) && fvi_lobatto_within(s, 0.1, &x) == FVI_EUNSUP);

@@ -9,7 +9,7 @@ import numpy as np
 from ._arguments import Array, Numbers, described, function, names as names_of, number, numbers, spelt
 from ._fvi import ffi, lib
 from ._library import ask, failure, succeed, understand, warn
-from ._observe import as_run
+from ._observe import as_run, refuse_between
 from ._problem import Problem
 from ._solution import Solution
 from ._solve import Motion, solve
@@ -42,6 +42,8 @@ class Mirror:
         if self.is_dense and how.t_eval is not None:
             run.steps = steps_of_rows(s.t, s.problem.time)
         run.h = s.problem.time / run.steps if how.h is None else how.h
+        if how.t_eval is not None and not self.is_dense:
+            refuse_between(s.t, run.h, how.method, "gradient")
         self.rows = np.round(s.t / run.h).astype(int)
         self.d, self.steps = self.motion.system.d, run.steps
         self.per = self.method.stages - 1 if self.method.stages else 1

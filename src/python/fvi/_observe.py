@@ -26,9 +26,18 @@ def as_run(motion: Motion, s: Solution) -> Any:
     return run
 
 
+def refuse_between(t: Any, h: float, method: str, what: str) -> None:
+    """Steps of one length know more than x and p at their ends alone."""
+    for k in np.flatnonzero(abs(t / h - np.round(t / h)) > 1e-9 * np.maximum(t / h, 1))[:1]:
+        raise ValueError(f"t_eval: t[{k}] is {t[k]:.10g}, within a step of {method}, which has the length {h:.10g}; there is "
+                         f"no {what} between two steps, and fvi-adaptive has it at any time")
+
+
 def begin(s: Solution, wanted: int) -> tuple:
     """The motion from its start, and an observer that goes along (fvi/observer.h)."""
     motion = Motion(s.problem, s.how)
+    if s.how.t_eval is not None and not lib.is_dense(motion.method):
+        refuse_between(s.t, as_run(motion, s).h, s.how.method, "acceleration, force, multiplier or work")
     out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
     status = ask(lib.fvi_stepper_start, motion.method, as_run(motion, s), out, error)
     if status:

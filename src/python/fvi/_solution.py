@@ -147,8 +147,9 @@ class Solution:
         return self.state(t, momenta=False)[0]
 
     def state(self, t: Numbers, *, momenta: bool = True) -> tuple:
-        """Places and momenta at other times, x and p, (d,) or (n, d) each: of "fvi-adaptive" at any time, of other methods
-        at the ends of their steps. momenta: False: x alone, at all times at which solution(t) knows it; p is None.
+        """Places and momenta at other times, x and p, (d,) or (n, d) each: of "fvi-adaptive" and of methods with stages at
+        any time, of other methods at the ends of their steps. Between the ends of steps of "fvi-lobattoS" p is of
+        order S - 1. momenta: False: x alone; p is None.
 
             x, p = solution.state([1.5, 2.5])
         """
@@ -183,14 +184,9 @@ class Solution:
             raise ValueError(f"t: {t[0] if not t[0] >= 0 else t[-1]:g} is not within the motion, 0 ... {end:g}")
 
     def within_steps(self, t: Array, x: Array, p: Optional[Array]) -> Optional[Error]:
-        """x at increasing times, by the polynomials of the stages; p at the ends of steps."""
+        """x at increasing times, by the polynomials of the stages; p by their slopes, and at the ends of steps as it is."""
         from ._observe import as_run
         self.check(t)
-        h = as_run(self.motion, self).h
-        for k in np.flatnonzero(abs(t / h - np.round(t / h)) > 1e-12 * np.maximum(t / h, 1))[:1]:
-            if p is not None:
-                raise ValueError(f"t: {t[k]:.10g} is within a step, where {self.how.method} knows no momentum; the steps "
-                                 f"have the length {h:.10g}, and fvi-adaptive knows momenta at any time")
         out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
         status = ask(lib.fvi_stepper_start, self.motion.method, as_run(self.motion, self), out, error)
         if not status:
