@@ -339,9 +339,9 @@ static int solve_to_tolerance(fvi_solve_state *o)
     int status = search(o, x, p);
     if (status)
         fail_of_search(o, status);
-    else if (o->out->observed || o->is_between)
+    else if (o->out->observed)
         status = observe_again(o);
-    if (!status && !o->out->observed && !o->is_between)
+    if (!status && !o->out->observed)
         status = give_found(o, x, p);
     free(x);
     return status;

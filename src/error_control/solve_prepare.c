@@ -157,11 +157,6 @@ static int choose_grid(fvi_solve_state *o, double T, double h)
     o->run.steps = o->out->t ? COMPARED : o->out->rows - 1;
     if (o->out->t && !o->method->dense)
         status = common_steps(o, T, &o->run.steps);
-    if (status && has_path(o)) {
-        o->is_between = 1;
-        o->run.steps = COMPARED;
-        status = FVI_SUCCESS;
-    }
     o->run.h = T / (double)o->run.steps;
     return status;
 }

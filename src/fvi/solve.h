@@ -154,11 +154,10 @@ const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
  * hop n is 4^-n high; so with the tolerance 1e-6 it is at rest after the tenth, as 4^-10 = 0.95e-6. Where runs of
  * any steps differ in their events, as where z only touches 0, or where a motion is chaotic, FVI_ETOL says so.
  *
- * fvi_variable_step gives out any time, and so do methods with stages, by the path of their stages (lobatto.h), if
- * `observed` is NULL: between two steps x is then of the order of the stages s, and p of s - 1. Other methods have
- * positions at their steps alone: without a
- * tolerance each t is a multiple of h, but for roundings; with one the times have a common step, of
- * which T has at most 2^20.
+ * fvi_variable_step gives out any time. So do methods with stages without a tolerance, by the path of their stages
+ * (lobatto.h), if `observed` is NULL: between two steps x is then of the order of the stages s, and p of s - 1. Else
+ * positions are known at the steps alone: without a tolerance each t is a multiple of h, but for roundings; with
+ * one, which is told of the ends of steps, the times have a common step, of which T has at most 2^20.
  *
  * Without a tolerance no row is kept but in the outputs: memory O(d) and that of the method's history.
  * With one, three times that of x at 128 times at least.

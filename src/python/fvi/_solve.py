@@ -361,7 +361,8 @@ def by_library(motion: Motion, how: Numerics, x: Array, p: Array, count: Any) ->
     if status:
         raised = error_of(error, status) if error.code == status else failure(status)
         if str(raised).startswith("t["):
-            raised.field, raised.args = "t_eval", (f"t_eval: {raised}",)
+            within = "; solution(t) has the places between the steps" if motion.method.stages else ""
+            raised.field, raised.args = "t_eval", (f"t_eval: {raised}{within}",)
         elif raised.field == "tolerance" and how.error is not None and raised.value == how.error:
             raised.field, raised.args = "error", (f"error: {raised}",)
         return Found(in_words_of(motion.problem, raised), count.rows, "", None, motion.run.h)
@@ -424,8 +425,9 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
         fvi.solve(problem, error=1e-6)                      x is right to 1e-6, by an estimate
         fvi.solve(problem, h=0.1, method="fvi-lobatto4")    these steps of this method
 
-    t_eval      the times of the rows, increasing, within 0 ... time; None: evenly, or each step. Any times with "fvi-adaptive" and
-                methods with stages, of which x is of order S between two steps of "fvi-lobattoS", and p of order S - 1
+    t_eval      the times of the rows, increasing, within 0 ... time; None: evenly, or each step. Any times with "fvi-adaptive", and,
+                with h or steps, with methods with stages, of which x is of order S between two steps of "fvi-lobattoS", and p
+                of order S - 1
     error       how far x may be off at any row and event, a length > 0, by the library's estimate. With events, two runs of
                 different accuracy must have the same events, and their times are right to error divided by the largest
                 speed; a body whose hops are no higher than error is at rest
