@@ -124,7 +124,7 @@ int fvi_stepper_contact_force(const fvi_stepper *s, size_t i, double t, double *
  * then: by an impulse of its force, which may be 0, or by an impact among its events.
  * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EDOM if a number is not finite; FVI_EINVAL of another
  * method, or within a callback; FVI_EUNSUP if the run did not know, or has a law of damping that
- * grows faster than s. Cost O(d). */
+ * grows faster than s, or if J kicks a coordinate without inertia. Cost O(d). */
 int fvi_stepper_kick(fvi_stepper *s, const double *J);
 
 /* fvi_events_check -- FVI_SUCCESS; or what is wrong, field "events", the index that of the event:

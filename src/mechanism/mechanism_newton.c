@@ -42,6 +42,17 @@ static int is_done(double now, double before, double scale)
                && now / before * (now / before) * now <= rounding / 1e4);
 }
 
+/* Is a change of x no more than its roundings, where these are all that an equation knows x to? That of a constraint is
+ * one, and that of a coordinate without inertia. */
+static int is_lost_in_places(const fvi_stepper *s, double change)
+{
+    const fvi_mechanism_state *o = s->mechanism;
+    int knows_places = o->m > 0;
+    for (size_t i = 0; i < o->d && o->is_on_mesh; i++)
+        knows_places |= o->is_massless[i];
+    return knows_places && change <= 4 * DBL_EPSILON * fvi_mechanism_largest(o->d, s->x);
+}
+
 /* On a mesh a step may be so short that the increments need more digits than c(x) = 0 gives, which knows x up to
  * roundings. Then the iteration also ends when it changes x by no more than these. Where a body rests nothing moves, and the
  * size of all motion before says what is small. */
@@ -68,8 +79,7 @@ static int iterate(fvi_stepper *s,
             return FVI_SUCCESS;
         before = now;
     }
-    return o->m && before <= 4 * DBL_EPSILON * fvi_mechanism_largest(o->d, s->x) ? FVI_SUCCESS
-                                                                                : FVI_EMAXITER;
+    return is_lost_in_places(s, before) ? FVI_SUCCESS : FVI_EMAXITER;
 }
 
 /* Down the residual: the longest of the steps 1, 1/2, 1/4, ... of Newton's that makes it smaller. */

@@ -154,6 +154,28 @@ static int check_massless(const fvi_stepper *s, fvi_error *error)
     return FVI_SUCCESS;
 }
 
+/* An impulse on a coordinate without inertia makes its place infinite at once, but for an order of 1 and above. Stages of a
+ * fixed length see it from afar. Nodes stand where it is, and steps of a mesh are as short as it asks for. */
+static int check_impulses(const fvi_stepper *s, fvi_error *error)
+{
+    const fvi_mechanism_state *o = s->mechanism;
+    const fvi_force *force = &s->run.system->force;
+    if (o->form != FVI_MECHANISM_NODES && !o->is_on_mesh)
+        return FVI_SUCCESS;
+    for (size_t n = 0; n < force->impulse_count; n++)
+        for (size_t i = 0; i < o->d; i++)
+            if (o->is_massless[i] && force->impulses[n].J[i] != 0) {
+                fvi_fail(error, FVI_EUNSUP, "force", force->impulses[n].J[i],
+                         "an impulse on coordinate %zu, which has no inertia, moves it at once: "
+                         "fvi-lobatto2d to 8d take it",
+                         i + 1);
+                if (error)
+                    error->index = i;
+                return FVI_EUNSUP;
+            }
+    return FVI_SUCCESS;
+}
+
 /* The first guess: the velocity goes on. */
 static void guess(fvi_stepper *s)
 {
@@ -182,6 +204,8 @@ int fvi_mechanism_start(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
         status = check_elongations(s, error);
     if (!status)
         status = check_massless(s, error);
+    if (!status)
+        status = check_impulses(s, error);
     if (status || o->is_on_mesh)
         return status;
     status = fvi_mechanism_begin_histories(s, o->v, error);

@@ -58,13 +58,15 @@ static int project_stages(fvi_stepper *s, double *v)
 }
 
 /* As that of variable_steps.c. A coordinate without inertia keeps no velocity, so that an error of its
- * velocity moves it no farther than this step. v: of the stages; zdot: of dampers, stage i of damper e at
+ * velocity moves it no farther than this step. Where forces jump, and its dampers are stiff at once, its place jumps, too: it
+ * does so within the shortest step, which knows where to, and the polynomial of that step is of no use. v: of the stages; zdot: of dampers, stage i of damper e at
  * [i * by_stage + e * by_damper]. */
 //> estimate
 static double estimate(const fvi_stepper *s, const fvi_variable_step_state *o, const double *v,
                        const double *zdot, size_t by_stage, size_t by_damper)
 {
     const double h = o->length.h, reach = o->T - o->t;
+    const int may_jump = o->first_after_event && h <= o->least;
     double worst = 0;
     for (size_t j = 0; j < o->d; j++) {
         const double last = last_coefficient(o, v + j, o->d, o->v[j]);
@@ -72,7 +74,8 @@ static double estimate(const fvi_stepper *s, const fvi_variable_step_state *o, c
         for (size_t e = 0; e < o->mechanism->r; e++)
             of_v += leak_of_damper(s, o, e, j)
                     * last_coefficient(o, zdot + e * by_damper, by_stage, o->mechanism->damper[e].now);
-        worst = larger(worst, o->rule->stage * h * last + reach * of_v);
+        const double of_x = may_jump && s->mechanism->is_massless[j] ? 0 : o->rule->stage * h * last;
+        worst = larger(worst, of_x + reach * of_v);
     }
     return worst;
 }

@@ -67,22 +67,41 @@ static int velocities_jump(const fvi_stepper *s)
            || fvi_variable_step_has_impacts(&s->run);
 }
 
-/* Without inertia a coordinate moves as t^q out of its balance, q < 1 the highest order of its dampers: the smallest
- * q, or INFINITY. */
+/* The smallest order of the Zener terms of a kernel; INFINITY if there is none. */
+static double order_of_relaxation(const fvi_kernel *kernel)
+{
+    double order = INFINITY;
+    for (size_t i = 0; i < kernel->count; i++) {
+        const fvi_kernel_term *term = &kernel->term[i];
+        if (term->rho > 0 && term->time > 0 && term->kind != FVI_KERNEL_POWER)
+            order = smaller(order, 2 * term->alpha);
+    }
+    return order;
+}
+
+/* Without inertia a coordinate moves as t^q out of its balance, q < 1 the highest order of its dampers; or, if all of
+ * them are stiff at once, it jumps and then moves as t^q, q the order of their relaxation: the smallest q, or INFINITY. */
 static double power_of_massless(const fvi_stepper *s)
 {
     const fvi_mechanism_state *m = s->mechanism;
     double least = INFINITY;
     for (size_t i = 0; i < m->d; i++) {
-        double q = 0;
+        double q = 0, relaxation = INFINITY;
         for (size_t j = 0; m->is_massless[i] && j < m->r; j++)
-            if (m->G[j * m->d + i] != 0)
+            if (m->G[j * m->d + i] != 0) {
                 q = larger(q, fvi_kernel_growth(damper_of(s, j)->kernel));
+                relaxation = smaller(relaxation, order_of_relaxation(damper_of(s, j)->kernel));
+            }
+        if (q == 0)
+            q = relaxation;
         if (q > 0 && q < 1)
             least = smaller(least, q);
     }
     return least;
 }
+
+/* The equation of a coordinate without inertia has the square of the length as a factor: its roundings must not vanish. */
+static const double LEAST_OF_MASSLESS = 1e-140;
 
 /* lambda is as t^{1 - order} behind a jump of zdot, and as t^{-order} behind one of z. A step as short as h
  * then adds h^{2 - order}, or h^{1 - order}, to p, which may be 1e-4 of the tolerance, as may h^q be of x. */
@@ -90,6 +109,8 @@ double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     const struct fvi_mesh_mechanism *m = o->mechanism;
     double shortest = smaller(1, pow(1e-4 * fmin(o->tolerance, 1), 1 / power_of_massless(s)));
+    if (shortest < LEAST_OF_MASSLESS)
+        return 0;
     for (size_t j = 0; j < m->r; j++) {
         const int jumps = feels_jumps(s, j)
                           && (velocities_jump(s) || m->damper[j].before != m->damper[j].now);

@@ -269,6 +269,9 @@ int fvi_stepper_kick(fvi_stepper *s, const double *J)
     fvi_variable_step_state *o = s->method_state;
     if (!o->takes_kicks)
         FVI_FAIL("the run did not know that a velocity would jump", FVI_EUNSUP);
+    for (size_t j = 0; j < o->d && s->mechanism; j++)
+        if (s->mechanism->is_massless[j] && J[j] != 0)
+            FVI_FAIL("a coordinate without inertia takes no kick", FVI_EUNSUP);
     int status = fvi_variable_step_open_pulled(s, o, J, 1);
     if (!status)
         status = kick(s, J, 1);
