@@ -90,7 +90,7 @@ typedef struct fvi_mechanism {
  * FVI_EFAULT. Nothing changes. At k = 0 all sums are zero. */
 
 /* fvi_stepper_velocity -- v of L_v(x, v, t) = p at the last step, d numbers: of the order of p. That of
- * a coordinate without inertia is the slope of the last step, 0 at k = 0. */
+ * a coordinate without inertia is the slope of the last step, by fvi-stable that of the last means (29.25); 0 at k = 0. */
 int fvi_stepper_velocity(const fvi_stepper *s, double *v);
 
 /* fvi_stepper_keep_dampers -- at k = 0: sum up what fvi_stepper_damper tells. A structure with

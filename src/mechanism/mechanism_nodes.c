@@ -207,20 +207,28 @@ static int forces_at_ends(fvi_stepper *s)
 //> smooth
 /* The equation of a coordinate without inertia knows the means of two nodes alone, so that a part (-1)^k of its
  * place stays for ever. What is shown is the line through the last two means at t_k:
- * (3 x_k + 2 x_{k-1} - x_{k-2}) / 4. (29.17) */
+ * (3 x_k + 2 x_{k-1} - x_{k-2}) / 4. (29.17) Its velocity at t_k is the slope of the parabola through the last three
+ * means, (2 x_k - x_{k-1} - 2 x_{k-2} + x_{k-3}) / 2h (29.25), and in the first two steps the slope of a line. */
 static void smooth_massless(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d;
-    double *now = o->raw, *before = now + d, *last = before + d;
+    const double h = s->run.h;
+    double *now = o->raw, *before = now + d, *last = before + d, *first = last + d;
+    memcpy(first, last, d * sizeof *first);
     memcpy(last, before, d * sizeof *last);
     memcpy(before, now, d * sizeof *before);
     memcpy(now, s->x, d * sizeof *now);
-    for (size_t i = 0; i < d; i++)
-        if (o->is_massless[i])
-            s->x[i] = s->k == 0
-                          ? (now[i] + before[i]) / 2
-                          : (3 * now[i] + 2 * before[i] - last[i]) / 4;
+    for (size_t i = 0; i < d; i++) {
+        if (!o->is_massless[i])
+            continue;
+        s->x[i] = s->k == 0
+                      ? (now[i] + before[i]) / 2
+                      : (3 * now[i] + 2 * before[i] - last[i]) / 4;
+        o->v[i] = s->k == 0   ? (now[i] - before[i]) / h
+                  : s->k == 1 ? (now[i] - last[i]) / (2 * h)
+                              : (2 * now[i] - before[i] - 2 * last[i] + first[i]) / (2 * h);
+    }
 }
 //< smooth
 

@@ -36,7 +36,7 @@ static int allocate(fvi_mechanism_state *o)
         { &o->impulse, r }, { &o->work, r }, { &o->begun, m }, { &o->ended, m },
         { &o->tie, m }, { &o->level, m },
         { &o->v, d }, { &o->u, n }, { &o->z, r }, { &o->G, r * d },
-        { &o->C, m * d }, { &o->z0, r }, { &o->raw, 3 * d },
+        { &o->C, m * d }, { &o->z0, r }, { &o->raw, 4 * d },
         { &o->W, r * s * s }, { &o->known, r * s }, { &o->lambda, r * s },
         { &o->zdot, r * s }, { &o->start_impulse, 2 * r }, { &o->X, (q + 1) * d },
         { &o->V, q * d },

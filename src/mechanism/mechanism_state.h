@@ -56,7 +56,7 @@ typedef struct fvi_mechanism_state {
     double *impulse, *work, *begun, *ended, *tie; /* r, r, m, m, m */
     double *level; /* m: of a contact the Z where it has closed, which is 0 but for roundings */
     double *v, *u, *z, *G, *C, *z0; /* d, n, r, r d, m d: at the node; r */
-    double *raw; /* 3 d: x_k, x_{k-1}, x_{k-2} of the node scheme, for (29.17) */
+    double *raw; /* 4 d: x_k, x_{k-1}, x_{k-2}, x_{k-3} of the node scheme, for (29.17) and (29.25) */
 
     double *W; /* r of s * s (1 of nodes): the present in the force of a damper */
     double *known, *lambda, *zdot; /* r of s */
