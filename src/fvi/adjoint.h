@@ -83,8 +83,7 @@ typedef struct {
  * they are compressed; the derivative by alpha is that of the true weights to (23.11),
  * (23.14), and on a mesh that of the weights (22.10) as they are, (23.18); those by the
  * orders and times of a law are sums of sums, (23.21), or weights of their own, (23.28), each
- * compressed by itself: up to four memories a term. With stages a DAVIDSON has a derivative by
- * rho alone.
+ * compressed by itself: up to four memories a term.
  *
  *   past   alpha > 1/2, CAPUTO: the memory knows p0/m; at alpha = 1/2 it begins to, and
  *          x jumps if p0 != 0: the derivative by alpha is that from below. The other
@@ -157,7 +156,7 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
  *
  * These are the derivatives of what the program computes, as fvi_adjoint has them: for any weights w_k,
  * sum w_k . dx_k is the sum of dJ/dtheta dtheta of J = sum w_k . x_k, to rounding. Where no motion starts at another
- * x0 (19.2), dx_k is NaN along such a direction. By a law DAVIDSON with stages: only its factor.
+ * x0 (19.2), dx_k is NaN along such a direction.
  *
  *     double step[] = { 1, 0 }, dx[(N + 1) * 2];
  *     const fvi_sensitivities along = { .damping = step };      by the first damping of two

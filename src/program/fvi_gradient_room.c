@@ -170,8 +170,6 @@ int fvi_gradient_make_room(request *r)
         return 0;
     }
     for (size_t i = 0; i < terms; i++) {
-        if (term_of(r, i)->kind == FVI_KERNEL_DAVIDSON && r->o.method->stages)
-            return 0;
         r->has_pairs |= term_of(r, i)->kind == FVI_KERNEL_MAXWELL2;
     }
     r->has_orders = 1;

@@ -73,10 +73,7 @@ static const char *reason_of_laws(const request *r)
 {
     return r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP
                ? "steps of any length have only that by the factor of a law that stands alone"
-           : !r->has_terms
-               ? "with stages a sum of laws that grows faster than s has none; by fvi-stable it has"
-               : "with stages davidson has only that by its factor, and so have the laws beside it; by "
-                 "fvi-stable they have all";
+               : "with stages a sum of laws that grows faster than s has none; by fvi-stable it has";
 }
 
 /* By one number of a term, or why there is none: the kernel has rho = rho1 and time = rho1/rho2 of two springpots in

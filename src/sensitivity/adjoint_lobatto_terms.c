@@ -3,6 +3,7 @@
 
 #include "system/fail.h"
 
+#include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -15,11 +16,6 @@ int fvi_adjoint_check_stage_laws(const fvi_run *run, const fvi_sensitivities *wa
             FVI_FAIL("with stages a law that grows faster than s has no derivative by "
                      "its numbers; by fvi-bdf2 and fvi-stable it has",
                      FVI_EUNSUP);
-        for (size_t l = 0; of.law && l < of.law->count; l++)
-            if (of.law->term[l].kind == FVI_KERNEL_DAVIDSON && (want->orders || want->times))
-                FVI_FAIL("with stages Cole and Davidson's law has a derivative by rho alone; by "
-                         "fvi, fvi-bdf2 and fvi-stable it has all",
-                         FVI_EUNSUP);
     }
     return FVI_SUCCESS;
 }
@@ -33,12 +29,62 @@ static int convolve(const fvi_stage_term *t, const fvi_run *run, double keep, co
                                          &c->memory);
 }
 
+static int is_davidson(const fvi_stage_term *t)
+{
+    return t->unit.term.kind == FVI_KERNEL_DAVIDSON;
+}
+
+/* ln(1 + T s) is the integral of s/(1 + tau s) over tau from 0 to T, a sum of Maxwell elements by Gauss and Legendre:
+ * of 12 points below `least`, where |least s| < 1/2 for all s = lambda/h, and of 12 on each piece of ln tau above, not
+ * longer than 1. There the pole ln tau = -ln s +- pi i is 1.8 away, as |arg lambda| < 1.3: 1e-16 is left. */
+static int find_relaxation(fvi_stage_term *t, fvi_kernel *sum)
+{
+    enum { POINTS = 12 };
+    const double T = t->unit.term.time, least = fmin(T, t->h / (4 * (double)(t->s * t->s))),
+                 pieces = ceil(log(T / least)), length = pieces > 0 ? log(T / least) / pieces : 0;
+    fvi_quiet();
+    gsl_integration_glfixed_table *gauss = gsl_integration_glfixed_table_alloc(POINTS);
+    fvi_loud();
+    sum->count = POINTS * (1 + (size_t)pieces);
+    sum->term = t->relaxation = calloc(sum->count, sizeof *t->relaxation);
+    if (!gauss || !t->relaxation) {
+        gsl_integration_glfixed_table_free(gauss);
+        FVI_FAIL("no memory for the terms of a law", FVI_ENOMEM);
+    }
+    for (size_t i = 0; i < sum->count; i++) {
+        const size_t piece = i / POINTS;
+        const double from = piece ? log(least) + (double)(piece - 1) * length : 0;
+        double at, weight;
+        gsl_integration_glfixed_point(from, piece ? from + length : least, i % POINTS, &at, &weight, gauss);
+        const double tau = piece ? exp(at) : at;
+        t->relaxation[i] = (fvi_kernel_term){ FVI_KERNEL_MAXWELL, piece ? weight * tau : weight, 0, tau, 0 };
+    }
+    gsl_integration_glfixed_table_free(gauss);
+    return FVI_SUCCESS;
+}
+
+/* C = V^(2 alpha) with V = s/(1 + time s) has the derivatives -2 alpha V C by the time, and
+ * 2 (ln s - ln(1 + time s)) C by the order. */
+static int start_davidson(const fvi_run *run, const fvi_sensitivities *want, double keep, fvi_stage_term *t)
+{
+    const fvi_kernel_term maxwell = { FVI_KERNEL_MAXWELL, 1, 0, t->unit.term.time, 0 };
+    const fvi_kernel alone = { 1, &maxwell };
+    int status = FVI_SUCCESS;
+    t->by_time = 2 * t->unit.term.alpha;
+    fvi_kernel sum;
+    if (want->times)
+        status = convolve(t, run, keep, &alone, &t->again);
+    if (!status && want->orders && t->unit.term.time > 0)
+        status = find_relaxation(t, &sum);
+    return status || !t->relaxation ? status : convolve(t, run, keep, &sum, &t->less);
+}
+
 static int start_slopes(const fvi_run *run, const fvi_sensitivities *want, double keep,
                         fvi_stage_term *t)
 {
     const double *const wanted[] = { want->orders, want->times, want->ends };
     int status = FVI_SUCCESS;
-    for (int by = 0; !status && by < FVI_ADJOINT_SLOPES; by++)
+    for (int by = 0; !status && by < FVI_ADJOINT_SLOPES && !is_davidson(t); by++)
         if (wanted[by] && fvi_adjoint_slope_of(&t->unit.term, (fvi_slope_by)by, &t->slope[by]))
             status = convolve(t, run, keep, &t->slope[by].kernel, &t->slopes[by]);
     return status;
@@ -51,7 +97,8 @@ static int make_room(fvi_stage_term *t)
                         &t->slopes[1].past, &t->slopes[2].past, &t->log.past,
                         &t->slopes[0].now,  &t->slopes[1].now,  &t->slopes[2].now,
                         &t->again.now,      &t->log.now,        &t->self.now,
-                        &t->rate,           &t->left,           &t->room };
+                        &t->rate,           &t->left,           &t->room,
+                        &t->less.past,      &t->less.now };
     const size_t rows = sizeof each / sizeof *each, n = t->s * t->d;
     t->block = calloc(rows * n + t->d, sizeof *t->block);
     if (!t->block)
@@ -65,11 +112,11 @@ static int make_room(fvi_stage_term *t)
 int fvi_stage_term_start(const fvi_run *run, const fvi_sensitivities *want, size_t s, size_t d,
                          double keep, const fvi_kernel_term *of, fvi_stage_term *t)
 {
-    *t = (fvi_stage_term){ .s = s, .d = d, .h = run->h, .rule = fvi_lobatto(s) };
+    *t = (fvi_stage_term){ .s = s, .d = d, .h = run->h, .rule = fvi_lobatto(s), .by_time = 1 };
     fvi_adjoint_unit_term(of, &t->unit, &t->rho);
     const fvi_kernel_term *term = &t->unit.term;
     const fvi_kernel alone = { 1, term };
-    const int by_order = want->orders && fvi_adjoint_has_order(term);
+    const int by_order = want->orders && (fvi_adjoint_has_order(term) || is_davidson(t));
     int status = make_room(t);
     if (!status)
         status = convolve(t, run, keep, &alone, &t->self);
@@ -79,6 +126,8 @@ int fvi_stage_term_start(const fvi_run *run, const fvi_sensitivities *want, size
     if (!status && by_order)
         status = fvi_lobatto_history_alloc_by_order(s, 0, d, run->steps, run->memory, keep,
                                                     &t->log.memory);
+    if (!status && is_davidson(t))
+        status = start_davidson(run, want, keep, t);
     return status ? status : start_slopes(run, want, keep, t);
 }
 
@@ -89,6 +138,8 @@ void fvi_stage_term_stop(fvi_stage_term *t)
     for (int by = 0; by < FVI_ADJOINT_SLOPES; by++)
         fvi_lobatto_history_free(t->slopes[by].memory);
     fvi_lobatto_history_free(t->log.memory);
+    fvi_lobatto_history_free(t->less.memory);
+    free(t->relaxation);
     free(t->block);
 }
 
@@ -127,12 +178,14 @@ void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu)
     const double *W = fvi_lobatto_history_now(t->self.memory);
     double *u = t->self.now + j * s, *rate = t->rate + j * s, *left = t->left + j * s;
     through(t, j, W, nu, &t->self);
-    if (t->again.memory) {
+    if (t->again.memory || t->less.memory)
         differentiate(t, u, t->before[j], rate);
-        through(t, j, W, rate, &t->again);
-    }
+    if (t->again.memory)
+        through(t, j, fvi_lobatto_history_now(t->again.memory), rate, &t->again);
+    if (t->less.memory)
+        through(t, j, fvi_lobatto_history_now(t->less.memory), rate, &t->less);
     for (size_t i = 0; i < s; i++)
-        left[i] = u[i] - t->unit.term.time * t->again.now[j * s + i];
+        left[i] = u[i] - (is_davidson(t) ? 0 : t->unit.term.time * t->again.now[j * s + i]);
     if (t->log.memory)
         through(t, j, fvi_lobatto_history_now_by_order(t->log.memory), left, &t->log);
     for (int by = 0; by < FVI_ADJOINT_SLOPES; by++)
@@ -154,6 +207,8 @@ int fvi_stage_term_update_history(fvi_stage_term *t, const double *nu)
         status = push(&t->slopes[by], nu);
     if (!status)
         status = push(&t->again, t->rate);
+    if (!status)
+        status = push(&t->less, t->rate);
     if (!status && t->log.memory)
         status = fvi_lobatto_history_push_by_order(t->log.memory, t->left, t->room, t->log.past);
     for (size_t j = 0; j < t->d; j++)
@@ -198,10 +253,12 @@ void fvi_stage_terms_accumulate(fvi_stage_terms *terms, size_t j, const double *
         if (want->terms)
             want->terms[i] -= weight * dot(t, v, t->self.now + at);
         if (t->again.memory && want->times)
-            want->times[i] += scaled * dot(t, v, t->again.now + at);
+            want->times[i] += t->by_time * scaled * dot(t, v, t->again.now + at);
         if (t->log.memory)
             want->orders[i] -= 2 * scaled
                                * (dot(t, v, t->log.now + at) - log(t->h) * dot(t, v, t->left + at));
+        if (t->less.memory)
+            want->orders[i] += 2 * scaled * dot(t, v, t->less.now + at);
         for (int by = 0; by < FVI_ADJOINT_SLOPES; by++)
             if (t->slopes[by].memory)
                 to[by][i] -= t->slope[by].sign * weight * t->rho * dot(t, v, t->slopes[by].now + at);

@@ -25,6 +25,9 @@ typedef struct {
     fvi_stage_convolution self, again, slopes[FVI_ADJOINT_SLOPES];
     fvi_adjoint_slope slope[FVI_ADJOINT_SLOPES];
     fvi_stage_convolution log; /* Delta^beta at beta = 0: its rate */
+    double by_time;            /* -by_time rho again.now is the derivative by the time: 1, or 2 alpha */
+    fvi_kernel_term *relaxation; /* of a DAVIDSON: Maxwell elements with the sum ln(1 + time s); owned */
+    fvi_stage_convolution less;  /* what they make of (Delta/h) u */
     double *rate, *left;      /* each: (Delta/h) u, u - time W rate; u is self.now */
     double *before;           /* d numbers: the last of u of the step before */
     double *room, *block;     /* each; all these and past and now; owned */
@@ -35,7 +38,7 @@ typedef struct {
  * fvi_lobatto_history_alloc_by_order return; FVI_ENOMEM.
  *
  * fvi_stage_term_next -- nu of number j comes in, s velocities. By rho W nu changes by self.now, by the
- * time by -rho again.now, by the order by 2 rho (log.now - ln h left); where its derivative is a
+ * time by -by_time rho again.now, by the order by 2 rho times fvi_stage_term_by_order; where its derivative is a
  * kernel, by sign rho slopes.now.
  * fvi_stage_term_update_history -- the step is over: nu of all numbers. */
 int fvi_stage_term_start(const fvi_run *run, const fvi_sensitivities *want, size_t s, size_t d,
@@ -43,6 +46,12 @@ int fvi_stage_term_start(const fvi_run *run, const fvi_sensitivities *want, size
 void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu);
 int fvi_stage_term_update_history(fvi_stage_term *t, const double *nu);
 void fvi_stage_term_stop(fvi_stage_term *t);
+
+/* fvi_stage_term_by_order -- of number n of a term with log.memory, log.now - ln h left - less.now. */
+static inline double fvi_stage_term_by_order(const fvi_stage_term *t, size_t n, double log_h)
+{
+    return t->log.now[n] - log_h * t->left[n] - t->less.now[n];
+}
 
 /* fvi_adjoint_check_stage_laws -- FVI_EUNSUP for numbers of the laws of a run, of a chain or a structure, which
  * have no derivative through stages. */

@@ -20,11 +20,6 @@ static int check_dampers(const fvi_method *method, const fvi_mechanism *mechanis
         if (!damper->of.row && !damper->of.hessian)
             FVI_FAIL("the adjoint of a damper asks for the second derivatives of its elongation",
                      FVI_EUNSUP);
-        for (size_t i = 0; method->stages && i < kernel->count; i++)
-            if (kernel->term[i].kind == FVI_KERNEL_DAVIDSON && (want->orders || want->times))
-                FVI_FAIL("with stages Cole and Davidson's law has a derivative by rho alone; by "
-                         "fvi and fvi-stable it has all",
-                         FVI_EUNSUP);
         if (method->stages && by_numbers && !is_power && fvi_kernel_growth(kernel) > 1)
             FVI_FAIL("with stages a sum of laws that grows faster than s has no derivative by "
                      "its numbers; by fvi-stable it has",

@@ -124,12 +124,15 @@ static int add_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper *a
         a->number[0][l] -= h * sum;
         if (!status && t->again.memory)
             status = multiply(m, a, t->again.now, &sum);
-        a->number[2][l] += t->again.memory ? h * t->rho * sum : 0;
+        a->number[2][l] += t->again.memory ? h * t->by_time * t->rho * sum : 0;
         if (!status && t->log.memory)
             status = multiply(m, a, t->log.now, &sum);
         if (!status && t->log.memory)
             status = multiply(m, a, t->left, &left);
         a->number[1][l] -= t->log.memory ? 2 * h * t->rho * (sum - log(h) * left) : 0;
+        if (!status && t->less.memory)
+            status = multiply(m, a, t->less.now, &sum);
+        a->number[1][l] += t->less.memory ? 2 * h * t->rho * sum : 0;
         for (int by = 0; !status && by < FVI_ADJOINT_SLOPES; by++) {
             if (!t->slopes[by].memory)
                 continue;

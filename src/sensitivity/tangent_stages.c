@@ -133,9 +133,9 @@ static double terms_along(const fvi_tangent_run *o, const fvi_tangent_damper *a,
         fvi_tangent_numbers(o, a, j, l, number);
         sum += number[0] * t->self.now[at];
         if (t->again.memory)
-            sum -= number[2] * t->rho * t->again.now[at];
+            sum -= number[2] * t->by_time * t->rho * t->again.now[at];
         if (t->log.memory)
-            sum += 2 * number[1] * t->rho * (t->log.now[at] - log_h * t->left[at]);
+            sum += 2 * number[1] * t->rho * fvi_stage_term_by_order(t, at, log_h);
         for (size_t by = 0; by < FVI_ADJOINT_SLOPES; by++)
             if (t->slopes[by].memory)
                 sum += number[1 + by] * t->slope[by].sign * t->rho * t->slopes[by].now[at];

@@ -166,7 +166,7 @@ class Derivatives:
         self.want_names()
 
     def want_laws(self, is_mechanism: bool, is_chosen: bool) -> None:
-        parts = numbers_of_laws(self.laws, self.mirror.method, self.mirror.is_dense) if self.laws else []
+        parts = numbers_of_laws(self.laws, self.mirror.is_dense) if self.laws else []
         if "damping" in self.names and self.mirror.is_dense and (
                 not parts or self.laws[0].term[0].kind == lib.FVI_KERNEL_MAXWELL2):
             why = "no derivative by it: fvi-adaptive has only that by the factor of a law that stands alone, not of maxwell2"
@@ -235,7 +235,7 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     "laws", for each damper a dict for each term of its law; "let", by names;
     "potential", the derivatives by the constants of a potential that is ready to use;
     "damping", a dict for each term of the law, with rho, alpha, time and end; of maxwell2 rho1, alpha1, rho2
-    and alpha2; with rho alone by "fvi-adaptive", and by methods with stages beside a davidson; None, with a warning, of
+    and alpha2; with rho alone by "fvi-adaptive"; None, with a warning, of
     maxwell2 and of several terms by "fvi-adaptive", which wrt cannot ask for; "force", of measured rows, by each F.
 
     By x0, p0 or v0 it is NaN, and a warning says so, where other starts have no solution.

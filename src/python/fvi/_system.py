@@ -175,13 +175,12 @@ OF_KIND = {lib.FVI_KERNEL_POWER: ("rho", "alpha"), lib.FVI_KERNEL_ZENER: ("rho",
            lib.FVI_KERNEL_DAVIDSON: ("rho", "alpha", "time")}
 
 
-def numbers_of_laws(laws: Sequence, method: Any, is_dense: bool) -> list:
-    """By which fields laws have derivatives: on steps of any length by the factor of one term; with stages Cole and
-    Davidson's by its factor alone."""
+def numbers_of_laws(laws: Sequence, is_dense: bool) -> list:
+    """By which fields laws have derivatives: on steps of any length by the factor of one term."""
     terms = [law.term[i].kind for law in laws for i in range(law.count)]
     if is_dense:
         return ["terms"] if len(terms) == 1 else []
-    return ["terms"] if method.stages and lib.FVI_KERNEL_DAVIDSON in terms else list(FIELDS_OF_LAW)
+    return list(FIELDS_OF_LAW)
 
 
 def by_term(term: Any, by: dict, is_exchanged: bool) -> dict:
