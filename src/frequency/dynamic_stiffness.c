@@ -4,6 +4,7 @@
 #include "matrices/complex_factors.h"
 #include "matrices/sparse.h"
 #include "kernel/kernel_terms.h"
+#include "system/fail.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -110,7 +111,9 @@ int fvi_stiffness_factorise(fvi_response *r, double complex s, double e)
     fvi_stiffness_at(r, s, e);
     if (r->is_factorised)
         return FVI_SUCCESS;
-    const int status = fvi_complex_factors_of(r->factors, spread(r));
+    int status = fvi_interrupted(); /* factors of many unknowns take long */
+    if (!status)
+        status = fvi_complex_factors_of(r->factors, spread(r));
     r->is_factorised = !status;
     return status;
 }

@@ -195,7 +195,9 @@ static int iterate(subspace *s, size_t wanted)
                 return FVI_ENOMEM;
         }
         memcpy(before, s->values, s->q * sizeof *before);
-        const int status = ritz(s);
+        int status = fvi_interrupted();
+        if (!status)
+            status = ritz(s);
         if (status)
             return status;
         size_t settled = 0;

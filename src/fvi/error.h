@@ -90,7 +90,8 @@ fvi_error_handler *fvi_set_error_handler(fvi_error_handler *handler);
 
 /* fvi_interrupter -- asked, if one is set, while a run goes on: before every 64th step, or
  * before each if the dimension is above 31 or the method chooses its steps; and before each
- * time of fvi_exact_at, or sixteen of fvi_exact_grid. 0: go on. Any other number ends the call,
+ * time of fvi_exact_at, or sixteen of fvi_exact_grid; before each factorisation of a response or a pole, and eight matrices of
+ * a law's table. 0: go on. Any other number ends the call,
  * which returns it as it does what a callback returned; so take a negative one. Searches and fits make many runs: let it
  * say so again until they have returned. It is for programs that have to stop a call from
  * without, at Ctrl-C say, and asks for the time itself if it is to do more than look at a flag. */

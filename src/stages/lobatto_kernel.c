@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { ASKED = 8 }; /* matrices of a quotient between two questions whether the call is to go on */
+
 /* A fraction whose poles lie on its cut, or near to it: it has no nodes. Of 2 alpha = 1
  * the pole is a node itself. */
 static int is_divided(const fvi_kernel_simple *t)
@@ -214,7 +216,7 @@ FVI_VECTORS static void take_sum(size_t s, size_t k, const double *Q,
 
 //> division
 /* V (1 + T Q) = N, one matrix after the other; V overwrites N. */
-static void divide(size_t s, double T, size_t n, double *Q, double *N)
+static int divide(size_t s, double T, size_t n, double *Q, double *N)
 {
     const size_t s2 = s * s;
     double first[FVI_STAGES * FVI_STAGES], column[FVI_STAGES];
@@ -226,8 +228,10 @@ static void divide(size_t s, double T, size_t n, double *Q, double *N)
         first[i] = Q[i] + (i % (s + 1) == 0);
     gsl_matrix_view matrix = gsl_matrix_view_array(first, s, s);
     fvi_lu_factorise(&matrix.matrix, &permutation);
-    for (size_t k = 0; k < n; k++) {
+    int status = FVI_SUCCESS;
+    for (size_t k = 0; k < n && !status; k++) {
         double *V = N + k * s2;
+        status = k % ASKED == ASKED - 1 ? fvi_interrupted() : FVI_SUCCESS;
         take_sum(s, k, Q, N, V);
         for (size_t j = 0; j < s; j++) {
             gsl_vector_view x = gsl_vector_view_array(column, s);
@@ -238,6 +242,7 @@ static void divide(size_t s, double T, size_t n, double *Q, double *N)
                 V[i * s + j] = column[i];
         }
     }
+    return status;
 }
 //< division
 
@@ -265,7 +270,7 @@ static int add_divided(size_t s, const fvi_kernel_simple *t, double h, size_t n,
     if (!status && t->below != t->alpha)
         status = power(s, t->alpha, h, n, N);
     if (!status)
-        divide(s, t->time, n, Q, N);
+        status = divide(s, t->time, n, Q, N);
     for (size_t i = (FVI_LAGS + 1) * s2; !status && i < n * s2; i++)
         W[i] += t->rho * N[i];
     free(N);

@@ -109,10 +109,41 @@ START_TEST(a_search_and_the_exact_solution_end_too)
 }
 END_TEST
 
+/* The tables of a law that is a fraction, and each frequency. */
+START_TEST(tables_and_responses_end_too)
+{
+    for (size_t i = 0; i < LEN(one); i++)
+        one[i] = 1;
+    const fvi_kernel_term fraction = { FVI_KERNEL_ZENER, 1, 0.6, 0.5, 0 };
+    const fvi_kernel law = { 1, &fraction };
+    const fvi_system small = { .d = 1, .mass = one, .damping = one },
+                     large = { .d = 40, .mass = one, .damping = one };
+    fvi_run run = run_of(&small, 0.5, 4000);
+    run.law = &law;
+    fvi_stepper *s = NULL;
+    fvi_set_interrupter(stop);
+    asks = 3;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_lobatto_m4, &run, &s, NULL), CODE);
+    ck_assert_ptr_null(s);
+    const fvi_linear_motion motion = { .system = &large, .alpha = 0.3 };
+    const double omega[] = { 0.5, 1, 1.5, 2 };
+    double H[8];
+    fvi_response *r;
+    asks = asked = 0;
+    ck_assert_int_eq(fvi_response_alloc(&motion, &r, NULL), 0);
+    asks = 3;
+    ck_assert_int_eq(fvi_response_at(r, FVI_RESPONSE_RECEPTANCE, LEN(omega), omega, 0, 0, H, NULL), CODE);
+    ck_assert_int_eq(asked, 3);
+    fvi_set_interrupter(NULL);
+    ck_assert_int_eq(fvi_response_at(r, FVI_RESPONSE_RECEPTANCE, LEN(omega), omega, 0, 0, H, NULL), 0);
+    fvi_response_free(r);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("an end from without");
     ADD_CASE(suite, "values", a_run_ends_with_the_code_that_was_given,
-             a_search_and_the_exact_solution_end_too);
+             a_search_and_the_exact_solution_end_too, tables_and_responses_end_too);
     return run_suite(suite);
 }
