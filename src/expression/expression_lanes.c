@@ -85,5 +85,18 @@ static void evaluate_values(const void *prepared, const double *x, double *f, do
         f[l] = 0 + f[l];
 }
 
-const fvi_lane_functions fvi_expression_slope_lanes = { prepare, evaluate_slopes, free };
-const fvi_lane_functions fvi_expression_value_lanes = { prepare, evaluate_values, free };
+/* One walk for both; each is the derivative that a walk for it alone has. */
+static void slopes_alone(const void *params, double x, double *f, double *slope)
+{
+    const fvi_expression *e = params;
+    const term *t = e->terms;
+    fvi_jet jet = { 0, 0, 0, 0 };
+    if (t->coordinates > 0)
+        jet = fvi_tape_second_derivative(t->node, t->count, &x, e->values, 0, 0);
+    *f = 0 + jet.a;
+    *slope = 0 + jet.c;
+}
+
+const fvi_lane_functions fvi_expression_slope_lanes = { prepare, evaluate_slopes, free,
+                                                        slopes_alone };
+const fvi_lane_functions fvi_expression_value_lanes = { prepare, evaluate_values, free, NULL };

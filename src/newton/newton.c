@@ -194,19 +194,28 @@ static int is_alone(const fvi_newton *n)
     return n->q == 1 && n->system->d == 1 && !n->user_solve;
 }
 
+/* U' and U'' at z, the latter into n->H. Returns what the potential returned. */
+static inline int evaluate_slopes(fvi_newton *n, double z, double *g)
+{
+    const fvi_potential *u = &n->system->potential;
+    if (u->lanes && u->lanes->alone) {
+        u->lanes->alone(u->params, z, g, n->H);
+        return FVI_SUCCESS;
+    }
+    const int status = u->gradient(1, &z, u->params, g);
+    return status ? status : u->hessian(1, &z, u->params, n->H);
+}
+
 /* The digits of newton() in half its time: what one coordinate and its callbacks do not
  * need is left out. */
 static int newton_alone(fvi_newton *n, const double *x, const double *r,
                         double *d, double *g)
 {
-    const fvi_potential *u = &n->system->potential;
     const double A = *n->A, s = *n->s, theta = n->theta;
     n->size = GSL_POSINF;
     for (int i = 0; i < NEWTON_STEPS; i++) {
         const double z = *x + theta * *d;
-        n->callback_status = u->gradient(1, &z, u->params, g);
-        if (!n->callback_status)
-            n->callback_status = u->hessian(1, &z, u->params, n->H);
+        n->callback_status = evaluate_slopes(n, z, g);
         if (n->callback_status)
             return n->callback_status;
         const fvi_newton_move to =

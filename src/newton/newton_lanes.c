@@ -14,7 +14,7 @@ enum { L = FVI_MOST_LANES, NEWTON_STEPS = 50, MOST_STAGES = 8 };
  * the room, where lanes are missing. */
 typedef struct {
     const double *A, *s;
-    double x[L], r[L], d[L], size[L], g[L], active[L], lost[L];
+    double x[L], r[L], d[L], size[L], g[L], active[L], lost[L], z[L]; /* z = x + theta d */
     double room[2][L];
 } lanes_at_work;
 
@@ -56,32 +56,27 @@ static inline void begin(const fvi_newton *n, const double *x, const double *r, 
     memcpy(w->active, present + L - count, sizeof w->active);
     memset(w->lost, 0, sizeof w->lost);
 #pragma omp simd
-    for (size_t l = 0; l < L; l++)
+    for (size_t l = 0; l < L; l++) {
         w->size[l] = INFINITY;
-}
-
-/* z = x + theta d */
-FVI_VECTORS static void find_lane_points(const lanes_at_work *w, double theta, double *z)
-{
-#pragma omp simd
-    for (size_t l = 0; l < L; l++)
-        z[l] = w->x[l] + theta * w->d[l];
+        w->z[l] = w->x[l] + n->theta * w->d[l];
+    }
 }
 
 //> lanes
-/* One step of each lane that is active; g and H are U' and U'' at z. A lane that has its
+/* One step of each lane that is active; g and H are U' and U'' at its z. A lane that has its
  * solution keeps d, and U' at the last point that it asked for, as a run of its own does. */
-FVI_VECTORS static void move_lanes(lanes_at_work *restrict w, double theta, const double *z,
-                                   const double *g, const double *H)
+FVI_VECTORS static void move_lanes(lanes_at_work *restrict w, double theta, const double *g,
+                                   const double *H)
 {
     const double *A = w->A, *s = w->s;
 #pragma omp simd
     for (size_t l = 0; l < L; l++) {
-        const fvi_newton_move to = fvi_newton_move_of(A[l], s[l], theta, w->r[l], z[l], g[l], H[l],
+        const fvi_newton_move to = fvi_newton_move_of(A[l], s[l], theta, w->r[l], w->z[l], g[l], H[l],
                                                       w->d[l], w->size[l]);
         const int moves = w->active[l] != 0,
                   fails = (to.J == 0) | (!to.is_enough & !(to.size < INFINITY));
         w->d[l] = moves ? to.d : w->d[l];
+        w->z[l] = w->x[l] + theta * w->d[l];
         w->g[l] = moves ? g[l] : w->g[l];
         w->size[l] = moves ? to.size : w->size[l];
         w->lost[l] = (moves & fails) ? 1 : w->lost[l];
@@ -156,20 +151,19 @@ int fvi_newton_by_lanes(fvi_newton *n, const double *x, const double *r, double 
 {
     const fvi_lanes *lanes = fvi_lanes_of(n->system);
     lanes_at_work w;
-    double z[L], slope[L] = { 0 }, H[L] = { 0 };
+    double slope[L] = { 0 }, H[L] = { 0 };
     if (n->q > 1)
         return solve_each(n, x, r, d, g);
     begin(n, x, r, d, &w);
     for (int i = 0; i < NEWTON_STEPS && is_any(w.active); i++) {
-        find_lane_points(&w, n->theta, z);
-        n->callback_status = fvi_lanes_slopes(lanes, z, w.active, slope, H);
+        n->callback_status = fvi_lanes_slopes(lanes, w.z, w.active, slope, H);
         if (n->callback_status)
             return n->callback_status;
-        move_lanes(&w, n->theta, z, slope, H);
+        move_lanes(&w, n->theta, slope, H);
     }
     if (is_any(w.active) || is_any(w.lost))
         return solve_rest(n, &w, x, r, d, g);
-    memcpy(d, w.d, n->system->d * sizeof *d);
-    memcpy(g, w.g, n->system->d * sizeof *g);
+    take(n->system->d, w.d, d);
+    take(n->system->d, w.g, g);
     return FVI_SUCCESS;
 }

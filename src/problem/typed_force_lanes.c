@@ -110,4 +110,4 @@ static void evaluate(const void *prepared, const double *t, double *F, double *s
     }
 }
 
-const fvi_lane_functions fvi_typed_force_lanes = { prepare, evaluate, discard };
+const fvi_lane_functions fvi_typed_force_lanes = { prepare, evaluate, discard, NULL };

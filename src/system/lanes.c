@@ -64,7 +64,7 @@ static int potential_hessian(size_t d, const double *x, void *params, double *H)
 }
 
 /* By its address a potential of lanes is known; lanes of lanes there are none. */
-const fvi_lane_functions fvi_lanes_together = { NULL, NULL, NULL };
+const fvi_lane_functions fvi_lanes_together = { NULL, NULL, NULL, NULL };
 
 /* Either all of them are, or none. */
 static int is_quadratic(const void *params)
@@ -97,7 +97,10 @@ static int force_value(double t, size_t d, void *params, double *F)
         for (size_t l = 0; l < FVI_MOST_LANES; l++)
             times[l] = t;
         lanes->system[0]->force.lanes->evaluate(lanes->force, times, all, NULL);
-        memcpy(F, all, d * sizeof *F);
+        if (d == FVI_MOST_LANES) /* no call for one vector */
+            memcpy(F, all, sizeof all);
+        else
+            memcpy(F, all, d * sizeof *F);
         return FVI_SUCCESS;
     }
     for (size_t l = 0; l < d && !status; l++) {

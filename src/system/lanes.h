@@ -18,11 +18,14 @@ enum { FVI_MOST_LANES = 8 };
  *   prepare   reads the parameters of `count` lanes. Returns FVI_SUCCESS; FVI_ENOMEM; or
  *             FVI_EUNSUP if the lanes differ in more
  *   evaluate  of each lane: f(x), and f'(x) to slope unless that is NULL
- *   discard   gives back what prepare made */
+ *   discard   gives back what prepare made
+ *   alone     NULL; or f(x) and f'(x) of one lane from its own params, where both at once take less time than
+ *             one after the other */
 typedef struct fvi_lane_functions {
     int (*prepare)(size_t count, void *const *params, void **prepared);
     void (*evaluate)(const void *prepared, const double *x, double *f, double *slope);
     void (*discard)(void *prepared);
+    void (*alone)(const void *params, double x, double *f, double *slope);
 } fvi_lane_functions;
 
 /* fvi_lanes -- the lanes of a system.

@@ -98,7 +98,7 @@ static void evaluate_springs(const void *prepared, const double *x, double *f, d
     slopes_of_springs(prepared, x, f, slope ? slope : unused);
 }
 
-static const fvi_lane_functions duffing_lanes = { prepare_springs, evaluate_springs, free };
+static const fvi_lane_functions duffing_lanes = { prepare_springs, evaluate_springs, free, NULL };
 
 fvi_potential fvi_potential_duffing(const double cg[2])
 {

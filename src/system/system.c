@@ -262,7 +262,7 @@ static void evaluate_cosines(const void *prepared, const double *t, double *f, d
     }
 }
 
-static const fvi_lane_functions cosine_lanes = { prepare_cosines, evaluate_cosines, free };
+static const fvi_lane_functions cosine_lanes = { prepare_cosines, evaluate_cosines, free, NULL };
 
 fvi_force fvi_force_cosine(const double aw[2])
 {

@@ -161,6 +161,35 @@ static int use_structure(const fvi_method *method, const fvi_system *system)
     return status;
 }
 
+/* Two oscillators together, one of which Newton's method alone does not bring to an end: it has a solver of its own. */
+static int life_of_batch(const fvi_method *method)
+{
+    static const double well[] = { -4, 1 }, aw[] = { 1, 2 }, one = 1, still = 0;
+    const fvi_system system = { .d = 1, .mass = &one, .damping = &one, .potential = fvi_potential_duffing(well),
+                                .force = fvi_force_cosine(aw) };
+    const double h = method->stages ? 0.01 : 1;
+    const fvi_run run[] = { fvi_run_default(&system, &one, &one, h, 4), fvi_run_default(&system, &still, &one, h, 4) };
+    fvi_batch *batch;
+    fvi_stepper *s = NULL, *copy = NULL;
+    const int is_asked = method == &fvi_cq2_midpoint || method == &fvi_lobatto_m4;
+    if (!is_asked || fvi_batch_refusal(method, 2, run))
+        return FVI_SUCCESS;
+    int status = fvi_batch_alloc(method, 2, run, &batch, NULL);
+    if (status)
+        return status;
+    status = fvi_stepper_start(method, fvi_batch_run(batch), &s, NULL);
+    while (!status && s->k < 2)
+        status = fvi_stepper_step(s);
+    if (!status)
+        status = fvi_stepper_copy(s, &copy);
+    if (!status)
+        status = fvi_stepper_step(copy);
+    fvi_stepper_free(copy);
+    fvi_stepper_free(s);
+    fvi_batch_free(batch);
+    return status;
+}
+
 static int life_of_structure(const fvi_method *method)
 {
     static const fvi_triplet ones[] = { { 0, 0, 2 }, { 1, 1, 2 }, { 2, 2, 2 } };
@@ -320,7 +349,7 @@ typedef int call(const fvi_method *method);
 START_TEST(a_call_without_memory_says_so)
 {
     call *const calls[] = { life, life_with_a_law, life_of_mechanism,
-                            life_of_structure, load, load_of_full, warnings, control, moduli, linear };
+                            life_of_structure, life_of_batch, load, load_of_full, warnings, control, moduli, linear };
     size_t said = 0;
 #ifdef OTHER_ALLOCATOR
     return;
