@@ -91,7 +91,7 @@ typedef struct {
  *          with all but fvi_fractional and alpha > 1/2 runs from x0 = 0 alone, and
  *          where rho > 0 the derivative by x0 does not exist: NaN is written; so it is for
  *          each place that would stretch a damper of a mechanism with this past and a law
- *          that is no power with alpha <= 1/2. A sum of such powers has no adjoint: FVI_EUNSUP
+ *          that is no sum of powers with alpha <= 1/2
  *   mesh   of fvi_variable_step the steps count as given: the derivatives are those on these
  *          steps. Where the past pulls the start, (19.3), so does the singular part of it,
  *          its terms and its end, (23.25); where a damped body has A = 0 and a derivative by

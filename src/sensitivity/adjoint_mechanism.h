@@ -17,6 +17,14 @@
 #include "adjoint_lobatto.h"
 #include "mechanism/mechanism_state.h"
 
+/* One of several powers of a damper of the past rl, which pulls for itself: impulses for rho A = 1. */
+typedef struct {
+    size_t term;
+    fvi_kernel_impulse power;
+    double unit;
+    double by_A, by_A_and_order; /* derivatives of J by A for rho = 1, and by e of that */
+} fvi_adjoint_start_power;
+
 /* Of one damper. Of nodes s is 1. */
 typedef struct {
     size_t damper, first;       /* the place of its terms among all */
@@ -32,6 +40,8 @@ typedef struct {
     double A, unit;             /* of the impulses for rho A = 1, or A = 1 */
     fvi_kernel_impulse power;   /* of a power; */
     fvi_impulses_of_kernel *impulses; /* else */
+    fvi_adjoint_start_power *each;    /* of several powers; owned */
+    size_t powers;
     double impulse[FVI_KERNEL_IMPULSE_NODES], slope[FVI_KERNEL_IMPULSE_NODES];
     double by_A, by_A_and_order, by_drift, by_origin; /* derivatives of J by these */
     double factor;              /* by a factor of the kernel */
@@ -92,12 +102,15 @@ int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m);
 
 /* fvi_adjoint_mechanism_damper_start -- the memories of damper j of a run at k = 0.
  * _impulses  those of step k, and their derivatives by the order of a power
+ * _powers    those of several powers in step k, impulse i of which by[i] multiplies
  * _push      nu of a step goes in: eta, and at nodes what the numbers of its kernel have of it, which
  *            meets zeta; with_stages: zdot less the drift, s numbers, in zeta
  * _ahead     of nodes: eta of this step but for weight nu
  * _end       by its start, into by_x0 and by_v, d numbers each, and all derivatives by its kernel
  * _bar       NaN into by_x0 where another place would stretch it and leave no motion, (19.2) */
 int fvi_adjoint_mechanism_damper_start(fvi_adjoint_mechanism *m, size_t j);
+void fvi_adjoint_mechanism_damper_powers(const fvi_adjoint_mechanism *m, size_t k,
+                                         fvi_adjoint_mechanism_damper *a, const double *by);
 void fvi_adjoint_mechanism_damper_impulses(const fvi_adjoint_mechanism *m, size_t k,
                                            fvi_adjoint_mechanism_damper *a);
 int fvi_adjoint_mechanism_damper_ahead(const fvi_adjoint_mechanism_damper *a, double *eta);

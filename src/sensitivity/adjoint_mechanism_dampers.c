@@ -26,6 +26,28 @@ static int is_first_order(const fvi_adjoint_mechanism *m)
 
 /* ---- the start ---- */
 
+/* What a start has stretched at once pulls with powers of t, one for each power of a sum. */
+static int start_powers(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
+{
+    static const double ends[] = { 0, 1 };
+    const fvi_lobatto_rule *rule = m->o->rule;
+    a->each = calloc(a->kernel->count, sizeof *a->each);
+    if (!a->each)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    a->A = m->o->z[a->damper];
+    for (size_t l = 0; l < a->kernel->count; l++) {
+        const fvi_kernel_term *t = a->kernel->term + l;
+        fvi_adjoint_start_power *p = a->each + a->powers;
+        if (t->rho == 0 || !(t->alpha < 0.5))
+            continue;
+        p->term = l;
+        fvi_kernel_impulse_prepare(t->alpha, rule ? m->s : 2, rule ? rule->c : ends, &p->power);
+        p->unit = pow(m->run->h, 1 + p->power.e);
+        a->powers++;
+    }
+    return FVI_SUCCESS;
+}
+
 /* A and the impulses for an A of 1, and of a power for a rho of 1. */
 static int start_impulses(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
 {
@@ -33,6 +55,9 @@ static int start_impulses(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_
     const fvi_lobatto_rule *rule = m->o->rule;
     const fvi_damper *damper = damper_of(m, a);
     const size_t j = a->damper, d = m->d;
+    if (damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !is_first_order(m) && !is_power(a->kernel)
+        && fvi_mechanism_check_stretch(a->kernel, j, NULL) == FVI_SUCCESS)
+        return start_powers(m, a);
     a->feels_slope = fvi_mechanism_feels_slope(m->o, damper);
     a->feels_place = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
                      && !is_first_order(m) && fvi_kernel_growth(a->kernel) < 1;
@@ -105,26 +130,13 @@ static int start_terms(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a
     return status;
 }
 
-/* What a start has stretched at once pulls with powers of t, of which the derivative of one is known. */
-static int check_past(const fvi_adjoint_mechanism *m, const fvi_adjoint_mechanism_damper *a)
-{
-    if (damper_of(m, a)->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !is_first_order(m)
-        && !is_power(a->kernel)
-        && fvi_mechanism_check_stretch(a->kernel, a->damper, NULL) == FVI_SUCCESS)
-        FVI_FAIL("no adjoint with the past rl of a damper of several powers; each as a damper of its own has one",
-                 FVI_EUNSUP);
-    return FVI_SUCCESS;
-}
-
 int fvi_adjoint_mechanism_damper_start(fvi_adjoint_mechanism *m, size_t j)
 {
     fvi_adjoint_mechanism_damper *a = m->damper + j;
     a->damper = j;
     a->first = j > 0 ? a[-1].first + a[-1].kernel->count : 0;
     a->kernel = damper_of(m, a)->kernel;
-    int status = check_past(m, a);
-    if (!status)
-        status = start_impulses(m, a);
+    int status = start_impulses(m, a);
     if (!status)
         status = start_history(m, a);
     return status ? status : start_terms(m, a);
@@ -138,6 +150,7 @@ void fvi_adjoint_mechanism_damper_stop(fvi_adjoint_mechanism_damper *a)
     fvi_history_free(a->history);
     fvi_lobatto_history_free(a->stages);
     fvi_impulses_of_kernel_free(a->impulses);
+    free(a->each);
     free(a->term);
 }
 
@@ -159,6 +172,22 @@ void fvi_adjoint_mechanism_damper_impulses(const fvi_adjoint_mechanism *m, size_
     for (size_t i = 0; i < n; i++) {
         a->impulse[i] *= scale;
         a->slope[i] *= scale;
+    }
+}
+
+void fvi_adjoint_mechanism_damper_powers(const fvi_adjoint_mechanism *m, size_t k,
+                                         fvi_adjoint_mechanism_damper *a, const double *by)
+{
+    const size_t n = m->o->rule ? m->s : 2;
+    for (size_t l = 0; l < a->powers; l++) {
+        fvi_adjoint_start_power *p = a->each + l;
+        double at[FVI_KERNEL_IMPULSE_NODES], slope[FVI_KERNEL_IMPULSE_NODES];
+        fvi_kernel_impulses(&p->power, k, at);
+        fvi_kernel_impulses_by_order(&p->power, k, slope);
+        for (size_t i = 0; i < n; i++) {
+            p->by_A += p->unit * by[i] * at[i];
+            p->by_A_and_order += p->unit * by[i] * slope[i];
+        }
     }
 }
 
@@ -227,6 +256,24 @@ static void add_impulses_of_power(const fvi_adjoint_mechanism *m,
             2 * rho * a->A * (log(m->run->h) * a->by_A + a->by_A_and_order);
 }
 
+/* The same of several powers; by the place. */
+static double add_powers(const fvi_adjoint_mechanism *m, const fvi_adjoint_mechanism_damper *a)
+{
+    const fvi_sensitivities *want = m->want;
+    double by_place = 0;
+    for (size_t l = 0; l < a->powers; l++) {
+        const fvi_adjoint_start_power *p = a->each + l;
+        const double rho = a->kernel->term[p->term].rho;
+        by_place += rho * p->by_A;
+        if (want->terms)
+            want->terms[a->first + p->term] += a->A * p->by_A;
+        if (want->orders)
+            want->orders[a->first + p->term] -=
+                2 * rho * a->A * (log(m->run->h) * p->by_A + p->by_A_and_order);
+    }
+    return by_place;
+}
+
 /* Does the rate of an elongation change with the place? Nobody gives its slope; of g(x) - u(t) it is 0. */
 static int check_rate(const fvi_adjoint_mechanism *m, const fvi_elongation *of)
 {
@@ -278,6 +325,7 @@ int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mecha
     }
     if (a->feels_place)
         by_place += size * a->by_A;
+    by_place += add_powers(m, a);
     if (a->feels_slope)
         by_slope = size * a->by_A + a->by_drift;
     if (!status && by_slope != 0)

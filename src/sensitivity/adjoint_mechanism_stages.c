@@ -154,16 +154,17 @@ static int push_dampers(fvi_adjoint_mechanism *m, size_t k)
     int status = FVI_SUCCESS;
     for (size_t e = 0; !status && e < m->r; e++) {
         fvi_adjoint_mechanism_damper *a = m->damper + e;
-        double felt[FVI_STAGES];
+        double felt[FVI_STAGES], by[FVI_STAGES];
         fvi_adjoint_mechanism_damper_impulses(m, k, a);
         for (size_t i = 0; i < s; i++) {
-            const double unit = a->nu[i] / (h * o->rule->b[i]);
+            const double unit = by[i] = a->nu[i] / (h * o->rule->b[i]);
             a->factor += a->nu[i] * o->lambda[e * s + i];
             a->by_A += unit * a->impulse[i];
             a->by_A_and_order += unit * a->slope[i];
             a->by_drift -= a->eta[i];
             felt[i] = o->zdot[e * s + i] - (a->feels_slope ? a->A : 0);
         }
+        fvi_adjoint_mechanism_damper_powers(m, k, a, by);
         status = fvi_adjoint_mechanism_damper_push(m, a, felt);
     }
     return status;

@@ -128,6 +128,24 @@ def test_the_matrix_of_masses_on_a_ground_has_a_factor():
     assert close(g["M"], differences(lambda f: fvi.solve(q.replace(M=f * M), h=0.05).x.sum(), 1))
 
 
+@pytest.mark.parametrize("method", ["fvi", "fvi-stable", "fvi-lobatto3", "fvi-lobatto4d"])
+def test_several_powers_of_the_past_rl_are_as_many_dampers(method):
+    """A sum of powers is stretched at once, and each of them pulls. As dampers of their own they give the same numbers, to
+    rounding (seen: 2e-14), and differences agree."""
+    def of(dampers, x0=(0.6, -0.3)):
+        return fvi.Problem("x1^2/2 + (x2-x1)^2 + x2^4/4", dampers=dampers, x0=x0, p0=[0.2, 0.1], time=2)
+    options, each = dict(h=0.05, method=method), ["power:0.5,0.2", "viscous:0.4", "power:0.3,0.1"]
+    one, many = [f"x2 - 0.5*x1^2 : {' + '.join(each)} : rl"], [f"x2 - 0.5*x1^2 : {law} : rl" for law in each]
+    a, b = (fvi.gradient(of(dampers), loss, **options)[1] for dampers in (one, many))
+    for name in ("x0", "p0", "mass"):
+        assert np.allclose(a[name], b[name], rtol=1e-12, atol=1e-12)
+    for i in range(3):
+        assert a["laws"][0][i] == pytest.approx(b["laws"][i][0], rel=1e-11, abs=1e-12)
+    assert close(a["x0"][1], differences(lambda v: loss(fvi.solve(of(one, (0.6, v)), **options))[0], -0.3))
+    law = "x2 - 0.5*x1^2 : power:0.5,{!r} + viscous:0.4 + power:0.3,0.1 : rl"
+    assert close(a["laws"][0][0]["alpha"], differences(lambda v: loss(fvi.solve(of([law.format(v)]), **options))[0], 0.2))
+
+
 @pytest.mark.parametrize("method", ["fvi", "fvi-bdf2", "fvi-stable", "fvi-lobatto2d", "fvi-lobatto3d", "fvi-lobatto8d"])
 def test_every_momentum_of_a_structure_with_several_dampers_is_in_the_loss(method):
     """x, p and E of every row. Seen: 3e-11 of the differences."""
