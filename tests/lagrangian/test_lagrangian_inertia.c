@@ -102,11 +102,86 @@ START_TEST(a_start_without_inertia_is_refused)
 }
 END_TEST
 
+/* ---- a coordinate without inertia ---- */
+
+/* x1'' = x2 - x1, c x2' = x1 - x2: v and a of x2 at t by Taylor's series of (x1, v1, x2), 512 parts of 20 terms. */
+static void exact_node(double c, double t, const double *x0, double p0, double *v, double *a)
+{
+    double y[] = { x0[0], p0, x0[1] };
+    for (int n = 0; n < 512; n++) {
+        double term[] = { y[0], y[1], y[2] };
+        for (int i = 1; i <= 20; i++) {
+            const double s = t / 512 / i, x1 = term[0], v1 = term[1], x2 = term[2];
+            term[0] = s * v1;
+            term[1] = s * (x2 - x1);
+            term[2] = s * (x1 - x2) / c;
+            for (int j = 0; j < 3; j++)
+                y[j] += term[j];
+        }
+    }
+    *v = (y[0] - y[2]) / c;
+    *a = (y[1] - *v) / c;
+}
+
+/* The largest errors of v2 and a2 from t = 0.5 to 1.5. */
+static void worst_of_node(const double *x0, const double *p0, double h, double *worst_v, double *worst_a)
+{
+    static const double mass[] = { 1, 0 }, none[] = { 0, 0 };
+    const mechanism_text text = { .name = "a node", .d = 2, .damper = { "x2 : viscous:0.5" } };
+    mechanism_problem p = { 0 };
+    fvi_typed_potential spring = { 0 };
+    fvi_error error = { 0 };
+    fvi_stepper *s;
+    fvi_observer *o;
+    fvi_observation now;
+    const size_t N = (size_t)lround(1.5 / h);
+    ck_assert_int_eq(parse_texts(&text, &p.typed, &error), 0);
+    ck_assert_int_eq(fvi_parse_potential("(x1-x2)^2/2", 2, NULL, &spring, &error), 0);
+    const fvi_system system = { .d = 2, .mass = mass, .damping = none, .potential = fvi_potential_typed(&spring),
+                                .mechanism = fvi_mechanism_typed(p.typed) };
+    const fvi_run run = fvi_run_default(&system, x0, p0, h, N);
+    ck_assert_msg(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s, &error) == 0, "%s", error.text);
+    ck_assert_int_eq(fvi_observer_start(s, FVI_OBSERVE_VELOCITY | FVI_OBSERVE_ACCELERATION, &o, &error), 0);
+    *worst_v = *worst_a = 0;
+    for (size_t k = 1; k <= N; k++) {
+        double v, a;
+        ck_assert_int_eq(fvi_observer_step(o, s), 0);
+        ck_assert_int_eq(fvi_observer_read(o, s, s->t, &now), 0);
+        exact_node(0.5, s->t, x0, p0[0], &v, &a);
+        if (s->t >= 0.5) {
+            *worst_v = larger(*worst_v, fabs(now.v[1] - v));
+            *worst_a = larger(*worst_a, fabs(now.a[1] - a));
+        }
+    }
+    fvi_observer_free(o);
+    fvi_stepper_free(s);
+    fvi_typed_potential_free(&spring);
+    fvi_typed_mechanism_free(p.typed);
+}
+
+/* Out of balance and in balance: order 2 of v and of a, margin 0.3; none of it is taken. Slopes of the places swing by 2
+ * for every h. */
+START_TEST(eq_29_25_a_velocity_without_inertia_has_the_order_2)
+{
+    static const double x0[][2] = { { 1, 0 }, { 1, 1 } }, p0[][2] = { { 0, 0 }, { 1, 0 } };
+    for (size_t i = 0; i < LEN(x0); i++) {
+        double v[2], a[2];
+        worst_of_node(x0[i], p0[i], 1.0 / 32, &v[0], &a[0]);
+        worst_of_node(x0[i], p0[i], 1.0 / 128, &v[1], &a[1]);
+        const double order_v = log2(v[0] / v[1]) / 2, order_a = log2(a[0] / a[1]) / 2;
+        seen_worst((2 - smaller(order_v, order_a)) / 0.3, "of the margin");
+        ck_assert_msg(order_v >= 1.7 && order_a >= 1.7, "v %g, %g, order %g; a %g, %g, order %g", v[0], v[1], order_v, a[0],
+                      a[1], order_a);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: inertia");
     ADD_LOOP(suite, the_pole_of_polar_coordinates_is_seen, 5);
     ADD_CASE(suite, "inertia", where_v_passes_0_the_inertia_of_a_fourth_power_vanishes,
-             a_start_without_inertia_is_refused);
+             a_start_without_inertia_is_refused,
+             eq_29_25_a_velocity_without_inertia_has_the_order_2);
     return run_suite(suite);
 }
