@@ -77,6 +77,9 @@ def test_rows_that_are_imposed_need_no_more_of_v0_than_they_tell():
     with pytest.raises(fvi.Error) as caught:
         fvi.solve(MOVED.replace(v0=[0.65, 0]), h=0.05)
     assert caught.value.field == "v0"
+    with pytest.raises(fvi.Error) as of_stepper:
+        fvi.Stepper(MOVED.replace(v0=[0.65, 0]), h=0.05)
+    assert of_stepper.value.field == "v0" and str(of_stepper.value) == str(caught.value)
     exact = float(str(caught.value).partition("v1 = ")[2].partition(",")[0])
     assert np.allclose(fvi.solve(MOVED.replace(v0=[exact, 0]), h=0.05).x, near.x, atol=1e-9)
 

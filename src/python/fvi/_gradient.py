@@ -227,7 +227,7 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
 
     solution  of `solve`; of one with error, or of "fvi-adaptive", see below
     x, p      dL/dx and dL/dp of every row, (n, d) numbers, or (n,) of one coordinate, or one for all
-    energy    dL/dE of every row, n numbers
+    energy    dL/dE of every row, n numbers. There are none of forces, impulses and work of the dampers: L is made of x, p and E
     wrt       by what: fields of the problem; None: by all of them that have a derivative
 
     Returns a dict by names: "x0", "p0" or "v0", "mass", "rho", "alpha" or "order", each in the shape that the problem

@@ -136,7 +136,7 @@ class Stepper:
     def __init__(self, potential: Union[str, Potential] = "harmonic:1", **options: Any):
         if hasattr(potential, "kind") and hasattr(potential, "replace"):
             self._problem, self._run, self._method = self._of(potential, options)
-            self._begin()
+            self._begin(potential.v0 is not None)
             return
         for name in ("h", "steps"):
             if options.get("method") == "fvi-adaptive" and options.get(name) is not None:
@@ -160,12 +160,16 @@ class Stepper:
         motion = Motion(problem, how)
         return motion.system, motion.run, motion.method
 
-    def _begin(self) -> None:
+    def _begin(self, is_v0: bool = False) -> None:
+        """At k = 0."""
         self._lock, self._is_busy, self._taken = threading.RLock(), False, ffi.new("size_t *")
         out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
         status = ask(lib.fvi_stepper_start, self._method, self._run, out, error)
         if status:
-            raise error_of(error, status)
+            raised = error_of(error, status)
+            if raised.field == "p0" and is_v0:
+                raised.field = "v0"
+            raise raised
         self._s = ffi.gc(out[0], lib.fvi_stepper_free)
         self._watch = warn_of_start(self._method, self._run)
         self._watch_at_start = ffi.new("fvi_watch *", self._watch[0])[0]
