@@ -54,7 +54,8 @@ typedef int fvi_lagrangian_column(size_t j, double t, size_t d, const double *x,
  *   parameters     by its parameters, sensitivity.count numbers; NULL if count is 0
  *   lagrangian     of a mechanism with a Lagrangian, instead of sensitivity.column: see below
  *   names          by the numbers of its forces of velocity, elongations and constraints, columns->count
- *                  of them; NaN by one of a constraint that x0 or p0 would have to follow */
+ *                  of them; NaN by one of a constraint that x0 or p0 would have to follow, and by one that would
+ *                  stretch a damper of the past rl above the order 1 at x0: such runs have no solution */
 typedef struct {
     double *x0, *p0, *mass, *damping, *alpha, *terms, *orders, *times, *ends,
         *force, *parameters;

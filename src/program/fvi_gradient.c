@@ -186,7 +186,11 @@ static int slopes(size_t k, size_t d, const double *x, const double *p,
     int status = fvi_energy(&r->system, x, p, &r->value);
     if (status)
         return status;
-    status = fvi_velocity(&r->system, p, Jp);
+    const int has_masses = r->system.mechanism && !r->system.matrices;
+    for (size_t i = 0; has_masses && i < d; i++) /* without inertia p does not count */
+        Jp[i] = r->o.mass[i] > 0 ? p[i] / r->o.mass[i] : 0;
+    if (!has_masses)
+        status = fvi_velocity(&r->system, p, Jp);
     return status ? status : fvi_potential_gradient(&r->system, x, Jx);
 }
 
@@ -228,7 +232,7 @@ static int add_energy(request *r, const double *x, const double *p)
     if (fvi_gradient_lagrangian(r))
         return add_energy_of_lagrangian(r, x, p);
     for (size_t i = 0; r->to.mass && i < r->o.d; i++) {
-        const double v = p[i] / r->o.mass[i];
+        const double v = r->o.mass[i] > 0 ? p[i] / r->o.mass[i] : 0;
         r->to.mass[i] -= v * v / 2;
     }
     int status = 0;

@@ -43,6 +43,19 @@ static void rows_of_masses(const visitor *v, const request *r, const char *name,
     }
 }
 
+/* A coordinate without mass has no energy of motion; with a little mass it has, from a velocity that is not p/m. */
+static void rows_of_inertia(const visitor *v, const request *r)
+{
+    char name[32];
+    for (size_t i = 0; i < r->o.d; i++) {
+        snprintf(name, sizeof name, r->o.numbered ? "mass_%zu" : "mass", i + 1);
+        if (r->of == 2 && r->o.mass[i] == 0)
+            warn(v, name, "no derivative by %s: the energy does not know the velocity of a coordinate without mass", name);
+        else
+            row(v, name, "", at(r->to.mass, i));
+    }
+}
+
 /* Is coordinate i imposed? It starts as it is told. */
 static int is_imposed(const request *r, size_t i)
 {
@@ -196,7 +209,7 @@ static void rows_of_masses_and_potential(const visitor *v, const request *r)
     if (r->has_mass && r->ground_jumps)
         warn(v, "mass", "no derivative by mass: %s", OF_A_JUMP);
     else if (r->has_mass)
-        rows_of_masses(v, r, "mass", r->to.mass);
+        rows_of_inertia(v, r);
     else if (!r->o.text[LAGRANGIAN])
         warn(v, "mass", "no derivative by mass: %s",
              r->o.ground ? "steps of any length ask for the ground between the rows"
@@ -232,7 +245,7 @@ void fvi_gradient_rows(const request *r, const visitor *v)
                  r->o.lets.name[j]);
         else if (r->is_tied[j])
             warn(v, r->o.lets.name[j], "no derivative by %s: by a constraint the start would have to "
-                 "follow it",
+                 "follow it, or by a damper of the past rl that must not be stretched",
                  r->o.lets.name[j]);
         else if (r->is_jumped[j])
             warn(v, r->o.lets.name[j], "no derivative by %s: " OF_A_JUMP, r->o.lets.name[j]);

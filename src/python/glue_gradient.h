@@ -33,7 +33,11 @@ static int slopes_of_energy(const fvi_system *system, double t, const double *x,
     const size_t d = system->d;
     if (!L) {
         const int status = fvi_potential_gradient(system, x, room);
-        return status ? status : fvi_velocity(system, p, room + d);
+        if (status || system->matrices || !system->mechanism)
+            return status ? status : fvi_velocity(system, p, room + d);
+        for (size_t i = 0; i < d; i++) /* without inertia p does not count */
+            room[d + i] = system->mass[i] > 0 ? p[i] / system->mass[i] : 0;
+        return FVI_SUCCESS;
     }
     int status = fvi_velocity_of_momentum(system, t, x, p, room + d);
     if (!status)

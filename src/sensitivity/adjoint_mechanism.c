@@ -239,8 +239,8 @@ static int finish(fvi_adjoint_mechanism *m)
         status = fvi_adjoint_mechanism_add_velocity(m, by_v, m->g, m->beta);
     if (want->x0)
         memcpy(want->x0, m->g, d * sizeof *m->g);
-    for (size_t j = 0; want->x0 && j < m->r; j++)
-        fvi_adjoint_mechanism_damper_bar(m, m->damper + j, want->x0);
+    for (size_t j = 0; j < m->r && !status; j++)
+        status = fvi_adjoint_mechanism_damper_bar(m, m->damper + j, want->x0);
     if (want->p0)
         memcpy(want->p0, m->beta, d * sizeof *m->beta);
     return status;

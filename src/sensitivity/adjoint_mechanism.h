@@ -118,8 +118,8 @@ int fvi_adjoint_mechanism_damper_push(fvi_adjoint_mechanism *m, fvi_adjoint_mech
                                       const double *zeta);
 int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,
                                      double *by_x0, double *by_v);
-void fvi_adjoint_mechanism_damper_bar(const fvi_adjoint_mechanism *m,
-                                      const fvi_adjoint_mechanism_damper *a, double *by_x0);
+int fvi_adjoint_mechanism_damper_bar(fvi_adjoint_mechanism *m,
+                                     const fvi_adjoint_mechanism_damper *a, double *by_x0);
 void fvi_adjoint_mechanism_damper_stop(fvi_adjoint_mechanism_damper *a);
 
 /* ---- adjoint_mechanism_nodes.c, adjoint_mechanism_stages.c ---- */
@@ -134,7 +134,9 @@ int fvi_adjoint_mechanism_stages(fvi_adjoint_mechanism *m, size_t k);
  * known, and before beta becomes that of p_k.
  * _node   of p at node k, where beta multiplies what comes out, and delta what C v + c_t is
  * _start  of g at x_0 and of the slope that damper j begins with
- * _check  NaN for those that would move x_0 or p_0 */
+ * _check  NaN for those that would move x_0 or p_0
+ * _bar    NaN for those that would stretch damper e at x_0, where it must not be */
+int fvi_adjoint_mechanism_names_bar(fvi_adjoint_mechanism *m, size_t e);
 int fvi_adjoint_mechanism_names_nodes(fvi_adjoint_mechanism *m, size_t k, double ahead);
 int fvi_adjoint_mechanism_names_stages(fvi_adjoint_mechanism *m);
 int fvi_adjoint_mechanism_names_node(fvi_adjoint_mechanism *m, double t, const double *x,

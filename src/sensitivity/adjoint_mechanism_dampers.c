@@ -295,15 +295,16 @@ static int check_rate(const fvi_adjoint_mechanism *m, const fvi_elongation *of)
     return status;
 }
 
-void fvi_adjoint_mechanism_damper_bar(const fvi_adjoint_mechanism *m,
-                                      const fvi_adjoint_mechanism_damper *a, double *by_x0)
+int fvi_adjoint_mechanism_damper_bar(fvi_adjoint_mechanism *m,
+                                     const fvi_adjoint_mechanism_damper *a, double *by_x0)
 {
     if (damper_of(m, a)->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || is_first_order(m)
         || fvi_mechanism_check_stretch(a->kernel, a->damper, NULL) == FVI_SUCCESS)
-        return;
-    for (size_t i = 0; i < m->d; i++)
+        return FVI_SUCCESS;
+    for (size_t i = 0; by_x0 && i < m->d; i++)
         if (m->G0[a->damper * m->d + i] != 0)
             by_x0[i] = NAN; /* (19.2) */
+    return fvi_adjoint_mechanism_names_bar(m, a->damper);
 }
 
 int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,

@@ -100,6 +100,17 @@ int fvi_adjoint_mechanism_names_start(fvi_adjoint_mechanism *m, size_t j, double
     return status;
 }
 
+int fvi_adjoint_mechanism_names_bar(fvi_adjoint_mechanism *m, size_t e)
+{
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; m->want->names && j < m->want->columns->count && !status; j++) {
+        status = elongation(m, j, e, 0, m->run->x0, m->column);
+        if (*m->column != 0)
+            m->want->names[j] = NAN;
+    }
+    return status;
+}
+
 /* ---- constraints ---- */
 
 /* c, C and c_t by theta behind one another from m->column on. */

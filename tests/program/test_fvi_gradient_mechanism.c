@@ -167,7 +167,7 @@ START_TEST(what_a_mechanism_has_no_row_of_is_said)
     derivative("x0_2");
     ck_assert_int_eq(fvi("gradient --lagrangian '(v1^2+v2^2)/2-x2' --constraint 'x1^2+x2^2-l^2' --let l=1 --x0 1,0 --v0 0,1 "
                          FEW), 0);
-    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by l: by a constraint the start would have to follow it\n"));
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by l: by a constraint the start would have to follow it, or "));
     derivative("x0_1");
     ck_assert_int_eq(fvi("gradient --lagrangian '(v1^2+v2^2)/2-x2' --constraint 'x1^2+x2^2-l^2' --let l=1 --x0 1,0 --v0 0,1 "
                          "--by l " FEW), 2);
@@ -259,6 +259,45 @@ START_TEST(why_a_mechanism_has_no_gradient_is_said)
 }
 END_TEST
 
+/* The energy of a run with a mass of 0, by differences of runs; the kinetic energy of that coordinate is none, so that there is
+ * no row for its mass. */
+START_TEST(an_energy_without_inertia_has_derivatives)
+{
+#define LIGHT "--mass 1,0 --potential 'x1^2/2+(x2-x1)^2' --damper 'x2 : power:0.5,0.3' --p0 0,0 --time 2 --steps 40 "
+    static const char *const methods[] = { "fvi-lobatto4d", "fvi-adaptive" };
+    double energy[2];
+    char words[300];
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < 2; k++) {
+            snprintf(words, sizeof words, "run " LIGHT "--method %s --x0 %s,0.5 --columns energy --every 40", methods[i],
+                     k ? "1.001" : "0.999");
+            ck_assert_int_eq(fvi(words), 0);
+            energy[k] = cell(1, 0);
+        }
+        snprintf(words, sizeof words, "gradient " LIGHT "--method %s --x0 1,0.5", methods[i]);
+        ck_assert_int_eq(fvi(words), 0);
+        ck_assert_near(derivative("x0_1"), (energy[1] - energy[0]) / 0.002, 1e-8, "x0_1"); /* quadratic: to roundings / 0.002 */
+        derivative("mass_1");
+        ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by mass_2: the energy does not know the velocity"));
+        snprintf(words, sizeof words, "gradient " LIGHT "--method %s --x0 1,0.5 --of x:1", methods[i]);
+        ck_assert_int_eq(fvi(words), 0);
+        derivative("mass_2");
+    }
+#undef LIGHT
+}
+END_TEST
+
+/* With the past rl above the order 1 no other start of an elongation has a motion: c moves it, and b does not. */
+START_TEST(a_name_must_not_stretch_a_damper_of_the_origin)
+{
+    ck_assert_int_eq(fvi("gradient --of x --method fvi-lobatto4d --potential 'x^2/2' --damper 'b*(x-c) : power:0.5,0.7 : rl' "
+                         "--let c=1 --let b=1 --x0 1 --p0 0 --time 2 --steps 64"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by c: by a constraint the start would have to follow it, or by a "
+                                      "damper of the past rl that must not be stretched\n"));
+    ck_assert_near(derivative("b"), 0.5368174, 1e-6, "b"); /* differences of runs: (-0.05654656659 + 0.05665393007)/2e-4 */
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: gradients of mechanisms");
@@ -266,6 +305,7 @@ int main(void)
              several_powers_of_the_past_rl_are_as_many_dampers,
              rows_where_the_ground_moves_are_differences_of_runs, a_ground_may_jump_at_a_row,
              what_a_mechanism_has_no_row_of_is_said, a_place_that_would_stretch_a_damper_of_the_past_rl_has_no_row,
-             why_a_mechanism_has_no_gradient_is_said);
+             why_a_mechanism_has_no_gradient_is_said, an_energy_without_inertia_has_derivatives,
+             a_name_must_not_stretch_a_damper_of_the_origin);
     return run_suite_of_program(suite);
 }

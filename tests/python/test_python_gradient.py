@@ -308,3 +308,14 @@ def test_torch_trains_a_network_as_a_force():
         optimiser.step()
         losses.append(loss_now.item())
     assert losses[-1] < losses[0] / 2
+
+
+def test_an_energy_without_inertia_has_no_derivative_by_that_mass():
+    light = fvi.Problem("x1^2/2 + (x2-x1)^2", mass=[1, 0], dampers=["x2 : power:0.5,0.3"], x0=[1, 0.5], p0=0, time=2)
+
+    def energy(x1):
+        return fvi.solve(light.replace(x0=[x1, 0.5]), method="fvi-lobatto4d", steps=40).energy[-1]
+    with pytest.warns(fvi.FviWarning, match="^mass: no derivative of an energy by a mass of 0"):
+        g = fvi.vjp(fvi.solve(light, method="fvi-lobatto4d", steps=40), energy=np.append(np.zeros(40), 1))
+    assert abs(g["x0"][0] - (energy(1.001) - energy(0.999)) / 0.002) < 1e-8  # E is quadratic in the start
+    assert np.isfinite(g["mass"][0]) and np.isnan(g["mass"][1])

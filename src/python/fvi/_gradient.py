@@ -295,7 +295,11 @@ def add_energy(s: Solution, by: Optional[Array], system: Any, found: dict) -> No
                 ffi.from_buffer("double[]", found["parameters"])))
         return
     if "mass" in found:
-        found["mass"] -= by @ (s.v**2) / 2
+        mass = np.frombuffer(ffi.buffer(system.system.mass, 8 * s.p.shape[1]))
+        found["mass"] -= by @ np.divide(s.p, mass, out=np.zeros(s.p.shape), where=mass > 0)**2 / 2
+        if not mass.all():
+            warn("mass: no derivative of an energy by a mass of 0: it does not know the velocity there")
+            found["mass"][mass == 0] = np.nan
     value = ffi.new("double *")
     for j in range(len(found.get("parameters", ()))):
         for k in np.flatnonzero(by):
@@ -375,7 +379,8 @@ def named(by: Derivatives, found: dict) -> dict:
             else np.zeros(len(lets))
         by_let += found.get("names", 0.0)
         for j in np.flatnonzero(np.isnan(by_let)):
-            warn(f"let: no derivative by {lets[j]}: it stands in a constraint, which the start would have to follow")
+            warn(f"let: no derivative by {lets[j]}: it stands in a constraint, or in a damper that must "
+                 "not be stretched, which the start would have to follow")
         sums = [] if by_force is None or system.typed_force is None else [(system.typed_force, by_force.sum(axis=1))]
         if by_force is not None and isinstance(q.ground, str):
             pull = np.frombuffer(ffi.buffer(lib.fvi_ground_pull(system.ground), 8 * d))
