@@ -228,7 +228,7 @@ static double apart(size_t n, fvi_event_time *a, size_t m, fvi_event_time *b, fv
 
 START_TEST(lists_of_events_are_compared)
 {
-    fvi_event_time a[] = { { 1, 0, 0 }, { 2, 1, 0 }, { 3, 0, 0 } }, b[] = { { 1, 0, 0 }, { 2, 1, 0 }, { 3.5, 0, 0 } };
+    fvi_event_time a[] = { { 1, 0, 0, 0 }, { 2, 1, 0, 0 }, { 3, 0, 0, 0 } }, b[] = { { 1, 0, 0, 0 }, { 2, 1, 0, 0 }, { 3.5, 0, 0, 0 } };
     fvi_event_agreement common;
     ck_assert_double_eq(apart(2, a, 2, b, &common), 0.25); /* of the places */
     ck_assert_double_eq(apart(3, a, 3, b, &common), 1);    /* of the times */
@@ -240,7 +240,7 @@ START_TEST(lists_of_events_are_compared)
     b[1].event = 1;
     b[1].at_rest = 1;
     ck_assert(isinf(apart(2, a, 2, b, &common)) && common.agreed == 1);
-    fvi_event_time c[] = { { 2.001, 1, 0 }, { 2, 0, 0 } }, d[] = { { 2, 0, 0 }, { 2.001, 1, 0 } };
+    fvi_event_time c[] = { { 2.001, 1, 0, 0 }, { 2, 0, 0, 0 } }, d[] = { { 2, 0, 0, 0 }, { 2.001, 1, 0, 0 } };
     ck_assert_double_eq(apart(2, c, 2, d, &common), 2); /* in another order: 4 is compared with 2 */
     a[2].t = 9.999; /* at the end one run may have it and the other not */
     b[1].at_rest = 0;
