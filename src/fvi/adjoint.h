@@ -104,7 +104,7 @@ typedef struct {
  *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19) With several
  *          dampers `damping` has a number for each, by a factor of its kernel.
  *          With stages x and p are NULL, and a law that grows faster than s has no terms to ends. Of
- *          fvi_variable_step neither alpha nor orders to ends, and terms of a law of one term alone
+ *          fvi_variable_step no alpha at 0 and no orders to ends, and terms of a law of one term alone
  *   mechanism  fvi, fvi-stable, the methods with stages and fvi_variable_step, x and p NULL: dampers between points, a
  *          Lagrangian, forces of velocity and constraints that do not know the time, or imposed
  *          coordinates; elongations and constraints with second derivatives. (23.29) `damping` has a

@@ -77,7 +77,7 @@ static int by_let(size_t j, size_t d, const double *x, void *params, double *S)
 static int has_alpha(const request *r)
 {
     const fvi_method *m = r->o.method;
-    if (r->terms || r->system.mechanism || (r->system.matrices && m->dense))
+    if (r->terms || r->system.mechanism || (r->system.matrices && m->dense && r->run.alpha == 0))
         return 0;
     if (m->scheme == FVI_SCHEME_VARIABLE_STEP
         && (r->run.alpha == 0 || r->run.alpha == 1))

@@ -198,7 +198,7 @@ static void rows_of_matrices(const visitor *v, const request *r)
         if (r->has_alpha)
             row(v, "alpha", "", r->to.alpha);
         else
-            warn(v, "alpha", "no derivative by alpha: of a folder steps of any length have none%s", "");
+            warn(v, "alpha", "no derivative by alpha: of a folder steps of any length have none at 0%s", "");
     }
     row(v, "c", "", r->to.parameters);
 }

@@ -21,7 +21,7 @@ static int allocate(fvi_structure_mirror *m)
                         &m->Jk, &m->product, &m->room, &m->moved, &m->y };
     enum { ARRAYS = sizeof each / sizeof *each };
     m->each = calloc(m->count + 1, sizeof *m->each);
-    m->block = calloc((ARRAYS + 3 * m->s + m->count) * d, sizeof *m->block);
+    m->block = calloc((ARRAYS + 4 * m->s + m->count) * d, sizeof *m->block);
     if (!m->each || !m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
     double *next = m->block;
@@ -30,7 +30,8 @@ static int allocate(fvi_structure_mirror *m)
     m->source = next;
     m->V = m->source + m->s * d;
     m->mu = m->V + m->s * d;
-    next = m->mu + m->s * d;
+    m->rate = m->mu + m->s * d;
+    next = m->rate + m->s * d;
     for (size_t j = 0; j < m->count; j++, next += d)
         m->each[j].plain = next;
     return FVI_SUCCESS;
@@ -58,6 +59,20 @@ static int start_modes(fvi_structure_mirror *m)
     return fvi_structure_mesh_begin_dampers(s, m->o);
 }
 
+/* What the derivative by the order reads: the modes a second time. A dashpot has none for itself. (23.18) */
+static int start_order(fvi_structure_mirror *m)
+{
+    fvi_mesh_damper *memory = &m->of->damper->memory;
+    int status = FVI_SUCCESS;
+    if (!m->want->alpha || m->of->count == 0)
+        return status;
+    fvi_variable_present_by_order(m->rule, memory->beta, &m->W0_rate);
+    if (!memory->modes)
+        status = fvi_modes_alloc(m->rule, m->o->modes_kind, memory->beta, m->of->damper->r, m->o->T, m->o->least,
+                                 &memory->modes);
+    return status ? status : fvi_modes_add_order(memory->modes);
+}
+
 static int start(fvi_structure_mirror *m)
 {
     m->rule = m->path.rule;
@@ -69,6 +84,8 @@ static int start(fvi_structure_mirror *m)
         status = fvi_damping_velocity(m->run->system, m->run->p0, m->v0);
     if (!status)
         status = start_modes(m);
+    if (!status)
+        status = start_order(m);
     for (size_t j = 0; !status && j < m->count; j++) {
         fvi_structure_mirror_damper *a = m->each + j;
         a->of = fvi_run_damper_of(m->run, j);
@@ -174,6 +191,35 @@ static int add_damper(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_da
     return status;
 }
 
+/* By alpha, before the memory goes on: dT/dbeta, (23.18). */
+static int add_order(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_damper *a)
+{
+    const fvi_damping_matrix *C = &a->of.matrix;
+    const fvi_mesh_damper *memory = &a->to->memory;
+    const double h = m->path.step[n].length.h, now = pow(h, -memory->beta), log_h = log(h);
+    const size_t r = a->to->r, s = m->s;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < s; i++)
+        status = C->remember(m->d, m->mu + i * m->d, a->to->zero, C->params, m->rate + i * r);
+    for (size_t l = 0; l < r; l++) {
+        double v[FVI_LANES] = { 0 }, rate[FVI_LANES], same[FVI_LANES], past[FVI_LANES];
+        for (size_t i = 0; i < s; i++)
+            v[i] = m->rate[i * r + l] - (memory->beta > 0 ? a->to->before[l] : 0);
+        fvi_square_apply(s, &m->W0_rate, v, rate);
+        fvi_square_apply(s, &memory->W0, v, same);
+        fvi_modes_history_by_order(memory->modes, l, past);
+        for (size_t i = 0; i < s; i++)
+            m->rate[i * r + l] = memory->rho * (past[i] + now * (rate[i] - log_h * same[i]));
+    }
+    for (size_t i = 0; !status && i < s; i++) {
+        memset(m->product, 0, m->d * sizeof *m->product);
+        status = C->damp(m->d, -h * m->rule->b[i], m->rate + i * r, C->params, m->product);
+        a->sum_by_order += dot(m->d, m->V + i * m->d, m->product)
+                           - (a->has_line ? dot(m->d, m->v0, m->product) : 0);
+    }
+    return status;
+}
+
 /* The force is changed along lines between the rows. */
 static void add_force(const fvi_structure_mirror *m, size_t n)
 {
@@ -193,6 +239,8 @@ static int step_back(fvi_structure_mirror *m, size_t n)
         status = solve(m, n);
     if (!status)
         status = add_matrices(m, n);
+    if (!status && m->want->alpha && m->each->to)
+        status = add_order(m, n, m->each);
     if (!status)
         status = fvi_structure_mesh_advance(m->o);
     for (size_t j = 0; !status && j < m->count; j++)
@@ -234,9 +282,13 @@ static int end_struck(fvi_structure_mirror *m, fvi_structure_mirror_damper *a, d
             ones[q] = 1;
         fvi_modes_activate_all(modes);
         for (size_t n = 0; n < to->r; n++)
-            m->y[n] = fvi_modes_accumulate(modes, n, ones, to->before[n], NULL);
+            m->y[n] = fvi_modes_accumulate(modes, n, ones, to->before[n], m->want->alpha ? m->rate + n : NULL);
         free(ones);
     }
+    memset(by_place, 0, m->d * sizeof *by_place);
+    if (!status && m->want->alpha)
+        status = C->damp(m->d, -to->memory.rho, m->rate, C->params, by_place);
+    a->sum_by_order += dot(m->d, m->run->x0, by_place);
     memset(by_place, 0, m->d * sizeof *by_place);
     return status ? status : C->damp(m->d, -to->memory.rho, m->y, C->params, by_place);
 }
@@ -259,6 +311,8 @@ static int end_dampers(fvi_structure_mirror *m)
             m->extra[i] += a->plain[i];
         if (want->damping)
             want->damping[j] = by_factor;
+        if (want->alpha)
+            *want->alpha = -2 * a->sum_by_order;
         if (want->terms) /* of a law of one term */
             want->terms[0] = by_factor / m->run->law->term[0].rho;
     }

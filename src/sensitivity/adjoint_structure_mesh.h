@@ -13,6 +13,7 @@ typedef struct {
     fvi_mesh_matrix *to; /* NULL: it remembers nothing */
     int has_line;        /* the history of the run does not see the velocity of the start */
     double sum;          /* sum of h b_i (V - line) . forces */
+    double sum_by_order; /* the same with the derivative of the forces by 2 alpha, if alpha is wanted */
     double *plain;       /* each: sum of h b_i forces */
 } fvi_structure_mirror_damper;
 
@@ -30,6 +31,8 @@ typedef struct {
     double *Jx, *Jp, *Jk, *product, *room, *moved;
     double *source, *V, *mu; /* s d: by V - v of stages in their order; V and mu in reverse order */
     double *y;               /* d: what a damper remembers, of one stage */
+    fvi_square W0_rate;      /* dW0/dbeta, if alpha is wanted */
+    double *rate;            /* s d: derivatives of forces by 2 alpha, what is remembered */
     double *block;           /* all of these and of the dampers; owned */
     double by_M, by_K;
 } fvi_structure_mirror;

@@ -115,7 +115,8 @@ def known_of(q: Problem, is_expression: bool, is_dense: bool) -> set:
     if q.kind == "mechanism":
         of_laws = {"laws", "alpha", "order"} if is_dense else set()  # steps of any length know their factors alone
         return known | (known_of_mechanism(q, is_expression) - of_laws) | (inertia if q.lagrangian is None else set())
-    if q.damping is not None or not (q.kind == "structure" and is_dense):  # steps of any length have no order of matrices
+    is_spring = q.kind == "structure" and is_dense and (q.alpha == 0 or q.order == 0)  # there steps of any length have none
+    if q.damping is not None or not is_spring:
         known |= {"damping"} if q.damping is not None else {"order" if q.order is not None else "alpha"}
     if q.kind == "structure":
         return known | inertia | {"K"} | ({"C"} if q.C is not None else set())
