@@ -18,6 +18,8 @@ static inline int serialize(fvi_archive *archive, void *data, size_t bytes, int 
     saved *to = (saved *)archive;
     char *here = to->room + to->at;
     to->at += bytes;
+    if (bytes == 0) /* data may be NULL */
+        return 0;
     if (!to->is_saved)
         memcpy(here, data, bytes);
     else if (constant)
