@@ -18,11 +18,14 @@ MODULES = [*wasm.MODULES, "linearised", "history_modes", "memory_nodes", "integr
            "sensitivity", "adjoint", "checkpointing", "adjoint_multistep", "adjoint_kernel", "adjoint_multistep_damping", "adjoint_multistep_alone", "adjoint_constant", "adjoint_filter", "adjoint_stages", "control", "identification_tangent"]
 # Of the exponentials those of many masses, of gradients those of steps and methods that no figure has.
 ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_alloc fvi_history_tiled_bytes fvi_adjoint_variable fvi_adjoint_lobatto_end
-    fvi_adjoint_lobatto_start fvi_adjoint_lobatto_step fvi_tangent_stages_start fvi_tangent_stages_step
+    fvi_adjoint_lobatto_start fvi_adjoint_lobatto_step
     fvi_impulses_of_slope_alloc fvi_adjoint_lobatto_jump fvi_adjoint_dampers_check fvi_adjoint_dampers_end
     fvi_adjoint_dampers_free fvi_adjoint_dampers_start fvi_adjoint_dampers_step fvi_adjoint_slope_of
     fvi_adjoint_slope_symbol fvi_adjoint_has_slope fvi_adjoint_slope_begin_at
-    fvi_adjoint_mechanism_check fvi_adjoint_mechanism_run fvi_adjoint_mesh_check fvi_adjoint_mesh_run""".split()]
+    fvi_adjoint_mechanism_check fvi_adjoint_mechanism_run fvi_adjoint_mesh_check fvi_adjoint_mesh_run
+    fvi_adjoint_check_stage_laws fvi_adjoint_dampers_jump fvi_adjoint_structure_check fvi_adjoint_structure_end fvi_adjoint_structure_free
+    fvi_adjoint_structure_jump fvi_adjoint_structure_mesh fvi_adjoint_structure_start fvi_adjoint_structure_step
+    fvi_lobatto_matrices_of fvi_tangent_start fvi_tangent_step fvi_tangent_stop""".split()]
 BUILDING = [PLAY / "gsl.c", HERE / "gsl_modes.c", HERE / "building.c"]
 BUILDING_MODULES = """structures structure_dampers sparse factors history_space convolution_quadrature_methods convolution_quadrature_dampers
     damping damping_matrices damping_sums initial_history_force kernel_history kernel_modes kernel_classes kernel_general damping_laws

@@ -30,7 +30,7 @@ static int begins(const fvi_method *method, const fvi_run *run, double tolerance
     return status == FVI_SUCCESS;
 }
 
-/* Of a law: steps of any length, which were 3 to 600 times faster than steps of one length; where these cannot be,
+/* Of a law: steps of any length, which were 1 to 120 times faster than steps of one length; where these cannot be,
  * four stages for few errors, and order 2 for large ones. */
 static const fvi_method *method_of_law(const fvi_run *run, double tolerance)
 {

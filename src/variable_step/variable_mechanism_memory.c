@@ -80,11 +80,13 @@ static double order_of_relaxation(const fvi_kernel *kernel)
 }
 
 /* Without inertia a coordinate moves as t^q out of its balance, q < 1 the highest order of its dampers; or, if all of
- * them are stiff at once, it jumps and then moves as t^q, q the order of their relaxation: the smallest q, or INFINITY. */
-static double power_of_massless(const fvi_stepper *s)
+ * them are stiff at once, it jumps and then moves as t^q, q the order of their relaxation: the smallest q, or INFINITY. Does a
+ * coordinate jump so? */
+static double power_of_massless(const fvi_stepper *s, int *has_jump)
 {
     const fvi_mechanism_state *m = s->mechanism;
     double least = INFINITY;
+    *has_jump = 0;
     for (size_t i = 0; i < m->d; i++) {
         double q = 0, relaxation = INFINITY;
         for (size_t j = 0; m->is_massless[i] && j < m->r; j++)
@@ -92,15 +94,18 @@ static double power_of_massless(const fvi_stepper *s)
                 q = larger(q, fvi_kernel_growth(damper_of(s, j)->kernel));
                 relaxation = smaller(relaxation, order_of_relaxation(damper_of(s, j)->kernel));
             }
-        if (q == 0)
+        if (m->is_massless[i] && q == 0 && relaxation < 1) {
             q = relaxation;
+            *has_jump = 1;
+        }
         if (q > 0 && q < 1)
             least = smaller(least, q);
     }
     return least;
 }
 
-/* The equation of a coordinate without inertia has the square of the length as a factor: its roundings must not vanish. */
+/* Behind a jump the equation of a coordinate without inertia has the square of the length as a factor, and its roundings must
+ * not vanish. */
 static const double LEAST_OF_MASSLESS = 1e-140;
 
 /* lambda is as t^{1 - order} behind a jump of zdot, and as t^{-order} behind one of z. A step as short as h
@@ -108,8 +113,10 @@ static const double LEAST_OF_MASSLESS = 1e-140;
 double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     const struct fvi_mesh_mechanism *m = o->mechanism;
-    double shortest = smaller(1, pow(1e-4 * fmin(o->tolerance, 1), 1 / power_of_massless(s)));
-    if (shortest < LEAST_OF_MASSLESS)
+    int has_jump;
+    const double of_place = power_of_massless(s, &has_jump);
+    double shortest = smaller(1, pow(1e-4 * fmin(o->tolerance, 1), 1 / of_place));
+    if (has_jump && shortest < LEAST_OF_MASSLESS)
         return 0;
     for (size_t j = 0; j < m->r; j++) {
         const int jumps = feels_jumps(s, j)
