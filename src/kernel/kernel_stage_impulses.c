@@ -33,17 +33,33 @@ static double gauss(int n, int q, double *weight)
     return (1 + y) / 2;
 }
 
+enum { POINTS = 40 };
+typedef struct {
+    int is_made;
+    double u[POINTS], part[POINTS];
+} gauss_rule;
+
+/* The rule of POINTS nodes. A start of a run asks for the moments of some hundred modes, so a thread makes the rule once. */
+static const gauss_rule *gauss_of_moments(void)
+{
+    static _Thread_local gauss_rule rule;
+    for (int q = 0; q < POINTS && !rule.is_made; q++)
+        rule.u[q] = gauss(POINTS, q, rule.part + q);
+    rule.is_made = 1;
+    return &rule;
+}
+
 void fvi_stage_moments(const fvi_impulses_of_kernel *o, double complex z,
                        double complex *w)
 {
-    enum { POINTS = 40 };
+    const gauss_rule *rule = gauss_of_moments();
     for (size_t i = 0; i < o->n; i++)
         w[i] = 0;
     for (int q = 0; q < POINTS; q++) {
-        double part;
-        const double u = gauss(POINTS, q, &part);
+        const double u = rule->u[q];
+        const double complex grown = cexp(z * u);
         for (size_t i = 0; i < o->n; i++)
-            w[i] += part * lagrange(o, i, u) * cexp(z * u);
+            w[i] += rule->part[q] * lagrange(o, i, u) * grown;
     }
 }
 
@@ -73,12 +89,12 @@ static size_t nodes_of(const fvi_impulses_of_kernel *o, double t, double complex
 /* The piece from u = a to 2 a, on which q is smooth. */
 static void add_piece(fvi_impulses_of_kernel *o, double a)
 {
-    enum { POINTS = 20 };
+    enum { FEW = 20 };
     double complex s[NODES + MOST_POLES], weight[NODES + MOST_POLES];
     const size_t count = nodes_of(o, a * o->h, s, weight);
-    for (int q = 0; q < POINTS; q++) {
+    for (int q = 0; q < FEW; q++) {
         double part, value = 0;
-        const double u = a * (1 + gauss(POINTS, q, &part));
+        const double u = a * (1 + gauss(FEW, q, &part));
         for (size_t j = 0; j < count; j++)
             value += creal(weight[j] * cexp(s[j] * (u * o->h)));
         for (size_t i = 0; i < o->n; i++)
