@@ -252,7 +252,7 @@ static int solve_panel(collocation *o, size_t k, double *rows)
         int status = iterate(o, k, V, X, &moved);
         if (status || i == 400 || moved != moved)
             return status ? status : FVI_EMAXITER;
-        after += moved < 4e-16L; /* grad U is a double */
+        after += moved < 1e-15L; /* grad U is a double, whose last digit moves a velocity of a light mass by this */
     }
     int status = pull(o, k, V, X);
     write_rows(o, k, X, rows);

@@ -124,6 +124,7 @@ START_TEST(eq_24_6_a_motion_between_the_steps_has_its_slopes)
             ck_assert_near(slope[i * P + j], want, 2e-7, "%zu at %zu", j, i);
         }
     }
+    fvi_estimation_model_clear(&m);
 }
 END_TEST
 
