@@ -15,7 +15,7 @@ import wasm  # noqa: E402
 
 SOURCES = [PLAY / "play.c", PLAY / "gsl.c", HERE / "gsl_modes.c", PLAY / "strtod.c", HERE / "live.c", HERE / "inverse.c", HERE / "pendulum.c"]
 MODULES = [*wasm.MODULES, "linearised", "history_modes", "memory_nodes", "integration_by_parts", "half_derivative", "discrete_principle",
-           "sensitivity", "adjoint", "checkpointing", "adjoint_multistep", "adjoint_kernel", "adjoint_multistep_damping", "adjoint_multistep_alone", "adjoint_constant", "adjoint_filter", "adjoint_stages", "control", "identification_tangent"]
+           "sensitivity", "adjoint", "checkpointing", "adjoint_multistep", "adjoint_kernel", "adjoint_multistep_damping", "adjoint_multistep_alone", "adjoint_constant", "adjoint_filter", "adjoint_stages", "control", "identification_tangent", "tangent", "tangent_dampers", "tangent_nodes"]
 # Of the exponentials those of many masses, of gradients those of steps and methods that no figure has.
 ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_alloc fvi_history_tiled_bytes fvi_adjoint_variable fvi_adjoint_lobatto_end
     fvi_adjoint_lobatto_start fvi_adjoint_lobatto_step
@@ -25,7 +25,7 @@ ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_alloc fvi_history
     fvi_adjoint_mechanism_check fvi_adjoint_mechanism_run fvi_adjoint_mesh_check fvi_adjoint_mesh_run
     fvi_adjoint_check_stage_laws fvi_adjoint_dampers_jump fvi_adjoint_structure_check fvi_adjoint_structure_end fvi_adjoint_structure_free
     fvi_adjoint_structure_jump fvi_adjoint_structure_mesh fvi_adjoint_structure_start fvi_adjoint_structure_step
-    fvi_lobatto_matrices_of fvi_tangent_start fvi_tangent_step fvi_tangent_stop""".split()]
+    fvi_lobatto_matrices_of fvi_stage_dampers_tolerance fvi_stage_terms_start fvi_stage_terms_stop fvi_tangent_stages_step""".split()]
 BUILDING = [PLAY / "gsl.c", HERE / "gsl_modes.c", HERE / "building.c"]
 BUILDING_MODULES = """structures structure_dampers sparse factors history_space convolution_quadrature_methods convolution_quadrature_dampers
     damping damping_matrices damping_sums initial_history_force kernel_history kernel_modes kernel_classes kernel_general damping_laws

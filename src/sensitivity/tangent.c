@@ -257,7 +257,7 @@ static void move_starts(fvi_tangent_run *o)
 static int start_dampers(fvi_tangent_run *o)
 {
     const fvi_run *run = o->run;
-    const double keep = fvi_stage_dampers_tolerance(&o->lane[0]->run);
+    const double keep = o->rule ? fvi_stage_dampers_tolerance(&o->lane[0]->run) : 0; /* nodes keep all */
     int status = FVI_SUCCESS;
     for (size_t j = 0, first = 0; !status && j < fvi_run_damper_count(run); j++) {
         fvi_tangent_damper *a = o->each + o->dampers++;

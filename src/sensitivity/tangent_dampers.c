@@ -148,7 +148,8 @@ void fvi_tangent_damper_stop(fvi_tangent_damper *a)
         fvi_adjoint_term_stop(a->term + l);
     fvi_adjoint_constant_stop(&a->memory);
     fvi_lobatto_history_free(a->of_stages);
-    fvi_stage_terms_stop(&a->terms_of_stages);
+    if (a->terms_of_stages.each)
+        fvi_stage_terms_stop(&a->terms_of_stages);
     fvi_initial_history_force_stop(&a->past);
     free(a->term);
     free(a->block);
