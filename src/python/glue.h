@@ -56,10 +56,10 @@ typedef struct {
     void *happened; /* to whom events are told */
     struct timespec last;
 } row_count;
-static int report_event(double t, size_t event, int at_rest, const double *x, const double *p, void *happened);
+static int report_event(const fvi_event_time *at, const double *x, const double *p, void *happened);
 static int count_event(const fvi_event_time *at, const double *x, const double *p, void *params)
 {
-    return report_event(at->t, at->event, at->at_rest, x, p, ((row_count *)params)->happened);
+    return report_event(at, x, p, ((row_count *)params)->happened);
 }
 static int count_row(size_t k, double t, const double *x, const double *p, void *params)
 {

@@ -42,9 +42,36 @@ def test_a_body_rests_and_lifts_off():
                       "--time", "1.5", "--steps", "6", "--event", "x : contact:0.5")
     assert np.array_equal(np.column_stack([s.t, s.x, s.p, s.energy]), rows)
     assert s.success and s.t_events[0][0] == 0 and abs(s.t_events[0][1] - np.pi / 6) < 1e-8
+    assert s.status_events[0].tolist() == ["at rest", "lifts off"] and s.message.endswith("steps of fvi-adaptive")
     own = fvi.Event(lambda t, x, p: x, "contact:0.5", gradient=lambda t, x: (1.0, 0.0))
     assert np.allclose(fvi.solve(table, events=own, steps=6).x, s.x, atol=1e-12)
     assert np.allclose(s.v, s.p) and np.allclose(s.a[:3], 0, atol=1e-6)
+
+
+@pytest.mark.parametrize("how", [{}, {"error": 1e-8}])
+def test_what_a_surface_does_is_known(how, tmp_path):
+    """The columns of events are the program's. The message tells of a body at rest, and not of one that has lifted off."""
+    table = fvi.Problem("x", force="2*sin(t)", x0=0, p0=0, alpha=0.3, rho=0.2, time=3)
+    names = "t,event1.count,event1.last,event1.force"
+    rows, said = program("--potential", "x", "--force", "2*sin(t)", "--x0", "0", "--p0", "0", "--alpha", "0.3", "--rho", "0.2",
+                         "--time", "3", "--steps", "6", "--event", "x : contact:0.5", "--columns", names,
+                         *(word for name, value in how.items() for word in (f"--{name}", str(value))))
+    s = fvi.solve(table, events="x : contact:0.5", steps=6, **how)
+    columns = np.column_stack(list(s.table(names).values()))  # with error they are of another run, of the same accuracy
+    assert np.array_equal(columns, rows) if not how else abs(columns - rows).max() <= 1e-8  # seen: 2e-14
+    assert abs(columns[:2, 3] - (1 - 2 * np.sin(columns[:2, 0]))).max() < 1e-8 and not columns[2:, 3].any()
+    assert s.reduce("max(event1.force)")["max(event1.force)"] == columns[:, 3].max()
+    assert [name.partition(" : ")[2] for _, name in said] == s.status_events[0].tolist()
+    assert "at rest" not in s.message and pickle.loads(pickle.dumps(s)).status_events[0][1] == "lifts off"
+    falls = fvi.Problem("x", x0=1, p0=0, rho=0, time=6)
+    down = fvi.solve(falls, events=["x : contact:0.5", "t - 5 : mark"], steps=6, **how)
+    assert "at rest at 'x' from t = 4.24" in down.message and down.success and len(down.t) == 7
+    assert down.status_events[0].tolist() == [""] * (len(down.t_events[0]) - 1) + ["at rest"]
+    assert down.status_events[1].tolist() == [""]
+    if not how:
+        for _ in range(2):
+            kept = fvi.solve(falls, events=["x : contact:0.5", "t - 5 : mark"], steps=6, checkpoint=tmp_path / "run.npz")
+            assert kept.message == down.message and np.array_equal(kept.status_events[0], down.status_events[0])
 
 
 def test_a_ball_bounces_at_the_times_of_free_fall():

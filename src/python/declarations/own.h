@@ -39,6 +39,7 @@ typedef struct {
     const struct fvi_mechanism *mechanism;
     int is_structure;
     const fvi_force *ground;
+    size_t events;
     ...;
 } fvi_column_source;
 typedef struct fvi_typed_columns fvi_typed_columns;
@@ -68,7 +69,7 @@ int fvi_momentum_of_velocity(const fvi_system *system, double t, const double *x
 void obey(const int *flag);
 int is_dense(const fvi_method *method);
 extern "Python" int report_progress(size_t rows, size_t all, void *tell);
-extern "Python" int report_event(double t, size_t event, int at_rest, const double *x, const double *p, void *happened);
+extern "Python" int report_event(const fvi_event_time *at, const double *x, const double *p, void *happened);
 int take_steps(fvi_stepper *s, size_t count, const fvi_watch *watch, size_t *taken);
 int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t rows, const double *t,
                const double *x, size_t size, char *text);

@@ -144,57 +144,61 @@ class Events:
 
 
 @ffi.def_extern(error=-1, onerror=keep)
-def report_event(t: float, event: int, at_rest: int, x: Any, p: Any, happened: Any) -> int:
-    of = ffi.from_handle(happened)
-    of.add(t, event, x, p)
-    of.say_end(t, event, at_rest)
+def report_event(at: Any, x: Any, p: Any, happened: Any) -> int:
+    ffi.from_handle(happened).add(at, x, p)
     return 0
 
 
+STATUS = "<U9"  # room for "lifts off"
+
+
 class Happened:
-    """What has happened along a motion: of each event its times, and x and p there, behind its impact."""
+    """What has happened along a motion: of each event its times, x and p there, behind its impact, and its status."""
 
     def __init__(self, events: Sequence[Event], d: int):
         self.events, self.d = events, d
         self.rows: list = [[] for _ in events]
-        self.end: Optional[str] = None
 
     def note(self, stepper: Any, known: int) -> int:
         """Those behind the first `known`; how many there are."""
         count = ffi.new("size_t *")
         at = lib.fvi_stepper_events(stepper, count)
         for i in range(known, count[0]):
-            self.add(at[i].t, at[i].event, stepper.x, stepper.p)
-        if count[0]:
-            self.say_end(at[count[0] - 1].t, at[count[0] - 1].event, at[count[0] - 1].at_rest)
+            self.add(at[i], stepper.x, stepper.p)
         return count[0]
 
-    def add(self, t: float, event: int, x: Any, p: Any) -> None:
-        """One more, with its place and momentum as C has them."""
-        self.rows[event].append((t, *(np.frombuffer(ffi.buffer(a, 8 * self.d)).copy() for a in (x, p))))
+    def add(self, at: Any, x: Any, p: Any) -> None:
+        """One more fvi_event_time, with its place and momentum as C has them."""
+        self.rows[at.event].append((at.t, *(np.frombuffer(ffi.buffer(a, 8 * self.d)).copy() for a in (x, p)),
+                                    "lifts off" if at.lifts_off else "at rest" if at.at_rest else ""))
 
-    def say_end(self, t: float, event: int, at_rest: int) -> None:
-        """In words, if this event, the last, ends the motion."""
-        name, action = self.events[event].name, self.events[event].action
-        if at_rest:
-            self.end = f"at rest at '{name}' from t = {t:.6g}"
-        elif action.strip() == "stop":
-            self.end = f"ended by '{name}' at t = {t:.6g}"
+    @property
+    def end(self) -> str:
+        """In words, which event has ended the motion, and where a body is at rest at its end."""
+        said = []
+        for event, rows in zip(self.events, self.rows):
+            t, _, _, status = rows[-1] if rows else (0.0, None, None, "")
+            if status == "at rest":
+                said.append((t, f"at rest at '{event.name}' from t = {t:.6g}"))
+            elif rows and event.action.strip() == "stop":
+                said.append((t, f"ended by '{event.name}' at t = {t:.6g}"))
+        return ", ".join(text for _, text in sorted(said))
 
     def flat(self) -> dict:
         """For a file: which event each of all rows is of, and these rows."""
         which = [i for i, rows in enumerate(self.rows) for _ in rows]
         rows = [row for each in self.rows for row in each]
         return {"event": np.array(which, dtype=int), "event_t": np.array([row[0] for row in rows]),
+                "event_status": np.array([row[3] for row in rows], dtype=STATUS),
                 **{name: np.array([row[k] for row in rows]).reshape(-1, self.d) for k, name in ((1, "event_x"), (2, "event_p"))}}
 
     def put(self, flat: dict) -> int:
         """From such a file; how many there are."""
-        for i, t, x, p in zip(*(flat[name] for name in ("event", "event_t", "event_x", "event_p"))):
-            self.rows[i].append((float(t), x.copy(), p.copy()))
+        for i, t, x, p, status in zip(*(flat[name] for name in ("event", "event_t", "event_x", "event_p", "event_status"))):
+            self.rows[i].append((float(t), x.copy(), p.copy(), str(status)))
         return len(flat["event"])
 
     def arrays(self) -> tuple:
-        """t, x and p: of each event an array."""
-        return tuple([np.array([row[i] for row in rows]).reshape((-1,) + (() if i == 0 else (self.d,)))
-                      for rows in self.rows] for i in range(3))
+        """t, x, p and the status: of each event an array."""
+        return tuple([np.array([row[i] for row in rows], dtype=STATUS if i == 3 else float).reshape(
+            (-1,) + (() if i in (0, 3) else (self.d,))) for rows in self.rows] for i in range(4))

@@ -94,7 +94,7 @@ class Columns:
         is_chain = system.typed_potential is not None and system.typed_potential.kind == lib.FVI_POTENTIAL_CHAIN
         self.source = ffi.new("fvi_column_source *", {
             "d": system.d, "is_numbered": system.d > 1 or is_chain or is_structure, "mechanism": system.system.mechanism,
-            "is_structure": is_structure,
+            "is_structure": is_structure, "events": len(s.how.events),
             "ground": ffi.NULL if system.ground is None else lib.fvi_ground_acceleration(system.ground)})
         out = ffi.new("fvi_typed_columns **")
         understand(lib.fvi_typed_columns_start, self.source, out)

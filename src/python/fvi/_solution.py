@@ -27,7 +27,7 @@ class Solution:
     multipliers of the constraints, (n, their number); reactions: what moves each coordinate that is imposed, a dict, "x1", ...
     ag          acceleration of the ground, n numbers, 0 if it does not move
     t_events    of each event an array of its times, of a contact also those at which a body lifts off; x_events, p_events:
-                x and p there, (k, d), p behind an impact
+                x and p there, (k, d), p behind an impact; status_events: "at rest", "lifts off" or "" for each of these times
     balance     energy + work of the dampers - work of the force: that of the start
     status      0; or the code with which the run ended, of the rows of an Error
     message     in words
@@ -48,7 +48,7 @@ class Solution:
         self.t, self.x, self.p = t, x, p
         self.status, self.message, self.steps, self.estimate = status, message, steps, estimate
         self.step, self.step_error = step, step_error
-        self.t_events, self.x_events, self.p_events = ([], [], []) if events is None else events
+        self.t_events, self.x_events, self.p_events, self.status_events = ([], [], [], []) if events is None else events
         self._motion: Any = None
         self._energy: Optional[Array] = None
         self._v: Optional[Array] = None
@@ -198,8 +198,10 @@ class Solution:
     def table(self, columns: str) -> dict:
         """Columns as the program has them, "t, drift=x2-x1, floor=a2+ag, d1.force", a dict by names of arrays (n,).
 
-        The names are t, x, p, v, a, F, ag, energy, work, balance and those of dampers, d1.force, d1.impulse, d1.work, with
-        numbers in more dimensions: x1, ..., d1.force1, ... NAME=... gives a name. The motion is run again for it."""
+        The names are t, x, p, v, a, F, ag, energy, work, balance, those of dampers, d1.force, d1.impulse, d1.work, with
+        numbers in more dimensions: x1, ..., d1.force1, ..., and those of events: event1.count and event1.last, how often the
+        first has happened and when the last time, and of a contact event1.force, how strongly it pushes. NAME=... gives a
+        name. The motion is run again for it."""
         from ._observe import Columns
         return Columns(self, word("columns", columns)).table()
 
