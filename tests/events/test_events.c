@@ -1,6 +1,7 @@
 /* tests/events/test_events.c -- Events: stops, marks, kicks, and what is refused.     [H 22]
  * Run alone: make test-events */
 #include "ball.h"
+#include "harness/saved.h"
 
 #include <math.h>
 
@@ -78,28 +79,6 @@ START_TEST(a_copy_knows_the_events)
 }
 END_TEST
 
-typedef struct {
-    fvi_archive archive;
-    char room[20000];
-    size_t at;
-    int is_saved;
-} shelf;
-
-static int serialize(fvi_archive *archive, void *data, size_t bytes, int constant)
-{
-    shelf *to = (shelf *)archive;
-    char *here = to->room + to->at;
-    ck_assert_uint_le(to->at + bytes, sizeof to->room);
-    to->at += bytes;
-    if (!to->is_saved)
-        memcpy(here, data, bytes);
-    else if (constant)
-        return memcmp(here, data, bytes) != 0;
-    else
-        memcpy(data, here, bytes);
-    return 0;
-}
-
 /* To the bit, with the times of all events, also of those before it was saved, and of a run that is over. */
 START_TEST(a_run_with_events_that_was_saved_goes_on)
 {
@@ -114,13 +93,7 @@ START_TEST(a_run_with_events_that_was_saved_goes_on)
         ck_assert_int_eq(fvi_stepper_advance_to(s, is_stopped ? 1 : 2, NULL, NULL), FVI_SUCCESS);
         if (is_stopped)
             go(s);
-        shelf to = { .archive = { serialize } };
-        ck_assert_int_eq(fvi_stepper_archive(s, &to.archive), FVI_SUCCESS);
-        const size_t size = to.at;
-        to.is_saved = 1;
-        to.at = 0;
-        ck_assert_int_eq(fvi_stepper_archive(again, &to.archive), FVI_SUCCESS);
-        ck_assert_uint_eq(to.at, size);
+        save_and_restore(s, again);
         ck_assert_int_eq(fvi_stepper_is_over(again), fvi_stepper_is_over(s));
         if (!is_stopped)
             go(s), go(again);

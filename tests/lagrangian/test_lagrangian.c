@@ -3,6 +3,7 @@
 #include "problems.h"
 #include "prototype_values.h"
 
+#include "harness/saved.h"
 #include "system/larger.h"
 
 enum { STEPS = 40 };
@@ -94,32 +95,6 @@ START_TEST(a_potential_is_the_case_of_a_quadratic_lagrangian)
 }
 END_TEST
 
-static int append(char **at, const void *data, size_t bytes)
-{
-    memcpy(*at, data, bytes);
-    *at += bytes;
-    return 0;
-}
-
-typedef struct {
-    fvi_archive archive;
-    char *at, *room;
-    int writes;
-} saved;
-
-static int serialize(fvi_archive *archive, void *data, size_t bytes, int constant)
-{
-    saved *to = (saved *)archive;
-    if (!to->writes)
-        return append(&to->at, data, bytes);
-    if (!constant)
-        memcpy(data, to->at, bytes);
-    else if (memcmp(data, to->at, bytes) != 0)
-        return -1;
-    to->at += bytes;
-    return 0;
-}
-
 /* A copy, a reset and a state that was saved go on with the same digits. */
 START_TEST(a_run_can_be_forked_saved_and_begun_again)
 {
@@ -135,13 +110,7 @@ START_TEST(a_run_can_be_forked_saved_and_begun_again)
             fvi_stepper *s = stepper_at(methods[m], &p, 0.05, 300, 150), *fork,
                         *other = stepper_at(methods[m], &p, 0.05, 300, 0);
             OK(fvi_stepper_copy(s, &fork));
-            saved to = { .archive = { serialize }, .room = malloc(1 << 20) };
-            to.at = to.room;
-            OK(fvi_stepper_archive(s, &to.archive));
-            to.at = to.room;
-            to.writes = 1;
-            OK(fvi_stepper_archive(other, &to.archive));
-            free(to.room);
+            save_and_restore(s, other);
             double x[2], p1[2], work = 0;
             while (s->k < 300)
                 OK(fvi_stepper_step(s));

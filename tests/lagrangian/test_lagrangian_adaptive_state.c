@@ -1,7 +1,8 @@
 /* tests/lagrangian/test_lagrangian_adaptive_state.c -- Form D on a mesh: copies, archives, impulses and sums.
  * Run alone: make test-lagrangian_adaptive_state */
 #include "adaptive_runs.h"
-#include "saved.h"
+
+#include "harness/saved.h"
 
 /* A kick at 1.5, a power above the order 1, a law: what a state may be made of. */
 static const mechanism_text rich = {
@@ -29,12 +30,8 @@ START_TEST(a_copy_and_an_archive_go_on_with_the_same_digits)
     while (s->t < 1)
         OK(fvi_stepper_step(s));
     OK(fvi_stepper_copy(s, &copy));
-    saved to = { .archive = { serialize }, .room = malloc(1 << 20) };
-    OK(fvi_stepper_archive(s, &to.archive));
     OK(fvi_stepper_start(&fvi_variable_step, &run, &again, NULL));
-    to.is_saved = 1;
-    to.at = 0;
-    OK(fvi_stepper_archive(again, &to.archive));
+    save_and_restore(s, again);
     fvi_stepper *const all[] = { s, copy, again };
     double work[3], impulse[3];
     for (int i = 0; i < 3; i++) {
@@ -52,7 +49,6 @@ START_TEST(a_copy_and_an_archive_go_on_with_the_same_digits)
     ck_assert_double_eq(s->x[0], copy->x[0]);
     for (int i = 0; i < 3; i++)
         fvi_stepper_free(all[i]);
-    free(to.room);
     close_problem(&p);
 }
 END_TEST

@@ -42,4 +42,18 @@ static inline fvi_stepper *at_end(const fvi_run *run)
     return s;
 }
 
+/* So many events, each at rest (1), lifting off (2) or neither (0), and, if t is not NULL, at its time; the run goes on. */
+static inline void check_events(const fvi_stepper *s, size_t count, const int *kind, const double *t, double most)
+{
+    size_t n;
+    const fvi_event_time *at = fvi_stepper_events(s, &n);
+    ck_assert_uint_eq(n, count);
+    for (size_t i = 0; i < n; i++) {
+        ck_assert_int_eq(at[i].at_rest + 2 * at[i].lifts_off, kind[i]);
+        if (t)
+            ck_assert_msg(fabs(at[i].t - t[i]) <= most, "event %zu at %.17g, not %.17g", i, at[i].t, t[i]);
+    }
+    ck_assert(!fvi_stepper_is_over(s));
+}
+
 #endif
