@@ -103,7 +103,9 @@ typedef struct {
  *          written, as such a run begins at rest
  *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19) With several
  *          dampers `damping` has a number for each, by a factor of its kernel.
- *          With stages x and p are NULL, and a law that grows faster than s has no terms to ends. Of
+ *          With stages x and p are NULL, and a law that grows faster than s has no terms to ends. No
+ *          derivative at all where one of several dampers has the past RIEMANN_LIOUVILLE and a law that is not
+ *          one power with alpha <= 1/2, and with this past none by fvi_fractional. Of
  *          fvi_variable_step no alpha at 0 and no orders to ends, and terms of a law of one term alone
  *   mechanism  fvi, fvi-stable, the methods with stages and fvi_variable_step, x and p NULL: dampers between points, a
  *          Lagrangian, forces of velocity and constraints that do not know the time, or imposed
@@ -147,7 +149,7 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
  *     dx_k = sum_theta (dx_k / dtheta) dtheta
  *
  *   method  as for fvi_adjoint, but for fvi_variable_step
- *   run     of a system without a mechanism that is not one of several dampers of matrices; without events
+ *   run     of a chain, or of matrices with any number of dampers; without events
  *   count   directions, >= 1
  *   along   of each what changes: the arrays of fvi_sensitivities, as fvi_adjoint writes them, hold dtheta, and
  *           are read. NULL: nothing. `sensitivity` names the derivatives of U by its parameters
@@ -157,7 +159,7 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
  *
  * These are the derivatives of what the program computes, as fvi_adjoint has them: for any weights w_k,
  * sum w_k . dx_k is the sum of dJ/dtheta dtheta of J = sum w_k . x_k, to rounding. Where no motion starts at another
- * x0 (19.2), dx_k is NaN along such a direction.
+ * x0 (19.2), dx_k is NaN along such a direction for k > 0.
  *
  *     double step[] = { 1, 0 }, dx[(N + 1) * 2];
  *     const fvi_sensitivities along = { .damping = step };      by the first damping of two
@@ -168,8 +170,9 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
  * Accuracy: that of the run; no bound is proved for the rounding.
  *
  * Returns FVI_SUCCESS; what fvi_stepper_start and fvi_stepper_step return; FVI_EFAULT if a pointer is NULL;
- * FVI_EINVAL for no direction, alpha of a law or numbers of a law without one, or parameters without a sensitivity;
- * FVI_EUNSUP for another method or run, with stages at alpha = 1, and what fvi_adjoint refuses of several dampers;
+ * FVI_EINVAL for no direction, alpha of a law or of several dampers, numbers of a law without one, or parameters
+ * without a sensitivity; FVI_EUNSUP for another method or run, with stages at alpha = 1, by x0 of several dampers where
+ * no motion starts at another x0, and without stages for what fvi_adjoint refuses of several dampers;
  * FVI_ESING if the equation of a step has no unique solution; FVI_EOVRFLW if a derivative is not finite; FVI_ENOMEM;
  * what a callback returned. */
 int fvi_directional_derivatives(const fvi_method *method, const fvi_run *run, size_t count,

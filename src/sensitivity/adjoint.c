@@ -44,9 +44,7 @@ static int check_shifted(const fvi_run *run)
 {
     for (size_t j = 0; run->system && j < fvi_run_damper_count(run); j++)
         if (fvi_run_damper_of(run, j).law)
-            FVI_FAIL("fvi-shifted has no adjoint with a law; fvi-bdf2 and fvi-stable have, "
-                     "and of one damping fvi-adaptive and the methods with stages",
-                     FVI_EUNSUP);
+            FVI_FAIL("fvi-shifted has no adjoint with a law; the other methods have", FVI_EUNSUP);
     return FVI_SUCCESS;
 }
 
@@ -103,9 +101,8 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         && (want->orders || want->times || want->ends
             || (want->terms
                 && !(run->law && run->law->count == 1 && run->law->term[0].rho > 0))))
-        FVI_FAIL("steps of any length have no derivative by the numbers of a law "
-                 "but the factor of one that stands alone; fvi-bdf2, fvi-stable, "
-                 "fvi-adaptive and the methods with stages have",
+        FVI_FAIL("fvi-adaptive has no derivative by the numbers of a law but the factor of one that stands alone; "
+                 "fvi-bdf2, fvi-stable and the methods with stages have",
                  FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_VARIABLE_STEP && want->alpha
         && (run->alpha == 0 || run->alpha == 1)

@@ -31,6 +31,8 @@ static int check_direction(const fvi_method *method, const fvi_run *run, const f
 {
     const fvi_system *system = run->system;
     const int by_law = fvi_adjoint_kernel_is_wanted(along);
+    if (system->mechanism && along->alpha)
+        FVI_FAIL("several dampers have orders, and no alpha", FVI_EINVAL);
     if (run->law ? along->alpha != NULL : !system->mechanism && by_law)
         FVI_FAIL("a law has terms, and no alpha; a power the other way round", FVI_EINVAL);
     if (along->parameters && !system->matrices && along->sensitivity.count > 0
@@ -50,17 +52,15 @@ static int check(const fvi_tangent_run *o, const fvi_run *run)
         FVI_FAIL("a pointer of the tangents is NULL", FVI_EFAULT);
     int status = fvi_system_require_any(run->system);
     if (!status && o->P == 0)
-        FVI_FAIL("tangents are by a parameter or more", FVI_EINVAL);
+        FVI_FAIL("there is no direction to take derivatives along", FVI_EINVAL);
     if (!status
         && (fvi_has_mechanism_steps(run->system) || method->scheme == FVI_SCHEME_CLASSICAL
             || method->scheme == FVI_SCHEME_VARIABLE_STEP || run->event_count > 0))
-        FVI_FAIL("no tangents of this run: they are of chains and of structures, by methods with a "
+        FVI_FAIL("no derivatives along directions of this run: chains and structures have them, by methods with a "
                  "memory and equal steps, without events",
                  FVI_EUNSUP);
     if (!status && method->stages && !run->law && !run->system->mechanism && run->alpha == 1)
-        FVI_FAIL("the tangents of stages are those of a damping below alpha = "
-                 "1",
-                 FVI_EUNSUP);
+        FVI_FAIL("with stages there are no derivatives along directions at alpha = 1", FVI_EUNSUP);
     for (size_t j = 0; !status && j < o->P; j++)
         status = check_direction(method, run, o->along + j);
     return status;

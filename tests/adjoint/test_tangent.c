@@ -167,10 +167,92 @@ START_TEST(so_has_a_structure_with_several_dampers)
 }
 END_TEST
 
+/* The code of x(N) and the rest along one direction. */
+static int code_of(const fvi_method *method, const fvi_run *run, const fvi_sensitivities *direction)
+{
+    double x[(N + 1) * D], dx[(N + 1) * D];
+    return fvi_directional_derivatives(method, run, 1, direction, x, NULL, dx, NULL);
+}
+
+START_TEST(what_has_no_derivatives_along_a_direction)
+{
+    double one[TERMS] = { 1 }, x[(N + 1) * D], dx[(N + 1) * D];
+    const fvi_sensitivities by_x0 = { .x0 = one }, by_alpha = { .alpha = one }, by_terms = { .terms = one },
+                            by_parameters = { .parameters = one, .sensitivity = { .count = 1 } };
+    chain c;
+    chain_at(&c, FVI_INITIAL_HISTORY_HELD, 0.3);
+    ck_assert_int_eq(fvi_directional_derivatives(NULL, &c.run, 1, &by_x0, x, NULL, dx, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_directional_derivatives(methods[0], NULL, 1, &by_x0, x, NULL, dx, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_directional_derivatives(methods[0], &c.run, 1, NULL, x, NULL, dx, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_directional_derivatives(methods[0], &c.run, 1, &by_x0, NULL, NULL, dx, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_directional_derivatives(methods[0], &c.run, 1, &by_x0, x, NULL, NULL, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_directional_derivatives(methods[0], &c.run, 0, &by_x0, x, NULL, dx, NULL), FVI_EINVAL);
+    ck_assert_int_eq(code_of(methods[0], &c.run, &by_terms), FVI_EINVAL);
+    ck_assert_int_eq(code_of(methods[0], &c.run, &by_parameters), FVI_EINVAL);
+    ck_assert_int_eq(code_of(&fvi_variable_step, &c.run, &by_x0), FVI_EUNSUP);
+    c.run.law = &c.law;
+    ck_assert_int_eq(code_of(methods[0], &c.run, &by_alpha), FVI_EINVAL);
+    ck_assert_int_eq(code_of(&fvi_cq2_shifted, &c.run, &by_x0), FVI_EUNSUP);
+    c.run.law = NULL;
+    c.run.alpha = 1;
+    ck_assert_int_eq(code_of(&fvi_lobatto_m3, &c.run, &by_x0), FVI_EUNSUP);
+}
+END_TEST
+
+/* Several dampers have no alpha, and above the order 1 the past of Riemann and Liouville stretches none of them:
+ * (19.2) has no motion from another x0. */
+START_TEST(what_several_dampers_have_no_derivatives_along)
+{
+    double one[TERMS] = { 1 };
+    const fvi_sensitivities by_x0 = { .x0 = one }, by_p0 = { .p0 = one }, by_alpha = { .alpha = one };
+    const double x0[D] = { 0 }, p0[D] = { 0.5, -0.3, 0.2 }, order[DAMPERS] = { 0.3, 0.8, 0.2 };
+    const fvi_initial_history past[DAMPERS] = { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
+                                                FVI_INITIAL_HISTORY_HELD },
+                              held[DAMPERS] = { FVI_INITIAL_HISTORY_HELD };
+    damped_structure s;
+    make_damped(&s, order, held, 0);
+    fvi_run run = run_of(&s.system, 0.5, 1. / 8, N, x0, p0);
+    for (size_t i = 0; i < LEN(takers_of_matrices); i++)
+        ck_assert_int_eq(code_of(takers_of_matrices[i], &run, &by_alpha), FVI_EINVAL);
+    drop_damped(&s);
+    make_damped(&s, order, past, 0);
+    run = run_of(&s.system, 0.5, 1. / 8, N, x0, p0);
+    for (size_t i = 0; i < LEN(takers_of_matrices); i++) {
+        ck_assert_int_eq(code_of(takers_of_matrices[i], &run, &by_x0), FVI_EUNSUP);
+        ck_assert_int_eq(code_of(takers_of_matrices[i], &run, &by_p0),
+                         takers_of_matrices[i]->stages ? FVI_SUCCESS : FVI_EUNSUP);
+    }
+    drop_damped(&s);
+}
+END_TEST
+
+/* (19.2): no motion starts beside x0 = 0, so along such a direction nothing is a number, and along p0 all is. */
+START_TEST(along_x0_where_no_other_motion_starts_nothing_is_a_number)
+{
+    double one[D] = { 1 }, x[(N + 1) * D], dx[(N + 1) * P * D];
+    const fvi_sensitivities of[P] = { { .x0 = one }, { .p0 = one } };
+    chain c;
+    chain_at(&c, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.7);
+    for (size_t i = 0; i < LEN(methods); i++) {
+        OK(fvi_directional_derivatives(methods[i], &c.run, P, of, x, NULL, dx, NULL));
+        for (size_t n = 0; n < (N + 1) * P * D; n++) {
+            const size_t k = n / (P * D), j = n / D % P;
+            if (methods[i] == &fvi_fractional || k == 0 || j == 1)
+                ck_assert(isfinite(dx[n]));
+            else
+                ck_assert(isnan(dx[n]));
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("tangents");
     ADD_CASE(suite, "identity", a_chain_has_the_same_derivatives_forwards_and_backwards,
              so_has_a_chain_with_a_law, so_has_a_structure, so_has_a_structure_with_several_dampers);
+    ADD_CASE(suite, "refused", what_has_no_derivatives_along_a_direction,
+             what_several_dampers_have_no_derivatives_along,
+             along_x0_where_no_other_motion_starts_nothing_is_a_number);
     return run_suite(suite);
 }

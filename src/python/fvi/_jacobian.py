@@ -14,12 +14,14 @@ from ._solution import Solution
 
 def tangents(by: Derivatives, n: int) -> Optional[np.ndarray]:
     """How x of the rows changes with each number of the library, side by side with the run, (24.6): (rows, numbers, d).
-    None where the library has no such run, or a mirrored run for each of n numbers costs less."""
+    None where the library has no such run, or a mirrored run for each of the n numbers x of all rows costs less."""
     mirror, q, sizes = by.mirror, by.q, by.sizes
     count = sum(sizes.values())
     if (mirror.is_dense or q.kind == "mechanism" or {"names", "force"} & set(sizes) or count > n
             or (mirror.method.stages and q.damping is None and not q.dampers and mirror.motion.run.alpha == 1)):
         return None
+    if count == 0:  # a potential without constants
+        return np.empty((len(mirror.rows), 0, mirror.d))
     along, kept, first = ffi.new("fvi_sensitivities[]", count), [], 0
     for field, size in sizes.items():
         for unit in np.eye(size):
@@ -66,7 +68,8 @@ def jacobian(solution: Solution, wrt: Sequence[str]) -> dict:
 
     Returns a dict by names of arrays (n, d) and the shape of the field; of "let" and "damping" in the order of
     their numbers. With equal steps the derivatives go side by side with the run, (24.6): the cost of a run for each number.
-    Of "fvi-adaptive", of mechanisms and by measured forces there is a mirrored run for each x: ask for few rows then.
+    Of "fvi-adaptive", of mechanisms, by measured forces and by more numbers than there are x, there is a mirrored run
+    for each x: ask for few rows then.
     """
     if not isinstance(solution, Solution):
         raise TypeError(f"solution: {described(solution)} is no Solution")
