@@ -98,7 +98,8 @@ typedef struct {
  *   wanted  what will be read: nothing else is computed
  *   o       output; free it with fvi_observer_free
  *
- * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL if s is not at its start; FVI_EUNSUP for a
+ * Cost: if forces, a or multipliers are asked for, as much as a start of the run and up to 27 steps for each different law,
+ * which is 0.2 ms to 4 ms (seen). Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL if s is not at its start; FVI_EUNSUP for a
  * sum that a method does not know; FVI_ENOMEM; what a function of the system returned. */
 int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **o,
                        fvi_error *error);

@@ -1,8 +1,7 @@
 /* src/mechanism/mechanism_contacts.c -- Constraints of a run, and contacts that are closed.   [H 29]
  *
- * A body that rests on a surface Z = 0 is held to it by a constraint. Z stays what it was where the contact closed: 0
- * to rounding, or less than the error of a step. The stages of a step know it as one
- * more row behind those of the run. */
+ * A body that rests on a surface Z = 0 is held to it by a constraint. Z keeps the value at which the contact closed: 0
+ * to rounding, or less than the error of a step. This constraint is one more row behind those of the run. */
 #include "mechanism_state.h"
 
 #include "system/fail.h"

@@ -36,10 +36,10 @@ typedef struct fvi_mechanism_state {
     fvi_mechanism_form form;
     int is_on_mesh;    /* steps of any length, the one that is tried from t on */
     double h, t;       /* the length of a step */
-    double rest_scale; /* how far the bodies have been, where a contact is closed; else 0 */
+    double rest_scale; /* while a contact is closed: how far the bodies have been; else 0 */
     size_t s, q, d, r, m, n; /* n unknowns */
-    size_t own, most, *contact; /* which event each contact is */
-    size_t last_m, *last_contact; /* those of the last step, which a mesh has something within */
+    size_t own, most, *contact; /* the number of the event of each closed contact */
+    size_t last_m, *last_contact; /* m and the contacts of the last step, for times within it */
     const fvi_lobatto_rule *rule;
     double E[FVI_STAGES][FVI_STAGES], T[FVI_STAGES][FVI_STAGES],
         next[FVI_STAGES][FVI_STAGES]; /* (29.7) */
@@ -49,12 +49,12 @@ typedef struct fvi_mechanism_state {
     fvi_mechanism_part *part;
     fvi_mechanism_start_force *start_force;
     char *is_massless; /* of each coordinate: neither inertia nor constraint */
-    int any_massless;
+    int any_massless; /* of the node scheme */
 
     double *numbers; /* all that follows, in one piece */
     size_t saved;    /* so many of them go from step to step */
     double *impulse, *work, *begun, *ended, *tie; /* r, r, m, m, m */
-    double *level; /* m: of a contact the Z where it has closed, which is 0 but for roundings */
+    double *level; /* m: of a contact the Z at which it has closed, 0 or less than the error of a step */
     double *v, *u, *z, *G, *C, *z0; /* d, n, r, r d, m d: at the node; r */
     double *raw; /* 4 d: x_k, x_{k-1}, x_{k-2}, x_{k-3} of the node scheme, for (29.17) and (29.25) */
 

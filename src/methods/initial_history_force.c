@@ -39,9 +39,9 @@ static int set_size(const fvi_system *system, const fvi_run_damper *damper, doub
     return FVI_SUCCESS;
 }
 
-/* With matrices A of other machines may be felt here, and they wait for this one in the product with
- * C. So only what is the same on all machines is skipped before it. A law is prepared where it is
- * felt alone: that takes time. */
+/* A matrix may be shared among machines, which wait for each other in the product with C. So before it only that is
+ * skipped which is the same on all machines, and A is not. To prepare a law takes time, so it is done behind the product,
+ * and only if this machine feels it. */
 static int start(const fvi_stepper *s, const fvi_run_damper *damper, size_t n,
                  const double *c, double *A, fvi_initial_history_force *force)
 {

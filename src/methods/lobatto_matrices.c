@@ -18,8 +18,8 @@ static int find_velocity(fvi_stepper *s, fvi_lobatto_matrices *o)
     return fvi_damping_velocity(s->run.system, s->p, o->v);
 }
 
-/* A run in dual variables: v is the multiplier, and x the force that drives it, summed from the end of
- * the run that is derived, K x of an ordinary run. (23.15) */
+/* A run in dual variables (23.15): v is the multiplier, and x is the force that drives it, which is summed from the end
+ * of the derived run. It stands where an ordinary run has -K x. */
 static int is_dual(const fvi_stepper *s)
 {
     const fvi_linearised *linearised = fvi_linearised_of(s->run.system);

@@ -34,9 +34,13 @@ typedef struct {
 } fvi_law_rows;
 #define FVI_NO_LAW SIZE_MAX
 
-/* fvi_law_rows_start -- of all dampers of the run of s that are not one power, or, of a mechanism and with has_powers,
- * of all; o is zeroed. Cost: for each different
- * law a run of two bodies with `rows` steps. Returns FVI_SUCCESS, FVI_ENOMEM or what the steps returned.
+/* fvi_law_rows_start -- the rows of the laws of a run at its start. o is zeroed before the call.
+ *
+ *   dampers     how many the run has
+ *   has_powers  nonzero: of a mechanism, rows of dampers of one power, too
+ *
+ * Cost: for each different law one start of a run and `rows` steps of two bodies, 0.2 ms to 4 ms (seen). Returns
+ * FVI_SUCCESS, FVI_ENOMEM or what the steps returned.
  * fvi_law_rows_copy -- the same again.
  * fvi_law_rows_free -- give the memory back. */
 int fvi_law_rows_start(fvi_law_rows *o, const fvi_stepper *s, size_t dampers, int has_powers, size_t rows);

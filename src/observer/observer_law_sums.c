@@ -1,7 +1,6 @@
 /* src/observer/observer_law_sums.c -- The impulses that the steps sum of a line and of a parabola. [H 13] */
 #include "observer_law.h"
 
-#include "methods/convolution_quadrature_dampers.h"
 #include "observer_ramp.h"
 
 #include <fvi/dampers.h>
@@ -112,14 +111,8 @@ static int sum_by_quadrature(const fvi_stepper *of, const fvi_kernel *law, size_
     int status = fvi_stepper_start(fvi_ramp_method(of), &run, &s, NULL);
     if (status)
         return status;
-    const fvi_cq_state *cq = s->method_state;
-    for (size_t k = 0; k < rows && cq->count > 0 && !status; k++, row++) {
-        const fvi_cq_damper *damper = cq->each;
-        status = fvi_damping_apply_force(damper->damping, damper->theta - 0.5, damper->H, J);
-        if (!status)
-            status = fvi_stepper_step(s);
-        if (!status)
-            status = fvi_damping_apply_force(damper->damping, -0.5 - damper->theta, damper->H, J);
+    for (size_t k = 0; k < rows && !status; k++, row++) {
+        status = fvi_ramp_step_heavy(s, J);
         row->summed[FVI_LINE] = row->exact[FVI_LINE + 1];
         row->uncorrected_line = J[0];
         row->summed[FVI_PARABOLA] = J[1];

@@ -144,7 +144,7 @@ static int evaluate(point *o)
     return status || o->m == 0 ? status : c->gradient(o->t, o->d, o->x, c->params, o->C, NULL);
 }
 
-/* The first steps take too little of p, (13.18): v follows, and keeps to the constraints. What it lacks goes to r. */
+/* The first steps take too little from p (13.18), so v is wrong, too. What v lacks, within the constraints, goes to r. */
 static int missing_velocity(point *o, const fvi_observer *of)
 {
     int status = evaluate(o);

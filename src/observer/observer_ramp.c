@@ -108,31 +108,25 @@ static double exact_impulse(fvi_ramp *o, size_t k)
     return o->rho * pow(o->run.h, e) * rise / tgamma(1 + e);
 }
 
-/* The impulse of the steps: the part of D_k at the begin of the step, and the part of D_{k+1} at its end (13.10). */
-static int step_line(fvi_ramp *o, double *impulse)
+int fvi_ramp_step_heavy(fvi_stepper *heavy, double *J)
 {
-    const fvi_cq_state *cq = o->heavy->method_state;
+    const fvi_cq_state *cq = heavy->method_state;
     const fvi_cq_damper *a = cq->each;
-    double J = 0;
-    *impulse = 0;
     if (cq->count == 0)
-        return fvi_stepper_step(o->heavy);
-    int status = fvi_damping_apply_force(a->damping, a->theta - 0.5, a->H, &J);
+        return fvi_stepper_step(heavy);
+    int status = fvi_damping_apply_force(a->damping, a->theta - 0.5, a->H, J);
     if (!status)
-        status = fvi_stepper_step(o->heavy);
-    if (!status)
-        status = fvi_damping_apply_force(a->damping, -0.5 - a->theta, a->H, &J);
-    *impulse = J;
-    return status;
+        status = fvi_stepper_step(heavy);
+    return status ? status : fvi_damping_apply_force(a->damping, -0.5 - a->theta, a->H, J);
 }
 
 int fvi_ramp_step(fvi_ramp *o, double *lead)
 {
     if (o->is_over != 0)
         return FVI_SUCCESS;
-    double impulse;
+    double impulse = 0;
     const double exact = exact_impulse(o, o->heavy->k);
-    const int status = step_line(o, &impulse);
+    const int status = fvi_ramp_step_heavy(o->heavy, &impulse);
     *lead += exact - impulse;
     o->is_over = fabs(exact - impulse) <= 1e-10 * fabs(exact) && o->heavy->k > 4;
     return status;

@@ -159,8 +159,8 @@ static int start_ties_on_mesh(fvi_observer *o, const fvi_stepper *s)
     return status;
 }
 
-/* At t = 0, where a force is infinite: its mean over the first row, and what the equation of motion makes of it; or, of
- * a mechanism whose equation cannot be solved, means. */
+/* At t = 0, where a force is infinite: its mean over the first row. Accelerations and multipliers are what the equation of
+ * motion makes of this mean, or, if the equation of a mechanism cannot be solved, means themselves. */
 static int take_means(fvi_observer *o, const fvi_stepper *s)
 {
     fvi_stepper *fork = NULL;

@@ -44,14 +44,14 @@ struct fvi_observer {
     double *latest;  /* degree times what the last steps have added to them, the latest first */
     double *work;    /* of each damper */
     double *lead;    /* of each damper, what the start with a velocity leaves in its impulse, of a unit */
-    double *bend;    /* of each damper in rows 1, 2, ...: what its elongation lacks because of the start */
-    double *bend_rate; /* of each damper: the velocity that it lacks now */
+    double *bend;    /* of each damper in rows 1, 2, ...: delta_k of (29.24), which its elongation lacks */
+    double *bend_rate; /* of each damper: the velocity that its elongation lacks now */
     double *known;   /* the impulses of F - grad U, d numbers: of chosen steps, at their begin */
     double *scalars; /* the work of the force; the time at which `known` stands; impulses so far */
     /* what does not change */
     double *p0, *start; /* d; the forces at t = 0 */
     double *exponent;   /* q of each force: J = t^q g(t) at first; NaN of a velocity */
-    double *jump, *line; /* z of each force begins with jump + line t: Riemann and Liouville's z_0, and zdot */
+    double *jump, *line; /* of each force: z = jump + line t + ... for its law, with jump = z_0 of the past rl or 0 */
     double *growth;     /* of each damper: its law is like |s|^growth */
     double *is_power;   /* of each damper: nonzero if its law is one power */
     double *rate;       /* of each force: its impulse has rate times lead more */
@@ -74,12 +74,12 @@ int fvi_observer_velocity(const fvi_observer *o, const fvi_stepper *s,
 int fvi_observer_hits(fvi_observer *o, const fvi_stepper *s, double *known,
                       double *by_force);
 
-/* fvi_observer_begin_forces -- the forces at t = 0 and the exponents of their impulses.
+/* fvi_observer_begin_forces -- the forces at t = 0, the exponents of their impulses, and the rows of the laws.
  * fvi_observer_begin_motion -- of a mechanism the accelerations and multipliers at t = 0 from the forces of its
- * dampers, where these are finite and the equation of motion can be solved; else what stood there stays. Returns
+ * dampers. If a force is infinite, or if the equation of motion cannot be solved, o->start stays as it is. Returns
  * FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_observer_begin_motion(fvi_observer *o, const fvi_stepper *s);
 int fvi_observer_begin_forces(fvi_observer *o, const fvi_stepper *s);
+int fvi_observer_begin_motion(fvi_observer *o, const fvi_stepper *s);
 
 /* fvi_observer_begin_ramps -- rate, power and ramp of all dampers, of a start with a velocity.
  * fvi_observer_step_ramps -- lead of all dampers at the end of the step; changed, room for as many numbers, is what it
@@ -100,18 +100,17 @@ int fvi_observer_elongation(fvi_observer *o, const fvi_stepper *s,
 void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
                               double *slope);
 
-/* fvi_observer_first_rows -- so many rows are near the start, where differences have too few rows before them.
- * fvi_observer_motion_rows -- so many of them take a and the multipliers from the equation of motion: all, but no more
- * than differences need where the force of a damper is infinite at t = 0.
- * fvi_observer_motion -- of a mechanism at the time t, where x is and the momenta of s belong to: accelerations and
- * multipliers from the equation of motion (29.23), behind the forces of the dampers in o->force, from these and F in
- * o->F, or, behind t = 0, from forces by fvi_observer_compare_forces.
- * fvi_observer_compare_forces -- the forces of a mechanism's dampers at row k by (13.20), of one power, too; of steps
- * that start with an error, those of the elongation without it (29.24).
+/* fvi_observer_first_rows -- how many rows are near the start, where differences have too few rows before them.
+ * fvi_observer_motion_rows -- how many of the first rows take a and the multipliers from the equation of motion: all of
+ * them, or, if a damper has an order above 1 and starts with a velocity, those for which the differences are too short.
+ * fvi_observer_compare_forces -- the forces of a mechanism's dampers at row k by (13.20), of one power, too. If the first
+ * steps err, the elongations are corrected (29.24).
  * fvi_observer_bend -- at the end of a step near the start: bend and bend_rate.
- * fvi_observer_motion and _bend return FVI_SUCCESS; FVI_ENOMEM; FVI_EUNSUP with a coordinate that has no inertia, and where
- * a contact is closed; or why the equation has no
- * solution. On error o->force is untouched. */
+ * fvi_observer_motion -- of a mechanism at the time t, the place x and the momenta of s: accelerations and multipliers
+ * from the equation of motion (29.23), with F in o->F. At t = 0 it takes the forces of the dampers from o->force, and in
+ * later rows from fvi_observer_compare_forces. The results go to o->force, behind the forces of the dampers.
+ * fvi_observer_motion and _bend return FVI_SUCCESS; FVI_ENOMEM; FVI_EUNSUP if a coordinate has no inertia or a contact is
+ * closed; or why the equation has no solution. On error o->force is untouched. */
 size_t fvi_observer_first_rows(const fvi_observer *o);
 size_t fvi_observer_motion_rows(const fvi_observer *o);
 void fvi_observer_compare_forces(const fvi_observer *o, size_t k, double h, double *force);
