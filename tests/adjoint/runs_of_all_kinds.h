@@ -3,17 +3,10 @@
 #define RUNS_OF_ALL_KINDS_H
 
 #include "adjoint_runs.h"
+#include "chain_with_a_law.h"
 #include "structures/structures_runs.h"
 
-enum { D = 3, N = 12, TERMS = 4, ROWS = 7 * N + 1 };
-
-typedef struct {
-    double x0[D], p0[D], mass[D], rho[D], cg[2], aw[2];
-    fvi_kernel_term term[TERMS];
-    fvi_kernel law;
-    fvi_system system;
-    fvi_run run;
-} chain;
+enum { N = 12, ROWS = 7 * N + 1 };
 
 static inline void chain_at(chain *c, fvi_initial_history past, double alpha)
 {
@@ -31,13 +24,7 @@ static inline void chain_at(chain *c, fvi_initial_history past, double alpha)
     };
     if (past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && alpha > 0.5)
         memset(c->x0, 0, sizeof c->x0);
-    c->law = (fvi_kernel){ TERMS, c->term };
-    c->system = (fvi_system){ .d = D,
-                              .mass = c->mass,
-                              .damping = c->rho,
-                              .potential = fvi_potential_chain(c->cg),
-                              .force = fvi_force_cosine(c->aw) };
-    c->run = fvi_run_default(&c->system, c->x0, c->p0, 1. / 8, N);
+    connect_chain(c, 1. / 8, N);
     c->run.kappa = 0.3;
     c->run.alpha = alpha;
     c->run.past = past;
@@ -126,5 +113,83 @@ static const fvi_method *const takers_of_matrices[] = { &fvi_fractional, &fvi_cq
 static const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_HELD,
                                              FVI_INITIAL_HISTORY_CAPUTO,
                                              FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
+
+/* ---- a check of all of them ---- */
+
+typedef void check_of_run(const fvi_method *method, const fvi_run *run);
+
+/* Chains of seven orders and three pasts. At alpha = 1 nothing of this is known of methods with stages. */
+static inline void check_chains(check_of_run *check)
+{
+    const double alphas[] = { 0, 0.05, 0.3, 0.5, 0.7, 0.95, 1 };
+    for (size_t i = 0; i < LEN(methods) * LEN(alphas) * LEN(pasts); i++) {
+        const fvi_method *method = methods[i % LEN(methods)];
+        chain c;
+        chain_at(&c, pasts[i / LEN(methods) / LEN(alphas)], alphas[i / LEN(methods) % LEN(alphas)]);
+        if (c.run.alpha < 1 || !method->stages)
+            check(method, &c.run);
+    }
+}
+
+/* A law of four terms, of which fvi-shifted has no derivatives. */
+static inline void check_chains_with_a_law(check_of_run *check)
+{
+    for (size_t i = 0; i < LEN(methods); i++) {
+        chain c;
+        chain_at(&c, FVI_INITIAL_HISTORY_HELD, 0.5);
+        c.run.law = &c.law;
+        if (methods[i] != &fvi_cq2_shifted)
+            check(methods[i], &c.run);
+    }
+}
+
+static const double start_x0[D] = { 1, -0.5, 0.25 }, start_p0[D] = { 0.5, -0.3, 0.2 };
+
+/* M, C and K. With the past of Riemann and Liouville this x0 has no motion above the order 1. (19.2) */
+static inline void check_structures(check_of_run *check)
+{
+    const double alphas[] = { 0.3, 0.5, 0.7 };
+    matrices m;
+    tridiagonal(D, 1, 0.2, &m.M);
+    tridiagonal(D, 3, -1.4, &m.K);
+    tridiagonal(D, 0.5, 0.15, &m.C);
+    make(&m);
+    for (size_t i = 0; i < LEN(takers_of_matrices) * LEN(alphas) * LEN(pasts); i++) {
+        fvi_run run = run_of(&m.system, alphas[i / LEN(takers_of_matrices) % LEN(alphas)], 1. / 8, N, start_x0,
+                             start_p0);
+        run.past = pasts[i / LEN(takers_of_matrices) / LEN(alphas)];
+        if (run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || run.alpha < 0.5)
+            check(takers_of_matrices[i % LEN(takers_of_matrices)], &run);
+    }
+    drop(&m);
+}
+
+/* Powers with two sets of pasts, and laws whose past is held. Stages have no derivatives by the numbers of a law
+ * that grows faster than s, fvi none by another past, and fvi-shifted none with a law. */
+static inline void check_damped_structures(check_of_run *check)
+{
+    const double orders[][DAMPERS] = { { 0.3, 0.05, 0.7 }, { 0, 0.4, 1 }, { 0.5, 0.2, 0.95 } };
+    const fvi_initial_history past[][DAMPERS] = {
+        { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_HELD },
+        { FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, FVI_INITIAL_HISTORY_CAPUTO }
+    };
+    enum { POWERS_HELD, POWERS, LAWS, KINDS };
+    for (size_t i = 0; i < LEN(takers_of_matrices) * LEN(orders) * KINDS; i++) {
+        const fvi_method *method = takers_of_matrices[i % LEN(takers_of_matrices)];
+        const size_t order = i / LEN(takers_of_matrices) % LEN(orders), kind = i / LEN(takers_of_matrices) / LEN(orders);
+        damped_structure s;
+        if ((method == &fvi_fractional && kind == POWERS) || (method == &fvi_cq2_shifted && kind == LAWS))
+            continue;
+        make_damped(&s, orders[order], past[kind == POWERS], kind == LAWS);
+        if (kind == LAWS)
+            s.term[1] = (fvi_kernel_term){ FVI_KERNEL_DAVIDSON, 0.3, 0.3, 0.5, 0 };
+        if (method->stages && kind == LAWS)
+            s.term[0].end = 0.45, s.term[2].alpha = 0.4;
+        fvi_run run = run_of(&s.system, 0.5, 1. / 8, N, start_x0, start_p0);
+        run.kappa = 0.3;
+        check(method, &run);
+        drop_damped(&s);
+    }
+}
 
 #endif

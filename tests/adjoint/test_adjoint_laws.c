@@ -1,22 +1,15 @@
 /* tests/adjoint/test_adjoint_laws.c -- H 23: laws of damping.
  *                                        Run alone: make test-adjoint_laws */
 #include "adjoint_runs.h"
+#include "chain_with_a_law.h"
 #include "distance_to_sine.h"
 #include "run/whole_run.h"
 #include "stages/lobatto_weights.h"
 #include "system/larger.h"
 
-enum { D = 3, N = 300, TERMS = 4 };
+enum { N = 300 };
 
-/* Three masses in a chain, a law of four terms; t moves all numbers along a direction. */
-typedef struct {
-    double x0[D], p0[D], mass[D], rho[D], cg[2], aw[2];
-    fvi_kernel_term term[TERMS];
-    fvi_kernel law;
-    fvi_system system;
-    fvi_run run;
-} chain;
-
+/* t moves all numbers along a direction. */
 static void chain_at(chain *c, fvi_history_kind memory, double t)
 {
     *c = (chain){
@@ -33,13 +26,7 @@ static void chain_at(chain *c, fvi_history_kind memory, double t)
                   { FVI_KERNEL_DISTRIBUTED, 0.2 - 0.2 * t, 0.1 + 0.1 * t, 0,
                     0.45 - 0.2 * t } },
     };
-    c->law = (fvi_kernel){ TERMS, c->term };
-    c->system = (fvi_system){ .d = D,
-                              .mass = c->mass,
-                              .damping = c->rho,
-                              .potential = fvi_potential_chain(c->cg),
-                              .force = fvi_force_cosine(c->aw) };
-    c->run = fvi_run_default(&c->system, c->x0, c->p0, 1. / 32, N);
+    connect_chain(c, 1. / 32, N);
     c->run.memory = memory;
     c->run.law = &c->law;
     c->run.alpha = 0.9; /* not read */

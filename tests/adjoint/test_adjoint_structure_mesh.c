@@ -1,9 +1,9 @@
 /* tests/adjoint/test_adjoint_structure_mesh.c -- H 23, 27: gradients of structures by fvi-adaptive.
  *                                 Run alone: make test-adjoint_structure_mesh
  *
- * Two methods solve the same equations to about 1e-12 here, and their gradients, sums of a hundred rows, each
- * exact for its own numbers, agree to 1e-11 (seen: 4e-13): steps of any length, and form D with eight stages on fine steps, whose gradients
- * other tests compare with complex steps. */
+ * Steps of any length, and form D with eight stages on fine steps, solve the same equations to about 1e-12 here.
+ * Each gradient is exact for the numbers of its own method, and a sum of a hundred rows. So the two agree to 1e-11
+ * (seen: 4e-13). Other tests compare the gradients of form D with complex steps. */
 #include "runs_of_all_kinds.h"
 #include <fvi/adjoint.h>
 
@@ -94,8 +94,6 @@ static void ck_assert_same(fvi_run run, int has_momenta, size_t dampers, double 
                         within);
 }
 
-static const double x0[D] = { 1, -0.5, 0.25 }, p0[D] = { 0.5, -0.3, 0.2 };
-
 START_TEST(eq_23_16_a_structure_on_its_mesh)
 {
     const double alphas[] = { 0, 0.3, 0.5, 0.7 };
@@ -105,7 +103,7 @@ START_TEST(eq_23_16_a_structure_on_its_mesh)
     tridiagonal(D, 0.5, 0.15, &m.C);
     make(&m);
     for (size_t i = 0; i < LEN(alphas) * LEN(pasts) * 2; i++) {
-        fvi_run run = run_of(&m.system, alphas[i % LEN(alphas)], 1. / 8, N, x0, p0);
+        fvi_run run = run_of(&m.system, alphas[i % LEN(alphas)], 1. / 8, N, start_x0, start_p0);
         run.past = pasts[i / LEN(alphas) % LEN(pasts)];
         if (run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || run.alpha < 0.5)
             ck_assert_same(run, i / LEN(alphas) / LEN(pasts) == 1, 1, 1e-11);
@@ -128,7 +126,7 @@ START_TEST(eq_23_16_a_law_and_impulses_on_a_mesh)
     make(&m);
     for (size_t i = 0; i < 2 * LEN(terms); i++) {
         const fvi_kernel law = { 1, terms + i / 2 };
-        fvi_run run = run_of(&m.system, 0.5, 1. / 8, N, x0, p0);
+        fvi_run run = run_of(&m.system, 0.5, 1. / 8, N, start_x0, start_p0);
         double factor, by_rho;
         rows one = { 1, 1 };
         const fvi_objective J = { .slopes = all_rows, .params = &one, .has_momenta = 1 };
@@ -160,7 +158,7 @@ START_TEST(what_a_mesh_of_a_structure_has_no_derivative_by)
     tridiagonal(D, 0.5, 0.15, &m.C);
     make(&m);
     make_damped(&s, orders, past, 0);
-    const fvi_run run = run_of(&m.system, 0, 1. / 8, N, x0, p0), several = run_of(&s.system, 0.5, 1. / 8, N, x0, p0);
+    const fvi_run run = run_of(&m.system, 0, 1. / 8, N, start_x0, start_p0), several = run_of(&s.system, 0.5, 1. / 8, N, start_x0, start_p0);
     ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &run, NULL, NULL, &J, &by_alpha), FVI_EUNSUP);
     ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &several, NULL, NULL, &J, &by_orders), FVI_EUNSUP);
     drop(&m);
@@ -183,7 +181,7 @@ START_TEST(eq_23_16_several_dampers_on_a_mesh)
             s.term[0] = (fvi_kernel_term){ FVI_KERNEL_ZENER, 0.5, 0.3, 0.4, 0 };
             s.kernel[2].count = 2;
         }
-        fvi_run run = run_of(&s.system, 0.5, 1. / 8, N, x0, p0);
+        fvi_run run = run_of(&s.system, 0.5, 1. / 8, N, start_x0, start_p0);
         ck_assert_same(run, 1, DAMPERS, 1e-11);
         drop_damped(&s);
     }

@@ -96,74 +96,25 @@ static void ck_assert_same(const fvi_method *method, const fvi_run *run)
 
 START_TEST(a_chain_has_the_same_derivatives_forwards_and_backwards)
 {
-    const double alphas[] = { 0, 0.05, 0.3, 0.5, 0.7, 0.95, 1 };
-    for (size_t i = 0; i < LEN(methods) * LEN(alphas) * LEN(pasts); i++) {
-        const fvi_method *method = methods[i % LEN(methods)];
-        chain c;
-        chain_at(&c, pasts[i / LEN(methods) / LEN(alphas)], alphas[i / LEN(methods) % LEN(alphas)]);
-        if (c.run.alpha == 1 && method->stages)
-            continue; /* refused */
-        ck_assert_same(method, &c.run);
-    }
+    check_chains(ck_assert_same);
 }
 END_TEST
 
 START_TEST(so_has_a_chain_with_a_law)
 {
-    for (size_t i = 0; i < LEN(methods); i++) {
-        chain c;
-        chain_at(&c, FVI_INITIAL_HISTORY_HELD, 0.5);
-        c.run.law = &c.law;
-        if (methods[i] != &fvi_cq2_shifted)
-            ck_assert_same(methods[i], &c.run);
-    }
+    check_chains_with_a_law(ck_assert_same);
 }
 END_TEST
 
 START_TEST(so_has_a_structure)
 {
-    const double alphas[] = { 0.3, 0.5, 0.7 }, x0[D] = { 1, -0.5, 0.25 },
-                 p0[D] = { 0.5, -0.3, 0.2 };
-    matrices m;
-    tridiagonal(D, 1, 0.2, &m.M);
-    tridiagonal(D, 3, -1.4, &m.K);
-    tridiagonal(D, 0.5, 0.15, &m.C);
-    make(&m);
-    for (size_t i = 0; i < LEN(takers_of_matrices) * LEN(alphas) * LEN(pasts); i++) {
-        fvi_run run = run_of(&m.system, alphas[i / LEN(takers_of_matrices) % LEN(alphas)], 1. / 8, N, x0, p0);
-        run.past = pasts[i / LEN(takers_of_matrices) / LEN(alphas)];
-        if (run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || run.alpha < 0.5)
-            ck_assert_same(takers_of_matrices[i % LEN(takers_of_matrices)], &run);
-    }
-    drop(&m);
+    check_structures(ck_assert_same);
 }
 END_TEST
 
 START_TEST(so_has_a_structure_with_several_dampers)
 {
-    const double x0[D] = { 1, -0.5, 0.25 }, p0[D] = { 0.5, -0.3, 0.2 },
-                 orders[][DAMPERS] = { { 0.3, 0.05, 0.7 }, { 0, 0.4, 1 }, { 0.5, 0.2, 0.95 } };
-    const fvi_initial_history past[][DAMPERS] = {
-        { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_HELD },
-        { FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, FVI_INITIAL_HISTORY_CAPUTO }
-    };
-    for (size_t i = 0; i < LEN(takers_of_matrices) * LEN(orders) * LEN(past) * 2; i++) {
-        const size_t n = i / LEN(takers_of_matrices), pull = n / LEN(orders) % LEN(past),
-                     has_laws = n / LEN(orders) / LEN(past);
-        const fvi_method *method = takers_of_matrices[i % LEN(takers_of_matrices)];
-        damped_structure s;
-        if ((method == &fvi_fractional && pull) || (method == &fvi_cq2_shifted && has_laws))
-            continue; /* refused */
-        make_damped(&s, orders[n % LEN(orders)], past[pull], has_laws && !pull);
-        if (has_laws && !pull)
-            s.term[1] = (fvi_kernel_term){ FVI_KERNEL_DAVIDSON, 0.3, 0.3, 0.5, 0 };
-        if (method->stages && has_laws && !pull)
-            s.term[0].end = 0.45, s.term[2].alpha = 0.4; /* no numbers of one that grows faster than s */
-        fvi_run run = run_of(&s.system, 0.5, 1. / 8, N, x0, p0);
-        run.kappa = 0.3;
-        ck_assert_same(method, &run);
-        drop_damped(&s);
-    }
+    check_damped_structures(ck_assert_same);
 }
 END_TEST
 
