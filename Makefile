@@ -182,7 +182,7 @@ valgrind: $(UNDER:%=valgrind-%) ## the tests under valgrind, all but two (an hou
 $(UNDER:%=valgrind-%): valgrind-%: $B/tests/test_% $B/fvi | needs
 	FVI=$B/fvi CK_FORK=no CK_TIMEOUT_MULTIPLIER=50 valgrind -q --suppressions=tests/harness/valgrind.supp \
 	  --leak-check=full --error-exitcode=1 $<
-	$(if $(filter fvi_sweep,$*),valgrind -q --trace-children=yes --leak-check=full --error-exitcode=1 $B/fvi sweep --vary x0=1,2 --steps 3 --jobs 2 -o $B/swept.tsv)
+	$(if $(filter fvi_sweep,$*),valgrind -q --trace-children=yes --leak-check=full --error-exitcode=1 $B/fvi sweep --vary x0=1:2:2 --steps 3 --jobs 2 -o $B/swept.tsv)
 
 cppcheck: | needs ## a static analyser of C has nothing to say of library, program and figures (cppcheck, half a minute)
 	mkdir -p $B/cppcheck
