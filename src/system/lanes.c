@@ -1,6 +1,7 @@
 /* src/system/lanes.c -- Oscillators that take their steps together.       [H 28] */
 #include "lanes.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- the potentials ---- */
@@ -117,6 +118,20 @@ fvi_force fvi_lanes_force(fvi_lanes *lanes)
 }
 
 /* ---- what is prepared ---- */
+
+int fvi_lane_pairs_prepare(size_t count, void *const *params, void **prepared)
+{
+    fvi_lane_pairs *p = malloc(sizeof *p);
+    if (!p)
+        return FVI_ENOMEM;
+    for (size_t l = 0; l < FVI_MOST_LANES; l++) {
+        const double *pair = params[l < count ? l : count - 1];
+        p->first[l] = pair[0];
+        p->second[l] = pair[1];
+    }
+    *prepared = p;
+    return FVI_SUCCESS;
+}
 
 /* Of functions that all lanes have; FVI_EUNSUP is no error here. */
 static int prepare(const fvi_lanes *lanes, const fvi_lane_functions *const *functions,

@@ -28,6 +28,14 @@ typedef struct fvi_lane_functions {
     void (*alone)(const void *params, double x, double *f, double *slope);
 } fvi_lane_functions;
 
+/* fvi_lane_pairs -- params that are two numbers, such as c and g, or a and w, for all lanes.
+ * fvi_lane_pairs_prepare is a `prepare` that makes them; its `discard` is free. */
+typedef struct fvi_lane_pairs {
+    double first[FVI_MOST_LANES], second[FVI_MOST_LANES];
+} fvi_lane_pairs;
+
+int fvi_lane_pairs_prepare(size_t count, void *const *params, void **prepared);
+
 /* fvi_lanes -- the lanes of a system.
  *
  *   count    1 to FVI_MOST_LANES

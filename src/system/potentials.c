@@ -63,32 +63,14 @@ static int springs_are_linear(const void *params)
     return cg[1] == 0;
 }
 
-/* c and g of each lane. */
-typedef struct {
-    double c[FVI_MOST_LANES], g[FVI_MOST_LANES];
-} springs_of_lanes;
-
-static int prepare_springs(size_t count, void *const *params, void **prepared)
-{
-    springs_of_lanes *p = malloc(sizeof *p);
-    if (!p)
-        return FVI_ENOMEM;
-    for (size_t l = 0; l < FVI_MOST_LANES; l++) {
-        const double *cg = params[l < count ? l : count - 1];
-        p->c[l] = cg[0];
-        p->g[l] = cg[1];
-    }
-    *prepared = p;
-    return FVI_SUCCESS;
-}
-
-FVI_VECTORS static void slopes_of_springs(const springs_of_lanes *p, const double *x, double *f,
+/* c and g of each lane are a pair. */
+FVI_VECTORS static void slopes_of_springs(const fvi_lane_pairs *p, const double *x, double *f,
                                           double *slope)
 {
 #pragma omp simd
     for (size_t l = 0; l < FVI_MOST_LANES; l++) {
-        f[l] = spring_force(p->c[l], p->g[l], x[l]);
-        slope[l] = spring_stiffness(p->c[l], p->g[l], x[l]);
+        f[l] = spring_force(p->first[l], p->second[l], x[l]);
+        slope[l] = spring_stiffness(p->first[l], p->second[l], x[l]);
     }
 }
 
@@ -98,7 +80,8 @@ static void evaluate_springs(const void *prepared, const double *x, double *f, d
     slopes_of_springs(prepared, x, f, slope ? slope : unused);
 }
 
-static const fvi_lane_functions duffing_lanes = { prepare_springs, evaluate_springs, free, NULL };
+static const fvi_lane_functions duffing_lanes = { fvi_lane_pairs_prepare, evaluate_springs, free,
+                                                  NULL };
 
 fvi_potential fvi_potential_duffing(const double cg[2])
 {

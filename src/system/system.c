@@ -228,41 +228,23 @@ static int cosine_bound(double from, double to, size_t order, size_t d,
     return 0;
 }
 
-/* a and w of each lane. */
-typedef struct {
-    double a[FVI_MOST_LANES], w[FVI_MOST_LANES];
-} cosines_of_lanes;
-
-static int prepare_cosines(size_t count, void *const *params, void **prepared)
-{
-    cosines_of_lanes *p = malloc(sizeof *p);
-    if (!p)
-        return FVI_ENOMEM;
-    for (size_t l = 0; l < FVI_MOST_LANES; l++) {
-        const double *aw = params[l < count ? l : count - 1];
-        p->a[l] = aw[0];
-        p->w[l] = aw[1];
-    }
-    *prepared = p;
-    return FVI_SUCCESS;
-}
-
-/* One cosine for neighbours with the same argument; slope is not asked for. */
+/* a and w of each lane are a pair. One cosine for neighbours with the same argument; slope is not asked for. */
 static void evaluate_cosines(const void *prepared, const double *t, double *f, double *slope)
 {
-    const cosines_of_lanes *p = prepared;
-    double phase = p->w[0] * t[0], value = cos(phase);
+    const fvi_lane_pairs *p = prepared;
+    double phase = p->second[0] * t[0], value = cos(phase);
     (void)slope;
     for (size_t l = 0; l < FVI_MOST_LANES; l++) {
-        if (p->w[l] * t[l] != phase) {
-            phase = p->w[l] * t[l];
+        if (p->second[l] * t[l] != phase) {
+            phase = p->second[l] * t[l];
             value = cos(phase);
         }
-        f[l] = p->a[l] * value;
+        f[l] = p->first[l] * value;
     }
 }
 
-static const fvi_lane_functions cosine_lanes = { prepare_cosines, evaluate_cosines, free, NULL };
+static const fvi_lane_functions cosine_lanes = { fvi_lane_pairs_prepare, evaluate_cosines, free,
+                                                 NULL };
 
 fvi_force fvi_force_cosine(const double aw[2])
 {
