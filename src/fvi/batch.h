@@ -18,9 +18,9 @@
  *     fvi_batch_free(batch);
  *
  * The digits of a lane, x[l] and p[l], are those of its own run, whichever the others are. What
- * takes a run takes a batch, too: copies, archives, and the adjoint (adjoint.h), whose derivatives
- * by x0, p0, masses and dampings are those of each lane for an objective that is a sum over lanes;
- * the derivative by alpha is the sum of theirs. */
+ * takes a run takes a batch, too: copies, archives, and the adjoint (adjoint.h). For an
+ * objective that is a sum over lanes, its derivatives by x0, p0, masses and dampings are those of each
+ * lane, and the derivative by alpha is the sum over all lanes. */
 #ifndef FVI_BATCH_H
 #define FVI_BATCH_H
 
@@ -43,10 +43,10 @@ typedef struct fvi_batch fvi_batch;
  *   run     count runs of one coordinate each, which each fvi_stepper_start would take
  *
  * They must have the same h, steps, alpha or law, kappa, past, memory and tolerance; with stages
- * also the same mass and damping, on which the accuracy of their memory depends. All of them have
- * a potential or none has, quadratic ones or others; the same of forces. Their parameters,
- * functions, starts, masses and dampings may differ. There are no matrices, mechanisms, events
- * or impulses. The text is in English, and lives as long as the program. Cost O(count). */
+ * also the same mass and damping, on which the accuracy of their memory depends. Either all of them
+ * have a potential or none has, either all potentials are quadratic or none is, and either all have a
+ * force or none has. Their parameters, functions, starts, masses and dampings may differ. There are
+ * no matrices, mechanisms, events or impulses. The text is in English, and lives as long as the program. Cost O(count). */
 const char *fvi_batch_refusal(const fvi_method *method, size_t count, const fvi_run *run);
 
 /* fvi_batch_alloc -- make one run of them.
@@ -65,8 +65,8 @@ int fvi_batch_alloc(const fvi_method *method, size_t count, const fvi_run *run, 
  * must be freed before the batch is.
  *
  * A step fails if it fails in any lane. Which lane it was is not said: run them one by one.
- * Cost of a step of eight by fvi_cq2_midpoint: some two steps of one if U and F are expressions, three if they
- * are ready to use (figures/blocks/batch_bench.tsv); functions of the caller are called for each lane. */
+ * Cost of a step of eight by fvi_cq2_midpoint: two and a half steps of one if U and F are expressions, three if
+ * they are ready to use (figures/blocks/batch_bench.tsv); functions of the caller are called for each lane. */
 const fvi_run *fvi_batch_run(const fvi_batch *batch);
 
 /* fvi_batch_free -- give it back. NULL is allowed. */

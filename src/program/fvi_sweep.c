@@ -119,11 +119,13 @@ static void tell(const sweep_grid *g, const sweep_plan *plan, const board *b)
     for (size_t i = 0; i < b->count; i++)
         together += b->verdicts[i].lanes > 0;
     fprintf(stderr, "fvi: %zu runs: ", b->count);
-    if (together > 0)
+    if (together > 0) {
         fprintf(stderr, "%zu in groups of up to %zu that take their steps together%s\n", together, plan->most,
                 together < b->count ? ", the others one by one" : "");
-    else
-        fprintf(stderr, "one by one%s%s\n", plan->why ? ": " : "", plan->why ? plan->why : "");
+    } else {
+        const char *why = sweep_why_apart(g, plan);
+        fprintf(stderr, "one by one%s%s\n", why ? ": " : "", why ? why : "");
+    }
 }
 
 /* ---- the table ---- */

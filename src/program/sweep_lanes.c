@@ -165,11 +165,12 @@ int sweep_run_group(const sweep_grid *g, size_t count, const size_t *run, double
 
 /* ---- which runs ---- */
 
-/* Runs that differ in these have steps of their own, or another memory. */
-static int divides(const fvi_axis *a)
+/* Runs that differ in anything but these have steps of their own, or another memory. With stages the memory
+ * depends on rho and mass, too. */
+static int divides(const fvi_axis *a, int has_stages)
 {
     static const char *const names[] = { "rho", "mass", "x0", "p0", "v0", NULL };
-    for (size_t i = 0; names[i]; i++)
+    for (size_t i = has_stages ? 2 : 0; names[i]; i++)
         if (strcmp(a->name, names[i]) == 0)
             return 0;
     return !a->is_let;
@@ -188,7 +189,7 @@ static int by_key(const void *a, const void *b)
 
 /* The same number for runs that may go together. An observer asks once for all lanes whether anything is damped, and
  * whether the start makes a force that is infinite: starts and dampings that are zero go by themselves. */
-static size_t key_of(const sweep_grid *g, size_t i, int is_observed)
+static size_t key_of(const sweep_grid *g, size_t i, int has_stages, int is_observed)
 {
     size_t key = 0;
     for (size_t n = 0; n < g->count; n++) {
@@ -197,7 +198,7 @@ static size_t key_of(const sweep_grid *g, size_t i, int is_observed)
         for (size_t m = n + 1; m < g->count; m++)
             behind *= g->axis[m].range.count;
         key *= g->axis[n].range.count + 1;
-        if (divides(g->axis + n))
+        if (divides(g->axis + n, has_stages))
             key += i / behind % g->axis[n].range.count;
         else if (is_observed && !g->axis[n].is_let)
             key += value == 0;
@@ -235,7 +236,7 @@ int sweep_plan_make(const sweep_grid *g, const fvi_options *o, sweep_plan *plan)
     if (plan->why)
         plan->most = 1;
     for (size_t i = 0; i < g->runs; i++)
-        runs[i] = (keyed_run){ plan->most > 1 ? key_of(g, g->first + i, is_observed) : i, g->first + i };
+        runs[i] = (keyed_run){ plan->most > 1 ? key_of(g, g->first + i, o->method->stages > 0, is_observed) : i, g->first + i };
     qsort(runs, g->runs, sizeof *runs, by_key);
     fill(g, runs, plan);
     free(runs);
@@ -247,4 +248,24 @@ void sweep_plan_free(sweep_plan *plan)
     free(plan->order);
     free(plan->group);
     plan->order = plan->group = NULL;
+}
+
+/* The first group, and of groups of one run the first two. */
+const char *sweep_why_apart(const sweep_grid *g, const sweep_plan *plan)
+{
+    lane lanes[FVI_BATCH_MOST] = { { .is_open = 0 } };
+    fvi_run run[FVI_BATCH_MOST];
+    if (plan->why || plan->most < 2 || g->runs < 2)
+        return plan->why;
+    const size_t together = plan->group[1], count = together < 2 ? 2 : together;
+    int is_open = 1;
+    for (size_t l = 0; l < count && is_open; l++) {
+        is_open = open_lane(g, plan->order[l], lanes + l);
+        if (is_open)
+            run[l] = fvi_options_run(&lanes[l].o, &lanes[l].system);
+    }
+    const char *why = is_open ? fvi_batch_refusal(lanes->o.method, count, run) : NULL;
+    for (size_t l = 0; l < count; l++)
+        close_lane(lanes + l);
+    return why || together > 1 ? why : "a start or a damping is 0, and the columns have forces";
 }

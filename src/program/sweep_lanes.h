@@ -10,7 +10,7 @@ typedef struct {
     size_t most;   /* runs in a group; 1: one by one */
     size_t groups;
     size_t *order, *group;
-    const char *why; /* runs go one by one; NULL if they do not */
+    const char *why; /* all runs go one by one; NULL if some need not */
 } sweep_plan;
 
 /* sweep_plan_make -- eight runs a group, but not so few groups that a process has none; as
@@ -18,6 +18,9 @@ typedef struct {
  * FVI_ENOMEM. sweep_plan_free gives the plan back. */
 int sweep_plan_make(const sweep_grid *g, const fvi_options *o, sweep_plan *plan);
 void sweep_plan_free(sweep_plan *plan);
+
+/* sweep_why_apart -- why all runs of the plan went one by one; NULL if that was asked for, or one of each group failed. */
+const char *sweep_why_apart(const sweep_grid *g, const sweep_plan *plan);
 
 /* sweep_run_group -- `count` runs, at most FVI_BATCH_MOST, as the coordinates of one (batch.h), each into
  * its rows as by sweep_run, to the bit, with its verdict. Returns 1; or 0 if they do not go together, or if one

@@ -39,7 +39,7 @@ static int is_quadratic(const fvi_potential *u)
     return u->quadratic && u->quadratic(u->params);
 }
 
-/* Of one run. */
+/* Why this run goes alone whatever the others are, or NULL. */
 static const char *refusal_alone(const fvi_method *method, const fvi_run *run)
 {
     const fvi_system *system = run->system;
@@ -47,14 +47,18 @@ static const char *refusal_alone(const fvi_method *method, const fvi_run *run)
         return "the method chooses its steps";
     if (system->d != 1)
         return "a run has more than one coordinate";
-    if (system->matrices || system->mechanism || fvi_lanes_of(system))
-        return "a system has matrices, a mechanism or lanes";
+    if (system->matrices)
+        return "a system has matrices";
+    if (system->mechanism)
+        return "a system has a Lagrangian, constraints or dampers between points";
+    if (fvi_lanes_of(system))
+        return "a run is a batch";
     if (run->event_count > 0 || system->force.impulse_count > 0)
         return "there are events or impulses";
     return system->potential.solve ? "a potential solves its own equation" : NULL;
 }
 
-/* Of another run and the first. */
+/* Why these two do not go together though each might with others, or NULL. */
 static const char *refusal_of_two(const fvi_method *method, const fvi_run *a, const fvi_run *b)
 {
     const fvi_system *s = a->system, *t = b->system;

@@ -86,6 +86,13 @@ START_TEST(a_line_says_how_the_runs_were_made)
         { "--vary x0=1:2:8 --dimension 2 --lanes 8", "fvi: 8 runs: one by one: a run has more than one coordinate\n" },
         { "--vary x0=1:2:8 --columns a,work --lanes 8", "fvi: 8 runs: one by one: the columns have work\n" },
         { "--vary p0=-1:1:17 --columns a --lanes 8", "fvi: 17 runs: 16 in groups of up to 8 that take their steps together, the others one by one\n" },
+        { "--vary x0=1:2:8 --damper '-x1 : viscous:0.3' --lanes 8", "fvi: 8 runs: one by one: a system has a Lagrangian, constraints or dampers between points\n" },
+        { "--vary rho=0.1:1:5 --method fvi-lobatto3 --lanes 8", "fvi: 5 runs: one by one: with stages the masses and the dampings must be the same\n" },
+        { "--vary rho=0.1:1:5 --vary x0=1:2:3 --method fvi-lobatto3 --lanes 8", "fvi: 15 runs: 15 in groups of up to 8 that take their steps together\n" },
+        { "--vary alpha=0:1:5 --lanes 8", "fvi: 5 runs: one by one: the memories differ\n" },
+        { "--vary A=1:2:5 --damping 'symbol:A*s/(1 + s)' --lanes 8", "fvi: 5 runs: one by one: the memories differ\n" },
+        { "--vary h=0.1,0.2 --lanes 8", "fvi: 2 runs: one by one: the steps differ\n" },
+        { "--vary x0=0,1 --columns a --lanes 8", "fvi: 2 runs: one by one: a start or a damping is 0, and the columns have forces\n" },
         { "--vary x0=1:2:8 --force impulse:1,1 --lanes 8", "fvi: 8 runs: one by one: there are events or impulses\n" },
         { "--vary x0=1:2:9", "" },
     };

@@ -72,8 +72,8 @@ def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[
     problem   what is varied
     vary      values by name: of a field of the problem, or of a number in its `let`
     of        what is kept of each Solution; None: the Solution itself
-    jobs      how many threads; None: one for each core. Functions of Python's in a problem take turns. On each thread up to
-              eight similar motions of one coordinate take their steps together, if these are given; the numbers are the same
+    jobs      how many threads; None: one for each core. Functions of Python's in a problem take turns. If the step is
+              given, up to eight similar motions of one coordinate take their steps together on each thread, with the same numbers
     progress  True: a bar; or a function f(motions done, motions)
     the rest  as for `solve`
 
