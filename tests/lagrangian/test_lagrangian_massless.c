@@ -50,7 +50,8 @@ static int steps_to_one(double t, size_t d, void *params, double *F)
     return 0;
 }
 
-/* A force that is 1 on both until t = 1, which it says: x2 jumps there, too. Two answers to a step, one second apart. */
+/* A force that is 1 on both until t = 1, which it says: x2 jumps there, too. Two answers to a step, one second apart, to
+ * a tenth of the error that is asked; seen 0.003 of it. */
 START_TEST(a_jump_of_the_force_is_one_of_the_place)
 {
     static const double at_one[] = { 1 };
@@ -62,15 +63,15 @@ START_TEST(a_jump_of_the_force_is_one_of_the_place)
     fvi_run run = run_of(&p, 2, 1);
     run.step_error = 1e-11;
     fvi_stepper *s = at_end(&run);
-    ck_assert_double_eq_tol(s->x[0], 1.49452493161417, 1e-12);
-    ck_assert_double_eq_tol(s->x[1], 1.3364097377503, 1e-12);
+    ck_assert_near(s->x[0], 1.49452493161417, 1e-12, "x1");
+    ck_assert_near(s->x[1], 1.3364097377503, 1e-12, "x2");
     fvi_stepper_free(s);
     close_problem(&p);
 }
 END_TEST
 
-/* An impulse makes its place infinite at once: those methods refuse whose steps would see it. The others are right behind it,
- * for an order below 1, of 1, and above. */
+/* An impulse makes its place infinite at once: those methods refuse whose steps would see it. Form D is right behind
+ * it, for an order below 1, of 1, and above: with four stages to h^6; seen 0.007 of it. */
 START_TEST(an_impulse_on_it_is_for_stages_of_form_d)
 {
     static const char *const dampers[] = { "x2 : power:0.5,0.3", "x2 : power:0.5,0.5", "x2 : power:0.5,0.7" };
@@ -92,7 +93,7 @@ START_TEST(an_impulse_on_it_is_for_stages_of_form_d)
     while (s->k < run.steps)
         OK(fvi_stepper_step(s));
     for (int i = 0; i < 2; i++)
-        ck_assert_double_eq_tol(s->x[i], want[_i][i], 1e-9);
+        ck_assert_near(s->x[i], want[_i][i], pow(run.h, 6), "%s, x%d", dampers[_i], i + 1);
     fvi_stepper_free(s);
     const fvi_method *const others[] = { &fvi_variable_step, fvi_method_find("fvi-stable") };
     for (int i = 0; i < 2; i++) {
