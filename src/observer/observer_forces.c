@@ -321,7 +321,9 @@ int fvi_observer_begin_forces(fvi_observer *o, const fvi_stepper *s)
     if (!status && o->is_damped && !s->method->dense)
         status = fvi_law_rows_start(&o->law_rows, s, o->dampers, o->tracked > o->forces,
                                     fvi_observer_first_rows(o));
-    for (size_t j = 0; j < o->tracked && !o->is_mass; j++)
+    for (size_t j = 0; j < o->tracked && !o->is_mass; j++) {
         o->is_infinite |= isinf(o->start[j]) != 0;
+        o->has_infinite_force |= j < o->forces && isinf(o->start[j]);
+    }
     return status;
 }

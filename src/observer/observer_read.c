@@ -200,15 +200,36 @@ static int read_contacts(fvi_observer *o, const fvi_stepper *s, double t)
     return status;
 }
 
-/* Where a body lies on a surface at t = 0 the forces alone do not say how it moves: a first step does. */
+/* The mean of the acceleration over the first row, from a stepper at t = 0. */
+static int read_mean_acceleration(fvi_observer *o, fvi_stepper *fork)
+{
+    const double h = fork->run.h;
+    double *before = o->change;
+    int status = fvi_observer_velocity(o, fork, fork->p, before);
+    while (!status && fork->t < h)
+        status = fvi_stepper_step(fork);
+    if (!status)
+        status = fork->method->dense(fork, h, o->x, o->p);
+    if (!status)
+        status = fvi_mesh_velocity(fork, h, o->x, o->p, o->a);
+    for (size_t j = 0; j < o->d && !status; j++)
+        o->a[j] = (o->a[j] - before[j]) / h;
+    return status;
+}
+
+/* Where a body lies on a surface at t = 0 the forces alone do not say how it moves: a first step does, or, if a damper's
+ * force is infinite, the first row. */
 static int read_start_at_contact(fvi_observer *o, const fvi_stepper *s)
 {
     fvi_stepper *fork = NULL;
     int status = fvi_stepper_copy(s, &fork);
-    if (!status)
+    if (!status && o->has_infinite_force) {
+        status = read_mean_acceleration(o, fork);
+    } else if (!status) {
         status = fvi_stepper_step(fork);
-    if (!status)
-        status = fvi_variable_step_acceleration(fork, 0, o->a);
+        if (!status)
+            status = fvi_variable_step_acceleration(fork, 0, o->a);
+    }
     fvi_stepper_free(fork);
     return status;
 }

@@ -31,7 +31,8 @@ struct fvi_observer {
     int is_mass;     /* alpha = 1: the damping is a mass */
     int work_known;  /* by the sums over the steps: else the balance holds by itself */
     int by_energy;   /* is the work that is told what the energy has lost? */
-    int is_infinite; /* the forces at t = 0 */
+    int is_infinite; /* is a force, a or a multiplier infinite, or not known, at t = 0? */
+    int has_infinite_force; /* of a damper at t = 0 */
     size_t degree;   /* of the differences */
     const fvi_mechanism *mechanism;
     void *factors;   /* of M, of a system with matrices; or NULL */

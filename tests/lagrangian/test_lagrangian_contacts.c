@@ -222,6 +222,34 @@ START_TEST(a_contact_asks_for_a_mechanism)
 }
 END_TEST
 
+/* A damper of an order above 1 pulls with an infinite force at t = 0, so a there is its mean over the first row, as the force
+ * is: m a_1 = -f. It is a difference of velocities of the size 1 over h = 0.1: 64 u / h; seen 0.09 of it. Along the normal a
+ * body at rest has no acceleration. */
+START_TEST(an_infinite_force_on_a_body_at_rest_has_its_mean_in_a)
+{
+    static const char *const floor[] = { "x2 : contact:0", NULL };
+    const mechanism_text text = { .name = "slides", .d = 2, .lagrangian = "(v1^2+v2^2)/2 - x2",
+                                  .damper = { "x1 : power:1,0.7" }, .x0 = { 1, 0 }, .v0 = { 1, 0 } };
+    const double h = 0.1;
+    watched w;
+    fvi_stepper *s;
+    fvi_observer *o;
+    fvi_observation now;
+    open_watched(&text, floor, 1, &w);
+    w.run.h = h;
+    w.run.steps = 10;
+    OK(fvi_stepper_start(&fvi_variable_step, &w.run, &s, NULL));
+    OK(fvi_observer_start(s, FVI_OBSERVE_ACCELERATION | FVI_OBSERVE_FORCE, &o, NULL));
+    OK(fvi_observer_read(o, s, 0, &now));
+    ck_assert_int_eq(now.is_mean, 1);
+    ck_assert_near(now.a[0], -now.force[0], 64 * U / h, "along the surface");
+    ck_assert_near(now.a[1], 0, 64 * U / h, "along the normal");
+    fvi_observer_free(o);
+    fvi_stepper_free(s);
+    close_watched(&w);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: contacts");
@@ -229,6 +257,7 @@ int main(void)
     ADD_CASE(suite, "contacts", a_body_lifts_off_where_the_force_is_its_weight,
              the_force_of_a_contact_is_what_is_left_of_the_weight, a_ball_slides_down_an_incline,
              a_table_that_shakes_throws_a_body_off_again_and_again, a_body_that_lies_still_does_not_sleep,
-             a_body_is_caught_by_a_surface_that_hardly_pushes, a_contact_asks_for_a_mechanism);
+             a_body_is_caught_by_a_surface_that_hardly_pushes, a_contact_asks_for_a_mechanism,
+             an_infinite_force_on_a_body_at_rest_has_its_mean_in_a);
     return run_suite(suite);
 }
