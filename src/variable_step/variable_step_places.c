@@ -4,6 +4,8 @@
  * these, and parabolas find whether that is beyond 0. At the ends of the step its slope there says whether there is one. */
 #include "variable_step_events.h"
 
+#include "system/larger.h"
+
 #include <math.h>
 
 /* Three places, z on the same side of 0 at all of them, and nearest to 0 in the middle. */
@@ -73,6 +75,21 @@ static int look_at(const fvi_stepper *s, const fvi_variable_step_state *o, size_
     return fvi_event_within(s, o, i, theta, &to->at.z[n]);
 }
 
+/* Is z so far from 0 that it cannot come there? Between the stages a polynomial leaves the range of its values at the stages
+ * by less than half of that range: Lebesgue's constant of eight of Lobatto's places is 1.97. */
+static int is_far(const fvi_variable_step_state *o, size_t i, double first)
+{
+    const double *z = o->watch->z + i * o->rule->s;
+    double nearest = fabs(first), farthest = nearest;
+    for (size_t n = 1; n < o->rule->s; n++) {
+        if (z[n] * first <= 0)
+            return 0;
+        nearest = smaller(nearest, fabs(z[n]));
+        farthest = larger(farthest, fabs(z[n]));
+    }
+    return farthest - nearest < nearest;
+}
+
 /* The beginning, the stages, and near both ends of the step, where |z| is less than at the stage beside it, a place
  * that says how it goes on. */
 static int find_known(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
@@ -81,8 +98,8 @@ static int find_known(const fvi_stepper *s, const fvi_variable_step_state *o, si
     static const double NEAR = 1e-4;
     const size_t stages = o->rule->s;
     const double *z = o->watch->z + i * stages;
-    int status = look_at(s, o, i, 0, to);
-    if (!status && fabs(to->at.z[0]) < fabs(z[1]))
+    int status = FVI_SUCCESS;
+    if (fabs(to->at.z[0]) < fabs(z[1]))
         status = look_at(s, o, i, NEAR, to);
     for (size_t n = 1; n < stages && !status; n++) {
         const int is_last = n + 1 == stages;
@@ -121,9 +138,17 @@ static void append(fvi_event_places *to, double theta, double z)
 int fvi_event_places_of(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
                         fvi_event_places *places)
 {
+    const size_t stages = o->rule->s;
     known_places known = { .at.count = 0 };
-    int status = find_known(s, o, i, &known);
+    int status = look_at(s, o, i, 0, &known);
     places->count = 0;
+    if (!status && is_far(o, i, known.at.z[0])) {
+        for (size_t n = 1; n < stages; n++)
+            append(places, n + 1 == stages ? 1 : o->rule->c[n], o->watch->z[i * stages + n]);
+        return FVI_SUCCESS;
+    }
+    if (!status)
+        status = find_known(s, o, i, &known);
     for (size_t n = 0; n < known.at.count && !status; n++) {
         const double here = known.at.theta[n];
         double theta = here, side, beyond = 0;
