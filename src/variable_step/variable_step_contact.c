@@ -174,6 +174,8 @@ int fvi_stepper_contact_force(const fvi_stepper *s, size_t i, double t, double *
     if (i >= s->run.event_count || s->run.events[i].action != FVI_EVENT_CONTACT)
         FVI_FAIL("there is no such contact", FVI_EINVAL);
     const fvi_variable_step_state *o = s->method_state;
+    if (!(t >= (s->t == 0 ? 0 : o->t0) && t <= s->t))
+        FVI_FAIL("the time is not within the last step", FVI_EDOM);
     *force = 0;
     if (s->t == 0)
         return o->watch->closed[i] != 0 ? force_of_first_step(s, i, force) : FVI_SUCCESS;

@@ -246,7 +246,8 @@ START_TEST(constraints_hold_on_a_mesh)
 }
 END_TEST
 
-/* A spring in series with a springpot, and no mass between them, is Zener's law. */
+/* A spring in series with a springpot, and no mass between them, is Zener's law. The place without mass keeps no velocity, so
+ * errors of that cost no steps: 69 in place of 49, and 142 if they counted until the end of the run. */
 START_TEST(eq_29_15_a_coordinate_without_mass)
 {
     static const mechanism_text
@@ -255,17 +256,22 @@ START_TEST(eq_29_15_a_coordinate_without_mass)
         zener = { .name = "zener", .d = 1, .lagrangian = "v^2/2 - x^2/2",
                   .damper = { "x : zener:0.5,0.3,0.25" }, .v0 = { 1 } };
     double x[2];
+    size_t steps[2];
     for (int i = 0; i < 2; i++) {
         mechanism_problem p;
         open_problem(i ? &zener : &pair, &p);
         fvi_run run = run_of(&p, 10, 1);
         run.step_error = 1e-12;
         fvi_stepper *s = at_end(&run);
+        fvi_step_statistics counts;
+        OK(fvi_stepper_statistics(s, &counts));
+        steps[i] = counts.steps;
         x[i] = *s->x;
         fvi_stepper_free(s);
         close_problem(&p);
     }
     ck_assert_double_eq_tol(x[0], x[1], 1e-12);
+    ck_assert_uint_le(steps[0], 2 * steps[1]);
 }
 END_TEST
 
