@@ -2,29 +2,58 @@
  * Run alone: make test-batch_uses */
 #include "batch_runs.h"
 
-/* A copy half way goes on with the same bits, also where lanes have solvers of their own. */
-START_TEST(a_batch_is_copied_as_any_run)
+/* Keeps pieces, or gives them back. */
+typedef struct {
+    fvi_archive archive;
+    unsigned char bytes[1 << 16];
+    size_t at;
+    int is_full;
+} shelf;
+
+static int keep_or_give(fvi_archive *v, void *data, size_t bytes, int constant)
+{
+    shelf *s = (shelf *)v;
+    unsigned char *place = s->bytes + s->at;
+    ck_assert_uint_le(bytes, sizeof s->bytes - s->at);
+    s->at += bytes;
+    if (s->is_full && constant)
+        return memcmp(place, data, bytes) != 0;
+    memcpy(s->is_full ? data : place, s->is_full ? place : data, bytes);
+    return 0;
+}
+
+/* A copy half way, and a run from what was archived there, go on with the same bits, also where lanes have solvers
+ * of their own. */
+START_TEST(a_batch_is_copied_and_archived_as_any_run)
 {
     static const fvi_method *const all[] = { &fvi_cq2_midpoint, &fvi_lobatto_m4 };
     oscillator o[8];
     fvi_run run[8];
     for (size_t m = 0; m < LEN(all); m++) {
         fvi_batch *batch;
-        fvi_stepper *s, *copy;
+        fvi_stepper *s, *copy, *again;
+        static shelf kept;
         fill_wells(8, o, run, 60);
         OK(fvi_batch_alloc(all[m], 8, run, &batch, NULL));
         OK(fvi_stepper_start(all[m], fvi_batch_run(batch), &s, NULL));
         while (s->k < 30)
             OK(fvi_stepper_step(s));
         OK(fvi_stepper_copy(s, &copy));
-        while (s->k < 60)
-            OK(fvi_stepper_step(s));
-        while (copy->k < 60)
-            OK(fvi_stepper_step(copy));
-        ck_assert_mem_eq(s->x, copy->x, 8 * sizeof *s->x);
-        ck_assert_mem_eq(s->p, copy->p, 8 * sizeof *s->p);
-        fvi_stepper_free(s);
-        fvi_stepper_free(copy);
+        OK(fvi_stepper_start(all[m], fvi_batch_run(batch), &again, NULL));
+        kept = (shelf){ .archive = { keep_or_give } };
+        OK(fvi_stepper_archive(s, &kept.archive));
+        kept.at = 0;
+        kept.is_full = 1;
+        OK(fvi_stepper_archive(again, &kept.archive));
+        fvi_stepper *const three[] = { s, copy, again };
+        for (size_t i = 0; i < LEN(three); i++) {
+            while (three[i]->k < 60)
+                OK(fvi_stepper_step(three[i]));
+            ck_assert_mem_eq(s->x, three[i]->x, 8 * sizeof *s->x);
+            ck_assert_mem_eq(s->p, three[i]->p, 8 * sizeof *s->p);
+        }
+        for (size_t i = 0; i < LEN(three); i++)
+            fvi_stepper_free(three[i]);
         fvi_batch_free(batch);
     }
 }
@@ -190,7 +219,7 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("uses of runs together");
-    ADD_CASE(suite, "uses", a_batch_is_copied_as_any_run, the_adjoint_of_a_batch_is_that_of_its_runs,
+    ADD_CASE(suite, "uses", a_batch_is_copied_and_archived_as_any_run, the_adjoint_of_a_batch_is_that_of_its_runs,
              whole_trajectories_are_those_of_single_runs, runs_that_differ_do_not_go_together);
     return run_suite(suite);
 }
