@@ -1,6 +1,7 @@
 /* src/analysis/stability_matrices.c -- Is this step stable, with matrices?  [H 27] */
 #include "stability_share.h"
 
+#include "system/dot.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -47,14 +48,6 @@ static int weigh(const weighed *w, const double *v, double *y)
     return status;
 }
 
-static double dot(size_t n, const double *a, const double *b)
-{
-    double sum = 0;
-    for (size_t i = 0; i < n; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 //> power
 /* The power iteration v <- M^-1 A v. With the product v^T A w the quotient of Rayleigh is
  * (A v)^T M^-1 (A v) / v^T A v: from below, and it never falls. (27.9) */
@@ -71,14 +64,14 @@ static int iterate(const weighed *w, void *factors, double *room, double *larges
     *largest = 0;
     for (int k = 0; k < ITERATIONS; k++) {
         int status = weigh(w, v, y);
-        const double before = dot(d, v, y);
+        const double before = fvi_dot(d, v, y);
         memcpy(v, y, d * sizeof *v);
         if (!status)
             status = system->matrices->solve(d, factors, v);
         if (status || !(before > 0)) /* nothing that pulls */
             return status;
-        *largest = dot(d, y, v) / before;
-        const double size = sqrt(dot(d, v, v));
+        *largest = fvi_dot(d, y, v) / before;
+        const double size = sqrt(fvi_dot(d, v, v));
         for (size_t i = 0; i < d; i++)
             v[i] /= size;
     }

@@ -3,6 +3,7 @@
 
 #include "kernel/laplace_parabola.h"
 #include <fvi/error.h>
+#include "system/dot.h"
 #include "system/larger.h"
 
 #include <math.h>
@@ -153,14 +154,6 @@ static double *column_of(const fvi_rheology *o, size_t j)
     return o->columns + j * o->rows;
 }
 
-static double dot(size_t n, const double *a, const double *b)
-{
-    double sum = 0;
-    for (size_t i = 0; i < n; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 /* The columns of the amplitudes, and behind them, if asked for, those of u for amplitudes 1. */
 static void fill_columns(fvi_rheology *o, const double *u, int with_slopes)
 {
@@ -219,16 +212,16 @@ static void amplitudes(const fvi_rheology *o, double *c)
         best = 0, part[FVI_MATERIAL_ELEMENTS];
     const unsigned all = (1u << E) - 1;
     for (size_t i = 0; i < E; i++) {
-        b[i] = dot(o->rows, column_of(o, i), o->y);
+        b[i] = fvi_dot(o->rows, column_of(o, i), o->y);
         c[i] = 0;
         for (size_t j = 0; j <= i; j++)
-            A[i][j] = A[j][i] = dot(o->rows, column_of(o, i), column_of(o, j));
+            A[i][j] = A[j][i] = fvi_dot(o->rows, column_of(o, i), column_of(o, j));
     }
     for (unsigned set = all; set > 0; set--) {
         int possible = solve_set(E, set, A, b, part);
         for (size_t i = 0; i < E; i++)
             possible &= part[i] >= 0;
-        const double less = possible ? dot(E, part, b) : 0; /* of the sum of squares */
+        const double less = possible ? fvi_dot(E, part, b) : 0; /* of the sum of squares */
         if (less <= best)
             continue;
         best = less;
@@ -245,16 +238,16 @@ static void take_out(fvi_rheology *o, const double *c, double *J)
         double *q = column_of(o, n);
         for (int twice = 0; twice < 2; twice++)
             for (size_t k = 0; k < n; k++) {
-                const double along = c[k] > 0 ? dot(o->rows, column_of(o, k), q) : 0;
+                const double along = c[k] > 0 ? fvi_dot(o->rows, column_of(o, k), q) : 0;
                 for (size_t i = 0; i < o->rows; i++)
                     q[i] -= along * column_of(o, k)[i];
             }
-        const double length = sqrt(dot(o->rows, q, q));
+        const double length = sqrt(fvi_dot(o->rows, q, q));
         for (size_t i = 0; i < o->rows && length > 0; i++)
             q[i] /= length;
         for (size_t j = 0; j < o->shapes && c[n] > 0; j++) {
             double *v = column_of(o, o->elements + j);
-            const double along = dot(o->rows, q, v);
+            const double along = fvi_dot(o->rows, q, v);
             for (size_t i = 0; i < o->rows; i++)
                 v[i] -= along * q[i];
         }
@@ -282,7 +275,7 @@ double fvi_rheology_project(fvi_rheology *o, const double *u, double *c, double 
                 column_of(o, o->elements + j)[i] *= c[n];
     if (J)
         take_out(o, c, J);
-    return dot(o->rows, r, r);
+    return fvi_dot(o->rows, r, r);
 }
 //< project
 
@@ -337,5 +330,5 @@ double fvi_rheology_residuals(fvi_rheology *o, const double *z, double *r, doubl
         for (size_t j = 0; J && j < P; j++)
             J[i * P + j] = column_of(o, j)[i];
     }
-    return dot(o->rows, r, r);
+    return fvi_dot(o->rows, r, r);
 }

@@ -2,6 +2,8 @@
  *                                                                     [H 23, 27] */
 #include "adjoint_dampers.h"
 
+#include "system/dot.h"
+
 #include <string.h>
 
 /* ---- a node ---- */
@@ -14,19 +16,11 @@ void fvi_adjoint_dampers_elongation(const fvi_adjoint_dampers *m, const fvi_adjo
         z[i] = x[i] - m->run->x0[i] - (a->has_drift ? t * m->v0[i] : 0);
 }
 
-static double dot(size_t d, const double *a, const double *b)
-{
-    double sum = 0;
-    for (size_t i = 0; i < d; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 /* C N, d numbers, meets z and the time of the node. */
 static void accumulate(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double share,
                        const double *z, const double *CN, double t)
 {
-    a->sum += share * dot(m->d, z, CN);
+    a->sum += share * fvi_dot(m->d, z, CN);
     for (size_t i = 0; a->has_drift && i < m->d; i++)
         a->by_drift[i] += share * t * CN[i];
 }
@@ -66,7 +60,7 @@ static int add_constant(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,
     for (size_t i = 0; i < m->d; i++)
         m->stepper->p[i] -= a->unit * a->of.rho * value * a->CJ[i];
     accumulate(m, a, value, m->z, a->CJ, (double)(k + 1) * m->run->h);
-    const double product = dot(m->d, m->z, a->CJ);
+    const double product = fvi_dot(m->d, m->z, a->CJ);
     a->sum_by_order += *a->constant.rate * product;
     a->sum_by_theta += m->is_shifted ? *a->constant.by_theta * product : 0;
     return status;
@@ -225,7 +219,7 @@ static int end_damper(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double *by_
                      : FVI_SUCCESS;
     for (size_t i = 0; i < m->d; i++)
         to[i] -= a->of.rho * m->column[i];
-    const double at = dot(m->d, A, m->column);
+    const double at = fvi_dot(m->d, A, m->column);
     if (by_damper)
         *by_damper = -a->of.rho * (a->unit * a->sum + at);
     return status || !m->by_numbers ? status : fvi_adjoint_dampers_numbers_end(m, a, at);
@@ -251,7 +245,7 @@ int fvi_adjoint_dampers_end(fvi_adjoint_dampers *m, const double *Jx)
             want->p0[i] = m->stepper->x[i] + m->work[i];
     }
     if (want->mass) /* v0 is M^-1 p0 */
-        *want->mass = m->by_M / m->run->h - dot(d, m->run->p0, m->work);
+        *want->mass = m->by_M / m->run->h - fvi_dot(d, m->run->p0, m->work);
     if (want->parameters)
         *want->parameters = -m->run->h * m->by_K;
     return status || fvi_all_finite(d, m->by_start) ? status : FVI_EOVRFLW;

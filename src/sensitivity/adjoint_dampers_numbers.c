@@ -5,19 +5,12 @@
  * of their own, adjoint_kernel.h. */
 #include "adjoint_dampers.h"
 
+#include "system/dot.h"
 #include "system/fail.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static double dot(size_t d, const double *a, const double *b)
-{
-    double sum = 0;
-    for (size_t i = 0; i < d; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
 
 /* ---- the start ---- */
 
@@ -63,7 +56,7 @@ int fvi_adjoint_dampers_multiply(fvi_adjoint_dampers *m, const fvi_adjoint_dampe
     memset(m->column, 0, m->d * sizeof *m->column);
     const int status =
         a->of.matrix.damp(m->d, -1, v, a->of.matrix.params, m->column);
-    *sum += dot(m->d, z, m->column);
+    *sum += fvi_dot(m->d, z, m->column);
     return status;
 }
 
@@ -103,7 +96,7 @@ int fvi_adjoint_dampers_numbers_step(fvi_adjoint_dampers *m, fvi_adjoint_damper 
     fvi_adjoint_dampers_elongation(m, a, k + 1, rows + m->d, m->z);
     for (size_t i = 0; i < m->d; i++)
         m->z[i] *= h;
-    const double at_left = dot(m->d, a->CA, left), at_right = dot(m->d, a->CA, m->right);
+    const double at_left = fvi_dot(m->d, a->CA, left), at_right = fvi_dot(m->d, a->CA, m->right);
     for (size_t l = 0; !status && l < a->terms; l++) {
         status = fvi_adjoint_term_accumulate(a->term + l, in, change, m->z, m->want,
                                              a->first + l);
@@ -132,7 +125,7 @@ int fvi_adjoint_dampers_numbers_end(fvi_adjoint_dampers *m, fvi_adjoint_damper *
     if (a->impulse_unit != 0)
         status = fvi_damping_multiply(&a->of.matrix, m->d, a->impulse_unit, a->pull_by_order,
                                       m->column);
-    const double rate = dot(m->d, A, m->column);
+    const double rate = fvi_dot(m->d, A, m->column);
     want->orders[a->first] =
         rho
         * (2 * (log_h * at + rate)

@@ -10,16 +10,10 @@
  * and so on for stages, where eta_i multiplies zdot_i. */
 #include "adjoint_mechanism.h"
 
+#include "system/dot.h"
+
 #include <math.h>
 #include <string.h>
-
-static double dot(size_t d, const double *a, const double *b)
-{
-    double sum = 0;
-    for (size_t i = 0; i < d; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
 
 /* ---- forces of velocity ---- */
 
@@ -31,7 +25,7 @@ static int add_force(fvi_adjoint_mechanism *m, size_t j, double t, const double 
         return FVI_SUCCESS;
     memset(m->column, 0, m->d * sizeof *m->column);
     const int status = by->force(j, t, m->d, x, v, by->params, m->column);
-    m->want->names[j] += factor * dot(m->d, phi, m->column);
+    m->want->names[j] += factor * fvi_dot(m->d, phi, m->column);
     return status;
 }
 
@@ -54,10 +48,10 @@ static int add_damper_at_nodes(fvi_adjoint_mechanism *m, size_t j, size_t e, dou
     int status = elongation(m, j, e, t + m->run->h, m->o->X + d, end);
     if (!status && is_node)
         status = elongation(m, j, e, t, m->stepper->x, begin);
-    m->want->names[j] -= fvi_adjoint_mechanism_share(m, e, 1) * dot(d, m->beta, end + 1)
+    m->want->names[j] -= fvi_adjoint_mechanism_share(m, e, 1) * fvi_dot(d, m->beta, end + 1)
                          + eta * (is_node ? (*begin + *end) / 2 : *end);
     if (is_node)
-        m->want->names[j] -= fvi_adjoint_mechanism_share(m, e, 0) * dot(d, m->multiplier, begin + 1);
+        m->want->names[j] -= fvi_adjoint_mechanism_share(m, e, 0) * fvi_dot(d, m->multiplier, begin + 1);
     return status;
 }
 
@@ -80,7 +74,7 @@ static int add_damper_at_stages(fvi_adjoint_mechanism *m, size_t j, size_t e)
     *sum += spring * *begin;
     for (size_t l = 0; l < s && !status; l++) {
         status = elongation(m, j, e, fvi_mechanism_stage_time(m->stepper, l), o->X + l * d, here);
-        *sum -= o->lambda[e * s + l] * dot(d, m->phi + l * d, here + 1);
+        *sum -= o->lambda[e * s + l] * fvi_dot(d, m->phi + l * d, here + 1);
         for (size_t i = 0; i < s; i++)
             *sum += eta[i] * o->E[i][l] * (*here - *begin) / h;
     }
@@ -95,7 +89,7 @@ int fvi_adjoint_mechanism_names_start(fvi_adjoint_mechanism *m, size_t j, double
     int status = FVI_SUCCESS;
     for (size_t i = 0; m->want->names && i < m->want->columns->count && !status; i++) {
         status = elongation(m, i, j, 0, m->run->x0, at);
-        m->want->names[i] += by_place * *at + by_slope * (dot(d, at + 1, m->v0) + at[d + 1]);
+        m->want->names[i] += by_place * *at + by_slope * (fvi_dot(d, at + 1, m->v0) + at[d + 1]);
     }
     return status;
 }
@@ -127,7 +121,7 @@ static void add_turning(fvi_adjoint_mechanism *m, size_t j, const double *impuls
 {
     const size_t d = m->d, c = m->o->m;
     for (size_t l = 0; l < c; l++)
-        m->want->names[j] -= impulse[l] * dot(d, m->column + c + l * d, y);
+        m->want->names[j] -= impulse[l] * fvi_dot(d, m->column + c + l * d, y);
 }
 
 static int add_constraints_at_nodes(fvi_adjoint_mechanism *m, size_t j, double t)
@@ -140,7 +134,7 @@ static int add_constraints_at_nodes(fvi_adjoint_mechanism *m, size_t j, double t
     add_turning(m, j, m->factors, m->multiplier);
     if (!status)
         status = constraints(m, j, t + h, m->o->X + d);
-    m->want->names[j] -= dot(c, m->multiplier + d, m->column) / h;
+    m->want->names[j] -= fvi_dot(c, m->multiplier + d, m->column) / h;
     return status;
 }
 
@@ -160,7 +154,7 @@ static int add_constraints_at_stages(fvi_adjoint_mechanism *m, size_t j)
         }
         if (i >= o->begin)
             m->want->names[j] +=
-                dot(c, m->multiplier + inner * d + (i - o->begin) * c, m->column) / h;
+                fvi_dot(c, m->multiplier + inner * d + (i - o->begin) * c, m->column) / h;
     }
     return status;
 }
@@ -174,7 +168,7 @@ int fvi_adjoint_mechanism_names_node(fvi_adjoint_mechanism *m, double t, const d
         status = constraints(m, j, t, x);
         add_turning(m, j, w, m->beta);
         add_turning(m, j, delta, v);
-        m->want->names[j] -= dot(c, delta, m->column + c + c * d);
+        m->want->names[j] -= fvi_dot(c, delta, m->column + c + c * d);
     }
     return status;
 }

@@ -8,6 +8,7 @@
  * and alpha and beta multiply them. Of order 1, (29.5), F and h lambda act at x_{k+1} alone. */
 #include "adjoint_mechanism.h"
 
+#include "system/dot.h"
 #include "system/lagrangian_point.h"
 
 #include <string.h>
@@ -31,14 +32,6 @@ double fvi_adjoint_mechanism_share(const fvi_adjoint_mechanism *m, size_t e, siz
                       : (end ? h * o->lambda[e] : 0);
 }
 
-static double dot(size_t d, const double *a, const double *b)
-{
-    double sum = 0;
-    for (size_t i = 0; i < d; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 /* to -= factor (Hess g) y of damper e at x. */
 static int subtract_curvature(fvi_adjoint_mechanism *m, size_t e, double t, const double *x,
                               double factor, const double *y, double *to)
@@ -51,7 +44,7 @@ static int subtract_curvature(fvi_adjoint_mechanism *m, size_t e, double t, cons
     memset(H, 0, d * d * sizeof *H);
     const int status = of->hessian(t, d, x, factor, of->params, H);
     for (size_t i = 0; i < d; i++)
-        to[i] -= dot(d, H + i * d, y);
+        to[i] -= fvi_dot(d, H + i * d, y);
     return status;
 }
 
@@ -105,13 +98,13 @@ static int right_hand_side(fvi_adjoint_mechanism *m, size_t k, const double *x, 
         const double *G = o->gradient + e * d;
         double eta = 0;
         if (is_node(m)) {
-            a->nu[0] = h / 2 * dot(d, G, m->beta);
+            a->nu[0] = h / 2 * fvi_dot(d, G, m->beta);
             status = fvi_adjoint_mechanism_damper_ahead(a, &eta);
             eta = (eta + a->weight * a->nu[0]) / 2;
         } else {
             const double zeta =
                 o->elongation[e] - o->z0[e] - t * (a->feels_slope ? a->A : 0);
-            a->nu[0] = h * dot(d, G, m->beta);
+            a->nu[0] = h * fvi_dot(d, G, m->beta);
             status = fvi_adjoint_mechanism_damper_push(m, a, &zeta);
             a->by_drift += t * a->eta[0];
             eta = a->eta[0];
@@ -133,8 +126,8 @@ static int push_dampers(fvi_adjoint_mechanism *m, size_t k)
     int status = FVI_SUCCESS;
     for (size_t e = 0; !status && e < m->r; e++) {
         fvi_adjoint_mechanism_damper *a = m->damper + e;
-        const double left = dot(d, o->G + e * d, m->multiplier),
-                     right = dot(d, o->gradient + e * d, m->beta),
+        const double left = fvi_dot(d, o->G + e * d, m->multiplier),
+                     right = fvi_dot(d, o->gradient + e * d, m->beta),
                      zeta = (o->z[e] + o->elongation[e]) / 2 - o->z0[e]
                             - t * (a->feels_slope ? a->A : 0);
         a->nu[0] = h / 2 * (left + right);
@@ -174,7 +167,7 @@ static int subtract_constraints(fvi_adjoint_mechanism *m, double t, const double
     memset(H, 0, d * d * sizeof *H);
     const int status = c->hessian(t, d, x, m->factors, c->params, H);
     for (size_t i = 0; i < d; i++)
-        m->next[i] -= dot(d, H + i * d, m->multiplier);
+        m->next[i] -= fvi_dot(d, H + i * d, m->multiplier);
     return status;
 }
 

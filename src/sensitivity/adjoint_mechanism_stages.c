@@ -5,17 +5,10 @@
  * By (17.6) the slopes zdot of all steps meet chi = B P sum_n W_n P B^-1 nu_{k+n}. */
 #include "adjoint_mechanism.h"
 
+#include "system/dot.h"
 #include "system/lagrangian_point.h"
 
 #include <string.h>
-
-static double dot(size_t d, const double *a, const double *b)
-{
-    double sum = 0;
-    for (size_t i = 0; i < d; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
 
 /* phi and tau of multipliers A of the rows; NULL: zeros. */
 static void find_forces(fvi_adjoint_mechanism *m, const double *A)
@@ -43,7 +36,7 @@ static void find_dampers(fvi_adjoint_mechanism *m)
     for (size_t e = 0; e < m->r; e++) {
         fvi_adjoint_mechanism_damper *a = m->damper + e;
         for (size_t i = 0; i < s; i++)
-            a->nu[i] = -dot(d, o->gradient + (i * m->r + e) * d, m->phi + i * d);
+            a->nu[i] = -fvi_dot(d, o->gradient + (i * m->r + e) * d, m->phi + i * d);
         for (size_t i = 0; i < s; i++) {
             double sum = a->past[i];
             for (size_t l = 0; l < s; l++)
@@ -105,7 +98,7 @@ static int add_constraints(fvi_adjoint_mechanism *m, size_t i)
     double *to = m->multiplier + inner * d + i * o->m;
     const int status = c->gradient(t, d, o->X + i * d, c->params, m->gradient, NULL);
     for (size_t l = 0; l < o->m; l++)
-        to[l] = -dot(d, m->gradient + l * d, m->beta) / h;
+        to[l] = -fvi_dot(d, m->gradient + l * d, m->beta) / h;
     return status;
 }
 

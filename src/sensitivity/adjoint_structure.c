@@ -1,12 +1,13 @@
 /* src/sensitivity/adjoint_structure.c -- A structure with stages, backwards.      [H 23, 27] */
 #include "adjoint_structure.h"
 
+#include "system/dot.h"
 #include "system/fail.h"
 
 #include <math.h>
 #include <string.h>
 
-/* As at node N: the velocity jumps, of which no history knows. (23.27) */
+/* lambda, the velocity of the mirrored run, jumps by J_p. No history is told of the jump. (23.27) */
 int fvi_adjoint_structure_jump(fvi_adjoint_structure *m, const double *Jp)
 {
     for (size_t i = 0; i < m->d; i++)
@@ -15,14 +16,6 @@ int fvi_adjoint_structure_jump(fvi_adjoint_structure *m, const double *Jp)
 }
 
 /* ---- a step ---- */
-
-static double dot(size_t d, const double *a, const double *b)
-{
-    double sum = 0;
-    for (size_t i = 0; i < d; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
 
 /* The velocities of the stages. The last one follows from x_{k+1} = x_k + h sum_i b_i v_i. */
 static void find_velocities(fvi_adjoint_structure *m, const double *rows)
@@ -51,7 +44,7 @@ static void find_place(const fvi_adjoint_structure *m, const double *rows, size_
     }
 }
 
-/* By factors of M and K. lambda_{k+1} is in `after`, the multipliers are V. */
+/* The derivatives by factors of M and K. lambda_{k+1} is in `after`, and V are the multipliers of the stages. */
 static int add_matrices(fvi_adjoint_structure *m, const double *rows)
 {
     const fvi_matrices *matrices = m->run->system->matrices;
@@ -61,7 +54,7 @@ static int add_matrices(fvi_adjoint_structure *m, const double *rows)
     for (size_t i = 0; !status && m->want->parameters && i < s; i++) {
         find_place(m, rows, s - 1 - i, m->room);
         status = matrices->stiffness(d, m->room, matrices->params, m->product);
-        m->by_K += b[i] * dot(d, V + i * d, m->product);
+        m->by_K += b[i] * fvi_dot(d, V + i * d, m->product);
     }
     if (status || !m->want->mass)
         return status;
@@ -74,11 +67,11 @@ static int add_matrices(fvi_adjoint_structure *m, const double *rows)
                 m->room[n] += share * v[n];
         }
         status = matrices->inertia(d, m->room, matrices->params, m->product);
-        m->by_M -= dot(d, V + i * d, m->product);
+        m->by_M -= fvi_dot(d, V + i * d, m->product);
     }
     if (!status)
         status = matrices->inertia(d, m->v, matrices->params, m->product);
-    m->by_M += dot(d, m->after, m->product);
+    m->by_M += fvi_dot(d, m->after, m->product);
     return status;
 }
 
@@ -97,7 +90,7 @@ static int multiply_strided(fvi_adjoint_structure *m, const fvi_adjoint_structur
             m->y[n] = m->rule->b[i] * y[n * per_number + i * per_stage];
         memset(m->product, 0, d * sizeof *m->product);
         status = C->damp(d, -1, m->y, C->params, m->product);
-        *sum += dot(d, v, m->product) - (a->has_line ? dot(d, m->v0, m->product) : 0);
+        *sum += fvi_dot(d, v, m->product) - (a->has_line ? fvi_dot(d, m->v0, m->product) : 0);
         for (size_t n = 0; sums && n < d; n++)
             sums[n] += m->product[n];
     }
@@ -110,7 +103,7 @@ static int multiply(fvi_adjoint_structure *m, const fvi_adjoint_structure_damper
     return multiply_strided(m, a, y, m->s, 1, NULL, sum);
 }
 
-/* The numbers of the kernel: what its terms alone make of the multipliers. (23.21) */
+/* The derivatives by the numbers of the kernel, from memories of its single terms. (23.21) */
 static int add_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper *a)
 {
     const double h = m->run->h, *nu = a->mirrored->slope;
@@ -191,7 +184,7 @@ int fvi_adjoint_structure_step(fvi_adjoint_structure *m, size_t k, const double 
 
 /* ---- the end ---- */
 
-/* Of a power: its impulses of the past, e falls by 2 dalpha. */
+/* Writes the derivatives by the numbers of a kernel. A power has impulses of its past, whose e falls by 2 dalpha. */
 static void end_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper *a, double at, double rate,
                         size_t first)
 {
@@ -211,7 +204,7 @@ static void end_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper *
             to[i][first + l] = a->number[i][l];
 }
 
-/* By a factor of C_j; and what the impulses of its past and its line have of the start. */
+/* The derivative by a factor of C_j, and those by the start through the impulses of its past and its line. */
 static int end_damper(fvi_adjoint_structure *m, size_t j, size_t first, double *by_velocity)
 {
     fvi_adjoint_structure_damper *a = m->each + j;
@@ -223,11 +216,11 @@ static int end_damper(fvi_adjoint_structure *m, size_t j, size_t first, double *
     memset(m->product, 0, d * sizeof *m->product);
     if (a->impulse_unit != 0)
         status = fvi_damping_multiply(&a->of.matrix, d, a->impulse_unit, a->pull_by_order, m->product);
-    rate = dot(d, A, m->product);
+    rate = fvi_dot(d, A, m->product);
     memset(m->product, 0, d * sizeof *m->product);
     if (!status && a->impulse_unit != 0)
         status = fvi_damping_multiply(&a->of.matrix, d, a->impulse_unit, a->pull, m->product);
-    at = dot(d, A, m->product);
+    at = fvi_dot(d, A, m->product);
     for (size_t i = 0; i < d; i++) {
         to[i] -= a->of.rho * m->product[i];
         by_velocity[i] += a->has_line ? m->run->h * a->plain[i] : 0;
@@ -262,7 +255,7 @@ int fvi_adjoint_structure_end(fvi_adjoint_structure *m, const double *Jx)
             want->p0[i] = m->o->v[i] + m->after[i];
     }
     if (want->mass) /* v0 is M^-1 p0 */
-        *want->mass = m->by_M - dot(d, run->p0, m->after);
+        *want->mass = m->by_M - fvi_dot(d, run->p0, m->after);
     if (want->parameters)
         *want->parameters = -run->h * m->by_K;
     return status || fvi_all_finite(d, by_x0) ? status : FVI_EOVRFLW;

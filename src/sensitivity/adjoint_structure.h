@@ -1,8 +1,8 @@
 /* src/sensitivity/adjoint_structure.h -- A structure with stages, backwards.      [H 23, 27]
  *
  * Internal: what adjoint_lobatto.h is for chains. The mirrored run of M, K and dampers C_j by form D is a run of
- * form D with the same matrices and kernels, in dual variables: its velocities are the multipliers of the stages,
- * in reverse order (23.15). */
+ * form D with the same matrices and kernels. Its velocities are the multipliers of the stages in reverse order
+ * (23.15). */
 #ifndef FVI_ADJOINT_STRUCTURE_H
 #define FVI_ADJOINT_STRUCTURE_H
 
@@ -11,11 +11,11 @@
 #include "methods/lobatto_matrices.h"
 #include "newton/linearised.h"
 
-/* Of one damper of the run that is derived; where the comment says "each", d numbers. */
+/* One damper of the run whose derivatives these are. Where the comment says "each", d numbers. */
 typedef struct {
     fvi_run_damper of;
     fvi_stage_damper *mirrored; /* of the mirrored run; NULL: it remembers nothing */
-    int has_line;               /* the history of the run does not see the velocity of the start */
+    int has_line;               /* v0 is subtracted from the velocities that the history of the run sees */
     double impulse_unit;        /* of a past that acts, else 0 */
     fvi_initial_history_force past; /* its impulses for an A of 1 */
     double sum, sum_by_order;   /* sum of b_i (v - line) . force, and with its derivative by 2 alpha */

@@ -6,6 +6,7 @@
 #include "adjoint_structure_mesh.h"
 
 #include "adjoint_structure.h"
+#include "system/dot.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -59,7 +60,7 @@ static int start_modes(fvi_structure_mirror *m)
     return fvi_structure_mesh_begin_dampers(s, m->o);
 }
 
-/* What the derivative by the order reads: the modes a second time. A dashpot has none for itself. (23.18) */
+/* The derivative by the order reads a second set of the modes. A dashpot has no modes, and gets some for this. (23.18) */
 static int start_order(fvi_structure_mirror *m)
 {
     fvi_mesh_damper *memory = &m->of->damper->memory;
@@ -97,14 +98,6 @@ static int start(fvi_structure_mirror *m)
     return status;
 }
 
-static double dot(size_t d, const double *a, const double *b)
-{
-    double sum = 0;
-    for (size_t i = 0; i < d; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 /* ---- a step ---- */
 
 /* The multipliers mu of step n. (23.16) */
@@ -133,7 +126,7 @@ static int solve(fvi_structure_mirror *m, size_t n)
     return status;
 }
 
-/* By factors of M and K: V - v before an impulse, and X, of the stages. */
+/* The derivatives by factors of M and K. V: the velocities of the stages, without what an impulse adds. */
 static int add_matrices(fvi_structure_mirror *m, size_t n)
 {
     const fvi_matrices *matrices = m->run->system->matrices;
@@ -152,9 +145,9 @@ static int add_matrices(fvi_structure_mirror *m, size_t n)
                               * (numbers[3 * d + j * FVI_LANES + l] + numbers[2 * d + j]);
         }
         status = matrices->inertia(d, m->room, matrices->params, m->product);
-        m->by_M -= dot(d, m->mu + i * d, m->product);
+        m->by_M -= fvi_dot(d, m->mu + i * d, m->product);
     }
-    m->by_M -= dot(d, m->by_v, numbers + 2 * d);
+    m->by_M -= fvi_dot(d, m->by_v, numbers + 2 * d);
     for (size_t i = 0; !status && m->want->parameters && i < s; i++) {
         for (size_t j = 0; j < d; j++) {
             double moved = m->rule->c[s - 1 - i] * numbers[d + j];
@@ -163,17 +156,20 @@ static int add_matrices(fvi_structure_mirror *m, size_t n)
             m->room[j] = numbers[j] + h * moved;
         }
         status = matrices->stiffness(d, m->room, matrices->params, m->product);
-        m->by_K += h * b[i] * dot(d, m->mu + i * d, m->product);
+        m->by_K += h * b[i] * fvi_dot(d, m->mu + i * d, m->product);
     }
     return status;
 }
 
-/* The forces of a damper on the mirrored run, which advance has told of its velocities, and V. */
+/* The forces of a damper on the mirrored run, which advance has told of its velocities, and V. Only a factor and the
+ * line of the start ask for them. */
 static int add_damper(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_damper *a)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
     const double h = m->path.step[n].length.h;
     int status = FVI_SUCCESS;
+    if (!m->want->damping && !m->want->terms && !a->has_line)
+        return status;
     for (size_t i = 0; a->to && !status && i < m->s; i++) {
         const size_t r = a->to->r;
         for (size_t l = 0; l < r; l++) {
@@ -184,7 +180,7 @@ static int add_damper(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_da
         }
         memset(m->product, 0, m->d * sizeof *m->product);
         status = C->damp(m->d, -1, m->y, C->params, m->product);
-        a->sum += dot(m->d, m->V + i * m->d, m->product) - (a->has_line ? dot(m->d, m->v0, m->product) : 0);
+        a->sum += fvi_dot(m->d, m->V + i * m->d, m->product) - (a->has_line ? fvi_dot(m->d, m->v0, m->product) : 0);
         for (size_t j = 0; j < m->d; j++)
             a->plain[j] += m->product[j];
     }
@@ -214,8 +210,8 @@ static int add_order(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_dam
     for (size_t i = 0; !status && i < s; i++) {
         memset(m->product, 0, m->d * sizeof *m->product);
         status = C->damp(m->d, -h * m->rule->b[i], m->rate + i * r, C->params, m->product);
-        a->sum_by_order += dot(m->d, m->V + i * m->d, m->product)
-                           - (a->has_line ? dot(m->d, m->v0, m->product) : 0);
+        a->sum_by_order += fvi_dot(m->d, m->V + i * m->d, m->product)
+                           - (a->has_line ? fvi_dot(m->d, m->v0, m->product) : 0);
     }
     return status;
 }
@@ -263,7 +259,7 @@ static int step_back(fvi_structure_mirror *m, size_t n)
 
 /* ---- the end ---- */
 
-/* Riemann and Liouville's past below the order 1: x_0 is a jump at t = 0. What it does to J, S g. */
+/* Riemann and Liouville's past below the order 1: x_0 is a jump at t = 0. What it takes from dJ/dx_0, into by_place. */
 static int end_struck(fvi_structure_mirror *m, fvi_structure_mirror_damper *a, double *by_place)
 {
     fvi_mesh_matrix *to = a->to;
@@ -288,12 +284,12 @@ static int end_struck(fvi_structure_mirror *m, fvi_structure_mirror_damper *a, d
     memset(by_place, 0, m->d * sizeof *by_place);
     if (!status && m->want->alpha)
         status = C->damp(m->d, -to->memory.rho, m->rate, C->params, by_place);
-    a->sum_by_order += dot(m->d, m->run->x0, by_place);
+    a->sum_by_order += fvi_dot(m->d, m->run->x0, by_place);
     memset(by_place, 0, m->d * sizeof *by_place);
     return status ? status : C->damp(m->d, -to->memory.rho, m->y, C->params, by_place);
 }
 
-/* By a factor of each damper; what the start has through them. */
+/* The derivatives by a factor of each damper, and by the start through the dampers. */
 static int end_dampers(fvi_structure_mirror *m)
 {
     const fvi_sensitivities *want = m->want;
@@ -303,7 +299,7 @@ static int end_dampers(fvi_structure_mirror *m)
         double by_factor = -a->sum;
         if (a->to && fvi_structure_mesh_is_struck(&a->of)) {
             status = end_struck(m, a, m->product);
-            by_factor -= dot(m->d, m->run->x0, m->product);
+            by_factor -= fvi_dot(m->d, m->run->x0, m->product);
             for (size_t i = 0; i < m->d; i++)
                 m->xi[i] -= m->product[i];
         }
@@ -342,8 +338,8 @@ static int end(fvi_structure_mirror *m)
     }
     if (want->mass && !status) { /* v0 is M^-1 p0; p_N is M v_N, and what hits the body there */
         status = matrices->inertia(d, m->path.impulse_dv, matrices->params, m->product);
-        *want->mass = m->by_M - dot(d, run->p0, m->o->v) - dot(d, m->v0, m->extra) + dot(d, m->Jp, m->path.p)
-                      - dot(d, m->Jp, m->product);
+        *want->mass = m->by_M - fvi_dot(d, run->p0, m->o->v) - fvi_dot(d, m->v0, m->extra) + fvi_dot(d, m->Jp, m->path.p)
+                      - fvi_dot(d, m->Jp, m->product);
     }
     if (want->parameters)
         *want->parameters = -m->by_K;

@@ -11,7 +11,7 @@
 typedef struct {
     fvi_run_damper of;
     fvi_mesh_matrix *to; /* NULL: it remembers nothing */
-    int has_line;        /* the history of the run does not see the velocity of the start */
+    int has_line;        /* v0 is subtracted from the velocities that the history of the run sees */
     double sum;          /* sum of h b_i (V - line) . forces */
     double sum_by_order; /* the same with the derivative of the forces by 2 alpha, if alpha is wanted */
     double *plain;       /* each: sum of h b_i forces */

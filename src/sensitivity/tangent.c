@@ -72,7 +72,7 @@ int fvi_tangent_evaluate_potential(fvi_tangent_run *o, size_t i, const double *X
 {
     const fvi_system *system = o->run->system;
     const size_t size = o->size, d = o->d;
-    const int is_shared = o->lanes < o->P;
+    const int is_shared = o->tangents < o->P;
     double *H = is_shared ? o->room : o->G + i * size, *dU = o->dU + i * o->P * d;
     o->room[0] = 0; /* H, of one coordinate without a potential */
     int status = fvi_adjoint_evaluate_hessians(system, 1, X, size, H);
@@ -113,14 +113,14 @@ void fvi_tangent_velocity(const fvi_tangent_run *o, double *v)
 }
 
 /* d x and d p of the linearised runs, whose momentum is m dv in form D. */
-static int read_tangents(fvi_tangent_run *o)
+static void read_tangents(fvi_tangent_run *o)
 {
     const size_t d = o->d;
     double *p = o->room;
     momentum_before_impulses(o, p);
-    for (size_t l = 0; l < o->lanes; l++) {
-        memcpy(o->dx + l * o->width, o->lane[l]->x, o->width * sizeof *o->dx);
-        memcpy(o->pi + l * o->width, o->lane[l]->p, o->width * sizeof *o->pi);
+    for (size_t l = 0; l < o->tangents; l++) {
+        memcpy(o->dx + l * o->width, o->tangent[l]->x, o->width * sizeof *o->dx);
+        memcpy(o->pi + l * o->width, o->tangent[l]->p, o->width * sizeof *o->pi);
     }
     for (size_t j = 0; o->method->damped_inertia && j < o->P; j++) {
         const double *mass = o->along[j].mass;
@@ -128,20 +128,21 @@ static int read_tangents(fvi_tangent_run *o)
             o->pi[j * d + i] += o->run->system->matrices ? *mass * p[i]
                                                          : mass[i] * (p[i] / o->run->system->mass[i]);
     }
-    return FVI_SUCCESS;
 }
 
 int fvi_tangent_step(fvi_tangent_run *o)
 {
     const int status = o->rule ? fvi_tangent_stages_step(o) : fvi_tangent_nodes_step(o);
-    return status ? status : read_tangents(o);
+    if (!status)
+        read_tangents(o);
+    return status;
 }
 
 /* ---- the start ---- */
 
 static int make_room(fvi_tangent_run *o)
 {
-    const size_t d = o->d, all = o->P * d, s = o->s, hessian = o->lanes < o->P ? o->P : o->size;
+    const size_t d = o->d, all = o->P * d, s = o->s, hessian = o->tangents < o->P ? o->P : o->size;
     const struct {
         double **to;
         size_t count;
@@ -155,19 +156,19 @@ static int make_room(fvi_tangent_run *o)
     for (size_t i = 0; i < COUNT; i++)
         count += arrays[i].count;
     o->block = calloc(count + 1, sizeof *o->block);
-    o->linearised = calloc(o->lanes, sizeof *o->linearised);
-    o->system = calloc(o->lanes, sizeof *o->system);
-    o->lane = calloc(o->lanes, sizeof *o->lane);
+    o->linearised = calloc(o->tangents, sizeof *o->linearised);
+    o->system = calloc(o->tangents, sizeof *o->system);
+    o->tangent = calloc(o->tangents, sizeof *o->tangent);
     o->each = calloc(fvi_run_damper_count(o->run) + 1, sizeof *o->each);
-    if (!o->block || !o->linearised || !o->system || !o->lane || !o->each)
+    if (!o->block || !o->linearised || !o->system || !o->tangent || !o->each)
         FVI_FAIL("no memory for the tangents", FVI_ENOMEM);
     for (size_t i = 0, at = 0; i < COUNT; at += arrays[i++].count)
         *arrays[i].to = o->block + at;
     return FVI_SUCCESS;
 }
 
-/* The tolerance with which the memory of stages keeps `enough`, or as much as that of the run:
- * it keeps a part of run->tolerance, the same part of all (17.21). */
+/* The tolerance with which the memory of stages keeps its sums to `enough`, or to as much as that of the run if
+ * this is more. It keeps them to a fixed part of run->tolerance. (17.21) */
 static double tolerance_of_slopes(const fvi_run *run, double enough)
 {
     enum { PROBE = 100 };
@@ -205,12 +206,12 @@ static void fill_starts(fvi_tangent_run *o)
     }
 }
 
-static int start_lane(fvi_tangent_run *o, double enough, size_t l)
+static int start_tangent(fvi_tangent_run *o, double enough, size_t l)
 {
     const fvi_system *system = o->run->system;
     fvi_run tangent = *o->run;
     fvi_linearised *linearised = o->linearised + l;
-    const int is_shared = o->lanes < o->P;
+    const int is_shared = o->tangents < o->P;
     *linearised = fvi_linearised_begin(system, o->s);
     linearised->G = linearised->size > 0 ? o->G : NULL;
     if (is_shared)
@@ -233,17 +234,17 @@ static int start_lane(fvi_tangent_run *o, double enough, size_t l)
     tangent.system = o->system + l;
     tangent.x0 = o->dx + l * o->width;
     tangent.p0 = o->pi + l * o->width;
-    return fvi_stepper_start(o->method, &tangent, o->lane + l, NULL);
+    return fvi_stepper_start(o->method, &tangent, o->tangent + l, NULL);
 }
 
-/* What the histories do not learn of. */
+/* The part of the start that the histories must not see: v0 dm, and x0 where (19.2) has no motion from another x0. */
 static void move_starts(fvi_tangent_run *o)
 {
     const fvi_run *run = o->run;
     for (size_t j = 0, n = 0; j < o->P; j++) {
         const fvi_sensitivities *along = o->along + j;
         for (size_t i = 0; i < o->d; i++, n++) {
-            fvi_stepper *s = o->lane[n / o->width];
+            fvi_stepper *s = o->tangent[n / o->width];
             const size_t q = n % o->width;
             if (along->mass && !o->method->damped_inertia)
                 s->p[q] += run->system->matrices ? *along->mass * run->p0[i]
@@ -257,7 +258,7 @@ static void move_starts(fvi_tangent_run *o)
 static int start_dampers(fvi_tangent_run *o)
 {
     const fvi_run *run = o->run;
-    const double keep = o->rule ? fvi_stage_dampers_tolerance(&o->lane[0]->run) : 0; /* nodes keep all */
+    const double keep = o->rule ? fvi_stage_dampers_tolerance(&o->tangent[0]->run) : 0; /* nodes keep all */
     int status = FVI_SUCCESS;
     for (size_t j = 0, first = 0; !status && j < fvi_run_damper_count(run); j++) {
         fvi_tangent_damper *a = o->each + o->dampers++;
@@ -287,7 +288,7 @@ int fvi_tangent_start(const fvi_method *method, const fvi_run *run, size_t P,
     o->rule = method->stages ? fvi_lobatto(o->s) : NULL;
     o->kappa = method->takes_kappa ? run->kappa : 0.5;
     const int is_shared = o->d == 1 && !run->system->matrices;
-    o->lanes = is_shared ? 1 : P;
+    o->tangents = is_shared ? 1 : P;
     o->width = is_shared ? P : o->d;
     o->size = fvi_linearised_begin(run->system, o->s).size;
     status = make_room(o);
@@ -299,24 +300,26 @@ int fvi_tangent_start(const fvi_method *method, const fvi_run *run, size_t P,
         fill_starts(o);
     if (!status) /* form M asks for the first forces */
         status = fvi_tangent_evaluate_potential(o, 0, run->x0);
-    for (size_t l = 0; !status && l < o->lanes; l++)
-        status = start_lane(o, enough, l);
+    for (size_t l = 0; !status && l < o->tangents; l++)
+        status = start_tangent(o, enough, l);
     if (!status)
         move_starts(o);
     if (!status)
         status = start_dampers(o);
-    return status ? status : read_tangents(o);
+    if (!status)
+        read_tangents(o);
+    return status;
 }
 
 void fvi_tangent_stop(fvi_tangent_run *o)
 {
     fvi_stepper_free(o->stepper);
-    for (size_t l = 0; o->lane && l < o->lanes; l++)
-        fvi_stepper_free(o->lane[l]);
+    for (size_t l = 0; o->tangent && l < o->tangents; l++)
+        fvi_stepper_free(o->tangent[l]);
     for (size_t j = 0; j < o->dampers; j++)
         fvi_tangent_damper_stop(o->each + j);
     free(o->each);
-    free(o->lane);
+    free(o->tangent);
     free(o->linearised);
     free(o->system);
     free(o->block);
@@ -324,7 +327,7 @@ void fvi_tangent_stop(fvi_tangent_run *o)
 
 /* ---- the whole ---- */
 
-/* Along which direction and where there is no motion beside this one, (19.2). */
+/* NaN along a direction to an x0 from which no motion starts, (19.2). */
 static void bar_starts(const fvi_tangent_run *o, double *dx)
 {
     for (size_t j = 0, n = 0; j < o->P; j++)

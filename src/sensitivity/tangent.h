@@ -1,7 +1,7 @@
-/* src/sensitivity/tangent.h -- A run with its derivatives, on its way.            [H 24]
+/* src/sensitivity/tangent.h -- A run and its derivatives, side by side.            [H 24]
  *
- * Internal. The derivative of a run along a direction is a run of the same method, of the linearised system,
- * with forces of its own (linearised.h): what the direction changes in the equations of each step. Arrays of
+ * Internal. The derivative of a run along a direction is a run of the linearised system by the same method. The
+ * forces of this run (linearised.h) are what the direction changes in the equations of each step. Arrays of
  * P d numbers: coordinate i along direction j at [j * d + i]. Stages count from 0 here; methods without
  * stages have one. */
 #ifndef FVI_TANGENT_H
@@ -12,49 +12,51 @@
 #include "methods/initial_history_force.h"
 #include "newton/linearised.h"
 
-/* What the numbers of one damper change; r numbers are remembered. */
+/* What the directions change in one damper, which remembers r numbers. */
 typedef struct {
     fvi_run_damper of;
-    size_t number, first, r;   /* its place; that of its terms among all */
-    double unit, theta;        /* before its sums for rho = 1; the shift of (23.7) */
-    int has_line, is_liouville; /* does its history know the line x0 + t v0; does it begin at 0? */
-    int is_asked, by_order, by_terms; /* do directions change it, by its order, by numbers of a law? */
-    double *zeros, *z, *mean;  /* r each: zeros; z of the last node, and mean of the last two */
+    size_t number, first, r;   /* the place of the damper, and of its first term among those of all dampers */
+    double unit, theta;        /* what stands before the sums for rho = 1; the shift of (23.7) */
+    int has_line, is_liouville; /* is the line x0 + t v0 subtracted from what it remembers? is x0 not? */
+    int is_asked, by_order, by_terms; /* do directions change it, through its order, through numbers of a law? */
+    double *zeros, *z, *mean;  /* r each: zeros; z of the last node, and the mean of the last two */
     double *dz, *change;       /* r each: their increments */
-    double *now, *before;      /* P r: impulses of the last node and of the one before, before S */
+    double *now, *before;      /* P r each: impulses of the last node and of the node before, before S */
     double *by_theta;          /* r: what the shift changes */
-    double *v, *Y, *Ydot;      /* s r, of stages: velocities less the line, and two sums */
+    double *v, *Y, *Ydot;      /* s r each, of stages: velocities less the line, and what two histories have of the past */
+    double *sum, *sumdot;      /* s r each: the same with this step, times unit; zeros where nobody asks */
     double *block;             /* all these; owned */
     fvi_adjoint_constant memory; /* of z, at nodes */
-    fvi_adjoint_term *term;      /* of a law; owned; so many of them: */
+    fvi_adjoint_term *term;      /* of a law, at nodes, `terms` of them; owned */
     size_t terms;
     fvi_lobatto_history *of_stages; /* of v */
     fvi_stage_terms terms_of_stages;
     fvi_initial_history_force past; /* its impulses for an amplitude of 1 */
     double impulse_unit;            /* 0: no past acts */
-    double *CA;                     /* d: A, or C A of a matrix; owned */
+    double *CA;                     /* d: the amplitude A, or C A of a matrix; in block */
 } fvi_tangent_damper;
 
 typedef struct {
-    fvi_run own;              /* as its steps see it */
-    const fvi_run *run;       /* it */
+    fvi_run own;              /* the run as its steps see it */
+    const fvi_run *run;       /* &own */
     const fvi_method *method;
     const fvi_sensitivities *along; /* the directions */
-    size_t P, d, s, size;     /* s: stages; size: of a Hessian */
+    size_t P, d, s, size;     /* s: stages; size: numbers of a Hessian */
     double kappa;
     fvi_stepper *stepper;     /* of the run */
-    double *x_k, *v0;         /* d: x at the beginning of the step; p0/m */
+    double *x_k, *v0;         /* d each: x at the beginning of the step; p0/m */
     double *dx, *pi;          /* P d each: d x_k, d p_k; pi stands behind dx */
-    /* the linearised runs: of one coordinate one run with P of them, else P runs */
-    size_t lanes, width;
+    /* the linearised runs: of one coordinate one run of P coordinates; else P runs of d coordinates */
+    size_t tangents, width;   /* how many; coordinates of each */
     fvi_linearised *linearised;
     fvi_system *system;
-    fvi_stepper **lane;
+    fvi_stepper **tangent;
     double *mass, *damping;   /* P each: of one coordinate */
     double *G;                /* s Hessians */
     double *dU;               /* s P d: what the parameters change in grad U at the stages, stage by stage */
     double *source;           /* s P d: forces, as fvi_linearised takes them, run by run */
-    double *left, *right;     /* P d each: what a step without stages loses before and behind its solution */
+    double *left, *right;     /* P d each: what a step without stages loses before and behind its solution; with
+                               * stages left is v at its beginning, and right is room */
     double *room;             /* d, or a Hessian */
     double *block;            /* all these arrays; owned */
     fvi_tangent_damper *each; /* owned */
@@ -62,7 +64,7 @@ typedef struct {
     /* of stages */
     const fvi_lobatto_rule *rule;
     double A[FVI_STAGES][FVI_STAGES];
-    double *V, *X;            /* s d: velocities, positions */
+    double *V, *X;            /* s d each: velocities, positions; without stages V is room */
 } fvi_tangent_run;
 
 /* fvi_tangent_start -- at k = 0; run and along stay the caller's.
@@ -92,18 +94,19 @@ void fvi_tangent_velocity(const fvi_tangent_run *o, double *v);
  * there into dU. Returns what a callback does. */
 int fvi_tangent_evaluate_potential(fvi_tangent_run *o, size_t i, const double *X);
 
-/* fvi_tangent_damper_start -- damper j, where directions change it; keep: the tolerance of stages.
- * fvi_tangent_damper_next -- node k: the impulses that the directions change, in now.
- * fvi_tangent_damper_impulses -- a step from node k: they, and the impulses of the past, are added to what the
- * step loses.
+/* One damper of the run; what no direction changes costs nothing.
+ * fvi_tangent_damper_start -- `of`, `number` and `first` are there. keep: the tolerance of the histories of stages.
+ * fvi_tangent_damper_next -- of node k: the impulses that the directions change, in now.
+ * fvi_tangent_damper_impulses -- of a step from node k: these impulses and those of the past are added to left and
+ * right.
  *
  * What methods with stages ask of tangent_dampers.c, too:
- * fvi_tangent_numbers -- rho, alpha, time and end of term l along direction j.
- * fvi_tangent_rho -- rho of number i, or that of the damper.
- * fvi_tangent_multiply -- to += share S y, or share y.
- * fvi_tangent_past -- the impulses of the past in step k, and their slopes by e if they are asked for.
- * fvi_tangent_past_along -- what direction j changes in n of them for an A of 1, of coordinate i; those of the
- * terms of a law at two ends. */
+ * fvi_tangent_numbers -- by what direction j changes rho, alpha, time and end of term l.
+ * fvi_tangent_rho -- rho of coordinate i, or with matrices that of the damper.
+ * fvi_tangent_multiply -- to += share S y; without matrices S = 1.
+ * fvi_tangent_past -- the impulses of the past in step k, and their slopes by e if an order is changed.
+ * fvi_tangent_past_along -- by what direction j changes n impulses of the past of coordinate i, for an A of 1. Terms
+ * of a law have impulses at the two ends of a step. */
 int fvi_tangent_damper_start(fvi_tangent_run *o, double keep, fvi_tangent_damper *a);
 int fvi_tangent_damper_next(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a);
 int fvi_tangent_damper_impulses(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a);
@@ -120,11 +123,10 @@ void fvi_tangent_damper_stop(fvi_tangent_damper *a);
 /* fvi_tangent_source -- the forces along direction j at stage i, d numbers. */
 static inline double *fvi_tangent_source(const fvi_tangent_run *o, size_t j, size_t i)
 {
-    return o->source + (o->lanes == 1 && o->P > 1 ? i * o->P + j : (j * o->s + i) * o->d);
+    return o->source + (o->tangents == 1 && o->P > 1 ? i * o->P + j : (j * o->s + i) * o->d);
 }
 
-/* fvi_tangent_factor -- by what a direction changes the factor of a damper, of its coordinate i where there are no
- * matrices.
+/* fvi_tangent_factor -- by what direction j changes the factor of a damper; without matrices that of coordinate i.
  * fvi_tangent_order -- by what it changes the order of a power. */
 static inline double fvi_tangent_factor(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t j, size_t i)
 {

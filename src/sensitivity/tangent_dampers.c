@@ -44,7 +44,7 @@ static fvi_sensitivities find_wanted(const fvi_tangent_run *o, fvi_tangent_dampe
 static int make_room(const fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     const size_t r = a->r, stages = o->s * r;
-    a->block = calloc(6 * r + 2 * o->P * r + 3 * stages + o->d, sizeof *a->block);
+    a->block = calloc(6 * r + 2 * o->P * r + 5 * stages + o->d, sizeof *a->block);
     if (!a->block)
         FVI_FAIL("no memory for the tangents", FVI_ENOMEM);
     a->zeros = a->block;
@@ -58,11 +58,13 @@ static int make_room(const fvi_tangent_run *o, fvi_tangent_damper *a)
     a->v = a->before + o->P * r;
     a->Y = a->v + stages;
     a->Ydot = a->Y + stages;
-    a->CA = a->Ydot + stages;
+    a->sum = a->Ydot + stages;
+    a->sumdot = a->sum + stages;
+    a->CA = a->sumdot + stages;
     return FVI_SUCCESS;
 }
 
-/* C A, the matrix being the unit matrix where there is none. */
+/* The impulses of the past; and C A, where C = 1 without matrices. */
 static int start_past(fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     static const double ends[] = { 0, 1 };
@@ -157,7 +159,7 @@ void fvi_tangent_damper_stop(fvi_tangent_damper *a)
 
 /* ---- a node ---- */
 
-/* What is remembered of x, and its increment. */
+/* z, what a damper remembers of x, and its increment dz. */
 static int find_elongation(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
 {
     const fvi_run *run = o->run;
@@ -177,7 +179,7 @@ static int find_elongation(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
     return status;
 }
 
-/* What the memories of the terms take in: of fvi-stable the mean of two nodes. z and dz are there. */
+/* The memories of the terms take in z, or of fvi-stable the mean of z at two nodes. */
 static void find_mean(const fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     const int is_mean = o->method->scheme == FVI_SCHEME_CQ2_MIDPOINT;
@@ -188,7 +190,6 @@ static void find_mean(const fvi_tangent_run *o, fvi_tangent_damper *a)
     }
 }
 
-/* The numbers of term l along direction j: rho, alpha, time and end. */
 void fvi_tangent_numbers(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t j, size_t l,
                           double number[4])
 {
@@ -242,7 +243,6 @@ int fvi_tangent_damper_next(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
 
 /* ---- a step ---- */
 
-/* to += share S y of a direction. */
 int fvi_tangent_multiply(const fvi_tangent_run *o, const fvi_tangent_damper *a, double share, const double *y, double *to)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
@@ -253,8 +253,6 @@ int fvi_tangent_multiply(const fvi_tangent_run *o, const fvi_tangent_damper *a, 
     return FVI_SUCCESS;
 }
 
-/* What direction j changes in the impulses of the past for an A of 1 at `n` places: those of coordinate i. `at`
- * and `slope` are there; those of the terms are asked for at two ends. */
 void fvi_tangent_past_along(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t k, size_t j, size_t i,
                        const double *at, const double *slope, size_t n, double *change)
 {

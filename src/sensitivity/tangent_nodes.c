@@ -56,9 +56,9 @@ static int find_losses(fvi_tangent_run *o, size_t k)
 
 static void subtract(fvi_tangent_run *o, const double *lost)
 {
-    for (size_t l = 0; l < o->lanes; l++)
+    for (size_t l = 0; l < o->tangents; l++)
         for (size_t q = 0; q < o->width; q++)
-            o->lane[l]->p[q] -= *lost++;
+            o->tangent[l]->p[q] -= *lost++;
 }
 
 /* ---- a step ---- */
@@ -82,8 +82,8 @@ int fvi_tangent_nodes_step(fvi_tangent_run *o)
         status = find_losses(o, k);
     if (!status)
         subtract(o, o->left);
-    for (size_t l = 0; !status && l < o->lanes; l++)
-        status = fvi_stepper_step(o->lane[l]);
+    for (size_t l = 0; !status && l < o->tangents; l++)
+        status = fvi_stepper_step(o->tangent[l]);
     if (!status)
         subtract(o, o->right);
     return status;

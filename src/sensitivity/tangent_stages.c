@@ -3,13 +3,11 @@
 
 #include "methods/lobatto_matrices.h"
 #include "methods/lobatto_stages.h"
-#include "system/fail.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-/* (17.3): the inverse of A, of form D; or D alone, of form M: of numbers that are `stride` apart. */
+/* By (17.3): the inverse of A times w in form D, D w in form M. The numbers of w are `stride` apart. */
 static double differentiated(const fvi_tangent_run *o, size_t i, const double *w, size_t stride)
 {
     double sum = o->method->damped_inertia && i == 0 ? w[0] / o->rule->b[0] : 0;
@@ -38,7 +36,7 @@ static void read_stages(fvi_tangent_run *o)
         }
 }
 
-/* What a unit of mass does to stage i, as a force: the inertia of the motion, of coordinate n. */
+/* The force at stage i that a unit more of the mass of coordinate n adds: minus its inertia. */
 static double inertia(const fvi_tangent_run *o, size_t i, size_t n)
 {
     const double *b = o->rule->b, h = o->run->h, *V = o->V + n;
@@ -100,10 +98,11 @@ static int find_velocities(fvi_tangent_run *o, fvi_tangent_damper *a)
     return status;
 }
 
-/* Y = W v with its history, and its derivative by beta; and the history of the next step. */
-static int find_sums(fvi_tangent_run *o, fvi_tangent_damper *a, double *Y, double *Ydot)
+/* W v with its history, and its derivative by beta; and the history of the next step. */
+static int find_sums(fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     const size_t s = o->s;
+    double *Y = a->sum, *Ydot = a->sumdot;
     const double *W = fvi_lobatto_history_now(a->of_stages),
                  *rate = a->of.law ? NULL : fvi_lobatto_history_now_by_order(a->of_stages),
                  log_h = log(o->run->h);
@@ -122,7 +121,7 @@ static int find_sums(fvi_tangent_run *o, fvi_tangent_damper *a, double *Y, doubl
                      : fvi_lobatto_history_push_by_order(a->of_stages, a->v, a->Y, a->Ydot);
 }
 
-/* The force of number n at stage i that direction j changes through the numbers of a law. */
+/* The force that direction j changes through the numbers of a law, for rho = 1. `at`: its number and stage. */
 static double terms_along(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t j, size_t at)
 {
     const double log_h = log(o->run->h);
@@ -143,8 +142,9 @@ static double terms_along(const fvi_tangent_run *o, const fvi_tangent_damper *a,
     return sum;
 }
 
-static int add_forces(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a, const double *Y, const double *Ydot)
+static int add_forces(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
 {
+    const double *Y = a->sum, *Ydot = a->sumdot;
     double at[FVI_STAGES] = { 0 }, slope[FVI_STAGES] = { 0 }, change[FVI_STAGES] = { 0 }, *y = a->now;
     const double log_h = log(o->run->h);
     const int is_matrix = a->of.matrix.remember != NULL;
@@ -178,20 +178,16 @@ static int step_damper(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
 {
     if (!a->block)
         return FVI_SUCCESS;
-    double *sums = calloc(2 * o->s * a->r, sizeof *sums);
-    if (!sums)
-        FVI_FAIL("no memory for the tangents", FVI_ENOMEM);
     int status = find_velocities(o, a);
     if (!status && a->of_stages)
-        status = find_sums(o, a, sums, sums + o->s * a->r);
+        status = find_sums(o, a);
     for (size_t n = 0; !status && n < a->r; n++)
         for (size_t l = 0; l < a->terms_of_stages.count; l++)
             fvi_stage_term_next(a->terms_of_stages.each + l, n, a->v + n * o->s);
     if (!status)
-        status = add_forces(o, k, a, sums, sums + o->s * a->r);
+        status = add_forces(o, k, a);
     if (!status)
         status = fvi_stage_terms_update_history(&a->terms_of_stages, a->v);
-    free(sums);
     return status;
 }
 
@@ -218,9 +214,9 @@ int fvi_tangent_stages_step(fvi_tangent_run *o)
         status = fill_sources(o, k);
     for (size_t j = 0; !status && j < o->dampers; j++)
         status = step_damper(o, k, o->each + j);
-    for (size_t l = 0; !status && l < o->lanes; l++) {
+    for (size_t l = 0; !status && l < o->tangents; l++) {
         o->linearised[l].asked = 0;
-        status = fvi_stepper_step(o->lane[l]);
+        status = fvi_stepper_step(o->tangent[l]);
     }
     return status;
 }
