@@ -54,8 +54,8 @@ static size_t next_time(const fvi_event_list *list, size_t from, size_t event)
     return from;
 }
 
-/* Two events that belong together. An error of the time at which a body lifts off moves the body by its square, (29.25),
- * and tells nothing. */
+/* How far two events that belong together are apart; INFINITY if they are of two kinds. An error of the time at which a
+ * body lifts off moves the body by its square, H 29, so the two times may differ. */
 static double apart(const fvi_event_list *a, size_t i, const fvi_event_list *b, size_t j, size_t d,
                     double speed)
 {

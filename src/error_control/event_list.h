@@ -29,8 +29,8 @@ void fvi_event_list_free(fvi_event_list *list);
 /* fvi_event_list_distance -- how far the events of two runs are apart, as a length: the largest of |x - x'|
  * at an event and of speed |t - t'|.
  *
- * The n-th time of an event in one list belongs to its n-th time in the other. Two events that are nearer to
- * each other than the two runs may so change places.
+ * The n-th time of an event in one list belongs to its n-th time in the other. So two different events that are nearer
+ * to each other than the two runs may stand in either order. Of lift-offs neither x nor t is compared.
  *
  *   count   how many events are watched, as fvi_run has it
  *   speed   the largest speed of a coordinate

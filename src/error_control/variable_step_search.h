@@ -44,7 +44,8 @@ int fvi_variable_step_again(const fvi_run *run, size_t most,
  *
  * With events both runs call a body at rest whose hops are no higher than `error`, and two runs must have
  * the same events: the estimate is no smaller than the difference of x at each event, and than the largest
- * speed of x times the difference of the two times. So the time of an event is right to error / speed.
+ * speed of x times the difference of the two times. So the time of an event is right to error / speed, but for
+ * lift-offs, whose times are not compared.
  * Where the lists differ there is no estimate, and the next run decides.
  *
  * It is an estimate, no bound: what both runs pass over, a pulse of a force without bounds

@@ -148,11 +148,13 @@ const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
  * another matter.
  *
  * With events and a tolerance the two runs must have the same events. The error is then also no smaller than the
- * difference of x at each event, nor than the largest speed of x times the difference of the two times: so
- * the time of an event is right to tolerance / speed. A body is at rest after an impact from which it would rise no
+ * difference of x at each event, nor than the largest speed of x times the difference of the two times. So
+ * the time of an event is right to tolerance / speed, unless the body lifts off there, because an error of the time of a
+ * lift-off moves the body by its square only. A body is at rest after an impact from which it would rise no
  * higher than the tolerance. For example, for a ball that falls with g = 1 from the height 1 onto z = x with e = 1/2,
- * hop n is 4^-n high; so with the tolerance 1e-6 it is at rest after the tenth, as 4^-10 = 0.95e-6. Where runs of
- * any steps differ in their events, as where z only touches 0, or where a motion is chaotic, FVI_ETOL says so.
+ * hop n is 4^-n high; so with the tolerance 1e-6 it is at rest after the tenth, as 4^-10 = 0.95e-6. An event within
+ * tolerance / speed of the end, and within a thousandth of T, may stand in one of the runs only. Where runs of any steps differ in their events, as
+ * where z only touches 0, or where a motion is chaotic, FVI_ETOL says so.
  *
  * fvi_variable_step gives out any time. So do methods with stages without a tolerance, by the path of their stages
  * (lobatto.h), if `observed` is NULL: between two steps x is then of the order of the stages s, and p of s - 1. Else

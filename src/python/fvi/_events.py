@@ -30,8 +30,8 @@ class Event:
                that is noted, too
     gradient   of an impact or a contact whose z is a function: a function of (t, x) that gives dz/dx, d numbers, and dz/dt
     direction  1: z must rise through 0; -1: fall; 0: either
-    rest       of an impact: a body that would rise no higher than this is at rest, a length of x; 0: what a step may be off
-               by, or the `error` of `solve`
+    rest       of an impact or a contact: a body that would rise no higher than this is at rest, a length of x; 0: what a
+               step may be off by, or the `error` of `solve`
     """
     value: Union[str, Callable[..., float]]
     action: str = "mark"

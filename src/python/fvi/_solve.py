@@ -430,7 +430,7 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
                 of order S - 1
     error       how far x may be off at any row and event, a length > 0, by the library's estimate. With events, two runs of
                 different accuracy must have the same events, and their times are right to error divided by the largest
-                speed; a body whose hops are no higher than error is at rest
+                speed, but for those at which a body lifts off; a body whose hops are no higher than error is at rest
     method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h, of order 1, beside which "fvi-lobatto4"
                 has order 4 and more; with error and a law that
                 "fvi-adaptive" does not take, "fvi-lobatto4" or "fvi-bdf2", as measured to be the fastest;
@@ -438,8 +438,8 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
                 several dampers
     h           the step, a time > 0 of which the problem's time is a multiple; of "fvi-adaptive", whose steps are its
                 own, the time between two rows
-    steps       instead of h: how many rows but one, whatever the problem; 200. A method whose steps are given, which you name
-                then, takes so many
+    steps       instead of h: how many rows but one, whatever the problem; 200. A method whose steps have one length takes so
+                many: one that you name, or "fvi-stable" where it is the method
     kappa       0 ... 1: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}, of methods that have it; 0.5
     progress    True: a bar on standard error; or a function f(rows done, rows), called now and then
     step_error  of "fvi-adaptive": how far x may be off by one step, instead of 1e-10 of the largest |x|
