@@ -10,8 +10,8 @@
 enum { L = FVI_MOST_LANES, NEWTON_STEPS = 50, MOST_STAGES = 8 };
 
 /* The equation of each lane, and how far it has come. A lane that is active takes part in the
- * next step; one that is lost needs more than Newton's method. A and s are those of the solver, or
- * the room, where lanes are missing. */
+ * next step; one that is lost needs more than Newton's method. A and s point to those of the solver, or
+ * where lanes are missing to `room`. */
 typedef struct {
     const double *A, *s;
     double x[L], r[L], d[L], size[L], g[L], active[L], lost[L], z[L]; /* z = x + theta d */
@@ -85,7 +85,7 @@ FVI_VECTORS static void move_lanes(lanes_at_work *restrict w, double theta, cons
 }
 //< lanes
 
-/* Of flags that are 0 or 1: the bits of 0 are zeros, and words wait for less than sums. */
+/* Is a flag 1, and not 0, whose bits are all zero? To join words takes less time than to add numbers. */
 static inline int is_any(const double *flag)
 {
     uint64_t bits[L], any = 0;

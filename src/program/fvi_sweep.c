@@ -118,7 +118,7 @@ static void tell(const sweep_grid *g, const sweep_plan *plan, const board *b)
         return;
     for (size_t i = 0; i < b->count; i++)
         together += b->verdicts[i].lanes > 0;
-    fprintf(stderr, "fvi: %zu runs: ", b->count);
+    fprintf(stderr, "fvi: %zu run%s: ", b->count, b->count == 1 ? "" : "s");
     if (together > 0) {
         fprintf(stderr, "%zu in groups of up to %zu that take their steps together%s\n", together, plan->most,
                 together < b->count ? ", the others one by one" : "");

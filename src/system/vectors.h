@@ -2,9 +2,9 @@
  *
  * A function marked FVI_VECTORS is compiled for plain x86-64, AVX2 and AVX-512, and
  * the loader picks. -ffp-contract=off holds in all, and the order of the sums
- * is written down: the digits are the same. The loader must be glibc's, which any
- * header of the C library tells, and must not ask code that ThreadSanitizer has
- * not made ready yet. */
+ * is written down: the digits are the same. Only the loader of glibc can pick, and
+ * any header of the C library says whether it is there. Under ThreadSanitizer there
+ * is one version, because the loader would call code that is not ready yet. */
 #ifndef FVI_VECTORS_H
 #define FVI_VECTORS_H
 

@@ -94,6 +94,7 @@ START_TEST(a_line_says_how_the_runs_were_made)
         { "--vary h=0.1,0.2 --lanes 8", "fvi: 2 runs: one by one: the steps differ\n" },
         { "--vary x0=0,1 --columns a --lanes 8", "fvi: 2 runs: one by one: a start or a damping is 0, and the columns have forces\n" },
         { "--vary x0=1:2:8 --force impulse:1,1 --lanes 8", "fvi: 8 runs: one by one: there are events or impulses\n" },
+        { "--vary x0=1 --lanes 8", "fvi: 1 run: one by one\n" },
         { "--vary x0=1:2:9", "" },
     };
     char line[300];
