@@ -135,9 +135,9 @@ int fvi_stepper_contact_force(const fvi_stepper *s, size_t i, double t, double *
 int fvi_stepper_kick(fvi_stepper *s, const double *J);
 
 /* fvi_events_check -- FVI_SUCCESS; or what is wrong, field "events", the index that of the event:
- * FVI_EUNSUP if the method takes none, or if a contact has no mechanism; FVI_EFAULT without an array or a function;
- * FVI_EDOM for a restitution that is not in [0, 1] or a rest that is not in [0, infinity); FVI_EINVAL for an unknown
- * action. fvi_stepper_start asks. */
+ * FVI_EUNSUP if the method takes none, if the system has matrices, or if a contact has no mechanism; FVI_EFAULT without
+ * an array or a function; FVI_EDOM for a restitution that is not in [0, 1] or a rest that is not in [0, infinity);
+ * FVI_EINVAL for an unknown action. fvi_stepper_start asks. */
 int fvi_events_check(const fvi_method *method, const fvi_run *run,
                      fvi_error *error);
 

@@ -24,6 +24,8 @@ int fvi_events_check(const fvi_method *method, const fvi_run *run,
     if (method->scheme != FVI_SCHEME_VARIABLE_STEP)
         return fvi_fail(error, FVI_EUNSUP, "events", NAN,
                         "this method has no events; fvi-adaptive has");
+    if (run->system->matrices)
+        return fvi_fail(error, FVI_EUNSUP, "events", NAN, "a system with matrices has no events");
     for (size_t i = 0; i < run->event_count; i++) {
         const fvi_event *e = &run->events[i];
         if (e->action != FVI_EVENT_MARK && e->action != FVI_EVENT_STOP

@@ -38,7 +38,7 @@ double fvi_mesh_contact_force(const fvi_stepper *s, const fvi_variable_step_stat
     return sum;
 }
 
-/* n . x of the row, whose roundings are accelerations of 1/h^2. */
+/* The place n . x has rounding errors. Divided by h^2 they are accelerations, and times a mass forces. */
 double fvi_mesh_contact_noise(const fvi_stepper *s, const fvi_variable_step_state *o, size_t l)
 {
     const fvi_mechanism_state *of = s->mechanism;

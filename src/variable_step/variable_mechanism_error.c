@@ -57,10 +57,10 @@ static int project_stages(fvi_stepper *s, double *v)
     return status;
 }
 
-/* As that of variable_steps.c. A coordinate without inertia keeps no velocity, so that an error of its
- * velocity moves it no farther than this step. Where forces jump, and its dampers are stiff at once, its place jumps, too: it
- * does so within the shortest step, which knows where to, and the polynomial of that step is of no use. v: of the stages; zdot: of dampers, stage i of damper e at
- * [i * by_stage + e * by_damper]. */
+/* The error of the step, as in variable_steps.c. A coordinate without inertia keeps no velocity, so an error of its
+ * velocity moves it no farther than this step. Where forces jump and its dampers are stiff at once, its place jumps
+ * within the shortest step. The end of this step is right, but its polynomial tells nothing of the error, so this
+ * coordinate does not count. v: of the stages; zdot: of dampers, stage i of damper e at [i * by_stage + e * by_damper]. */
 //> estimate
 static double estimate(const fvi_stepper *s, const fvi_variable_step_state *o, const double *v,
                        const double *zdot, size_t by_stage, size_t by_damper)

@@ -79,9 +79,9 @@ static double order_of_relaxation(const fvi_kernel *kernel)
     return order;
 }
 
-/* Without inertia a coordinate moves as t^q out of its balance, q < 1 the highest order of its dampers; or, if all of
- * them are stiff at once, it jumps and then moves as t^q, q the order of their relaxation: the smallest q, or INFINITY. Does a
- * coordinate jump so? */
+/* The smallest q < 1 with which a coordinate without inertia moves out of its balance as t^q, or INFINITY; to *has_jump
+ * whether one of them jumps before it moves so. q is the highest order of its dampers. If all of these are stiff at once
+ * the coordinate jumps, and q is the order of their relaxation. */
 static double power_of_massless(const fvi_stepper *s, int *has_jump)
 {
     const fvi_mechanism_state *m = s->mechanism;
@@ -104,8 +104,8 @@ static double power_of_massless(const fvi_stepper *s, int *has_jump)
     return least;
 }
 
-/* Behind a jump the equation of a coordinate without inertia has the square of the length as a factor, and its roundings must
- * not vanish. */
+/* No step behind a jump of a coordinate without inertia is shorter: its equation has the square of the length as a factor,
+ * whose roundings must not vanish. */
 static const double LEAST_OF_MASSLESS = 1e-140;
 
 /* lambda is as t^{1 - order} behind a jump of zdot, and as t^{-order} behind one of z. A step as short as h

@@ -100,7 +100,8 @@ int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o)
         if (!fvi_event_has_wall(e)
             || e->value(s->t, o->d, s->x, s->p, e->params, &z) || z != 0)
             continue; /* what fails here fails in the first step, too */
-        const int status = fvi_variable_step_speed_of_event(s, i, s->t, s->x, s->p, o->watch->point + 2 * o->d, &speed);
+        const int status = fvi_variable_step_speed_of_event(s, i, s->t, s->x, s->p,
+                                                            o->watch->point + 2 * o->d, &speed);
         if (status)
             return status;
         if (speed * fvi_variable_step_outside(e) < 0) {

@@ -1,7 +1,8 @@
 /* src/variable_step/variable_step_places.c -- Where z comes through 0 and turns back within a step.   [H 22]
  *
- * z is known at the stages. Where |z| is smaller at one of them than at the two beside it, it has a least value between
- * these, and parabolas find whether that is beyond 0. At the ends of the step its slope there says whether there is one. */
+ * z is known at the stages. Where |z| is smaller at one stage than at the two stages beside it, |z| has a least value
+ * between these, and parabolas find whether z is beyond 0 there. Near an end of the step the slope of z says whether
+ * there is such a place. */
 #include "variable_step_events.h"
 
 #include "system/larger.h"
@@ -90,8 +91,8 @@ static int is_far(const fvi_variable_step_state *o, size_t i, double first)
     return farthest - nearest < nearest;
 }
 
-/* The beginning, the stages, and near both ends of the step, where |z| is less than at the stage beside it, a place
- * that says how it goes on. */
+/* All places but the beginning, which is there: the stages and, where |z| at an end of the step is less than at the stage
+ * beside it, a place near that end, which says how z goes on. */
 static int find_known(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
                       known_places *to)
 {
@@ -113,7 +114,8 @@ static int find_known(const fvi_stepper *s, const fvi_variable_step_state *o, si
     return status;
 }
 
-/* Is |z| at place n less than at both places beside it, on the same side of 0? To *b those three; to *side that side. */
+/* Is |z| at place n less than at both places beside it, on the same side of 0? To *b these three places; to *side the
+ * side. */
 static int is_least(const fvi_event_watch *w, size_t i, const fvi_event_places *at, size_t n,
                     double *side, bracket *b)
 {

@@ -120,9 +120,6 @@ static int refuse(const fvi_stepper *s)
         return fvi_fail(s->error, FVI_EUNSUP, "matrices", NAN,
                         "these matrices have no complex factors, or no product with M, which "
                         "methods with stages need");
-    if (s->run.event_count > 0)
-        return fvi_fail(s->error, FVI_EUNSUP, "events", NAN,
-                        "a system with matrices has no events");
     for (size_t j = 0; j < fvi_run_damper_count(&s->run); j++) {
         const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
         if (of.growth == 2 && of.matrix.remembered > 0)

@@ -180,6 +180,7 @@ def test_with_events_an_acceleration_is_known_and_a_force_is_not():
     (lambda: fvi.Event("x", gradient=abs), ValueError, "^events: gradient: a text has its own"),
     (lambda: fvi.Problem(events="x : stop"), TypeError, "fvi.solve takes it"),
     (lambda: fvi.solve(fvi.Problem(M=[[1]], K=[[1]]), events="x : stop"), fvi.Error, "matrices"),
+    (lambda: fvi.solve(fvi.Problem(M=[[1]], K=[[1]]), events="x : contact:0"), fvi.Error, "^a system with matrices has no events"),
     (lambda: fvi.vjp(fvi.solve(BALL, events="v : mark"), x=1), fvi.Error, "a run with events has no adjoint"),
 ])
 def test_a_wrong_event_is_named(call, what, why):
