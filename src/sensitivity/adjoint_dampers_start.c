@@ -23,12 +23,12 @@ int fvi_adjoint_dampers_check(const fvi_method *method, const fvi_run *run,
         if (m->damper[j].past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
             continue;
         if (method->scheme == FVI_SCHEME_FVI)
-            FVI_FAIL("no adjoint by fvi with Riemann and Liouville's past of one of "
-                     "several dampers; by fvi-bdf2 and fvi-stable there is",
+            FVI_FAIL("fvi has no adjoint if one of several dampers has Riemann and Liouville's past; the other "
+                     "methods have",
                      FVI_EUNSUP);
         if (!fvi_kernel_is_power(kernel) || kernel->term->alpha > 0.5)
-            FVI_FAIL("no adjoint with Riemann and Liouville's past of a law that other starts would "
-                     "stretch: no method of an adjoint knows them",
+            FVI_FAIL("one of several dampers may have Riemann and Liouville's past in an adjoint if its law is one power "
+                     "of an order up to 1",
                      FVI_EUNSUP);
     }
     return FVI_SUCCESS;
