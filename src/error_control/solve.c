@@ -185,7 +185,7 @@ static int observe_run(fvi_solve_state *o, fvi_stepper *s)
     fvi_observer *observer = NULL;
     double *room = malloc(2 * o->run.system->d * sizeof *room);
     if (!room)
-        return fvi_fail(o->error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(o->error, NULL);
     int status = o->out->observed ? fvi_observer_start(s, o->out->wanted,
                                                        &observer, o->error)
                                   : FVI_SUCCESS;
@@ -334,7 +334,7 @@ static int solve_to_tolerance(fvi_solve_state *o)
                         "rows must be addressable");
     double *x = malloc(2 * rows * d * sizeof *x);
     if (!x)
-        return fvi_fail(o->error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(o->error, NULL);
     double *p = x + rows * d;
     int status = search(o, x, p);
     if (status)

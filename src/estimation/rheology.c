@@ -207,7 +207,7 @@ static int fit(fvi_rheology_work *o, double *curve, fvi_material *answer, fvi_er
         gsl_rng_free(random);
     free(starts);
     if (!memory)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(error, NULL);
     if (!(sum < INFINITY))
         return fvi_fail(error, FVI_EBADFUNC, NULL, NAN, "no start gives a law that is finite");
     sort_elements(&o->model, z);

@@ -30,7 +30,7 @@ static int take_along(const fvi_linear_motion *motion, fvi_response *r,
 {
     r->along = malloc(r->d * sizeof *r->along);
     if (!r->along)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(error, NULL);
     for (size_t i = 0; i < r->d; i++)
         r->along[i] = motion->along ? motion->along[i] : 1;
     return fvi_all_finite(r->d, r->along)
@@ -55,7 +55,7 @@ int fvi_response_alloc(const fvi_linear_motion *motion, fvi_response **response,
                             "the place is not finite");
     fvi_response *r = calloc(1, sizeof *r);
     if (!r)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(error, NULL);
     r->d = motion->system->d;
     status = take_along(motion, r, error);
     if (!status)
@@ -217,7 +217,7 @@ int fvi_response_at(fvi_response *r, fvi_response_kind kind, size_t n,
                         "there are %zu unknowns", r->d);
     double complex *x = malloc(r->d * sizeof *x);
     if (!x)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(error, NULL);
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < n; i++) {
         status = one_frequency(r, kind, omega[i], at, by, x, H + 2 * i);

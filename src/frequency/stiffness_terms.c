@@ -9,11 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int no_memory(fvi_error *error)
-{
-    return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
-}
-
 /* One more term, of which `own` is taken over, or the matrix is the caller's. */
 static void take_term(fvi_response *r, const fvi_sparse *matrix,
                       const fvi_sparse *own, const fvi_kernel *kernel)
@@ -43,7 +38,7 @@ static int take_triplets(fvi_response *r, size_t count,
                             kernel ? "an elongation has no finite gradient"
                                    : "the Hessian is not finite");
     if (fvi_sparse_assemble(r->d, count, triplets, &A))
-        return no_memory(error);
+        return fvi_no_memory(error, NULL);
     take_term(r, NULL, &A, kernel);
     return FVI_SUCCESS;
 }
@@ -53,7 +48,7 @@ static int take_diagonal(fvi_response *r, const double *diagonal,
 {
     fvi_triplet *list = malloc(r->d * sizeof *list);
     if (!list)
-        return no_memory(error);
+        return fvi_no_memory(error, NULL);
     for (size_t i = 0; i < r->d; i++)
         list[i] = (fvi_triplet){ (int)i, (int)i, diagonal ? diagonal[i] : 0 };
     const int status = take_triplets(r, r->d, list, kernel, error);
@@ -89,7 +84,7 @@ static int take_hessian(fvi_response *r, const fvi_system *system,
     const size_t room = w ? d * w : d * d;
     double *H = malloc(room * sizeof *H);
     fvi_triplet *list = malloc(2 * room * sizeof *list);
-    int status = H && list ? FVI_SUCCESS : no_memory(error);
+    int status = H && list ? FVI_SUCCESS : fvi_no_memory(error, NULL);
     if (!status) {
         status = system->potential.hessian(d, at, system->potential.params, H);
         if (status)
@@ -115,7 +110,7 @@ static int find_gradient(const fvi_elongation *of, size_t d, const double *at, d
     }
     double *later = calloc(d, sizeof *later);
     if (!later)
-        return no_memory(error);
+        return fvi_no_memory(error, NULL);
     int status = of->gradient ? of->gradient(0, d, at, of->params, g) : FVI_EFAULT;
     if (status)
         (void)fvi_fail(error, status, "damper", NAN,
@@ -135,7 +130,7 @@ static int take_elongation(fvi_response *r, const fvi_damper *damper,
 {
     const size_t d = r->d;
     double *g = calloc(d, sizeof *g);
-    int status = g ? find_gradient(&damper->of, d, at, g, error) : no_memory(error);
+    int status = g ? find_gradient(&damper->of, d, at, g, error) : fvi_no_memory(error, NULL);
     size_t touched = 0, n = 0;
     for (size_t i = 0; !status && i < d; i++)
         touched += g[i] != 0;
@@ -146,7 +141,7 @@ static int take_elongation(fvi_response *r, const fvi_damper *damper,
                 list[n++] = (fvi_triplet){ (int)i, (int)j, g[i] * g[j] };
     if (!status)
         status = list ? take_triplets(r, n, list, damper->kernel, error)
-                      : no_memory(error);
+                      : fvi_no_memory(error, NULL);
     free(list);
     free(g);
     return status;
@@ -211,7 +206,7 @@ int fvi_stiffness_build(const fvi_linear_motion *motion, fvi_response *r,
     double *origin = calloc(r->d, sizeof *origin);
     const double *at = motion->at ? motion->at : origin;
     r->term = calloc(dampers + 3, sizeof *r->term);
-    int status = origin && r->term ? FVI_SUCCESS : no_memory(error);
+    int status = origin && r->term ? FVI_SUCCESS : fvi_no_memory(error, NULL);
     if (!status && matrices && !(matrices->M && matrices->K))
         status = fvi_fail(error, FVI_EUNSUP, "matrices", NAN,
                           "these matrices do not say their entries");
@@ -228,7 +223,7 @@ int fvi_stiffness_build(const fvi_linear_motion *motion, fvi_response *r,
     if (!status)
         status = take_dampers(r, mechanism, at, error);
     if (!status && fvi_stiffness_find_pattern(r))
-        status = no_memory(error);
+        status = fvi_no_memory(error, NULL);
     free(origin);
     return status;
 }

@@ -76,6 +76,10 @@ __attribute__((format(printf, 5, 6))) int
 fvi_fail(fvi_error *error, int code, const char *field, double value,
          const char *format, ...);
 
+/* fvi_no_memory -- the same where there is no memory; returns FVI_ENOMEM. */
+#define fvi_no_memory(error, field) \
+    fvi_fail(error, FVI_ENOMEM, field, __builtin_nan(""), "not enough memory")
+
 /* fvi_error_handler -- called, if one is set, where an error arises, before its code
  * is returned: what is wrong, in which file and line, and the code. It may end the
  * process, or return. Not called for what a callback returned, nor for what comes out

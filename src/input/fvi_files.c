@@ -89,3 +89,10 @@ int fvi_check_output(const char *option, const char *name, fvi_error *c)
                               option, name, inputs[i].option);
     return 0;
 }
+
+int fvi_check_second_file(const char *option, const char *name, const char *table, fvi_error *c)
+{
+    if (name && !*name)
+        return fvi_refuse(c, option, "'' is not a file's name");
+    return name && fvi_same_file(name, table) ? fvi_refuse(c, option, "'%s' is the table's file, too", name) : 0;
+}

@@ -26,4 +26,8 @@ const char *fvi_marked_option(size_t i);
  * has opened. Returns 0, or 2 with a complaint. */
 int fvi_check_output(const char *option, const char *name, fvi_error *c);
 
+/* fvi_check_second_file -- refuse, for an option without dashes, a name that is empty, or that of the table's file.
+ * Without a name nothing is refused. */
+int fvi_check_second_file(const char *option, const char *name, const char *table, fvi_error *c);
+
 #endif

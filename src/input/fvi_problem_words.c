@@ -29,7 +29,7 @@ static int add(list *l, char *word, fvi_error *error)
             l->room = room;
     }
     if (!word)
-        return fvi_fail(error, FVI_ENOMEM, "problem", NAN, "not enough memory");
+        return fvi_no_memory(error, "problem");
     l->word[l->count++] = word;
     l->word[l->count] = NULL;
     return 0;
@@ -114,17 +114,18 @@ static int take_file(list *l, const char *name, fvi_error *error)
     return status;
 }
 
-/* Is this --problem, with its value? Then that is the value; NULL if it is missing. */
-static int is_problem(char **argv, int argc, int *i, const char **value)
+int fvi_word_is_option(const char *word, const char *name)
 {
-    static const char name[] = "--problem";
-    const size_t length = sizeof name - 1;
-    if (strncmp(argv[*i], name, length) != 0
-        || (argv[*i][length] && argv[*i][length] != '='))
+    const size_t length = strcspn(word, "=");
+    return strncmp(word, "--", 2) == 0 && length == strlen(name) + 2 && strncmp(word + 2, name, length - 2) == 0;
+}
+
+int fvi_option_with_value(char *const *words, int *i, const char *name, const char **value)
+{
+    if (!fvi_word_is_option(words[*i], name))
         return 0;
-    *value = argv[*i][length] ? argv[*i] + length + 1
-             : *i + 1 < argc  ? argv[++*i]
-                              : NULL;
+    const char *equals = strchr(words[*i], '=');
+    *value = equals ? equals + 1 : words[++*i];
     return 1;
 }
 
@@ -134,7 +135,7 @@ int fvi_problem_words(int *argc, char ***argv, fvi_error *error)
     int found = 0, status = 0;
     for (int i = 0; i < *argc && !status; i++) {
         const char *file;
-        if (i < 2 || !is_problem(*argv, *argc, &i, &file)) {
+        if (i < 2 || !fvi_option_with_value(*argv, &i, "problem", &file)) {
             status = add(&l, (*argv)[i], error);
             continue;
         }

@@ -14,4 +14,10 @@
  * line that is no word, or names a file again; FVI_ENOMEM. */
 int fvi_problem_words(int *argc, char ***argv, fvi_error *error);
 
+/* fvi_word_is_option -- is the word "--name" or "--name=value"?
+ * fvi_option_with_value -- is word *i, and then *value what stands behind =, or the next word, which *i counts; NULL
+ * if there is none? The words are ended by NULL. */
+int fvi_word_is_option(const char *word, const char *name);
+int fvi_option_with_value(char *const *words, int *i, const char *name, const char **value);
+
 #endif

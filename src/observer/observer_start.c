@@ -238,7 +238,7 @@ int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **to,
                         "fvi-lobatto2d to 8d do");
     fvi_observer *o = calloc(1, sizeof *o);
     if (!o)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(error, NULL);
     describe(o, s, wanted);
     const int status = begin(o, s);
     if (status) {

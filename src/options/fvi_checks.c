@@ -30,7 +30,7 @@ static int check_modes(const fvi_options *o, fvi_error *c)
     int has = 1;
     if ((o->text[DAMPING] || of_folder) && o->memory == FVI_HISTORY_MODES
         && !o->method->dense && fvi_method_has_modes(o->method, &run, &has))
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     return has ? 0
                : fvi_refuse(c, "memory", "'exponentials': of --%s '%s' there "
                             "are none with this step; 'auto' sums it all",
@@ -136,7 +136,7 @@ int fvi_check_solution(fvi_options *o, fvi_error *c)
     const fvi_system system = fvi_options_system(o);
     const fvi_run run = fvi_options_run(o, &system);
     if (fvi_warning_of_initial_history(&run, &o->no_solution) < 0)
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     if (!o->no_solution || (o->method && o->method->paper_convention && o->error == 0))
         return 0;
     if (system.mechanism) {

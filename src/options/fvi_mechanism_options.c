@@ -194,7 +194,7 @@ int fvi_problem_mechanism(fvi_options *o, fvi_error *c)
     if (!fvi_wants_mechanism(o) || o->directory) /* whose dampers are its own */
         return 0;
     if (o->potential_has_time && !(in_time = lagrangian_of_potential(o)))
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     fvi_mechanism_texts texts = { .lagrangian = in_time ? in_time
                                                         : o->text[LAGRANGIAN],
                                   .dampers = o->list[0].count,
@@ -259,7 +259,7 @@ int fvi_problem_velocity(fvi_options *o, fvi_error *c)
         return 0;
     double *v = malloc(o->d * sizeof *v);
     if (!v)
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     int status = fvi_parse_numbers("v0", o->text[V0], -INFINITY, INFINITY, "()",
                                    o->d, v, c);
     const fvi_system system = fvi_options_system(o);

@@ -11,7 +11,7 @@ static int start(fvi_options *o, fvi_error *c)
 {
     o->column_source = malloc(sizeof *o->column_source);
     if (!o->column_source)
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     const fvi_system system = fvi_options_system(o);
     *o->column_source = (fvi_column_source){ .d = o->d,
                                              .is_numbered = o->numbered,
@@ -43,7 +43,7 @@ int fvi_options_columns(fvi_options *o, fvi_error *c)
     o->typed_row = calloc(fvi_typed_columns_count(o->typed) + 1,
                           sizeof *o->typed_row);
     return o->typed_row ? 0
-                        : fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+                        : fvi_no_memory(c, NULL);
 }
 
 int fvi_options_observes(const fvi_options *o)

@@ -1,5 +1,6 @@
 /* src/options/fvi_option_list.c -- What the command line of build/fvi can say. */
 #include "fvi_option_list.h"
+#include "input/fvi_problem_words.h"
 
 #include <string.h>
 
@@ -71,12 +72,10 @@ int fvi_option_is_known(fvi_command command, option_index i)
 
 option_index fvi_option_named(const char *word)
 {
-    const size_t length = strcspn(word, "=");
-    for (int i = 0; i < OUTPUT && strncmp(word, "--", 2) == 0; i++)
-        if (strlen(fvi_option_list[i].name) == length - 2
-            && strncmp(fvi_option_list[i].name, word + 2, length - 2) == 0)
-            return (option_index)i;
-    return OPTIONS;
+    int i = 0;
+    while (i < OUTPUT && !fvi_word_is_option(word, fvi_option_list[i].name))
+        i++;
+    return i < OUTPUT ? (option_index)i : OPTIONS;
 }
 
 int fvi_options_describe(const fvi_options *o, size_t i, const char **name,

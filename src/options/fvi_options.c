@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* getopt_long */
 #include "fvi_options.h"
 #include "fvi_mechanism_options.h"
+#include "input/fvi_problem_words.h"
 
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/variable_steps.h>
@@ -88,10 +89,7 @@ static int take(fvi_options *o, int found, const char *given, fvi_error *c)
     if (bare)
         found = optopt == 'o' ? 256 + OUTPUT : optopt;
     option_index i = (option_index)(found - 256);
-    size_t length = strcspn(given, "=");
-    if (i != OUTPUT
-        && (length != strlen(fvi_option_list[i].name) + 2
-            || strncmp(given + 2, fvi_option_list[i].name, length - 2) != 0))
+    if (i != OUTPUT && !fvi_word_is_option(given, fvi_option_list[i].name))
         return unknown(o, given, c);
     if (!fvi_option_is_known(o->command, i))
         return fvi_refuse(c, NULL, "%s%s: not an option of this command",

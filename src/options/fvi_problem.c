@@ -173,7 +173,7 @@ int fvi_problem_ground(fvi_options *o, fvi_error *c)
                           "motion itself");
     double *r = malloc(o->d * sizeof *r);
     if (!r)
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     const char *along = o->text[ALONG] ? o->text[ALONG] : "1";
     if (*along == '@')
         fvi_mark_read("along", along + 1);
@@ -198,7 +198,7 @@ int fvi_problem_unknowns(fvi_options *o, fvi_error *c)
     const char *text = o->text[UNKNOWNS];
     o->shown = malloc(o->d * sizeof *o->shown);
     if (!o->shown)
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     for (; !text && o->shown_count < o->d; o->shown_count++)
         o->shown[o->shown_count] = o->shown_count;
     while (text) {

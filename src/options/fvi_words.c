@@ -6,6 +6,13 @@
 #include <string.h>
 #include <strings.h>
 
+int fvi_is_one_of(const char *word, const char *const *words)
+{
+    while (*words && strcmp(*words, word) != 0)
+        words++;
+    return *words != NULL;
+}
+
 int fvi_word_once(const char *dashes, const char *name, const char **text,
                   const char *value, fvi_error *c)
 {
@@ -37,7 +44,7 @@ static int take_typed(const char *at, size_t length,
     char *item = strndup(at, length);
     const size_t first = fvi_typed_columns_count(typed);
     if (!item)
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     const int status = fvi_parse_columns(item, parameters, typed, c);
     free(item);
     columns->first[columns->count] = first;

@@ -29,6 +29,9 @@ typedef struct {
     size_t first[FVI_MOST_ITEMS], width[FVI_MOST_ITEMS];
 } fvi_columns;
 
+/* fvi_is_one_of -- is the word one of these, which NULL ends? */
+int fvi_is_one_of(const char *word, const char *const *words);
+
 /* The value of an option, "-" or "--" and its name, into *text, which is NULL before: it may
  * be given again if it says the same. */
 int fvi_word_once(const char *dashes, const char *name, const char **text,

@@ -9,17 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int no_memory(fvi_error *error)
-{
-    return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
-}
-
 int fvi_typed_columns_start(const fvi_column_source *source,
                             fvi_typed_columns **columns, fvi_error *error)
 {
     fvi_typed_columns *c = calloc(1, sizeof *c);
     if (!c)
-        return no_memory(error);
+        return fvi_no_memory(error, NULL);
     c->source = source;
     *columns = c;
     return FVI_SUCCESS;
@@ -126,7 +121,7 @@ int fvi_column_item(const char *field, const char *text, size_t length,
     char *right = fvi_column_text(begin, length - (size_t)(begin - text)),
          *name = fvi_column_text(text, equals ? (size_t)(equals - text) : length);
     *column = (fvi_typed_column){ name, NULL, equals != NULL };
-    int status = right && name ? FVI_SUCCESS : no_memory(error);
+    int status = right && name ? FVI_SUCCESS : fvi_no_memory(error, NULL);
     if (!status && equals)
         status = check_name(field, name, parameters, c, error);
     if (!status)
@@ -154,7 +149,7 @@ static int add_column(fvi_typed_columns *c, fvi_typed_column column,
         realloc(c->column, (c->columns + 1) * sizeof *more);
     if (!more) {
         free_column(&column);
-        return no_memory(error);
+        return fvi_no_memory(error, NULL);
     }
     c->column = more;
     c->column[c->columns++] = column;

@@ -180,8 +180,7 @@ static int make_room(size_t n, size_t width, size_t *room, double **rows, const 
     *room = 2 * *room + 256;
     double *more = realloc(*rows, width * *room * sizeof *more);
     if (!more)
-        return fvi_fail(r->error, FVI_ENOMEM, r->field, NAN,
-                        "not enough memory");
+        return fvi_no_memory(r->error, r->field);
     *rows = more;
     return 0;
 }
@@ -244,7 +243,7 @@ static int read_columns(const char *field, const char *file, const wish *w, size
                           file);
     *block = !status ? malloc(w->count * *n * sizeof **block) : NULL;
     if (!status && !*block)
-        status = fvi_fail(error, FVI_ENOMEM, field, NAN, "not enough memory");
+        status = fvi_no_memory(error, field);
     for (size_t i = 0; !status && i < *n; i++)
         for (size_t k = 0; k < w->count; k++)
             (*block)[k * *n + i] = rows[w->count * i + k];

@@ -12,11 +12,6 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-static int no_memory(fvi_error *error)
-{
-    return fvi_fail(error, FVI_ENOMEM, "system", NAN, "not enough memory");
-}
-
 /* DIR/file. */
 const char *fvi_directory_path(const fvi_directory *d, const char *file, char *place)
 {
@@ -40,7 +35,7 @@ int fvi_directory_read_matrix(const fvi_directory *d, const char *file, fvi_spar
     fvi_misread wrong = { 0, "", 0 };
     int status = fvi_sparse_read(fvi_directory_path(d, file, place), A, &wrong);
     if (status == FVI_ENOMEM)
-        return no_memory(error);
+        return fvi_no_memory(error, "system");
     if (status && wrong.line == 0)
         return fvi_fail(error, FVI_EINVAL, "system", NAN, "%s: %s", place, wrong.reason);
     if (status && wrong.column == 0)
@@ -81,7 +76,7 @@ int fvi_directory_refuse_matrix(const fvi_directory *d, int status, const char *
         : A != &d->K ? "not positive semidefinite: it would feed the motion"
                      : "not a matrix of a system";
     if (status == FVI_ENOMEM)
-        return no_memory(error);
+        return fvi_no_memory(error, "system");
     char place[PATH_MAX + 8];
     int row = -1, column = -1;
     size_t line = 0;
@@ -192,7 +187,7 @@ int fvi_directory_open_dampers(const char *name, size_t count, const char *const
 {
     fvi_directory *d = calloc(1, sizeof *d);
     if (!d)
-        return no_memory(error);
+        return fvi_no_memory(error, "system");
     int status = 0;
     if (strlen(name) >= sizeof d->name)
         status = fvi_fail(error, FVI_EINVAL, "system", NAN, "'%s' is too long", name);

@@ -6,11 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int no_memory(fvi_error *error)
-{
-    return fvi_fail(error, FVI_ENOMEM, "damper", NAN, "not enough memory");
-}
-
 /* The error of damper j, from 0. */
 static int of_damper(size_t j, int status, fvi_error *error)
 {
@@ -36,7 +31,7 @@ int fvi_directory_parse_dampers(fvi_directory *d, size_t count, const char *cons
     d->damper = calloc(count + 1, sizeof *d->damper);
     fvi_typed_damper *known = calloc(count + 1, sizeof *known);
     if (!d->each || !d->damper || !known)
-        status = no_memory(error);
+        status = fvi_no_memory(error, "damper");
     for (size_t j = 0; !status && j < count; j++) {
         fvi_directory_damper *damper = d->each + j;
         d->dampers++;
@@ -101,7 +96,7 @@ static int parse_row(fvi_directory *d, fvi_directory_damper *damper,
     if (!status)
         status = room && damper->row
                      ? find_row(text, e, n, damper->row, room, room + n + 1, error)
-                     : no_memory(error);
+                     : fvi_no_memory(error, "damper");
     free(room);
     fvi_expression_free(e);
     return status;

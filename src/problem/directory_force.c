@@ -121,7 +121,7 @@ int fvi_directory_force(fvi_directory *d, double last, int *found,
         status = read_rows(&r, l, d->M.n);
     fvi_rows_close(&r);
     if (status)
-        return status == FVI_ENOMEM ? fvi_fail(error, FVI_ENOMEM, "system", NAN, "not enough memory") : status;
+        return status == FVI_ENOMEM ? fvi_no_memory(error, "system") : status;
     if (l->rows == 0)
         return fvi_fail(error, FVI_EINVAL, "system", NAN, "%s: has no rows", place);
     const double end = l->t[(l->rows - 1) * (l->width + 1)];

@@ -9,11 +9,6 @@
 #include <string.h>
 #include <strings.h>
 
-static int no_memory(const char *field, fvi_error *error)
-{
-    return fvi_fail(error, FVI_ENOMEM, field, NAN, "not enough memory");
-}
-
 /* "F.csv", or "F.csv:TIME,VALUE" with the names of its columns, which must then be there. */
 static int read_columns(fvi_force_part *p, const char *field, const char *text,
                         fvi_error *error)
@@ -25,7 +20,7 @@ static int read_columns(fvi_force_part *p, const char *field, const char *text,
         p->file = strdup(text);
         return p->file ? fvi_parse_table(field, text, columns, &p->n, &p->t,
                                          &p->F, error)
-                       : no_memory(field, error);
+                       : fvi_no_memory(error, field);
     }
     char *time = strndup(colon + 1, (size_t)(comma - colon - 1));
     p->file = strndup(text, (size_t)(colon - text));
@@ -33,7 +28,7 @@ static int read_columns(fvi_force_part *p, const char *field, const char *text,
     const int status =
         time && p->file ? fvi_parse_named_table(field, p->file, columns, &p->n,
                                                 &p->t, &p->F, error)
-                        : no_memory(field, error);
+                        : fvi_no_memory(error, field);
     free(time);
     return status;
 }
@@ -77,7 +72,7 @@ static int read_scaled_file(fvi_force_part *p, const char *field, const char *te
     char *factor = strndup(text, (size_t)(file - 1 - text));
     int status = factor ? fvi_parse_expression(field, NULL, 0, factor, NULL, &e,
                                                error)
-                        : no_memory(field, error);
+                        : fvi_no_memory(error, field);
     free(factor);
     if (status)
         return status;
@@ -238,7 +233,7 @@ static int add_part(fvi_typed_force *f, const char *field, char *word,
 {
     fvi_force_part *parts = realloc(f->parts, (f->count + 1) * sizeof *parts);
     if (!parts)
-        return no_memory(field, error);
+        return fvi_no_memory(error, field);
     f->parts = parts;
     parts[f->count] = (fvi_force_part){ .kind = FVI_FORCING_NONE };
     memcpy(word, at, length);
@@ -260,7 +255,7 @@ int fvi_parse_force_of(const char *field, const char *text, size_t d,
         return fvi_fail(error, FVI_EFAULT, field, NAN, "null pointer");
     char *word = malloc(strlen(text) + 1);
     fvi_typed_force *new = calloc(1, sizeof *new);
-    int status = word && new ? FVI_SUCCESS : no_memory(field, error);
+    int status = word && new ? FVI_SUCCESS : fvi_no_memory(error, field);
     for (const char *at = text, *end; !status; at = end + 3) {
         at += strspn(at, " ");
         end = end_of_part(at);
@@ -270,7 +265,7 @@ int fvi_parse_force_of(const char *field, const char *text, size_t d,
             break;
     }
     if (!status && (collect_jumps(new) || collect_impulses(new, d)))
-        status = no_memory(field, error);
+        status = fvi_no_memory(error, field);
     free(word);
     if (status)
         fvi_typed_force_free(new);

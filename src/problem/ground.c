@@ -103,7 +103,7 @@ int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system,
     if (!g || !pull) {
         free(g);
         free(pull);
-        return fvi_fail(error, FVI_ENOMEM, "ground", NAN, "not enough memory");
+        return fvi_no_memory(error, "ground");
     }
     *g = (fvi_ground){ .d = system->d,
                        .pull = pull,
@@ -111,7 +111,7 @@ int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system,
                        .others = system->force };
     int status = find_pull(g, system, r, error);
     if (!status && collect_jumps(g))
-        status = fvi_fail(error, FVI_ENOMEM, "ground", NAN, "not enough memory");
+        status = fvi_no_memory(error, "ground");
     if (status)
         fvi_ground_free(g);
     else

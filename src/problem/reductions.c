@@ -87,7 +87,7 @@ static int add_reduction(fvi_typed_columns *c, fvi_reduction r,
     fvi_reduction *more =
         realloc(c->reduction, (c->reductions + 1) * sizeof *more);
     if (!more)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(error, NULL);
     c->reduction = more;
     c->reduction[c->reductions++] = r;
     return FVI_SUCCESS;
@@ -100,7 +100,7 @@ static int name_reduction(const char *text, size_t length, fvi_typed_columns *c,
     free(r->of.name);
     r->of.name = fvi_column_text(text, length);
     if (!r->of.name)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(error, NULL);
     for (size_t i = 0; i < c->reductions; i++)
         if (strcmp(c->reduction[i].of.name, r->of.name) == 0)
             return fvi_fail(error, FVI_EINVAL, "reduce", NAN,

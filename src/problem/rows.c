@@ -8,15 +8,10 @@
 
 static const char blank[] = " \t", between[] = " \t,;";
 
-static int no_memory(const fvi_rows *r)
-{
-    return fvi_fail(r->error, FVI_ENOMEM, r->field, NAN, "not enough memory");
-}
-
 /* A file is opened, and read, with memory of the C library's own. */
 static int cannot_read(const fvi_rows *r)
 {
-    return errno == ENOMEM ? no_memory(r)
+    return errno == ENOMEM ? fvi_no_memory(r->error, r->field)
                            : fvi_fail(r->error, FVI_EINVAL, r->field, NAN,
                                       "cannot read '%s': %s", r->name,
                                       strerror(errno));
@@ -76,7 +71,7 @@ static int keep(fvi_rows *r, const char *at, double value)
         size_t *columns = realloc(r->columns, room * sizeof *columns);
         r->columns = columns ? columns : r->columns;
         if (!values || !columns)
-            return no_memory(r);
+            return fvi_no_memory(r->error, r->field);
         r->room = room;
     }
     r->columns[r->count] = (size_t)(at - r->lines.text) + 1;
@@ -170,7 +165,7 @@ int fvi_rows_next(fvi_rows *r, fvi_rows_kind *kind)
     } while (!status && found && text[strspn(text, between)] == '\0');
     if (status)
         return status == FVI_ENOMEM
-                   ? no_memory(r)
+                   ? fvi_no_memory(r->error, r->field)
                    : refuse(r, r->lines.column, r->lines.reason);
     *kind = FVI_ROWS_END;
     if (!found) /* a folder opens, and fails when it is read */

@@ -192,7 +192,7 @@ int fvi_parse_damping(const char *text, fvi_user_parameters *parameters,
         return parse_symbol(text, parameters, damping, error);
     char *copy = malloc(strlen(text) + 1);
     if (!copy)
-        return fvi_fail(error, FVI_ENOMEM, "damping", NAN, "not enough memory");
+        return fvi_no_memory(error, "damping");
     int status = FVI_SUCCESS;
     for (char *at = strcpy(copy, text), *next = at; next && !status;
          at = next) {

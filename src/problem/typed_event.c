@@ -137,11 +137,6 @@ static int hessian_of_place(double t, size_t d, const double *x, double factor, 
 
 /* ---- texts ---- */
 
-static int no_memory(fvi_error *error)
-{
-    return fvi_fail(error, FVI_ENOMEM, "event", NAN, "not enough memory");
-}
-
 /* impact:E, contact:E, stop, mark. */
 static int parse_action(const char *text, fvi_event *event, fvi_error *error)
 {
@@ -241,7 +236,7 @@ static int parse_event(const char *text, typed_event *e, fvi_event *event,
     text += strspn(text, " ");
     e->name = strndup(text, end > text ? (size_t)(end - text) : 0);
     if (!e->name)
-        return no_memory(error);
+        return fvi_no_memory(error, "event");
     *event = (fvi_event){ .params = e };
     const int status = parse_action(colon + 3 + strspn(colon + 3, " "), event, error);
     return status ? status : refuse_coordinate(e, parse_value(e, event, parameters, error), error);
@@ -255,10 +250,10 @@ int fvi_parse_events(size_t count, const char *const *texts, size_t d,
         return fvi_fail(error, FVI_EFAULT, "event", NAN, "null pointer");
     fvi_typed_events *new = calloc(1, sizeof *new);
     if (!new)
-        return no_memory(error);
+        return fvi_no_memory(error, "event");
     new->typed = calloc(count + 1, sizeof *new->typed);
     new->events = calloc(count + 1, sizeof *new->events);
-    int status = new->typed && new->events ? FVI_SUCCESS : no_memory(error);
+    int status = new->typed && new->events ? FVI_SUCCESS : fvi_no_memory(error, "event");
     for (size_t i = 0; !status && i < count; i++) {
         new->typed[i] = (typed_event){ .d = d, .mass = mass };
         new->count = i + 1;

@@ -171,7 +171,7 @@ static int look_up(const char *field, const char *text, const fvi_run *run, cons
                         text, d->name[0]);
     const char **known = malloc((d->count + 1) * sizeof *known);
     if (!known)
-        return fvi_fail(error, FVI_ENOMEM, field, NAN, "not enough memory");
+        return fvi_no_memory(error, field);
     for (size_t k = 0; k < d->count; k++)
         known[k] = d->name[k];
     known[d->count] = NULL;

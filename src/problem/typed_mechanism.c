@@ -55,22 +55,17 @@ size_t fvi_largest_index(const char *text)
 
 /* ---- dampers ---- */
 
-static int no_memory(fvi_error *error)
-{
-    return fvi_fail(error, FVI_ENOMEM, "damper", NAN, "not enough memory");
-}
-
 static int parse_law(fvi_typed_damper *damper, const char *text,
                      fvi_user_parameters *parameters, fvi_error *error)
 {
     char *law = piece(text, strlen(text)), *colon = law ? strstr(law, " : ") : NULL;
     size_t past = 0;
-    int status = law ? FVI_SUCCESS : no_memory(error);
+    int status = law ? FVI_SUCCESS : fvi_no_memory(error, "damper");
     if (colon) {
         char *word = piece(colon + 3, strlen(colon + 3));
         status = word ? fvi_parse_word("damper", word, fvi_initial_history_words,
                                        &past, error)
-                      : no_memory(error);
+                      : fvi_no_memory(error, "damper");
         free(word);
         while (colon > law && colon[-1] == ' ')
             colon--;
@@ -100,7 +95,7 @@ int fvi_parse_damper(const char *text, size_t count, const fvi_typed_damper *oth
     damper->name = named ? piece(text, named - 1) : NULL;
     *of = piece(g, (size_t)(colon - g));
     if (!*of || (named && !damper->name))
-        return no_memory(error);
+        return fvi_no_memory(error, "damper");
     for (size_t i = 0; named && i < count; i++)
         if (others[i].name && strcmp(others[i].name, damper->name) == 0)
             return fvi_fail(error, FVI_EINVAL, "damper", NAN,
@@ -232,7 +227,7 @@ int fvi_damper_texts(size_t d, const double *rho, double alpha, const char *law,
     *count = 0;
     *list = malloc(d * (sizeof **list + size));
     if (!*list)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(error, NULL);
     char *text = (char *)(*list + d);
     for (size_t i = 0; i < d; i++) {
         if (rho[i] == 0)

@@ -269,7 +269,7 @@ static int parse_lists(fvi_typed_problem *p, fvi_error *error)
     const size_t d = p->problem.system.d;
     p->numbers = malloc(5 * d * sizeof *p->numbers);
     if (!p->numbers)
-        return fvi_fail(error, FVI_ENOMEM, "problem", NAN, "not enough memory");
+        return fvi_no_memory(error, "problem");
     int status = FVI_SUCCESS;
     for (size_t n = 0; n < 5 && !status; n++)
         if (p->text[lists[n].i])
@@ -338,7 +338,7 @@ int fvi_parse_problem(const char *text, fvi_typed_problem **problem,
     fvi_typed_problem *p = calloc(1, sizeof *p);
     if (!p || !(p->copy = strdup(text))) {
         free(p);
-        return fvi_fail(error, FVI_ENOMEM, "problem", NAN, "not enough memory");
+        return fvi_no_memory(error, "problem");
     }
     const int status = parse_all(p, error);
     if (status)

@@ -87,15 +87,14 @@ static int archive_run(const fvi_table *t, fvi_stepper *s, fvi_archive *archive)
 enum { FORM = 60 };
 static void form_of(const fvi_options *o, char text[FORM])
 {
-    static const char *const asked[] = { "columns", "unknowns", "every" };
+    static const char *const asked[] = { "columns", "unknowns", "every", NULL };
     const char *name, *value;
     uint64_t sum = FVI_FIRST_SUM; /* a list of unknowns may be long */
     for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
-        for (size_t n = 0; n < sizeof asked / sizeof *asked; n++)
-            if (strcmp(name, asked[n]) == 0) {
-                sum = fvi_add_to_sum(sum, name, strlen(name) + 1);
-                sum = fvi_add_to_sum(sum, value, strlen(value) + 1);
-            }
+        if (fvi_is_one_of(name, asked)) {
+            sum = fvi_add_to_sum(sum, name, strlen(name) + 1);
+            sum = fvi_add_to_sum(sum, value, strlen(value) + 1);
+        }
     snprintf(text, FORM, "%016jx %s %s", (uintmax_t)sum,
              fvi_format_names[o->format], o->plot ? "plot" : "");
 }

@@ -26,12 +26,8 @@ uint64_t fvi_add_to_sum(uint64_t sum, const void *data, size_t bytes)
 /* What may be another one when a run goes on. */
 static int is_free(const char *name)
 {
-    static const char *const names[] = { "steps", "time", "columns", "unknowns",
-                                         "every" };
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strcmp(name, names[i]) == 0)
-            return 1;
-    return 0;
+    static const char *const names[] = { "steps", "time", "columns", "unknowns", "every", NULL };
+    return fvi_is_one_of(name, names);
 }
 
 /* A line for each file that was read for the problem, with a digest of what is in it: a file

@@ -7,13 +7,12 @@
 #include "output/fvi_complain.h"
 #include "output/fvi_output.h"
 #include "input/fvi_files.h"
+#include "input/fvi_problem_words.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-#define NO_EVENTS "a fit follows derivatives, and none goes through an event"
 
 /* Of a run, and not of a fit, which takes its times from the data. */
 static const char *const not_for_fit[] = { "steps",      "time",     "error",
@@ -27,7 +26,7 @@ static const fvi_own_command fit = {
     .name = "fit",
     .own = { "fit", "sigma", "starts", "compare", "huber", "curve" },
     .without = not_for_fit,
-    .no_events = NO_EVENTS,
+    .no_events = "a fit follows derivatives, and none goes through an event",
     .method = "--method=fvi-lobatto4",
     .operand = FVI_OPERANDS_MOST,
     .flag = "design",
@@ -40,14 +39,6 @@ static const char *const not_for_design[] = { "error",      "step-error", "colum
                                               "checkpoint", "continue",   "system",  "unknowns",
                                               "snapshot",   "longest",    "v0",      "event",
                                               NULL };
-static const fvi_own_command design = {
-    .name = "fit",
-    .own = { "fit", "sigma", "starts", "compare", "huber", "curve" },
-    .without = not_for_design,
-    .no_events = NO_EVENTS,
-    .method = "--method=fvi-lobatto4",
-    .flag = "design"
-};
 
 typedef fvi_fit_request request;
 
@@ -76,33 +67,11 @@ static int check_plan(const request *r, fvi_error *c)
     static const int none_of[] = { STARTS, COMPARE, HUBER };
     for (size_t i = 0; i < sizeof none_of / sizeof *none_of; i++)
         if (r->words.own[none_of[i]])
-            return fvi_refuse(c, design.own[none_of[i]],
+            return fvi_refuse(c, fit.own[none_of[i]],
                               none_of[i] == STARTS
                                   ? "not together with --design, which fits nothing"
                                   : "not together with --design, which is of one column by least "
                                     "squares");
-    return 0;
-}
-
-static int interpret_starts(request *r, fvi_error *c)
-{
-    if (!r->words.own[STARTS])
-        r->words.own[STARTS] = "20";
-    const int status =
-        fvi_parse_whole("starts", r->words.own[STARTS], 1000000, &r->fit.starts, c);
-    if (!status && r->fit.starts < 2)
-        return fvi_refuse(c, "starts", "'%s' is less than 2: one start alone proves nothing",
-                          r->words.own[STARTS]);
-    return status;
-}
-
-static int check_curve(const request *r, fvi_error *c)
-{
-    const char *curve = r->words.own[CURVE];
-    if (curve && !*curve)
-        return fvi_refuse(c, "curve", "'' is not a file's name");
-    if (curve && fvi_same_file(curve, r->o.output))
-        return fvi_refuse(c, "curve", "'%s' is the table's file, too", curve);
     return 0;
 }
 
@@ -147,8 +116,8 @@ static int interpret(request *r, fvi_error *c)
     if (!status && r->words.flag)
         return check_plan(r, c);
     if (!status)
-        status = interpret_starts(r, c);
-    return status ? status : check_curve(r, c);
+        status = fvi_fit_starts(&r->words.own[STARTS], 1000000, &r->fit.starts, c);
+    return status ? status : fvi_check_second_file("curve", r->words.own[CURVE], o->output, c);
 }
 
 /* Steps of their own length where the data ask for them, unless something was said of steps. */
@@ -195,7 +164,7 @@ static int read_data(request *r, fvi_error *c)
     choose_steps(r);
     r->curve = malloc(r->points * sizeof *r->curve);
     return r->curve ? 0
-                    : fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+                    : fvi_no_memory(c, NULL);
 }
 
 /* ---- the search ---- */
@@ -274,7 +243,7 @@ static int planned_times(request *r, fvi_error *c)
                           r->fit.parameters);
     r->t = malloc(n * sizeof *r->t);
     if (!r->t)
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     for (size_t i = 0; i < n; i++)
         r->t[i] = (double)((i + 1) * o->every) * o->h;
     r->fit.t = r->t;
@@ -282,7 +251,7 @@ static int planned_times(request *r, fvi_error *c)
     return 0;
 }
 
-static int print_plan(request *r)
+static int print_plan(request *r, const fvi_own_command *command)
 {
     fvi_estimate f = { .agree = 0 };
     fvi_examination e;
@@ -294,17 +263,15 @@ static int print_plan(request *r)
     FILE *out = fvi_output_open(r->o.output);
     if (!out)
         return fvi_cannot_write(r->o.output);
-    fvi_subcommand_options_head(out, &design, &r->words, &r->o);
+    fvi_subcommand_options_head(out, command, &r->words, &r->o);
     fvi_fit_print_plan(out, r, &f, &e);
     return fvi_output_close(out, 1) ? fvi_cannot_write(r->o.output) : 0;
 }
 
-/* Is it a word, or the first of a word and its value, "--system=DIR"? */
-static int has_word(int argc, char **argv, const char *word)
+static int has_option(int argc, char **argv, const char *name)
 {
-    const size_t length = strlen(word);
     for (int i = 2; i < argc; i++)
-        if (strncmp(argv[i], word, length) == 0 && (!argv[i][length] || argv[i][length] == '='))
+        if (fvi_word_is_option(argv[i], name))
             return 1;
     return 0;
 }
@@ -316,13 +283,10 @@ static int check_words_of_material(int argc, char **argv, fvi_error *c)
 {
     static const char *const names[] = { "law", "weights" };
     for (int i = 2; i < argc; i++)
-        for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
-            const size_t length = strcspn(argv[i], "=");
-            if (strncmp(argv[i], "--", 2) == 0 && length == strlen(names[n]) + 2
-                && strncmp(argv[i] + 2, names[n], length - 2) == 0)
+        for (size_t n = 0; n < sizeof names / sizeof *names; n++)
+            if (fvi_word_is_option(argv[i], names[n]))
                 return fvi_refuse(c, names[n],
                                   "goes with --moduli, --creep or --relaxation alone");
-        }
     return 0;
 }
 
@@ -332,27 +296,27 @@ int fvi_command_fit(int argc, char **argv)
         return fvi_fit_material(argc, argv);
     fvi_error error, *c = &error;
     request r = { .t = NULL };
-    const int is_plan = has_word(argc, argv, "--design");
+    const int is_plan = has_option(argc, argv, "design");
     int status = check_words_of_material(argc, argv, c);
-    fvi_own_command command = is_plan ? design : fit;
-    if (has_word(argc, argv, "--system"))
+    fvi_own_command command = fit;
+    if (is_plan) {
+        command.without = not_for_design;
+        command.operand = 0;
+        command.more = NULL;
+    }
+    if (has_option(argc, argv, "system"))
         command.method = "--method=fvi-lobatto4d"; /* of the methods with stages those take matrices */
     if (!status)
         status = fvi_subcommand_options_parse(&command, argc, argv, &r.words, &r.o, c);
-    const int parsed = !status;
     if (!status)
         status = interpret(&r, c);
     if (!status)
         status = is_plan ? planned_times(&r, c) : read_data(&r, c);
     if (!status)
         status = check_start(&r, c);
-    if (status)
-        status = fvi_refused(&error, fit.name);
-    else
-        status = is_plan ? print_plan(&r) : search_and_print(&r);
+    status = status ? fvi_refused(&error, fit.name) : is_plan ? print_plan(&r, &command) : search_and_print(&r);
     fvi_fit_records_free(&r);
-    if (parsed)
-        fvi_options_free(&r.o);
+    fvi_options_free(&r.o);
     free(r.t);
     free(r.curve);
     return status;

@@ -94,6 +94,15 @@ static int interpret_weights(request *r, fvi_error *c)
     return 0;
 }
 
+int fvi_fit_starts(const char **text, size_t most, size_t *starts, fvi_error *c)
+{
+    *text = *text ? *text : "20";
+    const int status = fvi_parse_whole("starts", *text, most, starts, c);
+    if (!status && *starts < 2)
+        return fvi_refuse(c, "starts", "'%s' is less than 2: one start alone proves nothing", *text);
+    return status;
+}
+
 static int interpret(request *r, fvi_error *c)
 {
     fvi_subcommand_options *w = &r->words;
@@ -102,17 +111,10 @@ static int interpret(request *r, fvi_error *c)
         status = interpret_weights(r, c);
     if (!status && w->own[SIGMA])
         status = fvi_parse_number("sigma", w->own[SIGMA], 0, INFINITY, "()", &r->data.sigma, c);
-    if (!w->own[STARTS])
-        w->own[STARTS] = "20";
     if (!status)
-        status = fvi_parse_whole("starts", w->own[STARTS], 10000, &r->data.starts, c);
-    if (!status && r->data.starts < 2)
-        status = fvi_refuse(c, "starts", "'%s' is less than 2: one start alone proves nothing",
-                            w->own[STARTS]);
-    if (!status && w->own[CURVE]
-        && (!*w->own[CURVE] || fvi_same_file(w->own[CURVE], r->o.output)))
-        status = fvi_refuse(c, "curve", "'%s' is no file's name, or the table's file, too",
-                            w->own[CURVE]);
+        status = fvi_fit_starts(&w->own[STARTS], 10000, &r->data.starts, c);
+    if (!status)
+        status = fvi_check_second_file("curve", w->own[CURVE], r->o.output, c);
     if (!status && w->operands == 0)
         status = fvi_refuse(c, NULL, "DATA: a file with the columns %s is missing",
                             r->data.test == FVI_MATERIAL_MODULI  ? "omega, storage and loss"
@@ -193,7 +195,7 @@ static int read_file(request *r, const char *file, fvi_error *c)
     double *more = realloc(r->block, DATA_COLUMNS * (r->data.n + n) * sizeof *more);
     if (!more) {
         free(columns);
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     }
     r->block = more;
     const double unit = r->data.test == FVI_MATERIAL_MODULI && which[0] >= 2 ? 2 * M_PI : 1;
@@ -213,7 +215,7 @@ static int arrange(request *r, fvi_error *c)
                  data = both ? 3 : 2;
     double *all = malloc((DATA_COLUMNS + 2) * n * sizeof *all);
     if (!all)
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < DATA_COLUMNS; k++)
             all[k * n + i] = r->block[i * DATA_COLUMNS + k];
@@ -355,19 +357,14 @@ int fvi_fit_material(int argc, char **argv)
     fvi_material m;
     request r = { .data = { .test = (fvi_material_test)test } };
     int status = fvi_subcommand_options_parse(&command, argc, argv, &r.words, &r.o, c);
-    const int parsed = !status;
     if (!status)
         status = interpret(&r, c);
     if (!status)
         status = read_data(&r, c);
     if (!status)
         status = fvi_material_fit(&r.data, r.curve, &m, c);
-    if (status)
-        status = fvi_refused(&error, "fit");
-    else
-        status = print(&r, &m);
-    if (parsed)
-        fvi_options_free(&r.o);
+    status = status ? fvi_refused(&error, "fit") : print(&r, &m);
+    fvi_options_free(&r.o);
     free(r.block);
     return status;
 }

@@ -2,10 +2,16 @@
 #ifndef FVI_FIT_MATERIAL_H
 #define FVI_FIT_MATERIAL_H
 
+#include <fvi/error.h>
+
 /* fvi_fit_is_material -- does one of the three words stand there? */
 int fvi_fit_is_material(int argc, char **argv);
 
 /* fvi_fit_material -- the law of a material from its tables, as fvi_command_fit. */
 int fvi_fit_material(int argc, char **argv);
+
+/* fvi_fit_starts -- the text of --starts of any fit, 20 where there is none, as a number from 2 to `most`. Returns as
+ * fvi_options_parse. */
+int fvi_fit_starts(const char **text, size_t most, size_t *starts, fvi_error *c);
 
 #endif

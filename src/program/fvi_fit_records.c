@@ -22,11 +22,6 @@ struct fvi_fit_record {
     fvi_force force;
 };
 
-static int no_memory(fvi_error *c)
-{
-    return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
-}
-
 /* ---- the last time ---- */
 
 /* That of one operand; 0 if it cannot be had, which is said when it is read. */
@@ -116,7 +111,7 @@ static int split(struct fvi_fit_record *o, const char *operand, fvi_error *c)
 {
     o->operand = strdup(operand);
     if (!o->operand)
-        return no_memory(c);
+        return fvi_no_memory(c, NULL);
     o->file = o->operand;
     for (char *at = strstr(o->operand, " : "); at;) {
         *at = '\0';
@@ -143,7 +138,7 @@ static int read_start(const request *r, struct fvi_fit_record *o, fvi_record *to
         return 0;
     o->start = malloc(2 * d * sizeof *o->start);
     if (!o->start)
-        return no_memory(c);
+        return fvi_no_memory(c, NULL);
     if (o->x0_text) {
         status = fvi_parse_numbers("DATA: x0", o->x0_text, -INFINITY, INFINITY, "()", d, o->start, c);
         to->x0 = o->start;
@@ -236,7 +231,7 @@ int fvi_fit_read(request *r, fvi_error *c)
     r->record = calloc(count, sizeof *r->record);
     r->read = calloc(count, sizeof *r->read);
     if (!r->record || !r->read)
-        return no_memory(c);
+        return fvi_no_memory(c, NULL);
     int status = 0;
     for (size_t k = 0; k < count && !status; k++)
         status = read_record(r, k, c);

@@ -117,13 +117,9 @@ static int interpret(request *r, fvi_error *c)
                               "asks for the force between the rows",
                               r->o.lets.name[j], m->name);
     r->per = m->stages ? (size_t)m->stages - 1 : 1;
-    if (r->words.own[FORCES] && !*r->words.own[FORCES])
-        return fvi_refuse(c, "forces", "'' is not a file's name");
-    if (r->words.own[FORCES]
-        && fvi_same_file(r->words.own[FORCES], r->o.output))
-        return fvi_refuse(c, "forces", "'%s' is the table's file, too",
-                          r->words.own[FORCES]);
-    const int status = fvi_check_output("--forces", r->words.own[FORCES], c);
+    int status = fvi_check_second_file("forces", r->words.own[FORCES], r->o.output, c);
+    if (!status)
+        status = fvi_check_output("--forces", r->words.own[FORCES], c);
     return status ? status : interpret_of(r, c);
 }
 
@@ -327,14 +323,9 @@ int fvi_command_gradient(int argc, char **argv)
     fvi_error error, *c = &error;
     request r = { .i = 0 };
     int status = fvi_subcommand_options_parse(&gradient, argc, argv, &r.words, &r.o, c);
-    const int parsed = !status;
     if (!status)
         status = interpret(&r, c);
-    if (status)
-        status = fvi_refused(&error, gradient.name);
-    else
-        status = answer(&r);
-    if (parsed)
-        fvi_options_free(&r.o);
+    status = status ? fvi_refused(&error, gradient.name) : answer(&r);
+    fvi_options_free(&r.o);
     return status;
 }

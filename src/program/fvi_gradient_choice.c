@@ -87,7 +87,7 @@ static int note_rows(request *r, choice *all, fvi_error *c)
     all->r = r;
     all->row = calloc(rows + 1, sizeof *all->row);
     if (!all->row)
-        return fvi_fail(c, FVI_ENOMEM, NULL, 0, "not enough memory");
+        return fvi_no_memory(c, NULL);
     fvi_gradient_rows(r, &(visitor){ note, all });
     return 0;
 }
@@ -138,7 +138,7 @@ static int check_words(const request *r, const choice *all, fvi_error *c)
 {
     const char **known = calloc(all->count + 5, sizeof *known);
     char word[LETTERS];
-    int status = known ? 0 : fvi_fail(c, FVI_ENOMEM, NULL, 0, "not enough memory");
+    int status = known ? 0 : fvi_no_memory(c, NULL);
     size_t which, n = known ? name_masses(r, known) : 0;
     for (size_t i = 0; known && i < all->count; i++)
         known[n++] = all->row[i].name;

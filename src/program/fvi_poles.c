@@ -137,11 +137,9 @@ int fvi_command_poles(int argc, char **argv)
     int status = fvi_subcommand_options_parse(&command, argc, argv,
                                               &r.linear.words, &r.linear.o,
                                               &error);
-    const int parsed = !status;
     if (!status)
         status = interpret(&r, &error);
     status = status ? fvi_refused(&error, command.name) : answer(&r);
-    if (parsed)
-        fvi_linear_free(&r.linear);
+    fvi_linear_free(&r.linear);
     return status;
 }

@@ -46,7 +46,7 @@ static int interpret_list(request *r, const char *text, fvi_error *c)
         r->count += *at == ',';
     r->list = malloc(r->count * sizeof *r->list);
     if (!r->list)
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     return fvi_parse_numbers("omega", text, 0, INFINITY, "()", r->count,
                              r->list, c);
 }
@@ -82,7 +82,7 @@ static int interpret_along(request *r, fvi_error *c)
         fvi_mark_read("along", text + 1);
     r->linear.along = malloc(d * sizeof(double));
     if (!r->linear.along)
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     return fvi_parse_numbers("along", text, -INFINITY, INFINITY, "()", d,
                              r->linear.along, c);
 }
@@ -278,12 +278,10 @@ int fvi_command_response(int argc, char **argv)
     int status = fvi_subcommand_options_parse(&response, argc, argv,
                                               &r.linear.words, &r.linear.o,
                                               &error);
-    const int parsed = !status;
     if (!status)
         status = interpret(&r, &error);
     status = status ? fvi_refused(&error, response.name) : answer(&r);
     free(r.list);
-    if (parsed)
-        fvi_linear_free(&r.linear);
+    fvi_linear_free(&r.linear);
     return status;
 }

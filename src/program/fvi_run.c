@@ -255,7 +255,7 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
     fvi_table_shape(&t, o, system);
     t.rows = fvi_run_room(&t);
     status = t.rows ? fvi_stepper_start(o->method, &r, &s, &error)
-                    : fvi_fail(&error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+                    : fvi_no_memory(&error, NULL);
     if (!status)
         status = fvi_run_observe(&t, s, &error);
     failed = status == FVI_EOVRFLW && s ? fvi_stopped_at(0, status) /* of a reduction */

@@ -1,5 +1,6 @@
 /* src/program/fvi_subcommand_options.c -- Commands with options of their own beside those of run. */
 #include "fvi_subcommand_options.h"
+#include "input/fvi_problem_words.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_format.h"
 
@@ -18,22 +19,15 @@ typedef struct {
 /* The number of this long option, "--name" or "--name=value", or -1. */
 static int index_of(const char *word, const char *const *names)
 {
-    const size_t length = strcspn(word, "=");
     for (int i = 0; names[i]; i++)
-        if (strncmp(word, "--", 2) == 0 && length == strlen(names[i]) + 2
-            && strncmp(word + 2, names[i], length - 2) == 0)
+        if (fvi_word_is_option(word, names[i]))
             return i;
     return -1;
 }
 
 static int is_without(const fvi_own_command *command, const char *name)
 {
-    const char *const *list =
-        command->with ? command->with : command->without;
-    int i = 0;
-    while (list[i] && strcmp(list[i], name) != 0)
-        i++;
-    return (list[i] != NULL) == !command->with;
+    return fvi_is_one_of(name, command->with ? command->with : command->without) == !command->with;
 }
 
 /* Is it an option of run, and of this command? */
@@ -115,7 +109,7 @@ int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char 
 {
     char **room = malloc(((size_t)argc + 3 + FVI_PRESETS_MOST) * sizeof *room);
     if (!room) {
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     }
     sorter s = { command, w, room + 3, 0, c };
     int status = sort_words(&s, argc, argv);

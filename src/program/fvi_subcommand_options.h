@@ -45,8 +45,8 @@ typedef struct fvi_subcommand_options {
 } fvi_subcommand_options;
 
 /* fvi_subcommand_options_parse -- sort the words of main behind the name of the command: its own
- * into w, which is all 0, those of run into o. Returns as fvi_options_parse, and o is to
- * be freed as there. */
+ * into w, which is all 0, those of run into o. Returns as fvi_options_parse, and o, all 0 before, is to
+ * be freed in each case. */
 int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char **argv,
                         fvi_subcommand_options *w, fvi_options *o, fvi_error *c);
 

@@ -335,7 +335,7 @@ int fvi_command_sweep(int argc, char **argv)
     size_t *first = NULL;
     int status = sweep_grid_parse(argc, argv, &g, &error);
     if (!status && !(first = malloc((g.runs + 1) * sizeof *first)))
-        status = fvi_fail(&error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        status = fvi_no_memory(&error, NULL);
     if (!status)
         status = check_all(&g, &no_solution, first, &error);
     if (!status)

@@ -1,9 +1,10 @@
 /* src/program/sweep_grid.c -- The runs of a sweep. */
 #include "sweep_grid.h"
+#include "input/fvi_problem_words.h"
+#include "options/fvi_option_columns.h"
 #include "options/fvi_options.h"
 #include <fvi/format_double.h>
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -59,14 +60,6 @@ static const char *const numbers[] = {
     "tolerance", NULL
 };
 
-static int is_numeric(const char *name)
-{
-    for (size_t i = 0; numbers[i]; i++)
-        if (strcmp(numbers[i], name) == 0)
-            return 1;
-    return 0;
-}
-
 static int is_option(const char *name)
 {
     for (int i = 0; i < OPTIONS; i++)
@@ -87,7 +80,7 @@ static int take_list(fvi_axis *a, const char *text, const char *list,
                           "NAME=V1,V2,...", text);
     a->list = malloc(count * sizeof *a->list);
     if (!a->list)
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     a->range.count = count;
     if (count > 1)
         return fvi_parse_numbers("vary", list, -INFINITY, INFINITY, "()", count,
@@ -111,7 +104,7 @@ static int take_axis(sweep_grid *g, const char *text, fvi_error *c)
                           text);
     memcpy(a->name, text, length);
     a->name[length] = '\0';
-    a->is_let = !is_numeric(a->name);
+    a->is_let = !fvi_is_one_of(a->name, numbers);
     if (sweep_grid_has(g, a->name))
         return fvi_refuse(c, "vary", "'%s' is varied twice", a->name);
     if (a->is_let
@@ -147,30 +140,18 @@ static int take_part(sweep_grid *g, const char *text, fvi_error *c)
 
 /* What is given once, in this order. */
 enum { JOBS, LANES_TOGETHER, PART, ONCE };
-static const char *const once[ONCE] = { "--jobs", "--lanes", "--part" };
+static const char *const once[ONCE] = { "jobs", "lanes", "part" };
 
 /* text is what it was before. */
 static int take_once(sweep_grid *g, int which, const char *value,
                      const char **text, fvi_error *c)
 {
     const int status =
-        fvi_word_once("--", once[which] + 2, text, value, c);
+        fvi_word_once("--", once[which], text, value, c);
     return status          ? status
            : which == JOBS ? fvi_parse_whole("jobs", value, 1024, &g->jobs, c)
            : which == PART ? take_part(g, value, c)
                            : fvi_parse_whole("lanes", value, 8, &g->lanes, c);
-}
-
-/* Is this word the option, with its value behind = or as the next word? Then *value is
- * that. */
-static int option(char **argv, int *i, const char *name, const char **value)
-{
-    const size_t length = strlen(name);
-    if (strncmp(argv[*i], name, length) != 0
-        || (argv[*i][length] && argv[*i][length] != '='))
-        return 0;
-    *value = argv[*i][length] ? argv[*i] + length + 1 : argv[++*i];
-    return 1;
 }
 
 /* A word that is none of `fvi run`, but nearly one of a sweep; or one of it that a run of
@@ -200,9 +181,9 @@ static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
         every = every || fvi_option_named(argv[i]) == EVERY;
         const char *value, *given = argv[i];
         int status = 0;
-        const int vary = option(argv, &i, "--vary", &value);
+        const int vary = fvi_option_with_value(argv, &i, "vary", &value);
         int which = vary ? ONCE : 0;
-        while (which < ONCE && !option(argv, &i, once[which], &value))
+        while (which < ONCE && !fvi_option_with_value(argv, &i, once[which], &value))
             which++;
         if ((vary || which < ONCE) && !value)
             return fvi_refuse(c, NULL, "%s: a value is missing", given);
@@ -215,7 +196,7 @@ static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
             g->words[AHEAD + g->word_count++] = argv[i];
         }
         int at = i;
-        if (!vary && which == ONCE && option(argv, &at, "--let", &value)
+        if (!vary && which == ONCE && fvi_option_with_value(argv, &at, "let", &value)
             && value) {
             const size_t end = strlen(g->lets);
             snprintf(g->lets + end, sizeof g->lets - end, "%s%s",
@@ -256,7 +237,7 @@ int sweep_grid_parse(int argc, char **argv, sweep_grid *g, fvi_error *c)
                      .jobs = cores > 0 ? (size_t)cores : 1 };
     g->words = calloc(AHEAD + (size_t)argc, sizeof *g->words);
     if (!g->words) {
-        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(c, NULL);
     }
     int status = take_words(g, argc, argv, c);
     if (status)
@@ -271,22 +252,7 @@ int sweep_grid_parse(int argc, char **argv, sweep_grid *g, fvi_error *c)
     const size_t runs = (size_t)all;
     g->first = (g->part - 1) * runs / g->parts;
     g->runs = g->part * runs / g->parts - g->first;
-    return list_ranges(g) ? fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory") : 0;
-}
-
-static int is_of_name(char letter)
-{
-    return isalnum((unsigned char)letter) || letter == '_';
-}
-
-/* Does the name stand in this text, and not as a part of another one? */
-static int stands_in(const char *text, const char *name)
-{
-    const size_t length = strlen(name);
-    for (const char *at = text; (at = strstr(at, name)); at++)
-        if (!(at > text && is_of_name(at[-1])) && !is_of_name(at[length]))
-            return 1;
-    return 0;
+    return list_ranges(g) ? fvi_no_memory(c, NULL) : 0;
 }
 
 int sweep_grid_check(const sweep_grid *g, fvi_error *c)
@@ -296,7 +262,7 @@ int sweep_grid_check(const sweep_grid *g, fvi_error *c)
         char place[64];
         int found = 0;
         for (int i = 0; i < g->word_count; i++)
-            found = found || stands_in(g->words[AHEAD + i], name);
+            found = found || fvi_text_speaks_of(g->words[AHEAD + i], name);
         if (g->axis[n].is_let && !found)
             return fvi_refuse(
                 c,

@@ -170,10 +170,7 @@ int sweep_run_group(const sweep_grid *g, size_t count, const size_t *run, double
 static int divides(const fvi_axis *a, int has_stages)
 {
     static const char *const names[] = { "rho", "mass", "x0", "p0", "v0", NULL };
-    for (size_t i = has_stages ? 2 : 0; names[i]; i++)
-        if (strcmp(a->name, names[i]) == 0)
-            return 0;
-    return !a->is_let;
+    return !a->is_let && !fvi_is_one_of(a->name, names + (has_stages ? 2 : 0));
 }
 
 typedef struct {

@@ -63,7 +63,7 @@ static int make_source(fvi_exact_motion *o, source_kind which, fvi_error *error)
     y->pole = calloc(n * (1 + o->d), sizeof *y->pole);
     y->at = calloc(FVI_PARABOLA_NODES * o->d, sizeof *y->at);
     if (!y->pole || !y->at)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(error, NULL);
     y->residue = y->pole + n;
     y->count = o->poles.count;
     for (size_t k = 0; k < o->poles.count; k++)
@@ -197,7 +197,7 @@ static int copy_problem(const fvi_exact_problem *p, fvi_exact_motion *o, fvi_err
     o->x0 = calloc(4 * d, sizeof *o->x0);
     o->room = calloc(d, sizeof *o->room);
     if (!o->x0 || !o->room)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(error, NULL);
     o->p0 = o->x0 + d;
     o->v0 = o->p0 + d;
     o->pull = o->v0 + d;
@@ -228,7 +228,7 @@ int fvi_exact_motion_alloc(const fvi_exact_problem *problem, fvi_exact_motion **
         return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
     fvi_exact_motion *o = calloc(1, sizeof *o);
     if (!o)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(error, NULL);
     const int is_constant =
         problem->forcing == FVI_FORCING_STEP
         || (problem->forcing == FVI_FORCING_COSINE && problem->w == 0);

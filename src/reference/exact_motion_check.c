@@ -105,7 +105,7 @@ static int check_hessian(const fvi_system *system, fvi_error *error)
     const size_t d = system->d;
     double *K = calloc(fvi_potential_hessian_size(system) + d, sizeof *K), most = 0;
     if (!K)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+        return fvi_no_memory(error, NULL);
     int status = fvi_potential_hessian(system, K + fvi_potential_hessian_size(system), K);
     for (size_t i = 0; i < d; i++)
         most += fabs(K[i * d + i]) / system->mass[i];
