@@ -1,6 +1,8 @@
 /* src/error_control/solve.c -- Where is the body at these times?        [H 18, 22] */
 #include "solve_state.h"
 
+#include "system/fail.h"
+
 #include <fvi/lagrangian.h>
 #include <fvi/lobatto.h>
 
@@ -44,11 +46,8 @@ static int give_row(const fvi_solve_state *o, size_t k, const double *x,
 /* In the words of a step that failed. */
 static int fail_at_step(const fvi_solve_state *o, size_t step, int status)
 {
-    fvi_fail(o->error, status, NULL, NAN, "step %zu: %s", step,
-             fvi_error_name(status));
-    if (o->error)
-        o->error->index = step;
-    return status;
+    return fvi_at_index(o->error, step,
+                        fvi_fail(o->error, status, NULL, NAN, "step %zu: %s", step, fvi_error_name(status)));
 }
 
 static void report_of_mesh(fvi_report *report, const fvi_step_statistics *counts)

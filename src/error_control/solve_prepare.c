@@ -1,6 +1,8 @@
 /* src/error_control/solve_prepare.c -- The method, the steps and the rows that a caller asks for.  [H 18, 22] */
 #include "solve_state.h"
 
+#include "system/fail.h"
+
 #include "run/run_check.h"
 
 #include <fvi/fvi.h>
@@ -35,9 +37,7 @@ static int begins(const fvi_method *method, const fvi_run *run, double tolerance
 static const fvi_method *method_of_law(const fvi_run *run, double tolerance)
 {
     static const double FINE = 1e-5;
-    double size = 0;
-    for (size_t i = 0; i < run->system->d; i++)
-        size = larger(size, fabs(run->x0[i]));
+    const double size = largest_abs(run->system->d, run->x0);
     if (begins(&fvi_variable_step, run, tolerance))
         return &fvi_variable_step;
     return tolerance < FINE * (size > 0 ? size : 1) && begins(&fvi_lobatto_m4, run, tolerance)
@@ -58,11 +58,7 @@ const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance)
 
 static int refuse_time(size_t k, double t, const char *reason, fvi_error *error)
 {
-    const int code =
-        fvi_fail(error, FVI_EDOM, "t", t, "t[%zu] is %.10g; %s", k, t, reason);
-    if (error)
-        error->index = k;
-    return code;
+    return fvi_at_index(error, k, fvi_fail(error, FVI_EDOM, "t", t, "t[%zu] is %.10g; %s", k, t, reason));
 }
 
 /* The times are there, increase, and lie within the motion. */

@@ -126,8 +126,7 @@ static double largest_force(const fvi_estimation *fit, const fvi_record *record)
     for (size_t i = 0; i < record->n && i < LOOKED_AT && F && force->value; i++) {
         if (force->value(record->t[i], system->d, force->params, F))
             break;
-        for (size_t j = 0; j < system->d; j++)
-            most = larger(most, fabs(F[j]));
+        most = larger(most, largest_abs(system->d, F));
     }
     free(F);
     return isfinite(most) ? most : 0;

@@ -52,14 +52,6 @@ static int is_fitted(const fvi_estimation *fit, fvi_free_parameter base, size_t 
     return 0;
 }
 
-static double largest(size_t n, const double *v)
-{
-    double most = 0;
-    for (size_t i = 0; i < n; i++)
-        most = larger(most, fabs(v[i]));
-    return most;
-}
-
 /* What an offset and a drift of a column do that nobody sees, of the column where that is most; not
  * where they are fitted. */
 static void fill_unseen(const fvi_estimation_model *m, const fvi_estimate *fitted,
@@ -80,7 +72,7 @@ static void fill_unseen(const fvi_estimation_model *m, const fvi_estimate *fitte
             fvi_estimation_sensor_column(m->fit, which, c, v);
             fill_sway(m, fitted, J, v, unseen, swayed);
             if (e->unseen[which] > 0
-                && !(largest(P, swayed) > largest(P, e->swayed[which])))
+                && !(largest_abs(P, swayed) > largest_abs(P, e->swayed[which])))
                 continue;
             e->unseen[which] = unseen;
             e->unseen_column[which] = c;

@@ -72,8 +72,7 @@ double fvi_estimation_size(const fvi_estimation *fit, size_t column)
     double size = 0;
     for (size_t r = 0; r < fvi_estimation_records(fit); r++) {
         const fvi_estimation_piece p = fvi_estimation_piece_of(fit, r, column);
-        for (size_t i = 0; i < p.n; i++)
-            size = larger(size, fabs(p.x[i]));
+        size = larger(size, largest_abs(p.n, p.x));
     }
     return size;
 }

@@ -234,9 +234,7 @@ static void statistics(const fvi_rheology *m, size_t used, double sum, const dou
 
 static void raise_flags(const fvi_rheology *m, const double *z, fvi_material *a)
 {
-    double size = 0;
-    for (size_t i = 0; i < m->rows; i++)
-        size = larger(size, fabs(m->y[i]));
+    const double size = largest_abs(m->rows, m->y);
     if (a->agree < 2)
         a->flags |= FVI_MATERIAL_STARTS;
     if (a->sigma > 1e-6 * size && a->neighbours > 3 / sqrt((double)m->data->n) + 0.1)

@@ -95,10 +95,7 @@ static int multiply_row(size_t d, const double *row, fvi_sparse *C)
 
 static int refuse_damper(size_t j, int code, const char *reason, fvi_error *error)
 {
-    fvi_fail(error, code, "damper", (double)j + 1, "damper %zu: %s", j + 1, reason);
-    if (error)
-        error->index = j;
-    return code;
+    return fvi_at_index(error, j, fvi_fail(error, code, "damper", (double)j + 1, "damper %zu: %s", j + 1, reason));
 }
 
 static int find_damper_space(fvi_structure *s, size_t j, fvi_error *error)

@@ -1,6 +1,8 @@
 /* src/mechanism/mechanism_check.c -- Is it a mechanism that these steps take?     [H 29] */
 #include "mechanism.h"
 
+#include "system/fail.h"
+
 #include "kernel/kernel_terms.h"
 
 #include <math.h>
@@ -8,10 +10,7 @@
 static int refuse(int code, const char *field, size_t i, const char *text,
                   fvi_error *error)
 {
-    fvi_fail(error, code, field, (double)i + 1, text, i + 1);
-    if (error)
-        error->index = i;
-    return code;
+    return fvi_at_index(error, i, fvi_fail(error, code, field, (double)i + 1, text, i + 1));
 }
 
 static int check_damper(const fvi_damper *damper, size_t i, int wants_hessian,

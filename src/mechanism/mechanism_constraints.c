@@ -3,6 +3,7 @@
 #include "system/lagrangian_point.h"
 
 #include "system/larger.h"
+#include "system/fail.h"
 
 #include <float.h>
 #include <math.h>
@@ -32,7 +33,7 @@ int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
         if (status)
             return status;
         memset(J, 0, n * n * sizeof *J);
-        most = larger(most, fvi_mechanism_largest(d, v));
+        most = larger(most, largest_abs(d, v));
         for (size_t i = 0; i < d; i++) {
             r[i] = p[i] - Lv[i];
             memcpy(J + i * n, Lvv + i * d, d * sizeof *J);
@@ -80,10 +81,7 @@ static const char *name_of(const fvi_constraints *c, size_t i, char place[32])
 static int refuse(int code, const char *field, double value, size_t i,
                   const char *text, const char *who, fvi_error *error)
 {
-    fvi_fail(error, code, field, value, text, who, value);
-    if (error)
-        error->index = i;
-    return code;
+    return fvi_at_index(error, i, fvi_fail(error, code, field, value, text, who, value));
 }
 
 /* Is each gradient more than a sum of those before it? By Gram and Schmidt. */
@@ -126,12 +124,12 @@ static int check_place(const fvi_stepper *s, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
-    double *value = o->residual, far = fvi_mechanism_largest(o->d, s->x);
+    double *value = o->residual, far = largest_abs(o->d, s->x);
     char place[32];
     const int status = c->value(0, o->d, s->x, c->params, value);
     for (size_t i = 0; i < o->m && !status; i++)
         if (!(fabs(value[i])
-              <= 1e-9 * fvi_mechanism_largest(o->d, o->C + i * o->d) * (far > 0 ? far : 1)))
+              <= 1e-9 * largest_abs(o->d, o->C + i * o->d) * (far > 0 ? far : 1)))
             return refuse(FVI_EDOM, "x0", value[i], i,
                           "it does not keep to the constraint '%s', which is "
                           "%g there",
@@ -156,7 +154,7 @@ static int check_momentum(fvi_stepper *s, fvi_error *error)
     if (!status)
         status = fvi_lagrangian_point(s->run.system, 0, s->x, o->v, NULL, NULL,
                                       Lv, NULL, NULL, NULL);
-    const double size = fvi_mechanism_largest(o->d, s->p) + fvi_mechanism_largest(o->d, Lv);
+    const double size = largest_abs(o->d, s->p) + largest_abs(o->d, Lv);
     for (size_t i = 0; i < o->d && !status; i++) {
         const double off = s->p[i] - (o->is_massless[i] ? Lv[i] : p[i]);
         if (fabs(off) <= 1e-9 * size)
@@ -169,9 +167,7 @@ static int check_momentum(fvi_stepper *s, fvi_error *error)
                      "p%zu is off by %g: the velocity does not keep to the constraints, which need "
                      "v%zu = %.12g, p%zu = %.12g",
                      i + 1, off, i + 1, o->v[i], i + 1, p[i]);
-        if (error)
-            error->index = i;
-        return FVI_EDOM;
+        return fvi_at_index(error, i, FVI_EDOM);
     }
     if (!status)
         memcpy(s->p, p, o->d * sizeof *p);

@@ -1,5 +1,6 @@
 /* src/mechanism/mechanism_newton.c -- Newton's method for the equations of a step.  [H 29] */
 #include "mechanism_state.h"
+#include "system/dot.h"
 #include "system/lagrangian_point.h"
 #include "system/larger.h"
 
@@ -9,20 +10,9 @@
 
 enum { FEW = 15, MOST = 50, MOST_SLOW = 200 };
 
-double fvi_mechanism_largest(size_t n, const double *v)
-{
-    double most = 0;
-    for (size_t i = 0; i < n; i++)
-        most = larger(most, fabs(v[i]));
-    return most;
-}
-
 static double norm(size_t n, const double *v)
 {
-    double sum = 0;
-    for (size_t i = 0; i < n; i++)
-        sum += v[i] * v[i];
-    return sqrt(sum);
+    return sqrt(fvi_dot(n, v, v));
 }
 
 /* The change of u, -J^-1 r, of what assemble has written. */
@@ -50,7 +40,7 @@ static int is_lost_in_places(const fvi_stepper *s, double change)
     int knows_places = o->m > 0;
     for (size_t i = 0; i < o->d && o->is_on_mesh; i++)
         knows_places |= o->is_massless[i];
-    return knows_places && change <= 4 * DBL_EPSILON * fvi_mechanism_largest(o->d, s->x);
+    return knows_places && change <= 4 * DBL_EPSILON * largest_abs(o->d, s->x);
 }
 
 /* On a mesh a step may be so short that the increments need more digits than c(x) = 0 gives, which knows x up to
@@ -70,10 +60,10 @@ static int iterate(fvi_stepper *s,
             return status;
         for (size_t j = 0; j < o->n; j++)
             u[j] += o->change[j];
-        const double now = fvi_mechanism_largest(places, o->change),
-                     near = o->is_on_mesh ? 0 : fvi_mechanism_largest(o->d, s->x),
-                     scale = near + fvi_mechanism_largest(places, u) + o->rest_scale;
-        if (!isfinite(now) || !isfinite(fvi_mechanism_largest(o->n, u)))
+        const double now = largest_abs(places, o->change),
+                     near = o->is_on_mesh ? 0 : largest_abs(o->d, s->x),
+                     scale = near + largest_abs(places, u) + o->rest_scale;
+        if (!isfinite(now) || !isfinite(largest_abs(o->n, u)))
             return FVI_EMAXITER;
         if (is_done(now, before, scale))
             return FVI_SUCCESS;

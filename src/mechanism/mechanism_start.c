@@ -1,5 +1,6 @@
 /* src/mechanism/mechanism_start.c -- The start, the copy and the end of a run with a mechanism. [H 29] */
 #include "mechanism_state.h"
+#include "system/fail.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -120,12 +121,10 @@ static int check_elongations(const fvi_stepper *s, fvi_error *error)
             const char *name = s->run.system->mechanism->damper[j].name;
             char place[24];
             snprintf(place, sizeof place, "d%zu", j + 1);
-            fvi_fail(error, FVI_EDOM, "damper", o->z[j],
-                     "the elongation of %.40s, or its slope, is not finite at x0",
-                     name ? name : place);
-            if (error)
-                error->index = j;
-            return FVI_EDOM;
+            return fvi_at_index(error, j,
+                                fvi_fail(error, FVI_EDOM, "damper", o->z[j],
+                                         "the elongation of %.40s, or its slope, is not finite at x0",
+                                         name ? name : place));
         }
     return FVI_SUCCESS;
 }
@@ -164,15 +163,12 @@ static int check_impulses(const fvi_stepper *s, fvi_error *error)
         return FVI_SUCCESS;
     for (size_t n = 0; n < force->impulse_count; n++)
         for (size_t i = 0; i < o->d; i++)
-            if (o->is_massless[i] && force->impulses[n].J[i] != 0) {
-                fvi_fail(error, FVI_EUNSUP, "force", force->impulses[n].J[i],
-                         "an impulse on coordinate %zu, which has no inertia, moves it at once: "
-                         "fvi-lobatto2d to 8d take it",
-                         i + 1);
-                if (error)
-                    error->index = i;
-                return FVI_EUNSUP;
-            }
+            if (o->is_massless[i] && force->impulses[n].J[i] != 0)
+                return fvi_at_index(error, i,
+                                    fvi_fail(error, FVI_EUNSUP, "force", force->impulses[n].J[i],
+                                             "an impulse on coordinate %zu, which has no inertia, moves it at "
+                                             "once: fvi-lobatto2d to 8d take it",
+                                             i + 1));
     return FVI_SUCCESS;
 }
 

@@ -132,9 +132,6 @@ void fvi_mechanism_free_parts(fvi_mechanism_state *o);
 
 /* ---- mechanism_newton.c ---- */
 
-/* fvi_mechanism_largest -- the largest absolute value of n numbers; NaN if one is NaN. */
-double fvi_mechanism_largest(size_t n, const double *v);
-
 /* fvi_mechanism_solve -- residual(u) = 0 for the n unknowns u.
  *
  *   assemble  writes residual and matrix, the residual's Jacobian, at u

@@ -2,6 +2,7 @@
 #include "words.h"
 #include "data.h"
 #include "system/lines.h"
+#include "system/fail.h"
 
 #include <fvi/format_double.h>
 
@@ -118,11 +119,7 @@ int fvi_parse_numbers(const char *field, const char *text, double low,
     for (size_t j = 0; j < d; j++)
         if (!is_within(values[j], low, high, brackets)) {
             fvi_format_double(values[j], wrong);
-            const int status = refuse_outside(field, wrong, values[j], low,
-                                              high, brackets, error);
-            if (error)
-                error->index = j;
-            return status;
+            return fvi_at_index(error, j, refuse_outside(field, wrong, values[j], low, high, brackets, error));
         }
     return FVI_SUCCESS;
 }

@@ -1,6 +1,7 @@
 /* src/reference/exact_motion_check.c -- Has a system an exact motion here?   [H 11] */
 #include "exact_motion_check.h"
 #include "matrices/cholesky.h"
+#include "system/fail.h"
 
 #include <fvi/dampers.h>
 #include <fvi/structures.h>
@@ -62,9 +63,7 @@ static int check_dampers(const fvi_system *system, fvi_error *error)
         } else {
             continue;
         }
-        if (error)
-            error->index = j;
-        return FVI_EUNSUP;
+        return fvi_at_index(error, j, FVI_EUNSUP);
     }
     return FVI_SUCCESS;
 }

@@ -1,6 +1,8 @@
 /* src/run/dampers_check.c -- Are these dampers that a structure can have?  [H 27] */
 #include "dampers_check.h"
 
+#include "system/fail.h"
+
 #include "kernel/kernel_terms.h"
 #include "solution.h"
 
@@ -10,10 +12,7 @@
 
 static int refuse(size_t j, int code, const char *reason, fvi_error *error)
 {
-    fvi_fail(error, code, "damper", (double)j + 1, "damper %zu: %s", j + 1, reason);
-    if (error)
-        error->index = j;
-    return code;
+    return fvi_at_index(error, j, fvi_fail(error, code, "damper", (double)j + 1, "damper %zu: %s", j + 1, reason));
 }
 
 /* Riemann and Liouville's past: what stretches a damper at t = 0 has a motion for one power up to the order 1. The

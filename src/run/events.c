@@ -1,4 +1,5 @@
 /* src/run/events.c -- Are these events that a run can have?              [H 22] */
+#include "system/fail.h"
 #include <fvi/dampers.h>
 #include <fvi/events.h>
 
@@ -9,10 +10,7 @@
 static int refuse(int code, size_t i, double value, const char *reason,
                   fvi_error *error)
 {
-    fvi_fail(error, code, "events", value, "event %zu: %s", i, reason);
-    if (error)
-        error->index = i;
-    return code;
+    return fvi_at_index(error, i, fvi_fail(error, code, "events", value, "event %zu: %s", i, reason));
 }
 
 int fvi_events_check(const fvi_method *method, const fvi_run *run,

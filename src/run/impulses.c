@@ -1,6 +1,8 @@
 /* src/run/impulses.c -- What hits the body, as steps of one length take it. [H 2] */
 #include "impulses.h"
 
+#include "system/fail.h"
+
 #include <fvi/error.h>
 
 #include <gsl/gsl_machine.h>
@@ -10,10 +12,7 @@
 static int refuse(int code, size_t i, double value, const char *reason,
                   fvi_error *error)
 {
-    fvi_fail(error, code, "impulses", value, "impulse %zu: %s", i, reason);
-    if (error)
-        error->index = i;
-    return code;
+    return fvi_at_index(error, i, fvi_fail(error, code, "impulses", value, "impulse %zu: %s", i, reason));
 }
 
 int fvi_impulses_check(const fvi_force *force, size_t d, fvi_error *error)

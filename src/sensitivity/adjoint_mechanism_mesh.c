@@ -276,18 +276,13 @@ int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m)
     for (size_t e = 0; e < m->r; e++) {
         fvi_adjoint_mechanism_damper *a = m->damper + e;
         fvi_mesh_damper *mirror = m->mesh->mirror + e;
-        double mu[FVI_LANES] = { 0 }, change[FVI_LANES] = { 0 }, all = 0;
+        double mu[FVI_LANES] = { 0 }, all = 0;
         for (size_t i = 0; i < s; i++) {
             mu[i] = a->nu[s - 1 - i] / (o->h * b[s - 1 - i]);
-            change[i] = mu[i] - mirror->before;
             a->factor += a->nu[i] * o->lambda[e * s + i];
             all += a->spring * a->nu[i];
         }
-        if (mirror->modes)
-            fvi_modes_advance(mirror->modes, 0, mirror->beta > 0 ? change : mu, mirror->before);
-        if (mirror->rising)
-            fvi_modes_advance(mirror->rising, 0, change, mirror->before);
-        mirror->before = mu[s - 1];
+        fvi_mesh_advance_damper(mirror, 0, s, mu, &mirror->before);
         a->by_origin -= all; /* where a spring rests */
         for (size_t j = 0; j < m->d; j++)
             m->g[j] += all * o->G[e * m->d + j];
@@ -358,11 +353,8 @@ int fvi_adjoint_mesh_run(const fvi_run *run, const fvi_objective *J, const fvi_s
         status = step_back(&m, n);
     if (!status)
         status = finish(&m);
-    for (size_t e = 0; mesh.mirror && e < m.r; e++) {
-        fvi_modes_free(mesh.mirror[e].modes);
-        fvi_modes_free(mesh.mirror[e].rising);
-        free(mesh.mirror[e].kernel);
-    }
+    for (size_t e = 0; mesh.mirror && e < m.r; e++)
+        fvi_mesh_free_damper(&mesh.mirror[e]);
     free(mesh.mirror);
     free(mesh.step);
     free(mesh.rows);

@@ -50,9 +50,7 @@ static int start_modes(fvi_structure_mirror *m)
     memset(m->o->y, 0, bytes);
     for (size_t j = 0; j < m->of->count; j++) {
         fvi_mesh_matrix *to = m->of->damper + j;
-        fvi_modes_free(to->memory.modes);
-        fvi_modes_free(to->memory.rising);
-        free(to->memory.kernel);
+        fvi_mesh_free_damper(&to->memory);
         to->memory = (fvi_mesh_damper){ 0 };
         memset(to->before, 0, to->r * sizeof *to->before);
     }

@@ -22,6 +22,14 @@ void fvi_loud(void);
 /* Tell the handler, if there is one; returns code. */
 int fvi_tell_handler(const char *reason, const char *file, int line, int code);
 
+/* The error is of number `index`, from 0, of several; returns code: `return fvi_at_index(error, i, fvi_fail(error, ...))`. */
+static inline int fvi_at_index(fvi_error *error, size_t index, int code)
+{
+    if (error)
+        error->index = index;
+    return code;
+}
+
 /* What the caller's interrupter says, 0 if there is none: a loop that may last asks. */
 int fvi_interrupted(void);
 

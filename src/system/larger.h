@@ -6,6 +6,7 @@
 #define LARGER_H
 
 #include <math.h>
+#include <stddef.h>
 
 static inline double larger(double a, double b)
 {
@@ -15,6 +16,15 @@ static inline double larger(double a, double b)
 static inline double smaller(double a, double b)
 {
     return a <= b || isnan(a) ? a : b;
+}
+
+/* largest_abs -- the largest |v_i| of n numbers, NaN if one is NaN; 0 of none. */
+static inline double largest_abs(size_t n, const double *v)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = larger(most, fabs(v[i]));
+    return most;
 }
 
 #endif

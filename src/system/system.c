@@ -45,12 +45,8 @@ static int check_matrices(const fvi_system *s, fvi_error *error)
 static int refuse_number(const char *field, double value, size_t i,
                          const char *range, fvi_error *error)
 {
-    const int code =
-        fvi_fail(error, FVI_EDOM, field, value, "%s[%zu] is %g; it must be %s",
-                 field, i, value, range);
-    if (error)
-        error->index = i;
-    return code;
+    return fvi_at_index(error, i,
+                        fvi_fail(error, FVI_EDOM, field, value, "%s[%zu] is %g; it must be %s", field, i, value, range));
 }
 
 int fvi_system_check_any(const fvi_system *s, fvi_error *error)

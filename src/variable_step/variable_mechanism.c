@@ -1,6 +1,7 @@
 /* src/variable_step/variable_mechanism.c -- Steps of any length of a mechanism.   [H 29, 22] */
 #include "variable_mechanism.h"
 
+#include "system/dot.h"
 #include "system/fail.h"
 #include "system/lagrangian_point.h"
 #include "system/larger.h"
@@ -34,12 +35,6 @@ static int motion_at_start(fvi_stepper *s, double *v, double *a)
     return status;
 }
 
-/* What is not zero, but for rounding, beside the next. */
-static double or_else(double size, double next)
-{
-    return size > 1e-12 * next ? size : next;
-}
-
 int fvi_mesh_scale(fvi_stepper *s, double *scale)
 {
     const size_t d = s->run.system->d;
@@ -48,11 +43,8 @@ int fvi_mesh_scale(fvi_stepper *s, double *scale)
     if (!v)
         FVI_FAIL("no memory for the start", FVI_ENOMEM);
     const int status = motion_at_start(s, v, v + d);
-    double size = fvi_mechanism_largest(d, s->x);
-    if (!status)
-        size = or_else(size, or_else(h * fvi_mechanism_largest(d, v),
-                                     h * h * fvi_mechanism_largest(d, v + d)));
-    *scale = size > 0 && isfinite(size) ? size : 1;
+    *scale = fvi_variable_step_scale(largest_abs(d, s->x), status ? 0 : h * largest_abs(d, v),
+                                     status ? 0 : h * h * largest_abs(d, v + d));
     free(v);
     return status == FVI_ENOMEM ? status : FVI_SUCCESS;
 }
@@ -202,14 +194,20 @@ int fvi_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
 
 /* ---- a step ---- */
 
-/* Coefficients of h f for the values of f at the stages, `stride` apart. */
-static void describe(const fvi_variable_step_state *o, const double *f, double *to)
+void fvi_mesh_coefficients(const fvi_variable_step_state *o, const double *values, double *to)
 {
-    double values[FVI_LANES] = { 0 }, sums[FVI_LANES];
-    for (size_t i = 0; i < o->rule->s; i++)
-        values[i] = o->length.h * f[i];
+    double sums[FVI_LANES];
     fvi_square_apply(o->rule->s, &o->rule->A, values, sums);
     fvi_square_apply(o->rule->s, &o->rule->legendre, sums, to);
+}
+
+/* Coefficients of h f for the values of f at the stages. */
+static void describe(const fvi_variable_step_state *o, const double *f, double *to)
+{
+    double values[FVI_LANES] = { 0 };
+    for (size_t i = 0; i < o->rule->s; i++)
+        values[i] = o->length.h * f[i];
+    fvi_mesh_coefficients(o, values, to);
 }
 
 /* F v at the stages, F the force of t and those of velocity. */
@@ -292,11 +290,8 @@ int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o)
     if (!status && of->m)
         status = fvi_mechanism_end_constraints(s);
     memcpy(o->v, of->v, d * sizeof *o->v);
-    for (size_t e = 0; e < m->r && of->m; e++) { /* as the hidden constraint has it */
-        m->damper[e].now = 0;
-        for (size_t j = 0; j < d; j++)
-            m->damper[e].now += of->G[e * d + j] * o->v[j];
-    }
+    for (size_t e = 0; e < m->r && of->m; e++) /* as the hidden constraint has it */
+        m->damper[e].now = fvi_dot(d, of->G + e * d, o->v);
     set_masses(o);
     return status;
 }
@@ -319,7 +314,9 @@ int fvi_mesh_copy(const fvi_stepper *from, fvi_stepper *to)
     memcpy(m->numbers, of->numbers, (size_t)(of->slope - of->numbers) * sizeof *m->numbers);
     m->by_force = of->by_force;
     m->by_force_begin = of->by_force_begin;
-    return fvi_mesh_copy_dampers(of, m);
+    for (size_t j = 0; j < of->r && !status; j++)
+        status = fvi_mesh_copy_damper(&of->damper[j], &m->damper[j]);
+    return status;
 }
 
 int fvi_mesh_archive(fvi_stepper *s, fvi_archive *v)
@@ -338,10 +335,8 @@ int fvi_mesh_archive(fvi_stepper *s, fvi_archive *v)
         status = v->serialize(v, &of->before, sizeof of->before, 0);
         if (!status)
             status = v->serialize(v, &of->now, sizeof of->now, 0);
-        if (!status && of->modes)
-            status = fvi_modes_archive(of->modes, v);
-        if (!status && of->rising)
-            status = fvi_modes_archive(of->rising, v);
+        if (!status)
+            status = fvi_mesh_archive_damper(of, v);
     }
     for (size_t j = 0; j < o->d; j++)
         o->group[j].mass = m->mass[j];
@@ -352,14 +347,11 @@ int fvi_mesh_archive(fvi_stepper *s, fvi_archive *v)
 void fvi_mesh_free(fvi_variable_step_state *o)
 {
     struct fvi_mesh_mechanism *m = o->mechanism;
-    for (size_t j = 0; m && m->damper && j < m->r; j++) {
-        fvi_modes_free(m->damper[j].modes);
-        fvi_modes_free(m->damper[j].rising);
-        free(m->damper[j].kernel);
-    }
-    if (m) {
-        free(m->damper);
-        free(m->numbers);
-    }
+    if (!m)
+        return;
+    for (size_t j = 0; m->damper && j < m->r; j++)
+        fvi_mesh_free_damper(&m->damper[j]);
+    free(m->damper);
+    free(m->numbers);
     free(m);
 }

@@ -50,12 +50,15 @@ int fvi_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o);
  * impacts make of the velocities of dampers; 1 if it asks for nothing.
  * fvi_mesh_takes_kicks -- as o->takes_kicks. */
 double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o);
-int fvi_mesh_takes_kicks(const fvi_stepper *s);
+int fvi_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o);
 
 /* fvi_mesh_try, fvi_mesh_accept -- as fvi_variable_step_try; and the step is taken, but for the time. */
 int fvi_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
                  double *error);
 int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o);
+
+/* fvi_mesh_coefficients -- Legendre coefficients of the polynomial with such values at the stages, FVI_LANES numbers. */
+void fvi_mesh_coefficients(const fvi_variable_step_state *o, const double *values, double *to);
 
 /* fvi_mesh_estimate -- the error of the step that has been tried, NaN if a number is not finite.   (22.16) */
 int fvi_mesh_estimate(fvi_stepper *s, const fvi_variable_step_state *o, double *error);
@@ -136,12 +139,24 @@ int fvi_mesh_begin_damper(fvi_stepper *s, const fvi_variable_step_state *o,
 void fvi_mesh_present_damper(const fvi_variable_step_state *o, double h, fvi_mesh_damper *of,
                              double *W);
 
+/* What else a damper that remembers `count` numbers does, on its own modes; s stages.
+ *
+ * fvi_mesh_stretch_damper -- before the first step: the numbers z are a jump from 0 at t = 0, y = sigma z in every mode.
+ * fvi_mesh_add_history -- in a step of such length: known += rho H, of number n at stage i at [i * count + n].
+ * fvi_mesh_advance_damper -- the step is taken: number n had the rates v at the stages, FVI_LANES numbers, zeros behind
+ * the s-th, and *before at the end of the step before, which becomes the last of them.
+ * fvi_mesh_copy_damper, _archive_damper, _free_damper -- the modes and the law: *to is a damper of its own. FVI_ENOMEM. */
+void fvi_mesh_stretch_damper(fvi_variable_step_state *o, fvi_mesh_damper *of, size_t count, const double *z);
+void fvi_mesh_add_history(const fvi_mesh_damper *of, fvi_length length, size_t s, size_t count, double *known);
+void fvi_mesh_advance_damper(const fvi_mesh_damper *of, size_t n, size_t s, const double *v, double *before);
+int fvi_mesh_copy_damper(const fvi_mesh_damper *from, fvi_mesh_damper *to);
+int fvi_mesh_archive_damper(fvi_mesh_damper *of, fvi_archive *v);
+void fvi_mesh_free_damper(fvi_mesh_damper *of);
+
 int fvi_mesh_allocate(fvi_variable_step_state *o, size_t r, size_t m);
 int fvi_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o);
 void fvi_mesh_present(const fvi_stepper *s, fvi_variable_step_state *o);
 void fvi_mesh_predict(const fvi_stepper *s, fvi_variable_step_state *o);
 void fvi_mesh_advance(const fvi_stepper *s, fvi_variable_step_state *o);
-int fvi_mesh_copy_dampers(const struct fvi_mesh_mechanism *from,
-                          struct fvi_mesh_mechanism *to);
 
 #endif

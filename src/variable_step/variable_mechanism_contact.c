@@ -18,20 +18,12 @@ static void forces_at_stages(const fvi_stepper *s, const fvi_variable_step_state
         force[i] = of->u[o->rule->s * of->d + i * of->m + l] / (h * h * o->rule->b[i]);
 }
 
-/* Legendre coefficients of the polynomial with such values at the stages. */
-static void coefficients(const fvi_variable_step_state *o, const double *values, double *to)
-{
-    double sums[FVI_LANES];
-    fvi_square_apply(o->rule->s, &o->rule->A, values, sums);
-    fvi_square_apply(o->rule->s, &o->rule->legendre, sums, to);
-}
-
 double fvi_mesh_contact_force(const fvi_stepper *s, const fvi_variable_step_state *o, size_t l,
                               double theta)
 {
     double force[FVI_LANES] = { 0 }, legendre[FVI_LANES], g[FVI_LANES], sum = 0;
     forces_at_stages(s, o, l, force);
-    coefficients(o, force, legendre);
+    fvi_mesh_coefficients(o, force, legendre);
     fvi_variable_step_powers(o->rule->s, legendre, g);
     for (size_t n = o->rule->s; n-- > 0;)
         sum = sum * theta + g[n];
@@ -63,7 +55,7 @@ static int answer_to_contact(fvi_stepper *s, const fvi_variable_step_state *o, s
     of->m = of->own;
     const int status = fvi_mesh_answer(of, of->Lvv + (o->rule->s - 1) * d * d, of->C, r);
     of->m = m;
-    *most = fvi_mechanism_largest(d, r);
+    *most = largest_abs(d, r);
     return status;
 }
 
@@ -75,7 +67,7 @@ int fvi_mesh_contact_error(fvi_stepper *s, const fvi_variable_step_state *o, dou
     for (size_t l = of->own; l < of->m && !status; l++) {
         double force[FVI_LANES] = { 0 }, legendre[FVI_LANES], most = 0;
         forces_at_stages(s, o, l, force);
-        coefficients(o, force, legendre);
+        fvi_mesh_coefficients(o, force, legendre);
         const double last = fabs(legendre[o->rule->s - 1]) - fvi_mesh_contact_noise(s, o, l);
         status = answer_to_contact(s, o, l, &most);
         if (last > 0)

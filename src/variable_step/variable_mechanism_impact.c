@@ -7,6 +7,7 @@
 
 #include "system/fail.h"
 #include "system/lagrangian_point.h"
+#include "system/larger.h"
 
 #include <float.h>
 #include <math.h>
@@ -41,13 +42,13 @@ int fvi_mesh_pulled_contact(fvi_stepper *s, fvi_variable_step_state *o, const do
         p[j] = s->p[j] + factor * J[j];
     memcpy(v, o->v, o->d * sizeof *v);
     const int status = keep_to_ties(s, o->t, o->y, p, v, NULL);
-    const double jump = fabs(factor) * fvi_mechanism_largest(o->d, J),
-                 least = 1e-12 * (jump + fvi_mechanism_largest(o->d, s->p));
+    const double jump = fabs(factor) * largest_abs(o->d, J),
+                 least = 1e-12 * (jump + largest_abs(o->d, s->p));
     double worst = 0;
     for (size_t l = of->own; l < of->m && !status; l++) {
         const size_t i = of->contact[l - of->own];
         const double pull = side[i] * of->residual[l]
-                            * fvi_mechanism_largest(o->d, of->C + l * o->d);
+                            * largest_abs(o->d, of->C + l * o->d);
         if (pull > least && pull > worst) {
             worst = pull;
             *event = i;

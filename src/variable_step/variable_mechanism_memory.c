@@ -61,12 +61,6 @@ static double order_below_one(const fvi_kernel *kernel)
     return order;
 }
 
-static int velocities_jump(const fvi_stepper *s)
-{
-    return s->run.system->force.impulse_count > 0
-           || fvi_variable_step_has_impacts(&s->run);
-}
-
 /* The smallest order of the Zener terms of a kernel; INFINITY if there is none. */
 static double order_of_relaxation(const fvi_kernel *kernel)
 {
@@ -120,7 +114,7 @@ double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
         return 0;
     for (size_t j = 0; j < m->r; j++) {
         const int jumps = feels_jumps(s, j)
-                          && (velocities_jump(s) || m->damper[j].before != m->damper[j].now);
+                          && (fvi_variable_step_velocities_jump(&s->run) || m->damper[j].before != m->damper[j].now);
         const double power = jumps ? 2 - fvi_kernel_growth(damper_of(s, j)->kernel)
                              : is_struck(s, j) ? 1 - order_below_one(damper_of(s, j)->kernel)
                                                : INFINITY;
@@ -129,35 +123,26 @@ double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
     return shortest;
 }
 
-int fvi_mesh_takes_kicks(const fvi_stepper *s)
+int fvi_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
-    for (size_t j = 0; j < s->mechanism->r; j++)
-        if (feels_jumps(s, j) && !velocities_jump(s))
+    for (size_t j = 0; j < o->mechanism->r; j++)
+        if (feels_jumps(s, j) && !fvi_variable_step_velocities_jump(&s->run))
             return 0;
     return 1;
 }
 
 static int refuse(fvi_error *error, int code, size_t j, const char *text)
 {
-    fvi_fail(error, code, "damper", (double)j + 1, text, j + 1);
-    if (error)
-        error->index = j;
-    return code;
+    return fvi_at_index(error, j, fvi_fail(error, code, "damper", (double)j + 1, text, j + 1));
 }
 
-/* The past rl: y = sigma z_0 in every mode, or for a spring the place where it rests. */
-static int strike(const fvi_stepper *s, fvi_variable_step_state *o, size_t j)
+/* The past rl: every mode has seen z_0, or for a spring 0 is where it rests. */
+static void stretch(const fvi_stepper *s, fvi_variable_step_state *o, size_t j)
 {
-    const double z = s->mechanism->z[j];
     fvi_mesh_damper *to = &o->mechanism->damper[j];
-    to->centre = is_struck(s, j) ? 0 : z;
-    if (!is_struck(s, j) || !to->modes)
-        return FVI_SUCCESS;
-    o->undeclared_jump_until = o->T; /* such a start shows a part of its error alone */
-    fvi_modes_activate_all(to->modes);
-    for (size_t q = 0; q < fvi_modes_count(to->modes); q++)
-        fvi_modes_add(to->modes, 0, q, fvi_modes_decay(to->modes, q) * z);
-    return FVI_SUCCESS;
+    to->centre = is_struck(s, j) ? 0 : s->mechanism->z[j];
+    if (is_struck(s, j))
+        fvi_mesh_stretch_damper(o, to, 1, s->mechanism->z + j);
 }
 
 /* What sees zdot - before: a power above the order 1, or the terms of a law that rise. */
@@ -219,7 +204,7 @@ int fvi_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o)
             return status;
         status = fvi_mesh_begin_damper(s, o, damper_of(s, j)->kernel, 1, j, to);
         if (!status)
-            status = strike(s, o, j);
+            stretch(s, o, j);
     }
     return status;
 }
@@ -297,18 +282,6 @@ void fvi_mesh_present(const fvi_stepper *s, fvi_variable_step_state *o)
         fvi_mesh_present_damper(o, h, &m->damper[j], s->mechanism->W + j * n * n);
 }
 
-/* known += rho H of one set of modes, or of none. */
-static void add_modes(fvi_modes *modes, fvi_length length, double rho, size_t n, double *known)
-{
-    double H[FVI_LANES];
-    if (!modes)
-        return;
-    fvi_modes_begin(modes, length);
-    fvi_modes_history(modes, 0, H);
-    for (size_t i = 0; i < n; i++)
-        known[i] += rho * H[i];
-}
-
 //> predict
 void fvi_mesh_predict(const fvi_stepper *s, fvi_variable_step_state *o)
 {
@@ -320,8 +293,7 @@ void fvi_mesh_predict(const fvi_stepper *s, fvi_variable_step_state *o)
                      spring = of->beta == -1 ? of->rho * (s->mechanism->z[j] - of->centre) : 0;
         for (size_t i = 0; i < n; i++)
             known[i] = spring - (of->W1[i] != 0 ? factor * of->W1[i] : 0);
-        add_modes(of->modes, o->length, of->rho, n, known);
-        add_modes(of->rising, o->length, of->rho, n, known);
+        fvi_mesh_add_history(of, o->length, n, 1, known);
     }
 }
 //< predict
@@ -331,38 +303,74 @@ void fvi_mesh_advance(const fvi_stepper *s, fvi_variable_step_state *o)
     const size_t n = o->rule->s;
     for (size_t j = 0; j < o->mechanism->r; j++) {
         fvi_mesh_damper *of = &o->mechanism->damper[j];
-        const double *zdot = s->mechanism->zdot + j * n;
-        double v[FVI_LANES] = { 0 }, change[FVI_LANES] = { 0 };
-        for (size_t i = 0; i < n; i++) {
-            v[i] = zdot[i];
-            change[i] = zdot[i] - of->before;
-        }
-        if (of->modes)
-            fvi_modes_advance(of->modes, 0, of->beta > 0 ? change : v, of->before);
-        if (of->rising)
-            fvi_modes_advance(of->rising, 0, change, of->before);
-        of->before = of->now = zdot[n - 1];
+        double v[FVI_LANES] = { 0 };
+        memcpy(v, s->mechanism->zdot + j * n, n * sizeof *v);
+        fvi_mesh_advance_damper(of, 0, n, v, &of->before);
+        of->now = of->before;
     }
 }
 
-/* ---- copies ---- */
+/* ---- the modes of a damper ---- */
 
-int fvi_mesh_copy_dampers(const struct fvi_mesh_mechanism *from,
-                          struct fvi_mesh_mechanism *to)
+void fvi_mesh_stretch_damper(fvi_variable_step_state *o, fvi_mesh_damper *of, size_t count, const double *z)
 {
-    int status = FVI_SUCCESS;
-    for (size_t j = 0; j < from->r && !status; j++) {
-        const fvi_mesh_damper *old = &from->damper[j];
-        fvi_mesh_damper *new = &to->damper[j];
-        *new = *old;
-        new->modes = new->rising = NULL;
-        new->kernel = old->kernel ? fvi_variable_step_copy_kernel(old->kernel) : NULL;
-        if (old->kernel && !new->kernel)
-            return FVI_ENOMEM;
-        if (old->modes)
-            status = fvi_modes_copy(old->modes, &new->modes);
-        if (!status && old->rising)
-            status = fvi_modes_copy(old->rising, &new->rising);
+    if (!of->modes)
+        return;
+    o->undeclared_jump_until = o->T; /* such a start shows a part of its error alone */
+    fvi_modes_activate_all(of->modes);
+    for (size_t n = 0; n < count; n++)
+        for (size_t q = 0; q < fvi_modes_count(of->modes); q++)
+            fvi_modes_add(of->modes, n, q, fvi_modes_decay(of->modes, q) * z[n]);
+}
+
+void fvi_mesh_add_history(const fvi_mesh_damper *of, fvi_length length, size_t s, size_t count, double *known)
+{
+    fvi_modes *const both[] = { of->modes, of->rising };
+    double H[FVI_LANES];
+    for (size_t k = 0; k < 2; k++) {
+        if (!both[k])
+            continue;
+        fvi_modes_begin(both[k], length);
+        for (size_t n = 0; n < count; n++) {
+            fvi_modes_history(both[k], n, H);
+            for (size_t i = 0; i < s; i++)
+                known[i * count + n] += of->rho * H[i];
+        }
     }
-    return status;
+}
+
+void fvi_mesh_advance_damper(const fvi_mesh_damper *of, size_t n, size_t s, const double *v, double *before)
+{
+    double change[FVI_LANES] = { 0 };
+    for (size_t i = 0; i < s; i++)
+        change[i] = v[i] - *before;
+    if (of->modes)
+        fvi_modes_advance(of->modes, n, of->beta > 0 ? change : v, *before);
+    if (of->rising)
+        fvi_modes_advance(of->rising, n, change, *before);
+    *before = v[s - 1];
+}
+
+int fvi_mesh_copy_damper(const fvi_mesh_damper *from, fvi_mesh_damper *to)
+{
+    *to = *from;
+    to->modes = to->rising = NULL;
+    to->kernel = from->kernel ? fvi_variable_step_copy_kernel(from->kernel) : NULL;
+    if (from->kernel && !to->kernel)
+        return FVI_ENOMEM;
+    const int status = from->modes ? fvi_modes_copy(from->modes, &to->modes) : FVI_SUCCESS;
+    return status || !from->rising ? status : fvi_modes_copy(from->rising, &to->rising);
+}
+
+int fvi_mesh_archive_damper(fvi_mesh_damper *of, fvi_archive *v)
+{
+    const int status = of->modes ? fvi_modes_archive(of->modes, v) : FVI_SUCCESS;
+    return status || !of->rising ? status : fvi_modes_archive(of->rising, v);
+}
+
+void fvi_mesh_free_damper(fvi_mesh_damper *of)
+{
+    fvi_modes_free(of->modes);
+    fvi_modes_free(of->rising);
+    free(of->kernel);
 }

@@ -149,6 +149,10 @@ typedef struct {
  * no end? Asked before each step that is tried. */
 int fvi_variable_step_runs_away(fvi_variable_step_state *o, size_t most_steps);
 
+/* fvi_variable_step_scale -- a size for a tolerance that is none: x; or how far the body comes in the time of a row by its
+ * velocity, or by its acceleration; or 1. What is not above rounding beside the next is none. */
+double fvi_variable_step_scale(double x, double of_v, double of_a);
+
 /* fvi_variable_step_limit -- before the first step: no step longer than `longest`, nor than
  * the last by more than `growth` factors exp(FVI_SPACING). */
 void fvi_variable_step_limit(fvi_stepper *s, double longest, int growth);

@@ -6,6 +6,7 @@
 #include "variable_step_events.h"
 
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -30,7 +31,7 @@ int fvi_variable_step_open_contact(fvi_stepper *s, fvi_variable_step_state *o, s
     const fvi_mechanism_state *of = s->mechanism;
     const double *normal = of->C + fvi_mechanism_row_of_contact(of, i) * of->d;
     const int is_new = w->is_new[i] != 0;
-    w->rounding[i] = o->allowed * fvi_mechanism_largest(of->d, normal) / 4;
+    w->rounding[i] = o->allowed * largest_abs(of->d, normal) / 4;
     w->side[i] = w->closed[i];
     w->closed[i] = w->is_new[i] = 0;
     w->has_hit[i] = 1;
@@ -135,7 +136,7 @@ int fvi_variable_step_start_contacts(fvi_stepper *s, fvi_variable_step_state *o)
             || e->value(s->t, o->d, s->x, s->p, e->params, &z) || z != 0)
             continue;
         status = fvi_variable_step_speed_of_event(s, i, s->t, s->x, s->p, normal, &speed);
-        const double size = fvi_mechanism_largest(o->d, normal) * fvi_mechanism_largest(o->d, o->v);
+        const double size = largest_abs(o->d, normal) * largest_abs(o->d, o->v);
         if (status || fabs(speed) > 1e-12 * size)
             continue;
         status = fvi_variable_step_close_contact(s, o, i);

@@ -17,8 +17,10 @@
 
 /* ---- what is kept ---- */
 
-int fvi_variable_step_has_impacts(const fvi_run *run)
+int fvi_variable_step_velocities_jump(const fvi_run *run)
 {
+    if (run->system->force.impulse_count > 0)
+        return 1;
     for (size_t i = 0; i < run->event_count; i++)
         if (fvi_event_has_wall(&run->events[i]))
             return 1;

@@ -32,7 +32,7 @@ typedef struct fvi_event_watch {
     size_t happened, room;
 } fvi_event_watch;
 
-/* fvi_variable_step_has_impacts -- is there one among the events of the run?
+/* fvi_variable_step_velocities_jump -- are there impulses of the force, or impacts among the events of the run?
  * fvi_variable_step_begin_events, _copy_events, _free_events -- o->watch, NULL where nothing is watched.
  * FVI_ENOMEM.
  * fvi_variable_step_archive_events -- as fvi_method has it, of o->watch; s->t is read already. FVI_EINVAL if what
@@ -44,7 +44,7 @@ typedef struct fvi_event_watch {
  * fvi_variable_step_outside -- the sign of z where a body is that starts on the wall: 1, or -1 if z acts as it rises.
  * fvi_variable_step_check_walls -- FVI_EINVAL if a body starts on a wall and moves into it; what a gradient returns.
  * fvi_variable_step_act -- behind that step, what its events do; how the next one begins. */
-int fvi_variable_step_has_impacts(const fvi_run *run);
+int fvi_variable_step_velocities_jump(const fvi_run *run);
 int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *o);
 int fvi_variable_step_copy_events(const fvi_event_watch *from, fvi_variable_step_state *o);
 int fvi_variable_step_archive_events(const fvi_stepper *s, fvi_variable_step_state *o, fvi_archive *v);

@@ -104,13 +104,10 @@ int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o)
                                                             o->watch->point + 2 * o->d, &speed);
         if (status)
             return status;
-        if (speed * fvi_variable_step_outside(e) < 0) {
-            fvi_fail(s->error, FVI_EINVAL, "events", speed,
-                     "event %zu: starts at Z = 0 and moves into the wall", i);
-            if (s->error)
-                s->error->index = i;
-            return FVI_EINVAL;
-        }
+        if (speed * fvi_variable_step_outside(e) < 0)
+            return fvi_at_index(s->error, i,
+                                fvi_fail(s->error, FVI_EINVAL, "events", speed,
+                                         "event %zu: starts at Z = 0 and moves into the wall", i));
     }
     return FVI_SUCCESS;
 }

@@ -98,6 +98,12 @@ static double or_else(double size, double next)
     return size > 1e-12 * next ? size : next;
 }
 
+double fvi_variable_step_scale(double x, double of_v, double of_a)
+{
+    const double size = or_else(x, or_else(of_v, of_a));
+    return size > 0 && isfinite(size) ? size : 1;
+}
+
 /* A size for a tolerance that is none: of x0; or of what the body does in the time of a
  * row, or until its spring stops it; or 1. springs: as for sort_out. */
 static int first_scale(fvi_stepper *s, const double *springs, double *scale)
@@ -178,17 +184,10 @@ static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
     o->first_after_event = 1;
 }
 
-/* By impulses of the force, or by impacts? */
-static int velocities_jump(const fvi_stepper *s)
-{
-    return s->run.system->force.impulse_count > 0
-           || fvi_variable_step_has_impacts(&s->run);
-}
-
 /* Are the steps, and the modes, short enough for a velocity that jumps? */
 static int takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
-    if (o->damped == 0 || velocities_jump(s))
+    if (o->damped == 0 || fvi_variable_step_velocities_jump(&s->run))
         return 1;
     return o->kernel ? fvi_kernel_growth(s->run.law) <= 1
                      : o->beta <= 0 || o->beta == 1;
@@ -223,7 +222,7 @@ static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
         return status;
     if (o->singular.J)
         o->least = smaller(o->least, o->singular.t1 / 16);
-    if (velocities_jump(s) && o->beta > 0) /* x'' is as h^-beta */
+    if (fvi_variable_step_velocities_jump(&s->run) && o->beta > 0) /* x'' is as h^-beta */
         o->least = smaller(
             o->least, o->T * pow(1e-4 * fmin(o->tolerance, 1), 1 / (1 - o->beta)));
     if (o->least < FVI_SHORTEST / 16 * o->T)
@@ -243,7 +242,7 @@ static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
     const fvi_system *system = s->run.system;
     if (!s->run.law)
         return FVI_SUCCESS;
-    int jumps = velocities_jump(s);
+    int jumps = fvi_variable_step_velocities_jump(&s->run);
     for (size_t j = 0; j < system->d; j++)
         jumps |= system->damping[j] > 0 && s->p[j] != 0;
     if (jumps && fvi_kernel_growth(s->run.law) > 1)
@@ -261,73 +260,53 @@ static void set_first(fvi_variable_step_state *o)
     o->next = o->first;
 }
 
-/* A damper makes of a jump what no step is short enough for. */
-static int refuse_shortest(const fvi_stepper *s)
-{
-    return fvi_fail(s->error, FVI_EUNSUP, "damper", NAN,
-                    "no step is short enough for this error: an order is too near to 2 behind a "
-                    "velocity that jumps, or to 0 at a coordinate without mass");
-}
+/* What a system does whose coordinates are solved for all together; see variable_mechanism.h. */
+typedef struct {
+    int (*scale)(fvi_stepper *s, double *scale);
+    int (*start)(fvi_stepper *s, fvi_variable_step_state *o);
+    double (*shortest)(const fvi_stepper *s, const fvi_variable_step_state *o);
+    int (*begin)(fvi_stepper *s, fvi_variable_step_state *o);
+    int (*takes_kicks)(const fvi_stepper *s, const fvi_variable_step_state *o);
+} coupled_system;
 
-/* A mechanism: its state, its dampers, and as many modes as its shortest step asks for. */
-static int start_mechanism(fvi_stepper *s, fvi_variable_step_state *o)
+static const coupled_system of_mechanism = { fvi_mesh_scale, fvi_mesh_start, fvi_mesh_shortest, fvi_mesh_begin,
+                                             fvi_mesh_takes_kicks },
+                            of_structure = { fvi_structure_mesh_scale, fvi_structure_mesh_start,
+                                             fvi_structure_mesh_shortest, fvi_structure_mesh_begin,
+                                             fvi_structure_mesh_takes_kicks };
+
+/* A mechanism, or matrices: the state, the dampers, and as many modes as the shortest step asks for. */
+static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupled_system *of)
 {
+    const fvi_matrices *m = s->run.system->matrices;
     double scale;
-    o->kinds = o->d;
+    o->kinds = m ? 1 : o->d;
     o->solve = FVI_SOLVE_TOGETHER;
-    int status = fvi_mesh_scale(s, &scale);
+    int status = of->scale(s, &scale);
     if (status)
         return status;
     plan(s, o, scale);
-    status = fvi_mesh_start(s, o);
+    status = of->start(s, o);
     if (!status)
         status = fvi_variable_step_allocate(o);
     if (status)
         return status;
-    o->least = smaller(o->least, o->T * fvi_mesh_shortest(s, o));
+    o->least = smaller(o->least, o->T * of->shortest(s, o));
     if (o->least < FVI_SHORTEST / 16 * o->T)
-        return refuse_shortest(s);
-    status = fvi_mesh_begin(s, o);
+        return fvi_fail(s->error, FVI_EUNSUP, "damper", NAN,
+                        "no step is short enough for this error: an order is too near to 2 behind a "
+                        "velocity that jumps, or to 0 at a coordinate without mass");
+    status = of->begin(s, o);
     if (!status)
         status = fvi_variable_step_find_events(s, o);
     if (!status)
         status = fvi_variable_step_begin_events(&s->run, o);
     if (!status)
         status = fvi_variable_step_strike(s, o);
+    if (!status && m)
+        status = m->inertia(o->d, o->v, m->params, s->p);
     set_first(o);
-    o->takes_kicks = fvi_mesh_takes_kicks(s);
-    return status;
-}
-
-/* The same of matrices. */
-static int start_structure(fvi_stepper *s, fvi_variable_step_state *o)
-{
-    double scale;
-    o->kinds = 1;
-    o->solve = FVI_SOLVE_TOGETHER;
-    o->rule = fvi_variable(8);
-    int status = fvi_structure_mesh_scale(s, &scale);
-    if (status)
-        return status;
-    plan(s, o, scale);
-    status = fvi_structure_mesh_start(s, o);
-    if (!status)
-        status = fvi_variable_step_allocate(o);
-    if (status)
-        return status;
-    o->least = smaller(o->least, o->T * fvi_structure_mesh_shortest(s, o));
-    if (o->least < FVI_SHORTEST / 16 * o->T)
-        return refuse_shortest(s);
-    status = fvi_structure_mesh_begin(s, o);
-    if (!status)
-        status = fvi_variable_step_find_events(s, o);
-    if (!status)
-        status = fvi_variable_step_strike(s, o);
-    if (!status)
-        status = s->run.system->matrices->inertia(o->d, o->v, s->run.system->matrices->params,
-                                                  s->p);
-    set_first(o);
-    o->takes_kicks = fvi_structure_mesh_takes_kicks(s, o);
+    o->takes_kicks = of->takes_kicks(s, o);
     return status;
 }
 
@@ -340,10 +319,8 @@ static int start(fvi_stepper *s, int open)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->d = d;
     o->open = open;
-    if (s->run.system->matrices)
-        return start_structure(s, o);
-    if (s->run.system->mechanism)
-        return start_mechanism(s, o);
+    if (s->run.system->matrices || s->run.system->mechanism)
+        return start_coupled(s, o, s->run.system->matrices ? &of_structure : &of_mechanism);
     int status = begin_law(s, o);
     if (!status)
         status = find_springs(s, o, &springs);

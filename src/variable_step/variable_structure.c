@@ -1,6 +1,7 @@
 /* src/variable_step/variable_structure.c -- Steps of any length of a structure.   [H 27, 22] */
 #include "variable_structure.h"
 
+#include "system/dot.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -38,20 +39,6 @@ static int divide_by_mass(const fvi_system *system, double *r)
     return status;
 }
 
-/* What is not zero, but for rounding, beside the next. */
-static double or_else(double size, double next)
-{
-    return size > 1e-12 * next ? size : next;
-}
-
-static double largest(size_t d, const double *v)
-{
-    double most = 0;
-    for (size_t j = 0; j < d; j++)
-        most = larger(most, fabs(v[j]));
-    return most;
-}
-
 int fvi_structure_mesh_scale(fvi_stepper *s, double *scale)
 {
     const fvi_system *system = s->run.system;
@@ -73,9 +60,7 @@ int fvi_structure_mesh_scale(fvi_stepper *s, double *scale)
         status = divide_by_mass(system, v);
     if (!status)
         status = divide_by_mass(system, a);
-    const double size =
-        or_else(largest(d, s->x), or_else(h * largest(d, v), h * h * largest(d, a)));
-    *scale = size > 0 && isfinite(size) ? size : 1;
+    *scale = fvi_variable_step_scale(largest_abs(d, s->x), h * largest_abs(d, v), h * h * largest_abs(d, a));
     free(v);
     return status;
 }
@@ -93,17 +78,13 @@ static int find_reach(const fvi_system *system, double T, double *x, double *Mx,
     for (size_t j = 0; j < d; j++)
         x[j] = 1 + 0.37 * sin((double)(3 * j + 1)); /* no mode is orthogonal to it but by chance */
     for (int i = 0; i < TIMES && !status; i++) {
-        double of_x = 0, of_y = 0;
         status = m->inertia(d, x, m->params, Mx);
-        for (size_t j = 0; j < d; j++)
-            of_x += x[j] * Mx[j];
+        const double of_x = fvi_dot(d, x, Mx);
         memcpy(x, Mx, d * sizeof *x);
         if (!status)
             status = m->solve(d, factors, x); /* y = K^{-1} M x */
-        for (size_t j = 0; j < d; j++)
-            of_y += x[j] * Mx[j];
-        *reach = smaller(T, 2 * sqrt(fabs(of_y / of_x)));
-        const double size = largest(d, x);
+        *reach = smaller(T, 2 * sqrt(fabs(fvi_dot(d, x, Mx) / of_x)));
+        const double size = largest_abs(d, x);
         for (size_t j = 0; j < d; j++)
             x[j] /= size;
     }
@@ -194,11 +175,11 @@ double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step
     double shortest = 1;
     for (size_t j = 0; j < m->count; j++) {
         const fvi_mesh_matrix *of = &m->damper[j];
-        const int moves = largest(o->d, s->p) > 0 || s->run.system->force.impulse_count > 0,
+        const int moves = largest_abs(o->d, s->p) > 0 || s->run.system->force.impulse_count > 0,
                   jumps = feels_jumps(of) && moves
                           && (s->run.system->force.impulse_count > 0
                               || of->of.past != FVI_INITIAL_HISTORY_CAPUTO),
-                  is_struck = fvi_structure_mesh_is_struck(&of->of) && largest(o->d, s->x) > 0;
+                  is_struck = fvi_structure_mesh_is_struck(&of->of) && largest_abs(o->d, s->x) > 0;
         const double power = jumps       ? 2 - of->of.growth
                              : is_struck ? 1 - of->of.growth
                                          : INFINITY;
@@ -300,30 +281,19 @@ static size_t numbers_of(const fvi_variable_step_state *o, const fvi_mesh_matrix
     return (5 + 2 * o->rule->s) * of->r;
 }
 
-static int copy_damper(const fvi_variable_step_state *o, const fvi_mesh_matrix *old,
-                       fvi_mesh_matrix *new)
-{
-    fvi_mesh_damper *to = &new->memory;
-    memcpy(new->before, old->before, numbers_of(o, old) * sizeof *new->before);
-    memcpy(new->W, old->W, sizeof new->W);
-    *to = old->memory;
-    to->modes = to->rising = NULL;
-    to->kernel = to->kernel ? fvi_variable_step_copy_kernel(to->kernel) : NULL;
-    if (old->memory.kernel && !to->kernel)
-        return FVI_ENOMEM;
-    int status = old->memory.modes ? fvi_modes_copy(old->memory.modes, &to->modes) : FVI_SUCCESS;
-    return status || !old->memory.rising ? status
-                                         : fvi_modes_copy(old->memory.rising, &to->rising);
-}
-
 int fvi_structure_mesh_copy(const fvi_stepper *from, fvi_stepper *to)
 {
     const fvi_variable_step_state *old = from->method_state;
     fvi_variable_step_state *o = to->method_state;
     o->structure = NULL;
     int status = fvi_structure_mesh_allocate(to, o);
-    for (size_t j = 0; !status && j < old->structure->count; j++)
-        status = copy_damper(o, &old->structure->damper[j], &o->structure->damper[j]);
+    for (size_t j = 0; !status && j < old->structure->count; j++) {
+        const fvi_mesh_matrix *of = &old->structure->damper[j];
+        fvi_mesh_matrix *copy = &o->structure->damper[j];
+        memcpy(copy->before, of->before, numbers_of(o, of) * sizeof *of->before);
+        memcpy(copy->W, of->W, sizeof of->W);
+        status = fvi_mesh_copy_damper(&of->memory, &copy->memory);
+    }
     return status;
 }
 
@@ -335,10 +305,8 @@ int fvi_structure_mesh_archive(fvi_stepper *s, fvi_archive *v)
     for (size_t j = 0; j < m->count && !status; j++) {
         fvi_mesh_matrix *of = &m->damper[j];
         status = v->serialize(v, of->before, 3 * of->r * sizeof *of->before, 0);
-        if (!status && of->memory.modes)
-            status = fvi_modes_archive(of->memory.modes, v);
-        if (!status && of->memory.rising)
-            status = fvi_modes_archive(of->memory.rising, v);
+        if (!status)
+            status = fvi_mesh_archive_damper(&of->memory, v);
     }
     m->h = 0;
     return status;
@@ -350,9 +318,7 @@ void fvi_structure_mesh_free(fvi_variable_step_state *o)
     if (!m)
         return;
     for (size_t j = 0; m->damper && j < m->count; j++) {
-        fvi_modes_free(m->damper[j].memory.modes);
-        fvi_modes_free(m->damper[j].memory.rising);
-        free(m->damper[j].memory.kernel);
+        fvi_mesh_free_damper(&m->damper[j].memory);
         free(m->damper[j].before);
     }
     for (size_t i = 0; i < FVI_MESH_RUNGS; i++)

@@ -49,20 +49,6 @@ int fvi_structure_mesh_allocate(const fvi_stepper *s, fvi_variable_step_state *o
     return FVI_SUCCESS;
 }
 
-/* Riemann and Liouville's past below the order 1: the place is a jump at t = 0, y = sigma z_0 in every mode. */
-static void strike(fvi_variable_step_state *o, fvi_mesh_matrix *to)
-{
-    fvi_modes *modes = to->memory.modes;
-    memset(to->centre, 0, to->r * sizeof *to->centre);
-    if (!modes)
-        return;
-    o->undeclared_jump_until = o->T; /* such a start shows a part of its error alone */
-    fvi_modes_activate_all(modes);
-    for (size_t n = 0; n < to->r; n++)
-        for (size_t q = 0; q < fvi_modes_count(modes); q++)
-            fvi_modes_add(modes, n, q, fvi_modes_decay(modes, q) * to->z[n]);
-}
-
 /* A law has such a past only where nothing is stretched (dampers_check.h), and then it was held. */
 int fvi_structure_mesh_is_struck(const fvi_run_damper *of)
 {
@@ -85,8 +71,10 @@ static int begin_damper(fvi_stepper *s, fvi_variable_step_state *o, fvi_mesh_mat
         return status;
     if (to->of.growth <= 1 || to->of.past == FVI_INITIAL_HISTORY_CAPUTO) /* else it was at rest */
         memcpy(to->before, to->now, to->r * sizeof *to->now);
-    if (fvi_structure_mesh_is_struck(&to->of))
-        strike(o, to);
+    if (fvi_structure_mesh_is_struck(&to->of)) { /* the place is a jump at t = 0 */
+        memset(to->centre, 0, to->r * sizeof *to->centre);
+        fvi_mesh_stretch_damper(o, &to->memory, to->r, to->z);
+    }
     return status;
 }
 
@@ -139,21 +127,6 @@ int fvi_structure_mesh_solver(const fvi_stepper *s, fvi_variable_step_state *o, 
     return status;
 }
 
-/* rho H of one set of modes, or of none. */
-static void add_modes(const fvi_variable_step_state *o, const fvi_mesh_matrix *to,
-                      fvi_modes *modes)
-{
-    double H[FVI_LANES];
-    if (!modes)
-        return;
-    fvi_modes_begin(modes, o->length);
-    for (size_t n = 0; n < to->r; n++) {
-        fvi_modes_history(modes, n, H);
-        for (size_t i = 0; i < o->rule->s; i++)
-            to->force[i * to->r + n] += to->memory.rho * H[i];
-    }
-}
-
 /* The modes, what the present makes of a constant velocity, and of a spring where it is. */
 static int predict_damper(fvi_variable_step_state *o, fvi_mesh_matrix *to)
 {
@@ -173,8 +146,7 @@ static int predict_damper(fvi_variable_step_state *o, fvi_mesh_matrix *to)
                 - (to->memory.W1[i] != 0 ? factor * to->memory.W1[i] * to->before[n] : 0)
                 + (to->memory.beta == -1 ? to->memory.rho * to->z[n] : 0);
     }
-    add_modes(o, to, to->memory.modes);
-    add_modes(o, to, to->memory.rising);
+    fvi_mesh_add_history(&to->memory, o->length, s, r, to->force);
     for (size_t i = 0; i < s && !status; i++)
         status = C->damp(o->d, 1, to->force + i * r, C->params, o->structure->load + i * o->d);
     return status;
@@ -222,17 +194,11 @@ static int advance_damper(fvi_variable_step_state *o, fvi_mesh_matrix *of)
         status = C->remember(o->d, o->structure->delta + i * o->d, of->zero, C->params,
                              of->slope + i * r);
     for (size_t n = 0; n < r && !status; n++) {
-        double v[FVI_LANES] = { 0 }, change[FVI_LANES] = { 0 };
-        for (size_t i = 0; i < s; i++) {
+        double v[FVI_LANES] = { 0 };
+        for (size_t i = 0; i < s; i++)
             v[i] = of->now[n] + of->slope[i * r + n];
-            change[i] = v[i] - of->before[n];
-        }
-        if (of->memory.modes)
-            fvi_modes_advance(of->memory.modes, n, of->memory.beta > 0 ? change : v,
-                              of->before[n]);
-        if (of->memory.rising)
-            fvi_modes_advance(of->memory.rising, n, change, of->before[n]);
-        of->before[n] = of->now[n] = v[s - 1];
+        fvi_mesh_advance_damper(&of->memory, n, s, v, &of->before[n]);
+        of->now[n] = v[s - 1];
     }
     return status;
 }
