@@ -104,8 +104,7 @@ static int find(weighed *w, double *load)
         return FVI_SUCCESS;
     }
     if (helps(w))
-        FVI_FAIL("a load whose damping helps is not known for matrices",
-                 FVI_EUNSUP);
+        FVI_FAIL("a load whose damping helps is not known for matrices", FVI_EUNSUP);
     double *room = calloc(2 * (d + r), sizeof *room), largest = 0;
     void *factors = NULL;
     int status =

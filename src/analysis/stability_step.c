@@ -80,8 +80,7 @@ int fvi_stability_longest_step(const fvi_method *method, const fvi_run *run, dou
     if (!method || !run || !h)
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!method->stability_number_grows)
-        FVI_FAIL("the stable steps are not all those up to a longest",
-                 FVI_EUNSUP);
+        FVI_FAIL("the stable steps are not all those up to a longest", FVI_EUNSUP);
     int status = fvi_system_require_any(run->system);
     if (status)
         return status;

@@ -256,21 +256,16 @@ static int fail_of_search(const fvi_solve_state *o, int status)
             return status;
     }
     if (status != FVI_ETOL)
-        return fvi_fail(o->error, status, NULL, NAN, "%s",
-                        fvi_error_name(status));
+        return fvi_fail(o->error, status, NULL, NAN, "%s", fvi_error_name(status));
     if (!isfinite(o->report->error) && o->report->events_differ)
-        return fvi_fail(o->error, status, "tolerance", o->tolerance,
-                        "%g is out of reach: no two runs have the same events; they agree on %zu, "
-                        "until t = %.6g, and then a Z may touch 0, or the motion be chaotic",
-                        o->tolerance, o->report->agreed, o->report->agreed_until);
+        return fvi_fail(o->error, status, "tolerance", o->tolerance, "%g is out of reach: no two runs have the same "
+                        "events; they agree on %zu, until t = %.6g, and then a Z may touch 0, or the motion be "
+                        "chaotic", o->tolerance, o->report->agreed, o->report->agreed_until);
     if (!isfinite(o->report->error))
-        return fvi_fail(o->error, status, "tolerance", o->tolerance,
-                        "no step gives a result that can be trusted");
+        return fvi_fail(o->error, status, "tolerance", o->tolerance, "no step gives a result that can be trusted");
     return fvi_fail(o->error, status, "tolerance", o->tolerance,
-                    "%g is out of reach; the smallest estimate was %.2g%s%s",
-                    o->tolerance, o->report->error,
-                    o->report->other ? "; a higher order has " : "",
-                    o->report->other ? o->report->other->name : "");
+                    "%g is out of reach; the smallest estimate was %.2g%s%s", o->tolerance, o->report->error,
+                    o->report->other ? "; a higher order has " : "", o->report->other ? o->report->other->name : "");
 }
 
 /* How many rows the search writes, and where among them is row k. */
@@ -303,8 +298,7 @@ static int observe_again(fvi_solve_state *o)
         status = fvi_stepper_start(o->method, &run, &s, o->error);
     }
     if (status)
-        return fvi_fail(o->error, status, NULL, NAN, "%s",
-                        fvi_error_name(status));
+        return fvi_fail(o->error, status, NULL, NAN, "%s", fvi_error_name(status));
     status = observe_run(o, s);
     fvi_stepper_free(s);
     return status;
@@ -329,8 +323,7 @@ static int solve_to_tolerance(fvi_solve_state *o)
 {
     const size_t d = o->run.system->d, rows = rows_of_search(o);
     if (rows >= SIZE_MAX / sizeof(double) / 8 / d)
-        return fvi_fail(o->error, FVI_EINVAL, "rows", (double)rows,
-                        "rows must be addressable");
+        return fvi_fail(o->error, FVI_EINVAL, "rows", (double)rows, "rows must be addressable");
     double *x = malloc(2 * rows * d * sizeof *x);
     if (!x)
         return fvi_no_memory(o->error, NULL);
@@ -353,8 +346,7 @@ int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options,
     static const fvi_solve_options usual_options;
     static const fvi_accuracy not_asked_for;
     if (!problem || !outputs)
-        return fvi_fail(error, FVI_EFAULT, problem ? "outputs" : "problem", NAN,
-                        "null pointer");
+        return fvi_fail(error, FVI_EFAULT, problem ? "outputs" : "problem", NAN, "null pointer");
     fvi_report done = { .error = INFINITY };
     fvi_solve_state o = { .out = outputs, .report = &done, .error = error };
     int status = fvi_solve_prepare(&o, problem, options ? options : &usual_options,

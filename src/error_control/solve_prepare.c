@@ -105,8 +105,7 @@ static int check_step(const fvi_solve_state *o, double h)
 {
     return h > 0 && isfinite(h)
                ? FVI_SUCCESS
-               : fvi_fail(o->error, FVI_EDOM, "h", h,
-                          "h is %g; without a tolerance a step > 0 is needed", h);
+               : fvi_fail(o->error, FVI_EDOM, "h", h, "h is %g; without a tolerance a step > 0 is needed", h);
 }
 
 /* Is the body known between the ends of steps of one length? What an observer says is not. */
@@ -123,14 +122,12 @@ static int given_steps(fvi_solve_state *o, double T, double h)
         return status;
     const double steps = round(T / h);
     if (!(fabs(steps * h - T) <= 1e-9 * T) || !(steps < (double)SIZE_MAX))
-        return fvi_fail(o->error, FVI_EDOM, "T", T,
-                        "T is %.10g, which is no multiple of h = %.10g", T, h);
+        return fvi_fail(o->error, FVI_EDOM, "T", T, "T is %.10g, which is no multiple of h = %.10g", T, h);
     o->run.h = h;
     o->run.steps = (size_t)steps;
     if (!o->out->t && o->out->rows != o->run.steps + 1)
         return fvi_fail(o->error, FVI_EINVAL, "rows", (double)o->out->rows,
-                        "%zu rows for %zu steps; there is one more of them",
-                        o->out->rows, o->run.steps);
+                        "%zu rows for %zu steps; there is one more of them", o->out->rows, o->run.steps);
     const size_t k =
         o->out->t && !o->method->dense ? first_between(o->out, h) : SIZE_MAX;
     o->is_between = k < o->out->rows && has_path(o);
@@ -148,8 +145,7 @@ static int choose_grid(fvi_solve_state *o, double T, double h)
         return given_steps(o, T, h);
     int status = FVI_SUCCESS;
     if (!o->out->t && o->out->rows < 2)
-        return fvi_fail(o->error, FVI_EINVAL, "rows", 1,
-                        "evenly from 0 to T are two rows at least");
+        return fvi_fail(o->error, FVI_EINVAL, "rows", 1, "evenly from 0 to T are two rows at least");
     o->run.steps = o->out->t ? COMPARED : o->out->rows - 1;
     if (o->out->t && !o->method->dense)
         status = common_steps(o, T, &o->run.steps);
@@ -165,13 +161,11 @@ int fvi_solve_prepare(fvi_solve_state *o, const fvi_problem *problem,
     o->most_steps = accuracy->most_steps;
     if (!(o->tolerance >= 0 && isfinite(o->tolerance)))
         return fvi_fail(o->error, FVI_EDOM, "tolerance", o->tolerance,
-                        "tolerance is %g; it must be finite and not negative",
-                        o->tolerance);
+                        "tolerance is %g; it must be finite and not negative", o->tolerance);
     if (o->tolerance == 0 && options->h != 0 && check_step(o, options->h)) /* callers have T from it */
         return FVI_EDOM;
     if (!(problem->T > 0 && isfinite(problem->T)))
-        return fvi_fail(o->error, FVI_EDOM, "T", problem->T,
-                        "T is %g; it must be finite and positive", problem->T);
+        return fvi_fail(o->error, FVI_EDOM, "T", problem->T, "T is %g; it must be finite and positive", problem->T);
     o->run = (fvi_run){ .system = &problem->system,
                         .x0 = problem->x0,
                         .p0 = problem->p0,

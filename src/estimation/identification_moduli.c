@@ -171,8 +171,7 @@ static int check(const moduli *o, const fvi_estimate *fitted)
     for (size_t i = 0; i < o->n; i++)
         if (!(o->w[i] > 0) || !isfinite(o->w[i]) || !isfinite(o->storage[i])
             || !isfinite(o->loss[i]) || hypot(o->storage[i], o->loss[i]) == 0)
-            FVI_FAIL("frequencies are > 0, moduli finite, not both 0",
-                     FVI_EDOM);
+            FVI_FAIL("frequencies are > 0, moduli finite, not both 0", FVI_EDOM);
     return FVI_SUCCESS;
 }
 

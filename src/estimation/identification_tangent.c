@@ -22,8 +22,7 @@ static int check(const fvi_run *run, size_t P, const fvi_free_parameter *which)
         FVI_FAIL("the tangents are those of a power", FVI_EUNSUP);
     int status = fvi_system_require(run->system);
     if (!status && (run->system->d != 1 || P == 0))
-        FVI_FAIL("tangents are of one mass, by a parameter or more",
-                 FVI_EINVAL);
+        FVI_FAIL("tangents are of one mass, by a parameter or more", FVI_EINVAL);
     for (size_t j = 0; j < P && !status; j++)
         if (which[j] >= FVI_FREE_PARAMETER_CONSTANT
             && which[j] - FVI_FREE_PARAMETER_CONSTANT

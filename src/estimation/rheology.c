@@ -72,8 +72,7 @@ static int check_numbers(const fvi_material_data *d, fvi_error *error)
             return fvi_fail(error, FVI_EDOM, "data", 0, "a datum of 0 has no relative error");
         for (size_t k = 0; k < 2; k++)
             if (units[k] && !(units[k][i] > 0 && isfinite(units[k][i])))
-                return fvi_fail(error, FVI_EDOM, "unit", units[k][i],
-                                "must be finite and above 0");
+                return fvi_fail(error, FVI_EDOM, "unit", units[k][i], "must be finite and above 0");
     }
     return FVI_SUCCESS;
 }
@@ -84,11 +83,9 @@ static int check(const fvi_material_data *d, const fvi_material *answer, fvi_err
         || (d->test == FVI_MATERIAL_MODULI && !d->second))
         return fvi_fail(error, FVI_EFAULT, NULL, NAN, "a pointer of the data is NULL");
     if (d->elements == 0 || d->elements > FVI_MATERIAL_ELEMENTS)
-        return fvi_fail(error, FVI_EINVAL, "law", (double)d->elements, "1 to %d elements",
-                        FVI_MATERIAL_ELEMENTS);
+        return fvi_fail(error, FVI_EINVAL, "law", (double)d->elements, "1 to %d elements", FVI_MATERIAL_ELEMENTS);
     if (d->starts < 2 || d->starts > MOST_STARTS)
-        return fvi_fail(error, FVI_EINVAL, "starts", (double)d->starts, "2 to %d starts",
-                        MOST_STARTS);
+        return fvi_fail(error, FVI_EINVAL, "starts", (double)d->starts, "2 to %d starts", MOST_STARTS);
     if (!(d->sigma >= 0) || !isfinite(d->sigma))
         return fvi_fail(error, FVI_EDOM, "sigma", d->sigma, "must be finite and not negative");
     if (d->load == 0 || !isfinite(d->load))
@@ -99,8 +96,7 @@ static int check(const fvi_material_data *d, const fvi_material *answer, fvi_err
         if ((unsigned)d->kind[n] > FVI_ELEMENT_DISTRIBUTED)
             return fvi_fail(error, FVI_EINVAL, "law", (double)d->kind[n], "no such element");
         if (d->kind[n] == FVI_ELEMENT_VISCOUS && d->test == FVI_MATERIAL_RELAXATION)
-            return fvi_fail(error, FVI_EINVAL, "law", NAN,
-                            "'viscous' relaxes at once: no datum of relaxation knows it");
+            return fvi_refuse(error, "law", "'viscous' relaxes at once: no datum of relaxation knows it");
         numbers += fvi_element_shape(d->kind[n], &kinds);
     }
     if ((d->test == FVI_MATERIAL_MODULI ? 2 : 1) * d->n <= numbers)

@@ -92,8 +92,7 @@ static int find(const fvi_pole *Q, const fvi_log_box *b, int n, size_t most,
     if (n == 0)
         return FVI_SUCCESS;
     if (*count + (size_t)n > most)
-        return fvi_fail(error, FVI_EUNSUP, "law", NAN,
-                        "the law has too many oscillations");
+        return fvi_fail(error, FVI_EUNSUP, "law", NAN, "the law has too many oscillations");
     fvi_pole one = *Q;
     if (n == 1 && newton(b, &one)) {
         pole[(*count)++] = one;
@@ -103,8 +102,7 @@ static int find(const fvi_pole *Q, const fvi_log_box *b, int n, size_t most,
     const int first =
         b->u[1] - b->u[0] + b->v[1] - b->v[0] > 1e-12 ? cut(Q, b, half) : -1;
     if (first < 0 || first > n)
-        return fvi_fail(error, FVI_EMAXITER, NULL, NAN,
-                        "the poles of the motion were not found");
+        return fvi_fail(error, FVI_EMAXITER, NULL, NAN, "the poles of the motion were not found");
     int status = find(Q, &half[0], first, most, pole, count, error);
     if (!status)
         status = find(Q, &half[1], n - first, most, pole, count, error);
@@ -118,8 +116,7 @@ int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law,
     static const double edge[] = { 2.95, 2.94, 2.96 };
     const fvi_pole Q = { .m = m, .c = c, .rho = rho, .law = law };
     if (isnan(phase(&Q, 150, 2)) || isnan(phase(&Q, -150, 2)))
-        return fvi_fail(error, FVI_EOVRFLW, "law", NAN,
-                        "the law is not finite");
+        return fvi_fail(error, FVI_EOVRFLW, "law", NAN, "the law is not finite");
     int n = -1;
     fvi_log_box all;
     for (size_t i = 0; n < 0 && i < sizeof edge / sizeof *edge; i++) {
@@ -128,8 +125,7 @@ int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law,
     }
     *count = 0;
     if (n < 0)
-        return fvi_fail(error, FVI_EMAXITER, NULL, NAN,
-                        "the poles of the motion were not found");
+        return fvi_fail(error, FVI_EMAXITER, NULL, NAN, "the poles of the motion were not found");
     int status = find(&Q, &all, n, most, pole, count, error);
     for (size_t i = 0; !status && i < *count; i++)
         fvi_pole_polish(&pole[i]);

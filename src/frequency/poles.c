@@ -331,8 +331,7 @@ int fvi_poles_find(fvi_response *r, size_t count, fvi_poles *poles,
     if (!r || !poles)
         return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
     if (count > r->d)
-        return fvi_fail(error, FVI_EINVAL, "count", (double)count,
-                        "%zu poles of %zu unknowns", count, r->d);
+        return fvi_fail(error, FVI_EINVAL, "count", (double)count, "%zu poles of %zu unknowns", count, r->d);
     const size_t wanted = count ? count : r->d;
     if (wanted > FVI_MOST_POLES)
         return fvi_fail(error, FVI_EUNSUP, "count", (double)wanted,

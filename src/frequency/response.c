@@ -19,9 +19,7 @@ static int check_mechanism(const fvi_mechanism *m, fvi_error *error)
                         : m->force_on     ? "force"
                         : m->constraints ? "constraint"
                                           : NULL;
-    return field ? fvi_fail(error, FVI_EUNSUP, field, NAN,
-                            "only masses, a potential and dampers are made "
-                            "linear")
+    return field ? fvi_fail(error, FVI_EUNSUP, field, NAN, "only masses, a potential and dampers are made linear")
                  : FVI_SUCCESS;
 }
 
@@ -35,8 +33,7 @@ static int take_along(const fvi_linear_motion *motion, fvi_response *r,
         r->along[i] = motion->along ? motion->along[i] : 1;
     return fvi_all_finite(r->d, r->along)
                ? FVI_SUCCESS
-               : fvi_fail(error, FVI_EDOM, "along", NAN,
-                          "how the unknowns move with the ground is not finite");
+               : fvi_fail(error, FVI_EDOM, "along", NAN, "how the unknowns move with the ground is not finite");
 }
 
 int fvi_response_alloc(const fvi_linear_motion *motion, fvi_response **response,
@@ -51,8 +48,7 @@ int fvi_response_alloc(const fvi_linear_motion *motion, fvi_response **response,
         return status;
     for (size_t i = 0; motion->at && i < motion->system->d; i++)
         if (!isfinite(motion->at[i]))
-            return fvi_fail(error, FVI_EDOM, "at", motion->at[i],
-                            "the place is not finite");
+            return fvi_fail(error, FVI_EDOM, "at", motion->at[i], "the place is not finite");
     fvi_response *r = calloc(1, sizeof *r);
     if (!r)
         return fvi_no_memory(error, NULL);
@@ -98,16 +94,14 @@ static int take_s(const double s[2], double complex *z, fvi_error *error)
     if (s[1] < 0)
         *z = conj(*z);
     if (!isfinite(s[0]) || !isfinite(s[1]) || *z == 0)
-        return fvi_fail(error, FVI_EDOM, "s", s[0],
-                        "s must be finite and not zero");
+        return fvi_fail(error, FVI_EDOM, "s", s[0], "s must be finite and not zero");
     return FVI_SUCCESS;
 }
 
 static int refuse_pole(int status, fvi_error *error)
 {
     return fvi_fail(error, status, NULL, NAN,
-                    status == FVI_ESING ? "this is a pole: there is no response"
-                                        : "not enough memory");
+                    status == FVI_ESING ? "this is a pole: there is no response" : "not enough memory");
 }
 
 int fvi_response_solve(fvi_response *r, const double s[2], const double *f,
@@ -128,8 +122,7 @@ int fvi_response_solve(fvi_response *r, const double s[2], const double *f,
         return refuse_pole(status, error);
     return fvi_all_finite(2 * r->d, x)
                ? FVI_SUCCESS
-               : fvi_fail(error, FVI_EOVRFLW, NULL, NAN,
-                          "the response is not finite");
+               : fvi_fail(error, FVI_EOVRFLW, NULL, NAN, "the response is not finite");
 }
 
 int fvi_response_multiply(fvi_response *r, const double s[2], int derivative,
@@ -146,8 +139,7 @@ int fvi_response_multiply(fvi_response *r, const double s[2], int derivative,
                            (const double complex *)x, (double complex *)y);
     return fvi_all_finite(2 * r->d, y)
                ? FVI_SUCCESS
-               : fvi_fail(error, FVI_EOVRFLW, NULL, NAN,
-                          "the product is not finite");
+               : fvi_fail(error, FVI_EOVRFLW, NULL, NAN, "the product is not finite");
 }
 
 /* ---- responses ---- */
@@ -209,11 +201,9 @@ int fvi_response_at(fvi_response *r, fvi_response_kind kind, size_t n,
     if (!r || !omega || !H)
         return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
     if ((unsigned)kind > FVI_RESPONSE_GROUND)
-        return fvi_fail(error, FVI_EINVAL, "kind", (double)kind,
-                        "no such response");
+        return fvi_fail(error, FVI_EINVAL, "kind", (double)kind, "no such response");
     if (at >= r->d || (kind != FVI_RESPONSE_GROUND && by >= r->d))
-        return fvi_fail(error, FVI_EINVAL, at >= r->d ? "at" : "by",
-                        (double)(at >= r->d ? at : by),
+        return fvi_fail(error, FVI_EINVAL, at >= r->d ? "at" : "by", (double)(at >= r->d ? at : by),
                         "there are %zu unknowns", r->d);
     double complex *x = malloc(r->d * sizeof *x);
     if (!x)

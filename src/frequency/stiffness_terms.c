@@ -33,10 +33,8 @@ static int take_triplets(fvi_response *r, size_t count,
     fvi_sparse A;
     for (size_t e = 0; e < count; e++)
         if (!isfinite(triplets[e].entry))
-            return fvi_fail(error, FVI_EBADFUNC, kernel ? "damper" : "potential",
-                            triplets[e].entry,
-                            kernel ? "an elongation has no finite gradient"
-                                   : "the Hessian is not finite");
+            return fvi_fail(error, FVI_EBADFUNC, kernel ? "damper" : "potential", triplets[e].entry,
+                            kernel ? "an elongation has no finite gradient" : "the Hessian is not finite");
     if (fvi_sparse_assemble(r->d, count, triplets, &A))
         return fvi_no_memory(error, NULL);
     take_term(r, NULL, &A, kernel);
@@ -88,8 +86,7 @@ static int take_hessian(fvi_response *r, const fvi_system *system,
     if (!status) {
         status = system->potential.hessian(d, at, system->potential.params, H);
         if (status)
-            (void)fvi_fail(error, status, "potential", NAN,
-                           "it has no Hessian where it is to be linear");
+            (void)fvi_fail(error, status, "potential", NAN, "it has no Hessian where it is to be linear");
     }
     if (!status)
         status =
@@ -113,13 +110,11 @@ static int find_gradient(const fvi_elongation *of, size_t d, const double *at, d
         return fvi_no_memory(error, NULL);
     int status = of->gradient ? of->gradient(0, d, at, of->params, g) : FVI_EFAULT;
     if (status)
-        (void)fvi_fail(error, status, "damper", NAN,
-                       "its elongation has no gradient where it is to be linear");
+        (void)fvi_fail(error, status, "damper", NAN, "its elongation has no gradient where it is to be linear");
     else if (of->rate && !of->gradient(0.73, d, at, of->params, later)
              && memcmp(g, later, d * sizeof *g) != 0)
         status = fvi_fail(error, FVI_EUNSUP, "damper", NAN,
-                          "the gradient of its elongation changes with t: there are no poles "
-                          "and no response");
+                          "the gradient of its elongation changes with t: there are no poles and no response");
     free(later);
     return status;
 }
@@ -156,12 +151,9 @@ static int take_dampers(fvi_response *r, const fvi_mechanism *mechanism,
         const fvi_damper *damper = &mechanism->damper[j];
         status = fvi_kernel_check(damper->kernel);
         if (status)
-            return fvi_fail(error, status, "damper", NAN,
-                            "the kernel of damper %zu is no law", j + 1);
+            return fvi_fail(error, status, "damper", NAN, "the kernel of damper %zu is no law", j + 1);
         if (damper->matrix && damper->matrix->n != r->d)
-            return fvi_fail(error, FVI_EINVAL, "damper", NAN,
-                            "the matrix of damper %zu is of another size",
-                            j + 1);
+            return fvi_refuse(error, "damper", "the matrix of damper %zu is of another size", j + 1);
         if (damper->matrix)
             take_term(r, damper->matrix, NULL, damper->kernel);
         else
@@ -182,8 +174,7 @@ static int take_damping(fvi_response *r, const fvi_linear_motion *motion,
     if (none)
         return FVI_SUCCESS;
     if (!motion->law && !(motion->alpha >= 0 && motion->alpha <= 1))
-        return fvi_fail(error, FVI_EDOM, "alpha", motion->alpha,
-                        "alpha is %g; it must be in [0, 1]", motion->alpha);
+        return fvi_fail(error, FVI_EDOM, "alpha", motion->alpha, "alpha is %g; it must be in [0, 1]", motion->alpha);
     const int status = motion->law ? fvi_kernel_check(motion->law) : 0;
     if (status)
         return fvi_fail(error, status, "law", NAN, "the law is none");
@@ -208,8 +199,7 @@ int fvi_stiffness_build(const fvi_linear_motion *motion, fvi_response *r,
     r->term = calloc(dampers + 3, sizeof *r->term);
     int status = origin && r->term ? FVI_SUCCESS : fvi_no_memory(error, NULL);
     if (!status && matrices && !(matrices->M && matrices->K))
-        status = fvi_fail(error, FVI_EUNSUP, "matrices", NAN,
-                          "these matrices do not say their entries");
+        status = fvi_fail(error, FVI_EUNSUP, "matrices", NAN, "these matrices do not say their entries");
     if (!status && matrices) {
         take_term(r, matrices->M, NULL, NULL);
         take_term(r, matrices->K, NULL, NULL);

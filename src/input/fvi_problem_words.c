@@ -58,12 +58,10 @@ static int take_line(list *l, const char *file, size_t number, char *line,
     if (name == 0 || *line == '-'
         || (line[name] && !strchr(" \t=", line[name])))
         return fvi_refuse(error, "problem",
-                          "%s, line %zu: '%.40s' does not begin with the name of "
-                          "an option, without --",
-                          file, number, line);
+                          "%s, line %zu: '%.40s' does not begin with the name of an option, without --", file, number,
+                          line);
     if (strncmp(line, "problem", name) == 0 && name == 7)
-        return fvi_refuse(error, "problem", "%s, line %zu: a file in a file",
-                          file, number);
+        return fvi_refuse(error, "problem", "%s, line %zu: a file in a file", file, number);
     char *value = trim(line + name);
     if (*value == '=')
         value = trim(value + 1);
@@ -95,8 +93,7 @@ static int take_file(list *l, const char *name, fvi_error *error)
     ssize_t length;
     int status = 0;
     if (!f)
-        return fvi_refuse(error, "problem", "cannot read '%s': %s", name,
-                          strerror(errno));
+        return fvi_refuse(error, "problem", "cannot read '%s': %s", name, strerror(errno));
     fvi_mark_read("problem", name);
     errno = 0;
     while (!status && (length = getline(&line, &room, f)) >= 0) {
@@ -107,8 +104,7 @@ static int take_file(list *l, const char *name, fvi_error *error)
             status = take_line(l, name, number, number == 1 ? behind_mark(line) : line, error);
     }
     if (!status && ferror(f))
-        status = fvi_refuse(error, "problem", "cannot read '%s': %s", name,
-                            strerror(errno));
+        status = fvi_refuse(error, "problem", "cannot read '%s': %s", name, strerror(errno));
     free(line);
     fclose(f);
     return status;

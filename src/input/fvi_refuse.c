@@ -9,8 +9,7 @@ int fvi_refuse_option(fvi_error *error, const char *given,
 {
     const char *word = given + strspn(given, "-"),
                *nearest = fvi_nearest_word(word, strcspn(word, "="), names);
-    return fvi_refuse(error, NULL, "%s: no such option%s%s%s", given,
-                      nearest ? "; did you mean --" : "",
+    return fvi_refuse(error, NULL, "%s: no such option%s%s%s", given, nearest ? "; did you mean --" : "",
                       nearest ? nearest : "", nearest ? "?" : "");
 }
 

@@ -9,10 +9,6 @@
 
 enum { FVI_COMPLAINT = FVI_ERROR_ROOM + 80 /* bytes that are enough */ };
 
-/* Refuse the value of the option, as printf would; NULL: the text names what is refused. */
-#define fvi_refuse(error, option, ...)                                         \
-    fvi_fail(error, FVI_EINVAL, option, NAN, __VA_ARGS__)
-
 /* Refuse an option that is none of these, "--apha=1" of "alpha": with the nearest one, if
  * one is near. */
 int fvi_refuse_option(fvi_error *error, const char *given,

@@ -62,8 +62,7 @@ int fvi_shared_open(const char *text, void **library, fvi_potential *U,
         if (status)
             return status;
     } else if (!(*library = dlopen(path, RTLD_NOW))) {
-        return fvi_refuse(c, "potential", "cannot load '%s': %s", text,
-                          dlerror());
+        return fvi_refuse(c, "potential", "cannot load '%s': %s", text, dlerror());
     }
     const fvi_potential *found = dlsym(*library, "fvi_user_potential");
     if (found && found->value && found->gradient && found->hessian) {

@@ -44,8 +44,7 @@ static int check_range(const fvi_kernel_term *t)
 {
     const int status = check_order(t);
     if (!status && !(t->end > t->alpha && t->end <= 1))
-        FVI_FAIL("the end of a range of orders must be in (alpha, 1]",
-                 FVI_EDOM);
+        FVI_FAIL("the end of a range of orders must be in (alpha, 1]", FVI_EDOM);
     return status;
 }
 

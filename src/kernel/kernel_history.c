@@ -111,17 +111,14 @@ static int choose(const fvi_kernel_ready *r, size_t steps, double tolerance,
     if (status)
         return status;
     if (*how == FVI_HISTORY_MODES && !has)
-        FVI_FAIL("the tail of this law is no sum of decaying modes",
-                 FVI_EUNSUP);
+        FVI_FAIL("the tail of this law is no sum of decaying modes", FVI_EUNSUP);
     if (*how == FVI_HISTORY_AUTO)
         *how = has ? fvi_history_choose(0.5, steps) : FVI_HISTORY_DIRECT;
     if (*how == FVI_HISTORY_MODES && steps > FVI_LONGEST)
-        FVI_FAIL("the compressed memory reaches back 10^9 steps at most",
-                 FVI_EINVAL);
+        FVI_FAIL("the compressed memory reaches back 10^9 steps at most", FVI_EINVAL);
     if (*how == FVI_HISTORY_MODES && tolerance != 0
         && tolerance < FVI_LEAST_TOLERANCE)
-        FVI_FAIL("the compressed memory keeps tolerances from 1e-14 on",
-                 FVI_ETOL);
+        FVI_FAIL("the compressed memory keeps tolerances from 1e-14 on", FVI_ETOL);
     return FVI_SUCCESS;
 }
 

@@ -103,8 +103,7 @@ int fvi_sparse_assemble(size_t n, size_t count, const fvi_triplet *triplets,
         if (triplets[l].row < 0 || (size_t)triplets[l].row >= n
             || triplets[l].column < 0 || (size_t)triplets[l].column >= n
             || !isfinite(triplets[l].entry))
-            FVI_FAIL("a triplet is outside of the matrix, or not finite",
-                     FVI_EDOM);
+            FVI_FAIL("a triplet is outside of the matrix, or not finite", FVI_EDOM);
     if (fvi_sparse_alloc(n, count, &whole))
         FVI_FAIL("no memory for the matrix", FVI_ENOMEM);
     by_columns(count, triplets, &whole);

@@ -57,16 +57,13 @@ static int check_constraints(const fvi_method *method, const fvi_run *run,
     const fvi_constraints *c = run->system->mechanism->constraints;
     const int is_node = method->scheme == FVI_SCHEME_CQ2_MIDPOINT;
     if (!is_node && !method->stages && method->scheme != FVI_SCHEME_VARIABLE_STEP)
-        return fvi_fail(error, FVI_EUNSUP, "constraint", NAN,
-                        "this method takes no constraints; fvi-stable, fvi-lobatto2 to 8, 2d to "
-                        "8d and fvi-adaptive do");
+        return fvi_fail(error, FVI_EUNSUP, "constraint", NAN, "this method takes no constraints; fvi-stable, "
+                        "fvi-lobatto2 to 8, 2d to 8d and fvi-adaptive do");
     if (!c->value || !c->gradient || (!is_node && !c->hessian))
-        return fvi_fail(error, FVI_EFAULT, "constraint", NAN,
-                        "a function of the constraints is missing");
+        return fvi_fail(error, FVI_EFAULT, "constraint", NAN, "a function of the constraints is missing");
     if (c->count == 0 || c->count > run->system->d)
-        return fvi_fail(error, FVI_EINVAL, "constraint", (double)c->count,
-                        "%zu constraints of %zu coordinates", c->count,
-                        run->system->d);
+        return fvi_fail(error, FVI_EINVAL, "constraint", (double)c->count, "%zu constraints of %zu coordinates",
+                        c->count, run->system->d);
     if (run->system->force.impulse_count && method->scheme != FVI_SCHEME_VARIABLE_STEP)
         return fvi_fail(error, FVI_EUNSUP, "constraint", NAN,
                         "impulses and constraints go together with fvi-adaptive alone");
@@ -79,19 +76,15 @@ int fvi_mechanism_check(const fvi_method *method, const fvi_run *run,
     const fvi_system *system = run->system;
     const fvi_mechanism *m = system->mechanism;
     if (run->law)
-        return fvi_fail(error, FVI_EINVAL, "law", NAN,
-                        "a system with a mechanism has its laws in its "
-                        "dampers");
+        return fvi_refuse(error, "law", "a system with a mechanism has its laws in its dampers");
     for (size_t i = 0; i < system->d && !m->lagrangian; i++)
         if (system->damping[i] != 0)
             return fvi_fail(error, FVI_EINVAL, "rho", system->damping[i],
-                            "a system with a mechanism is damped by its "
-                            "dampers alone");
+                            "a system with a mechanism is damped by its dampers alone");
     if ((m->lagrangian && !m->lagrangian->at)
         || (m->force_on && !m->force_on->at)
         || (m->damper_count && !m->damper))
-        return fvi_fail(error, FVI_EFAULT, "mechanism", NAN,
-                        "a function or the list of dampers is missing");
+        return fvi_fail(error, FVI_EFAULT, "mechanism", NAN, "a function or the list of dampers is missing");
     int status = FVI_SUCCESS;
     const int has_stages = method->stages > 0 || method->scheme == FVI_SCHEME_VARIABLE_STEP;
     for (size_t i = 0; i < m->damper_count && !status; i++)

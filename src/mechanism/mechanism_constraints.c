@@ -149,8 +149,7 @@ static int check_momentum(fvi_stepper *s, fvi_error *error)
     memset(o->ended, 0, o->m * sizeof *o->ended);
     if (status == FVI_ESING || status == FVI_EMAXITER)
         return fvi_fail(error, status, "lagrangian", NAN,
-                        "its second derivatives by the velocities are a "
-                        "singular matrix at the start");
+                        "its second derivatives by the velocities are a singular matrix at the start");
     if (!status)
         status = fvi_lagrangian_point(s->run.system, 0, s->x, o->v, NULL, NULL,
                                       Lv, NULL, NULL, NULL);
@@ -160,13 +159,10 @@ static int check_momentum(fvi_stepper *s, fvi_error *error)
         if (fabs(off) <= 1e-9 * size)
             continue;
         if (o->is_massless[i])
-            fvi_fail(error, FVI_EDOM, "p0", s->p[i], "p%zu is off by %g: this coordinate has no inertia",
-                     i + 1, off);
+            fvi_fail(error, FVI_EDOM, "p0", s->p[i], "p%zu is off by %g: this coordinate has no inertia", i + 1, off);
         else
-            fvi_fail(error, FVI_EDOM, "p0", s->p[i],
-                     "p%zu is off by %g: the velocity does not keep to the constraints, which need "
-                     "v%zu = %.12g, p%zu = %.12g",
-                     i + 1, off, i + 1, o->v[i], i + 1, p[i]);
+            fvi_fail(error, FVI_EDOM, "p0", s->p[i], "p%zu is off by %g: the velocity does not keep to the "
+                     "constraints, which need v%zu = %.12g, p%zu = %.12g", i + 1, off, i + 1, o->v[i], i + 1, p[i]);
         return fvi_at_index(error, i, FVI_EDOM);
     }
     if (!status)

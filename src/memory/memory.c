@@ -157,11 +157,9 @@ static int plan(double beta, int by_order, size_t d, size_t steps,
         *bytes = fvi_history_direct_bytes(d, steps);
     } else {
         if (steps > FVI_LONGEST)
-            FVI_FAIL("the compressed memory reaches back 10^9 steps at most",
-                     FVI_EINVAL);
+            FVI_FAIL("the compressed memory reaches back 10^9 steps at most", FVI_EINVAL);
         if (tolerance != 0 && tolerance < FVI_LEAST_TOLERANCE)
-            FVI_FAIL("the compressed memory keeps tolerances from 1e-14 on",
-                     FVI_ETOL);
+            FVI_FAIL("the compressed memory keeps tolerances from 1e-14 on", FVI_ETOL);
         m->nodes = fvi_history_modes_plan(
             m->order, steps, fvi_history_modes_delta(steps, tolerance));
         *bytes = fvi_history_modes_bytes(&m->nodes, by_order, d);

@@ -32,10 +32,9 @@ static int check_modes(const fvi_options *o, fvi_error *c)
         && !o->method->dense && fvi_method_has_modes(o->method, &run, &has))
         return fvi_no_memory(c, NULL);
     return has ? 0
-               : fvi_refuse(c, "memory", "'exponentials': of --%s '%s' there "
-                            "are none with this step; 'auto' sums it all",
-                            of_folder ? "damper" : "damping",
-                            o->text[of_folder ? DAMPER : DAMPING]);
+               : fvi_refuse(c, "memory",
+                            "'exponentials': of --%s '%s' there are none with this step; 'auto' sums it all",
+                            of_folder ? "damper" : "damping", o->text[of_folder ? DAMPER : DAMPING]);
 }
 
 int fvi_check_method(const fvi_options *o, fvi_error *c)
@@ -43,38 +42,27 @@ int fvi_check_method(const fvi_options *o, fvi_error *c)
     const fvi_method *m = o->method;
     const int by_order = o->text[ORDER] != NULL;
     if (o->alpha < m->alpha_least || o->alpha > m->alpha_most)
-        return fvi_refuse(c, by_order ? "order" : "alpha",
-                          "'%s' is not %g, all that %s knows",
-                          o->text[by_order ? ORDER : ALPHA],
-                          (1 + by_order) * m->alpha_least, m->name);
+        return fvi_refuse(c, by_order ? "order" : "alpha", "'%s' is not %g, all that %s knows",
+                          o->text[by_order ? ORDER : ALPHA], (1 + by_order) * m->alpha_least, m->name);
     if (o->text[DAMPING] && !m->takes_laws)
-        return fvi_refuse(c, "damping", "'%s' is not known to %s",
-                          o->text[DAMPING], m->name);
+        return fvi_refuse(c, "damping", "'%s' is not known to %s", o->text[DAMPING], m->name);
     if (o->text[DAMPING] && m->dense && !o->directory
         && fvi_kernel_growth(&o->damping.law) > 1 && begins_to_move(o))
-        return fvi_refuse(c, "p0", "fvi-adaptive takes no velocity that jumps "
-                          "with a law that grows faster than s; fvi-bdf2 and "
-                          "fvi-stable do");
+        return fvi_refuse(c, "p0", "fvi-adaptive takes no velocity that jumps with a law that grows faster than s; "
+                          "fvi-bdf2 and fvi-stable do");
     const int status = check_modes(o, c);
     if (status)
         return status;
     if (o->directory && !m->takes_matrices)
-        return fvi_refuse(c,
-                          "method", "'%s' takes no matrices; fvi, fvi-shifted, "
-                          "fvi-bdf2, fvi-stable, fvi-lobatto2d to 8d and fvi-adaptive do",
-                          m->name);
+        return fvi_refuse(c, "method", "'%s' takes no matrices; fvi, fvi-shifted, fvi-bdf2, fvi-stable, "
+                          "fvi-lobatto2d to 8d and fvi-adaptive do", m->name);
     if (o->mechanism && !m->takes_mechanism)
-        return fvi_refuse(c, "method",
-                          "'%s' takes no Lagrangian, dampers between points, "
-                          "constraints or forces of velocity; fvi, fvi-stable, "
-                          "fvi-lobatto2 to 8, 2d to 8d and fvi-adaptive do",
-                          m->name);
+        return fvi_refuse(c, "method", "'%s' takes no Lagrangian, dampers between points, constraints or forces of "
+                          "velocity; fvi, fvi-stable, fvi-lobatto2 to 8, 2d to 8d and fvi-adaptive do", m->name);
     if (!m->takes_kappa && o->kappa != 0.5)
-        return fvi_refuse(c, "kappa", "'%s' is not for %s, which has no kappa",
-                          o->text[KAPPA], m->name);
+        return fvi_refuse(c, "kappa", "'%s' is not for %s, which has no kappa", o->text[KAPPA], m->name);
     if (!fvi_method_takes_history(m, o->memory))
-        return fvi_refuse(c, "memory", "'%s' is not known to %s",
-                          o->text[MEMORY], m->name);
+        return fvi_refuse(c, "memory", "'%s' is not known to %s", o->text[MEMORY], m->name);
     return 0;
 }
 
@@ -118,15 +106,11 @@ int fvi_check_exact(const fvi_options *o, fvi_error *c)
     } else if (o->library
                || (u->kind != FVI_POTENTIAL_FREE
                    && !(u->kind == FVI_POTENTIAL_HARMONIC && u->constants[0] >= 0))) {
-        return fvi_refuse(c,
-                          "potential", "'%s' has no exact solution here; "
-                          "harmonic:C with C >= 0 and free have",
+        return fvi_refuse(c, "potential", "'%s' has no exact solution here; harmonic:C with C >= 0 and free have",
                           o->text[POTENTIAL]);
     }
     if (!fvi_typed_force_is_simple(o->force, &kind, constants))
-        return fvi_refuse(c,
-                          "force", "'%s' has no exact solution here; none, "
-                          "step:A,T and cosine:A,W have",
+        return fvi_refuse(c, "force", "'%s' has no exact solution here; none, step:A,T and cosine:A,W have",
                           o->text[FORCE]);
     return 0;
 }
@@ -146,8 +130,7 @@ int fvi_check_solution(fvi_options *o, fvi_error *c)
                                 "and an elongation that is not 0 at the start")
                    : 0;
     }
-    return fvi_refuse(c, "derivative", "'rl' has no solution for %s != 0 and "
-                      "alpha > 1/2; take held or caputo",
+    return fvi_refuse(c, "derivative", "'rl' has no solution for %s != 0 and alpha > 1/2; take held or caputo",
                       o->directory ? "C x0" : "x0");
 }
 
@@ -158,9 +141,7 @@ int fvi_check_impulses(const fvi_options *o, fvi_error *c)
         added_mass |= o->alpha == 1 && o->rho[i] > 0;
     if (added_mass && o->method && o->method->stages && o->force
         && fvi_force_typed(o->force).impulse_count)
-        return fvi_refuse(c,
-                          "force", "'%s': %s takes no impulse at alpha = 1; "
-                          "fvi-adaptive does",
-                          o->text[FORCE], o->method->name);
+        return fvi_refuse(c, "force", "'%s': %s takes no impulse at alpha = 1; fvi-adaptive does", o->text[FORCE],
+                          o->method->name);
     return 0;
 }

@@ -31,14 +31,12 @@ static int interpret_step_and_time(fvi_options *o, fvi_error *c)
     const double steps = o->time / o->h, whole_steps = round(steps);
     if (!(whole_steps >= 1 && whole_steps < 0x1p53
           && fabs(steps - whole_steps) <= 1e-9 * whole_steps))
-        return fvi_refuse(c, "time", "'%s' is not a whole number of steps of --h %s",
-                          o->text[TIME], o->text[H]);
+        return fvi_refuse(c, "time", "'%s' is not a whole number of steps of --h %s", o->text[TIME], o->text[H]);
     if (o->text[STEPS]) {
         status = count_steps(o, c);
         return status || (double)o->steps == whole_steps
                    ? status
-                   : fvi_refuse(c, "steps", "'%s' is not %.0f, which --time by --h is",
-                                o->text[STEPS], whole_steps);
+                   : fvi_refuse(c, "steps", "'%s' is not %.0f, which --time by --h is", o->text[STEPS], whole_steps);
     }
     o->steps = (size_t)whole_steps;
     snprintf(o->count_text, sizeof o->count_text, "%zu", o->steps);
@@ -59,8 +57,7 @@ int fvi_options_grid(fvi_options *o, fvi_error *c)
     o->time = time;
     o->h = time / (double)o->steps;
     if (!status && !(o->h > 0))
-        return fvi_refuse(c, "time", "'%s' is too short for so many steps",
-                          o->text[TIME]);
+        return fvi_refuse(c, "time", "'%s' is too short for so many steps", o->text[TIME]);
     fvi_format_double(o->h, o->step);
     o->text[H] = o->step; /* the head says what follows */
     return status;
@@ -77,13 +74,9 @@ int fvi_options_refuse_jumps(const fvi_options *o, option_index which,
         if (isnan(jump))
             break;
         if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
-            return fvi_refuse(c,
-                              "error", "the %s '%s' jumps between two rows; "
-                              "take other --steps%s",
+            return fvi_refuse(c, "error", "the %s '%s' jumps between two rows; take other --steps%s",
                               fvi_option_list[which].name, o->text[which],
-                              o->text[DAMPING] || o->directory
-                                  ? ""
-                                  : ", or --method fvi-adaptive");
+                              o->text[DAMPING] || o->directory ? "" : ", or --method fvi-adaptive");
     }
     return 0;
 }

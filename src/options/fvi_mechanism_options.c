@@ -37,8 +37,7 @@ int fvi_list_option(fvi_options *o, option_index i, const char *value,
     const int length = snprintf(list->text + used, room, "%s%s",
                                 used > 0 ? "; " : "", value);
     if (list->count == FVI_MOST_LISTED || (size_t)length >= room)
-        return fvi_refuse(c, fvi_option_list[i].name, "'%s': too many of them",
-                          value);
+        return fvi_refuse(c, fvi_option_list[i].name, "'%s': too many of them", value);
     list->value[list->count++] = value;
     o->text[i] = list->text;
     return 0;
@@ -90,9 +89,7 @@ static int refuse_pair(const fvi_options *o, option_index a,
 {
     for (; o->text[a] && *others != OPTIONS; others++)
         if (o->text[*others])
-            return fvi_refuse(c, fvi_option_list[a].name,
-                              "not together with --%s",
-                              fvi_option_list[*others].name);
+            return fvi_refuse(c, fvi_option_list[a].name, "not together with --%s", fvi_option_list[*others].name);
     return 0;
 }
 
@@ -118,8 +115,7 @@ int fvi_check_mechanism_words(const fvi_options *o, fvi_error *c)
         status = refuse_pair(o, SYSTEM, of_directory, c);
     if (!status && o->text[LAGRANGIAN]
         && (!o->text[X0] || (!o->text[V0] && !o->text[P0])))
-        status = fvi_refuse(c, "lagrangian",
-                            "a start is missing: --x0 X, and --v0 V or --p0 P");
+        status = fvi_refuse(c, "lagrangian", "a start is missing: --x0 X, and --v0 V or --p0 P");
     return status;
 }
 
@@ -238,8 +234,7 @@ int fvi_check_events(const fvi_options *o, fvi_error *c)
     if (!o->text[EVENT])
         return 0;
     if (o->method != &fvi_variable_step)
-        return fvi_refuse(c, "event", "'%s' is not for %s; fvi-adaptive has events",
-                          o->text[EVENT], o->method->name);
+        return fvi_refuse(c, "event", "'%s' is not for %s; fvi-adaptive has events", o->text[EVENT], o->method->name);
     if (fvi_kernel_growth(&o->damping.law) > 1 && o->text[DAMPING]
         && strstr(o->text[EVENT], " impact:"))
         return fvi_refuse(c, "event", "'%s': fvi-adaptive takes no impact with a law "
@@ -267,8 +262,7 @@ int fvi_problem_velocity(fvi_options *o, fvi_error *c)
         status = fvi_momentum_of_velocity(&system, 0, o->x0, v, o->p0);
     for (size_t i = 0; i < o->d && !status; i++)
         if (!isfinite(o->p0[i]))
-            status = fvi_refuse(c, "v0", "'%s': the momentum at x0 is not finite",
-                                o->text[V0]);
+            status = fvi_refuse(c, "v0", "'%s': the momentum at x0 is not finite", o->text[V0]);
     free(v);
     return status;
 }

@@ -84,9 +84,8 @@ static int check_named_columns(const fvi_options *o, fvi_error *c)
             depth += (at[length] == '(') - (at[length] == ')');
         snprintf(name, sizeof name, "%.*s", (int)(named < 60 ? named : 60), at);
         if (at[named] != '=' || !fvi_text_speaks_of(o->text[REDUCE], name))
-            return fvi_refuse(c, "columns", "'%.*s' is of no use to --reduce, which has one row; "
-                              "NAME=EXPRESSION is, if it speaks of NAME",
-                              length < 60 ? (int)length : 60, at);
+            return fvi_refuse(c, "columns", "'%.*s' is of no use to --reduce, which has one row; NAME=EXPRESSION is, "
+                              "if it speaks of NAME", length < 60 ? (int)length : 60, at);
         at += length + (at[length] == ',');
     }
     return 0;

@@ -49,8 +49,7 @@ static int command_of(const char *name, fvi_command *command, fvi_error *c)
         "help", "coefficients", "response", "poles", "--help", "--version", NULL
     };
     char place[64];
-    return fvi_refuse(c, NULL, "'%s' is not a command%s", name,
-                      fvi_word_hint(name, strlen(name), all, place));
+    return fvi_refuse(c, NULL, "'%s' is not a command%s", name, fvi_word_hint(name, strlen(name), all, place));
 }
 
 /* A word that is none of the options of this command. */
@@ -162,8 +161,7 @@ static int check_system(const fvi_options *o, fvi_error *c)
 {
     for (int i = 0; i < OPTIONS; i++)
         if (o->text[i] && is_replaced(o, (option_index)i))
-            return fvi_refuse(c, "system", "not together with --%s",
-                              fvi_option_list[i].name);
+            return fvi_refuse(c, "system", "not together with --%s", fvi_option_list[i].name);
     return 0;
 }
 
@@ -189,8 +187,7 @@ static int fill_in(fvi_options *o, fvi_error *c)
     if (o->text[H] && o->text[ERROR])
         return fvi_refuse(c, "h", "not together with --error");
     if (o->text[ALPHA] && o->text[ORDER])
-        return fvi_refuse(c, "order",
-                          "not together with --alpha, which is half of it");
+        return fvi_refuse(c, "order", "not together with --alpha, which is half of it");
     o->steps_follow = o->text[H] && o->text[TIME] && !o->text[STEPS];
     if (o->text[STEP_ERROR] && o->text[ERROR])
         return fvi_refuse(c, "step-error", "not together with --error");
@@ -199,9 +196,7 @@ static int fill_in(fvi_options *o, fvi_error *c)
     const int law = o->text[DAMPING] != NULL;
     if (law && (o->text[ALPHA] || o->text[ORDER] || o->text[RHO]))
         return fvi_refuse(c, "damping", "not together with --%s",
-                          o->text[ALPHA]   ? "alpha"
-                          : o->text[ORDER] ? "order"
-                                           : "rho");
+                          o->text[ALPHA] ? "alpha" : o->text[ORDER] ? "order" : "rho");
     o->method_is_preset = !o->text[METHOD];
     if (o->text[ERROR] && !o->text[METHOD])
         o->text[METHOD] = o->text[SYSTEM] ? fvi_cq2_midpoint.name

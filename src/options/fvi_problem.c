@@ -75,9 +75,8 @@ static int check_damping(const fvi_options *o, fvi_error *c)
         return 0;
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
         if (o->text[laws[i]] && o->text[laws[i]] != fvi_option_list[laws[i]].preset)
-            return fvi_refuse(c, fvi_option_list[laws[i]].name,
-                              "'%s' damps nothing: there is no C.mtx in %s", o->text[laws[i]],
-                              o->text[SYSTEM]);
+            return fvi_refuse(c, fvi_option_list[laws[i]].name, "'%s' damps nothing: there is no C.mtx in %s",
+                              o->text[laws[i]], o->text[SYSTEM]);
     return 0;
 }
 
@@ -145,8 +144,7 @@ int fvi_problem_force(fvi_options *o, fvi_error *c)
             return status;
     }
     if (found && strcasecmp(o->text[FORCE], "none") != 0)
-        return fvi_refuse(c, "force", "'%s': there is %s/f.tsv, too",
-                          o->text[FORCE], o->text[SYSTEM]);
+        return fvi_refuse(c, "force", "'%s': there is %s/f.tsv, too", o->text[FORCE], o->text[SYSTEM]);
     if (found) { /* the head says what acts */
         o->text[FORCE] = fvi_directory_force_name(o->directory);
         return 0;
@@ -168,9 +166,7 @@ int fvi_problem_ground(fvi_options *o, fvi_error *c)
     if (!o->text[GROUND])
         return 0;
     if (o->text[LAGRANGIAN])
-        return fvi_refuse(c, "ground",
-                          "not together with --lagrangian, which may hold the "
-                          "motion itself");
+        return fvi_refuse(c, "ground", "not together with --lagrangian, which may hold the motion itself");
     double *r = malloc(o->d * sizeof *r);
     if (!r)
         return fvi_no_memory(c, NULL);
@@ -206,14 +202,10 @@ int fvi_problem_unknowns(fvi_options *o, fvi_error *c)
         const size_t i =
             isdigit((unsigned char)*text) ? strtoul(text, &stop, 10) : 0;
         if (i < 1 || i > o->d || (*stop && *stop != ','))
-            return fvi_refuse(c,
-                              "unknowns", "'%s' is not a list of numbers from "
-                              "1 to %zu",
-                              o->text[UNKNOWNS], o->d);
+            return fvi_refuse(c, "unknowns", "'%s' is not a list of numbers from 1 to %zu", o->text[UNKNOWNS], o->d);
         for (size_t k = 0; k < o->shown_count; k++)
             if (o->shown[k] == i - 1)
-                return fvi_refuse(c, "unknowns", "%zu stands twice in '%s'", i,
-                                  o->text[UNKNOWNS]);
+                return fvi_refuse(c, "unknowns", "%zu stands twice in '%s'", i, o->text[UNKNOWNS]);
         o->shown[o->shown_count++] = i - 1;
         text = *stop ? stop + 1 : NULL;
     }

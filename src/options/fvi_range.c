@@ -61,11 +61,9 @@ int fvi_word_range(const char *field, const char *shape, const char *text,
     if (status)
         return status;
     if (count != floor(count) || (count == 1 && a->from != a->to))
-        return fvi_refuse(c, field, "'%s': %s values from %s to %s", text,
-                          place[2], place[0], place[1]);
+        return fvi_refuse(c, field, "'%s': %s values from %s to %s", text, place[2], place[0], place[1]);
     if (a->log && !(a->from > 0 && a->to > 0) && !(a->from < 0 && a->to < 0))
-        return fvi_refuse(c, field, "'%s': log needs two ends of one sign",
-                          text);
+        return fvi_refuse(c, field, "'%s': log needs two ends of one sign", text);
     a->count = (size_t)count;
     return 0;
 }

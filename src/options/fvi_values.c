@@ -157,9 +157,7 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
     if (!status && o->text[DAMPING] && o->past != FVI_INITIAL_HISTORY_HELD
         && !(o->past == FVI_INITIAL_HISTORY_CAPUTO
              && fvi_kernel_takes_caputo(&o->damping.law)))
-        status = fvi_refuse(c, "derivative",
-                            "'%s' is not for --damping; held is, and caputo "
-                            "for orders up to 1",
+        status = fvi_refuse(c, "derivative", "'%s' is not for --damping; held is, and caputo for orders up to 1",
                             o->text[DERIVATIVE]);
     if (!status)
         status = whole(o, EVERY, &o->every, c);
@@ -171,8 +169,7 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
         status = fvi_user_parameters_are_used(&o->lets, c);
     for (size_t i = 0; !status && o->checkpoint && i < o->columns.count; i++)
         if (o->columns.at[i] == FVI_COLUMN_Y)
-            status = fvi_refuse(c, o->resume ? "continue" : "checkpoint",
-                                "column y needs every row");
+            status = fvi_refuse(c, o->resume ? "continue" : "checkpoint", "column y needs every row");
     if (!status && o->plot && o->columns.count == 1
         && o->columns.at[0] == FVI_COLUMN_T)
         status = fvi_refuse(c, "plot", "the only column is t");
@@ -209,8 +206,7 @@ static int check_files(const fvi_options *o, fvi_error *c)
         const char *name = fvi_option_list[files[i]].name,
                    *text = o->text[files[i]];
         if (text && fvi_same_file(text, o->output))
-            return fvi_refuse(c, name, "'%s' is the table's file, too",
-                              text);
+            return fvi_refuse(c, name, "'%s' is the table's file, too", text);
         for (int j = 0; text && j < i; j++)
             if (o->text[files[j]] && fvi_same_file(text, o->text[files[j]]))
                 return fvi_refuse(c, name, "'%s' is the file of --%s, too", text, fvi_option_list[files[j]].name);
@@ -226,8 +222,7 @@ static int interpret(fvi_options *o, fvi_error *c)
     o->output = o->text[OUTPUT];
     o->plot = o->text[PLOT];
     if (o->plot && !is_picture(o->plot))
-        return fvi_refuse(c, "plot", "'%s' is not a name.svg or name.png",
-                          o->plot);
+        return fvi_refuse(c, "plot", "'%s' is not a name.svg or name.png", o->plot);
     o->snapshot = o->text[SNAPSHOT];
     if (o->snapshot && !*o->snapshot)
         return fvi_refuse(c, "snapshot", "'' is not a file's name");
@@ -236,8 +231,7 @@ static int interpret(fvi_options *o, fvi_error *c)
     o->checkpoint = o->text[CHECKPOINT];
     o->resume = o->text[CONTINUE] != NULL;
     if (o->checkpoint && (!*o->checkpoint || strcmp(o->checkpoint, "-") == 0))
-        return fvi_refuse(c, "checkpoint", "'%s' is not a file's name",
-                          o->checkpoint);
+        return fvi_refuse(c, "checkpoint", "'%s' is not a file's name", o->checkpoint);
     if (o->checkpoint && o->text[ERROR])
         return fvi_refuse(c, "checkpoint", "not together with --error");
     if (o->resume && !o->checkpoint)

@@ -17,8 +17,7 @@ int fvi_word_once(const char *dashes, const char *name, const char **text,
                   const char *value, fvi_error *c)
 {
     if (*text && strcmp(*text, value) != 0)
-        return fvi_refuse(c, NULL, "%s%s: given twice, as '%s' and as '%s'", dashes,
-                          name, *text, value);
+        return fvi_refuse(c, NULL, "%s%s: given twice, as '%s' and as '%s'", dashes, name, *text, value);
     *text = value;
     return 0;
 }
@@ -63,12 +62,10 @@ int fvi_word_columns(const char *text, fvi_user_parameters *parameters,
         if (length == 0)
             return fvi_refuse(c, "columns", "'%s': a column is missing", text);
         if (columns->count == FVI_MOST_ITEMS)
-            return fvi_refuse(c, "columns", "more than %d columns in the list",
-                              FVI_MOST_ITEMS);
+            return fvi_refuse(c, "columns", "more than %d columns in the list", FVI_MOST_ITEMS);
         for (size_t n = 0; n < columns->count && i != FVI_COLUMN_TYPED; n++)
             if (columns->at[n] == i)
-                return fvi_refuse(c, "columns", "'%s' names %s twice", text,
-                                  fvi_column_names[i]);
+                return fvi_refuse(c, "columns", "'%s' names %s twice", text, fvi_column_names[i]);
         if (i == FVI_COLUMN_TYPED)
             status = take_typed(at, length, parameters, columns, typed, c);
         if (status)

@@ -240,15 +240,10 @@ int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
             names[n] = own[3 * j + k];
         }
     names[n] = NULL;
-    return fvi_fail(error, FVI_EINVAL, "columns", NAN,
-                    "'%.*s' is none of t, x, p, v, a, F, energy, work, "
-                    "balance, y%s%s%s, %s, nor an expression%s",
-                    length < 40 ? (int)length : 40, word,
-                    c->source->ground ? ", ag" : "",
-                    c->source->mechanism && c->source->mechanism->constraints
-                        ? ", multiplier1, reaction1"
-                        : "",
-                    c->source->events ? ", event1.count, event1.last, event1.force" : "",
-                    damper_count(c) > 0 ? names[n - 3] : "DAMPER.force",
-                    fvi_word_hint(word, length, names, place));
+    return fvi_refuse(error, "columns",
+                      "'%.*s' is none of t, x, p, v, a, F, energy, work, balance, y%s%s%s, %s, nor an expression%s",
+                      length < 40 ? (int)length : 40, word, c->source->ground ? ", ag" : "",
+                      c->source->mechanism && c->source->mechanism->constraints ? ", multiplier1, reaction1" : "",
+                      c->source->events ? ", event1.count, event1.last, event1.force" : "",
+                      damper_count(c) > 0 ? names[n - 3] : "DAMPER.force", fvi_word_hint(word, length, names, place));
 }

@@ -65,16 +65,13 @@ static int check_name(const char *field, const char *name,
     fvi_quantity q;
     int is_all;
     if (!fvi_symbol_is_free(name, "x") || strchr(name, '.'))
-        return fvi_fail(error, FVI_EINVAL, field, NAN,
-                        "'%s' is not a name for a column", name);
+        return fvi_refuse(error, field, "'%s' is not a name for a column", name);
     for (size_t i = 0; parameters && i < parameters->count; i++)
         if (strcmp(parameters->name[i], name) == 0)
-            return fvi_fail(error, FVI_EINVAL, field, NAN,
-                            "'%s' is a parameter of --let, too", name);
+            return fvi_refuse(error, field, "'%s' is a parameter of --let, too", name);
     if (fvi_column_find(c, name, strlen(name), &q, &is_all)
         || strcmp(name, "y") == 0)
-        return fvi_fail(error, FVI_EINVAL, field, NAN,
-                        q.kind == QUANTITY_COLUMN
+        return fvi_refuse(error, field, q.kind == QUANTITY_COLUMN
                             ? "'%s' is given to two columns"
                             : "'%s' is a quantity's own name; take another",
                         name);
@@ -92,13 +89,12 @@ static int parse_text(const char *field, const char *text,
     if (is_one_word(text, length)
         && fvi_column_find(c, text, length, &q, &is_all) && is_all
         && fvi_column_width(c, &q) > 1)
-        return fvi_fail(error, FVI_EINVAL, field, NAN,
-                        "'%s' of which coordinate? %s1 to %s%zu", text, text,
+        return fvi_refuse(error, field, "'%s' of which coordinate? %s1 to %s%zu", text, text,
                         text, fvi_column_width(c, &q));
     return fvi_parse_expression_of(field, &finder, text, parameters, e, error);
 }
 
-char *fvi_column_text(const char *text, size_t length)
+char *fvi_trimmed_copy(const char *text, size_t length)
 {
     while (length > 0 && isspace((unsigned char)*text)) {
         text++;
@@ -118,8 +114,8 @@ int fvi_column_item(const char *field, const char *text, size_t length,
 {
     const char *equals = memchr(text, '=', length);
     const char *begin = equals ? equals + 1 : text;
-    char *right = fvi_column_text(begin, length - (size_t)(begin - text)),
-         *name = fvi_column_text(text, equals ? (size_t)(equals - text) : length);
+    char *right = fvi_trimmed_copy(begin, length - (size_t)(begin - text)),
+         *name = fvi_trimmed_copy(text, equals ? (size_t)(equals - text) : length);
     *column = (fvi_typed_column){ name, NULL, equals != NULL };
     int status = right && name ? FVI_SUCCESS : fvi_no_memory(error, NULL);
     if (!status && equals)
@@ -140,8 +136,7 @@ static int add_column(fvi_typed_columns *c, fvi_typed_column column,
 {
     for (size_t i = 0; i < c->columns; i++)
         if (strcmp(c->column[i].name, column.name) == 0) {
-            fvi_fail(error, FVI_EINVAL, "columns", NAN, "'%s' names %s twice",
-                     text, column.name);
+            fvi_refuse(error, "columns", "'%s' names %s twice", text, column.name);
             free_column(&column);
             return FVI_EINVAL;
         }
@@ -260,8 +255,6 @@ static double work_of_all(const fvi_typed_columns *c,
 static size_t place_of_force(const fvi_typed_columns *c, fvi_quantity q)
 {
     size_t place = q.i;
-    if (q.kind != QUANTITY_FORCE && q.kind != QUANTITY_IMPULSE)
-        return 0;
     for (fvi_quantity before = q; before.j-- > 0;)
         place += fvi_column_width(c, &before);
     return place;
@@ -279,74 +272,55 @@ static double value_of_event(const fvi_observation *now, fvi_quantity q)
     return q.kind == QUANTITY_EVENT_COUNT ? count : last;
 }
 
-static int value_of(const fvi_typed_columns *c, fvi_quantity q,
-                    const fvi_observation *now, double *value)
+static double value_of(const fvi_typed_columns *c, fvi_quantity q, const fvi_observation *now)
 {
-    const size_t place = place_of_force(c, q);
     switch (q.kind) {
-    case QUANTITY_GROUND:
-        return ground_at(c, now->t, value);
     case QUANTITY_TIME:
-        *value = now->t;
-        break;
+        return now->t;
     case QUANTITY_X:
-        *value = now->x[q.i];
-        break;
+        return now->x[q.i];
     case QUANTITY_P:
-        *value = now->p[q.i];
-        break;
+        return now->p[q.i];
     case QUANTITY_V:
-        *value = now->v[q.i];
-        break;
+        return now->v[q.i];
     case QUANTITY_A:
-        *value = now->a[q.i];
-        break;
+        return now->a[q.i];
     case QUANTITY_APPLIED:
-        *value = now->F[q.i];
-        break;
+        return now->F[q.i];
     case QUANTITY_ENERGY:
-        *value = now->energy;
-        break;
+        return now->energy;
     case QUANTITY_WORK:
-        *value = work_of_all(c, now);
-        break;
+        return work_of_all(c, now);
     case QUANTITY_BALANCE:
-        *value = now->balance;
-        break;
+        return now->balance;
     case QUANTITY_FORCE:
-        *value = now->force[place];
-        break;
+        return now->force[place_of_force(c, q)];
     case QUANTITY_IMPULSE:
-        *value = now->impulse[place];
-        break;
+        return now->impulse[place_of_force(c, q)];
     case QUANTITY_DAMPER_WORK:
-        *value = now->work[q.j];
-        break;
+        return now->work[q.j];
     case QUANTITY_MULTIPLIER:
-        *value = now->multiplier[q.i];
-        break;
+        return now->multiplier[q.i];
     case QUANTITY_REACTION:
-        *value = -now->multiplier[q.i];
-        break;
-    case QUANTITY_EVENT_COUNT:
-    case QUANTITY_EVENT_LAST:
-        *value = value_of_event(now, q);
-        break;
+        return -now->multiplier[q.i];
     case QUANTITY_CONTACT:
-        *value = now->contact ? now->contact[q.i] : 0;
-        break;
-    case QUANTITY_COLUMN:
-        break; /* it is filled when its column is */
+        return now->contact ? now->contact[q.i] : 0;
+    default:
+        return value_of_event(now, q);
     }
-    return FVI_SUCCESS;
 }
 
 int fvi_typed_columns_values(fvi_typed_columns *c, const fvi_observation *now,
                              double *row)
 {
     int status = FVI_SUCCESS;
-    for (size_t n = 0; n < c->quantities && !status; n++)
-        status = value_of(c, c->quantity[n], now, &c->value[n]);
+    for (size_t n = 0; n < c->quantities && !status; n++) {
+        const fvi_quantity q = c->quantity[n];
+        if (q.kind == QUANTITY_GROUND)
+            status = ground_at(c, now->t, &c->value[n]);
+        else if (q.kind != QUANTITY_COLUMN) /* which is filled when its column is */
+            c->value[n] = value_of(c, q, now);
+    }
     for (size_t i = 0; i < c->columns && !status; i++) {
         row[i] = fvi_expression_value(c->column[i].expression, c->value);
         for (size_t n = 0; n < c->quantities; n++)

@@ -87,10 +87,6 @@ size_t fvi_column_width(const fvi_typed_columns *c, const fvi_quantity *q);
 int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
                        size_t length, fvi_error *error);
 
-/* fvi_column_text -- a copy without the blanks at its ends; a tab or a new line becomes one blank, so that a name
- * stands in one line. Free it; NULL without memory. */
-char *fvi_column_text(const char *text, size_t length);
-
 /* fvi_column_item -- "NAME=EXPRESSION", or the expression alone, length letters, as a column. */
 int fvi_column_item(const char *field, const char *text, size_t length,
                     fvi_user_parameters *parameters, fvi_typed_columns *c,

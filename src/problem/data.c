@@ -161,11 +161,9 @@ static int choose_columns(const names_above *above, const fvi_rows *r, const wis
     }
     if (w->must_be_named)
         return w->count == 2
-                   ? fvi_fail(r->error, FVI_EINVAL, r->field, NAN,
-                              "%s: no columns %s and %s above its numbers", r->name,
+                   ? fvi_refuse(r->error, r->field, "%s: no columns %s and %s above its numbers", r->name,
                               w->names[0], w->names[1])
-                   : fvi_fail(r->error, FVI_EINVAL, r->field, NAN,
-                              "%s: no line names a column '%s'", r->name,
+                   : fvi_refuse(r->error, r->field, "%s: no line names a column '%s'", r->name,
                               w->names[w->count - 1]);
     return r->count < w->count ? fvi_rows_refuse(r, r->count, FVI_ROWS_TOO_FEW) : 0;
 }
@@ -239,8 +237,7 @@ static int read_columns(const char *field, const char *file, const wish *w, size
         status = read_rows(&r, w, n, &rows, from);
     fvi_rows_close(&r);
     if (!status && *n == 0)
-        status = fvi_fail(error, FVI_EINVAL, field, NAN, "%s: has no rows",
-                          file);
+        status = fvi_refuse(error, field, "%s: has no rows", file);
     *block = !status ? malloc(w->count * *n * sizeof **block) : NULL;
     if (!status && !*block)
         status = fvi_no_memory(error, field);
@@ -251,26 +248,25 @@ static int read_columns(const char *field, const char *file, const wish *w, size
     return status;
 }
 
-int fvi_parse_table(const char *field, const char *file,
-                   const char *const names[2], size_t *n, double **t,
-                   double **v, fvi_error *error)
+static int read_two_columns(const char *field, const char *file, const wish *two, size_t *n, double **t, double **v,
+                            fvi_error *error)
 {
-    const wish two = { 2, names, 0, 1 };
     choice from;
-    const int status = read_columns(field, file, &two, n, t, &from, error);
+    const int status = read_columns(field, file, two, n, t, &from, error);
     *v = *t ? *t + *n : NULL;
     return status;
 }
 
-int fvi_parse_named_table(const char *field, const char *file,
-                          const char *const names[2], size_t *n, double **t,
+int fvi_parse_table(const char *field, const char *file, const char *const names[2], size_t *n, double **t,
+                    double **v, fvi_error *error)
+{
+    return read_two_columns(field, file, &(wish){ 2, names, 0, 1 }, n, t, v, error);
+}
+
+int fvi_parse_named_table(const char *field, const char *file, const char *const names[2], size_t *n, double **t,
                           double **v, fvi_error *error)
 {
-    const wish two = { 2, names, 1, 1 };
-    choice from;
-    const int status = read_columns(field, file, &two, n, t, &from, error);
-    *v = *t ? *t + *n : NULL;
-    return status;
+    return read_two_columns(field, file, &(wish){ 2, names, 1, 1 }, n, t, v, error);
 }
 
 int fvi_parse_table_columns(const char *field, const char *file, size_t count,

@@ -37,12 +37,10 @@ int fvi_directory_read_matrix(const fvi_directory *d, const char *file, fvi_spar
     if (status == FVI_ENOMEM)
         return fvi_no_memory(error, "system");
     if (status && wrong.line == 0)
-        return fvi_fail(error, FVI_EINVAL, "system", NAN, "%s: %s", place, wrong.reason);
+        return fvi_refuse(error, "system", "%s: %s", place, wrong.reason);
     if (status && wrong.column == 0)
-        return fvi_fail(error, FVI_EINVAL, "system", NAN, "%s:%zu: %s", place, wrong.line,
-                          wrong.reason);
-    return status ? fvi_fail(error, FVI_EINVAL, "system", NAN, "%s:%zu:%zu: %s", place, wrong.line,
-                               wrong.column, wrong.reason)
+        return fvi_refuse(error, "system", "%s:%zu: %s", place, wrong.line, wrong.reason);
+    return status ? fvi_refuse(error, "system", "%s:%zu:%zu: %s", place, wrong.line, wrong.column, wrong.reason)
                   : 0;
 }
 
@@ -83,8 +81,8 @@ int fvi_directory_refuse_matrix(const fvi_directory *d, int status, const char *
     fvi_directory_path(d, file, place);
     if (status == FVI_EINVAL || gives_away(A, !is_mass, &row, &column))
         line = fvi_sparse_line(place, row, column);
-    return line ? fvi_fail(error, FVI_EINVAL, "system", NAN, "%s:%zu: %s", place, line, reason)
-                : fvi_fail(error, FVI_EINVAL, "system", NAN, "%s: %s", place, reason);
+    return line ? fvi_refuse(error, "system", "%s:%zu: %s", place, line, reason)
+                : fvi_refuse(error, "system", "%s: %s", place, reason);
 }
 
 static int refuse_one_of_three(const fvi_directory *d, int status, char fault,
@@ -157,13 +155,11 @@ static int refuse_strangers(const fvi_directory *d, fvi_error *error)
     if (!*first)
         return 0;
     return d->dampers > 0
-               ? fvi_fail(error, FVI_EINVAL, "system", NAN,
-                          "%s/%s would not be read: M.mtx, K.mtx, f.tsv and the files that "
+               ? fvi_refuse(error, "system", "%s/%s would not be read: M.mtx, K.mtx, f.tsv and the files that "
                           "a damper names are",
                           d->name, first)
-               : fvi_fail(error, FVI_EINVAL, "system", NAN, "%s/%s would not be read: M.mtx, "
-                               "K.mtx, C.mtx and f.tsv are",
-                               d->name, first);
+               : fvi_refuse(error, "system", "%s/%s would not be read: M.mtx, K.mtx, C.mtx and f.tsv are", d->name,
+                            first);
 }
 
 const char *fvi_directory_file(const fvi_directory *d, size_t i)
@@ -190,7 +186,7 @@ int fvi_directory_open_dampers(const char *name, size_t count, const char *const
         return fvi_no_memory(error, "system");
     int status = 0;
     if (strlen(name) >= sizeof d->name)
-        status = fvi_fail(error, FVI_EINVAL, "system", NAN, "'%s' is too long", name);
+        status = fvi_refuse(error, "system", "'%s' is too long", name);
     else
         strcpy(d->name, name);
     snprintf(d->force_name, sizeof d->force_name, "f.tsv of %s", d->name);

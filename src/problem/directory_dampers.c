@@ -39,9 +39,7 @@ int fvi_directory_parse_dampers(fvi_directory *d, size_t count, const char *cons
                                   &damper->file, error);
         known[j] = damper->typed; /* for its name */
         if (!status && is_file(damper->file) && strchr(damper->file, '/'))
-            status = fvi_fail(error, FVI_EINVAL, "damper", NAN,
-                              "'%s' is not the name of a file of the folder",
-                              damper->file);
+            status = fvi_refuse(error, "damper", "'%s' is not the name of a file of the folder", damper->file);
         of_damper(j, status, error);
     }
     free(known);
@@ -52,7 +50,7 @@ int fvi_directory_parse_dampers(fvi_directory *d, size_t count, const char *cons
 
 static int refuse_text(const char *text, const char *reason, fvi_error *error)
 {
-    return fvi_fail(error, FVI_EINVAL, "damper", NAN, "'%s' %s", text, reason);
+    return fvi_refuse(error, "damper", "'%s' %s", text, reason);
 }
 
 /* The gradient of a linear elongation: it is the same at two places, and t is not in it. The last of

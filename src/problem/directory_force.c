@@ -32,8 +32,7 @@ static int names_columns(const char *line)
 /* A fault in the line of names. */
 static int refuse_name(const fvi_rows *r, const char *at, const char *reason)
 {
-    return fvi_fail(r->error, FVI_EINVAL, "system", NAN, "%s:%zu:%zu: %s", r->name,
-                      r->lines.number, (size_t)(at - r->lines.text) + 1,
+    return fvi_refuse(r->error, "system", "%s:%zu:%zu: %s", r->name, r->lines.number, (size_t)(at - r->lines.text) + 1,
                       reason);
 }
 
@@ -123,11 +122,10 @@ int fvi_directory_force(fvi_directory *d, double last, int *found,
     if (status)
         return status == FVI_ENOMEM ? fvi_no_memory(error, "system") : status;
     if (l->rows == 0)
-        return fvi_fail(error, FVI_EINVAL, "system", NAN, "%s: has no rows", place);
+        return fvi_refuse(error, "system", "%s: has no rows", place);
     const double end = l->t[(l->rows - 1) * (l->width + 1)];
     if (l->t[0] > 0 || end < last * (1 - 1e-12))
-        return fvi_fail(error, FVI_EINVAL, "system", NAN, "%s: from t = %g to %g, the run from 0 to %g", place,
-            l->t[0], end, last);
+        return fvi_refuse(error, "system", "%s: from t = %g to %g, the run from 0 to %g", place, l->t[0], end, last);
     return 0;
 }
 

@@ -43,14 +43,11 @@ static int read_file(fvi_force_part *p, const char *field, const char *text, dou
     for (size_t i = 0; i < p->n; i++)
         p->F[i] *= gain;
     if (!fvi_all_finite(p->n, p->F))
-        return fvi_fail(error, FVI_EDOM, field, gain,
-                        "a number of %s times its factor is not finite", p->file);
+        return fvi_fail(error, FVI_EDOM, field, gain, "a number of %s times its factor is not finite", p->file);
     if (p->t[0] > 0)
-        return fvi_fail(error, FVI_EDOM, field, p->t[0],
-                        "%s begins at t = %g, the run at 0", p->file, p->t[0]);
+        return fvi_fail(error, FVI_EDOM, field, p->t[0], "%s begins at t = %g, the run at 0", p->file, p->t[0]);
     if (p->t[p->n - 1] < last * (1 - 1e-12))
-        return fvi_fail(error, FVI_EDOM, field, p->t[p->n - 1],
-                        "%s ends at t = %g, the run at %g", p->file,
+        return fvi_fail(error, FVI_EDOM, field, p->t[p->n - 1], "%s ends at t = %g, the run at %g", p->file,
                         p->t[p->n - 1], last);
     return FVI_SUCCESS;
 }
@@ -87,8 +84,7 @@ static int take_impulse(fvi_force_part *p, const char *field, const char *text,
 {
     p->hits = 1;
     if (!(p->p[1] >= 0 && p->p[1] <= last * (1 + 1e-12)))
-        return fvi_fail(error, FVI_EDOM, field, p->p[1],
-                        "'%s' is not within the run, 0 <= T <= %g", text, last);
+        return fvi_fail(error, FVI_EDOM, field, p->p[1], "'%s' is not within the run, 0 <= T <= %g", text, last);
     return FVI_SUCCESS;
 }
 
@@ -116,9 +112,7 @@ static int parse_expression(fvi_force_part *p, const char *field, const char *te
         return status;
     fvi_expression_free(p->expression);
     p->expression = NULL;
-    return fvi_fail(error, FVI_EINVAL, field, NAN,
-                    "'%s': a force knows t alone; --force-on knows x and v",
-                    text);
+    return fvi_refuse(error, field, "'%s': a force knows t alone; --force-on knows x and v", text);
 }
 
 /* One part: a word with a colon, or an expression. */
@@ -137,22 +131,18 @@ static int parse_part(fvi_force_part *p, const char *field, const char *text,
         return read_scaled_file(p, field, text, file, last, error);
     if (scan_ready_made(p, text))
         return p->kind == FVI_FORCING_STEP && p->p[1] < 0
-                   ? fvi_fail(error, FVI_EDOM, field, p->p[1],
-                              "'%s' ends before it begins", text)
+                   ? fvi_fail(error, FVI_EDOM, field, p->p[1], "'%s' ends before it begins", text)
                    : FVI_SUCCESS;
     p->kind = FVI_FORCING_NONE;
     if (fvi_scan_call(text, "impulse", 2, p->p))
         return take_impulse(p, field, text, last, error);
     if (words[word])
-        return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s' is not %s", text,
-                        word ? fvi_force_formulas[word - 1].form : words[0]);
+        return fvi_refuse(error, field, "'%s' is not %s", text, word ? fvi_force_formulas[word - 1].form : words[0]);
     char place[64];
     fvi_word_hint(text, length, words, place);
     if (text[length] || *place)
-        return fvi_fail(error, FVI_EINVAL, field, NAN,
-                        "'%s' is none of none, step:A,T, cosine:A,W, "
-                        "impulse:J,T, file:F.tsv%s",
-                        text, place);
+        return fvi_refuse(error, field, "'%s' is none of none, step:A,T, cosine:A,W, impulse:J,T, file:F.tsv%s", text,
+                          place);
     return parse_expression(p, field, text, parameters, error);
 }
 

@@ -67,8 +67,7 @@ static int find_pull(fvi_ground *g, const fvi_system *system, const double *r,
 {
     const fvi_matrices *m = system->matrices;
     if (m && !m->inertia)
-        return fvi_fail(error, FVI_EUNSUP, "ground", NAN,
-                        "these matrices do not tell M times a vector");
+        return fvi_fail(error, FVI_EUNSUP, "ground", NAN, "these matrices do not tell M times a vector");
     if (m)
         return m->inertia(system->d, r, m->params, g->pull);
     for (size_t i = 0; i < system->d; i++)
@@ -96,8 +95,7 @@ int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system,
     if (!acceleration || !system || !r || !ground)
         return fvi_fail(error, FVI_EFAULT, "ground", NAN, "null pointer");
     if (acceleration->impulse_count)
-        return fvi_fail(error, FVI_EINVAL, "ground", NAN,
-                        "an impulse is no acceleration");
+        return fvi_refuse(error, "ground", "an impulse is no acceleration");
     fvi_ground *g = calloc(1, sizeof *g);
     double *pull = calloc(system->d, sizeof *pull);
     if (!g || !pull) {
@@ -132,8 +130,7 @@ int fvi_parse_ground(const char *text, const fvi_system *system,
         return status;
     const fvi_force acceleration = fvi_force_typed(typed);
     status = acceleration.impulse_count
-                 ? fvi_fail(error, FVI_EINVAL, "ground", NAN,
-                            "'%s': an impulse is no acceleration", text)
+                 ? fvi_refuse(error, "ground", "'%s': an impulse is no acceleration", text)
                  : fvi_ground_alloc(&acceleration, system, r, ground, error);
     if (status)
         fvi_typed_force_free(typed);

@@ -107,8 +107,7 @@ int fvi_typed_lagrangian_column(size_t j, double t, size_t d, const double *x, c
 
 /* ---- elongations ---- */
 
-static int elongation_value(double t, size_t d, const double *x, void *params,
-                            double *g)
+int fvi_text_value(double t, size_t d, const double *x, void *params, double *g)
 {
     const fvi_typed_expression *of = params;
     variables w;
@@ -120,9 +119,7 @@ static int elongation_value(double t, size_t d, const double *x, void *params,
     return FVI_SUCCESS;
 }
 
-/* The gradient by x, and where `rate` is not NULL the derivative by t. */
-static int slopes(double t, size_t d, const double *x,
-                  const fvi_typed_expression *of, double *G, double *rate)
+int fvi_text_slopes(double t, size_t d, const double *x, const fvi_typed_expression *of, double *G, double *rate)
 {
     variables w;
     const int status = open_variables(&w, of->e, d, x, NULL, t);
@@ -140,17 +137,16 @@ static int slopes(double t, size_t d, const double *x,
 static int elongation_gradient(double t, size_t d, const double *x,
                                void *params, double *G)
 {
-    return slopes(t, d, x, params, G, NULL);
+    return fvi_text_slopes(t, d, x, params, G, NULL);
 }
 
 static int elongation_rate(double t, size_t d, const double *x, void *params,
                            double *rate)
 {
-    return slopes(t, d, x, params, NULL, rate);
+    return fvi_text_slopes(t, d, x, params, NULL, rate);
 }
 
-static int elongation_hessian(double t, size_t d, const double *x,
-                              double factor, void *params, double *H)
+int fvi_text_hessian(double t, size_t d, const double *x, double factor, void *params, double *H)
 {
     const fvi_typed_expression *of = params;
     variables w;
@@ -167,9 +163,9 @@ static int elongation_hessian(double t, size_t d, const double *x,
 
 fvi_elongation fvi_elongation_of_text(fvi_typed_expression *of)
 {
-    return (fvi_elongation){ .value = elongation_value,
+    return (fvi_elongation){ .value = fvi_text_value,
                              .gradient = elongation_gradient,
-                             .hessian = elongation_hessian,
+                             .hessian = fvi_text_hessian,
                              .rate = elongation_rate,
                              .params = of };
 }
@@ -186,7 +182,7 @@ static int constraint_values(double t, size_t d, const double *x, void *params,
         if (of->index)
             c[i] = x[of->index - 1] - fvi_expression_value(of->e, &t);
         else
-            status = elongation_value(t, d, x, of, &c[i]);
+            status = fvi_text_value(t, d, x, of, &c[i]);
     }
     return status;
 }
@@ -199,7 +195,7 @@ static int constraint_gradients(double t, size_t d, const double *x,
     for (size_t i = 0; i < m->constraints && !status; i++) {
         const fvi_typed_expression *of = &m->constraint[i];
         if (!of->index) {
-            status = slopes(t, d, x, of, C + i * d, ct ? ct + i : NULL);
+            status = fvi_text_slopes(t, d, x, of, C + i * d, ct ? ct + i : NULL);
             continue;
         }
         memset(C + i * d, 0, d * sizeof *C);
@@ -219,7 +215,7 @@ static int constraint_hessians(double t, size_t d, const double *x,
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < m->constraints && !status; i++)
         if (!m->constraint[i].index)
-            status = elongation_hessian(t, d, x, factor[i], &m->constraint[i],
+            status = fvi_text_hessian(t, d, x, factor[i], &m->constraint[i],
                                         H);
     return status;
 }

@@ -52,8 +52,7 @@ int fvi_parse_number(const char *field, const char *text, double low,
     if (!text || !brackets || !value)
         return fvi_fail(error, FVI_EFAULT, field, NAN, "null pointer");
     if (!fvi_scan_number(text, '\0', &v, &rest))
-        return fvi_fail(error, FVI_EINVAL, field, NAN,
-                        "'%s' is not a finite decimal number", text);
+        return fvi_refuse(error, field, "'%s' is not a finite decimal number", text);
     if (!is_within(v, low, high, brackets))
         return refuse_outside(field, text, v, low, high, brackets, error);
     *value = v;
@@ -68,8 +67,7 @@ int fvi_parse_whole(const char *field, const char *text, size_t most,
                                   fmin((double)most, 0x1p53 - 1), "[]", &v,
                                   error);
     if (!status && v != floor(v))
-        return fvi_fail(error, FVI_EDOM, field, v, "'%s' is not a whole number",
-                        text);
+        return fvi_fail(error, FVI_EDOM, field, v, "'%s' is not a whole number", text);
     if (!status)
         *value = (size_t)v;
     return status;
@@ -105,15 +103,13 @@ int fvi_parse_numbers(const char *field, const char *text, double low,
     } else {
         n = scan_numbers(text, d, values);
         if (n == 0)
-            return fvi_fail(error, FVI_EINVAL, field, NAN,
-                            "'%s' is not a %sfinite decimal number%s", text,
+            return fvi_refuse(error, field, "'%s' is not a %sfinite decimal number%s", text,
                             d > 1 ? "list of " : "", d > 1 ? "s" : "");
     }
     for (size_t j = 1; n == 1 && j < d; j++)
         values[j] = values[0];
     if (n != 1 && n != d)
-        return fvi_fail(error, FVI_EINVAL, field, (double)n,
-                        "'%s' has %zu numbers, not %s%zu", text, n,
+        return fvi_fail(error, FVI_EINVAL, field, (double)n, "'%s' has %zu numbers, not %s%zu", text, n,
                         d > 1 ? "1 or " : "", d);
     char wrong[32];
     for (size_t j = 0; j < d; j++)
@@ -165,7 +161,7 @@ int fvi_parse_word(const char *field, const char *text,
         snprintf(known + end, sizeof known - end, "%s%s", i ? ", " : "",
                  words[i]);
     }
-    return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s' is none of %s%s", text,
+    return fvi_refuse(error, field, "'%s' is none of %s%s", text,
                     known, fvi_word_hint(text, strlen(text), words, place));
 }
 

@@ -42,12 +42,8 @@ static int refuse(const char *text, size_t length, fvi_error *error)
     const char *hint = kinds[fvi_scan_word(text, word, kinds)]
                            ? "" /* the word is right, and what follows is not */
                            : fvi_word_hint(text, word, kinds, place);
-    return fvi_fail(error, FVI_EINVAL, "reduce", NAN,
-                    "'%.*s' is not min, max, absmax, mean, rms, last, first or "
-                    "peak of an expression, in parentheses, nor at(...) of "
-                    "one%s",
-                    length < 80 ? (int)length : 80, text,
-                    hint);
+    return fvi_refuse(error, "reduce", "'%.*s' is not min, max, absmax, mean, rms, last, first or peak of an "
+                      "expression, in parentheses, nor at(...) of one%s", length < 80 ? (int)length : 80, text, hint);
 }
 
 /* "max(x2-x1)", without a name before it. */
@@ -71,13 +67,9 @@ static int parse_call(const char *text, size_t length,
     }
     r->kind = kind;
     if (r->wants_time && (kind == REDUCE_MEAN || kind == REDUCE_RMS))
-        return fvi_fail(error, FVI_EINVAL, "reduce", NAN,
-                        "'%.*s' has no time of its own",
-                        length < 80 ? (int)length : 80, text);
+        return fvi_refuse(error, "reduce", "'%.*s' has no time of its own", length < 80 ? (int)length : 80, text);
     if (fvi_list_item(from) < inner || memchr(from, '=', inner))
-        return fvi_fail(error, FVI_EINVAL, "reduce", NAN,
-                        "'%.*s' takes one expression",
-                        length < 80 ? (int)length : 80, text);
+        return fvi_refuse(error, "reduce", "'%.*s' takes one expression", length < 80 ? (int)length : 80, text);
     return fvi_column_item("reduce", from, inner, parameters, c, &r->of, error);
 }
 
@@ -98,13 +90,12 @@ static int name_reduction(const char *text, size_t length, fvi_typed_columns *c,
                           fvi_reduction *r, fvi_error *error)
 {
     free(r->of.name);
-    r->of.name = fvi_column_text(text, length);
+    r->of.name = fvi_trimmed_copy(text, length);
     if (!r->of.name)
         return fvi_no_memory(error, NULL);
     for (size_t i = 0; i < c->reductions; i++)
         if (strcmp(c->reduction[i].of.name, r->of.name) == 0)
-            return fvi_fail(error, FVI_EINVAL, "reduce", NAN,
-                            "'%s' is asked for twice", r->of.name);
+            return fvi_refuse(error, "reduce", "'%s' is asked for twice", r->of.name);
     return FVI_SUCCESS;
 }
 
@@ -123,8 +114,7 @@ static int parse_item(const char *at, size_t length,
         status = name_reduction(at, equals ? (size_t)(equals - at) : length, c,
                                 &r, error);
     if (!status && equals && !fvi_symbol_is_free(r.of.name, "x"))
-        status = fvi_fail(error, FVI_EINVAL, "reduce", NAN,
-                          "'%s' is not a name for a column", r.of.name);
+        status = fvi_refuse(error, "reduce", "'%s' is not a name for a column", r.of.name);
     if (!status)
         status = add_reduction(c, r, error);
     if (status) {

@@ -12,9 +12,7 @@ static const char blank[] = " \t", between[] = " \t,;";
 static int cannot_read(const fvi_rows *r)
 {
     return errno == ENOMEM ? fvi_no_memory(r->error, r->field)
-                           : fvi_fail(r->error, FVI_EINVAL, r->field, NAN,
-                                      "cannot read '%s': %s", r->name,
-                                      strerror(errno));
+                           : fvi_refuse(r->error, r->field, "cannot read '%s': %s", r->name, strerror(errno));
 }
 
 int fvi_rows_open(fvi_rows *r, const char *field, const char *name,
@@ -35,8 +33,7 @@ void fvi_rows_close(fvi_rows *r)
 
 static int refuse(const fvi_rows *r, size_t column, const char *reason)
 {
-    return fvi_fail(r->error, FVI_EINVAL, r->field, NAN, "%s:%zu:%zu: %s",
-                    r->name, r->lines.number, column, reason);
+    return fvi_refuse(r->error, r->field, "%s:%zu:%zu: %s", r->name, r->lines.number, column, reason);
 }
 
 static int refuse_at(const fvi_rows *r, const char *at, const char *reason)

@@ -105,8 +105,7 @@ static int note_term(const char *text, fvi_user_parameters *parameters, int is_e
     if (!parameters || !is_exchanged)
         return FVI_SUCCESS;
     if (i >= FVI_MOST_EXCHANGED)
-        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
-                        "'%s': of so many terms the larger order must stand first", text);
+        return fvi_refuse(error, "damping", "'%s': of so many terms the larger order must stand first", text);
     parameters->exchanged[i / 8] |= (unsigned char)(1u << i % 8);
     return FVI_SUCCESS;
 }
@@ -120,15 +119,12 @@ static int add_term(const char *text, fvi_user_parameters *parameters,
     double p[MOST_NUMBERS];
     char place[64];
     if (is_symbol(text))
-        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
-                        "'%s': a symbol stands alone", text);
+        return fvi_refuse(error, "damping", "'%s': a symbol stands alone", text);
     if (!words[i] || i == sizeof kinds / sizeof *kinds)
-        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
-                        "'%s' is none of %s%s", text, forms,
+        return fvi_refuse(error, "damping", "'%s' is none of %s%s", text, forms,
                         fvi_word_hint(text, length, words, place));
     if (!fvi_scan_call(text, words[i], kinds[i].count, p))
-        return fvi_fail(error, FVI_EINVAL, "damping", NAN, "'%s' is not %s",
-                        text, fvi_law_formulas[i].form);
+        return fvi_refuse(error, "damping", "'%s' is not %s", text, fvi_law_formulas[i].form);
     for (int j = 0; j < kinds[i].count; j++)
         if (p[j] < 0)
             return refuse_range(text, i, p[j], error);
@@ -136,8 +132,7 @@ static int add_term(const char *text, fvi_user_parameters *parameters,
     if (fvi_kernel_check(&(fvi_kernel){ 1, &term }) != 0)
         return refuse_range(text, i, NAN, error);
     if (damping->law.count == FVI_MOST_TERMS)
-        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
-                        "'%s': too many terms", text);
+        return fvi_refuse(error, "damping", "'%s': too many terms", text);
     if (note_term(text, parameters, term.kind == FVI_KERNEL_MAXWELL2 && p[1] < p[3], error))
         return FVI_EINVAL;
     damping->term[damping->law.count++] = term;
@@ -151,8 +146,7 @@ static int parse_symbol(const char *text, fvi_user_parameters *parameters,
 {
     const char *expression = text + SYMBOL_LENGTH;
     if (damping->law.count > 0 || strchr(expression, ':'))
-        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
-                        "'%s': a symbol stands alone", text);
+        return fvi_refuse(error, "damping", "'%s': a symbol stands alone", text);
     int status = note_term(text, parameters, 0, error);
     if (!status)
         status = fvi_parse_expression("damping", "s", 1, expression, parameters,
@@ -163,8 +157,7 @@ static int parse_symbol(const char *text, fvi_user_parameters *parameters,
     damping->law = fvi_kernel_of_function(&damping->function);
     if (fvi_kernel_check(&damping->law) != 0)
         return fvi_fail(error, FVI_EDOM, "damping", NAN,
-                        "'%s' is no law: it must be finite at s = i w, real "
-                        "for s > 0, and grow no faster than s^2",
+                        "'%s' is no law: it must be finite at s = i w, real for s > 0, and grow no faster than s^2",
                         text);
     return FVI_SUCCESS;
 }

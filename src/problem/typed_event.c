@@ -1,6 +1,6 @@
 /* src/problem/typed_event.c -- Events as they are typed: 'x1 : impact:0.8'. [H 22] */
 #define _GNU_SOURCE /* strndup */
-#include "words.h"
+#include "typed_mechanism.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -10,7 +10,7 @@
 
 /* Of an impact, z of x1, ..., xd, t, with exact derivatives; of others also of v and p. */
 typedef struct {
-    fvi_expression *z;
+    fvi_typed_expression z;
     char *name;
     size_t d;
     const double *mass;
@@ -74,65 +74,29 @@ static int value_of_state(double t, size_t d, const double *x, const double *p,
     y[3 * d] = t;
     const int status = velocity_of(e, t, x, p, y + d);
     if (!status)
-        *z = fvi_expression_value(e->z, y);
+        *z = fvi_expression_value(e->z.e, y);
     if (d > FEW)
         free(y);
     return status;
 }
 
-/* z, or its derivatives by x and t, where they are wanted, of x and t. */
-static int of_place(const typed_event *e, double t, const double *x, double *z,
-                    double *normal, double *rate)
-{
-    const size_t d = e->d;
-    double small[2 * FEW + 2], *y = d > FEW ? malloc(2 * (d + 1) * sizeof *y) : small;
-    if (!y)
-        return FVI_ENOMEM;
-    double *slopes = y + d + 1;
-    memcpy(y, x, d * sizeof *x);
-    y[d] = t;
-    if (z)
-        *z = fvi_expression_value(e->z, y);
-    if (normal) {
-        fvi_expression_gradient(e->z, y, slopes);
-        memcpy(normal, slopes, d * sizeof *normal);
-        *rate = slopes[d];
-    }
-    if (d > FEW)
-        free(y);
-    return FVI_SUCCESS;
-}
-
 static int value_of_place(double t, size_t d, const double *x, const double *p,
                           void *params, double *z)
 {
-    (void)d, (void)p;
-    return of_place(params, t, x, z, NULL, NULL);
+    (void)p;
+    return fvi_text_value(t, d, x, &((typed_event *)params)->z, z);
 }
 
 static int gradient_of_place(double t, size_t d, const double *x, void *params,
                              double *normal, double *rate)
 {
-    (void)d;
-    return of_place(params, t, x, NULL, normal, rate);
+    return fvi_text_slopes(t, d, x, &((typed_event *)params)->z, normal, rate);
 }
 
 static int hessian_of_place(double t, size_t d, const double *x, double factor, void *params,
                             double *H)
 {
-    const typed_event *e = params;
-    const size_t n = d + 1;
-    double *y = calloc(n + n * n, sizeof *y), *second = y + n;
-    if (!y)
-        return FVI_ENOMEM;
-    memcpy(y, x, d * sizeof *x);
-    y[d] = t;
-    fvi_expression_add_hessian(e->z, y, factor, second);
-    for (size_t i = 0; i < d; i++)
-        for (size_t j = 0; j < d; j++)
-            H[i * d + j] += second[i * n + j];
-    free(y);
-    return FVI_SUCCESS;
+    return fvi_text_hessian(t, d, x, factor, &((typed_event *)params)->z, H);
 }
 
 /* ---- texts ---- */
@@ -146,8 +110,7 @@ static int parse_action(const char *text, fvi_event *event, fvi_error *error)
     const size_t length = strcspn(text, ":"), which = fvi_scan_word(text, length, words);
     char place[64];
     if (!words[which])
-        return fvi_fail(error, FVI_EINVAL, "event", NAN,
-                        "'%s' is none of impact:E, contact:E, stop, mark%s", text,
+        return fvi_refuse(error, "event", "'%s' is none of impact:E, contact:E, stop, mark%s", text,
                         fvi_word_hint(text, length, words, place));
     event->action = actions[which];
     if (fvi_event_has_wall(event) && text[length])
@@ -155,7 +118,7 @@ static int parse_action(const char *text, fvi_event *event, fvi_error *error)
                                 &event->restitution, error);
     return !fvi_event_has_wall(event) && !text[length]
                ? FVI_SUCCESS
-               : fvi_fail(error, FVI_EINVAL, "event", NAN, "'%s' is not %s", text,
+               : fvi_refuse(error, "event", "'%s' is not %s", text,
                           which == 0 ? "impact:E" : which == 1 ? "contact:E" : words[which]);
 }
 
@@ -195,20 +158,18 @@ static int parse_value(typed_event *e, fvi_event *event,
     int status = fvi_parse_expression_of("event", &finder, e->name, parameters,
                                          &of_state, error);
     if (status || !fvi_event_has_wall(event)) {
-        e->z = of_state;
+        e->z.e = of_state;
         event->value = value_of_state;
         return status;
     }
     fvi_expression_free(of_state);
     if (fvi_largest_index(e->name) == 0)
-        return fvi_fail(error, FVI_EINVAL, "event", NAN,
-                        "'%s': Z of an impact without x has no normal along which a momentum could "
-                        "jump; stop and mark need none",
-                        e->name);
+        return fvi_refuse(error, "event", "'%s': Z of an impact without x has no normal along which a momentum could "
+                          "jump; stop and mark need none", e->name);
     event->value = value_of_place;
     event->gradient = gradient_of_place;
     event->hessian = hessian_of_place;
-    status = fvi_parse_state_expression("event", e->d, 0, e->name, parameters, &e->z, error);
+    status = fvi_parse_state_expression("event", e->d, 0, e->name, parameters, &e->z.e, error);
     return status != FVI_EINVAL
                ? status
                : fvi_fail(error, status, "event", NAN,
@@ -229,8 +190,7 @@ static int parse_event(const char *text, typed_event *e, fvi_event *event,
 {
     const char *colon = last_separator(text), *end = colon;
     if (!colon)
-        return fvi_fail(error, FVI_EINVAL, "event", NAN,
-                        "'%s' is not 'Z : WHAT', with blanks around the colon", text);
+        return fvi_refuse(error, "event", "'%s' is not 'Z : WHAT', with blanks around the colon", text);
     while (end > text && end[-1] == ' ')
         end--;
     text += strspn(text, " ");
@@ -288,7 +248,7 @@ void fvi_typed_events_free(fvi_typed_events *events)
     if (!events)
         return;
     for (size_t i = 0; i < events->count; i++) {
-        fvi_expression_free(events->typed[i].z);
+        fvi_expression_free(events->typed[i].z.e);
         free(events->typed[i].name);
     }
     free(events->typed);

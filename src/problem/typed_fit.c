@@ -166,8 +166,7 @@ static int look_up(const char *field, const char *text, const fvi_run *run, cons
     }
     if ((run->law || run->system->mechanism)
         && (strcmp(text, "alpha") == 0 || strcmp(text, "rho") == 0))
-        return fvi_fail(error, FVI_EINVAL, field, NAN,
-                        "'%s': with a law of damping the numbers are those of the law, %s and so on",
+        return fvi_refuse(error, field, "'%s': with a law of damping the numbers are those of the law, %s and so on",
                         text, d->name[0]);
     const char **known = malloc((d->count + 1) * sizeof *known);
     if (!known)
@@ -201,17 +200,15 @@ static int check_made(const char *field, const char *text, const fvi_free_parame
     const int is_mass = base == FVI_FREE_PARAMETER_MASS,
               is_start = base == FVI_FREE_PARAMETER_X0 || base == FVI_FREE_PARAMETER_P0;
     if (is_mass && names->has_ground)
-        return fvi_fail(error, FVI_EINVAL, field, NAN,
-                        "'%s': the ground pulls each mass by -m a_g, and would keep the old one", text);
+        return fvi_refuse(error, field, "'%s': the ground pulls each mass by -m a_g, and would keep the old one", text);
     if (is_mass && mechanism && mechanism->lagrangian)
-        return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s': the masses are those of the Lagrangian", text);
+        return fvi_refuse(error, field, "'%s': the masses are those of the Lagrangian", text);
     if ((is_mass || base == FVI_FREE_PARAMETER_P0)
         && fvi_estimation_has_massless(names->run->system, (size_t)which / FVI_FREE_PARAMETER_EACH))
-        return fvi_fail(error, FVI_EINVAL, field, NAN,
-                        "'%s': a coordinate without inertia has no other mass, and no momentum", text);
+        return fvi_refuse(error, field, "'%s': a coordinate without inertia has no other mass, and no momentum", text);
     if (((is_mass || is_start) && mechanism && mechanism->constraints)
         || (base >= FVI_FREE_PARAMETER_CONSTANT && is_constrained(names, base - FVI_FREE_PARAMETER_CONSTANT)))
-        return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s': with another one the start breaks a constraint", text);
+        return fvi_refuse(error, field, "'%s': with another one the start breaks a constraint", text);
     return FVI_SUCCESS;
 }
 
@@ -259,8 +256,7 @@ int fvi_parse_sensor(const char *field, const char *text, size_t d,
     const char *equals = strchr(text, '=');
     const size_t length = equals ? (size_t)(equals - text) : strlen(text);
     if (length == 0 || length >= FVI_SENSOR_ROOM)
-        return fvi_fail(error, FVI_EINVAL, field, NAN, "'%s' has no name, or a long one: write "
-                                                       "NAME=EXPRESSION", text);
+        return fvi_refuse(error, field, "'%s' has no name, or a long one: write NAME=EXPRESSION", text);
     const int status = fvi_parse_state_expression(field, d, 1, equals ? equals + 1 : text,
                                                   parameters, shows, error);
     if (!status)

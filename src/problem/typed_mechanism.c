@@ -9,20 +9,6 @@
 
 /* ---- pieces of a text ---- */
 
-static char *piece(const char *from, size_t length)
-{
-    while (length > 0 && strchr(" \t\n", *from))
-        from++, length--;
-    while (length > 0 && strchr(" \t\n", from[length - 1]))
-        length--;
-    char *copy = malloc(length + 1);
-    if (copy) {
-        memcpy(copy, from, length);
-        copy[length] = '\0';
-    }
-    return copy;
-}
-
 /* The "NAME=" before an elongation; its length with the sign, 0 if there is none. */
 static size_t name_length(const char *text)
 {
@@ -58,11 +44,11 @@ size_t fvi_largest_index(const char *text)
 static int parse_law(fvi_typed_damper *damper, const char *text,
                      fvi_user_parameters *parameters, fvi_error *error)
 {
-    char *law = piece(text, strlen(text)), *colon = law ? strstr(law, " : ") : NULL;
+    char *law = fvi_trimmed_copy(text, strlen(text)), *colon = law ? strstr(law, " : ") : NULL;
     size_t past = 0;
     int status = law ? FVI_SUCCESS : fvi_no_memory(error, "damper");
     if (colon) {
-        char *word = piece(colon + 3, strlen(colon + 3));
+        char *word = fvi_trimmed_copy(colon + 3, strlen(colon + 3));
         status = word ? fvi_parse_word("damper", word, fvi_initial_history_words,
                                        &past, error)
                       : fvi_no_memory(error, "damper");
@@ -88,18 +74,15 @@ int fvi_parse_damper(const char *text, size_t count, const fvi_typed_damper *oth
     const char *g = text + named, *colon = strstr(g, " : ");
     *of = NULL;
     if (!colon)
-        return fvi_fail(error, FVI_EINVAL, "damper", NAN,
-                        "'%s' is not '[NAME=] G : LAW [: PAST]', with blanks "
-                        "around the colons",
-                        text);
-    damper->name = named ? piece(text, named - 1) : NULL;
-    *of = piece(g, (size_t)(colon - g));
+        return fvi_refuse(error, "damper", "'%s' is not '[NAME=] G : LAW [: PAST]', with blanks around the colons",
+                          text);
+    damper->name = named ? fvi_trimmed_copy(text, named - 1) : NULL;
+    *of = fvi_trimmed_copy(g, (size_t)(colon - g));
     if (!*of || (named && !damper->name))
         return fvi_no_memory(error, "damper");
     for (size_t i = 0; named && i < count; i++)
         if (others[i].name && strcmp(others[i].name, damper->name) == 0)
-            return fvi_fail(error, FVI_EINVAL, "damper", NAN,
-                            "'%s' is the name of two dampers", damper->name);
+            return fvi_refuse(error, "damper", "'%s' is the name of two dampers", damper->name);
     return parse_law(damper, colon + 3, parameters, error);
 }
 
@@ -120,8 +103,7 @@ static int parse_damper(fvi_typed_mechanism *m, size_t j, const char *text,
         status = fvi_parse_state_expression("damper", m->d, 0, of, parameters,
                                             &damper->of.e, error);
     if (!status && fvi_largest_index(of) == 0)
-        status = fvi_fail(error, FVI_EINVAL, "damper", NAN,
-                          "'%s' speaks of no coordinate: nothing is damped", of);
+        status = fvi_refuse(error, "damper", "'%s' speaks of no coordinate: nothing is damped", of);
     free(of);
     m->damper[j] = (fvi_damper){
         .name = damper->name,
@@ -139,7 +121,7 @@ static int parse_imposed(fvi_typed_mechanism *m, size_t i, const char *text,
                          fvi_user_parameters *parameters, fvi_error *error)
 {
     const char *equals = strchr(text, '=');
-    char *name = equals ? piece(text, (size_t)(equals - text)) : NULL, *end = NULL;
+    char *name = equals ? fvi_trimmed_copy(text, (size_t)(equals - text)) : NULL, *end = NULL;
     size_t index = 0;
     if (name && *name == 'x' && name[1])
         index = strtoul(name + 1, &end, 10);
@@ -148,9 +130,7 @@ static int parse_imposed(fvi_typed_mechanism *m, size_t i, const char *text,
     const int is_known = index >= 1 && index <= m->d && *end == '\0';
     free(name);
     if (!is_known)
-        return fvi_fail(error, FVI_EINVAL, "impose", NAN,
-                        "'%s' is not xI=EXPRESSION in t, I from 1 to %zu", text,
-                        m->d);
+        return fvi_refuse(error, "impose", "'%s' is not xI=EXPRESSION in t, I from 1 to %zu", text, m->d);
     m->constraint[i] = (fvi_typed_expression){ NULL, index };
     return fvi_parse_expression("impose", "t", 1, equals + 1, parameters,
                                 &m->constraint[i].e, error);
@@ -166,8 +146,7 @@ static int parse_force_on(fvi_typed_mechanism *m, size_t i, const char *text,
     const size_t on =
         isdigit((unsigned char)*from) ? strtoul(from, &end, 10) : 0;
     if (on < 1 || on > m->d || end[strspn(end, " ")] != '=')
-        return fvi_fail(error, FVI_EINVAL, "force-on", NAN,
-                        "'%s' is not I=F, I from 1 to %zu", text, m->d);
+        return fvi_refuse(error, "force-on", "'%s' is not I=F, I from 1 to %zu", text, m->d);
     m->force[i] = (fvi_typed_expression){ NULL, on };
     return fvi_parse_state_expression("force-on", m->d, 1, strchr(end, '=') + 1,
                                       parameters, &m->force[i].e, error);

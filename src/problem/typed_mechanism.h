@@ -40,7 +40,12 @@ int fvi_parse_damper(const char *text, size_t count, const fvi_typed_damper *oth
                      fvi_error *error);
 void fvi_typed_damper_free(fvi_typed_damper *damper);
 
-/* fvi_elongation_of_text -- g(x, t) of an expression. */
+/* fvi_text_value, _slopes, _hessian -- of an expression g(x, t), a fvi_typed_expression: g; its derivatives by x and by t,
+ * of which either may be NULL; H += factor times its second ones by x. FVI_SUCCESS; FVI_ENOMEM.
+ * fvi_elongation_of_text -- g of these functions. */
+int fvi_text_value(double t, size_t d, const double *x, void *params, double *g);
+int fvi_text_slopes(double t, size_t d, const double *x, const fvi_typed_expression *of, double *G, double *rate);
+int fvi_text_hessian(double t, size_t d, const double *x, double factor, void *params, double *H);
 fvi_elongation fvi_elongation_of_text(fvi_typed_expression *of);
 
 /* fvi_mechanism_of_texts -- m->all of what has been parsed. */

@@ -24,10 +24,8 @@ static int parse_expression(const char *text, size_t d,
         fvi_parse_expression("potential", "x", d ? d : 1, text, parameters,
                              &potential->expression, error);
     if (status == FVI_EINVAL && near)
-        return fvi_fail(error, FVI_EINVAL, "potential", NAN,
-                        "'%s' is none of " ALL_FORMS
-                        ", nor an expression; did you mean %s?",
-                        text, near);
+        return fvi_refuse(error, "potential", "'%s' is none of " ALL_FORMS ", nor an expression; did you mean %s?",
+                          text, near);
     potential->d = d ? d : 1;
     return status;
 }
@@ -37,12 +35,10 @@ static int take_chain(const char *text, size_t d, const double *p,
                       fvi_typed_potential *potential, fvi_error *error)
 {
     if (!(p[0] >= 1 && p[0] <= 1000000 && p[0] == floor(p[0])))
-        return fvi_fail(error, FVI_EINVAL, "potential", p[0],
-                        "a chain has 1 to 1000000 masses, not '%s'", text);
+        return fvi_fail(error, FVI_EINVAL, "potential", p[0], "a chain has 1 to 1000000 masses, not '%s'", text);
     potential->d = (size_t)p[0];
     if (d && d != potential->d)
-        return fvi_fail(error, FVI_EINVAL, "dimension", (double)d,
-                        "'%zu' is not that of '%s'", d, text);
+        return fvi_fail(error, FVI_EINVAL, "dimension", (double)d, "'%zu' is not that of '%s'", d, text);
     memcpy(potential->constants, p + 1, sizeof potential->constants);
     return FVI_SUCCESS;
 }
@@ -60,16 +56,14 @@ int fvi_parse_potential(const char *text, size_t d,
     char place[64];
     int status = FVI_SUCCESS;
     if (!words[i] && text[length])
-        return fvi_fail(error, FVI_EINVAL, "potential", NAN,
-                        "'%s' is none of " ALL_FORMS "%s", text,
+        return fvi_refuse(error, "potential", "'%s' is none of " ALL_FORMS "%s", text,
                         fvi_word_hint(text, length, words, place));
     if (!words[i]) {
         new.kind = FVI_POTENTIAL_EXPRESSION;
         status = parse_expression(text, d, parameters, &new, error);
     } else if (new.kind != FVI_POTENTIAL_HARMONIC || text[length]) {
         if (!fvi_scan_call(text, words[i], counts[i], p))
-            return fvi_fail(error, FVI_EINVAL, "potential", NAN,
-                            "'%s' is not %s", text, fvi_potential_formulas[i].form);
+            return fvi_refuse(error, "potential", "'%s' is not %s", text, fvi_potential_formulas[i].form);
         if (new.kind == FVI_POTENTIAL_CHAIN)
             status = take_chain(text, d, p, &new, error);
         else

@@ -89,8 +89,7 @@ static int list_value(fvi_typed_problem *p, size_t i, const char *value,
 {
     const size_t n = i - DAMPERS;
     if (p->list[n].count == MOST_LISTED)
-        return fvi_fail(error, FVI_EINVAL, names[i].name, NAN,
-                        "'%s': too many of them", value);
+        return fvi_refuse(error, names[i].name, "'%s': too many of them", value);
     p->list[n].value[p->list[n].count++] = value;
     return FVI_SUCCESS;
 }
@@ -102,8 +101,7 @@ static int take_piece(fvi_typed_problem *p, char *piece, fvi_error *error)
     const char *words[NAMES + 1] = { NULL };
     size_t i = 0;
     if (!equals)
-        return fvi_fail(error, FVI_EINVAL, "problem", NAN,
-                        "'%s' is not NAME=VALUE", piece);
+        return fvi_refuse(error, "problem", "'%s' is not NAME=VALUE", piece);
     *equals = '\0';
     const char *name = trim(piece);
     while (i < NAMES && strcmp(names[i].name, name) != 0
@@ -112,8 +110,7 @@ static int take_piece(fvi_typed_problem *p, char *piece, fvi_error *error)
     for (size_t n = 0; n < NAMES; n++)
         words[n] = names[n].name;
     if (i == NAMES)
-        return fvi_fail(error, FVI_EINVAL, "problem", NAN,
-                        "'%s' is no name of a problem%s", name,
+        return fvi_refuse(error, "problem", "'%s' is no name of a problem%s", name,
                         fvi_word_hint(name, strlen(name), words, place));
     const char *value = trim(equals + 1);
     if (i == DAMPING && strstr(value, " : "))
@@ -121,7 +118,7 @@ static int take_piece(fvi_typed_problem *p, char *piece, fvi_error *error)
     if (i >= DAMPERS)
         return list_value(p, i, value, error);
     if (p->text[i])
-        return fvi_fail(error, FVI_EINVAL, names[i].name, NAN, "given twice");
+        return fvi_refuse(error, names[i].name, "given twice");
     p->text[i] = value;
     return FVI_SUCCESS;
 }
@@ -133,23 +130,17 @@ static int check_pieces(fvi_typed_problem *p, fvi_error *error)
               has_dampers = p->text[LAGRANGIAN] || p->list[0].count > 0;
     static const name_index dampings[] = { ALPHA, RHO, DAMPING, DERIVATIVE };
     if (has_law && (p->text[ALPHA] || p->text[RHO]))
-        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
-                        "not together with %s",
-                        p->text[ALPHA] ? "alpha" : "rho");
+        return fvi_refuse(error, "damping", "not together with %s", p->text[ALPHA] ? "alpha" : "rho");
     for (size_t i = 0; i < 4; i++)
         if (has_dampers && p->text[dampings[i]])
-            return fvi_fail(error, FVI_EINVAL,
-                            p->text[LAGRANGIAN] ? "lagrangian" : "damper", NAN,
+            return fvi_fail(error, FVI_EINVAL, p->text[LAGRANGIAN] ? "lagrangian" : "damper", NAN,
                             "not together with %s", names[dampings[i]].name);
     if (p->text[LAGRANGIAN] && (p->text[POTENTIAL] || p->text[MASS]))
-        return fvi_fail(error, FVI_EINVAL, "lagrangian", NAN,
-                        "not together with %s",
-                        p->text[MASS] ? "mass" : "potential");
+        return fvi_refuse(error, "lagrangian", "not together with %s", p->text[MASS] ? "mass" : "potential");
     if (p->text[V0] && p->text[P0])
-        return fvi_fail(error, FVI_EINVAL, "v0", NAN, "not together with p0");
+        return fvi_refuse(error, "v0", "not together with p0");
     if (p->text[LAGRANGIAN] && (!p->text[X0] || (!p->text[V0] && !p->text[P0])))
-        return fvi_fail(error, FVI_EINVAL, "lagrangian", NAN,
-                        "a start is missing: x0, and v0 or p0");
+        return fvi_refuse(error, "lagrangian", "a start is missing: x0, and v0 or p0");
     for (size_t i = 0; i < DAMPERS; i++)
         if (!p->text[i])
             p->text[i] = has_dampers && i == RHO ? "0"

@@ -19,8 +19,7 @@ static int refuse_misprint(const char *field, const char *text,
         length > SHOWN && wrong.at > AHEAD ? wrong.at - AHEAD : 0;
     const char *front = from > 0 ? "..." : "",
                *back = length - from > SHOWN ? "..." : "";
-    fvi_fail(error, FVI_EINVAL, field, NAN, "'%s%.*s%s': %s", front, SHOWN,
-             text + from, back, wrong.reason);
+    fvi_refuse(error, field, "'%s%.*s%s': %s", front, SHOWN, text + from, back, wrong.reason);
     if (!error)
         return FVI_EINVAL;
     error->index = wrong.at;
@@ -136,25 +135,21 @@ int fvi_user_parameters_set(fvi_user_parameters *parameters, const char *name,
     if (!parameters || !name)
         return fvi_fail(error, FVI_EFAULT, "let", NAN, "null pointer");
     if (!fvi_symbol_is_free(name, "x") || !fvi_symbol_is_free(name, "t"))
-        return fvi_fail(error, FVI_EINVAL, "let", value,
-                        "'%s' is not a name for a parameter", name);
+        return fvi_fail(error, FVI_EINVAL, "let", value, "'%s' is not a name for a parameter", name);
     if (!isfinite(value))
-        return fvi_fail(error, FVI_EDOM, "let", value, "'%s' is not finite",
-                        name);
+        return fvi_fail(error, FVI_EDOM, "let", value, "'%s' is not finite", name);
     size_t room = sizeof parameters->names;
     char *place = parameters->names;
     for (size_t i = 0; i < parameters->count; i++) {
         if (strcmp(name, parameters->name[i]) == 0)
             return value == parameters->value[i]
                        ? FVI_SUCCESS
-                       : fvi_fail(error, FVI_EINVAL, "let", value,
-                                  "'%s' is given twice", name);
+                       : fvi_fail(error, FVI_EINVAL, "let", value, "'%s' is given twice", name);
         room -= strlen(place) + 1;
         place += strlen(place) + 1;
     }
     if (parameters->count == FVI_MOST_USER_PARAMETERS || strlen(name) >= room)
-        return fvi_fail(error, FVI_EINVAL, "let", value,
-                        "'%s': too many parameters", name);
+        return fvi_fail(error, FVI_EINVAL, "let", value, "'%s': too many parameters", name);
     parameters->name[parameters->count] = strcpy(place, name);
     parameters->value[parameters->count++] = value;
     return FVI_SUCCESS;
@@ -166,8 +161,7 @@ static int parse_one(char *text, fvi_user_parameters *parameters,
 {
     char *equals = strchr(text, '=');
     if (!equals)
-        return fvi_fail(error, FVI_EINVAL, "let", NAN,
-                        "'%s' is not NAME=VALUE", text);
+        return fvi_refuse(error, "let", "'%s' is not NAME=VALUE", text);
     *equals = '\0';
     const char *value = equals + 1;
     if (!fvi_symbol_is_free(text, "x") || !fvi_symbol_is_free(text, "t"))
@@ -180,8 +174,7 @@ static int parse_one(char *text, fvi_user_parameters *parameters,
     const double number = fvi_expression_value(e, NULL);
     fvi_expression_free(e);
     if (!isfinite(number))
-        return fvi_fail(error, FVI_EDOM, "let", number, "'%s' is not finite",
-                        value);
+        return fvi_fail(error, FVI_EDOM, "let", number, "'%s' is not finite", value);
     return fvi_user_parameters_set(parameters, text, number, error);
 }
 
@@ -193,8 +186,7 @@ int fvi_parse_user_parameters(const char *text,
     if (!text || !parameters)
         return fvi_fail(error, FVI_EFAULT, "let", NAN, "null pointer");
     if (strlen(text) >= sizeof copy)
-        return fvi_fail(error, FVI_EINVAL, "let", NAN,
-                        "'%s': too many parameters", text);
+        return fvi_refuse(error, "let", "'%s': too many parameters", text);
     int status = FVI_SUCCESS;
     for (char *at = strcpy(copy, text), *next = at; next && !status; at = next) {
         next = at + fvi_list_item(at);

@@ -15,6 +15,10 @@ int fvi_scan_call(const char *text, const char *word, int count, double *p);
  * they are none. */
 size_t fvi_scan_word(const char *text, size_t length, const char *const *words);
 
+/* fvi_trimmed_copy -- a copy without the blanks at its ends; a tab or a new line becomes one blank, so that a name
+ * stands in one line. Free it; NULL without memory. */
+char *fvi_trimmed_copy(const char *text, size_t length);
+
 /* fvi_parse_expression -- fvi_expression_parse of x, or x1, ..., xd, of t or of s, or, where variable is
  * NULL, of the parameters alone. It is noted which of them the text uses. A misprint is an error of
  * the field, with a caret; its index is the byte. parameters may be NULL. */

@@ -56,8 +56,7 @@ static int check_columns(const request *r, fvi_error *c)
                           "'%s' has %zu masses: --design plans a test of one column, x of one mass",
                           o->text[by], o->d);
     return fvi_refuse(c, fvi_option_list[by].name,
-                      "'%s' has %zu masses: --compare says what the columns of DATA show, as in "
-                      "--compare x1,x2",
+                      "'%s' has %zu masses: --compare says what the columns of DATA show, as in --compare x1,x2",
                       o->text[by], o->d);
 }
 
@@ -239,8 +238,7 @@ static int planned_times(request *r, fvi_error *c)
     if (!r->words.own[SIGMA])
         return fvi_refuse(c, "sigma", "is missing: a plan needs the noise that is expected");
     if (n <= r->fit.parameters)
-        return fvi_refuse(c, "steps", "%zu rows are not enough for %zu parameters", n,
-                          r->fit.parameters);
+        return fvi_refuse(c, "steps", "%zu rows are not enough for %zu parameters", n, r->fit.parameters);
     r->t = malloc(n * sizeof *r->t);
     if (!r->t)
         return fvi_no_memory(c, NULL);
@@ -285,8 +283,7 @@ static int check_words_of_material(int argc, char **argv, fvi_error *c)
     for (int i = 2; i < argc; i++)
         for (size_t n = 0; n < sizeof names / sizeof *names; n++)
             if (fvi_word_is_option(argv[i], names[n]))
-                return fvi_refuse(c, names[n],
-                                  "goes with --moduli, --creep or --relaxation alone");
+                return fvi_refuse(c, names[n], "goes with --moduli, --creep or --relaxation alone");
     return 0;
 }
 

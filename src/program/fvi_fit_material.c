@@ -140,11 +140,8 @@ static int check_width(const request *r, const char *file, fvi_error *c)
         return 0;
     free(columns);
     return fvi_refuse(c, NULL, "DATA: '%s' has more than %zu columns, and no names: a line '# %s' would say which "
-                      "are those of --%s",
-                      file, count,
-                      both                                   ? "omega storage loss"
-                      : r->data.test == FVI_MATERIAL_CREEP ? "t x"
-                                                           : "t f",
+                      "are those of --%s", file, count,
+                      both ? "omega storage loss" : r->data.test == FVI_MATERIAL_CREEP ? "t x" : "t f",
                       tests[r->data.test]);
 }
 

@@ -39,14 +39,12 @@ static int check(const request *r, size_t n, fvi_error *c)
             return fvi_refuse(c, "fit", "'%s' stands twice", r->name[n]);
     if (which == FVI_FREE_PARAMETER_ALPHA
         && r->o.method->alpha_least == r->o.method->alpha_most)
-        return fvi_refuse(c, "fit", "'alpha' is %g for %s, and no other",
-                          r->o.method->alpha_least, r->o.method->name);
+        return fvi_refuse(c, "fit", "'alpha' is %g for %s, and no other", r->o.method->alpha_least, r->o.method->name);
     const size_t constant = (size_t)which - FVI_FREE_PARAMETER_CONSTANT;
     if (which >= FVI_FREE_PARAMETER_CONSTANT && which < FVI_FREE_PARAMETER_EACH
         && fvi_fit_has_lets(&r->o) && r->o.lets.used[constant] & FVI_USED_BY_PARAMETER)
         return fvi_refuse(c, "fit",
-                          "another --let was made of '%s', and would stay as it is; write it out "
-                          "in the expressions",
+                          "another --let was made of '%s', and would stay as it is; write it out in the expressions",
                           r->name[n]);
     return 0;
 }

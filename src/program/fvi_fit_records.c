@@ -122,9 +122,7 @@ static int split(struct fvi_fit_record *o, const char *operand, fvi_error *c)
                             : strncmp(word, "force=", 6) == 0 ? &o->force_text
                                                                : NULL;
         if (!text || *text)
-            return fvi_refuse(c, "DATA", "'%s': of its own a record has x0=, p0= and force=, each "
-                                         "once",
-                              word);
+            return fvi_refuse(c, "DATA", "'%s': of its own a record has x0=, p0= and force=, each once", word);
         *text = strchr(word, '=') + 1;
     }
     return 0;
@@ -191,8 +189,7 @@ static int read_columns(const request *r, struct fvi_fit_record *o, fvi_record *
         o->measured[k].x = o->block + (k + 1) * to->n;
     for (size_t i = 1; i < to->n && !status; i++)
         if (!(to->t[i] > to->t[i - 1]))
-            return fvi_refuse(c, "DATA", "%s: t does not increase from row %zu to row %zu",
-                              o->file, i, i + 1);
+            return fvi_refuse(c, "DATA", "%s: t does not increase from row %zu to row %zu", o->file, i, i + 1);
     return status;
 }
 

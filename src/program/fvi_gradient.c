@@ -46,8 +46,7 @@ static int interpret_of(request *r, fvi_error *c)
     if (fvi_parse_word("of", word, known, &r->of, c))
         return 2;
     if (!colon && r->of < 2 && r->o.d > 1)
-        return fvi_refuse(c, "of", "'%s' of which mass? %s:1 to %s:%zu", text,
-                          word, word, r->o.d);
+        return fvi_refuse(c, "of", "'%s' of which mass? %s:1 to %s:%zu", text, word, word, r->o.d);
     if (colon && r->of == 2)
         return fvi_refuse(c, "of", "'%s': there is one energy", text);
     int status = colon ? fvi_parse_whole("of", colon + 1, r->o.d, &r->i, c) : 0;
@@ -60,8 +59,7 @@ static int check_masses(const request *r, fvi_error *c)
 {
     for (size_t i = 0; r->o.mass && !r->o.directory && i < r->o.d; i++)
         if (r->o.mass[i] == 0 && r->o.method->scheme == FVI_SCHEME_CQ2_MIDPOINT)
-            return fvi_refuse(c, "method", "'%s' has no gradient with a mass of 0; fvi-lobatto2d to "
-                              "8d have",
+            return fvi_refuse(c, "method", "'%s' has no gradient with a mass of 0; fvi-lobatto2d to 8d have",
                               r->o.method->name);
     return 0;
 }
@@ -78,8 +76,7 @@ static int check_dampers(const request *r, fvi_error *c)
         const int is_power = kernel->count == 1 && kernel->term->kind == FVI_KERNEL_POWER,
                   is_rl = of->damper[j].past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
         if ((scheme == FVI_SCHEME_CQ2_SHIFTED && !is_power) || (scheme == FVI_SCHEME_FVI && is_rl))
-            return fvi_refuse(c, "method", "'%s' has no gradient with the damper "
-                              "'%s'; fvi-bdf2 and fvi-stable have",
+            return fvi_refuse(c, "method", "'%s' has no gradient with the damper '%s'; fvi-bdf2 and fvi-stable have",
                               r->o.method->name, r->o.list[0].value[j]);
         if (is_rl && !(is_power && kernel->term->alpha <= 0.5))
             return fvi_refuse(c, "damper", "'%s' has no gradient: of the starts that "
@@ -96,25 +93,17 @@ static int interpret(request *r, fvi_error *c)
     r->run = fvi_options_run(&r->o, &r->system);
     r->terms = r->run.law ? r->run.law->count : 0;
     if (m->scheme == FVI_SCHEME_CLASSICAL)
-        return fvi_refuse(c,
-                          "method", "'%s' has no gradient; fvi, fvi-shifted, "
-                          "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
-                          "fvi-adaptive have",
-                          m->name);
+        return fvi_refuse(c, "method", "'%s' has no gradient; fvi, fvi-shifted, fvi-bdf2, fvi-stable, fvi-lobatto2 "
+                          "to 8d and fvi-adaptive have", m->name);
     if (r->terms && m->scheme == FVI_SCHEME_CQ2_SHIFTED)
-        return fvi_refuse(c,
-                          "method", "'%s' has no gradient with --damping; fvi, "
-                          "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
-                          "fvi-adaptive have",
-                          m->name);
+        return fvi_refuse(c, "method", "'%s' has no gradient with --damping; fvi, fvi-bdf2, fvi-stable, fvi-lobatto2 "
+                          "to 8d and fvi-adaptive have", m->name);
     const int unknown = check_masses(r, c) || check_dampers(r, c) ? 2 : 0;
     if (unknown)
         return unknown;
     for (size_t j = 0; j < r->o.lets.count; j++)
         if (m->scheme == FVI_SCHEME_VARIABLE_STEP && r->o.lets.used[j] & FVI_USED_BY_FORCE)
-            return fvi_refuse(c,
-                              "let", "'%s' has no gradient with %s, which "
-                              "asks for the force between the rows",
+            return fvi_refuse(c, "let", "'%s' has no gradient with %s, which asks for the force between the rows",
                               r->o.lets.name[j], m->name);
     r->per = m->stages ? (size_t)m->stages - 1 : 1;
     int status = fvi_check_second_file("forces", r->words.own[FORCES], r->o.output, c);

@@ -35,9 +35,7 @@ static int interpret(request *r, fvi_error *c)
     const int status =
         text ? fvi_parse_whole("count", text, d, &r->count, c) : 0;
     if (!status && (r->count ? r->count : d) > FVI_MOST_POLES)
-        return fvi_refuse(c, "count",
-                          "at most %d of %zu poles are looked for; say how many "
-                          "of the lowest",
+        return fvi_refuse(c, "count", "at most %d of %zu poles are looked for; say how many of the lowest",
                           FVI_MOST_POLES, d);
     return status;
 }

@@ -55,8 +55,7 @@ static int interpret_omega(request *r, fvi_error *c)
 {
     const char *text = r->linear.words.own[OMEGA];
     if (!text)
-        return fvi_refuse(c, NULL, "response: --omega A:B:N[:log] or a list is "
-                          "missing");
+        return fvi_refuse(c, NULL, "response: --omega A:B:N[:log] or a list is missing");
     if (!strchr(text, ':'))
         return interpret_list(r, text, c);
     const int status =
@@ -76,8 +75,7 @@ static int interpret_along(request *r, fvi_error *c)
     if (!text)
         return 0;
     if (r->of != FVI_RESPONSE_GROUND)
-        return fvi_refuse(c, "along", "without --of ground nothing moves along "
-                          "it");
+        return fvi_refuse(c, "along", "without --of ground nothing moves along it");
     if (*text == '@')
         fvi_mark_read("along", text + 1);
     r->linear.along = malloc(d * sizeof(double));
@@ -95,12 +93,10 @@ static int check_moduli(const request *r, fvi_error *c)
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (r->linear.words.given[others[i]])
             return fvi_refuse(c, fvi_option_list[others[i]].name,
-                              "not together with --of moduli, which are those "
-                              "of the damping alone");
+                              "not together with --of moduli, which are those of the damping alone");
     for (int i = AT; i <= ALONG_GROUND; i++)
         if (r->linear.words.own[i])
-            return fvi_refuse(c, response.own[i],
-                              "not together with --of moduli");
+            return fvi_refuse(c, response.own[i], "not together with --of moduli");
     return 0;
 }
 
@@ -120,8 +116,7 @@ static int interpret(request *r, fvi_error *c)
     if (status)
         return status;
     if (r->of == FVI_RESPONSE_GROUND && own[BY])
-        return fvi_refuse(c, "by", "not together with --of ground, which moves "
-                          "them all");
+        return fvi_refuse(c, "by", "not together with --of ground, which moves them all");
     status = fvi_parse_whole("at", own[AT] ? own[AT] : "1", d, &r->at, c);
     if (!status)
         status = fvi_parse_whole("by", own[BY] ? own[BY] : "1", d, &r->by, c);

@@ -135,10 +135,8 @@ int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char 
     free(room);
     if (!status && o->mechanism && !o->text[DAMPER] && !o->text[LAGRANGIAN]
         && !o->text[CONSTRAINT] && !o->text[IMPOSE] && !o->text[FORCE_ON]) { /* a mass of 0, a potential with t in it */
-        status = fvi_refuse(c, o->potential_has_time ? "potential" : "mass",
-                            "'%s' is not for %s",
-                            o->text[o->potential_has_time ? POTENTIAL : MASS],
-                            command->name);
+        status = fvi_refuse(c, o->potential_has_time ? "potential" : "mass", "'%s' is not for %s",
+                            o->text[o->potential_has_time ? POTENTIAL : MASS], command->name);
         fvi_options_free(o);
     }
     return status;

@@ -76,8 +76,7 @@ static int take_list(fvi_axis *a, const char *text, const char *list,
     for (const char *at = list; *at; at++)
         count += *at == ',';
     if (*list == '\0')
-        return fvi_refuse(c, "vary", "'%s' is not NAME=A:B:N, NAME=A:B:N:log or "
-                          "NAME=V1,V2,...", text);
+        return fvi_refuse(c, "vary", "'%s' is not NAME=A:B:N, NAME=A:B:N:log or NAME=V1,V2,...", text);
     a->list = malloc(count * sizeof *a->list);
     if (!a->list)
         return fvi_no_memory(c, NULL);
@@ -96,12 +95,9 @@ static int take_axis(sweep_grid *g, const char *text, fvi_error *c)
                  end = strlen(g->text);
     fvi_axis *a = &g->axis[g->count];
     if (g->count == FVI_MOST_AXES)
-        return fvi_refuse(c, "vary", "'%s': at most %d are varied", text,
-                          FVI_MOST_AXES);
+        return fvi_refuse(c, "vary", "'%s': at most %d are varied", text, FVI_MOST_AXES);
     if (length == 0 || length >= sizeof a->name)
-        return fvi_refuse(c, "vary", "'%s' is not NAME=A:B:N, NAME=A:B:N:log or "
-                          "NAME=V1,V2,...",
-                          text);
+        return fvi_refuse(c, "vary", "'%s' is not NAME=A:B:N, NAME=A:B:N:log or NAME=V1,V2,...", text);
     memcpy(a->name, text, length);
     a->name[length] = '\0';
     a->is_let = !fvi_is_one_of(a->name, numbers);
@@ -110,8 +106,7 @@ static int take_axis(sweep_grid *g, const char *text, fvi_error *c)
     if (a->is_let
         && (is_option(a->name) || !fvi_symbol_is_free(a->name, "x")
             || !fvi_symbol_is_free(a->name, "t")))
-        return fvi_refuse(c, "vary", "'%s' is not a number that can be varied",
-                          a->name);
+        return fvi_refuse(c, "vary", "'%s' is not a number that can be varied", a->name);
     g->count++;
     const int status =
         strchr(equals + 1, ':')
@@ -264,11 +259,8 @@ int sweep_grid_check(const sweep_grid *g, fvi_error *c)
         for (int i = 0; i < g->word_count; i++)
             found = found || fvi_text_speaks_of(g->words[AHEAD + i], name);
         if (g->axis[n].is_let && !found)
-            return fvi_refuse(
-                c,
-                "vary", "'%s' is no option that can be varied, "
-                "and in no expression%s",
-                name, fvi_word_hint(name, strlen(name), numbers, place));
+            return fvi_refuse(c, "vary", "'%s' is no option that can be varied, and in no expression%s", name,
+                              fvi_word_hint(name, strlen(name), numbers, place));
     }
     return 0;
 }

@@ -168,16 +168,14 @@ int fvi_exact_motion_at(fvi_exact_motion *o, size_t n, const double *t, double *
         return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
     for (size_t i = 0; i < n; i++) {
         if (!(isfinite(t[i]) && t[i] >= 0))
-            return fvi_fail(error, FVI_EDOM, "t", t[i],
-                            "t is %g; it must be finite and not negative", t[i]);
+            return fvi_fail(error, FVI_EDOM, "t", t[i], "t is %g; it must be finite and not negative", t[i]);
         double *at = x ? x + i * o->d : NULL, *slope = v ? v + i * o->d : NULL;
         const fvi_exact_sums sums = { .x = at, .v = slope };
         const int status = fvi_exact_motion_sum(o, t[i], &sums, error);
         if (status)
             return status;
         if ((at && !fvi_all_finite(o->d, at)) || (slope && !fvi_all_finite(o->d, slope)))
-            return fvi_fail(error, FVI_EOVRFLW, NULL, t[i],
-                            "the motion is not finite at t = %g", t[i]);
+            return fvi_fail(error, FVI_EOVRFLW, NULL, t[i], "the motion is not finite at t = %g", t[i]);
     }
     return FVI_SUCCESS;
 }
@@ -212,12 +210,10 @@ static int find_poles(fvi_exact_motion *o, fvi_error *error)
     if (status)
         return status;
     if (o->poles.expected == SIZE_MAX)
-        return fvi_fail(error, FVI_EUNSUP, NULL, NAN,
-                        "it is not known how many poles this system has");
+        return fvi_fail(error, FVI_EUNSUP, NULL, NAN, "it is not known how many poles this system has");
     if (o->poles.count != o->poles.expected)
-        return fvi_fail(error, FVI_EMAXITER, NULL, (double)o->poles.count,
-                        "%zu poles were found of %zu", o->poles.count,
-                        o->poles.expected);
+        return fvi_fail(error, FVI_EMAXITER, NULL, (double)o->poles.count, "%zu poles were found of %zu",
+                        o->poles.count, o->poles.expected);
     return FVI_SUCCESS;
 }
 

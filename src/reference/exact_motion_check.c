@@ -49,17 +49,14 @@ static int check_dampers(const fvi_system *system, fvi_error *error)
         int linear;
         const int status = is_linear(damper, system->d, &linear);
         if (status)
-            return fvi_fail(error, status, "damper", (double)j + 1, "%s",
-                            fvi_error_name(status));
+            return fvi_fail(error, status, "damper", (double)j + 1, "%s", fvi_error_name(status));
         if (!linear) {
-            fvi_fail(error, FVI_EUNSUP, "damper", (double)j + 1,
-                     "damper %zu: its elongation is not linear", j + 1);
+            fvi_fail(error, FVI_EUNSUP, "damper", (double)j + 1, "damper %zu: its elongation is not linear", j + 1);
         } else if (damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
                    || (damper->past == FVI_INITIAL_HISTORY_CAPUTO
                        && !fvi_kernel_takes_caputo(damper->kernel))) {
             fvi_fail(error, FVI_EUNSUP, "damper", (double)j + 1,
-                     "damper %zu: the exact motion is that of dampers that were held",
-                     j + 1);
+                     "damper %zu: the exact motion is that of dampers that were held", j + 1);
         } else {
             continue;
         }

@@ -17,17 +17,13 @@ static int check_rows(double h, size_t n, double tolerance, const double *x,
                       const double *v, fvi_error *error)
 {
     if (!x && !v)
-        return fvi_fail(error, FVI_EFAULT, "x", NAN,
-                        "there are no outputs");
+        return fvi_fail(error, FVI_EFAULT, "x", NAN, "there are no outputs");
     if (n == 0)
-        return fvi_fail(error, FVI_EINVAL, "n", NAN,
-                        "n must be at least 1");
+        return fvi_refuse(error, "n", "n must be at least 1");
     if (!(h > 0) || !gsl_finite(h) || !gsl_finite(h * (double)n))
-        return fvi_fail(error, FVI_EDOM, "h", h,
-                        "h must be finite and positive, and n h finite");
+        return fvi_fail(error, FVI_EDOM, "h", h, "h must be finite and positive, and n h finite");
     if (!(tolerance >= 0 && tolerance < 1))
-        return fvi_fail(error, FVI_EDOM, "tolerance", tolerance,
-                        "the tolerance must be in [0, 1)");
+        return fvi_fail(error, FVI_EDOM, "tolerance", tolerance, "the tolerance must be in [0, 1)");
     return FVI_SUCCESS;
 }
 
@@ -271,10 +267,8 @@ static int lose(const rows *r, size_t k, size_t n, int status)
             r->v[k] = GSL_NAN;
     }
     if (status == FVI_ELOSS)
-        return fvi_fail(r->error, FVI_ELOSS, NULL, NAN,
-                        "the phase of the oscillation is lost");
-    return fvi_fail(r->error, FVI_EOVRFLW, NULL, NAN,
-                        "a value is not finite");
+        return fvi_fail(r->error, FVI_ELOSS, NULL, NAN, "the phase of the oscillation is lost");
+    return fvi_fail(r->error, FVI_EOVRFLW, NULL, NAN, "a value is not finite");
 }
 
 /* ---- one time after the other, for what has no window ---- */

@@ -167,8 +167,7 @@ static int prepare_memory(fvi_window *w, fvi_error *error)
     double *next = malloc(n * (2 * arrays + 2 * FVI_BLOCK) * sizeof *next);
     w->memory = next;
     if (!next)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN,
-                        "no memory for a contour");
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "no memory for a contour");
     for (size_t i = 0; i < arrays; i++) {
         *parts[i] = (fvi_parts){ next, next + n };
         next += 2 * n;

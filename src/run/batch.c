@@ -121,11 +121,9 @@ int fvi_batch_alloc(const fvi_method *method, size_t count, const fvi_run *run, 
                     fvi_error *error)
 {
     if (!method || !run || !batch)
-        return fvi_fail(error, FVI_EFAULT, !method ? "method" : !run ? "run" : "batch", NAN,
-                        "null pointer");
+        return fvi_fail(error, FVI_EFAULT, !method ? "method" : !run ? "run" : "batch", NAN, "null pointer");
     if (count == 0 || count > FVI_BATCH_MOST)
-        return fvi_fail(error, FVI_EINVAL, "count", (double)count, "count is %zu; it must be 1 to 8",
-                        count);
+        return fvi_fail(error, FVI_EINVAL, "count", (double)count, "count is %zu; it must be 1 to 8", count);
     const char *why = fvi_batch_refusal(method, count, run);
     if (why)
         return fvi_fail(error, FVI_EUNSUP, "run", NAN, "the runs do not go together: %s", why);

@@ -62,19 +62,15 @@ int fvi_check_dampers_of_matrices(const fvi_method *method, const fvi_run *run, 
     const size_t count = mechanism ? mechanism->damper_count : 0;
     int status = FVI_SUCCESS;
     if (count != run->system->matrices->damper_count)
-        return fvi_fail(error, FVI_EINVAL, "mechanism", NAN,
-                        "the dampers are not those of the matrices: "
+        return fvi_refuse(error, "mechanism", "the dampers are not those of the matrices: "
                         "fvi_structure_alloc_dampers makes both");
     if (mechanism && (mechanism->lagrangian || mechanism->force_on || mechanism->constraints))
         return fvi_fail(error, FVI_EUNSUP, "mechanism", NAN,
-                        "matrices go with dampers, and with no Lagrangian, force of "
-                        "velocity or constraint");
+                        "matrices go with dampers, and with no Lagrangian, force of velocity or constraint");
     if (count > 0 && run->law)
-        return fvi_fail(error, FVI_EUNSUP, "law", NAN,
-                        "with several dampers each has its own kernel");
+        return fvi_fail(error, FVI_EUNSUP, "law", NAN, "with several dampers each has its own kernel");
     if (count > 0 && run->past != FVI_INITIAL_HISTORY_HELD)
-        return fvi_fail(error, FVI_EUNSUP, "past", run->past,
-                        "with several dampers each has its own past");
+        return fvi_fail(error, FVI_EUNSUP, "past", run->past, "with several dampers each has its own past");
     for (size_t j = 0; !status && j < count; j++)
         status = check_damper(method, run, j, error);
     return status;

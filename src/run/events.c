@@ -17,11 +17,9 @@ int fvi_events_check(const fvi_method *method, const fvi_run *run,
                      fvi_error *error)
 {
     if (!run->events)
-        return fvi_fail(error, FVI_EFAULT, "events", NAN,
-                        "events is a null pointer");
+        return fvi_fail(error, FVI_EFAULT, "events", NAN, "events is a null pointer");
     if (method->scheme != FVI_SCHEME_VARIABLE_STEP)
-        return fvi_fail(error, FVI_EUNSUP, "events", NAN,
-                        "this method has no events; fvi-adaptive has");
+        return fvi_fail(error, FVI_EUNSUP, "events", NAN, "this method has no events; fvi-adaptive has");
     if (run->system->matrices)
         return fvi_fail(error, FVI_EUNSUP, "events", NAN, "a system with matrices has no events");
     for (size_t i = 0; i < run->event_count; i++) {

@@ -20,8 +20,7 @@ int fvi_impulses_check(const fvi_force *force, size_t d, fvi_error *error)
     const size_t n = force->impulse_count;
     const fvi_impulse *hit = force->impulses;
     if (n > 0 && !hit)
-        return fvi_fail(error, FVI_EFAULT, "impulses", NAN,
-                        "impulses is a null pointer");
+        return fvi_fail(error, FVI_EFAULT, "impulses", NAN, "impulses is a null pointer");
     for (size_t i = 0; i < n; i++) {
         if (!hit[i].J)
             return refuse(FVI_EFAULT, i, NAN, "it needs its J", error);

@@ -17,19 +17,16 @@ static int check_law(const fvi_method *method, const fvi_run *run,
     if (!run->law)
         return FVI_SUCCESS;
     if (!method->takes_laws)
-        return fvi_fail(error, FVI_EUNSUP, "law", NAN,
-                        "this method knows no laws of damping");
+        return fvi_fail(error, FVI_EUNSUP, "law", NAN, "this method knows no laws of damping");
     const int status = fvi_kernel_check(run->law);
     if (status)
-        return fvi_fail(error, status, "law", NAN, "not a law of damping: %s",
-                        fvi_error_name(status));
+        return fvi_fail(error, status, "law", NAN, "not a law of damping: %s", fvi_error_name(status));
     if (run->past == FVI_INITIAL_HISTORY_HELD
         || (run->past == FVI_INITIAL_HISTORY_CAPUTO
             && fvi_kernel_takes_caputo(run->law)))
         return FVI_SUCCESS;
     return fvi_fail(error, FVI_EUNSUP, "past", run->past,
-                    "a law of damping is that of a body that was held; up to "
-                    "the order 1 Caputo's past is the same");
+                    "a law of damping is that of a body that was held; up to the order 1 Caputo's past is the same");
 }
 
 static int check_impulses(const fvi_method *method, const fvi_run *run,
@@ -42,8 +39,7 @@ static int check_impulses(const fvi_method *method, const fvi_run *run,
         return status;
     for (size_t i = 0; i < system->d; i++)
         if (system->damping[i] > 0) /* (17.17): p is not m x' */
-            return fvi_fail(error, FVI_EUNSUP, "impulses", NAN,
-                            "stages take no impulse at alpha = 1");
+            return fvi_fail(error, FVI_EUNSUP, "impulses", NAN, "stages take no impulse at alpha = 1");
     return FVI_SUCCESS;
 }
 
@@ -59,10 +55,8 @@ static int check_past(const fvi_method *method, const fvi_run *run,
         status = fvi_run_has_solution(run, &has);
     if (!has)
         return fvi_fail(error, FVI_EDOM, "past", run->past,
-                        "Riemann-Liouville with a damped x0 != 0 has no "
-                        "solution for alpha > 1/2");
-    return status ? fvi_fail(error, status, NULL, NAN, "%s",
-                             fvi_error_name(status))
+                        "Riemann-Liouville with a damped x0 != 0 has no solution for alpha > 1/2");
+    return status ? fvi_fail(error, status, NULL, NAN, "%s", fvi_error_name(status))
                   : FVI_SUCCESS;
 }
 
@@ -72,9 +66,8 @@ static int check_start(const char *field, size_t d, const double *v,
 {
     for (size_t i = 0; i < d; i++)
         if (!isfinite(v[i])) {
-            const int code = fvi_fail(error, FVI_EDOM, field, v[i],
-                                      "%s[%zu] is %g; it must be finite", field,
-                                      i, v[i]);
+            const int code = fvi_fail(error, FVI_EDOM, field, v[i], "%s[%zu] is %g; it must be finite", field, i,
+                                      v[i]);
             if (error)
                 error->index = i;
             return code;
@@ -85,8 +78,7 @@ static int check_start(const char *field, size_t d, const double *v,
 static int refuse(const char *field, double value, const char *range,
                   fvi_error *error)
 {
-    return fvi_fail(error, FVI_EDOM, field, value, "%s is %g; it must be %s",
-                    field, value, range);
+    return fvi_fail(error, FVI_EDOM, field, value, "%s is %g; it must be %s", field, value, range);
 }
 
 /* The numbers of a run with their ranges. */
@@ -116,19 +108,13 @@ int fvi_run_check(const fvi_method *method, const fvi_run *run,
                   fvi_error *error)
 {
     if (!method || !run || !run->x0 || !run->p0)
-        return fvi_fail(error, FVI_EFAULT,
-                        !method     ? "method"
-                        : !run      ? "run"
-                        : !run->x0 ? "x0"
-                                    : "p0",
-                        NAN, "null pointer");
+        return fvi_fail(error, FVI_EFAULT, !method ? "method" : !run ? "run" : !run->x0 ? "x0" : "p0", NAN,
+                        "null pointer");
     const fvi_system *system = run->system;
     if (system && system->matrices && !method->takes_matrices)
-        return fvi_fail(error, FVI_EUNSUP, "matrices", NAN,
-                        "this method takes no system with matrices");
+        return fvi_fail(error, FVI_EUNSUP, "matrices", NAN, "this method takes no system with matrices");
     if (system && system->mechanism && !system->matrices && !method->takes_mechanism)
-        return fvi_fail(error, FVI_EUNSUP, "mechanism", NAN,
-                        "this method takes no system with a mechanism");
+        return fvi_fail(error, FVI_EUNSUP, "mechanism", NAN, "this method takes no system with a mechanism");
     const fvi_run normal = fvi_run_normal(method, run);
     int status = fvi_system_check_any(system, error);
     if (!status && system->matrices) /* whose pasts ask for the start */
@@ -138,8 +124,7 @@ int fvi_run_check(const fvi_method *method, const fvi_run *run,
     if (status)
         return status;
     if (run->steps == 0)
-        return fvi_fail(error, FVI_EINVAL, "steps", 0,
-                        "a run has at least one step");
+        return fvi_fail(error, FVI_EINVAL, "steps", 0, "a run has at least one step");
     status = check_law(method, run, error);
     if (!status)
         status = check_numbers(method, &normal, error);
@@ -148,8 +133,7 @@ int fvi_run_check(const fvi_method *method, const fvi_run *run,
     if (!status)
         status = check_start("p0", run->system->d, run->p0, error);
     if (!status && !fvi_method_takes_history(method, run->memory))
-        status = fvi_fail(error, FVI_EUNSUP, "memory", run->memory,
-                          "this method has no such memory");
+        status = fvi_fail(error, FVI_EUNSUP, "memory", run->memory, "this method has no such memory");
     if (!status && run->event_count)
         status = fvi_events_check(method, run, error);
     if (!status)

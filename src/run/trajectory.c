@@ -94,15 +94,13 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
                       fvi_stepper **stepper, fvi_error *error)
 {
     if (!stepper)
-        return fvi_fail(error, FVI_EFAULT, "stepper", NAN,
-                        "stepper is a null pointer");
+        return fvi_fail(error, FVI_EFAULT, "stepper", NAN, "stepper is a null pointer");
     int status = fvi_run_check(method, run, error);
     if (status)
         return status;
     fvi_stepper *s = make(method, run);
     if (!s)
-        return fvi_fail(error, FVI_ENOMEM, NULL, NAN,
-                        "no memory for the state");
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "no memory for the state");
     fvi_error said = { 0 };
     s->error = &said;
     status = method->start ? method->start(s) : FVI_SUCCESS;
@@ -113,15 +111,13 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
             *error = said;
         return said.code == status
                    ? status
-                   : fvi_fail(error, status, NULL, NAN, "%s",
-                              fvi_error_name(status));
+                   : fvi_fail(error, status, NULL, NAN, "%s", fvi_error_name(status));
     }
     if (!method->dense)
         fvi_impulses_act(s, 0);
     if (!is_finite(s)) {
         fvi_stepper_free(s);
-        return fvi_fail(error, FVI_EOVRFLW, "p0", NAN,
-                        "an impulse at t = 0 makes p infinite");
+        return fvi_fail(error, FVI_EOVRFLW, "p0", NAN, "an impulse at t = 0 makes p infinite");
     }
     *stepper = s;
     return FVI_SUCCESS;

@@ -33,8 +33,7 @@ static int check_matrices(const fvi_system *s, fvi_error *error)
         return fvi_fail(error, FVI_EFAULT, "matrices", NAN,
                         "a function of the matrices is missing");
     if (s->potential.value)
-        return fvi_fail(error, FVI_EINVAL, "potential", NAN,
-                        "matrices and a potential do not go together");
+        return fvi_refuse(error, "potential", "matrices and a potential do not go together");
     if (m->damper_count > 0 && (!m->damper || !m->factorise_dampers || m->remembered > 0))
         return fvi_fail(error, FVI_EFAULT, "matrices", NAN,
                         "several dampers need their matrices and factors, and no C");
@@ -46,7 +45,8 @@ static int refuse_number(const char *field, double value, size_t i,
                          const char *range, fvi_error *error)
 {
     return fvi_at_index(error, i,
-                        fvi_fail(error, FVI_EDOM, field, value, "%s[%zu] is %g; it must be %s", field, i, value, range));
+                        fvi_fail(error, FVI_EDOM, field, value, "%s[%zu] is %g; it must be %s", field, i, value,
+                                 range));
 }
 
 int fvi_system_check_any(const fvi_system *s, fvi_error *error)
@@ -61,8 +61,7 @@ int fvi_system_check_any(const fvi_system *s, fvi_error *error)
         return fvi_fail(error, FVI_EINVAL, "d", (double)s->d,
                         "it must be at least 1 and a Hessian addressable");
     if (!u->value != !u->gradient || !u->value != !u->hessian)
-        return fvi_fail(error, FVI_EINVAL, "potential", NAN,
-                        "it needs value, gradient and hessian, or none");
+        return fvi_refuse(error, "potential", "it needs value, gradient and hessian, or none");
     for (size_t i = 0; i < s->d && !has_lagrangian; i++) {
         if (!(gsl_finite(s->mass[i])
               && (s->mass[i] > 0 || (s->mass[i] == 0 && s->mechanism))))

@@ -256,9 +256,8 @@ int fvi_kernel_begin_on_mesh(const fvi_kernel_on_mesh *o, fvi_modes **modes,
         status = make_modes(o, 1, &fast, rising);
     free(room);
     if (none)
-        FVI_FAIL("law: a pole of this law is too near to its cut, or off it, for "
-                 "modes of variable steps; fvi-bdf2 and fvi-stable take it",
-                 FVI_EUNSUP);
+        FVI_FAIL("law: a pole of this law is too near to its cut, or off it, for modes of variable steps; fvi-bdf2 "
+                 "and fvi-stable take it", FVI_EUNSUP);
     return status;
 }
 

@@ -198,9 +198,8 @@ static int begin_kernel(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const int status = fvi_variable_step_begin_kernel(o);
     return status == FVI_EUNSUP
-               ? fvi_fail(s->error, status, NULL, NAN,
-                          "a pole of this law is too near to its cut, or off it, for fvi-adaptive; "
-                          "fvi-bdf2 and fvi-stable take it")
+               ? fvi_fail(s->error, status, NULL, NAN, "a pole of this law is too near to its cut, or off it, for "
+                          "fvi-adaptive; fvi-bdf2 and fvi-stable take it")
                : status;
 }
 
@@ -246,8 +245,7 @@ static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
     for (size_t j = 0; j < system->d; j++)
         jumps |= system->damping[j] > 0 && s->p[j] != 0;
     if (jumps && fvi_kernel_growth(s->run.law) > 1)
-        return fvi_fail(s->error, FVI_EUNSUP, "p0", NAN,
-                        "fvi-adaptive takes no velocity that jumps with a law that "
+        return fvi_fail(s->error, FVI_EUNSUP, "p0", NAN, "fvi-adaptive takes no velocity that jumps with a law that "
                         "grows faster than s; fvi-bdf2 and fvi-stable do");
     return fvi_variable_step_prepare_kernel(s->run.law, &o->kernel);
 }
@@ -293,9 +291,8 @@ static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupl
         return status;
     o->least = smaller(o->least, o->T * of->shortest(s, o));
     if (o->least < FVI_SHORTEST / 16 * o->T)
-        return fvi_fail(s->error, FVI_EUNSUP, "damper", NAN,
-                        "no step is short enough for this error: an order is too near to 2 behind a "
-                        "velocity that jumps, or to 0 at a coordinate without mass");
+        return fvi_fail(s->error, FVI_EUNSUP, "damper", NAN, "no step is short enough for this error: an order is "
+                        "too near to 2 behind a velocity that jumps, or to 0 at a coordinate without mass");
     status = of->begin(s, o);
     if (!status)
         status = fvi_variable_step_find_events(s, o);

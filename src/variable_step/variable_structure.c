@@ -98,16 +98,13 @@ static int refuse(const fvi_stepper *s)
 {
     const fvi_matrices *m = s->run.system->matrices;
     if (!m->factorise_complex || !m->solve_complex || !m->forget_complex || !m->inertia)
-        return fvi_fail(s->error, FVI_EUNSUP, "matrices", NAN,
-                        "these matrices have no complex factors, or no product with M, which "
-                        "methods with stages need");
+        return fvi_fail(s->error, FVI_EUNSUP, "matrices", NAN, "these matrices have no complex factors, or no "
+                        "product with M, which methods with stages need");
     for (size_t j = 0; j < fvi_run_damper_count(&s->run); j++) {
         const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
         if (of.growth == 2 && of.matrix.remembered > 0)
-            return fvi_fail(s->error, FVI_EUNSUP,
-                            s->run.system->mechanism ? "damper" : s->run.law ? "law" : "alpha",
-                            (double)j + 1,
-                            "a damping of order 2 is a mass: fvi-lobatto2d to 8d take it with "
+            return fvi_fail(s->error, FVI_EUNSUP, s->run.system->mechanism ? "damper" : s->run.law ? "law" : "alpha",
+                            (double)j + 1, "a damping of order 2 is a mass: fvi-lobatto2d to 8d take it with "
                             "matrices, fvi-adaptive does not");
     }
     return FVI_SUCCESS;
