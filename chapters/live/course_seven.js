@@ -8,7 +8,7 @@ const words = alpha => (alpha === 0 ? "A second spring" : alpha < 0.5 ? "Between
 
 FVI_LIVE.scene("course_seven", {
   about: "Move α from a spring (0) through a dashpot (1/2) to a mass (1). Drag the body, left, and let go: the dots behind it are its past, "
-    + "each as large as its weight in the force of the springpot.",
+    + "each as large as its weight in the force of the springpot. Right, the small dots are the program of Chapter 6.",
   controls: { alpha: ["α: 0 spring, ½ dashpot, 1 mass;", 0, 1, 0.25, 0.01], rho: ["ρ", 0, 2, 0.5, 0.02] },
   keeps: { x0: 1 },
   buttons: { again: ["Let go again", FVI_LIVE.again] },
@@ -24,7 +24,8 @@ FVI_LIVE.scene("course_seven", {
     }
     const x = of(alpha);
     c.live_weights(2 * alpha, back + 1);
-    return { x, weights: [...view(0, back + 1)], seven: scene.seven.map(one => [...one]) };
+    const stage6 = [...run({ method: "fvi", alpha, rho, x0, p0: 0, h: 0.1, steps: steps / 2 }, 1).x];
+    return { x, stage6, weights: [...view(0, back + 1)], seven: scene.seven.map(one => [...one]) };
   },
 
   more: (data, values) => FVI_LIVE.goOn(values, steps, 1 / 12),
@@ -32,7 +33,7 @@ FVI_LIVE.scene("course_seven", {
   says: ({ x }, { alpha }) => `${words(alpha)}: at t = 14 the body is at ${FVI_LIVE.short(Number(x[steps].toPrecision(4)))}, `
     + `and on the way it came to ${FVI_LIVE.short(Number(Math.min(...x.map(value => value * Math.sign(x[0] || 1))).toPrecision(4) * Math.sign(x[0] || 1)))} on the other side.`,
 
-  draw({ x, weights, seven }, { alpha, x0, at }, [left, right]) {
+  draw({ x, stage6, weights, seven }, { alpha, x0, at }, [left, right]) {
     const k = Math.round(at), body = FVI_LIVE.axes(left, { x: [-2.2, 1.6], y: [-8.5, 3], names: ["x", "time ago, downwards from 0"] });
     for (let n = back; n > 0; n--) { // before t = 0 it was held
       const then = k - n * ago / h;
@@ -54,6 +55,8 @@ FVI_LIVE.scene("course_seven", {
     place.ends(orders.map((a, i) => [`α = ${a}`, a === alpha ? "run" : "soft-ink", t, seven[i].map(value => value * x0)]));
     place.curve(t, x, "past", [], 1.2);
     place.curve(t.slice(0, k + 1), x.slice(0, k + 1), "run", [], 2.4);
+    for (let i = 0; i < stage6.length; i += 10)
+      place.dot(0.1 * i, stage6[i], "soft-ink", 2.5);
     place.dot(t[k], x[k], "run", 6);
   },
 

@@ -147,9 +147,10 @@ await test("1: the running body's run is the program's, from where it was dragge
   settled(scene, values, library);
   scene.drag(values, 0, 0.75, 0.5, "pointerdown");
   near(values.x0, 0.65, 1e-15, "where it was dragged to");
-  const { x, weights, seven } = moved("course_seven", values), words = "--method fvi-lobatto4 --rho 0.8 --p0 0 --h 0.05 --steps 280 --columns x";
+  const { x, stage6, weights, seven } = moved("course_seven", values), words = "--method fvi-lobatto4 --rho 0.8 --p0 0 --h 0.05 --steps 280 --columns x";
   nearAll(x, asked(`run ${words} --alpha 0.35 --x0 0.65`)(0), 1e-12, "x");
   nearAll(seven[2], asked(`run ${words} --alpha 0.4`)(0), 1e-12, "alpha = 0.4");
+  nearAll(stage6, asked("run --method fvi --alpha 0.35 --rho 0.8 --p0 0 --h 0.1 --steps 140 --columns x --x0 0.65")(0), 1e-12, "stage 6");
   assert.deepEqual([...weights], asked("coefficients --alpha 0.7 --count 17")(1));
 });
 

@@ -1,7 +1,7 @@
 /* figures/course/course_seven.c -- Chapter 6: the running body for seven orders of its damping.
  *
- * A block for each alpha: t and x of a run of stage 6 with h = 0.1; at every tenth node the exact
- * x, else "-"; and in the last line the name of the curve. */
+ * A block for each alpha: t and the exact x at steps of h = 0.1, and at every tenth node the x of
+ * a run of stage 6, else "-". */
 #include <fvi/exact_solution.h>
 
 #define main body_main
@@ -17,20 +17,19 @@ int main(void)
     for (int i = 0; i < 7; i++) {
         alpha = alphas[i];
         run(LAST);
-        printf("%s# t, x of the run, exact x; alpha = %g\n", i ? "\n\n" : "", alpha);
+        printf("%s# t, exact x, x of the run; alpha = %g\n", i ? "\n\n" : "", alpha);
         const fvi_linear_oscillator motion = { .m = m, .c = c, .rho = rho, .alpha = alpha, .x0 = x0, .v0 = p0 / m };
         for (int k = 0; k <= LAST; k++) {
             const double t = k * h;
             double exact;
             if (fvi_exact_at(&motion, 1, &t, &exact, NULL, NULL))
                 return 1;
-            printf("%.17g %.17g ", t, x[k]);
+            printf("%.17g %.17g ", t, exact);
             if (k % EVERY)
                 printf("-\n");
             else
-                printf("%.17g\n", exact);
+                printf("%.17g\n", x[k]);
         }
-        printf("%.17g %.17g - \"α = %g\"\n", LAST * h, x[LAST], alpha);
     }
     return 0;
 }
