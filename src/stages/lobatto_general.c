@@ -117,8 +117,8 @@ static double left_by_modes(size_t s, const fvi_kernel_term *t, double h,
     for (size_t i = 0; i < s * s; i++)
         most = larger(most, fabs(W[i]));
     for (size_t j = 0; j < m.count; j++) {
-        double p;
-        fvi_lobatto_node(s, h * m.rate[j], &p, a, 1);
+        double p = h * m.rate[j];
+        fvi_lobatto_solve_nodes(s, 1, &p, a, 1);
         for (size_t n = FVI_LAGS + 1; n < COUNT; n++) {
             const double q =
                 h * m.weight[j] * pow(1 - p, (double)n - 1);

@@ -18,7 +18,7 @@ struct fvi_lobatto_history {
     size_t Q;          /* modes, padded to a multiple of LANES */
     double *q, *p, *a; /* of each mode; s entries a, Q apart */
     double *z;         /* Q modes for each coordinate */
-    double *W;         /* W_0, ..., W_lags */
+    double *W;         /* W_0 by rows, and W_1, ..., W_lags by columns */
     double *past;      /* the last `lags` v, a ring */
     int by_order;         /* there are derivatives by beta, too: */
     double *r, *R;     /* of q and W */
@@ -122,6 +122,26 @@ static fvi_lobatto_history *make(fvi_lobatto_history sizes)
     return m;
 }
 
+static void swap(double *x, double *y)
+{
+    const double kept = *x;
+    *x = *y;
+    *y = kept;
+}
+
+/* W_1, ..., W_lags by columns: all rows of a sum then run side by side. */
+static void turn_near_lags(fvi_lobatto_history *m)
+{
+    const size_t s = m->s;
+    for (size_t n = 1; n <= m->lags; n++)
+        for (size_t i = 0; i < s; i++)
+            for (size_t j = 0; j < i; j++) {
+                swap(&m->W[(n * s + i) * s + j], &m->W[(n * s + j) * s + i]);
+                if (m->by_order)
+                    swap(&m->R[(n * s + i) * s + j], &m->R[(n * s + j) * s + i]);
+            }
+}
+
 /* The lag FVI_LAGS + 1 is the first that the modes stand for. */
 static void skip_near_lags(fvi_lobatto_history *m)
 {
@@ -155,6 +175,7 @@ static int allocate(size_t s, double beta, size_t d, size_t steps,
         fvi_lobatto_history_free(m);
         return status;
     }
+    turn_near_lags(m);
     if (Q > 0)
         fvi_lobatto_nodes(s, beta, N, keep, by_order, m->q, m->r, m->p, m->a, Q);
     skip_near_lags(m);
@@ -217,6 +238,7 @@ int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, siz
         fvi_lobatto_history_free(m);
         FVI_FAIL("no memory for the history", status);
     }
+    turn_near_lags(m);
     *memory = m;
     return FVI_SUCCESS;
 }
@@ -269,24 +291,6 @@ const double *fvi_lobatto_history_now_by_order(const fvi_lobatto_history *m)
     return m->R;
 }
 
-/* sum += sum_n W_n v_{k-n} over the near lags. (17.9) */
-static void sum_near(const fvi_lobatto_history *m, const double *W,
-                     const double *past, double *sum)
-{
-    const size_t s = m->s, k = m->k;
-    size_t at = k % m->lags;
-    for (size_t n = 1; n <= m->lags && n <= k; n++) {
-        at = (at > 0 ? at : m->lags) - 1; /* k - n, in the ring */
-        const double *Wn = W + n * s * s, *v = past + at * s;
-        for (size_t l = 0; l < s; l++) {
-            double more = sum[l];
-            for (size_t j = 0; j < s; j++)
-                more += Wn[l * s + j] * v[j];
-            sum[l] = more;
-        }
-    }
-}
-
 /* The rates of the modes as they are. */
 static void sum_rates(const fvi_lobatto_history *m, const double *z, double *sum)
 {
@@ -327,14 +331,14 @@ int fvi_lobatto_history_push_by_order(fvi_lobatto_history *m, const double *v,
             u[s - 1 - l] = b[l] * place[l];
             place[l] = v[l];
         }
-        sum_near(m, m->W, past, sum);
+        fvi_lobatto_add_near(s, lags, k, m->W, past, sum);
         if (m->Q > 0)
             fvi_lobatto_advance(s, m->Q, m->q, m->p, m->a, u, z, sum);
         memcpy(H, sum, s * sizeof *H);
         if (!Hdot)
             continue;
         memset(sum, 0, sizeof sum);
-        sum_near(m, m->R, past, sum);
+        fvi_lobatto_add_near(s, lags, k, m->R, past, sum);
         sum_rates(m, z, sum);
         memcpy(Hdot + i * s, sum, s * sizeof *H);
     }

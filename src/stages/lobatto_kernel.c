@@ -84,10 +84,9 @@ static void tail_of(const fvi_lobatto_kernel *r, int above, double first,
                             log(r->h), first, step, 0, S0, S1);
 }
 
-/* The cut's: (17.10) with all terms on one set of nodes. */
+/* The cut's: (17.10) with all terms on one set of nodes. mu comes into p. */
 static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
-                           double tolerance, double *q, double *p, double *a,
-                           size_t stride)
+                           double tolerance, double *q, double *p)
 {
     double least = 1, most = -1, width = 1;
     for (size_t i = 0; i < r->terms; i++) {
@@ -110,7 +109,7 @@ static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
         double S0, S1;
         tail_of(r, (int)above, first, step, &S0, &S1);
         q[j] = step * S0;
-        fvi_lobatto_node(s, S1 / S0, &p[j], a + j, stride);
+        p[j] = S1 / S0;
     }
     for (size_t j = tails; q && j < Q; j++) {
         const double ln_mu = first + (double)(j - tails) * step;
@@ -118,15 +117,14 @@ static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
         for (size_t i = 0; i < r->terms; i++)
             if (has_cut(&r->term[i]))
                 q[j] += step * on_the_cut(&r->term[i], r->h, ln_mu);
-        fvi_lobatto_node(s, exp(ln_mu), &p[j], a + j, stride);
+        p[j] = exp(ln_mu);
     }
     return Q;
 }
 
-/* The nodes of the terms that are no fractions of powers, behind Q others. */
+/* The nodes of the terms that are no fractions of powers, behind Q others. mu comes into p. */
 static size_t nodes_of_general(size_t s, const fvi_lobatto_kernel *r, double N,
-                               double tolerance, size_t Q, double *q,
-                               double *p, double *a, size_t stride)
+                               double tolerance, size_t Q, double *q, double *p)
 {
     for (size_t i = 0; i < r->law->count; i++) {
         const fvi_kernel_term *t = &r->law->term[i];
@@ -136,7 +134,7 @@ static size_t nodes_of_general(size_t s, const fvi_lobatto_kernel *r, double N,
             continue; /* no memory: the weights are asked for next */
         for (size_t j = 0; q && j < m.count; j++) {
             q[Q + j] = r->h * m.weight[j];
-            fvi_lobatto_node(s, r->h * m.rate[j], &p[Q + j], a + Q + j, stride);
+            p[Q + j] = r->h * m.rate[j];
         }
         Q += m.count;
         free(m.rate);
@@ -148,8 +146,8 @@ size_t fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, doubl
                              double tolerance, double *q, double *p, double *a,
                              size_t stride)
 {
-    size_t Q = nodes_of_cut(s, ready, N, tolerance, q, p, a, stride);
-    Q = nodes_of_general(s, ready, N, tolerance, Q, q, p, a, stride);
+    size_t Q = nodes_of_cut(s, ready, N, tolerance, q, p);
+    Q = nodes_of_general(s, ready, N, tolerance, Q, q, p);
     double springs = 0;
     for (size_t i = 0; i < ready->terms; i++) {
         const fvi_kernel_simple *t = &ready->term[i];
@@ -159,15 +157,18 @@ size_t fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, doubl
             continue;
         if (q) { /* rho / (1 + T s) = (rho/T) / (s + 1/T): a residue */
             q[Q] = t->rho * ready->h / t->time;
-            fvi_lobatto_node(s, ready->h / t->time, &p[Q], a + Q, stride);
+            p[Q] = ready->h / t->time;
         }
         Q++;
     }
     if (springs > 0 && q) { /* of order -1: the sum of all velocities */
         q[Q] = springs * ready->h;
-        fvi_lobatto_node(s, 0, &p[Q], a + Q, stride);
+        p[Q] = 0;
     }
-    return Q + (springs > 0);
+    Q += springs > 0;
+    if (q)
+        fvi_lobatto_solve_nodes(s, Q, p, a, stride);
+    return Q;
 }
 
 /* ---- weights ---- */
@@ -281,13 +282,15 @@ int fvi_lobatto_kernel_weights(size_t s, const fvi_lobatto_kernel *ready, size_t
                             double *W)
 {
     const double N = (double)n;
-    const size_t Q =
-        fvi_lobatto_kernel_nodes(s, ready, N, 1e-16, NULL, NULL, NULL, 0);
+    size_t Q = 0;
+    if (n > FVI_LAGS + 1) /* else there are none behind the first */
+        Q = fvi_lobatto_kernel_nodes(s, ready, N, 1e-16, NULL, NULL, NULL, 0);
     double *q = calloc((2 + s) * Q + 1, sizeof *q);
     int status = FVI_SUCCESS;
     if (!q)
         FVI_FAIL("no memory for the nodes", FVI_ENOMEM);
-    fvi_lobatto_kernel_nodes(s, ready, N, 1e-16, q, q + Q, q + 2 * Q, Q);
+    if (Q > 0)
+        fvi_lobatto_kernel_nodes(s, ready, N, 1e-16, q, q + Q, q + 2 * Q, Q);
     memset(W, 0, (FVI_LAGS + 1) * s * s * sizeof *W);
     for (size_t k = 2; k < n; k++) {
         for (size_t j = 0; j < Q; j++)

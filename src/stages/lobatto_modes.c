@@ -1,9 +1,54 @@
-/* src/stages/lobatto_modes.c -- The modes of a memory on Lobatto nodes, a step on.
+/* src/stages/lobatto_modes.c -- The near lags and the modes of a memory on Lobatto nodes, a step on.
  *                                                               [H 17] */
 #include "lobatto_weights.h"
 #include "variable_rule.h" /* fvi_four */
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
+
+/* ---- near lags ---- */
+
+/* fvi_lobatto_add_near, where s is a number that the compiler knows. */
+static inline __attribute__((always_inline)) void
+add_columns(size_t s, size_t lags, size_t k, const double *W, const double *past, double *sum)
+{
+    double total[FVI_STAGES];
+    size_t at = k % lags;
+    for (size_t i = 0; i < s; i++)
+        total[i] = sum[i];
+    for (size_t n = 1; n <= lags && n <= k; n++) {
+        at = (at > 0 ? at : lags) - 1; /* k - n, in the ring */
+        const double *column = W + n * s * s, *v = past + at * s;
+        for (size_t j = 0; j < s; j++, column += s)
+#pragma omp simd
+            for (size_t i = 0; i < s; i++)
+                total[i] += column[i] * v[j];
+    }
+    for (size_t i = 0; i < s; i++)
+        sum[i] = total[i];
+}
+
+FVI_VECTORS void fvi_lobatto_add_near(size_t s, size_t lags, size_t k, const double *W,
+                                      const double *past, double *sum)
+{
+    switch (s) {
+    case 2:
+        add_columns(2, lags, k, W, past, sum);
+        break;
+    case 3:
+        add_columns(3, lags, k, W, past, sum);
+        break;
+    case 4:
+        add_columns(4, lags, k, W, past, sum);
+        break;
+    case 8:
+        add_columns(8, lags, k, W, past, sum);
+        break;
+    default:
+        add_columns(s, lags, k, W, past, sum);
+    }
+}
+
+/* ---- modes ---- */
 
 enum { LANES = FVI_MODE_LANES, HALVES = LANES / 4 };
 

@@ -1,33 +1,67 @@
 /* src/stages/lobatto_nodes.c -- Weights on Lobatto nodes as sums of powers. [H 17] */
 #include "lobatto_weights.h"
 
-#include "system/lu.h"
+#include "memory/history_kinds.h" /* FVI_VECTORS */
 
-#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
+#include <string.h>
 
-/* (mu + A^(-1)) a = e_1 / b_1. */
-void fvi_lobatto_node(size_t s, double mu, double *p, double *a, size_t stride)
+enum { LANES = FVI_MODE_LANES };
+
+/* (mu + A^(-1)) a = e_1 / b_1 for eight mu side by side. The rows need no exchange, because the symmetric part of
+ * B (mu + A^(-1)) is positive (17.2), and so is that of what is left after each pivot. */
+FVI_VECTORS static void solve_nodes(size_t s, const double *mu, double a[FVI_STAGES][LANES])
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
-    double m[FVI_STAGES * FVI_STAGES], vector[FVI_STAGES] = { 0 };
-    size_t order[FVI_STAGES];
-    gsl_permutation permutation = { s, order };
-    for (size_t i = 0; i < s; i++) {
+    double m[FVI_STAGES][FVI_STAGES][LANES], factor[LANES];
+    for (size_t i = 0; i < s; i++)
         for (size_t j = 0; j < s; j++)
-            m[i * s + j] = rule->D[i][j];
-        m[i * s + i] += mu;
+#pragma omp simd
+            for (size_t l = 0; l < LANES; l++)
+                m[i][j][l] = rule->D[i][j] + (i == j ? mu[l] : 0);
+    memset(a, 0, s * sizeof *a);
+    for (size_t l = 0; l < LANES; l++) {
+        m[0][0][l] += 1 / rule->b[0];
+        a[0][l] = 1 / rule->b[0];
     }
-    m[0] += 1 / rule->b[0];
-    vector[0] = 1 / rule->b[0];
-    gsl_matrix_view M = gsl_matrix_view_array(m, s, s);
-    gsl_vector_view v = gsl_vector_view_array(vector, s);
-    fvi_lu_factorise(&M.matrix, &permutation);
-    gsl_linalg_LU_svx(&M.matrix, &permutation, &v.vector);
-    *p = 0;
-    for (size_t i = 0; i < s; i++) {
-        a[i * stride] = vector[i];
-        *p += mu * rule->b[i] * vector[i]; /* 1 - r(-mu), to all digits */
+    for (size_t j = 0; j < s; j++)
+        for (size_t i = j + 1; i < s; i++) {
+#pragma omp simd
+            for (size_t l = 0; l < LANES; l++) {
+                factor[l] = m[i][j][l] / m[j][j][l];
+                a[i][l] -= factor[l] * a[j][l];
+            }
+            for (size_t n = j + 1; n < s; n++)
+#pragma omp simd
+                for (size_t l = 0; l < LANES; l++)
+                    m[i][n][l] -= factor[l] * m[j][n][l];
+        }
+    for (size_t i = s; i-- > 0;) {
+        for (size_t n = i + 1; n < s; n++)
+#pragma omp simd
+            for (size_t l = 0; l < LANES; l++)
+                a[i][l] -= m[i][n][l] * a[n][l];
+        for (size_t l = 0; l < LANES; l++)
+            a[i][l] /= m[i][i][l];
+    }
+}
+
+void fvi_lobatto_solve_nodes(size_t s, size_t count, double *p, double *a, size_t stride)
+{
+    const fvi_lobatto_rule *rule = fvi_lobatto(s);
+    for (size_t from = 0; from < count; from += LANES) {
+        const size_t few = count - from < LANES ? count - from : LANES;
+        double mu[LANES], entry[FVI_STAGES][LANES];
+        for (size_t l = 0; l < LANES; l++)
+            mu[l] = p[from + (l < few ? l : 0)];
+        solve_nodes(s, mu, entry);
+        for (size_t l = 0; l < few; l++) {
+            p[from + l] = 0;
+            for (size_t i = 0; i < s; i++) {
+                a[i * stride + from + l] = entry[i][l];
+                p[from + l] += mu[l] * rule->b[i] * entry[i][l]; /* 1 - r(-mu), to all digits */
+            }
+        }
     }
 }
 
@@ -104,8 +138,10 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
             q[j] = beta == -1 ? 1 : factor * S0;
             low = mu = beta == -1 ? 0 : S1 / S0;
         }
-        fvi_lobatto_node(s, mu, &p[j], a + j, stride);
+        p[j] = mu;
     }
+    if (q)
+        fvi_lobatto_solve_nodes(s, Q, p, a, stride);
     if (q && by_order)
         tail_rates(e0, step, exp(first), low, factor, slope, q, rate);
     return Q;

@@ -1,5 +1,6 @@
 /* src/stages/lobatto_weights.c -- Convolution quadrature on Lobatto nodes. [H 17] */
 #include "lobatto_weights.h"
+#include "variable_rule.h" /* fvi_four */
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
@@ -15,38 +16,52 @@
 
 /* ---- power series of s x s matrices, up to z^3 ---- */
 
-enum { TERMS = FVI_LAGS + 1, HALF = FVI_STAGES / 2 };
+enum { TERMS = FVI_LAGS + 1, HALF = FVI_STAGES / 2, ENTRIES = TERMS * FVI_STAGES * FVI_STAGES };
 
 /* Entry (i, j) of the coefficient of z^n at [n][i][j]. */
 typedef struct {
     double w[TERMS][FVI_STAGES][FVI_STAGES];
 } series;
 
-/* out = p x + q y */
-static void combine(size_t s, double p, const series *x, double q,
-                    const series *y, series *out)
+/* out = p x + q y. Entries beyond row s or column s are 0, and all are summed side by side. */
+FVI_VECTORS static void combine(double p, const series *x, double q, const series *y, series *out)
 {
-    for (size_t n = 0; n < TERMS; n++)
-        for (size_t i = 0; i < s; i++)
-            for (size_t j = 0; j < s; j++)
-                out->w[n][i][j] = p * x->w[n][i][j] + q * y->w[n][i][j];
+    const double *of_x = x->w[0][0], *of_y = y->w[0][0];
+    double *to = out->w[0][0];
+#pragma omp simd
+    for (size_t i = 0; i < ENTRIES; i++)
+        to[i] = p * of_x[i] + q * of_y[i];
 }
 
-/* out += sign x_l y_n, matrices of two series; half a row of sums side by side. */
-static inline void add_product(size_t s, double sign, const series *x, size_t l,
-                               const series *y, size_t n,
-                               double out[FVI_STAGES][FVI_STAGES])
+#define FOUR(x) (*(fvi_four *)(x))
+
+/* out += sign x_l y_n, matrices of two series, for s up to 4 times `fours`, a number that the compiler knows. */
+static inline __attribute__((always_inline)) void
+add_rows(size_t s, size_t fours, double sign, const series *x, size_t l, const series *y, size_t n,
+         double out[FVI_STAGES][FVI_STAGES])
 {
-    for (size_t i = 0; i < s; i++)
-        for (size_t from = 0; from < s; from += HALF) {
-            double sum[HALF];
-            memcpy(sum, out[i] + from, sizeof sum);
-            for (size_t k = 0; k < s; k++)
-#pragma GCC unroll 4
-                for (size_t j = 0; j < HALF; j++)
-                    sum[j] += sign * x->w[l][i][k] * y->w[n][k][from + j];
-            memcpy(out[i] + from, sum, sizeof sum);
+    for (size_t i = 0; i < s; i++) {
+        fvi_four sum[2] = { FOUR(out[i]), FOUR(out[i] + 4) };
+        for (size_t k = 0; k < s; k++) {
+            const double factor = sign * x->w[l][i][k];
+            const double *row = y->w[n][k];
+            sum[0] += factor * *(const fvi_four *)row;
+            if (fours > 1)
+                sum[1] += factor * *(const fvi_four *)(row + 4);
         }
+        FOUR(out[i]) = sum[0];
+        FOUR(out[i] + 4) = sum[1];
+    }
+}
+
+static inline __attribute__((always_inline)) void
+add_product(size_t s, double sign, const series *x, size_t l, const series *y, size_t n,
+            double out[FVI_STAGES][FVI_STAGES])
+{
+    if (s > 4)
+        add_rows(s, 2, sign, x, l, y, n, out);
+    else
+        add_rows(s, 1, sign, x, l, y, n, out);
 }
 
 FVI_VECTORS static series times_series(size_t s, const series *x, const series *y)
@@ -108,9 +123,9 @@ static series root(size_t s, series *x)
     series y = *x, z = identity(s), change;
     for (int i = 0; i < 20; i++) {
         series inverse_y = invert(s, &y), inverse_z = invert(s, &z);
-        combine(s, -0.5, &y, 0.5, &inverse_z, &change);
-        combine(s, 0.5, &y, 0.5, &inverse_z, &y);
-        combine(s, 0.5, &z, 0.5, &inverse_y, &z);
+        combine(-0.5, &y, 0.5, &inverse_z, &change);
+        combine(0.5, &y, 0.5, &inverse_z, &y);
+        combine(0.5, &z, 0.5, &inverse_y, &z);
         if (norm(s, &change) <= 4 * GSL_DBL_EPSILON * norm(s, &y))
             break;
     }
@@ -144,14 +159,14 @@ static deep_root make_root(size_t s)
     const series one = identity(s);
     series x = delta(s), E;
     deep_root r = { .k = 0 };
-    for (; combine(s, 1, &x, -1, &one, &E), norm(s, &E) > 0.25; r.k++)
+    for (; combine(1, &x, -1, &one, &E), norm(s, &E) > 0.25; r.k++)
         x = root(s, &x);
     r.power[0] = one;
     for (int j = 1; j <= BLOCK; j++)
         r.power[j] = times_series(s, &r.power[j - 1], &E);
     x = E;
     for (int j = 1; j <= 40; j++) {
-        combine(s, 1, &r.logarithm, ldexp(j % 2 ? 1. : -1., r.k) / j, &x,
+        combine(1, &r.logarithm, ldexp(j % 2 ? 1. : -1., r.k) / j, &x,
                 &r.logarithm);
         x = times_series(s, &x, &E);
     }
@@ -177,12 +192,20 @@ static const deep_root *root_of(size_t s, deep_root *own)
 }
 
 /* c_0 + c_1 E + ... + c_{BLOCK-1} E^(BLOCK-1) */
-static series add_powers(size_t s, const deep_root *r, const double *c)
+FVI_VECTORS static series add_powers(const deep_root *r, const double *c)
 {
-    series sum = r->power[0];
-    combine(s, c[0], &sum, c[1], &r->power[1], &sum);
-    for (int l = 2; l < BLOCK; l++)
-        combine(s, 1, &sum, c[l], &r->power[l], &sum);
+    series sum;
+    double *to = sum.w[0][0];
+    const double *power = r->power[0].w[0][0];
+#pragma omp simd
+    for (size_t i = 0; i < ENTRIES; i++)
+        to[i] = c[0] * power[i];
+    for (size_t l = 1; l < BLOCK; l++) {
+        power = r->power[l].w[0][0];
+#pragma omp simd
+        for (size_t i = 0; i < ENTRIES; i++)
+            to[i] += c[l] * power[i];
+    }
     return sum;
 }
 
@@ -192,16 +215,18 @@ static series add_powers(size_t s, const deep_root *r, const double *c)
 static series near(size_t s, double beta, series *rate)
 {
     enum { BLOCKS = 7 };
+    if (beta == 0 && !rate)
+        return identity(s);
     deep_root own;
     const deep_root *r = root_of(s, &own);
     double c[BLOCKS * BLOCK] = { 1 };
     for (int j = 1; j < BLOCKS * BLOCK; j++)
         c[j] = c[j - 1] * (beta - (j - 1)) / j;
-    series sum = add_powers(s, r, c + (BLOCKS - 1) * BLOCK);
+    series sum = add_powers(r, c + (BLOCKS - 1) * BLOCK);
     for (int i = BLOCKS - 2; i >= 0; i--) {
-        const series block = add_powers(s, r, c + i * BLOCK);
+        const series block = add_powers(r, c + i * BLOCK);
         sum = times_series(s, &sum, &r->power[BLOCK]);
-        combine(s, 1, &sum, 1, &block, &sum);
+        combine(1, &sum, 1, &block, &sum);
     }
     for (int k = r->k; k > 0; k--)
         sum = times_series(s, &sum, &sum);
@@ -217,13 +242,13 @@ void fvi_lobatto_near(size_t s, const fvi_kernel_simple *t, double h, double *W)
 {
     const series one = identity(s);
     series top = near(s, 2 * t->alpha - 1, NULL), bottom = delta(s), part;
-    combine(s, pow(h, 1 - 2 * t->alpha), &top, 0, &one, &top);
+    combine(pow(h, 1 - 2 * t->alpha), &top, 0, &one, &top);
     if (t->time > 0) {
         part = t->below == t->alpha ? top : near(s, 2 * t->below - 1, NULL);
         if (t->below != t->alpha)
-            combine(s, pow(h, 1 - 2 * t->below), &part, 0, &one, &part);
+            combine(pow(h, 1 - 2 * t->below), &part, 0, &one, &part);
         bottom = times_series(s, &bottom, &part);
-        combine(s, t->time / h, &bottom, 1, &one, &bottom);
+        combine(t->time / h, &bottom, 1, &one, &bottom);
         bottom = invert(s, &bottom);
         top = times_series(s, &top, &bottom);
     }
