@@ -24,7 +24,7 @@ typedef struct {
 } series;
 
 /* out = p x + q y. Entries beyond row s or column s are 0, and all are summed side by side. */
-FVI_VECTORS static void combine(double p, const series *x, double q, const series *y, series *out)
+FVI_VECTORS static void combine_series(double p, const series *x, double q, const series *y, series *out)
 {
     const double *of_x = x->w[0][0], *of_y = y->w[0][0];
     double *to = out->w[0][0];
@@ -123,9 +123,9 @@ static series root(size_t s, series *x)
     series y = *x, z = identity(s), change;
     for (int i = 0; i < 20; i++) {
         series inverse_y = invert(s, &y), inverse_z = invert(s, &z);
-        combine(-0.5, &y, 0.5, &inverse_z, &change);
-        combine(0.5, &y, 0.5, &inverse_z, &y);
-        combine(0.5, &z, 0.5, &inverse_y, &z);
+        combine_series(-0.5, &y, 0.5, &inverse_z, &change);
+        combine_series(0.5, &y, 0.5, &inverse_z, &y);
+        combine_series(0.5, &z, 0.5, &inverse_y, &z);
         if (norm(s, &change) <= 4 * GSL_DBL_EPSILON * norm(s, &y))
             break;
     }
@@ -159,14 +159,14 @@ static deep_root make_root(size_t s)
     const series one = identity(s);
     series x = delta(s), E;
     deep_root r = { .k = 0 };
-    for (; combine(1, &x, -1, &one, &E), norm(s, &E) > 0.25; r.k++)
+    for (; combine_series(1, &x, -1, &one, &E), norm(s, &E) > 0.25; r.k++)
         x = root(s, &x);
     r.power[0] = one;
     for (int j = 1; j <= BLOCK; j++)
         r.power[j] = times_series(s, &r.power[j - 1], &E);
     x = E;
     for (int j = 1; j <= 40; j++) {
-        combine(1, &r.logarithm, ldexp(j % 2 ? 1. : -1., r.k) / j, &x,
+        combine_series(1, &r.logarithm, ldexp(j % 2 ? 1. : -1., r.k) / j, &x,
                 &r.logarithm);
         x = times_series(s, &x, &E);
     }
@@ -226,7 +226,7 @@ static series near(size_t s, double beta, series *rate)
     for (int i = BLOCKS - 2; i >= 0; i--) {
         const series block = add_powers(r, c + i * BLOCK);
         sum = times_series(s, &sum, &r->power[BLOCK]);
-        combine(1, &sum, 1, &block, &sum);
+        combine_series(1, &sum, 1, &block, &sum);
     }
     for (int k = r->k; k > 0; k--)
         sum = times_series(s, &sum, &sum);
@@ -242,13 +242,13 @@ void fvi_lobatto_near(size_t s, const fvi_kernel_simple *t, double h, double *W)
 {
     const series one = identity(s);
     series top = near(s, 2 * t->alpha - 1, NULL), bottom = delta(s), part;
-    combine(pow(h, 1 - 2 * t->alpha), &top, 0, &one, &top);
+    combine_series(pow(h, 1 - 2 * t->alpha), &top, 0, &one, &top);
     if (t->time > 0) {
         part = t->below == t->alpha ? top : near(s, 2 * t->below - 1, NULL);
         if (t->below != t->alpha)
-            combine(pow(h, 1 - 2 * t->below), &part, 0, &one, &part);
+            combine_series(pow(h, 1 - 2 * t->below), &part, 0, &one, &part);
         bottom = times_series(s, &bottom, &part);
-        combine(t->time / h, &bottom, 1, &one, &bottom);
+        combine_series(t->time / h, &bottom, 1, &one, &bottom);
         bottom = invert(s, &bottom);
         top = times_series(s, &top, &bottom);
     }
