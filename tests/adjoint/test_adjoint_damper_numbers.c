@@ -86,8 +86,9 @@ typedef struct {
 
 static void ask(answers *a)
 {
-    for (size_t i = 0; i < NUMBERS * DAMPERS * TERMS; i++)
-        a->by[0][i] = NAN;
+    for (size_t number = 0; number < NUMBERS; number++)
+        for (size_t i = 0; i < DAMPERS * TERMS; i++)
+            a->by[number][i] = NAN;
     a->want = (fvi_sensitivities){ .x0 = a->start,
                                    .p0 = a->start + D,
                                    .damping = a->damping,
