@@ -173,7 +173,7 @@ static int solve_set(size_t E, unsigned set, double A[][FVI_MATERIAL_ELEMENTS], 
                      double *c)
 {
     double L[FVI_MATERIAL_ELEMENTS][FVI_MATERIAL_ELEMENTS];
-    size_t in[FVI_MATERIAL_ELEMENTS], m = 0;
+    size_t in[FVI_MATERIAL_ELEMENTS] = { 0 }, m = 0;
     for (size_t n = 0; n < E; n++) {
         c[n] = 0;
         if (set >> n & 1)

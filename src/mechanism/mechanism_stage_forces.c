@@ -87,7 +87,7 @@ static int evaluate_dampers(const fvi_stepper *s, const double *u)
     const size_t n = o->s, r = o->r;
     int status = FVI_SUCCESS;
     for (size_t e = 0; e < r && !status; e++) {
-        double change[FVI_STAGES];
+        double change[FVI_STAGES] = { 0 };
         for (size_t l = o->begin; l < n && !status; l++)
             status = stretch(s, u, l, e, &change[l]);
         for (size_t i = 0; i < n; i++) {

@@ -79,7 +79,7 @@ enum { LEVELS = 14 };
  * extrapolation, up to the row with the least change and rounding of f, `size`. */
 static double extrapolate(const double *differences, size_t n, size_t i, double e, double size)
 {
-    double row[LEVELS], best = 0, least = INFINITY;
+    double row[LEVELS] = { 0 }, best = 0, least = INFINITY;
     for (size_t k = 0; k < LEVELS; k++, e /= 2) {
         double before = row[0], factor = 2;
         const double last = k > 0 ? row[k - 1] : 0;

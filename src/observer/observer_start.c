@@ -165,7 +165,7 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
 {
     fvi_stepper *fork = NULL;
     fvi_observer *sums = NULL;
-    fvi_observation now;
+    fvi_observation now = { 0 };
     const double h = s->run.h;
     int status = fvi_stepper_copy(s, &fork);
     if (!status)

@@ -174,7 +174,8 @@ static int make_box(request *r)
 {
     const int status = fvi_estimate_box(&r->fit, r->low, r->high);
     for (size_t j = 0; j < r->fit.parameters && fvi_fit_has_lets(&r->o); j++)
-        if (r->which[j] >= FVI_FREE_PARAMETER_CONSTANT && r->which[j] < FVI_FREE_PARAMETER_EACH) {
+        if (r->which[j] >= FVI_FREE_PARAMETER_CONSTANT
+            && r->which[j] < FVI_FREE_PARAMETER_CONSTANT + FVI_MOST_USER_PARAMETERS) {
             const double k =
                 r->o.lets.value[r->which[j] - FVI_FREE_PARAMETER_CONSTANT];
             r->low[j] = k > 0 ? k / 10 : k < 0 ? 10 * k : -1;

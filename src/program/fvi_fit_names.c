@@ -41,7 +41,7 @@ static int check(const request *r, size_t n, fvi_error *c)
         && r->o.method->alpha_least == r->o.method->alpha_most)
         return fvi_refuse(c, "fit", "'alpha' is %g for %s, and no other", r->o.method->alpha_least, r->o.method->name);
     const size_t constant = (size_t)which - FVI_FREE_PARAMETER_CONSTANT;
-    if (which >= FVI_FREE_PARAMETER_CONSTANT && which < FVI_FREE_PARAMETER_EACH
+    if (which >= FVI_FREE_PARAMETER_CONSTANT && constant < FVI_MOST_USER_PARAMETERS
         && fvi_fit_has_lets(&r->o) && r->o.lets.used[constant] & FVI_USED_BY_PARAMETER)
         return fvi_refuse(c, "fit",
                           "another --let was made of '%s', and would stay as it is; write it out in the expressions",

@@ -63,9 +63,10 @@ static int is_pulled(const fvi_run *run, size_t j, int *is_stretched)
     *is_stretched = 0;
     if (C->remembered == 0)
         return FVI_SUCCESS;
-    double *y = calloc(2 * d + 2 * r, sizeof *y), *diagonal = y + d, *z = diagonal + d;
+    double *y = calloc(2 * d + 2 * r, sizeof *y);
     if (!y)
         FVI_FAIL("no memory for C x0", FVI_ENOMEM);
+    double *diagonal = y + d, *z = diagonal + d;
     int status = C->remember(d, run->x0, z + r, C->params, z);
     if (!status)
         status = C->damp(d, -1, z, C->params, y);

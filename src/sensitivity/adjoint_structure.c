@@ -110,7 +110,7 @@ static int add_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper *a
     int status = FVI_SUCCESS;
     for (size_t l = 0; !status && l < a->terms.count; l++) {
         fvi_stage_term *t = a->terms.each + l;
-        double sum, left;
+        double sum = 0, left = 0;
         for (size_t n = 0; n < t->d; n++)
             fvi_stage_term_next(t, n, nu + n * m->s);
         status = multiply(m, a, t->self.now, &sum);

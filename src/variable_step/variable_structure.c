@@ -44,9 +44,10 @@ int fvi_structure_mesh_scale(fvi_stepper *s, double *scale)
     const fvi_system *system = s->run.system;
     const size_t d = system->d;
     const double h = s->run.h;
-    double *v = calloc(2 * d, sizeof *v), *a = v + d;
+    double *v = calloc(2 * d, sizeof *v);
     if (!v)
         FVI_FAIL("no memory for the start", FVI_ENOMEM);
+    double *a = v + d;
     memcpy(v, s->p, d * sizeof *v);
     for (size_t i = 0; i < system->force.impulse_count; i++)
         for (size_t j = 0; j < d; j++)

@@ -75,7 +75,7 @@ static int begin_damper(fvi_stepper *s, fvi_variable_step_state *o, fvi_mesh_mat
         memset(to->centre, 0, to->r * sizeof *to->centre);
         fvi_mesh_stretch_damper(o, &to->memory, to->r, to->z);
     }
-    return status;
+    return FVI_SUCCESS;
 }
 
 int fvi_structure_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o)
