@@ -78,6 +78,15 @@ option_index fvi_option_named(const char *word)
     return i < OUTPUT ? (option_index)i : OPTIONS;
 }
 
+int fvi_value_is_missing(const char *given, const char *next, fvi_error *c)
+{
+    if (!next)
+        return fvi_refuse(c, NULL, "%s: a value is missing", given);
+    return strcmp(next, "-o") == 0 || fvi_option_named(next) != OPTIONS
+               ? fvi_refuse(c, NULL, "%s: a value is missing before '%s'", given, next)
+               : 0;
+}
+
 int fvi_options_describe(const fvi_options *o, size_t i, const char **name,
                          const char **value)
 {

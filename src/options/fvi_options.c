@@ -79,6 +79,12 @@ static int append(fvi_options *o, option_index i, const char *between,
                             optarg, i == LET ? "parameters" : "terms");
 }
 
+/* Does the value stand in the same word, as in --h=1 or -oFILE? */
+static int is_with_value(const char *given)
+{
+    return given[1] == '-' ? strchr(given, '=') != NULL : given[2] != '\0';
+}
+
 /* One more option with its text. A long name must be written in full. */
 static int take(fvi_options *o, int found, const char *given, fvi_error *c)
 {
@@ -93,10 +99,13 @@ static int take(fvi_options *o, int found, const char *given, fvi_error *c)
     if (!fvi_option_is_known(o->command, i))
         return fvi_refuse(c, NULL, "%s%s: not an option of this command",
                           i == OUTPUT ? "-" : "--", fvi_option_list[i].name);
-    if (bare)
-        return fvi_refuse(c, NULL, "%s: a value is missing", given);
     if (i == CONTINUE)
-        optarg = optarg ? optarg : "";
+        optarg = "";
+    else if (bare || !is_with_value(given)) {
+        const int status = fvi_value_is_missing(given, bare ? NULL : optarg, c);
+        if (status)
+            return status;
+    }
     if (i == LET) /* --let k=3 --let c=1 is --let k=3,c=1 */
         return append(o, LET, ",", o->let_text, sizeof o->let_text, c);
     if (i == DAMPING) /* laws add */

@@ -58,12 +58,19 @@ static int refuse_option(const sorter *s, const char *word, option_index i)
     return fvi_refuse_option(s->c, word, names);
 }
 
-static int take_own(sorter *s, int which, const char *value)
+/* Is the value of this option still to come, as the next word? */
+static int check_next(const sorter *s, const char *given, const char *next)
 {
-    const char *name = s->command->own[which], **text = &s->w->own[which];
-    if (!value)
-        return fvi_refuse(s->c, name, "a value is missing");
-    return fvi_word_once("--", name, text, value, s->c);
+    const int own = next ? index_of(next, s->command->own) : -1;
+    return own >= 0 ? fvi_refuse(s->c, NULL, "%s: a value is missing before '%s'", given, next)
+                    : fvi_value_is_missing(given, next, s->c);
+}
+
+static int take_own(sorter *s, int which, const char *given, const char *next)
+{
+    const char *equals = strchr(given, '='), *name = s->command->own[which];
+    const int status = equals ? 0 : check_next(s, given, next);
+    return status ? status : fvi_word_once("--", name, &s->w->own[which], equals ? equals + 1 : next, s->c);
 }
 
 static int take_operand(sorter *s, const char *word)
@@ -88,7 +95,7 @@ static int sort_words(sorter *s, int argc, char **argv)
             && strcmp(word + 2, s->command->flag) == 0) {
             s->w->flag = 1;
         } else if (own >= 0) {
-            status = take_own(s, own, equals ? equals + 1 : argv[i + 1]);
+            status = take_own(s, own, word, argv[i + 1]);
             i += !equals;
         } else if (*word != '-') {
             status = take_operand(s, word);
@@ -97,8 +104,10 @@ static int sort_words(sorter *s, int argc, char **argv)
         } else {
             s->w->given[of_run] = 1;
             s->run[s->count++] = word;
-            if (i + 1 < argc && (is_output ? !word[2] : !equals))
+            if (is_output ? !word[2] : !equals) {
+                status = check_next(s, word, argv[i + 1]);
                 s->run[s->count++] = argv[++i];
+            }
         }
     }
     return status;

@@ -180,8 +180,10 @@ static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
         int which = vary ? ONCE : 0;
         while (which < ONCE && !fvi_option_with_value(argv, &i, once[which], &value))
             which++;
-        if ((vary || which < ONCE) && !value)
-            return fvi_refuse(c, NULL, "%s: a value is missing", given);
+        if (vary || which < ONCE)
+            status = strchr(given, '=') ? 0 : fvi_value_is_missing(given, value, c);
+        if (status)
+            return status;
         if (vary)
             status = take_axis(g, value, c);
         else if (which < ONCE)

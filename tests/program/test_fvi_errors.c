@@ -136,6 +136,39 @@ START_TEST(an_unknown_name_needs_no_value_to_be_refused)
 }
 END_TEST
 
+/* An option that follows where a value should stand was once the value, and no option: --snapshot --steps=3 made 200
+ * steps and a file of that name. Behind =, or under ./, it is still a value. */
+START_TEST(an_option_is_no_value_of_the_option_before)
+{
+    static const struct {
+        const char *words, *said;
+    } lines[] = {
+        { "run --snapshot --steps=3", "--snapshot: a value is missing before '--steps=3'" },
+        { "run --force --x0 1", "--force: a value is missing before '--x0'" },
+        { "run --steps 3 --checkpoint -o out", "--checkpoint: a value is missing before '-o'" },
+        { "poles -o --x0=0", "-o: a value is missing before '--x0=0'" },
+        { "exact --let --mass 1", "--let: a value is missing before '--mass'" },
+        { "coefficients --alpha --count 3", "--alpha: a value is missing before '--count'" },
+        { "fit --curve --fit=alpha data", "--curve: a value is missing before '--fit=alpha'" },
+        { "fit -o --fit alpha data", "-o: a value is missing before '--fit'" },
+        { "fit data -o", "-o: a value is missing" },
+        { "gradient --forces --steps 3", "--forces: a value is missing before '--steps'" },
+        { "sweep --vary --steps 3", "--vary: a value is missing before '--steps'" },
+        { "sweep --vary x0=1,2 --jobs -o out", "--jobs: a value is missing before '-o'" },
+        { "sweep --vary x0=1,2 --columns --steps 3", "--columns: a value is missing before '--steps'" }
+    };
+    for (size_t i = 0; i < LEN(lines); i++) {
+        char want[100];
+        ck_assert_int_eq(fvi(lines[i].words), 2);
+        snprintf(want, sizeof want, "fvi: %s\n", lines[i].said);
+        ck_assert_msg(strncmp(err, want, strlen(want)) == 0, "%s: %s", lines[i].words, err);
+        ck_assert_str_eq(out, "");
+    }
+    ck_assert_int_eq(fvi("run --steps=3 --potential=--h --let h=1"), 0);
+    ck_assert_int_eq(fvi("run --steps=3 --snapshot=--steps=3 -o--h && rm ./--steps=3 ./--h"), 0);
+}
+END_TEST
+
 /* ---- what cannot be done: exit 1 ---- */
 
 START_TEST(overflow_is_reported_with_its_step)
@@ -316,6 +349,7 @@ int main(void)
     ADD_CASE(suite, "errors", bad_use_is_refused,
              the_help_of_the_command_is_pointed_to,
              an_unknown_name_needs_no_value_to_be_refused,
+             an_option_is_no_value_of_the_option_before,
              overflow_is_reported_with_its_step,
              no_row_has_a_number_that_is_not_finite,
              a_step_that_fails_is_reported_with_its_number,
