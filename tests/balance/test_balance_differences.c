@@ -130,7 +130,7 @@ START_TEST(the_same_order_for_the_same_work)
                 differenced_run((differences)kind, &o, x);
             error[j] = error_of(x, truth, o.steps);
         }
-        seen(log2(error[0] / error[1]), name[kind]);
+        seen(log2(error[0] / error[1]), "%s", name[kind]);
         ck_assert_near(log2(error[0] / error[1]), 1, 0.2, "%s", name[kind]);
         seen(error[1], kind == VARIED ? "error, FVI" : "error, differences");
     }

@@ -34,7 +34,7 @@ static inline void symbol_of_law(double re, double im, void *params,
     const fvi_kernel *law = params;
     double complex C = 0;
     for (size_t i = 0; i < law->count; i++)
-        C += law->term[i].rho * symbol_of_term(&law->term[i], CMPLX(re, im));
+        C += law->term[i].rho * symbol_of_term(&law->term[i], re + I * im);
     *C_re = creal(C);
     *C_im = cimag(C);
 }

@@ -162,7 +162,7 @@ START_TEST(eq_11_16_nodes_of_a_window)
             FVI_SUCCESS);
         ck_assert(w.count > 0 && w.count < most[i]);
         ck_assert(w.z.re[w.count - 1] * 0.25 / 20 < -w.folds + 0.2 * w.folds);
-        seen((double)w.count, names[i]);
+        seen((double)w.count, "%s", names[i]);
         fvi_window_close(&w);
     }
 }

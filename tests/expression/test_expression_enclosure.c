@@ -27,8 +27,7 @@ static const char *const texts[] = {
     "max(1,t^2/4)-min(sin(t),-2)",
     "t*sign(t-2.5)",
     "sign(2+cos(t))*t+max(-t,-t)",
-    "1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t/9)))))))"
-    ")))))",
+    "1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t/9))))))))))))",
 };
 static const double k = 1.25;
 static const char *const letters[] = { "k" };

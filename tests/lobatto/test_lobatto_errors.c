@@ -220,8 +220,10 @@ START_TEST(stages_that_find_no_room_are_refused)
         ones[i] = 1;
     fvi_system system = { .mass = ones,
                           .damping = ones,
-                          .potential = { no_value, sign, claimed, ones, 0, 0,
-                                         0 } };
+                          .potential = { .value = no_value,
+                                         .gradient = sign,
+                                         .hessian = claimed,
+                                         .params = ones } };
     const fvi_run run = { .system = &system,
                           .x0 = ones,
                           .p0 = ones,
@@ -242,10 +244,13 @@ END_TEST
 START_TEST(lobatto_steps_fail_with_their_code)
 {
     const double one = 1, none = 0, flat = 0.25, start = -0.7, hard = -4;
-    fvi_system system = {
-        1,     &one, &none, { no_value, sign, claimed, (void *)&flat, 0, 0, 0 },
-        { 0 }, NULL, NULL
-    };
+    fvi_system system = { .d = 1,
+                          .mass = &one,
+                          .damping = &none,
+                          .potential = { .value = no_value,
+                                         .gradient = sign,
+                                         .hessian = claimed,
+                                         .params = (void *)&flat } };
     ck_assert_int_eq(last_step(&system, &start, 3), FVI_EMAXITER);
     ck_assert_int_eq(last_step(&system, &start, 4), FVI_EMAXITER);
     system.potential = fvi_potential_harmonic(&hard);

@@ -211,8 +211,7 @@ START_TEST(no_step_is_longer_than_the_longest)
 {
     static const char *const runs[] = {
         "run --error 1e-6 --longest 0.004 --steps 5",
-        "run --error 1e-6 --longest 0.004 --steps 5 --time 20 --method "
-        "fvi-lobatto4",
+        "run --error 1e-6 --longest 0.004 --steps 5 --time 20 --method fvi-lobatto4",
         "run --longest 0.004 --steps 5 --time 20",
     };
     for (size_t i = 0; i < LEN(runs); i++) {

@@ -24,8 +24,8 @@ START_TEST(a_run_that_was_stopped_goes_on_to_the_bit)
     static const char *const runs[] = {
         "run --alpha 0.3 --steps 2e4 --memory direct --every 50",
         "run --alpha 0.3 --steps 1e6 --method fvi-bdf2 --every 5000",
-        "run --alpha 0.7 --steps 4e5 --method fvi-lobatto3 --potential "
-        "'x^4/4 - x^2/2' --force 'cos(t)/4' --every 5000",
+        ("run --alpha 0.7 --steps 4e5 --method fvi-lobatto3 --potential "
+         "'x^4/4 - x^2/2' --force 'cos(t)/4' --every 5000"),
     };
     for (size_t n = 0; n < LEN(runs); n++) {
         char line[900];

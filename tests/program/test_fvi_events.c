@@ -33,9 +33,9 @@ START_TEST(a_body_rests_and_lifts_off)
 {
 #define TABLE "run --potential x --x0 0 --p0 0 --alpha 0.3 --rho 0.2 --force '2*sin(t)' --event 'x : contact:0.5' --time 1.5 --steps 3 "
     ck_assert_msg(fvi(TABLE "--columns t,x,event1.force,event1.count,balance") == 0, "%s", err);
-    for (int row = 0; row < 2; row++) {
+    for (size_t row = 0; row < 2; row++) {
         ck_assert_near(cell(row, 1), 0, 1e-15, "x");
-        ck_assert_near(cell(row, 2), 1 - 2 * sin(row / 2.), 1e-9, "force");
+        ck_assert_near(cell(row, 2), 1 - 2 * sin((double)row / 2), 1e-9, "force");
     }
     ck_assert_double_eq(cell(3, 2), 0);
     ck_assert_double_eq(cell(3, 3), 1);

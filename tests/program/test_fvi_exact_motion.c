@@ -54,8 +54,8 @@ START_TEST(eq_11_21_accelerations_and_forces_as_a_run_has_them)
     static const char *const words[] = {
         "--alpha 0.3 --force cosine:0.5,2 --columns t,x,v,a,d1.force,d1.impulse",
         "--damping zener:1,0.3,2 --force step:1,0.25 --columns t,a,d1.force",
-        "--potential 'x1^2+(x2-x1)^2' --x0 1,0 --p0 0,0.5 --damper 'a=x2-x1 : power:1,0.5 + zener:2,0.3,1' "
-        "--damper 'b=x1 : maxwell:1,2' --columns t,a,a.force,b.impulse"
+        ("--potential 'x1^2+(x2-x1)^2' --x0 1,0 --p0 0,0.5 --damper 'a=x2-x1 : power:1,0.5 + zener:2,0.3,1' "
+         "--damper 'b=x1 : maxwell:1,2' --columns t,a,a.force,b.impulse")
     };
     static const size_t numbers[] = { 6, 3, 5 };
     for (size_t i = 0; i < LEN(words); i++) {

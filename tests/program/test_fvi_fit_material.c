@@ -58,8 +58,8 @@ START_TEST(fit_reads_moduli_of_many_kinds)
         "cat dma.tsv",
         "echo 'omega,Gp,Gpp'; awk '!/^#/{print $1 \",\" $2 \",\" $3}' dma.tsv",
         "echo 'E\" loss w storage'; awk '!/^#/{print 7, $3, $1, $2}' dma.tsv",
-        "echo 'f storage loss'; awk '!/^#/{printf \"%.17g %s %s\\n\", $1 / 6.283185307179586, $2, "
-        "$3}' dma.tsv",
+        ("echo 'f storage loss'; awk '!/^#/{printf \"%.17g %s %s\\n\", $1 / 6.283185307179586, $2, "
+         "$3}' dma.tsv"),
     };
     double row[4];
     write_moduli();

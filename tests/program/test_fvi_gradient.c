@@ -226,8 +226,7 @@ START_TEST(a_gradient_that_cannot_be_had_says_why)
     static const char *const too_large[] = {
         "gradient --x0 1e200 --of energy",
         "gradient --x0 1e155 --of energy --potential harmonic:1e-3 --mass 1e3",
-        "gradient --potential 'exp(x)' --x0 700 --steps 200 --h 1e-160 --of "
-        "energy"
+        "gradient --potential 'exp(x)' --x0 700 --steps 200 --h 1e-160 --of energy"
     };
     for (size_t i = 0; i < LEN(too_large); i++) {
         ck_assert_int_eq(fvi(too_large[i]), 1);

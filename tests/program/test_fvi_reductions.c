@@ -164,8 +164,8 @@ START_TEST(all_steps_to_a_wanted_error_are_reduced)
 {
     static const char *const runs[] = { "--alpha 0.2 --rho 0.5 --method fvi-lobatto3",
                                         "--alpha 0.2 --rho 0.5 --method fvi-stable",
-                                        "--lagrangian 'v^2/2-x^4/4' --x0 1 --v0 0.3 --damper 'x : power:0.3,0.3' "
-                                        "--method fvi-lobatto4" },
+                                        ("--lagrangian 'v^2/2-x^4/4' --x0 1 --v0 0.3 --damper 'x : power:0.3,0.3' "
+                                         "--method fvi-lobatto4") },
                             *const reduced[] = { "max(x),last(x),mean(x),rms(x),at(max(x)),min(x*x)",
                                                  "absmax(a),peak(x),last(work),max(d1.force)" };
     char line[400];

@@ -54,8 +54,8 @@ START_TEST(every_table_is_that_of_single_runs)
         "--vary x0=-1:1:9 --vary v0=1,2 --ground '0.3*sin(t)' --columns x,ag",
         "--vary x0=-1:1:9 --potential free --force 0.3 --part 2/3",
         "--vary x0=-1e200:1e200:9 --potential duffing:1,1",
-        "--vary x0=-1:1:5 --vary p0=-1:1:5 --force cosine:0.3,1.2 --alpha 0.3 --rows --every 9 --columns "
-        "t,v,a,F,d1.force,d1.impulse,a+x",
+        ("--vary x0=-1:1:5 --vary p0=-1:1:5 --force cosine:0.3,1.2 --alpha 0.3 --rows --every 9 --columns "
+         "t,v,a,F,d1.force,d1.impulse,a+x"),
         "--vary x0=-1:1:5 --vary p0=-1:1:5 --alpha 0.8 --method fvi-stable --columns a,d1.force,d1.impulse",
         "--vary rho=0:1:9 --vary mass=1,2 --order 0.6 --method fvi-bdf2 --columns a,d1.force",
         "--vary x0=-1:1:9 --damping zener:1,0.3,2 --method fvi-lobatto3 --rows --columns a,d1.force",

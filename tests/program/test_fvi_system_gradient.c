@@ -31,8 +31,7 @@ START_TEST(a_gradient_of_a_folder_is_that_of_its_masses)
                                          "alpha",  "c" };
     static const char *const what[] = {
         "--of x:2 --alpha 0.3",
-        "--of p:3 --alpha 0.8 --derivative "
-        "caputo",
+        "--of p:3 --alpha 0.8 --derivative caputo",
         "--of x:1 --alpha 0.3 --derivative rl",
         "--of x:2 --alpha 0.8 --method fvi-stable",
         "--of x:1 --alpha 0.3 --method fvi-shifted",
