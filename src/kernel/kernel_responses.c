@@ -2,7 +2,9 @@
 #include "kernel_responses.h"
 
 #include "kernel_impulses_state.h"
+#include "kernel_terms.h"
 
+#include <math.h>
 #include <string.h>
 
 /* The nodes of the parabola, and the poles of C off the cut. */
@@ -37,10 +39,23 @@ static void evaluate(const inverse *of, double t, double *response)
     }
 }
 
+/* rho s^o: rho t^(m - 1 - o) / Gamma(m - o), which is 0 where Gamma has a pole. */
+static void evaluate_power(const fvi_kernel_term *of, double t, double *response)
+{
+    const double o = 2 * of->alpha;
+    for (int m = 1; m <= FVI_KERNEL_RESPONSES; m++)
+        response[m - 1] = m == o || m == o - 1 ? 0 : of->rho * pow(t, m - 1 - o) / tgamma(m - o);
+}
+
 int fvi_kernel_responses(const fvi_kernel *law, double h, size_t count, double *response)
 {
     fvi_impulses_of_kernel *o;
     inverse now = { 0 };
+    if (fvi_kernel_is_power(law)) {
+        for (size_t k = 1; k <= count; k++, response += FVI_KERNEL_RESPONSES)
+            evaluate_power(law->term, (double)k * h, response);
+        return FVI_SUCCESS;
+    }
     const int status = fvi_impulses_of_kernel_alloc(law, h, &o);
     if (status)
         return status;

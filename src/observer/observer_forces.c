@@ -7,9 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A difference of degree n over n + 1 rows is off by k^-(n + 1) of a power of t at row k: 1e-6 with these. The
+ * differences of degree 1 are the forces of their method. */
 size_t fvi_observer_first_rows(const fvi_observer *o)
 {
-    return 3 * o->degree;
+    const size_t n = o->degree;
+    return n == 1 ? 3 : 3 * n > 90 / n ? 3 * n : 90 / n;
 }
 
 size_t fvi_observer_motion_rows(const fvi_observer *o)
@@ -116,7 +119,7 @@ static const fvi_law_row *rows_of(const fvi_observer *o, size_t j, size_t damper
 static double near_start(const fvi_observer *o, size_t j, size_t k, double h)
 {
     const size_t damper = o->has_mechanism ? j : j / o->d;
-    const fvi_law_row *first = o->is_power[damper] != 0 ? NULL : rows_of(o, j, damper);
+    const fvi_law_row *first = rows_of(o, j, damper);
     return first ? near_start_of_law(o, j, damper, k, h, 0, first) : near_start_of_power(o, j, k);
 }
 
@@ -316,11 +319,9 @@ int fvi_observer_begin_forces(fvi_observer *o, const fvi_stepper *s)
     for (size_t j = 0; j < o->dampers; j++) {
         const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
         o->growth[j] = of.growth;
-        o->is_power[j] = !of.law || fvi_kernel_is_power(of.law);
     }
-    if (!status && o->is_damped && !s->method->dense)
-        status = fvi_law_rows_start(&o->law_rows, s, o->dampers, o->tracked > o->forces,
-                                    fvi_observer_first_rows(o));
+    if (!status && o->is_damped && !o->is_mass && (s->method->takes_mechanism || fvi_ramp_method(s)) && !s->method->dense)
+        status = fvi_law_rows_start(&o->law_rows, s, o->dampers, fvi_observer_first_rows(o));
     for (size_t j = 0; j < o->tracked && !o->is_mass; j++) {
         o->is_infinite |= isinf(o->start[j]) != 0;
         o->has_infinite_force |= j < o->forces && isinf(o->start[j]);

@@ -27,53 +27,62 @@ static int is_same_law(const fvi_kernel *a, const fvi_kernel *b)
     return 1;
 }
 
-/* The law of damper j, NULL if it is one power and powers are not asked for. */
-static const fvi_kernel *law_of(const fvi_stepper *s, size_t j, int has_powers)
+static int is_same_sum(const fvi_summed_damper *a, const fvi_summed_damper *b)
 {
-    const fvi_kernel *law = has_powers ? s->run.system->mechanism->damper[j].kernel : fvi_run_damper_of(&s->run, j).law;
-    return law && fvi_kernel_is_power(law) && !has_powers ? NULL : law;
+    return a->law && b->law ? is_same_law(a->law, b->law)
+                            : !a->law && !b->law && a->power.rho == b->power.rho && a->power.alpha == b->power.alpha;
 }
 
-/* The different laws of the dampers, in the order in which they come. */
-static void find_laws(fvi_law_rows *o, const fvi_stepper *s, int has_powers, const fvi_kernel **law)
+fvi_summed_damper fvi_summed_damper_of(const fvi_stepper *s, size_t j)
+{
+    const fvi_system *system = s->run.system;
+    const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
+    const int is_by_kernel = system->mechanism && !system->matrices;
+    return (fvi_summed_damper){ .law = is_by_kernel ? system->mechanism->damper[j].kernel : of.law,
+                                .power = { .kind = FVI_KERNEL_POWER, .rho = of.rho, .alpha = of.alpha } };
+}
+
+/* The dampers that are summed in different ways, in the order in which they come. */
+static void find_laws(fvi_law_rows *o, const fvi_stepper *s, fvi_summed_damper *law)
 {
     for (size_t j = 0; j < o->dampers; j++) {
-        const fvi_kernel *of = law_of(s, j, has_powers);
+        const fvi_summed_damper of = fvi_summed_damper_of(s, j);
         size_t i = 0;
-        while (of && i < o->laws && !is_same_law(law[i], of))
+        while (i < o->laws && !is_same_sum(&law[i], &of))
             i++;
-        o->law_of[j] = of ? i : FVI_NO_LAW;
-        if (of && i == o->laws)
+        o->law_of[j] = i;
+        if (i == o->laws)
             law[o->laws++] = of;
     }
 }
 
-static int make_rows(const fvi_stepper *s, const fvi_kernel *law, size_t rows, fvi_law_row *first)
+static int make_rows(const fvi_stepper *s, const fvi_summed_damper *of, size_t rows, fvi_law_row *first)
 {
+    const fvi_kernel power = { .count = 1, .term = &of->power };
     double *exact = malloc(rows * sizeof first->exact);
     if (!exact)
         return FVI_ENOMEM;
-    int status = fvi_kernel_responses(law, s->run.h, rows, exact);
+    int status = fvi_kernel_responses(of->law ? of->law : &power, s->run.h, rows, exact);
     for (size_t k = 0; k < rows && !status; k++)
         memcpy(first[k].exact, exact + k * FVI_KERNEL_RESPONSES, sizeof first->exact);
     free(exact);
     if (!status)
-        status = fvi_law_sums(s, law, rows, first);
+        status = fvi_law_sums(s, of, rows, first);
     return status;
 }
 
-int fvi_law_rows_start(fvi_law_rows *o, const fvi_stepper *s, size_t dampers, int has_powers, size_t rows)
+int fvi_law_rows_start(fvi_law_rows *o, const fvi_stepper *s, size_t dampers, size_t rows)
 {
-    const fvi_kernel **law = calloc(dampers + 1, sizeof *law);
+    fvi_summed_damper *law = calloc(dampers + 1, sizeof *law);
     o->dampers = dampers;
     o->rows = rows;
     o->law_of = calloc(dampers + 1, sizeof *o->law_of);
     if (law && o->law_of)
-        find_laws(o, s, has_powers, law);
+        find_laws(o, s, law);
     o->first = calloc(o->laws * rows + 1, sizeof *o->first);
     int status = law && o->law_of && o->first ? FVI_SUCCESS : FVI_ENOMEM;
     for (size_t i = 0; i < o->laws && !status; i++)
-        status = make_rows(s, law[i], rows, o->first + i * rows);
+        status = make_rows(s, &law[i], rows, o->first + i * rows);
     free(law);
     return status;
 }
@@ -103,7 +112,7 @@ void fvi_law_rows_free(fvi_law_rows *o)
 
 const fvi_law_row *fvi_law_rows_of(const fvi_law_rows *o, size_t j)
 {
-    if (!o->law_of || o->law_of[j] == FVI_NO_LAW)
+    if (!o->law_of)
         return NULL;
     const fvi_law_row *first = o->first + o->law_of[j] * o->rows;
     return first->exact[FVI_STARTS] > 0 ? first : NULL;

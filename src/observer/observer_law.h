@@ -14,8 +14,6 @@
 
 #include <fvi/trajectory.h>
 
-#include <stdint.h>
-
 /* The motions, and the places of their numbers. */
 enum { FVI_JUMP, FVI_LINE, FVI_PARABOLA, FVI_STARTS };
 
@@ -26,32 +24,40 @@ typedef struct {
     double uncorrected_line; /* S_2 of convolution quadrature without the correction (13.18) */
 } fvi_law_row;
 
+/* How the steps of a run sum a damper: by the weights of a law, or, if law is NULL, by those of one power. A law may be one
+ * power, too: it is summed by other weights. */
+typedef struct {
+    const fvi_kernel *law;
+    fvi_kernel_term power;
+} fvi_summed_damper;
+
+/* fvi_summed_damper_of -- damper j of the run of s. */
+fvi_summed_damper fvi_summed_damper_of(const fvi_stepper *s, size_t j);
+
 /* The rows 1 to `rows` of all different laws of a run. */
 typedef struct {
     size_t rows, laws, dampers;
-    size_t *law_of;     /* of each damper; or FVI_NO_LAW */
+    size_t *law_of;     /* of each damper */
     fvi_law_row *first; /* of law i from [i * rows] on */
 } fvi_law_rows;
-#define FVI_NO_LAW SIZE_MAX
 
 /* fvi_law_rows_start -- the rows of the laws of a run at its start. o is zeroed before the call.
  *
- *   dampers     how many the run has
- *   has_powers  nonzero: of a mechanism, rows of dampers of one power, too
+ *   dampers  how many the run has
  *
  * Cost: for each different law one start of a run and `rows` steps of two bodies, 0.2 ms to 4 ms (seen). Returns
  * FVI_SUCCESS, FVI_ENOMEM or what the steps returned.
  * fvi_law_rows_copy -- the same again.
  * fvi_law_rows_free -- give the memory back. */
-int fvi_law_rows_start(fvi_law_rows *o, const fvi_stepper *s, size_t dampers, int has_powers, size_t rows);
+int fvi_law_rows_start(fvi_law_rows *o, const fvi_stepper *s, size_t dampers, size_t rows);
 int fvi_law_rows_copy(const fvi_law_rows *from, fvi_law_rows *to);
 void fvi_law_rows_free(fvi_law_rows *o);
 
-/* fvi_law_rows_of -- those of damper j, row 1 first; NULL if it has none, or takes no force. */
+/* fvi_law_rows_of -- those of damper j, row 1 first; NULL if there are none, or if it takes no force. */
 const fvi_law_row *fvi_law_rows_of(const fvi_law_rows *o, size_t j);
 
 /* fvi_law_sums -- S_1 to S_3 of rows 1 to `rows`: two heavy bodies move along t and t^2/2 by the method of s, and
  * the impulses of their dampers are read. S_1 is 0 but for `fvi`, the only method that takes a jump with a law. */
-int fvi_law_sums(const fvi_stepper *s, const fvi_kernel *law, size_t rows, fvi_law_row *first);
+int fvi_law_sums(const fvi_stepper *s, const fvi_summed_damper *of, size_t rows, fvi_law_row *first);
 
 #endif

@@ -66,8 +66,9 @@ static int jump_hessian(double t, size_t d, const double *x, double lambda, void
 }
 
 /* Steps that keep the impulse of each damper. */
-static int sum_by_dampers(const fvi_stepper *of, const fvi_kernel *law, size_t rows, fvi_law_row *row)
+static int sum_by_dampers(const fvi_stepper *of, const fvi_summed_damper *summed, size_t rows, fvi_law_row *row)
 {
+    const fvi_kernel power = { .count = 1, .term = &summed->power }, *law = summed->law ? summed->law : &power;
     static const double line[] = { 1, 0 }, parabola[] = { 0, 1 }, none[] = { 0, 0 };
     const fvi_initial_history held = FVI_INITIAL_HISTORY_HELD, rl = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     const fvi_damper damper[] = {
@@ -80,9 +81,10 @@ static int sum_by_dampers(const fvi_stepper *of, const fvi_kernel *law, size_t r
     const fvi_system system = {
         .d = 2, .mass = mass, .damping = none, .potential = fall, .mechanism = &mechanism
     };
-    const fvi_run run = fvi_run_default(&system, origin, momentum, of->run.h, rows);
+    fvi_run run = fvi_run_default(&system, origin, momentum, of->run.h, rows);
     fvi_stepper *s;
     double work;
+    run.kappa = of->run.kappa;
     int status = fvi_stepper_start(of->method, &run, &s, NULL);
     if (status)
         return status;
@@ -100,14 +102,16 @@ static int sum_by_dampers(const fvi_stepper *of, const fvi_kernel *law, size_t r
 }
 
 /* Convolution quadrature of order 2, without a mechanism. The observer corrects the impulse of the line (13.18). */
-static int sum_by_quadrature(const fvi_stepper *of, const fvi_kernel *law, size_t rows, fvi_law_row *row)
+static int sum_by_quadrature(const fvi_stepper *of, const fvi_summed_damper *summed, size_t rows, fvi_law_row *row)
 {
-    static const double damping[] = { 1, 1 };
+    const double rho = summed->law ? 1 : summed->power.rho, damping[] = { rho, rho };
     const fvi_system system = { .d = 2, .mass = mass, .damping = damping, .potential = fall };
     fvi_run run = fvi_run_default(&system, origin, momentum, of->run.h, rows);
     fvi_stepper *s;
     double J[] = { 0, 0 };
-    run.law = law;
+    run.law = summed->law;
+    run.alpha = summed->power.alpha;
+    run.kappa = of->run.kappa;
     int status = fvi_stepper_start(fvi_ramp_method(of), &run, &s, NULL);
     if (status)
         return status;
@@ -121,7 +125,7 @@ static int sum_by_quadrature(const fvi_stepper *of, const fvi_kernel *law, size_
     return status;
 }
 
-int fvi_law_sums(const fvi_stepper *s, const fvi_kernel *law, size_t rows, fvi_law_row *first)
+int fvi_law_sums(const fvi_stepper *s, const fvi_summed_damper *of, size_t rows, fvi_law_row *first)
 {
-    return (fvi_ramp_method(s) ? sum_by_quadrature : sum_by_dampers)(s, law, rows, first);
+    return (fvi_ramp_method(s) ? sum_by_quadrature : sum_by_dampers)(s, of, rows, first);
 }

@@ -38,15 +38,6 @@ const fvi_method *fvi_ramp_method(const fvi_stepper *s)
     return s->mechanism ? &fvi_cq2_midpoint : s->method; /* the line is no mechanism; both sum alike */
 }
 
-/* The law by which the damper is summed, or NULL of an alpha. A mechanism sums each of its kernels as a law. */
-static const fvi_kernel *law_of(const fvi_stepper *s, size_t j)
-{
-    const fvi_system *system = s->run.system;
-    if (system->mechanism && !system->matrices)
-        return system->mechanism->damper[j].kernel;
-    return fvi_run_damper_of(&s->run, j).law;
-}
-
 /* The line of one body, h, N and the memory as in the run. */
 static int begin(fvi_ramp *o)
 {
@@ -72,7 +63,7 @@ static fvi_ramp *describe(const fvi_stepper *s, size_t j)
     o->run.memory = s->run.memory;
     o->run.tolerance = s->run.tolerance;
     o->run.alpha = of.alpha;
-    o->run.law = law_of(s, j);
+    o->run.law = fvi_summed_damper_of(s, j).law;
     o->rho = !o->run.law ? 1 : fvi_kernel_is_power(o->run.law) ? o->run.law->term->rho : NAN;
     return o;
 }

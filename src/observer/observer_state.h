@@ -54,7 +54,6 @@ struct fvi_observer {
     double *exponent;   /* q of each force: J = t^q g(t) at first; NaN of a velocity */
     double *jump, *line; /* of each force: z = jump + line t + ... for its law, with jump = z_0 of the past rl or 0 */
     double *growth;     /* of each damper: its law is like |s|^growth */
-    double *is_power;   /* of each damper: nonzero if its law is one power */
     double *rate;       /* of each force: its impulse has rate times lead more */
     double *power;      /* of each damper: its work has power times lead more */
     fvi_ramp **ramp;    /* of each damper, NULL if it has none; or NULL */
