@@ -7,7 +7,7 @@
 
 /* ---- near lags ---- */
 
-/* fvi_lobatto_add_near, where s is a number that the compiler knows. */
+/* add_near, where s is a number that the compiler knows. */
 static inline __attribute__((always_inline)) void
 add_columns(size_t s, size_t lags, size_t k, const double *W, const double *past, double *sum)
 {
@@ -27,8 +27,8 @@ add_columns(size_t s, size_t lags, size_t k, const double *W, const double *past
         sum[i] = total[i];
 }
 
-FVI_VECTORS void fvi_lobatto_add_near(size_t s, size_t lags, size_t k, const double *W,
-                                      const double *past, double *sum)
+FVI_VECTORS static void add_near(size_t s, size_t lags, size_t k, const double *W, const double *past,
+                                 double *sum)
 {
     switch (s) {
     case 2:
@@ -46,6 +46,12 @@ FVI_VECTORS void fvi_lobatto_add_near(size_t s, size_t lags, size_t k, const dou
     default:
         add_columns(s, lags, k, W, past, sum);
     }
+}
+
+/* A function of its own, because clang 14 gives clones a name that no other file finds. */
+void fvi_lobatto_add_near(size_t s, size_t lags, size_t k, const double *W, const double *past, double *sum)
+{
+    add_near(s, lags, k, W, past, sum);
 }
 
 /* ---- modes ---- */

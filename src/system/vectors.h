@@ -3,7 +3,8 @@
  * A function marked FVI_VECTORS is compiled for plain x86-64, AVX2 and AVX-512, and
  * the loader picks. -ffp-contract=off holds in all, and the order of the sums
  * is written down: the digits are the same. Only the loader of glibc can pick, and
- * any header of the C library says whether it is there. Under ThreadSanitizer there
+ * any header of the C library says whether it is there. Such a function is static, and another one calls it
+ * for other files: clang 14 gives the clones a name that no other file knows. Under ThreadSanitizer there
  * is one version, because the loader would call code that is not ready yet. */
 #ifndef FVI_VECTORS_H
 #define FVI_VECTORS_H
