@@ -222,19 +222,6 @@ static int covariance(search *o, const place *at, fvi_estimate *fitted)
 }
 //< covariance
 
-/* The correlation of neighbouring residuals, in a record and a column each. */
-static double neighbours(const search *o, double sum)
-{
-    const gsl_vector *f = gsl_multifit_nlinear_residual(o->solver);
-    double pairs = 0;
-    for (size_t k = 0; k < fvi_estimation_pieces(o->model.fit); k++) {
-        const fvi_estimation_piece p = fvi_estimation_piece_at(o->model.fit, k);
-        for (size_t i = p.first + 1; i < p.first + p.n; i++)
-            pairs += gsl_vector_get(f, i - 1) * gsl_vector_get(f, i);
-    }
-    return sum > 0 ? pairs / sum : 0;
-}
-
 /* sigma of each column, as given, or of all in proportion to their units. */
 static void fill_sigma(const search *o, const place *at, fvi_estimate *fitted)
 {
@@ -256,7 +243,7 @@ static int statistics(search *o, const place *at, fvi_estimate *fitted)
     const int known = fvi_estimation_knows_sigma(m->fit), is_robust = m->fit->huber > 0;
     for (size_t j = 0; j < o->fdf.p; j++)
         fitted->estimate[j] = fvi_estimation_model_bound(m, j, at->u[j]);
-    fitted->neighbours = neighbours(o, at->sum);
+    fitted->neighbours = at->sum > 0 ? fvi_estimation_neighbours(m->fit, gsl_multifit_nlinear_residual(o->solver)) / at->sum : 0;
     fill_sigma(o, at, fitted);
     fitted->probability = !known || is_robust ? 1
                                               : fmin(gsl_cdf_chisq_P(at->sum, freedom),

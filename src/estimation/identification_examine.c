@@ -231,7 +231,8 @@ static int profiles(const fvi_estimation *fit, const fvi_estimate *fitted,
     return FVI_SUCCESS;
 }
 
-void fvi_estimation_range(const fvi_estimation *fit, size_t j, double *low, double *high)
+/* All values that parameter j may have. */
+static void find_range(const fvi_estimation *fit, size_t j, double *low, double *high)
 {
     const fvi_estimation_kind kind = fvi_estimation_kind_of(fit->which[j]);
     const int is_alpha = fvi_free_parameter_base(fit->which[j]) == FVI_FREE_PARAMETER_ALPHA;
@@ -246,7 +247,7 @@ void fvi_estimation_range(const fvi_estimation *fit, size_t j, double *low, doub
 int fvi_estimation_is_open(const fvi_estimation *fit, const fvi_examination *e, size_t j)
 {
     double low, high;
-    fvi_estimation_range(fit, j, &low, &high);
+    find_range(fit, j, &low, &high);
     return e->lower[j] <= low && e->upper[j] >= high;
 }
 
@@ -278,7 +279,7 @@ static void raise_flags(const fvi_estimation *fit, const fvi_estimate *fitted,
 static void whole_range(const fvi_estimation *fit, fvi_examination *e)
 {
     for (size_t j = 0; j < fit->parameters; j++)
-        fvi_estimation_range(fit, j, &e->lower[j], &e->upper[j]);
+        find_range(fit, j, &e->lower[j], &e->upper[j]);
 }
 
 static int examine(fvi_estimation_work *o, const fvi_estimate *fitted, fvi_examination *e)

@@ -21,9 +21,6 @@ size_t fvi_estimation_test_columns(const fvi_estimation *fit);
 /* fvi_estimation_is_open -- is there no value of parameter j that the data exclude? */
 int fvi_estimation_is_open(const fvi_estimation *fit, const fvi_examination *e, size_t j);
 
-/* fvi_estimation_range -- all values that parameter j may have. */
-void fvi_estimation_range(const fvi_estimation *fit, size_t j, double *low, double *high);
-
 /* fvi_estimation_sensor_column -- what an offset (which = 0) of 1 adds to the data of this column, or
  * a drift (1) by 1 over the whole record. */
 void fvi_estimation_sensor_column(const fvi_estimation *fit, size_t which, size_t column,

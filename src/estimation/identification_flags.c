@@ -66,6 +66,17 @@ static double chance(double along, double sum, size_t k, size_t left, int known)
 }
 //< score
 
+double fvi_estimation_neighbours(const fvi_estimation *fit, const gsl_vector *f)
+{
+    double pairs = 0;
+    for (size_t k = 0; k < fvi_estimation_pieces(fit); k++) {
+        const fvi_estimation_piece p = fvi_estimation_piece_at(fit, k);
+        for (size_t i = p.first + 1; i < p.first + p.n; i++)
+            pairs += gsl_vector_get(f, i - 1) * gsl_vector_get(f, i);
+    }
+    return pairs;
+}
+
 /* L q: the mean of both neighbours in the same piece. */
 static double neighbour_mean(const gsl_vector *q, const fvi_estimation_piece *p, size_t i)
 {
@@ -223,19 +234,14 @@ void fvi_estimation_tests(const fvi_estimation_model *m, const gsl_vector *f,
     const fvi_estimation *fit = m->fit;
     const int known = fvi_estimation_knows_sigma(fit) && fit->huber == 0;
     basis b = { room, 0 };
-    double sum, pairs = 0;
+    double sum;
     gsl_blas_ddot(f, f, &sum);
-    for (size_t k = 0; k < fvi_estimation_pieces(fit); k++) {
-        const fvi_estimation_piece p = fvi_estimation_piece_at(fit, k);
-        for (size_t i = p.first + 1; i < p.first + p.n; i++)
-            pairs += gsl_vector_get(f, i - 1) * gsl_vector_get(f, i);
-    }
     for (size_t j = 0; j < J->size2; j++) {
         gsl_vector_view column = gsl_matrix_column(J, j);
         add_column(&b, &column.vector);
     }
     const size_t left = f->size - b.count;
-    e->probability[0] = sum > 0 ? chance_of_neighbours(fit, &b, pairs / sum) : 1;
+    e->probability[0] = sum > 0 ? chance_of_neighbours(fit, &b, fvi_estimation_neighbours(fit, f) / sum) : 1;
     for (size_t which = 0; which < 2; which++)
         e->probability[1 + which] =
             chance_of_sensors(fit, which, &b, f, sum, left, known, v);

@@ -120,6 +120,9 @@ void fvi_estimation_frequency(size_t n, const double *t, const double *x, double
 int fvi_estimation_errors(gsl_matrix *J, double sd[],
                    double correlation[][FVI_ESTIMATION_MOST]);
 
+/* The sum of products of neighbouring residuals, in a record and a column each. */
+double fvi_estimation_neighbours(const fvi_estimation *fit, const gsl_vector *f);
+
 /* Is everything in an answer with P parameters a finite number? bias is not asked. */
 int fvi_estimate_is_finite(size_t P, const fvi_estimate *fitted);
 

@@ -50,37 +50,6 @@ static double bound(const number *v, double value)
     return is_order(v) ? value : exp(value);
 }
 
-static fvi_kernel_term term_of(fvi_element kind, const double *x)
-{
-    fvi_kernel_term t = { FVI_KERNEL_POWER, x[0], 0, 0, 0 };
-    switch (kind) {
-    case FVI_ELEMENT_SPRING:
-        break;
-    case FVI_ELEMENT_VISCOUS:
-        t.alpha = 0.5;
-        break;
-    case FVI_ELEMENT_POWER:
-        t.alpha = x[1];
-        break;
-    case FVI_ELEMENT_MAXWELL:
-        t.kind = FVI_KERNEL_MAXWELL;
-        t.time = x[1];
-        break;
-    case FVI_ELEMENT_MAXWELL2:
-        t = (fvi_kernel_term){ FVI_KERNEL_MAXWELL2, x[0], x[1],
-                               x[2] > 0 ? x[0] / x[2] : 0, x[3] };
-        break;
-    case FVI_ELEMENT_DISTRIBUTED:
-        t = (fvi_kernel_term){ FVI_KERNEL_DISTRIBUTED, x[0], x[1], 0, x[2] };
-        break;
-    default:
-        t.kind = kind == FVI_ELEMENT_ZENER ? FVI_KERNEL_ZENER : FVI_KERNEL_DAVIDSON;
-        t.alpha = x[1];
-        t.time = x[2];
-    }
-    return t;
-}
-
 /* ---- standard deviations ---- */
 
 /* (J^T J) at z, with the rows of what is not needed taken out; its columns have length 1 then. */
@@ -109,7 +78,7 @@ static double deviation(size_t P, double A[][FVI_LAW_MOST], const double *length
     memcpy(copy, A, sizeof copy);
     for (size_t i = 0; i < P; i++)
         b[i] = g[i] / length[i];
-    if (!fvi_rheology_solve(P, copy, b))
+    if (!fvi_rheology_solve(P, 0, copy, b))
         return NAN;
     for (size_t i = 0; i < P; i++)
         sum += g[i] / length[i] * b[i];
@@ -123,7 +92,7 @@ static int is_singular(size_t P, double A[][FVI_LAW_MOST])
     memcpy(copy, A, sizeof copy);
     for (size_t i = 0; i < P; i++)
         copy[i][i] -= DEPENDENT * DEPENDENT;
-    return !fvi_rheology_solve(P, copy, b);
+    return !fvi_rheology_solve(P, 0, copy, b);
 }
 
 /* ---- profiles ---- */
@@ -294,7 +263,7 @@ void fvi_rheology_answer(fvi_rheology_work *o, const double *z, double sum, fvi_
             a->sd[j] = sd * (is_order(&v) ? 1 : a->estimate[j]);
             interval(o, &v, z, sum, sd, a, j);
         }
-        a->term[n] = term_of(m->data->kind[n], a->estimate + first);
+        a->term[n] = fvi_element_term(m->data->kind[n], a->estimate + first);
     }
     raise_flags(m, z, a);
 }

@@ -1,5 +1,5 @@
 /* src/estimation/rheology_elements.c -- The elements of a law, and their numbers. [H 24] */
-#include <fvi/rheology.h>
+#include "rheology_model.h"
 
 const char *const fvi_element_words[] = { "spring",   "viscous",  "power",       "zener", "maxwell",
                                           "maxwell2", "davidson", "distributed", NULL };
@@ -33,6 +33,19 @@ const char *fvi_element_number_typed(fvi_element kind, size_t i, int is_exchange
     if (name && is_exchanged && kind == FVI_ELEMENT_MAXWELL2)
         fvi_element_number(kind, (i + 2) % 4, field);
     return name;
+}
+
+fvi_kernel_term fvi_element_term(fvi_element kind, const double *number)
+{
+    static const fvi_kernel_kind kinds[] = { FVI_KERNEL_POWER,   FVI_KERNEL_POWER,    FVI_KERNEL_POWER,
+                                             FVI_KERNEL_ZENER,   FVI_KERNEL_MAXWELL,  FVI_KERNEL_MAXWELL2,
+                                             FVI_KERNEL_DAVIDSON, FVI_KERNEL_DISTRIBUTED };
+    double field[4] = { 0, kind == FVI_ELEMENT_VISCOUS ? 0.5 : 0, 0, 0 };
+    for (size_t i = 0; i < FVI_ELEMENT_NUMBERS && numbers[kind].name[i]; i++)
+        field[numbers[kind].field[i]] = number[i];
+    if (kind == FVI_ELEMENT_MAXWELL2)
+        field[2] = number[2] > 0 ? number[0] / number[2] : 0;
+    return (fvi_kernel_term){ kinds[kind], field[0], field[1], field[2], field[3] };
 }
 
 fvi_element fvi_element_of(const fvi_kernel_term *term)

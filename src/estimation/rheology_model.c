@@ -168,38 +168,47 @@ static void fill_columns(fvi_rheology *o, const double *u, int with_slopes)
 
 /* ---- amplitudes ---- */
 
-/* Cholesky's solution of the normal equations of the columns in `set`; 0 if they are dependent. */
-static int solve_set(size_t E, unsigned set, double A[][FVI_MATERIAL_ELEMENTS], const double *b,
-                     double *c)
+int fvi_rheology_solve(size_t P, double least, double A[][FVI_LAW_MOST], double *b)
 {
-    double L[FVI_MATERIAL_ELEMENTS][FVI_MATERIAL_ELEMENTS];
+    for (size_t i = 0; i < P; i++) {
+        for (size_t j = 0; j <= i; j++) {
+            double sum = A[i][j];
+            for (size_t k = 0; k < j; k++)
+                sum -= A[i][k] * A[j][k];
+            if (i == j && !(sum > least * A[i][i]))
+                return 0;
+            A[i][j] = i == j ? sqrt(sum) : sum / A[j][j];
+        }
+        for (size_t k = 0; k < i; k++)
+            b[i] -= A[i][k] * b[k];
+        b[i] /= A[i][i];
+    }
+    for (size_t i = P; i-- > 0;) {
+        for (size_t k = i + 1; k < P; k++)
+            b[i] -= A[k][i] * b[k];
+        b[i] /= A[i][i];
+    }
+    return 1;
+}
+
+/* The normal equations of the columns in `set`; 0 if they are dependent. */
+static int solve_set(size_t E, unsigned set, double A[][FVI_MATERIAL_ELEMENTS], const double *b, double *c)
+{
+    double part[FVI_LAW_MOST][FVI_LAW_MOST], x[FVI_MATERIAL_ELEMENTS];
     size_t in[FVI_MATERIAL_ELEMENTS] = { 0 }, m = 0;
-    for (size_t n = 0; n < E; n++) {
-        c[n] = 0;
+    for (size_t n = 0; n < E; n++)
         if (set >> n & 1)
             in[m++] = n;
-    }
-    for (size_t i = 0; i < m; i++)
-        for (size_t j = 0; j <= i; j++) {
-            double sum = A[in[i]][in[j]];
-            for (size_t k = 0; k < j; k++)
-                sum -= L[i][k] * L[j][k];
-            if (i == j && !(sum > 1e-13 * A[in[i]][in[i]]))
-                return 0;
-            L[i][j] = i == j ? sqrt(sum) : sum / L[j][j];
-        }
     for (size_t i = 0; i < m; i++) {
-        double sum = b[in[i]];
-        for (size_t k = 0; k < i; k++)
-            sum -= L[i][k] * c[in[k]];
-        c[in[i]] = sum / L[i][i];
+        x[i] = b[in[i]];
+        for (size_t j = 0; j <= i; j++)
+            part[i][j] = A[in[i]][in[j]];
     }
-    for (size_t i = m; i-- > 0;) {
-        double sum = c[in[i]];
-        for (size_t k = i + 1; k < m; k++)
-            sum -= L[k][i] * c[in[k]];
-        c[in[i]] = sum / L[i][i];
-    }
+    memset(c, 0, E * sizeof *c);
+    if (!fvi_rheology_solve(m, 1e-13, part, x))
+        return 0;
+    for (size_t i = 0; i < m; i++)
+        c[in[i]] = x[i];
     return 1;
 }
 

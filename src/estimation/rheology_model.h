@@ -16,6 +16,10 @@ enum {
     FVI_LAW_MOST = FVI_LAW_SHAPE + FVI_MATERIAL_ELEMENTS /* numbers z */
 };
 
+/* A term of a kernel with the numbers of fvi_element_number. Of two springpots in series the first has the higher
+ * order. */
+fvi_kernel_term fvi_element_term(fvi_element kind, const double *number);
+
 /* The numbers u: how many, and of which kind: orders, or logarithms of times. */
 size_t fvi_element_shape(fvi_element kind, const char **kinds);
 
@@ -29,6 +33,10 @@ void fvi_element_public(fvi_element kind, double ln_c, const double *u,
                         double value[FVI_ELEMENT_NUMBERS],
                         double slope[FVI_ELEMENT_NUMBERS][1 + FVI_ELEMENT_SHAPE]);
 int fvi_element_is_order(fvi_element kind, size_t i);
+
+/* Solve A x = b of P equations by Cholesky's factors; b becomes x, A is lost. 0 where a pivot is not above `least` of
+ * its diagonal. */
+int fvi_rheology_solve(size_t P, double least, double A[][FVI_LAW_MOST], double *b);
 
 /* What is measured, at which s, and how. Residuals are (model - data) over `unit`. */
 typedef struct {

@@ -34,29 +34,6 @@ void fvi_rheology_work_free(fvi_rheology_work *o)
     free(o->block);
 }
 
-int fvi_rheology_solve(size_t P, double A[][FVI_LAW_MOST], double *b)
-{
-    for (size_t i = 0; i < P; i++) {
-        for (size_t j = 0; j <= i; j++) {
-            double sum = A[i][j];
-            for (size_t k = 0; k < j; k++)
-                sum -= A[i][k] * A[j][k];
-            if (i == j && !(sum > 0))
-                return 0;
-            A[i][j] = i == j ? sqrt(sum) : sum / A[j][j];
-        }
-        for (size_t k = 0; k < i; k++)
-            b[i] -= A[i][k] * b[k];
-        b[i] /= A[i][i];
-    }
-    for (size_t i = P; i-- > 0;) {
-        for (size_t k = i + 1; k < P; k++)
-            b[i] -= A[k][i] * b[k];
-        b[i] /= A[i][i];
-    }
-    return 1;
-}
-
 /* ---- one problem, of u alone or of z ---- */
 
 /* P numbers x within bounds; residuals and Jacobian by `evaluate`. */
@@ -117,11 +94,11 @@ static int step_of(const problem *p, double A[][FVI_LAW_MOST], const double *b, 
     }
     double copy[FVI_LAW_MOST][FVI_LAW_MOST];
     memcpy(copy, M, sizeof M);
-    if (!fvi_rheology_solve(P, M, step))
+    if (!fvi_rheology_solve(P, 0, M, step))
         return 0;
     if (!p->v)
         return 1;
-    if (!fvi_rheology_solve(P, copy, along))
+    if (!fvi_rheology_solve(P, 0, copy, along))
         return 0;
     double gg = 0, gs = 0;
     for (size_t i = 0; i < P; i++) {

@@ -27,7 +27,5 @@ typedef double fvi_rheology_constraint(const void *params, const double *z, doub
 double fvi_rheology_descend(fvi_rheology_work *o, fvi_rheology_constraint *v, const void *params,
                             double target, double *z);
 
-/* Solve A x = b of P equations, A positive definite; b becomes x, A is lost. 0 if it is not. */
-int fvi_rheology_solve(size_t P, double A[][FVI_LAW_MOST], double *b);
 
 #endif

@@ -1,5 +1,8 @@
 /* src/problem/typed_damping.c -- Laws of damping as they are typed: zener:1,0.3,2. */
 #include "words.h"
+
+#include "estimation/rheology_model.h"
+
 #include <fvi/formulas.h>
 
 #include <math.h>
@@ -17,52 +20,14 @@ static const char forms[] =
 static const char symbol_word[] = "symbol:";
 enum { SYMBOL_LENGTH = sizeof symbol_word - 1 };
 
-/* ---- the numbers where the term has its own ---- */
-
-static fvi_kernel_term viscous(const double *p)
-{
-    return (fvi_kernel_term){ FVI_KERNEL_POWER, p[0], 0.5, 0, 0 };
-}
-
-static fvi_kernel_term spring(const double *p)
-{
-    return (fvi_kernel_term){ FVI_KERNEL_POWER, p[0], 0, 0, 0 };
-}
-
-static fvi_kernel_term power(const double *p)
-{
-    return (fvi_kernel_term){ FVI_KERNEL_POWER, p[0], p[1], 0, 0 };
-}
-
-static fvi_kernel_term zener(const double *p)
-{
-    return (fvi_kernel_term){ FVI_KERNEL_ZENER, p[0], p[1], p[2], 0 };
-}
-
-static fvi_kernel_term maxwell(const double *p)
-{
-    return (fvi_kernel_term){ FVI_KERNEL_MAXWELL, p[0], 0, p[1], 0 };
-}
-
 /* The springpot of the higher order stands first, and one that gives no force leaves none. */
-static fvi_kernel_term maxwell2(const double *p)
+static fvi_kernel_term term_of(fvi_element kind, const double *p)
 {
-    const double *high = p[1] >= p[3] ? p : p + 2,
-                 *low = p[1] >= p[3] ? p + 2 : p;
-    if (p[0] == 0 || p[2] == 0)
-        return (fvi_kernel_term){ FVI_KERNEL_MAXWELL2, 0, high[1], 0, low[1] };
-    return (fvi_kernel_term){ FVI_KERNEL_MAXWELL2, high[0], high[1],
-                              high[0] / low[0], low[1] };
-}
-
-static fvi_kernel_term davidson(const double *p)
-{
-    return (fvi_kernel_term){ FVI_KERNEL_DAVIDSON, p[0], p[1], p[2], 0 };
-}
-
-static fvi_kernel_term distributed(const double *p)
-{
-    return (fvi_kernel_term){ FVI_KERNEL_DISTRIBUTED, p[0], p[1], 0, p[2] };
+    if (kind != FVI_ELEMENT_MAXWELL2)
+        return fvi_element_term(kind, p);
+    const double *high = p[1] >= p[3] ? p : p + 2, *low = p[1] >= p[3] ? p + 2 : p;
+    const double rho = p[0] == 0 || p[2] == 0 ? 0 : high[0];
+    return fvi_element_term(kind, (double[]){ rho, high[1], rho == 0 ? 0 : low[0], low[1] });
 }
 
 enum { MOST_NUMBERS = 4 };
@@ -71,16 +36,16 @@ enum { MOST_NUMBERS = 4 };
 static const struct {
     int count;
     const char *range;
-    fvi_kernel_term (*term)(const double *p);
+    fvi_element element;
 } kinds[] = {
-    { 1, "R >= 0", viscous },
-    { 1, "K >= 0", spring },
-    { 2, "R >= 0 and 0 <= A <= 1", power },
-    { 3, "R, T >= 0 and 0 <= A <= 1", zener },
-    { 2, "R, T >= 0", maxwell },
-    { 4, "R1, R2 >= 0 and A, B in [0, 1]", maxwell2 },
-    { 3, "R, T >= 0 and 0 <= A <= 1", davidson },
-    { 3, "R >= 0 and 0 <= A < B <= 1", distributed },
+    { 1, "R >= 0", FVI_ELEMENT_VISCOUS },
+    { 1, "K >= 0", FVI_ELEMENT_SPRING },
+    { 2, "R >= 0 and 0 <= A <= 1", FVI_ELEMENT_POWER },
+    { 3, "R, T >= 0 and 0 <= A <= 1", FVI_ELEMENT_ZENER },
+    { 2, "R, T >= 0", FVI_ELEMENT_MAXWELL },
+    { 4, "R1, R2 >= 0 and A, B in [0, 1]", FVI_ELEMENT_MAXWELL2 },
+    { 3, "R, T >= 0 and 0 <= A <= 1", FVI_ELEMENT_DAVIDSON },
+    { 3, "R >= 0 and 0 <= A < B <= 1", FVI_ELEMENT_DISTRIBUTED },
 };
 
 /* ---- texts ---- */
@@ -128,7 +93,7 @@ static int add_term(const char *text, fvi_user_parameters *parameters,
     for (int j = 0; j < kinds[i].count; j++)
         if (p[j] < 0)
             return refuse_range(text, i, p[j], error);
-    const fvi_kernel_term term = kinds[i].term(p);
+    const fvi_kernel_term term = term_of(kinds[i].element, p);
     if (fvi_kernel_check(&(fvi_kernel){ 1, &term }) != 0)
         return refuse_range(text, i, NAN, error);
     if (damping->law.count == FVI_MOST_TERMS)
