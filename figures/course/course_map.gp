@@ -27,5 +27,5 @@ turn = 18   # the way from 6 down to 7
 set arrow from side(6), level(6) - tall to side(6), turn nohead lc rgb "#555555" lw 0.9
 set arrow from side(6), turn to side(7), turn nohead lc rgb "#555555" lw 0.9
 set arrow from side(7), turn to side(7), level(7) + tall head filled size 0.8, 20 lc rgb "#555555" lw 0.9
-set label 20 "An arrow says which chapter to read first. Blue: the method. Green: what it does." at 1, 1 left font ",11" textcolor rgb "#444444"
+set label 20 "An arrow says which chapter to read first. Blue: the method. Green: how good it is, and how it becomes better." at 1, 1 left font ",11" textcolor rgb "#444444"
 plot NaN notitle
