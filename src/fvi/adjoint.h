@@ -143,6 +143,31 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
                 const double *p, const fvi_objective *objective,
                 const fvi_sensitivities *gradients);
 
+/* fvi_adjoint_forces -- the derivatives of a J that the forces of the dampers stand in, too.        [(23.30), (23.31)]
+ *
+ *     J = J(x_k, p_k, f_k, I_k)     f_k the forces of the dampers in row k, I_k their impulses up to there
+ *
+ *   method, run, objective, gradients  as for fvi_adjoint; the run is done here. fvi_variable_step takes no part
+ *   force    dJ/df: N + 1 rows, each of the numbers of all dampers one behind another, as an observer tells them
+ *            (observer.h); or NULL
+ *   impulse  dJ/dI, likewise; or NULL. That of t = 0 is not read, as all impulses are 0 there
+ *
+ * These are the derivatives of the numbers that an observer tells, also in the first rows, where a law is compared with
+ * what it answers to a line. Where the force at t = 0 is infinite, its row is the mean over the first one, and so is its
+ * derivative.
+ *
+ *     const double by_peak[] = { 0, 0, 0, 1, 0 };               four steps: J is the force in row 3
+ *     fvi_adjoint_forces(&fvi_cq2_midpoint, &run, &nothing, by_peak, NULL, &gradients);
+ *
+ * Cost: the adjoint of a run with twice the coordinates, of matrices and of a mechanism with one more for each number of a
+ * damper; by numbers of a law a run and 12 starts of observers for each of them. Accuracy: that of fvi_adjoint, but
+ * by alpha and the numbers of a law, which stand in the first rows: there 1e-9 of these rows.
+ *
+ * Returns what fvi_adjoint, fvi_stepper_start and fvi_observer_start return; FVI_EUNSUP for fvi_variable_step, with
+ * events, and at alpha = 1, where the damping is a mass. */
+int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_objective *objective,
+                       const double *force, const double *impulse, const fvi_sensitivities *gradients);
+
 /* fvi_directional_derivatives -- how every x_k and p_k of a run changes along directions: forward
  * sensitivities, side by side with the run.                                         [(24.6), (24.12)]
  *

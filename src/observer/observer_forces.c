@@ -70,7 +70,7 @@ static int misses_parabola(const fvi_law_row *first)
  * is missed. */
 static size_t compared_with(const fvi_observer *o, size_t j, size_t damper, const fvi_law_row *first)
 {
-    return o->line[j] != 0 && (o->growth[damper] > 1 || misses_parabola(first)) ? FVI_LINE : FVI_PARABOLA;
+    return o->is_moving[j] != 0 && (o->growth[damper] > 1 || misses_parabola(first)) ? FVI_LINE : FVI_PARABOLA;
 }
 
 /* The impulse that damper j lacks at row k: its elongation lacks a line of slope change_i from each node i on. */
@@ -113,7 +113,7 @@ static double near_start_of_law(const fvi_observer *o, size_t j, size_t damper, 
 static const fvi_law_row *rows_of(const fvi_observer *o, size_t j, size_t damper)
 {
     const fvi_law_row *first = fvi_law_rows_of(&o->law_rows, damper);
-    return first && (o->jump[j] == 0 || first->summed[FVI_JUMP] > 0) ? first : NULL;
+    return first && (o->is_jumping[j] == 0 || first->summed[FVI_JUMP] > 0) ? first : NULL;
 }
 
 static double near_start(const fvi_observer *o, size_t j, size_t k, double h)
@@ -132,20 +132,25 @@ void fvi_observer_compare_forces(const fvi_observer *o, size_t k, double h, doub
     }
 }
 
+double fvi_observer_slope(const fvi_observer *o, size_t j, size_t k, double h)
+{
+    double change[FVI_MOST_DIFFERENCES + 1];
+    const size_t n = k < o->degree ? k : o->degree;
+    if (k <= fvi_observer_first_rows(o) && !isnan(o->exponent[j]))
+        return near_start(o, j, k, h) / h;
+    changes(o, j, n, change);
+    return differentiate(n, change) / h;
+}
+
 void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
                               double *slope)
 {
-    double change[FVI_MOST_DIFFERENCES + 1];
     if (k == 0) {
         memcpy(slope, o->start, o->tracked * sizeof *slope);
         return;
     }
     for (size_t j = 0; j < o->tracked; j++) {
-        const int plain = k > fvi_observer_first_rows(o) || isnan(o->exponent[j]);
-        const size_t n = k < o->degree ? k : o->degree;
-        if (plain)
-            changes(o, j, n, change);
-        slope[j] = (plain ? differentiate(n, change) : near_start(o, j, k, h)) / h;
+        slope[j] = fvi_observer_slope(o, j, k, h);
         if (k == 1 && j >= o->forces + o->slopes) /* of a parabola, as at the start */
             slope[j] = 2 * slope[j] - o->start[j];
     }
@@ -219,11 +224,20 @@ static double exponent_at_start(double order, fvi_initial_history past,
                : 2 - order;
 }
 
-/* The jump and the line with which the elongation of force j begins. */
-static void keep_start(fvi_observer *o, size_t j, const fvi_run_damper *of, double z0, double zdot)
+double fvi_observer_begin_force(const fvi_run *run, size_t damper, double jump, double line)
 {
-    o->jump[j] = of->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? z0 : 0;
-    o->line[j] = zdot;
+    const fvi_run_damper of = fvi_run_damper_of(run, damper);
+    return force_at_start(&of, jump, line);
+}
+
+/* The jump and the line with which the elongation of force j begins, times its factor. */
+static void keep_start(fvi_observer *o, size_t j, const fvi_run_damper *of, double factor, double z0, double zdot)
+{
+    const int is_jumping = of->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && z0 != 0;
+    o->jump[j] = is_jumping ? factor * z0 : 0;
+    o->line[j] = factor * zdot;
+    o->is_jumping[j] = is_jumping; /* also where the factor is 0 */
+    o->is_moving[j] = zdot != 0;
 }
 
 /* One law or alpha, or the dampers of a structure: each with a force on every coordinate. */
@@ -248,7 +262,7 @@ static int begin_coordinates(fvi_observer *o, const fvi_stepper *s)
                          rate = o->matrices ? o->F[i] : o->v[i];
             o->exponent[j * d + i] =
                 exponent_at_start(of.growth, of.past, z[i]);
-            keep_start(o, j * d + i, &of, factor * z[i], factor * rate);
+            keep_start(o, j * d + i, &of, factor, z[i], rate);
             o->start[j * d + i] =
                 factor == 0 || of.rho == 0
                     ? 0
@@ -300,7 +314,7 @@ static int begin_mechanism(fvi_observer *o, const fvi_stepper *s)
         double z, rate;
         status = fvi_observer_elongation(o, s, &damper->of, &z, &rate);
         o->exponent[j] = exponent_at_start(of.growth, of.past, z);
-        keep_start(o, j, &of, z, rate);
+        keep_start(o, j, &of, 1, z, rate);
         o->start[j] = force_at_start(&of, z, rate);
     }
     for (size_t i = o->forces; i < o->tracked; i++) {

@@ -123,6 +123,22 @@ int fvi_ramp_step(fvi_ramp *o, double *lead)
     return status;
 }
 
+int fvi_ramp_leads(const fvi_stepper *s, size_t j, size_t rows, int is_whole, double *lead)
+{
+    fvi_ramp *ramp;
+    double sum = 0;
+    int status = fvi_ramp_start(s, j, &ramp);
+    for (size_t k = 0; k < rows && !status; k++) {
+        if (ramp && is_whole)
+            ramp->is_over = 0;
+        if (ramp)
+            status = fvi_ramp_step(ramp, &sum);
+        lead[k] = sum;
+    }
+    fvi_ramp_free(ramp);
+    return status;
+}
+
 int fvi_ramp_copy(const fvi_ramp *from, fvi_ramp **to)
 {
     fvi_ramp *o = *to = malloc(sizeof *o);

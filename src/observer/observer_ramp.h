@@ -37,6 +37,11 @@ int fvi_ramp_start(const fvi_stepper *s, size_t j, fvi_ramp **ramp);
  * of complex numbers, too. */
 int fvi_ramp_step(fvi_ramp *ramp, double *lead);
 
+/* fvi_ramp_leads -- the lead of damper j in rows 1 to `rows`, lead[0] that of row 1.
+ *
+ *   is_whole  nonzero: it grows in all rows, however little */
+int fvi_ramp_leads(const fvi_stepper *s, size_t j, size_t rows, int is_whole, double *lead);
+
 /* fvi_ramp_copy -- the same again, by its steps from the start on: as long as they add something, a copy takes as long
  * as a run of one body up to this node.
  * fvi_ramp_archive -- what its steps change, as fvi_stepper_archive.

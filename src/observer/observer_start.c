@@ -26,6 +26,7 @@ static void place_arrays(fvi_observer *o)
                    **const rest[] = { &o->p0,      &o->start,  &o->exponent,
                                       &o->rate,    &o->power,
                                    &o->jump,    &o->line,    &o->growth,
+                                      &o->is_jumping, &o->is_moving,
                                       &o->begin.x, &o->begin.p, &o->begin.F,
                                       &o->begin.dampers,
                                       &o->hit,     &o->change, &o->x,
@@ -51,7 +52,7 @@ static int allocate(fvi_observer *o)
 {
     const size_t most = o->d > o->tracked ? o->d : o->tracked;
     const size_t room = (o->degree + 2) * o->tracked + 3 * o->dampers + o->bends + FVI_SCALARS
-                        + 32 * most + o->contacts;
+                        + 34 * most + o->contacts;
     o->numbers = calloc(room, sizeof *o->numbers);
     if (!o->numbers)
         return FVI_ENOMEM;

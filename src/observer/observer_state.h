@@ -53,6 +53,7 @@ struct fvi_observer {
     double *p0, *start; /* d; the forces at t = 0 */
     double *exponent;   /* q of each force: J = t^q g(t) at first; NaN of a velocity */
     double *jump, *line; /* of each force: z = jump + line t + ... for its law, with jump = z_0 of the past rl or 0 */
+    double *is_jumping, *is_moving; /* of each force: nonzero if its jump, or its line, is not 0 */
     double *growth;     /* of each damper: its law is like |s|^growth */
     double *rate;       /* of each force: its impulse has rate times lead more */
     double *power;      /* of each damper: its work has power times lead more */
@@ -99,6 +100,12 @@ int fvi_observer_elongation(fvi_observer *o, const fvi_stepper *s,
 /* fvi_observer_differences -- at node k of steps h, the slopes of what is tracked. */
 void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
                               double *slope);
+
+/* fvi_observer_slope -- the same of force j alone, at k > 0.
+ * fvi_observer_begin_force -- the force at t = 0+ of an elongation that jumps by jump and goes on with the velocity line,
+ * as o->start has it of force j, of damper `damper`; INFINITY where there is none. */
+double fvi_observer_slope(const fvi_observer *o, size_t j, size_t k, double h);
+double fvi_observer_begin_force(const fvi_run *run, size_t damper, double jump, double line);
 
 /* fvi_observer_first_rows -- how many rows are near the start, where differences have too few rows before them.
  * fvi_observer_motion_rows -- how many of the first rows take a and the multipliers from the equation of motion: all of

@@ -187,6 +187,8 @@ int fvi_directional_derivatives(const fvi_method *method, const fvi_run *run, si
                                 double *x, double *p, double *dx, double *dp);
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x, const double *p,
                 const fvi_objective *objective, const fvi_sensitivities *gradients);
+int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_objective *objective, const double *force,
+                       const double *impulse, const fvi_sensitivities *gradients);
 double fvi_typed_force_by_parameter(const fvi_typed_force *force, size_t j, double t);
 double fvi_lobatto_abscissa(size_t s, size_t i);
 int places_within(fvi_stepper *s, size_t count, const double *t, double *x, double *p);

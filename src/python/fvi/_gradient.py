@@ -63,6 +63,23 @@ class Mirror:
         full[self.rows] = a  # each row is another step
         return full
 
+    def spread_dampers(self, what: str, given: Optional[Mapping[str, Any]], of: Callable[[], Mapping[str, Array]]) -> Any:
+        """Cotangents of forces or impulses, by the names of the dampers, as C has them; NULL of none."""
+        if not given:
+            return ffi.NULL
+        if not isinstance(given, Mapping):
+            raise TypeError(f"{what}: {described(given)} is no dict of names of dampers and derivatives by their rows")
+        if self.is_dense:
+            raise ValueError(f"{what}: fvi-adaptive has no derivatives of the forces and impulses of dampers; solve with h=..., "
+                             "method=\"fvi-lobatto4\", or another one whose steps have one length")
+        told = of()
+        for name in given:
+            if name not in told:
+                raise ValueError(f"{what}: '{name}' is none of the dampers " + ", ".join(told))
+        by = np.concatenate([self.spread(f"{what}: {name}", given.get(name, 0.0), rows.shape)
+                             for name, rows in told.items()], axis=1)
+        return ffi.from_buffer("double[]", np.ascontiguousarray(by))
+
     def times(self) -> Array:
         """When the forces act by which the adjoint differentiates."""
         s = self.method.stages
@@ -219,7 +236,8 @@ class Derivatives:
 
 @spelt()
 def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = None,
-        energy: Optional[Numbers] = None, *, wrt: Optional[Sequence[str]] = None) -> dict:
+        energy: Optional[Numbers] = None, *, forces: Optional[Mapping[str, Numbers]] = None,
+        impulses: Optional[Mapping[str, Numbers]] = None, wrt: Optional[Sequence[str]] = None) -> dict:
     """The gradient of a number L that is made of a motion, for one mirrored run.
 
         s = fvi.solve(problem, h=0.1, method="fvi-lobatto4")
@@ -228,7 +246,11 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
 
     solution  of `solve`; of one with error, or of "fvi-adaptive", see below
     x, p      dL/dx and dL/dp of every row, (n, d) numbers, or (n,) of one coordinate, or one for all
-    energy    dL/dE of every row, n numbers. There are none of forces, impulses and work of the dampers: L is made of x, p and E
+    energy    dL/dE of every row, n numbers
+    forces    dL/df of every row of the dampers that L knows, a dict by their names, as `s.forces` has them: n numbers of a
+              damper between points or along a row, (n, d) numbers of others. Not by "fvi-adaptive", nor with events
+    impulses  dL/dJ, likewise, as `s.impulses` has them. There is none of works: without a force and with one damper the
+              work is energy[0] - energy
     wrt       by what: fields of the problem; None: by all of them that have a derivative
 
     Returns a dict by names: "x0", "p0" or "v0", "mass", "rho", "alpha" or "order", each in the shape that the problem
@@ -250,11 +272,13 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     q, mirror = solution.problem, Mirror(solution)
     system = mirror.motion.system
     names = wanted_of(q, wrt, system.is_expression, mirror.is_dense)
-    if x is None and p is None and energy is None:
-        raise TypeError("x: missing, as p and energy are: the derivatives of L by the rows")
+    if x is None and p is None and energy is None and not forces and not impulses:
+        raise TypeError("x: missing, as p, energy, forces and impulses are: the derivatives of L by the rows")
     shape = solution.x.shape
     Jx = mirror.spread("x", 0.0 if x is None else x, shape)
     Jp = mirror.spread("p", 0.0 if p is None else p, shape)
+    of_dampers = [mirror.spread_dampers("forces", forces, lambda: solution.forces),
+                  mirror.spread_dampers("impulses", impulses, lambda: solution.impulses)]
     by_energy = None
     if energy is not None:
         by_energy = mirror.spread("energy", energy, shape[:1])[mirror.rows]
@@ -268,7 +292,10 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
                                             "has_momenta": bool(Jp[:-1].any())})
     by = Derivatives(q, mirror, names, wrt is not None)
     found = {field: np.zeros(size) for field, size in by.sizes.items()}
-    status = ask(lib.fvi_adjoint, mirror.method, mirror.motion.run, ffi.NULL, ffi.NULL, objective, by.outputs(found))
+    if of_dampers == [ffi.NULL, ffi.NULL]:
+        status = ask(lib.fvi_adjoint, mirror.method, mirror.motion.run, ffi.NULL, ffi.NULL, objective, by.outputs(found))
+    else:
+        status = ask(lib.fvi_adjoint_forces, mirror.method, mirror.motion.run, objective, *of_dampers, by.outputs(found))
     if status:
         raise failure(status)
     add_energy(solution, by_energy, system, found)
@@ -419,7 +446,7 @@ def gradient(problem: Problem, loss: Callable[[Solution], tuple], *, wrt: Option
         value, g = fvi.gradient(problem, loss, steps=100)
 
     problem   what is solved
-    loss      of a Solution gives a number and its derivatives by the rows, a dict of x, p and energy
+    loss      of a Solution gives a number and its derivatives by the rows, a dict of x, p, energy, forces and impulses
     wrt       as for `vjp`
     the rest  as for `solve`
 
@@ -428,8 +455,9 @@ def gradient(problem: Problem, loss: Callable[[Solution], tuple], *, wrt: Option
     s = solve(problem, **options)
     given = function("loss", loss, "of a Solution")(s)
     if not (isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], Mapping) and given[1]
-            and set(given[1]) <= {"x", "p", "energy"}):
-        raise TypeError(f"loss gave {described(given)}, not a number and a dict of its derivatives by x, p, energy")
+            and set(given[1]) <= {"x", "p", "energy", "forces", "impulses"}):
+        raise TypeError(f"loss gave {described(given)}, not a number and a dict of its derivatives by x, p, energy, "
+                        "forces, impulses")
     value, by = given
     number("loss", value)
     return value, vjp(s, wrt=wrt, **by)
