@@ -143,7 +143,7 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
                 const double *p, const fvi_objective *objective,
                 const fvi_sensitivities *gradients);
 
-/* fvi_adjoint_forces -- the derivatives of a J that the forces of the dampers stand in, too.        [(23.30), (23.31)]
+/* fvi_adjoint_forces -- the derivatives of a J that the forces of the dampers stand in, too.        [(23.32), (23.33)]
  *
  *     J = J(x_k, p_k, f_k, I_k)     f_k the forces of the dampers in row k, I_k their impulses up to there
  *

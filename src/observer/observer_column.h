@@ -3,7 +3,7 @@
  * Internal to the library. In each row the force of a damper is linear in the impulses J_1, ..., J_N of its rows, and in
  * the jump and the line with which its elongation begins, (13.20):
  *
- *     f_k = sum_i a_ki J_i + b_k jump + c_k line.                                    (23.30)
+ *     f_k = sum_i a_ki J_i + b_k jump + c_k line.                                    (23.32)
  *
  * What a gradient needs are the sums over k of these coefficients. They are read off the function that makes the forces.
  * The numbers of a damper are those that fvi_observer_read tells: one of a damper along a row, else one for each

@@ -6,7 +6,7 @@
  *
  *     damper between z and y, y the wall:  p_y(t_k) = J(t_k)
  *     coordinates that are damped one by one:  a ghost y of each coordinate x, pushed by F - grad U(x + y) and not
- *     damped:  J(t_k) = p_0 - p_x(t_k) + p_y(t_k)                                            (23.31) */
+ *     damped:  J(t_k) = p_0 - p_x(t_k) + p_y(t_k)                                            (23.33) */
 #ifndef FVI_ADJOINT_FORCES_H
 #define FVI_ADJOINT_FORCES_H
 

@@ -1,6 +1,6 @@
 /* src/sensitivity/adjoint_forces_start.h -- What the dampers' forces have of the start, and of a law. [H 23]
  *
- * Internal to the room. The coefficients of (23.30) do not only stand before impulses: a force begins with the jump and the
+ * Internal to the room. The coefficients of (23.32) do not only stand before impulses: a force begins with the jump and the
  * line of its elongation, and the numbers of a law stand in the coefficients. */
 #ifndef FVI_ADJOINT_FORCES_START_H
 #define FVI_ADJOINT_FORCES_START_H

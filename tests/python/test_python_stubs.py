@@ -105,7 +105,8 @@ class Function:
     @classmethod
     def apply(cls, *arguments):
         ctx = types.SimpleNamespace(count=len(arguments))
-        return *cls.forward(ctx, *arguments), lambda *bars: cls.backward(ctx, *bars)
+        Function.latest = lambda *bars: cls.backward(ctx, *bars)
+        return *cls.forward(ctx, *arguments), Function.latest
 
 
 def stub_of_torch():
@@ -131,10 +132,17 @@ def test_torch_is_called_as_it_wants_to_be(monkeypatch):
         bar = np.sin(np.arange(s.x.size)).reshape(s.x.shape)
         found = backward(Tensor(bar), Tensor(2 * bar))
         want = fvi.vjp(s, x=bar, p=2 * bar)
-        assert found[:4] == (None,) * 4 and len(found) == 8
-        for (name, tensor), by in zip(given.items(), found[4:]):
+        assert found[:5] == (None,) * 5 and len(found) == 9
+        for (name, tensor), by in zip(given.items(), found[5:]):
             assert np.array_equal(by.value, want["let"]["k"] if name == "k" else want[name])
             assert (by.shape, by.dtype, by.device) == (tensor.shape, tensor.dtype, tensor.device)
+        x, p, forces = motions.solve(problem, {"alpha": Tensor(0.3)}, forces="d1", h=0.1)
+        s = fvi.solve(problem.replace(alpha=0.3), h=0.1)
+        assert list(forces) == ["d1"] and np.array_equal(forces["d1"].value, s.forces["d1"])
+        by = Function.latest(Tensor(bar), Tensor(0 * bar), Tensor(3 * bar))[5]
+        assert by.value == fvi.vjp(s, x=bar, forces={"d1": 3 * bar})["alpha"]
+        with pytest.raises(ValueError, match="^forces: 'd2' is none of the dampers d1"):
+            motions.solve(problem, {"alpha": Tensor(0.3)}, forces=["d2"], h=0.1)
         for wrong, what in ((3, TypeError), ({}, ValueError), ({"gamma": Tensor(1)}, ValueError), ({"alpha": 0.3}, TypeError)):
             with pytest.raises(what, match="^tensors: "):
                 motions.solve(problem, wrong, h=0.1)

@@ -161,6 +161,54 @@ static int use_structure(const fvi_method *method, const fvi_system *system)
     return status;
 }
 
+/* The forces of dampers in J, which make a run with walls, and the number of a law. */
+static int derivatives_of_forces(const fvi_method *method, const fvi_run *run, int has_alpha)
+{
+    double force[9 * 5], by_x0[3], by_alpha;
+    const fvi_objective J = { .slopes = no_slopes };
+    const fvi_sensitivities want = { .x0 = by_x0, .alpha = has_alpha ? &by_alpha : NULL };
+    for (size_t i = 0; i < LEN(force); i++)
+        force[i] = 1;
+    return fvi_adjoint_forces(method, run, &J, force, force, &want);
+}
+
+static int life_of_walls(const fvi_method *method)
+{
+    static const double none[3], row[] = { -1, 1, 0 }, hit[] = { 0.1, 0.2, 0.3 };
+    static const fvi_kernel_term zener = { .kind = FVI_KERNEL_ZENER, .rho = 0.5, .alpha = 0.4, .time = 0.3 };
+    static const fvi_kernel law = { 1, &zener };
+    static const fvi_impulse impulse = { 0.1, hit };
+    static const fvi_triplet ones[] = { { 0, 0, 2 }, { 1, 1, 2 }, { 2, 2, 2 } };
+    fvi_system system;
+    fvi_sparse A;
+    fvi_structure *structure;
+    fvi_run run = run_of(&system, NULL);
+    run.steps = 4;
+    if (method != &fvi_cq2_midpoint && method != &fvi_lobatto_d2)
+        return FVI_SUCCESS;
+    system.force = (fvi_force){ .impulses = &impulse, .impulse_count = 1 };
+    int status = derivatives_of_forces(method, &run, 1);
+    fvi_damper dampers[] = { { .of = fvi_elongation_row(row), .kernel = &law }, { .kernel = &law } };
+    const fvi_mechanism mechanism = { .damper = dampers, .damper_count = 1 };
+    system.damping = none;
+    system.mechanism = &mechanism;
+    if (!status)
+        status = derivatives_of_forces(method, &run, 0);
+    if (!status)
+        status = fvi_sparse_assemble(3, 3, ones, &A);
+    if (status)
+        return status;
+    dampers[1].matrix = &A;
+    status = fvi_structure_alloc_dampers(&A, &A, 2, dampers, &structure, NULL);
+    if (!status) {
+        system = fvi_structure_system(structure);
+        status = derivatives_of_forces(method, &run, 0);
+        fvi_structure_free(structure);
+    }
+    fvi_sparse_free(&A);
+    return status;
+}
+
 /* Two oscillators together, one of which Newton's method alone does not bring to an end: it has a solver of its own. */
 static int life_of_batch(const fvi_method *method)
 {
@@ -349,7 +397,7 @@ typedef int call(const fvi_method *method);
 START_TEST(a_call_without_memory_says_so)
 {
     call *const calls[] = { life, life_with_a_law, life_of_mechanism,
-                            life_of_structure, life_of_batch, load, load_of_full, warnings, control, moduli, linear };
+                            life_of_structure, life_of_walls, life_of_batch, load, load_of_full, warnings, control, moduli, linear };
     size_t said = 0;
 #ifdef OTHER_ALLOCATOR
     return;
@@ -359,7 +407,7 @@ START_TEST(a_call_without_memory_says_so)
             failing = 0;
             if (calls[c](fvi_methods[m]))
                 continue; /* not for this method */
-            for (size_t n = 1;; n += calls[c] == linear ? 1 + n / 8 : 1) {
+            for (size_t n = 1;; n += calls[c] == linear || calls[c] == life_of_walls ? 1 + n / 8 : 1) {
                 made = 0;
                 has_failed = 0;
                 failing = n;

@@ -15,11 +15,11 @@ The motion is computed in double precision on the processor, and so is its gradi
 from __future__ import annotations
 
 import functools
-from typing import Any, Mapping, cast
+from typing import Any, Mapping, Optional, Sequence, cast
 
 import numpy as np
 
-from ._arguments import described, spelt
+from ._arguments import described, names as names_of, spelt
 from ._gradient import vjp
 from ._problem import Problem
 from ._solution import Solution
@@ -45,7 +45,7 @@ def motion() -> Any:
     class Motion(torch.autograd.Function):
         @staticmethod
         def forward(ctx: Any, problem: Problem, options: dict, names: tuple, kept: list,  # type: ignore[override]
-                    *tensors: Any) -> Any:
+                    dampers: tuple, *tensors: Any) -> Any:
             changes: dict = {}
             let = dict(problem.let or {})
             for name, tensor in zip(names, tensors):
@@ -60,33 +60,44 @@ def motion() -> Any:
                 changes["let"] = let
             ctx.solution = solve_problem(problem.replace(**changes), **options)
             ctx.names, ctx.like = names, [(t.shape, t.dtype, t.device) for t in tensors]
+            ctx.dampers = dampers
             kept.append(ctx.solution)
-            return tuple(torch.from_numpy(np.array(a)).to(tensors[0].device) for a in (ctx.solution.x, ctx.solution.p))
+            known = ctx.solution.forces if dampers else {}
+            for name in dampers:
+                if name not in known:
+                    raise ValueError(f"forces: '{name}' is none of the dampers " + ", ".join(known))
+            return tuple(torch.from_numpy(np.array(a)).to(tensors[0].device)
+                         for a in (ctx.solution.x, ctx.solution.p, *(known[name] for name in dampers)))
 
         @staticmethod
         @torch.autograd.function.once_differentiable
-        def backward(ctx: Any, x: Any, p: Any) -> Any:
+        def backward(ctx: Any, x: Any, p: Any, *forces: Any) -> Any:
             let = ctx.solution.problem.let or {}
             wrt = {"let" if name in let else name for name in ctx.names}
-            by = vjp(ctx.solution, x=double(x), p=double(p), wrt=sorted(wrt))
+            by_forces = {name: double(f) for name, f in zip(ctx.dampers, forces)}
+            by = vjp(ctx.solution, x=double(x), p=double(p), forces=by_forces, wrt=sorted(wrt))
             found = []
             for name, (shape, kind, device) in zip(ctx.names, ctx.like):
                 value = by["let"][name] if name in let else by[name]
                 found.append(torch.as_tensor(value, dtype=torch.float64).reshape(shape).to(device, kind))
-            return (None, None, None, None, *found)
+            return (None, None, None, None, None, *found)
     return Motion
 
 
 @spelt(solve_problem)
-def solve(problem: Problem, tensors: Mapping[str, Any], **options: Any) -> tuple:
+def solve(problem: Problem, tensors: Mapping[str, Any], *, forces: Optional[Sequence[str]] = None, **options: Any) -> tuple:
     """The motion of a problem some of whose numbers are tensors.
 
     problem  the rest of it
     tensors  by the names of fields of the problem: x0, p0 or v0, mass, rho, alpha or order; force, the F of measured
              rows, whose t are the problem's; or of a number in its `let`, which are scalars
+    forces   names of dampers, "d1", whose forces are wanted, too; not by "fvi-adaptive"
     options  as for `fvi.solve`
 
-    Returns x and p, (n, d) tensors in double precision.
+    Returns x and p, (n, d) tensors in double precision; with forces behind them a dict of the forces by names.
+
+        x, p, f = fvi.torch.solve(problem, {"rho": rho}, forces=["d1"], h=0.1, method="fvi-lobatto4")
+        (f["d1"]**2).mean().backward()
     """
     if not isinstance(problem, Problem):
         raise TypeError(f"problem: {described(problem)} is no fvi.Problem")
@@ -103,4 +114,6 @@ def solve(problem: Problem, tensors: Mapping[str, Any], **options: Any) -> tuple
     if not tensors:
         raise ValueError("tensors: there is none; fvi.solve needs no torch")
     kept: list[Solution] = []
-    return function.apply(problem, options, tuple(tensors), kept, *tensors.values())
+    dampers = () if forces is None else names_of("forces", forces)
+    found = function.apply(problem, options, tuple(tensors), kept, tuple(dampers), *tensors.values())
+    return found if forces is None else (*found[:2], dict(zip(dampers, found[2:])))

@@ -1,0 +1,102 @@
+"""The Python package: gradients of the forces and impulses of dampers, against differences."""
+import fvi
+import numpy as np
+import pytest
+from test_python_gradient import F, T_F, TWO, difference
+
+
+def loss_of(forces=True):
+    """A number that knows every position, every impulse and, if asked for, every force."""
+    def weights(a, of):
+        k, i = np.indices(a.shape)
+        return ((3 * k + 5 * i + 4 * of) % 7 - 3) / 8
+
+    def loss(s):
+        L, by = (weights(s.x, 2) * np.sin(s.x)).sum(), {"x": weights(s.x, 2) * np.cos(s.x), "impulses": {}}
+        for n, (name, I) in enumerate(s.impulses.items()):
+            L += (weights(I, n) * I**2).sum() / 2
+            by["impulses"][name] = weights(I, n) * I
+        if forces:
+            by["forces"] = {name: weights(f, 3 + n) for n, (name, f) in enumerate(s.forces.items())}
+            L += sum((by["forces"][name] * f).sum() for name, f in s.forces.items())
+        return L, by
+    return loss
+
+
+def compare(problem, changes, forces=True, **options):
+    """Differences of order 4 of the printed numbers; changes: of each name its value, and the problem of another one."""
+    loss = loss_of(forces)
+    L, g = fvi.gradient(problem, loss, **options)
+    assert L == loss(fvi.solve(problem, **options))[0]
+    for name, (at, other, got) in changes.items():
+        want = difference(lambda v: loss(fvi.solve(other(v), **options))[0], at, 1e-3)
+        assert abs(np.asarray(got(g)) - want).max() <= 1e-7 * max(abs(want).max(), 1), name
+    return g
+
+
+@pytest.mark.parametrize("method", ["fvi", "fvi-shifted", "fvi-bdf2", "fvi-stable", "fvi-lobatto3", "fvi-lobatto4d"])
+def test_every_derivative_of_forces_by_differences(method):
+    changes = {name: (at, lambda v, name=name: TWO.replace(**{name: v if np.ndim(v) else float(v)}),
+                      lambda g, name=name: g[name])
+               for name, at in (("x0", TWO.x0), ("p0", TWO.p0), ("mass", TWO.mass), ("rho", TWO.rho), ("alpha", 0.3))}
+    changes["force"] = (F, lambda v: TWO.replace(force=(T_F, v)), lambda g: g["force"])
+    changes["let"] = ([1.3, 0.7, 0.2], lambda v: TWO.replace(let=dict(zip(TWO.let, v))), lambda g: list(g["let"].values()))
+    compare(TWO, changes, h=0.05, method=method)
+
+
+def test_a_building_has_derivatives_of_the_forces_of_its_dampers():
+    K = np.array([[8.0, -4, 0], [-4, 8, -4], [0, -4, 4]])
+    laws = [(np.eye(3)[0], "power:{},{}"), (np.eye(3)[2] - np.eye(3)[1], "zener:{},{},{}"), (K / 8, "power:{},{}")]
+
+    def dampers(v):
+        v = [repr(float(number)) for number in v]
+        return [(of, law.format(*(v.pop(0) for _ in range(law.count("{}"))))) for of, law in laws]
+    at = [0.5, 0.3, 0.6, 0.25, 0.4, 0.3, 0.4]
+    building = fvi.Problem(M=np.diag([1.0, 1.5, 1]), K=K, dampers=dampers(at), x0=[0.1, -0.2, 0.3], p0=[1, 0, -1], time=1)
+    for method in ("fvi", "fvi-stable", "fvi-lobatto3d"):
+        compare(building, {"x0": (building.x0, lambda v: building.replace(x0=v), lambda g: g["x0"]),
+                           "p0": (building.p0, lambda v: building.replace(p0=v), lambda g: g["p0"]),
+                           "M": (1.0, lambda v: building.replace(M=float(v) * np.diag([1.0, 1.5, 1])), lambda g: g["M"]),
+                           "laws": (at, lambda v: building.replace(dampers=dampers(v)), lambda g: [
+                               number for law in g["laws"] for term in law for number in term.values()])},
+                h=0.05, method=method)
+
+
+def test_a_double_pendulum_has_derivatives_of_the_forces_of_its_dampers():
+    L = "m*v1^2 + v2^2/2 + v1*v2*cos(x1 - x2) + g*(2*cos(x1) + cos(x2))"
+    dampers = ["elbow=x2 - x1 : power:0.5,0.25", "strut=sqrt(l + x1^2 + x2^2) : zener:0.4,0.3,0.6"]
+    arm = fvi.Problem(lagrangian=L, let={"m": 1.0, "g": 9.81, "l": 1.2}, dampers=dampers, x0=[0.8, -0.5], v0=[0.3, -0.2], time=1)
+    for method in ("fvi", "fvi-stable", "fvi-lobatto3", "fvi-lobatto2d"):
+        compare(arm, {"x0": (arm.x0, lambda v: arm.replace(x0=v), lambda g: g["x0"]),
+                      "v0": (arm.v0, lambda v: arm.replace(v0=v), lambda g: g["v0"]),
+                      "let": ([1, 9.81, 1.2], lambda v: arm.replace(let=dict(zip(arm.let, v))), lambda g: list(g["let"].values()))},
+                h=0.05, method=method)
+
+
+def test_rows_that_are_chosen_have_derivatives_of_their_forces():
+    options = dict(t_eval=[0.1, 0.25, 1.5, 2], h=0.05, method="fvi-lobatto4")
+    compare(TWO, {"x0": (TWO.x0, lambda v: TWO.replace(x0=v), lambda g: g["x0"])}, **options)
+
+
+def test_one_damper_of_two_may_be_named():
+    arm = fvi.Problem("chain:2,3,0", dampers=["a=x1 : power:0.5,0.4", "b=x2-x1 : power:0.3,0.2"], x0=[1, 0], p0=0, time=1)
+    s = fvi.solve(arm, h=0.1, method="fvi-lobatto4")
+    by_b = np.arange(11.0)
+    one, two = (fvi.vjp(s, forces=f) for f in ({"b": by_b}, {"b": by_b[:, None], "a": 0.0}))
+    assert (one["x0"] == two["x0"]).all()
+
+
+def test_what_has_no_derivatives_of_forces_is_refused_by_name():
+    s = fvi.solve(TWO, error=1e-6)
+    with pytest.raises(ValueError, match='^forces: fvi-adaptive has no derivatives .*; solve with h=..., method="fvi-lobatto4"'):
+        fvi.vjp(s, forces={"d1": 1.0})
+    t = fvi.solve(TWO, h=0.1)
+    with pytest.raises(ValueError, match="^impulses: 'd2' is none of the dampers d1"):
+        fvi.vjp(t, impulses={"d2": 1.0})
+    with pytest.raises(TypeError, match="^forces: 1.0 is no dict of names of dampers"):
+        fvi.vjp(t, forces=1.0)
+    with pytest.raises(ValueError, match=r"^forces: d1: the shape \(3,\) is not \(21, 2\)"):
+        fvi.vjp(t, forces={"d1": [1.0, 2, 3]})
+    mass = fvi.solve(fvi.Problem(alpha=1, time=1), h=0.1)
+    with pytest.raises(fvi.Error, match="at alpha = 1 the damping is a mass"):
+        fvi.vjp(mass, forces={"d1": 1.0})
