@@ -136,7 +136,9 @@ void fvi_observer_powers(const fvi_observer *o, double *power)
     for (size_t i = 0; i < fvi_observer_numbers(o); i++) {
         size_t coordinate;
         double unit;
-        power[i] = o->exponent[place_of(o, i, &unit)] + o->growth[fvi_observer_damper_of(o, i, &coordinate)];
+        const size_t j = place_of(o, i, &unit);
+        power[i] = fvi_observer_is_compared(o, j) ? NAN
+                                                  : o->exponent[j] + o->growth[fvi_observer_damper_of(o, i, &coordinate)];
     }
 }
 
@@ -144,6 +146,7 @@ int fvi_observer_first_forces(fvi_observer *o, const fvi_run *run, const double 
                               const double *impulse, double *sum)
 {
     const size_t n = fvi_observer_numbers(o), first = fvi_observer_first_rows(o);
+    size_t *const law_of = o->law_rows.law_of;
     *sum = 0;
     for (size_t i = 0; i < n; i++) {
         double unit;
@@ -151,11 +154,15 @@ int fvi_observer_first_forces(fvi_observer *o, const fvi_run *run, const double 
         const size_t j = place_of(o, i, &unit), damper = fvi_observer_damper_of(o, i, &coordinate);
         const double start = fvi_observer_begin_force(run, damper, o->jump[j], o->line[j]) / unit;
         *sum += has_start && isfinite(start) ? w[i] * start : 0; /* an infinite one is a mean over the next row */
-        o->exponent[j] = power[i] - o->growth[damper];
+        if (!isnan(power[i])) { /* as in the run of the impulses, also where an order near it is compared */
+            o->exponent[j] = power[i] - o->growth[damper];
+            o->law_rows.law_of = NULL;
+        }
         for (size_t k = 1; unit != 0 && k <= run->steps && k <= first; k++) {
             put_rows(o, j, k, impulse + i, n, unit);
             *sum += w[k * n + i] * fvi_observer_slope(o, j, k, run->h) / unit;
         }
+        o->law_rows.law_of = law_of;
     }
     return FVI_SUCCESS;
 }

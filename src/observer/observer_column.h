@@ -32,7 +32,8 @@ int fvi_observer_transpose(fvi_observer *o, const fvi_run *run, const double *w,
 /* fvi_observer_first_forces -- sum_k w_k . f_k over the first rows alone, in which the law stands in the coefficients.
  *
  *   o        of FVI_OBSERVE_FORCE, at the start of a run, which may have another law than the one of the impulses
- *   power    of each number, e: its J begins like t^(e - order), as fvi_observer_powers has it of the run of the impulses
+ *   power    of each number, as fvi_observer_powers has it of the run of the impulses: e, if its J is taken for t^(e - order) g
+ *            in the first rows, or NAN, if it is compared with the answers of its law
  *   has_start  nonzero: t = 0 is one of these rows
  *   impulse  J of each row
  *   sum      output */

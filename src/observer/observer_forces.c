@@ -116,6 +116,11 @@ static const fvi_law_row *rows_of(const fvi_observer *o, size_t j, size_t damper
     return first && (o->is_jumping[j] == 0 || first->summed[FVI_JUMP] > 0) ? first : NULL;
 }
 
+int fvi_observer_is_compared(const fvi_observer *o, size_t j)
+{
+    return rows_of(o, j, o->has_mechanism ? j : j / o->d) != NULL;
+}
+
 static double near_start(const fvi_observer *o, size_t j, size_t k, double h)
 {
     const size_t damper = o->has_mechanism ? j : j / o->d;

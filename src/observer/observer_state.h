@@ -102,9 +102,11 @@ void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
                               double *slope);
 
 /* fvi_observer_slope -- the same of force j alone, at k > 0.
+ * fvi_observer_is_compared -- is force j by (13.20) in the first rows? Else it is by J/t^q.
  * fvi_observer_begin_force -- the force at t = 0+ of an elongation that jumps by jump and goes on with the velocity line,
  * as o->start has it of force j, of damper `damper`; INFINITY where there is none. */
 double fvi_observer_slope(const fvi_observer *o, size_t j, size_t k, double h);
+int fvi_observer_is_compared(const fvi_observer *o, size_t j);
 double fvi_observer_begin_force(const fvi_run *run, size_t damper, double jump, double line);
 
 /* fvi_observer_first_rows -- how many rows are near the start, where differences have too few rows before them.

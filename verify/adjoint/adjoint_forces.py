@@ -1,7 +1,8 @@
 """H 23. Derivatives of the forces and of the impulses of dampers, of chains by the methods without stages.
 
-The impulses are the sums of the steps, with what a start with a velocity leaves in them (13.18); the forces are their
-slopes as H 13 has them: differences of J, in the first rows of J/t^q. In dual numbers of 45 digits."""
+The impulses are the sums of the steps, with what a start with a velocity leaves in them (13.18). The forces are their
+slopes as H 13 has them: differences of J, and in the first rows (13.20), or differences of J/t^q behind a jump. In dual numbers
+of 45 digits."""
 from random import Random
 
 import mpmath
@@ -42,27 +43,60 @@ class Forces(Nodes):
             return ZERO
         return ZERO if order > 1 and self.past == "caputo" else J[1] / dual(STEP)
 
-    def force(self, k, J, jumps, turn):
-        """h f at row k > 0 by differences of order 1 or 3; in the first rows J = t^q g(t), and g is differentiated."""
-        degree = 1 if self.printed else 3
-        is_near = k <= 3 * degree
-        n = min(k - 1 if is_near else k, degree)
-        q = mpc((1 if jumps else 2) - 2 * self.alpha, -2 * TINY)
-        slope = dual(q, turn) * by(J[k], k) if is_near else ZERO
+    def answers(self, turn):
+        """G_1 to G_4 of (13.20) for rho = 1, and S_1 to S_3 of the steps: of a jump, a line and what a constant force gives."""
+        w, t = weights(self.method, self.alpha, turn), [k * STEP for k in range(N + 1)]
+        exact = [[ZERO] + [dual(mpmath.rgamma(1 + i - self.tilted) * t[k] ** (i - self.tilted), turn) for k in range(1, N + 1)]
+                 for i in range(4)]
+        unit = dual(STEP ** (1 - self.tilted), turn)
+        theta = dict(shifted=dual(mpc(self.alpha, TINY), turn), stable=HALF).get(self.method, HALF if self.printed else ZERO)
+        moved = [dual(STEP**2) * (dual(mpf(k * (k - 1)) / 2) + self.kappa * dual(mpf(k))) for k in range(N + 1)]
+        summed = []
+        for z in ([ONE] * (N + 1), [dual(v) for v in t], moved):
+            H = [total(w[n] * z[k - n] for n in range(k + 1)) for k in range(N + 1)]
+            summed.append([ZERO])
+            for k in range(N):
+                summed[-1].append(summed[-1][-1] + unit * ((HALF - theta) * H[k] + (HALF + theta) * H[k + 1]))
+        if not self.printed:
+            summed[1] = exact[2]  # (13.18)
+        return exact, summed
+
+    def compared(self, k, n, J, size, is_moving, answers):
+        """h f of row k by (13.20)."""
+        exact, summed = answers
+        to = 1 if is_moving and self.alpha > 0.5 else 2
+        g = [(J[k - m] - total(size[i] * summed[i][k - m] for i in range(to))) / summed[to][k - m] for m in range(n + 1)]
+        slope = total(dual((-1) ** m * binomial(n, m) / m) * (g[m] - g[0]) for m in range(1, n + 1))
+        force = total(size[i] * exact[i][k] for i in range(to)) + g[0] * exact[to][k]
+        return dual(STEP) * force + exact[to + 1][k] * slope
+
+    def by_power(self, k, n, J, jumps, turn):
+        """h f of row k: J = t^q g(t), and g is differentiated."""
+        q = (1 if jumps else 2) - self.tilted
+        slope = dual(q, turn) * by(J[k], k)
         for m in range(1, n + 1):
-            before = J[k - m] * dual((mpf(k) / (k - m)) ** q, turn) if is_near else J[k - m]
+            before = J[k - m] * dual((mpf(k) / (k - m)) ** q, turn)
             slope += dual((-1) ** m * binomial(n, m) / m) * (before - J[k])
         return slope
 
     def of_impulses(self, rows, q, turn):
-        lead, sum_ = self.lead(turn), ZERO
+        degree, first, sum_ = 1 if self.printed else 3, 3 if self.printed else 30, ZERO
+        self.tilted = mpc(2 * self.alpha, 2 * TINY)
+        lead, answers = self.lead(turn), self.answers(turn)
         for i in range(D5):
-            rate = q["rho"][i] * q["p0"][i] / q["mass"][i]
-            J = [row[i] + rate * more for row, more in zip(rows, lead)]
-            jumps = self.past == "rl" and self.alpha < 0.5 and q["x0"][i].v != 0
+            x0, v0, rho = q["x0"][i], q["p0"][i] / q["mass"][i], q["rho"][i]
+            J = [row[i] + rho * v0 * more for row, more in zip(rows, lead)]
+            jumps, is_moving = self.past == "rl" and x0.v != 0, v0.v != 0
+            size = [rho * x0 if jumps else ZERO, rho * v0]
             sum_ += weight(0, i, 0) * self.start(i, q, J)
             for k in range(1, N + 1):
-                sum_ += weight(k, i, 0) * self.force(k, J, jumps, turn) / dual(STEP)
+                if k > first:
+                    h_f = total(dual((-1) ** m * binomial(degree, m) / m) * (J[k - m] - J[k]) for m in range(1, degree + 1))
+                elif jumps and (not self.printed or self.alpha >= 0.5):  # the steps do not sum a jump
+                    h_f = self.by_power(k, min(k - 1, degree), J, self.alpha < 0.5, turn)
+                else:
+                    h_f = self.compared(k, min(k - 1, degree), J, size, is_moving, answers)
+                sum_ += weight(k, i, 0) * h_f / dual(STEP)
                 sum_ += HALF * weight(k, i, 1) * J[k] * J[k]
         return sum_
 
