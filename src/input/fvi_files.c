@@ -38,6 +38,12 @@ int fvi_same_file(const char *a, const char *b)
            && strcmp(last_a, last_b) == 0;
 }
 
+int fvi_may_be_ordinary(const char *name)
+{
+    struct stat file;
+    return stat(name, &file) != 0 || S_ISREG(file.st_mode);
+}
+
 enum { KEPT = 1000 };
 static struct {
     const char *option;

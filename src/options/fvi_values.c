@@ -205,6 +205,8 @@ static int check_files(const fvi_options *o, fvi_error *c)
     for (int i = 0; i < 3; i++) {
         const char *name = fvi_option_list[files[i]].name,
                    *text = o->text[files[i]];
+        if (text && files[i] != SNAPSHOT && !fvi_may_be_ordinary(text))
+            return fvi_refuse(c, name, "'%s' is not an ordinary file", text);
         if (text && fvi_same_file(text, o->output))
             return fvi_refuse(c, name, "'%s' is the table's file, too", text);
         for (int j = 0; text && j < i; j++)
@@ -219,7 +221,8 @@ static int interpret(fvi_options *o, fvi_error *c)
     size_t format;
     if (o->text[OUTPUT] && !*o->text[OUTPUT])
         return fvi_refuse(c, "o", "'' is not a file's name");
-    o->output = o->text[OUTPUT];
+    if (o->text[OUTPUT] && strcmp(o->text[OUTPUT], "-") != 0)
+        o->output = o->text[OUTPUT];
     o->plot = o->text[PLOT];
     if (o->plot && !is_picture(o->plot))
         return fvi_refuse(c, "plot", "'%s' is not a name.svg or name.png", o->plot);

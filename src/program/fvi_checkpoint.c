@@ -261,8 +261,8 @@ static int is_whole(FILE *file)
 }
 
 /* The file is whole, and of this problem. If it does not fit all the same, the memory depends
- * on N, and N is another one: a run of the new N had other last digits from the first
- * step on, and so it begins anew. */
+ * on N, and N is another one, or the program has other last digits than the one that wrote it: a run
+ * of the new N, or by this program, had other last digits from the first step on, and so it begins anew. */
 static int load_all(fvi_table *t, state *f, fvi_stepper *s, fvi_checkpoint *c)
 {
     const fvi_options *o = t->o;
@@ -275,7 +275,7 @@ static int load_all(fvi_table *t, state *f, fvi_stepper *s, fvi_checkpoint *c)
     if (status == 0)
         return 0;
     fprintf(stderr,
-            "fvi: --continue: the memory depends on --steps: the first %zu "
+            "fvi: --continue: the memory depends on --steps, and on the version: the first %zu "
             "steps are done again\n",
             c->done);
     c->anew = 1;

@@ -224,6 +224,8 @@ static int search_and_print(request *r)
         fvi_fit_warn_of_flags(r, &f, &e);
     if (status)
         return fvi_fit_complain(status, r, &f);
+    if (!is_believed)
+        return fvi_fit_tell_unwritten(r->o.output, r->words.own[CURVE]);
     return failed ? failed : fvi_fit_print_curve(r);
 }
 

@@ -323,12 +323,20 @@ static int print_curve(const request *r)
     return fvi_output_close(out, 1) ? fvi_cannot_write(r->words.own[CURVE]) : 0;
 }
 
+int fvi_fit_tell_unwritten(const char *output, const char *curve)
+{
+    if (output || curve)
+        fprintf(stderr, "fvi: the answer is not believed, and nothing is written into %s%s%s\n", output ? output : "",
+                output && curve ? " and " : "", curve ? curve : "");
+    return 1;
+}
+
 /* As for motions: an answer that is not believed is shown on standard output alone. */
 static int print(const request *r, const fvi_material *m)
 {
     if (m->grave && r->o.output) {
         print_flags(NULL, r, m);
-        return 1;
+        return fvi_fit_tell_unwritten(r->o.output, r->words.own[CURVE]);
     }
     FILE *out = fvi_output_open(r->o.output);
     if (!out)
@@ -337,7 +345,7 @@ static int print(const request *r, const fvi_material *m)
     print_flags(out, r, m);
     if (fvi_output_close(out, 1))
         return fvi_cannot_write(r->o.output);
-    return m->grave ? 1 : print_curve(r);
+    return m->grave ? fvi_fit_tell_unwritten(NULL, r->words.own[CURVE]) : print_curve(r);
 }
 
 /* ---- the command ---- */

@@ -14,4 +14,8 @@ int fvi_fit_material(int argc, char **argv);
  * fvi_options_parse. */
 int fvi_fit_starts(const char **text, size_t most, size_t *starts, fvi_error *c);
 
+/* fvi_fit_tell_unwritten -- the files that were asked for, NULL where one was not, are not written, for the answer is not
+ * believed: a line on standard error, if there is one. Returns 1. */
+int fvi_fit_tell_unwritten(const char *output, const char *curve);
+
 #endif

@@ -277,6 +277,10 @@ START_TEST(a_dash_is_standard_output)
                       "fvi: --snapshot: '-' is the table's file, too");
     ck_assert_refused("run --checkpoint -",
                       "fvi: --checkpoint: '-' is not a file's name");
+    ck_assert_refused("run --checkpoint .", "fvi: --checkpoint: '.' is not an ordinary file");
+    ck_assert_refused("run --checkpoint /dev/null", "fvi: --checkpoint: '/dev/null' is not an ordinary file");
+    ck_assert_int_eq(shell("ln -s /dev/null null.svg"), 0);
+    ck_assert_refused("run --plot null.svg", "fvi: --plot: 'null.svg' is not an ordinary file");
     ck_assert_int_eq(fvi("run --steps 3 -o ./-"), 0);
     ck_assert(exists("-"));
     ck_assert_int_eq(shell("\"$FVI\" run -o - > /dev/full; test $? = 1"), 0);

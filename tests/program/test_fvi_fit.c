@@ -58,6 +58,13 @@ START_TEST(fit_says_what_it_was_silent_of)
     ck_assert_int_eq(fvi("fit --p0 0.25 -o o.tsv --curve o2.tsv noise.tsv"), 1);
     ck_assert_ptr_nonnull(strstr(err, "fvi: warning: no motion is seen"));
     ck_assert(!exists("o.tsv") && !exists("o2.tsv"));
+    ck_assert_ptr_nonnull(strstr(err, "\nfvi: the answer is not believed, and nothing is written into o.tsv and o2.tsv\n"));
+    ck_assert_int_eq(fvi("fit --p0 0.25 --curve o2.tsv noise.tsv"), 1);
+    ck_assert_ptr_nonnull(strstr(err, "\nfvi: the answer is not believed, and nothing is written into o2.tsv\n"));
+    ck_assert_ptr_nonnull(strstr(out, "\nalpha\t"));
+    ck_assert_int_eq(fvi("fit --p0 0.25 -o - noise.tsv"), 1); /* - is standard output */
+    ck_assert_ptr_nonnull(strstr(out, "\nalpha\t"));
+    ck_assert_ptr_null(strstr(err, "believed"));
     fvi("fit --p0 0.25 offset.tsv");
     ck_assert_ptr_nonnull(strstr(err, "the residuals have a mean"));
     ck_assert_ptr_nonnull(strstr(out, "\n# flag = the residuals have a mean"));
