@@ -1,7 +1,6 @@
 /* src/analysis/inertia.c -- Does the inertia of a Lagrangian vanish along a run?       [H 29] */
 #include <fvi/warnings.h>
 
-#include <fvi/dampers.h>
 #include <fvi/error.h>
 #include "system/lagrangian_point.h"
 #include "system/larger.h"

@@ -1,5 +1,4 @@
 /* src/analysis/stability_explicit.c -- The load of Euler's explicit method. [H 14] */
-#include <fvi/stability.h>
 
 #include "stability_share.h"
 #include "system/fail.h"

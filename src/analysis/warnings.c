@@ -5,6 +5,7 @@
 #include <fvi/stability.h>
 #include "run/solution.h"
 #include "system/larger.h"
+#include "system/quadratic.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -98,7 +99,7 @@ fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run,
                         : method->takes_kappa ? run->kappa != 0.5
                                               : !method->implicit,
               worth = depends && !is_unstable && method->stability_number && u->hessian
-                      && !(u->quadratic && u->quadratic(u->params));
+                      && !fvi_potential_is_quadratic(u);
     return (fvi_watch){ 0, worth ? 1 : SIZE_MAX };
 }
 

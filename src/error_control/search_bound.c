@@ -178,3 +178,17 @@ int fvi_search_least_parts(const fvi_run *run, size_t stages, double error,
     free(o.most);
     return status;
 }
+
+int fvi_search_is_too_long(int status)
+{
+    return status == FVI_EOVRFLW || status == FVI_EMAXITER || status == FVI_ESING;
+}
+
+double fvi_search_distance(size_t n, const double *x, const double *before, double *largest)
+{
+    double D = 0;
+    for (size_t i = 0; i < n; i++)
+        D = larger(D, fabs(x[i] - before[i]));
+    *largest = largest_abs(n, x);
+    return D;
+}

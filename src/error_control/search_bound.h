@@ -26,4 +26,9 @@ void fvi_search_node_factors(size_t stages, fvi_node_factors factor);
 int fvi_search_least_parts(const fvi_run *run, size_t stages, double error,
                            size_t most, size_t *parts);
 
+/* fvi_search_is_too_long -- does a run that returned this say no more than that its step is too long?
+ * fvi_search_distance -- max |x - before| of two runs, n numbers each, and max |x| to *largest. */
+int fvi_search_is_too_long(int status);
+double fvi_search_distance(size_t n, const double *x, const double *before, double *largest);
+
 #endif

@@ -9,6 +9,7 @@
 #include "step_search_force.h"
 #include "system/fail.h"
 #include "system/larger.h"
+#include "system/quadratic.h"
 #include "system/stiffness.h"
 
 #include <gsl/gsl_math.h>
@@ -65,24 +66,6 @@ static int trial(const search *o, size_t parts)
     return status;
 }
 //< trial
-
-static int too_long(int status)
-{
-    return status == FVI_EOVRFLW || status == FVI_EMAXITER
-           || status == FVI_ESING;
-}
-
-/* max |x|, and D = max |x - before| */
-static double distance(const search *o, double *largest)
-{
-    double D = 0;
-    *largest = 0;
-    for (size_t i = 0; i < o->length; i++) {
-        D = larger(D, fabs(o->x[i] - o->before[i]));
-        *largest = larger(*largest, fabs(o->x[i]));
-    }
-    return D;
-}
 
 /* ---- the order that a method has on a run ---- */
 
@@ -180,7 +163,7 @@ static int stiffness(search *o, double *most)
         *most = GSL_NAN;
         return FVI_SUCCESS;
     }
-    const int constant = u->quadratic && u->quadratic(u->params);
+    const int constant = fvi_potential_is_quadratic(u);
     for (size_t row = 0; row <= (constant ? 0 : o->rows); row++) {
         int status = u->hessian(d, o->x + row * d, u->params, o->H);
         if (status)
@@ -249,7 +232,7 @@ static comparison compare(const search *o, const comparison *last, int failed,
     comparison c = { GSL_POSINF, last->D, GSL_NEGINF, last->q, 0, 0 };
     if (failed || failed_before)
         return c;
-    c.D = distance(o, &c.largest);
+    c.D = fvi_search_distance(o->length, o->x, o->before, &c.largest);
     c.floor = precision(o) * c.largest;
     if (gsl_finite(c.D_before))
         c.q = c.D > 0 ? log2(c.D_before / c.D) : GSL_POSINF;
@@ -283,7 +266,7 @@ static int halve(search *o, double error, size_t most, fvi_step_found *found)
             return status;
         resolved = resolved && parts >= seen;
         failed = trial(o, parts);
-        if (failed && !too_long(failed))
+        if (failed && !fvi_search_is_too_long(failed))
             return failed;
         c = compare(o, &c, failed, failed_before);
         fvi_step_found now = { .parts = o->first * parts };
@@ -330,7 +313,7 @@ static int check(const fvi_method *method, const fvi_run *run, double error,
     if (method && method->dense)
         FVI_FAIL("its steps are its own: fvi_variable_step_search", FVI_EUNSUP);
     int status = fvi_stepper_start(method, run ? &shortest : NULL, &s, NULL);
-    if (status && !too_long(status))
+    if (status && !fvi_search_is_too_long(status))
         return status;
     if (!status)
         fvi_stepper_free(s);

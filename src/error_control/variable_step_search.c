@@ -2,6 +2,8 @@
  * apart.                                                             [H 22] */
 #include "variable_step_search.h"
 
+#include "search_bound.h"
+
 #include "variable_step/variable_step.h"
 #include "system/fail.h"
 #include "system/larger.h"
@@ -98,23 +100,12 @@ static int trial(pair *o, double step_error, double longest, int growth)
 }
 //< trial
 
-static int too_long(int status)
-{
-    return status == FVI_EOVRFLW || status == FVI_EMAXITER
-           || status == FVI_ESING;
-}
-
 /* max |x - before|, and what rounding may be of it, and modes that were chosen for the size at
  * the start, where the motion became larger; max |x|. */
 static double distance(const pair *o, double *largest)
 {
     const size_t both = o->reached < o->reached_before ? o->reached : o->reached_before;
-    double D = 0;
-    *largest = 0;
-    for (size_t i = 0; i < both * o->run->system->d; i++) {
-        D = larger(D, fabs(o->x[i] - o->before[i]));
-        *largest = larger(*largest, fabs(o->x[i]));
-    }
+    const double D = fvi_search_distance(both * o->run->system->d, o->x, o->before, largest);
     return D + (3e-14 + o->counts.memory) * *largest;
 }
 
@@ -181,7 +172,7 @@ static int search(pair *o, double error, fvi_variable_step_found *found)
          i++, step_error /= 10) {
         status = i % 2 ? trial(o, step_error, longest / 2, 3)
                        : trial(o, step_error, T, 4);
-        if (status && !too_long(status))
+        if (status && !fvi_search_is_too_long(status))
             return status;
         same_end = status && fabs(o->end - end) < 1e-3 * end ? same_end + 1 : 0;
         end = o->end;

@@ -2,7 +2,6 @@
  * over.                                                                [H 24] */
 #include "identification_examine.h"
 
-#include "system/fail.h"
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>

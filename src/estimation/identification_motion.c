@@ -2,7 +2,6 @@
 #include "identification_model.h"
 #include "identification_tangent.h"
 
-#include <fvi/dampers.h>
 #include <fvi/error.h>
 #include <fvi/lagrangian.h>
 #include <fvi/methods.h>

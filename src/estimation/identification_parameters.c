@@ -2,7 +2,6 @@
  *                                                                     [H 24] */
 #include "identification_model.h"
 
-#include <fvi/rheology.h>
 
 #include <math.h>
 

@@ -4,6 +4,7 @@
 #include "rheology_answer.h"
 #include "kernel/kernel_terms.h"
 #include "kernel/laplace_parabola.h"
+#include "system/dot.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_rng.h>
@@ -133,9 +134,8 @@ static double try_starts(fvi_rheology_work *o, const double *starts, double *z, 
 {
     const fvi_rheology *m = &o->model;
     const size_t P = m->shapes + m->elements;
-    double best = INFINITY, data = 0;
-    for (size_t i = 0; i < m->rows; i++)
-        data += m->y[i] * m->y[i];
+    double best = INFINITY;
+    const double data = fvi_dot(m->rows, m->y, m->y);
     for (a->starts = a->agree = 0; a->starts < m->data->starts && a->agree < ENOUGH; a->starts++) {
         double there[FVI_LAW_MOST];
         const double *start = starts + a->starts * P,

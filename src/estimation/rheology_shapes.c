@@ -4,7 +4,6 @@
  * at s = 1, wherever the data are. With an amplitude and a characteristic time they are not. */
 #include "rheology_model.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 
 size_t fvi_element_shape(fvi_element kind, const char **kinds)

@@ -2,7 +2,6 @@
 #ifndef FVI_EXPRESSION_LANES_H
 #define FVI_EXPRESSION_LANES_H
 
-#include <fvi/expression.h>
 #include "system/lanes.h"
 
 /* fvi_expression_slope_lanes, fvi_expression_value_lanes -- U' and U'' of the potential, F of the force

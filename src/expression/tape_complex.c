@@ -1,5 +1,4 @@
 /* src/expression/tape_complex.c -- A law of damping as an expression in s.          [H 26] */
-#include <fvi/expression.h>
 
 #include "tape.h"
 

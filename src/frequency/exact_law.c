@@ -3,9 +3,7 @@
 #include "winding.h"
 
 #include "kernel/kernel_terms.h"
-#include "system/fail.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 
 static const double STEP = 0.5; /* of ln s, from one look at Q to the next */

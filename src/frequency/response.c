@@ -2,7 +2,6 @@
 #include "dynamic_stiffness.h"
 
 #include "matrices/complex_factors.h"
-#include "system/fail.h"
 #include "system/system_check.h"
 
 #include <fvi/dampers.h>

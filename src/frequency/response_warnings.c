@@ -1,8 +1,7 @@
 /* src/frequency/response_warnings.c -- What to know before a response or poles are believed.  [H 30] */
 #include <fvi/response.h>
 
-#include <fvi/error.h>
-#include <fvi/system.h>
+#include "system/quadratic.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -13,7 +12,7 @@ int fvi_response_warning_of_place(const fvi_system *system, const double *x, con
 {
     const fvi_potential *u = &system->potential;
     *text = NULL;
-    if (!u->value || (u->quadratic && u->quadratic(u->params)))
+    if (!u->value || fvi_potential_is_quadratic(u))
         return 0; /* linear, whatever the place */
     double *slope = malloc(system->d * sizeof *slope);
     if (!slope) {

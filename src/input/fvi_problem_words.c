@@ -2,7 +2,6 @@
 #define _GNU_SOURCE /* getline, asprintf */
 #include "fvi_problem_words.h"
 #include "fvi_files.h"
-#include "fvi_refuse.h"
 
 #include <ctype.h>
 #include <errno.h>

@@ -196,11 +196,6 @@ static double maxwell2_growth(const fvi_kernel_term *t)
     return t->time == 0 ? 2 * t->alpha : 2 * t->end;
 }
 
-static double davidson_growth(const fvi_kernel_term *t)
-{
-    return t->time == 0 ? 2 * t->alpha : 0;
-}
-
 /* From one power of 2 to the next, far up; a law that falls there does not grow. */
 static double function_growth(const fvi_kernel_term *t)
 {
@@ -238,7 +233,7 @@ static const kernel_class classes[] = {
     [FVI_KERNEL_DISTRIBUTED] = { check_range, range_symbol, range_growth },
     [FVI_KERNEL_MAXWELL2] = { check_pair, maxwell2_symbol, maxwell2_growth },
     [FVI_KERNEL_DAVIDSON] = { check_order_and_time, davidson_symbol,
-                              davidson_growth },
+                              zener_growth },
     [FVI_KERNEL_SYMBOL] = { check_function, function_symbol, function_growth },
 };
 

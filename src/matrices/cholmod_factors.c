@@ -2,7 +2,6 @@
 #define _GNU_SOURCE /* initstate, RTLD_DEFAULT */
 #include "factors.h"
 
-#include "system/fail.h"
 
 #include <dlfcn.h>
 #include <pthread.h>

@@ -2,7 +2,6 @@
  *                                                               [H 27] */
 #include "factors.h"
 
-#include "system/fail.h"
 
 #include <stdlib.h>
 

@@ -2,7 +2,6 @@
 #include "history_space.h"
 
 #include "factors.h"
-#include "system/fail.h"
 #include "system/larger.h"
 
 #include <float.h>

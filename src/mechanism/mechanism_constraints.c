@@ -2,6 +2,7 @@
 #include "mechanism_state.h"
 #include "system/lagrangian_point.h"
 
+#include "system/dot.h"
 #include "system/larger.h"
 #include "system/fail.h"
 
@@ -94,19 +95,15 @@ static int check_independent(const fvi_stepper *s, fvi_error *error)
     char place[32];
     memcpy(rest, o->C, o->m * d * sizeof *rest);
     for (size_t i = 0; i < o->m; i++) {
-        double *row = rest + i * d, whole = 0, left = 0;
-        for (size_t a = 0; a < d; a++)
-            whole += row[a] * row[a];
+        double *row = rest + i * d;
+        const double whole = fvi_dot(d, row, row);
         for (int twice = 0; twice < 2; twice++)
             for (size_t j = 0; j < i; j++) {
-                double part = 0;
-                for (size_t a = 0; a < d; a++)
-                    part += rest[j * d + a] * row[a];
+                const double part = fvi_dot(d, rest + j * d, row);
                 for (size_t a = 0; a < d; a++)
                     row[a] -= part * rest[j * d + a];
             }
-        for (size_t a = 0; a < d; a++)
-            left += row[a] * row[a];
+        const double left = fvi_dot(d, row, row);
         if (!(left > 1e-20 * whole))
             return refuse(FVI_ESING, c->imposed && c->imposed[i] ? "impose" : "constraint", 0, i,
                           whole > 0 ? "'%s' is redundant: at x0 the "

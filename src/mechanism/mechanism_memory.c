@@ -3,7 +3,6 @@
 #include "memory/history_kinds.h"
 #include "memory/history_parts.h"
 #include "run/solution.h"
-#include "system/fail.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -96,8 +95,7 @@ static int add_start_force_of_slope(fvi_stepper *s, size_t j, double zdot)
                : add_start_force(s, j, is_one ? kernel->term : NULL, zdot);
 }
 
-/* The slope of z at the start. */
-static int slope(const fvi_stepper *s, size_t j, const double *v, double *zdot)
+int fvi_mechanism_slope(const fvi_stepper *s, size_t j, const double *v, double *zdot)
 {
     const fvi_mechanism_state *o = s->mechanism;
     const fvi_elongation *of = &s->run.system->mechanism->damper[j].of;
@@ -126,7 +124,7 @@ static int begin_damper(fvi_stepper *s, size_t j, const double *v,
     const int first = o->form == FVI_MECHANISM_FIRST_ORDER,
               is_rl = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     double zdot;
-    int status = slope(s, j, v, &zdot);
+    int status = fvi_mechanism_slope(s, j, v, &zdot);
     o->z0[j] = first && is_rl ? 0 : o->z[j];
     if (!status && is_rl && !first)
         status = add_start_forces_of_place(s, j, error);

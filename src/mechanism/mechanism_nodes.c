@@ -2,7 +2,6 @@
 #include "mechanism_state.h"
 #include "run/step_times.h"
 
-#include <gsl/gsl_machine.h>
 #include <math.h>
 #include <string.h>
 

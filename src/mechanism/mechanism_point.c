@@ -1,5 +1,6 @@
 /* src/mechanism/mechanism_point.c -- Lagrangian, forces and elongations at one point.  [H 29] */
 #include "mechanism_state.h"
+#include "system/dot.h"
 #include "system/lagrangian_point.h"
 
 #include <math.h>
@@ -40,9 +41,7 @@ int fvi_mechanism_elongations(const fvi_stepper *s, double t, const double *x,
     for (size_t j = 0; j < mechanism->damper_count && !status; j++, G += d) {
         const fvi_elongation *of = &mechanism->damper[j].of;
         if (of->row) {
-            z[j] = 0;
-            for (size_t i = 0; i < d; i++)
-                z[j] += of->row[i] * x[i];
+            z[j] = fvi_dot(d, of->row, x);
             memcpy(G, of->row, d * sizeof *G);
             continue;
         }

@@ -9,7 +9,6 @@
  * whose stages are all unknown. (29.7), (29.8) */
 #include "mechanism_state.h"
 
-#include <gsl/gsl_machine.h>
 #include <math.h>
 #include <string.h>
 

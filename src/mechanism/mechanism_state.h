@@ -116,6 +116,9 @@ int fvi_mechanism_predict_forces(fvi_stepper *s);
  * time t less z_0, r numbers; at stages zdot, r s numbers. Of order 1, lambda is an output. */
 int fvi_mechanism_update_histories(fvi_stepper *s, double t, const double *z);
 
+/* fvi_mechanism_slope -- the slope of z_j at the start, where the velocity is v. Returns what damper j's rate does. */
+int fvi_mechanism_slope(const fvi_stepper *s, size_t j, const double *v, double *zdot);
+
 /* fvi_mechanism_feels_slope -- does the force of a damper begin with a term that weights alone give to no
  * full order? Of order 1 they act alone, as in the paper, but for Caputo's past, which has no such term.
  * At stages an order of 2 is a mass, and has none. */

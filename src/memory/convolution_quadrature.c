@@ -4,7 +4,6 @@
 #include <fvi/coefficients.h>
 #include "system/fail.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 
 //> factor

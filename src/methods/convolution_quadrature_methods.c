@@ -1,12 +1,12 @@
 /* src/methods/convolution_quadrature_methods.c -- Integrators of order 2.                  [H 13] */
 #include <fvi/convolution_quadrature_methods.h>
 #include "convolution_quadrature_dampers.h"
+#include "system/dot.h"
 #include "mechanism/mechanism.h"
 #include "stability_number.h"
 #include "newton/newton.h"
 #include "run/step_times.h"
 
-#include <gsl/gsl_machine.h>
 #include <math.h>
 #include <string.h>
 
@@ -52,11 +52,7 @@ static void filter(fvi_cq_damper *o, size_t count, double *term)
     for (; j + 8 <= count; j += 8)
         filter_eight(o, o->past + j * 2 * o->taps + o->place, term + j);
     for (; j < count; j++) {
-        const double *past = o->past + j * 2 * o->taps + o->place;
-        double sum = 0;
-        for (size_t n = 0; n < o->taps; n++)
-            sum += o->g[n] * past[n];
-        term[j] = sum;
+        term[j] = fvi_dot(o->taps, o->g, o->past + j * 2 * o->taps + o->place);
     }
 }
 //< filter

@@ -2,13 +2,11 @@
  *                                                                 [H 17] */
 #include <fvi/lobatto.h>
 
-#include <fvi/discrete_mechanics.h>
 #include "lobatto_stages.h"
 #include "system/fail.h"
 #include "newton/linearised.h"
 #include "run/step_times.h"
 
-#include <gsl/gsl_machine.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

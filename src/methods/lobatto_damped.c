@@ -1,9 +1,8 @@
 /* src/methods/lobatto_damped.c -- Form D: the inertia is a damping of order 1, too.
  *                                                                 [H 17] */
-#include <fvi/lobatto.h>
 
-#include <fvi/discrete_mechanics.h>
 #include "lobatto_stages.h"
+#include "system/dot.h"
 #include "system/fail.h"
 #include "system/lu.h"
 #include "newton/linearised.h"
@@ -95,11 +94,7 @@ static void velocities(const fvi_stepper *s, const fvi_lobatto_stages *o,
 static double moved(const fvi_stepper *s, const fvi_lobatto_stages *o, size_t i,
                     size_t j, const double *delta)
 {
-    double sum = 0;
-    for (size_t l = 0; l < o->s; l++)
-        sum += o->A[i][l] * delta[l];
-    return s->run.h
-           * (o->rule->c[i] * (s->p[j] / s->run.system->mass[j]) + sum);
+    return s->run.h * (o->rule->c[i] * (s->p[j] / s->run.system->mass[j]) + fvi_dot(o->s, o->A[i], delta));
 }
 
 /* All stages: dX + h^2 A G grad U(x + dX) = what it is without U. (17.24) */

@@ -2,9 +2,7 @@
 #include "lobatto_matrices.h"
 
 #include "newton/linearised.h"
-#include "system/fail.h"
 
-#include <gsl/gsl_machine.h>
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
 /* src/methods/lobatto_start.c -- Variational integrators on Lobatto nodes: the start.
  *                                                                 [H 17] */
-#include <fvi/lobatto.h>
 
 #include "mechanism/mechanism.h"
 #include "stability_number.h"

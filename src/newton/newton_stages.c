@@ -2,6 +2,7 @@
 #include "linearised.h"
 
 #include "system/fail.h"
+#include "system/quadratic.h"
 #include "system/system_check.h"
 
 #include <gsl/gsl_math.h>
@@ -181,7 +182,7 @@ static int make(const fvi_system *system, size_t q, double theta, int implicit,
     n->theta = theta;
     n->implicit = implicit && u->gradient;
     n->user_solve = n->implicit && q == 1 && u->solve;
-    n->linear = !n->implicit || (u->quadratic && u->quadratic(u->params));
+    n->linear = !n->implicit || fvi_potential_is_quadratic(u);
     if (allocate(n)) {
         fvi_newton_free(n);
         FVI_FAIL("no memory for the solver", FVI_ENOMEM);

@@ -1,7 +1,6 @@
 /* src/petsc/petsc_systems.c -- A rank's rows, from files or of a grid.   [H 28] */
 #include "petsc_share.h"
 
-#include "system/fail.h"
 
 #include <petscdmda.h>
 

@@ -1,6 +1,5 @@
 /* src/problem/column_names.c -- Which quantity has which name. */
 #include "columns_state.h"
-#include "words.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,7 +5,6 @@
 #include "words.h"
 
 #include <fvi/dampers.h>
-#include <fvi/lagrangian.h>
 #include <fvi/parse.h>
 #include <fvi/rheology.h>
 

@@ -5,7 +5,6 @@
 #include "options/fvi_option_columns.h"
 #include "options/fvi_problem.h"
 #include "output/fvi_complain.h"
-#include "output/fvi_format.h"
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
 

@@ -7,7 +7,6 @@
 #include "output/fvi_complain.h"
 #include "output/fvi_format.h"
 #include "output/fvi_output.h"
-#include "output/fvi_table.h"
 
 #include <math.h>
 

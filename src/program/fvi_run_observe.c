@@ -1,6 +1,5 @@
 /* src/program/fvi_run_observe.c -- Columns beyond x and p: an observer goes with the run. */
 #include "fvi_run.h"
-#include "output/fvi_complain.h"
 #include "output/fvi_format.h"
 #include "options/fvi_option_columns.h"
 

@@ -1,7 +1,6 @@
 /* src/program/fvi_subcommand_options.c -- Commands with options of their own beside those of run. */
 #include "fvi_subcommand_options.h"
 #include "input/fvi_problem_words.h"
-#include "output/fvi_complain.h"
 #include "output/fvi_format.h"
 
 #include <stdlib.h>

@@ -2,6 +2,7 @@
 #include "exact_motion_check.h"
 #include "matrices/cholesky.h"
 #include "system/fail.h"
+#include "system/quadratic.h"
 
 #include <fvi/dampers.h>
 #include <fvi/structures.h>
@@ -138,7 +139,7 @@ int fvi_exact_motion_check(const fvi_exact_problem *problem, fvi_error *error)
 {
     const fvi_system *system = problem->motion.system;
     const fvi_potential *u = &system->potential;
-    if (u->value && !(u->quadratic && u->quadratic(u->params)))
+    if (u->value && !fvi_potential_is_quadratic(u))
         return fvi_fail(error, FVI_EUNSUP, "potential", NAN,
                         "the potential is not quadratic: the motion has no closed form");
     int status = check_dampers(system, error);

@@ -3,6 +3,7 @@
 
 #include "system/fail.h"
 #include "system/lanes.h"
+#include "system/quadratic.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -32,11 +33,6 @@ static int is_same_law(const fvi_kernel *a, const fvi_kernel *b)
             return 0;
     }
     return 1;
-}
-
-static int is_quadratic(const fvi_potential *u)
-{
-    return u->quadratic && u->quadratic(u->params);
 }
 
 /* Why this run goes alone whatever the others are, or NULL. */
@@ -72,7 +68,7 @@ static const char *refusal_of_two(const fvi_method *method, const fvi_run *a, co
         return "kappa differs";
     if (method->stages && (*s->mass != *t->mass || *s->damping != *t->damping))
         return "with stages the masses and the dampings must be the same";
-    if (!u->gradient != !w->gradient || is_quadratic(u) != is_quadratic(w)
+    if (!u->gradient != !w->gradient || fvi_potential_is_quadratic(u) != fvi_potential_is_quadratic(w)
         || !u->diagonals != !w->diagonals)
         return "the potentials are of different kinds";
     return !s->force.value != !t->force.value ? "one has a force, another none" : NULL;

@@ -1,6 +1,5 @@
 /* src/run/events.c -- Are these events that a run can have?              [H 22] */
 #include "system/fail.h"
-#include <fvi/dampers.h>
 #include <fvi/events.h>
 
 #include <fvi/error.h>

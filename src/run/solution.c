@@ -5,7 +5,6 @@
 #include "system/fail.h"
 #include "system/larger.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 

@@ -2,6 +2,7 @@
 #include "adjoint_constant.h"
 
 #include "methods/damping.h"
+#include "system/dot.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -98,9 +99,7 @@ int fvi_adjoint_constant_next(fvi_adjoint_constant *c, const double *B,
                            : fvi_history_push(c->memory, B, change, c->now);
     for (size_t i = 0; i < c->width; i++) {
         const double *past = with_term(c, c->past, i, c->now[i]), before = c->sum[i];
-        double sum = 0;
-        for (size_t n = 0; n < c->taps; n++)
-            sum += c->g[n] * past[n];
+        const double sum = fvi_dot(c->taps, c->g, past);
         c->sum[i] = sum;
         c->value[i] = (0.5 + theta) * sum + (0.5 - theta) * before;
         c->by_theta[i] = sum - before;

@@ -1,6 +1,7 @@
 /* src/sensitivity/adjoint_kernel.c -- What a term of a law gives, going backwards. [H 23] */
 #include "adjoint_kernel.h"
 
+#include "system/dot.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -190,16 +191,13 @@ static int push(const fvi_adjoint_term *t, const fvi_adjoint_convolution *c,
 static int subtract_product(const fvi_adjoint_term *t, double factor, const double *weight,
                             const double *v, double *to)
 {
-    double sum = 0;
     int status = FVI_SUCCESS;
     if (t->matrix) {
         memset(t->product, 0, t->whole * sizeof *t->product);
         status = t->matrix->damp(t->whole, -1, v, t->matrix->params, t->product);
         v = t->product;
     }
-    for (size_t i = 0; i < (t->matrix ? t->whole : t->d); i++)
-        sum += weight[i] * v[i];
-    *to -= factor * sum;
+    *to -= factor * fvi_dot(t->matrix ? t->whole : t->d, weight, v);
     return status;
 }
 

@@ -1,17 +1,11 @@
 /* src/sensitivity/adjoint_mechanism_dampers.c -- Dampers of a mechanism, backwards.  [H 23, 29] */
 #include "adjoint_mechanism.h"
 
-#include "memory/history_parts.h"
 #include "system/fail.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static int is_power(const fvi_kernel *kernel)
-{
-    return kernel->count == 1 && kernel->term->kind == FVI_KERNEL_POWER;
-}
 
 static const fvi_damper *damper_of(const fvi_adjoint_mechanism *m,
                                    const fvi_adjoint_mechanism_damper *a)
@@ -55,7 +49,7 @@ static int start_impulses(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_
     const fvi_lobatto_rule *rule = m->o->rule;
     const fvi_damper *damper = damper_of(m, a);
     const size_t j = a->damper, d = m->d;
-    if (damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !is_first_order(m) && !is_power(a->kernel)
+    if (damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !is_first_order(m) && !fvi_kernel_is_power(a->kernel)
         && fvi_mechanism_check_stretch(a->kernel, j, NULL) == FVI_SUCCESS)
         return start_powers(m, a);
     a->feels_slope = fvi_mechanism_feels_slope(m->o, damper);
@@ -68,7 +62,7 @@ static int start_impulses(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_
         || (a->feels_slope && damper->past == FVI_INITIAL_HISTORY_CAPUTO))
         return FVI_SUCCESS;
     a->unit = 1;
-    if (is_power(a->kernel)) {
+    if (fvi_kernel_is_power(a->kernel)) {
         fvi_kernel_impulse_prepare(a->kernel->term->alpha, rule ? m->s : 2,
                                    rule ? rule->c : ends, &a->power);
         a->unit = pow(m->run->h, 1 + a->power.e);
@@ -247,7 +241,7 @@ static void add_impulses_of_power(const fvi_adjoint_mechanism *m,
 {
     const fvi_sensitivities *want = m->want;
     const double rho = a->kernel->term->rho;
-    if (!is_power(a->kernel) || a->unit == 0 || (a->term && a->feels_slope))
+    if (!fvi_kernel_is_power(a->kernel) || a->unit == 0 || (a->term && a->feels_slope))
         return;
     if (want->terms)
         want->terms[a->first] += a->A * a->by_A;
@@ -313,7 +307,7 @@ int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mecha
     const fvi_damper *damper = damper_of(m, a);
     const size_t d = m->d, j = a->damper;
     const double *G = m->G0 + j * d,
-                 size = is_power(a->kernel) ? a->kernel->term->rho : 1;
+                 size = fvi_kernel_is_power(a->kernel) ? a->kernel->term->rho : 1;
     const int is_liouville =
         damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && is_first_order(m);
     double by_place = m->o->rule || is_liouville ? 0 : a->by_origin, by_slope = 0;

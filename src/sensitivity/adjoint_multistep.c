@@ -3,6 +3,7 @@
 
 #include "adjoint_stages.h"
 #include "system/fail.h"
+#include "system/quadratic.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -105,7 +106,7 @@ static void describe(const fvi_method *method, const fvi_run *run,
     };
     m->linearised = fvi_linearised_begin(system, 1);
     m->has_hessian = !system->matrices && u->hessian;
-    m->is_quadratic = u->quadratic && u->quadratic(u->params);
+    m->is_quadratic = fvi_potential_is_quadratic(u);
     m->is_damped = m->want->damping != NULL;
     if (system->matrices) {
         m->r = system->matrices->remembered;

@@ -6,7 +6,7 @@
 #include "adjoint_multistep.h"
 
 #include "methods/convolution_quadrature_dampers.h"
-#include "system/fail.h"
+#include "system/dot.h"
 
 /* N, and its derivative by 2 alpha if that is wanted: lambda and its increment go in. */
 static int push(const fvi_adjoint_multistep *m, double lambda, double delta, double *N,
@@ -82,15 +82,12 @@ int fvi_adjoint_multistep_can_step_alone(const fvi_adjoint_multistep *m)
 /* The factor of the weights, on the term that has come in. */
 static double filter(fvi_cq_damper *a, double term)
 {
-    double sum = 0;
     if (a->taps == 0)
         return term;
     a->place = (a->place ? a->place : a->taps) - 1;
     double *past = a->past + a->place;
     past[0] = past[a->taps] = term;
-    for (size_t n = 0; n < a->taps; n++)
-        sum += a->g[n] * past[n];
-    return sum;
+    return fvi_dot(a->taps, a->g, past);
 }
 
 /* D of the later end as far as it is known. */

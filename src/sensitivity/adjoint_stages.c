@@ -1,7 +1,6 @@
 /* src/sensitivity/adjoint_stages.c -- What U has of a derivative, stage by stage.  [H 23] */
 #include "adjoint_stages.h"
 
-#include "system/fail.h"
 
 int fvi_adjoint_evaluate_hessians(const fvi_system *system, size_t stages,
                                   const double *X, size_t size, double *G)

@@ -2,7 +2,6 @@
 #include "adjoint_structure.h"
 
 #include "system/dot.h"
-#include "system/fail.h"
 
 #include <math.h>
 #include <string.h>

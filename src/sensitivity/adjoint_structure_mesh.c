@@ -319,7 +319,7 @@ static int end(fvi_structure_mirror *m)
     const fvi_sensitivities *want = m->want;
     const fvi_matrices *matrices = run->system->matrices;
     const size_t d = m->d;
-    int status = fvi_structure_mirror_evaluate_slopes(m, 0);
+    int status = fvi_recorded_steps_slopes(&m->path, run, m->J, 0, m->Jx, m->Jp, m->Jk);
     for (size_t i = 0; i < d; i++)
         m->xi[i] += m->Jx[i];
     if (!status)

@@ -37,10 +37,8 @@ typedef struct {
     double by_M, by_K;
 } fvi_structure_mirror;
 
-/* fvi_structure_mirror_evaluate_slopes -- of row k, to Jx and Jp, or Jk where J has all momenta.
- * fvi_structure_mirror_read_rows -- all rows in step n that are not at its beginning: to source, by_v and by_x. At
+/* fvi_structure_mirror_read_rows -- all rows in step n that are not at its beginning: to source, by_v and by_x. At
  * the last row lambda becomes J_p. */
-int fvi_structure_mirror_evaluate_slopes(fvi_structure_mirror *m, size_t k);
 int fvi_structure_mirror_read_rows(fvi_structure_mirror *m, size_t n);
 
 #endif

@@ -4,16 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-/* The slopes of row k, zeroed before they are asked for. */
-int fvi_structure_mirror_evaluate_slopes(fvi_structure_mirror *m, size_t k)
-{
-    const int is_last = k == m->run->steps;
-    memset(m->Jx, 0, m->d * sizeof *m->Jx);
-    memset(m->Jk, 0, m->d * sizeof *m->Jk);
-    return m->J->slopes(k, m->d, m->path.rows + k * m->d, is_last ? m->path.p : NULL, m->J->params,
-                        m->Jx, is_last ? m->Jp : m->J->has_momenta ? m->Jk : NULL);
-}
-
 /* J_p is the multiplier at the end, of which no history knows. */
 static int begin_at_end(fvi_structure_mirror *m)
 {
@@ -75,7 +65,7 @@ int fvi_structure_mirror_read_rows(fvi_structure_mirror *m, size_t n)
         const double t = (double)m->row * m->run->h, theta = fmin((t - step->t) / step->length.h, 1);
         if (t <= step->t)
             break;
-        status = fvi_structure_mirror_evaluate_slopes(m, m->row);
+        status = fvi_recorded_steps_slopes(&m->path, m->run, m->J, m->row, m->Jx, m->Jp, m->Jk);
         if (!status && m->row == m->run->steps)
             status = begin_at_end(m);
         if (!status)

@@ -103,19 +103,6 @@ void fvi_adjoint_mesh_shape(const fvi_variable_rule *rule, double h, const doubl
     }
 }
 
-/* The slopes of row k, zeroed before they are asked for. */
-static int evaluate_slopes(fvi_adjoint_variable_run *m, size_t k)
-{
-    const int last = k == m->run->steps;
-    memset(m->Jx, 0, m->d * sizeof *m->Jx);
-    memset(m->Jk, 0, m->d * sizeof *m->Jk);
-    return m->J->slopes(k, m->d, m->path.rows + k * m->d,
-                        last ? m->path.p : NULL, m->J->params, m->Jx,
-                        last                   ? m->Jp
-                        : m->J->has_momenta ? m->Jk
-                                               : NULL);
-}
-
 /* What J has of p = m v at a row in step n, at theta of it. An impulse there changes p, and is no
  * part of v.                                                                     (23.27) */
 static void read_momentum(fvi_adjoint_variable_run *m, size_t n, double t, double theta,
@@ -158,7 +145,7 @@ static int read_rows(fvi_adjoint_variable_run *m, size_t n, double *by_v,
         double shape[FVI_LANES], twice[FVI_LANES];
         if (t <= step->t)
             break;
-        status = evaluate_slopes(m, m->row);
+        status = fvi_recorded_steps_slopes(&m->path, m->run, m->J, m->row, m->Jx, m->Jp, m->Jk);
         fvi_variable_step_twice(theta, twice);
         fvi_adjoint_mesh_shape(m->rule, h, twice, shape);
         if (m->J->has_momenta && m->row < m->run->steps)
@@ -321,7 +308,7 @@ static int end(fvi_adjoint_variable_run *m)
     const fvi_run *run = m->run;
     const int liouville = run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
               struck = m->mass_plus_damping && run->past != FVI_INITIAL_HISTORY_CAPUTO;
-    int status = evaluate_slopes(m, 0);
+    int status = fvi_recorded_steps_slopes(&m->path, run, m->J, 0, m->Jx, m->Jp, m->Jk);
     for (size_t j = 0; j < m->d; j++) {
         const double M = run->system->mass[j], rho = run->system->damping[j],
                      first = struck ? M + rho : M, v0 = run->p0[j] / first,

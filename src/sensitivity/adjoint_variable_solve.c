@@ -2,7 +2,6 @@
 #include "adjoint_variable.h"
 
 #include "adjoint_stages.h"
-#include "system/fail.h"
 
 #include <math.h>
 #include <string.h>

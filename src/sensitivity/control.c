@@ -3,6 +3,7 @@
 #include "run/whole_run.h"
 
 #include <fvi/adjoint.h>
+#include "system/dot.h"
 #include "system/fail.h"
 #include "system/system_check.h"
 #include "system/larger.h"
@@ -92,10 +93,7 @@ static int run_with(problem *o, const double *u)
 
 static double cost_of(const problem *o, const double *u)
 {
-    double sum = 0;
-    for (size_t j = 0; j < o->rows; j++)
-        sum += u[j] * u[j];
-    return o->run.h / 2 * sum;
+    return o->run.h / 2 * fvi_dot(o->rows, u, u);
 }
 
 /* (25.5), with prices above all nu. */
@@ -135,14 +133,6 @@ static int mirrored_runs(problem *o)
 }
 //< mirrored
 
-static double product(size_t n, const double *a, const double *b)
-{
-    double sum = 0;
-    for (size_t j = 0; j < n; j++)
-        sum += a[j] * b[j];
-    return sum;
-}
-
 /* b becomes A^-1 b; A is n by n, and lost. Nonzero if it is not positive definite. */
 static int solve(size_t n, double *A, double *b)
 {
@@ -164,10 +154,10 @@ static int least(problem *o, const double *u)
     const size_t n = o->ends;
     for (size_t i = 0; i < n; i++) {
         const double *a = o->a + i * o->rows;
-        o->nu[i] = o->gap[i] - product(o->rows, a, u);
+        o->nu[i] = o->gap[i] - fvi_dot(o->rows, a, u);
         for (size_t j = 0; j <= i; j++)
             o->gram[i * n + j] = o->gram[j * n + i] =
-                product(o->rows, a, o->a + j * o->rows) / o->run.h;
+                fvi_dot(o->rows, a, o->a + j * o->rows) / o->run.h;
     }
     if (solve(n, o->gram, o->nu))
         return FVI_ESING;
@@ -199,8 +189,7 @@ static double change_of(const problem *o, const double *u)
 static int go(problem *o, double *u, double *price)
 {
     double slope = 0;
-    for (size_t i = 0; i < o->ends; i++)
-        *price = larger(*price, 1.5 * fabs(o->nu[i]));
+    *price = larger(*price, 1.5 * largest_abs(o->ends, o->nu));
     const double before = merit(o, u, *price);
     for (size_t j = 0; j < o->rows; j++)
         slope -= o->run.h * gsl_pow_2(o->next[j] - u[j]);
@@ -247,10 +236,10 @@ static void mix(problem *o, const double *u)
         return;
     for (size_t i = 0; i < n; i++) {
         const double *dr = o->dr + (last - i) % DEPTH * R;
-        gamma[i] = product(R, dr, o->r);
+        gamma[i] = fvi_dot(R, dr, o->r);
         for (size_t l = 0; l <= i; l++)
             A[i * n + l] = A[l * n + i] =
-                product(R, dr, o->dr + (last - l) % DEPTH * R);
+                fvi_dot(R, dr, o->dr + (last - l) % DEPTH * R);
         A[i * n + i] *= 1 + 1e-10; /* they may be nearly dependent */
     }
     if (solve(n, A, gamma))
@@ -331,8 +320,7 @@ int fvi_control_solve(const fvi_method *method, const fvi_run *run, const double
         status = iterate(&o, u, found);
     if (!status || status == FVI_EMAXITER) {
         found->cost = cost_of(&o, u);
-        for (size_t i = 0; i < o.ends; i++)
-            found->miss = larger(found->miss, fabs(o.gap[i]));
+        found->miss = largest_abs(o.ends, o.gap);
         if (!isfinite(found->cost + found->miss) || !fvi_all_finite(o.rows, u))
             status = FVI_EOVRFLW;
     }

@@ -104,3 +104,13 @@ void fvi_recorded_steps_free(fvi_recorded_steps *m)
     free(m->numbers);
     free(m->rows);
 }
+
+int fvi_recorded_steps_slopes(const fvi_recorded_steps *m, const fvi_run *run, const fvi_objective *J, size_t k,
+                              double *Jx, double *Jp, double *Jk)
+{
+    const int is_last = k == run->steps;
+    memset(Jx, 0, m->d * sizeof *Jx);
+    memset(Jk, 0, m->d * sizeof *Jk);
+    return J->slopes(k, m->d, m->rows + k * m->d, is_last ? m->p : NULL, J->params, Jx,
+                     is_last ? Jp : J->has_momenta ? Jk : NULL);
+}

@@ -4,6 +4,8 @@
 
 #include "variable_step/variable_step.h"
 
+#include <fvi/adjoint.h>
+
 /* A step: where it begins and how long it is. */
 typedef struct {
     double t;
@@ -35,5 +37,10 @@ typedef struct {
  * FVI_ENOMEM. */
 int fvi_recorded_steps_run(const fvi_run *run, int open, fvi_recorded_steps *path);
 void fvi_recorded_steps_free(fvi_recorded_steps *path);
+
+/* fvi_recorded_steps_slopes -- dJ/dx of row k to Jx, d numbers, and dJ/dp of the last row to Jp, of another row to Jk
+ * where J has all momenta; Jx and Jk are zeroed before. Returns what J's slopes do. */
+int fvi_recorded_steps_slopes(const fvi_recorded_steps *path, const fvi_run *run, const fvi_objective *J, size_t k,
+                              double *Jx, double *Jp, double *Jk);
 
 #endif

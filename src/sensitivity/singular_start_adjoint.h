@@ -9,7 +9,6 @@
 #ifndef FVI_SINGULAR_START_ADJOINT_H
 #define FVI_SINGULAR_START_ADJOINT_H
 
-#include <fvi/adjoint.h>
 #include "recorded_steps.h"
 
 /* Where the comment says "each", d numbers. */

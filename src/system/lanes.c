@@ -1,6 +1,8 @@
 /* src/system/lanes.c -- Oscillators that take their steps together.       [H 28] */
 #include "lanes.h"
 
+#include "quadratic.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -70,8 +72,7 @@ const fvi_lane_functions fvi_lanes_together = { NULL, NULL, NULL, NULL };
 /* Either all of them are, or none. */
 static int is_quadratic(const void *params)
 {
-    const fvi_potential *u = &((const fvi_lanes *)params)->system[0]->potential;
-    return u->quadratic && u->quadratic(u->params);
+    return fvi_potential_is_quadratic(&((const fvi_lanes *)params)->system[0]->potential);
 }
 
 fvi_potential fvi_lanes_potential(fvi_lanes *lanes)

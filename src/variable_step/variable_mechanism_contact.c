@@ -5,7 +5,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdint.h>
 #include <string.h>
 
 /* Lambda at the stages. */

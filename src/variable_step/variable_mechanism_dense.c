@@ -1,6 +1,8 @@
 /* src/variable_step/variable_mechanism_dense.c -- A mechanism between the ends of a step.   [H 29, 22] */
 #include "variable_mechanism.h"
 
+#include "system/dot.h"
+
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,11 +10,9 @@
 /* sum_k w_k g_k, g the powers of Legendre coefficients. */
 static double combine(size_t s, const double *coefficients, const double *w)
 {
-    double g[FVI_LANES], sum = 0;
+    double g[FVI_LANES];
     fvi_variable_step_powers(s, coefficients, g);
-    for (size_t k = 0; k < s; k++)
-        sum += w[k] * g[k];
-    return sum;
+    return fvi_dot(s, w, g);
 }
 
 void fvi_mesh_momentum(const fvi_stepper *s, const fvi_variable_step_state *o, double theta,

@@ -1,6 +1,7 @@
 /* src/variable_step/variable_mechanism_error.c -- How good a step of a mechanism is.   [H 29, 22] */
 #include "variable_mechanism.h"
 
+#include "system/dot.h"
 #include "system/larger.h"
 
 #include <math.h>
@@ -25,10 +26,8 @@ static double leak_of_damper(const fvi_stepper *s, const fvi_variable_step_state
 {
     const fvi_mesh_damper *of = &o->mechanism->damper[e];
     const double *G = s->mechanism->gradient + ((o->rule->s - 1) * s->mechanism->r + e) * o->d;
-    double sum = 0;
-    for (size_t i = 0; i < o->d; i++)
-        sum += o->mechanism->inverse[j * o->d + i] * G[i];
-    return of->leakage * of->rho * pow(o->length.h, 1 - of->beta) * fabs(sum);
+    return of->leakage * of->rho * pow(o->length.h, 1 - of->beta)
+           * fabs(fvi_dot(o->d, o->mechanism->inverse + j * o->d, G));
 }
 
 /* The velocities of the stages as the hidden constraint has them, s d numbers, and G v of the dampers, s r

@@ -5,8 +5,8 @@
  * Constraints have impulses of their own: p+ = p + lambda n - C^T w, C v(p+) + c_t = 0.    (29.22) */
 #include "variable_mechanism.h"
 
-#include "system/fail.h"
 #include "system/lagrangian_point.h"
+#include "system/dot.h"
 #include "system/larger.h"
 
 #include <float.h>
@@ -88,14 +88,6 @@ int fvi_mesh_strike(fvi_stepper *s, fvi_variable_step_state *o, const double *J)
 
 /* ---- impacts ---- */
 
-static double along(size_t d, const double *normal, const double *v)
-{
-    double sum = 0;
-    for (size_t j = 0; j < d; j++)
-        sum += normal[j] * v[j];
-    return sum;
-}
-
 int fvi_mesh_inverse_along(fvi_stepper *s, const double *normal, const double *v,
                            double *inverse)
 {
@@ -108,7 +100,7 @@ int fvi_mesh_inverse_along(fvi_stepper *s, const double *normal, const double *v
     memcpy(r, normal, d * sizeof *r);
     if (!status)
         status = fvi_mesh_answer(of, Lvv, of->C, r);
-    *inverse = status ? 0 : along(d, normal, r);
+    *inverse = status ? 0 : fvi_dot(d, normal, r);
     return status;
 }
 
@@ -122,7 +114,7 @@ int fvi_mesh_impact(fvi_stepper *s, const double *normal, const double *v, doubl
     const fvi_variable_step_state *o = s->method_state;
     const size_t d = o->d;
     double *p = o->mechanism->slope, *w = p + d; /* which have been read */
-    const double wanted = along(d, normal, v) + change;
+    const double wanted = fvi_dot(d, normal, v) + change;
     double before = INFINITY;
     memcpy(w, v, d * sizeof *w);
     for (int i = 0; i < MOST; i++) {
@@ -134,7 +126,7 @@ int fvi_mesh_impact(fvi_stepper *s, const double *normal, const double *v, doubl
             status = fvi_mesh_inverse_along(s, normal, w, &inverse);
         if (status)
             return status;
-        const double more = (wanted - along(d, normal, w)) / inverse;
+        const double more = (wanted - fvi_dot(d, normal, w)) / inverse;
         if (!isfinite(more))
             return FVI_EOVRFLW;
         *lambda += more;

@@ -5,7 +5,6 @@
 #include "system/fail.h"
 #include "system/larger.h"
 
-#include <gsl/gsl_math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,20 +23,6 @@ static const fvi_damper *damper_of(const fvi_stepper *s, size_t j)
 }
 
 /* ---- the start ---- */
-
-/* zdot at the start. */
-static int slope_at_start(const fvi_stepper *s, size_t j, double *zdot)
-{
-    const fvi_mechanism_state *m = s->mechanism;
-    const fvi_elongation *of = &damper_of(s, j)->of;
-    int status = FVI_SUCCESS;
-    *zdot = 0;
-    if (!of->row && of->rate)
-        status = of->rate(0, m->d, s->x, of->params, zdot);
-    for (size_t i = 0; i < m->d; i++)
-        *zdot += m->G[j * m->d + i] * m->v[i];
-    return status;
-}
 
 /* Is damper j, of the past rl, stretched at once at t = 0? */
 static int is_struck(const fvi_stepper *s, size_t j)
@@ -242,7 +227,7 @@ int fvi_mesh_start(fvi_stepper *s, fvi_variable_step_state *o)
         status = fvi_mesh_allocate(o, r, s->mechanism->most);
     for (size_t j = 0; j < r && !status; j++) {
         fvi_mesh_damper *to = &o->mechanism->damper[j];
-        status = slope_at_start(s, j, &to->now);
+        status = fvi_mechanism_slope(s, j, s->mechanism->v, &to->now);
         const int jumps = feels_jumps(s, j) && damper_of(s, j)->past != FVI_INITIAL_HISTORY_CAPUTO;
         to->before = jumps ? 0 : to->now;
         if (fvi_kernel_growth(damper_of(s, j)->kernel) == 2)

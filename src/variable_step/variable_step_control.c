@@ -3,7 +3,6 @@
 
 #include "system/larger.h"
 
-#include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 

@@ -10,7 +10,6 @@
 #include "system/larger.h"
 
 #include <gsl/gsl_machine.h>
-#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,6 +4,7 @@
 #include "variable_mechanism.h"
 #include "variable_step_events.h"
 
+#include "system/dot.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -142,7 +143,7 @@ static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_res
 {
     const fvi_event *e = &s->run.events[i];
     const fvi_event_watch *w = o->watch;
-    double *normal = w->point + 2 * o->d, speed, size = 0, fall = 0, jump = 0;
+    double *normal = w->point + 2 * o->d, speed, fall = 0, jump = 0;
     int status = fvi_variable_step_speed_of_event(s, i, s->t, s->x, s->p, normal, &speed);
     if (!status)
         status = fall_of(s, o, i, speed, &fall);
@@ -151,8 +152,7 @@ static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_res
         status = factor_of_jump(s, o, e, normal, speed, &jump);
     if (status)
         return status;
-    for (size_t j = 0; j < o->d; j++)
-        size += normal[j] * normal[j];
+    const double size = fvi_dot(o->d, normal, normal);
     if (comes_nearer)
         status = kick(s, normal, jump);
     const double after = e->restitution * speed,

@@ -14,6 +14,7 @@
 #include "variable_step.h"
 
 #include "kernel/kernel_general.h"
+#include "system/dot.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -302,11 +303,9 @@ void fvi_kernel_present_on_mesh(const fvi_kernel_on_mesh *o, double h, double be
 
 double fvi_memory_leakage(const fvi_variable_rule *rule, const fvi_square *W0)
 {
-    double W_last[FVI_LANES], sum = 0;
+    double W_last[FVI_LANES];
     fvi_square_apply(rule->s, W0, rule->last, W_last);
-    for (size_t i = 0; i < rule->s; i++)
-        sum += rule->b[i] * W_last[i];
-    return fabs(sum);
+    return fabs(fvi_dot(rule->s, rule->b, W_last));
 }
 
 /* ---- of a run with one law ---- */

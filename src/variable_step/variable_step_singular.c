@@ -23,7 +23,6 @@
 #include "system/fail.h"
 #include "system/larger.h"
 
-#include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 

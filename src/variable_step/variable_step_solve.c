@@ -17,7 +17,6 @@
 #include "newton/newton.h"
 
 #include <gsl/gsl_machine.h>
-#include <gsl/gsl_math.h>
 #include <stdlib.h>
 #include <string.h>
 

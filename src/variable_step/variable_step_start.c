@@ -4,11 +4,9 @@
 
 #include "system/fail.h"
 #include "system/larger.h"
+#include "system/quadratic.h"
 #include "system/stiffness.h"
 
-#include <gsl/gsl_machine.h>
-#include <gsl/gsl_math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,7 +62,7 @@ static int find_springs(fvi_stepper *s, fvi_variable_step_state *o, double **spr
 {
     const fvi_potential *u = &s->run.system->potential;
     const int diagonal = u->diagonals == 1 || o->d == 1;
-    const int quadratic = u->quadratic && u->quadratic(u->params);
+    const int quadratic = fvi_potential_is_quadratic(u);
     o->solve = !u->gradient || (diagonal && quadratic) ? FVI_SOLVE_LINEAR
                : diagonal                              ? FVI_SOLVE_DIAGONAL
                                                        : FVI_SOLVE_COUPLED;
