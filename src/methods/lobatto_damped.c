@@ -14,28 +14,6 @@
 
 /* ---- matrices ---- */
 
-//> table
-/* A of Lobatto IIIC: the integrals of l_j from 0 to c_i, by the rule itself, and in
- * the first column b_1. What that changes is paid back by w, which is orthogonal to all
- * polynomials of degree s - 2, so that A integrates those as before. (17.3) */
-void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
-                       double A[FVI_STAGES][FVI_STAGES])
-{
-    for (size_t i = 0; i < s; i++) {
-        for (size_t j = 0; j < s; j++) {
-            A[i][j] = 0;
-            for (size_t k = 0; k < s; k++)
-                A[i][j] +=
-                    r->c[i] * r->b[k] * fvi_lobatto_polynomial(r, s, j, r->c[i] * r->c[k]);
-        }
-        const double missing = r->b[0] - A[i][0];
-        double sign = 1; /* w_j = +-sqrt(b_j / b_1) */
-        for (size_t j = 0; j < s; j++, sign = -sign)
-            A[i][j] += missing * sign * sqrt(r->b[j] / r->b[0]);
-    }
-}
-//< table
-
 //> inverse
 /* G = (m A^(-1) + rho h W)^(-1) = (m + rho h A W)^(-1) A, h^(-beta) being in W. (17.25) */
 static int make_G(const fvi_lobatto_stages *o, double m, double rho_h,

@@ -24,15 +24,13 @@ static int is_dual(const fvi_stepper *s)
     return linearised && linearised->is_dual;
 }
 
-/* F - K (x_k + h c_i v_k) at the stages; F from within the step at its ends. */
-static int begin_load(fvi_stepper *s, fvi_lobatto_matrices *o)
+/* F - K (x_k + h c_i v_k) at the stages. */
+static int begin_load(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     const fvi_matrices *m = s->run.system->matrices;
     const size_t d = o->d;
     const double h = s->run.h;
-    int status = fvi_step_forces_at_stages(s, s->k, o->s, o->rule, o->F);
-    if (!status && !is_dual(s))
-        status = m->stiffness(d, s->x, m->params, o->Kx);
+    int status = is_dual(s) ? FVI_SUCCESS : m->stiffness(d, s->x, m->params, o->Kx);
     for (size_t j = 0; is_dual(s) && j < d; j++)
         o->Kx[j] = -s->x[j];
     if (!status)
@@ -45,44 +43,59 @@ static int begin_load(fvi_stepper *s, fvi_lobatto_matrices *o)
     return status;
 }
 
-/* x_{k+1} = x_k + h sum_i b_i V_i, p_{k+1} = p_k + M (V_s - v_k). V becomes the velocities. */
-static int advance(fvi_stepper *s, fvi_lobatto_matrices *o)
+/* x_{k+1} - x_k = h sum_i b_i V_i, v_{k+1} - v_k, and p_{k+1} - p_k = M times that. V becomes the velocities. */
+static int find_changes(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     const fvi_matrices *m = s->run.system->matrices;
     const size_t d = o->d, end = (o->s - 1) * d;
-    const int status = m->inertia(d, o->V + end, m->params, o->Kx);
-    for (size_t j = 0; !status && j < d; j++) {
+    memcpy(o->dv, o->V + end, d * sizeof *o->dv);
+    for (size_t j = 0; j < d; j++) {
         double mean = 0;
         for (size_t i = 0; i < o->s; i++) {
             mean += o->rule->b[i] * o->V[i * d + j];
             o->V[i * d + j] += o->v[j];
         }
-        s->x[j] += s->run.h * (o->v[j] + mean);
-        s->p[j] += o->Kx[j];
-        o->v[j] = o->V[end + j];
-        o->p[j] = s->p[j];
+        o->dx[j] = s->run.h * (o->v[j] + mean);
+    }
+    return m->inertia(d, o->dv, m->params, o->dp);
+}
+
+/* In dual variables x changes by -h sum_i b_i K V_i, and p stays: nobody reads it. */
+static int find_dual_changes(const fvi_stepper *s, fvi_lobatto_matrices *o)
+{
+    const fvi_matrices *m = s->run.system->matrices;
+    int status = find_changes(s, o);
+    memcpy(o->Kx, o->dx, o->d * sizeof *o->dx);
+    if (!status)
+        status = m->stiffness(o->d, o->Kx, m->params, o->dx);
+    for (size_t j = 0; j < o->d; j++) {
+        o->dx[j] = -o->dx[j];
+        o->dp[j] = 0;
     }
     return status;
 }
 
-/* x -= h sum_i b_i K V_i in dual variables, and p stays: nobody reads it. */
-static int advance_dual(fvi_stepper *s, fvi_lobatto_matrices *o)
+/* All that is linear in what a step begins with. */
+int fvi_lobatto_matrices_solve(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
-    const fvi_matrices *m = s->run.system->matrices;
-    const size_t d = o->d, end = (o->s - 1) * d;
-    for (size_t j = 0; j < d; j++) {
-        double mean = o->v[j];
-        for (size_t i = 0; i < o->s; i++) {
-            mean += o->rule->b[i] * o->V[i * d + j];
-            o->V[i * d + j] += o->v[j];
-        }
-        o->Kx[j] = mean;
-        o->v[j] = o->V[end + j];
+    int status = begin_load(s, o);
+    if (!status)
+        status = fvi_stage_dampers_begin_step(s, o);
+    if (!status)
+        status = fvi_stage_solver_solve(o->solver, o->load, o->V); /* (27.14) */
+    if (!status)
+        status = fvi_stage_dampers_end_step(o);
+    return status ? status : is_dual(s) ? find_dual_changes(s, o) : find_changes(s, o);
+}
+
+static void add_changes(fvi_stepper *s, fvi_lobatto_matrices *o)
+{
+    for (size_t j = 0; j < o->d; j++) {
+        s->x[j] += o->dx[j];
+        o->v[j] += o->dv[j];
+        s->p[j] += o->dp[j];
+        o->p[j] = s->p[j];
     }
-    const int status = m->stiffness(d, o->Kx, m->params, o->Kv);
-    for (size_t j = 0; j < d; j++)
-        s->x[j] -= s->run.h * o->Kv[j];
-    return status;
 }
 
 //> step
@@ -90,16 +103,16 @@ int fvi_lobatto_matrices_step(fvi_stepper *s)
 {
     fvi_lobatto_matrices *o = s->method_state;
     int status = find_velocity(s, o);
+    if (!status && s->run.system->force.value)
+        status = fvi_step_forces_at_stages(s, s->k, o->s, o->rule, o->F); /* from within the step at its ends */
     if (!status)
-        status = begin_load(s, o);
+        fvi_stage_dampers_read_past(s, o);
+    if (!status && !fvi_step_map_apply(s, o))
+        status = fvi_lobatto_matrices_solve(s, o);
     if (!status)
-        status = fvi_stage_dampers_begin_step(s);
+        status = fvi_stage_dampers_push(o);
     if (!status)
-        status = fvi_stage_solver_solve(o->solver, o->load, o->V); /* (27.14) */
-    if (!status)
-        status = fvi_stage_dampers_end_step(s);
-    if (!status)
-        status = is_dual(s) ? advance_dual(s, o) : advance(s, o);
+        add_changes(s, o);
     for (size_t j = 0; !status && j < o->dampers; j++)
         if (o->each[j].kept)
             status = fvi_stage_damper_sums(s, j, o->each[j].kept, &o->each[j].work);
@@ -109,7 +122,7 @@ int fvi_lobatto_matrices_step(fvi_stepper *s)
 
 int fvi_lobatto_matrices_ends(const fvi_stepper *s, fvi_step_sums *sums)
 {
-    const fvi_lobatto_matrices *o = s->method_state;
+    const fvi_lobatto_matrices *o = fvi_lobatto_matrices_of(s);
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < o->s; i++)
         for (size_t j = 0; j < o->d; j++)

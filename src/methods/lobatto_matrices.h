@@ -29,6 +29,14 @@ typedef struct {
     double impulse[FVI_STAGES];        /* of the past in the step at hand */
 } fvi_stage_damper;
 
+/* All that a step of a small structure makes of what it begins with is one linear map, whose columns are steps from
+ * unit vectors. `late` has the rows that no step reads: the velocities and the forces of the dampers at the stages. */
+typedef struct {
+    size_t columns, rows, late_rows; /* columns 0: there is no map */
+    double *map, *late, *in, *out;   /* the matrices by columns (system/dense.h), and room */
+    int is_late;                     /* are the late rows of the last step yet to be made? */
+} fvi_step_map;
+
 /* Stage i of unknown j stands at [i * d + j]. */
 typedef struct {
     fvi_method method; /* with these steps */
@@ -41,7 +49,9 @@ typedef struct {
     double *F, *load;  /* s d: the forces of t; what is left for the inertia to answer */
     double *V;         /* s d: V_i - v_k */
     double *Kx, *Kv;   /* d */
+    double *dx, *dv, *dp; /* d: what the step adds */
     double *room;      /* d */
+    fvi_step_map map;
 } fvi_lobatto_matrices;
 
 /* fvi_lobatto_matrices_start -- as the start of a method; s->method becomes a copy of it with these
@@ -49,11 +59,17 @@ typedef struct {
  * product with M. */
 int fvi_lobatto_matrices_start(fvi_stepper *s, size_t stages, int damped);
 
-/* fvi_lobatto_matrices_of -- of a stepper that takes these steps; NULL else. */
+/* fvi_lobatto_matrices_of -- of a stepper that takes these steps, V and the forces of the dampers of the last step
+ * included; NULL else. */
 fvi_lobatto_matrices *fvi_lobatto_matrices_of(const fvi_stepper *s);
 
 /* fvi_lobatto_matrices_step -- as fvi_stepper_step.                        [(27.14)] */
 int fvi_lobatto_matrices_step(fvi_stepper *s);
+
+/* fvi_lobatto_matrices_solve -- from x, v, F, and the Y, the impulse and the drift of each damper: V, the changes
+ * dx, dv and dp, and the slope and the force of each damper. Linear in what it reads. Changes Y. Returns what the
+ * functions of the matrices return. */
+int fvi_lobatto_matrices_solve(const fvi_stepper *s, fvi_lobatto_matrices *o);
 
 /* fvi_lobatto_matrices_ends -- as fvi_step_ends. */
 int fvi_lobatto_matrices_ends(const fvi_stepper *s, fvi_step_sums *sums);
@@ -69,12 +85,18 @@ double fvi_stage_dampers_tolerance(const fvi_run *run);
 /* fvi_stage_dampers_start -- the dampers of a run, with their histories; v is the velocity at t = 0. */
 int fvi_stage_dampers_start(fvi_stepper *s, const double *v);
 
+/* fvi_stage_dampers_read_past -- the impulses of the pasts in this step. */
+void fvi_stage_dampers_read_past(const fvi_stepper *s, fvi_lobatto_matrices *o);
+
 /* fvi_stage_dampers_begin_step -- takes from load what the pasts and the histories do in this step, and
  * what the damping makes of a constant velocity v_k. */
-int fvi_stage_dampers_begin_step(fvi_stepper *s);
+int fvi_stage_dampers_begin_step(const fvi_stepper *s, fvi_lobatto_matrices *o);
 
-/* fvi_stage_dampers_end_step -- V is there: the forces of the step, and the histories are a step on. */
-int fvi_stage_dampers_end_step(fvi_stepper *s);
+/* fvi_stage_dampers_end_step -- V is there: the forces of the step, and its slopes. */
+int fvi_stage_dampers_end_step(fvi_lobatto_matrices *o);
+
+/* fvi_stage_dampers_push -- the slopes go into the histories, which are a step on. */
+int fvi_stage_dampers_push(fvi_lobatto_matrices *o);
 
 /* fvi_stage_damper_sums -- adds the impulse of the last step to `impulse`, d numbers, and its work to
  * *work. */
@@ -85,5 +107,23 @@ int fvi_stage_dampers_told(const fvi_stepper *s, size_t j, double *impulse, doub
 int fvi_stage_dampers_copy(const fvi_stepper *from, fvi_stepper *to);
 int fvi_stage_dampers_serialize(fvi_stepper *s, fvi_archive *archive);
 void fvi_stage_dampers_stop(fvi_lobatto_matrices *o);
+
+/* ---- lobatto_matrices_map.c ---- */
+
+/* fvi_step_map_start -- at k = 0, after all else: a map, if the structure is small, the run is long enough and is not a
+ * linearised one. Cost about that of twice as many steps without the map as it has columns. Returns FVI_SUCCESS; FVI_ENOMEM;
+ * what fvi_lobatto_matrices_solve returns. */
+int fvi_step_map_start(fvi_stepper *s, fvi_lobatto_matrices *o);
+
+/* fvi_step_map_apply -- what fvi_lobatto_matrices_solve does, but for V and the forces, and returns 1; without a map 0.
+ * Digits: both differ by roundings. */
+int fvi_step_map_apply(fvi_stepper *s, fvi_lobatto_matrices *o);
+
+/* fvi_step_map_finish -- V and the forces of the last step, if they are missing. */
+void fvi_step_map_finish(fvi_lobatto_matrices *o);
+
+/* fvi_step_map_copy -- `to` has none. Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_step_map_copy(const fvi_step_map *from, fvi_step_map *to);
+void fvi_step_map_stop(fvi_step_map *map);
 
 #endif

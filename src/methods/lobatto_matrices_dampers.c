@@ -105,9 +105,8 @@ static void add_known_by_order(const fvi_stage_damper *a, size_t s)
     }
 }
 
-static int begin_damper(fvi_stepper *s, fvi_stage_damper *a)
+static int begin_damper(const fvi_stepper *s, const fvi_lobatto_matrices *o, fvi_stage_damper *a)
 {
-    const fvi_lobatto_matrices *o = s->method_state;
     const fvi_damping_matrix *C = &a->of.matrix;
     const double h = s->run.h;
     int status = C->remember(o->d, o->v, a->drift, C->params, a->z);
@@ -119,19 +118,24 @@ static int begin_damper(fvi_stepper *s, fvi_stage_damper *a)
         add_known_by_order(a, o->s);
     if (status || !a->past.size)
         return status;
-    fvi_initial_history_force_impulses(&a->past, s->k, a->impulse);
     for (size_t i = 0; i < o->s; i++)
         for (size_t j = 0; j < o->d; j++)
             o->load[i * o->d + j] -= a->past.size[j] * a->impulse[i] / (h * o->rule->b[i]);
     return FVI_SUCCESS;
 }
 
-int fvi_stage_dampers_begin_step(fvi_stepper *s)
+void fvi_stage_dampers_read_past(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
-    fvi_lobatto_matrices *o = s->method_state;
+    for (size_t j = 0; j < o->dampers; j++)
+        if (o->each[j].past.size)
+            fvi_initial_history_force_impulses(&o->each[j].past, s->k, o->each[j].impulse);
+}
+
+int fvi_stage_dampers_begin_step(const fvi_stepper *s, fvi_lobatto_matrices *o)
+{
     int status = FVI_SUCCESS;
     for (size_t j = 0; !status && j < o->dampers; j++)
-        status = begin_damper(s, o->each + j);
+        status = begin_damper(s, o, o->each + j);
     return status;
 }
 
@@ -159,17 +163,25 @@ static int end_damper(const fvi_lobatto_matrices *o, fvi_stage_damper *a)
     for (size_t n = 0; !status && n < r; n++)
         for (size_t i = 0; i < s; i++)
             a->slope[n * s + i] += a->z[n];
-    return status    ? status
-           : a->Ydot ? fvi_lobatto_history_push_by_order(a->memory, a->slope, a->Y, a->Ydot)
-                     : fvi_lobatto_history_push(a->memory, a->slope, a->Y);
+    return status;
 }
 
-int fvi_stage_dampers_end_step(fvi_stepper *s)
+int fvi_stage_dampers_end_step(fvi_lobatto_matrices *o)
 {
-    fvi_lobatto_matrices *o = s->method_state;
     int status = FVI_SUCCESS;
     for (size_t j = 0; !status && j < o->dampers; j++)
         status = end_damper(o, o->each + j);
+    return status;
+}
+
+int fvi_stage_dampers_push(fvi_lobatto_matrices *o)
+{
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; !status && j < o->dampers; j++) {
+        fvi_stage_damper *a = o->each + j;
+        status = a->Ydot ? fvi_lobatto_history_push_by_order(a->memory, a->slope, a->Y, a->Ydot)
+                         : fvi_lobatto_history_push(a->memory, a->slope, a->Y);
+    }
     return status;
 }
 
@@ -177,7 +189,7 @@ int fvi_stage_dampers_end_step(fvi_stepper *s)
 
 int fvi_stage_damper_sums(const fvi_stepper *s, size_t index, double *impulse, double *work)
 {
-    const fvi_lobatto_matrices *o = s->method_state;
+    const fvi_lobatto_matrices *o = fvi_lobatto_matrices_of(s);
     const fvi_stage_damper *a = o->each + index;
     const fvi_damping_matrix *C = &a->of.matrix;
     double *J = o->room;

@@ -13,6 +13,7 @@ static void stop(fvi_stepper *s)
         return;
     fvi_stage_solver_free(o->solver);
     fvi_stage_dampers_stop(o);
+    fvi_step_map_stop(&o->map);
     free(o->numbers);
     free(o);
 }
@@ -27,7 +28,7 @@ static int make_solver(fvi_stepper *s, fvi_lobatto_matrices *o)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     for (size_t j = 0; j < o->dampers; j++)
         W[o->each[j].number] = o->each[j].W;
-    const int status = fvi_stage_solver_alloc(m, o->d, o->s, s->run.h, W, &o->solver);
+    const int status = fvi_stage_solver_alloc(m, o->d, o->s, s->run.h, W, FVI_STAGE_AUTO, &o->solver);
     free(W);
     return status;
 }
@@ -61,7 +62,7 @@ static int make_state(fvi_stepper *s, size_t stages)
     o->rule = fvi_lobatto(stages);
     o->s = stages;
     o->d = d;
-    o->numbers = calloc((5 + 3 * stages) * d, sizeof *o->numbers);
+    o->numbers = calloc((8 + 3 * stages) * d, sizeof *o->numbers);
     if (!o->numbers)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->v = o->numbers;
@@ -71,7 +72,10 @@ static int make_state(fvi_stepper *s, size_t stages)
     o->load = o->F + stages * d;
     o->Kx = o->load + stages * d;
     o->Kv = o->Kx + d;
-    o->room = o->Kv + d;
+    o->dx = o->Kv + d;
+    o->dv = o->dx + d;
+    o->dp = o->dv + d;
+    o->room = o->dp + d;
     return FVI_SUCCESS;
 }
 
@@ -91,12 +95,17 @@ int fvi_lobatto_matrices_start(fvi_stepper *s, size_t stages, int damped)
     memcpy(o->p, s->p, o->d * sizeof *o->p);
     if (!status)
         status = fvi_stage_dampers_start(s, o->v);
-    return status ? status : make_solver(s, o);
+    if (!status)
+        status = make_solver(s, o);
+    return status ? status : fvi_step_map_start(s, o);
 }
 
 fvi_lobatto_matrices *fvi_lobatto_matrices_of(const fvi_stepper *s)
 {
-    return s->method->step == fvi_lobatto_matrices_step ? s->method_state : NULL;
+    if (s->method->step != fvi_lobatto_matrices_step)
+        return NULL;
+    fvi_step_map_finish(s->method_state);
+    return s->method_state;
 }
 
 int fvi_lobatto_matrices_is_pulled(const fvi_stepper *s)
@@ -111,19 +120,21 @@ int fvi_lobatto_matrices_is_pulled(const fvi_stepper *s)
 /* The factors belong to one run: they are made again. */
 static int copy(const fvi_stepper *from, fvi_stepper *to)
 {
-    const fvi_lobatto_matrices *old = from->method_state;
+    const fvi_lobatto_matrices *old = fvi_lobatto_matrices_of(from);
     int status = make_state(to, old->s);
     if (status)
         return status;
     fvi_lobatto_matrices *o = to->method_state;
     memcpy(o->numbers, old->numbers, saved(o) * sizeof *o->numbers);
     status = fvi_stage_dampers_copy(from, to);
-    return status ? status : make_solver(to, o);
+    if (!status)
+        status = make_solver(to, o);
+    return status ? status : fvi_step_map_copy(&old->map, &o->map);
 }
 
 static int serialize(fvi_stepper *s, fvi_archive *v)
 {
-    fvi_lobatto_matrices *o = s->method_state;
+    fvi_lobatto_matrices *o = fvi_lobatto_matrices_of(s);
     const int status = v->serialize(v, o->numbers, saved(o) * sizeof *o->numbers, 0);
     return status ? status : fvi_stage_dampers_serialize(s, v);
 }

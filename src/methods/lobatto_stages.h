@@ -29,10 +29,6 @@ typedef struct {
     fvi_initial_history_force history_force;
 } fvi_lobatto_stages;
 
-/* fvi_lobatto_table -- A of Lobatto IIIC with s stages, the inverse of (17.3). */
-void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
-                       double A[FVI_STAGES][FVI_STAGES]);
-
 /* fvi_lobatto_history_tolerance -- the tolerance that the memory of a run is asked for, (17.21). */
 double fvi_lobatto_history_tolerance(const fvi_run *run);
 

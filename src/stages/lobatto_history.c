@@ -6,6 +6,7 @@
 #include "memory/history_kinds.h" /* fvi_check_count */
 #include "system/fail.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -90,26 +91,29 @@ double fvi_lobatto_history_bytes(size_t s, double beta, size_t d, size_t steps,
     plan(s, beta, steps, kind, 0, kept(tolerance), &Q, &lags);
     const double ring = (double)lags * (double)(s * (s + d)),
                  rest = (double)(2 + s + d) * (double)Q + (double)(s * s);
-    return sizeof(double) * (ring + rest) + sizeof(fvi_lobatto_history);
+    return sizeof(double) * LANES * ceil((ring + rest) / LANES) + sizeof(fvi_lobatto_history);
 }
 
 static size_t numbers(const fvi_lobatto_history *m)
 {
     const size_t rates = m->by_order ? 1 : 0;
-    return (2 + m->s + m->d + rates) * m->Q
-           + (1 + rates) * (m->lags + 1) * m->s * m->s + m->lags * m->s * m->d;
+    return padded((2 + m->s + m->d + rates) * m->Q
+                  + (1 + rates) * (m->lags + 1) * m->s * m->s + m->lags * m->s * m->d);
 }
 
-/* Zeros of such sizes, and nothing else; or NULL. */
+/* Zeros of such sizes, and nothing else; or NULL. The modes begin where a line of the cache does, as eight of them are
+ * read at once. */
 static fvi_lobatto_history *make(fvi_lobatto_history sizes)
 {
     fvi_lobatto_history *m = malloc(sizeof *m);
-    double *block = calloc(numbers(&sizes), sizeof *block);
+    const size_t bytes = numbers(&sizes) * sizeof(double);
+    double *block = aligned_alloc(LANES * sizeof *block, bytes);
     if (!m || !block) {
         free(m);
         free(block);
         return NULL;
     }
+    memset(block, 0, bytes);
     *m = sizes;
     m->q = block;
     m->p = m->q + m->Q;

@@ -1,6 +1,8 @@
 /* src/stages/lobatto_rules.c -- The rules of Lobatto, of 2 to 8 nodes.   [H 17] */
 #include "lobatto_weights.h"
 
+#include <math.h>
+
 #define R 2.23606797749978969641 /* sqrt(5) */
 
 /* From five nodes on, the doubles that are nearest; verify/lobatto/lobatto_stages.py has them
@@ -115,4 +117,24 @@ double fvi_lobatto_polynomial(const fvi_lobatto_rule *r, size_t s, size_t j,
         if (m != j)
             l *= (t - r->c[m]) / (r->c[j] - r->c[m]);
     return l;
+}
+
+/* A of Lobatto IIIC: the integrals of l_j from 0 to c_i, by the rule itself, and in
+ * the first column b_1. What that changes is paid back by w, which is orthogonal to all
+ * polynomials of degree s - 2, so that A integrates those as before. (17.3) */
+void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
+                       double A[FVI_STAGES][FVI_STAGES])
+{
+    for (size_t i = 0; i < s; i++) {
+        for (size_t j = 0; j < s; j++) {
+            A[i][j] = 0;
+            for (size_t k = 0; k < s; k++)
+                A[i][j] +=
+                    r->c[i] * r->b[k] * fvi_lobatto_polynomial(r, s, j, r->c[i] * r->c[k]);
+        }
+        const double missing = r->b[0] - A[i][0];
+        double sign = 1; /* w_j = +-sqrt(b_j / b_1) */
+        for (size_t j = 0; j < s; j++, sign = -sign)
+            A[i][j] += missing * sign * sqrt(r->b[j] / r->b[0]);
+    }
 }

@@ -26,6 +26,10 @@ const fvi_lobatto_rule *fvi_lobatto(size_t s);
 double fvi_lobatto_polynomial(const fvi_lobatto_rule *r, size_t s, size_t j,
                               double t);
 
+/* fvi_lobatto_table -- A of Lobatto IIIC with s stages, the inverse of (17.3). */
+void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
+                       double A[FVI_STAGES][FVI_STAGES]);
+
 /* fvi_lobatto_weights -- the matrices W_0, ..., W_{n-1}.      [(17.5), (17.10)]
  *
  *   s      stages, 2 to 8

@@ -2,6 +2,8 @@
 #include "stage_solver.h"
 
 #include "lobatto_eigenvalues.h"
+#include "stage_dense.h"
+#include "system/dense.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -15,7 +17,8 @@ struct fvi_stage_solver {
     double h;
     fvi_lobatto_pair pair[FVI_STAGES / 2];
     void *factors[FVI_STAGES / 2];
-    double room[]; /* 2 d */
+    double *inverse; /* of stage_dense.h; or NULL, and there are factors */
+    double room[];   /* 2 d; with an inverse s d, rounded up */
 };
 
 static int is_real(const fvi_lobatto_pair *pair)
@@ -59,9 +62,11 @@ static int factorise_pair(fvi_stage_solver *o, size_t l, const double *const *W,
 //< factors
 
 int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, double h,
-                           const double *const *W, fvi_stage_solver **solver)
+                           const double *const *W, fvi_stage_way way, fvi_stage_solver **solver)
 {
-    fvi_stage_solver *o = calloc(1, sizeof *o + 2 * d * sizeof *o->room);
+    const int is_dense = way == FVI_STAGE_AUTO && d <= FVI_STAGE_DENSE / s;
+    const size_t room = is_dense ? fvi_dense_rows(s * d) : 2 * d;
+    fvi_stage_solver *o = calloc(1, sizeof *o + room * sizeof *o->room);
     double complex *c = calloc(matrices->damper_count + 3, sizeof *c);
     int status = o && c ? FVI_SUCCESS : FVI_ENOMEM;
     if (!status) {
@@ -70,8 +75,10 @@ int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, dou
         o->s = s;
         o->d = d;
         o->h = h;
-        o->pairs = fvi_lobatto_eigenvalues(s, o->pair);
+        o->pairs = is_dense ? 0 : fvi_lobatto_eigenvalues(s, o->pair);
     }
+    if (!status && is_dense)
+        status = fvi_stage_dense(matrices, d, s, h, W, &o->inverse);
     for (size_t l = 0; !status && l < o->pairs; l++)
         status = factorise_pair(o, l, W, c);
     free(c);
@@ -129,7 +136,13 @@ static int add_pair(fvi_stage_solver *o, size_t l, const double *load, double *d
 int fvi_stage_solver_solve(fvi_stage_solver *o, const double *load, double *delta)
 {
     int status = FVI_SUCCESS;
-    memset(delta, 0, o->s * o->d * sizeof *delta);
+    const size_t n = o->s * o->d;
+    if (o->inverse) {
+        fvi_dense_multiply(fvi_dense_rows(n), n, o->inverse, load, o->room);
+        memcpy(delta, o->room, n * sizeof *delta);
+        return FVI_SUCCESS;
+    }
+    memset(delta, 0, n * sizeof *delta);
     for (size_t l = 0; !status && l < o->pairs; l++)
         status = add_pair(o, l, load, delta);
     return status;
@@ -155,5 +168,7 @@ void fvi_stage_solver_free(fvi_stage_solver *o)
             o->matrices->forget(o->factors[l]);
         else if (o->factors[l])
             o->matrices->forget_complex(o->factors[l]);
+    if (o)
+        free(o->inverse);
     free(o);
 }

@@ -118,7 +118,7 @@ int fvi_structure_mesh_solver(const fvi_stepper *s, fvi_variable_step_state *o, 
             W[m->damper[j].number] = m->damper[j].W;
         fvi_stage_solver_free(m->rung[i].solver);
         m->rung[i].solver = NULL;
-        status = fvi_stage_solver_alloc(matrices, o->d, o->rule->s, h, W, &m->rung[i].solver);
+        status = fvi_stage_solver_alloc(matrices, o->d, o->rule->s, h, W, FVI_STAGE_PAIRS, &m->rung[i].solver);
         free(W);
     }
     m->rung[i].h = h;

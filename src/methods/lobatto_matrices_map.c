@@ -1,0 +1,161 @@
+/* src/methods/lobatto_matrices_map.c -- A step of a small structure as one linear map.     [H 27] */
+#include "lobatto_matrices.h"
+
+#include "newton/linearised.h"
+#include "system/dense.h"
+#include "system/fail.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDEST = 128, /* stages times unknowns */
+       MOST = 1 << 15, /* entries of the map, a quarter of a megabyte */
+       PAYS = 2 /* steps for each column */ };
+
+/* ---- what goes in and what comes out ---- */
+
+typedef enum { GATHER, SCATTER, COUNT } direction;
+
+/* Count numbers from `at` to row[*next], or back; *next moves on. */
+static void carry(direction way, double *at, size_t count, double *row, size_t *next)
+{
+    if (way == GATHER)
+        memcpy(row + *next, at, count * sizeof *at);
+    if (way == SCATTER)
+        memcpy(at, row + *next, count * sizeof *at);
+    *next += count;
+}
+
+/* All that fvi_lobatto_matrices_solve reads and that may change from step to step; and the drifts, which do not. */
+static size_t carry_input(const fvi_stepper *s, fvi_lobatto_matrices *o, direction way, double *row)
+{
+    size_t next = 0;
+    carry(way, s->x, o->d, row, &next);
+    carry(way, o->v, o->d, row, &next);
+    if (s->run.system->force.value)
+        carry(way, o->F, o->s * o->d, row, &next);
+    for (size_t j = 0; j < o->dampers; j++) {
+        fvi_stage_damper *a = o->each + j;
+        carry(way, a->Y, o->s * a->r, row, &next);
+        if (a->past.size)
+            carry(way, a->impulse, o->s, row, &next);
+        if (a->of.growth > 1)
+            carry(way, a->drift, a->r, row, &next);
+    }
+    return next;
+}
+
+static size_t carry_output(fvi_lobatto_matrices *o, direction way, double *row)
+{
+    size_t next = 0;
+    carry(way, o->dx, o->d, row, &next);
+    carry(way, o->dv, o->d, row, &next);
+    carry(way, o->dp, o->d, row, &next);
+    for (size_t j = 0; j < o->dampers; j++)
+        carry(way, o->each[j].slope, o->s * o->each[j].r, row, &next);
+    return next;
+}
+
+static size_t carry_late_output(fvi_lobatto_matrices *o, direction way, double *row)
+{
+    size_t next = 0;
+    carry(way, o->V, o->s * o->d, row, &next);
+    for (size_t j = 0; j < o->dampers; j++)
+        carry(way, o->each[j].force, o->s * o->each[j].r, row, &next);
+    return next;
+}
+
+/* ---- the map ---- */
+
+static int allocate(fvi_step_map *m)
+{
+    const size_t rows = m->rows > m->late_rows ? m->rows : m->late_rows;
+    m->map = calloc((m->rows + m->late_rows + 1) * m->columns + rows, sizeof *m->map);
+    if (!m->map)
+        FVI_FAIL("no memory for the map of a step", FVI_ENOMEM);
+    m->late = m->map + m->rows * m->columns;
+    m->in = m->late + m->late_rows * m->columns;
+    m->out = m->in + m->columns;
+    return FVI_SUCCESS;
+}
+
+//> columns
+/* Column j is what a step without the map makes of unit vector j. */
+static int find_columns(const fvi_stepper *s, fvi_lobatto_matrices *o, double *saved)
+{
+    fvi_step_map *m = &o->map;
+    int status = FVI_SUCCESS;
+    carry_input(s, o, GATHER, saved);
+    for (size_t j = 0; !status && j < m->columns; j++) {
+        m->in[j] = 1;
+        carry_input(s, o, SCATTER, m->in);
+        status = fvi_lobatto_matrices_solve(s, o);
+        carry_output(o, GATHER, m->map + j * m->rows);
+        carry_late_output(o, GATHER, m->late + j * m->late_rows);
+        m->in[j] = 0;
+    }
+    carry_input(s, o, SCATTER, saved);
+    return status;
+}
+//< columns
+
+int fvi_step_map_start(fvi_stepper *s, fvi_lobatto_matrices *o)
+{
+    fvi_step_map m = { 0 };
+    m.columns = carry_input(s, o, COUNT, NULL);
+    m.rows = fvi_dense_rows(carry_output(o, COUNT, NULL));
+    m.late_rows = fvi_dense_rows(carry_late_output(o, COUNT, NULL));
+    if (o->s * o->d > WIDEST || m.rows * m.columns > MOST || s->run.steps / PAYS < m.columns
+        || fvi_linearised_of(s->run.system))
+        return FVI_SUCCESS;
+    double *saved = malloc(m.columns * sizeof *saved);
+    int status = saved ? allocate(&m) : FVI_ENOMEM;
+    if (!status) {
+        o->map = m;
+        status = find_columns(s, o, saved);
+    }
+    free(saved);
+    if (status == FVI_ENOMEM)
+        FVI_FAIL("no memory for the map of a step", FVI_ENOMEM);
+    return status;
+}
+
+int fvi_step_map_apply(fvi_stepper *s, fvi_lobatto_matrices *o)
+{
+    fvi_step_map *m = &o->map;
+    if (m->columns == 0)
+        return 0;
+    carry_input(s, o, GATHER, m->in);
+    fvi_dense_multiply(m->rows, m->columns, m->map, m->in, m->out);
+    carry_output(o, SCATTER, m->out);
+    m->is_late = 1;
+    return 1;
+}
+
+void fvi_step_map_finish(fvi_lobatto_matrices *o)
+{
+    fvi_step_map *m = &o->map;
+    if (!m->is_late)
+        return;
+    fvi_dense_multiply(m->late_rows, m->columns, m->late, m->in, m->out);
+    carry_late_output(o, SCATTER, m->out);
+    m->is_late = 0;
+}
+
+int fvi_step_map_copy(const fvi_step_map *from, fvi_step_map *to)
+{
+    if (from->columns == 0)
+        return FVI_SUCCESS;
+    *to = *from;
+    const int status = allocate(to);
+    if (status)
+        to->columns = 0;
+    else
+        memcpy(to->map, from->map, (from->rows + from->late_rows) * from->columns * sizeof *to->map);
+    return status;
+}
+
+void fvi_step_map_stop(fvi_step_map *map)
+{
+    free(map->map);
+}

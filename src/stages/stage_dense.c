@@ -1,0 +1,145 @@
+/* src/stages/stage_dense.c -- The equation of all stages of a small structure, inverted.     [H 27] */
+#include "stage_dense.h"
+
+#include "system/dense.h"
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What is made on the way to the inverse; all matrices row by row. */
+typedef struct {
+    const fvi_matrices *matrices;
+    size_t d, s, count;     /* of dampers */
+    double h;
+    const double *const *W; /* of each damper, or NULL */
+    double *M, *K, *C;      /* d x d, C of each damper */
+    double *scale;          /* d: M_pp^(-1/2), which takes the units out of the equation */
+    double *unit, *column;  /* d */
+    double *E;              /* the equation, s d x s d: stage i of unknown p is row i d + p */
+} equation;
+
+static fvi_damping_matrix damper_of(const fvi_matrices *m, size_t j)
+{
+    return m->damper_count > 0 ? m->damper[j]
+                               : (fvi_damping_matrix){ .remembered = m->remembered,
+                                                       .remember = m->remember,
+                                                       .damp = m->damp,
+                                                       .params = m->params };
+}
+
+static void put_column(const equation *e, size_t q, double sign, double *matrix)
+{
+    for (size_t p = 0; p < e->d; p++)
+        matrix[p * e->d + q] = sign * e->column[p];
+}
+
+/* Column q of C of damper j: damp takes S B^T e_q away from zero. */
+static int read_damping(const equation *e, size_t j, size_t q)
+{
+    const fvi_damping_matrix C = damper_of(e->matrices, j);
+    double *z = calloc(2 * C.remembered + 1, sizeof *z);
+    if (!z)
+        FVI_FAIL("no memory for the equation of the stages", FVI_ENOMEM);
+    for (size_t p = 0; p < e->d; p++)
+        e->column[p] = 0;
+    int status = C.remember(e->d, e->unit, z + C.remembered, C.params, z);
+    if (!status)
+        status = C.damp(e->d, 1, z, C.params, e->column);
+    free(z);
+    put_column(e, q, -1, e->C + j * e->d * e->d);
+    return status;
+}
+
+/* M, K and the C_j, column after column, by the functions of the structure. */
+static int read_matrices(const equation *e)
+{
+    const fvi_matrices *m = e->matrices;
+    int status = FVI_SUCCESS;
+    for (size_t q = 0; !status && q < e->d; q++) {
+        e->unit[q] = 1;
+        status = m->inertia(e->d, e->unit, m->params, e->column);
+        put_column(e, q, 1, e->M);
+        if (!status)
+            status = m->stiffness(e->d, e->unit, m->params, e->column);
+        put_column(e, q, 1, e->K);
+        for (size_t j = 0; !status && j < e->count; j++)
+            if (e->W[j])
+                status = read_damping(e, j, q);
+        e->unit[q] = 0;
+        e->scale[q] = 1 / sqrt(e->M[q * e->d + q]);
+    }
+    return status;
+}
+
+/* Block (i, l) of A^(-1) (x) M + h sum_j W_j (x) C_j + h^2 A (x) K, before the scales. */
+static void put_block(const equation *e, double inertia, double stiffness, size_t i, size_t l)
+{
+    const size_t d = e->d, n = e->s * d;
+    double *block = e->E + i * d * n + l * d;
+    for (size_t p = 0; p < d; p++, block += n)
+        for (size_t q = 0; q < d; q++)
+            block[q] = inertia * e->M[p * d + q] + stiffness * e->K[p * d + q];
+    for (size_t j = 0; j < e->count; j++) {
+        const double *C = e->C + j * d * d, damping = e->W[j] ? e->h * e->W[j][i * e->s + l] : 0;
+        block = e->E + i * d * n + l * d;
+        for (size_t p = 0; e->W[j] && p < d; p++, block += n)
+            for (size_t q = 0; q < d; q++)
+                block[q] += damping * C[p * d + q];
+    }
+}
+
+/* The equation, scaled; its inverse; and h times that without the scales, by columns. */
+static int invert_equation(const equation *e, double *G)
+{
+    const fvi_lobatto_rule *rule = fvi_lobatto(e->s);
+    const size_t d = e->d, n = e->s * d, rows = fvi_dense_rows(n);
+    double A[FVI_STAGES][FVI_STAGES], scale[FVI_STAGE_DENSE];
+    size_t order[FVI_STAGE_DENSE];
+    fvi_lobatto_table(rule, e->s, A);
+    for (size_t i = 0; i < e->s; i++) {
+        memcpy(scale + i * d, e->scale, d * sizeof *scale);
+        for (size_t l = 0; l < e->s; l++)
+            put_block(e, rule->D[i][l] + (i + l == 0 ? 1 / rule->b[0] : 0), /* (17.3) */
+                      e->h * e->h * A[i][l], i, l);
+    }
+    for (size_t row = 0; row < n; row++)
+        for (size_t column = 0; column < n; column++)
+            e->E[row * n + column] *= scale[row] * scale[column];
+    const int status = fvi_dense_invert(n, e->E, order);
+    for (size_t row = 0; row < n; row++)
+        for (size_t column = 0; column < n; column++)
+            G[column * rows + row] = e->h * scale[row] * scale[column] * e->E[row * n + column];
+    return status;
+}
+
+int fvi_stage_dense(const fvi_matrices *matrices, size_t d, size_t s, double h, const double *const *W, double **G)
+{
+    equation e = { .matrices = matrices, .d = d, .s = s, .h = h, .W = W };
+    e.count = matrices->damper_count > 0 ? matrices->damper_count : 1;
+    const size_t n = s * d, rows = fvi_dense_rows(n);
+    double *numbers = calloc((2 + e.count) * d * d + 3 * d + n * n, sizeof *numbers),
+           *inverse = calloc(rows * n, sizeof *inverse);
+    int status = numbers && inverse ? FVI_SUCCESS : FVI_ENOMEM;
+    if (!status) {
+        e.M = numbers;
+        e.K = e.M + d * d;
+        e.C = e.K + d * d;
+        e.scale = e.C + e.count * d * d;
+        e.unit = e.scale + d;
+        e.column = e.unit + d;
+        e.E = e.column + d;
+        status = read_matrices(&e);
+    }
+    if (!status)
+        status = invert_equation(&e, inverse);
+    free(numbers);
+    if (status)
+        free(inverse);
+    else
+        *G = inverse;
+    if (status == FVI_ENOMEM)
+        FVI_FAIL("no memory for the equation of the stages", FVI_ENOMEM);
+    return status;
+}
