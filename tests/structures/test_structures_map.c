@@ -117,6 +117,9 @@ START_TEST(a_map_goes_with_a_copy_and_an_archive)
     }
     ck_assert(memcmp(s->x, copy->x, sizeof x) == 0 && memcmp(s->x, restored->x, sizeof x) == 0);
     ck_assert(memcmp(s->p, copy->p, sizeof x) == 0 && memcmp(s->p, restored->p, sizeof x) == 0);
+    OK(fvi_lobatto_within(s, s->t - 0.03, x));
+    OK(fvi_lobatto_within(copy, s->t - 0.03, y));
+    ck_assert(memcmp(x, y, sizeof x) == 0);
     fvi_stepper_free(s);
     fvi_stepper_free(copy);
     fvi_stepper_free(restored);
