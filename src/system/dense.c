@@ -85,7 +85,7 @@ multiply_rows(size_t count, size_t rows, size_t columns, const double *A, const 
     }
 }
 
-FVI_VECTORS void fvi_dense_multiply(size_t rows, size_t columns, const double *A, const double *in, double *out)
+FVI_VECTORS static void multiply_dense(size_t rows, size_t columns, const double *A, const double *in, double *out)
 {
     size_t i = 0;
     for (; i + 24 <= rows; i += 24)
@@ -94,4 +94,9 @@ FVI_VECTORS void fvi_dense_multiply(size_t rows, size_t columns, const double *A
         multiply_rows(4, rows, columns, A + i, in, out + i);
     else if (i < rows)
         multiply_rows(2, rows, columns, A + i, in, out + i);
+}
+
+void fvi_dense_multiply(size_t rows, size_t columns, const double *A, const double *in, double *out)
+{
+    multiply_dense(rows, columns, A, in, out);
 }
