@@ -54,11 +54,6 @@ void fvi_lobatto_add_near(size_t s, size_t lags, size_t k, const double *W, cons
     add_near(s, lags, k, W, past, sum);
 }
 
-void fvi_lobatto_add_near(size_t s, size_t lags, size_t k, const double *W, const double *past, double *sum)
-{
-    add_near(s, lags, k, W, past, sum);
-}
-
 /* ---- modes ---- */
 
 enum { LANES = FVI_MODE_LANES, HALVES = LANES / 4 };
