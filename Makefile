@@ -325,6 +325,7 @@ $B/tests/test_%.o: test_%.c | needs
 LEVEL_stability_rounding := -O2
 LEVEL_stability_stages := -O2
 LEVEL_convergence_orders := -O2
+LEVEL_convergence_stages := -O2
 LEVEL_adjoint_chain := -O1
 LEVEL_lobatto_load := -O1
 
