@@ -231,6 +231,8 @@ static int search(fvi_solve_state *o, double *x, double *p)
         report->agreed_until = o->found.common.until;
         report->events_differ = o->found.common.differ;
         report_of_mesh(report, &o->found.counts);
+    } else if (o->is_between) {
+        status = fvi_solve_between(o, most, x, p);
     } else {
         fvi_step_found found = { .estimate = INFINITY, .parts = 1 };
         status = fvi_step_search(o->method, &o->run, o->tolerance, most, x, p,
@@ -271,12 +273,12 @@ static int fail_of_search(const fvi_solve_state *o, int status)
 /* How many rows the search writes, and where among them is row k. */
 static size_t rows_of_search(const fvi_solve_state *o)
 {
-    return o->out->t && o->method->dense ? o->out->rows : o->run.steps + 1;
+    return o->out->t && (o->method->dense || o->is_between) ? o->out->rows : o->run.steps + 1;
 }
 
 static size_t place_of_row(const fvi_solve_state *o, size_t k)
 {
-    return o->out->t && !o->method->dense
+    return o->out->t && !o->method->dense && !o->is_between
                ? (size_t)round(o->out->t[k] / o->run.h)
                : k;
 }

@@ -75,31 +75,36 @@ static int check_times(const fvi_outputs *out, double T, fvi_error *error)
     return FVI_SUCCESS;
 }
 
-/* The first of the times that is no multiple of h, but for roundings; `rows` if there is none. */
-static size_t first_between(const fvi_outputs *out, double h)
+/* The first of the times that is no multiple of h, but for roundings; `count` if there is none. */
+static size_t first_between(size_t count, const double *t, double h)
 {
-    for (size_t k = 0; k < out->rows; k++) {
-        const double parts = out->t[k] / h;
+    for (size_t k = 0; k < count; k++) {
+        const double parts = t[k] / h;
         if (!(fabs(parts - round(parts)) <= 16 * DBL_EPSILON * parts))
             return k;
     }
-    return out->rows;
+    return count;
 }
 
-/* The fewest steps from 0 to T that end at each of the times. */
-static int common_steps(const fvi_solve_state *o, double T, size_t *steps)
+/* *least: a time at which most of the steps that were tried do not end. */
+static size_t common_steps(size_t count, const double *t, double T, size_t *least)
 {
-    size_t least = 0, k = 0;
-    for (*steps = 1; *steps <= MOST_PARTS; ++*steps) {
-        k = first_between(o->out, T / (double)*steps);
-        if (k == o->out->rows)
-            return FVI_SUCCESS;
-        least += k > least ? k - least : 0;
+    *least = 0;
+    for (size_t steps = 1; steps <= MOST_PARTS; steps++) {
+        const size_t k = first_between(count, t, T / (double)steps);
+        if (k == count)
+            return steps;
+        *least += k > *least ? k - *least : 0;
     }
-    return refuse_time(least, o->out->t[least],
-                       "this method needs times with a common step; "
-                       "fvi-adaptive gives out any", o->error);
+    return 0;
 }
+
+size_t fvi_common_steps(size_t count, const double *t, double T)
+{
+    size_t least;
+    return t ? common_steps(count, t, T, &least) : 0;
+}
+
 
 static int check_step(const fvi_solve_state *o, double h)
 {
@@ -112,6 +117,24 @@ static int check_step(const fvi_solve_state *o, double h)
 static int has_path(const fvi_solve_state *o)
 {
     return o->method->stages > 0 && !o->out->observed;
+}
+
+/* Steps that end at each of the times. If there are none, a method with stages is known between its steps, too. */
+static int choose_common_steps(fvi_solve_state *o, double T)
+{
+    size_t least;
+    const size_t steps = common_steps(o->out->rows, o->out->t, T, &least);
+    o->is_between = steps == 0 && has_path(o);
+    o->run.steps = steps ? steps : COMPARED;
+    return steps || o->is_between ? FVI_SUCCESS
+           : o->method->stages > 0
+               ? refuse_time(least, o->out->t[least],
+                             "accelerations, forces and work need times with a common step; fvi-adaptive has them at any",
+                             o->error)
+               : refuse_time(least, o->out->t[least],
+                             "this method needs times with a common step; fvi-adaptive and the methods with stages give out "
+                             "any",
+                             o->error);
 }
 
 /* Steps of a given length, h, to T. */
@@ -129,7 +152,7 @@ static int given_steps(fvi_solve_state *o, double T, double h)
         return fvi_fail(o->error, FVI_EINVAL, "rows", (double)o->out->rows,
                         "%zu rows for %zu steps; there is one more of them", o->out->rows, o->run.steps);
     const size_t k =
-        o->out->t && !o->method->dense ? first_between(o->out, h) : SIZE_MAX;
+        o->out->t && !o->method->dense ? first_between(o->out->rows, o->out->t, h) : SIZE_MAX;
     o->is_between = k < o->out->rows && has_path(o);
     return k < o->out->rows && !o->is_between
                ? refuse_time(k, o->out->t[k],
@@ -148,7 +171,7 @@ static int choose_grid(fvi_solve_state *o, double T, double h)
         return fvi_fail(o->error, FVI_EINVAL, "rows", 1, "evenly from 0 to T are two rows at least");
     o->run.steps = o->out->t ? COMPARED : o->out->rows - 1;
     if (o->out->t && !o->method->dense)
-        status = common_steps(o, T, &o->run.steps);
+        status = choose_common_steps(o, T);
     o->run.h = T / (double)o->run.steps;
     return status;
 }

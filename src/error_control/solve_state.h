@@ -25,6 +25,11 @@ typedef struct {
  * Returns what it returns. */
 int fvi_solve_tell_events(fvi_solve_state *o, double until);
 
+/* fvi_solve_between -- to o->tolerance, at times of which some lie within the steps of a method with stages: the step that
+ * o->run needs at its rows, and half of it until two runs agree at the times. x and p of all rows are written, and
+ * o->report. Returns what fvi_step_search and the steps return; FVI_ETOL if it would take more than `most` steps. */
+int fvi_solve_between(fvi_solve_state *o, size_t most, double *x, double *p);
+
 /* fvi_solve_prepare -- from what is asked for to a run that is checked: o->method, o->run, o->tolerance
  * and o->most_steps. o->out and o->error are there. Returns FVI_SUCCESS, or a code with *o->error
  * written. */

@@ -156,10 +156,11 @@ const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
  * tolerance / speed of the end, and within a thousandth of T, may stand in one of the runs only. Where runs of any steps differ in their events, as
  * where z only touches 0, or where a motion is chaotic, FVI_ETOL says so.
  *
- * fvi_variable_step gives out any time. So do methods with stages without a tolerance, by the path of their stages
+ * fvi_variable_step gives out any time. So do methods with stages, by the path of their stages
  * (lobatto.h), if `observed` is NULL: between two steps x is then of the order of the stages s, and p of s - 1. Else
  * positions are known at the steps alone: without a tolerance each t is a multiple of h, but for roundings; with
- * one, which is told of the ends of steps, the times have a common step, of which T has at most 2^20.
+ * one the times have a common step, of which T has at most 2^20. If they have none, a tolerance by stages is held at the
+ * times themselves: the step is halved until two runs agree there, and the error is their difference.
  *
  * Without a tolerance no row is kept but in the outputs: memory O(d) and that of the method's history.
  * With one, three times that of x at 128 times at least.
@@ -172,6 +173,10 @@ const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
 int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options,
               const fvi_accuracy *accuracy, const fvi_outputs *outputs,
               fvi_report *report, fvi_error *error);
+
+/* fvi_common_steps -- the fewest steps of one length from 0 to T that end at each of `count` times, but for roundings; 0 if
+ * there are none up to 2^20. For example, 0.5 and 0.75 with T = 1 have 4. Cost O(count), 2^20 times at most. */
+size_t fvi_common_steps(size_t count, const double *t, double T);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -65,10 +65,13 @@ static size_t times_of(const fvi_method *method, const fvi_run *run)
 static int start_spread(spread *o, const fvi_walls *w, const fvi_sensitivities *want, fvi_sensitivities *to)
 {
     const size_t whole = w->whole;
-    double *room = calloc((4 + (want->force ? o->times : 0)) * whole, sizeof *room);
-    if (!room)
+    o->x0 = calloc((4 + (want->force ? o->times : 0)) * whole, sizeof *o->x0);
+    if (!o->x0)
         return FVI_ENOMEM;
-    *o = (spread){ room, room + whole, room + 2 * whole, room + 3 * whole, room + 4 * whole, o->times };
+    o->p0 = o->x0 + whole;
+    o->mass = o->p0 + whole;
+    o->damping = o->mass + whole;
+    o->force = o->damping + whole;
     *to = *want;
     to->x0 = want->x0 ? o->x0 : NULL;
     to->p0 = want->p0 ? o->p0 : NULL;

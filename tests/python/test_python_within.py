@@ -98,10 +98,27 @@ def test_rows_between_two_steps_are_of_every_problem():
         assert abs(s.x - exact.x).max() < most and abs(s.p - exact.p).max() < 50 * most
         assert np.array_equal(s.x[[0, 1, 5]], fvi.solve(q, h=0.02, method=method).x[[0, 5, 100]])
         assert s.energy.shape == (6,)
-    with pytest.raises(fvi.Error, match="^t_eval: .* needs times with a common step; fvi-adaptive gives out any; solution"):
-        fvi.solve(DUFFING, t * np.pi, error=1e-7, method="fvi-lobatto4")
+    with pytest.raises(fvi.Error, match="^t_eval: .* needs times with a common step; fvi-adaptive and the methods with stages"):
+        fvi.solve(DUFFING, t * np.pi / 4, error=1e-7, method="fvi-bdf2")
     s = fvi.solve(DUFFING, t, h=0.1, method="fvi-lobatto4")
     for call, what in ((lambda: s.a, "acceleration"), (lambda: s.forces, "acceleration"), (lambda: fvi.vjp(s, x=1), "gradient"),
                        (lambda: s.table("t,a"), "acceleration")):
         with pytest.raises(ValueError, match=rf"^t_eval: t\[2\] is 0.123456789, within a step of fvi-lobatto4, .* no {what}"):
             call()
+
+
+def test_an_error_is_held_at_any_times():
+    """By stages, and of a law that fvi-adaptive does not take."""
+    t = np.array([0, 0.01, np.sqrt(2), np.pi, 7.77])
+    q = DUFFING.replace(time=8)
+    exact = fvi.solve(q, t, error=1e-10)
+    for method in ("fvi-lobatto2", "fvi-lobatto4", "fvi-lobatto3d"):
+        for error in (1e-3, 1e-6):
+            s = fvi.solve(q, t, error=error, method=method)
+            assert s.estimate <= error and abs(s.x - exact.x).max() <= s.estimate + 1e-9
+            assert np.array_equal(s.t, t) and s(t) == pytest.approx(s.x, abs=1e-12)
+    law = fvi.Problem("duffing:1,0.5", damping="zener:1,0.6,0.5", time=8)
+    s = fvi.solve(law, t, error=1e-4)
+    fine = fvi.solve(law, t, h=1 / 512, method="fvi-lobatto4")
+    assert "fvi-lobatto4" in s.message and s.estimate <= 1e-4 and abs(s.x - fine.x).max() <= 1e-4
+    assert "fvi-bdf2" in fvi.solve(law, [1, 2, 8], error=1e-2).message

@@ -197,6 +197,56 @@ START_TEST(stages_give_out_any_time)
 }
 END_TEST
 
+/* Times without a common step: the tolerance is held there, between the steps, too. The error is no more than the
+ * estimate, which is the difference of two runs. */
+START_TEST(stages_reach_a_tolerance_at_any_times)
+{
+    static const fvi_method *const methods[] = { &fvi_lobatto_m2, &fvi_lobatto_m4, &fvi_lobatto_d3 };
+    for (size_t m = 0; m < LEN(methods); m++)
+        for (double tolerance = 1e-3; tolerance > 1e-8; tolerance /= 100) {
+            const fvi_problem problem = duffing();
+            const fvi_solve_options options = { .method = methods[m] };
+            const fvi_accuracy accuracy = { .tolerance = tolerance };
+            double x[LEN(some_times)], p[LEN(some_times)];
+            const fvi_outputs outputs = { .rows = LEN(some_times), .t = some_times, .x = x, .p = p };
+            fvi_report report;
+            OK(fvi_solve(&problem, &options, &accuracy, &outputs, &report, &error));
+            ck_assert(report.error <= tolerance && report.rows == LEN(some_times));
+            ck_assert_double_eq_tol((double)report.steps * report.h, problem.T, 1e-14);
+            for (size_t k = 0; k < LEN(some_times); k++) {
+                const double t = some_times[k];
+                ck_assert_double_le(fabs(x[k] - known_x(t)), report.error);
+                ck_assert_double_eq_tol(p[k], mass * (2 * t - t * t), 10 * sqrt(tolerance)); /* two stages: of order 1 */
+            }
+        }
+    ck_assert_uint_eq(fvi_common_steps(2, (double[]){ 0.5, 0.75 }, 1), 4);
+    ck_assert_uint_eq(fvi_common_steps(LEN(some_times), some_times, 2), 0);
+}
+END_TEST
+
+/* Two stages fall as they should at the ends of their steps, and along straight lines between them: only the times that are
+ * asked for show the error, which is h^2/8 at most. */
+START_TEST(the_error_between_steps_is_seen_where_their_ends_have_none)
+{
+    static const double aT[] = { 1, 9 }, none = 0, tolerance = 1e-6;
+    double x[LEN(some_times)];
+    fvi_problem problem = duffing();
+    problem.system.damping = &none;
+    problem.system.potential = (fvi_potential){ 0 };
+    problem.system.force = fvi_force_step(aT);
+    const fvi_solve_options options = { .method = &fvi_lobatto_m2 };
+    const fvi_accuracy accuracy = { .tolerance = tolerance }, few = { .tolerance = 1e-9, .most_steps = 4096 };
+    const fvi_outputs outputs = { .rows = LEN(some_times), .t = some_times, .x = x };
+    fvi_report report;
+    OK(fvi_solve(&problem, &options, &accuracy, &outputs, &report, &error));
+    for (size_t k = 0; k < LEN(some_times); k++)
+        ck_assert_double_le(fabs(x[k] - (x0 + some_times[k] * some_times[k] / (2 * mass))), report.error);
+    ck_assert(report.error <= tolerance && report.error > report.h * report.h / 100);
+    ck_assert_int_eq(fvi_solve(&problem, &options, &few, &outputs, &report, &error), FVI_ETOL);
+    ck_assert(report.error > 1e-9 && report.error < 1e-6 && report.steps <= 4096);
+}
+END_TEST
+
 /* What cannot be meant has a field, a number and a place. */
 START_TEST(what_is_wrong_has_field_value_and_index)
 {
@@ -224,7 +274,7 @@ START_TEST(what_is_wrong_has_field_value_and_index)
         { falling, 3, 2, 0, 1e-6, 0.3, 1, NULL, FVI_EDOM, "t", 0.5, 2 },
         { outside, 2, 2, 0, 1e-6, 0.3, 1, NULL, FVI_EDOM, "t", 3, 1 },
         { between, 2, 2, 0.1, 0, 0.3, 1, NULL, FVI_EDOM, "t", 0.25, 1 },
-        { some_times, 5, 2, 0, 1e-6, 0.3, 1, &fvi_lobatto_m3, FVI_EDOM, "t",
+        { some_times, 5, 2, 0, 1e-6, 0.3, 1, &fvi_cq2_midpoint, FVI_EDOM, "t",
           0.7071067811865476, 2 },
         { between, 2, 2, 0.1, 0, 0.3, 1, &fvi_cq_bdf2, FVI_EDOM, "t", 0.25, 1 },
     };
@@ -303,7 +353,8 @@ int main(void)
 {
     Suite *suite = suite_create("the one call");
     ADD_CASE(suite, "solve", a_tolerance_is_reached_at_any_times,
-             stages_give_out_any_time, a_law_has_the_method_that_takes_it,
+             stages_give_out_any_time, stages_reach_a_tolerance_at_any_times,
+             the_error_between_steps_is_seen_where_their_ends_have_none, a_law_has_the_method_that_takes_it,
              a_tolerance_is_reached_whatever_the_method,
              a_method_and_a_step_are_steps,
              what_is_wrong_has_field_value_and_index, rows_come_in_order,

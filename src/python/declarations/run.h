@@ -128,6 +128,7 @@ int fvi_energy(const fvi_system *system, const double *x, const double *p, doubl
 const char *fvi_batch_refusal(const fvi_method *method, size_t count, const fvi_run *run);
 int fvi_batch_trajectories(const fvi_method *method, size_t count, const fvi_run *run, size_t rows, const size_t *row,
                            double *const *x, double *const *p, int *status);
+size_t fvi_common_steps(size_t count, const double *t, double T);
 const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
 int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options, const fvi_accuracy *accuracy,
               const fvi_outputs *outputs, fvi_report *report, fvi_error *error);

@@ -175,6 +175,8 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
         method = "fvi" if h is not None else "fvi-adaptive"
         if error is not None and problem.damping is not None:
             method = method_for_error(problem, error, kappa, memory, tolerance)
+            if method != "fvi-adaptive" and not has_common_step(t_eval, problem.time):
+                method = "fvi-lobatto4"  # which knows the body between its steps
     found = lib.fvi_method_find(word("method", method).encode())
     if found == ffi.NULL:
         names = [m.name for m in methods()]
@@ -225,6 +227,14 @@ def method_for_error(problem: Problem, error: float, kappa: Optional[float], mem
     motion = Motion(problem, Numerics("fvi-bdf2", problem.time, 1, 0.5 if kappa is None else number("kappa", kappa), None, None,
                                       None, 0, "auto" if memory not in MEMORIES else memory, number("tolerance", tolerance), None))
     return text_of(lib.fvi_method_for_error(motion.run, number("error", error)).name)
+
+
+def has_common_step(t_eval: Optional[Numbers], time: float) -> bool:
+    """Can the rows be ends of steps of one length? What is wrong with the times is said elsewhere."""
+    if t_eval is None:
+        return True
+    t = np.ascontiguousarray(np.atleast_1d(numbers("t_eval", t_eval)))
+    return t.ndim != 1 or not np.isfinite(t).all() or lib.fvi_common_steps(t.size, ffi.from_buffer("double[]", t), time) > 0
 
 
 def takes_any_steps(structure: Problem) -> bool:
@@ -361,8 +371,7 @@ def by_library(motion: Motion, how: Numerics, x: Array, p: Array, count: Any) ->
     if status:
         raised = error_of(error, status) if error.code == status else failure(status)
         if str(raised).startswith("t["):
-            within = "; solution(t) has the places between the steps" if motion.method.stages else ""
-            raised.field, raised.args = "t_eval", (f"t_eval: {raised}{within}",)
+            raised.field, raised.args = "t_eval", (f"t_eval: {raised}",)
         elif raised.field == "tolerance" and how.error is not None and raised.value == how.error:
             raised.field, raised.args = "error", (f"error: {raised}",)
         return Found(in_words_of(motion.problem, raised), count.rows, "", None, motion.run.h)
@@ -425,9 +434,9 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
         fvi.solve(problem, error=1e-6)                      x is right to 1e-6, by an estimate
         fvi.solve(problem, h=0.1, method="fvi-lobatto4")    these steps of this method
 
-    t_eval      the times of the rows, increasing, within 0 ... time; None: evenly, or each step. Any times with "fvi-adaptive", and,
-                with h or steps, with methods with stages, of which x is of order S between two steps of "fvi-lobattoS", and p
-                of order S - 1
+    t_eval      the times of the rows, increasing, within 0 ... time; None: evenly, or each step. Any times with "fvi-adaptive", and
+                with methods with stages, of which x is of order S between two steps of "fvi-lobattoS", and p of order S - 1.
+                With error it holds at these times
     error       how far x may be off at any row and event, a length > 0, by the library's estimate. With events, two runs of
                 different accuracy must have the same events, and their times are right to error divided by the largest
                 speed, but for those at which a body lifts off; a body whose hops are no higher than error is at rest

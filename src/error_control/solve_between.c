@@ -1,0 +1,99 @@
+/* src/error_control/solve_between.c -- To a tolerance at any times, by the paths of stages. [H 17, 18] */
+#include "solve_state.h"
+
+#include "error_control/step_search.h"
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <fvi/lobatto.h>
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* x and p at the time t, which is not before the last row. */
+static int row_at(fvi_stepper *s, double t, double *x, double *p)
+{
+    const size_t bytes = s->run.system->d * sizeof *x;
+    const double parts = t / s->run.h;
+    const int is_node = fabs(parts - round(parts)) <= 16 * DBL_EPSILON * parts;
+    const size_t k = (size_t)(is_node ? round(parts) : ceil(parts));
+    int status = FVI_SUCCESS;
+    while (s->k < k && !status)
+        status = fvi_stepper_step(s);
+    if (!status && !is_node) {
+        status = fvi_lobatto_within(s, t, x);
+        return status ? status : fvi_lobatto_momentum_within(s, t, p);
+    }
+    memcpy(x, s->x, bytes);
+    memcpy(p, s->p, bytes);
+    return status;
+}
+
+/* All rows, by steps `parts` times as short as those of the run. */
+static int rows_at_times(const fvi_solve_state *o, size_t parts, double *x, double *p)
+{
+    const size_t d = o->run.system->d;
+    fvi_run run = o->run;
+    fvi_stepper *s = NULL;
+    run.h /= (double)parts;
+    run.steps *= parts;
+    int status = fvi_stepper_start(o->method, &run, &s, NULL);
+    for (size_t k = 0; k < o->out->rows && !status; k++)
+        status = row_at(s, o->out->t[k], x + k * d, p + k * d);
+    fvi_stepper_free(s);
+    return status;
+}
+
+static double distance(size_t n, const double *x, const double *y)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = larger(most, fabs(x[i] - y[i]));
+    return most;
+}
+
+/* Halve the steps until two runs agree at the times, and give out the finer one. */
+static int halve(fvi_solve_state *o, size_t parts, size_t most, double *x, double *p, double *before)
+{
+    const size_t length = o->out->rows * o->run.system->d;
+    double least = INFINITY;
+    int status = rows_at_times(o, parts, before, p);
+    while (!status) {
+        if (parts > most / 2 / o->run.steps) {
+            o->report->error = least;
+            return FVI_ETOL;
+        }
+        parts *= 2;
+        status = rows_at_times(o, parts, x, p);
+        const double difference = status ? INFINITY : distance(length, x, before);
+        least = fmin(least, difference);
+        o->report->steps = parts * o->run.steps;
+        o->report->h = o->run.h / (double)parts;
+        if (!status && difference <= o->tolerance) {
+            o->report->error = larger(o->report->error, difference);
+            return FVI_SUCCESS;
+        }
+        memcpy(before, x, length * sizeof *before);
+    }
+    return status;
+}
+
+int fvi_solve_between(fvi_solve_state *o, size_t most, double *x, double *p)
+{
+    const size_t d = o->run.system->d, nodes = (o->run.steps + 1) * d, length = o->out->rows * d;
+    fvi_step_found found = { .estimate = INFINITY, .parts = 1 };
+    double *room = malloc((nodes + length) * sizeof *room);
+    if (!room)
+        FVI_FAIL("no memory for the rows", FVI_ENOMEM);
+    int status = fvi_step_search(o->method, &o->run, o->tolerance, most, room, NULL, &found);
+    o->report->error = found.estimate;
+    o->report->rows = o->out->rows;
+    if (!status)
+        status = halve(o, found.parts, most, x, p, room + nodes);
+    if (status == FVI_ETOL)
+        o->report->other = fvi_step_search_other(o->method, &o->run);
+    free(room);
+    return status;
+}
