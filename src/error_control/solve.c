@@ -7,10 +7,12 @@
 #include <fvi/lobatto.h>
 
 #include "error_control/step_search.h"
+#include "run/solution.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -225,6 +227,7 @@ static int search(fvi_solve_state *o, double *x, double *p)
                                           o->tolerance, most, x, p, &o->found);
         o->events = o->found.events;
         report->error = o->found.estimate;
+        report->until = o->found.until;
         report->rows = o->found.rows;
         report->step_error = o->found.step_error;
         report->agreed = o->found.common.agreed;
@@ -238,6 +241,7 @@ static int search(fvi_solve_state *o, double *x, double *p)
         status = fvi_step_search(o->method, &o->run, o->tolerance, most, x, p,
                                  &found);
         report->error = found.estimate;
+        report->until = found.until;
         report->rows = o->out->rows;
         report->steps = found.parts * o->run.steps;
         report->h = o->run.h / (double)found.parts;
@@ -245,6 +249,13 @@ static int search(fvi_solve_state *o, double *x, double *p)
             report->other = fvi_step_search_other(o->method, &o->run);
     }
     return status;
+}
+
+/* Does the past pull the body away from its start at once? */
+static int has_no_solution(const fvi_solve_state *o)
+{
+    int has = 1;
+    return fvi_run_has_solution(&o->run, &has) == FVI_SUCCESS && !has;
 }
 
 /* Of a start that the method does not take the reason is that of the start. */
@@ -257,16 +268,28 @@ static int fail_of_search(const fvi_solve_state *o, int status)
         if (again == status)
             return status;
     }
+    if (status == FVI_EDOM && has_no_solution(o))
+        return fvi_fail(o->error, status, "past", NAN,
+                        "Riemann-Liouville with a damped x0 != 0 has no solution for alpha > 1/2, to which no run can be near; "
+                        "%s runs as printed with h in the place of an error", o->method->name);
+    if (o->method->dense && (status == FVI_EMAXITER || status == FVI_ESING || status == FVI_EOVRFLW))
+        return fvi_fail(o->error, status, NULL, NAN, "%s; no run comes further than t = %.6g", fvi_error_name(status),
+                        o->report->until);
     if (status != FVI_ETOL)
         return fvi_fail(o->error, status, NULL, NAN, "%s", fvi_error_name(status));
     if (!isfinite(o->report->error) && o->report->events_differ)
         return fvi_fail(o->error, status, "tolerance", o->tolerance, "%g is out of reach: no two runs have the same "
                         "events; they agree on %zu, until t = %.6g, and then a Z may touch 0, or the motion be "
                         "chaotic", o->tolerance, o->report->agreed, o->report->agreed_until);
+    char reached[100] = "";
+    if (o->report->until > 0)
+        snprintf(reached, sizeof reached, "; until t = %.4g it is reached: end there, or allow a larger error",
+                 o->report->until);
     if (!isfinite(o->report->error))
-        return fvi_fail(o->error, status, "tolerance", o->tolerance, "no step gives a result that can be trusted");
+        return fvi_fail(o->error, status, "tolerance", o->tolerance, "%g is out of reach: no step gives a result that can be trusted%s",
+                        o->tolerance, reached);
     return fvi_fail(o->error, status, "tolerance", o->tolerance,
-                    "%g is out of reach; the smallest estimate was %.2g%s%s", o->tolerance, o->report->error,
+                    "%g is out of reach; the smallest estimate was %.2g%s%s%s", o->tolerance, o->report->error, reached,
                     o->report->other ? "; a higher order has " : "", o->report->other ? o->report->other->name : "");
 }
 
@@ -331,6 +354,8 @@ static int solve_to_tolerance(fvi_solve_state *o)
         return fvi_no_memory(o->error, NULL);
     double *p = x + rows * d;
     int status = search(o, x, p);
+    if (status == FVI_ETOL && o->report->until < o->run.h * (double)o->run.steps / 20)
+        o->report->until = 0; /* where roundings are too large at once nobody asks for less of the motion */
     if (status)
         fail_of_search(o, status);
     else if (o->out->observed)

@@ -68,7 +68,7 @@ static int halve(fvi_solve_state *o, size_t parts, size_t most, double *x, doubl
         parts *= 2;
         status = rows_at_times(o, parts, x, p);
         const double difference = status ? INFINITY : distance(length, x, before);
-        least = fmin(least, difference);
+        least = smaller(least, difference);
         o->report->steps = parts * o->run.steps;
         o->report->h = o->run.h / (double)parts;
         if (!status && difference <= o->tolerance) {
@@ -89,6 +89,7 @@ int fvi_solve_between(fvi_solve_state *o, size_t most, double *x, double *p)
         FVI_FAIL("no memory for the rows", FVI_ENOMEM);
     int status = fvi_step_search(o->method, &o->run, o->tolerance, most, room, NULL, &found);
     o->report->error = found.estimate;
+    o->report->until = found.until;
     o->report->rows = o->out->rows;
     if (!status)
         status = halve(o, found.parts, most, x, p, room + nodes);

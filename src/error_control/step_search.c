@@ -67,6 +67,17 @@ static int trial(const search *o, size_t parts)
 }
 //< trial
 
+/* The last of the times up to which this run and the one before are no further apart. */
+static double agreed_until(const search *o, double error)
+{
+    const size_t d = o->run->system->d;
+    size_t k = 0;
+    for (int agree = 1; k <= o->rows && agree; k += (size_t)agree)
+        for (size_t i = k * d; i < (k + 1) * d; i++)
+            agree &= fabs(o->x[i] - o->before[i]) <= error;
+    return k > 0 ? (double)(k - 1) * o->run->h / (double)o->first : 0;
+}
+
 /* ---- the order that a method has on a run ---- */
 
 /* A method with the past as printed, Riemann-Liouville, and a damping that feels x0, or
@@ -251,6 +262,7 @@ static int halve(search *o, double error, size_t most, fvi_step_found *found)
     size_t seen; /* so many parts see all of the force */
     orders(o->method, o->run, &least, &highest);
     found->estimate = GSL_POSINF;
+    found->until = 0;
     int unknown = fvi_search_least_parts(o->run, (size_t)o->method->stages,
                                          error, most / o->run->steps, &seen);
     if (unknown)
@@ -269,6 +281,8 @@ static int halve(search *o, double error, size_t most, fvi_step_found *found)
         if (failed && !fvi_search_is_too_long(failed))
             return failed;
         c = compare(o, &c, failed, failed_before);
+        if (!failed && !failed_before)
+            found->until = larger(found->until, agreed_until(o, error));
         fvi_step_found now = { .parts = o->first * parts };
         now.estimate = estimate(&c, least, highest, &now.order);
         if (is_rounding(&c)) {
@@ -279,6 +293,7 @@ static int halve(search *o, double error, size_t most, fvi_step_found *found)
             now.order = 1;
         }
         if (resolved && now.estimate < found->estimate) {
+            now.until = found->until;
             *found = now;
             worse = 0;
         } else if (resolved && !still

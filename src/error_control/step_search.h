@@ -9,6 +9,7 @@ typedef struct {
     size_t parts;    /* each step of the run was cut into so many */
     double estimate; /* of max |x_k - x(t_k)|, over rows and coordinates */
     double order;    /* q of (18.2); 1 where D is rounding */
+    double until;    /* the last time up to which D is no more than the error that was wanted */
 } fvi_step_found;
 
 /* fvi_step_search -- halve the step until the error of x is small enough.

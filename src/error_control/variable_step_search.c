@@ -109,6 +109,17 @@ static double distance(const pair *o, double *largest)
     return D + (3e-14 + o->counts.memory) * *largest;
 }
 
+/* The last of the times up to which two runs are no further apart. */
+static double agreed_until(const pair *o, double error)
+{
+    const size_t d = o->run->system->d, both = o->reached < o->reached_before ? o->reached : o->reached_before;
+    size_t k = 0;
+    for (int agree = 1; k < both && agree; k += (size_t)agree)
+        for (size_t i = k * d; i < (k + 1) * d; i++)
+            agree &= fabs(o->x[i] - o->before[i]) <= error;
+    return k > 0 ? o->t[k - 1] : 0;
+}
+
 /* The largest speed of a coordinate, as a mean over half a row at least. */
 static double speed_of(const pair *o)
 {
@@ -163,8 +174,7 @@ static int search(pair *o, double error, fvi_variable_step_found *found)
 {
     const double T = o->run->h * (double)o->run->steps;
     double step_error = error, longest = T, last = GSL_POSINF;
-    double largest = 0;
-    double end = 0;
+    double largest = 0, end = 0, until = 0;
     int failed_before = 1, status = FVI_SUCCESS, worse = 0, same_end = 0;
     found->estimate = GSL_POSINF;
     o->as = (fvi_variable_step_found){ .first = o->first, .rest = o->run->event_count ? error : 0 };
@@ -184,8 +194,10 @@ static int search(pair *o, double error, fvi_variable_step_found *found)
             found->estimate = estimate;
             found->counts = o->counts;
         }
-        if (!failed_before && !status)
+        if (!failed_before && !status) {
             found->common = o->as.common;
+            until = larger(until, agreed_until(o, error));
+        }
         if (estimate <= error)
             return FVI_SUCCESS;
         o->fine |= o->counts.memory * largest > error / 4;
@@ -197,7 +209,9 @@ static int search(pair *o, double error, fvi_variable_step_found *found)
         longest = status ? T : o->counts.longest;
         keep_run(o);
     }
-    return status && !gsl_finite(found->estimate) ? status : FVI_ETOL;
+    const int is_compared = !status || gsl_finite(found->estimate) || found->common.differ;
+    found->until = is_compared ? until : o->end;
+    return is_compared ? FVI_ETOL : status;
 }
 //< search
 
@@ -291,5 +305,6 @@ int fvi_variable_step_search(const fvi_run *run, size_t count, const double *t,
     free(block);
     if (!status || status == FVI_ETOL)
         *found = best;
+    found->until = best.until;
     return status;
 }

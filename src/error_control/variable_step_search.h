@@ -11,6 +11,8 @@
 typedef struct {
     double estimate; /* of max |x_k - x(t_k)|, over rows and coordinates */
     fvi_step_statistics counts; /* of the run whose rows are given out, */
+    double until; /* the last time up to which the error is no more than was wanted; or, if no run came to its end, the time
+                   * to which the last one came */
     double step_error, longest; /* its tolerance of a step, its limits, */
     int growth, fine;
     size_t first; /* and into how many its rows were divided */
@@ -57,7 +59,7 @@ int fvi_variable_step_again(const fvi_run *run, size_t most,
  * and fvi_stepper_step return; FVI_ENOMEM; FVI_ETOL if rounding keeps the estimate above error, or
  * because of most, or because no two runs have the same events: found->estimate is then the smallest one,
  * infinite if there was none. On
- * error x, p and, but for FVI_ETOL, *found are untouched. */
+ * error x, p and, but for FVI_ETOL and found->until, *found are untouched. */
 int fvi_variable_step_search(const fvi_run *run, size_t count, const double *t,
                              double error, size_t most, double *x, double *p,
                              fvi_variable_step_found *found);

@@ -1,6 +1,7 @@
 /* src/estimation/identification_steps.c -- Which method suits the data.   [H 24] */
 #include "identification_model.h"
 
+#include "system/lagrangian_point.h"
 #include "system/larger.h"
 
 #include <fvi/dampers.h>
@@ -40,6 +41,24 @@ int fvi_estimation_has_massless(const fvi_system *system, size_t index)
     return 0;
 }
 
+/* Has the Lagrangian of a run a coordinate without inertia at its start? */
+static int lacks_inertia(const fvi_run *run)
+{
+    const fvi_system *system = run->system;
+    const size_t d = system->d;
+    int vanishes, lacks = 0;
+    if (!fvi_lagrangian_of(system))
+        return 0;
+    double *room = calloc(d * d + 2 * d, sizeof *room);
+    size_t *is_zero = calloc(d, sizeof *is_zero);
+    if (room && is_zero && fvi_inertia_at_rest(system, 0, run->x0, room + d * d + d, room, is_zero, &vanishes) == FVI_SUCCESS)
+        for (size_t i = 0; i < d; i++)
+            lacks |= is_zero[i] != 0;
+    free(room);
+    free(is_zero);
+    return lacks;
+}
+
 const fvi_method *fvi_estimate_method(const fvi_estimation *fit)
 {
     fvi_estimation asked = { .method = &fvi_lobatto_m4 };
@@ -48,7 +67,7 @@ const fvi_method *fvi_estimate_method(const fvi_estimation *fit)
     asked.method = &fvi_lobatto_m4;
     if (fvi_estimation_check(&asked))
         return NULL;
-    if (fit->run->system->matrices || fvi_estimation_has_massless(fit->run->system, 0))
+    if (fit->run->system->matrices || fvi_estimation_has_massless(fit->run->system, 0) || lacks_inertia(fit->run))
         return &fvi_lobatto_d4;
     if (fit->run->system->mechanism)
         return &fvi_lobatto_m4;

@@ -165,6 +165,20 @@ static void add_equal_steps(const fvi_estimation *fit, size_t size, char *text)
                  needed, FVI_FIT_MOST_EQUAL_STEPS);
 }
 
+/* No start gives a motion; and why the one with the values that were given does not begin. */
+static void say_why_none_moves(const fvi_estimation *fit, size_t size, char *text)
+{
+    fvi_run run = *fit->run;
+    fvi_stepper *s = NULL;
+    fvi_error error = { 0 };
+    run.steps = 1;
+    run.h = fvi_estimation_last_time(fit);
+    const int status = fvi_stepper_start(fit->method, &run, &s, &error);
+    fvi_stepper_free(s);
+    snprintf(text, size, "no start gives a motion that can be computed%s%s", status && *error.text ? ": " : "",
+             status ? error.text : "");
+}
+
 int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimate *fitted,
                    const char *names, const char *dashes, size_t size,
                    char *text)
@@ -197,7 +211,7 @@ int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimat
                  fitted->reached, fvi_estimation_last_time(fit),
                  *dashes ? "--most-steps" : "most_steps");
     else if (status == FVI_EBADFUNC)
-        snprintf(text, size, "no start gives a motion that can be computed");
+        say_why_none_moves(fit, size, text);
     else
         return 0;
     if (status != FVI_ERUNAWAY)

@@ -98,7 +98,7 @@ typedef struct {
 
 /* fvi_estimate_method -- the method that suits the data: fvi_lobatto_m4; fvi_variable_step where equal
  * steps as short as the least gap of the times, or as a radian of the fastest swing about the start,
- * would be more than 8192; fvi_lobatto_d4 with matrices, and with a mass of 0. fit->method is not read;
+ * would be more than 8192; fvi_lobatto_d4 with matrices, and with a coordinate without inertia. fit->method is not read;
  * nothing is checked but what fvi_estimate_multistart checks: NULL for a question that cannot be asked. */
 const fvi_method *fvi_estimate_method(const fvi_estimation *fit);
 

@@ -111,7 +111,8 @@ typedef struct {
  *   rows, events  how many there are: fewer rows than asked for where an event has ended the motion
  *   step_error    of fvi_variable_step with a tolerance: that of a step of the run whose rows are given out
  *   agreed, agreed_until, events_differ  for FVI_ETOL with events: how many of them the last two runs have in
- *             common, the time of the last of these, and nonzero if the runs differ behind it */
+ *             common, the time of the last of these, and nonzero if the runs differ behind it
+ *   until     for FVI_ETOL: up to this time the tolerance is reached, by an estimate; 0 if that is less than a twentieth of T */
 typedef struct {
     const fvi_method *method, *other;
     size_t steps, rejected;
@@ -121,6 +122,7 @@ typedef struct {
     size_t rows, events, agreed;
     double step_error, agreed_until;
     int events_differ;
+    double until;
 } fvi_report;
 
 /* fvi_method_for_error -- the method that reaches a tolerance in the least time, as far as measurements tell.

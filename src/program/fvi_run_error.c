@@ -168,10 +168,13 @@ static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
         describe(&tried, sizeof others, others);
         snprintf(advice, sizeof advice, "; by %s %s", other->name, others);
     }
+    char reached[80] = "";
+    if (found->until > 0)
+        snprintf(reached, sizeof reached, "; until t = %.4g it is reached", found->until);
     fprintf(stderr,
             "fvi: --error: %g is out of reach; the smallest estimate was "
-            "%s%s\n",
-            o->error, own, advice);
+            "%s%s%s\n",
+            o->error, own, reached, advice);
 }
 
 /* Returns an exit code. */

@@ -65,6 +65,9 @@ const char *fvi_reason_of_code(const fvi_options *o, int status)
                  "negative somewhere, and h too long for it"
            : status == FVI_EINVAL
                ? "--steps: the compressed memory reaches back 10^9 steps at most"
+           : status == FVI_EUNSUP && o->text[DAMPING] && o->method->dense && o->events
+               ? "--damping: a pole of this law is too near to its cut, or off "
+                 "it, for fvi-adaptive; without --event fvi-bdf2 and fvi-stable take it"
            : status == FVI_EUNSUP && o->text[DAMPING] && o->method->dense
                ? "--damping: a pole of this law is too near to its cut, or off "
                  "it, for fvi-adaptive; fvi-bdf2 and fvi-stable take it"

@@ -210,7 +210,7 @@ static const char usage_fit[] =
     "--force --ground --along --derivative --kappa\n"
     "--most-steps --memory --tolerance -o\n"
     "--method [fvi-lobatto4; fvi-adaptive where more than 8192 equal steps\n"
-    "would be needed; fvi-lobatto4d with --system or a --mass of 0]\n"
+    "would be needed; fvi-lobatto4d with --system or without inertia]\n"
     "  --problem FILE   these words in a file, one a line, without --\n"
     "\n"
     "examples:\n"

@@ -164,8 +164,10 @@ static int begin_law(fvi_stepper *s, const fvi_variable_step_state *o, const fvi
         status = fvi_kernel_begin_on_mesh(&law, &to->modes, &to->rising);
     return status == FVI_EUNSUP
                ? refuse(s->error, status, j,
-                        "damper %zu: a pole of this law is too near to its cut, or off it, for "
-                        "modes of variable steps; fvi-stable takes it")
+                        s->run.event_count ? "damper %zu: a pole of this law is too near to its cut, or off it, for "
+                                             "modes of variable steps; without events fvi-stable takes it"
+                                           : "damper %zu: a pole of this law is too near to its cut, or off it, for "
+                                             "modes of variable steps; fvi-stable takes it")
                : status;
 }
 

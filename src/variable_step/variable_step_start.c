@@ -197,7 +197,8 @@ static int begin_kernel(fvi_stepper *s, fvi_variable_step_state *o)
     const int status = fvi_variable_step_begin_kernel(o);
     return status == FVI_EUNSUP
                ? fvi_fail(s->error, status, NULL, NAN, "a pole of this law is too near to its cut, or off it, for "
-                          "fvi-adaptive; fvi-bdf2 and fvi-stable take it")
+                          "fvi-adaptive; %sfvi-bdf2 and fvi-stable take it",
+                          s->run.event_count ? "without events " : "")
                : status;
 }
 

@@ -117,3 +117,37 @@ def test_a_start_that_is_refused_says_why():
     with pytest.raises(fvi.Error) as caught:
         fvi.run(alpha=1.5)
     assert caught.value.code == 1 and "alpha" in str(caught.value)
+
+
+def test_what_is_refused_says_what_to_do():
+    """Each of these said less: what was reached and until when, what has no solution, which method takes the law and which not."""
+    rl = fvi.Problem(alpha=0.7, past="rl", x0=1, time=5)
+    with pytest.raises(fvi.Error, match="no solution for alpha > 1/2, to which no run can be near; fvi runs as printed with h") as caught:
+        fvi.solve(rl, error=1e-4, method="fvi")
+    assert caught.value.field == "past" and caught.value.code == 1
+    law = fvi.Problem(damping="zener:1,0.6,0.5", time=5)
+    for q in (law, fvi.Problem(dampers="x : zener:1,0.6,0.5", time=5)):
+        with pytest.raises(fvi.Error, match="too near to its cut, .*; without events .*fvi-stable take"):
+            fvi.solve(q, events="x : mark")
+        with pytest.raises(fvi.Error, match="too near to its cut, or off it, for .*; (fvi-bdf2 and )?fvi-stable take"):
+            fvi.solve(q, method="fvi-adaptive")
+    L = "v1^2 + v2^2/2 + v1*v2*cos(x1 - x2) + 9.81*(2*cos(x1) + cos(x2))"
+    chaotic = fvi.Problem(lagrangian=L, x0=[2, 2.5], v0=[0, 0], time=40)
+    for events in ((), "sin(x1) : mark"):
+        with pytest.raises(fvi.Error, match="^error: 1e-06 is out of reach") as caught:
+            fvi.solve(chaotic, error=1e-6, events=events)
+        until = float(str(caught.value).split("until t = ")[1].split(" ")[0].rstrip(",:"))
+        assert 5 < until < 40
+    assert fvi.solve(chaotic.replace(time=10), error=1e-6).estimate <= 1e-6
+
+
+def test_a_lagrangian_without_inertia_is_fitted_and_a_method_that_cannot_is_told():
+    q = fvi.Problem(lagrangian="v1^2/2-k*(x1-x2)^2/2-x2^2/2", let={"k": 1.5}, dampers="x2 : power:0.5,0.4", x0=[1, 0.5],
+                    v0=[0, 0], time=5)
+    s = fvi.solve(q, h=0.05, method="fvi-lobatto4d")
+    x = s.x[1:41] + np.random.default_rng(1).normal(0, 0.01, (40, 2))
+    found = fvi.fit(s.t[1:41], x, q.replace(let={"k": 1.0}), shows=["x1", "x2"], which="k", sigma=0.01)
+    low, high = found.interval["k"]
+    assert low < 1.5 < high < low + 0.1
+    with pytest.raises(fvi.Error, match="^no start gives a motion .*: coordinate 2 has no inertia, .* fvi-lobatto2d to 8d take it"):
+        fvi.fit(s.t[1:41], x, q, shows=["x1", "x2"], which="k", sigma=0.01, method="fvi-lobatto4")

@@ -331,6 +331,36 @@ START_TEST(rows_come_in_order)
 END_TEST
 
 /* What cannot be reached is said with what can. */
+/* A double well that is driven is chaotic: near motions part like e^(0.2 t). The time up to which the tolerance is reached
+ * grows with it, and a motion up to there has it. */
+START_TEST(the_time_up_to_which_a_tolerance_is_reached_is_told)
+{
+    static const double well[] = { -1, 1 }, aw[] = { 0.5, 1.2 };
+    static const fvi_method *const methods[] = { &fvi_variable_step, &fvi_lobatto_m4 };
+    for (size_t m = 0; m < LEN(methods); m++) {
+        double x[401], until = 0;
+        fvi_problem problem = duffing();
+        problem.system.potential = fvi_potential_duffing(well);
+        problem.system.force = fvi_force_cosine(aw);
+        problem.T = 400;
+        const fvi_solve_options options = { .method = methods[m] };
+        const fvi_outputs outputs = { .rows = LEN(x), .x = x };
+        for (double tolerance = 1e-9; tolerance < 1e-2; tolerance *= 1000) {
+            const fvi_accuracy accuracy = { .tolerance = tolerance, .most_steps = 1 << 14 };
+            fvi_report report = { .until = 0 };
+            ck_assert_int_eq(fvi_solve(&problem, &options, &accuracy, &outputs, &report, &error), FVI_ETOL);
+            ck_assert(report.until > until && report.until < problem.T);
+            ck_assert_ptr_nonnull(strstr(error.text, "is reached: end there, or allow a larger error"));
+            until = report.until;
+        }
+        problem.T = floor(until * 0.9);
+        const fvi_accuracy accuracy = { .tolerance = 1e-3 };
+        const fvi_outputs shorter = { .rows = (size_t)problem.T + 1, .x = x };
+        OK(fvi_solve(&problem, &options, &accuracy, &shorter, NULL, &error));
+    }
+}
+END_TEST
+
 START_TEST(the_smallest_estimate_is_reported)
 {
     const fvi_problem problem = duffing();
@@ -358,6 +388,6 @@ int main(void)
              a_tolerance_is_reached_whatever_the_method,
              a_method_and_a_step_are_steps,
              what_is_wrong_has_field_value_and_index, rows_come_in_order,
-             the_smallest_estimate_is_reported);
+             the_smallest_estimate_is_reported, the_time_up_to_which_a_tolerance_is_reached_is_told);
     return run_suite(suite);
 }

@@ -193,8 +193,8 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential, Problem] = "har
     starts     how many searches, a whole number >= 2, the first from the values given; 20
     h          the longest step, a time > 0; 0: found
     method     as for `run`, best one of high order, as its error counts as one of the data; None: "fvi-lobatto4", or
-               "fvi-adaptive" where the data ask for more than 8192 equal steps, or "fvi-lobatto4d" with matrices
-               or a mass of 0; for a coordinate without inertia of a Lagrangian say "fvi-lobatto4d"
+               "fvi-adaptive" where the data ask for more than 8192 equal steps, or "fvi-lobatto4d" with matrices,
+               a mass of 0 or another coordinate without inertia
     the rest   the model, potential and all, as for `run`, but for steps and time: those are the data's. With
                damping, rho (from 1) multiplies the law, and alpha is not among `which`
 
