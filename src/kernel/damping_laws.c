@@ -159,7 +159,7 @@ void fvi_kernel_series(const fvi_kernel_simple *t, fvi_delta kind, double h,
 
 int fvi_kernel_check_weights(const fvi_kernel *law, fvi_delta kind, double h)
 {
-    int status = fvi_kernel_check(law);
+    int status = fvi_kernel_check_terms(law);
     if (status)
         return status;
     if (kind != FVI_DELTA_EULER && kind != FVI_DELTA_BDF2)

@@ -21,6 +21,10 @@ static inline int fvi_kernel_is_power(const fvi_kernel *law)
     return law->count == 1 && law->term->kind == FVI_KERNEL_POWER;
 }
 
+/* fvi_kernel_check_terms -- as fvi_kernel_check, but no poles of a function are looked for: it may be one of the library's
+ * own, which stands for C in a part of the plane only (src/methods/shifted_kernel.c). */
+int fvi_kernel_check_terms(const fvi_kernel *law);
+
 /* fvi_kernel_dashpot -- lim C(s)/s, s to infinity, of a law that grows like s: the dashpot in it; like s / log s
  * it is 0. */
 double fvi_kernel_dashpot(const fvi_kernel *law);

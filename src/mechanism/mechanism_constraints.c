@@ -128,8 +128,9 @@ static int check_place(const fvi_stepper *s, fvi_error *error)
         if (!(fabs(value[i])
               <= 1e-9 * largest_abs(o->d, o->C + i * o->d) * (far > 0 ? far : 1)))
             return refuse(FVI_EDOM, "x0", value[i], i,
-                          "it does not keep to the constraint '%s', which is "
-                          "%g there",
+                          isnan(value[i]) ? "the constraint '%s' is not a number there"
+                                          : "it does not keep to the constraint '%s', which is "
+                                            "%g there",
                           name_of(c, i, place), error);
     return status;
 }

@@ -26,18 +26,21 @@ static double nearest_decimal(double v, double error)
 }
 
 /* Point i of the axis. Its roundings are bounded by 4 units of the larger end, or, where
- * points grow by a factor, by 4 units and one for each power of e between the ends. */
+ * points grow by a factor, by 4 units and one for each power of e between the ends. Ends whose
+ * difference or ratio is too large for a double, as 1e-300 and 1e300, have one of halves. */
 double fvi_range_value(const fvi_range *a, size_t i)
 {
     if (i == 0 || i == a->count - 1)
         return i == 0 ? a->from : a->to;
     const double part = (double)i / (double)(a->count - 1);
     if (!a->log)
-        return nearest_decimal(a->from + part * (a->to - a->from),
+        return nearest_decimal(isfinite(a->to - a->from) ? a->from + part * (a->to - a->from)
+                                                         : (1 - part) * a->from + part * a->to,
                                4 * DBL_EPSILON
                                    * fmax(fabs(a->from), fabs(a->to)));
-    const double ratio = a->to / a->from, v = a->from * pow(ratio, part);
-    return nearest_decimal(v, (4 + fabs(log(ratio))) * DBL_EPSILON * fabs(v));
+    const double ratio = a->to / a->from, root = sqrt(fabs(a->to)) / sqrt(fabs(a->from)),
+                 v = isnormal(ratio) ? a->from * pow(ratio, part) : a->from * pow(root, part) * pow(root, part);
+    return nearest_decimal(v, (4 + 2 * fabs(log(root))) * DBL_EPSILON * fabs(v));
 }
 
 int fvi_word_range(const char *field, const char *shape, const char *text,

@@ -15,7 +15,7 @@ typedef struct {
     size_t d;
     const double *mass;
     const fvi_mechanism *mechanism; /* whose velocities are meant; or NULL */
-    int knows_velocity;
+    int knows_velocity, has_variable;
 } typed_event;
 
 struct fvi_typed_events {
@@ -34,8 +34,10 @@ static int find_name(const char *name, size_t length, void *params)
     static const char kinds[] = "xvp";
     const char *kind = memchr(kinds, *name, 3);
     size_t i = 0;
-    if (length == 1 && *name == 't')
+    if (length == 1 && *name == 't') {
+        e->has_variable = 1;
         return (int)(3 * d);
+    }
     if (!kind || length > 9 || (length == 1 && d > 1) || (length > 1 && name[1] == '0'))
         return -1;
     for (size_t n = 1; n < length; n++) {
@@ -46,6 +48,7 @@ static int find_name(const char *name, size_t length, void *params)
     if (length == 1)
         i = 1;
     e->knows_velocity |= *name == 'v';
+    e->has_variable = 1;
     return i <= d ? (int)((size_t)(kind - kinds) * d + i - 1) : -1;
 }
 
@@ -157,6 +160,10 @@ static int parse_value(typed_event *e, fvi_event *event,
     fvi_expression *of_state = NULL;
     int status = fvi_parse_expression_of("event", &finder, e->name, parameters,
                                          &of_state, error);
+    if (!status && !e->has_variable && !fvi_event_has_wall(event)) {
+        fvi_expression_free(of_state);
+        return fvi_refuse(error, "event", "'%s' is a constant, which never passes 0", e->name);
+    }
     if (status || !fvi_event_has_wall(event)) {
         e->z.e = of_state;
         event->value = value_of_state;

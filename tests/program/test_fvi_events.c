@@ -48,6 +48,9 @@ START_TEST(a_body_rests_and_lifts_off)
     ck_assert_int_eq(fvi(TABLE "--event 'x : contact'"), 2);
     ck_assert_ptr_nonnull(strstr(err, "'contact' is not contact:E"));
     ck_assert_int_eq(fvi(TABLE "--event 'x+v : contact:0'"), 2);
+    ck_assert_int_eq(fvi(TABLE "--event '1-2 : stop'"), 2);
+    ck_assert_ptr_nonnull(strstr(err, "--event: '1-2' is a constant, which never passes 0"));
+    ck_assert_int_eq(fvi(TABLE "--event 't-9 : stop'"), 0);
     ck_assert_int_eq(fvi(TABLE "--reduce 'max(event1.force)'"), 0);
     ck_assert_near(cell(0, 0), 1, 1e-9, "largest force");
 #undef TABLE

@@ -340,6 +340,8 @@ START_TEST(wrong_words_are_refused)
         { "run --force 'x*t'", "a force knows t alone; --force-on knows x and v" },
         { "run --impose 'y=t'", "fvi: --impose: 'y=t' is not xI=EXPRESSION" },
         { "run --impose 'x1=v1'", "fvi: --impose: 'v1': no such name" },
+        { "run --impose 'x1=sqrt(t-1)' --x0 0 --v0 0",
+          "fvi: --x0: the constraint 'x1=sqrt(t-1)' is not a number there" },
         { "run --impose 'x1=t' --x0 0 --v0 2",
           "fvi: --p0: p1 is off by 1: the velocity does not keep" },
         { "run --constraint 'x1' --method fvi",
