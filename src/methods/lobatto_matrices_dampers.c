@@ -4,6 +4,7 @@
 #include "lobatto_stages.h"
 #include "newton/linearised.h"
 #include "system/fail.h"
+#include "system/vectors.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -139,6 +140,17 @@ int fvi_stage_dampers_begin_step(const fvi_stepper *s, fvi_lobatto_matrices *o)
     return status;
 }
 
+/* force_i += sum_c W_ic change_c, r numbers each. */
+FVI_VECTORS static void add_weights(size_t s, size_t r, const double *W, const double *restrict change,
+                                    double *restrict force)
+{
+    for (size_t i = 0; i < s; i++)
+        for (size_t c = 0; c < s; c++)
+#pragma omp simd
+            for (size_t n = 0; n < r; n++)
+                force[i * r + n] += W[i * s + c] * change[c * r + n];
+}
+
 /* What V_i - v_k adds to the force of a damper, and its slopes. z holds B^T v_k - drift. */
 static int end_damper(const fvi_lobatto_matrices *o, fvi_stage_damper *a)
 {
@@ -151,10 +163,8 @@ static int end_damper(const fvi_lobatto_matrices *o, fvi_stage_damper *a)
     for (size_t i = 0; !status && i < s; i++)
         for (size_t n = 0; n < r; n++)
             a->slope[n * s + i] = change[i * r + n];
-    for (size_t n = 0; !status && n < r; n++)
-        for (size_t i = 0; i < s; i++)
-            for (size_t c = 0; c < s; c++)
-                a->force[i * r + n] += a->W[i * s + c] * a->slope[n * s + c];
+    if (!status)
+        add_weights(s, r, a->W, change, a->force);
     for (size_t n = 0; !status && a->Ydot && n < r; n++)
         for (size_t i = 0; i < s; i++)
             for (size_t c = 0; c < s; c++)

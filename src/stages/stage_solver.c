@@ -5,6 +5,7 @@
 #include "stage_dense.h"
 #include "system/dense.h"
 #include "system/fail.h"
+#include "system/vectors.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,7 +19,7 @@ struct fvi_stage_solver {
     fvi_lobatto_pair pair[FVI_STAGES / 2];
     void *factors[FVI_STAGES / 2];
     double *inverse; /* of stage_dense.h; or NULL, and there are factors */
-    double room[];   /* 2 d; with an inverse s d, rounded up */
+    double room[];   /* 4 d; with an inverse s d, rounded up */
 };
 
 static int is_real(const fvi_lobatto_pair *pair)
@@ -65,7 +66,7 @@ int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, dou
                            const double *const *W, fvi_stage_way way, fvi_stage_solver **solver)
 {
     const int is_dense = way == FVI_STAGE_AUTO && d <= FVI_STAGE_DENSE / s;
-    const size_t room = is_dense ? fvi_dense_rows(s * d) : 2 * d;
+    const size_t room = is_dense ? fvi_dense_rows(s * d) : 4 * d;
     fvi_stage_solver *o = calloc(1, sizeof *o + room * sizeof *o->room);
     double complex *c = calloc(matrices->damper_count + 3, sizeof *c);
     int status = o && c ? FVI_SUCCESS : FVI_ENOMEM;
@@ -91,44 +92,62 @@ int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, dou
     return status;
 }
 
-/* r = w^T h load of pair l. */
-static void project(fvi_stage_solver *o, size_t l, const double *load)
+/* re += a x and im += b x, d numbers each. */
+FVI_VECTORS static void add_both(size_t d, double a, double b, const double *restrict x, double *restrict re,
+                                 double *restrict im)
+{
+#pragma omp simd
+    for (size_t j = 0; j < d; j++) {
+        re[j] += a * x[j];
+        im[j] += b * x[j];
+    }
+}
+
+/* to += 2 Re (a + i b) (re + i im) */
+FVI_VECTORS static void add_twice_the_real_part(size_t d, double a, double b, const double *restrict re,
+                                                const double *restrict im, double *restrict to)
+{
+#pragma omp simd
+    for (size_t j = 0; j < d; j++)
+        to[j] += 2 * (a * re[j] - b * im[j]);
+}
+
+/* Z^{-1} w^T h load of pair l: re and im, or re alone. */
+static int solve_pair(fvi_stage_solver *o, size_t l, const double *load, double *re, double *im)
 {
     const size_t d = o->d;
-    const int real = is_real(&o->pair[l]);
-    double *r = o->room;
-    memset(r, 0, 2 * d * sizeof *r);
-    for (size_t i = 0; i < o->s; i++, load += d) {
+    memset(re, 0, 2 * d * sizeof *re);
+    for (size_t i = 0; i < o->s; i++) {
         const double complex w = o->h * o->rule->b[i] * o->pair[l].v[o->s - 1 - i];
-        const double re = creal(w), im = cimag(w);
-        for (size_t j = 0; j < d && real; j++)
-            r[j] += re * load[j];
-        for (size_t j = 0; j < d && !real; j++) {
-            r[2 * j] += re * load[j];
-            r[2 * j + 1] += im * load[j];
-        }
+        add_both(d, creal(w), cimag(w), load + i * d, re, im);
     }
+    if (is_real(&o->pair[l]))
+        return o->matrices->solve(d, o->factors[l], re);
+    for (size_t j = 0; j < d; j++) {
+        o->room[2 * j] = re[j];
+        o->room[2 * j + 1] = im[j];
+    }
+    const int status = o->matrices->solve_complex(d, o->factors[l], o->room);
+    for (size_t j = 0; j < d; j++) {
+        re[j] = o->room[2 * j];
+        im[j] = o->room[2 * j + 1];
+    }
+    return status;
 }
 
 //> one-pair
 /* What pair l gives to delta: v Z^{-1} w^T h load, and its conjugate, too. (27.14) */
 static int add_pair(fvi_stage_solver *o, size_t l, const double *load, double *delta)
 {
-    const fvi_matrices *m = o->matrices;
     const fvi_lobatto_pair *pair = &o->pair[l];
-    const double *r = o->room;
     const size_t d = o->d;
-    const int real = is_real(pair);
-    project(o, l, load);
-    const int status = real ? m->solve(d, o->factors[l], o->room)
-                            : m->solve_complex(d, o->factors[l], o->room);
-    for (size_t i = 0; !status && i < o->s; i++, delta += d) {
-        const double re = creal(pair->v[i]), im = cimag(pair->v[i]);
-        for (size_t j = 0; j < d && real; j++)
-            delta[j] += re * r[j];
-        for (size_t j = 0; j < d && !real; j++)
-            delta[j] += 2 * (re * r[2 * j] - im * r[2 * j + 1]);
-    }
+    double *re = o->room + 2 * d, *im = re + d;
+    const int status = solve_pair(o, l, load, re, im), is_alone = is_real(pair);
+    for (size_t i = 0; !status && i < o->s; i++)
+        if (is_alone)
+            add_both(d, creal(pair->v[i]), 0, re, delta + i * d, im);
+        else
+            add_twice_the_real_part(d, creal(pair->v[i]), cimag(pair->v[i]), re, im, delta + i * d);
     return status;
 }
 //< one-pair
