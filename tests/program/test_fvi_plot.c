@@ -104,7 +104,7 @@ START_TEST(no_picture_without_a_whole_run)
     ck_assert_str_eq(strrchr(out, 'o'), "old\n");
     ck_assert_int_eq(
         shell("mkfifo pipe.svg; \"$FVI\" run --plot pipe.svg > /dev/null; "
-              "test $? = 1 && test -p pipe.svg"),
+              "test $? = 2 && test -p pipe.svg"),
         0);
     ck_assert_int_eq(shell("\"$FVI\" run --plot missing/p.svg > /dev/null; "
                            "test $? = 1"),
