@@ -61,7 +61,8 @@ static void report_of_mesh(fvi_report *report, const fvi_step_statistics *counts
     report->form = counts->form;
 }
 
-int fvi_solve_tell_events(fvi_solve_state *o, double until)
+/* The events that are not after `until`, and that the caller does not know. */
+static int tell_events(fvi_solve_state *o, double until)
 {
     const size_t d = o->run.system->d;
     int status = FVI_SUCCESS;
@@ -144,7 +145,7 @@ static int steps_to_row(fvi_solve_state *o, fvi_stepper *s, fvi_observer *observ
     while (!status && is_ahead(o, s, k) && !fvi_stepper_is_over(s)) {
         status = stand_between(o, s, observer, before);
         if (!status)
-            status = fvi_solve_tell_events(o, INFINITY);
+            status = tell_events(o, INFINITY);
         if (!status)
             status = observer ? fvi_observer_step(observer, s)
                               : fvi_stepper_step(s);
@@ -169,14 +170,14 @@ static int rows_of_run(fvi_solve_state *o, fvi_stepper *s, fvi_observer *observe
                 return fail_at_step(o, s->k + 1, status);
             break;
         }
-        status = fvi_solve_tell_events(o, time_of_row(o, k));
+        status = tell_events(o, time_of_row(o, k));
         if (!status)
             status = row_of_run(o, s, observer, k, room);
         if (status)
             return fail_at_step(o, k, status);
     }
     o->report->rows = k;
-    return fvi_solve_tell_events(o, INFINITY);
+    return tell_events(o, INFINITY);
 }
 
 /* The rows of a run that has been started, with an observer if one is asked for. */
@@ -335,13 +336,13 @@ static int give_found(fvi_solve_state *o, const double *x, const double *p)
     int status = FVI_SUCCESS;
     for (size_t k = 0; !status && k < o->report->rows; k++) {
         const size_t at = place_of_row(o, k) * o->run.system->d;
-        status = fvi_solve_tell_events(o, time_of_row(o, k));
+        status = tell_events(o, time_of_row(o, k));
         if (!status)
             status = give_row(o, k, x + at, p + at);
         if (status)
             fail_at_step(o, k, status);
     }
-    return status ? status : fvi_solve_tell_events(o, INFINITY);
+    return status ? status : tell_events(o, INFINITY);
 }
 
 static int solve_to_tolerance(fvi_solve_state *o)

@@ -21,10 +21,6 @@ typedef struct {
     int is_between; /* nonzero if times stand between steps of one length, where stages give a path */
 } fvi_solve_state;
 
-/* fvi_solve_tell_events -- o->out->event is called with those of o->events that are not after `until`.
- * Returns what it returns. */
-int fvi_solve_tell_events(fvi_solve_state *o, double until);
-
 /* fvi_solve_between -- to o->tolerance, at times of which some lie within the steps of a method with stages: the step that
  * o->run needs at its rows, and half of it until two runs agree at the times. x and p of all rows are written, and
  * o->report. Returns what fvi_step_search and the steps return; FVI_ETOL if it would take more than `most` steps. */

@@ -98,12 +98,6 @@ int fvi_estimation_model_has_tangents(const fvi_estimation_model *m);
  * fvi_tangent. */
 int fvi_estimation_model_tangents(fvi_estimation_model *m, double *slope);
 
-/* Hermite's cubic at s of a step: x and h v at its ends. */
-double fvi_estimation_hermite(double s, double x, double hv, double next, double hnext);
-
-/* May fvi_stepper_start be asked? A trial may be out of range, or have no solution (19.2). */
-int fvi_estimation_model_is_possible(const fvi_estimation_model *m);
-
 /* Is the mass of coordinate `index`, from 1, or of any if that is 0, a mass of 0 that a run takes? */
 int fvi_estimation_has_massless(const fvi_system *system, size_t index);
 

@@ -10,7 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-double fvi_estimation_hermite(double s, double x, double hv, double next, double hnext)
+/* Hermite's cubic at s of a step: x and h v at its ends. */
+static double hermite(double s, double x, double hv, double next, double hnext)
 {
     const double r = 1 - s;
     return r * r * (1 + 2 * s) * x + s * s * (1 + 2 * r) * next
@@ -23,7 +24,8 @@ static double hermite_slope(double s, double x, double hv, double next, double h
     return 6 * s * (1 - s) * (next - x) + (1 + s * (3 * s - 4)) * hv + s * (3 * s - 2) * hnext;
 }
 
-int fvi_estimation_model_is_possible(const fvi_estimation_model *m)
+/* May fvi_stepper_start be asked? A trial may be out of range, or have no solution (19.2). */
+static int is_possible(const fvi_estimation_model *m)
 {
     const int is_plain = !m->system.matrices && !m->system.mechanism,
               may_be_massless = !m->system.matrices && m->system.mechanism;
@@ -137,7 +139,7 @@ static int read_between(motion *o, double t)
         if (is_mass_zero(o, i)) /* a straight line */
             o->hv[i] = o->hnext[i] = next - o->x[i];
         o->now[i] = is_node ? next
-                            : fvi_estimation_hermite(share, o->x[i], o->hv[i], next, o->hnext[i]);
+                            : hermite(share, o->x[i], o->hv[i], next, o->hnext[i]);
         o->now[d + i] = !o->asks_velocities ? 0
                         : is_node           ? o->hnext[i] / h
                                             : hermite_slope(share, o->x[i], o->hv[i], next,
@@ -217,7 +219,7 @@ int fvi_estimation_model_run(fvi_estimation_model *m)
     int status = FVI_SUCCESS;
     if (m->ended)
         return m->ended;
-    if (!fvi_estimation_model_is_possible(m)) /* what fvi_stepper_start would tell the handler */
+    if (!is_possible(m)) /* what fvi_stepper_start would tell the handler */
         return ended_by(m, FVI_EDOM);
     for (size_t r = 0; r < fvi_estimation_records(m->fit) && !status; r++)
         status = run_record(m, r);
@@ -253,7 +255,7 @@ static void read_slopes(const fvi_estimation_model *m, const fvi_estimation_tang
         const double by =
             o->which[j] == FVI_FREE_PARAMETER_MASS ? -drift / mass : 0;
         slope[j] =
-            fvi_estimation_hermite(share, before[j], drift * before[P + j] + by * p_before,
+            hermite(share, before[j], drift * before[P + j] + by * p_before,
                                    o->of.dx[j], drift * o->of.pi[j] + by * p);
     }
 }
@@ -264,7 +266,7 @@ static int run_tangents(const fvi_estimation_model *m, double *slope)
     const size_t P = m->fit->parameters;
     const double h = m->run.h;
     double before[2 * FVI_ESTIMATION_MOST] = { 0 }, p_before = 0;
-    if (!fvi_estimation_model_is_possible(m))
+    if (!is_possible(m))
         return FVI_EDOM;
     if (m->fit->method->stages && m->run.alpha == 1) /* there are differences; no handler is told */
         return FVI_EUNSUP;

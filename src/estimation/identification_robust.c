@@ -29,7 +29,8 @@ double fvi_estimation_stretch(double k, double f)
     return k == 0 || fabs(f) <= k ? 1 : fabs(f) / k;
 }
 
-double fvi_estimation_influence(double k, double f)
+/* Half the slope of the loss at f, which is r or -+ k. */
+static double influence(double k, double f)
 {
     return k == 0 || fabs(f) <= k ? f : copysign(k, f);
 }
@@ -44,7 +45,7 @@ void fvi_estimation_robust_units(double k, size_t P, const gsl_vector *f, double
         return;
     for (size_t i = 0; i < f->size; i++) {
         const double each = gsl_vector_get(f, i);
-        squares += gsl_pow_2(fvi_estimation_influence(k, each));
+        squares += gsl_pow_2(influence(k, each));
         within += fabs(each) <= k;
     }
     const double B = squares / (double)(f->size - P), A = within / (double)f->size;
@@ -61,7 +62,7 @@ void fvi_estimation_unroll(double k, gsl_vector *f, gsl_matrix *J)
         const double stretch = fvi_estimation_stretch(k, gsl_vector_get(f, i));
         for (size_t j = 0; j < J->size2; j++)
             gsl_matrix_set(J, i, j, stretch * gsl_matrix_get(J, i, j));
-        gsl_vector_set(f, i, fvi_estimation_influence(k, gsl_vector_get(f, i)));
+        gsl_vector_set(f, i, influence(k, gsl_vector_get(f, i)));
     }
 }
 

@@ -7,10 +7,9 @@
 
 #include "identification_search.h"
 
-/* f of r; dr/df at f; and half the slope of the loss there, which is r or -+ k. */
+/* f of r; and dr/df at f. */
 double fvi_estimation_loss(double k, double r);
 double fvi_estimation_stretch(double k, double f);
-double fvi_estimation_influence(double k, double f);
 
 /* (24.20): what the scatter of an influence makes of the standard deviations of (J^T J)^-1, J of r;
  * and what a loss counts in chi^2. Both 1 for k = 0. f: n roots of which P parameters were fitted. */

@@ -39,7 +39,7 @@ static double complex at_point(const fvi_kernel_term *t, fvi_delta kind,
 //> cauchy
 /* Points z = r e^(2 pi i j / M) with r^M = 1e-14: what comes round again is below that, and
  * roundings grow by r^-count = 10^(14/8) at most. */
-int fvi_kernel_cauchy(const fvi_kernel_term *t, fvi_delta kind, double h,
+static int add_coefficients(const fvi_kernel_term *t, fvi_delta kind, double h,
                       int increments, size_t count, double *w)
 {
     size_t M = 16;
@@ -74,7 +74,7 @@ int fvi_kernel_general_weights(const fvi_kernel *law, fvi_delta kind, double h,
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < law->count; i++)
         if (fvi_kernel_is_general(&law->term[i]) && law->term[i].rho > 0)
-            status = fvi_kernel_cauchy(&law->term[i], kind, h, increments,
+            status = add_coefficients(&law->term[i], kind, h, increments,
                                        count, w);
     return status;
 }

@@ -17,13 +17,9 @@ int fvi_kernel_has_general(const fvi_kernel *law);
 double complex fvi_kernel_term_at(const fvi_kernel_term *t, double modulus,
                                   double angle);
 
-/* fvi_kernel_cauchy -- adds to w the first `count` coefficients of rho C(delta(z)/h), divided
- * by 1 - z if `increments` is 1. To some 10 u of the largest, O(count ln count) with 8 count
- * values of the symbol. Returns FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_kernel_cauchy(const fvi_kernel_term *t, fvi_delta kind, double h,
-                      int increments, size_t count, double *w);
-
-/* fvi_kernel_general_weights -- the same of all such terms of a law. */
+/* fvi_kernel_general_weights -- adds to w the first `count` coefficients of rho C(delta(z)/h), divided by 1 - z if
+ * `increments` is 1, of all such terms of a law. To some 10 u of the largest, O(count ln count) with 8 count values
+ * of the symbol. Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_kernel_general_weights(const fvi_kernel *law, fvi_delta kind, double h,
                                int increments, size_t count, double *w);
 

@@ -154,19 +154,19 @@ const fvi_method fvi_midpoint_variational = { .name = "variational",
                                      .stability_number_grows = 1,
                                      .start = start_variational,
                                      .step = step_variational };
+
+/* What the methods with a dashpot share. */
+#define WITH_A_DASHPOT                                                                                             \
+    .order = "1", .lowest = 1, .highest = 1, .memory = "none", .alpha_least = 0.5, .alpha_most = 0.5,              \
+    .stability_number_grows = 1
+
 const fvi_method fvi_lagrange_dalembert = { .name = "lda",
-                                            .order = "1",
-                                            .lowest = 1,
-                                            .highest = 1,
-                                            .memory = "none",
-                                            .alpha_least = 0.5,
-                                            .alpha_most = 0.5,
                                             .takes_kappa = 1,
                                             .implicit = 1,
                                             .stability_number = fvi_stability_number_backward,
-                                            .stability_number_grows = 1,
                                             .start = fvi_variational_solver,
-                                            .step = step_forced };
+                                            .step = step_forced,
+                                            WITH_A_DASHPOT };
 
 /* ---- Euler's methods ---- */
 
@@ -222,24 +222,12 @@ static int step_euler_implicit(fvi_stepper *s)
 }
 
 const fvi_method fvi_euler_explicit = { .name = "euler-explicit",
-                                        .order = "1",
-                                        .lowest = 1,
-                                        .highest = 1,
-                                        .memory = "none",
-                                        .alpha_least = 0.5,
-                                        .alpha_most = 0.5,
                                         .stability_number = fvi_stability_number_explicit,
-                                        .stability_number_grows = 1,
-                                        .step = step_euler_explicit };
+                                        .step = step_euler_explicit,
+                                        WITH_A_DASHPOT };
 const fvi_method fvi_euler_implicit = { .name = "euler-implicit",
-                                        .order = "1",
-                                        .lowest = 1,
-                                        .highest = 1,
-                                        .memory = "none",
-                                        .alpha_least = 0.5,
-                                        .alpha_most = 0.5,
                                         .implicit = 1,
                                         .stability_number = fvi_stability_number_none,
-                                        .stability_number_grows = 1,
                                         .start = start_euler_implicit,
-                                        .step = step_euler_implicit };
+                                        .step = step_euler_implicit,
+                                        WITH_A_DASHPOT };

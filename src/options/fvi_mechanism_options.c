@@ -63,7 +63,8 @@ static int has_contacts(const fvi_options *o)
     return 0;
 }
 
-int fvi_wants_mechanism(const fvi_options *o)
+/* Do the words, or a mass of 0, ask for a mechanism? */
+static int wants_mechanism(const fvi_options *o)
 {
     for (size_t n = 0; n < FVI_OF_MECHANISM; n++)
         if (o->list[n].count > 0)
@@ -187,7 +188,7 @@ static char *lagrangian_of_potential(const fvi_options *o)
 int fvi_problem_mechanism(fvi_options *o, fvi_error *c)
 {
     char **made = NULL, *in_time = NULL;
-    if (!fvi_wants_mechanism(o) || o->directory) /* whose dampers are its own */
+    if (!wants_mechanism(o) || o->directory) /* whose dampers are its own */
         return 0;
     if (o->potential_has_time && !(in_time = lagrangian_of_potential(o)))
         return fvi_no_memory(c, NULL);

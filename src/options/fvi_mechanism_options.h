@@ -14,9 +14,6 @@ int fvi_list_option(fvi_options *o, option_index i, const char *value,
 /* fvi_dampers_typed -- the texts of --damper. */
 const fvi_option_values *fvi_dampers_typed(const fvi_options *o);
 
-/* fvi_wants_mechanism -- do the words, or a mass of 0, ask for a mechanism? */
-int fvi_wants_mechanism(const fvi_options *o);
-
 /* fvi_wants_stable -- is fvi-stable the method, unless another is named?
  * fvi_leaves_steps -- but is an error, or an event, asked for, so that fvi-adaptive is? */
 int fvi_wants_stable(const fvi_options *o);

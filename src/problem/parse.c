@@ -19,10 +19,9 @@ const char *const fvi_history_words[] = { "auto", "direct", "exponentials",
 
 /* ---- numbers ---- */
 
-/* What a number is, tables and words ask the same function; the text stays, as its point is no
- * comma. */
-int fvi_scan_number(const char *text, char end, double *value,
-                    const char **rest)
+/* A number that ends at the end of the text or before `end`, and where it ends. What a number is, tables and words ask
+ * the same function; the text stays, as its point is no comma. */
+static int scan_number(const char *text, char end, double *value, const char **rest)
 {
     *rest = fvi_lines_decimal((char *)text, '.', value);
     return *rest && (**rest == '\0' || (end && **rest == end));
@@ -51,7 +50,7 @@ int fvi_parse_number(const char *field, const char *text, double low,
     double v;
     if (!text || !brackets || !value)
         return fvi_fail(error, FVI_EFAULT, field, NAN, "null pointer");
-    if (!fvi_scan_number(text, '\0', &v, &rest))
+    if (!scan_number(text, '\0', &v, &rest))
         return fvi_refuse(error, field, "'%s' is not a finite decimal number", text);
     if (!is_within(v, low, high, brackets))
         return refuse_outside(field, text, v, low, high, brackets, error);
@@ -79,7 +78,7 @@ static size_t scan_numbers(const char *text, size_t d, double *values)
     const char *at = text;
     for (size_t n = 0;; at++) {
         double value;
-        if (!fvi_scan_number(at, ',', &value, &at))
+        if (!scan_number(at, ',', &value, &at))
             return 0;
         if (n < d)
             values[n] = value;
@@ -128,7 +127,7 @@ int fvi_scan_call(const char *text, const char *word, int count, double *p)
     text += length;
     for (int n = 0; n < count; n++)
         if (*text != (n ? ',' : ':')
-            || !fvi_scan_number(text + 1, ',', &p[n], &text))
+            || !scan_number(text + 1, ',', &p[n], &text))
             return 0;
     return *text == '\0';
 }

@@ -4,10 +4,6 @@
 
 #include <fvi/parse.h>
 
-/* A number that ends at the end of the text or before `end`, and where it ends. */
-int fvi_scan_number(const char *text, char end, double *value,
-                    const char **rest);
-
 /* "word:p1,p2": nonzero if text is that word with exactly count finite numbers. */
 int fvi_scan_call(const char *text, const char *word, int count, double *p);
 

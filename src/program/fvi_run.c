@@ -131,7 +131,9 @@ int fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
     return 0;
 }
 
-void fvi_run_head(FILE *out, const fvi_options *o, const char *unstable)
+/* The warning of the step in the head of a table, if there is one, under a name that no other warning has: what is read
+ * as JSON keeps one of two. */
+static void print_warning(FILE *out, const fvi_options *o, const char *unstable)
 {
     if (*unstable)
         fvi_format_parameter(out, o->format,
@@ -213,7 +215,7 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
         return failed;
     }
     fvi_table_head(t->out, o);
-    fvi_run_head(t->out, o, unstable);
+    print_warning(t->out, o, unstable);
     if (solved)
         fvi_format_parameter(t->out, o->format, "solver", solved);
     watches watch = { .of_step = fvi_watch_begin(o->method, r, *unstable != '\0') };

@@ -38,10 +38,6 @@ int fvi_run_looks_at_inertia(const fvi_stepper *s, size_t steps);
 int fvi_run_inertia_of_rows(const fvi_options *o, const fvi_system *system, size_t rows,
                             const double *x, const double *p, char *text);
 
-/* fvi_run_head -- that text in the head of a table, if it is one, under a name that no other
- * warning has: what is read as JSON keeps one of two. */
-void fvi_run_head(FILE *out, const fvi_options *o, const char *unstable);
-
 /* fvi_run_observe -- at the start of a run, or again: t->observer, if a column or a reduction needs
  * one; free it with fvi_observer_free. fvi_run_step -- one step, with what is observed of it.
  * Both return as fvi_observer_start and fvi_observer_step. */

@@ -109,7 +109,9 @@ static int make_room(fvi_stage_term *t)
     return FVI_SUCCESS;
 }
 
-int fvi_stage_term_start(const fvi_run *run, const fvi_sensitivities *want, size_t s, size_t d,
+/* The memories for what is wanted of a term, with the tolerance `keep`. t is in any case to be given back by stop_term,
+ * and stays where it is. */
+static int start_term(const fvi_run *run, const fvi_sensitivities *want, size_t s, size_t d,
                          double keep, const fvi_kernel_term *of, fvi_stage_term *t)
 {
     *t = (fvi_stage_term){ .s = s, .d = d, .h = run->h, .rule = fvi_lobatto(s), .by_time = 1 };
@@ -131,7 +133,7 @@ int fvi_stage_term_start(const fvi_run *run, const fvi_sensitivities *want, size
     return status ? status : start_slopes(run, want, keep, t);
 }
 
-void fvi_stage_term_stop(fvi_stage_term *t)
+static void stop_term(fvi_stage_term *t)
 {
     fvi_lobatto_history_free(t->self.memory);
     fvi_lobatto_history_free(t->again.memory);
@@ -200,7 +202,7 @@ static int push(fvi_stage_convolution *c, const double *in)
                      : FVI_SUCCESS;
 }
 
-int fvi_stage_term_update_history(fvi_stage_term *t, const double *nu)
+static int update_history_of_term(fvi_stage_term *t, const double *nu)
 {
     int status = push(&t->self, nu);
     for (int by = 0; !status && by < FVI_ADJOINT_SLOPES; by++)
@@ -227,7 +229,7 @@ int fvi_stage_terms_start(const fvi_run *run, const fvi_sensitivities *want, siz
     if (!terms->each)
         FVI_FAIL("no memory for the terms of a law", FVI_ENOMEM);
     for (; !status && terms->count < law->count; terms->count++)
-        status = fvi_stage_term_start(run, want, s, d, keep, law->term + terms->count,
+        status = start_term(run, want, s, d, keep, law->term + terms->count,
                                       terms->each + terms->count);
     return status;
 }
@@ -269,13 +271,13 @@ int fvi_stage_terms_update_history(fvi_stage_terms *terms, const double *nu)
 {
     int status = FVI_SUCCESS;
     for (size_t l = 0; !status && l < terms->count; l++)
-        status = fvi_stage_term_update_history(terms->each + l, nu);
+        status = update_history_of_term(terms->each + l, nu);
     return status;
 }
 
 void fvi_stage_terms_stop(fvi_stage_terms *terms)
 {
     for (size_t l = 0; l < terms->count; l++)
-        fvi_stage_term_stop(terms->each + l);
+        stop_term(terms->each + l);
     free(terms->each);
 }

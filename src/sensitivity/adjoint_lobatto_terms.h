@@ -33,19 +33,10 @@ typedef struct {
     double *room, *block;     /* each; all these and past and now; owned */
 } fvi_stage_term;
 
-/* fvi_stage_term_start -- the memories for what is wanted of a term, with the tolerance `keep`. t is in any
- * case to be given back by fvi_stage_term_stop, and stays where it is. Returns what fvi_lobatto_history_of_kernel and
- * fvi_lobatto_history_alloc_by_order return; FVI_ENOMEM.
- *
- * fvi_stage_term_next -- nu of number j comes in, s velocities. By rho W nu changes by self.now, by the
+/* fvi_stage_term_next -- nu of number j comes in, s velocities. By rho W nu changes by self.now, by the
  * time by -by_time rho again.now, by the order by 2 rho times fvi_stage_term_by_order; where its derivative is a
- * kernel, by sign rho slopes.now.
- * fvi_stage_term_update_history -- the step is over: nu of all numbers. */
-int fvi_stage_term_start(const fvi_run *run, const fvi_sensitivities *want, size_t s, size_t d,
-                         double keep, const fvi_kernel_term *of, fvi_stage_term *t);
+ * kernel, by sign rho slopes.now. */
 void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu);
-int fvi_stage_term_update_history(fvi_stage_term *t, const double *nu);
-void fvi_stage_term_stop(fvi_stage_term *t);
 
 /* fvi_stage_term_by_order -- of number n of a term with log.memory, log.now - ln h left - less.now. */
 static inline double fvi_stage_term_by_order(const fvi_stage_term *t, size_t n, double log_h)
@@ -63,7 +54,9 @@ typedef struct {
     fvi_stage_term *each; /* owned */
 } fvi_stage_terms;
 
-/* fvi_stage_terms_start, _update_history, _stop -- of all of them.
+/* fvi_stage_terms_start, _update_history, _stop -- the memories for what is wanted of all of them, with the tolerance
+ * `keep`, in any case to be given back; nu of all numbers of a step that is over. The first returns what
+ * fvi_lobatto_history_of_kernel and fvi_lobatto_history_alloc_by_order return; FVI_ENOMEM.
  * fvi_stage_terms_accumulate -- nu of number j comes in, a multiplier at the stages in reverse order. Its products
  * with `weight` times the velocities v of this number are taken away from what is wanted of term `first` and those
  * behind it. */

@@ -158,9 +158,9 @@ int fvi_velocity_add(size_t d, const double *change, double *v, double *last,
 
 //> velocity
 /* Newton's method. A Lagrangian is mostly quadratic in v, and then one step does it; another is
- * taken for its roundings. */
-int fvi_velocity_given(const fvi_system *s, double t, const double *x,
-                       const double *p, double *v, double *room, size_t *order)
+ * taken for its roundings. room: 2 d + d * d numbers. */
+static int solve_velocity(const fvi_system *s, double t, const double *x, const double *p, double *v, double *room,
+                          size_t *order)
 {
     const size_t d = s->d;
     double *Lv = room, *r = room + d, *Lvv = room + 2 * d, last = INFINITY;
@@ -202,7 +202,7 @@ int fvi_velocity_of_momentum(const fvi_system *system, double t,
     double *room = malloc((2 + d) * d * sizeof *room);
     size_t *order = malloc(d * sizeof *order);
     const int status = room && order
-                           ? fvi_velocity_given(system, t, x, p, v, room, order)
+                           ? solve_velocity(system, t, x, p, v, room, order)
                            : FVI_ENOMEM;
     free(room);
     free(order);

@@ -39,11 +39,4 @@ int fvi_velocity_add(size_t d, const double *change, double *v, double *last,
 int fvi_inertia_at_rest(const fvi_system *s, double t, const double *x, const double *v,
                         double *room, size_t *is_zero, int *vanishes);
 
-/* fvi_velocity_given -- fvi_velocity_of_momentum without the heap.
- *
- *   room   2 d + d * d numbers     order  room for d */
-int fvi_velocity_given(const fvi_system *system, double t, const double *x,
-                       const double *p, double *v, double *room,
-                       size_t *order);
-
 #endif
