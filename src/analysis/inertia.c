@@ -2,6 +2,7 @@
 #include <fvi/warnings.h>
 
 #include <fvi/error.h>
+#include "system/arrays.h"
 #include "system/lagrangian_point.h"
 #include "system/larger.h"
 
@@ -106,15 +107,13 @@ int fvi_inertia_watch_begin(const fvi_system *system, fvi_inertia_watch **watch)
         return FVI_SUCCESS;
     fvi_inertia_watch *w = calloc(1, sizeof *w);
     if (w)
-        w->x = calloc((7 + d) * d, sizeof *w->x);
+        w->x = FVI_ARRAYS({ &w->x, d }, { &w->v, d }, { &w->largest, d }, { &w->xm, d }, { &w->vm, d },
+                          { &w->x1, d }, { &w->v1, d }, { &w->matrix, d * d });
     if (!w || !w->x) {
         free(w);
         return FVI_ENOMEM;
     }
     w->system = system;
-    double **const places[] = { &w->v, &w->largest, &w->xm, &w->vm, &w->x1, &w->v1, &w->matrix };
-    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
-        *places[i] = w->x + (i + 1) * d;
     *watch = w;
     return FVI_SUCCESS;
 }

@@ -5,6 +5,7 @@
 #include "search_bound.h"
 
 #include "variable_step/variable_step.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -285,13 +286,10 @@ int fvi_variable_step_search(const fvi_run *run, size_t count, const double *t,
         || (t && count >= SIZE_MAX / sizeof(double) / 8 / d))
         FVI_FAIL("rows must be addressable", FVI_EINVAL);
     const size_t length = run->steps * o.first + 1 + (t ? count : 0);
-    double *block = malloc((3 * d + 1) * length * sizeof *block);
+    double *block = FVI_ARRAYS({ &o.x, length * d }, { &o.before, length * d }, { &o.p, length * d },
+                               { &o.t, length });
     if (!block)
         FVI_FAIL("no memory for the rows", FVI_ENOMEM);
-    o.x = block;
-    o.before = block + length * d;
-    o.p = block + 2 * length * d;
-    o.t = block + 3 * length * d;
     merge_times(&o, t ? count : 0, t);
     fvi_variable_step_found best = { 0 };
     status = search(&o, error, &best);

@@ -1,6 +1,7 @@
 /* src/estimation/identification_model.c -- The model that a fit moves.    [H 24] */
 #include "identification_model.h"
 
+#include "system/arrays.h"
 #include "system/larger.h"
 
 #include <fvi/error.h>
@@ -72,12 +73,9 @@ static int copy_numbers(fvi_estimation_model *m)
 {
     const fvi_run *run = m->fit->run;
     const size_t d = run->system->d;
-    m->mass = malloc(4 * d * sizeof *m->mass);
+    m->mass = FVI_ARRAYS({ &m->mass, d }, { &m->damping, d }, { &m->x0, d }, { &m->p0, d });
     if (!m->mass)
         return FVI_ENOMEM;
-    m->damping = m->mass + d;
-    m->x0 = m->damping + d;
-    m->p0 = m->x0 + d;
     memcpy(m->mass, run->system->mass, d * sizeof *m->mass);
     memcpy(m->damping, run->system->damping, d * sizeof *m->damping);
     memcpy(m->x0, run->x0, d * sizeof *m->x0);

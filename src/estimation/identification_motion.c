@@ -2,6 +2,8 @@
 #include "identification_model.h"
 #include "identification_tangent.h"
 
+#include "system/arrays.h"
+
 #include <fvi/error.h>
 #include <fvi/lagrangian.h>
 #include <fvi/methods.h>
@@ -75,13 +77,10 @@ static int start_motion(const fvi_estimation_model *m, size_t r, motion *o)
     }
     for (size_t c = 0; c < fvi_estimation_columns(m->fit); c++)
         o->asks_velocities |= fvi_estimation_piece_of(m->fit, r, c).shows != NULL;
-    o->x = calloc(6 * d + 1, sizeof *o->x); /* hv, too: of a coordinate without inertia the velocity stays 0 */
+    /* Zeros: of a coordinate without inertia the velocity stays 0. */
+    o->x = FVI_ARRAYS({ &o->x, d }, { &o->p, d }, { &o->hv, d }, { &o->hnext, d }, { &o->now, 2 * d + 1 });
     if (!o->x)
         return FVI_ENOMEM;
-    o->p = o->x + d;
-    o->hv = o->p + d;
-    o->hnext = o->hv + d;
-    o->now = o->hnext + d;
     const int status = fvi_stepper_start(m->fit->method, &o->run, &o->s, NULL);
     if (status)
         return status;

@@ -4,6 +4,7 @@
 #include "matrices/cholesky.h"
 #include "matrices/factors.h"
 #include "matrices/sparse.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_eigen.h>
@@ -217,18 +218,10 @@ static int lowest_modes(const fvi_sparse *M, const fvi_sparse *K, size_t count,
 {
     const size_t n = M->n, q = count + (count > 8 ? count : 8);
     subspace s = { .M = M, .K = K, .n = n, .q = q };
-    double *room = malloc((2 * q * n + n + (3 * q + 8) * q) * sizeof *room);
+    double *room = FVI_ARRAYS({ &s.X, q * n }, { &s.Y, q * n }, { &s.MX, n }, { &s.of_K, q * q }, { &s.of_M, q * q },
+                              { &s.V, q * q }, { &s.values, q }, { &s.room, 7 * q });
     if (!room)
         return FVI_ENOMEM;
-    s.X = room;
-    s.Y = s.X + q * n;
-    s.MX = s.Y + q * n;
-    s.of_K = s.MX + n;
-    s.of_M = s.of_K + q * q;
-    s.V = s.of_M + q * q;
-    s.values = s.V + q * q;
-    s.room = s.values + q;
-    memset(s.values, 0, q * sizeof *s.values);
     int status = shift_stiffness(&s);
     if (!status)
         status = iterate(&s, count);

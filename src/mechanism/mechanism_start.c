@@ -1,5 +1,6 @@
 /* src/mechanism/mechanism_start.c -- The start, the copy and the end of a run with a mechanism. [H 29] */
 #include "mechanism_state.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -24,48 +25,28 @@ static void stop(fvi_stepper *s)
     fvi_mechanism_free(s->mechanism);
 }
 
-/* Every array of doubles stands in one block; those that go from step to step come first. There is room for all
+/* Every array of doubles stands in one block; those that go from step to step stand before W. There is room for all
  * contacts at once. */
 static int allocate(fvi_mechanism_state *o)
 {
     const size_t d = o->d, r = o->r, m = o->most, s = o->s, q = o->q,
                  n = o->n + (m - o->m) * (o->rule ? s - o->begin : 1);
-    const struct {
-        double **to;
-        size_t count;
-    } arrays[] = {
-        { &o->impulse, r }, { &o->work, r }, { &o->begun, m }, { &o->ended, m },
-        { &o->tie, m }, { &o->level, m },
-        { &o->v, d }, { &o->u, n }, { &o->z, r }, { &o->G, r * d },
-        { &o->C, m * d }, { &o->z0, r }, { &o->raw, 4 * d },
-        { &o->W, r * s * s }, { &o->known, r * s }, { &o->lambda, r * s },
-        { &o->zdot, r * s }, { &o->start_impulse, 2 * r }, { &o->X, (q + 1) * d },
-        { &o->V, q * d },
-        { &o->f, q * d }, { &o->Lv, q * d }, { &o->fx, q * d * d },
-        { &o->fv, q * d * d }, { &o->Lxv, q * d * d }, { &o->Lvv, q * d * d },
-        { &o->load, (q + 1) * d }, { &o->elongation, q * r },
-        { &o->gradient, q * r * d }, { &o->residual, n },
-        { &o->matrix, n * n }, { &o->change, n }, { &o->trial, n },
-        { &o->room, 4 * (d + m + 1) * (d + m + 1) }
-    };
-    enum { COUNT = sizeof arrays / sizeof *arrays, SAVED = 13 };
-    size_t all = 0;
-    for (size_t i = 0; i < COUNT; i++)
-        all += arrays[i].count;
-    o->numbers = calloc(all, sizeof *o->numbers);
+    o->numbers = FVI_ARRAYS({ &o->impulse, r }, { &o->work, r }, { &o->begun, m }, { &o->ended, m }, { &o->tie, m },
+                            { &o->level, m }, { &o->v, d }, { &o->u, n }, { &o->z, r }, { &o->G, r * d },
+                            { &o->C, m * d }, { &o->z0, r }, { &o->raw, 4 * d }, { &o->W, r * s * s },
+                            { &o->known, r * s }, { &o->lambda, r * s }, { &o->zdot, r * s },
+                            { &o->start_impulse, 2 * r }, { &o->X, (q + 1) * d }, { &o->V, q * d }, { &o->f, q * d },
+                            { &o->Lv, q * d }, { &o->fx, q * d * d }, { &o->fv, q * d * d }, { &o->Lxv, q * d * d },
+                            { &o->Lvv, q * d * d }, { &o->load, (q + 1) * d }, { &o->elongation, q * r },
+                            { &o->gradient, q * r * d }, { &o->residual, n }, { &o->matrix, n * n },
+                            { &o->change, n }, { &o->trial, n }, { &o->room, 4 * (d + m + 1) * (d + m + 1) });
     o->order = calloc(n + d + m, sizeof *o->order);
     o->is_massless = calloc(d, 1);
     o->contact = calloc(2 * (m - o->own) + 1, sizeof *o->contact);
     if (!o->numbers || !o->order || !o->is_massless || !o->contact)
         return FVI_ENOMEM;
     o->last_contact = o->contact + (m - o->own);
-    size_t at = 0;
-    for (size_t i = 0; i < COUNT; i++) {
-        *arrays[i].to = o->numbers + at;
-        at += arrays[i].count;
-        if (i + 1 == SAVED)
-            o->saved = at;
-    }
+    o->saved = (size_t)(o->W - o->numbers);
     return FVI_SUCCESS;
 }
 

@@ -5,6 +5,7 @@
 #include "memory/history_kinds.h"
 #include "shifted_kernel.h"
 #include "memory/history_parts.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "newton/linearised.h"
 
@@ -40,13 +41,10 @@ static int damping_alloc(const fvi_system *system, const fvi_run_damper *of, siz
     d->count = count;
     d->all = count == system->d && !system->matrices;
     d->index = malloc((system->matrices ? 1 : count) * sizeof *d->index);
-    d->factor = calloc(5 * count, sizeof *d->factor);
+    d->factor = FVI_ARRAYS({ &d->factor, count }, { &d->origin, count }, { &d->drift, count }, { &d->z, count },
+                           { &d->dz, count });
     if (!d->index || !d->factor)
         FVI_FAIL("no memory for the damping", FVI_ENOMEM);
-    d->origin = d->factor + count;
-    d->drift = d->factor + 2 * count;
-    d->z = d->factor + 3 * count;
-    d->dz = d->factor + 4 * count;
     return FVI_SUCCESS;
 }
 

@@ -3,6 +3,7 @@
 
 #include "lobatto_stages.h"
 #include "newton/linearised.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "system/vectors.h"
 
@@ -13,19 +14,15 @@
 /* ---- the start ---- */
 
 /* Zeros for the numbers of a damper. */
-static int make_numbers(fvi_stage_damper *a, size_t s, int by_order)
+static int make_numbers(fvi_stage_damper *a, size_t s, size_t by_order)
 {
     const size_t stages = s * a->r;
-    a->drift = calloc(3 * a->r + (by_order ? 5 : 3) * stages, sizeof *a->drift);
-    if (!a->drift)
+    if (!FVI_ARRAYS({ &a->drift, a->r }, { &a->z, a->r }, { &a->zero, a->r }, { &a->slope, stages },
+                    { &a->Y, stages }, { &a->force, stages }, { &a->Ydot, by_order * stages },
+                    { &a->force_by_order, by_order * stages }))
         FVI_FAIL("no memory for a damper", FVI_ENOMEM);
-    a->z = a->drift + a->r;
-    a->zero = a->z + a->r;
-    a->slope = a->zero + a->r;
-    a->Y = a->slope + stages;
-    a->force = a->Y + stages;
-    a->Ydot = by_order ? a->force + stages : NULL;
-    a->force_by_order = by_order ? a->Ydot + stages : NULL;
+    if (!by_order)
+        a->Ydot = a->force_by_order = NULL;
     return FVI_SUCCESS;
 }
 

@@ -1,6 +1,7 @@
 /* src/methods/lobatto_matrices_start.c -- Stages of a system with matrices: the start.  [H 27] */
 #include "lobatto_matrices.h"
 
+#include "system/arrays.h"
 #include "system/fail.h"
 
 #include <stdlib.h>
@@ -62,20 +63,11 @@ static int make_state(fvi_stepper *s, size_t stages)
     o->rule = fvi_lobatto(stages);
     o->s = stages;
     o->d = d;
-    o->numbers = calloc((8 + 3 * stages) * d, sizeof *o->numbers);
+    o->numbers = FVI_ARRAYS({ &o->v, d }, { &o->p, d }, { &o->V, stages * d }, { &o->F, stages * d },
+                            { &o->load, stages * d }, { &o->Kx, d }, { &o->Kv, d }, { &o->dx, d },
+                            { &o->dv, d }, { &o->dp, d }, { &o->room, d });
     if (!o->numbers)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
-    o->v = o->numbers;
-    o->p = o->v + d;
-    o->V = o->p + d;
-    o->F = o->V + stages * d;
-    o->load = o->F + stages * d;
-    o->Kx = o->load + stages * d;
-    o->Kv = o->Kx + d;
-    o->dx = o->Kv + d;
-    o->dv = o->dx + d;
-    o->dp = o->dv + d;
-    o->room = o->dp + d;
     return FVI_SUCCESS;
 }
 

@@ -5,6 +5,7 @@
 #include "stability_number.h"
 #include "lobatto_matrices.h"
 #include "lobatto_stages.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "system/larger.h"
 #include "newton/linearised.h"
@@ -85,19 +86,14 @@ static int allocate(fvi_stepper *s, size_t stages, size_t n)
     o->M = calloc(d * n * n, sizeof *o->M);
     o->index = calloc(d, sizeof *o->index);
     const fvi_linearised *linearised = fvi_linearised_of(s->run.system);
-    const size_t rows = linearised && linearised->by_order ? 7 : 6;
-    o->share = calloc(2 * d + rows * stages * d, sizeof *o->share);
+    const size_t by_order = linearised && linearised->by_order;
+    o->share = FVI_ARRAYS({ &o->share, d }, { &o->v0, d }, { &o->dX, stages * d }, { &o->S, stages * d },
+                          { &o->grad, stages * d }, { &o->v, stages * d }, { &o->Y, stages * d },
+                          { &o->r, stages * d }, { &o->Ydot, by_order * stages * d });
     if (!o->M || !o->index || !o->share)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
-    o->v0 = o->share + d;
-    o->dX = o->v0 + d;
-    o->S = o->dX + stages * d;
-    o->grad = o->S + stages * d;
-    o->v = o->grad + stages * d;
-    o->Y = o->v + stages * d;
-    o->r = o->Y + stages * d;
-    if (rows == 7)
-        o->Ydot = o->r + stages * d;
+    if (!by_order)
+        o->Ydot = NULL;
     return FVI_SUCCESS;
 }
 

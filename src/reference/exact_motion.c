@@ -5,6 +5,8 @@
 #include "exact_motion_check.h"
 #include "exact_motion_state.h"
 
+#include "system/arrays.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -192,13 +194,10 @@ static int copy_problem(const fvi_exact_problem *p, fvi_exact_motion *o, fvi_err
     o->A = p->A;
     o->T = p->T;
     o->w = fabs(p->w);
-    o->x0 = calloc(4 * d, sizeof *o->x0);
+    o->x0 = FVI_ARRAYS({ &o->x0, d }, { &o->p0, d }, { &o->v0, d }, { &o->pull, d });
     o->room = calloc(d, sizeof *o->room);
     if (!o->x0 || !o->room)
         return fvi_no_memory(error, NULL);
-    o->p0 = o->x0 + d;
-    o->v0 = o->p0 + d;
-    o->pull = o->v0 + d;
     memcpy(o->x0, p->x0, d * sizeof *o->x0);
     memcpy(o->p0, p->p0, d * sizeof *o->p0);
     return fvi_exact_motion_start(system, o->x0, o->p0, o->v0, o->pull);

@@ -2,6 +2,7 @@
 #include "adjoint_constant.h"
 
 #include "methods/damping.h"
+#include "system/arrays.h"
 #include "system/dot.h"
 #include "system/fail.h"
 
@@ -39,16 +40,12 @@ size_t fvi_adjoint_factor(fvi_scheme scheme, double alpha, double *g,
 
 static int allocate(fvi_adjoint_constant *c)
 {
-    double **each[] = { &c->sum,      &c->sum_by_order, &c->value,       &c->rate,
-                        &c->by_theta, &c->now,          &c->now_by_order };
-    enum { ARRAYS = sizeof each / sizeof *each };
-    c->block = calloc((ARRAYS + 4 * c->taps) * c->width, sizeof *c->block);
+    const size_t n = c->width;
+    c->block = FVI_ARRAYS({ &c->sum, n }, { &c->sum_by_order, n }, { &c->value, n }, { &c->rate, n },
+                          { &c->by_theta, n }, { &c->now, n }, { &c->now_by_order, n },
+                          { &c->past, 2 * c->taps * n }, { &c->past_by_order, 2 * c->taps * n });
     if (!c->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    for (size_t i = 0; i < ARRAYS; i++)
-        *each[i] = c->block + i * c->width;
-    c->past = c->block + ARRAYS * c->width;
-    c->past_by_order = c->past + 2 * c->taps * c->width;
     return FVI_SUCCESS;
 }
 

@@ -4,6 +4,7 @@
 
 #include "kernel/kernel_terms.h"
 #include "system/all_zero.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -38,22 +39,18 @@ int fvi_adjoint_dampers_check(const fvi_method *method, const fvi_run *run,
 
 static int allocate(fvi_adjoint_dampers *m)
 {
-    double **each[] = { &m->Jp, &m->v0, &m->right, &m->by_start,
-                        &m->z,  &m->work, &m->column, &m->moved, &m->zeros, &m->jump,
-                        &m->multipliers.nu, &m->multipliers.behind,
-                        &m->multipliers.mean, &m->multipliers.change };
-    enum { ARRAYS = sizeof each / sizeof *each, OF_A_DAMPER = 7 };
+    enum { OF_A_DAMPER = 7 };
+    double *next;
     const size_t d = m->d;
     m->each = calloc(m->count, sizeof *m->each);
     m->held = calloc(m->count, sizeof *m->held);
-    m->block = calloc((ARRAYS + 2 + OF_A_DAMPER * m->count) * d, sizeof *m->block);
+    m->block = FVI_ARRAYS({ &m->Jp, d }, { &m->v0, d }, { &m->right, d }, { &m->by_start, d }, { &m->z, d },
+                          { &m->work, d }, { &m->column, d }, { &m->moved, d }, { &m->zeros, d }, { &m->jump, d },
+                          { &m->multipliers.nu, d }, { &m->multipliers.behind, d }, { &m->multipliers.mean, d },
+                          { &m->multipliers.change, d }, { &m->remembered, 2 * d },
+                          { &next, OF_A_DAMPER * m->count * d });
     if (!m->each || !m->held || !m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    double *next = m->block;
-    for (size_t i = 0; i < ARRAYS; i++, next += d)
-        *each[i] = next;
-    m->remembered = next;
-    next += 2 * d;
     for (size_t j = 0; j < m->count; j++, next += OF_A_DAMPER * d) {
         m->each[j].by_drift = next;
         m->each[j].pull = next + d;

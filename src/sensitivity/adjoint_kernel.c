@@ -1,6 +1,7 @@
 /* src/sensitivity/adjoint_kernel.c -- What a term of a law gives, going backwards. [H 23] */
 #include "adjoint_kernel.h"
 
+#include "system/arrays.h"
 #include "system/dot.h"
 #include "system/fail.h"
 
@@ -82,22 +83,16 @@ int fvi_adjoint_term_start(const fvi_run *run, const fvi_sensitivities *want,
                           fvi_delta kind, const fvi_kernel_term *term, size_t d,
                           const fvi_damping_matrix *matrix, fvi_adjoint_term *t)
 {
-    enum { ROWS = 6 + FVI_ADJOINT_SLOPES };
     *t = (fvi_adjoint_term){ .d = d,
                              .matrix = matrix,
                              .whole = matrix ? run->system->d : 0 };
     fvi_adjoint_unit_term(term, &t->unit, &t->rho);
     t->alone = (fvi_kernel){ 1, &t->unit.term };
-    t->block = calloc((ROWS + FVI_BDF2_TAPS) * d + t->whole, sizeof *t->block);
+    t->block = FVI_ARRAYS({ &t->sum, d }, { &t->change, d }, { &t->square, d }, { &t->left, d }, { &t->moved, d },
+                          { &t->rate, d }, { &t->by_slope[0], d }, { &t->by_slope[1], d }, { &t->by_slope[2], d },
+                          { &t->past, FVI_BDF2_TAPS * d }, { &t->product, t->whole });
     if (!t->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    double **each[ROWS] = { &t->sum,  &t->change, &t->square,
-                            &t->left, &t->moved,  &t->rate,
-                            &t->by_slope[0], &t->by_slope[1], &t->by_slope[2] };
-    for (size_t j = 0; j < ROWS; j++)
-        *each[j] = t->block + j * d;
-    t->past = t->block + ROWS * d;
-    t->product = t->past + FVI_BDF2_TAPS * d;
     const int by_order = want->orders && fvi_adjoint_has_order(&t->unit.term),
               is_squared = fvi_adjoint_is_fraction(&t->unit.term)
                            && (want->times || (by_order && t->unit.term.time > 0));

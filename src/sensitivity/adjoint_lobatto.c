@@ -4,6 +4,7 @@
 
 #include "adjoint_stages.h"
 #include "methods/lobatto_stages.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -12,27 +13,18 @@
 
 /* ---- the start ---- */
 
-enum { LONG = 2, SHORT = 15 }; /* arrays of s d and of d numbers */
-
 static int allocate(fvi_adjoint_lobatto *m)
 {
     const size_t s = m->s, d = m->d;
-    double **longs[LONG] = { &m->Lambda, &m->reversed };
-    double **shorts[SHORT] = { &m->column, &m->Q,       &m->mass,   &m->after,
-                               &m->last,   &m->hessian_product,    &m->T,      &m->Tdot,
-                               &m->kinetic, &m->sum,    &m->sumdot, &m->plain,
-                               &m->pull,   &m->impulse_sum_by_order,
-                               &m->jump };
-    m->block = calloc((LONG * s + SHORT) * d + s * m->linearised.size,
-                      sizeof *m->block);
+    m->block = FVI_ARRAYS({ &m->Lambda, s * d }, { &m->reversed, s * d }, { &m->column, d }, { &m->Q, d },
+                          { &m->mass, d }, { &m->after, d }, { &m->last, d }, { &m->hessian_product, d },
+                          { &m->T, d }, { &m->Tdot, d }, { &m->kinetic, d }, { &m->sum, d }, { &m->sumdot, d },
+                          { &m->plain, d }, { &m->pull, d }, { &m->impulse_sum_by_order, d }, { &m->jump, d },
+                          { &m->G, s * m->linearised.size });
     if (!m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    double *next = m->block;
-    for (size_t i = 0; i < LONG; i++, next += s * d)
-        *longs[i] = next;
-    for (size_t i = 0; i < SHORT; i++, next += d)
-        *shorts[i] = next;
-    m->G = m->linearised.size ? next : NULL;
+    if (m->linearised.size == 0)
+        m->G = NULL;
     return FVI_SUCCESS;
 }
 

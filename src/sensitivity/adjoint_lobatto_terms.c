@@ -1,6 +1,7 @@
 /* src/sensitivity/adjoint_lobatto_terms.c -- The terms of a law, through stages. [H 23] */
 #include "adjoint_lobatto_terms.h"
 
+#include "system/arrays.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_integration.h>
@@ -93,19 +94,15 @@ static int start_slopes(const fvi_run *run, const fvi_sensitivities *want, doubl
 /* Room for all that a term may need. */
 static int make_room(fvi_stage_term *t)
 {
-    double **each[] = { &t->self.past,      &t->again.past,     &t->slopes[0].past,
-                        &t->slopes[1].past, &t->slopes[2].past, &t->log.past,
-                        &t->slopes[0].now,  &t->slopes[1].now,  &t->slopes[2].now,
-                        &t->again.now,      &t->log.now,        &t->self.now,
-                        &t->rate,           &t->left,           &t->room,
-                        &t->less.past,      &t->less.now };
-    const size_t rows = sizeof each / sizeof *each, n = t->s * t->d;
-    t->block = calloc(rows * n + t->d, sizeof *t->block);
+    const size_t n = t->s * t->d;
+    t->block = FVI_ARRAYS({ &t->self.past, n }, { &t->again.past, n }, { &t->slopes[0].past, n },
+                          { &t->slopes[1].past, n }, { &t->slopes[2].past, n }, { &t->log.past, n },
+                          { &t->slopes[0].now, n }, { &t->slopes[1].now, n }, { &t->slopes[2].now, n },
+                          { &t->again.now, n }, { &t->log.now, n }, { &t->self.now, n }, { &t->rate, n },
+                          { &t->left, n }, { &t->room, n }, { &t->less.past, n }, { &t->less.now, n },
+                          { &t->before, t->d });
     if (!t->block)
         FVI_FAIL("no memory for the terms of a law", FVI_ENOMEM);
-    for (size_t i = 0; i < rows; i++)
-        *each[i] = t->block + i * n;
-    t->before = t->block + rows * n;
     return FVI_SUCCESS;
 }
 

@@ -1,6 +1,7 @@
 /* src/sensitivity/adjoint_mechanism.c -- A run with a mechanism, backwards.       [H 23, 29] */
 #include "adjoint_mechanism.h"
 
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "system/lagrangian_point.h"
 
@@ -54,30 +55,16 @@ int fvi_adjoint_mechanism_check(const fvi_method *method, const fvi_run *run,
 
 int fvi_adjoint_mechanism_allocate(fvi_adjoint_mechanism *m)
 {
-    const size_t d = m->d, r = m->r, s = m->s, n = m->n;
-    const size_t c = m->o->m;
-    const struct {
-        double **to;
-        size_t count;
-    } arrays[] = { { &m->last, 3 * d + c },       { &m->G0, r * d },       { &m->v0, d },
-                   { &m->z0, r },             { &m->g, d },            { &m->beta, d },
-                   { &m->next, d },           { &m->multiplier, n + d }, { &m->phi, s * d },
-                   { &m->kappa, s * d },      { &m->tau, s * d },      { &m->matrix, n * n },
-                   { &m->projection, (d + c) * (d + c) }, { &m->gradient, c * d },
-                   { &m->factors, c },
-                   { &m->column, (2 + c) * (d + 2) },
-                   { &m->room, 2 * (d + 1) * (d + 1) + 2 * d } };
-    enum { COUNT = sizeof arrays / sizeof *arrays };
-    size_t all = 0;
-    for (size_t i = 0; i < COUNT; i++)
-        all += arrays[i].count;
-    m->block = calloc(all + 1, sizeof *m->block);
+    const size_t d = m->d, r = m->r, s = m->s, n = m->n, c = m->o->m;
+    m->block = FVI_ARRAYS({ &m->last, 3 * d + c }, { &m->G0, r * d }, { &m->v0, d }, { &m->z0, r }, { &m->g, d },
+                          { &m->beta, d }, { &m->next, d }, { &m->multiplier, n + d }, { &m->phi, s * d },
+                          { &m->kappa, s * d }, { &m->tau, s * d }, { &m->matrix, n * n },
+                          { &m->projection, (d + c) * (d + c) }, { &m->gradient, c * d }, { &m->factors, c },
+                          { &m->column, (2 + c) * (d + 2) }, { &m->room, 2 * (d + 1) * (d + 1) + 2 * d });
     m->order = calloc(n + d + c, sizeof *m->order);
     m->damper = calloc(r + 1, sizeof *m->damper);
     if (!m->block || !m->order || !m->damper)
         FVI_FAIL("no memory for the steps of the run", FVI_ENOMEM);
-    for (size_t i = 0, at = 0; i < COUNT; at += arrays[i++].count)
-        *arrays[i].to = m->block + at;
     return FVI_SUCCESS;
 }
 

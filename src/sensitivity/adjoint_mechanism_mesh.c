@@ -6,6 +6,7 @@
 #include "adjoint_mechanism.h"
 #include "adjoint_variable.h"
 
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "variable_step/variable_mechanism.h"
 
@@ -76,15 +77,12 @@ static int start(fvi_adjoint_mechanism *m)
     status = fvi_adjoint_mechanism_allocate(m);
     mesh->mirror = calloc(m->r + 1, sizeof *mesh->mirror);
     mesh->rows = malloc((m->run->steps + 2) * m->d * sizeof *mesh->rows);
-    mesh->source = calloc((m->s + 4) * m->d, sizeof *mesh->source);
+    mesh->source = FVI_ARRAYS({ &mesh->source, m->s * m->d }, { &mesh->by_v, m->d }, { &mesh->by_x, m->d },
+                              { &mesh->Jx, m->d }, { &mesh->Jp, m->d });
     if (!status && (!mesh->mirror || !mesh->rows || !mesh->source))
         FVI_FAIL("no memory for the rows of the run", FVI_ENOMEM);
     if (status)
         return status;
-    mesh->by_v = mesh->source + m->s * m->d;
-    mesh->by_x = mesh->by_v + m->d;
-    mesh->Jx = mesh->by_x + m->d;
-    mesh->Jp = mesh->Jx + m->d;
     m->source = mesh->source;
     memcpy(m->G0, o->G, m->r * m->d * sizeof *m->G0);
     memcpy(m->v0, o->v, m->d * sizeof *m->v0);

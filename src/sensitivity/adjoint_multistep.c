@@ -2,6 +2,7 @@
 #include "adjoint_multistep.h"
 
 #include "adjoint_stages.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "system/quadratic.h"
 
@@ -13,24 +14,16 @@
 
 static int allocate(fvi_adjoint_multistep *m)
 {
-    double **each[] = { &m->Jp,      &m->CJ,     &m->v0,     &m->right,
-                        &m->S,       &m->M,      &m->by_start, &m->by_line,
-                        &m->kinetic, &m->pull,   &m->impulse_sum_by_order,
-                        &m->z,       &m->z_next, &m->sum,    &m->work,
-                        &m->column,  &m->multipliers.nu, &m->multipliers.behind,
-                        &m->multipliers.mean, &m->multipliers.change,
-                        &m->CA,      &m->B,      &m->jump,   &m->CB };
-    enum { ARRAYS = sizeof each / sizeof *each };
     const size_t d = m->d;
-    m->block = calloc(ARRAYS * d + 2 * m->r + m->linearised.size, sizeof *m->block);
+    m->block = FVI_ARRAYS({ &m->Jp, d }, { &m->CJ, d }, { &m->v0, d }, { &m->right, d }, { &m->S, d }, { &m->M, d },
+                          { &m->by_start, d }, { &m->by_line, d }, { &m->kinetic, d }, { &m->pull, d },
+                          { &m->impulse_sum_by_order, d }, { &m->z, d }, { &m->z_next, d }, { &m->sum, d },
+                          { &m->work, d }, { &m->column, d }, { &m->multipliers.nu, d },
+                          { &m->multipliers.behind, d }, { &m->multipliers.mean, d }, { &m->multipliers.change, d },
+                          { &m->CA, d }, { &m->B, d }, { &m->jump, d }, { &m->CB, d }, { &m->N, m->r },
+                          { &m->Ndot, m->r }, { &m->G, m->linearised.size });
     if (!m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    double *next = m->block;
-    for (size_t i = 0; i < ARRAYS; i++, next += d)
-        *each[i] = next;
-    m->N = next;
-    m->Ndot = m->N + m->r;
-    m->G = m->Ndot + m->r;
     return FVI_SUCCESS;
 }
 

@@ -6,6 +6,7 @@
 #include "adjoint_structure_mesh.h"
 
 #include "adjoint_structure.h"
+#include "system/arrays.h"
 #include "system/dot.h"
 #include "system/fail.h"
 
@@ -18,21 +19,14 @@
 static int allocate(fvi_structure_mirror *m)
 {
     const size_t d = m->d;
-    double **each[] = { &m->v0, &m->xi, &m->by_v, &m->by_x, &m->extra, &m->Jx, &m->Jp,
-                        &m->Jk, &m->product, &m->room, &m->moved, &m->y };
-    enum { ARRAYS = sizeof each / sizeof *each };
+    double *next;
     m->each = calloc(m->count + 1, sizeof *m->each);
-    m->block = calloc((ARRAYS + 4 * m->s + m->count) * d, sizeof *m->block);
+    m->block = FVI_ARRAYS({ &m->v0, d }, { &m->xi, d }, { &m->by_v, d }, { &m->by_x, d }, { &m->extra, d },
+                          { &m->Jx, d }, { &m->Jp, d }, { &m->Jk, d }, { &m->product, d }, { &m->room, d },
+                          { &m->moved, d }, { &m->y, d }, { &m->source, m->s * d }, { &m->V, m->s * d },
+                          { &m->mu, m->s * d }, { &m->rate, m->s * d }, { &next, m->count * d });
     if (!m->each || !m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    double *next = m->block;
-    for (size_t i = 0; i < ARRAYS; i++, next += d)
-        *each[i] = next;
-    m->source = next;
-    m->V = m->source + m->s * d;
-    m->mu = m->V + m->s * d;
-    m->rate = m->mu + m->s * d;
-    next = m->rate + m->s * d;
     for (size_t j = 0; j < m->count; j++, next += d)
         m->each[j].plain = next;
     return FVI_SUCCESS;

@@ -3,6 +3,7 @@
 
 #include "adjoint_dampers.h"
 #include "methods/lobatto_stages.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 
 #include <stdlib.h>
@@ -24,18 +25,14 @@ int fvi_adjoint_structure_check(const fvi_method *method, const fvi_run *run,
 static int allocate(fvi_adjoint_structure *m)
 {
     const size_t d = m->d;
-    double **each[] = { &m->v0, &m->after, &m->zeros, &m->product, &m->room, &m->y };
-    enum { ARRAYS = sizeof each / sizeof *each, OF_A_DAMPER = 3 };
+    enum { OF_A_DAMPER = 3 };
+    double *next;
     m->each = calloc(m->count + 1, sizeof *m->each);
     m->held = calloc(m->count + 1, sizeof *m->held);
-    m->block = calloc((ARRAYS + m->s + OF_A_DAMPER * m->count) * d, sizeof *m->block);
+    m->block = FVI_ARRAYS({ &m->v0, d }, { &m->after, d }, { &m->zeros, d }, { &m->product, d }, { &m->room, d },
+                          { &m->y, d }, { &m->v, m->s * d }, { &next, OF_A_DAMPER * m->count * d });
     if (!m->each || !m->held || !m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    double *next = m->block;
-    for (size_t i = 0; i < ARRAYS; i++, next += d)
-        *each[i] = next;
-    m->v = next;
-    next += m->s * d;
     for (size_t j = 0; j < m->count; j++, next += OF_A_DAMPER * d) {
         m->each[j].plain = next;
         m->each[j].pull = next + d;

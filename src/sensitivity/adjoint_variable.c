@@ -2,6 +2,7 @@
 #include "adjoint_variable.h"
 
 #include "adjoint_stages.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -10,32 +11,21 @@
 
 /* ---- the start ---- */
 
-enum { LANED = 5, PLAIN = 13, STAGED = 3 };
-
 static int allocate(fvi_adjoint_variable_run *m)
 {
     const size_t s = m->s, d = m->d;
     const fvi_system *system = m->run->system;
-    double **laned[LANED] = { &m->Lambda, &m->mu, &m->T, &m->v, &m->source };
-    double **plain[PLAIN] = { &m->xi,    &m->after,  &m->before,  &m->Jx,
-                              &m->Jp,    &m->column, &m->kinetic, &m->sum,
-                              &m->plain, &m->push,   &m->subtracted_velocity,
-                              &m->Jk,    &m->by_mass };
-    m->block = calloc((LANED * FVI_LANES + PLAIN + STAGED * s) * d
-                          + s * m->linearised.size,
-                      sizeof *m->block);
+    m->block = FVI_ARRAYS({ &m->Lambda, FVI_LANES * d }, { &m->mu, FVI_LANES * d }, { &m->T, FVI_LANES * d },
+                          { &m->v, FVI_LANES * d }, { &m->source, FVI_LANES * d }, { &m->xi, d }, { &m->after, d },
+                          { &m->before, d }, { &m->Jx, d }, { &m->Jp, d }, { &m->column, d }, { &m->kinetic, d },
+                          { &m->sum, d }, { &m->plain, d }, { &m->push, d }, { &m->subtracted_velocity, d },
+                          { &m->Jk, d }, { &m->by_mass, d }, { &m->X, s * d }, { &m->r, s * d },
+                          { &m->hessian_product, s * d }, { &m->G, s * m->linearised.size });
     if (!m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    double *next = m->block;
-    for (size_t i = 0; i < LANED; i++, next += FVI_LANES * d)
-        *laned[i] = next;
-    for (size_t i = 0; i < PLAIN; i++, next += d)
-        *plain[i] = next;
-    m->X = next;
-    m->r = m->X + s * d;
-    m->hessian_product = m->r + s * d;
-    if (m->linearised.size > 0)
-        m->linearised.G = m->G = m->hessian_product + s * d;
+    if (m->linearised.size == 0)
+        m->G = NULL;
+    m->linearised.G = m->G;
     const size_t w =
         system->potential.diagonals ? system->potential.diagonals : d;
     if (fvi_band_alloc(s * d, s * w, &m->J_band))

@@ -3,6 +3,7 @@
 #include "run/whole_run.h"
 
 #include <fvi/adjoint.h>
+#include "system/arrays.h"
 #include "system/dot.h"
 #include "system/fail.h"
 #include "system/system_check.h"
@@ -58,22 +59,12 @@ static int allocate(problem *o)
                         + (double)n * (double)(n + 2);
     if (room > (double)(SIZE_MAX / sizeof(double) / 2))
         FVI_FAIL("so many steps cannot be addressed", FVI_EINVAL);
-    o->block =
-        calloc(o->rows * (6 + 2 * DEPTH + n) + n * (n + 2), sizeof *o->block);
+    o->block = FVI_ARRAYS({ &o->x, o->rows }, { &o->p, o->rows }, { &o->trial, o->rows }, { &o->next, o->rows },
+                          { &o->a, n * o->rows }, { &o->gram, n * n }, { &o->nu, n }, { &o->gap, n },
+                          { &o->r, o->rows }, { &o->g, o->rows }, { &o->dr, DEPTH * o->rows },
+                          { &o->dg, DEPTH * o->rows });
     if (!o->block)
         FVI_FAIL("no memory for the control", FVI_ENOMEM);
-    o->x = o->block;
-    o->p = o->x + o->rows;
-    o->trial = o->p + o->rows;
-    o->next = o->trial + o->rows;
-    o->a = o->next + o->rows;
-    o->gram = o->a + n * o->rows;
-    o->nu = o->gram + n * n;
-    o->gap = o->nu + n;
-    o->r = o->gap + n;
-    o->g = o->r + o->rows;
-    o->dr = o->g + o->rows;
-    o->dg = o->dr + DEPTH * o->rows;
     return FVI_SUCCESS;
 }
 

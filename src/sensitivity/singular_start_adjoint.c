@@ -2,6 +2,7 @@
 #include "singular_start_adjoint.h"
 
 #include "system/digamma.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_math.h>
@@ -66,15 +67,10 @@ int fvi_singular_start_adjoint_start(const fvi_run *run, const fvi_recorded_step
     p->is = p->is && (moves || path->singular.J);
     if (!p->is)
         return FVI_SUCCESS;
-    p->block = calloc(4 * d + path->singular.J + 1 + modes, sizeof *p->block);
+    p->block = FVI_ARRAYS({ &p->A, d }, { &p->by_A, d }, { &p->by_ratio, d }, { &p->by_mass, d },
+                          { &p->psi, path->singular.J + 1 }, { &p->moment, modes });
     if (!p->block)
         FVI_FAIL("no memory for the start", FVI_ENOMEM);
-    p->A = p->block;
-    p->by_A = p->A + d;
-    p->by_ratio = p->by_A + d;
-    p->by_mass = p->by_ratio + d;
-    p->psi = p->by_mass + d;
-    p->moment = p->psi + path->singular.J + 1;
     int status = path->singular.J ? start_unit(p, run, path) : FVI_SUCCESS;
     for (size_t j = 0; j < d; j++) {
         p->by_A[j] = 0;

@@ -8,6 +8,7 @@
 #include "methods/lobatto_matrices.h"
 #include "methods/lobatto_stages.h"
 #include "run/impulses.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "system/system_check.h"
 
@@ -143,27 +144,16 @@ int fvi_tangent_step(fvi_tangent_run *o)
 static int make_room(fvi_tangent_run *o)
 {
     const size_t d = o->d, all = o->P * d, s = o->s, hessian = o->tangents < o->P ? o->P : o->size;
-    const struct {
-        double **to;
-        size_t count;
-    } arrays[] = { { &o->dx, all },          { &o->pi, all },          { &o->mass, o->P },
-                   { &o->damping, o->P },    { &o->G, s * hessian },   { &o->dU, s * all },
-                   { &o->source, s * all },  { &o->left, all },        { &o->right, all },
-                   { &o->x_k, d },           { &o->v0, d },            { &o->room, d + o->size },
-                   { &o->V, s * d },         { &o->X, s * d } };
-    enum { COUNT = sizeof arrays / sizeof *arrays };
-    size_t count = 0;
-    for (size_t i = 0; i < COUNT; i++)
-        count += arrays[i].count;
-    o->block = calloc(count + 1, sizeof *o->block);
+    o->block = FVI_ARRAYS({ &o->dx, all }, { &o->pi, all }, { &o->mass, o->P }, { &o->damping, o->P },
+                          { &o->G, s * hessian }, { &o->dU, s * all }, { &o->source, s * all }, { &o->left, all },
+                          { &o->right, all }, { &o->x_k, d }, { &o->v0, d }, { &o->room, d + o->size },
+                          { &o->V, s * d }, { &o->X, s * d });
     o->linearised = calloc(o->tangents, sizeof *o->linearised);
     o->system = calloc(o->tangents, sizeof *o->system);
     o->tangent = calloc(o->tangents, sizeof *o->tangent);
     o->each = calloc(fvi_run_damper_count(o->run) + 1, sizeof *o->each);
     if (!o->block || !o->linearised || !o->system || !o->tangent || !o->each)
         FVI_FAIL("no memory for the tangents", FVI_ENOMEM);
-    for (size_t i = 0, at = 0; i < COUNT; at += arrays[i++].count)
-        *arrays[i].to = o->block + at;
     return FVI_SUCCESS;
 }
 

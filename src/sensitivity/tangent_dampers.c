@@ -4,6 +4,7 @@
 #include "methods/damping.h"
 #include "methods/lobatto_stages.h"
 #include "system/all_zero.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -44,23 +45,12 @@ static fvi_sensitivities find_wanted(const fvi_tangent_run *o, fvi_tangent_dampe
 static int make_room(const fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     const size_t r = a->r, stages = o->s * r;
-    a->block = calloc(6 * r + 2 * o->P * r + 5 * stages + o->d, sizeof *a->block);
+    a->block = FVI_ARRAYS({ &a->zeros, r }, { &a->z, r }, { &a->mean, r }, { &a->dz, r }, { &a->change, r },
+                          { &a->by_theta, r }, { &a->now, o->P * r }, { &a->before, o->P * r }, { &a->v, stages },
+                          { &a->Y, stages }, { &a->Ydot, stages }, { &a->sum, stages }, { &a->sumdot, stages },
+                          { &a->CA, o->d });
     if (!a->block)
         FVI_FAIL("no memory for the tangents", FVI_ENOMEM);
-    a->zeros = a->block;
-    a->z = a->zeros + r;
-    a->mean = a->z + r;
-    a->dz = a->mean + r;
-    a->change = a->dz + r;
-    a->by_theta = a->change + r;
-    a->now = a->by_theta + r;
-    a->before = a->now + o->P * r;
-    a->v = a->before + o->P * r;
-    a->Y = a->v + stages;
-    a->Ydot = a->Y + stages;
-    a->sum = a->Ydot + stages;
-    a->sumdot = a->sum + stages;
-    a->CA = a->sumdot + stages;
     return FVI_SUCCESS;
 }
 

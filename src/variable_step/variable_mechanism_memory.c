@@ -2,6 +2,7 @@
 #include "variable_mechanism.h"
 #include "variable_step_events.h"
 
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -202,21 +203,14 @@ int fvi_mesh_allocate(fvi_variable_step_state *o, size_t r, size_t constraints)
     struct fvi_mesh_mechanism *m = o->mechanism = calloc(1, sizeof *m);
     if (m)
         m->damper = calloc(r + 1, sizeof *m->damper);
-    const size_t lengths[] = { d, d, FVI_LANES * d, FVI_LANES * r, FVI_LANES * r,
-                               FVI_LANES, r, r, d, FVI_LANES * constraints, FVI_LANES * d, d * d };
-    size_t count = 0;
-    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++)
-        count += lengths[i];
     if (m)
-        m->numbers = calloc(count, sizeof *m->numbers);
+        m->numbers = FVI_ARRAYS({ &m->p_less, d }, { &m->p0, d }, { &m->slope0, FVI_LANES * d },
+                                { &m->force0, FVI_LANES * r }, { &m->power0, FVI_LANES * r },
+                                { &m->by_force0, FVI_LANES }, { &m->impulse0, r }, { &m->work0, r }, { &m->mass, d },
+                                { &m->multiplier0, FVI_LANES * constraints }, { &m->slope, FVI_LANES * d },
+                                { &m->inverse, d * d });
     if (!m || !m->damper || !m->numbers)
         FVI_FAIL("no memory for the mechanism", FVI_ENOMEM);
-    double **const places[] = { &m->p_less, &m->p0, &m->slope0, &m->force0, &m->power0,
-                                &m->by_force0, &m->impulse0, &m->work0, &m->mass,
-                                &m->multiplier0, &m->slope,
-                                &m->inverse }, *at = m->numbers;
-    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; at += lengths[i++])
-        *places[i] = at;
     m->r = r;
     return FVI_SUCCESS;
 }

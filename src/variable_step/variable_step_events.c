@@ -6,6 +6,7 @@
 #include "variable_mechanism.h"
 #include "variable_step_events.h"
 
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -38,19 +39,12 @@ int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *
         return FVI_SUCCESS;
     fvi_event_watch *w = o->watch = calloc(1, sizeof *w);
     if (w)
-        w->side = calloc(numbers(o, n), sizeof *w->side);
+        w->side = FVI_ARRAYS({ &w->side, n }, { &w->size, n }, { &w->rounding, n }, { &w->has_hit, n },
+                             { &w->theta, n }, { &w->behind, n }, { &w->closed, n }, { &w->is_new, n },
+                             { &w->z, n * o->rule->s }, { &w->point, 6 * o->d });
     if (!w || !w->side)
         FVI_FAIL("no memory for the events", FVI_ENOMEM);
     w->count = n;
-    w->size = w->side + n;
-    w->rounding = w->size + n;
-    w->has_hit = w->rounding + n;
-    w->theta = w->has_hit + n;
-    w->behind = w->theta + n;
-    w->closed = w->behind + n;
-    w->is_new = w->closed + n;
-    w->z = w->is_new + n;
-    w->point = w->z + n * o->rule->s;
     return FVI_SUCCESS;
 }
 

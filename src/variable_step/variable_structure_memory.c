@@ -1,6 +1,7 @@
 /* src/variable_step/variable_structure_memory.c -- Dampers of a structure on a mesh: their modes.   [H 27, 22] */
 #include "variable_structure.h"
 
+#include "system/arrays.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -17,16 +18,10 @@ int fvi_structure_mesh_allocate(const fvi_stepper *s, fvi_variable_step_state *o
     if (m)
         m->damper = calloc(count + 1, sizeof *m->damper);
     if (m)
-        m->numbers = calloc((5 + 2 * n) * d, sizeof *m->numbers);
+        m->numbers = FVI_ARRAYS({ &m->Kx, d }, { &m->Kv, d }, { &m->last, d }, { &m->size, d }, { &m->ones, d },
+                                { &m->load, n * d }, { &m->delta, n * d });
     if (!m || !m->damper || !m->numbers)
         FVI_FAIL("no memory for the structure", FVI_ENOMEM);
-    m->load = m->numbers + 5 * d;
-    m->delta = m->load + n * d;
-    m->Kx = m->numbers;
-    m->Kv = m->Kx + d;
-    m->last = m->Kv + d;
-    m->size = m->last + d;
-    m->ones = m->size + d;
     for (size_t j = 0; j < d; j++)
         m->ones[j] = 1;
     for (size_t j = 0; j < count; j++) {
@@ -36,15 +31,9 @@ int fvi_structure_mesh_allocate(const fvi_stepper *s, fvi_variable_step_state *o
             continue;
         fvi_mesh_matrix *to = &m->damper[m->count++];
         *to = (fvi_mesh_matrix){ .of = of, .number = j, .r = r };
-        to->before = calloc((5 + 2 * n) * r, sizeof *to->before);
-        if (!to->before)
+        if (!FVI_ARRAYS({ &to->before, r }, { &to->now, r }, { &to->centre, r }, { &to->z, r }, { &to->zero, r },
+                        { &to->force, n * r }, { &to->slope, n * r }))
             FVI_FAIL("no memory for a damper", FVI_ENOMEM);
-        to->now = to->before + r;
-        to->centre = to->now + r;
-        to->z = to->centre + r;
-        to->zero = to->z + r;
-        to->force = to->zero + r;
-        to->slope = to->force + n * r;
     }
     return FVI_SUCCESS;
 }
