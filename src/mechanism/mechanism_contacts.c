@@ -4,6 +4,7 @@
  * to rounding, or less than the error of a step. This constraint is one more row behind those of the run. */
 #include "mechanism_state.h"
 
+#include "system/archive_pieces.h"
 #include "system/fail.h"
 
 #include <float.h>
@@ -184,11 +185,8 @@ static int has_possible_contacts(const fvi_stepper *s, size_t m, const size_t *c
 int fvi_mechanism_serialize_contacts(fvi_stepper *s, fvi_archive *v)
 {
     fvi_mechanism_state *o = s->mechanism;
-    int status = v->serialize(v, &o->m, sizeof o->m, 0);
-    if (!status)
-        status = v->serialize(v, &o->last_m, sizeof o->last_m, 0);
-    if (!status)
-        status = v->serialize(v, o->contact, 2 * (o->most - o->own) * sizeof *o->contact, 0);
+    const int status = FVI_SERIALIZE(v, FVI_STATE(o->m), FVI_STATE(o->last_m),
+                                     FVI_STATES(o->contact, 2 * (o->most - o->own)));
     if (!status
         && !(has_possible_contacts(s, o->m, o->contact)
              && has_possible_contacts(s, o->last_m, o->last_contact)))

@@ -3,6 +3,8 @@
 #include "history_tiled.h"
 #include "history_kinds.h"
 
+#include "system/archive_pieces.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -166,15 +168,10 @@ fvi_history_head *fvi_history_modes_of(size_t Q, const double *s, const double *
 static int archive(fvi_history_head *head, fvi_archive *v)
 {
     modes_engine *e = (modes_engine *)head;
-    const size_t number = sizeof(double), sums = padded(PAIR * head->d);
-    int status = v->serialize(v, &e->Q, sizeof e->Q, 1);
-    if (!status)
-        status = v->serialize(v, e->p, 2 * e->Q * number, 1);
-    if (!status)
-        status = v->serialize(
-            v, e->z, (head->d * (e->Q + 2 * FVI_WINDOW) + sums) * number, 0);
-    return status || !e->by_order ? status
-                                  : v->serialize(v, further(e), sums * number, 0);
+    const size_t sums = padded(PAIR * head->d);
+    const int status = FVI_SERIALIZE(v, FVI_CONSTANT(e->Q), FVI_CONSTANTS(e->p, 2 * e->Q),
+                                     FVI_STATES(e->z, head->d * (e->Q + 2 * FVI_WINDOW) + sums));
+    return status || !e->by_order ? status : FVI_SERIALIZE(v, FVI_STATES(further(e), sums));
 }
 
 typedef double four

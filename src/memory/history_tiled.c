@@ -2,6 +2,8 @@
 #include "history_tiled.h"
 #include "history_kinds.h"
 
+#include "system/archive_pieces.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -169,13 +171,8 @@ int fvi_history_tiled_width(fvi_history_head *head, size_t lanes)
 static int archive(fvi_history_head *head, fvi_archive *v)
 {
     tiled_engine *t = (tiled_engine *)head;
-    int status = v->serialize(v, &t->Q, sizeof t->Q, 1);
-    if (!status)
-        status = v->serialize(v, t->w, 2 * FVI_WINDOW * sizeof *t->w, 1);
-    if (!status)
-        status = v->serialize(v, t->lose, t->Q * sizeof *t->lose, 1);
-    return status ? status
-                  : v->serialize(v, t->z, state(head->d, t->Q) * sizeof *t->z, 0);
+    return FVI_SERIALIZE(v, FVI_CONSTANT(t->Q), FVI_CONSTANTS(t->w, 2 * FVI_WINDOW), FVI_CONSTANTS(t->lose, t->Q),
+                         FVI_STATES(t->z, state(head->d, t->Q)));
 }
 
 /* ---- the sums ---- */

@@ -3,6 +3,7 @@
 
 #include "history_kinds.h"
 #include "history_parts.h"
+#include "system/archive_pieces.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -243,11 +244,7 @@ int fvi_history_archive(fvi_history *m, fvi_archive *v)
 {
     if (!m || !v)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = v->serialize(v, &m->order, sizeof m->order, 1);
-    if (!status)
-        status = v->serialize(v, &m->kind, sizeof m->kind, 1);
-    if (!status)
-        status = v->serialize(v, &m->engine->k, sizeof m->engine->k, 0);
+    const int status = FVI_SERIALIZE(v, FVI_CONSTANT(m->order), FVI_CONSTANT(m->kind), FVI_STATE(m->engine->k));
     if (status)
         return status;
     if (m->engine->k > m->steps + 1)

@@ -5,6 +5,7 @@
 #include "memory/history_kinds.h"
 #include "shifted_kernel.h"
 #include "memory/history_parts.h"
+#include "system/archive_pieces.h"
 #include "system/arrays.h"
 #include "system/fail.h"
 #include "newton/linearised.h"
@@ -298,9 +299,7 @@ int fvi_damping_archive(fvi_damping *d, size_t k, fvi_archive *v)
         if (!status)
             status = fvi_check_count(fvi_history_terms(d->memory), k + 1);
         if (!status && d->kept)
-            status = v->serialize(v, d->kept, d->system->d * sizeof *d->kept, 0);
-        if (!status && d->kept)
-            status = v->serialize(v, &d->work, sizeof d->work, 0);
+            status = FVI_SERIALIZE(v, FVI_STATES(d->kept, d->system->d), FVI_STATE(d->work));
     }
     return status;
 }

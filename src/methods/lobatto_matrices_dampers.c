@@ -3,6 +3,7 @@
 
 #include "lobatto_stages.h"
 #include "newton/linearised.h"
+#include "system/archive_pieces.h"
 #include "system/arrays.h"
 #include "system/fail.h"
 #include "system/vectors.h"
@@ -298,9 +299,7 @@ int fvi_stage_dampers_serialize(fvi_stepper *s, fvi_archive *v)
         if (!status)
             status = fvi_lobatto_history_archive(a->memory, s->k, v);
         if (!status && a->kept)
-            status = v->serialize(v, a->kept, o->d * sizeof *a->kept, 0);
-        if (!status && a->kept)
-            status = v->serialize(v, &a->work, sizeof a->work, 0);
+            status = FVI_SERIALIZE(v, FVI_STATES(a->kept, o->d), FVI_STATE(a->work));
     }
     return status;
 }

@@ -7,6 +7,7 @@
 #include "run_check.h"
 #include "run_damper.h"
 #include "whole_run.h"
+#include "system/archive_pieces.h"
 #include "system/fail.h"
 #include "newton/newton.h"
 
@@ -273,24 +274,11 @@ static int check_state(const fvi_stepper *s)
 static int serialize_all(fvi_stepper *s, fvi_archive *v)
 {
     fvi_system system = *s->run.system;
-    const size_t d = system.d, bytes = d * sizeof *s->x,
-                 own = system.mass && system.damping ? bytes : 0;
-    const struct {
-        void *data;
-        size_t bytes;
-        int constant;
-    } pieces[] = { { &system.d, sizeof system.d, 1 },
-                   { (void *)system.mass, own, 1 },
-                   { (void *)system.damping, own, 1 },
-                   { (void *)s->run.x0, bytes, 1 },
-                   { (void *)s->run.p0, bytes, 1 },
-                   { &s->k, sizeof s->k, 0 },
-                   { &s->t, sizeof s->t, 0 },
-                   { s->x, (NUMBERS - 2) * bytes, 0 } }; /* but x0, p0 */
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
-        status =
-            v->serialize(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
+    const size_t d = system.d, own = system.mass && system.damping ? d : 0;
+    int status = FVI_SERIALIZE(v, FVI_CONSTANT(system.d), FVI_CONSTANTS(system.mass, own),
+                               FVI_CONSTANTS(system.damping, own), FVI_CONSTANTS(s->run.x0, d),
+                               FVI_CONSTANTS(s->run.p0, d), FVI_STATE(s->k), FVI_STATE(s->t),
+                               FVI_STATES(s->x, (NUMBERS - 2) * d)); /* but x0, p0 */
     if (!status)
         status = check_state(s);
     return status || !s->method_state ? status : s->method->serialize(s, v);

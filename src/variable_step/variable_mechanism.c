@@ -1,6 +1,7 @@
 /* src/variable_step/variable_mechanism.c -- Steps of any length of a mechanism.   [H 29, 22] */
 #include "variable_mechanism.h"
 
+#include "system/archive_pieces.h"
 #include "system/dot.h"
 #include "system/fail.h"
 #include "system/lagrangian_point.h"
@@ -325,16 +326,11 @@ int fvi_mesh_archive(fvi_stepper *s, fvi_archive *v)
     struct fvi_mesh_mechanism *m = o->mechanism;
     int status = fvi_mechanism_serialize(s, v);
     if (!status)
-        status = v->serialize(v, m->numbers, (size_t)(m->slope - m->numbers) * sizeof *m->numbers, 0);
-    if (!status)
-        status = v->serialize(v, &m->by_force, sizeof m->by_force, 0);
-    if (!status)
-        status = v->serialize(v, &m->by_force_begin, sizeof m->by_force_begin, 0);
+        status = FVI_SERIALIZE(v, FVI_STATES(m->numbers, (size_t)(m->slope - m->numbers)), FVI_STATE(m->by_force),
+                               FVI_STATE(m->by_force_begin));
     for (size_t j = 0; j < m->r && !status; j++) {
         fvi_mesh_damper *of = &m->damper[j];
-        status = v->serialize(v, &of->before, sizeof of->before, 0);
-        if (!status)
-            status = v->serialize(v, &of->now, sizeof of->now, 0);
+        status = FVI_SERIALIZE(v, FVI_STATE(of->before), FVI_STATE(of->now));
         if (!status)
             status = fvi_mesh_archive_damper(of, v);
     }

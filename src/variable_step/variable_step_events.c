@@ -6,6 +6,7 @@
 #include "variable_mechanism.h"
 #include "variable_step_events.h"
 
+#include "system/archive_pieces.h"
 #include "system/arrays.h"
 #include "system/fail.h"
 #include "system/larger.h"
@@ -76,20 +77,8 @@ int fvi_variable_step_archive_events(const fvi_stepper *s, fvi_variable_step_sta
 {
     fvi_event_watch *w = o->watch;
     size_t happened = w->happened;
-    const struct {
-        void *data;
-        size_t bytes;
-        int constant;
-    } pieces[] = {
-        { &w->count, sizeof w->count, 1 },
-        { w->side, numbers(o, w->count) * sizeof *w->side, 0 },
-        { &w->is_ready, sizeof w->is_ready, 0 },
-        { &w->is_over, sizeof w->is_over, 0 },
-        { &happened, sizeof happened, 0 },
-    };
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
-        status = v->serialize(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
+    int status = FVI_SERIALIZE(v, FVI_CONSTANT(w->count), FVI_STATES(w->side, numbers(o, w->count)),
+                               FVI_STATE(w->is_ready), FVI_STATE(w->is_over), FVI_STATE(happened));
     if (!status && happened > 2 * w->count * (o->counts.steps + 1))
         FVI_FAIL("not a state of this run", FVI_EINVAL);
     if (!status)
@@ -98,13 +87,7 @@ int fvi_variable_step_archive_events(const fvi_stepper *s, fvi_variable_step_sta
         return status;
     for (w->happened = 0; w->happened < happened && !status; w->happened++) {
         fvi_event_time *at = &w->times[w->happened];
-        status = v->serialize(v, &at->t, sizeof at->t, 0);
-        if (!status)
-            status = v->serialize(v, &at->event, sizeof at->event, 0);
-        if (!status)
-            status = v->serialize(v, &at->at_rest, sizeof at->at_rest, 0);
-        if (!status)
-            status = v->serialize(v, &at->lifts_off, sizeof at->lifts_off, 0);
+        status = FVI_SERIALIZE(v, FVI_STATE(at->t), FVI_STATE(at->event), FVI_STATE(at->at_rest), FVI_STATE(at->lifts_off));
         if (!status && !(at->event < w->count && at->t <= s->t))
             FVI_FAIL("not a state of this run", FVI_EINVAL);
     }

@@ -4,6 +4,7 @@
 #include "variable_structure.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
+#include "system/archive_pieces.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -277,47 +278,16 @@ static int has_room_to_solve(const fvi_variable_step_state *o, fvi_step_solver b
 int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
 {
     fvi_variable_step_state *o = s->method_state;
-    const size_t number = sizeof(double), whole = sizeof(int);
-    const size_t once = STATE * o->d * number;
     const fvi_step_solver before = o->solve;
-    const struct {
-        void *data;
-        size_t bytes;
-        int constant;
-    } pieces[] = {
-        { (void *)&o->rule->s, sizeof o->rule->s, 1 },
-        { &o->beta, number, 1 },
-        { &o->T, number, 1 },
-        { &o->event_count, sizeof o->event_count, 1 },
-        { o->events, o->event_count * number, 1 },
-        { &o->solve, sizeof o->solve, 0 },
-        { o->y, once, 0 },
-        { o->accel_legendre0, FVI_LANES * o->d * number, 0 },
-        { &o->t, number, 0 },
-        { &o->t_less, number, 0 },
-        { &o->t0, number, 0 },
-        { &o->length.h, number, 0 },
-        { &o->length.k, whole, 0 },
-        { &o->event, sizeof o->event, 0 },
-        { &o->hits, sizeof o->hits, 0 },
-        { &o->scale, number, 0 },
-        { &o->next, whole, 0 },
-        { &o->first, whole, 0 },
-        { &o->first_after_event, whole, 0 },
-        { &o->most, whole, 0 },
-        { &o->growth, whole, 0 },
-        { &o->longest_solvable, whole, 0 },
-        { &o->steps_since_failure, whole, 0 },
-        { &o->undeclared_jump_until, number, 0 },
-        { &o->stalled_iterations, whole, 0 },
-        { &o->counts.steps, sizeof o->counts.steps, 0 },
-        { &o->counts.rejected, sizeof o->counts.rejected, 0 },
-        { &o->counts.longest, number, 0 },
-    };
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
-        status =
-            v->serialize(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
+    int status = FVI_SERIALIZE(
+        v, FVI_CONSTANT(o->rule->s), FVI_CONSTANT(o->beta), FVI_CONSTANT(o->T), FVI_CONSTANT(o->event_count),
+        FVI_CONSTANTS(o->events, o->event_count), FVI_STATE(o->solve), FVI_STATES(o->y, STATE * o->d),
+        FVI_STATES(o->accel_legendre0, FVI_LANES * o->d), FVI_STATE(o->t), FVI_STATE(o->t_less), FVI_STATE(o->t0),
+        FVI_STATE(o->length.h), FVI_STATE(o->length.k), FVI_STATE(o->event), FVI_STATE(o->hits), FVI_STATE(o->scale),
+        FVI_STATE(o->next), FVI_STATE(o->first), FVI_STATE(o->first_after_event), FVI_STATE(o->most),
+        FVI_STATE(o->growth), FVI_STATE(o->longest_solvable), FVI_STATE(o->steps_since_failure),
+        FVI_STATE(o->undeclared_jump_until), FVI_STATE(o->stalled_iterations), FVI_STATE(o->counts.steps),
+        FVI_STATE(o->counts.rejected), FVI_STATE(o->counts.longest));
     if (!status
         && !(has_room_to_solve(o, before) && has_possible_times(s, o)
              && has_possible_control(o)))

@@ -1,5 +1,6 @@
 /* tests/blocks/test_blocks.c -- H 28.       Run alone: make test-blocks */
 #include <fvi/fvi.h>
+#include "harness/saved.h"
 #include "harness/ulp.h"
 #include "memory/history_tiled.h"
 #include "memory/history_kinds.h"
@@ -235,41 +236,24 @@ END_TEST
 
 /* ---- the memory that has it ---- */
 
-typedef struct {
-    fvi_archive archive;
-    unsigned char *at;
-    int loads;
-} shelf;
-
-static int carry(fvi_archive *v, void *data, size_t bytes, int constant)
-{
-    shelf *s = (shelf *)v;
-    if (s->loads && !constant)
-        memcpy(data, s->at, bytes);
-    else if (s->loads)
-        ck_assert_mem_eq(data, s->at, bytes);
-    else
-        memcpy(s->at, data, bytes);
-    s->at += bytes;
-    return 0;
-}
-
 /* A copy, and another memory that is given what a visitor saw, go on with the same
  * digits, from any row of a block. */
 START_TEST(copies_and_visits_take_the_tiles_along)
 {
     enum { D = 40, N = 130 };
-    static unsigned char bytes[1 << 20];
+    static char bytes[1 << 20];
     double x[D], H[3][D];
     for (size_t stop = 0; stop < 100; stop += 9) {
         fvi_history *m = memory_of(0.7, D, N), *copy, *other;
         for (size_t k = 0; k <= N; k++) {
             if (k == stop) {
-                shelf s = { { carry }, bytes, 0 }, l = { { carry }, bytes, 1 };
+                saved_state s = { { pass_saved_piece }, bytes, 0, sizeof bytes, 0 };
                 ck_assert_int_eq(fvi_history_copy(m, &copy), FVI_SUCCESS);
                 other = memory_of(0.7, D, N);
                 ck_assert_int_eq(fvi_history_archive(m, &s.archive), 0);
-                ck_assert_int_eq(fvi_history_archive(other, &l.archive), 0);
+                s.at = 0;
+                s.is_saved = 1;
+                ck_assert_int_eq(fvi_history_archive(other, &s.archive), 0);
             }
             for (size_t i = 0; i < D; i++)
                 x[i] = random_term();

@@ -1,26 +1,7 @@
 /* tests/run/test_batch_uses.c -- H 28: copies, adjoints and rows of runs together, and which runs go together.
  * Run alone: make test-batch_uses */
 #include "batch_runs.h"
-
-/* Keeps pieces, or gives them back. */
-typedef struct {
-    fvi_archive archive;
-    unsigned char bytes[1 << 16];
-    size_t at;
-    int is_full;
-} shelf;
-
-static int keep_or_give(fvi_archive *v, void *data, size_t bytes, int constant)
-{
-    shelf *s = (shelf *)v;
-    unsigned char *place = s->bytes + s->at;
-    ck_assert_uint_le(bytes, sizeof s->bytes - s->at);
-    s->at += bytes;
-    if (s->is_full && constant)
-        return memcmp(place, data, bytes) != 0;
-    memcpy(s->is_full ? data : place, s->is_full ? place : data, bytes);
-    return 0;
-}
+#include "harness/saved.h"
 
 /* A copy half way, and a run from what was archived there, go on with the same bits, also where lanes have solvers
  * of their own. */
@@ -32,7 +13,6 @@ START_TEST(a_batch_is_copied_and_archived_as_any_run)
     for (size_t m = 0; m < LEN(all); m++) {
         fvi_batch *batch;
         fvi_stepper *s, *copy, *again;
-        static shelf kept;
         fill_wells(8, o, run, 60);
         OK(fvi_batch_alloc(all[m], 8, run, &batch, NULL));
         OK(fvi_stepper_start(all[m], fvi_batch_run(batch), &s, NULL));
@@ -40,11 +20,7 @@ START_TEST(a_batch_is_copied_and_archived_as_any_run)
             OK(fvi_stepper_step(s));
         OK(fvi_stepper_copy(s, &copy));
         OK(fvi_stepper_start(all[m], fvi_batch_run(batch), &again, NULL));
-        kept = (shelf){ .archive = { keep_or_give } };
-        OK(fvi_stepper_archive(s, &kept.archive));
-        kept.at = 0;
-        kept.is_full = 1;
-        OK(fvi_stepper_archive(again, &kept.archive));
+        save_and_restore(s, again);
         fvi_stepper *const three[] = { s, copy, again };
         for (size_t i = 0; i < LEN(three); i++) {
             while (three[i]->k < 60)

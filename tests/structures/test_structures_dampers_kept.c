@@ -2,37 +2,12 @@
  * histories, and the impulses and the work of each damper.
  * Run alone: make test-structures_dampers_kept */
 #include "building.h"
+#include "harness/saved.h"
 #include "system/larger.h"
 
 enum { N = 300 };
 
 /* ---- copies and files ---- */
-
-/* Keeps pieces, or gives them back. */
-typedef struct {
-    fvi_archive archive;
-    unsigned char *at;
-} shelf;
-
-static int save(fvi_archive *v, void *data, size_t bytes, int constant)
-{
-    shelf *s = (shelf *)v;
-    (void)constant;
-    memcpy(s->at, data, bytes);
-    s->at += bytes;
-    return 0;
-}
-
-static int load(fvi_archive *v, void *data, size_t bytes, int constant)
-{
-    shelf *s = (shelf *)v;
-    if (!constant)
-        memcpy(data, s->at, bytes);
-    s->at += bytes;
-    return 0;
-}
-
-static unsigned char bytes[1 << 20];
 
 static const fvi_method *const kept[] = { &fvi_fractional,   &fvi_cq2_shifted, &fvi_cq_bdf2,
                                           &fvi_cq2_midpoint, &fvi_lobatto_d3,  &fvi_lobatto_d6,
@@ -56,9 +31,7 @@ START_TEST(a_run_with_several_dampers_is_copied_and_saved)
         while (s->k < 130)
             OK(fvi_stepper_step(s));
         OK(fvi_stepper_copy(s, &fork));
-        shelf in = { { save }, bytes }, out = { { load }, bytes };
-        OK(fvi_stepper_archive(s, &in.archive));
-        OK(fvi_stepper_archive(again, &out.archive));
+        save_and_restore(s, again);
         while (s->k < N)
             OK(fvi_stepper_step(s));
         memcpy(x, s->x, sizeof x);

@@ -1,6 +1,7 @@
 /* tests/variable_steps/test_variable_steps_life.c -- H 22: the life of a stepper, its
  * copies, what is saved of it, what ends it.   Run alone: make test-variable_steps_life */
 #include <fvi/fvi.h>
+#include "harness/saved.h"
 #include "harness/ulp.h"
 #include "variable_step/variable_step.h"
 
@@ -8,32 +9,6 @@
 
 static double x[(N + 1) * D], y[(N + 1) * D], p[(N + 1) * D];
 static const double cg[2] = { 2, 0.7 };
-
-/* A visitor that keeps the pieces, or gives them back. */
-typedef struct {
-    fvi_archive visitor;
-    size_t at;
-} shelf;
-static unsigned char pieces[1 << 16];
-static int save(fvi_archive *v, void *data, size_t bytes, int constant)
-{
-    shelf *s = (shelf *)v;
-    (void)constant;
-    ck_assert(bytes <= sizeof pieces - s->at);
-    memcpy(pieces + s->at, data, bytes);
-    s->at += bytes;
-    return 0;
-}
-static int load(fvi_archive *v, void *data, size_t bytes, int constant)
-{
-    shelf *s = (shelf *)v;
-    if (constant && memcmp(pieces + s->at, data, bytes) != 0)
-        return -7;
-    if (!constant)
-        memcpy(data, pieces + s->at, bytes);
-    s->at += bytes;
-    return 0;
-}
 
 /* A copy, a run that was saved, and one begun anew go on with the same digits; rows may be
  * had at any time that is not before the last step. */
@@ -74,10 +49,8 @@ START_TEST(a_copy_goes_on_with_the_same_digits)
         ck_assert_int_eq(fvi_stepper_copy(s, &copy), 0);
         ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &again,
                                            NULL), 0);
-        shelf saved = { .visitor = { save } }, read = { .visitor = { load } };
-        ck_assert_int_eq(fvi_stepper_archive(s, &saved.visitor), 0);
-        ck_assert_int_eq(fvi_stepper_archive(again, &read.visitor), 0);
-        ck_assert(read.at == saved.at && again->t == s->t);
+        save_and_restore(s, again);
+        ck_assert(again->t == s->t);
         while (s->k < N) {
             ck_assert_int_eq(fvi_stepper_step(s), 0);
             ck_assert_int_eq(fvi_stepper_step(copy), 0);
