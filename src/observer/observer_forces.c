@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A difference of degree n over n + 1 rows is off by k^-(n + 1) of a power of t at row k: 1e-6 with these. The
+/* A difference of degree n over n + 1 rows is off by k^-(n + 1) of a power of t at row k: 1e-4 at most with these. The
  * differences of degree 1 are the forces of their method. */
 size_t fvi_observer_first_rows(const fvi_observer *o)
 {
@@ -112,7 +112,7 @@ static double near_start_of_law(const fvi_observer *o, size_t j, size_t damper, 
 /* The rows of the law of force j, or NULL if its start cannot be compared with anything. */
 static const fvi_law_row *rows_of(const fvi_observer *o, size_t j, size_t damper)
 {
-    const fvi_law_row *first = fvi_law_rows_of(&o->law_rows, damper);
+    const fvi_law_row *first = o->has_massless ? NULL : fvi_law_rows_of(&o->law_rows, damper);
     return first && (o->is_jumping[j] == 0 || first->summed[FVI_JUMP] > 0) ? first : NULL;
 }
 

@@ -105,6 +105,19 @@ static int read_chosen_forces(fvi_observer *o, const fvi_stepper *s, double t)
     return status;
 }
 
+/* Row k by short steps into o->force. Returns 0 if there is none. */
+static int take_short_row(fvi_observer *o, size_t k)
+{
+    const double *row = fvi_short_row(&o->short_rows, k);
+    const size_t f = o->forces, d = o->d;
+    if (!row)
+        return 0;
+    memcpy(o->force, row, f * sizeof *row);
+    memcpy(o->force + f, row + f + d, o->slopes * sizeof *row);
+    memcpy(o->force + f + o->slopes, row + f + 2 * d, o->ties * sizeof *row);
+    return 1;
+}
+
 static int read_forces(fvi_observer *o, const fvi_stepper *s, double t,
                        fvi_observation *now)
 {
@@ -130,6 +143,8 @@ static int read_forces(fvi_observer *o, const fvi_stepper *s, double t,
     }
     if (is_chosen)
         return read_chosen_forces(o, s, t);
+    if (take_short_row(o, s->k))
+        return o->wanted & FVI_OBSERVE_ACCELERATION ? solve_motion(o, s) : FVI_SUCCESS;
     fvi_observer_differences(o, s->k, s->run.h, o->force);
     if (o->has_mechanism && o->tracked > o->forces && s->k > 0 && s->k <= fvi_observer_motion_rows(o))
         status = fvi_observer_motion(o, s, t, now->x);
@@ -268,5 +283,7 @@ int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
         status = read_contacts(o, s, t);
     fold_rows(o, o->force);
     fold_rows(o, o->impulse_now);
+    if (o->has_massless && fvi_short_row(&o->short_rows, s->k))
+        memcpy(o->v, fvi_short_row(&o->short_rows, s->k) + o->forces, o->d * sizeof *o->v);
     return status || is_finite(o, now) ? status : FVI_EOVRFLW;
 }

@@ -1,6 +1,7 @@
 /* src/observer/observer_start.c -- An observer starts with a run, is copied, archived and freed. */
 #include "observer_state.h"
 
+#include "mechanism/mechanism_state.h"
 #include "system/fail.h"
 #include "variable_step/variable_mechanism.h"
 
@@ -114,6 +115,8 @@ static void describe(fvi_observer *o, const fvi_stepper *s, unsigned wanted)
                   : 0;
     o->tracked = o->forces + o->slopes + o->ties;
     o->contacts = o->has_mechanism && wanted & FVI_OBSERVE_CONTACT ? s->run.event_count : 0;
+    for (size_t i = 0; o->has_mechanism && s->mechanism && i < o->d; i++)
+        o->has_massless |= s->mechanism->is_massless[i];
     o->is_damped = system->mechanism || is_damped(system);
     o->is_mass = !system->mechanism && !o->matrices && s->run.alpha == 1;
     o->work_known = system->mechanism || fvi_step_work_is_known(s);
@@ -217,6 +220,8 @@ static int begin(fvi_observer *o, const fvi_stepper *s)
         o->impulse[i] = o->v[i - o->forces];
     if (!status && o->is_summed)
         status = fvi_observer_begin_ramps(o, s);
+    if (!status)
+        status = fvi_short_rows_start(o, s);
     return !status && o->is_infinite ? take_means(o, s) : status;
 }
 
@@ -275,6 +280,8 @@ int fvi_observer_copy(const fvi_observer *from, fvi_observer **to)
     o->numbers = NULL;
     o->ramp = NULL;
     int status = fvi_law_rows_copy(&from->law_rows, &o->law_rows);
+    if (fvi_short_rows_copy(&from->short_rows, &o->short_rows))
+        status = FVI_ENOMEM;
     if (!status)
         status = allocate(o);
     if (!status)
@@ -309,6 +316,7 @@ void fvi_observer_free(fvi_observer *o)
         o->matrices->forget(o->factors);
     fvi_observer_free_ramps(o);
     fvi_law_rows_free(&o->law_rows);
+    fvi_short_rows_free(&o->short_rows);
     free(o->numbers);
     free(o);
 }

@@ -7,6 +7,7 @@
 #include "methods/step_sums.h"
 #include "observer_law.h"
 #include "observer_ramp.h"
+#include "observer_short_steps.h"
 
 #include <fvi/dampers.h>
 #include <fvi/observer.h>
@@ -33,6 +34,7 @@ struct fvi_observer {
     int by_energy;   /* is the work that is told what the energy has lost? */
     int is_infinite; /* is a force, a or a multiplier infinite, or not known, at t = 0? */
     int has_infinite_force; /* of a damper at t = 0 */
+    int has_massless; /* a coordinate of a mechanism without inertia, whose start is not known */
     size_t degree;   /* of the differences */
     const fvi_mechanism *mechanism;
     void *factors;   /* of M, of a system with matrices; or NULL */
@@ -59,6 +61,7 @@ struct fvi_observer {
     double *power;      /* of each damper: its work has power times lead more */
     fvi_ramp **ramp;    /* of each damper, NULL if it has none; or NULL */
     fvi_law_rows law_rows;
+    fvi_short_rows short_rows;
     double E0;
     /* what is made anew */
     fvi_step_begin begin;

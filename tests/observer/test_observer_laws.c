@@ -139,6 +139,7 @@ static int forces(const fvi_method *method, damped_by way, const fvi_kernel *ker
     fvi_error error = { 0 };
     run.law = way == BY_LAW ? kernel : NULL;
     run.alpha = kernel->term->alpha;
+    run.past = past;
     if (way > BY_LAW && !method->takes_mechanism)
         return 0;
     ck_assert_msg(fvi_stepper_start(method, &run, &s, &error) == 0, "%s: %s", method->name, error.text);
@@ -190,34 +191,36 @@ static int is_power(size_t number)
     return ref_laws[number].kind == FVI_KERNEL_POWER && ref_laws[number].dashpot == 0;
 }
 
-/* 2 h^e, where e is 1, or 2 - o of a power of an order o above 1. */
+/* 2 h, or 1e-7 of a power above the order 1: those rows are taken by short steps. */
 static double bound_of(const fvi_method *method, size_t number)
 {
-    const double order = is_power(number) ? 2 * ref_laws[number].alpha : 0;
-    return 2 * pow(h, smaller(1, 2 - order)) + (method->highest == 1 ? 0.25 : 0);
+    const int is_above_1 = is_power(number) && ref_laws[number].alpha > 0.5;
+    return (is_above_1 ? 1e-7 : 2 * h) + (method->highest == 1 ? 0.25 : 0);
 }
 
 /* 22 laws with relaxation times from h/10 to 100 h, and six powers. A line and a parabola are exact (13.20), and what
- * else z does within a step is a part 2 h of the force at most: the spring changes z'' by c h, and the damper by less, or
- * by t^(2 - o) if its order o is above 1. Seen 0.5 of it, and up to 26 times the bound without (13.20). Of order 1 rows
- * behind the third are differences, which are late by
- * h/2: at row 4 of a force that grows like t by an eighth, and twice as much of a law that rings; seen 0.49 of it. */
+ * else z does within a step is a part 2 h of the force at most: the spring changes z'' by c h, and the damper by less.
+ * Seen 0.5 of it, and up to 26 times the bound without (13.20). Of powers above the order 1 seen 0.01 of the bound, and
+ * the force itself by (13.20). Of order 1 rows behind the third are differences, which are late by h/2: at row 4 of a
+ * force that grows like t by an eighth, and twice as much of a law that rings; seen 0.49 of it. */
 START_TEST(the_first_rows_of_a_law_are_right)
 {
     for (size_t m = 0; fvi_methods[m]; m++)
         for (damped_by way = BY_ALPHA; way <= (fvi_methods[m]->stages > 4 ? BY_LAW : BY_ELONGATION); way++)
             for (size_t i = takes_laws(fvi_methods[m]) ? 0 : LEN(ref_forces); i < LEN(ref_forces);) {
                 const size_t number = ref_forces[i].law, start = i;
-                const double x0 = ref_forces[i].x0, v0 = ref_forces[i].v0, bound = bound_of(fvi_methods[m], number),
+                const double x0 = ref_forces[i].x0, bound = bound_of(fvi_methods[m], number),
                              e = worst_row(fvi_methods[m], way, &i);
                 if (way == BY_ALPHA && !is_power(number))
                     continue;
-                if (is_power(number) && ref_laws[number].alpha > 0.5 && v0 != 0)
-                    continue;
                 if (fvi_methods[m]->highest == 1)
                     seen_worst(e / bound, "of the bound, order 1");
+                else if (is_power(number) && ref_laws[number].alpha > 0.5)
+                    seen_worst(e / bound, "of the bound, above the order 1");
+                else if (is_power(number))
+                    seen_worst(e / bound, "of the bound, powers");
                 else
-                    seen_worst(e / bound, is_power(number) ? "of the bound, powers" : "of the bound");
+                    seen_worst(e / bound, "of the bound");
                 ck_assert_msg(e <= bound && i > start, "%s %d, law %zu, x0 %g: %g", fvi_methods[m]->name, (int)way,
                               number, x0, e);
             }
@@ -297,6 +300,96 @@ START_TEST(the_first_rows_behind_a_jump_are_right)
             const double e = fabs(told[k] - ref_jumps[i].force) / largest;
             seen_worst(e / h, "of the bound");
             ck_assert_msg(e <= h, "law %zu, v0 %g, row %zu: %g", ref_jumps[i].law, ref_jumps[i].v0, k, e);
+        }
+}
+END_TEST
+
+/* A past that jumps, with a power: by all methods, relative to the force itself. Short steps take these rows; seen 0.01
+ * of 1e-7. By fvi they take rows 1 to 3. Row 1 was off by 0.1 for the order 0.8 with a start velocity. */
+START_TEST(the_first_rows_behind_a_jump_of_a_power_are_right)
+{
+    for (size_t m = 0; fvi_methods[m]; m++)
+        for (damped_by way = BY_ALPHA; way <= BY_DAMPER && takes_laws(fvi_methods[m]); way++)
+            for (size_t i = 0; i < LEN(ref_jumps_of_powers) && way != BY_LAW; i++) {
+                const size_t k = ref_jumps_of_powers[i].k;
+                double told[ROWS + 1];
+                law of;
+                make_law(ref_jumps_of_powers[i].law, &of);
+                if ((fvi_methods[m]->highest == 1 && k > 3)
+                    || !forces(fvi_methods[m], way, &of.kernel, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.5,
+                               ref_jumps_of_powers[i].v0, h, ROWS, told))
+                    continue;
+                const double e = fabs(told[k] / ref_jumps_of_powers[i].force - 1);
+                seen_worst(e / 1e-7, "of the bound");
+                ck_assert_msg(e <= 1e-7, "%s %d, law %zu, v0 %g, row %zu: %g", fvi_methods[m]->name, (int)way,
+                              ref_jumps_of_powers[i].law, ref_jumps_of_powers[i].v0, k, e);
+            }
+}
+END_TEST
+
+/* ---- a point without mass ---- */
+
+static int spring(size_t d, const double *x, void *params, double *value)
+{
+    (void)d, (void)params;
+    *value = (x[0] - x[1]) * (x[0] - x[1]) / 2;
+    return 0;
+}
+
+static int spring_gradient(size_t d, const double *x, void *params, double *grad)
+{
+    (void)d, (void)params;
+    grad[0] = x[0] - x[1];
+    grad[1] = -grad[0];
+    return 0;
+}
+
+static int spring_hessian(size_t d, const double *x, void *params, double *H)
+{
+    (void)d, (void)x, (void)params;
+    H[0] = H[3] = 1;
+    H[1] = H[2] = -1;
+    return 0;
+}
+
+/* A mass at 1 pulls at a point without mass at 0, which a law holds, so it starts out of balance. v, a and the force,
+ * relative to each number, for laws with a relaxation and for powers: 1e-6, since a is the second derivative of what
+ * short steps know to 1e-10; seen 0.01 of it. By the steps of the run v was off by 0.4, and a by more than itself. */
+START_TEST(the_first_rows_of_a_point_without_mass_are_right)
+{
+    static const double mass[] = { 1, 0 }, zeros[] = { 0, 0 }, x0[] = { 1, 0 }, row[] = { 0, 1 };
+    static const fvi_method *const methods[] = { &fvi_cq2_midpoint, &fvi_lobatto_d2, &fvi_lobatto_d3, &fvi_lobatto_d4 };
+    const fvi_potential potential = { .value = spring, .gradient = spring_gradient, .hessian = spring_hessian };
+    for (size_t m = 0; m < LEN(methods); m++)
+        for (size_t i = 0; i < LEN(ref_massless); i++) {
+            law of;
+            fvi_stepper *s;
+            fvi_observer *o;
+            fvi_observation now;
+            fvi_error error = { 0 };
+            make_law(ref_massless[i].law, &of);
+            const fvi_damper damper = { .of.row = row, .kernel = &of.kernel };
+            const fvi_mechanism mechanism = { .damper = &damper, .damper_count = 1 };
+            const fvi_system system = {
+                .d = 2, .mass = mass, .damping = zeros, .potential = potential, .mechanism = &mechanism
+            };
+            const fvi_run run = fvi_run_default(&system, x0, zeros, h, ROWS);
+            ck_assert_msg(fvi_stepper_start(methods[m], &run, &s, &error) == 0, "%s", error.text);
+            ck_assert_int_eq(fvi_observer_start(s, FVI_OBSERVE_FORCE | FVI_OBSERVE_VELOCITY | FVI_OBSERVE_ACCELERATION,
+                                                &o, NULL), 0);
+            while (s->k < ref_massless[i].k)
+                ck_assert_int_eq(fvi_observer_step(o, s), 0);
+            ck_assert_int_eq(fvi_observer_read(o, s, s->t, &now), 0);
+            const double told[] = { now.v[1], now.a[1], now.force[0] },
+                         want[] = { ref_massless[i].v, ref_massless[i].a, ref_massless[i].force };
+            for (size_t n = 0; n < LEN(told); n++) {
+                const double e = fabs(told[n] / want[n] - 1);
+                seen_worst(e / 1e-6, "of the bound");
+                ck_assert_msg(e <= 1e-6, "%s, law %zu, row %zu, %zu: %g, %g", methods[m]->name, ref_massless[i].law,
+                              ref_massless[i].k, n, told[n], want[n]);
+            }
+            fvi_observer_free(o);
+            fvi_stepper_free(s);
         }
 }
 END_TEST
@@ -423,7 +516,8 @@ int main(void)
     Suite *suite = suite_create("the first rows of laws");
     ADD_CASE(suite, "laws", eq_26_21_the_answers_of_a_law, the_answers_of_a_power_are_powers,
              whole_orders_answer_with_whole_powers, the_first_rows_of_a_law_are_right, the_first_rows_have_the_order_of_the_method,
-             the_first_rows_behind_a_jump_are_right, the_force_of_a_jump_at_the_start_is_that_of_a_spring,
+             the_first_rows_behind_a_jump_are_right, the_first_rows_behind_a_jump_of_a_power_are_right,
+             the_first_rows_of_a_point_without_mass_are_right, the_force_of_a_jump_at_the_start_is_that_of_a_spring,
              random_laws_are_right_in_their_first_rows);
     return run_suite(suite);
 }

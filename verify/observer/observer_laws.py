@@ -3,8 +3,8 @@
     x'' + c x + C(D) (x - x0) = 0,     x(0) = x0, x'(0) = v0, held before t = 0.
 
 For z = x - x0 Laplace's transform is Z(s) = (v0 - c x0/s) / (s^2 + c + C(s)), and the force has the transform C Z.
-With a past that jumps, C acts on x, and X(s) = (s x0 + v0) / (s^2 + c + C(s)). Both are inverted along Talbot's
-contour, with two numbers of nodes that must agree. The answers of a law to 1, t and t^2/2 are (26.21), the inverse
+With a past that jumps, C acts on x, and X(s) = (s x0 + v0) / (s^2 + c + C(s)). A mass 1 at 1 may also pull, by a spring 1,
+at a point without mass at 0 that C holds: x1'' = x2 - x1 and C(D) x2 = x1 - x2. All are inverted along Talbot's contour, with two numbers of nodes that must agree. The answers of a law to 1, t and t^2/2 are (26.21), the inverse
 transforms of C/s^m. Claimed: for a Maxwell element they are what integrals of exp(-t/T) give, and the oscillator with
 a Maxwell element is the solution of three linear equations of first order."""
 from mpmath import exp, expm, invertlaplace, matrix, mp, mpf, quad
@@ -67,6 +67,14 @@ def force_of_jump(law, x0, v0, t):
     return inverse(lambda s: symbol(law, s) * (s * x0 + v0) / (s**2 + c + symbol(law, s)), t)
 
 
+def massless(law, t):
+    """x2', x2'' and the force of the element that holds it."""
+    def X(s):
+        C = symbol(law, s)
+        return s / (s**2 * (1 + C) + C)
+    return [inverse(F, t) for F in (lambda s: s * X(s), lambda s: s**2 * X(s), lambda s: symbol(law, s) * X(s))]
+
+
 def responses(law, t):
     return [inverse(lambda s, m=m: symbol(law, s) / s**m, t) for m in (1, 2, 3, 4)]
 
@@ -80,6 +88,11 @@ for alpha in (0.25, 0.9):
     for m, G in enumerate(responses(power, 5 * H), 1):
         e = m - 1 - 2 * double(alpha)
         claim("a power answers with powers", near(G, mpf(0.75) * (5 * H)**e * mp.rgamma(1 + e)))
+
+for t in (H, 5 * H):  # a dashpot 1/2: x1 - x2 = (1 - t) exp(-t)
+    half = ("POWER", mpf(1) / 2, mpf(1) / 2, mpf(0), mpf(0), mpf(0))
+    want = 2 * (1 - t) * exp(-t), 2 * (t - 2) * exp(-t), (1 - t) * exp(-t)
+    claim("a point without mass", all(map(near, massless(half, t), want)))
 
 maxwell = LAWS[12]
 rho, T = maxwell[1], maxwell[3]
@@ -108,3 +121,8 @@ table("ref_forces", "size_t law, k; double x0, v0, force;",
 table("ref_jumps", "size_t law, k; double x0, v0, force;",
       [[i, k, nearest(mpf(1) / 2), nearest(mpf(v0)), nearest(force_of_jump(LAWS[i], mpf(1) / 2, v0, k * H))]
        for i in (2, 6, 10, 13, 15) for v0 in (0, mpf(3) / 4) for k in (1, 2, 3)])
+table("ref_jumps_of_powers", "size_t law, k; double v0, force;",
+      [[i, k, nearest(mpf(v0)), nearest(force_of_jump(LAWS[i], mpf(1) / 2, v0, k * H))]
+       for i in (22, 23, 24) for v0 in (0, mpf(3) / 4) for k in ROWS])
+table("ref_massless", "size_t law, k; double v, a, force;",
+      [[i, k, *map(nearest, massless(LAWS[i], k * H))] for i in (0, 5, 14, 22, 23, 25) for k in ROWS])
