@@ -148,11 +148,11 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
  *     J = J(x_k, p_k, f_k, I_k)     f_k the forces of the dampers in row k, I_k their impulses up to there
  *
  *   method, run, objective, gradients  as for fvi_adjoint; the run is done here. fvi_variable_step takes no part
- *   force    dJ/df: N + 1 rows, each of the numbers of all dampers one behind another, as an observer tells them
- *            (observer.h); or NULL
+ *   force    dJ/df: N + 1 rows, each of the numbers of all dampers one behind another, as an observer of
+ *            FVI_OBSERVE_OWN_STEPS tells them (observer.h); or NULL
  *   impulse  dJ/dI, likewise; or NULL. That of t = 0 is not read, as all impulses are 0 there
  *
- * These are the derivatives of the numbers that an observer tells, also in the first rows, where a law is compared with
+ * These are the derivatives of the numbers that such an observer tells, also in the first rows, where a law is compared with
  * what it answers to a line. Where the force at t = 0 is infinite, its row is the mean over the first one, and so is its
  * derivative.
  *

@@ -17,14 +17,17 @@
  *
  * and of the order of p. Its force at a node is the derivative of J, by backward differences of
  * the impulses of the last steps, of an order that is one above the highest of the method, 9 at
- * most; near t = 0, where J = t^q g(t) with q = 2 - the order of the damping, by those of g. So
- * force and a have the order of p at a fixed t; at the first nodes they are of low order, as p is.
- * A law that is not one power need not begin like t^q, because it may relax within a step. So near t = 0 its J is
- * compared with what it answers to a jump, a line and a parabola (13.20), and its force has the order of p there, 3 at most.
+ * most. Near t = 0 its J is compared with what its law answers to a jump, a line and a parabola (13.20). So force and a have
+ * the order of p at a fixed t, and 3 at most in the first rows.
+ * Where an order is above 1, where the past rl jumps, and where a coordinate has no inertia, no comparison helps. There the
+ * first rows of forces, a, multipliers, and of v if a coordinate has no inertia, are those of fvi_variable_step, which takes
+ * the run up to there with shorter steps [H 13]: right to 1e-8 (seen). It does not for matrices, for more than 12
+ * coordinates whose potential has no narrow band, or where it fails or needs more than 1000 steps; then these rows
+ * are of low order, 2 - that of the damping.
  * Of a start with a velocity and an order of the damping up to 1, the methods of order 2 get the first impulses wrong,
  * by a quarter for a dashpot. What the steps take from the line x_0 + v_0 t and what is exact are both known, and J and the
- * work have the difference (13.18): over all rows J and the work then have the order 2, the force 2 - that of the
- * damping. x, p and the balance are those of the steps; so are, behind the first rows, accelerations that are slopes of velocities,
+ * work have the difference (13.18): over all rows J and the work then have the order 2, the force 3 - twice that of the
+ * damping, or 2 if that is lower. x, p and the balance are those of the steps; so are, behind the first rows, accelerations that are slopes of velocities,
  * and multipliers.
  * The acceleration is the equation of motion, a = M^-1 (F - grad U - force); of a Lagrangian, of forces of velocity and
  * of constraints it is the slope of v, and a multiplier is the slope of its impulses. Their first rows, and t = 0, come from
@@ -55,7 +58,8 @@ typedef struct fvi_observer fvi_observer;
 
 /* What is asked for, added. VELOCITY: v; ACCELERATION: a; FORCE, IMPULSE: of the dampers; WORK: of the
  * dampers and of the force, and the balance; ENERGY: E; APPLIED: F; MULTIPLIER: of a mechanism's constraints, from
- * their impulses as the forces; CONTACT: how strongly each contact among the events pushes. */
+ * their impulses as the forces; CONTACT: how strongly each contact among the events pushes. OWN_STEPS: not a quantity, but
+ * that no shorter steps take the first rows. */
 enum {
     FVI_OBSERVE_VELOCITY = 1,
     FVI_OBSERVE_ACCELERATION = 2,
@@ -65,7 +69,8 @@ enum {
     FVI_OBSERVE_ENERGY = 32,
     FVI_OBSERVE_APPLIED = 64,
     FVI_OBSERVE_MULTIPLIER = 128,
-    FVI_OBSERVE_CONTACT = 256
+    FVI_OBSERVE_CONTACT = 256,
+    FVI_OBSERVE_OWN_STEPS = 512
 };
 
 /* fvi_observation -- what is known at a time. What was not asked for is of no use. The arrays
@@ -98,8 +103,8 @@ typedef struct {
  *   wanted  what will be read: nothing else is computed
  *   o       output; free it with fvi_observer_free
  *
- * Cost: if forces, a or multipliers are asked for, as much as a start of the run and up to 27 steps for each different law,
- * which is 0.2 ms to 4 ms (seen). Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL if s is not at its start; FVI_EUNSUP for a
+ * Cost: if forces, a or multipliers are asked for, as much as a start of the run and up to 30 steps for each different law,
+ * which is 0.2 ms to 4 ms (seen); where shorter steps take the first rows some 50 steps of fvi_variable_step more. Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL if s is not at its start; FVI_EUNSUP for a
  * sum that a method does not know; FVI_ENOMEM; what a function of the system returned. */
 int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **o,
                        fvi_error *error);
@@ -121,6 +126,10 @@ int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
  * The name of a mechanism's damper is its own (dampers.h). */
 size_t fvi_observer_dampers(const fvi_observer *o);
 size_t fvi_observer_width(const fvi_observer *o, size_t j);
+
+/* fvi_observer_short_rows -- rows 1 to how many are those of shorter steps; 0: none. fvi_adjoint_forces does not know their
+ * derivatives. */
+size_t fvi_observer_short_rows(const fvi_observer *o);
 
 /* fvi_observer_copy -- the same again, for a copy of the stepper. FVI_ENOMEM. Of a method of order 2 that starts with
  * a velocity it may take as long as a run of one body to this step, for each damper.

@@ -18,7 +18,7 @@ size_t fvi_observer_numbers(const fvi_observer *o);
 
 /* fvi_observer_transpose -- sum_k w_k . f_k, differentiated.
  *
- *   o        of FVI_OBSERVE_FORCE, at the start of the run; its sums are of no use afterwards
+ *   o        of FVI_OBSERVE_FORCE | FVI_OBSERVE_OWN_STEPS, at the start of the run; its sums are of no use afterwards
  *   run      its run
  *   w        dL/df of each row: (N + 1) times the numbers above
  *   impulse  likewise: dL/dJ, to which the sums of w_k a_ki are added
@@ -31,7 +31,7 @@ int fvi_observer_transpose(fvi_observer *o, const fvi_run *run, const double *w,
 
 /* fvi_observer_first_forces -- sum_k w_k . f_k over the first rows alone, in which the law stands in the coefficients.
  *
- *   o        of FVI_OBSERVE_FORCE, at the start of a run, which may have another law than the one of the impulses
+ *   o        of FVI_OBSERVE_FORCE | FVI_OBSERVE_OWN_STEPS, at the start of a run, which may have another law than the one of the impulses
  *   power    of each number, as fvi_observer_powers has it of the run of the impulses: e, if its J is taken for t^(e - order) g
  *            in the first rows, or NAN, if it is compared with the answers of its law
  *   has_start  nonzero: t = 0 is one of these rows

@@ -2,8 +2,7 @@
 #include "observer_state.h"
 
 #include "kernel/kernel_terms.h"
-#include "mechanism/mechanism_state.h"
-#include "run/run_damper.h"
+#include "system/larger.h"
 
 #include <fvi/variable_steps.h>
 
@@ -23,7 +22,7 @@ static int is_affordable(const fvi_observer *o, const fvi_system *system)
 static int is_needed(const fvi_observer *o, const fvi_stepper *s)
 {
     const unsigned forces = FVI_OBSERVE_FORCE | FVI_OBSERVE_ACCELERATION | FVI_OBSERVE_MULTIPLIER;
-    if (s->method->dense || o->matrices || o->is_mass || !(s->method->takes_mechanism || fvi_ramp_method(s))
+    if (o->wanted & FVI_OBSERVE_OWN_STEPS || s->method->dense || o->matrices || o->is_mass || !(s->method->takes_mechanism || fvi_ramp_method(s))
         || !is_affordable(o, s->run.system))
         return 0;
     if (o->has_massless)
@@ -45,7 +44,7 @@ static int measure_step(const fvi_observer *o, const fvi_stepper *s, double *siz
         status = fvi_stepper_step(copy);
     *size = 0;
     for (size_t i = 0; i < o->d && !status; i++)
-        *size = fmax(*size, fabs(copy->x[i] - s->x[i]));
+        *size = larger(*size, fabs(copy->x[i] - s->x[i]));
     fvi_stepper_free(copy);
     return status;
 }

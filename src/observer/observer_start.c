@@ -263,6 +263,11 @@ size_t fvi_observer_dampers(const fvi_observer *o)
     return o->dampers;
 }
 
+size_t fvi_observer_short_rows(const fvi_observer *o)
+{
+    return o->short_rows.rows;
+}
+
 size_t fvi_observer_width(const fvi_observer *o, size_t j)
 {
     return j >= o->dampers ? 0

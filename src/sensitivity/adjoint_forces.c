@@ -201,7 +201,7 @@ int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_o
     if (!status)
         status = fvi_stepper_start(method, run, &s, NULL);
     if (!status)
-        status = fvi_observer_start(s, FVI_OBSERVE_FORCE, &o, NULL);
+        status = fvi_observer_start(s, FVI_OBSERVE_FORCE | FVI_OBSERVE_OWN_STEPS, &o, NULL);
     if (!status)
         status = start_shares(&shares, o, run->steps, impulse);
     if (!status)

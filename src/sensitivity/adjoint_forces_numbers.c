@@ -58,7 +58,7 @@ static int evaluate(const changed_run *o, int has_start, double *L)
     *L = 0;
     int status = fvi_stepper_start(o->method, &o->run, &s, NULL);
     if (!status)
-        status = fvi_observer_start(s, FVI_OBSERVE_FORCE, &observer, NULL);
+        status = fvi_observer_start(s, FVI_OBSERVE_FORCE | FVI_OBSERVE_OWN_STEPS, &observer, NULL);
     if (!status && o->force)
         status = fvi_observer_first_forces(observer, &o->run, o->power, has_start, o->force, o->impulse, L);
     if (!status)
@@ -190,7 +190,7 @@ static int impulses_of_run(changed_run *o, fvi_stepper *s)
     const size_t n = o->shares->n;
     fvi_observer *sums = NULL;
     fvi_observation now;
-    int status = fvi_observer_start(s, FVI_OBSERVE_IMPULSE | FVI_OBSERVE_FORCE, &sums, NULL);
+    int status = fvi_observer_start(s, FVI_OBSERVE_IMPULSE | FVI_OBSERVE_FORCE | FVI_OBSERVE_OWN_STEPS, &sums, NULL);
     if (!status)
         fvi_observer_powers(sums, o->power);
     for (size_t k = 1; k <= o->of->steps && !status; k++) {

@@ -203,7 +203,7 @@ static double loss(const fvi_method *method, const numbers *n, double *force, do
     double sum = 0;
     make(n, &m);
     ck_assert_int_eq(fvi_stepper_start(method, &m.run, &s, NULL), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_observer_start(s, FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE, &o, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_observer_start(s, FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_OWN_STEPS, &o, NULL), FVI_SUCCESS);
     for (size_t k = 0; k <= ROWS; k++) {
         ck_assert_int_eq(fvi_observer_read(o, s, s->t, &now), FVI_SUCCESS);
         for (size_t i = 0; i < count; i++) {

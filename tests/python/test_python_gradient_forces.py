@@ -97,6 +97,11 @@ def test_what_has_no_derivatives_of_forces_is_refused_by_name():
         fvi.vjp(t, forces=1.0)
     with pytest.raises(ValueError, match=r"^forces: d1: the shape \(3,\) is not \(21, 2\)"):
         fvi.vjp(t, forces={"d1": [1.0, 2, 3]})
+    fast = fvi.solve(fvi.Problem(order=1.4, p0=1, time=5), h=0.1, method="fvi-stable")
+    with pytest.raises(ValueError, match="^forces: the forces of rows 1 to 30 come from steps shorter than those of the run"):
+        fvi.vjp(fast, forces={"d1": 1.0})
+    later = np.r_[np.zeros(31), np.ones(20)]
+    fvi.vjp(fast, forces={"d1": later[:, None]})
     mass = fvi.solve(fvi.Problem(alpha=1, time=1), h=0.1)
     with pytest.raises(fvi.Error, match="at alpha = 1 the damping is a mass"):
         fvi.vjp(mass, forces={"d1": 1.0})

@@ -26,10 +26,11 @@ int count_event(const fvi_event_time *at, const double *x, const double *p, void
 typedef struct fvi_observer fvi_observer;
 enum { FVI_OBSERVE_VELOCITY = 1, FVI_OBSERVE_ACCELERATION = 2, FVI_OBSERVE_FORCE = 4, FVI_OBSERVE_IMPULSE = 8,
        FVI_OBSERVE_WORK = 16, FVI_OBSERVE_ENERGY = 32, FVI_OBSERVE_APPLIED = 64, FVI_OBSERVE_MULTIPLIER = 128,
-       FVI_OBSERVE_CONTACT = 256 };
+       FVI_OBSERVE_CONTACT = 256, FVI_OBSERVE_OWN_STEPS = 512 };
 int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **o, fvi_error *error);
 size_t fvi_observer_dampers(const fvi_observer *o);
 size_t fvi_observer_width(const fvi_observer *o, size_t j);
+size_t fvi_observer_short_rows(const fvi_observer *o);
 void fvi_observer_free(fvi_observer *o);
 typedef struct { double *v, *a, *force, *impulse, *work, *multiplier, *work_of_force, *balance; } observed;
 int observe(fvi_observer *o, fvi_stepper *s, size_t rows, const double *t, const observed *to, size_t *done);

@@ -9,7 +9,7 @@ import numpy as np
 from ._arguments import Array, Numbers, described, function, names as names_of, number, numbers, spelt
 from ._fvi import ffi, lib
 from ._library import ask, failure, succeed, understand, warn
-from ._observe import as_run, refuse_between
+from ._observe import as_run, begin, refuse_between
 from ._problem import Problem
 from ._solution import Solution
 from ._solve import Motion, solve
@@ -248,7 +248,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     x, p      dL/dx and dL/dp of every row, (n, d) numbers, or (n,) of one coordinate, or one for all
     energy    dL/dE of every row, n numbers
     forces    dL/df of every row of the dampers that L knows, a dict by their names, as `s.forces` has them: n numbers of a
-              damper between points or along a row, (n, d) numbers of others. Not by "fvi-adaptive", nor with events
+              damper between points or along a row, (n, d) numbers of others. Not by "fvi-adaptive", nor with events; 0 of first
+              rows that come from shorter steps, as with an order above 1
     impulses  dL/dJ, likewise, as `s.impulses` has them. There is none of works: without a force and with one damper the
               work is energy[0] - energy
     wrt       by what: fields of the problem; None: by all of them that have a derivative
@@ -279,6 +280,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     Jp = mirror.spread("p", 0.0 if p is None else p, shape)
     of_dampers = [mirror.spread_dampers("forces", forces, lambda: solution.forces),
                   mirror.spread_dampers("impulses", impulses, lambda: solution.impulses)]
+    if forces:
+        refuse_short_rows(solution, of_dampers[0], mirror.steps)
     by_energy = None
     if energy is not None:
         by_energy = mirror.spread("energy", energy, shape[:1])[mirror.rows]
@@ -302,6 +305,14 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     if q.ground is not None and "mass" in found:
         add_ground(system, mirror, found, q.kind == "structure")
     return named(by, found)
+
+
+def refuse_short_rows(s: Solution, by: Any, steps: int) -> None:
+    """First rows that are not told by the steps of the run have no derivatives (fvi/observer.h)."""
+    n = lib.fvi_observer_short_rows(begin(s, lib.FVI_OBSERVE_FORCE)[2])
+    if np.frombuffer(ffi.buffer(by)).reshape(steps + 1, -1)[1:n + 1].any():
+        raise ValueError(f"forces: the forces of rows 1 to {n} come from steps shorter than those of the run, because an order is "
+                         "above 1, the past jumps, or a coordinate has no mass; they have no derivatives, so give 0 for these rows")
 
 
 def add_energy(s: Solution, by: Optional[Array], system: Any, found: dict) -> None:
