@@ -3,6 +3,7 @@
 
 #include "fvi_gradient_answer.h"
 #include "fvi_gradient_complaint.h"
+#include "fvi_gradient_dampers.h"
 #include "fvi_gradient_forces.h"
 #include "fvi_gradient_choice.h"
 #include "output/fvi_complain.h"
@@ -32,7 +33,7 @@ typedef fvi_gradient_request request;
 
 /* ---- words ---- */
 
-/* x, p, energy; x:2, p:2. */
+/* x, p, energy; x:2, p:2; d1.force. */
 static int interpret_of(request *r, fvi_error *c)
 {
     static const char *const known[] = { "x", "p", "energy", NULL };
@@ -41,6 +42,8 @@ static int interpret_of(request *r, fvi_error *c)
                            : r->o.d > 1       ? "energy"
                                               : "x";
     const char *text = r->words.own[OF], *colon = strchr(text, ':');
+    if (fvi_gradient_is_of_damper(text))
+        return fvi_gradient_find_damper(r, c);
     char word[8] = "";
     snprintf(word, sizeof word, "%.*s", (int)strcspn(text, ":"), text);
     if (fvi_parse_word("of", word, known, &r->of, c))
@@ -157,7 +160,7 @@ static int slopes(size_t k, size_t d, const double *x, const double *p,
 {
     request *r = params;
     fvi_progress(r->o.steps - k, r->o.steps);
-    if (!p)
+    if (!p || r->of > 2)
         return 0;
     if (r->of < 2) {
         r->value = (r->of ? p : x)[r->i];
@@ -260,8 +263,9 @@ static int differentiate(request *r)
     const size_t d = r->o.d;
     r->last = calloc(2 * d, sizeof *r->last);
     fvi_gradient_note_reasons(1);
-    int status = !r->last ? FVI_ENOMEM
-                          : fvi_adjoint(r->o.method, &r->run, NULL, NULL,
+    int status = !r->last  ? FVI_ENOMEM
+                 : r->of > 2 ? fvi_gradient_of_damper(r, &objective)
+                             : fvi_adjoint(r->o.method, &r->run, NULL, NULL,
                                         &objective, &r->to);
     fvi_gradient_note_reasons(0);
     fvi_progress_clear();

@@ -13,7 +13,8 @@ enum { OF, BY, FORCES };
 typedef struct {
     fvi_subcommand_options words;
     fvi_options o;
-    size_t of, i; /* 0, 1, 2: x, p, energy; the coordinate, from 0 */
+    size_t of, i; /* 0, 1, 2: x, p, energy; the coordinate, from 0; 3, 4: see fvi_gradient_dampers.h */
+    size_t of_dampers; /* how many forces all dampers have */
     fvi_system system;
     fvi_run run;
     size_t terms; /* of the law, whose numbers take the place of rho and alpha; 0 without one */

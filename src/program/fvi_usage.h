@@ -243,7 +243,8 @@ static const char usage_fit[] =
 static const char usage_gradient[] =
     "usage: fvi gradient [options]\n"
     "the derivatives of the last row of a run by all that determines it\n"
-    "  --of WHAT        x, p, energy; x:2 of the second mass   [x; energy of "
+    "  --of WHAT        x, p, energy; x:2 of the second mass; d1.force or\n"
+    "                   d1.impulse of a damper, d1.force2      [x; energy of "
     "many]\n"
     "  --by NAMES       these rows alone, as x0,alpha,d1.rho   [all]\n"
     "  --forces FILE    t, and the derivative by the force at t\n"

@@ -287,13 +287,62 @@ START_TEST(a_gradient_does_not_run_once_more_for_its_value)
 }
 END_TEST
 
+static double last_of_run(const char *options, const char *column, const char *changed)
+{
+    char line[300];
+    snprintf(line, sizeof line, "run %s %s --columns %s --every 20", options, changed, column);
+    ck_assert_int_eq(fvi(line), 0);
+    return cell(1, 0);
+}
+
+/* The force and the impulse of a damper, as the columns of a run have them. A linear motion is linear in its start, so a
+ * difference of two runs is the derivative but for roundings, which 1/h and the differences multiply by 1e3. */
+START_TEST(a_gradient_of_a_damper_is_a_difference_of_runs)
+{
+    static const struct {
+        const char *options, *of, *row, *start[2];
+    } cases[] = {
+        { "--alpha 0.3 --method fvi-lobatto4", "d1.force", "x0", { "--x0 1", "--x0 2" } },
+        { "--alpha 0.7 --method fvi-stable", "d1.impulse", "p0", { "--p0 1", "--p0 2" } },
+        { "--alpha 0.3 --potential chain:2,1,0 --method fvi", "d1.force2", "x0_1", { "--x0 0.5,0.3", "--x0 1.5,0.3" } },
+        { "--potential chain:2,1,0 --damper 'x1 : power:0.2,0.3' --damper 'e=x2-x1 : zener:0.5,0.4,1' --method fvi-stable",
+          "e.force", "p0_2", { "--p0 0.5,1", "--p0 0.5,2" } }
+    };
+    for (size_t i = 0; i < LEN(cases); i++) {
+        char line[300], options[200];
+        snprintf(options, sizeof options, "%s --steps 20 --time 2", cases[i].options);
+        const double value = last_of_run(options, cases[i].of, cases[i].start[0]),
+                     want = last_of_run(options, cases[i].of, cases[i].start[1]) - value;
+        snprintf(line, sizeof line, "gradient %s %s --of %s", options, cases[i].start[0], cases[i].of);
+        ck_assert_int_eq(fvi(line), 0);
+        ck_assert(strtod(strstr(out, "# value = ") + 10, NULL) == value);
+        ck_assert_near(derivative(cases[i].row), want, 1e-12 * larger(1, fabs(want)), "case %zu", i);
+    }
+    static const char *const bad[][2] = {
+        { "--of d2.force --method fvi", "--of: 'd2.force': there is no damper 'd2'; the first is d1" },
+        { "--of d1.force --method fvi-adaptive", "--of: 'd1.force': fvi-adaptive has no derivatives of the forces of dampers" },
+        { "--of d1.force --potential chain:2,1,0 --method fvi", "--of: 'd1.force' of which coordinate? d1.force1 to d1.force2" },
+        { "--of d1.force3 --potential chain:2,1,0 --method fvi", "--of: " },
+        { "--of d1.work --method fvi", "--of: 'd1.work' is none of x, p, energy" }
+    };
+    for (size_t i = 0; i < LEN(bad); i++) {
+        char line[200];
+        snprintf(line, sizeof line, "gradient %s", bad[i][0]);
+        ck_assert_int_eq(fvi(line), 2);
+        ck_assert_msg(strstr(err, bad[i][1]) != NULL, "%s: %s", line, err);
+    }
+    ck_assert_int_eq(fvi("gradient --of d1.force --alpha 1 --method fvi"), 1);
+    ck_assert_ptr_nonnull(strstr(err, "at alpha = 1 the damping is a mass"));
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("fvi gradient");
     ADD_CASE(suite, "answers", rows_of_a_gradient_are_differences_of_runs,
              by_chooses_rows,
              the_forces_and_the_start_add_up_to_a_linear_motion,
-             nothing_has_no_sign, bad_words_of_a_gradient_are_refused,
+             nothing_has_no_sign, a_gradient_of_a_damper_is_a_difference_of_runs, bad_words_of_a_gradient_are_refused,
              a_gradient_that_cannot_be_had_says_why);
     ADD_CASE(suite, "work", a_gradient_does_not_run_once_more_for_its_value);
     return run_suite_of_program(suite);

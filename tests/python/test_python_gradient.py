@@ -282,6 +282,8 @@ def test_torch_agrees_with_differences():
     for method in ("fvi", "fvi-stable", "fvi-lobatto4", "fvi-lobatto3d"):
         assert torch.autograd.gradcheck(lambda *a: motions.solve(q, dict(zip(at, a)), h=0.1, method=method),
                                         tuple(at.values()), eps=1e-6, atol=1e-7)
+    assert torch.autograd.gradcheck(lambda *a: motions.solve(q, dict(zip(at, a)), forces=["d1"], h=0.1, method="fvi-stable")[2]["d1"],
+                                    tuple(at.values()), eps=1e-6, atol=1e-6)
     x, p = motions.solve(q, {"rho": torch.tensor(0.3, requires_grad=True)}, h=0.1)
     (x.sum() + p[0].sum()).backward()
     assert x.dtype == torch.float64
