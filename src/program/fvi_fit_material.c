@@ -16,8 +16,18 @@
 enum { LAW, WEIGHTS, SIGMA, STARTS, CURVE };
 enum { DATA_COLUMNS = 5, LETTERS = 100 };
 
-/* In the order of fvi_material_test. */
-static const char *const tests[] = { "moduli", "creep", "relaxation" };
+/* Of each test its option, the names that the columns of its files may have, and what they are called in a line '#'
+ * and in a sentence; in the order of fvi_material_test. */
+static const struct {
+    const char *option;
+    size_t columns;
+    const char *names[3], *line, *sentence;
+} tests[] = {
+    { "moduli", 3, { "omega|w|f|frequency|hertz|hz", "storage|Gp|G'|E'|G1|E1", "loss|Gpp|G''|E''|G2|E2" },
+      "omega storage loss", "omega, storage and loss" },
+    { "creep", 2, { "t|time", "x|strain|creep" }, "t x", "t and x" },
+    { "relaxation", 2, { "t|time", "f|force|stress|relaxation" }, "t f", "t and f" }
+};
 enum { TESTS = sizeof tests / sizeof *tests };
 
 static const char *const of_run[] = { "o", NULL };
@@ -37,7 +47,7 @@ static int test_of(int argc, char **argv)
 {
     for (int i = 2; i < argc; i++)
         for (int k = 0; k < TESTS; k++)
-            if (strncmp(argv[i], "--", 2) == 0 && strcmp(argv[i] + 2, tests[k]) == 0)
+            if (strncmp(argv[i], "--", 2) == 0 && strcmp(argv[i] + 2, tests[k].option) == 0)
                 return k;
     return -1;
 }
@@ -73,21 +83,17 @@ static int interpret_law(request *r, fvi_error *c)
 static int interpret_weights(request *r, fvi_error *c)
 {
     const char *text = r->words.own[WEIGHTS] ? r->words.own[WEIGHTS] : "relative";
-    const int both = r->data.test == FVI_MATERIAL_MODULI;
+    const size_t data = tests[r->data.test].columns;
     r->words.own[WEIGHTS] = text;
-    strcpy(r->names[0], both ? "omega|w|f|frequency|hertz|hz" : "t|time");
-    strcpy(r->names[1], both                                       ? "storage|Gp|G'|E'|G1|E1"
-                        : r->data.test == FVI_MATERIAL_CREEP       ? "x|strain|creep"
-                                                                   : "f|force|stress|relaxation");
-    strcpy(r->names[2], "loss|Gpp|G''|E''|G2|E2");
-    r->columns = both ? 3 : 2;
+    for (; r->columns < data; r->columns++)
+        strcpy(r->names[r->columns], tests[r->data.test].names[r->columns]);
     if (strcmp(text, "relative") == 0 || strcmp(text, "absolute") == 0)
         return 0;
     for (const char *at = text; at; r->columns++) {
         const size_t length = strcspn(at, ",");
-        if (r->columns == (both ? 5 : 3) || length == 0 || length >= LETTERS)
+        if (r->columns == 2 * data - 1 || length == 0 || length >= LETTERS)
             return fvi_refuse(c, "weights", "'%s' is not relative, absolute or the name of %s", text,
-                              both ? "one column, or two for storage and loss" : "a column");
+                              data == 3 ? "one column, or two for storage and loss" : "a column");
         snprintf(r->names[r->columns], LETTERS, "%.*s", (int)length, at);
         at = at[length] ? at + length + 1 : NULL;
     }
@@ -116,10 +122,7 @@ static int interpret(request *r, fvi_error *c)
     if (!status)
         status = fvi_check_second_file("curve", w->own[CURVE], r->o.output, c);
     if (!status && w->operands == 0)
-        status = fvi_refuse(c, NULL, "DATA: a file with the columns %s is missing",
-                            r->data.test == FVI_MATERIAL_MODULI  ? "omega, storage and loss"
-                            : r->data.test == FVI_MATERIAL_CREEP ? "t and x"
-                                                                 : "t and f");
+        status = fvi_refuse(c, NULL, "DATA: a file with the columns %s is missing", tests[r->data.test].sentence);
     r->data.load = 1;
     return status;
 }
@@ -130,9 +133,8 @@ static int interpret(request *r, fvi_error *c)
  * they seem. */
 static int check_width(const request *r, const char *file, fvi_error *c)
 {
-    const int both = r->data.test == FVI_MATERIAL_MODULI;
-    const size_t count = both ? 3 : 2;
-    const char *names[] = { r->names[0], r->names[1], r->names[2], r->names[2] };
+    const size_t count = tests[r->data.test].columns;
+    const char *names[] = { r->names[0], r->names[1], r->names[count - 1], r->names[count - 1] };
     size_t which[FVI_COLUMNS_MOST], n;
     double *columns;
     fvi_error none;
@@ -140,9 +142,7 @@ static int check_width(const request *r, const char *file, fvi_error *c)
         return 0;
     free(columns);
     return fvi_refuse(c, NULL, "DATA: '%s' has more than %zu columns, and no names: a line '# %s' would say which "
-                      "are those of --%s", file, count,
-                      both ? "omega storage loss" : r->data.test == FVI_MATERIAL_CREEP ? "t x" : "t f",
-                      tests[r->data.test]);
+                      "are those of --%s", file, count, tests[r->data.test].line, tests[r->data.test].option);
 }
 
 /* Does a line of the file name columns of another test, so that the first columns are not what they seem? */
@@ -159,17 +159,14 @@ static int check_names(const request *r, const char *file, fvi_error *c)
         size_t which[FVI_COLUMNS_MOST], n;
         double *columns;
         fvi_error none;
-        count = k > 0 ? 1 : both ? 3 : 2;
+        count = k > 0 ? 1 : tests[r->data.test].columns;
         if (fvi_parse_table_columns("DATA", file, count, names, 1, &n, &columns, which, &none))
             continue;
         free(columns);
         return k == 0 ? 0
                       : fvi_refuse(c, NULL, "DATA: '%s' has a column %.*s, and no %s: it is not of --%s",
-                                   file, (int)strcspn(names[0], "|"), names[0],
-                                   both ? "omega, storage and loss"
-                                   : r->data.test == FVI_MATERIAL_CREEP ? "t and x"
-                                                                        : "t and f",
-                                   tests[r->data.test]);
+                                   file, (int)strcspn(names[0], "|"), names[0], tests[r->data.test].sentence,
+                                   tests[r->data.test].option);
     }
     return check_width(r, file, c);
 }
@@ -182,7 +179,7 @@ static int read_file(request *r, const char *file, fvi_error *c)
     double *columns;
     if (check_names(r, file, c))
         return 2;
-    const int own_weights = r->columns > (r->data.test == FVI_MATERIAL_MODULI ? 3 : 2);
+    const int own_weights = r->columns > tests[r->data.test].columns;
     for (size_t k = 0; k < r->columns; k++)
         names[k] = r->names[k];
     const int status = fvi_parse_table_columns("DATA", file, r->columns, names, own_weights, &n,
@@ -208,8 +205,7 @@ static int read_file(request *r, const char *file, fvi_error *c)
 /* Columns of the rows. Without own weights the second unit is as the first. */
 static int arrange(request *r, fvi_error *c)
 {
-    const size_t n = r->data.n, both = r->data.test == FVI_MATERIAL_MODULI,
-                 data = both ? 3 : 2;
+    const size_t n = r->data.n, data = tests[r->data.test].columns;
     double *all = malloc((DATA_COLUMNS + 2) * n * sizeof *all);
     if (!all)
         return fvi_no_memory(c, NULL);
@@ -273,7 +269,7 @@ static void print_answer(FILE *out, const request *r, const fvi_material *m)
 {
     fvi_format_begin(out, FVI_FORMAT_TSV);
     for (size_t i = 0; i < r->words.operands; i++)
-        fvi_format_parameter(out, FVI_FORMAT_TSV, tests[r->data.test], r->words.all[i]);
+        fvi_format_parameter(out, FVI_FORMAT_TSV, tests[r->data.test].option, r->words.all[i]);
     fvi_format_parameter(out, FVI_FORMAT_TSV, "law", r->words.own[LAW]);
     fvi_format_parameter(out, FVI_FORMAT_TSV, "weights", r->words.own[WEIGHTS]);
     if (r->words.own[SIGMA])
@@ -357,7 +353,7 @@ int fvi_fit_material(int argc, char **argv)
                                       .own = { "law", "weights", "sigma", "starts", "curve" },
                                       .with = of_run,
                                       .operand = FVI_OPERANDS_MOST,
-                                      .flag = tests[test] };
+                                      .flag = tests[test].option };
     fvi_error error, *c = &error;
     fvi_material m;
     request r = { .data = { .test = (fvi_material_test)test } };

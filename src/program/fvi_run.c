@@ -26,14 +26,15 @@ double *fvi_run_room(const fvi_table *t)
 /* What is looked at along a run: its step, and the inertia of a Lagrangian. */
 typedef struct {
     fvi_watch of_step;
-    fvi_inertia_watch *of_inertia;
-    size_t steps;
+    fvi_run_inertia of_inertia;
 } watches;
 
-int fvi_run_looks_at_inertia(const fvi_stepper *s, size_t steps)
+int fvi_run_look_at_inertia(fvi_run_inertia *w, const fvi_stepper *s, char *text)
 {
     enum { BETWEEN = 16 };
-    return s->method->dense || steps <= BETWEEN || steps % BETWEEN == 0 || s->k == s->run.steps;
+    const size_t steps = w->steps++;
+    const int looks = s->method->dense || steps <= BETWEEN || steps % BETWEEN == 0 || s->k == s->run.steps;
+    return w->watch && looks ? fvi_warning_of_inertia(w->watch, s->t, s->x, s->p, FVI_WARNING_ROOM, text) : 0;
 }
 
 /* After a step, of a run that has become too stiff for its step, or whose inertia vanishes. Returns a status. */
@@ -43,10 +44,7 @@ static int warn_along(watches *w, const fvi_stepper *s)
     int warned = fvi_warning_along(&w->of_step, s->method, &s->run, s->k, s->x, sizeof text, text);
     if (warned > 0)
         fvi_warn(text);
-    if (warned < 0 || !w->of_inertia || !fvi_run_looks_at_inertia(s, w->steps++))
-        return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
-    warned = fvi_warning_of_inertia(w->of_inertia, s->t, s->x, s->p, sizeof text, text);
-    if (warned > 0)
+    if (warned >= 0 && (warned = fvi_run_look_at_inertia(&w->of_inertia, s, text)) > 0)
         fvi_warn(text);
     return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
 }
@@ -226,14 +224,14 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
     }
     fvi_table_names(t);
     char text[FVI_WARNING_ROOM];
-    failed = fvi_inertia_watch_begin(s->run.system, &watch.of_inertia)
+    failed = fvi_inertia_watch_begin(s->run.system, &watch.of_inertia.watch)
                  ? fvi_complain("not enough memory")
                  : 0;
-    if (fvi_warning_of_inertia(watch.of_inertia, s->t, s->x, s->p, sizeof text, text) > 0)
+    if (fvi_warning_of_inertia(watch.of_inertia.watch, s->t, s->x, s->p, sizeof text, text) > 0)
         fvi_warn(text);
     if (!failed)
         failed = rows_and_checkpoints(t, s, &watch, c);
-    fvi_inertia_watch_free(watch.of_inertia);
+    fvi_inertia_watch_free(watch.of_inertia.watch);
     const int whole = !failed && !fvi_checkpoint_stopped();
     size_t happened;
     const fvi_event_time *at = fvi_stepper_events(s, &happened);

@@ -43,19 +43,11 @@ static int take_end(fvi_table *t, const fvi_stepper *s, size_t *rows)
     return status;
 }
 
-/* The inertia of a Lagrangian, NULL without one, and after how many steps. */
-typedef struct {
-    fvi_inertia_watch *watch;
-    size_t steps;
-} inertia_watch;
-
 /* At the start, and where fvi_run looks. Returns a status. */
-static int look_at_inertia(inertia_watch *w, const fvi_stepper *s, sweep_verdict *v)
+static int look_at_inertia(fvi_run_inertia *w, const fvi_stepper *s, sweep_verdict *v)
 {
     char text[FVI_WARNING_ROOM];
-    if (!w->watch || !fvi_run_looks_at_inertia(s, w->steps++))
-        return FVI_SUCCESS;
-    const int warned = fvi_warning_of_inertia(w->watch, s->t, s->x, s->p, sizeof text, text);
+    const int warned = fvi_run_look_at_inertia(w, s, text);
     v->singular |= warned > 0;
     return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
 }
@@ -66,7 +58,7 @@ static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table 
     fvi_stepper *s;
     sweep_verdict v = { .status = fvi_stepper_start(o->method, r, &s, NULL) };
     char unstable[FVI_WARNING_ROOM];
-    inertia_watch inertia = { 0 };
+    fvi_run_inertia inertia = { 0 };
     if (v.status)
         return v;
     v.unstable = fvi_warning_of_step(o->method, r, sizeof unstable, unstable);

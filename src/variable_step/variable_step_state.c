@@ -5,6 +5,7 @@
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/archive_pieces.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -16,11 +17,9 @@
 #include <string.h>
 
 enum {
-    STATE = 8,
-    LANED = 5,
-    STAGED = 3,
+    STATE = 8, /* arrays of d numbers that the next step reads */
     BOUNDS = FVI_BOUND_ORDER + 1
-}; /* arrays: of d, of LANES d, of s d; numbers for each coordinate */
+};
 
 void fvi_variable_step_stop(fvi_stepper *s)
 {
@@ -39,6 +38,7 @@ void fvi_variable_step_stop(fvi_stepper *s)
     fvi_variable_step_band_free(o->band);
     fvi_variable_step_free_events(o->watch);
     free(o->y);
+    free(o->group);
     free(o);
 }
 
@@ -46,41 +46,28 @@ void fvi_variable_step_stop(fvi_stepper *s)
 
 static size_t numbers(const fvi_variable_step_state *o)
 {
-    return o->d * (STATE + FVI_LANES * LANED + o->rule->s * STAGED + BOUNDS);
+    return (size_t)(o->most_of_force - o->y) + BOUNDS * o->d;
 }
 
 int fvi_variable_step_allocate(fvi_variable_step_state *o)
 {
-    const size_t d = o->d, bytes = numbers(o) * sizeof *o->y,
-                 kinds = o->kinds * sizeof *o->group;
+    const size_t d = o->d, s = o->rule->s;
     const int each = o->solve == FVI_SOLVE_DIAGONAL && o->diagonals == 0;
-    o->y = calloc(1, bytes + kinds + 2 * d * sizeof *o->kind);
+    o->y = FVI_ARRAYS({ &o->y, d }, { &o->y_less, d }, { &o->v, d }, { &o->v_less, d }, { &o->y0, d }, { &o->v0, d },
+                      { &o->centre, d }, { &o->impulse_dv, d }, { &o->base, FVI_LANES * d },
+                      { &o->R, FVI_LANES * d }, { &o->delta, FVI_LANES * d }, { &o->accel_legendre, FVI_LANES * d },
+                      { &o->accel_legendre0, FVI_LANES * d }, { &o->point, s * d }, { &o->gradient, s * d },
+                      { &o->hessian, s * d }, { &o->most_of_force, BOUNDS * d });
+    o->group = calloc(1, o->kinds * sizeof *o->group + 2 * d * sizeof *o->kind);
     o->jacobian = each ? calloc(d, sizeof *o->jacobian) : NULL;
     if (o->diagonals)
         o->band = fvi_variable_step_band_alloc(o->rule, o->beta, d, o->kinds,
                                           o->diagonals);
-    if (!o->y || (o->diagonals && !o->band) || (each && !o->jacobian))
+    if (!o->y || !o->group || (o->diagonals && !o->band) || (each && !o->jacobian))
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
-    o->group = (fvi_coordinate_group *)(o->y + numbers(o));
     o->kind = (size_t *)(o->group + o->kinds);
     o->index = o->kind + d;
-    o->y_less = o->y + d;
-    o->v = o->y + 2 * d;
-    o->v_less = o->y + 3 * d;
-    o->y0 = o->y + 4 * d;
-    o->v0 = o->y + 5 * d;
-    o->centre = o->y + 6 * d;
-    o->impulse_dv = o->y + 7 * d;
-    o->base = o->y + STATE * d;
-    o->R = o->base + FVI_LANES * d;
-    o->delta = o->R + FVI_LANES * d;
-    o->accel_legendre = o->delta + FVI_LANES * d;
-    o->accel_legendre0 = o->accel_legendre + FVI_LANES * d;
     o->powers = o->accel_legendre;
-    o->point = o->accel_legendre0 + FVI_LANES * d;
-    o->gradient = o->point + o->rule->s * d;
-    o->hessian = o->gradient + o->rule->s * d;
-    o->most_of_force = o->hessian + o->rule->s * d;
     return FVI_SUCCESS;
 }
 
@@ -101,6 +88,7 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
     o->mechanism = NULL;
     o->structure = NULL;
     o->y = NULL;
+    o->group = NULL;
     o->coupled = old->band ? 0 : old->coupled; /* factors are not copied */
     int status = fvi_variable_step_allocate(o);
     if (status)
