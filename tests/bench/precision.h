@@ -103,7 +103,7 @@ void print_methods(const results *r, int P);
 
 /* small_times -- what small and long runs of ours take, in seconds: 200 steps as a whole
  * process, 10^6 and 10^8 uniform steps. A slow spell of the processor may be longer than
- * 10^8 steps, so that each has a turn after every problem: the least and the most of the
+ * 10^8 steps, so that each has a turn after every third problem: the least and the most of the
  * turns, each the best of 100, 5 and 1 runs; infinite if all runs of a turn failed. */
 enum { SMALL = 3 };
 typedef struct {

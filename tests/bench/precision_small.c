@@ -84,7 +84,7 @@ void print_small(const small_times *s)
         "ms, 10^6 uniform steps of fvi, P1", "s, 10^8 uniform steps of fvi, P1"
     };
     static const double unit[SMALL] = { 1e3, 1e3, 1 };
-    printf("# small and long runs of ours, a turn after each problem\n"
+    printf("# small and long runs of ours, a turn after every third problem\n"
            "#> small\n# of what\tbest of %d\tslowest\n",
            s->turns);
     for (int what = 0; what < SMALL; what++)
