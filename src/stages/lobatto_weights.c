@@ -263,26 +263,68 @@ void fvi_lobatto_near(size_t s, const fvi_kernel_simple *t, double h, double *W)
 
 #define TOLERANCE 1e-16 /* what the nodes may leave of the stored weights */
 
+enum { PIECE = 32 }; /* modes whose entries stand side by side for a while */
+
+/* sum[i] += q_j a_j[i] back_j of `count` modes, for four rows from i = first on; `fours`, a number that the compiler
+ * knows, of columns. */
+static inline __attribute__((always_inline)) void
+add_modes(size_t fours, size_t count, const double *q, const double *const *row,
+          double back[PIECE][FVI_STAGES], double sum[HALF][FVI_STAGES])
+{
+    fvi_four part[HALF][2];
+#pragma GCC unroll 4
+    for (size_t i = 0; i < HALF; i++) {
+        part[i][0] = FOUR(sum[i]);
+        part[i][1] = FOUR(sum[i] + 4);
+    }
+    for (size_t j = 0; j < count; j++) {
+        const fvi_four low = *(const fvi_four *)back[j], high = *(const fvi_four *)(back[j] + 4);
+#pragma GCC unroll 4
+        for (size_t i = 0; i < HALF; i++) {
+            const double x = q[j] * row[i][j];
+            part[i][0] += x * low;
+            if (fours > 1)
+                part[i][1] += x * high;
+        }
+    }
+#pragma GCC unroll 4
+    for (size_t i = 0; i < HALF; i++) {
+        FOUR(sum[i]) = part[i][0];
+        FOUR(sum[i] + 4) = part[i][1];
+    }
+}
+
+/* The sum over the modes from `from` on, PIECE of them at most. A rule of fewer stages repeats its last row. */
+FVI_VECTORS static void add_piece(size_t s, size_t Q, size_t from, const double *q, const double *a,
+                                  double sum[FVI_STAGES][FVI_STAGES])
+{
+    const size_t count = Q - from < PIECE ? Q - from : PIECE;
+    double back[PIECE][FVI_STAGES] = { { 0 } };
+    const double *row[FVI_STAGES];
+    for (size_t i = 0; i < FVI_STAGES; i++)
+        row[i] = a + (i < s ? i : s - 1) * Q + from;
+    for (size_t j = 0; j < count; j++)
+        for (size_t l = 0; l < s; l++)
+            back[j][l] = row[s - 1 - l][j];
+    if (s <= HALF) {
+        add_modes(1, count, q + from, row, back, sum);
+        return;
+    }
+    add_modes(2, count, q + from, row, back, sum);
+    add_modes(2, count, q + from, row + HALF, back, sum + HALF);
+}
+
 /* W_n = sum_j q_j r_j^(n-1) a_j a~_j^T for q that holds the powers too. */
 void fvi_lobatto_sum(size_t s, size_t Q, const double *q, const double *a,
                      double *W)
 {
-    const double *b = fvi_lobatto(s)->b, *y[HALF];
+    const double *b = fvi_lobatto(s)->b;
+    double sum[FVI_STAGES][FVI_STAGES] = { { 0 } };
+    for (size_t from = 0; from < Q; from += PIECE)
+        add_piece(s, Q, from, q, a, sum);
     for (size_t i = 0; i < s; i++)
-        for (size_t from = 0; from < s; from += HALF) {
-            const size_t few = s - from < HALF ? s - from : HALF;
-            double sum[HALF] = { 0 };
-            for (size_t l = 0; l < HALF; l++)
-                y[l] = a + (l < few ? s - 1 - from - l : 0) * Q;
-            for (size_t j = 0; j < Q; j++) {
-                const double x = q[j] * a[i * Q + j];
-#pragma GCC unroll 4
-                for (size_t l = 0; l < HALF; l++)
-                    sum[l] += x * y[l][j];
-            }
-            for (size_t l = 0; l < few; l++)
-                W[i * s + from + l] = b[from + l] * sum[l];
-        }
+        for (size_t l = 0; l < s; l++)
+            W[i * s + l] = b[l] * sum[i][l];
 }
 
 /* Matrix k, from the series if it is there. */
