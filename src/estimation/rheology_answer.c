@@ -57,13 +57,7 @@ static void metric(const fvi_rheology_work *o, const int *is_used, double A[][FV
                    double *length)
 {
     const size_t P = o->model.elements + o->model.shapes, rows = o->model.rows;
-    for (size_t i = 0; i < P; i++)
-        for (size_t j = 0; j <= i; j++) {
-            double sum = 0;
-            for (size_t k = 0; k < rows; k++)
-                sum += o->J[k * P + i] * o->J[k * P + j];
-            A[i][j] = A[j][i] = sum;
-        }
+    fvi_rheology_products(rows, P, o->J, A);
     for (size_t i = 0; i < P; i++)
         length[i] = is_used[i] && A[i][i] > 0 ? sqrt(A[i][i]) : 1;
     for (size_t i = 0; i < P; i++)

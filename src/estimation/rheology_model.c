@@ -168,6 +168,17 @@ static void fill_columns(fvi_rheology *o, const double *u, int with_slopes)
 
 /* ---- amplitudes ---- */
 
+void fvi_rheology_products(size_t rows, size_t P, const double *J, double A[][FVI_LAW_MOST])
+{
+    for (size_t i = 0; i < P; i++)
+        for (size_t j = 0; j <= i; j++) {
+            double sum = 0;
+            for (size_t k = 0; k < rows; k++)
+                sum += J[k * P + i] * J[k * P + j];
+            A[i][j] = A[j][i] = sum;
+        }
+}
+
 int fvi_rheology_solve(size_t P, double least, double A[][FVI_LAW_MOST], double *b)
 {
     for (size_t i = 0; i < P; i++) {

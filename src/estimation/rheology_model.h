@@ -34,6 +34,9 @@ void fvi_element_public(fvi_element kind, double ln_c, const double *u,
                         double slope[FVI_ELEMENT_NUMBERS][1 + FVI_ELEMENT_SHAPE]);
 int fvi_element_is_order(fvi_element kind, size_t i);
 
+/* A = J^T J of `rows` rows of P numbers. */
+void fvi_rheology_products(size_t rows, size_t P, const double *J, double A[][FVI_LAW_MOST]);
+
 /* Solve A x = b of P equations by Cholesky's factors; b becomes x, A is lost. 0 where a pivot is not above `least` of
  * its diagonal. */
 int fvi_rheology_solve(size_t P, double least, double A[][FVI_LAW_MOST], double *b);

@@ -62,16 +62,11 @@ static void normal_equations(const problem *p, const double *x, double A[][FVI_L
 {
     const fvi_rheology_work *o = p->work;
     const size_t P = p->P, rows = o->model.rows;
+    fvi_rheology_products(rows, P, o->J, A);
     for (size_t i = 0; i < P; i++) {
         b[i] = 0;
         for (size_t k = 0; k < rows; k++)
             b[i] -= o->J[k * P + i] * o->r[k];
-        for (size_t j = 0; j <= i; j++) {
-            double sum = 0;
-            for (size_t k = 0; k < rows; k++)
-                sum += o->J[k * P + i] * o->J[k * P + j];
-            A[i][j] = A[j][i] = sum;
-        }
         stays[i] = (x[i] <= p->low[i] && b[i] < 0) || (x[i] >= p->high[i] && b[i] > 0);
     }
 }

@@ -22,6 +22,12 @@ static inline int fvi_has_mechanism_steps(const fvi_system *system)
     return system->mechanism && !system->matrices;
 }
 
+/* fvi_has_dampers_of_matrices -- has it several dampers, each with a matrix? */
+static inline int fvi_has_dampers_of_matrices(const fvi_system *system)
+{
+    return system->matrices && system->mechanism;
+}
+
 /* fvi_mechanism_start -- as the start of a method; s->method becomes a copy of it with these steps.
  *
  *   stages  of forms M and D; not read else

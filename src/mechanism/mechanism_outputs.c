@@ -22,16 +22,11 @@ int fvi_stepper_velocity(const fvi_stepper *s, double *v)
     return fvi_velocity_of_momentum(s->run.system, s->t, s->x, s->p, v);
 }
 
-static int has_dampers_of_matrices(const fvi_stepper *s)
-{
-    return s->run.system->matrices && s->run.system->mechanism;
-}
-
 int fvi_stepper_keep_dampers(fvi_stepper *s)
 {
     if (!s)
         return FVI_EFAULT;
-    if (!has_dampers_of_matrices(s))
+    if (!fvi_has_dampers_of_matrices(s->run.system))
         return fvi_mechanism_of(s) ? FVI_SUCCESS : FVI_EUNSUP;
     if (s->k > 0)
         return FVI_EINVAL;
@@ -44,7 +39,7 @@ int fvi_stepper_damper(const fvi_stepper *s, size_t j, double *impulse,
     if (!s)
         return FVI_EFAULT;
     const fvi_mechanism_state *o = fvi_mechanism_of(s);
-    if (!o && has_dampers_of_matrices(s) && s->method->damper)
+    if (!o && fvi_has_dampers_of_matrices(s->run.system) && s->method->damper)
         return s->method->damper(s, j, impulse, work);
     if (!o)
         return FVI_EUNSUP;

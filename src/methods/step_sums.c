@@ -5,6 +5,7 @@
 #include "lobatto_matrices.h"
 #include "lobatto_stages.h"
 
+#include "mechanism/mechanism.h"
 #include "run/step_times.h"
 
 #include <string.h>
@@ -26,17 +27,10 @@ static int is_of_order_1(const fvi_method *m)
 
 size_t fvi_step_dampers(const fvi_system *system)
 {
-    return system->matrices && system->mechanism
-               ? system->mechanism->damper_count
-               : 1;
+    return fvi_has_dampers_of_matrices(system) ? system->mechanism->damper_count : 1;
 }
 
 /* ---- several dampers: each from its own history ---- */
-
-static int is_several(const fvi_stepper *s)
-{
-    return s->run.system->matrices && s->run.system->mechanism;
-}
 
 /* The part of each damper's force that acts at the begin of a step, (13.10). */
 static int begin_several(const fvi_stepper *s, double *dampers)
@@ -86,7 +80,7 @@ int fvi_step_begins(const fvi_stepper *s, fvi_step_begin *begin)
     memcpy(begin->p, s->p, bytes);
     if (s->method->stages)
         return FVI_SUCCESS;
-    if (is_several(s)) {
+    if (fvi_has_dampers_of_matrices(s->run.system)) {
         const int status = begin_several(s, begin->dampers);
         if (status)
             return status;
@@ -105,7 +99,7 @@ static void of_nodes(const fvi_stepper *s, const fvi_step_begin *begin,
     for (size_t j = 0; j < s->run.system->d; j++) {
         const double F = whole ? s->F[j] : (begin->F[j] + s->F[j]) / 2,
                      v = (s->x[j] - begin->x[j]) / h;
-        if (!is_several(s)) {
+        if (!fvi_has_dampers_of_matrices(s->run.system)) {
             sums->damper[j] =
                 h * (F - s->g[j]) - (s->p[j] - hit[j] - begin->p[j]);
             *sums->work += sums->damper[j] * v;
@@ -214,8 +208,8 @@ int fvi_step_ends(const fvi_stepper *s, const fvi_step_begin *begin,
         return of_stages(s, begin, hit, sums);
     of_nodes(s, begin, hit, sums);
     const int status =
-        is_several(s) ? end_several(s, begin->dampers, sums->damper) : FVI_SUCCESS;
-    for (size_t j = 0; is_several(s) && j < count; j++)
+        fvi_has_dampers_of_matrices(s->run.system) ? end_several(s, begin->dampers, sums->damper) : FVI_SUCCESS;
+    for (size_t j = 0; fvi_has_dampers_of_matrices(s->run.system) && j < count; j++)
         for (size_t i = 0; i < d; i++)
             sums->work[j] += sums->damper[j * d + i]
                              * ((s->x[i] - begin->x[i]) / s->run.h);
@@ -234,6 +228,6 @@ int fvi_step_work_is_known(const fvi_stepper *s)
         return !fvi_lobatto_matrices_is_pulled(s);
     if (s->method->stages)
         return o->history_force.size == NULL;
-    return is_of_order_1(s->method) || is_several(s)
+    return is_of_order_1(s->method) || fvi_has_dampers_of_matrices(s->run.system)
            || !fvi_initial_history_acts(s->run.past, s->run.alpha);
 }

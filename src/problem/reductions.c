@@ -130,12 +130,10 @@ int fvi_parse_reductions(const char *text, fvi_user_parameters *parameters,
     int status = FVI_SUCCESS;
     if (!text || !c)
         return fvi_fail(error, FVI_EFAULT, "reduce", NAN, "null pointer");
-    for (const char *at = text; !status; at++) {
+    for (const char *at = text; at && !status;) {
         const size_t length = fvi_list_item(at);
         status = parse_item(at, length, parameters, c, error);
-        at += length;
-        if (*at == '\0')
-            break;
+        at = at[length] ? at + length + 1 : NULL;
     }
     return status;
 }

@@ -47,10 +47,23 @@ static void note_use(fvi_user_parameters *parameters, const char *text,
     }
 }
 
-/* What a parser of expressions has said. */
-static int judge(int status, const char *field, const char *text,
-                 fvi_misprint wrong, fvi_error *error)
+enum { NO_STATE = -1 };
+
+/* An expression whose names a finder knows, or which are those of a variable, or of a state, with velocities or without.
+ * It is noted which parameters it uses. */
+static int parse(const char *field, const fvi_name_finder *finder, const char *variable, size_t d, int velocities,
+                 const char *text, unsigned char by, fvi_user_parameters *parameters, fvi_expression **e,
+                 fvi_error *error)
 {
+    static fvi_user_parameters none;
+    fvi_misprint wrong;
+    const fvi_user_parameters *known = parameters ? parameters : &none;
+    const fvi_symbols names = { variable, d, known->name, known->count };
+    const int status = finder ? fvi_expression_parse_of(text, finder, &names, known->value, e, &wrong)
+                       : velocities == NO_STATE ? fvi_expression_parse(text, &names, known->value, e, &wrong)
+                       : fvi_expression_parse_state(text, &names, velocities, known->value, e, &wrong);
+    if (!status && parameters)
+        note_use(parameters, text, by);
     return status == FVI_EINVAL ? refuse_misprint(field, text, wrong, error)
            : status ? fvi_fail(error, status, field, NAN, "not enough memory")
                     : FVI_SUCCESS;
@@ -60,37 +73,20 @@ int fvi_parse_expression_of(const char *field, const fvi_name_finder *finder,
                             const char *text, fvi_user_parameters *parameters,
                             fvi_expression **e, fvi_error *error)
 {
-    static fvi_user_parameters none;
-    fvi_misprint wrong;
-    const fvi_user_parameters *known = parameters ? parameters : &none;
-    const fvi_symbols names = { NULL, 0, known->name, known->count };
-    const int status = judge(fvi_expression_parse_of(text, finder, &names,
-                                                     known->value, e, &wrong),
-                             field, text, wrong, error);
-    if (!status && parameters)
-        note_use(parameters, text, FVI_USED_BY_COLUMN);
-    return status;
+    return parse(field, finder, NULL, 0, NO_STATE, text, FVI_USED_BY_COLUMN, parameters, e, error);
 }
 
 int fvi_parse_expression(const char *field, const char *variable, size_t d,
                          const char *text, fvi_user_parameters *parameters,
                          fvi_expression **e, fvi_error *error)
 {
-    static fvi_user_parameters none;
-    fvi_misprint wrong;
-    const fvi_user_parameters *known = parameters ? parameters : &none;
-    const fvi_symbols names = { variable, d, known->name, known->count };
-    const int status =
-        judge(fvi_expression_parse(text, &names, known->value, e, &wrong),
-              field, text, wrong, error);
-    if (!status && parameters)
-        note_use(parameters, text,
-                 !variable                      ? FVI_USED_BY_PARAMETER
-                 : strcmp(field, "impose") == 0 ? FVI_USED_BY_MECHANISM | FVI_USED_BY_CONSTRAINT
-                 : *variable == 't' ? FVI_USED_BY_FORCE
-                 : *variable == 's' ? FVI_USED_BY_DAMPING
-                                    : FVI_USED_BY_POTENTIAL);
-    return status;
+    const unsigned char by =
+        !variable                      ? FVI_USED_BY_PARAMETER
+        : strcmp(field, "impose") == 0 ? FVI_USED_BY_MECHANISM | FVI_USED_BY_CONSTRAINT
+        : *variable == 't' ? FVI_USED_BY_FORCE
+        : *variable == 's' ? FVI_USED_BY_DAMPING
+                           : FVI_USED_BY_POTENTIAL;
+    return parse(field, NULL, variable, d, NO_STATE, text, by, parameters, e, error);
 }
 
 int fvi_parse_state_expression(const char *field, size_t d, int velocities,
@@ -98,23 +94,14 @@ int fvi_parse_state_expression(const char *field, size_t d, int velocities,
                                fvi_user_parameters *parameters,
                                fvi_expression **e, fvi_error *error)
 {
-    static fvi_user_parameters none;
-    fvi_misprint wrong;
-    const fvi_user_parameters *known = parameters ? parameters : &none;
-    const fvi_symbols names = { "x", d, known->name, known->count };
-    for (size_t i = 0; velocities && i < known->count; i++)
-        if (!fvi_symbol_is_free(known->name[i], "v"))
-            return fvi_fail(error, FVI_EINVAL, "let", known->value[i],
-                            "'%s' is a velocity in '%s'", known->name[i], text);
-    const int status = judge(fvi_expression_parse_state(text, &names, velocities,
-                                                        known->value, e, &wrong),
-                             field, text, wrong, error);
-    if (!status && parameters)
-        note_use(parameters, text,
-                 strcmp(field, "lagrangian") == 0   ? FVI_USED_BY_POTENTIAL
-                 : strcmp(field, "constraint") == 0 ? FVI_USED_BY_MECHANISM | FVI_USED_BY_CONSTRAINT
-                                                    : FVI_USED_BY_MECHANISM);
-    return status;
+    for (size_t i = 0; velocities && parameters && i < parameters->count; i++)
+        if (!fvi_symbol_is_free(parameters->name[i], "v"))
+            return fvi_fail(error, FVI_EINVAL, "let", parameters->value[i],
+                            "'%s' is a velocity in '%s'", parameters->name[i], text);
+    const unsigned char by = strcmp(field, "lagrangian") == 0   ? FVI_USED_BY_POTENTIAL
+                             : strcmp(field, "constraint") == 0 ? FVI_USED_BY_MECHANISM | FVI_USED_BY_CONSTRAINT
+                                                                : FVI_USED_BY_MECHANISM;
+    return parse(field, NULL, "x", d, velocities, text, by, parameters, e, error);
 }
 
 /* ---- parameters ---- */
