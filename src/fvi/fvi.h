@@ -51,6 +51,7 @@
 /* Linear systems: exact motions, responses, poles */
 #include "exact_solution.h"
 #include "exact_motion.h"
+#include "spring_bound.h"
 #include "response.h"
 
 /* Texts and files */

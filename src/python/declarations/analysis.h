@@ -144,6 +144,9 @@ int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t
                  fvi_error *error);
 int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n, double tolerance, double *x, double *v,
                    fvi_error *error);
+typedef struct { double x, v; } fvi_spring_bound;
+int fvi_spring_bound_compute(const fvi_linear_oscillator *problem, size_t stages, size_t n, const double *h, double eps,
+                             fvi_spring_bound *bound, fvi_error *error);
 typedef struct {
     fvi_linear_motion motion;
     const double *x0, *p0;

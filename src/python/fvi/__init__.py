@@ -43,7 +43,7 @@ for _name, _package in (("numpy", "numpy"), ("_cffi_backend", "cffi")):
                                   name=_package) from _missing
 
 from ._events import Event as Event
-from ._exact import exact as exact, weights as weights
+from ._exact import SpringBound as SpringBound, exact as exact, spring_bound as spring_bound, weights as weights
 from ._fit import Fit as Fit, fit as fit
 from ._gradient import gradient as gradient, vjp as vjp
 from ._jacobian import jacobian as jacobian
