@@ -7,6 +7,7 @@
 #include "run/solution.h"
 #include "search_bound.h"
 #include "step_search_force.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "system/larger.h"
 #include "system/quadratic.h"
@@ -346,14 +347,10 @@ static int check(const fvi_method *method, const fvi_run *run, double error,
 /* The arrays of a search, in one block, which is returned; NULL: no memory. */
 static double *make_room(search *o, size_t d)
 {
-    double *block =
-        malloc((3 * o->length + FVI_PROBE_ROOM * d) * sizeof *block);
-    if (!block)
-        return NULL;
-    o->x = block;
-    o->before = o->x + o->length;
-    o->p = o->before + o->length;
-    fvi_force_probe_start(&o->probe, d, o->p + o->length);
+    double *room, *block = FVI_ARRAYS({ &o->x, o->length }, { &o->before, o->length }, { &o->p, o->length },
+                                      { &room, FVI_PROBE_ROOM * d });
+    if (block)
+        fvi_force_probe_start(&o->probe, d, room);
     return block;
 }
 
