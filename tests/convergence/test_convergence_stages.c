@@ -38,17 +38,24 @@ static double integral_of_power(double left, double right, double exponent)
                : (pow(right, exponent + 1) - pow(left, exponent + 1)) / (exponent + 1);
 }
 
+/* A term of the first kind, from derivatives of order 1, or one of a high order, which the first step lacks. */
+static double least_of(size_t k, double first, double high)
+{
+    return k ? smaller(first, high) : first;
+}
+
 /* The largest |Q| of (20.22) over all stages: D[i] bounds the i-th derivative, times t^(i-1). */
 static double quadrature_misses(size_t s, size_t n, const double *h, const double *D)
 {
+    const double S = (double)s, K1 = ref_stages[s - 2].K1, K = ref_stages[s - 2].K, E1 = ref_stages[s - 2].E1,
+                 E = ref_stages[s - 2].E;
     double most = 0, ends = 0, t = 0;
     for (size_t k = 0; k < n; k++) {
-        const double right = t + h[k], S = (double)s,
-                     first = h[k] * D[1] * h[k], /* k = 0: the integral of D_1 is D_1 h */
-                     low = pow(h[k], S - 1) * D[s - 1] * (k ? integral_of_power(t, right, 2 - S) : 0),
-                     high = pow(h[k], S) * D[s] * (k ? integral_of_power(t, right, 1 - S) : 0);
-        most = larger(most, ends + (k ? ref_stages[s - 2].K * low : ref_stages[s - 2].K1 * first));
-        ends += k ? ref_stages[s - 2].E * high : ref_stages[s - 2].E1 * first;
+        const double right = t + h[k], first = h[k] * h[k] * D[1],
+                     low = k ? pow(h[k], S - 1) * D[s - 1] * integral_of_power(t, right, 2 - S) : 0,
+                     high = k ? pow(h[k], S) * D[s] * integral_of_power(t, right, 1 - S) : 0;
+        most = larger(most, ends + least_of(k, K1 * first, K * low));
+        ends += least_of(k, E1 * first, E * high);
         t = right;
     }
     return most;
@@ -68,27 +75,28 @@ static double rate_integral(size_t j, size_t more, double theta, const double *A
 static double memory_misses_in(const stage_motion *q, size_t n, const double *h)
 {
     const size_t s = q->s;
-    const double theta = memory_order(q->alpha), S = (double)s,
-                 K = ref_stages[s - 2].K, more = rate_integral(s - 1, 1, theta, q->A),
+    const double theta = memory_order(q->alpha), S = (double)s, K1 = ref_stages[s - 2].K1,
+                 K = ref_stages[s - 2].K, E1 = ref_stages[s - 2].E1, E = ref_stages[s - 2].E,
+                 G1 = rate_integral(1, 0, theta, q->A), G = rate_integral(s - 1, 0, theta, q->A),
+                 G_end = rate_integral(s, 0, theta, q->A), G_more = rate_integral(s - 1, 1, theta, q->A),
                  rough = M_PI / sin(M_PI * theta) * pow(2, S - 1) * q->A[s - 1];
     double start = 0, sum = 0, t = 0;
     for (size_t k = 0; k < n; k++)
         start += h[k]; /* of step n */
     for (size_t k = 0; k <= n; k++) {
-        const double right = t + h[k];
-        if (k == 0) {
-            const double first = h[k] * rate_integral(1, 0, theta, q->A) * pow(right, theta) / theta;
-            sum += n == 0 ? STAGE * ref_stages[s - 2].K1 * first
-                          : (ref_stages[s - 2].E1 + WRITES * ref_stages[s - 2].K1) * first;
-        } else if (k == n) {
-            sum += STAGE * K * pow(h[k], S - 1) * rate_integral(s - 1, 0, theta, q->A)
-                   * integral_of_power(t, right, theta - S + 1);
+        const double right = t + h[k], first = h[k] * G1 * integral_of_power(t, right, theta - 1),
+                     smooth = k ? integral_of_power(t, right, theta - S) : 0;
+        if (k == n) {
+            const double in = k ? pow(h[k], S - 1) * G * integral_of_power(t, right, theta - S + 1) : 0;
+            sum += STAGE * least_of(k, K1 * first, K * in);
         } else {
-            const double smooth = integral_of_power(t, right, theta - S);
-            sum += ref_stages[s - 2].E * pow(h[k], S) * rate_integral(s, 0, theta, q->A) * smooth
-                   + WRITES * K * pow(h[k], S)
-                         * (more * smooth
-                            + rough * pow(start - t, theta - 1) * integral_of_power(t, right, 1 - S));
+            const double end = k ? pow(h[k], S) * G_end * smooth : 0,
+                         past = k ? pow(h[k], S)
+                                        * (G_more * smooth
+                                           + rough * pow(start - t, theta - 1)
+                                                 * integral_of_power(t, right, 1 - S))
+                                  : 0;
+            sum += least_of(k, E1 * first, E * end) + WRITES * least_of(k, K1 * first, K * past);
         }
         t = right;
     }
@@ -262,9 +270,18 @@ static stage_motion know(const duffing *q, size_t s, double T, double eps)
     return known;
 }
 
-/* Nodes of a graded mesh, moved by up to a third of a step. */
+/* Nodes of a graded mesh, moved by up to a third of a step; for grade 0, steps whose lengths differ by factors up
+ * to 1000, in any order. */
 static void some_mesh(size_t N, double T, double grade)
 {
+    if (grade == 0) {
+        double sum = 0;
+        for (size_t k = 0; k < N; k++)
+            sum += lengths[k] = exp(between(-6.9, 0));
+        for (size_t k = 0; k < N; k++)
+            lengths[k] *= T / sum;
+        return;
+    }
     graded(T, N, grade, lengths);
     for (size_t k = 0; k + 1 < N; k++) {
         const double move = between(0, 1. / 3) * smaller(lengths[k], lengths[k + 1]);
@@ -299,8 +316,8 @@ static void measure(const duffing *q, const stage_motion *known, size_t N, const
     }
 }
 
-/* Duffing's oscillators to t = 1/2 on meshes of any grade. Where (20.25) speaks of the mesh, no stage is off
- * by more. Seen: up to 0.11 of the bound with two stages, 0.09 with three, 0.05 with four, and 0.11 where errors
+/* Duffing's oscillators to t = 1/2 on meshes of any grade, and on wild ones. Where (20.25) speaks of the mesh, no
+ * stage is off by more. Seen: up to 0.14 of the bound with two stages, 0.09 with three, 0.05 with four, and 0.11 where errors
  * of the modes rule. */
 START_TEST(eq_20_25_no_stage_is_off_by_more)
 {
@@ -315,7 +332,7 @@ START_TEST(eq_20_25_no_stage_is_off_by_more)
         rough_size = eps;
         for (size_t N = 8; N <= 64; N *= 2) {
             double near[2], w = 1;
-            some_mesh(N, T, between(1, 2 * (double)s / (1 + memory_order(q.alpha))));
+            some_mesh(N, T, N == 16 ? 0 : between(1, 2 * (double)s / (1 + memory_order(q.alpha))));
             const stage_bound bound = bound_of_stages(&known, N, lengths);
             for (size_t k = 0; k < N; k++)
                 w *= 1 + bound.lambda * lengths[k];
