@@ -104,3 +104,20 @@ def test_the_field_of_an_error_is_an_argument_of_the_problem():
     with pytest.raises(fvi.Error) as caught:
         fvi.solve(steep.replace(dampers=["x1 : power:0.2,0.999999"]), error=1e-9)
     assert caught.value.field == "dampers"
+
+
+def test_what_was_found_is_printed_to_be_read():
+    """A line for each name, and no arrays."""
+    t, noise = 0.1 * np.arange(1, 201), 0.02 * np.random.default_rng(2).standard_normal(200)
+    x = fvi.solve(fvi.Problem(alpha=0.3, rho=0.4, p0=0.25), error=1e-6)(t)[:, 0] + noise
+    found = fvi.fit(t, x, "harmonic:1", which="alpha,rho,c", p0=0.25, sigma=0.02)
+    lines = repr(found).splitlines()
+    low, high = found.interval["alpha"]
+    assert lines[0] == f"alpha = {found.estimate['alpha']:.6g}, with 95 % between {low:.6g} and {high:.6g}"
+    assert len(lines) == 4 and lines[3].startswith("chi2 = ") and f"{found.agree} starts agree" in lines[3]
+    omega = np.geomspace(0.1, 100, 31)
+    G = fvi.moduli("spring:2 + power:1.5,0.3", omega) * (1 + 0.01 * np.random.default_rng(1).standard_normal(31))
+    material = fvi.fit_moduli(omega, G.real, G.imag, "spring+power")
+    lines = str(material).splitlines()
+    assert [line.split(" = ")[0].strip() for line in lines[:3]] == list(material.estimate)
+    assert lines[3] == f"law {material.law!r}" and lines[4].endswith(f"{material.agree} starts agree")

@@ -100,6 +100,14 @@ def names(what: str, given: Any) -> list:
     return list(found)
 
 
+def lines_of_answer(estimate: Mapping[str, float], interval: Mapping[str, tuple], last: str) -> str:
+    """What was found, a line for each name."""
+    width = max(map(len, estimate))
+    lines = [f"{name:{width}} = {value:.6g}, with 95 % between {interval[name][0]:.6g} and {interval[name][1]:.6g}"
+             for name, value in estimate.items()]
+    return "\n".join([*lines, last])
+
+
 def function(what: str, given: Any, of: str) -> Any:
     if not callable(given):
         raise TypeError(f"{what}: {described(given)} is no function {of}")

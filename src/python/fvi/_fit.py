@@ -6,7 +6,7 @@ from typing import Any, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
-from ._arguments import Array, Numbers, described, names as names_of, number, numbers, row, spelt, whole, word
+from ._arguments import Array, Numbers, described, lines_of_answer, names as names_of, number, numbers, row, spelt, whole, word
 from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, failure, succeed, text_of, understand, warn
 from .errors import Error
@@ -34,6 +34,11 @@ class Fit(NamedTuple):
     neighbours: float
     curve: Union[Array, list]
     grave: int
+
+    def __repr__(self) -> str:
+        sigma = ", ".join(f"{each:.3g}" for each in np.atleast_1d(self.sigma))
+        return lines_of_answer(self.estimate, self.interval, f"chi2 = {self.chi2:.4g} (probability {self.probability:.2g}), sigma = {sigma}; "
+                      f"{self.agree} starts agree" + ("; not to be believed, see the warnings" if self.grave else ""))
 
 
 def warn_of(question: Any, f: Any, e: Any, names: list) -> None:

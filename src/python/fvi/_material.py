@@ -5,7 +5,7 @@ from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
 
-from ._arguments import Array, Numbers, number, numbers, spelt, whole, word
+from ._arguments import Array, Numbers, lines_of_answer, number, numbers, spelt, whole, word
 from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, error_of, text_of, understand
 from ._system import Law, law as law_of
@@ -34,6 +34,10 @@ class Material(NamedTuple):
     agree: int
     curve: Array
     grave: int
+
+    def __repr__(self) -> str:
+        return lines_of_answer(self.estimate, self.interval, f"law {self.law!r}\nsigma = {self.sigma:.3g}; {self.agree} starts agree"
+                      + ("; not to be believed, see the warnings" if self.grave else ""))
 
 
 def kinds_of(law: str) -> list:
