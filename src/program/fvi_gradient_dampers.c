@@ -78,9 +78,12 @@ int fvi_gradient_find_damper(request *r, fvi_error *c)
     r->of = 3 + which;
     int status = fvi_stepper_start(r->o.method, &r->run, &s, &error);
     if (!status)
-        status = fvi_observer_start(s, FVI_OBSERVE_IMPULSE, &o, &error);
-    const int failed =
-        status ? 0 : find_place(r, o, (size_t)(dot - text), dot + strlen(quantities[which]), c);
+        status = fvi_observer_start(s, which == 0 ? FVI_OBSERVE_FORCE : FVI_OBSERVE_IMPULSE, &o, &error);
+    int failed = status ? 0 : find_place(r, o, (size_t)(dot - text), dot + strlen(quantities[which]), c);
+    if (!status && !failed && fvi_observer_short_rows(o) >= r->o.steps)
+        failed = fvi_refuse(c, "of", "'%s': the forces of the first %zu rows come from steps shorter than those of the run and "
+                                     "have no derivatives; take more --steps, or '%.*s.impulse'", text,
+                            fvi_observer_short_rows(o), (int)(dot - text), text);
     fvi_observer_free(o);
     fvi_stepper_free(s);
     return failed; /* a run that does not start is refused later, with its reason */
