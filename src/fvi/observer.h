@@ -21,7 +21,7 @@
  * the order of p at a fixed t, and 3 at most in the first rows.
  * Where an order is above 1, where the past rl jumps, and where a coordinate has no inertia, no comparison helps. There the
  * first rows of forces, a, multipliers, and of v if a coordinate has no inertia, are those of fvi_variable_step, which takes
- * the run up to there with shorter steps [H 13]: right to 1e-8 (seen). It does not for matrices, for more than 12
+ * the run up to there with shorter steps [H 13]: right to 1e-8 (seen). It does not for several dampers of matrices, for more than 12
  * coordinates whose potential has no narrow band, or where it fails or needs more than 1000 steps; then these rows
  * are of low order, 2 - that of the damping.
  * Of a start with a velocity and an order of the damping up to 1, the methods of order 2 get the first impulses wrong,

@@ -22,7 +22,7 @@ static int is_affordable(const fvi_observer *o, const fvi_system *system)
 static int is_needed(const fvi_observer *o, const fvi_stepper *s)
 {
     const unsigned forces = FVI_OBSERVE_FORCE | FVI_OBSERVE_ACCELERATION | FVI_OBSERVE_MULTIPLIER;
-    if (o->wanted & FVI_OBSERVE_OWN_STEPS || s->method->dense || o->matrices || o->is_mass || !(s->method->takes_mechanism || fvi_ramp_method(s))
+    if (o->wanted & FVI_OBSERVE_OWN_STEPS || s->method->dense || (o->matrices && o->mechanism) || o->is_mass || !(s->method->takes_mechanism || fvi_ramp_method(s))
         || !is_affordable(o, s->run.system))
         return 0;
     if (o->has_massless)
@@ -53,61 +53,108 @@ static int measure_step(const fvi_observer *o, const fvi_stepper *s, double *siz
 typedef struct {
     fvi_system system;
     fvi_mechanism mechanism;
-    fvi_damper *damper; /* of each damped coordinate, if a law has become a mechanism */
-    double *numbers;    /* d times d: their rows; then d: the dampings */
+    fvi_damper *damper;  /* one for each term of a law, if there are such dampers; else NULL */
+    fvi_kernel *kernel;  /* of each of them */
+    size_t *owner;       /* to which force each of them adds */
+    double *row;         /* d times d: the rows of coordinates; then d dampings */
 } stand_in;
 
 static void free_stand_in(stand_in *o)
 {
     free(o->damper);
-    free(o->numbers);
+    free(o->kernel);
+    free(o->owner);
+    free(o->row);
+}
+
+static int allocate_terms(size_t terms, size_t d, stand_in *o)
+{
+    o->damper = calloc(terms + 1, sizeof *o->damper);
+    o->kernel = calloc(terms + 1, sizeof *o->kernel);
+    o->owner = calloc(terms + 1, sizeof *o->owner);
+    o->row = calloc(d * d + d, sizeof *o->row);
+    return o->damper && o->kernel && o->owner && o->row ? FVI_SUCCESS : FVI_ENOMEM;
+}
+
+/* One damper for each term of a law: a sum of terms may ask for shorter steps than each of them. */
+static void add_terms(const fvi_damper *of, size_t owner, stand_in *o)
+{
+    for (size_t i = 0; i < of->kernel->count; i++) {
+        const size_t n = o->mechanism.damper_count++;
+        o->kernel[n] = (fvi_kernel){ .count = 1, .term = of->kernel->term + i };
+        o->damper[n] = *of;
+        o->damper[n].kernel = &o->kernel[n];
+        o->owner[n] = owner;
+    }
+}
+
+static int split_dampers(const fvi_mechanism *of, stand_in *o)
+{
+    size_t terms = 0;
+    for (size_t j = 0; j < of->damper_count; j++)
+        terms += of->damper[j].kernel->count;
+    const int status = allocate_terms(terms, 0, o);
+    if (status)
+        return status;
+    o->mechanism = *of;
+    o->mechanism.damper = o->damper;
+    o->mechanism.damper_count = 0;
+    for (size_t j = 0; j < of->damper_count; j++)
+        add_terms(of->damper + j, j, o);
+    o->system.mechanism = &o->mechanism;
+    return FVI_SUCCESS;
 }
 
 /* A law on coordinates as dampers of a mechanism, which know a start velocity above the order 1. */
 static int put_law_on_rows(const fvi_kernel *law, stand_in *o)
 {
     const size_t d = o->system.d;
-    double *none = o->numbers + d * d;
-    size_t count = 0;
+    const int status = d > MOST_COUPLED ? FVI_EUNSUP : allocate_terms(d * law->count, d, o);
+    if (status)
+        return status;
+    o->mechanism = (fvi_mechanism){ .damper = o->damper };
     for (size_t i = 0; i < d; i++) {
+        const fvi_damper damper = { .of.row = o->row + i * d, .kernel = law };
         if (o->system.damping[i] != 0 && o->system.damping[i] != 1)
             return FVI_EUNSUP;
-        if (o->system.damping[i] == 0)
-            continue;
-        o->numbers[count * d + i] = 1;
-        o->damper[count] = (fvi_damper){ .of.row = o->numbers + count * d, .kernel = law };
-        count++;
+        o->row[i * d + i] = 1;
+        if (o->system.damping[i] != 0)
+            add_terms(&damper, i, o);
     }
-    o->mechanism = (fvi_mechanism){ .damper = o->damper, .damper_count = count };
     o->system.mechanism = &o->mechanism;
-    o->system.damping = none;
+    o->system.damping = o->row + d * d;
+    return FVI_SUCCESS;
+}
+
+/* A law that is one power becomes an alpha. */
+static int put_power(const fvi_kernel_term *power, stand_in *o, fvi_run *run)
+{
+    const size_t d = o->system.d;
+    o->row = calloc(d, sizeof *o->row);
+    if (!o->row)
+        return FVI_ENOMEM;
+    for (size_t i = 0; i < d; i++)
+        o->row[i] = o->system.damping[i] * power->rho;
+    o->system.damping = o->row;
+    run->alpha = power->alpha;
     return FVI_SUCCESS;
 }
 
 /* A law above the order 1 takes a start velocity only as an alpha or as dampers of a mechanism. */
-static int change_law(fvi_run *run, stand_in *o)
+static int change_law(stand_in *o, fvi_run *run)
 {
     const fvi_kernel *law = run->law;
-    const size_t d = o->system.d;
-    double *damping;
+    if (o->system.matrices)
+        return FVI_SUCCESS;
+    if (o->system.mechanism)
+        return split_dampers(o->system.mechanism, o);
+    if (!law)
+        return FVI_SUCCESS;
     run->law = NULL;
-    if (!fvi_kernel_is_power(law) && d > MOST_COUPLED)
-        return FVI_EUNSUP;
-    o->damper = calloc(d, sizeof *o->damper);
-    o->numbers = calloc(d * d + d, sizeof *o->numbers);
-    if (!o->damper || !o->numbers)
-        return FVI_ENOMEM;
-    if (!fvi_kernel_is_power(law))
-        return put_law_on_rows(law, o);
-    damping = o->numbers + d * d;
-    for (size_t i = 0; i < d; i++)
-        damping[i] = o->system.damping[i] * law->term->rho;
-    o->system.damping = damping;
-    run->alpha = law->term->alpha;
-    return FVI_SUCCESS;
+    return fvi_kernel_is_power(law) ? put_power(law->term, o, run) : put_law_on_rows(law, o);
 }
 
-static int make_short_run(const fvi_stepper *s, double size, size_t rows, stand_in *o, fvi_run *run)
+static int make_short_run(const fvi_stepper *s, size_t rows, stand_in *o, fvi_run *run)
 {
     *run = s->run;
     o->system = *s->run.system;
@@ -116,24 +163,22 @@ static int make_short_run(const fvi_stepper *s, double size, size_t rows, stand_
     run->p0 = s->p;
     run->steps = rows;
     run->memory = FVI_HISTORY_AUTO;
-    run->step_error = 1e-10 * size;
     run->most_steps = MOST_STEPS;
     run->events = NULL;
     run->event_count = 0;
-    return run->law ? change_law(run, o) : FVI_SUCCESS;
+    return change_law(o, run);
 }
 
-/* The forces of an observer of the run by short steps. */
-static void copy_forces(const fvi_observer *o, const fvi_stepper *s, const double *from, double *force)
+/* The forces of an observer of the run by short steps, of the dampers of the run. */
+static void copy_forces(const fvi_observer *o, const stand_in *other, const double *from, double *force)
 {
-    const fvi_mechanism *by_row = o->has_mechanism ? NULL : s->run.system->mechanism;
-    memcpy(force, from, (by_row ? 0 : o->forces) * sizeof *force);
-    for (size_t n = 0; by_row && n < by_row->damper_count; n++)
-        for (size_t i = 0; i < o->d; i++)
-            force[i] += by_row->damper[n].of.row[i] * from[n];
+    const size_t parts = other->owner ? other->mechanism.damper_count : 0;
+    memcpy(force, from, (other->owner ? 0 : o->forces) * sizeof *force);
+    for (size_t n = 0; n < parts; n++)
+        force[other->owner[n]] += from[n];
 }
 
-static int read_row(const fvi_observer *o, fvi_observer *from, const fvi_stepper *s, size_t k)
+static int read_row(const fvi_observer *o, const stand_in *other, fvi_observer *from, const fvi_stepper *s, size_t k)
 {
     fvi_observation now;
     const size_t f = o->forces, d = o->d;
@@ -141,14 +186,14 @@ static int read_row(const fvi_observer *o, fvi_observer *from, const fvi_stepper
     const int status = fvi_observer_read(from, s, (double)k * s->run.h, &now);
     if (status)
         return status;
-    copy_forces(o, s, now.force, row);
+    copy_forces(o, other, now.force, row);
     memcpy(row + f, now.v, d * sizeof *row);
     memcpy(row + f + d, now.a, d * sizeof *row);
     memcpy(row + f + 2 * d, now.multiplier, o->ties * sizeof *row);
     return FVI_SUCCESS;
 }
 
-static int take_steps(fvi_observer *o, const fvi_run *run)
+static int take_steps(fvi_observer *o, const stand_in *other, const fvi_run *run)
 {
     const unsigned wanted = FVI_OBSERVE_FORCE | FVI_OBSERVE_VELOCITY | FVI_OBSERVE_ACCELERATION
                             | (o->ties > 0 ? FVI_OBSERVE_MULTIPLIER : 0);
@@ -161,12 +206,23 @@ static int take_steps(fvi_observer *o, const fvi_run *run)
         while (!status && s->t < (double)k * run->h)
             status = fvi_observer_step(from, s);
         if (!status)
-            status = read_row(o, from, s, k);
+            status = read_row(o, other, from, s, k);
         if (!status)
             o->short_rows.rows = k;
     }
     fvi_observer_free(from);
     fvi_stepper_free(s);
+    return status;
+}
+
+/* For an order near 2 no step may be short enough for the error that is asked, so it is asked for ten times as much. */
+static int take_rows(fvi_observer *o, const stand_in *other, fvi_run *run, double size)
+{
+    int status = FVI_EUNSUP;
+    for (double part = 1e-10; part < 2e-6 && status == FVI_EUNSUP; part *= 10) {
+        run->step_error = part * size;
+        status = take_steps(o, other, run);
+    }
     return status;
 }
 
@@ -183,9 +239,9 @@ int fvi_short_rows_start(fvi_observer *o, const fvi_stepper *s)
     to->numbers = calloc(rows * to->width, sizeof *to->numbers);
     int status = to->numbers ? measure_step(o, s, &size) : FVI_ENOMEM;
     if (!status)
-        status = make_short_run(s, size, rows, &other, &run);
+        status = make_short_run(s, rows, &other, &run);
     if (!status)
-        status = take_steps(o, &run);
+        status = take_rows(o, &other, &run, size);
     free_stand_in(&other);
     return status == FVI_ENOMEM ? status : FVI_SUCCESS;
 }
