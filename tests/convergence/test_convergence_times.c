@@ -219,7 +219,7 @@ static void measure_cut(const spring *q, size_t s, size_t N, double grade, doubl
         OK(fvi_exact_at(&problem, 1, &t, &at[0], &at[1], NULL));
         for (int order = 0; order < 2; order++) {
             const mesh_gap g = { q, &R, n, lengths, t, order };
-            const double missed = (order ? V : X)[n * s - 1] - at[order];
+            const double missed = (order ? V[n * s - 1] : X[n * s - 1]) - at[order];
             ck_assert_double_le(fabs(missed), long_bound(q, &R, N, lengths, order, 0));
             off[order] = larger(off[order], fabs(missed - of_pole(&g)));
         }
