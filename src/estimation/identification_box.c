@@ -323,5 +323,9 @@ int fvi_estimation_check(const fvi_estimation *fit)
     int status = fvi_system_require_any(system);
     if (!status)
         status = check_parameters(fit);
-    return status ? status : fvi_estimation_check_data(fit);
+    if (!status)
+        status = fvi_estimation_check_data(fit);
+    if (!status && fit->h > 0 && !(fit->h * FVI_FIT_MOST_EQUAL_STEPS >= fvi_estimation_last_time(fit) * (1 - 1e-9)))
+        FVI_FAIL("h is too short a part of the last time", FVI_EDOM);
+    return status;
 }

@@ -157,12 +157,9 @@ static void add_equal_steps(const fvi_estimation *fit, size_t size, char *text)
     const size_t end = strlen(text);
     if (needed > FVI_FIT_MOST_EQUAL_STEPS)
         snprintf(text + end, size - end,
-                 "; to t = %.10g %s take %.3g equal steps, and a fit makes %d; "
+                 "; to t = %.10g steps as short as the gaps of the data take %.3g equal steps, and a fit makes %d; "
                  "fvi-adaptive chooses its own",
-                 fvi_estimation_last_time(fit),
-                 fit->h > 0 ? "steps of that length"
-                            : "steps as short as the gaps of the data",
-                 needed, FVI_FIT_MOST_EQUAL_STEPS);
+                 fvi_estimation_last_time(fit), needed, FVI_FIT_MOST_EQUAL_STEPS);
 }
 
 /* No start gives a motion; and why the one with the values that were given does not begin. */

@@ -16,7 +16,7 @@ int fvi_refuse_option(fvi_error *error, const char *given,
 /* The data of a fit are no option; -o has one hyphen. */
 static const char *hyphens(const char *field)
 {
-    return strcmp(field, "DATA") == 0 ? "" : strcmp(field, "o") == 0 ? "-" : "--";
+    return strncmp(field, "DATA", 4) == 0 ? "" : strcmp(field, "o") == 0 ? "-" : "--";
 }
 
 int fvi_complaint(const fvi_error *error, char text[FVI_COMPLAINT])

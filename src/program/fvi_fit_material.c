@@ -346,6 +346,23 @@ static int print(const request *r, const fvi_material *m)
 
 /* ---- the command ---- */
 
+/* What the library says of a number of the data is said of DATA and its column. */
+static int fit_data(const request *r, fvi_material *m, fvi_error *c)
+{
+    const char *const fields[][2] = { { "at", r->data.test == FVI_MATERIAL_MODULI ? "omega " : "t " },
+                                      { "data", "" },
+                                      { "unit", "an error " } };
+    fvi_error of_data;
+    const int status = fvi_material_fit(&r->data, r->curve, m, &of_data);
+    if (!status)
+        return 0;
+    for (size_t i = 0; i < 3; i++)
+        if (of_data.field && strcmp(of_data.field, fields[i][0]) == 0)
+            return fvi_refuse(c, "DATA", "%s: %s%s", r->words.operand, fields[i][1], of_data.text);
+    *c = of_data;
+    return status;
+}
+
 int fvi_fit_material(int argc, char **argv)
 {
     const int test = test_of(argc, argv);
@@ -363,7 +380,7 @@ int fvi_fit_material(int argc, char **argv)
     if (!status)
         status = read_data(&r, c);
     if (!status)
-        status = fvi_material_fit(&r.data, r.curve, &m, c);
+        status = fit_data(&r, &m, c);
     status = status ? fvi_refused(&error, "fit") : print(&r, &m);
     fvi_options_free(&r.o);
     free(r.block);

@@ -47,6 +47,7 @@ START_TEST(fit_refuses_what_cannot_be_asked)
     REFUSED(q.x[9] = NAN, FVI_EDOM);
     REFUSED(q.fit.sigma = -1, FVI_EDOM);
     REFUSED(q.fit.h = -1, FVI_EDOM);
+    REFUSED(q.fit.h = 1e-9, FVI_EDOM);
     REFUSED(q.fit.low = q.fit.high = box, FVI_EDOM);
     REFUSED(q.fit.method = &fvi_lagrange_dalembert, FVI_EUNSUP);
     REFUSED((q.run.law = &law, q.fit.method = &fvi_cq_bdf2), FVI_EUNSUP);

@@ -88,7 +88,9 @@ START_TEST(fit_reads_moduli_of_many_kinds)
     ck_assert(!exists("no.tsv") && !exists("no2.tsv"));
     ck_assert_int_eq(fvi("fit --moduli --law spring+power dma.tsv"), 1);
     ck_assert_ptr_nonnull(strstr(out, "\n# flag = neighbouring residuals are alike"));
-    ck_assert_int_eq(shell("awk '!/^#/{print $1, $2}' dma.tsv > plain.tsv"), 0);
+    ck_assert_int_eq(shell("awk '!/^#/{print $1, $2}' dma.tsv > plain.tsv; "
+                           "printf '0 1\\n1 2\\n2 3\\n3 3\\n' > from_0.tsv; echo 1 1 > one.tsv"),
+                     0);
     static const char *const wrong[][2] = {
         { "fit --moduli", "DATA: a file with the columns omega, storage and loss" },
         { "fit --creep", "DATA: a file with the columns t and x" },
@@ -100,6 +102,8 @@ START_TEST(fit_reads_moduli_of_many_kinds)
         { "fit --moduli --starts 1 dma.tsv", "--starts" },
         { "fit --moduli --alpha 0.3 dma.tsv", "--alpha" },
         { "fit --relaxation --law viscous+zener plain.tsv", "relaxes at once" },
+        { "fit --creep from_0.tsv", "fvi: DATA: from_0.tsv: t must be finite and above 0" },
+        { "fit --creep one.tsv", "fvi: DATA: one.tsv: 1 rows are not enough for 3 numbers" },
         { "fit --moduli -o dma.tsv dma.tsv", "-o: 'dma.tsv' is the file of the data, too" },
         { "fit --moduli --curve a.tsv dma.tsv a.tsv",
           "--curve: 'a.tsv' is the file of the data, too" },

@@ -62,6 +62,8 @@ static const char *const refused[][2] = {
     { "fit --law power d.tsv", "--law: goes with --moduli, --creep or --relaxation alone" },
     { "fit d.tsv --weights=relative", "--weights: goes with --moduli, --creep or" },
     { "fit --h 0 d.tsv", "--h" },
+    { "fit --h 1e-300 d.tsv", "fvi: --h: to t = " },
+    { "fit 'd.tsv : x0='", "fvi: DATA: x0: ''" },
     { "fit --alpha 2 d.tsv", "--alpha" },
     { "fit d.tsv --sigma", "a value is missing" },
     { "fit word.tsv", "word.tsv:3" },
@@ -145,9 +147,7 @@ START_TEST(a_fit_that_takes_too_many_equal_steps_says_how_many)
           "steps as short as the gaps of the data take 2e+09 equal steps, and a "
           "fit makes 131072" },
         { "fit --method fvi",
-          "steps as short as the gaps of the data take 2e+09 equal steps" },
-        { "fit --method fvi-lobatto4 --h 0.1",
-          "steps of that length take 1e+10 equal steps" }
+          "steps as short as the gaps of the data take 2e+09 equal steps" }
     };
     char line[sizeof folder + 200];
     write_file("far.tsv", "0\t1\n0.5\t0.8\n1\t0.6\n2\t-0.3\n3\t-0.9\n"
@@ -157,6 +157,10 @@ START_TEST(a_fit_that_takes_too_many_equal_steps_says_how_many)
         ck_assert_int_eq(fvi(line), 1);
         ck_assert_msg(strstr(err, cases[i][1]), "%s: %s", cases[i][0], err);
     }
+    snprintf(line, sizeof line, "fit --method fvi-lobatto4 --h 0.1 %s/far.tsv", folder);
+    ck_assert_int_eq(fvi(line), 2);
+    ck_assert_ptr_nonnull(strstr(err, "fvi: --h: to t = 1000000000 steps of that length take 1e+10 equal steps, and a fit makes "
+                                      "131072; without --h fvi-adaptive chooses its own\n"));
     write_file("near.tsv", "0\t1\n1\t1\n2\t1\n3\t1\n"); /* few enough */
     snprintf(line, sizeof line, "fit --fit mass,rho,c %s/near.tsv", folder);
     ck_assert_int_eq(fvi(line), 1);
