@@ -124,12 +124,14 @@ static void truth_of(size_t law, double *truth)
     }
 }
 
-/* 600 sets of 95 % scatter by 0.9 %. 200 sets scatter by 1.5 %, and the numbers of one law hold the truth
+/* A law must be found from 30 of 50 random starts: of 20 starts three then agree but once in 10^5 fits. From how many it is
+ * found is luck: seeds 1 and 61 found 17 and 16 of 20 laws from all, and each from 42 at least. 600 sets of 95 %
+ * scatter by 0.9 %. 200 sets scatter by 1.5 %, and the numbers of one law hold the truth
  * together or not: with 200 sets, seed 1, all of creep of a spring and zener's element held it in 89.5 to
  * 91.5 %, and with 4000, seed 5, in 94.3 to 94.8 %. */
 double stress_rheology(gsl_rng *random, char *describe, size_t size)
 {
-    int all = 0, flagged = 0, sets = 0;
+    int all = 0, fewest = FROM, flagged = 0, sets = 0;
     double longest = 0, least_share = 1;
     printf("test\tlaw\tarrived of 50\tms a fit\tflagged of 600\theld\n");
     for (size_t which = 0; which < CASES; which++) {
@@ -160,13 +162,14 @@ double stress_rheology(gsl_rng *random, char *describe, size_t size)
         putchar('\n');
         fflush(stdout);
         all += arrived == FROM;
+        fewest = arrived < fewest ? arrived : fewest;
         flagged += flags;
         sets += SETS;
         longest = larger(longest, ms);
     }
-    snprintf(describe, size, "%d of 20 laws from each of 50 starts; %.1f ms a fit at most; %d of "
-                             "%d refused",
-             all, longest, flagged, sets);
-    return larger(larger(17. / (all ? all : 1), flagged / (0.03 * sets)),
+    snprintf(describe, size, "%d of 20 laws from each of 50 starts, each from %d at least; %.1f ms a fit at most; "
+                             "%d of %d refused",
+             all, fewest, longest, flagged, sets);
+    return larger(larger(30. / (fewest ? fewest : 1), flagged / (0.03 * sets)),
                    (1 - least_share) / (0.05 + 4 * sqrt(0.05 * 0.95 / SETS)));
 }
