@@ -131,8 +131,8 @@ static void truth_of(size_t law, double *truth)
  * 91.5 %, and with 4000, seed 5, in 94.3 to 94.8 %. */
 double stress_rheology(gsl_rng *random, char *describe, size_t size)
 {
-    int all = 0, fewest = FROM, flagged = 0, sets = 0;
-    double longest = 0, least_share = 1;
+    int all = 0, flagged = 0, sets = 0;
+    double longest = 0, least_share = 1, fewest = FROM;
     printf("test\tlaw\tarrived of 50\tms a fit\tflagged of 600\theld\n");
     for (size_t which = 0; which < CASES; which++) {
         question q;
@@ -162,14 +162,14 @@ double stress_rheology(gsl_rng *random, char *describe, size_t size)
         putchar('\n');
         fflush(stdout);
         all += arrived == FROM;
-        fewest = arrived < fewest ? arrived : fewest;
+        fewest = smaller(fewest, arrived);
         flagged += flags;
         sets += SETS;
         longest = larger(longest, ms);
     }
-    snprintf(describe, size, "%d of 20 laws from each of 50 starts, each from %d at least; %.1f ms a fit at most; "
+    snprintf(describe, size, "%d of 20 laws from each of 50 starts, each from %g at least; %.1f ms a fit at most; "
                              "%d of %d refused",
              all, fewest, longest, flagged, sets);
-    return larger(larger(30. / (fewest ? fewest : 1), flagged / (0.03 * sets)),
+    return larger(larger(30 / (fewest > 0 ? fewest : 1), flagged / (0.03 * sets)),
                    (1 - least_share) / (0.05 + 4 * sqrt(0.05 * 0.95 / SETS)));
 }
