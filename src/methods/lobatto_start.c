@@ -1,5 +1,6 @@
 /* src/methods/lobatto_start.c -- Variational integrators on Lobatto nodes: the start.
  *                                                                 [H 17] */
+#include <fvi/lobatto.h> /* which exports the methods */
 
 #include "mechanism/mechanism.h"
 #include "stability_number.h"
