@@ -62,7 +62,7 @@ static double near_start_of_power(const fvi_observer *o, size_t j, size_t k)
 /* Does the first step nearly miss a parabola? In form D of two stages only. */
 static int misses_parabola(const fvi_law_row *first)
 {
-    return fabs(first->summed[FVI_PARABOLA]) < 0.25 * first->exact[FVI_PARABOLA + 1];
+    return fabs(first->summed[FVI_PARABOLA]) < 0.1 * first->exact[FVI_PARABOLA + 1];
 }
 
 /* What the impulse of force j is compared with: J = ... + g S, g smooth. The jump and the line before it are taken
