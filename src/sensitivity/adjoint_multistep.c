@@ -132,11 +132,13 @@ int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
         status = fvi_adjoint_multistep_damping_start(m, method);
     if (!status && m->damping && m->paper_convention)
         status = fvi_adjoint_multistep_first_sums(m, rows + m->d);
+    if (status) /* there may be no stepper to ask */
+        return status;
     m->is_alone = m->paper_convention && m->d == 1 && m->damping && m->terms == 0
                   && !run->system->matrices && !has_jumps;
     m->steps_alone = fvi_adjoint_multistep_can_step_alone(m);
     m->inertia = m->is_alone ? *fvi_newton_diagonal(m->stepper->newton) : 0;
-    return status;
+    return FVI_SUCCESS;
 }
 
 void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
