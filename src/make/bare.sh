@@ -72,7 +72,7 @@ inside() {
     mv "$folder/clone.new" "$root/root/course"
     chown -R 0:0 "$root/root/course"
     # What stands in the first block of code below the title "Two commands", without its comments.
-    sed -n '/^## Two commands/,/^## Read/ { /^```sh/,/^```/ { /^```/d; s/ *#.*//; p } }' README.md >"$folder/commands"
+    sed -n '/^## Two commands/,/^## [^T]/ { /^```sh/,/^```/ { /^```/d; s/ *#.*//; p } }' README.md >"$folder/commands"
     test "$(wc -l <"$folder/commands")" = 2 || { echo "README.md has no two commands"; exit 1; }
     while read -r command; do
         type_there "$command" </dev/null || { echo "on a bare Debian, $command failed"; exit 1; }

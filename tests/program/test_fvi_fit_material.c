@@ -56,9 +56,9 @@ START_TEST(fit_reads_moduli_of_many_kinds)
 {
     const char *const shapes[] = {
         "cat dma.tsv",
-        "echo 'omega,Gp,Gpp'; awk '!/^#/{print $1 \",\" $2 \",\" $3}' dma.tsv",
-        "echo 'E\" loss w storage'; awk '!/^#/{print 7, $3, $1, $2}' dma.tsv",
-        ("echo 'f storage loss'; awk '!/^#/{printf \"%.17g %s %s\\n\", $1 / 6.283185307179586, $2, "
+        "echo 'omega,Gp,Gpp'; LC_ALL=C awk '!/^#/{print $1 \",\" $2 \",\" $3}' dma.tsv",
+        "echo 'E\" loss w storage'; LC_ALL=C awk '!/^#/{print 7, $3, $1, $2}' dma.tsv",
+        ("echo 'f storage loss'; LC_ALL=C awk '!/^#/{printf \"%.17g %s %s\\n\", $1 / 6.283185307179586, $2, "
          "$3}' dma.tsv"),
     };
     double row[4];
@@ -77,7 +77,7 @@ START_TEST(fit_reads_moduli_of_many_kinds)
     ck_assert_double_ge(value_of("points"), 41);
     row_of("zener2.time", row);
     ck_assert_double_eq_tol(row[0], 1.5, 1e-8);
-    ck_assert_int_eq(shell("(echo omega storage loss sd; awk '!/^#/{print $1, $2, $3, $2/50}' "
+    ck_assert_int_eq(shell("(echo omega storage loss sd; LC_ALL=C awk '!/^#/{print $1, $2, $3, $2/50}' "
                            "dma.tsv) > w.tsv; \"$FVI\" fit --moduli --law spring+zener --weights sd "
                            "w.tsv"),
                      0);
@@ -187,7 +187,7 @@ START_TEST(fit_chooses_steps_of_its_own_where_gaps_are_short)
     double row[4];
     ck_assert_int_eq(shell("(echo t x; i=0; while [ $i -lt 40 ]; do \"$FVI\" exact --mass 1e-12 "
                            "--potential free --damping 'spring:2 + power:3,0.25' --x0 0 --p0 0 "
-                           "--force step:1,1e9 --steps 1 --time $(awk \"BEGIN{print 1e-3 * exp($i * "
+                           "--force step:1,1e9 --steps 1 --time $(LC_ALL=C awk \"BEGIN{print 1e-3 * exp($i * "
                            "0.264)}\") --columns t,x | tail -1; i=$((i + 1)); done) > log.tsv; true"),
                      0);
     fvi("fit --mass 1e-4 --force step:1,1e9 --x0 0 --p0 0 --fit alpha,rho,c --starts 4 log.tsv");

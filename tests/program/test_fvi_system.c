@@ -311,7 +311,7 @@ START_TEST(a_solver_is_opened_when_it_is_needed)
 {
     char line[200];
     ck_assert_int_eq(
-        shell("mkdir -p star broken; for A in M K C; do awk -v A=$A 'BEGIN { n = 300; "
+        shell("mkdir -p star broken; for A in M K C; do LC_ALL=C awk -v A=$A 'BEGIN { n = 300; "
               "print \"%%MatrixMarket matrix coordinate real symmetric\"; "
               "print n, n, A == \"K\" ? 2 * n - 1 : n; "
               "for (i = 1; i <= n; i++) print i, i, A == \"C\" ? 0.1 : 1; "
