@@ -164,7 +164,7 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
  * by alpha and the numbers of a law, which stand in the first rows: there 1e-9 of these rows.
  *
  * Returns what fvi_adjoint, fvi_stepper_start and fvi_observer_start return; FVI_EUNSUP for fvi_variable_step, with
- * events, and at alpha = 1, where the damping is a mass. */
+ * events, of matrices without their entries M and K, and at alpha = 1, where the damping is a mass. */
 int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_objective *objective,
                        const double *force, const double *impulse, const fvi_sensitivities *gradients);
 

@@ -29,27 +29,29 @@ int fvi_gradient_is_of_damper(const char *text)
     return quantity_of(text, &which) != NULL;
 }
 
-/* The name of damper j, d1 if it has none. */
-static void name_damper(const request *r, size_t j, size_t size, char *name)
+/* The name of damper j. `number` has room for d1 and so on, if it has no name. */
+static const char *name_of(const request *r, size_t j, size_t size, char *number)
 {
     const fvi_mechanism *m = r->system.mechanism;
     if (m && m->damper[j].name)
-        snprintf(name, size, "%s", m->damper[j].name);
-    else
-        snprintf(name, size, "d%zu", j + 1);
+        return m->damper[j].name;
+    snprintf(number, size, "d%zu", j + 1);
+    return number;
 }
 
-/* The place of number `of` of the damper that is named, from 1; 0 of a damper with one. */
+/* Finds r->i and r->of_dampers. `length` is that of the name in --of; `digits`, which may be empty, stand behind the
+ * quantity. */
 static int find_place(request *r, const fvi_observer *o, size_t length, const char *digits, fvi_error *c)
 {
     const char *text = r->words.own[OF];
-    char name[80];
+    const size_t dampers = fvi_observer_dampers(o);
+    char room[24];
     r->of_dampers = 0;
     int found = 0;
-    for (size_t j = 0; j < fvi_observer_dampers(o); j++) {
+    for (size_t j = 0; j < dampers; j++) {
         const size_t width = fvi_observer_width(o, j);
+        const char *name = name_of(r, j, sizeof room, room);
         size_t number = 1;
-        name_damper(r, j, sizeof name, name);
         if (strlen(name) == length && strncmp(name, text, length) == 0) {
             found = 1;
             if (width > 1 && !*digits)
@@ -60,8 +62,12 @@ static int find_place(request *r, const fvi_observer *o, size_t length, const ch
         }
         r->of_dampers += width;
     }
-    return found ? 0 : fvi_refuse(c, "of", "'%s': there is no damper '%.*s'; the first is %s", text, (int)length, text,
-                                  (name_damper(r, 0, sizeof name, name), name));
+    if (found)
+        return 0;
+    if (dampers == 0)
+        return fvi_refuse(c, "of", "'%s': this system has no damper", text);
+    return fvi_refuse(c, "of", "'%s': there is no damper '%.*s'; the first is %s", text, (int)length, text,
+                      name_of(r, 0, sizeof room, room));
 }
 
 int fvi_gradient_find_damper(request *r, fvi_error *c)

@@ -184,6 +184,8 @@ static int check(const fvi_method *method, const fvi_run *run, const fvi_objecti
     if (method->dense)
         FVI_FAIL("fvi-adaptive has no derivatives of the forces of dampers; methods whose steps have one length have",
                  FVI_EUNSUP);
+    if (run->system->matrices && (!run->system->matrices->M || !run->system->matrices->K))
+        FVI_FAIL("matrices without their entries have no derivatives of the forces of dampers", FVI_EUNSUP);
     if (run->event_count > 0)
         FVI_FAIL("a run with events has no derivatives of the forces of dampers", FVI_EUNSUP);
     if (!run->system->matrices && !run->system->mechanism && !run->law && run->alpha == 1)

@@ -311,9 +311,11 @@ int fvi_walls_of_mechanism(fvi_walls *w, const fvi_run *run, const fvi_sensitivi
     const fvi_mechanism *m = of->mechanism;
     const size_t d = of->d, r = m->damper_count, c = m->constraints ? m->constraints->count : 0;
     int status = fvi_walls_places(w, d, r, d + r);
+    if (status)
+        return status;
     parts *o = w->parts = calloc(1, sizeof *o);
-    if (status || !o)
-        return status ? status : FVI_ENOMEM;
+    if (!o)
+        return FVI_ENOMEM;
     w->stop = stop;
     *o = (parts){ .d = d, .whole = d + r, .of = of, .m = m, .want = want };
     o->rows = calloc(r * (d + r) + 1, sizeof *o->rows);

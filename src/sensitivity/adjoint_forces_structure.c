@@ -143,9 +143,11 @@ int fvi_walls_of_structure(fvi_walls *w, const fvi_run *run)
     const fvi_system *of = run->system;
     const fvi_matrices *matrices = of->matrices;
     int status = place(w, of);
+    if (status)
+        return status;
     parts *o = w->parts = calloc(1, sizeof *o);
-    if (status || !o)
-        return status ? status : FVI_ENOMEM;
+    if (!o)
+        return FVI_ENOMEM;
     w->stop = stop;
     o->count = of->mechanism ? of->mechanism->damper_count : 1;
     o->C = calloc(o->count, sizeof *o->C);

@@ -398,6 +398,11 @@ START_TEST(what_has_no_derivatives_of_forces_is_refused)
     run.event_count = 0;
     ck_assert_int_eq(fvi_adjoint_forces(&fvi_fractional, &run, &J, NULL, NULL, &want), FVI_SUCCESS);
     ck_assert_double_eq(by, 0);
+
+    const fvi_matrices functions = { 0 };
+    const fvi_system without_entries = { .d = 1, .mass = &one, .damping = &zero, .matrices = &functions };
+    run.system = &without_entries;
+    ck_assert_int_eq(fvi_adjoint_forces(&fvi_fractional, &run, &J, force, NULL, &want), FVI_EUNSUP);
 }
 END_TEST
 

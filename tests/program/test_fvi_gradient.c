@@ -318,7 +318,12 @@ START_TEST(a_gradient_of_a_damper_is_a_difference_of_runs)
         ck_assert(strtod(strstr(out, "# value = ") + 10, NULL) == value);
         ck_assert_near(derivative(cases[i].row), want, 1e-12 * larger(1, fabs(want)), "case %zu", i);
     }
+#define LONG_NAME "a_name_of_more_than_eighty_letters_that_nobody_would_write_but_a_program_that_makes_names"
     static const char *const bad[][2] = {
+        { "--of d1.force --potential x1^2+x2^2 --constraint x1-x2 --rho 0 --x0 1,1 --method fvi-stable",
+          "--of: 'd1.force': this system has no damper" },
+        { "--damper '" LONG_NAME "=x1 : power:0.2,0.3' --of " LONG_NAME ".force2 --potential chain:2,1,0 --method fvi",
+          "--of: '2' is " },
         { "--of d2.force --method fvi", "--of: 'd2.force': there is no damper 'd2'; the first is d1" },
         { "--of d1.force --method fvi-adaptive", "--of: 'd1.force': fvi-adaptive has no derivatives of the forces of dampers" },
         { "--of d1.force --potential chain:2,1,0 --method fvi", "--of: 'd1.force' of which coordinate? d1.force1 to d1.force2" },
@@ -327,7 +332,7 @@ START_TEST(a_gradient_of_a_damper_is_a_difference_of_runs)
         { "--of d1.work --method fvi", "--of: 'd1.work' is none of x, p, energy" }
     };
     for (size_t i = 0; i < LEN(bad); i++) {
-        char line[200];
+        char line[300];
         snprintf(line, sizeof line, "gradient %s", bad[i][0]);
         ck_assert_int_eq(fvi(line), 2);
         ck_assert_msg(strstr(err, bad[i][1]) != NULL, "%s: %s", line, err);
