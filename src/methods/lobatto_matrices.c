@@ -24,26 +24,30 @@ static int is_dual(const fvi_stepper *s)
     return linearised && linearised->is_dual;
 }
 
-/* F - K (x_k + h c_i v_k) at the stages. */
-static int begin_load(const fvi_stepper *s, fvi_lobatto_matrices *o)
+/* K x_k, K v_k, and what the dampers read. */
+static int read_start(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     const fvi_matrices *m = s->run.system->matrices;
-    const size_t d = o->d;
-    const double h = s->run.h;
-    int status = is_dual(s) ? FVI_SUCCESS : m->stiffness(d, s->x, m->params, o->Kx);
-    for (size_t j = 0; is_dual(s) && j < d; j++)
+    int status = is_dual(s) ? FVI_SUCCESS : m->stiffness(o->d, s->x, m->params, o->Kx);
+    for (size_t j = 0; is_dual(s) && j < o->d; j++)
         o->Kx[j] = -s->x[j];
     if (!status)
-        status = m->stiffness(d, o->v, m->params, o->Kv);
-    for (size_t i = 0; !status && i < o->s; i++) {
-        const double ch = h * o->rule->c[i];
+        status = m->stiffness(o->d, o->v, m->params, o->Kv);
+    return status ? status : fvi_stage_dampers_read(s, o);
+}
+
+/* F - K (x_k + h c_i v_k) at the stages. */
+static void begin_load(const fvi_stepper *s, fvi_lobatto_matrices *o)
+{
+    const size_t d = o->d;
+    for (size_t i = 0; i < o->s; i++) {
+        const double ch = s->run.h * o->rule->c[i];
         for (size_t j = 0; j < d; j++)
             o->load[i * d + j] = o->F[i * d + j] - o->Kx[j] - ch * o->Kv[j];
     }
-    return status;
 }
 
-/* x_{k+1} - x_k = h sum_i b_i V_i, v_{k+1} - v_k, and p_{k+1} - p_k = M times that. V becomes the velocities. */
+/* The mean of V_i - v_k by the weights b_i, v_{k+1} - v_k, and p_{k+1} - p_k = M times that. */
 static int find_changes(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     const fvi_matrices *m = s->run.system->matrices;
@@ -51,51 +55,52 @@ static int find_changes(const fvi_stepper *s, fvi_lobatto_matrices *o)
     memcpy(o->dv, o->V + end, d * sizeof *o->dv);
     for (size_t j = 0; j < d; j++) {
         double mean = 0;
-        for (size_t i = 0; i < o->s; i++) {
+        for (size_t i = 0; i < o->s; i++)
             mean += o->rule->b[i] * o->V[i * d + j];
-            o->V[i * d + j] += o->v[j];
-        }
-        o->dx[j] = s->run.h * (o->v[j] + mean);
+        o->mean[j] = mean;
     }
     return m->inertia(d, o->dv, m->params, o->dp);
 }
 
-/* In dual variables x changes by -h sum_i b_i K V_i, and p stays: nobody reads it. */
-static int find_dual_changes(const fvi_stepper *s, fvi_lobatto_matrices *o)
-{
-    const fvi_matrices *m = s->run.system->matrices;
-    int status = find_changes(s, o);
-    memcpy(o->Kx, o->dx, o->d * sizeof *o->dx);
-    if (!status)
-        status = m->stiffness(o->d, o->Kx, m->params, o->dx);
-    for (size_t j = 0; j < o->d; j++) {
-        o->dx[j] = -o->dx[j];
-        o->dp[j] = 0;
-    }
-    return status;
-}
-
-/* All that is linear in what a step begins with. */
 int fvi_lobatto_matrices_solve(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
-    int status = begin_load(s, o);
-    if (!status)
-        status = fvi_stage_dampers_begin_step(s, o);
+    begin_load(s, o);
+    int status = fvi_stage_dampers_begin_step(s, o);
     if (!status)
         status = fvi_stage_solver_solve(o->solver, o->load, o->V); /* (27.14) */
     if (!status)
         status = fvi_stage_dampers_end_step(o);
-    return status ? status : is_dual(s) ? find_dual_changes(s, o) : find_changes(s, o);
+    return status ? status : find_changes(s, o);
 }
 
-static void add_changes(fvi_stepper *s, fvi_lobatto_matrices *o)
+/* A step without the map. V becomes the velocities. */
+static int solve_step(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
-    for (size_t j = 0; j < o->d; j++) {
-        s->x[j] += o->dx[j];
+    const int status = fvi_lobatto_matrices_solve(s, o);
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t j = 0; j < o->d; j++)
+            o->V[i * o->d + j] += o->v[j];
+    return status;
+}
+
+/* x_{k+1} - x_k = h sum_i b_i V_i. In dual variables x changes by -K times that, and p stays: nobody reads it. */
+static int add_changes(fvi_stepper *s, fvi_lobatto_matrices *o)
+{
+    const fvi_matrices *m = s->run.system->matrices;
+    const int dual = is_dual(s);
+    double *dx = o->Kx; /* K x_k has been read */
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < o->d; j++)
+        dx[j] = s->run.h * (o->v[j] + o->mean[j]);
+    if (dual)
+        status = m->stiffness(o->d, dx, m->params, o->Kv);
+    for (size_t j = 0; !status && j < o->d; j++) {
+        s->x[j] += dual ? -o->Kv[j] : dx[j];
         o->v[j] += o->dv[j];
-        s->p[j] += o->dp[j];
+        s->p[j] += dual ? 0 : o->dp[j];
         o->p[j] = s->p[j];
     }
+    return status;
 }
 
 //> step
@@ -103,16 +108,16 @@ int fvi_lobatto_matrices_step(fvi_stepper *s)
 {
     fvi_lobatto_matrices *o = s->method_state;
     int status = find_velocity(s, o);
-    if (!status && s->run.system->force.value)
+    if (!status)
         status = fvi_step_forces_at_stages(s, s->k, o->s, o->rule, o->F); /* from within the step at its ends */
     if (!status)
-        fvi_stage_dampers_read_past(s, o);
+        status = read_start(s, o);
     if (!status && !fvi_step_map_apply(s, o))
-        status = fvi_lobatto_matrices_solve(s, o);
+        status = solve_step(s, o);
     if (!status)
         status = fvi_stage_dampers_push(o);
     if (!status)
-        add_changes(s, o);
+        status = add_changes(s, o);
     for (size_t j = 0; !status && j < o->dampers; j++)
         if (o->each[j].kept)
             status = fvi_stage_damper_sums(s, j, o->each[j].kept, &o->each[j].work);

@@ -22,18 +22,22 @@ typedef struct {
     double *Y;                         /* s r: its sums */
     double *force;                     /* s r: of the step at hand, before S, for the matrix */
     double *Ydot, *force_by_order;     /* s r each, of a linearised run: their derivatives by 2 alpha; or NULL */
-    double *z, *zero;                  /* r: room, and zeros */
+    double *z, *zero;                  /* r: B^T v_k - drift, and zeros */
     double *kept, work;                /* d impulses up to now, and the work; NULL: nobody asked */
     fvi_lobatto_history *memory;
     fvi_initial_history_force past;
     double impulse[FVI_STAGES];        /* of the past in the step at hand */
 } fvi_stage_damper;
 
-/* All that a step of a small structure makes of what it begins with is one linear map, whose columns are steps from
- * unit vectors. `late` has the rows that no step reads: the velocities and the forces of the dampers at the stages. */
+/* A step of a small structure as one linear map, whose columns are steps from unit vectors. It takes K x_k, K v_k and
+ * B^T v_k, not x_k and v_k: where a stiff structure moves as a whole K x_k is zero, and the product of the map with x_k
+ * would be the sum of large terms that cancel. `late` has the rows that no step reads: V_i - v_k, and the forces of the
+ * dampers at the stages. */
 typedef struct {
     size_t columns, rows, late_rows; /* columns 0: there is no map */
     double *map, *late, *in, *out;   /* the matrices by columns (system/dense.h), and room */
+    double *v;                       /* d: v_k of the last step */
+    int has_force;                   /* does it take forces of t? */
     int is_late;                     /* are the late rows of the last step yet to be made? */
 } fvi_step_map;
 
@@ -48,8 +52,8 @@ typedef struct {
     double *v, *p;     /* d: M^-1 p and p where the last step ended; go from step to step */
     double *F, *load;  /* s d: the forces of t; what is left for the inertia to answer */
     double *V;         /* s d: V_i - v_k */
-    double *Kx, *Kv;   /* d */
-    double *dx, *dv, *dp; /* d: what the step adds */
+    double *Kx, *Kv;   /* d: K x_k and K v_k */
+    double *mean, *dv, *dp; /* d: the mean of V_i - v_k by the weights of the rule; what the step adds to v and p */
     double *room;      /* d */
     fvi_step_map map;
 } fvi_lobatto_matrices;
@@ -66,9 +70,9 @@ fvi_lobatto_matrices *fvi_lobatto_matrices_of(const fvi_stepper *s);
 /* fvi_lobatto_matrices_step -- as fvi_stepper_step.                        [(27.14)] */
 int fvi_lobatto_matrices_step(fvi_stepper *s);
 
-/* fvi_lobatto_matrices_solve -- from x, v, F, and the Y, the impulse and the drift of each damper: V, the changes
- * dx, dv and dp, and the slope and the force of each damper. Linear in what it reads. Changes Y. Returns what the
- * functions of the matrices return. */
+/* fvi_lobatto_matrices_solve -- from Kx, Kv, F, and the z, the Y and the impulse of each damper: V_i - v_k in V, mean, dv
+ * and dp, and the slope and the force of each damper. Linear in what it reads. Changes Y. Returns what the functions of
+ * the matrices return. */
 int fvi_lobatto_matrices_solve(const fvi_stepper *s, fvi_lobatto_matrices *o);
 
 /* fvi_lobatto_matrices_ends -- as fvi_step_ends. */
@@ -85,8 +89,8 @@ double fvi_stage_dampers_tolerance(const fvi_run *run);
 /* fvi_stage_dampers_start -- the dampers of a run, with their histories; v is the velocity at t = 0. */
 int fvi_stage_dampers_start(fvi_stepper *s, const double *v);
 
-/* fvi_stage_dampers_read_past -- the impulses of the pasts in this step. */
-void fvi_stage_dampers_read_past(const fvi_stepper *s, fvi_lobatto_matrices *o);
+/* fvi_stage_dampers_read -- the z of this step, and the impulses of the pasts. */
+int fvi_stage_dampers_read(const fvi_stepper *s, fvi_lobatto_matrices *o);
 
 /* fvi_stage_dampers_begin_step -- takes from load what the pasts and the histories do in this step, and
  * what the damping makes of a constant velocity v_k. */
@@ -115,15 +119,15 @@ void fvi_stage_dampers_stop(fvi_lobatto_matrices *o);
  * what fvi_lobatto_matrices_solve returns. */
 int fvi_step_map_start(fvi_stepper *s, fvi_lobatto_matrices *o);
 
-/* fvi_step_map_apply -- what fvi_lobatto_matrices_solve does, but for V and the forces, and returns 1; without a map 0.
- * Digits: both differ by roundings. */
+/* fvi_step_map_apply -- what fvi_lobatto_matrices_solve does, but for V and the forces, and returns 1; 0 without a map, or
+ * if the system has got a force since the start. Digits: both differ by roundings. */
 int fvi_step_map_apply(fvi_stepper *s, fvi_lobatto_matrices *o);
 
 /* fvi_step_map_finish -- V and the forces of the last step, if they are missing. */
 void fvi_step_map_finish(fvi_lobatto_matrices *o);
 
-/* fvi_step_map_copy -- `to` has none. Returns FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_step_map_copy(const fvi_step_map *from, fvi_step_map *to);
+/* fvi_step_map_copy -- of a structure with d unknowns; `to` has none. Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_step_map_copy(size_t d, const fvi_step_map *from, fvi_step_map *to);
 void fvi_step_map_stop(fvi_step_map *map);
 
 #endif

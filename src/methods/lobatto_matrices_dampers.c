@@ -108,7 +108,7 @@ static int begin_damper(const fvi_stepper *s, const fvi_lobatto_matrices *o, fvi
 {
     const fvi_damping_matrix *C = &a->of.matrix;
     const double h = s->run.h;
-    int status = C->remember(o->d, o->v, a->drift, C->params, a->z);
+    int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < o->s; i++) {
         add_known(a, o->s, i, a->z);
         status = C->damp(o->d, 1, a->force + i * a->r, C->params, o->load + i * o->d);
@@ -123,11 +123,16 @@ static int begin_damper(const fvi_stepper *s, const fvi_lobatto_matrices *o, fvi
     return FVI_SUCCESS;
 }
 
-void fvi_stage_dampers_read_past(const fvi_stepper *s, fvi_lobatto_matrices *o)
+int fvi_stage_dampers_read(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
-    for (size_t j = 0; j < o->dampers; j++)
-        if (o->each[j].past.size)
-            fvi_initial_history_force_impulses(&o->each[j].past, s->k, o->each[j].impulse);
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; !status && j < o->dampers; j++) {
+        fvi_stage_damper *a = o->each + j;
+        status = a->of.matrix.remember(o->d, o->v, a->drift, a->of.matrix.params, a->z);
+        if (a->past.size)
+            fvi_initial_history_force_impulses(&a->past, s->k, a->impulse);
+    }
+    return status;
 }
 
 int fvi_stage_dampers_begin_step(const fvi_stepper *s, fvi_lobatto_matrices *o)

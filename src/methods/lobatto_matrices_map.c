@@ -2,6 +2,7 @@
 #include "lobatto_matrices.h"
 
 #include "newton/linearised.h"
+#include "system/arrays.h"
 #include "system/dense.h"
 #include "system/fail.h"
 
@@ -26,21 +27,20 @@ static void carry(direction way, double *at, size_t count, double *row, size_t *
     *next += count;
 }
 
-/* All that fvi_lobatto_matrices_solve reads and that may change from step to step; and the drifts, which do not. */
-static size_t carry_input(const fvi_stepper *s, fvi_lobatto_matrices *o, direction way, double *row)
+/* All that fvi_lobatto_matrices_solve reads and that may change from step to step. */
+static size_t carry_input(fvi_lobatto_matrices *o, direction way, double *row)
 {
     size_t next = 0;
-    carry(way, s->x, o->d, row, &next);
-    carry(way, o->v, o->d, row, &next);
-    if (s->run.system->force.value)
+    carry(way, o->Kx, o->d, row, &next);
+    carry(way, o->Kv, o->d, row, &next);
+    if (o->map.has_force)
         carry(way, o->F, o->s * o->d, row, &next);
     for (size_t j = 0; j < o->dampers; j++) {
         fvi_stage_damper *a = o->each + j;
+        carry(way, a->z, a->r, row, &next);
         carry(way, a->Y, o->s * a->r, row, &next);
         if (a->past.size)
             carry(way, a->impulse, o->s, row, &next);
-        if (a->of.growth > 1)
-            carry(way, a->drift, a->r, row, &next);
     }
     return next;
 }
@@ -48,7 +48,7 @@ static size_t carry_input(const fvi_stepper *s, fvi_lobatto_matrices *o, directi
 static size_t carry_output(fvi_lobatto_matrices *o, direction way, double *row)
 {
     size_t next = 0;
-    carry(way, o->dx, o->d, row, &next);
+    carry(way, o->mean, o->d, row, &next);
     carry(way, o->dv, o->d, row, &next);
     carry(way, o->dp, o->d, row, &next);
     for (size_t j = 0; j < o->dampers; j++)
@@ -67,15 +67,13 @@ static size_t carry_late_output(fvi_lobatto_matrices *o, direction way, double *
 
 /* ---- the map ---- */
 
-static int allocate(fvi_step_map *m)
+static int allocate(size_t d, fvi_step_map *m)
 {
     const size_t rows = m->rows > m->late_rows ? m->rows : m->late_rows;
-    m->map = calloc((m->rows + m->late_rows + 1) * m->columns + rows, sizeof *m->map);
+    m->map = FVI_ARRAYS({ &m->map, m->rows * m->columns }, { &m->late, m->late_rows * m->columns },
+                        { &m->in, m->columns }, { &m->out, rows }, { &m->v, d });
     if (!m->map)
         FVI_FAIL("no memory for the map of a step", FVI_ENOMEM);
-    m->late = m->map + m->rows * m->columns;
-    m->in = m->late + m->late_rows * m->columns;
-    m->out = m->in + m->columns;
     return FVI_SUCCESS;
 }
 
@@ -85,31 +83,31 @@ static int find_columns(const fvi_stepper *s, fvi_lobatto_matrices *o, double *s
 {
     fvi_step_map *m = &o->map;
     int status = FVI_SUCCESS;
-    carry_input(s, o, GATHER, saved);
+    carry_input(o, GATHER, saved);
     for (size_t j = 0; !status && j < m->columns; j++) {
         m->in[j] = 1;
-        carry_input(s, o, SCATTER, m->in);
+        carry_input(o, SCATTER, m->in);
         status = fvi_lobatto_matrices_solve(s, o);
         carry_output(o, GATHER, m->map + j * m->rows);
         carry_late_output(o, GATHER, m->late + j * m->late_rows);
         m->in[j] = 0;
     }
-    carry_input(s, o, SCATTER, saved);
+    carry_input(o, SCATTER, saved);
     return status;
 }
 //< columns
 
 int fvi_step_map_start(fvi_stepper *s, fvi_lobatto_matrices *o)
 {
-    fvi_step_map m = { 0 };
-    m.columns = carry_input(s, o, COUNT, NULL);
+    fvi_step_map m = { .has_force = o->map.has_force = s->run.system->force.value != NULL };
+    m.columns = carry_input(o, COUNT, NULL);
     m.rows = fvi_dense_rows(carry_output(o, COUNT, NULL));
     m.late_rows = fvi_dense_rows(carry_late_output(o, COUNT, NULL));
     if (o->s * o->d > WIDEST || m.rows * m.columns > MOST || s->run.steps / PAYS < m.columns
         || fvi_linearised_of(s->run.system))
         return FVI_SUCCESS;
     double *saved = malloc(m.columns * sizeof *saved);
-    int status = saved ? allocate(&m) : FVI_ENOMEM;
+    int status = saved ? allocate(o->d, &m) : FVI_ENOMEM;
     if (!status) {
         o->map = m;
         status = find_columns(s, o, saved);
@@ -123,12 +121,13 @@ int fvi_step_map_start(fvi_stepper *s, fvi_lobatto_matrices *o)
 int fvi_step_map_apply(fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     fvi_step_map *m = &o->map;
-    if (m->columns == 0)
+    m->is_late = m->columns > 0 && (m->has_force || !s->run.system->force.value);
+    if (!m->is_late)
         return 0;
-    carry_input(s, o, GATHER, m->in);
+    carry_input(o, GATHER, m->in);
+    memcpy(m->v, o->v, o->d * sizeof *m->v);
     fvi_dense_multiply(m->rows, m->columns, m->map, m->in, m->out);
     carry_output(o, SCATTER, m->out);
-    m->is_late = 1;
     return 1;
 }
 
@@ -139,15 +138,18 @@ void fvi_step_map_finish(fvi_lobatto_matrices *o)
         return;
     fvi_dense_multiply(m->late_rows, m->columns, m->late, m->in, m->out);
     carry_late_output(o, SCATTER, m->out);
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t j = 0; j < o->d; j++)
+            o->V[i * o->d + j] += m->v[j];
     m->is_late = 0;
 }
 
-int fvi_step_map_copy(const fvi_step_map *from, fvi_step_map *to)
+int fvi_step_map_copy(size_t d, const fvi_step_map *from, fvi_step_map *to)
 {
     if (from->columns == 0)
         return FVI_SUCCESS;
     *to = *from;
-    const int status = allocate(to);
+    const int status = allocate(d, to);
     if (status)
         to->columns = 0;
     else

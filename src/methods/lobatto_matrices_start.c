@@ -64,7 +64,7 @@ static int make_state(fvi_stepper *s, size_t stages)
     o->s = stages;
     o->d = d;
     o->numbers = FVI_ARRAYS({ &o->v, d }, { &o->p, d }, { &o->V, stages * d }, { &o->F, stages * d },
-                            { &o->load, stages * d }, { &o->Kx, d }, { &o->Kv, d }, { &o->dx, d },
+                            { &o->load, stages * d }, { &o->Kx, d }, { &o->Kv, d }, { &o->mean, d },
                             { &o->dv, d }, { &o->dp, d }, { &o->room, d });
     if (!o->numbers)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
@@ -121,7 +121,7 @@ static int copy(const fvi_stepper *from, fvi_stepper *to)
     status = fvi_stage_dampers_copy(from, to);
     if (!status)
         status = make_solver(to, o);
-    return status ? status : fvi_step_map_copy(&old->map, &o->map);
+    return status ? status : fvi_step_map_copy(o->d, &old->map, &o->map);
 }
 
 static int serialize(fvi_stepper *s, fvi_archive *v)
