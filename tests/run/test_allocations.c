@@ -1,35 +1,11 @@
-/* tests/run/test_allocations.c -- Of all allocations within a call of the library one fails: the
- * call says FVI_ENOMEM, nothing ends the process, and no block is left.
- * Run alone: make test-allocations
- *
- * Where a sanitizer brings its own allocator nothing is tested. */
+/* tests/run/test_allocations.c -- Runs, batches and gradients of which one allocation fails.
+ * Run alone: make test-allocations */
 #include <fvi/adjoint.h>
 #include <fvi/dampers.h>
 #include <fvi/exact_motion.h>
-#include <fvi/fvi.h>
 #include <fvi/stability.h>
 #include <fvi/structures.h>
-#include "harness/ulp.h"
-#include "run/whole_run.h"
-#include "failing_allocator.h"
-
-/* ---- calls ---- */
-
-static double mass[] = { 1, 2, 1 }, rho[] = { 0.3, 0.2, 0.1 },
-                    x0[] = { 1, 0, 0.5 }, p0[] = { 0.5, 0.1, 0 },
-                    cg[] = { 1, 0.5 };
-
-static fvi_run run_of(fvi_system *system, const fvi_kernel *law)
-{
-    *system = (fvi_system){ .d = 3,
-                            .mass = mass,
-                            .damping = rho,
-                            .potential = fvi_potential_chain(cg) };
-    fvi_run run = fvi_run_default(system, x0, p0, 0.1, 80);
-    run.alpha = law ? 0.5 : 0.3;
-    run.law = law;
-    return run;
-}
+#include "each_allocation_fails.h"
 
 static int whole_life(const fvi_method *method, const fvi_kernel *law)
 {
@@ -266,166 +242,15 @@ static int life_of_structure(const fvi_method *method)
     return status;
 }
 
-static int load(const fvi_method *method)
-{
-    fvi_system system;
-    const fvi_run run = run_of(&system, NULL);
-    double growth;
-    return fvi_stability_number(method, &run, &growth);
-}
-
-/* U = (x_1 + ... + x_d)^2 / 2: each mass pulls at each, so the Hessian is full. */
-static int sum_gradient(size_t d, const double *x, void *params, double *g)
-{
-    double sum = 0;
-    (void)params;
-    for (size_t i = 0; i < d; i++)
-        sum += x[i];
-    for (size_t i = 0; i < d; i++)
-        g[i] = sum;
-    return 0;
-}
-
-static int sum_value(size_t d, const double *x, void *params, double *value)
-{
-    double sum = 0;
-    (void)params;
-    for (size_t i = 0; i < d; i++)
-        sum += x[i];
-    *value = sum * sum / 2;
-    return 0;
-}
-
-static int sum_hessian(size_t d, const double *x, void *params, double *H)
-{
-    (void)x, (void)params;
-    for (size_t i = 0; i < d * d; i++)
-        H[i] = 1;
-    return 0;
-}
-
-static int load_of_full(const fvi_method *method)
-{
-    fvi_system system;
-    fvi_run run = run_of(&system, NULL);
-    double growth;
-    system.potential = (fvi_potential){ .value = sum_value,
-                                        .gradient = sum_gradient,
-                                        .hessian = sum_hessian };
-    run.kappa = 1;
-    return fvi_stability_number(method, &run, &growth);
-}
-
-/* Of an unstable step, and of a place where it is one. */
-static int warnings(const fvi_method *method)
-{
-    static const double far[] = { 9, -9, 9 };
-    char text[FVI_WARNING_ROOM];
-    fvi_system system;
-    fvi_run run = run_of(&system, NULL);
-    run.kappa = 1;
-    run.h = 9;
-    fvi_watch watch = { 0, 1 };
-    const int at_start =
-                  fvi_warning_of_step(method, &run, sizeof text, text),
-              along = fvi_warning_along(&watch, method, &run, 1, far,
-                                        sizeof text, text);
-    return at_start < 0 || along < 0      ? FVI_ENOMEM
-           : at_start == 1 && along == 1 ? 0
-                                         : -1;
-}
-
-static int control(const fvi_method *method)
-{
-    enum { N = 20 };
-    fvi_system system;
-    fvi_run run = run_of(&system, NULL);
-    double u[3 * (N + 1)];
-    fvi_control_result found;
-    run.steps = N;
-    return fvi_control_solve(method, &run, x0, p0, u, &found);
-}
-
-static int moduli(const fvi_method *method)
-{
-    double w[10], storage[10], loss[10];
-    fvi_estimate fitted;
-    (void)method;
-    for (size_t i = 0; i < LEN(w); i++) {
-        w[i] = 1 + (double)i;
-        storage[i] = 2 + 0.1 * (double)i;
-        loss[i] = 0.5 + 0.2 * (double)i;
-    }
-    return fvi_estimate_moduli(LEN(w), w, storage, loss, &fitted);
-}
-
-/* Responses and poles of one oscillator and of chains, by dense and by sparse factors. */
-static int linear(const fvi_method *method)
-{
-    static const size_t sizes[] = { 1, 5, 257 };
-    static double masses[300], dampings[300];
-    static const double spring[2] = { 1, 0 }, omega = 0.7;
-    int status = FVI_SUCCESS;
-    if (method != fvi_methods[0])
-        return -1; /* it is of none */
-    for (size_t i = 0; i < LEN(masses); i++) {
-        masses[i] = 1;
-        dampings[i] = i % 2 ? 0.1 : 0;
-    }
-    dampings[0] = 0.5;
-    for (size_t l = 0; !status && l < LEN(sizes); l++) {
-        const fvi_system system = { .d = sizes[l], 
-                                    .mass = masses, .damping = dampings,
-                                    .potential = fvi_potential_chain(spring) };
-        const fvi_linear_motion motion = { .system = &system, .alpha = 0.3 };
-        fvi_response *response = NULL;
-        fvi_poles poles = { 0 };
-        double H[2];
-        status = fvi_response_alloc(&motion, &response, NULL);
-        if (!status)
-            status = fvi_response_at(response, FVI_RESPONSE_GROUND, 1, &omega, 0, 0, H, NULL);
-        if (!status)
-            status = fvi_poles_find(response, l < 2 ? 0 : 1, &poles, NULL);
-        fvi_poles_free(&poles);
-        fvi_response_free(response);
-    }
-    return status;
-}
-
-typedef int call(const fvi_method *method);
-
 START_TEST(a_call_without_memory_says_so)
 {
-    call *const calls[] = { life, life_with_a_law, life_of_mechanism,
-                            life_of_structure, life_of_walls, life_of_batch, load, load_of_full, warnings, control, moduli, linear };
-    size_t said = 0;
-#ifdef OTHER_ALLOCATOR
-    return;
-#endif
-    for (size_t c = 0; c < LEN(calls); c++)
-        for (size_t m = 0; fvi_methods[m]; m++) {
-            failing = 0;
-            if (calls[c](fvi_methods[m]))
-                continue; /* not for this method */
-            for (size_t n = 1;; n += calls[c] == linear || calls[c] == life_of_walls ? 1 + n / 8 : 1) {
-                made = 0;
-                has_failed = 0;
-                failing = n;
-                const long before = alive;
-                const int status = calls[c](fvi_methods[m]);
-                const long left = alive - before;
-                failing = 0;
-                if (!has_failed)
-                    break;
-                /* UMFPACK may ask for less, and go on */
-                ck_assert_msg(status == FVI_ENOMEM || (calls[c] == linear && !status),
-                              "call %zu of %s: %zu: %d", c, fvi_methods[m]->name, n, status);
-                ck_assert_msg(left == 0, "call %zu of %s: %zu: %ld blocks left",
-                              c, fvi_methods[m]->name, n, left);
-                said++;
-            }
-        }
-    ck_assert_uint_gt(said, 500);
+    static const library_call calls[] = { { .make = life },
+                                          { .make = life_with_a_law },
+                                          { .make = life_of_mechanism },
+                                          { .make = life_of_structure },
+                                          { .make = life_of_walls, .is_long = 1 },
+                                          { .make = life_of_batch } };
+    fail_each_allocation(LEN(calls), calls);
 }
 END_TEST
 
