@@ -2,6 +2,7 @@
 #include "fvi_option_list.h"
 #include "input/fvi_problem_words.h"
 
+#include <ctype.h>
 #include <string.h>
 
 const char *const fvi_format_names[] = { "tsv", "csv", "json", NULL };
@@ -82,7 +83,7 @@ int fvi_value_is_missing(const char *given, const char *next, fvi_error *c)
 {
     if (!next)
         return fvi_refuse(c, NULL, "%s: a value is missing", given);
-    return strcmp(next, "-o") == 0 || fvi_option_named(next) != OPTIONS
+    return strcmp(next, "-o") == 0 || (strncmp(next, "--", 2) == 0 && isalpha((unsigned char)next[2]))
                ? fvi_refuse(c, NULL, "%s: a value is missing before '%s'", given, next)
                : 0;
 }

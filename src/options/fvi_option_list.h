@@ -153,8 +153,8 @@ int fvi_option_is_known(fvi_command command, option_index i);
 option_index fvi_option_named(const char *word);
 
 /* fvi_value_is_missing -- refuse the option `given`, as it was typed, whose value was to be the next word: there is no
- * next word (NULL), or it is an option, -o or a long one of any command that fvi_option_list knows. A value that is spelt
- * so goes behind =, and a file under ./ instead. Returns 0 if there is a value. */
+ * next word (NULL), or it is -o, or begins with -- and a letter, as every long option does. A value that is spelt so goes
+ * behind =, and a file under ./ instead. Returns 0 if there is a value. */
 int fvi_value_is_missing(const char *given, const char *next, fvi_error *c);
 
 /* fvi_options_describe -- "name = value" of option number i of a command, in the

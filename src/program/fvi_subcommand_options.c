@@ -57,18 +57,10 @@ static int refuse_option(const sorter *s, const char *word, option_index i)
     return fvi_refuse_option(s->c, word, names);
 }
 
-/* Is the value of this option still to come, as the next word? */
-static int check_next(const sorter *s, const char *given, const char *next)
-{
-    const int own = next ? index_of(next, s->command->own) : -1;
-    return own >= 0 ? fvi_refuse(s->c, NULL, "%s: a value is missing before '%s'", given, next)
-                    : fvi_value_is_missing(given, next, s->c);
-}
-
 static int take_own(sorter *s, int which, const char *given, const char *next)
 {
     const char *equals = strchr(given, '='), *name = s->command->own[which];
-    const int status = equals ? 0 : check_next(s, given, next);
+    const int status = equals ? 0 : fvi_value_is_missing(given, next, s->c);
     return status ? status : fvi_word_once("--", name, &s->w->own[which], equals ? equals + 1 : next, s->c);
 }
 
@@ -104,7 +96,7 @@ static int sort_words(sorter *s, int argc, char **argv)
             s->w->given[of_run] = 1;
             s->run[s->count++] = word;
             if (is_output ? !word[2] : !equals) {
-                status = check_next(s, word, argv[i + 1]);
+                status = fvi_value_is_missing(word, argv[i + 1], s->c);
                 s->run[s->count++] = argv[++i];
             }
         }

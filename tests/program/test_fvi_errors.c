@@ -155,7 +155,12 @@ START_TEST(an_option_is_no_value_of_the_option_before)
         { "gradient --forces --steps 3", "--forces: a value is missing before '--steps'" },
         { "sweep --vary --steps 3", "--vary: a value is missing before '--steps'" },
         { "sweep --vary x0=1,2 --jobs -o out", "--jobs: a value is missing before '-o'" },
-        { "sweep --vary x0=1,2 --columns --steps 3", "--columns: a value is missing before '--steps'" }
+        { "sweep --vary x0=1,2 --columns --steps 3", "--columns: a value is missing before '--steps'" },
+        { "sweep --vary --jobs 2", "--vary: a value is missing before '--jobs'" },
+        { "sweep --vary x0=1,2 -o --lanes=1", "-o: a value is missing" },
+        { "run --steps 3 --checkpoint --help", "--checkpoint: a value is missing before '--help'" },
+        { "fit --curve --moduli data", "--curve: a value is missing before '--moduli'" },
+        { "run --snapshot --step=3", "--snapshot: a value is missing before '--step=3'" }
     };
     for (size_t i = 0; i < LEN(lines); i++) {
         char want[100];
