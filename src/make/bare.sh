@@ -57,7 +57,8 @@ bootstrap() {
     mount -t tmpfs tmpfs "$root/dev/shm"
 }
 
-# Seconds mean nothing on a machine that does other things, too: the tests have ten times theirs.
+# Types a command inside the Debian below $root: its home, /root, and /root/course, where the clone stands, are that
+# Debian's, not this machine's. Seconds mean nothing on a machine that does other things, too: the tests have ten times theirs.
 type_there() {
     echo "\$ $*"
     # shellcheck disable=SC2086
