@@ -124,15 +124,17 @@ static void truth_of(size_t law, double *truth)
     }
 }
 
-/* A law must be found from 30 of 50 random starts: of 20 starts three then agree but once in 10^5 fits. From how many it is
- * found is luck: seeds 1 and 61 found 17 and 16 of 20 laws from all, and each from 42 at least. 600 sets of 95 %
- * scatter by 0.9 %. 200 sets scatter by 1.5 %, and the numbers of one law hold the truth
- * together or not: with 200 sets, seed 1, all of creep of a spring and zener's element held it in 89.5 to
- * 91.5 %, and with 4000, seed 5, in 94.3 to 94.8 %. */
+/* How many starts may fail? With 300 other seeds, 15 of the 20 laws were found from all 50 starts every time. (For 0 to 3
+ * more it is luck.) The law that was found least often was found from 42.8 starts on average, with a standard deviation
+ * of 2.5. Of all 1000 starts 16 failed on average, with a standard deviation of 4.2. The bounds are 15 laws, and four
+ * standard deviations: 33 of 50 starts of each law, and 33 of 1000 starts that fail.
+ * How often may the intervals miss? 600 sets of 95 % scatter by 0.9 %. 200 sets scatter by 1.5 %, and the numbers of one
+ * law hold the truth together or not: with 200 sets, seed 1, all of creep of a spring and zener's element held it in 89.5
+ * to 91.5 %, and with 4000, seed 5, in 94.3 to 94.8 %. */
 double stress_rheology(gsl_rng *random, char *describe, size_t size)
 {
     int all = 0, flagged = 0, sets = 0;
-    double longest = 0, least_share = 1, fewest = FROM;
+    double longest = 0, least_share = 1, fewest = FROM, failed = 0;
     printf("test\tlaw\tarrived of 50\tms a fit\tflagged of 600\theld\n");
     for (size_t which = 0; which < CASES; which++) {
         question q;
@@ -163,13 +165,15 @@ double stress_rheology(gsl_rng *random, char *describe, size_t size)
         fflush(stdout);
         all += arrived == FROM;
         fewest = smaller(fewest, arrived);
+        failed += FROM - arrived;
         flagged += flags;
         sets += SETS;
         longest = larger(longest, ms);
     }
-    snprintf(describe, size, "%d of 20 laws from each of 50 starts, each from %g at least; %.1f ms a fit at most; "
-                             "%d of %d refused",
-             all, fewest, longest, flagged, sets);
-    return larger(larger(30 / (fewest > 0 ? fewest : 1), flagged / (0.03 * sets)),
-                   (1 - least_share) / (0.05 + 4 * sqrt(0.05 * 0.95 / SETS)));
+    snprintf(describe, size, "%d of 20 laws from each of 50 starts, each from %g at least, %g starts failed; "
+                             "%.1f ms a fit at most; %d of %d refused",
+             all, fewest, failed, longest, flagged, sets);
+    const double not_found = larger(larger(15. / (all ? all : 1), 33 / (fewest > 0 ? fewest : 1)), failed / 33);
+    return larger(larger(not_found, flagged / (0.03 * sets)),
+                  (1 - least_share) / (0.05 + 4 * sqrt(0.05 * 0.95 / SETS)));
 }
