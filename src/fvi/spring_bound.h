@@ -1,4 +1,4 @@
-/* src/fvi/spring_bound.h -- How far form D on a spring can ever be from the motion.   [H 20] */
+/* src/fvi/spring_bound.h -- How far form D on a spring can be from the motion at the end of any step.   [H 20] */
 #ifndef FVI_SPRING_BOUND_H
 #define FVI_SPRING_BOUND_H
 

@@ -1,4 +1,4 @@
-/* src/reference/spring_bound.c -- How far form D on a spring can ever be from the motion.   [H 20] */
+/* src/reference/spring_bound.c -- How far form D on a spring can be from the motion at the end of any step.   [H 20] */
 #include <fvi/spring_bound.h>
 
 #include "system/fail.h"

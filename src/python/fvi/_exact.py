@@ -90,12 +90,13 @@ class SpringBound(NamedTuple):
 def spring_bound(h: Numbers, stages: int, *, mass: float = 1.0, c: float = 1.0, rho: float = 0.2, alpha: float = 0.5,
                  derivative: str = "held", x0: float = 1.0, v0: float = 0.5, force: Optional[str] = None,
                  memory_error: float = 0.0) -> SpringBound:
-    """How far a run of "fvi-lobatto2d" to "8d" on a spring can be from the motion, at any time, by (20.19) of H 20.
+    """How far a run of "fvi-lobatto2d" to "8d" on a spring can be from the motion at the end of any step, by (20.19)
+    of H 20.
 
     h       the step; or all steps of a run, of any lengths, as those of "fvi-adaptive" with 6 or 8 stages
     stages  2 to 8
-    mass, c, rho, alpha, derivative, x0, v0  as for `exact`; alpha is above 0 and below 1. The past is "caputo", or
-            "held" with alpha up to 1/2 or v0 = 0
+    mass, c, rho, alpha, derivative, x0, v0  as for `exact`, but c and rho are above 0, and alpha is above 0 and below 1.
+            The past is "caputo", or "held" with alpha up to 1/2 or v0 = 0
     force   None, or "step:A,T" with T the end of a step
     memory_error  what the memory may be wrong by in each stage, in units of D^{2 alpha} x; 0: exact weights
 
