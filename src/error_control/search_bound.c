@@ -184,11 +184,10 @@ int fvi_search_is_too_long(int status)
     return status == FVI_EOVRFLW || status == FVI_EMAXITER || status == FVI_ESING;
 }
 
-double fvi_search_distance(size_t n, const double *x, const double *before, double *largest)
+size_t fvi_search_agreed(size_t rows, size_t d, const double *x, const double *before, double error)
 {
-    double D = 0;
-    for (size_t i = 0; i < n; i++)
-        D = larger(D, fabs(x[i] - before[i]));
-    *largest = largest_abs(n, x);
-    return D;
+    size_t k = 0;
+    while (k < rows && largest_difference(d, x + k * d, before + k * d) <= error)
+        k++;
+    return k;
 }

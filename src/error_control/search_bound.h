@@ -27,8 +27,8 @@ int fvi_search_least_parts(const fvi_run *run, size_t stages, double error,
                            size_t most, size_t *parts);
 
 /* fvi_search_is_too_long -- does a run that returned this say no more than that its step is too long?
- * fvi_search_distance -- max |x - before| of two runs, n numbers each, and max |x| to *largest. */
+ * fvi_search_agreed -- how many rows, from the first on, are no further apart in two runs than the error; d numbers each. */
 int fvi_search_is_too_long(int status);
-double fvi_search_distance(size_t n, const double *x, const double *before, double *largest);
+size_t fvi_search_agreed(size_t rows, size_t d, const double *x, const double *before, double error);
 
 #endif

@@ -6,6 +6,7 @@
 #include <fvi/lagrangian.h>
 #include <fvi/lobatto.h>
 
+#include "error_control/search_bound.h"
 #include "error_control/step_search.h"
 #include "run/solution.h"
 
@@ -273,7 +274,7 @@ static int fail_of_search(const fvi_solve_state *o, int status)
         return fvi_fail(o->error, status, "past", NAN,
                         "Riemann-Liouville with a damped x0 != 0 has no solution for alpha > 1/2, to which no run can be near; "
                         "%s runs as printed with h in the place of an error", o->method->name);
-    if (o->method->dense && (status == FVI_EMAXITER || status == FVI_ESING || status == FVI_EOVRFLW))
+    if (o->method->dense && fvi_search_is_too_long(status))
         return fvi_fail(o->error, status, NULL, NAN, "%s; no run comes further than t = %.6g", fvi_error_name(status),
                         o->report->until);
     if (status != FVI_ETOL)
@@ -287,8 +288,8 @@ static int fail_of_search(const fvi_solve_state *o, int status)
         snprintf(reached, sizeof reached, "; until t = %.4g it is reached: end there, or allow a larger error",
                  o->report->until);
     if (!isfinite(o->report->error))
-        return fvi_fail(o->error, status, "tolerance", o->tolerance, "%g is out of reach: no step gives a result that can be trusted%s",
-                        o->tolerance, reached);
+        return fvi_fail(o->error, status, "tolerance", o->tolerance,
+                        "%g is out of reach: no step gives a result that can be trusted%s", o->tolerance, reached);
     return fvi_fail(o->error, status, "tolerance", o->tolerance,
                     "%g is out of reach; the smallest estimate was %.2g%s%s%s", o->tolerance, o->report->error, reached,
                     o->report->other ? "; a higher order has " : "", o->report->other ? o->report->other->name : "");

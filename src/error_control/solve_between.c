@@ -46,14 +46,6 @@ static int rows_at_times(const fvi_solve_state *o, size_t parts, double *x, doub
     return status;
 }
 
-static double distance(size_t n, const double *x, const double *y)
-{
-    double most = 0;
-    for (size_t i = 0; i < n; i++)
-        most = larger(most, fabs(x[i] - y[i]));
-    return most;
-}
-
 /* Halve the steps until two runs agree at the times, and give out the finer one. */
 static int halve(fvi_solve_state *o, size_t parts, size_t most, double *x, double *p, double *before)
 {
@@ -67,7 +59,7 @@ static int halve(fvi_solve_state *o, size_t parts, size_t most, double *x, doubl
         }
         parts *= 2;
         status = rows_at_times(o, parts, x, p);
-        const double difference = status ? INFINITY : distance(length, x, before);
+        const double difference = status ? INFINITY : largest_difference(length, x, before);
         least = smaller(least, difference);
         o->report->steps = parts * o->run.steps;
         o->report->h = o->run.h / (double)parts;

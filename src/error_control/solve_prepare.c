@@ -105,7 +105,6 @@ size_t fvi_common_steps(size_t count, const double *t, double T)
     return t ? common_steps(count, t, T, &least) : 0;
 }
 
-
 static int check_step(const fvi_solve_state *o, double h)
 {
     return h > 0 && isfinite(h)

@@ -71,11 +71,7 @@ static int trial(const search *o, size_t parts)
 /* The last of the times up to which this run and the one before are no further apart. */
 static double agreed_until(const search *o, double error)
 {
-    const size_t d = o->run->system->d;
-    size_t k = 0;
-    for (int agree = 1; k <= o->rows && agree; k += (size_t)agree)
-        for (size_t i = k * d; i < (k + 1) * d; i++)
-            agree &= fabs(o->x[i] - o->before[i]) <= error;
+    const size_t k = fvi_search_agreed(o->rows + 1, o->run->system->d, o->x, o->before, error);
     return k > 0 ? (double)(k - 1) * o->run->h / (double)o->first : 0;
 }
 
@@ -244,7 +240,8 @@ static comparison compare(const search *o, const comparison *last, int failed,
     comparison c = { GSL_POSINF, last->D, GSL_NEGINF, last->q, 0, 0 };
     if (failed || failed_before)
         return c;
-    c.D = fvi_search_distance(o->length, o->x, o->before, &c.largest);
+    c.D = largest_difference(o->length, o->x, o->before);
+    c.largest = largest_abs(o->length, o->x);
     c.floor = precision(o) * c.largest;
     if (gsl_finite(c.D_before))
         c.q = c.D > 0 ? log2(c.D_before / c.D) : GSL_POSINF;

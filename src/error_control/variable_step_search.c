@@ -101,23 +101,26 @@ static int trial(pair *o, double step_error, double longest, int growth)
 }
 //< trial
 
+/* So many rows have been reached by both runs. */
+static size_t both_reached(const pair *o)
+{
+    return o->reached < o->reached_before ? o->reached : o->reached_before;
+}
+
 /* max |x - before|, and what rounding may be of it, and modes that were chosen for the size at
  * the start, where the motion became larger; max |x|. */
 static double distance(const pair *o, double *largest)
 {
-    const size_t both = o->reached < o->reached_before ? o->reached : o->reached_before;
-    const double D = fvi_search_distance(both * o->run->system->d, o->x, o->before, largest);
+    const size_t n = both_reached(o) * o->run->system->d;
+    const double D = largest_difference(n, o->x, o->before);
+    *largest = largest_abs(n, o->x);
     return D + (3e-14 + o->counts.memory) * *largest;
 }
 
 /* The last of the times up to which two runs are no further apart. */
 static double agreed_until(const pair *o, double error)
 {
-    const size_t d = o->run->system->d, both = o->reached < o->reached_before ? o->reached : o->reached_before;
-    size_t k = 0;
-    for (int agree = 1; k < both && agree; k += (size_t)agree)
-        for (size_t i = k * d; i < (k + 1) * d; i++)
-            agree &= fabs(o->x[i] - o->before[i]) <= error;
+    const size_t k = fvi_search_agreed(both_reached(o), o->run->system->d, o->x, o->before, error);
     return k > 0 ? o->t[k - 1] : 0;
 }
 

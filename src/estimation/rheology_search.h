@@ -27,5 +27,4 @@ typedef double fvi_rheology_constraint(const void *params, const double *z, doub
 double fvi_rheology_descend(fvi_rheology_work *o, fvi_rheology_constraint *v, const void *params,
                             double target, double *z);
 
-
 #endif
