@@ -76,11 +76,13 @@ __attribute__((format(printf, 5, 6))) int
 fvi_fail(fvi_error *error, int code, const char *field, double value,
          const char *format, ...);
 
-/* fvi_refuse -- the same of a text or a number of it that cannot be: the value is NaN; returns FVI_EINVAL. */
+/* fvi_refuse -- fvi_fail for a text that cannot be: the code is FVI_EINVAL, and there is no value (NaN). For example
+ *
+ *     return fvi_refuse(error, "damping", "'%s' is no law", text); */
 #define fvi_refuse(error, field, ...) \
     fvi_fail(error, FVI_EINVAL, field, __builtin_nan(""), __VA_ARGS__)
 
-/* fvi_no_memory -- the same where there is no memory; returns FVI_ENOMEM. */
+/* fvi_no_memory -- fvi_fail where there is no memory: the code is FVI_ENOMEM, and there is no value. */
 #define fvi_no_memory(error, field) \
     fvi_fail(error, FVI_ENOMEM, field, __builtin_nan(""), "not enough memory")
 

@@ -10,9 +10,11 @@ typedef struct {
     int constant;
 } fvi_piece;
 
-/* fvi_serialize_pieces -- one after another, until one returns a code, which is returned.
- * FVI_SERIALIZE -- the same of a list: FVI_SERIALIZE(v, FVI_CONSTANT(Q), FVI_STATE(k), FVI_STATES(z, n)). What steps
- * change is a state; n numbers of an array are FVI_CONSTANTS, or FVI_STATES. */
+/* fvi_serialize_pieces -- v->serialize of one piece after another. Returns the first code that is not 0, or 0.
+ * FVI_SERIALIZE -- the same of a list. FVI_STATE is a variable that steps change, FVI_CONSTANT a variable that they do
+ * not change; FVI_STATES and FVI_CONSTANTS are the n elements of an array. For example
+ *
+ *     status = FVI_SERIALIZE(v, FVI_CONSTANT(Q), FVI_STATE(k), FVI_STATES(z, n)); */
 static inline int fvi_serialize_pieces(fvi_archive *v, size_t pieces, const fvi_piece *piece)
 {
     int status = 0;
