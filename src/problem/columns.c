@@ -270,6 +270,8 @@ static double value_of_event(const fvi_observation *now, fvi_quantity q)
     return q.kind == QUANTITY_EVENT_COUNT ? count : last;
 }
 
+/* The value of a quantity. The ground and other columns are not asked here: the ground may fail, and a column has its value
+ * when it has been computed. */
 static double value_of(const fvi_typed_columns *c, fvi_quantity q, const fvi_observation *now)
 {
     switch (q.kind) {
@@ -303,9 +305,14 @@ static double value_of(const fvi_typed_columns *c, fvi_quantity q, const fvi_obs
         return -now->multiplier[q.i];
     case QUANTITY_CONTACT:
         return now->contact ? now->contact[q.i] : 0;
-    default:
+    case QUANTITY_EVENT_COUNT:
+    case QUANTITY_EVENT_LAST:
         return value_of_event(now, q);
+    case QUANTITY_GROUND:
+    case QUANTITY_COLUMN:
+        break;
     }
+    return NAN;
 }
 
 int fvi_typed_columns_values(fvi_typed_columns *c, const fvi_observation *now,
