@@ -243,7 +243,9 @@ static int statistics(search *o, const place *at, fvi_estimate *fitted)
     const int known = fvi_estimation_knows_sigma(m->fit), is_robust = m->fit->huber > 0;
     for (size_t j = 0; j < o->fdf.p; j++)
         fitted->estimate[j] = fvi_estimation_model_bound(m, j, at->u[j]);
-    fitted->neighbours = at->sum > 0 ? fvi_estimation_neighbours(m->fit, gsl_multifit_nlinear_residual(o->solver)) / at->sum : 0;
+    fitted->neighbours = 0;
+    if (at->sum > 0)
+        fitted->neighbours = fvi_estimation_neighbours(m->fit, gsl_multifit_nlinear_residual(o->solver)) / at->sum;
     fill_sigma(o, at, fitted);
     fitted->probability = !known || is_robust ? 1
                                               : fmin(gsl_cdf_chisq_P(at->sum, freedom),

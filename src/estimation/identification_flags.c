@@ -2,7 +2,6 @@
  * over.                                                                [H 24] */
 #include "identification_examine.h"
 
-
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_math.h>

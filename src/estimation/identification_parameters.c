@@ -2,7 +2,6 @@
  *                                                                     [H 24] */
 #include "identification_model.h"
 
-
 #include <math.h>
 
 fvi_free_parameter fvi_free_parameter_base(fvi_free_parameter which)

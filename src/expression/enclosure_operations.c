@@ -1,7 +1,6 @@
 /* src/expression/enclosure_operations.c -- Sums, products and powers of bounds.  [H 22] */
 #include "enclosure_operations.h"
 
-
 double fvi_enclosure_slope(const double *u, int top, const double *w, int k)
 {
     double sum = 0;

@@ -203,7 +203,7 @@ static double function_growth(const fvi_kernel_term *t)
     return ratio < 1 ? 0 : ldexp(round(ldexp(log2(ratio), 30)), -30);
 }
 
-/* The mean of an analytic function over a circle is its value at the centre. These circles leave a quarter of their radius
+/* The mean of an analytic function over a circle is its value at the centre c. These circles leave a quarter of c
  * to Re s = 0, and cover all s with |arg s| < 34 degrees and 10^-6 < |s| < 10^6: a pole there is seen, if it is
  * not a thousandth of the function. In the cut plane 48 points on a circle are right to 0.75^48 = 10^-6. */
 static int has_poles_ahead(const fvi_kernel_term *t)

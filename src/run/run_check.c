@@ -6,6 +6,7 @@
 #include "dampers_check.h"
 #include <fvi/events.h>
 #include "solution.h"
+#include "system/fail.h"
 #include "system/system_check.h"
 
 #include <gsl/gsl_math.h>
@@ -65,13 +66,10 @@ static int check_start(const char *field, size_t d, const double *v,
                        fvi_error *error)
 {
     for (size_t i = 0; i < d; i++)
-        if (!isfinite(v[i])) {
-            const int code = fvi_fail(error, FVI_EDOM, field, v[i], "%s[%zu] is %g; it must be finite", field, i,
-                                      v[i]);
-            if (error)
-                error->index = i;
-            return code;
-        }
+        if (!isfinite(v[i]))
+            return fvi_at_index(error, i,
+                                fvi_fail(error, FVI_EDOM, field, v[i], "%s[%zu] is %g; it must be finite", field, i,
+                                         v[i]));
     return FVI_SUCCESS;
 }
 
