@@ -105,7 +105,7 @@ static int read_chosen_forces(fvi_observer *o, const fvi_stepper *s, double t)
     return status;
 }
 
-/* Row k by short steps into o->force. Returns 0 if there is none. */
+/* Row k by short steps: forces, accelerations and multipliers. Returns 0 if there is none. */
 static int take_short_row(fvi_observer *o, size_t k)
 {
     const double *row = fvi_short_row(&o->short_rows, k);
@@ -113,7 +113,7 @@ static int take_short_row(fvi_observer *o, size_t k)
     if (!row)
         return 0;
     memcpy(o->force, row, f * sizeof *row);
-    memcpy(o->force + f, row + f + d, o->slopes * sizeof *row);
+    memcpy(o->a, row + f + d, d * sizeof *row);
     memcpy(o->force + f + o->slopes, row + f + 2 * d, o->ties * sizeof *row);
     return 1;
 }
@@ -124,6 +124,8 @@ static int read_forces(fvi_observer *o, const fvi_stepper *s, double t,
     const fvi_system *system = s->run.system;
     const int is_chosen = s->method->dense != NULL && t > 0;
     int status = FVI_SUCCESS;
+    if (take_short_row(o, s->k))
+        return FVI_SUCCESS;
     if (is_chosen && o->has_mechanism) {
         double impulse, work;
         for (size_t j = 0; j < o->dampers; j++)
@@ -143,8 +145,6 @@ static int read_forces(fvi_observer *o, const fvi_stepper *s, double t,
     }
     if (is_chosen)
         return read_chosen_forces(o, s, t);
-    if (take_short_row(o, s->k))
-        return o->wanted & FVI_OBSERVE_ACCELERATION ? solve_motion(o, s) : FVI_SUCCESS;
     fvi_observer_differences(o, s->k, s->run.h, o->force);
     if (o->has_mechanism && o->tracked > o->forces && s->k > 0 && s->k <= fvi_observer_motion_rows(o))
         status = fvi_observer_motion(o, s, t, now->x);

@@ -19,11 +19,16 @@ static int is_affordable(const fvi_observer *o, const fvi_system *system)
     return o->d <= MOST_COUPLED || (band > 0 && band <= MOST_COUPLED);
 }
 
+static int is_possible(const fvi_observer *o, const fvi_stepper *s)
+{
+    return !s->method->dense && (s->method->takes_mechanism || fvi_ramp_method(s)) && !(o->matrices && o->mechanism)
+           && !o->is_mass && is_affordable(o, s->run.system);
+}
+
 static int is_needed(const fvi_observer *o, const fvi_stepper *s)
 {
     const unsigned forces = FVI_OBSERVE_FORCE | FVI_OBSERVE_ACCELERATION | FVI_OBSERVE_MULTIPLIER;
-    if (o->wanted & FVI_OBSERVE_OWN_STEPS || s->method->dense || (o->matrices && o->mechanism) || o->is_mass || !(s->method->takes_mechanism || fvi_ramp_method(s))
-        || !is_affordable(o, s->run.system))
+    if (o->wanted & FVI_OBSERVE_OWN_STEPS || !is_possible(o, s))
         return 0;
     if (o->has_massless)
         return (o->wanted & (forces | FVI_OBSERVE_VELOCITY)) != 0;
@@ -159,22 +164,21 @@ static int make_short_run(const fvi_stepper *s, size_t rows, stand_in *o, fvi_ru
     *run = s->run;
     o->system = *s->run.system;
     run->system = &o->system;
-    run->x0 = s->x;
-    run->p0 = s->p;
     run->steps = rows;
     run->memory = FVI_HISTORY_AUTO;
     run->most_steps = MOST_STEPS;
-    run->events = NULL;
-    run->event_count = 0;
     return change_law(o, run);
 }
 
 /* The forces of an observer of the run by short steps, of the dampers of the run. */
 static void copy_forces(const fvi_observer *o, const stand_in *other, const double *from, double *force)
 {
-    const size_t parts = other->owner ? other->mechanism.damper_count : 0;
-    memcpy(force, from, (other->owner ? 0 : o->forces) * sizeof *force);
-    for (size_t n = 0; n < parts; n++)
+    if (!other->owner) {
+        memcpy(force, from, o->forces * sizeof *force);
+        return;
+    }
+    memset(force, 0, o->forces * sizeof *force); /* an earlier try may have come this far */
+    for (size_t n = 0; n < other->mechanism.damper_count; n++)
         force[other->owner[n]] += from[n];
 }
 

@@ -174,13 +174,14 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
     int status = fvi_stepper_copy(s, &fork);
     if (!status)
         status = fvi_observer_start(
-            fork, FVI_OBSERVE_IMPULSE | FVI_OBSERVE_VELOCITY, &sums, NULL);
+            fork, FVI_OBSERVE_IMPULSE | FVI_OBSERVE_VELOCITY | FVI_OBSERVE_OWN_STEPS, &sums, NULL);
     while (!status && fork->t < h)
         status = fvi_observer_step(sums, fork);
     if (!status)
         status = fvi_observer_read(sums, fork, h, &now);
     /* A node's sums are as long as o->start; what is read is one number of a row's damper. */
-    const double *J = s->method->dense || status ? now.impulse : sums->impulse;
+    const double *J = s->method->dense || status ? now.impulse : sums->impulse,
+                 *first = o->has_massless ? fvi_short_row(&o->short_rows, 1) : NULL, *v = first ? first + o->forces : now.v;
     for (size_t j = 0; j < o->forces && !status; j++)
         if (isinf(o->start[j]))
             o->start[j] = J[j] / h;
@@ -188,7 +189,7 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
         status = fvi_observer_begin_motion(o, s);
     const int is_known = o->tracked > o->forces && isfinite(o->start[o->forces]);
     for (size_t i = o->forces; i < o->forces + o->slopes && !is_known && !status; i++)
-        o->start[i] = (now.v[i - o->forces] - o->impulse[i]) / h;
+        o->start[i] = (v[i - o->forces] - o->impulse[i]) / h;
     if (!status && !is_known && o->ties > 0)
         status = s->method->dense ? start_ties_on_mesh(o, s) : start_ties(o, fork, h);
     fvi_observer_free(sums);
