@@ -180,8 +180,8 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
     if (!status)
         status = fvi_observer_read(sums, fork, h, &now);
     /* A node's sums are as long as o->start; what is read is one number of a row's damper. */
-    const double *J = s->method->dense || status ? now.impulse : sums->impulse,
-                 *first = o->has_massless ? fvi_short_row(&o->short_rows, 1) : NULL, *v = first ? first + o->forces : now.v;
+    const double *J = s->method->dense || status ? now.impulse : sums->impulse;
+    const double *first = o->has_massless ? fvi_short_row(&o->short_rows, 1) : NULL, *v = first ? first + o->forces : now.v;
     for (size_t j = 0; j < o->forces && !status; j++)
         if (isinf(o->start[j]))
             o->start[j] = J[j] / h;
