@@ -160,11 +160,15 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
  *     fvi_adjoint_forces(&fvi_cq2_midpoint, &run, &nothing, by_peak, NULL, &gradients);
  *
  * Cost: the adjoint of a run with twice the coordinates, of matrices and of a mechanism with one more for each number of a
- * damper; by numbers of a law a run and 12 starts of observers for each of them. Accuracy: that of fvi_adjoint, but
- * by alpha and the numbers of a law, which stand in the first rows: there 1e-9 of these rows.
+ * damper. By numbers of a law one run more, and for each number up to seven starts of a stepper and an observer; by
+ * fvi_cq2_shifted, fvi_cq_bdf2 and fvi_cq2_midpoint each of these starts has a run of one body. Accuracy: that of
+ * fvi_adjoint, but by alpha and the numbers of a law, which stand in the first rows: there 1e-9 of these rows. A mass of
+ * 1e150 stands for what holds the dampers, so masses, dampings and forces of the run must be below 1e130: larger ones
+ * move it, and nothing tells.
  *
  * Returns what fvi_adjoint, fvi_stepper_start and fvi_observer_start return; FVI_EUNSUP for fvi_variable_step, with
- * events, of matrices without their entries M and K, and at alpha = 1, where the damping is a mass. */
+ * events, of matrices without their entries M and K, and of coordinates that are damped one by one at alpha = 1, where
+ * the damping is a mass. */
 int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_objective *objective,
                        const double *force, const double *impulse, const fvi_sensitivities *gradients);
 

@@ -12,7 +12,8 @@
 
 #include <fvi/adjoint.h>
 
-/* A wall does not move, whatever pushes it; its square is a double. */
+/* A run whose masses, dampings and forces are below 1e130 moves no wall by a digit of its own numbers. The square of the
+ * mass is a double. */
 #define FVI_WALL_MASS 1e150
 
 /* The run with its walls.

@@ -1,9 +1,11 @@
 /* src/sensitivity/adjoint_forces_numbers.c -- The numbers of a law in the coefficients of its forces. [H 23] */
 #include "adjoint_forces_start.h"
 
+#include <fvi/dampers.h>
+
 #include "observer/observer_column.h"
 #include "observer/observer_ramp.h"
-#include "run/run_damper.h"
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -24,12 +26,13 @@ typedef struct {
     fvi_mechanism mechanism;
     fvi_damper *damper;
     fvi_kernel kernel;
-    fvi_kernel_term *term; /* of the law that is changed */
+    size_t changed;        /* the damper whose law is changed */
+    fvi_kernel_term *term; /* of this law */
 } changed_run;
 
 /* ---- what is differentiated ---- */
 
-/* sum_k L_J rate lead_k of the numbers of damper j. */
+/* sum_k L_J rate lead_k of the numbers of the damper that is changed. */
 static int sum_of_leads(const changed_run *o, const fvi_stepper *s, const fvi_observer *observer, double *sum)
 {
     const size_t n = o->shares->n, rows = o->run.steps;
@@ -40,6 +43,8 @@ static int sum_of_leads(const changed_run *o, const fvi_stepper *s, const fvi_ob
     for (size_t i = 0, of = SIZE_MAX; i < n && !status; i++) {
         size_t coordinate;
         const size_t j = fvi_observer_damper_of(observer, i, &coordinate);
+        if (j != o->changed)
+            continue;
         if (j != of)
             status = fvi_ramp_leads(s, j, rows, 1, o->lead);
         of = j;
@@ -106,12 +111,13 @@ static int differentiate(const changed_run *o, double *number, double step, int 
 }
 
 /* An order of s, half of it: the first rows change their form where it is a whole number. The force at t = 0 does not
- * know the order, or it jumps there, but for Cole and Davidson's. */
+ * know the order, or it jumps there, but for Cole and Davidson's. Each derivative of h^(2 alpha) multiplies it by
+ * 2 log h, so a short h takes a short step in alpha. */
 static int by_order(const changed_run *o, double *number, int has_start, double *to)
 {
     static const double borders[] = { 0, 0.5, 1 };
     enum { COUNT = sizeof borders / sizeof *borders };
-    const double step = 1. / 256;
+    const double step = 1. / 256 / larger(1, fabs(log(o->run.h)) / log(16));
     return differentiate(o, number, step, side_of(*number, step, borders, COUNT), has_start, to);
 }
 
@@ -176,8 +182,10 @@ static int by_laws(changed_run *o, const fvi_sensitivities *want)
     o->system = *o->of->system;
     o->system.mechanism = &o->mechanism;
     o->run.system = &o->system;
-    for (size_t j = 0, first = 0; j < m->damper_count && !status; first += m->damper[j++].kernel->count)
+    for (size_t j = 0, first = 0; j < m->damper_count && !status; first += m->damper[j++].kernel->count) {
+        o->changed = j;
         status = by_law(o, m->damper[j].kernel, &o->damper[j].kernel, first, want);
+    }
     free(o->damper);
     return status;
 }

@@ -1,7 +1,7 @@
 /* src/sensitivity/adjoint_forces_start.h -- What the dampers' forces have of the start, and of a law. [H 23]
  *
- * Internal to the room. The coefficients of (23.32) do not only stand before impulses: a force begins with the jump and the
- * line of its elongation, and the numbers of a law stand in the coefficients. */
+ * Internal to the room. In the first rows a force depends on impulses, and also on the jump and the line with which its
+ * elongation begins (23.32). The coefficients of all three depend on the numbers of the law. */
 #ifndef FVI_ADJOINT_FORCES_START_H
 #define FVI_ADJOINT_FORCES_START_H
 
@@ -23,12 +23,13 @@ int fvi_force_start(const fvi_stepper *s, const fvi_force_shares *shares, const 
 int fvi_force_start_of_mechanism(const fvi_stepper *s, const fvi_force_shares *shares, const fvi_sensitivities *want);
 
 /* fvi_force_numbers -- add to the derivatives by alpha, terms, orders, times and ends, as far as they are wanted, what
- * comes by the coefficients of the first rows, and by the lead of (13.18): quotients of seven points, exact to 1e-9 of
- * it (seen: see test_adjoint_forces.c).
+ * comes by the coefficients of the first rows, and by the lead of (13.18). These are quotients of seven points, exact to
+ * 1e-9 of the first rows (test_adjoint_force_values.c).
  *
  *   force  dL/df as fvi_adjoint_forces has it, or NULL
  *
- * Cost: a run, and 12 starts of observers for each number. */
+ * Cost: a run with an observer; and for each number six or seven starts of a stepper and an observer, by a method of
+ * order 2 without a mechanism with the leads of a damper in all rows, each of which is a run of one body. */
 int fvi_force_numbers(const fvi_method *method, const fvi_run *run, const double *force, const fvi_force_shares *shares,
                       const fvi_sensitivities *want);
 

@@ -1,91 +1,10 @@
 /* tests/adjoint/test_adjoint_forces.c -- H 23: forces and impulses of dampers in J.
  *                                                     Run alone: make test-adjoint_forces */
-#include "adjoint_runs.h"
+#include "loss_of_forces.h"
 
-#include "adjoint_forces_ref.h"
 #include "system/larger.h"
 
-/* ---- chains, against derivatives of 40 digits ---- */
-
-enum { D = 5, N = 12, SLOPES = 26 };
-
-static double weight(size_t k, size_t i, size_t of)
-{
-    return ((double)((3 * k + 5 * i + 4 * of) % 7) - 3) / 8;
-}
-
-/* The slopes of J, as ref_forces has it. */
-static void weigh_impulses(const fvi_method *method, const fvi_run *run, double *force, double *impulse)
-{
-    fvi_stepper *s;
-    fvi_observer *o;
-    fvi_observation now;
-    const size_t d = run->system->d;
-    ck_assert_int_eq(fvi_stepper_start(method, run, &s, NULL), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_observer_start(s, FVI_OBSERVE_IMPULSE, &o, NULL), FVI_SUCCESS);
-    for (size_t k = 0; k <= run->steps; k++) {
-        ck_assert_int_eq(fvi_observer_read(o, s, s->t, &now), FVI_SUCCESS);
-        for (size_t i = 0; i < d; i++) {
-            force[k * d + i] = weight(k, i, 0);
-            impulse[k * d + i] = weight(k, i, 1) * now.impulse[i];
-        }
-        if (k < run->steps)
-            ck_assert_int_eq(fvi_observer_step(o, s), FVI_SUCCESS);
-    }
-    fvi_observer_free(o);
-    fvi_stepper_free(s);
-}
-
-static void slopes_by(size_t i, fvi_history_kind memory, double *got)
-{
-    double aw[] = { 0.2, 1.25 }, force[(N + 1) * D], impulse[(N + 1) * D];
-    const fvi_system system = { .d = D,
-                                .mass = ref_forces[i].mass,
-                                .damping = ref_forces[i].rho,
-                                .potential = fvi_potential_chain((void *)ref_forces[i].cg),
-                                .force = fvi_force_cosine(aw) };
-    fvi_run run = fvi_run_default(&system, ref_forces[i].x0, ref_forces[i].p0, 1. / 16, N);
-    run.alpha = ref_forces[i].alpha;
-    run.past = ref_forces[i].past;
-    run.kappa = ref_forces[i].kappa;
-    run.memory = memory;
-    slopes *s = slopes_of(&run, N + 1);
-    const fvi_objective J = { .slopes = to_sine, .params = &run };
-    weigh_impulses(ref_forces[i].method, &run, force, impulse);
-    ck_assert_int_eq(fvi_adjoint_forces(ref_forces[i].method, &run, &J, force, impulse, &s->to), FVI_SUCCESS);
-    slopes_in_order(s, D, got);
-    for (size_t j = 0; j < LEN(ref_force_entries); j++)
-        got[23 + j] = s->force[ref_force_entries[j]];
-    slopes_free(s);
-}
-
-/* Every derivative of five masses by four methods, three pasts, five orders and two memories, of itself, or of 1 where that
- * is more. A bound of rounding is not proved; forces are differences of impulses divided by h. Seen: 2.1e-15. By alpha the
- * first rows are quotients of seven points. Their error is the step 2^-8 to the power 6 times a seventh derivative, of
- * t^(2 alpha) with t = h at most log(16)^7 2^7/7, which is 9e-11, or 5 times as much where the points are on one side. Seen:
- * 3.0e-10, at the order 1. */
-START_TEST(eq_23_32_every_derivative_of_forces_to_40_digits)
-{
-    static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_MODES };
-    for (size_t i = 0; i < LEN(kinds) * LEN(ref_forces); i++) {
-        const size_t row = i / LEN(kinds);
-        double got[SLOPES];
-        slopes_by(row, kinds[i % LEN(kinds)], got);
-        for (size_t j = 0; j < SLOPES; j++) {
-            const int by_alpha = j == 22;
-            const double want = ref_forces[row].want[j], unit = larger(1, fabs(want));
-            ck_assert_int_eq(isnan(want), isnan(got[j]));
-            if (isnan(want))
-                continue;
-            seen_worst(fabs(got[j] - want) / unit, by_alpha ? "by alpha" : "worst");
-            ck_assert_near(got[j], want, (by_alpha ? 1e-9 : 1e-12) * unit, "%s past %d alpha=%g, derivative %zu",
-                           ref_forces[row].method->name, (int)ref_forces[row].past, ref_forces[row].alpha, j);
-        }
-    }
-}
-END_TEST
-
-/* ---- other systems, against differences ---- */
+/* ---- systems of all kinds, against differences ---- */
 
 enum { T = 3 /* coordinates */, ROWS = 25, MOST_NUMBERS = 9 };
 
@@ -192,41 +111,13 @@ static size_t count_of(const numbers *n)
     return n->kind == CHAIN ? T : n->kind == STRUCTURE ? 1 + T : 2;
 }
 
-/* sum a f + b I^2/2, and its slopes, which may be NULL. */
 static double loss(const fvi_method *method, const numbers *n, double *force, double *impulse)
 {
-    const size_t count = count_of(n);
     made m;
-    fvi_stepper *s;
-    fvi_observer *o;
-    fvi_observation now;
-    double sum = 0;
     make(n, &m);
-    ck_assert_int_eq(fvi_stepper_start(method, &m.run, &s, NULL), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_observer_start(s, FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_OWN_STEPS, &o, NULL), FVI_SUCCESS);
-    for (size_t k = 0; k <= ROWS; k++) {
-        ck_assert_int_eq(fvi_observer_read(o, s, s->t, &now), FVI_SUCCESS);
-        for (size_t i = 0; i < count; i++) {
-            const double a = weight(k, i, 0), b = weight(k, i, 1);
-            sum += a * now.force[i] + b * now.impulse[i] * now.impulse[i] / 2;
-            if (force)
-                force[k * count + i] = a;
-            if (impulse)
-                impulse[k * count + i] = b * now.impulse[i];
-        }
-        if (k < ROWS)
-            ck_assert_int_eq(fvi_observer_step(o, s), FVI_SUCCESS);
-    }
-    fvi_observer_free(o);
-    fvi_stepper_free(s);
+    const double sum = loss_of_forces(method, &m.run, count_of(n), force, impulse);
     unmake(&m);
     return sum;
-}
-
-static int nothing(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp)
-{
-    (void)k, (void)d, (void)x, (void)p, (void)params, (void)Jx, (void)Jp;
-    return 0;
 }
 
 typedef struct {
@@ -409,7 +300,6 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("adjoint of forces");
-    ADD_CASE(suite, "values", eq_23_32_every_derivative_of_forces_to_40_digits);
     ADD_CASE(suite, "walls", eq_23_33_random_runs_with_walls, eq_23_33_an_impulse_of_the_force_is_none_of_a_damper);
     ADD_CASE(suite, "refused", what_has_no_derivatives_of_forces_is_refused);
     return run_suite(suite);
