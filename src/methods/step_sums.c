@@ -163,6 +163,10 @@ int fvi_step_forces_at_stages(const fvi_stepper *s, size_t k, size_t stages,
     const double h = s->run.h, left = (double)k * h, right = (double)(k + 1) * h;
     const size_t d = s->run.system->d;
     int status = FVI_SUCCESS;
+    if (!s->run.system->force.value) {
+        memset(F, 0, stages * d * sizeof *F);
+        return FVI_SUCCESS;
+    }
     for (size_t i = 0; i < stages && !status; i++)
         status = fvi_step_force(s,
                                 fvi_inner_time(left, right, h, left + rule->c[i] * h, i,

@@ -15,7 +15,7 @@ typedef struct {
     double h;
     const double *const *W; /* of each damper, or NULL */
     double *M, *K, *C;      /* d x d, C of each damper */
-    double *scale;          /* d: M_pp^(-1/2), which takes the units out of the equation */
+    double *scale;          /* d: (M_pp + h^2 K_pp)^(-1/2): rows of stiff and of light bodies become of one size */
     double *unit, *column;  /* d */
     double *E;              /* the equation, s d x s d: stage i of unknown p is row i d + p */
 } equation;
@@ -68,7 +68,7 @@ static int read_matrices(const equation *e)
             if (e->W[j])
                 status = read_damping(e, j, q);
         e->unit[q] = 0;
-        e->scale[q] = 1 / sqrt(e->M[q * e->d + q]);
+        e->scale[q] = 1 / sqrt(e->M[q * e->d + q] + e->h * e->h * e->K[q * e->d + q]);
     }
     return status;
 }

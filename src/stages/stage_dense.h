@@ -14,7 +14,8 @@ enum { FVI_STAGE_DENSE = 64 }; /* stages times unknowns, up to which the inverse
  *   W  as for fvi_stage_solver_alloc
  *   G  output: column after column, fvi_dense_rows(s d) rows each; free it. s d <= FVI_STAGE_DENSE
  *
- * Cost (s d)^3 products, 20 us for 5 unknowns and 8 stages. Accuracy: u times the condition number of the equation.
+ * Cost (s d)^3 products, 20 us for 5 unknowns and 8 stages. Accuracy: u times the condition number of the equation
+ * after its rows and columns are divided by sqrt(M_pp + h^2 K_pp).
  * Returns FVI_SUCCESS; FVI_ENOMEM; FVI_ESING; what the functions of the matrices return. */
 int fvi_stage_dense(const fvi_matrices *matrices, size_t d, size_t s, double h, const double *const *W, double **G);
 

@@ -34,13 +34,14 @@ typedef enum {
 int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, double h,
                            const double *const *W, fvi_stage_way way, fvi_stage_solver **solver);
 
-/* fvi_stage_solver_solve -- delta of a load, s d numbers each, stage i of unknown j at [i * d + j]. Accuracy: by pairs u
- * times the norms of the projectors, about 100 for s = 8; as one matrix some u. Returns what solve and solve_complex
- * return. */
+/* fvi_stage_solver_solve -- delta of a load, s d numbers each, stage i of unknown j at [i * d + j]. Accuracy: u times
+ * the condition number of the equation; by pairs the norms of the projectors come in, too, about 100 for s = 8. Returns
+ * what solve and solve_complex return. */
 int fvi_stage_solver_solve(fvi_stage_solver *solver, const double *load, double *delta);
 
 /* fvi_stage_solver_filter -- about how far an error of the load of all stages moves v: |lambda Z^{-1} h load| of the
- * first pair, which is complex. d numbers each, not negative. s is even; the solver is one of pairs. Returns what solve_complex returns. */
+ * first pair, which is complex. d numbers each, not negative. s is even; the solver is one of pairs. Returns what
+ * solve_complex returns. */
 int fvi_stage_solver_filter(fvi_stage_solver *solver, const double *load, double *size);
 
 /* fvi_stage_solver_free -- give everything back. NULL is allowed. */
