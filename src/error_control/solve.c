@@ -356,8 +356,11 @@ static int solve_to_tolerance(fvi_solve_state *o)
         return fvi_no_memory(o->error, NULL);
     double *p = x + rows * d;
     int status = search(o, x, p);
-    if (status == FVI_ETOL && o->report->until < o->run.h * (double)o->run.steps / 20)
-        o->report->until = 0; /* where roundings are too large at once nobody asks for less of the motion */
+    const double T = o->run.h * (double)o->run.steps;
+    /* Where roundings are too large at once nobody asks for less of the motion; and if two runs agree up to T, it is their
+     * order that is not trusted, which no shorter motion mends. */
+    if (status == FVI_ETOL && !(o->report->until >= T / 20 && o->report->until < T * (1 - 1e-9)))
+        o->report->until = 0;
     if (status)
         fail_of_search(o, status);
     else if (o->out->observed)

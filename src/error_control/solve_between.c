@@ -1,6 +1,7 @@
 /* src/error_control/solve_between.c -- To a tolerance at any times, by the paths of stages. [H 17, 18] */
 #include "solve_state.h"
 
+#include "error_control/search_bound.h"
 #include "error_control/step_search.h"
 #include "system/fail.h"
 #include "system/larger.h"
@@ -46,12 +47,20 @@ static int rows_at_times(const fvi_solve_state *o, size_t parts, double *x, doub
     return status;
 }
 
+/* The last of the times up to which two runs are no further apart than the tolerance. */
+static double agreed_until(const fvi_solve_state *o, const double *x, const double *before)
+{
+    const size_t k = fvi_search_agreed(o->out->rows, o->run.system->d, x, before, o->tolerance);
+    return k > 0 ? o->out->t[k - 1] : 0;
+}
+
 /* Halve the steps until two runs agree at the times, and give out the finer one. */
 static int halve(fvi_solve_state *o, size_t parts, size_t most, double *x, double *p, double *before)
 {
     const size_t length = o->out->rows * o->run.system->d;
     double least = INFINITY;
     int status = rows_at_times(o, parts, before, p);
+    o->report->until = 0; /* that the ends of steps agree says nothing of the times */
     while (!status) {
         if (parts > most / 2 / o->run.steps) {
             o->report->error = least;
@@ -67,6 +76,8 @@ static int halve(fvi_solve_state *o, size_t parts, size_t most, double *x, doubl
             o->report->error = larger(o->report->error, difference);
             return FVI_SUCCESS;
         }
+        if (!status)
+            o->report->until = larger(o->report->until, agreed_until(o, x, before));
         memcpy(before, x, length * sizeof *before);
     }
     return status;

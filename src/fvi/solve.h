@@ -112,7 +112,8 @@ typedef struct {
  *   step_error    of fvi_variable_step with a tolerance: that of a step of the run whose rows are given out
  *   agreed, agreed_until, events_differ  for FVI_ETOL with events: how many of them the last two runs have in
  *             common, the time of the last of these, and nonzero if the runs differ behind it
- *   until     for FVI_ETOL: up to this time the tolerance is reached, by an estimate; 0 if that is less than a twentieth of T */
+ *   until     for FVI_ETOL: up to this time the tolerance is reached, by an estimate; 0 if that is less than a twentieth
+ *             of T, or all of it, where two runs agree but do not come nearer to each other as they should */
 typedef struct {
     const fvi_method *method, *other;
     size_t steps, rejected;

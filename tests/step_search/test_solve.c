@@ -244,6 +244,7 @@ START_TEST(the_error_between_steps_is_seen_where_their_ends_have_none)
     ck_assert(report.error <= tolerance && report.error > report.h * report.h / 100);
     ck_assert_int_eq(fvi_solve(&problem, &options, &few, &outputs, &report, &error), FVI_ETOL);
     ck_assert(report.error > 1e-9 && report.error < 1e-6 && report.steps <= 4096);
+    ck_assert_double_eq(report.until, 0); /* the ends of the steps are right up to T, and the times are not */
 }
 END_TEST
 
@@ -330,7 +331,6 @@ START_TEST(rows_come_in_order)
 }
 END_TEST
 
-/* What cannot be reached is said with what can. */
 /* A double well that is driven is chaotic: near motions part like e^(0.2 t). The time up to which the tolerance is reached
  * grows with it, and a motion up to there has it. */
 START_TEST(the_time_up_to_which_a_tolerance_is_reached_is_told)
@@ -361,6 +361,22 @@ START_TEST(the_time_up_to_which_a_tolerance_is_reached_is_told)
 }
 END_TEST
 
+/* Two runs agree up to T, and there is no third run that shows an order: no shorter motion is advised. */
+START_TEST(no_time_is_told_where_runs_agree_to_the_end)
+{
+    double x[17];
+    const fvi_problem problem = duffing();
+    const fvi_solve_options options = { .method = &fvi_lobatto_m4 };
+    const fvi_outputs outputs = { .rows = LEN(x), .x = x };
+    const fvi_accuracy two_runs = { .tolerance = 1e-6, .most_steps = 256 };
+    fvi_report report;
+    ck_assert_int_eq(fvi_solve(&problem, &options, &two_runs, &outputs, &report, &error), FVI_ETOL);
+    ck_assert(isinf(report.error) && report.until == 0);
+    ck_assert_ptr_null(strstr(error.text, "it is reached"));
+}
+END_TEST
+
+/* What cannot be reached is said with what can. */
 START_TEST(the_smallest_estimate_is_reported)
 {
     const fvi_problem problem = duffing();
@@ -388,6 +404,7 @@ int main(void)
              a_tolerance_is_reached_whatever_the_method,
              a_method_and_a_step_are_steps,
              what_is_wrong_has_field_value_and_index, rows_come_in_order,
-             the_smallest_estimate_is_reported, the_time_up_to_which_a_tolerance_is_reached_is_told);
+             the_smallest_estimate_is_reported, the_time_up_to_which_a_tolerance_is_reached_is_told,
+             no_time_is_told_where_runs_agree_to_the_end);
     return run_suite(suite);
 }
