@@ -107,12 +107,15 @@ static int sort_words(sorter *s, int argc, char **argv)
 int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char **argv,
                         fvi_subcommand_options *w, fvi_options *o, fvi_error *c)
 {
-    char **room = malloc(((size_t)argc + 3 + FVI_PRESETS_MOST) * sizeof *room);
-    if (!room) {
+    char **run = malloc(((size_t)argc + 3 + FVI_PRESETS_MOST) * sizeof *run);
+    if (!run)
         return fvi_no_memory(c, NULL);
-    }
-    sorter s = { command, w, room + 3, 0, c };
+    run[0] = argv[0];
+    run[1] = "run";
+    sorter s = { command, w, run + 2, 0, c };
     int status = sort_words(&s, argc, argv);
+    if (command->method && !w->given[METHOD])
+        s.run[s.count++] = command->method;
     for (size_t i = 0; command->presets && command->presets[i]; i++)
         if (!w->given[fvi_option_named(command->presets[i])])
             s.run[s.count++] = command->presets[i];
@@ -123,22 +126,13 @@ int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char 
             s.run[s.count++] = w->more;
         s.run[s.count] = NULL;
     }
-    /* The method goes ahead: a last word without its value must not find it there. */
-    const int preset = command->method && !w->given[METHOD];
-    char **run = room + !preset;
-    run[0] = argv[0];
-    run[1] = "run";
-    if (preset)
-        run[2] = command->method;
     if (!status)
-        status = fvi_options_parse(s.count + 2 + preset, run, o, c);
-    free(room);
+        status = fvi_options_parse(s.count + 2, run, o, c);
+    free(run);
     if (!status && o->mechanism && !o->text[DAMPER] && !o->text[LAGRANGIAN]
-        && !o->text[CONSTRAINT] && !o->text[IMPOSE] && !o->text[FORCE_ON]) { /* a mass of 0, a potential with t in it */
-        status = fvi_refuse(c, o->potential_has_time ? "potential" : "mass", "'%s' is not for %s",
-                            o->text[o->potential_has_time ? POTENTIAL : MASS], command->name);
-        fvi_options_free(o);
-    }
+        && !o->text[CONSTRAINT] && !o->text[IMPOSE] && !o->text[FORCE_ON]) /* a mass of 0, a potential with t in it */
+        return fvi_refuse(c, o->potential_has_time ? "potential" : "mass", "'%s' is not for %s",
+                          o->text[o->potential_has_time ? POTENTIAL : MASS], command->name);
     return status;
 }
 
