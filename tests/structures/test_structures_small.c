@@ -127,13 +127,14 @@ START_TEST(eq_27_14_pairs_and_one_matrix_beside_an_exact_elimination)
 }
 END_TEST
 
-/* Masses from 1e-16 to 1 between springs of 1, undamped. The condition of A is at most 42 and that of K at most 33, so with rows
- * of one size that of the equation is about 1400, and 1400 u = 1.6e-13 are allowed. In units of the masses alone some
- * rows are 1e14 times others, and the error is 1e-10. Seen: 1.4e-14. */
+/* Masses from 1e-16 to 1 between springs of 1, and one damper. The condition of A is at most 42 and that of K at most
+ * 33. h W of the damper is up to 10 times h^2 K of its two rows. So with rows of one size the condition of the equation
+ * is about 42 * 33 * 10, and 1e4 u = 1.1e-12 are allowed. In units of the masses alone some rows are 1e14 times others,
+ * and the error is 4e-10. Seen: 6.3e-13. */
 START_TEST(eq_27_14_one_matrix_with_light_masses)
 {
     uint64_t seed = 5;
-    double by_pairs = 0, as_one = 0;
+    double by_pairs = 0, as_one = 0, W[FVI_STAGES * FVI_STAGES];
     for (int run = 0; run < 200; run++) {
         const size_t s = 2 + (size_t)run % 7;
         small of = { .d = FVI_STAGE_DENSE / s < MOST ? (int)(FVI_STAGE_DENSE / s) : MOST - 1 };
@@ -145,11 +146,12 @@ START_TEST(eq_27_14_one_matrix_with_light_masses)
         make_dampers(&seed, &of);
         OK(fvi_structure_alloc_dampers(&of.M, &of.K, 1, of.damper, &of.structure, NULL));
         of.system = fvi_structure_system(of.structure);
-        const double *each[] = { NULL };
+        const double *each[] = { W };
+        OK(fvi_lobatto_weights(s, 0.2, 1, W));
         find_errors(of.system.matrices, s, (size_t)of.d, 0.1, each, &seed, &by_pairs, &as_one);
         drop_small(&of);
     }
-    ck_assert_msg(as_one > 0 && as_one <= 1400 * U, "as one matrix: %g", as_one);
+    ck_assert_msg(as_one > 0 && as_one <= 1e4 * U, "as one matrix: %g", as_one);
     seen_worst(as_one, "light masses");
 }
 END_TEST
