@@ -76,8 +76,8 @@ int fvi_kernel_check(const fvi_kernel *law);
  *   term    its rho is a factor; the other numbers are not read
  *   value   C(s) at s = re + i im, by the principal logarithm: im = 0 with re < 0 is the
  *           upper side of the cut. Analytic but for s <= 0, real for s > 0, finite at i omega,
- *           and growing no faster than s^2; poles with |arg s| < 34 degrees are looked for. Whether the law takes energy, with an imaginary
- *           part that is not negative at i omega, is not asked
+ *           and growing no faster than s^2; poles with |arg s| < 34 degrees are looked for. Whether
+ *           the law takes energy, with an imaginary part that is not negative at i omega, is not asked
  *   params  handed on to value
  *
  * Its weights come from Cauchy's integral, and its modes from the values on the cut if 512

@@ -51,8 +51,8 @@ enum { FVI_FIT_MOST_EQUAL_STEPS = 1 << 17 }; /* of a run whose steps are equally
  *              search may leave it, but alpha stays within what the method knows and
  *              rho and the mass stay positive
  *   starts     how many searches, >= 2
- *   h          0: the step is found; else it is h at most, and not halved. It is never
- *              shorter than a part FVI_FIT_MOST_EQUAL_STEPS of the last time: such an h is FVI_EDOM */
+ *   h          0: the step is found; else it is h at most, and not halved. No step is shorter than the
+ *              last time divided by FVI_FIT_MOST_EQUAL_STEPS: a shorter h is FVI_EDOM */
 typedef struct {
     const fvi_method *method;
     const fvi_run *run;

@@ -156,8 +156,8 @@ const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
  * lift-off moves the body by its square only. A body is at rest after an impact from which it would rise no
  * higher than the tolerance. For example, for a ball that falls with g = 1 from the height 1 onto z = x with e = 1/2,
  * hop n is 4^-n high; so with the tolerance 1e-6 it is at rest after the tenth, as 4^-10 = 0.95e-6. An event within
- * tolerance / speed of the end, and within a thousandth of T, may stand in one of the runs only. Where runs of any steps differ in their events, as
- * where z only touches 0, or where a motion is chaotic, FVI_ETOL says so.
+ * tolerance / speed of the end, and within a thousandth of T, may stand in one of the runs only. Where runs of any steps
+ * differ in their events, as where z only touches 0, or where a motion is chaotic, FVI_ETOL says so.
  *
  * fvi_variable_step gives out any time. So do methods with stages, by the path of their stages
  * (lobatto.h), if `observed` is NULL: between two steps x is then of the order of the stages s, and p of s - 1. Else

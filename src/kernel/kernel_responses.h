@@ -21,7 +21,8 @@ enum { FVI_KERNEL_RESPONSES = 4 };
  *
  * For example, a dashpot C = s has 0, 1, t and t^2/2. Accuracy: 1e-12 of each number (no proof; seen 4e-14), and
  * 1e-12 of the largest earlier one where a law rings. Cost: 63 values C(s) for the times from t to 4 t, and 63
- * exponential functions for each time; of one power 4 powers of t for each time. Returns FVI_SUCCESS or FVI_ENOMEM; on error response is untouched. */
+ * exponential functions for each time; of one power 4 powers of t for each time. Returns FVI_SUCCESS or FVI_ENOMEM;
+ * on error response is untouched. */
 int fvi_kernel_responses(const fvi_kernel *law, double h, size_t count, double *response);
 
 #endif
