@@ -112,20 +112,36 @@ static int differentiate(const changed_run *o, double *number, double step, int 
 
 /* An order of s, half of it: the first rows change their form where it is a whole number. The force at t = 0 does not
  * know the order, or it jumps there, but for Cole and Davidson's. Each derivative of h^(2 alpha) multiplies it by
- * 2 log h, so a short h takes a short step in alpha. */
-static int by_order(const changed_run *o, double *number, int has_start, double *to)
+ * 2 log h, so a short h takes a short step in alpha. No point is as far away as the other order of the term, the gap. */
+static int by_order(const changed_run *o, double *number, double gap, int has_start, double *to)
 {
     static const double borders[] = { 0, 0.5, 1 };
     enum { COUNT = sizeof borders / sizeof *borders };
-    const double step = 1. / 256 / larger(1, fabs(log(o->run.h)) / log(16));
+    const double step = smaller(gap / 7, 1. / 256 / larger(1, fabs(log(o->run.h)) / log(16)));
     return differentiate(o, number, step, side_of(*number, step, borders, COUNT), has_start, to);
 }
 
-/* A number that is not negative. */
-static int by_size(const changed_run *o, double *number, double *to)
+/* A time, which is not negative. */
+static int by_time(const changed_run *o, double *number, double *to)
 {
     const double step = *number > 0 ? *number / 64 : 1. / 256;
     return differentiate(o, number, step, *number == 0, 1, to);
+}
+
+/* The factor of a term, which is not negative. The first rows see the law at s = 1/h. There `whole` is the factor with which
+ * the term would be the whole law. A factor that is a small part of it takes a step of the law, as its own would be lost
+ * in the roundings of L. If the term is the whole law, and not two springpots in series, L is affine in the factor: then
+ * every step is right. */
+static int by_factor(const changed_run *o, fvi_kernel_term *term, double *to)
+{
+    fvi_kernel_term unit = *term;
+    const fvi_kernel alone = { 1, &unit };
+    unit.rho = 1;
+    const double whole = fvi_kernel_symbol(&o->kernel, 1 / o->run.h) / fvi_kernel_symbol(&alone, 1 / o->run.h);
+    const int is_affine = o->kernel.count == 1 && term->kind != FVI_KERNEL_MAXWELL2,
+              is_lost = whole == 0 || (is_affine && term->rho < 1e-9);
+    const double step = is_lost ? 1. / 256 : larger(term->rho / 64, whole / 256);
+    return differentiate(o, &term->rho, step, term->rho < 3.5 * step, 1, to);
 }
 
 static int by_term(const changed_run *o, size_t l, size_t to, const fvi_sensitivities *want)
@@ -135,13 +151,14 @@ static int by_term(const changed_run *o, size_t l, size_t to, const fvi_sensitiv
     const int has_order = kind != FVI_KERNEL_MAXWELL && kind != FVI_KERNEL_SYMBOL,
               has_time = kind != FVI_KERNEL_POWER && kind != FVI_KERNEL_DISTRIBUTED && kind != FVI_KERNEL_SYMBOL,
               has_end = kind == FVI_KERNEL_DISTRIBUTED || kind == FVI_KERNEL_MAXWELL2;
-    int status = want->terms ? by_size(o, &term->rho, want->terms + to) : FVI_SUCCESS;
+    const double gap = has_end ? fabs(term->end - term->alpha) : INFINITY;
+    int status = want->terms ? by_factor(o, term, want->terms + to) : FVI_SUCCESS;
     if (!status && want->orders && has_order)
-        status = by_order(o, &term->alpha, kind == FVI_KERNEL_DAVIDSON, want->orders + to);
+        status = by_order(o, &term->alpha, gap, kind == FVI_KERNEL_DAVIDSON, want->orders + to);
     if (!status && want->times && has_time)
-        status = by_size(o, &term->time, want->times + to);
+        status = by_time(o, &term->time, want->times + to);
     if (!status && want->ends && has_end)
-        status = by_order(o, &term->end, 0, want->ends + to);
+        status = by_order(o, &term->end, gap, 0, want->ends + to);
     return status;
 }
 
@@ -236,7 +253,7 @@ int fvi_force_numbers(const fvi_method *method, const fvi_run *run, const double
     changed_run o = { .method = method, .of = run, .force = force, .shares = shares, .run = *run };
     int status = begin(&o);
     if (!status && want->alpha)
-        status = by_order(&o, &o.run.alpha, 0, want->alpha);
+        status = by_order(&o, &o.run.alpha, INFINITY, 0, want->alpha);
     else if (!status)
         status = by_laws(&o, want);
     free(o.impulse);

@@ -240,6 +240,77 @@ START_TEST(eq_23_33_random_runs_with_walls)
 }
 END_TEST
 
+/* ---- laws whose numbers leave little room ---- */
+
+/* Derivatives of the forces of one body by the numbers of a law. */
+static void by_law(const fvi_method *method, const fvi_kernel *law, double *terms, double *orders, double *ends)
+{
+    const double mass = 1, rho = 1, x0 = 1, p0 = 0.3;
+    double c = 1, force[ROWS + 1];
+    const fvi_system system = { .d = 1, .mass = &mass, .damping = &rho, .potential = fvi_potential_harmonic(&c) };
+    fvi_run run = fvi_run_default(&system, &x0, &p0, 1. / 16, ROWS);
+    const fvi_objective J = { .slopes = nothing };
+    const fvi_sensitivities want = { .terms = terms, .orders = orders, .ends = ends };
+    run.law = law;
+    for (size_t k = 0; k <= ROWS; k++)
+        force[k] = weight(k, 0, 0);
+    ck_assert_int_eq(fvi_adjoint_forces(method, &run, &J, force, NULL, &want), FVI_SUCCESS);
+}
+
+static const fvi_method *const methods_of_laws[] = { &fvi_fractional, &fvi_cq_bdf2, &fvi_cq2_midpoint, &fvi_lobatto_m3,
+                                                     &fvi_lobatto_d3 };
+
+/* A law rho times the integral of s^(2 a) over a from 0.3 to 0.305. Its derivative by the end of this interval is that by a
+ * factor of s^0.61, times rho, and by the beginning it is that by a factor of -s^0.6. The last two terms have these
+ * factors, which are 0. All are quotients, each to 1e-9. Seen: 1.3e-10. */
+START_TEST(eq_23_32_orders_that_are_close)
+{
+    const fvi_kernel_term term[] = { { FVI_KERNEL_DISTRIBUTED, 0.7, 0.3, 0, 0.305 },
+                                     { FVI_KERNEL_POWER, 0, 0.3, 0, 0 },
+                                     { FVI_KERNEL_POWER, 0, 0.305, 0, 0 } };
+    const fvi_kernel law = { 3, term };
+    for (size_t i = 0; i < LEN(methods_of_laws); i++) {
+        double terms[3], orders[3], ends[3];
+        by_law(methods_of_laws[i], &law, terms, orders, ends);
+        const double unit = fabs(terms[1]);
+        seen_worst(larger(fabs(orders[0] + 0.7 * terms[1]), fabs(ends[0] - 0.7 * terms[2])) / unit, "close orders");
+        ck_assert_near(orders[0], -0.7 * terms[1], 2e-9 * unit, "%s: the beginning", methods_of_laws[i]->name);
+        ck_assert_near(ends[0], 0.7 * terms[2], 2e-9 * unit, "%s: the end", methods_of_laws[i]->name);
+    }
+}
+END_TEST
+
+/* Forces of a damper that does not slow the body are rho times those of rho = 1. At rho = 1e-8 it slows the body by about
+ * this part, so the derivatives by rho there and at 1e-30 agree to 1e-7. */
+START_TEST(eq_23_32_a_factor_that_is_tiny)
+{
+    for (size_t i = 0; i < LEN(methods_of_laws); i++) {
+        double by[2];
+        for (size_t j = 0; j < 2; j++) {
+            const fvi_kernel_term term = { FVI_KERNEL_ZENER, j ? 1e-8 : 1e-30, 0.3, 0.4, 0 };
+            const fvi_kernel law = { 1, &term };
+            by_law(methods_of_laws[i], &law, by + j, NULL, NULL);
+        }
+        seen_worst(fabs(by[0] / by[1] - 1), "tiny factor");
+        ck_assert_near(by[0], by[1], 1e-7 * fabs(by[1]), "%s", methods_of_laws[i]->name);
+    }
+}
+END_TEST
+
+/* Two terms of one order are one term, so the derivatives by their factors are the same, to 1e-9 of 1 each. */
+START_TEST(eq_23_32_a_factor_that_is_a_millionth_of_its_law)
+{
+    const fvi_kernel_term term[] = { { FVI_KERNEL_POWER, 1, 0.3, 0, 0 }, { FVI_KERNEL_POWER, 1e-6, 0.3, 0, 0 } };
+    const fvi_kernel law = { 2, term };
+    for (size_t i = 0; i < LEN(methods_of_laws); i++) {
+        double by[2];
+        by_law(methods_of_laws[i], &law, by, NULL, NULL);
+        seen_worst(fabs(by[0] - by[1]), "a millionth");
+        ck_assert_near(by[0], by[1], 2e-9, "%s", methods_of_laws[i]->name);
+    }
+}
+END_TEST
+
 /* ---- impulses of the force, and what is refused ---- */
 
 /* What hits the body at a node reaches no damper at once: with a mass of 1 and one step J is that of the run that starts
@@ -300,6 +371,8 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("adjoint of forces");
+    ADD_CASE(suite, "laws", eq_23_32_orders_that_are_close, eq_23_32_a_factor_that_is_tiny,
+             eq_23_32_a_factor_that_is_a_millionth_of_its_law);
     ADD_CASE(suite, "walls", eq_23_33_random_runs_with_walls, eq_23_33_an_impulse_of_the_force_is_none_of_a_damper);
     ADD_CASE(suite, "refused", what_has_no_derivatives_of_forces_is_refused);
     return run_suite(suite);
