@@ -60,7 +60,7 @@ static inline uint64_t ulp_distance(double a, double b)
         uint64_t ulps_ = (ulps), distance_ = ulp_distance(got_, want_);        \
         seen_worst((double)distance_, "ulp");                                  \
         if (!(distance_ <= ulps_)) {                                           \
-            char where_[200];                                                  \
+            char where_[512];                                                  \
             snprintf(where_, sizeof where_, __VA_ARGS__);                      \
             ck_abort_msg("%s: got %.17g (%a), want %.17g (%a): %llu ulp, "     \
                          "allowed %llu",                                       \
@@ -76,7 +76,7 @@ static inline uint64_t ulp_distance(double a, double b)
         double got_ = (got), want_ = (want), bound_ = (bound);                 \
         seen_worst(fabs(got_ - want_) / bound_, "of the bound");               \
         if (!(fabs(got_ - want_) <= bound_)) {                                 \
-            char where_[200];                                                  \
+            char where_[512];                                                  \
             snprintf(where_, sizeof where_, __VA_ARGS__);                      \
             ck_abort_msg(                                                      \
                 "%s: got %.17g, want %.17g: off by %.3g, allowed %.3g",        \

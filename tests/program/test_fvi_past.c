@@ -21,14 +21,6 @@ static size_t column(size_t c, double *x)
     return k;
 }
 
-static double largest_difference(size_t n, const double *x, const double *y)
-{
-    double worst = 0;
-    for (size_t k = 0; k < n; k++)
-        worst = larger(worst, fabs(x[k] - y[k]));
-    return worst;
-}
-
 /* The names that `fvi methods` prints. */
 static size_t known_methods(char names[METHODS][40])
 {
