@@ -1,6 +1,6 @@
 /* figures/lagrangian/lagrangian_differences.c -- A body on a strut, by an action and by differences.
  *
- * Prints two blocks of t, x1, x2, E, J, E and J by differences, up to t = 400: one with steps of 0.2,
+ * Prints two blocks of t, x1, x2, E, J, and E, J, x1, x2 by differences, up to t = 400: one with steps of 0.2,
  * and one with steps of 0.025, every 40 units, as the truth. E is the energy, J the angular
  * momentum. The action is that of stage 13 of the Course, the differences are those of
  * tests/lagrangian/strut_differences.h. */
@@ -16,13 +16,13 @@ static void print_run(double step_length, int steps, int every)
     run(steps);
     run_differences(steps);
     for (int k = 0; k <= steps; k += every)
-        printf("%.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", k * h, x[k][0], x[k][1], energy(k),
-               turning(k), energy_differenced(k), turning_differenced(k));
+        printf("%.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", k * h, x[k][0], x[k][1], energy(k),
+               turning(k), energy_differenced(k), turning_differenced(k), x_differenced[k][0], x_differenced[k][1]);
 }
 
 int main(void)
 {
-    printf("# t, x1, x2, E, J, E and J by differences: h = 0.2\n");
+    printf("# t, x1, x2, E, J, and E, J, x1, x2 by differences: h = 0.2\n");
     print_run(0.2, 2000, 1);
     printf("\n\n# h = 0.025\n");
     print_run(0.025, 16000, 1600);
