@@ -14,10 +14,14 @@ struct fvi_factors {
     fvi_cholmod *cholmod;
 };
 
+fvi_way fvi_way_of_band(size_t w)
+{
+    return w == 0 ? FVI_BY_DIAGONAL : w <= NARROW ? FVI_BY_BAND : FVI_BY_CHOLMOD;
+}
+
 fvi_way fvi_way_of(const fvi_sparse *A)
 {
-    const size_t w = fvi_sparse_half_band(A);
-    return w == 0 ? FVI_BY_DIAGONAL : w <= NARROW ? FVI_BY_BAND : FVI_BY_CHOLMOD;
+    return fvi_way_of_band(fvi_sparse_half_band(A));
 }
 
 /* ---- bands ---- */

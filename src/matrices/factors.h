@@ -12,8 +12,9 @@ typedef enum {
     FVI_BY_CHOLMOD
 } fvi_way;
 
-/* fvi_way_of -- which one a matrix is solved by. */
+/* fvi_way_of -- which one a matrix is solved by. fvi_way_of_band -- one of such a half bandwidth. */
 fvi_way fvi_way_of(const fvi_sparse *A);
+fvi_way fvi_way_of_band(size_t half_band);
 
 typedef struct fvi_factors fvi_factors;
 

@@ -67,32 +67,41 @@ static int sum(size_t count, const fvi_sparse *const *A, const double *factor,
     return status;
 }
 
-static int eliminate_band(complex_solver *c)
+/* The sum as a band: no pattern is looked for, as most of a short run of fvi-adaptive would be that. */
+static int eliminate_band(size_t count, const fvi_sparse *const *A, const double *factor, complex_solver *c)
 {
-    c->band = calloc(c->n * (c->w + 1), sizeof *c->band);
+    const size_t row = c->w + 1;
+    c->band = calloc(c->n * row, sizeof *c->band);
     if (!c->band)
         return FVI_ENOMEM;
-    for (size_t j = 0; j < c->n; j++)
-        for (int e = c->start[j]; e < c->start[j + 1]; e++) {
-            const size_t i = (size_t)c->row[e];
-            if (i >= j)
-                c->band[i * (c->w + 1) + c->w + j - i] = c->entry[e];
-        }
+    for (size_t l = 0; l < count; l++) {
+        const double complex a = factor[2 * l] + I * factor[2 * l + 1];
+        for (size_t j = 0; j < c->n; j++)
+            for (int e = A[l]->start[j]; e < A[l]->start[j + 1]; e++) {
+                const size_t i = (size_t)A[l]->row[e];
+                if (i >= j)
+                    c->band[i * row + c->w + j - i] += a * A[l]->entry[e];
+            }
+    }
     return factorise_band(c->n, c->w, c->band);
+}
+
+static size_t wider(size_t w, size_t other)
+{
+    return w > other ? w : other;
 }
 
 /* The matrices that are there, as they stand in the sum. */
 static int factorise_terms(size_t count, const fvi_sparse *const *terms,
                            const double *factor, complex_solver *c)
 {
+    for (size_t l = 0; l < count; l++)
+        c->w = wider(c->w, fvi_sparse_half_band(terms[l]));
+    if (fvi_way_of_band(c->w) != FVI_BY_CHOLMOD)
+        return eliminate_band(count, terms, factor, c);
     int status = sum(count, terms, factor, c);
-    if (status)
-        return status;
-    const fvi_sparse pattern = { .n = c->n, .start = c->start, .row = c->row };
-    c->w = fvi_sparse_half_band(&pattern);
-    if (fvi_way_of(&pattern) != FVI_BY_CHOLMOD)
-        return eliminate_band(c);
-    status = fvi_complex_factors_alloc(c->n, c->start, c->row, &c->factors);
+    if (!status)
+        status = fvi_complex_factors_alloc(c->n, c->start, c->row, &c->factors);
     return status ? status : fvi_complex_factors_of(c->factors, c->entry);
 }
 
