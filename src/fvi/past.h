@@ -49,7 +49,7 @@ typedef struct {
                  [FVI_KERNEL_IMPULSE_NODES / 2];            /* of its moments, k > 0 */
     size_t nodes;                                 /* n */
     double first[FVI_KERNEL_IMPULSE_NODES];                 /* the impulses of step 0 */
-    double basis[FVI_KERNEL_IMPULSE_NODES][FVI_KERNEL_IMPULSE_NODES]; /* l_i by P_n(2 s - 1) */
+    double basis[FVI_KERNEL_IMPULSE_NODES][FVI_KERNEL_IMPULSE_NODES]; /* of P_degree(2 s - 1) in l_i, at [degree][i] */
 } fvi_kernel_impulse;
 
 /* fvi_kernel_impulse_prepare -- for one order and the nodes of one method.

@@ -2,10 +2,13 @@
 #include <fvi/past.h>
 
 #include "system/digamma.h"
+#include "system/vectors.h"
 
 #include <gsl/gsl_machine.h>
 #include <math.h>
 #include <string.h>
+
+enum { NODES = FVI_KERNEL_IMPULSE_NODES };
 
 int fvi_initial_history_solvable(fvi_initial_history past, double alpha, double rho, double x0)
 {
@@ -67,18 +70,22 @@ static double lagrange_at(size_t n, const double *l, double c)
     return sum;
 }
 
-/* Newton's step for the inverse of the matrix P_degree(2 c_i - 1), which basis is: with
- * eight nodes the products of lagrange alone leave 240 u in the first step. */
-static void refine_basis(const double *c, fvi_kernel_impulse *pull)
+/* All l_i. Then Newton's step for the inverse of the matrix P_degree(2 c_i - 1), which basis is: with eight nodes the
+ * products of lagrange alone leave 240 u in the first step. */
+static void prepare_basis(const double *c, fvi_kernel_impulse *pull)
 {
     const size_t n = pull->nodes;
-    double basis[FVI_KERNEL_IMPULSE_NODES][FVI_KERNEL_IMPULSE_NODES];
-    memcpy(basis, pull->basis, sizeof basis);
+    double l[NODES][NODES];
+    for (size_t i = 0; i < n; i++)
+        lagrange(n, c, i, l[i]);
+    for (size_t i = 0; i < n; i++)
+        for (size_t degree = 0; degree < n; degree++)
+            pull->basis[degree][i] = l[i][degree];
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++) {
-            const double off = lagrange_at(n, basis[i], c[j]) - (i == j);
+            const double off = lagrange_at(n, l[i], c[j]) - (i == j);
             for (size_t degree = 0; degree < n; degree++)
-                pull->basis[i][degree] -= off * basis[j][degree];
+                pull->basis[degree][i] -= off * l[j][degree];
         }
 }
 
@@ -128,15 +135,13 @@ void fvi_kernel_impulse_prepare(double alpha, size_t n, const double *c,
     const double whole = 1 / tgamma(2 + e); /* int_0^1 s^e / Gamma(1 + e) ds */
     *pull = (fvi_kernel_impulse){ .e = e, .size = (1 + e) * whole, .nodes = n };
     prepare_series(pull);
-    for (size_t i = 0; i < n; i++)
-        lagrange(n, c, i, pull->basis[i]);
-    refine_basis(c, pull);
+    prepare_basis(c, pull);
     for (size_t i = 0; i < n; i++) {
         double moment = whole;
         for (size_t degree = 0; degree < n; degree++) {
             if (degree > 0)
                 moment *= part_of_lower(e, degree);
-            pull->first[i] += pull->basis[i][degree] * moment;
+            pull->first[i] += pull->basis[degree][i] * moment;
         }
         if (pull->size == 0)
             pull->first[i] = lagrange_at_zero(n, c, i);
@@ -146,39 +151,44 @@ void fvi_kernel_impulse_prepare(double alpha, size_t n, const double *c,
 //> impulses
 /* moments[degree] = int_0^1 (k + s)^e P_degree(2 s - 1) ds, k > 0, by the binomial series
  * about k + 1/2. Its terms fall at least like (2 k + 1)^-j; the first that is left out is
- * below u / 8, and it is the 37th at most. No term waits for a division. */
-static void legendre_moments(const fvi_kernel_impulse *pull, size_t k,
-                             double *moments)
+ * below u / 8, and it is the 37th at most. No term waits for a division. Term j has degrees of the parity of j only;
+ * degrees that the nodes do not reach have zeros, so all of one parity are summed side by side. */
+static inline void legendre_moments(const fvi_kernel_impulse *pull, size_t k, double *moments)
 {
     const double middle = (double)k + 0.5, x = 0.5 / middle;
     const double scale = pow(middle, pull->e);
-    double x_j = 1;
+    double x_j = 1, sum[2][NODES / 2] = { { 0 } };
     for (size_t j = 0; j < FVI_KERNEL_IMPULSE_TERMS; j++, x_j *= x) {
         const double *series = pull->series[j];
         if (!(fabs(series[0] * x_j) > GSL_DBL_EPSILON / 16))
             break;
-        for (size_t degree = j % 2; degree < pull->nodes; degree += 2)
-            moments[degree] += series[degree / 2] * x_j;
+#pragma omp simd
+        for (size_t l = 0; l < NODES / 2; l++)
+            sum[j % 2][l] += series[l] * x_j;
     }
-    for (size_t degree = 0; degree < pull->nodes; degree++)
-        moments[degree] *= scale;
+    for (size_t degree = 0; degree < NODES; degree++)
+        moments[degree] = sum[degree % 2][degree / 2] * scale;
+}
+
+/* The impulses of all nodes side by side, from zeros. */
+FVI_VECTORS static void find_impulses(const fvi_kernel_impulse *pull, size_t k, double *impulse)
+{
+    double moments[NODES];
+    legendre_moments(pull, k, moments);
+    for (size_t degree = 0; degree < pull->nodes; degree++) {
+        const double moment = pull->size * moments[degree];
+#pragma omp simd
+        for (size_t i = 0; i < NODES; i++)
+            impulse[i] += pull->basis[degree][i] * moment;
+    }
 }
 
 void fvi_kernel_impulses(const fvi_kernel_impulse *pull, size_t k, double *impulse)
 {
-    if (k == 0) {
-        memcpy(impulse, pull->first, pull->nodes * sizeof *impulse);
-        return;
-    }
-    double moments[FVI_KERNEL_IMPULSE_NODES] = { 0 };
-    if (pull->size != 0) /* alpha = 1: all was at t = 0 */
-        legendre_moments(pull, k, moments);
-    for (size_t i = 0; i < pull->nodes; i++) {
-        impulse[i] = 0;
-        for (size_t degree = 0; degree < pull->nodes; degree++)
-            impulse[i] +=
-                pull->basis[i][degree] * (pull->size * moments[degree]);
-    }
+    double all[NODES] = { 0 };
+    if (k > 0 && pull->size != 0) /* alpha = 1: all was at t = 0 */
+        find_impulses(pull, k, all);
+    memcpy(impulse, k > 0 ? all : pull->first, pull->nodes * sizeof *impulse);
 }
 //< impulses
 
@@ -228,7 +238,7 @@ void fvi_kernel_impulses_by_order(const fvi_kernel_impulse *pull, size_t k, doub
 {
     const double z = 1 + pull->e;
     const double slope = (1 - z * fvi_digamma(1 + z)) / tgamma(1 + z);
-    double moments[FVI_KERNEL_IMPULSE_NODES], rates[FVI_KERNEL_IMPULSE_NODES];
+    double moments[NODES], rates[NODES];
     if (k == 0)
         first_moments_rate(pull->e, pull->nodes, rates);
     else
@@ -238,7 +248,7 @@ void fvi_kernel_impulses_by_order(const fvi_kernel_impulse *pull, size_t k, doub
     for (size_t i = 0; i < pull->nodes; i++) {
         rate[i] = 0;
         for (size_t degree = 0; degree < pull->nodes; degree++)
-            rate[i] += pull->basis[i][degree] * rates[degree]; /* (23.12) */
+            rate[i] += pull->basis[degree][i] * rates[degree]; /* (23.12) */
     }
 }
 //< impulses-rate

@@ -16,6 +16,7 @@ typedef struct {
     fvi_run_damper of;
     size_t number, r;                  /* its place among the dampers of the run */
     double W[FVI_STAGES * FVI_STAGES]; /* what the velocities of a step do in this step */
+    double constant[FVI_STAGES];       /* the sums of its rows: what a velocity that stays 1 does */
     double scale;                      /* rho h^(-beta) before the sums of the history; 1 of a law */
     double *drift;                     /* r: of a velocity that the past does not see, else 0 */
     double *slope;                     /* s r: B^T V_i - drift of the step at hand, for the history */

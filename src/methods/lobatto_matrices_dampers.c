@@ -38,8 +38,10 @@ static int make_history(const fvi_run *run, size_t s, fvi_stage_damper *a)
     const int status = fvi_lobatto_history_of_damper(run, &a->of, s, a->r, a->Ydot != NULL,
                                                      fvi_stage_dampers_tolerance(run), &a->scale,
                                                      &a->memory);
-    for (size_t i = 0; !status && i < s * s; i++)
+    for (size_t i = 0; !status && i < s * s; i++) {
         a->W[i] = a->scale * fvi_lobatto_history_now(a->memory)[i];
+        a->constant[i / s] += a->W[i];
+    }
     return status;
 }
 
@@ -83,12 +85,9 @@ int fvi_stage_dampers_start(fvi_stepper *s, const double *v)
 /* What is known of the force of a damper at stage i, before S: z += ... */
 static void add_known(const fvi_stage_damper *a, size_t s, size_t i, const double *velocity)
 {
-    double row = 0;
-    for (size_t c = 0; c < s; c++)
-        row += a->W[i * s + c];
     double *force = a->force + i * a->r;
     for (size_t n = 0; n < a->r; n++)
-        force[n] = a->scale * a->Y[n * s + i] + row * velocity[n];
+        force[n] = a->scale * a->Y[n * s + i] + a->constant[i] * velocity[n];
 }
 
 /* The same for the derivative by 2 alpha at fixed h^(-beta); z holds B^T v_k. */
@@ -143,7 +142,15 @@ int fvi_stage_dampers_begin_step(const fvi_stepper *s, fvi_lobatto_matrices *o)
     return status;
 }
 
-/* force_i += sum_c W_ic change_c, r numbers each. */
+/* force_i += sum_c W_ic change_c. */
+static void add_weights_to_one(size_t s, const double *W, const double *change, double *force)
+{
+    for (size_t i = 0; i < s; i++)
+        for (size_t c = 0; c < s; c++)
+            force[i] += W[i * s + c] * change[c];
+}
+
+/* The same with r numbers each. */
 FVI_VECTORS static void add_weights(size_t s, size_t r, const double *W, const double *restrict change,
                                     double *restrict force)
 {
@@ -166,7 +173,9 @@ static int end_damper(const fvi_lobatto_matrices *o, fvi_stage_damper *a)
     for (size_t i = 0; !status && i < s; i++)
         for (size_t n = 0; n < r; n++)
             a->slope[n * s + i] = change[i * r + n];
-    if (!status)
+    if (!status && r == 1)
+        add_weights_to_one(s, a->W, change, a->force);
+    else if (!status)
         add_weights(s, r, a->W, change, a->force);
     for (size_t n = 0; !status && a->Ydot && n < r; n++)
         for (size_t i = 0; i < s; i++)
