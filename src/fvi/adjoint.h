@@ -122,8 +122,8 @@ typedef struct {
  *
  * One factorisation of the size of a Hessian a step, none if U is quadratic (with stages
  * always one, s - 2 times as large, in form D s times), and no iteration. Measured,
- * fvi_fractional, one coordinate, all derivatives, the rows given: half the time of the
- * run, a little less without that by alpha (figures/adjoint/adjoint_bench.tsv).
+ * fvi_fractional, one coordinate, the rows given: a third of the time of the run, and two fifths
+ * with the derivative by alpha (figures/adjoint/adjoint_bench.tsv).
  * fvi_variable_step keeps 11 d numbers a step.
  * Accuracy: no bound is proved for the rounding. Seen: 5e-14 of a derivative, or of 1 where
  * that is more, N = 2000; with eight stages an identity of all derivatives is off by 1e-12.

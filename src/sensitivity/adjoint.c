@@ -171,7 +171,7 @@ static void clear(const fvi_run *run, const fvi_sensitivities *want, size_t per)
 }
 
 /* dJ/dx_k, zeroed before it is asked for; and dJ/dp_k, if J has it. */
-static int slopes(const fvi_objective *J, size_t k, size_t d, const double *x,
+static inline int slopes(const fvi_objective *J, size_t k, size_t d, const double *x,
                   const double *p, double *Jx, double *Jp)
 {
     *Jx = 0;
@@ -275,7 +275,12 @@ static int walk(const fvi_method *method, fvi_checkpointing *path,
     if (!status)
         status = begin(method, run, want, jumps, rows,
                        fvi_checkpointing_momentum(path), J + d, &m);
-    for (size_t k = N; !status && k-- > 0;) {
+    size_t k = N;
+    if (!status && m.plain.is_alone) {
+        status = fvi_adjoint_multistep_walk_alone(&m.plain, path, objective, J);
+        k = 0;
+    }
+    while (!status && k-- > 0) {
         if (k % 64 == 0)
             status = fvi_interrupted();
         if (!status && k + 1 < N)

@@ -261,8 +261,6 @@ int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double 
 {
     fvi_stepper *s = m->stepper;
     const double h = m->run->h, t = ((double)k + 1 - m->kappa) * h;
-    if (m->is_alone)
-        return fvi_adjoint_multistep_step_alone(m, k, rows, *Jx);
     int status = evaluate_hessian(m, k, rows);
     if (!status)
         status = apply_slopes(m, k, rows, Jx);

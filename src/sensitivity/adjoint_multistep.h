@@ -10,6 +10,7 @@
 #include "adjoint_constant.h"
 #include "adjoint_filter.h"
 #include "adjoint_kernel.h"
+#include "checkpointing.h"
 #include "methods/initial_history_force.h"
 #include "newton/linearised.h"
 
@@ -90,9 +91,12 @@ int fvi_adjoint_multistep_end(fvi_adjoint_multistep *m, const double *Jx);
 
 void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m);
 
-/* fvi_adjoint_multistep_step_alone -- the same in half the time where m->is_alone. */
-int fvi_adjoint_multistep_step_alone(fvi_adjoint_multistep *m, size_t k,
-                                     const double *rows, double Jx);
+/* fvi_adjoint_multistep_walk_alone -- all steps to node 0 in a third of the time where m->is_alone.
+ *
+ *   path  its rows of step N - 1 have been read
+ *   Jx    dJ/dx_N, and then dJ/dx_0 */
+int fvi_adjoint_multistep_walk_alone(fvi_adjoint_multistep *m, fvi_checkpointing *path,
+                                     const fvi_objective *J, double *Jx);
 
 /* fvi_adjoint_multistep_can_step_alone -- may fvi_adjoint_multistep_advance_alone be called?
  * fvi_adjoint_multistep_advance_alone -- fvi_stepper_step of the mirrored run where

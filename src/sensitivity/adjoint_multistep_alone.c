@@ -1,73 +1,185 @@
-/* src/sensitivity/adjoint_multistep_alone.c -- A step backwards of one coordinate.    [H 23]
+/* src/sensitivity/adjoint_multistep_alone.c -- The run backwards of one coordinate.    [H 23]
  *
  * The step of the mirrored run, (9.4) or (13.10), is a division, and no loop has to find out that
- * it runs once: the digits of adjoint_multistep.c and of the methods of order 2, in half to two
+ * it runs once: the digits of adjoint_multistep.c and of the methods of order 2, in a third to two
  * thirds of their time. */
 #include "adjoint_multistep.h"
 
 #include "methods/convolution_quadrature_dampers.h"
 #include "system/dot.h"
+#include "system/fail.h"
 
-/* N, and its derivative by 2 alpha if that is wanted: lambda and its increment go in. */
-static int push(const fvi_adjoint_multistep *m, double lambda, double delta, double *N,
-                double *Ndot)
+/* ---- Algorithm 3, many steps at once ---- */
+
+enum { BLOCK = 64 }; /* steps: their numbers stay near the core */
+
+/* Steps that are done together, i = 0 being the latest one, from node `last` to node last - 1.
+ * The functions of U and J are called before and after the recurrence, so that between two of its
+ * steps nothing waits for them, and no register is saved. */
+typedef struct {
+    size_t last, count;
+    double Jx[BLOCK + 1];                    /* dJ/dx of node last - i */
+    double moved[BLOCK], S[BLOCK], G[BLOCK]; /* x_{k+1} - x_k; where U is asked for; Hess U there */
+    double z[BLOCK];                         /* of node k, on which the memory of the run acts */
+    double lambda[BLOCK + 1];                /* of node last - i */
+    double delta[BLOCK], M[BLOCK], g[BLOCK]; /* what lambda grows by; the multiplier of S; h G M */
+    double N[BLOCK], Ndot[BLOCK];            /* the memory's sum at node k, and by 2 alpha */
+} block;
+
+/* What the path says; x: of node `last`, behind those of the nodes before. */
+static void read_path(const fvi_adjoint_multistep *m, const double *x, block *b)
 {
-    return m->damping->Hdot ? fvi_history_push_by_order(m->damping->memory, &lambda,
-                                                        &delta, N, Ndot)
-                            : fvi_history_push(m->damping->memory, &lambda, &delta, N);
+    const double share = 1 - m->kappa, origin = m->is_liouville ? 0 : *m->run->x0;
+    for (size_t i = 0; i < b->count; i++, x--) {
+        b->moved[i] = x[0] - x[-1];
+        b->S[i] = x[-1] + share * b->moved[i];
+        b->z[i] = x[-1] - origin;
+    }
+    for (size_t i = 0; m->has_drift && i < b->count; i++)
+        b->z[i] -= (double)(b->last - 1 - i) * m->run->h * *m->v0;
 }
 
-/* The derivatives by the parameters of U, M being the multiplier of S. */
-static int accumulate_parameters(const fvi_adjoint_multistep *m, double S, double M)
+/* G at each S, of a quadratic U once in a run. */
+static int evaluate_hessians(const fvi_adjoint_multistep *m, block *b)
 {
-    const fvi_sensitivities *want = m->want;
-    const fvi_parameter_gradient *by = &want->sensitivity;
-    void *params = m->run->system->potential.params;
+    const fvi_potential *u = &m->run->system->potential;
+    const int varies = m->has_hessian && !m->is_quadratic;
     int status = FVI_SUCCESS;
-    for (size_t p = 0; want->parameters && !status && p < by->count; p++) {
-        double column;
-        status = by->column(p, 1, &S, params, &column);
-        want->parameters[p] -= m->run->h * (column * M);
+    for (size_t i = 0; varies && !status && i < b->count; i++)
+        status = u->hessian(1, &b->S[i], u->params, &b->G[i]);
+    if (m->has_hessian && m->is_quadratic && b->last == m->run->steps)
+        status = u->hessian(1, b->S, u->params, m->G);
+    for (size_t i = 0; !varies && i < b->count; i++)
+        b->G[i] = m->has_hessian ? *m->G : 0;
+    return status;
+}
+
+/* dJ/dx of all nodes but the latest; x as above. */
+static int evaluate_slopes(const fvi_objective *J, const double *x, block *b)
+{
+    int status = FVI_SUCCESS;
+    for (size_t i = 1; !status && i <= b->count; i++) {
+        b->Jx[i] = 0;
+        status = J->slopes(b->last - i, 1, x - i, NULL, J->params, &b->Jx[i], NULL);
     }
     return status;
 }
 
-//> alone
-int fvi_adjoint_multistep_step_alone(fvi_adjoint_multistep *m, size_t k,
-                                     const double *rows, double Jx)
+/* N_k, and its derivative by 2 alpha if that is wanted: lambda_k goes in. */
+static int push(const fvi_adjoint_multistep *m, size_t i, block *b)
 {
-    const fvi_run *run = m->run;
-    const fvi_potential *u = &run->system->potential;
-    fvi_stepper *s = m->stepper;
-    const double h = run->h, kappa = m->kappa, share = (1 - kappa) * h,
-                 moved = rows[1] - rows[0], S = rows[0] + (1 - kappa) * moved;
-    double G = 0, N, Ndot = 0;
+    const double *lambda = &b->lambda[i + 1], *delta = &b->delta[i];
+    return m->damping->Hdot ? fvi_history_push_by_order(m->damping->memory, lambda, delta,
+                                                        &b->N[i], &b->Ndot[i])
+                            : fvi_history_push(m->damping->memory, lambda, delta, &b->N[i]);
+}
+
+//> alone
+/* The recurrence (9.4) of lambda, from node `last` on. */
+static int take_steps(fvi_adjoint_multistep *m, block *b)
+{
+    const double h = m->run->h, kappa = m->kappa, share = (1 - kappa) * h,
+                 factor = *m->damping->factor;
+    double p = *m->stepper->p;
     int status = FVI_SUCCESS;
-    if (m->has_hessian && !(m->is_quadratic && k + 1 < run->steps))
-        status = u->hessian(1, &S, u->params, m->G);
-    if (m->has_hessian)
-        G = *m->G;
-    const double p = *s->p + Jx, right = *s->x,
-                 J = m->inertia + share * kappa * G,
-                 delta = (p - share * (G * right)) / J, left = right + delta,
-                 M = right + kappa * delta, g = h * (G * M);
-    const int pushed = push(m, left, delta, &N, &Ndot);
-    *s->x = left;
-    *s->p = p - g - *m->damping->factor * N;
-    *m->by_start += Jx - g;
-    if (m->has_drift)
-        *m->by_line += (double)(k + 1) * h * (Jx - g) + kappa * h * g;
-    *m->kinetic -= moved * delta;
-    const double z = rows[0] - (m->is_liouville ? 0 : *run->x0)
-                     - (double)k * h * *m->v0;
-    *m->sum += z * N;
-    m->sum_by_order += z * Ndot; /* times rho in the end */
-    if (m->want->force)
-        m->want->force[k + 1] += h * right;
-    status = status ? status : J == 0 ? FVI_ESING : pushed;
-    return status ? status : accumulate_parameters(m, S, M);
+    b->lambda[0] = *m->stepper->x;
+    for (size_t i = 0; !status && i < b->count; i++) {
+        const double G = b->G[i], J = m->inertia + share * kappa * G, right = b->lambda[i];
+        p += b->Jx[i];
+        b->delta[i] = (p - share * (G * right)) / J;
+        b->lambda[i + 1] = right + b->delta[i];
+        b->M[i] = right + kappa * b->delta[i];
+        b->g[i] = h * (G * b->M[i]);
+        status = J == 0 ? FVI_ESING : push(m, i, b);
+        p = p - b->g[i] - factor * b->N[i];
+    }
+    *m->stepper->x = b->lambda[b->count];
+    *m->stepper->p = p;
+    return status;
 }
 //< alone
+
+/* To all that is summed up, in the order of the steps. */
+static void accumulate_sums(fvi_adjoint_multistep *m, const block *b)
+{
+    const double h = m->run->h;
+    double start = *m->by_start, kinetic = *m->kinetic, sum = *m->sum, by_order = m->sum_by_order,
+           *force = m->want->force;
+    for (size_t i = 0; i < b->count; i++) {
+        start += b->Jx[i] - b->g[i];
+        kinetic -= b->moved[i] * b->delta[i];
+        sum += b->z[i] * b->N[i];
+        by_order += b->z[i] * b->Ndot[i]; /* times rho in the end */
+    }
+    for (size_t i = 0; m->has_drift && i < b->count; i++)
+        *m->by_line +=
+            (double)(b->last - i) * h * (b->Jx[i] - b->g[i]) + m->kappa * h * b->g[i];
+    for (size_t i = 0; force && i < b->count; i++)
+        force[b->last - i] += h * b->lambda[i];
+    *m->by_start = start;
+    *m->kinetic = kinetic;
+    *m->sum = sum;
+    m->sum_by_order = by_order;
+}
+
+/* The derivatives by the parameters of U, M being the multiplier of S. */
+static int accumulate_parameters(const fvi_adjoint_multistep *m, const block *b)
+{
+    const fvi_parameter_gradient *by = &m->want->sensitivity;
+    void *params = m->run->system->potential.params;
+    const double h = m->run->h;
+    double *sums = m->want->parameters, column;
+    int status = FVI_SUCCESS;
+    for (size_t p = 0; sums && p < by->count; p++) {
+        double sum = sums[p];
+        for (size_t i = 0; !status && i < b->count; i++) {
+            status = by->column(p, 1, &b->S[i], params, &column);
+            sum -= h * (column * b->M[i]);
+        }
+        sums[p] = sum;
+    }
+    return status;
+}
+
+/* The steps from node `last` to node `first`, whose places stand at x, and dJ/dx there. */
+static int walk_piece(fvi_adjoint_multistep *m, const fvi_objective *J, size_t first, size_t last,
+                      const double *x, double *Jx)
+{
+    block b = { .last = last };
+    int status = FVI_SUCCESS;
+    for (b.Jx[0] = *Jx; !status && b.last > first; b.last -= b.count) {
+        const double *latest = x + (b.last - first);
+        b.count = b.last - first < BLOCK ? b.last - first : BLOCK;
+        read_path(m, latest, &b);
+        status = fvi_interrupted();
+        if (!status)
+            status = evaluate_hessians(m, &b);
+        if (!status)
+            status = evaluate_slopes(J, latest, &b);
+        if (!status)
+            status = take_steps(m, &b);
+        accumulate_sums(m, &b);
+        if (!status)
+            status = accumulate_parameters(m, &b);
+        b.Jx[0] = b.Jx[b.count];
+    }
+    *Jx = b.Jx[0];
+    return status;
+}
+
+int fvi_adjoint_multistep_walk_alone(fvi_adjoint_multistep *m, fvi_checkpointing *path,
+                                     const fvi_objective *J, double *Jx)
+{
+    int status = FVI_SUCCESS;
+    for (size_t k = m->run->steps, first; !status && k > 0; k = first) {
+        const double *rows; /* x_{k-1} and x_k, behind those of the piece's other nodes */
+        status = fvi_checkpointing_step(path, k - 1, &rows);
+        first = fvi_checkpointing_first(path);
+        if (!status)
+            status = walk_piece(m, J, first, k, rows - (k - 1 - first), Jx);
+    }
+    return status;
+}
 
 /* ---- the step of a method of order 2, (13.10) ---- */
 

@@ -25,12 +25,16 @@ const double *fvi_checkpointing_momentum(const fvi_checkpointing *backward);
 
 /* fvi_checkpointing_step -- where the trajectory was in step k, from t_k to t_{k+1}.
  *
- *   k     below the k of the call before
+ *   k     not above the k of the call before
  *   rows  output: x_k and x_{k+1}, d numbers each; between them the other stages, where
  *         the method has stages, in form D all but the last. Good until the next call
  *
  * Returns FVI_SUCCESS; what fvi_stepper_step returns. */
 int fvi_checkpointing_step(fvi_checkpointing *backward, size_t k, const double **rows);
+
+/* fvi_checkpointing_first -- the first step whose rows stand before those of the last call, without
+ * a gap. */
+size_t fvi_checkpointing_first(const fvi_checkpointing *backward);
 
 /* fvi_checkpointing_free -- give everything back. NULL is allowed. */
 void fvi_checkpointing_free(fvi_checkpointing *backward);

@@ -88,7 +88,7 @@ int main(void)
     printf("#> ratio\n"
            "#  steps\trun\tback\t+ alpha\tboth\tback/run\tthat + alpha\n");
     const int failed =
-        measure(2000, 400) || measure(20000, 60) || measure(1000000, 5);
+        measure(2000, 400) || measure(20000, 60) || measure(1000000, 20);
     printf("#< ratio\n");
     return failed;
 }
