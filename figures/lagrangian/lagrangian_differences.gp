@@ -3,8 +3,8 @@
 width = 1080; height = 400
 load 'figures/style.gp'
 set multiplot layout 1,3
-set title "the path: two turns, and the last one"
-set xlabel "x_1    (ρ = 0.1, α = 0.3, h = 0.2)"
+set title "two turns (thin), and the last (thick)"
+set xlabel "x_1    (ρ = 0.1, α = 0.3, steps of 0.2)"
 set ylabel "x_2" offset 1
 set size ratio -1
 set xrange [-1.5:1.5]
@@ -12,7 +12,7 @@ set yrange [-1.5:1.5]
 unset key
 set arrow 1 from 0,0 to 1.2,0 nohead lc rgb GREY lw 3
 set label 1 "spring and" at 0.08,0.17
-set label 2 "dough" at 0.08,-0.19
+set label 2 "damper" at 0.08,-0.19
 plot dat index 0 every ::0::75 using 2:3 with lines lc rgb BLUE lw 0.8, \
      dat index 0 every ::1950::2000 using 2:3 with lines ls 1, \
      dat index 0 every ::1945::2000 using 8:9 with lines ls 2, \
