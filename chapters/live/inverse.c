@@ -4,7 +4,7 @@
  * Each function returns 0, or an error of <fvi/error.h>. */
 #include "estimation/identification_tangent.h"
 #include "run/whole_run.h"
-#include "sensitivity/adjoint_lobatto.h"
+#include "adjoint/adjoint_lobatto.h"
 #include "system/larger.h"
 
 #include <fvi/adjoint.h>

@@ -15,15 +15,15 @@ import wasm  # noqa: E402
 
 SOURCES = [PLAY / "play.c", PLAY / "gsl.c", HERE / "gsl_modes.c", PLAY / "strtod.c", HERE / "live.c", HERE / "inverse.c", HERE / "pendulum.c"]
 MODULES = [*wasm.MODULES, "linearised", "history_modes", "memory_nodes", "integration_by_parts", "half_derivative", "discrete_principle",
-           "sensitivity", "adjoint", "checkpointing", "adjoint_multistep", "adjoint_kernel", "adjoint_multistep_damping", "adjoint_multistep_alone", "adjoint_constant", "adjoint_filter", "adjoint_stages", "control", "identification_tangent", "tangent", "tangent_dampers", "tangent_nodes"]
+           "sensitivity", "adjoint", "checkpointing", "adjoint_multistep", "adjoint_multipliers", "node_terms", "adjoint_multistep_damping", "adjoint_multistep_alone", "constant_history", "order_filter", "potential_derivatives", "control", "identification_tangent", "tangent", "tangent_dampers", "tangent_nodes"]
 # Of the exponentials those of many masses, of gradients those of steps and methods that no figure has.
 ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_alloc fvi_history_tiled_bytes fvi_adjoint_variable fvi_adjoint_lobatto_end
     fvi_adjoint_lobatto_start fvi_adjoint_lobatto_step
-    fvi_impulses_of_slope_alloc fvi_adjoint_lobatto_jump fvi_adjoint_dampers_check fvi_adjoint_dampers_end
-    fvi_adjoint_dampers_free fvi_adjoint_dampers_start fvi_adjoint_dampers_step fvi_adjoint_slope_of
-    fvi_adjoint_slope_symbol fvi_adjoint_has_slope fvi_adjoint_slope_begin_at
+    fvi_impulses_of_slope_alloc fvi_adjoint_lobatto_jump fvi_wanted_check_dampers fvi_adjoint_dampers_end
+    fvi_adjoint_dampers_free fvi_adjoint_dampers_start fvi_adjoint_dampers_step fvi_kernel_derivative_of
+    fvi_kernel_derivative_symbol fvi_kernel_has_derivative fvi_kernel_derivative_begin_at
     fvi_adjoint_mechanism_check fvi_adjoint_mechanism_run fvi_adjoint_mesh_check fvi_adjoint_mesh_run
-    fvi_adjoint_check_stage_laws fvi_adjoint_dampers_jump fvi_adjoint_structure_check fvi_adjoint_structure_end fvi_adjoint_structure_free
+    fvi_wanted_check_stage_laws fvi_adjoint_dampers_jump fvi_adjoint_structure_check fvi_adjoint_structure_end fvi_adjoint_structure_free
     fvi_adjoint_structure_jump fvi_adjoint_structure_mesh fvi_adjoint_structure_start fvi_adjoint_structure_step
     fvi_lobatto_matrices_of fvi_stage_dampers_tolerance fvi_stage_terms_start fvi_stage_terms_stop fvi_tangent_stages_step""".split()]
 BUILDING = [PLAY / "gsl.c", HERE / "gsl_modes.c", HERE / "building.c"]

@@ -4,7 +4,7 @@
 #define FVI_IDENTIFICATION_TANGENT_H
 
 #include <fvi/identification.h>
-#include "sensitivity/tangent.h"
+#include "tangent/tangent.h"
 
 /* The derivatives by P parameters are those along P directions, in each of which one number changes by 1. */
 typedef struct {

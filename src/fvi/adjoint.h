@@ -15,56 +15,6 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_objective -- J by its slopes.
- *
- *   slopes  is asked once for each k = N, N - 1, ..., 0, in this order, and adds
- *           dJ/dx_k to Jx, d zeros; for k = N it also adds dJ/dp_N to Jp, d zeros.
- *           x is x_k, and p is p_N for k = N; for the other k, p is NULL, and so is Jp but
- *           where all momenta are meant. Returns as the functions of a potential do (system.h)
- *   params  handed to it, owned by the caller, may be NULL
- *   has_momenta  nonzero: J depends on every p_k. slopes adds dJ/dp_k to Jp, d zeros, for each
- *           k. That costs a memory more */
-typedef struct {
-    int (*slopes)(size_t k, size_t d, const double *x, const double *p,
-                  void *params, double *Jx, double *Jp);
-    void *params;
-    int has_momenta;
-} fvi_objective;
-
-/* fvi_lagrangian_column -- the derivatives of L_x and L_v by parameter j, from 0, at (x, v, t): added to
- * Sx and Sv, d zeros each. params are those of the Lagrangian. Returns as its functions do. */
-typedef int fvi_lagrangian_column(size_t j, double t, size_t d, const double *x, const double *v,
-                                  void *params, double *Sx, double *Sv);
-
-/* fvi_sensitivities -- where the derivatives go; what is NULL is not wanted. Of a system with
- * matrices mass, damping and parameters are one number each: by a factor of M, of C and of
- * K, at 1; the sensitivity is not read.
- *
- *   x0, p0         by x0 and p0, d numbers each
- *   mass, damping  by each mass and each damping, d numbers each
- *   alpha          by alpha, one number, all dampings together; there is none of a law
- *   terms, orders, times, ends  by rho, alpha, time and end of each term of run->law,
- *                  law->count numbers each; 0 where its kind has no such number. Of several
- *                  dampers those of the terms of all their laws, one damper behind another
- *   force          by the force: component i at t_k at [k * d + i], (N + 1) d numbers;
- *                  of a method with s stages at all their times t_k + c_i h in one row,
- *                  ((s - 1) N + 1) d numbers. Where a step ends and the next begins,
- *                  both limits of F change together
- *   sensitivity    of the potential (sensitivity.h)
- *   parameters     by its parameters, sensitivity.count numbers; NULL if count is 0
- *   lagrangian     of a mechanism with a Lagrangian, instead of sensitivity.column: see below
- *   names          by the numbers of its forces of velocity, elongations and constraints, columns->count
- *                  of them; NaN by one of a constraint that x0 or p0 would have to follow, and by one that would
- *                  stretch a damper of the past rl above the order 1 at x0: such runs have no solution */
-typedef struct {
-    double *x0, *p0, *mass, *damping, *alpha, *terms, *orders, *times, *ends,
-        *force, *parameters;
-    fvi_parameter_gradient sensitivity;
-    fvi_lagrangian_column *lagrangian;
-    double *names;
-    const fvi_mechanism_columns *columns;
-} fvi_sensitivities;
-
 /* fvi_adjoint -- the derivatives of J by all that determines a run.
  *                [(23.4), (23.6), (23.13), (23.15), (23.16), (23.18), (23.19), (23.21), (23.25)]
  *

@@ -248,7 +248,7 @@ const fvi_mechanism *fvi_mechanism_typed(const fvi_typed_mechanism *mechanism);
 
 /* fvi_typed_lagrangian_by_parameter -- the derivatives of a typed Lagrangian by parameter j of its text: of
  * L itself to *value, if it is not NULL, and of L_x and L_v added to Sx and Sv, d numbers each.
- * fvi_typed_lagrangian_column -- the last two, an fvi_lagrangian_column (adjoint.h).
+ * fvi_typed_lagrangian_column -- the last two, an fvi_lagrangian_column (sensitivity.h).
  *
  *   params  those of the fvi_lagrangian
  *

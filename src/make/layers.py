@@ -20,7 +20,12 @@ FLOORS = [
     {"input": "files that are compiled or loaded, and who reads which"},
     {"problem": "problems as they are typed, or stand in files"},
     {"estimation": "what is unknown, from what was measured"},
-    {"sensitivity": "gradients and control"},
+    {"control": "the least force that moves a body from here to there", "adjoint_forces": "derivatives of the forces of dampers",
+     "tangent": "derivatives of a run, forwards beside it"},
+    {"adjoint": "derivatives of a run, backwards"},
+    {"adjoint_mechanism": "steps of a mechanism, backwards"},
+    {"adjoint_variable": "steps of any length, backwards"},
+    {"parameter_derivatives": "derivatives of laws and potentials by their numbers"},
     {"error_control": "the step that a wanted error needs", "paper": "what only the paper needs"},
     {"observer": "velocities, accelerations, forces and work along a run"},
     {"methods": "the integrators", "reference": "the exact solution of the linear problem"},
@@ -93,7 +98,7 @@ def drawing(arrows):
     for rooms in FLOORS:
         for room, what in rooms.items():
             known = sorted((low for high, low in arrows if high == room), key=list(FLOOR).index)
-            yield f"{room:>13}  {what:<58}{'-> ' + ', '.join(known) if known else ''}".rstrip()
+            yield f"{room:>21}  {what:<58}{'-> ' + ', '.join(known) if known else ''}".rstrip()
 
 
 def main():

@@ -1,0 +1,381 @@
+/* src/adjoint/adjoint_multistep.c -- The run that goes backwards.                 [H 23] */
+#include "adjoint_multistep.h"
+
+#include "parameter_derivatives/potential_derivatives.h"
+#include "system/arrays.h"
+#include "system/fail.h"
+#include "system/quadratic.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the start ---- */
+
+static int allocate(fvi_adjoint_multistep *m)
+{
+    const size_t d = m->d;
+    m->block = FVI_ARRAYS({ &m->Jp, d }, { &m->CJ, d }, { &m->v0, d }, { &m->right, d }, { &m->S, d }, { &m->M, d },
+                          { &m->by_start, d }, { &m->by_line, d }, { &m->kinetic, d }, { &m->pull, d },
+                          { &m->impulse_sum_by_order, d }, { &m->z, d }, { &m->z_next, d }, { &m->sum, d },
+                          { &m->work, d }, { &m->column, d }, { &m->multipliers.nu, d },
+                          { &m->multipliers.behind, d }, { &m->multipliers.mean, d }, { &m->multipliers.change, d },
+                          { &m->CA, d }, { &m->B, d }, { &m->jump, d }, { &m->CB, d }, { &m->N, m->r },
+                          { &m->Ndot, m->r }, { &m->G, m->linearised.size });
+    if (!m->block)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    return FVI_SUCCESS;
+}
+
+/* The mirrored run at node N, at rest at J_p. Algorithm 3's memory begins at 0; that of the
+ * others is held at J_p, and `constant` has what that leaves out. */
+static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
+{
+    fvi_run back = *m->run;
+    const fvi_run_damper of = fvi_run_damper_of(m->run, 0);
+    int moves = 0;
+    m->linearised.G = m->has_hessian ? m->G : NULL;
+    m->linearised.is_constant = m->is_quadratic;
+    m->linearised.by_order = m->want->alpha != NULL;
+    m->linearised.remembers_all = m->is_damped;
+    m->linearised.from_zero = m->paper_convention;
+    m->system = fvi_linearised_system(m->run->system, &m->linearised);
+    back.system = &m->system;
+    back.x0 = m->Jp;
+    back.p0 = m->work; /* zeros */
+    back.kappa = 1 - m->kappa;
+    back.past = FVI_INITIAL_HISTORY_HELD;
+    int status = fvi_stepper_start(method, &back, &m->stepper, NULL);
+    if (status)
+        return status;
+    m->damping = fvi_damping_of(m->stepper);
+    for (size_t i = 0; i < m->d; i++)
+        moves |= m->Jp[i] != 0;
+    if (m->damping && moves && !m->paper_convention)
+        status = fvi_constant_history_start(method, m->run, &of, 1, m->want->alpha != NULL,
+                                            &m->constant);
+    if (!status && m->damping && m->has_jumps)
+        status = fvi_constant_history_start(method, m->run, &of, m->d,
+                                            m->want->alpha != NULL, &m->jumped);
+    return status;
+}
+
+static int start_initial_history(fvi_adjoint_multistep *m)
+{
+    static const double ends[] = { 0, 1 };
+    const fvi_run *run = m->run;
+    const fvi_run_damper damper = fvi_run_damper_of(run, 0);
+    m->has_initial_impulses =
+        !m->paper_convention && m->is_damped
+        && fvi_initial_history_acts(run->past, m->growth / 2);
+    if (!m->has_initial_impulses)
+        return FVI_SUCCESS;
+    return fvi_initial_history_force_prepare(&damper, run->h, 2, ends,
+                                             &m->history_force, &m->impulse_size);
+}
+
+static void describe(const fvi_method *method, const fvi_run *run,
+                     fvi_adjoint_multistep *m)
+{
+    const fvi_system *system = run->system;
+    const fvi_potential *u = &system->potential;
+    m->d = m->r = system->d;
+    m->scheme = method->scheme;
+    m->paper_convention = method->scheme == FVI_SCHEME_FVI;
+    m->is_liouville = m->paper_convention
+                      && run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+    m->growth = fvi_run_damper_of(run, 0).growth;
+    m->has_drift = m->growth > 1
+                   && (run->past == FVI_INITIAL_HISTORY_CAPUTO || !m->paper_convention);
+    m->kappa = method->takes_kappa ? run->kappa : 0.5;
+    m->theta = method->scheme == FVI_SCHEME_CQ2_SHIFTED    ? run->alpha
+               : method->scheme == FVI_SCHEME_CQ2_MIDPOINT ? 0.5
+                                                           : 0;
+    m->multipliers = (fvi_adjoint_multipliers){
+        .d = m->d,
+        .is_first_order = m->paper_convention,
+        .is_mean = m->scheme == FVI_SCHEME_CQ2_MIDPOINT,
+        .theta = m->theta
+    };
+    m->linearised = fvi_linearised_begin(system, 1);
+    m->has_hessian = !system->matrices && u->hessian;
+    m->is_quadratic = fvi_potential_is_quadratic(u);
+    m->is_damped = m->want->damping != NULL;
+    if (system->matrices) {
+        m->r = system->matrices->remembered;
+        m->is_damped = m->r > 0;
+    }
+    for (size_t i = 0; i < m->d && !system->matrices; i++)
+        m->is_damped |= system->damping[i] > 0;
+}
+
+int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
+                                const fvi_sensitivities *want, int has_jumps,
+                                const double *rows, const double *Jp,
+                                fvi_adjoint_multistep *m)
+{
+    *m = (fvi_adjoint_multistep){ .run = run, .want = want, .has_jumps = has_jumps };
+    describe(method, run, m);
+    if (run->system->matrices && want->mass && !run->system->matrices->inertia)
+        FVI_FAIL("no derivative by a factor of M without its products",
+                 FVI_EUNSUP);
+    int status = allocate(m);
+    if (status)
+        return status;
+    memcpy(m->Jp, Jp, m->d * sizeof *Jp);
+    status = start_initial_history(m);
+    if (!status && m->has_drift)
+        status = fvi_damping_velocity(run->system, run->p0, m->v0);
+    if (!status)
+        status = start_stepper(m, method);
+    if (!status && m->is_damped)
+        status = fvi_adjoint_multistep_damping_start(m, method);
+    if (!status && m->damping && m->paper_convention)
+        status = fvi_adjoint_multistep_first_sums(m, rows + m->d);
+    if (status) /* there may be no stepper to ask */
+        return status;
+    m->is_alone = m->paper_convention && m->d == 1 && m->damping && m->terms == 0
+                  && !run->system->matrices && !has_jumps;
+    m->steps_alone = fvi_adjoint_multistep_can_step_alone(m);
+    m->inertia = m->is_alone ? *fvi_newton_diagonal(m->stepper->newton) : 0;
+    return FVI_SUCCESS;
+}
+
+void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
+{
+    fvi_stepper_free(m->stepper);
+    fvi_constant_history_stop(&m->constant);
+    fvi_initial_history_force_stop(&m->history_force);
+    fvi_constant_history_stop(&m->jumped);
+    fvi_order_filter_stop(&m->filter);
+    for (size_t i = 0; i < m->terms; i++)
+        fvi_node_term_stop(&m->each[i]);
+    free(m->each);
+    free(m->block);
+}
+
+/* ---- a step ---- */
+
+/* J_{k+1} is a force on the mirrored run. */
+static int apply_slopes(fvi_adjoint_multistep *m, size_t k, const double *rows,
+                        const double *Jx)
+{
+    const double t = (double)(k + 1) * m->run->h;
+    for (size_t i = 0; i < m->d; i++) {
+        m->stepper->p[i] += Jx[i];
+        m->by_start[i] += Jx[i];
+        m->by_line[i] += t * Jx[i];
+    }
+    int status = FVI_SUCCESS;
+    if (m->constant.memory)
+        status = fvi_adjoint_multistep_add_constant(m, k, rows + m->d);
+    return status || !m->jumped.memory
+               ? status
+               : fvi_adjoint_multistep_add_jumps(m, k + 1, rows + m->d);
+}
+
+/* G at S = kappa x_k + (1 - kappa) x_{k+1}; once, if U is quadratic. */
+static int evaluate_hessian(fvi_adjoint_multistep *m, size_t k, const double *rows)
+{
+    for (size_t i = 0; i < m->d; i++)
+        m->S[i] = rows[i] + (1 - m->kappa) * (rows[m->d + i] - rows[i]);
+    if (!m->has_hessian || (m->is_quadratic && k + 1 < m->run->steps))
+        return FVI_SUCCESS;
+    return fvi_potential_evaluate_hessians(m->run->system, 1, m->S, m->linearised.size,
+                                           m->G);
+}
+
+static double dot(size_t d, const double *a, const double *b)
+{
+    double sum = a[0] * b[0];
+    for (size_t i = 1; i < d; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/* By the parameters of U; or by a factor of K, stepper->g being K M_k. */
+static int accumulate_parameters(fvi_adjoint_multistep *m)
+{
+    if (!m->run->system->matrices)
+        return fvi_potential_accumulate_parameters(m->want, m->run->system, 1, m->run->h,
+                                                   NULL, m->S, m->M, 1, m->column);
+    m->by_K += dot(m->d, m->S, m->stepper->g);
+    return FVI_SUCCESS;
+}
+
+/* By the masses, each of them or a factor of M. */
+static int accumulate_mass(fvi_adjoint_multistep *m, const double *rows)
+{
+    const fvi_matrices *matrices = m->run->system->matrices;
+    const double *left = m->stepper->x;
+    const size_t d = m->d;
+    int status = FVI_SUCCESS;
+    if (!matrices)
+        for (size_t i = 0; i < d; i++)
+            m->kinetic[i] += (rows[d + i] - rows[i]) * (m->right[i] - left[i]);
+    if (!matrices || !m->want->mass)
+        return status;
+    for (size_t i = 0; i < d; i++)
+        m->column[i] = m->right[i] - left[i];
+    status = matrices->inertia(d, m->column, matrices->params, m->work);
+    for (size_t i = 0; i < d; i++)
+        m->by_M += (rows[d + i] - rows[i]) * m->work[i];
+    return status;
+}
+
+/* What the impulses of a law have of each of its terms. */
+static void accumulate_impulses_of_terms(fvi_adjoint_multistep *m, size_t k)
+{
+    const double left = m->terms ? dot(m->d, m->CA, m->stepper->x) : 0,
+                 right = m->terms ? dot(m->d, m->CA, m->right) : 0;
+    for (size_t l = 0; l < m->terms; l++)
+        fvi_node_term_accumulate_impulses(&m->each[l], k, left, right, m->want, l);
+}
+
+/* What the force and the past gave to the two ends of step k. */
+static void accumulate_forces(fvi_adjoint_multistep *m, size_t k)
+{
+    const double *left = m->stepper->x, *right = m->right, h = m->run->h;
+    const size_t d = m->d;
+    double *force = m->want->force ? m->want->force + k * d : NULL;
+    for (size_t i = 0; force && i < d; i++) {
+        force[d + i] += m->paper_convention ? h * right[i] : h / 2 * right[i];
+        force[i] += m->paper_convention ? 0 : h / 2 * left[i];
+    }
+    if (!m->has_initial_impulses)
+        return;
+    double at[2] = { 0 }, slope[2] = { 0 };
+    accumulate_impulses_of_terms(m, k);
+    fvi_initial_history_force_impulses(&m->history_force, k, at);
+    if (m->want->alpha)
+        fvi_kernel_impulses_by_order(&m->history_force.initial_impulse, k, slope);
+    for (size_t i = 0; i < d; i++) {
+        m->pull[i] += at[0] * left[i] + at[1] * right[i];
+        m->impulse_sum_by_order[i] += slope[0] * left[i] + slope[1] * right[i];
+    }
+}
+
+//> step
+int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double *rows,
+                               const double *Jx)
+{
+    fvi_stepper *s = m->stepper;
+    const double h = m->run->h, t = ((double)k + 1 - m->kappa) * h;
+    int status = evaluate_hessian(m, k, rows);
+    if (!status)
+        status = apply_slopes(m, k, rows, Jx);
+    memcpy(m->right, s->x, m->d * sizeof *m->right);
+    if (!status)
+        status = m->steps_alone ? fvi_adjoint_multistep_advance_alone(m)
+                                : fvi_stepper_step(s);
+    for (size_t i = 0; i < m->d; i++) { /* s->g is G M_k */
+        m->M[i] = m->right[i] + m->kappa * (s->x[i] - m->right[i]);
+        m->by_start[i] -= h * s->g[i];
+        m->by_line[i] -= h * t * s->g[i];
+    }
+    accumulate_forces(m, k);
+    if (!status)
+        status = accumulate_parameters(m);
+    if (!status)
+        status = accumulate_mass(m, rows);
+    return status || !m->damping
+               ? status
+               : fvi_adjoint_multistep_accumulate_damping(m, k, rows);
+}
+//< step
+
+//> jump
+/* A run that ends at node k begins its mirrored run there, at J_p. All runs that J looks at the
+ * end of are added up: lambda jumps. The stepper's memory does not see it, as its origin jumps,
+ * too; `jumped` has what that leaves out.                                            (23.27) */
+int fvi_adjoint_multistep_jump(fvi_adjoint_multistep *m, const double *Jp)
+{
+    memcpy(m->jump, Jp, m->d * sizeof *Jp);
+    for (size_t i = 0; i < m->d; i++) {
+        m->stepper->x[i] += Jp[i];
+        m->Jp[i] += Jp[i];
+        m->B[i] += Jp[i];
+    }
+    return m->damping ? fvi_damping_move_origin(m->stepper, Jp) : FVI_SUCCESS;
+}
+//< jump
+
+/* ---- the end ---- */
+
+/* By x0, from what it leaves alone: x + const changes grad U only, and where A of (19.3) is
+ * x0 the pull. By Algorithm 3 Riemann-Liouville's memory knows x0 itself, and the derivative
+ * is what arrives; lambda_0 is no part of N_0. (23.6) */
+static int by_start(fvi_adjoint_multistep *m, const double *Jx)
+{
+    const fvi_stepper *s = m->stepper;
+    for (size_t i = 0; i < m->d; i++)
+        m->by_start[i] = Jx[i] + (m->is_liouville ? s->p[i] : m->by_start[i]);
+    if (m->is_liouville && m->damping)
+        return fvi_adjoint_multistep_apply_damping(m, -m->damping->unit, s->x,
+                                                   m->by_start);
+    return m->has_initial_impulses && m->growth < 1
+               ? fvi_adjoint_multistep_apply_damping(m, m->impulse_size, m->pull,
+                                                     m->by_start)
+               : FVI_SUCCESS;
+}
+
+/* By p0 less lambda_0: where the memory knows the line x + t p/m, that changes grad U only, and
+ * by (13.7) what the past pulls. */
+static int by_momentum(fvi_adjoint_multistep *m, double *more)
+{
+    const fvi_run *run = m->run;
+    int status = FVI_SUCCESS;
+    memset(more, 0, m->d * sizeof *more);
+    if (!m->has_drift || !m->damping)
+        return status;
+    if (m->has_initial_impulses)
+        status = fvi_adjoint_multistep_apply_damping(m, m->impulse_size, m->pull,
+                                                     m->by_line);
+    if (!status)
+        status = fvi_damping_velocity(run->system, m->by_line, more);
+    for (size_t i = 0; i < m->d; i++)
+        more[i] += m->Jp[i] - m->stepper->x[i];
+    return status;
+}
+
+static void write_mass(const fvi_adjoint_multistep *m, const double *more)
+{
+    const fvi_run *run = m->run;
+    double *mass = m->want->mass;
+    if (mass && run->system->matrices) /* v0 is M^-1 p0 */
+        *mass = m->by_M / run->h - dot(m->d, run->p0, more);
+    for (size_t i = 0; mass && !run->system->matrices && i < m->d; i++)
+        mass[i] = m->kinetic[i] / run->h
+                  - more[i] * (run->p0[i] / run->system->mass[i]);
+}
+
+//> end
+int fvi_adjoint_multistep_end(fvi_adjoint_multistep *m, const double *Jx)
+{
+    const fvi_run *run = m->run;
+    const fvi_sensitivities *want = m->want;
+    double *more = m->work;
+    int status = m->jumped.memory && m->paper_convention
+                     ? fvi_adjoint_multistep_add_jumps(m, 0, run->x0)
+                     : FVI_SUCCESS;
+    if (!status)
+        status = by_start(m, Jx);
+    if (!status)
+        status = by_momentum(m, more);
+    for (size_t i = 0; i < m->d; i++) {
+        const int has = m->paper_convention
+                        || fvi_initial_history_solvable(run->past, run->alpha,
+                                                        run->system->damping[i], 1);
+        if (want->x0)
+            want->x0[i] = has ? m->by_start[i] : NAN; /* (19.2) */
+        if (want->p0)
+            want->p0[i] = m->stepper->x[i] + more[i];
+    }
+    write_mass(m, more);
+    if (want->parameters && run->system->matrices)
+        *want->parameters = -run->h * m->by_K;
+    if (!status && m->damping)
+        status = fvi_adjoint_multistep_end_damping(m);
+    return status || fvi_all_finite(m->d, m->by_start) ? status : FVI_EOVRFLW;
+}
+//< end

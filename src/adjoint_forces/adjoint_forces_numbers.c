@@ -1,0 +1,261 @@
+/* src/adjoint_forces/adjoint_forces_numbers.c -- The numbers of a law in the coefficients of its forces. [H 23] */
+#include "adjoint_forces_start.h"
+
+#include <fvi/dampers.h>
+
+#include "observer/observer_column.h"
+#include "observer/observer_ramp.h"
+#include "system/larger.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A run in which one number can be changed. */
+typedef struct {
+    const fvi_method *method;
+    const fvi_run *of;
+    const double *force;
+    const fvi_force_shares *shares;
+    double *impulse;  /* J of all rows, as the run tells them */
+    double *lead;     /* room for a row each */
+    double *power;    /* with which power of t each number begins (observer_column.h) */
+    fvi_run run;
+    fvi_system system;
+    fvi_mechanism mechanism;
+    fvi_damper *damper;
+    fvi_kernel kernel;
+    size_t changed;        /* the damper whose law is changed */
+    fvi_kernel_term *term; /* of this law */
+} changed_run;
+
+/* ---- what is differentiated ---- */
+
+/* sum_k L_J rate lead_k of the numbers of the damper that is changed. */
+static int sum_of_leads(const changed_run *o, const fvi_stepper *s, const fvi_observer *observer, double *sum)
+{
+    const size_t n = o->shares->n, rows = o->run.steps;
+    double *size = malloc(3 * n * sizeof *size);
+    int status = size ? FVI_SUCCESS : FVI_ENOMEM;
+    if (!status)
+        fvi_observer_size(observer, size, size + n, size + 2 * n);
+    for (size_t i = 0, of = SIZE_MAX; i < n && !status; i++) {
+        size_t coordinate;
+        const size_t j = fvi_observer_damper_of(observer, i, &coordinate);
+        if (j != o->changed)
+            continue;
+        if (j != of)
+            status = fvi_ramp_leads(s, j, rows, 1, o->lead);
+        of = j;
+        for (size_t k = 1; k <= rows && !status; k++)
+            *sum += o->shares->impulse[k * n + i] * size[2 * n + i] * o->lead[k - 1];
+    }
+    free(size);
+    return status;
+}
+
+/* What of L depends on the law if all impulses but those of the leads are held. */
+static int evaluate(const changed_run *o, int has_start, double *L)
+{
+    fvi_stepper *s = NULL;
+    fvi_observer *observer = NULL;
+    *L = 0;
+    int status = fvi_stepper_start(o->method, &o->run, &s, NULL);
+    if (!status)
+        status = fvi_observer_start(s, FVI_OBSERVE_FORCE | FVI_OBSERVE_OWN_STEPS, &observer, NULL);
+    if (!status && o->force)
+        status = fvi_observer_first_forces(observer, &o->run, o->power, has_start, o->force, o->impulse, L);
+    if (!status)
+        status = sum_of_leads(o, s, observer, L);
+    fvi_observer_free(observer);
+    fvi_stepper_free(s);
+    return status;
+}
+
+/* ---- quotients ---- */
+
+/* Of order 6: around the number, or from it towards one side. */
+static const double central[] = { 0, 3. / 4, -3. / 20, 1. / 60 },
+                    one_sided[] = { -49. / 20, 6, -15. / 2, 20. / 3, -15. / 4, 6. / 5, -1. / 6 };
+
+/* to[0] = +1, -1 or 0: on which side the seven points stand so that no border is between them. */
+static int side_of(double at, double step, const double *borders, size_t count)
+{
+    int side = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (at == borders[i]) /* from below, as the derivative of the run is, but for the least order */
+            side = i == 0 ? 1 : -1;
+        else if (fabs(at - borders[i]) < 3.5 * step)
+            side = at > borders[i] ? 1 : -1;
+    }
+    return side;
+}
+
+static int differentiate(const changed_run *o, double *number, double step, int side, int has_start, double *to)
+{
+    const double at = *number;
+    double sum = 0;
+    int status = FVI_SUCCESS;
+    for (int i = side ? 0 : -3; i <= (side ? 6 : 3) && !status; i++) {
+        const double weight = side ? side * one_sided[i] : i < 0 ? -central[-i] : central[i];
+        double L = 0;
+        *number = at + (side ? side : 1) * i * step;
+        if (weight != 0)
+            status = evaluate(o, has_start, &L);
+        sum += weight * L / step;
+    }
+    *number = at;
+    *to += sum;
+    return status;
+}
+
+/* An order of s, half of it: the first rows change their form where it is a whole number. The force at t = 0 does not
+ * know the order, or it jumps there, but for Cole and Davidson's. Each derivative of h^(2 alpha) multiplies it by
+ * 2 log h, so a short h takes a short step in alpha. No point is as far away as the other order of the term, the gap. */
+static int by_order(const changed_run *o, double *number, double gap, int has_start, double *to)
+{
+    static const double borders[] = { 0, 0.5, 1 };
+    enum { COUNT = sizeof borders / sizeof *borders };
+    const double step = smaller(gap / 7, 1. / 256 / larger(1, fabs(log(o->run.h)) / log(16)));
+    return differentiate(o, number, step, side_of(*number, step, borders, COUNT), has_start, to);
+}
+
+/* A time, which is not negative. */
+static int by_time(const changed_run *o, double *number, double *to)
+{
+    const double step = *number > 0 ? *number / 64 : 1. / 256;
+    return differentiate(o, number, step, *number == 0, 1, to);
+}
+
+/* The factor of a term, which is not negative. The first rows see the law at s = 1/h. There `whole` is the factor with which
+ * the term would be the whole law. A factor that is a small part of it takes a step of the law, as its own would be lost
+ * in the roundings of L. If the term is the whole law, and not two springpots in series, L is affine in the factor: then
+ * every step is right. */
+static int by_factor(const changed_run *o, fvi_kernel_term *term, double *to)
+{
+    fvi_kernel_term unit = *term;
+    const fvi_kernel alone = { 1, &unit };
+    unit.rho = 1;
+    const double whole = fvi_kernel_symbol(&o->kernel, 1 / o->run.h) / fvi_kernel_symbol(&alone, 1 / o->run.h);
+    const int is_affine = o->kernel.count == 1 && term->kind != FVI_KERNEL_MAXWELL2,
+              is_lost = whole == 0 || (is_affine && term->rho < 1e-9);
+    const double step = is_lost ? 1. / 256 : larger(term->rho / 64, whole / 256);
+    return differentiate(o, &term->rho, step, term->rho < 3.5 * step, 1, to);
+}
+
+static int by_term(const changed_run *o, size_t l, size_t to, const fvi_sensitivities *want)
+{
+    fvi_kernel_term *term = o->term + l;
+    const fvi_kernel_kind kind = term->kind;
+    const int has_order = kind != FVI_KERNEL_MAXWELL && kind != FVI_KERNEL_SYMBOL,
+              has_time = kind != FVI_KERNEL_POWER && kind != FVI_KERNEL_DISTRIBUTED && kind != FVI_KERNEL_SYMBOL,
+              has_end = kind == FVI_KERNEL_DISTRIBUTED || kind == FVI_KERNEL_MAXWELL2;
+    const double gap = has_end ? fabs(term->end - term->alpha) : INFINITY;
+    int status = want->terms ? by_factor(o, term, want->terms + to) : FVI_SUCCESS;
+    if (!status && want->orders && has_order)
+        status = by_order(o, &term->alpha, gap, kind == FVI_KERNEL_DAVIDSON, want->orders + to);
+    if (!status && want->times && has_time)
+        status = by_time(o, &term->time, want->times + to);
+    if (!status && want->ends && has_end)
+        status = by_order(o, &term->end, gap, 0, want->ends + to);
+    return status;
+}
+
+/* ---- the law that is changed ---- */
+
+/* The terms of a law, in the place of the law itself. A function of s keeps the numbers that it has. */
+static int by_law(changed_run *o, const fvi_kernel *law, const fvi_kernel **place, size_t first,
+                  const fvi_sensitivities *want)
+{
+    if (law->term->kind == FVI_KERNEL_SYMBOL)
+        return FVI_SUCCESS;
+    o->term = malloc(law->count * sizeof *o->term);
+    if (!o->term)
+        return FVI_ENOMEM;
+    memcpy(o->term, law->term, law->count * sizeof *o->term);
+    o->kernel = (fvi_kernel){ law->count, o->term };
+    *place = &o->kernel;
+    int status = FVI_SUCCESS;
+    for (size_t l = 0; l < law->count && !status; l++)
+        status = by_term(o, l, first + l, want);
+    free(o->term);
+    *place = law;
+    return status;
+}
+
+static int by_laws(changed_run *o, const fvi_sensitivities *want)
+{
+    const fvi_mechanism *m = o->of->system->mechanism;
+    int status = FVI_SUCCESS;
+    if (!m)
+        return by_law(o, o->of->law, &o->run.law, 0, want);
+    o->damper = malloc((m->damper_count + 1) * sizeof *o->damper);
+    if (!o->damper)
+        return FVI_ENOMEM;
+    memcpy(o->damper, m->damper, m->damper_count * sizeof *o->damper);
+    o->mechanism = *m;
+    o->mechanism.damper = o->damper;
+    o->system = *o->of->system;
+    o->system.mechanism = &o->mechanism;
+    o->run.system = &o->system;
+    for (size_t j = 0, first = 0; j < m->damper_count && !status; first += m->damper[j++].kernel->count) {
+        o->changed = j;
+        status = by_law(o, m->damper[j].kernel, &o->damper[j].kernel, first, want);
+    }
+    free(o->damper);
+    return status;
+}
+
+/* ---- the run as it is ---- */
+
+/* J of all rows, and how they begin. */
+static int impulses_of_run(changed_run *o, fvi_stepper *s)
+{
+    const size_t n = o->shares->n;
+    fvi_observer *sums = NULL;
+    fvi_observation now;
+    int status = fvi_observer_start(s, FVI_OBSERVE_IMPULSE | FVI_OBSERVE_FORCE | FVI_OBSERVE_OWN_STEPS, &sums, NULL);
+    if (!status)
+        fvi_observer_powers(sums, o->power);
+    for (size_t k = 1; k <= o->of->steps && !status; k++) {
+        status = fvi_observer_step(sums, s);
+        if (!status)
+            status = fvi_observer_read(sums, s, s->t, &now);
+        if (!status)
+            memcpy(o->impulse + k * n, now.impulse, n * sizeof *o->impulse);
+    }
+    fvi_observer_free(sums);
+    return status;
+}
+
+static int begin(changed_run *o)
+{
+    const size_t rows = (o->of->steps + 1) * o->shares->n;
+    fvi_stepper *s = NULL;
+    o->impulse = calloc(rows + o->shares->n + o->of->steps + 1, sizeof *o->impulse);
+    if (!o->impulse)
+        return FVI_ENOMEM;
+    o->power = o->impulse + rows;
+    o->lead = o->power + o->shares->n;
+    int status = o->force ? fvi_stepper_start(o->method, o->of, &s, NULL) : FVI_SUCCESS;
+    if (!status && o->force)
+        status = impulses_of_run(o, s);
+    fvi_stepper_free(s);
+    return status;
+}
+
+int fvi_force_numbers(const fvi_method *method, const fvi_run *run, const double *force, const fvi_force_shares *shares,
+                      const fvi_sensitivities *want)
+{
+    if (!want->alpha && !want->terms && !want->orders && !want->times && !want->ends)
+        return FVI_SUCCESS;
+    changed_run o = { .method = method, .of = run, .force = force, .shares = shares, .run = *run };
+    int status = begin(&o);
+    if (!status && want->alpha)
+        status = by_order(&o, &o.run.alpha, INFINITY, 0, want->alpha);
+    else if (!status)
+        status = by_laws(&o, want);
+    free(o.impulse);
+    return status;
+}

@@ -1,0 +1,348 @@
+/* src/adjoint_mechanism/adjoint_mechanism_dampers.c -- Dampers of a mechanism, backwards.  [H 23, 29] */
+#include "adjoint_mechanism.h"
+
+#include "methods/lobatto_stages.h"
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const fvi_damper *damper_of(const fvi_adjoint_mechanism *m,
+                                   const fvi_adjoint_mechanism_damper *a)
+{
+    return m->run->system->mechanism->damper + a->damper;
+}
+
+static int is_first_order(const fvi_adjoint_mechanism *m)
+{
+    return m->o->form == FVI_MECHANISM_FIRST_ORDER;
+}
+
+/* ---- the start ---- */
+
+/* What a start has stretched at once pulls with powers of t, one for each power of a sum. */
+static int start_powers(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
+{
+    static const double ends[] = { 0, 1 };
+    const fvi_lobatto_rule *rule = m->o->rule;
+    a->each = calloc(a->kernel->count, sizeof *a->each);
+    if (!a->each)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    a->A = m->o->z[a->damper];
+    for (size_t l = 0; l < a->kernel->count; l++) {
+        const fvi_kernel_term *t = a->kernel->term + l;
+        fvi_adjoint_start_power *p = a->each + a->powers;
+        if (t->rho == 0 || !(t->alpha < 0.5))
+            continue;
+        p->term = l;
+        fvi_kernel_impulse_prepare(t->alpha, rule ? m->s : 2, rule ? rule->c : ends, &p->power);
+        p->unit = pow(m->run->h, 1 + p->power.e);
+        a->powers++;
+    }
+    return FVI_SUCCESS;
+}
+
+/* A and the impulses for an A of 1, and of a power for a rho of 1. */
+static int start_impulses(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
+{
+    static const double ends[] = { 0, 1 };
+    const fvi_lobatto_rule *rule = m->o->rule;
+    const fvi_damper *damper = damper_of(m, a);
+    const size_t j = a->damper, d = m->d;
+    if (damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !is_first_order(m) && !fvi_kernel_is_power(a->kernel)
+        && fvi_mechanism_check_stretch(a->kernel, j, NULL) == FVI_SUCCESS)
+        return start_powers(m, a);
+    a->feels_slope = fvi_mechanism_feels_slope(m->o, damper);
+    a->feels_place = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+                     && !is_first_order(m) && fvi_kernel_growth(a->kernel) < 1;
+    a->A = a->feels_place ? m->o->z[j] : 0;
+    for (size_t i = 0; a->feels_slope && i < d; i++)
+        a->A += m->G0[j * d + i] * m->v0[i];
+    if ((!a->feels_slope && !a->feels_place) || is_first_order(m)
+        || (a->feels_slope && damper->past == FVI_INITIAL_HISTORY_CAPUTO))
+        return FVI_SUCCESS;
+    a->unit = 1;
+    if (fvi_kernel_is_power(a->kernel)) {
+        fvi_kernel_impulse_prepare(a->kernel->term->alpha, rule ? m->s : 2,
+                                   rule ? rule->c : ends, &a->power);
+        a->unit = pow(m->run->h, 1 + a->power.e);
+        return FVI_SUCCESS;
+    }
+    return rule ? fvi_impulses_of_kernel_at_stages(a->kernel, m->run->h, m->s, rule->c,
+                                                   &a->impulses)
+                : fvi_impulses_of_kernel_alloc(a->kernel, m->run->h, &a->impulses);
+}
+
+static int start_history(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
+{
+    const fvi_run *run = m->run;
+    double some = 0;
+    for (size_t i = 0; i < a->kernel->count; i++)
+        some += a->kernel->term[i].rho;
+    if (!(some > 0))
+        return FVI_SUCCESS;
+    if (m->o->rule)
+        return fvi_lobatto_history_of_kernel(m->s, a->kernel, run->h, 1, run->steps,
+                                             run->memory, fvi_mechanism_tolerance(run),
+                                             &a->stages);
+    return fvi_kernel_history(a->kernel, is_first_order(m) ? FVI_DELTA_EULER : FVI_DELTA_BDF2,
+                              run->h, 1, run->steps + 1, run->memory, run->tolerance,
+                              &a->weight, &a->history);
+}
+
+/* The terms of a kernel through stages are those of one body with a damping of 1. */
+static int start_terms_of_stages(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
+{
+    const double one = 1;
+    const fvi_system body = { .d = 1, .mass = &one, .damping = &one };
+    fvi_run run = *m->run;
+    run.system = &body;
+    run.law = a->kernel;
+    return fvi_stage_terms_start(&run, m->want, m->s, 1, fvi_lobatto_history_tolerance(&run),
+                                 a->kernel, &a->of_stages);
+}
+
+static int start_terms(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
+{
+    int status = FVI_SUCCESS;
+    if (!fvi_wanted_kernel_numbers(m->want))
+        return status;
+    if (m->o->rule)
+        return start_terms_of_stages(m, a);
+    a->term = calloc(a->kernel->count, sizeof *a->term);
+    if (!a->term)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    fvi_run longer = *m->run; /* of order 1 node 0 comes in, too */
+    longer.steps++;
+    for (size_t l = 0; !status && l < a->kernel->count; l++) {
+        status = fvi_node_term_start(&longer, m->want,
+                                     is_first_order(m) ? FVI_DELTA_EULER : FVI_DELTA_BDF2,
+                                     a->kernel->term + l, 1, NULL, a->term + l);
+        if (!status && a->feels_slope && a->unit != 0)
+            status = fvi_node_term_start_impulses(a->term + l, m->run->h, m->want);
+    }
+    return status;
+}
+
+int fvi_adjoint_mechanism_damper_start(fvi_adjoint_mechanism *m, size_t j)
+{
+    fvi_adjoint_mechanism_damper *a = m->damper + j;
+    a->damper = j;
+    a->first = j > 0 ? a[-1].first + a[-1].kernel->count : 0;
+    a->kernel = damper_of(m, a)->kernel;
+    int status = start_impulses(m, a);
+    if (!status)
+        status = start_history(m, a);
+    return status ? status : start_terms(m, a);
+}
+
+void fvi_adjoint_mechanism_damper_stop(fvi_adjoint_mechanism_damper *a)
+{
+    for (size_t l = 0; a->term && l < a->kernel->count; l++)
+        fvi_node_term_stop(a->term + l);
+    fvi_stage_terms_stop(&a->of_stages);
+    fvi_history_free(a->history);
+    fvi_lobatto_history_free(a->stages);
+    fvi_impulses_of_kernel_free(a->impulses);
+    free(a->each);
+    free(a->term);
+}
+
+/* ---- a step ---- */
+
+void fvi_adjoint_mechanism_damper_impulses(const fvi_adjoint_mechanism *m, size_t k,
+                                           fvi_adjoint_mechanism_damper *a)
+{
+    const size_t n = m->o->rule ? m->s : 2;
+    if (a->unit == 0)
+        return;
+    if (a->impulses)
+        fvi_impulses_of_kernel_at(a->impulses, k, a->impulse);
+    else {
+        fvi_kernel_impulses(&a->power, k, a->impulse);
+        fvi_kernel_impulses_by_order(&a->power, k, a->slope);
+    }
+    const double scale = a->impulses ? 1 : a->unit;
+    for (size_t i = 0; i < n; i++) {
+        a->impulse[i] *= scale;
+        a->slope[i] *= scale;
+    }
+}
+
+void fvi_adjoint_mechanism_damper_powers(const fvi_adjoint_mechanism *m, size_t k,
+                                         fvi_adjoint_mechanism_damper *a, const double *by)
+{
+    const size_t n = m->o->rule ? m->s : 2;
+    for (size_t l = 0; l < a->powers; l++) {
+        fvi_adjoint_start_power *p = a->each + l;
+        double at[FVI_KERNEL_IMPULSE_NODES], slope[FVI_KERNEL_IMPULSE_NODES];
+        fvi_kernel_impulses(&p->power, k, at);
+        fvi_kernel_impulses_by_order(&p->power, k, slope);
+        for (size_t i = 0; i < n; i++) {
+            p->by_A += p->unit * by[i] * at[i];
+            p->by_A_and_order += p->unit * by[i] * slope[i];
+        }
+    }
+}
+
+int fvi_adjoint_mechanism_damper_ahead(const fvi_adjoint_mechanism_damper *a, double *eta)
+{
+    double ahead;
+    *eta = 0;
+    if (!a->history)
+        return FVI_SUCCESS;
+    const int status = fvi_history_ahead(a->history, &a->last, &ahead);
+    *eta = a->weight * (ahead - a->last);
+    return status;
+}
+
+static int push_nodes(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,
+                      const double *zeta)
+{
+    const double nu = a->nu[0], change = nu - a->last;
+    double H = 0;
+    int status = a->history ? fvi_history_push(a->history, &nu, &change, &H) : FVI_SUCCESS;
+    a->eta[0] = a->weight * H;
+    a->by_origin += a->eta[0];
+    a->factor -= nu * m->o->lambda[a->damper];
+    for (size_t l = 0; !status && a->term && l < a->kernel->count; l++)
+        status = fvi_node_term_accumulate(a->term + l, &nu, &change, zeta, m->want,
+                                          a->first + l);
+    a->last = nu;
+    return status;
+}
+
+int fvi_adjoint_mechanism_damper_push(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,
+                                      const double *zeta)
+{
+    const fvi_lobatto_rule *rule = m->o->rule;
+    double y[FVI_STAGES];
+    int status = FVI_SUCCESS;
+    if (!rule)
+        return push_nodes(m, a, zeta);
+    for (size_t i = 0; i < m->s; i++)
+        y[i] = a->nu[m->s - 1 - i] / rule->b[m->s - 1 - i];
+    if (a->stages)
+        status = fvi_lobatto_history_push(a->stages, y, a->past);
+    if (status || !a->of_stages.each)
+        return status;
+    for (size_t i = 0; i < m->s; i++) /* their weights have h */
+        y[i] = -y[i] / m->run->h;
+    fvi_stage_terms_accumulate(&a->of_stages, 0, y, m->run->h, zeta, m->want, a->first);
+    return fvi_stage_terms_update_history(&a->of_stages, y);
+}
+
+/* ---- the end ---- */
+
+/* By rho and the order of a power through the impulses of its start; e falls by 2 dalpha. Of any other
+ * kernel, at nodes, its terms have them. */
+static void add_impulses_of_power(const fvi_adjoint_mechanism *m,
+                                  const fvi_adjoint_mechanism_damper *a)
+{
+    const fvi_sensitivities *want = m->want;
+    const double rho = a->kernel->term->rho;
+    if (!fvi_kernel_is_power(a->kernel) || a->unit == 0 || (a->term && a->feels_slope))
+        return;
+    if (want->terms)
+        want->terms[a->first] += a->A * a->by_A;
+    if (want->orders)
+        want->orders[a->first] -=
+            2 * rho * a->A * (log(m->run->h) * a->by_A + a->by_A_and_order);
+}
+
+/* The same of several powers; by the place. */
+static double add_powers(const fvi_adjoint_mechanism *m, const fvi_adjoint_mechanism_damper *a)
+{
+    const fvi_sensitivities *want = m->want;
+    double by_place = 0;
+    for (size_t l = 0; l < a->powers; l++) {
+        const fvi_adjoint_start_power *p = a->each + l;
+        const double rho = a->kernel->term[p->term].rho;
+        by_place += rho * p->by_A;
+        if (want->terms)
+            want->terms[a->first + p->term] += a->A * p->by_A;
+        if (want->orders)
+            want->orders[a->first + p->term] -=
+                2 * rho * a->A * (log(m->run->h) * p->by_A + p->by_A_and_order);
+    }
+    return by_place;
+}
+
+/* Does the rate of an elongation change with the place? Nobody gives its slope; of g(x) - u(t) it is 0. */
+static int check_rate(const fvi_adjoint_mechanism *m, const fvi_elongation *of)
+{
+    double *x = m->room, here, there;
+    int status = FVI_SUCCESS;
+    if (of->row || !of->rate)
+        return status;
+    memcpy(x, m->run->x0, m->d * sizeof *x);
+    status = of->rate(0, m->d, x, of->params, &here);
+    for (size_t i = 0; i < 2 * m->d && !status; i++) {
+        x[i / 2] = m->run->x0[i / 2] + (i % 2 ? 1e-3 : -1e-3);
+        status = of->rate(0, m->d, x, of->params, &there);
+        x[i / 2] = m->run->x0[i / 2];
+        if (!status && there != here)
+            FVI_FAIL("no derivative of a start with a velocity where a damper grows faster than s "
+                     "and the rate of its elongation changes with the place",
+                     FVI_EUNSUP);
+    }
+    return status;
+}
+
+int fvi_adjoint_mechanism_damper_bar(fvi_adjoint_mechanism *m,
+                                     const fvi_adjoint_mechanism_damper *a, double *by_x0)
+{
+    if (damper_of(m, a)->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || is_first_order(m)
+        || fvi_mechanism_check_stretch(a->kernel, a->damper, NULL) == FVI_SUCCESS)
+        return FVI_SUCCESS;
+    for (size_t i = 0; by_x0 && i < m->d; i++)
+        if (m->G0[a->damper * m->d + i] != 0)
+            by_x0[i] = NAN; /* (19.2) */
+    return fvi_adjoint_mechanism_names_bar(m, a->damper);
+}
+
+int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,
+                                     double *by_x0, double *by_v)
+{
+    const fvi_damper *damper = damper_of(m, a);
+    const size_t d = m->d, j = a->damper;
+    const double *G = m->G0 + j * d,
+                 size = fvi_kernel_is_power(a->kernel) ? a->kernel->term->rho : 1;
+    const int is_liouville =
+        damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && is_first_order(m);
+    double by_place = m->o->rule || is_liouville ? 0 : a->by_origin, by_slope = 0;
+    int status = FVI_SUCCESS;
+    if (is_liouville) { /* node 0 has an elongation, and no force acts there */
+        const double zeta = m->z0[j];
+        a->nu[0] = 0;
+        status = push_nodes(m, a, &zeta);
+        by_place = -a->eta[0];
+    }
+    if (a->feels_place)
+        by_place += size * a->by_A;
+    by_place += add_powers(m, a);
+    if (a->feels_slope)
+        by_slope = size * a->by_A + a->by_drift;
+    if (!status && by_slope != 0)
+        status = check_rate(m, &damper->of);
+    if (!status)
+        status = fvi_adjoint_mechanism_names_start(m, j, by_place, by_slope);
+    if (status)
+        return status;
+    for (size_t i = 0; i < d; i++) {
+        by_x0[i] += by_place * G[i];
+        by_v[i] += by_slope * G[i];
+    }
+    if (!status && by_slope != 0 && !damper->of.row) { /* z' = grad g . v0 */
+        double *H = m->room;
+        memset(H, 0, d * d * sizeof *H);
+        status = damper->of.hessian(0, d, m->run->x0, by_slope, damper->of.params, H);
+        for (size_t i = 0; i < d * d; i++)
+            by_x0[i / d] += H[i] * m->v0[i % d];
+    }
+    if (m->want->damping)
+        m->want->damping[j] = a->factor;
+    add_impulses_of_power(m, a);
+    return status;
+}

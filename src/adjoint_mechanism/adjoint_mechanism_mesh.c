@@ -1,0 +1,362 @@
+/* src/adjoint_mechanism/adjoint_mechanism_mesh.c -- A mechanism on steps of any length, backwards.   [H 23, 29]
+ *
+ * The steps are those of form D, so that a step goes back as in adjoint_mechanism_stages.c. The memory of a damper goes
+ * back as that of a coordinate does (23.16): the same modes, with mu_i = nu_{s-1-i} / (h b_{s-1-i}) in the place of
+ * zdot. Within a step a row is a polynomial of V, and of v at its beginning, the last V of the step before. */
+#include "adjoint_mechanism.h"
+#include "adjoint_variable/adjoint_variable.h"
+
+#include "system/arrays.h"
+#include "system/fail.h"
+#include "variable_step/variable_mechanism.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Where a step begins, and its length. At its end v is solved from p, and is not the last V, if an impulse acts there
+ * or if there are constraints. */
+typedef struct {
+    double t;
+    fvi_length length;
+    int solves_velocity;
+} mesh_step;
+
+struct fvi_adjoint_mesh {
+    const fvi_variable_rule *rule;
+    mesh_step *step;
+    size_t steps, room, row;  /* the next row that is asked for its slopes */
+    double *rows, *p;         /* x of the rows; p at the end */
+    double *source, *by_v, *by_x, *Jx, *Jp; /* s d, d each; owned, one piece */
+    double W[FVI_LANES * FVI_LANES];
+    fvi_mesh_damper *mirror;  /* r; owned */
+};
+
+/* ---- what there is ---- */
+
+int fvi_adjoint_mesh_check(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want)
+{
+    const fvi_mechanism *mechanism = run->system->mechanism;
+    if (run->system->force.impulse_count && mechanism->constraints && mechanism->constraints->count > 0)
+        FVI_FAIL("steps of any length have no adjoint of impulses and constraints together", FVI_EUNSUP);
+    if (J && J->has_momenta)
+        FVI_FAIL("steps of any length have no adjoint of a mechanism by momenta before the last", FVI_EUNSUP);
+    if (want->terms || want->orders || want->times || want->ends)
+        FVI_FAIL("with steps of any length a damper has a derivative by its factor alone", FVI_EUNSUP);
+    for (size_t j = 0; j < mechanism->damper_count; j++) {
+        const fvi_damper *damper = mechanism->damper + j;
+        if (damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+            || (damper->past == FVI_INITIAL_HISTORY_CAPUTO && fvi_kernel_growth(damper->kernel) > 1))
+            FVI_FAIL("steps of any length have no adjoint of a damper with the past rl, nor with that of "
+                     "caputo above the order 1",
+                     FVI_EUNSUP);
+    }
+    return FVI_SUCCESS;
+}
+
+/* ---- the run, and what is kept of it ---- */
+
+static int start(fvi_adjoint_mechanism *m)
+{
+    struct fvi_adjoint_mesh *mesh = m->mesh;
+    int status = fvi_stepper_start(&fvi_variable_step, m->run, &m->stepper, NULL);
+    if (status)
+        return status;
+    fvi_variable_step_state *of = m->stepper->method_state;
+    fvi_mechanism_state *o = m->o = m->stepper->mechanism;
+    m->r = o->r;
+    m->s = o->s;
+    m->n = o->n;
+    m->row = 2 * m->d + m->n + m->r * m->s + o->m;
+    mesh->rule = of->rule;
+    mesh->row = m->run->steps;
+    if (o->any_massless)
+        FVI_FAIL("no adjoint by steps of any length of a coordinate without inertia; by fvi-lobatto2d to 8d "
+                 "there is",
+                 FVI_EUNSUP);
+    status = fvi_adjoint_mechanism_allocate(m);
+    mesh->mirror = calloc(m->r + 1, sizeof *mesh->mirror);
+    mesh->rows = malloc((m->run->steps + 2) * m->d * sizeof *mesh->rows);
+    mesh->source = FVI_ARRAYS({ &mesh->source, m->s * m->d }, { &mesh->by_v, m->d }, { &mesh->by_x, m->d },
+                              { &mesh->Jx, m->d }, { &mesh->Jp, m->d });
+    if (!status && (!mesh->mirror || !mesh->rows || !mesh->source))
+        FVI_FAIL("no memory for the rows of the run", FVI_ENOMEM);
+    if (status)
+        return status;
+    m->source = mesh->source;
+    memcpy(m->G0, o->G, m->r * m->d * sizeof *m->G0);
+    memcpy(m->v0, o->v, m->d * sizeof *m->v0);
+    if (m->want->mass)
+        memset(m->want->mass, 0, m->d * sizeof *m->want->mass);
+    for (size_t j = 0; j < m->r && !status; j++) {
+        fvi_adjoint_mechanism_damper *a = m->damper + j;
+        a->damper = j;
+        a->kernel = m->run->system->mechanism->damper[j].kernel;
+        status = fvi_mesh_begin_damper(m->stepper, of, a->kernel, 1, j, &mesh->mirror[j]);
+        a->spring = mesh->mirror[j].beta == -1 ? mesh->mirror[j].rho : 0;
+    }
+    return status;
+}
+
+/* v, and the impulse w of the constraints but for that of the last stage, where the stepper is.      (29.4) */
+static void keep_velocity(const fvi_adjoint_mechanism *m, double *to)
+{
+    const fvi_mechanism_state *o = m->o;
+    memcpy(to, o->v, m->d * sizeof *to);
+    for (size_t l = 0; l < o->m; l++)
+        to[m->d + l] = o->h > 0 ? o->h * o->rule->b[m->s - 1] * o->ended[l]
+                                      - o->u[m->s * m->d + (m->s - 1) * o->m + l] / o->h
+                                : 0;
+}
+
+/* x_k, u and the known forces of the step that was done last, which began at x with the velocity and the impulse
+ * behind it. */
+static int record(fvi_adjoint_mechanism *m, const double *x, int is_hit)
+{
+    struct fvi_adjoint_mesh *mesh = m->mesh;
+    const fvi_variable_step_state *of = m->stepper->method_state;
+    if (mesh->steps == mesh->room) {
+        const size_t room = mesh->room ? 2 * mesh->room : 64;
+        mesh_step *step = realloc(mesh->step, room * sizeof *step);
+        if (step)
+            mesh->step = step;
+        double *numbers = realloc(m->record, room * m->row * sizeof *numbers);
+        if (numbers)
+            m->record = numbers;
+        if (!step || !numbers)
+            FVI_FAIL("no memory for the steps", FVI_ENOMEM);
+        mesh->room = room;
+    }
+    double *to = m->record + mesh->steps * m->row;
+    mesh->step[mesh->steps++] = (mesh_step){ of->t0, of->length, is_hit || m->o->m };
+    memcpy(to, x, m->d * sizeof *to);
+    memcpy(to + m->d, m->o->u, m->n * sizeof *to);
+    memcpy(to + m->d + m->n, m->o->known, m->r * m->s * sizeof *to);
+    memcpy(to + m->row - m->d - m->o->m, x + m->d, (m->d + m->o->m) * sizeof *to);
+    return FVI_SUCCESS;
+}
+
+static int run_forwards(fvi_adjoint_mechanism *m)
+{
+    struct fvi_adjoint_mesh *mesh = m->mesh;
+    fvi_stepper *s = m->stepper;
+    const size_t d = m->d, N = m->run->steps;
+    const fvi_variable_step_state *of = s->method_state;
+    const double T = of->T;
+    double *begin = m->last; /* x, v, w */
+    int status = FVI_SUCCESS;
+    memcpy(mesh->rows, s->x, d * sizeof *s->x);
+    for (size_t k = 1; k <= N && !status;) {
+        memcpy(begin, s->x, d * sizeof *begin);
+        keep_velocity(m, begin + d);
+        const size_t hits = of->hits;
+        status = fvi_stepper_step(s);
+        if (!status)
+            status = record(m, begin, of->hits > hits);
+        for (; !status && k <= N; k++) {
+            const double t = fmin((double)k * m->run->h, T);
+            if (t > s->t)
+                break;
+            status = fvi_variable_step_dense(s, t, mesh->rows + k * d, NULL);
+        }
+    }
+    mesh->p = mesh->rows + (N + 1) * d;
+    memcpy(mesh->p, s->p, d * sizeof *s->p);
+    memcpy(begin, s->x, d * sizeof *begin);
+    keep_velocity(m, begin + d);
+    return status;
+}
+
+/* The stepper as it was in step n, and its equation linearised at the root. */
+static int put_back(fvi_adjoint_mechanism *m, size_t n)
+{
+    const mesh_step *step = m->mesh->step + n;
+    const double *from = m->record + n * m->row;
+    fvi_stepper *s = m->stepper;
+    fvi_variable_step_state *of = s->method_state;
+    fvi_mechanism_state *o = m->o;
+    of->length = step->length;
+    o->t = step->t;
+    o->h = step->length.h;
+    m->unknown = from + m->d;
+    memcpy(s->x, from, m->d * sizeof *from);
+    memcpy(o->known, from + m->d + m->n, m->r * m->s * sizeof *from);
+    fvi_mesh_present(s, of);
+    const int status = fvi_mechanism_elongations(s, step->t, s->x, o->z, o->G);
+    return status ? status : fvi_mechanism_linearise(s, m->unknown);
+}
+
+/* ---- rows within a step ---- */
+
+/* dJ/dx of row k, and of the last one dJ/dp to beta. */
+static int ask_row(fvi_adjoint_mechanism *m, size_t k)
+{
+    struct fvi_adjoint_mesh *mesh = m->mesh;
+    const int is_last = k == m->run->steps;
+    memset(mesh->Jx, 0, 2 * m->d * sizeof *mesh->Jx);
+    const int status = m->J->slopes(k, m->d, mesh->rows + k * m->d, is_last ? mesh->p : NULL,
+                                    m->J->params, mesh->Jx, is_last ? mesh->Jp : NULL);
+    for (size_t j = 0; is_last && j < m->d; j++)
+        m->beta[j] += mesh->Jp[j];
+    return status;
+}
+
+/* Add dJ/dx of all rows in step n, but for one at its beginning, to the derivatives by V of its stages and by v and x
+ * at its beginning. The derivative by v at its end, by_v, goes to its last V, unless v is solved from p there. */
+static int add_rows(fvi_adjoint_mechanism *m, size_t n)
+{
+    struct fvi_adjoint_mesh *mesh = m->mesh;
+    const mesh_step *step = mesh->step + n;
+    const size_t d = m->d, s = m->s;
+    const double h = step->length.h;
+    int status = FVI_SUCCESS;
+    memset(mesh->source, 0, s * d * sizeof *mesh->source);
+    if (!step->solves_velocity)
+        memcpy(mesh->source + (s - 1) * d, mesh->by_v, d * sizeof *mesh->by_v);
+    memset(mesh->by_v, 0, 2 * d * sizeof *mesh->by_v);
+    for (; !status && mesh->row > 0; mesh->row--) {
+        const double t = (double)mesh->row * m->run->h, theta = fmin((t - step->t) / h, 1);
+        double shape[FVI_LANES], twice[FVI_LANES], whole = 0;
+        if (t <= step->t)
+            break;
+        status = ask_row(m, mesh->row);
+        fvi_variable_step_twice(theta, twice);
+        fvi_adjoint_mesh_shape(mesh->rule, h, twice, shape);
+        for (size_t i = 0; i < s; i++)
+            whole += shape[i];
+        for (size_t j = 0; j < d; j++) {
+            for (size_t i = 0; i < s; i++)
+                mesh->source[i * d + j] += mesh->Jx[j] * shape[i];
+            mesh->by_v[j] += mesh->Jx[j] * (h * theta - whole);
+            mesh->by_x[j] += mesh->Jx[j];
+        }
+    }
+    return status;
+}
+
+/* ---- memories ---- */
+
+/* The sums over later steps, `past`, for a step of this length: (22.10) with mu. */
+static void find_past(fvi_adjoint_mechanism *m, size_t e)
+{
+    const fvi_variable_step_state *of = m->stepper->method_state;
+    fvi_mesh_damper *mirror = m->mesh->mirror + e;
+    const double h = m->o->h;
+    double H[FVI_LANES] = { 0 }, more[FVI_LANES] = { 0 };
+    fvi_mesh_present_damper(of, h, mirror, m->mesh->W);
+    if (mirror->modes) {
+        fvi_modes_begin(mirror->modes, of->length);
+        fvi_modes_history(mirror->modes, 0, H);
+    }
+    if (mirror->rising) {
+        fvi_modes_begin(mirror->rising, of->length);
+        fvi_modes_history(mirror->rising, 0, more);
+    }
+    for (size_t i = 0; i < m->s; i++)
+        m->damper[e].past[i] = h * mirror->rho
+                               * (H[i] + more[i]
+                                  - (mirror->W1[i] != 0 ? pow(h, -mirror->beta) * mirror->W1[i] * mirror->before
+                                                        : 0));
+}
+
+static void add_forces(fvi_adjoint_mechanism *m)
+{
+    for (size_t i = 0; m->want->force && i < m->s; i++)
+        fvi_adjoint_mesh_force(m->run, fvi_mechanism_stage_time(m->stepper, i), 1, 1, m->phi + i * m->d,
+                               m->want->force);
+}
+
+int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m)
+{
+    const fvi_mechanism_state *o = m->o;
+    const size_t s = m->s;
+    const double *b = o->rule->b;
+    for (size_t e = 0; e < m->r; e++) {
+        fvi_adjoint_mechanism_damper *a = m->damper + e;
+        fvi_mesh_damper *mirror = m->mesh->mirror + e;
+        double mu[FVI_LANES] = { 0 }, all = 0;
+        for (size_t i = 0; i < s; i++) {
+            mu[i] = a->nu[s - 1 - i] / (o->h * b[s - 1 - i]);
+            a->factor += a->nu[i] * o->lambda[e * s + i];
+            all += a->spring * a->nu[i];
+        }
+        fvi_mesh_advance_damper(mirror, 0, s, mu, &mirror->before);
+        a->by_origin -= all; /* where a spring rests */
+        for (size_t j = 0; j < m->d; j++)
+            m->g[j] += all * o->G[e * m->d + j];
+    }
+    add_forces(m);
+    return FVI_SUCCESS;
+}
+
+/* ---- the walk back ---- */
+
+static int step_back(fvi_adjoint_mechanism *m, size_t n)
+{
+    const size_t d = m->d;
+    const double *x = m->record + n * m->row, *v = x + m->row - d - m->o->m;
+    int status = n % 64 == 0 ? fvi_interrupted() : FVI_SUCCESS;
+    if (!status)
+        status = add_rows(m, n);
+    if (!status && n + 1 == m->mesh->steps && m->o->m)
+        status = fvi_adjoint_mechanism_project(m, m->stepper->t, m->last, m->last + d, m->last + 2 * d, NULL);
+    if (!status)
+        status = put_back(m, n);
+    for (size_t e = 0; e < m->r && !status; e++)
+        find_past(m, e);
+    if (!status)
+        status = fvi_adjoint_mechanism_stages(m, n);
+    for (size_t j = 0; j < d; j++)
+        m->g[j] += m->mesh->by_x[j];
+    const int is_projected = n == 0 ? m->o->m > 0 : m->mesh->step[n - 1].solves_velocity;
+    if (status || !is_projected)
+        return status;
+    return fvi_adjoint_mechanism_project(m, m->mesh->step[n].t, x, v, v + d, m->mesh->by_v);
+}
+
+static int finish(fvi_adjoint_mechanism *m)
+{
+    const fvi_sensitivities *want = m->want;
+    const size_t d = m->d;
+    int status = ask_row(m, 0);
+    for (size_t j = 0; j < d; j++)
+        m->g[j] += m->mesh->Jx[j];
+    for (size_t e = 0; e < m->r && !status; e++) {
+        const fvi_adjoint_mechanism_damper *a = m->damper + e;
+        status = fvi_adjoint_mechanism_names_start(m, e, a->by_origin, 0);
+        for (size_t j = 0; j < d; j++)
+            m->g[j] += a->by_origin * m->G0[e * d + j];
+        if (want->damping)
+            want->damping[e] = a->factor;
+    }
+    if (!status)
+        status = fvi_adjoint_mechanism_names_check(m);
+    if (!status && m->o->m == 0)
+        status = fvi_adjoint_mechanism_add_velocity(m, m->mesh->by_v, m->g, m->beta);
+    if (want->x0)
+        memcpy(want->x0, m->g, d * sizeof *m->g);
+    if (want->p0)
+        memcpy(want->p0, m->beta, d * sizeof *m->beta);
+    return status;
+}
+
+int fvi_adjoint_mesh_run(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want)
+{
+    struct fvi_adjoint_mesh mesh = { .steps = 0 };
+    fvi_adjoint_mechanism m = { .run = run, .want = want, .J = J, .d = run->system->d, .mesh = &mesh };
+    int status = start(&m);
+    if (!status)
+        status = run_forwards(&m);
+    for (size_t n = mesh.steps; !status && n-- > 0;)
+        status = step_back(&m, n);
+    if (!status)
+        status = finish(&m);
+    for (size_t e = 0; mesh.mirror && e < m.r; e++)
+        fvi_mesh_free_damper(&mesh.mirror[e]);
+    free(mesh.mirror);
+    free(mesh.step);
+    free(mesh.rows);
+    free(mesh.source);
+    fvi_adjoint_mechanism_stop(&m);
+    return status;
+}

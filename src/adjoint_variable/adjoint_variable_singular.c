@@ -1,0 +1,79 @@
+/* src/adjoint_variable/adjoint_variable_singular.c -- Where the past pulls, backwards over a mesh. [H 23]
+ */
+#include "adjoint_variable.h"
+
+/* What the memory takes from the velocities of the last step, which is where the mirrored
+ * run begins: v0; or what v begins with, and what it is told of G' at t1.   (23.26) */
+void fvi_adjoint_variable_subtract_velocity(fvi_adjoint_variable_run *m)
+{
+    const size_t last = m->path.steps - 1;
+    for (size_t j = 0; m->path.beta > 0 && j < m->d; j++) {
+        double slope = 0;
+        m->subtracted_velocity[j] = m->run->p0[j] / m->run->system->mass[j];
+        if (!m->pull.is)
+            continue;
+        m->subtracted_velocity[j] = m->pull.A[j] * fvi_singular_start_adjoint_first(&m->pull, j);
+        if (!fvi_adjoint_variable_is_singular(m, last))
+            fvi_singular_start_adjoint_at(&m->pull, j, m->pull.undamped.t1, &slope);
+        m->subtracted_velocity[j] += slope;
+    }
+}
+
+/* In a step before t1: G moves the stages, and leaves a force. */
+void fvi_adjoint_variable_accumulate_singular_start(fvi_adjoint_variable_run *m, size_t n)
+{
+    const double h = m->path.step[n].length.h, *b = m->rule->b;
+    for (size_t i = 0; i < m->s; i++) {
+        const double t = fvi_adjoint_variable_time(m, n, i);
+        for (size_t j = 0; j < m->d; j++)
+            fvi_singular_start_adjoint_accumulate(&m->pull, j, t,
+                                 -h * b[i] * m->hessian_product[i * m->d + j], 0,
+                                 -h * b[i] * m->Lambda[j * FVI_LANES + i]);
+    }
+}
+
+//> hand-back
+/* At t1, before the first step that begins there: x, v and the modes have taken over G. */
+void fvi_adjoint_variable_hand_back(fvi_adjoint_variable_run *m)
+{
+    const double t1 = m->pull.undamped.t1;
+    if (m->modes)
+        fvi_modes_activate_all(m->modes);
+    for (size_t j = 0; j < m->d; j++) {
+        const double rho = m->run->system->damping[j];
+        double by_v = m->after[j], slope;
+        fvi_singular_start_adjoint_at(&m->pull, j, t1, &slope);
+        if (m->path.beta > 0) { /* what the memory takes from V, too */
+            by_v += rho * m->plain[j];
+            m->subtracted_velocity[j] -= slope;
+        }
+        fvi_singular_start_adjoint_accumulate(&m->pull, j, t1, m->xi[j], by_v, 0);
+        if (m->modes)
+            m->sum[j] +=
+                fvi_singular_start_adjoint_accumulate_modes(&m->pull, j, rho, m->modes,
+                                         m->before[j], m->want->alpha != NULL);
+    }
+}
+//< hand-back
+
+/* v and y begin with c_0 A, and the memory takes that from V; the rest of A, r and m. */
+void fvi_adjoint_variable_end_singular_start(fvi_adjoint_variable_run *m, size_t j, double by_v0)
+{
+    const fvi_sensitivities *want = m->want;
+    const fvi_singular_start_adjoint *p = &m->pull;
+    const double M = m->run->system->mass[j], rho = m->run->system->damping[j];
+    const int above = m->path.beta > 0;
+    const double by_A =
+        p->by_A[j] + (above ? fvi_singular_start_adjoint_first(p, j) * by_v0 : 0);
+    double by_rho, by_m;
+    fvi_singular_start_adjoint_ratio(p, M, rho, &by_rho, &by_m);
+    if (want->p0 && above)
+        want->p0[j] = by_A / M + m->Jk[j];
+    if (want->x0 && !above)
+        want->x0[j] += by_A;
+    if (want->mass)
+        want->mass[j] += p->by_ratio[j] * by_m + p->by_mass[j] / M
+                         + (above ? (by_v0 - by_A) * p->A[j] / M : 0);
+    if (want->damping)
+        want->damping[j] += p->by_ratio[j] * by_rho;
+}

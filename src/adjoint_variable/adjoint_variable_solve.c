@@ -1,0 +1,163 @@
+/* src/adjoint_variable/adjoint_variable_solve.c -- A step backwards over a mesh.    [H 23] */
+#include "adjoint_variable.h"
+
+#include "parameter_derivatives/potential_derivatives.h"
+
+#include <math.h>
+#include <string.h>
+
+static double entry(const fvi_square *M, size_t i, size_t l)
+{
+    return M->column[l][i];
+}
+
+static void find_stages(fvi_adjoint_variable_run *m, size_t n, double h)
+{
+    const double *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
+    const size_t d = m->d;
+    for (size_t j = 0; j < d; j++) {
+        double move[FVI_LANES];
+        fvi_square_apply(m->s, m->path.to_x, numbers + 3 * d + j * FVI_LANES,
+                         move);
+        for (size_t i = 0; i < m->s; i++)
+            m->X[i * d + j] =
+                numbers[j] + h * (m->rule->c[i] * numbers[d + j] + move[i]);
+        for (size_t i = 0; fvi_adjoint_variable_is_singular(m, n) && i < m->s; i++)
+            m->X[i * d + j] += fvi_singular_start_adjoint_at(
+                &m->pull, j, fvi_adjoint_variable_time(m, n, i), NULL);
+    }
+}
+
+/* G Lambda at all stages. */
+static void multiply_by_hessians(fvi_adjoint_variable_run *m)
+{
+    for (size_t i = 0; i < m->s; i++) {
+        for (size_t j = 0; j < m->d; j++)
+            m->column[j] = m->Lambda[j * FVI_LANES + i];
+        m->linearised.stage = i;
+        fvi_linearised_gradient(m->d, m->column, &m->linearised,
+                                m->hessian_product + i * m->d);
+    }
+}
+
+/* Entry (j, l) of the Hessian at stage i, in the rows of coordinate j. */
+static void add_entry(fvi_adjoint_variable_run *m, double h, size_t i, size_t j,
+                      size_t l, double H)
+{
+    const size_t s = m->s;
+    const double weight = h * h * m->rule->b[i] * H;
+    for (size_t c = 0; c < s; c++)
+        fvi_band_row(&m->J_band, j * s + c)[l * s + i] +=
+            weight * entry(m->path.to_x, i, c);
+}
+
+/* What the Hessians give to the matrix. */
+static void add_hessians(fvi_adjoint_variable_run *m, double h)
+{
+    const fvi_linearised *of = &m->linearised;
+    const size_t d = m->d, w = of->diagonals;
+    for (size_t i = 0; m->G && i < m->s; i++)
+        for (size_t j = 0; j < d; j++)
+            for (size_t k = 0; k < (w ? w : d) && (w ? j + k : k) < d; k++) {
+                const double H = m->G[i * of->size + j * (w ? w : d) + k];
+                add_entry(m, h, i, j, w ? j + k : k, H);
+                if (w && k > 0)
+                    add_entry(m, h, i, j + k, j, H);
+            }
+}
+
+/* The matrix of the step, transposed: row c is the derivative by V_c. */
+static int factorise(fvi_adjoint_variable_run *m, double h)
+{
+    const size_t s = m->s;
+    const double unit = pow(h, 1 - m->path.beta), *b = m->rule->b;
+    fvi_band_clear(&m->J_band);
+    for (size_t j = 0; j < m->d; j++) {
+        const double mass = fvi_adjoint_variable_mass(m, j),
+                     rho = fvi_adjoint_variable_damping(m, j) * unit;
+        for (size_t c = 0; c < s; c++) {
+            double *row = fvi_band_row(&m->J_band, j * s + c) + j * s;
+            for (size_t i = 0; i < s; i++)
+                row[i] = b[i]
+                         * (mass * entry(&m->rule->inverse, i, c)
+                            + rho * entry(&m->path.W0, i, c));
+        }
+    }
+    add_hessians(m, h);
+    return fvi_band_factorise(&m->J_band);
+}
+
+/* T but for W0 mu: the history. (22.6), (22.7) */
+static void recall(fvi_adjoint_variable_run *m, double h)
+{
+    const double now = pow(h, -m->path.beta);
+    for (size_t j = 0; m->has_history && j < m->d; j++) {
+        double *T = m->T + j * FVI_LANES, rising[FVI_LANES] = { 0 };
+        memset(T, 0, FVI_LANES * sizeof *T);
+        if (m->modes)
+            fvi_modes_history(m->modes, j, T);
+        if (m->rising)
+            fvi_modes_history(m->rising, j, rising);
+        for (size_t i = 0; (m->path.beta > 0 || m->rising) && i < m->s; i++)
+            T[i] += rising[i] - now * m->W_1[i] * m->before[j];
+    }
+}
+
+//> mesh
+/* (23.16): Lambda of a step of length h. In both forms to_x 1 = c, and its last row is b,
+ * so that x_{n+1} = x_n + h b.V. */
+static int solve(fvi_adjoint_variable_run *m, double h)
+{
+    const size_t s = m->s;
+    const double *b = m->rule->b;
+    int status = factorise(m, h);
+    if (status)
+        return status;
+    for (size_t j = 0; j < m->d; j++)
+        for (size_t c = 0; c < s; c++) {
+            const double history = m->T[j * FVI_LANES + s - 1 - c];
+            m->r[j * s + c] =
+                m->source[j * FVI_LANES + c] + h * b[c] * m->xi[j]
+                - h * fvi_adjoint_variable_damping(m, j) * b[c] * history;
+            if (c == s - 1)
+                m->r[j * s + c] += m->after[j];
+        }
+    fvi_band_solve(&m->J_band, m->r);
+    for (size_t j = 0; j < m->d; j++)
+        for (size_t i = 0; i < s; i++) {
+            m->Lambda[j * FVI_LANES + i] = m->r[j * s + i];
+            m->mu[j * FVI_LANES + s - 1 - i] = m->r[j * s + i];
+        }
+    multiply_by_hessians(m);
+    return FVI_SUCCESS;
+}
+//< mesh
+
+/* What a law makes of a velocity now, in steps of length h. What it makes of a constant one is
+ * known to the modes of the terms that rise, not to the others. */
+static void begin_kernel(fvi_adjoint_variable_run *m, double h)
+{
+    const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
+    fvi_variable_step_state *o = m->path.stepper->method_state;
+    fvi_variable_step_present_kernel(o, h);
+    m->path.W0 = o->W0;
+    fvi_square_apply(m->s, &o->W0, ones, m->W_1);
+    for (size_t i = 0; i < m->s; i++)
+        m->W_1[i] -= o->W1[i];
+}
+
+int fvi_adjoint_variable_solve(fvi_adjoint_variable_run *m, size_t n)
+{
+    const fvi_length length = m->path.step[n].length;
+    find_stages(m, n, length.h);
+    const int status = fvi_potential_evaluate_hessians(m->run->system, m->s, m->X,
+                                                       m->linearised.size, m->G);
+    if (m->path.stepper)
+        begin_kernel(m, length.h);
+    if (m->modes)
+        fvi_modes_begin(m->modes, length);
+    if (m->rising)
+        fvi_modes_begin(m->rising, length);
+    recall(m, length.h);
+    return status ? status : solve(m, length.h);
+}

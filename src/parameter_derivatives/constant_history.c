@@ -1,0 +1,116 @@
+/* src/parameter_derivatives/constant_history.c -- What a memory of differences leaves out: a constant. [H 23] */
+#include "constant_history.h"
+
+#include "methods/damping.h"
+#include "system/arrays.h"
+#include "system/dot.h"
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* g = ((3 - z)/2)^beta by powers of z, and g ln((3 - z)/2). */
+static size_t factor_bdf2(double beta, double *g, double *gdot)
+{
+    double power = 1, l[FVI_BDF2_TAPS] = { log(1.5) };
+    fvi_cq_bdf2_factor(beta, g);
+    for (size_t n = 1; n < FVI_BDF2_TAPS; n++)
+        l[n] = -(power /= 3) / (double)n;
+    for (size_t n = 0; n < FVI_BDF2_TAPS; n++)
+        for (size_t j = 0; j <= n; j++)
+            gdot[n] += l[j] * g[n - j];
+    return FVI_BDF2_TAPS;
+}
+
+size_t fvi_power_factor(fvi_scheme scheme, double alpha, double *g,
+                        double *gdot)
+{
+    if (scheme == FVI_SCHEME_CQ_BDF2)
+        return factor_bdf2(2 * alpha, g, gdot);
+    g[0] = 1;
+    if (scheme != FVI_SCHEME_CQ2_MIDPOINT)
+        return 1;
+    g[0] = 0.5 + alpha; /* (13.16) */
+    g[1] = 0.5 - alpha;
+    gdot[0] = 0.5;
+    gdot[1] = -0.5;
+    return 2;
+}
+
+static int allocate(fvi_constant_history *c)
+{
+    const size_t n = c->width;
+    c->block = FVI_ARRAYS({ &c->sum, n }, { &c->sum_by_order, n }, { &c->value, n }, { &c->rate, n },
+                          { &c->by_theta, n }, { &c->now, n }, { &c->now_by_order, n },
+                          { &c->past, 2 * c->taps * n }, { &c->past_by_order, 2 * c->taps * n });
+    if (!c->block)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    return FVI_SUCCESS;
+}
+
+int fvi_constant_history_start(const fvi_method *method, const fvi_run *run,
+                               const fvi_run_damper *of, size_t width, int by_order,
+                               fvi_constant_history *c)
+{
+    const fvi_scheme scheme = method->scheme;
+    *c = (fvi_constant_history){ .width = width,
+                                 .by_order = by_order,
+                                 .theta = scheme == FVI_SCHEME_CQ2_SHIFTED ? of->alpha
+                                          : scheme == FVI_SCHEME_CQ2_MIDPOINT
+                                                  || scheme == FVI_SCHEME_FVI
+                                              ? 0.5
+                                              : 0 };
+    c->taps = fvi_power_factor(scheme, of->alpha, c->g, c->gdot);
+    const int status = allocate(c);
+    return status ? status
+                  : fvi_run_damper_history(of, run, fvi_damping_quadrature(method),
+                                           by_order, width, &c->first, &c->memory);
+}
+
+void fvi_constant_history_stop(fvi_constant_history *c)
+{
+    fvi_history_free(c->memory);
+    free(c->block);
+}
+
+/* The last terms of number i, after one more: the latest first. */
+static const double *with_term(const fvi_constant_history *c, double *past, size_t i,
+                               double term)
+{
+    double *row = past + i * 2 * c->taps + c->place;
+    row[0] = row[c->taps] = term;
+    return row;
+}
+
+//> next
+int fvi_constant_history_next(fvi_constant_history *c, const double *B,
+                              const double *change)
+{
+    const double theta = c->theta;
+    c->has_begun = 1;
+    c->place = (c->place ? c->place : c->taps) - 1;
+    const int status = c->by_order
+                           ? fvi_history_push_by_order(c->memory, B, change, c->now,
+                                                       c->now_by_order)
+                           : fvi_history_push(c->memory, B, change, c->now);
+    for (size_t i = 0; i < c->width; i++) {
+        const double *past = with_term(c, c->past, i, c->now[i]), before = c->sum[i];
+        const double sum = fvi_dot(c->taps, c->g, past);
+        c->sum[i] = sum;
+        c->value[i] = (0.5 + theta) * sum + (0.5 - theta) * before;
+        c->by_theta[i] = sum - before;
+    }
+    for (size_t i = 0; c->by_order && i < c->width; i++) {
+        const double *past = c->past + i * 2 * c->taps + c->place,
+                     *rated = with_term(c, c->past_by_order, i, c->now_by_order[i]),
+                     before = c->sum_by_order[i];
+        double by_order = 0;
+        for (size_t n = 0; n < c->taps; n++)
+            by_order += c->g[n] * rated[n] + c->gdot[n] * past[n];
+        c->sum_by_order[i] = by_order;
+        c->rate[i] = (0.5 + theta) * by_order + (0.5 - theta) * before;
+    }
+    return status;
+}
+//< next

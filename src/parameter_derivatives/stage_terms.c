@@ -1,0 +1,267 @@
+/* src/parameter_derivatives/stage_terms.c -- The terms of a law by their numbers, through stages. [H 23] */
+#include "stage_terms.h"
+
+#include "system/arrays.h"
+#include "system/fail.h"
+
+#include <gsl/gsl_integration.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- the start ---- */
+
+static int convolve(const fvi_stage_term *t, const fvi_run *run, double keep, const fvi_kernel *alone,
+                    fvi_stage_convolution *c)
+{
+    return fvi_lobatto_history_of_kernel(t->s, alone, run->h, t->d, run->steps, run->memory, keep,
+                                         &c->memory);
+}
+
+static int is_davidson(const fvi_stage_term *t)
+{
+    return t->unit.term.kind == FVI_KERNEL_DAVIDSON;
+}
+
+/* ln(1 + T s) is the integral of s/(1 + tau s) over tau from 0 to T, a sum of Maxwell elements by Gauss and Legendre:
+ * of 12 points below `least`, where |least s| < 1/2 for all s = lambda/h, and of 12 on each piece of ln tau above, not
+ * longer than 1. There the pole ln tau = -ln s +- pi i is 1.8 away, as |arg lambda| < 1.3: 1e-16 is left. */
+static int find_relaxation(fvi_stage_term *t, fvi_kernel *sum)
+{
+    enum { POINTS = 12 };
+    const double T = t->unit.term.time, least = fmin(T, t->h / (4 * (double)(t->s * t->s))),
+                 pieces = ceil(log(T / least)), length = pieces > 0 ? log(T / least) / pieces : 0;
+    fvi_quiet();
+    gsl_integration_glfixed_table *gauss = gsl_integration_glfixed_table_alloc(POINTS);
+    fvi_loud();
+    sum->count = POINTS * (1 + (size_t)pieces);
+    sum->term = t->relaxation = calloc(sum->count, sizeof *t->relaxation);
+    if (!gauss || !t->relaxation) {
+        gsl_integration_glfixed_table_free(gauss);
+        FVI_FAIL("no memory for the terms of a law", FVI_ENOMEM);
+    }
+    for (size_t i = 0; i < sum->count; i++) {
+        const size_t piece = i / POINTS;
+        const double from = piece ? log(least) + (double)(piece - 1) * length : 0;
+        double at, weight;
+        gsl_integration_glfixed_point(from, piece ? from + length : least, i % POINTS, &at, &weight, gauss);
+        const double tau = piece ? exp(at) : at;
+        t->relaxation[i] = (fvi_kernel_term){ FVI_KERNEL_MAXWELL, piece ? weight * tau : weight, 0, tau, 0 };
+    }
+    gsl_integration_glfixed_table_free(gauss);
+    return FVI_SUCCESS;
+}
+
+/* C = V^(2 alpha) with V = s/(1 + time s) has the derivatives -2 alpha V C by the time, and
+ * 2 (ln s - ln(1 + time s)) C by the order. */
+static int start_davidson(const fvi_run *run, const fvi_sensitivities *want, double keep, fvi_stage_term *t)
+{
+    const fvi_kernel_term maxwell = { FVI_KERNEL_MAXWELL, 1, 0, t->unit.term.time, 0 };
+    const fvi_kernel alone = { 1, &maxwell };
+    int status = FVI_SUCCESS;
+    t->by_time = 2 * t->unit.term.alpha;
+    fvi_kernel sum;
+    if (want->times)
+        status = convolve(t, run, keep, &alone, &t->again);
+    if (!status && want->orders && t->unit.term.time > 0)
+        status = find_relaxation(t, &sum);
+    return status || !t->relaxation ? status : convolve(t, run, keep, &sum, &t->less);
+}
+
+static int start_slopes(const fvi_run *run, const fvi_sensitivities *want, double keep,
+                        fvi_stage_term *t)
+{
+    const double *const wanted[] = { want->orders, want->times, want->ends };
+    int status = FVI_SUCCESS;
+    for (int by = 0; !status && by < FVI_KERNEL_DERIVATIVES && !is_davidson(t); by++)
+        if (wanted[by] && fvi_kernel_derivative_of(&t->unit.term, (fvi_slope_by)by, &t->slope[by]))
+            status = convolve(t, run, keep, &t->slope[by].kernel, &t->slopes[by]);
+    return status;
+}
+
+/* Room for all that a term may need. */
+static int make_room(fvi_stage_term *t)
+{
+    const size_t n = t->s * t->d;
+    t->block = FVI_ARRAYS({ &t->self.past, n }, { &t->again.past, n }, { &t->slopes[0].past, n },
+                          { &t->slopes[1].past, n }, { &t->slopes[2].past, n }, { &t->log.past, n },
+                          { &t->slopes[0].now, n }, { &t->slopes[1].now, n }, { &t->slopes[2].now, n },
+                          { &t->again.now, n }, { &t->log.now, n }, { &t->self.now, n }, { &t->rate, n },
+                          { &t->left, n }, { &t->room, n }, { &t->less.past, n }, { &t->less.now, n },
+                          { &t->before, t->d });
+    if (!t->block)
+        FVI_FAIL("no memory for the terms of a law", FVI_ENOMEM);
+    return FVI_SUCCESS;
+}
+
+/* The memories for what is wanted of a term, with the tolerance `keep`. t is in any case to be given back by stop_term,
+ * and stays where it is. */
+static int start_term(const fvi_run *run, const fvi_sensitivities *want, size_t s, size_t d,
+                         double keep, const fvi_kernel_term *of, fvi_stage_term *t)
+{
+    *t = (fvi_stage_term){ .s = s, .d = d, .h = run->h, .rule = fvi_lobatto(s), .by_time = 1 };
+    fvi_kernel_unit_term(of, &t->unit, &t->rho);
+    const fvi_kernel_term *term = &t->unit.term;
+    const fvi_kernel alone = { 1, term };
+    const int by_order = want->orders && (fvi_kernel_term_has_order(term) || is_davidson(t));
+    int status = make_room(t);
+    if (!status)
+        status = convolve(t, run, keep, &alone, &t->self);
+    if (!status && fvi_kernel_term_is_fraction(term)
+        && (want->times || (by_order && term->time > 0)))
+        status = convolve(t, run, keep, &alone, &t->again);
+    if (!status && by_order)
+        status = fvi_lobatto_history_alloc_by_order(s, 0, d, run->steps, run->memory, keep,
+                                                    &t->log.memory);
+    if (!status && is_davidson(t))
+        status = start_davidson(run, want, keep, t);
+    return status ? status : start_slopes(run, want, keep, t);
+}
+
+static void stop_term(fvi_stage_term *t)
+{
+    fvi_lobatto_history_free(t->self.memory);
+    fvi_lobatto_history_free(t->again.memory);
+    for (int by = 0; by < FVI_KERNEL_DERIVATIVES; by++)
+        fvi_lobatto_history_free(t->slopes[by].memory);
+    fvi_lobatto_history_free(t->log.memory);
+    fvi_lobatto_history_free(t->less.memory);
+    free(t->relaxation);
+    free(t->block);
+}
+
+/* ---- a step ---- */
+
+/* now = past + W in, of number j. */
+static void through(const fvi_stage_term *t, size_t j, const double *W, const double *in,
+                    fvi_stage_convolution *c)
+{
+    const size_t s = t->s;
+    for (size_t i = 0; i < s; i++) {
+        double sum = c->past[j * s + i];
+        for (size_t l = 0; l < s; l++)
+            sum += W[i * s + l] * in[l];
+        c->now[j * s + i] = sum;
+    }
+}
+
+/* (Delta/h) u, by the two coefficients of (17.5). */
+static void differentiate(const fvi_stage_term *t, const double *u, double before, double *out)
+{
+    const fvi_lobatto_rule *rule = t->rule;
+    for (size_t i = 0; i < t->s; i++) {
+        double sum = i == 0 ? (u[0] - before) / rule->b[0] : 0;
+        for (size_t c = 0; c < t->s; c++)
+            sum += rule->D[i][c] * u[c];
+        out[i] = sum / t->h;
+    }
+}
+
+//> stage-term
+/* Number j of a term: what W nu changes by with the numbers of the law. (23.21) */
+void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu)
+{
+    const size_t s = t->s;
+    const double *W = fvi_lobatto_history_now(t->self.memory);
+    double *u = t->self.now + j * s, *rate = t->rate + j * s, *left = t->left + j * s;
+    through(t, j, W, nu, &t->self);
+    if (t->again.memory || t->less.memory)
+        differentiate(t, u, t->before[j], rate);
+    if (t->again.memory)
+        through(t, j, fvi_lobatto_history_now(t->again.memory), rate, &t->again);
+    if (t->less.memory)
+        through(t, j, fvi_lobatto_history_now(t->less.memory), rate, &t->less);
+    for (size_t i = 0; i < s; i++)
+        left[i] = u[i] - (is_davidson(t) ? 0 : t->unit.term.time * t->again.now[j * s + i]);
+    if (t->log.memory)
+        through(t, j, fvi_lobatto_history_now_by_order(t->log.memory), left, &t->log);
+    for (int by = 0; by < FVI_KERNEL_DERIVATIVES; by++)
+        if (t->slopes[by].memory)
+            through(t, j, fvi_lobatto_history_now(t->slopes[by].memory), nu, &t->slopes[by]);
+}
+//< stage-term
+
+static int push(fvi_stage_convolution *c, const double *in)
+{
+    return c->memory ? fvi_lobatto_history_push(c->memory, in, c->past)
+                     : FVI_SUCCESS;
+}
+
+static int update_history_of_term(fvi_stage_term *t, const double *nu)
+{
+    int status = push(&t->self, nu);
+    for (int by = 0; !status && by < FVI_KERNEL_DERIVATIVES; by++)
+        status = push(&t->slopes[by], nu);
+    if (!status)
+        status = push(&t->again, t->rate);
+    if (!status)
+        status = push(&t->less, t->rate);
+    if (!status && t->log.memory)
+        status = fvi_lobatto_history_push_by_order(t->log.memory, t->left, t->room, t->log.past);
+    for (size_t j = 0; j < t->d; j++)
+        t->before[j] = t->self.now[j * t->s + t->s - 1];
+    return status;
+}
+
+/* ---- all terms of one law ---- */
+
+int fvi_stage_terms_start(const fvi_run *run, const fvi_sensitivities *want, size_t s, size_t d,
+                          double keep, const fvi_kernel *law, fvi_stage_terms *terms)
+{
+    int status = FVI_SUCCESS;
+    *terms = (fvi_stage_terms){ 0 };
+    terms->each = calloc(law->count, sizeof *terms->each);
+    if (!terms->each)
+        FVI_FAIL("no memory for the terms of a law", FVI_ENOMEM);
+    for (; !status && terms->count < law->count; terms->count++)
+        status = start_term(run, want, s, d, keep, law->term + terms->count,
+                                      terms->each + terms->count);
+    return status;
+}
+
+/* What the velocities meet in T, times b. */
+static double dot(const fvi_stage_term *t, const double *v, const double *T)
+{
+    double sum = 0;
+    for (size_t i = 0; i < t->s; i++)
+        sum += t->rule->b[i] * v[t->s - 1 - i] * T[i];
+    return sum;
+}
+
+void fvi_stage_terms_accumulate(fvi_stage_terms *terms, size_t j, const double *nu, double weight,
+                                const double *v, const fvi_sensitivities *want, size_t first)
+{
+    double *const to[] = { want->orders, want->times, want->ends };
+    for (size_t l = 0; l < terms->count; l++) {
+        fvi_stage_term *t = terms->each + l;
+        const double scaled = weight * t->rho;
+        const size_t at = j * t->s, i = first + l;
+        fvi_stage_term_next(t, j, nu);
+        if (want->terms)
+            want->terms[i] -= weight * dot(t, v, t->self.now + at);
+        if (t->again.memory && want->times)
+            want->times[i] += t->by_time * scaled * dot(t, v, t->again.now + at);
+        if (t->log.memory)
+            want->orders[i] -= 2 * scaled
+                               * (dot(t, v, t->log.now + at) - log(t->h) * dot(t, v, t->left + at));
+        if (t->less.memory)
+            want->orders[i] += 2 * scaled * dot(t, v, t->less.now + at);
+        for (int by = 0; by < FVI_KERNEL_DERIVATIVES; by++)
+            if (t->slopes[by].memory)
+                to[by][i] -= t->slope[by].sign * weight * t->rho * dot(t, v, t->slopes[by].now + at);
+    }
+}
+
+int fvi_stage_terms_update_history(fvi_stage_terms *terms, const double *nu)
+{
+    int status = FVI_SUCCESS;
+    for (size_t l = 0; !status && l < terms->count; l++)
+        status = update_history_of_term(terms->each + l, nu);
+    return status;
+}
+
+void fvi_stage_terms_stop(fvi_stage_terms *terms)
+{
+    for (size_t l = 0; l < terms->count; l++)
+        stop_term(terms->each + l);
+    free(terms->each);
+}
