@@ -295,20 +295,6 @@ const double *fvi_lobatto_history_now_by_order(const fvi_lobatto_history *m)
     return m->R;
 }
 
-/* The rates of the modes as they are. */
-static void sum_rates(const fvi_lobatto_history *m, const double *z, double *sum)
-{
-    for (size_t l = 0; l < m->s; l++) {
-        double part[LANES] = { 0 };
-        const double *a = m->a + l * m->Q;
-        for (size_t j = 0; j < m->Q; j += LANES)
-            for (size_t i = 0; i < LANES; i++)
-                part[i] += a[j + i] * (m->r[j + i] * z[j + i]);
-        for (size_t i = 0; i < LANES; i++)
-            sum[l] += part[i];
-    }
-}
-
 int fvi_lobatto_history_push(fvi_lobatto_history *m, const double *v, double *H)
 {
     return fvi_lobatto_history_push_by_order(m, v, H, NULL);
@@ -343,7 +329,7 @@ int fvi_lobatto_history_push_by_order(fvi_lobatto_history *m, const double *v,
             continue;
         memset(sum, 0, sizeof sum);
         fvi_lobatto_add_near(s, lags, k, m->R, past, sum);
-        sum_rates(m, z, sum);
+        fvi_lobatto_read_modes(s, m->Q, m->r, m->a, z, sum);
         memcpy(Hdot + i * s, sum, s * sizeof *H);
     }
     return FVI_SUCCESS;

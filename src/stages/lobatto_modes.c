@@ -62,31 +62,29 @@ enum { FEW = 4 }; /* stages, for which there is a loop of their own */
 
 #define FOUR(x) (*(const fvi_four *)(x))
 
-/* All modes one step on: z += a~.v - p z, and H += sum_j q_j a_j z_j. Written for
- * s = 4; a rule of fewer stages repeats its last row with u = 0. The partial sums
- * make the digits independent of the width of the vectors. */
-FVI_VECTORS static void advance_few(size_t s, size_t Q,
-                                    const double *restrict q,
-                                    const double *restrict p,
-                                    const double *restrict a, const double *u,
-                                    double *restrict z, double *H)
+/* All modes one step on: z += a~.v - p z, and H += sum_j q_j a_j z_j, where s is a number that the
+ * compiler knows. The partial sums make the digits independent of the width of the vectors. */
+static inline __attribute__((always_inline)) void
+advance_rows(size_t s, size_t Q, const double *restrict q, const double *restrict p,
+             const double *restrict a, const double *u, double *restrict z, double *H)
 {
-    const double *a1 = a + Q, *a2 = a + (s > 2 ? 2 : 1) * Q, *a3 = a + (s - 1) * Q;
     fvi_four sum[FEW][HALVES] = { { { 0 } } };
     for (size_t j = 0; j < Q; j += LANES) {
 #pragma GCC unroll 2
         for (size_t l = 0; l < HALVES; l++) {
             const size_t at = j + 4 * l;
             //> modes
-            const fvi_four x0 = FOUR(a + at), x1 = FOUR(a1 + at), x2 = FOUR(a2 + at),
-                           x3 = FOUR(a3 + at), old = FOUR(z + at),
-                           new = old + ((u[0] * x0 + u[1] * x1) + (u[2] * x2 + u[3] * x3)
-                                        - FOUR(p + at) * old), /* (17.12) */
+            const fvi_four old = FOUR(z + at);
+            fvi_four in = u[0] * FOUR(a + at) + u[1] * FOUR(a + Q + at);
+            if (s == 3)
+                in += u[2] * FOUR(a + 2 * Q + at);
+            if (s == 4)
+                in += u[2] * FOUR(a + 2 * Q + at) + u[3] * FOUR(a + 3 * Q + at);
+            const fvi_four new = old + (in - FOUR(p + at) * old), /* (17.12) */
                            y = FOUR(q + at) * new;
-            sum[0][l] += x0 * y;
-            sum[1][l] += x1 * y;
-            sum[2][l] += x2 * y;
-            sum[3][l] += x3 * y;
+#pragma GCC unroll 4
+            for (size_t i = 0; i < s; i++)
+                sum[i][l] += FOUR(a + i * Q + at) * y;
             //< modes
             *(fvi_four *)(z + at) = new;
         }
@@ -94,6 +92,21 @@ FVI_VECTORS static void advance_few(size_t s, size_t Q,
     for (size_t i = 0; i < s; i++)
         for (size_t l = 0; l < LANES; l++)
             H[i] += sum[i][l / 4][l % 4];
+}
+
+FVI_VECTORS static void advance_few(size_t s, size_t Q, const double *q, const double *p,
+                                    const double *a, const double *u, double *z, double *H)
+{
+    switch (s) {
+    case 2:
+        advance_rows(2, Q, q, p, a, u, z, H);
+        break;
+    case 3:
+        advance_rows(3, Q, q, p, a, u, z, H);
+        break;
+    default:
+        advance_rows(4, Q, q, p, a, u, z, H);
+    }
 }
 
 /* The same for s = 8, and 5, 6, 7 in its place. */
@@ -133,8 +146,56 @@ FVI_VECTORS static void advance_many(size_t s, size_t Q,
             H[i] += sum[i][l];
 }
 
+/* H += sum_j q_j a_j z_j of modes that stay as they are. A rule of 5, 6 or 7 stages repeats its last
+ * row: `rows` is a number that the compiler knows. */
+static inline __attribute__((always_inline)) void
+read_rows(size_t rows, size_t s, size_t Q, const double *restrict q, const double *restrict a,
+          const double *restrict z, double *H)
+{
+    double part[FVI_STAGES][LANES];
+    for (size_t l = 0; l < HALVES; l++) {
+        fvi_four sum[FVI_STAGES] = { { 0 } };
+        for (size_t at = 4 * l; at < Q; at += LANES) {
+            const fvi_four y = FOUR(q + at) * FOUR(z + at);
+#pragma GCC unroll 8
+            for (size_t i = 0; i < rows; i++)
+                sum[i] += FOUR(a + (i < s ? i : s - 1) * Q + at) * y;
+        }
+        for (size_t i = 0; i < s; i++)
+            *(fvi_four *)(part[i] + 4 * l) = sum[i];
+    }
+    for (size_t i = 0; i < s; i++)
+        for (size_t l = 0; l < LANES; l++)
+            H[i] += part[i][l];
+}
+
+FVI_VECTORS static void read_modes(size_t s, size_t Q, const double *q, const double *a,
+                                   const double *z, double *H)
+{
+    switch (s) {
+    case 2:
+        read_rows(2, 2, Q, q, a, z, H);
+        break;
+    case 3:
+        read_rows(3, 3, Q, q, a, z, H);
+        break;
+    case 4:
+        read_rows(4, 4, Q, q, a, z, H);
+        break;
+    default:
+        read_rows(FVI_STAGES, s, Q, q, a, z, H);
+    }
+}
+
+/* Functions of their own as above. */
 void fvi_lobatto_advance(size_t s, size_t Q, const double *q, const double *p,
                          const double *a, const double *u, double *z, double *H)
 {
     (s > FEW ? advance_many : advance_few)(s, Q, q, p, a, u, z, H);
+}
+
+void fvi_lobatto_read_modes(size_t s, size_t Q, const double *q, const double *a, const double *z,
+                            double *H)
+{
+    read_modes(s, Q, q, a, z, H);
 }

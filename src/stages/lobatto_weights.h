@@ -102,6 +102,11 @@ void fvi_lobatto_add_near(size_t s, size_t lags, size_t k, const double *W, cons
 void fvi_lobatto_advance(size_t s, size_t Q, const double *q, const double *p,
                          const double *a, const double *u, double *z, double *H);
 
+/* fvi_lobatto_read_modes -- H += sum_j q_j a_j z_j, of modes that stay as they are: with their rates for
+ * q the derivative by beta. Arguments as above. */
+void fvi_lobatto_read_modes(size_t s, size_t Q, const double *q, const double *a, const double *z,
+                            double *H);
+
 /* ---- for lobatto_kernel.c: nothing is checked ---- */
 
 /* fvi_lobatto_near -- adds to W_0, ..., W_FVI_LAGS those of the term over s, at s =
