@@ -58,6 +58,21 @@ int fvi_length_is_possible(fvi_length length, double longest)
            && (length.k == FVI_OFF_LATTICE || fabs(k - length.k) < 1e-6);
 }
 
+/* Above this mu its powers would overflow, and a falls like 1/mu. */
+static const double MOST_MU = 1e30;
+
+/* The row where mu is what h sigma says, though it was made of MOST_MU at most: rounding errors of y, times a weight that may
+ * rise like sigma, would else be more than all history. */
+static void continue_row(const fvi_modes *m, double h, size_t from, size_t n, double *mu, double *a)
+{
+    for (size_t q = 0; q < n; q++) {
+        const double more = h * m->sigma[from + q] / MOST_MU;
+        for (size_t i = 0; more > 1 && i < m->rule->s; i++)
+            a[i * n + q] /= more;
+        mu[q] = more > 1 ? more * MOST_MU : mu[q];
+    }
+}
+
 /* The row of the modes from .. to - 1 for a step of such length: a piece of the table,
  * or made anew in m->own. */
 static fvi_mode_row row_of(fvi_modes *m, fvi_length length, size_t from,
@@ -74,8 +89,9 @@ static fvi_mode_row row_of(fvi_modes *m, fvi_length length, size_t from,
     }
     double *mu = m->own, *p = mu + m->Q, *a = p + m->Q;
     for (size_t q = 0; q < n; q++)
-        mu[q] = fmin(length.h * m->sigma[from + q], 1e30);
+        mu[q] = fmin(length.h * m->sigma[from + q], MOST_MU);
     fvi_mode_row_make(m->rule, n, mu, p, a);
+    continue_row(m, length.h, from, n, mu, a);
     return (fvi_mode_row){ mu, p, a, n };
 }
 

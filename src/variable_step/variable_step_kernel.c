@@ -48,11 +48,17 @@ static int has_ladder(const fvi_kernel_simple *t)
                 && (t->time == 0 || is_whole(2 * t->below)));
 }
 
+/* C(s)/s in the place of C(s), which grows like s^2 and may overflow at the shortest steps. */
+static fvi_kernel_simple over_s(const fvi_kernel_simple *t)
+{
+    return (fvi_kernel_simple){ t->rho, t->alpha - 0.5, t->time, t->time > 0 ? t->below : 0 };
+}
+
 /* ---- modes ---- */
 
 enum { MOST = 6000 };
 
-/* Rates and weights as they come. */
+/* Rates and weights as they come; weights of what rises are over their rates, as they would overflow. */
 typedef struct {
     size_t count;
     double *rate, *weight;
@@ -74,6 +80,21 @@ static double density(const fvi_variable_step_kernel *k, int rising, double u)
     for (size_t i = 0; i < k->terms; i++)
         if (has_ladder(&k->term[i]) && rises(&k->term[i]) == rising)
             sum += fvi_kernel_on_the_cut(&k->term[i], k->term[i].rho, u);
+    return sum / M_PI;
+}
+
+/* The same over sigma. */
+static double density_over_rate(const fvi_variable_step_kernel *k, int rising, double u, double rate)
+{
+    const double whole = density(k, rising, u);
+    double sum = 0;
+    if (isfinite(whole))
+        return whole / rate;
+    for (size_t i = 0; i < k->terms; i++) {
+        const fvi_kernel_simple t = over_s(&k->term[i]);
+        if (has_ladder(&k->term[i]) && rises(&k->term[i]) == rising)
+            sum -= fvi_kernel_on_the_cut(&t, t.rho, u); /* s is -sigma there */
+    }
     return sum / M_PI;
 }
 
@@ -108,7 +129,7 @@ static int add_ladder(const fvi_kernel_on_mesh *o, int rising,
         return FVI_EUNSUP; /* poles too near to the cut, or off it */
     double u = last, S0 = 0, S1 = 0;
     for (; any && u > first; u -= step)
-        add_mode(l, exp(u), step * density(k, rising, u));
+        add_mode(l, exp(u), step * (rising ? density_over_rate(k, rising, u, exp(u)) : density(k, rising, u)));
     for (size_t i = 0; i < k->terms; i++) {
         const fvi_kernel_simple *t = &k->term[i];
         if (has_ladder(t) && rises(t) == rising)
@@ -116,7 +137,7 @@ static int add_ladder(const fvi_kernel_on_mesh *o, int rising,
                             rising ? -1 : 0, &S0, &S1);
     }
     if (any && S0 != 0)
-        add_mode(l, S1 / S0, rising ? S1 : S0);
+        add_mode(l, S1 / S0, S0);
     return FVI_SUCCESS;
 }
 //< ladder
@@ -196,7 +217,7 @@ static int make_modes(const fvi_kernel_on_mesh *o, int rising, mode_list *l,
     const double standstill = 1e-16 / o->T;
     for (size_t q = 0; q < l->count; q++) {
         l->rate[q] = larger(l->rate[q], standstill);
-        l->weight[q] /= rising ? -l->rate[q] : l->rate[q];
+        l->weight[q] /= rising ? -1 : l->rate[q];
     }
     return l->count == 0 ? FVI_SUCCESS
                          : fvi_modes_of_rates(o->rule, rising, o->d, o->T,
@@ -264,18 +285,24 @@ int fvi_kernel_begin_on_mesh(const fvi_kernel_on_mesh *o, fvi_modes **modes,
 
 /* ---- the present ---- */
 
+/* From here on s^2 may overflow, and C(s)/s is asked itself. */
+static const double MOST_MODULUS = 1e150;
+
 /* k at modulus e^(i angle), of the terms that rise or of the others. */
 static double complex present(const fvi_variable_step_kernel *k, int rising,
                               double modulus, double angle)
 {
+    const int is_over_s = rising && modulus > MOST_MODULUS;
     double complex C = 0;
-    for (size_t i = 0; i < k->terms; i++)
+    for (size_t i = 0; i < k->terms; i++) {
+        const fvi_kernel_simple t = is_over_s ? over_s(&k->term[i]) : k->term[i];
         if (k->term[i].rho > 0 && rises(&k->term[i]) == rising)
-            C += fvi_kernel_simple_at(&k->term[i], modulus, angle);
+            C += fvi_kernel_simple_at(&t, modulus, angle);
+    }
     for (size_t i = 0; !rising && i < k->law->count; i++)
         if (fvi_kernel_is_general(&k->law->term[i]))
             C += fvi_kernel_term_at(&k->law->term[i], modulus, angle);
-    return C / (modulus * (cos(angle) + I * sin(angle)));
+    return is_over_s ? C : C / (modulus * (cos(angle) + I * sin(angle)));
 }
 
 void fvi_kernel_present_on_mesh(const fvi_kernel_on_mesh *o, double h, double beta,
