@@ -21,10 +21,12 @@ int fvi_observer_quadrature(fvi_observer *o, const fvi_stepper *s, double from,
         if (!status)
             status =
                 fvi_potential_gradient(s->run.system, o->begin.x, o->g);
+        if (!status && o->matrices && o->wanted & FVI_OBSERVE_WORK)
+            status = o->matrices->solve(o->d, o->factors, o->begin.p); /* v = M^-1 p */
         for (size_t j = 0; j < o->d && !status; j++) {
             known[j] += w * (o->begin.F[j] - o->g[j]);
             *by_force += w * o->begin.F[j] * o->begin.p[j]
-                         / s->run.system->mass[j];
+                         / (o->matrices ? 1 : s->run.system->mass[j]);
         }
     }
     return status;
