@@ -21,9 +21,9 @@
  * the order of p at a fixed t, and 3 at most in the first rows.
  * Where an order is above 1, where the past rl jumps, and where a coordinate has no inertia, no comparison helps. There the
  * first rows of forces, a, multipliers, and of v if a coordinate has no inertia, are those of fvi_variable_step, which takes
- * the run up to there with shorter steps [H 13]: right to 1e-8 (seen). It does not for several dampers of matrices, for more than 12
- * coordinates whose potential has no narrow band, or where it fails or needs more than 1000 steps; then these rows
- * are of low order, 2 - that of the damping.
+ * the run up to there with shorter steps [H 13]: right to 1e-8 (seen). It does not for more than 12
+ * coordinates whose potential has no narrow band, for more than 200 unknowns of matrices, or where it fails or needs more than
+ * 1000 steps; then these rows are of low order, 2 - that of the damping.
  * Of a start with a velocity and an order of the damping up to 1, the methods of order 2 get the first impulses wrong,
  * by a quarter for a dashpot. What the steps take from the line x_0 + v_0 t and what is exact are both known, and J and the
  * work have the difference (13.18): over all rows J and the work then have the order 2, the force 3 - twice that of the
@@ -39,7 +39,8 @@
  * known: where the past pulls with a force that is singular at t = 0, at alpha = 1, and of a method
  * that chooses its steps. Else it is the method's own sum. The balance takes the own sum wherever it is
  * known, and is E_0 but for the errors of the method; else it is E_0 by itself.
- * A method that chooses its steps knows x'' as the polynomial of its step: an order less than p.
+ * A method that chooses its steps knows x'' as the polynomial of its step: an order less than p; and so the force of each of
+ * several dampers, whose integrals are its impulse and its work.
  *
  * A run with one law, or alpha, has one damper, d1, of d forces. That of a mechanism (dampers.h)
  * has a force along its elongation, and a structure's by a matrix a force on each unknown. */

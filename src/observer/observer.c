@@ -148,7 +148,11 @@ int fvi_observer_step(fvi_observer *o, fvi_stepper *s)
         return fvi_stepper_step(s); /* which keeps all sums */
     int status = s->method->dense ? close_chosen_step(o, s)
                                   : fvi_step_begins(s, &o->begin);
+    if (!status && o->on_structure)
+        status = fvi_observer_close_structure(o, s);
     if (!status)
         status = fvi_stepper_step(s);
+    if (!status && o->on_structure)
+        status = fvi_observer_keep_structure(o, s);
     return status || s->method->dense ? status : add_step(o, s);
 }

@@ -58,6 +58,8 @@ static int read_sums(fvi_observer *o, const fvi_stepper *s, double t,
         status = fvi_observer_hits(o, s, o->change, &now->work_of_force);
         o->v = v;
     }
+    if (o->on_structure)
+        return status ? status : fvi_observer_structure_sums(o, s, t);
     for (size_t j = 0; j < o->d; j++)
         o->impulse_now[j] =
             o->is_damped ? o->p0[j] + o->change[j] - now->p[j] : 0;
@@ -133,6 +135,10 @@ static int read_forces(fvi_observer *o, const fvi_stepper *s, double t,
         for (size_t i = 0; i < o->ties; i++)
             o->force[o->forces + o->slopes + i] = fvi_mesh_multiplier(s, i, t);
         return fvi_variable_step_acceleration(s, t, o->a);
+    }
+    if (is_chosen && o->on_structure) {
+        status = fvi_observer_structure_forces(o, s, t);
+        return status ? status : fvi_variable_step_acceleration(s, t, o->a);
     }
     if (is_chosen || o->is_mass
         || (o->wanted & FVI_OBSERVE_ACCELERATION && !o->by_velocity))
@@ -249,11 +255,8 @@ static int read_start_at_contact(fvi_observer *o, const fvi_stepper *s)
     return status;
 }
 
-int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
-                      fvi_observation *now)
+int fvi_observer_read_all(fvi_observer *o, const fvi_stepper *s, double t, fvi_observation *now)
 {
-    if (!o || !s || !now)
-        FVI_FAIL("null pointer", FVI_EFAULT);
     *now = (fvi_observation){ .t = t,
                               .v = o->v,
                               .a = o->a,
@@ -281,9 +284,18 @@ int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
         status = read_balance(o, s, t, now);
     if (!status && o->contact)
         status = read_contacts(o, s, t);
-    fold_rows(o, o->force);
-    fold_rows(o, o->impulse_now);
     if (o->has_massless && fvi_short_row(&o->short_rows, s->k))
         memcpy(o->v, fvi_short_row(&o->short_rows, s->k) + o->forces, o->d * sizeof *o->v);
     return status || is_finite(o, now) ? status : FVI_EOVRFLW;
+}
+
+int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
+                      fvi_observation *now)
+{
+    if (!o || !s || !now)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    const int status = fvi_observer_read_all(o, s, t, now);
+    fold_rows(o, o->force);
+    fold_rows(o, o->impulse_now);
+    return status;
 }

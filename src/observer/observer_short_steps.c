@@ -10,18 +10,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_STEPS = 1000, MOST_COUPLED = 12 };
+enum { MOST_STEPS = 1000, MOST_COUPLED = 12, MOST_UNKNOWNS = 200 };
 
-/* Without a narrow band all stages of all coordinates are solved for together, which takes some d^3 operations. */
+/* Without a narrow band all stages of all coordinates are solved for together, which takes some d^3 operations; and matrices
+ * have factors of their own for each length of a step. */
 static int is_affordable(const fvi_observer *o, const fvi_system *system)
 {
     const size_t band = o->has_mechanism ? 0 : system->potential.diagonals;
-    return o->d <= MOST_COUPLED || (band > 0 && band <= MOST_COUPLED);
+    return o->matrices ? o->d <= MOST_UNKNOWNS : o->d <= MOST_COUPLED || (band > 0 && band <= MOST_COUPLED);
 }
 
 static int is_possible(const fvi_observer *o, const fvi_stepper *s)
 {
-    return !s->method->dense && (s->method->takes_mechanism || fvi_ramp_method(s)) && !(o->matrices && o->mechanism)
+    return !s->method->dense && (s->method->takes_mechanism || fvi_ramp_method(s))
            && !o->is_mass && is_affordable(o, s->run.system);
 }
 
@@ -58,73 +59,33 @@ static int measure_step(const fvi_observer *o, const fvi_stepper *s, double *siz
 typedef struct {
     fvi_system system;
     fvi_mechanism mechanism;
-    fvi_damper *damper;  /* one for each term of a law, if there are such dampers; else NULL */
-    fvi_kernel *kernel;  /* of each of them */
-    size_t *owner;       /* to which force each of them adds */
-    double *row;         /* d times d: the rows of coordinates; then d dampings */
+    fvi_damper *damper; /* of each damped coordinate, if its law becomes a mechanism; else NULL */
+    double *row;        /* d times d: the rows of coordinates; then d dampings */
 } stand_in;
 
 static void free_stand_in(stand_in *o)
 {
     free(o->damper);
-    free(o->kernel);
-    free(o->owner);
     free(o->row);
-}
-
-static int allocate_terms(size_t terms, size_t d, stand_in *o)
-{
-    o->damper = calloc(terms + 1, sizeof *o->damper);
-    o->kernel = calloc(terms + 1, sizeof *o->kernel);
-    o->owner = calloc(terms + 1, sizeof *o->owner);
-    o->row = calloc(d * d + d, sizeof *o->row);
-    return o->damper && o->kernel && o->owner && o->row ? FVI_SUCCESS : FVI_ENOMEM;
-}
-
-/* One damper for each term of a law: a sum of terms may ask for shorter steps than each of them. */
-static void add_terms(const fvi_damper *of, size_t owner, stand_in *o)
-{
-    for (size_t i = 0; i < of->kernel->count; i++) {
-        const size_t n = o->mechanism.damper_count++;
-        o->kernel[n] = (fvi_kernel){ .count = 1, .term = of->kernel->term + i };
-        o->damper[n] = *of;
-        o->damper[n].kernel = &o->kernel[n];
-        o->owner[n] = owner;
-    }
-}
-
-static int split_dampers(const fvi_mechanism *of, stand_in *o)
-{
-    size_t terms = 0;
-    for (size_t j = 0; j < of->damper_count; j++)
-        terms += of->damper[j].kernel->count;
-    const int status = allocate_terms(terms, 0, o);
-    if (status)
-        return status;
-    o->mechanism = *of;
-    o->mechanism.damper = o->damper;
-    o->mechanism.damper_count = 0;
-    for (size_t j = 0; j < of->damper_count; j++)
-        add_terms(of->damper + j, j, o);
-    o->system.mechanism = &o->mechanism;
-    return FVI_SUCCESS;
 }
 
 /* A law on coordinates as dampers of a mechanism, which know a start velocity above the order 1. */
 static int put_law_on_rows(const fvi_kernel *law, stand_in *o)
 {
     const size_t d = o->system.d;
-    const int status = d > MOST_COUPLED ? FVI_EUNSUP : allocate_terms(d * law->count, d, o);
-    if (status)
-        return status;
+    if (d > MOST_COUPLED)
+        return FVI_EUNSUP;
+    o->damper = calloc(d, sizeof *o->damper);
+    o->row = calloc(d * d + d, sizeof *o->row);
+    if (!o->damper || !o->row)
+        return FVI_ENOMEM;
     o->mechanism = (fvi_mechanism){ .damper = o->damper };
     for (size_t i = 0; i < d; i++) {
-        const fvi_damper damper = { .of.row = o->row + i * d, .kernel = law };
         if (o->system.damping[i] != 0 && o->system.damping[i] != 1)
             return FVI_EUNSUP;
         o->row[i * d + i] = 1;
         if (o->system.damping[i] != 0)
-            add_terms(&damper, i, o);
+            o->damper[o->mechanism.damper_count++] = (fvi_damper){ .of.row = o->row + i * d, .kernel = law };
     }
     o->system.mechanism = &o->mechanism;
     o->system.damping = o->row + d * d;
@@ -149,11 +110,7 @@ static int put_power(const fvi_kernel_term *power, stand_in *o, fvi_run *run)
 static int change_law(stand_in *o, fvi_run *run)
 {
     const fvi_kernel *law = run->law;
-    if (o->system.matrices)
-        return FVI_SUCCESS;
-    if (o->system.mechanism)
-        return split_dampers(o->system.mechanism, o);
-    if (!law)
+    if (o->system.matrices || o->system.mechanism || !law)
         return FVI_SUCCESS;
     run->law = NULL;
     return fvi_kernel_is_power(law) ? put_power(law->term, o, run) : put_law_on_rows(law, o);
@@ -173,13 +130,12 @@ static int make_short_run(const fvi_stepper *s, size_t rows, stand_in *o, fvi_ru
 /* The forces of an observer of the run by short steps, of the dampers of the run. */
 static void copy_forces(const fvi_observer *o, const stand_in *other, const double *from, double *force)
 {
-    if (!other->owner) {
+    if (!other->damper) {
         memcpy(force, from, o->forces * sizeof *force);
         return;
     }
-    memset(force, 0, o->forces * sizeof *force); /* an earlier try may have come this far */
     for (size_t n = 0; n < other->mechanism.damper_count; n++)
-        force[other->owner[n]] += from[n];
+        force[(size_t)(other->damper[n].of.row - other->row) / o->d] = from[n];
 }
 
 static int read_row(const fvi_observer *o, const stand_in *other, fvi_observer *from, const fvi_stepper *s, size_t k)
@@ -187,7 +143,7 @@ static int read_row(const fvi_observer *o, const stand_in *other, fvi_observer *
     fvi_observation now;
     const size_t f = o->forces, d = o->d;
     double *row = o->short_rows.numbers + (k - 1) * o->short_rows.width;
-    const int status = fvi_observer_read(from, s, (double)k * s->run.h, &now);
+    const int status = fvi_observer_read_all(from, s, (double)k * s->run.h, &now);
     if (status)
         return status;
     copy_forces(o, other, now.force, row);

@@ -26,10 +26,11 @@ typedef struct {
 /* fvi_short_rows_start -- the rows of an observer whose forces have begun.
  *
  * None are made if none are needed, or if fvi_variable_step refuses the run. Three kinds of runs have none either: those
- * by lda and Euler's methods, systems with matrices and several dampers, and more than 12 coordinates whose potential has
- * no narrow band. If a callback fails, or if more than 1000 steps were needed, the rows end there. Accuracy: what x may be
+ * by lda and Euler's methods, more than 200 unknowns of matrices, and more than 12 coordinates whose potential has no narrow
+ * band. If a callback fails, or if more than 1000 steps were needed, the rows end there. Accuracy: what x may be
  * off by in each step is 1e-10 of what x does in the first step of the run, or up to 1e-6 of it where an order is near 2;
- * seen 1e-7 of the forces. Cost: mostly 20 to 100 steps; 0.1 ms to 0.4 ms for one mass and one damper (seen). Returns
+ * seen 1e-7 of the forces. Cost: mostly 20 to 100 steps; 0.1 ms to 0.4 ms for one mass and one damper, 0.2 s for 100
+ * unknowns of matrices (seen). Returns
  * FVI_SUCCESS or FVI_ENOMEM.
  * fvi_short_rows_copy -- the same again. Returns the same.
  * fvi_short_rows_free -- give the memory back. */

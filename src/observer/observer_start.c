@@ -22,8 +22,8 @@ static void place_arrays(fvi_observer *o)
 {
     const size_t d = o->d, f = o->tracked, room = d > f ? d : f;
     double *at = o->numbers;
-    double **const state[] = { &o->impulse, &o->latest, &o->work,       &o->lead,
-                               &o->known,   &o->bend,   &o->bend_rate, &o->scalars },
+    double **const state[] = { &o->impulse, &o->latest, &o->work,      &o->lead,       &o->known,
+                               &o->bend,    &o->bend_rate, &o->scalars, &o->begun_work, &o->stage_power },
                    **const rest[] = { &o->p0,      &o->start,  &o->exponent,
                                       &o->rate,    &o->power,
                                    &o->jump,    &o->line,    &o->growth,
@@ -34,8 +34,8 @@ static void place_arrays(fvi_observer *o)
                                       &o->p,       &o->v,      &o->a,
                                       &o->F,       &o->g,      &o->force,
                                       &o->impulse_now, &o->work_now };
-    const size_t lengths[] = { f, o->degree * f, o->dampers, o->dampers,
-                               d, o->bends, o->dampers, FVI_SCALARS };
+    const size_t lengths[] = { f, o->degree * f, o->dampers, o->dampers, d, o->bends, o->dampers, FVI_SCALARS,
+                               o->on_structure, FVI_LANES * o->on_structure };
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; at += lengths[i++])
         *state[i] = at;
     o->saved = (size_t)(at - o->numbers);
@@ -53,7 +53,7 @@ static int allocate(fvi_observer *o)
 {
     const size_t most = o->d > o->tracked ? o->d : o->tracked;
     const size_t room = (o->degree + 2) * o->tracked + 3 * o->dampers + o->bends + FVI_SCALARS
-                        + 34 * most + o->contacts;
+                        + (1 + FVI_LANES) * o->on_structure + 34 * most + o->contacts;
     o->numbers = calloc(room, sizeof *o->numbers);
     if (!o->numbers)
         return FVI_ENOMEM;
@@ -122,6 +122,7 @@ static void describe(fvi_observer *o, const fvi_stepper *s, unsigned wanted)
     o->work_known = system->mechanism || fvi_step_work_is_known(s);
     o->by_energy =
         !system->mechanism && (s->method->stages || !o->work_known);
+    o->on_structure = fvi_observer_is_on_structure(o, s) ? o->dampers : 0;
     o->degree = degree_of(s->method);
     o->bends = fvi_ramp_method(s) && o->has_mechanism && o->tracked > o->forces
                    ? o->dampers * fvi_observer_first_rows(o)
@@ -178,7 +179,7 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
     while (!status && fork->t < h)
         status = fvi_observer_step(sums, fork);
     if (!status)
-        status = fvi_observer_read(sums, fork, h, &now);
+        status = fvi_observer_read_all(sums, fork, h, &now);
     /* A node's sums are as long as o->start; what is read is one number of a row's damper. */
     const double *J = s->method->dense || status ? now.impulse : sums->impulse;
     const double *first = o->has_massless ? fvi_short_row(&o->short_rows, 1) : NULL, *v = first ? first + o->forces : now.v;
@@ -238,11 +239,6 @@ int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **to,
         && wanted & (FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK))
         return fvi_fail(error, FVI_EUNSUP, "observer", NAN,
                         "forces, impulses and work are not known with events");
-    if (s->method->dense && s->run.system->matrices && s->run.system->mechanism
-        && wanted & (FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK))
-        return fvi_fail(error, FVI_EUNSUP, "observer", NAN,
-                        "fvi-adaptive does not tell the forces of the dampers of a system with matrices; "
-                        "fvi-lobatto2d to 8d do");
     fvi_observer *o = calloc(1, sizeof *o);
     if (!o)
         return fvi_no_memory(error, NULL);

@@ -24,6 +24,7 @@ struct fvi_observer {
     size_t ties;               /* the constraints whose multipliers are asked for */
     size_t tracked;            /* all three, in this order */
     size_t contacts;           /* the events whose contact forces are asked for */
+    size_t on_structure;       /* the dampers, if they are of matrices and steps are chosen; or 0 */
     int has_mechanism;         /* whose forces are along elongations, one each */
     int by_velocity;           /* a is the slope of v: L, constraints, forces of velocity */
     unsigned wanted;
@@ -46,6 +47,8 @@ struct fvi_observer {
     double *impulse; /* J of each force, and the velocities */
     double *latest;  /* degree times what the last steps have added to them, the latest first */
     double *work;    /* of each damper */
+    double *begun_work, *stage_power; /* of each damper of matrices, where steps are chosen: the work to the begin of the last
+                                       * step, and FVI_LANES numbers: force times velocity at its stages */
     double *lead;    /* of each damper, what the start with a velocity leaves in its impulse, of a unit */
     double *bend;    /* of each damper in rows 1, 2, ...: delta_k of (29.24), which its elongation lacks */
     double *bend_rate; /* of each damper: the velocity that its elongation lacks now */
@@ -136,6 +139,22 @@ int fvi_observer_damping(const fvi_observer *o, const fvi_stepper *s,
 /* fvi_observer_mechanism_work -- what the forces on a mechanism gave in its last step, added to *work: F and
  * those of velocity, summed at the points of its step. */
 int fvi_observer_mechanism_work(const fvi_stepper *s, double *work);
+
+/* ---- observer_structure.c: dampers of matrices, by a method that chooses its steps ----
+ *
+ * fvi_observer_is_on_structure -- are these the dampers?
+ * fvi_observer_close_structure -- before the next step: the impulses and the work go on over the last one.
+ * fvi_observer_keep_structure -- behind a step: the powers at its stages.
+ * fvi_observer_structure_sums, _forces -- at the time t in the last step: o->impulse_now and o->work; o->force.
+ * They return what the matrices return. */
+int fvi_observer_is_on_structure(const fvi_observer *o, const fvi_stepper *s);
+int fvi_observer_close_structure(fvi_observer *o, const fvi_stepper *s);
+int fvi_observer_keep_structure(fvi_observer *o, const fvi_stepper *s);
+int fvi_observer_structure_sums(fvi_observer *o, const fvi_stepper *s, double t);
+int fvi_observer_structure_forces(fvi_observer *o, const fvi_stepper *s, double t);
+
+/* fvi_observer_read_all -- as fvi_observer_read, but of a structure's damper along a row all d forces. */
+int fvi_observer_read_all(fvi_observer *o, const fvi_stepper *s, double t, fvi_observation *now);
 
 /* fvi_observer_quadrature -- of a method that chooses its steps: add to known, and to *by_force, what F
  * - grad U and F do from the time `from` to `to`, both in the last step. */

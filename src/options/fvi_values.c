@@ -67,17 +67,14 @@ static int interpret_of_steps(fvi_options *o, option_index i, double *value,
                              : number(o, i, 0, INFINITY, "()", value, c);
 }
 
-/* With --error a structure is left to fvi-adaptive, unless it does not take it, or does not tell what is
- * asked of its dampers. */
+/* With --error a structure is left to fvi-adaptive, unless it does not take it. */
 static int leaves_structure(const fvi_options *o)
 {
-    const unsigned sums = FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK;
     if (!o->method_is_preset || !o->text[ERROR] || !o->directory)
         return 0;
     const fvi_system system = fvi_options_system(o);
     return fvi_variable_step_takes_structure(&system, o->alpha,
-                                             o->text[DAMPING] ? &o->damping.law : NULL)
-           && !(system.mechanism && fvi_typed_columns_wanted(o->typed) & sums);
+                                             o->text[DAMPING] ? &o->damping.law : NULL);
 }
 
 /* With --error and --damping the fastest method that takes the law, memory and kappa. */

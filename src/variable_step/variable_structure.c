@@ -1,6 +1,7 @@
 /* src/variable_step/variable_structure.c -- Steps of any length of a structure.   [H 27, 22] */
 #include "variable_structure.h"
 
+#include "system/archive_pieces.h"
 #include "system/dot.h"
 #include "system/fail.h"
 #include "system/larger.h"
@@ -302,7 +303,8 @@ int fvi_structure_mesh_archive(fvi_stepper *s, fvi_archive *v)
     int status = FVI_SUCCESS;
     for (size_t j = 0; j < m->count && !status; j++) {
         fvi_mesh_matrix *of = &m->damper[j];
-        status = v->serialize(v, of->before, 3 * of->r * sizeof *of->before, 0);
+        status = FVI_SERIALIZE(v, FVI_STATES(of->before, 3 * of->r), FVI_STATES(of->force, o->rule->s * of->r),
+                               FVI_STATES(of->slope, o->rule->s * of->r), FVI_STATES(of->W, FVI_STAGES * FVI_STAGES));
         if (!status)
             status = fvi_mesh_archive_damper(&of->memory, v);
     }

@@ -60,6 +60,18 @@ int fvi_structure_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_lengt
 int fvi_structure_mesh_advance(fvi_variable_step_state *o);
 int fvi_structure_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J);
 
+/* ---- variable_structure_forces.c: what the dampers do in the last step ---- */
+
+/* fvi_structure_mesh_weights -- of the s values of a function at the stages of the last step: now of its value at t, sum of
+ * its integral from the begin of the step to t.
+ * fvi_structure_mesh_force -- force += C S, S the sum of such weights times the answers of damper `number` at the stages:
+ * its force, or its impulse; d numbers. Returns what C does.
+ * fvi_structure_mesh_power -- of that damper, force times velocity at the stages, FVI_LANES numbers; before the impulses that act
+ * at the end of the step, and not of a run that was saved. Returns what C does. */
+void fvi_structure_mesh_weights(const fvi_stepper *s, double t, double *now, double *sum);
+int fvi_structure_mesh_force(const fvi_stepper *s, size_t number, const double *weights, double *force);
+int fvi_structure_mesh_power(const fvi_stepper *s, size_t number, double *power);
+
 /* fvi_structure_mesh_copy, _archive, _free -- as fvi_method has them. */
 int fvi_structure_mesh_copy(const fvi_stepper *from, fvi_stepper *to);
 int fvi_structure_mesh_archive(fvi_stepper *s, fvi_archive *v);

@@ -182,9 +182,7 @@ START_TEST(of_three_things_the_one_that_fvi_adaptive_does_not_take_is_said)
     static const char *const of_mass = "a damping of order 2 is a mass: fvi-lobatto2d to 8d take it "
                                        "with matrices, fvi-adaptive does not\n",
                             *const of_pole = "damper 1: a pole of this law is too near to its cut, or "
-                                             "off it, for modes of variable steps; fvi-stable takes it\n",
-                            *const of_forces = "fvi-adaptive does not tell the forces of the dampers of a system with matrices; "
-                                               "fvi-lobatto2d to 8d do";
+                                             "off it, for modes of variable steps; fvi-stable takes it\n";
     const struct {
         const char *words, *option, *reason;
     } wrong[] = {
@@ -195,9 +193,6 @@ START_TEST(of_three_things_the_one_that_fvi_adaptive_does_not_take_is_said)
         { "--damper 'x1 : power:1,1'", "damper", of_mass },
         { "--damper 'x1 : zener:1,0.6,2'", "damper", of_pole },
         { "--damper 'x1 : zener:1,0.6,2' --error 1e-3", "damper", of_pole },
-        { "--damper 'x1 : power:1,0.3' --columns d1.force", "columns", of_forces },
-        { "--damper 'x1 : power:1,0.3' --reduce 'max(d1.force)'", "reduce", of_forces },
-        { "--damper 'x1 : power:1,0.3' --columns d1.force --error 1e-3", "columns", of_forces },
     };
     char line[300], said[300];
     write_chain();

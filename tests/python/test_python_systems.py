@@ -485,5 +485,11 @@ def test_what_is_solved_without_a_step_is_right_or_warns():
     two = dict(M=np.eye(2), K=2 * np.eye(2), x0=1, p0=0, time=20)
     s = fvi.solve(fvi.Problem(C=np.zeros((2, 2)), **two))
     assert np.abs(s.x - np.cos(math.sqrt(2) * s.t)[:, None]).max() < 1e-8
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        several = fvi.solve(fvi.Problem(dampers=[([1, 0], "power:0,0.3"), ([0, 1], "viscous:1")], **two))
+    assert np.abs(several.x[:, 0] - np.cos(math.sqrt(2) * several.t)).max() < 1e-8
+    assert np.abs(several.forces["d2"][:, 0] - several.v[:, 1]).max() < 1e-7
+    assert np.abs(several.balance - several.energy[0]).max() < 1e-8
     with pytest.warns(fvi.FviWarning, match="200 steps of fvi-stable"):
-        fvi.solve(fvi.Problem(dampers=[([1, 0], "power:0,0.3"), ([0, 1], "viscous:0")], **two))
+        fvi.solve(fvi.Problem(dampers=[([1, 0], "power:0,1"), ([0, 1], "power:1,1")], **two))

@@ -162,9 +162,7 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
     is_open = h is None  # nobody said which steps; how many rows there are is another matter
     if method is None and (events or (problem.kind == "mechanism" and (chooses or is_open))):
         method = "fvi-adaptive"
-    # With several dampers it does not tell their forces, which a says, too.
-    if method is None and problem.kind == "structure" and (chooses or is_open and len(problem.dampers) < 2) \
-            and takes_any_steps(problem):
+    if method is None and problem.kind == "structure" and (chooses or is_open) and takes_any_steps(problem):
         method = "fvi-adaptive"
     if method is None and problem.kind != "masses":
         method = "fvi-stable"
@@ -443,8 +441,7 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
     method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h, of order 1, beside which "fvi-lobatto4"
                 has order 4 and more; with error and a law that
                 "fvi-adaptive" does not take, "fvi-lobatto4" or "fvi-bdf2", as measured to be the fastest;
-                "fvi-stable" of mechanisms and matrices with h, and, with a warning, for matrices with a damping of order 2 or
-                several dampers
+                "fvi-stable" of mechanisms and matrices with h, and, with a warning, for matrices with a damping of order 2
     h           the step, a time > 0 of which the problem's time is a multiple; of "fvi-adaptive", whose steps are its
                 own, the time between two rows
     steps       instead of h: how many rows but one, whatever the problem; 200. A method whose steps have one length takes so
