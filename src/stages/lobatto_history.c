@@ -71,9 +71,9 @@ static void plan(size_t s, double beta, size_t steps, fvi_history_kind kind,
     const int direct = is_direct(beta, steps, kind, by_order);
     const double N = (double)steps + 1;
     *lags = direct ? steps : FVI_LAGS;
-    *Q = direct ? 0
-                : padded(fvi_lobatto_nodes(s, beta, N, keep, by_order, NULL, NULL,
-                                           NULL, NULL, 0));
+    *Q = direct     ? 0
+         : by_order ? padded(fvi_lobatto_nodes(s, beta, N, keep, 1, NULL, NULL, NULL, NULL, 0))
+                    : padded(fvi_lobatto_few_nodes(s, beta, N, keep, NULL, NULL, NULL, 0));
 }
 
 /* The default stands for a tolerance of 0. */
@@ -180,8 +180,10 @@ static int allocate(size_t s, double beta, size_t d, size_t steps,
         return status;
     }
     turn_near_lags(m);
-    if (Q > 0)
-        fvi_lobatto_nodes(s, beta, N, keep, by_order, m->q, m->r, m->p, m->a, Q);
+    if (Q > 0 && by_order)
+        fvi_lobatto_nodes(s, beta, N, keep, 1, m->q, m->r, m->p, m->a, Q);
+    else if (Q > 0)
+        fvi_lobatto_few_nodes(s, beta, N, keep, m->q, m->p, m->a, Q);
     skip_near_lags(m);
     *memory = m;
     return FVI_SUCCESS;

@@ -111,6 +111,13 @@ fvi_lobatto_span fvi_lobatto_span_of(size_t s, double least, double most,
                                .step = width * M_PI * M_PI / (L + M_LN10) };
 }
 
+/* The weight of a node is this times mu^(1 + beta). */
+static double factor_of(double beta, double step)
+{
+    const double sine = -sin(M_PI * fmin(fabs(beta), 1 - fabs(beta))) / M_PI;
+    return beta < 0 ? -sine * step : sine * step;
+}
+
 //> nodes
 size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
                          int by_order, double *q, double *rate, double *p,
@@ -119,8 +126,7 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
     const fvi_lobatto_span span =
         fvi_lobatto_span_of(s, beta, beta, N, tolerance, 1);
     const double first = span.first, step = span.step, e0 = 1 + beta;
-    const double sine = -sin(M_PI * fmin(fabs(beta), 1 - fabs(beta))) / M_PI;
-    const double factor = beta < 0 ? -sine * step : sine * step;
+    const double factor = factor_of(beta, step);
     size_t Q = 1 + (size_t)ceil((span.last - first) / step);
     Q = by_order || (beta != 0 && beta != -1) ? Q + 1 /* and the tail */
                                            : beta == -1;
@@ -147,3 +153,113 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
     return Q;
 }
 //< nodes
+
+/* ---- fewer nodes ---- */
+
+/* Nodes up to mu N = SLOW hardly decay within the run: exp(-mu n) is nearly a polynomial in mu, and Gauss's rule of a few
+ * nodes stands for all of them. Of N >= LONG the rest of W_n is smooth there, too. */
+enum { SLOW = 8, LONG = 64, MOST_FEW = 16 };
+
+/* The measure of all nodes below the largest: weights e^(-k step (1 + beta)) at e^(-k step), k = 0, 1, ... Its orthogonal
+ * polynomials are little q-Jacobi's, q = e^(-step), whose recurrence is known. Entry n of the diagonal of their symmetric
+ * matrix to *here, and of the one beside it to *beside.                                                     (17.29) */
+//> gauss
+static void find_recurrence(double beta, double step, size_t n, double *here, double *beside)
+{
+    const double q = exp(-step), a = pow(q, beta), k = (double)n, q_k = pow(q, k);
+    const double up = gsl_pow_2(1 - a * q * q_k) / ((1 - a * q * q_k * q_k) * (1 - a * gsl_pow_2(q * q_k))),
+                 down = n > 0 ? gsl_pow_2(1 - q_k) / ((1 - a * q_k * q_k) * (1 - a * q * q_k * q_k)) : 0,
+                 next = gsl_pow_2(1 - q * q_k) / ((1 - a * gsl_pow_2(q * q_k)) * (1 - a * q * gsl_pow_2(q * q_k)));
+    *here = q_k * (up + a * down);
+    *beside = q_k * sqrt(a * q * up * next);
+}
+//< gauss
+
+/* How many of Gauss's nodes leave a tenth of the tolerance of exp(-SLOW x): the first derivative that they do not see is
+ * SLOW^(2 few), and the square of their polynomial is the product of the entries beside the diagonal. */
+static size_t count_few(double beta, double step, double tolerance)
+{
+    double left = 1, here, beside;
+    size_t few = 0;
+    while (left > tolerance / 10 && few < MOST_FEW) {
+        find_recurrence(beta, step, few++, &here, &beside);
+        left *= gsl_pow_2(SLOW * beside) / (double)(2 * few * (2 * few - 1));
+    }
+    return few;
+}
+
+/* One sweep of the QL method over rows from, ..., to. */
+static void sweep(double *a, double *b, double *first, size_t from, size_t to)
+{
+    const double half = (a[from + 1] - a[from]) / (2 * b[from]);
+    double g = a[to] - a[from] + b[from] / (half + copysign(sqrt(half * half + 1), half)), s = 1, c = 1, moved = 0;
+    for (size_t i = to; i-- > from;) {
+        const double f = s * b[i], beside = c * b[i], r = sqrt(f * f + g * g);
+        b[i + 1] = r;
+        s = f / r;
+        c = g / r;
+        g = a[i + 1] - moved;
+        const double turn = (a[i] - g) * s + 2 * c * beside, kept = first[i + 1];
+        moved = s * turn;
+        a[i + 1] = g + moved;
+        g = c * turn - beside;
+        first[i + 1] = s * first[i] + c * kept;
+        first[i] = c * first[i] - s * kept;
+    }
+    a[from] -= moved;
+    b[from] = g;
+    b[to] = 0;
+}
+
+/* The eigenvalues of the matrix with a on the diagonal and b beside it, to a: Gauss's nodes. The squares of the first
+ * entries of the eigenvectors are their weights (Golub and Welsch). */
+static void find_eigenvalues(size_t n, double *a, double *b, double *first)
+{
+    enum { SWEEPS = 40 };
+    for (size_t i = 0; i < n; i++)
+        first[i] = i == 0;
+    b[n - 1] = 0;
+    for (size_t from = 0; from < n; from++)
+        for (int i = 0; i < SWEEPS; i++) {
+            size_t to = from;
+            while (to + 1 < n && fabs(b[to]) > GSL_DBL_EPSILON * (fabs(a[to]) + fabs(a[to + 1])))
+                to++;
+            if (to == from)
+                break;
+            sweep(a, b, first, from, to);
+        }
+}
+
+/* The few nodes for all up to mu, to q and p. */
+static void place_few(double beta, double step, double mu, size_t few, double *q, double *p)
+{
+    const double sum = factor_of(beta, step) * pow(mu, 1 + beta) / -expm1(-(1 + beta) * step);
+    double beside[MOST_FEW], first[MOST_FEW];
+    for (size_t j = 0; j < few; j++)
+        find_recurrence(beta, step, j, &p[j], &beside[j]);
+    find_eigenvalues(few, p, beside, first);
+    for (size_t j = 0; j < few; j++) {
+        p[j] *= mu;
+        q[j] = sum * first[j] * first[j];
+    }
+}
+
+size_t fvi_lobatto_few_nodes(size_t s, double beta, double N, double tolerance, double *q, double *p, double *a,
+                             size_t stride)
+{
+    if (beta == 0 || beta == -1 || N < LONG)
+        return fvi_lobatto_nodes(s, beta, N, tolerance, 0, q, NULL, p, a, stride);
+    const fvi_lobatto_span span = fvi_lobatto_span_of(s, beta, beta, N, tolerance, 1);
+    const double slow = log(SLOW / N), factor = factor_of(beta, span.step);
+    const size_t few = count_few(beta, span.step, tolerance), Q = few + (size_t)ceil((span.last - slow) / span.step);
+    if (!q)
+        return Q;
+    place_few(beta, span.step, exp(slow), few, q, p);
+    for (size_t j = few; j < Q; j++) {
+        const double mu = exp(slow + (double)(j - few + 1) * span.step);
+        q[j] = factor * pow(mu, 1 + beta);
+        p[j] = mu;
+    }
+    fvi_lobatto_solve_nodes(s, Q, p, a, stride);
+    return Q;
+}

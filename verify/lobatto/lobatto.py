@@ -14,7 +14,8 @@ left symbolic:
   (17.11) the Hermitian part of B Delta(z);
   (17.14) c_{s,beta}; (17.15) the first gap of the scheme without damping, both ends;
   (17.16) the alternating mode for s = 2, alpha symbolic;
-  (17.18) what the proof for s = 2 computes; (17.19), (17.20): s = 3 in closed form.
+  (17.18) what the proof for s = 2 computes; (17.19), (17.20): s = 3 in closed form;
+  (17.29) at three rational a, q: its matrix has the moments of the weights (a q)^k at q^k.
 Printed: W_n from Cauchy's integral over a circle, Delta(z)^beta by its
 eigenvalues, 25 and 45 digits; never by roots, series or nodes as in the C code; and
 where the symbol at z = 1 and -1 vanishes, by its determinant."""
@@ -104,6 +105,15 @@ for s in STAGES:
          - det * (det - z * r) * eye(s))
     prove("(17.12) 1 - r(-mu) = mu b.a", det - r - mu * (b.T * a)[0])
     #< resolvent
+
+# (17.29): the matrix of the recurrence, with 1 above the diagonal and A_n C_{n+1} below, to the powers 0, ..., 9. Moment
+# m of the weights (a q)^k at q^k is 1 / (1 - a q^{m+1}).
+for a_, q_ in (Q(2, 3), Q(3, 5)), (Q(5, 4), Q(3, 4)), (Q(1, 7), Q(1, 2)):
+    up = [q_**n * (1 - a_ * q_**(n + 1))**2 / ((1 - a_ * q_**(2 * n + 1)) * (1 - a_ * q_**(2 * n + 2))) for n in range(5)]
+    down = [a_ * q_**n * (1 - q_**n)**2 / ((1 - a_ * q_**(2 * n)) * (1 - a_ * q_**(2 * n + 1))) for n in range(5)]
+    J = Matrix(5, 5, lambda n, l: up[n] + down[n] if n == l else 1 if l == n + 1 else up[l] * down[n] if n == l + 1 else 0)
+    for m_ in range(10):
+        prove(f"(17.29) moment {m_}", (J**m_)[0, 0] - (1 - a_ * q_) / (1 - a_ * q_**(m_ + 1)))
 
 
 # (17.7), (17.8): the action of two steps, all weights and the potential open.
