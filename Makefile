@@ -28,6 +28,8 @@ export PYTHONDONTWRITEBYTECODE = 1
 # No -ffast-math: the weights need their roundings. No contraction to fma where
 # none is written: the last bits must not depend on the compiler.
 DIALECT  := -std=c11 -fopenmp-simd -ffp-contract=off -fvisibility=hidden
+# A loop with a choice becomes one of vectors if what is then not chosen may be computed, too.
+$B/newton/newton_lanes.o $B/expression/tape.o: DIALECT += -fno-trapping-math
 WARNINGS := -Wall -Wextra -Wconversion -Wshadow -pedantic
 
 # What Debian's packages say stands in for a package that is yet to be installed.

@@ -10,6 +10,11 @@ int fvi_lane_pairs_prepare(size_t count, void *const *params, void **prepared)
     return FVI_EUNSUP;
 }
 
+int fvi_lane_numbers_prepare(size_t count, void *const *params, void **prepared)
+{
+    return fvi_lane_pairs_prepare(count, params, prepared);
+}
+
 int fvi_newton_by_lanes(fvi_newton *n, const double *x, const double *r, double *d, double *g)
 {
     (void)n, (void)x, (void)r, (void)d, (void)g;

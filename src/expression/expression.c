@@ -205,8 +205,13 @@ static int parse_in(const char *text, const fvi_symbols *names,
                     fvi_misprint *wrong)
 {
     fvi_misprint place = { 0, "not enough memory" };
-    builder *w = calloc(1, sizeof *w);
+    builder *w = malloc(sizeof *w); /* its tape is long: no zeros for it */
     fvi_expression *new = calloc(1, sizeof *new);
+    if (w) {
+        w->node = NULL;
+        w->count = 0;
+        w->status = FVI_SUCCESS;
+    }
     int status = w && new ? fvi_parse(text, names, state, finder, &w->node,
                                       &w->count, &place)
                           : FVI_ENOMEM;

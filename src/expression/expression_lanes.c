@@ -63,9 +63,10 @@ static int prepare(size_t count, void *const *params, void **prepared)
     return FVI_SUCCESS;
 }
 
-static void evaluate_slopes(const void *prepared, const double *x, double *f, double *slope)
+static void evaluate_slopes(const void *prepared, const double *x, const double *active, double *f, double *slope)
 {
     const prepared_expression *p = prepared;
+    (void)active;
     double v[FVI_MOST_LANES], c[FVI_MOST_LANES];
     fvi_tape_lanes(p->of->node, p->of->count, x, p->k, v, f, c);
     for (size_t l = 0; l < FVI_MOST_LANES; l++) {
@@ -76,10 +77,10 @@ static void evaluate_slopes(const void *prepared, const double *x, double *f, do
 }
 
 /* slope is not asked for. */
-static void evaluate_values(const void *prepared, const double *x, double *f, double *slope)
+static void evaluate_values(const void *prepared, const double *x, const double *active, double *f, double *slope)
 {
     const prepared_expression *p = prepared;
-    (void)slope;
+    (void)active, (void)slope;
     fvi_tape_lanes(p->of->node, p->of->count, x, p->k, f, NULL, NULL);
     for (size_t l = 0; l < FVI_MOST_LANES; l++)
         f[l] = 0 + f[l];

@@ -65,8 +65,8 @@ int fvi_batch_alloc(const fvi_method *method, size_t count, const fvi_run *run, 
  * must be freed before the batch is.
  *
  * A step fails if it fails in any lane. Which lane it was is not said: run them one by one.
- * Cost of a step of eight by fvi_cq2_midpoint: two and a half steps of one if U and F are expressions, three if
- * they are ready to use (figures/blocks/batch_bench.tsv); functions of the caller are called for each lane. */
+ * Cost of a step of eight by fvi_cq2_midpoint: two and a half steps of one, or three if U is a pendulum, whose sines are
+ * called for each lane (figures/blocks/batch_bench.tsv); functions of the caller are called for each lane. */
 const fvi_run *fvi_batch_run(const fvi_batch *batch);
 
 /* fvi_batch_free -- give it back. NULL is allowed. */

@@ -270,11 +270,25 @@ WITHIN void push_one(const modes_engine *e, size_t i, size_t k, double new,
 }
 //< push
 
+/* The same of all coordinates, in one call for the vectors. */
+FVI_VECTORS static void advance_each(const modes_engine *e, size_t k, const double *term, double *H)
+{
+    for (size_t i = 0; i < e->head.d; i++) {
+        const double new = term[i];
+        double *past = e->past + i * 2 * FVI_WINDOW + k % FVI_WINDOW, *far = e->far + PAIR * i;
+        H[i] = new + far[1];
+        sweep(e, e->z + i * e->Q, past - 1, new, 0, far, NULL);
+    }
+}
+
 /* Apart: whoever has one coordinate saves no register for it. */
 __attribute__((noinline)) static void push_each(modes_engine *e, const double *term, double *H)
 {
-    for (size_t i = 0; i < e->head.d; i++)
-        push_one(e, i, e->head.k, term[i], H + i);
+    if (e->head.k % PAIR != 0)
+        advance_each(e, e->head.k, term, H);
+    else
+        for (size_t i = 0; i < e->head.d; i++)
+            push_one(e, i, e->head.k, term[i], H + i);
 }
 
 static void push(fvi_history_head *head, const double *term, double *H)

@@ -1,6 +1,7 @@
 /* src/methods/convolution_quadrature_dampers.c -- The dampers of a run of order 2.   [H 13] */
 #include "convolution_quadrature_dampers.h"
 
+#include "system/archive_pieces.h"
 #include "system/fail.h"
 #include "newton/newton.h"
 
@@ -116,7 +117,7 @@ int fvi_cq_copy(const fvi_stepper *from, fvi_stepper *to)
 
 static int serialize_damper(fvi_cq_damper *o, fvi_archive *v)
 {
-    int status = v->serialize(v, &o->place, sizeof o->place, 0);
+    int status = FVI_SERIALIZE(v, FVI_CONSTANT(o->taps), FVI_STATE(o->place));
     if (!status && o->place > 0 && o->place >= o->taps)
         FVI_FAIL("not a place among the last terms", FVI_EINVAL);
     return status ? status : v->serialize(v, o->H, rows(o) * sizeof *o->H, 0);

@@ -18,7 +18,7 @@ typedef struct {
     double g[FVI_BDF2_TAPS]; /* (13.11), (13.16) */
     size_t taps, place;      /* taps == 0: no factor */
     int increments;          /* are summed, and stand in past */
-    double *past; /* the last terms of each, the latest at [place], twice */
+    double *past; /* rows of the last terms, the latest is number `place`, twice */
     fvi_initial_history_force history_force;
     double impulse[2]; /* of this step, at its ends (19.5) */
 } fvi_cq_damper;

@@ -1,11 +1,11 @@
 /* src/methods/convolution_quadrature_methods.c -- Integrators of order 2.                  [H 13] */
 #include <fvi/convolution_quadrature_methods.h>
 #include "convolution_quadrature_dampers.h"
-#include "system/dot.h"
 #include "mechanism/mechanism.h"
 #include "stability_number.h"
 #include "newton/newton.h"
 #include "run/step_times.h"
+#include "system/vectors.h"
 
 #include <math.h>
 #include <string.h>
@@ -25,15 +25,17 @@ static int force_after(fvi_stepper *s, size_t k)
 }
 //< force
 
-/* The same of eight coordinates: each sum is added up in the same order, and none waits for another. */
-static void filter_eight(const fvi_cq_damper *o, const double *past, double *term)
+/* The sums of as many eights of coordinates: each is added up in the same order, and none waits for another. */
+FVI_VECTORS static void filter_eights(const fvi_cq_damper *o, size_t count, const double *past, double *term)
 {
     enum { EIGHT = 8 };
-    double sum[EIGHT] = { 0 };
-    for (size_t n = 0; n < o->taps; n++)
-        for (size_t j = 0; j < EIGHT; j++)
-            sum[j] += o->g[n] * past[j * 2 * o->taps + n];
-    memcpy(term, sum, sizeof sum);
+    for (size_t j = 0; j + EIGHT <= count; j += EIGHT) {
+        double sum[EIGHT] = { 0 };
+        for (size_t n = 0; n < o->taps; n++)
+            for (size_t l = 0; l < EIGHT; l++)
+                sum[l] += o->g[n] * past[n * count + j + l];
+        memcpy(term + j, sum, sizeof sum);
+    }
 }
 
 //> filter
@@ -44,15 +46,17 @@ static void filter(fvi_cq_damper *o, size_t count, double *term)
     if (o->taps == 0)
         return;
     o->place = (o->place + o->taps - 1) % o->taps;
-    for (size_t j = 0; j < count; j++) {
-        double *past = o->past + j * 2 * o->taps + o->place;
-        past[0] = past[o->taps] = term[j];
-    }
-    size_t j = 0;
-    for (; j + 8 <= count; j += 8)
-        filter_eight(o, o->past + j * 2 * o->taps + o->place, term + j);
-    for (; j < count; j++) {
-        term[j] = fvi_dot(o->taps, o->g, o->past + j * 2 * o->taps + o->place);
+    double *past = o->past + o->place * count;
+#pragma omp simd
+    for (size_t j = 0; j < count; j++)
+        past[j] = past[o->taps * count + j] = term[j];
+    if (count >= 8)
+        filter_eights(o, count, past, term);
+    for (size_t j = count / 8 * 8; j < count; j++) {
+        double sum = 0;
+        for (size_t n = 0; n < o->taps; n++)
+            sum += o->g[n] * past[n * count + j];
+        term[j] = sum;
     }
 }
 //< filter
@@ -86,10 +90,15 @@ static int look_ahead(const fvi_stepper *s, const fvi_cq_damper *o)
     int status = fvi_damping_gather(d, s->x, d->origin, d->z);
     if (!status)
         status = fvi_history_ahead(d->memory, d->z, o->ahead);
-    for (size_t j = 0; j < d->count; j++) {
-        o->ahead[j] -= fvi_cq_first_weight(o) * d->drift[j];
-        if (o->taps && o->increments) /* g_1 times the last increment */
-            o->ahead[j] += o->g[1] * o->past[j * 2 * o->taps + o->place];
+    const double first = fvi_cq_first_weight(o);
+#pragma omp simd
+    for (size_t j = 0; j < d->count; j++)
+        o->ahead[j] -= first * d->drift[j];
+    if (o->taps && o->increments) { /* g_1 times the last increment */
+        const double *last = o->past + o->place * d->count;
+#pragma omp simd
+        for (size_t j = 0; j < d->count; j++)
+            o->ahead[j] += o->g[1] * last[j];
     }
     return status;
 }
@@ -104,6 +113,7 @@ static int right_hand_side(fvi_stepper *s, fvi_cq_state *o)
     int status = force_after(s, s->k);
     if (status)
         return status;
+#pragma omp simd
     for (size_t i = 0; i < dim; i++)
         s->p[i] += half * s->F[i];
     for (size_t j = 0; j < o->count && !status; j++) {
@@ -154,6 +164,7 @@ static int step_second_order(fvi_stepper *s)
         status = force_before(s, s->k + 1);
     if (status)
         return status;
+#pragma omp simd
     for (size_t i = 0; i < s->run.system->d; i++) {
         s->x[i] += s->dx[i];
         s->p[i] += h / 2 * s->F[i] - h * s->g[i];

@@ -4,96 +4,88 @@
 #include "newton_move.h"
 #include "system/vectors.h"
 
-#include <stdint.h>
 #include <string.h>
 
 enum { L = FVI_MOST_LANES, NEWTON_STEPS = 50, MOST_STAGES = 8 };
 
 /* The equation of each lane, and how far it has come. A lane that is active takes part in the
- * next step; one that is lost needs more than Newton's method. A and s point to those of the solver, or
- * where lanes are missing to `room`. */
+ * next step; one that is lost needs more than Newton's method. A, s, x and r point to the numbers of the solver
+ * and of its caller, or where lanes are missing to `room`. z is x + theta d. */
 typedef struct {
-    const double *A, *s;
-    double x[L], r[L], d[L], size[L], g[L], active[L], lost[L], z[L]; /* z = x + theta d */
-    double room[2][L];
+    const double *A, *s, *x, *r;
+    _Alignas(64) double d[L], z[L], g[L], size[L], active[L], lost[L];
+    double room[4][L];
 } lanes_at_work;
 
-/* A vector at once where all lanes are there: the next loop reads vectors. */
-static inline void take(size_t count, const double *from, double *to)
+/* Lanes that are missing have the equation d = 0, and are not active. */
+static void pad(size_t count, lanes_at_work *w)
 {
-    if (count == L)
-        memcpy(to, from, L * sizeof *to);
-    else
-        memcpy(to, from, count * sizeof *to);
+    const double **part[] = { &w->A, &w->s, &w->x, &w->r };
+    for (size_t n = 0; n < 4; n++) {
+        for (size_t l = 0; l < L; l++)
+            w->room[n][l] = l < count ? (*part[n])[l] : n == 0 ? 1 : 0;
+        *part[n] = w->room[n];
+    }
 }
 
-/* Lanes that are missing have the equation d = 0, and are not active. */
-static void pad(const fvi_newton *n, size_t count, lanes_at_work *w)
+/* What each lane has before its first step. */
+FVI_VECTORS static void begin_lanes(lanes_at_work *restrict w, double theta, size_t count)
 {
-    memset(w->x, 0, sizeof w->x);
-    memset(w->r, 0, sizeof w->r);
-    memset(w->d, 0, sizeof w->d);
+#pragma omp simd
     for (size_t l = 0; l < L; l++) {
-        w->room[0][l] = l < count ? n->A[l] : 1;
-        w->room[1][l] = l < count ? n->s[l] : 0;
+        w->g[l] = 0;
+        w->lost[l] = 0;
+        w->size[l] = INFINITY;
+        w->z[l] = w->x[l] + theta * w->d[l];
     }
-    w->A = w->room[0];
-    w->s = w->room[1];
+    for (size_t l = 0; l < L; l++)
+        w->active[l] = l < count;
 }
 
 static inline void begin(const fvi_newton *n, const double *x, const double *r, const double *d,
                          lanes_at_work *w)
 {
-    static const double present[2 * L] = { 1, 1, 1, 1, 1, 1, 1, 1 };
     const size_t count = n->system->d;
     w->A = n->A;
     w->s = n->s;
-    if (count < L)
-        pad(n, count, w);
-    take(count, x, w->x);
-    take(count, r, w->r);
-    take(count, d, w->d);
-    memcpy(w->active, present + L - count, sizeof w->active);
-    memset(w->lost, 0, sizeof w->lost);
-#pragma omp simd
-    for (size_t l = 0; l < L; l++) {
-        w->size[l] = INFINITY;
-        w->z[l] = w->x[l] + n->theta * w->d[l];
+    w->x = x;
+    w->r = r;
+    if (count == L) {
+        memcpy(w->d, d, sizeof w->d);
+    } else {
+        memset(w->d, 0, sizeof w->d);
+        memcpy(w->d, d, count * sizeof *d);
+        pad(count, w);
     }
+    begin_lanes(w, n->theta, count);
 }
 
 //> lanes
 /* One step of each lane that is active; g and H are U' and U'' at its z. A lane that has its
- * solution keeps d, and U' at the last point that it asked for, as a run of its own does. */
-FVI_VECTORS static void move_lanes(lanes_at_work *restrict w, double theta, const double *g,
-                                   const double *H)
+ * solution keeps d, and U' at the last point that it asked for, as a run of its own does.
+ * Returns how many lanes are active still. */
+FVI_VECTORS static double move_lanes(lanes_at_work *restrict w, double theta, const double *g,
+                                     const double *H)
 {
-    const double *A = w->A, *s = w->s;
-#pragma omp simd
+    const double *A = w->A, *s = w->s, *x = w->x, *r = w->r;
+    double left = 0;
+#pragma omp simd reduction(+ : left)
     for (size_t l = 0; l < L; l++) {
-        const fvi_newton_move to = fvi_newton_move_of(A[l], s[l], theta, w->r[l], w->z[l], g[l], H[l],
-                                                      w->d[l], w->size[l]);
+        const fvi_newton_move to =
+            fvi_newton_move_of(A[l], s[l], theta, r[l], w->z[l], g[l], H[l], w->d[l], w->size[l]);
         const int moves = w->active[l] != 0,
                   fails = (to.J == 0) | (!to.is_enough & !(to.size < INFINITY));
         w->d[l] = moves ? to.d : w->d[l];
-        w->z[l] = w->x[l] + theta * w->d[l];
+        w->z[l] = x[l] + theta * w->d[l];
         w->g[l] = moves ? g[l] : w->g[l];
         w->size[l] = moves ? to.size : w->size[l];
         w->lost[l] = (moves & fails) ? 1 : w->lost[l];
         w->active[l] = (moves & !fails & !to.is_enough) ? 1 : 0;
+        left += w->active[l];
     }
+    return left;
 }
 //< lanes
-
-/* Is a flag 1, and not 0, whose bits are all zero? To join words takes less time than to add numbers. */
-static inline int is_any(const double *flag)
-{
-    uint64_t bits[L], any = 0;
-    memcpy(bits, flag, sizeof bits);
-    for (size_t l = 0; l < L; l++)
-        any |= bits[l];
-    return any != 0;
-}
 
 /* ---- lanes by themselves ---- */
 
@@ -131,6 +123,15 @@ static int solve_each(fvi_newton *n, const double *x, const double *r, double *d
     return status;
 }
 
+/* A vector at once where all lanes are there: the next loop reads vectors. */
+static inline void take(size_t count, const double *from, double *to)
+{
+    if (count == L)
+        memcpy(to, from, L * sizeof *to);
+    else
+        memcpy(to, from, count * sizeof *to);
+}
+
 /* Those that Newton's method has not brought to an end begin again, from d as it was. */
 static int solve_rest(fvi_newton *n, const lanes_at_work *w, const double *x, const double *r,
                       double *d, double *g)
@@ -149,21 +150,23 @@ static int solve_rest(fvi_newton *n, const lanes_at_work *w, const double *x, co
 
 int fvi_newton_by_lanes(fvi_newton *n, const double *x, const double *r, double *d, double *g)
 {
-    const fvi_lanes *lanes = fvi_lanes_of(n->system);
+    const size_t count = n->system->d;
     lanes_at_work w;
-    double slope[L] = { 0 }, H[L] = { 0 };
+    double slope[L] = { 0 }, H[L] = { 0 }, left = (double)count, lost = 0;
     if (n->q > 1)
         return solve_each(n, x, r, d, g);
     begin(n, x, r, d, &w);
-    for (int i = 0; i < NEWTON_STEPS && is_any(w.active); i++) {
-        n->callback_status = fvi_lanes_slopes(lanes, w.z, w.active, slope, H);
+    for (int i = 0; i < NEWTON_STEPS && left > 0; i++) {
+        n->callback_status = fvi_lanes_slopes(fvi_lanes_of(n->system), w.z, w.active, slope, H);
         if (n->callback_status)
             return n->callback_status;
-        move_lanes(&w, n->theta, slope, H);
+        left = move_lanes(&w, n->theta, slope, H);
     }
-    if (is_any(w.active) || is_any(w.lost))
+    for (size_t l = 0; l < L; l++)
+        lost += w.lost[l];
+    if (left > 0 || lost > 0)
         return solve_rest(n, &w, x, r, d, g);
-    take(n->system->d, w.d, d);
-    take(n->system->d, w.g, g);
+    take(count, w.d, d);
+    take(count, w.g, g);
     return FVI_SUCCESS;
 }

@@ -86,7 +86,7 @@ static void evaluate_part(const prepared_force *f, size_t i, const double *t, do
 {
     const prepared_part *part = f->part + i;
     if (part->prepared) {
-        part->functions->evaluate(part->prepared, t, one, NULL);
+        part->functions->evaluate(part->prepared, t, NULL, one, NULL);
         return;
     }
     for (size_t l = 0; l < L; l++)
@@ -97,11 +97,11 @@ static void evaluate_part(const prepared_force *f, size_t i, const double *t, do
 }
 
 /* t is the same in all lanes; slope is not asked for. */
-static void evaluate(const void *prepared, const double *t, double *F, double *slope)
+static void evaluate(const void *prepared, const double *t, const double *active, double *F, double *slope)
 {
     const prepared_force *f = prepared;
     double one[L];
-    (void)slope;
+    (void)active, (void)slope;
     memset(F, 0, L * sizeof *F);
     for (size_t i = 0; i < f->count; i++) {
         evaluate_part(f, i, t, one);

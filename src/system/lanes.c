@@ -29,7 +29,7 @@ int fvi_lanes_slopes(const fvi_lanes *lanes, const double *x, const double *acti
 {
     if (!lanes->potential)
         return slopes_one_by_one(lanes, x, active, g, H);
-    lanes->system[0]->potential.lanes->evaluate(lanes->potential, x, g, H);
+    lanes->system[0]->potential.lanes->evaluate(lanes->potential, x, active, g, H);
     return FVI_SUCCESS;
 }
 
@@ -98,7 +98,7 @@ static int force_value(double t, size_t d, void *params, double *F)
         double times[FVI_MOST_LANES], all[FVI_MOST_LANES];
         for (size_t l = 0; l < FVI_MOST_LANES; l++)
             times[l] = t;
-        lanes->system[0]->force.lanes->evaluate(lanes->force, times, all, NULL);
+        lanes->system[0]->force.lanes->evaluate(lanes->force, times, NULL, all, NULL);
         if (d == FVI_MOST_LANES) /* no call for one vector */
             memcpy(F, all, sizeof all);
         else
@@ -120,18 +120,31 @@ fvi_force fvi_lanes_force(fvi_lanes *lanes)
 
 /* ---- what is prepared ---- */
 
-int fvi_lane_pairs_prepare(size_t count, void *const *params, void **prepared)
+/* So many numbers of each lane, 1 or 2. */
+static int prepare_numbers(size_t numbers, size_t count, void *const *params, void **prepared)
 {
     fvi_lane_pairs *p = malloc(sizeof *p);
     if (!p)
         return FVI_ENOMEM;
+    p->has_one_second = 1;
     for (size_t l = 0; l < FVI_MOST_LANES; l++) {
-        const double *pair = params[l < count ? l : count - 1];
-        p->first[l] = pair[0];
-        p->second[l] = pair[1];
+        const double *of = params[l < count ? l : count - 1];
+        p->first[l] = of[0];
+        p->second[l] = numbers > 1 ? of[1] : 0;
+        p->has_one_second = p->has_one_second && p->second[l] == p->second[0];
     }
     *prepared = p;
     return FVI_SUCCESS;
+}
+
+int fvi_lane_pairs_prepare(size_t count, void *const *params, void **prepared)
+{
+    return prepare_numbers(2, count, params, prepared);
+}
+
+int fvi_lane_numbers_prepare(size_t count, void *const *params, void **prepared)
+{
+    return prepare_numbers(1, count, params, prepared);
 }
 
 /* Of functions that all lanes have; FVI_EUNSUP is no error here. */

@@ -17,24 +17,28 @@ enum { FVI_MOST_LANES = 8 };
  *
  *   prepare   reads the parameters of `count` lanes. Returns FVI_SUCCESS; FVI_ENOMEM; or
  *             FVI_EUNSUP if the lanes differ in more
- *   evaluate  of each lane: f(x), and f'(x) to slope unless that is NULL
+ *   evaluate  of each lane: f(x), and f'(x) to slope unless that is NULL. The time t of a force, which is its x, is
+ *             the same in all lanes. What is not active, 0 there, may be left as it is; NULL: all lanes are
  *   discard   gives back what prepare made
  *   alone     NULL; or f(x) and f'(x) of one lane from its own params, where both at once take less time than
  *             one after the other */
 typedef struct fvi_lane_functions {
     int (*prepare)(size_t count, void *const *params, void **prepared);
-    void (*evaluate)(const void *prepared, const double *x, double *f, double *slope);
+    void (*evaluate)(const void *prepared, const double *x, const double *active, double *f, double *slope);
     void (*discard)(void *prepared);
     void (*alone)(const void *params, double x, double *f, double *slope);
 } fvi_lane_functions;
 
 /* fvi_lane_pairs -- params that are two numbers, such as c and g, or a and w, for all lanes.
- * fvi_lane_pairs_prepare is a `prepare` that makes them; its `discard` is free. */
+ * fvi_lane_pairs_prepare is a `prepare` that makes them; its `discard` is free. fvi_lane_numbers_prepare
+ * is one for params that are one number, the first; the second is 0. */
 typedef struct fvi_lane_pairs {
     double first[FVI_MOST_LANES], second[FVI_MOST_LANES];
+    int has_one_second; /* is it the same in all lanes? */
 } fvi_lane_pairs;
 
 int fvi_lane_pairs_prepare(size_t count, void *const *params, void **prepared);
+int fvi_lane_numbers_prepare(size_t count, void *const *params, void **prepared);
 
 /* fvi_lanes -- the lanes of a system.
  *

@@ -74,9 +74,10 @@ FVI_VECTORS static void slopes_of_springs(const fvi_lane_pairs *p, const double 
     }
 }
 
-static void evaluate_springs(const void *prepared, const double *x, double *f, double *slope)
+static void evaluate_springs(const void *prepared, const double *x, const double *active, double *f, double *slope)
 {
     double unused[FVI_MOST_LANES];
+    (void)active;
     slopes_of_springs(prepared, x, f, slope ? slope : unused);
 }
 
@@ -123,6 +124,25 @@ static int always(const void *params)
     return 1;
 }
 
+/* c of each lane. */
+FVI_VECTORS static void slopes_of_harmonics(const fvi_lane_pairs *p, const double *x, double *f, double *slope)
+{
+#pragma omp simd
+    for (size_t l = 0; l < FVI_MOST_LANES; l++) {
+        f[l] = p->first[l] * x[l];
+        slope[l] = spring_stiffness(p->first[l], 0, x[l]);
+    }
+}
+
+static void evaluate_harmonics(const void *prepared, const double *x, const double *active, double *f, double *slope)
+{
+    double unused[FVI_MOST_LANES];
+    (void)active;
+    slopes_of_harmonics(prepared, x, f, slope ? slope : unused);
+}
+
+static const fvi_lane_functions harmonic_lanes = { fvi_lane_numbers_prepare, evaluate_harmonics, free, NULL };
+
 fvi_potential fvi_potential_harmonic(const double *c)
 {
     return (fvi_potential){ .value = harmonic_value,
@@ -130,7 +150,8 @@ fvi_potential fvi_potential_harmonic(const double *c)
                             .hessian = harmonic_hessian,
                             .params = (void *)c,
                             .quadratic = always,
-                            .diagonals = 1 };
+                            .diagonals = 1,
+                            .lanes = &harmonic_lanes };
 }
 
 /* ---- pendulum ---- */
@@ -162,13 +183,30 @@ static int pendulum_hessian(size_t d, const double *x, void *params, double *H)
     return 0;
 }
 
+/* g of each lane. The compiler asks for sine and cosine in one call, which what is not active would cost, too. */
+static void evaluate_pendulums(const void *prepared, const double *x, const double *active, double *f, double *slope)
+{
+    const fvi_lane_pairs *p = prepared;
+    for (size_t l = 0; l < FVI_MOST_LANES; l++) {
+        if (active && active[l] == 0)
+            continue;
+        const double sine = sin(x[l]), cosine = cos(x[l]);
+        f[l] = p->first[l] * sine;
+        if (slope)
+            slope[l] = p->first[l] * cosine;
+    }
+}
+
+static const fvi_lane_functions pendulum_lanes = { fvi_lane_numbers_prepare, evaluate_pendulums, free, NULL };
+
 fvi_potential fvi_potential_pendulum(const double *g)
 {
     return (fvi_potential){ .value = pendulum_value,
                             .gradient = pendulum_gradient,
                             .hessian = pendulum_hessian,
                             .params = (void *)g,
-                            .diagonals = 1 };
+                            .diagonals = 1,
+                            .lanes = &pendulum_lanes };
 }
 
 /* ---- chain: spring i ties mass i - 1 to mass i; -1 and d are the walls ---- */

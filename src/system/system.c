@@ -223,19 +223,17 @@ static int cosine_bound(double from, double to, size_t order, size_t d,
     return 0;
 }
 
-/* a and w of each lane are a pair. One cosine for neighbours with the same argument; slope is not asked for. */
-static void evaluate_cosines(const void *prepared, const double *t, double *f, double *slope)
+/* a and w of each lane are a pair, and t is the same in all lanes: one cosine if w is, too. slope is not asked for. */
+static void evaluate_cosines(const void *prepared, const double *t, const double *active, double *f, double *slope)
 {
     const fvi_lane_pairs *p = prepared;
-    double phase = p->second[0] * t[0], value = cos(phase);
-    (void)slope;
-    for (size_t l = 0; l < FVI_MOST_LANES; l++) {
-        if (p->second[l] * t[l] != phase) {
-            phase = p->second[l] * t[l];
-            value = cos(phase);
-        }
+    const double value = cos(p->second[0] * *t);
+    (void)active, (void)slope;
+#pragma omp simd
+    for (size_t l = 0; l < FVI_MOST_LANES; l++)
         f[l] = p->first[l] * value;
-    }
+    for (size_t l = 1; l < FVI_MOST_LANES && !p->has_one_second; l++)
+        f[l] = p->first[l] * cos(p->second[l] * *t);
 }
 
 static const fvi_lane_functions cosine_lanes = { fvi_lane_pairs_prepare, evaluate_cosines, free,

@@ -184,6 +184,7 @@ int main(void)
         sweep_row("texts", "--potential 'x^4/4 - x^2/2' --force 'A*cos(1.2*t)'", steps);
         sweep_row("ready-made", "--potential duffing:-1,1 --force 'cosine:0.3,1.2 + A'", steps);
     }
+    sweep_row("pendulum", "--potential pendulum:1 --force 'cosine:0.3,1.2 + A'", 2000);
     printf("#< sweep\n\n\n");
     return EXIT_SUCCESS;
 }

@@ -241,6 +241,40 @@ START_TEST(eq_13_7_the_memory_knows_no_origin_and_no_uniform_motion)
 }
 END_TEST
 
+/* Two eights of springs and three more: the factors of (13.11) and (13.16) go over the coordinates by eights. */
+START_TEST(eq_13_11_each_of_nineteen_coordinates_has_the_bits_of_its_own)
+{
+    enum { D = 19, STEPS = 60 };
+    static const fvi_method *const all[] = { &fvi_cq_bdf2, &fvi_cq2_midpoint, &fvi_cq2_shifted };
+    const double c = 2;
+    double mass[D], rho[D], x0[D], p0[D];
+    static double x[(STEPS + 1) * D], own[STEPS + 1];
+    for (size_t j = 0; j < D; j++) {
+        mass[j] = 1 + 0.1 * (double)j;
+        rho[j] = 0.2 + 0.03 * (double)j;
+        x0[j] = sin((double)j);
+        p0[j] = cos((double)j);
+    }
+    fvi_system system = { .d = D, .mass = mass, .damping = rho, .potential = fvi_potential_harmonic(&c) };
+    for (size_t m = 0; m < LEN(all); m++) {
+        fvi_run run = fvi_run_default(&system, x0, p0, 0.1, STEPS);
+        run.alpha = 0.3;
+        run.memory = FVI_HISTORY_DIRECT;
+        OK(fvi_trajectory(all[m], &run, x, NULL, NULL));
+        for (size_t j = 0; j < D; j++) {
+            const fvi_system one = { .d = 1, .mass = mass + j, .damping = rho + j, .potential = system.potential };
+            fvi_run alone = run;
+            alone.system = &one;
+            alone.x0 = x0 + j;
+            alone.p0 = p0 + j;
+            OK(fvi_trajectory(all[m], &alone, own, NULL, NULL));
+            for (size_t k = 0; k <= STEPS; k++)
+                ck_assert_msg(x[k * D + j] == own[k], "%s: x_%zu, k=%zu", all[m]->name, j, k);
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("13 convolution quadrature: runs");
@@ -250,6 +284,7 @@ int main(void)
              eq_13_14_at_alpha_1_the_damping_is_an_added_mass,
              eq_13_10_without_damping_it_is_algorithm_1,
              eq_13_10_only_damped_coordinates_remember,
+             eq_13_11_each_of_nineteen_coordinates_has_the_bits_of_its_own,
              eq_13_7_the_modes_of_a_chain_decouple,
              eq_13_7_the_memory_knows_no_origin_and_no_uniform_motion);
     return run_suite(suite);

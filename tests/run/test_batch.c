@@ -27,6 +27,27 @@ START_TEST(each_of_1600_runs_has_the_bits_of_its_own)
 }
 END_TEST
 
+/* Pendulums and harmonic springs, of which each lane has its own. */
+START_TEST(ready_made_potentials_have_the_bits_of_their_own)
+{
+    enum { GROUP = 64 };
+    fvi_potential (*const ready[])(const double *) = { fvi_potential_pendulum, fvi_potential_harmonic };
+    static oscillator o[GROUP];
+    fvi_run run[GROUP];
+    for (size_t u = 0; u < LEN(ready); u++) {
+        for (size_t i = 0; i < GROUP; i++) {
+            fill(o + i);
+            o[i].cg[0] = between(0.5, 20);
+            o[i].cg[1] = NAN; /* of one number nobody reads a second */
+            o[i].aw[1] = between(1, 2);
+            put_together(o + i, ready[u](o[i].cg), fvi_force_cosine(o[i].aw));
+            run[i] = run_of(o + i, 0.3, 100);
+        }
+        compare_all(methods[_i], run, GROUP);
+    }
+}
+END_TEST
+
 /* Texts with parameters, with each function and operation, and a coordinate that does not stand in them. */
 START_TEST(texts_with_parameters_have_the_bits_of_their_own)
 {
@@ -261,6 +282,7 @@ int main(void)
 {
     Suite *suite = suite_create("runs together");
     ADD_LOOP(suite, each_of_1600_runs_has_the_bits_of_its_own, LEN(methods));
+    ADD_LOOP(suite, ready_made_potentials_have_the_bits_of_their_own, LEN(methods));
     ADD_LOOP(suite, texts_with_parameters_have_the_bits_of_their_own, 10);
     ADD_LOOP(suite, every_memory_has_the_bits_of_its_own, LEN(methods));
     ADD_CASE(suite, "lanes", typed_forces_have_the_values_of_their_own, a_lane_that_is_lost_finds_its_own_way,
