@@ -105,3 +105,36 @@ def test_what_has_no_derivatives_of_forces_is_refused_by_name():
     mass = fvi.solve(fvi.Problem(alpha=1, time=1), h=0.1)
     with pytest.raises(fvi.Error, match="at alpha = 1 the damping is a mass"):
         fvi.vjp(mass, forces={"d1": 1.0})
+
+
+def test_the_jacobian_of_forces_is_that_of_each_row():
+    """Against differences of order 4 of each force; with several coordinates, rows that are chosen, and a named damper. Seen: 2e-9."""
+    arm = fvi.Problem("chain:2,3,0", dampers=["a=x1 : power:0.5,0.4", "b=x2-x1 : zener:0.3,0.2,0.5"], mass=[1.0, 1.5],
+                      x0=[1, 0], p0=[0.3, -0.2], time=1)
+    for q, damper, options in ((TWO.replace(time=1), "d1", dict(h=0.1, method="fvi-stable")),
+                               (TWO.replace(time=1), "d1", dict(t_eval=[0.1, 0.5, 1], h=0.05, method="fvi-lobatto4")),
+                               (arm, "b", dict(h=0.1, method="fvi-lobatto3"))):
+        s = fvi.solve(q, **options)
+        J = fvi.jacobian(s, ["x0", "mass"], forces=damper)
+        for name, at in (("x0", q.x0), ("mass", q.mass)):
+            for i in range(2):
+                far = [fvi.solve(q.replace(**{name: np.asarray(at) + 1e-3 * k * np.eye(2)[i]}), **options).forces[damper] for k in (-2, -1, 1, 2)]
+                want = (8 * (far[2] - far[1]) - far[3] + far[0]) / 12e-3
+                assert J[name].shape == want.shape + (2,)
+                assert abs(J[name][..., i] - want).max() < 1e-8, (damper, name, i)
+
+
+def test_the_jacobian_of_forces_has_no_first_rows_by_shorter_steps():
+    s = fvi.solve(fvi.Problem(order=1.4, p0=1, time=4), h=0.1, method="fvi-stable")
+    with pytest.warns(fvi.FviWarning, match="^forces: the derivatives of rows 1 to 30 are NaN"):
+        J = fvi.jacobian(s, ["rho", "order"], forces="d1")
+    assert np.isnan(J["rho"][1:31]).all() and np.isfinite(J["rho"][31:]).all() and J["order"].shape == (41, 1)
+    row = np.zeros((41, 1))
+    row[40] = 1
+    assert J["rho"][40, 0] == fvi.vjp(s, forces={"d1": row}, wrt="rho")["rho"]
+    with pytest.raises(ValueError, match="^forces: 'd2' is none of the dampers d1"):
+        fvi.jacobian(s, "rho", forces="d2")
+    with pytest.raises(TypeError, match="^forces: .* is no name of a damper"):
+        fvi.jacobian(s, "rho", forces=["d1"])
+    with pytest.raises(ValueError, match="^forces: fvi-adaptive has no derivatives"):
+        fvi.jacobian(fvi.solve(TWO, error=1e-6), "rho", forces="d1")

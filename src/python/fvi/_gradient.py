@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Callable, Optional, Sequence, cast
+from typing import Any, Callable, Iterable, Optional, Sequence, cast
 
 import numpy as np
 
@@ -69,16 +69,21 @@ class Mirror:
             return ffi.NULL
         if not isinstance(given, Mapping):
             raise TypeError(f"{what}: {described(given)} is no dict of names of dampers and derivatives by their rows")
+        told = self.told(what, given, of)
+        by = np.concatenate([self.spread(f"{what}: {name}", given.get(name, 0.0), rows.shape)
+                             for name, rows in told.items()], axis=1)
+        return ffi.from_buffer("double[]", np.ascontiguousarray(by))
+
+    def told(self, what: str, names: Iterable[str], of: Callable[[], Mapping[str, Array]]) -> Mapping[str, Array]:
+        """What all dampers tell, of which these are some."""
         if self.is_dense:
             raise ValueError(f"{what}: fvi-adaptive has no derivatives of the forces and impulses of dampers; solve with h=..., "
                              "method=\"fvi-lobatto4\", or another one whose steps have one length")
         told = of()
-        for name in given:
+        for name in names:
             if name not in told:
                 raise ValueError(f"{what}: '{name}' is none of the dampers " + ", ".join(told))
-        by = np.concatenate([self.spread(f"{what}: {name}", given.get(name, 0.0), rows.shape)
-                             for name, rows in told.items()], axis=1)
-        return ffi.from_buffer("double[]", np.ascontiguousarray(by))
+        return told
 
     def times(self) -> Array:
         """When the forces act by which the adjoint differentiates."""
@@ -307,9 +312,13 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     return named(by, found)
 
 
+def short_rows(s: Solution) -> int:
+    """How many first rows of forces are not told by the steps of the run, and have no derivatives (fvi/observer.h)."""
+    return lib.fvi_observer_short_rows(begin(s, lib.FVI_OBSERVE_FORCE)[2])
+
+
 def refuse_short_rows(s: Solution, by: Any, steps: int) -> None:
-    """First rows that are not told by the steps of the run have no derivatives (fvi/observer.h)."""
-    n = lib.fvi_observer_short_rows(begin(s, lib.FVI_OBSERVE_FORCE)[2])
+    n = short_rows(s)
     if np.frombuffer(ffi.buffer(by)).reshape(steps + 1, -1)[1:n + 1].any():
         raise ValueError(f"forces: the forces of rows 1 to {n} come from steps shorter than those of the run, because an order is "
                          "above 1, the past jumps, or a coordinate has no mass; they have no derivatives, so give 0 for these rows")

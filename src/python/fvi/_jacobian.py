@@ -1,4 +1,4 @@
-"""The derivatives of every x of a motion."""
+"""The derivatives of every x of a motion, or of every force of a damper."""
 from __future__ import annotations
 
 from typing import Any, Optional, Sequence
@@ -7,8 +7,8 @@ import numpy as np
 
 from ._arguments import described, names as names_of, spelt
 from ._fvi import ffi, lib
-from ._gradient import Derivatives, Mirror, named, vjp, wanted_of
-from ._library import ask, failure
+from ._gradient import Derivatives, Mirror, named, short_rows, vjp, wanted_of
+from ._library import ask, failure, warn
 from ._solution import Solution
 
 
@@ -56,15 +56,43 @@ def flat(found: Any) -> Any:
     return np.asarray(found)
 
 
+def of_forces(solution: Solution, names: list, damper: str) -> dict:
+    """The same of the forces of a damper, by a mirrored run for each; NaN where they have none."""
+    if not isinstance(damper, str):
+        raise TypeError(f"forces: {described(damper)} is no name of a damper")
+    found: dict = {}
+    mirror = Mirror(solution)
+    shape = mirror.told("forces", [damper], lambda: solution.forces)[damper].shape
+    short = short_rows(solution)
+    known = [k for k in range(len(solution.t)) if not 1 <= mirror.rows[k] <= short]
+    for at in np.ndindex(shape):
+        if at[0] not in known:
+            continue
+        one = np.zeros(shape)
+        one[at] = 1
+        for name, g in vjp(solution, forces={damper: one}, wrt=names).items():
+            by = flat(g)
+            found.setdefault(name, np.full(shape + by.shape, np.nan))[at] = by
+    if len(known) < len(solution.t):
+        warn(f"forces: the derivatives of rows 1 to {short} are NaN, because these forces come from steps shorter than those of "
+             "the run")
+    return found
+
+
 @spelt()
-def jacobian(solution: Solution, wrt: Sequence[str]) -> dict:
+def jacobian(solution: Solution, wrt: Sequence[str], *, forces: Optional[str] = None) -> dict:
     """The derivatives of every x of every row: for least squares.
 
         J = fvi.jacobian(s, ["alpha", "rho"])
         J["alpha"].shape == (len(s.t), d)
+        J = fvi.jacobian(s, ["alpha"], forces="d1")
+        J["alpha"].shape == s.forces["d1"].shape
 
     solution  of `solve`
     wrt       fields of the problem, as `vjp` has them
+    forces    None; or the name of a damper, and the derivatives are those of its forces, as `s.forces` has them, by a mirrored
+              run for each. Not by "fvi-adaptive", nor with events; NaN, with a warning, of first rows that come from
+              shorter steps, as with an order above 1
 
     Returns a dict by names of arrays (n, d) and the shape of the field; of "let" and "damping" in the order of
     their numbers. With equal steps the derivatives go side by side with the run, (24.6): the cost of a run for each number.
@@ -76,6 +104,8 @@ def jacobian(solution: Solution, wrt: Sequence[str]) -> dict:
     names = names_of("wrt", wrt)
     q, mirror = solution.problem, Mirror(solution)
     wanted = wanted_of(q, names, mirror.motion.system.is_expression, mirror.is_dense)
+    if forces is not None:
+        return of_forces(solution, names, forces)
     n, d = solution.x.shape
     by = Derivatives(q, mirror, wanted, True)
     dx = tangents(by, n * d)
