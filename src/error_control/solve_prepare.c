@@ -131,8 +131,8 @@ static int choose_common_steps(fvi_solve_state *o, double T)
                              "accelerations, forces and work need times with a common step; fvi-adaptive has them at any",
                              o->error)
                : refuse_time(least, o->out->t[least],
-                             "this method needs times with a common step; fvi-adaptive and the methods with stages give out "
-                             "any",
+                             "this method needs times with a common step, because no error is known between its steps; "
+                             "fvi-lobatto2d to 8d and fvi-adaptive give out any time",
                              o->error);
 }
 
@@ -155,8 +155,11 @@ static int given_steps(fvi_solve_state *o, double T, double h)
     o->is_between = k < o->out->rows && has_path(o);
     return k < o->out->rows && !o->is_between
                ? refuse_time(k, o->out->t[k],
-                             "this method gives out multiples of h; "
-                             "fvi-adaptive gives out any time", o->error)
+                             o->method->stages > 0
+                                 ? "accelerations, forces and work are known at multiples of h; fvi-adaptive has them at any time"
+                                 : "this method gives out multiples of h, because no error is known between its steps; "
+                                   "fvi-lobatto2d to 8d and fvi-adaptive give out any time",
+                             o->error)
                : FVI_SUCCESS;
 }
 

@@ -71,7 +71,7 @@ def test_times_of_ones_own():
     assert abs(fvi.solve(DUFFING, error=1e-10)(t) - s.x).max() <= 1e-8
     fixed = fvi.solve(DUFFING, [0.5, 2, 19], h=0.1, method="fvi-lobatto4")
     assert np.array_equal(fixed.x, fvi.solve(DUFFING, h=0.1, method="fvi-lobatto4").x[[5, 20, 190]])
-    with pytest.raises(fvi.Error, match="^t_eval: .*fvi-adaptive gives out any time") as caught:
+    with pytest.raises(fvi.Error, match="^t_eval: .*fvi-adaptive give out any time") as caught:
         fvi.solve(DUFFING, [0.25], h=0.1)
     assert caught.value.field == "t_eval" and caught.value.value == 0.25
 

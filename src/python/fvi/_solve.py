@@ -388,7 +388,8 @@ def check_times(t: Array, time: float, h: Optional[float]) -> None:
         raise ValueError(f"t_eval: t[{k + 1}] is {t[k + 1]:.10g}; the times must increase")
     parts = t / h if h else np.zeros(1)
     for k in np.flatnonzero(abs(parts - np.round(parts)) > 1e-12 * np.maximum(parts, 1))[:1]:
-        raise ValueError(f"t_eval: t[{k}] is {t[k]:.10g}; this method gives out multiples of h; fvi-adaptive gives out any time")
+        raise ValueError(f"t_eval: t[{k}] is {t[k]:.10g}; this method gives out multiples of h, because no error is known "
+                         "between its steps; fvi-lobatto2d to 8d and fvi-adaptive give out any time")
 
 
 def by_stepper(motion: Motion, how: Numerics, t: Array, x: Array, p: Array, count: Any) -> Found:
