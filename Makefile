@@ -18,7 +18,7 @@ GNUPLOT ?= gnuplot
 # The rooms of the program have no long loops, and compile in three quarters of the time.
 LEVEL   := -O2
 CFLAGS  ?= $(LEVEL)
-$B/program/%.o $B/output/%.o $B/options/%.o $B/input/%.o: LEVEL := -O1
+$B/program/%.o $B/command_%.o $B/output/%.o $B/options/%.o $B/input/%.o: LEVEL := -O1
 ifeq ($(origin CC),default)
 CC := gcc
 endif
@@ -43,7 +43,7 @@ CHECK_LIBS   := $(shell pkg-config --libs check 2>/dev/null || echo -lcheck_pic 
 CERF_LIBS    := $(shell pkg-config --libs libcerf 2>/dev/null || echo -lcerf)
 COMPILE       = $(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -MMD -MP
 
-PROGRAM  := $(wildcard src/program/*.c src/output/*.c src/options/*.c src/input/*.c)
+PROGRAM  := $(wildcard src/program/*.c src/command_*/*.c src/output/*.c src/options/*.c src/input/*.c)
 LIBRARY  := $(filter-out $(PROGRAM) src/petsc/% src/course/%,$(wildcard src/*/*.c))
 HEADERS  := $(wildcard src/fvi/*.h src/fvi/paper/*.h)
 TESTS    := $(patsubst test_%.c,%,$(notdir $(wildcard tests/*/test_*.c)))

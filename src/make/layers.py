@@ -14,7 +14,10 @@ import sys
 SRC, MAP = pathlib.Path("src"), pathlib.Path("chapters/handbook/tour.md")
 # From the roof to the ground; rooms of one floor know nothing of each other.
 FLOORS = [
-    {"course": "the program that the Course writes; it knows no other file", "program": "build/fvi: its commands", "petsc": "build/fvi_petsc: a run on many machines"},
+    {"course": "the program that the Course writes; it knows no other file", "program": "build/fvi: its main, which hands on to commands", "petsc": "build/fvi_petsc: a run on many machines"},
+    {"command_run": "fvi run, and its checkpoints", "command_exact": "fvi exact", "command_sweep": "fvi sweep", "command_fit": "fvi fit",
+     "command_gradient": "fvi gradient", "command_response": "fvi response, fvi poles"},
+    {"command_shared": "rows of a run, warnings, options of one command alone"},
     {"output": "tables, pictures, complaints; files are whole or absent"},
     {"options": "from the command line to values"},
     {"input": "files that are compiled or loaded, and who reads which"},
@@ -38,7 +41,8 @@ FLOORS = [
     {"newton": "the one equation of a step", "expression": "texts as functions, with derivatives and bounds"},
     {"system": "potentials, forces, Lagrangians, errors"},
 ]
-PROGRAM = {"program", "output", "options", "input"}   # they know the library by its public headers
+# They know the library by its public headers.
+PROGRAM = {room for rooms in FLOORS for room in rooms if room.startswith("command_")} | {"program", "output", "options", "input"}
 FLOOR = {room: -number for number, rooms in enumerate(FLOORS) for room in rooms}
 
 

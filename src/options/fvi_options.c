@@ -240,7 +240,7 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, fvi_error *c)
     if (about) /* fvi help run */
         status = command_of(argv[2], &o->about, c);
     if (!status
-        && o->command >= FVI_COMMAND_SWEEP) { /* its words: src/program */
+        && o->command >= FVI_COMMAND_SWEEP) { /* its words: src/command_sweep and so on */
         for (int i = 2; i < argc; i++)
             if (is_help(argv[i])) {
                 o->about = o->command;

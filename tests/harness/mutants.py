@@ -28,7 +28,7 @@ BUILD = pathlib.Path(sys.argv[1])
 STEMS = set(sys.argv[2:])
 CC = shlex.split(os.environ["CC"]) + shlex.split(os.environ.get("CFLAGS", ""))
 LIBS = shlex.split(os.environ.get("LIBS", ""))
-PROGRAM = {path.stem: path for room in ("program", "output", "options", "input") for path in sorted(pathlib.Path("src", room).glob("*.c"))}
+PROGRAM = {path.stem: path for room in ("program", "command_*", "output", "options", "input") for path in sorted(pathlib.Path("src").glob(f"{room}/*.c"))}
 FOUND = [(name, path) for path in sorted(pathlib.Path("tests").glob("*/test_*.c"))
          for name in re.findall(r"START_TEST\(\s*(\w+)\s*\)", path.read_text())]
 TESTS, NAMES = dict(FOUND), [name for name, _ in FOUND]

@@ -1,0 +1,86 @@
+/* src/command_gradient/fvi_gradient_forces.c -- What forces and the ground add to a gradient. */
+#include "fvi_gradient_forces.h"
+
+#include <float.h>
+#include <math.h>
+
+typedef fvi_gradient_request request;
+
+/* Row k of the forces, each number times that of pull; without pull their sum. */
+static double sum_of_forces(const request *r, size_t k, const double *pull)
+{
+    double sum = 0;
+    for (size_t i = 0; i < r->o.d; i++)
+        sum += (pull ? -pull[i] : 1) * r->force[k * r->o.d + i];
+    return sum;
+}
+
+/* When a step asks for the force of row k: methods of order 2 or more from within the steps beside a node, so of a
+ * jump they take both sides. Returns 2, or 1 where there is one time. */
+static size_t times_of_row(const request *r, size_t k, double t[2])
+{
+    const double at = fvi_gradient_row_time(r, k);
+    t[0] = t[1] = at;
+    if (r->o.method->highest == 1 || k % r->per > 0)
+        return 1;
+    const double in = 4 * DBL_EPSILON, after = fmax(at * (1 + in), DBL_MIN);
+    t[0] = k > 0 ? at * (1 - in) : after;
+    t[1] = k < r->o.steps * r->per ? after : t[0];
+    return k > 0 && k < r->o.steps * r->per ? 2 : 1;
+}
+
+/* The mean of what stands on both sides of a node. In form D the two sides move the motion differently, so that
+ * a jump there leaves no derivative. */
+static double mean_of_sides(const request *r, const double *side, size_t sides, int *is_lost)
+{
+    if (sides == 2 && r->o.method->damped_inertia
+        && fabs(side[0] - side[1]) > 1e-9 * (fabs(side[0]) + fabs(side[1])))
+        *is_lost = 1;
+    return sides == 2 ? (side[0] + side[1]) / 2 : side[0];
+}
+
+static double by_parameter(request *r, const fvi_typed_force *of, size_t j, size_t k)
+{
+    double t[2], side[2] = { 0 };
+    const size_t sides = times_of_row(r, k, t);
+    for (size_t i = 0; i < sides; i++)
+        side[i] = fvi_typed_force_by_parameter(of, j, t[i]);
+    return mean_of_sides(r, side, sides, &r->is_jumped[j]);
+}
+
+/* A --let may stand in the force, and in the acceleration of the ground. */
+void fvi_gradient_add_forces(request *r)
+{
+    const fvi_typed_force *ground = r->o.ground ? fvi_ground_typed(r->o.ground) : NULL;
+    for (size_t j = 0; fvi_gradient_force_has_lets(r) && j < r->o.lets.count; j++)
+        for (size_t k = 0; k <= r->o.steps * r->per; k++) {
+            if (r->o.force)
+                r->lets[j] += by_parameter(r, r->o.force, j, k) * sum_of_forces(r, k, NULL);
+            if (ground)
+                r->lets[j] += by_parameter(r, ground, j, k)
+                              * sum_of_forces(r, k, fvi_ground_pull(r->o.ground));
+        }
+}
+
+/* The ground pulls with -M r a_g, in which each mass stands, or a factor of M. */
+int fvi_gradient_add_ground(request *r)
+{
+    const size_t d = r->o.d;
+    int status = 0;
+    if (!r->o.ground || !r->to.mass)
+        return status;
+    const fvi_force *ag = fvi_ground_acceleration(r->o.ground);
+    const double *pull = fvi_ground_pull(r->o.ground);
+    for (size_t k = 0; !status && k <= r->o.steps * r->per; k++) {
+        double t[2], side[2] = { 0 };
+        const size_t sides = times_of_row(r, k, t);
+        for (size_t i = 0; i < sides && !status && ag->value; i++)
+            status = ag->value(t[i], 1, ag->params, &side[i]);
+        const double a = mean_of_sides(r, side, sides, &r->ground_jumps);
+        if (r->system.matrices)
+            *r->to.mass += a * sum_of_forces(r, k, pull);
+        for (size_t i = 0; !r->system.matrices && i < d; i++)
+            r->to.mass[i] -= a * pull[i] / r->o.mass[i] * r->force[k * d + i];
+    }
+    return status;
+}

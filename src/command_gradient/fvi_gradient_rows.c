@@ -1,0 +1,254 @@
+/* src/command_gradient/fvi_gradient_rows.c -- The rows of `fvi gradient`, by name. */
+#include "fvi_gradient_rows.h"
+
+#include <fvi/rheology.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef fvi_gradient_request request;
+typedef fvi_gradient_visitor visitor;
+
+enum { LETTERS = FVI_GRADIENT_LETTERS };
+
+/* Number i of an array; NULL if it is not asked for. */
+static const double *at(const double *by, size_t i)
+{
+    return by ? by + i : NULL;
+}
+
+static void row(const visitor *v, const char *name, const char *number, const double *by)
+{
+    char whole[LETTERS];
+    snprintf(whole, sizeof whole, "%s%s", name, number);
+    v->visit(v->to, whole, by, NULL);
+}
+
+static void warn(const visitor *v, const char *name, const char *text, const char *about)
+{
+    char whole[3 * LETTERS];
+    snprintf(whole, sizeof whole, text, about);
+    v->visit(v->to, name, NULL, whole);
+}
+
+/* One for each mass: name, or name_1, name_2, ... */
+static void rows_of_masses(const visitor *v, const request *r, const char *name, const double *by)
+{
+    for (size_t i = 0; i < r->o.d; i++) {
+        char number[24] = "";
+        if (r->o.numbered)
+            snprintf(number, sizeof number, "_%zu", i + 1);
+        row(v, name, number, at(by, i));
+    }
+}
+
+/* A coordinate without mass has no energy of motion; with a little mass it has, from a velocity that is not p/m. */
+static void rows_of_inertia(const visitor *v, const request *r)
+{
+    char name[32];
+    for (size_t i = 0; i < r->o.d; i++) {
+        snprintf(name, sizeof name, r->o.numbered ? "mass_%zu" : "mass", i + 1);
+        if (r->of == 2 && r->o.mass[i] == 0)
+            warn(v, name, "no derivative by %s: the energy does not know the velocity of a coordinate without mass", name);
+        else
+            row(v, name, "", at(r->to.mass, i));
+    }
+}
+
+/* Is coordinate i imposed? It starts as it is told. */
+static int is_imposed(const request *r, size_t i)
+{
+    const fvi_constraints *c =
+        r->system.mechanism ? r->system.mechanism->constraints : NULL;
+    for (size_t l = 0; c && c->imposed && l < c->count; l++)
+        if (c->imposed[l] == i + 1)
+            return 1;
+    return 0;
+}
+
+static void rows_of_start(const visitor *v, const request *r, const char *name, const double *by)
+{
+    for (size_t i = 0; i < r->o.d; i++) {
+        char number[24] = "", whole[LETTERS];
+        if (r->o.numbered)
+            snprintf(number, sizeof number, "_%zu", i + 1);
+        snprintf(whole, sizeof whole, "%s%s", name, number);
+        if (is_imposed(r, i))
+            warn(v, whole, "no derivative by %s: this coordinate is imposed", whole);
+        else
+            row(v, whole, "", at(by, i));
+    }
+}
+
+/* Why a law has no derivatives, or only that by its factor. */
+static const char *reason_of_laws(const request *r)
+{
+    return r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP
+               ? "steps of any length have only that by the factor of a law that stands alone"
+               : "with stages a sum of laws that grows faster than s has none; by fvi-stable it has";
+}
+
+/* By one number of a term, or why there is none: the kernel has rho = rho1 and time = rho1/rho2 of two springpots in
+ * series, so that both fields are needed. */
+static void row_of_number(const visitor *v, const request *r, const char *name, size_t term,
+                          fvi_element kind, size_t field)
+{
+    const double *const fields[] = { r->to.terms, r->to.orders, r->to.times, r->to.ends };
+    char text[3 * LETTERS];
+    const int is_known = r->has_orders
+                         || (r->has_terms && field == 0 && kind != FVI_ELEMENT_MAXWELL2);
+    snprintf(text, sizeof text, "no derivative by %%s: %s", reason_of_laws(r));
+    if (is_known)
+        row(v, name, "", at(fields[field], term));
+    else
+        warn(v, name, text, name);
+}
+
+/* By each number of one --damping, R without a letter; of two springpots in series by the names that they have
+ * everywhere. */
+static void rows_of_term(const visitor *v, const request *r, size_t i)
+{
+    /* A power has A even if it is a spring or a dashpot. */
+    static const char *const letters[][4] = { [FVI_ELEMENT_SPRING] = { "", "_A" },
+                                              [FVI_ELEMENT_VISCOUS] = { "", "_A" },
+                                              [FVI_ELEMENT_POWER] = { "", "_A" },
+                                              [FVI_ELEMENT_ZENER] = { "", "_A", "_T" },
+                                              [FVI_ELEMENT_MAXWELL] = { "", "_T" },
+                                              [FVI_ELEMENT_MAXWELL2] = { "_rho1", "_alpha1",
+                                                                         "_rho2", "_alpha2" },
+                                              [FVI_ELEMENT_DAVIDSON] = { "", "_A", "_T" },
+                                              [FVI_ELEMENT_DISTRIBUTED] = { "", "_A", "_B" } };
+    const fvi_kernel_term *term = r->run.law->term + i;
+    char number[24] = "", name[LETTERS], whole[2 * LETTERS];
+    if (r->terms > 1)
+        snprintf(number, sizeof number, "_%zu", i + 1);
+    snprintf(name, sizeof name, "damping%s", number);
+    if (term->kind == FVI_KERNEL_SYMBOL) {
+        warn(v, name, "no derivatives by the numbers of %s", name);
+        return;
+    }
+    const fvi_element kind = fvi_element_of(term);
+    const int is_exchanged = fvi_pair_is_exchanged(&r->o.lets, i, r->terms);
+    for (size_t l = 0; l < 4 && letters[kind][l]; l++) {
+        size_t field = l; /* of the order of a spring */
+        fvi_element_number_typed(kind, l, is_exchanged, &field);
+        snprintf(whole, sizeof whole, "%s%s", name, letters[kind][l]);
+        row_of_number(v, r, whole, i, kind, field);
+    }
+}
+
+/* By a factor of the law of a damper, and by its numbers as `fvi fit` names them. `first` is the place of
+ * its terms among all. */
+static void rows_of_damper(const visitor *v, const request *r, size_t j, size_t first)
+{
+    const fvi_damper *damper = r->system.mechanism->damper + j;
+    const fvi_kernel *law = damper->kernel;
+    char name[LETTERS / 2];
+    snprintf(name, sizeof name, "d%zu", j + 1);
+    if (damper->name)
+        snprintf(name, sizeof name, "%s", damper->name);
+    row(v, name, ".factor", at(r->to.damping, j));
+    for (size_t i = 0; i < law->count; i++) {
+        char part[LETTERS / 2] = ".", whole[LETTERS];
+        const char *number;
+        if (law->term[i].kind == FVI_KERNEL_SYMBOL) {
+            warn(v, name, "no derivatives by the numbers of the law of %s", name);
+            return;
+        }
+        const fvi_element kind = fvi_element_of(law->term + i);
+        const int is_exchanged =
+            fvi_pair_is_exchanged(&r->o.lets, first + i, fvi_gradient_terms(r));
+        if (law->count > 1)
+            snprintf(part, sizeof part, ".%s%zu.", fvi_element_words[kind], i + 1);
+        for (size_t l = 0, field;
+             (number = fvi_element_number_typed(kind, l, is_exchanged, &field)); l++) {
+            snprintf(whole, sizeof whole, "%s%s%s", name, part, number);
+            row_of_number(v, r, whole, first + i, kind, field);
+        }
+    }
+}
+
+static void rows_of_dampers(const visitor *v, const request *r)
+{
+    const fvi_mechanism *of = r->system.mechanism;
+    for (size_t j = 0, first = 0; of && j < of->damper_count;
+         first += of->damper[j++].kernel->count)
+        rows_of_damper(v, r, j, first);
+}
+
+#define OF_A_JUMP "what acts jumps at a row, where the two sides of form D count differently"
+
+/* By one factor of each matrix. */
+static void rows_of_matrices(const visitor *v, const request *r)
+{
+    const fvi_mechanism *of = r->system.mechanism;
+    if (r->has_mass && r->ground_jumps)
+        warn(v, "mass", "no derivative by mass: %s", OF_A_JUMP);
+    else if (r->has_mass)
+        row(v, "mass", "", r->to.mass);
+    else
+        warn(v, "mass", "no derivative by mass: steps of any length ask for the ground between the "
+             "rows", "");
+    for (size_t i = 0; i < r->terms; i++)
+        rows_of_term(v, r, i);
+    rows_of_dampers(v, r);
+    if (r->terms == 0 && !of) {
+        row(v, "rho", "", r->to.damping);
+        if (r->has_alpha)
+            row(v, "alpha", "", r->to.alpha);
+        else
+            warn(v, "alpha", "no derivative by alpha: of a folder steps of any length have none at 0%s", "");
+    }
+    row(v, "c", "", r->to.parameters);
+}
+
+static void rows_of_masses_and_potential(const visitor *v, const request *r)
+{
+    static const char *const c_and_g[] = { "c", "g" };
+    if (r->has_mass && r->ground_jumps)
+        warn(v, "mass", "no derivative by mass: %s", OF_A_JUMP);
+    else if (r->has_mass)
+        rows_of_inertia(v, r);
+    else if (!r->o.text[LAGRANGIAN])
+        warn(v, "mass", "no derivative by mass: %s",
+             r->o.ground ? "steps of any length ask for the ground between the rows"
+                         : "the potential knows the time");
+    for (size_t i = 0; i < r->terms; i++)
+        rows_of_term(v, r, i);
+    rows_of_dampers(v, r);
+    if (r->terms == 0 && !r->system.mechanism)
+        rows_of_masses(v, r, "rho", r->to.damping);
+    if (r->has_alpha)
+        row(v, "alpha", "", r->to.alpha);
+    else if (r->terms == 0 && !r->system.mechanism)
+        warn(v, "alpha", "no derivative by alpha: %s",
+             r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP
+                 ? "there x has a logarithm at 0, for which these steps are not made"
+                 : "p of this method jumps at 1");
+    const int pendulum = r->o.potential.kind == FVI_POTENTIAL_PENDULUM;
+    for (size_t j = 0; !r->to.lagrangian && !r->o.potential.expression && j < r->to.sensitivity.count; j++)
+        row(v, pendulum ? "g" : c_and_g[j], "", at(r->to.parameters, j));
+}
+
+void fvi_gradient_rows(const request *r, const visitor *v)
+{
+    rows_of_start(v, r, "x0", r->to.x0);
+    rows_of_start(v, r, "p0", r->to.p0);
+    if (r->system.matrices)
+        rows_of_matrices(v, r);
+    else
+        rows_of_masses_and_potential(v, r);
+    for (size_t j = 0; j < r->o.lets.count; j++)
+        if (r->o.lets.used[j] & FVI_USED_BY_DAMPING)
+            warn(v, r->o.lets.name[j], "no derivative by %s, of which the law speaks",
+                 r->o.lets.name[j]);
+        else if (r->is_tied[j])
+            warn(v, r->o.lets.name[j], "no derivative by %s: by a constraint the start would have to "
+                 "follow it, or by a damper of the past rl that must not be stretched",
+                 r->o.lets.name[j]);
+        else if (r->is_jumped[j])
+            warn(v, r->o.lets.name[j], "no derivative by %s: " OF_A_JUMP, r->o.lets.name[j]);
+        else
+            row(v, r->o.lets.name[j], "", r->lets + j);
+}

@@ -1,0 +1,328 @@
+/* src/command_run/fvi_checkpoint.c -- The state of a run in a file. */
+#define _GNU_SOURCE
+#include "fvi_checkpoint.h"
+
+#include "fvi_checkpoint_head.h"
+#include "fvi_run.h"
+#include "command_shared/fvi_run_rows.h"
+#include "options/fvi_option_columns.h"
+#include "output/fvi_complain.h"
+#include "output/fvi_output.h"
+#include <fvi/error.h>
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* A file is the head, up to an empty line; the form of the table, its rows and those of the
+ * picture, where these are in no file of the user's yet, each behind its length; the pieces
+ * that fvi_stepper_archive shows, each behind its length; the checksum of all before. */
+typedef struct {
+    fvi_archive archive; /* the first: a pointer to it is one to this */
+    FILE *file;
+    uint64_t sum;
+    int failed; /* a read or a write */
+} state;
+
+static void put(state *f, const void *data, size_t bytes)
+{
+    f->failed |= fwrite(data, 1, bytes, f->file) != bytes;
+    f->sum = fvi_add_to_sum(f->sum, data, bytes);
+}
+
+static int get(state *f, void *data, size_t bytes)
+{
+    if (fread(data, 1, bytes, f->file) != bytes)
+        return 0;
+    f->sum = fvi_add_to_sum(f->sum, data, bytes);
+    return 1;
+}
+
+static int save_piece(fvi_archive *v, void *data, size_t bytes, int constant)
+{
+    state *f = (state *)v;
+    const uint64_t length = bytes;
+    (void)constant;
+    put(f, &length, sizeof length);
+    put(f, data, bytes);
+    return f->failed ? -1 : 0;
+}
+
+/* What is constant is compared, by parts. */
+static int is_same(state *f, const unsigned char *data, size_t bytes)
+{
+    unsigned char part[4096];
+    for (size_t n; bytes > 0; bytes -= n, data += n) {
+        n = bytes < sizeof part ? bytes : sizeof part;
+        if (!get(f, part, n) || memcmp(part, data, n) != 0)
+            return 0;
+    }
+    return 1;
+}
+
+static int load_piece(fvi_archive *v, void *data, size_t bytes, int constant)
+{
+    state *f = (state *)v;
+    uint64_t length;
+    if (!get(f, &length, sizeof length) || length != bytes)
+        return -1;
+    return (constant ? is_same(f, data, bytes) : get(f, data, bytes)) ? 0 : -1;
+}
+
+/* The pieces of the stepper, of its observer where columns have sums, and of the reductions: without sums an
+ * observer remembers nothing, and other columns may follow. */
+static int archive_run(const fvi_table *t, fvi_stepper *s, fvi_archive *archive)
+{
+    int status = fvi_stepper_archive(s, archive);
+    if (!status && t->observer && fvi_options_observes(t->o))
+        status = fvi_observer_archive(t->observer, archive);
+    return status ? status : fvi_reductions_archive(t->o->typed, archive);
+}
+
+/* ---- the rows ---- */
+
+/* What the rows of a table have in common: only such rows can follow them. */
+enum { FORM = 60 };
+static void form_of(const fvi_options *o, char text[FORM])
+{
+    static const char *const asked[] = { "columns", "unknowns", "every", NULL };
+    const char *name, *value;
+    uint64_t sum = FVI_FIRST_SUM; /* a list of unknowns may be long */
+    for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
+        if (fvi_is_one_of(name, asked)) {
+            sum = fvi_add_to_sum(sum, name, strlen(name) + 1);
+            sum = fvi_add_to_sum(sum, value, strlen(value) + 1);
+        }
+    snprintf(text, FORM, "%016jx %s %s", (uintmax_t)sum,
+             fvi_format_names[o->format], o->plot ? "plot" : "");
+}
+
+/* The bytes of an open file from one place to another, or to its end if that is 0; of no
+ * file none. */
+static void put_part(state *f, FILE *from, off_t begin, off_t end)
+{
+    unsigned char part[1 << 14];
+    struct stat now = { 0 };
+    if (from && (fflush(from) != 0 || fstat(fileno(from), &now) != 0))
+        f->failed = 1;
+    const uint64_t length =
+        from ? (uint64_t)((end > 0 ? end : now.st_size) - begin) : 0;
+    put(f, &length, sizeof length);
+    for (uint64_t done = 0; done < length && !f->failed;) {
+        const size_t n =
+            length - done < sizeof part ? (size_t)(length - done) : sizeof part;
+        const ssize_t got = pread(fileno(from), part, n, begin + (off_t)done);
+        if (got <= 0)
+            f->failed = 1;
+        else
+            put(f, part, (size_t)got);
+        done += got > 0 ? (uint64_t)got : 0;
+    }
+}
+
+/* The last row may be none of a longer run: it stands behind the place `last`. */
+static void put_rows(state *f, const fvi_table *t)
+{
+    char form[FORM] = "";
+    const int waits = fvi_output_waits(t->out);
+    if (waits)
+        form_of(t->o, form);
+    const uint64_t length = strlen(form);
+    put(f, &length, sizeof length);
+    put(f, form, length);
+    put_part(f, waits ? t->out : NULL, t->first, t->last);
+    put_part(f, waits ? t->plot : NULL, 0, t->last_drawn);
+}
+
+/* Where the rows stand; the file is behind them then. Returns 0 if their lengths cannot be. */
+static int find_rows(fvi_checkpoint *c, off_t size)
+{
+    for (int i = 0; i < 3; i++) {
+        fvi_checkpoint_part *part = &c->part[i];
+        uint64_t length;
+        if (fread(&length, sizeof length, 1, c->saved) != 1
+            || (part->begin = ftello(c->saved)) < 0
+            || length > (uint64_t)(size - part->begin))
+            return 0;
+        part->length = (off_t)length;
+        if (fseeko(c->saved, part->length, SEEK_CUR) != 0)
+            return 0;
+    }
+    return 1;
+}
+
+static int copy_part(const fvi_checkpoint *c, int i, FILE *to)
+{
+    char part[1 << 14];
+    const off_t length = c->part[i].length;
+    for (off_t done = 0; to && done < length && !ferror(to);) {
+        const off_t left = length - done;
+        const ssize_t got =
+            pread(fileno(c->saved), part,
+                  left < (off_t)sizeof part ? (size_t)left : sizeof part,
+                  c->part[i].begin + done);
+        if (got <= 0)
+            return -1;
+        fwrite(part, 1, (size_t)got, to);
+        done += got;
+    }
+    return 0;
+}
+
+int fvi_checkpoint_judge_rows(const fvi_checkpoint *c, fvi_table *t)
+{
+    const fvi_options *o = t->o;
+    char form[FORM], saved[FORM] = "";
+    const off_t length = c->part[0].length;
+    const int waits = fvi_output_waits(t->out);
+    if (!c->saved || (c->anew && (waits || length > 0)))
+        return 0; /* all rows are to come */
+    if (length == 0 && waits && c->done > 0)
+        return fvi_checkpoint_refuse(
+            o, "its rows are on standard output, where the rest must go");
+    t->begin = c->done < o->steps ? fvi_table_next(t, c->done) : o->steps + 1;
+    if (length == 0)
+        return 0;
+    form_of(o, form);
+    if (length < FORM
+        && pread(fileno(c->saved), saved, (size_t)length, c->part[0].begin)
+               != length)
+        return fvi_checkpoint_refuse(o, "damaged");
+    if (strcmp(form, saved) != 0)
+        return fvi_checkpoint_refuse(o, "its rows have other --columns, "
+                                        "--unknowns, --every, --format or "
+                                        "--plot");
+    t->goes_on = c->part[1].length > 0;
+    if (c->done == o->steps && o->steps % o->every != 0)
+        t->begin = o->steps; /* which is not among them */
+    return 0;
+}
+
+int fvi_checkpoint_rows(const fvi_checkpoint *c, fvi_table *t)
+{
+    t->first = ftello(t->out); /* -1 of a pipe, which is not asked again */
+    if (t->goes_on
+        && (copy_part(c, 1, t->out) != 0 || copy_part(c, 2, t->plot) != 0))
+        return fvi_cannot_write(t->o->output);
+    return 0;
+}
+
+/* ---- files ---- */
+
+int fvi_checkpoint_write(const fvi_checkpoint *c, const fvi_table *t,
+                         fvi_stepper *s)
+{
+    const char *name = t->o->checkpoint;
+    fvi_checkpoint_in_rows(1);
+    const int lost = fflush(t->out) != 0; /* rows before the state */
+    fvi_checkpoint_in_rows(0);
+    if (lost)
+        return fvi_cannot_write(t->o->output);
+    state f = { .archive = { save_piece },
+                .file = fvi_output_open_file(name),
+                .sum = FVI_FIRST_SUM };
+    if (!f.file)
+        return fvi_cannot_write(name);
+    put(&f, c->head, strlen(c->head));
+    put_rows(&f, t);
+    const int status = archive_run(t, s, &f.archive);
+    const uint64_t sum = f.sum;
+    put(&f, &sum, sizeof sum);
+    const int why = errno, whole = !status && !f.failed;
+    if (fvi_output_close(f.file, whole) == 0 && whole)
+        return 0;
+    if (!whole)
+        errno = why;
+    return fvi_cannot_write(name);
+}
+
+/* Is the last number of the file the sum of all before? The file stays where it is. */
+static int is_whole(FILE *file)
+{
+    state f = { .file = file, .sum = FVI_FIRST_SUM };
+    const long at = ftell(file);
+    struct stat now;
+    uint64_t sum = 0;
+    if (at < 0 || fstat(fileno(file), &now) != 0
+        || now.st_size < (off_t)sizeof sum)
+        return 0;
+    rewind(file);
+    unsigned char part[4096];
+    off_t left = now.st_size - (off_t)sizeof sum;
+    for (size_t n; left > 0; left -= (off_t)n) {
+        n = left < (off_t)sizeof part ? (size_t)left : sizeof part;
+        if (!get(&f, part, n))
+            return 0;
+    }
+    return fread(&sum, sizeof sum, 1, file) == 1 && sum == f.sum
+           && fseek(file, at, SEEK_SET) == 0;
+}
+
+/* The file is whole, and of this problem. If it does not fit all the same, the memory depends
+ * on N, and N is another one, or the program has other last digits than the one that wrote it: a run
+ * of the new N, or by this program, had other last digits from the first step on, and so it begins anew. */
+static int load_all(fvi_table *t, state *f, fvi_stepper *s, fvi_checkpoint *c)
+{
+    const fvi_options *o = t->o;
+    const int status = archive_run(t, s, &f->archive);
+    c->done = s->k;
+    if (s->k > o->steps)
+        return fvi_checkpoint_refuse(o, "it is further than --steps");
+    if (status > 0) /* of the library, not of load_piece */
+        return fvi_checkpoint_refuse(o, "not a state of such a run");
+    if (status == 0)
+        return 0;
+    fprintf(stderr,
+            "fvi: --continue: the memory depends on --steps, and on the version: the first %zu "
+            "steps are done again\n",
+            c->done);
+    c->anew = 1;
+    return fvi_stepper_reset(s) || fvi_run_observe(t, s, NULL)
+               ? fvi_complain("not enough memory")
+               : 0;
+}
+
+static int read_checkpoint(fvi_table *t, fvi_stepper *s, fvi_checkpoint *c)
+{
+    const fvi_options *o = t->o;
+    struct stat now;
+    c->saved = fopen(o->checkpoint, "r");
+    state f = { .archive = { load_piece },
+                .file = c->saved,
+                .sum = FVI_FIRST_SUM };
+    if (!c->saved)
+        return fvi_checkpoint_unreadable(o);
+    const int status = fvi_checkpoint_compare(o, c->saved, c->head);
+    if (status)
+        return status;
+    return is_whole(c->saved) && fstat(fileno(c->saved), &now) == 0
+                   && find_rows(c, now.st_size)
+               ? load_all(t, &f, s, c)
+               : fvi_checkpoint_refuse(o, "damaged");
+}
+
+int fvi_checkpoint_begin(fvi_table *t, fvi_stepper *s, fvi_checkpoint *c)
+{
+    const fvi_options *o = t->o;
+    *c = (fvi_checkpoint){ .head = NULL };
+    if (!o->checkpoint)
+        return 0;
+    if (s->method_state && !s->method->serialize) {
+        fvi_error error;
+        fvi_refuse(&error, "checkpoint", "not known to %s", s->method->name);
+        return fvi_refused(&error, "run");
+    }
+    if (!(c->head = fvi_checkpoint_head(o)))
+        return fvi_complain("not enough memory");
+    return o->resume ? read_checkpoint(t, s, c) : 0;
+}
+
+void fvi_checkpoint_free(fvi_checkpoint *c)
+{
+    free(c->head);
+    if (c->saved)
+        fclose(c->saved);
+}

@@ -1,0 +1,255 @@
+/* src/command_run/fvi_run.c -- The command `fvi run`, step by step. */
+#include "fvi_run.h"
+
+#include "command_shared/fvi_run_rows.h"
+#include "command_shared/fvi_run_start.h"
+#include "command_shared/fvi_run_warn.h"
+#include "fvi_checkpoint.h"
+#include "options/fvi_values.h"
+#include "output/fvi_complain.h"
+#include "output/fvi_format.h"
+#include "output/fvi_output.h"
+#include "output/fvi_table.h"
+
+#include <fvi/fvi.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+double *fvi_run_room(const fvi_table *t)
+{
+    const fvi_options *o = t->o;
+    const fvi_system system = fvi_options_system(o);
+    const fvi_run run = fvi_options_run(o, &system);
+    return fvi_table_room(t, o->error > 0 /* fvi_solve keeps rows */
+                                 ? 40 * (double)o->d * (double)o->steps
+                                 : fvi_run_bytes(o->method, &run));
+}
+
+/* What is looked at along a run: its step, and the inertia of a Lagrangian. */
+typedef struct {
+    fvi_watch of_step;
+    fvi_run_inertia of_inertia;
+} watches;
+
+/* After a step, of a run that has become too stiff for its step, or whose inertia vanishes. Returns a status. */
+static int warn_along(watches *w, const fvi_stepper *s)
+{
+    char text[FVI_WARNING_ROOM];
+    int warned = fvi_warning_along(&w->of_step, s->method, &s->run, s->k, s->x, sizeof text, text);
+    if (warned > 0)
+        fvi_warn(text);
+    if (warned >= 0 && (warned = fvi_run_look_at_inertia(&w->of_inertia, s, text)) > 0)
+        fvi_warn(text);
+    return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
+}
+
+/* Between which rows a step failed; of a run that took too many, how far it came. */
+static int stopped(const fvi_options *o, const fvi_stepper *s, int status)
+{
+    fvi_step_statistics counts;
+    if (status != FVI_ERUNAWAY || fvi_stepper_statistics(s, &counts))
+        return fvi_stopped_at(s->k + 1, status);
+    fvi_progress_clear();
+    fprintf(stderr, "fvi: step %zu: t = %.10g after %zu steps%s\n", s->k + 1,
+            s->t, counts.steps + counts.rejected,
+            o->most_steps > 0
+                ? ", and --most-steps allows no more"
+                : ", of which the rest would take a million million at this "
+                  "pace; --most-steps N would allow N");
+    return 1;
+}
+
+/* Returns 0, or 1 after it has said at which step the run ended. */
+static int steps_and_rows(fvi_table *t, fvi_stepper *s, watches *w,
+                          const fvi_checkpoint *c)
+{
+    const size_t steps = t->o->steps, d = t->o->d;
+    const size_t often = d < 32 ? 1024 / (d * d) : 1; /* a step may cost d^3 */
+    size_t next = t->begin > 0 ? t->begin : fvi_table_next(t, 0),
+           look = s->k + often; /* divided by at no step */
+    int status = FVI_SUCCESS;
+    if (t->begin == steps)
+        fvi_table_mark_last(t);
+    if (t->begin == s->k || t->begin == 0) /* the row where it stands */
+        status = fvi_run_row(t, s, t->begin);
+    if (status)
+        return fvi_stopped_at(t->begin, status);
+    while (s->k < steps && !fvi_stepper_is_over(s) && !ferror(t->out)
+           && !fvi_checkpoint_stopped()) {
+        const size_t before = s->k;
+        status = fvi_run_step(t, s);
+        if (status) /* of the step, or of a reduction after it */
+            return s->k > before && !t->o->method->dense ? fvi_stopped_at(s->k, status)
+                                                         : stopped(t->o, s, status);
+        status = warn_along(w, s);
+        if (status)
+            return fvi_stopped_at(s->k, status);
+        const int looks = s->k >= look;
+        if (looks) {
+            fvi_progress(s->k, steps);
+            look = s->k + often;
+        }
+        fvi_checkpoint_in_rows(1);
+        for (; s->k >= next; next = fvi_table_next(t, next)) {
+            fvi_progress_clear(); /* the rows may go to the same terminal */
+            if (next == steps)
+                fvi_table_mark_last(t);
+            status = fvi_run_row(t, s, next);
+            if (status)
+                return fvi_stopped_at(next, status);
+            if (next == steps)
+                break;
+        }
+        fvi_checkpoint_in_rows(0);
+        if (looks && t->o->checkpoint && fvi_checkpoint_due()
+            && fvi_checkpoint_write(c, t, s))
+            return 1;
+    }
+    status = s->k == steps || fvi_stepper_is_over(s) ? fvi_run_reductions(t)
+                                                     : FVI_SUCCESS;
+    return status ? fvi_stopped_at(steps, status) : 0;
+}
+
+/* The warning of the step in the head of a table, if there is one, under a name that no other warning has: what is read
+ * as JSON keeps one of two. */
+static void print_warning(FILE *out, const fvi_options *o, const char *unstable)
+{
+    if (*unstable)
+        fvi_format_parameter(out, o->format,
+                             o->no_solution ? "warning of the step" : "warning",
+                             unstable);
+}
+
+void fvi_variable_step_head(FILE *out, const fvi_options *o, int stages,
+                            char form, size_t steps)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%c, %d stages", form, stages);
+    fvi_format_parameter(out, o->format, "form", text);
+    if (steps == 0)
+        return;
+    snprintf(text, sizeof text, "%zu", steps);
+    fvi_format_parameter(out, o->format, "steps taken", text);
+}
+
+/* How the equation of a step with matrices is solved: in which of them is it implicit? */
+static const char *solver(const fvi_options *o)
+{
+    const fvi_scheme scheme = o->method->scheme;
+    const int stable = scheme == FVI_SCHEME_CQ2_MIDPOINT,
+              staged = scheme == FVI_SCHEME_LOBATTO,
+              damped = stable || staged || scheme == FVI_SCHEME_CQ2_SHIFTED,
+              pulled = stable || staged || (o->kappa > 0 && o->kappa < 1);
+    const char *name = fvi_directory_solver(o->directory, 1, damped, pulled);
+    return staged && strcmp(name, "CHOLMOD") == 0 ? "UMFPACK" : name; /* (27.14) is complex */
+}
+
+/* What comes between the head and the end: rows that were saved, then those of the run, with
+ * its checkpoints. */
+static int rows_and_checkpoints(fvi_table *t, fvi_stepper *s, watches *w,
+                                const fvi_checkpoint *c)
+{
+    if (!t->o->checkpoint)
+        return steps_and_rows(t, s, w, c);
+    int failed = fvi_checkpoint_rows(c, t);
+    if (failed)
+        return failed;
+    fvi_checkpoint_watch();
+    failed = steps_and_rows(t, s, w, c);
+    if (!failed && !ferror(t->out))
+        failed = fvi_checkpoint_write(c, t, s);
+    fvi_checkpoint_unwatch();
+    return failed;
+}
+
+void fvi_run_print_events(const fvi_table *t, size_t n, const fvi_event_time *at)
+{
+    if (!t->o->events)
+        return;
+    fvi_format_events_begin(t->out, t->o->format);
+    for (size_t i = 0; i < n; i++)
+        fvi_format_event(t->out, t->o->format, i, at[i].t,
+                         fvi_typed_event_name(t->o->events, at[i].event),
+                         at[i].at_rest     ? "at rest"
+                         : at[i].lifts_off ? "lifts off"
+                                           : NULL);
+}
+
+/* The table of a run that has been started, or goes on. */
+static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
+                          const fvi_checkpoint *c)
+{
+    const fvi_options *o = t->o;
+    const char *solved = o->directory ? solver(o) : NULL;
+    if (solved && !*solved)
+        return fvi_complain("not enough memory");
+    if (fvi_table_open(t))
+        return 1;
+    char unstable[FVI_WARNING_ROOM];
+    int failed = fvi_checkpoint_judge_rows(c, t) ? 2 : 0;
+    if (!failed)
+        failed = fvi_run_warn(o, r, sizeof unstable, unstable);
+    if (failed) {
+        fvi_table_close(t, 1);
+        return failed;
+    }
+    fvi_table_head(t->out, o);
+    print_warning(t->out, o, unstable);
+    if (solved)
+        fvi_format_parameter(t->out, o->format, "solver", solved);
+    watches watch = { .of_step = fvi_watch_begin(o->method, r, *unstable != '\0') };
+    fvi_step_statistics counts;
+    if (o->method->dense && fvi_stepper_statistics(s, &counts) == 0) {
+        /* how many steps, of a run that goes on, too: not before its end */
+        fvi_variable_step_head(t->out, o, counts.stages, counts.form, 0);
+    }
+    fvi_table_names(t);
+    char text[FVI_WARNING_ROOM];
+    failed = fvi_inertia_watch_begin(s->run.system, &watch.of_inertia.watch)
+                 ? fvi_complain("not enough memory")
+                 : 0;
+    if (fvi_warning_of_inertia(watch.of_inertia.watch, s->t, s->x, s->p, sizeof text, text) > 0)
+        fvi_warn(text);
+    if (!failed)
+        failed = rows_and_checkpoints(t, s, &watch, c);
+    fvi_inertia_watch_free(watch.of_inertia.watch);
+    const int whole = !failed && !fvi_checkpoint_stopped();
+    size_t happened;
+    const fvi_event_time *at = fvi_stepper_events(s, &happened);
+    if (!failed)
+        fvi_run_print_events(t, happened, at);
+    failed = fvi_table_close(t, !whole);
+    if (whole && !failed)
+        failed = fvi_snapshot(o, s);
+    fvi_checkpoint_end();
+    return failed;
+}
+
+int fvi_command_run(const fvi_options *o, const fvi_system *system)
+{
+    const fvi_run r = fvi_options_run(o, system);
+    fvi_table t;
+    fvi_checkpoint c = { .head = NULL };
+    fvi_stepper *s = NULL;
+    fvi_error error = { 0 };
+    int failed, status;
+    fvi_table_shape(&t, o, system);
+    t.rows = fvi_run_room(&t);
+    status = t.rows ? fvi_stepper_start(o->method, &r, &s, &error)
+                    : fvi_no_memory(&error, NULL);
+    if (!status)
+        status = fvi_run_observe(&t, s, &error);
+    failed = status == FVI_EOVRFLW && s ? fvi_stopped_at(0, status) /* of a reduction */
+             : status ? fvi_complain_of_start(o, &error, "run")
+                    : fvi_checkpoint_begin(&t, s, &c);
+    if (!failed)
+        failed = run_to_the_end(&t, &r, s, &c);
+    fvi_observer_free(t.observer);
+    fvi_stepper_free(s);
+    fvi_checkpoint_free(&c);
+    free(t.rows);
+    return failed;
+}

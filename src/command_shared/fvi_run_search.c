@@ -1,0 +1,102 @@
+/* src/command_shared/fvi_run_search.c -- A run to a wanted error, with its typed columns and its events. */
+#include "fvi_run_search.h"
+
+#include "options/fvi_option_columns.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Where the typed columns of all rows go, and events. `next` is the row that comes next: there stands the last
+ * event, until there is such a row. */
+typedef struct {
+    const fvi_options *o;
+    double *x, *p, *rows;
+    fvi_run_events *events;
+    size_t next;
+} typed_rows;
+
+static int count_row(size_t k, double t, const double *x, const double *p, void *params)
+{
+    (void)t, (void)x, (void)p;
+    ((typed_rows *)params)->next = k + 1;
+    return FVI_SUCCESS;
+}
+
+static int keep_event(const fvi_event_time *at, const double *x, const double *p, void *params)
+{
+    const typed_rows *kept = params;
+    fvi_run_events *events = kept->events;
+    const size_t d = kept->o->d, bytes = kept->next <= kept->o->steps ? d * sizeof *x : 0;
+    memcpy(kept->x + kept->next * d, x, bytes);
+    memcpy(kept->p + kept->next * d, p, bytes);
+    if (events->count == events->room) {
+        const size_t room = 2 * events->room + 16;
+        fvi_event_time *more = realloc(events->at, room * sizeof *more);
+        if (!more)
+            return FVI_ENOMEM;
+        events->at = more;
+        events->room = room;
+    }
+    events->at[events->count++] = *at;
+    return FVI_SUCCESS;
+}
+
+static int keep_typed(size_t k, const fvi_observation *now, void *params)
+{
+    const typed_rows *t = params;
+    return fvi_typed_columns_values(t->o->typed, now,
+                                    t->rows + k * fvi_typed_columns_count(t->o->typed));
+}
+
+/* The same where the run stands between two rows: an event may end it there. */
+static int keep_between(const fvi_observation *now, void *params)
+{
+    const typed_rows *t = params;
+    return t->next > t->o->steps ? FVI_SUCCESS : keep_typed(t->next, now, params);
+}
+
+/* At a row and at each step of the run that was found, in the order of the times. */
+static int reduce_step(const fvi_observation *now, void *params)
+{
+    const fvi_options *o = ((const typed_rows *)params)->o;
+    const int status = fvi_typed_columns_values(o->typed, now, o->typed_row);
+    return status ? status : fvi_reductions_add(o->typed, now->t);
+}
+
+static int reduce_row(size_t k, const fvi_observation *now, void *params)
+{
+    (void)k;
+    return reduce_step(now, params);
+}
+
+int fvi_run_search(const fvi_options *o, const fvi_method *method,
+                   const fvi_run *r, double *x, double *p, double *typed,
+                   fvi_report *found, fvi_run_events *events)
+{
+    typed_rows kept = { o, x, p, typed, events, 0 };
+    const fvi_problem problem = { .system = *r->system,
+                                  .x0 = r->x0,
+                                  .p0 = r->p0,
+                                  .T = o->time,
+                                  .alpha = r->alpha,
+                                  .law = r->law,
+                                  .past = r->past,
+                                  .events = r->events,
+                                  .event_count = r->event_count };
+    const fvi_solve_options options = { .method = method,
+                                        .kappa = &r->kappa,
+                                        .longest = r->longest,
+                                        .history = r->memory,
+                                        .history_tolerance = r->tolerance };
+    const fvi_accuracy accuracy = { o->error, o->most_steps };
+    fvi_outputs rows = { .rows = r->steps + 1, .x = x, .p = p, .params = &kept };
+    rows.event = events ? keep_event : NULL;
+    rows.row = count_row;
+    const int reduces = fvi_reductions_count(o->typed) > 0;
+    if (typed && (reduces || fvi_options_needs_stepper(o))) {
+        rows.observed = reduces ? reduce_row : keep_typed;
+        rows.between = reduces ? reduce_step : r->event_count ? keep_between : NULL;
+        rows.wanted = fvi_typed_columns_wanted(o->typed);
+    }
+    return fvi_solve(&problem, &options, &accuracy, &rows, found, NULL);
+}

@@ -1,0 +1,93 @@
+/* src/command_shared/fvi_run_start.c -- Why a run could not begin, in the words of its options. */
+#include "fvi_run_start.h"
+
+#include "options/fvi_option_columns.h"
+#include "output/fvi_complain.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The option of a field of the library's. */
+static const char *option_of(const fvi_options *o, const char *field)
+{
+    static const char *const options[][2] = {
+        { "law", "damping" },  { "past", "derivative" },       { "impulses", "force" },
+        { "events", "event" }, { "step_error", "step-error" }, { "matrices", "system" }
+    };
+    if (strcmp(field, "observer") == 0)
+        return o->text[REDUCE] ? "reduce" : "columns";
+    if (strcmp(field, "damper") == 0 && !o->text[DAMPER])
+        return o->text[DAMPING] ? "damping" : "alpha";
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+        if (strcmp(field, options[i][0]) == 0)
+            return options[i][1];
+    return field;
+}
+
+/* With the option in the place of the field, and the text of an event in that of its number. */
+static void name_option(const fvi_options *o, fvi_error *error)
+{
+    char text[sizeof error->text];
+    if (!error->field)
+        return;
+    const int is_event = o->events && strcmp(error->field, "events") == 0;
+    const char *reason = is_event ? strstr(error->text, ": ") : NULL;
+    error->field = option_of(o, error->field);
+    if (!reason)
+        return;
+    snprintf(text, sizeof text, "%s", reason);
+    fvi_fail(error, error->code, error->field, error->value, "'%s'%s",
+             fvi_typed_event_name(o->events, error->index), text);
+}
+
+void fvi_reason_of_start(const fvi_options *o, const fvi_run *r, int status, fvi_error *error)
+{
+    fvi_stepper *s = NULL;
+    fvi_observer *observer = NULL;
+    *error = (fvi_error){ 0 };
+    int again = fvi_stepper_start(o->method, r, &s, error);
+    if (!again && fvi_options_needs_stepper(o))
+        again = fvi_observer_start(s, fvi_typed_columns_wanted(o->typed), &observer, error);
+    fvi_observer_free(observer);
+    fvi_stepper_free(s);
+    if (again != status)
+        fvi_fail(error, status, NULL, NAN, "%s", fvi_error_name(status));
+    name_option(o, error);
+}
+
+/* What the parser let through is in range: without a field FVI_EINVAL is a number of steps that no
+ * memory is made for, FVI_EDOM an m / h, FVI_EUNSUP a start of fvi-adaptive, or a law that
+ * stages do not take. */
+const char *fvi_reason_of_code(const fvi_options *o, int status)
+{
+    return status == FVI_ENOMEM ? "not enough memory"
+           : status == FVI_ESING
+               ? "--system: the matrix of a step is not positive definite: K is "
+                 "negative somewhere, and h too long for it"
+           : status == FVI_EINVAL
+               ? "--steps: the compressed memory reaches back 10^9 steps at most"
+           : status == FVI_EUNSUP && o->text[DAMPING] && o->method->dense && o->events
+               ? "--damping: a pole of this law is too near to its cut, or off "
+                 "it, for fvi-adaptive; without --event fvi-bdf2 and fvi-stable take it"
+           : status == FVI_EUNSUP && o->text[DAMPING] && o->method->dense
+               ? "--damping: a pole of this law is too near to its cut, or off "
+                 "it, for fvi-adaptive; fvi-bdf2 and fvi-stable take it"
+           : status == FVI_EUNSUP && o->text[DAMPING]
+               ? "--damping: the tail of this law is no sum of decaying modes; "
+                 "fvi, fvi-bdf2 and fvi-stable take it"
+           : status == FVI_EUNSUP
+               ? "no step is short enough for a velocity that jumps: alpha is too "
+                 "near to 1"
+           : status == FVI_EDOM ? "--h: mass / h is not a finite number"
+                                : fvi_code_in_words(status);
+}
+
+int fvi_complain_of_start(const fvi_options *o, const fvi_error *error, const char *command)
+{
+    fvi_error named = *error;
+    name_option(o, &named);
+    return named.field                                       ? fvi_refused(&named, command)
+           : named.code == FVI_ESING && !o->directory ? fvi_stopped_at(1, named.code)
+                                                      : fvi_complain(fvi_reason_of_code(o, named.code));
+}
