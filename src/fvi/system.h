@@ -155,13 +155,16 @@ typedef struct {
  *   damper_count, damper  0 and NULL; or the matrices of as many dampers, each with a kernel of
  *              its own in the system's mechanism (dampers.h). Then there is no C, and
  *   factorise_dampers  as factorise, of m M + sum_j c_j C_j + k K
- *   factorise_complex  NULL; or as factorise, of the same sum with complex numbers, for form D of
- *              the methods with stages (lobatto.h). `factor` is m, then c or the c_j, then k, of each
- *              the real and the imaginary part; real parts of m and k are > 0, of c >= 0
- *   solve_complex  r becomes the solution, 2 d numbers: the real and imaginary parts take turns
+ *   factorise_complex  NULL; or as factorise, of `count` such sums with complex numbers together, 1 to
+ *              FVI_COMPLEX_SUMS, for form D of the methods with stages (lobatto.h). `factor` is of each sum
+ *              m, then c or the c_j, then k, of each the real and the imaginary part; real parts of m and k
+ *              are > 0, of c >= 0
+ *   solve_complex  r becomes the solution of the first `count` of these equations, 2 count d numbers: of
+ *              each unknown first the real parts, one for each equation, and then the imaginary parts
  *   forget_complex  gives these factors back
  *
  * The functions return 0, or a code as those of a potential do. */
+enum { FVI_COMPLEX_SUMS = 4 };
 struct fvi_sparse;
 typedef struct {
     size_t remembered;
@@ -183,9 +186,9 @@ typedef struct {
     const fvi_damping_matrix *damper;
     int (*factorise_dampers)(size_t d, double m, const double *c, double k,
                              const void *params, void **factors);
-    int (*factorise_complex)(size_t d, const double *factor, const void *params,
+    int (*factorise_complex)(size_t d, size_t count, const double *factor, const void *params,
                              void **factors);
-    int (*solve_complex)(size_t d, void *factors, double *r);
+    int (*solve_complex)(size_t d, size_t count, void *factors, double *r);
     void (*forget_complex)(void *factors);
 } fvi_matrices;
 

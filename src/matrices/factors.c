@@ -27,8 +27,27 @@ fvi_way fvi_way_of(const fvi_sparse *A)
 /* ---- bands ---- */
 
 #define NUMBER double
-#define TIMES(a, b) ((a) * (b))
-#define IS_POSITIVE(a) ((a) > 0)
+
+static inline void subtract_product(double *to, const double *a, const double *b)
+{
+    *to -= *a * *b;
+}
+
+static inline void multiply(double *to, const double *a, const double *b)
+{
+    *to = *a * *b;
+}
+
+static inline void invert(double *to, const double *a)
+{
+    *to = 1 / *a;
+}
+
+static inline int is_positive(const double *a)
+{
+    return *a > 0;
+}
+
 #include "band_elimination.h"
 
 static int begin_band(fvi_factors *f, const fvi_sparse *A)

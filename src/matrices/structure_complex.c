@@ -4,86 +4,167 @@
 
 #include "complex_factors.h"
 #include "system/fail.h"
+#include "system/vectors.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* A product; C's own asks for NaNs. */
-static inline double complex times(double complex a, double complex b)
+enum { LANES = FVI_COMPLEX_SUMS };
+
+/* ---- bands ---- */
+
+/* A complex number of each of four bands: they are eliminated side by side, because each waits for the row before. */
+typedef double four __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
+typedef struct {
+    four re, im;
+} complex_lanes;
+
+#define NUMBER complex_lanes
+
+static inline void subtract_product(complex_lanes *to, const complex_lanes *a, const complex_lanes *b)
 {
-    return creal(a) * creal(b) - cimag(a) * cimag(b)
-           + I * (creal(a) * cimag(b) + cimag(a) * creal(b));
+    const four re = a->re * b->re - a->im * b->im, im = a->re * b->im + a->im * b->re;
+    to->re -= re;
+    to->im -= im;
 }
 
-#define NUMBER double complex
-#define TIMES(a, b) times(a, b)
-#define IS_POSITIVE(a) (creal(a) > 0)
+static inline void multiply(complex_lanes *to, const complex_lanes *a, const complex_lanes *b)
+{
+    const four re = a->re * b->re - a->im * b->im, im = a->re * b->im + a->im * b->re;
+    to->re = re;
+    to->im = im;
+}
+
+/* The real part is positive, and no square of it can overflow here. */
+static inline void invert(complex_lanes *to, const complex_lanes *a)
+{
+    const four slope = a->im / a->re, size = a->re + a->im * slope;
+    to->re = 1 / size;
+    to->im = -slope / size;
+}
+
+static inline int is_positive(const complex_lanes *a)
+{
+    return a->re[0] > 0 && a->re[1] > 0 && a->re[2] > 0 && a->re[3] > 0;
+}
+
 #include "band_elimination.h"
 
-/* Of a band, or of UMFPACK, for which pattern and entries must stay. */
+FVI_VECTORS static int factorise_lanes(size_t n, size_t w, complex_lanes *band)
+{
+    return factorise_band(n, w, band);
+}
+
+FVI_VECTORS static void solve_lanes(size_t n, size_t w, const complex_lanes *band, complex_lanes *r)
+{
+    solve_band(n, w, band, r);
+}
+
+/* ---- sums ---- */
+
+/* Of bands, or each of UMFPACK, for which pattern and entries must stay. */
 typedef struct {
-    size_t n, w;
+    size_t n, w, count; /* how many equations */
+    complex_lanes *band, *lanes; /* room for n right sides; NULL without bands */
     int *start, *row;
-    double complex *entry, *band;
-    fvi_complex_factors *factors;
+    double complex *entry, *right;
+    fvi_complex_factors *factors[LANES];
 } complex_solver;
+
+/* The matrices that are there; factor l of sum i is factor[(i * every + place[l])], real and imaginary part. */
+typedef struct {
+    size_t count, every, *place;
+    const fvi_sparse **matrix;
+    const double *factor;
+} complex_terms;
 
 static void forget(void *factors)
 {
     complex_solver *c = factors;
     if (!c)
         return;
-    fvi_complex_factors_free(c->factors);
+    for (size_t i = 0; i < LANES; i++)
+        fvi_complex_factors_free(c->factors[i]);
     free(c->start);
     free(c->row);
     free(c->entry);
+    free(c->right);
     free(c->band);
     free(c);
 }
 
-/* The entries of the sum; factor l is factor[2 l] + i factor[2 l + 1]. */
-static int sum(size_t count, const fvi_sparse *const *A, const double *factor,
-               complex_solver *c)
+static const double *factor_of(const complex_terms *terms, size_t sum, size_t l)
+{
+    return terms->factor + 2 * (sum * terms->every + terms->place[l]);
+}
+
+/* No pattern is looked for, as most of a short run of fvi-adaptive would be that. Lanes to spare repeat the last sum. */
+static int eliminate_bands(const complex_terms *terms, complex_solver *c)
+{
+    const size_t row = c->w + 1;
+    c->band = calloc(c->n * (row + 1), sizeof *c->band);
+    if (!c->band)
+        return FVI_ENOMEM;
+    c->lanes = c->band + c->n * row;
+    for (size_t l = 0; l < terms->count; l++) {
+        const fvi_sparse *A = terms->matrix[l];
+        complex_lanes a;
+        for (size_t i = 0; i < LANES; i++) {
+            const double *factor = factor_of(terms, i < c->count ? i : c->count - 1, l);
+            a.re[i] = factor[0];
+            a.im[i] = factor[1];
+        }
+        for (size_t j = 0; j < c->n; j++)
+            for (int e = A->start[j]; e < A->start[j + 1]; e++) {
+                const size_t i = (size_t)A->row[e];
+                if (i < j)
+                    continue;
+                complex_lanes *to = &c->band[i * row + c->w + j - i];
+                to->re += a.re * A->entry[e];
+                to->im += a.im * A->entry[e];
+            }
+    }
+    return factorise_lanes(c->n, c->w, c->band);
+}
+
+/* The entries of sum i, which stand at place[l] in the pattern. */
+static void add_entries(const complex_terms *terms, size_t i, int *const *place, complex_solver *c)
+{
+    memset(c->entry, 0, (size_t)c->start[c->n] * sizeof *c->entry);
+    for (size_t l = 0; l < terms->count; l++) {
+        const double *factor = factor_of(terms, i, l);
+        for (int e = 0; e < terms->matrix[l]->start[c->n]; e++)
+            c->entry[place[l][e]] += (factor[0] + I * factor[1]) * terms->matrix[l]->entry[e];
+    }
+}
+
+/* One pattern for all sums. */
+static int factorise_sparse(const complex_terms *terms, complex_solver *c)
 {
     size_t entries = 0;
-    for (size_t l = 0; l < count; l++)
-        entries += (size_t)A[l]->start[c->n];
-    int **place = malloc(count * sizeof *place), *room = malloc((entries + 1) * sizeof *room),
-        *next = room, status = place && room ? FVI_SUCCESS : FVI_ENOMEM;
-    for (size_t l = 0; !status && l < count; next += A[l++]->start[c->n])
+    for (size_t l = 0; l < terms->count; l++)
+        entries += (size_t)terms->matrix[l]->start[c->n];
+    int **place = malloc(terms->count * sizeof *place), *room = malloc((entries + 1) * sizeof *room), *next = room,
+        status = place && room ? FVI_SUCCESS : FVI_ENOMEM;
+    for (size_t l = 0; !status && l < terms->count; next += terms->matrix[l++]->start[c->n])
         place[l] = next;
     if (!status)
-        status = fvi_sparse_union(count, A, place, &c->start, &c->row);
-    if (!status)
-        c->entry = calloc((size_t)c->start[c->n] + 1, sizeof *c->entry);
-    if (!c->entry)
+        status = fvi_sparse_union(terms->count, terms->matrix, place, &c->start, &c->row);
+    if (!status) {
+        c->entry = malloc(((size_t)c->start[c->n] + 1) * sizeof *c->entry);
+        c->right = malloc(c->n * sizeof *c->right);
+    }
+    if (!c->entry || !c->right)
         status = FVI_ENOMEM;
-    for (size_t l = 0; !status && l < count; l++)
-        for (int e = 0; e < A[l]->start[c->n]; e++)
-            c->entry[place[l][e]] +=
-                (factor[2 * l] + I * factor[2 * l + 1]) * A[l]->entry[e];
+    for (size_t i = 0; !status && i < c->count; i++) {
+        add_entries(terms, i, place, c);
+        status = fvi_complex_factors_alloc(c->n, c->start, c->row, &c->factors[i]);
+        if (!status)
+            status = fvi_complex_factors_of(c->factors[i], c->entry);
+    }
     free(place);
     free(room);
     return status;
-}
-
-/* The sum as a band: no pattern is looked for, as most of a short run of fvi-adaptive would be that. */
-static int eliminate_band(size_t count, const fvi_sparse *const *A, const double *factor, complex_solver *c)
-{
-    const size_t row = c->w + 1;
-    c->band = calloc(c->n * row, sizeof *c->band);
-    if (!c->band)
-        return FVI_ENOMEM;
-    for (size_t l = 0; l < count; l++) {
-        const double complex a = factor[2 * l] + I * factor[2 * l + 1];
-        for (size_t j = 0; j < c->n; j++)
-            for (int e = A[l]->start[j]; e < A[l]->start[j + 1]; e++) {
-                const size_t i = (size_t)A[l]->row[e];
-                if (i >= j)
-                    c->band[i * row + c->w + j - i] += a * A[l]->entry[e];
-            }
-    }
-    return factorise_band(c->n, c->w, c->band);
 }
 
 static size_t wider(size_t w, size_t other)
@@ -91,54 +172,41 @@ static size_t wider(size_t w, size_t other)
     return w > other ? w : other;
 }
 
-/* The matrices that are there, as they stand in the sum. */
-static int factorise_terms(size_t count, const fvi_sparse *const *terms,
-                           const double *factor, complex_solver *c)
+/* M, C or the C_j, K that are there. */
+static void list_terms(const fvi_structure *s, complex_terms *terms)
 {
-    for (size_t l = 0; l < count; l++)
-        c->w = wider(c->w, fvi_sparse_half_band(terms[l]));
-    if (fvi_way_of_band(c->w) != FVI_BY_CHOLMOD)
-        return eliminate_band(count, terms, factor, c);
-    int status = sum(count, terms, factor, c);
-    if (!status)
-        status = fvi_complex_factors_alloc(c->n, c->start, c->row, &c->factors);
-    return status ? status : fvi_complex_factors_of(c->factors, c->entry);
-}
-
-/* M, C or the C_j, K that are there, and their factors. Returns how many. */
-static size_t list_terms(const fvi_structure *s, const double *factor,
-                         const fvi_sparse **terms, double *kept)
-{
-    const size_t last = fvi_structure_dampings(s) + 1;
-    size_t count = 0;
-    for (size_t l = 0; l <= last; l++) {
-        const fvi_sparse *term = l == 0      ? s->M
-                                 : l == last ? s->K
-                                 : s->space  ? fvi_structure_damping(s, l - 1)
-                                             : s->C;
-        if (!term)
+    for (size_t l = 0; l < terms->every; l++) {
+        const fvi_sparse *matrix = l == 0                  ? s->M
+                                   : l == terms->every - 1 ? s->K
+                                   : s->space              ? fvi_structure_damping(s, l - 1)
+                                                           : s->C;
+        if (!matrix)
             continue;
-        memcpy(kept + 2 * count, factor + 2 * l, 2 * sizeof *kept);
-        terms[count++] = term;
+        terms->place[terms->count] = l;
+        terms->matrix[terms->count++] = matrix;
     }
-    return count;
 }
 
-static int factorise(size_t d, const double *factor, const void *params, void **factors)
+/* ---- what matrices have ---- */
+
+static int factorise(size_t d, size_t count, const double *factor, const void *params, void **factors)
 {
     const fvi_structure *s = params;
-    const size_t most = fvi_structure_dampings(s) + 2;
-    const fvi_sparse **terms = malloc(most * sizeof *terms);
-    double *kept = malloc(2 * most * sizeof *kept);
+    complex_terms terms = { .every = fvi_structure_dampings(s) + 2, .factor = factor };
+    terms.place = malloc(terms.every * sizeof *terms.place);
+    terms.matrix = malloc(terms.every * sizeof *terms.matrix);
     complex_solver *c = calloc(1, sizeof *c);
-    int status = terms && kept && c ? FVI_SUCCESS : FVI_ENOMEM;
+    int status = terms.place && terms.matrix && c ? FVI_SUCCESS : FVI_ENOMEM;
     if (!status) {
         c->n = d;
-        const size_t count = list_terms(s, factor, terms, kept);
-        status = factorise_terms(count, terms, kept, c);
+        c->count = count;
+        list_terms(s, &terms);
+        for (size_t l = 0; l < terms.count; l++)
+            c->w = wider(c->w, fvi_sparse_half_band(terms.matrix[l]));
+        status = fvi_way_of_band(c->w) != FVI_BY_CHOLMOD ? eliminate_bands(&terms, c) : factorise_sparse(&terms, c);
     }
-    free(terms);
-    free(kept);
+    free(terms.place);
+    free(terms.matrix);
     if (status)
         forget(c);
     else
@@ -148,13 +216,36 @@ static int factorise(size_t d, const double *factor, const void *params, void **
     return status;
 }
 
-static int solve(size_t d, void *factors, double *r)
+static int solve_sparse(size_t count, complex_solver *c, double *r)
+{
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < count; i++) {
+        for (size_t j = 0; j < c->n; j++)
+            c->right[j] = r[2 * j * count + i] + I * r[(2 * j + 1) * count + i];
+        status = fvi_complex_factors_solve(c->factors[i], c->right);
+        for (size_t j = 0; j < c->n; j++) {
+            r[2 * j * count + i] = creal(c->right[j]);
+            r[(2 * j + 1) * count + i] = cimag(c->right[j]);
+        }
+    }
+    return status;
+}
+
+static int solve(size_t d, size_t count, void *factors, double *r)
 {
     complex_solver *c = factors;
-    double complex *x = (double complex *)r;
-    if (c->factors)
-        return fvi_complex_factors_solve(c->factors, x);
-    solve_band(d, c->w, c->band, x);
+    if (!c->band)
+        return solve_sparse(count, c, r);
+    if (count == LANES) {
+        solve_lanes(d, c->w, c->band, (complex_lanes *)r);
+        return FVI_SUCCESS;
+    }
+    double *lanes = (double *)c->lanes; /* what the lanes to spare hold does not matter */
+    for (size_t j = 0; j < 2 * d; j++)
+        memcpy(lanes + j * LANES, r + j * count, count * sizeof *r);
+    solve_lanes(d, c->w, c->band, c->lanes);
+    for (size_t j = 0; j < 2 * d; j++)
+        memcpy(r + j * count, lanes + j * LANES, count * sizeof *r);
     return FVI_SUCCESS;
 }
 

@@ -14,18 +14,15 @@
 struct fvi_stage_solver {
     const fvi_matrices *matrices;
     const fvi_lobatto_rule *rule;
-    size_t s, d, pairs;
+    size_t s, d, pairs, real; /* one real eigenvalue of an odd s, which comes first */
     double h;
     fvi_lobatto_pair pair[FVI_STAGES / 2];
-    void *factors[FVI_STAGES / 2];
+    void *of_real, *factors; /* of the real eigenvalue; of all others together */
+    double in[FVI_STAGES][FVI_STAGES]; /* of stage i: h w_i of each other pair, real parts and then imaginary parts */
+    double re[FVI_STAGES / 2][FVI_STAGES], im[FVI_STAGES / 2][FVI_STAGES]; /* v of each of them */
     double *inverse; /* of stage_dense.h; or NULL, and there are factors */
-    double room[];   /* 4 d; with an inverse s d, rounded up */
+    double room[];   /* 2 d for each pair; with an inverse s d, rounded up */
 };
-
-static int is_real(const fvi_lobatto_pair *pair)
-{
-    return cimag(pair->lambda) == 0;
-}
 
 /* w^T W v: what W, a function of A^{-1}, is at an eigenvalue. */
 static double complex value_at(const fvi_stage_solver *o, size_t l, const double *W)
@@ -39,37 +36,70 @@ static double complex value_at(const fvi_stage_solver *o, size_t l, const double
 }
 
 //> factors
-/* Z of pair l; c has room for its numbers before M, the C_j and K. */
-static int factorise_pair(fvi_stage_solver *o, size_t l, const double *const *W,
-                          double complex *c)
+/* The numbers before M, the C_j and K in Z of pair l, to c. Returns how many. */
+static size_t numbers_of(const fvi_stage_solver *o, size_t l, const double *const *W, double complex *c)
 {
-    const fvi_matrices *m = o->matrices;
-    const size_t count = m->damper_count > 0 ? m->damper_count : 1;
+    const size_t count = o->matrices->damper_count > 0 ? o->matrices->damper_count : 1;
     const double complex lambda = o->pair[l].lambda;
     c[0] = lambda;
     for (size_t j = 0; j < count; j++)
         c[1 + j] = W[j] ? o->h * value_at(o, l, W[j]) : 0;
     c[count + 1] = o->h * o->h / lambda;
-    if (!is_real(&o->pair[l]))
-        return m->factorise_complex(o->d, (double *)c, m->params, &o->factors[l]);
-    double *re = (double *)c; /* the real parts, one after another */
-    for (size_t j = 0; j < count + 2; j++)
-        re[j] = creal(c[j]);
-    return m->damper_count > 0
-               ? m->factorise_dampers(o->d, re[0], re + 1, re[count + 1], m->params,
-                                      &o->factors[l])
-               : m->factorise(o->d, re[0], re[1], re[2], m->params, &o->factors[l]);
+    return count + 2;
 }
 //< factors
+
+static int factorise_real(fvi_stage_solver *o, const double *const *W, double complex *c)
+{
+    const fvi_matrices *m = o->matrices;
+    const size_t count = numbers_of(o, 0, W, c);
+    double *re = (double *)c; /* the real parts, one after another */
+    for (size_t j = 0; j < count; j++)
+        re[j] = creal(c[j]);
+    return m->damper_count > 0
+               ? m->factorise_dampers(o->d, re[0], re + 1, re[count - 1], m->params, &o->of_real)
+               : m->factorise(o->d, re[0], re[1], re[2], m->params, &o->of_real);
+}
+
+/* Z of all pairs. */
+static int factorise_pairs(fvi_stage_solver *o, const double *const *W)
+{
+    const fvi_matrices *m = o->matrices;
+    double complex *c = calloc(o->pairs * (m->damper_count + 3), sizeof *c), *next = c;
+    if (!c)
+        return FVI_ENOMEM;
+    int status = o->real ? factorise_real(o, W, c) : FVI_SUCCESS;
+    for (size_t l = o->real; l < o->pairs; l++)
+        next += numbers_of(o, l, W, next);
+    if (!status && o->pairs > o->real)
+        status = m->factorise_complex(o->d, o->pairs - o->real, (double *)c, m->params, &o->factors);
+    free(c);
+    return status;
+}
+
+/* What the loops over all pairs read. */
+static void list_vectors(fvi_stage_solver *o)
+{
+    const size_t count = o->pairs - o->real;
+    for (size_t l = 0; l < count; l++) {
+        const double complex *v = o->pair[o->real + l].v;
+        for (size_t i = 0; i < o->s; i++) {
+            const double complex w = o->h * o->rule->b[i] * v[o->s - 1 - i];
+            o->in[i][l] = creal(w);
+            o->in[i][count + l] = cimag(w);
+            o->re[l][i] = creal(v[i]);
+            o->im[l][i] = cimag(v[i]);
+        }
+    }
+}
 
 int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, double h,
                            const double *const *W, fvi_stage_way way, fvi_stage_solver **solver)
 {
     const int is_dense = way == FVI_STAGE_AUTO && d <= FVI_STAGE_DENSE / s;
-    const size_t room = is_dense ? fvi_dense_rows(s * d) : 4 * d;
+    const size_t room = is_dense ? fvi_dense_rows(s * d) : (s + 1) * d;
     fvi_stage_solver *o = calloc(1, sizeof *o + room * sizeof *o->room);
-    double complex *c = calloc(matrices->damper_count + 3, sizeof *c);
-    int status = o && c ? FVI_SUCCESS : FVI_ENOMEM;
+    int status = o ? FVI_SUCCESS : FVI_ENOMEM;
     if (!status) {
         o->matrices = matrices;
         o->rule = fvi_lobatto(s);
@@ -77,12 +107,13 @@ int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, dou
         o->d = d;
         o->h = h;
         o->pairs = is_dense ? 0 : fvi_lobatto_eigenvalues(s, o->pair);
+        o->real = o->pairs > 0 && cimag(o->pair[0].lambda) == 0;
+        list_vectors(o);
     }
     if (!status && is_dense)
         status = fvi_stage_dense(matrices, d, s, h, W, &o->inverse);
-    for (size_t l = 0; !status && l < o->pairs; l++)
-        status = factorise_pair(o, l, W, c);
-    free(c);
+    else if (!status)
+        status = factorise_pairs(o, W);
     if (status)
         fvi_stage_solver_free(o);
     else
@@ -92,79 +123,99 @@ int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, dou
     return status;
 }
 
-/* re += a x and im += b x, d numbers each. */
-FVI_VECTORS static void add_both(size_t d, double a, double b, const double *restrict x, double *restrict re,
-                                 double *restrict im)
-{
-#pragma omp simd
-    for (size_t j = 0; j < d; j++) {
-        re[j] += a * x[j];
-        im[j] += b * x[j];
-    }
-}
-
-/* to += 2 Re (a + i b) (re + i im) */
-FVI_VECTORS static void add_twice_the_real_part(size_t d, double a, double b, const double *restrict re,
-                                                const double *restrict im, double *restrict to)
-{
-#pragma omp simd
-    for (size_t j = 0; j < d; j++)
-        to[j] += 2 * (a * re[j] - b * im[j]);
-}
-
-/* Z^{-1} w^T h load of pair l: re and im, or re alone. */
-static int solve_pair(fvi_stage_solver *o, size_t l, const double *load, double *re, double *im)
+/* w^T h load of `count` pairs, a number that the compiler knows, to r: of each unknown the real parts, then the
+ * imaginary parts. */
+static inline __attribute__((always_inline)) void
+collect(size_t count, const fvi_stage_solver *o, const double *restrict load, double *restrict r)
 {
     const size_t d = o->d;
-    memset(re, 0, 2 * d * sizeof *re);
-    for (size_t i = 0; i < o->s; i++) {
-        const double complex w = o->h * o->rule->b[i] * o->pair[l].v[o->s - 1 - i];
-        add_both(d, creal(w), cimag(w), load + i * d, re, im);
-    }
-    if (is_real(&o->pair[l]))
-        return o->matrices->solve(d, o->factors[l], re);
     for (size_t j = 0; j < d; j++) {
-        o->room[2 * j] = re[j];
-        o->room[2 * j + 1] = im[j];
+        double sum[FVI_STAGES] = { 0 };
+        for (size_t i = 0; i < o->s; i++)
+#pragma omp simd
+            for (size_t l = 0; l < 2 * count; l++)
+                sum[l] += o->in[i][l] * load[i * d + j];
+        for (size_t l = 0; l < 2 * count; l++)
+            r[2 * count * j + l] = sum[l];
     }
-    const int status = o->matrices->solve_complex(d, o->factors[l], o->room);
+}
+
+/* delta += v z and its conjugate, z what stands in r, for all pairs. */
+static inline __attribute__((always_inline)) void
+spread(size_t count, const fvi_stage_solver *o, const double *restrict r, double *restrict delta)
+{
+    const size_t d = o->d;
     for (size_t j = 0; j < d; j++) {
-        re[j] = o->room[2 * j];
-        im[j] = o->room[2 * j + 1];
+        double sum[FVI_STAGES] = { 0 };
+        for (size_t i = 0; o->real && i < o->s; i++)
+            sum[i] = delta[i * d + j];
+        for (size_t l = 0; l < count; l++) {
+            const double re = r[2 * count * j + l], im = r[2 * count * j + count + l];
+#pragma omp simd
+            for (size_t i = 0; i < FVI_STAGES; i++)
+                sum[i] += 2 * (o->re[l][i] * re - o->im[l][i] * im);
+        }
+        for (size_t i = 0; i < o->s; i++)
+            delta[i * d + j] = sum[i];
     }
+}
+
+FVI_VECTORS static void collect_load(const fvi_stage_solver *o, const double *load, double *r)
+{
+    if (o->pairs - o->real == FVI_STAGES / 2)
+        collect(FVI_STAGES / 2, o, load, r);
+    else
+        collect(o->pairs - o->real, o, load, r);
+}
+
+FVI_VECTORS static void spread_pairs(const fvi_stage_solver *o, const double *r, double *delta)
+{
+    if (o->pairs - o->real == FVI_STAGES / 2)
+        spread(FVI_STAGES / 2, o, r, delta);
+    else
+        spread(o->pairs - o->real, o, r, delta);
+}
+
+/* What the real pair gives to delta, from zeros. */
+static int add_real(fvi_stage_solver *o, const double *load, double *delta)
+{
+    const double complex *v = o->pair[0].v;
+    const size_t d = o->d;
+    double *r = o->room;
+    memset(r, 0, d * sizeof *r);
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t j = 0; j < d; j++)
+            r[j] += o->h * o->rule->b[i] * creal(v[o->s - 1 - i]) * load[i * d + j];
+    const int status = o->matrices->solve(d, o->of_real, r);
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t j = 0; j < d; j++)
+            delta[i * d + j] = creal(v[i]) * r[j];
     return status;
 }
 
-//> one-pair
-/* What pair l gives to delta: v Z^{-1} w^T h load, and its conjugate, too. (27.14) */
-static int add_pair(fvi_stage_solver *o, size_t l, const double *load, double *delta)
+//> pairs
+/* delta = sum over the pairs of v Z^{-1} w^T h load, and of the conjugates. (27.14) */
+static int solve_pairs(fvi_stage_solver *o, const double *load, double *delta)
 {
-    const fvi_lobatto_pair *pair = &o->pair[l];
-    const size_t d = o->d;
-    double *re = o->room + 2 * d, *im = re + d;
-    const int status = solve_pair(o, l, load, re, im), is_alone = is_real(pair);
-    for (size_t i = 0; !status && i < o->s; i++)
-        if (is_alone)
-            add_both(d, creal(pair->v[i]), 0, re, delta + i * d, im);
-        else
-            add_twice_the_real_part(d, creal(pair->v[i]), cimag(pair->v[i]), re, im, delta + i * d);
+    const size_t complex_pairs = o->pairs - o->real;
+    int status = o->real ? add_real(o, load, delta) : FVI_SUCCESS;
+    collect_load(o, load, o->room);
+    if (!status && complex_pairs > 0)
+        status = o->matrices->solve_complex(o->d, complex_pairs, o->factors, o->room);
+    if (!status)
+        spread_pairs(o, o->room, delta);
     return status;
 }
-//< one-pair
+//< pairs
 
 int fvi_stage_solver_solve(fvi_stage_solver *o, const double *load, double *delta)
 {
-    int status = FVI_SUCCESS;
     const size_t n = o->s * o->d;
-    if (o->inverse) {
-        fvi_dense_multiply(fvi_dense_rows(n), n, o->inverse, load, o->room);
-        memcpy(delta, o->room, n * sizeof *delta);
-        return FVI_SUCCESS;
-    }
-    memset(delta, 0, n * sizeof *delta);
-    for (size_t l = 0; !status && l < o->pairs; l++)
-        status = add_pair(o, l, load, delta);
-    return status;
+    if (!o->inverse)
+        return solve_pairs(o, load, delta);
+    fvi_dense_multiply(fvi_dense_rows(n), n, o->inverse, load, o->room);
+    memcpy(delta, o->room, n * sizeof *delta);
+    return FVI_SUCCESS;
 }
 
 int fvi_stage_solver_filter(fvi_stage_solver *o, const double *load, double *size)
@@ -174,7 +225,7 @@ int fvi_stage_solver_filter(fvi_stage_solver *o, const double *load, double *siz
         o->room[2 * j] = factor * load[j];
         o->room[2 * j + 1] = 0;
     }
-    const int status = o->matrices->solve_complex(o->d, o->factors[0], o->room);
+    const int status = o->matrices->solve_complex(o->d, 1, o->factors, o->room);
     for (size_t j = 0; !status && j < o->d; j++)
         size[j] = hypot(o->room[2 * j], o->room[2 * j + 1]);
     return status;
@@ -182,11 +233,10 @@ int fvi_stage_solver_filter(fvi_stage_solver *o, const double *load, double *siz
 
 void fvi_stage_solver_free(fvi_stage_solver *o)
 {
-    for (size_t l = 0; o && l < o->pairs; l++)
-        if (o->factors[l] && is_real(&o->pair[l]))
-            o->matrices->forget(o->factors[l]);
-        else if (o->factors[l])
-            o->matrices->forget_complex(o->factors[l]);
+    if (o && o->of_real)
+        o->matrices->forget(o->of_real);
+    if (o && o->factors)
+        o->matrices->forget_complex(o->factors);
     if (o)
         free(o->inverse);
     free(o);
