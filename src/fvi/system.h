@@ -118,6 +118,7 @@ typedef struct {
  *   params     handed to the functions, owned by the caller
  *   diagonal   NULL; or writes the diagonal of C, d numbers, by which a run tells a C x0 that is felt
  *              from roundings
+ *   damp_stages  NULL; or what damp does of s vectors z, 1 to 8, one behind the other, and as many p
  *
  * The functions return 0, or a code as those of a potential do. */
 typedef struct {
@@ -128,6 +129,7 @@ typedef struct {
                 double *p);
     const void *params;
     int (*diagonal)(size_t d, const void *params, double *C);
+    int (*damp_stages)(size_t d, size_t s, double a, const double *z, const void *params, double *p);
 } fvi_damping_matrix;
 
 /* fvi_matrices -- M, C and K of a linear system                          [H 27]
@@ -142,6 +144,7 @@ typedef struct {
  *              run remembers. 0: no damping, the next two functions are not called
  *   remember   writes B^T x - from to z, r numbers each; none is another
  *   damp       takes a S z away from the d numbers p
+ *   damp_stages  NULL; or as that of fvi_damping_matrix
  *   stiffness  writes K x to y
  *   inertia    writes M x to y; NULL: there is no derivative by a factor of M (adjoint.h)
  *   factorise  what solve needs to know of m M + c C + k K, into *factors; m, c >= 0.
@@ -190,6 +193,7 @@ typedef struct {
                              void **factors);
     int (*solve_complex)(size_t d, size_t count, void *factors, double *r);
     void (*forget_complex)(void *factors);
+    int (*damp_stages)(size_t d, size_t s, double a, const double *z, const void *params, double *p);
 } fvi_matrices;
 
 /* fvi_system -- one mechanical system. The arrays belong to the caller and

@@ -56,6 +56,38 @@ void fvi_history_space_apply_damping(const fvi_history_space *B, double a, const
 }
 //< remember
 
+/* p -= a C z of s vectors, a number that the compiler knows; row l of C is column l. An entry is read once, and the sums
+ * of the vectors do not wait for each other. */
+static inline __attribute__((always_inline)) void
+apply_all(size_t s, const fvi_sparse *C, double a, const double *restrict z, double *restrict p)
+{
+    const size_t n = C->n;
+    for (size_t l = 0; l < n; l++) {
+        double sum[FVI_HISTORY_SPACE_STAGES] = { 0 };
+        for (int e = C->start[l]; e < C->start[l + 1]; e++) {
+            const double entry = C->entry[e], *of = z + C->row[e];
+#pragma GCC unroll 8
+            for (size_t i = 0; i < s; i++)
+                sum[i] += entry * of[i * n];
+        }
+#pragma GCC unroll 8
+        for (size_t i = 0; i < s; i++)
+            p[i * n + l] -= a * sum[i];
+    }
+}
+
+void fvi_history_space_apply_to_stages(const fvi_history_space *B, size_t s, double a, const double *z, double *p)
+{
+    const size_t n = B->C ? B->C->n : 0;
+    if (B->kind == FVI_HISTORY_SPACE_ALL && s == 8)
+        apply_all(8, B->C, a, z, p);
+    else if (B->kind == FVI_HISTORY_SPACE_ALL && s == 3)
+        apply_all(3, B->C, a, z, p);
+    else
+        for (size_t i = 0; i < s; i++)
+            fvi_history_space_apply_damping(B, a, z + i * B->r, p + i * n);
+}
+
 /* ---- which numbers ---- */
 
 static int room(size_t r, size_t count, fvi_history_space *B)

@@ -40,6 +40,11 @@ void fvi_history_space_gather(const fvi_history_space *B, const double *x,
 void fvi_history_space_apply_damping(const fvi_history_space *B, double a, const double *z,
                          double *p);
 
+/* fvi_history_space_apply_to_stages -- the same of s vectors, 1 to FVI_HISTORY_SPACE_STAGES, one behind the other; to the
+ * bit. */
+enum { FVI_HISTORY_SPACE_STAGES = 8 };
+void fvi_history_space_apply_to_stages(const fvi_history_space *B, size_t s, double a, const double *z, double *p);
+
 void fvi_history_space_free(fvi_history_space *B);
 
 #endif

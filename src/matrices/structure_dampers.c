@@ -21,6 +21,13 @@ static int damp_by_damper(size_t d, double a, const double *z, const void *param
     return FVI_SUCCESS;
 }
 
+static int damp_stages_by_damper(size_t d, size_t s, double a, const double *z, const void *params, double *p)
+{
+    (void)d;
+    fvi_history_space_apply_to_stages(params, s, a, z, p);
+    return FVI_SUCCESS;
+}
+
 static int find_diagonal(size_t d, const void *params, double *C)
 {
     const fvi_history_space *B = params;
@@ -129,7 +136,8 @@ static int find_damper_space(fvi_structure *s, size_t j, fvi_error *error)
                                                 : "no memory for its matrix",
                              error);
     s->damper[j] = (fvi_damping_matrix){ s->space[j].r, select_damper_history,
-                                         damp_by_damper, s->space + j, find_diagonal };
+                                         damp_by_damper, s->space + j, find_diagonal,
+                                         damp_stages_by_damper };
     return FVI_SUCCESS;
 }
 

@@ -41,6 +41,13 @@ static int damp(size_t d, double a, const double *z, const void *params,
     return FVI_SUCCESS;
 }
 
+static int damp_stages(size_t d, size_t s, double a, const double *z, const void *params, double *p)
+{
+    (void)d;
+    fvi_history_space_apply_to_stages(&((const fvi_structure *)params)->B, s, a, z, p);
+    return FVI_SUCCESS;
+}
+
 int fvi_structure_factorise(size_t count, const fvi_sparse *const *terms, const double *a,
                          void **factors)
 {
@@ -159,6 +166,7 @@ static int make(const fvi_sparse *M, const fvi_sparse *K, fvi_structure **struct
     };
     s->matrices = (fvi_matrices){ .remember = select_history,
                                   .damp = damp,
+                                  .damp_stages = damp_stages,
                                   .stiffness = stiffness,
                                   .inertia = inertia,
                                   .factorise = factorise,

@@ -105,13 +105,10 @@ static void add_known_by_order(const fvi_stage_damper *a, size_t s)
 
 static int begin_damper(const fvi_stepper *s, const fvi_lobatto_matrices *o, fvi_stage_damper *a)
 {
-    const fvi_damping_matrix *C = &a->of.matrix;
     const double h = s->run.h;
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; !status && i < o->s; i++) {
+    for (size_t i = 0; i < o->s; i++)
         add_known(a, o->s, i, a->z);
-        status = C->damp(o->d, 1, a->force + i * a->r, C->params, o->load + i * o->d);
-    }
+    const int status = fvi_run_damper_stages(&a->of, o->d, o->s, a->force, o->load);
     if (!status && a->Ydot)
         add_known_by_order(a, o->s);
     if (status || !a->past.size)

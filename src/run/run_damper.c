@@ -44,6 +44,7 @@ fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j)
                             : (fvi_damping_matrix){ .remembered = m->remembered,
                                                     .remember = m->remember,
                                                     .damp = m->damp,
+                                                    .damp_stages = m->damp_stages,
                                                     .params = m->params };
     return damper;
 }
@@ -59,6 +60,17 @@ fvi_run fvi_run_normal(const fvi_method *method, const fvi_run *run)
 }
 
 /* ---- what a damper is asked ---- */
+
+int fvi_run_damper_stages(const fvi_run_damper *damper, size_t d, size_t s, const double *force, double *load)
+{
+    const fvi_damping_matrix *C = &damper->matrix;
+    int status = FVI_SUCCESS;
+    if (C->damp_stages)
+        return C->damp_stages(d, s, 1, force, C->params, load);
+    for (size_t i = 0; !status && i < s; i++)
+        status = C->damp(d, 1, force + i * C->remembered, C->params, load + i * d);
+    return status;
+}
 
 double fvi_run_damper_symbol(const fvi_run_damper *damper, double s)
 {

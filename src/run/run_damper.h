@@ -33,6 +33,10 @@ fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j);
  *          which their lengths are guessed */
 fvi_run fvi_run_normal(const fvi_method *method, const fvi_run *run);
 
+/* fvi_run_damper_stages -- takes S times `force` away from `load`, at each of s stages: r and d numbers each, one stage
+ * behind the other. Returns what the functions of the matrix return. */
+int fvi_run_damper_stages(const fvi_run_damper *damper, size_t d, size_t s, const double *force, double *load);
+
 /* fvi_run_damper_symbol -- its C(s) of s > 0. */
 double fvi_run_damper_symbol(const fvi_run_damper *damper, double s);
 

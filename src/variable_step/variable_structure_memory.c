@@ -136,9 +136,7 @@ static int predict_damper(fvi_variable_step_state *o, fvi_mesh_matrix *to)
                 + (to->memory.beta == -1 ? to->memory.rho * to->z[n] : 0);
     }
     fvi_mesh_add_history(&to->memory, o->length, s, r, to->force);
-    for (size_t i = 0; i < s && !status; i++)
-        status = C->damp(o->d, 1, to->force + i * r, C->params, o->structure->load + i * o->d);
-    return status;
+    return status ? status : fvi_run_damper_stages(&to->of, o->d, s, to->force, o->structure->load);
 }
 
 int fvi_structure_mesh_predict(fvi_variable_step_state *o)

@@ -188,6 +188,23 @@ static void dense(int n, const double *lower, fvi_sparse *A)
     OK(fvi_sparse_assemble((size_t)n, count, list, A));
 }
 
+/* All stages together, and each alone, to the bit. */
+static void ck_assert_stages(const fvi_matrices *f, size_t d)
+{
+    enum { STAGES = 8, MOST = 9 };
+    double z[STAGES * MOST], together[STAGES * MOST], alone[STAGES * MOST];
+    for (size_t s = 1; s <= STAGES; s++) {
+        for (size_t i = 0; i < s * f->remembered; i++)
+            z[i] = sin((double)(7 * i + 1));
+        for (size_t i = 0; i < s * d; i++)
+            together[i] = alone[i] = cos((double)i);
+        OK(f->damp_stages(d, s, 3, z, f->params, together));
+        for (size_t i = 0; i < s; i++)
+            OK(f->damp(d, 3, z + i * f->remembered, f->params, alone + i * d));
+        ck_assert_mem_eq(together, alone, s * d * sizeof *alone);
+    }
+}
+
 /* S B^T x by the callbacks, against C x. */
 static void ck_assert_damps(const matrices *m, size_t remembered)
 {
@@ -201,6 +218,7 @@ static void ck_assert_damps(const matrices *m, size_t remembered)
     if (remembered > 0) {
         OK(f->remember(d, x, zero, f->params, z));
         OK(f->damp(d, 2, z, f->params, p));
+        ck_assert_stages(f, d);
     }
     for (size_t i = 0; i < d; i++)
         ck_assert_near(p[i], -2 * y[i], 100 * U, "%zu of %zu", i, remembered);
