@@ -1,0 +1,3 @@
+# figures/course/course_front.gp -- README.md: course_seven.gp with the points of stage 12.
+# Input: figures/course/course_front.c. Output: figures/course/course_front.svg.
+load 'figures/course/course_seven.gp'
