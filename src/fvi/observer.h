@@ -24,6 +24,8 @@
  * the run up to there with shorter steps [H 13]: right to 1e-8 (seen). It does not for more than 12
  * coordinates whose potential has no narrow band, for more than 200 unknowns of matrices, or where it fails or needs more than
  * 1000 steps; then these rows are of low order, 2 - that of the damping.
+ * The v of a coordinate without inertia at t = 0 is that right behind it, if dampers of the order 1 hold the coordinate (29.27);
+ * else it may be infinite, and is the mean over the first row.
  * Of a start with a velocity and an order of the damping up to 1, the methods of order 2 get the first impulses wrong,
  * by a quarter for a dashpot. What the steps take from the line x_0 + v_0 t and what is exact are both known, and J and the
  * work have the difference (13.18): over all rows J and the work then have the order 2, the force 3 - twice that of the
@@ -129,7 +131,7 @@ size_t fvi_observer_dampers(const fvi_observer *o);
 size_t fvi_observer_width(const fvi_observer *o, size_t j);
 
 /* fvi_observer_short_rows -- rows 1 to how many are those of shorter steps; 0: none. fvi_adjoint_forces does not know their
- * derivatives. */
+ * derivatives, nor those of row 0 if a coordinate has no inertia. */
 size_t fvi_observer_short_rows(const fvi_observer *o);
 
 /* fvi_observer_copy -- the same again, for a copy of the stepper. FVI_ENOMEM. Of a method of order 2 that starts with

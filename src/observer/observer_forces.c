@@ -332,6 +332,8 @@ static int begin_mechanism(fvi_observer *o, const fvi_stepper *s)
 int fvi_observer_begin_forces(fvi_observer *o, const fvi_stepper *s)
 {
     int status = fvi_observer_velocity(o, s, s->p, o->v);
+    if (!status && o->begin_v_known)
+        fvi_observer_put_massless(o, s, o->v);
     if (!status)
         status = o->has_mechanism ? begin_mechanism(o, s)
                                   : begin_coordinates(o, s);

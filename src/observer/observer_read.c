@@ -286,6 +286,8 @@ int fvi_observer_read_all(fvi_observer *o, const fvi_stepper *s, double t, fvi_o
         status = read_contacts(o, s, t);
     if (o->has_massless && fvi_short_row(&o->short_rows, s->k))
         memcpy(o->v, fvi_short_row(&o->short_rows, s->k) + o->forces, o->d * sizeof *o->v);
+    if (o->has_massless && t == 0)
+        fvi_observer_put_massless(o, s, o->v);
     return status || is_finite(o, now) ? status : FVI_EOVRFLW;
 }
 

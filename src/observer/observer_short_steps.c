@@ -150,6 +150,7 @@ static int read_row(const fvi_observer *o, const stand_in *other, fvi_observer *
     memcpy(row + f, now.v, d * sizeof *row);
     memcpy(row + f + d, now.a, d * sizeof *row);
     memcpy(row + f + 2 * d, now.multiplier, o->ties * sizeof *row);
+    memcpy(row + f + 2 * d + o->ties, now.x, d * sizeof *row);
     return FVI_SUCCESS;
 }
 
@@ -195,7 +196,7 @@ int fvi_short_rows_start(fvi_observer *o, const fvi_stepper *s)
     double size;
     if (!is_needed(o, s))
         return FVI_SUCCESS;
-    to->width = o->forces + 2 * o->d + o->ties;
+    to->width = o->forces + 3 * o->d + o->ties;
     to->numbers = calloc(rows * to->width, sizeof *to->numbers);
     int status = to->numbers ? measure_step(o, s, &size) : FVI_ENOMEM;
     if (!status)

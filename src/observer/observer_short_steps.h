@@ -19,7 +19,7 @@
 
 typedef struct {
     size_t rows;     /* 1 to `rows` are known; 0: none */
-    size_t width;    /* of a row: the forces, d velocities, d accelerations, the multipliers */
+    size_t width;    /* of a row: the forces, d velocities, d accelerations, the multipliers, d places */
     double *numbers; /* owned; NULL if there are none */
 } fvi_short_rows;
 

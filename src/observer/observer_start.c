@@ -24,7 +24,7 @@ static void place_arrays(fvi_observer *o)
     double *at = o->numbers;
     double **const state[] = { &o->impulse, &o->latest, &o->work,      &o->lead,       &o->known,
                                &o->bend,    &o->bend_rate, &o->scalars, &o->begun_work, &o->stage_power },
-                   **const rest[] = { &o->p0,      &o->start,  &o->exponent,
+                   **const rest[] = { &o->p0,      &o->start,  &o->begin_v, &o->exponent,
                                       &o->rate,    &o->power,
                                    &o->jump,    &o->line,    &o->growth,
                                       &o->is_jumping, &o->is_moving,
@@ -53,7 +53,7 @@ static int allocate(fvi_observer *o)
 {
     const size_t most = o->d > o->tracked ? o->d : o->tracked;
     const size_t room = (o->degree + 2) * o->tracked + 3 * o->dampers + o->bends + FVI_SCALARS
-                        + (1 + FVI_LANES) * o->on_structure + 34 * most + o->contacts;
+                        + (1 + FVI_LANES) * o->on_structure + 35 * most + o->contacts;
     o->numbers = calloc(room, sizeof *o->numbers);
     if (!o->numbers)
         return FVI_ENOMEM;
@@ -216,6 +216,8 @@ static int begin(fvi_observer *o, const fvi_stepper *s)
             (double)((const fvi_variable_step_state *)s->method_state)->hits;
     if (o->wanted & FVI_OBSERVE_WORK)
         status = fvi_energy_at(s->run.system, 0, s->x, s->p, &o->E0);
+    if (!status && o->has_massless)
+        status = fvi_observer_begin_massless(o, s);
     if (!status && o->wanted & forces)
         status = fvi_observer_begin_forces(o, s);
     for (size_t i = o->forces; i < o->forces + o->slopes; i++)
@@ -224,6 +226,8 @@ static int begin(fvi_observer *o, const fvi_stepper *s)
         status = fvi_observer_begin_ramps(o, s);
     if (!status)
         status = fvi_short_rows_start(o, s);
+    if (!status && o->has_massless && !o->begin_v_known && !(o->wanted & FVI_OBSERVE_OWN_STEPS))
+        status = fvi_observer_mean_massless(o, s);
     return !status && o->is_infinite ? take_means(o, s) : status;
 }
 

@@ -36,6 +36,7 @@ struct fvi_observer {
     int is_infinite; /* is a force, a or a multiplier infinite, or not known, at t = 0? */
     int has_infinite_force; /* of a damper at t = 0 */
     int has_massless; /* a coordinate of a mechanism without inertia, whose start is not known */
+    int begin_v_known; /* has each of these a finite velocity right behind t = 0? */
     size_t degree;   /* of the differences */
     const fvi_mechanism *mechanism;
     void *factors;   /* of M, of a system with matrices; or NULL */
@@ -56,6 +57,7 @@ struct fvi_observer {
     double *scalars; /* the work of the force; the time at which `known` stands; impulses so far */
     /* what does not change */
     double *p0, *start; /* d; the forces at t = 0 */
+    double *begin_v;    /* d: at t = 0, of the coordinates without inertia */
     double *exponent;   /* q of each force: J = t^q g(t) at first; NaN of a velocity */
     double *jump, *line; /* of each force: z = jump + line t + ... for its law, with jump = z_0 of the past rl or 0 */
     double *is_jumping, *is_moving; /* of each force: nonzero if its jump, or its line, is not 0 */
@@ -152,6 +154,16 @@ int fvi_observer_close_structure(fvi_observer *o, const fvi_stepper *s);
 int fvi_observer_keep_structure(fvi_observer *o, const fvi_stepper *s);
 int fvi_observer_structure_sums(fvi_observer *o, const fvi_stepper *s, double t);
 int fvi_observer_structure_forces(fvi_observer *o, const fvi_stepper *s, double t);
+
+/* ---- observer_massless.c: the velocities of coordinates without inertia at t = 0 ----
+ *
+ * fvi_observer_begin_massless -- o->begin_v by (29.27), if it has a solution: o->begin_v_known says so.
+ * fvi_observer_mean_massless -- else: the mean over the first row; the short rows are known, if there are any.
+ * fvi_observer_put_massless -- into v, whose other numbers stay.
+ * The first two return FVI_SUCCESS; FVI_ENOMEM; the second what a step returns. */
+int fvi_observer_begin_massless(fvi_observer *o, const fvi_stepper *s);
+int fvi_observer_mean_massless(fvi_observer *o, const fvi_stepper *s);
+void fvi_observer_put_massless(const fvi_observer *o, const fvi_stepper *s, double *v);
 
 /* fvi_observer_read_all -- as fvi_observer_read, but of a structure's damper along a row all d forces. */
 int fvi_observer_read_all(fvi_observer *o, const fvi_stepper *s, double t, fvi_observation *now);

@@ -734,3 +734,12 @@ static const struct { size_t law, k; double v, a, force; } ref_massless[] = {
     { 25, 7, 0x1.2529ca4165d65p+0, -0x1.a98dcb2014132p+0, 0x1.b7beaf6218c18p-1 },
     { 25, 13, 0x1.fcf5adca0a9a4p-1, -0x1.8fa0b6dbb4e2ep+0, 0x1.7db8425787f3bp-1 },
 };
+
+static const struct { size_t law; double v; } ref_massless_means[] = {
+    { 0, 0x1.012c1671788fep+5 },
+    { 5, 0x1.0f980fb68763bp+4 },
+    { 14, 0x1.7e09f4583a3f6p+3 },
+    { 22, 0x1.edce941764516p+4 },
+    { 23, 0x1.4ea88dbd7b1cbp+3 },
+    { 25, 0x1.51c9e16f812c2p+0 },
+};

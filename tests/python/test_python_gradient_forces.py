@@ -138,3 +138,13 @@ def test_the_jacobian_of_forces_has_no_first_rows_by_shorter_steps():
         fvi.jacobian(s, "rho", forces=["d1"])
     with pytest.raises(ValueError, match="^forces: fvi-adaptive has no derivatives"):
         fvi.jacobian(fvi.solve(TWO, error=1e-6), "rho", forces="d1")
+
+
+def test_a_massless_point_has_no_derivative_of_its_force_at_the_start():
+    q = fvi.Problem("(x1-x2)^2/2", mass=[1, 0], dampers=["x2 : viscous:0.5"], x0=[1, 0], p0=0, time=2)
+    s = fvi.solve(q, h=0.05, method="fvi-lobatto4d")
+    assert s.v[0, 1] == pytest.approx(2) and s.forces["d1"][0, 0] == pytest.approx(1)
+    first = np.zeros((41, 1))
+    first[0] = 1
+    with pytest.raises(ValueError, match="^forces: the forces of rows 0 to 21 come from steps shorter"):
+        fvi.vjp(s, forces={"d1": first})

@@ -312,15 +312,17 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     return named(by, found)
 
 
-def short_rows(s: Solution) -> int:
-    """How many first rows of forces are not told by the steps of the run, and have no derivatives (fvi/observer.h)."""
-    return lib.fvi_observer_short_rows(begin(s, lib.FVI_OBSERVE_FORCE)[2])
+def short_rows(s: Solution) -> range:
+    """The first rows of forces that are not told by the steps of the run, and have no derivatives (fvi/observer.h); with
+    that at t = 0 if a mass is 0, since its dampers say how it starts."""
+    is_massless = s.problem.lagrangian is None and (np.asarray(s.problem.mass) == 0).any()
+    return range(0 if is_massless else 1, lib.fvi_observer_short_rows(begin(s, lib.FVI_OBSERVE_FORCE)[2]) + 1)
 
 
 def refuse_short_rows(s: Solution, by: Any, steps: int) -> None:
-    n = short_rows(s)
-    if np.frombuffer(ffi.buffer(by)).reshape(steps + 1, -1)[1:n + 1].any():
-        raise ValueError(f"forces: the forces of rows 1 to {n} come from steps shorter than those of the run, because an order is "
+    short = short_rows(s)
+    if np.frombuffer(ffi.buffer(by)).reshape(steps + 1, -1)[short.start:short.stop].any():
+        raise ValueError(f"forces: the forces of rows {short.start} to {short.stop - 1} come from steps shorter than those of the run, because an order is "
                          "above 1, the past jumps, or a coordinate has no mass; they have no derivatives, so give 0 for these rows")
 
 

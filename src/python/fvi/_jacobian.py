@@ -64,7 +64,7 @@ def of_forces(solution: Solution, names: list, damper: str) -> dict:
     mirror = Mirror(solution)
     shape = mirror.told("forces", [damper], lambda: solution.forces)[damper].shape
     short = short_rows(solution)
-    known = [k for k in range(len(solution.t)) if not 1 <= mirror.rows[k] <= short]
+    known = [k for k in range(len(solution.t)) if mirror.rows[k] not in short]
     for at in np.ndindex(shape):
         if at[0] not in known:
             continue
@@ -74,7 +74,7 @@ def of_forces(solution: Solution, names: list, damper: str) -> dict:
             by = flat(g)
             found.setdefault(name, np.full(shape + by.shape, np.nan))[at] = by
     if len(known) < len(solution.t):
-        warn(f"forces: the derivatives of rows 1 to {short} are NaN, because these forces come from steps shorter than those of "
+        warn(f"forces: the derivatives of rows {short.start} to {short.stop - 1} are NaN, because these forces come from steps shorter than those of "
              "the run")
     return found
 
