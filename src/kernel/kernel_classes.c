@@ -1,5 +1,5 @@
 /* src/kernel/kernel_classes.c -- Kinds of kernels: ranges, symbols, growth.   [H 26] */
-#include <fvi/damping_laws.h>
+#include "kernel_classes.h"
 
 #include "kernel_general.h"
 #include "system/fail.h"
@@ -8,15 +8,6 @@
 #include <complex.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
-
-/* All that the library knows of a kind of kernel. The symbols are those of rho = 1; slope is
- * s times the derivative, and may be NULL of a SYMBOL. */
-typedef struct {
-    int (*check)(const fvi_kernel_term *t);
-    double complex (*symbol)(const fvi_kernel_term *t, double modulus,
-                             double angle, double complex *slope);
-    double (*growth)(const fvi_kernel_term *t);
-} kernel_class;
 
 /* ---- ranges of the numbers ---- */
 
@@ -206,7 +197,7 @@ static double function_growth(const fvi_kernel_term *t)
 /* The mean of an analytic function over a circle is its value at the centre c. These circles leave a quarter of c
  * to Re s = 0, and cover all s with |arg s| < 34 degrees and 10^-6 < |s| < 10^6: a pole there is seen, if it is
  * not a thousandth of the function. In the cut plane 48 points on a circle are right to 0.75^48 = 10^-6. */
-static int has_poles_ahead(const fvi_kernel_term *t)
+int fvi_kernel_has_poles_ahead(const fvi_kernel_term *t)
 {
     enum { UPPER = 24 };
     for (int k = -20; k <= 20; k += 2) {
@@ -247,7 +238,7 @@ static int check_function(const fvi_kernel_term *t)
 
 /* ---- the table ---- */
 
-static const kernel_class classes[] = {
+const fvi_kernel_class fvi_kernel_classes[FVI_KERNEL_CLASSES] = {
     [FVI_KERNEL_POWER] = { check_order, power_symbol, power_growth },
     [FVI_KERNEL_ZENER] = { check_order_and_time, zener_symbol, zener_growth },
     [FVI_KERNEL_MAXWELL] = { check_time, maxwell_symbol, maxwell_growth },
@@ -258,145 +249,11 @@ static const kernel_class classes[] = {
     [FVI_KERNEL_SYMBOL] = { check_function, function_symbol, function_growth },
 };
 
-/* ---- a sum of terms ---- */
-
-static int check_term(const fvi_kernel_term *t)
-{
-    if ((size_t)t->kind >= sizeof classes / sizeof *classes)
-        FVI_FAIL("unknown law of damping", FVI_EINVAL);
-    if (!(isfinite(t->rho) && t->rho >= 0))
-        FVI_FAIL("rho of a law must be finite and not negative", FVI_EDOM);
-    return classes[t->kind].check(t);
-}
-
-int fvi_kernel_check_terms(const fvi_kernel *law)
-{
-    if (!law || (law->count && !law->term))
-        FVI_FAIL("null pointer", FVI_EFAULT);
-    if (law->count == 0)
-        FVI_FAIL("a law has at least one term", FVI_EINVAL);
-    for (size_t i = 0; i < law->count; i++) {
-        if (law->term[i].kind == FVI_KERNEL_SYMBOL && law->count > 1)
-            FVI_FAIL("a SYMBOL stands alone in its law", FVI_EINVAL);
-        int status = check_term(&law->term[i]);
-        if (status)
-            return status;
-    }
-    return FVI_SUCCESS;
-}
-
-int fvi_kernel_check(const fvi_kernel *law)
-{
-    const int status = fvi_kernel_check_terms(law);
-    if (!status && law->term->kind == FVI_KERNEL_SYMBOL && has_poles_ahead(law->term))
-        FVI_FAIL("the symbol of a law must be analytic at Re s > 0", FVI_EDOM);
-    return status;
-}
-
-double fvi_kernel_growth(const fvi_kernel *law)
-{
-    double most = 0;
-    for (size_t i = 0; i < law->count; i++) {
-        const fvi_kernel_term *t = &law->term[i];
-        most = larger(most, classes[t->kind].growth(t));
-    }
-    return most;
-}
-
-double fvi_kernel_dashpot(const fvi_kernel *law)
-{
-    const double far = 1e100, farther = 1e200, a = fvi_kernel_symbol(law, far) / far,
-                 b = fvi_kernel_symbol(law, farther) / farther;
-    return fabs(a - b) <= 1e-9 * fabs(a) ? b : 0;
-}
-
-int fvi_kernel_takes_caputo(const fvi_kernel *law)
-{
-    if (fvi_kernel_growth(law) > 1)
-        return 0;
-    for (size_t i = 0; i < law->count; i++) {
-        const fvi_kernel_term *t = &law->term[i];
-        const int has_order =
-            t->kind != FVI_KERNEL_MAXWELL && t->kind != FVI_KERNEL_SYMBOL;
-        if (has_order && t->alpha > 0.5)
-            return 0;
-    }
-    return 1;
-}
-
 double complex fvi_kernel_term_at(const fvi_kernel_term *t, double modulus,
                                   double angle)
 {
     double complex slope;
     return t->rho
-           * classes[t->kind].symbol(
+           * fvi_kernel_classes[t->kind].symbol(
                t, modulus, angle, t->kind == FVI_KERNEL_SYMBOL ? NULL : &slope);
-}
-
-/* Of a symbol that the caller gives the slope costs many values. */
-static double complex sum_at(const fvi_kernel *law, double modulus, double angle,
-                             double complex *slope)
-{
-    double complex C = 0;
-    if (!slope) {
-        for (size_t i = 0; i < law->count; i++)
-            C += fvi_kernel_term_at(&law->term[i], modulus, angle);
-        return C;
-    }
-    *slope = 0;
-    for (size_t i = 0; i < law->count; i++) {
-        const fvi_kernel_term *t = &law->term[i];
-        double complex one;
-        C += t->rho * classes[t->kind].symbol(t, modulus, angle, &one);
-        *slope += t->rho * one;
-    }
-    return C;
-}
-
-fvi_kernel fvi_kernel_of_function(const fvi_kernel_function *function)
-{
-    return (fvi_kernel){ 1, &function->term };
-}
-
-static void expression_value(double re, double im, void *params, double *C_re,
-                             double *C_im)
-{
-    fvi_expression_complex_value(params, re, im, C_re, C_im);
-}
-
-fvi_kernel_function fvi_kernel_of_expression(const fvi_expression *e,
-                                             double rho)
-{
-    return (fvi_kernel_function){ { FVI_KERNEL_SYMBOL, rho, 0, 0, 0 },
-                                  expression_value,
-                                  (void *)e };
-}
-
-double complex fvi_kernel_at(const fvi_kernel *law, double complex s,
-                          double complex *slope)
-{
-    return sum_at(law, cabs(s), carg(s), slope);
-}
-
-double fvi_kernel_symbol(const fvi_kernel *law, double s)
-{
-    return creal(sum_at(law, s, 0, NULL));
-}
-
-int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage,
-                   double *loss)
-{
-    int status = fvi_kernel_check(law);
-    if (status)
-        return status;
-    if (!storage || !loss)
-        FVI_FAIL("null pointer", FVI_EFAULT);
-    if (!(isfinite(omega) && omega > 0))
-        FVI_FAIL("omega must be finite and positive", FVI_EDOM);
-    const double complex C = sum_at(law, omega, M_PI_2, NULL);
-    if (!isfinite(creal(C)) || !isfinite(cimag(C)))
-        FVI_FAIL("a modulus is not finite", FVI_EOVRFLW);
-    *storage = creal(C);
-    *loss = cimag(C);
-    return FVI_SUCCESS;
 }

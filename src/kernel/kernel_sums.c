@@ -1,0 +1,142 @@
+/* src/kernel/kernel_sums.c -- A law is a sum of terms: is it in range, its symbol, its growth, its moduli.  [H 26] */
+#include "kernel_classes.h"
+
+#include "kernel_general.h"
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <complex.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+static int check_term(const fvi_kernel_term *t)
+{
+    if ((size_t)t->kind >= FVI_KERNEL_CLASSES)
+        FVI_FAIL("unknown law of damping", FVI_EINVAL);
+    if (!(isfinite(t->rho) && t->rho >= 0))
+        FVI_FAIL("rho of a law must be finite and not negative", FVI_EDOM);
+    return fvi_kernel_classes[t->kind].check(t);
+}
+
+int fvi_kernel_check_terms(const fvi_kernel *law)
+{
+    if (!law || (law->count && !law->term))
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (law->count == 0)
+        FVI_FAIL("a law has at least one term", FVI_EINVAL);
+    for (size_t i = 0; i < law->count; i++) {
+        if (law->term[i].kind == FVI_KERNEL_SYMBOL && law->count > 1)
+            FVI_FAIL("a SYMBOL stands alone in its law", FVI_EINVAL);
+        int status = check_term(&law->term[i]);
+        if (status)
+            return status;
+    }
+    return FVI_SUCCESS;
+}
+
+int fvi_kernel_check(const fvi_kernel *law)
+{
+    const int status = fvi_kernel_check_terms(law);
+    if (!status && law->term->kind == FVI_KERNEL_SYMBOL && fvi_kernel_has_poles_ahead(law->term))
+        FVI_FAIL("the symbol of a law must be analytic at Re s > 0", FVI_EDOM);
+    return status;
+}
+
+double fvi_kernel_growth(const fvi_kernel *law)
+{
+    double most = 0;
+    for (size_t i = 0; i < law->count; i++) {
+        const fvi_kernel_term *t = &law->term[i];
+        most = larger(most, fvi_kernel_classes[t->kind].growth(t));
+    }
+    return most;
+}
+
+double fvi_kernel_dashpot(const fvi_kernel *law)
+{
+    const double far = 1e100, farther = 1e200, a = fvi_kernel_symbol(law, far) / far,
+                 b = fvi_kernel_symbol(law, farther) / farther;
+    return fabs(a - b) <= 1e-9 * fabs(a) ? b : 0;
+}
+
+int fvi_kernel_takes_caputo(const fvi_kernel *law)
+{
+    if (fvi_kernel_growth(law) > 1)
+        return 0;
+    for (size_t i = 0; i < law->count; i++) {
+        const fvi_kernel_term *t = &law->term[i];
+        const int has_order =
+            t->kind != FVI_KERNEL_MAXWELL && t->kind != FVI_KERNEL_SYMBOL;
+        if (has_order && t->alpha > 0.5)
+            return 0;
+    }
+    return 1;
+}
+
+/* Of a symbol that the caller gives the slope costs many values. */
+static double complex sum_at(const fvi_kernel *law, double modulus, double angle,
+                             double complex *slope)
+{
+    double complex C = 0;
+    if (!slope) {
+        for (size_t i = 0; i < law->count; i++)
+            C += fvi_kernel_term_at(&law->term[i], modulus, angle);
+        return C;
+    }
+    *slope = 0;
+    for (size_t i = 0; i < law->count; i++) {
+        const fvi_kernel_term *t = &law->term[i];
+        double complex one;
+        C += t->rho * fvi_kernel_classes[t->kind].symbol(t, modulus, angle, &one);
+        *slope += t->rho * one;
+    }
+    return C;
+}
+
+fvi_kernel fvi_kernel_of_function(const fvi_kernel_function *function)
+{
+    return (fvi_kernel){ 1, &function->term };
+}
+
+static void expression_value(double re, double im, void *params, double *C_re,
+                             double *C_im)
+{
+    fvi_expression_complex_value(params, re, im, C_re, C_im);
+}
+
+fvi_kernel_function fvi_kernel_of_expression(const fvi_expression *e,
+                                             double rho)
+{
+    return (fvi_kernel_function){ { FVI_KERNEL_SYMBOL, rho, 0, 0, 0 },
+                                  expression_value,
+                                  (void *)e };
+}
+
+double complex fvi_kernel_at(const fvi_kernel *law, double complex s,
+                          double complex *slope)
+{
+    return sum_at(law, cabs(s), carg(s), slope);
+}
+
+double fvi_kernel_symbol(const fvi_kernel *law, double s)
+{
+    return creal(sum_at(law, s, 0, NULL));
+}
+
+int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage,
+                   double *loss)
+{
+    int status = fvi_kernel_check(law);
+    if (status)
+        return status;
+    if (!storage || !loss)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (!(isfinite(omega) && omega > 0))
+        FVI_FAIL("omega must be finite and positive", FVI_EDOM);
+    const double complex C = sum_at(law, omega, M_PI_2, NULL);
+    if (!isfinite(creal(C)) || !isfinite(cimag(C)))
+        FVI_FAIL("a modulus is not finite", FVI_EOVRFLW);
+    *storage = creal(C);
+    *loss = cimag(C);
+    return FVI_SUCCESS;
+}
