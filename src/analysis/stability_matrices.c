@@ -1,5 +1,6 @@
 /* src/analysis/stability_matrices.c -- Is this step stable, with matrices?  [H 27] */
 #include "stability_share.h"
+#include "system/seeded.h"
 
 #include "system/dot.h"
 #include "system/fail.h"
@@ -57,10 +58,8 @@ static int iterate(const weighed *w, void *factors, double *room, double *larges
     const size_t d = system->d;
     double *v = room, *y = v + d;
     uint64_t seed = 27;
-    for (size_t i = 0; i < d; i++) {
-        seed = 6364136223846793005u * seed + 1442695040888963407u;
-        v[i] = (double)(int64_t)seed * 0x1p-63;
-    }
+    for (size_t i = 0; i < d; i++)
+        v[i] = (double)(int64_t)fvi_seeded_next(&seed) * 0x1p-63;
     *largest = 0;
     for (int k = 0; k < ITERATIONS; k++) {
         int status = weigh(w, v, y);

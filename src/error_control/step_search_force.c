@@ -1,6 +1,7 @@
 /* src/error_control/step_search_force.c -- Do the steps see the force?      [H 18] */
 #include "step_search_force.h"
 #include "system/larger.h"
+#include "system/seeded.h"
 
 #include <fvi/error.h>
 
@@ -24,8 +25,7 @@ void fvi_force_probe_start(fvi_force_probe *o, size_t d, double *room)
 /* Uniform in [0, 1): always the same numbers, so that a search can be repeated. */
 static double dice(fvi_force_probe *o)
 {
-    o->seed = o->seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return 0x1p-53 * (double)(o->seed >> 11);
+    return fvi_seeded_uniform(&o->seed, 0, 1);
 }
 
 static int force(const fvi_system *system, double t, double *F)

@@ -4,9 +4,11 @@
 
 #include <fvi/trajectory.h>
 
+#include <stdint.h>
+
 /* A probe of F, for steps that are halved from one call to the next. */
 typedef struct {
-    unsigned long long seed;
+    uint64_t seed;
     double *left, *right, *middle; /* three values of F, d numbers each */
     /* how far F is off a line, d numbers each: for this step and the one before */
     double *deviation, *coarse;

@@ -1,5 +1,6 @@
 /* src/frequency/undamped_modes.c -- K v = lambda M v, the lowest.        [H 30] */
 #include "undamped_modes.h"
+#include "system/seeded.h"
 
 #include "matrices/cholesky.h"
 #include "matrices/factors.h"
@@ -134,11 +135,9 @@ static int shift_stiffness(subspace *s)
 /* Numbers between -1/2 and 1/2 that no structure has a zero against. */
 static void scatter(size_t count, double *x)
 {
-    unsigned long long state = 1;
-    for (size_t i = 0; i < count; i++) {
-        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        x[i] = (double)(state >> 11) * 0x1p-53 - 0.5;
-    }
+    uint64_t state = 1;
+    for (size_t i = 0; i < count; i++)
+        x[i] = fvi_seeded_uniform(&state, 0, 1) - 0.5;
 }
 
 /* In eight sums side by side, which do not wait for each other. */

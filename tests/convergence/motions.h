@@ -5,6 +5,7 @@
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "harness/ulp.h"
+#include "system/seeded.h"
 
 #include <gsl/gsl_math.h>
 
@@ -117,8 +118,7 @@ static uint64_t state;
 
 static inline double between(double low, double high)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
+    return fvi_seeded_uniform(&state, low, high);
 }
 
 /* Jumps at odd nodes of the fine run, so between those of the coarse one. */

@@ -7,6 +7,7 @@
 #include "run/whole_run.h"
 #include "harness/ulp.h"
 #include "system/larger.h"
+#include "system/seeded.h"
 
 #include "convergence_stages_ref.h"
 
@@ -135,8 +136,7 @@ static uint64_t state;
 
 static inline double between(double low, double high)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
+    return fvi_seeded_uniform(&state, low, high);
 }
 
 /* Springs with any damping from a tenth of the critical one to ten times as much. */

@@ -5,6 +5,7 @@
 #include "bound_of_stages.h"
 #include "run/whole_run.h"
 #include "series.h"
+#include "system/seeded.h"
 
 /* ---- motions ---- */
 
@@ -20,8 +21,7 @@ static uint64_t state;
 
 static double between(double low, double high)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
+    return fvi_seeded_uniform(&state, low, high);
 }
 
 static double duffing_force(double x, const void *of)

@@ -2,6 +2,7 @@
  * Run alone: make test-discrete_mechanics_sweep */
 #include <fvi/convolution_quadrature_methods.h>
 #include "run/whole_run.h"
+#include "system/seeded.h"
 #include <fvi/error.h>
 #include <fvi/lobatto.h>
 #include "harness/fvi_runs.h"
@@ -18,21 +19,14 @@ static const fvi_method *const methods[] = {
 
 /* ---- what is drawn ---- */
 
-/* Knuth's MMIX generator; the high bits are the good ones. */
-static double uniform(uint64_t *state, double from, double to)
-{
-    *state = *state * 6364136223846793005u + 1442695040888963407u;
-    return from + (to - from) * ldexp((double)(*state >> 11), -53);
-}
-
 static double decades(uint64_t *state, double from, double to)
 {
-    return exp(uniform(state, log(from), log(to)));
+    return exp(fvi_seeded_uniform(state, log(from), log(to)));
 }
 
 static size_t one_of(uint64_t *state, size_t n)
 {
-    return (size_t)uniform(state, 0, (double)n);
+    return (size_t)fvi_seeded_uniform(state, 0, (double)n);
 }
 
 /* A potential with a full Hessian: every mass on a spring cg to its origin, and on
@@ -80,15 +74,15 @@ static void draw(uint64_t *state, trial *t)
 {
     const size_t d = 1 + one_of(state, MOST), kind = one_of(state, 4);
     t->method = methods[one_of(state, LEN(methods))];
-    t->cg[0] = uniform(state, -2, 2);
+    t->cg[0] = fvi_seeded_uniform(state, -2, 2);
     t->cg[1] = decades(state, 1e-3, 10);
     const double size = decades(state, 1e-3, 10);
-    const int damped = uniform(state, 0, 1) < 0.7;
+    const int damped = fvi_seeded_uniform(state, 0, 1) < 0.7;
     for (size_t i = 0; i < d; i++) {
         t->mass[i] = decades(state, 0.1, 10);
         t->rho[i] = damped ? decades(state, 1e-3, 3) : 0;
-        t->x0[i] = uniform(state, -size, size);
-        t->p0[i] = uniform(state, -size, size);
+        t->x0[i] = fvi_seeded_uniform(state, -size, size);
+        t->p0[i] = fvi_seeded_uniform(state, -size, size);
     }
     const fvi_potential u[] = { fvi_potential_duffing(t->cg),
                                 fvi_potential_chain(t->cg),
@@ -103,10 +97,10 @@ static void draw(uint64_t *state, trial *t)
                         .p0 = t->p0,
                         .h = decades(state, 0.01, 4),
                         .steps = STEPS,
-                        .kappa = uniform(state, 0, 1),
+                        .kappa = fvi_seeded_uniform(state, 0, 1),
                         .alpha = t->method->alpha_least == t->method->alpha_most
                                      ? 0.5
-                                     : uniform(state, 0, 1) };
+                                     : fvi_seeded_uniform(state, 0, 1) };
 }
 
 /* max |x_k| of the rows that came; the others are zero. */
@@ -181,13 +175,13 @@ START_TEST(eq_2_10_one_coordinate_has_the_digits_of_two)
     size_t solved = 0;
     for (int i = 0; i < 20 * RUNS; i++) {
         const double c = decades(&state, 1e-2, 1e4),
-                     cubic[] = { uniform(&state, -c, c), c },
+                     cubic[] = { fvi_seeded_uniform(&state, -c, c), c },
                      a = decades(&state, 1e-3, 1e3),
-                     x1 = uniform(&state, -2, 2),
-                     r1 = uniform(&state, -100, 100),
+                     x1 = fvi_seeded_uniform(&state, -2, 2),
+                     r1 = fvi_seeded_uniform(&state, -100, 100),
                      s = decades(&state, 1e-3, 1e2),
-                     theta = uniform(&state, 0.1, 1),
-                     guess = uniform(&state, -1, 1), mass[] = { 1, 1 },
+                     theta = fvi_seeded_uniform(&state, 0.1, 1),
+                     guess = fvi_seeded_uniform(&state, -1, 1), mass[] = { 1, 1 },
                      none[] = { 0, 0 }, A[] = { a, a }, x[] = { x1, x1 },
                      r[] = { r1, r1 };
         double d[2][2] = { { guess }, { guess, guess } }, g[2][2];

@@ -4,16 +4,15 @@
 
 #include "exact_problems.h"
 #include "system/larger.h"
+#include "system/seeded.h"
 
 #include <stdlib.h>
 
 enum { LOOKED_AT = 64 };
 
-/* A uniform number in [0, 1), the same ones at every run. */
 static inline double chance(uint64_t *seed)
 {
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*seed >> 11) * 0x1p-53;
+    return fvi_seeded_uniform(seed, 0, 1);
 }
 
 static inline double between(uint64_t *seed, double low, double high)

@@ -1,4 +1,4 @@
-/* tests/harness/saved.h -- The state of a stepper, saved in memory and restored in another stepper of the same run. */
+/* tests/harness/saved.h -- The state of a stepper, and of what goes with it, saved in memory and restored in another. */
 #ifndef SAVED_H
 #define SAVED_H
 
@@ -33,15 +33,28 @@ static inline int pass_saved_piece(fvi_archive *archive, void *data, size_t byte
     return 0;
 }
 
-static inline void save_and_restore(fvi_stepper *from, fvi_stepper *to)
+/* begin_saving -- room for what is archived from now on; free(state.room).
+ * begin_restoring -- what is archived from now on gets that. */
+static inline saved_state begin_saving(void)
 {
     enum { ROOM_OF_SAVED = 1 << 20 };
-    saved_state state = { .archive = { pass_saved_piece }, .room = malloc(ROOM_OF_SAVED), .size = ROOM_OF_SAVED };
+    const saved_state state = { .archive = { pass_saved_piece }, .room = malloc(ROOM_OF_SAVED), .size = ROOM_OF_SAVED };
     ck_assert_ptr_nonnull(state.room);
+    return state;
+}
+
+static inline void begin_restoring(saved_state *state)
+{
+    state->is_saved = 1;
+    state->at = 0;
+}
+
+static inline void save_and_restore(fvi_stepper *from, fvi_stepper *to)
+{
+    saved_state state = begin_saving();
     ck_assert_int_eq(fvi_stepper_archive(from, &state.archive), 0);
     const size_t size = state.at;
-    state.is_saved = 1;
-    state.at = 0;
+    begin_restoring(&state);
     ck_assert_int_eq(fvi_stepper_archive(to, &state.archive), 0);
     ck_assert_uint_eq(state.at, size);
     free(state.room);

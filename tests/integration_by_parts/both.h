@@ -5,6 +5,7 @@
 #include <fvi/error.h>
 #include <fvi/paper/integration_by_parts.h>
 #include "harness/ulp.h"
+#include "system/seeded.h"
 
 /* Delta_- and Delta_+ of z; NULL for one that is not wanted. */
 static inline void both(double alpha, double h, size_t N, size_t d,
@@ -21,8 +22,7 @@ static inline void both(double alpha, double h, size_t N, size_t d,
 static inline double next_number(void)
 {
     static uint64_t state = 88172645463325252u;
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return (double)(int64_t)state * 0x1p-63;
+    return (double)(int64_t)fvi_seeded_next(&state) * 0x1p-63;
 }
 
 #endif

@@ -1,6 +1,7 @@
 /* tests/lagrangian/test_lagrangian_balance.c -- Momenta that stay, work that is not negative.
  * Run alone: make test-lagrangian_balance */
 #include "problems.h"
+#include "system/seeded.h"
 #include "lagrangian_ref.h"
 
 #include "system/larger.h"
@@ -116,13 +117,6 @@ START_TEST(prop_29_2_angular_momentum_stays_to_the_last_digits)
 }
 END_TEST
 
-/* A generator of its own, so that the runs are the same everywhere. */
-static double uniform(unsigned long long *state, double low, double high)
-{
-    *state = *state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return low + (high - low) * (double)(*state >> 11) * 0x1p-53;
-}
-
 /* The work of a damper is never negative up to any step, whatever the step, the order and the
  * elongation: rounding of sums of some 10^4. Above the order 1 the body starts at rest. Order 1 has no such bound (29.12). */
 START_TEST(prop_29_3_dampers_never_give_more_than_they_took)
@@ -130,13 +124,13 @@ START_TEST(prop_29_3_dampers_never_give_more_than_they_took)
     const fvi_method *const methods[] = { &fvi_cq2_midpoint, &fvi_lobatto_m3,
                                           &fvi_lobatto_d3, &fvi_lobatto_d4,
                                           &fvi_fractional };
-    unsigned long long state = 29;
+    uint64_t state = 29;
     double least[5] = { 0 };
     int done[5] = { 0 };
     for (int n = 0; n < 60; n++) {
-        const double order = uniform(&state, 0.1, 1.9),
-                     rho = pow(10, uniform(&state, -1, 2)),
-                     h = pow(10, uniform(&state, -1.5, 0.3));
+        const double order = fvi_seeded_uniform(&state, 0.1, 1.9),
+                     rho = pow(10, fvi_seeded_uniform(&state, -1, 2)),
+                     h = pow(10, fvi_seeded_uniform(&state, -1.5, 0.3));
         char damper[100];
         snprintf(damper, sizeof damper,
                  "sqrt((x1-2)^2+x2^2+1) : %s:%.17g,%.17g%s",
@@ -148,9 +142,9 @@ START_TEST(prop_29_3_dampers_never_give_more_than_they_took)
             .lagrangian =
                 "(v1^2+v2^2)/2-(x1^2+x2^2)/2-(x1^2+x2^2)^2/4",
             .damper = { damper },
-            .x0 = { uniform(&state, -1.5, 1.5), uniform(&state, -1.5, 1.5) },
-            .v0 = { order < 1 ? uniform(&state, -1, 1) : 0,
-                    order < 1 ? uniform(&state, -1, 1) : 0 }
+            .x0 = { fvi_seeded_uniform(&state, -1.5, 1.5), fvi_seeded_uniform(&state, -1.5, 1.5) },
+            .v0 = { order < 1 ? fvi_seeded_uniform(&state, -1, 1) : 0,
+                    order < 1 ? fvi_seeded_uniform(&state, -1, 1) : 0 }
         };
         for (int m = 0; m < 5; m++) {
             mechanism_problem p;

@@ -1,5 +1,6 @@
 /* tests/observer/test_observer.c -- Velocities, accelerations, forces and work along a run.
  * Run alone: make test-observer */
+#include "harness/saved.h"
 #include "harness/ulp.h"
 #include "run/whole_run.h"
 
@@ -279,31 +280,11 @@ START_TEST(an_impulse_of_the_force_does_its_work)
 }
 END_TEST
 
-typedef struct {
-    fvi_archive archive;
-    unsigned char bytes[1 << 16];
-    size_t at;
-    int loads;
-} memory_file;
-
-static int piece(fvi_archive *v, void *data, size_t bytes, int constant)
-{
-    memory_file *f = (memory_file *)v;
-    ck_assert_uint_le(f->at + bytes, sizeof f->bytes);
-    if (!f->loads)
-        memcpy(f->bytes + f->at, data, bytes);
-    else if (!constant)
-        memcpy(data, f->bytes + f->at, bytes);
-    f->at += bytes;
-    return 0;
-}
-
 /* A copy, and what was saved, go on with the same digits. */
 START_TEST(an_observer_is_copied_and_saved_with_its_run)
 {
     static const char *const methods[] = { "fvi", "fvi-bdf2", "fvi-lobatto4",
                                            "fvi-lobatto4d", "fvi-adaptive" };
-    static memory_file file;
     const fvi_system system = duffing();
     for (size_t i = 0; i < LEN(methods); i++) {
         fvi_run run = fvi_run_default(&system, &x0, &p0, 0.1, 40);
@@ -312,13 +293,13 @@ START_TEST(an_observer_is_copied_and_saved_with_its_run)
         observed first = begin(method, &run, ALL), copy,
                  loaded = begin(method, &run, ALL);
         go_to(first, 20);
-        file = (memory_file){ .archive = { piece } };
+        saved_state file = begin_saving();
         ck_assert_int_eq(fvi_stepper_archive(first.s, &file.archive), 0);
         ck_assert_int_eq(fvi_observer_archive(first.o, &file.archive), 0);
-        file.at = 0;
-        file.loads = 1;
+        begin_restoring(&file);
         ck_assert_int_eq(fvi_stepper_archive(loaded.s, &file.archive), 0);
         ck_assert_int_eq(fvi_observer_archive(loaded.o, &file.archive), 0);
+        free(file.room);
         ck_assert_int_eq(fvi_stepper_copy(first.s, &copy.s), 0);
         ck_assert_int_eq(fvi_observer_copy(first.o, &copy.o), 0);
         const observed all[] = { first, copy, loaded };

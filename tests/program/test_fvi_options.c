@@ -3,6 +3,7 @@
 #include "harness/ulp.h"
 #include "output/fvi_table.h"
 #include "options/fvi_options.h"
+#include "system/seeded.h"
 #include <fvi/format_double.h>
 #include "options/fvi_words.h"
 
@@ -11,12 +12,11 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-static unsigned long long seed = 20240229;
+static uint64_t seed = 20240229;
 
 static size_t dice(size_t n)
 {
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (size_t)(seed >> 33) % n;
+    return (size_t)(fvi_seeded_next(&seed) >> 33) % n;
 }
 
 /* Random words never crash the parser, and what it accepts is in range. */

@@ -9,6 +9,7 @@
 
 #include "harness/seen.h"
 #include "harness/ulp.h"
+#include "system/seeded.h"
 
 enum { MOST = 12, DAMPERS = 3 };
 
@@ -137,10 +138,9 @@ static inline double norm_of_inverse(fvi_response *r, const double s[2])
 }
 
 /* A number in (0, 1) */
-static inline double chance(unsigned long long *seed)
+static inline double chance(uint64_t *seed)
 {
-    *seed = *seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return ((double)(*seed >> 11) + 0.5) * 0x1p-53;
+    return fvi_seeded_uniform(seed, 0, 1) + 0x1p-54;
 }
 
 /* ---- poles ---- */

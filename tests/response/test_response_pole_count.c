@@ -19,7 +19,7 @@ static void ck_assert_poles(const fvi_linear_motion *motion, size_t n)
 /* ---- as many as unknowns ---- */
 
 /* A system of 2 to 12 masses with 1 to 3 dampers; its laws have orders below 1, or powers above. */
-static void random_system(unsigned long long *seed, int above, linear_system *s)
+static void random_system(uint64_t *seed, int above, linear_system *s)
 {
     *s = (linear_system){ .d = 2 + (size_t)(11 * chance(seed)),
                           .dampers = 1 + (size_t)(3 * chance(seed)) };
@@ -73,7 +73,7 @@ static void look_at(linear_system *s, int i)
 
 START_TEST(eq_30_7_there_are_as_many_poles_as_unknowns)
 {
-    unsigned long long seed = 7;
+    uint64_t seed = 7;
     for (int i = 0; i < 300; i++) { /* of a larger search: 5000 of 5000 */
         linear_system s;
         random_system(&seed, i % 3 == 2, &s);

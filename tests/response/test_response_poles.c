@@ -156,7 +156,7 @@ END_TEST
  * seen 4 u. */
 START_TEST(one_oscillator_has_the_pole_of_the_exact_solution)
 {
-    unsigned long long seed = 11;
+    uint64_t seed = 11;
     int compared = 0;
     for (int i = 0; i < 400; i++) {
         const double m = exp(6 * chance(&seed) - 3), c = exp(6 * chance(&seed) - 3),

@@ -5,6 +5,7 @@
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
 #include "run/whole_run.h"
+#include "system/seeded.h"
 
 #include <stdlib.h>
 
@@ -18,8 +19,7 @@ typedef struct {
 static inline double between(double a, double b)
 {
     static uint64_t seed = 1;
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
-    return a + (b - a) * ((double)(seed >> 11) * 0x1p-53);
+    return fvi_seeded_uniform(&seed, a, b);
 }
 
 static inline void fill(oscillator *o)

@@ -7,6 +7,7 @@
 #include <fvi/fvi.h>
 #include "error_control/step_search.h"
 #include "harness/ulp.h"
+#include "system/seeded.h"
 
 #include <gsl/gsl_math.h>
 
@@ -15,9 +16,8 @@ enum { ROWS = 50 }; /* at most */
 /* Uniform in [low, high]. */
 static inline double dice(double low, double high)
 {
-    static unsigned long long seed = 20240607;
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return low + (high - low) * 0x1p-53 * (double)(seed >> 11);
+    static uint64_t seed = 20240607;
+    return fvi_seeded_uniform(&seed, low, high);
 }
 
 /* The cosine is within reach of the rows. */

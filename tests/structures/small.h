@@ -5,16 +5,13 @@
 #include "building.h"
 #include "stages/stage_dense.h"
 #include "system/larger.h"
-
-#include <stdint.h>
+#include "system/seeded.h"
 
 enum { MOST = 9 };
 
-/* The same numbers in [0, 1) from the same seed, on every machine. */
 static inline double draw(uint64_t *seed)
 {
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*seed >> 11) * 0x1p-53;
+    return fvi_seeded_uniform(seed, 0, 1);
 }
 
 /* A row of 1 to MOST masses with springs, and up to three dampers across one or two unknowns: powers below and

@@ -1,6 +1,7 @@
 /* tests/structures/test_structures_forces.c -- The forces of several dampers of matrices, by steps of any length and in the
  * first rows. Run alone: make test-structures_forces */
 #include "building.h"
+#include "harness/saved.h"
 #include "structures_ref.h"
 #include "system/larger.h"
 
@@ -118,29 +119,9 @@ END_TEST
 
 /* ---- a copy, and what was saved ---- */
 
-typedef struct {
-    fvi_archive archive;
-    unsigned char bytes[1 << 18];
-    size_t at;
-    int loads;
-} memory_file;
-
-static int piece(fvi_archive *v, void *data, size_t bytes, int constant)
-{
-    memory_file *f = (memory_file *)v;
-    ck_assert_uint_le(f->at + bytes, sizeof f->bytes);
-    if (!f->loads)
-        memcpy(f->bytes + f->at, data, bytes);
-    else if (!constant)
-        memcpy(data, f->bytes + f->at, bytes);
-    f->at += bytes;
-    return 0;
-}
-
 /* Within a step and behind it; the second damper has a matrix, so its forces are five numbers. */
 START_TEST(a_copy_and_a_saved_run_tell_the_same_forces)
 {
-    static memory_file file;
     fvi_sparse C;
     building b;
     build(&b);
@@ -152,13 +133,13 @@ START_TEST(a_copy_and_a_saved_run_tell_the_same_forces)
     const fvi_run run = run_of(&b.system, 0.5, 0.01, 80, shape, push);
     observed first = begin(&fvi_variable_step, &run), copy, loaded = begin(&fvi_variable_step, &run);
     (void)at(first, 0.4);
-    file = (memory_file){ .archive = { piece } };
+    saved_state file = begin_saving();
     OK(fvi_stepper_archive(first.s, &file.archive));
     OK(fvi_observer_archive(first.o, &file.archive));
-    file.at = 0;
-    file.loads = 1;
+    begin_restoring(&file);
     OK(fvi_stepper_archive(loaded.s, &file.archive));
     OK(fvi_observer_archive(loaded.o, &file.archive));
+    free(file.room);
     OK(fvi_stepper_copy(first.s, &copy.s));
     OK(fvi_observer_copy(first.o, &copy.o));
     const observed others[] = { copy, loaded };

@@ -3,6 +3,7 @@
 #include "structures_runs.h"
 #include "run/whole_run.h"
 #include "error_control/step_search.h"
+#include "system/seeded.h"
 
 #include "run/solution.h"
 #include "system/larger.h"
@@ -24,9 +25,8 @@ static const damper dampers[] = {
 /* Numbers that no one would choose, evenly in (0, 1). */
 static double dice(void)
 {
-    static unsigned long long state = 12345;
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return (double)(state >> 11) * 0x1p-53;
+    static uint64_t state = 12345;
+    return fvi_seeded_uniform(&state, 0, 1);
 }
 
 /* Dampers of one kind of random strength, so many `places` that are so far `apart`, from the

@@ -1,18 +1,19 @@
 /* tests/random/fuzz/random_words.c -- Random command lines for build/fvi. */
 #include "random_words.h"
 
+#include "system/seeded.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 /* ---- dice ---- */
 
-static unsigned long long state;
+static uint64_t state;
 
 size_t dice(size_t n)
 {
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (size_t)(state >> 33) % n;
+    return (size_t)(fvi_seeded_next(&state) >> 33) % n;
 }
 
 void seed(unsigned long long s, size_t n)
