@@ -43,7 +43,7 @@ static inline int credulous(const fvi_method *method, const fvi_run *run,
                                         : larger(D, fabs(x[k] - before[k]));
         double by = D_before > D ? log2(D_before / D) : 0,
                q = smaller(larger(by, 0.25), method->lowest);
-        *found = (fvi_step_found){ parts, D / (exp2(q) - 1), q };
+        *found = (fvi_step_found){ .parts = parts, .estimate = D / (exp2(q) - 1), .order = q };
         if (isfinite(D_before) && found->estimate <= error)
             return FVI_SUCCESS;
         memcpy(before, x, sizeof before);
