@@ -3,24 +3,31 @@
 
 #include "methods/damping.h"
 #include "system/arrays.h"
-#include "system/dot.h"
 #include "system/fail.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+size_t fvi_bdf2_log(double *l)
+{
+    double power = 1;
+    l[0] = log(1.5);
+    for (size_t n = 1; n < FVI_BDF2_TAPS; n++)
+        l[n] = -(power /= 3) / (double)n;
+    return FVI_BDF2_TAPS;
+}
+
 /* g = ((3 - z)/2)^beta by powers of z, and g ln((3 - z)/2). */
 static size_t factor_bdf2(double beta, double *g, double *gdot)
 {
-    double power = 1, l[FVI_BDF2_TAPS] = { log(1.5) };
+    double l[FVI_BDF2_TAPS];
+    const size_t taps = fvi_bdf2_log(l);
     fvi_cq_bdf2_factor(beta, g);
-    for (size_t n = 1; n < FVI_BDF2_TAPS; n++)
-        l[n] = -(power /= 3) / (double)n;
-    for (size_t n = 0; n < FVI_BDF2_TAPS; n++)
+    for (size_t n = 0; n < taps; n++)
         for (size_t j = 0; j <= n; j++)
             gdot[n] += l[j] * g[n - j];
-    return FVI_BDF2_TAPS;
+    return taps;
 }
 
 size_t fvi_power_factor(fvi_scheme scheme, double alpha, double *g,
@@ -36,6 +43,17 @@ size_t fvi_power_factor(fvi_scheme scheme, double alpha, double *g,
     gdot[0] = 0.5;
     gdot[1] = -0.5;
     return 2;
+}
+
+double fvi_power_factor_sum_by_fours(size_t taps, const double *g, const double *past)
+{
+    double sum[4] = { g[0] * past[0] }; /* no vector waits for the term that has come in last */
+    size_t n = 1;
+    for (; n + 4 <= taps; n += 4)
+#pragma GCC unroll 4
+        for (size_t l = 0; l < 4; l++)
+            sum[l] += g[n + l] * past[n + l];
+    return (sum[0] + sum[2]) + (sum[1] + sum[3]) + fvi_dot(taps - n, g + n, past + n);
 }
 
 static int allocate(fvi_constant_history *c)
@@ -96,7 +114,7 @@ int fvi_constant_history_next(fvi_constant_history *c, const double *B,
                            : fvi_history_push(c->memory, B, change, c->now);
     for (size_t i = 0; i < c->width; i++) {
         const double *past = with_term(c, c->past, i, c->now[i]), before = c->sum[i];
-        const double sum = fvi_dot(c->taps, c->g, past);
+        const double sum = fvi_power_factor_sum(c->taps, c->g, past);
         c->sum[i] = sum;
         c->value[i] = (0.5 + theta) * sum + (0.5 - theta) * before;
         c->by_theta[i] = sum - before;
@@ -104,10 +122,9 @@ int fvi_constant_history_next(fvi_constant_history *c, const double *B,
     for (size_t i = 0; c->by_order && i < c->width; i++) {
         const double *past = c->past + i * 2 * c->taps + c->place,
                      *rated = with_term(c, c->past_by_order, i, c->now_by_order[i]),
-                     before = c->sum_by_order[i];
-        double by_order = 0;
-        for (size_t n = 0; n < c->taps; n++)
-            by_order += c->g[n] * rated[n] + c->gdot[n] * past[n];
+                     before = c->sum_by_order[i],
+                     by_order = fvi_power_factor_sum(c->taps, c->g, rated)
+                                + fvi_power_factor_sum(c->taps, c->gdot, past);
         c->sum_by_order[i] = by_order;
         c->rate[i] = (0.5 + theta) * by_order + (0.5 - theta) * before;
     }

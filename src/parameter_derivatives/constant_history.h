@@ -9,6 +9,7 @@
 
 #include <fvi/convolution_quadrature.h>
 #include "run/run_damper.h"
+#include "system/dot.h"
 
 /* Of a sequence of `width` numbers at the nodes; where the comment says "each", so many. */
 typedef struct {
@@ -36,6 +37,18 @@ typedef struct {
  * Returns how many of them there are; 1 if there is no factor. */
 size_t fvi_power_factor(fvi_scheme scheme, double alpha, double *g,
                         double *gdot);
+
+/* fvi_bdf2_log -- ln((3 - z)/2) by powers of z, FVI_BDF2_TAPS numbers, into l. Returns how many. */
+size_t fvi_bdf2_log(double *l);
+
+/* fvi_power_factor_sum -- sum_n g_n past_n, `taps` >= 1 numbers each, past[0] having come in last. Of many
+ * taps in four partial sums, so that no product waits for the sum of those before. */
+double fvi_power_factor_sum_by_fours(size_t taps, const double *g, const double *past);
+
+static inline double fvi_power_factor_sum(size_t taps, const double *g, const double *past)
+{
+    return taps > 4 ? fvi_power_factor_sum_by_fours(taps, g, past) : fvi_dot(taps, g, past);
+}
 
 /* fvi_constant_history_start -- before node N.
  *

@@ -1,6 +1,7 @@
 /* src/parameter_derivatives/node_terms.c -- The terms of a law by their numbers, at nodes.    [H 23] */
 #include "node_terms.h"
 
+#include "constant_history.h"
 #include "system/arrays.h"
 #include "system/dot.h"
 #include "system/fail.h"
@@ -51,13 +52,8 @@ static int start_log(const fvi_run *run, fvi_delta kind,
                      fvi_node_term *t)
 {
     t->log_h = log(run->h);
-    if (kind == FVI_DELTA_BDF2) {
-        double power = 1;
-        t->taps = FVI_BDF2_TAPS;
-        t->l[0] = log(1.5);
-        for (size_t n = 1; n < t->taps; n++)
-            t->l[n] = -(power /= 3) / (double)n;
-    }
+    if (kind == FVI_DELTA_BDF2)
+        t->taps = fvi_bdf2_log(t->l);
     return fvi_history_alloc_by_order(0, t->d, run->steps, run->memory,
                                  run->tolerance, &t->log);
 }

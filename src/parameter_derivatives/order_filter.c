@@ -9,7 +9,12 @@
 int fvi_order_filter_start(fvi_scheme scheme, double alpha, size_t width,
                            fvi_order_filter *f)
 {
-    f->taps = fvi_power_factor(scheme, alpha, f->g, f->gdot);
+    if (scheme == FVI_SCHEME_CQ_BDF2) { /* g = ((3 - z)/2)^(2 alpha): g'/g is a logarithm */
+        f->taps = fvi_bdf2_log(f->gdot);
+        f->past_taps = 1;
+        f->g[0] = 1;
+    } else
+        f->taps = f->past_taps = fvi_power_factor(scheme, alpha, f->g, f->gdot);
     f->width = width;
     if (f->taps < 2)
         return FVI_SUCCESS;
@@ -32,12 +37,12 @@ const double *fvi_order_filter_next(fvi_order_filter *f, const double *H,
     f->place = (f->place ? f->place : taps) - 1;
     for (size_t i = 0; i < f->width; i++) {
         double *past = f->ring + i * 2 * taps + f->place,
-               *rated = f->ring_by_order + i * 2 * taps + f->place, y = 0;
+               *rated = f->ring_by_order + i * 2 * taps + f->place;
         past[0] = past[taps] = H[i];
-        y += f->gdot[0] * past[0];
-        for (size_t n = 1; n < taps; n++)
-            y += f->gdot[n] * past[n] - f->g[n] * rated[n];
-        rated[0] = rated[taps] = y /= f->g[0];
+        const double y = (fvi_power_factor_sum(taps, f->gdot, past)
+                          - fvi_dot(f->past_taps - 1, f->g + 1, rated + 1))
+                         / f->g[0];
+        rated[0] = rated[taps] = y;
         out[i] = Hdot[i] + y;
     }
     return out;

@@ -10,7 +10,8 @@
 
 typedef struct {
     size_t taps, place, width; /* taps < 2: there is no factor; the latest is at [place] */
-    double g[FVI_BDF2_TAPS], gdot[FVI_BDF2_TAPS]; /* the factor, and its derivative */
+    size_t past_taps;          /* of g */
+    double g[FVI_BDF2_TAPS], gdot[FVI_BDF2_TAPS]; /* the factor, and its derivative, or both over g */
     double *ring, *ring_by_order; /* width 2 taps each: the last sums, twice; owned */
 } fvi_order_filter;
 
