@@ -6,11 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-static double entry(const fvi_square *M, size_t i, size_t l)
-{
-    return M->column[l][i];
-}
-
 static void find_stages(fvi_adjoint_variable_run *m, size_t n, double h)
 {
     const double *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
@@ -40,15 +35,17 @@ static void multiply_by_hessians(fvi_adjoint_variable_run *m)
     }
 }
 
-/* Entry (j, l) of the Hessian at stage i, in the rows of coordinate j. */
-static void add_entry(fvi_adjoint_variable_run *m, double h, size_t i, size_t j,
-                      size_t l, double H)
+/* Entry (j, l) of the Hessians at all stages, h^2 b_i H_i in `weight`, in the rows of coordinate j. */
+static void add_entry(fvi_adjoint_variable_run *m, size_t j, size_t l, const double *weight)
 {
     const size_t s = m->s;
-    const double weight = h * h * m->rule->b[i] * H;
-    for (size_t c = 0; c < s; c++)
-        fvi_band_row(&m->J_band, j * s + c)[l * s + i] +=
-            weight * entry(m->path.to_x, i, c);
+    for (size_t c = 0; c < s; c++) {
+        double *row = fvi_band_row(&m->J_band, j * s + c) + l * s;
+        const double *to_x = m->path.to_x->column[c];
+#pragma omp simd
+        for (size_t i = 0; i < s; i++)
+            row[i] += weight[i] * to_x[i];
+    }
 }
 
 /* What the Hessians give to the matrix. */
@@ -56,14 +53,15 @@ static void add_hessians(fvi_adjoint_variable_run *m, double h)
 {
     const fvi_linearised *of = &m->linearised;
     const size_t d = m->d, w = of->diagonals;
-    for (size_t i = 0; m->G && i < m->s; i++)
-        for (size_t j = 0; j < d; j++)
-            for (size_t k = 0; k < (w ? w : d) && (w ? j + k : k) < d; k++) {
-                const double H = m->G[i * of->size + j * (w ? w : d) + k];
-                add_entry(m, h, i, j, w ? j + k : k, H);
-                if (w && k > 0)
-                    add_entry(m, h, i, j + k, j, H);
-            }
+    for (size_t j = 0; m->G && j < d; j++)
+        for (size_t k = 0; k < (w ? w : d) && (w ? j + k : k) < d; k++) {
+            double weight[FVI_LANES];
+            for (size_t i = 0; i < m->s; i++)
+                weight[i] = h * h * m->rule->b[i] * m->G[i * of->size + j * (w ? w : d) + k];
+            add_entry(m, j, w ? j + k : k, weight);
+            if (w && k > 0)
+                add_entry(m, j + k, j, weight);
+        }
 }
 
 /* The matrix of the step, transposed: row c is the derivative by V_c. */
@@ -77,10 +75,10 @@ static int factorise(fvi_adjoint_variable_run *m, double h)
                      rho = fvi_adjoint_variable_damping(m, j) * unit;
         for (size_t c = 0; c < s; c++) {
             double *row = fvi_band_row(&m->J_band, j * s + c) + j * s;
+            const double *inverse = m->rule->inverse.column[c], *W0 = m->path.W0.column[c];
+#pragma omp simd
             for (size_t i = 0; i < s; i++)
-                row[i] = b[i]
-                         * (mass * entry(&m->rule->inverse, i, c)
-                            + rho * entry(&m->path.W0, i, c));
+                row[i] = b[i] * (mass * inverse[i] + rho * W0[i]);
         }
     }
     add_hessians(m, h);
