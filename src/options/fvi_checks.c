@@ -49,7 +49,7 @@ int fvi_check_method(const fvi_options *o, fvi_error *c)
     if (o->text[DAMPING] && m->dense && !o->directory
         && fvi_kernel_growth(&o->damping.law) > 1 && begins_to_move(o))
         return fvi_refuse(c, "p0", "fvi-adaptive takes no velocity that jumps with a law that grows faster than s; "
-                          "fvi-bdf2 and fvi-stable do");
+                          "fvi-bdf2 and fvi-stable do, and fvi-adaptive with --damper 'x : LAW' in place of --damping");
     const int status = check_modes(o, c);
     if (status)
         return status;

@@ -189,7 +189,8 @@ START_TEST(a_tolerance_of_a_step_is_for_one_method)
         { "--step-error nan", "--step-error: " },
         { "--step-error 1e-6x", "--step-error: " },
         { "--step-error 1e-6 --damping power:1,0.7",
-          "--p0: fvi-adaptive takes no velocity that jumps" },
+          "--p0: fvi-adaptive takes no velocity that jumps with a law that grows faster than s; fvi-bdf2 and fvi-stable do, and "
+          "fvi-adaptive with --damper 'x : LAW' in place of --damping" },
     };
     char line[200];
     for (size_t i = 0; i < LEN(bad); i++) {
@@ -199,6 +200,7 @@ START_TEST(a_tolerance_of_a_step_is_for_one_method)
         ck_assert_msg(strstr(err, bad[i].reason), "%s: %s", line, err);
     }
     ck_assert_int_eq(fvi("run --step-error 1e-6 --damping zener:1,0.3,2"), 0);
+    ck_assert_int_eq(fvi("run --step-error 1e-6 --damper 'x : power:1,0.7 + viscous:1'"), 0);
     ck_assert_int_eq(fvi("gradient --step-error 1e-6 --steps 3"), 0);
     ck_assert_int_eq(fvi("sweep --vary step-error=1e-8:1e-4:2:log --steps 3"),
                      0);
