@@ -42,8 +42,7 @@ int fvi_variable_step_again(const fvi_run *of, size_t most,
     run.steps *= found->first;
     run.step_error = found->step_error;
     run.most_steps = most;
-    if (found->fine)
-        run.tolerance = FVI_FINE_MODES;
+    run.tolerance = found->fine ? FVI_FINE_MODES : FVI_MODES_BY_TOLERANCE;
     const int status =
         fvi_stepper_start(&fvi_variable_step, &run, stepper, NULL);
     if (!status) {

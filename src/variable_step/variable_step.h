@@ -26,6 +26,10 @@
 /* With this run->tolerance, which is not read else, modes are fine whatever the tolerance. */
 #define FVI_FINE_MODES 1e-300
 
+/* With this one they follow the tolerance although a force acts: a search compares two runs, and counts what the modes
+ * lose of the size that the motion comes to. */
+#define FVI_MODES_BY_TOLERANCE 2e-300
+
 /* Coordinates with the same mass, damping and spring share their matrices. */
 typedef struct {
     double mass, damping; /* m, or m + rho for alpha = 1; rho */

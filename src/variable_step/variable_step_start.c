@@ -131,10 +131,13 @@ static int first_scale(fvi_stepper *s, const double *springs, double *scale)
     return status;
 }
 
-/* The fewer digits a step has, the fewer the modes need. */
+/* The fewer digits a step has, the fewer the modes need. But a step's error is absolute, that of the modes a share of the
+ * motion, and the start does not tell how large a force will make it: a pulse may come later. */
 static fvi_modes_kind kind_of_modes(const fvi_run *run, double tolerance)
 {
-    return run->tolerance == FVI_FINE_MODES             ? FVI_MODES_FINE
+    const fvi_force *force = &run->system->force;
+    const int may_grow = (force->value || force->impulse_count) && run->tolerance != FVI_MODES_BY_TOLERANCE;
+    return may_grow || run->tolerance == FVI_FINE_MODES ? FVI_MODES_FINE
            : tolerance > 10 * FVI_TOLERANCE_LOOSE ? FVI_MODES_COARSE
            : tolerance > FVI_TOLERANCE_LOOSE / 10 ? FVI_MODES_MEDIUM
                                                   : FVI_MODES_FINE;
