@@ -2,7 +2,7 @@
 #include "step_search.h"
 
 #include <fvi/fvi.h>
-#include "analysis/stability_share.h"
+#include "stability/stability_share.h"
 #include "run/run_damper.h"
 #include "run/solution.h"
 #include "search_bound.h"

@@ -32,7 +32,7 @@ FLOORS = [
     {"error_control": "the step that a wanted error needs", "paper": "what only the paper needs"},
     {"observer": "velocities, accelerations, forces and work along a run"},
     {"methods": "the integrators", "reference": "the exact solution of the linear problem"},
-    {"analysis": "the longest step", "variable_step": "an integrator whose steps are its own"},
+    {"stability": "the longest step, a bound of the error, warnings of both", "variable_step": "an integrator whose steps are its own"},
     {"mechanism": "steps of any Lagrangian, with dampers and constraints"},
     {"run": "a start, a step, a whole trajectory", "stages": "weights and memory of steps with stages",
      "frequency": "responses and poles of linear systems"},

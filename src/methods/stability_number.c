@@ -6,7 +6,7 @@
 #include "system/fail.h"
 
 #include <fvi/stability.h>
-#include "analysis/stability_share.h"
+#include "stability/stability_share.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* src/analysis/inertia.c -- Does the inertia of a Lagrangian vanish along a run?       [H 29] */
+/* src/stability/inertia.c -- Does the inertia of a Lagrangian vanish along a run?       [H 29] */
 #include <fvi/warnings.h>
 
 #include <fvi/error.h>

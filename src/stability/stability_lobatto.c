@@ -1,4 +1,4 @@
-/* src/analysis/stability_lobatto.c -- Is this step stable, with stages?  [H 17] */
+/* src/stability/stability_lobatto.c -- Is this step stable, with stages?  [H 17] */
 #include <fvi/stability.h>
 #include "kernel/kernel_terms.h"
 #include "stages/lobatto_weights.h"

@@ -1,4 +1,4 @@
-/* src/analysis/convergence.c -- How far from the motion a run can be.    [H 20] */
+/* src/stability/convergence.c -- How far from the motion a run can be.    [H 20] */
 #include <fvi/convergence.h>
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/analysis/stability.c -- Is this step stable?                       [H 14] */
+/* src/stability/stability.c -- Is this step stable?                       [H 14] */
 #include <fvi/stability.h>
 
 #include "stability_share.h"

@@ -1,4 +1,4 @@
-/* src/analysis/stability_step.c -- The longest stable step of a method. [H 14] */
+/* src/stability/stability_step.c -- The longest stable step of a method. [H 14] */
 #include <fvi/stability.h>
 
 #include "run/run_damper.h"

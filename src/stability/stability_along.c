@@ -1,4 +1,4 @@
-/* src/analysis/stability_along.c -- Is the step stable where a run has come to? [H 14] */
+/* src/stability/stability_along.c -- Is the step stable where a run has come to? [H 14] */
 #include <fvi/stability.h>
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/analysis/stability_matrices.c -- Is this step stable, with matrices?  [H 27] */
+/* src/stability/stability_matrices.c -- Is this step stable, with matrices?  [H 27] */
 #include "stability_share.h"
 #include "system/seeded.h"
 

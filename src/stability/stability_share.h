@@ -1,4 +1,4 @@
-/* src/analysis/stability_share.h -- Loads that src/methods/stability_number.c asks for.
+/* src/stability/stability_share.h -- Loads that src/methods/stability_number.c asks for.
  *                                                                [H 14] */
 #ifndef FVI_STABILITY_SHARE_H
 #define FVI_STABILITY_SHARE_H

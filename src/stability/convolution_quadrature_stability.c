@@ -1,4 +1,4 @@
-/* src/analysis/convolution_quadrature_stability.c -- Which steps the weights allow.
+/* src/stability/convolution_quadrature_stability.c -- Which steps the weights allow.
  *                                                                [H 13] */
 #include <fvi/convolution_quadrature_stability.h>
 

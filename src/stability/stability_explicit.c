@@ -1,4 +1,4 @@
-/* src/analysis/stability_explicit.c -- The load of Euler's explicit method. [H 14] */
+/* src/stability/stability_explicit.c -- The load of Euler's explicit method. [H 14] */
 
 #include "stability_share.h"
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/analysis/warnings.c -- What to know before a run is believed. [H 14, 19] */
+/* src/stability/warnings.c -- What to know before a run is believed. [H 14, 19] */
 #include <fvi/warnings.h>
 
 #include <fvi/error.h>
