@@ -92,6 +92,21 @@ int fvi_observer_begin_massless(fvi_observer *o, const fvi_stepper *s)
     return status == FVI_ENOMEM ? status : FVI_SUCCESS;
 }
 
+int fvi_observer_begin_heavy(fvi_observer *o, const fvi_stepper *s)
+{
+    const double *mass = s->run.system->mass;
+    memcpy(o->force, o->start, o->forces * sizeof *o->force);
+    int status = fvi_observer_damping(o, s, o->a);
+    if (!status)
+        status = fvi_step_force(s, 0, o->F);
+    if (!status)
+        status = fvi_potential_gradient(s->run.system, s->x, o->g);
+    for (size_t i = 0; i < o->slopes && !status; i++)
+        if (!s->mechanism->is_massless[i])
+            o->start[o->forces + i] = (o->F[i] - o->g[i] - o->a[i]) / mass[i];
+    return status;
+}
+
 int fvi_observer_mean_massless(fvi_observer *o, const fvi_stepper *s)
 {
     const double h = s->run.h, *row = fvi_short_row(&o->short_rows, 1),

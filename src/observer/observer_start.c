@@ -191,6 +191,8 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
     const int is_known = o->tracked > o->forces && isfinite(o->start[o->forces]);
     for (size_t i = o->forces; i < o->forces + o->slopes && !is_known && !status; i++)
         o->start[i] = (v[i - o->forces] - o->impulse[i]) / h;
+    if (!status && o->begin_v_known)
+        status = fvi_observer_begin_heavy(o, s);
     if (!status && !is_known && o->ties > 0)
         status = s->method->dense ? start_ties_on_mesh(o, s) : start_ties(o, fork, h);
     fvi_observer_free(sums);

@@ -159,10 +159,12 @@ int fvi_observer_structure_forces(fvi_observer *o, const fvi_stepper *s, double 
  *
  * fvi_observer_begin_massless -- o->begin_v by (29.27), if it has a solution: o->begin_v_known says so.
  * fvi_observer_mean_massless -- else: the mean over the first row; the short rows are known, if there are any.
+ * fvi_observer_begin_heavy -- if o->begin_v_known: the accelerations of the others at t = 0, from o->start.
  * fvi_observer_put_massless -- into v, whose other numbers stay.
- * The first two return FVI_SUCCESS; FVI_ENOMEM; the second what a step returns. */
+ * The first three return FVI_SUCCESS; FVI_ENOMEM; what a step, or a function of the system, returns. */
 int fvi_observer_begin_massless(fvi_observer *o, const fvi_stepper *s);
 int fvi_observer_mean_massless(fvi_observer *o, const fvi_stepper *s);
+int fvi_observer_begin_heavy(fvi_observer *o, const fvi_stepper *s);
 void fvi_observer_put_massless(const fvi_observer *o, const fvi_stepper *s, double *v);
 
 /* fvi_observer_read_all -- as fvi_observer_read, but of a structure's damper along a row all d forces. */

@@ -154,9 +154,9 @@ START_TEST(the_first_rows_of_a_point_without_mass_are_right)
 }
 END_TEST
 
-/* v, and the forces of the dampers, at t = 0 of bodies at 1, 0, ... on the spring above. */
+/* v, the forces of the dampers, and a of the first body, at t = 0 of bodies at 1, 0, ... on the spring above. */
 static void start_of(const fvi_method *method, size_t d, const double *mass, const double *p0, size_t dampers,
-                     const fvi_damper *damper, double *v, double *force)
+                     const fvi_damper *damper, double *v, double *force, double *a)
 {
     static const double zeros[] = { 0, 0, 0 }, x0[] = { 1, 0, 0 };
     const fvi_potential potential = { .value = spring, .gradient = spring_gradient, .hessian = spring_hessian };
@@ -167,8 +167,9 @@ static void start_of(const fvi_method *method, size_t d, const double *mass, con
     fvi_observer *o;
     fvi_observation now;
     ck_assert_int_eq(fvi_stepper_start(method, &run, &s, NULL), 0);
-    ck_assert_int_eq(fvi_observer_start(s, FVI_OBSERVE_VELOCITY | FVI_OBSERVE_FORCE, &o, NULL), 0);
+    ck_assert_int_eq(fvi_observer_start(s, FVI_OBSERVE_VELOCITY | FVI_OBSERVE_FORCE | FVI_OBSERVE_ACCELERATION, &o, NULL), 0);
     ck_assert_int_eq(fvi_observer_read(o, s, 0, &now), 0);
+    *a = now.a[0];
     memcpy(v, now.v, d * sizeof *v);
     memcpy(force, now.force, dampers * sizeof *force);
     fvi_observer_free(o);
@@ -185,20 +186,22 @@ START_TEST(a_point_without_mass_starts_with_the_velocity_of_its_dashpot_or_the_m
     for (size_t m = 0; m < LEN(of_massless); m++) {
         law of;
         const fvi_damper damper = { .of.row = row, .kernel = &of.kernel };
-        double v[2], force;
+        double v[2], force, a;
         for (size_t i = 0; i < LEN(ref_massless_means); i++) {
             make_law(ref_massless_means[i].law, &of);
             const int is_dashpot = of.term->alpha == 0.5 && of.term->time == 0;
             const double want = is_dashpot ? 1 / of.term->rho : ref_massless_means[i].v;
-            start_of(of_massless[m], 2, mass, p0, 1, &damper, v, &force);
+            start_of(of_massless[m], 2, mass, p0, 1, &damper, v, &force, &a);
             seen_worst(fabs(v[1] / want - 1), "of v");
             ck_assert_near(v[1], want, 1e-7 * want, "%s, law %zu", of_massless[m]->name, ref_massless_means[i].law);
             ck_assert(v[0] == 0);
             if (is_dashpot)
                 ck_assert_near(force, 1, 4 * U, "the force of a dashpot");
+            if (is_dashpot)
+                ck_assert_near(a, -1, 4 * U, "the acceleration of the body");
         }
         make_law(18, &of);
-        start_of(of_massless[m], 2, mass, p0, 1, &damper, v, &force);
+        start_of(of_massless[m], 2, mass, p0, 1, &damper, v, &force, &a);
         ck_assert_near(v[1], 1 / ref_laws[18].dashpot, 1e-8, "a dashpot beside an element");
     }
 }
@@ -215,14 +218,15 @@ START_TEST(two_points_without_mass_start_together)
     const fvi_damper damper[] = { { .of.row = rows[0], .kernel = kernel }, { .of.row = rows[1], .kernel = kernel + 1 },
                                   { .of.row = rows[2], .kernel = kernel + 2 } };
     for (size_t m = 0; m < LEN(of_massless); m++) {
-        double v[3], force[3];
+        double v[3], force[3], a;
         term[1].alpha = 0.5;
-        start_of(of_massless[m], 3, mass, p0, 3, damper, v, force);
+        start_of(of_massless[m], 3, mass, p0, 3, damper, v, force, &a);
         ck_assert_near(v[1], 20. / 7, 32 * U, "w_2");
         ck_assert_near(v[2], 16. / 7, 32 * U, "w_3");
         ck_assert_near(force[0], -8. / 7, 64 * U, "between them");
+        ck_assert_near(a, 20. / 7 - 3 - 1, 64 * U, "the body: its damper and its spring");
         term[1].alpha = 0.7;
-        start_of(of_massless[m], 3, mass, p0, 3, damper, v, force);
+        start_of(of_massless[m], 3, mass, p0, 3, damper, v, force, &a);
         ck_assert_msg(v[2] > 0 && v[2] < 16. / 7, "%g", v[2]);
     }
 }
