@@ -224,17 +224,23 @@ int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, siz
     }
     const double N = (double)steps + 1, keep = kept(tolerance);
     const int direct = is_direct(-0.5, steps, kind, 0);
-    const size_t Q = direct ? 0
-                            : padded(fvi_lobatto_kernel_nodes(
-                                s, &ready, N, keep, NULL, NULL, NULL, 0));
-    fvi_lobatto_history *m = make((fvi_lobatto_history){
-        .s = s,
-        .d = d,
-        .steps = steps,
-        .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS,
-        .Q = Q });
-    if (m && Q > 0)
-        fvi_lobatto_kernel_nodes(s, &ready, N, keep, m->q, m->p, m->a, Q);
+    size_t count = 0;
+    double *nodes = NULL;
+    if (!direct)
+        status = fvi_lobatto_kernel_few_nodes(s, &ready, N, keep, &count, &nodes);
+    fvi_lobatto_history *m = status ? NULL
+                                    : make((fvi_lobatto_history){
+                                        .s = s,
+                                        .d = d,
+                                        .steps = steps,
+                                        .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS,
+                                        .Q = padded(count) });
+    if (m && count > 0) {
+        memcpy(m->q, nodes, count * sizeof *nodes);
+        memcpy(m->p, nodes + count, count * sizeof *nodes);
+        fvi_lobatto_solve_nodes(s, count, m->p, m->a, m->Q);
+    }
+    free(nodes);
     if (m)
         skip_near_lags(m);
     status =

@@ -142,11 +142,13 @@ static size_t nodes_of_general(size_t s, const fvi_lobatto_kernel *r, double N,
     return Q;
 }
 
-size_t fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, double N,
-                             double tolerance, double *q, double *p, double *a,
-                             size_t stride)
+/* All nodes, mu in p; or those of the cut that hardly decay within N steps as fewer of them. */
+static size_t place_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, int is_few, double *q,
+                          double *p)
 {
     size_t Q = nodes_of_cut(s, ready, N, tolerance, q, p);
+    if (is_few)
+        Q = fvi_lobatto_gauss(Q, N, tolerance, q, p);
     Q = nodes_of_general(s, ready, N, tolerance, Q, q, p);
     double springs = 0;
     for (size_t i = 0; i < ready->terms; i++) {
@@ -165,10 +167,30 @@ size_t fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, doubl
         q[Q] = springs * ready->h;
         p[Q] = 0;
     }
-    Q += springs > 0;
+    return Q + (springs > 0);
+}
+
+size_t fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, double N,
+                             double tolerance, double *q, double *p, double *a,
+                             size_t stride)
+{
+    const size_t Q = place_nodes(s, ready, N, tolerance, 0, q, p);
     if (q)
         fvi_lobatto_solve_nodes(s, Q, p, a, stride);
     return Q;
+}
+
+int fvi_lobatto_kernel_few_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, size_t *count,
+                                 double **nodes)
+{
+    const size_t most = place_nodes(s, ready, N, tolerance, 0, NULL, NULL);
+    double *q = malloc((2 * most + 1) * sizeof *q);
+    if (!q)
+        return FVI_ENOMEM;
+    *count = place_nodes(s, ready, N, tolerance, 1, q, q + most);
+    memmove(q + *count, q + most, *count * sizeof *q);
+    *nodes = q;
+    return FVI_SUCCESS;
 }
 
 /* ---- weights ---- */

@@ -36,6 +36,12 @@ size_t fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, doubl
                              double tolerance, double *q, double *p, double *a,
                              size_t stride);
 
+/* fvi_lobatto_kernel_few_nodes -- the same by fewer nodes, as fvi_lobatto_few_nodes where all weights of the cut have one
+ * sign: the `count` numbers q and then as many mu, a block that the caller frees. a and p are made of mu by
+ * fvi_lobatto_solve_nodes. Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_lobatto_kernel_few_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, size_t *count,
+                                 double **nodes);
+
 /* fvi_lobatto_kernel_weights -- W_0, ..., W_{n-1}, n > FVI_LAGS; W as for fvi_lobatto_weights.
  * Accuracy: as there, of the largest of W_0, for each term (no proof; seen 20). Not so for a
  * ZENER with 2 alpha > 1: it rings, and keeps roundings for as long as it does (seen 1700 u

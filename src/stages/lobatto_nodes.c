@@ -158,7 +158,7 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
 
 /* Nodes up to mu N = SLOW hardly decay within the run: exp(-mu n) is nearly a polynomial in mu, and Gauss's rule of a few
  * nodes stands for all of them. Of N >= LONG the rest of W_n is smooth there, too. */
-enum { SLOW = 8, LONG = 64, MOST_FEW = 16 };
+enum { SLOW = 8, LONG = 64, MOST_FEW = 16, MOST_SLOW = 192 };
 
 /* The measure of all nodes below the largest: weights e^(-k step (1 + beta)) at e^(-k step), k = 0, 1, ... Its orthogonal
  * polynomials are little q-Jacobi's, q = e^(-step), whose recurrence is known. Entry n of the diagonal of their symmetric
@@ -230,18 +230,25 @@ static void find_eigenvalues(size_t n, double *a, double *b, double *first)
         }
 }
 
+/* Gauss's rule of a measure of such a sum with this recurrence, from 0 to mu: to q and p. */
+static void place_gauss(size_t few, double *here, double *beside, double sum, double mu, double *q, double *p)
+{
+    double first[MOST_FEW];
+    find_eigenvalues(few, here, beside, first);
+    for (size_t j = 0; j < few; j++) {
+        p[j] = here[j] * mu;
+        q[j] = sum * first[j] * first[j];
+    }
+}
+
 /* The few nodes for all up to mu, to q and p. */
 static void place_few(double beta, double step, double mu, size_t few, double *q, double *p)
 {
     const double sum = factor_of(beta, step) * pow(mu, 1 + beta) / -expm1(-(1 + beta) * step);
-    double beside[MOST_FEW], first[MOST_FEW];
+    double here[MOST_FEW], beside[MOST_FEW];
     for (size_t j = 0; j < few; j++)
-        find_recurrence(beta, step, j, &p[j], &beside[j]);
-    find_eigenvalues(few, p, beside, first);
-    for (size_t j = 0; j < few; j++) {
-        p[j] *= mu;
-        q[j] = sum * first[j] * first[j];
-    }
+        find_recurrence(beta, step, j, &here[j], &beside[j]);
+    place_gauss(few, here, beside, sum, mu, q, p);
 }
 
 size_t fvi_lobatto_few_nodes(size_t s, double beta, double N, double tolerance, double *q, double *p, double *a,
@@ -262,4 +269,54 @@ size_t fvi_lobatto_few_nodes(size_t s, double beta, double N, double tolerance, 
     }
     fvi_lobatto_solve_nodes(s, Q, p, a, stride);
     return Q;
+}
+
+/* ---- fewer nodes of any weights ---- */
+
+/* The recurrence of the measure with weights w, their sum 1, at x, up to where few nodes are enough; `slow` is mu N of
+ * the largest node (Stieltjes). Returns how many. */
+static size_t find_recurrence_of(size_t count, const double *x, const double *w, double slow, double tolerance,
+                                 double *here, double *beside)
+{
+    double polynomial[2][MOST_SLOW] = { { 0 } }, left = 1, before = 0;
+    size_t k = 0;
+    for (size_t j = 0; j < count; j++)
+        polynomial[0][j] = sqrt(w[j]);
+    for (; left > tolerance / 10 && k < MOST_FEW; k++) {
+        double *now = polynomial[k % 2], *other = polynomial[1 - k % 2], mean = 0, square = 0;
+        for (size_t j = 0; j < count; j++)
+            mean += x[j] * now[j] * now[j];
+        for (size_t j = 0; j < count; j++) { /* the last but one becomes the next */
+            other[j] = (x[j] - mean) * now[j] - before * other[j];
+            square += other[j] * other[j];
+        }
+        here[k] = mean;
+        beside[k] = before = sqrt(square);
+        for (size_t j = 0; j < count; j++)
+            other[j] /= before;
+        left *= slow * slow * square / (double)((2 * k + 2) * (2 * k + 1));
+    }
+    return k;
+}
+
+size_t fvi_lobatto_gauss(size_t count, double N, double tolerance, double *q, double *mu)
+{
+    size_t slow = 0, positive = 0;
+    double x[MOST_SLOW], w[MOST_SLOW], here[MOST_FEW], beside[MOST_FEW], sum = 0;
+    while (slow < count && mu[slow] * N <= SLOW) {
+        sum += q[slow];
+        positive += q[slow++] > 0;
+    }
+    if (N < LONG || slow <= MOST_FEW || slow > MOST_SLOW || (positive > 0 && positive < slow) || sum == 0)
+        return count;
+    const double scale = mu[slow - 1];
+    for (size_t j = 0; j < slow; j++) {
+        x[j] = mu[j] / scale;
+        w[j] = q[j] / sum;
+    }
+    const size_t few = find_recurrence_of(slow, x, w, scale * N, tolerance, here, beside);
+    place_gauss(few, here, beside, sum, scale, q, mu);
+    memmove(q + few, q + slow, (count - slow) * sizeof *q);
+    memmove(mu + few, mu + slow, (count - slow) * sizeof *mu);
+    return count - slow + few;
 }

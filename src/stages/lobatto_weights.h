@@ -84,6 +84,11 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
 size_t fvi_lobatto_few_nodes(size_t s, double beta, double N, double tolerance, double *q, double *p, double *a,
                              size_t stride);
 
+/* fvi_lobatto_gauss -- of nodes of any weights, mu up to the last that is slow in order: those that hardly decay within N
+ * steps become fewer, in place, if there are many and their weights have one sign. Returns how many nodes are left. Cost
+ * 3 us. */
+size_t fvi_lobatto_gauss(size_t count, double N, double tolerance, double *q, double *mu);
+
 /* ---- lobatto_modes.c; for lobatto_history.c: nothing is checked ---- */
 
 enum { FVI_MODE_LANES = 8 }; /* Q below is a multiple of it */
