@@ -76,7 +76,8 @@ int fvi_kernel_check(const fvi_kernel *law);
  *   term    its rho is a factor; the other numbers are not read
  *   value   C(s) at s = re + i im, by the principal logarithm: im = 0 with re < 0 is the
  *           upper side of the cut. Analytic but for s <= 0, real for s > 0, finite at i omega,
- *           and growing no faster than s^2; poles with |arg s| < 34 degrees are looked for. Whether
+ *           and growing no faster than s^2. A pole beside the cut is refused if |arg s| < 165 degrees there,
+ *           10^-6 < |s| < 10^6, and if it is not a thousandth of C around it. Whether
  *           the law takes energy, with an imaginary part that is not negative at i omega, is not asked
  *   params  handed on to value
  *

@@ -3,7 +3,6 @@
 
 #include "kernel_general.h"
 #include "system/fail.h"
-#include "system/larger.h"
 
 #include <complex.h>
 #include <gsl/gsl_math.h>
@@ -192,27 +191,6 @@ static double function_growth(const fvi_kernel_term *t)
 {
     const double ratio = cabs(value_of(t, 0x1p400) / value_of(t, 0x1p399));
     return ratio < 1 ? 0 : ldexp(round(ldexp(log2(ratio), 30)), -30);
-}
-
-/* The mean of an analytic function over a circle is its value at the centre c. These circles leave a quarter of c
- * to Re s = 0, and cover all s with |arg s| < 34 degrees and 10^-6 < |s| < 10^6: a pole there is seen, if it is
- * not a thousandth of the function. In the cut plane 48 points on a circle are right to 0.75^48 = 10^-6. */
-int fvi_kernel_has_poles_ahead(const fvi_kernel_term *t)
-{
-    enum { UPPER = 24 };
-    for (int k = -20; k <= 20; k += 2) {
-        const double centre = ldexp(1.1, k);
-        double sum = 0, most = 0;
-        for (int i = 0; i < UPPER; i++) { /* those of the lower half are their mirror images */
-            const double angle = M_PI * (i + 0.5) / UPPER;
-            const double complex C = value_of(t, centre * (1 + 0.75 * cexp(I * angle)));
-            sum += creal(C) / UPPER;
-            most = larger(most, cabs(C));
-        }
-        if (!(fabs(sum - creal(value_of(t, centre))) <= 1e-3 * most))
-            return 1;
-    }
-    return 0;
 }
 
 /* Some frequencies say whether it is a function, and real for real s. */

@@ -21,7 +21,4 @@ typedef struct {
 enum { FVI_KERNEL_CLASSES = FVI_KERNEL_SYMBOL + 1 };
 extern const fvi_kernel_class fvi_kernel_classes[FVI_KERNEL_CLASSES];
 
-/* fvi_kernel_has_poles_ahead -- has a SYMBOL poles at Re s > 0, near the real axis? */
-int fvi_kernel_has_poles_ahead(const fvi_kernel_term *t);
-
 #endif

@@ -1,5 +1,6 @@
 /* src/kernel/kernel_sums.c -- A law is a sum of terms: is it in range, its symbol, its growth, its moduli.  [H 26] */
 #include "kernel_classes.h"
+#include "symbol_poles.h"
 
 #include "kernel_general.h"
 #include "system/fail.h"
@@ -37,8 +38,9 @@ int fvi_kernel_check_terms(const fvi_kernel *law)
 int fvi_kernel_check(const fvi_kernel *law)
 {
     const int status = fvi_kernel_check_terms(law);
-    if (!status && law->term->kind == FVI_KERNEL_SYMBOL && fvi_kernel_has_poles_ahead(law->term))
-        FVI_FAIL("the symbol of a law must be analytic at Re s > 0", FVI_EDOM);
+    if (!status && law->term->kind == FVI_KERNEL_SYMBOL
+        && fvi_symbol_has_poles((const fvi_kernel_function *)law->term))
+        FVI_FAIL("the symbol of a law must be analytic but for s <= 0: it has a pole beside the cut", FVI_EDOM);
     return status;
 }
 

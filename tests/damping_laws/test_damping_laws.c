@@ -76,6 +76,52 @@ START_TEST(eq_26_3_weights)
 }
 END_TEST
 
+/* ---- poles of a symbol ---- */
+
+static uint64_t state;
+
+static double between(double low, double high)
+{
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
+}
+
+/* A law on the cut, s^a + |p|^a r (s/(s + 1/T))^b, and `size` times |p|^a a pair of poles, p and its conjugate. */
+typedef struct {
+    double a, r, T, b, size;
+    double complex p;
+    int order;
+} rung_law;
+
+static void rung_symbol(double re, double im, void *params, double *C_re, double *C_im)
+{
+    const rung_law *l = params;
+    const double complex s = re + I * im, at = l->p,
+                         pair = cabs(at) * s / ((s - at) * (s - conj(at))),
+                         large = pow(cabs(at), l->a), smooth = l->r * cpow(s / (s + 1 / l->T), l->b),
+                         C = cpow(s, l->a) + large * (smooth + l->size * cpow(pair, l->order));
+    *C_re = creal(C);
+    *C_im = cimag(C);
+}
+
+/* Poles with |arg s| < 165 degrees, of order 1 and 2, beside laws that are as large: none is a law. Without them each
+ * is one. */
+START_TEST(a_symbol_with_poles_beside_the_cut_is_refused)
+{
+    state = 26;
+    for (int i = 0; i < 300; i++) {
+        rung_law l = { .a = between(0.1, 1), .r = between(0, 2), .T = exp(between(-8, 8)), .b = between(0.1, 1),
+                       .order = 1 + i % 2 };
+        l.p = exp(between(-11, 11)) * (i % 10 == 9 ? I /* no residue */ : cexp(I * between(0.1, 2.88)));
+        const fvi_kernel_function f = { { FVI_KERNEL_SYMBOL, 1, 0, 0, 0 }, rung_symbol, &l };
+        const fvi_kernel law = fvi_kernel_of_function(&f);
+        ck_assert_msg(fvi_kernel_check(&law) == FVI_SUCCESS, "run %d: without poles", i);
+        l.size = between(0.05, 2);
+        ck_assert_msg(fvi_kernel_check(&law) == FVI_EDOM, "run %d: |p| = %g, arg p = %g", i, cabs(l.p), carg(l.p));
+    }
+}
+END_TEST
+
 /* The same laws as functions of s: Cauchy's integral, from 1200 values of the symbol, is off by
  * 10 u of the largest for each term. Seen: see make seen. */
 START_TEST(eq_26_16_weights_by_a_function)
@@ -221,7 +267,7 @@ int main(void)
 {
     Suite *suite = suite_create("damping_laws");
     ADD_CASE(suite, "symbol", eq_26_1_growth, eq_26_2_moduli,
-             eq_26_2_every_law_is_passive);
+             eq_26_2_every_law_is_passive, a_symbol_with_poles_beside_the_cut_is_refused);
     ADD_CASE(suite, "weights", eq_26_3_weights,
              eq_26_16_weights_by_a_function, eq_26_3_one_law_in_two_words);
     ADD_CASE(suite, "bad input", what_is_no_law_is_refused,

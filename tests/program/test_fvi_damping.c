@@ -145,6 +145,8 @@ START_TEST(what_is_no_law_is_bad_use)
         { "--damping 'symbol:1/(s-1)'", "is no law: it must be finite at s = i w, real for s > 0, without a pole" },
         { "--damping 'symbol:s^0.3 + 0.1/(s-2e-6)'", "is no law" },
         { "--damping 'symbol:1/(s^2-2e5*s+1.2e10)'", "is no law" },
+        { "--damping 'symbol:s*(s+3)/((s+1)^2+4)'", "without a pole off the negative axis" },
+        { "--damping 'symbol:sqrt(s^2+1)-1'", "is no law" },
         { "--damping symbol:s --damping spring:1", "a symbol stands alone" },
         { "--damping spring:1 --damping symbol:s", "a symbol stands alone" },
         { "--damping 'symbol:s' --let k=1", "'k' is in no expression" },

@@ -322,7 +322,8 @@ def test_a_law_is_an_expression_or_a_function_of_s(method):
                - fvi.exact(3, damping="zener:1,0.3,2")[0]) < 1e-13
     with pytest.raises(ZeroDivisionError):
         fvi.run(damping=lambda s: 1 / 0)
-    for wrong, kind in (("symbol:s +", ValueError), ("symbol:k*s", ValueError), ("symbol:sqrt(-s)", fvi.Error)):
+    for wrong, kind in (("symbol:s +", ValueError), ("symbol:k*s", ValueError), ("symbol:sqrt(-s)", fvi.Error),
+                        ("symbol:s/(s^2+s+1)", fvi.Error)):
         with pytest.raises(kind):
             fvi.run(damping=wrong)
     with pytest.raises(ValueError):

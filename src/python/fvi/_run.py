@@ -313,7 +313,8 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
                 `help(fvi.formulas)` has, several with " + " between them, or a list of such, which add;
                 or alone "symbol:EXPRESSION" in s and the names of let, or a function C(s) of the
                 complex s: analytic but for s <= 0 (there the limit from above is asked for), real
-                for s > 0, and growing no faster than s^2
+                for s > 0, and growing no faster than s^2. A pole off the negative axis with
+                |arg s| < 165 degrees is refused
     force       None, "step:A,T", "cosine:A,W", "impulse:J,T" (every momentum jumps by J at T), "file:F.tsv",
                 an expression in t, or a function of t that gives one number or d of them, in
                 mass length / time^2

@@ -1,0 +1,136 @@
+/* src/kernel/symbol_poles.c -- Is a symbol analytic but for its cut?        [H 26] */
+#include "symbol_poles.h"
+
+#include "system/larger.h"
+
+#include <complex.h>
+#include <gsl/gsl_math.h>
+
+static double complex value_of(const fvi_kernel_function *f, double complex s)
+{
+    double re = NAN, im = NAN;
+    f->value(creal(s), cimag(s), f->params, &re, &im);
+    return re + I * im;
+}
+
+/* The mean of an analytic function over a circle is its value at the centre c. These circles leave a quarter of c
+ * to Re s = 0, and cover all s with |arg s| < 34 degrees and 10^-6 < |s| < 10^6: a pole there is seen, if it is
+ * not a thousandth of the function. In the cut plane 48 points on a circle are right to 0.75^48 = 10^-6. */
+static int has_poles_ahead(const fvi_kernel_function *f)
+{
+    enum { UPPER = 24 };
+    for (int k = -20; k <= 20; k += 2) {
+        const double centre = ldexp(1.1, k);
+        double sum = 0, most = 0;
+        for (int i = 0; i < UPPER; i++) { /* those of the lower half are their mirror images */
+            const double angle = M_PI * (i + 0.5) / UPPER;
+            const double complex C = value_of(f, centre * (1 + 0.75 * cexp(I * angle)));
+            sum += creal(C) / UPPER;
+            most = larger(most, cabs(C));
+        }
+        if (!(fabs(sum - creal(value_of(f, centre))) <= 1e-3 * most))
+            return 1;
+    }
+    return 0;
+}
+
+/* ---- beside the cut ---- */
+
+/* Boxes of ln s = u + i v: between the real axis and this v, and from line l to line l + 2 of constant u, so that
+ * each line is inside of another box. */
+static const double WIDEST = M_PI - 0.15, ALLOWED = 1e-3;
+enum { LINES = 29, POINTS = 8 };
+
+static double line(size_t l)
+{
+    return (double)l - (LINES - 1) / 2;
+}
+
+/* Of a path: the integrals by w = ln s of C and of (w - u) C, u being real; and the largest |C| on it. The second
+ * one sees a pole of order 2 that has no residue. */
+typedef struct {
+    double complex sum, moment;
+    double most;
+} path;
+
+static path joined(path a, path b, int sign)
+{
+    return (path){ a.sum + sign * b.sum, a.moment + sign * b.moment, larger(a.most, b.most) };
+}
+
+/* A straight path, by Gauss's rule in `pieces` parts. */
+static path along(const fvi_kernel_function *f, double u, double complex from, double complex to, size_t pieces)
+{
+    static const double x[] = { 0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363 },
+                        weight[] = { 0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763 };
+    const double complex half = (to - from) / (2 * (double)pieces);
+    path it = { 0, 0, 0 };
+    for (size_t n = 0; n < pieces; n++)
+        for (size_t i = 0; i < POINTS; i++) {
+            const double place = i % 2 ? x[i / 2] : -x[i / 2];
+            const double complex w = from + ((double)(2 * n + 1) + place) * half, C = value_of(f, cexp(w)),
+                                 part = weight[i / 2] * half * C;
+            it.sum += part;
+            it.moment += part * (w - u);
+            it.most = larger(it.most, cabs(C));
+        }
+    return it;
+}
+
+/* Up along a line: the nearer to the cut, the shorter are the pieces. */
+static path upwards(const fvi_kernel_function *f, double u, double at_u, size_t fine)
+{
+    static const double at[] = { 0, 1.9, 2.65, M_PI - 0.15 };
+    path it = { 0, 0, 0 };
+    for (size_t n = 0; n < 3; n++)
+        it = joined(it, along(f, u, at_u + I * at[n], at_u + I * at[n + 1], fine), 1);
+    return it;
+}
+
+//> box
+/* Around the box that begins at line l. By Cauchy's theorem both integrals are 0 if the function is analytic in it. The
+ * sums become parts of the largest |C| on the sides, NaN if that is not finite. */
+static path around(const fvi_kernel_function *f, size_t l, size_t fine)
+{
+    const double from = line(l), to = line(l + 2), u = line(l + 1);
+    path it = along(f, u, from, to, fine);
+    it = joined(it, upwards(f, u, to, fine), 1);
+    it = joined(it, along(f, u, from + I * WIDEST, to + I * WIDEST, 5 * fine), -1);
+    it = joined(it, upwards(f, u, from, fine), -1);
+    it.sum /= it.most;
+    it.moment /= it.most;
+    return it;
+}
+
+/* Is it more than an error of Gauss's rule, and does it stay with pieces half as long? */
+static int stays(double complex before, double complex now)
+{
+    return cabs(now) > ALLOWED && cabs(now - before) < 0.01 * cabs(now);
+}
+
+/* Where the largest value is not finite, nothing is known. */
+static int has_poles_in_box(const fvi_kernel_function *f, size_t l)
+{
+    enum { FINEST = 16 };
+    path before = around(f, l, 1);
+    for (size_t fine = 2; fine <= FINEST; fine *= 2) {
+        if (!(cabs(before.sum) > ALLOWED || cabs(before.moment) > ALLOWED))
+            return 0;
+        const path now = around(f, l, fine);
+        if (stays(before.sum, now.sum) || stays(before.moment, now.moment))
+            return 1;
+        before = now;
+    }
+    return 0;
+}
+//< box
+
+int fvi_symbol_has_poles(const fvi_kernel_function *f)
+{
+    if (has_poles_ahead(f))
+        return 1;
+    for (size_t l = 0; l + 2 < LINES; l++)
+        if (has_poles_in_box(f, l))
+            return 1;
+    return 0;
+}
