@@ -4,6 +4,7 @@
 #include "system/fail.h"
 
 #include "run/run_check.h"
+#include "variable_step/variable_step.h"
 
 #include <fvi/fvi.h>
 #include "system/larger.h"
@@ -25,6 +26,8 @@ static int begins(const fvi_method *method, const fvi_run *run, double tolerance
     one.h *= (double)one.steps;
     one.steps = 1;
     one.step_error = method->dense ? tolerance : 0;
+    if (method->dense)
+        one.tolerance = FVI_ANY_TOLERANCE;
     if (!method->takes_kappa && run->kappa != 0.5)
         return 0;
     const int status = fvi_stepper_start(method, &one, &s, NULL);

@@ -229,6 +229,7 @@ static int check(const fvi_run *run, double error, const double *x,
         FVI_FAIL("error must be finite and positive", FVI_EDOM);
     fvi_run wanted = *run;
     wanted.step_error = error;
+    wanted.tolerance = FVI_ANY_TOLERANCE;
     fvi_stepper *s;
     int status = fvi_stepper_start(&fvi_variable_step, &wanted, &s, NULL);
     if (!status)

@@ -40,8 +40,9 @@ typedef struct fvi_event fvi_event; /* events.h */
  *   tolerance  of the compressed memory, relative to the direct sum, in [0, 1); 0
  *              means the default 1e-13; of no effect where nothing is remembered
  *   step_error  for methods that choose their steps: what the estimated error of x
- *              in one step may be, >= 0; 0 means 1e-10 of the largest |x_i| so far,
- *              and below 1e-17 of that it means 1e-17.
+ *              in one step may be, >= 0; 0 means 1e-10 of the largest |x_i| so far.
+ *              Below 1e-17 of the size at the start it is refused (FVI_ETOL), and
+ *              where the motion grows to more it means 1e-17 of that.
  *              h and steps say where the rows are, then, and not how long a step is
  *   longest  for methods that choose their steps, and for searches: no step is longer,
  *              >= 0; 0 means that there is no such limit. A force that swings, or has a

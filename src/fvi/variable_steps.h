@@ -37,7 +37,8 @@ extern "C" {
  * and fvi_solve interpolate, with about the same error as far as the force is smooth.
  *
  *   run->step_error  what x may be off by the estimate of each step, >= 0; 0: 1e-10 of
- *                    the size so far, max |x_i|; below 1e-17 of that: 1e-17. p is off by more
+ *                    the size so far, max |x_i|. p is off by more. Rounding hides 1e-17 of the size: less
+ *                    than that at the start is refused (FVI_ETOL); if the size grows, 1e-17 of it is allowed
  *   run->memory      AUTO or EXPONENTIALS; the others are refused (FVI_EUNSUP)
  *   run->tolerance   not read: the modes are right to 2e-14, or where step_error is above
  *                    1e-7 of the size to 3e-10, above 1e-5 to 1e-7

@@ -3,6 +3,7 @@
 
 #include "kernel/kernel_terms.h"
 #include "system/larger.h"
+#include "variable_step/variable_step.h"
 
 #include <fvi/variable_steps.h>
 
@@ -182,6 +183,7 @@ static int take_rows(fvi_observer *o, const stand_in *other, fvi_run *run, doubl
     int status = FVI_EUNSUP;
     for (double part = 1e-10; part < 2e-6 && status == FVI_EUNSUP; part *= 10) {
         run->step_error = part * size;
+        run->tolerance = FVI_ANY_TOLERANCE;
         status = take_steps(o, other, run);
     }
     return status;

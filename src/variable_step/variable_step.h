@@ -30,6 +30,10 @@
  * lose of the size that the motion comes to. */
 #define FVI_MODES_BY_TOLERANCE 2e-300
 
+/* With this one, and with the two above, the tolerance of a step is no caller's: below the least one it counts as that, and
+ * is not refused. */
+#define FVI_ANY_TOLERANCE 3e-300
+
 /* Coordinates with the same mass, damping and spring share their matrices. */
 typedef struct {
     double mass, damping; /* m, or m + rho for alpha = 1; rho */

@@ -151,6 +151,20 @@ static int is_damped(const fvi_system *system)
     return damped;
 }
 
+/* A caller's tolerance that rounding hides is refused, and not taken for another one. */
+static int check_tolerance(fvi_stepper *s, double scale)
+{
+    const fvi_run *run = &s->run;
+    const double least = FVI_TOLERANCE_LEAST * scale;
+    const int is_callers = run->tolerance != FVI_FINE_MODES && run->tolerance != FVI_MODES_BY_TOLERANCE
+                           && run->tolerance != FVI_ANY_TOLERANCE;
+    if (!is_callers || run->step_error == 0 || run->step_error >= least)
+        return FVI_SUCCESS;
+    return fvi_fail(s->error, FVI_ETOL, "step_error", run->step_error,
+                    "%g is hidden by rounding; it must be at least 1e-17 of the size of the motion at first, %g",
+                    run->step_error, least);
+}
+
 /* What does not depend on the system: form, stages, the lengths of steps. */
 static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
 {
@@ -284,6 +298,8 @@ static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupl
     o->kinds = m ? 1 : o->d;
     o->solve = FVI_SOLVE_TOGETHER;
     int status = of->scale(s, &scale);
+    if (!status)
+        status = check_tolerance(s, scale);
     if (status)
         return status;
     plan(s, o, scale);
@@ -326,6 +342,8 @@ static int start(fvi_stepper *s, int open)
         status = find_springs(s, o, &springs);
     if (!status)
         status = first_scale(s, springs, &scale);
+    if (!status)
+        status = check_tolerance(s, scale);
     if (!status) {
         plan(s, o, scale);
         o->kinds = sort_out(s, springs, o);

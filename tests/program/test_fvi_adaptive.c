@@ -188,6 +188,7 @@ START_TEST(a_tolerance_of_a_step_is_for_one_method)
         { "--step-error 0", "--step-error: '0' is outside (0, inf)" },
         { "--step-error nan", "--step-error: " },
         { "--step-error 1e-6x", "--step-error: " },
+        { "--step-error 1e-18", "--step-error: 1e-18 is hidden by rounding; it must be at least 1e-17 of the size" },
         { "--step-error 1e-6 --damping power:1,0.7",
           "--p0: fvi-adaptive takes no velocity that jumps with a law that grows faster than s; fvi-bdf2 and fvi-stable do, and "
           "fvi-adaptive with --damper 'x : LAW' in place of --damping" },

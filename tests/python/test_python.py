@@ -356,6 +356,9 @@ def test_a_step_has_a_tolerance():
     for bad in 0.0, -1.0, float("nan"), float("inf"):
         with pytest.raises(ValueError, match="step_error"):
             fvi.run(step_error=bad)
+    for solve in fvi.run, lambda **how: fvi.solve(fvi.Problem(), **how):
+        with pytest.raises(fvi.Error, match="1e-18 is hidden by rounding"):
+            solve(step_error=1e-18)
 
 
 def test_most_steps_end_a_run():

@@ -175,6 +175,31 @@ START_TEST(what_callbacks_say_comes_back)
 }
 END_TEST
 
+/* x0 is 1, of one body alone and of one with a damper of its own, whose equations are coupled. */
+START_TEST(a_tolerance_that_rounding_hides_is_refused)
+{
+    const fvi_kernel_term springpot = { FVI_KERNEL_POWER, 1, 0.3, 0, 0 };
+    const fvi_kernel law = { 1, &springpot };
+    const fvi_damper damper = { .of.row = &one, .kernel = &law };
+    const fvi_mechanism mechanism = { .damper_count = 1, .damper = &damper };
+    const double none = 0;
+    fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one), { 0 }, NULL, NULL };
+    fvi_run run = fvi_run_default(&system, &one, &one, 1, 3);
+    fvi_stepper *s;
+    for (int i = 0; i < 2; i++) {
+        fvi_error error = { 0 };
+        run.step_error = 0.9e-17;
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, &error), FVI_ETOL);
+        ck_assert_str_eq(error.field, "step_error");
+        run.step_error = 1e-17;
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), FVI_SUCCESS);
+        fvi_stepper_free(s);
+        system.mechanism = &mechanism;
+        system.damping = &none;
+    }
+}
+END_TEST
+
 /* Many times together: what one after the other gives, to the bit; for one mass and many, with a start
  * that is singular, and by a method whose steps are all alike. Times may be rows, ends of steps, anything
  * between, and the same twice. */
@@ -257,7 +282,7 @@ int main(void)
     Suite *suite = suite_create("variable_steps: the life of a stepper");
     ADD_CASE(suite, "stepper", a_copy_goes_on_with_the_same_digits,
              a_copy_makes_factors_of_its_own, uniform_methods_have_rows_only,
-             what_callbacks_say_comes_back, rows_together_are_rows_one_by_one,
+             what_callbacks_say_comes_back, a_tolerance_that_rounding_hides_is_refused, rows_together_are_rows_one_by_one,
              rows_that_are_not_to_be_had_are_refused);
     return run_suite(suite);
 }

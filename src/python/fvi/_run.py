@@ -326,7 +326,7 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
                 right to it by an estimate; by "fvi-adaptive", or for a law that it does not take
                 "fvi-lobatto4" or "fvi-bdf2", unless another method is named
     step_error  instead of error, a length > 0: what x may be off by in one step of "fvi-adaptive", the method
-                then, by the estimate of that step
+                then, by the estimate of that step; below 1e-17 of the size at the start, which rounding hides, an Error
     longest     no step is longer, of "fvi-adaptive" or where `error` is given: shorter than the shortest
                 pulse of a force that is a function, which may be passed over else
     most_steps  of "fvi-adaptive", and with error: no run takes more steps; fvi.Error (10, or 14
