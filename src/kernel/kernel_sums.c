@@ -1,8 +1,8 @@
 /* src/kernel/kernel_sums.c -- A law is a sum of terms: is it in range, its symbol, its growth, its moduli.  [H 26] */
 #include "kernel_classes.h"
-#include "symbol_poles.h"
 
 #include "kernel_general.h"
+#include "symbol_poles.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
