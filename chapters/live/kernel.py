@@ -31,7 +31,7 @@ BUILDING_MODULES = """structures structure_dampers sparse factors history_space 
     damping damping_matrices damping_sums initial_history_force kernel_history kernel_modes kernel_classes kernel_sums kernel_general damping_laws
     coefficients convolution_quadrature history_direct history_modes memory memory_nodes past newton newton_stages band lu
     dampers_check run_check run_damper solution trajectory impulses error system lagrangian""".split()
-BUILDING_ABSENT = """fvi_cholmod_alloc fvi_cholmod_solve fvi_events_check fvi_impulses_of_kernel_alloc fvi_impulses_of_kernel_at
+BUILDING_ABSENT = """fvi_symbol_has_poles fvi_cholmod_alloc fvi_cholmod_solve fvi_events_check fvi_impulses_of_kernel_alloc fvi_impulses_of_kernel_at
     fvi_impulses_of_kernel_copy fvi_impulses_of_kernel_free fvi_history_tiled_alloc fvi_history_tiled_bytes fvi_linearised_force
     fvi_newton_by_linearised fvi_shifted_symbol fvi_stability_number_none fvi_mechanism_start gsl_integration_glfixed_point
     gsl_integration_glfixed_table_alloc gsl_integration_glfixed_table_free gsl_fft_complex_radix2_forward""".split()
