@@ -1,4 +1,4 @@
-/* src/system/archive_pieces.h -- Several pieces of a run, shown to a visitor one after another. */
+/* src/system/archive_pieces.h -- Serialise several pieces of memory of a run, one after another. */
 #ifndef FVI_ARCHIVE_PIECES_H
 #define FVI_ARCHIVE_PIECES_H
 
@@ -10,9 +10,10 @@ typedef struct {
     int constant;
 } fvi_piece;
 
-/* fvi_serialize_pieces -- v->serialize of one piece after another. Returns the first code that is not 0, or 0.
- * FVI_SERIALIZE -- the same of a list. FVI_STATE is a variable that steps change, FVI_CONSTANT a variable that they do
- * not change; FVI_STATES and FVI_CONSTANTS are the n elements of an array. For example
+/* fvi_serialize_pieces -- Call v->serialize for each piece in turn, until a call returns a code that is not 0. Return
+ * this code, or 0 if every call returned 0.
+ * FVI_SERIALIZE -- Do the same for a list of pieces. FVI_STATE is a variable that steps change, and FVI_CONSTANT is a
+ * variable that steps do not change. FVI_STATES and FVI_CONSTANTS are the n elements of an array. For example
  *
  *     status = FVI_SERIALIZE(v, FVI_CONSTANT(Q), FVI_STATE(k), FVI_STATES(z, n)); */
 static inline int fvi_serialize_pieces(fvi_archive *v, size_t pieces, const fvi_piece *piece)

@@ -1,4 +1,4 @@
-/* src/system/arrays.h -- Arrays of numbers that stand in one block. */
+/* src/system/arrays.h -- Allocate several arrays of numbers in one block of memory. */
 #ifndef FVI_ARRAYS_H
 #define FVI_ARRAYS_H
 
@@ -6,17 +6,18 @@
 #include <stdlib.h>
 
 typedef struct {
-    double **to; /* the pointer that gets the address of the array */
+    double **to; /* the pointer that will hold the address of the array */
     size_t count;
 } fvi_array;
 
-/* fvi_arrays_alloc -- zeros for all these arrays, one after another in a block. Returns the block, where the first array
- * begins: free the block, and no array alone. NULL if there is no memory, and then no pointer is set.
- * FVI_ARRAYS -- the same of a list. For example, with double *x, *G:
+/* fvi_arrays_alloc -- Allocate all arrays of the list, one after another in one block, and set every number to zero.
+ * Return the block, which is also the first array. The caller frees the block, never a single array. If memory is
+ * short, return NULL and set no pointer.
+ * FVI_ARRAYS -- Do the same for a list of arrays. For example, with double *x, *G:
  *
  *     double *block = FVI_ARRAYS({ &x, d }, { &G, d * d });
  *
- * The caller answers for each count, such as d * d; that their sum does not overflow is checked here. */
+ * The function checks that the sum of the counts does not overflow. The caller checks each count, such as d * d. */
 static inline double *fvi_arrays_alloc(size_t arrays, const fvi_array *array)
 {
     size_t all = 1;

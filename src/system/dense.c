@@ -1,4 +1,4 @@
-/* src/system/dense.c -- Small full matrices that many vectors are multiplied by.    [H 27] */
+/* src/system/dense.c -- Invert small full matrices and multiply them by vectors.    [H 27] */
 #include "dense.h"
 
 #include "vectors.h"
@@ -8,7 +8,7 @@
 
 /* ---- inverse ---- */
 
-/* row -= factor pivot_row, n numbers each. */
+/* Compute row -= factor * pivot_row, n numbers each. */
 FVI_VECTORS static void subtract_multiple(size_t n, double factor, const double *restrict pivot_row,
                                           double *restrict row)
 {
@@ -24,7 +24,8 @@ static void exchange(double *x, double *y)
     *y = kept;
 }
 
-/* The row from j on whose entry in column j is the largest comes to row j. */
+/* Find the row, from row j on, that has the largest entry in column j. Exchange this row with row j, and return its old
+ * index. */
 static size_t bring_pivot(size_t n, double *A, size_t j)
 {
     size_t pivot = j;
@@ -54,7 +55,7 @@ int fvi_dense_invert(size_t n, double *A, size_t *order)
                 subtract_multiple(n, factor, row, A + i * n);
             }
     }
-    for (size_t j = n; j-- > 0;) /* exchanges of rows are exchanges of the inverse's columns */
+    for (size_t j = n; j-- > 0;) /* an exchange of two rows of A is an exchange of two columns of the inverse */
         for (size_t i = 0; order[j] != j && i < n; i++)
             exchange(&A[i * n + j], &A[i * n + order[j]]);
     return FVI_SUCCESS;
@@ -62,10 +63,10 @@ int fvi_dense_invert(size_t n, double *A, size_t *order)
 
 /* ---- product ---- */
 
-/* Four doubles side by side, at any address. */
+/* four doubles side by side, at any address that suits a double */
 typedef double four __attribute__((vector_size(32), aligned(8), may_alias));
 
-/* `count` fours of rows, a number that the compiler knows. */
+/* Compute 4 * count rows of the product. The compiler knows count, so it unrolls the loops. */
 static inline __attribute__((always_inline)) void
 multiply_rows(size_t count, size_t rows, size_t columns, const double *A, const double *in, double *out)
 {

@@ -1,7 +1,7 @@
-/* src/system/digamma.h -- psi, the derivative of ln Gamma.
+/* src/system/digamma.h -- Compute the digamma function psi, the derivative of ln Gamma.
  *
- * Where psi has a pole, at 0, -1, -2, ..., GSL calls its error handler, which ends the process
- * unless the program has switched it off. The library ends no process: here psi is NaN there. */
+ * The function psi has poles at 0, -1, -2, ... There GSL calls its error handler, which ends the process unless the
+ * program has switched it off. The library must end no process, so fvi_digamma returns NaN at the poles. */
 #ifndef FVI_DIGAMMA_H
 #define FVI_DIGAMMA_H
 

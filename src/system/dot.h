@@ -1,10 +1,10 @@
-/* src/system/dot.h -- The product of two vectors. */
+/* src/system/dot.h -- Compute the scalar product of two vectors. */
 #ifndef FVI_DOT_H
 #define FVI_DOT_H
 
 #include <stddef.h>
 
-/* fvi_dot -- a . b, n numbers each, summed from the first product to the last. */
+/* fvi_dot -- Return the scalar product of a and b, n numbers each, summed from the first product to the last. */
 static inline double fvi_dot(size_t n, const double *a, const double *b)
 {
     double sum = 0;

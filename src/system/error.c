@@ -1,4 +1,4 @@
-/* src/system/error.c -- What a function says when it could not do it. */
+/* src/system/error.c -- The error handler, the interrupter, and the texts of the error codes. */
 #include <fvi/version.h>
 #include "system/fail.h"
 
@@ -6,7 +6,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-/* ---- the handler ---- */
+/* ---- error handler ---- */
 
 static _Atomic(fvi_error_handler *) handler;
 
@@ -17,13 +17,13 @@ fvi_error_handler *fvi_set_error_handler(fvi_error_handler *next)
 
 int fvi_tell_handler(const char *reason, const char *file, int line, int code)
 {
-    fvi_error_handler *now = handler; /* another thread may set the next one */
+    fvi_error_handler *now = handler; /* a copy, because another thread may set another handler at any time */
     if (now)
         now(reason, file, line, code);
     return code;
 }
 
-/* ---- an end from without ---- */
+/* ---- interrupter ---- */
 
 static _Atomic(fvi_interrupter *) interrupter;
 
@@ -39,12 +39,12 @@ int fvi_interrupted(void)
     return now ? now() : FVI_SUCCESS;
 }
 
-/* ---- GSL's handler ---- */
+/* ---- error handler of GSL ---- */
 
 static atomic_flag busy =
-    ATOMIC_FLAG_INIT;               /* a lock that is held for no time */
-static size_t quiet;                /* pairs that are open */
-static gsl_error_handler_t *of_gsl; /* what GSL had before the first */
+    ATOMIC_FLAG_INIT;               /* a spin lock, held for a few instructions only */
+static size_t quiet;                /* number of open pairs of fvi_quiet and fvi_loud */
+static gsl_error_handler_t *of_gsl; /* GSL's handler before the first open pair */
 
 void fvi_quiet(void)
 {
@@ -64,7 +64,7 @@ void fvi_loud(void)
     atomic_flag_clear(&busy);
 }
 
-/* ---- words ---- */
+/* ---- texts of the codes ---- */
 
 const char *fvi_error_name(int code)
 {

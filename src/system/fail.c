@@ -1,4 +1,4 @@
-/* src/system/fail.c -- What was wrong, in words. */
+/* src/system/fail.c -- Write the text of an error. */
 #include <fvi/error.h>
 
 #include <stdarg.h>
@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What was typed may be long, and what is wrong with it stands at the end: the middle
- * gives way. */
+/* Write a text that is too long for the error, with "..." in place of its middle. The texts that a user typed may be
+ * long, and the reason for the refusal stands at the end. */
 static void leave_out_the_middle(char *text, size_t length, const char *format,
                                  va_list arguments)
 {
-    const size_t end = FVI_ERROR_ROOM / 2; /* so much of the end, its '\0' included */
+    const size_t end = FVI_ERROR_ROOM / 2; /* bytes of the end of the text, including its '\0' */
     char *whole = malloc(length + 1);
     if (whole) {
         vsnprintf(whole, length + 1, format, arguments);
@@ -39,7 +39,7 @@ int fvi_fail(fvi_error *error, int code, const char *field, double value,
         leave_out_the_middle(error->text, (size_t)length, format, again);
     va_end(again);
     va_end(arguments);
-    for (char *t = error->text; *t; t++) /* one line, whatever was typed */
+    for (char *t = error->text; *t; t++) /* replace control characters, so that the text stays one line */
         if ((unsigned char)*t < ' ')
             *t = '?';
     return code;

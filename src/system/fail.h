@@ -1,28 +1,28 @@
-/* src/system/fail.h -- How a function of the library fails. */
+/* src/system/fail.h -- Report the errors of library functions. */
 #ifndef FVI_FAIL_H
 #define FVI_FAIL_H
 
 #include <fvi/error.h>
 
-/* fvi_quiet, fvi_loud -- around calls of GSL's that may fail: GSL's own handler, which
- * is one for the process and aborts, is off in between. Pairs may be nested, and may
- * overlap in several threads. Allocations, eigenvalues, roots, integrals and
- * Cholesky's factors may fail. Views, sums, transforms and what is solved with the LU
- * factors of a few stages (lu.h), whose arguments are checked, stand bare. None of
- * them may ask for memory within: where there is none, GSL goes on without.
+/* fvi_quiet, fvi_loud -- Switch GSL's error handler off, and on again. Put a call of GSL that may fail between both,
+ * because GSL has one handler for the whole process, and its default handler aborts. Pairs may be nested, and pairs of
+ * several threads may overlap. Calls that may fail are allocations, eigenvalues, roots, integrals and Cholesky
+ * factorisations. Calls whose arguments the library has checked need no pair: views, sums, transforms, and solutions
+ * with the LU factors of a few stages (lu.h). No call, inside or outside a pair, may allocate memory within: if such an
+ * allocation fails, GSL goes on without the memory.
  *
- * Of GSL 2.7 gsl_matrix_alloc, gsl_eigen_symm_alloc and gsl_eigen_symmv_alloc do not free
- * the first half where there is no memory for the second. So matrices are views of arrays
- * of ours, and the workspaces, whose fields GSL's header declares, stand in one array.
- * That of gsl_multifit_nlinear is GSL's secret: identification_search.c asks first whether there is
- * room for it. */
+ * Do not call gsl_matrix_alloc, gsl_eigen_symm_alloc or gsl_eigen_symmv_alloc. In GSL 2.7 they leak their first part if
+ * the allocation of their second part fails. So the library's matrices are views of arrays that the library allocates.
+ * Its workspaces for eigenvalues, whose fields GSL's header declares, lie in one such array. GSL hides the workspace of
+ * gsl_multifit_nlinear, so identification_search.c checks first that there is enough memory for it. */
 void fvi_quiet(void);
 void fvi_loud(void);
 
-/* Tell the handler, if there is one; returns code. */
+/* fvi_tell_handler -- Call the error handler, if the program has set one. Return code. */
 int fvi_tell_handler(const char *reason, const char *file, int line, int code);
 
-/* The error is of number `index`, from 0, of several; returns code: `return fvi_at_index(error, i, fvi_fail(error, ...))`. */
+/* fvi_at_index -- Store in the error which of several numbers, counted from 0, was refused. Return code. For example
+ * `return fvi_at_index(error, i, fvi_fail(error, ...))`. */
 static inline int fvi_at_index(fvi_error *error, size_t index, int code)
 {
     if (error)
@@ -30,7 +30,8 @@ static inline int fvi_at_index(fvi_error *error, size_t index, int code)
     return code;
 }
 
-/* What the caller's interrupter says, 0 if there is none: a loop that may last asks. */
+/* fvi_interrupted -- Return what the caller's interrupter returns, or 0 if there is none. Loops that may take long call
+ * this function. */
 int fvi_interrupted(void);
 
 #define FVI_FAIL(reason, code)                                                 \

@@ -1,4 +1,4 @@
-/* src/system/format_double.c -- A number as a word. */
+/* src/system/format_double.c -- Write a double as a text that reads back to the same double. */
 #include <fvi/format_double.h>
 
 #include <float.h>
@@ -8,17 +8,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- by the C library ---- */
+/* ---- slow path: by the C library ---- */
 
-/* Does v come back from so many digits? */
+/* Write v with this many digits. Return 1 if the text reads back to v, and 0 if not. */
 static int comes_back(double v, int digits, char text[32])
 {
     snprintf(text, 32, "%.*g", digits, v);
     return strtod(text, NULL) == v;
 }
 
-/* A decimal number of up to 15 digits is in its double, and 17 digits bring every double
- * back: the question is 15, 16 or 17. Of subnormal numbers fewer may do. */
+/* Try 15, 16 and 17 digits. Every decimal number of up to 15 digits survives in a double, and 17 digits bring every
+ * double back. A subnormal number may need fewer than 15 digits, so the search for it begins with one digit. */
 static void slowly(double v, char text[32])
 {
     if (fabs(v) < DBL_MIN)
@@ -30,9 +30,9 @@ static void slowly(double v, char text[32])
         snprintf(text, 32, "%.16g", v);
 }
 
-/* ---- by whole numbers, where they have room ---- */
+/* ---- fast path: by integer arithmetic, for the exponents that fit into 128 bits ---- */
 
-#ifdef __SIZEOF_INT128__ /* processors of 64 bits have them, others go slowly */
+#ifdef __SIZEOF_INT128__ /* compilers for 64-bit processors have this type; others take the slow path */
 __extension__ typedef unsigned __int128 wide;
 
 static const uint64_t fives[] = { 1U,
@@ -63,17 +63,18 @@ static const uint64_t fives[] = { 1U,
                                   298023223876953125U,
                                   1490116119384765625U,
                                   7450580596923828125U };
-#define SEVENTEEN 100000000000000000U /* the least number of 18 digits */
+#define SEVENTEEN 100000000000000000U /* the smallest number of 18 digits */
 
-/* |v| 10^k = product / 2^s, exactly, is a number of 17 digits and its fraction: |v| is
- * m 2^e, and product is m 5^k. */
+/* The number |v| = m 2^e, scaled by a power of ten so that its integer part has 17 digits:
+ *
+ *   |v| 10^k = product / 2^s exactly,  product = m 5^k,  s = -(e + k),  whole = integer part */
 typedef struct {
     uint64_t m, whole;
     wide product;
     int k, s;
 } scaled;
 
-/* Returns 0 where there is no room. */
+/* Scale |v|. Return 1, or 0 if the numbers do not fit into 128 bits. */
 static int scale(double v, scaled *n)
 {
     uint64_t bits;
@@ -83,7 +84,7 @@ static int scale(double v, scaled *n)
     n->k = 16 - (int)floor((e + 52) * 0.30102999566398120);
     for (
         ;;
-        n->k--) { /* the logarithm of 2^{e+52}, not of |v|: one too many perhaps */
+        n->k--) { /* k follows from the logarithm of 2^{e+52}, not of |v|, so k may be too large by one */
         n->s = -(e + n->k);
         if (n->k < 0 || n->k > 27 || n->s < 1 || n->s > 64)
             return 0;
@@ -95,7 +96,7 @@ static int scale(double v, scaled *n)
     }
 }
 
-/* The nearest number of 17 digits or fewer, where the last ones, up to unit, are zero. */
+/* Round the scaled number to a multiple of unit, ties to even. */
 static uint64_t nearest(const scaled *n, uint64_t unit)
 {
     const uint64_t q = n->whole / unit;
@@ -104,8 +105,9 @@ static uint64_t nearest(const scaled *n, uint64_t unit)
     return (q + (rest > half || (rest == half && q % 2 == 1))) * unit;
 }
 
-/* Nearer to |v| than half the distance to the next double, which is 5^k, or, below a power
- * of two, half of that? Never as near, as 5^k is odd. */
+/* Return 1 if the decimal number `digits` reads back to |v|, that is, if it is nearer to |v| than half the distance to
+ * the next double. In scaled units this half distance is 5^k / 2 (in units of 2^-s), and below a power of two a quarter
+ * of 5^k. A tie cannot occur, because 5^k is odd. */
 static int is_near(const scaled *n, uint64_t digits)
 {
     const wide there = (wide)digits << n->s;
@@ -115,7 +117,7 @@ static int is_near(const scaled *n, uint64_t digits)
     return off * (below ? 4 : 2) < fives[n->k];
 }
 
-/* As %g has it: so many of the digits, no zeros at the end. */
+/* Write the digits as the format %g would, without zeros at the end. */
 static void write(int negative, uint64_t digits, int exponent, int precision,
                   char *text)
 {
@@ -128,7 +130,7 @@ static void write(int negative, uint64_t digits, int exponent, int precision,
     if (negative)
         *text++ = '-';
     const int power = exponent < -4 || exponent >= precision,
-              point = power ? 1 : exponent + 1; /* so many digits before it */
+              point = power ? 1 : exponent + 1; /* number of digits before the decimal point */
     if (point <= 0) {
         *text++ = '0';
         *text++ = '.';
@@ -141,7 +143,7 @@ static void write(int negative, uint64_t digits, int exponent, int precision,
         *text++ = i < last ? all[i] : '0';
     }
     if (power) {
-        const int size = exponent < 0 ? -exponent : exponent; /* 17 at most */
+        const int size = exponent < 0 ? -exponent : exponent; /* at most 17 in magnitude */
         *text++ = 'e';
         *text++ = exponent < 0 ? '-' : '+';
         *text++ = (char)('0' + size / 10);
@@ -162,7 +164,7 @@ static int quickly(double v, char *text)
         if (unit == 1 || is_near(&n, digits))
             break;
     }
-    const int more = digits == SEVENTEEN; /* rounded up to a power of ten */
+    const int more = digits == SEVENTEEN; /* digits were rounded up to a power of ten */
     write(v < 0, more ? digits / 10 : digits, 16 - n.k + more, precision, text);
     return 1;
 }

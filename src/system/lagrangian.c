@@ -1,4 +1,4 @@
-/* src/system/lagrangian.c -- Lagrangians: momentum, velocity and energy at one point. [H 29] */
+/* src/system/lagrangian.c -- Compute momentum, velocity and energy from a Lagrangian. [H 29] */
 #include "lagrangian_point.h"
 
 #include "fail.h"
@@ -17,7 +17,8 @@ const fvi_lagrangian *fvi_lagrangian_of(const fvi_system *system)
     return system->mechanism ? system->mechanism->lagrangian : NULL;
 }
 
-/* L = sum m v^2 / 2 - U(x) and its derivatives. */
+/* Evaluate L = sum_i m_i v_i^2 / 2 - U(x) and its derivatives. The mixed derivative Lxv is zero, so the caller sets
+ * it. */
 static int masses_and_potential(const fvi_system *s, const double *x,
                                 const double *v, double *L, double *Lx,
                                 double *Lv, double *Lxx, double *Lvv)
@@ -75,7 +76,8 @@ int fvi_solve_matrix(size_t n, double *A, double *r, size_t *order)
     return FVI_SUCCESS;
 }
 
-/* Coordinates without inertia keep their velocity: a row and a column of the unit matrix. */
+/* Replace the equation of each coordinate without inertia by a row of the unit matrix with right side 0, so that
+ * Newton's method leaves its velocity unchanged. */
 static void leave_out_massless(size_t d, double *Lvv, double *r)
 {
     for (size_t i = 0; i < d; i++) {
@@ -128,7 +130,7 @@ static int has_zero_row(size_t d, const double *Lvv)
     return 0;
 }
 
-/* Where an inertia vanishes at v alone, Newton's method begins with the velocities 1. */
+/* Set all velocities to 1 if an inertia vanishes at v only, because there Newton's method has no step. */
 static int leave_rest(const fvi_system *s, double t, const double *x, double *v, double *room,
                       size_t *order)
 {
@@ -139,8 +141,8 @@ static int leave_rest(const fvi_system *s, double t, const double *x, double *v,
     return status;
 }
 
-/* Near the root each change is about the square of the one before. So one that is below
- * 1e-8, the root of a rounding, and not below half of the one before it, is made of roundings. */
+/* Near the root each change is about the square of the change before. So a change is made of rounding errors if it is
+ * below 1e-8 (about the root of a rounding error) of v and still more than half of the change before. */
 int fvi_velocity_add(size_t d, const double *change, double *v, double *last,
                      int *is_done)
 {
@@ -157,8 +159,8 @@ int fvi_velocity_add(size_t d, const double *change, double *v, double *last,
 }
 
 //> velocity
-/* Newton's method. A Lagrangian is mostly quadratic in v, and then one step does it; another is
- * taken for its roundings. room: 2 d + d * d numbers. */
+/* Solve L_v(x, v, t) = p for v by Newton's method. Most Lagrangians are quadratic in v. Then one step gives v, and a
+ * second step only confirms it. room is workspace for 2 d + d * d numbers. */
 static int solve_velocity(const fvi_system *s, double t, const double *x, const double *p, double *v, double *room,
                           size_t *order)
 {
@@ -236,7 +238,7 @@ int fvi_energy_at(const fvi_system *system, double t, const double *x,
         sum += v[i] * Lv[i]; /* (29.9) */
     free(v);
     if (!status && !isfinite(sum))
-        return FVI_EOVRFLW; /* no mistake of the caller: no handler */
+        return FVI_EOVRFLW; /* overflow is no mistake of the caller, so the error handler is not called */
     if (!status)
         *E = sum;
     return status;

@@ -1,4 +1,5 @@
-/* src/system/lanes.c -- Oscillators that take their steps together.       [H 28] */
+/* src/system/lanes.c -- Evaluate potentials and forces of several oscillators at once, as the lanes of one vector.     
+ *  [H 28] */
 #include "lanes.h"
 
 #include "quadratic.h"
@@ -6,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- the potentials ---- */
+/* ---- potentials ---- */
 
-/* Each lane is asked by itself. */
+/* Call the potential of each active lane by itself. */
 static int slopes_one_by_one(const fvi_lanes *lanes, const double *x, const double *active,
                              double *g, double *H)
 {
@@ -66,10 +67,11 @@ static int potential_hessian(size_t d, const double *x, void *params, double *H)
     return status;
 }
 
-/* By its address a potential of lanes is known; lanes of lanes there are none. */
+/* The address of this object marks the potential of a common system. Its functions are NULL, because no lane is itself
+ * a common system. */
 const fvi_lane_functions fvi_lanes_together = { NULL, NULL, NULL, NULL };
 
-/* Either all of them are, or none. */
+/* Either the potentials of all lanes are quadratic or no potential is, so the first lane decides. */
 static int is_quadratic(const void *params)
 {
     return fvi_potential_is_quadratic(&((const fvi_lanes *)params)->system[0]->potential);
@@ -88,7 +90,7 @@ fvi_potential fvi_lanes_potential(fvi_lanes *lanes)
                : (fvi_potential){ 0 };
 }
 
-/* ---- the forces ---- */
+/* ---- forces ---- */
 
 static int force_value(double t, size_t d, void *params, double *F)
 {
@@ -99,7 +101,7 @@ static int force_value(double t, size_t d, void *params, double *F)
         for (size_t l = 0; l < FVI_MOST_LANES; l++)
             times[l] = t;
         lanes->system[0]->force.lanes->evaluate(lanes->force, times, NULL, all, NULL);
-        if (d == FVI_MOST_LANES) /* no call for one vector */
+        if (d == FVI_MOST_LANES) /* for a constant size the compiler makes one vector move instead of a call */
             memcpy(F, all, sizeof all);
         else
             memcpy(F, all, d * sizeof *F);
@@ -118,9 +120,9 @@ fvi_force fvi_lanes_force(fvi_lanes *lanes)
                                          : (fvi_force){ 0 };
 }
 
-/* ---- what is prepared ---- */
+/* ---- preparation ---- */
 
-/* So many numbers of each lane, 1 or 2. */
+/* Read 1 or 2 numbers of each lane. The lanes behind the last one repeat the last one. */
 static int prepare_numbers(size_t numbers, size_t count, void *const *params, void **prepared)
 {
     fvi_lane_pairs *p = malloc(sizeof *p);
@@ -147,7 +149,8 @@ int fvi_lane_numbers_prepare(size_t count, void *const *params, void **prepared)
     return prepare_numbers(1, count, params, prepared);
 }
 
-/* Of functions that all lanes have; FVI_EUNSUP is no error here. */
+/* Prepare the functions if all lanes have the same ones. Otherwise, and if `prepare` returns FVI_EUNSUP, leave
+ * *prepared = NULL: then each lane calls its own function. */
 static int prepare(const fvi_lanes *lanes, const fvi_lane_functions *const *functions,
                    void *const *params, void **prepared)
 {

@@ -1,27 +1,29 @@
-/* src/system/lanes.h -- Oscillators that take their steps together.       [H 28]
+/* src/system/lanes.h -- Evaluate potentials and forces of several oscillators at once, as the lanes of one vector.     
+ *  [H 28]
  *
- * Internal: what batch.h makes of several runs. Each has one coordinate, and is a lane; the
- * lanes are the coordinates of one system. A vector of the processor has one number of
- * each of them. The digits of a lane are those of its own run. */
+ * This header is internal. batch.h makes lanes of several runs. Each run has one coordinate and becomes a lane: one
+ * coordinate of a common system. So one vector of the processor holds one number of each lane. The digits of a lane are
+ * the digits of its own run. */
 #ifndef FVI_LANES_H
 #define FVI_LANES_H
 
 #include <fvi/system.h>
 
-/* As many as the widest vectors have doubles. Arrays of lanes have this length, and where
- * there are fewer lanes the numbers behind them are of no use. */
+/* Number of doubles in the widest vector. Arrays of lanes have this length. If there are fewer lanes, the numbers
+ * behind the last lane have no meaning. */
 enum { FVI_MOST_LANES = 8 };
 
-/* fvi_lane_functions -- a function of one number, U'(x) or F(t), for all lanes at once. The
- * parameters of the lanes may differ, and nothing else.
+/* fvi_lane_functions -- Functions that evaluate U'(x) or F(t) of all lanes at once. The lanes may differ in their
+ * parameters only.
  *
- *   prepare   reads the parameters of `count` lanes. Returns FVI_SUCCESS; FVI_ENOMEM; or
- *             FVI_EUNSUP if the lanes differ in more
- *   evaluate  of each lane: f(x), and f'(x) to slope unless that is NULL. The time t of a force, which is its x, is
- *             the same in all lanes. What is not active, 0 there, may be left as it is; NULL: all lanes are
- *   discard   gives back what prepare made
- *   alone     NULL; or f(x) and f'(x) of one lane from its own params, where both at once take less time than
- *             one after the other */
+ *   prepare   reads the parameters of `count` lanes. Returns FVI_SUCCESS, FVI_ENOMEM, or FVI_EUNSUP if the lanes differ
+ *             in more than parameters
+ *   evaluate  writes f(x) of each lane to f and f'(x) to slope, unless slope is NULL. For a force, x is the time t,
+ *             which is the same in all lanes. active[l] = 0: the caller ignores f[l] and slope[l] of this lane, so the
+ *             function may leave them unchanged. active = NULL: all lanes are active
+ *   discard   frees what prepare has allocated
+ *   alone     NULL, or a function that computes f(x) and f'(x) of one lane from its own params, if both together take
+ *             less time than one after the other */
 typedef struct fvi_lane_functions {
     int (*prepare)(size_t count, void *const *params, void **prepared);
     void (*evaluate)(const void *prepared, const double *x, const double *active, double *f, double *slope);
@@ -29,52 +31,55 @@ typedef struct fvi_lane_functions {
     void (*alone)(const void *params, double x, double *f, double *slope);
 } fvi_lane_functions;
 
-/* fvi_lane_pairs -- params that are two numbers, such as c and g, or a and w, for all lanes.
- * fvi_lane_pairs_prepare is a `prepare` that makes them; its `discard` is free. fvi_lane_numbers_prepare
- * is one for params that are one number, the first; the second is 0. */
+/* fvi_lane_pairs -- Two parameters for each lane, for example c and g, or a and w.
+ *
+ * fvi_lane_pairs_prepare is a `prepare` that reads two numbers from the params of each lane. fvi_lane_numbers_prepare
+ * reads only the first number and sets the second one to 0. For both, `discard` is free. */
 typedef struct fvi_lane_pairs {
     double first[FVI_MOST_LANES], second[FVI_MOST_LANES];
-    int has_one_second; /* is it the same in all lanes? */
+    int has_one_second; /* nonzero if the second number is the same in all lanes */
 } fvi_lane_pairs;
 
 int fvi_lane_pairs_prepare(size_t count, void *const *params, void **prepared);
 int fvi_lane_numbers_prepare(size_t count, void *const *params, void **prepared);
 
-/* fvi_lanes -- the lanes of a system.
+/* fvi_lanes -- The lanes of a common system.
  *
- *   count    1 to FVI_MOST_LANES
- *   system   each has one coordinate; they must outlive the lanes
- *   potential, force  what prepare made; NULL: each lane is asked by itself */
+ *   count             number of lanes, 1 to FVI_MOST_LANES
+ *   system            the system of each lane, with one coordinate. The systems must outlive the lanes
+ *   potential, force  output of `prepare`, or NULL if each lane calls its own function */
 typedef struct fvi_lanes {
     size_t count;
     const fvi_system *system[FVI_MOST_LANES];
     void *potential, *force;
 } fvi_lanes;
 
-/* fvi_lanes_prepare -- make potential and force for lanes whose count and systems are there.
- * Returns FVI_SUCCESS or FVI_ENOMEM. fvi_lanes_discard gives them back. */
+/* fvi_lanes_prepare -- Prepare potential and force. The caller has set count and system. Return FVI_SUCCESS or
+ * FVI_ENOMEM.
+ * fvi_lanes_discard -- Free potential and force. */
 int fvi_lanes_prepare(fvi_lanes *lanes);
 void fvi_lanes_discard(fvi_lanes *lanes);
 
-/* fvi_lanes_potential, fvi_lanes_force -- those of the system whose coordinates are the lanes. Its
- * U is the sum of theirs. Either all lanes have a potential or none; the same of forces. */
+/* fvi_lanes_potential, fvi_lanes_force -- Return the potential and the force of the common system. Its U is the sum of
+ * the potentials of the lanes. Either all lanes have a potential or no lane has one. The same holds for forces. */
 fvi_potential fvi_lanes_potential(fvi_lanes *lanes);
 fvi_force fvi_lanes_force(fvi_lanes *lanes);
 
-/* fvi_lanes_of -- the lanes that are the coordinates of this system; NULL of another one, and where
- * the lanes have no potential. */
+/* fvi_lanes_of -- Return the lanes of a common system. Return NULL if the system is not made of lanes, or if the lanes
+ * have no potential. */
 extern const fvi_lane_functions fvi_lanes_together;
 static inline const fvi_lanes *fvi_lanes_of(const fvi_system *system)
 {
     return system->potential.lanes == &fvi_lanes_together ? system->potential.params : NULL;
 }
 
-/* fvi_lanes_slopes -- U' and U'' of the lanes that are active.
+/* fvi_lanes_slopes -- Compute U' and U'' of each active lane.
  *
- *   x, active  FVI_MOST_LANES numbers; active: 0 or 1
- *   g, H       outputs, FVI_MOST_LANES numbers; H may be NULL
+ *   x       FVI_MOST_LANES numbers
+ *   active  FVI_MOST_LANES numbers, 0 or 1
+ *   g, H    outputs, FVI_MOST_LANES numbers each; H may be NULL
  *
- * Returns FVI_SUCCESS, or what a potential returned. */
+ * Return FVI_SUCCESS, or the code that a potential returned. */
 int fvi_lanes_slopes(const fvi_lanes *lanes, const double *x, const double *active,
                      double *g, double *H);
 

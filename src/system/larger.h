@@ -1,7 +1,7 @@
-/* src/system/larger.h -- The larger and the smaller of two numbers, and NaN if one is NaN.
+/* src/system/larger.h -- Compute the larger and the smaller of two numbers, so that a NaN is not lost.
  *
- * fmax(NaN, 1) is 1: a largest error that is gathered with fmax passes over a run of NaN and
- * calls it exact. So `make text` refuses fmax and fmin wherever such a number is gathered. */
+ * fmax(NaN, 1) is 1. So a largest error that is gathered with fmax ignores NaN, and a run that ended in NaN looks
+ * exact. Therefore `make text` refuses fmax and fmin where such a number is gathered. */
 #ifndef LARGER_H
 #define LARGER_H
 
@@ -18,8 +18,8 @@ static inline double smaller(double a, double b)
     return a <= b || isnan(a) ? a : b;
 }
 
-/* largest_abs -- the largest |v_i| of n numbers, NaN if one is NaN; 0 of none.
- * largest_difference -- the largest |v_i - w_i|, likewise. */
+/* largest_abs -- Return the largest |v_i| of n numbers, NaN if one of them is NaN, and 0 if n = 0.
+ * largest_difference -- Return the largest |v_i - w_i| in the same way. */
 static inline double largest_abs(size_t n, const double *v)
 {
     double most = 0;

@@ -1,5 +1,5 @@
-/* src/system/lines.c -- Text files line by line, and decimal numbers in them. */
-#define _GNU_SOURCE /* getc_unlocked */
+/* src/system/lines.c -- Read a text file line by line, and read decimal numbers in a line. */
+#define _GNU_SOURCE /* for getc_unlocked */
 #include "lines.h"
 
 #include <fvi/error.h>
@@ -26,7 +26,7 @@ static int refuse(fvi_lines *l, size_t column, const char *reason)
     return FVI_EDOM;
 }
 
-/* Room for one byte more, and the NUL behind it. */
+/* Make room for one more byte and a NUL behind it. */
 static int make_room(fvi_lines *l, size_t length)
 {
     if (length + 2 <= l->room)
@@ -40,7 +40,7 @@ static int make_room(fvi_lines *l, size_t length)
     return FVI_SUCCESS;
 }
 
-/* Spreadsheets begin a file with a mark of its encoding, and end lines with \r\n. */
+/* Finish the line. Spreadsheets begin a file with a byte order mark and end lines with \r\n, so both are removed. */
 static int finish(fvi_lines *l, size_t length)
 {
     static const char mark[] = "\xef\xbb\xbf";
@@ -55,7 +55,7 @@ static int finish(fvi_lines *l, size_t length)
                   : FVI_SUCCESS;
 }
 
-/* Up to the end of the line, which is taken, too. */
+/* Read the bytes of a line, and skip the line end. */
 static int read_bytes(fvi_lines *l, size_t *length)
 {
     int byte;
@@ -94,7 +94,7 @@ void fvi_lines_close(fvi_lines *l)
     l->text = NULL;
 }
 
-/* Skip digits; the number of them. */
+/* Skip digits. Return their number. */
 static size_t digits(char **at)
 {
     const size_t n = strspn(*at, "0123456789");

@@ -1,10 +1,10 @@
-/* src/system/lu.c -- Factors of a small full matrix.                    [H 17] */
+/* src/system/lu.c -- Factorise a small full matrix.                    [H 17] */
 #include "lu.h"
 
 #include <gsl/gsl_machine.h>
 #include <math.h>
 
-/* The row from j on whose entry in column j is the largest. The rows of A begin `stride` numbers apart. */
+/* Return the row, from row j on, that has the largest entry in column j. The rows of A begin `stride` numbers apart. */
 static size_t find_pivot(const double *A, size_t n, size_t stride, size_t j)
 {
     size_t pivot = j;
@@ -19,7 +19,7 @@ static size_t find_pivot(const double *A, size_t n, size_t stride, size_t j)
     return pivot;
 }
 
-/* row[l] -= factor of_j[l] from l = first on. */
+/* Compute row[l] -= factor * of_j[l] for l = first, ..., n - 1. */
 static void subtract_row(double *restrict row, const double *restrict of_j,
                          double factor, size_t first, size_t n)
 {
@@ -36,8 +36,8 @@ static void swap_rows(double *A, size_t n, size_t stride, size_t i, size_t j)
     }
 }
 
-/* A start of a run with stages factorises some hundred matrices of at most 8 rows, so a call of a function for each entry
- * would cost more than the arithmetic. */
+/* The loops access the array directly, because a function call for each entry would cost more than the arithmetic. A
+ * run with stages factorises some hundred matrices of at most 8 rows at its start. */
 void fvi_lu_factorise(gsl_matrix *matrix, gsl_permutation *permutation)
 {
     const size_t n = matrix->size1, stride = matrix->tda;

@@ -1,4 +1,4 @@
-/* src/system/potentials.c -- Potentials that are ready to use.          [H 2] */
+/* src/system/potentials.c -- The ready-made potentials: harmonic, Duffing, pendulum, chain.          [H 2] */
 #include <fvi/system.h>
 
 #include "lanes.h"
@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* ---- one spring of stretch r: (c + g r^2) r, and what belongs to it ---- */
+/* ---- one spring of stretch r: energy c r^2 / 2 + g r^4 / 4, force and stiffness ---- */
 
 static double spring_energy(double c, double g, double r)
 {
@@ -24,8 +24,8 @@ static double spring_stiffness(double c, double g, double r)
     return c + 3 * g * r * r;
 }
 
-/* What is ready to use only reads its params: the casts below take no const away from
- * anything that is written. */
+/* The ready-made potentials only read their params. So the casts below remove const, but no constant is ever
+ * written. */
 
 /* ---- harmonic and Duffing: a spring from each mass to its own origin ---- */
 
@@ -56,14 +56,14 @@ static int duffing_hessian(size_t d, const double *x, void *params, double *H)
     return 0;
 }
 
-/* Of springs that are ready to use, duffing and chain: is there no r^4? */
+/* Return 1 if the springs of a Duffing potential or a chain have no term r^4. */
 static int springs_are_linear(const void *params)
 {
     const double *cg = params;
     return cg[1] == 0;
 }
 
-/* c and g of each lane are a pair. */
+/* Compute force and stiffness of the springs. The pair of each lane is (c, g). */
 FVI_VECTORS static void slopes_of_springs(const fvi_lane_pairs *p, const double *x, double *f,
                                           double *slope)
 {
@@ -95,7 +95,7 @@ fvi_potential fvi_potential_duffing(const double cg[2])
                             .lanes = &duffing_lanes };
 }
 
-/* Harmonic has its own functions because its parameter is one number. */
+/* The harmonic potential has its own functions, because its params are one number, c. */
 static int harmonic_value(size_t d, const double *x, void *params,
                           double *value)
 {
@@ -124,7 +124,7 @@ static int always(const void *params)
     return 1;
 }
 
-/* c of each lane. */
+/* Compute force and stiffness of the harmonic springs. The first number of each lane is c. */
 FVI_VECTORS static void slopes_of_harmonics(const fvi_lane_pairs *p, const double *x, double *f, double *slope)
 {
 #pragma omp simd
@@ -162,7 +162,7 @@ static int pendulum_value(size_t d, const double *x, void *params,
     double sum = 0;
     for (size_t i = 0; i < d; i++) {
         double s = sin(x[i] / 2);
-        sum += 2 * s * s; /* 1 - cos x, without the cancellation at small x */
+        sum += 2 * s * s; /* 1 - cos x, without cancellation at small x */
     }
     *value = *(const double *)params * sum;
     return 0;
@@ -183,7 +183,8 @@ static int pendulum_hessian(size_t d, const double *x, void *params, double *H)
     return 0;
 }
 
-/* g of each lane. The compiler asks for sine and cosine in one call, which what is not active would cost, too. */
+/* The first number of each lane is g. The loop skips lanes that are not active, because sine and cosine are expensive.
+ * The compiler computes both in one call. */
 static void evaluate_pendulums(const void *prepared, const double *x, const double *active, double *f, double *slope)
 {
     const fvi_lane_pairs *p = prepared;
@@ -209,7 +210,7 @@ fvi_potential fvi_potential_pendulum(const double *g)
                             .lanes = &pendulum_lanes };
 }
 
-/* ---- chain: spring i ties mass i - 1 to mass i; -1 and d are the walls ---- */
+/* ---- chain: spring i connects mass i - 1 to mass i; masses -1 and d are the walls ---- */
 
 static double stretch(size_t d, const double *x, size_t i)
 {
@@ -238,7 +239,7 @@ static int chain_gradient(size_t d, const double *x, void *params, double *grad)
     return 0;
 }
 
-/* Row i holds k_i + k_{i+1} and -k_{i+1}, the stiffnesses of its two springs. */
+/* Row i holds k_i + k_{i+1} and -k_{i+1}, where k_i and k_{i+1} are the stiffnesses of the two springs at mass i. */
 static int chain_hessian(size_t d, const double *x, void *params, double *H)
 {
     const double *cg = params;

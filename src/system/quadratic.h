@@ -1,10 +1,11 @@
-/* src/system/quadratic.h -- Is the Hessian of a potential the same everywhere? */
+/* src/system/quadratic.h -- Test whether the Hessian of a potential is constant. */
 #ifndef FVI_QUADRATIC_H
 #define FVI_QUADRATIC_H
 
 #include <fvi/system.h>
 
-/* fvi_potential_is_quadratic -- does the potential say that it is quadratic? One that is not there says nothing. */
+/* fvi_potential_is_quadratic -- Return nonzero if the potential promises that it is quadratic. Return 0 if there is no
+ * potential. */
 static inline int fvi_potential_is_quadratic(const fvi_potential *u)
 {
     return u->quadratic && u->quadratic(u->params);

@@ -1,15 +1,15 @@
-/* src/system/sensitivity.c -- How a potential depends on its parameters. [H 23] */
+/* src/system/sensitivity.c -- Derivatives of grad U by the parameters of the ready-made potentials. [H 23] */
 #include <fvi/sensitivity.h>
 
 #include <math.h>
 
-/* A spring of stretch r pulls with c r + g r^3. */
+/* Return the derivative of the spring force c r + g r^3 by c (j = 0) or by g (j = 1). */
 static double spring(size_t j, double r)
 {
     return j == 0 ? r : r * r * r;
 }
 
-/* harmonic, too: it has no second parameter */
+/* Serves the harmonic potential, too, which has only the parameter c. */
 static int duffing(size_t j, size_t d, const double *x, void *params, double *S)
 {
     (void)params;
@@ -18,7 +18,7 @@ static int duffing(size_t j, size_t d, const double *x, void *params, double *S)
     return 0;
 }
 
-/* grad U = g sin x */
+/* Here grad U = g sin x. */
 static int pendulum(size_t j, size_t d, const double *x, void *params,
                     double *S)
 {
@@ -28,7 +28,7 @@ static int pendulum(size_t j, size_t d, const double *x, void *params,
     return 0;
 }
 
-/* The difference of the pulls of two neighbouring springs. */
+/* The force on mass i is the difference of the forces of its two springs. */
 static int chain(size_t j, size_t d, const double *x, void *params, double *S)
 {
     (void)params;

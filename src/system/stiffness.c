@@ -1,10 +1,11 @@
-/* src/system/stiffness.c -- A bound of the eigenvalues of a Hessian.  [H 18] */
+/* src/system/stiffness.c -- Bound the eigenvalues of a Hessian.  [H 18] */
 #include "stiffness.h"
 #include "system/larger.h"
 
 #include <math.h>
 
-/* sum_j |H_ij|; of a band, row i holds the diagonal and what is right of it. */
+/* Return sum_j |H_ij|. Row i of a band holds the diagonal and the entries to its right. The entries to the left are
+ * found in the rows above, by symmetry. */
 static double row_sum(const double *H, size_t d, size_t diagonals, size_t i)
 {
     double sum = 0;

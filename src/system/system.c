@@ -1,4 +1,5 @@
-/* src/system/system.c -- A mechanical system, as data.                  [H 2] */
+/* src/system/system.c -- Check a system, and evaluate its potential, energy and ready-made forces.                  [H
+ * 2] */
 #include <fvi/system.h>
 
 #include "system/fail.h"
@@ -40,7 +41,7 @@ static int check_matrices(const fvi_system *s, fvi_error *error)
     return FVI_SUCCESS;
 }
 
-/* A number of one coordinate that is out of its range. */
+/* Refuse a number of coordinate i, such as a mass, that is out of range. */
 static int refuse_number(const char *field, double value, size_t i,
                          const char *range, fvi_error *error)
 {
@@ -123,13 +124,13 @@ int fvi_energy(const fvi_system *s, const double *x, const double *p, double *E)
     else
         status = fvi_potential_value(s, x, &value);
     for (size_t i = 0; i < s->d && !s->matrices; i++)
-        if (s->mass[i] > 0) /* a mechanism may have massless coordinates */
+        if (s->mass[i] > 0) /* with a mechanism a coordinate may have mass 0 */
             kinetic += p[i] / s->mass[i] * p[i];
     if (status)
         return status;
     value += kinetic / 2; /* (2.4) */
     if (!isfinite(value))
-        return FVI_EOVRFLW; /* no mistake of the caller: no handler */
+        return FVI_EOVRFLW; /* overflow is no mistake of the caller, so the error handler is not called */
     *E = value;
     return FVI_SUCCESS;
 }
@@ -140,8 +141,8 @@ size_t fvi_potential_hessian_size(const fvi_system *s)
     return s->d > SIZE_MAX / 64 / row ? SIZE_MAX / 64 : s->d * row;
 }
 
-/* Diagonals are spread in place, from the last number up: nothing is written over
- * before it has been read, if a row is no longer than d. */
+/* The diagonals are spread in place, from the last number to the first. So no number is overwritten before it has been
+ * read, provided that a row is not longer than d. Longer rows are shortened to d first. */
 int fvi_potential_hessian(const fvi_system *s, const double *x, double *H)
 {
     const fvi_potential *u = &s->potential;
@@ -161,9 +162,9 @@ int fvi_potential_hessian(const fvi_system *s, const double *x, double *H)
     return FVI_SUCCESS;
 }
 
-/* ---- forces that are ready to use ----
+/* ---- ready-made forces ----
  *
- * They only read their params: the casts take no const away from anything that is written. */
+ * They only read their params. So the casts remove const, but no constant is ever written. */
 
 static int step_value(double t, size_t d, void *params, double *F)
 {
@@ -173,7 +174,7 @@ static int step_value(double t, size_t d, void *params, double *F)
     return 0;
 }
 
-/* The same bounds for every mass. */
+/* Set the bound of derivative k to the same number for every mass. */
 static void fill_bounds(size_t k, size_t d, double bound, double *most)
 {
     for (size_t i = 0; i < d; i++)
@@ -223,7 +224,8 @@ static int cosine_bound(double from, double to, size_t order, size_t d,
     return 0;
 }
 
-/* a and w of each lane are a pair, and t is the same in all lanes: one cosine if w is, too. slope is not asked for. */
+/* Compute the force of all lanes. The pair of each lane is (a, w), and t is the same in all lanes. So one cosine is
+ * enough if all lanes have the same w. slope is not used. */
 static void evaluate_cosines(const void *prepared, const double *t, const double *active, double *f, double *slope)
 {
     const fvi_lane_pairs *p = prepared;

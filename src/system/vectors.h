@@ -1,11 +1,13 @@
-/* src/system/vectors.h -- Loops that are compiled for several widths of vectors.
+/* src/system/vectors.h -- Compile loops for several widths of vectors.
  *
- * A function marked FVI_VECTORS is compiled for plain x86-64, AVX2 and AVX-512, and
- * the loader picks. -ffp-contract=off holds in all, and the order of the sums
- * is written down: the digits are the same. Only the loader of glibc can pick, and
- * any header of the C library says whether it is there. Such a function is static, and another one calls it
- * for other files: clang 14 gives the clones a name that no other file knows. Under ThreadSanitizer there
- * is one version, because the loader would call code that is not ready yet. */
+ * A function that is marked FVI_VECTORS is compiled three times, for plain x86-64, AVX2 and AVX-512, and the loader
+ * selects the version for the processor. All versions give the same digits, because -ffp-contract=off holds in all of
+ * them and the code fixes the order of each sum.
+ *
+ * Only the loader of glibc can select a version. Including any header of the C library, here <stddef.h>, defines
+ * __GLIBC__. A marked function must be static, and other files reach it through an ordinary function, because clang 14
+ * gives the versions names that no other file knows. Under ThreadSanitizer there is only one version, because the
+ * loader would call code that is not ready yet. */
 #ifndef FVI_VECTORS_H
 #define FVI_VECTORS_H
 
@@ -13,7 +15,7 @@
 #include <stdint.h>
 
 #if defined(__has_feature)
-#if __has_feature(thread_sanitizer) /* clang's word for it */
+#if __has_feature(thread_sanitizer) /* how clang announces ThreadSanitizer */
 #define FVI_THREADS_ARE_WATCHED
 #endif
 #elif defined(__SANITIZE_THREAD__)
