@@ -1,4 +1,5 @@
-/* src/memory/coefficients.c -- Grünwald-Letnikov weights.               [H 4] */
+/* src/memory/coefficients.c -- Compute the Grünwald-Letnikov weights and their derivative by the order.              
+ * [H 4] */
 #include <fvi/coefficients.h>
 
 #include "double_double.h"
@@ -32,21 +33,22 @@ int fvi_gl_weights_simple(double alpha, size_t count, double *w)
 }
 
 //> over
-/* a / n for a positive integer n below 2^53; |lo| <= ulp(hi)/2 again. */
+/* Compute a / n for a positive integer n below 2^53. The result again has |lo| <= ulp(hi) / 2. */
 static dd over(dd a, double n)
 {
     double hi = a.hi / n;
-    double lo = (fma(-hi, n, a.hi) + a.lo) / n; /* the remainder, divided */
+    double lo = (fma(-hi, n, a.hi) + a.lo) / n; /* the remainder of the division, divided by n */
     return (dd){ hi + lo, lo - ((hi + lo) - hi) };
 }
 //< over
 
-/* No vectors here, but an fma that is an instruction takes less than one that is called. */
+/* This loop has no vectors. It is marked because the wide versions have fma as an instruction, and a call of fma takes
+ * longer. */
 FVI_VECTORS static void make_weights(double alpha, size_t count, double *w)
 {
     //> weights
     w[0] = 1;
-    dd s = { -1, 0 }; /* w[n] / alpha, about -1/n even if alpha is 1e-310 */
+    dd s = { -1, 0 }; /* s = w[n] / alpha is about -1/n even if alpha is 1e-310 */
     for (size_t n = 1; n < count; n++) {
         double x = (double)n;
         if (n > 1)
@@ -65,7 +67,7 @@ int fvi_gl_weights(double alpha, size_t count, double *w)
     return status;
 }
 
-/* The sum of two sums, its low part to about 106 bits. */
+/* Add two double-doubles. The low part is right to about 106 bits. */
 static dd plus(dd a, dd b)
 {
     dd s = two_sum(a.hi, b.hi);
@@ -79,7 +81,7 @@ int fvi_gl_weights_by_order(double alpha, size_t count, double *rate)
         return status;
     //> rate
     rate[0] = 0;
-    dd s = { -1, 0 }, r = { 0, 0 }; /* w[n] / alpha, and its derivative */
+    dd s = { -1, 0 }, r = { 0, 0 }; /* w[n] / alpha, and its derivative by alpha */
     for (size_t n = 1; n < count; n++) {
         const double x = (double)n;
         if (n >= 2) {

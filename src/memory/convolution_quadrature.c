@@ -1,4 +1,4 @@
-/* src/memory/convolution_quadrature.c -- Weights of other rules. [H 13] */
+/* src/memory/convolution_quadrature.c -- Compute the weights of other convolution quadratures. [H 13] */
 #include <fvi/convolution_quadrature.h>
 
 #include <fvi/coefficients.h>
@@ -22,8 +22,8 @@ size_t fvi_cq_bdf2_factor(double beta, double g[FVI_BDF2_TAPS])
 }
 //< factor
 
-/* delta = (1 - z) (3 - z)/2: from the end, so that w_n is read before it is
- * written. */
+/* Weights of delta = (1 - z) (3 - z) / 2. The loop runs from the last weight to the first, because w_n must be read
+ * before it is overwritten. */
 static void bdf2(double beta, size_t count, double *w)
 {
     double g[FVI_BDF2_TAPS];
@@ -38,7 +38,7 @@ static void bdf2(double beta, size_t count, double *w)
 }
 
 //> trapezoid
-/* (1 - z^2) f' = -2 beta f for f = ((1 - z)/(1 + z))^beta, term by term. */
+/* The weights of f = ((1 - z)/(1 + z))^beta follow term by term from (1 - z^2) f' = -2 beta f. */
 static void trapezoid(double beta, size_t count, double *w)
 {
     w[0] = pow(2, beta);
@@ -49,11 +49,11 @@ static void trapezoid(double beta, size_t count, double *w)
 }
 //< trapezoid
 
-/* (13.5): the slopes of a piecewise linear path under the integral. */
+/* Weights of (13.5): the integral contains the slopes of a piecewise linear path. */
 static void l1(double beta, size_t count, double *w)
 {
     const double unit = 1 / tgamma(2 - beta);
-    double before = 0, after = 1; /* (n+1)^(1-beta) - n^(1-beta), at n - 1, n */
+    double before = 0, after = 1; /* (n+1)^(1-beta) - n^(1-beta) for n - 1 and for n */
     w[0] = unit;
     for (size_t n = 1; n < count; n++) {
         before = after;

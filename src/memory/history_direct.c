@@ -1,4 +1,4 @@
-/* src/memory/history_direct.c -- The sum as it stands.                  [H 12] */
+/* src/memory/history_direct.c -- Compute the history by the direct sum of all terms.                  [H 12] */
 #include <fvi/coefficients.h>
 #include <fvi/error.h>
 #include "history_kinds.h"
@@ -9,10 +9,10 @@
 typedef struct {
     fvi_history_head head;
     size_t steps;
-    int depends_on_steps; /* the weights, in their last digits */
-    double *weights; /* w_n at [steps - n], so that both factors */
-    double *history; /* ascend; component i of term k at [i (steps+1)+k] */
-    double *rates;   /* d w_n / d nu, as the weights; of a memory by_order */
+    int depends_on_steps; /* nonzero if the last digits of the weights depend on steps */
+    double *weights; /* w_n at [steps - n], so that both factors of a */
+    double *history; /* sum ascend; coordinate i of term k at [i * (steps + 1) + k] */
+    double *rates;   /* dw_n/dnu, ordered as the weights; only if the engine was made by_order */
     _Alignas(64) double numbers[];
 } direct_engine;
 
@@ -28,7 +28,7 @@ size_t fvi_history_direct_bytes(size_t d, size_t steps)
     return bytes_of(d, steps, 0);
 }
 
-/* w_n at [steps - n] */
+/* Reverse the weights, so that w_n stands at [steps - n]. */
 static void reverse(size_t steps, double *weights)
 {
     for (size_t i = 0, j = steps; i < j; i++, j--) {
@@ -85,8 +85,8 @@ fvi_history_head *fvi_history_direct_alloc(double nu, int by_order, size_t d, si
     return &m->head;
 }
 
-/* The terms so far, coordinate by coordinate: the room behind them depends on N. Weights that do, too, must be those
- * by which the run has come so far. */
+/* Archive the terms so far, coordinate by coordinate, because the room behind them depends on the number of steps. If
+ * the weights depend on it, too, archive the weights of the run so far: they must be the same when the run goes on. */
 static int archive(fvi_history_head *head, fvi_archive *v)
 {
     direct_engine *m = (direct_engine *)head;
@@ -100,7 +100,7 @@ static int archive(fvi_history_head *head, fvi_archive *v)
     return status;
 }
 
-/* sum_{j < n} a[j] b[j]: partial sum l takes every eighth product. */
+/* Return sum_{j < n} a[j] b[j]. Partial sum l takes every eighth product, from the l-th one on. */
 FVI_VECTORS static double dot(size_t n, const double *restrict a,
                               const double *restrict b)
 {
@@ -132,7 +132,8 @@ static void push(fvi_history_head *head, const double *term, double *H)
 }
 //< direct
 
-/* The same sums with other weights, of the terms before this one. */
+/* Compute the same sums with the derivatives of the weights. The derivative of w_0 = 1 is 0, so the newest term adds
+ * nothing. */
 static void push_by_order(fvi_history_head *head, const double *term, double *H,
                           double *rate)
 {

@@ -1,4 +1,4 @@
-/* src/memory/history_modes.c -- A window and decaying modes.     [H 12] */
+/* src/memory/history_modes.c -- Compute the history by a window of recent terms and decaying modes.     [H 12] */
 #include <fvi/coefficients.h>
 #include "history_tiled.h"
 #include "history_kinds.h"
@@ -12,26 +12,28 @@
 
 enum {
     LANES = 8, /* doubles in the widest vector, and in a cache line */
-    PAIR = 2   /* steps that are done at once */
+    PAIR = 2   /* number of steps that are computed together */
 };
 
 typedef struct {
     fvi_history_head head;
-    size_t Q;            /* padded to a multiple of LANES */
+    size_t Q;            /* number of modes, rounded up to a multiple of LANES */
     int by_order;
-    double near[PAIR];   /* w_1 and w_2; that of lag 0 is 1 */
-    double slopes[PAIR]; /* their rates */
-    double *p, *c;       /* Q numbers: z += x - p z, worth c z */
+    double near[PAIR];   /* w_1 and w_2; w_0 is 1 */
+    double slopes[PAIR]; /* derivatives of w_1 and w_2 by the order */
+    double *p, *c;       /* Q numbers each: z += x - p z, and the mode adds c z to the sum */
     double *window;      /* 0, 0, w_32, w_31, ..., w_3 */
     double *z;           /* Q modes for each coordinate */
-    double *past;        /* the last 32 terms of each, twice over: a ring */
-    double *far;         /* of each, two sums to come, over the lags >= 1 */
-    double *rates;       /* dc/d nu: Q numbers; the rates of the window; and two sums of each with
-                          * them, as far. Of a memory by_order */
+    double *past;        /* a ring of the last 32 terms of each coordinate, stored twice */
+    double *far;         /* for each coordinate, the parts of the next two sums with lags >= 1 */
+    /* only if by_order: dc/dnu, Q numbers; the derivatives of the window; and for each coordinate the derivatives of
+     * the next two sums, as in far */
+    double *rates;
     _Alignas(64) double numbers[];
 } modes_engine;
 
-/* The rates are read from modes that stand as after each step. */
+/* Return 1 if the tiled engine is used. It cannot give derivatives by the order, because they are read from modes that
+ * are up to date after each step. */
 static int tiled(int by_order, size_t d)
 {
     return !by_order && d >= FVI_TILES_FROM;
@@ -42,13 +44,13 @@ static size_t padded(size_t Q)
     return (Q + LANES - 1) / LANES * LANES;
 }
 
-/* The nodes are made for N lags, or for 128 where that is more. */
+/* The nodes are made for the number of steps, but for at least 128 lags. */
 static double lags(size_t steps)
 {
     return fmax((double)steps, 128);
 }
 
-static size_t numbers(size_t Q, int by_order, size_t d) /* a multiple of 8 */
+static size_t numbers(size_t Q, int by_order, size_t d) /* The result is a multiple of 8. */
 {
     return 2 * Q + FVI_WINDOW + d * (Q + 2 * FVI_WINDOW) + padded(PAIR * d)
            + (by_order ? Q + FVI_WINDOW + padded(PAIR * d) : 0);
@@ -83,7 +85,7 @@ static void place(fvi_history_head *head)
 
 static const fvi_history_engine engine;
 
-/* Zeros, or NULL. */
+/* Allocate an engine at rest. Return NULL if memory is short. */
 static modes_engine *make(size_t Q, int by_order, size_t d)
 {
     modes_engine *e = fvi_history_make((fvi_history_head){
@@ -98,13 +100,14 @@ static modes_engine *make(size_t Q, int by_order, size_t d)
     return e;
 }
 
-/* Of a rated memory. */
+/* Return the derivatives of the next two sums. The engine was made by_order. */
 static double *further(const modes_engine *e)
 {
     return e->rates + e->Q + FVI_WINDOW;
 }
 
-/* w_1 to w_32, or their rates: those of the nearest, and the window of the others. */
+/* Split w_1, ..., w_32, or their derivatives, into the weights of the two newest terms and the window of the older
+ * terms. */
 static void open_window(const double *w, double *near, double *window)
 {
     memcpy(near, w + 1, PAIR * sizeof *w);
@@ -112,7 +115,7 @@ static void open_window(const double *w, double *near, double *window)
         window[FVI_WINDOW + PAIR - n] = w[n];
 }
 
-/* p holds s, and becomes what a mode loses in a step; padding ends as c = 0. */
+/* Replace s in p by 1 - exp(-s), the part that a mode loses in a step, and scale c to lag 33. The padding has c = 0. */
 static void decays(modes_engine *e)
 {
     for (size_t q = 0; q < e->Q; q++) {
@@ -124,7 +127,7 @@ static void decays(modes_engine *e)
     }
 }
 
-/* The engine for d coordinates: e, or if it was made for none one that goes by tiles. */
+/* Return the engine for d coordinates. This is e, or a tiled engine if e was made for 0 coordinates. */
 static fvi_history_head *finish(modes_engine *e, const double *w, size_t d)
 {
     decays(e);
@@ -164,7 +167,8 @@ fvi_history_head *fvi_history_modes_of(size_t Q, const double *s, const double *
     return finish(e, w, d);
 }
 
-/* The nodes depend on N, and must be the same. The sums by the order end the piece. */
+/* The nodes depend on the number of steps, so they are archived as constants that must be equal. The sums of the
+ * derivatives stand at the end of the block. */
 static int archive(fvi_history_head *head, fvi_archive *v)
 {
     modes_engine *e = (modes_engine *)head;
@@ -179,24 +183,24 @@ typedef double four
 
 #define WITHIN static inline __attribute__((always_inline))
 
-/* The sum of the eight lanes of v[0] and v[1]. */
+/* Return the sum of the eight numbers of v[0] and v[1]. */
 WITHIN double across(const four *v)
 {
     const four u = v[0] + v[1];
     return (u[0] + u[2]) + (u[1] + u[3]);
 }
 
-/* `new` into the ring, in the place of the oldest term. */
+/* Store a term in the ring, in place of the oldest term. */
 WITHIN void keep(double *past, double new)
 {
     past[0] = past[FVI_WINDOW] = new;
 }
 
-/* All modes two steps on, the terms at past + 1 coming in, and the next two sums of what
- * is known: of the modes after each step, of the window, and of `new` and of the term
- * before it, which stands at past. Partial sum l takes every eighth term, from the l-th
- * on, on every machine: vectors of 2 or 4 doubles change the time and not one digit. No
- * vector waits for the two terms that came in last. */
+/* Advance all modes of a coordinate by two steps, with the terms at past[1] and past[2], which leave the window, and
+ * compute the next two sums. These sums are over the modes after each step, the window, and the two newest terms,
+ * past[0] and `new`. Partial sum l takes every eighth product, from the l-th one on. This order is the same on every
+ * machine, so vectors of 2 or 4 doubles change the time and no digit. The two newest terms are not in the vectors, so
+ * no vector waits for them. */
 WITHIN void sweep(const modes_engine *e, double *modes, double *past,
                   double new, int by_order, double *far, double *slope)
 {
@@ -255,7 +259,7 @@ FVI_VECTORS static void advance_rated(const modes_engine *e, double *modes,
 }
 
 //> push
-/* Term k of coordinate i comes in. */
+/* Take in term k of coordinate i. */
 WITHIN void push_one(const modes_engine *e, size_t i, size_t k, double new,
                      double *H)
 {
@@ -270,7 +274,7 @@ WITHIN void push_one(const modes_engine *e, size_t i, size_t k, double new,
 }
 //< push
 
-/* The same of all coordinates, in one call for the vectors. */
+/* Take in a term of all coordinates in one call, so that the versions for wide vectors are selected once. */
 FVI_VECTORS static void advance_each(const modes_engine *e, size_t k, const double *term, double *H)
 {
     for (size_t i = 0; i < e->head.d; i++) {
@@ -281,7 +285,7 @@ FVI_VECTORS static void advance_each(const modes_engine *e, size_t k, const doub
     }
 }
 
-/* Apart: whoever has one coordinate saves no register for it. */
+/* The function is not inlined, so that the path of one coordinate need not save registers for it. */
 __attribute__((noinline)) static void push_each(modes_engine *e, const double *term, double *H)
 {
     if (e->head.k % PAIR != 0)
@@ -294,7 +298,7 @@ __attribute__((noinline)) static void push_each(modes_engine *e, const double *t
 static void push(fvi_history_head *head, const double *term, double *H)
 {
     modes_engine *e = (modes_engine *)head;
-    if (head->d == 1) /* no loop has to find out that it runs once */
+    if (head->d == 1) /* one coordinate needs no loop */
         push_one(e, 0, head->k, *term, H);
     else
         push_each(e, term, H);

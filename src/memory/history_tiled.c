@@ -1,4 +1,4 @@
-/* src/memory/history_tiled.c -- Thirty-two steps of many memories at once.      [H 28] */
+/* src/memory/history_tiled.c -- Compute the histories of many coordinates in blocks of 32 steps.      [H 28] */
 #include "history_tiled.h"
 #include "history_kinds.h"
 
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- eight rows of a product, by vectors of 2, 4 or 8 doubles ---- */
+/* ---- eight rows of a product, with vectors of 2, 4 or 8 doubles ---- */
 
 typedef void product(size_t columns, size_t n, const double *table,
                      const double *in, const double *lose, double *out);
@@ -30,7 +30,7 @@ typedef void product(size_t columns, size_t n, const double *table,
 #define TARGET __attribute__((target("avx512f")))
 #include "history_tiled_product.h"
 
-/* NULL if this machine has no vectors so wide. */
+/* Return NULL if this machine has no vectors of this width. */
 static product *product_of(size_t lanes)
 {
     switch (lanes) {
@@ -49,31 +49,31 @@ static product *product_of(size_t lanes)
 }
 #endif
 
-/* ---- the memory ---- */
+/* ---- the engine ---- */
 
 enum {
-    THREADS_FROM = 10000,        /* coordinates, where compiled with -fopenmp */
-    AHEAD = 4,                   /* tiles: so early a step asks for its rows */
-    AREA = FVI_EIGHT * FVI_TILE, /* numbers of eight rows of a tile */
-    SQUARE = FVI_EIGHT * FVI_EIGHT, /* of a table between two eights */
-    FARTHEST = 2 * FVI_SLABS - 1    /* so far are two eights apart at most */
+    THREADS_FROM = 10000,        /* number of coordinates from which threads are used, if compiled with -fopenmp */
+    AHEAD = 4,                   /* the rows of a tile are prefetched so many tiles ahead */
+    AREA = FVI_EIGHT * FVI_TILE, /* numbers in eight rows of a tile */
+    SQUARE = FVI_EIGHT * FVI_EIGHT, /* numbers in a table of weights between two eights */
+    FARTHEST = 2 * FVI_SLABS - 1    /* largest distance between two eights, in eights */
 };
 
 typedef struct {
     fvi_history_head head;
     size_t Q, tiles;
     product *times;
-    double *w;     /* w_1 to w_63 at their lags */
-    double *lags;  /* w_{8 D + r - j} for D from 7 down to 1: (28.3) */
-    double *far;   /* c_q e^{-s_q r}, r = 0, ..., 31, by eights: (28.1) */
-    double *decay; /* e^{-s_q (31 - j)} by eights of modes: (28.2) */
+    double *w;     /* w_1, ..., w_63 at their lags */
+    double *lags;  /* w_{8 D + r - j} for D = 7, ..., 1: (28.3) */
+    double *far;   /* c_q e^{-s_q r}, r = 0, ..., 31, in eights of r: (28.1) */
+    double *decay; /* e^{-s_q (31 - j)} in eights of modes: (28.2) */
     double *lose;  /* 1 - e^{-32 s_q} */
     double *z;     /* Q modes of each coordinate, tile by tile */
-    double *slab[FVI_SLABS]; /* rows: terms that are in, sums of those to come */
+    double *slab[FVI_SLABS]; /* eight rows for each tile: the terms so far, and the sums of the terms to come */
     _Alignas(64) double numbers[];
 } tiled_engine;
 
-/* Numbers of the tables, and of the state. */
+/* Number of doubles in the tables, and in the state. */
 static size_t tables(size_t Q)
 {
     return 2 * FVI_WINDOW + FARTHEST * SQUARE + 2 * FVI_WINDOW * Q + Q;
@@ -104,20 +104,21 @@ static void place(fvi_history_head *head)
         t->slab[s] = t->z + t->tiles * (FVI_TILE * t->Q + s * AREA);
 }
 
-/* (1 - p)^n; where p is 1, that is 1 for n = 0. */
+/* Return (1 - p)^n, with 0^0 = 1. */
 static double power(double p, size_t n)
 {
     return n == 0 ? 1 : exp((double)n * log1p(-p));
 }
 
-/* The table between eights D apart; that of the next nearer one follows it. */
+/* Return the table of the weights between two eights at distance D. The table of distance D - 1 follows it. */
 static double *square(const tiled_engine *t, size_t D)
 {
     return t->lags + (FARTHEST - D) * SQUARE;
 }
 
 //> tables
-/* The weights from lag 33 on are what the modes say, so that both ways have the same. */
+/* Fill the tables. The weights from lag 33 on are computed from the modes, so that the sums over lags and the modes use
+ * the same weights. */
 static void fill(tiled_engine *t, const double *p, const double *c)
 {
     for (size_t q = 0; q < t->Q; q++) {
@@ -167,7 +168,7 @@ int fvi_history_tiled_width(fvi_history_head *head, size_t lanes)
     return times != NULL;
 }
 
-/* What the weights and the decays are, must be the same. */
+/* The weights and decay rates must be the same when a run goes on, so they are archived as constants. */
 static int archive(fvi_history_head *head, fvi_archive *v)
 {
     tiled_engine *t = (tiled_engine *)head;
@@ -175,7 +176,7 @@ static int archive(fvi_history_head *head, fvi_archive *v)
                          FVI_STATES(t->z, state(head->d, t->Q)));
 }
 
-/* ---- the sums ---- */
+/* ---- sums ---- */
 
 static size_t columns(const tiled_engine *t, size_t tile)
 {
@@ -183,8 +184,8 @@ static size_t columns(const tiled_engine *t, size_t tile)
     return rest < FVI_TILE ? rest : FVI_TILE;
 }
 
-/* To the sums of the eight rows of `to`, what so many eights of terms say, one after the
- * other, the first of them D before these rows. */
+/* Add to the eight rows of `to` the contribution of several consecutive eights of terms. The first of them is D eights
+ * before `to`. */
 static void between(const tiled_engine *t, size_t count, size_t eights, size_t D,
                     const double *terms, double *to)
 {
@@ -192,7 +193,7 @@ static void between(const tiled_engine *t, size_t count, size_t eights, size_t D
     t->times(count, eights * FVI_EIGHT, square(t, D), terms, none, to);
 }
 
-/* So many numbers of a tile to come are on their way while this one is worked on. */
+/* Prefetch `count` numbers of a later tile. */
 static void fetch(const double *from, size_t count)
 {
     for (size_t i = 0; i < count; i += 8)
@@ -200,8 +201,8 @@ static void fetch(const double *from, size_t count)
 }
 
 //> block
-/* Thirty-two terms are in: what they and all before them say to the next 32 sums, and
- * then to the modes. The sums take the places of the terms. */
+/* Finish a block of 32 terms. Compute the contribution of these terms and of the modes to the next 32 sums, then update
+ * the modes. The sums take the places of the terms. */
 static void open_block(tiled_engine *t, size_t tile)
 {
     static const double none[FVI_EIGHT] = { 0 };
@@ -227,7 +228,7 @@ static void open_block(tiled_engine *t, size_t tile)
 //< block
 
 //> eight
-/* After every eighth term: to the next eight sums, what the block has so far. */
+/* After every eighth term, add the contribution of the terms of this block to the next eight sums. */
 static void open_eight(tiled_engine *t, size_t tile, size_t g)
 {
     for (size_t s = 0; s < g; s++)
@@ -236,7 +237,8 @@ static void open_eight(tiled_engine *t, size_t tile, size_t g)
 }
 //< eight
 
-/* The terms in the eight so far, the oldest first, and row r. */
+/* Compute row r of the sums: the terms of this eight so far, the oldest first, then the row that open_block and
+ * open_eight have filled. */
 FVI_VECTORS static void next_row(size_t r, const double *restrict w,
                                  const double *restrict rows,
                                  double *restrict sum)

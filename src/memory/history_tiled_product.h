@@ -1,17 +1,17 @@
-/* src/memory/history_tiled_product.h -- Eight rows of a product, for vectors of one width.
- *                                                                       [H 28]
- * history_tiled.c includes this once for each width, with
+/* src/memory/history_tiled_product.h -- Compute eight rows of a product with vectors of one width.       [H 28]
  *
- *   LANES    the doubles of a vector
- *   PRODUCT  the name of the function
- *   TARGET   the attribute that lets the compiler use such vectors, or nothing
+ * history_tiled.c includes this file once for each width, with
+ *
+ *   LANES    number of doubles in a vector
+ *   PRODUCT  name of the function
+ *   TARGET   attribute that lets the compiler use such vectors, or nothing
  *
  *     out_r += sum_{j < n} table_{jr} in_j - lose_r out_r,    r = 0, ..., 7      (28.4)
  *
- * for the first `columns` numbers of the rows out_r and in_j, of which each has
- * FVI_TILE. A column never meets another, and its sum goes up in j, so all widths give
- * the same digits. Eight sums of vectors, one number of the table and the vector of a
- * row are ten registers of the sixteen that there are at least. */
+ * The rows out_r and in_j have FVI_TILE numbers each; the product is computed for the first `columns` of them. The
+ * columns are independent, and the sum of each column ascends in j, so all widths give the same digits. The inner loop
+ * needs ten registers: eight vectors of sums, one number of the table, and one vector of a row. Every machine has at
+ * least sixteen. */
 
 //> product
 TARGET static void PRODUCT(size_t columns, size_t n, const double *table,

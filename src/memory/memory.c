@@ -1,4 +1,4 @@
-/* src/memory/memory.c -- The history of a fractional derivative.       [H 12] */
+/* src/memory/memory.c -- Compute the history of a fractional derivative, by the engine that suits it.       [H 12] */
 #include <fvi/memory.h>
 
 #include "history_kinds.h"
@@ -11,18 +11,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Up to here the direct sum is the faster one, or loses some microseconds, on the machine of
+/* Up to this number of steps the direct sum is faster, or slower by a few microseconds only, on the machine of
  * figures/memory/memory_bench.tsv. */
 enum { FEW_STEPS = 256 };
 
 struct fvi_history {
-    double order;   /* of the weights: beta, or beta - 1 on increments */
-    fvi_node_range nodes; /* of a compressed memory */
+    double order;   /* order of the weights: beta, or beta - 1 on increments */
+    fvi_node_range nodes; /* nodes of a compressed memory */
     int on_increments;
-    fvi_history_kind kind; /* never AUTO */
+    fvi_history_kind kind; /* never FVI_HISTORY_AUTO */
     size_t steps;
-    int by_order;             /* dH/d beta is wanted, too */
-    fvi_history_head *engine; /* how it is summed; owned */
+    int by_order;             /* nonzero if dH/dbeta is wanted, too */
+    fvi_history_head *engine; /* computes the sum; owned */
 };
 
 /* ---- engines ---- */
@@ -54,7 +54,7 @@ static fvi_history_head *copy_engine(const fvi_history_head *from)
     return m;
 }
 
-/* Weights 1, or 1 and -1: of the past the last term alone. */
+/* An engine for the weights 1 (order 0) or 1 and -1 (order 1). It stores the last term only. */
 typedef struct {
     fvi_history_head head;
     int subtracts;
@@ -105,14 +105,14 @@ static fvi_history_head *local_alloc(double order, size_t d)
     return &m->head;
 }
 
-/* ---- which engine ---- */
+/* ---- choice of the engine ---- */
 
 static int is_local(double order)
 {
     return order == 0 || order == 1;
 }
 
-/* (12.2). The difference is exact. */
+/* Return the order of the weights, (12.2). The difference has no rounding error. */
 static double order_of(double beta)
 {
     return beta < 1 ? beta : beta - 1;
@@ -125,13 +125,13 @@ fvi_history_kind fvi_history_choose(double beta, size_t steps)
                : FVI_HISTORY_MODES;
 }
 
-/* H needs the last term alone. */
+/* Return 1 if H needs at most the last term. */
 static int needs_no_past(const fvi_history *m)
 {
     return is_local(m->order) && !m->by_order;
 }
 
-/* All that is known before anything is allocated, and the bytes that this will be. */
+/* Check the arguments, fill in *m, and compute the number of bytes. Nothing is allocated here. */
 static int plan(double beta, int by_order, size_t d, size_t steps,
                 fvi_history_kind kind, double tolerance, fvi_history *m,
                 size_t *bytes)
@@ -150,7 +150,8 @@ static int plan(double beta, int by_order, size_t d, size_t steps,
                        .by_order = by_order,
                        .steps = steps };
     m->kind = kind != FVI_HISTORY_AUTO ? kind
-              : by_order ? fvi_history_choose(0.5, steps) /* no beta is local */
+              /* the derivative by the order needs all terms for every beta */
+              : by_order ? fvi_history_choose(0.5, steps)
                       : fvi_history_choose(beta, steps);
     if (needs_no_past(m)) {
         *bytes = fvi_history_piece(sizeof(local_engine), d);
@@ -188,7 +189,7 @@ static fvi_history_head *alloc_engine(const fvi_history *m, size_t d)
                : fvi_history_modes_alloc(&m->nodes, m->order, m->by_order, d, m->steps);
 }
 
-/* Takes the engine over. */
+/* Make a history of an engine, and take over its ownership. */
 static int wrap(fvi_history of, fvi_history_head *engine, fvi_history **memory)
 {
     fvi_history *m = engine ? malloc(sizeof *m) : NULL;
@@ -312,7 +313,8 @@ int fvi_history_push_by_order(fvi_history *m, const double *x, const double *dx,
     fvi_history_head *e = m->engine;
     if (e->k > m->steps)
         FVI_FAIL("more terms than were announced", FVI_EINVAL);
-    e->is->push_by_order(e, m->on_increments ? dx : x, H, rate); /* d beta = d(beta - 1) */
+    /* the derivatives by beta and by beta - 1 are the same */
+    e->is->push_by_order(e, m->on_increments ? dx : x, H, rate);
     e->k++;
     return FVI_SUCCESS;
 }
@@ -326,7 +328,7 @@ int fvi_history_ahead(const fvi_history *m, const double *x, double *ahead)
     if (e->k > m->steps)
         FVI_FAIL("more terms than were announced", FVI_EINVAL);
     for (size_t i = 0; i < e->d; i++)
-        ahead[i] = m->on_increments ? 0 : x[i]; /* w_0 x_{k+1}, no increment */
+        ahead[i] = m->on_increments ? 0 : x[i]; /* w_0 x_{k+1} with x_{k+1} = x_k; the increment of such a step is 0 */
     e->is->ahead(e, ahead);
     return FVI_SUCCESS;
 }

@@ -1,4 +1,4 @@
-/* src/memory/memory_nodes.c -- A power as a sum of exponentials.        [H 12] */
+/* src/memory/memory_nodes.c -- Approximate the weights of a power by a sum of exponentials.        [H 12] */
 #include "history_kinds.h"
 
 #include <gsl/gsl_math.h>
@@ -7,8 +7,8 @@
 #include <math.h>
 
 //> step
-/* The step for which (12.8) promises delta / 2 where eps is its optimum for the step h; order is
- * 1 + nu. */
+/* Return the step for which (12.8) promises an error of delta / 2, with the eps that is optimal for the step h. order
+ * is 1 + nu. */
 static double next(double h, double order, double delta)
 {
     const double eps = order * h / (2 * M_PI);
@@ -16,8 +16,8 @@ static double next(double h, double order, double delta)
            / log1p(24 / (delta * pow(sin(eps), order)));
 }
 
-/* The h that is its own next. One step contracts by 1/5 or less; where two lead to is
- * Aitken's guess, and three of them have all digits. */
+/* Solve h = next(h) by fixed-point iteration. One iteration reduces the error to a fifth or less. Aitken's formula
+ * extrapolates from two iterations, and three extrapolations give all digits. */
 static double step(double order, double delta)
 {
     double h = 0.3;
@@ -30,8 +30,8 @@ static double step(double order, double delta)
 }
 //< step
 
-/* ln W for W + ln W = A: A - W0(e^A). Beyond e^700 by Newton's method, which gains all
- * digits in three steps. */
+/* Return ln W for the solution of W + ln W = A, which is A - W0(e^A). For large A, e^A would overflow, so Newton's
+ * method is used from A = 700 on. It gains all digits in three steps. */
 static double log_of_lambert(double A)
 {
     if (A < 700)
@@ -85,7 +85,7 @@ size_t fvi_history_modes_nodes(double nu, double N, double delta, double *s,
 }
 
 //> delta
-/* (12.11): a tenth of the tolerance; small enough for the proof of (12.13). */
+/* (12.11): a tenth of the tolerance, but small enough for the proof of (12.13) */
 double fvi_history_modes_delta(size_t steps, double tolerance)
 {
     double wish = tolerance == 0 ? 1e-14 : tolerance / 10;

@@ -1,4 +1,5 @@
-/* src/memory/past.c -- What the body did before t = 0.                  [H 19] */
+/* src/memory/past.c -- Compute the force of the initial history, that is, of the motion before t = 0.                 
+ * [H 19] */
 #include <fvi/past.h>
 
 #include "system/digamma.h"
@@ -32,9 +33,9 @@ int fvi_initial_history_acts(fvi_initial_history past, double alpha)
     return fvi_initial_history_amplitude(past, alpha, 1, 1) != 0;
 }
 
-/* l_i(s), s in [0, 1], by Legendre's polynomials P_degree(2 s - 1): a product of
- * (s - c_j) / (c_i - c_j). Powers of s would cancel: with eight nodes, all but 1 / 3700 of
- * the terms of the first step. */
+/* Compute the Lagrange polynomial l_i(s), s in [0, 1], as a sum of Legendre polynomials P_degree(2 s - 1), by
+ * multiplying the factors (s - c_j) / (c_i - c_j). A sum of powers of s would lose digits by cancellation: with eight
+ * nodes, the impulses of the first step would be 1 / 3700 of its terms. */
 static void lagrange(size_t n, const double *c, size_t i, double *l)
 {
     for (size_t degree = 0; degree < n; degree++)
@@ -43,7 +44,7 @@ static void lagrange(size_t n, const double *c, size_t i, double *l)
         if (j == i)
             continue;
         const double middle = 0.5 - c[j], apart = c[i] - c[j];
-        double below = 0; /* what (2 s - 1) P_degree has of P_{degree + 1} */
+        double below = 0; /* coefficient of P_degree in l[degree - 1] (2 s - 1) P_{degree - 1} */
         for (size_t degree = 0; degree < n; degree++) {
             const double q = (double)degree;
             const double above =
@@ -55,7 +56,8 @@ static void lagrange(size_t n, const double *c, size_t i, double *l)
     }
 }
 
-/* l_i(c_j), 1 or 0 but for the roundings of lagrange. */
+/* Return l_i(c) by the recurrence of the Legendre polynomials. At the nodes it is 1 or 0, up to the rounding errors of
+ * lagrange. */
 static double lagrange_at(size_t n, const double *l, double c)
 {
     const double y = (c - 0.5) * 2;
@@ -70,8 +72,8 @@ static double lagrange_at(size_t n, const double *l, double c)
     return sum;
 }
 
-/* All l_i. Then Newton's step for the inverse of the matrix P_degree(2 c_i - 1), which basis is: with eight nodes the
- * products of lagrange alone leave 240 u in the first step. */
+/* Compute basis, which holds all l_i. It is the inverse of the matrix P_degree(2 c_i - 1), so one Newton step for the
+ * inverse corrects it. Without this step eight nodes have an error of 240 u in the first step. */
 static void prepare_basis(const double *c, fvi_kernel_impulse *pull)
 {
     const size_t n = pull->nodes;
@@ -89,7 +91,7 @@ static void prepare_basis(const double *c, fvi_kernel_impulse *pull)
         }
 }
 
-/* l_i(0): for alpha = 1 the pull is one impulse there. */
+/* Return l_i(0). For alpha = 1 the initial-history force is one impulse at t = 0. */
 static double lagrange_at_zero(size_t n, const double *c, size_t i)
 {
     double value = 1;
@@ -99,14 +101,14 @@ static double lagrange_at_zero(size_t n, const double *c, size_t i)
     return value;
 }
 
-/* int_0^1 s^e P_degree(2 s - 1) ds is this part of that of degree - 1. */
+/* Return the ratio of int_0^1 s^e P_degree(2 s - 1) ds to the same integral with degree - 1. */
 static double part_of_lower(double e, size_t degree)
 {
     return (e - (double)degree + 1) / (e + (double)degree + 1);
 }
 
-/* int_0^1 y^j P_degree(y) dy, j + degree even, from that of degree - 2, and of degree 0 or
- * 1 from anything. It is 0 where degree > j. */
+/* Return int_0^1 y^j P_degree(y) dy for even j + degree. `lower` is the same integral with degree - 2; it is not used
+ * for degree 0 and 1. The integral is 0 for degree > j. */
 static double power_times_legendre(size_t j, size_t degree, double lower)
 {
     const double above = (double)j + (double)degree + 1;
@@ -114,7 +116,7 @@ static double power_times_legendre(size_t j, size_t degree, double lower)
                       : lower * ((double)j - (double)degree + 2) / above;
 }
 
-/* pull->series: the binomial series of (1 + x y)^e, times those integrals. */
+/* Fill `series` with the binomial series of (1 + x y)^e times these integrals. */
 static void prepare_series(fvi_kernel_impulse *pull)
 {
     double binomial = 1;
@@ -149,10 +151,10 @@ void fvi_kernel_impulse_prepare(double alpha, size_t n, const double *c,
 }
 
 //> impulses
-/* moments[degree] = int_0^1 (k + s)^e P_degree(2 s - 1) ds, k > 0, by the binomial series
- * about k + 1/2. Its terms fall at least like (2 k + 1)^-j; the first that is left out is
- * below u / 8, and it is the 37th at most. No term waits for a division. Term j has degrees of the parity of j only;
- * degrees that the nodes do not reach have zeros, so all of one parity are summed side by side. */
+/* Compute moments[degree] = int_0^1 (k + s)^e P_degree(2 s - 1) ds for k > 0, by the binomial series about k + 1/2. The
+ * terms decrease at least like (2 k + 1)^-j. The sum ends when a term is below u / 8, after 37 terms at most. The loop
+ * contains no division. Term j contains only degrees with the parity of j, so all degrees of one parity are summed side
+ * by side; degrees that the nodes do not reach have zeros. */
 static inline void legendre_moments(const fvi_kernel_impulse *pull, size_t k, double *moments)
 {
     const double middle = (double)k + 0.5, x = 0.5 / middle;
@@ -170,7 +172,7 @@ static inline void legendre_moments(const fvi_kernel_impulse *pull, size_t k, do
         moments[degree] = sum[degree % 2][degree / 2] * scale;
 }
 
-/* The impulses of all nodes side by side, from zeros. */
+/* Add the impulses of all nodes side by side. The caller has set impulse to zero. */
 FVI_VECTORS static void find_impulses(const fvi_kernel_impulse *pull, size_t k, double *impulse)
 {
     double moments[NODES];
@@ -186,13 +188,13 @@ FVI_VECTORS static void find_impulses(const fvi_kernel_impulse *pull, size_t k, 
 void fvi_kernel_impulses(const fvi_kernel_impulse *pull, size_t k, double *impulse)
 {
     double all[NODES] = { 0 };
-    if (k > 0 && pull->size != 0) /* alpha = 1: all was at t = 0 */
+    if (k > 0 && pull->size != 0) /* for alpha = 1 the whole impulse acts at t = 0 */
         find_impulses(pull, k, all);
     memcpy(impulse, k > 0 ? all : pull->first, pull->nodes * sizeof *impulse);
 }
 //< impulses
 
-/* What legendre_moments sums, differentiated by e, and those sums: term by term. */
+/* Compute the moments of legendre_moments and their derivatives by e, term by term. */
 static void legendre_moments_rate(double e, size_t k, size_t count,
                                   double *moments, double *rates)
 {
@@ -218,7 +220,8 @@ static void legendre_moments_rate(double e, size_t k, size_t count,
     }
 }
 
-/* The same for k = 0, divided by Gamma(1 + e), which leaves no pole at e = -1. */
+/* Compute the derivatives of the moments for k = 0, divided by Gamma(1 + e). This division removes the pole at e =
+ * -1. */
 static void first_moments_rate(double e, size_t count, double *rates)
 {
     double moment = 1 / tgamma(2 + e);
@@ -233,7 +236,7 @@ static void first_moments_rate(double e, size_t count, double *rates)
 }
 
 //> impulses-rate
-/* 1 / Gamma(z) is z / Gamma(1 + z), whose slope is finite at z = 1 + e = 0. */
+/* The factor 1 / Gamma(z) is computed as z / Gamma(1 + z), whose derivative is finite at z = 1 + e = 0. */
 void fvi_kernel_impulses_by_order(const fvi_kernel_impulse *pull, size_t k, double *rate)
 {
     const double z = 1 + pull->e;

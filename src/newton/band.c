@@ -1,4 +1,4 @@
-/* src/newton/band.c -- Linear equations with a band matrix.             [H 2] */
+/* src/newton/band.c -- Solve linear equations with a band matrix.             [H 2] */
 #include "band.h"
 
 #include "system/fail.h"
@@ -50,7 +50,7 @@ void fvi_band_clear(fvi_band *J)
     memset(J->block, 0, J->size * sizeof *J->block);
 }
 
-/* The largest entry of column k from the diagonal down comes up. */
+/* Return the row that has the largest entry of column k, among the rows from k to below - 1. */
 static size_t pivot_row(const fvi_band *J, size_t k, size_t below)
 {
     size_t best = k;
@@ -63,13 +63,13 @@ static size_t pivot_row(const fvi_band *J, size_t k, size_t below)
 //> factorise
 int fvi_band_factorise(fvi_band *J)
 {
-    if (J->w == 0) { /* nothing but a diagonal */
+    if (J->w == 0) { /* a diagonal matrix is its own factor */
         for (size_t k = 0; k < J->n; k++)
             if (fvi_band_row(J, k)[k] == 0)
                 return FVI_ESING;
         return FVI_SUCCESS;
     }
-    size_t right = 0; /* rows above and at k end before this column */
+    size_t right = 0; /* first column behind the nonzero entries of the rows up to k */
     for (size_t k = 0; k < J->n; k++) {
         const size_t below = least(J->n, k + J->w + 1);
         const size_t p = J->pivot[k] = pivot_row(J, k, below);
@@ -96,7 +96,7 @@ int fvi_band_factorise(fvi_band *J)
 void fvi_band_solve(const fvi_band *J, double *v)
 {
     const size_t n = J->n, w = J->w;
-    if (w == 0) { /* nothing but a diagonal */
+    if (w == 0) { /* a diagonal matrix */
         for (size_t k = 0; k < n; k++)
             v[k] /= fvi_band_row(J, k)[k];
         return;

@@ -1,4 +1,4 @@
-/* src/newton/linearised.c -- A run that is the derivative of another run.  [H 23] */
+/* src/newton/linearised.c -- Take the steps of a linearised run, which is the derivative of another run.  [H 23] */
 #include "linearised.h"
 
 #include "system/fail.h"
@@ -21,7 +21,7 @@ static const double *hessian_of_stage(const fvi_linearised *l)
            + (l->reversed ? l->stages - 1 - l->stage : l->stage) * l->size;
 }
 
-/* g = G x, of the diagonals of G. */
+/* Compute g = G x from the stored diagonals of G. */
 static void multiply_band(size_t d, size_t w, const double *restrict G,
                           const double *restrict x, double *restrict g)
 {
@@ -63,7 +63,7 @@ static int write_hessian(size_t d, const double *x, void *of, double *H)
     return 0;
 }
 
-/* Nobody asks for energies of a run that is a derivative. */
+/* Return 0, because no caller needs the energy of a linearised run. */
 static int value(size_t d, const double *x, void *of, double *U)
 {
     (void)d, (void)x, (void)of;
@@ -98,7 +98,7 @@ fvi_system fvi_linearised_system(const fvi_system *system, fvi_linearised *of)
 
 /* ---- the equation of a step ---- */
 
-/* One stage, and coordinates that do not see each other: a division each. */
+/* Solve the equation of one stage if G is diagonal: divide once for each coordinate. */
 static int solve_diagonal(const fvi_newton *n, const fvi_linearised *l, const double *x,
                           const double *r, double *d, double *g)
 {
@@ -114,7 +114,7 @@ static int solve_diagonal(const fvi_newton *n, const fvi_linearised *l, const do
     return status;
 }
 
-/* Entry (j, c) of the Hessian of stage i, in the rows of coordinate j. */
+/* Store the entry (j, c) of the Hessian of stage i in the q rows of coordinate j. */
 static void add_entry(fvi_newton *n, size_t i, size_t j, size_t c, double H)
 {
     const size_t q = n->q;
@@ -123,7 +123,7 @@ static void add_entry(fvi_newton *n, size_t i, size_t j, size_t c, double H)
         fvi_band_row(&n->J, j * q + l)[c * q + i] = s[l * q] * n->theta * H;
 }
 
-/* The columns of stage i in the rows of the first d coordinates of J, but for A. */
+/* Fill the columns of stage i in the rows of the first d coordinates of J. The caller adds A afterwards. */
 static void add_stage(fvi_newton *n, const fvi_linearised *l, size_t i, size_t d)
 {
     const size_t w = l->diagonals;
@@ -137,7 +137,7 @@ static void add_stage(fvi_newton *n, const fvi_linearised *l, size_t i, size_t d
         }
 }
 
-/* The factors of the first coordinate become those of all others. */
+/* Copy the factors of the first coordinate to all other coordinates. */
 static void copy_factors(fvi_newton *n, size_t d)
 {
     const size_t q = n->q, bytes = q * sizeof *n->J.entry;
@@ -148,11 +148,11 @@ static void copy_factors(fvi_newton *n, size_t d)
     }
 }
 
-/* The matrix of the step, and its factors. */
+/* Fill the matrix of the step and factorise it. */
 static int factorise(fvi_newton *n, fvi_linearised *l)
 {
     const size_t d = l->is_one_body ? 1 : l->d;
-    fvi_band some = n->J; /* its first rows */
+    fvi_band some = n->J; /* the first rows of J */
     fvi_band_clear(&n->J);
     for (size_t i = 0; l->G && i < n->q; i++) {
         l->stage = n->first + i;
@@ -168,7 +168,7 @@ static int factorise(fvi_newton *n, fvi_linearised *l)
     return FVI_SUCCESS;
 }
 
-/* r - s grad U(x) into n->step. */
+/* Write r - s grad U(x) to n->step. */
 static void assemble_right_hand_side(fvi_newton *n, fvi_linearised *l, const double *x,
                                      const double *r, double *g)
 {

@@ -1,4 +1,4 @@
-/* src/newton/newton.c -- The one equation that a step has to solve.     [H 2] */
+/* src/newton/newton.c -- Solve the equation of a time step.     [H 2] */
 #include "linearised.h"
 #include "newton_lanes.h"
 #include "newton_move.h"
@@ -15,9 +15,9 @@ enum { NEWTON_STEPS = 50, CAREFUL_STEPS = 1000 };
 typedef int solver(fvi_newton *n, const double *x, const double *r, double *d,
                    double *g);
 
-/* ---- solutions ---- */
+/* ---- explicit and linear equations ---- */
 
-/* d becomes d + step. */
+/* Add the Newton step to d. Store the largest |step_i| and the largest |d_i|. */
 static void apply_update(fvi_newton *n, double *d)
 {
     const size_t dim = n->system->d;
@@ -32,7 +32,7 @@ static void apply_update(fvi_newton *n, double *d)
         }
 }
 
-/* g and e at d; status of the gradients. */
+/* Compute the gradient g and the residual e at d. Return the code of the gradient. */
 static int evaluate_residual(fvi_newton *n, const double *x, const double *r,
                 const double *d, double *g)
 {
@@ -41,8 +41,8 @@ static int evaluate_residual(fvi_newton *n, const double *x, const double *r,
     return n->callback_status;
 }
 
-/* v = J^-1 v; 0, or the status of the factors, or of the potential's own solution
- * at `point`, which is in n->theirs too unless it only says that J is singular. */
+/* Compute v = J^-1 v. Return 0, FVI_ESING if J is singular, or the code of the potential's own solver at `point`.
+ * n->callback_status holds this code, too, unless it is FVI_ESING. */
 static int eliminate(fvi_newton *n, int factorised, const double *point,
                      double *v)
 {
@@ -60,8 +60,8 @@ static int eliminate(fvi_newton *n, int factorised, const double *point,
     return FVI_SUCCESS;
 }
 
-/* U quadratic, one stage: grad U(x + theta d) = grad U(x) + theta Hess U d, so that
- * (A + s theta Hess U) d = r - s grad U(x) is exact, without iteration. */
+/* Solve the equation of one stage for a quadratic U. There grad U(x + theta d) = grad U(x) + theta Hess U d. So (A + s
+ * theta Hess U) d = r - s grad U(x) is exact, and no iteration is needed. */
 static int solve_linear(fvi_newton *n, const double *x, const double *r,
                         double *d, double *g)
 {
@@ -75,8 +75,8 @@ static int solve_linear(fvi_newton *n, const double *x, const double *r,
     return status ? status : fvi_newton_gradients(n, x, d, g);
 }
 
-/* The same for coordinates that do not see each other: a division each, and the Hessian
- * says what the gradient becomes. */
+/* Solve the same equation if the Hessian is diagonal: divide once for each coordinate, and update the gradient by the
+ * Hessian. */
 static int solve_diagonal(fvi_newton *n, const double *x, const double *r,
                           double *d, double *g)
 {
@@ -91,7 +91,7 @@ static int solve_diagonal(fvi_newton *n, const double *x, const double *r,
     return FVI_SUCCESS;
 }
 
-/* The same for stages, whose rows stand otherwise than d and r. */
+/* Solve the equations of several stages for a quadratic U. Their rows are ordered by coordinate, d and r by stage. */
 static int solve_linear_stages(fvi_newton *n, const double *x, const double *r,
                                double *d, double *g)
 {
@@ -108,8 +108,9 @@ static int solve_linear_stages(fvi_newton *n, const double *x, const double *r,
     return fvi_newton_gradients(n, x, d, g);
 }
 
-/* s theta == 0, or no potential: each d_j by itself, and one gradient; where U is pulled,
- * s != 0, that at x. One pass over the numbers, which is what a step of a million takes. */
+/* Solve an explicit equation: s theta = 0, or there is no potential. Each d_j is found by itself. One gradient is
+ * needed: at x if s != 0, else at x + theta d. The loop passes once over the arrays, because a step of a million
+ * coordinates takes as long as its memory traffic. */
 static int solve_explicit(fvi_newton *n, const double *restrict x,
                           const double *restrict r, double *restrict d,
                           double *restrict g)
@@ -130,11 +131,11 @@ static int solve_explicit(fvi_newton *n, const double *restrict x,
 }
 
 //> stop
-/* Is each e_i what rounding makes of the terms of its equation? Each of them, and
- * each coordinate of x + theta d, is off by some 2^-53 of itself, and two or three
- * roundings come together: d then solves an equation whose terms differ from the
- * given ones by no more, and no residual can tell that d is wrong. This knows no
- * unit and no scale, and each equation is judged by its own terms. */
+/* Return 1 if each residual e_i is within the rounding errors of the terms of its equation. Each term, and each
+ * coordinate of x + theta d, has a relative error of about 2^-53, and two or three such errors add up. If the test
+ * holds, d solves exactly an equation whose terms differ from the given terms by rounding errors only. So no residual
+ * can show that d is wrong. The test needs no unit and no scale, because it compares each equation with its own
+ * terms. */
 static int is_noise(const fvi_newton *n)
 {
     for (size_t i = 0; i < n->q * n->system->d; i++) {
@@ -146,9 +147,10 @@ static int is_noise(const fvi_newton *n)
     return 1;
 }
 
-/* Near a simple solution Newton's step is squared each time. One that is below half
- * of the digits of d and does not even halve tells of a gradient that is less exact
- * than is_noise takes it to be, or of a double root, which has half the digits. */
+/* Return 1 if Newton's method no longer gains digits. Near a simple root each step is about the square of the step
+ * before. So something is wrong with a step that is below half of the digits of d and is not even half of the step
+ * before: the gradient is less exact than is_noise assumes, or the root is double. A double root has only half of the
+ * digits. */
 static int is_stuck(const fvi_newton *n)
 {
     return n->size >= n->last / 2
@@ -156,7 +158,7 @@ static int is_stuck(const fvi_newton *n)
 }
 //< stop
 
-/* step = J^-1 e, and d + step; status of the elimination. */
+/* Compute step = J^-1 e and d += step. Return the code of the elimination. */
 static int newton_step(fvi_newton *n, double *d)
 {
     memcpy(n->step, n->e, n->q * n->system->d * sizeof *n->e);
@@ -186,15 +188,15 @@ static int newton(fvi_newton *n, const double *x, const double *r, double *d,
 }
 //< newton
 
-/* ---- the same for one coordinate ---- */
+/* ---- Newton's method for one coordinate ---- */
 
-/* Is there one coordinate, and one stage of it? */
+/* Return 1 if there is one coordinate with one stage. */
 static int is_alone(const fvi_newton *n)
 {
     return n->q == 1 && n->system->d == 1 && !n->user_solve;
 }
 
-/* U' and U'' at z, the latter into n->H. Returns what the potential returned. */
+/* Write U'(z) to g and U''(z) to n->H. Return the code of the potential. */
 static inline int evaluate_slopes(fvi_newton *n, double z, double *g)
 {
     const fvi_potential *u = &n->system->potential;
@@ -206,8 +208,7 @@ static inline int evaluate_slopes(fvi_newton *n, double z, double *g)
     return status ? status : u->hessian(1, &z, u->params, n->H);
 }
 
-/* The digits of newton() in half its time: what one coordinate and its callbacks do not
- * need is left out. */
+/* Give the digits of newton() in half of its time, without the loops and calls that one coordinate does not need. */
 static int newton_alone(fvi_newton *n, const double *x, const double *r,
                         double *d, double *g)
 {
@@ -234,10 +235,11 @@ static int newton_alone(fvi_newton *n, const double *x, const double *r,
     return FVI_EMAXITER;
 }
 
-/* ---- where Newton's method loses its way ---- */
+/* ---- when Newton's method fails ---- */
 
-/* Did the step go down, and not far up again behind the bottom? Along a step e is
- * the slope. Noise is forgiven. */
+/* Return 1 if the step goes downhill and does not end far up the other side of the valley. The residual e points
+ * downhill, so e . step must not be negative before the step. After the step it may be negative, but not below minus
+ * half of its value before. Rounding errors are allowed for. */
 static int is_descent(const fvi_newton *n)
 {
     double down = 0, after = 0, noise = 0;
@@ -250,7 +252,7 @@ static int is_descent(const fvi_newton *n)
     return down >= -noise && after >= -down / 2 - noise;
 }
 
-/* Forces whose squares overflow: the motion has flown away. */
+/* Return 1 if the square of a force overflows, so the motion has diverged. */
 static int is_hopeless(const fvi_newton *n)
 {
     double sum = 0;
@@ -260,9 +262,9 @@ static int is_hopeless(const fvi_newton *n)
 }
 
 //> descend
-/* Along A d' = e(d), from d = 0 on, by implicit Euler steps of length 1 / mu:
- * (J + mu A) step = e. They grow longer as long as they go down; mu = 0 is Newton's
- * method. */
+/* Solve A d' = e(d) from d = 0 by implicit Euler steps of length 1 / mu: (J + mu A) step = e. A step that goes downhill
+ * is kept, and the next step is four times longer. Any other step is undone, and the next step is shorter. With mu = 0
+ * the step is Newton's. */
 static int descend(fvi_newton *n, const double *x, const double *r, double *d,
                    double *g)
 {
@@ -301,7 +303,7 @@ static int descend(fvi_newton *n, const double *x, const double *r, double *d,
 }
 //< descend
 
-/* Oscillators that are lanes, each with its own solution. */
+/* Return 1 if the coordinates are lanes and each lane has its own solution. */
 static int is_of_lanes(const fvi_newton *n)
 {
     return fvi_lanes_of(n->system) && (n->q > 1 || !n->linear);

@@ -1,4 +1,5 @@
-/* src/newton/newton_lanes.c -- The equations of several oscillators at once.   [H 28] */
+/* src/newton/newton_lanes.c -- Solve the equations of several oscillators at once, as the lanes of one vector.   [H
+ * 28] */
 #include "newton_lanes.h"
 
 #include "newton_move.h"
@@ -8,16 +9,16 @@
 
 enum { L = FVI_MOST_LANES, NEWTON_STEPS = 50, MOST_STAGES = 8 };
 
-/* The equation of each lane, and how far it has come. A lane that is active takes part in the
- * next step; one that is lost needs more than Newton's method. A, s, x and r point to the numbers of the solver
- * and of its caller, or where lanes are missing to `room`. z is x + theta d. */
+/* The equation of each lane and the state of its iteration. An active lane takes part in the next Newton step. A lost
+ * lane needs more than Newton's method. A, s, x and r point to the arrays of the solver and of its caller, or to `room`
+ * if there are fewer than L lanes. z is x + theta d. */
 typedef struct {
     const double *A, *s, *x, *r;
     _Alignas(64) double d[L], z[L], g[L], size[L], active[L], lost[L];
     double room[4][L];
 } lanes_at_work;
 
-/* Lanes that are missing have the equation d = 0, and are not active. */
+/* Give the missing lanes the equation d = 0. They are not active. */
 static void pad(size_t count, lanes_at_work *w)
 {
     const double **part[] = { &w->A, &w->s, &w->x, &w->r };
@@ -28,7 +29,7 @@ static void pad(size_t count, lanes_at_work *w)
     }
 }
 
-/* What each lane has before its first step. */
+/* Set the state of each lane before its first Newton step. */
 FVI_VECTORS static void begin_lanes(lanes_at_work *restrict w, double theta, size_t count)
 {
 #pragma omp simd
@@ -61,9 +62,8 @@ static inline void begin(const fvi_newton *n, const double *x, const double *r, 
 }
 
 //> lanes
-/* One step of each lane that is active; g and H are U' and U'' at its z. A lane that has its
- * solution keeps d, and U' at the last point that it asked for, as a run of its own does.
- * Returns how many lanes are active still. */
+/* Take one Newton step in each active lane; g and H are U' and U'' at its z. A lane that has its solution keeps d, and
+ * it keeps U' at the last point of its own iteration, as a single run does. Return the number of active lanes. */
 FVI_VECTORS static double move_lanes(lanes_at_work *restrict w, double theta, const double *g,
                                      const double *H)
 {
@@ -87,10 +87,10 @@ FVI_VECTORS static double move_lanes(lanes_at_work *restrict w, double theta, co
 }
 //< lanes
 
-/* ---- lanes by themselves ---- */
+/* ---- lanes solved one by one ---- */
 
-/* The solver that the run of lane l would have, with all that it does where Newton's method
- * loses its way. */
+/* Solve the equation of lane l with the solver of a single run, including everything it does when Newton's method
+ * fails. */
 static int solve_alone(fvi_newton *n, size_t l, const double *x, const double *r, double *d,
                        double *g)
 {
@@ -123,7 +123,8 @@ static int solve_each(fvi_newton *n, const double *x, const double *r, double *d
     return status;
 }
 
-/* A vector at once where all lanes are there: the next loop reads vectors. */
+/* Copy `count` numbers. For all L lanes the size is constant, so the compiler moves whole vectors, and the next loop
+ * reads whole vectors. */
 static inline void take(size_t count, const double *from, double *to)
 {
     if (count == L)
@@ -132,7 +133,8 @@ static inline void take(size_t count, const double *from, double *to)
         memcpy(to, from, count * sizeof *to);
 }
 
-/* Those that Newton's method has not brought to an end begin again, from d as it was. */
+/* Solve each lane that has not converged by the solver of a single run, from the initial guess d. Copy the solutions of
+ * the other lanes. */
 static int solve_rest(fvi_newton *n, const lanes_at_work *w, const double *x, const double *r,
                       double *d, double *g)
 {

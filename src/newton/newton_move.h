@@ -1,24 +1,25 @@
-/* src/newton/newton_move.h -- A step of Newton's method for one coordinate.    [H 2] */
+/* src/newton/newton_move.h -- Take one step of Newton's method for one coordinate.    [H 2] */
 #ifndef FVI_NEWTON_MOVE_H
 #define FVI_NEWTON_MOVE_H
 
 #include <gsl/gsl_machine.h>
 #include <math.h>
 
-/* d behind the step, how long that was, the Jacobian, and whether the equation is solved. */
+/* The result of a Newton step: the new d, the size |step|, the Jacobian J, and whether the equation is solved. */
 typedef struct {
     double d, size, J;
     int is_enough;
 } fvi_newton_move;
 
-/* fvi_newton_move_of -- one step towards A d + s U'(x + theta d) = r, with the rule of newton.c for its
- * end: the residual is rounding, or the step no longer halves.
+/* fvi_newton_move_of -- Take one step of Newton's method for A d + s U'(x + theta d) = r. The stopping rule is that of
+ * newton.c: the residual is a rounding error, or the step is no longer half of the step before.
  *
- *   z, g, H  x + theta d; U' and U'' there
- *   last     the size of the step before; infinite before the first
+ *   z     x + theta d
+ *   g, H  U'(z) and U''(z)
+ *   last  the size of the step before; infinite before the first step
  *
- * Not to be called but inlined: newton_alone takes one coordinate, and newton_lanes.c a vector of
- * them, with the same digits. */
+ * The function is always inlined. newton_alone uses it for one coordinate and newton_lanes.c for a vector of
+ * coordinates, with the same digits. */
 __attribute__((always_inline)) static inline fvi_newton_move
 fvi_newton_move_of(double A, double s, double theta, double r, double z, double g, double H,
                    double d, double last)

@@ -1,4 +1,5 @@
-/* src/newton/newton_stages.c -- The equations of the stages, their Jacobian. [H 2] */
+/* src/newton/newton_stages.c -- Evaluate the equations of the stages and their Jacobian; allocate and free solvers. [H
+ * 2] */
 #include "linearised.h"
 
 #include "system/fail.h"
@@ -9,9 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- the equation ---- */
+/* ---- residual and Jacobian ---- */
 
-/* x + theta d of stage l */
+/* Return x + theta d of stage l. */
 static const double *point(fvi_newton *n, const double *x, const double *d,
                            size_t l)
 {
@@ -57,7 +58,7 @@ void fvi_newton_residual(fvi_newton *n, const double *r, const double *d,
 }
 //< residual
 
-/* d^2U / dx_j dx_c out of H */
+/* Return d^2U / dx_j dx_c from the stored Hessian H. */
 static double curvature(const fvi_newton *n, size_t j, size_t c)
 {
     const size_t m = n->system->potential.diagonals;
@@ -66,7 +67,7 @@ static double curvature(const fvi_newton *n, size_t j, size_t c)
     return j <= c ? n->H[j * m + c - j] : n->H[c * m + j - c];
 }
 
-/* Stage i's columns of J, but for A; and what they add to moves. z is x + theta d. */
+/* Fill the columns of stage i in J, without A, and add their part to moves. z is x + theta d of the stage. */
 static void add_stage(fvi_newton *n, size_t i, const double *z, const double *d)
 {
     const size_t dim = n->system->d, q = n->q;
@@ -85,8 +86,8 @@ static void add_stage(fvi_newton *n, size_t i, const double *z, const double *d)
     }
 }
 
-/* The same for one stage of coordinates that do not see each other, A included: a step of
- * one coordinate is little more than this. */
+/* Fill J, with A, and moves for one stage if the Hessian is diagonal. This case has its own function, because a step of
+ * one coordinate takes little more time than this. */
 static void fill_diagonal(fvi_newton *n, const double *z, const double *d,
                           double mu)
 {
@@ -131,9 +132,9 @@ int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
     return FVI_SUCCESS;
 }
 
-/* ---- a solver ---- */
+/* ---- allocation ---- */
 
-/* In the block that begins with A: an explicit equation needs A, point and one s. */
+/* Return the number of doubles in the block that begins with A. An explicit equation needs only A, point and one s. */
 static size_t numbers(const fvi_newton *n)
 {
     const size_t dim = n->system->d, m = n->system->potential.diagonals;
@@ -169,7 +170,7 @@ static int allocate(fvi_newton *n)
                   : fvi_band_alloc(rows, n->q * (n->reach + 1) - 1, &n->J);
 }
 
-/* Room for everything, A and s to be filled in. */
+/* Allocate a solver. The caller then fills in A and s. */
 static int make(const fvi_system *system, size_t q, double theta, int implicit,
                 fvi_newton **newton)
 {
@@ -191,7 +192,7 @@ static int make(const fvi_system *system, size_t q, double theta, int implicit,
     return FVI_SUCCESS;
 }
 
-/* The matrix of a quadratic U is factorised now, at d = 0 of x = 0. */
+/* Factorise the matrix of a quadratic U. Its Hessian is constant, so it is evaluated at d = 0 and x = 0. */
 static int finish(fvi_newton *n, fvi_newton **newton)
 {
     int status = FVI_SUCCESS;
@@ -252,9 +253,9 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
     return finish(n, newton);
 }
 
-/* ---- with matrices ---- */
+/* ---- systems with matrices ---- */
 
-/* m M + sum_j c_j C_j + k K. */
+/* Factorise m M + sum_j c_j C_j + k K. */
 static int factorise_matrices(fvi_newton *n, double k)
 {
     const fvi_matrices *m = n->system->matrices;
@@ -301,7 +302,7 @@ int fvi_newton_matrices_alloc(const fvi_system *system, double m, const double *
 }
 
 //> matrices
-/* s K x is known, and what is left is one solution with the constant factors. */
+/* Solve (27.3). The term s K x is known, so the step is one solution with the constant factors. */
 int fvi_newton_by_matrices(fvi_newton *n, const double *x, const double *r,
                            double *d, double *g)
 {
