@@ -43,10 +43,10 @@ double fvi_run_bytes(const fvi_method *method, const fvi_run *run);
 
 /* fvi_velocity -- Compute v = M^-1 p, d numbers each.
  *
- * A coordinate without inertia has no such velocity: its v is not finite. Cost O(d); with matrices one factorisation of
- * M and one solution in every call. Returns FVI_SUCCESS; FVI_EUNSUP with a Lagrangian, for which
- * fvi_velocity_of_momentum (lagrangian.h) computes the velocity; or what factorise or solve of the matrices returned.
- * */
+ * A coordinate without inertia has no such velocity: its v is not finite. Cost O(d); with matrices one factorisation
+ * of M and one solution in every call.
+ * Returns FVI_SUCCESS; FVI_EUNSUP with a Lagrangian, for which fvi_velocity_of_momentum (lagrangian.h) computes the
+ * velocity; or what factorise or solve of the matrices returned. */
 int fvi_velocity(const fvi_system *system, const double *p, double *v);
 
 #pragma GCC visibility pop
