@@ -147,6 +147,16 @@ rows = [h * bs[i] * Lx_i[i, :] + sum((Ds[j, i] * bs[j] * Lv_i[j, :] for j in ran
 torque = sum((rows[i] * R * X_i[i, :].T)[0] for i in range(s))
 local = sum((h * bs[i] * (Lx_i[i, :] * R * X_i[i, :].T + Lv_i[i, :] * R * (Ds * X_i)[i, :].T / h))[0] for i in range(s))
 prove("(29.14) form M keeps it for any matrix D", expand(torque - local))
+# Form D: 1 is subtracted from the last entry of T, and h V has (X_1 - x_k) / b_1 more at the first stage.
+start = Matrix(1, 2, symbols("x1 x2"))
+slopes = Ds * X_i / h
+slopes[0, :] += (X_i[0, :] - start) / (h * bs[0])
+rows = [h * bs[i] * Lx_i[i, :] + sum((Ds[j, i] * bs[j] * Lv_i[j, :] for j in range(s)), zeros(1, 2)) for i in range(s)]
+rows[s - 1] -= Lv_i[s - 1, :]
+torque = sum((rows[i] * R * X_i[i, :].T)[0] for i in range(s))
+local = sum((h * bs[i] * (Lx_i[i, :] * R * X_i[i, :].T + Lv_i[i, :] * R * slopes[i, :].T))[0] for i in range(s))
+prove("form D turns it by the product of two jumps", expand(
+    torque - local + (Lv_i[0, :] * R * (X_i[0, :] - start).T)[0] + (Lv_i[s - 1, :] * R * X_i[s - 1, :].T)[0]))
 
 # ---- (29.11), (29.12): works of one step of a damper with g = x^2, w_0 = 1
 p, q = symbols("p q", real=True)
