@@ -8,15 +8,15 @@ extern "C" {
 #pragma GCC visibility push(default)
 
 /* fvi_smoothness -- what the theorem of H 20 has to know of a motion x on [0, T].
- * With f = F/m, g = grad U/m, and B the points that are at most `room` away from the
+ * With f = F/m, g = grad U/m, and Omega the points that are at most `room` away from the
  * convex hull of the path:
  *
  *   alpha         0 <= alpha < 1
  *   kappa         in [0, 1]
  *   T             finite, > 0
  *   damping       r, the largest rho_i/m_i
- *   lipschitz     ell, a Lipschitz constant of g in B
- *   gradient      G, a bound of |g| in B
+ *   lipschitz     ell, a Lipschitz constant of g in Omega
+ *   gradient      G, a bound of |g| in Omega
  *   variation     the total variation of f on [0, T], jumps included
  *   start         |v0|, used if 2 alpha < 1, and by fvi_position_bound_compute
  *   speed         V, a bound of |x'|

@@ -51,7 +51,7 @@ typedef struct {
     double complex pole;
 } spring;
 
-/* |B| of (20.16). */
+/* |J| of (20.16). */
 static double source(const spring *q, double complex z)
 {
     const double complex begins = q->alpha <= 0.5 ? q->m * q->v0 : -q->c * q->v0 / (z * z);

@@ -55,7 +55,7 @@ typedef struct {
     double m, c, rho, alpha, x0, v0, A;
 } spring;
 
-/* B of (20.16). */
+/* J of (20.16). */
 static inline double complex source(const spring *q, double complex z)
 {
     return (q->A - q->c * q->x0) / z
@@ -115,7 +115,7 @@ typedef struct {
     int order; /* 0: of x, 1: of v */
 } mesh_gap;
 
-/* B(z) (prod R(z h_k) - exp(z t)), and z times as much of v. */
+/* J(z) (prod R(z h_k) - exp(z t)), and z times as much of v. */
 static inline double complex gap(const mesh_gap *g, double complex z)
 {
     double complex product = 1;

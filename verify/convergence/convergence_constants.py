@@ -112,9 +112,9 @@ def graded_bound(m, c, rho, alpha, x0, v0, s, h, order):
         sigma = exp(u)
         on_cut = m * sigma**2 + c + rho * sigma**(2 * mpf(alpha)) * expj(2 * pi * alpha)
         k = fabs((1 / on_cut).imag) / pi
-        B = fabs(c * x0 / sigma + m * v0) if alpha < 0.5 else fabs(c * x0 / sigma - c * v0 / sigma**2)
+        J = fabs(c * x0 / sigma + m * v0) if alpha < 0.5 else fabs(c * x0 / sigma - c * v0 / sigma**2)
         missed = sum(miss(sigma * mpf(l)) * exp(-sigma * t) for l, t in zip(h, starts))
-        return sigma * k * B * sigma**order * missed
+        return sigma * k * J * sigma**order * missed
 
     corners = sorted(log(mpf(0.25) / mpf(l)) for l in set(h))
     return quad(at, [*linspace(-30, corners[0], 40), *corners[1:], *linspace(corners[-1] + 1, 40, 40)])

@@ -220,7 +220,7 @@ def misses(s, steps, q, order):
         g = mpf(1)
         for h in steps:
             g *= mpmath.polyval(P, w * h) / mpmath.polyval(Q, w * h)
-        return (g - mpmath.exp(w * sum(steps))) * q.B(w) * w**order
+        return (g - mpmath.exp(w * sum(steps))) * q.J(w) * w**order
     pole = q.pole()
     found = 2 * mpmath.re(gap(pole) / q.slope(pole))
     L = min(1, mp.pi - mpmath.arg(pole)) / 6    # in ln sigma; the pole is so near to the path
@@ -236,7 +236,7 @@ class Spring:
         self.m, self.rho, self.c, self.x0, self.v0 = (draw(0.3, 2) for _ in range(5))
         self.F = [draw(-1, 1) for _ in range(s)]
 
-    def B(self, w):
+    def J(self, w):
         begins = self.m * self.v0 if self.alpha < 0.5 else -self.c * self.v0 / w**2
         return sum(f * w**(-j - 1) for j, f in enumerate(self.F)) - self.c * self.x0 / w + begins
 
@@ -267,7 +267,7 @@ class Spring:
         """x or v, by Talbot's contour."""
         def X(w):
             rest = self.x0 / w + (self.v0 / w**2 if self.alpha > 0.5 else 0)
-            X = self.B(w) / (self.m * w**2 + self.rho * self.power(w) + self.c) + rest
+            X = self.J(w) / (self.m * w**2 + self.rho * self.power(w) + self.c) + rest
             return w * X - self.x0 if order else X
         with mpmath.workdps(40):
             return mpmath.invertlaplace(X, t, method="talbot", degree=48)
@@ -358,11 +358,11 @@ def bound_for_all_times(m, c, rho, alpha, x0, v0, s, h, eps):
     q.m, q.c, q.rho, q.x0, q.v0, q.F = mpf(m), mpf(c), mpf(rho), mpf(x0), mpf(v0), []
     pole = complex(q.pole())
     turn = cmath.exp(2j * math.pi * alpha)
-    B = lambda w: abs((m * v0 if alpha < 0.5 else -c * v0 / w**2) - c * x0 / w)
+    J = lambda w: abs((m * v0 if alpha < 0.5 else -c * v0 / w**2) - c * x0 / w)
     slope = abs(2 * m * pole + 2 * alpha * rho * cmath.exp((2 * alpha - 1) * cmath.log(pole)))
     both = max(abs(R(pole * h)), math.exp(pole.real * h))
     misses = lambda w: C * abs(w)**(2 * s - 1) if abs(w) < 0.25 else abs(R(w) - cmath.exp(w))
-    of_pole = 2 * B(pole) / slope * misses(pole * h) / (1 - both)
+    of_pole = 2 * J(pole) / slope * misses(pole * h) / (1 - both)
     modes = 2 * float(IMAGINARY) / slope * h / (1 - abs(R(pole * h)))
     x, v, modes_x, modes_v, most, L = 0.0, 0.0, 0.0, 0.0, 0.0, 1 / 400
     for k in range(round(-60 / L), round(60 / L)):
@@ -371,8 +371,8 @@ def bound_for_all_times(m, c, rho, alpha, x0, v0, s, h, eps):
         most = max(most, (1 + nu) / nu * misses(-nu))
         weight = L * sigma * rho * sigma**(2 * alpha) * abs(turn.imag) / (
             math.pi * abs(m * sigma**2 + rho * sigma**(2 * alpha) * turn + c)**2)
-        x += weight * B(-sigma) * most
-        v += weight * B(-sigma) * most * sigma
+        x += weight * J(-sigma) * most
+        v += weight * J(-sigma) * most * sigma
         modes_x += weight / sigma
         modes_v += weight
     return (of_pole + x + rho * eps * (modes + float(KAPPA) * modes_x),
