@@ -1,5 +1,4 @@
-/* src/kernel/kernel_impulses.c -- The impulses of a start with a velocity, by any kernel.
- *                                                                             [H 26] */
+/* src/kernel/kernel_impulses.c -- Compute the impulses of any kernel after a start with a velocity.    [H 26] */
 #include "kernel_impulses.h"
 
 #include "kernel_impulses_state.h"
@@ -10,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* int_0^1 u e^{zu} du to w[1], int_0^1 (1 - u) e^{zu} du to w[0]; and their derivatives. */
+/* Compute w[0] = int_0^1 (1 - u) e^{zu} du, w[1] = int_0^1 u e^{zu} du, and their derivatives by z. */
 static void moments(double complex z, double complex w[2], double complex slope[2])
 {
     if (cabs(z) > 0.5) {
@@ -31,8 +30,8 @@ static void moments(double complex z, double complex w[2], double complex slope[
     }
 }
 
-/* The same of step 0 as an inverse transform at t = h: q is infinite at 0, and its integrals
- * are not. */
+/* Compute the same integrals for step 0 as an inverse transform at t = h. There q is infinite at t = 0, but its
+ * integrals are finite. */
 static void first_moments(double complex z, double complex w[2], double complex slope[2])
 {
     w[1] = 1 / z - 1 / (z * z);
@@ -43,42 +42,50 @@ static void first_moments(double complex z, double complex w[2], double complex 
 
 /* ---- poles ---- */
 
-/* Does rho s^{2 alpha} / (1 + time s^{2 below}) have a pole off the cut? There
- * time s^{2 below} = -1. */
-static int add_pole(const fvi_kernel_simple *t, fvi_impulses_of_kernel *o)
+static int has_pole(const fvi_kernel_simple *t)
 {
-    if (!(2 * t->below > 1 && t->time > 0 && t->rho > 0) || o->poles == MOST_POLES)
-        return 0;
+    return 2 * t->below > 1 && t->time > 0 && t->rho > 0;
+}
+
+/* Add the pole of rho s^{2 alpha} / (1 + time s^{2 below}) off the cut, where time s^{2 below} = -1. */
+static void add_pole(const fvi_kernel_simple *t, fvi_impulses_of_kernel *o)
+{
     const double complex s =
         pow(t->time, -0.5 / t->below) * cexp(I * M_PI / (2 * t->below));
     o->pole[o->poles++] =
         (pole){ .s = s,
                 .residue = -t->rho * cpow(s, 2 * t->alpha + 1) / (2 * t->below),
                 .part = 1 };
-    return 1;
 }
 
 static int find_poles(const fvi_kernel *law, fvi_impulses_of_kernel *o)
 {
     fvi_kernel_simple *term;
-    size_t count;
+    size_t count, poles = 0;
     const int status = fvi_kernel_flatten(law, &term, &count);
-    for (size_t i = 0; !status && i < count; i++)
-        add_pole(term + i, o);
-    if (!status)
-        free(term);
-    return status;
+    if (status)
+        return status;
+    for (size_t i = 0; i < count; i++)
+        poles += (size_t)has_pole(term + i);
+    for (size_t i = 0; i < count && poles <= MOST_POLES; i++)
+        if (has_pole(term + i))
+            add_pole(term + i, o);
+    free(term);
+    if (poles > MOST_POLES)
+        FVI_FAIL("a law may have 64 terms with poles off the cut at most", FVI_EUNSUP);
+    return FVI_SUCCESS;
 }
 
-/* Of a fraction by its order or time: the logarithm of the residue, 2 alpha + 1 times ln s less
- * ln(2 alpha), is differentiated, and so is the pole. */
+/* Find the pole of the derivative of a Zener element by its order or its time. The logarithm of the residue is (2
+ * alpha + 1) ln s - ln(2 alpha) + a constant; it is differentiated, and so is the position of the pole. */
 static void find_pole_of_slope(const fvi_kernel_term *term, fvi_slope_by by,
                                fvi_impulses_of_kernel *o)
 {
     const double a = term->alpha;
     const fvi_kernel_simple fraction = { 1, a, term->time, a };
-    if (term->kind != FVI_KERNEL_ZENER || by == FVI_SLOPE_BY_END || !add_pole(&fraction, o))
+    if (term->kind != FVI_KERNEL_ZENER || by == FVI_SLOPE_BY_END || !has_pole(&fraction))
         return;
+    add_pole(&fraction, o);
     pole *p = o->pole;
     const double complex ln = clog(p->s);
     p->moves = by == FVI_SLOPE_BY_ORDER ? -ln / a : -1 / (2 * a * term->time);
@@ -88,8 +95,8 @@ static void find_pole_of_slope(const fvi_kernel_term *term, fvi_slope_by by,
 
 /* ---- the rule ---- */
 
-/* One node of step k: G(s) = e^{s k h} w(s h) / s^2 of both ends; of step 0 with e^{s h}, and the
- * weights of step 0. */
+/* Add a node with the factors G(s) = w(s h) / s^2 of the impulses; the factor e^{s k h} of step k is added later. Step
+ * 0 has the factor e^{s h} and the moments of first_moments. */
 static void add_node(fvi_impulses_of_kernel *o, const pole *p)
 {
     const size_t j = o->count++;
@@ -112,7 +119,7 @@ static void add_node(fvi_impulses_of_kernel *o, const pole *p)
     }
 }
 
-/* The nodes for steps k >= first. */
+/* Compute the nodes for the steps k >= first. */
 static void make_rule(fvi_impulses_of_kernel *o, size_t first)
 {
     fvi_parabola rule;
@@ -124,7 +131,7 @@ static void make_rule(fvi_impulses_of_kernel *o, size_t first)
                              .residue = rule.weight[j] * o->symbol(o->of, rule.s[j]),
                              .part = 1 });
     for (size_t i = 0; i < o->poles; i++) {
-        pole both = o->pole[i]; /* and its conjugate */
+        pole both = o->pole[i]; /* the pole and its conjugate */
         double complex slope;
         both.residue *= 2 * fvi_parabola_left_out(&rule, both.s, &slope);
         both.part += both.moves * slope;
@@ -132,8 +139,8 @@ static void make_rule(fvi_impulses_of_kernel *o, size_t first)
     }
 }
 
-/* The powers at k: from the last k, or, so that they depend on k alone, from the last multiple
- * of EXACT. */
+/* Compute the powers e^{s k h}. If k is the last k plus 1, one product is enough. Otherwise the products begin at the
+ * last multiple of EXACT, so that the powers depend on k only. */
 static void set_powers(fvi_impulses_of_kernel *o, size_t k, int is_next)
 {
     const size_t exact = k - k % EXACT, from = exact > o->first ? exact : o->first;
@@ -146,7 +153,7 @@ static void set_powers(fvi_impulses_of_kernel *o, size_t k, int is_next)
     }
 }
 
-/* The first step of the parabola of step k: 0, 1, 4, 16, ... */
+/* Return the first step of the parabola that serves step k: 0, 1, 4, 16, ... */
 static size_t first_of(size_t k)
 {
     size_t first = k > 0;
@@ -175,13 +182,13 @@ void fvi_impulses_of_kernel_at(fvi_impulses_of_kernel *o, size_t k, double *impu
             impulse[i] += o->h * creal(o->weight[j][i] * o->power[j]);
     if (o->at_stages)
         return;
-    const double steps = k > 0 ? (double)k : 1; /* only of poles that move */
+    const double steps = k > 0 ? (double)k : 1; /* only poles that move have this term */
     for (size_t j = NODES; j < o->count; j++)
         for (int end = 0; end < 2; end++)
             impulse[end] += o->h * steps * creal(o->line[j][end] * o->power[j]);
 }
 
-/* ---- one of them ---- */
+/* ---- allocation ---- */
 
 static int make(fvi_symbol_function *symbol, const void *of, double h,
                 fvi_impulses_of_kernel **impulses)

@@ -1,4 +1,4 @@
-/* src/kernel/kernel_impulses_state.h -- What the impulses of a kernel are made of.  [H 26] */
+/* src/kernel/kernel_impulses_state.h -- The data of the impulses of a kernel.  [H 26] */
 #ifndef FVI_KERNEL_IMPULSES_STATE_H
 #define FVI_KERNEL_IMPULSES_STATE_H
 
@@ -9,12 +9,13 @@
 
 enum { NODES = FVI_PARABOLA_NODES, SPAN = FVI_PARABOLA_SPAN, EXACT = 64 };
 
-/* Kernels like a fraction with 2 alpha > 1 have poles off the cut: one and its conjugate. */
-enum { MOST_POLES = 16, MOST_IMPULSES = FVI_KERNEL_IMPULSE_NODES };
+/* A term such as a fraction with 2 alpha > 1 has a pair of conjugate poles off the cut, and a law that the program reads
+ * has up to 64 terms (FVI_MOST_TERMS in fvi/parse.h). */
+enum { MOST_POLES = 64, MOST_IMPULSES = FVI_KERNEL_IMPULSE_NODES };
 
-/* A pole s of C(s), with its residue. Of a derivative of C the pole moves: it gives the residue
- * times (part + moves s G'/G), where G(s) is what stands beside C in the integral, and `moves` is
- * the derivative of ln s. */
+/* A pole s of C(s) and its residue. If C is a derivative by a parameter, the pole moves with the parameter. Then it
+ * contributes the residue times (part + moves s G'/G), where G(s) is the other factor in the integral, and `moves` is
+ * the derivative of ln s by the parameter. */
 typedef struct {
     double complex s, residue, part, moves;
 } pole;
@@ -23,19 +24,20 @@ struct fvi_impulses_of_kernel {
     fvi_symbol_function *symbol;
     const void *of;
     double h;
-    size_t first, count, k;        /* the parabola is that of k from `first` on; the last k */
+    /* first: the parabola serves the steps from `first` on; k: the last step that was computed */
+    size_t first, count, k;
     size_t poles;
     pole pole[MOST_POLES];
     size_t n;                      /* impulses of a step: 2 at its ends, or one for each stage */
-    double c[FVI_KERNEL_IMPULSE_NODES]; /* the stages; not read of ends */
+    double c[FVI_KERNEL_IMPULSE_NODES]; /* the stages; not used for the ends of a step */
     int at_stages;
-    double start[MOST_IMPULSES]; /* of step 0 */
+    double start[MOST_IMPULSES]; /* the impulses of step 0, for stages */
     double complex s[NODES + MOST_POLES], weight[NODES + MOST_POLES][MOST_IMPULSES],
-        line[NODES + MOST_POLES][2], /* the weight of step k is weight + k line */
-        step[NODES + MOST_POLES], power[NODES + MOST_POLES]; /* e^{s h}, e^{s k h} */
+        line[NODES + MOST_POLES][2], /* for a moving pole the weight of step k is weight + k line */
+        step[NODES + MOST_POLES], power[NODES + MOST_POLES]; /* e^{s h} and e^{s k h} */
 };
 
-/* fvi_stage_moments -- int_0^1 l_i(u) e^{zu} du of all stages: |z| < 50. */
+/* fvi_stage_moments -- Compute int_0^1 l_i(u) e^{zu} du for all stages i, |z| < 50. */
 void fvi_stage_moments(const fvi_impulses_of_kernel *o, double complex z,
                        double complex *w);
 
