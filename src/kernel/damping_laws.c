@@ -1,4 +1,4 @@
-/* src/kernel/damping_laws.c -- Damping by its symbol: weights.        [H 26] */
+/* src/kernel/damping_laws.c -- Compute the convolution quadrature weights of a damping law.        [H 26] */
 #include <fvi/damping_laws.h>
 
 #include <fvi/coefficients.h>
@@ -11,15 +11,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- powers and fractions of powers ---- */
+/* ---- simple terms ---- */
 
-/* Gauss and Legendre's nodes for a range of orders: n of them integrate e^{x a} over it
- * to (e |x| / 4 n)^{2 n}, x twice the range times the logarithm of a lag over h: to 1e-16
- * for |x| up to 70. */
+/* Number of Gauss-Legendre nodes for a range of orders. n nodes integrate e^{x a} over the range with the error (e
+ * |x| / 4 n)^{2 n}, where x is twice the range times the logarithm of lag / h. With 64 nodes this is 1e-16 for |x| up
+ * to 70. */
 enum { ORDERS = 64 };
 
-/* A term that is no range as one fraction of powers. A denominator of order 0 is a number,
- * which two springpots of one order in series need. */
+/* Write a term that is not a range as one simple term. If the denominator has order 0, it is a number. This happens for
+ * two springpots of the same order in series. */
 static fvi_kernel_simple simple_term(const fvi_kernel_term *t)
 {
     const double alpha = t->kind == FVI_KERNEL_MAXWELL ? 0.5 : t->alpha;
@@ -31,8 +31,8 @@ static fvi_kernel_simple simple_term(const fvi_kernel_term *t)
     return (fvi_kernel_simple){ t->rho, alpha, time, below };
 }
 
-/* Up to 2 alpha = 2^-53 s^{2 alpha} is 1 to 9e-14 for every double s, and a memory of increments
- * would need nodes for s^{2 alpha - 1}, whose range has no end. The term is a spring. */
+/* Replace a term with 2 alpha <= 2^-53 by a spring. There s^{2 alpha} is 1 within 9e-14 for every double s, and a
+ * history of increments would need infinitely many nodes for s^{2 alpha - 1}. */
 static void round_to_spring(fvi_kernel_simple *t)
 {
     if (2 * t->alpha <= 0x1p-53)
@@ -80,7 +80,7 @@ int fvi_kernel_flatten(const fvi_kernel *law, fvi_kernel_simple **terms, size_t 
 
 /* ---- power series ---- */
 
-/* (1 - z)^nu for -1 <= nu < 0, whose coefficients are positive. */
+/* Compute the coefficients of (1 - z)^nu for -1 <= nu < 0. They are all positive. */
 static void negative_power(double nu, size_t count, double *w)
 {
     w[0] = 1;
@@ -88,7 +88,8 @@ static void negative_power(double nu, size_t count, double *w)
         w[n] = w[n - 1] * ((double)n - 1 - nu) / (double)n;
 }
 
-/* w becomes w ((3 - z)/2)^beta, from its end, so that what is still needed stands. */
+/* Multiply the series w by ((3 - z)/2)^beta. The loop runs from the last coefficient to the first, so that no
+ * coefficient is overwritten before its last use. */
 static void times_bdf2(double beta, size_t count, double *w)
 {
     double g[FVI_BDF2_TAPS];
@@ -101,7 +102,7 @@ static void times_bdf2(double beta, size_t count, double *w)
     }
 }
 
-/* (delta(z)/h)^{2 alpha} (1 - z)^{-increments} */
+/* Compute the coefficients of (delta(z)/h)^{2 alpha} (1 - z)^{-increments}. */
 static void power(double alpha, fvi_delta kind, double h, int increments,
                   size_t count, double *w)
 {
@@ -117,13 +118,13 @@ static void power(double alpha, fvi_delta kind, double h, int increments,
         w[n] *= scale;
 }
 
-/* W (1 + T q) = top, one coefficient after the other; W holds the top, and is overwritten.
- * In a fraction with q above, too, all that is added has one sign (26.5). */
+/* Divide power series: W = top / (1 + T q), one coefficient after the other. On entry W holds `top`. If top = q, as in
+ * a Zener element, all summands have one sign, so nothing cancels (26.5). */
 //> division
 static void divide(double T, size_t count, const double *q, double *W)
 {
     size_t last = count;
-    while (last > 1 && q[last - 1] == 0) /* alpha = 1/2: two or three */
+    while (last > 1 && q[last - 1] == 0) /* for alpha = 1/2 only two or three coefficients are not zero */
         last--;
     for (size_t n = 0; n < count; n++) {
         double sum = 0;

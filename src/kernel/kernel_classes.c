@@ -1,4 +1,4 @@
-/* src/kernel/kernel_classes.c -- Kinds of kernels: ranges, symbols, growth.   [H 26] */
+/* src/kernel/kernel_classes.c -- The kinds of kernels: range checks, symbols, growth.   [H 26] */
 #include "kernel_classes.h"
 
 #include "kernel_general.h"
@@ -8,7 +8,7 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-/* ---- ranges of the numbers ---- */
+/* ---- range checks ---- */
 
 static int check_order(const fvi_kernel_term *t)
 {
@@ -48,7 +48,8 @@ static int check_pair(const fvi_kernel_term *t)
 
 /* ---- symbols ---- */
 
-/* e^{2 a ln s}, whose angle is 2 a times that of s: exact where that is none. */
+/* Return s^{2 a} = e^{2 a ln s}. Its angle is 2 a times the angle of s, so the result is exactly real if the angle is
+ * 0. */
 static double complex power_at(double a, double modulus, double angle)
 {
     const double size = pow(modulus, 2 * a);
@@ -64,7 +65,7 @@ static double complex power_symbol(const fvi_kernel_term *t, double modulus,
 }
 
 //> symbol
-/* s^{2 a} / (1 + time s^{2 b}), and s times its derivative */
+/* Return s^{2 a} / (1 + time s^{2 b}), and write s times its derivative to *slope. */
 static double complex fraction_at(double a, double b, double time,
                                   double modulus, double angle,
                                   double complex *slope)
@@ -104,7 +105,7 @@ static double complex maxwell2_symbol(const fvi_kernel_term *t, double modulus,
                        slope);
 }
 
-/* The integral of e^{2 a L}, L = ln s, over a range of orders, and its derivative by L. */
+/* Integrate e^{2 a L}, L = ln s, over the range of orders, and write the derivative by L to *slope. */
 static double complex range_symbol(const fvi_kernel_term *t, double modulus,
                                    double angle, double complex *slope)
 {
@@ -132,7 +133,7 @@ static double complex davidson_symbol(const fvi_kernel_term *t, double modulus,
     return C;
 }
 
-/* The value that the caller's function gives, NaN where it gives none. */
+/* Return the value of the caller's function, or NaN if the function writes no value. */
 static double complex value_of(const fvi_kernel_term *t, double complex s)
 {
     const fvi_kernel_function *f = (const fvi_kernel_function *)t;
@@ -141,8 +142,8 @@ static double complex value_of(const fvi_kernel_term *t, double complex s)
     return re + I * im;
 }
 
-/* The derivative by ln s is a mean over a circle around ln s, on which the symbol is
- * analytic; 24 points leave 1e-13 where the cut is a right angle away. */
+/* The derivative by ln s is computed by Cauchy's formula as a mean over a circle around ln s, on which the symbol is
+ * analytic. With 24 points the error is 1e-13 if the angle between s and the cut is a right angle. */
 static double complex function_symbol(const fvi_kernel_term *t, double modulus,
                                       double angle, double complex *slope)
 {
@@ -186,14 +187,14 @@ static double maxwell2_growth(const fvi_kernel_term *t)
     return t->time == 0 ? 2 * t->alpha : 2 * t->end;
 }
 
-/* From one power of 2 to the next, far up; a law that falls there does not grow. */
+/* Estimate the growth from the values at 2^399 and 2^400. A symbol that decreases there has growth 0. */
 static double function_growth(const fvi_kernel_term *t)
 {
     const double ratio = cabs(value_of(t, 0x1p400) / value_of(t, 0x1p399));
     return ratio < 1 ? 0 : ldexp(round(ldexp(log2(ratio), 30)), -30);
 }
 
-/* Some frequencies say whether it is a function, and real for real s. */
+/* Test at some frequencies that the function gives finite values, and that it is real for real s. */
 static int check_function(const fvi_kernel_term *t)
 {
     if (!((const fvi_kernel_function *)t)->value)
@@ -201,7 +202,7 @@ static int check_function(const fvi_kernel_term *t)
     if (!(function_growth(t) <= 2))
         FVI_FAIL("the symbol of a law must not grow faster than s^2", FVI_EDOM);
     for (int k = -20; k <= 20; k += 4) {
-        const double omega = ldexp(1.1, k); /* at 1 ln s would be 0 */
+        const double omega = ldexp(1.1, k); /* the factor 1.1 avoids s = 1, where ln s = 0 */
         const double complex C = value_of(t, I * omega),
                              mirrored = value_of(t, -I * omega),
                              real = value_of(t, omega);
@@ -214,7 +215,7 @@ static int check_function(const fvi_kernel_term *t)
     return FVI_SUCCESS;
 }
 
-/* ---- the table ---- */
+/* ---- table of classes ---- */
 
 const fvi_kernel_class fvi_kernel_classes[FVI_KERNEL_CLASSES] = {
     [FVI_KERNEL_POWER] = { check_order, power_symbol, power_growth },

@@ -1,4 +1,5 @@
-/* src/kernel/kernel_general.c -- Weights and modes of a symbol alone.          [H 26] */
+/* src/kernel/kernel_general.c -- Compute weights and modes of a general term from the values of its symbol.          [H
+ * 26] */
 #include "kernel_general.h"
 
 #include "system/fail.h"
@@ -25,7 +26,7 @@ int fvi_kernel_has_general(const fvi_kernel *law)
 
 /* ---- weights ---- */
 
-/* C(delta(z)/h), divided by 1 - z if wanted. */
+/* Return C(delta(z)/h), divided by 1 - z if increments = 1. */
 static double complex at_point(const fvi_kernel_term *t, fvi_delta kind,
                                double h, int increments, double complex z)
 {
@@ -37,8 +38,8 @@ static double complex at_point(const fvi_kernel_term *t, fvi_delta kind,
 }
 
 //> cauchy
-/* Points z = r e^(2 pi i j / M) with r^M = 1e-14: what comes round again is below that, and
- * roundings grow by r^-count = 10^(14/8) at most. */
+/* Compute the coefficients by Cauchy's integral with M points z = r e^(2 pi i j / M), where r^M = 1e-14. The aliasing
+ * error is below 1e-14, and rounding errors grow by r^-count <= 10^(14/8) at most. */
 static int add_coefficients(const fvi_kernel_term *t, fvi_delta kind, double h,
                       int increments, size_t count, double *w)
 {
@@ -83,15 +84,16 @@ int fvi_kernel_general_weights(const fvi_kernel *law, fvi_delta kind, double h,
 
 enum { MOST_MODES = 6000 };
 
-/* One more mode, if there is room: nodes from the fastest down to the slowest. */
+/* Append a mode. The caller has checked that there is room. The modes go from the fastest to the slowest. */
 static void add_mode(fvi_kernel_modes *m, double rate, double weight)
 {
     m->rate[m->count] = rate;
     m->weight[m->count++] = weight;
 }
 
-/* (s/(1 + T s))^{2 alpha} has its cut on (-1/T, 0). There s = -e^u/(1 + T e^u), and both ends
- * of the cut go to infinity. What is beyond e^u = 1e17/T stands at 1/T: a geometric sum. */
+/* Compute the modes of (s/(1 + T s))^{2 alpha}, whose cut is (-1/T, 0). The substitution s = -e^u/(1 + T e^u) moves
+ * both ends of the cut to infinity. All nodes beyond e^u = 1e17/T have the rate 1/T, so their weights form one
+ * geometric sum. */
 static int davidson_modes(const fvi_kernel_term *t, double slowest,
                           double delta, fvi_kernel_modes *m)
 {
@@ -113,7 +115,8 @@ static int davidson_modes(const fvi_kernel_term *t, double slowest,
     return FVI_SUCCESS;
 }
 
-/* Im C(-rate + i0) / pi by ln rate; down to where it adds nothing to what is seen. */
+/* Compute the modes of a SYMBOL: the weights are Im C(-rate + i0) / pi times the step in ln rate. The loop ends when a
+ * slower mode no longer contributes. */
 static int symbol_modes(const fvi_kernel_term *t, double slowest,
                         double fastest, double delta, double strip,
                         fvi_kernel_modes *m)

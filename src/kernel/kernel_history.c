@@ -1,4 +1,4 @@
-/* src/kernel/kernel_history.c -- The memory of a law.  [H 26] */
+/* src/kernel/kernel_history.c -- Make the history of a damping law.  [H 26] */
 #include <fvi/damping_laws.h>
 
 #include "kernel_general.h"
@@ -12,9 +12,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* ---- the two kinds of memory ---- */
+/* ---- the two kinds of history ---- */
 
-/* The first `count` weights, w_0 taken out, if it is not 0 as all the others. */
+/* Return a new array of the first `count` weights divided by w_0, and write w_0 to *first. If w_0 = 0, all weights are
+ * 0, and nothing is divided. Return NULL if memory is short. */
 static double *weights_of(const fvi_kernel_ready *r, size_t count, double *first)
 {
     double *w = calloc(count, sizeof *w);
@@ -59,8 +60,8 @@ static fvi_history_head *compressed(const fvi_kernel_ready *r, size_t d, size_t 
     return e;
 }
 
-/* Are these all of the modes of a SYMBOL? 480 weights behind the window say so: a pole that
- * is on no cut, or near to it, or a cut elsewhere, is missed there. */
+/* Test whether the modes of a SYMBOL represent its weights at the lags 33 to 511. They fail to if the symbol has a pole
+ * off the cut, a pole near the cut, or another cut. */
 static int are_all_modes(const fvi_kernel_ready *r, int *all)
 {
     enum { LAGS = 512 };
@@ -86,7 +87,8 @@ static int are_all_modes(const fvi_kernel_ready *r, int *all)
     return status;
 }
 
-/* The widest strip that does, of four. */
+/* Find the widest of the four strips 1, 1/2, 1/4 and 1/8 whose modes represent the weights. Set r->strip = 0 if none
+ * does. */
 static int find_strip(fvi_kernel_ready *r)
 {
     int status = FVI_SUCCESS, all = 0;
@@ -142,7 +144,7 @@ static int make(const fvi_kernel_ready *r, size_t d, size_t steps, fvi_history_k
     return status;
 }
 
-/* A law whose fractions are not yet known. */
+/* Prepare a law for the step h. The caller adds the simple terms. */
 static fvi_kernel_ready at_step(const fvi_kernel *law, fvi_delta kind, double h)
 {
     return (fvi_kernel_ready){ .law = law,

@@ -1,4 +1,4 @@
-/* src/kernel/kernel_modes.c -- One set of modes for all terms of a law.      [H 26] */
+/* src/kernel/kernel_modes.c -- Compute one set of modes for all terms of a law.      [H 26] */
 #include "kernel_ready.h"
 
 #include "memory/history_kinds.h"
@@ -25,17 +25,17 @@ static int has_cut(const fvi_kernel_simple *t)
                 && (t->time == 0 || is_whole(2 * t->below)));
 }
 
-/* A fraction's symbol has poles where 1 + time s^{2 below} = 0, on the sheet of the cut
- * this many radians beyond it; of a power's there are none. */
+/* Return the width of the strip around the cut in which the symbol is analytic as a function of ln s, in radians. A
+ * fraction has poles where 1 + time s^{2 below} = 0, on the next sheet beyond the cut. A power has no poles. */
 static double strip(const fvi_kernel_simple *t)
 {
     return t->time == 0 ? M_PI_2
                         : 0.9 * fmin(M_PI_2, M_PI * (0.5 / t->below - 1));
 }
 
-/* ---- the cut ---- */
+/* ---- modes of the cut ---- */
 
-/* The same of all terms. */
+/* Return Im C(-r + i0) of all terms with a cut. */
 static double on_the_cut(const fvi_kernel_ready *r, double ln_radius)
 {
     const fvi_kernel_term *function = fvi_kernel_ready_function(r);
@@ -49,12 +49,12 @@ static double on_the_cut(const fvi_kernel_ready *r, double ln_radius)
     return sum;
 }
 
-/* More terms than these are not added one by one. */
+/* A longer tail is not summed term by term. */
 #define MANY 1e5
 
-/* The order of a Zener element is so small that its tail would have millions of terms, which hardly differ
- * from one to the next. Their sum is an integral, here an arc, with two corrections by Euler and Maclaurin; the
- * third is below (2 alpha step)^4 / 720, relative to the sum. The other sum ends with exp(at). */
+/* Sum the tail of a Zener element of very small order, which has millions of terms that hardly differ from one to the
+ * next. S0 is the integral of the terms, which is an arc, with two Euler-Maclaurin corrections. The third correction is
+ * below (2 alpha step)^4 / 720 of the sum. S1 has the factor exp(at) and is summed term by term. */
 static void add_slow_tail(const fvi_kernel_simple *t, double factor, double ln_h, double first,
                           double step, double *S0, double *S1)
 {
@@ -85,7 +85,7 @@ void fvi_kernel_tail(const fvi_kernel_simple *t, double factor, double ln_h,
     const double beta = 2 * t->alpha;
     double at = first,
            now = fvi_kernel_on_the_cut(t, factor, at - ln_h) * exp(n * at);
-    if (t->time > 0) /* until the fraction is a power to all digits */
+    if (t->time > 0) /* sum until the fraction is a power to all digits */
         while (t->time * exp(2 * t->below * (at - ln_h)) > 1e-17 && now != 0) {
             at -= step;
             now = fvi_kernel_on_the_cut(t, factor, at - ln_h) * exp(n * at);
@@ -96,8 +96,8 @@ void fvi_kernel_tail(const fvi_kernel_simple *t, double factor, double ln_h,
     *S1 += now * exp(at) / expm1((n + 1 + beta) * step);
 }
 
-/* Below 1/N the nodes fall off doubly fast, and the strip in which a fraction is analytic
- * is crushed there: its poles, at |s| = h time^(-1/2 below), shall be well above. */
+/* Return N, or a larger N if the poles of a fraction, |s| = time^(-1/2 below), are not well above 1/(N h). Below 1/N
+ * the nodes are doubly exponential, and there the strip in which the fraction is analytic shrinks. */
 static double longest(const fvi_kernel_ready *r, double N)
 {
     for (size_t i = 0; i < r->terms; i++) {
@@ -108,17 +108,17 @@ static double longest(const fvi_kernel_ready *r, double N)
     return N;
 }
 
-/* A thousand nodes, at most, for a pole that low. */
+/* Limit of N: a pole at so low a rate would need up to a thousand nodes. */
 #define MOST 1e90
 
-/* BDF2's symbol has poles of its own where a time is short, at |z| = 2.4 for the longest
- * orders: their powers are not gone within the window, and on no cut. */
+/* Return 1 if `time` is so short that the symbol of BDF2 has further poles, at |z| = 2.4 for the largest orders. They
+ * are on no cut, and their powers have not decayed within the window. */
 static int is_short(const fvi_kernel_ready *r, double time)
 {
     return r->kind == FVI_DELTA_BDF2 && 4 * r->h > time;
 }
 
-/* Are the modes of each term of the kind DAVIDSON to be had, and on the cut of BDF2? */
+/* Write to *has whether all DAVIDSON terms have modes and are not too short for BDF2. */
 static int davidsons_have_modes(const fvi_kernel_ready *r, int *has)
 {
     *has = 1;
@@ -149,7 +149,7 @@ static int fractions_have_modes(const fvi_kernel_ready *r)
             continue;
         if ((t->below > 0.45 && !fvi_kernel_is_relaxation(t))
             || (has_cut(t) && longest(r, 1) > MOST))
-            return 0; /* poles too near, or off the cut, or too low */
+            return 0; /* a pole is near the cut, off the cut, or too low */
         if (has_cut(t) && t->below > 0.4
             && is_short(r, pow(t->time, 0.5 / t->below)))
             return 0;
@@ -169,7 +169,8 @@ int fvi_kernel_ready_has_modes(const fvi_kernel_ready *r, int *has)
     return status;
 }
 
-/* The power of the rate with which the cut of a SYMBOL begins; 1 if there is no cut. */
+/* Return the exponent of Im C(-rate + i0) of a SYMBOL for small rates. Return 0.99, or 1.9 for increments, if there is
+ * no cut or the exponent is outside (0, 1.99). */
 static double function_order(const fvi_kernel_ready *r)
 {
     const fvi_kernel_term *t = fvi_kernel_ready_function(r);
@@ -179,7 +180,7 @@ static double function_order(const fvi_kernel_ready *r)
     return order > 0 && order < 1.99 ? order : r->increments ? 1.9 : 0.99;
 }
 
-/* Modes on the cut: Q of them, or with s == NULL their number alone. */
+/* Compute the modes of the cut. Return their number Q; with s = NULL compute only Q. */
 static size_t modes_of_cut(const fvi_kernel_ready *r, double N, double delta, double *s,
                            double *c)
 {
@@ -195,7 +196,7 @@ static size_t modes_of_cut(const fvi_kernel_ready *r, double N, double delta, do
     if (fvi_kernel_ready_function(r)) {
         any = 1;
         least = function_order(r);
-        most = r->increments ? 1.9 : least; /* that of growth is not asked for */
+        most = r->increments ? 1.9 : least; /* the growth of a SYMBOL is not used here */
         width = r->strip * M_PI_2;
     }
     if (!any)
@@ -209,7 +210,7 @@ static size_t modes_of_cut(const fvi_kernel_ready *r, double N, double delta, do
         const double t = g.left + (double)q * g.step, ln_s = t - exp(-t);
         const double node = exp(ln_s) / N, half = (3 - exp(node)) / 2;
         if (bdf2 && half <= 0)
-            break; /* 3^(-33) of the rest is below all rounding */
+            break; /* the remaining terms are below 3^(-33), which is below all rounding errors */
         const double grows = node > 0 ? expm1(node) / node : 1;
         const double ln_radius =
             ln_s - log(N) + log(grows * (bdf2 ? half : 1) / r->h);
@@ -224,9 +225,10 @@ static size_t modes_of_cut(const fvi_kernel_ready *r, double N, double delta, do
     return Q;
 }
 
-/* ---- the poles ---- */
+/* ---- modes of the poles ---- */
 
-/* Of rho s / (1 + T s) the weights are powers of one number, or of two. */
+/* Compute the modes of rho s / (1 + T s). Its weights are powers of one number for Euler, and of two numbers for
+ * BDF2. */
 static size_t modes_of_relaxation(const fvi_kernel_ready *r, const fvi_kernel_simple *t,
                                   double *s, double *c)
 {
@@ -238,7 +240,7 @@ static size_t modes_of_relaxation(const fvi_kernel_ready *r, const fvi_kernel_si
         }
         return 1;
     }
-    const double x = 2 * h / T, root = sqrt(1 - x); /* z = 2 -+ root */
+    const double x = 2 * h / T, root = sqrt(1 - x); /* the poles are at z = 2 -+ root */
     const double z[] = { 2 - root, 2 + root }, sign[] = { 1, -1 };
     for (size_t i = 0; s && i < 2; i++) {
         s[i] = i ? log(z[1]) : log1p(x / (1 + root));
@@ -248,7 +250,8 @@ static size_t modes_of_relaxation(const fvi_kernel_ready *r, const fvi_kernel_si
     return 2;
 }
 
-/* Of a DAVIDSON: its rates stand where delta(e^s)/h = -rate.                  (26.17) */
+/* Compute the modes of a DAVIDSON. A rate of the symbol becomes the rate s of a mode by delta(e^s)/h = -rate.
+ * (26.17) */
 static int modes_of_davidson(const fvi_kernel_ready *r, const fvi_kernel_term *t,
                              double N, double delta, double *s, double *c,
                              size_t *count)
@@ -298,7 +301,7 @@ int fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta,
         if (t->alpha == 0)
             springs += t->rho / (1 + t->time);
     }
-    if (springs > 0 && r->increments && s) { /* their sum, for ever */
+    if (springs > 0 && r->increments && s) { /* a spring acts on the sum of all increments */
         s[Q] = 0;
         c[Q] = springs;
     }

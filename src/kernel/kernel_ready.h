@@ -1,6 +1,6 @@
-/* src/kernel/kernel_ready.h -- A law at one step, for its modes and its memory. [H 26]
+/* src/kernel/kernel_ready.h -- A law prepared for one step length, to compute its modes and its history. [H 26]
  *
- * Internal; nothing is checked. */
+ * This header is internal, and its functions check nothing. */
 #ifndef FVI_KERNEL_READY_H
 #define FVI_KERNEL_READY_H
 
@@ -8,24 +8,28 @@
 
 typedef struct {
     const fvi_kernel *law;
-    fvi_kernel_simple *term; /* the fractions of powers of the law */
+    fvi_kernel_simple *term; /* the terms of the law that are fractions of powers */
     size_t terms;
     fvi_delta kind;
     double h;
     int increments;
-    double strip; /* of a SYMBOL, as a part of pi/2; 0: it has no modes */
+    double strip; /* width of the strip of a SYMBOL, divided by pi/2; 0 if the SYMBOL has no modes */
 } fvi_kernel_ready;
 
-/* fvi_kernel_ready_function -- the symbol that the caller gave, if that is the law; or NULL. */
+/* fvi_kernel_ready_function -- Return the term of the law if it is a SYMBOL with rho > 0, else NULL. */
 const fvi_kernel_term *fvi_kernel_ready_function(const fvi_kernel_ready *r);
 
-/* fvi_kernel_ready_has_modes -- can the tail be a sum of decaying modes? (26.6) The answer goes
- * to *has. Returns FVI_SUCCESS or FVI_ENOMEM. */
+/* fvi_kernel_ready_has_modes -- Write to *has whether the weights behind the window are a sum of decaying modes (26.6).
+ * Return FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_kernel_ready_has_modes(const fvi_kernel_ready *r, int *has);
 
-/* fvi_kernel_ready_modes -- the modes for lags up to N, relative to delta, and how many: rates
- * s and coefficients c, or with s == NULL their number alone. First those of the cut, then
- * those of the poles, then a spring among increments. Returns FVI_SUCCESS or FVI_ENOMEM. */
+/* fvi_kernel_ready_modes -- Compute the modes for lags up to N with the relative error delta.
+ *
+ *   s, c   outputs, rates and coefficients, *count numbers each; with s = NULL only *count is computed
+ *   count  output: the number of modes
+ *
+ * The modes of the cut come first, then those of the poles, and then a spring if the history sums increments. Return
+ * FVI_SUCCESS or FVI_ENOMEM; or FVI_EUNSUP if a DAVIDSON has no modes. */
 int fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta,
                            double *s, double *c, size_t *count);
 

@@ -1,4 +1,4 @@
-/* src/kernel/kernel_responses.c -- How a law answers to a jump, a line and a parabola. [H 26] */
+/* src/kernel/kernel_responses.c -- Compute the responses of a law to a jump, a line and a parabola. [H 26] */
 #include "kernel_responses.h"
 
 #include "kernel_impulses_state.h"
@@ -7,13 +7,13 @@
 #include <math.h>
 #include <string.h>
 
-/* The nodes of the parabola, and the poles of C off the cut. */
+/* The nodes of the parabola, followed by the poles of C off the cut. */
 typedef struct {
     size_t count;
     double complex s[NODES + MOST_POLES], weight[NODES + MOST_POLES];
 } inverse;
 
-/* For the times from t to SPAN t. */
+/* Compute the nodes and weights for the times from t to SPAN t. */
 static void make_inverse(const fvi_impulses_of_kernel *law, double t, inverse *to)
 {
     fvi_parabola rule;
@@ -39,7 +39,7 @@ static void evaluate(const inverse *of, double t, double *response)
     }
 }
 
-/* rho s^o: rho t^(m - 1 - o) / Gamma(m - o), which is 0 where Gamma has a pole. */
+/* Compute the responses of rho s^o: rho t^(m - 1 - o) / Gamma(m - o). They are 0 where Gamma has a pole. */
 static void evaluate_power(const fvi_kernel_term *of, double t, double *response)
 {
     const double o = 2 * of->alpha;

@@ -1,11 +1,11 @@
-/* src/kernel/kernel_stage_impulses.c -- The impulses of a kernel on the stages of a step.  [H 26] */
+/* src/kernel/kernel_stage_impulses.c -- Compute the impulses of a kernel at the stages of a step.  [H 26] */
 #include "kernel_impulses_state.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <string.h>
 
-/* l_i(u) on the n stages */
+/* Return the Lagrange polynomial l_i(u) of the n stages. */
 static double lagrange(const fvi_impulses_of_kernel *o, size_t i, double u)
 {
     double l = 1;
@@ -15,7 +15,7 @@ static double lagrange(const fvi_impulses_of_kernel *o, size_t i, double u)
     return l;
 }
 
-/* Point q of Gauss's rule of n nodes on [0, 1], and its weight. */
+/* Return point q of the Gauss-Legendre rule with n nodes on [0, 1], and write its weight to *weight. */
 static double gauss(int n, int q, double *weight)
 {
     double y = cos(M_PI * (q + 0.75) / (n + 0.5)), slope = 0;
@@ -39,7 +39,8 @@ typedef struct {
     double u[POINTS], part[POINTS];
 } gauss_rule;
 
-/* The rule of POINTS nodes. A start of a run asks for the moments of some hundred modes, so a thread makes the rule once. */
+/* Return the rule with POINTS nodes. Each thread computes it once, because the start of a run needs the moments of some
+ * hundred modes. */
 static const gauss_rule *gauss_of_moments(void)
 {
     static _Thread_local gauss_rule rule;
@@ -63,9 +64,9 @@ void fvi_stage_moments(const fvi_impulses_of_kernel *o, double complex z,
     }
 }
 
-/* ---- step 0 at stages ---- */
+/* ---- step 0 ---- */
 
-/* C(s)/s^2 at the nodes for the times from t to SPAN t, and of the poles; their count. */
+/* Compute the nodes for the times from t to SPAN t, and C(s)/s^2 at the nodes and at the poles. Return their number. */
 static size_t nodes_of(const fvi_impulses_of_kernel *o, double t, double complex *s,
                        double complex *weight)
 {
@@ -86,7 +87,7 @@ static size_t nodes_of(const fvi_impulses_of_kernel *o, double t, double complex
     return count;
 }
 
-/* The piece from u = a to 2 a, on which q is smooth. */
+/* Add the integral from u = a to 2 a, where q is smooth. */
 static void add_piece(fvi_impulses_of_kernel *o, double a)
 {
     enum { FEW = 20 };
@@ -102,8 +103,8 @@ static void add_piece(fvi_impulses_of_kernel *o, double a)
     }
 }
 
-/* From u = 0 to e, where q is infinite: l_i by its first four powers of u, whose integrals are inverse
- * transforms at t = e h, by parts. */
+/* Add the integral from u = 0 to e, where q is infinite at u = 0. Only the first four powers of u in l_i are used.
+ * Integration by parts turns their integrals into inverse transforms at t = e h. */
 static void add_corner(fvi_impulses_of_kernel *o, double e)
 {
     enum { POWERS = 4 };

@@ -1,4 +1,4 @@
-/* src/kernel/laplace_parabola.c -- Laplace's inverse integral along a parabola.    [H 26] */
+/* src/kernel/laplace_parabola.c -- Invert a Laplace transform by an integral along a parabola.    [H 26] */
 #include "laplace_parabola.h"
 
 #include <gsl/gsl_math.h>
@@ -13,12 +13,12 @@ void fvi_parabola_make(double t, fvi_parabola *p)
     for (int j = 0; j < FVI_PARABOLA_NODES; j++) {
         const double complex v = 1 + I * (j + 0.5) * spacing;
         p->s[j] = p->mu * v * v;
-        p->weight[j] = 2 * p->mu / M_PI * spacing * v; /* and the conjugate node */
+        p->weight[j] = 2 * p->mu / M_PI * spacing * v; /* the factor 2 includes the conjugate node */
     }
 }
 
-/* Let v be s = mu (1 + i v)^2. Cauchy's theorem with 1/(1 + e^{2 pi i v/spacing}), whose poles are
- * the nodes, gives 1/(1 + e^{-2 pi i v/spacing}). */
+/* The pole is at s = mu (1 + i v)^2. The function 1/(1 + e^{2 pi i v/spacing}) has its poles at the nodes, so Cauchy's
+ * theorem gives the part 1/(1 + e^{-2 pi i v/spacing}). */
 double complex fvi_parabola_left_out(const fvi_parabola *p, double complex s,
                                      double complex *slope)
 {

@@ -1,4 +1,4 @@
-/* src/kernel/symbol_poles.c -- Is a symbol analytic but for its cut?        [H 26] */
+/* src/kernel/symbol_poles.c -- Search for poles of a symbol off the cut.        [H 26] */
 #include "symbol_poles.h"
 
 #include "system/larger.h"
@@ -13,16 +13,17 @@ static double complex value_of(const fvi_kernel_function *f, double complex s)
     return re + I * im;
 }
 
-/* The mean of an analytic function over a circle is its value at the centre c. These circles leave a quarter of c
- * to Re s = 0, and cover all s with |arg s| < 34 degrees and 10^-6 < |s| < 10^6: a pole there is seen, if it is
- * not a thousandth of the function. In the cut plane 48 points on a circle are right to 0.75^48 = 10^-6. */
+/* Return 1 if the function has a pole with |arg s| < 34 degrees and 10^-6 < |s| < 10^6. The mean of an analytic
+ * function over a circle is its value at the centre c. The circles have the radius 0.75 c, so they stay right of Re
+ * s = 0, and together they cover this region. A pole is found if it contributes more than a thousandth of the function.
+ * If the function is analytic in the cut plane, 48 points on a circle have the error 0.75^48 = 10^-6. */
 static int has_poles_ahead(const fvi_kernel_function *f)
 {
     enum { UPPER = 24 };
     for (int k = -20; k <= 20; k += 2) {
         const double centre = ldexp(1.1, k);
         double sum = 0, most = 0;
-        for (int i = 0; i < UPPER; i++) { /* those of the lower half are their mirror images */
+        for (int i = 0; i < UPPER; i++) { /* the values in the lower half plane are conjugate */
             const double angle = M_PI * (i + 0.5) / UPPER;
             const double complex C = value_of(f, centre * (1 + 0.75 * cexp(I * angle)));
             sum += creal(C) / UPPER;
@@ -34,10 +35,10 @@ static int has_poles_ahead(const fvi_kernel_function *f)
     return 0;
 }
 
-/* ---- beside the cut ---- */
+/* ---- poles beside the cut ---- */
 
-/* Boxes of ln s = u + i v: between the real axis and this v, and from line l to line l + 2 of constant u, so that
- * each line is inside of another box. */
+/* The search uses boxes in the plane of ln s = u + i v. A box reaches from v = 0 to v = WIDEST, and from line l to line
+ * l + 2 of constant u. So each line lies inside another box. */
 static const double WIDEST = M_PI - 0.15, ALLOWED = 1e-3;
 enum { LINES = 29, POINTS = 8 };
 
@@ -46,8 +47,8 @@ static double line(size_t l)
     return (double)l - (LINES - 1) / 2;
 }
 
-/* Of a path: the integrals by w = ln s of C and of (w - u) C, u being real; and the largest |C| on it. The second
- * one sees a pole of order 2 that has no residue. */
+/* The integrals along a path, in w = ln s, of C and of (w - u) C with a real u, and the largest |C| on the path. The
+ * second integral finds a pole of order 2 without residue. */
 typedef struct {
     double complex sum, moment;
     double most;
@@ -58,7 +59,7 @@ static path joined(path a, path b, int sign)
     return (path){ a.sum + sign * b.sum, a.moment + sign * b.moment, larger(a.most, b.most) };
 }
 
-/* A straight path, by Gauss's rule in `pieces` parts. */
+/* Integrate along a straight line by Gauss's rule with 8 points in each of `pieces` parts. */
 static path along(const fvi_kernel_function *f, double u, double complex from, double complex to, size_t pieces)
 {
     static const double x[] = { 0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363 },
@@ -77,7 +78,7 @@ static path along(const fvi_kernel_function *f, double u, double complex from, d
     return it;
 }
 
-/* Up along a line: the nearer to the cut, the shorter are the pieces. */
+/* Integrate upwards along a line of constant u. Near the cut the pieces are shorter. */
 static path upwards(const fvi_kernel_function *f, double u, double at_u, size_t fine)
 {
     static const double at[] = { 0, 1.9, 2.65, M_PI - 0.15 };
@@ -88,8 +89,8 @@ static path upwards(const fvi_kernel_function *f, double u, double at_u, size_t 
 }
 
 //> box
-/* Around the box that begins at line l. By Cauchy's theorem both integrals are 0 if the function is analytic in it. The
- * sums become parts of the largest |C| on the sides, NaN if that is not finite. */
+/* Integrate around the box that begins at line l. By Cauchy's theorem both integrals are 0 if the function is analytic
+ * in the box. They are divided by the largest |C| on the sides, so they are NaN if a value is not finite. */
 static path around(const fvi_kernel_function *f, size_t l, size_t fine)
 {
     const double from = line(l), to = line(l + 2), u = line(l + 1);
@@ -102,13 +103,14 @@ static path around(const fvi_kernel_function *f, size_t l, size_t fine)
     return it;
 }
 
-/* Is it more than an error of Gauss's rule, and does it stay with pieces half as long? */
+/* Return 1 if an integral is larger than ALLOWED and does not change when the pieces are halved. Then it is no error of
+ * Gauss's rule. */
 static int stays(double complex before, double complex now)
 {
     return cabs(now) > ALLOWED && cabs(now - before) < 0.01 * cabs(now);
 }
 
-/* Where the largest value is not finite, nothing is known. */
+/* Return 1 if the box contains a pole. If a value on its sides is not finite, return 0. */
 static int has_poles_in_box(const fvi_kernel_function *f, size_t l)
 {
     enum { FINEST = 16 };
