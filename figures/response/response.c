@@ -9,8 +9,8 @@
 #include <stdlib.h>
 
 /* H(i omega) and its poles' part, by the residues v^2. */
-static void look(double alpha, double omega, double complex *H,
-                 double complex *modes)
+static void evaluate_receptance(double alpha, double omega, double complex *H,
+                                double complex *modes)
 {
     const double one = 1, half = 0.5;
     const fvi_system body = { .d = 1, .mass = &one, .damping = &half,
@@ -40,7 +40,7 @@ int main(void)
         printf("%s# alpha = %g\n", block ? "\n\n" : "", alpha[block]);
         for (int k = -60; k <= 60; k++) {
             const double omega = pow(10, k / 40.0);
-            look(alpha[block], omega, &H, &modes);
+            evaluate_receptance(alpha[block], omega, &H, &modes);
             if (block == 0)
                 printf("%.17g %.17g %.17g\n", omega, cabs(H), cabs(modes));
             else

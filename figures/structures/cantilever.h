@@ -95,8 +95,8 @@ static inline int beam_stiffness(size_t d, const double *x, const void *params,
     return 0;
 }
 
-static inline int beam_remember(size_t d, const double *x, const double *from,
-                                const void *params, double *z)
+static inline int beam_select_history(size_t d, const double *x, const double *from,
+                                      const void *params, double *z)
 {
     (void)params;
     for (size_t i = 0; i < d; i++)
@@ -104,8 +104,8 @@ static inline int beam_remember(size_t d, const double *x, const double *from,
     return 0;
 }
 
-static inline int beam_damp(size_t d, double a, const double *z,
-                            const void *params, double *p)
+static inline int beam_apply_damping(size_t d, double a, const double *z,
+                                     const void *params, double *p)
 {
     const beam *b = params;
     (void)d;
@@ -123,13 +123,13 @@ static inline int beam_factorise(size_t d, double m, double c, double k,
 /* b must outlive what is returned. */
 static inline fvi_matrices beam_matrices(const beam *b)
 {
-    return (fvi_matrices){ .remembered = 2 * (size_t)b->n,
-                           .remember = beam_remember,
-                           .damp = beam_damp,
+    return (fvi_matrices){ .history_size = 2 * (size_t)b->n,
+                           .select_history = beam_select_history,
+                           .apply_damping = beam_apply_damping,
                            .stiffness = beam_stiffness,
                            .factorise = beam_factorise,
                            .solve = b->assembled->solve,
-                           .forget = b->assembled->forget,
+                           .free_factors = b->assembled->free_factors,
                            .params = b };
 }
 

@@ -36,7 +36,7 @@ static void bend(const fvi_system *system, double *x0)
     x0[D - 2] = 3; /* F l^3 / 3 = 1 */
     fail(m->factorise(D, 0, 0, 1, m->params, &factors));
     fail(m->solve(D, factors, x0));
-    m->forget(factors);
+    m->free_factors(factors);
 }
 
 static void shape(const double *x)

@@ -65,13 +65,13 @@ static void run(double size, double *ground, double *roof, double *drift)
 
 int main(void)
 {
-    static double ground[STEPS + 2], bare[STEPS + 1], damped[STEPS + 1];
+    static double ground[STEPS + 2], incomplete[STEPS + 1], damped[STEPS + 1];
     double drift[2][FLOORS] = { { 0 } };
     shake(ground);
-    run(0, ground, bare, drift[0]);
+    run(0, ground, incomplete, drift[0]);
     run(damper, ground, damped, drift[1]);
     for (int k = 0; k <= STEPS; k += EVERY)
-        printf("%g %.5g %.5g %.5g\n", k * h, ground[k], bare[k], damped[k]);
+        printf("%g %.5g %.5g %.5g\n", k * h, ground[k], incomplete[k], damped[k]);
     printf("\n\n");
     for (int i = 0; i < FLOORS; i++)
         printf("%d %.5g %.5g\n", i + 1, drift[0][i], drift[1][i]);

@@ -24,9 +24,9 @@ static int wave_stiffness(size_t d, const double *x, const void *params,
     return 0;
 }
 
-/* C = S B^T with B = 1: all of x is remembered. */
-static int wave_remember(size_t d, const double *x, const double *from,
-                         const void *params, double *z)
+/* C = S B^T with B = 1: the history has all of x. */
+static int wave_select_history(size_t d, const double *x, const double *from,
+                               const void *params, double *z)
 {
     (void)params;
     for (size_t i = 0; i < d; i++)
@@ -34,8 +34,8 @@ static int wave_remember(size_t d, const double *x, const double *from,
     return 0;
 }
 
-static int wave_damp(size_t d, double a, const double *z, const void *params,
-                     double *p)
+static int wave_apply_damping(size_t d, double a, const double *z, const void *params,
+                              double *p)
 {
     const double rho = *(const double *)params;
     for (size_t i = 0; i < d; i++)
@@ -66,7 +66,7 @@ static int wave_solve(size_t d, void *factors, double *r)
     return 0;
 }
 
-static void wave_forget(void *factors)
+static void wave_free_factors(void *factors)
 {
     free(factors);
 }
@@ -74,13 +74,13 @@ static void wave_forget(void *factors)
 /* rho must outlive what is returned. */
 static inline fvi_matrices wave_matrices(size_t d, const double *rho)
 {
-    return (fvi_matrices){ .remembered = d,
-                           .remember = wave_remember,
-                           .damp = wave_damp,
+    return (fvi_matrices){ .history_size = d,
+                           .select_history = wave_select_history,
+                           .apply_damping = wave_apply_damping,
                            .stiffness = wave_stiffness,
                            .factorise = wave_factorise,
                            .solve = wave_solve,
-                           .forget = wave_forget,
+                           .free_factors = wave_free_factors,
                            .params = rho };
 }
 //< wave

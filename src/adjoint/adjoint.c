@@ -1,4 +1,4 @@
-/* src/adjoint/adjoint.c -- Every derivative of a run for one mirrored run. [H 23] */
+/* src/adjoint/adjoint.c -- Every derivative of a run for one adjoint run. [H 23] */
 #include <fvi/adjoint.h>
 
 #include "adjoint_dampers.h"
@@ -109,7 +109,7 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     if (method->scheme == FVI_SCHEME_VARIABLE_STEP && want->alpha
         && (run->alpha == 0 || run->alpha == 1)
         && fvi_initial_history_acts(run->past, run->alpha))
-        FVI_FAIL("where the past pulls, a mesh has no derivative by alpha at 0 "
+        FVI_FAIL("where the initial history acts, a mesh has no derivative by alpha at 0 "
                  "and at 1",
                  FVI_EUNSUP);
     if (!momenta_are_known(method, run, J))
@@ -184,7 +184,7 @@ static inline int slopes(const fvi_objective *J, size_t k, size_t d, const doubl
     return J->slopes(k, d, x, p, J->params, Jx, Jp);
 }
 
-/* One of the four kinds of mirrored runs: of a structure with stages; with stages, or without (0), or of several
+/* One of the four kinds of adjoint runs: of a structure with stages; with stages, or without (0), or of several
  * dampers. */
 typedef struct {
     size_t stages;
@@ -193,11 +193,11 @@ typedef struct {
     fvi_adjoint_multistep plain;
     fvi_adjoint_lobatto staged;
     fvi_adjoint_dampers several;
-} mirror;
+} adjoint_run;
 
 static int begin(const fvi_method *method, const fvi_run *run,
                  const fvi_sensitivities *want, int jumps, const double *rows,
-                 const double *p, const double *Jp, mirror *m)
+                 const double *p, const double *Jp, adjoint_run *m)
 {
     m->stages = (size_t)method->stages;
     m->is_structure = m->stages && run->system->matrices;
@@ -212,7 +212,7 @@ static int begin(const fvi_method *method, const fvi_run *run,
                                                    &m->plain);
 }
 
-static int step(mirror *m, size_t k, const double *rows, const double *Jx)
+static int step(adjoint_run *m, size_t k, const double *rows, const double *Jx)
 {
     if (m->is_structure)
         return fvi_adjoint_structure_step(&m->structure, k, rows, Jx);
@@ -223,7 +223,7 @@ static int step(mirror *m, size_t k, const double *rows, const double *Jx)
 }
 
 /* J depends on p_k, 0 < k < N: lambda_k jumps by J_p, (23.27). */
-static int jump(mirror *m, const double *Jp)
+static int jump(adjoint_run *m, const double *Jp)
 {
     if (m->is_structure)
         return fvi_adjoint_structure_jump(&m->structure, Jp);
@@ -234,7 +234,7 @@ static int jump(mirror *m, const double *Jp)
 }
 
 /* Jp: NULL, or dJ/dp_0, which is p0. */
-static int finish(mirror *m, const fvi_sensitivities *want, size_t d,
+static int finish(adjoint_run *m, const fvi_sensitivities *want, size_t d,
                   const double *Jx, const double *Jp)
 {
     const int status = m->is_structure  ? fvi_adjoint_structure_end(&m->structure, Jx)
@@ -246,7 +246,7 @@ static int finish(mirror *m, const fvi_sensitivities *want, size_t d,
     return status;
 }
 
-static void stop(mirror *m)
+static void stop(adjoint_run *m)
 {
     if (m->is_structure)
         fvi_adjoint_structure_free(&m->structure);
@@ -267,7 +267,7 @@ static int walk(const fvi_method *method, fvi_checkpointing *path,
     const int jumps = objective->has_momenta;
     const double *rows;
     double *Jp = jumps ? J + d : NULL;
-    mirror m = { 0 };
+    adjoint_run m = { 0 };
     int status = fvi_checkpointing_step(path, N - 1, &rows);
     if (!status)
         status = slopes(objective, N, d, rows + per * d,

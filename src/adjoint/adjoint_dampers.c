@@ -16,7 +16,7 @@ void fvi_adjoint_dampers_elongation(const fvi_adjoint_dampers *m, const fvi_adjo
         z[i] = x[i] - m->run->x0[i] - (a->has_drift ? t * m->v0[i] : 0);
 }
 
-/* C N, d numbers, meets z and the time of the node. */
+/* The products of C N, d numbers, with z and the time of the node. */
 static void accumulate(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double share,
                        const double *z, const double *CN, double t)
 {
@@ -30,7 +30,7 @@ static int multiply_sums(fvi_adjoint_dampers *m, const fvi_adjoint_damper *a, do
 {
     const fvi_damping_matrix *C = &a->of.matrix;
     memset(CN, 0, m->d * sizeof *CN);
-    return C->damp(m->d, -1, a->damping->H, C->params, CN);
+    return C->apply_damping(m->d, -1, a->damping->H, C->params, CN);
 }
 
 int fvi_adjoint_dampers_first_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, const double *x)
@@ -81,11 +81,11 @@ static int add_jumps(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k, co
         status = fvi_adjoint_dampers_multiply(m, a, m->z, c->by_theta, &a->sum_by_theta);
     memset(m->column, 0, m->d * sizeof *m->column);
     if (!status)
-        status = C->damp(m->d, -1, c->value, C->params, m->column);
+        status = C->apply_damping(m->d, -1, c->value, C->params, m->column);
     for (size_t i = 0; i < m->d; i++)
         m->stepper->p[i] -= a->unit * a->of.rho * m->column[i];
     accumulate(m, a, 1, m->z, m->column, (double)(k + 1) * m->run->h);
-    memset(a->dB, 0, C->remembered * sizeof *a->dB);
+    memset(a->dB, 0, C->history_size * sizeof *a->dB);
     return status;
 }
 
@@ -97,12 +97,12 @@ static void add_impulses(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k
         return;
     fvi_initial_history_force_impulses(&a->history_force, k, at);
     for (size_t i = 0; i < m->d; i++)
-        a->pull[i] += at[0] * left[i] + at[1] * right[i];
+        a->impulse_sum[i] += at[0] * left[i] + at[1] * right[i];
     if (!m->want->orders || a->of.law)
         return;
     fvi_kernel_impulses_by_order(&a->history_force.initial_impulse, k, slope);
     for (size_t i = 0; i < m->d; i++)
-        a->pull_by_order[i] += slope[0] * left[i] + slope[1] * right[i];
+        a->impulse_sum_by_order[i] += slope[0] * left[i] + slope[1] * right[i];
 }
 
 /* The memory is at node k: N = (1 - theta) H_k + theta H_{k-1}. */
@@ -192,8 +192,8 @@ int fvi_adjoint_dampers_jump(fvi_adjoint_dampers *m, const double *Jp)
         fvi_adjoint_damper *a = m->each + j;
         const fvi_damping_matrix *C = &a->of.matrix;
         if (a->jumped.memory)
-            status = C->remember(m->d, Jp, m->zeros, C->params, a->dB);
-        for (size_t i = 0; a->jumped.memory && i < C->remembered; i++)
+            status = C->select_history(m->d, Jp, m->zeros, C->params, a->dB);
+        for (size_t i = 0; a->jumped.memory && i < C->history_size; i++)
             a->B[i] += a->dB[i];
     }
     return status || !fvi_damping_of(m->stepper) ? status
@@ -214,7 +214,7 @@ static int end_damper(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double *by_
     for (size_t i = 0; a->has_drift && i < m->d; i++)
         by_velocity[i] += a->of.rho * a->unit * a->by_drift[i];
     int status = a->impulse_unit != 0
-                     ? fvi_damping_multiply(&a->of.matrix, m->d, a->impulse_unit, a->pull,
+                     ? fvi_damping_multiply(&a->of.matrix, m->d, a->impulse_unit, a->impulse_sum,
                                             m->column)
                      : FVI_SUCCESS;
     for (size_t i = 0; i < m->d; i++)

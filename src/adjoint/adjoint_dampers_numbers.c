@@ -20,11 +20,11 @@ static int start_terms(fvi_adjoint_dampers *m, const fvi_method *method, fvi_adj
     int status = FVI_SUCCESS;
     a->term = calloc(law->count, sizeof *a->term);
     if (!a->term)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     for (; !status && a->terms < law->count; a->terms++) {
         fvi_node_term *t = a->term + a->terms;
         status = fvi_node_term_start(m->run, m->want, fvi_damping_quadrature(method),
-                                     law->term + a->terms, a->of.matrix.remembered,
+                                     law->term + a->terms, a->of.matrix.history_size,
                                      &a->of.matrix, t);
         if (!status && a->impulse_unit != 0)
             status = fvi_node_term_start_impulses(t, m->run->h, m->want);
@@ -41,10 +41,10 @@ int fvi_adjoint_dampers_numbers_start(fvi_adjoint_dampers *m, const fvi_method *
         return start_terms(m, method, a);
     if (!m->want->orders)
         return FVI_SUCCESS;
-    a->Ndot = calloc(a->of.matrix.remembered, sizeof *a->Ndot);
+    a->Ndot = calloc(a->of.matrix.history_size, sizeof *a->Ndot);
     if (!a->Ndot)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    return fvi_order_filter_start(method->scheme, a->of.alpha, a->of.matrix.remembered,
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
+    return fvi_order_filter_start(method->scheme, a->of.alpha, a->of.matrix.history_size,
                                   &a->filter);
 }
 
@@ -55,7 +55,7 @@ int fvi_adjoint_dampers_multiply(fvi_adjoint_dampers *m, const fvi_adjoint_dampe
 {
     memset(m->column, 0, m->d * sizeof *m->column);
     const int status =
-        a->of.matrix.damp(m->d, -1, v, a->of.matrix.params, m->column);
+        a->of.matrix.apply_damping(m->d, -1, v, a->of.matrix.params, m->column);
     *sum += fvi_dot(m->d, z, m->column);
     return status;
 }
@@ -85,14 +85,14 @@ int fvi_adjoint_dampers_numbers_step(fvi_adjoint_dampers *m, fvi_adjoint_damper 
 {
     const fvi_damping_matrix *C = &a->of.matrix;
     const double h = m->run->h, *left = m->stepper->x;
-    double *in = m->remembered, *change = in + C->remembered;
+    double *in = m->history_input, *change = in + C->history_size;
     int status = FVI_SUCCESS;
     if (a->terms == 0)
         return status;
-    memset(in, 0, 2 * C->remembered * sizeof *in);
-    status = C->remember(m->d, m->multipliers.mean, m->zeros, C->params, in);
+    memset(in, 0, 2 * C->history_size * sizeof *in);
+    status = C->select_history(m->d, m->multipliers.mean, m->zeros, C->params, in);
     if (!status)
-        status = C->remember(m->d, m->multipliers.change, m->zeros, C->params, change);
+        status = C->select_history(m->d, m->multipliers.change, m->zeros, C->params, change);
     fvi_adjoint_dampers_elongation(m, a, k + 1, rows + m->d, m->z);
     for (size_t i = 0; i < m->d; i++)
         m->z[i] *= h;
@@ -123,7 +123,7 @@ int fvi_adjoint_dampers_numbers_end(fvi_adjoint_dampers *m, fvi_adjoint_damper *
         return status;
     memset(m->column, 0, m->d * sizeof *m->column);
     if (a->impulse_unit != 0)
-        status = fvi_damping_multiply(&a->of.matrix, m->d, a->impulse_unit, a->pull_by_order,
+        status = fvi_damping_multiply(&a->of.matrix, m->d, a->impulse_unit, a->impulse_sum_by_order,
                                       m->column);
     const double rate = fvi_dot(m->d, A, m->column);
     want->orders[a->first] =

@@ -23,15 +23,15 @@ static int allocate(fvi_adjoint_dampers *m)
     m->block = FVI_ARRAYS({ &m->Jp, d }, { &m->v0, d }, { &m->right, d }, { &m->by_start, d }, { &m->z, d },
                           { &m->work, d }, { &m->column, d }, { &m->moved, d }, { &m->zeros, d }, { &m->jump, d },
                           { &m->multipliers.nu, d }, { &m->multipliers.behind, d }, { &m->multipliers.mean, d },
-                          { &m->multipliers.change, d }, { &m->remembered, 2 * d },
+                          { &m->multipliers.change, d }, { &m->history_input, 2 * d },
                           { &next, OF_A_DAMPER * m->count * d });
     if (!m->each || !m->held || !m->block)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     for (size_t j = 0; j < m->count; j++, next += OF_A_DAMPER * d) {
         m->each[j].by_drift = next;
-        m->each[j].pull = next + d;
+        m->each[j].impulse_sum = next + d;
         m->each[j].CJ = next + 2 * d;
-        m->each[j].pull_by_order = next + 3 * d;
+        m->each[j].impulse_sum_by_order = next + 3 * d;
         m->each[j].CA = next + 4 * d;
         m->each[j].B = next + 5 * d;
         m->each[j].dB = next + 6 * d;
@@ -39,7 +39,7 @@ static int allocate(fvi_adjoint_dampers *m)
     return FVI_SUCCESS;
 }
 
-/* The mirrored run at node N, at rest at J_p; all its dampers were held. */
+/* The adjoint run at node N, at rest at J_p; all its dampers were held. */
 static int start_stepper(fvi_adjoint_dampers *m, const fvi_method *method)
 {
     fvi_run back = *m->run;
@@ -109,7 +109,7 @@ static int start_damper(fvi_adjoint_dampers *m, const fvi_method *method, size_t
     if (!status)
         status = start_constant(m, method, a);
     if (!status && m->has_jumps)
-        status = fvi_constant_history_start(method, m->run, &a->of, a->of.matrix.remembered,
+        status = fvi_constant_history_start(method, m->run, &a->of, a->of.matrix.history_size,
                                             is_by_order(m, a), &a->jumped);
     return status || !m->by_numbers ? status
                                     : fvi_adjoint_dampers_numbers_start(m, method, a);

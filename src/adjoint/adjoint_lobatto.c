@@ -19,16 +19,16 @@ static int allocate(fvi_adjoint_lobatto *m)
     m->block = FVI_ARRAYS({ &m->Lambda, s * d }, { &m->reversed, s * d }, { &m->column, d }, { &m->Q, d },
                           { &m->mass, d }, { &m->after, d }, { &m->last, d }, { &m->hessian_product, d },
                           { &m->T, d }, { &m->Tdot, d }, { &m->kinetic, d }, { &m->sum, d }, { &m->sumdot, d },
-                          { &m->plain, d }, { &m->pull, d }, { &m->impulse_sum_by_order, d }, { &m->jump, d },
+                          { &m->plain, d }, { &m->impulse_sum, d }, { &m->impulse_sum_by_order, d }, { &m->jump, d },
                           { &m->G, s * m->linearised.size });
     if (!m->block)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     if (m->linearised.size == 0)
         m->G = NULL;
     return FVI_SUCCESS;
 }
 
-/* The mirrored run at node N. Of form M it begins at J_p, m/(m + rho) of it at alpha = 1, of
+/* The adjoint run at node N. Of form M it begins at J_p, m/(m + rho) of it at alpha = 1, of
  * form D with the velocity J_p; p0 is zero, as no history knows of it. */
 static int start_stepper(fvi_adjoint_lobatto *m, const fvi_method *method,
                          const double *Jp)
@@ -38,7 +38,7 @@ static int start_stepper(fvi_adjoint_lobatto *m, const fvi_method *method,
     m->linearised.G = m->G;
     m->linearised.reversed = 1;
     m->linearised.by_order = m->want->alpha != NULL;
-    m->linearised.remembers_all = m->is_damped;
+    m->linearised.history_includes_undamped = m->is_damped;
     m->linearised.from_zero = !m->damped_inertia;
     m->linearised.is_dual = m->damped_inertia;
     m->system = fvi_linearised_system(m->run->system, &m->linearised);
@@ -143,7 +143,7 @@ static double inertia(const fvi_adjoint_lobatto *m, size_t j, const double *v)
     return m->run->h * sum;
 }
 
-/* T of coordinate j and its derivative by the order, in reverse order, as the mirrored run
+/* T of coordinate j and its derivative by the order, in reverse order, as the adjoint run
  * left them: of form D its memory sums Lambda, of form M DD Lambda, and DD T comes out. */
 static void read_history(fvi_adjoint_lobatto *m, size_t j, double *T, double *Tdot)
 {
@@ -217,12 +217,12 @@ static void accumulate_force(fvi_adjoint_lobatto *m, size_t k)
             if (force)
                 force[(k * (s - 1) + i) * d + j] +=
                     m->run->h * m->rule->b[i] * Lambda;
-            m->pull[j] += at[i] * Lambda;
+            m->impulse_sum[j] += at[i] * Lambda;
             m->impulse_sum_by_order[j] += slope[i] * Lambda;
         }
 }
 
-/* A step of the mirrored run: Lambda, and what of dJ/dx0 it leaves. */
+/* A step of the adjoint run: Lambda, and what of dJ/dx0 it leaves. */
 //> stages
 static int advance_adjoint(fvi_adjoint_lobatto *m, const double *Jx)
 {
@@ -293,7 +293,7 @@ int fvi_adjoint_lobatto_jump(fvi_adjoint_lobatto *m, const double *Jp)
 /* ---- the end ---- */
 
 /* What depends on rho, on alpha and on v0 through the damping of coordinate j. */
-static void end_damping(const fvi_adjoint_lobatto *m, size_t j, double pulled,
+static void end_damping(const fvi_adjoint_lobatto *m, size_t j, double impulse_size,
                         double v0)
 {
     const fvi_run *run = m->run;
@@ -302,7 +302,7 @@ static void end_damping(const fvi_adjoint_lobatto *m, size_t j, double pulled,
     const double A = fvi_initial_history_amplitude(run->past, run->alpha, run->x0[j], v0),
                  log_h = log(run->h);
     if (want->damping) {
-        want->damping[j] = -A * pulled * m->pull[j];
+        want->damping[j] = -A * impulse_size * m->impulse_sum[j];
         want->damping[j] += m->mass_plus_damping ? m->kinetic[j] / run->h
                                            + m->Lambda[j * m->s] * v0
                                            - m->last[j] / m->mass[j]
@@ -311,7 +311,7 @@ static void end_damping(const fvi_adjoint_lobatto *m, size_t j, double pulled,
     if (want->alpha) /* e falls by 2 dalpha, beta grows by it */
         *want->alpha +=
             2 * rho
-            * (A * pulled * (log_h * m->pull[j] + m->impulse_sum_by_order[j])
+            * (A * impulse_size * (log_h * m->impulse_sum[j] + m->impulse_sum_by_order[j])
                - run->h * (m->sumdot[j] - log_h * m->sum[j]));
     if (m->mass_plus_damping && want->mass)
         want->mass[j] +=
@@ -325,11 +325,11 @@ int fvi_adjoint_lobatto_end(fvi_adjoint_lobatto *m, const double *Jx)
     const fvi_run *run = m->run;
     const fvi_sensitivities *want = m->want;
     const int above = run->alpha > 0.5;
-    const double pulled = m->has_initial_impulses ? pow(run->h, 1 + m->initial_impulse.e) : 0;
+    const double impulse_size = m->has_initial_impulses ? pow(run->h, 1 + m->initial_impulse.e) : 0;
     for (size_t j = 0; j < m->d; j++) {
         const double rho = run->system->damping[j], mass = run->system->mass[j],
                      v0 = run->p0[j] / mass;
-        const double by_A = -rho * pulled * m->pull[j];
+        const double by_A = -rho * impulse_size * m->impulse_sum[j];
         const double by_v0 =
             above ? by_A + (m->mass_plus_damping ? 0 : run->h * rho * m->plain[j])
                   : 0;
@@ -343,7 +343,7 @@ int fvi_adjoint_lobatto_end(fvi_adjoint_lobatto *m, const double *Jx)
             want->p0[j] = m->Lambda[j * m->s] + by_v0 / mass;
         if (want->mass)
             want->mass[j] = m->kinetic[j] / run->h - by_v0 * v0 / mass;
-        end_damping(m, j, pulled, v0);
+        end_damping(m, j, impulse_size, v0);
     }
     return fvi_all_finite(m->d, m->Q) ? FVI_SUCCESS : FVI_EOVRFLW;
 }

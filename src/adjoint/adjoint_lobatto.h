@@ -1,6 +1,6 @@
 /* src/adjoint/adjoint_lobatto.h -- The run that goes backwards through stages. [H 23]
  *
- * Internal: what adjoint_multistep.h is for the methods of H 17. The mirrored run is a run of
+ * Internal: what adjoint_multistep.h is for the methods of H 17. The adjoint run is a run of
  * the same method, through Hess U of the stages in reverse order: of form M in x, whose
  * memory begins at 0, and of form D in dual variables (linearised.h). Here is what the
  * derivatives sum up on its way. */
@@ -22,7 +22,7 @@ typedef struct {
     int damped_inertia;    /* form D */
     int mass_plus_damping; /* form M, alpha = 1: rho is a mass, (17.17) */
     int is_damped, has_initial_impulses;
-    /* the mirrored run: its steps are those of the method */
+    /* the adjoint run: its steps are those of the method */
     fvi_linearised linearised;
     fvi_system system;
     fvi_stepper *stepper;
@@ -34,7 +34,7 @@ typedef struct {
     double *last;                     /* d numbers: J_p p_N */
     double *jump; /* d numbers of form M: the last jump of lambda */
     double *T, *Tdot;                 /* d numbers each, of form M: what they end with */
-    double *kinetic, *sum, *sumdot, *plain, *pull, *impulse_sum_by_order; /* d each */
+    double *kinetic, *sum, *sumdot, *plain, *impulse_sum, *impulse_sum_by_order; /* d each */
     double *block;                                           /* these; owned */
     fvi_stage_terms terms; /* of a law whose terms are wanted */
     fvi_kernel_impulse initial_impulse;

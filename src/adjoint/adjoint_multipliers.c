@@ -1,4 +1,4 @@
-/* src/adjoint/adjoint_multipliers.c -- What the memories of the mirrored run take in.  [H 23] */
+/* src/adjoint/adjoint_multipliers.c -- What the memories of the adjoint run take in.  [H 23] */
 #include "adjoint_multipliers.h"
 
 void fvi_adjoint_multipliers_next(fvi_adjoint_multipliers *f, int is_last, const double *right,

@@ -1,4 +1,4 @@
-/* src/adjoint/adjoint_multipliers.h -- What the memories of the mirrored run take in.  [H 23] */
+/* src/adjoint/adjoint_multipliers.h -- What the memories of the adjoint run take in.  [H 23] */
 #ifndef FVI_ADJOINT_MULTIPLIERS_H
 #define FVI_ADJOINT_MULTIPLIERS_H
 

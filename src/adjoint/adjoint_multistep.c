@@ -16,18 +16,18 @@ static int allocate(fvi_adjoint_multistep *m)
 {
     const size_t d = m->d;
     m->block = FVI_ARRAYS({ &m->Jp, d }, { &m->CJ, d }, { &m->v0, d }, { &m->right, d }, { &m->S, d }, { &m->M, d },
-                          { &m->by_start, d }, { &m->by_line, d }, { &m->kinetic, d }, { &m->pull, d },
+                          { &m->by_start, d }, { &m->by_line, d }, { &m->kinetic, d }, { &m->impulse_sum, d },
                           { &m->impulse_sum_by_order, d }, { &m->z, d }, { &m->z_next, d }, { &m->sum, d },
                           { &m->work, d }, { &m->column, d }, { &m->multipliers.nu, d },
                           { &m->multipliers.behind, d }, { &m->multipliers.mean, d }, { &m->multipliers.change, d },
                           { &m->CA, d }, { &m->B, d }, { &m->jump, d }, { &m->CB, d }, { &m->N, m->r },
                           { &m->Ndot, m->r }, { &m->G, m->linearised.size });
     if (!m->block)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     return FVI_SUCCESS;
 }
 
-/* The mirrored run at node N, at rest at J_p. Algorithm 3's memory begins at 0; that of the
+/* The adjoint run at node N, at rest at J_p. Algorithm 3's memory begins at 0; that of the
  * others is held at J_p, and `constant` has what that leaves out. */
 static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
 {
@@ -37,7 +37,7 @@ static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
     m->linearised.G = m->has_hessian ? m->G : NULL;
     m->linearised.is_constant = m->is_quadratic;
     m->linearised.by_order = m->want->alpha != NULL;
-    m->linearised.remembers_all = m->is_damped;
+    m->linearised.history_includes_undamped = m->is_damped;
     m->linearised.from_zero = m->paper_convention;
     m->system = fvi_linearised_system(m->run->system, &m->linearised);
     back.system = &m->system;
@@ -102,7 +102,7 @@ static void describe(const fvi_method *method, const fvi_run *run,
     m->is_quadratic = fvi_potential_is_quadratic(u);
     m->is_damped = m->want->damping != NULL;
     if (system->matrices) {
-        m->r = system->matrices->remembered;
+        m->r = system->matrices->history_size;
         m->is_damped = m->r > 0;
     }
     for (size_t i = 0; i < m->d && !system->matrices; i++)
@@ -156,7 +156,7 @@ void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
 
 /* ---- a step ---- */
 
-/* J_{k+1} is a force on the mirrored run. */
+/* J_{k+1} is a force on the adjoint run. */
 static int apply_slopes(fvi_adjoint_multistep *m, size_t k, const double *rows,
                         const double *Jx)
 {
@@ -250,7 +250,7 @@ static void accumulate_forces(fvi_adjoint_multistep *m, size_t k)
     if (m->want->alpha)
         fvi_kernel_impulses_by_order(&m->history_force.initial_impulse, k, slope);
     for (size_t i = 0; i < d; i++) {
-        m->pull[i] += at[0] * left[i] + at[1] * right[i];
+        m->impulse_sum[i] += at[0] * left[i] + at[1] * right[i];
         m->impulse_sum_by_order[i] += slope[0] * left[i] + slope[1] * right[i];
     }
 }
@@ -285,7 +285,7 @@ int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double 
 //< step
 
 //> jump
-/* A run that ends at node k begins its mirrored run there, at J_p. All runs that J looks at the
+/* A run that ends at node k begins its adjoint run there, at J_p. All runs that J looks at the
  * end of are added up: lambda jumps. The stepper's memory does not see it, as its origin jumps,
  * too; `jumped` has what that leaves out.                                            (23.27) */
 int fvi_adjoint_multistep_jump(fvi_adjoint_multistep *m, const double *Jp)
@@ -303,7 +303,7 @@ int fvi_adjoint_multistep_jump(fvi_adjoint_multistep *m, const double *Jp)
 /* ---- the end ---- */
 
 /* By x0, from what it leaves alone: x + const changes grad U only, and where A of (19.3) is
- * x0 the pull. By Algorithm 3 Riemann-Liouville's memory knows x0 itself, and the derivative
+ * x0 the history force. By Algorithm 3 Riemann-Liouville's memory knows x0 itself, and the derivative
  * is what arrives; lambda_0 is no part of N_0. (23.6) */
 static int by_start(fvi_adjoint_multistep *m, const double *Jx)
 {
@@ -314,13 +314,13 @@ static int by_start(fvi_adjoint_multistep *m, const double *Jx)
         return fvi_adjoint_multistep_apply_damping(m, -m->damping->unit, s->x,
                                                    m->by_start);
     return m->has_initial_impulses && m->growth < 1
-               ? fvi_adjoint_multistep_apply_damping(m, m->impulse_size, m->pull,
+               ? fvi_adjoint_multistep_apply_damping(m, m->impulse_size, m->impulse_sum,
                                                      m->by_start)
                : FVI_SUCCESS;
 }
 
 /* By p0 less lambda_0: where the memory knows the line x + t p/m, that changes grad U only, and
- * by (13.7) what the past pulls. */
+ * by (13.7) the force of the initial history. */
 static int by_momentum(fvi_adjoint_multistep *m, double *more)
 {
     const fvi_run *run = m->run;
@@ -329,7 +329,7 @@ static int by_momentum(fvi_adjoint_multistep *m, double *more)
     if (!m->has_drift || !m->damping)
         return status;
     if (m->has_initial_impulses)
-        status = fvi_adjoint_multistep_apply_damping(m, m->impulse_size, m->pull,
+        status = fvi_adjoint_multistep_apply_damping(m, m->impulse_size, m->impulse_sum,
                                                      m->by_line);
     if (!status)
         status = fvi_damping_velocity(run->system, m->by_line, more);

@@ -1,6 +1,6 @@
 /* src/adjoint/adjoint_multistep.h -- The run that goes backwards.                 [H 23]
  *
- * Internal: adjoint.c walks from node N to node 0; here is what happens there. The mirrored run
+ * Internal: adjoint.c walks from node N to node 0; here is what happens there. The adjoint run
  * is a run of the same method, with 1 - kappa for kappa, through the Hessians of the run
  * (linearised.h), or with the same matrices. Here is what the derivatives sum up on its way. */
 #ifndef FVI_ADJOINT_MULTISTEP_H
@@ -15,7 +15,7 @@
 #include "parameter_derivatives/node_terms.h"
 #include "parameter_derivatives/order_filter.h"
 
-/* One mirrored run. Where the comment says "each", d numbers; r of them are remembered, all of
+/* One adjoint run. Where the comment says "each", d numbers; r of them are in the history, all of
  * them where there are no matrices. */
 typedef struct {
     const fvi_run *run;
@@ -48,7 +48,7 @@ typedef struct {
     double *S, *M;              /* each: where G is; the multiplier there */
     double *by_start, *by_line; /* each: by a constant in x, and by a line */
     double *kinetic;            /* each: sum_k (x_{k+1}-x_k)(lambda_{k+1}-lambda_k) */
-    double *pull, *impulse_sum_by_order; /* each: impulses of the past times lambda */
+    double *impulse_sum, *impulse_sum_by_order; /* each: impulses of the past times lambda */
     double *z, *z_next;         /* each: z_k, z_{k+1} */
     double *sum;                /* each: sum_j z_j N_j, where there are no matrices */
     double *work, *column;      /* each */
@@ -100,7 +100,7 @@ int fvi_adjoint_multistep_walk_alone(fvi_adjoint_multistep *m, fvi_checkpointing
                                      const fvi_objective *J, double *Jx);
 
 /* fvi_adjoint_multistep_can_step_alone -- may fvi_adjoint_multistep_advance_alone be called?
- * fvi_adjoint_multistep_advance_alone -- fvi_stepper_step of the mirrored run where
+ * fvi_adjoint_multistep_advance_alone -- fvi_stepper_step of the adjoint run where
  * m->steps_alone, but for k and t, which nobody reads there. */
 int fvi_adjoint_multistep_can_step_alone(const fvi_adjoint_multistep *m);
 int fvi_adjoint_multistep_advance_alone(fvi_adjoint_multistep *m);

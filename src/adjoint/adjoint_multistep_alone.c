@@ -1,6 +1,6 @@
 /* src/adjoint/adjoint_multistep_alone.c -- The run backwards of one coordinate.    [H 23]
  *
- * The step of the mirrored run, (9.4) or (13.10), is a division, and no loop has to find out that
+ * The step of the adjoint run, (9.4) or (13.10), is a division, and no loop has to find out that
  * it runs once: the digits of adjoint_multistep.c and of the methods of order 2, in a third to two
  * thirds of their time. */
 #include "adjoint_multistep.h"
@@ -203,7 +203,7 @@ static double filter(fvi_cq_damper *a, double term)
 }
 
 /* D of the later end as far as it is known. */
-static int look_ahead(const fvi_cq_damper *a, double z, double *ahead)
+static int predict_history(const fvi_cq_damper *a, double z, double *ahead)
 {
     const int status = fvi_history_ahead(a->damping->memory, &z, ahead);
     if (a->taps && a->increments)
@@ -225,7 +225,7 @@ int fvi_adjoint_multistep_advance_alone(fvi_adjoint_multistep *m)
     if (a->theta != 0.5)
         p -= (0.5 - a->theta) * *d->factor * *a->H;
     if (a->theta != 0)
-        status = look_ahead(a, x - *d->origin, &ahead);
+        status = predict_history(a, x - *d->origin, &ahead);
     const double r = a->theta != 0 ? p - a->theta * *d->factor * ahead : p,
                  dx = (r - *n->s * (G * x)) / J, g = G * (x + n->theta * dx);
     double z = x + dx - *d->origin, dz = dx;

@@ -1,6 +1,6 @@
-/* src/adjoint/adjoint_multistep_damping.c -- What the memory of the mirrored run gives.
+/* src/adjoint/adjoint_multistep_damping.c -- What the memory of the adjoint run gives.
  *                                                                     [H 23]
- * The sums N_j of (23.5) are what the mirrored run remembers. That of a method of order 2
+ * The sums N_j of (23.5) are the history of the adjoint run. That of a method of order 2
  * gives H_k, the sums of lambda - J_p, and (23.7) says
  *
  *     N_j = (1 - theta) H_j + theta H_{j-1} + what the constant J_p gives
@@ -23,14 +23,14 @@ int fvi_adjoint_multistep_apply_damping(const fvi_adjoint_multistep *m, double s
     const fvi_matrices *C = system->matrices;
     for (size_t i = 0; !C && i < m->d; i++)
         to[i] -= share * system->damping[i] * x[i];
-    if (!C || C->remembered == 0)
+    if (!C || C->history_size == 0)
         return FVI_SUCCESS;
-    double *z = calloc(2 * C->remembered, sizeof *z);
+    double *z = calloc(2 * C->history_size, sizeof *z);
     if (!z)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    int status = C->remember(system->d, x, z + C->remembered, C->params, z);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
+    int status = C->select_history(system->d, x, z + C->history_size, C->params, z);
     if (!status)
-        status = C->damp(system->d, share, z, C->params, to);
+        status = C->apply_damping(system->d, share, z, C->params, to);
     free(z);
     return status;
 }
@@ -44,7 +44,7 @@ static int multiply(fvi_adjoint_multistep *m, const double *z, const double *N,
     int status = FVI_SUCCESS;
     if (C) {
         memset(m->work, 0, m->d * sizeof *m->work);
-        status = C->damp(m->d, -share, N, C->params, m->work);
+        status = C->apply_damping(m->d, -share, N, C->params, m->work);
         for (size_t i = 0; i < m->d; i++)
             *sum += z[i] * m->work[i];
         return status;
@@ -74,7 +74,7 @@ int fvi_adjoint_multistep_damping_start(fvi_adjoint_multistep *m, const fvi_meth
         return status;
     m->each = calloc(run->law->count, sizeof *m->each);
     if (!m->each)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     for (; !status && m->terms < run->law->count; m->terms++) {
         fvi_node_term *t = &m->each[m->terms];
         status = fvi_node_term_start(run, m->want, fvi_damping_quadrature(method),
@@ -160,7 +160,7 @@ int fvi_adjoint_multistep_add_jumps(fvi_adjoint_multistep *m, size_t j, const do
     return status;
 }
 
-/* What each term of the law, alone, gives to its derivatives: h C z_{k+1} meets its sums. */
+/* What each term of the law, alone, adds to its derivatives: h C z_{k+1} times its sums. */
 static int accumulate_terms(fvi_adjoint_multistep *m, size_t k)
 {
     int status = FVI_SUCCESS;
@@ -208,7 +208,7 @@ static int take_last_away(fvi_adjoint_multistep *m)
     fvi_adjoint_multistep_elongation(m, 0, m->run->x0, m->z);
     memset(m->Ndot, 0, m->r * sizeof *m->Ndot);
     if (C)
-        status = C->remember(m->d, m->stepper->x, m->Ndot, C->params, m->N);
+        status = C->select_history(m->d, m->stepper->x, m->Ndot, C->params, m->N);
     else
         memcpy(m->N, m->stepper->x, m->d * sizeof *m->N);
     return status ? status : multiply(m, m->z, m->N, -1, m->sum, &m->sum_of_C);
@@ -216,7 +216,7 @@ static int take_last_away(fvi_adjoint_multistep *m)
 
 /* The impulses of the past, rho A h^(1 + e): their sums with lambda and their slopes by e, A
  * being v0, or x0 of Riemann and Liouville's past below alpha = 1/2. */
-static int meet_impulses(fvi_adjoint_multistep *m, double *at, double *rate)
+static int add_impulses(fvi_adjoint_multistep *m, double *at, double *rate)
 {
     const fvi_run *run = m->run;
     const fvi_matrices *C = run->system->matrices;
@@ -226,11 +226,11 @@ static int meet_impulses(fvi_adjoint_multistep *m, double *at, double *rate)
                                                 m->v0[i]);
     memset(m->Ndot, 0, m->r * sizeof *m->Ndot);
     if (C)
-        status = C->remember(m->d, m->z, m->Ndot, C->params, m->N);
+        status = C->select_history(m->d, m->z, m->Ndot, C->params, m->N);
     else
         memcpy(m->N, m->z, m->d * sizeof *m->N);
     if (!status)
-        status = multiply(m, m->pull, m->N, 1, m->want->damping && !C ? m->column : NULL,
+        status = multiply(m, m->impulse_sum, m->N, 1, m->want->damping && !C ? m->column : NULL,
                           at);
     return status ? status : multiply(m, m->impulse_sum_by_order, m->N, 1, NULL, rate);
 }
@@ -249,7 +249,7 @@ int fvi_adjoint_multistep_end_damping(fvi_adjoint_multistep *m)
     int status = m->is_liouville ? take_last_away(m) : FVI_SUCCESS;
     memset(m->column, 0, m->d * sizeof *m->column);
     if (!status && m->has_initial_impulses)
-        status = meet_impulses(m, &at, &rate);
+        status = add_impulses(m, &at, &rate);
     if (want->damping && run->system->matrices)
         *want->damping = -unit * m->sum_of_C - size * at;
     for (size_t i = 0; want->damping && !run->system->matrices && i < m->d; i++)

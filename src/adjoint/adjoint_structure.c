@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-/* lambda, the velocity of the mirrored run, jumps by J_p. No history is told of the jump. (23.27) */
+/* lambda, the velocity of the adjoint run, jumps by J_p. No history is told of the jump. (23.27) */
 int fvi_adjoint_structure_jump(fvi_adjoint_structure *m, const double *Jp)
 {
     for (size_t i = 0; i < m->d; i++)
@@ -74,8 +74,8 @@ static int add_matrices(fvi_adjoint_structure *m, const double *rows)
     return status;
 }
 
-/* sum_i b_i (v - line) . S y_i, where y is what a damper remembers: number n of stage i at [n * per_number + i *
- * per_stage]. b_i S y_i is added to `sums`, if it is not NULL. */
+/* sum_i b_i (v - line) . S y_i, where y are the history numbers of a damper: number n of stage i at
+ * [n * per_number + i * per_stage]. b_i S y_i is added to `sums`, if it is not NULL. */
 static int multiply_strided(fvi_adjoint_structure *m, const fvi_adjoint_structure_damper *a, const double *y,
                             size_t per_number, size_t per_stage, double *sums, double *sum)
 {
@@ -85,10 +85,10 @@ static int multiply_strided(fvi_adjoint_structure *m, const fvi_adjoint_structur
     *sum = 0;
     for (size_t i = 0; !status && i < m->s; i++) {
         const double *v = m->v + i * d;
-        for (size_t n = 0; n < C->remembered; n++)
+        for (size_t n = 0; n < C->history_size; n++)
             m->y[n] = m->rule->b[i] * y[n * per_number + i * per_stage];
         memset(m->product, 0, d * sizeof *m->product);
-        status = C->damp(d, -1, m->y, C->params, m->product);
+        status = C->apply_damping(d, -1, m->y, C->params, m->product);
         *sum += fvi_dot(d, v, m->product) - (a->has_line ? fvi_dot(d, m->v0, m->product) : 0);
         for (size_t n = 0; sums && n < d; n++)
             sums[n] += m->product[n];
@@ -105,7 +105,7 @@ static int multiply(fvi_adjoint_structure *m, const fvi_adjoint_structure_damper
 /* The derivatives by the numbers of the kernel, from memories of its single terms. (23.21) */
 static int add_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper *a)
 {
-    const double h = m->run->h, *nu = a->mirrored->slope;
+    const double h = m->run->h, *nu = a->adjoint->slope;
     int status = FVI_SUCCESS;
     for (size_t l = 0; !status && l < a->terms.count; l++) {
         fvi_stage_term *t = a->terms.each + l;
@@ -140,7 +140,7 @@ static int add_damper(fvi_adjoint_structure *m, size_t k, fvi_adjoint_structure_
     const size_t d = m->d, s = m->s;
     double at[FVI_STAGES], slope[FVI_STAGES] = { 0 }, sum = 0;
     int status = FVI_SUCCESS;
-    if (!a->mirrored)
+    if (!a->adjoint)
         return FVI_SUCCESS;
     if (a->impulse_unit != 0)
         fvi_initial_history_force_impulses(&a->past, k, at);
@@ -148,15 +148,15 @@ static int add_damper(fvi_adjoint_structure *m, size_t k, fvi_adjoint_structure_
         fvi_kernel_impulses_by_order(&a->past.initial_impulse, k, slope);
     for (size_t i = 0; a->impulse_unit != 0 && i < s; i++)
         for (size_t n = 0; n < d; n++) {
-            a->pull[n] += at[s - 1 - i] * m->o->V[i * d + n];
-            a->pull_by_order[n] += slope[s - 1 - i] * m->o->V[i * d + n];
+            a->impulse_sum[n] += at[s - 1 - i] * m->o->V[i * d + n];
+            a->impulse_sum_by_order[n] += slope[s - 1 - i] * m->o->V[i * d + n];
         }
     if (m->want->damping || a->has_line || m->by_numbers)
-        status = multiply_strided(m, a, a->mirrored->force, 1, a->mirrored->r, a->plain, &sum);
+        status = multiply_strided(m, a, a->adjoint->force, 1, a->adjoint->r, a->plain, &sum);
     a->sum += sum;
-    if (!status && a->mirrored->Ydot)
-        status = multiply_strided(m, a, a->mirrored->force_by_order, 1, a->mirrored->r, NULL, &sum);
-    a->sum_by_order += a->mirrored->Ydot ? sum : 0;
+    if (!status && a->adjoint->Ydot)
+        status = multiply_strided(m, a, a->adjoint->force_by_order, 1, a->adjoint->r, NULL, &sum);
+    a->sum_by_order += a->adjoint->Ydot ? sum : 0;
     return status || !m->by_numbers ? status : add_numbers(m, a);
 }
 
@@ -191,7 +191,7 @@ static void end_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper *
     double *const to[] = { want->terms, want->alpha ? want->alpha : want->orders, want->times, want->ends };
     if (!a->of.law) {
         const double h = m->run->h, log_h = log(h);
-        if (a->mirrored && a->mirrored->Ydot) {
+        if (a->adjoint && a->adjoint->Ydot) {
             a->number[0][0] = -h * a->sum / a->of.rho;
             a->number[1][0] = -2 * h * (a->sum_by_order - log_h * a->sum);
         }
@@ -214,11 +214,11 @@ static int end_damper(fvi_adjoint_structure *m, size_t j, size_t first, double *
     int status = FVI_SUCCESS;
     memset(m->product, 0, d * sizeof *m->product);
     if (a->impulse_unit != 0)
-        status = fvi_damping_multiply(&a->of.matrix, d, a->impulse_unit, a->pull_by_order, m->product);
+        status = fvi_damping_multiply(&a->of.matrix, d, a->impulse_unit, a->impulse_sum_by_order, m->product);
     rate = fvi_dot(d, A, m->product);
     memset(m->product, 0, d * sizeof *m->product);
     if (!status && a->impulse_unit != 0)
-        status = fvi_damping_multiply(&a->of.matrix, d, a->impulse_unit, a->pull, m->product);
+        status = fvi_damping_multiply(&a->of.matrix, d, a->impulse_unit, a->impulse_sum, m->product);
     at = fvi_dot(d, A, m->product);
     for (size_t i = 0; i < d; i++) {
         to[i] -= a->of.rho * m->product[i];

@@ -33,16 +33,16 @@ static int allocate(fvi_adjoint_structure *m)
     m->block = FVI_ARRAYS({ &m->v0, d }, { &m->after, d }, { &m->zeros, d }, { &m->product, d }, { &m->room, d },
                           { &m->y, d }, { &m->v, m->s * d }, { &next, OF_A_DAMPER * m->count * d });
     if (!m->each || !m->held || !m->block)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     for (size_t j = 0; j < m->count; j++, next += OF_A_DAMPER * d) {
         m->each[j].plain = next;
-        m->each[j].pull = next + d;
-        m->each[j].pull_by_order = next + 2 * d;
+        m->each[j].impulse_sum = next + d;
+        m->each[j].impulse_sum_by_order = next + 2 * d;
     }
     return FVI_SUCCESS;
 }
 
-/* The mirrored run at node N, with the velocity J_p, of which no history knows. */
+/* The adjoint run at node N, with the velocity J_p, of which no history knows. */
 static int start_stepper(fvi_adjoint_structure *m, const fvi_method *method, const double *Jp)
 {
     const fvi_system *system = m->run->system;
@@ -80,14 +80,14 @@ static int start_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper 
         return FVI_SUCCESS;
     a->number[0] = calloc(4 * a->kernel.count, sizeof *a->number[0]);
     if (!a->number[0])
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     for (size_t i = 1; i < 4; i++)
         a->number[i] = a->number[0] + i * a->kernel.count;
     const fvi_sensitivities want = { .terms = m->want->terms,
                                      .orders = m->want->alpha ? m->want->alpha : m->want->orders,
                                      .times = m->want->times,
                                      .ends = m->want->ends };
-    return a->mirrored && !a->mirrored->Ydot ? fvi_stage_terms_start(run, &want, m->s, a->mirrored->r,
+    return a->adjoint && !a->adjoint->Ydot ? fvi_stage_terms_start(run, &want, m->s, a->adjoint->r,
                                                fvi_stage_dampers_tolerance(run), &a->kernel, &a->terms)
                        : FVI_SUCCESS;
 }
@@ -98,7 +98,7 @@ static int start_damper(fvi_adjoint_structure *m, size_t j)
     a->of = fvi_run_damper_of(m->run, j);
     for (size_t i = 0; i < m->o->dampers; i++)
         if (m->o->each[i].number == j)
-            a->mirrored = m->o->each + i;
+            a->adjoint = m->o->each + i;
     const int is_mass = a->of.law && a->of.growth == 2;
     a->has_line = a->of.growth > 1 && !is_mass;
     int status = start_numbers(m, a, j);

@@ -17,7 +17,7 @@
 #include "mechanism/mechanism_state.h"
 #include "parameter_derivatives/stage_terms.h"
 
-/* One of several powers of a damper of the past rl, which pulls for itself: impulses for rho A = 1. */
+/* One of several powers of a damper of the past rl, which has a history force of its own: impulses for rho A = 1. */
 typedef struct {
     size_t term;
     fvi_kernel_impulse power;
@@ -36,7 +36,7 @@ typedef struct {
     double nu[FVI_STAGES], eta[FVI_STAGES];
     double spring;              /* on a mesh, of a spring: its stiffness */
     /* its start: A is the slope of z, or z itself of the past rl */
-    int feels_slope, feels_place;
+    int needs_start_slope, needs_start_place;
     double A, unit;             /* of the impulses for rho A = 1, or A = 1 */
     fvi_kernel_impulse power;   /* of a power; */
     fvi_impulses_of_kernel *impulses; /* else */

@@ -54,14 +54,14 @@ static int add_to_place(fvi_adjoint_mechanism *m, double t, const double *x, con
     double *H = m->room, *factor = m->factors;
     int status = FVI_SUCCESS;
     for (int part = 0; part < 2 && !status; part++) {
-        const double *meets = part ? m->beta : v;
+        const double *direction = part ? m->beta : v;
         for (size_t l = 0; l < o->m; l++)
             factor[l] = part ? -w[l] : -right[d + l];
         memset(H, 0, d * d * sizeof *H);
         if (o->m)
             status = c->hessian(t, d, x, factor, c->params, H);
         for (size_t i = 0; i < d * d; i++)
-            m->g[i / d] += H[i] * meets[i % d];
+            m->g[i / d] += H[i] * direction[i % d];
     }
     for (size_t i = 0; i < d; i++)
         for (size_t j = 0; j < d; j++)

@@ -21,14 +21,14 @@ static int is_first_order(const fvi_adjoint_mechanism *m)
 
 /* ---- the start ---- */
 
-/* What a start has stretched at once pulls with powers of t, one for each power of a sum. */
+/* What a start has stretched at once has forces that are powers of t, one for each power of a sum. */
 static int start_powers(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
 {
     static const double ends[] = { 0, 1 };
     const fvi_lobatto_rule *rule = m->o->rule;
     a->each = calloc(a->kernel->count, sizeof *a->each);
     if (!a->each)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     a->A = m->o->z[a->damper];
     for (size_t l = 0; l < a->kernel->count; l++) {
         const fvi_kernel_term *t = a->kernel->term + l;
@@ -53,14 +53,14 @@ static int start_impulses(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_
     if (damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !is_first_order(m) && !fvi_kernel_is_power(a->kernel)
         && fvi_mechanism_check_stretch(a->kernel, j, NULL) == FVI_SUCCESS)
         return start_powers(m, a);
-    a->feels_slope = fvi_mechanism_feels_slope(m->o, damper);
-    a->feels_place = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+    a->needs_start_slope = fvi_mechanism_needs_start_slope(m->o, damper);
+    a->needs_start_place = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
                      && !is_first_order(m) && fvi_kernel_growth(a->kernel) < 1;
-    a->A = a->feels_place ? m->o->z[j] : 0;
-    for (size_t i = 0; a->feels_slope && i < d; i++)
+    a->A = a->needs_start_place ? m->o->z[j] : 0;
+    for (size_t i = 0; a->needs_start_slope && i < d; i++)
         a->A += m->G0[j * d + i] * m->v0[i];
-    if ((!a->feels_slope && !a->feels_place) || is_first_order(m)
-        || (a->feels_slope && damper->past == FVI_INITIAL_HISTORY_CAPUTO))
+    if ((!a->needs_start_slope && !a->needs_start_place) || is_first_order(m)
+        || (a->needs_start_slope && damper->past == FVI_INITIAL_HISTORY_CAPUTO))
         return FVI_SUCCESS;
     a->unit = 1;
     if (fvi_kernel_is_power(a->kernel)) {
@@ -112,14 +112,14 @@ static int start_terms(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a
         return start_terms_of_stages(m, a);
     a->term = calloc(a->kernel->count, sizeof *a->term);
     if (!a->term)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     fvi_run longer = *m->run; /* of order 1 node 0 comes in, too */
     longer.steps++;
     for (size_t l = 0; !status && l < a->kernel->count; l++) {
         status = fvi_node_term_start(&longer, m->want,
                                      is_first_order(m) ? FVI_DELTA_EULER : FVI_DELTA_BDF2,
                                      a->kernel->term + l, 1, NULL, a->term + l);
-        if (!status && a->feels_slope && a->unit != 0)
+        if (!status && a->needs_start_slope && a->unit != 0)
             status = fvi_node_term_start_impulses(a->term + l, m->run->h, m->want);
     }
     return status;
@@ -242,7 +242,7 @@ static void add_impulses_of_power(const fvi_adjoint_mechanism *m,
 {
     const fvi_sensitivities *want = m->want;
     const double rho = a->kernel->term->rho;
-    if (!fvi_kernel_is_power(a->kernel) || a->unit == 0 || (a->term && a->feels_slope))
+    if (!fvi_kernel_is_power(a->kernel) || a->unit == 0 || (a->term && a->needs_start_slope))
         return;
     if (want->terms)
         want->terms[a->first] += a->A * a->by_A;
@@ -319,10 +319,10 @@ int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mecha
         status = push_nodes(m, a, &zeta);
         by_place = -a->eta[0];
     }
-    if (a->feels_place)
+    if (a->needs_start_place)
         by_place += size * a->by_A;
     by_place += add_powers(m, a);
-    if (a->feels_slope)
+    if (a->needs_start_slope)
         by_slope = size * a->by_A + a->by_drift;
     if (!status && by_slope != 0)
         status = check_rate(m, &damper->of);

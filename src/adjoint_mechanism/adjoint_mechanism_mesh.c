@@ -29,7 +29,7 @@ struct fvi_adjoint_mesh {
     double *rows, *p;         /* x of the rows; p at the end */
     double *source, *by_v, *by_x, *Jx, *Jp; /* s d, d each; owned, one piece */
     double W[FVI_LANES * FVI_LANES];
-    fvi_mesh_damper *mirror;  /* r; owned */
+    fvi_mesh_damper *adjoint; /* r; owned */
 };
 
 /* ---- what there is ---- */
@@ -75,11 +75,11 @@ static int start(fvi_adjoint_mechanism *m)
                  "there is",
                  FVI_EUNSUP);
     status = fvi_adjoint_mechanism_allocate(m);
-    mesh->mirror = calloc(m->r + 1, sizeof *mesh->mirror);
+    mesh->adjoint = calloc(m->r + 1, sizeof *mesh->adjoint);
     mesh->rows = malloc((m->run->steps + 2) * m->d * sizeof *mesh->rows);
     mesh->source = FVI_ARRAYS({ &mesh->source, m->s * m->d }, { &mesh->by_v, m->d }, { &mesh->by_x, m->d },
                               { &mesh->Jx, m->d }, { &mesh->Jp, m->d });
-    if (!status && (!mesh->mirror || !mesh->rows || !mesh->source))
+    if (!status && (!mesh->adjoint || !mesh->rows || !mesh->source))
         FVI_FAIL("no memory for the rows of the run", FVI_ENOMEM);
     if (status)
         return status;
@@ -92,8 +92,8 @@ static int start(fvi_adjoint_mechanism *m)
         fvi_adjoint_mechanism_damper *a = m->damper + j;
         a->damper = j;
         a->kernel = m->run->system->mechanism->damper[j].kernel;
-        status = fvi_mesh_begin_damper(m->stepper, of, a->kernel, 1, j, &mesh->mirror[j]);
-        a->spring = mesh->mirror[j].beta == -1 ? mesh->mirror[j].rho : 0;
+        status = fvi_mesh_begin_damper(m->stepper, of, a->kernel, 1, j, &mesh->adjoint[j]);
+        a->spring = mesh->adjoint[j].beta == -1 ? mesh->adjoint[j].rho : 0;
     }
     return status;
 }
@@ -240,22 +240,22 @@ static int add_rows(fvi_adjoint_mechanism *m, size_t n)
 static void find_past(fvi_adjoint_mechanism *m, size_t e)
 {
     const fvi_variable_step_state *of = m->stepper->method_state;
-    fvi_mesh_damper *mirror = m->mesh->mirror + e;
+    fvi_mesh_damper *adjoint = m->mesh->adjoint + e;
     const double h = m->o->h;
     double H[FVI_LANES] = { 0 }, more[FVI_LANES] = { 0 };
-    fvi_mesh_present_damper(of, h, mirror, m->mesh->W);
-    if (mirror->modes) {
-        fvi_modes_begin(mirror->modes, of->length);
-        fvi_modes_history(mirror->modes, 0, H);
+    fvi_mesh_present_damper(of, h, adjoint, m->mesh->W);
+    if (adjoint->modes) {
+        fvi_modes_begin(adjoint->modes, of->length);
+        fvi_modes_history(adjoint->modes, 0, H);
     }
-    if (mirror->rising) {
-        fvi_modes_begin(mirror->rising, of->length);
-        fvi_modes_history(mirror->rising, 0, more);
+    if (adjoint->rising) {
+        fvi_modes_begin(adjoint->rising, of->length);
+        fvi_modes_history(adjoint->rising, 0, more);
     }
     for (size_t i = 0; i < m->s; i++)
-        m->damper[e].past[i] = h * mirror->rho
+        m->damper[e].past[i] = h * adjoint->rho
                                * (H[i] + more[i]
-                                  - (mirror->W1[i] != 0 ? pow(h, -mirror->beta) * mirror->W1[i] * mirror->before
+                                  - (adjoint->W1[i] != 0 ? pow(h, -adjoint->beta) * adjoint->W1[i] * adjoint->before
                                                         : 0));
 }
 
@@ -273,14 +273,14 @@ int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m)
     const double *b = o->rule->b;
     for (size_t e = 0; e < m->r; e++) {
         fvi_adjoint_mechanism_damper *a = m->damper + e;
-        fvi_mesh_damper *mirror = m->mesh->mirror + e;
+        fvi_mesh_damper *adjoint = m->mesh->adjoint + e;
         double mu[FVI_LANES] = { 0 }, all = 0;
         for (size_t i = 0; i < s; i++) {
             mu[i] = a->nu[s - 1 - i] / (o->h * b[s - 1 - i]);
             a->factor += a->nu[i] * o->lambda[e * s + i];
             all += a->spring * a->nu[i];
         }
-        fvi_mesh_advance_damper(mirror, 0, s, mu, &mirror->before);
+        fvi_mesh_advance_damper(adjoint, 0, s, mu, &adjoint->before);
         a->by_origin -= all; /* where a spring rests */
         for (size_t j = 0; j < m->d; j++)
             m->g[j] += all * o->G[e * m->d + j];
@@ -351,9 +351,9 @@ int fvi_adjoint_mesh_run(const fvi_run *run, const fvi_objective *J, const fvi_s
         status = step_back(&m, n);
     if (!status)
         status = finish(&m);
-    for (size_t e = 0; mesh.mirror && e < m.r; e++)
-        fvi_mesh_free_damper(&mesh.mirror[e]);
-    free(mesh.mirror);
+    for (size_t e = 0; mesh.adjoint && e < m.r; e++)
+        fvi_mesh_free_damper(&mesh.adjoint[e]);
+    free(mesh.adjoint);
     free(mesh.step);
     free(mesh.rows);
     free(mesh.source);

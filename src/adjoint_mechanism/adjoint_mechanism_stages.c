@@ -2,7 +2,7 @@
  *
  * A_i multiplies row i of (29.7), and beta p_{k+1}. So phi_i = h b_i (A_i + beta) multiplies the force
  * of stage i, tau_l = sum_i T_il A_i multiplies L_v, and nu_i = -grad g(X_i) . phi_i the force lambda_i.
- * By (17.6) the slopes zdot of all steps meet chi = B P sum_n W_n P B^-1 nu_{k+n}. */
+ * By (17.6) the slopes zdot of all steps are multiplied by chi = B P sum_n W_n P B^-1 nu_{k+n}. */
 #include "adjoint_mechanism.h"
 
 #include "system/dot.h"
@@ -147,7 +147,7 @@ static int push_dampers(fvi_adjoint_mechanism *m, size_t k)
     int status = FVI_SUCCESS;
     for (size_t e = 0; !status && e < m->r; e++) {
         fvi_adjoint_mechanism_damper *a = m->damper + e;
-        double felt[FVI_STAGES], by[FVI_STAGES];
+        double slope_less_start[FVI_STAGES], by[FVI_STAGES];
         fvi_adjoint_mechanism_damper_impulses(m, k, a);
         for (size_t i = 0; i < s; i++) {
             const double unit = by[i] = a->nu[i] / (h * o->rule->b[i]);
@@ -155,10 +155,10 @@ static int push_dampers(fvi_adjoint_mechanism *m, size_t k)
             a->by_A += unit * a->impulse[i];
             a->by_A_and_order += unit * a->slope[i];
             a->by_drift -= a->eta[i];
-            felt[i] = o->zdot[e * s + i] - (a->feels_slope ? a->A : 0);
+            slope_less_start[i] = o->zdot[e * s + i] - (a->needs_start_slope ? a->A : 0);
         }
         fvi_adjoint_mechanism_damper_powers(m, k, a, by);
-        status = fvi_adjoint_mechanism_damper_push(m, a, felt);
+        status = fvi_adjoint_mechanism_damper_push(m, a, slope_less_start);
     }
     return status;
 }

@@ -1,6 +1,6 @@
 /* src/adjoint_variable/adjoint_structure_mesh.c -- A structure on its mesh, backwards.   [H 23, 27]
  *
- * (23.16) with M, C_j and K in the place of numbers. The mirrored run takes the lengths of the steps from the end,
+ * (23.16) with M, C_j and K in the place of numbers. The adjoint run takes the lengths of the steps from the end,
  * with the factors and the modes of the run, at rest: o->v is lambda, o->y its integral, xi the force that drives
  * it. Stages of it stand in reverse order. */
 #include "adjoint_structure_mesh.h"
@@ -16,7 +16,7 @@
 
 /* ---- the start ---- */
 
-static int allocate(fvi_structure_mirror *m)
+static int allocate(fvi_adjoint_structure_mesh_run *m)
 {
     const size_t d = m->d;
     double *next;
@@ -26,14 +26,14 @@ static int allocate(fvi_structure_mirror *m)
                           { &m->moved, d }, { &m->y, d }, { &m->source, m->s * d }, { &m->V, m->s * d },
                           { &m->mu, m->s * d }, { &m->rate, m->s * d }, { &next, m->count * d });
     if (!m->each || !m->block)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     for (size_t j = 0; j < m->count; j++, next += d)
         m->each[j].plain = next;
     return FVI_SUCCESS;
 }
 
 /* The modes of the run, at rest, of the same rates. */
-static int start_modes(fvi_structure_mirror *m)
+static int start_modes(fvi_adjoint_structure_mesh_run *m)
 {
     fvi_stepper *s = m->path.stepper;
     const size_t bytes = m->d * sizeof(double);
@@ -53,7 +53,7 @@ static int start_modes(fvi_structure_mirror *m)
 }
 
 /* The derivative by the order reads a second set of the modes. A dashpot has no modes, and gets some for this. (23.18) */
-static int start_order(fvi_structure_mirror *m)
+static int start_order(fvi_adjoint_structure_mesh_run *m)
 {
     fvi_mesh_damper *memory = &m->of->damper->memory;
     int status = FVI_SUCCESS;
@@ -66,7 +66,7 @@ static int start_order(fvi_structure_mirror *m)
     return status ? status : fvi_modes_add_order(memory->modes);
 }
 
-static int start(fvi_structure_mirror *m)
+static int start(fvi_adjoint_structure_mesh_run *m)
 {
     m->rule = m->path.rule;
     m->s = m->rule->s;
@@ -80,7 +80,7 @@ static int start(fvi_structure_mirror *m)
     if (!status)
         status = start_order(m);
     for (size_t j = 0; !status && j < m->count; j++) {
-        fvi_structure_mirror_damper *a = m->each + j;
+        fvi_adjoint_structure_mesh_damper *a = m->each + j;
         a->of = fvi_run_damper_of(m->run, j);
         a->has_line = a->of.growth > 1 && a->of.past == FVI_INITIAL_HISTORY_CAPUTO && !a->of.law;
         for (size_t i = 0; i < m->of->count; i++)
@@ -93,7 +93,7 @@ static int start(fvi_structure_mirror *m)
 /* ---- a step ---- */
 
 /* The multipliers mu of step n. (23.16) */
-static int solve(fvi_structure_mirror *m, size_t n)
+static int solve(fvi_adjoint_structure_mesh_run *m, size_t n)
 {
     fvi_variable_step_state *o = m->o;
     const fvi_matrices *matrices = m->run->system->matrices;
@@ -119,7 +119,7 @@ static int solve(fvi_structure_mirror *m, size_t n)
 }
 
 /* The derivatives by factors of M and K. V: the velocities of the stages, without what an impulse adds. */
-static int add_matrices(fvi_structure_mirror *m, size_t n)
+static int add_matrices(fvi_adjoint_structure_mesh_run *m, size_t n)
 {
     const fvi_matrices *matrices = m->run->system->matrices;
     const size_t d = m->d, s = m->s;
@@ -153,9 +153,9 @@ static int add_matrices(fvi_structure_mirror *m, size_t n)
     return status;
 }
 
-/* The forces of a damper on the mirrored run, which advance has told of its velocities, and V. Only a factor and the
+/* The forces of a damper on the adjoint run, which advance has told of its velocities, and V. Only a factor and the
  * line of the start ask for them. */
-static int add_damper(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_damper *a)
+static int add_damper(fvi_adjoint_structure_mesh_run *m, size_t n, fvi_adjoint_structure_mesh_damper *a)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
     const double h = m->path.step[n].length.h;
@@ -171,7 +171,7 @@ static int add_damper(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_da
             m->y[l] = h * m->rule->b[i] * force;
         }
         memset(m->product, 0, m->d * sizeof *m->product);
-        status = C->damp(m->d, -1, m->y, C->params, m->product);
+        status = C->apply_damping(m->d, -1, m->y, C->params, m->product);
         a->sum += fvi_dot(m->d, m->V + i * m->d, m->product) - (a->has_line ? fvi_dot(m->d, m->v0, m->product) : 0);
         for (size_t j = 0; j < m->d; j++)
             a->plain[j] += m->product[j];
@@ -180,7 +180,7 @@ static int add_damper(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_da
 }
 
 /* By alpha, before the memory goes on: dT/dbeta, (23.18). */
-static int add_order(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_damper *a)
+static int add_order(fvi_adjoint_structure_mesh_run *m, size_t n, fvi_adjoint_structure_mesh_damper *a)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
     const fvi_mesh_damper *memory = &a->to->memory;
@@ -188,7 +188,7 @@ static int add_order(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_dam
     const size_t r = a->to->r, s = m->s;
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < s; i++)
-        status = C->remember(m->d, m->mu + i * m->d, a->to->zero, C->params, m->rate + i * r);
+        status = C->select_history(m->d, m->mu + i * m->d, a->to->zero, C->params, m->rate + i * r);
     for (size_t l = 0; l < r; l++) {
         double v[FVI_LANES] = { 0 }, rate[FVI_LANES], same[FVI_LANES], past[FVI_LANES];
         for (size_t i = 0; i < s; i++)
@@ -201,7 +201,7 @@ static int add_order(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_dam
     }
     for (size_t i = 0; !status && i < s; i++) {
         memset(m->product, 0, m->d * sizeof *m->product);
-        status = C->damp(m->d, -h * m->rule->b[i], m->rate + i * r, C->params, m->product);
+        status = C->apply_damping(m->d, -h * m->rule->b[i], m->rate + i * r, C->params, m->product);
         a->sum_by_order += fvi_dot(m->d, m->V + i * m->d, m->product)
                            - (a->has_line ? fvi_dot(m->d, m->v0, m->product) : 0);
     }
@@ -209,7 +209,7 @@ static int add_order(fvi_structure_mirror *m, size_t n, fvi_structure_mirror_dam
 }
 
 /* The force is changed along lines between the rows. */
-static void add_force(const fvi_structure_mirror *m, size_t n)
+static void add_force(const fvi_adjoint_structure_mesh_run *m, size_t n)
 {
     const fvi_recorded_step *step = m->path.step + n;
     for (size_t i = 0; m->want->force && i < m->s; i++)
@@ -217,12 +217,12 @@ static void add_force(const fvi_structure_mirror *m, size_t n)
                                m->mu + (m->s - 1 - i) * m->d, m->want->force);
 }
 
-static int step_back(fvi_structure_mirror *m, size_t n)
+static int step_back(fvi_adjoint_structure_mesh_run *m, size_t n)
 {
     const fvi_matrices *matrices = m->run->system->matrices;
     const double h = m->path.step[n].length.h;
     const size_t d = m->d, s = m->s;
-    int status = fvi_structure_mirror_read_rows(m, n);
+    int status = fvi_adjoint_structure_mesh_read_rows(m, n);
     if (!status)
         status = solve(m, n);
     if (!status)
@@ -252,7 +252,7 @@ static int step_back(fvi_structure_mirror *m, size_t n)
 /* ---- the end ---- */
 
 /* Riemann and Liouville's past below the order 1: x_0 is a jump at t = 0. What it takes from dJ/dx_0, into by_place. */
-static int end_struck(fvi_structure_mirror *m, fvi_structure_mirror_damper *a, double *by_place)
+static int end_start_jump(fvi_adjoint_structure_mesh_run *m, fvi_adjoint_structure_mesh_damper *a, double *by_place)
 {
     fvi_mesh_matrix *to = a->to;
     fvi_modes *modes = to->memory.modes;
@@ -260,12 +260,12 @@ static int end_struck(fvi_structure_mirror *m, fvi_structure_mirror_damper *a, d
     int status = FVI_SUCCESS;
     memset(m->y, 0, m->d * sizeof *m->y);
     if (!modes && to->memory.beta == -1)
-        status = C->remember(m->d, m->o->y, to->zero, C->params, m->y);
+        status = C->select_history(m->d, m->o->y, to->zero, C->params, m->y);
     if (modes) {
         const size_t count = fvi_modes_count(modes);
         double *ones = malloc(count * sizeof *ones);
         if (!ones)
-            FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+            FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
         for (size_t q = 0; q < count; q++)
             ones[q] = 1;
         fvi_modes_activate_all(modes);
@@ -275,22 +275,22 @@ static int end_struck(fvi_structure_mirror *m, fvi_structure_mirror_damper *a, d
     }
     memset(by_place, 0, m->d * sizeof *by_place);
     if (!status && m->want->alpha)
-        status = C->damp(m->d, -to->memory.rho, m->rate, C->params, by_place);
+        status = C->apply_damping(m->d, -to->memory.rho, m->rate, C->params, by_place);
     a->sum_by_order += fvi_dot(m->d, m->run->x0, by_place);
     memset(by_place, 0, m->d * sizeof *by_place);
-    return status ? status : C->damp(m->d, -to->memory.rho, m->y, C->params, by_place);
+    return status ? status : C->apply_damping(m->d, -to->memory.rho, m->y, C->params, by_place);
 }
 
 /* The derivatives by a factor of each damper, and by the start through the dampers. */
-static int end_dampers(fvi_structure_mirror *m)
+static int end_dampers(fvi_adjoint_structure_mesh_run *m)
 {
     const fvi_sensitivities *want = m->want;
     int status = FVI_SUCCESS;
     for (size_t j = 0; !status && j < m->count; j++) {
-        fvi_structure_mirror_damper *a = m->each + j;
+        fvi_adjoint_structure_mesh_damper *a = m->each + j;
         double by_factor = -a->sum;
-        if (a->to && fvi_structure_mesh_is_struck(&a->of)) {
-            status = end_struck(m, a, m->product);
+        if (a->to && fvi_structure_mesh_starts_with_jump(&a->of)) {
+            status = end_start_jump(m, a, m->product);
             by_factor -= fvi_dot(m->d, m->run->x0, m->product);
             for (size_t i = 0; i < m->d; i++)
                 m->xi[i] -= m->product[i];
@@ -307,7 +307,7 @@ static int end_dampers(fvi_structure_mirror *m)
     return status;
 }
 
-static int end(fvi_structure_mirror *m)
+static int end(fvi_adjoint_structure_mesh_run *m)
 {
     const fvi_run *run = m->run;
     const fvi_sensitivities *want = m->want;
@@ -340,7 +340,7 @@ static int end(fvi_structure_mirror *m)
 
 int fvi_adjoint_structure_mesh(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want)
 {
-    fvi_structure_mirror m = { .run = run, .J = J, .want = want, .d = run->system->d };
+    fvi_adjoint_structure_mesh_run m = { .run = run, .J = J, .want = want, .d = run->system->d };
     int status = fvi_recorded_steps_run(run, 0, &m.path);
     if (!status)
         status = start(&m);

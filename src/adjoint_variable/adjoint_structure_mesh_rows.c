@@ -5,19 +5,19 @@
 #include <string.h>
 
 /* J_p is the multiplier at the end, of which no history knows. */
-static int begin_at_end(fvi_structure_mirror *m)
+static int begin_at_end(fvi_adjoint_structure_mesh_run *m)
 {
     int status = FVI_SUCCESS;
     memcpy(m->o->v, m->Jp, m->d * sizeof *m->Jp);
     for (size_t j = 0; !status && j < m->of->count; j++) {
         fvi_mesh_matrix *to = m->of->damper + j;
-        status = to->of.matrix.remember(m->d, m->Jp, to->zero, to->of.matrix.params, to->now);
+        status = to->of.matrix.select_history(m->d, m->Jp, to->zero, to->of.matrix.params, to->now);
     }
     return status;
 }
 
 /* What V - v of the stages, v and x of the beginning do to x at a row, by Jx, and to p = M v, by Jk. (22.18) */
-static int add_row(fvi_structure_mirror *m, size_t n, double theta)
+static int add_row(fvi_adjoint_structure_mesh_run *m, size_t n, double theta)
 {
     const double h = m->path.step[n].length.h, *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
     const fvi_matrices *matrices = m->run->system->matrices;
@@ -54,7 +54,7 @@ static int add_row(fvi_structure_mirror *m, size_t n, double theta)
 }
 
 /* All rows in step n that are not at its beginning. */
-int fvi_structure_mirror_read_rows(fvi_structure_mirror *m, size_t n)
+int fvi_adjoint_structure_mesh_read_rows(fvi_adjoint_structure_mesh_run *m, size_t n)
 {
     const fvi_recorded_step *step = m->path.step + n;
     int status = FVI_SUCCESS;

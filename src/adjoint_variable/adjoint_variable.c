@@ -22,14 +22,14 @@ static int allocate(fvi_adjoint_variable_run *m)
                           { &m->Jk, d }, { &m->by_mass, d }, { &m->X, s * d }, { &m->r, s * d },
                           { &m->hessian_product, s * d }, { &m->G, s * m->linearised.size });
     if (!m->block)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     if (m->linearised.size == 0)
         m->G = NULL;
     m->linearised.G = m->G;
     const size_t w =
         system->potential.diagonals ? system->potential.diagonals : d;
     if (fvi_band_alloc(s * d, s * w, &m->J_band))
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     return FVI_SUCCESS;
 }
 
@@ -113,8 +113,8 @@ static void read_momentum(fvi_adjoint_variable_run *m, size_t n, double t, doubl
         }
         by_v[j] += by * (1 - whole);
         if (fvi_adjoint_variable_is_singular(m, n)) {
-            fvi_singular_start_adjoint_at(&m->pull, j, t, &slope);
-            fvi_singular_start_adjoint_accumulate(&m->pull, j, t, 0, by, 0);
+            fvi_singular_start_adjoint_at(&m->singular_start, j, t, &slope);
+            fvi_singular_start_adjoint_accumulate(&m->singular_start, j, t, 0, by, 0);
         }
         m->by_mass[j] += m->Jk[j] * (v + slope);
     }
@@ -151,7 +151,7 @@ static int read_rows(fvi_adjoint_variable_run *m, size_t n, double *by_v,
             if (m->row == m->run->steps) /* p_N = m v_N */
                 m->after[j] = m->run->system->mass[j] * m->Jp[j];
             if (fvi_adjoint_variable_is_singular(m, n))
-                fvi_singular_start_adjoint_accumulate(&m->pull, j, t, m->Jx[j],
+                fvi_singular_start_adjoint_accumulate(&m->singular_start, j, t, m->Jx[j],
                                      m->row == m->run->steps ? m->after[j] : 0,
                                      0);
         }
@@ -161,7 +161,7 @@ static int read_rows(fvi_adjoint_variable_run *m, size_t n, double *by_v,
 
 /* ---- a step ---- */
 
-/* What T, the inertia and V meet. numbers: those of the step. */
+/* The factors of T, the inertia and V. numbers: those of the step. */
 static void accumulate_damping(fvi_adjoint_variable_run *m, const double *numbers, double h)
 {
     const size_t s = m->s, d = m->d;
@@ -297,11 +297,11 @@ static int end(fvi_adjoint_variable_run *m)
     const fvi_sensitivities *want = m->want;
     const fvi_run *run = m->run;
     const int liouville = run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
-              struck = m->mass_plus_damping && run->past != FVI_INITIAL_HISTORY_CAPUTO;
+              start_jumps = m->mass_plus_damping && run->past != FVI_INITIAL_HISTORY_CAPUTO;
     int status = fvi_recorded_steps_slopes(&m->path, run, m->J, 0, m->Jx, m->Jp, m->Jk);
     for (size_t j = 0; j < m->d; j++) {
         const double M = run->system->mass[j], rho = run->system->damping[j],
-                     first = struck ? M + rho : M, v0 = run->p0[j] / first,
+                     first = start_jumps ? M + rho : M, v0 = run->p0[j] / first,
                      spring = liouville && run->alpha == 0 ? m->push[j] : 0,
                      by_v0 = m->after[j]
                              + (m->path.beta > 0 ? fvi_adjoint_variable_damping(m, j)
@@ -321,20 +321,20 @@ static int end(fvi_adjoint_variable_run *m)
                             + m->Jp[j] * m->path.p[j] / M + m->by_mass[j];
         if (want->damping)
             want->damping[j] =
-                m->mass_plus_damping ? m->kinetic[j] - (struck ? by_v0 * v0 / first : 0)
+                m->mass_plus_damping ? m->kinetic[j] - (start_jumps ? by_v0 * v0 / first : 0)
                          : -m->sum[j] - spring * run->x0[j];
-        if (m->pull.is)
+        if (m->singular_start.is)
             fvi_adjoint_variable_end_singular_start(m, j, by_v0);
         if (want->x0 && liouville && run->alpha > 0.5 && rho > 0)
             want->x0[j] = NAN; /* (19.2): no run begins elsewhere */
     }
     if (want->alpha)
-        *want->alpha += m->pull.by_alpha;
+        *want->alpha += m->singular_start.by_alpha;
     return status || fvi_all_finite(m->d, m->xi) ? status : FVI_EOVRFLW;
 }
 
 /* A derivative by A needs steps that end at t1, also where A = 0 and the run's own do not. */
-static int needs_open(const fvi_run *run, const fvi_sensitivities *want)
+static int needs_singular_part(const fvi_run *run, const fvi_sensitivities *want)
 {
     return fvi_initial_history_acts(run->past, run->alpha)
            && (run->alpha > 0.5 ? want->p0 : want->x0) != NULL;
@@ -347,12 +347,12 @@ int fvi_adjoint_variable(const fvi_run *run, const fvi_objective *J,
     fvi_adjoint_variable_run m = {
         .run = &own, .J = J, .want = want, .d = run->system->d
     };
-    int status = fvi_recorded_steps_run(&own, needs_open(&own, want), &m.path);
+    int status = fvi_recorded_steps_run(&own, needs_singular_part(&own, want), &m.path);
     if (!status)
         status = start(&m);
     if (!status)
         status = fvi_singular_start_adjoint_start(
-            &own, &m.path, m.modes ? fvi_modes_count(m.modes) : 0, &m.pull);
+            &own, &m.path, m.modes ? fvi_modes_count(m.modes) : 0, &m.singular_start);
     if (!status)
         fvi_adjoint_variable_subtract_velocity(&m);
     for (size_t n = m.path.steps; !status && n-- > 0;)
@@ -361,7 +361,7 @@ int fvi_adjoint_variable(const fvi_run *run, const fvi_objective *J,
         status = end(&m);
     fvi_modes_free(m.modes);
     fvi_modes_free(m.rising);
-    fvi_singular_start_adjoint_stop(&m.pull);
+    fvi_singular_start_adjoint_stop(&m.singular_start);
     fvi_band_free(&m.J_band);
     free(m.block);
     fvi_recorded_steps_free(&m.path);

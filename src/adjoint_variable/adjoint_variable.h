@@ -27,7 +27,7 @@ typedef struct {
     double *Jk, *by_mass; /* each: dJ/dp_k of a row, if J has them all; what they have of masses */
     double *kinetic, *sum, *plain, *push; /* each */
     double *subtracted_velocity; /* each: what the memory takes from V, (23.26) */
-    fvi_singular_start_adjoint pull;
+    fvi_singular_start_adjoint singular_start;
     fvi_linearised linearised;        /* G, stage by stage */
     double *G, *X, *r;                /* s Hessians; s d; s d */
     double *hessian_product;          /* s d: (G Lambda)_i of coordinate j at [i * d + j] */
@@ -70,7 +70,7 @@ void fvi_adjoint_variable_end_singular_start(fvi_adjoint_variable_run *m, size_t
 /* Has x a singular part in step n? And the time of stage i there. */
 static inline int fvi_adjoint_variable_is_singular(const fvi_adjoint_variable_run *m, size_t n)
 {
-    return m->pull.is && fvi_singular_before(&m->pull.undamped, m->path.step[n].t);
+    return m->singular_start.is && fvi_singular_before(&m->singular_start.undamped, m->path.step[n].t);
 }
 
 static inline double fvi_adjoint_variable_time(const fvi_adjoint_variable_run *m,

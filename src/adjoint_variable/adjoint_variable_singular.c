@@ -1,4 +1,4 @@
-/* src/adjoint_variable/adjoint_variable_singular.c -- Where the past pulls, backwards over a mesh. [H 23]
+/* src/adjoint_variable/adjoint_variable_singular.c -- A singular start, backwards over a mesh. [H 23]
  */
 #include "adjoint_variable.h"
 
@@ -10,11 +10,11 @@ void fvi_adjoint_variable_subtract_velocity(fvi_adjoint_variable_run *m)
     for (size_t j = 0; m->path.beta > 0 && j < m->d; j++) {
         double slope = 0;
         m->subtracted_velocity[j] = m->run->p0[j] / m->run->system->mass[j];
-        if (!m->pull.is)
+        if (!m->singular_start.is)
             continue;
-        m->subtracted_velocity[j] = m->pull.A[j] * fvi_singular_start_adjoint_first(&m->pull, j);
+        m->subtracted_velocity[j] = m->singular_start.A[j] * fvi_singular_start_adjoint_first(&m->singular_start, j);
         if (!fvi_adjoint_variable_is_singular(m, last))
-            fvi_singular_start_adjoint_at(&m->pull, j, m->pull.undamped.t1, &slope);
+            fvi_singular_start_adjoint_at(&m->singular_start, j, m->singular_start.undamped.t1, &slope);
         m->subtracted_velocity[j] += slope;
     }
 }
@@ -26,7 +26,7 @@ void fvi_adjoint_variable_accumulate_singular_start(fvi_adjoint_variable_run *m,
     for (size_t i = 0; i < m->s; i++) {
         const double t = fvi_adjoint_variable_time(m, n, i);
         for (size_t j = 0; j < m->d; j++)
-            fvi_singular_start_adjoint_accumulate(&m->pull, j, t,
+            fvi_singular_start_adjoint_accumulate(&m->singular_start, j, t,
                                  -h * b[i] * m->hessian_product[i * m->d + j], 0,
                                  -h * b[i] * m->Lambda[j * FVI_LANES + i]);
     }
@@ -36,21 +36,21 @@ void fvi_adjoint_variable_accumulate_singular_start(fvi_adjoint_variable_run *m,
 /* At t1, before the first step that begins there: x, v and the modes have taken over G. */
 void fvi_adjoint_variable_hand_back(fvi_adjoint_variable_run *m)
 {
-    const double t1 = m->pull.undamped.t1;
+    const double t1 = m->singular_start.undamped.t1;
     if (m->modes)
         fvi_modes_activate_all(m->modes);
     for (size_t j = 0; j < m->d; j++) {
         const double rho = m->run->system->damping[j];
         double by_v = m->after[j], slope;
-        fvi_singular_start_adjoint_at(&m->pull, j, t1, &slope);
+        fvi_singular_start_adjoint_at(&m->singular_start, j, t1, &slope);
         if (m->path.beta > 0) { /* what the memory takes from V, too */
             by_v += rho * m->plain[j];
             m->subtracted_velocity[j] -= slope;
         }
-        fvi_singular_start_adjoint_accumulate(&m->pull, j, t1, m->xi[j], by_v, 0);
+        fvi_singular_start_adjoint_accumulate(&m->singular_start, j, t1, m->xi[j], by_v, 0);
         if (m->modes)
             m->sum[j] +=
-                fvi_singular_start_adjoint_accumulate_modes(&m->pull, j, rho, m->modes,
+                fvi_singular_start_adjoint_accumulate_modes(&m->singular_start, j, rho, m->modes,
                                          m->before[j], m->want->alpha != NULL);
     }
 }
@@ -60,7 +60,7 @@ void fvi_adjoint_variable_hand_back(fvi_adjoint_variable_run *m)
 void fvi_adjoint_variable_end_singular_start(fvi_adjoint_variable_run *m, size_t j, double by_v0)
 {
     const fvi_sensitivities *want = m->want;
-    const fvi_singular_start_adjoint *p = &m->pull;
+    const fvi_singular_start_adjoint *p = &m->singular_start;
     const double M = m->run->system->mass[j], rho = m->run->system->damping[j];
     const int above = m->path.beta > 0;
     const double by_A =

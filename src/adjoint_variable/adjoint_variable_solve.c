@@ -19,7 +19,7 @@ static void find_stages(fvi_adjoint_variable_run *m, size_t n, double h)
                 numbers[j] + h * (m->rule->c[i] * numbers[d + j] + move[i]);
         for (size_t i = 0; fvi_adjoint_variable_is_singular(m, n) && i < m->s; i++)
             m->X[i * d + j] += fvi_singular_start_adjoint_at(
-                &m->pull, j, fvi_adjoint_variable_time(m, n, i), NULL);
+                &m->singular_start, j, fvi_adjoint_variable_time(m, n, i), NULL);
     }
 }
 

@@ -24,7 +24,7 @@ static int grow(fvi_recorded_steps *m)
     return FVI_SUCCESS;
 }
 
-/* The step that was done last; o->kick is of its end, m->kick of its beginning. */
+/* The step that was done last; o->impulse_dv is of its end, m->impulse_dv of its beginning. */
 static int record(fvi_recorded_steps *m, const fvi_variable_step_state *o)
 {
     const size_t d = m->d;
@@ -54,7 +54,7 @@ static int run_all(const fvi_run *run, fvi_stepper *s, fvi_recorded_steps *m)
     m->least = o->least;
     m->modes_kind = o->modes_kind;
     m->singular = o->singular;
-    m->singular.c = m->singular.ratio = m->singular.pull = NULL;
+    m->singular.c = m->singular.ratio = m->singular.residual_force = NULL;
     memcpy(m->rows, s->x, d * sizeof *m->rows);
     memcpy(m->impulse_dv, o->impulse_dv, d * sizeof *m->impulse_dv);
     for (size_t k = 1; k <= run->steps && !status;) {
@@ -72,11 +72,11 @@ static int run_all(const fvi_run *run, fvi_stepper *s, fvi_recorded_steps *m)
     return status;
 }
 
-int fvi_recorded_steps_run(const fvi_run *run, int open, fvi_recorded_steps *m)
+int fvi_recorded_steps_run(const fvi_run *run, int for_adjoint, fvi_recorded_steps *m)
 {
     fvi_method method = fvi_variable_step;
     fvi_stepper *s;
-    method.start = open ? fvi_variable_step_start_open : fvi_variable_step_start;
+    method.start = for_adjoint ? fvi_variable_step_start_for_adjoint : fvi_variable_step_start;
     *m = (fvi_recorded_steps){ .d = run->system->d };
     if (run->steps > SIZE_MAX / sizeof(double) / m->d - 3)
         FVI_FAIL("steps must be addressable", FVI_EINVAL);

@@ -32,10 +32,10 @@ typedef struct {
 } fvi_recorded_steps;
 
 /* fvi_recorded_steps_run -- the run, recorded. path: output; fvi_recorded_steps_free it in any case.
- *   open  as fvi_variable_step_start_open
+ *   open  as fvi_variable_step_start_for_adjoint
  * Returns what fvi_stepper_start and fvi_stepper_step return; FVI_EINVAL if the rows cannot be addressed;
  * FVI_ENOMEM. */
-int fvi_recorded_steps_run(const fvi_run *run, int open, fvi_recorded_steps *path);
+int fvi_recorded_steps_run(const fvi_run *run, int for_adjoint, fvi_recorded_steps *path);
 void fvi_recorded_steps_free(fvi_recorded_steps *path);
 
 /* fvi_recorded_steps_slopes -- dJ/dx of row k to Jx, d numbers, and dJ/dp of the last row to Jp, of another row to Jk

@@ -1,4 +1,4 @@
-/* src/adjoint_variable/singular_start_adjoint.c -- A start that the past pulls, backwards.  [H 23] */
+/* src/adjoint_variable/singular_start_adjoint.c -- A singular start, backwards.  [H 23] */
 #include "singular_start_adjoint.h"
 
 #include "system/digamma.h"
@@ -157,11 +157,11 @@ void fvi_singular_start_adjoint_accumulate(fvi_singular_start_adjoint *p, size_t
     p->by_A[j] += by[0] * q;
     p->by_ratio[j] += A * by[1] * power;
     p->by_alpha += A * by[2] * q * p->turn;
-    if (g->pull[at] == 0 || by_force == 0)
+    if (g->residual_force[at] == 0 || by_force == 0)
         return;
     const double J = (double)g->J, most = pow(q, J), /* of the force */
         force =
-            by_force * g->pull[at] * most * (g->e == 1 ? 1 / t : 1 / (t * t));
+            by_force * g->residual_force[at] * most * (g->e == 1 ? 1 / t : 1 / (t * t));
     p->by_A[j] += force * q;
     p->by_ratio[j] += A * force * power * (J + 1);
     p->by_mass[j] += A * force * q;

@@ -1,4 +1,4 @@
-/* src/adjoint_variable/singular_start_adjoint.h -- A start that the past pulls, backwards.  [H 23]
+/* src/adjoint_variable/singular_start_adjoint.h -- A singular start, backwards.  [H 23]
  *
  * Internal: what adjoint_variable.c has of the singular part G of a run,
  *
@@ -30,32 +30,32 @@ typedef struct {
 /* fvi_singular_start_adjoint_start -- of a run that was recorded; with modes: of how many. Errors:
  * FVI_ENOMEM. To be given back by fvi_singular_start_adjoint_stop in any case. */
 int fvi_singular_start_adjoint_start(const fvi_run *run, const fvi_recorded_steps *path,
-                          size_t modes, fvi_singular_start_adjoint *pull);
-void fvi_singular_start_adjoint_stop(fvi_singular_start_adjoint *pull);
+                          size_t modes, fvi_singular_start_adjoint *start);
+void fvi_singular_start_adjoint_stop(fvi_singular_start_adjoint *start);
 
 /* fvi_singular_start_adjoint_first -- what v begins with, for A = 1. */
-double fvi_singular_start_adjoint_first(const fvi_singular_start_adjoint *pull, size_t j);
+double fvi_singular_start_adjoint_first(const fvi_singular_start_adjoint *start, size_t j);
 
 /* fvi_singular_start_adjoint_at -- G of coordinate j at t > 0, and G' unless NULL. */
-double fvi_singular_start_adjoint_at(const fvi_singular_start_adjoint *pull, size_t j, double t,
+double fvi_singular_start_adjoint_at(const fvi_singular_start_adjoint *start, size_t j, double t,
                           double *slope);
 
 /* fvi_singular_start_adjoint_accumulate -- dJ has by_G, by_slope and by_force of G, G' and the force that is
  * left at t: to by_A, by_ratio, by_mass and by_alpha. */
-void fvi_singular_start_adjoint_accumulate(fvi_singular_start_adjoint *pull, size_t j, double t,
+void fvi_singular_start_adjoint_accumulate(fvi_singular_start_adjoint *start, size_t j, double t,
                           double by_G, double by_slope, double by_force);
 
 /* fvi_singular_start_adjoint_accumulate_modes -- the same of what the modes of a run with damping rho take over
- * at t1, from those of the mirrored run, all of them awake. Returns what the damping has
+ * at t1, from those of the adjoint run, all of them active. Returns what the damping has
  * worked on it, over rho.                                                      (23.25)
  *   mu   the last mu
  *   by_alpha  0: not wanted; else the modes have rates */
-double fvi_singular_start_adjoint_accumulate_modes(fvi_singular_start_adjoint *pull, size_t j, double rho,
+double fvi_singular_start_adjoint_accumulate_modes(fvi_singular_start_adjoint *start, size_t j, double rho,
                                 const fvi_modes *modes, double mu,
                                 int by_alpha);
 
 /* fvi_singular_start_adjoint_ratio -- dr/drho and dr/dm of coordinate j, m and rho being those. */
-void fvi_singular_start_adjoint_ratio(const fvi_singular_start_adjoint *pull, double m, double rho,
+void fvi_singular_start_adjoint_ratio(const fvi_singular_start_adjoint *start, double m, double rho,
                            double *by_rho, double *by_m);
 
 #endif

@@ -6,12 +6,12 @@
 
 typedef fvi_gradient_request request;
 
-/* Row k of the forces, each number times that of pull; without pull their sum. */
-static double sum_of_forces(const request *r, size_t k, const double *pull)
+/* Row k of the forces, each number times that of load_vector; without it their sum. */
+static double sum_of_forces(const request *r, size_t k, const double *load_vector)
 {
     double sum = 0;
     for (size_t i = 0; i < r->o.d; i++)
-        sum += (pull ? -pull[i] : 1) * r->force[k * r->o.d + i];
+        sum += (load_vector ? -load_vector[i] : 1) * r->force[k * r->o.d + i];
     return sum;
 }
 
@@ -58,11 +58,11 @@ void fvi_gradient_add_forces(request *r)
                 r->lets[j] += by_parameter(r, r->o.force, j, k) * sum_of_forces(r, k, NULL);
             if (ground)
                 r->lets[j] += by_parameter(r, ground, j, k)
-                              * sum_of_forces(r, k, fvi_ground_pull(r->o.ground));
+                              * sum_of_forces(r, k, fvi_ground_load_vector(r->o.ground));
         }
 }
 
-/* The ground pulls with -M r a_g, in which each mass stands, or a factor of M. */
+/* The ground adds the force -M r a_g, in which each mass stands, or a factor of M. */
 int fvi_gradient_add_ground(request *r)
 {
     const size_t d = r->o.d;
@@ -70,7 +70,7 @@ int fvi_gradient_add_ground(request *r)
     if (!r->o.ground || !r->to.mass)
         return status;
     const fvi_force *ag = fvi_ground_acceleration(r->o.ground);
-    const double *pull = fvi_ground_pull(r->o.ground);
+    const double *load_vector = fvi_ground_load_vector(r->o.ground);
     for (size_t k = 0; !status && k <= r->o.steps * r->per; k++) {
         double t[2], side[2] = { 0 };
         const size_t sides = times_of_row(r, k, t);
@@ -78,9 +78,9 @@ int fvi_gradient_add_ground(request *r)
             status = ag->value(t[i], 1, ag->params, &side[i]);
         const double a = mean_of_sides(r, side, sides, &r->ground_jumps);
         if (r->system.matrices)
-            *r->to.mass += a * sum_of_forces(r, k, pull);
+            *r->to.mass += a * sum_of_forces(r, k, load_vector);
         for (size_t i = 0; !r->system.matrices && i < d; i++)
-            r->to.mass[i] -= a * pull[i] / r->o.mass[i] * r->force[k * d + i];
+            r->to.mass[i] -= a * load_vector[i] / r->o.mass[i] * r->force[k * d + i];
     }
     return status;
 }

@@ -73,7 +73,7 @@ static int load_piece(fvi_archive *v, void *data, size_t bytes, int constant)
 }
 
 /* The pieces of the stepper, of its observer where columns have sums, and of the reductions: without sums an
- * observer remembers nothing, and other columns may follow. */
+ * observer keeps nothing, and other columns may follow. */
 static int archive_run(const fvi_table *t, fvi_stepper *s, fvi_archive *archive)
 {
     int status = fvi_stepper_archive(s, archive);

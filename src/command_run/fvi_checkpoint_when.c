@@ -28,7 +28,7 @@ static void note(int number)
 }
 
 /* A second later, and again: a reader that does not read keeps no program from its end. */
-static void look_again(int number)
+static void raise_again(int number)
 {
     (void)number;
     if (in_rows)
@@ -40,7 +40,7 @@ void fvi_checkpoint_watch(void)
 {
     for (size_t i = 0; i < ENDS; i++)
         sigaction(ends[i], NULL, &before[i]);
-    signal(SIGALRM, look_again);
+    signal(SIGALRM, raise_again);
     for (size_t i = 0; i < ENDS; i++)
         if (before[i].sa_handler != SIG_IGN)
             signal(ends[i], note);

@@ -28,7 +28,7 @@ double *fvi_run_room(const fvi_table *t)
                                  : fvi_run_bytes(o->method, &run));
 }
 
-/* What is looked at along a run: its step, and the inertia of a Lagrangian. */
+/* What is checked along a run: its step, and the inertia of a Lagrangian. */
 typedef struct {
     fvi_watch of_step;
     fvi_run_inertia of_inertia;
@@ -41,7 +41,7 @@ static int warn_along(watches *w, const fvi_stepper *s)
     int warned = fvi_warning_along(&w->of_step, s->method, &s->run, s->k, s->x, sizeof text, text);
     if (warned > 0)
         fvi_warn(text);
-    if (warned >= 0 && (warned = fvi_run_look_at_inertia(&w->of_inertia, s, text)) > 0)
+    if (warned >= 0 && (warned = fvi_run_check_inertia(&w->of_inertia, s, text)) > 0)
         fvi_warn(text);
     return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
 }
@@ -69,7 +69,7 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, watches *w,
     const size_t steps = t->o->steps, d = t->o->d;
     const size_t often = d < 32 ? 1024 / (d * d) : 1; /* a step may cost d^3 */
     size_t next = t->begin > 0 ? t->begin : fvi_table_next(t, 0),
-           look = s->k + often; /* divided by at no step */
+           next_check = s->k + often; /* divided by at no step */
     int status = FVI_SUCCESS;
     if (t->begin == steps)
         fvi_table_mark_last(t);
@@ -87,10 +87,10 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, watches *w,
         status = warn_along(w, s);
         if (status)
             return fvi_stopped_at(s->k, status);
-        const int looks = s->k >= look;
-        if (looks) {
+        const int checks_now = s->k >= next_check;
+        if (checks_now) {
             fvi_progress(s->k, steps);
-            look = s->k + often;
+            next_check = s->k + often;
         }
         fvi_checkpoint_in_rows(1);
         for (; s->k >= next; next = fvi_table_next(t, next)) {
@@ -104,7 +104,7 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, watches *w,
                 break;
         }
         fvi_checkpoint_in_rows(0);
-        if (looks && t->o->checkpoint && fvi_checkpoint_due()
+        if (checks_now && t->o->checkpoint && fvi_checkpoint_due()
             && fvi_checkpoint_write(c, t, s))
             return 1;
     }
@@ -141,9 +141,9 @@ static const char *solver(const fvi_options *o)
     const fvi_scheme scheme = o->method->scheme;
     const int stable = scheme == FVI_SCHEME_CQ2_MIDPOINT,
               staged = scheme == FVI_SCHEME_LOBATTO,
-              damped = stable || staged || scheme == FVI_SCHEME_CQ2_SHIFTED,
-              pulled = stable || staged || (o->kappa > 0 && o->kappa < 1);
-    const char *name = fvi_directory_solver(o->directory, 1, damped, pulled);
+              uses_damping = stable || staged || scheme == FVI_SCHEME_CQ2_SHIFTED,
+              uses_stiffness = stable || staged || (o->kappa > 0 && o->kappa < 1);
+    const char *name = fvi_directory_solver(o->directory, 1, uses_damping, uses_stiffness);
     return staged && strcmp(name, "CHOLMOD") == 0 ? "UMFPACK" : name; /* (27.14) is complex */
 }
 

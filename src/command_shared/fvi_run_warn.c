@@ -18,12 +18,12 @@ int fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
     return 0;
 }
 
-int fvi_run_look_at_inertia(fvi_run_inertia *w, const fvi_stepper *s, char *text)
+int fvi_run_check_inertia(fvi_run_inertia *w, const fvi_stepper *s, char *text)
 {
     enum { BETWEEN = 16 };
     const size_t steps = w->steps++;
-    const int looks = s->method->dense || steps <= BETWEEN || steps % BETWEEN == 0 || s->k == s->run.steps;
-    return w->watch && looks ? fvi_warning_of_inertia(w->watch, s->t, s->x, s->p, FVI_WARNING_ROOM, text) : 0;
+    const int checks_now = s->method->dense || steps <= BETWEEN || steps % BETWEEN == 0 || s->k == s->run.steps;
+    return w->watch && checks_now ? fvi_warning_of_inertia(w->watch, s->t, s->x, s->p, FVI_WARNING_ROOM, text) : 0;
 }
 
 int fvi_run_inertia_of_rows(const fvi_options *o, const fvi_system *system, size_t rows,

@@ -13,7 +13,7 @@
 int fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
                   char *text);
 
-/* fvi_run_look_at_inertia -- after each step: is it singular, whose text has FVI_WARNING_ROOM? Each look costs as much as
+/* fvi_run_check_inertia -- after each step: is it singular, whose text has FVI_WARNING_ROOM? Each check costs as much as
  * a part of a step, so not all steps are followed by one. Returns 1 if so, -1 without memory. Without a watch 0.
  * fvi_run_inertia_of_rows -- fvi_warning_of_inertia_in_rows of so many rows that a search has found, for a text of
  * FVI_WARNING_ROOM; 0 without a Lagrangian, -1 without memory. */
@@ -21,7 +21,7 @@ typedef struct {
     fvi_inertia_watch *watch;
     size_t steps;
 } fvi_run_inertia;
-int fvi_run_look_at_inertia(fvi_run_inertia *w, const fvi_stepper *s, char *text);
+int fvi_run_check_inertia(fvi_run_inertia *w, const fvi_stepper *s, char *text);
 int fvi_run_inertia_of_rows(const fvi_options *o, const fvi_system *system, size_t rows,
                             const double *x, const double *p, char *text);
 

@@ -45,11 +45,11 @@ static int take_end(fvi_table *t, const fvi_stepper *s, size_t *rows)
     return status;
 }
 
-/* At the start, and where fvi_run looks. Returns a status. */
-static int look_at_inertia(fvi_run_inertia *w, const fvi_stepper *s, sweep_verdict *v)
+/* At the start, and where fvi_run checks it. Returns a status. */
+static int check_inertia(fvi_run_inertia *w, const fvi_stepper *s, sweep_verdict *v)
 {
     char text[FVI_WARNING_ROOM];
-    const int warned = fvi_run_look_at_inertia(w, s, text);
+    const int warned = fvi_run_check_inertia(w, s, text);
     v->singular |= warned > 0;
     return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
 }
@@ -68,7 +68,7 @@ static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table 
     if (!v.status)
         v.status = fvi_inertia_watch_begin(r->system, &inertia.watch);
     if (!v.status)
-        v.status = look_at_inertia(&inertia, s, &v);
+        v.status = check_inertia(&inertia, s, &v);
     inertia.steps = 0; /* the start is none */
     if (!v.status)
         v.status = fvi_run_row(t, s, 0);
@@ -81,7 +81,7 @@ static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table 
             v.step = s->k + 1;
             v.status = fvi_run_step(t, s);
             if (!v.status)
-                v.status = look_at_inertia(&inertia, s, &v);
+                v.status = check_inertia(&inertia, s, &v);
             continue;
         }
         v.status = fvi_run_row(t, s, k = next);

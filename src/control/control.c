@@ -109,9 +109,9 @@ static int one_end(size_t k, size_t d, const double *x, const double *p,
     return FVI_SUCCESS;
 }
 
-//> mirrored
-/* a_i = d(x_N, p_N)_i / dF: a mirrored run for each. */
-static int mirrored_runs(problem *o)
+//> adjoint-runs
+/* a_i = d(x_N, p_N)_i / dF: an adjoint run for each. */
+static int adjoint_runs(problem *o)
 {
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < o->ends && !status; i++) {
@@ -122,7 +122,7 @@ static int mirrored_runs(problem *o)
     }
     return status;
 }
-//< mirrored
+//< adjoint-runs
 
 /* b becomes A^-1 b; A is n by n, and lost. Nonzero if it is not positive definite. */
 static int solve(size_t n, double *A, double *b)
@@ -246,7 +246,7 @@ static int iterate(problem *o, double *u, fvi_control_result *found)
     double price = 0, before = GSL_POSINF;
     int status = run_with(o, u);
     while (!status && found->iterations < ITERATIONS) {
-        status = mirrored_runs(o);
+        status = adjoint_runs(o);
         if (!status)
             status = least(o, u);
         if (status)

@@ -253,7 +253,7 @@ static int search(fvi_solve_state *o, double *x, double *p)
     return status;
 }
 
-/* Does the past pull the body away from its start at once? */
+/* Does the initial history move the body away from its start at once? */
 static int has_no_solution(const fvi_solve_state *o)
 {
     int has = 1;

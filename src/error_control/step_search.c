@@ -77,13 +77,13 @@ static double agreed_until(const search *o, double error)
 
 /* ---- the order that a method has on a run ---- */
 
-/* A method with the past as printed, Riemann-Liouville, and a damping that feels x0, or
+/* A method with the past as printed, Riemann-Liouville, and a damping that acts on x0, or
  * may: it could not be asked. */
 static int is_kicked(const fvi_method *method, const fvi_run *run)
 {
-    int felt;
+    int is_damped;
     return method->paper_convention && run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
-           && run->alpha < 0.5 && (fvi_run_start_is_damped(run, &felt) || felt);
+           && run->alpha < 0.5 && (fvi_run_start_is_damped(run, &is_damped) || is_damped);
 }
 
 /* The highest order of the dampers, or 1 if they have laws, in halves; are some orders neither 0 nor 1, or laws? Of

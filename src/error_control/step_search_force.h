@@ -20,9 +20,9 @@ enum { FVI_PROBE_ROOM = 5 /* d numbers each */ };
  * probe. */
 void fvi_force_probe_start(fvi_force_probe *probe, size_t d, double *room);
 
-/* fvi_force_probe_evaluate -- look at F between the nodes of the run, each step of it cut
+/* fvi_force_probe_evaluate -- evaluate F between the nodes of the run, each step of it cut
  * into so many parts. *resolved is nonzero if F has come twice as near to a line as at
- * the last look, or there is no F. Returns FVI_SUCCESS, or what F returned. (18.7) */
+ * the last evaluation, or there is no F. Returns FVI_SUCCESS, or what F returned. (18.7) */
 int fvi_force_probe_evaluate(fvi_force_probe *probe, const fvi_run *run,
                          size_t parts, int *resolved);
 

@@ -12,7 +12,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { LOOKED_AT = 1024, PARTS = 8 };
+enum { MAX_POINTS = 1024, PARTS = 8 };
 
 void fvi_estimation_frequency(size_t n, const double *t, const double *x, double *w,
                        double *A)
@@ -23,7 +23,7 @@ void fvi_estimation_frequency(size_t n, const double *t, const double *x, double
     *A = 0;
     for (size_t i = 0; i < n; i++)
         *A = larger(*A, fabs(x[i] - mean));
-    const size_t most = n < LOOKED_AT ? n : LOOKED_AT;
+    const size_t most = n < MAX_POINTS ? n : MAX_POINTS;
     const double lowest = M_PI / (t[most - 1] - t[0]);
     *w = lowest;
     for (size_t k = 1; k <= most; k++) {
@@ -41,7 +41,7 @@ void fvi_estimation_frequency(size_t n, const double *t, const double *x, double
 }
 
 /* Does a step near h meet all times? It is made more exact on the way. */
-static int meets(size_t n, const double *t, double *h)
+static int divides_times(size_t n, const double *t, double *h)
 {
     for (size_t i = 0; i < n; i++) {
         const double k = round(t[i] / *h);
@@ -67,7 +67,7 @@ static double first_step_of(const fvi_estimation_piece *p)
         gap = smaller(gap, t[i] - t[i - 1]);
     for (int parts = 1; parts <= PARTS; parts++) {
         double step = gap / parts;
-        if (step >= mean / PARTS && meets(n, t, &step)) {
+        if (step >= mean / PARTS && divides_times(n, t, &step)) {
             h = step;
             break;
         }
@@ -87,8 +87,8 @@ double fvi_estimation_first_step(const fvi_estimation *fit)
 }
 
 /* A number of a law: of a size as that of a springpot, of a time as 1/w, or an order. */
-static void plausible_of_law(const fvi_estimation *fit, size_t j, double m, double w,
-                             double *low, double *high)
+static void find_plausible_range_of_law(const fvi_estimation *fit, size_t j, double m, double w,
+                                        double *low, double *high)
 {
     const size_t which = fvi_free_parameter_base(fit->which[j]) - FVI_FREE_PARAMETER_LAW;
     const fvi_kernel *law =
@@ -113,9 +113,9 @@ typedef struct {
     double w, mean, A;
     double inertia; /* 1; or, of a body whose inertia is nothing beside its force, what makes m w^2 of
                      * the first mass the force over A */
-} look;
+} data_summary;
 
-enum { NOTHING = 1000 };
+enum { NEGLIGIBLE = 1000 };
 
 /* The largest force at the times of a record. */
 static double largest_force(const fvi_estimation *fit, const fvi_record *record)
@@ -123,7 +123,7 @@ static double largest_force(const fvi_estimation *fit, const fvi_record *record)
     const fvi_system *system = fit->run->system;
     const fvi_force *force = record->force ? record->force : &system->force;
     double most = 0, *F = calloc(system->d, sizeof *F);
-    for (size_t i = 0; i < record->n && i < LOOKED_AT && F && force->value; i++) {
+    for (size_t i = 0; i < record->n && i < MAX_POINTS && F && force->value; i++) {
         if (force->value(record->t[i], system->d, force->params, F))
             break;
         most = larger(most, largest_abs(system->d, F));
@@ -136,13 +136,13 @@ static double inertia_of(const fvi_estimation *fit, double w, double A)
 {
     const fvi_record first = fvi_estimation_record(fit, 0);
     const double by_mass = fit->run->system->mass[0] * w * w, by_force = largest_force(fit, &first) / A;
-    return by_force > NOTHING * by_mass && by_mass > 0 ? by_force / by_mass : 1;
+    return by_force > NEGLIGIBLE * by_mass && by_mass > 0 ? by_force / by_mass : 1;
 }
 
-static look look_at(const fvi_estimation *fit)
+static data_summary summarise_data(const fvi_estimation *fit)
 {
     const fvi_estimation_piece p = fvi_estimation_piece_at(fit, 0);
-    look at = { 1, 0, 1, 1 };
+    data_summary at = { 1, 0, 1, 1 };
     if (p.n > 1)
         fvi_estimation_frequency(p.n, p.t, p.x, &at.w, &at.A);
     for (size_t i = 0; i < p.n; i++)
@@ -159,8 +159,8 @@ static look look_at(const fvi_estimation *fit)
 
 //> box
 /* What parameter j may plausibly be. */
-static void plausible(const fvi_estimation *fit, size_t j, const look *at, double *low,
-                      double *high)
+static void find_plausible_range(const fvi_estimation *fit, size_t j, const data_summary *at, double *low,
+                                 double *high)
 {
     const fvi_free_parameter base = fvi_free_parameter_base(fit->which[j]);
     const size_t i = fvi_free_parameter_index(fit->which[j]);
@@ -203,7 +203,7 @@ static void plausible(const fvi_estimation *fit, size_t j, const look *at, doubl
         break;
     default:
         if (base < FVI_FREE_PARAMETER_CONSTANT) {
-            plausible_of_law(fit, j, m, w, low, high);
+            find_plausible_range_of_law(fit, j, m, w, low, high);
             return;
         } /* of x^4 / 4 */
         *low = -c / (A * A) / 2;
@@ -219,9 +219,9 @@ int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high)
         return status;
     if (!low || !high)
         FVI_FAIL("no room for the box", FVI_EFAULT);
-    const look at = look_at(fit);
+    const data_summary at = summarise_data(fit);
     for (size_t j = 0; j < fit->parameters; j++)
-        plausible(fit, j, &at, &low[j], &high[j]);
+        find_plausible_range(fit, j, &at, &low[j], &high[j]);
     return FVI_SUCCESS;
 }
 

@@ -101,7 +101,7 @@ int fvi_estimation_model_tangents(fvi_estimation_model *m, double *slope);
 /* Is the mass of coordinate `index`, from 1, or of any if that is 0, a mass of 0 that a run takes? */
 int fvi_estimation_has_massless(const fvi_system *system, size_t index);
 
-/* The longest step for a first look: it meets all times if one does that is not much
+/* The longest step for a first fit: it meets all times if one does that is not much
  * shorter than their gaps; w h <= 1, w as below. */
 double fvi_estimation_first_step(const fvi_estimation *fit);
 

@@ -11,7 +11,7 @@
 #include <gsl/gsl_min.h>
 
 #define DEPENDENT 1e-6 /* least singular value of J, its columns of length 1 */
-enum { SCAN = 100 };   /* orders that are looked at first */
+enum { SCAN = 100 };   /* orders that are tried first */
 
 /* By J = Q S V^T, its columns scaled to length 1: only their lengths know the unit of a
  * parameter, and a square of it may be too large, or too small, for a double. Q is J before.

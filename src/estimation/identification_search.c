@@ -85,7 +85,7 @@ static int ride(const gsl_vector *u, search *o, gsl_matrix *J)
 }
 
 //> slopes
-/* The Jacobian, by differences if the run cannot carry it along, at the u of the last residuals, where GSL asks for it. Its
+/* The Jacobian, by differences if the run has no tangents, at the u of the last residuals, where GSL asks for it. Its
  * own steps, in proportion to u, are lost in rounding where u is almost 0: at alpha = 1/2,
  * rho = 1, p0 = 0. */
 static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)

@@ -21,7 +21,7 @@ typedef struct {
     gsl_multifit_nlinear_workspace *solver;
     fvi_estimation_slot *found; /* one for each start */
     double *last, *base;  /* residuals: the last ones, and those of slopes */
-    double *ridden;       /* n P slopes; NULL: the run cannot carry them */
+    double *ridden;       /* n P slopes; NULL: the run has no tangents */
     double size[FVI_ESTIMATION_MOST]; /* of each u: it is nearly zero far below that */
     double
         believed; /* chi^2 is less for 99 of 100 data sets; 0: sigma is not known */

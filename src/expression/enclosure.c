@@ -13,7 +13,7 @@ static const double PI = 3.14159265358979323846;
 /* ---- functions ---- */
 
 /* Does a point offset + n period, n whole, lie in the interval, or near it? */
-static int meets(const enclosure *u, double offset, double period)
+static int contains_point(const enclosure *u, double offset, double period)
 {
     const double off = 8 * DBL_EPSILON * (largest(u) + period);
     return floor((u->high + off - offset) / period)
@@ -31,8 +31,8 @@ static void wave_range(const enclosure *u, int is_sine, enclosure *f)
     const double a = is_sine ? sin(u->low) : cos(u->low),
                  b = is_sine ? sin(u->high) : cos(u->high);
     set_range(f,
-              meets(u, bottom, 2 * PI) ? -1 : most_of(-1, down(least_of(a, b))),
-              meets(u, top, 2 * PI) ? 1 : least_of(1, up(most_of(a, b))));
+              contains_point(u, bottom, 2 * PI) ? -1 : most_of(-1, down(least_of(a, b))),
+              contains_point(u, top, 2 * PI) ? 1 : least_of(1, up(most_of(a, b))));
 }
 
 /* s' = c u', |c'| = |s u'|, and both are bounded at first. */
@@ -79,7 +79,7 @@ static void hyperbolic(const enclosure *u, int is_sine, int order, enclosure *f)
 static void tangent(const enclosure *u, double factor, int order, enclosure *f)
 {
     double more[FVI_ENCLOSURE_ORDER + 1] = { factor };
-    forget_derivatives(f, u->top > 0 ? order : 0);
+    clear_derivatives(f, u->top > 0 ? order : 0);
     f->most[0] = largest(f);
     for (int k = 1; k <= f->top; k++) {
         f->most[k] = fvi_enclosure_slope(u->most, u->top, more, k);
@@ -90,7 +90,7 @@ static void tangent(const enclosure *u, double factor, int order, enclosure *f)
 
 static void circular_tangent(const enclosure *u, int order, enclosure *f)
 {
-    if (!(largest(u) < 1e9) || meets(u, PI / 2, PI)) {
+    if (!(largest(u) < 1e9) || contains_point(u, PI / 2, PI)) {
         set_unknown(f, order);
         return;
     }
@@ -122,7 +122,7 @@ static void inverse_function(const enclosure *u, double sign, double p,
     fvi_enclosure_real_power(&h, p, order, &slope);
     for (int k = slope.top + 1; k <= order; k++)
         slope.most[k] = 0;
-    forget_derivatives(f, u->top > 0 ? order : 0);
+    clear_derivatives(f, u->top > 0 ? order : 0);
     for (int k = 1; k <= f->top; k++)
         f->most[k] = fvi_enclosure_slope(u->most, u->top, slope.most, k);
     set_range(f, low, high);
@@ -137,7 +137,7 @@ static void absolute(const enclosure *u, int order, enclosure *f)
         *f = *u;
     if (u->low >= 0 || u->high <= 0)
         return;
-    forget_derivatives(f, u->top > 0 ? order : 0);
+    clear_derivatives(f, u->top > 0 ? order : 0);
     if (f->top > 0)
         f->most[1] = u->most[1];
     set_range(f, 0, largest(u));
@@ -151,7 +151,7 @@ static void sign_of(const enclosure *u, int order, enclosure *f)
         set_number(f, u->low > 0 ? 1 : -1);
         return;
     }
-    forget_derivatives(f, u->top > 0 ? order : 0);
+    clear_derivatives(f, u->top > 0 ? order : 0);
     set_range(f, -1, 1);
     tighten(f);
 }
@@ -165,7 +165,7 @@ static void larger_of(const enclosure *u, const enclosure *w, int order,
         *f = u->low >= w->high ? *u : *w;
         return;
     }
-    forget_derivatives(f, u->top > 0 || w->top > 0 ? order : 0);
+    clear_derivatives(f, u->top > 0 || w->top > 0 ? order : 0);
     if (f->top > 0)
         f->most[1] = most_of(u->top > 0 ? u->most[1] : 0,
                              w->top > 0 ? w->most[1] : 0);

@@ -146,7 +146,7 @@ void fvi_enclosure_logarithm(const enclosure *u, int order, enclosure *f)
         return;
     }
     set_range(f, down(log(u->low)), up(log(u->high)));
-    forget_derivatives(f, u->top > 0 ? order : 0);
+    clear_derivatives(f, u->top > 0 ? order : 0);
     for (int k = 1; k <= f->top; k++) {
         double sum = k <= u->top ? u->part[k] : 0;
         for (int j = k > u->top ? k - u->top : 1; j < k; j++)

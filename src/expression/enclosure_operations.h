@@ -65,7 +65,7 @@ static inline void set_range(enclosure *f, double low, double high)
 }
 
 /* All derivatives up to the order, of which nothing is known yet. */
-static inline void forget_derivatives(enclosure *f, int order)
+static inline void clear_derivatives(enclosure *f, int order)
 {
     f->top = order;
     for (int k = 1; k <= order; k++)
@@ -75,7 +75,7 @@ static inline void forget_derivatives(enclosure *f, int order)
 static inline void set_unknown(enclosure *f, int order)
 {
     set_range(f, -INFINITY, INFINITY);
-    forget_derivatives(f, order);
+    clear_derivatives(f, order);
     f->most[0] = INFINITY;
     f->part[0] = 1;
 }

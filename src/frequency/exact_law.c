@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-static const double STEP = 0.5; /* of ln s, from one look at Q to the next */
+static const double STEP = 0.5; /* of ln s, from one evaluation of Q to the next */
 
 /* ---- how many zeros there are ---- */
 

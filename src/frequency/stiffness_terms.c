@@ -126,10 +126,10 @@ static int take_elongation(fvi_response *r, const fvi_damper *damper,
     const size_t d = r->d;
     double *g = calloc(d, sizeof *g);
     int status = g ? find_gradient(&damper->of, d, at, g, error) : fvi_no_memory(error, NULL);
-    size_t touched = 0, n = 0;
+    size_t used = 0, n = 0;
     for (size_t i = 0; !status && i < d; i++)
-        touched += g[i] != 0;
-    fvi_triplet *list = malloc((touched * touched + 1) * sizeof *list);
+        used += g[i] != 0;
+    fvi_triplet *list = malloc((used * used + 1) * sizeof *list);
     for (size_t i = 0; !status && list && i < d; i++)
         for (size_t j = 0; j < d && g[i] != 0; j++)
             if (g[j] != 0)

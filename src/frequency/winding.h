@@ -13,7 +13,7 @@ typedef double fvi_phase(const void *params, double u, double v);
 /* fvi_winding -- how many more zeros than poles the function has in the box, by the argument
  * principle.                                                          [(26.11), (30.8)]
  *
- *   step  of ln s, from one look at the function to the next; where it turns by more than half
+ *   step  of ln s, from one evaluation of the function to the next; where it turns by more than half
  *         a radian, pieces are halved. Within a step it must turn by less than a whole turn
  *
  * Returns that number; -1 if the phase does not settle, where a zero or a pole is on a side, or if

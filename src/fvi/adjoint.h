@@ -1,4 +1,4 @@
-/* src/fvi/adjoint.h -- Every derivative of a run for one mirrored run.  [H 23]
+/* src/fvi/adjoint.h -- Every derivative of a run for one adjoint run.  [H 23]
  *
  * J = J(x_0, ..., x_N, p_0, ..., p_N) is one number made of a trajectory: a distance from what
  * was measured, the last position, an energy. A run that goes backwards through the same
@@ -44,7 +44,7 @@ extern "C" {
  *          each place that would stretch a damper of a mechanism with this past and a law
  *          that is no sum of powers with alpha <= 1/2
  *   mesh   of fvi_variable_step the steps count as given: the derivatives are those on these
- *          steps. Where the past pulls the start, (19.3), so does the singular part of it,
+ *          steps. Where the initial history acts, (19.3), so does the singular part of it,
  *          its terms and its end, (23.25); where a damped body has A = 0 and a derivative by
  *          A is wanted, steps end where it would; and there is none by alpha at 1, nor at 0
  *          of RIEMANN_LIOUVILLE. force: the force changes along straight lines between t_k

@@ -15,7 +15,7 @@ extern "C" {
  *   miss        the largest |x_N - x| and |p_N - p| of the run with this u: look at it, as
  *               a step that is unstable (stability.h) makes anything of the roundings of u
  *   change      the largest change of u in the last iteration, relative to the largest u
- *   iterations  each of one run and 2 d mirrored ones */
+ *   iterations  each of one run and 2 d adjoint ones */
 typedef struct {
     double cost, miss, change;
     size_t iterations;
@@ -35,7 +35,7 @@ typedef struct {
  *           [k * d + i]
  *   found   output
  *
- * For a quadratic U the answer is unique, and found at once: 2 d mirrored runs and 2 d
+ * For a quadratic U the answer is unique, and found at once: 2 d adjoint runs and 2 d
  * equations, and once more to see that nothing changes. Else u solves the first-order
  * conditions (25.3), and need not be the least of all: where there are several, which one
  * is not said. The iteration is (25.4), with steps that are halved until (25.5) falls;
@@ -44,7 +44,7 @@ typedef struct {
  * Ends when u changes by less than 1e-12 of its largest number. Accuracy for quadratic U:
  * seen 4.4e-16 of the largest u, one mass, N = 24 and 32.
  *
- * Cost of an iteration: one run, more if the step is halved, and 2 d mirrored ones;
+ * Cost of an iteration: one run, more if the step is halved, and 2 d adjoint ones;
  * (2 d + 18) d (N + 1) numbers are kept, and 4 d (d + 1).
  * Returns FVI_SUCCESS; what fvi_trajectory and fvi_adjoint return, FVI_EUNSUP for other
  * methods; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if N < 2, or so many steps cannot

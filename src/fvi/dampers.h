@@ -2,7 +2,7 @@
  *
  *     d/dt L_v - L_x + sum_j grad g_j(x) C_j(D) [g_j(x) - g_j(x_0)] = F(t)      (29.1)
  *
- * A damper feels one number, its elongation z = g(x), and answers with the force C(D) (z - z_0) along
+ * A damper acts on one number, its elongation z = g(x), with the force C(D) (z - z_0) along
  * grad g. For example, a damper between two masses has g(x) = x_2 - x_1, and a strut between two points
  * of the plane has their distance. A system with dampers has no damping of its own: its `damping`
  * is zero, and neither alpha nor law of a run is read.
@@ -27,7 +27,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_elongation -- what a damper feels, a number z = g(x, t).
+/* fvi_elongation -- what a damper acts on, a number z = g(x, t).
  *
  *   row       g(x) = row . x, d numbers; or NULL, and then the functions say what g is:
  *   value     writes g to *g

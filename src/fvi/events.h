@@ -65,7 +65,7 @@ typedef enum {
  * direction 1. A body that lies there and would fall is at rest in the first step, and fvi_stepper_start refuses
  * a body that moves into the wall, with FVI_EINVAL. A jump of p by another event at the same time is no passing of 0.
  *
- * z is looked at at six or eight times of each step, and where |z| is least between them. So a z that passes 0 and turns
+ * z is evaluated at six or eight times of each step, and where |z| is least between them. So a z that passes 0 and turns
  * back is seen if |z| has one such place between two of these times; run.longest makes the steps shorter. A z that
  * comes no farther beyond 0 than the motion may err is seen or not. Cost, seen with one oscillator: a run takes 2 to 4
  * times as long with an event, and each passing of 0 as long as 10 steps more. Of all this a tenth at most is the

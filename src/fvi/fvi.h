@@ -12,7 +12,7 @@
 #include "dampers.h"
 #include "structures.h"
 
-/* What remembers: kernels of damping, what was before t = 0, and the sums over the past */
+/* Histories: kernels of damping, what was before t = 0, and the sums over the past */
 #include "damping_laws.h"
 #include "past.h"
 #include "memory.h"

@@ -24,7 +24,7 @@ extern "C" {
 #pragma GCC visibility push(default)
 
 enum { FVI_ESTIMATION_MOST = 8 };              /* parameters in a fit */
-enum { FVI_ESTIMATION_OTHERS = 4 };    /* other minima that are remembered */
+enum { FVI_ESTIMATION_OTHERS = 4 };    /* other minima that are kept */
 enum { FVI_FIT_MOST_STEPS = 1 << 22 }; /* of a run; a fit is hundreds of them */
 enum { FVI_FIT_MOST_EQUAL_STEPS = 1 << 17 }; /* of a run whose steps are equally long */
 

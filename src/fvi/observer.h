@@ -38,7 +38,7 @@
  * over a jump of F: a few rows behind it are of low order.
  * The work of one damper is what the energy has lost, E_0 - E + the work of F, with stages, where the
  * sum of force times motion would lose order in the first steps; and where that sum is not
- * known: where the past pulls with a force that is singular at t = 0, at alpha = 1, and of a method
+ * known: where the initial history has a force that is singular at t = 0, at alpha = 1, and of a method
  * that chooses its steps. Else it is the method's own sum. The balance takes the own sum wherever it is
  * known, and is E_0 but for the errors of the method; else it is E_0 by itself.
  * A method that chooses its steps knows x'' as the polynomial of its step: an order less than p; and so the force of each of

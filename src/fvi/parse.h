@@ -173,7 +173,7 @@ typedef struct fvi_ground fvi_ground;
  * fvi_ground_force -- that F, to be put into the system for its runs.
  * fvi_ground_acceleration -- a_g, a force of one number, for columns (columns.h).
  * fvi_ground_typed -- the same as it was typed: its files and jumps; NULL if it was not.
- * fvi_ground_pull -- M r, d numbers: F is -M r a_g and what acts besides. */
+ * fvi_ground_load_vector -- M r, d numbers: F is -M r a_g and what acts besides. */
 int fvi_parse_ground(const char *text, const fvi_system *system,
                      const double *r, fvi_user_parameters *parameters,
                      double last, fvi_ground **ground, fvi_error *error);
@@ -182,7 +182,7 @@ int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system,
 fvi_force fvi_ground_force(const fvi_ground *ground);
 const fvi_force *fvi_ground_acceleration(const fvi_ground *ground);
 const fvi_typed_force *fvi_ground_typed(const fvi_ground *ground);
-const double *fvi_ground_pull(const fvi_ground *ground);
+const double *fvi_ground_load_vector(const fvi_ground *ground);
 void fvi_ground_free(fvi_ground *ground);
 
 /* fvi_force_rows -- forces that were measured: n rows at increasing times.

@@ -63,7 +63,7 @@ typedef struct {
  *
  *   alpha  0 <= alpha <= 1, not 1/2
  *   n, c   2 <= n <= FVI_KERNEL_IMPULSE_NODES nodes in [0, 1], all different
- *   pull   output
+ *   table  output
  *
  *     const double ends[] = { 0, 1 };
  *     fvi_kernel_impulse prepared;
@@ -71,7 +71,7 @@ typedef struct {
  *
  * Nothing is checked. Cost O(n^3). */
 void fvi_kernel_impulse_prepare(double alpha, size_t n, const double *c,
-                      fvi_kernel_impulse *pull);
+                      fvi_kernel_impulse *table);
 
 /* fvi_kernel_impulses -- Compute the shares b_i of the nodes of step k in the impulse of this force.     [(19.5)]
  *
@@ -86,15 +86,15 @@ void fvi_kernel_impulse_prepare(double alpha, size_t n, const double *c,
  *
  * Accuracy: 16 u of the sum of the shares, u = 2^-53; the largest error seen on Lobatto nodes is 5.5 u. Cost: one
  * power, and from 3 (k > 2 10^5) to 36 (k = 1) terms of a series. */
-void fvi_kernel_impulses(const fvi_kernel_impulse *pull, size_t k, double *impulse);
+void fvi_kernel_impulses(const fvi_kernel_impulse *table, size_t k, double *impulse);
 
-/* fvi_kernel_impulses_by_order -- Compute the derivatives of these shares by the exponent e = pull->e.  [(23.12)]
+/* fvi_kernel_impulses_by_order -- Compute the derivatives of these shares by the exponent e = table->e.  [(23.12)]
  *
  *   k     the step, >= 0
  *   rate  output, n numbers
  *
  * Accuracy: of the order of u (1 + ln(1 + k)) of the sum of the shares (not proved). */
-void fvi_kernel_impulses_by_order(const fvi_kernel_impulse *pull, size_t k, double *rate);
+void fvi_kernel_impulses_by_order(const fvi_kernel_impulse *table, size_t k, double *rate);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -57,7 +57,7 @@ const char *fvi_element_number_typed(fvi_element kind, size_t i, int is_exchange
  *     CREEP       x(t) under a constant force F from t = 0 on: X(s) = F/(s C(s))
  *     RELAXATION  f(t) at an elongation z from t = 0 on: f(s) = z C(s)/s
  *
- * No mass moves: what is pulled has none, or it is over before the first datum. */
+ * No mass moves: what is moved has none, or it is over before the first datum. */
 typedef enum { FVI_MATERIAL_MODULI, FVI_MATERIAL_CREEP, FVI_MATERIAL_RELAXATION } fvi_material_test;
 
 enum {

@@ -100,8 +100,8 @@ typedef struct fvi_structure fvi_structure;
  *          must outlive it
  *   fault  output, NULL or 'M', 'K' or 'C': which matrix an error speaks of, or 0
  *
- * Of C only what it touches is remembered. If that are few unknowns (up to 512) and C is of
- * half their number in rank, or less, C = B B^T and B^T x is remembered; else the
+ * The history has only the unknowns that C couples. If that are few unknowns (up to 512) and C is of
+ * half their number in rank, or less, C = B B^T and the history has B^T x; else the
  * unknowns that C touches. (27.4)
  * Cost: that of one factorisation of M, and of one of C if it touches more than 512
  * unknowns.
@@ -131,7 +131,7 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
  *   error     output, or NULL. Its field is "M", "K" or "damper", then its index
  *             is that of the damper, from 0
  *
- * Of each damper only what C_j touches is remembered, as above.
+ * The history of a damper has only the unknowns that C_j couples, as above.
  *
  *     const fvi_damper dampers[] = { { .matrix = &isolators, .kernel = &springpot },
  *                                    { .of = fvi_elongation_row(roof), .kernel = &dashpot } };

@@ -111,25 +111,26 @@ typedef struct {
 
 /* fvi_damping_matrix -- one symmetric C = S B^T that is not negative, as functions. [(27.4)]
  *
- *   remembered  r >= 0: z = B^T x are the r numbers that a run remembers. 0: the functions are
+ *   history_size  r >= 0: the history of a run has the r numbers z = B^T x. 0: the functions are
  *              not called
- *   remember   writes B^T x - from to z, r numbers each; none is another
- *   damp       takes a S z away from the d numbers p
+ *   select_history  writes B^T x - from to z, r numbers each; none is another
+ *   apply_damping  takes a S z away from the d numbers p
  *   params     handed to the functions, owned by the caller
- *   diagonal   NULL; or writes the diagonal of C, d numbers, by which a run tells a C x0 that is felt
- *              from roundings
- *   damp_stages  NULL; or what damp does of s vectors z, 1 to 8, one behind the other, and as many p
+ *   diagonal   NULL; or writes the diagonal of C, d numbers, by which a run tells whether C x0 is
+ *              more than roundings
+ *   apply_damping_to_stages  NULL; or what apply_damping does, of s vectors z, 1 to 8, one behind the other,
+ *              and as many p
  *
  * The functions return 0, or a code as those of a potential do. */
 typedef struct {
-    size_t remembered;
-    int (*remember)(size_t d, const double *x, const double *from,
-                    const void *params, double *z);
-    int (*damp)(size_t d, double a, const double *z, const void *params,
-                double *p);
+    size_t history_size;
+    int (*select_history)(size_t d, const double *x, const double *from,
+                          const void *params, double *z);
+    int (*apply_damping)(size_t d, double a, const double *z, const void *params,
+                         double *p);
     const void *params;
     int (*diagonal)(size_t d, const void *params, double *C);
-    int (*damp_stages)(size_t d, size_t s, double a, const double *z, const void *params, double *p);
+    int (*apply_damping_to_stages)(size_t d, size_t s, double a, const double *z, const void *params, double *p);
 } fvi_damping_matrix;
 
 /* fvi_matrices -- M, C and K of a linear system                          [H 27]
@@ -140,17 +141,17 @@ typedef struct {
  * masses and dampings are more than the numbers of a diagonal. structures.h makes them
  * of sparse matrices.
  *
- *   remembered  r >= 0 of the damping: C = S B^T, and z = B^T x are the r numbers that a
- *              run remembers. 0: no damping, the next two functions are not called
- *   remember   writes B^T x - from to z, r numbers each; none is another
- *   damp       takes a S z away from the d numbers p
- *   damp_stages  NULL; or as that of fvi_damping_matrix
+ *   history_size  r >= 0 of the damping: C = S B^T, and the history of a run has the r numbers
+ *              z = B^T x. 0: no damping, the next two functions are not called
+ *   select_history  writes B^T x - from to z, r numbers each; none is another
+ *   apply_damping  takes a S z away from the d numbers p
+ *   apply_damping_to_stages  NULL; or as that of fvi_damping_matrix
  *   stiffness  writes K x to y
  *   inertia    writes M x to y; NULL: there is no derivative by a factor of M (adjoint.h)
  *   factorise  what solve needs to know of m M + c C + k K, into *factors; m, c >= 0.
  *              FVI_ESING if that is not positive definite
  *   solve      r becomes (m M + c C + k K)^-1 r. The factors belong to one run
- *   forget     gives the factors back
+ *   free_factors  gives the factors back
  *   energy     writes p^T M^-1 p / 2 + x^T K x / 2 to *E; NULL: energies are not known
  *   params     handed to the functions, owned by the caller
  *   M, K, C    NULL; or the entries of these matrices (structures.h), C NULL without damping, for
@@ -164,23 +165,23 @@ typedef struct {
  *              are > 0, of c >= 0
  *   solve_complex  r becomes the solution of the first `count` of these equations, 2 count d numbers: of
  *              each unknown first the real parts, one for each equation, and then the imaginary parts
- *   forget_complex  gives these factors back
+ *   free_complex_factors  gives these factors back
  *
  * The functions return 0, or a code as those of a potential do. */
 enum { FVI_COMPLEX_SUMS = 4 };
 struct fvi_sparse;
 typedef struct {
-    size_t remembered;
-    int (*remember)(size_t d, const double *x, const double *from,
-                    const void *params, double *z);
-    int (*damp)(size_t d, double a, const double *z, const void *params,
-                double *p);
+    size_t history_size;
+    int (*select_history)(size_t d, const double *x, const double *from,
+                          const void *params, double *z);
+    int (*apply_damping)(size_t d, double a, const double *z, const void *params,
+                         double *p);
     int (*stiffness)(size_t d, const double *x, const void *params, double *y);
     int (*inertia)(size_t d, const double *x, const void *params, double *y);
     int (*factorise)(size_t d, double m, double c, double k, const void *params,
                      void **factors);
     int (*solve)(size_t d, void *factors, double *r);
-    void (*forget)(void *factors);
+    void (*free_factors)(void *factors);
     int (*energy)(size_t d, const double *x, const double *p,
                   const void *params, double *E);
     const void *params;
@@ -192,8 +193,8 @@ typedef struct {
     int (*factorise_complex)(size_t d, size_t count, const double *factor, const void *params,
                              void **factors);
     int (*solve_complex)(size_t d, size_t count, void *factors, double *r);
-    void (*forget_complex)(void *factors);
-    int (*damp_stages)(size_t d, size_t s, double a, const double *z, const void *params, double *p);
+    void (*free_complex_factors)(void *factors);
+    int (*apply_damping_to_stages)(size_t d, size_t s, double a, const double *z, const void *params, double *p);
 } fvi_matrices;
 
 /* fvi_system -- one mechanical system. The arrays belong to the caller and

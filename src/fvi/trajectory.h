@@ -38,7 +38,7 @@ typedef struct fvi_event fvi_event; /* events.h */
  *   past     what the body did before t = 0 (past.h); zeroed: it was held at x0
  *   memory   how the history is summed
  *   tolerance  of the compressed memory, relative to the direct sum, in [0, 1); 0
- *              means the default 1e-13; of no effect where nothing is remembered
+ *              means the default 1e-13; of no effect without a history
  *   step_error  for methods that choose their steps: what the estimated error of x
  *              in one step may be, >= 0; 0 means 1e-10 of the largest |x_i| so far.
  *              Below 1e-17 of the size at the start it is refused (FVI_ETOL), and
@@ -99,7 +99,7 @@ typedef enum {
 } fvi_scheme;
 
 /* fvi_stepper -- one trajectory on its way. Read k, t, x, p; leave the rest. While a function
- * works on a stepper, a callback (a potential, a force, a visitor) may read these four, and
+ * works on a stepper, a callback (a potential, a force, an archive) may read these four, and
  * no more: fvi_stepper_step, fvi_stepper_copy, fvi_stepper_archive, fvi_stepper_reset and fvi_stepper_free of the same stepper return
  * FVI_EINVAL there, and change nothing. */
 typedef struct {
@@ -132,10 +132,10 @@ typedef struct {
  *   alpha_least, alpha_most  the alpha that it knows, within [0, 1]: 1/2 and 1/2 is
  *          linear damping only; fvi_stepper_start refuses other runs (FVI_EDOM)
  *   memories  a bit 1u << kind for each kind of memory that it can sum with;
- *          fvi_stepper_start refuses the others (FVI_EUNSUP). 0: it remembers nothing, and
+ *          fvi_stepper_start refuses the others (FVI_EUNSUP). 0: it has no history, and
  *          run->memory is not read
  *   quadrature  whose weights stand before the positions of the past; not read of
- *          methods that remember nothing, or have stages
+ *          methods without a history, or with stages
  *   scheme  as above; OTHER has no adjoint
  *   takes_kappa  nonzero if run->kappa is used where there is a potential
  *   implicit  nonzero if a step solves an equation in which grad U stands, by Newton's
@@ -152,7 +152,7 @@ typedef struct {
  *          alpha is all there is of a kick (9.5), and what has no solution is run too
  *   stability_number   of run, above 1 if a mode grows, as fvi_stability_number (stability.h) has it;
  *          of U it asks for the Hessian at x0 alone. NULL if it is not known
- *   stability_number_grows  nonzero if that load does not fall while h grows: the stable steps are
+ *   stability_number_grows  nonzero if that number does not fall while h grows: the stable steps are
  *          then all those up to the longest, fvi_stability_longest_step
  *   start  refuses runs that the method does not know; prepares newton and method_state;
  *          may be NULL
@@ -164,9 +164,9 @@ typedef struct {
  *          step, to the bit, row after row into x and p; FVI_EDOM if one is outside
  *   copy   makes to->method_state out of from->method_state; NULL only if method_state is never set. The rest of
  *          *to is there, and stop will be called for it, whatever copy returns
- *   visit  shows what steps change of own to a visitor, and what must be the same
- *          (archive.h). NULL if own is never set, or the method has no such function
- *   stop   gives own back; may be NULL
+ *   serialize  shows what steps change of method_state to an archive, and what must be the same
+ *          (archive.h). NULL if method_state is never set, or the method has no such function
+ *   stop   gives method_state back; may be NULL
  *   keep_dampers, damper  of a structure with several dampers: as fvi_stepper_keep_dampers and
  *          fvi_stepper_damper (dampers.h); NULL: the method takes none */
 struct fvi_method {
@@ -191,8 +191,8 @@ struct fvi_method {
     int (*damper)(const fvi_stepper *s, size_t j, double *impulse, double *work);
 };
 
-/* fvi_method_takes_history -- nonzero if the method can sum with such a memory, or remembers
- * nothing. What is no kind at all is not judged here: fvi_history_alloc refuses it. */
+/* fvi_method_takes_history -- nonzero if the method can sum with such a memory, or has no
+ * history. What is no kind at all is not judged here: fvi_history_alloc refuses it. */
 int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind);
 
 /* fvi_stepper_start -- check the run, stand at k = 0.
@@ -272,11 +272,11 @@ int fvi_stepper_advance_through(fvi_stepper *s, size_t count, const double *t, d
  * data of its own and no copy; FVI_ENOMEM. On error *to is untouched. */
 int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
 
-/* fvi_stepper_archive -- show a visitor all that steps have changed, so that a run can be saved, and
+/* fvi_stepper_archive -- show an archive all that steps have changed, so that a run can be saved, and
  * gone on with in another process:
  *
- *   save   let the visitor copy the pieces, whatever `constant`
- *   stability_number   fvi_stepper_start the same run, then let the visitor write them back: where constant != 0
+ *   save   let the archive copy the pieces, whatever `constant`
+ *   load   fvi_stepper_start the same run, then let the archive write them back: where constant != 0
  *          it must compare instead, and return a code of its own if they differ. After an
  *          error the stepper is of no use: stop it, or reset it
  *
@@ -288,11 +288,11 @@ int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
  * has them. O(Q d) bytes with FVI_HISTORY_MODES, O(k d) with DIRECT.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP, before any piece, if
- * the method has data of its own and no visit; FVI_EINVAL if what was loaded is no state of
+ * the method has data of its own and no serialize; FVI_EINVAL if what was loaded is no state of
  * this run (k beyond its end, a time, a place or a count that it cannot have), as soon as
  * that is seen: no step ever reads it. So a state may come from a stranger. Of the numbers
  * of its past nothing is asked: if one is not finite, a step fails. FVI_EINVAL, too, of a
- * stepper whose last step failed; what the visitor returns. */
+ * stepper whose last step failed; what the archive returns. */
 int fvi_stepper_archive(fvi_stepper *s, fvi_archive *archive);
 
 /* fvi_stepper_reset -- back to k = 0 of the same run, also after a step that failed. The digits

@@ -42,14 +42,14 @@ int fvi_warning_of_step(const fvi_method *method, const fvi_run *run,
 /* fvi_watch -- for runs that get stiffer on their way; owned by the caller. */
 typedef struct {
     double stiffest; /* so far, see fvi_stability_along_run */
-    size_t next; /* the step of the next look; no look where it is SIZE_MAX */
+    size_t next; /* the step of the next check; no check where it is SIZE_MAX */
 } fvi_watch;
 
-/* fvi_watch_begin -- before the first step. Nothing will be looked at if U is quadratic,
+/* fvi_watch_begin -- before the first step. Nothing will be checked if U is quadratic,
  * or the load does not depend on U, or is not known, or would cost d^3 operations.
  *
  *   method, run  as for fvi_stepper_start
- *   is_unstable  nonzero if fvi_warning_of_step has spoken: nothing will be looked at */
+ *   is_unstable  nonzero if fvi_warning_of_step has warned: nothing will be checked */
 fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run,
                           int is_unstable);
 
@@ -61,8 +61,8 @@ fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run,
  *   k, x         after step k the d positions x
  *   size, text   as above
  *
- * Call it after each step, k = 1, 2, ...: it looks after the first eight and after every
- * eighth. Cost: a comparison; a look costs what fvi_stability_along_run does. */
+ * Call it after each step, k = 1, 2, ...: it checks after the first eight and after every
+ * eighth. Cost: a comparison; a check costs what fvi_stability_along_run does. */
 int fvi_warning_along(fvi_watch *watch, const fvi_method *method,
                       const fvi_run *run, size_t k, const double *x,
                       size_t size, char *text);
@@ -79,7 +79,7 @@ int fvi_inertia_watch_begin(const fvi_system *system, fvi_inertia_watch **watch)
 void fvi_inertia_watch_free(fvi_inertia_watch *watch);
 
 /* fvi_warning_of_inertia -- 1 and a text, once in a run, where a pivot of L_vv is below 1e-6 of the largest
- * inertia of its coordinates so far, at this time or between the last look and this one, along the straight
+ * inertia of its coordinates so far, at this time or between the last check and this one, along the straight
  * line; or where L_v(x, v) = p cannot be solved. Else 0, and the text is untouched; -1 without memory.
  *
  *   watch       of this run, or NULL: 0

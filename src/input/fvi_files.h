@@ -12,7 +12,7 @@ int fvi_same_file(const char *a, const char *b);
 /* fvi_may_be_ordinary -- nonzero if nothing of this name is there, or an ordinary file: no folder, no device, no pipe. */
 int fvi_may_be_ordinary(const char *name);
 
-/* fvi_mark_read -- remember, for fvi_check_output, that the ordinary file of this name is read
+/* fvi_mark_read -- note, for fvi_check_output, that the ordinary file of this name is read
  * for `option`, a constant without dashes, DATA for that of a fit. The last thousand marks are
  * kept. */
 void fvi_mark_read(const char *option, const char *name);

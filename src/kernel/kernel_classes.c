@@ -204,11 +204,11 @@ static int check_function(const fvi_kernel_term *t)
     for (int k = -20; k <= 20; k += 4) {
         const double omega = ldexp(1.1, k); /* the factor 1.1 avoids s = 1, where ln s = 0 */
         const double complex C = value_of(t, I * omega),
-                             mirrored = value_of(t, -I * omega),
+                             at_conjugate = value_of(t, -I * omega),
                              real = value_of(t, omega);
         if (!isfinite(cabs(C)) || !isfinite(cabs(real)))
             FVI_FAIL("the symbol of a law must be finite at i omega", FVI_EDOM);
-        if (!(cabs(mirrored - conj(C)) <= 1e-12 * cabs(C))
+        if (!(cabs(at_conjugate - conj(C)) <= 1e-12 * cabs(C))
             || !(fabs(cimag(real)) <= 1e-12 * cabs(real)))
             FVI_FAIL("the symbol of a law must be real at s > 0", FVI_EDOM);
     }

@@ -1,4 +1,4 @@
-/* src/matrices/history_space.c -- What a damping remembers.                [H 27] */
+/* src/matrices/history_space.c -- Which numbers have a history.          [H 27] */
 #include "history_space.h"
 
 #include "factors.h"
@@ -13,7 +13,7 @@ enum { SMALL = 512 /* unknowns whose C may be taken apart densely */ };
 
 /* ---- in a step ---- */
 
-//> remember
+//> select-and-apply
 /* z = B^T x - from */
 void fvi_history_space_gather(const fvi_history_space *B, const double *x,
                            const double *from, double *z)
@@ -54,12 +54,12 @@ void fvi_history_space_apply_damping(const fvi_history_space *B, double a, const
                 p[B->columns.row[e]] -= a * B->columns.entry[e] * z[l];
     }
 }
-//< remember
+//< select-and-apply
 
 /* p -= a C z of s vectors, a number that the compiler knows; row l of C is column l. An entry is read once, and the sums
  * of the vectors do not wait for each other. */
 static inline __attribute__((always_inline)) void
-apply_all(size_t s, const fvi_sparse *C, double a, const double *restrict z, double *restrict p)
+apply_to_all_unknowns(size_t s, const fvi_sparse *C, double a, const double *restrict z, double *restrict p)
 {
     const size_t n = C->n;
     for (size_t l = 0; l < n; l++) {
@@ -80,9 +80,9 @@ void fvi_history_space_apply_to_stages(const fvi_history_space *B, size_t s, dou
 {
     const size_t n = B->C ? B->C->n : 0;
     if (B->kind == FVI_HISTORY_SPACE_ALL && s == 8)
-        apply_all(8, B->C, a, z, p);
+        apply_to_all_unknowns(8, B->C, a, z, p);
     else if (B->kind == FVI_HISTORY_SPACE_ALL && s == 3)
-        apply_all(3, B->C, a, z, p);
+        apply_to_all_unknowns(3, B->C, a, z, p);
     else
         for (size_t i = 0; i < s; i++)
             fvi_history_space_apply_damping(B, a, z + i * B->r, p + i * n);
@@ -90,7 +90,7 @@ void fvi_history_space_apply_to_stages(const fvi_history_space *B, size_t s, dou
 
 /* ---- which numbers ---- */
 
-static int room(size_t r, size_t count, fvi_history_space *B)
+static int allocate_columns(size_t r, size_t count, fvi_history_space *B)
 {
     B->r = r;
     return fvi_sparse_alloc(r, count, &B->columns);
@@ -102,12 +102,12 @@ void fvi_history_space_free(fvi_history_space *B)
 }
 
 /* The unknowns that C touches. */
-static int pick(const fvi_sparse *C, fvi_history_space *B)
+static int select_damped_unknowns(const fvi_sparse *C, fvi_history_space *B)
 {
     size_t r = 0;
     for (size_t j = 0; j < C->n; j++)
         r += C->start[j + 1] > C->start[j];
-    if (room(r, r, B))
+    if (allocate_columns(r, r, B))
         return FVI_ENOMEM;
     B->kind = FVI_HISTORY_SPACE_SOME;
     for (size_t j = 0, l = 0; j < C->n; j++)
@@ -127,7 +127,7 @@ static int is_zero(size_t n, const double *D, double noise)
 /* D in units, powers of two, in which its diagonal is between 1/4 and 4: a small damper
  * beside a large one is no rounding. Where the diagonal is not positive nothing else may
  * be in the row: returns 0 if something is. */
-static int take_units(size_t r, double *D, double *unit)
+static int scale_diagonal(size_t r, double *D, double *unit)
 {
     for (size_t i = 0; i < r; i++) {
         const double size = D[i * r + i];
@@ -147,7 +147,7 @@ static int take_units(size_t r, double *D, double *unit)
  * and B's columns come into `out`, of r rows each. Of a C that is negative somewhere more
  * than rounding is left when no positive entry of the diagonal is. Returns the rank, or
  * -1. */
-static int take_apart(size_t r, double *D, double *out)
+static int factorise_dense(size_t r, double *D, double *out)
 {
     const double noise = (double)r * 8 * DBL_EPSILON * 4;
     for (size_t rank = 0;; rank++, out += r) {
@@ -168,7 +168,7 @@ static int take_apart(size_t r, double *D, double *out)
 //< rank
 
 /* C between the unknowns in B. */
-static double *between(const fvi_history_space *B)
+static double *copy_dense(const fvi_history_space *B)
 {
     const size_t r = B->r;
     double *D =
@@ -184,7 +184,7 @@ static double *between(const fvi_history_space *B)
 static int keep_columns(size_t rank, const double *dense, fvi_history_space *B)
 {
     fvi_history_space few = { .C = B->C, .kind = FVI_HISTORY_SPACE_FEW };
-    if (room(rank, rank * B->r, &few))
+    if (allocate_columns(rank, rank * B->r, &few))
         return FVI_ENOMEM;
     for (size_t l = 0; l < rank; l++) {
         int e = few.columns.start[l];
@@ -201,14 +201,14 @@ static int keep_columns(size_t rank, const double *dense, fvi_history_space *B)
 }
 
 /* A small C: is it negative, and is its rank so low that B^T x pays? */
-static int look_for_few(fvi_history_space *B)
+static int find_low_rank(fvi_history_space *B)
 {
     const size_t r = B->r;
-    double *D = between(B);
+    double *D = copy_dense(B);
     if (!D)
         return FVI_ENOMEM;
     double *columns = D + r * r, *unit = columns + r * r;
-    const int rank = take_units(r, D, unit) ? take_apart(r, D, columns) : -1;
+    const int rank = scale_diagonal(r, D, unit) ? factorise_dense(r, D, columns) : -1;
     int status = rank < 0 ? FVI_EDOM : FVI_SUCCESS;
     if (rank >= 0 && 2 * (size_t)rank <= r) {
         for (size_t i = 0; i < (size_t)rank * r; i++)
@@ -221,7 +221,7 @@ static int look_for_few(fvi_history_space *B)
 
 /* A large C is not negative if C and a thousand-millionth of M, in its units, are positive
  * definite together. */
-static int look_at_all(const fvi_sparse *M, const fvi_sparse *C)
+static int check_semidefinite(const fvi_sparse *M, const fvi_sparse *C)
 {
     double largest = 0;
     for (size_t i = 0; i < C->n; i++) {
@@ -249,9 +249,9 @@ int fvi_history_space_find(const fvi_sparse *M, const fvi_sparse *C,
     *B = (fvi_history_space){ .C = C };
     if (!C || C->start[C->n] == 0)
         return FVI_SUCCESS;
-    int status = pick(C, B);
+    int status = select_damped_unknowns(C, B);
     if (!status)
-        status = B->r <= SMALL ? look_for_few(B) : look_at_all(M, C);
+        status = B->r <= SMALL ? find_low_rank(B) : check_semidefinite(M, C);
     if (!status && B->kind == FVI_HISTORY_SPACE_SOME && B->r == C->n) {
         fvi_history_space_free(B);
         B->kind = FVI_HISTORY_SPACE_ALL;
@@ -266,7 +266,7 @@ int fvi_history_space_of_row(const fvi_sparse *C, const double *row, fvi_history
         *B = (fvi_history_space){ .C = C };
         return FVI_SUCCESS;
     }
-    int status = pick(C, &all);
+    int status = select_damped_unknowns(C, &all);
     double *dense = status ? NULL : malloc(all.r * sizeof *dense);
     for (size_t l = 0; dense && l < all.r; l++)
         dense[l] = row[all.columns.row[l]];

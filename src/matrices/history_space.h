@@ -1,4 +1,4 @@
-/* src/matrices/history_space.h -- What a damping remembers.                [H 27] */
+/* src/matrices/history_space.h -- Which numbers have a history.          [H 27] */
 #ifndef FVI_HISTORY_SPACE_H
 #define FVI_HISTORY_SPACE_H
 
@@ -27,7 +27,7 @@ typedef struct {
 int fvi_history_space_find(const fvi_sparse *M, const fvi_sparse *C,
                         fvi_history_space *result);
 
-/* fvi_history_space_of_row -- C = row^T row: one number is remembered, the product of the row and
+/* fvi_history_space_of_row -- C = row^T row: the history has one number, the product of the row and
  * x. Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_history_space_of_row(const fvi_sparse *C, const double *row,
                              fvi_history_space *result);

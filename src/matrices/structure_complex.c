@@ -78,7 +78,7 @@ typedef struct {
     const double *factor;
 } complex_terms;
 
-static void forget(void *factors)
+static void free_complex_factors(void *factors)
 {
     complex_solver *c = factors;
     if (!c)
@@ -208,7 +208,7 @@ static int factorise(size_t d, size_t count, const double *factor, const void *p
     free(terms.place);
     free(terms.matrix);
     if (status)
-        forget(c);
+        free_complex_factors(c);
     else
         *factors = c;
     if (status == FVI_ENOMEM)
@@ -253,5 +253,5 @@ void fvi_structure_add_complex(fvi_structure *s)
 {
     s->matrices.factorise_complex = factorise;
     s->matrices.solve_complex = solve;
-    s->matrices.forget_complex = forget;
+    s->matrices.free_complex_factors = free_complex_factors;
 }

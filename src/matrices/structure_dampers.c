@@ -13,15 +13,15 @@ static int select_damper_history(size_t d, const double *x, const double *from,
     return FVI_SUCCESS;
 }
 
-static int damp_by_damper(size_t d, double a, const double *z, const void *params,
-                          double *p)
+static int apply_damper(size_t d, double a, const double *z, const void *params,
+                        double *p)
 {
     (void)d;
     fvi_history_space_apply_damping(params, a, z, p);
     return FVI_SUCCESS;
 }
 
-static int damp_stages_by_damper(size_t d, size_t s, double a, const double *z, const void *params, double *p)
+static int apply_damper_to_stages(size_t d, size_t s, double a, const double *z, const void *params, double *p)
 {
     (void)d;
     fvi_history_space_apply_to_stages(params, s, a, z, p);
@@ -136,8 +136,8 @@ static int find_damper_space(fvi_structure *s, size_t j, fvi_error *error)
                                                 : "no memory for its matrix",
                              error);
     s->damper[j] = (fvi_damping_matrix){ s->space[j].r, select_damper_history,
-                                         damp_by_damper, s->space + j, find_diagonal,
-                                         damp_stages_by_damper };
+                                         apply_damper, s->space + j, find_diagonal,
+                                         apply_damper_to_stages };
     return FVI_SUCCESS;
 }
 

@@ -33,15 +33,15 @@ static int select_history(size_t d, const double *x, const double *from,
     return FVI_SUCCESS;
 }
 
-static int damp(size_t d, double a, const double *z, const void *params,
-                double *p)
+static int apply_damping(size_t d, double a, const double *z, const void *params,
+                         double *p)
 {
     (void)d;
     fvi_history_space_apply_damping(&((const fvi_structure *)params)->B, a, z, p);
     return FVI_SUCCESS;
 }
 
-static int damp_stages(size_t d, size_t s, double a, const double *z, const void *params, double *p)
+static int apply_damping_to_stages(size_t d, size_t s, double a, const double *z, const void *params, double *p)
 {
     (void)d;
     fvi_history_space_apply_to_stages(&((const fvi_structure *)params)->B, s, a, z, p);
@@ -79,7 +79,7 @@ static int solve(size_t d, void *factors, double *r)
     return fvi_factors_solve(factors, r);
 }
 
-static void forget(void *factors)
+static void free_factors(void *factors)
 {
     fvi_factors_free(factors);
 }
@@ -106,7 +106,7 @@ static int energy(size_t d, const double *x, const double *p,
 
 /* ---- a structure ---- */
 
-static int look_at_mass(fvi_structure *s)
+static int check_mass(fvi_structure *s)
 {
     const size_t d = s->M->n;
     for (size_t i = 0; i < d; i++) {
@@ -139,12 +139,12 @@ static int check_matrices(fvi_structure *s, char *fault)
     }
     if (!status) {
         *fault = 'M';
-        status = look_at_mass(s);
+        status = check_mass(s);
     }
     if (!status) {
         *fault = 'C';
         status = fvi_history_space_find(s->M, s->C, &s->B);
-        s->matrices.remembered = s->B.r;
+        s->matrices.history_size = s->B.r;
     }
     if (!status)
         *fault = 0;
@@ -164,14 +164,14 @@ static int make(const fvi_sparse *M, const fvi_sparse *K, fvi_structure **struct
     *s = (fvi_structure){
         .M = M, .K = K, .mass = block, .damping = block + M->n
     };
-    s->matrices = (fvi_matrices){ .remember = select_history,
-                                  .damp = damp,
-                                  .damp_stages = damp_stages,
+    s->matrices = (fvi_matrices){ .select_history = select_history,
+                                  .apply_damping = apply_damping,
+                                  .apply_damping_to_stages = apply_damping_to_stages,
                                   .stiffness = stiffness,
                                   .inertia = inertia,
                                   .factorise = factorise,
                                   .solve = solve,
-                                  .forget = forget,
+                                  .free_factors = free_factors,
                                   .energy = energy,
                                   .params = s,
                                   .M = M,

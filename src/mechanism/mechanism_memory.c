@@ -63,7 +63,7 @@ int fvi_mechanism_is_stretched(const fvi_stepper *s, size_t j)
     double size = 0;
     for (size_t i = 0; i < o->d; i++)
         size += fabs(o->G[j * o->d + i] * s->x[i]);
-    return !(fabs(o->z[j]) <= FVI_FELT * size);
+    return !(fabs(o->z[j]) <= FVI_ROUNDING_SHARE * size);
 }
 
 /* The past rl, which was stretched to z at t = 0: its forces are known, and there is a motion, for powers of
@@ -83,7 +83,7 @@ static int add_start_forces_of_place(fvi_stepper *s, size_t j, fvi_error *error)
     return status;
 }
 
-/* A damper that feels the slope zdot of its start: t zdot is taken away from its elongation, and what the
+/* A damper that needs the slope zdot of its start: t zdot is taken away from its elongation, and what the
  * kernel makes of it is added exactly; of Caputo's past it is nothing. */
 static int add_start_force_of_slope(fvi_stepper *s, size_t j, double zdot)
 {
@@ -108,7 +108,7 @@ int fvi_mechanism_slope(const fvi_stepper *s, size_t j, const double *v, double 
     return status;
 }
 
-int fvi_mechanism_feels_slope(const fvi_mechanism_state *o, const fvi_damper *damper)
+int fvi_mechanism_needs_start_slope(const fvi_mechanism_state *o, const fvi_damper *damper)
 {
     const double growth = fvi_kernel_growth(damper->kernel);
     return growth > 1 && !(o->rule && growth == 2)
@@ -128,13 +128,13 @@ static int begin_damper(fvi_stepper *s, size_t j, const double *v,
     o->z0[j] = first && is_rl ? 0 : o->z[j];
     if (!status && is_rl && !first)
         status = add_start_forces_of_place(s, j, error);
-    const int feels = zdot != 0 && fvi_mechanism_feels_slope(o, damper);
-    if (!status && feels)
+    const int subtracts = zdot != 0 && fvi_mechanism_needs_start_slope(o, damper);
+    if (!status && subtracts)
         status = add_start_force_of_slope(s, j, zdot);
     if (!status && acts(damper->kernel))
         o->part[o->parts++] = (fvi_mechanism_part){ .damper = j,
                                                     .kernel = *damper->kernel,
-                                                    .drift = feels ? zdot : 0 };
+                                                    .drift = subtracts ? zdot : 0 };
     return status;
 }
 

@@ -119,10 +119,10 @@ int fvi_mechanism_update_histories(fvi_stepper *s, double t, const double *z);
 /* fvi_mechanism_slope -- the slope of z_j at the start, where the velocity is v. Returns what damper j's rate does. */
 int fvi_mechanism_slope(const fvi_stepper *s, size_t j, const double *v, double *zdot);
 
-/* fvi_mechanism_feels_slope -- does the force of a damper begin with a term that weights alone give to no
+/* fvi_mechanism_needs_start_slope -- does the force of a damper begin with a term that weights alone give to no
  * full order? Of order 1 they act alone, as in the paper, but for Caputo's past, which has no such term.
  * At stages an order of 2 is a mass, and has none. */
-int fvi_mechanism_feels_slope(const fvi_mechanism_state *o, const fvi_damper *damper);
+int fvi_mechanism_needs_start_slope(const fvi_mechanism_state *o, const fvi_damper *damper);
 
 /* fvi_mechanism_tolerance -- what the histories of stages keep: a tenth of the tolerance of the run;
  * without one the finest there is. */

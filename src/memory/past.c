@@ -74,20 +74,20 @@ static double lagrange_at(size_t n, const double *l, double c)
 
 /* Compute basis, which holds all l_i. It is the inverse of the matrix P_degree(2 c_i - 1), so one Newton step for the
  * inverse corrects it. Without this step eight nodes have an error of 240 u in the first step. */
-static void prepare_basis(const double *c, fvi_kernel_impulse *pull)
+static void prepare_basis(const double *c, fvi_kernel_impulse *table)
 {
-    const size_t n = pull->nodes;
+    const size_t n = table->nodes;
     double l[NODES][NODES];
     for (size_t i = 0; i < n; i++)
         lagrange(n, c, i, l[i]);
     for (size_t i = 0; i < n; i++)
         for (size_t degree = 0; degree < n; degree++)
-            pull->basis[degree][i] = l[i][degree];
+            table->basis[degree][i] = l[i][degree];
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++) {
             const double off = lagrange_at(n, l[i], c[j]) - (i == j);
             for (size_t degree = 0; degree < n; degree++)
-                pull->basis[degree][i] -= off * l[j][degree];
+                table->basis[degree][i] -= off * l[j][degree];
         }
 }
 
@@ -117,36 +117,36 @@ static double power_times_legendre(size_t j, size_t degree, double lower)
 }
 
 /* Fill `series` with the binomial series of (1 + x y)^e times these integrals. */
-static void prepare_series(fvi_kernel_impulse *pull)
+static void prepare_series(fvi_kernel_impulse *table)
 {
     double binomial = 1;
     for (size_t j = 0; j < FVI_KERNEL_IMPULSE_TERMS; j++) {
         double integral = 0;
-        for (size_t degree = j % 2; degree < pull->nodes; degree += 2) {
+        for (size_t degree = j % 2; degree < table->nodes; degree += 2) {
             integral = power_times_legendre(j, degree, integral);
-            pull->series[j][degree / 2] = binomial * integral;
+            table->series[j][degree / 2] = binomial * integral;
         }
-        binomial *= (pull->e - (double)j) / (double)(j + 1);
+        binomial *= (table->e - (double)j) / (double)(j + 1);
     }
 }
 
 void fvi_kernel_impulse_prepare(double alpha, size_t n, const double *c,
-                      fvi_kernel_impulse *pull)
+                      fvi_kernel_impulse *table)
 {
     const double e = alpha < 0.5 ? -2 * alpha : 1 - 2 * alpha;
     const double whole = 1 / tgamma(2 + e); /* int_0^1 s^e / Gamma(1 + e) ds */
-    *pull = (fvi_kernel_impulse){ .e = e, .size = (1 + e) * whole, .nodes = n };
-    prepare_series(pull);
-    prepare_basis(c, pull);
+    *table = (fvi_kernel_impulse){ .e = e, .size = (1 + e) * whole, .nodes = n };
+    prepare_series(table);
+    prepare_basis(c, table);
     for (size_t i = 0; i < n; i++) {
         double moment = whole;
         for (size_t degree = 0; degree < n; degree++) {
             if (degree > 0)
                 moment *= part_of_lower(e, degree);
-            pull->first[i] += pull->basis[degree][i] * moment;
+            table->first[i] += table->basis[degree][i] * moment;
         }
-        if (pull->size == 0)
-            pull->first[i] = lagrange_at_zero(n, c, i);
+        if (table->size == 0)
+            table->first[i] = lagrange_at_zero(n, c, i);
     }
 }
 
@@ -155,13 +155,13 @@ void fvi_kernel_impulse_prepare(double alpha, size_t n, const double *c,
  * terms decrease at least like (2 k + 1)^-j. The sum ends when a term is below u / 8, after 37 terms at most. The loop
  * contains no division. Term j contains only degrees with the parity of j, so all degrees of one parity are summed side
  * by side; degrees that the nodes do not reach have zeros. */
-static inline void legendre_moments(const fvi_kernel_impulse *pull, size_t k, double *moments)
+static inline void legendre_moments(const fvi_kernel_impulse *table, size_t k, double *moments)
 {
     const double middle = (double)k + 0.5, x = 0.5 / middle;
-    const double scale = pow(middle, pull->e);
+    const double scale = pow(middle, table->e);
     double x_j = 1, sum[2][NODES / 2] = { { 0 } };
     for (size_t j = 0; j < FVI_KERNEL_IMPULSE_TERMS; j++, x_j *= x) {
-        const double *series = pull->series[j];
+        const double *series = table->series[j];
         if (!(fabs(series[0] * x_j) > GSL_DBL_EPSILON / 16))
             break;
 #pragma omp simd
@@ -173,24 +173,24 @@ static inline void legendre_moments(const fvi_kernel_impulse *pull, size_t k, do
 }
 
 /* Add the impulses of all nodes side by side. The caller has set impulse to zero. */
-FVI_VECTORS static void find_impulses(const fvi_kernel_impulse *pull, size_t k, double *impulse)
+FVI_VECTORS static void find_impulses(const fvi_kernel_impulse *table, size_t k, double *impulse)
 {
     double moments[NODES];
-    legendre_moments(pull, k, moments);
-    for (size_t degree = 0; degree < pull->nodes; degree++) {
-        const double moment = pull->size * moments[degree];
+    legendre_moments(table, k, moments);
+    for (size_t degree = 0; degree < table->nodes; degree++) {
+        const double moment = table->size * moments[degree];
 #pragma omp simd
         for (size_t i = 0; i < NODES; i++)
-            impulse[i] += pull->basis[degree][i] * moment;
+            impulse[i] += table->basis[degree][i] * moment;
     }
 }
 
-void fvi_kernel_impulses(const fvi_kernel_impulse *pull, size_t k, double *impulse)
+void fvi_kernel_impulses(const fvi_kernel_impulse *table, size_t k, double *impulse)
 {
     double all[NODES] = { 0 };
-    if (k > 0 && pull->size != 0) /* for alpha = 1 the whole impulse acts at t = 0 */
-        find_impulses(pull, k, all);
-    memcpy(impulse, k > 0 ? all : pull->first, pull->nodes * sizeof *impulse);
+    if (k > 0 && table->size != 0) /* for alpha = 1 the whole impulse acts at t = 0 */
+        find_impulses(table, k, all);
+    memcpy(impulse, k > 0 ? all : table->first, table->nodes * sizeof *impulse);
 }
 //< impulses
 
@@ -237,21 +237,21 @@ static void first_moments_rate(double e, size_t count, double *rates)
 
 //> impulses-rate
 /* The factor 1 / Gamma(z) is computed as z / Gamma(1 + z), whose derivative is finite at z = 1 + e = 0. */
-void fvi_kernel_impulses_by_order(const fvi_kernel_impulse *pull, size_t k, double *rate)
+void fvi_kernel_impulses_by_order(const fvi_kernel_impulse *table, size_t k, double *rate)
 {
-    const double z = 1 + pull->e;
+    const double z = 1 + table->e;
     const double slope = (1 - z * fvi_digamma(1 + z)) / tgamma(1 + z);
     double moments[NODES], rates[NODES];
     if (k == 0)
-        first_moments_rate(pull->e, pull->nodes, rates);
+        first_moments_rate(table->e, table->nodes, rates);
     else
-        legendre_moments_rate(pull->e, k, pull->nodes, moments, rates);
-    for (size_t degree = 0; k > 0 && degree < pull->nodes; degree++)
-        rates[degree] = pull->size * rates[degree] + slope * moments[degree];
-    for (size_t i = 0; i < pull->nodes; i++) {
+        legendre_moments_rate(table->e, k, table->nodes, moments, rates);
+    for (size_t degree = 0; k > 0 && degree < table->nodes; degree++)
+        rates[degree] = table->size * rates[degree] + slope * moments[degree];
+    for (size_t i = 0; i < table->nodes; i++) {
         rate[i] = 0;
-        for (size_t degree = 0; degree < pull->nodes; degree++)
-            rate[i] += pull->basis[degree][i] * rates[degree]; /* (23.12) */
+        for (size_t degree = 0; degree < table->nodes; degree++)
+            rate[i] += table->basis[degree][i] * rates[degree]; /* (23.12) */
     }
 }
 //< impulses-rate

@@ -139,7 +139,7 @@ static double present(const fvi_cq_damper *o)
     return o->theta * fvi_cq_first_weight(o);
 }
 
-/* (m M + sum_j c_j C_j) d + s K (x + (1 - kappa) d) = r. A damper that remembers nothing has
+/* (m M + sum_j c_j C_j) d + s K (x + (1 - kappa) d) = r. A damper without a history has
  * no c. */
 static int matrix_solver(fvi_stepper *s, const fvi_cq_state *o)
 {
@@ -149,7 +149,7 @@ static int matrix_solver(fvi_stepper *s, const fvi_cq_state *o)
     if (!c)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
     for (size_t j = 0, i = 0; j < count && i < o->count; j++)
-        if (fvi_run_damper_of(run, j).matrix.remembered > 0) {
+        if (fvi_run_damper_of(run, j).matrix.history_size > 0) {
             c[j] = present(o->each + i) * *o->each[i].damping->factor;
             i++;
         }

@@ -84,7 +84,7 @@ static void apply_initial_history(fvi_stepper *s, fvi_cq_damper *o, size_t end)
 }
 
 /* H of step k + 1 as it is if x stands still. */
-static int look_ahead(const fvi_stepper *s, const fvi_cq_damper *o)
+static int predict_history(const fvi_stepper *s, const fvi_cq_damper *o)
 {
     const fvi_damping *d = o->damping;
     int status = fvi_damping_gather(d, s->x, d->origin, d->z);
@@ -129,7 +129,7 @@ static int right_hand_side(fvi_stepper *s, fvi_cq_state *o)
         const fvi_cq_damper *a = o->each + j;
         if (a->theta == 0)
             continue;
-        status = look_ahead(s, a);
+        status = predict_history(s, a);
         if (!status)
             status = fvi_damping_apply_force(a->damping, a->theta, a->ahead, o->r);
     }
@@ -140,7 +140,7 @@ static int right_hand_side(fvi_stepper *s, fvi_cq_state *o)
 //> step
 /* h (1/2 + theta) D_{k+1} of a damper, at the end of the step. What is left of h D_{k+1} comes at
  * the beginning of the next. */
-static int damp(fvi_stepper *s, fvi_cq_damper *o)
+static int apply_damping(fvi_stepper *s, fvi_cq_damper *o)
 {
     int status = update_history(s, o);
     fvi_damping_before(o->damping, s->p);
@@ -170,7 +170,7 @@ static int step_second_order(fvi_stepper *s)
         s->p[i] += h / 2 * s->F[i] - h * s->g[i];
     }
     for (size_t j = 0; j < o->count && !status; j++)
-        status = damp(s, o->each + j);
+        status = apply_damping(s, o->each + j);
     return status;
 }
 //< second-order

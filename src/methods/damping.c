@@ -93,8 +93,8 @@ int fvi_damping_gather(const fvi_damping *d, const double *x,
                        const double *from, double *z)
 {
     const fvi_damping_matrix *m = &d->of.matrix;
-    if (m->remember)
-        return m->remember(d->system->d, x, from, m->params, z);
+    if (m->select_history)
+        return m->select_history(d->system->d, x, from, m->params, z);
     if (d->all)
         subtract(d->count, x, from, z);
     for (size_t j = 0; j < d->count && !d->all; j++)
@@ -137,8 +137,8 @@ int fvi_damping_apply_force(const fvi_damping *d, double share, const double *H,
             p[j] -= share * d->factor[j] * H[j];
         return FVI_SUCCESS;
     }
-    if (m->damp)
-        return m->damp(d->system->d, share * d->factor[0], H, m->params, p);
+    if (m->apply_damping)
+        return m->apply_damping(d->system->d, share * d->factor[0], H, m->params, p);
     for (size_t j = 0; j < d->count; j++)
         p[d->index[j]] -= share * d->factor[j] * H[j];
     return FVI_SUCCESS;
@@ -156,20 +156,20 @@ int fvi_damping_velocity(const fvi_system *system, const double *p, double *v)
     if (status)
         return status;
     status = m->solve(system->d, factors, v);
-    m->forget(factors);
+    m->free_factors(factors);
     return status;
 }
 
 /* ---- the start ---- */
 
-/* How many numbers the damper remembers. */
+/* How many numbers the history of the damper has. */
 static size_t damped(const fvi_system *system, const fvi_run_damper *of)
 {
     const fvi_linearised *linearised = fvi_linearised_of(system);
     size_t count = 0;
     if (system->matrices)
-        return of->matrix.remembered;
-    if (linearised && linearised->remembers_all)
+        return of->matrix.history_size;
+    if (linearised && linearised->history_includes_undamped)
         return system->d;
     for (size_t i = 0; i < system->d; i++)
         count += system->damping[i] > 0;

@@ -43,8 +43,8 @@ int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
 int fvi_damping_multiply(const fvi_damping_matrix *C, size_t d, double factor,
                          const double *x, double *y);
 
-/* fvi_damping_gather -- what is remembered of x, less `from`, to z: x_i - from_i of the damped
- * coordinates, or B^T x - from.  Returns FVI_SUCCESS, or what remember returned. */
+/* fvi_damping_gather -- the history numbers of x, less `from`, to z: x_i - from_i of the damped
+ * coordinates, or B^T x - from.  Returns FVI_SUCCESS, or what select_history returned. */
 int fvi_damping_gather(const fvi_damping *damping, const double *x,
                        const double *from, double *z);
 
@@ -57,7 +57,7 @@ int fvi_damping_terms(fvi_damping *damping, const fvi_stepper *s);
 int fvi_damping_update_history(fvi_damping *damping, double *H);
 
 /* fvi_damping_apply_force -- p -= share h rho h^(-2 alpha) H, H of the damped coordinates; with
- * matrices share h h^(-2 alpha) S H.  Returns FVI_SUCCESS, or what damp returned. */
+ * matrices share h h^(-2 alpha) S H.  Returns FVI_SUCCESS, or what apply_damping returned. */
 int fvi_damping_apply_force(const fvi_damping *damping, double share, const double *H,
                      double *p);
 
@@ -116,7 +116,7 @@ const fvi_damping *fvi_damping_of(const fvi_stepper *s);
 
 /* fvi_damping_move_origin -- move the origins of all dampings of a stepper, which has one at least,
  * by d numbers. Then s->x may jump by them, and no memory sees the jump. Returns FVI_SUCCESS;
- * FVI_ENOMEM; what remember returned. */
+ * FVI_ENOMEM; what select_history returned. */
 int fvi_damping_move_origin(fvi_stepper *s, const double *by);
 
 /* fvi_damping_copy -- all of them again, memory included; NULL of NULL.

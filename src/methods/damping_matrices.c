@@ -31,14 +31,14 @@ int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
 int fvi_damping_multiply(const fvi_damping_matrix *C, size_t d, double factor,
                          const double *x, double *y)
 {
-    if (C->remembered == 0)
+    if (C->history_size == 0)
         return FVI_SUCCESS;
-    double *z = calloc(2 * C->remembered, sizeof *z);
+    double *z = calloc(2 * C->history_size, sizeof *z);
     if (!z)
         FVI_FAIL("no memory for a product with C", FVI_ENOMEM);
-    int status = C->remember(d, x, z + C->remembered, C->params, z);
+    int status = C->select_history(d, x, z + C->history_size, C->params, z);
     if (!status)
-        status = C->damp(d, -factor, z, C->params, y);
+        status = C->apply_damping(d, -factor, z, C->params, y);
     free(z);
     return status;
 }

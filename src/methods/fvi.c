@@ -42,9 +42,9 @@ static int serialize_fractional(fvi_stepper *s, fvi_archive *v)
     return fvi_damping_archive(s->method_state, s->k, v);
 }
 
-//> damp
+//> apply-damping
 /* p_{k+1} -= h rho Delta_-^alpha Delta_-^alpha x_{k+1}, of every damper */
-static int damp(fvi_stepper *s, fvi_damping *d)
+static int apply_damping(fvi_stepper *s, fvi_damping *d)
 {
     int status = FVI_SUCCESS;
     for (; d && !status; d = d->next) {
@@ -59,7 +59,7 @@ static int damp(fvi_stepper *s, fvi_damping *d)
     }
     return status;
 }
-//< damp
+//< apply-damping
 
 //> step
 static int step_fractional(fvi_stepper *s)
@@ -75,7 +75,7 @@ static int step_fractional(fvi_stepper *s)
         s->x[i] += s->dx[i];
         s->p[i] += h * (s->F[i] - s->g[i]);
     }
-    return damp(s, s->method_state); /* (9.4) */
+    return apply_damping(s, s->method_state); /* (9.4) */
 }
 //< step
 
@@ -129,7 +129,7 @@ static int goes_by_parts(const fvi_stepper *s)
 }
 
 //> drift
-/* x_{k+1}, the pull on p, and the terms of the memory, of some coordinates: A is m / h. */
+/* x_{k+1}, the new p, and the terms of the memory, of some coordinates: A is m / h. */
 FVI_VECTORS static void drift_part(double h, size_t count, const double *A,
                                    const double *g, const double *F,
                                    const double *origin, const double *drift,

@@ -41,7 +41,7 @@ static int set_size(const fvi_system *system, const fvi_run_damper *damper, doub
 
 /* A matrix may be shared among machines, which wait for each other in the product with C. So before it only that is
  * skipped which is the same on all machines, and A is not. To prepare a law takes time, so it is done behind the product,
- * and only if this machine feels it. */
+ * and only if this machine needs it. */
 static int start(const fvi_stepper *s, const fvi_run_damper *damper, size_t n,
                  const double *c, double *A, fvi_initial_history_force *force)
 {

@@ -10,7 +10,7 @@
 #include "stages/stage_solver.h"
 #include "step_sums.h"
 
-/* A damper of C = S B^T, which remembers r numbers z = B^T x. Number n of stage i stands at
+/* A damper of C = S B^T, whose history has r numbers z = B^T x. Number n of stage i stands at
  * [n * s + i] where the history reads and writes, and at [i * r + n] where the matrix does. */
 typedef struct {
     fvi_run_damper of;
@@ -79,8 +79,8 @@ int fvi_lobatto_matrices_solve(const fvi_stepper *s, fvi_lobatto_matrices *o);
 /* fvi_lobatto_matrices_ends -- as fvi_step_ends. */
 int fvi_lobatto_matrices_ends(const fvi_stepper *s, fvi_step_sums *sums);
 
-/* fvi_lobatto_matrices_is_pulled -- does the past of a damper pull with a known force? (19.3) */
-int fvi_lobatto_matrices_is_pulled(const fvi_stepper *s);
+/* fvi_lobatto_matrices_has_initial_history_force -- has a damper an initial history with a force? (19.3) */
+int fvi_lobatto_matrices_has_initial_history_force(const fvi_stepper *s);
 
 /* ---- lobatto_matrices_dampers.c ---- */
 

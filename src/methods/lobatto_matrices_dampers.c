@@ -55,7 +55,7 @@ static int start_damper(fvi_stepper *s, const double *v, fvi_stage_damper *a)
     const fvi_linearised *linearised = fvi_linearised_of(s->run.system);
     int status = make_numbers(a, o->s, linearised && linearised->by_order && !a->of.law && a->of.rho > 0);
     if (!status && a->of.growth > 1 && !is_mass)
-        status = C->remember(o->d, v, a->zero, C->params, a->drift);
+        status = C->select_history(o->d, v, a->zero, C->params, a->drift);
     if (!status && !is_mass)
         status = fvi_initial_history_force_start(s, &a->of, o->s, o->rule->c, &a->past);
     return status ? status : make_history(&s->run, o->s, a);
@@ -71,10 +71,10 @@ int fvi_stage_dampers_start(fvi_stepper *s, const double *v)
         FVI_FAIL("no memory for the dampers", FVI_ENOMEM);
     for (size_t j = 0; !status && j < count; j++) {
         const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
-        if (of.matrix.remembered == 0)
+        if (of.matrix.history_size == 0)
             continue;
         fvi_stage_damper *a = o->each + o->dampers++;
-        *a = (fvi_stage_damper){ .of = of, .number = j, .r = of.matrix.remembered };
+        *a = (fvi_stage_damper){ .of = of, .number = j, .r = of.matrix.history_size };
         status = start_damper(s, v, a);
     }
     return status;
@@ -124,7 +124,7 @@ int fvi_stage_dampers_read(const fvi_stepper *s, fvi_lobatto_matrices *o)
     int status = FVI_SUCCESS;
     for (size_t j = 0; !status && j < o->dampers; j++) {
         fvi_stage_damper *a = o->each + j;
-        status = a->of.matrix.remember(o->d, o->v, a->drift, a->of.matrix.params, a->z);
+        status = a->of.matrix.select_history(o->d, o->v, a->drift, a->of.matrix.params, a->z);
         if (a->past.size)
             fvi_initial_history_force_impulses(&a->past, s->k, a->impulse);
     }
@@ -166,7 +166,7 @@ static int end_damper(const fvi_lobatto_matrices *o, fvi_stage_damper *a)
     double *change = a->Y; /* the sums of this step have been read */
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < s; i++)
-        status = C->remember(o->d, o->V + i * o->d, a->zero, C->params, change + i * r);
+        status = C->select_history(o->d, o->V + i * o->d, a->zero, C->params, change + i * r);
     for (size_t i = 0; !status && i < s; i++)
         for (size_t n = 0; n < r; n++)
             a->slope[n * s + i] = change[i * r + n];
@@ -215,7 +215,7 @@ int fvi_stage_damper_sums(const fvi_stepper *s, size_t index, double *impulse, d
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < o->s; i++) {
         memset(J, 0, o->d * sizeof *J);
-        status = C->damp(o->d, -s->run.h * o->rule->b[i], a->force + i * a->r, C->params, J);
+        status = C->apply_damping(o->d, -s->run.h * o->rule->b[i], a->force + i * a->r, C->params, J);
         for (size_t j = 0; j < o->d; j++) {
             if (a->past.size)
                 J[j] += a->past.size[j] * a->impulse[i];

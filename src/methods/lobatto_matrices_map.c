@@ -9,16 +9,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDEST = 128, /* stages times unknowns */
-       MOST = 1 << 15, /* entries of the map, a quarter of a megabyte */
-       PAYS = 2 /* steps for each column */ };
+enum { MAX_STAGE_UNKNOWNS = 128, /* stages times unknowns */
+       MAX_ENTRIES = 1 << 15, /* entries of the map, a quarter of a megabyte */
+       STEPS_PER_COLUMN = 2 /* steps for each column */ };
 
 /* ---- what goes in and what comes out ---- */
 
 typedef enum { GATHER, SCATTER, COUNT } direction;
 
 /* Count numbers from `at` to row[*next], or back; *next moves on. */
-static void carry(direction way, double *at, size_t count, double *row, size_t *next)
+static void copy_numbers(direction way, double *at, size_t count, double *row, size_t *next)
 {
     if (way == GATHER)
         memcpy(row + *next, at, count * sizeof *at);
@@ -28,40 +28,40 @@ static void carry(direction way, double *at, size_t count, double *row, size_t *
 }
 
 /* All that fvi_lobatto_matrices_solve reads and that may change from step to step. */
-static size_t carry_input(fvi_lobatto_matrices *o, direction way, double *row)
+static size_t copy_input(fvi_lobatto_matrices *o, direction way, double *row)
 {
     size_t next = 0;
-    carry(way, o->Kx, o->d, row, &next);
-    carry(way, o->Kv, o->d, row, &next);
+    copy_numbers(way, o->Kx, o->d, row, &next);
+    copy_numbers(way, o->Kv, o->d, row, &next);
     if (o->map.has_force)
-        carry(way, o->F, o->s * o->d, row, &next);
+        copy_numbers(way, o->F, o->s * o->d, row, &next);
     for (size_t j = 0; j < o->dampers; j++) {
         fvi_stage_damper *a = o->each + j;
-        carry(way, a->z, a->r, row, &next);
-        carry(way, a->Y, o->s * a->r, row, &next);
+        copy_numbers(way, a->z, a->r, row, &next);
+        copy_numbers(way, a->Y, o->s * a->r, row, &next);
         if (a->past.size)
-            carry(way, a->impulse, o->s, row, &next);
+            copy_numbers(way, a->impulse, o->s, row, &next);
     }
     return next;
 }
 
-static size_t carry_output(fvi_lobatto_matrices *o, direction way, double *row)
+static size_t copy_output(fvi_lobatto_matrices *o, direction way, double *row)
 {
     size_t next = 0;
-    carry(way, o->mean, o->d, row, &next);
-    carry(way, o->dv, o->d, row, &next);
-    carry(way, o->dp, o->d, row, &next);
+    copy_numbers(way, o->mean, o->d, row, &next);
+    copy_numbers(way, o->dv, o->d, row, &next);
+    copy_numbers(way, o->dp, o->d, row, &next);
     for (size_t j = 0; j < o->dampers; j++)
-        carry(way, o->each[j].slope, o->s * o->each[j].r, row, &next);
+        copy_numbers(way, o->each[j].slope, o->s * o->each[j].r, row, &next);
     return next;
 }
 
-static size_t carry_late_output(fvi_lobatto_matrices *o, direction way, double *row)
+static size_t copy_late_output(fvi_lobatto_matrices *o, direction way, double *row)
 {
     size_t next = 0;
-    carry(way, o->V, o->s * o->d, row, &next);
+    copy_numbers(way, o->V, o->s * o->d, row, &next);
     for (size_t j = 0; j < o->dampers; j++)
-        carry(way, o->each[j].force, o->s * o->each[j].r, row, &next);
+        copy_numbers(way, o->each[j].force, o->s * o->each[j].r, row, &next);
     return next;
 }
 
@@ -83,16 +83,16 @@ static int find_columns(const fvi_stepper *s, fvi_lobatto_matrices *o, double *s
 {
     fvi_step_map *m = &o->map;
     int status = FVI_SUCCESS;
-    carry_input(o, GATHER, saved);
+    copy_input(o, GATHER, saved);
     for (size_t j = 0; !status && j < m->columns; j++) {
         m->in[j] = 1;
-        carry_input(o, SCATTER, m->in);
+        copy_input(o, SCATTER, m->in);
         status = fvi_lobatto_matrices_solve(s, o);
-        carry_output(o, GATHER, m->map + j * m->rows);
-        carry_late_output(o, GATHER, m->late + j * m->late_rows);
+        copy_output(o, GATHER, m->map + j * m->rows);
+        copy_late_output(o, GATHER, m->late + j * m->late_rows);
         m->in[j] = 0;
     }
-    carry_input(o, SCATTER, saved);
+    copy_input(o, SCATTER, saved);
     return status;
 }
 //< columns
@@ -100,11 +100,11 @@ static int find_columns(const fvi_stepper *s, fvi_lobatto_matrices *o, double *s
 int fvi_step_map_start(fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     fvi_step_map m = { .has_force = o->map.has_force = s->run.system->force.value != NULL };
-    m.columns = carry_input(o, COUNT, NULL);
-    m.rows = fvi_dense_rows(carry_output(o, COUNT, NULL));
-    m.late_rows = fvi_dense_rows(carry_late_output(o, COUNT, NULL));
-    if (o->s * o->d > WIDEST || m.rows * m.columns > MOST || s->run.steps / PAYS < m.columns
-        || fvi_linearised_of(s->run.system))
+    m.columns = copy_input(o, COUNT, NULL);
+    m.rows = fvi_dense_rows(copy_output(o, COUNT, NULL));
+    m.late_rows = fvi_dense_rows(copy_late_output(o, COUNT, NULL));
+    if (o->s * o->d > MAX_STAGE_UNKNOWNS || m.rows * m.columns > MAX_ENTRIES
+        || s->run.steps / STEPS_PER_COLUMN < m.columns || fvi_linearised_of(s->run.system))
         return FVI_SUCCESS;
     double *saved = malloc(m.columns * sizeof *saved);
     int status = saved ? allocate(o->d, &m) : FVI_ENOMEM;
@@ -124,10 +124,10 @@ int fvi_step_map_apply(fvi_stepper *s, fvi_lobatto_matrices *o)
     m->is_late = m->columns > 0 && (m->has_force || !s->run.system->force.value);
     if (!m->is_late)
         return 0;
-    carry_input(o, GATHER, m->in);
+    copy_input(o, GATHER, m->in);
     memcpy(m->v, o->v, o->d * sizeof *m->v);
     fvi_dense_multiply(m->rows, m->columns, m->map, m->in, m->out);
-    carry_output(o, SCATTER, m->out);
+    copy_output(o, SCATTER, m->out);
     return 1;
 }
 
@@ -137,7 +137,7 @@ void fvi_step_map_finish(fvi_lobatto_matrices *o)
     if (!m->is_late)
         return;
     fvi_dense_multiply(m->late_rows, m->columns, m->late, m->in, m->out);
-    carry_late_output(o, SCATTER, m->out);
+    copy_late_output(o, SCATTER, m->out);
     for (size_t i = 0; i < o->s; i++)
         for (size_t j = 0; j < o->d; j++)
             o->V[i * o->d + j] += m->v[j];

@@ -75,7 +75,7 @@ int fvi_lobatto_matrices_start(fvi_stepper *s, size_t stages, int damped)
 {
     const fvi_matrices *m = s->run.system->matrices;
     (void)damped;
-    if (!m->factorise_complex || !m->solve_complex || !m->forget_complex || !m->inertia)
+    if (!m->factorise_complex || !m->solve_complex || !m->free_complex_factors || !m->inertia)
         return fvi_fail(s->error, FVI_EUNSUP, "matrices", NAN,
                         "these matrices have no complex factors, or no product with M, which "
                         "methods with stages need");
@@ -100,7 +100,7 @@ fvi_lobatto_matrices *fvi_lobatto_matrices_of(const fvi_stepper *s)
     return s->method_state;
 }
 
-int fvi_lobatto_matrices_is_pulled(const fvi_stepper *s)
+int fvi_lobatto_matrices_has_initial_history_force(const fvi_stepper *s)
 {
     const fvi_lobatto_matrices *o = s->method_state;
     for (size_t j = 0; j < o->dampers; j++)

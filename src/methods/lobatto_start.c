@@ -158,7 +158,7 @@ static void find_damped(const fvi_stepper *s, fvi_lobatto_stages *o)
     const fvi_system *system = s->run.system;
     const fvi_linearised *linearised = fvi_linearised_of(system);
     const int is_dual = linearised && linearised->is_dual,
-              all = linearised && linearised->remembers_all,
+              all = linearised && linearised->history_includes_undamped,
               is_mass = s->run.alpha == 1 && !is_dual;
     o->from_zero = linearised && linearised->from_zero;
     for (size_t j = 0; j < o->d; j++) {

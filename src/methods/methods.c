@@ -66,7 +66,7 @@ static double bytes_of_dampers(const fvi_method *method, const fvi_run *run)
     double bytes = (100 + 24 * (double)s) * (double)run->system->d;
     for (size_t j = 0; j < fvi_run_damper_count(run); j++) {
         const fvi_run_damper damper = fvi_run_damper_of(run, j);
-        const size_t r = damper.matrix.remembered;
+        const size_t r = damper.matrix.history_size;
         const double order = fvi_run_damper_bytes_order(&damper);
         if (r > 0 && s > 0)
             bytes += fvi_lobatto_history_bytes(s, order - 1, r, run->steps, run->memory,
@@ -82,7 +82,7 @@ double fvi_run_bytes(const fvi_method *method, const fvi_run *run)
 {
     const fvi_system *system = run->system;
     const size_t s = (size_t)method->stages,
-                 d = system->matrices ? system->matrices->remembered
+                 d = system->matrices ? system->matrices->history_size
                                       : system->d;
     const double bytes = 100 * (double)system->d;
     if (fvi_has_mechanism_steps(system))

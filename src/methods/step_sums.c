@@ -147,14 +147,14 @@ static void impulses(const fvi_stepper *s, const fvi_lobatto_stages *o,
 }
 
 /* At alpha = 1 the damping is a mass, and S has the forces times their share. (17.17) */
-static double as_a_mass(const fvi_stepper *s, const fvi_lobatto_stages *o,
-                        size_t j, const double *F, double change)
+static double impulse_of_damping_mass(const fvi_stepper *s, const fvi_lobatto_stages *o,
+                                      size_t j, const double *F, double change)
 {
-    double pull = 0;
+    double impulse = 0;
     for (size_t i = 0; i < o->s; i++)
-        pull += o->S[i * o->d + j]
+        impulse += o->S[i * o->d + j]
                 + s->run.h * o->rule->b[i] * o->share[j] * F[i * o->d + j];
-    return (change + pull) / o->share[j] - change;
+    return (change + impulse) / o->share[j] - change;
 }
 
 int fvi_step_forces_at_stages(const fvi_stepper *s, size_t k, size_t stages,
@@ -187,7 +187,7 @@ static int of_stages(const fvi_stepper *s, const fvi_step_begin *begin,
         velocities(s, o, j, V);
         impulses(s, o, j, F, V, begin->p[j] / s->run.system->mass[j], impulse);
         sums->damper[j] =
-            o->share[j] == 1 ? 0 : as_a_mass(s, o, j, F, change);
+            o->share[j] == 1 ? 0 : impulse_of_damping_mass(s, o, j, F, change);
         for (size_t i = 0; i < o->s; i++) {
             if (o->share[j] == 1)
                 sums->damper[j] += impulse[i];
@@ -229,7 +229,7 @@ int fvi_step_work_is_known(const fvi_stepper *s)
     if (of.law ? !is_of_order_1(s->method) && of.growth > 1 : of.alpha == 1)
         return 0;
     if (fvi_lobatto_matrices_of(s))
-        return !fvi_lobatto_matrices_is_pulled(s);
+        return !fvi_lobatto_matrices_has_initial_history_force(s);
     if (s->method->stages)
         return o->history_force.size == NULL;
     return is_of_order_1(s->method) || fvi_has_dampers_of_matrices(s->run.system)

@@ -50,7 +50,7 @@ int fvi_step_begins(const fvi_stepper *s, fvi_step_begin *begin);
 int fvi_step_ends(const fvi_stepper *s, const fvi_step_begin *begin,
                   const double *hit, fvi_step_sums *sums);
 
-/* fvi_step_work_is_known -- is `work` of the order of the method? It is not where the past pulls with a
+/* fvi_step_work_is_known -- is `work` of the order of the method? It is not where the initial history has a
  * force that is singular at t = 0, (19.3): there the mean of a force times the mean of a
  * velocity is not their product's. Nor where the damping is a mass, alpha = 1. */
 int fvi_step_work_is_known(const fvi_stepper *s);

@@ -25,14 +25,14 @@
  *   is_one_body    nonzero if all coordinates have the same equation and G is diagonal. Then one block of the matrix is
  *                  factorised for all
  *   by_order       nonzero if the history must also give its derivative by the order
- *   remembers_all  nonzero if the history must also take in coordinates without damping
+ *   history_includes_undamped  nonzero if the history must also take in coordinates without damping
  *   from_zero      nonzero if the history begins at 0 instead of x0, so that x jumps at the start
  *   is_dual        nonzero if the run is a run of form D in dual variables: v = p/m are the multipliers, and x is the
  *                  integrated force (23.15) */
 typedef struct {
     const double *G, *source;
     size_t d, diagonals, size, stages, stage, asked;
-    int reversed, is_constant, is_one_body, by_order, remembers_all, from_zero, is_dual;
+    int reversed, is_constant, is_one_body, by_order, history_includes_undamped, from_zero, is_dual;
 } fvi_linearised;
 
 /* fvi_linearised_begin -- Return a structure with the sizes of `system`, and with all other fields zero.

@@ -122,10 +122,10 @@ static int solve_explicit(fvi_newton *n, const double *restrict x,
     if (n->callback_status)
         return n->callback_status;
     for (size_t l = 0; l < n->q; l++, d += dim, r += dim) {
-        const double *pull = g + l * dim;
+        const double *gradient = g + l * dim;
 #pragma omp simd
         for (size_t j = 0; j < dim; j++)
-            d[j] = (s != 0 ? r[j] - s * pull[j] : r[j]) / n->A[j];
+            d[j] = (s != 0 ? r[j] - s * gradient[j] : r[j]) / n->A[j];
     }
     return s != 0 ? FVI_SUCCESS : fvi_newton_gradients(n, x, d - n->q * dim, g);
 }

@@ -351,7 +351,7 @@ void fvi_newton_free(fvi_newton *n)
     if (!n)
         return;
     if (n->factors)
-        n->system->matrices->forget(n->factors);
+        n->system->matrices->free_factors(n->factors);
     for (size_t l = 0; l < FVI_MOST_LANES; l++)
         fvi_newton_free(n->lane[l]);
     fvi_band_free(&n->J);

@@ -56,7 +56,7 @@ void fvi_law_rows_free(fvi_law_rows *o);
 /* fvi_law_rows_of -- those of damper j, row 1 first; NULL if there are none, or if it takes no force. */
 const fvi_law_row *fvi_law_rows_of(const fvi_law_rows *o, size_t j);
 
-/* fvi_law_sums -- S_1 to S_3 of rows 1 to `rows`: two heavy bodies move along t and t^2/2 by the method of s, and
+/* fvi_law_sums -- S_1 to S_3 of rows 1 to `rows`: two bodies of huge mass move along t and t^2/2 by the method of s, and
  * the impulses of their dampers are read. S_1 is 0 but for `fvi`, the only method that takes a jump with a law. */
 int fvi_law_sums(const fvi_stepper *s, const fvi_summed_damper *of, size_t rows, fvi_law_row *first);
 

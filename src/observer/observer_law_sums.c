@@ -116,7 +116,7 @@ static int sum_by_quadrature(const fvi_stepper *of, const fvi_summed_damper *sum
     if (status)
         return status;
     for (size_t k = 0; k < rows && !status; k++, row++) {
-        status = fvi_ramp_step_heavy(s, J);
+        status = fvi_ramp_step_prescribed(s, J);
         row->summed[FVI_LINE] = row->exact[FVI_LINE + 1];
         row->uncorrected_line = J[0];
         row->summed[FVI_PARABOLA] = J[1];

@@ -92,7 +92,7 @@ int fvi_observer_begin_massless(fvi_observer *o, const fvi_stepper *s)
     return status == FVI_ENOMEM ? status : FVI_SUCCESS;
 }
 
-int fvi_observer_begin_heavy(fvi_observer *o, const fvi_stepper *s)
+int fvi_observer_begin_accelerations(fvi_observer *o, const fvi_stepper *s)
 {
     const double *mass = s->run.system->mass;
     memcpy(o->force, o->start, o->forces * sizeof *o->force);

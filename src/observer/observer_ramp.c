@@ -13,13 +13,13 @@
 #include <stdlib.h>
 
 /* A body so heavy that no damper slows it down: it moves along x = t, and its damper's impulses are those of the line. */
-static const double heavy_mass = 1e150, one = 1, zero = 0;
+static const double huge_mass = 1e150, one = 1, zero = 0;
 
 struct fvi_ramp {
     fvi_system system;
     fvi_run run;
     const fvi_method *method;
-    fvi_stepper *heavy;
+    fvi_stepper *body; /* its motion is prescribed */
     fvi_impulses_of_kernel *exact; /* of a law that is not one power */
     double rho, order;             /* of one power */
     double is_over;                /* nothing is added any more */
@@ -42,13 +42,13 @@ const fvi_method *fvi_ramp_method(const fvi_stepper *s)
 static int begin(fvi_ramp *o)
 {
     o->system = (fvi_system){ .d = 1,
-                              .mass = &heavy_mass,
+                              .mass = &huge_mass,
                               .damping = &one,
                               .potential = fvi_potential_harmonic(&zero) };
     o->run.system = &o->system;
     o->run.x0 = &zero;
-    o->run.p0 = &heavy_mass;
-    return fvi_stepper_start(o->method, &o->run, &o->heavy, NULL);
+    o->run.p0 = &huge_mass;
+    return fvi_stepper_start(o->method, &o->run, &o->body, NULL);
 }
 
 static fvi_ramp *describe(const fvi_stepper *s, size_t j)
@@ -99,15 +99,15 @@ static double exact_impulse(fvi_ramp *o, size_t k)
     return o->rho * pow(o->run.h, e) * rise / tgamma(1 + e);
 }
 
-int fvi_ramp_step_heavy(fvi_stepper *heavy, double *J)
+int fvi_ramp_step_prescribed(fvi_stepper *bodies, double *J)
 {
-    const fvi_cq_state *cq = heavy->method_state;
+    const fvi_cq_state *cq = bodies->method_state;
     const fvi_cq_damper *a = cq->each;
     if (cq->count == 0)
-        return fvi_stepper_step(heavy);
+        return fvi_stepper_step(bodies);
     int status = fvi_damping_apply_force(a->damping, a->theta - 0.5, a->H, J);
     if (!status)
-        status = fvi_stepper_step(heavy);
+        status = fvi_stepper_step(bodies);
     return status ? status : fvi_damping_apply_force(a->damping, -0.5 - a->theta, a->H, J);
 }
 
@@ -116,10 +116,10 @@ int fvi_ramp_step(fvi_ramp *o, double *lead)
     if (o->is_over != 0)
         return FVI_SUCCESS;
     double impulse = 0;
-    const double exact = exact_impulse(o, o->heavy->k);
-    const int status = fvi_ramp_step_heavy(o->heavy, &impulse);
+    const double exact = exact_impulse(o, o->body->k);
+    const int status = fvi_ramp_step_prescribed(o->body, &impulse);
     *lead += exact - impulse;
-    o->is_over = fabs(exact - impulse) <= 1e-10 * fabs(exact) && o->heavy->k > 4;
+    o->is_over = fabs(exact - impulse) <= 1e-10 * fabs(exact) && o->body->k > 4;
     return status;
 }
 
@@ -145,27 +145,27 @@ int fvi_ramp_copy(const fvi_ramp *from, fvi_ramp **to)
     if (!o)
         return FVI_ENOMEM;
     *o = *from;
-    o->heavy = NULL;
+    o->body = NULL;
     o->exact = NULL;
     int status = begin(o);
     if (!status && from->exact)
         status = fvi_impulses_of_kernel_copy(from->exact, &o->exact);
-    while (!status && o->is_over == 0 && o->heavy->k < from->heavy->k)
-        status = fvi_stepper_step(o->heavy);
+    while (!status && o->is_over == 0 && o->body->k < from->body->k)
+        status = fvi_stepper_step(o->body);
     return status;
 }
 
 int fvi_ramp_archive(fvi_ramp *o, fvi_archive *archive)
 {
     const int status = archive->serialize(archive, &o->is_over, sizeof o->is_over, 0);
-    return status || o->is_over != 0 ? status : fvi_stepper_archive(o->heavy, archive);
+    return status || o->is_over != 0 ? status : fvi_stepper_archive(o->body, archive);
 }
 
 void fvi_ramp_free(fvi_ramp *o)
 {
     if (!o)
         return;
-    fvi_stepper_free(o->heavy);
+    fvi_stepper_free(o->body);
     fvi_impulses_of_kernel_free(o->exact);
     free(o);
 }

@@ -15,10 +15,10 @@ typedef struct fvi_ramp fvi_ramp;
  * NULL of other steps. */
 const fvi_method *fvi_ramp_method(const fvi_stepper *s);
 
-/* fvi_ramp_step_heavy -- a step of bodies that are too heavy for their damping, by a method of fvi_ramp_method. J, a number
- * for each body, grows by the impulse of the damping: the part of D_k at the begin of the step, and the part of D_{k+1} at its
- * end (13.10). Returns what the step returns. */
-int fvi_ramp_step_heavy(fvi_stepper *heavy, double *J);
+/* fvi_ramp_step_prescribed -- a step of bodies whose motion is prescribed, because their mass is so large that no damper
+ * slows them down; by a method of fvi_ramp_method. J, a number for each body, grows by the impulse of the damping: the
+ * part of D_k at the begin of the step, and the part of D_{k+1} at its end (13.10). Returns what the step returns. */
+int fvi_ramp_step_prescribed(fvi_stepper *bodies, double *J);
 
 /* fvi_ramp_start -- of damper j of the run of s, for a method of order 2 (a scheme by convolution quadrature).
  *

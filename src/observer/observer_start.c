@@ -76,7 +76,7 @@ static size_t degree_of(const fvi_method *method)
 static int is_damped(const fvi_system *system)
 {
     if (system->matrices)
-        return system->matrices->remembered > 0;
+        return system->matrices->history_size > 0;
     for (size_t j = 0; j < system->d; j++)
         if (system->damping[j] > 0)
             return 1;
@@ -192,7 +192,7 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
     for (size_t i = o->forces; i < o->forces + o->slopes && !is_known && !status; i++)
         o->start[i] = (v[i - o->forces] - o->impulse[i]) / h;
     if (!status && o->begin_v_known)
-        status = fvi_observer_begin_heavy(o, s);
+        status = fvi_observer_begin_accelerations(o, s);
     if (!status && !is_known && o->ties > 0)
         status = s->method->dense ? start_ties_on_mesh(o, s) : start_ties(o, fork, h);
     fvi_observer_free(sums);
@@ -321,7 +321,7 @@ void fvi_observer_free(fvi_observer *o)
     if (!o)
         return;
     if (o->factors)
-        o->matrices->forget(o->factors);
+        o->matrices->free_factors(o->factors);
     fvi_observer_free_ramps(o);
     fvi_law_rows_free(&o->law_rows);
     fvi_short_rows_free(&o->short_rows);

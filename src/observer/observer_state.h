@@ -28,7 +28,7 @@ struct fvi_observer {
     int has_mechanism;         /* whose forces are along elongations, one each */
     int by_velocity;           /* a is the slope of v: L, constraints, forces of velocity */
     unsigned wanted;
-    int is_summed;   /* are the steps looked at? */
+    int is_summed;   /* are the steps summed? */
     int is_damped;   /* without it all forces are 0 */
     int is_mass;     /* alpha = 1: the damping is a mass */
     int work_known;  /* by the sums over the steps: else the balance holds by itself */
@@ -159,12 +159,12 @@ int fvi_observer_structure_forces(fvi_observer *o, const fvi_stepper *s, double 
  *
  * fvi_observer_begin_massless -- o->begin_v by (29.27), if it has a solution: o->begin_v_known says so.
  * fvi_observer_mean_massless -- else: the mean over the first row; the short rows are known, if there are any.
- * fvi_observer_begin_heavy -- if o->begin_v_known: the accelerations of the others at t = 0, from o->start.
+ * fvi_observer_begin_accelerations -- if o->begin_v_known: the accelerations of the others at t = 0, from o->start.
  * fvi_observer_put_massless -- into v, whose other numbers stay.
  * The first three return FVI_SUCCESS; FVI_ENOMEM; what a step, or a function of the system, returns. */
 int fvi_observer_begin_massless(fvi_observer *o, const fvi_stepper *s);
 int fvi_observer_mean_massless(fvi_observer *o, const fvi_stepper *s);
-int fvi_observer_begin_heavy(fvi_observer *o, const fvi_stepper *s);
+int fvi_observer_begin_accelerations(fvi_observer *o, const fvi_stepper *s);
 void fvi_observer_put_massless(const fvi_observer *o, const fvi_stepper *s, double *v);
 
 /* fvi_observer_read_all -- as fvi_observer_read, but of a structure's damper along a row all d forces. */

@@ -90,8 +90,8 @@ static int take(fvi_options *o, int found, const char *given, fvi_error *c)
 {
     if (found == '?')
         return unknown(o, given, c);
-    const int bare = found == ':'; /* of a short name, too: --alph */
-    if (bare)
+    const int is_without_value = found == ':'; /* of a short name, too: --alph */
+    if (is_without_value)
         found = optopt == 'o' ? 256 + OUTPUT : optopt;
     option_index i = (option_index)(found - 256);
     if (i != OUTPUT && !fvi_word_is_option(given, fvi_option_list[i].name))
@@ -101,8 +101,8 @@ static int take(fvi_options *o, int found, const char *given, fvi_error *c)
                           i == OUTPUT ? "-" : "--", fvi_option_list[i].name);
     if (i == CONTINUE)
         optarg = "";
-    else if (bare || !is_with_value(given)) {
-        const int status = fvi_value_is_missing(given, bare ? NULL : optarg, c);
+    else if (is_without_value || !is_with_value(given)) {
+        const int status = fvi_value_is_missing(given, is_without_value ? NULL : optarg, c);
         if (status)
             return status;
     }

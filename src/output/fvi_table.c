@@ -137,19 +137,19 @@ static void pick(const fvi_options *o, const double *from, double *row)
 
 /* The columns of row k; or, mirrored, only y. */
 static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
-                int mirror, double *row)
+                int only_y, double *row)
 {
     const double time = t->ended > 0 ? t->ended : (double)k * t->o->h; /* one product */
     int status = FVI_SUCCESS;
     if (t->typed)
         memcpy(t->o->typed_row, t->typed,
                fvi_typed_columns_count(t->o->typed) * sizeof *row);
-    else if (!mirror && fvi_typed_columns_count(t->o->typed) > 0)
+    else if (!only_y && fvi_typed_columns_count(t->o->typed) > 0)
         status = fvi_typed_columns_values(t->o->typed, t->now, t->o->typed_row);
     for (size_t n = 0; n < t->o->columns.count && !status; n++) {
         const fvi_column column = t->o->columns.at[n];
         const size_t width = fvi_table_column_width(t->o, n);
-        if (mirror == (column == FVI_COLUMN_Y)) {
+        if (only_y == (column == FVI_COLUMN_Y)) {
             if (column == FVI_COLUMN_TYPED)
                 memcpy(row, t->o->typed_row + t->o->columns.first[n],
                        width * sizeof *row);

@@ -63,7 +63,7 @@ static int allocate(fvi_constant_history *c)
                           { &c->by_theta, n }, { &c->now, n }, { &c->now_by_order, n },
                           { &c->past, 2 * c->taps * n }, { &c->past_by_order, 2 * c->taps * n });
     if (!c->block)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     return FVI_SUCCESS;
 }
 

@@ -1,6 +1,6 @@
 /* src/parameter_derivatives/constant_history.h -- What a memory of differences leaves out: a constant. [H 23]
  *
- * Internal. The mirrored run of a method of order 2 begins at J_p; its memory should begin
+ * Internal. The adjoint run of a method of order 2 begins at J_p; its memory should begin
  * at zero, (23.3), and takes in mu - J_p. What is left out is the memory of a constant, a sum
  * of weights. Where J depends on every p_k, mu jumps at every node, and what is left out is
  * the memory of the sum B of its jumps. */

@@ -88,7 +88,7 @@ int fvi_node_term_start(const fvi_run *run, const fvi_sensitivities *want,
                           { &t->rate, d }, { &t->by_slope[0], d }, { &t->by_slope[1], d }, { &t->by_slope[2], d },
                           { &t->past, FVI_BDF2_TAPS * d }, { &t->product, t->whole });
     if (!t->block)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     const int by_order = want->orders && fvi_kernel_term_has_order(&t->unit.term),
               is_squared = fvi_kernel_term_is_fraction(&t->unit.term)
                            && (want->times || (by_order && t->unit.term.time > 0));
@@ -167,7 +167,7 @@ static int subtract_product(const fvi_node_term *t, double factor, const double 
     int status = FVI_SUCCESS;
     if (t->matrix) {
         memset(t->product, 0, t->whole * sizeof *t->product);
-        status = t->matrix->damp(t->whole, -1, v, t->matrix->params, t->product);
+        status = t->matrix->apply_damping(t->whole, -1, v, t->matrix->params, t->product);
         v = t->product;
     }
     *to -= factor * fvi_dot(t->matrix ? t->whole : t->d, weight, v);

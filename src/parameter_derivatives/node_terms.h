@@ -44,7 +44,7 @@ typedef struct {
     const double *by[4];  /* each: what C nu changes by with rho, alpha, time and end, but for */
     double factor[4];     /* this factor; NULL: not wanted, or there is no such number */
     double *past;         /* each of taps: left */
-    const fvi_damping_matrix *matrix; /* C = S B^T: what is remembered are B^T nu; or NULL, */
+    const fvi_damping_matrix *matrix; /* C = S B^T: the history has B^T nu; or NULL, */
     size_t whole;                     /* and else C has so many rows, */
     double *product;                  /* room for so many numbers */
     double *block;        /* all these; owned */
@@ -67,7 +67,7 @@ void fvi_kernel_unit_term(const fvi_kernel_term *of, fvi_kernel_function *unit,
  * numbers.
  *
  *   matrix  NULL; or of a structure C = S B^T, of which the memories take in B^T nu, d numbers, and
- *           what they give has S and meets weights of run->system->d numbers
+ *           what they give has S and is multiplied by weights of run->system->d numbers
  *
  * t is in any case to be given back by fvi_node_term_stop, and stays where it is. Returns
  * FVI_SUCCESS; what fvi_kernel_history and fvi_history_alloc_by_order return; FVI_ENOMEM. */

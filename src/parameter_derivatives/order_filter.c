@@ -20,7 +20,7 @@ int fvi_order_filter_start(fvi_scheme scheme, double alpha, size_t width,
         return FVI_SUCCESS;
     f->ring = calloc(4 * f->taps * width, sizeof *f->ring);
     if (!f->ring)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     f->ring_by_order = f->ring + 2 * f->taps * width;
     return FVI_SUCCESS;
 }

@@ -218,7 +218,7 @@ int fvi_stage_terms_start(const fvi_run *run, const fvi_sensitivities *want, siz
     return status;
 }
 
-/* What the velocities meet in T, times b. */
+/* The factors of the velocities in T, times b. */
 static double dot(const fvi_stage_term *t, const double *v, const double *T)
 {
     double sum = 0;

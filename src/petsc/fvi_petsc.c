@@ -117,7 +117,7 @@ int main(int argc, char **argv)
                   room + 4 * s.rows));
     PetscCall(PetscOptionsLeft(NULL)); /* names those that nobody asked for */
     PetscCall(PetscFree(room));
-    PetscCall(petsc_forget(&s));
+    PetscCall(petsc_free_share(&s));
     PetscCall(petsc_free_options(&w));
     PetscCall(PetscFinalize());
     return 0;

@@ -6,8 +6,8 @@
 
 /* ---- what the library asks of one ---- */
 
-static int remember_touched(size_t d, const double *x, const double *from,
-                            const void *params, double *z)
+static int select_damped_rows(size_t d, const double *x, const double *from,
+                              const void *params, double *z)
 {
     const petsc_damper *damper = params;
     (void)d;
@@ -16,12 +16,12 @@ static int remember_touched(size_t d, const double *x, const double *from,
     return FVI_SUCCESS;
 }
 
-static int damp_touched(size_t d, double a, const double *z, const void *params, double *p)
+static int apply_damper_of_rows(size_t d, double a, const double *z, const void *params, double *p)
 {
     const petsc_damper *damper = params;
     (void)d;
     const int status =
-        petsc_product(damper->touched, damper->z, z, damper->y, damper->product);
+        petsc_product(damper->damped_rows, damper->z, z, damper->y, damper->product);
     for (PetscInt i = 0; i < damper->count && !status; i++)
         p[damper->index[i]] -= a * damper->product[i];
     return status;
@@ -34,7 +34,7 @@ static int find_diagonal(size_t d, const void *params, double *C)
     memset(C, 0, d * sizeof *C);
     if (VecPlaceArray(damper->z, damper->product))
         return FVI_EBADFUNC;
-    const PetscErrorCode wrong = MatGetDiagonal(damper->touched, damper->z);
+    const PetscErrorCode wrong = MatGetDiagonal(damper->damped_rows, damper->z);
     if (VecResetArray(damper->z) || wrong)
         return FVI_EBADFUNC;
     for (PetscInt i = 0; i < damper->count; i++)
@@ -66,7 +66,7 @@ static PetscErrorCode find_rows(const share *s, Mat C, petsc_damper *damper)
 //< rows
 
 /* C, or a copy without empty rows and columns. */
-static PetscErrorCode find_touched(const share *s, Mat C, petsc_damper *damper)
+static PetscErrorCode find_damped_matrix(const share *s, Mat C, petsc_damper *damper)
 {
     PetscInt all;
     IS rows;
@@ -74,14 +74,14 @@ static PetscErrorCode find_touched(const share *s, Mat C, petsc_damper *damper)
     PetscCallMPI(MPI_Allreduce(&damper->count, &all, 1, MPIU_INT, MPI_SUM, PETSC_COMM_WORLD));
     if (all == s->all) {
         PetscCall(PetscObjectReference((PetscObject)C));
-        damper->touched = C;
+        damper->damped_rows = C;
         PetscFunctionReturn(0);
     }
     PetscCall(ISCreateGeneral(PETSC_COMM_WORLD, damper->count, damper->index,
                               PETSC_COPY_VALUES, &rows));
     PetscCall(ISShift(rows, s->first, rows));
     PetscCall(MatCreateSubMatrix(C, rows, rows, MAT_INITIAL_MATRIX,
-                                 &damper->touched));
+                                 &damper->damped_rows));
     PetscCall(ISDestroy(&rows));
     PetscFunctionReturn(0);
 }
@@ -93,11 +93,11 @@ PetscErrorCode petsc_set_damper(share *s, PetscInt j, Mat C)
     PetscCall(PetscObjectReference((PetscObject)C));
     s->damper_matrices[j] = C;
     PetscCall(find_rows(s, C, damper));
-    PetscCall(find_touched(s, C, damper));
+    PetscCall(find_damped_matrix(s, C, damper));
     PetscCall(PetscMalloc1(damper->count + 1, &damper->product));
-    PetscCall(MatCreateVecs(damper->touched, &damper->z, &damper->y));
-    s->damping[j] = (fvi_damping_matrix){ (size_t)damper->count, remember_touched,
-                                          damp_touched, damper, find_diagonal };
+    PetscCall(MatCreateVecs(damper->damped_rows, &damper->z, &damper->y));
+    s->damping[j] = (fvi_damping_matrix){ (size_t)damper->count, select_damped_rows,
+                                          apply_damper_of_rows, damper, find_diagonal };
     PetscFunctionReturn(0);
 }
 
@@ -113,13 +113,13 @@ PetscErrorCode petsc_add_dampers(const fvi_mechanism *mechanism, share *s)
     PetscFunctionReturn(0);
 }
 
-PetscErrorCode petsc_forget_dampers(share *s)
+PetscErrorCode petsc_free_dampers(share *s)
 {
     PetscFunctionBeginUser;
     for (size_t j = 0; s->damper && j < s->mechanism->damper_count; j++) {
         PetscCall(VecDestroy(&s->damper[j].z));
         PetscCall(VecDestroy(&s->damper[j].y));
-        PetscCall(MatDestroy(&s->damper[j].touched));
+        PetscCall(MatDestroy(&s->damper[j].damped_rows));
         PetscCall(MatDestroy(s->damper_matrices + j));
         PetscCall(PetscFree(s->damper[j].index));
         PetscCall(PetscFree(s->damper[j].product));

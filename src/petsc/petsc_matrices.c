@@ -23,8 +23,8 @@ int petsc_product(Mat A, Vec from, const double *x, Vec to, double *y)
 }
 //< product
 
-static int remember(size_t d, const double *x, const double *from,
-                    const void *params, double *z)
+static int select_history(size_t d, const double *x, const double *from,
+                          const void *params, double *z)
 {
     (void)params;
     for (size_t i = 0; i < d; i++)
@@ -32,8 +32,8 @@ static int remember(size_t d, const double *x, const double *from,
     return FVI_SUCCESS;
 }
 
-static int damp(size_t d, double a, const double *z, const void *params,
-                double *p)
+static int apply_damping(size_t d, double a, const double *z, const void *params,
+                         double *p)
 {
     const share *s = params;
     const int status = petsc_product(s->C, s->x, z, s->y, s->room);
@@ -56,7 +56,7 @@ typedef struct {
     KSP gradients;
 } factors;
 
-static void forget(void *of)
+static void free_factors(void *of)
 {
     factors *f = of;
     KSPDestroy(&f->gradients);
@@ -111,7 +111,7 @@ static int make_factors(const share *s, double m, size_t count, const double *c,
     if (MatDestroy(&A) && !status)
         status = FVI_EBADFUNC;
     if (status)
-        forget(f);
+        free_factors(f);
     else
         *out = f;
     return status;
@@ -151,13 +151,13 @@ static int solve(size_t d, void *of, double *r)
 
 fvi_matrices petsc_matrices(const share *s)
 {
-    return (fvi_matrices){ .remembered = s->C ? (size_t)s->rows : 0,
-                           .remember = remember,
-                           .damp = damp,
+    return (fvi_matrices){ .history_size = s->C ? (size_t)s->rows : 0,
+                           .select_history = select_history,
+                           .apply_damping = apply_damping,
                            .stiffness = stiffness,
                            .factorise = factorise,
                            .solve = solve,
-                           .forget = forget,
+                           .free_factors = free_factors,
                            .params = s,
                            .damper_count = s->mechanism ? s->mechanism->damper_count : 0,
                            .damper = s->damping,

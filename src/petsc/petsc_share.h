@@ -14,16 +14,16 @@
 
 _Static_assert(sizeof(PetscScalar) == sizeof(double), "PETSc of real doubles");
 
-/* One of several dampers. A rank remembers x of the unknowns that C touches.
+/* One of several dampers. A rank has the history of the unknowns that C couples.
  *
- *   touched  C without the rows and columns that are empty; C itself if none is
- *   count, index  the rows of `touched` on this rank, and their places among the rank's rows. A rank
+ *   damped_rows  C without the rows and columns that are empty; C itself if none is
+ *   count, index  the rows of `damped_rows` on this rank, and their places among the rank's rows. A rank
  *            whose rows are all empty has its first row there: it takes part in the product with
- *            `touched`, for which the other ranks wait. No rank has a row if C is 0
- *   z, y     vectors that `touched` is multiplied with, and gives
+ *            `damped_rows`, for which the other ranks wait. No rank has a row if C is 0
+ *   z, y     vectors that `damped_rows` is multiplied with, and gives
  *   product  `count` numbers */
 typedef struct {
-    Mat touched;
+    Mat damped_rows;
     PetscInt count, *index;
     Vec z, y;
     double *product;
@@ -40,7 +40,7 @@ typedef struct {
     fvi_force force;
     const fvi_mechanism *mechanism; /* NULL, or the kernels and pasts of several dampers, */
     Mat *damper_matrices;           /* their matrices C_j, */
-    petsc_damper *damper;           /* what is remembered of them, */
+    petsc_damper *damper;           /* their histories, */
     fvi_damping_matrix *damping;    /* and what the library asks of them */
     fvi_typed_damper *typed;        /* of a grid: the texts that were read */
     fvi_damper *kernel;
@@ -74,10 +74,10 @@ PetscErrorCode petsc_refuse(const fvi_error *error);
  * petsc_forget_dampers -- give them back. */
 PetscErrorCode petsc_add_dampers(const fvi_mechanism *mechanism, share *s);
 PetscErrorCode petsc_set_damper(share *s, PetscInt j, Mat C);
-PetscErrorCode petsc_forget_dampers(share *s);
+PetscErrorCode petsc_free_dampers(share *s);
 
 /* petsc_forget -- give all of it back. */
-PetscErrorCode petsc_forget(share *s);
+PetscErrorCode petsc_free_share(share *s);
 
 /* petsc_product -- y = A x, where `from` and `to` are vectors without numbers of A's sizes. All
  * ranks call it. Returns FVI_SUCCESS or FVI_EBADFUNC, of which PETSc has said the reason. */

@@ -192,7 +192,7 @@ PetscErrorCode petsc_of_grid(PetscInt lengths, const PetscInt n[3], double dampi
     PetscFunctionReturn(0);
 }
 
-PetscErrorCode petsc_forget(share *s)
+PetscErrorCode petsc_free_share(share *s)
 {
     PetscFunctionBeginUser;
     PetscCall(VecDestroy(&s->x));
@@ -200,7 +200,7 @@ PetscErrorCode petsc_forget(share *s)
     PetscCall(MatDestroy(&s->M));
     PetscCall(MatDestroy(&s->K));
     PetscCall(MatDestroy(&s->C));
-    PetscCall(petsc_forget_dampers(s));
+    PetscCall(petsc_free_dampers(s));
     PetscCall(PetscFree(s->forces));
     fvi_directory_close(s->directory);
     PetscFunctionReturn(0);

@@ -9,7 +9,7 @@ struct fvi_ground {
     size_t d;
     fvi_typed_force *typed;
     fvi_force acceleration, others; /* a_g, one number; what acts besides */
-    double *pull;   /* M r, d numbers, */
+    double *load_vector; /* M r, d numbers, */
     double *jumps;  /* all times at which either jumps */
     size_t jump_count;
 };
@@ -26,7 +26,7 @@ static int value(double t, size_t d, void *params, double *F)
     else
         memset(F, 0, d * sizeof *F);
     for (size_t i = 0; i < d; i++)
-        F[i] -= g->pull[i] * ag;
+        F[i] -= g->load_vector[i] * ag;
     return status;
 }
 
@@ -46,8 +46,8 @@ static int bound(double from, double to, size_t order, size_t d, void *params,
         memset(most, 0, (order + 1) * d * sizeof *most);
     for (size_t k = 0; k <= order && !status; k++)
         for (size_t i = 0; i < d; i++)
-            if (g->pull[i] != 0)
-                most[k * d + i] += fabs(g->pull[i]) * of_ground[k];
+            if (g->load_vector[i] != 0)
+                most[k * d + i] += fabs(g->load_vector[i]) * of_ground[k];
     return status;
 }
 
@@ -56,22 +56,22 @@ void fvi_ground_free(fvi_ground *g)
     if (!g)
         return;
     fvi_typed_force_free(g->typed);
-    free(g->pull);
+    free(g->load_vector);
     free(g->jumps);
     free(g);
 }
 
 /* M r. */
-static int find_pull(fvi_ground *g, const fvi_system *system, const double *r,
-                     fvi_error *error)
+static int find_load_vector(fvi_ground *g, const fvi_system *system, const double *r,
+                            fvi_error *error)
 {
     const fvi_matrices *m = system->matrices;
     if (m && !m->inertia)
         return fvi_fail(error, FVI_EUNSUP, "ground", NAN, "these matrices do not tell M times a vector");
     if (m)
-        return m->inertia(system->d, r, m->params, g->pull);
+        return m->inertia(system->d, r, m->params, g->load_vector);
     for (size_t i = 0; i < system->d; i++)
-        g->pull[i] = system->mass[i] * r[i];
+        g->load_vector[i] = system->mass[i] * r[i];
     return FVI_SUCCESS;
 }
 
@@ -97,17 +97,17 @@ int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system,
     if (acceleration->impulse_count)
         return fvi_refuse(error, "ground", "an impulse is no acceleration");
     fvi_ground *g = calloc(1, sizeof *g);
-    double *pull = calloc(system->d, sizeof *pull);
-    if (!g || !pull) {
+    double *load_vector = calloc(system->d, sizeof *load_vector);
+    if (!g || !load_vector) {
         free(g);
-        free(pull);
+        free(load_vector);
         return fvi_no_memory(error, "ground");
     }
     *g = (fvi_ground){ .d = system->d,
-                       .pull = pull,
+                       .load_vector = load_vector,
                        .acceleration = *acceleration,
                        .others = system->force };
-    int status = find_pull(g, system, r, error);
+    int status = find_load_vector(g, system, r, error);
     if (!status && collect_jumps(g))
         status = fvi_no_memory(error, "ground");
     if (status)
@@ -162,7 +162,7 @@ const fvi_typed_force *fvi_ground_typed(const fvi_ground *g)
     return g->typed;
 }
 
-const double *fvi_ground_pull(const fvi_ground *g)
+const double *fvi_ground_load_vector(const fvi_ground *g)
 {
-    return g->pull;
+    return g->load_vector;
 }

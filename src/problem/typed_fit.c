@@ -140,7 +140,7 @@ static size_t number_of(const char *text, size_t d, char stem[LETTERS])
     return *end == '\0' && i <= d ? i : 0;
 }
 
-static int find(const dictionary *d, const char *name, fvi_free_parameter *which)
+static int find_name(const dictionary *d, const char *name, fvi_free_parameter *which)
 {
     for (size_t i = 0; i < d->count; i++)
         if (strcmp(d->name[i], name) == 0) {
@@ -150,15 +150,15 @@ static int find(const dictionary *d, const char *name, fvi_free_parameter *which
     return 0;
 }
 
-static int look_up(const char *field, const char *text, const fvi_run *run, const dictionary *d,
-                   fvi_free_parameter *which, fvi_error *error)
+static int find_parameter(const char *field, const char *text, const fvi_run *run, const dictionary *d,
+                          fvi_free_parameter *which, fvi_error *error)
 {
     char stem[LETTERS];
     size_t place;
-    if (find(d, text, which))
+    if (find_name(d, text, which))
         return FVI_SUCCESS;
     const size_t i = number_of(text, run->system->d, stem);
-    if (i > 0 && find(d, stem, which) && *which >= FVI_FREE_PARAMETER_RHO
+    if (i > 0 && find_name(d, stem, which) && *which >= FVI_FREE_PARAMETER_RHO
         && *which <= FVI_FREE_PARAMETER_P0) {
         *which = (fvi_free_parameter)(*which + i * FVI_FREE_PARAMETER_EACH);
         return FVI_SUCCESS;
@@ -191,8 +191,8 @@ static int is_constrained(const fvi_free_parameter_names *names, size_t constant
 }
 
 /* Would another value leave behind what the run has made of this one? */
-static int check_made(const char *field, const char *text, const fvi_free_parameter_names *names,
-                      fvi_free_parameter which, fvi_error *error)
+static int check_can_change(const char *field, const char *text, const fvi_free_parameter_names *names,
+                            fvi_free_parameter which, fvi_error *error)
 {
     const fvi_mechanism *mechanism = names->run->system->mechanism;
     const size_t base = (size_t)which % FVI_FREE_PARAMETER_EACH;
@@ -222,9 +222,9 @@ int fvi_parse_free_parameter(const char *field, const char *text,
     if (status)
         fvi_fail(error, status, field, NAN, "not enough memory");
     else
-        status = look_up(field, text, names->run, &d, which, error);
+        status = find_parameter(field, text, names->run, &d, which, error);
     if (!status)
-        status = check_made(field, text, names, *which, error);
+        status = check_can_change(field, text, names, *which, error);
     free(d.name);
     free(d.which);
     return status;

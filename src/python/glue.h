@@ -10,7 +10,7 @@
 #include <time.h>
 #include "glue_gradient.h"
 #include "glue_impose.h"
-static int look_up(void);
+static int check_signals(void);
 static int report_progress(size_t rows, size_t all, void *tell);
 /* The last error's reason and code, of this thread: for the text of the exception. */
 static _Thread_local const char *reason;
@@ -47,7 +47,7 @@ static int ask_python(void)
         return flag_of_thread ? -*flag_of_thread : 0;
     if (stopped)
         return stopped;
-    return is_time(&last) ? stopped = look_up() : 0;
+    return is_time(&last) ? stopped = check_signals() : 0;
 }
 /* How many rows of a call stand, of how many; and who is told now and then? */
 typedef struct {
@@ -286,7 +286,7 @@ static void begin(void)
     if ((unsigned long)pthread_self() == main_thread)
         stopped = 0;
 }
-/* At most so many steps, until it is time to look whether the run has got too stiff. */
+/* At most so many steps, until it is time to check whether the run has got too stiff. */
 static int take_steps(fvi_stepper *s, size_t count, const fvi_watch *watch, size_t *taken)
 {
     int status = 0;
@@ -299,8 +299,8 @@ static int take_steps(fvi_stepper *s, size_t count, const fvi_watch *watch, size
     return status;
 }
 /* fvi_warning_along at the rows of a run, as far as they are finite. */
-static int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t rows, const double *t,
-                      const double *x, size_t size, char *text)
+static int warn_along_rows(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t rows, const double *t,
+                           const double *x, size_t size, char *text)
 {
     const size_t d = run->system->d;
     int warned = 0;

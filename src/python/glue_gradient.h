@@ -4,7 +4,7 @@
 #include <fvi/fvi.h>
 #include <stdlib.h>
 #include <string.h>
-/* The cotangents of every row, as arrays: no Python in the mirrored run. */
+/* The cotangents of every row, as arrays: no Python in the adjoint run. */
 typedef struct {
     const double *Jx, *Jp; /* Jp may be NULL */
 } cotangents;

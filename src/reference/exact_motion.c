@@ -22,7 +22,7 @@ static void right_hand_side(const fvi_exact_motion *o, source_kind which,
                                       ? o->A * s / (s * s + o->w * o->w)
                                       : 0;
     for (size_t i = 0; i < o->d; i++)
-        b[i] = which == BY_STEP ? o->A / s : o->p0[i] - o->pull[i] / s + cosine;
+        b[i] = which == BY_STEP ? o->A / s : o->p0[i] - o->spring_force[i] / s + cosine;
 }
 
 static int solve(fvi_exact_motion *o, double complex s, double complex *b,
@@ -194,13 +194,13 @@ static int copy_problem(const fvi_exact_problem *p, fvi_exact_motion *o, fvi_err
     o->A = p->A;
     o->T = p->T;
     o->w = fabs(p->w);
-    o->x0 = FVI_ARRAYS({ &o->x0, d }, { &o->p0, d }, { &o->v0, d }, { &o->pull, d });
+    o->x0 = FVI_ARRAYS({ &o->x0, d }, { &o->p0, d }, { &o->v0, d }, { &o->spring_force, d });
     o->room = calloc(d, sizeof *o->room);
     if (!o->x0 || !o->room)
         return fvi_no_memory(error, NULL);
     memcpy(o->x0, p->x0, d * sizeof *o->x0);
     memcpy(o->p0, p->p0, d * sizeof *o->p0);
-    return fvi_exact_motion_start(system, o->x0, o->p0, o->v0, o->pull);
+    return fvi_exact_motion_start(system, o->x0, o->p0, o->v0, o->spring_force);
 }
 
 static int find_poles(fvi_exact_motion *o, fvi_error *error)
@@ -253,7 +253,7 @@ void fvi_exact_motion_free(fvi_exact_motion *o)
         free(o->source[j].pole);
         free(o->source[j].at);
     }
-    fvi_exact_motion_forget_dampers(o);
+    fvi_exact_motion_free_dampers(o);
     fvi_response_free(o->response);
     fvi_poles_free(&o->poles);
     free(o->x0);

@@ -96,7 +96,7 @@ static int check_numbers(const fvi_exact_problem *p, fvi_error *error)
 /* ---- K ---- */
 
 /* A body that moves freely has a pivot of 0 but for rounding. So 1e-9 of the trace of M^-1 K, which no
- * frequency squared exceeds, is added times M before the pivots are looked at. */
+ * frequency squared exceeds, is added times M before the pivots are checked. */
 static int check_hessian(const fvi_system *system, fvi_error *error)
 {
     const size_t d = system->d;
@@ -129,7 +129,7 @@ static int check_stiffness(const fvi_system *system, fvi_error *error)
     const int status = m->factorise(system->d, 1e-9 * (most > 0 ? most : 1), 0, 1,
                                     m->params, &factors);
     if (!status)
-        m->forget(factors);
+        m->free_factors(factors);
     return status == FVI_ESING
                ? fvi_fail(error, FVI_EDOM, "K", NAN, "K is negative somewhere")
                : status;
@@ -149,11 +149,11 @@ int fvi_exact_motion_check(const fvi_exact_problem *problem, fvi_error *error)
 }
 
 int fvi_exact_motion_start(const fvi_system *system, const double *x0, const double *p0,
-                           double *v0, double *pull)
+                           double *v0, double *spring_force)
 {
     const fvi_matrices *m = system->matrices;
     void *factors = NULL;
-    int status = fvi_potential_gradient(system, x0, pull);
+    int status = fvi_potential_gradient(system, x0, spring_force);
     memcpy(v0, p0, system->d * sizeof *v0);
     for (size_t i = 0; !m && i < system->d; i++)
         v0[i] /= system->mass[i];
@@ -163,6 +163,6 @@ int fvi_exact_motion_start(const fvi_system *system, const double *x0, const dou
     if (!status)
         status = m->solve(system->d, factors, v0);
     if (factors)
-        m->forget(factors);
+        m->free_factors(factors);
     return status;
 }

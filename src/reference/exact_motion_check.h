@@ -10,6 +10,6 @@ int fvi_exact_motion_check(const fvi_exact_problem *problem, fvi_error *error);
 
 /* fvi_exact_motion_start -- v_0 = M^-1 p_0 and K x_0, d numbers each. */
 int fvi_exact_motion_start(const fvi_system *system, const double *x0, const double *p0,
-                           double *v0, double *pull);
+                           double *v0, double *spring_force);
 
 #endif

@@ -57,10 +57,10 @@ void fvi_exact_motion_add_dampers(const fvi_exact_motion *o, const double comple
 }
 //< dampers
 
-void fvi_exact_motion_forget_dampers(fvi_exact_motion *o)
+void fvi_exact_motion_free_dampers(fvi_exact_motion *o)
 {
     if (o->inertia)
-        o->system.matrices->forget(o->inertia);
+        o->system.matrices->free_factors(o->inertia);
     free(o->gradient);
     free(o->sum);
     o->inertia = NULL;
@@ -98,7 +98,7 @@ static int prepare(fvi_exact_motion *o)
     if (!status && matrices)
         status = matrices->factorise(o->d, 1, 0, 0, matrices->params, &o->inertia);
     if (status) /* who asks again begins anew */
-        fvi_exact_motion_forget_dampers(o);
+        fvi_exact_motion_free_dampers(o);
     return status;
 }
 
@@ -132,7 +132,7 @@ static void find_force_of_mass(fvi_exact_motion *o, double *force)
         double R = 0;
         for (int e = t->matrix->start[i]; e < t->matrix->start[i + 1]; e++)
             R += t->kernel->term->rho * t->matrix->entry[e];
-        force[i] = R * (applied(o, 0) - o->pull[i]) / (o->system.mass[i] + R);
+        force[i] = R * (applied(o, 0) - o->spring_force[i]) / (o->system.mass[i] + R);
     }
 }
 
@@ -173,7 +173,7 @@ static int find_acceleration(fvi_exact_motion *o, double t, const double *x, dou
     const fvi_sparse *K = o->response->term[1].matrix;
     const double F = applied(o, t);
     for (size_t i = 0; i < d; i++) {
-        a[i] = F - o->pull[i];
+        a[i] = F - o->spring_force[i];
         for (int e = K->start[i]; e < K->start[i + 1]; e++)
             a[i] -= K->entry[e] * (x[K->row[e]] - o->x0[K->row[e]]);
         for (size_t l = 0; l < dampings(o); l++)

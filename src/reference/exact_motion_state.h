@@ -28,7 +28,7 @@ struct fvi_exact_motion {
     fvi_poles poles;
     fvi_forcing forcing;
     double A, T, w;
-    double *x0, *p0, *v0, *pull; /* d each; pull is K x_0 */
+    double *x0, *p0, *v0, *spring_force; /* d each; spring_force is K x_0 */
     double complex *room;        /* d */
     source source[SOURCES];
     fvi_parabola rule;
@@ -55,6 +55,6 @@ int fvi_exact_motion_sum(fvi_exact_motion *motion, double t, const fvi_exact_sum
 void fvi_exact_motion_add_dampers(const fvi_exact_motion *motion, const double complex *a,
                                   double complex s, double complex factor,
                                   const fvi_exact_sums *sums);
-void fvi_exact_motion_forget_dampers(fvi_exact_motion *motion);
+void fvi_exact_motion_free_dampers(fvi_exact_motion *motion);
 
 #endif

@@ -41,10 +41,10 @@ fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j)
     if (m)
         damper.matrix = of_mechanism
                             ? m->damper[j]
-                            : (fvi_damping_matrix){ .remembered = m->remembered,
-                                                    .remember = m->remember,
-                                                    .damp = m->damp,
-                                                    .damp_stages = m->damp_stages,
+                            : (fvi_damping_matrix){ .history_size = m->history_size,
+                                                    .select_history = m->select_history,
+                                                    .apply_damping = m->apply_damping,
+                                                    .apply_damping_to_stages = m->apply_damping_to_stages,
                                                     .params = m->params };
     return damper;
 }
@@ -65,10 +65,10 @@ int fvi_run_damper_stages(const fvi_run_damper *damper, size_t d, size_t s, cons
 {
     const fvi_damping_matrix *C = &damper->matrix;
     int status = FVI_SUCCESS;
-    if (C->damp_stages)
-        return C->damp_stages(d, s, 1, force, C->params, load);
+    if (C->apply_damping_to_stages)
+        return C->apply_damping_to_stages(d, s, 1, force, C->params, load);
     for (size_t i = 0; !status && i < s; i++)
-        status = C->damp(d, 1, force + i * C->remembered, C->params, load + i * d);
+        status = C->apply_damping(d, 1, force + i * C->history_size, C->params, load + i * d);
     return status;
 }
 

@@ -17,7 +17,7 @@ typedef struct {
                             * before its sums, and no order shifts them */
     double growth;         /* its kernel is like |s|^growth for large s */
     fvi_initial_history past;
-    fvi_damping_matrix matrix; /* remember is NULL: coordinates, each with its own rho */
+    fvi_damping_matrix matrix; /* select_history is NULL: coordinates, each with its own rho */
 } fvi_run_damper;
 
 /* fvi_run_damper_count -- how many dampers a run has.

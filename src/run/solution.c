@@ -8,70 +8,70 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* C x0 = S B^T x0, to y; z has room for what is remembered, and as many zeros. */
-static int product(const fvi_run *run, double *y, double *z)
+/* C x0 = S B^T x0, to y; z has room for history_size numbers, and as many zeros. */
+static int damping_of_start(const fvi_run *run, double *y, double *z)
 {
     const fvi_matrices *m = run->system->matrices;
     const size_t d = run->system->d;
-    int status = m->remember(d, run->x0, z + m->remembered, m->params, z);
+    int status = m->select_history(d, run->x0, z + m->history_size, m->params, z);
     if (!status)
-        status = m->damp(d, -1, z, m->params, y);
+        status = m->apply_damping(d, -1, z, m->params, y);
     return status;
 }
 
 /* Is y = C x0 more than roundings, where C has this diagonal? */
-static int is_felt(const fvi_run *run, const double *C, const double *y)
+static int is_above_rounding(const fvi_run *run, const double *C, const double *y)
 {
     double largest = 0;
-    int felt = 0;
+    int is_damped = 0;
     for (size_t i = 0; i < run->system->d; i++)
         largest = larger(largest, sqrt(C[i]) * fabs(run->x0[i]));
     for (size_t i = 0; i < run->system->d; i++)
-        felt |= !(fabs(y[i]) <= FVI_FELT * sqrt(C[i]) * largest);
-    return felt;
+        is_damped |= !(fabs(y[i]) <= FVI_ROUNDING_SHARE * sqrt(C[i]) * largest);
+    return is_damped;
 }
 
-int fvi_run_start_is_damped(const fvi_run *run, int *felt)
+int fvi_run_start_is_damped(const fvi_run *run, int *is_damped)
 {
     const fvi_system *system = run->system;
     const size_t d = system->d;
-    *felt = 0;
+    *is_damped = 0;
     if (!system->matrices) {
         for (size_t i = 0; i < d; i++)
-            *felt |= system->damping[i] > 0 && run->x0[i] != 0;
+            *is_damped |= system->damping[i] > 0 && run->x0[i] != 0;
         return FVI_SUCCESS;
     }
-    const size_t r = system->matrices->remembered;
+    const size_t r = system->matrices->history_size;
     if (r == 0)
         return FVI_SUCCESS;
     double *y = calloc(d + 2 * r, sizeof *y);
     if (!y)
         FVI_FAIL("no memory for C x0", FVI_ENOMEM);
-    const int status = product(run, y, y + d);
+    const int status = damping_of_start(run, y, y + d);
     if (!status)
-        *felt = is_felt(run, system->damping, y);
+        *is_damped = is_above_rounding(run, system->damping, y);
     free(y);
     return status;
 }
 
 /* C_j x_0 of a damper of a system with matrices: is it not 0? */
-static int is_pulled(const fvi_run *run, size_t j, int *is_stretched)
+static int is_matrix_stretched(const fvi_run *run, size_t j, int *is_stretched)
 {
     const fvi_damping_matrix *C = &run->system->matrices->damper[j];
-    const size_t d = run->system->d, r = C->remembered;
+    const size_t d = run->system->d, r = C->history_size;
     *is_stretched = 0;
-    if (C->remembered == 0)
+    if (C->history_size == 0)
         return FVI_SUCCESS;
     double *y = calloc(2 * d + 2 * r, sizeof *y);
     if (!y)
         FVI_FAIL("no memory for C x0", FVI_ENOMEM);
     double *diagonal = y + d, *z = diagonal + d;
-    int status = C->remember(d, run->x0, z + r, C->params, z);
+    int status = C->select_history(d, run->x0, z + r, C->params, z);
     if (!status)
-        status = C->damp(d, -1, z, C->params, y);
+        status = C->apply_damping(d, -1, z, C->params, y);
     if (!status && C->diagonal)
         status = C->diagonal(d, C->params, diagonal);
-    *is_stretched = C->diagonal ? is_felt(run, diagonal, y) : !fvi_all_zero(d, y);
+    *is_stretched = C->diagonal ? is_above_rounding(run, diagonal, y) : !fvi_all_zero(d, y);
     free(y);
     return status;
 }
@@ -102,9 +102,9 @@ int fvi_damper_is_stretched(const fvi_run *run, size_t j, int *is_stretched)
 {
     double z = 0, size = 0;
     if (run->system->matrices)
-        return is_pulled(run, j, is_stretched);
+        return is_matrix_stretched(run, j, is_stretched);
     const int status = find_elongation(run, &run->system->mechanism->damper[j].of, &z, &size);
-    *is_stretched = !status && !(fabs(z) <= FVI_FELT * size);
+    *is_stretched = !status && !(fabs(z) <= FVI_ROUNDING_SHARE * size);
     return status;
 }
 
@@ -125,14 +125,14 @@ static int has_solution_of_dampers(const fvi_run *run, int *has)
 
 int fvi_run_has_solution(const fvi_run *run, int *has)
 {
-    int felt, status;
+    int is_damped, status;
     *has = 1;
     if (run->system->mechanism)
         return has_solution_of_dampers(run, has);
     if (fvi_initial_history_solvable(run->past, run->alpha, 1, 1))
         return FVI_SUCCESS; /* from everywhere */
-    status = fvi_run_start_is_damped(run, &felt);
+    status = fvi_run_start_is_damped(run, &is_damped);
     if (!status)
-        *has = !felt;
+        *has = !is_damped;
     return status;
 }

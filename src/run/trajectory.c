@@ -19,7 +19,7 @@
 
 enum { NUMBERS = 7 }; /* of a stepper, for each coordinate */
 
-/* A callback of a step, or a visitor, stands in the middle of what it would change. */
+/* A callback of a step, or an archive, stands in the middle of what it would change. */
 #define REFUSE_CALLBACKS_OF(s)                                                 \
     if ((s)->is_busy)                                                          \
     FVI_FAIL("called by a callback of this stepper", FVI_EINVAL)
@@ -252,7 +252,7 @@ int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to)
     return status;
 }
 
-/* Could a run be at such a k, t, x and p? A visitor may have written anything there. */
+/* Could a run be at such a k, t, x and p? An archive may have written anything there. */
 static int check_state(const fvi_stepper *s)
 {
     const fvi_run *run = &s->run;

@@ -12,17 +12,17 @@
 #include <string.h>
 
 /* So small, beside the largest inertia of its coordinates so far, is a pivot of what is nearly singular. Between
- * two looks the least is searched for where one of them is below SUSPICIOUS, or a velocity changes its sign. */
+ * two checks the least is searched for where one of them is below SUSPICIOUS, or a velocity changes its sign. */
 static const double SINGULAR = 1e-6, SUSPICIOUS = 0.3;
 enum { SEARCHES = 40 };
 #define NO_MEMORY "there is no memory to find out whether the inertia vanishes"
 
 struct fvi_inertia_watch {
     const fvi_system *system;
-    int has_looked, has_spoken;
+    int has_last_point, has_warned;
     double t;
-    double *x, *v, *largest; /* d numbers each: the last look; the largest diagonal entries of L_vv */
-    double *xm, *vm, *x1, *v1, *matrix; /* d, d, d, d, d d: of a look */
+    double *x, *v, *largest; /* d numbers each: at the last check; the largest diagonal entries of L_vv */
+    double *xm, *vm, *x1, *v1, *matrix; /* d, d, d, d, d d: of a check */
 };
 
 void fvi_inertia_watch_free(fvi_inertia_watch *w)
@@ -33,7 +33,7 @@ void fvi_inertia_watch_free(fvi_inertia_watch *w)
     free(w);
 }
 
-static int look_at(fvi_inertia_watch *w, double t, const double *x, const double *v)
+static int evaluate_inertia(fvi_inertia_watch *w, double t, const double *x, const double *v)
 {
     const int status =
         fvi_lagrangian_point(w->system, t, x, v, NULL, NULL, NULL, NULL, NULL, w->matrix);
@@ -66,14 +66,14 @@ static double least_pivot(fvi_inertia_watch *w)
     return least;
 }
 
-/* At the part `tau` of the way from the last look to this one; 1 where L cannot be had. */
+/* At the part `tau` of the way from the last check to this one; 1 where L cannot be had. */
 static double pivot_between(fvi_inertia_watch *w, double t, double tau)
 {
     for (size_t i = 0; i < w->system->d; i++) {
         w->xm[i] = w->x[i] + tau * (w->x1[i] - w->x[i]);
         w->vm[i] = w->v[i] + tau * (w->v1[i] - w->v[i]);
     }
-    return look_at(w, w->t + tau * (t - w->t), w->xm, w->vm) ? 1 : least_pivot(w);
+    return evaluate_inertia(w, w->t + tau * (t - w->t), w->xm, w->vm) ? 1 : least_pivot(w);
 }
 
 /* The least between both, by the golden section; where it is, to *tau. */
@@ -118,9 +118,9 @@ int fvi_inertia_watch_begin(const fvi_system *system, fvi_inertia_watch **watch)
     return FVI_SUCCESS;
 }
 
-static int speak(fvi_inertia_watch *w, double t, size_t size, char *text)
+static int write_warning(fvi_inertia_watch *w, double t, size_t size, char *text)
 {
-    w->has_spoken = 1;
+    w->has_warned = 1;
     snprintf(text, size,
              "the inertia of this Lagrangian, its second derivatives by the velocities, is nearly singular at "
              "t = %.4g: a method may lose its order there",
@@ -128,8 +128,8 @@ static int speak(fvi_inertia_watch *w, double t, size_t size, char *text)
     return 1;
 }
 
-/* Does a velocity change its sign between the looks? */
-static int turns(const fvi_inertia_watch *w)
+/* Does a velocity change its sign between the checks? */
+static int has_sign_change(const fvi_inertia_watch *w)
 {
     for (size_t i = 0; i < w->system->d; i++)
         if (w->v[i] * w->v1[i] < 0)
@@ -140,7 +140,7 @@ static int turns(const fvi_inertia_watch *w)
 int fvi_warning_of_inertia(fvi_inertia_watch *w, double t, const double *x, const double *p,
                            size_t size, char *text)
 {
-    if (!w || w->has_spoken)
+    if (!w || w->has_warned)
         return 0;
     const size_t d = w->system->d;
     double tau = 1, least, before = 1;
@@ -152,25 +152,25 @@ int fvi_warning_of_inertia(fvi_inertia_watch *w, double t, const double *x, cons
         return -1;
     }
     if (status == FVI_ESING || status == FVI_EMAXITER)
-        return speak(w, t, size, text);
+        return write_warning(w, t, size, text);
     for (size_t i = 0; i < d; i++)
         w->vm[i] = 1;
-    if (!status && !w->has_looked)
-        status = look_at(w, t, x, w->vm); /* how large inertias are elsewhere */
-    if (!status && w->has_looked)
+    if (!status && !w->has_last_point)
+        status = evaluate_inertia(w, t, x, w->vm); /* how large inertias are elsewhere */
+    if (!status && w->has_last_point)
         before = pivot_between(w, t, 0);
     if (!status)
-        status = look_at(w, t, w->x1, w->v1);
+        status = evaluate_inertia(w, t, w->x1, w->v1);
     least = status ? 1 : least_pivot(w);
-    if (w->has_looked && !status && least > SINGULAR
-        && (least < SUSPICIOUS || before < SUSPICIOUS || turns(w)))
+    if (w->has_last_point && !status && least > SINGULAR
+        && (least < SUSPICIOUS || before < SUSPICIOUS || has_sign_change(w)))
         least = least_between(w, t, &tau);
     const double when = w->t + tau * (t - w->t);
     memcpy(w->x, w->x1, d * sizeof *x);
     memcpy(w->v, w->v1, d * sizeof *x);
     w->t = t;
-    w->has_looked = 1;
-    return least <= SINGULAR ? speak(w, when, size, text) : 0;
+    w->has_last_point = 1;
+    return least <= SINGULAR ? write_warning(w, when, size, text) : 0;
 }
 
 int fvi_warning_of_inertia_in_rows(const fvi_system *system, size_t rows, const double *t,

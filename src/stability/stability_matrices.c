@@ -12,7 +12,7 @@
 
 enum { ITERATIONS = 64 };
 
-/* spring K + sum_j damper_j C_j, and room for what they remember, and as many zeros. */
+/* spring K + sum_j damper_j C_j, and room for their history numbers, and as many zeros. */
 typedef struct {
     const fvi_run *run;
     double spring;
@@ -23,11 +23,11 @@ typedef struct {
     const double *none;
 } weighed;
 
-static size_t all_remembered(const weighed *w)
+static size_t count_history_sizes(const weighed *w)
 {
     size_t count = 0;
     for (size_t j = 0; j < w->count; j++)
-        count += w->C[j].remembered;
+        count += w->C[j].history_size;
     return count;
 }
 
@@ -40,11 +40,11 @@ static int weigh(const weighed *w, const double *v, double *y)
         y[i] *= w->spring;
     for (size_t j = 0; !status && j < w->count; j++) {
         const fvi_damping_matrix *C = w->C + j;
-        if (C->remembered == 0 || w->damper[j] == 0)
+        if (C->history_size == 0 || w->damper[j] == 0)
             continue;
-        status = C->remember(d, v, w->none, C->params, w->z);
+        status = C->select_history(d, v, w->none, C->params, w->z);
         if (!status)
-            status = C->damp(d, -w->damper[j], w->z, C->params, y);
+            status = C->apply_damping(d, -w->damper[j], w->z, C->params, y);
     }
     return status;
 }
@@ -67,7 +67,7 @@ static int iterate(const weighed *w, void *factors, double *room, double *larges
         memcpy(v, y, d * sizeof *v);
         if (!status)
             status = system->matrices->solve(d, factors, v);
-        if (status || !(before > 0)) /* nothing that pulls */
+        if (status || !(before > 0)) /* no force */
             return status;
         *largest = fvi_dot(d, y, v) / before;
         const double size = sqrt(fvi_dot(d, v, v));
@@ -97,7 +97,7 @@ static int acts(const weighed *w)
 static int find(weighed *w, double *load)
 {
     const fvi_matrices *m = w->run->system->matrices;
-    const size_t d = w->run->system->d, r = all_remembered(w);
+    const size_t d = w->run->system->d, r = count_history_sizes(w);
     if (!acts(w)) {
         *load = 0;
         return FVI_SUCCESS;
@@ -113,7 +113,7 @@ static int find(weighed *w, double *load)
     if (!status)
         status = iterate(w, factors, room, &largest);
     if (factors)
-        m->forget(factors);
+        m->free_factors(factors);
     free(room);
     if (status == FVI_ENOMEM)
         FVI_FAIL("no memory for the load", FVI_ENOMEM);
@@ -128,9 +128,9 @@ int fvi_stability_of_matrices(double spring, const double *damper, const fvi_run
                               double *load)
 {
     const fvi_matrices *m = run->system->matrices;
-    const fvi_damping_matrix C = { .remembered = m->remembered,
-                                   .remember = m->remember,
-                                   .damp = m->damp,
+    const fvi_damping_matrix C = { .history_size = m->history_size,
+                                   .select_history = m->select_history,
+                                   .apply_damping = m->apply_damping,
                                    .params = m->params };
     weighed w = { .run = run,
                   .spring = spring,

@@ -13,7 +13,7 @@
 
 enum {
     FEW = 256,  /* masses whose modes are found in a moment */
-    BETWEEN = 8 /* steps from one look to the next */
+    BETWEEN = 8 /* steps from one check to the next */
 };
 
 #define NO_SOLUTION(START)                                                     \

@@ -85,7 +85,7 @@ int fvi_lobatto_history_push_by_order(fvi_lobatto_history *memory, const double 
                                  double *H, double *Hdot);
 
 /* fvi_lobatto_history_archive -- as fvi_history_archive; k is how many terms there are, which what
- * the visitor has written must say, too, or FVI_EINVAL. */
+ * the archive has written must say, too, or FVI_EINVAL. */
 int fvi_lobatto_history_archive(fvi_lobatto_history *memory, size_t k,
                              fvi_archive *archive);
 

@@ -23,9 +23,9 @@ typedef struct {
 static fvi_damping_matrix damper_of(const fvi_matrices *m, size_t j)
 {
     return m->damper_count > 0 ? m->damper[j]
-                               : (fvi_damping_matrix){ .remembered = m->remembered,
-                                                       .remember = m->remember,
-                                                       .damp = m->damp,
+                               : (fvi_damping_matrix){ .history_size = m->history_size,
+                                                       .select_history = m->select_history,
+                                                       .apply_damping = m->apply_damping,
                                                        .params = m->params };
 }
 
@@ -39,14 +39,14 @@ static void put_column(const equation *e, size_t q, double sign, double *matrix)
 static int read_damping(const equation *e, size_t j, size_t q)
 {
     const fvi_damping_matrix C = damper_of(e->matrices, j);
-    double *z = calloc(2 * C.remembered + 1, sizeof *z);
+    double *z = calloc(2 * C.history_size + 1, sizeof *z);
     if (!z)
         FVI_FAIL("no memory for the equation of the stages", FVI_ENOMEM);
     for (size_t p = 0; p < e->d; p++)
         e->column[p] = 0;
-    int status = C.remember(e->d, e->unit, z + C.remembered, C.params, z);
+    int status = C.select_history(e->d, e->unit, z + C.history_size, C.params, z);
     if (!status)
-        status = C.damp(e->d, 1, z, C.params, e->column);
+        status = C.apply_damping(e->d, 1, z, C.params, e->column);
     free(z);
     put_column(e, q, -1, e->C + j * e->d * e->d);
     return status;

@@ -234,9 +234,9 @@ int fvi_stage_solver_filter(fvi_stage_solver *o, const double *load, double *siz
 void fvi_stage_solver_free(fvi_stage_solver *o)
 {
     if (o && o->of_real)
-        o->matrices->forget(o->of_real);
+        o->matrices->free_factors(o->of_real);
     if (o && o->factors)
-        o->matrices->forget_complex(o->factors);
+        o->matrices->free_complex_factors(o->factors);
     if (o)
         free(o->inverse);
     free(o);

@@ -26,7 +26,7 @@ typedef enum {
  *   matrices  with complex factors; they must outlive the solver
  *   s         stages, 2 to 8
  *   W         of C, or of each of the dampers, s s numbers row by row, the step size included; NULL where a
- *             damper remembers nothing
+ *             damper has no history
  *   way       a solver for few steps is made sooner by pairs
  *   solver    output; free it with fvi_stage_solver_free
  *

@@ -38,7 +38,7 @@ struct fvi_modes {
     size_t d, Q;          /* coordinates; modes of each, a multiple of LANES */
     int first;            /* sigma_q = exp(L (first + every q)) */
     double reach; /* the last mode of a step exp(L k) is (reach - k) / every */
-    size_t count, awake; /* modes that this step reads; that are up to date */
+    size_t count, active; /* modes that this step reads; that are up to date */
     fvi_length now, before; /* this step, the last that was taken */
     fvi_mode_row row;       /* of this step */
     double *sigma;          /* of each mode */
@@ -97,24 +97,24 @@ static fvi_mode_row row_of(fvi_modes *m, fvi_length length, size_t from,
 
 /* Modes that have slept see nothing but the last step: before it, y was at rest at
  * v_e, and z at 0, to 3e-6 of what they add to H.                             (22.13) */
-static void wake(fvi_modes *m, size_t to)
+static void activate_modes(fvi_modes *m, size_t to)
 {
-    if (m->awake >= to)
+    if (m->active >= to)
         return;
-    const fvi_mode_row row = row_of(m, m->before, m->awake, to);
+    const fvi_mode_row row = row_of(m, m->before, m->active, to);
     for (size_t j = 0; j < m->d; j++) {
         double *y = m->y + j * m->Q;
-        for (size_t q = m->awake; q < to; q++)
+        for (size_t q = m->active; q < to; q++)
             y[q] = m->last[j].before;
-        fvi_loop_advance(m->rule->s, to - m->awake, &row, &m->last[j],
-                         y + m->awake);
+        fvi_loop_advance(m->rule->s, to - m->active, &row, &m->last[j],
+                         y + m->active);
     }
-    m->awake = to;
+    m->active = to;
 }
 
 void fvi_modes_activate_all(fvi_modes *m)
 {
-    wake(m, m->Q);
+    activate_modes(m, m->Q);
     m->now = (fvi_length){ 0 }; /* its row may have been written over */
 }
 
@@ -139,7 +139,7 @@ static void close_top_rate(fvi_modes *m)
 void fvi_modes_begin(fvi_modes *m, fvi_length length)
 {
     size_t q = m->apart * FVI_ENDS;
-    if (length.h == m->now.h && m->now.k == length.k && m->count <= m->awake)
+    if (length.h == m->now.h && m->now.k == length.k && m->count <= m->active)
         return;
     if (m->is_free) {
         m->now = length;
@@ -155,7 +155,7 @@ void fvi_modes_begin(fvi_modes *m, fvi_length length)
     q = q + 1 < m->Q ? q + 1 : m->Q;
     m->count = (q + FVI_LANES - 1) / FVI_LANES * FVI_LANES;
     m->now = length;
-    wake(m, m->count);
+    activate_modes(m, m->count);
     m->row = row_of(m, length, 0, m->count);
     close_top(m, &m->value);
     if (m->rate.weight)
@@ -190,7 +190,7 @@ void fvi_modes_advance(fvi_modes *m, size_t j, const double *v, double ve)
     last->before = m->beta <= 0 ? ve : 0;
     fvi_loop_advance(s, m->count, &m->row, last, m->y + j * m->Q);
     m->before = m->now;
-    m->awake = m->count;
+    m->active = m->count;
 }
 
 /* ---- a memory ---- */
@@ -252,7 +252,7 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
                                      .Q = Q,
                                      .first = first,
                                      .reach = log(of.highest) / L - first,
-                                     .awake = Q });
+                                     .active = Q });
     if (!m || !m->table) {
         fvi_modes_free(m);
         FVI_FAIL("no memory for the modes", FVI_ENOMEM);
@@ -274,7 +274,7 @@ int fvi_modes_of_rates(const fvi_variable_rule *rule, int rises, size_t d,
                                      .d = d,
                                      .Q = Q,
                                      .count = Q,
-                                     .awake = Q,
+                                     .active = Q,
                                      .is_free = 1 });
     if (!m)
         FVI_FAIL("no memory for the modes", FVI_ENOMEM);
@@ -319,7 +319,7 @@ int fvi_modes_archive(fvi_modes *m, fvi_archive *v)
                    { m->sigma, 2 * m->Q * sizeof *m->sigma, 1 },
                    { m->y, m->d * m->Q * sizeof *m->y, 0 },
                    { m->last, m->d * sizeof *m->last, 0 },
-                   { &m->awake, sizeof m->awake, 0 },
+                   { &m->active, sizeof m->active, 0 },
                    { &m->before.h, sizeof m->before.h, 0 },
                    { &m->before.k, sizeof m->before.k, 0 } };
     int status = 0;
@@ -329,8 +329,8 @@ int fvi_modes_archive(fvi_modes *m, fvi_archive *v)
     m->now = (fvi_length){ 0 };
     if (status)
         return status;
-    if (m->awake > m->Q || m->awake % FVI_LANES != 0
-        || !(m->awake == m->Q || fvi_length_is_possible(m->before, m->longest)))
+    if (m->active > m->Q || m->active % FVI_LANES != 0
+        || !(m->active == m->Q || fvi_length_is_possible(m->before, m->longest)))
         FVI_FAIL("not a state of these modes", FVI_EINVAL);
     return FVI_SUCCESS;
 }

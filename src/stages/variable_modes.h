@@ -1,6 +1,6 @@
 /* src/stages/variable_modes.h -- The past of variable steps, as modes. [H 22]
  *
- * What a derivative of order beta, -1 < beta < 1, remembers of velocities v is a sum
+ * What a derivative of order beta, -1 < beta < 1, keeps of velocities v is a sum
  * over modes w' = -sigma w + v, one for each sigma = exp(L j), j whole, L the spacing.
  * Over a step of length h with the values v at its stages Lobatto IIIC gives, with
  *
@@ -65,7 +65,7 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
 
 /* fvi_modes_of_rates -- modes of any rates, none of which ever sleeps.
  *
- *   rises         zero: y is remembered, (22.6); else z, (22.7)
+ *   rises         zero: y is kept, (22.6); else z, (22.7)
  *   d, T          as above
  *   count         how many, >= 1
  *   rate, weight  count numbers each: those of (22.10); 0 < rate
@@ -84,15 +84,15 @@ int fvi_modes_add_order(fvi_modes *modes);
 int fvi_modes_copy(const fvi_modes *from, fvi_modes **to);
 
 /* fvi_modes_archive -- between steps: what steps have changed; and where the modes are, which
- * they do not. Returns FVI_EINVAL if what the visitor has written is no state of them; what
- * the visitor does. */
+ * they do not. Returns FVI_EINVAL if what the archive has written is no state of them; what
+ * the archive returns. */
 int fvi_modes_archive(fvi_modes *modes, fvi_archive *archive);
 
 /* fvi_modes_free -- give everything back. NULL is allowed. */
 void fvi_modes_free(fvi_modes *modes);
 
 /* fvi_modes_begin -- the next step, or another trial of it, has this length.
- * Wakes what slept. Cost O(Q s) where it is off the lattice or modes wake. */
+ * Activates modes. Cost O(Q s) where it is off the lattice or modes are activated. */
 void fvi_modes_begin(fvi_modes *modes, fvi_length length);
 
 /* fvi_modes_history -- H of (22.10) for coordinate j in the step that has begun.
@@ -110,17 +110,17 @@ void fvi_modes_history_by_order(const fvi_modes *modes, size_t j, double *H);
  *   ve  v_e, the last velocity of the step before */
 void fvi_modes_advance(fvi_modes *modes, size_t j, const double *v, double ve);
 
-/* fvi_modes_activate_all -- between steps: all modes of all coordinates are awake. */
+/* fvi_modes_activate_all -- between steps: all modes of all coordinates are active. */
 void fvi_modes_activate_all(fvi_modes *modes);
 
 /* fvi_modes_count, fvi_modes_decay, fvi_modes_add -- the modes of a coordinate: their
  * number, the sigma of the q-th, and `more` to be added to its y or z, when all are
- * awake. */
+ * active. */
 size_t fvi_modes_count(const fvi_modes *modes);
 double fvi_modes_decay(const fvi_modes *modes, size_t q);
 void fvi_modes_add(fvi_modes *modes, size_t j, size_t q, double more);
 
-/* fvi_modes_accumulate -- of a mirrored run, when all modes are awake: what a run that remembers `more`
+/* fvi_modes_accumulate -- of an adjoint run, when all modes are active: what a run that keeps `more`
  * besides would do to what mu multiplies, sum_q weight_q more_q w_q.           (23.25)
  *   more   for each mode: what y would be more, over sigma; or z
  *   ve     the last mu

@@ -46,10 +46,10 @@ void fvi_mode_weights(const fvi_mode_ladder *ladder, double *sigma,
         finer[l] = exp(L * beta * (double)l);
     for (size_t q = 0; q < ladder->Q; q += FVI_RUNGS) {
         const double ln = first + L * (double)q, here = exp(ln),
-                     heavy = size * exp(beta * ln);
+                     first_weight = size * exp(beta * ln);
         for (size_t l = 0; l < FVI_RUNGS && q + l < ladder->Q; l++) {
             sigma[q + l] = here * ladder->up[l];
-            weight[q + l] = heavy * finer[l];
+            weight[q + l] = first_weight * finer[l];
         }
     }
     const double w0 = weight[0], step = -L * (double)apart;

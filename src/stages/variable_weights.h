@@ -5,7 +5,7 @@
 #include "variable_rule.h"
 
 /* Modes sigma_q = exp(L (first + every q)), L the spacing, 0 <= q < Q, and the order of
- * what they remember, -1 <= beta <= 1; at -1 the weights are the limit of those above. Also
+ * what they keep, -1 <= beta <= 1; at -1 the weights are the limit of those above. Also
  * exp(L every q), q < FVI_RUNGS: they are in every table (fvi_mode_table). */
 enum { FVI_RUNGS = 16 };
 typedef struct {
@@ -25,7 +25,7 @@ void fvi_mode_weights(const fvi_mode_ladder *ladder, double *sigma,
                       double *weight, double *top);
 
 /* fvi_mode_weights_by_order -- their derivatives by beta, at beta = 0 and -1 from the side where
- * y is remembered, (22.6), and not z: from below, and from above.                (23.18)
+ * y is kept, (22.6), and not z: from below, and from above.                (23.18)
  *
  *   rate, top_rate  outputs, Q and FVI_ENDS numbers */
 void fvi_mode_weights_by_order(const fvi_mode_ladder *ladder, double *rate,

@@ -257,7 +257,7 @@ static int start_dampers(fvi_tangent_run *o)
         a->number = j;
         a->first = first;
         first += run->system->mechanism ? run->system->mechanism->damper[j].kernel->count : 0;
-        if (!a->of.matrix.remember || a->of.matrix.remembered > 0)
+        if (!a->of.matrix.select_history || a->of.matrix.history_size > 0)
             status = fvi_tangent_damper_start(o, keep, a);
     }
     return status;

@@ -12,12 +12,12 @@
 #include "methods/initial_history_force.h"
 #include "newton/linearised.h"
 
-/* What the directions change in one damper, which remembers r numbers. */
+/* What the directions change in one damper, whose history has r numbers. */
 typedef struct {
     fvi_run_damper of;
     size_t number, first, r;   /* the place of the damper, and of its first term among those of all dampers */
     double unit, theta;        /* what stands before the sums for rho = 1; the shift of (23.7) */
-    int has_line, is_liouville; /* is the line x0 + t v0 subtracted from what it remembers? is x0 not? */
+    int has_line, is_liouville; /* is the line x0 + t v0 subtracted in the history? is x0 not? */
     int is_asked, by_order, by_terms; /* do directions change it, through its order, through numbers of a law? */
     double *zeros, *z, *mean;  /* r each: zeros; z of the last node, and the mean of the last two */
     double *dz, *change;       /* r each: their increments */

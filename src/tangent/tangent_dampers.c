@@ -69,9 +69,9 @@ static int start_past(fvi_tangent_run *o, fvi_tangent_damper *a)
     if (!status)
         status = fvi_initial_history_force_prepare(&a->of, run->h, o->rule ? o->s : 2, c, &a->past,
                                                    &a->impulse_unit);
-    if (!a->of.matrix.remember)
+    if (!a->of.matrix.select_history)
         memcpy(a->CA, o->room, o->d * sizeof *a->CA);
-    return status || !a->of.matrix.remember
+    return status || !a->of.matrix.select_history
                ? status
                : fvi_damping_multiply(&a->of.matrix, o->d, 1, o->room, a->CA);
 }
@@ -116,7 +116,7 @@ int fvi_tangent_damper_start(fvi_tangent_run *o, double keep, fvi_tangent_damper
 {
     const int is_paper = o->method->paper_convention;
     const fvi_sensitivities want = find_wanted(o, a);
-    a->r = a->of.matrix.remember ? a->of.matrix.remembered : o->d;
+    a->r = a->of.matrix.select_history ? a->of.matrix.history_size : o->d;
     if (!a->is_asked && !a->by_terms)
         return FVI_SUCCESS;
     a->is_liouville = is_paper && a->of.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
@@ -149,13 +149,13 @@ void fvi_tangent_damper_stop(fvi_tangent_damper *a)
 
 /* ---- a node ---- */
 
-/* z, what a damper remembers of x, and its increment dz. */
+/* z, the history numbers of x, and their increments dz. */
 static int find_elongation(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
 {
     const fvi_run *run = o->run;
     const fvi_stepper *s = o->stepper;
     const fvi_damping_matrix *C = &a->of.matrix;
-    double *z = C->remember ? o->room : a->z, *dz = C->remember ? o->V : a->dz;
+    double *z = C->select_history ? o->room : a->z, *dz = C->select_history ? o->V : a->dz;
     for (size_t i = 0; i < o->d; i++) {
         const double line = a->has_line && k > 0 ? o->v0[i] : 0;
         z[i] = s->x[i] - (a->is_liouville ? 0 : run->x0[i]);
@@ -163,9 +163,9 @@ static int find_elongation(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
         z[i] -= s->t * line;
         dz[i] -= run->h * line;
     }
-    int status = C->remember ? C->remember(o->d, z, a->zeros, C->params, a->z) : FVI_SUCCESS;
-    if (!status && C->remember)
-        status = C->remember(o->d, dz, a->zeros, C->params, a->dz);
+    int status = C->select_history ? C->select_history(o->d, z, a->zeros, C->params, a->z) : FVI_SUCCESS;
+    if (!status && C->select_history)
+        status = C->select_history(o->d, dz, a->zeros, C->params, a->dz);
     return status;
 }
 
@@ -191,7 +191,7 @@ void fvi_tangent_numbers(const fvi_tangent_run *o, const fvi_tangent_damper *a, 
 
 double fvi_tangent_rho(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t i)
 {
-    return a->of.matrix.remember ? a->of.rho : o->run->system->damping[i];
+    return a->of.matrix.select_history ? a->of.rho : o->run->system->damping[i];
 }
 
 static void fill_impulses(const fvi_tangent_run *o, fvi_tangent_damper *a)
@@ -236,8 +236,8 @@ int fvi_tangent_damper_next(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
 int fvi_tangent_multiply(const fvi_tangent_run *o, const fvi_tangent_damper *a, double share, const double *y, double *to)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
-    if (C->remember)
-        return C->damp(o->d, -share, y, C->params, to);
+    if (C->select_history)
+        return C->apply_damping(o->d, -share, y, C->params, to);
     for (size_t i = 0; i < o->d; i++)
         to[i] += share * y[i];
     return FVI_SUCCESS;

@@ -80,20 +80,20 @@ static int fill_sources(fvi_tangent_run *o, size_t k)
 
 /* ---- dampers ---- */
 
-/* The velocities of the stages, less the line: what is remembered. */
+/* The velocities of the stages, less the line, as the history takes them. */
 static int find_velocities(fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < o->s; i++) {
         const double *V = o->V + i * o->d;
-        double *v = C->remember ? o->room : a->by_theta, *felt = a->by_theta;
+        double *v = C->select_history ? o->room : a->by_theta, *selected = a->by_theta;
         for (size_t n = 0; n < o->d; n++)
             v[n] = V[n] - (a->has_line ? o->v0[n] : 0);
-        if (C->remember)
-            status = C->remember(o->d, v, a->zeros, C->params, felt);
+        if (C->select_history)
+            status = C->select_history(o->d, v, a->zeros, C->params, selected);
         for (size_t n = 0; n < a->r; n++)
-            a->v[n * o->s + i] = felt[n];
+            a->v[n * o->s + i] = selected[n];
     }
     return status;
 }
@@ -147,7 +147,7 @@ static int add_forces(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
     const double *Y = a->sum, *Ydot = a->sumdot;
     double at[FVI_STAGES] = { 0 }, slope[FVI_STAGES] = { 0 }, change[FVI_STAGES] = { 0 }, *y = a->now;
     const double log_h = log(o->run->h);
-    const int is_matrix = a->of.matrix.remember != NULL;
+    const int is_matrix = a->of.matrix.select_history != NULL;
     int status = FVI_SUCCESS;
     if (a->impulse_unit != 0)
         fvi_tangent_past(a, k, at, slope);

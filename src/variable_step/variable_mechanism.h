@@ -71,11 +71,11 @@ int fvi_mesh_answer(const fvi_mechanism_state *o, const double *Lvv, const doubl
 
 /* fvi_mesh_jump -- p += factor J at the end of the last step, where x is: v and all zdot follow. With
  * constraints p also takes their own impulses, so that v keeps to them.      (29.22)
- * fvi_mesh_strike -- the same of an impulse of the force, 1 J, whose work counts after t = 0.
+ * fvi_mesh_apply_impulse -- the same of an impulse of the force, 1 J, whose work counts after t = 0.
  * Returns what the Lagrangian does, FVI_ESING, FVI_EMAXITER. */
 int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
                   double factor);
-int fvi_mesh_strike(fvi_stepper *s, fvi_variable_step_state *o, const double *J);
+int fvi_mesh_apply_impulse(fvi_stepper *s, fvi_variable_step_state *o, const double *J);
 
 /* fvi_mesh_inverse_along -- n . M^{-1} n at the end of the last step, M = L_vv at the velocity v; M^{-1} as
  * fvi_mesh_answer has it.
@@ -94,14 +94,14 @@ int fvi_mesh_impact(fvi_stepper *s, const double *normal, const double *v, doubl
  * fvi_mesh_contact_error -- what (22.16) would say of the places at the stages if the body moved with the acceleration
  * of the closed contacts: so the steps know how a contact force changes, though the body lies still. *error becomes no
  * less. Returns FVI_SUCCESS, FVI_ESING.
- * fvi_mesh_pulled_contact -- after p += factor J, the event whose closed contact would have to pull, or SIZE_MAX.
+ * fvi_mesh_find_tensile_contact -- after p += factor J, the event whose closed contact is under tension, or SIZE_MAX.
  * Nothing changes. side: of each event, the sign of Z where its body is. Returns as fvi_mesh_jump. */
 double fvi_mesh_contact_force(const fvi_stepper *s, const fvi_variable_step_state *o, size_t l,
                               double theta);
 double fvi_mesh_contact_noise(const fvi_stepper *s, const fvi_variable_step_state *o, size_t l);
 int fvi_mesh_contact_error(fvi_stepper *s, const fvi_variable_step_state *o, double *error);
-int fvi_mesh_pulled_contact(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
-                            double factor, const double *side, size_t *event);
+int fvi_mesh_find_tensile_contact(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
+                                  double factor, const double *side, size_t *event);
 
 /* fvi_mesh_momentum -- p at theta of the last step, or of the one that is tried.
  * fvi_mesh_end -- x and p at the end of the one that is tried. Returns what the constraints do, FVI_ENOMEM. */
@@ -130,7 +130,7 @@ void fvi_mesh_free(fvi_variable_step_state *o);
 
 /* ---- variable_mechanism_memory.c: each of all dampers ---- */
 
-/* fvi_mesh_begin_damper -- the modes and W0 of a damper that remembers `count` numbers; j is its number, for
+/* fvi_mesh_begin_damper -- the modes and W0 of a damper whose history has `count` numbers; j is its number, for
  * what is refused. fvi_mesh_present_damper -- the present part of its force for steps of length h, s s numbers,
  * row by row. */
 int fvi_mesh_begin_damper(fvi_stepper *s, const fvi_variable_step_state *o,
@@ -139,7 +139,7 @@ int fvi_mesh_begin_damper(fvi_stepper *s, const fvi_variable_step_state *o,
 void fvi_mesh_present_damper(const fvi_variable_step_state *o, double h, fvi_mesh_damper *of,
                              double *W);
 
-/* What else a damper that remembers `count` numbers does, on its own modes; s stages.
+/* What else a damper whose history has `count` numbers does, on its own modes; s stages.
  *
  * fvi_mesh_stretch_damper -- before the first step: the numbers z are a jump from 0 at t = 0, y = sigma z in every mode.
  * fvi_mesh_add_history -- in a step of such length: known += rho H, of number n at stage i at [i * count + n].

@@ -30,8 +30,8 @@ static int keep_to_ties(fvi_stepper *s, double t, const double *x, double *p, do
 }
 
 /* The impulse of a contact is -w along its normal, and it must push to the side where the body is. */
-int fvi_mesh_pulled_contact(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
-                            double factor, const double *side, size_t *event)
+int fvi_mesh_find_tensile_contact(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
+                                  double factor, const double *side, size_t *event)
 {
     fvi_mechanism_state *of = s->mechanism;
     double *p = o->mechanism->slope, *v = p + o->d; /* which have been read */
@@ -47,10 +47,10 @@ int fvi_mesh_pulled_contact(fvi_stepper *s, fvi_variable_step_state *o, const do
     double worst = 0;
     for (size_t l = of->own; l < of->m && !status; l++) {
         const size_t i = of->contact[l - of->own];
-        const double pull = side[i] * of->residual[l]
+        const double tension = side[i] * of->residual[l]
                             * largest_abs(o->d, of->C + l * o->d);
-        if (pull > least && pull > worst) {
-            worst = pull;
+        if (tension > least && tension > worst) {
+            worst = tension;
             *event = i;
         }
     }
@@ -74,7 +74,7 @@ int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
     return status;
 }
 
-int fvi_mesh_strike(fvi_stepper *s, fvi_variable_step_state *o, const double *J)
+int fvi_mesh_apply_impulse(fvi_stepper *s, fvi_variable_step_state *o, const double *J)
 {
     double *made = o->mechanism->slope + o->d; /* with what the constraints answer */
     memcpy(made, s->p, o->d * sizeof *made);

@@ -26,13 +26,13 @@ static const fvi_damper *damper_of(const fvi_stepper *s, size_t j)
 /* ---- the start ---- */
 
 /* Is damper j, of the past rl, stretched at once at t = 0? */
-static int is_struck(const fvi_stepper *s, size_t j)
+static int starts_with_jump(const fvi_stepper *s, size_t j)
 {
     return damper_of(s, j)->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
            && fvi_mechanism_is_stretched(s, j);
 }
 
-static int feels_jumps(const fvi_stepper *s, size_t j)
+static int depends_on_jumps(const fvi_stepper *s, size_t j)
 {
     return fvi_kernel_growth(damper_of(s, j)->kernel) > 1;
 }
@@ -99,10 +99,10 @@ double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
     if (has_jump && shortest < LEAST_OF_MASSLESS)
         return 0;
     for (size_t j = 0; j < m->r; j++) {
-        const int jumps = feels_jumps(s, j)
+        const int jumps = depends_on_jumps(s, j)
                           && (fvi_variable_step_velocities_jump(&s->run) || m->damper[j].before != m->damper[j].now);
         const double power = jumps ? 2 - fvi_kernel_growth(damper_of(s, j)->kernel)
-                             : is_struck(s, j) ? 1 - order_below_one(damper_of(s, j)->kernel)
+                             : starts_with_jump(s, j) ? 1 - order_below_one(damper_of(s, j)->kernel)
                                                : INFINITY;
         shortest = smaller(shortest, pow(1e-4 * fmin(o->tolerance, 1), 1 / power));
     }
@@ -112,7 +112,7 @@ double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
 int fvi_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     for (size_t j = 0; j < o->mechanism->r; j++)
-        if (feels_jumps(s, j) && !fvi_variable_step_velocities_jump(&s->run))
+        if (depends_on_jumps(s, j) && !fvi_variable_step_velocities_jump(&s->run))
             return 0;
     return 1;
 }
@@ -126,8 +126,8 @@ static int refuse(fvi_error *error, int code, size_t j, const char *text)
 static void stretch(const fvi_stepper *s, fvi_variable_step_state *o, size_t j)
 {
     fvi_mesh_damper *to = &o->mechanism->damper[j];
-    to->centre = is_struck(s, j) ? 0 : s->mechanism->z[j];
-    if (is_struck(s, j))
+    to->centre = starts_with_jump(s, j) ? 0 : s->mechanism->z[j];
+    if (starts_with_jump(s, j))
         fvi_mesh_stretch_damper(o, to, 1, s->mechanism->z + j);
 }
 
@@ -186,7 +186,7 @@ int fvi_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o)
     int status = FVI_SUCCESS;
     for (size_t j = 0; j < o->mechanism->r && !status; j++) {
         fvi_mesh_damper *to = &o->mechanism->damper[j];
-        if (is_struck(s, j))
+        if (starts_with_jump(s, j))
             status = fvi_mechanism_check_stretch(damper_of(s, j)->kernel, j, s->error);
         if (status)
             return status;
@@ -224,7 +224,7 @@ int fvi_mesh_start(fvi_stepper *s, fvi_variable_step_state *o)
     for (size_t j = 0; j < r && !status; j++) {
         fvi_mesh_damper *to = &o->mechanism->damper[j];
         status = fvi_mechanism_slope(s, j, s->mechanism->v, &to->now);
-        const int jumps = feels_jumps(s, j) && damper_of(s, j)->past != FVI_INITIAL_HISTORY_CAPUTO;
+        const int jumps = depends_on_jumps(s, j) && damper_of(s, j)->past != FVI_INITIAL_HISTORY_CAPUTO;
         to->before = jumps ? 0 : to->now;
         if (fvi_kernel_growth(damper_of(s, j)->kernel) == 2)
             return refuse(s->error, FVI_EUNSUP, j,

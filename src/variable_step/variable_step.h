@@ -45,7 +45,7 @@ typedef struct {
 } fvi_coordinate_group;
 
 /* How many factors exp(L) a step may be longer than the one before, and after a trial
- * shorter. After so many calm steps a longer one is tried again that could not be solved;
+ * shorter. After so many steps without a failure a longer one is tried again that could not be solved;
  * after so many iterations that did not contract none is tried. */
 enum {
     FVI_VARIABLE_STEP_GROWTH = 4,
@@ -70,7 +70,7 @@ typedef struct {
     double *c; /* c_0, ..., c_J of each coordinate; c_0 jumped at t = 0 */
     double *ratio; /* rho / m of each, or m / rho */
     double *
-        pull; /* what is left as a force: -pull ((rho/m) t^gap)^{J+1} t^{e-2} */
+        residual_force; /* what is left as a force: -residual_force ((rho/m) t^gap)^{J+1} t^{e-2} */
 } fvi_singular;
 
 /* How the equation of a step is solved: at once, as U is quadratic and its Hessian
@@ -110,7 +110,7 @@ typedef struct {
     struct fvi_mesh_structure *structure; /* variable_structure.h; NULL: no matrices */
     struct fvi_mesh_mechanism *mechanism; /* variable_mechanism.h; NULL: none */
     fvi_singular singular;
-    int open; /* it is there where A = 0, too, for a derivative by A */
+    int for_adjoint; /* the singular part is there where A = 0, too, for a derivative by A */
     /* the state at t, compensated; y is x without its singular part */
     double *y, *y_less, *v, *v_less, t, t_less;
     double *impulse_dv; /* what the impulses at t have added to v */
@@ -149,8 +149,8 @@ typedef struct {
     double undeclared_jump_until;  /* up to this time a force may jump that did not say so */
     int stalled_iterations;     /* so often has the iteration not contracted */
     fvi_step_statistics counts;
-    size_t next_look; /* so many steps, and at what time the pace was looked at */
-    double looked_at;
+    size_t next_pace_check; /* so many steps, and at what time the pace was checked */
+    double pace_checked_at;
 } fvi_variable_step_state;
 
 /* fvi_variable_step_runs_away -- has the run taken run.most_steps, or is it so slow that it comes to
@@ -169,13 +169,13 @@ void fvi_variable_step_limit(fvi_stepper *s, double longest, int growth);
  * higher than `height`, a length of x, > 0; with 0, and without this, that is the tolerance of a step. */
 void fvi_variable_step_rest_below(fvi_stepper *s, double height);
 
-/* fvi_variable_step_strike -- let the impulses at o->t act that have not: v jumps, (22.22). Returns as
+/* fvi_variable_step_apply_impulses -- let the impulses at o->t act that have not: v jumps, (22.22). Returns as
  * fvi_mesh_jump of a mechanism. */
-int fvi_variable_step_strike(fvi_stepper *s, fvi_variable_step_state *o);
+int fvi_variable_step_apply_impulses(fvi_stepper *s, fvi_variable_step_state *o);
 
-/* fvi_variable_step_start_open -- as fvi_variable_step_start; steps end at t1 where the past could pull a
- * damped coordinate, though none of them moves so far. */
-int fvi_variable_step_start_open(fvi_stepper *s);
+/* fvi_variable_step_start_for_adjoint -- as fvi_variable_step_start; steps end at t1 also where the
+ * initial history of a damped coordinate has a force that is 0 at this start, for a derivative by its amplitude. */
+int fvi_variable_step_start_for_adjoint(fvi_stepper *s);
 
 /* fvi_variable_step_stage_time -- of stage i of a step from t on, of length h, from within the
  * step at its ends: a jump of the force at a node belongs to neither side. */
@@ -185,7 +185,7 @@ static inline double fvi_variable_step_stage_time(const fvi_variable_rule *rule,
     return fvi_inner_time(t, t + h, h, t + rule->c[i] * h, i, rule->s);
 }
 
-/* fvi_variable_step_start, _stop, _copy, _visit -- as fvi_method has them. */
+/* fvi_variable_step_start, _stop, _copy, _archive -- as fvi_method has them. */
 int fvi_variable_step_start(fvi_stepper *s);
 void fvi_variable_step_stop(fvi_stepper *s);
 int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to);
@@ -216,7 +216,7 @@ fvi_variable_step_copy_kernel(const fvi_variable_step_kernel *from);
 int fvi_variable_step_begin_kernel(fvi_variable_step_state *o);
 void fvi_variable_step_present_kernel(fvi_variable_step_state *o, double h);
 
-/* The same of any law: d numbers feel it, in a run of the time T whose steps are never shorter than
+/* The same of any law, which acts on d numbers, in a run of the time T whose steps are never shorter than
  * `least`. W1 is W0 1 of the terms that do not rise. fvi_memory_leakage is |b . W0 A P_{s-1}|. */
 typedef struct {
     const fvi_variable_step_kernel *kernel;
@@ -274,11 +274,11 @@ int fvi_variable_step_solve(fvi_stepper *s, fvi_variable_step_state *o);
 
 /* fvi_variable_step_extrapolate -- a guess of o->delta, from the velocities of the last step's
  * polynomial; zeros where that is too far away.
- * fvi_variable_step_leap -- another, from stage to stage as a leap-frog goes, with the force at
+ * fvi_variable_step_guess_by_leapfrog -- another, from stage to stage by the leapfrog method, with the force at
  * each and what the memory makes of the stages before it. Cost O(s^2 d) and s gradients.
  * Returns what a callback does; FVI_EMAXITER where it goes astray. */
 void fvi_variable_step_extrapolate(fvi_variable_step_state *o);
-int fvi_variable_step_leap(const fvi_stepper *s, fvi_variable_step_state *o);
+int fvi_variable_step_guess_by_leapfrog(const fvi_stepper *s, fvi_variable_step_state *o);
 
 /* fvi_variable_step_is_astray -- is a stage, at o->point, more than ten times farther from x_k
  * than all motion so far, o->allowed, and the way of a free body together? With few digits
@@ -339,17 +339,17 @@ static inline int fvi_singular_is(const fvi_variable_step_state *o, double t)
  * o->singular are there, or NULL, after it: give c back with free. */
 int fvi_singular_start(const fvi_stepper *s, fvi_variable_step_state *o);
 
-/* fvi_singular_allocate -- c, ratio and pull of d coordinates and g->J terms, zeros; give c
+/* fvi_singular_allocate -- c, ratio and residual_force of d coordinates and g->J terms, zeros; give c
  * back with free. FVI_ENOMEM.
  * fvi_singular_fill -- what stands there, for these A, one of each coordinate. */
 int fvi_singular_allocate(size_t d, fvi_singular *g);
 void fvi_singular_fill(const fvi_system *system, double alpha, double T,
                        const double *A, fvi_singular *g);
 
-/* fvi_singular_at -- of coordinate j at t > 0: G, G', and t^{a_J - 2 alpha} times pull.
+/* fvi_singular_at -- of coordinate j at t > 0: G, G', and t^{a_J - 2 alpha} times residual_force.
  * Any of the outputs may be NULL. */
 void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
-                     double *slope, double *pull);
+                     double *slope, double *residual_force);
 
 /* fvi_singular_acceleration -- G'' of coordinate j at t > 0. */
 double fvi_singular_acceleration(const fvi_singular *g, size_t j, double t);

@@ -43,13 +43,13 @@ int fvi_variable_step_open_contact(fvi_stepper *s, fvi_variable_step_state *o, s
                : fvi_variable_step_note_event(w, (fvi_event_time){ o->t, i, .lifts_off = 1 });
 }
 
-int fvi_variable_step_open_pulled(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
-                                  double factor)
+int fvi_variable_step_open_tensile_contacts(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
+                                            double factor)
 {
     int status = FVI_SUCCESS;
     while (o->watch && o->mechanism && !status) {
         size_t i;
-        status = fvi_mesh_pulled_contact(s, o, J, factor, o->watch->closed, &i);
+        status = fvi_mesh_find_tensile_contact(s, o, J, factor, o->watch->closed, &i);
         if (status || i == SIZE_MAX)
             break;
         status = fvi_variable_step_open_contact(s, o, i);
@@ -71,17 +71,17 @@ static int try_first_step(fvi_stepper *s, fvi_variable_step_state *o)
     return status;
 }
 
-/* The contact that pulls most at the beginning of that step; SIZE_MAX if none does. */
-static size_t find_pull(const fvi_stepper *s, const fvi_variable_step_state *o)
+/* The contact with the largest tension at the beginning of that step; SIZE_MAX if none does. */
+static size_t find_tensile_contact(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     const fvi_mechanism_state *of = s->mechanism;
     double worst = 0;
     size_t which = SIZE_MAX;
     for (size_t l = of->own; l < of->m; l++) {
         const size_t i = of->contact[l - of->own];
-        const double pull = -fvi_variable_step_push(s, o, i, 0);
-        if (pull > worst && pull > fvi_mesh_contact_noise(s, o, l)) {
-            worst = pull;
+        const double tension = -fvi_variable_step_normal_force(s, o, i, 0);
+        if (tension > worst && tension > fvi_mesh_contact_noise(s, o, l)) {
+            worst = tension;
             which = i;
         }
     }
@@ -115,7 +115,7 @@ int fvi_variable_step_check_contacts(fvi_stepper *s, fvi_variable_step_state *o)
             status = FVI_SUCCESS;
             break;
         }
-        const size_t i = status ? SIZE_MAX : find_pull(s, o);
+        const size_t i = status ? SIZE_MAX : find_tensile_contact(s, o);
         if (i == SIZE_MAX)
             break;
         status = fvi_variable_step_open_contact(s, o, i);
@@ -145,8 +145,8 @@ int fvi_variable_step_start_contacts(fvi_stepper *s, fvi_variable_step_state *o)
     return status || !w ? status : fvi_variable_step_check_contacts(s, o);
 }
 
-double fvi_variable_step_push(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
-                              double theta)
+double fvi_variable_step_normal_force(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
+                                      double theta)
 {
     const size_t row = fvi_mechanism_row_of_contact(s->mechanism, i);
     return -o->watch->closed[i] * fvi_mesh_contact_force(s, o, row, theta);
@@ -186,7 +186,7 @@ int fvi_stepper_contact_force(const fvi_stepper *s, size_t i, double t, double *
     return FVI_SUCCESS;
 }
 
-void fvi_variable_step_find_lift(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i)
+void fvi_variable_step_find_lift_off(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i)
 {
     const fvi_event_watch *w = o->watch;
     const size_t row = fvi_mechanism_row_of_contact(s->mechanism, i), stages = o->rule->s;
@@ -194,7 +194,7 @@ void fvi_variable_step_find_lift(const fvi_stepper *s, const fvi_variable_step_s
     double low = 0, high = 0;
     size_t n = 0;
     w->theta[i] = INFINITY;
-    w->z[i * stages] = fvi_variable_step_push(s, o, i, 0);
+    w->z[i * stages] = fvi_variable_step_normal_force(s, o, i, 0);
     for (; n < stages; n++) {
         high = n + 1 < stages ? o->rule->c[n] : 1;
         if (w->z[i * stages + n] < -noise)
@@ -203,7 +203,7 @@ void fvi_variable_step_find_lift(const fvi_stepper *s, const fvi_variable_step_s
     }
     for (int k = 0; k < 50 && n > 0 && n < stages; k++) {
         const double middle = low + (high - low) / 2;
-        if (fvi_variable_step_push(s, o, i, middle) > 0)
+        if (fvi_variable_step_normal_force(s, o, i, middle) > 0)
             low = middle;
         else
             high = middle;

@@ -132,7 +132,7 @@ int fvi_event_within(const fvi_stepper *s, const fvi_variable_step_state *o, siz
     const double t = o->t + theta * o->length.h;
     int status = FVI_SUCCESS;
     if (o->watch->closed[i] != 0) {
-        *z = fvi_variable_step_push(s, o, i, theta);
+        *z = fvi_variable_step_normal_force(s, o, i, theta);
         return status;
     }
     fvi_variable_step_within(s, o, theta, x, p);
@@ -152,7 +152,7 @@ static int value_at_end(const fvi_stepper *s, const fvi_variable_step_state *o,
     const double h = o->length.h, t = o->t + h;
     double *x = o->watch->point, *p = x + o->d, move[FVI_LANES];
     if (o->watch->closed[i] != 0) {
-        *z = fvi_variable_step_push(s, o, i, 1);
+        *z = fvi_variable_step_normal_force(s, o, i, 1);
         return FVI_SUCCESS;
     }
     const int status = o->mechanism ? fvi_mesh_end(s, o, x, p) : FVI_SUCCESS;
@@ -219,7 +219,7 @@ static int find_passing(const fvi_stepper *s, const fvi_variable_step_state *o,
     fvi_event_places places;
     w->theta[i] = INFINITY;
     if (w->closed[i] != 0) {
-        fvi_variable_step_find_lift(s, o, i);
+        fvi_variable_step_find_lift_off(s, o, i);
         return FVI_SUCCESS;
     }
     const int status = fvi_event_places_of(s, o, i, &places);

@@ -59,21 +59,21 @@ int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o);
 
 /* fvi_variable_step_close_contact -- contact i closes at the end of the last step: from here on Z = 0, and the
  * momentum that is against it goes. fvi_variable_step_open_contact -- it opens there; noted unless it is_new.
- * fvi_variable_step_open_pulled -- before p += factor J: the contacts that would have to pull open.
+ * fvi_variable_step_open_tensile_contacts -- before p += factor J: contacts under tension open.
  * fvi_variable_step_start_contacts -- where a body starts at Z = 0 without a speed of Z the contact is closed.
- * fvi_variable_step_check_contacts -- where forces or velocities have jumped: contacts that would have to pull in the
+ * fvi_variable_step_check_contacts -- where forces or velocities have jumped: contacts under tension in the
  * next step open, and others that are new are noted as at rest. It tries a step, or several.
- * fvi_variable_step_push -- the force that pushes at theta of the step that has been tried, of a closed contact.
- * fvi_variable_step_find_lift -- where in that step it passes 0, to theta: 0 if it never pushes there. */
+ * fvi_variable_step_normal_force -- the force of a closed contact at theta of the step that has been tried; > 0 pushes.
+ * fvi_variable_step_find_lift_off -- where in that step it passes 0, to theta: 0 if it never pushes there. */
 int fvi_variable_step_close_contact(fvi_stepper *s, fvi_variable_step_state *o, size_t i);
 int fvi_variable_step_open_contact(fvi_stepper *s, fvi_variable_step_state *o, size_t i);
-int fvi_variable_step_open_pulled(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
-                                  double factor);
+int fvi_variable_step_open_tensile_contacts(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
+                                            double factor);
 int fvi_variable_step_start_contacts(fvi_stepper *s, fvi_variable_step_state *o);
 int fvi_variable_step_check_contacts(fvi_stepper *s, fvi_variable_step_state *o);
-double fvi_variable_step_push(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
-                              double theta);
-void fvi_variable_step_find_lift(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i);
+double fvi_variable_step_normal_force(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
+                                      double theta);
+void fvi_variable_step_find_lift_off(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i);
 
 /* fvi_variable_step_note_event -- the time is noted. FVI_ENOMEM.
  * fvi_variable_step_speed_of_event -- n . v + dz/dt, at which z changes; to normal n, and of a mechanism v behind

@@ -31,7 +31,7 @@ void fvi_variable_step_extrapolate(fvi_variable_step_state *o)
 /* ---- from node to node ---- */
 
 /* So much farther than all motion before, than the error that is allowed, and than a free
- * body, a leap comes to where springs were stiffer than its steps; from there an iteration
+ * body, the leapfrog comes where springs were stiffer than its steps; from there an iteration
  * may find no way back, or, where a Hessian's square is out of range, nothing to correct;
  * and what it finds may be the rest of another valley. */
 static const double FAR = 10;
@@ -57,7 +57,7 @@ int fvi_variable_step_is_astray(const fvi_variable_step_state *o)
 }
 
 /* From stage i - 1 to stage i, which is dt later: x there. */
-static void leap(fvi_variable_step_state *o, size_t i, double dt)
+static void leapfrog_positions(fvi_variable_step_state *o, size_t i, double dt)
 {
     const double *before = o->point + (i - 1) * o->d;
     for (size_t j = 0; j < o->d; j++) {
@@ -69,8 +69,8 @@ static void leap(fvi_variable_step_state *o, size_t i, double dt)
 }
 
 /* V - v and its derivative at stage i, by the force there and by what stages up to this one
- * add to the memory: drag W0. The derivatives stand where bend will. */
-static void push(fvi_variable_step_state *o, size_t i, double dt, double by_h)
+ * add to the memory: damping_coeff W0. The derivatives stand where accel_legendre will. */
+static void leapfrog_velocities(fvi_variable_step_state *o, size_t i, double dt, double by_h)
 {
     for (size_t j = 0; j < o->d; j++) {
         const fvi_coordinate_group *kind = &o->group[o->kind[j]];
@@ -90,7 +90,7 @@ static void push(fvi_variable_step_state *o, size_t i, double dt, double by_h)
     }
 }
 
-int fvi_variable_step_leap(const fvi_stepper *s, fvi_variable_step_state *o)
+int fvi_variable_step_guess_by_leapfrog(const fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_potential *u = &s->run.system->potential;
     const fvi_variable_rule *rule = o->rule;
@@ -102,14 +102,14 @@ int fvi_variable_step_leap(const fvi_stepper *s, fvi_variable_step_state *o)
         const double dt =
             i > 0 ? o->length.h * (rule->c[i] - rule->c[i - 1]) : 0;
         if (i > 0)
-            leap(o, i, dt);
+            leapfrog_positions(o, i, dt);
         if (is_far(o, i))
             return FVI_EMAXITER;
         const int status = u->gradient(o->d, o->point + i * o->d, u->params,
                                        o->gradient + i * o->d);
         if (status)
             return status;
-        push(o, i, dt, by_h);
+        leapfrog_velocities(o, i, dt, by_h);
     }
     return FVI_SUCCESS;
 }

@@ -14,7 +14,7 @@
 
 /* ---- impacts ---- */
 
-/* A mass as a jump of the velocity meets it. */
+/* The mass in a jump of the velocity. */
 static double mass_of(const fvi_stepper *s, size_t j)
 {
     const fvi_variable_step_state *o = s->method_state;
@@ -114,7 +114,7 @@ int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o)
 }
 
 //> impact
-/* -(1 + e) (n v + dz/dt) / (n M^-1 n). A closed contact that would have to pull opens, and then M^-1 is another. */
+/* -(1 + e) (n v + dz/dt) / (n M^-1 n). A contact under tension opens, and then M^-1 is another. */
 static int factor_of_jump(fvi_stepper *s, fvi_variable_step_state *o, const fvi_event *e,
                           double *normal, double speed, double *jump)
 {
@@ -132,7 +132,7 @@ static int factor_of_jump(fvi_stepper *s, fvi_variable_step_state *o, const fvi_
     const size_t m = s->mechanism->m;
     status = fvi_mesh_impact(s, normal, normal + o->d, -(1 + e->restitution) * speed, jump);
     if (!status)
-        status = fvi_variable_step_open_pulled(s, o, normal, *jump);
+        status = fvi_variable_step_open_tensile_contacts(s, o, normal, *jump);
     return status || m == s->mechanism->m ? status
                                           : factor_of_jump(s, o, e, normal, speed, jump);
 }
@@ -270,7 +270,7 @@ int fvi_stepper_kick(fvi_stepper *s, const double *J)
     for (size_t j = 0; j < o->d && s->mechanism; j++)
         if (s->mechanism->is_massless[j] && J[j] != 0)
             FVI_FAIL("a coordinate without inertia takes no kick", FVI_EUNSUP);
-    int status = fvi_variable_step_open_pulled(s, o, J, 1);
+    int status = fvi_variable_step_open_tensile_contacts(s, o, J, 1);
     if (!status)
         status = kick(s, J, 1);
     return !status && o->watch ? fvi_variable_step_sides(s, o->watch, 1) : status;

@@ -68,8 +68,8 @@ typedef struct {
     int is_stage[FVI_EVENT_PLACES];
 } known_places;
 
-static int look_at(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i, double theta,
-                   known_places *to)
+static int evaluate_event_at(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i, double theta,
+                             known_places *to)
 {
     const size_t n = to->at.count++;
     to->at.theta[n] = theta;
@@ -78,7 +78,7 @@ static int look_at(const fvi_stepper *s, const fvi_variable_step_state *o, size_
 
 /* Is z so far from 0 that it cannot come there? Between the stages a polynomial leaves the range of its values at the stages
  * by less than half of that range: Lebesgue's constant of eight of Lobatto's places is 1.97. */
-static int is_far(const fvi_variable_step_state *o, size_t i, double first)
+static int stays_off_zero(const fvi_variable_step_state *o, size_t i, double first)
 {
     const double *z = o->watch->z + i * o->rule->s;
     double nearest = fabs(first), farthest = nearest;
@@ -93,19 +93,19 @@ static int is_far(const fvi_variable_step_state *o, size_t i, double first)
 
 /* All places but the beginning, which is there: the stages and, where |z| at an end of the step is less than at the stage
  * beside it, a place near that end, which says how z goes on. */
-static int find_known(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
-                      known_places *to)
+static int evaluate_known_places(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
+                                 known_places *to)
 {
     static const double NEAR = 1e-4;
     const size_t stages = o->rule->s;
     const double *z = o->watch->z + i * stages;
     int status = FVI_SUCCESS;
     if (fabs(to->at.z[0]) < fabs(z[1]))
-        status = look_at(s, o, i, NEAR, to);
+        status = evaluate_event_at(s, o, i, NEAR, to);
     for (size_t n = 1; n < stages && !status; n++) {
         const int is_last = n + 1 == stages;
         if (is_last && fabs(z[n]) < fabs(z[n - 1]))
-            status = look_at(s, o, i, 1 - NEAR, to);
+            status = evaluate_event_at(s, o, i, 1 - NEAR, to);
         const size_t k = to->at.count++;
         to->at.theta[k] = is_last ? 1 : o->rule->c[n];
         to->at.z[k] = z[n];
@@ -142,15 +142,15 @@ int fvi_event_places_of(const fvi_stepper *s, const fvi_variable_step_state *o, 
 {
     const size_t stages = o->rule->s;
     known_places known = { .at.count = 0 };
-    int status = look_at(s, o, i, 0, &known);
+    int status = evaluate_event_at(s, o, i, 0, &known);
     places->count = 0;
-    if (!status && is_far(o, i, known.at.z[0])) {
+    if (!status && stays_off_zero(o, i, known.at.z[0])) {
         for (size_t n = 1; n < stages; n++)
             append(places, n + 1 == stages ? 1 : o->rule->c[n], o->watch->z[i * stages + n]);
         return FVI_SUCCESS;
     }
     if (!status)
-        status = find_known(s, o, i, &known);
+        status = evaluate_known_places(s, o, i, &known);
     for (size_t n = 0; n < known.at.count && !status; n++) {
         const double here = known.at.theta[n];
         double theta = here, side, beyond = 0;

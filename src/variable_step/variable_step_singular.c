@@ -7,7 +7,7 @@
  *
  * A = v0 and e = 1, or A = x0 and e = 0. With c_n = A (-1)^n / Gamma(1 + a_n),
  * a_n = n (2 - 2 alpha) + e, the sum G of (22.19) has m G'' + rho D_C^{2 alpha} G = - that
- * pull, but for its last term, which is as smooth as one likes; y = x - G is solved for.
+ * force, but for its last term, which is as smooth as one likes; y = x - G is solved for.
  * Up to t1 = (m / (2 rho))^{1 / (2 - 2 alpha)} the terms of G fall like 2^-n or faster;
  * there it is handed over, or, where alpha is near 1 and powers of m / rho are taken,
  * wherever one likes: what G and the
@@ -28,7 +28,7 @@
 
 /* 2^-32 of a velocity is left to y at t1, or 2^-16 where the tolerance is large, or 2^-8 for
  * six stages; more terms where y would not be smooth. */
-enum { MANY = 32, FEW = 16, FEWEST = 8, ALL = 56 };
+enum { TERMS = 32, TERMS_LOOSE = 16, TERMS_OF_SIX_STAGES = 8, NEGLIGIBLE_BITS = 56 };
 
 /* Long after t1 G with A t is
  *
@@ -41,7 +41,7 @@ enum { MANY = 32, FEW = 16, FEWEST = 8, ALL = 56 };
 static size_t falling_terms(const fvi_singular *g, double slowest, double T)
 {
     const double terms =
-        ceil(ALL * M_LN2 / log(slowest * pow(1e-30 * T, g->gap)));
+        ceil(NEGLIGIBLE_BITS * M_LN2 / log(slowest * pow(1e-30 * T, g->gap)));
     return g->e == 1 && terms > 0 && terms <= FVI_SINGULAR_MOST
                    && terms * g->gap < 1
                ? (size_t)terms
@@ -57,7 +57,7 @@ static size_t euler_terms(const fvi_singular *g, double fastest, double T)
 {
     const double P = fastest * pow(T, g->gap), p = P / (1 + P),
                  by = p * (1 - pow(1e-30, g->gap));
-    const double terms = ceil(ALL * M_LN2 / -log(by));
+    const double terms = ceil(NEGLIGIBLE_BITS * M_LN2 / -log(by));
     return g->e == 1 && g->t1 < 1e-6 * T && P <= 1.5
                    && terms <= FVI_SINGULAR_MOST / 4
                ? (size_t)terms
@@ -66,7 +66,7 @@ static size_t euler_terms(const fvi_singular *g, double fastest, double T)
 
 /* c_n by w_n, n = 0, ..., N: w_n is the chance of more than n heads in N + 1 throws that
  * show them with 1 - p. */
-static void transform(size_t N, double p, double *c)
+static void apply_euler_transform(size_t N, double p, double *c)
 {
     double chance = pow(p, (double)N + 1), fewer = chance;
     for (size_t n = 0; n <= N; n++) { /* fewer: n heads or less */
@@ -78,8 +78,8 @@ static void transform(size_t N, double p, double *c)
 
 /* The largest and the least rho/m of the coordinates that need such a part: A is not 0; or
  * any, if its derivative is asked for. */
-static void survey(const fvi_stepper *s, fvi_variable_step_state *o, double *fastest,
-                   double *slowest)
+static void find_rate_range(const fvi_stepper *s, fvi_variable_step_state *o, double *fastest,
+                            double *slowest)
 {
     const fvi_system *system = s->run.system;
     *fastest = 0;
@@ -88,7 +88,7 @@ static void survey(const fvi_stepper *s, fvi_variable_step_state *o, double *fas
         const double m = system->mass[j], rho = system->damping[j],
                      A = fvi_initial_history_amplitude(s->run.past, s->run.alpha, s->x[j],
                                             s->p[j] / m);
-        if ((A == 0 && !o->open) || rho == 0)
+        if ((A == 0 && !o->for_adjoint) || rho == 0)
             continue;
         *fastest = larger(*fastest, rho / m);
         *slowest = smaller(*slowest, rho / m);
@@ -101,7 +101,7 @@ int fvi_singular_allocate(size_t d, fvi_singular *g)
     if (!g->c)
         FVI_FAIL("no memory for the start", FVI_ENOMEM);
     g->ratio = g->c + d * (g->J + 1);
-    g->pull = g->ratio + d;
+    g->residual_force = g->ratio + d;
     return FVI_SUCCESS;
 }
 
@@ -119,10 +119,10 @@ void fvi_singular_fill(const fvi_system *system, double alpha, double T,
         g->ratio[j] = rho == 0 ? 0 : falling ? m / rho : rho / m;
         for (size_t n = 0; n <= g->J; n++, sign = -sign)
             g->c[j * (g->J + 1) + n] = falling && n == 0 ? 0 : sign / gamma[n];
-        g->pull[j] = falling || g->by_euler_transform ? 0 : -sign * m / last;
+        g->residual_force[j] = falling || g->by_euler_transform ? 0 : -sign * m / last;
         const double P = g->ratio[j] * pow(T, g->gap);
         if (g->by_euler_transform && rho > 0)
-            transform(g->J, P / (1 + P), g->c + j * (g->J + 1));
+            apply_euler_transform(g->J, P / (1 + P), g->c + j * (g->J + 1));
     }
 }
 
@@ -131,15 +131,15 @@ int fvi_singular_start(const fvi_stepper *s, fvi_variable_step_state *o)
     const double alpha = s->run.alpha;
     fvi_singular *g = &o->singular;
     double fastest, slowest, *A = o->v; /* where nothing is yet */
-    survey(s, o, &fastest, &slowest);
+    find_rate_range(s, o, &fastest, &slowest);
     if (fastest == 0 || alpha == 0 || alpha == 1)
         return FVI_SUCCESS;
     g->gap = 2 - 2 * alpha;
     g->e = alpha > 0.5;
     g->J = (size_t)fmin(fmax(ceil((1 + 2 * alpha - g->e) / g->gap),
-                             o->rule->s == 6        ? FEWEST
-                             : o->tolerance > FVI_TOLERANCE_LOOSE ? FEW
-                                                    : MANY),
+                             o->rule->s == 6        ? TERMS_OF_SIX_STAGES
+                             : o->tolerance > FVI_TOLERANCE_LOOSE ? TERMS_LOOSE
+                                                    : TERMS),
                         FVI_SINGULAR_MOST);
     g->t1 = pow(2 * fastest, -1 / g->gap);
     const size_t falling = falling_terms(g, slowest, o->T);
@@ -163,7 +163,7 @@ int fvi_singular_start(const fvi_stepper *s, fvi_variable_step_state *o)
 
 //> at
 void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
-                     double *slope, double *pull)
+                     double *slope, double *residual_force)
 {
     const double *c = g->c + j * (g->J + 1), q = g->ratio[j] * pow(t, g->gap);
     double value = 0, first = 0, last = 1;
@@ -176,8 +176,8 @@ void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
         *G = g->e == 1 ? value * q * t : value * q;
     if (slope)
         *slope = g->e == 1 ? first * q : first * q / t;
-    if (pull) /* q^{J + 1} t^{e - 2} */
-        *pull = g->pull[j] * (last * q / (g->e == 1 ? t : t * t));
+    if (residual_force) /* q^{J + 1} t^{e - 2} */
+        *residual_force = g->residual_force[j] * (last * q / (g->e == 1 ? t : t * t));
 }
 //< at
 
@@ -197,8 +197,8 @@ double fvi_singular_acceleration(const fvi_singular *g, size_t j, double t)
  *
  *     B_k = sum_n d_n / (a_n + k) / k!,   D_k = sum_n d_n (1 - a_n) (2 - a_n) ... (k - a_n). */
 //> moments
-FVI_VECTORS static void sum_up(size_t count, const double *d, const double *a,
-                               size_t near, fvi_singular_series *f)
+FVI_VECTORS static void sum_near_series(size_t count, const double *d, const double *a,
+                                        size_t near, fvi_singular_series *f)
 {
     for (size_t k = 0; k < near; k += 4) {
         const double l = (double)k;
@@ -216,7 +216,7 @@ void fvi_singular_sums(size_t count, const double *d, const double *a,
     const size_t near = coarse ? FVI_NEAR / 2 : FVI_NEAR;
     double by = 1;
     f->coarse = coarse;
-    sum_up(count, d, a, near, f);
+    sum_near_series(count, d, a, near, f);
     for (size_t k = 1; k < near; k++)
         f->B[k] *= by /= (double)k;
     for (size_t k = 0; k < FVI_FAR; k++)
@@ -276,8 +276,8 @@ double fvi_singular_moment(const fvi_singular_series *f, double S)
 //> hand-over
 /* d_n and a_n of (22.20) for coordinate j, and c_0 e^{-S} with them, which is nothing for
  * the second series. */
-static void series(const fvi_singular *g, size_t j, int coarse,
-                   fvi_singular_series *f)
+static void mode_series(const fvi_singular *g, size_t j, int coarse,
+                        fvi_singular_series *f)
 {
     const double *c = g->c + j * (g->J + 1);
     double d[FVI_SINGULAR_MOST], a[FVI_SINGULAR_MOST], q = 1;
@@ -304,7 +304,7 @@ void fvi_singular_hand_over(fvi_variable_step_state *o)
     fvi_modes_activate_all(o->modes);
     for (size_t l = 0; l < o->damped; l++) {
         fvi_singular_series f;
-        series(g, o->index[l], o->tolerance > FVI_TOLERANCE_LOOSE, &f);
+        mode_series(g, o->index[l], o->tolerance > FVI_TOLERANCE_LOOSE, &f);
         for (size_t q = 0; q < fvi_modes_count(o->modes); q++) {
             const double sigma = fvi_modes_decay(o->modes, q),
                          more = fvi_singular_moment(&f, sigma * g->t1);

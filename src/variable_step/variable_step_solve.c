@@ -359,7 +359,7 @@ int fvi_variable_step_solve(fvi_stepper *s, fvi_variable_step_state *o)
         fvi_variable_step_extrapolate(o);
         return solve_coupled(s, o);
     }
-    if (o->tolerance > FVI_TOLERANCE_VERY_LOOSE && !fvi_variable_step_leap(s, o))
+    if (o->tolerance > FVI_TOLERANCE_VERY_LOOSE && !fvi_variable_step_guess_by_leapfrog(s, o))
         status = by_iterations(s, o);
     if (status) { /* also if a callback would not go so far */
         fvi_variable_step_extrapolate(o);

@@ -219,7 +219,7 @@ static int begin_kernel(fvi_stepper *s, fvi_variable_step_state *o)
                : status;
 }
 
-/* The modes, if damping remembers; when the singular start is over. */
+/* The modes, if the damping has a history; when the singular start is over. */
 static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_system *system = s->run.system;
@@ -318,7 +318,7 @@ static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupl
     if (!status)
         status = fvi_variable_step_begin_events(&s->run, o);
     if (!status)
-        status = fvi_variable_step_strike(s, o);
+        status = fvi_variable_step_apply_impulses(s, o);
     if (!status && m)
         status = m->inertia(o->d, o->v, m->params, s->p);
     set_first(o);
@@ -326,7 +326,7 @@ static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupl
     return status;
 }
 
-static int start(fvi_stepper *s, int open)
+static int start(fvi_stepper *s, int for_adjoint)
 {
     const size_t d = s->run.system->d;
     double scale, *springs = NULL;
@@ -334,7 +334,7 @@ static int start(fvi_stepper *s, int open)
     if (!o)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->d = d;
-    o->open = open;
+    o->for_adjoint = for_adjoint;
     if (s->run.system->matrices || s->run.system->mechanism)
         return start_coupled(s, o, s->run.system->matrices ? &of_structure : &of_mechanism);
     int status = begin_law(s, o);
@@ -364,16 +364,16 @@ static int start(fvi_stepper *s, int open)
         return status;
     for (size_t j = 0; j < d; j++) {
         const double m = s->run.system->mass[j];
-        const int struck = s->run.alpha == 1 && s->run.past != FVI_INITIAL_HISTORY_CAPUTO;
+        const int start_jumps = s->run.alpha == 1 && s->run.past != FVI_INITIAL_HISTORY_CAPUTO;
         o->y[j] = s->x[j];
         o->v[j] =
-            s->p[j] / (struck ? o->group[o->kind[j]].mass : m); /* (19.5) */
+            s->p[j] / (start_jumps ? o->group[o->kind[j]].mass : m); /* (19.5) */
         if (o->singular.J && o->singular.e == 1
             && s->run.system->damping[j] > 0)
             o->v[j] = o->singular.c[j * (o->singular.J + 1)];
         o->centre[j] = s->run.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? 0 : s->x[j];
     }
-    status = fvi_variable_step_strike(s, o);
+    status = fvi_variable_step_apply_impulses(s, o);
     for (size_t j = 0; j < d; j++)
         s->p[j] += s->run.system->mass[j] * o->impulse_dv[j];
     set_first(o);
@@ -389,7 +389,7 @@ int fvi_variable_step_start(fvi_stepper *s)
     return status ? status : fvi_variable_step_start_contacts(s, s->method_state);
 }
 
-int fvi_variable_step_start_open(fvi_stepper *s)
+int fvi_variable_step_start_for_adjoint(fvi_stepper *s)
 {
     return start(s, 1);
 }

@@ -142,17 +142,17 @@ int fvi_variable_step_runs_away(fvi_variable_step_state *o, size_t most_steps)
     const size_t steps = o->counts.steps + o->counts.rejected;
     if (most_steps > 0)
         return steps >= most_steps;
-    if (steps < o->next_look)
+    if (steps < o->next_pace_check)
         return 0;
-    const double came = o->t - o->looked_at, rest = o->T - o->t;
-    const int is_first = o->next_look == 0; /* of a run, or after a saved one */
-    o->next_look = steps + PACE;
-    o->looked_at = o->t;
+    const double came = o->t - o->pace_checked_at, rest = o->T - o->t;
+    const int is_first = o->next_pace_check == 0; /* of a run, or after a saved one */
+    o->next_pace_check = steps + PACE;
+    o->pace_checked_at = o->t;
     return !is_first && rest * PACE > came * ENDLESS;
 }
 
-//> strike
-int fvi_variable_step_strike(fvi_stepper *s, fvi_variable_step_state *o)
+//> apply-impulses
+int fvi_variable_step_apply_impulses(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_force *force = &s->run.system->force;
     const double now = o->t * (1 + 8 * GSL_DBL_EPSILON);
@@ -162,9 +162,9 @@ int fvi_variable_step_strike(fvi_stepper *s, fvi_variable_step_state *o)
          o->hits++) {
         const double *J = force->impulses[o->hits].J;
         if (o->mechanism)
-            status = fvi_variable_step_open_pulled(s, o, J, 1);
+            status = fvi_variable_step_open_tensile_contacts(s, o, J, 1);
         if (o->mechanism && !status)
-            status = fvi_mesh_strike(s, o, J);
+            status = fvi_mesh_apply_impulse(s, o, J);
         else if (o->structure)
             status = fvi_structure_mesh_jump(s, o, J);
         for (size_t j = 0; j < o->d && !o->mechanism && !o->structure; j++) {
@@ -175,7 +175,7 @@ int fvi_variable_step_strike(fvi_stepper *s, fvi_variable_step_state *o)
     }
     return status;
 }
-//< strike
+//< apply-impulses
 
 /* ---- matrices ---- */
 
@@ -262,7 +262,7 @@ static int has_room_to_solve(const fvi_variable_step_state *o, fvi_step_solver b
 
 /* All that the next step reads and no start knows. Matrices, factors and rows of modes are
  * made anew, here and in the run that goes on: from the same numbers, the same digits. */
-//> visit
+//> archive
 int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
 {
     fvi_variable_step_state *o = s->method_state;
@@ -299,4 +299,4 @@ int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
     o->clear_to = 0;
     return length.h > 0 ? fvi_variable_step_matrices(o, length) : FVI_SUCCESS;
 }
-//< visit
+//< archive

@@ -40,16 +40,16 @@ static void apply_singular_force(fvi_variable_step_state *o)
     for (size_t i = 0; i < o->rule->s; i++) {
         const double t = stage_time(o, i);
         for (size_t j = 0; j < o->d; j++) {
-            double G, pull;
-            fvi_singular_at(&o->singular, j, t, &G, NULL, &pull);
+            double G, residual_force;
+            fvi_singular_at(&o->singular, j, t, &G, NULL, &residual_force);
             o->base[j * FVI_LANES + i] += G;
-            o->R[j * FVI_LANES + i] -= o->length.h * pull;
+            o->R[j * FVI_LANES + i] -= o->length.h * residual_force;
         }
     }
 }
 
 /* base = x_k + h c v_k */
-FVI_VECTORS static void glide(fvi_variable_step_state *o)
+FVI_VECTORS static void set_free_motion(fvi_variable_step_state *o)
 {
     const fvi_four *c = LANES(o->rule->c);
     for (size_t j = 0; j < o->d; j++) {
@@ -61,11 +61,11 @@ FVI_VECTORS static void glide(fvi_variable_step_state *o)
 }
 
 /* base, R = h F; and what a singular start adds to both. */
-//> drive
+//> apply-forces
 static int apply_forces(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const double h = o->length.h;
-    glide(o);
+    set_free_motion(o);
     if (!s->run.system->force.value)
         memset(o->R, 0, o->d * FVI_LANES * sizeof *o->R);
     for (size_t i = 0; i < o->rule->s && s->run.system->force.value; i++) {
@@ -79,7 +79,7 @@ static int apply_forces(fvi_stepper *s, fvi_variable_step_state *o)
         apply_singular_force(o);
     return FVI_SUCCESS;
 }
-//< drive
+//< apply-forces
 
 /* R -= h rho H of one set of modes, or of none. */
 static void subtract_modes(fvi_variable_step_state *o, const fvi_modes *modes)
@@ -96,7 +96,7 @@ static void subtract_modes(fvi_variable_step_state *o, const fvi_modes *modes)
     }
 }
 
-//> remember
+//> subtract-history
 /* R -= h rho H, and rho h^{1-beta} W0 1 v_k where the memory has v, not v - v_k; or of what
  * v has jumped by. */
 FVI_VECTORS static void subtract_history(fvi_variable_step_state *o)
@@ -116,7 +116,7 @@ FVI_VECTORS static void subtract_history(fvi_variable_step_state *o)
     subtract_modes(o, o->modes);
     subtract_modes(o, o->rising);
 }
-//< remember
+//< subtract-history
 
 /* ---- a trial of a step, and its error ---- */
 
@@ -199,7 +199,7 @@ FVI_VECTORS static void stage_velocities(const fvi_variable_step_state *o, size_
     LANES(v)[1] = delta[1] + more;
 }
 
-//> take
+//> accept-step
 /* The trial is the step: x, v, the modes. */
 static void accept_motion(fvi_variable_step_state *o)
 {
@@ -245,7 +245,7 @@ static int accept_step(fvi_stepper *s, fvi_variable_step_state *o, double event)
     o->counts.longest = larger(o->counts.longest, h);
     return status;
 }
-//< take
+//< accept-step
 
 //> step
 static int step(fvi_stepper *s)
@@ -261,7 +261,7 @@ static int step(fvi_stepper *s)
     const int over = fvi_singular_is(o, o->t0) && !fvi_singular_is(o, o->t);
     if (over)
         fvi_singular_hand_over(o);
-    status = fvi_variable_step_strike(s, o);
+    status = fvi_variable_step_apply_impulses(s, o);
     if (status)
         return status;
     o->first_after_event = o->t == event && !over;

@@ -36,7 +36,7 @@ static int divide_by_mass(const fvi_system *system, double *r)
     if (!status)
         status = system->matrices->solve(system->d, factors, r);
     if (factors)
-        system->matrices->forget(factors);
+        system->matrices->free_factors(factors);
     return status;
 }
 
@@ -91,7 +91,7 @@ static int find_reach(const fvi_system *system, double T, double *x, double *Mx,
             x[j] /= size;
     }
     if (factors)
-        m->forget(factors);
+        m->free_factors(factors);
     return status == FVI_ESING ? FVI_SUCCESS : status;
 }
 
@@ -99,12 +99,12 @@ static int find_reach(const fvi_system *system, double T, double *x, double *Mx,
 static int refuse(const fvi_stepper *s)
 {
     const fvi_matrices *m = s->run.system->matrices;
-    if (!m->factorise_complex || !m->solve_complex || !m->forget_complex || !m->inertia)
+    if (!m->factorise_complex || !m->solve_complex || !m->free_complex_factors || !m->inertia)
         return fvi_fail(s->error, FVI_EUNSUP, "matrices", NAN, "these matrices have no complex factors, or no "
                         "product with M, which methods with stages need");
     for (size_t j = 0; j < fvi_run_damper_count(&s->run); j++) {
         const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
-        if (of.growth == 2 && of.matrix.remembered > 0)
+        if (of.growth == 2 && of.matrix.history_size > 0)
             return fvi_fail(s->error, FVI_EUNSUP, s->run.system->mechanism ? "damper" : s->run.law ? "law" : "alpha",
                             (double)j + 1, "a damping of order 2 is a mass: fvi-lobatto2d to 8d take it with "
                             "matrices, fvi-adaptive does not");
@@ -129,7 +129,7 @@ int fvi_variable_step_takes_structure(const fvi_system *system, double alpha,
 {
     const fvi_matrices *m = system->matrices;
     const fvi_run run = { .system = system, .alpha = alpha, .law = law };
-    if (!m || !m->factorise_complex || !m->solve_complex || !m->forget_complex || !m->inertia)
+    if (!m || !m->factorise_complex || !m->solve_complex || !m->free_complex_factors || !m->inertia)
         return 0;
     for (size_t j = 0; j < fvi_run_damper_count(&run); j++) {
         const fvi_run_damper of = fvi_run_damper_of(&run, j);
@@ -162,7 +162,7 @@ int fvi_structure_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o)
     return status ? status : fvi_structure_mesh_begin_dampers(s, o);
 }
 
-static int feels_jumps(const fvi_mesh_matrix *of)
+static int depends_on_jumps(const fvi_mesh_matrix *of)
 {
     return of->of.growth > 1;
 }
@@ -175,12 +175,12 @@ double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step
     for (size_t j = 0; j < m->count; j++) {
         const fvi_mesh_matrix *of = &m->damper[j];
         const int moves = largest_abs(o->d, s->p) > 0 || s->run.system->force.impulse_count > 0,
-                  jumps = feels_jumps(of) && moves
+                  jumps = depends_on_jumps(of) && moves
                           && (s->run.system->force.impulse_count > 0
                               || of->of.past != FVI_INITIAL_HISTORY_CAPUTO),
-                  is_struck = fvi_structure_mesh_is_struck(&of->of) && largest_abs(o->d, s->x) > 0;
+                  starts_with_jump = fvi_structure_mesh_starts_with_jump(&of->of) && largest_abs(o->d, s->x) > 0;
         const double power = jumps       ? 2 - of->of.growth
-                             : is_struck ? 1 - of->of.growth
+                             : starts_with_jump ? 1 - of->of.growth
                                          : INFINITY;
         shortest = smaller(shortest, pow(1e-4 * fmin(o->tolerance, 1), 1 / power));
     }
@@ -190,7 +190,7 @@ double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step
 int fvi_structure_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     for (size_t j = 0; j < o->structure->count; j++)
-        if (feels_jumps(&o->structure->damper[j]) && !s->run.system->force.impulse_count)
+        if (depends_on_jumps(&o->structure->damper[j]) && !s->run.system->force.impulse_count)
             return 0;
     return 1;
 }
@@ -262,7 +262,7 @@ int fvi_structure_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const do
     for (size_t j = 0; j < m->count && !status; j++) {
         const fvi_mesh_matrix *of = &m->damper[j];
         const fvi_damping_matrix *C = &of->of.matrix;
-        status = C->remember(o->d, v, of->zero, C->params, of->z);
+        status = C->select_history(o->d, v, of->zero, C->params, of->z);
         for (size_t n = 0; n < of->r; n++)
             of->now[n] += of->z[n];
     }

@@ -9,7 +9,7 @@
 #include "stages/stage_solver.h"
 #include "variable_mechanism.h"
 
-/* A damper that remembers r numbers z = B^T x; stage i of number n stands at [i * r + n]. */
+/* A damper whose history has r numbers z = B^T x; stage i of number n stands at [i * r + n]. */
 typedef struct {
     fvi_run_damper of;
     size_t number, r; /* its place among the dampers of the run */
@@ -50,8 +50,8 @@ int fvi_structure_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o);
 double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o);
 int fvi_structure_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o);
 
-/* fvi_structure_mesh_is_struck -- does this damper see x_0 as a jump from 0 at t = 0? */
-int fvi_structure_mesh_is_struck(const fvi_run_damper *of);
+/* fvi_structure_mesh_starts_with_jump -- does this damper see x_0 as a jump from 0 at t = 0? */
+int fvi_structure_mesh_starts_with_jump(const fvi_run_damper *of);
 
 /* fvi_structure_mesh_try -- as fvi_variable_step_try. fvi_structure_mesh_advance -- its step is taken: the
  * histories go on. fvi_structure_mesh_jump -- v += M^{-1} J. */

@@ -26,7 +26,7 @@ void fvi_structure_mesh_weights(const fvi_stepper *s, double t, double *now, dou
     }
 }
 
-/* Damper `number` of the run, or NULL if it remembers nothing. */
+/* Damper `number` of the run, or NULL if it has no history. */
 static fvi_mesh_matrix *find(const fvi_variable_step_state *o, size_t number)
 {
     for (size_t j = 0; j < o->structure->count; j++)
@@ -51,7 +51,7 @@ int fvi_structure_mesh_force(const fvi_stepper *s, size_t number, const double *
         for (size_t n = 0; n < of->r; n++)
             of->z[n] += weights[i] * of->force[i * of->r + n] + of_slope * of->slope[i * of->r + n];
     }
-    return of->of.matrix.damp(o->d, -1, of->z, of->of.matrix.params, force);
+    return of->of.matrix.apply_damping(o->d, -1, of->z, of->of.matrix.params, force);
 }
 
 int fvi_structure_mesh_power(const fvi_stepper *s, size_t number, double *power)

@@ -10,7 +10,7 @@
 
 /* ---- the start ---- */
 
-/* The numbers of all dampers that remember any, in one piece each. */
+/* The history numbers of all dampers, in one piece each. */
 int fvi_structure_mesh_allocate(const fvi_stepper *s, fvi_variable_step_state *o)
 {
     const size_t d = o->d, n = o->rule->s, count = fvi_run_damper_count(&s->run);
@@ -26,7 +26,7 @@ int fvi_structure_mesh_allocate(const fvi_stepper *s, fvi_variable_step_state *o
         m->ones[j] = 1;
     for (size_t j = 0; j < count; j++) {
         const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
-        const size_t r = of.matrix.remembered;
+        const size_t r = of.matrix.history_size;
         if (r == 0)
             continue;
         fvi_mesh_matrix *to = &m->damper[m->count++];
@@ -39,7 +39,7 @@ int fvi_structure_mesh_allocate(const fvi_stepper *s, fvi_variable_step_state *o
 }
 
 /* A law has such a past only where nothing is stretched (dampers_check.h), and then it was held. */
-int fvi_structure_mesh_is_struck(const fvi_run_damper *of)
+int fvi_structure_mesh_starts_with_jump(const fvi_run_damper *of)
 {
     return of->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !of->law && of->growth < 1;
 }
@@ -49,10 +49,10 @@ static int begin_damper(fvi_stepper *s, fvi_variable_step_state *o, fvi_mesh_mat
     const fvi_kernel_term power = { FVI_KERNEL_POWER, to->of.rho, to->of.alpha, 0, 0 };
     const fvi_kernel alone = { 1, &power };
     const fvi_damping_matrix *C = &to->of.matrix;
-    int status = C->remember(o->d, s->x, to->zero, C->params, to->z);
+    int status = C->select_history(o->d, s->x, to->zero, C->params, to->z);
     memcpy(to->centre, to->z, to->r * sizeof *to->z);
     if (!status)
-        status = C->remember(o->d, o->v, to->zero, C->params, to->now);
+        status = C->select_history(o->d, o->v, to->zero, C->params, to->now);
     if (!status)
         status = fvi_mesh_begin_damper(s, o, to->of.law ? to->of.law : &alone, to->r, to->number,
                                        &to->memory);
@@ -60,7 +60,7 @@ static int begin_damper(fvi_stepper *s, fvi_variable_step_state *o, fvi_mesh_mat
         return status;
     if (to->of.growth <= 1 || to->of.past == FVI_INITIAL_HISTORY_CAPUTO) /* else it was at rest */
         memcpy(to->before, to->now, to->r * sizeof *to->now);
-    if (fvi_structure_mesh_is_struck(&to->of)) { /* the place is a jump at t = 0 */
+    if (fvi_structure_mesh_starts_with_jump(&to->of)) { /* the place is a jump at t = 0 */
         memset(to->centre, 0, to->r * sizeof *to->centre);
         fvi_mesh_stretch_damper(o, &to->memory, to->r, to->z);
     }
@@ -124,7 +124,7 @@ static int predict_damper(fvi_variable_step_state *o, fvi_mesh_matrix *to)
     const double factor = to->memory.rho * pow(o->length.h, -to->memory.beta);
     int status = FVI_SUCCESS;
     if (to->memory.beta == -1)
-        status = C->remember(o->d, o->y, to->centre, C->params, to->z);
+        status = C->select_history(o->d, o->y, to->centre, C->params, to->z);
     for (size_t i = 0; i < s; i++) {
         double present = 0;
         for (size_t c = 0; c < s; c++)
@@ -160,9 +160,9 @@ int fvi_structure_mesh_leak(fvi_variable_step_state *o, const double *last, doub
         if (factor == 0)
             continue;
         any = 1;
-        status = C->remember(o->d, last, of->zero, C->params, of->z);
+        status = C->select_history(o->d, last, of->zero, C->params, of->z);
         if (!status)
-            status = C->damp(o->d, factor, of->z, C->params, m->Kv);
+            status = C->apply_damping(o->d, factor, of->z, C->params, m->Kv);
     }
     if (any && !status)
         return fvi_stage_solver_filter(m->solver, m->Kv, size);
@@ -178,8 +178,8 @@ static int advance_damper(fvi_variable_step_state *o, fvi_mesh_matrix *of)
     const size_t s = o->rule->s, r = of->r;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < s && !status; i++)
-        status = C->remember(o->d, o->structure->delta + i * o->d, of->zero, C->params,
-                             of->slope + i * r);
+        status = C->select_history(o->d, o->structure->delta + i * o->d, of->zero, C->params,
+                                   of->slope + i * r);
     for (size_t n = 0; n < r && !status; n++) {
         double v[FVI_LANES] = { 0 };
         for (size_t i = 0; i < s; i++)

@@ -1,4 +1,4 @@
-/* tests/adjoint/adjoint_simple.h -- The mirrored run of Algorithm 3 as it stands. */
+/* tests/adjoint/adjoint_simple.h -- The adjoint run of Algorithm 3 as it stands. */
 #ifndef ADJOINT_SIMPLE_H
 #define ADJOINT_SIMPLE_H
 
@@ -11,10 +11,10 @@
 /* One Duffing oscillator, c x^2/2 + g x^4/4, held at x0; x of N steps, and dJ/dx_k and
  * dJ/dp_N. mu: output, lambda_{N-k}, N + 1 numbers. q: output, the last momentum. */
 //> simple
-static inline void mirrored_run(size_t N, double h, double kappa, double alpha,
-                                double m, double rho, double c, double g,
-                                const double *x, const double *Jx, double Jp,
-                                double *mu, double *q)
+static inline void adjoint_run(size_t N, double h, double kappa, double alpha,
+                               double m, double rho, double c, double g,
+                               const double *x, const double *Jx, double Jp,
+                               double *mu, double *q)
 {
     const double kick = rho * pow(h, 1 - 2 * alpha);
     double *w = malloc((N + 1) * sizeof *w);

@@ -30,7 +30,7 @@ typedef struct {
 
 typedef struct {
     double complex x[LENGTH][MOST], p[MOST], momenta[LENGTH][MOST], z[LENGTH][MOST], w[LENGTH],
-        pull[LENGTH][2];
+        impulses[LENGTH][2];
 } complex_path;
 
 /* (1 - z)^order, times ((3 - z)/2)^order for BDF2, or a factor of two terms. */
@@ -63,8 +63,8 @@ static inline double complex reciprocal_gamma(double complex z)
 }
 
 /* (19.5) with two nodes, h^(1 + e) included; e > -1. */
-static inline void complex_pull(const complex_run *r, double complex e,
-                                double complex pull[LENGTH][2])
+static inline void complex_initial_impulses(const complex_run *r, double complex e,
+                                            double complex impulses[LENGTH][2])
 {
     const double complex unit =
         reciprocal_gamma(1 + e) * cexp((1 + e) * log(r->h));
@@ -74,8 +74,8 @@ static inline void complex_pull(const complex_run *r, double complex e,
                              high = cexp(e * log(b));
         const double complex whole = (b * high - a * low) / (1 + e),
                              moment = (b * b * high - a * a * low) / (2 + e);
-        pull[k][0] = unit * (whole - moment + a * whole);
-        pull[k][1] = unit * (moment - a * whole);
+        impulses[k][0] = unit * (whole - moment + a * whole);
+        impulses[k][1] = unit * (moment - a * whole);
     }
 }
 
@@ -161,7 +161,7 @@ static inline void complex_trajectory(const complex_run *r, complex_path *o)
     complex_weights(r, o->w);
     if (!printed && creal(r->alpha) != 0.5 && (above || rl)
         && r->past != FVI_INITIAL_HISTORY_CAPUTO)
-        complex_pull(r, above ? 1 - 2 * r->alpha : -2 * r->alpha, o->pull);
+        complex_initial_impulses(r, above ? 1 - 2 * r->alpha : -2 * r->alpha, o->impulses);
     double complex H[MOST] = { 0 }, dx[MOST] = { 0 };
     for (size_t i = 0; i < r->d; i++) {
         o->x[0][i] = r->x0[i];
@@ -183,7 +183,7 @@ static inline void complex_trajectory(const complex_run *r, complex_path *o)
             const double complex origin = printed && rl ? 0 : r->x0[i];
             if (!printed)
                 o->p[i] += h / 2 * r->F[k * r->d + i] - (0.5 - theta) * c * H[i]
-                           - r->rho[i] * A * o->pull[k][0];
+                           - r->rho[i] * A * o->impulses[k][0];
             known[i] =
                 o->w[0] * (o->x[k][i] - origin - (double)(k + 1) * drift);
             for (size_t n = 1; n <= k + 1; n++)
@@ -202,7 +202,7 @@ static inline void complex_trajectory(const complex_run *r, complex_path *o)
             const double complex force = h * r->F[(k + 1) * r->d + i];
             o->p[i] += printed ? force - h * g[i] - c * H[i]
                                : force / 2 - h * g[i] - (0.5 + theta) * c * H[i]
-                                     - r->rho[i] * A * o->pull[k][1];
+                                     - r->rho[i] * A * o->impulses[k][1];
         }
     }
 }

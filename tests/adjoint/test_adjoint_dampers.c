@@ -169,7 +169,7 @@ START_TEST(eq_23_19_every_derivative_of_several_dampers)
         hit.size = 1;
         ck_assert_near(value_of(method, &run) - value, force[5 * D + 2], 1e-12, "%s force",
                        method->name);
-        pull_down(&b);
+        free_building(&b);
     }
 }
 END_TEST
@@ -198,7 +198,7 @@ START_TEST(what_several_dampers_have_no_derivative_by_is_refused)
     b.term[2].time = 0;
     OK(fvi_adjoint(&fvi_lobatto_d3, &run, NULL, NULL, &J, &start));
     ck_assert_int_eq(fvi_adjoint(&fvi_lobatto_d3, &run, NULL, NULL, &J, &by_terms), FVI_EUNSUP);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 

@@ -316,7 +316,7 @@ START_TEST(a_factor_may_be_asked_for_alone)
 }
 END_TEST
 
-/* Without C nothing is remembered: no derivative by a factor of it, or by alpha. */
+/* Without C there is no history: no derivative by a factor of it, or by alpha. */
 START_TEST(a_body_without_damping_has_slopes_of_zero)
 {
     answers *a = answers_of();

@@ -91,7 +91,7 @@ END_TEST
 
 /* (23.4) as it stands, with direct sums, is what the library does, digit by digit but
  * for the order of the sums: of N products each, N u relative to the largest mu. */
-START_TEST(eq_23_4_the_mirrored_run_as_it_stands)
+START_TEST(eq_23_4_the_adjoint_run_as_it_stands)
 {
     enum { N = 200 };
     static double x[N + 1], p[N + 1], Jx[N + 1], mu[N + 1], force[N + 1];
@@ -109,8 +109,8 @@ START_TEST(eq_23_4_the_mirrored_run_as_it_stands)
         Jx[k] = 0;
         to_sine(k, 1, x + k, p + k, &run, Jx + k, &Jp);
     }
-    mirrored_run(N, run.h, run.kappa, run.alpha, m, rho, cg[0], cg[1], x, Jx,
-                 Jp, mu, &q);
+    adjoint_run(N, run.h, run.kappa, run.alpha, m, rho, cg[0], cg[1], x, Jx,
+                Jp, mu, &q);
     ck_assert_int_eq(fvi_adjoint(&fvi_fractional, &run, x, p + N, &J, &want),
                      FVI_SUCCESS);
     for (size_t k = 0; k <= N; k++)
@@ -248,7 +248,7 @@ START_TEST(bad_arguments_of_an_adjoint_are_refused)
     ck_assert_int_eq(fvi_adjoint(m, &run, x, x, &J, NULL), FVI_EFAULT);
     ck_assert_int_eq(fvi_adjoint(&fvi_lagrange_dalembert, &run, x, x, &J, &g),
                      FVI_EUNSUP);
-    const fvi_matrices some = { .damp = NULL };
+    const fvi_matrices some = { .apply_damping = NULL };
     fvi_system full = system;
     full.matrices = &some;
     run.system = &full;
@@ -372,7 +372,7 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("adjoint, identities");
-    ADD_CASE(suite, "identities", eq_23_4_the_mirrored_run_as_it_stands,
+    ADD_CASE(suite, "identities", eq_23_4_the_adjoint_run_as_it_stands,
              eq_23_5_a_run_read_backwards_is_the_adjoint,
              eq_23_5_the_mirror_of_a_pendulum_is_not_its_adjoint,
              eq_23_6_what_the_gradient_leaves_is_of_order_2);

@@ -55,7 +55,7 @@ static double linear_of(const double *x, const double *p)
     return J;
 }
 
-/* J = |x_N|^2 / 2 + p_N,1^2, for which a mirrored run needs the path. */
+/* J = |x_N|^2 / 2 + p_N,1^2, for which an adjoint run needs the path. */
 static int square(size_t k, size_t d, const double *x, const double *p,
                   void *params, double *Jx, double *Jp)
 {

@@ -307,7 +307,7 @@ START_TEST(a_mesh_refuses_what_it_has_no_derivative_of)
         fvi_adjoint(&fvi_variable_step, &c.run, NULL, NULL, &J, &by_orders),
         FVI_EUNSUP);
     c.run.law = NULL;
-    c.run.alpha = 1; /* the past pulls */
+    c.run.alpha = 1; /* a singular start */
     ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &c.run, NULL, NULL, &J, &none),
                      FVI_SUCCESS);
     ck_assert_int_eq(

@@ -75,9 +75,9 @@ static double quotient_of_momenta(chain *c, double *number)
     return (J[1] - J[0]) / (2 * step);
 }
 
-/* Rows within the first steps, where the past pulls: 40 of them to t = 0.08. Quotients of order 2,
+/* Rows within the first steps, where the start is singular: 40 of them to t = 0.08. Quotients of order 2,
  * in so short a time nearly lines. Seen: 3e-9. */
-START_TEST(eq_23_27_rows_where_the_past_pulls)
+START_TEST(eq_23_27_rows_with_a_singular_start)
 {
     static const double alphas[] = { 0.15, 0.4, 0.6, 0.85 };
     for (size_t i = 0; i < LEN(alphas); i++) {
@@ -112,6 +112,6 @@ int main(void)
     Suite *suite = suite_create("adjoint, momenta on meshes");
     ADD_CASE(suite, "momenta",
              eq_23_27_two_methods_have_the_same_derivatives_by_momenta,
-             eq_23_27_rows_where_the_past_pulls);
+             eq_23_27_rows_with_a_singular_start);
     return run_suite(suite);
 }

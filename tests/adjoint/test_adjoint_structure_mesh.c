@@ -174,10 +174,10 @@ START_TEST(eq_23_16_several_dampers_on_a_mesh)
         { FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, FVI_INITIAL_HISTORY_CAPUTO }
     };
     for (size_t i = 0; i < LEN(orders) * LEN(past) * 2; i++) {
-        const size_t pull = i / LEN(orders) % LEN(past), has_laws = i / LEN(orders) / LEN(past);
+        const size_t which_past = i / LEN(orders) % LEN(past), has_laws = i / LEN(orders) / LEN(past);
         damped_structure s;
-        make_damped(&s, orders[i % LEN(orders)], past[pull], has_laws && !pull);
-        if (has_laws && !pull) { /* a mesh takes no two springpots in series */
+        make_damped(&s, orders[i % LEN(orders)], past[which_past], has_laws && !which_past);
+        if (has_laws && !which_past) { /* a mesh takes no two springpots in series */
             s.term[0] = (fvi_kernel_term){ FVI_KERNEL_ZENER, 0.5, 0.3, 0.4, 0 };
             s.kernel[2].count = 2;
         }

@@ -2,7 +2,7 @@
  *                                 Run alone: make test-tangent
  *
  * J = sum_k a_k . x_k + b_k . p_k has the derivative sum_k a_k . dx_k + b_k . dp_k along a direction, and the
- * mirrored run has it as the product of the gradient with that direction. The two solve the same equations in
+ * adjoint run has it as the product of the gradient with that direction. The two solve the same equations in
  * opposite orders, with different memories; the gradient stands against references of 40 digits. */
 #include "runs_of_all_kinds.h"
 #include <fvi/adjoint.h>

@@ -138,7 +138,7 @@ START_TEST(the_same_order_for_the_same_work)
 END_TEST
 
 /* d x_N / d (impulse at j) from the same scheme run backwards about the trajectory. Where
- * the potential is asked for and where its pull is felt are the same node, or as in
+ * the potential is asked for and where its force acts are the same node, or as in
  * the FVI the same mean of two nodes, it is the derivative of the run, to rounding: N
  * steps of some 60 u, as above. MEAN asks at one node and feels at three, and is off by
  * O(h^2). */

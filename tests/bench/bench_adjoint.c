@@ -1,8 +1,8 @@
-/* tests/bench/bench_adjoint.c -- H 23: what a mirrored run costs.
+/* tests/bench/bench_adjoint.c -- H 23: what an adjoint run costs.
  *
  * Prints a table; some seconds. A Duffing oscillator, F = cos(t)/4, h = 1/128, alpha =
  * 5/16. A time is that of the processor, for a step, the least of several: of the run; of
- * the mirrored run with the path given and all derivatives but that by alpha; with all;
+ * the adjoint run with the path given and all derivatives but that by alpha; with all;
  * and of both runs with no path kept, the forward one counted twice. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include <fvi/fvi.h>

@@ -149,7 +149,7 @@ static void against_steps(void)
 }
 
 /* The direct sum of N terms, and N bare dot products of the same lengths. */
-static double bare(size_t N, double *a, double *b)
+static double dot_products(size_t N, double *a, double *b)
 {
     double start = now(), total = 0;
     for (size_t k = 1; k <= N; k++) {
@@ -168,7 +168,7 @@ static void ratios(void)
     double x, y, direct = seconds(&direct_sum, 1, 20000, 0.5, 0, &x);
     double dots = 1e30, *a = calloc(40000, sizeof *a);
     for (int i = 0; a && i < 5; i++)
-        dots = smaller(dots, bare(20000, a, a + 20000));
+        dots = smaller(dots, dot_products(20000, a, a + 20000));
     free(a);
     progress("ratios", 1000000);
     double blocks = seconds(&fft, 1, 1000000, 0.5, 0, &x);

@@ -157,7 +157,7 @@ static void membrane(int m)
     free(x0);
 }
 
-/* ns per unknown and step of `count` dampers that remember all unknowns together. */
+/* ns per unknown and step of `count` dampers whose histories have all unknowns together. */
 static double steps_of_dampers(const fvi_sparse *M, const fvi_sparse *K, int m, int count)
 {
     const size_t d = M->n;

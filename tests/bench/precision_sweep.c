@@ -21,16 +21,16 @@ size_t gather(contender *all)
     for (size_t i = 0; fvi_methods[i]; i++)
         for (int k = 0; k < 2; k++) {
             const fvi_method *m = fvi_methods[i];
-            const int remembers = m->memories != 0,
+            const int has_memory = m->memories != 0,
                       peer_ = m->alpha_least == m->alpha_most;
-            if (remembers ? !fvi_method_takes_history(m, kinds[k]) : k > 0)
+            if (has_memory ? !fvi_method_takes_history(m, kinds[k]) : k > 0)
                 continue;
             contender *c = &all[count++];
             *c = (contender){ .method = m,
                               .kind = kinds[k],
                               .of = peer_ ? PEERS : OURS_THAT_STEP };
             snprintf(c->name, sizeof c->name, "%s%s", m->name,
-                     remembers && k ? ", direct" : "");
+                     has_memory && k ? ", direct" : "");
         }
     all[count] = (contender){ .peer = &exact_by_rows, .of = OURS_EXACT };
     strcpy(all[count++].name, exact_by_rows.name);

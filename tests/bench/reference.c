@@ -151,7 +151,7 @@ static void history(collocation *o, size_t k, int i)
 }
 
 /* G = F - grad U at all nodes of panel k; the positions from V. */
-static int pull(collocation *o, size_t k, const real *V, real *X)
+static int evaluate_forces(collocation *o, size_t k, const real *V, real *X)
 {
     const size_t d = o->d;
     const int n = o->n;
@@ -188,7 +188,7 @@ static int iterate(collocation *o, size_t k, real *V, real *X, real *moved)
     const real s = p->alpha > 0.5, t0 = o->t[k];
     real largest = 1;
     *moved = 0;
-    int status = pull(o, k, V, X);
+    int status = evaluate_forces(o, k, V, X);
     memcpy(o->g, V, (size_t)n * d * sizeof *V);
     for (int i = 0; i < n && !status; i++)
         for (size_t a = 0; a < d; a++) {
@@ -254,7 +254,7 @@ static int solve_panel(collocation *o, size_t k, double *rows)
             return status ? status : FVI_EMAXITER;
         after += moved < 1e-15L; /* grad U is a double, whose last digit moves a velocity of a light mass by this */
     }
-    int status = pull(o, k, V, X);
+    int status = evaluate_forces(o, k, V, X);
     write_rows(o, k, X, rows);
     for (int j = 0; j < o->n; j++)
         for (size_t a = 0; a < d; a++) {

@@ -236,7 +236,7 @@ END_TEST
 
 /* ---- the memory that has it ---- */
 
-/* A copy, and another memory that is given what a visitor saw, go on with the same
+/* A copy, and another memory that is given what an archive saw, go on with the same
  * digits, from any row of a block. */
 START_TEST(copies_and_visits_take_the_tiles_along)
 {

@@ -25,7 +25,7 @@ static int table_value(double t, size_t d, void *params, double *F)
 }
 
 /* (25.3) against all conditions as one dense system, 40 digits. For a quadratic U the
- * Gramian of two mirrored runs is well conditioned here, and 1e-14 of the largest u is
+ * Gramian of two adjoint runs is well conditioned here, and 1e-14 of the largest u is
  * some 50 roundings; no proof. Seen: 0.05 of it. Of a Duffing spring the iteration ends
  * when u changes by 1e-12, and each one changes it by a tenth of the last or less, so
  * 1e-12 is left. Seen: 0.11 of it. */

@@ -131,7 +131,7 @@ static inline void read_past(past_modes *of, const stages *rule, double h, block
 typedef struct {
     const body *q;
     const stages *rule;
-    int rises, remembers; /* 2 alpha > 1; and not 1 */
+    int rises, has_memory; /* 2 alpha > 1; and not 1 */
     double t, h, x, pushed; /* pushed: the integral of f - g - r eta, so far */
     block present;
     double history[MOST_STAGES], u[MOST_STAGES], F[MOST_STAGES];
@@ -163,7 +163,7 @@ static inline void mesh_residual(mesh_step *o, const double *V, double *X, doubl
     apply(s, o->rule->A, o->F, pushed);
     for (size_t i = 0; i < s; i++)
         residual[i] = q->v0 + o->pushed + o->h * pushed[i]
-                      - q->r * (o->remembers ? o->history[i] + memory[i] : o->u[i]) - V[i];
+                      - q->r * (o->has_memory ? o->history[i] + memory[i] : o->u[i]) - V[i];
 }
 
 /* Newton's matrix, with the slope of g at the start of the step: its inverse. */
@@ -175,9 +175,9 @@ static inline void mesh_matrix(const mesh_step *o, block back)
     block M = { { 0 } };
     for (size_t i = 0; i < s; i++)
         for (size_t l = 0; l < s; l++) {
-            double damped = o->rises ? o->present[i][l] : o->remembers ? 0 : o->h * rule->A[i][l], bent = 0;
+            double damped = o->rises ? o->present[i][l] : o->has_memory ? 0 : o->h * rule->A[i][l], bent = 0;
             for (size_t j = 0; j < s; j++) {
-                damped += o->rises || !o->remembers ? 0 : o->present[i][j] * o->h * rule->A[j][l];
+                damped += o->rises || !o->has_memory ? 0 : o->present[i][j] * o->h * rule->A[j][l];
                 bent += o->h * rule->A[i][j] * o->h * rule->A[j][l];
             }
             M[i][l] = (i == l) + o->q->r * damped + slope * bent;
@@ -190,8 +190,8 @@ static inline void run_on_mesh(const body *q, size_t s, size_t n, const double *
 {
     static past_modes past;
     const stages rule = stages_of(s);
-    mesh_step o = { .q = q, .rule = &rule, .rises = q->alpha > 0.5, .remembers = q->alpha != 0.5, .x = q->x0 };
-    if (o.remembers)
+    mesh_step o = { .q = q, .rule = &rule, .rises = q->alpha > 0.5, .has_memory = q->alpha != 0.5, .x = q->x0 };
+    if (o.has_memory)
         begin_past(&past, o.rises ? 2 - 2 * q->alpha : 1 - 2 * q->alpha);
     for (size_t k = 0; k < n; k++, X += s, V += s) {
         block back;
@@ -199,7 +199,7 @@ static inline void run_on_mesh(const body *q, size_t s, size_t n, const double *
         o.h = h[k];
         memset(o.present, 0, sizeof o.present);
         memset(o.history, 0, sizeof o.history);
-        if (o.remembers)
+        if (o.has_memory)
             read_past(&past, &rule, o.h, o.present, o.history, NULL);
         mesh_matrix(&o, back);
         for (size_t i = 0; i < s; i++)
@@ -216,7 +216,7 @@ static inline void run_on_mesh(const body *q, size_t s, size_t n, const double *
         }
         ck_assert_double_le(change, 1e-14 * size);
         mesh_residual(&o, V, X, missed);
-        if (o.remembers)
+        if (o.has_memory)
             read_past(&past, &rule, o.h, NULL, NULL, o.u);
         for (size_t l = 0; l < s; l++)
             o.pushed += o.h * rule.A[s - 1][l] * o.F[l];

@@ -52,7 +52,7 @@ static inline int is_kicked(const duffing *q)
 }
 
 /* Held, and x'' is not bounded. */
-static inline int is_pulled(const duffing *q)
+static inline int has_initial_history_force(const duffing *q)
 {
     return q->past == FVI_INITIAL_HISTORY_HELD && q->alpha > 0.5;
 }
@@ -62,7 +62,7 @@ static inline double nonlinear(const duffing *q)
 {
     if (is_kicked(q))
         return 5 - 4 * q->alpha;
-    return is_pulled(q) ? 7 - 4 * q->alpha : GSL_POSINF;
+    return has_initial_history_force(q) ? 7 - 4 * q->alpha : GSL_POSINF;
 }
 
 //> fixed
@@ -91,12 +91,12 @@ static inline double at_the_start(const scheme *of, const duffing *q, int what)
 {
     const double a = q->alpha, more = what == OF_X ? 1 : 0;
     if (of->family <= ONE)
-        return (is_pulled(q) ? 2 - 2 * a : is_kicked(q) ? 1 - 2 * a : 1) + more;
+        return (has_initial_history_force(q) ? 2 - 2 * a : is_kicked(q) ? 1 - 2 * a : 1) + more;
     if (a == 0.5)
         return of->method == &fvi_cq_bdf2 ? 1 + more : GSL_POSINF;
     if (a < 0.5)
         return 2 - 2 * a + more;
-    return (is_pulled(q) ? 4 - 4 * a : 3 - 2 * a) + more;
+    return (has_initial_history_force(q) ? 4 - 4 * a : 3 - 2 * a) + more;
 }
 //< start
 

@@ -47,7 +47,7 @@ static inline void row_of_product(int i, double gamma, table a, table b,
 
 /* Does the memory act on t^(i + j gamma)? Held: not on the 1; Caputo: nor on the t, if
  * 2 alpha > 1; Riemann-Liouville: on all. */
-static inline int is_remembered(const duffing *q, int i, int j)
+static inline int is_in_history(const duffing *q, int i, int j)
 {
     if (j > 0 || q->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
         return 1;
@@ -88,7 +88,7 @@ static inline void expand(const duffing *q, series *x)
                 row[0] += force / tgamma(e + 1);
                 force *= -q->w * q->w;
             }
-            if (j > 0 && is_remembered(q, i, j - 1))
+            if (j > 0 && is_in_history(q, i, j - 1))
                 row[j] -=
                     q->rho * row[j - 1] * (tgamma(before + 1) / tgamma(e + 1));
         }

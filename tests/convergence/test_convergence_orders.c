@@ -144,7 +144,7 @@ static double most_above(const scheme *of, const duffing *q, int all_t)
         return 0.03;
     if (of->family == FORM_M)
         return q->g == 0 ? 0.08 : 0.5;
-    return is_pulled(q) && q->alpha == 0.6 && q->g == 0 && of->s == 4 ? 1.65
+    return has_initial_history_force(q) && q->alpha == 0.6 && q->g == 0 && of->s == 4 ? 1.65
                                                                       : 0.95;
 }
 
@@ -179,7 +179,7 @@ static void fit(double T, double from, size_t first, size_t last, size_t count,
 }
 
 /* Of each kind whose entry is no lower bound one fit is at the table. */
-static void ck_assert_met(nearest n, double bound)
+static void ck_assert_reaches(nearest n, double bound)
 {
     for (int bent = 0; bent < 2; bent++)
         for (size_t past = 0; past < LEN(pasts); past++)
@@ -208,7 +208,7 @@ START_TEST(eq_20_11_orders_at_fixed_times)
     const double floor[] = { 5e-14, 3e-13 };
     nearest n;
     fit(1, 0.5, 4, 1024, UP_TO_FOUR, 0, 0.35, floor, n);
-    ck_assert_met(n, 0.05);
+    ck_assert_reaches(n, 0.05);
 }
 END_TEST
 //< at-fixed
@@ -221,7 +221,7 @@ START_TEST(eq_20_11_orders_over_all_nodes)
     const double floor[] = { 2e-14, 2e-14 };
     nearest n;
     fit(0.25, 0, 8, MOST, METHODS, 1, 0.25, floor, n);
-    ck_assert_met(n, 0.05);
+    ck_assert_reaches(n, 0.05);
 }
 END_TEST
 //< over-all
@@ -268,7 +268,7 @@ END_TEST
 /* (20.12): with U = x^4 four stages and more have at a fixed t what the square of the
  * singular part of x leaves; the second half of [0, 1/2]. Form M within 0.2; of form D, where
  * the errors change their sign, one fit. Less by 0.5 at least than on a spring. */
-START_TEST(eq_20_12_a_force_that_is_not_linear_feels_the_past)
+START_TEST(eq_20_12_a_force_that_is_not_linear_depends_on_the_past)
 {
     double of_form_d = GSL_POSINF;
     size_t fits = 0;
@@ -365,7 +365,7 @@ int main(void)
     expand_all();
     ADD_CASE(suite, "orders", eq_20_11_orders_at_fixed_times,
              eq_20_11_orders_over_all_nodes, eq_20_11_orders_of_the_first_nodes,
-             eq_20_12_a_force_that_is_not_linear_feels_the_past,
+             eq_20_12_a_force_that_is_not_linear_depends_on_the_past,
              eq_20_11_a_jump_inside_a_step_leaves_order_one);
     return run_suite(suite);
 }

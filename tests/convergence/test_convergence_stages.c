@@ -66,7 +66,7 @@ static void expand_hidden(const duffing *q)
         for (int j = 0; j < columns(i + 2, gamma, ROWS); j++) {
             const double e = i + 2 + j * gamma, bent = e * (e - 1) * motion.c[i + 2][j];
             double damped = 0;
-            if (j > 0 && is_remembered(q, i + 2, j - 1)) {
+            if (j > 0 && is_in_history(q, i + 2, j - 1)) {
                 const double before = e - gamma;
                 damped = q->rho * motion.c[i + 2][j - 1] * tgamma(before + 1) / tgamma(e - 1);
             }

@@ -136,7 +136,7 @@ END_TEST
 
 /* Three masses that do not feel each other, two damped: each does what it does
  * alone, bit for bit. */
-START_TEST(eq_13_10_only_damped_coordinates_remember)
+START_TEST(eq_13_10_only_damped_coordinates_have_a_history)
 {
     const double mass[] = { 2, 1, 3 }, rho[] = { 0, 0.5, 0.2 },
                  x0[] = { -0.5, 1, 0.25 }, p0[] = { 0.7, 0.2, 0 }, c = 1,
@@ -283,7 +283,7 @@ int main(void)
              eq_13_10_the_half_derivative_shifted_is_the_midpoint_rule,
              eq_13_14_at_alpha_1_the_damping_is_an_added_mass,
              eq_13_10_without_damping_it_is_algorithm_1,
-             eq_13_10_only_damped_coordinates_remember,
+             eq_13_10_only_damped_coordinates_have_a_history,
              eq_13_11_each_of_nineteen_coordinates_has_the_bits_of_its_own,
              eq_13_7_the_modes_of_a_chain_decouple,
              eq_13_7_the_memory_knows_no_origin_and_no_uniform_motion);

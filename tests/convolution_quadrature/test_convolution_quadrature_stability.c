@@ -164,7 +164,7 @@ END_TEST
 /* (13.17): fvi_cq2_midpoint takes every step, stiffness, damping and order, and every past: a
  * stiff and strongly damped oscillator, W and R from 1e-4 to 1e8, from x_0 = 1 and at
  * rest, stays below 1 as the exact one does; and goes on doing so where fvi_cq2_shifted
- * has left all bounds. Riemann-Liouville's pull makes it overshoot a little. */
+ * has left all bounds. Riemann-Liouville's history force makes it overshoot a little. */
 START_TEST(eq_13_17_the_stable_method_takes_every_step)
 {
     const double orders[] = { 0.05, 0.25, 0.4, 0.5, 0.6, 0.8, 0.95 };

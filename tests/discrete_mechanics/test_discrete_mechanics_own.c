@@ -47,7 +47,7 @@ static double energy_of(const membrane *o, double r)
     return o->c * r * r / 2 + o->g * r * r * r * r / 4;
 }
 
-static double pull(const membrane *o, double r)
+static double spring_force(const membrane *o, double r)
 {
     return (o->c + o->g * r * r) * r;
 }
@@ -74,7 +74,7 @@ static int gradient(size_t d, const double *x, void *params, double *grad)
     (void)d;
     for (size_t i = 1; i <= o->side; i++)
         for (size_t j = 1; j <= o->side; j++)
-            *grad++ = around(o, x, NULL, i, j, pull);
+            *grad++ = around(o, x, NULL, i, j, spring_force);
     return 0;
 }
 

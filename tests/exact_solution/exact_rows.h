@@ -8,7 +8,7 @@
 
 #include <stdlib.h>
 
-enum { LOOKED_AT = 64 };
+enum { MAX_POINTS = 64 };
 
 static inline double chance(uint64_t *seed)
 {
@@ -26,10 +26,10 @@ static inline void ck_assert_rows(const fvi_linear_oscillator *p, double h, size
                                   double tolerance, const char *what)
 {
     double *x = malloc((n + 1) * sizeof *x), *v = malloc((n + 1) * sizeof *v);
-    double t[LOOKED_AT], want_x[LOOKED_AT], want_v[LOOKED_AT], X = 0, V = 0;
-    size_t row[LOOKED_AT], count = 0;
+    double t[MAX_POINTS], want_x[MAX_POINTS], want_v[MAX_POINTS], X = 0, V = 0;
+    size_t row[MAX_POINTS], count = 0;
     ck_assert(x && v);
-    for (size_t k = 0; k <= n && count < LOOKED_AT; count++) {
+    for (size_t k = 0; k <= n && count < MAX_POINTS; count++) {
         row[count] = k;
         t[count] = (double)k * h;
         k = k < 24 ? k + 1 : k == n ? n + 1 : k + k / 4 < n ? k + k / 4 : n;

@@ -37,7 +37,7 @@ START_TEST(eq_11_20_the_building_to_all_digits)
     OK(fvi_exact_motion_at(motion, 1, &zero, *x, *v, NULL));
     ck_assert(memcmp(*x, shape, sizeof shape) == 0 && memcmp(*v, push, sizeof push) == 0);
     fvi_exact_motion_free(motion);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -80,7 +80,7 @@ START_TEST(eq_11_21_accelerations_and_forces_of_the_building)
     ck_assert_near(force[2], 0.5 * 0.5, 2 * U, "the dashpot");
     ck_assert_near(a[4], -100. / 16 - force[2], 64 * U * 10, "a at 0");
     fvi_exact_motion_free(motion);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -159,13 +159,13 @@ START_TEST(the_first_force_is_its_limit)
         OK(fvi_exact_motion_alloc(&problem, &motion, NULL));
         OK(fvi_exact_motion_forces_at(motion, 0, 0.125, &out, NULL));
         for (int j = 0; j < 2; j++) {
-            const double pull = 0.5 - c * x0[j], heavy = m[j] + (alpha == 1 ? rho[j] : 0), want = pull / heavy;
+            const double total = 0.5 - c * x0[j], want = total / (m[j] + (alpha == 1 ? rho[j] : 0));
             if (i == 3 && j == 0) {
                 ck_assert(fabs(force[j]) > 0.1); /* a mean */
                 continue;
             }
-            ck_assert_near(a[j], want, 4 * U * fabs(pull), "%d, a%d", i, j + 1);
-            ck_assert_near(force[j], alpha == 1 ? rho[j] * want : 0, 4 * U * fabs(pull), "%d, force%d", i, j + 1);
+            ck_assert_near(a[j], want, 4 * U * fabs(total), "%d, a%d", i, j + 1);
+            ck_assert_near(force[j], alpha == 1 ? rho[j] * want : 0, 4 * U * fabs(total), "%d, force%d", i, j + 1);
         }
         fvi_exact_motion_free(motion);
     }
@@ -337,7 +337,7 @@ START_TEST(motions_that_have_no_closed_form_are_refused)
     ck_assert_int_eq(fvi_exact_motion_at(motion, 1, &negative, b.row[0], NULL, &error),
                      FVI_EDOM);
     fvi_exact_motion_free(motion);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 

@@ -1,4 +1,4 @@
-"""A motion as a function of jax, whose derivative is one mirrored run."""
+"""A motion as a function of jax, whose derivative is one adjoint run."""
 #> example
 import functools
 

@@ -365,8 +365,8 @@ START_TEST(eq_15_12_at_alpha_one_the_velocity_jumps)
                        "k=%zu", k);
     ck_assert_near(v[0], 1 / 1.5, 4 * U, "the jump");
 
-    const fvi_picard_problem heavy = { linear, &ONE, 1, 1.5, 0, 1 };
-    iterate(&heavy, h, N, 60, x, v);
+    const fvi_picard_problem large_slope = { linear, &ONE, 1, 1.5, 0, 1 };
+    iterate(&large_slope, h, N, 60, x, v);
     ck_assert(fabs(v[0]) > 1e10); /* 1.5^60 */
     //< jump
 }

@@ -177,7 +177,7 @@ START_TEST(eq_1_7_1_8_integration_by_parts)
     const fvi_curve *F = &curves[2], *G = &curves[1];
     gsl_integration_glfixed_table *rule =
         gsl_integration_glfixed_table_alloc(20);
-    double sums[3] = { 0 }, remembered = 0; /* I_+^(1/2) F at 0 */
+    double sums[3] = { 0 }, half_integral = 0; /* I_+^(1/2) F at 0 */
     for (size_t i = 0; i < 20; i++) {
         double s, weight, back, ahead, caputo;
         gsl_integration_glfixed_point(0, 1, i, &s, &weight, rule);
@@ -188,11 +188,11 @@ START_TEST(eq_1_7_1_8_integration_by_parts)
         sums[0] += weight * 2 * s * F->f(t, NULL) * back;
         sums[1] += weight * 2 * s * ahead * G->f(1 - t, NULL);
         sums[2] += weight * 2 * s * F->f(t, NULL) * caputo;
-        remembered += weight * 2 * F->f(t, NULL) / sqrt(M_PI);
+        half_integral += weight * 2 * F->f(t, NULL) / sqrt(M_PI);
     }
     gsl_integration_glfixed_table_free(rule);
     ck_assert_near(sums[0], sums[1], 5e-13, "Riemann-Liouville: no end terms");
-    ck_assert_near(sums[2], sums[1] - G->f(0, NULL) * remembered, 5e-13,
+    ck_assert_near(sums[2], sums[1] - G->f(0, NULL) * half_integral, 5e-13,
                    "Caputo: G(0) I F(0) is left over");
 }
 END_TEST

@@ -177,7 +177,7 @@ END_TEST
 
 /* Two masses that do not feel each other, one damped: each does what it does alone, where
  * a step has a shorter way, bit for bit, and the undamped one does not feel alpha. */
-START_TEST(eq_9_4_only_damped_coordinates_remember)
+START_TEST(eq_9_4_only_damped_coordinates_have_a_history)
 {
     const double mass[] = { 1, 2 }, rho[] = { 0.5, 0 }, x0[] = { 1, -0.5 },
                  p0[] = { 0.2, 0.7 }, slope[] = { 0.1, 0.3 }, c = 1;
@@ -328,7 +328,7 @@ int main(void)
     ADD_CASE(suite, "identities", eq_9_4_momentum_form_equals_the_three_terms,
              eq_9_3_kappa_and_1_minus_kappa_differ_beyond_quadratic_potentials,
              eq_9_4_without_damping_it_is_algorithm_1,
-             eq_9_4_only_damped_coordinates_remember,
+             eq_9_4_only_damped_coordinates_have_a_history,
              eq_9_3_the_modes_of_a_chain_decouple, eq_9_5_the_kick,
              eq_9_6_caputo_knows_no_origin);
     return run_suite(suite);

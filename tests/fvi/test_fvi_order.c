@@ -288,7 +288,7 @@ END_TEST
 START_TEST(eq_9_5_the_kick_drives_a_run_away)
 {
     enum { MOST = 3750 };
-    static double x[MOST + 1], p[MOST + 1], calm[MOST + 1], answer[MOST + 1];
+    static double x[MOST + 1], p[MOST + 1], undisturbed[MOST + 1], answer[MOST + 1];
     double last = 0;
     for (size_t N = 30; N <= MOST; N *= 5) {
         setup a = { 0.9,
@@ -306,7 +306,7 @@ START_TEST(eq_9_5_the_kick_drives_a_run_away)
         const double kick = a.p0 - without_kick(&a);
         solve(&fvi_fractional, &a, x, p);
         a.p0 -= kick;
-        solve(&fvi_fractional, &a, calm, NULL);
+        solve(&fvi_fractional, &a, undisturbed, NULL);
         a.x0 = 0;
         a.p0 = 1;
         solve(&fvi_fractional, &a, answer, NULL);
@@ -314,13 +314,13 @@ START_TEST(eq_9_5_the_kick_drives_a_run_away)
                      G = larger(1, farthest(N + 1, answer, NULL));
         const double step = 20 * (P + X) + 4 * ((double)N + 3) * kick * a.h * P;
         for (size_t k = 0; k <= N; k++)
-            ck_assert_near(x[k], calm[k] + kick * answer[k],
+            ck_assert_near(x[k], undisturbed[k] + kick * answer[k],
                            3 * (double)N * U * G * step, "N = %zu, k = %zu", N,
                            k);
         ck_assert_double_gt(X, 1.5 * last);
         last = X;
         seen(X, "largest x, h = %g", a.h);
-        seen(farthest(N + 1, calm, NULL), "without the kick, h = %g", a.h);
+        seen(farthest(N + 1, undisturbed, NULL), "without the kick, h = %g", a.h);
     }
 }
 END_TEST

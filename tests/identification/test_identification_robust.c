@@ -20,15 +20,15 @@ START_TEST(eq_24_19_the_loss_is_hubers)
     for (size_t i = 0; i < LEN(r); i++)
         q.x[i] = 1 - r[i];
     ck_assert(fvi_estimate_multistart(&q.fit, NULL, &f) == FVI_SUCCESS);
-    double sum = 0, within = 0, squares = 0, pull = 0;
+    double sum = 0, within = 0, squares = 0, total_influence = 0;
     for (size_t i = 0; i < LEN(r); i++) {
         const double each = r[i] + f.estimate[0], size = fabs(each);
         sum += size <= k ? each * each : 2 * k * size - k * k;
         within += size <= k;
         squares += size <= k ? each * each : k * k;
-        pull += size <= k ? each : copysign(k, each);
+        total_influence += size <= k ? each : copysign(k, each);
     }
-    ck_assert_double_lt(fabs(pull), 1e-6); /* nothing pulls at the least */
+    ck_assert_double_lt(fabs(total_influence), 1e-6); /* nothing pulls at the least */
     const double A = within / LEN(r), B = squares / (LEN(r) - 1);
     ck_assert_double_lt(fabs(f.chi2 / (sum * A / B) - 1), 1e-9);
     ck_assert_double_lt(fabs(f.sd[0] / (sqrt(B / LEN(r)) / A) - 1), 1e-9);

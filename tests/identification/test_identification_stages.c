@@ -34,10 +34,10 @@ static int last_p(size_t k, size_t d, const double *x, const double *p,
  * the opposite order, sums up its derivatives in another way, and stands against numbers of
  * 72 digits (H 23). The memory of the slopes is compressed to 1e-10, some 1e-9 of the
  * largest; seen: 2e-11. Where all weights are summed both are right to rounding: 1e-12 of the
- * largest, but for the slopes of p in form M above alpha = 1/2, where the mirrored run begins
+ * largest, but for the slopes of p in form M above alpha = 1/2, where the adjoint run begins
  * with a jump; there 1e-10. Seen: 0.07 of them. At rho = 0 the past has no force, but a
  * derivative by rho. */
-START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
+START_TEST(eq_24_12_the_tangents_are_those_of_the_adjoint_run)
 {
     const fvi_method *const methods[] = { &fvi_lobatto_m2, &fvi_lobatto_m3,
                                           &fvi_lobatto_m4, &fvi_lobatto_m5,
@@ -120,7 +120,7 @@ int main(void)
 {
     Suite *suite = suite_create("slopes through stages");
     ADD_CASE(suite, "slopes",
-             eq_24_12_the_tangents_are_those_of_the_mirrored_run,
+             eq_24_12_the_tangents_are_those_of_the_adjoint_run,
              stages_have_no_tangents_at_the_end);
     return run_suite(suite);
 }

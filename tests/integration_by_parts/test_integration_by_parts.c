@@ -97,7 +97,7 @@ START_TEST(eq_5_5_5_6_5_8_the_table_of_the_chapter)
         { "GN", 1, 1, 0 },    { "F0 G0", 0, 0, 0 },
         { "FN GN", 0, 0, 0 }, { "F0 G0 FN GN, F0.G0 = FN.GN", 1, 0, 0 }
     };
-    size_t met = 0;
+    size_t checked = 0;
     for (size_t i = 0; i < LEN(ref_sums); i++)
         for (size_t j = 0; j < LEN(survives); j++)
             if (ref_sums[i].alpha != 1
@@ -106,9 +106,9 @@ START_TEST(eq_5_5_5_6_5_8_the_table_of_the_chapter)
                 ck_assert((left[0] == 0) == survives[j].first);
                 ck_assert((left[1] == 0) == survives[j].second);
                 ck_assert((left[2] == 0) == survives[j].shifted);
-                met++;
+                checked++;
             }
-    ck_assert_uint_eq(met, 3 * LEN(survives)); /* alpha = 1/4, 1/2, 3/2 */
+    ck_assert_uint_eq(checked, 3 * LEN(survives)); /* alpha = 1/4, 1/2, 3/2 */
 }
 END_TEST
 

@@ -19,7 +19,7 @@ static double b_of(int k, double y[MAX][DIM], int i)
 }
 
 /* r becomes what is missing in the equation for p' if the node k is at q, and J the slopes of -r;
- * past is what the damper remembers of the nodes before. */
+ * past is the sum of the damper over the nodes before. */
 static void residual(int k, const double *q, double past, double *r, double J[DIM][DIM])
 {
     double a = a_of(k) / h, first = rho * pow(h, -2 * alpha) * w[0], e[DIM], start[DIM];

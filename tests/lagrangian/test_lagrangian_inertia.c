@@ -5,7 +5,7 @@
 static const mechanism_text
     quartic = { .name = "v^4", .d = 1, .lagrangian = "v^4/12-x^2/2", .x0 = { 1 }, .v0 = { 1 } };
 
-static int look_along(const mechanism_problem *p, fvi_stepper *s, double *when)
+static int count_warnings(const mechanism_problem *p, fvi_stepper *s, double *when)
 {
     fvi_inertia_watch *watch;
     char text[FVI_WARNING_ROOM] = "";
@@ -37,7 +37,7 @@ START_TEST(where_v_passes_0_the_inertia_of_a_fourth_power_vanishes)
     ck_assert_double_eq_tol(sum, 0.29552, 1e-4);
     for (int i = 0; i < 4; i++) {
         fvi_stepper *s = stepper_at(fvi_method_find(methods[i]), &p, 0.01, 60, 0);
-        ck_assert_int_eq(look_along(&p, s, &when), 1);
+        ck_assert_int_eq(count_warnings(&p, s, &when), 1);
         ck_assert_msg(fabs(when - sum) < 0.01, "%s: %g, not %g", methods[i], when, sum);
         double E;
         OK(fvi_stepper_energy(s, &E));
@@ -48,7 +48,7 @@ START_TEST(where_v_passes_0_the_inertia_of_a_fourth_power_vanishes)
 }
 END_TEST
 
-/* The pole, between two looks; and no word of inertias that only vary, or of coordinates without any. */
+/* The pole, between two checks; and no word of inertias that only vary, or of coordinates without any. */
 START_TEST(the_pole_of_polar_coordinates_is_seen)
 {
     static const struct {
@@ -71,7 +71,7 @@ START_TEST(the_pole_of_polar_coordinates_is_seen)
     double when = NAN;
     open_problem(&cases[_i].text, &p);
     fvi_stepper *s = stepper_at(&fvi_cq2_midpoint, &p, 0.05, 100, 0);
-    ck_assert_msg(look_along(&p, s, &when) == cases[_i].warns, "%s: %g", cases[_i].text.name, when);
+    ck_assert_msg(count_warnings(&p, s, &when) == cases[_i].warns, "%s: %g", cases[_i].text.name, when);
     fvi_stepper_free(s);
     close_problem(&p);
 }

@@ -9,7 +9,7 @@
  * Talbot's rule with 25 digits, at t = 2. The order is 0.6, 0.2 and 0.9. */
 static const struct {
     const char *damper;
-    double let_go[2], pulled[2];
+    double let_go[2], force_driven[2];
 } zeners[] = {
     { "x2 : zener:0.5,0.3,0.4", { -0.593496357528891, -0.446368652039837 }, { 1.42575364028442, 1.11389455377362 } },
     { "x2 : zener:0.5,0.1,0.4", { -0.634676670480243, -0.518268251809475 }, { 1.44009407396411, 1.07169503109282 } },
@@ -20,12 +20,12 @@ static const struct {
  * cos t pulls both from rest. */
 START_TEST(a_zener_element_out_of_balance_jumps)
 {
-    for (int pulled = 0; pulled < 2; pulled++) {
+    for (int force_driven = 0; force_driven < 2; force_driven++) {
         const mechanism_text text = { .name = "zener", .d = 2, .damper = { zeners[_i].damper },
-                                      .lagrangian = pulled ? "v1^2/2-x1^2/2-(x2-x1)^2+cos(t)*(x1+x2)"
+                                      .lagrangian = force_driven ? "v1^2/2-x1^2/2-(x2-x1)^2+cos(t)*(x1+x2)"
                                                            : "v1^2/2-x1^2/2-(x2-x1)^2",
-                                      .x0 = { !pulled, 0 } };
-        const double *want = pulled ? zeners[_i].pulled : zeners[_i].let_go;
+                                      .x0 = { !force_driven, 0 } };
+        const double *want = force_driven ? zeners[_i].force_driven : zeners[_i].let_go;
         mechanism_problem p;
         open_problem(&text, &p);
         fvi_run run = run_of(&p, 2, 1);

@@ -67,7 +67,7 @@ END_TEST
 /* Three masses that do not feel each other, two of them equal, one of the two undamped, or
  * two with equal damping, Duffing: each as it is alone. Newton's method stops for all at
  * once: rounding. Seen: 0.002 of the bound. */
-START_TEST(eq_17_8_only_damped_coordinates_remember)
+START_TEST(eq_17_8_only_damped_coordinates_have_a_history)
 {
     const double cg[] = { 1, 1 }, mass[] = { 1, 1, 0.5 },
                  rhos[][3] = { { 0.3, 0, 1 }, { 0, 1, 1 } },
@@ -126,7 +126,7 @@ int main(void)
 {
     Suite *suite = suite_create("lobatto_coordinates");
     ADD_CASE(suite, "identities", eq_17_8_a_chain_is_its_modes,
-             eq_17_8_only_damped_coordinates_remember,
+             eq_17_8_only_damped_coordinates_have_a_history,
              eq_17_8_newton_finds_what_one_factorisation_finds);
     return run_suite(suite);
 }

@@ -200,7 +200,7 @@ START_TEST(eq_17_13_orders_of_form_m_with_many_stages)
 }
 END_TEST
 
-/* A pull that is known beforehand is not smooth at t = 0, and acts by its exact impulses:
+/* A force that is known beforehand is not smooth at t = 0, and acts by its exact impulses:
  * form D has no more than form M then, s + 2 - 2 alpha for a body that was held,
  * alpha > 1/2, and s + 1 - 2 alpha for Riemann-Liouville, alpha < 1/2. From t = 1 on, three
  * and four stages; not a bound: a fit. Seen: 0.3 above to 0.05 below. */

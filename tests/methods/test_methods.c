@@ -114,7 +114,7 @@ END_TEST
 
 /* The kinds that a method has give the same rows, but for 1e-13 of D^{2 alpha} x, which
  * is below 2: over the time 5 that is 5^2/2 rho 2e-13 < 2e-12. The others are refused.
- * What remembers nothing does not look. Seen: 2e-4 of that. */
+ * A method without a history does not look. Seen: 2e-4 of that. */
 START_TEST(a_memory_is_used_or_refused)
 {
     const fvi_system system = spring();

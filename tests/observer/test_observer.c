@@ -175,7 +175,7 @@ END_TEST
 START_TEST(the_force_at_the_start_is_its_limit)
 {
     const fvi_system system = duffing();
-    const double v0 = p0 / mass, pull = cg[0] * x0 + cg[1] * x0 * x0 * x0;
+    const double v0 = p0 / mass, spring_force = cg[0] * x0 + cg[1] * x0 * x0 * x0;
     static const char *const methods[] = { "fvi", "fvi-bdf2", "fvi-lobatto4",
                                            "fvi-lobatto3d", "fvi-adaptive" };
     for (size_t i = 0; i < LEN(methods); i++)
@@ -186,14 +186,14 @@ START_TEST(the_force_at_the_start_is_its_limit)
             const fvi_observation now = read_at(w, 0);
             const double force = now.force[0];
             ck_assert_int_eq(now.is_mean, n > 5 && n < 10);
-            ck_assert_near(now.a[0], (0.25 - pull - force) / mass, 8 * U * 2,
+            ck_assert_near(now.a[0], (0.25 - spring_force - force) / mass, 8 * U * 2,
                            "%s %d", methods[i], n);
             if (n < 5)
                 ck_assert(force == 0);
             if (n == 5)
                 ck_assert_near(force, rho * v0, 2 * U, "%s", methods[i]);
             if (n == 10)
-                ck_assert_near(force, rho * (0.25 - pull) / (mass + rho),
+                ck_assert_near(force, rho * (0.25 - spring_force) / (mass + rho),
                                8 * U, "%s", methods[i]);
             go_to(w, 1);
             while (w.s->t < 0.1)

@@ -21,10 +21,10 @@ START_TEST(eq_19_5_impulses_are_the_integrals)
     for (size_t i = 0; i < LEN(ref_impulses); i++) {
         const double alpha = ref_impulses[i].alpha;
         const size_t n = ref_impulses[i].n, k = ref_impulses[i].k;
-        fvi_kernel_impulse pull;
+        fvi_kernel_impulse table;
         double b[FVI_KERNEL_IMPULSE_NODES], sum = 0;
-        fvi_kernel_impulse_prepare(alpha, n, ref_nodes[n - 2].c, &pull);
-        fvi_kernel_impulses(&pull, k, b);
+        fvi_kernel_impulse_prepare(alpha, n, ref_nodes[n - 2].c, &table);
+        fvi_kernel_impulses(&table, k, b);
         for (size_t j = 0; j < n; j++)
             sum += fabs(ref_impulses[i].b[j]);
         for (size_t j = 0; j < n; j++)
@@ -49,10 +49,10 @@ START_TEST(eq_19_5_they_are_exact_on_polynomials)
     for (size_t i = 0; i < LEN(alphas); i++)
         for (size_t n = 2; n <= FVI_KERNEL_IMPULSE_NODES; n++)
             for (size_t q = 0; q < n; q++) {
-                fvi_kernel_impulse pull;
+                fvi_kernel_impulse table;
                 double b[FVI_KERNEL_IMPULSE_NODES], sum = 0, all = 0;
-                fvi_kernel_impulse_prepare(alphas[i], n, ref_nodes[n - 2].c, &pull);
-                fvi_kernel_impulses(&pull, 0, b);
+                fvi_kernel_impulse_prepare(alphas[i], n, ref_nodes[n - 2].c, &table);
+                fvi_kernel_impulses(&table, 0, b);
                 for (size_t j = 0; j < n; j++) {
                     sum +=
                         b[j] * gsl_pow_uint(ref_nodes[n - 2].c[j], (unsigned)q);
@@ -191,17 +191,17 @@ END_TEST
 START_TEST(eq_19_7_a_velocity_jumps_at_alpha_1)
 {
     const problem q = { FVI_INITIAL_HISTORY_HELD, 1, 0.2, 1, 0.5, { 1, 0 } };
-    const double heavy = 1.2, w = sqrt(1 / heavy), zero = 0;
+    const double total_mass = 1.2, w = sqrt(1 / total_mass), zero = 0;
     const fvi_system system = { .d = 1,
-                                .mass = &heavy,
+                                .mass = &total_mass,
                                 .damping = &zero,
                                 .potential = fvi_potential_harmonic(q.cg) };
     for (double t = 1e-6; t < 20; t *= 3) {
         double X, V;
         exact(&q, 1, &t, &X, &V);
-        ck_assert_near(X, cos(w * t) + q.p0 / heavy / w * sin(w * t), 1e-13,
+        ck_assert_near(X, cos(w * t) + q.p0 / total_mass / w * sin(w * t), 1e-13,
                        "x, t = %g", t);
-        ck_assert_near(V, q.p0 / heavy * cos(w * t) - w * sin(w * t),
+        ck_assert_near(V, q.p0 / total_mass * cos(w * t) - w * sin(w * t),
                        4e-14 * (1.2 + 1.2 / t), "x', t = %g", t);
     }
     for (size_t s = 2; s <= 4; s++) {
@@ -213,7 +213,7 @@ START_TEST(eq_19_7_a_velocity_jumps_at_alpha_1)
         solve(method, &q, 0.05, N, x, p);
         for (size_t k = 1; k <= N; k++) {
             ck_assert_near(x[k], other_x[k], bound, "x, s=%zu k=%zu", s, k);
-            ck_assert_near(p[k], other_p[k] / heavy, bound, "p, s=%zu k=%zu", s,
+            ck_assert_near(p[k], other_p[k] / total_mass, bound, "p, s=%zu k=%zu", s,
                            k);
         }
     }

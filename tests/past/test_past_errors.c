@@ -113,11 +113,11 @@ START_TEST(orders_at_a_pole_of_psi_have_no_rates)
     const double e[] = { -2, -3, NAN };
     for (size_t i = 0; i < LEN(e); i++)
         for (size_t k = 0; k < 2; k++) {
-            fvi_kernel_impulse pull;
+            fvi_kernel_impulse table;
             double rate[2];
-            fvi_kernel_impulse_prepare(0.8, LEN(nodes), nodes, &pull);
-            pull.e = e[i];
-            fvi_kernel_impulses_by_order(&pull, k, rate);
+            fvi_kernel_impulse_prepare(0.8, LEN(nodes), nodes, &table);
+            table.e = e[i];
+            fvi_kernel_impulses_by_order(&table, k, rate);
             ck_assert(isnan(rate[0]));
         }
 }

@@ -335,7 +335,7 @@ END_TEST
 
 /* There, with U = x^4, on [1/2, 1]: where alpha = 0.4, a linear force leaves 4.2, and
  * this one less and less. Seen: 3.65, 3.54, 3.48. */
-START_TEST(eq_19_9_a_nonlinear_force_feels_the_past)
+START_TEST(eq_19_9_a_nonlinear_force_depends_on_the_past)
 {
     const problem q = { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.4, 1, 1, 1.5, { 0, 4 } };
     errors e[METHODS][2];
@@ -358,6 +358,6 @@ int main(void)
     ADD_CASE(suite, "order", eq_19_9_orders_at_fixed_times,
              eq_19_9_orders_over_all_nodes, eq_19_9_orders_of_the_first_steps,
              eq_19_9_corrected_momenta, eq_19_9_orders_of_a_duffing_oscillator,
-             eq_19_9_a_nonlinear_force_feels_the_past);
+             eq_19_9_a_nonlinear_force_depends_on_the_past);
     return run_suite(suite);
 }

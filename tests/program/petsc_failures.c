@@ -16,7 +16,7 @@ static int make_once(const fvi_matrices *m, const share *s)
     void *factors;
     const int status = m->factorise_dampers((size_t)s->rows, 1, c, 1, m->params, &factors);
     if (!status)
-        m->forget(factors);
+        m->free_factors(factors);
     return status;
 }
 

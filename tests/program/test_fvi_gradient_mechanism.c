@@ -212,7 +212,7 @@ START_TEST(a_place_that_would_stretch_a_damper_of_the_past_rl_has_no_row)
 }
 END_TEST
 
-/* A sum of powers of the past rl is stretched at once, and each of them pulls, as so many dampers would. To
+/* A sum of powers of the past rl is stretched at once, and each of them has a force, as so many dampers would. To
  * rounding of 20 steps; seen: 3e-15. */
 START_TEST(several_powers_of_the_past_rl_are_as_many_dampers)
 {

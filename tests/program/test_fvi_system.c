@@ -259,7 +259,7 @@ END_TEST
 
 /* (19.2): the damper is between the first and the last mass, and they start alike. Then
  * the body was held; C 0.3 times the difference of two starts is no number to be put to. */
-START_TEST(a_start_that_no_damper_feels_has_a_solution)
+START_TEST(a_start_that_stretches_no_damper_has_a_solution)
 {
     static char held[1 << 16], put[1 << 16];
     char line[300];
@@ -342,7 +342,7 @@ int main(void)
              a_system_goes_on_from_a_checkpoint_with_the_same_digits,
              eq_18_2_a_system_is_run_to_a_wanted_error,
              an_unstable_step_is_told_of_a_system_too,
-             a_start_that_no_damper_feels_has_a_solution,
+             a_start_that_stretches_no_damper_has_a_solution,
              a_solver_is_opened_when_it_is_needed);
     return run_suite_of_program(suite);
 }

@@ -170,7 +170,7 @@ def test_the_program_has_the_same_gradient():
 
 
 def rows_of(s, name):
-    """The derivatives of every x by mirrored runs, one for each."""
+    """The derivatives of every x by adjoint runs, one for each."""
     found = []
     for one in np.eye(s.x.size):
         g = fvi.vjp(s, x=one.reshape(s.x.shape), wrt=[name])[name]
@@ -184,7 +184,7 @@ M, K = np.array([[2.0, 0.5], [0.5, 1.0]]), np.array([[20.0, -10], [-10, 10]])
 
 @pytest.mark.parametrize("method", ["fvi", "fvi-shifted", "fvi-bdf2", "fvi-stable", "fvi-lobatto3", "fvi-lobatto4d"])
 def test_the_jacobian_goes_beside_the_run(method):
-    """Of chains with a law, and of structures, as mirrored runs have it: to rounding of some 100 steps. Seen: 3e-14."""
+    """Of chains with a law, and of structures, as adjoint runs have it: to rounding of some 100 steps. Seen: 3e-14."""
     options = dict(h=0.1, method=method)
     problems = [(TWO, ["x0", "p0", "mass", "rho", "alpha", "let"])]
     if method != "fvi-shifted":

@@ -51,7 +51,7 @@ static void random_system(uint64_t *seed, int above, linear_system *s)
     point_into(s);
 }
 
-static void look_at(linear_system *s, int i)
+static void check_poles(linear_system *s, int i)
 {
     const fvi_linear_motion motion = { .system = &s->system };
     fvi_response *r = response_of(&motion);
@@ -77,7 +77,7 @@ START_TEST(eq_30_7_there_are_as_many_poles_as_unknowns)
     for (int i = 0; i < 300; i++) { /* of a larger search: 5000 of 5000 */
         linear_system s;
         random_system(&seed, i % 3 == 2, &s);
-        look_at(&s, i);
+        check_poles(&s, i);
     }
 }
 END_TEST

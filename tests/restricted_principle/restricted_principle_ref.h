@@ -185,7 +185,7 @@ static const struct { double alpha, C, R, t, want; } ref_series[] = {
 };
 
 /* dx^dx', dx^dy', dx^dy, dx'^dy, dx'^dy': 1 1 0 0 0 if the form were preserved */
-static const double ref_pulled[] = {
+static const double ref_pullback[] = {
     0x1.a330ad6166159p-1,
     0x1.94e4a84f60fe9p-2,
     -0x1.0f65d3860a21ap-1,

@@ -270,7 +270,7 @@ END_TEST
  * matrix of this size, and a squaring doubles the relative error and adds 4 u:
  * 2^7 * 8 u for an entry. An entry of F^T J F is made of two of them twice:
  * 8 times that. Seen: 154 u. */
-static void pull_back(double J[16], double pulled[16])
+static void find_pullback(double J[16], double pullback[16])
 {
     double A[16] = { 0, 1, 0, 0, -1, -0.2, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0.2 };
     double F[16], JF[16];
@@ -278,7 +278,7 @@ static void pull_back(double J[16], double pulled[16])
     gsl_matrix_view f = gsl_matrix_view_array(F, 4, 4);
     gsl_matrix_view j = gsl_matrix_view_array(J, 4, 4);
     gsl_matrix_view jf = gsl_matrix_view_array(JF, 4, 4);
-    gsl_matrix_view out = gsl_matrix_view_array(pulled, 4, 4);
+    gsl_matrix_view out = gsl_matrix_view_array(pullback, 4, 4);
     gsl_linalg_exponential_ss(&a.matrix, &f.matrix, GSL_PREC_DOUBLE);
     gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1, &j.matrix, &f.matrix, 0,
                    &jf.matrix);
@@ -293,9 +293,9 @@ START_TEST(eq_3_18_the_printed_two_form_is_not_preserved)
     const size_t place[] = { 1, 3, 2, 6, 7 };
     const char *const name[] = { "dx dx'", "dx dy'", "dx dy", "dx' dy",
                                  "dx' dy'" };
-    pull_back(printed, got);
+    find_pullback(printed, got);
     for (size_t i = 0; i < LEN(place); i++) {
-        ck_assert_near(got[place[i]], ref_pulled[i], 8192 * U, "entry %zu", i);
+        ck_assert_near(got[place[i]], ref_pullback[i], 8192 * U, "entry %zu", i);
         seen(got[place[i]], "%s", name[i]);
     }
     ck_assert(fabs(got[1] - printed[1]) > 0.18);
@@ -309,7 +309,7 @@ START_TEST(eq_3_19_the_form_of_bateman_is_preserved)
         [3] = 1, [12] = -1, [9] = 1, [6] = -1, [2] = -0.2, [8] = 0.2
     };
     double got[16];
-    pull_back(J, got);
+    find_pullback(J, got);
     for (size_t i = 0; i < 16; i++)
         ck_assert_near(got[i], J[i], 8192 * U, "entry %zu", i);
 }

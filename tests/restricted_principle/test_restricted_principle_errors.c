@@ -30,7 +30,7 @@ START_TEST(a_bad_pair_of_curves_is_refused)
                      .mass = &m,
                      .damping = &rho,
                      .potential = fvi_potential_harmonic(&c) };
-    fvi_system flat = s, heavy = s;
+    fvi_system flat = s, negative_mass = s;
     const double pair[] = { 1, 1 }, minus = -1;
     const double bad_exponent[] = { -1, 0.5, 151, GSL_NAN };
     const double bad_alpha[] = { -0.1, 1, GSL_NAN },
@@ -41,10 +41,10 @@ START_TEST(a_bad_pair_of_curves_is_refused)
     const fvi_powers infinite = { 1, e1, &huge };
     flat.d = 2;
     flat.mass = flat.damping = pair;
-    heavy.mass = &minus;
+    negative_mass.mass = &minus;
     ck_assert_refused(FVI_EFAULT, NULL, 0.5, 1, &good, &good, &none);
     ck_assert_refused(FVI_EINVAL, &flat, 0.5, 1, &good, &good, &none);
-    ck_assert_refused(FVI_EDOM, &heavy, 0.5, 1, &good, &good, &none);
+    ck_assert_refused(FVI_EDOM, &negative_mass, 0.5, 1, &good, &good, &none);
     ck_assert_refused(FVI_EFAULT, &s, 0.5, 1, NULL, &good, &none);
     ck_assert_refused(FVI_EFAULT, &s, 0.5, 1, &good, NULL, &none);
     ck_assert_refused(FVI_EFAULT, &s, 0.5, 1, &good, &good, NULL);

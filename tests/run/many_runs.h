@@ -41,7 +41,7 @@ typedef struct {
 /* ARITHMETIC and LINEAR_ALGEBRA: h is a power of two and alpha a multiple of 1/8, so
  * that pow(h, 1 - 2 alpha) is one too and any pow finds it (but alpha = 3/8, 5/8, 7/8
  * are not asked for); that of BDF2 is far from where rounding turns for multiples of
- * 1/4; the weights of the stages need no function for 0, 1/2 and 1. The pull of (19.3)
+ * 1/4; the weights of the stages need no function for 0, 1/2 and 1. The force of (19.3)
  * needs gamma and pow, the exponentials exp, Fourier's transform sin and cos. */
 static int many_needs(const fvi_run *run, const fvi_method *method,
                       int potential, int force)
@@ -50,12 +50,12 @@ static int many_needs(const fvi_run *run, const fvi_method *method,
                          : method == &fvi_cq_bdf2 ? 4
                                                 : 8,
                  part = run->alpha * parts;
-    const int pull = (run->past == FVI_INITIAL_HISTORY_HELD && run->alpha > 0.5)
+    const int has_history_force = (run->past == FVI_INITIAL_HISTORY_HELD && run->alpha > 0.5)
                      || (run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
                          && run->alpha != 0.5);
     const int fast = run->memory != FVI_HISTORY_DIRECT && run->alpha > 0
                      && run->alpha != 0.5 && run->alpha < 1;
-    if (pull || fast || potential == 2 || force == 2
+    if (has_history_force || fast || potential == 2 || force == 2
         || part != (double)(int)part)
         return FUNCTIONS;
     return method->stages ? LINEAR_ALGEBRA : ARITHMETIC;

@@ -5,7 +5,7 @@
 
 enum { N = 20 };
 
-/* A spring, or a visitor, that tries everything with `of`, if there is one. */
+/* A spring, or an archive, that tries everything with `of`, if there is one. */
 typedef struct {
     fvi_archive archive; /* the first: a pointer to it is one to this */
     fvi_stepper *of;
@@ -97,17 +97,17 @@ START_TEST(a_callback_cannot_touch_its_stepper)
         meddler m = { .archive = { meddle_and_pass } }, *to = &m;
         const fvi_system system = system_of(&to);
         fvi_run run = fvi_run_default(&system, &one, &half, 0.1, N);
-        fvi_stepper *calm, *s;
-        if (fvi_stepper_start(fvi_methods[n], &run, &calm, NULL))
+        fvi_stepper *undisturbed, *s;
+        if (fvi_stepper_start(fvi_methods[n], &run, &undisturbed, NULL))
             continue;
-        while (calm->t < N * 0.1)
-            ck_assert_int_eq(fvi_stepper_step(calm), 0);
+        while (undisturbed->t < N * 0.1)
+            ck_assert_int_eq(fvi_stepper_step(undisturbed), 0);
         ck_assert_int_eq(fvi_stepper_start(fvi_methods[n], &run, &s, NULL), 0);
         m.of = s;
         while (s->t < N * 0.1)
             ck_assert_int_eq(fvi_stepper_step(s), 0);
         ck_assert_uint_gt(m.asked, 0);
-        ck_assert_msg(s->k == calm->k && *s->x == *calm->x && *s->p == *calm->p
+        ck_assert_msg(s->k == undisturbed->k && *s->x == *undisturbed->x && *s->p == *undisturbed->p
                           && m.refused == m.asked,
                       "%s: %zu of %zu refused", fvi_methods[n]->name, m.refused,
                       m.asked);
@@ -115,11 +115,11 @@ START_TEST(a_callback_cannot_touch_its_stepper)
         ck_assert_int_eq(fvi_stepper_archive(s, &m.archive), 0);
         ck_assert_int_eq(fvi_stepper_reset(s), 0);
         ck_assert_msg(m.asked > 0 && m.refused == m.asked,
-                      "%s: visit and reset", fvi_methods[n]->name);
+                      "%s: archive and reset", fvi_methods[n]->name);
         m.of = NULL;
         ck_assert_int_eq(fvi_stepper_step(s), 0); /* it is its own again */
         ck_assert_int_eq(fvi_stepper_free(s), 0);
-        ck_assert_int_eq(fvi_stepper_free(calm), 0);
+        ck_assert_int_eq(fvi_stepper_free(undisturbed), 0);
         tried++;
     }
     ck_assert_uint_gt(tried, 20);

@@ -84,7 +84,7 @@ START_TEST(eq_22_22_a_search_asks_for_the_wanted_error)
 END_TEST
 
 /* A copy in the step after an impulse goes on with the same digits. */
-START_TEST(eq_22_22_a_copy_remembers_what_has_struck)
+START_TEST(eq_22_22_a_copy_knows_the_impulses_that_have_acted)
 {
     for (double alpha = 0.25; alpha < 1; alpha += 0.5) {
         const fvi_run run = hit_at(1.2837, alpha, 40);
@@ -114,6 +114,6 @@ int main(void)
              eq_22_22_at_its_time_whatever_the_memory,
              eq_22_22_at_the_ends_and_at_a_row,
              eq_22_22_a_search_asks_for_the_wanted_error,
-             eq_22_22_a_copy_remembers_what_has_struck);
+             eq_22_22_a_copy_knows_the_impulses_that_have_acted);
     return run_suite(suite);
 }

@@ -250,8 +250,8 @@ START_TEST(too_many_coupled_masses_and_numbers_too_large_are_refused)
     const double huge = 1e200, large = 1e300;
     system = (fvi_system){ 1,     one, &huge, fvi_potential_harmonic(&large),
                            { 0 }, NULL, NULL };
-    const double heavy = 1e200;
-    system.mass = &heavy;
+    const double huge_mass = 1e200;
+    system.mass = &huge_mass;
     ck_assert_int_eq(fvi_stability_number(&fvi_euler_explicit, &run, &kept),
                      FVI_EOVRFLW);
     ck_assert(kept == 7);

@@ -24,7 +24,7 @@ static inline void run_rows(const fvi_method *method, fvi_run run, size_t rows,
 }
 
 /* (18.2), the order held between 1/4 and the lowest of the method, at once believed:
- * no second order, no look at F. Only x of the caller's rows is compared. */
+ * no second order, no evaluation of F. Only x of the caller's rows is compared. */
 static inline int credulous(const fvi_method *method, const fvi_run *run,
                             double error, size_t most, double *x, double *p,
                             fvi_step_found *found)

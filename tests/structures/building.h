@@ -58,7 +58,7 @@ static inline void build(building *b)
     b->system = fvi_structure_system(b->structure);
 }
 
-static inline void pull_down(building *b)
+static inline void free_building(building *b)
 {
     fvi_structure_free(b->structure);
     fvi_sparse_free(&b->M);

@@ -70,7 +70,7 @@ static inline void drop_small(small *s)
     fvi_sparse_free(&s->K);
 }
 
-static inline int push_and_pull(double t, size_t d, void *params, double *F)
+static inline int force_of_cosines(double t, size_t d, void *params, double *F)
 {
     (void)params;
     for (size_t i = 0; i < d; i++)

@@ -56,7 +56,7 @@ START_TEST(eq_27_14_the_building_by_steps_of_its_own_to_the_tolerance)
         seen(worst / (tolerance + 1e-14), "error of %g", tolerance);
         fvi_stepper_free(s);
     }
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -225,15 +225,15 @@ START_TEST(what_steps_of_any_length_do_not_take_of_matrices)
     ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, &error), FVI_EUNSUP);
     ck_assert_str_eq(error.field, "damper");
     b.term[1].alpha = 0.6875;
-    fvi_matrices bare = *b.system.matrices;
-    bare.solve_complex = NULL;
+    fvi_matrices incomplete = *b.system.matrices;
+    incomplete.solve_complex = NULL;
     fvi_system system = b.system;
-    system.matrices = &bare;
+    system.matrices = &incomplete;
     run.system = &system;
     ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, &error), FVI_EUNSUP);
     ck_assert_str_eq(error.field, "matrices");
     ck_assert(!s);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 

@@ -43,7 +43,7 @@ static double lowest_mode(const matrices *m, double *v)
     fvi_sparse_multiply(&m->M, v, y);
     for (size_t i = 0; i < d; i++)
         norm += v[i] * y[i];
-    f->forget(factors);
+    f->free_factors(factors);
     free(y);
     return bending_energy((int)d / 2, v) / norm;
 }
@@ -150,7 +150,7 @@ static void bent(const matrices *m, double *x0)
     x0[d_few - 2] = 1;
     OK(f->factorise(d_few, 0, 0, 1, f->params, &factors));
     OK(f->solve(d_few, factors, x0));
-    f->forget(factors);
+    f->free_factors(factors);
 }
 
 /* The tip at t: the sum of its modes, each an oscillator that fvi_exact_at knows. */

@@ -79,7 +79,7 @@ START_TEST(eq_27_11_the_building_to_the_order_of_each_method)
         ck_assert_msg(fine <= (i == 0 ? 2e-2 : 2e-3), "%s: %g", takers[i]->name, fine);
         seen(order, "order of %s", takers[i]->name);
     }
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -158,7 +158,7 @@ START_TEST(eq_27_9_the_longest_step_of_several_dampers)
     fvi_run run = run_of(&b.system, 0.5, 10, 5000, shape, push);
     OK(fvi_stability_number(&fvi_cq2_midpoint, &run, &load));
     ck_assert(load == 0 && is_stable(&fvi_cq2_midpoint, &run));
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -202,7 +202,7 @@ START_TEST(dampers_that_are_none_are_refused_by_their_number)
     }
     fvi_sparse_free(&small);
     fvi_sparse_free(&negative);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -245,7 +245,7 @@ START_TEST(a_run_with_several_dampers_has_no_law_and_no_past_of_its_own)
     ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s, &error), FVI_EINVAL);
     ck_assert_str_eq(error.field, "mechanism");
     ck_assert(!s);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 

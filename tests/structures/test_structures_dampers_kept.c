@@ -53,7 +53,7 @@ START_TEST(a_run_with_several_dampers_is_copied_and_saved)
         fvi_stepper_free(fork);
         fvi_stepper_free(again);
     }
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -134,7 +134,7 @@ START_TEST(eq_27_12_energy_and_work_are_what_they_were)
         fvi_stepper_free(s);
     }
     fvi_sparse_free(&matrix);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 

@@ -68,7 +68,7 @@ START_TEST(eq_27_11_the_forces_of_a_building_by_steps_of_its_own)
         ck_assert_near(now.balance, E0, 1e-9, "balance at %g", now.t);
     }
     end(w);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -87,7 +87,7 @@ START_TEST(the_row_at_the_start_has_forces_or_their_means)
     ck_assert_near(force[0], 5 * push[0], 8 * U, "a dashpot");
     ck_assert_near(force[1], at(w, run.h).impulse[1] / run.h, 1e-12 * fabs(force[1]), "a mean");
     end(w);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -113,7 +113,7 @@ START_TEST(the_first_row_of_every_method_is_right)
             ck_assert_near(now.a[l], ref_building_forces[0].a[l], 7.2e-7, "%s, a %zu", methods[n]->name, l);
         end(w);
     }
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -161,7 +161,7 @@ START_TEST(a_copy_and_a_saved_run_tell_the_same_forces)
     end(copy);
     end(loaded);
     fvi_sparse_free(&C);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 

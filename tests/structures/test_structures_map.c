@@ -51,7 +51,7 @@ START_TEST(eq_27_14_the_map_of_a_step_is_the_step)
         small of;
         make_small(&seed, s, &of);
         if (i % 3 == 0)
-            of.system.force = (fvi_force){ .value = push_and_pull };
+            of.system.force = (fvi_force){ .value = force_of_cosines };
         fvi_run run = run_of(&of.system, 0.5, 0.02 + 0.1 * draw(&seed), STEPS, of.x0, of.p0);
         worst = larger(worst, without_map(&run, stages[s - 2], of.dampers));
         drop_small(&of);
@@ -137,7 +137,7 @@ static int is_pushed;
 
 static int push_or_not(double t, size_t d, void *params, double *F)
 {
-    push_and_pull(t, d, params, F);
+    force_of_cosines(t, d, params, F);
     for (size_t i = 0; i < d && !is_pushed; i++)
         F[i] = 0;
     return 0;
@@ -153,7 +153,7 @@ START_TEST(a_force_may_come_and_go)
         build(&b);
         fvi_system always = b.system;
         always.force.value = push_or_not;
-        b.system.force.value = comes ? NULL : push_and_pull;
+        b.system.force.value = comes ? NULL : force_of_cosines;
         const fvi_run run = run_of(&b.system, 0.5, 0.1, STEPS, shape, push),
                       same = run_of(&always, 0.5, 0.1, STEPS, shape, push);
         fvi_stepper *fast, *plain;
@@ -163,7 +163,7 @@ START_TEST(a_force_may_come_and_go)
         fvi_lobatto_matrices_of(plain)->map.columns = 0;
         while (fast->k < STEPS) {
             is_pushed = comes == (fast->k >= STEPS / 2);
-            b.system.force.value = is_pushed ? push_and_pull : NULL;
+            b.system.force.value = is_pushed ? force_of_cosines : NULL;
             OK(fvi_stepper_step(fast));
             OK(fvi_stepper_step(plain));
             worst = larger(worst, larger(apart(D, fast->x, plain->x), apart(D, fast->p, plain->p)));
@@ -172,7 +172,7 @@ START_TEST(a_force_may_come_and_go)
         worst = larger(worst, apart(with->s * D, with->V, fvi_lobatto_matrices_of(plain)->V));
         fvi_stepper_free(fast);
         fvi_stepper_free(plain);
-        pull_down(&b);
+        free_building(&b);
     }
     ck_assert_msg(worst > 0 && worst <= 4e-13, "%g", worst);
     seen_worst(worst, "force");
@@ -210,7 +210,7 @@ START_TEST(a_map_goes_with_a_copy_and_an_archive)
     fvi_stepper_free(s);
     fvi_stepper_free(copy);
     fvi_stepper_free(restored);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -231,7 +231,7 @@ START_TEST(a_map_is_made_where_it_pays)
         fvi_stepper_free(s);
     }
     drop(&wide);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 

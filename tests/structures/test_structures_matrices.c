@@ -1,4 +1,4 @@
-/* tests/structures/test_structures_matrices.c -- Matrices: factors, what the damping remembers.
+/* tests/structures/test_structures_matrices.c -- Matrices: factors, the history of the damping.
  * Run alone: make test-structures_matrices */
 #define _GNU_SOURCE /* RTLD_DEFAULT */
 #include "structures_runs.h"
@@ -170,7 +170,7 @@ START_TEST(the_way_of_a_sum_is_not_that_of_entries_that_cancel)
 }
 END_TEST
 
-/* ---- what the damping remembers ---- */
+/* ---- the history of the damping ---- */
 
 /* A matrix from its lower triangle, row by row. */
 static void dense(int n, const double *lower, fvi_sparse *A)
@@ -194,41 +194,41 @@ static void ck_assert_stages(const fvi_matrices *f, size_t d)
     enum { STAGES = 8, MOST = 9 };
     double z[STAGES * MOST], together[STAGES * MOST], alone[STAGES * MOST];
     for (size_t s = 1; s <= STAGES; s++) {
-        for (size_t i = 0; i < s * f->remembered; i++)
+        for (size_t i = 0; i < s * f->history_size; i++)
             z[i] = sin((double)(7 * i + 1));
         for (size_t i = 0; i < s * d; i++)
             together[i] = alone[i] = cos((double)i);
-        OK(f->damp_stages(d, s, 3, z, f->params, together));
+        OK(f->apply_damping_to_stages(d, s, 3, z, f->params, together));
         for (size_t i = 0; i < s; i++)
-            OK(f->damp(d, 3, z + i * f->remembered, f->params, alone + i * d));
+            OK(f->apply_damping(d, 3, z + i * f->history_size, f->params, alone + i * d));
         ck_assert_mem_eq(together, alone, s * d * sizeof *alone);
     }
 }
 
 /* S B^T x by the callbacks, against C x. */
-static void ck_assert_damps(const matrices *m, size_t remembered)
+static void ck_assert_damps(const matrices *m, size_t history_size)
 {
     const fvi_matrices *f = m->system.matrices;
     const size_t d = m->C.n;
     double x[9], zero[9] = { 0 }, z[9], p[9] = { 0 }, y[9];
-    ck_assert_uint_eq(f->remembered, remembered);
+    ck_assert_uint_eq(f->history_size, history_size);
     for (size_t i = 0; i < d; i++)
         x[i] = cos(3.0 * (double)i);
     fvi_sparse_multiply(&m->C, x, y);
-    if (remembered > 0) {
-        OK(f->remember(d, x, zero, f->params, z));
-        OK(f->damp(d, 2, z, f->params, p));
+    if (history_size > 0) {
+        OK(f->select_history(d, x, zero, f->params, z));
+        OK(f->apply_damping(d, 2, z, f->params, p));
         ck_assert_stages(f, d);
     }
     for (size_t i = 0; i < d; i++)
-        ck_assert_near(p[i], -2 * y[i], 100 * U, "%zu of %zu", i, remembered);
+        ck_assert_near(p[i], -2 * y[i], 100 * U, "%zu of %zu", i, history_size);
 }
 
-START_TEST(eq_27_4_only_what_the_damping_touches_is_remembered)
+START_TEST(eq_27_4_only_damped_unknowns_have_a_history)
 {
     static const struct {
         double C[15];
-        size_t remembered;
+        size_t history_size;
     } cases[] = {
         { { 0 }, 0 },
         /* two unknowns, rank 2 */
@@ -248,7 +248,7 @@ START_TEST(eq_27_4_only_what_the_damping_touches_is_remembered)
         tridiagonal(5, 2, -1, &m.K);
         dense(5, cases[i].C, &m.C);
         make(&m);
-        ck_assert_damps(&m, cases[i].remembered);
+        ck_assert_damps(&m, cases[i].history_size);
         drop(&m);
     }
 }
@@ -298,7 +298,7 @@ START_TEST(bad_matrices_are_refused_by_name)
 END_TEST
 
 /* More unknowns than are taken apart densely: 600. */
-START_TEST(a_large_damping_is_looked_at_too)
+START_TEST(a_large_damping_is_checked_too)
 {
     enum { n = 600 };
     static const double sides[] = { -1, -1.02 };
@@ -330,7 +330,7 @@ int main(void)
              an_indefinite_matrix_has_no_factors, the_way_is_chosen_by_the_band,
              the_way_of_a_sum_is_not_that_of_entries_that_cancel);
     ADD_CASE(
-        suite, "damping", eq_27_4_only_what_the_damping_touches_is_remembered,
-        bad_matrices_are_refused_by_name, a_large_damping_is_looked_at_too);
+        suite, "damping", eq_27_4_only_damped_unknowns_have_a_history,
+        bad_matrices_are_refused_by_name, a_large_damping_is_checked_too);
     return run_suite(suite);
 }

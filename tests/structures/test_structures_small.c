@@ -25,8 +25,8 @@ static void read_matrices(const fvi_matrices *m, size_t d, equation *e)
             e->K[p][q] = column[p];
         for (size_t j = 0; j < m->damper_count; j++) {
             memset(column, 0, sizeof column);
-            OK(m->damper[j].remember(d, unit, none, m->damper[j].params, &z));
-            OK(m->damper[j].damp(d, -1, &z, m->damper[j].params, column));
+            OK(m->damper[j].select_history(d, unit, none, m->damper[j].params, &z));
+            OK(m->damper[j].apply_damping(d, -1, &z, m->damper[j].params, column));
             for (size_t p = 0; p < d; p++)
                 e->C[j][p][q] = column[p];
         }
@@ -113,7 +113,7 @@ START_TEST(eq_27_14_pairs_and_one_matrix_beside_an_exact_elimination)
         const size_t s = 2 + (size_t)run % 7;
         small of;
         make_small(&seed, s, &of);
-        const double *each[3] = { W[0], W[1], NULL }; /* the third damper remembers nothing */
+        const double *each[3] = { W[0], W[1], NULL }; /* the third damper has no history */
         for (size_t j = 0; j < 2; j++)
             OK(fvi_lobatto_weights(s, 2 * draw(&seed) - 1, 1, W[j]));
         const double h = pow(10, 4 * draw(&seed) - 3);

@@ -100,7 +100,7 @@ START_TEST(eq_27_14_the_building_to_the_order_of_each_method)
     const double least = error_of(&fvi_lobatto_d8, &b, 50);
     ck_assert_msg(least <= 1e-12, "%g", least); /* a round-off of 2e-14 comes with 8 stages */
     seen(least, "fifty steps");
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -188,7 +188,7 @@ START_TEST(eq_27_12_energy_and_work_are_what_they_were_to_high_order)
     fvi_stepper_free(s);
     fvi_stepper_free(copy);
     fvi_structure_free(structure);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 
@@ -228,10 +228,10 @@ START_TEST(what_stages_with_matrices_do_not_take_is_refused)
 {
     building b;
     build(&b);
-    fvi_matrices bare = *b.system.matrices;
-    bare.factorise_complex = NULL;
+    fvi_matrices incomplete = *b.system.matrices;
+    incomplete.factorise_complex = NULL;
     fvi_system system = b.system;
-    system.matrices = &bare;
+    system.matrices = &incomplete;
     fvi_stepper *s = NULL;
     fvi_error error = { 0 };
     fvi_run run = run_of(&system, 0.5, 0.1, N, shape, push);
@@ -244,7 +244,7 @@ START_TEST(what_stages_with_matrices_do_not_take_is_refused)
     run.system = &b.system;
     OK(fvi_adjoint(&fvi_lobatto_d4, &run, NULL, NULL, &J, &start));
     ck_assert_int_eq(fvi_adjoint(&fvi_lobatto_d4, &run, by_x0, by_x0, &J, &start), FVI_EUNSUP);
-    pull_down(&b);
+    free_building(&b);
 }
 END_TEST
 

@@ -55,8 +55,8 @@ static double rounding(const matrices *m, const double *x0)
 {
     const fvi_matrices *f = m->system.matrices;
     double y[D] = { 0 }, z[D], zero[D] = { 0 }, largest = 0, worst = 0;
-    OK(f->remember(D, x0, zero, f->params, z));
-    OK(f->damp(D, -1, z, f->params, y));
+    OK(f->select_history(D, x0, zero, f->params, z));
+    OK(f->apply_damping(D, -1, z, f->params, y));
     for (size_t i = 0; i < D; i++)
         largest = larger(largest, sqrt(m->system.damping[i]) * fabs(x0[i]));
     for (size_t i = 0; i < D; i++)
@@ -89,8 +89,8 @@ static void ck_assert_runs_as_held(const matrices *m, const double *x0,
 }
 
 /* Refused but by the method that runs all, and no step is found by any. */
-static void ck_assert_is_felt(const matrices *m, const double *x0,
-                              const double *p0, double alpha)
+static void ck_assert_start_is_damped(const matrices *m, const double *x0,
+                                      const double *p0, double alpha)
 {
     for (size_t i = 0; i < LEN(takers); i++) {
         fvi_run run = run_of(&m->system, alpha, 0.05, 1, x0, p0);
@@ -107,11 +107,11 @@ static void ck_assert_is_felt(const matrices *m, const double *x0,
     }
 }
 
-/* All start alike, between dampers that remember all, some or few unknowns: nothing is
+/* All start alike, between dampers whose histories have all, some or few unknowns: nothing is
  * felt, and the body was held. One of them starts elsewhere, by 1e-12, or a damper of
  * 1e-12 is on the ground: all is as for masses. Seen: rounding of C x0 up to 4 of the 64,
  * and fvi 7e-13 from held. */
-START_TEST(eq_19_2_dampers_between_bodies_feel_no_common_start)
+START_TEST(eq_19_2_a_common_start_stretches_no_damper_between_bodies)
 {
     for (size_t i = 0; i < LEN(dampers) * 3 * 8; i++) {
         const damper *kind = dampers + i % LEN(dampers);
@@ -133,12 +133,12 @@ START_TEST(eq_19_2_dampers_between_bodies_feel_no_common_start)
             relative(kind, many, apart, grounded ? 1e-12 : 0, &m.C);
             make(&m);
             if (grounded) {
-                ck_assert_is_felt(&m, x0, p0, alpha);
+                ck_assert_start_is_damped(&m, x0, p0, alpha);
             } else {
                 seen_worst(rounding(&m, x0), "rounding over u");
                 ck_assert_runs_as_held(&m, x0, p0, alpha);
                 x0[1] *= 1 + 1e-12;
-                ck_assert_is_felt(&m, x0, p0, alpha);
+                ck_assert_start_is_damped(&m, x0, p0, alpha);
                 x0[1] = at;
             }
             drop(&m);
@@ -147,9 +147,9 @@ START_TEST(eq_19_2_dampers_between_bodies_feel_no_common_start)
 }
 END_TEST
 
-/* Algorithm 3 has its order, not that of a kick, where no damper feels x0 (9.5): a step is
+/* Algorithm 3 has its order, not that of a kick, where no damper acts on x0 (9.5): a step is
  * found at alpha < 1/2, and it is that of a body that was held. */
-START_TEST(eq_9_5_a_start_that_is_not_felt_is_no_kick)
+START_TEST(eq_9_5_a_start_that_stretches_no_damper_is_no_kick)
 {
     fvi_step_found found[2];
     double x0[D], p0[D], x[2 * D], p[2 * D];
@@ -173,8 +173,8 @@ START_TEST(eq_9_5_a_start_that_is_not_felt_is_no_kick)
 }
 END_TEST
 
-static int remember(size_t d, const double *x, const double *from,
-                    const void *params, double *z)
+static int select_history(size_t d, const double *x, const double *from,
+                          const void *params, double *z)
 {
     (void)d, (void)x, (void)from, (void)z;
     return *(const int *)params;
@@ -185,24 +185,24 @@ START_TEST(a_damping_that_cannot_be_asked_says_so)
 {
     const int code = 77;
     const double one = 1;
-    const fvi_matrices few = { .remembered = 1,
-                               .remember = remember,
+    const fvi_matrices few = { .history_size = 1,
+                               .select_history = select_history,
                                .params = &code },
-                       none = { .remember = remember, .params = &code };
+                       none = { .select_history = select_history, .params = &code };
     fvi_system system = {
         .d = 1, .mass = &one, .damping = &one, .matrices = &few
     };
     fvi_run run = run_of(&system, 0.7, 1, 1, &one, &one);
-    int felt;
-    ck_assert_int_eq(fvi_run_start_is_damped(&run, &felt), 77);
+    int is_damped;
+    ck_assert_int_eq(fvi_run_start_is_damped(&run, &is_damped), 77);
     run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
-    ck_assert_int_eq(fvi_run_has_solution(&run, &felt), 77);
+    ck_assert_int_eq(fvi_run_has_solution(&run, &is_damped), 77);
     run.alpha = 0.5; /* all starts have one */
-    OK(fvi_run_has_solution(&run, &felt));
-    ck_assert_int_eq(felt, 1);
+    OK(fvi_run_has_solution(&run, &is_damped));
+    ck_assert_int_eq(is_damped, 1);
     system.matrices = &none;
-    OK(fvi_run_start_is_damped(&run, &felt));
-    ck_assert_int_eq(felt, 0);
+    OK(fvi_run_start_is_damped(&run, &is_damped));
+    ck_assert_int_eq(is_damped, 0);
 }
 END_TEST
 
@@ -279,7 +279,7 @@ static int products;
 static int count_products(size_t d, double a, const double *z, const void *params, double *p)
 {
     products++;
-    return counted.damp(d, a, z, params, p);
+    return counted.apply_damping(d, a, z, params, p);
 }
 
 /* Products with C up to the end of the first step, from the momentum p in all unknowns. */
@@ -293,7 +293,7 @@ static int products_from(const matrices *m, fvi_initial_history past, double alp
         x0[i] = p;
         p0[i] = p;
     }
-    with_count.damp = count_products;
+    with_count.apply_damping = count_products;
     system.matrices = &with_count;
     fvi_run run = run_of(&system, alpha, 0.1, 2, x0, p0);
     run.past = past;
@@ -331,8 +331,8 @@ int main(void)
 {
     Suite *suite = suite_create("structures: starts");
     ADD_CASE(suite, "starts",
-             eq_19_2_dampers_between_bodies_feel_no_common_start,
-             eq_9_5_a_start_that_is_not_felt_is_no_kick,
+             eq_19_2_a_common_start_stretches_no_damper_between_bodies,
+             eq_9_5_a_start_that_stretches_no_damper_is_no_kick,
              a_damping_that_cannot_be_asked_says_so,
              eq_19_2_roundings_stretch_no_damper,
              eq_19_3_bodies_at_rest_take_part_in_as_many_products);

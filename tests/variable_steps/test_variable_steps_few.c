@@ -76,7 +76,7 @@ END_TEST
 
 /* From stage to stage a guess diverges where a spring is stiff, and the motion slow: then the
  * other one is taken, and the steps stay long. Seen: 18; 41 if not. */
-START_TEST(a_stiff_spring_is_not_leapt_over)
+START_TEST(a_stiff_spring_is_not_stepped_over)
 {
     const double stiff[2] = { 1e5, 1e5 }, slow[2] = { 1e5, 0.2 }, zero = 0,
                  rest = 0.6823278; /* where spring and force balance */
@@ -100,7 +100,7 @@ END_TEST
 
 /* From stage to stage a chain that is stiffer than its steps can leap to 10^95, where the
  * square of a spring's stiffness is no double; what is damped stays within its start. */
-START_TEST(a_leap_that_goes_astray_is_no_guess)
+START_TEST(a_leapfrog_that_goes_astray_is_no_guess)
 {
     const double ones[2] = { 1, 1 }, drag[2] = { 8, 8 }, from[2] = { -1, 0.5 },
                  at_rest[2] = { 0, 0 };
@@ -221,7 +221,7 @@ static void run_on_hard_spring(known *k)
 /* From stage to stage a step may leap to where no force is known, or no double: nobody is
  * asked for a force there. A leap may go ten times as far as the motion came, a step may err
  * and a free body goes. Seen: 8.8; without the check infinity. */
-START_TEST(no_leap_asks_for_a_force_far_away)
+START_TEST(no_leapfrog_guess_asks_for_a_force_far_away)
 {
     known k = { .limit = GSL_POSINF };
     run_on_hard_spring(&k);
@@ -231,7 +231,7 @@ END_TEST
 
 /* Where an iteration that began with a leap is refused a force, the step begins again with
  * what is extrapolated, and the run goes on. */
-START_TEST(a_force_that_is_refused_after_a_leap_ends_no_run)
+START_TEST(a_force_that_is_refused_in_a_leapfrog_guess_ends_no_run)
 {
     known k = { .limit = 2 };
     run_on_hard_spring(&k);
@@ -243,9 +243,9 @@ int main(void)
 {
     Suite *suite = suite_create("variable_steps: few digits");
     ADD_CASE(suite, "few", steps_too_long_to_be_solved_are_rare,
-             a_digit_takes_few_steps, a_stiff_spring_is_not_leapt_over,
-             a_leap_that_goes_astray_is_no_guess,
-             a_pendulum_keeps_to_its_valley, no_leap_asks_for_a_force_far_away,
-             a_force_that_is_refused_after_a_leap_ends_no_run);
+             a_digit_takes_few_steps, a_stiff_spring_is_not_stepped_over,
+             a_leapfrog_that_goes_astray_is_no_guess,
+             a_pendulum_keeps_to_its_valley, no_leapfrog_guess_asks_for_a_force_far_away,
+             a_force_that_is_refused_in_a_leapfrog_guess_ends_no_run);
     return run_suite(suite);
 }

@@ -32,7 +32,7 @@ START_TEST(a_copy_goes_on_with_the_same_digits)
         ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
                                            NULL), 0);
         double last = -1;
-        int met = 0;
+        int ended_at_event = 0;
         while (s->t < 1e-3) {
             ck_assert_int_eq(fvi_stepper_step(s), 0);
             ck_assert(s->t > last);
@@ -62,9 +62,9 @@ START_TEST(a_copy_goes_on_with_the_same_digits)
             ck_assert((double)s->k * run.h <= s->t);
             ck_assert(memcmp(s->x, copy->x, D * sizeof *x) == 0
                       && memcmp(s->p, copy->p, D * sizeof *x) == 0);
-            met += s->t == 3.3 || s->t == 1.1;
+            ended_at_event += s->t == 3.3 || s->t == 1.1;
         }
-        ck_assert(met == 2 && s->t == N * run.h);
+        ck_assert(ended_at_event == 2 && s->t == N * run.h);
         ck_assert_int_eq(fvi_stepper_step(s), FVI_EINVAL);
         memcpy(x, s->x, D * sizeof *x);
         const fvi_variable_step_state *o = s->method_state;

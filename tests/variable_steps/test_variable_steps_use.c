@@ -92,15 +92,15 @@ END_TEST
 
 /* A chain of many masses takes one Hessian a step, mostly: 1.3 of them at most, and
  * nothing is done for all stages together. Seen: 1. It is that of the middle stage, not
- * half a step off: the gradients of all stages are looked at 4.25 times at most, in the
+ * half a step off: the gradients of all stages are evaluated 4.25 times at most, in the
  * mean of a run. Seen: 3.9; 4.6 with the Hessian at the beginning of the step. */
 static size_t hessians, gradients;
-static int counted(size_t d, const double *at, void *params, double *H)
+static int counted_hessian(size_t d, const double *at, void *params, double *H)
 {
     hessians++;
     return fvi_potential_chain(params).hessian(d, at, params, H);
 }
-static int looked(size_t d, const double *at, void *params, double *grad)
+static int counted_gradient(size_t d, const double *at, void *params, double *grad)
 {
     gradients++;
     return fvi_potential_chain(params).gradient(d, at, params, grad);
@@ -110,8 +110,8 @@ START_TEST(a_chain_takes_one_hessian_a_step)
     fvi_system system = {
         D, mass, rho, fvi_potential_chain(cg), fvi_force_cosine(cg), NULL, NULL
     };
-    system.potential.hessian = counted;
-    system.potential.gradient = looked;
+    system.potential.hessian = counted_hessian;
+    system.potential.gradient = counted_gradient;
     for (double tolerance = 1e-3; tolerance > 1e-11; tolerance /= 100) {
         fvi_run run = run_of(&system, tolerance);
         fvi_stepper *s;
@@ -124,13 +124,13 @@ START_TEST(a_chain_takes_one_hessian_a_step)
         ck_assert_ptr_null(s->newton);
         const double steps = (double)(counts.steps + counts.rejected),
                      each = (double)hessians / steps,
-                     looks = (double)gradients / steps
+                     gradients_per_step = (double)gradients / steps
                              / (double)((fvi_variable_step_state *)s->method_state)->rule->s;
         fvi_stepper_free(s);
         ck_assert_msg(each <= 1.3, "%g Hessians a step", each);
-        ck_assert_msg(looks <= 4.25, "%g looks a step", looks);
+        ck_assert_msg(gradients_per_step <= 4.25, "%g gradients a step", gradients_per_step);
         seen(each, "Hessians a step");
-        seen(looks, "looks a step");
+        seen(gradients_per_step, "gradients a step");
     }
 }
 END_TEST

@@ -3,7 +3,7 @@
 Proved here:
   (23.2)  P B^T P = B#: generic weights, kappa, Hessians, shift (N = 5); in integers for
           kappa = 1/2, d = 2, full symmetric M, C and G (N = 7), and what breaks it;
-  (23.3)  the mirrored run solves B^T lambda = -J_x (N = 4, all symbols, a quartic U), and
+  (23.3)  the adjoint run solves B^T lambda = -J_x (N = 4, all symbols, a quartic U), and
           (23.6), every derivative of J + lambda . R, three pasts, with (23.7) for the shift;
   (23.8)  both variations of the unrestricted action are the run and its adjoint (N = 4);
   (23.9)  the derivatives of the weights by their order: the recurrence, for symbolic
@@ -120,7 +120,7 @@ runs = [by_momenta(3, take[:4], take[4:7], take[7:11], Fraction(2), Fraction(3, 
                    Fraction(1, 3), Fraction(1), Fraction(value)) for value in (0, 1)]
 claim("(23.27) in fractions", runs[1][0] - runs[0][0] == runs[0][1])
 
-# ---- the mirrored run, and what it gives ----
+# ---- the adjoint run, and what it gives ----
 
 N4 = 4
 x, lam, F = symbols("x0:5"), symbols("lambda0:5"), symbols("F0:5")
@@ -168,7 +168,7 @@ for past, th, en in (("held", 0, 1), ("caputo", 0, 1), ("rl", 0, 1), ("caputo", 
     prove(f"(23.7) sum nu H = sum z N, {past}",
           expand(sum(nu[k] * sum(w4[i] * z[k - i] for i in range(k + 1)) for k in range(1, N4 + 1))
                  - sum(z[j] * n[j] for j in range(N4 + 1))))
-    # the mirrored run (23.4), node by node
+    # the adjoint run (23.4), node by node
     q = Jx[N4] - c * n[N4]
     for j in range(N4, 0, -1):
         by_x = diff(L, x[j]) + Jx[j]

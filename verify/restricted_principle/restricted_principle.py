@@ -367,10 +367,10 @@ for alpha in (Q(0.1), Q(1, 4), Q(1, 2), Q(3, 4), Q(0.9)):
                     real(at), method="talbot", degree=2 * mpmath.mp.dps), 20)])
 table("ref_series", "double alpha, C, R, t, want;", rows)
 
-#> pulled
+#> pullback
 # (3.18) m = c = 1, rho = 1/5, t = 1: the pulled back dx^dx' + dx^dy'.
 values = {m: 1, G: Q(1, 10), omega: sqrt(1 - Q(1, 100)), t: 1}
-array("ref_pulled", [Q(str((F.T * printed * F)[p, q].subs(values).evalf(40)))
+array("ref_pullback", [Q(str((F.T * printed * F)[p, q].subs(values).evalf(40)))
                      for p, q in ((0, 1), (0, 3), (0, 2), (1, 2), (1, 3))],
       "dx^dx', dx^dy', dx^dy, dx'^dy, dx'^dy': 1 1 0 0 0 if the form were preserved")
-#< pulled
+#< pullback

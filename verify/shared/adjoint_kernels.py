@@ -2,7 +2,7 @@
 
 The memory after t1 knows the singular part by (22.20). Its integrals over all modes are sums of
 25 digits, by the double exponential at the lower end; their derivatives by the order are
-differences. Nothing is proved here; adjoint_mesh_pull.py asks."""
+differences. Nothing is proved here; adjoint_mesh_singular.py asks."""
 from functools import cache
 from operator import mul
 

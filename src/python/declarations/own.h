@@ -72,9 +72,9 @@ int is_dense(const fvi_method *method);
 extern "Python" int report_progress(size_t rows, size_t all, void *tell);
 extern "Python" int report_event(const fvi_event_time *at, const double *x, const double *p, void *happened);
 int take_steps(fvi_stepper *s, size_t count, const fvi_watch *watch, size_t *taken);
-int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t rows, const double *t,
-               const double *x, size_t size, char *text);
-extern "Python" int look_up(void);
+int warn_along_rows(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t rows, const double *t,
+                    const double *x, size_t size, char *text);
+extern "Python" int check_signals(void);
 extern "Python" int ask_value(size_t d, const double *x, void *params, double *value);
 extern "Python" int ask_gradient(size_t d, const double *x, void *params, double *grad);
 extern "Python" int ask_hessian(size_t d, const double *x, void *params, double *H);

@@ -28,7 +28,7 @@ int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system, co
 fvi_force fvi_ground_force(const fvi_ground *ground);
 const fvi_force *fvi_ground_acceleration(const fvi_ground *ground);
 const fvi_typed_force *fvi_ground_typed(const fvi_ground *ground);
-const double *fvi_ground_pull(const fvi_ground *ground);
+const double *fvi_ground_load_vector(const fvi_ground *ground);
 void fvi_ground_free(fvi_ground *ground);
 int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters, double last, fvi_typed_force **force,
                     fvi_error *error);

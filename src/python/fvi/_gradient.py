@@ -1,4 +1,4 @@
-"""Gradients of motions: one mirrored run gives the derivatives by all that determines them."""
+"""Gradients of motions: one adjoint run gives the derivatives by all that determines them."""
 from __future__ import annotations
 
 from collections.abc import Mapping
@@ -29,7 +29,7 @@ def steps_of_rows(t: Array, time: float) -> int:
                      f"{MOST_PARTS}; a gradient needs one")
 
 
-class Mirror:
+class AdjointRun:
     """The run of a solution as the adjoint takes it, and where its rows are among the steps."""
 
     def __init__(self, s: Solution):
@@ -171,9 +171,9 @@ def wanted_of(q: Problem, wrt: Optional[Sequence[str]], is_expression: bool, is_
 class Derivatives:
     """By which numbers of the library a problem is differentiated, for the names that were asked for."""
 
-    def __init__(self, q: Problem, mirror: Mirror, names: set, is_chosen: bool):
-        system, d = mirror.motion.system, mirror.d
-        self.q, self.mirror, self.names, self.lets = q, mirror, names, list(q.let or {})
+    def __init__(self, q: Problem, adjoint: AdjointRun, names: set, is_chosen: bool):
+        system, d = adjoint.motion.system, adjoint.d
+        self.q, self.adjoint, self.names, self.lets = q, adjoint, names, list(q.let or {})
         self.shared, self.sizes, self.parts = ffi.new("fvi_sensitivities *"), {}, []  # fields of the library, by names
         whole, is_mechanism, count = q.kind == "structure", q.kind == "mechanism", lib.dampers_of(system.system)
         for field, size, by in (("x0", d, {"x0"}), ("p0", d, {"p0", "v0"}), ("mass", 1 if whole else d, {"mass", "M"}),
@@ -189,8 +189,8 @@ class Derivatives:
         self.want_names()
 
     def want_laws(self, is_mechanism: bool, is_chosen: bool) -> None:
-        parts = numbers_of_laws(self.laws, self.mirror.is_dense) if self.laws else []
-        if "damping" in self.names and self.mirror.is_dense and (
+        parts = numbers_of_laws(self.laws, self.adjoint.is_dense) if self.laws else []
+        if "damping" in self.names and self.adjoint.is_dense and (
                 not parts or self.laws[0].term[0].kind == lib.FVI_KERNEL_MAXWELL2):
             why = "no derivative by it: fvi-adaptive has only that by the factor of a law that stands alone, not of maxwell2"
             if is_chosen:
@@ -204,7 +204,7 @@ class Derivatives:
         self.parts = parts
 
     def want_parameters(self, whole: bool) -> None:
-        system, to = self.mirror.motion.system, self.shared
+        system, to = self.adjoint.motion.system, self.shared
         if self.q.lagrangian is not None:
             to.sensitivity.count, to.lagrangian = len(self.lets), ffi.addressof(lib, "fvi_typed_lagrangian_column")
         elif system.is_expression:
@@ -216,7 +216,7 @@ class Derivatives:
 
     def want_names(self) -> None:
         """The numbers in forces, elongations and constraints."""
-        system, mirror, q = self.mirror.motion.system, self.mirror, self.q
+        system, adjoint, q = self.adjoint.motion.system, self.adjoint, self.q
         self.used = [system.parameters.used[j] for j in range(len(self.lets))]
         has_force = "let" in self.names and any(u & lib.FVI_USED_BY_FORCE for u in self.used)
         if "let" in self.names and any(u & lib.FVI_USED_BY_DAMPING for u in self.used):
@@ -226,10 +226,10 @@ class Derivatives:
                                    lib.fvi_typed_mechanism_columns(system.typed_mechanism, len(self.lets)))
             self.shared.columns = self.columns
             self.sizes["names"] = len(self.lets)
-        if has_force and mirror.is_dense:
+        if has_force and adjoint.is_dense:
             raise ValueError("let: fvi-adaptive asks for the force between the rows, and has no derivative by a name in it")
         if has_force or "force" in self.names or (q.ground is not None and self.names & {"mass", "M"}):
-            self.sizes["force"] = (mirror.per * mirror.steps + 1 if not mirror.is_dense else mirror.steps + 1) * mirror.d
+            self.sizes["force"] = (adjoint.per * adjoint.steps + 1 if not adjoint.is_dense else adjoint.steps + 1) * adjoint.d
 
     def outputs(self, found: dict) -> Any:
         """Where the library writes these arrays, or reads them."""
@@ -243,7 +243,7 @@ class Derivatives:
 def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = None,
         energy: Optional[Numbers] = None, *, forces: Optional[Mapping[str, Numbers]] = None,
         impulses: Optional[Mapping[str, Numbers]] = None, wrt: Optional[Sequence[str]] = None) -> dict:
-    """The gradient of a number L that is made of a motion, for one mirrored run.
+    """The gradient of a number L that is made of a motion, for one adjoint run.
 
         s = fvi.solve(problem, h=0.1, method="fvi-lobatto4")
         g = fvi.vjp(s, x=s.x - data)            # of sum |x - data|^2 / 2
@@ -275,40 +275,40 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     """
     if not isinstance(solution, Solution):
         raise TypeError(f"solution: {described(solution)} is no Solution")
-    q, mirror = solution.problem, Mirror(solution)
-    system = mirror.motion.system
-    names = wanted_of(q, wrt, system.is_expression, mirror.is_dense)
+    q, adjoint = solution.problem, AdjointRun(solution)
+    system = adjoint.motion.system
+    names = wanted_of(q, wrt, system.is_expression, adjoint.is_dense)
     if x is None and p is None and energy is None and not forces and not impulses:
         raise TypeError("x: missing, as p, energy, forces and impulses are: the derivatives of L by the rows")
     shape = solution.x.shape
-    Jx = mirror.spread("x", 0.0 if x is None else x, shape)
-    Jp = mirror.spread("p", 0.0 if p is None else p, shape)
-    of_dampers = [mirror.spread_dampers("forces", forces, lambda: solution.forces),
-                  mirror.spread_dampers("impulses", impulses, lambda: solution.impulses)]
+    Jx = adjoint.spread("x", 0.0 if x is None else x, shape)
+    Jp = adjoint.spread("p", 0.0 if p is None else p, shape)
+    of_dampers = [adjoint.spread_dampers("forces", forces, lambda: solution.forces),
+                  adjoint.spread_dampers("impulses", impulses, lambda: solution.impulses)]
     if forces:
-        refuse_short_rows(solution, of_dampers[0], mirror.steps)
+        refuse_short_rows(solution, of_dampers[0], adjoint.steps)
     by_energy = None
     if energy is not None:
-        by_energy = mirror.spread("energy", energy, shape[:1])[mirror.rows]
+        by_energy = adjoint.spread("energy", energy, shape[:1])[adjoint.rows]
         Ex, Ep = np.zeros((2, *shape))
         succeed(ask(lib.energy_slopes, system.system, shape[0], *solution.arrays(),
                     ffi.from_buffer("double[]", np.ascontiguousarray(by_energy)), ffi.from_buffer("double[]", Ex), ffi.from_buffer("double[]", Ep)))
-        Jx[mirror.rows] += Ex
-        Jp[mirror.rows] += Ep
+        Jx[adjoint.rows] += Ex
+        Jp[adjoint.rows] += Ep
     cotangents = ffi.new("cotangents *", {"Jx": ffi.from_buffer("double[]", Jx), "Jp": ffi.from_buffer("double[]", Jp)})
     objective = ffi.new("fvi_objective *", {"slopes": ffi.addressof(lib, "read_slopes"), "params": cotangents,
                                             "has_momenta": bool(Jp[:-1].any())})
-    by = Derivatives(q, mirror, names, wrt is not None)
+    by = Derivatives(q, adjoint, names, wrt is not None)
     found = {field: np.zeros(size) for field, size in by.sizes.items()}
     if of_dampers == [ffi.NULL, ffi.NULL]:
-        status = ask(lib.fvi_adjoint, mirror.method, mirror.motion.run, ffi.NULL, ffi.NULL, objective, by.outputs(found))
+        status = ask(lib.fvi_adjoint, adjoint.method, adjoint.motion.run, ffi.NULL, ffi.NULL, objective, by.outputs(found))
     else:
-        status = ask(lib.fvi_adjoint_forces, mirror.method, mirror.motion.run, objective, *of_dampers, by.outputs(found))
+        status = ask(lib.fvi_adjoint_forces, adjoint.method, adjoint.motion.run, objective, *of_dampers, by.outputs(found))
     if status:
         raise failure(status)
     add_energy(solution, by_energy, system, found)
     if q.ground is not None and "mass" in found:
-        add_ground(system, mirror, found, q.kind == "structure")
+        add_ground(system, adjoint, found, q.kind == "structure")
     return named(by, found)
 
 
@@ -358,15 +358,16 @@ def add_energy(s: Solution, by: Optional[Array], system: Any, found: dict) -> No
             found["parameters"][j] += by[k] * value[0]
 
 
-def add_ground(system: Any, mirror: Mirror, found: dict, whole: bool) -> None:
-    """The ground pulls with -M r a, in which each mass stands, or a factor of M."""
-    d, pull, sides = mirror.d, np.frombuffer(ffi.buffer(lib.fvi_ground_pull(system.ground), 8 * mirror.d)), []
-    for times in mirror.sides():
+def add_ground(system: Any, adjoint: AdjointRun, found: dict, whole: bool) -> None:
+    """The ground adds the force -M r a, in which each mass stands, or a factor of M."""
+    d, sides = adjoint.d, []
+    load_vector = np.frombuffer(ffi.buffer(lib.fvi_ground_load_vector(system.ground), 8 * d))
+    for times in adjoint.sides():
         sides.append(np.empty(times.size))
         succeed(ask(lib.accelerations_of_ground, system.ground, times.size, ffi.from_buffer("double[]", times),
                     ffi.from_buffer("double[]", sides[-1])))
-    a = mirror.mean_of_sides("mass", *sides)
-    by = -(a @ found["force"].reshape(-1, d)) * pull
+    a = adjoint.mean_of_sides("mass", *sides)
+    by = -(a @ found["force"].reshape(-1, d)) * load_vector
     found["mass"] += by.sum() if whole else by / np.frombuffer(ffi.buffer(system.system.mass, 8 * d))
 
 
@@ -379,8 +380,8 @@ def warn_of_start(name: str, by: Array) -> None:
 def named(by: Derivatives, found: dict) -> dict:
     """By the names of the problem, in its shapes."""
     answer: dict = {}
-    q, names, mirror, parts, laws, lets, used = by.q, by.names, by.mirror, by.parts, by.laws, by.lets, by.used
-    system, d = mirror.motion.system, mirror.d
+    q, names, adjoint, parts, laws, lets, used = by.q, by.names, by.adjoint, by.parts, by.laws, by.lets, by.used
+    system, d = adjoint.motion.system, adjoint.d
     mass = np.broadcast_to(np.asarray(q.mass), (d,))
     for name, field in (("M", "mass"), ("C", "damping"), ("K", "parameters")):
         if name in names:
@@ -433,13 +434,13 @@ def named(by: Derivatives, found: dict) -> dict:
                  "not be stretched, which the start would have to follow")
         sums = [] if by_force is None or system.typed_force is None else [(system.typed_force, by_force.sum(axis=1))]
         if by_force is not None and isinstance(q.ground, str):
-            pull = np.frombuffer(ffi.buffer(lib.fvi_ground_pull(system.ground), 8 * d))
-            sums.append((lib.fvi_ground_typed(system.ground), -by_force @ pull))
+            load_vector = np.frombuffer(ffi.buffer(lib.fvi_ground_load_vector(system.ground), 8 * d))
+            sums.append((lib.fvi_ground_typed(system.ground), -by_force @ load_vector))
         for j in range(len(lets)):
             if used[j] & lib.FVI_USED_BY_FORCE:
                 for typed, pushed in sums:
-                    sides = ([lib.fvi_typed_force_by_parameter(typed, j, t) for t in times] for times in mirror.sides())
-                    by_let[j] += mirror.mean_of_sides(f"let: {lets[j]}", *map(np.array, sides)) @ pushed
+                    sides = ([lib.fvi_typed_force_by_parameter(typed, j, t) for t in times] for times in adjoint.sides())
+                    by_let[j] += adjoint.mean_of_sides(f"let: {lets[j]}", *map(np.array, sides)) @ pushed
         answer["let"] = dict(zip(lets, by_let.tolist()))
     if "damping" in names:
         answer["damping"] = by_law(system.law, {f: found[f] for f in parts}, system.parameters) if parts else None
@@ -450,10 +451,10 @@ def named(by: Derivatives, found: dict) -> dict:
                                           sum(law.count for law in laws)))
     if "force" in names:
         t, F = (np.asarray(a) for a in cast(tuple, q.force))
-        if mirror.is_dense and (abs(t / mirror.motion.run.h - np.round(t / mirror.motion.run.h)) > 1e-9).any():
+        if adjoint.is_dense and (abs(t / adjoint.motion.run.h - np.round(t / adjoint.motion.run.h)) > 1e-9).any():
             raise ValueError("force: of fvi-adaptive the times of the force must be among those of the rows, by which "
                              "it has derivatives; choose steps")
-        times = mirror.times() if not mirror.is_dense else np.arange(mirror.steps + 1) * mirror.motion.run.h
+        times = adjoint.times() if not adjoint.is_dense else np.arange(adjoint.steps + 1) * adjoint.motion.run.h
         answer["force"] = of_table(t, F.size // t.size, times, by_force).reshape(F.shape)
     return answer
 

@@ -7,33 +7,33 @@ import numpy as np
 
 from ._arguments import described, names as names_of, spelt
 from ._fvi import ffi, lib
-from ._gradient import Derivatives, Mirror, named, short_rows, vjp, wanted_of
+from ._gradient import Derivatives, AdjointRun, named, short_rows, vjp, wanted_of
 from ._library import ask, failure, warn
 from ._solution import Solution
 
 
 def tangents(by: Derivatives, n: int) -> Optional[np.ndarray]:
     """How x of the rows changes with each number of the library, side by side with the run, (24.6): (rows, numbers, d).
-    None where the library has no such run, or a mirrored run for each of the n numbers x of all rows costs less."""
-    mirror, q, sizes = by.mirror, by.q, by.sizes
+    None where the library has no such run, or an adjoint run for each of the n numbers x of all rows costs less."""
+    adjoint, q, sizes = by.adjoint, by.q, by.sizes
     count = sum(sizes.values())
-    if (mirror.is_dense or q.kind == "mechanism" or {"names", "force"} & set(sizes) or count > n
-            or (mirror.method.stages and q.damping is None and not q.dampers and mirror.motion.run.alpha == 1)):
+    if (adjoint.is_dense or q.kind == "mechanism" or {"names", "force"} & set(sizes) or count > n
+            or (adjoint.method.stages and q.damping is None and not q.dampers and adjoint.motion.run.alpha == 1)):
         return None
     if count == 0:  # a potential without constants
-        return np.empty((len(mirror.rows), 0, mirror.d))
+        return np.empty((len(adjoint.rows), 0, adjoint.d))
     along, kept, first = ffi.new("fvi_sensitivities[]", count), [], 0
     for field, size in sizes.items():
         for unit in np.eye(size):
             kept.append(unit.copy())
             along[first] = by.outputs({field: kept[-1]})[0]
             first += 1
-    x, dx = np.empty((mirror.steps + 1) * mirror.d), np.empty((mirror.steps + 1, count, mirror.d))
-    status = ask(lib.fvi_directional_derivatives, mirror.method, mirror.motion.run, count, along,
+    x, dx = np.empty((adjoint.steps + 1) * adjoint.d), np.empty((adjoint.steps + 1, count, adjoint.d))
+    status = ask(lib.fvi_directional_derivatives, adjoint.method, adjoint.motion.run, count, along,
                  ffi.from_buffer("double[]", x), ffi.NULL, ffi.from_buffer("double[]", dx), ffi.NULL)
     if status:
         raise failure(status)
-    return dx[mirror.rows]
+    return dx[adjoint.rows]
 
 
 def by_numbers(by: Derivatives, dx: np.ndarray) -> list:
@@ -57,14 +57,14 @@ def flat(found: Any) -> Any:
 
 
 def of_forces(solution: Solution, names: list, damper: str) -> dict:
-    """The same of the forces of a damper, by a mirrored run for each; NaN where they have none."""
+    """The same of the forces of a damper, by an adjoint run for each; NaN where they have none."""
     if not isinstance(damper, str):
         raise TypeError(f"forces: {described(damper)} is no name of a damper")
     found: dict = {}
-    mirror = Mirror(solution)
-    shape = mirror.told("forces", [damper], lambda: solution.forces)[damper].shape
+    adjoint = AdjointRun(solution)
+    shape = adjoint.told("forces", [damper], lambda: solution.forces)[damper].shape
     short = short_rows(solution)
-    known = [k for k in range(len(solution.t)) if mirror.rows[k] not in short]
+    known = [k for k in range(len(solution.t)) if adjoint.rows[k] not in short]
     for at in np.ndindex(shape):
         if at[0] not in known:
             continue
@@ -90,24 +90,24 @@ def jacobian(solution: Solution, wrt: Sequence[str], *, forces: Optional[str] = 
 
     solution  of `solve`
     wrt       fields of the problem, as `vjp` has them
-    forces    None; or the name of a damper, and the derivatives are those of its forces, as `s.forces` has them, by a mirrored
+    forces    None; or the name of a damper, and the derivatives are those of its forces, as `s.forces` has them, by an adjoint
               run for each. Not by "fvi-adaptive", nor with events; NaN, with a warning, of first rows that come from
               shorter steps, as with an order above 1
 
     Returns a dict by names of arrays (n, d) and the shape of the field; of "let" and "damping" in the order of
     their numbers. With equal steps the derivatives go side by side with the run, (24.6): the cost of a run for each number.
-    Of "fvi-adaptive", of mechanisms, by measured forces and by more numbers than there are x, there is a mirrored run
+    Of "fvi-adaptive", of mechanisms, by measured forces and by more numbers than there are x, there is an adjoint run
     for each x: ask for few rows then.
     """
     if not isinstance(solution, Solution):
         raise TypeError(f"solution: {described(solution)} is no Solution")
     names = names_of("wrt", wrt)
-    q, mirror = solution.problem, Mirror(solution)
-    wanted = wanted_of(q, names, mirror.motion.system.is_expression, mirror.is_dense)
+    q, adjoint = solution.problem, AdjointRun(solution)
+    wanted = wanted_of(q, names, adjoint.motion.system.is_expression, adjoint.is_dense)
     if forces is not None:
         return of_forces(solution, names, forces)
     n, d = solution.x.shape
-    by = Derivatives(q, mirror, wanted, True)
+    by = Derivatives(q, adjoint, wanted, True)
     dx = tangents(by, n * d)
     rows: dict = {name: [] for name in names}
     ones = np.eye(n * d) if dx is None else np.zeros((0, 0))

@@ -87,7 +87,7 @@ def is_interrupted() -> bool:
 
 
 @ffi.def_extern(error=-1, onerror=keep)
-def look_up() -> int:
+def check_signals() -> int:
     """A run in the main thread calls this, but not twice in 25 ms: Python then sees Ctrl-C."""
     return 0
 

@@ -75,7 +75,7 @@ class Problem:
     force      None; a text, "cosine:A,W", "step:A,T", "impulse:J,T", "file:F.tsv" or an expression in t; a pair
                (t, F) of arrays, linear in between, F of one column for all coordinates or of d; or a function of t
     ground     the acceleration of the ground, as a force: a text, a pair (t, a) of arrays, or a function of t. x is then
-               relative to the ground, which pulls with -M r a
+               relative to the ground, which adds the force -M r a
     along      r, how each coordinate moves with the ground, one number or d of them; 1
     past       what was before t = 0: "held" at x0, "caputo" or "rl"; "held": the damping acts on x - x0, not on x, so
                that a body which rests at x0 feels none of it; see below. Of dampers each has its own

@@ -123,7 +123,7 @@ class Stepper:
         s = fvi.Stepper(rod, h=0.1)
 
     `k` steps are done, `t` is the time, `x` and `p` are numbers, or arrays of d numbers
-    of their own. `copy` forks the run with all that it remembers, `reset` goes back to
+    of their own. `copy` forks the run with its history, `reset` goes back to
     the start. After a step that failed it is over: reset, or begin anew. "fvi-adaptive" chooses its
     steps, and takes neither h nor steps: `time` is where the motion ends, 20, and k counts the 200 parts of it that
     have passed, so that the same loop ends there.
@@ -294,7 +294,7 @@ def by_steps(method: Any, r: Any, out: dict, pointers: list) -> None:
         solve(method, r, r.steps * r.h, 0.0, r.most_steps, [x, *pointers[1:]])
     finally:
         if watch.next <= r.steps:
-            ask_for_warning(lib.look_along, watch, method, r, r.steps + 1,
+            ask_for_warning(lib.warn_along_rows, watch, method, r, r.steps + 1,
                             ffi.from_buffer("double[]", np.arange(r.steps + 1) * r.h), x)
 
 

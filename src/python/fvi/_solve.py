@@ -283,7 +283,7 @@ def finished(motion: Motion, how: Numerics, watch: Any, t: Array, x: Array, p: A
     problem, rows = motion.problem, len(t)
     raised, done, solution = found.error, found.rows, None
     if watch is not None and watch.next <= how.steps:
-        ask_for_warning(lib.look_along, watch, motion.method, motion.run, rows, ffi.from_buffer("double[]", t),
+        ask_for_warning(lib.warn_along_rows, watch, motion.method, motion.run, rows, ffi.from_buffer("double[]", t),
                         ffi.from_buffer("double[]", x))
     if problem.lagrangian is not None:
         ask_for_warning(lib.fvi_warning_of_inertia_in_rows, motion.run.system, done, *(

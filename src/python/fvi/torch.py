@@ -9,7 +9,7 @@
     alpha.grad
 
 Tensors are x0, p0 or v0, mass, rho, alpha or order, the F of measured forces, and numbers of the problem's `let`.
-The motion is computed in double precision on the processor, and so is its gradient, by one mirrored run
+The motion is computed in double precision on the processor, and so is its gradient, by one adjoint run
 (`fvi.vjp`); both then go to where the tensors are. There are no second derivatives.
 """
 from __future__ import annotations

@@ -93,7 +93,7 @@ static double line(const solver *o, size_t a, double t)
 }
 
 /* g = F - grad U(x) at the new position, into the running sums; u to the memory. */
-static int remember(solver *o, size_t n, double t)
+static int update_history(solver *o, size_t n, double t)
 {
     const double h = o->h;
     int status = fvi_potential_gradient(&o->p->system, o->x[3], o->grad);
@@ -135,7 +135,7 @@ static int step(solver *o, size_t n)
     }
     if (!status)
         status = solve(o, A);
-    return status ? status : remember(o, n, t);
+    return status ? status : update_history(o, n, t);
 }
 
 static int run(const task *of, rule which, double *rows)
@@ -163,7 +163,7 @@ static int run(const task *of, rule which, double *rows)
     memcpy(o.x[3], p->x0, d * sizeof *rows);
     memcpy(rows, p->x0, d * sizeof *rows);
     if (!status)
-        status = remember(&o, 0, 0);
+        status = update_history(&o, 0, 0);
     for (size_t k = 1; k <= N && !status; k++) {
         status = step(&o, k);
         if (k % (N / ROWS) == 0)

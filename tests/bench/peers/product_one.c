@@ -80,20 +80,20 @@ static int walk(const solver *o, size_t N, double size, double *rows)
     for (size_t n = 1; n <= N && !status; n++) {
         const double t = h * (double)n, A = n == 1 ? o->A1 : o->A0,
                      s = line + slope * t;
-        double sum, pull, new = n < 3 ? x : 3 * (x - before) + oldest;
+        double sum, spring_force, new = n < 3 ? x : 3 * (x - before) + oldest;
         status = force(o, t, &F) | past(o, n, &sum);
         sum += o->start0[n] * u0 + (n > 1 ? o->start1[n] * u1 : 0);
         I2 += h * I1 + 2 * B * g;
         status |= solve(o, m + rho * A, B,
                         m * x0 + t * p0 + I2 + rho * (A * s - size * sum) + B * F,
-                        &new, &pull);
+                        &new, &spring_force);
         oldest = before;
         before = x;
         x = new;
         const double u = x - s;
-        I2 += B * (F - pull);
-        I1 += h / 2 * (g + F - pull);
-        g = F - pull;
+        I2 += B * (F - spring_force);
+        I1 += h / 2 * (g + F - spring_force);
+        g = F - spring_force;
         u1 = n == 1 ? u : u1;
         if (o->modes)
             flmm_modes_push(o->modes, u);

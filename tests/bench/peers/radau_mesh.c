@@ -14,14 +14,14 @@ size_t radau_uniform(const problem *p, size_t N, radau_step *mesh)
  * as t^{3/4}, up to `longest`. With `meets` the last ones leave the lattice to meet the
  * end; else they reach beyond it. Returns how many; their sum is added to *t. */
 static size_t grow(double whole, double first, double longest, double L,
-                   int meets, size_t most, radau_step *mesh, double *t)
+                   int meets_end, size_t most, radau_step *mesh, double *t)
 {
     size_t k = 0;
     double j = smaller(0, floor(log(first / longest) / L));
     for (*t = 0; k < most && *t < whole * (1 - 1e-12); k++) {
         double h = longest * exp(L * j);
         const double rest = whole - *t;
-        const int off = meets && 2 * h > rest;
+        const int off = meets_end && 2 * h > rest;
         if (off)
             h = h >= rest * 0.999 ? rest : rest / 2;
         mesh[k] = (radau_step){ h, !off };

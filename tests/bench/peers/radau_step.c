@@ -103,7 +103,7 @@ static int subtract_force(radau_solver *o, double t, double h)
 }
 
 /* X, and G = -grad U(X) - H, from D = V - v. */
-static int pull(radau_solver *o, double h)
+static int evaluate_forces(radau_solver *o, double h)
 {
     const size_t d = o->d;
     const fvi_system *system = &o->p->system;
@@ -121,7 +121,7 @@ static int pull(radau_solver *o, double h)
     return FVI_SUCCESS;
 }
 
-/* H <- rho (H + h^{-beta} M^beta 1 v for beta <= 0, and the pull of Riemann and Liouville). */
+/* H <- rho (H + h^{-beta} M^beta 1 v for beta <= 0, and the initial history force of Riemann and Liouville). */
 static void known(radau_solver *o, double t, double h)
 {
     const double power = o->beta > 0 ? 0 : pow(h, -o->beta),
@@ -180,7 +180,7 @@ int radau_solve(radau_solver *o, double t, double h)
     if (linear)
         memset(o->D, 0, (size_t)o->s * sizeof *o->D);
     for (int i = 0; i < 100; i++) {
-        status = pull(o, h);
+        status = evaluate_forces(o, h);
         if (status)
             return status;
         moved = iterate(o, f);

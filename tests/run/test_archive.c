@@ -1,4 +1,4 @@
-/* tests/run/test_visit.c -- A run that is saved, and gone on with.   Run alone: make test-visit */
+/* tests/run/test_archive.c -- A run that is saved, and gone on with.   Run alone: make test-archive */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
 
@@ -7,7 +7,7 @@
 /* HALF is beyond the window of 32 terms of one memory and the first block, of 64, of another. */
 enum { N = 120, HALF = 70, D = 3, ROOM = 1 << 20 };
 
-/* A visitor that keeps the pieces, or gives them back. */
+/* An archive that keeps the pieces, or gives them back. */
 typedef struct {
     fvi_archive archive;
     unsigned char *at, *end;
@@ -177,10 +177,10 @@ END_TEST
 /* Of another problem, or a longer run, nothing is taken, and not the sizes of its pieces. */
 START_TEST(another_run_is_refused)
 {
-    const double heavy[D] = { 1, 2, 1.5 }, less[D] = { 0.3, 0, 0.1 };
+    const double large_masses[D] = { 1, 2, 1.5 }, less[D] = { 0.3, 0, 0.1 };
     const fvi_system system = duffing();
     fvi_system other = system, second = system, small = system;
-    other.mass = heavy;
+    other.mass = large_masses;
     second.damping = less;
     small.d = 2;
     const struct {
@@ -323,7 +323,7 @@ START_TEST(a_run_with_the_direct_memory_may_be_made_longer)
 END_TEST
 
 /* A method that keeps data, and does not show them. */
-START_TEST(a_method_without_a_visit_is_refused)
+START_TEST(a_method_without_serialize_is_refused)
 {
     fvi_method shy = fvi_fractional;
     shy.serialize = NULL;
@@ -347,6 +347,6 @@ int main(void)
     ADD_CASE(suite, "errors", another_run_is_refused,
              a_count_that_no_run_has_is_refused,
              counts_that_do_not_fit_are_refused,
-             a_method_without_a_visit_is_refused);
+             a_method_without_serialize_is_refused);
     return run_suite(suite);
 }

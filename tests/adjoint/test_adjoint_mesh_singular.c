@@ -1,5 +1,5 @@
-/* tests/adjoint/test_adjoint_mesh_pull.c -- H 23: steps of any length, where the past
- * pulls the start.                     Run alone: make test-adjoint_mesh_pull */
+/* tests/adjoint/test_adjoint_mesh_singular.c -- H 23: steps of any length, where the past
+ * pulls the start.                     Run alone: make test-adjoint_mesh_singular */
 #include "adjoint_meshes.h"
 #include "variable_step/variable_step.h"
 #include "system/larger.h"
@@ -55,7 +55,7 @@ static int kind_of(chain *c)
     return kind;
 }
 
-/* As without a pull, bounds and all. Seen: 0.2 of it. */
+/* As without a singular start, bounds and all. Seen: 0.2 of it. */
 START_TEST(eq_23_25_start_and_force_add_up_to_a_linear_motion)
 {
     for (size_t i = 0; i < 2 * LEN(cases); i++) {
@@ -104,7 +104,7 @@ static double to_one_side(chain *c, double *number)
 /* J of all rows against quotients of runs on steps of their own, 1e-8 off as said there. That
  * by alpha takes 1e-3 of its distance from 0 or 1, as J bends over that; next to 1 it would
  * be off by 1e-5 if steps changed as they may, and they hardly do. Seen: 0.005 of it. */
-START_TEST(eq_23_25_differences_of_pulled_runs)
+START_TEST(eq_23_25_differences_of_runs_with_a_singular_start)
 {
     int kinds[KINDS] = { 0 };
     for (size_t i = 0; i < LEN(cases); i++) {
@@ -148,9 +148,9 @@ START_TEST(eq_23_25_differences_of_pulled_runs)
 }
 END_TEST
 
-/* A = 0 of one body, the most damped one, or of all: nothing is pulled, but would be.
+/* A = 0 of one body, the most damped one, or of all: the derivative of a singular part that is 0.
  * Seen: 1e-4 of it. */
-START_TEST(eq_23_25_a_body_at_rest_has_a_derivative_by_what_could_pull_it)
+START_TEST(eq_23_25_a_derivative_by_A_where_A_is_0)
 {
     for (size_t i = 0; i < 8; i++) {
         const int held = i % 2, all = i / 2 % 2;
@@ -208,7 +208,7 @@ static void go(chain *c, const chain *from, const double *along, double by)
 
 /* Along a random direction of all numbers, positive dampings by parts of themselves: as
  * above. Seen: 0.04 of it. */
-START_TEST(eq_23_25_random_pulled_runs)
+START_TEST(eq_23_25_random_runs_with_a_singular_start)
 {
     static const double share[] = { 1, -8, 8, -1 }, at[] = { -2, -1, 1, 2 };
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -273,13 +273,13 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("adjoint, pulled meshes");
+    Suite *suite = suite_create("adjoint, singular starts on meshes");
     ADD_CASE(suite, "identities",
              eq_23_25_start_and_force_add_up_to_a_linear_motion,
              eq_23_25_a_factor_of_all_forces_changes_no_position,
              eq_22_23_one_falling_power_leaves_no_force);
-    ADD_CASE(suite, "quotients", eq_23_25_differences_of_pulled_runs,
-             eq_23_25_a_body_at_rest_has_a_derivative_by_what_could_pull_it,
-             eq_23_25_random_pulled_runs);
+    ADD_CASE(suite, "quotients", eq_23_25_differences_of_runs_with_a_singular_start,
+             eq_23_25_a_derivative_by_A_where_A_is_0,
+             eq_23_25_random_runs_with_a_singular_start);
     return run_suite(suite);
 }

@@ -64,7 +64,7 @@ for k in range(3):
     prove("(23.26) the velocities", expand(ve - u - le))
 #< told
 
-#> pulled
+#> singular-start
 # (23.25), s = 2 and 3, K = 1, two modes: DD^beta is a polynomial in (22.1), all else symbols.
 for s in (2, 3):
     b, D = one.exact_rule(s)
@@ -126,7 +126,7 @@ for s in (2, 3):
                + h[k] * (h[k] * stages * Pi * U[k] * Lam[k] - (xi[k] if k < 2 else 0) * ones(s, 1)))
         row -= Pi * B.inv() * shape * row_slope if k == 0 else zeros(s, 1)
         prove("(23.16) as it was", *(Matrix([diff(total, v) for v in V[k]]) + B * Pi * row).applyfunc(expand))
-#< pulled
+#< singular-start
 
 class Pulled(Mesh):
     """x = y + G until t1, the end of step K, of these terms; kind: rising, falling or euler."""
@@ -311,13 +311,13 @@ def chain(random, past, alpha, s, kind, K):
 if __name__ == "__main__":
     random = Random(2320)
     runs = [chain(random, *case) for case in CASES]
-    header("verify/adjoint/adjoint_mesh_pull.py")
+    header("verify/adjoint/adjoint_mesh_singular.py")
     print("""
 /* Where an impulse acts, and what it adds to the momenta; where alpha < 1/2 */""")
-    table("ref_pull_impulses", "double t, J[5];",
+    table("ref_singular_start_impulses", "double t, J[5];",
           [[hexd(Rational(sum(UNITS[:k])) * Rational(UNIT)), literal(map(mpf, I))] for k, I in IMPULSES.items()])
     print("""
-/* Five masses whose past pulls, stages, terms and t1, where steps end, F = cos(5t/4)/5 on each, four
+/* Five masses with a singular start, stages, terms and t1, where steps end, F = cos(5t/4)/5 on each, four
    rows; dJ, J as in to_sine, by x0, p0, mass, rho, c, g, alpha, and by F_1 of row 0, F_3 of row 2, F_5 of
    row 4, the force changed along lines */""")
-    table("ref_pulls", "fvi_initial_history past; double alpha; size_t s, J; double t1, ends[18], x0[5], p0[5], mass[5], rho[5], cg[2], want[26];", runs)
+    table("ref_singular_starts", "fvi_initial_history past; double alpha; size_t s, J; double t1, ends[18], x0[5], p0[5], mass[5], rho[5], cg[2], want[26];", runs)
