@@ -1,9 +1,12 @@
-/* src/fvi/adjoint.h -- Every derivative of a run for one adjoint run.  [H 23]
+/* src/fvi/adjoint.h -- All derivatives of a run: one adjoint run backwards, or sensitivities forwards.     [H 23, 24]
  *
- * J = J(x_0, ..., x_N, p_0, ..., p_N) is one number made of a trajectory: a distance from what
- * was measured, the last position, an energy. A run that goes backwards through the same
- * memory, with Hess U along the trajectory in place of U, gives the derivative of J by
- * everything that determines the trajectory. */
+ * An objective J is one number made of a trajectory, for example its distance from a measurement, its last position or
+ * an energy. fvi_adjoint runs the integrator once more, from the end to the start, with the same memory and with the
+ * Hessian of U along the trajectory in the place of U. This adjoint run gives the derivatives of J by everything that
+ * determines the trajectory. fvi_adjoint_forces does the same if J contains the forces of the dampers.
+ * fvi_directional_derivatives goes forwards, beside the run, and gives the change of every x_k and p_k along a few
+ * directions. For example, with J = x_N and fvi_fractional the derivative of J by the force F_k, k >= 1, is h lambda_k,
+ * where lambda_k is the position of the adjoint run at node k (23.6). */
 #ifndef FVI_ADJOINT_H
 #define FVI_ADJOINT_H
 
@@ -15,145 +18,181 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_adjoint -- the derivatives of J by all that determines a run.
+/* fvi_adjoint -- compute the derivatives of J by everything that determines a run.
  *                [(23.4), (23.6), (23.13), (23.15), (23.16), (23.18), (23.19), (23.21), (23.25)]
  *
- *   method     fvi_fractional, fvi_cq2_shifted, fvi_cq_bdf2, fvi_cq2_midpoint; or with x and p
- *              NULL fvi_lobatto_m2 to 8d, of which form M has no derivative by alpha at
- *              alpha = 1, where its p jumps, (17.17); and fvi_variable_step, see mesh
- *   run        as it was run
- *   x, p       the trajectory as fvi_trajectory writes it: (N + 1) d positions, and the
- *              d momenta p_N of its last row. Or both NULL: the run is done here, and
- *              done again in pieces, so that about 2 (N d S)^(1/2) numbers are kept, not
- *              N d, where a stepper has S < N d; the digits are the same
- *   objective  J
- *   gradients  outputs, the caller's
+ *     gradients = dJ/dx_0, dJ/dp_0, dJ/dF_k, dJ/dm, dJ/drho, ...,     J = J(x_0, ..., x_N, p_N)
  *
- * These are the derivatives of what the program computes, not of the motion it stands
- * for: no step size is small. With a compressed memory they belong to the weights as
- * they are compressed; the derivative by alpha is that of the true weights to (23.11),
- * (23.14), and on a mesh that of the weights (22.10) as they are, (23.18); those by the
- * orders and times of a law are sums of sums, (23.21), or weights of their own, (23.28), each
- * compressed by itself: up to four memories a term.
+ * J may also depend on p_0, ..., p_{N-1}: see has_momenta of fvi_objective (sensitivity.h).
  *
- *   past   alpha > 1/2, CAPUTO: the memory knows p0/m; at alpha = 1/2 it begins to, and
- *          x jumps if p0 != 0: the derivative by alpha is that from below. The other
- *          pasts with all but fvi_fractional: likewise, if less. RIEMANN_LIOUVILLE
- *          with all but fvi_fractional and alpha > 1/2 runs from x0 = 0 alone, and
- *          where rho > 0 the derivative by x0 does not exist: NaN is written; so it is for
- *          each place that would stretch a damper of a mechanism with this past and a law
- *          that is no sum of powers with alpha <= 1/2
- *   mesh   of fvi_variable_step the steps count as given: the derivatives are those on these
- *          steps. Where the initial history acts, (19.3), so does the singular part of it,
- *          its terms and its end, (23.25); where a damped body has A = 0 and a derivative by
- *          A is wanted, steps end where it would; and there is none by alpha at 1, nor at 0
- *          of RIEMANN_LIOUVILLE. force: the force changes along straight lines between t_k
- *          and t_{k+1}. With a law: none by its orders, times and ends, and by a factor only
- *          that of a law of one term; by p0, where the law grows faster than s, NaN is
- *          written, as such a run begins at rest
- *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19) With several
- *          dampers `damping` has a number for each, by a factor of its kernel.
- *          With stages x and p are NULL, and a law that grows faster than s has no terms to ends. No
- *          derivative at all where one of several dampers has the past RIEMANN_LIOUVILLE and a law that is not
- *          one power with alpha <= 1/2, and with this past none by fvi_fractional. Of
- *          fvi_variable_step no alpha at 0 and no orders to ends, and terms of a law of one term alone
- *   mechanism  fvi, fvi-stable, the methods with stages and fvi_variable_step, x and p NULL: dampers between points, a
- *          Lagrangian, forces of velocity and constraints that do not know the time, or imposed
- *          coordinates; elongations and constraints with second derivatives. (23.29) `damping` has a
- *          number for each damper, by a factor of its kernel, and terms to ends have those of all
- *          kernels. With constraints x0 and p0 are for changes that keep to them. Every p_k may be
- *          in J. Not by fvi-stable with a coordinate without inertia; with stages there are no terms
- *          to ends of a sum of laws that grows faster than s. All steps are kept: N (3 d + r s)
- *          numbers and more with stages. fvi_variable_step: by factors of laws and no terms to ends, of
- *          J with the last momentum alone; without coordinates without inertia, impulses beside constraints, the
- *          past RIEMANN_LIOUVILLE, and CAPUTO of a law that grows faster than s
- *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
- *          fvi_variable_step, where nothing is damped, is the one of form M with such a damping
+ *   method     fvi_fractional, fvi_cq2_shifted, fvi_cq_bdf2, fvi_cq2_midpoint, fvi_lobatto_m2 to m8, fvi_lobatto_d2 to
+ *              d8, or fvi_variable_step
+ *   run        the run, as for fvi_stepper_start (trajectory.h); without events
+ *   x, p       x_k of coordinate i at x[k * d + i], (N + 1) d numbers, and the d numbers p_N. Or both NULL: the
+ *              function makes the run itself, and repeats it in pieces, so that about 2 (N d S)^(1/2) numbers are kept
+ *              instead of N d, where S < N d is the number of doubles in a stepper. Both ways give the same digits
+ *   objective  J, by its slopes
+ *   gradients  outputs, owned by the caller: the arrays of fvi_sensitivities that are not NULL are written
  *
- * One factorisation of the size of a Hessian a step, none if U is quadratic (with stages
- * always one, s - 2 times as large, in form D s times), and no iteration. Measured,
- * fvi_fractional, one coordinate, the rows given: a third of the time of the run, and two fifths
- * with the derivative by alpha (figures/adjoint/adjoint_bench.tsv).
- * fvi_variable_step keeps 11 d numbers a step.
- * Accuracy: no bound is proved for the rounding. Seen: 5e-14 of a derivative, or of 1 where
- * that is more, N = 2000; with eight stages an identity of all derivatives is off by 1e-12.
- * They are derivatives of the x that doubles hold: where damping is so strong that x does not
- * leave x0 by a digit (rho = 1e20), those by masses, rho and alpha are 0, or rounding.
+ *     static int last(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp)
+ *     {
+ *         Jx[0] += p ? 1 : 0;                                   p is NULL but for k = N: J = x_N of coordinate 0
+ *         return 0;
+ *     }
+ *     const fvi_objective objective = { .slopes = last };
+ *     const fvi_sensitivities gradients = { .x0 = by_x0, .damping = by_damping };
+ *     status = fvi_adjoint(&fvi_cq2_midpoint, &run, NULL, NULL, &objective, &gradients);
  *
- * Returns FVI_SUCCESS; what fvi_stepper_start and fvi_stepper_step return; FVI_EFAULT if method, run,
- * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
- * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms, orders,
- * times or ends of none; FVI_EUNSUP if the method has no adjoint, or not this one, or mass
- * is wanted of matrices that have no inertia, or all momenta at alpha = 1 of a damped
- * run of form M or of fvi_variable_step, or no step is short enough
- * for a body whose A is 0 (22.23);
- * FVI_ESING if the equation of a step backwards has no unique solution; FVI_EOVRFLW if a
- * derivative is not finite; what a callback returned. On error the outputs are of no use. */
+ * These are the derivatives of the numbers that the program computes, for every step size, and not those of the exact
+ * motion. With a compressed memory they belong to the compressed weights. The derivative by alpha is that of the exact
+ * weights to the accuracy of (23.11) and (23.14); with fvi_variable_step it is that of the weights (22.10) themselves
+ * (23.18). The derivatives by the orders and times of a law are sums of sums (23.21), or sums with weights of their own
+ * (23.28). Each of these sums is compressed by itself, so a term of a law takes up to four memories.
+ *
+ * Some outputs need a remark:
+ *
+ *   - With matrices (structures.h) mass, damping and parameters are one number each: the derivatives by one factor of
+ *     M, of C and of K, at the factor 1, and not by their entries (23.19).
+ *   - With several dampers, of matrices or of a mechanism (dampers.h), damping has one number for each damper: the
+ *     derivative by a factor of its kernel (23.29). terms, orders, times and ends run over the terms of all kernels.
+ *   - A coordinate with rho = 0 has a derivative by its damping, too, at the cost of a memory. With fvi_variable_step,
+ *     if nothing is damped, it is the derivative of form M with such a damping.
+ *   - With constraints the derivatives by x0 and p0 hold for changes that keep to the constraints.
+ *   - Alpha at 1/2: with CAPUTO the memory acts on x - x_0 for alpha <= 1/2 and on x - x_0 - t p_0/m for alpha > 1/2.
+ *     So x jumps at alpha = 1/2 if p_0 != 0, and the derivative is the one from below. With the other pasts x jumps
+ *     there, too, but by less, for every method but fvi_fractional.
+ *   - fvi_variable_step holds the lengths of the steps fixed. If the force of the past is singular at t = 0 (19.3), it
+ *     holds fixed the number of terms of the singular part of x and the time at which this part ends (23.25). If a
+ *     damped body has the amplitude A = 0 in (19.3) and a derivative by A is wanted, a step ends where the singular
+ *     part would end. The derivative by the force is by F(t_k), with F linear between t_k and t_{k+1}.
+ *
+ * NaN is written where there is no derivative, because no run starts at a neighbouring value:
+ *
+ *   - by x0 of a coordinate with rho > 0, the past RIEMANN_LIOUVILLE and alpha > 1/2 (19.2), except with
+ *     fvi_fractional;
+ *   - by x0 of a coordinate of a mechanism, if the change stretches a damper with the past RIEMANN_LIOUVILLE, except
+ *     with fvi_fractional and with a law that is a sum of powers with alpha <= 1/2;
+ *   - by p0 of a damped coordinate with fvi_variable_step and a law that grows faster than s, as such a run starts at
+ *     rest.
+ *
+ * The function refuses (FVI_EUNSUP)
+ *
+ *   - a run with events; x and p with stages, with a mechanism and with fvi_variable_step; mass of matrices without
+ *     `inertia`; fvi_lagrange_dalembert and Euler's methods;
+ *   - fvi_cq2_shifted with run->law, or with a damper whose kernel is not one power;
+ *   - fvi_lobatto_m2 to m8 at alpha = 1: the derivative by alpha, because p jumps there (17.17), and has_momenta if
+ *     something is damped;
+ *   - stages with matrices: terms, orders, times and ends of a law that grows faster than s;
+ *   - matrices with several dampers, one of them with the past RIEMANN_LIOUVILLE: fvi_fractional always, and the other
+ *     methods unless the law of this damper is one power with alpha <= 1/2;
+ *   - a mechanism: a constraint that depends on the time (a coordinate may be imposed); a constraint, or an elongation
+ *     that is not linear, without `hessian`; a start with a velocity, if a kernel grows faster than s and the rate of
+ *     its elongation depends on x; fvi_cq2_midpoint with a coordinate without inertia; stages with terms, orders, times
+ *     and ends, if a kernel grows faster than s and is not one power;
+ *   - fvi_variable_step: orders, times and ends; terms, unless run->law is one term with rho > 0; the derivative by
+ *     alpha at alpha = 1 with HELD or RIEMANN_LIOUVILLE, at alpha = 0 with RIEMANN_LIOUVILLE, and at alpha = 0 with
+ *     matrices; has_momenta at alpha = 1 if something is damped; a body whose A is 0, if no step is short enough for it
+ *     (22.23);
+ *   - fvi_variable_step with a mechanism: also terms; has_momenta; a coordinate without inertia; impulses beside
+ *     constraints; the past RIEMANN_LIOUVILLE; CAPUTO of a kernel that grows faster than s.
+ *
+ * Cost: one factorisation of a Hessian for each step, none if U is quadratic, and no iteration. With stages it is
+ * always one, of a matrix s - 2 times as large as a Hessian, or s times in form D. Measured for fvi_fractional, one
+ * coordinate, x and p given: a third of the time of the run, or two fifths with the derivative by alpha
+ * (figures/adjoint/adjoint_bench.tsv). fvi_variable_step keeps 11 d numbers a step. A mechanism with r dampers and m
+ * constraints keeps all steps: N (3 d + 3 r + 2 m) numbers, and more with stages.
+ * Accuracy: no bound is proved for the rounding. Seen: 5e-14 of a derivative, or of 1 if the derivative is below 1, for
+ * N = 2000. With eight stages an identity of all derivatives is off by 1e-12. The derivatives belong to x as the
+ * doubles hold it. So where the damping is so strong that no digit of x leaves x_0 (rho = 1e20), the derivatives by
+ * masses, rho and alpha are 0 or rounding errors.
+ *
+ * Returns FVI_SUCCESS; what fvi_stepper_start and fvi_stepper_step return; what a callback returned; or
+ *   FVI_EFAULT   method, run, objective, its slopes or gradients is NULL, or only one of x and p is
+ *   FVI_EINVAL   parameters are wanted without sensitivity.column, or of a Lagrangian without `lagrangian`; alpha is
+ *                wanted of a law or of a mechanism; terms, orders, times or ends are wanted without a law or dampers;
+ *                mass is wanted of a Lagrangian; names are wanted without their columns; N is too large to be addressed
+ *   FVI_EUNSUP   a case of the list above
+ *   FVI_ESING    the equation of a step backwards has no unique solution
+ *   FVI_EOVRFLW  a derivative, or a slope of J, is not finite
+ *   FVI_ENOMEM
+ * On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
                 const double *p, const fvi_objective *objective,
                 const fvi_sensitivities *gradients);
 
-/* fvi_adjoint_forces -- the derivatives of a J that the forces of the dampers stand in, too.        [(23.32), (23.33)]
+/* fvi_adjoint_forces -- compute the derivatives of a J that contains the forces of the dampers.   [(23.32), (23.33)]
  *
- *     J = J(x_k, p_k, f_k, I_k)     f_k the forces of the dampers in row k, I_k their impulses up to there
+ *     J = J(x_k, p_k, f_k, I_k)     f_k: the forces of the dampers in row k, I_k: their impulses from 0 to t_k
  *
- *   method, run, objective, gradients  as for fvi_adjoint; the run is done here. fvi_variable_step takes no part
- *   force    dJ/df: N + 1 rows, each of the numbers of all dampers one behind another, as an observer of
- *            FVI_OBSERVE_OWN_STEPS tells them (observer.h); or NULL
- *   impulse  dJ/dI, likewise; or NULL. That of t = 0 is not read, as all impulses are 0 there
+ *   method, run, objective, gradients  as for fvi_adjoint, but not fvi_variable_step. The function makes the run itself
+ *   force    dJ/df: N + 1 rows of n numbers, or NULL. n counts the force numbers of all dampers, one damper after
+ *            another, as an observer with FVI_OBSERVE_OWN_STEPS gives them (observer.h)
+ *   impulse  dJ/dI: an array of the same shape, or NULL. The row of t = 0 is not read, because all impulses are 0 there
  *
- * These are the derivatives of the numbers that such an observer tells, also in the first rows, where a law is compared with
- * what it answers to a line. Where the force at t = 0 is infinite, its row is the mean over the first one, and so is its
- * derivative.
+ * These are the derivatives of the numbers that such an observer gives. This includes the first rows, where the
+ * observer compares a damper with the answer of its law to a line. Where the force at t = 0 is infinite, row 0 is the
+ * mean over the first step, and its derivative is the derivative of this mean.
  *
- *     const double by_peak[] = { 0, 0, 0, 1, 0 };               four steps: J is the force in row 3
- *     fvi_adjoint_forces(&fvi_cq2_midpoint, &run, &nothing, by_peak, NULL, &gradients);
+ *     const double by_force[] = { 0, 0, 0, 1, 0 };              four steps, one damper: J is the force in row 3
+ *     fvi_adjoint_forces(&fvi_cq2_midpoint, &run, &nothing, by_force, NULL, &gradients);
  *
- * Cost: the adjoint of a run with twice the coordinates, of matrices and of a mechanism with one more for each number of a
- * damper. By numbers of a law one run more, and for each number up to seven starts of a stepper and an observer; by
- * fvi_cq2_shifted, fvi_cq_bdf2 and fvi_cq2_midpoint each of these starts has a run of one body. Accuracy: that of
- * fvi_adjoint, but by alpha and the numbers of a law, which stand in the first rows: there 1e-9 of these rows. A mass of
- * 1e150 stands for what holds the dampers, so masses, dampings and forces of the run must be below 1e130: larger ones
- * move it, and nothing tells.
+ * where `nothing` has slopes that add nothing and return 0.
  *
- * Returns what fvi_adjoint, fvi_stepper_start and fvi_observer_start return; FVI_EUNSUP for fvi_variable_step, with
- * events, of matrices without their entries M and K, and of coordinates that are damped one by one at alpha = 1, where
- * the damping is a mass. */
+ * Method: each damper gets a wall, a body of mass 1e150, whose momentum is the impulse of the damper. So the adjoint of
+ * a run with walls gives the derivatives. The masses, dampings and forces of the run must be below 1e130. Larger ones
+ * would move the wall, and this is not checked.
+ * Cost: coordinates damped one by one: the adjoint of a run with twice the coordinates. Matrices and mechanisms: the
+ * adjoint of a run with one coordinate more for each force number of a damper. Derivatives by numbers of a law take one
+ * run more, and up to seven starts of a stepper and an observer for each number; with fvi_cq2_shifted, fvi_cq_bdf2 and
+ * fvi_cq2_midpoint each of these starts includes a run of one body.
+ * Accuracy: that of fvi_adjoint, except for the derivatives by alpha and by numbers of a law. These numbers also stand
+ * in the first rows, and their part of the derivative is right to 1e-9 of these rows.
+ *
+ * Returns what fvi_adjoint, fvi_stepper_start and fvi_observer_start return; FVI_EUNSUP for fvi_variable_step, for a
+ * run with events, for matrices without their entries M and K, and for coordinates that are damped one by one
+ * at alpha = 1, where the damping is a mass. On error the outputs are of no use. */
 int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_objective *objective,
                        const double *force, const double *impulse, const fvi_sensitivities *gradients);
 
-/* fvi_directional_derivatives -- how every x_k and p_k of a run changes along directions: forward
- * sensitivities, side by side with the run.                                         [(24.6), (24.12)]
+/* fvi_directional_derivatives -- compute a run, and how every x_k and p_k changes along given directions (forward
+ * sensitivities).                                                                                  [(24.6), (24.12)]
  *
- *     dx_k = sum_theta (dx_k / dtheta) dtheta
+ *     dx_k = sum_theta (dx_k / dtheta) dtheta,     dp_k = sum_theta (dp_k / dtheta) dtheta
  *
- *   method  as for fvi_adjoint, but for fvi_variable_step
- *   run     of a chain, or of matrices with any number of dampers; without events
- *   count   directions, >= 1
- *   along   of each what changes: the arrays of fvi_sensitivities, as fvi_adjoint writes them, hold dtheta, and
- *           are read. NULL: nothing. `sensitivity` names the derivatives of U by its parameters
+ *   method  as for fvi_adjoint, but not fvi_variable_step
+ *   run     of coordinates that are damped one by one, or of matrices with any number of dampers; without events
+ *   count   how many directions, >= 1
+ *   along   `count` directions. The arrays of fvi_sensitivities hold dtheta here, in the shapes in which fvi_adjoint
+ *           writes derivatives, and are read. An array that is NULL stands for zeros. `sensitivity` gives the
+ *           derivatives of grad U by its parameters
  *   x       output: x_k of coordinate i at [k * d + i], (N + 1) d numbers
- *   p       output: p_k, likewise; or NULL
+ *   p       output: p_k, in the same shape; or NULL
  *   dx, dp  outputs: along direction j at [(k * count + j) * d + i], (N + 1) count d numbers; dp may be NULL
  *
- * These are the derivatives of what the program computes, as fvi_adjoint has them: for any weights w_k,
- * sum w_k . dx_k is the sum of dJ/dtheta dtheta of J = sum w_k . x_k, to rounding. Where no motion starts at another
- * x0 (19.2), dx_k is NaN along such a direction for k > 0.
- *
- *     double step[] = { 1, 0 }, dx[(N + 1) * 2];
- *     const fvi_sensitivities along = { .damping = step };      by the first damping of two
+ *     double by_damping[] = { 1, 0 }, dx[(N + 1) * 2];             by the first damping of two coordinates
+ *     const fvi_sensitivities along = { .damping = by_damping };
  *     fvi_directional_derivatives(&fvi_cq2_midpoint, &run, 1, &along, x, NULL, dx, NULL);
  *
- * Cost: of one coordinate a run with as many coordinates as directions; else a run for each direction, with one
- * factorisation a step; and a memory more where a damping is changed, with a number of a law up to four.
- * Accuracy: that of the run; no bound is proved for the rounding.
+ * These are the derivatives of the numbers that the program computes, as with fvi_adjoint: for any weights w_k the sum
+ * of w_k . dx_k equals, to rounding, the sum of dJ/dtheta dtheta for J = sum_k w_k . x_k. Where no motion starts at
+ * another x_0 (19.2), dx_k and dp_k are NaN for k > 0 along a direction that changes this x_0.
  *
- * Returns FVI_SUCCESS; what fvi_stepper_start and fvi_stepper_step return; FVI_EFAULT if a pointer is NULL;
- * FVI_EINVAL for no direction, alpha of a law or of several dampers, numbers of a law without one, or parameters
- * without a sensitivity; FVI_EUNSUP for another method or run, with stages at alpha = 1, by x0 of several dampers where
- * no motion starts at another x0, and without stages for what fvi_adjoint refuses of several dampers;
- * FVI_ESING if the equation of a step has no unique solution; FVI_EOVRFLW if a derivative is not finite; FVI_ENOMEM;
- * what a callback returned. */
+ * Cost: one coordinate: a second run with as many coordinates as directions. Else: one more run for each direction,
+ * with one factorisation for each step. A direction that changes a damping takes one memory more, and a direction that
+ * changes a number of a law takes up to four. Accuracy: that of the run; no bound is proved for the rounding.
+ *
+ * Returns FVI_SUCCESS; what fvi_stepper_start and fvi_stepper_step return; what a callback returned; or
+ *   FVI_EFAULT   method, run, x0 or p0 of the run, along, x or dx is NULL
+ *   FVI_EINVAL   count is 0; a direction changes alpha of a law or of several dampers, terms, orders, times or ends
+ *                without a law or dampers, or parameters without sensitivity.column
+ *   FVI_EUNSUP   the method or the run is not one of those above; stages at alpha = 1 (unless the run has a law or
+ *                several dampers); fvi_cq2_shifted with a law; mass of matrices without `inertia`; what fvi_adjoint
+ *                refuses of several dampers without stages, and of matrices with stages and a law that grows faster
+ *                than s; a change of x_0 with several dampers where no motion starts at another x_0
+ *   FVI_ESING    the equation of a step has no unique solution
+ *   FVI_EOVRFLW  a derivative is not finite
+ *   FVI_ENOMEM
+ * On error the outputs are of no use. */
 int fvi_directional_derivatives(const fvi_method *method, const fvi_run *run, size_t count,
                                 const fvi_sensitivities *along, double *x, double *p, double *dx,
                                 double *dp);

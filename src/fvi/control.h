@@ -1,4 +1,8 @@
-/* src/fvi/control.h -- From here to there with the least force.      [H 25] */
+/* src/fvi/control.h -- The least force that moves a body from here to there.      [H 25]
+ *
+ * Among all forces u_k that bring a run to the position x and the momentum p at its last step, fvi_control_solve finds
+ * the force with the least sum of squares. It finds the force by adjoint runs (adjoint.h), which give the derivatives
+ * of the end by every u_k. */
 #ifndef FVI_CONTROL_H
 #define FVI_CONTROL_H
 
@@ -9,49 +13,57 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_control_result -- what was found.
+/* fvi_control_result -- the force that was found, in numbers.
  *
  *   cost        (h/2) sum_k |u_k|^2
- *   miss        the largest |x_N - x| and |p_N - p| of the run with this u: look at it, as
- *               a step that is unstable (stability.h) makes anything of the roundings of u
- *   change      the largest change of u in the last iteration, relative to the largest u
- *   iterations  each of one run and 2 d adjoint ones */
+ *   miss        the largest |x_N - x| and |p_N - p| of the run with this u. Look at it: if a step is unstable
+ *               (stability.h), rounding errors of u grow without limit, and the run misses its aim
+ *   change      the largest change of u in the last iteration, divided by the largest |u|
+ *   iterations  how many; one iteration is a run and 2 d adjoint runs */
 typedef struct {
     double cost, miss, change;
     size_t iterations;
 } fvi_control_result;
 
-/* fvi_control_solve -- the least force that ends a run at x, p, for quadratic U; for others a
- * stationary one.                                                     [(25.1)]
+/* fvi_control_solve -- find the least force that ends a run at x, p.                    [(25.1)]
  *
  *     min (h/2) sum_{k=0}^{N} |u_k|^2   so that   x_N = x, p_N = p,
  *
- * u_k being added to the force F(t_k) of the system.
+ * where u_k is added to the force F(t_k) of the system.
  *
  *   method  fvi_fractional, fvi_cq2_shifted, fvi_cq_bdf2 or fvi_cq2_midpoint
- *   run     the start, the steps, the past, a law if the method takes it; N >= 2
- *   x, p    where it is to end, d numbers each
- *   u       in: a guess, zeros will do; out: (N + 1) d numbers, component i at t_k at
- *           [k * d + i]
+ *   run     the start, the steps, the past, and a law if the method takes it; N >= 2; no matrices and no events
+ *   x, p    where the run is to end, d finite numbers each
+ *   u       in: a guess, zeros will do. out: (N + 1) d numbers, owned by the caller, component i at t_k at [k * d + i]
  *   found   output
  *
- * For a quadratic U the answer is unique, and found at once: 2 d adjoint runs and 2 d
- * equations, and once more to see that nothing changes. Else u solves the first-order
- * conditions (25.3), and need not be the least of all: where there are several, which one
- * is not said. The iteration is (25.4), with steps that are halved until (25.5) falls;
- * its speed is linear, and the faster the less U bends. There are no bounds on u.
+ *     double u[(N + 1) * 1] = { 0 };
+ *     const double x = 1, p = 0;
+ *     status = fvi_control_solve(&fvi_cq2_midpoint, &run, &x, &p, u, &found);
  *
- * Ends when u changes by less than 1e-12 of its largest number. Accuracy for quadratic U:
- * seen 4.4e-16 of the largest u, one mass, N = 24 and 32.
+ * For a quadratic U the answer is unique, and the first iteration finds it; a second iteration sees that nothing
+ * changes. For any other U the answer solves the first-order conditions (25.3). It is stationary, but it need not be
+ * the least force, and where there are several solutions the guess decides which of them is found. Method: the
+ * iteration (25.4), with steps that are halved until (25.5) falls. Near the solution several iterations are combined
+ * (Anderson's acceleration). The iteration converges linearly, the faster the less U differs from a quadratic one. u
+ * has no bounds.
  *
- * Cost of an iteration: one run, more if the step is halved, and 2 d adjoint ones;
- * (2 d + 18) d (N + 1) numbers are kept, and 4 d (d + 1).
- * Returns FVI_SUCCESS; what fvi_trajectory and fvi_adjoint return, FVI_EUNSUP for other
- * methods; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if N < 2, or so many steps cannot
- * be addressed; FVI_EDOM if x or p is not finite; FVI_ESING if the force cannot reach x
- * and p; FVI_EOVRFLW if u, its cost or its miss is not finite; FVI_EMAXITER after 200
- * iterations, u and found being those of the last;
- * FVI_ENOMEM. After another error u is of no use. */
+ * The iteration ends when u changes by less than 1e-12 of its largest number. Accuracy for quadratic U: 4.4e-16 of the
+ * largest u was seen, for one mass and N = 24 and 32.
+ *
+ * Cost of an iteration: one run, more if the step is halved, and 2 d adjoint runs. Memory: (2 d + 18) d (N + 1) and
+ * 4 d (d + 1) numbers.
+ * Returns FVI_SUCCESS; what fvi_stepper_start, fvi_stepper_step, fvi_adjoint and a callback return; or
+ *   FVI_EFAULT    a pointer is NULL
+ *   FVI_EINVAL    N < 2, or so many steps cannot be addressed
+ *   FVI_EDOM      x or p is not finite
+ *   FVI_EUNSUP    another method, matrices, or events
+ *   FVI_ESING     the force cannot reach x and p
+ *   FVI_EOVRFLW   u, its cost or its miss is not finite
+ *   FVI_EMAXITER  200 iterations were not enough, or 40 halvings of a step did not lower (25.5); u and *found are those
+ *                 of the last iteration
+ *   FVI_ENOMEM
+ * After any other error u is of no use. */
 int fvi_control_solve(const fvi_method *method, const fvi_run *run, const double *x,
                 const double *p, double *u, fvi_control_result *found);
 

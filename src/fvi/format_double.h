@@ -1,4 +1,4 @@
-/* src/fvi/format_double.h -- A number as a word.
+/* src/fvi/format_double.h -- Print a double with the fewest digits that read back to the same number.
  *
  *     char text[32];
  *     fvi_format_double(0.1, text);
@@ -11,8 +11,13 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_format_double -- the shortest decimal number that is read back as v, finite. Of those
- * with as many digits the nearest to v. Returns its length. */
+/* fvi_format_double -- write the shortest decimal number that is read back as v. Of all numbers with as many digits it
+ * is the nearest one to v.
+ *
+ *   v     a finite number
+ *   text  output: the digits and a '\0', 32 bytes at most
+ *
+ * Returns the length of the text without the '\0'. Nothing is checked. */
 int fvi_format_double(double v, char text[32]);
 
 #pragma GCC visibility pop
