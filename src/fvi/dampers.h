@@ -1,11 +1,11 @@
-/* src/fvi/dampers.h -- Several dampers, each between points of its own.   [H 29]
+/* src/fvi/dampers.h -- Dampers between the points of a system, and what a run tells about them.   [H 29]
  *
  *     d/dt L_v - L_x + sum_j grad g_j(x) C_j(D) [g_j(x) - g_j(x_0)] = F(t)      (29.1)
  *
- * A damper acts on one number, its elongation z = g(x), with the force C(D) (z - z_0) along
- * grad g. For example, a damper between two masses has g(x) = x_2 - x_1, and a strut between two points
- * of the plane has their distance. A system with dampers has no damping of its own: its `damping`
- * is zero, and neither alpha nor law of a run is read.
+ * A damper measures one number, its elongation z = g(x), and answers with the force C(D) (z - z_0) along grad g. For
+ * example, a damper between two masses has g(x) = x_2 - x_1, and for a strut between two points of the plane g is their
+ * distance. A system with dampers has no damping of its own: its `damping` is zero, and the alpha of a run is not read;
+ * its law is NULL.
  *
  *     const double between[] = { -1, 1 };
  *     const fvi_damper damper = { .of = fvi_elongation_row(between), .kernel = &zener };
@@ -27,17 +27,17 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_elongation -- what a damper acts on, a number z = g(x, t).
+/* fvi_elongation -- the number z = g(x, t) that a damper measures.
  *
- *   row       g(x) = row . x, d numbers; or NULL, and then the functions say what g is:
+ *   row       d numbers, and g(x) = row . x. Or NULL, and then the functions define g:
  *   value     writes g to *g
- *   gradient  writes its d derivatives by x to G
- *   hessian   adds factor times its d * d second derivatives to H, row by row; NULL where a method
- *             does not ask for them
- *   rate      writes the derivative by t to *gt; NULL: t does not stand in g
+ *   gradient  writes the d derivatives of g by x to G
+ *   hessian   adds factor times the d * d second derivatives of g by x to H, row by row. May be NULL for fvi_fractional
+ *             and fvi_cq2_midpoint without an adjoint; methods with stages and fvi_variable_step need it
+ *   rate      writes the derivative of g by t to *gt; NULL: g does not depend on t
  *   params    handed to the functions, owned by the caller, may be NULL
  *
- * The functions return 0, or a code as those of a potential do (system.h). */
+ * The functions return 0, or a code as the functions of a potential do (system.h). */
 typedef struct {
     const double *row;
     int (*value)(double t, size_t d, const double *x, void *params, double *g);
@@ -49,14 +49,14 @@ typedef struct {
     void *params;
 } fvi_elongation;
 
-/* fvi_damper -- an elongation, its kernel, and what it was before t = 0.
+/* fvi_damper -- an elongation, a kernel, and the past of the elongation.
  *
- *   name    for columns and messages; NULL: d1, d2, ... by its place
+ *   name    for columns and messages; NULL: d1, d2, ... by the place of the damper
  *   of      the elongation
- *   matrix  NULL; or, of a structure (structures.h), a symmetric matrix C that is not negative: the
- *           force is then C times the kernel's answer to x - x_0, and `of` is not read
+ *   matrix  NULL; or, in a structure (structures.h), a symmetric positive semidefinite matrix C. The force is then C
+ *           times the answer of the kernel to x - x_0, and `of` is not read
  *   kernel  the law with its factors (damping_laws.h); must outlive the run
- *   past    of the elongation (past.h); zeroed: it was held at g(x_0) */
+ *   past    what the elongation did before t = 0 (past.h); zeroed: it was held at g(x_0) */
 typedef struct fvi_damper {
     const char *name;
     fvi_elongation of;
@@ -65,17 +65,20 @@ typedef struct fvi_damper {
     fvi_initial_history past;
 } fvi_damper;
 
-/* fvi_mechanism -- what a system has besides masses and a potential.
+/* fvi_mechanism -- what a system has besides masses and a potential. Everything that it points to belongs to the caller
+ * and must outlive the run.
  *
- *   damper_count, damper  the dampers; a damper's number is its place
- *   lagrangian   NULL: L = sum_i m_i v_i^2 / 2 - U(x), of the system's masses, which may then be 0, and
- *                its potential. Else neither is read, and both arrays of the system may be NULL
- *   force_on     NULL, or forces that know x and v; the system's force acts, too
+ *   damper_count, damper  the dampers; the number of a damper is its place, from 0
+ *   lagrangian   NULL: L = sum_i m_i v_i^2 / 2 - U(x), with the masses and the potential of the system; a mass may then
+ *                be 0. Else the Lagrangian (lagrangian.h): masses and potential are not read, and the arrays `mass` and
+ *                `damping` of the system may be NULL
+ *   force_on     NULL, or forces that depend on x and v. The force of the system acts, too
  *   constraints  NULL, or equations between the coordinates
  *
- * fvi, fvi-stable, fvi-lobatto2 to 8, 2d to 8d and fvi-adaptive take it; constraints
- * not fvi; fvi-adaptive no damper of the order 2, nor a law with a pole beside its cut. What they refuse at the start (FVI_EUNSUP, FVI_EDOM, FVI_ESING) they say with its
- * field: "lagrangian", "damper", "constraint", "x0", "p0", the number as the index. */
+ * fvi_fractional, fvi_cq2_midpoint, the methods with stages (lobatto.h) and fvi_variable_step take a mechanism.
+ * fvi_fractional takes no constraints, and fvi_variable_step takes no damper of the order 2 and no law with a pole
+ * beside its cut. If fvi_stepper_start refuses a mechanism (FVI_EUNSUP, FVI_EDOM, FVI_ESING), the field of its error is
+ * "lagrangian", "damper", "constraint", "x0" or "p0", and the index is the number of the damper or coordinate. */
 typedef struct fvi_mechanism {
     size_t damper_count;
     const fvi_damper *damper;
@@ -86,53 +89,72 @@ typedef struct fvi_mechanism {
 
 /* ---- what a run with a mechanism tells besides x and p ----
  *
- * Of a stepper whose system has a mechanism; another gives FVI_EUNSUP, and a null pointer
- * FVI_EFAULT. Nothing changes. At k = 0 all sums are zero. */
+ * These functions read a stepper whose system has a mechanism. Any other stepper gives FVI_EUNSUP, and a null pointer
+ * FVI_EFAULT. They change nothing, and on error the outputs are untouched. At k = 0 all sums are zero. For example,
+ *
+ *     double impulse, work;
+ *     fvi_stepper_damper(s, 0, &impulse, &work);
+ *     printf("%g %g %g\n", s->t, impulse, work); */
 
-/* fvi_stepper_velocity -- v of L_v(x, v, t) = p at the last step, d numbers: of the order of p. That of
- * a coordinate without inertia is the slope of the last step, by fvi-stable that of the last means (29.25); 0 at k = 0. */
+/* fvi_stepper_velocity -- compute v from L_v(x, v, t) = p at the last step.
+ *
+ *   v  output, d numbers
+ *
+ * The order is that of p. The velocity of a coordinate without inertia is the slope of x in the last step, by
+ * fvi_cq2_midpoint the slope of the last two means (29.25); 0 at k = 0. Returns FVI_SUCCESS; FVI_EFAULT; FVI_EUNSUP;
+ * what fvi_velocity_of_momentum returns (lagrangian.h), after which v is of no use. */
 int fvi_stepper_velocity(const fvi_stepper *s, double *v);
 
-/* fvi_stepper_keep_dampers -- at k = 0: sum up what fvi_stepper_damper tells. A structure with
- * several dampers does so only if it is asked, as its forces act on all unknowns: two passes over
- * them for a damper and step. Other systems do it always.
- * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL after k = 0; FVI_EUNSUP without a mechanism; FVI_ENOMEM. */
+/* fvi_stepper_keep_dampers -- ask a structure with several dampers to sum up what fvi_stepper_damper tells. Call it at
+ * k = 0. A structure does so only if it is asked, because its dampers act on all unknowns: the sums cost two passes
+ * over the unknowns for each damper and step. All other systems with a mechanism keep the sums always.
+ * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL for a structure after k = 0; FVI_EUNSUP without a mechanism, or if the
+ * method does not keep such sums; FVI_ENOMEM. */
 int fvi_stepper_keep_dampers(fvi_stepper *s);
 
-/* fvi_stepper_damper -- what damper j, from 0, has given and taken from t = 0 to the last step.
+/* fvi_stepper_damper -- tell the impulse and the work of damper j from t = 0 to the last step.
  *
- *   (of fvi-adaptive: to the end of its last step, whatever the rows; an observer knows them at any time)
- *   impulse  output or NULL: the integral of its force lambda = C(D) (z - z_0), the partner of p,
- *            and of p's order: the force at a node is its difference, over a run. Of a damper by a
- *            matrix d numbers, the integral of C times the answer to x - x_0
- *   work     output or NULL: that of lambda dz. Never negative by fvi-stable and the methods with
- *            stages if the damper is held, and either its order is at most 1 or its elongation
- *            starts without a slope, (29.11)
+ *   j        the number of the damper, from 0
+ *   impulse  output or NULL: the integral of the force lambda = C(D) (z - z_0) of the damper, one number. It has the
+ *            order of p. The force at a node is the difference of two impulses divided by the step. For a damper with a
+ *            matrix: d numbers, the integral of C times the answer to x - x_0
+ *   work     output or NULL: the integral of lambda dz, one number. By fvi_cq2_midpoint and the methods with stages it
+ *            is never negative if the past is HELD, and either the order of the damper is at most 1 or its elongation
+ *            starts without a slope (29.11)
  *
- * Both are the scheme's own sums. FVI_EINVAL if there is no such damper; FVI_EUNSUP where nothing
- * was kept. */
+ * Both are the scheme's own sums. With fvi_variable_step they reach to the end of its last step, wherever the rows are;
+ * an observer (observer.h) gives them at any time.
+ * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EINVAL if there is no damper j; FVI_EUNSUP without a mechanism, or
+ * without fvi_stepper_keep_dampers where it is needed. */
 int fvi_stepper_damper(const fvi_stepper *s, size_t j, double *impulse,
                        double *work);
 
-/* fvi_stepper_multipliers -- the multipliers Lambda of the constraints, C^T Lambda in the equation of
- * motion, at both ends of the last step: each is of low order alone.
+/* fvi_stepper_multipliers -- tell the multipliers Lambda of the constraints at both ends of the last step. The equation
+ * of motion contains them as C^T Lambda.
  *
- *   begin, end  outputs or NULL: count numbers each; zeros at k = 0
+ *   begin, end  outputs or NULL: one number for each constraint; zeros at k = 0
  *
- * The multiplier at the node k is the mean of `end` after step k and of `begin` after step k + 1: of
- * order 2, or 4 for fvi-lobatto4. Minus that of x1 - u(t) is the reaction to an imposed motion. */
+ * Each of the two is of low order alone. The multiplier at node k is the mean of `end` after step k and of `begin`
+ * after step k + 1. This mean has order 2, or 4 for fvi_lobatto_m4. Minus the multiplier of x1 - u(t) is the reaction
+ * to the imposed motion. Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EUNSUP. */
 int fvi_stepper_multipliers(const fvi_stepper *s, double *begin, double *end);
 
-/* fvi_stepper_tie -- the impulse of constraint i, from 0: the integral of Lambda_i from t = 0 to the last step,
- * the partner of p. The multiplier at a node is its difference, over a run. FVI_EINVAL if there is no
- * such constraint. */
+/* fvi_stepper_tie -- tell the impulse of constraint i, from 0: the integral of Lambda_i from t = 0 to the last step.
+ *
+ *   impulse  output, one number. The multiplier at a node is the difference of two impulses divided by the step
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EUNSUP; FVI_EINVAL if there is no constraint i. */
 int fvi_stepper_tie(const fvi_stepper *s, size_t i, double *impulse);
 
-/* fvi_stepper_energy -- E = v . L_v - L at the last step; also of a stepper without a mechanism. Returns
- * as fvi_energy_at. */
+/* fvi_stepper_energy -- compute E = v . L_v - L at the last step, also for a stepper without a mechanism.
+ *
+ *   E  output, one number
+ *
+ * Returns as fvi_energy_at (lagrangian.h); FVI_EFAULT if a pointer is NULL. */
 int fvi_stepper_energy(const fvi_stepper *s, double *E);
 
-/* fvi_elongation_row -- g(x) = row . x; the d numbers belong to the caller and must outlive the run. */
+/* fvi_elongation_row -- return the elongation g(x) = row . x. The d numbers belong to the caller and must outlive the
+ * run. */
 static inline fvi_elongation fvi_elongation_row(const double *row)
 {
     fvi_elongation linear;

@@ -1,4 +1,6 @@
-/* src/fvi/directory.h -- A system from the files of a folder.
+/* src/fvi/directory.h -- Read a system M x'' + C D^{2 alpha} x + K x = F(t) from the files of a folder.
+ *
+ * The folder holds M.mtx and K.mtx, and may hold C.mtx and f.tsv.
  *
  *     fvi_directory *directory;
  *     if (fvi_directory_open("building", &directory, &error) == FVI_SUCCESS)
@@ -17,65 +19,79 @@ extern "C" {
 
 typedef struct fvi_directory fvi_directory;
 
-/* fvi_directory_open -- M.mtx, K.mtx and, if it is there, C.mtx of a folder. A file that looks
- * like an input, but is not read, is refused by its name: another name.mtx, F.tsv, f.csv,
- * stiffness.txt.
+/* fvi_directory_open -- read M.mtx, K.mtx and, if it is there, C.mtx from a folder (fvi_sparse_read, structures.h).
  *
+ *   name       the folder
  *   directory  output; close it with fvi_directory_close
+ *   error      output, or NULL: what is wrong. Its field is "system", and its text names the file and the line
  *
- * Returns FVI_SUCCESS; FVI_EINVAL with an error that names the file and the line;
- * FVI_ENOMEM. */
+ * Another file in the folder that looks like an input is refused by its name, because it would not be read: any other
+ * name.mtx, and tables such as F.tsv, f.csv or stiffness.txt.
+ *
+ * Returns FVI_SUCCESS; FVI_EINVAL if a file or the folder is refused; FVI_ENOMEM. On error *directory is untouched. */
 int fvi_directory_open(const char *name, fvi_directory **directory,
                        fvi_error *error);
 
-/* fvi_directory_open_dampers -- the same with several dampers in place of C:
+/* fvi_directory_open_dampers -- open a folder with several dampers instead of C.mtx.
  *
  *     const char *const damper[] = { "C.mtx : power:1,0.3", "roof=x5-x4 : zener:2,0.3,1" };
+ *     status = fvi_directory_open_dampers("building", 2, damper, NULL, &directory, &error);
  *
- *   count, damper  texts '[NAME=] G : LAW [: PAST]' as those of a mechanism (parse.h). G is a file of
- *              the folder, a symmetric matrix that is not negative, or an expression in x1, ...,
- *              xd that is linear. With count 0 as fvi_directory_open
- *   parameters  of the expressions, or NULL
+ *   name       the folder
+ *   count, damper  texts '[NAME=] G : LAW [: PAST]', as the dampers of a mechanism (parse.h). G is the name of a .mtx
+ *                  file of
+ *              the folder, a symmetric positive semidefinite matrix; or an expression in x1, ..., xd that is linear.
+ *              With count = 0 the function is fvi_directory_open
+ *   parameters  names with values for the expressions, or NULL
+ *   directory, error  outputs, as for fvi_directory_open
  *
- * A C.mtx that no damper names is refused, as all other files that would not be read. The index of an
- * error with the field "damper" is the damper's, from 0. */
+ * A C.mtx that no damper names is refused, like all other files that would not be read. If the field of the error is
+ * "damper", its index is the number of the damper, from 0.
+ * Returns as fvi_directory_open; also what fvi_structure_alloc_dampers returns. */
 int fvi_directory_open_dampers(const char *name, size_t count, const char *const *damper,
                                fvi_user_parameters *parameters, fvi_directory **directory,
                                fvi_error *error);
 
-/* fvi_directory_file -- the name of file number i, from 0, that was read of the folder, or would be:
- * "M.mtx", ...; NULL if there are not so many. */
+/* fvi_directory_file -- return the name of file number i, from 0, of all files that were read or would be read if they
+ * were there: "M.mtx", ...; NULL if i is too large. The name belongs to the directory. */
 const char *fvi_directory_file(const fvi_directory *directory, size_t i);
 
-/* fvi_directory_force -- f.tsv of the folder, if it is there: rows t, f_1, ..., f_d, or of the
- * unknowns that a first line names, "t f3 f7"; linear in between. All others are free.
+/* fvi_directory_force -- read the forces f.tsv of the folder, if it is there.
  *
- *   last   the time up to which it must reach
+ * Each row is t, f_1, ..., f_d. Or a first line names the columns, "t f3 f7", and all other unknowns are free. Between
+ * two rows the force is linear.
+ *
+ *   last   the time that the rows must reach; they must begin at t <= 0
  *   found  output: nonzero if there is such a file
+ *   error  output, or NULL, as for fvi_directory_open
  *
- * Returns as fvi_directory_open. */
+ * Call it at most once, before fvi_directory_system. Returns FVI_SUCCESS, also without a file; FVI_EINVAL if the file
+ * is refused; FVI_ENOMEM. */
 int fvi_directory_force(fvi_directory *directory, double last, int *found,
                         fvi_error *error);
 
-/* fvi_directory_force_name -- "f.tsv of DIR", for the head of a table; the directory's. */
+/* fvi_directory_force_name -- return "f.tsv of NAME", for the head of a table. The text belongs to the directory. */
 const char *fvi_directory_force_name(const fvi_directory *directory);
 
-/* fvi_directory_system -- the system, with that force. It points into the directory. */
+/* fvi_directory_system -- return the system, with the force that fvi_directory_force has read. It points into the
+ * directory, which must outlive every run of the system. */
 fvi_system fvi_directory_system(const fvi_directory *directory);
 
-/* fvi_directory_damping -- C_j of damper j, from 0, of a folder that was opened with dampers: as it was
- * read, or row^T row. It belongs to the directory. */
+/* fvi_directory_damping -- return C_j of damper j, from 0, of a folder that was opened with dampers: the matrix that
+ * was read, or row^T row of a linear expression. It belongs to the directory. */
 const fvi_sparse *fvi_directory_damping(const fvi_directory *directory, size_t j);
 
-/* fvi_directory_matrices -- M, K and C as they were read; C is empty if there is none. */
+/* fvi_directory_matrices -- give M, K and C as they were read, in this order. C is empty if there is no C.mtx. They
+ * belong to the directory. */
 void fvi_directory_matrices(const fvi_directory *directory,
                             const fvi_sparse *A[3]);
 
-/* fvi_directory_solver -- how a step of that method is solved, for the head of a table. */
+/* fvi_directory_solver -- return how m M + c C + k K is solved with, for the head of a table, as
+ * fvi_structure_solver_name (structures.h): "diagonal", "band" or "CHOLMOD". */
 const char *fvi_directory_solver(const fvi_directory *directory, double m,
                                  double c, double k);
 
-/* fvi_directory_close -- give everything back. NULL is allowed. */
+/* fvi_directory_close -- free a directory. NULL is allowed. */
 void fvi_directory_close(fvi_directory *directory);
 
 #pragma GCC visibility pop

@@ -1,7 +1,19 @@
-/* src/fvi/fvi.h -- Fractional variational integrators.           [H 9]
+/* src/fvi/fvi.h -- The whole library, and fvi_fractional, its first integrator.           [H 9]
  *
- * With it comes the rest of the library, but for what only the paper needs: that is in
- * fvi/paper. */
+ * This header includes all other headers, except those that only the paper needs (fvi/paper).
+ *
+ *     #include <fvi/fvi.h>
+ *
+ *     const double mass = 1, damping = 0.5, stiffness = 1, x0 = 1, p0 = 0;
+ *     const fvi_system system = { .d = 1, .mass = &mass, .damping = &damping,
+ *                                 .potential = fvi_potential_harmonic(&stiffness) };
+ *     fvi_run run = fvi_run_default(&system, &x0, &p0, 0.1, 200);
+ *     fvi_stepper *s;
+ *     if (fvi_stepper_start(&fvi_fractional, &run, &s, NULL) == FVI_SUCCESS) {
+ *         while (s->k < run.steps && fvi_stepper_step(s) == FVI_SUCCESS)
+ *             printf("%g %g\n", s->t, s->x[0]);
+ *         fvi_stepper_free(s);
+ *     } */
 #ifndef FVI_H
 #define FVI_H
 
@@ -12,14 +24,14 @@
 #include "dampers.h"
 #include "structures.h"
 
-/* Histories: kernels of damping, what was before t = 0, and the sums over the past */
+/* The memory: laws of damping, the past before t = 0, and the sums over the past */
 #include "damping_laws.h"
 #include "past.h"
 #include "memory.h"
 #include "coefficients.h"
 #include "convolution_quadrature.h"
 
-/* Its motion: to a tolerance, or step by step, by one of these methods */
+/* The motion: to a tolerance, or step by step, by one of these methods */
 #include "solve.h"
 #include "trajectory.h"
 #include "archive.h"
@@ -30,12 +42,12 @@
 #include "variable_steps.h"
 #include "batch.h"
 
-/* What a run tells besides x and p */
+/* What a run gives besides x and p */
 #include "observer.h"
 #include "events.h"
 #include "warnings.h"
 
-/* Derivatives, and what they are for */
+/* Derivatives, and what they serve for */
 #include "adjoint.h"
 #include "sensitivity.h"
 #include "control.h"
@@ -43,7 +55,7 @@
 #include "identification.h"
 #include "rheology.h"
 
-/* How long a step may be, and what the error is */
+/* The longest stable step, and bounds of the error */
 #include "stability.h"
 #include "convolution_quadrature_stability.h"
 #include "convergence.h"
@@ -63,7 +75,7 @@
 #include "typed_fit.h"
 #include "format_double.h"
 
-/* Codes, and which library this is */
+/* Error codes, and the version of the library */
 #include "error.h"
 #include "version.h"
 
@@ -78,23 +90,26 @@ extern "C" {
  *         - h rho Delta_-^alpha Delta_-^alpha x_k + h F(t_k) = 0,
  *     p_0 = -D1 L_d(x_0, x_1),
  *
- * in R^d with diagonal m and rho, any potential, any kappa and alpha in [0, 1]; or with
- * matrices for m, rho and the Hessian of U (structures.h).
- * Done in momentum form, which is the same equation with less rounding:
- * p_k = -D1 L_d(x_k, x_k + dx) gives dx, then
+ * in R^d with diagonal m and rho, any potential, any kappa and alpha in [0, 1]; or with matrices for m, rho and the
+ * Hessian of U (structures.h). L_d is the discrete Lagrangian (discrete_mechanics.h), and Delta_-^alpha Delta_-^alpha
+ * x_k is h^(-2 alpha) times the sum over the past with the weights of Grünwald and Letnikov of the order 2 alpha.
+ * run->past says on what the memory acts (9.6).
+ *
+ * A step uses momenta, which is the same equation with smaller rounding errors. It solves p_k = -D1 L_d(x_k, x_k + dx)
+ * for dx, and then
  *
  *     x_{k+1} = x_k + dx,
  *     p_{k+1} = p_k - h grad U - h rho Delta_-^alpha Delta_-^alpha x_{k+1}
  *               + h F(t_{k+1}).
  *
- * p_k is the matched momentum of H 8 for every k <= N. Order 1; in p near
- * t = 0 only 2 - 2 alpha for a held body with alpha > 1/2 (19.11);
- * for Riemann-Liouville runs with x0 != 0 only 1 - 2 alpha if alpha < 1/2, and
- * none if alpha > 1/2 (9.5); order 2 for rho = 0, kappa = 1/2, F(0) = 0 (9.8).
- * run->past says on what the memory acts (9.6).
- * Steps must be short enough (fvi_stability_longest_step); at alpha = 1 and rho >= m none is.
- * Cost of a step: as fvi_stepper_step says, and fvi_history_push for the damped
- * coordinates. rho = 0 has no memory at all. */
+ * p_k is the matched momentum of H 8 for every k <= N.
+ *
+ * Order 1. Exceptions: for a held body with alpha > 1/2 p has only the order 2 - 2 alpha near t = 0 (19.11). A run with
+ * RIEMANN_LIOUVILLE and x0 != 0 has only the order 1 - 2 alpha if alpha < 1/2, and none if alpha > 1/2 (9.5). For
+ * rho = 0, kappa = 1/2 and F(0) = 0 the order is 2 (9.8).
+ * Stability: steps must be short enough (fvi_stability_longest_step); at alpha = 1 and rho >= m none is.
+ * Cost of a step: that of fvi_stepper_step, and of fvi_history_push for the damped coordinates. If rho = 0 there is no
+ * memory at all. */
 extern const fvi_method fvi_fractional;
 
 #pragma GCC visibility pop
