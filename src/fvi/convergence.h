@@ -10,8 +10,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_smoothness -- what the theorem has to know of a motion x on [0, T]. Let f = F/m and g = grad U/m, and let B be
- * the set of all points whose distance from the convex hull of the path is at most `room`.
+/* fvi_smoothness -- what the theorem has to know of a motion x on [0, T]. Let f = F/m and g = grad U/m, and let Omega
+ * be the set of all points whose distance from the convex hull of the path is at most `room`.
  *
  *   alpha         0 <= alpha < 1
  *   kappa         in [0, 1]

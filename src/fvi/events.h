@@ -69,7 +69,7 @@ typedef enum {
  * that begins on the wall and moves into it (FVI_EINVAL). If another event at the same time makes p jump, a jump of z
  * through 0 is no event.
  *
- * The method looks at z at six or eight times in each step, and where |z| is least between them. So it sees a z that
+ * The method evaluates z at six or eight times in each step, and where |z| is least between them. So it sees a z that
  * passes 0 and turns back, if |z| has only one minimum between two of these times. run.longest makes the steps shorter.
  * A z that goes no farther beyond 0 than the error of the motion may be missed. Cost, seen with one oscillator: with an
  * event a run takes 2 to 4 times as long, and each event as long as 10 steps more. At most a tenth of this is the
