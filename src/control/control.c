@@ -1,4 +1,9 @@
-/* src/control/control.c -- From here to there with the least force.  [H 25] */
+/* src/control/control.c -- Find the least force that takes a run from a start to a given end. [H 25]
+ *
+ * The unknown is u, an additional force at each node. Each iteration makes one run with the force F + u, and 2 d
+ * adjoint runs, which give the derivatives of the end of the run by u. Linear equations of size 2 d (25.4) then give
+ * the next u. While u changes by much, the step towards the next u is halved until the merit function (25.5) falls.
+ * Once u changes by little, Anderson's mixing of the last iterations speeds up the convergence. */
 #include <fvi/control.h>
 #include "run/whole_run.h"
 
@@ -17,28 +22,28 @@
 #include <string.h>
 
 enum { ITERATIONS = 200, HALVES = 40, DEPTH = 6 };
-#define NEAR 0.1 /* a change of u from which on iterations are mixed */
+#define NEAR 0.1 /* The iteration mixes (mix) once the relative change of u is below this number. */
 
-/* One problem, and where its iteration is. rows = (N + 1) d. */
+/* One problem and the state of its iteration. rows = (N + 1) d is the size of u. */
 typedef struct {
     const fvi_method *method;
-    fvi_system system; /* with the force F + u */
-    fvi_force given;   /* F */
+    fvi_system system; /* the system of the run, with the force F + u */
+    fvi_force given;   /* F, the force of the caller's system */
     fvi_run run;
-    size_t d, rows, ends; /* 2 d numbers are given at the end */
+    size_t d, rows, ends; /* 2 d: so many numbers are prescribed at t_N */
     const double *wanted_x, *wanted_p;
-    const double *driving;   /* the u that the force adds */
-    double *x, *p;           /* the run with it */
-    double *trial, *next;    /* u between, and where the iteration leads */
-    double *a;               /* d(x_N, p_N)/dF, one behind the other */
-    double *gram, *nu, *gap; /* (25.3): 2 d square, 2 d, 2 d */
-    double *r, *g;           /* next - u, and next, of the iteration before */
-    double *dr, *dg;         /* their last DEPTH changes, rings */
-    size_t known;            /* how many there were */
-    double *block;           /* all of these; owned */
+    const double *driving;   /* the u that `driven` adds to F; not owned */
+    double *x, *p;           /* the trajectory of the last run */
+    double *trial, *next;    /* a trial u of the line search; the u to which the iteration leads */
+    double *a;               /* the derivatives of x_N and p_N by the force: 2 d rows of `rows` numbers */
+    double *gram, *nu, *gap; /* the unknowns of (25.3): 2 d by 2 d, 2 d, 2 d numbers */
+    double *r, *g;           /* next - u and next, of the iteration before */
+    double *dr, *dg;         /* the last DEPTH changes of r and of g; rings */
+    size_t known;            /* how many changes have been stored so far */
+    double *block;           /* the memory of all arrays above but those of the caller; owned */
 } problem;
 
-/* F(t) + u_k at the node nearest to t. */
+/* F(t) + u_k, where k is the node nearest to t. The force of the run: `params` is the problem. */
 static int driven(double t, size_t d, void *params, double *F)
 {
     const problem *o = params;
@@ -68,7 +73,7 @@ static int allocate(problem *o)
     return FVI_SUCCESS;
 }
 
-/* ---- the run with u, and how far from its aim it ends ---- */
+/* ---- the run with u, and the distance of its end from the prescribed end ---- */
 
 static int run_with(problem *o, const double *u)
 {
@@ -87,7 +92,7 @@ static double cost_of(const problem *o, const double *u)
     return o->run.h / 2 * fvi_dot(o->rows, u, u);
 }
 
-/* (25.5), with prices above all nu. */
+/* The merit function (25.5). `price` must exceed the largest |nu_i|. */
 static double merit(const problem *o, const double *u, double price)
 {
     double miss = 0;
@@ -98,7 +103,7 @@ static double merit(const problem *o, const double *u, double price)
 
 /* ---- the conditions ---- */
 
-/* J = x_N,i or p_N,i: params is i, or d + i. */
+/* An objective J that is one number of the end: x_N,i for params = i < d, and p_N,i for params = d + i. */
 static int one_end(size_t k, size_t d, const double *x, const double *p,
                    void *params, double *Jx, double *Jp)
 {
@@ -110,7 +115,7 @@ static int one_end(size_t k, size_t d, const double *x, const double *p,
 }
 
 //> adjoint-runs
-/* a_i = d(x_N, p_N)_i / dF: an adjoint run for each. */
+/* a_i = d(x_N, p_N)_i / dF: one adjoint run for each of the 2 d numbers of the end. */
 static int adjoint_runs(problem *o)
 {
     int status = FVI_SUCCESS;
@@ -124,7 +129,7 @@ static int adjoint_runs(problem *o)
 }
 //< adjoint-runs
 
-/* b becomes A^-1 b; A is n by n, and lost. Nonzero if it is not positive definite. */
+/* Replace b by A^-1 b. A is n by n and is overwritten. Returns nonzero if A is not positive definite. */
 static int solve(size_t n, double *A, double *b)
 {
     gsl_matrix_view matrix = gsl_matrix_view_array(A, n, n);
@@ -138,8 +143,9 @@ static int solve(size_t n, double *A, double *b)
 }
 
 //> least
-/* (25.4): the least u' with gap + a (u' - u) = 0: u' = -a^T nu / h, and
- * (a a^T / h) nu = gap - a u. */
+/* Compute the least u' with gap + a (u' - u) = 0 into `next`. (25.4)
+ *
+ *     u' = -a^T nu / h,    (a a^T / h) nu = gap - a u */
 static int least(problem *o, const double *u)
 {
     const size_t n = o->ends;
@@ -163,7 +169,7 @@ static int least(problem *o, const double *u)
 
 /* ---- the iteration ---- */
 
-/* The largest |next - u|, relative to the largest |next|. */
+/* The largest |next_j - u_j| divided by the largest |next_j|. */
 static double change_of(const problem *o, const double *u)
 {
     double far = 0, size = 0;
@@ -175,8 +181,8 @@ static double change_of(const problem *o, const double *u)
 }
 
 //> go
-/* u moves towards next, by half as much as long as (25.5) does not fall: its slope is
- * -h |next - u|^2 or steeper. A run that ends in an error is too far away. */
+/* Move u towards next. The step is halved until the merit function (25.5) falls; its slope along next - u is at most
+ * -h |next - u|^2. If a run fails, the trial u was too far away, and the step is halved, too. */
 static int go(problem *o, double *u, double *price)
 {
     double slope = 0;
@@ -202,7 +208,7 @@ static int go(problem *o, double *u, double *price)
 //< go
 
 //> mix
-/* The changes of next and of r = next - u since the iteration before; both are kept. */
+/* Store the changes of next and of r = next - u since the iteration before, and keep both as the last ones. */
 static void store_control(problem *o, const double *u)
 {
     const size_t at = o->known++ % DEPTH * o->rows;
@@ -215,8 +221,8 @@ static void store_control(problem *o, const double *u)
     }
 }
 
-/* Anderson's mixture: next becomes next - sum_i gamma_i dg_i, with the gamma for which
- * r - sum_i gamma_i dr_i is least. The first change is from nowhere, and left out. */
+/* Anderson's mixing: replace next by next - sum_i gamma_i dg_i, where the gamma_i make |r - sum_i gamma_i dr_i| least.
+ * The first stored change is left out, because no iteration was before it. */
 static void mix(problem *o, const double *u)
 {
     store_control(o, u);
@@ -231,7 +237,7 @@ static void mix(problem *o, const double *u)
         for (size_t l = 0; l <= i; l++)
             A[i * n + l] = A[l * n + i] =
                 fvi_dot(R, dr, o->dr + (last - l) % DEPTH * R);
-        A[i * n + i] *= 1 + 1e-10; /* they may be nearly dependent */
+        A[i * n + i] *= 1 + 1e-10; /* the changes may be nearly dependent */
     }
     if (solve(n, A, gamma))
         return;
@@ -301,7 +307,7 @@ int fvi_control_solve(const fvi_method *method, const fvi_run *run, const double
                   .ends = 2 * run->system->d,
                   .wanted_x = x,
                   .wanted_p = p };
-    o.system.force.value = driven; /* its impulses stay */
+    o.system.force.value = driven; /* the impulses of the force stay */
     o.system.force.bound = NULL;
     o.system.force.params = &o;
     o.run.system = &o.system;

@@ -1,4 +1,7 @@
-/* src/run/batch.c -- Many small runs as one.                          [H 28] */
+/* src/run/batch.c -- Make one run of up to eight runs of one coordinate, and write the rows of many runs. [H 28]
+ *
+ * Run number l becomes coordinate l of one system, a lane (system/lanes.h). fvi_batch_trajectories takes the runs in
+ * groups that can go together, and repeats the runs of a group one by one if the group fails. */
 #include <fvi/batch.h>
 
 #include "system/fail.h"
@@ -18,7 +21,7 @@ struct fvi_batch {
     double x0[FVI_MOST_LANES], p0[FVI_MOST_LANES], mass[FVI_MOST_LANES], damping[FVI_MOST_LANES];
 };
 
-/* ---- do they go together? ---- */
+/* ---- can the runs go together? ---- */
 
 static int is_same_law(const fvi_kernel *a, const fvi_kernel *b)
 {
@@ -35,7 +38,7 @@ static int is_same_law(const fvi_kernel *a, const fvi_kernel *b)
     return 1;
 }
 
-/* Why this run goes alone whatever the others are, or NULL. */
+/* The reason why this run cannot go together with any other run, or NULL. */
 static const char *refusal_alone(const fvi_method *method, const fvi_run *run)
 {
     const fvi_system *system = run->system;
@@ -54,7 +57,7 @@ static const char *refusal_alone(const fvi_method *method, const fvi_run *run)
     return system->potential.solve ? "a potential solves its own equation" : NULL;
 }
 
-/* Why these two do not go together though each might with others, or NULL. */
+/* The reason why these two runs cannot go together, though each could with other runs; or NULL. */
 static const char *refusal_of_two(const fvi_method *method, const fvi_run *a, const fvi_run *b)
 {
     const fvi_system *s = a->system, *t = b->system;
@@ -90,7 +93,7 @@ const char *fvi_batch_refusal(const fvi_method *method, size_t count, const fvi_
     return why;
 }
 
-/* ---- the one run ---- */
+/* ---- one run of several ---- */
 
 static void fill(fvi_batch *b, size_t count, const fvi_run *run)
 {
@@ -141,7 +144,8 @@ const fvi_run *fvi_batch_run(const fvi_batch *batch)
 
 /* ---- many runs ---- */
 
-/* Which rows are wanted, and where they go: of each lane, or if there are none of all coordinates. */
+/* Which rows are wanted, and the arrays that they go to. Of a batch there is an array for each lane; lanes = 0 means a
+ * single run, of any number of coordinates, with one array. */
 typedef struct {
     size_t rows;
     const size_t *row;
@@ -158,7 +162,7 @@ static wanted_rows from_run(const wanted_rows *all, size_t first, size_t lanes)
     return w;
 }
 
-/* Row r of v, d numbers, into the arrays of its lanes. */
+/* Write row r of a batch, the numbers v, to the arrays of its lanes. */
 static void scatter(const wanted_rows *w, double *const *to, const double *v, size_t r)
 {
     for (size_t l = 0; to && l < w->lanes; l++)
@@ -206,7 +210,7 @@ static int walk_together(const fvi_method *method, size_t count, const fvi_run *
     return status;
 }
 
-/* How many runs, from the first on, go together: 8, or fewer where the next one does not. */
+/* How many runs, from the first on, can go together: at most 8. */
 static size_t group_of(const fvi_method *method, size_t count, const fvi_run *run)
 {
     size_t n = count < FVI_BATCH_MOST ? count : FVI_BATCH_MOST;

@@ -1,4 +1,4 @@
-/* src/run/dampers_check.c -- Are these dampers that a structure can have?  [H 27] */
+/* src/run/dampers_check.c -- Check the dampers of a structure before a run. [H 27] */
 #include "dampers_check.h"
 
 #include "system/fail.h"
@@ -15,8 +15,8 @@ static int refuse(size_t j, int code, const char *reason, fvi_error *error)
     return fvi_at_index(error, j, fvi_fail(error, code, "damper", (double)j + 1, "damper %zu: %s", j + 1, reason));
 }
 
-/* Riemann and Liouville's past: what stretches a damper at t = 0 has a motion for one power up to the order 1. The
- * paper's method needs none: its sum is (7a) whatever the law. */
+/* Riemann and Liouville's past. If x0 stretches a damper, its law must be one power up to the order 1, for which a
+ * motion exists. The method of the paper needs no motion: it takes the sum (7a) whatever the law. */
 static int check_liouville(const fvi_method *method, const fvi_run *run, size_t j,
                            fvi_error *error)
 {

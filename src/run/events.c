@@ -1,4 +1,4 @@
-/* src/run/events.c -- Are these events that a run can have?              [H 22] */
+/* src/run/events.c -- Check the events of a run. [H 22] */
 #include "system/fail.h"
 #include <fvi/events.h>
 

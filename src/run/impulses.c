@@ -1,4 +1,4 @@
-/* src/run/impulses.c -- What hits the body, as steps of one length take it. [H 2] */
+/* src/run/impulses.c -- The impulses of a force, as steps of one length take them. [H 2] */
 #include "impulses.h"
 
 #include "system/fail.h"
@@ -35,7 +35,7 @@ int fvi_impulses_check(const fvi_force *force, size_t d, fvi_error *error)
     return FVI_SUCCESS;
 }
 
-/* The first impulse at t or later. */
+/* The index of the first impulse at the time t or later, by bisection. */
 static size_t first(const fvi_force *force, double t)
 {
     size_t low = 0, high = force->impulse_count;
@@ -50,8 +50,8 @@ static size_t first(const fvi_force *force, double t)
 }
 
 //> share
-/* h, the product k h and the time itself may each be off by half an ulp, and T / N for h by
- * as much again: four ulp from a node is at the node. */
+/* The share of an impulse at the time t that node k gets. h, the product k h and t may each be off by half an ulp, and
+ * h may be off by as much again if it is T / N. So an impulse within four ulp of a node is at the node. */
 static double share(double t, double h, size_t k)
 {
     double steps = t / h;

@@ -1,4 +1,4 @@
-/* src/run/run_check.c -- Is it a run that a method takes?               [H 2] */
+/* src/run/run_check.c -- Check a run before a method starts it. [H 2] */
 #include "run_check.h"
 
 #include "impulses.h"
@@ -39,7 +39,7 @@ static int check_impulses(const fvi_method *method, const fvi_run *run,
         || run->alpha < 1 || system->mechanism)
         return status;
     for (size_t i = 0; i < system->d; i++)
-        if (system->damping[i] > 0) /* (17.17): p is not m x' */
+        if (system->damping[i] > 0) /* then p is not m x', (17.17) */
             return fvi_fail(error, FVI_EUNSUP, "impulses", NAN, "stages take no impulse at alpha = 1");
     return FVI_SUCCESS;
 }
@@ -61,7 +61,7 @@ static int check_past(const fvi_method *method, const fvi_run *run,
                   : FVI_SUCCESS;
 }
 
-/* A start of d numbers. */
+/* Check the d numbers of x0 or p0. */
 static int check_start(const char *field, size_t d, const double *v,
                        fvi_error *error)
 {
@@ -79,7 +79,7 @@ static int refuse(const char *field, double value, const char *range,
     return fvi_fail(error, FVI_EDOM, field, value, "%s is %g; it must be %s", field, value, range);
 }
 
-/* The numbers of a run with their ranges. */
+/* Check the ranges of the numbers of a run. */
 static int check_numbers(const fvi_method *method, const fvi_run *run,
                          fvi_error *error)
 {
@@ -115,7 +115,7 @@ int fvi_run_check(const fvi_method *method, const fvi_run *run,
         return fvi_fail(error, FVI_EUNSUP, "mechanism", NAN, "this method takes no system with a mechanism");
     const fvi_run normal = fvi_run_normal(method, run);
     int status = fvi_system_check_any(system, error);
-    if (!status && system->matrices) /* whose pasts ask for the start */
+    if (!status && system->matrices) /* the check of the dampers reads the start */
         status = check_start("x0", system->d, run->x0, error);
     if (!status && system->matrices)
         status = fvi_check_dampers_of_matrices(method, run, error);

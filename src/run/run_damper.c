@@ -1,4 +1,4 @@
-/* src/run/run_damper.c -- What damps a run.                         [H 9, 26, 27] */
+/* src/run/run_damper.c -- The dampers of a run, as the methods see them. [H 9, 26, 27] */
 #include "run_damper.h"
 
 #include "kernel/kernel_terms.h"
@@ -59,7 +59,7 @@ fvi_run fvi_run_normal(const fvi_method *method, const fvi_run *run)
     return normal;
 }
 
-/* ---- what a damper is asked ---- */
+/* ---- the functions of a damper ---- */
 
 int fvi_run_damper_stages(const fvi_run_damper *damper, size_t d, size_t s, const double *force, double *load)
 {

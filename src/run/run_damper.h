@@ -1,58 +1,58 @@
-/* src/run/run_damper.h -- What damps a run.                        [H 9, 26, 27]
+/* src/run/run_damper.h -- The dampers of a run, as the methods see them. [H 9, 26, 27]
  *
- * A caller names the damping of a run by an alpha, by a law, or by the dampers of the system. All
- * three are kernels. Whoever works with a run asks here, and no more for `law` or `alpha`. */
+ * A caller gives the damping of a run by an alpha, by a law, or by the dampers of the system. All three are kernels.
+ * The methods ask the functions below, and do not read `law` or `alpha` of a run themselves. */
 #ifndef FVI_RUN_DAMPER_H
 #define FVI_RUN_DAMPER_H
 
 #include <fvi/dampers.h>
 #include <fvi/trajectory.h>
 
-/* What a damper of a run is: the only one, of alpha or of the law of the run, or one of several
- * of a mechanism. A damper of a mechanism whose law is one power has the history of an alpha, to
- * the bit, and its impulses of the past. */
+/* One damper of a run: the damper of alpha or of the law of the run, or one of several dampers of a mechanism. A damper
+ * of a mechanism whose law is one power has the same history as an alpha, to the bit, and the same impulses of the
+ * past. */
 typedef struct {
     const fvi_kernel *law; /* NULL: the kernel is one power, which has closed forms */
-    double alpha, rho;     /* the power is rho s^{2 alpha}. Of a law 0 and 1: no power of h stands
-                            * before its sums, and no order shifts them */
-    double growth;         /* its kernel is like |s|^growth for large s */
+    double alpha, rho;     /* the power is rho s^{2 alpha}. With a law alpha = 0 and rho = 1: no power of h stands
+                              before its sums, and no order shifts them */
+    double growth;         /* the kernel grows like |s|^growth for large s */
     fvi_initial_history past;
-    fvi_damping_matrix matrix; /* select_history is NULL: coordinates, each with its own rho */
+    fvi_damping_matrix matrix; /* select_history is NULL without a matrix: then each coordinate has its own rho */
 } fvi_run_damper;
 
 /* fvi_run_damper_count -- how many dampers a run has.
- * fvi_run_damper_of -- damper j of them; of a mechanism without dampers what alpha says, which
- * acts on nothing. */
+ * fvi_run_damper_of -- damper j, from 0. If the system has a mechanism without dampers, it is the damper of alpha, which
+ * acts on no coordinate. */
 size_t fvi_run_damper_count(const fvi_run *run);
 fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j);
 
-/* fvi_run_normal -- the run as the steps of a method see it. Without a law it is as it was. With a law
+/* fvi_run_normal -- the run as the steps of a method see it. Without a law it is unchanged. With a law
  *
- *   past   is HELD: what else fvi_run_check takes is the same
- *   alpha  is 0, since a law scales the sums of a method itself. Where steps vary it is 1/4, by
- *          which their lengths are guessed */
+ *   past   becomes HELD, because every other past that fvi_run_check allows has the same motion
+ *   alpha  becomes 0, because the history of a law includes the step size. A method that chooses its steps gets 1/4,
+ *          from which it guesses the lengths of steps */
 fvi_run fvi_run_normal(const fvi_method *method, const fvi_run *run);
 
-/* fvi_run_damper_stages -- takes S times `force` away from `load`, at each of s stages: r and d numbers each, one stage
- * behind the other. Returns what the functions of the matrix return. */
+/* fvi_run_damper_stages -- subtract S times `force` from `load` at each of s stages. `force` has r and `load` d numbers
+ * a stage, stage after stage. Returns what the functions of the matrix return. */
 int fvi_run_damper_stages(const fvi_run_damper *damper, size_t d, size_t s, const double *force, double *load);
 
-/* fvi_run_damper_symbol -- its C(s) of s > 0. */
+/* fvi_run_damper_symbol -- the symbol C(s) of the damper at a real s > 0. */
 double fvi_run_damper_symbol(const fvi_run_damper *damper, double s);
 
-/* fvi_run_damper_history -- the sums of d numbers over the past, by the steps and the memory of
- * a run (memory.h).
+/* fvi_run_damper_history -- allocate the history of d numbers with the step size and the memory of a run (memory.h).
  *
- *   kind      of the weights of a law; those of a power are Euler's
- *   by_order  nonzero: with their derivative by the order; of a power alone
- *   first     output: what was taken out of the weights, 1 of a power
+ *   kind      the difference formula that the weights of a law are made from; the weights of a power are Euler's
+ *   by_order  nonzero: the history gives the derivative of its sums by the order, too; for a power alone
+ *   first     output: the factor that was taken out of all weights, 1 for a power
+ *   memory    output; free it with fvi_history_free
  *
  * Returns what fvi_history_alloc and fvi_kernel_history return. */
 int fvi_run_damper_history(const fvi_run_damper *damper, const fvi_run *run, fvi_delta kind,
                            int by_order, size_t d, double *first, fvi_history **memory);
 
-/* fvi_run_damper_bytes_order -- the order whose history takes as many bytes as that of the
- * damper: 1/2 of a law, as every order between 0 and 1 does. */
+/* fvi_run_damper_bytes_order -- an order whose history takes as many bytes as the history of the damper. For a law it
+ * is 1/2, because all orders between 0 and 1 take the same. */
 double fvi_run_damper_bytes_order(const fvi_run_damper *damper);
 
 #endif

@@ -1,4 +1,4 @@
-/* src/run/solution.c -- Is there a motion that starts so?            [H 19, 27] */
+/* src/run/solution.c -- Does a motion exist that starts as the run does? [H 19, 27] */
 #include "solution.h"
 #include <fvi/dampers.h>
 #include "system/all_zero.h"
@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* C x0 = S B^T x0, to y; z has room for history_size numbers, and as many zeros. */
+/* Write C x0 = S B^T x0 to y. z is room for B^T x0 and has as many zeros behind it. */
 static int damping_of_start(const fvi_run *run, double *y, double *z)
 {
     const fvi_matrices *m = run->system->matrices;
@@ -19,7 +19,7 @@ static int damping_of_start(const fvi_run *run, double *y, double *z)
     return status;
 }
 
-/* Is y = C x0 more than roundings, where C has this diagonal? */
+/* Is y = C x0 more than rounding errors? C here is the diagonal of the matrix. */
 static int is_above_rounding(const fvi_run *run, const double *C, const double *y)
 {
     double largest = 0;
@@ -54,7 +54,7 @@ int fvi_run_start_is_damped(const fvi_run *run, int *is_damped)
     return status;
 }
 
-/* C_j x_0 of a damper of a system with matrices: is it not 0? */
+/* For a system with matrices: is C_j x0 of damper j not 0? */
 static int is_matrix_stretched(const fvi_run *run, size_t j, int *is_stretched)
 {
     const fvi_damping_matrix *C = &run->system->matrices->damper[j];
@@ -76,7 +76,7 @@ static int is_matrix_stretched(const fvi_run *run, size_t j, int *is_stretched)
     return status;
 }
 
-/* The elongation at x0, and the size of what it is a sum of, if its gradient stayed what it is there. */
+/* The elongation z at x0, and the size of its terms: the sum of |dg/dx_i x0_i| with the gradient at x0. */
 static int find_elongation(const fvi_run *run, const fvi_elongation *of, double *z, double *size)
 {
     const size_t d = run->system->d;
@@ -108,7 +108,7 @@ int fvi_damper_is_stretched(const fvi_run *run, size_t j, int *is_stretched)
     return status;
 }
 
-/* With dampers: a law that grows faster than s has no motion that begins stretched, (19.2). */
+/* With dampers: no motion begins with a stretched damper if its law grows faster than s, (19.2). */
 static int has_solution_of_dampers(const fvi_run *run, int *has)
 {
     const fvi_mechanism *m = run->system->mechanism;
@@ -130,7 +130,7 @@ int fvi_run_has_solution(const fvi_run *run, int *has)
     if (run->system->mechanism)
         return has_solution_of_dampers(run, has);
     if (fvi_initial_history_solvable(run->past, run->alpha, 1, 1))
-        return FVI_SUCCESS; /* from everywhere */
+        return FVI_SUCCESS; /* a motion starts from every x0 */
     status = fvi_run_start_is_damped(run, &is_damped);
     if (!status)
         *has = !is_damped;

@@ -1,8 +1,8 @@
-/* src/run/step_times.h -- When a step asks for its force.                  [H 13, 17]
+/* src/run/step_times.h -- The times at which a step evaluates its force. [H 13, 17]
  *
- * A force may jump at a node, and the jump belongs to neither of the steps beside it. So a step asks
- * from within. h, the product k h and the place of a jump may each be off by half an ulp, and
- * T / N for h by as much again: four ulp on either side are enough. (13.12) */
+ * A force may jump at a node, and the jump belongs to neither of the two steps beside the node. So a step evaluates the
+ * force at times within the step, close to its ends. h, the product k h and the time of a jump may each be off by half
+ * an ulp, and h may be off by as much again if it is T / N. So four ulp on either side are enough. (13.12) */
 #ifndef FVI_STEP_TIMES_H
 #define FVI_STEP_TIMES_H
 
@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stddef.h>
 
-/* fvi_just_before, fvi_just_after -- a node t >= 0 from below, and from above. */
+/* fvi_just_before, fvi_just_after -- a time just below, and just above, a node t >= 0. */
 static inline double fvi_just_before(double t)
 {
     return t * (1 - 4 * GSL_DBL_EPSILON);
@@ -21,9 +21,9 @@ static inline double fvi_just_after(double t)
     return fmax(t * (1 + 4 * GSL_DBL_EPSILON), GSL_DBL_MIN);
 }
 
-/* fvi_inner_time -- of stage i of s in the step from left to right, of length h: from within at its
- * ends, and between them `middle`, which is that of the stage. A step that is shorter than the roundings of
- * its times sees what is after `left`. */
+/* fvi_inner_time -- the time of stage i of s in the step from `left` to `right`, of length h. At the first and the last
+ * stage it lies just within the step; between them it is `middle`, the time of the stage. If a step is shorter than the
+ * rounding errors of its times, the result is the time just after `left`. */
 static inline double fvi_inner_time(double left, double right, double h, double middle,
                                     size_t i, size_t s)
 {

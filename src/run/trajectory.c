@@ -1,4 +1,4 @@
-/* src/run/trajectory.c -- Runs: a start, a step size, a method.      [H 2] */
+/* src/run/trajectory.c -- Start, step, copy, save and free a run by any method. [H 2] */
 #include <fvi/trajectory.h>
 
 #include <fvi/lagrangian.h>
@@ -17,9 +17,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NUMBERS = 7 }; /* of a stepper, for each coordinate */
+enum { NUMBERS = 7 }; /* a stepper has so many numbers for each coordinate */
 
-/* A callback of a step, or an archive, stands in the middle of what it would change. */
+/* During a step, a callback or an visitor sees a stepper that is half changed. So these calls are refused there. */
 #define REFUSE_CALLBACKS_OF(s)                                                 \
     if ((s)->is_busy)                                                          \
     FVI_FAIL("called by a callback of this stepper", FVI_EINVAL)
@@ -44,7 +44,7 @@ int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind)
            || method->memories & 1u << kind;
 }
 
-/* At k = 0, x0, p0 and the run's in one block of its own; or NULL. */
+/* Make a stepper at k = 0. x, p, dx, g, F and copies of x0 and p0 stand in one block. Returns NULL without memory. */
 static fvi_stepper *make(const fvi_method *method, const fvi_run *run)
 {
     const size_t d = run->system->d;
@@ -69,7 +69,8 @@ static fvi_stepper *make(const fvi_method *method, const fvi_run *run)
     return s;
 }
 
-/* fvi_all_finite of x and p, of many: 0 v is 0, or NaN, and so is the sum in any order. */
+/* fvi_all_finite for many numbers. 0 v is 0 for a finite v and NaN otherwise, and so is the sum. The sum may be taken
+ * in any order, so the loop is vectorised. */
 static int finite(size_t n, const double *v)
 {
     double sum = 0;
@@ -84,7 +85,7 @@ static int is_finite(const fvi_stepper *s)
     const size_t d = s->run.system->d;
     return d == 1  ? isfinite(*s->x) && isfinite(*s->p)
            : d < 4 ? fvi_all_finite(2 * d, s->x)
-                   : finite(2 * d, s->x); /* x, then p */
+                   : finite(2 * d, s->x); /* p stands directly behind x */
 }
 
 int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
@@ -120,7 +121,8 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
     return FVI_SUCCESS;
 }
 
-/* Before steps that take long, before one of many if they do not: asking costs nothing. */
+/* Is it time to ask the interrupter? Before every step that takes long, and before every 64th of short steps, so that
+ * asking costs nothing. */
 static int is_time_to_ask(const fvi_stepper *s)
 {
     enum { FEW = 32 /* coordinates, of each stage */, MANY = 64 /* steps */ };
@@ -132,7 +134,7 @@ static int is_time_to_ask(const fvi_stepper *s)
 static size_t rows_passed(const fvi_stepper *s)
 {
     const double h = s->run.h,
-                 rows = floor(s->t / h); /* by a rounding too many or few */
+                 rows = floor(s->t / h); /* may be one too many or too few by rounding */
     size_t k = rows < (double)s->run.steps ? (size_t)rows : s->run.steps;
     k -= (double)k * h > s->t;
     return k + (k < s->run.steps && (double)(k + 1) * h <= s->t);
@@ -155,7 +157,7 @@ int fvi_stepper_step(fvi_stepper *s)
     if (s->run.system->force.impulse_count && !s->method->dense)
         fvi_impulses_act(s, s->k + 1);
     if (!is_finite(s))
-        return FVI_EOVRFLW; /* no mistake of the caller: no handler */
+        return FVI_EOVRFLW; /* it is not a mistake of the caller: no error handler */
     s->k = s->method->dense ? rows_passed(s) : s->k + 1;
     if (!s->method->dense)
         s->t = (double)s->k * s->run.h;
@@ -195,7 +197,7 @@ int fvi_stepper_advance_to(fvi_stepper *s, double t, double *x, double *p)
                : FVI_SUCCESS;
 }
 
-/* How many of the times are behind the last step's beginning and before its end. */
+/* How many of the times, as far as they do not fall, lie before the end of the last step. */
 static size_t times_within(const fvi_stepper *s, size_t count, const double *t)
 {
     size_t n = 0;
@@ -252,7 +254,7 @@ int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to)
     return status;
 }
 
-/* Could a run be at such a k, t, x and p? An archive may have written anything there. */
+/* Could a run be at such a k, t, x and p? An archive may have written any numbers there. */
 static int check_state(const fvi_stepper *s)
 {
     const fvi_run *run = &s->run;
@@ -274,7 +276,7 @@ static int serialize_all(fvi_stepper *s, fvi_archive *v)
     int status = FVI_SERIALIZE(v, FVI_CONSTANT(system.d), FVI_CONSTANTS(system.mass, own),
                                FVI_CONSTANTS(system.damping, own), FVI_CONSTANTS(s->run.x0, d),
                                FVI_CONSTANTS(s->run.p0, d), FVI_STATE(s->k), FVI_STATE(s->t),
-                               FVI_STATES(s->x, (NUMBERS - 2) * d)); /* but x0, p0 */
+                               FVI_STATES(s->x, (NUMBERS - 2) * d)); /* without x0 and p0, which are constant */
     if (!status)
         status = check_state(s);
     return status || !s->method_state ? status : s->method->serialize(s, v);
@@ -323,7 +325,7 @@ int fvi_stepper_free(fvi_stepper *s)
     return FVI_SUCCESS;
 }
 
-/* Row k; dx and g have room for what nobody wants but the energy. */
+/* Write row k. dx and g are room for an x and p that only the energy needs. */
 static int store(fvi_stepper *s, size_t k, double *x, double *p, double *energy)
 {
     const size_t d = s->run.system->d;

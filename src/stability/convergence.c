@@ -1,4 +1,6 @@
-/* src/stability/convergence.c -- How far from the motion a run can be.    [H 20] */
+/* src/stability/convergence.c -- Bound the distance between a run and the motion. [H 20]
+ *
+ * The constants of the bound are closed formulas of the smoothness of the motion, (20.4) to (20.6) and (20.14). */
 #include <fvi/convergence.h>
 
 #include "system/fail.h"
@@ -30,18 +32,18 @@ static int check(const fvi_smoothness *q, const void *output)
 }
 
 //> defect
-/* What the memory's sum misses of r I^gamma u on a known path, by h. [(20.4)] */
+/* How far the sum of the memory can be from r I^gamma u on the exact path, divided by h. [(20.4)] */
 static double defect_of_memory(const fvi_smoothness *q)
 {
     const double gamma = 2 - 2 * q->alpha;
     double missed = 2 * q->acceleration * pow(q->T, gamma) / tgamma(gamma + 2);
-    if (gamma > 1) /* then u(0) = v0 */
+    if (gamma > 1) /* then u(0) = v0, and otherwise 0 */
         missed += q->start * pow(q->T, gamma - 1) / tgamma(gamma + 1);
     return q->damping * fabs(gamma - 1) * missed;
 }
 
 //> miss
-/* C, by which the motion misses the scheme. */
+/* C of (20.5): each step makes an error of at most C h. */
 static double defect(const fvi_smoothness *q)
 {
     return defect_of_memory(q) + q->variation
@@ -50,7 +52,7 @@ static double defect(const fvi_smoothness *q)
 }
 //< miss
 
-/* lambda, at which errors feed on errors: ell / lambda^2 + r / lambda^gamma <= 1/2. */
+/* lambda, the rate at which errors make new errors, so that ell / lambda^2 + r / lambda^gamma <= 1/2. (20.6) */
 static double rate(const fvi_smoothness *q)
 {
     const double gamma = 2 - 2 * q->alpha;
@@ -59,8 +61,8 @@ static double rate(const fvi_smoothness *q)
 }
 //< defect
 
-/* The constants for a C. 2 C h growth bounds the error of x at T, which has to stay in the room;
- * if C is 0 it does so with every step. */
+/* Write the constants for a given C. The error of x at T is at most 2 C h growth, and it must not exceed `room`. This
+ * limits h, unless C = 0. */
 static int make_bound(const fvi_smoothness *q, double C, double growth,
                       fvi_error_bound *bound)
 {
@@ -84,7 +86,7 @@ int fvi_error_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bound
 }
 
 //> variation
-/* D, from the variation of the velocity. */
+/* D: the constant of the bound of positions, from the variation W of the velocity instead of a bound of |x''|. */
 static double defect_of_positions(const fvi_smoothness *q)
 {
     const double gamma = 2 - 2 * q->alpha, W = q->velocity_variation,

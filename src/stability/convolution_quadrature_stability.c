@@ -1,5 +1,5 @@
-/* src/stability/convolution_quadrature_stability.c -- Which steps the weights allow.
- *                                                                [H 13] */
+/* src/stability/convolution_quadrature_stability.c -- The oscillator by convolution quadrature, and the growth of its
+ * unstable mode. [H 13] */
 #include <fvi/convolution_quadrature_stability.h>
 
 #include <fvi/stability.h>
@@ -29,11 +29,11 @@ int fvi_cq_oscillator(const double *w, double theta, double kappa,
     if (status)
         return status;
     const double inertia = 1 + kappa * (1 - kappa) * W;
-    double D = w[0]; /* of x_1 = 1 */
+    double D = w[0]; /* the damping sum at k = 1, of x_1 = 1 */
     x[0] = 0;
     x[1] = 1;
     for (size_t k = 1; k < N; k++) {
-        double ahead = 0; /* D of step k + 1 without x_{k+1} */
+        double ahead = 0; /* the damping sum of step k + 1 without the term of x_{k+1} */
         for (size_t n = 1; n <= k; n++)
             ahead += w[n] * x[k + 1 - n];
         x[k + 1] = (inertia * (2 * x[k] - x[k - 1]) - W * x[k]
@@ -60,7 +60,7 @@ static double delta_of(fvi_delta kind, double z)
 }
 
 //> symbol
-/* Q(z) on the real axis, -1 < z <= 0; there every delta is positive. */
+/* Q(z) on the real axis, -1 < z <= 0, where delta is positive for every quadrature. */
 static double q_real(double z, void *params)
 {
     const symbol *s = params;
@@ -85,7 +85,7 @@ int fvi_cq_amplification(fvi_delta kind, double theta, double alpha,
     if (!(alpha >= 0 && alpha <= 1) || W == 0 || R == 0)
         FVI_FAIL("alpha must be in [0, 1], W and R positive", FVI_EDOM);
     symbol s = { kind, theta, alpha, kappa, W, R };
-    /* Q(0) > 0. The trapezoidal delta is infinite at -1. */
+    /* Q(0) > 0. The interval ends inside -1, because the delta of the trapezoidal rule is infinite at -1. */
     const double end = -1 + 0x1p-53;
     return fvi_amplification_of_kernel((gsl_function){ q_real, &s }, end, growth);
 }

@@ -1,4 +1,7 @@
-/* src/stability/inertia.c -- Does the inertia of a Lagrangian vanish along a run?       [H 29] */
+/* src/stability/inertia.c -- Warn if the inertia of a Lagrangian vanishes along a run. [H 29]
+ *
+ * The watch factorises L_vv at each row of a run. A pivot near zero means that L_vv is nearly singular. Between two
+ * rows the watch follows the straight line from one state to the next and searches for the least pivot there. */
 #include <fvi/warnings.h>
 
 #include <fvi/error.h>
@@ -11,8 +14,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* So small, beside the largest inertia of its coordinates so far, is a pivot of what is nearly singular. Between
- * two checks the least is searched for where one of them is below SUSPICIOUS, or a velocity changes its sign. */
+/* L_vv is called nearly singular if a pivot is at most SINGULAR times the largest inertia of its coordinate so far. The
+ * search between two rows takes place if the least pivot at one of them is below SUSPICIOUS, or if a velocity changes
+ * its sign between them. */
 static const double SINGULAR = 1e-6, SUSPICIOUS = 0.3;
 enum { SEARCHES = 40 };
 #define NO_MEMORY "there is no memory to find out whether the inertia vanishes"
@@ -21,8 +25,8 @@ struct fvi_inertia_watch {
     const fvi_system *system;
     int has_last_point, has_warned;
     double t;
-    double *x, *v, *largest; /* d numbers each: at the last check; the largest diagonal entries of L_vv */
-    double *xm, *vm, *x1, *v1, *matrix; /* d, d, d, d, d d: of a check */
+    double *x, *v, *largest; /* d numbers each: x and v of the last row; the largest diagonal entries of L_vv so far */
+    double *xm, *vm, *x1, *v1, *matrix; /* room: d, d, d, d, d d numbers */
 };
 
 void fvi_inertia_watch_free(fvi_inertia_watch *w)
@@ -42,8 +46,9 @@ static int evaluate_inertia(fvi_inertia_watch *w, double t, const double *x, con
     return status;
 }
 
-/* The least pivot of L_vv, each coordinate measured by its largest inertia; those without any do not count.
- * Without exchanges of rows, as L_vv is mostly positive. */
+/* The least pivot of L_vv, after row and column i have been divided by the square root of the largest inertia of
+ * coordinate i. Coordinates that never had any inertia do not count. The elimination exchanges no rows, because L_vv is
+ * positive definite for most systems. */
 static double least_pivot(fvi_inertia_watch *w)
 {
     const size_t d = w->system->d;
@@ -66,7 +71,8 @@ static double least_pivot(fvi_inertia_watch *w)
     return least;
 }
 
-/* At the part `tau` of the way from the last check to this one; 1 where L cannot be had. */
+/* The least pivot at the fraction `tau` of the straight line from the last row to this one; 1 where L returns an
+ * error. */
 static double pivot_between(fvi_inertia_watch *w, double t, double tau)
 {
     for (size_t i = 0; i < w->system->d; i++) {
@@ -76,7 +82,7 @@ static double pivot_between(fvi_inertia_watch *w, double t, double tau)
     return evaluate_inertia(w, w->t + tau * (t - w->t), w->xm, w->vm) ? 1 : least_pivot(w);
 }
 
-/* The least between both, by the golden section; where it is, to *tau. */
+/* Search for the least pivot between both rows by the golden section. *tau is where it lies. */
 static double least_between(fvi_inertia_watch *w, double t, double *tau)
 {
     const double part = (sqrt(5) - 1) / 2;
@@ -128,7 +134,7 @@ static int write_warning(fvi_inertia_watch *w, double t, size_t size, char *text
     return 1;
 }
 
-/* Does a velocity change its sign between the checks? */
+/* Does a velocity change its sign between the last row and this one? */
 static int has_sign_change(const fvi_inertia_watch *w)
 {
     for (size_t i = 0; i < w->system->d; i++)
@@ -156,7 +162,7 @@ int fvi_warning_of_inertia(fvi_inertia_watch *w, double t, const double *x, cons
     for (size_t i = 0; i < d; i++)
         w->vm[i] = 1;
     if (!status && !w->has_last_point)
-        status = evaluate_inertia(w, t, x, w->vm); /* how large inertias are elsewhere */
+        status = evaluate_inertia(w, t, x, w->vm); /* so that `largest` knows inertias at velocities other than v */
     if (!status && w->has_last_point)
         before = pivot_between(w, t, 0);
     if (!status)

@@ -1,4 +1,8 @@
-/* src/stability/stability.c -- Is this step stable?                       [H 14] */
+/* src/stability/stability.c -- Is a step stable? [H 14]
+ *
+ * The first part computes the load (14.3), a quarter of the largest eigenvalue of a symmetric matrix. The second part
+ * counts the growing modes of the scalar recurrence, and finds the growth of the unstable mode, from its symbol
+ * (14.2). */
 #include <fvi/stability.h>
 
 #include "stability_share.h"
@@ -32,7 +36,7 @@ static int check(const fvi_run *run, const void *output)
     return FVI_SUCCESS;
 }
 
-/* The largest eigenvalue of the symmetric matrix A, which is destroyed. */
+/* The largest eigenvalue of the symmetric matrix A, which is overwritten. */
 static int largest_eigenvalue(size_t d, double *A, double *largest)
 {
     gsl_matrix_view matrix = gsl_matrix_view_array(A, d, d);
@@ -54,8 +58,8 @@ static int largest_eigenvalue(size_t d, double *A, double *largest)
     return FVI_SUCCESS;
 }
 
-/* Does the symmetric matrix with a on the diagonal and b beside it have an eigenvalue
- * above x? Its Gaussian elimination less x has as many positive pivots. */
+/* Does the symmetric tridiagonal matrix, with the diagonal a and b beside it, have an eigenvalue above x? The Gaussian
+ * elimination of the matrix minus x has as many positive pivots as there are such eigenvalues. */
 static int is_above(size_t d, const double *a, const double *b, double x)
 {
     double pivot = 1;
@@ -69,8 +73,8 @@ static int is_above(size_t d, const double *a, const double *b, double x)
     return 0;
 }
 
-/* The largest, by bisection, between the largest entry of a and the largest sum of a
- * row. Cost O(d), some sixty times. */
+/* The largest eigenvalue of that matrix by bisection, between the largest entry of a and the largest sum of the
+ * absolute values of a row. Cost: about sixty times O(d). */
 static double largest_of_tridiagonal(size_t d, const double *a, const double *b)
 {
     double low = a[0], high = a[0];
@@ -88,7 +92,7 @@ static double largest_of_tridiagonal(size_t d, const double *a, const double *b)
     return high;
 }
 
-/* The Hessian of one or two diagonals is kept as such. */
+/* A Hessian of one or two diagonals is not expanded to a full matrix. */
 static int is_tridiagonal(const fvi_system *system)
 {
     return system->potential.diagonals == 1 || system->potential.diagonals == 2;
@@ -99,7 +103,7 @@ static size_t numbers(const fvi_system *system)
     return is_tridiagonal(system) ? 2 * system->d : fvi_potential_hessian_size(system);
 }
 
-/* The matrix of (14.3) for K in diagonals: its own in A and A + d. */
+/* The matrix of (14.3) for a K of one or two diagonals: its diagonal to A, and the numbers beside it to A + d. */
 static int weigh_diagonals(const fvi_system *system, double spring,
                            double damper, const double *K, double *A)
 {
@@ -116,7 +120,7 @@ static int weigh_diagonals(const fvi_system *system, double spring,
     return FVI_SUCCESS;
 }
 
-/* The matrix of (14.3), in A. */
+/* The full matrix of (14.3), to A. */
 static int weigh(const fvi_system *system, double spring, double damper,
                  const double *K, double *A)
 {
@@ -135,7 +139,7 @@ static int weigh(const fvi_system *system, double spring, double damper,
     return FVI_SUCCESS;
 }
 
-/* What stands before K and rho in (14.3), times m. */
+/* The factors of K and of rho in (14.3). */
 static double spring_of(const fvi_run *run)
 {
     return gsl_pow_2((1 - 2 * run->kappa) * run->h);
@@ -146,15 +150,15 @@ static double damper_of(double share, const fvi_run *run)
     return share * pow(4, run->alpha) * pow(run->h, 2 - 2 * run->alpha);
 }
 
-/* (14.3) with share rho for rho, and the Hessian K at x0; K == NULL is zero. A is
- * room for d * d numbers, used if K is there. */
+/* The load (14.3) with share * rho for rho. K is the Hessian at x0, or NULL for no potential. A is room for the matrix;
+ * it is not read if K is NULL. */
 static int load_at(double share, const fvi_run *run, const double *K, double *A,
                    double *load)
 {
     const fvi_system *system = run->system;
     const double spring = spring_of(run), damper = damper_of(share, run);
     double largest = 0;
-    if (!K || spring == 0) { /* only the damping, and it is diagonal */
+    if (!K || spring == 0) { /* only the damping counts, and it is diagonal */
         for (size_t i = 0; i < system->d; i++)
             largest =
                 larger(largest, damper * system->damping[i] / system->mass[i]);
@@ -176,7 +180,8 @@ static int load_at(double share, const fvi_run *run, const double *K, double *A,
     return FVI_SUCCESS;
 }
 
-/* Room for the Hessian and for A, to be freed in any case; the Hessian at x0. */
+/* Allocate *K with room for the Hessian and for A, and write the Hessian at x0 to it. The caller frees *K, also after
+ * an error. *K is NULL where the load needs no Hessian. */
 static int hessian_at_start(const fvi_run *run, double **K)
 {
     const fvi_potential *u = &run->system->potential;
@@ -235,7 +240,7 @@ static int check_symbol(symbol s, const void *output)
 }
 
 //> symbol
-/* arg P(e^{-i f}) for 0 < f <= pi, in polar form: no complex arithmetic. (14.2) */
+/* arg P(e^{-i f}) for 0 < f <= pi, computed in polar form without complex numbers. (14.2) */
 static double argument(symbol s, double f)
 {
     double q = s.kappa * (1 - s.kappa), side = 2 * sin(f / 2);
@@ -254,22 +259,22 @@ int fvi_unstable_roots(double alpha, double kappa, double W, double R,
     if (status)
         return status;
     //> winding
-    /* Follow arg P from z = 1, where P > 0, to z = -1; the other half of the
-     * circle is its mirror image. P has one pole in the disc, at 0, so the zeros
-     * are one more than the windings. */
+    /* Follow arg P along the half circle from z = 1, where P > 0, to z = -1. The other half of the circle adds as much,
+     * because P(conj z) = conj P(z). P has one pole in the disc, at 0. So the number of zeros is one more than the
+     * winding number. */
     enum { POINTS = 4096 };
     double turned = 0, last = 0;
     for (int j = 1; j <= POINTS; j++) {
         double now = argument(s, M_PI * gsl_pow_2((double)j / POINTS));
-        turned += remainder(now - last, 2 * M_PI); /* the short way round */
+        turned += remainder(now - last, 2 * M_PI); /* the change of the angle, between -pi and pi */
         last = now;
     }
-    *modes = 1 - (int)lround(turned / M_PI); /* clockwise: z = e^{-i f} */
+    *modes = 1 - (int)lround(turned / M_PI); /* the path is clockwise, as z = e^{-i f} */
     //< winding
     return FVI_SUCCESS;
 }
 
-/* Q on the real axis, -1 <= z < 0. */
+/* Q(z) on the real axis, -1 <= z < 0. */
 static double q_real(double z, void *params)
 {
     const symbol *s = params;
@@ -298,7 +303,7 @@ static int brent(gsl_root_fsolver *solver, gsl_function Q, double end,
 
 int fvi_amplification_of_kernel(gsl_function Q, double end, double *growth)
 {
-    if (GSL_FN_EVAL(&Q, end) >= 0) { /* no change of sign: (14.3) */
+    if (GSL_FN_EVAL(&Q, end) >= 0) { /* no change of sign, so no mode grows: (14.3) */
         *growth = 1;
         return FVI_SUCCESS;
     }

@@ -1,4 +1,4 @@
-/* src/stability/stability_along.c -- Is the step stable where a run has come to? [H 14] */
+/* src/stability/stability_along.c -- Is the step still stable at the place that a run has reached? [H 14] */
 #include <fvi/stability.h>
 
 #include "system/fail.h"
@@ -7,7 +7,7 @@
 
 #include <stdlib.h>
 
-/* The bound of the eigenvalues of M^{-1} Hess U(x). */
+/* An upper bound of the eigenvalues of M^{-1} Hess U(x), the largest sum of a row (system/stiffness.h). */
 static int stiffness_at(const fvi_system *system, const double *x,
                         double *stiffness)
 {

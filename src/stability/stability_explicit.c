@@ -1,4 +1,8 @@
-/* src/stability/stability_explicit.c -- The load of Euler's explicit method. [H 14] */
+/* src/stability/stability_explicit.c -- The load of Euler's explicit method. [H 14]
+ *
+ * The load is the largest h |s|^2 / (-2 Re s) over the exponents s of the motion (14.8). For masses without springs
+ * between them each s is a root of a quadratic equation. Otherwise the exponents are the eigenvalues of a matrix of
+ * size 2 d. */
 
 #include "stability_share.h"
 #include "system/fail.h"
@@ -11,22 +15,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FEW = 64 /* coupled masses whose exponents are found in a moment */ };
+enum { FEW = 64 /* With more coupled masses than this, the search for all exponents would take too long. */ };
 
 //> mode
-/* h |s|^2 / (-2 Re s), the larger of both roots of m s^2 + rho s + c = 0. (14.8) */
+/* h |s|^2 / (-2 Re s) of both roots s of m s^2 + rho s + c = 0, the larger of the two. (14.8) */
 static double of_mode(double h, double m, double rho, double c)
 {
     const double square = rho * rho, four = 4 * m * c;
-    const double gap = (square - four) /* and what both products lost */
+    const double gap = (square - four) /* the rounding errors of both products */
                        + (fma(rho, rho, -square) - fma(4 * m, c, -four));
-    if (gap < 0) /* a pair: |s|^2 = c / m, -2 Re s = rho / m */
+    if (gap < 0) /* a pair of complex roots: |s|^2 = c / m, -2 Re s = rho / m */
         return h * c / rho;
     return h / m * (rho + sqrt(gap)) / 4;
 }
 //< mode
 
-/* Masses without springs from one to another. K: the diagonal, or NULL for none. */
+/* The load of masses without springs between them. K: the diagonal of the Hessian, or NULL for no springs. */
 static double of_separate(const fvi_run *run, const double *K)
 {
     const fvi_system *system = run->system;
@@ -34,14 +38,14 @@ static double of_separate(const fvi_run *run, const double *K)
     for (size_t i = 0; i < system->d; i++) {
         const double load =
             of_mode(run->h, system->mass[i], system->damping[i], K ? K[i] : 0);
-        if (!(load <= largest)) /* a NaN is kept */
+        if (!(load <= largest)) /* so that a NaN is kept */
             largest = load;
     }
     return largest;
 }
 
-/* What one exponent s asks for; `largest` is the largest |s| of all. Numbers of some
- * sqrt(u) of that are rounded zeros, a body at rest, and a real s > 0 is a motion that
+/* h |s|^2 / (-2 Re s) of one exponent s; `largest` is the largest |s| of all exponents. Two kinds of exponents count as
+ * 0: a rounded zero, of some sqrt(u) times `largest`, which is a body at rest; and a real s > 0, because such a motion
  * grows whatever the step is. */
 static double of_exponent(double h, gsl_complex s, double largest)
 {
@@ -49,11 +53,11 @@ static double of_exponent(double h, gsl_complex s, double largest)
     if (size <= 1e-7 * largest || (GSL_IMAG(s) == 0 && re > 0))
         return 0;
     if (re > -1e-13 * largest)
-        return GSL_POSINF; /* not damped */
+        return GSL_POSINF; /* an undamped motion */
     return h * size * (size / (-2 * re));
 }
 
-/* The matrix of (x, v)' = A (x, v) in units in which the masses are 1. */
+/* The matrix A of (x, v)' = A (x, v), in units in which the masses are 1. */
 static void first_order(const fvi_system *system, const double *K, double *A)
 {
     const size_t d = system->d;
@@ -70,7 +74,7 @@ static void first_order(const fvi_system *system, const double *K, double *A)
     }
 }
 
-/* Springs between the masses, by all exponents of the motion. K has d^2 numbers. */
+/* The load of masses with springs between them, from all exponents of the motion. K: the full Hessian, d^2 numbers. */
 static int of_coupled(const fvi_run *run, const double *K, double *load)
 {
     const size_t n = 2 * run->system->d;
@@ -81,7 +85,7 @@ static int of_coupled(const fvi_run *run, const double *K, double *load)
     gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(n);
     if (A && s && work) {
         first_order(run->system, K, A);
-        gsl_eigen_nonsymm_params(0, 1, work); /* balanced */
+        gsl_eigen_nonsymm_params(0, 1, work); /* balance the matrix; no Schur form */
         gsl_matrix_view matrix = gsl_matrix_view_array(A, n, n);
         status = fvi_all_finite(n * n, A)
                      ? gsl_eigen_nonsymm(&matrix.matrix, s, work)
@@ -104,7 +108,7 @@ static int of_coupled(const fvi_run *run, const double *K, double *load)
     return FVI_SUCCESS;
 }
 
-/* The Hessian at x0, and the load of it. */
+/* The load with the Hessian at x0. */
 static int of_hessian(const fvi_run *run, double *load)
 {
     const fvi_system *system = run->system;
@@ -129,7 +133,7 @@ static int of_hessian(const fvi_run *run, double *load)
 
 int fvi_stability_explicit(const fvi_run *run, double *load)
 {
-    double there = 0; /* which asks about the run, too */
+    double there = 0; /* this call checks the run; its result is not used */
     fvi_run half = *run;
     half.kappa = 0.5;
     int status = fvi_stability_share(0, &half, &there);

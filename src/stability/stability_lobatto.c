@@ -1,4 +1,7 @@
-/* src/stability/stability_lobatto.c -- Is this step stable, with stages?  [H 17] */
+/* src/stability/stability_lobatto.c -- The load of the methods with stages, form M. [H 17]
+ *
+ * A mode z^{-k} grows if the symbol S(z) of a step (17.18) is singular for a z inside the unit circle. The load
+ * compares the ends z = -1 and z = 1 of the real interval, where S is a real matrix. */
 #include <fvi/stability.h>
 #include "kernel/kernel_terms.h"
 #include "stages/lobatto_weights.h"
@@ -14,14 +17,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The symbol S(z) of (17.18) at z = 1 or z = -1, where it is real, divided by the
- * share of the kinetic energy: S = K (W B + R A - 1), n x n. */
+/* The symbol S(z) of (17.18) at z = 1 or z = -1, where it is real. K is the matrix of the kinetic energy, and
+ * S = K (W B + R A - 1); B and A here are n x n. */
 typedef struct {
     size_t n;
     double B[FVI_STAGES][FVI_STAGES], A[FVI_STAGES][FVI_STAGES];
 } turn;
 
-/* The eigenvalues of an n x n matrix with rows of FVI_STAGES; a is destroyed. */
+/* The eigenvalues of an n x n matrix with rows of FVI_STAGES numbers; a is overwritten. */
 static int eigenvalues(size_t n, double a[FVI_STAGES][FVI_STAGES],
                        double complex *lambda)
 {
@@ -42,8 +45,8 @@ static int eigenvalues(size_t n, double a[FVI_STAGES][FVI_STAGES],
     return FVI_SUCCESS;
 }
 
-/* What damps, of an eigenvalue of Delta(z): its power, or C(lambda/h) of the law. What of 0
- * does not matter: it belongs to the constant path, which is apart (make_turn). */
+/* The symbol of the damping at the eigenvalue lambda of Delta(z): lambda^(2 alpha), or C(lambda/h) of a law. The value
+ * for lambda = 0 has no effect, because that eigenvalue belongs to the constant path, which make_turn leaves out. */
 static double complex damped(const fvi_run *run, double complex lambda)
 {
     double complex slope;
@@ -54,9 +57,9 @@ static double complex damped(const fvi_run *run, double complex lambda)
 }
 
 //> power
-/* That of Delta(z), z = 1 or -1, by Lagrange's formula on the eigenvalues, which are
- * distinct:  sum_j f(lambda_j) prod_{i != j} (Delta - lambda_i)/(lambda_j -
- * lambda_i). At z = 1 one of them is zero, and is made so. */
+/* Apply `damped` to the matrix Delta(z), z = 1 or -1, by Lagrange's formula on its eigenvalues, which are distinct:
+ * sum_j f(lambda_j) prod_{i != j} (Delta - lambda_i)/(lambda_j - lambda_i). At z = 1 one eigenvalue is 0, and its
+ * rounded value is replaced by 0. */
 static int power(size_t s, double z, const fvi_run *run,
                  double out[FVI_STAGES][FVI_STAGES])
 {
@@ -110,9 +113,9 @@ static void project(size_t s, size_t n, double E[FVI_STAGES][FVI_STAGES],
 }
 
 //> turn
-/* The stages of a step are E times the unknowns. At z = -1 they are X_1, ...,
- * X_{s-1}, with X_s = -X_1. At z = 1, X_s = X_1, the constant path is apart (there
- * S = W) and the others have the mean zero: s - 2 unknowns. */
+/* The stages of a step are E times the unknowns. At z = -1 the unknowns are X_1, ..., X_{s-1}, and X_s = -X_1. At z =
+ * 1, where X_s = X_1, the constant path is left out (its S is W), and the other paths have the mean zero: s - 2
+ * unknowns. */
 static int make_turn(size_t s, double z, const fvi_run *run, turn *t)
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
@@ -161,8 +164,8 @@ static int make_turn(size_t s, double z, const fvi_run *run, turn *t)
 //< turn
 
 //> load
-/* S has a zero in (-1, 0), or in (0, 1), if an odd number of the real eigenvalues
- * exceeds 1. Then the largest of all, else the largest of those that do not. */
+/* S has a zero in (-1, 0), or in (0, 1) at the end z = 1, if an odd number of the real eigenvalues exceeds 1. The load
+ * is then the largest of the real eigenvalues, and otherwise the largest of those that do not exceed 1. */
 static int load_of(const turn *t, double W, double R, double *load)
 {
     double G[FVI_STAGES][FVI_STAGES], below = 0, above = 0;
@@ -204,7 +207,7 @@ static int check(size_t stages, const fvi_run *run, const void *load)
     return run->law ? fvi_kernel_check(run->law) : FVI_SUCCESS;
 }
 
-/* The larger load of the two ends; NaN and infinity are refused. */
+/* Raise *load to the larger load of the two ends. FVI_EOVRFLW if W or R is NaN or infinite. */
 static int load_of_mode(const turn ends[2], double W, double R, double *load)
 {
     if (!gsl_finite(W) || !gsl_finite(R))
@@ -220,10 +223,10 @@ static int load_of_mode(const turn ends[2], double W, double R, double *load)
 }
 
 //> modes
-/* The modes are the eigenvectors v of W + share R, W = M^{-1/2} h^2 K M^{-1/2} and
- * R = M^{-1} h^(2 - 2 alpha) rho, of a law M^{-1} h^2 rho, which has the d numbers R; v^T W v and v^T R v
- * take the places of h^2 c / m and R. For s = 2 the share makes that sum 4 times
- * the matrix of (17.16); where W and R commute any share will do. */
+/* The load of a system is the largest load of its modes. The modes are the eigenvectors v of W + share R, with W =
+ * M^{-1/2} h^2 K M^{-1/2} and R = M^{-1} h^(2 - 2 alpha) rho, or M^{-1} h^2 rho with a law; R is diagonal, d numbers.
+ * In the load of a mode, v^T W v stands for h^2 c / m, and v^T R v for R. For s = 2 the share is such that the sum is 4
+ * times the matrix of (17.16). Where W and R commute, the modes are the same for every share. */
 static int load_of_modes(const turn ends[2], double share, size_t d,
                          const double *W, const double *R, double *load)
 {
@@ -242,7 +245,7 @@ static int load_of_modes(const turn ends[2], double share, size_t d,
     memcpy(G, W, d * d * sizeof *W);
     for (size_t i = 0; i < d; i++)
         G[i * d + i] += share * R[i];
-    /* The sizes agree, and it knows no other error. */
+    /* GSL's function has no error but wrong sizes, and the sizes agree. */
     int status = gsl_eigen_symmv(&matrix.matrix, &values.vector, &modes.matrix, &work);
     for (size_t j = 0; !status && j < d; j++) {
         double spring = 0, damper = 0;
@@ -261,7 +264,7 @@ static int load_of_modes(const turn ends[2], double share, size_t d,
 
 int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
 {
-    turn ends[2]; /* z = -1 and z = 1 */
+    turn ends[2]; /* for z = -1 and for z = 1 */
     int status = check(stages, run, load);
     if (!status)
         status = make_turn(stages, -1, run, ends);

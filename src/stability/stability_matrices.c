@@ -1,4 +1,4 @@
-/* src/stability/stability_matrices.c -- Is this step stable, with matrices?  [H 27] */
+/* src/stability/stability_matrices.c -- The load of a system with matrices, by the power iteration. [H 27] */
 #include "stability_share.h"
 #include "system/seeded.h"
 
@@ -12,7 +12,7 @@
 
 enum { ITERATIONS = 64 };
 
-/* spring K + sum_j damper_j C_j, and room for their history numbers, and as many zeros. */
+/* The matrix A = spring K + sum_j damper_j C_j, with room for B^T v of all dampers, and as many zeros. */
 typedef struct {
     const fvi_run *run;
     double spring;
@@ -50,8 +50,8 @@ static int weigh(const weighed *w, const double *v, double *y)
 }
 
 //> power
-/* The power iteration v <- M^-1 A v. With the product v^T A w the quotient of Rayleigh is
- * (A v)^T M^-1 (A v) / v^T A v: from below, and it never falls. (27.9) */
+/* The power iteration v <- M^-1 A v. It estimates the largest eigenvalue by Rayleigh's quotient in the product v^T A w,
+ * (A v)^T M^-1 (A v) / v^T A v. The estimate is a lower bound, and it never falls. (27.9) */
 static int iterate(const weighed *w, void *factors, double *room, double *largest)
 {
     const fvi_system *system = w->run->system;
@@ -67,7 +67,7 @@ static int iterate(const weighed *w, void *factors, double *room, double *larges
         memcpy(v, y, d * sizeof *v);
         if (!status)
             status = system->matrices->solve(d, factors, v);
-        if (status || !(before > 0)) /* no force */
+        if (status || !(before > 0)) /* A v = 0: nothing acts on v */
             return status;
         *largest = fvi_dot(d, y, v) / before;
         const double size = sqrt(fvi_dot(d, v, v));

@@ -1,4 +1,4 @@
-/* src/stability/stability_step.c -- The longest stable step of a method. [H 14] */
+/* src/stability/stability_step.c -- The load of a method, and its longest stable step. [H 14] */
 #include <fvi/stability.h>
 
 #include "run/run_damper.h"
@@ -25,11 +25,12 @@ int fvi_stability_number(const fvi_method *method, const fvi_run *run,
     return method->stability_number(&normal, load);
 }
 
-/* The Hessian of U, which is asked for once, at x0, when a load first needs it. */
+/* The Hessian of U at x0. The caller's function is called once, when a load first needs the Hessian; the loads of all
+ * other steps read this copy. */
 typedef struct {
     const fvi_potential *u;
     double *K;
-    int status; /* what it returned */
+    int status; /* what the caller's function returned */
 } kept_hessian;
 
 static int keep(size_t d, const double *x, void *params, double *H)
@@ -38,7 +39,7 @@ static int keep(size_t d, const double *x, void *params, double *H)
     const fvi_potential *u = kept->u;
     const size_t bytes = d * (u->diagonals ? u->diagonals : d) * sizeof *H;
     if (!kept->K) {
-        kept->K = calloc(1, bytes); /* a row may have room that is not written */
+        kept->K = calloc(1, bytes); /* zeros, because a row may have entries that no function writes */
         if (!kept->K)
             FVI_FAIL("no memory for the Hessian", FVI_ENOMEM);
         kept->status = u->hessian(d, x, u->params, kept->K);
@@ -47,15 +48,15 @@ static int keep(size_t d, const double *x, void *params, double *H)
     return kept->status;
 }
 
-/* The longest step of trial, whose h is written to; log2 h to `digits` of itself, or of 1 if
- * it is less. */
+/* Find the longest stable step of `trial`, whose h is overwritten. The error of log2 h is at most `digits` times
+ * log2 h|, or `digits` if |log2 h| < 1. */
 static int bisect(const fvi_method *method, fvi_run *trial, double digits,
                   double *h)
 {
     int status = FVI_SUCCESS;
     //> step
-    /* The load does not fall while h grows. Bisection of log2 h over all doubles
-     * that leave h^2 finite; a load that overflows is a load above 1. */
+    /* The load does not fall while h grows. So bisect log2 h over all doubles whose h^2 is finite. A load that
+     * overflows counts as a load above 1. */
     double low = -500, high = 500;
     while (high - low > digits * fmax(1, fabs(low))) {
         double middle = (low + high) / 2, load = GSL_POSINF;
@@ -69,7 +70,7 @@ static int bisect(const fvi_method *method, fvi_run *trial, double digits,
             high = middle;
     }
     //< step
-    if (status && low == -500) /* the shortest step, too: it is not h */
+    if (status && low == -500) /* the load overflows for the shortest step, too, so the cause is not h */
         return status;
     *h = high == 500 ? GSL_POSINF : low == -500 ? 0 : exp2(low);
     return FVI_SUCCESS;
@@ -90,12 +91,12 @@ int fvi_stability_longest_step(const fvi_method *method, const fvi_run *run, dou
     fvi_system system = *run->system;
     fvi_run trial = *run;
     trial.system = &system;
-    if (kept.u->hessian) { /* of U, a load asks for no more than that */
+    if (kept.u->hessian) { /* a load asks for nothing of U but the Hessian */
         system.potential.hessian = keep;
         system.potential.params = &kept;
         system.potential.quadratic = NULL;
     }
-    /* a load of matrices is an estimate, and dear */
+    /* A load of matrices is an estimate, and costs much time: so fewer digits of h are enough. */
     status = bisect(method, &trial, system.matrices ? 0x1p-12 : 0x1p-51, h);
     free(kept.K);
     return status;

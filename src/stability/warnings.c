@@ -1,4 +1,4 @@
-/* src/stability/warnings.c -- What to know before a run is believed. [H 14, 19] */
+/* src/stability/warnings.c -- Warnings before and along a run: no solution, an unstable step. [H 14, 19] */
 #include <fvi/warnings.h>
 
 #include <fvi/error.h>
@@ -12,8 +12,8 @@
 #include <stdio.h>
 
 enum {
-    FEW = 256,  /* masses whose modes are found in a moment */
-    BETWEEN = 8 /* steps from one check to the next */
+    FEW = 256,  /* with more masses than this, the modes would take too long */
+    BETWEEN = 8 /* steps from one check of the load to the next */
 };
 
 #define NO_SOLUTION(START)                                                     \
@@ -38,15 +38,15 @@ int fvi_warning_of_initial_history(const fvi_run *run, const char **text)
     return 1;
 }
 
-/* The load of a run, above 1 if a mode grows, and the h where that begins: 0 if no
- * step is stable, NaN if h is not known. Returns 0, or another number if the load is
- * not known, or would take d^3 operations, which no run of a long chain does. */
+/* The load of a run, which is above 1 if a mode grows; and *h, the step where the load reaches 1. *h is 0 if no step is
+ * stable, and NaN if the method cannot tell. Returns 0; or another number if the load is not known, or would take d^3
+ * operations, which are more than a run of a long chain takes. */
 static int load_of(const fvi_method *method, const fvi_run *run, double *load,
                    double *h)
 {
     *h = NAN;
     if (run->system->d > FEW && method->stages > 0)
-        return -1; /* the other methods keep to two diagonals */
+        return -1; /* the other methods need no more than two diagonals of the Hessian */
     int status = fvi_stability_number(method, run, load);
     if (!status && *load > 1 && method->stability_number_grows)
         status = fvi_stability_longest_step(method, run, h);
