@@ -1,4 +1,4 @@
-/* src/error_control/event_list.c -- The events of two runs, compared as lists.     [H 22] */
+/* src/error_control/event_list.c -- Lists of the events of a run, and the distance of two such lists. [H 22] */
 #include "event_list.h"
 
 #include "system/fail.h"
@@ -46,7 +46,7 @@ void fvi_event_list_free(fvi_event_list *list)
     *list = (fvi_event_list){ 0 };
 }
 
-/* The next time of this event in the list, from `from` on; list->count if there is none. */
+/* The index of the next time of this event in the list, from `from` on; list->count if there is none. */
 static size_t next_time(const fvi_event_list *list, size_t from, size_t event)
 {
     while (from < list->count && list->at[from].event != event)
@@ -54,8 +54,8 @@ static size_t next_time(const fvi_event_list *list, size_t from, size_t event)
     return from;
 }
 
-/* How far two events that belong together are apart; INFINITY if they are of two kinds. An error of the time at which a
- * body lifts off moves the body by its square, H 29, so the two times may differ. */
+/* The distance of two events that belong together; INFINITY if one is a rest or a lift-off and the other is not. The
+ * times of lift-offs may differ, because an error of such a time moves the body by its square only, H 29. */
 static double apart(const fvi_event_list *a, size_t i, const fvi_event_list *b, size_t j, size_t d,
                     double speed)
 {
@@ -69,7 +69,8 @@ static double apart(const fvi_event_list *a, size_t i, const fvi_event_list *b, 
     return D;
 }
 
-/* The first event of the list that has no other; `matched` are the places behind which none has one. */
+/* The time of the first event of the list that has no partner in the other list, or `before` if that is earlier. The
+ * times of event e have partners before the index matched[e]. */
 static double first_alone(const fvi_event_list *list, const size_t *matched, double before)
 {
     for (size_t j = 0; j < list->count; j++)
@@ -82,12 +83,12 @@ int fvi_event_list_distance(const fvi_event_list *a, const fvi_event_list *b, si
                             double speed, double end, double error, double *distance,
                             fvi_event_agreement *common)
 {
-    size_t *matched = calloc(count + 1, sizeof *matched); /* of b, behind the last of each event */
+    size_t *matched = calloc(count + 1, sizeof *matched); /* for each event, the index in b after its last partner */
     if (!matched)
         FVI_FAIL("no memory for the events", FVI_ENOMEM);
     *distance = 0;
     *common = (fvi_event_agreement){ 0 };
-    double alone = INFINITY; /* the time of the first that has no other */
+    double alone = INFINITY; /* the time of the first event without a partner */
     for (size_t i = 0; i < a->count; i++) {
         const size_t e = a->at[i].event, j = next_time(b, matched[e], e);
         const double D = j < b->count ? apart(a, i, b, j, d, speed) : INFINITY;

@@ -1,4 +1,8 @@
-/* src/error_control/search_bound.c -- Steps that pass over nothing of the force.  [H 18] */
+/* src/error_control/search_bound.c -- Find steps that cannot pass over a pulse of the force. [H 18]
+ *
+ * Between nodes, a force differs from the polynomial through its values at the nodes by at most a factor times h^k
+ * times a bound of its k-th derivative (18.8). The search halves the steps until all such differences together move no
+ * coordinate farther than the wanted error. */
 #include "search_bound.h"
 
 #include "stages/lobatto_weights.h"
@@ -12,7 +16,7 @@
 enum {
     ORDER = FVI_BOUND_ORDER,
     DOUBLINGS = FVI_BOUND_DOUBLINGS,
-    CUTS = 8, /* of a gap between two nodes */
+    CUTS = 8, /* a gap between two nodes is cut into so many parts */
     MOST_NODES = (1 << DOUBLINGS) * (FVI_STAGES - 1) + 1
 };
 
@@ -21,11 +25,11 @@ typedef struct {
     double h, T, error;
     size_t nodes;  /* of a step, one of its ends left out */
     fvi_node_factors factor;
-    double *most;  /* bounds, (ORDER + 1) d numbers */
-    double hidden; /* how far x may move by what was not seen so far */
+    double *most;  /* what force.bound wrote, (ORDER + 1) d numbers */
+    double hidden; /* how far x may move by the changes that were not seen so far */
 } cover;
 
-/* ---- how far a function is from the polynomial through its nodes ---- */
+/* ---- how far a function can be from the polynomial through its nodes ---- */
 
 static double within_range(double value, double low, double high)
 {
@@ -33,9 +37,9 @@ static double within_range(double value, double low, double high)
 }
 
 //> node-product
-/* max of |(t - c_0) ... (t - c_{k-1})| for t between c_i and c_{i+1}: this gap is cut into
- * parts, and in each of them a factor is at most what it is at the farther end. The two
- * factors of the gap are largest as near to its middle as the part comes.       (18.8) */
+/* An upper bound of |(t - c_0) ... (t - c_{k-1})| for t between c_i and c_{i+1}. The gap is cut into parts. In each
+ * part a factor is at most its value at the farther end. The product of the two factors of the gap itself is largest at
+ * the point of the part that is closest to the middle of the gap. (18.8) */
 static double largest_node_product(size_t k, const double *c, size_t i)
 {
     const double gap = c[i + 1] - c[i], middle = c[i] + gap / 2;
@@ -54,7 +58,7 @@ static double largest_node_product(size_t k, const double *c, size_t i)
 }
 //< node-product
 
-/* The same with k of n nodes, `before` of them before the gap i, as far as the ends let. */
+/* The same for k of n nodes: `before` of them lie before the gap i, unless an end of the list is too close. */
 static double product_around(size_t n, const double *c, size_t k, size_t i,
                              size_t before)
 {
@@ -63,9 +67,9 @@ static double product_around(size_t n, const double *c, size_t k, size_t i,
     return largest_node_product(k, c + from, i - from);
 }
 
-/* For every t among the nodes, which mirror each other. An odd number of them around t has
- * one more on the better side. A gap that is farther from the ends than k nodes and a step is
- * like one that is nearer. */
+/* The bound for every t among n nodes, which are symmetric. For an odd number of nodes, the side with one node more is
+ * the one with the smaller bound. Only gaps near an end are tried: a gap farther from the ends than k nodes and one
+ * step is like a gap that is nearer. */
 static double largest_of_gaps(size_t n, const double *c, size_t k, size_t period)
 {
     const size_t half = n / 2, gaps = half < k + period ? half : k + period;
@@ -103,8 +107,8 @@ void fvi_search_node_factors(size_t stages, fvi_node_factors factor)
 /* ---- the force ---- */
 
 //> between
-/* How far F_j may be, in a time of so many steps h, from a polynomial that goes through
- * nodes: half of the range; or factor_k h^k |F^(k)| / k! by k of them.            (18.8) */
+/* An upper bound of the distance between F_j and a polynomial through its nodes, over a time of `steps` steps h. It is
+ * half of the range of F_j; or factor_k h^k |F^(k)| / k!, if that is less for some k. (18.8) */
 static double hidden_force(const cover *o, size_t j, double steps)
 {
     const size_t d = o->run->system->d;
@@ -114,15 +118,15 @@ static double hidden_force(const cover *o, size_t j, double steps)
     for (int k = 1; k <= ORDER && k <= nodes; k++) {
         power *= o->h;
         const double rest = o->factor[n][k] * power * o->most[(size_t)k * d + j];
-        if (rest < least) /* 0 times INFINITY tells nothing */
+        if (rest < least) /* false for NaN, which is 0 times INFINITY */
             least = rest;
     }
     return least;
 }
 //< between
 
-/* Adds to what is hidden what is so from one time to another: in halves, as long as they
- * have nodes and what is hidden there is more than their part of the error. */
+/* Add to o->hidden how far changes of the force between the times `from` and `to` may move x. The interval is halved as
+ * long as it is longer than a step and its part is more than its share of the error. */
 static int add_hidden(cover *o, double from, double to)
 {
     const fvi_system *system = o->run->system;

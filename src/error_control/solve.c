@@ -1,4 +1,4 @@
-/* src/error_control/solve.c -- Where is the body at these times?        [H 18, 22] */
+/* src/error_control/solve.c -- fvi_solve: the motion at given times, by given steps or to a tolerance. [H 18, 22] */
 #include "solve_state.h"
 
 #include "system/fail.h"
@@ -26,7 +26,7 @@ static double time_of_row(const fvi_solve_state *o, size_t k)
     return o->out->t ? o->out->t[k] : (double)k * o->run.h;
 }
 
-/* Row k, as it is. */
+/* Write row k to the outputs, with its energy, and call the caller's `row`. */
 static int give_row(const fvi_solve_state *o, size_t k, const double *x,
                     const double *p)
 {
@@ -46,7 +46,7 @@ static int give_row(const fvi_solve_state *o, size_t k, const double *x,
                     : FVI_SUCCESS;
 }
 
-/* In the words of a step that failed. */
+/* Report the error of a step that failed. */
 static int fail_at_step(const fvi_solve_state *o, size_t step, int status)
 {
     return fvi_at_index(o->error, step,
@@ -62,7 +62,7 @@ static void report_of_mesh(fvi_report *report, const fvi_step_statistics *counts
     report->form = counts->form;
 }
 
-/* The events that are not after `until`, and that the caller does not know. */
+/* Call the caller's `event` for the events up to the time `until` that it has not been told. */
 static int tell_events(fvi_solve_state *o, double until)
 {
     const size_t d = o->run.system->d;
@@ -75,7 +75,7 @@ static int tell_events(fvi_solve_state *o, double until)
     return status;
 }
 
-/* The step of one length at whose end row k is known, and whether the row is there or before it. */
+/* The step of one length at whose end row k is known. *is_there: is the row at the end of that step, not within it? */
 static size_t node_of_row(const fvi_solve_state *o, const fvi_stepper *s, size_t k, int *is_there)
 {
     const double parts = time_of_row(o, k) / s->run.h;
@@ -83,14 +83,14 @@ static size_t node_of_row(const fvi_solve_state *o, const fvi_stepper *s, size_t
     return (size_t)(*is_there ? round(parts) : ceil(parts));
 }
 
-/* Is row k behind the run's time? */
+/* Has the run not yet reached row k? */
 static int is_ahead(const fvi_solve_state *o, const fvi_stepper *s, size_t k)
 {
     int is_there;
     return s->method->dense ? s->t < time_of_row(o, k) : s->k < node_of_row(o, s, k, &is_there);
 }
 
-/* Row k within the last step, by the path of its stages. */
+/* Give out row k within the last step, by the path of its stages. */
 static int row_of_stages(const fvi_solve_state *o, const fvi_stepper *s, size_t k, double *room)
 {
     const double t = time_of_row(o, k);
@@ -101,7 +101,7 @@ static int row_of_stages(const fvi_solve_state *o, const fvi_stepper *s, size_t 
     return status ? status : give_row(o, k, room, p);
 }
 
-/* Row k of a run that has come to its time, or just passed it. */
+/* Give out row k of a run that has reached or just passed its time. */
 static int row_of_run(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
                       size_t k, double *room)
 {
@@ -126,7 +126,7 @@ static int row_of_run(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *ob
     return status ? status : give_row(o, k, room, room + d);
 }
 
-/* Where a run stands behind a step, if that is no row, before it goes on. */
+/* Call the caller's `between` for the end of the last step, unless that is a row. */
 static int stand_between(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
                          double last_row)
 {
@@ -138,7 +138,7 @@ static int stand_between(const fvi_solve_state *o, fvi_stepper *s, fvi_observer 
     return status ? status : o->out->between(&now, o->out->params);
 }
 
-/* Steps to the time of row k, or to an event that ends the run. */
+/* Take steps to the time of row k, or to an event that ends the run. */
 static int steps_to_row(fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer, size_t k)
 {
     const double before = k > 0 ? time_of_row(o, k - 1) : -INFINITY;
@@ -156,7 +156,7 @@ static int steps_to_row(fvi_solve_state *o, fvi_stepper *s, fvi_observer *observ
     return status;
 }
 
-/* Row after row of one run; what is between two steps of the method's own is interpolated. */
+/* Give out the rows of one run in order. A row within a step of a method that chooses its steps is interpolated. */
 static int rows_of_run(fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
                        double *room)
 {
@@ -181,10 +181,10 @@ static int rows_of_run(fvi_solve_state *o, fvi_stepper *s, fvi_observer *observe
     return tell_events(o, INFINITY);
 }
 
-/* The rows of a run that has been started, with an observer if one is asked for. */
+/* Give out the rows of a run that has been started, with an observer if the caller asks for one. */
 static int observe_run(fvi_solve_state *o, fvi_stepper *s)
 {
-    o->events.count = 0; /* what a search has found is told anew */
+    o->events.count = 0; /* this run finds the events again */
     fvi_observer *observer = NULL;
     double *room = malloc(2 * o->run.system->d * sizeof *room);
     if (!room)
@@ -217,7 +217,8 @@ static int solve_by_steps(fvi_solve_state *o)
 
 /* ---- to a tolerance ---- */
 
-/* x and p of the rows of the run, or of the times of a method that has any; and what was found. */
+/* Search for a run to the tolerance. Write x and p of its rows, or of the given times if the method gives out any time,
+ * and the report. */
 static int search(fvi_solve_state *o, double *x, double *p)
 {
     fvi_report *report = o->report;
@@ -253,14 +254,14 @@ static int search(fvi_solve_state *o, double *x, double *p)
     return status;
 }
 
-/* Does the initial history move the body away from its start at once? */
+/* Does no motion start as the run does (19.2)? */
 static int has_no_solution(const fvi_solve_state *o)
 {
     int has = 1;
     return fvi_run_has_solution(&o->run, &has) == FVI_SUCCESS && !has;
 }
 
-/* Of a start that the method does not take the reason is that of the start. */
+/* Report why a search failed. If the method refuses the start of the run, fvi_stepper_start says why. */
 static int fail_of_search(const fvi_solve_state *o, int status)
 {
     if (status == FVI_EUNSUP) {
@@ -295,7 +296,7 @@ static int fail_of_search(const fvi_solve_state *o, int status)
                     o->report->other ? "; a higher order has " : "", o->report->other ? o->report->other->name : "");
 }
 
-/* How many rows the search writes, and where among them is row k. */
+/* How many rows the search writes, and at which of them row k stands. */
 static size_t rows_of_search(const fvi_solve_state *o)
 {
     return o->out->t && (o->method->dense || o->is_between) ? o->out->rows : o->run.steps + 1;
@@ -308,7 +309,7 @@ static size_t place_of_row(const fvi_solve_state *o, size_t k)
                : k;
 }
 
-/* The run that was found, for an observer: its rows are the same, to the bit. */
+/* Repeat the run that was found, for an observer. Its rows are the same, to the bit. */
 static int observe_again(fvi_solve_state *o)
 {
     fvi_stepper *s;
@@ -331,7 +332,7 @@ static int observe_again(fvi_solve_state *o)
     return status;
 }
 
-/* The rows and the events that a search has found, in the order of their times. */
+/* Give out the rows and the events that a search has found, in the order of their times. */
 static int give_found(fvi_solve_state *o, const double *x, const double *p)
 {
     int status = FVI_SUCCESS;
@@ -357,8 +358,8 @@ static int solve_to_tolerance(fvi_solve_state *o)
     double *p = x + rows * d;
     int status = search(o, x, p);
     const double T = o->run.h * (double)o->run.steps;
-    /* Where roundings are too large at once nobody asks for less of the motion; and if two runs agree up to T, it is their
-     * order that is not trusted, which no shorter motion mends. */
+    /* `until` is of use only for a motion that ends earlier. Before T / 20 the roundings were too large at once. And if
+     * two runs agree up to T, it is their order that is not believed, which a shorter motion does not change. */
     if (status == FVI_ETOL && !(o->report->until >= T / 20 && o->report->until < T * (1 - 1e-9)))
         o->report->until = 0;
     if (status)

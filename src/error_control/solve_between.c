@@ -1,4 +1,8 @@
-/* src/error_control/solve_between.c -- To a tolerance at any times, by the paths of stages. [H 17, 18] */
+/* src/error_control/solve_between.c -- Solve to a tolerance at any times, by the path of the stages of a step. [H 17,
+ * 18]
+ *
+ * fvi_step_search finds a step for the common rows. Then the step is halved until two runs agree at the times
+ * themselves. */
 #include "solve_state.h"
 
 #include "error_control/search_bound.h"
@@ -13,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* x and p at the time t, which is not before the last row. */
+/* Write x and p at the time t, which is not before the last row. */
 static int row_at(fvi_stepper *s, double t, double *x, double *p)
 {
     const size_t bytes = s->run.system->d * sizeof *x;
@@ -32,7 +36,7 @@ static int row_at(fvi_stepper *s, double t, double *x, double *p)
     return status;
 }
 
-/* All rows, by steps `parts` times as short as those of the run. */
+/* Write all rows of a run whose steps are h / parts. */
 static int rows_at_times(const fvi_solve_state *o, size_t parts, double *x, double *p)
 {
     const size_t d = o->run.system->d;
@@ -47,20 +51,20 @@ static int rows_at_times(const fvi_solve_state *o, size_t parts, double *x, doub
     return status;
 }
 
-/* The last of the times up to which two runs are no further apart than the tolerance. */
+/* The last of the times up to which two runs differ by no more than the tolerance. */
 static double agreed_until(const fvi_solve_state *o, const double *x, const double *before)
 {
     const size_t k = fvi_search_agreed(o->out->rows, o->run.system->d, x, before, o->tolerance);
     return k > 0 ? o->out->t[k - 1] : 0;
 }
 
-/* Halve the steps until two runs agree at the times, and give out the finer one. */
+/* Halve the steps until two runs agree at the times. x and p are then those of the finer run. */
 static int halve(fvi_solve_state *o, size_t parts, size_t most, double *x, double *p, double *before)
 {
     const size_t length = o->out->rows * o->run.system->d;
     double least = INFINITY;
     int status = rows_at_times(o, parts, before, p);
-    o->report->until = 0; /* that the ends of steps agree says nothing of the times */
+    o->report->until = 0; /* agreement at the ends of steps says nothing about the times */
     while (!status) {
         if (parts > most / 2 / o->run.steps) {
             o->report->error = least;

@@ -1,4 +1,4 @@
-/* src/error_control/solve_prepare.c -- The method, the steps and the rows that a caller asks for.  [H 18, 22] */
+/* src/error_control/solve_prepare.c -- Choose the method, the steps and the rows of a call of fvi_solve. [H 18, 22] */
 #include "solve_state.h"
 
 #include "system/fail.h"
@@ -14,11 +14,11 @@
 #include <stdint.h>
 
 enum {
-    MOST_PARTS = 1 << 20, /* of T, for times that have a common step */
-    COMPARED = 128        /* at so many times at least, a power of two */
+    MOST_PARTS = 1 << 20, /* of T: a common step of the times is not shorter */
+    COMPARED = 128        /* runs are compared at so many times at least; a power of two */
 };
 
-/* Does the method begin such a run? One step of it says so. */
+/* Does the method accept such a run? It is started with a single step to find out. */
 static int begins(const fvi_method *method, const fvi_run *run, double tolerance)
 {
     fvi_run one = *run;
@@ -35,8 +35,8 @@ static int begins(const fvi_method *method, const fvi_run *run, double tolerance
     return status == FVI_SUCCESS;
 }
 
-/* Of a law: steps of any length, which were 1 to 120 times faster than steps of one length; where these cannot be,
- * four stages for few errors, and order 2 for large ones. */
+/* The method for a law. Steps of any length were 1 to 120 times faster than steps of one length. If the run cannot have
+ * them: four stages for small errors, and a method of order 2 for larger ones. */
 static const fvi_method *method_of_law(const fvi_run *run, double tolerance)
 {
     static const double FINE = 1e-5;
@@ -64,7 +64,7 @@ static int refuse_time(size_t k, double t, const char *reason, fvi_error *error)
     return fvi_at_index(error, k, fvi_fail(error, FVI_EDOM, "t", t, "t[%zu] is %.10g; %s", k, t, reason));
 }
 
-/* The times are there, increase, and lie within the motion. */
+/* Check that the times increase and lie within the motion. */
 static int check_times(const fvi_outputs *out, double T, fvi_error *error)
 {
     if (out->rows == 0)
@@ -78,7 +78,7 @@ static int check_times(const fvi_outputs *out, double T, fvi_error *error)
     return FVI_SUCCESS;
 }
 
-/* The first of the times that is no multiple of h, but for roundings; `count` if there is none. */
+/* The index of the first of the times that is no multiple of h, apart from rounding; `count` if there is none. */
 static size_t first_between(size_t count, const double *t, double h)
 {
     for (size_t k = 0; k < count; k++) {
@@ -89,7 +89,8 @@ static size_t first_between(size_t count, const double *t, double h)
     return count;
 }
 
-/* *least: a time at which most of the steps that were tried do not end. */
+/* The number of common_steps; 0 if there is none. *least: the index of a time that most of the tried steps do not
+ * meet. */
 static size_t common_steps(size_t count, const double *t, double T, size_t *least)
 {
     *least = 0;
@@ -115,13 +116,14 @@ static int check_step(const fvi_solve_state *o, double h)
                : fvi_fail(o->error, FVI_EDOM, "h", h, "h is %g; without a tolerance a step > 0 is needed", h);
 }
 
-/* Is the body known between the ends of steps of one length? What an observer says is not. */
+/* Are x and p known between the ends of steps of one length? The quantities of an observer are not. */
 static int has_path(const fvi_solve_state *o)
 {
     return o->method->stages > 0 && !o->out->observed;
 }
 
-/* Steps that end at each of the times. If there are none, a method with stages is known between its steps, too. */
+/* Choose steps that end at each of the times. If there are none, a method with stages gives x and p between its
+ * steps. */
 static int choose_common_steps(fvi_solve_state *o, double T)
 {
     size_t least;
@@ -139,7 +141,7 @@ static int choose_common_steps(fvi_solve_state *o, double T)
                              o->error);
 }
 
-/* Steps of a given length, h, to T. */
+/* Take steps of the given length h to T. */
 static int given_steps(fvi_solve_state *o, double T, double h)
 {
     const int status = check_step(o, h);
@@ -166,7 +168,7 @@ static int given_steps(fvi_solve_state *o, double T, double h)
                : FVI_SUCCESS;
 }
 
-/* Rows of the run: those of the caller; what has any times is compared at some more. */
+/* Choose the rows of the run: the caller's, unless the method gives out any time; then COMPARED rows for the search. */
 static int choose_grid(fvi_solve_state *o, double T, double h)
 {
     if (!(o->tolerance > 0) && !(o->method->dense && h == 0))
@@ -190,7 +192,7 @@ int fvi_solve_prepare(fvi_solve_state *o, const fvi_problem *problem,
     if (!(o->tolerance >= 0 && isfinite(o->tolerance)))
         return fvi_fail(o->error, FVI_EDOM, "tolerance", o->tolerance,
                         "tolerance is %g; it must be finite and not negative", o->tolerance);
-    if (o->tolerance == 0 && options->h != 0 && check_step(o, options->h)) /* callers have T from it */
+    if (o->tolerance == 0 && options->h != 0 && check_step(o, options->h)) /* a caller may have computed T from h */
         return FVI_EDOM;
     if (!(problem->T > 0 && isfinite(problem->T)))
         return fvi_fail(o->error, FVI_EDOM, "T", problem->T, "T is %g; it must be finite and positive", problem->T);

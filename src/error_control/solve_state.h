@@ -1,4 +1,4 @@
-/* src/error_control/solve_state.h -- What fvi_solve keeps. Internal to the room. */
+/* src/error_control/solve_state.h -- The state of a call of fvi_solve. Internal to the room. */
 #ifndef FVI_SOLVE_STATE_H
 #define FVI_SOLVE_STATE_H
 
@@ -6,7 +6,7 @@
 
 #include <fvi/solve.h>
 
-/* A problem as a run, and what its caller wants of it. */
+/* A problem as a run, and the outputs that the caller wants. */
 typedef struct {
     const fvi_outputs *out;
     const fvi_method *method;
@@ -15,20 +15,25 @@ typedef struct {
     size_t most_steps;
     fvi_report *report;
     fvi_error *error;
-    fvi_variable_step_found found; /* of a search by fvi-adaptive */
-    fvi_event_list events;         /* of the run whose rows are given out, */
-    size_t told;                   /* of which the caller knows so many */
-    int is_between; /* nonzero if times stand between steps of one length, where stages give a path */
+    fvi_variable_step_found found; /* the result of a search by fvi-adaptive */
+    fvi_event_list events;         /* of the run whose rows are given out */
+    size_t told;                   /* the caller has been told so many of these events */
+    int is_between; /* nonzero if some times lie within steps of one length, where the path of the stages gives x and
+                       p */
 } fvi_solve_state;
 
-/* fvi_solve_between -- to o->tolerance, at times of which some lie within the steps of a method with stages: the step that
- * o->run needs at its rows, and half of it until two runs agree at the times. x and p of all rows are written, and
- * o->report. Returns what fvi_step_search and the steps return; FVI_ETOL if it would take more than `most` steps. */
+/* fvi_solve_between -- solve to o->tolerance, where some of the times lie within the steps of a method with stages. The
+ * first step is the one that o->run needs for its rows. It is halved until two runs agree at the times.
+ *
+ *   most  no run of more steps is made
+ *   x, p  outputs: all rows
+ *
+ * o->report is written. Returns what fvi_step_search and the steps return; FVI_ETOL if more than `most` steps are
+ * needed. */
 int fvi_solve_between(fvi_solve_state *o, size_t most, double *x, double *p);
 
-/* fvi_solve_prepare -- from what is asked for to a run that is checked: o->method, o->run, o->tolerance
- * and o->most_steps. o->out and o->error are there. Returns FVI_SUCCESS, or a code with *o->error
- * written. */
+/* fvi_solve_prepare -- make a checked run of the caller's problem: o->method, o->run, o->tolerance and o->most_steps.
+ * o->out and o->error are set before. Returns FVI_SUCCESS, or a code with *o->error written. */
 int fvi_solve_prepare(fvi_solve_state *o, const fvi_problem *problem,
                       const fvi_solve_options *options,
                       const fvi_accuracy *accuracy);

@@ -1,4 +1,4 @@
-/* src/error_control/step_search.c -- The step that a wanted error needs.      [H 18] */
+/* src/error_control/step_search.c -- Find the step size that a wanted error of x needs, by halving the step. [H 18] */
 #include "step_search.h"
 
 #include <fvi/fvi.h>
@@ -21,35 +21,35 @@
 enum {
     FEWEST = 128,
     PATIENCE = 3,
-    RUNS = 8 /* a run and three with steps longer by 2, 4, 8: the fewest that are believed */
+    RUNS = 8 /* an estimate needs a run and three runs with steps 2, 4 and 8 times as long */
 };
 
-/* Rows 0, ..., rows of a run, parts steps apart. x and p have equal length. */
+/* Rows 0, ..., rows of a run, `parts` steps apart. x and p have `length` numbers each. */
 typedef struct {
     const fvi_method *method;
     const fvi_run *run;
-    size_t first;        /* parts between the rows of the caller and of these */
+    size_t first;        /* rows of the search for each row of the caller */
     size_t rows, length; /* rows; (rows + 1) d */
-    double *x, *before;  /* this run and the one with steps twice as long */
+    double *x, *before;  /* this run, and the run with steps twice as long */
     double *p;
-    double *H; /* a Hessian, made when it is needed */
+    double *H; /* a Hessian, allocated when it is needed */
     fvi_force_probe probe;
 } search;
 
-/* What is known of a run when it has been compared with the two before. */
+/* The comparison of a run with the two runs before it. */
 typedef struct {
     double D, D_before, q, q_before; /* (18.1) */
-    double largest;                  /* |x| */
-    double floor;                    /* below which D means nothing */
+    double largest;                  /* of |x| */
+    double floor;                    /* a smaller D may be rounding */
 } comparison;
 
 //> trial
-/* One run with each step of the caller's cut into first * parts. */
+/* Make one run, with each step of the caller cut into first * parts. */
 static int trial(const search *o, size_t parts)
 {
     const size_t d = o->run->system->d;
     fvi_run run = *o->run;
-    run.h /= (double)(o->first * parts); /* a power of two: exact */
+    run.h /= (double)(o->first * parts); /* division by a power of two is exact */
     run.steps = o->rows * parts;
     fvi_stepper *s;
     int status = fvi_stepper_start(o->method, &run, &s, NULL);
@@ -68,7 +68,7 @@ static int trial(const search *o, size_t parts)
 }
 //< trial
 
-/* The last of the times up to which this run and the one before are no further apart. */
+/* The last time up to which this run and the run before differ by no more than `error`. */
 static double agreed_until(const search *o, double error)
 {
     const size_t k = fvi_search_agreed(o->rows + 1, o->run->system->d, o->x, o->before, error);
@@ -77,8 +77,8 @@ static double agreed_until(const search *o, double error)
 
 /* ---- the order that a method has on a run ---- */
 
-/* A method with the past as printed, Riemann-Liouville, and a damping that acts on x0, or
- * may: it could not be asked. */
+/* Does the run begin with a kick (9.5)? It does for a method with paper_convention and Riemann-Liouville's past, if the
+ * damping acts on x0. If that cannot be found out, the answer is yes. */
 static int is_kicked(const fvi_method *method, const fvi_run *run)
 {
     int is_damped;
@@ -86,8 +86,9 @@ static int is_kicked(const fvi_method *method, const fvi_run *run)
            && run->alpha < 0.5 && (fvi_run_start_is_damped(run, &is_damped) || is_damped);
 }
 
-/* The highest order of the dampers, or 1 if they have laws, in halves; are some orders neither 0 nor 1, or laws? Of
- * a law stages are as exact as at its highest order, or at 1, whichever is worse. */
+/* The highest order of the dampers, halved; laws count as 1 at least. *is_fractional: has some damper a law, or an
+ * order that is neither 0 nor 1? With a law the methods with stages are as exact as for its highest order, or as for
+ * the order 1, whichever is worse. */
 static double highest_order(const fvi_run *run, int *is_fractional)
 {
     double alpha = 0;
@@ -101,7 +102,7 @@ static double highest_order(const fvi_run *run, int *is_fractional)
 }
 
 //> order
-/* p of (18.5): of x, over all rows (least) and at a fixed t > 0 (most). */
+/* The orders of (18.5): p' of x over all rows (*least), and p of x at a fixed t > 0 (*most). */
 static void orders(const fvi_method *method, const fvi_run *run, double *least,
                    double *most)
 {
@@ -123,8 +124,8 @@ static void orders(const fvi_method *method, const fvi_run *run, double *least,
 }
 //< order
 
-/* A velocity that jumps makes x'' infinite where a law grows faster than s; steps of any length
- * are not made for that. */
+/* Does the method take the law of the run? Variable steps do not fit a law that grows faster than s, because a velocity
+ * that jumps then makes x'' infinite. */
 static int takes_law(const fvi_method *method, const fvi_run *run)
 {
     return !run->law
@@ -157,8 +158,8 @@ const fvi_method *fvi_step_search_other(const fvi_method *method,
 
 /* ---- the estimate ---- */
 
-/* The bound of the eigenvalues of M^{-1} Hess U, the largest over the rows; NaN, too
- * stiff, if there is no memory for it. */
+/* The largest bound of the eigenvalues of M^{-1} Hess U over all rows. It is NaN without memory for the Hessian, and
+ * the caller then takes the potential for too stiff. */
 static int stiffness(search *o, double *most)
 {
     const fvi_system *system = o->run->system;
@@ -191,8 +192,8 @@ static int load_of_stiffness(const fvi_run *run, double h, double *load)
     return status;
 }
 
-/* Not (18.6): the potential may swing so fast that these steps pass over it. Of matrices 4 times the
- * load of Algorithm 3 without the damping says it: h^2 times the largest eigenvalue of M^-1 K. */
+/* Is (18.6) violated? Then the potential may swing so fast that these steps pass over it. With matrices the load of
+ * Algorithm 3 without damping, times 4, is the left side: h^2 times the largest eigenvalue of M^-1 K. */
 static int passes_over(search *o, size_t parts, int *still)
 {
     const double h = o->run->h / (double)(o->first * parts);
@@ -208,7 +209,7 @@ static int passes_over(search *o, size_t parts, int *still)
 }
 
 //> estimate
-/* (18.2), with the order in *order; infinite where (18.5) is not so. */
+/* The estimate (18.2), with its order to *order; infinite if (18.5) does not hold. */
 static double estimate(const comparison *c, double least, double most,
                        double *order)
 {
@@ -225,15 +226,15 @@ static int is_rounding(const comparison *c)
     return larger(c->D, c->D_before) <= 10 * c->floor;
 }
 
-/* How right x can be, relative to its size: eight stages of matrices are solved in eigenvectors that
- * lose four digits (27.14). */
+/* The relative error that x has at least. Eight stages of matrices are solved in eigenvectors, which lose four digits
+ * (27.14). */
 static double precision(const search *o)
 {
     const double tolerance = o->run->tolerance > 0 ? o->run->tolerance : 1e-13;
     return o->run->system->matrices && o->method->stages == 8 ? larger(tolerance, 5e-12) : tolerance;
 }
 
-/* The run in o->x, as it compares with the one before, which may have failed. */
+/* Compare the run in o->x with the run before it. Either of them may have failed. */
 static comparison compare(const search *o, const comparison *last, int failed,
                           int failed_before)
 {
@@ -249,15 +250,16 @@ static comparison compare(const search *o, const comparison *last, int failed,
 }
 
 //> search
-/* Begin so that the first run that sees all of the force can be believed; where no run does,
- * none is made. Halve; the rows of the last run stay in o->x and o->p. What stands still by (18.6)
- * and what F hides may yet be seen: only runs without such an excuse wear patience. */
+/* Halve the step until an estimate is believed and small enough. The rows of the last run stay in o->x and o->p. The
+ * first run is chosen so that an estimate is ready once the steps see all of the force; if even `most` steps do not see
+ * it, no run is made. A run that is no better counts against PATIENCE only if (18.6) holds and the force is resolved,
+ * because otherwise shorter steps may still see more. */
 static int halve(search *o, double error, size_t most, fvi_step_found *found)
 {
     comparison c = { GSL_POSINF, GSL_POSINF, GSL_NEGINF, GSL_NEGINF, 0, 0 };
     double least, highest;
     int failed = 1, worse = 0;
-    size_t seen; /* so many parts see all of the force */
+    size_t seen; /* with so many parts the steps see all of the force */
     orders(o->method, o->run, &least, &highest);
     found->estimate = GSL_POSINF;
     found->until = 0;
@@ -319,7 +321,7 @@ static int check(const fvi_method *method, const fvi_run *run, double error,
         FVI_FAIL("error must be finite and positive", FVI_EDOM);
     fvi_stepper *s;
     fvi_run shortest;
-    if (run) { /* one step of it is enough to check it */
+    if (run) { /* one step is enough for the checks of fvi_stepper_start */
         shortest = *run;
         shortest.steps = run->steps > 0;
     }
@@ -331,7 +333,7 @@ static int check(const fvi_method *method, const fvi_run *run, double error,
     if (!status)
         fvi_stepper_free(s);
     int has;
-    status = fvi_run_has_solution(run, &has); /* some run it as printed */
+    status = fvi_run_has_solution(run, &has); /* a method with paper_convention runs it all the same */
     if (!has)
         FVI_FAIL("there is no solution to be near to", FVI_EDOM);
     if (status)
@@ -341,7 +343,7 @@ static int check(const fvi_method *method, const fvi_run *run, double error,
     return FVI_SUCCESS;
 }
 
-/* The arrays of a search, in one block, which is returned; NULL: no memory. */
+/* Allocate the arrays of a search in one block, which is returned; NULL without memory. */
 static double *make_room(search *o, size_t d)
 {
     double *room, *block = FVI_ARRAYS({ &o->x, o->length }, { &o->before, o->length }, { &o->p, o->length },

@@ -1,4 +1,4 @@
-/* src/error_control/step_search_force.c -- Do the steps see the force?      [H 18] */
+/* src/error_control/step_search_force.c -- Are the steps short enough to see the force? [H 18] */
 #include "step_search_force.h"
 #include "system/larger.h"
 #include "system/seeded.h"
@@ -22,7 +22,7 @@ void fvi_force_probe_start(fvi_force_probe *o, size_t d, double *room)
         o->deviation[i] = GSL_POSINF;
 }
 
-/* Uniform in [0, 1): always the same numbers, so that a search can be repeated. */
+/* A random number in [0, 1). The sequence is always the same, so that a search can be repeated. */
 static double dice(fvi_force_probe *o)
 {
     return fvi_seeded_uniform(&o->seed, 0, 1);
@@ -34,8 +34,8 @@ static int force(const fvi_system *system, double t, double *F)
 }
 
 //> probe
-/* (18.7): between nodes, at random times, F has come twice as near to the line
- * through its limits at both as it was with steps twice as long. */
+/* (18.7): at random times between two nodes, is F at most half as far from the line through its limits at both nodes as
+ * it was with steps twice as long? */
 int fvi_force_probe_evaluate(fvi_force_probe *o, const fvi_run *run, size_t parts,
                          int *resolved)
 {
@@ -51,7 +51,7 @@ int fvi_force_probe_evaluate(fvi_force_probe *o, const fvi_run *run, size_t part
     for (int n = 0; n < PROBES; n++) {
         const double k = floor(steps * dice(o)), theta = dice(o);
         const double within = 0x1p-30 * h + 4 * GSL_DBL_EPSILON * (k + 1) * h;
-        /* at a node F may jump */
+        /* at a node F may jump, so take F beside it */
         int status = force(system, k * h + within, o->left);
         if (!status)
             status = force(system, (k + 1) * h - within, o->right);

@@ -1,4 +1,4 @@
-/* src/error_control/step_search_force.h -- Do the steps see the force?      [H 18] */
+/* src/error_control/step_search_force.h -- Are the steps short enough to see the force? [H 18] */
 #ifndef FVI_STEP_SEARCH_FORCE_H
 #define FVI_STEP_SEARCH_FORCE_H
 
@@ -10,19 +10,19 @@
 typedef struct {
     uint64_t seed;
     double *left, *right, *middle; /* three values of F, d numbers each */
-    /* how far F is off a line, d numbers each: for this step and the one before */
+    /* the largest distance of F from a line, d numbers each: for these steps and for the steps twice as long */
     double *deviation, *coarse;
 } fvi_force_probe;
 
 enum { FVI_PROBE_ROOM = 5 /* d numbers each */ };
 
-/* Begin; room is for FVI_PROBE_ROOM d numbers, stays the caller's, and outlives the
- * probe. */
+/* fvi_force_probe_start -- begin. `room` has space for FVI_PROBE_ROOM d numbers; it stays the caller's, and must
+ * outlive the probe. */
 void fvi_force_probe_start(fvi_force_probe *probe, size_t d, double *room);
 
-/* fvi_force_probe_evaluate -- evaluate F between the nodes of the run, each step of it cut
- * into so many parts. *resolved is nonzero if F has come twice as near to a line as at
- * the last evaluation, or there is no F. Returns FVI_SUCCESS, or what F returned. (18.7) */
+/* fvi_force_probe_evaluate -- evaluate F between the nodes of the run, after each of its steps is cut into `parts`.
+ * *resolved becomes nonzero if F is at most half as far from a line between the nodes as in the call before, or if
+ * there is no F. Returns FVI_SUCCESS, or what F returned. (18.7) */
 int fvi_force_probe_evaluate(fvi_force_probe *probe, const fvi_run *run,
                          size_t parts, int *resolved);
 

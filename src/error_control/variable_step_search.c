@@ -1,5 +1,4 @@
-/* src/error_control/variable_step_search.c -- Two runs with variable steps, and how far they are
- * apart.                                                             [H 22] */
+/* src/error_control/variable_step_search.c -- Two runs with variable steps, and the distance between them. [H 22] */
 #include "variable_step_search.h"
 
 #include "search_bound.h"
@@ -17,20 +16,20 @@
 
 enum { FEWEST = 128, MOST_RUNS = 16, SAME_END = 5 };
 
-/* The times at which runs are compared: the rows of a run, `first` times as many as the caller
- * has, so that few rows do not hide what is between them, and the times that are wanted. */
+/* The times at which runs are compared: the rows of the caller divided into `first` parts each, so that few rows do not
+ * hide what happens between them, and the times that are wanted. */
 typedef struct {
     const fvi_run *run;
     size_t first, count; /* of the times */
     double *t;
-    size_t most;            /* no run of more steps */
-    int fine;               /* are only the finest modes good enough? */
-    double end;             /* the t that the last run came to */
-    double *x, *before, *p; /* this run and the one before */
+    size_t most;            /* no run takes more steps */
+    int fine;               /* are only the finest modes exact enough? */
+    double end;             /* the time that the last run reached */
+    double *x, *before, *p; /* this run and the run before */
     size_t reached, reached_before;   /* how many of the times; an event may end a run */
     fvi_event_list events, events_before;
     fvi_step_statistics counts;
-    fvi_variable_step_found as; /* how this run was made */
+    fvi_variable_step_found as; /* the parameters of this run */
 } pair;
 
 int fvi_variable_step_again(const fvi_run *of, size_t most,
@@ -38,7 +37,7 @@ int fvi_variable_step_again(const fvi_run *of, size_t most,
                             fvi_stepper **stepper)
 {
     fvi_run run = *of;
-    run.h /= (double)found->first; /* a power of two: exact */
+    run.h /= (double)found->first; /* division by a power of two is exact */
     run.steps *= found->first;
     run.step_error = found->step_error;
     run.most_steps = most;
@@ -52,7 +51,7 @@ int fvi_variable_step_again(const fvi_run *of, size_t most,
     return status;
 }
 
-/* Steps until time k is passed, or an event ends the run. */
+/* Take steps until the time number k is passed, or an event ends the run. */
 static int go_to(pair *o, fvi_stepper *s, size_t k)
 {
     int status = FVI_SUCCESS;
@@ -68,8 +67,7 @@ static int go_to(pair *o, fvi_stepper *s, size_t k)
 }
 
 //> trial
-/* A run with such a tolerance, no step longer than `longest`, and the growth of steps
- * limited. */
+/* Make a run with this tolerance. No step is longer than `longest`, and `growth` limits how fast steps grow. */
 static int trial(pair *o, double step_error, double longest, int growth)
 {
     const size_t d = o->run->system->d;
@@ -100,14 +98,14 @@ static int trial(pair *o, double step_error, double longest, int growth)
 }
 //< trial
 
-/* So many rows have been reached by both runs. */
+/* How many of the times both runs have reached. */
 static size_t both_reached(const pair *o)
 {
     return o->reached < o->reached_before ? o->reached : o->reached_before;
 }
 
-/* max |x - before|, and what rounding may be of it, and modes that were chosen for the size at
- * the start, where the motion became larger; max |x|. */
+/* max |x - before|, plus what rounding can contribute, plus the error of coarse modes, which were chosen for the size
+ * at the start and may be too coarse if the motion has grown. *largest: max |x|. */
 static double distance(const pair *o, double *largest)
 {
     const size_t n = both_reached(o) * o->run->system->d;
@@ -116,7 +114,7 @@ static double distance(const pair *o, double *largest)
     return D + (3e-14 + o->counts.memory) * *largest;
 }
 
-/* The last of the times up to which two runs are no further apart. */
+/* The last of the times up to which two runs differ by no more than `error`. */
 static double agreed_until(const pair *o, double error)
 {
     const size_t k = fvi_search_agreed(both_reached(o), o->run->system->d, o->x, o->before, error);
@@ -140,7 +138,7 @@ static double speed_of(const pair *o)
     return speed;
 }
 
-/* The estimate of two runs that have come to their ends. */
+/* The estimate from two runs that have come to their ends. */
 static int compare(pair *o, double error, double *estimate, double *largest)
 {
     double of_events;
@@ -154,7 +152,7 @@ static int compare(pair *o, double error, double *estimate, double *largest)
     return status;
 }
 
-/* This run is the one before the next. */
+/* Make this run the one before the next. */
 static void keep_run(pair *o)
 {
     double *x = o->x;
@@ -167,12 +165,12 @@ static void keep_run(pair *o)
 }
 
 //> search
-/* Every second run is limited, so that no two neighbours have the same steps. Estimates
- * that do not fall end it only where they may be rounding. Where coarse modes are too coarse for
- * what the motion has become, the next runs take the finest. Where SAME_END runs in a row,
- * each with a tenth of the tolerance, come to no other end than to a thousandth of it, it is
- * the motion that ends there: it runs away in a finite time. Lists of events that differ though steps are
- * right to rounding will never agree. */
+/* Compare runs until an estimate is small enough. Every second run has limited steps, so that no two neighbours have
+ * the same steps. The search gives up in three cases. Estimates that do not fall count against it only if they may be
+ * rounding. Lists of events that differ though the steps are right to rounding will never agree. And if SAME_END runs
+ * in a row, each with a tenth of the tolerance, end within a thousandth of one time, the motion itself ends there,
+ * because it runs away in a finite time. If the coarse modes are too coarse for the size of the motion, the next runs
+ * take the finest ones. */
 static int search(pair *o, double error, fvi_variable_step_found *found)
 {
     const double T = o->run->h * (double)o->run->steps;
@@ -218,8 +216,8 @@ static int search(pair *o, double error, fvi_variable_step_found *found)
 }
 //< search
 
-/* A start shows what fvi_stepper_start refuses. It is given the wanted error, because for a
- * tolerance of its own, finer than some errors need, it refuses more. */
+/* Check the arguments. A start of the run finds what fvi_stepper_start refuses. The start gets the wanted error as its
+ * tolerance, because the default tolerance is finer than some wanted errors and would be refused more often. */
 static int check(const fvi_run *run, double error, const double *x,
                  const fvi_variable_step_found *found)
 {
@@ -237,7 +235,7 @@ static int check(const fvi_run *run, double error, const double *x,
     return status;
 }
 
-/* The rows of the run and the wanted times, in one increasing list. */
+/* Merge the rows of the run and the wanted times into one increasing list. */
 static void merge_times(pair *o, size_t count, const double *t)
 {
     const size_t rows = o->run->steps * o->first;
@@ -253,8 +251,8 @@ static void merge_times(pair *o, size_t count, const double *t)
     }
 }
 
-/* What stands in the last run at the times that are wanted: `count` at t, or its rows. Returns how many of
- * them it has reached. */
+/* Copy the rows of the last run at the wanted times to x and p: `count` rows at t, or its own rows if t is NULL.
+ * Returns how many of them the run has reached. */
 static size_t give_out(const pair *o, size_t count, const double *t, double *x,
                        double *p)
 {
