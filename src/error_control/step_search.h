@@ -21,6 +21,7 @@ typedef struct {
  * Richardson's estimate of the error of x^(j) is
  *
  *     D_j / (2^q - 1) + tolerance max |x^(j)|,    q = min(q_{j-1}, q_j, p),
+ *
  * where p is the order of x that the method has on this run at a fixed t. The tolerance is the tolerance of the run's
  * memory and of its rounding; for eight stages and matrices it is 5e-12 at least. The search ends when the estimate
  * is <= error and is believed, which takes four runs at least. An estimate is believed under two conditions:

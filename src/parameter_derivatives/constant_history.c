@@ -1,4 +1,5 @@
-/* src/parameter_derivatives/constant_history.c -- What a memory of differences leaves out: a constant. [H 23] */
+/* src/parameter_derivatives/constant_history.c -- The history of a constant, which a history of differences leaves out.
+ * [H 23] */
 #include "constant_history.h"
 
 #include "methods/damping.h"
@@ -18,7 +19,7 @@ size_t fvi_bdf2_log(double *l)
     return FVI_BDF2_TAPS;
 }
 
-/* g = ((3 - z)/2)^beta by powers of z, and g ln((3 - z)/2). */
+/* The coefficients of g = ((3 - z)/2)^beta, and of g ln((3 - z)/2), its derivative by beta. */
 static size_t factor_bdf2(double beta, double *g, double *gdot)
 {
     double l[FVI_BDF2_TAPS];
@@ -47,7 +48,7 @@ size_t fvi_power_factor(fvi_scheme scheme, double alpha, double *g,
 
 double fvi_power_factor_sum_by_fours(size_t taps, const double *g, const double *past)
 {
-    double sum[4] = { g[0] * past[0] }; /* no vector waits for the term that has come in last */
+    double sum[4] = { g[0] * past[0] }; /* no vector operation waits for the latest term */
     size_t n = 1;
     for (; n + 4 <= taps; n += 4)
 #pragma GCC unroll 4
@@ -92,7 +93,7 @@ void fvi_constant_history_stop(fvi_constant_history *c)
     free(c->block);
 }
 
-/* The last terms of number i, after one more: the latest first. */
+/* Store one more term of number i. Returns the last terms, the latest first. */
 static const double *with_term(const fvi_constant_history *c, double *past, size_t i,
                                double term)
 {

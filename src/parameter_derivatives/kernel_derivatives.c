@@ -1,12 +1,13 @@
-/* src/parameter_derivatives/kernel_derivatives.c -- Kernels by their orders and times, as symbols.   [H 23] */
+/* src/parameter_derivatives/kernel_derivatives.c -- The derivatives of kernels by their orders and times, as symbols.
+ * [H 23] */
 #include "kernel_derivatives.h"
 
 #include "kernel/kernel_terms.h"
 
 /* ---- symbols ---- */
 
-/* dC/d alpha and dC/d time of a power, a fraction or a Maxwell element; dC/da and dC/de of a
- * range of orders. (23.21) */
+/* dC/d alpha and dC/d time of a power, a fraction or a Maxwell element; dC/da and dC/de of a range of orders.
+ * (23.21) */
 static double complex symbol_by_order(const void *term, double complex s)
 {
     const fvi_kernel_term *t = term;
@@ -27,7 +28,7 @@ static double complex symbol_by_end(const void *term, double complex s)
 }
 
 //> pair
-/* Of two springpots in series, (23.28): C, and the part of the first in its denominator. */
+/* C of two springpots in series, (23.28), and s^{2 (alpha - end)} to *q. */
 static double complex pair_at(const fvi_kernel_term *t, double complex s, double complex *q)
 {
     *q = cexp(2 * (t->alpha - t->end) * clog(s));
@@ -56,13 +57,14 @@ static double complex pair_by_end(const void *term, double complex s)
 }
 //< pair
 
-/* ln(1 + z), also where z is small against 1. */
+/* ln(1 + z), accurate also for |z| much smaller than 1. */
 static double complex log_of_1_and(double complex z)
 {
     return cabs(z) > 1e-4 ? clog(1 + z) : z * (1 - z * (1. / 2 - z * (1. / 3 - z * (1. / 4 - z / 5))));
 }
 
-/* ln(s / (1 + time s)): of large s, time 1, there is a difference of two numbers that are alike. */
+/* ln(s / (1 + time s)). For |time s| > 1 the quotient is divided by s first, because ln s and ln(1 + time s) are then
+ * nearly alike and their difference would lose digits. */
 static double complex davidson_log(const fvi_kernel_term *t, double complex s)
 {
     const double complex Ts = t->time * s;

@@ -1,4 +1,4 @@
-/* src/parameter_derivatives/node_terms.c -- The terms of a law by their numbers, at nodes.    [H 23] */
+/* src/parameter_derivatives/node_terms.c -- The derivatives of a law by the numbers of its terms, at nodes. [H 23] */
 #include "node_terms.h"
 
 #include "constant_history.h"
@@ -47,7 +47,7 @@ static int convolve(const fvi_run *run, const fvi_kernel *alone, fvi_delta kind,
                           run->tolerance, &c->first, &c->memory);
 }
 
-/* ln(delta/h) = ln(1 - z) - ln h, of BDF2 with ln((3 - z)/2) besides. */
+/* Start the history of ln(delta/h), which is ln(1 - z) - ln h, plus ln((3 - z)/2) for BDF2. */
 static int start_log(const fvi_run *run, fvi_delta kind,
                      fvi_node_term *t)
 {
@@ -160,7 +160,7 @@ static int push(const fvi_node_term *t, const fvi_node_convolution *c,
     return status;
 }
 
-/* Takes weight . v away, or weight . S v. */
+/* Subtract factor times weight . v, or weight . S v with a matrix, from *to. */
 static int subtract_product(const fvi_node_term *t, double factor, const double *weight,
                             const double *v, double *to)
 {
@@ -174,7 +174,7 @@ static int subtract_product(const fvi_node_term *t, double factor, const double 
     return status;
 }
 
-/* rate += ln((3 - z)/2) left, whose last terms stand in a ring. */
+/* rate += ln((3 - z)/2) left. The last terms of left stand in a ring. */
 static void add_factor(fvi_node_term *t)
 {
     const size_t d = t->d;
@@ -190,7 +190,7 @@ static void add_factor(fvi_node_term *t)
 }
 
 //> by-order
-/* L C (1 - time C) nu into rate: sum is C nu, square C^2 nu. */
+/* Write L C (1 - time C) nu to rate. sum is C nu, and square is C^2 nu. */
 static int by_order(fvi_node_term *t)
 {
     for (size_t i = 0; i < t->d; i++) {

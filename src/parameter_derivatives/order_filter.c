@@ -1,4 +1,5 @@
-/* src/parameter_derivatives/order_filter.c -- The derivative of sums by the order of a power. [H 23] */
+/* src/parameter_derivatives/order_filter.c -- The derivative of the sums of a history by the order of a power. [H
+ * 23] */
 #include "order_filter.h"
 
 #include "constant_history.h"
@@ -9,7 +10,7 @@
 int fvi_order_filter_start(fvi_scheme scheme, double alpha, size_t width,
                            fvi_order_filter *f)
 {
-    if (scheme == FVI_SCHEME_CQ_BDF2) { /* g = ((3 - z)/2)^(2 alpha): g'/g is a logarithm */
+    if (scheme == FVI_SCHEME_CQ_BDF2) { /* g = ((3 - z)/2)^(2 alpha), and g'/g is a logarithm */
         f->taps = fvi_bdf2_log(f->gdot);
         f->past_taps = 1;
         f->g[0] = 1;
@@ -25,8 +26,8 @@ int fvi_order_filter_start(fvi_scheme scheme, double alpha, size_t width,
     return FVI_SUCCESS;
 }
 
-/* The memory takes in g lambda, so that the derivative by g is that of the filter g'/g on its
- * sums:  g y = g' N. */
+/* The history takes in g lambda. So the derivative of its sums N through g is y = (g'/g) N, a filter of the sums. It is
+ * computed from g y = g' N. */
 //> filter
 const double *fvi_order_filter_next(fvi_order_filter *f, const double *H,
                                     const double *Hdot, double *out)

@@ -1,4 +1,5 @@
-/* src/parameter_derivatives/potential_derivatives.c -- Hess U and grad U by its parameters, stage by stage. [H 23] */
+/* src/parameter_derivatives/potential_derivatives.c -- Hess U at the stages, and the derivatives by the parameters of
+ * U. [H 23] */
 #include "potential_derivatives.h"
 
 

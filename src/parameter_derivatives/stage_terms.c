@@ -1,4 +1,4 @@
-/* src/parameter_derivatives/stage_terms.c -- The terms of a law by their numbers, through stages. [H 23] */
+/* src/parameter_derivatives/stage_terms.c -- The derivatives of a law by the numbers of its terms, on stages. [H 23] */
 #include "stage_terms.h"
 
 #include "system/arrays.h"
@@ -22,9 +22,11 @@ static int is_davidson(const fvi_stage_term *t)
     return t->unit.term.kind == FVI_KERNEL_DAVIDSON;
 }
 
-/* ln(1 + T s) is the integral of s/(1 + tau s) over tau from 0 to T, a sum of Maxwell elements by Gauss and Legendre:
- * of 12 points below `least`, where |least s| < 1/2 for all s = lambda/h, and of 12 on each piece of ln tau above, not
- * longer than 1. There the pole ln tau = -ln s +- pi i is 1.8 away, as |arg lambda| < 1.3: 1e-16 is left. */
+/* Write ln(1 + T s) as a sum of Maxwell elements. (23.34) It is the integral of s/(1 + tau s) over tau from 0 to T. The
+ * rule of Gauss and Legendre has 12 points below `least`, where |least s| < 1/2 for all s = lambda/h. Above, it has 12
+ * points on each piece of ln tau, and no piece is longer than 1. There the pole ln tau = -ln s +- pi i is at least 1.8
+ * away, because
+ * arg lambda| < 1.3. So the error is 1e-16. */
 static int find_relaxation(fvi_stage_term *t, fvi_kernel *sum)
 {
     enum { POINTS = 12 };
@@ -51,8 +53,8 @@ static int find_relaxation(fvi_stage_term *t, fvi_kernel *sum)
     return FVI_SUCCESS;
 }
 
-/* C = V^(2 alpha) with V = s/(1 + time s) has the derivatives -2 alpha V C by the time, and
- * 2 (ln s - ln(1 + time s)) C by the order. */
+/* Cole and Davidson's kernel C = V^(2 alpha) with V = s/(1 + time s). Its derivative by the time is -2 alpha V C, and
+ * by the order 2 (ln s - ln(1 + time s)) C. */
 static int start_davidson(const fvi_run *run, const fvi_sensitivities *want, double keep, fvi_stage_term *t)
 {
     const fvi_kernel_term maxwell = { FVI_KERNEL_MAXWELL, 1, 0, t->unit.term.time, 0 };
@@ -78,7 +80,7 @@ static int start_slopes(const fvi_run *run, const fvi_sensitivities *want, doubl
     return status;
 }
 
-/* Room for all that a term may need. */
+/* Allocate all arrays that a term may need. */
 static int make_room(fvi_stage_term *t)
 {
     const size_t n = t->s * t->d;
@@ -93,8 +95,8 @@ static int make_room(fvi_stage_term *t)
     return FVI_SUCCESS;
 }
 
-/* The memories for what is wanted of a term, with the tolerance `keep`. t is in any case to be given back by stop_term,
- * and stays where it is. */
+/* Start the histories for the wanted derivatives by a term, with the tolerance `keep`. The caller gives t back with
+ * stop_term, also after an error, and t must stay where it is. */
 static int start_term(const fvi_run *run, const fvi_sensitivities *want, size_t s, size_t d,
                          double keep, const fvi_kernel_term *of, fvi_stage_term *t)
 {
@@ -131,7 +133,7 @@ static void stop_term(fvi_stage_term *t)
 
 /* ---- a step ---- */
 
-/* now = past + W in, of number j. */
+/* now = past + W in, for number j. */
 static void through(const fvi_stage_term *t, size_t j, const double *W, const double *in,
                     fvi_stage_convolution *c)
 {
@@ -144,7 +146,7 @@ static void through(const fvi_stage_term *t, size_t j, const double *W, const do
     }
 }
 
-/* (Delta/h) u, by the two coefficients of (17.5). */
+/* Write (Delta/h) u to out, by the two coefficients of (17.5). `before` is the last u of the step before. */
 static void differentiate(const fvi_stage_term *t, const double *u, double before, double *out)
 {
     const fvi_lobatto_rule *rule = t->rule;
@@ -157,7 +159,7 @@ static void differentiate(const fvi_stage_term *t, const double *u, double befor
 }
 
 //> stage-term
-/* Number j of a term: what W nu changes by with the numbers of the law. (23.21) */
+/* The derivatives of W nu by the numbers of a term, for number j. (23.21) */
 void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu)
 {
     const size_t s = t->s;
@@ -218,7 +220,7 @@ int fvi_stage_terms_start(const fvi_run *run, const fvi_sensitivities *want, siz
     return status;
 }
 
-/* The factors of the velocities in T, times b. */
+/* The sum over the stages of b_i times the velocity, which runs in the opposite order, times T_i. */
 static double dot(const fvi_stage_term *t, const double *v, const double *T)
 {
     double sum = 0;

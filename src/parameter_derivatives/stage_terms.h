@@ -1,61 +1,65 @@
-/* src/parameter_derivatives/stage_terms.h -- The terms of a law by their numbers, through stages. [H 23]
+/* src/parameter_derivatives/stage_terms.h -- The derivatives of a law by the numbers of its terms, on stages. [H 23]
  *
- * Internal, for runs that go backwards and for tangents. The derivative by the factor of a term is that by
- * rho with the weights of this term alone: each has a memory of the velocities that come in. With
- * W = (Delta/h)^-1 C(Delta/h) of it and u = W nu, the derivatives by time and order are -W (Delta/h) u and
- * 2 L (u - time W (Delta/h) u), L = ln(Delta/h): (23.21), memories one behind another. */
+ * Internal, for adjoint runs and for tangents. The derivative by the factor of a term is the derivative by rho with the
+ * weights of this term alone, so each term has a history of the velocities of its own. With W = (Delta/h)^-1 C(Delta/h)
+ * and u = W nu, the derivatives by the time and by the order are -W (Delta/h) u and 2 L (u - time W (Delta/h) u), where
+ * L = ln(Delta/h). (23.21) One history after another computes these products. */
 #ifndef FVI_STAGE_TERMS_H
 #define FVI_STAGE_TERMS_H
 
 #include "node_terms.h"
 #include "stages/lobatto_history.h"
 
-/* One memory, what it has of the steps before, and what it gives of this step; s d numbers each. */
+/* A history, its sums over the steps before, and its sums including this step; s d numbers each. */
 typedef struct {
-    fvi_lobatto_history *memory; /* NULL: not asked for */
+    fvi_lobatto_history *memory; /* NULL: not needed */
     double *past, *now;
 } fvi_stage_convolution;
 
-/* Of d numbers; that of stage i of number j stands at [j * s + i]. Where the comment says "each", s d numbers. */
+/* One term of a law, for d numbers. Stage i of number j stands at [j * s + i]; "each" means that an array has s d
+ * numbers. */
 typedef struct {
-    fvi_kernel_function unit; /* its term has rho = 1 */
-    double rho, h;     /* rho: of the law */
+    fvi_kernel_function unit; /* the term with rho = 1 */
+    double rho, h;     /* rho: of the term in the law */
     size_t s, d;
     const fvi_lobatto_rule *rule;
     fvi_stage_convolution self, again, slopes[FVI_KERNEL_DERIVATIVES];
     fvi_kernel_derivative slope[FVI_KERNEL_DERIVATIVES];
-    fvi_stage_convolution log; /* Delta^beta at beta = 0: its rate */
-    double by_time;            /* -by_time rho again.now is the derivative by the time: 1, or 2 alpha */
-    fvi_kernel_term *relaxation; /* of a DAVIDSON: Maxwell elements with the sum ln(1 + time s); owned */
-    fvi_stage_convolution less;  /* what they make of (Delta/h) u */
-    double *rate, *left;      /* each: (Delta/h) u, u - time W rate; u is self.now */
-    double *before;           /* d numbers: the last of u of the step before */
-    double *room, *block;     /* each; all these and past and now; owned */
+    fvi_stage_convolution log; /* Delta^beta at beta = 0: only its derivative by beta is used */
+    double by_time;            /* the derivative by the time is -by_time rho again.now; by_time is 1, or 2 alpha for a
+                                  DAVIDSON */
+    fvi_kernel_term *relaxation; /* for a DAVIDSON: Maxwell elements whose sum is ln(1 + time s); owned */
+    fvi_stage_convolution less;  /* the history of these elements, of (Delta/h) u */
+    double *rate, *left;      /* each: (Delta/h) u, and u - time W (Delta/h) u; u is self.now */
+    double *before;           /* d numbers: u of the last stage of the step before */
+    double *room, *block;     /* each; the memory of all these arrays and of past and now; owned */
 } fvi_stage_term;
 
-/* fvi_stage_term_next -- nu of number j comes in, s velocities. By rho W nu changes by self.now, by the
- * time by -by_time rho again.now, by the order by 2 rho times fvi_stage_term_by_order; where its derivative is a
- * kernel, by sign rho slopes.now. */
+/* fvi_stage_term_next -- take in nu of number j, s velocities. The derivatives of rho W nu are then: by rho self.now;
+ * by the time -by_time rho again.now; by the order 2 rho fvi_stage_term_by_order; and where the derivative is a kernel
+ * of its own, sign rho slopes.now. */
 void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu);
 
-/* fvi_stage_term_by_order -- of number n of a term with log.memory, log.now - ln h left - less.now. */
+/* fvi_stage_term_by_order -- log.now - ln h left - less.now at index n, for a term with log.memory. */
 static inline double fvi_stage_term_by_order(const fvi_stage_term *t, size_t n, double log_h)
 {
     return t->log.now[n] - log_h * t->left[n] - t->less.now[n];
 }
 
-/* All terms of a law; zeroed before. */
+/* All terms of a law; zeroed before the start. */
 typedef struct {
     size_t count;
     fvi_stage_term *each; /* owned */
 } fvi_stage_terms;
 
-/* fvi_stage_terms_start, _update_history, _stop -- the memories for what is wanted of all of them, with the tolerance
- * `keep`, in any case to be given back; nu of all numbers of a step that is over. The first returns what
+/* fvi_stage_terms_start -- start the histories for the wanted derivatives by all terms of a law, with the tolerance
+ * `keep`. Give *terms back with fvi_stage_terms_stop, also after an error. Returns FVI_SUCCESS; what
  * fvi_lobatto_history_of_kernel and fvi_lobatto_history_alloc_by_order return; FVI_ENOMEM.
- * fvi_stage_terms_accumulate -- nu of number j comes in, a multiplier at the stages in reverse order. Its products
- * with `weight` times the velocities v of this number are taken away from what is wanted of term `first` and those
- * behind it. */
+ * fvi_stage_terms_accumulate -- take in nu of number j, a multiplier at the stages in reverse order. Then subtract the
+ * products of the sums with `weight` times the velocities v of this number from the wanted derivatives by the terms
+ * `first`, first + 1, ...
+ * fvi_stage_terms_update_history -- add a finished step to the histories; nu of all numbers.
+ * fvi_stage_terms_stop -- free the histories. */
 int fvi_stage_terms_start(const fvi_run *run, const fvi_sensitivities *want, size_t s, size_t d,
                           double keep, const fvi_kernel *law, fvi_stage_terms *terms);
 void fvi_stage_terms_accumulate(fvi_stage_terms *terms, size_t j, const double *nu, double weight,

@@ -1,4 +1,4 @@
-/* src/tangent/tangent.c -- A run and its derivatives, side by side.            [H 24] */
+/* src/tangent/tangent.c -- A run and its derivatives along directions: checks, start and rows. [H 24] */
 #include "tangent.h"
 
 #include <fvi/adjoint.h>
@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- what there is ---- */
+/* ---- which derivatives are known ---- */
 
 static int check_laws(const fvi_method *method, const fvi_run *run, const fvi_sensitivities *along)
 {
@@ -68,7 +68,7 @@ static int check(const fvi_tangent_run *o, const fvi_run *run)
     return status;
 }
 
-/* ---- one point ---- */
+/* ---- the potential at one point ---- */
 
 int fvi_tangent_evaluate_potential(fvi_tangent_run *o, size_t i, const double *X)
 {
@@ -76,7 +76,7 @@ int fvi_tangent_evaluate_potential(fvi_tangent_run *o, size_t i, const double *X
     const size_t size = o->size, d = o->d;
     const int is_shared = o->tangents < o->P;
     double *H = is_shared ? o->room : o->G + i * size, *dU = o->dU + i * o->P * d;
-    o->room[0] = 0; /* H, of one coordinate without a potential */
+    o->room[0] = 0; /* so that H is 0 for one coordinate without a potential */
     int status = fvi_potential_evaluate_hessians(system, 1, X, size, H);
     for (size_t j = 0; is_shared && j < o->P; j++)
         o->G[i * o->P + j] = H[0];
@@ -97,7 +97,7 @@ int fvi_tangent_evaluate_potential(fvi_tangent_run *o, size_t i, const double *X
     return status;
 }
 
-/* p, less what has hit the body at this node. */
+/* p without the impulses of the force at this node. */
 static void momentum_before_impulses(const fvi_tangent_run *o, double *p)
 {
     const fvi_stepper *s = o->stepper;
@@ -114,7 +114,7 @@ void fvi_tangent_velocity(const fvi_tangent_run *o, double *v)
         v[i] /= o->run->system->mass[i];
 }
 
-/* d x and d p of the linearised runs, whose momentum is m dv in form D. */
+/* Read dx and dp from the linearised runs. In form D their momentum is m dv, so v dm is added. */
 static void read_tangents(fvi_tangent_run *o)
 {
     const size_t d = o->d;
@@ -158,8 +158,9 @@ static int make_room(fvi_tangent_run *o)
     return FVI_SUCCESS;
 }
 
-/* The tolerance with which the memory of stages keeps its sums to `enough`, or to as much as that of the run if
- * this is more. It keeps them to a fixed part of run->tolerance. (17.21) */
+/* The run->tolerance with which the history of stages keeps its sums to `enough`, or to the error of the run's own
+ * history if that is larger. A history keeps its sums to a fixed fraction of run->tolerance, which a probe shows.
+ * (17.21) */
 static double tolerance_of_slopes(const fvi_run *run, double enough)
 {
     enum { PROBE = 100 };
@@ -178,9 +179,9 @@ static int has_start(const fvi_tangent_run *o, size_t i)
            || fvi_initial_history_solvable(run->past, run->alpha, run->system->damping[i], 1);
 }
 
-/* The linearised runs at k = 0. Their past is that of the run: a line from d x0 with d v0. As a
- * momentum the start is m dv0, to which all but form D add v0 dm. Where no motion starts at
- * another x0 the slope is the slope of a run whose past does not act. */
+/* The start of the linearised runs at k = 0, as their histories see it. Their past is the past of the run: a line from
+ * d x0 with the slope d v0. The momentum of this start is m dv0; move_starts adds v0 dm. If no motion starts at another
+ * x0, the derivative is the derivative of a run whose past exerts no force. */
 static void fill_starts(fvi_tangent_run *o)
 {
     const fvi_run *run = o->run;
@@ -228,7 +229,8 @@ static int start_tangent(fvi_tangent_run *o, double enough, size_t l)
     return fvi_stepper_start(o->method, &tangent, o->tangent + l, NULL);
 }
 
-/* The part of the start that the histories must not see: v0 dm, and x0 where (19.2) has no motion from another x0. */
+/* Add the part of the start that the histories must not see: v0 dm, and dx0 where no motion starts at another x0
+ * (19.2). */
 static void move_starts(fvi_tangent_run *o)
 {
     const fvi_run *run = o->run;
@@ -249,7 +251,8 @@ static void move_starts(fvi_tangent_run *o)
 static int start_dampers(fvi_tangent_run *o)
 {
     const fvi_run *run = o->run;
-    const double keep = o->rule ? fvi_stage_dampers_tolerance(&o->tangent[0]->run) : 0; /* nodes keep all */
+    const double keep = o->rule ? fvi_stage_dampers_tolerance(&o->tangent[0]->run) : 0; /* histories at nodes are not
+                                                                                           compressed further */
     int status = FVI_SUCCESS;
     for (size_t j = 0, first = 0; !status && j < fvi_run_damper_count(run); j++) {
         fvi_tangent_damper *a = o->each + o->dampers++;
@@ -316,9 +319,9 @@ void fvi_tangent_stop(fvi_tangent_run *o)
     free(o->block);
 }
 
-/* ---- the whole ---- */
+/* ---- the whole run ---- */
 
-/* NaN along a direction to an x0 from which no motion starts, (19.2). */
+/* Write NaN along a direction that changes an x0_i at which no other motion starts, (19.2). */
 static void bar_starts(const fvi_tangent_run *o, double *dx)
 {
     for (size_t j = 0, n = 0; j < o->P; j++)

@@ -1,4 +1,4 @@
-/* src/tangent/tangent_dampers.c -- What a direction changes in a damper.       [H 24] */
+/* src/tangent/tangent_dampers.c -- The changes that directions make in a damper. [H 24] */
 #include "tangent.h"
 
 #include "methods/damping.h"
@@ -11,14 +11,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- what is asked ---- */
+/* ---- what the directions change ---- */
 
 static int any(const double *along, size_t first, size_t count)
 {
     return along && !fvi_all_zero(count, along + first);
 }
 
-/* Which memories the directions ask for: as fvi_sensitivities that are wanted. */
+/* Find what the directions change in a damper. Returns which numbers of its law they change, as fvi_sensitivities that
+ * are not NULL. */
 static fvi_sensitivities find_wanted(const fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     const fvi_kernel *law = a->of.law;
@@ -54,7 +55,7 @@ static int make_room(const fvi_tangent_run *o, fvi_tangent_damper *a)
     return FVI_SUCCESS;
 }
 
-/* The impulses of the past; and C A, where C = 1 without matrices. */
+/* Prepare the impulses of the past, and write A to a->CA, or C A with a matrix. */
 static int start_past(fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     static const double ends[] = { 0, 1 };
@@ -149,7 +150,7 @@ void fvi_tangent_damper_stop(fvi_tangent_damper *a)
 
 /* ---- a node ---- */
 
-/* z, the history numbers of x, and their increments dz. */
+/* Write z, the numbers that the history of a history gets of x, and their increments dz. */
 static int find_elongation(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
 {
     const fvi_run *run = o->run;
@@ -169,7 +170,7 @@ static int find_elongation(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
     return status;
 }
 
-/* The memories of the terms take in z, or of fvi-stable the mean of z at two nodes. */
+/* Write the input of the histories of the terms: z, or for fvi-stable the mean of z at two nodes; and its increment. */
 static void find_mean(const fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     const int is_mean = o->method->scheme == FVI_SCHEME_CQ2_MIDPOINT;

@@ -1,11 +1,11 @@
-/* src/tangent/tangent_nodes.c -- What a direction changes in a step without stages.      [H 24] */
+/* src/tangent/tangent_nodes.c -- A step of the derivatives by a method without stages. [H 24] */
 #include "tangent.h"
 
 #include <string.h>
 
 /* ---- inertia, the potential and the force ---- */
 
-/* x_{k+1} - x_k, or M times it, of which a change of the masses takes its share. */
+/* x_{k+1} - x_k, or M times it. A change of the masses multiplies it. */
 static int inertia(const fvi_tangent_run *o, double *moved)
 {
     const fvi_matrices *m = o->run->system->matrices;
@@ -21,8 +21,8 @@ static double mass_along(const fvi_tangent_run *o, size_t j, size_t i)
     return mass ? mass[o->run->system->matrices ? 0 : i] : 0;
 }
 
-/* The force of node k is an impulse of its own of Algorithm 3, which has none at node 0; else half of it
- * belongs to each step beside it. */
+/* Subtract the change of the force. In Algorithm 3 the force of node k + 1 acts whole behind the step, and node 0 has
+ * none. In the other methods half of the force of a node belongs to each step beside it. */
 static void add_force(fvi_tangent_run *o, size_t k, size_t j)
 {
     const double *F = o->along[j].force, h = o->run->h;
@@ -64,9 +64,9 @@ static void subtract(fvi_tangent_run *o, const double *lost)
 /* ---- a step ---- */
 
 //> tangent
-/* (24.6): the derived equation of a step is linear, and a step of the linearised run. What
- * a direction changes besides is force: in the equation for x_{k+1} before the step, in
- * p_{k+1} behind it. */
+/* A step of (24.6). The derivative of the equation of a step is linear, and it is the equation of a step of the
+ * linearised run. All other changes that a direction makes are impulses. The impulses in the equation for x_{k+1} are
+ * subtracted before the step, and the impulses in p_{k+1} after it. */
 int fvi_tangent_nodes_step(fvi_tangent_run *o)
 {
     fvi_stepper *s = o->stepper;

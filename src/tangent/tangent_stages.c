@@ -1,4 +1,4 @@
-/* src/tangent/tangent_stages.c -- What a direction changes at the stages of a step.       [H 24] */
+/* src/tangent/tangent_stages.c -- A step of the derivatives by a method with stages. [H 24] */
 #include "tangent.h"
 
 #include "methods/lobatto_matrices.h"
@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* By (17.3): the inverse of A times w in form D, D w in form M. The numbers of w are `stride` apart. */
+/* Entry i of the inverse of A times w in form D, and of D w in form M. (17.3) The numbers of w are `stride` apart. */
 static double differentiated(const fvi_tangent_run *o, size_t i, const double *w, size_t stride)
 {
     double sum = o->method->damped_inertia && i == 0 ? w[0] / o->rule->b[0] : 0;
@@ -16,7 +16,7 @@ static double differentiated(const fvi_tangent_run *o, size_t i, const double *w
     return sum;
 }
 
-/* Velocities and positions of the stages of the step just done, which began at x_k with v_k. */
+/* Read the velocities and positions of the stages of the last step, which began at x_k with v_k. */
 static void read_stages(fvi_tangent_run *o)
 {
     const size_t d = o->d, s = o->s;
@@ -36,7 +36,7 @@ static void read_stages(fvi_tangent_run *o)
         }
 }
 
-/* The force at stage i that a unit more of the mass of coordinate n adds: minus its inertia. */
+/* The force at stage i that a unit of mass more adds to coordinate n: minus the inertia force of that unit. */
 static double inertia(const fvi_tangent_run *o, size_t i, size_t n)
 {
     const double *b = o->rule->b, h = o->run->h, *V = o->V + n;
@@ -52,7 +52,7 @@ static double inertia(const fvi_tangent_run *o, size_t i, size_t n)
     return sum / (h * b[i]);
 }
 
-/* The forces of the masses, of the parameters of U and of a force that is changed itself. */
+/* Write the forces that come from changes of the masses, of the parameters of U and of the force itself. */
 static int fill_sources(fvi_tangent_run *o, size_t k)
 {
     const fvi_matrices *m = o->run->system->matrices;
@@ -80,7 +80,7 @@ static int fill_sources(fvi_tangent_run *o, size_t k)
 
 /* ---- dampers ---- */
 
-/* The velocities of the stages, less the line, as the history takes them. */
+/* Write what the history of a damper gets: the velocities of the stages without the line. */
 static int find_velocities(fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
@@ -98,7 +98,7 @@ static int find_velocities(fvi_tangent_run *o, fvi_tangent_damper *a)
     return status;
 }
 
-/* W v with its history, and its derivative by beta; and the history of the next step. */
+/* Write W v plus the history, and its derivative by beta, and compute the history of the next step. */
 static int find_sums(fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     const size_t s = o->s;
@@ -121,7 +121,8 @@ static int find_sums(fvi_tangent_run *o, fvi_tangent_damper *a)
                      : fvi_lobatto_history_push_by_order(a->of_stages, a->v, a->Y, a->Ydot);
 }
 
-/* The force that direction j changes through the numbers of a law, for rho = 1. `at`: its number and stage. */
+/* The force that direction j changes through the numbers of a law, for rho = 1. `at` is the index of number and
+ * stage. */
 static double terms_along(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t j, size_t at)
 {
     const double log_h = log(o->run->h);
@@ -194,7 +195,7 @@ static int step_damper(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
 /* ---- a step ---- */
 
 //> stages
-/* (24.12): q_i, the forces on the slopes, from the stages of the step just done. */
+/* A step of (24.12). The forces q_i on the derivatives come from the stages of the step that the run has just taken. */
 int fvi_tangent_stages_step(fvi_tangent_run *o)
 {
     fvi_stepper *s = o->stepper;
