@@ -1,4 +1,7 @@
-/* src/adjoint/adjoint.c -- Every derivative of a run for one adjoint run. [H 23] */
+/* src/adjoint/adjoint.c -- fvi_adjoint: every derivative of a number of a run by one adjoint run. [H 23]
+ *
+ * check refuses what is not known. walk goes from node N to node 0 and hands each step to the kind of adjoint run that
+ * fits the method and the system. Steps of any length and mechanisms walk on their own. */
 #include <fvi/adjoint.h>
 
 #include "adjoint_dampers.h"
@@ -15,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where alpha = 1 makes rho a mass, p_k is another number than m v_k. */
+/* Is p_k = m v_k? At alpha = 1 a damping is a mass in form M and in fvi-adaptive, and then p_k contains it. */
 static int momenta_are_known(const fvi_method *method, const fvi_run *run,
                              const fvi_objective *J)
 {
@@ -30,8 +33,7 @@ static int momenta_are_known(const fvi_method *method, const fvi_run *run,
            || fvi_run_normal(method, run).alpha != 1;
 }
 
-/* Terms of the law of a run, or of the laws of all its dampers, whose numbers there may be derivatives
- * by. */
+/* How many terms the law of a run has, or the laws of all its dampers. */
 static size_t terms_of(const fvi_run *run)
 {
     const fvi_mechanism *m = run->system ? run->system->mechanism : NULL;
@@ -41,7 +43,7 @@ static size_t terms_of(const fvi_run *run)
     return terms;
 }
 
-/* fvi-shifted puts another kernel in the place of a law, of which there is no adjoint. */
+/* Refuse laws by fvi-shifted: it replaces a law by another kernel, and that kernel has no adjoint. */
 static int check_shifted(const fvi_run *run)
 {
     for (size_t j = 0; run->system && j < fvi_run_damper_count(run); j++)
@@ -120,7 +122,7 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         && !want->lagrangian)
         FVI_FAIL("derivatives by parameters need a sensitivity", FVI_EINVAL);
     fvi_stepper
-        *s; /* knows what a run may be; one of a step has no long memory */
+        *s; /* checks the run; one step needs no long history */
     fvi_run one = *run;
     one.steps = run->steps > 0;
     status = fvi_stepper_start(method, &one, &s, NULL);
@@ -129,20 +131,20 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     return status;
 }
 
-/* Of a step: its end, and the stages before. */
+/* How many rows a step has in the trajectory: its end, and the stages before the end that are kept. */
 static size_t rows_of(const fvi_method *method)
 {
     const size_t first = method->damped_inertia != 0;
     return method->stages ? (size_t)method->stages - 1 + first : 1;
 }
 
-/* Times of a step at which a force acts, but for its beginning. */
+/* At how many times of a step a force acts, without the beginning of the step. */
 static size_t forces_of(const fvi_method *method)
 {
     return method->stages ? (size_t)method->stages - 1 : 1;
 }
 
-/* Numbers of a derivative by dampings: of each mass, or by a factor of C, or of each damper. */
+/* How many derivatives by dampings there are: one for each mass, or for the factor of C, or for each damper. */
 static size_t dampings_of(const fvi_system *system)
 {
     return system->mechanism  ? system->mechanism->damper_count
@@ -150,7 +152,7 @@ static size_t dampings_of(const fvi_system *system)
                               : system->d;
 }
 
-/* What is added to, from zero on. */
+/* Set the derivatives to zero that the steps add to. */
 static void clear(const fvi_run *run, const fvi_sensitivities *want, size_t per)
 {
     const size_t d = run->system->d;
@@ -172,7 +174,7 @@ static void clear(const fvi_run *run, const fvi_sensitivities *want, size_t per)
         want->parameters[j] = 0;
 }
 
-/* dJ/dx_k, zeroed before it is asked for; and dJ/dp_k, if J has it. */
+/* Write dJ/dx_k to Jx, and dJ/dp_k to Jp unless that is NULL. */
 static inline int slopes(const fvi_objective *J, size_t k, size_t d, const double *x,
                   const double *p, double *Jx, double *Jp)
 {
@@ -184,8 +186,8 @@ static inline int slopes(const fvi_objective *J, size_t k, size_t d, const doubl
     return J->slopes(k, d, x, p, J->params, Jx, Jp);
 }
 
-/* One of the four kinds of adjoint runs: of a structure with stages; with stages, or without (0), or of several
- * dampers. */
+/* One of the four kinds of adjoint runs: of a structure with stages; of several dampers without stages; of a chain with
+ * stages; of a chain, or of matrices with one damping, without stages (stages = 0). */
 typedef struct {
     size_t stages;
     int is_structure, has_dampers;
@@ -222,7 +224,7 @@ static int step(adjoint_run *m, size_t k, const double *rows, const double *Jx)
                      : fvi_adjoint_multistep_step(&m->plain, k, rows, Jx);
 }
 
-/* J depends on p_k, 0 < k < N: lambda_k jumps by J_p, (23.27). */
+/* Let lambda_k jump by J_p, because J depends on p_k, 0 < k < N. (23.27) */
 static int jump(adjoint_run *m, const double *Jp)
 {
     if (m->is_structure)
@@ -233,7 +235,7 @@ static int jump(adjoint_run *m, const double *Jp)
                      : fvi_adjoint_multistep_jump(&m->plain, Jp);
 }
 
-/* Jp: NULL, or dJ/dp_0, which is p0. */
+/* Write the derivatives. Jp: NULL, or dJ/dp_0, which is added to the derivative by p0. */
 static int finish(adjoint_run *m, const fvi_sensitivities *want, size_t d,
                   const double *Jx, const double *Jp)
 {
@@ -250,14 +252,14 @@ static void stop(adjoint_run *m)
 {
     if (m->is_structure)
         fvi_adjoint_structure_free(&m->structure);
-    else if (m->has_dampers) /* the book's figures that move have none, and not this function */
+    else if (m->has_dampers) /* the moving figures of the book do not link this function */
         fvi_adjoint_dampers_free(&m->several);
     fvi_adjoint_lobatto_stop(&m->staged);
     fvi_adjoint_multistep_free(&m->plain);
 }
 
 //> walk
-/* From node N to node 0. J: d numbers for dJ/dx_k, and d for dJ/dp_k. */
+/* Walk from node N to node 0. J: room for dJ/dx_k, d numbers, and dJ/dp_k, d numbers. */
 static int walk(const fvi_method *method, fvi_checkpointing *path,
                 const fvi_run *run, const fvi_objective *objective,
                 const fvi_sensitivities *want, double *J)
@@ -301,7 +303,7 @@ static int walk(const fvi_method *method, fvi_checkpointing *path,
 }
 //< walk
 
-/* By fvi-adaptive a run whose law grows faster than s begins at rest. */
+/* Must the run begin at rest? It must by fvi-adaptive if its law grows faster than s. */
 static int is_at_rest(const fvi_method *method, const fvi_run *run)
 {
     if (method->scheme != FVI_SCHEME_VARIABLE_STEP || run->system->mechanism)
@@ -310,7 +312,7 @@ static int is_at_rest(const fvi_method *method, const fvi_run *run)
     return of.law && of.growth > 1;
 }
 
-/* Has a damping Riemann and Liouville's past? */
+/* Has any damping Riemann and Liouville's past? */
 static int is_liouville(const fvi_run *run)
 {
     const fvi_mechanism *m = run->system->mechanism;
@@ -320,8 +322,8 @@ static int is_liouville(const fvi_run *run)
     return is;
 }
 
-/* Is every derivative a number? With Riemann and Liouville's past NaN says that there is
- * none by x0, and where no velocity may jump that there is none by p0. */
+/* Are all derivatives finite? Two of them may be NaN, which says that they do not exist: the derivative by x0 with
+ * Riemann and Liouville's past, and the derivative by p0 where the run must begin at rest. */
 static int are_finite(const fvi_method *method, const fvi_run *run,
                       const fvi_sensitivities *want, size_t per)
 {

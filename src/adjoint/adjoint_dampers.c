@@ -1,5 +1,5 @@
-/* src/adjoint/adjoint_dampers.c -- The run of a structure with several dampers, backwards.
- *                                                                     [H 23, 27] */
+/* src/adjoint/adjoint_dampers.c -- The adjoint run of a structure with several dampers: its steps and its end. [H 23,
+ * 27] */
 #include "adjoint_dampers.h"
 
 #include "system/dot.h"
@@ -16,7 +16,7 @@ void fvi_adjoint_dampers_elongation(const fvi_adjoint_dampers *m, const fvi_adjo
         z[i] = x[i] - m->run->x0[i] - (a->has_drift ? t * m->v0[i] : 0);
 }
 
-/* The products of C N, d numbers, with z and the time of the node. */
+/* Add share z . C N to the sum of a damper, and share t C N to by_drift. CN: d numbers. */
 static void accumulate(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double share,
                        const double *z, const double *CN, double t)
 {
@@ -25,7 +25,7 @@ static void accumulate(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double sha
         a->by_drift[i] += share * t * CN[i];
 }
 
-/* C times the last sums of a memory. */
+/* Write C times the last sums of the history of a damper. */
 static int multiply_sums(fvi_adjoint_dampers *m, const fvi_adjoint_damper *a, double *CN)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
@@ -47,7 +47,7 @@ int fvi_adjoint_dampers_first_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper *a
                : fvi_adjoint_dampers_numbers_sums(m, a, m->z, NULL);
 }
 
-/* The memory of the constant J_p: on the momentum, and on z_{k+1}. */
+/* Add the history of the constant J_p: subtract its force from the momentum, and multiply it by z_{k+1}. */
 static int add_constant(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,
                         const double *x)
 {
@@ -66,7 +66,7 @@ static int add_constant(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,
     return status;
 }
 
-/* The memory of what lambda has jumped by, on the momentum and on z_{k+1}: C B. */
+/* The same for the history of the jumps of lambda, C B. */
 static int add_jumps(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k, const double *x)
 {
     fvi_constant_history *c = &a->jumped;
@@ -105,7 +105,8 @@ static void add_impulses(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k
         a->impulse_sum_by_order[i] += slope[0] * left[i] + slope[1] * right[i];
 }
 
-/* The memory is at node k: N = (1 - theta) H_k + theta H_{k-1}. */
+/* Add the sums of node k, up to which the history has come: N = (1 - theta) H_k + theta H_{k-1}, so that z is the mean
+ * of z_k and z_{k+1}. */
 static int add_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,
                     const double *rows)
 {
@@ -122,7 +123,7 @@ static int add_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,
                                     : fvi_adjoint_dampers_numbers_step(m, a, k, rows);
 }
 
-/* By factors of M and K; stepper->g is K M_k. */
+/* Add to the derivatives by factors of M and K; stepper->g is K M_k. */
 static int add_matrices(fvi_adjoint_dampers *m, const double *rows)
 {
     const size_t d = m->d;
@@ -202,8 +203,8 @@ int fvi_adjoint_dampers_jump(fvi_adjoint_dampers *m, const double *Jp)
 
 /* ---- the end ---- */
 
-/* By a factor of C_j; and what the impulses of its past have of the start: of x0 itself, or of v0,
- * into `by_velocity`. */
+/* Write the derivative by a factor of C_j. Add the derivatives through the impulses of its past: by x0 if the amplitude
+ * is x0, and otherwise by v0, to `by_velocity`. */
 static int end_damper(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double *by_damper,
                       double *by_velocity)
 {
@@ -244,7 +245,7 @@ int fvi_adjoint_dampers_end(fvi_adjoint_dampers *m, const double *Jx)
         if (want->p0)
             want->p0[i] = m->stepper->x[i] + m->work[i];
     }
-    if (want->mass) /* v0 is M^-1 p0 */
+    if (want->mass) /* because v0 = M^-1 p0 */
         *want->mass = m->by_M / m->run->h - fvi_dot(d, m->run->p0, m->work);
     if (want->parameters)
         *want->parameters = -m->run->h * m->by_K;

@@ -1,8 +1,9 @@
-/* src/adjoint/adjoint_dampers_numbers.c -- Several dampers backwards: the numbers of their laws.
- *                                                                     [H 23, 27]
- * A law that is one power has its order in the weights of the memory, in the step h^(1 - 2 alpha), in
- * the shift of fvi-shifted and in the impulses of its past. The terms of any other law have memories
- * of their own, node_terms.h. */
+/* src/adjoint/adjoint_dampers_numbers.c -- The adjoint run of several dampers: derivatives by the numbers of their
+ * laws. [H 23, 27]
+ *
+ * The order of a law that is one power stands in four places: in the weights of its history, in the factor
+ * h^(1 - 2 alpha), in the shift of fvi-shifted, and in the impulses of its past. The terms of any other law have
+ * histories of their own (node_terms.h). */
 #include "adjoint_dampers.h"
 
 #include "system/dot.h"
@@ -108,7 +109,7 @@ int fvi_adjoint_dampers_numbers_step(fvi_adjoint_dampers *m, fvi_adjoint_damper 
 
 /* ---- the end ---- */
 
-/* By rho and the order of a power: 2 alpha is the order, and e falls by 2 dalpha. */
+/* Write the derivatives by rho and by alpha of a power. The order is 2 alpha, and e falls by 2 dalpha. */
 int fvi_adjoint_dampers_numbers_end(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double at)
 {
     const fvi_sensitivities *want = m->want;

@@ -1,5 +1,4 @@
-/* src/adjoint/adjoint_dampers_start.c -- Several dampers backwards: what is known of them, and where
- * the run begins.                                                       [H 23, 27] */
+/* src/adjoint/adjoint_dampers_start.c -- The adjoint run of several dampers: its start. [H 23, 27] */
 #include "adjoint_dampers.h"
 
 #include "kernel/kernel_terms.h"
@@ -39,7 +38,7 @@ static int allocate(fvi_adjoint_dampers *m)
     return FVI_SUCCESS;
 }
 
-/* The adjoint run at node N, at rest at J_p; all its dampers were held. */
+/* Start the adjoint run at node N, at rest at J_p; all its dampers have the past HELD. */
 static int start_stepper(fvi_adjoint_dampers *m, const fvi_method *method)
 {
     fvi_run back = *m->run;
@@ -61,7 +60,7 @@ static int start_stepper(fvi_adjoint_dampers *m, const fvi_method *method)
     return fvi_stepper_start(method, &back, &m->stepper, NULL);
 }
 
-/* The impulses of the past, for an amplitude of 1. */
+/* Prepare the impulses of the past for an amplitude of 1. */
 static int start_impulses(const fvi_adjoint_dampers *m, fvi_adjoint_damper *a)
 {
     static const double ends[] = { 0, 1 };
@@ -71,13 +70,13 @@ static int start_impulses(const fvi_adjoint_dampers *m, fvi_adjoint_damper *a)
                                              &a->impulse_unit);
 }
 
-/* Is the derivative by the order in the sums of its memory? That of a law has memories of its own. */
+/* Is the derivative by the order read from the history of the adjoint run? A law has histories of its own for it. */
 static int is_by_order(const fvi_adjoint_dampers *m, const fvi_adjoint_damper *a)
 {
     return m->want->orders && !a->of.law;
 }
 
-/* What the memory held at J_p leaves out, (23.23). */
+/* Start the history of the constant J_p, which a history held at J_p leaves out, (23.23). */
 static int start_constant(const fvi_adjoint_dampers *m, const fvi_method *method,
                           fvi_adjoint_damper *a)
 {

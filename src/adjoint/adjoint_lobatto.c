@@ -1,5 +1,4 @@
-/* src/adjoint/adjoint_lobatto.c -- The run that goes backwards through stages.
- *                                                                     [H 23] */
+/* src/adjoint/adjoint_lobatto.c -- The adjoint run of a chain with stages. [H 23] */
 #include "adjoint_lobatto.h"
 
 #include "parameter_derivatives/potential_derivatives.h"
@@ -28,13 +27,13 @@ static int allocate(fvi_adjoint_lobatto *m)
     return FVI_SUCCESS;
 }
 
-/* The adjoint run at node N. Of form M it begins at J_p, m/(m + rho) of it at alpha = 1, of
- * form D with the velocity J_p; p0 is zero, as no history knows of it. */
+/* Start the adjoint run at node N. In form M it begins at J_p, or at m/(m + rho) J_p at alpha = 1. In form D it begins
+ * with the velocity J_p. The run starts with p0 = 0, so that no history takes J_p for the velocity of a line. */
 static int start_stepper(fvi_adjoint_lobatto *m, const fvi_method *method,
                          const double *Jp)
 {
     fvi_run back = *m->run;
-    double *x0 = m->reversed; /* zeros still */
+    double *x0 = m->reversed; /* still zeros */
     m->linearised.G = m->G;
     m->linearised.reversed = 1;
     m->linearised.by_order = m->want->alpha != NULL;
@@ -52,7 +51,7 @@ static int start_stepper(fvi_adjoint_lobatto *m, const fvi_method *method,
     for (size_t j = 0; !status && m->damped_inertia && j < m->d; j++)
         m->stepper->p[j] = m->run->system->mass[j] * x0[j];
     for (size_t j = 0; j < m->d; j++)
-        m->Lambda[j * m->s] = x0[j]; /* lambda_N, as the first of a step N */
+        m->Lambda[j * m->s] = x0[j]; /* lambda_N, as if it were the first stage of a step N */
     return status;
 }
 
@@ -85,7 +84,7 @@ int fvi_adjoint_lobatto_start(const fvi_method *method, const fvi_run *run,
     status = start_stepper(m, method, Jp);
     if (!status && has_jumps && !m->damped_inertia) {
         fvi_lobatto_stages *o = m->stepper->method_state;
-        o->jump = m->jump; /* none at the end: x0 is there */
+        o->jump = m->jump; /* none at node N, where x0 is the jump */
     }
     if (!status && m->is_damped && fvi_wanted_kernel_numbers(want))
         status = fvi_stage_terms_start(run, want, s, m->d, fvi_lobatto_history_tolerance(run), run->law,
@@ -106,14 +105,14 @@ void fvi_adjoint_lobatto_stop(fvi_adjoint_lobatto *m)
 
 /* ---- a step ---- */
 
-/* Where the stages are: behind x_k in form D, from x_k on in form M. */
+/* The positions of the stages: they begin behind x_k in form D, and with x_k in form M. */
 static const double *positions(const fvi_adjoint_lobatto *m, const double *rows)
 {
     return rows + (m->damped_inertia ? m->d : 0);
 }
 
-/* The velocities of all stages of coordinate j: D X / h, of form D with the penalty of
- * (17.3), as x_k is not X_1 there. */
+/* Write the velocities of all stages of coordinate j, D X / h. In form D the first one has the penalty of (17.3),
+ * because X_1 is not x_k there. */
 static void velocities(const fvi_adjoint_lobatto *m, size_t j, const double *rows,
                        double *v)
 {
@@ -127,24 +126,25 @@ static void velocities(const fvi_adjoint_lobatto *m, size_t j, const double *row
         v[0] += (X[0] - rows[j]) / m->rule->b[0] / m->run->h;
 }
 
-/* dJ/dm but for v_0, times h: h D Lambda . B v in form M; in form D what m multiplies. */
+/* h dJ/dm of one step, without the part of v_0: h D Lambda . B v in form M, and minus the multipliers times the factor
+ * of m in form D. */
 static double inertia(const fvi_adjoint_lobatto *m, size_t j, const double *v)
 {
     const double *Lambda = m->Lambda + j * m->s;
     double sum = 0;
     for (size_t i = 0; i < m->s; i++) {
-        double slope = 0; /* of Lambda, or of v */
+        double slope = 0; /* of Lambda in form M, of v in form D */
         for (size_t l = 0; l < m->s; l++)
             slope += m->rule->D[i][l] * (m->damped_inertia ? v[l] : Lambda[l]);
         sum += m->rule->b[i] * slope * (m->damped_inertia ? -Lambda[i] : v[i]);
     }
-    if (m->damped_inertia) /* v_{k+1} is v[s-1] */
+    if (m->damped_inertia) /* v_{k+1} is v[s - 1] */
         sum += m->after[j] * v[m->s - 1] - Lambda[0] * v[0];
     return m->run->h * sum;
 }
 
-/* T of coordinate j and its derivative by the order, in reverse order, as the adjoint run
- * left them: of form D its memory sums Lambda, of form M DD Lambda, and DD T comes out. */
+/* Read T of coordinate j and its derivative by the order from the adjoint run, in reverse order. In form D its history
+ * sums Lambda, and gives T. In form M it sums DD Lambda and gives DD T, so T is an integral. */
 static void read_history(fvi_adjoint_lobatto *m, size_t j, double *T, double *Tdot)
 {
     const fvi_lobatto_stages *o = m->stepper->method_state;
@@ -176,7 +176,7 @@ static void read_history(fvi_adjoint_lobatto *m, size_t j, double *T, double *Td
     m->Tdot[j] = Tdot[s - 1];
 }
 
-/* What T and the velocities make together. */
+/* Add the products of T and the velocities, and the derivatives by masses and by terms of a law. */
 static void accumulate_damping(fvi_adjoint_lobatto *m, const double *rows)
 {
     const size_t s = m->s;
@@ -201,7 +201,7 @@ static void accumulate_damping(fvi_adjoint_lobatto *m, const double *rows)
     }
 }
 
-/* What the force and the past give to the stages. */
+/* Add the derivatives by the force, and the products of the impulses of the past with the multipliers. */
 static void accumulate_force(fvi_adjoint_lobatto *m, size_t k)
 {
     const size_t s = m->s, d = m->d;
@@ -222,7 +222,7 @@ static void accumulate_force(fvi_adjoint_lobatto *m, size_t k)
         }
 }
 
-/* A step of the adjoint run: Lambda, and what of dJ/dx0 it leaves. */
+/* Take a step of the adjoint run: write Lambda, and add its part of dJ/dx0 to Q. */
 //> stages
 static int advance_adjoint(fvi_adjoint_lobatto *m, const double *Jx)
 {
@@ -239,7 +239,7 @@ static int advance_adjoint(fvi_adjoint_lobatto *m, const double *Jx)
     }
     m->linearised.stage = 0;
     fvi_linearised_gradient(d, s->x, &m->linearised, m->hessian_product);
-    if (!m->damped_inertia) /* before the first step no Hessian was there */
+    if (!m->damped_inertia) /* no step before has evaluated this gradient */
         memcpy(o->grad, m->hessian_product, d * sizeof *o->grad);
     const int status = fvi_stepper_step(s);
     for (size_t i = 0; i <= end; i++)
@@ -274,8 +274,8 @@ int fvi_adjoint_lobatto_step(fvi_adjoint_lobatto *m, size_t k, const double *row
     return fvi_stage_terms_update_history(&m->terms, m->reversed);
 }
 
-/* As at node N: of form M lambda jumps, and its history learns of it in the next step; of form D
- * the velocity does, of which no history knows.                                       (23.27) */
+/* Let lambda jump by J_p, as at node N. In form M it is the position that jumps, and its history gets the jump in the
+ * next step. In form D it is the velocity that jumps, and no history gets it. (23.27) */
 int fvi_adjoint_lobatto_jump(fvi_adjoint_lobatto *m, const double *Jp)
 {
     fvi_stepper *s = m->stepper;
@@ -292,7 +292,7 @@ int fvi_adjoint_lobatto_jump(fvi_adjoint_lobatto *m, const double *Jp)
 
 /* ---- the end ---- */
 
-/* What depends on rho, on alpha and on v0 through the damping of coordinate j. */
+/* Write the derivatives by rho, by alpha, and by v0 through the damping of coordinate j. */
 static void end_damping(const fvi_adjoint_lobatto *m, size_t j, double impulse_size,
                         double v0)
 {
@@ -308,7 +308,7 @@ static void end_damping(const fvi_adjoint_lobatto *m, size_t j, double impulse_s
                                            - m->last[j] / m->mass[j]
                                      : -run->h * m->sum[j];
     }
-    if (want->alpha) /* e falls by 2 dalpha, beta grows by it */
+    if (want->alpha) /* e falls by 2 dalpha, and beta grows by 2 dalpha */
         *want->alpha +=
             2 * rho
             * (A * impulse_size * (log_h * m->impulse_sum[j] + m->impulse_sum_by_order[j])

@@ -1,4 +1,4 @@
-/* src/adjoint/adjoint_multipliers.c -- What the memories of the adjoint run take in.  [H 23] */
+/* src/adjoint/adjoint_multipliers.c -- The multipliers nu, as the histories of an adjoint run take them in. [H 23] */
 #include "adjoint_multipliers.h"
 
 void fvi_adjoint_multipliers_next(fvi_adjoint_multipliers *f, int is_last, const double *right,

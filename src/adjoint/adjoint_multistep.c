@@ -1,4 +1,4 @@
-/* src/adjoint/adjoint_multistep.c -- The run that goes backwards.                 [H 23] */
+/* src/adjoint/adjoint_multistep.c -- The adjoint run of a method without stages. [H 23] */
 #include "adjoint_multistep.h"
 
 #include "parameter_derivatives/potential_derivatives.h"
@@ -27,8 +27,8 @@ static int allocate(fvi_adjoint_multistep *m)
     return FVI_SUCCESS;
 }
 
-/* The adjoint run at node N, at rest at J_p. Algorithm 3's memory begins at 0; that of the
- * others is held at J_p, and `constant` has what that leaves out. */
+/* Start the adjoint run at node N, at rest at J_p. In Algorithm 3 its history begins at 0. In the other methods the
+ * history is held at J_p, and m->constant has the part that this leaves out. */
 static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
 {
     fvi_run back = *m->run;
@@ -132,7 +132,7 @@ int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
         status = fvi_adjoint_multistep_damping_start(m, method);
     if (!status && m->damping && m->paper_convention)
         status = fvi_adjoint_multistep_first_sums(m, rows + m->d);
-    if (status) /* there may be no stepper to ask */
+    if (status) /* there may be no stepper to ask below */
         return status;
     m->is_alone = m->paper_convention && m->d == 1 && m->damping && m->terms == 0
                   && !run->system->matrices && !has_jumps;
@@ -156,7 +156,7 @@ void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
 
 /* ---- a step ---- */
 
-/* J_{k+1} is a force on the adjoint run. */
+/* Add J_{k+1} to the momentum of the adjoint run, where it acts as an impulse. */
 static int apply_slopes(fvi_adjoint_multistep *m, size_t k, const double *rows,
                         const double *Jx)
 {
@@ -174,7 +174,7 @@ static int apply_slopes(fvi_adjoint_multistep *m, size_t k, const double *rows,
                : fvi_adjoint_multistep_add_jumps(m, k + 1, rows + m->d);
 }
 
-/* G at S = kappa x_k + (1 - kappa) x_{k+1}; once, if U is quadratic. */
+/* Evaluate G at S = kappa x_k + (1 - kappa) x_{k+1}; only once if U is quadratic. */
 static int evaluate_hessian(fvi_adjoint_multistep *m, size_t k, const double *rows)
 {
     for (size_t i = 0; i < m->d; i++)
@@ -193,7 +193,7 @@ static double dot(size_t d, const double *a, const double *b)
     return sum;
 }
 
-/* By the parameters of U; or by a factor of K, stepper->g being K M_k. */
+/* Add the derivatives by the parameters of U; or by a factor of K, where stepper->g is K M_k. */
 static int accumulate_parameters(fvi_adjoint_multistep *m)
 {
     if (!m->run->system->matrices)
@@ -203,7 +203,7 @@ static int accumulate_parameters(fvi_adjoint_multistep *m)
     return FVI_SUCCESS;
 }
 
-/* By the masses, each of them or a factor of M. */
+/* Add the derivatives by the masses, or by a factor of M. */
 static int accumulate_mass(fvi_adjoint_multistep *m, const double *rows)
 {
     const fvi_matrices *matrices = m->run->system->matrices;
@@ -223,7 +223,7 @@ static int accumulate_mass(fvi_adjoint_multistep *m, const double *rows)
     return status;
 }
 
-/* What the impulses of a law have of each of its terms. */
+/* Add the derivatives by the terms of a law through the impulses of the past. */
 static void accumulate_impulses_of_terms(fvi_adjoint_multistep *m, size_t k)
 {
     const double left = m->terms ? dot(m->d, m->CA, m->stepper->x) : 0,
@@ -232,7 +232,8 @@ static void accumulate_impulses_of_terms(fvi_adjoint_multistep *m, size_t k)
         fvi_node_term_accumulate_impulses(&m->each[l], k, left, right, m->want, l);
 }
 
-/* What the force and the past gave to the two ends of step k. */
+/* Add the derivatives by the force at the two ends of step k, and the products of the impulses of the past with
+ * lambda. */
 static void accumulate_forces(fvi_adjoint_multistep *m, size_t k)
 {
     const double *left = m->stepper->x, *right = m->right, h = m->run->h;
@@ -285,9 +286,9 @@ int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double 
 //< step
 
 //> jump
-/* A run that ends at node k begins its adjoint run there, at J_p. All runs that J looks at the
- * end of are added up: lambda jumps. The stepper's memory does not see it, as its origin jumps,
- * too; `jumped` has what that leaves out.                                            (23.27) */
+/* A run that ends at node k has an adjoint run that begins there, at J_p. The adjoint runs of all p_k that J depends on
+ * are added up, so lambda jumps. The history of the stepper does not get the jump, because the origin of the history
+ * jumps, too. The history `jumped` has the part that this leaves out. (23.27) */
 int fvi_adjoint_multistep_jump(fvi_adjoint_multistep *m, const double *Jp)
 {
     memcpy(m->jump, Jp, m->d * sizeof *Jp);
@@ -302,9 +303,10 @@ int fvi_adjoint_multistep_jump(fvi_adjoint_multistep *m, const double *Jp)
 
 /* ---- the end ---- */
 
-/* By x0, from what it leaves alone: x + const changes grad U only, and where A of (19.3) is
- * x0 the history force. By Algorithm 3 Riemann-Liouville's memory knows x0 itself, and the derivative
- * is what arrives; lambda_0 is no part of N_0. (23.6) */
+/* The derivative by x0. (23.17) A constant that is added to all x_k changes grad U, and the force of the past if its
+ * amplitude A (19.3) is x0; it changes nothing else. In Algorithm 3 with Riemann-Liouville's past the history takes in
+ * x0 itself. There the derivative is the momentum that arrives, without the part of lambda_0, which N_0 does not
+ * contain. (23.6) */
 static int by_start(fvi_adjoint_multistep *m, const double *Jx)
 {
     const fvi_stepper *s = m->stepper;
@@ -319,8 +321,8 @@ static int by_start(fvi_adjoint_multistep *m, const double *Jx)
                : FVI_SUCCESS;
 }
 
-/* By p0 less lambda_0: where the memory knows the line x + t p/m, that changes grad U only, and
- * by (13.7) the force of the initial history. */
+/* The derivative by p0 minus lambda_0. If a line is subtracted from x for the history, adding the line x + t p/m
+ * changes grad U only, and by (13.7) the force of the past. */
 static int by_momentum(fvi_adjoint_multistep *m, double *more)
 {
     const fvi_run *run = m->run;
@@ -342,7 +344,7 @@ static void write_mass(const fvi_adjoint_multistep *m, const double *more)
 {
     const fvi_run *run = m->run;
     double *mass = m->want->mass;
-    if (mass && run->system->matrices) /* v0 is M^-1 p0 */
+    if (mass && run->system->matrices) /* because v0 = M^-1 p0 */
         *mass = m->by_M / run->h - dot(m->d, run->p0, more);
     for (size_t i = 0; mass && !run->system->matrices && i < m->d; i++)
         mass[i] = m->kinetic[i] / run->h

@@ -1,8 +1,8 @@
-/* src/adjoint/adjoint_multistep_alone.c -- The run backwards of one coordinate.    [H 23]
+/* src/adjoint/adjoint_multistep_alone.c -- The adjoint run of one coordinate, without stages. [H 23]
  *
- * The step of the adjoint run, (9.4) or (13.10), is a division, and no loop has to find out that
- * it runs once: the digits of adjoint_multistep.c and of the methods of order 2, in a third to two
- * thirds of their time. */
+ * For one coordinate a step of the adjoint run, (9.4) or (13.10), is one division. This file takes such steps without
+ * loops over coordinates. It has the same digits as adjoint_multistep.c and the methods of order 2, and needs between a
+ * third and two thirds of their time. */
 #include "adjoint_multistep.h"
 
 #include "methods/convolution_quadrature_dampers.h"
@@ -11,22 +11,22 @@
 
 /* ---- Algorithm 3, many steps at once ---- */
 
-enum { BLOCK = 64 }; /* steps: their numbers stay near the core */
+enum { BLOCK = 64 }; /* steps; so few that their numbers stay in the cache */
 
-/* Steps that are done together, i = 0 being the latest one, from node `last` to node last - 1.
- * The functions of U and J are called before and after the recurrence, so that between two of its
- * steps nothing waits for them, and no register is saved. */
+/* Steps that are taken together, from node `last` down to node last - count; i = 0 is the latest one. The functions of
+ * U and J are called before and after the recurrence. So nothing between two steps of the recurrence waits for them,
+ * and no registers are saved. */
 typedef struct {
     size_t last, count;
     double Jx[BLOCK + 1];                    /* dJ/dx of node last - i */
-    double moved[BLOCK], S[BLOCK], G[BLOCK]; /* x_{k+1} - x_k; where U is asked for; Hess U there */
-    double z[BLOCK];                         /* of node k, on which the memory of the run acts */
+    double moved[BLOCK], S[BLOCK], G[BLOCK]; /* x_{k+1} - x_k; the point where U is evaluated; Hess U there */
+    double z[BLOCK];                         /* of node k, what the history of the run takes in */
     double lambda[BLOCK + 1];                /* of node last - i */
-    double delta[BLOCK], M[BLOCK], g[BLOCK]; /* what lambda grows by; the multiplier of S; h G M */
-    double N[BLOCK], Ndot[BLOCK];            /* the memory's sum at node k, and by 2 alpha */
+    double delta[BLOCK], M[BLOCK], g[BLOCK]; /* the increment of lambda; the multiplier of S; h G M */
+    double N[BLOCK], Ndot[BLOCK];            /* the sum of the history at node k, and its derivative by 2 alpha */
 } block;
 
-/* What the path says; x: of node `last`, behind those of the nodes before. */
+/* Read the path. x points to node `last`; the nodes before stand before it. */
 static void read_path(const fvi_adjoint_multistep *m, const double *x, block *b)
 {
     const double share = 1 - m->kappa, origin = m->is_liouville ? 0 : *m->run->x0;
@@ -39,7 +39,7 @@ static void read_path(const fvi_adjoint_multistep *m, const double *x, block *b)
         b->z[i] -= (double)(b->last - 1 - i) * m->run->h * *m->v0;
 }
 
-/* G at each S, of a quadratic U once in a run. */
+/* Evaluate G at each S; for a quadratic U once in a run. */
 static int evaluate_hessians(const fvi_adjoint_multistep *m, block *b)
 {
     const fvi_potential *u = &m->run->system->potential;
@@ -54,7 +54,7 @@ static int evaluate_hessians(const fvi_adjoint_multistep *m, block *b)
     return status;
 }
 
-/* dJ/dx of all nodes but the latest; x as above. */
+/* Evaluate dJ/dx at all nodes but the latest; x as above. */
 static int evaluate_slopes(const fvi_objective *J, const double *x, block *b)
 {
     int status = FVI_SUCCESS;
@@ -65,7 +65,7 @@ static int evaluate_slopes(const fvi_objective *J, const double *x, block *b)
     return status;
 }
 
-/* N_k, and its derivative by 2 alpha if that is wanted: lambda_k goes in. */
+/* Push lambda_k. Writes N_k, and its derivative by 2 alpha if that is wanted. */
 static int push(const fvi_adjoint_multistep *m, size_t i, block *b)
 {
     const double *lambda = &b->lambda[i + 1], *delta = &b->delta[i];
@@ -99,7 +99,7 @@ static int take_steps(fvi_adjoint_multistep *m, block *b)
 }
 //< alone
 
-/* To all that is summed up, in the order of the steps. */
+/* Add to all sums, in the order of the steps. */
 static void accumulate_sums(fvi_adjoint_multistep *m, const block *b)
 {
     const double h = m->run->h;
@@ -109,7 +109,7 @@ static void accumulate_sums(fvi_adjoint_multistep *m, const block *b)
         start += b->Jx[i] - b->g[i];
         kinetic -= b->moved[i] * b->delta[i];
         sum += b->z[i] * b->N[i];
-        by_order += b->z[i] * b->Ndot[i]; /* times rho in the end */
+        by_order += b->z[i] * b->Ndot[i]; /* is multiplied by rho at the end */
     }
     for (size_t i = 0; m->has_drift && i < b->count; i++)
         *m->by_line +=
@@ -122,7 +122,7 @@ static void accumulate_sums(fvi_adjoint_multistep *m, const block *b)
     m->sum_by_order = by_order;
 }
 
-/* The derivatives by the parameters of U, M being the multiplier of S. */
+/* Add the derivatives by the parameters of U; M is the multiplier of S. */
 static int accumulate_parameters(const fvi_adjoint_multistep *m, const block *b)
 {
     const fvi_parameter_gradient *by = &m->want->sensitivity;
@@ -141,7 +141,8 @@ static int accumulate_parameters(const fvi_adjoint_multistep *m, const block *b)
     return status;
 }
 
-/* The steps from node `last` to node `first`, whose places stand at x, and dJ/dx there. */
+/* Take the steps from node `last` to node `first`, whose positions begin at x. Jx: in: dJ/dx of node `last`; out: of
+ * node `first`. */
 static int walk_piece(fvi_adjoint_multistep *m, const fvi_objective *J, size_t first, size_t last,
                       const double *x, double *Jx)
 {
@@ -172,7 +173,7 @@ int fvi_adjoint_multistep_walk_alone(fvi_adjoint_multistep *m, fvi_checkpointing
 {
     int status = FVI_SUCCESS;
     for (size_t k = m->run->steps, first; !status && k > 0; k = first) {
-        const double *rows; /* x_{k-1} and x_k, behind those of the piece's other nodes */
+        const double *rows; /* x_{k-1} and x_k; the rows of the other nodes of the piece stand before them */
         status = fvi_checkpointing_step(path, k - 1, &rows);
         first = fvi_checkpointing_first(path);
         if (!status)
@@ -191,7 +192,7 @@ int fvi_adjoint_multistep_can_step_alone(const fvi_adjoint_multistep *m)
            && !o->each->history_force.size && *m->damping->drift == 0;
 }
 
-/* The factor of the weights, on the term that has come in. */
+/* Apply the factor of the weights to the sequence whose latest term is `term`. */
 static double filter(fvi_cq_damper *a, double term)
 {
     if (a->taps == 0)
@@ -202,7 +203,7 @@ static double filter(fvi_cq_damper *a, double term)
     return fvi_dot(a->taps, a->g, past);
 }
 
-/* D of the later end as far as it is known. */
+/* Write the sum of the later end as far as it is known before the step. */
 static int predict_history(const fvi_cq_damper *a, double z, double *ahead)
 {
     const int status = fvi_history_ahead(a->damping->memory, &z, ahead);

@@ -1,11 +1,12 @@
-/* src/adjoint/adjoint_multistep_damping.c -- What the memory of the adjoint run gives.
- *                                                                     [H 23]
- * The sums N_j of (23.5) are the history of the adjoint run. That of a method of order 2
- * gives H_k, the sums of lambda - J_p, and (23.7) says
+/* src/adjoint/adjoint_multistep_damping.c -- The derivatives by dampings, alpha and laws, from the history of the
+ * adjoint run. [H 23]
  *
- *     N_j = (1 - theta) H_j + theta H_{j-1} + what the constant J_p gives
+ * The sums N_j of (23.6) come from the history of the adjoint run. By a method of order 2 the history gives H_k, the
+ * sums of lambda - J_p, and (23.7) says
  *
- * so that z_j N_j is summed as ((1 - theta) z_k + theta z_{k+1}) H_k. */
+ *     N_j = (1 - theta) H_j + theta H_{j-1} + the history of the constant J_p.
+ *
+ * So z_j N_j is summed as ((1 - theta) z_k + theta z_{k+1}) H_k. */
 #include "adjoint_multistep.h"
 
 #include "system/fail.h"
@@ -14,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- C ---- */
+/* ---- the damping matrix C ---- */
 
 int fvi_adjoint_multistep_apply_damping(const fvi_adjoint_multistep *m, double share,
                                         const double *x, double *to)
@@ -35,7 +36,7 @@ int fvi_adjoint_multistep_apply_damping(const fvi_adjoint_multistep *m, double s
     return status;
 }
 
-/* z . C N, and each z_i N_i times `share` where there are no matrices; N: r numbers. */
+/* Add share z . C N to *sum, and without matrices each share z_i N_i to each[i]. N: r numbers. */
 static int multiply(fvi_adjoint_multistep *m, const double *z, const double *N,
                     double share, double *each, double *sum)
 {
@@ -89,7 +90,7 @@ int fvi_adjoint_multistep_damping_start(fvi_adjoint_multistep *m, const fvi_meth
 
 /* ---- a node ---- */
 
-/* z and the sums of this node, to all that is summed up. */
+/* Add the products of z with the sums of this node. */
 static int accumulate_sums(fvi_adjoint_multistep *m, const double *z)
 {
     int status = multiply(m, z, m->damping->H, 1, m->sum, &m->sum_of_C);
@@ -109,7 +110,7 @@ int fvi_adjoint_multistep_first_sums(fvi_adjoint_multistep *m, const double *x)
     return status ? status : accumulate_sums(m, m->z);
 }
 
-/* The memory of the constant J_p: on the momentum, and on z_{k+1}. */
+/* Add the history of the constant J_p: subtract its force from the momentum, and multiply it by z_{k+1}. */
 int fvi_adjoint_multistep_add_constant(fvi_adjoint_multistep *m, size_t k, const double *x)
 {
     fvi_constant_history *c = &m->constant;
@@ -131,7 +132,7 @@ int fvi_adjoint_multistep_add_constant(fvi_adjoint_multistep *m, size_t k, const
     return status;
 }
 
-/* z . C v, to *sum, for v of the memory of B; C v stays in CB. */
+/* Add z . C v to *sum, where v is a sum of the history of B; C v stays in CB. */
 static int multiply_jumps(fvi_adjoint_multistep *m, const double *v, double *sum)
 {
     memset(m->CB, 0, m->d * sizeof *m->CB);
@@ -156,11 +157,12 @@ int fvi_adjoint_multistep_add_jumps(fvi_adjoint_multistep *m, size_t j, const do
         m->sum[i] += m->z_next[i] * c->value[i];
         m->stepper->p[i] -= m->damping->unit * m->CB[i];
     }
-    memset(m->jump, 0, (m->terms ? 0 : m->d) * sizeof *m->jump); /* the terms ask for it */
+    memset(m->jump, 0, (m->terms ? 0 : m->d) * sizeof *m->jump); /* accumulate_terms needs the jump, too */
     return status;
 }
 
-/* What each term of the law, alone, adds to its derivatives: h C z_{k+1} times its sums. */
+/* Add the derivatives by the numbers of each term of the law: the products of h C z_{k+1} with the sums of its own
+ * histories. */
 static int accumulate_terms(fvi_adjoint_multistep *m, size_t k)
 {
     int status = FVI_SUCCESS;
@@ -199,7 +201,8 @@ int fvi_adjoint_multistep_accumulate_damping(fvi_adjoint_multistep *m, size_t k,
 
 /* ---- the end ---- */
 
-/* lambda_0 is no part of N_0, which acts where the memory of the run begins at 0. */
+/* Subtract the part of lambda_0 from the sums, because N_0 does not contain lambda_0. N_0 acts if the history of the
+ * run begins at 0. */
 static int take_last_away(fvi_adjoint_multistep *m)
 {
     const fvi_system *system = m->run->system;
@@ -214,8 +217,8 @@ static int take_last_away(fvi_adjoint_multistep *m)
     return status ? status : multiply(m, m->z, m->N, -1, m->sum, &m->sum_of_C);
 }
 
-/* The impulses of the past, rho A h^(1 + e): their sums with lambda and their slopes by e, A
- * being v0, or x0 of Riemann and Liouville's past below alpha = 1/2. */
+/* The products of the impulses of the past, rho A h^(1 + e), with lambda, and their derivatives by e. A is v0, or x0
+ * for Riemann and Liouville's past below alpha = 1/2. */
 static int add_impulses(fvi_adjoint_multistep *m, double *at, double *rate)
 {
     const fvi_run *run = m->run;
@@ -254,7 +257,7 @@ int fvi_adjoint_multistep_end_damping(fvi_adjoint_multistep *m)
         *want->damping = -unit * m->sum_of_C - size * at;
     for (size_t i = 0; want->damping && !run->system->matrices && i < m->d; i++)
         want->damping[i] = -unit * m->sum[i] - size * m->column[i];
-    if (want->alpha) /* 2 alpha is the order; e falls by 2 dalpha */
+    if (want->alpha) /* the order is 2 alpha; e falls by 2 dalpha */
         *want->alpha =
             -unit * (2 * m->sum_by_order - 2 * log_h * m->sum_of_C
                      + (m->scheme == FVI_SCHEME_CQ2_SHIFTED ? m->sum_by_theta : 0))

@@ -1,4 +1,4 @@
-/* src/adjoint/adjoint_structure.c -- A structure with stages, backwards.      [H 23, 27] */
+/* src/adjoint/adjoint_structure.c -- The adjoint run of a structure with stages: its steps and its end. [H 23, 27] */
 #include "adjoint_structure.h"
 
 #include "system/dot.h"
@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-/* lambda, the velocity of the adjoint run, jumps by J_p. No history is told of the jump. (23.27) */
+/* Let lambda, the velocity of the adjoint run, jump by J_p. No history gets the jump. (23.27) */
 int fvi_adjoint_structure_jump(fvi_adjoint_structure *m, const double *Jp)
 {
     for (size_t i = 0; i < m->d; i++)
@@ -16,7 +16,7 @@ int fvi_adjoint_structure_jump(fvi_adjoint_structure *m, const double *Jp)
 
 /* ---- a step ---- */
 
-/* The velocities of the stages. The last one follows from x_{k+1} = x_k + h sum_i b_i v_i. */
+/* Write the velocities of the stages. The last one follows from x_{k+1} = x_k + h sum_i b_i v_i. */
 static void find_velocities(fvi_adjoint_structure *m, const double *rows)
 {
     const size_t d = m->d, s = m->s;
@@ -32,7 +32,7 @@ static void find_velocities(fvi_adjoint_structure *m, const double *rows)
         m->v[n] /= b[s - 1];
 }
 
-/* X = x_k + h (A v), of stage i. */
+/* Write the position of stage i, X = x_k + h (A v)_i. */
 static void find_place(const fvi_adjoint_structure *m, const double *rows, size_t i, double *X)
 {
     memcpy(X, rows, m->d * sizeof *X);
@@ -43,7 +43,7 @@ static void find_place(const fvi_adjoint_structure *m, const double *rows, size_
     }
 }
 
-/* The derivatives by factors of M and K. lambda_{k+1} is in `after`, and V are the multipliers of the stages. */
+/* Add the derivatives by factors of M and K. `after` is lambda_{k+1}, and V has the multipliers of the stages. */
 static int add_matrices(fvi_adjoint_structure *m, const double *rows)
 {
     const fvi_matrices *matrices = m->run->system->matrices;
@@ -57,7 +57,7 @@ static int add_matrices(fvi_adjoint_structure *m, const double *rows)
     }
     if (status || !m->want->mass)
         return status;
-    for (size_t i = 0; !status && i < s; i++) { /* b D v of stage s - 1 - i, and v_1 of the first */
+    for (size_t i = 0; !status && i < s; i++) { /* b D v at stage s - 1 - i, plus v_1 at the first stage */
         memset(m->room, 0, d * sizeof *m->room);
         for (size_t l = 0; l < s; l++) {
             const double share = b[i] * m->rule->D[s - 1 - i][l] + (i == s - 1 && l == 0 ? 1 : 0),
@@ -74,8 +74,9 @@ static int add_matrices(fvi_adjoint_structure *m, const double *rows)
     return status;
 }
 
-/* sum_i b_i (v - line) . S y_i, where y are the history numbers of a damper: number n of stage i at
- * [n * per_number + i * per_stage]. b_i S y_i is added to `sums`, if it is not NULL. */
+/* Compute sum_i b_i (v - line) . S y_i. Number n of stage i of y stands at
+ * [n * per_number + i * per_stage]. If `sums`
+ * is not NULL, b_i S y_i is added to it. */
 static int multiply_strided(fvi_adjoint_structure *m, const fvi_adjoint_structure_damper *a, const double *y,
                             size_t per_number, size_t per_stage, double *sums, double *sum)
 {
@@ -102,7 +103,7 @@ static int multiply(fvi_adjoint_structure *m, const fvi_adjoint_structure_damper
     return multiply_strided(m, a, y, m->s, 1, NULL, sum);
 }
 
-/* The derivatives by the numbers of the kernel, from memories of its single terms. (23.21) */
+/* Add the derivatives by the numbers of the kernel, from histories of its single terms. (23.21) */
 static int add_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper *a)
 {
     const double h = m->run->h, *nu = a->adjoint->slope;
@@ -183,7 +184,8 @@ int fvi_adjoint_structure_step(fvi_adjoint_structure *m, size_t k, const double 
 
 /* ---- the end ---- */
 
-/* Writes the derivatives by the numbers of a kernel. A power has impulses of its past, whose e falls by 2 dalpha. */
+/* Write the derivatives by the numbers of a kernel. A power adds the impulses of its past, whose e falls by 2
+ * dalpha. */
 static void end_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper *a, double at, double rate,
                         size_t first)
 {
@@ -203,7 +205,8 @@ static void end_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper *
             to[i][first + l] = a->number[i][l];
 }
 
-/* The derivative by a factor of C_j, and those by the start through the impulses of its past and its line. */
+/* Write the derivative by a factor of C_j, and add the derivatives by the start through the impulses of its past and
+ * its line. */
 static int end_damper(fvi_adjoint_structure *m, size_t j, size_t first, double *by_velocity)
 {
     fvi_adjoint_structure_damper *a = m->each + j;
@@ -253,7 +256,7 @@ int fvi_adjoint_structure_end(fvi_adjoint_structure *m, const double *Jx)
         if (want->p0)
             want->p0[i] = m->o->v[i] + m->after[i];
     }
-    if (want->mass) /* v0 is M^-1 p0 */
+    if (want->mass) /* because v0 = M^-1 p0 */
         *want->mass = m->by_M - fvi_dot(d, run->p0, m->after);
     if (want->parameters)
         *want->parameters = -run->h * m->by_K;

@@ -1,4 +1,5 @@
-/* src/adjoint/adjoint_structure_start.c -- A structure with stages, backwards: the start.   [H 23, 27] */
+/* src/adjoint/adjoint_structure_start.c -- The adjoint run of a structure with stages: its checks and its start. [H 23,
+ * 27] */
 #include "adjoint_structure.h"
 
 #include "adjoint_dampers.h"
@@ -10,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- what there is ---- */
+/* ---- which derivatives are known ---- */
 
 int fvi_adjoint_structure_check(const fvi_method *method, const fvi_run *run,
                                 const fvi_sensitivities *want)
@@ -42,7 +43,7 @@ static int allocate(fvi_adjoint_structure *m)
     return FVI_SUCCESS;
 }
 
-/* The adjoint run at node N, with the velocity J_p, of which no history knows. */
+/* Start the adjoint run at node N, with the velocity J_p. No history gets this velocity. */
 static int start_stepper(fvi_adjoint_structure *m, const fvi_method *method, const double *Jp)
 {
     const fvi_system *system = m->run->system;
@@ -69,7 +70,7 @@ static int start_stepper(fvi_adjoint_structure *m, const fvi_method *method, con
     return FVI_SUCCESS;
 }
 
-/* The numbers of its kernel: of alpha those of one power. */
+/* Prepare the derivatives by the numbers of the kernel of a damper. The kernel of alpha is one power. */
 static int start_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper *a, size_t j)
 {
     const fvi_run *run = m->run;

@@ -1,4 +1,4 @@
-/* src/adjoint/checkpointing.c -- A trajectory, read from its end.           [H 23] */
+/* src/adjoint/checkpointing.c -- Read a trajectory from its end, with checkpoints. [H 23] */
 #include "checkpointing.h"
 
 #include "methods/lobatto_matrices.h"
@@ -11,15 +11,15 @@
 #include <string.h>
 
 struct fvi_checkpointing {
-    size_t d, length; /* steps of a piece; all if the rows are the caller's */
-    size_t piece;     /* the one whose rows are there */
+    size_t d, length; /* length: steps of a piece; all steps if the rows are the caller's */
+    size_t piece;     /* the piece whose rows are there */
     size_t steps;     /* of the run */
-    size_t per;       /* rows of a step: its end, and other stages before it */
-    size_t first;    /* 1 if the first stage is one of them, as it is not x_k */
-    const double *x; /* its rows */
-    double *rows, *p; /* owned; NULL, or those rows; p_N */
-    size_t copies;    /* one at the beginning of each piece but the last, */
-    fvi_stepper **at; /* NULL when it has been used */
+    size_t per;       /* rows of a step: its end, and the stages that are kept before it */
+    size_t first;    /* 1 if the first stage is kept, too, because it is not x_k */
+    const double *x; /* the rows of the piece */
+    double *rows, *p; /* rows: owned, or NULL if x is the caller's; p: p_N */
+    size_t copies;    /* the copies of the stepper, one at the beginning of each piece but the last */
+    fvi_stepper **at; /* a copy becomes NULL when it has been used */
 };
 
 void fvi_checkpointing_free(fvi_checkpointing *b)
@@ -35,9 +35,8 @@ void fvi_checkpointing_free(fvi_checkpointing *b)
 }
 
 //> length
-/* A piece of L steps keeps L rows, and the other pieces N/L copies of the stepper, as
- * large as r rows: the least sum is at L = sqrt(r N). Where a copy is longer than the
- * whole path, there is one piece. */
+/* The length L of a piece. L steps need L rows, and the other pieces need N/L copies of the stepper, each as large as r
+ * rows. The sum is least at L = sqrt(r N). If a copy is larger than the whole path, there is one piece. */
 static size_t length_of(const fvi_run *run)
 {
     const size_t d = run->system->d;
@@ -51,8 +50,8 @@ static size_t length_of(const fvi_run *run)
 }
 //< length
 
-/* The rows that the step just done adds behind the one at `row`; of a structure the velocities of all stages but
- * the last, of which x_{k+1} tells. */
+/* Keep the rows that the last step adds behind the row at `row`. For a structure these are the velocities of all stages
+ * but the last one, which follows from x_{k+1}. */
 static void keep(const fvi_checkpointing *b, const fvi_stepper *s, double *row)
 {
     const size_t d = b->d;
@@ -69,7 +68,7 @@ static void keep(const fvi_checkpointing *b, const fvi_stepper *s, double *row)
     memcpy(row + b->per * d, s->x, d * sizeof *row);
 }
 
-/* From where s stands to the end of its piece; the rows are kept. */
+/* Run from the node of s to the end of its piece, and keep the rows. */
 static int run_piece(fvi_checkpointing *b, fvi_stepper *s)
 {
     const size_t first = s->k;
@@ -87,7 +86,7 @@ static int run_piece(fvi_checkpointing *b, fvi_stepper *s)
     return status;
 }
 
-/* All pieces; those that will be run again leave a copy of where they begin. */
+/* Run all pieces, and copy the stepper at the beginning of each piece that will be run again. */
 static int run_all(fvi_checkpointing *b, fvi_stepper *s)
 {
     int status = FVI_SUCCESS;
@@ -158,7 +157,8 @@ const double *fvi_checkpointing_momentum(const fvi_checkpointing *b)
     return b->p;
 }
 
-/* The piece in which step k is. Apart: whoever stays in a piece saves no register for it. */
+/* Run the piece again that contains step k. It is not inlined, so that a step within the current piece saves no
+ * registers for it. */
 __attribute__((noinline)) static int run_earlier_piece(fvi_checkpointing *b, size_t k)
 {
     const size_t piece = k / b->length;
