@@ -307,7 +307,7 @@ int fvi_control_solve(const fvi_method *method, const fvi_run *run, const double
                   .ends = 2 * run->system->d,
                   .wanted_x = x,
                   .wanted_p = p };
-    o.system.force.value = driven; /* the impulses of the force stay */
+    o.system.force.value = driven; /* its impulses stay */
     o.system.force.bound = NULL;
     o.system.force.params = &o;
     o.run.system = &o.system;

@@ -85,7 +85,7 @@ static int is_finite(const fvi_stepper *s)
     const size_t d = s->run.system->d;
     return d == 1  ? isfinite(*s->x) && isfinite(*s->p)
            : d < 4 ? fvi_all_finite(2 * d, s->x)
-                   : finite(2 * d, s->x); /* p stands directly behind x */
+                   : finite(2 * d, s->x); /* x, then p */
 }
 
 int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
@@ -157,7 +157,7 @@ int fvi_stepper_step(fvi_stepper *s)
     if (s->run.system->force.impulse_count && !s->method->dense)
         fvi_impulses_act(s, s->k + 1);
     if (!is_finite(s))
-        return FVI_EOVRFLW; /* it is not a mistake of the caller: no error handler */
+        return FVI_EOVRFLW; /* no mistake of the caller, so no error handler */
     s->k = s->method->dense ? rows_passed(s) : s->k + 1;
     if (!s->method->dense)
         s->t = (double)s->k * s->run.h;
