@@ -48,8 +48,8 @@ typedef struct {
     double *S, *M;              /* each: the point where G is taken; the multiplier there */
     double *by_start, *by_line; /* each: the derivatives by a constant that is added to x, and by a line */
     double *kinetic;            /* each: sum_k (x_{k+1}-x_k)(lambda_{k+1}-lambda_k) */
-    double *impulse_sum, *impulse_sum_by_order; /* each: impulses of the past times lambda, and the same with their derivatives
-                                            by e */
+    /* Each: impulses of the past times lambda, and the same with their derivatives by e. */
+    double *impulse_sum, *impulse_sum_by_order;
     double *z, *z_next;         /* each: z_k, z_{k+1} */
     double *sum;                /* each: sum_j z_j N_j, without matrices */
     double *work, *column;      /* each: room */

@@ -20,8 +20,8 @@ typedef struct {
     double sum, sum_by_order;   /* sum of b_i (v - line) . force; the same with the derivative of the force by 2
                                    alpha */
     double *plain;              /* each: sum of b_i times the force of the adjoint run */
-    double *impulse_sum, *impulse_sum_by_order; /* each: impulses of the past times the multipliers, and the same with their
-                                     derivatives by e */
+    /* Each: impulses of the past times the multipliers, and the same with their derivatives by e. */
+    double *impulse_sum, *impulse_sum_by_order;
     /* for the numbers of its kernel */
     fvi_kernel_term power;      /* the kernel of alpha */
     fvi_kernel kernel;

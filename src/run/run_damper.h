@@ -21,8 +21,8 @@ typedef struct {
 } fvi_run_damper;
 
 /* fvi_run_damper_count -- how many dampers a run has.
- * fvi_run_damper_of -- damper j, from 0. If the system has a mechanism without dampers, it is the damper of alpha, which
- * acts on no coordinate. */
+ * fvi_run_damper_of -- damper j, from 0. If the system has a mechanism without dampers, it is the damper of alpha,
+ * which acts on no coordinate. */
 size_t fvi_run_damper_count(const fvi_run *run);
 fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j);
 

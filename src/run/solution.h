@@ -11,7 +11,7 @@
 
 /* fvi_run_start_is_damped -- does the damping act on x0 itself: rho_i x0_i != 0 for some i, or C x0 != 0?
  *
- *   run   of a system that fvi_system_check_any accepts, x0 finite
+ *   run        of a system that fvi_system_check_any accepts, x0 finite
  *   is_damped  output, 0 or 1
  *
  * A damper between two bodies that start at the same place does not act on x0, so C x0 may be zero for an x0 != 0. But
