@@ -181,8 +181,7 @@ static double growth_of(size_t s, const fvi_kernel *law, double c, double h)
 }
 
 /* Random laws and steps, as eq_17_18_runs_grow_where_the_load_says_so: left out is where
- * the verdict changes within 5 % of h. Half of the laws have no fraction of an order above
- * 1, as Theorem 17.3 needs it of two stages. */
+ * the verdict changes within 5 % of h. Half of the laws have no fraction of an order above 1. */
 START_TEST(eq_26_13_runs_grow_where_the_load_says_so)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);

@@ -10,7 +10,8 @@
   (26.12) weights on two and three Lobatto nodes, by Cauchy's integral and by the cut;
   (26.13) what the memory makes of the alternating path of two stages;
   (26.15) means, and what BDF2 makes of the circle;
-  (26.11) zeros of m s^2 + c + C(s), counted along the boundary of the upper half plane.
+  (26.11) zeros of m s^2 + c + C(s), counted along the boundary of the upper half plane;
+  (26.22) a law from its loss at all frequencies, and Theorem 17.3 of two stages for each frequency.
 
 Inputs are the doubles they are."""
 import cmath
@@ -18,7 +19,7 @@ import functools
 
 import mpmath
 from mpmath import mp, mpc, mpf
-from sympy import I, Matrix, cos, eye, im, lambdify, sin, sqrt, symbols
+from sympy import I, Matrix, cos, eye, im, lambdify, sin, sqrt, symbols, trigsimp
 
 from shared.arithmetic import circle, coefficients
 from shared.refgen import claim, header, prove
@@ -314,6 +315,32 @@ prove("(26.15)", ((1 + turn) * (1 + turn.conjugate()) / 4 - (1 + cos(phi)) / 2).
       ((1 - turn) * (3 - turn) / 2 - (1 - cos(phi))**2 - I * (2 - cos(phi)) * sin(phi)).expand().trigsimp())
 #< stable
 
+# ---- Theorem 17.3 for laws: s^2 / (s^2 + w^2) at Delta = 1 + N of two stages, on z = e^{-i phi}.
+w, back = symbols("w z", positive=True)
+N, left, right = Matrix([[0, 1 - 2 * back], [-1, 0]]), Matrix([[1, back]]), Matrix([1, 1 / back])  # u^* and u, and B = 1/2
+prove("of Delta", *(N * N - (2 * back - 1) * eye(2)), *((eye(2) + N)**2 - 2 * back * eye(2) - 2 * N).expand())
+prove("u^* B f(Delta) u of 1, of N and of a mass", (left * right)[0] / 2 - 1,
+      ((left * N * right)[0] / 2 - (1 / back - 2 - back) / 2).expand(),
+      ((left * (eye(2) + N)**2 * right)[0] / 2 - (1 / back - 2 + back)).expand())
+top, bottom = 3 + (w**2 + 2) / back - 1 / back**2, 4 * back + 4 * w**2 - 8 + (w**4 + 4) / back
+prove("the quotient", (2 * back + w**2 - (1 / back - 2 - back) - back * top).expand(),
+      ((2 * back + w**2)**2 + 4 - 8 * back - back * bottom).expand())
+ahead, n = turn.conjugate(), (w**4 + 8) * cos(phi) + 4 * w**2 - 8 + I * w**4 * sin(phi)
+top, bottom = 3 + (w**2 + 2) * ahead - ahead**2, 4 * turn + 4 * w**2 - 8 + (w**4 + 4) * ahead
+prove("its imaginary part", (bottom - n).expand(), trigsimp(
+    (im((top * n.conjugate()).expand()) + 16 * sin(phi) * (1 - cos(phi))**2).expand()))
+
+
+# ---- (26.22): a law from its loss, by the trapezoidal rule in ln omega; a range from 0 would take too long a way ----
+def from_loss(law, s):
+    spring = sum(t[1] for t in law if t[0] == POWER and t[2] == 0)
+    mass = sum(t[1] for t in law if t[0] == POWER and t[2] == 1)
+    step = 1 / 16
+    omegas = [cmath.exp(step * k).real for k in range(-3200, 3200)]
+    return float(spring) + float(mass) * s**2 + 2 / cmath.pi * sum(
+        step * (symbol(law, 1j * omega).imag * s**2 / (s**2 + omega**2)) for omega in omegas)
+
+
 mp.dps = 25
 for law in (LAWS[0], LAWS[2]):
     claim("(26.12)", all(stages(law, s, n, mpf(1) / 8) < mpf(10)**-20 for s, n in ((2, 4), (3, 9))))
@@ -335,6 +362,11 @@ STEEP = [
     [(MAXWELL2, 1, "0.75", "0.5", "0.375")],
 ]
 STEEP = [[(kind, *map(mpf, numbers)) for kind, *numbers in law] for law in STEEP]
+for law in LAWS + STEEP:
+    if not any(t[0] == DISTRIBUTED and t[2] == 0 or t[0] == ZENER and t[2] == 1 for t in law):
+        for s in (0.3 + 0.2j, 2 + 0.5j):
+            doubles = [(t[0], *map(float, t[1:])) for t in law]
+            claim("(26.22)", abs(from_loss(doubles, s) - symbol(doubles, s)) < 1e-8 * abs(symbol(doubles, s)))
 
 header("verify/damping_laws/damping_laws.py")
 print("\n#include <fvi/damping_laws.h>")
