@@ -1,7 +1,8 @@
-/* src/fvi/observer.h -- Velocities, accelerations, forces and work along a run.
+/* src/fvi/observer.h -- Velocities, accelerations, forces, work and energy along a run.                  [H 13]
  *
- * A stepper knows x and p. An observer goes with it and adds up what else is asked: the impulse of
- * each damper, its work, the work of the force.
+ * A stepper (trajectory.h) holds x and p only. An observer goes along with a stepper. Step by step it adds up the
+ * impulse of each damper, the work of each damper and the work of the force, and from these sums it computes what the
+ * caller asks for.
  *
  *     fvi_observer *o;
  *     if (fvi_observer_start(s, FVI_OBSERVE_FORCE | FVI_OBSERVE_VELOCITY, &o, &error) == FVI_SUCCESS) {
@@ -11,41 +12,56 @@
  *         fvi_observer_free(o);
  *     }
  *
- * Orders. v = M^-1 p, of the order of p. The impulse of a damper is what the momenta leave for it,
+ * Dampers. A run with one law, or with alpha, has one damper, d1, with d forces. A damper of a mechanism (dampers.h)
+ * has one force, along its elongation. A damper of a structure that is given by a matrix has a force on each unknown.
+ *
+ * Velocity. v = M^-1 p has the order of p. At t = 0 a coordinate without inertia has the velocity right after the start
+ * if dampers of the order 1 hold the coordinate (29.27). Otherwise this velocity may be infinite, and v is the mean
+ * over the first row.
+ *
+ * Impulse of a damper. It is the part of the change of momentum that the force and the potential do not explain,
  *
  *     J(t_k) = p_0 - p_k + the method's own sums of F - grad U,
  *
- * and of the order of p. Its force at a node is the derivative of J, by backward differences of
- * the impulses of the last steps, of an order that is one above the highest of the method, 9 at
- * most. Near t = 0 its J is compared with what its law answers to a jump, a line and a parabola (13.20). So force and a have
- * the order of p at a fixed t, and 3 at most in the first rows.
- * Where an order is above 1, where the past rl jumps, and where a coordinate has no inertia, no comparison helps. There the
- * first rows of forces, a, multipliers, and of v if a coordinate has no inertia, are those of fvi_variable_step, which takes
- * the run up to there with shorter steps [H 13]: right to 1e-8 (seen). It does not for more than 12
- * coordinates whose potential has no narrow band, for more than 200 unknowns of matrices, or where it fails or needs more than
- * 1000 steps; then these rows are of low order, 2 - that of the damping.
- * The v of a coordinate without inertia at t = 0 is that right behind it, if dampers of the order 1 hold the coordinate (29.27);
- * else it may be infinite, and is the mean over the first row.
- * Of a start with a velocity and an order of the damping up to 1, the methods of order 2 get the first impulses wrong,
- * by a quarter for a dashpot. What the steps take from the line x_0 + v_0 t and what is exact are both known, and J and the
- * work have the difference (13.18): over all rows J and the work then have the order 2, the force 3 - twice that of the
- * damping, or 2 if that is lower. x, p and the balance are those of the steps; so are, behind the first rows, accelerations that are slopes of velocities,
- * and multipliers.
- * The acceleration is the equation of motion, a = M^-1 (F - grad U - force); of a Lagrangian, of forces of velocity and
- * of constraints it is the slope of v, and a multiplier is the slope of its impulses. Their first rows, and t = 0, come from
- * the equation of motion (29.23), unless a coordinate has no inertia: then a and a multiplier at t = 0 are means over the
- * first step, or the first row of a method that chooses its steps. Differences reach back
- * over a jump of F: a few rows behind it are of low order.
- * The work of one damper is what the energy has lost, E_0 - E + the work of F, with stages, where the
- * sum of force times motion would lose order in the first steps; and where that sum is not
- * known: where the initial history has a force that is singular at t = 0, at alpha = 1, and of a method
- * that chooses its steps. Else it is the method's own sum. The balance takes the own sum wherever it is
- * known, and is E_0 but for the errors of the method; else it is E_0 by itself.
- * A method that chooses its steps knows x'' as the polynomial of its step: an order less than p; and so the force of each of
- * several dampers, whose integrals are its impulse and its work.
+ * and it has the order of p.
  *
- * A run with one law, or alpha, has one damper, d1, of d forces. That of a mechanism (dampers.h)
- * has a force along its elongation, and a structure's by a matrix a force on each unknown. */
+ * Force of a damper. At a node it is the derivative of J. Backward differences of the impulses of the last steps
+ * compute it. Their degree is one above the highest order of the method, but at most 9; for a method of order 1, such
+ * as fvi_fractional, it is 1. Near t = 0 the observer compares J with the answers of the damper's law to a jump, a line
+ * and a parabola (13.20). So force and acceleration have the order of p at a fixed t, and at most the order 3 in the
+ * first rows.
+ *
+ * Acceleration and multipliers. The acceleration comes from the equation of motion, a = M^-1 (F - grad U - force). With
+ * a Lagrangian, with forces that depend on velocity and with constraints it is the slope of v instead, and a multiplier
+ * is the slope of its impulse. Their first rows and t = 0 then come from the equation of motion (29.23). If a
+ * coordinate has no inertia, a and a multiplier at t = 0 are means over the first step, or over the first row of a
+ * method that chooses its steps. Differences that reach back over a jump of F have a low order in a few rows after the
+ * jump.
+ *
+ * First rows by shorter steps. The comparison (13.20) fails in three cases: a damper has an order above 1; the past
+ * RIEMANN_LIOUVILLE jumps; a coordinate has no inertia. There the observer runs the first rows once more by
+ * fvi_variable_step, with shorter steps, and takes from them the forces, accelerations and multipliers, and the
+ * velocities if a coordinate has no inertia. These numbers are right to 1e-8 (seen) [H 13]. The observer does not do so
+ * for more than 12 coordinates whose potential has no narrow band, for more than 200 unknowns of matrices, or if the
+ * shorter steps fail or if more than 1000 are necessary. Then the first rows have the low order 2 minus the order of
+ * the damping.
+ *
+ * Starts with a velocity. For an order of the damping up to 1 the methods of order 2 compute wrong first impulses; for
+ * a dashpot they are off by a quarter. Both the impulse that the steps take from the line x_0 + v_0 t and its exact
+ * impulse are known, so the observer adds the difference to J and to the work (13.18). Then over all rows J and the
+ * work have the order 2, and the force has the order 3 minus twice the order of the damping, or 2 if that is lower. x,
+ * p and the balance stay those of the steps. So do, after the first rows, accelerations that are slopes of velocities,
+ * and multipliers.
+ *
+ * Work and balance. The work of a single damper is the method's own sum of force times motion, with these exceptions:
+ * methods with stages, because their own sum would lose order in the first steps; a past whose force is singular at
+ * t = 0, alpha = 1, and methods that choose their steps, because their own sum is not known. In these cases the work is
+ * the energy that the motion has lost, E_0 - E + the work of F. The balance is E + work of the dampers - work of F. It
+ * takes the method's own sum wherever that is known, and then differs from E_0 by the errors of the method. Where it is
+ * not known, the balance is E_0 by definition.
+ *
+ * Methods that choose their steps. They know x'' from the polynomial of their step, with one order less than p. From it
+ * they know the force of each of several dampers, whose integrals are the impulse and the work of the damper. */
 #ifndef FVI_OBSERVER_H
 #define FVI_OBSERVER_H
 
@@ -59,10 +75,18 @@ extern "C" {
 
 typedef struct fvi_observer fvi_observer;
 
-/* What is asked for, added. VELOCITY: v; ACCELERATION: a; FORCE, IMPULSE: of the dampers; WORK: of the
- * dampers and of the force, and the balance; ENERGY: E; APPLIED: F; MULTIPLIER: of a mechanism's constraints, from
- * their impulses as the forces; CONTACT: how strongly each contact among the events pushes. OWN_STEPS: not a quantity, but
- * that no shorter steps take the first rows. */
+/* The quantities that an observer can compute. Add the bits of those that you want.
+ *
+ *   VELOCITY      v
+ *   ACCELERATION  a
+ *   FORCE         the forces of the dampers
+ *   IMPULSE       the impulses of the dampers
+ *   WORK          the work of each damper, the work of the force, and the balance
+ *   ENERGY        E
+ *   APPLIED       F
+ *   MULTIPLIER    the multipliers of a mechanism's constraints; they come from their impulses as the forces do
+ *   CONTACT       the force with which each contact among the events pushes
+ *   OWN_STEPS     no quantity: this bit forbids the shorter steps of the first rows */
 enum {
     FVI_OBSERVE_VELOCITY = 1,
     FVI_OBSERVE_ACCELERATION = 2,
@@ -76,21 +100,22 @@ enum {
     FVI_OBSERVE_OWN_STEPS = 512
 };
 
-/* fvi_observation -- what is known at a time. What was not asked for is of no use. The arrays
- * belong to the observer, until it is read again.
+/* fvi_observation -- all quantities at one time. A quantity that was not asked for has no defined value. The arrays
+ * belong to the observer and hold until its next call.
  *
+ *   t               the time
  *   x, p, v, a, F   d numbers each
- *   force, impulse  of the dampers, one after another, each as many numbers as its width
- *   work            of each damper
- *   multiplier      of each constraint
- *   contact         of each event, 0 if it is no contact (fvi_stepper_contact_force)
- *   work_of_force   by F, and by impulses of the force
+ *   force, impulse  of the dampers, one damper after another; each has as many numbers as its width
+ *   work            one number for each damper
+ *   multiplier      one number for each constraint
+ *   contact         one number for each event, 0 if the event is no contact (fvi_stepper_contact_force)
+ *   work_of_force   the work of F and of the impulses of the force
  *   energy          E
  *   balance         E + work of the dampers - work_of_force: E at t = 0, see above
- *   event, events   what has happened up to then, in its order (events.h)
- *   is_mean         nonzero if force and a are infinite, or not known, at this time, t = 0: held with v_0 != 0 and an
- *                   order above 1. Then a force is its mean over the first row, and a is what it makes of the
- *                   equation of motion, or a mean itself */
+ *   event, events   the events up to t, in the order of time (events.h), and their number
+ *   is_mean         nonzero if t = 0 and the forces and a are infinite or not known there, for example for a held body
+ *                   with v_0 != 0 and an order above 1. Then a force is its mean over the first row, and a comes from
+ *                   this mean by the equation of motion, or is a mean itself */
 typedef struct {
     double t;
     const double *x, *p, *v, *a, *F, *force, *impulse, *work,
@@ -101,43 +126,62 @@ typedef struct {
     size_t events;
 } fvi_observation;
 
-/* fvi_observer_start -- of a stepper at k = 0.
+/* fvi_observer_start -- Start an observer of a stepper at k = 0.
  *
- *   wanted  what will be read: nothing else is computed
+ *   s       the stepper; it is not changed
+ *   wanted  the bits of the quantities that will be read; nothing else is computed
  *   o       output; free it with fvi_observer_free
+ *   error   output, or NULL
  *
- * Cost: if forces, a or multipliers are asked for, as much as a start of the run and up to 30 steps for each different law,
- * which is 0.2 ms to 4 ms (seen); where shorter steps take the first rows some 50 steps of fvi_variable_step more. Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL if s is not at its start; FVI_EUNSUP for a
- * sum that a method does not know; FVI_ENOMEM; what a function of the system returned. */
+ * Cost if forces, a or multipliers are wanted: that of a start of the run and of up to 30 steps for each different law,
+ * 0.2 ms to 4 ms (seen); and some 50 steps of fvi_variable_step where the first rows need shorter steps.
+ * Returns FVI_SUCCESS; FVI_EFAULT if s or o is NULL; FVI_EINVAL if s is not at its start; FVI_EUNSUP for forces,
+ * impulses and work of a run with events but without a mechanism, and for sums that the method does not compute;
+ * FVI_ENOMEM; what a function of the system returned. On error *o is untouched. */
 int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **o,
                        fvi_error *error);
 
-/* fvi_observer_step -- fvi_stepper_step, and what it did is added. Errors as there. */
+/* fvi_observer_step -- Make one step of s by fvi_stepper_step, and add it to the sums.
+ *
+ * Returns as fvi_stepper_step; FVI_EFAULT if a pointer is NULL; FVI_ENOMEM. After an error the observer is of no use.
+ * */
 int fvi_observer_step(fvi_observer *o, fvi_stepper *s);
 
-/* fvi_observer_read -- what is known at a time: s->t, or one within the last step of a method that
- * chooses its steps. Every step of s was made by fvi_observer_step.
+/* fvi_observer_read -- Compute the wanted quantities at a time.
  *
- * Returns FVI_SUCCESS; FVI_EOVRFLW if a number is not finite; FVI_EDOM if there is no state at t; what
- * a function of the system returned. Cost: of what was asked, of a and the energy a gradient
- * and a value of U. */
+ *   o, s  an observer and its stepper; every step of s was made by fvi_observer_step
+ *   t     s->t; with a method that chooses its steps also any time within the last step
+ *   now   output; its arrays belong to o
+ *
+ * Cost O(d) for each quantity; one gradient of U for a, and one value of U for the energy.
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EOVRFLW if a wanted number is not finite; FVI_EDOM if there
+ * is no state at t; FVI_ENOMEM; what a function of the system returned. On error *now holds no result. */
 int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
                       fvi_observation *now);
 
-/* fvi_observer_dampers -- how many there are; 1 without a mechanism, damped or not.
- * fvi_observer_width -- how many forces damper j, from 0, has.
- * The name of a mechanism's damper is its own (dampers.h). */
+/* fvi_observer_dampers -- Return the number of dampers; 1 without a mechanism, even if nothing is damped.
+ * fvi_observer_width -- Return the number of forces of damper j, counted from 0; 0 if there is no such damper.
+ *
+ * The names of a mechanism's dampers stand in the mechanism (dampers.h). */
 size_t fvi_observer_dampers(const fvi_observer *o);
 size_t fvi_observer_width(const fvi_observer *o, size_t j);
 
-/* fvi_observer_short_rows -- rows 1 to how many are those of shorter steps; 0: none. fvi_adjoint_forces does not know their
- * derivatives, nor those of row 0 if a coordinate has no inertia. */
+/* fvi_observer_short_rows -- Return n if the rows 1 to n come from shorter steps; 0 if no row does. fvi_adjoint_forces
+ * cannot differentiate these rows, nor row 0 if a coordinate has no inertia. */
 size_t fvi_observer_short_rows(const fvi_observer *o);
 
-/* fvi_observer_copy -- the same again, for a copy of the stepper. FVI_ENOMEM. Of a method of order 2 that starts with
- * a velocity it may take as long as a run of one body to this step, for each damper.
- * fvi_observer_archive -- its sums, as fvi_stepper_archive shows those of the stepper.
- * fvi_observer_free -- give everything back. NULL is allowed. */
+/* fvi_observer_copy -- Copy an observer, for use with a copy of its stepper (fvi_stepper_copy).
+ *
+ *   to  output; free it with fvi_observer_free
+ *
+ * Cost O(d) for each kept number. For a method of order 2 and a start with a velocity the copy may also repeat the run
+ * of one body up to this step, for each damper.
+ * Returns FVI_SUCCESS; FVI_ENOMEM; what factorise of the matrices returned. On error *to is untouched.
+ *
+ * fvi_observer_archive -- Save or load the sums of an observer: hand them to the archive, as fvi_stepper_archive
+ * (trajectory.h) hands over the state of a stepper. Returns FVI_SUCCESS, or the code that the archive returned.
+ *
+ * fvi_observer_free -- Free an observer. NULL is allowed. */
 int fvi_observer_copy(const fvi_observer *from, fvi_observer **to);
 int fvi_observer_archive(fvi_observer *o, fvi_archive *archive);
 void fvi_observer_free(fvi_observer *o);

@@ -1,15 +1,17 @@
-/* src/fvi/parse.h -- Problems as they are typed: potentials, forces, dampings, starts.
+/* src/fvi/parse.h -- Parsers for typed problems: from texts to potentials, dampings, forces, mechanisms and starts.
  *
  *     fvi_typed_potential U = { 0 };
  *     if (fvi_parse_potential("duffing:1,0.5", 0, NULL, &U, &error) == FVI_SUCCESS)
  *         system.potential = fvi_potential_typed(&U);
  *
- * One parser serves the program, C and Python. A word is followed by its numbers, "zener:1,0.3,2";
- * capitals count as small letters in words, and the point is '.' under every locale. Every function
- * returns FVI_SUCCESS; FVI_EINVAL for a text that is not understood; FVI_EDOM for a number that is
- * out of its range; FVI_ENOMEM; FVI_EFAULT if a pointer that must be there is NULL; and says in
- * *error, which may be NULL, what is wrong, with the nearest known word where a slip of the finger
- * leads to one. The fields are the words of the program: "potential", "force", "damping", "let". */
+ * The program, C and Python use the same parsers. A word is followed by its numbers, for example "zener:1,0.3,2". In
+ * words capitals count as small letters. The decimal point is '.' under every locale.
+ *
+ * Errors. Every function with an argument `error` returns FVI_SUCCESS; FVI_EINVAL for a text that it does not
+ * understand; FVI_EDOM for a number that is out of its range; FVI_ENOMEM; or FVI_EFAULT if a pointer that must be there
+ * is NULL. It describes the error in *error, which may be NULL. The description names the nearest known word if a
+ * typing error leads to one. The fields of the error are the words of the program: "potential", "force", "damping",
+ * "let". Unless the comment of a function says otherwise, its output is untouched after an error. */
 #ifndef FVI_PARSE_H
 #define FVI_PARSE_H
 
@@ -40,12 +42,12 @@ typedef enum {
     FVI_POTENTIAL_EXPRESSION
 } fvi_potential_kind;
 
-/* fvi_typed_potential -- what a text has become; begin with a zeroed one, give it back with
- * fvi_typed_potential_free.
+/* fvi_typed_potential -- a parsed potential. Start with a zeroed struct; free it with fvi_typed_potential_free.
  *
- *   d          the dimension; 0: any, its coordinates are alike
- *   constants  c and g of the kinds that have them, as fvi_potential_duffing names them
- *   expression  of FVI_POTENTIAL_EXPRESSION, else NULL */
+ *   kind        which potential
+ *   d           the dimension; 0: any dimension, the potential treats all coordinates alike
+ *   constants   the numbers of the kind, in the order of its params (system.h): c; c, g; or g
+ *   expression  the expression of FVI_POTENTIAL_EXPRESSION; NULL for every other kind */
 typedef struct {
     fvi_potential_kind kind;
     size_t d;
@@ -53,31 +55,37 @@ typedef struct {
     fvi_expression *expression;
 } fvi_typed_potential;
 
-/* fvi_parse_potential -- harmonic:C, duffing:C,G, pendulum:G, free, chain:D,C,G, or an
- * expression in x, or x1, ..., xd.
+/* fvi_parse_potential -- Parse a potential.
  *
- *   d           of the system; 0: what the text says, of an expression the largest index in it. A
- *               chain of another d is refused
- *   parameters  of the expression, kept: they must outlive the potential; NULL if there are none
+ *   text        harmonic:C, duffing:C,G, pendulum:G, free, chain:D,C,G, or an expression in x, or in x1, ..., xd;
+ *               harmonic alone has C = 1
+ *   d           the dimension of the system; 0: the text decides, an expression by the largest index in it. A chain of
+ *               another dimension is refused
+ *   parameters  names and values that the expression may use. The potential keeps the pointer, so the parameters must
+ *               outlive it. NULL: no parameters
+ *   potential   output
  *
- * Of a misprint in an expression the error has the byte as its index. */
+ * For an error in an expression, error->index is the number of the byte, from 0. */
 int fvi_parse_potential(const char *text, size_t d,
                         fvi_user_parameters *parameters,
                         fvi_typed_potential *potential, fvi_error *error);
 
-/* fvi_potential_typed -- U, to be used in a system. It points into *potential, which must outlive
- * the runs and stay where it is. */
+/* fvi_potential_typed -- Return the potential for use in a system. It points into *potential, so that struct must
+ * outlive the runs and stay at its address. */
 fvi_potential fvi_potential_typed(const fvi_typed_potential *potential);
 
-/* fvi_typed_potential_free -- give the expression back; the struct is the caller's. */
+/* fvi_typed_potential_free -- Free the expression. The struct itself belongs to the caller. NULL is allowed. */
 void fvi_typed_potential_free(fvi_typed_potential *potential);
 
 /* ---- dampings ---- */
 
-/* fvi_typed_damping -- a law of damping; begin with a zeroed one, give it back with
- * fvi_typed_damping_free. Do not copy one that is in use: law points into it.
+/* fvi_typed_damping -- a parsed law of damping. Start with a zeroed struct; free it with fvi_typed_damping_free. Do not
+ * copy a struct in use, because `law` points into it.
  *
- *   symbol  the expression of a law that is typed so, else NULL; function points to it */
+ *   law       the law, for fvi_run.law or a damper
+ *   term      its terms
+ *   symbol    the expression of a law typed as symbol:EXPRESSION, else NULL
+ *   function  the law of this expression; it points to symbol */
 enum { FVI_MOST_TERMS = 64 };
 typedef struct {
     fvi_kernel law;
@@ -86,94 +94,115 @@ typedef struct {
     fvi_kernel_function function;
 } fvi_typed_damping;
 
-/* fvi_parse_damping -- one more term, or several with " + " between: viscous:R, spring:K, power:R,A,
- * zener:R,A,T, maxwell:R,T, maxwell2:R1,A,R2,B, davidson:R,A,T, distributed:R,A,B; or
- * symbol:EXPRESSION in s, which stands alone.
+/* fvi_parse_damping -- Parse one or several terms of a law, and append them to *damping.
  *
- *   parameters  of the expression, kept: they must outlive the law; NULL if there are none */
+ *   text        terms with " + " between them: viscous:R, spring:K, power:R,A, zener:R,A,T, maxwell:R,T,
+ *               maxwell2:R1,A,R2,B, davidson:R,A,T, distributed:R,A,B; or symbol:EXPRESSION in s, which must be the
+ *               only term. A and B are alpha: the order is 2 alpha
+ *   parameters  names and values that the expression may use; kept, so they must outlive the law. NULL: no parameters
+ *   damping     in and out
+ *
+ *     fvi_typed_damping damping = { 0 };
+ *     if (fvi_parse_damping("spring:4 + zener:1,0.3,2", NULL, &damping, &error) == FVI_SUCCESS)
+ *         run.law = &damping.law;
+ *
+ * After an error *damping may have some of the terms: free it. */
 int fvi_parse_damping(const char *text, fvi_user_parameters *parameters,
                       fvi_typed_damping *damping, fvi_error *error);
 
-/* fvi_pair_is_exchanged -- does a term keep the parts of maxwell2:R1,A,R2,B the other way round? It keeps that of
- * the larger order first, so that after A < B its rho and alpha are R2 and B.
+/* fvi_pair_is_exchanged -- Return nonzero if a term holds the two parts of maxwell2:R1,A,R2,B in reversed order. A term
+ * holds the part of the larger order first. So if the text has A < B, the term's rho and alpha are R2 and B.
  *
- *   parameters  with which the laws were parsed; NULL: nothing is exchanged
- *   term        its place, from 0, among all terms of the last laws that were parsed so, in their order,
- *   terms       as many as these
+ *   parameters  the parameters with which the laws were parsed; NULL: the function returns 0
+ *   terms       a number n: the last n terms that were parsed with these parameters are meant, in their order
+ *   term        the place of the term among these n terms, from 0
  *
  *     if (fvi_pair_is_exchanged(&parameters, 0, damping.law.count))
  *         puts("rho1 and alpha1 are those of the second part"); */
 int fvi_pair_is_exchanged(const fvi_user_parameters *parameters, size_t term, size_t terms);
 
-/* fvi_typed_damping_free -- give the expression back; the struct is the caller's. */
+/* fvi_typed_damping_free -- Free the expression. The struct itself belongs to the caller. */
 void fvi_typed_damping_free(fvi_typed_damping *damping);
 
 /* ---- forces ---- */
 
 typedef struct fvi_typed_force fvi_typed_force;
 
-/* fvi_parse_force -- a sum of forces, " + " between: none, step:A,T, cosine:A,W, impulse:J,T
- * (every momentum jumps by J at T), file:NAME (columns t and F, linear in between), or
- * file:NAME:TIME,VALUE with the names of two columns, also with a factor, -9.81*file:g.csv;
- * expressions in t.
+/* fvi_parse_force -- Parse a sum of forces, with " + " between them. Each force is one of
  *
- *   d           of the system
- *   parameters  of the expressions, kept: they must outlive the force; NULL if there are none
- *   last        the end of the run: a file must reach it, and an impulse comes before
- *   force       output; give it back with fvi_typed_force_free */
+ *     none                  no force
+ *     step:A,T              see fvi_force_step (system.h)
+ *     cosine:A,W            see fvi_force_cosine (system.h)
+ *     impulse:J,T           every momentum jumps by J at the time T
+ *     file:NAME             the columns t and F of a file, linear between two rows
+ *     file:NAME:TIME,VALUE  the same, with the names of two other columns
+ *     FACTOR*file:...       the same times an expression of numbers, for example -9.81*file:g.csv
+ *     an expression in t
+ *
+ *   d           the dimension of the system
+ *   parameters  names and values that the expressions may use; kept, so they must outlive the force. NULL: no
+ *   parameters
+ *   last        the end of the run: a file must reach it, and an impulse must come before it
+ *   force       output; free it with fvi_typed_force_free */
 int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters,
                     double last, fvi_typed_force **force, fvi_error *error);
 
-/* fvi_force_typed -- F, the same on every mass, to be used in a system. *force must outlive the
+/* fvi_force_typed -- Return the force for use in a system. It is the same on every mass. *force must outlive the
  * runs. */
 fvi_force fvi_force_typed(const fvi_typed_force *force);
 
-/* fvi_typed_force_is_simple -- nonzero if the force is none, one step or one cosine, as
- * fvi_linear_oscillator has them. */
+/* fvi_typed_force_is_simple -- Return nonzero if the force is none, one step or one cosine: the forces of
+ * fvi_linear_oscillator (exact_solution.h). Then *kind and constants describe it. */
 int fvi_typed_force_is_simple(const fvi_typed_force *force, fvi_forcing *kind,
                               double constants[2]);
 
-/* fvi_typed_force_by_parameter -- the derivative at t by parameter number j. */
+/* fvi_typed_force_by_parameter -- Return the derivative of the force at the time t by parameter number j, from 0. */
 double fvi_typed_force_by_parameter(const fvi_typed_force *force, size_t j,
                                     double t);
 
-/* fvi_typed_force_jump -- number i, from 0, of the times at which the force jumps, as far as it is
- * known: the ends of its steps, and its impulses. NaN if there are not so many. */
+/* fvi_typed_force_jump -- Return jump number i, from 0, of the known times at which the force jumps: the ends of its
+ * steps, and its impulses. NaN if there is no such jump. */
 double fvi_typed_force_jump(const fvi_typed_force *force, size_t i);
 
-/* fvi_typed_force_file -- the name of file number i, from 0, that was read; NULL if there are not
- * so many. */
+/* fvi_typed_force_file -- Return the name of file number i, from 0, that was read; NULL if there is no such file. The
+ * text belongs to the force. */
 const char *fvi_typed_force_file(const fvi_typed_force *force, size_t i);
 
-/* fvi_typed_force_free -- give everything back. NULL is allowed. */
+/* fvi_typed_force_free -- Free the force. NULL is allowed. */
 void fvi_typed_force_free(fvi_typed_force *force);
 
 /* ---- a ground that moves ---- */
 
 typedef struct fvi_ground fvi_ground;
 
-/* fvi_parse_ground -- the acceleration a_g of the ground, as fvi_parse_force without impulses: field "ground",
- * and of a file the columns t and ag. In coordinates relative to the ground it acts as
+/* fvi_parse_ground -- Parse the acceleration a_g of the ground. The text is that of fvi_parse_force without impulses; a
+ * file has the columns t and ag. In coordinates relative to the ground it acts as the force
  *
  *     F(t) = the force of the system - M r a_g(t)
  *
- *   system  with all that acts besides; its force, masses and matrices must outlive the ground
- *   r       how each coordinate moves with the ground, d numbers: 1 along it
- *   ground  output; give it back with fvi_ground_free
+ *   system      with every other force; its force, masses and matrices must outlive the ground
+ *   r           the displacement of each coordinate for a ground displacement of 1, d numbers: 1 for a coordinate along
+ *               the ground's motion
+ *   parameters, last  as fvi_parse_force
+ *   ground      output; free it with fvi_ground_free
  *
- * FVI_EUNSUP, too, of matrices without inertia.
+ * The field of the error is "ground". FVI_EUNSUP for matrices without inertia (fvi_matrices.inertia).
  *
- * fvi_ground_alloc -- the same of an acceleration that is no text: a force of one number without
- * impulses (FVI_EINVAL). What its params point to must outlive the ground. Cost O(d), and that of M r.
+ * fvi_ground_alloc -- Make a ground of an acceleration that is no text.
+ *
+ *   acceleration  a force of one number, without impulses (FVI_EINVAL); its params must outlive the ground
  *
  *     const fvi_force shaking = { .value = acceleration_of_the_table };
  *     if (fvi_ground_alloc(&shaking, &system, r, &ground, &error) == FVI_SUCCESS)
  *         system.force = fvi_ground_force(ground);
  *
- * fvi_ground_force -- that F, to be put into the system for its runs.
- * fvi_ground_acceleration -- a_g, a force of one number, for columns (columns.h).
- * fvi_ground_typed -- the same as it was typed: its files and jumps; NULL if it was not.
- * fvi_ground_load_vector -- M r, d numbers: F is -M r a_g and what acts besides. */
+ * Cost O(d), and one product with M.
+ *
+ * fvi_ground_force -- Return F, to be put into the system for its runs.
+ * fvi_ground_acceleration -- Return a_g as a force of one number, for columns (columns.h).
+ * fvi_ground_typed -- Return a_g as a typed force, with its files and jumps; NULL if it was not typed.
+ * fvi_ground_load_vector -- Return M r, d numbers.
+ * fvi_ground_free -- Free the ground. NULL is allowed. The outputs of these functions belong to the ground. */
 int fvi_parse_ground(const char *text, const fvi_system *system,
                      const double *r, fvi_user_parameters *parameters,
                      double last, fvi_ground **ground, fvi_error *error);
@@ -185,32 +214,34 @@ const fvi_typed_force *fvi_ground_typed(const fvi_ground *ground);
 const double *fvi_ground_load_vector(const fvi_ground *ground);
 void fvi_ground_free(fvi_ground *ground);
 
-/* fvi_force_rows -- forces that were measured: n rows at increasing times.
+/* fvi_force_rows -- a table of measured forces.
  *
- *   columns  1: the same on every mass; or d, one for each
- *   t        n times
- *   F        n columns numbers, row after row */
+ *   n        number of rows
+ *   columns  1: one force, the same on every mass; or d: one force for each coordinate
+ *   t        n times, increasing
+ *   F        n * columns numbers, row after row */
 typedef struct {
     size_t n, columns;
     const double *t, *F;
 } fvi_force_rows;
 
-/* fvi_force_table -- F linear between two rows, before the first one and behind the last as it is
- * there; to be used in a system. *rows must outlive the runs. Nothing is checked but n = 0, a
- * force of 0. Cost O(d log n). */
+/* fvi_force_table -- Return a force for use in a system: F is linear between two rows, and constant before the first
+ * row and after the last. For n = 0 it is a zeroed force. *rows must outlive the runs. Nothing is checked. Cost of a
+ * value: O(d log n). */
 fvi_force fvi_force_table(const fvi_force_rows *rows);
 
 /* ---- mechanisms ---- */
 
-/* fvi_mechanism_texts -- a mechanism as it is typed; what is NULL, or none, it does not have.
+/* fvi_mechanism_texts -- the texts of a mechanism. A text that is NULL, or a count of 0, stands for a part that the
+ * mechanism does not have. With d = 1 the names x and v are allowed for x1 and v1.
  *
- *   lagrangian   L in x1, ..., xd, v1, ..., vd, t (with d = 1 also x, v); NULL: masses and a potential
- *   dampers      '[NAME=] G : LAW [: PAST]', blanks around the colons: G in x1, ..., xd, t; LAW as
- *                fvi_parse_damping; PAST held, caputo or rl
- *   constraints  c in x1, ..., xd, t: c = 0
- *   imposed      'x1=EXPRESSION in t': the constraint x1 - (...) = 0
- *   forces_on    'I=F', I the number of a coordinate, F in x1, ..., xd, v1, ..., vd, t; those on one
- *                coordinate add */
+ *   lagrangian   L in x1, ..., xd, v1, ..., vd, t; NULL: masses and a potential
+ *   dampers, damper          number of texts '[NAME=] G : LAW [: PAST]' with blanks around the colons: the elongation G
+ *                in x1, ..., xd, t; LAW as fvi_parse_damping; PAST held, caputo or rl
+ *   constraints, constraint  number of texts c in x1, ..., xd, t; the constraint is c = 0
+ *   imposed, impose          number of texts 'x1=EXPRESSION in t'; the constraint is x1 - (...) = 0
+ *   forces_on, force_on      number of texts 'I=F': I is the number of a coordinate, from 1; F in x1, ..., xd,
+ *                v1, ..., vd, t. Forces on one coordinate add up */
 typedef struct {
     const char *lagrangian;
     size_t dampers, constraints, imposed, forces_on;
@@ -220,12 +251,13 @@ typedef struct {
 
 typedef struct fvi_typed_mechanism fvi_typed_mechanism;
 
-/* fvi_parse_mechanism -- all of them.
+/* fvi_parse_mechanism -- Parse all texts of a mechanism.
  *
- *   texts       those of constraints are kept, for messages: they must outlive the mechanism
- *   d           of the system
- *   parameters  of the expressions, kept as well; NULL if there are none
- *   mechanism   output; give it back with fvi_typed_mechanism_free
+ *   texts       the texts of the constraints are kept for messages, so they must outlive the mechanism
+ *   d           the dimension of the system, 1 to 10000
+ *   parameters  names and values that the expressions may use; kept, so they must outlive the mechanism. NULL: no
+ *               parameters
+ *   mechanism   output; free it with fvi_typed_mechanism_free
  *
  * The fields of the error are the words of the program: "lagrangian", "damper", "constraint", "impose",
  * "force-on". */
@@ -233,55 +265,65 @@ int fvi_parse_mechanism(const fvi_mechanism_texts *texts, size_t d,
                         fvi_user_parameters *parameters,
                         fvi_typed_mechanism **mechanism, fvi_error *error);
 
-/* fvi_damper_texts -- dampers of coordinates as texts: "x1 : power:0.4,0.3 : held" for each rho > 0.
+/* fvi_damper_texts -- Write the dampings of coordinates as texts of dampers, for example "x1 : power:0.4,0.3 : held"
+ * for each coordinate with rho > 0.
  *
- *   d, rho, alpha  the damping rho_i D^{2 alpha} x_i
- *   law    NULL, or a text as fvi_parse_damping that stands for it where rho > 0
- *   past   the word of a past, or NULL: held
- *   count, list  outputs; the texts stand in one block, free(*list) */
+ *   d, rho, alpha  the damping rho_i D^{2 alpha} x_i of d coordinates
+ *   law            NULL; or a text as fvi_parse_damping, which replaces this damping where rho > 0
+ *   past           the word of a past; NULL: held
+ *   count, list    outputs: the number of texts, and the texts in one block; free it with free(*list). After
+ *                  FVI_ENOMEM they are 0 and NULL */
 int fvi_damper_texts(size_t d, const double *rho, double alpha, const char *law,
                      const char *past, size_t *count, char ***list,
                      fvi_error *error);
 
-/* fvi_mechanism_typed -- the mechanism, for a system; it belongs to the typed one. */
+/* fvi_mechanism_typed -- Return the mechanism for use in a system. It belongs to the typed mechanism. */
 const fvi_mechanism *fvi_mechanism_typed(const fvi_typed_mechanism *mechanism);
 
-/* fvi_typed_lagrangian_by_parameter -- the derivatives of a typed Lagrangian by parameter j of its text: of
- * L itself to *value, if it is not NULL, and of L_x and L_v added to Sx and Sv, d numbers each.
- * fvi_typed_lagrangian_column -- the last two, an fvi_lagrangian_column (sensitivity.h).
+/* fvi_typed_lagrangian_by_parameter -- Differentiate a typed Lagrangian by parameter j of its text, from 0.
  *
- *   params  those of the fvi_lagrangian
+ *   t, d, x, v  the point
+ *   params      the params of the fvi_lagrangian
+ *   value       output, or NULL: the derivative of L
+ *   Sx, Sv      in and out, d numbers each: the derivatives of L_x and of L_v are added
  *
- * Return FVI_SUCCESS or FVI_ENOMEM. */
+ * fvi_typed_lagrangian_column -- The same without the derivative of L: an fvi_lagrangian_column (sensitivity.h).
+ *
+ * Both return FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_typed_lagrangian_by_parameter(size_t j, double t, size_t d, const double *x, const double *v,
                                       void *params, double *value, double *Sx, double *Sv);
 int fvi_typed_lagrangian_column(size_t j, double t, size_t d, const double *x, const double *v,
                                 void *params, double *Sx, double *Sv);
 
-/* fvi_typed_mechanism_columns -- how its forces, elongations and constraints depend on the `count` parameters of
- * its texts; it points to the mechanism, and `columns` of fvi_sensitivities to it. */
+/* fvi_typed_mechanism_columns -- Return the derivatives of the forces, elongations and constraints by the `count`
+ * parameters of the texts, for `columns` of fvi_sensitivities (sensitivity.h). The struct points to the mechanism. */
 fvi_mechanism_columns fvi_typed_mechanism_columns(const fvi_typed_mechanism *mechanism, size_t count);
 
-/* fvi_typed_mechanism_free -- give everything back. NULL is allowed. */
+/* fvi_typed_mechanism_free -- Free the mechanism. NULL is allowed. */
 void fvi_typed_mechanism_free(fvi_typed_mechanism *mechanism);
 
 /* ---- events ---- */
 
 typedef struct fvi_typed_events fvi_typed_events;
 
-/* fvi_parse_events -- texts 'Z : WHAT', blanks around the colon: Z an expression in x1, ..., xd,
- * v1, ..., vd, p1, ..., pd, t (with d = 1 also x, v, p); WHAT impact:E or contact:E, 0 <= E <= 1, stop or mark.
- * Z of an impact knows x and t alone. Field "event".
+/* fvi_parse_events -- Parse texts of events (events.h).
  *
- *   count       of the texts
- *   mass        d numbers, kept: v = p / m, if fvi_typed_events_of says nothing else
- *   parameters  of the expressions, kept as well; NULL if there are none
- *   events      output; give it back with fvi_typed_events_free
+ *   count       number of texts
+ *   texts       'Z : WHAT' with blanks around the colon. Z is an expression in x1, ..., xd, v1, ..., vd, p1, ..., pd, t
+ *               (with d = 1 also x, v, p). WHAT is impact:E or contact:E with 0 <= E <= 1, stop, or mark. Z of an
+ *               impact may contain only x and t
+ *   d           the dimension of the system
+ *   mass        d numbers, kept: v = p / m, unless fvi_typed_events_of names a Lagrangian
+ *   parameters  names and values that the expressions may use; kept, so they must outlive the events. NULL: no
+ *               parameters
+ *   events      output; free it with fvi_typed_events_free
  *
- * fvi_typed_events_of -- the velocities are those of the Lagrangian of a mechanism, which must outlive them; one
- * that is NULL, or has none, changes nothing. NULL events are allowed.
- * fvi_events_typed -- events for a run; they belong to the typed ones. *count becomes their number.
- * fvi_typed_event_name -- Z of event i, from 0, as it was typed. */
+ * The field of the error is "event".
+ *
+ * fvi_typed_events_of -- Take the velocities of the events from the Lagrangian of a mechanism, which must outlive the
+ * events. A mechanism that is NULL, or has no Lagrangian, changes nothing. NULL events are allowed.
+ * fvi_events_typed -- Return the events for a run, and their number in *count. They belong to the typed events.
+ * fvi_typed_event_name -- Return Z of event i, from 0, as it was typed. The text belongs to the typed events. */
 int fvi_parse_events(size_t count, const char *const *texts, size_t d,
                      const double *mass, fvi_user_parameters *parameters,
                      fvi_typed_events **events, fvi_error *error);
@@ -289,20 +331,22 @@ void fvi_typed_events_of(fvi_typed_events *events, const fvi_mechanism *mechanis
 const fvi_event *fvi_events_typed(const fvi_typed_events *events, size_t *count);
 const char *fvi_typed_event_name(const fvi_typed_events *events, size_t i);
 
-/* fvi_typed_events_free -- give everything back. NULL is allowed. */
+/* fvi_typed_events_free -- Free the events. NULL is allowed. */
 void fvi_typed_events_free(fvi_typed_events *events);
 
-/* fvi_largest_index -- the largest i of a name like x3 or v3 in the text, or 1 if there is x or v
- * alone, else 0: the dimension of a problem that does not say it. */
+/* fvi_largest_index -- Return the largest index i of a name like x3 or v3 in the text; 1 if the text has x or v without
+ * an index; else 0. This is the dimension of a problem that does not state its dimension. */
 size_t fvi_largest_index(const char *text);
 
 /* ---- whole problems ---- */
 
 typedef struct fvi_typed_problem fvi_typed_problem;
 
-/* fvi_parse_problem -- "m=1; U=duffing:1,0.7; damper=zener:1,0.3,0.5; force=step:8,1; x0=1": names
- * and values of the program's options, in any order. A name that is left out has the program's
- * value.
+/* fvi_parse_problem -- Parse a whole problem, for example
+ * "m=1; U=duffing:1,0.7; damper=zener:1,0.3,0.5; force=step:8,1; x0=1".
+ *
+ * The text has names and values of the program's options, in any order. A name that is left out has the default value
+ * of the program.
  *
  *     name         or      value
  *     potential    U       as fvi_parse_potential
@@ -319,7 +363,7 @@ typedef struct fvi_typed_problem fvi_typed_problem;
  *     constraint, impose, force-on   as there; with any of these five the problem has a mechanism
  *     v0                   the velocity, instead of p0
  *
- *   problem  output; give it back with fvi_typed_problem_free
+ *   problem  output; free it with fvi_typed_problem_free
  *
  *     fvi_typed_problem *typed;
  *     if (fvi_parse_problem("U=duffing:1,0.5; alpha=0.3; T=10", &typed, &error) == FVI_SUCCESS)
@@ -327,13 +371,13 @@ typedef struct fvi_typed_problem fvi_typed_problem;
 int fvi_parse_problem(const char *text, fvi_typed_problem **problem,
                       fvi_error *error);
 
-/* fvi_problem_typed -- the problem, for fvi_solve; it belongs to the typed one. */
+/* fvi_problem_typed -- Return the problem for fvi_solve. It belongs to the typed problem. */
 const fvi_problem *fvi_problem_typed(const fvi_typed_problem *problem);
 
-/* fvi_typed_problem_free -- give everything back. NULL is allowed. */
+/* fvi_typed_problem_free -- Free the problem. NULL is allowed. */
 void fvi_typed_problem_free(fvi_typed_problem *problem);
 
-/* fvi_parse_method -- the method with this name, as `run --method` takes it. */
+/* fvi_parse_method -- Find the method with this name. The names are those of the program's option `run --method`. */
 int fvi_parse_method(const char *text, const fvi_method **method,
                      fvi_error *error);
 

@@ -1,6 +1,14 @@
-/* src/fvi/parse_words.h -- Numbers, words, tables and parameters as they are typed.
+/* src/fvi/parse_words.h -- Parsers of numbers, words, tables and parameters: the parts of which the parsers of
+ * parse.h are made.
  *
- * What all parsers of parse.h are made of; what they return stands there. */
+ *     double mass;
+ *     if (fvi_parse_number("mass", "2.5", 0, INFINITY, "()", &mass, &error))
+ *         fprintf(stderr, "%s: %s\n", error.field, error.text);
+ *
+ * Every function with an argument `error` returns FVI_SUCCESS; FVI_EINVAL for a text that it does not understand;
+ * FVI_EDOM for a number that is out of its range; FVI_ENOMEM; or FVI_EFAULT if a pointer that must be there is NULL. It
+ * describes the error in *error, which may be NULL; the argument `field` becomes the field of the error (error.h).
+ * Unless the comment of a function says otherwise, its output is untouched after an error. */
 #ifndef FVI_PARSE_WORDS_H
 #define FVI_PARSE_WORDS_H
 
@@ -15,73 +23,86 @@ extern "C" {
 
 /* ---- numbers and words ---- */
 
-/* fvi_parse_number -- a finite decimal number between low and high, as in a table: not 0x10, inf
- * or nan. brackets is "[]", "(]", "[)" or "()": a round one keeps its end out of the range. */
+/* fvi_parse_number -- Parse a finite decimal number between low and high. 0x10, inf and nan are no such numbers.
+ *
+ *   brackets  "[]", "(]", "[)" or "()"; a round bracket excludes its end from the range
+ *   value     output */
 int fvi_parse_number(const char *field, const char *text, double low,
                      double high, const char *brackets, double *value,
                      fvi_error *error);
 
-/* fvi_parse_whole -- a whole number from 1 to `most`, below 2^53; "1e6" is one too. */
+/* fvi_parse_whole -- Parse a whole number from 1 to `most`, below 2^53. "1e6" is a whole number, too. */
 int fvi_parse_whole(const char *field, const char *text, size_t most,
                     size_t *value, fvi_error *error);
 
-/* fvi_parse_numbers -- d numbers "1,2,3", or one that stands for all of them; or "@file" with
- * these numbers, separated by commas, spaces or lines. The range as of fvi_parse_number; the
- * error's index says which number is out of it. After an error the values are of no use. */
+/* fvi_parse_numbers -- Parse d numbers, each in the range of fvi_parse_number.
+ *
+ *   text    "1,2,3"; one number, which then stands for all d numbers; or "@file", the name of a file with these
+ *           numbers, separated by commas, spaces or line ends
+ *   values  output, d numbers; after an error they hold no result
+ *
+ * error->index says which number is out of the range, from 0. */
 int fvi_parse_numbers(const char *field, const char *text, double low,
                       double high, const char *brackets, size_t d,
                       double *values, fvi_error *error);
 
-/* fvi_parse_word -- which of the words, ended by NULL. */
+/* fvi_parse_word -- Find the text among `words`, an array that ends with NULL. Its place, from 0, goes to *which. */
 int fvi_parse_word(const char *field, const char *text,
                    const char *const *words, size_t *which, fvi_error *error);
 
-/* fvi_list_item -- how long the first item of a list is: commas within parentheses part nothing, as
- * those of max(x1,x2). */
+/* fvi_list_item -- Return the length of the first item of a list with commas. A comma within parentheses, as in
+ * max(x1,x2), does not separate items. */
 size_t fvi_list_item(const char *text);
 
-/* fvi_nearest_word -- the word, of those ended by NULL, that is nearest to the first `length`
- * letters of text, if a slip of the finger leads from the one to the other; else NULL. */
+/* fvi_nearest_word -- Return the word of `words` (ended by NULL) that is nearest to the first `length` letters of the
+ * text, if a typing error leads from the word to the text; else NULL. Up to four letters one letter may be added, left
+ * out, changed or swapped with its neighbour; longer texts may have more such errors. A beginning of a word is near to
+ * the word, too. */
 const char *fvi_nearest_word(const char *text, size_t length,
                              const char *const *words);
 
-/* fvi_word_hint -- "; did you mean x?", written to place, for a text that is none of the words;
- * empty if none is near. Returns place. */
+/* fvi_word_hint -- Write the hint "; did you mean x?" to `place` and return `place`. x is the word of
+ * fvi_nearest_word; the hint is empty if there is none. */
 const char *fvi_word_hint(const char *text, size_t length,
                           const char *const *words, char place[64]);
 
-/* The words of fvi_initial_history, held, caputo and rl, and of fvi_history_kind, auto, direct and
- * exponentials, each in the order of its numbers and ended by NULL: for fvi_parse_word. */
+/* fvi_initial_history_words, fvi_history_words -- word lists for fvi_parse_word, ended by NULL: held, caputo, rl for
+ * fvi_initial_history (past.h), and auto, direct, exponentials for fvi_history_kind (memory.h). The place of a word is
+ * the number of the enumeration. */
 extern const char *const fvi_initial_history_words[];
 extern const char *const fvi_history_words[];
 
-/* fvi_parse_table -- two columns of a file of rows, all of as many numbers, separated by ';',
- * by ',' or by blanks and tabs; '#' begins a comment.
+/* fvi_parse_table -- Read two columns of a file. All rows have the same number of numbers, separated by ';', by ',' or
+ * by blanks and tabs. '#' starts a comment.
  *
- *   names   of the columns. A line of words above the numbers in which both stand says which these
- *           are, also behind #, if it has as many words as the first row has numbers; one without #
- *           that has not is refused. If there is none, or NULL stands for names, the first two
- *   n       output: rows, at least one
- *   t, v    output: n numbers each, one block, free(*t). t increases
+ *   names   the names of the two columns, or NULL. A line of words above the numbers names the columns, also after '#',
+ *           if it has as many words as the first row has numbers. If such a line has both names, it says which columns
+ *           they are. A line without '#' that has another number of words is refused. If no line has both names, or if
+ *           names is NULL, the first two columns are read
+ *   n       output: the number of rows, at least 1
+ *   t, v    output: n numbers each in one block; free it with free(*t). t increases
  *
- * A fault in the file is said with its line and column. */
+ * The text of an error has the line and the column in the file. */
 int fvi_parse_table(const char *field, const char *file,
                     const char *const names[2], size_t *n, double **t,
                     double **v, fvi_error *error);
 
-/* fvi_parse_named_table -- the same, refused if no line above the numbers has both names. */
+/* fvi_parse_named_table -- Read two columns of a file as fvi_parse_table, but refuse a file in which no line above the
+ * numbers has both names. */
 int fvi_parse_named_table(const char *field, const char *file,
                           const char *const names[2], size_t *n, double **t,
                           double **v, fvi_error *error);
 
-/* fvi_parse_table_columns -- the same of `count` columns, at most FVI_COLUMNS_MOST, in any order of the
- * rows.
+/* fvi_parse_table_columns -- Read `count` columns of a file, at most FVI_COLUMNS_MOST. The first column need not
+ * increase.
  *
- *   names    of each column one or several, "omega|w|frequency"
- *   must_be_named  nonzero: a file in which no line names them all is refused; else the first
- *            `count` stand for them
- *   columns  output: count columns of n numbers each, one block, free(*columns)
- *   which    output: which of its names each column had, from 0; 0 where none stood there */
+ *   names    one text for each column: one name, or several names as "omega|w|frequency"
+ *   must_be_named  nonzero: a file in which no line names all columns is refused. 0: the first `count` columns of such
+ *            a file are read
+ *   n        output: the number of rows
+ *   columns  output: count columns of n numbers each, column after column in one block; free it with free(*columns)
+ *   which    output, count numbers: which of its names each column has in the file, from 0; 0 if the file has no names
+ *   */
 enum { FVI_COLUMNS_MOST = 9 };
 int fvi_parse_table_columns(const char *field, const char *file, size_t count,
                       const char *const *names, int must_be_named, size_t *n,
@@ -89,15 +110,18 @@ int fvi_parse_table_columns(const char *field, const char *file, size_t count,
 
 /* ---- parameters of expressions ---- */
 
-/* fvi_user_parameters -- names and values that expressions may use; begin with a zeroed one. Do
- * not copy one that is in use: name points into names. A value may be changed while no run goes on.
+/* fvi_user_parameters -- names and values that expressions may use. Start with a zeroed struct. Do not copy a struct in
+ * use, because `name` points into `names`. The caller may change a value while no run is in progress.
  *
- *   used  for each, who speaks of it: FVI_USED_BY_POTENTIAL, FVI_USED_BY_FORCE,
- *         FVI_USED_BY_PARAMETER, FVI_USED_BY_DAMPING, FVI_USED_BY_COLUMN, added; of a
- *         Lagrangian _POTENTIAL, and _MECHANISM of an elongation, a constraint, an imposed
- *         coordinate and a force of velocity; of a constraint and an imposed coordinate _CONSTRAINT, too
- *   terms      how many terms of laws were read, and
- *   exchanged  of which of them, a bit each, the parts are exchanged, see fvi_pair_is_exchanged */
+ *   count      number of parameters
+ *   name, value  the name and the value of each parameter
+ *   used       for each parameter, the kinds of expressions that use it, a sum of bits: FVI_USED_BY_POTENTIAL (a
+ *              potential or a Lagrangian), _FORCE, _PARAMETER (the value of another parameter), _DAMPING, _COLUMN,
+ *              _MECHANISM (an elongation, a constraint, an imposed coordinate, or a force of velocity), and _CONSTRAINT
+ *              (a constraint or an imposed coordinate)
+ *   names      the characters of all names
+ *   terms      number of terms of laws that were parsed with these parameters
+ *   exchanged  one bit for each of these terms: its two parts are exchanged (fvi_pair_is_exchanged, parse.h) */
 enum {
     FVI_MOST_EXCHANGED = 4096,
     FVI_MOST_USER_PARAMETERS = 64,
@@ -119,18 +143,20 @@ typedef struct {
     unsigned char exchanged[FVI_MOST_EXCHANGED / 8];
 } fvi_user_parameters;
 
-/* fvi_user_parameters_set -- one more name with a finite value; again with the same value is
- * allowed. Refused: a name that is taken, is no name, or is one too many. */
+/* fvi_user_parameters_set -- Add a name with a finite value. To add a name again with the same value is allowed.
+ *
+ * FVI_EINVAL for a name that has another value already, for a text that is not a name, and for more than
+ * FVI_MOST_USER_PARAMETERS names; FVI_EDOM for a value that is not finite. */
 int fvi_user_parameters_set(fvi_user_parameters *parameters, const char *name,
                             double value, fvi_error *error);
 
-/* fvi_parse_user_parameters -- "k=3,c=2*k": a value may be an expression of the names before
- * it. */
+/* fvi_parse_user_parameters -- Parse a list such as "k=3,c=2*k", and add its parameters. A value may be an expression
+ * of the names before it. */
 int fvi_parse_user_parameters(const char *text,
                               fvi_user_parameters *parameters,
                               fvi_error *error);
 
-/* fvi_user_parameters_are_used -- refuse one that no expression speaks of. */
+/* fvi_user_parameters_are_used -- Return FVI_EINVAL if a parameter is in no expression, else FVI_SUCCESS. */
 int fvi_user_parameters_are_used(const fvi_user_parameters *parameters,
                                  fvi_error *error);
 
