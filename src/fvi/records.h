@@ -1,8 +1,8 @@
-/* src/fvi/records.h -- What a laboratory records, and what may be asked of it.   [H 24]
+/* src/fvi/records.h -- Records of measurements, and the parameters that a fit can find from them.          [H 24]
  *
- * A **record** is one test of a body: increasing times, and what each sensor showed then. A sensor
- * may show a coordinate, a velocity, or an expression of them, such as x2 - x1. Several records of
- * one body may differ in the start and in the force. */
+ * A **record** is one test of a body: increasing times, and the values that each sensor showed at these times. A sensor
+ * may show a coordinate, a velocity, or an expression of them, such as x2 - x1. Several records of one body may differ
+ * in the start and in the force. */
 #ifndef FVI_RECORDS_H
 #define FVI_RECORDS_H
 
@@ -14,14 +14,15 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-enum { FVI_MEASURED_MOST = 8 }; /* columns of a record */
+enum { FVI_MEASURED_MOST = 8 }; /* the largest number of columns of a record */
 
-/* fvi_measured -- one column of a record: what one sensor showed.
+/* fvi_measured -- one column of a record: the values of one sensor. All pointers belong to the caller.
  *
  *   x      n numbers, finite
- *   sigma  standard deviation of each, finite; 0: unknown. Known of all columns, or of none
- *   shows  what the sensor shows, an expression of x1, ..., xd, v1, ..., vd, t, as
- *          fvi_expression_parse_state makes it with velocities; NULL: x of the first coordinate
+ *   sigma  standard deviation of each value, finite, in the unit of x; 0: unknown. It is known for all columns or for
+ *   none
+ *   shows  the quantity that the sensor shows: an expression of x1, ..., xd, v1, ..., vd, t, made by
+ *          fvi_expression_parse_state with velocities; NULL: x of the first coordinate
  *
  *     fvi_expression *drift;
  *     const fvi_symbols names = { "x", 2, NULL, 0 };
@@ -33,12 +34,12 @@ typedef struct {
     const fvi_expression *shows;
 } fvi_measured;
 
-/* fvi_record -- one test.
+/* fvi_record -- one test. All pointers belong to the caller.
  *
- *   n, t      n times, increasing, from t[0] >= 0 on, finite, in any spacing
- *   measured  as many columns as all records of a fit have, in the same order
- *   x0, p0    NULL: those of the run; else d numbers each, its own start
- *   force     NULL: that of the system; else its own */
+ *   n, t      number of times; the times: finite, increasing, t[0] >= 0, in any spacing
+ *   measured  the columns; all records of a fit have the same number of columns, in the same order
+ *   x0, p0    the start of this record, d numbers each; NULL: the start of the run
+ *   force     the force of this record; NULL: the force of the system */
 typedef struct {
     size_t n;
     const double *t;
@@ -47,19 +48,19 @@ typedef struct {
     const fvi_force *force;
 } fvi_record;
 
-/* fvi_free_parameter -- what a fit may look for.
+/* fvi_free_parameter -- a parameter that a fit can find, or a run can be differentiated by.
  *
- *   ALPHA          the order of run->alpha
- *   RHO, MASS, X0, P0  of each coordinate, all alike
- *   OFFSET, DRIFT  of each sensor, which shows offset + drift t more; 0 where not fitted
- *   LAW + 4 i + f  field f of term i of run->law: 0 rho, 1 alpha, 2 time, 3 end. Of two
- *                  springpots in series (MAXWELL2) the fields are the numbers rho1, alpha1, rho2,
- *                  alpha2 of the two, in the order 0, 1, 2, 3
- *   CONSTANT + i   number i of the constants of the potential
- *   + i EACH       of coordinate i alone, from 1; of column i alone; of the law of damper i
+ *   ALPHA              run->alpha
+ *   RHO, MASS, X0, P0  the rho, mass, initial position or initial momentum of all coordinates, with one common value
+ *   OFFSET, DRIFT      the error of all sensors: a sensor shows offset + drift t more than the motion. Both are 0 where
+ *                      they are not fitted
+ *   LAW + 4 i + f      field f of term i of run->law: 0 rho, 1 alpha, 2 time, 3 end. For two springpots in series
+ *                      (MAXWELL2) the fields 0, 1, 2, 3 are rho1, alpha1, rho2, alpha2
+ *   CONSTANT + i       number i of the constants of the potential
+ *   + i EACH           added to one of these, i from 1: coordinate i alone, column i alone, or the law of damper i
  *
- * For example, X0 + 2 EACH is the start of the second coordinate, and LAW + 1 + 3 EACH the order of
- * the first term of the third damper. A start that a record has of its own is not fitted. */
+ * For example, X0 + 2 EACH is the initial position of the second coordinate, and LAW + 1 + 3 EACH is alpha of the first
+ * term of the third damper. If a record has its own start, the start is not fitted to this record. */
 typedef enum {
     FVI_FREE_PARAMETER_ALPHA,
     FVI_FREE_PARAMETER_RHO,

@@ -1,6 +1,6 @@
-/* src/fvi/rheology.h -- Laws of damping from what laboratories measure.    [H 24]
+/* src/fvi/rheology.h -- Fits of a law of damping to measured moduli, creep or relaxation.                [H 24]
  *
- * A law is a sum of elements, such as a spring and zener's. Each has numbers with names. */
+ * A law is a sum of **elements**, such as a spring and a Zener element. Each element has numbers with names. */
 #ifndef FVI_RHEOLOGY_H
 #define FVI_RHEOLOGY_H
 
@@ -12,7 +12,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_element -- the kinds of terms of a law as people know them, with their numbers:
+/* fvi_element -- the kinds of elements, with the names of their numbers. Each is a term of a law (damping_laws.h):
  *
  *     spring       k                               a POWER of order 0
  *     viscous      rho                             a POWER of alpha = 1/2
@@ -33,50 +33,56 @@ typedef enum {
     FVI_ELEMENT_DISTRIBUTED
 } fvi_element;
 
-enum { FVI_ELEMENT_NUMBERS = 4 /* at most */ };
+enum { FVI_ELEMENT_NUMBERS = 4 /* the largest number of numbers of an element */ };
 
-/* fvi_element_words -- "spring" and so on, in the order of the kinds, ended by NULL. */
+/* fvi_element_words -- the names of the kinds, "spring" and so on, in the order of fvi_element, ended by NULL. */
 extern const char *const fvi_element_words[];
 
-/* fvi_element_of -- the kind of a term; of a POWER with alpha = 0 or 1/2 a spring or a dashpot.
- * Not for a SYMBOL. */
+/* fvi_element_of -- Return the kind of a term. A FVI_KERNEL_POWER with alpha = 0 is a spring, one with alpha = 1/2 is
+ * viscous. The term must not be a FVI_KERNEL_SYMBOL. */
 fvi_element fvi_element_of(const fvi_kernel_term *term);
 
-/* fvi_element_number -- the name of number i of a kind, NULL where it has not so many; and in
- * *field, which may be NULL, where a fvi_kernel_term has it: 0 rho, 1 alpha, 2 time, 3 end, as in
- * fvi_free_parameter. */
+/* fvi_element_number -- Return the name of number i of a kind, i from 0; NULL if the kind has no such number.
+ *
+ *   field  output, or NULL: the field of fvi_kernel_term with this number, 0 rho, 1 alpha, 2 time, 3 end, as in
+ *          fvi_free_parameter (records.h)
+ *
+ * For example, number 2 of FVI_ELEMENT_ZENER is "time", in the field 2. */
 const char *fvi_element_number(fvi_element kind, size_t i, size_t *field);
 
-/* fvi_element_number_typed -- the same of a term that was typed: if its parts are exchanged
- * (fvi_pair_is_exchanged, parse.h), rho1 stands where rho2 would, and so on. */
+/* fvi_element_number_typed -- Return the same for a term that was typed. If its two parts are exchanged
+ * (fvi_pair_is_exchanged, parse.h), then rho1 has the field of rho2, and so on. */
 const char *fvi_element_number_typed(fvi_element kind, size_t i, int is_exchanged, size_t *field);
 
-/* fvi_material_test -- what a laboratory measures of a law C(s).          [(24.16), (24.17)]
+/* fvi_material_test -- the measurement of a law C(s).                                   [(24.16), (24.17)]
  *
  *     MODULI      storage + i loss = C(i omega)
  *     CREEP       x(t) under a constant force F from t = 0 on: X(s) = F/(s C(s))
  *     RELAXATION  f(t) at an elongation z from t = 0 on: f(s) = z C(s)/s
  *
- * No mass moves: what is moved has none, or it is over before the first datum. */
+ * The model has no mass. So the specimen must have no inertia, or its effect must end before the first datum. */
 typedef enum { FVI_MATERIAL_MODULI, FVI_MATERIAL_CREEP, FVI_MATERIAL_RELAXATION } fvi_material_test;
 
 enum {
-    FVI_MATERIAL_ELEMENTS = 6, /* at most, of a law that is fitted */
+    FVI_MATERIAL_ELEMENTS = 6, /* the largest number of elements of a fitted law */
     FVI_MATERIAL_NUMBERS = FVI_ELEMENT_NUMBERS * FVI_MATERIAL_ELEMENTS
 };
 
-/* fvi_material_data -- a question: what was measured, and which law it may be.
+/* fvi_material_data -- the data of a fit, and the form of the law. All pointers belong to the caller.
  *
- *   n, at      frequencies omega, or times, n of them, finite, > 0, in any order and spacing
+ *   test       the measurement
+ *   n, at      number of data; the n frequencies omega (in radians per unit of time) or times: finite, > 0, in any
+ *              order and spacing
  *   first      n numbers: storage, x or f
- *   second     n numbers: loss; not read of creep and relaxation
- *   unit, second_unit  NULL: the error of a datum is in proportion to it, to |C| of moduli; or n
- *              numbers > 0 each, to which it is in proportion; second_unit NULL: as unit
- *   sigma      the factor of that: the relative error, or 1 where the units are standard
- *              deviations; 0: unknown
- *   load       F or z, not 0
- *   elements, kind  the law: a sum of so many elements, 1 to FVI_MATERIAL_ELEMENTS
- *   starts     how many searches at most, >= 2; 20 will do */
+ *   second     n numbers: loss; read for moduli only
+ *   unit, second_unit  the size of the error of each datum, up to the factor sigma: n numbers > 0 for `first` and for
+ *              `second`. second_unit NULL: as unit. unit NULL: the error is proportional to the datum, for moduli to
+ *              |C|
+ *   sigma      the factor: the relative error, or 1 if the units are standard deviations; 0: unknown
+ *   load       F or z, not 0; for moduli any number but 0, without effect
+ *   elements, kind  the law: the number of elements, 1 to FVI_MATERIAL_ELEMENTS, and their kinds. Relaxation knows no
+ *              viscous element
+ *   starts     the largest number of searches, 2 to 10000; 20 are enough in general */
 typedef struct {
     fvi_material_test test;
     size_t n;
@@ -88,14 +94,15 @@ typedef struct {
     size_t starts;
 } fvi_material_data;
 
-/* What speaks against an answer. Grave are STARTS, SINGULAR, NEIGHBOURS and CHI2.
+/* Flags of fvi_material: reasons to doubt the answer. STARTS, SINGULAR, NEIGHBOURS and CHI2 are grave: with one of them
+ * do not believe the answer.
  *
  *   STARTS      fewer than two starts agree
  *   SINGULAR    the data do not determine all numbers together
- *   NEIGHBOURS  neighbouring residuals are alike: it is another law
- *   CHI2        with the given sigma chi^2 has a probability below 1e-6
- *   ZERO        an element has the amplitude 0: it is not needed
- *   BOUND       an order or a time is at the end of what is asked for
+ *   NEIGHBOURS  neighbouring residuals are correlated: the data have another law
+ *   CHI2        with the given sigma, chi^2 has a probability below 1e-6
+ *   ZERO        an element has the amplitude 0: the law does not need it
+ *   BOUND       an order or a time is at the end of the range that is searched
  *   OPEN        an interval has no end */
 enum {
     FVI_MATERIAL_STARTS = 1,
@@ -107,14 +114,18 @@ enum {
     FVI_MATERIAL_OPEN = 64
 };
 
-/* fvi_material -- the answer. Numbers stand element after element, each in the order of its
- * names.
+/* fvi_material -- the answer of a fit. The numbers of the elements stand one element after another, each in the order
+ * of the names.
  *
- *   term         the law; with elements of one kind in the order of their times, or orders
- *   estimate, sd, lower, upper  of each number; the interval of 95 % is that of the profile
- *   sigma        as given, or estimated; chi2, probability, quantile, neighbours as in fvi_estimate
- *   starts, agree  searches that were made, and those that led here
- *   flags, grave as above */
+ *   numbers      how many numbers the law has
+ *   term         the law, one term for each element. Elements of one kind are in the order of their times, or of their
+ *                orders if they have no time
+ *   estimate, sd, lower, upper  of each number its estimate, its standard deviation, and its interval of 95 % by the
+ *                profile of chi^2
+ *   sigma        as given, or estimated
+ *   chi2, probability, quantile, neighbours  as in fvi_estimate (identification.h)
+ *   starts, agree  number of searches, and number of searches that led to this answer
+ *   flags, grave  the flags that are set, and the grave flags among them */
 typedef struct {
     size_t numbers;
     fvi_kernel_term term[FVI_MATERIAL_ELEMENTS];
@@ -125,42 +136,48 @@ typedef struct {
     unsigned flags, grave;
 } fvi_material;
 
-/* fvi_material_fit -- the law that is nearest to the data.
+/* fvi_material_fit -- Find the law of a given form that is nearest to the data, by least squares.
  *
- *   curve     NULL, or output: the model at the data, n numbers, of moduli n storage and then n
- *             loss
+ *   data      see above
+ *   curve     NULL, or output: the model at the frequencies or times, n numbers; for moduli n storage moduli and then n
+ *             loss moduli
  *   material  output
  *   error     output or NULL
  *
- * Moduli and relaxation are linear in the amplitudes, so that only half orders and logarithms of
- * characteristic times are searched, by Levenberg and Marquardt with Kaufman's Jacobian, within
- * bounds; creep is searched in all numbers. The starts are a Latin hypercube, the same each time,
- * and end when three agree on the least sum to a part in 10^6. Orders are 2 alpha <= 1.
+ * Moduli and relaxation are linear in the amplitudes. So the method of Levenberg and Marquardt, with Kaufman's Jacobian
+ * and within bounds, searches only the half orders alpha and the logarithms of the characteristic times. For creep it
+ * searches all numbers. The starts are a Latin hypercube, the same in every call. The search ends when three starts
+ * agree on the least sum of squares to a part in 10^6. All orders are 2 alpha <= 1, and all amplitudes are >= 0.
  *
  *     static const fvi_element law[] = { FVI_ELEMENT_SPRING, FVI_ELEMENT_ZENER };
  *     const fvi_material_data data = { FVI_MATERIAL_MODULI, n, w, storage, loss, NULL, NULL, 0, 1,
  *                                      2, law, 20 };
  *     if (fvi_material_fit(&data, NULL, &material, &error) == FVI_SUCCESS && !material.grave) ...
  *
- * Returns FVI_SUCCESS, whatever the flags are; FVI_EFAULT if a pointer is NULL; FVI_EINVAL for n,
- * elements, kind and starts; FVI_EDOM for a number out of range; FVI_EBADFUNC if no start gives
- * finite residuals; FVI_ENOMEM. */
+ * Returns FVI_SUCCESS, whatever the flags are; FVI_EFAULT if a pointer is NULL; FVI_EINVAL for too few data, for
+ * elements, kind and starts, and for a viscous element with relaxation; FVI_EDOM for a number out of range, and for a
+ * datum of 0 without a unit; FVI_EBADFUNC if no start gives finite residuals; FVI_EOVRFLW if the curve of moduli is not
+ * finite; FVI_ENOMEM. */
 int fvi_material_fit(const fvi_material_data *data, double *curve, fvi_material *material,
                      fvi_error *error);
 
-/* fvi_material_curve -- C(i omega), creep or relaxation of a law.        [(24.16)]
+/* fvi_material_curve -- Compute the moduli C(i omega), the creep or the relaxation of a law.        [(24.16)]
  *
- *   test, load, n, at  as above       kernel  has passed fvi_kernel_check, and is overdamped:
- *                                     orders are at most 1
- *   first, second      outputs; second of moduli alone
+ *   test, load, n, at  as in fvi_material_data
+ *   kernel             a law that has passed fvi_kernel_check; creep and relaxation need orders of at most 1
+ *   first, second      outputs, n numbers each; second for moduli only
  *
- * Accuracy of creep and relaxation: 1e-12 relative (seen 2e-13). Returns FVI_SUCCESS; FVI_EFAULT;
- * FVI_EDOM; FVI_ENOMEM. */
+ * Accuracy of creep and relaxation: a relative error of 1e-12 (seen 2e-13).
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EDOM if load is not finite, or a frequency or time is not
+ * finite and > 0; for moduli what fvi_kernel_moduli returns. */
 int fvi_material_curve(fvi_material_test test, const fvi_kernel *kernel, double load, size_t n,
                        const double *at, double *first, double *second, fvi_error *error);
 
-/* fvi_material_flag_text -- 1 and what a flag says, or 0 if it is not up; as
- * fvi_estimate_flag_text. */
+/* fvi_material_flag_text -- Return 1 and write what a flag means for this answer; return 0 if the flag is not set.
+ *
+ *   data, material  the question and its answer
+ *   flag            one flag
+ *   size, text      room for FVI_WARNING_ROOM characters (warnings.h); untouched if the flag is not set */
 int fvi_material_flag_text(const fvi_material_data *data, const fvi_material *material,
                            unsigned flag, size_t size, char *text);
 
