@@ -1,4 +1,4 @@
-/* src/command_exact/fvi_exact.c -- The command `fvi exact` of one mass. */
+/* src/command_exact/fvi_exact.c -- Print the table of `fvi exact` for one mass. */
 #include "fvi_exact.h"
 
 #include "command_shared/fvi_run_rows.h"
@@ -15,21 +15,21 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The rows of a long table, computed before one is printed; x is NULL if they are not. */
+/* All steps of a table, computed before the first row is printed. x is NULL if they are not computed in advance. */
 typedef struct {
     double *x, *v;
     int status;
 } long_table;
 
-/* The rows of the steps in a batch, at most BATCH: each call of fvi_exact_at costs one
- * search for the poles. What it did not compute stays NaN. Returns 0, or 1 after it
- * has said what is wrong. */
+/* Print the rows of `count` steps, at most BATCH. They are computed in one batch, because each call of fvi_exact_at
+ * costs one search for the poles. A value that was not computed stays NaN. Return 0, or 1 after a message on standard
+ * error. */
 enum { BATCH = 512 };
 static int exact_batch(fvi_table *t, const fvi_linear_oscillator *problem,
                        const long_table *all, size_t count, const size_t *step)
 {
     double time[BATCH], x[BATCH], v[BATCH];
-    size_t n = 0; /* times that are finite */
+    size_t n = 0; /* number of times that are finite */
     for (size_t i = 0; i < count; i++) {
         time[i] = (double)step[i] * t->o->h;
         n += isfinite(time[i]) != 0;
@@ -39,7 +39,7 @@ static int exact_batch(fvi_table *t, const fvi_linear_oscillator *problem,
     int status = all->x  ? all->status
                  : n > 0 ? fvi_exact_at(problem, n, time, x, v, NULL)
                          : FVI_SUCCESS;
-    fvi_progress_clear(); /* the rows may go to the same terminal */
+    fvi_progress_clear(); /* the rows may go to the terminal that shows the progress */
     for (size_t i = 0; i < count; i++) {
         double p = problem->m * v[i];
         if (isnan(x[i]))
@@ -71,12 +71,13 @@ static int exact_batches(fvi_table *t, const fvi_linear_oscillator *problem,
     return 0;
 }
 
-/* All steps at once where they are more than a batch and one in 31 or more is a row, as a
- * row by itself costs what tens of them do; or in batches: then, too, if there is no memory
- * for them. With a law fvi_exact_at promises more. */
+/* Print all rows. If there are more steps than fit into a batch, and at least one step in 31 is a row, all steps are
+ * computed by one call of fvi_exact_grid, because a row by itself costs as much as tens of rows of the grid. Otherwise,
+ * or if there is no memory for all steps, the rows are computed in batches. A run with a law always takes batches,
+ * because fvi_exact_at promises a smaller error for it. */
 static int exact_rows(fvi_table *t, const fvi_linear_oscillator *problem)
 {
-    const size_t N = t->o->steps, MOST = (size_t)1 << 24; /* 256 MB */
+    const size_t N = t->o->steps, MOST = (size_t)1 << 24; /* 2 MOST doubles are 256 MB */
     long_table all = { NULL, NULL, FVI_SUCCESS };
     if (N > BATCH && N < MOST && t->o->every < 32 && !problem->law
         && isfinite((double)N * t->o->h))
@@ -85,7 +86,7 @@ static int exact_rows(fvi_table *t, const fvi_linear_oscillator *problem)
         all.v = all.x + N + 1;
         all.status = fvi_exact_grid(problem, t->o->h, N, 0, all.x, all.v, NULL);
         if (all.status != FVI_SUCCESS && all.status != FVI_EOVRFLW
-            && all.status != FVI_ELOSS) { /* nothing was computed */
+            && all.status != FVI_ELOSS) { /* x and v hold nothing of use */
             free(all.x);
             all.x = NULL;
         }
@@ -124,7 +125,7 @@ int fvi_command_exact(const fvi_options *o, const fvi_system *system)
     double re, im;
     const int status = problem.law ? fvi_exact_pole(&problem, &re, &im,
                                                     NULL) : 0;
-    if (status && status != FVI_EDOM) /* EDOM: it does not swing */
+    if (status && status != FVI_EDOM) /* FVI_EDOM: the motion does not oscillate */
         return fvi_complain(
             status == FVI_EUNSUP
                 ? "--damping: a motion with more than three oscillations has "

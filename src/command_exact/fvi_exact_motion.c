@@ -1,4 +1,5 @@
-/* src/command_exact/fvi_exact_motion.c -- `fvi exact` of several masses, and of accelerations and forces. */
+/* src/command_exact/fvi_exact_motion.c -- Print the table of `fvi exact` for several masses, and for accelerations and
+ * forces of dampers. */
 #define _GNU_SOURCE
 #include "fvi_exact.h"
 #include "command_shared/fvi_run_rows.h"
@@ -14,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* p = M v. */
+/* Compute p = M v. Return FVI_SUCCESS or what the function `inertia` of the matrices returns. */
 static int find_momentum(const fvi_system *system, const double *v, double *p)
 {
     const fvi_matrices *m = system->matrices;
@@ -23,7 +24,8 @@ static int find_momentum(const fvi_system *system, const double *v, double *p)
     return m ? m->inertia(system->d, v, m->params, p) : FVI_SUCCESS;
 }
 
-/* Of one row, d numbers each; of the dampers as many as they have. */
+/* Arrays for one row: d numbers each for x, v, p and a, and one number per component of a damper's force for force and
+ * impulse. */
 typedef struct {
     double *x, *v, *p, *a, *force, *impulse;
 } row_room;
@@ -33,7 +35,8 @@ static row_room lay_out(double *room, size_t d, size_t forces)
     return (row_room){ room, room + d, room + 2 * d, room + 3 * d, room + 4 * d, room + 4 * d + forces };
 }
 
-/* Where accelerations or dampers are asked for: forces that are infinite at t = 0 have their mean over the first row. */
+/* Compute the row at one time. If accelerations or forces of dampers are asked for, a force that is infinite at t = 0
+ * is replaced by its mean over the first step. */
 static int observe(fvi_table *t, fvi_exact_motion *motion, double time, row_room *row, fvi_error *error)
 {
     const fvi_exact_outputs out = { row->x, row->v, row->a, row->force, row->impulse };
@@ -64,7 +67,7 @@ static int write_rows(fvi_table *t, fvi_exact_motion *motion, const fvi_system *
     }
 }
 
-/* What the library said, behind the option that its field is. */
+/* Print the error of the library with the name of the option that sets the field of the error. Return 1. */
 static int refuse(const fvi_error *error, int status)
 {
     static const char *const options[][2] = { { "potential", "--potential: " },

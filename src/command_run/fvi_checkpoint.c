@@ -1,4 +1,4 @@
-/* src/command_run/fvi_checkpoint.c -- The state of a run in a file. */
+/* src/command_run/fvi_checkpoint.c -- Write the state of a run to a file, and read it back. */
 #define _GNU_SOURCE
 #include "fvi_checkpoint.h"
 
@@ -17,14 +17,18 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* A file is the head, up to an empty line; the form of the table, its rows and those of the
- * picture, where these are in no file of the user's yet, each behind its length; the pieces
- * that fvi_stepper_archive shows, each behind its length; the checksum of all before. */
+/* A checkpoint has four parts:
+ *
+ *   1. the head, up to an empty line;
+ *   2. the form of the table, the rows of the table, and the rows of the picture. Each of the three has its length in
+ *      front of it. They are empty unless the rows so far are in no file of the user;
+ *   3. the pieces that fvi_stepper_archive lists, each with its length in front of it;
+ *   4. the checksum of everything before it. */
 typedef struct {
-    fvi_archive archive; /* the first: a pointer to it is one to this */
+    fvi_archive archive; /* The first member, so that a pointer to it is also a pointer to the state. */
     FILE *file;
     uint64_t sum;
-    int failed; /* a read or a write */
+    int failed; /* nonzero after a read or a write has failed */
 } state;
 
 static void put(state *f, const void *data, size_t bytes)
@@ -51,7 +55,7 @@ static int save_piece(fvi_archive *v, void *data, size_t bytes, int constant)
     return f->failed ? -1 : 0;
 }
 
-/* What is constant is compared, by parts. */
+/* Compare a constant piece of the file with the data of this run, block by block. */
 static int is_same(state *f, const unsigned char *data, size_t bytes)
 {
     unsigned char part[4096];
@@ -72,8 +76,8 @@ static int load_piece(fvi_archive *v, void *data, size_t bytes, int constant)
     return (constant ? is_same(f, data, bytes) : get(f, data, bytes)) ? 0 : -1;
 }
 
-/* The pieces of the stepper, of its observer where columns have sums, and of the reductions: without sums an
- * observer keeps nothing, and other columns may follow. */
+/* Archive the stepper, its observer and the reductions. The observer is archived only if columns have sums over the
+ * steps. Without such sums an observer stores nothing from step to step, so the run may go on with other columns. */
 static int archive_run(const fvi_table *t, fvi_stepper *s, fvi_archive *archive)
 {
     int status = fvi_stepper_archive(s, archive);
@@ -84,13 +88,14 @@ static int archive_run(const fvi_table *t, fvi_stepper *s, fvi_archive *archive)
 
 /* ---- the rows ---- */
 
-/* What the rows of a table have in common: only such rows can follow them. */
+/* Write the form of the rows: a checksum of --columns, --unknowns and --every, the format, and whether there is a
+ * picture. Saved rows can only be followed by rows of the same form. */
 enum { FORM = 60 };
 static void form_of(const fvi_options *o, char text[FORM])
 {
     static const char *const asked[] = { "columns", "unknowns", "every", NULL };
     const char *name, *value;
-    uint64_t sum = FVI_FIRST_SUM; /* a list of unknowns may be long */
+    uint64_t sum = FVI_FIRST_SUM; /* the options are summed because a list of unknowns may be long */
     for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
         if (fvi_is_one_of(name, asked)) {
             sum = fvi_add_to_sum(sum, name, strlen(name) + 1);
@@ -100,8 +105,8 @@ static void form_of(const fvi_options *o, char text[FORM])
              fvi_format_names[o->format], o->plot ? "plot" : "");
 }
 
-/* The bytes of an open file from one place to another, or to its end if that is 0; of no
- * file none. */
+/* Write the length and the bytes of an open file from `begin` to `end`, or to the end of the file if `end` is 0.
+ * Without a file the length is 0. */
 static void put_part(state *f, FILE *from, off_t begin, off_t end)
 {
     unsigned char part[1 << 14];
@@ -123,7 +128,8 @@ static void put_part(state *f, FILE *from, off_t begin, off_t end)
     }
 }
 
-/* The last row may be none of a longer run: it stands behind the place `last`. */
+/* Write the rows so far. A longer run may not have the last row, because the number of steps need not be a multiple of
+ * --every. Therefore the rows end at t->last, where the last row begins. */
 static void put_rows(state *f, const fvi_table *t)
 {
     char form[FORM] = "";
@@ -137,7 +143,8 @@ static void put_rows(state *f, const fvi_table *t)
     put_part(f, waits ? t->plot : NULL, 0, t->last_drawn);
 }
 
-/* Where the rows stand; the file is behind them then. Returns 0 if their lengths cannot be. */
+/* Find the three parts with the rows. The file is then positioned behind them. Return 0 if a length does not fit into
+ * the file. */
 static int find_rows(fvi_checkpoint *c, off_t size)
 {
     for (int i = 0; i < 3; i++) {
@@ -179,7 +186,7 @@ int fvi_checkpoint_judge_rows(const fvi_checkpoint *c, fvi_table *t)
     const off_t length = c->part[0].length;
     const int waits = fvi_output_waits(t->out);
     if (!c->saved || (c->anew && (waits || length > 0)))
-        return 0; /* all rows are to come */
+        return 0; /* the table begins with its first row */
     if (length == 0 && waits && c->done > 0)
         return fvi_checkpoint_refuse(
             o, "its rows are on standard output, where the rest must go");
@@ -197,13 +204,13 @@ int fvi_checkpoint_judge_rows(const fvi_checkpoint *c, fvi_table *t)
                                         "--plot");
     t->goes_on = c->part[1].length > 0;
     if (c->done == o->steps && o->steps % o->every != 0)
-        t->begin = o->steps; /* which is not among them */
+        t->begin = o->steps; /* the last row was left out when the checkpoint was written */
     return 0;
 }
 
 int fvi_checkpoint_rows(const fvi_checkpoint *c, fvi_table *t)
 {
-    t->first = ftello(t->out); /* -1 of a pipe, which is not asked again */
+    t->first = ftello(t->out); /* -1 for a pipe; t->first is not used then */
     if (t->goes_on
         && (copy_part(c, 1, t->out) != 0 || copy_part(c, 2, t->plot) != 0))
         return fvi_cannot_write(t->o->output);
@@ -217,7 +224,7 @@ int fvi_checkpoint_write(const fvi_checkpoint *c, const fvi_table *t,
 {
     const char *name = t->o->checkpoint;
     fvi_checkpoint_in_rows(1);
-    const int lost = fflush(t->out) != 0; /* rows before the state */
+    const int lost = fflush(t->out) != 0; /* the rows must be written before the state */
     fvi_checkpoint_in_rows(0);
     if (lost)
         return fvi_cannot_write(t->o->output);
@@ -239,7 +246,8 @@ int fvi_checkpoint_write(const fvi_checkpoint *c, const fvi_table *t,
     return fvi_cannot_write(name);
 }
 
-/* Is the last number of the file the sum of all before? The file stays where it is. */
+/* Return nonzero if the last number of the file is the checksum of everything before it. The position in the file does
+ * not change. */
 static int is_whole(FILE *file)
 {
     state f = { .file = file, .sum = FVI_FIRST_SUM };
@@ -261,9 +269,10 @@ static int is_whole(FILE *file)
            && fseek(file, at, SEEK_SET) == 0;
 }
 
-/* The file is whole, and of this problem. If it does not fit all the same, the memory depends
- * on N, and N is another one, or the program has other last digits than the one that wrote it: a run
- * of the new N, or by this program, had other last digits from the first step on, and so it begins anew. */
+/* Read the state of a file whose checksum is right and whose problem is that of this run. If a constant piece differs
+ * all the same, then either the memory depends on the number of steps and the number has changed, or another build of
+ * the program with other last digits wrote the file. In both cases this program would have had other last digits from
+ * the first step on. So the run begins again at the start. */
 static int load_all(fvi_table *t, state *f, fvi_stepper *s, fvi_checkpoint *c)
 {
     const fvi_options *o = t->o;
@@ -271,7 +280,7 @@ static int load_all(fvi_table *t, state *f, fvi_stepper *s, fvi_checkpoint *c)
     c->done = s->k;
     if (s->k > o->steps)
         return fvi_checkpoint_refuse(o, "it is further than --steps");
-    if (status > 0) /* of the library, not of load_piece */
+    if (status > 0) /* an error of the library, not of load_piece */
         return fvi_checkpoint_refuse(o, "not a state of such a run");
     if (status == 0)
         return 0;

@@ -1,4 +1,5 @@
-/* src/command_run/fvi_checkpoint_head.c -- Of which run is a checkpoint? */
+/* src/command_run/fvi_checkpoint_head.c -- Write and compare the heads of checkpoints, which say to which run a
+ * checkpoint belongs. */
 #define _GNU_SOURCE
 #include "fvi_checkpoint_head.h"
 
@@ -14,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* FNV-1a. */
+/* The hash is FNV-1a with 64 bits. */
 uint64_t fvi_add_to_sum(uint64_t sum, const void *data, size_t bytes)
 {
     const unsigned char *at = data;
@@ -23,22 +24,22 @@ uint64_t fvi_add_to_sum(uint64_t sum, const void *data, size_t bytes)
     return sum;
 }
 
-/* What may be another one when a run goes on. */
+/* Return nonzero if this option may change when a run goes on. */
 static int is_free(const char *name)
 {
     static const char *const names[] = { "steps", "time", "columns", "unknowns", "every", NULL };
     return fvi_is_one_of(name, names);
 }
 
-/* A line for each file that was read for the problem, with a digest of what is in it: a file
- * may change, and its name does not tell. Returns 0 if there is no memory. */
+/* Write a line for each file that was read for the problem, with a hash of its contents, because a file may change and
+ * keep its name. Return 0 if there is no memory. */
 static int describe_files(FILE *head)
 {
     char part[1 << 14];
     for (size_t i = 0; i < fvi_marked_files(); i++) {
         const char *name = fvi_marked_file(i);
         if (strcmp(fvi_marked_option(i), "problem") == 0)
-            continue; /* its words stand in the head */
+            continue; /* the head contains the options of that file */
         uint64_t sum = FVI_FIRST_SUM;
         FILE *f = name ? fopen(name, "r") : NULL;
         if (!name || (!f && errno == ENOMEM))
@@ -48,7 +49,7 @@ static int describe_files(FILE *head)
         if (f)
             fclose(f);
         fputs("file ", head);
-        for (const char *c = name; *c; c++) /* it stays one line */
+        for (const char *c = name; *c; c++) /* keep the line a single line */
             fputc((unsigned char)*c < ' ' ? '?' : *c, head);
         fprintf(head, " = %016" PRIx64 "\n", sum);
     }
@@ -67,7 +68,7 @@ char *fvi_checkpoint_head(const fvi_options *o)
     for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
         if (!is_free(name))
             fprintf(f, "%s = %s\n", name, value);
-    if (fvi_options_observes(o)) /* the state has more, then */
+    if (fvi_options_observes(o)) /* then the state has more pieces */
         fprintf(f, "columns with sums = yes\n");
     int whole = describe_files(f);
     fputc('\n', f);
@@ -91,7 +92,7 @@ int fvi_checkpoint_unreadable(const fvi_options *o)
                            : fvi_checkpoint_refuse(o, strerror(errno));
 }
 
-/* The length of "file NAME" in a line; 0 if it is none of those. */
+/* Return the length of "file NAME" in a line of the head, or 0 if the line is about something else. */
 static size_t file_in(const char *line)
 {
     const size_t length = strcspn(line, "\n");
@@ -99,7 +100,8 @@ static size_t file_in(const char *line)
     return is ? length - 19 : 0; /* " = " and 16 digits */
 }
 
-/* The same of a line with a file: it has changed, or only one of the runs reads it. */
+/* Say how two lines differ if at least one of them is about a file: the file has changed, or only one of the runs reads
+ * it. */
 static void tell_files_apart(const char *line, const char *want,
                              const char *head, size_t size, char *why)
 {
@@ -117,8 +119,8 @@ static void tell_files_apart(const char *line, const char *want,
         snprintf(why, size, "a run without the %.*s", (int)wanted, want);
 }
 
-/* How the line of a saved head differs from the wanted one, "name = value" both: by its value,
- * or because one of the two heads has no such name. */
+/* Say how the line of a saved head differs from the wanted line. Both are "name = value". Either the values differ, or
+ * one of the two heads has no such name. */
 static void tell_apart(const char *line, const char *want, const char *head,
                        size_t size, char *why)
 {
@@ -138,9 +140,9 @@ static void tell_apart(const char *line, const char *want, const char *head,
         snprintf(why, size, "a run without %.*s", (int)length, want);
 }
 
-/* Why a file with this first line is refused. Older versions could also sum the history by
- * FFT: whoever saved such a run needs to know which words are left. Returns 0 if the file
- * cannot be read, as errno says. */
+/* Say why a file with this first line is refused. Older versions could also sum the history by FFT. For such a file
+ * the message names the values of --memory that are left. Return 0 if the file cannot be read; errno then has the
+ * reason. */
 static int tell_versions_apart(const char *line, FILE *file, char *why,
                                size_t size)
 {

@@ -1,4 +1,4 @@
-/* src/command_run/fvi_checkpoint_when.c -- When a run is saved, and how a signal ends it. */
+/* src/command_run/fvi_checkpoint_when.c -- Decide when a checkpoint is written, and how a signal ends a run. */
 #define _GNU_SOURCE
 #include "fvi_checkpoint.h"
 
@@ -11,7 +11,7 @@ static const int ends[] = { SIGINT, SIGTERM, SIGHUP };
 enum { ENDS = sizeof ends / sizeof *ends };
 static struct sigaction before[ENDS];
 
-static volatile sig_atomic_t in_rows; /* does the program write rows? */
+static volatile sig_atomic_t in_rows; /* nonzero while the program writes rows */
 
 static void restore_ends(void)
 {
@@ -19,7 +19,8 @@ static void restore_ends(void)
         sigaction(ends[i], &before[i], NULL);
 }
 
-/* The first waits for the end of a step, however long that is; the second does not. */
+/* Note the first signal; the run then ends at the end of its step, however long the step takes. A second signal ends
+ * the program at once. */
 static void note(int number)
 {
     signal_number = number;
@@ -27,7 +28,8 @@ static void note(int number)
     alarm(1);
 }
 
-/* A second later, and again: a reader that does not read keeps no program from its end. */
+/* A second after the first signal, and every second from then on, end the program if it is writing rows, because a
+ * reader that does not read would keep it from its end. */
 static void raise_again(int number)
 {
     (void)number;

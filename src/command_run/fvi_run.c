@@ -1,4 +1,4 @@
-/* src/command_run/fvi_run.c -- The command `fvi run`, step by step. */
+/* src/command_run/fvi_run.c -- Run the command `fvi run` with a given step. */
 #include "fvi_run.h"
 
 #include "command_shared/fvi_run_rows.h"
@@ -23,18 +23,19 @@ double *fvi_run_room(const fvi_table *t)
     const fvi_options *o = t->o;
     const fvi_system system = fvi_options_system(o);
     const fvi_run run = fvi_options_run(o, &system);
-    return fvi_table_room(t, o->error > 0 /* fvi_solve keeps rows */
+    return fvi_table_room(t, o->error > 0 /* fvi_solve keeps all rows */
                                  ? 40 * (double)o->d * (double)o->steps
                                  : fvi_run_bytes(o->method, &run));
 }
 
-/* What is checked along a run: its step, and the inertia of a Lagrangian. */
+/* The two checks along a run: of its step, and of the inertia of a Lagrangian. */
 typedef struct {
     fvi_watch of_step;
     fvi_run_inertia of_inertia;
 } watches;
 
-/* After a step, of a run that has become too stiff for its step, or whose inertia vanishes. Returns a status. */
+/* After a step, warn if the run has become too stiff for its step or if the inertia of its Lagrangian vanishes. Return
+ * FVI_SUCCESS or FVI_ENOMEM. */
 static int warn_along(watches *w, const fvi_stepper *s)
 {
     char text[FVI_WARNING_ROOM];
@@ -46,7 +47,7 @@ static int warn_along(watches *w, const fvi_stepper *s)
     return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
 }
 
-/* Between which rows a step failed; of a run that took too many, how far it came. */
+/* Print between which rows a step failed. If the run took too many steps, print how far it came. Return 1. */
 static int stopped(const fvi_options *o, const fvi_stepper *s, int status)
 {
     fvi_step_statistics counts;
@@ -62,18 +63,20 @@ static int stopped(const fvi_options *o, const fvi_stepper *s, int status)
     return 1;
 }
 
-/* Returns 0, or 1 after it has said at which step the run ended. */
+/* Run to the last step and print the rows. Return 0, or 1 after a message that names the step at which the run
+ * ended. */
 static int steps_and_rows(fvi_table *t, fvi_stepper *s, watches *w,
                           const fvi_checkpoint *c)
 {
     const size_t steps = t->o->steps, d = t->o->d;
-    const size_t often = d < 32 ? 1024 / (d * d) : 1; /* a step may cost d^3 */
+    /* For larger d there are fewer steps between two looks at the clock, because a step may cost d^3 operations. */
+    const size_t often = d < 32 ? 1024 / (d * d) : 1;
     size_t next = t->begin > 0 ? t->begin : fvi_table_next(t, 0),
-           next_check = s->k + often; /* divided by at no step */
+           next_check = s->k + often; /* a comparison, because a division at each step would cost more */
     int status = FVI_SUCCESS;
     if (t->begin == steps)
         fvi_table_mark_last(t);
-    if (t->begin == s->k || t->begin == 0) /* the row where it stands */
+    if (t->begin == s->k || t->begin == 0) /* the row of the current state */
         status = fvi_run_row(t, s, t->begin);
     if (status)
         return fvi_stopped_at(t->begin, status);
@@ -81,7 +84,7 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, watches *w,
            && !fvi_checkpoint_stopped()) {
         const size_t before = s->k;
         status = fvi_run_step(t, s);
-        if (status) /* of the step, or of a reduction after it */
+        if (status) /* the step failed, or a reduction after it */
             return s->k > before && !t->o->method->dense ? fvi_stopped_at(s->k, status)
                                                          : stopped(t->o, s, status);
         status = warn_along(w, s);
@@ -94,7 +97,7 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, watches *w,
         }
         fvi_checkpoint_in_rows(1);
         for (; s->k >= next; next = fvi_table_next(t, next)) {
-            fvi_progress_clear(); /* the rows may go to the same terminal */
+            fvi_progress_clear(); /* the rows may go to the terminal that shows the progress */
             if (next == steps)
                 fvi_table_mark_last(t);
             status = fvi_run_row(t, s, next);
@@ -113,8 +116,8 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, watches *w,
     return status ? fvi_stopped_at(steps, status) : 0;
 }
 
-/* The warning of the step in the head of a table, if there is one, under a name that no other warning has: what is read
- * as JSON keeps one of two. */
+/* Print the warning of the step, if there is one, in the head of a table. If another warning is in the head already, it
+ * gets a second name, because a reader of JSON keeps one of two values with the same name. */
 static void print_warning(FILE *out, const fvi_options *o, const char *unstable)
 {
     if (*unstable)
@@ -135,7 +138,8 @@ void fvi_variable_step_head(FILE *out, const fvi_options *o, int stages,
     fvi_format_parameter(out, o->format, "steps taken", text);
 }
 
-/* How the equation of a step with matrices is solved: in which of them is it implicit? */
+/* Return the name of the solver of a step with matrices. It depends on which of M, C and K the matrix of a step
+ * contains. */
 static const char *solver(const fvi_options *o)
 {
     const fvi_scheme scheme = o->method->scheme;
@@ -144,11 +148,11 @@ static const char *solver(const fvi_options *o)
               uses_damping = stable || staged || scheme == FVI_SCHEME_CQ2_SHIFTED,
               uses_stiffness = stable || staged || (o->kappa > 0 && o->kappa < 1);
     const char *name = fvi_directory_solver(o->directory, 1, uses_damping, uses_stiffness);
-    return staged && strcmp(name, "CHOLMOD") == 0 ? "UMFPACK" : name; /* (27.14) is complex */
+    return staged && strcmp(name, "CHOLMOD") == 0 ? "UMFPACK" : name; /* the matrix of (27.14) is complex */
 }
 
-/* What comes between the head and the end: rows that were saved, then those of the run, with
- * its checkpoints. */
+/* Write the rows between the head and the end: first the rows that were saved, then the rows of the run, with its
+ * checkpoints. Return an exit code. */
 static int rows_and_checkpoints(fvi_table *t, fvi_stepper *s, watches *w,
                                 const fvi_checkpoint *c)
 {
@@ -178,7 +182,7 @@ void fvi_run_print_events(const fvi_table *t, size_t n, const fvi_event_time *at
                                            : NULL);
 }
 
-/* The table of a run that has been started, or goes on. */
+/* Print the whole table of a run that has been started or goes on. Return an exit code. */
 static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
                           const fvi_checkpoint *c)
 {
@@ -203,7 +207,7 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
     watches watch = { .of_step = fvi_watch_begin(o->method, r, *unstable != '\0') };
     fvi_step_statistics counts;
     if (o->method->dense && fvi_stepper_statistics(s, &counts) == 0) {
-        /* how many steps, of a run that goes on, too: not before its end */
+        /* The number of steps is known only at the end of the run, so it is not in this head. */
         fvi_variable_step_head(t->out, o, counts.stages, counts.form, 0);
     }
     fvi_table_names(t);
@@ -242,7 +246,7 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
                     : fvi_no_memory(&error, NULL);
     if (!status)
         status = fvi_run_observe(&t, s, &error);
-    failed = status == FVI_EOVRFLW && s ? fvi_stopped_at(0, status) /* of a reduction */
+    failed = status == FVI_EOVRFLW && s ? fvi_stopped_at(0, status) /* a reduction is not finite */
              : status ? fvi_complain_of_start(o, &error, "run")
                     : fvi_checkpoint_begin(&t, s, &c);
     if (!failed)

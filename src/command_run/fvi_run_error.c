@@ -1,4 +1,4 @@
-/* src/command_run/fvi_run_error.c -- The command `fvi run --error`. */
+/* src/command_run/fvi_run_error.c -- Run the command `fvi run --error`. */
 #include "fvi_run.h"
 
 #include "command_shared/fvi_run_rows.h"
@@ -33,7 +33,7 @@ static int search(const fvi_options *o, const fvi_method *method,
     return status;
 }
 
-/* "1.9e-07, with the step 9.537e-07" */
+/* Write, for example, "1.9e-07, with the step 9.537e-07". */
 static void describe(const fvi_report *found, size_t size, char *text)
 {
     if (found->method->dense)
@@ -43,8 +43,8 @@ static void describe(const fvi_report *found, size_t size, char *text)
                  found->h);
 }
 
-/* How near to the wanted error a search came; and another method is tried before it is
- * advised. x and p are room for its rows, which nobody sees. */
+/* Print how near the search came to the wanted error. Another method is advised only after it has been tried. x and p
+ * are room for the rows of that trial, which are not printed. */
 static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
                          double *p, const fvi_report *found)
 {
@@ -87,7 +87,7 @@ static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
             o->error, own, reached, advice);
 }
 
-/* Returns an exit code. */
+/* Print why the search could not begin. Return an exit code. */
 static int complain_of_search(const fvi_options *o, const fvi_run *r, int status)
 {
     fvi_error error;
@@ -95,7 +95,7 @@ static int complain_of_search(const fvi_options *o, const fvi_run *r, int status
     return fvi_complain_of_start(o, &error, "run");
 }
 
-/* Find the step; say what was found, or how near it came. Returns an exit code. */
+/* Find the step. Print the error that was reached, or how near the search came. Return an exit code. */
 static int find_step(const fvi_options *o, const fvi_run *r, double *x,
                      double *p, double *typed, fvi_report *found, fvi_run_events *events)
 {
@@ -160,7 +160,8 @@ static int print_found(const fvi_options *o, const fvi_system *system,
     return failed;
 }
 
-/* What is wrong with a mechanism, or with its start, has a field and words. Returns an exit code. */
+/* If a mechanism or its start is wrong, print the message of fvi_stepper_start, which names the field. Return an exit
+ * code. */
 static int check_start(const fvi_options *o, const fvi_run *r)
 {
     fvi_error error = { 0 };
@@ -171,7 +172,7 @@ static int check_start(const fvi_options *o, const fvi_run *r)
                                                        : fvi_stepper_free(s);
 }
 
-/* Of a Lagrangian whose inertia vanishes between the rows that were found. Returns an exit code. */
+/* Warn if the inertia of a Lagrangian vanishes between the rows. Return an exit code. */
 static int warn_of_inertia(const fvi_options *o, const fvi_system *system, size_t rows,
                            const double *x, const double *p)
 {
@@ -191,8 +192,9 @@ int fvi_command_error(const fvi_options *o, const fvi_system *system)
     if (refused)
         return refused;
     fvi_table_shape(&t, o, system);
+    /* The room for the output is allocated first, so that a lack of memory is found before the search. */
     double *rows =
-        fvi_run_room(&t); /* is there enough, before anything is tried? */
+        fvi_run_room(&t);
     const size_t count = o->steps + 1,
                  width = 2 * o->d + fvi_typed_columns_count(o->typed);
     double *x = rows ? malloc(count * width * sizeof *x) : NULL;

@@ -1,4 +1,4 @@
-/* src/command_run/fvi_snapshot.c -- All unknowns at the end of a run. */
+/* src/command_run/fvi_snapshot.c -- Write all unknowns at the end of a run to a file. */
 #include "fvi_run.h"
 
 #include "output/fvi_complain.h"

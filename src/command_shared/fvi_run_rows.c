@@ -1,4 +1,4 @@
-/* src/command_shared/fvi_run_rows.c -- The rows of a run, with what an observer tells of it. */
+/* src/command_shared/fvi_run_rows.c -- Print the rows of a run, with the columns that an observer provides. */
 #include "fvi_run_rows.h"
 
 #include "output/fvi_format.h"
@@ -16,7 +16,7 @@ static int reduces(const fvi_table *t)
     return fvi_reductions_count(t->o->typed) > 0;
 }
 
-/* The values at a time go into the reductions: where the run stands, or within its last step. */
+/* Add the values at a time to the reductions. The time is that of the stepper, or lies within its last step. */
 static int reduce_at(fvi_table *t, const fvi_stepper *s, double time)
 {
     fvi_observation now;
@@ -26,8 +26,9 @@ static int reduce_at(fvi_table *t, const fvi_stepper *s, double time)
     return status ? status : fvi_reductions_add(t->o->typed, time);
 }
 
-/* A step that began at `begin`, behind row `row`, goes into the reductions. A method that chooses its steps may
- * pass over many rows, and a peak among them, in one: they are taken, too, but at its ends. */
+/* Add the last step to the reductions. It began at the time `begin` with s->k = row. A method that chooses its steps
+ * may pass many rows in one step, with a peak among them. Therefore the rows within the step are added, too, except
+ * where a row falls on an end of the step. */
 static int reduce(fvi_table *t, const fvi_stepper *s, double begin, size_t row)
 {
     const double h = t->o->h, least = 1e-6 * h;
@@ -101,7 +102,7 @@ int fvi_run_reductions(fvi_table *t)
 {
     if (!reduces(t))
         return FVI_SUCCESS;
-    fvi_table_mark_last(t); /* a longer run has another one */
+    fvi_table_mark_last(t); /* a longer run has another row of reductions */
     fvi_run_reduced(t, t->rows);
     if (!fvi_all_finite(t->width, t->rows))
         return FVI_EOVRFLW;
@@ -154,7 +155,7 @@ int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
                       const double *typed)
 {
     const size_t d = t->o->d;
-    if (reduces(t)) /* they were taken on the way */
+    if (reduces(t)) /* the reductions were taken during the search */
         return FVI_SUCCESS;
     if (!fvi_options_needs_stepper(t->o))
         return fvi_run_state_row(t, k, x + k * d, p + k * d);

@@ -1,4 +1,4 @@
-/* src/command_shared/fvi_run_search.c -- A run to a wanted error, with its typed columns and its events. */
+/* src/command_shared/fvi_run_search.c -- Make a run to a wanted error, with its typed columns and its events. */
 #include "fvi_run_search.h"
 
 #include "options/fvi_option_columns.h"
@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where the typed columns of all rows go, and events. `next` is the row that comes next: there stands the last
- * event, until there is such a row. */
+/* The arrays for the rows, the typed columns of all rows, and the events. `next` is the number of the next row. Until
+ * that row is reached, its place holds the state at the last event. */
 typedef struct {
     const fvi_options *o;
     double *x, *p, *rows;
@@ -48,14 +48,16 @@ static int keep_typed(size_t k, const fvi_observation *now, void *params)
                                     t->rows + k * fvi_typed_columns_count(t->o->typed));
 }
 
-/* The same where the run stands between two rows: an event may end it there. */
+/* Write the typed columns of a state between two rows to the place of the next row, because an event may end the run
+ * there. */
 static int keep_between(const fvi_observation *now, void *params)
 {
     const typed_rows *t = params;
     return t->next > t->o->steps ? FVI_SUCCESS : keep_typed(t->next, now, params);
 }
 
-/* At a row and at each step of the run that was found, in the order of the times. */
+/* Add a row, or a step between two rows, to the reductions. fvi_solve calls these functions in the order of the
+ * times. */
 static int reduce_step(const fvi_observation *now, void *params)
 {
     const fvi_options *o = ((const typed_rows *)params)->o;

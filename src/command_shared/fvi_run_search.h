@@ -1,4 +1,4 @@
-/* src/command_shared/fvi_run_search.h -- A run to a wanted error, with its typed columns and its events. */
+/* src/command_shared/fvi_run_search.h -- Make a run to a wanted error, with its typed columns and its events. */
 #ifndef FVI_RUN_SEARCH_H
 #define FVI_RUN_SEARCH_H
 
@@ -6,12 +6,16 @@
 
 #include <fvi/solve.h>
 
-/* fvi_run_search -- the rows k = 0, ..., steps of r by this method, right to o->error; x and p
- * have room for them, and typed, or NULL, for the typed columns of each row, which are filled in if
- * x and p are not enough for them. Returns what fvi_solve returns; reductions have then seen
- * each step of the run that was found. The events of it are added to `events`, unless that is NULL; free
- * events->at. An event may have ended the run: found->rows rows are there, and in the place of the next one stands
- * the event, unless that is at the last row. */
+/* fvi_run_search -- Compute the rows k = 0, ..., steps of r by this method, with an error of x of at most o->error.
+ *
+ *   x, p    outputs, d numbers for each row
+ *   typed   output, the typed columns of each row, or NULL. It is written only if the columns need more than x and p
+ *   found   output, the report of fvi_solve
+ *   events  the events are added to it, unless it is NULL; the caller frees events->at
+ *
+ * An event may have ended the run. Then there are found->rows rows, and the place of the next row holds the state at
+ * the event, unless the event is at the last row. Return what fvi_solve returns. The reductions then contain each step
+ * of the run that was found. */
 typedef struct {
     size_t count, room;
     fvi_event_time *at;

@@ -1,4 +1,4 @@
-/* src/command_shared/fvi_run_start.c -- Why a run could not begin, in the words of its options. */
+/* src/command_shared/fvi_run_start.c -- Say why a run could not begin, with the names of its options. */
 #include "fvi_run_start.h"
 
 #include "options/fvi_option_columns.h"
@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The option of a field of the library's. */
+/* Return the option that sets this field of the library. */
 static const char *option_of(const fvi_options *o, const char *field)
 {
     static const char *const options[][2] = {
@@ -25,7 +25,7 @@ static const char *option_of(const fvi_options *o, const char *field)
     return field;
 }
 
-/* With the option in the place of the field, and the text of an event in that of its number. */
+/* Replace the field of the error by its option, and the number of an event by its text. */
 static void name_option(const fvi_options *o, fvi_error *error)
 {
     char text[sizeof error->text];
@@ -56,9 +56,9 @@ void fvi_reason_of_start(const fvi_options *o, const fvi_run *r, int status, fvi
     name_option(o, error);
 }
 
-/* What the parser let through is in range: without a field FVI_EINVAL is a number of steps that no
- * memory is made for, FVI_EDOM an m / h, FVI_EUNSUP a start of fvi-adaptive, or a law that
- * stages do not take. */
+/* The parser has checked the ranges. So without a field the codes have few causes. FVI_EINVAL: there are too many steps
+ * for a compressed memory. FVI_EDOM: m / h is not finite. FVI_EUNSUP: fvi-adaptive does not take the start, or the
+ * stages do not take the law. */
 const char *fvi_reason_of_code(const fvi_options *o, int status)
 {
     return status == FVI_ENOMEM ? "not enough memory"

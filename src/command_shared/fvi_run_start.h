@@ -1,4 +1,4 @@
-/* src/command_shared/fvi_run_start.h -- Why a run could not begin, in the words of its options. */
+/* src/command_shared/fvi_run_start.h -- Say why a run could not begin, with the names of its options. */
 #ifndef FVI_RUN_START_H
 #define FVI_RUN_START_H
 
@@ -6,16 +6,16 @@
 
 #include <fvi/trajectory.h>
 
-/* fvi_complain_of_start -- why a run of this command could not begin, on standard error: with the option
- * that the error's field is about, or by its code. Returns an exit code. */
+/* fvi_complain_of_start -- Print on standard error why a run of this command could not begin. The message names the
+ * option that sets the error's field; without a field it follows from the code. Return an exit code. */
 int fvi_complain_of_start(const fvi_options *o, const fvi_error *error, const char *command);
 
-/* fvi_reason_of_code -- why a run could not begin if the library named no field: with the option that its
- * code speaks of before it. */
+/* fvi_reason_of_code -- Return why a run could not begin if the library named no field. The text begins with the option
+ * to which the code refers, if it refers to one. */
 const char *fvi_reason_of_code(const fvi_options *o, int status);
 
-/* fvi_reason_of_start -- why a run, or its observer, could not begin, of which only the status came back: both
- * are started once more. A field of the error is an option; NULL if nothing more is known. */
+/* fvi_reason_of_start -- Find out why a run or its observer could not begin, given only the status. To find out, both
+ * are started once more. The field of the error is the name of an option, or NULL if nothing more is known. */
 void fvi_reason_of_start(const fvi_options *o, const fvi_run *r, int status, fvi_error *error);
 
 #endif

@@ -1,4 +1,4 @@
-/* src/command_shared/fvi_run_warn.c -- What is said of a run that goes on all the same. */
+/* src/command_shared/fvi_run_warn.c -- Warn of runs that go on all the same. */
 #include "fvi_run_warn.h"
 
 #include "output/fvi_complain.h"

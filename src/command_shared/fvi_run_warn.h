@@ -1,4 +1,4 @@
-/* src/command_shared/fvi_run_warn.h -- What is said of a run that goes on all the same. */
+/* src/command_shared/fvi_run_warn.h -- Warn of runs that go on all the same. */
 #ifndef FVI_RUN_WARN_H
 #define FVI_RUN_WARN_H
 
@@ -7,16 +7,18 @@
 #include <fvi/trajectory.h>
 #include <fvi/warnings.h>
 
-/* fvi_run_warn -- on standard error, before a run that has no limit, or must blow up; it goes on
- * all the same. What is said of the step is left in text, for the head: room for
- * FVI_WARNING_ROOM. Returns 0, or 1 after a complaint, where there is no memory to find out. */
+/* fvi_run_warn -- Warn on standard error, before the first step, of a run without a solution as h goes to 0, and of a
+ * run that must grow without bound because its step is too long. The run goes on all the same. The warning of the step
+ * is also written to `text`, which has room for FVI_WARNING_ROOM bytes, for the head. Return 0, or 1 after a message if
+ * there is no memory for the check. */
 int fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
                   char *text);
 
-/* fvi_run_check_inertia -- after each step: is it singular, whose text has FVI_WARNING_ROOM? Each check costs as much as
- * a part of a step, so not all steps are followed by one. Returns 1 if so, -1 without memory. Without a watch 0.
- * fvi_run_inertia_of_rows -- fvi_warning_of_inertia_in_rows of so many rows that a search has found, for a text of
- * FVI_WARNING_ROOM; 0 without a Lagrangian, -1 without memory. */
+/* fvi_run_check_inertia -- Call after each step. Check whether the inertia is singular, and write the warning to
+ * `text`, which has room for FVI_WARNING_ROOM bytes. A check costs as much as a part of a step, so not every step is
+ * checked. Return 1 if there is a warning, 0 if not or if there is no watch, -1 without memory.
+ * fvi_run_inertia_of_rows -- Call fvi_warning_of_inertia_in_rows for the rows that a search has found. `text` has room
+ * for FVI_WARNING_ROOM bytes. Return as above; 0 without a Lagrangian. */
 typedef struct {
     fvi_inertia_watch *watch;
     size_t steps;

@@ -1,4 +1,5 @@
-/* src/command_shared/fvi_subcommand_options.c -- Commands with options of their own beside those of run. */
+/* src/command_shared/fvi_subcommand_options.c -- Parse the commands that have options of their own beside those of `fvi
+ * run`. */
 #include "fvi_subcommand_options.h"
 #include "input/fvi_problem_words.h"
 #include "output/fvi_format.h"
@@ -6,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Words on their way: those of run are kept. */
+/* The state of the parser. The options of `fvi run` are collected in `run`. */
 typedef struct {
     const fvi_own_command *command;
     fvi_subcommand_options *w;
@@ -15,7 +16,7 @@ typedef struct {
     fvi_error *c;
 } sorter;
 
-/* The number of this long option, "--name" or "--name=value", or -1. */
+/* Return the index of the option that the word "--name" or "--name=value" gives, or -1. */
 static int index_of(const char *word, const char *const *names)
 {
     for (int i = 0; names[i]; i++)
@@ -29,14 +30,15 @@ static int is_without(const fvi_own_command *command, const char *name)
     return fvi_is_one_of(name, command->with ? command->with : command->without) == !command->with;
 }
 
-/* Is it an option of run, and of this command? */
+/* Return nonzero if the option belongs to `fvi run` and to this command. */
 static int is_shared(const fvi_own_command *command, option_index i)
 {
     return fvi_option_is_known(FVI_COMMAND_RUN, i)
            && !is_without(command, fvi_option_list[i].name);
 }
 
-/* An option of another command, or of none: a slip of the finger, perhaps. */
+/* Refuse an option of another command, or an unknown option. For an unknown one the message names the nearest known
+ * option, because it may be a typing error. */
 static int refuse_option(const sorter *s, const char *word, option_index i)
 {
     const char *names[FVI_SUBCOMMAND_MOST + OPTIONS + 3];
@@ -129,8 +131,9 @@ int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char 
     if (!status)
         status = fvi_options_parse(s.count + 2, run, o, c);
     free(run);
+    /* Without these options the mechanism comes from a mass of 0 or from a potential that contains t. */
     if (!status && o->mechanism && !o->text[DAMPER] && !o->text[LAGRANGIAN]
-        && !o->text[CONSTRAINT] && !o->text[IMPOSE] && !o->text[FORCE_ON]) /* a mass of 0, a potential with t in it */
+        && !o->text[CONSTRAINT] && !o->text[IMPOSE] && !o->text[FORCE_ON])
         return fvi_refuse(c, o->potential_has_time ? "potential" : "mass", "'%s' is not for %s",
                           o->text[o->potential_has_time ? POTENTIAL : MASS], command->name);
     return status;

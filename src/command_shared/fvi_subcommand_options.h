@@ -1,5 +1,5 @@
-/* src/command_shared/fvi_subcommand_options.h -- Commands with options of their own beside those of
- * `fvi run`: fit, gradient, response and poles. */
+/* src/command_shared/fvi_subcommand_options.h -- Parse the commands that have options of their own beside those of `fvi
+ * run`: fit, gradient, response and poles. */
 #ifndef FVI_SUBCOMMAND_OPTIONS_H
 #define FVI_SUBCOMMAND_OPTIONS_H
 
@@ -8,50 +8,50 @@
 #include <stdio.h>
 
 enum {
-    FVI_SUBCOMMAND_MOST = 6, /* options of its own that a command may have */
+    FVI_SUBCOMMAND_MOST = 6, /* the most options of its own that a command may have */
     FVI_OPERANDS_MOST = 64,
     FVI_PRESETS_MOST = 5
 };
 
 struct fvi_subcommand_options;
 
-/* What such a command knows. */
+/* The syntax of such a command. Lists of names are without hyphens and end with NULL. */
 typedef struct {
     const char *name;
-    /* Its options without hyphens, ended by NULL. The last is the name of a file to be written, and
-     * not in the head of fvi_subcommand_options_head. */
+    /* The options of its own. The last option is the name of an output file, so fvi_subcommand_options_head leaves it
+     * out. */
     const char *own[FVI_SUBCOMMAND_MOST + 1];
-    const char *const *without; /* options of run that it has not, likewise; NULL: see with */
-    char *method; /* "--method=M" where none is given; NULL: that of run */
-    int operand;  /* so many words may be no options */
-    const char *const *with; /* or those that it has, likewise, and no others */
-    const char *flag;        /* its option that has no value, or NULL */
+    const char *const *without; /* options of run that the command does not have; NULL: see with */
+    char *method; /* "--method=M", used if no method is given; NULL: as for run */
+    int operand;  /* the most operands that are allowed */
+    const char *const *with; /* the only options of run that the command has; NULL: see without */
+    const char *flag;        /* its option without a value, or NULL */
     const char *no_events;   /* why it has no --event, or NULL */
-    char *const *presets;    /* words for run, where they are not given; ended by NULL */
-    /* NULL, or one more word for run that the operands ask for, which is written to `text`, or no
-     * letter: the words for run so far are given, too. */
+    char *const *presets;    /* options for run, each used unless it is given; ended by NULL */
+    /* NULL, or a function that writes one more option for run to `text`, or the empty string. The operands decide
+     * which. `run` contains the options for run so far. */
     void (*more)(const struct fvi_subcommand_options *w, char *const *run, size_t size, char *text);
 } fvi_own_command;
 
-/* What the words say of that. */
+/* The options of such a command, as they were given. */
 typedef struct fvi_subcommand_options {
-    const char *own[FVI_SUBCOMMAND_MOST]; /* texts, in that order, or NULL */
-    const char *operand;           /* the first, or NULL */
+    const char *own[FVI_SUBCOMMAND_MOST]; /* the values of its own options, in the order of own; NULL if not given */
+    const char *operand;           /* the first operand, or NULL */
     const char *all[FVI_OPERANDS_MOST];
-    size_t operands;               /* of them */
-    int flag;                      /* is the flag given? */
-    int given[OPTIONS];            /* is this option of run? */
-    char more[64];                 /* the word that the operands asked for */
+    size_t operands;               /* number of operands */
+    int flag;                      /* nonzero if the flag is given */
+    int given[OPTIONS];            /* nonzero for each option of run that is given */
+    char more[64];                 /* the option that the operands asked for */
 } fvi_subcommand_options;
 
-/* fvi_subcommand_options_parse -- sort the words of main behind the name of the command: its own
- * into w, which is all 0, those of run into o. Returns as fvi_options_parse, and o, all 0 before, is to
- * be freed in each case. */
+/* fvi_subcommand_options_parse -- Sort the words after the name of the command: the options of its own into w, the
+ * options of run into o. Both are all 0 before. Return what fvi_options_parse returns. Free o with fvi_options_free in
+ * each case. */
 int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char **argv,
                         fvi_subcommand_options *w, fvi_options *o, fvi_error *c);
 
-/* fvi_subcommand_options_head -- the head of a table: the version, the options of run that the
- * command has, and its own that are given. */
+/* fvi_subcommand_options_head -- Print the head of a table: the version, the options of run that the command has, and
+ * the options of its own that are given, except the last. */
 void fvi_subcommand_options_head(FILE *out, const fvi_own_command *command,
                         const fvi_subcommand_options *w, const fvi_options *o);
 
