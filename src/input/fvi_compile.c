@@ -1,4 +1,4 @@
-/* src/input/fvi_compile.c -- A file of C becomes a shared object. */
+/* src/input/fvi_compile.c -- Compile a C file to a shared object. */
 #define _GNU_SOURCE
 #include "fvi_compile.h"
 
@@ -19,8 +19,7 @@ extern char **environ;
 
 enum { PATH = PATH_MAX + 64 };
 
-/* -I for the headers beside this program: where `make install` puts them, and where they
- * are in the folder that it was made in. */
+/* Write the options -I for the headers of this program: where `make install` puts them, and in the source tree. */
 static void includes(char flag[2][PATH])
 {
     static const char *const places[] = { "include", "src" };
@@ -40,7 +39,7 @@ static const char *compiler(void)
     return cc && cc[strspn(cc, " ")] ? cc : "cc";
 }
 
-/* The words of $CC, as in "ccache gcc -m64", and how many. */
+/* Split the value of $CC into words, as in "ccache gcc -m64". Return their number. */
 static size_t split(char *cc, const char **words)
 {
     size_t count = 0;
@@ -51,7 +50,7 @@ static size_t split(char *cc, const char **words)
     return count;
 }
 
-/* The signals that end the program, unless it ignores them. */
+/* Collect the signals that end the program. Signals that the program ignores are left out. */
 static void find_ends(sigset_t *ends)
 {
     const int deadly[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU };
@@ -62,7 +61,7 @@ static void find_ends(sigset_t *ends)
             sigaddset(ends, deadly[i]);
 }
 
-/* Ends the compiler and what it has started: it has a second to remove its own files. */
+/* End the compiler and its child processes. They have a second to remove their own files. */
 static void end_compiler(pid_t child)
 {
     const struct timespec pause = { .tv_nsec = 50000000 };
@@ -74,8 +73,9 @@ static void end_compiler(pid_t child)
     waitpid(child, &ended, 0);
 }
 
-/* Waits for the compiler, which may hang: a signal that ends the program ends it, and comes
- * again when signals are let through. Returns 0 if the compiler ended well. */
+/* Wait for the compiler, which may hang. If a signal comes that ends the program, end the compiler, and raise the
+ * signal again, so that it ends the program when signals are unblocked. Return 0 if the compiler ended without an
+ * error. */
 static int wait_for(pid_t child)
 {
     const struct timespec pause = { .tv_nsec = 200000000 };
@@ -96,8 +96,8 @@ static int wait_for(pid_t child)
     return found != child || ended != 0;
 }
 
-/* Starts the compiler, under these blocked signals, in a group of its own; it says what it has
- * to say into the file `log`, and reads nothing. Returns 0 if it runs. */
+/* Start the compiler with these blocked signals, in a process group of its own. Its messages go to the file `log`, and
+ * its standard input is empty. Return 0 if it runs. */
 static int start(const char **words, const char *log, const sigset_t *blocked,
                  pid_t *child)
 {
@@ -121,7 +121,7 @@ static int start(const char **words, const char *log, const sigset_t *blocked,
     return failed;
 }
 
-/* Runs the compiler. Returns 0, or 1. */
+/* Run the compiler. Return 0, or 1. */
 static int run_compiler(const char *file, const char *object, const char *log,
                         const sigset_t *blocked)
 {
@@ -140,7 +140,7 @@ static int run_compiler(const char *file, const char *object, const char *log,
     return start(words, log, blocked, &child) || wait_for(child);
 }
 
-/* The first line of the log that speaks of an error. */
+/* Copy the first line of the log that contains "error". */
 static void first_error(const char *log, size_t size, char *line)
 {
     FILE *f = fopen(log, "r");
@@ -165,7 +165,7 @@ int fvi_compile(const char *file, void **library, size_t size, char *why)
     if (length >= (int)sizeof place)
         errno = ENAMETOOLONG;
     sigfillset(
-        &all); /* what would end the program waits until the folder is gone */
+        &all); /* a signal that would end the program waits until the folder is removed */
     sigprocmask(SIG_BLOCK, &all, &before);
     if (length >= (int)sizeof place || !mkdtemp(place)) {
         snprintf(why, size, "no folder for the compiler: %s", strerror(errno));
@@ -178,7 +178,7 @@ int fvi_compile(const char *file, void **library, size_t size, char *why)
         first_error(log, size, why);
     else if (!(*library = dlopen(object, RTLD_NOW)))
         snprintf(why, size, "%s", dlerror());
-    remove(object); /* what is loaded stays */
+    remove(object); /* the loaded object stays in memory */
     remove(log);
     rmdir(place);
     sigprocmask(SIG_SETMASK, &before, NULL);

@@ -1,19 +1,18 @@
-/* src/input/fvi_compile.h -- A file of C becomes a shared object. */
+/* src/input/fvi_compile.h -- Compile a C file to a shared object. */
 #ifndef FVI_COMPILE_H
 #define FVI_COMPILE_H
 
 #include <stddef.h>
 
-/* fvi_compile -- by $CC, or cc, with the headers of this program, in a folder of its own
- * under $TMPDIR that is gone when this returns; a signal that comes meanwhile waits so
- * long. $CC may be several words, "ccache gcc -m64", none of them in
- * quotes.
+/* fvi_compile -- Compile a C file with $CC, or cc, and load it. The headers of this program are found. The compiler
+ * works in a temporary folder under $TMPDIR, which is removed before this function returns. A signal waits until then.
+ * $CC may consist of several words, as in "ccache gcc -m64", but not of words in quotes.
  *
- *   file     a path that begins with a slash or a dot: not an option of the compiler
- *   library  output: as dlopen gives it, or NULL
- *   why      output, room for size: what was wrong, one line
+ *   file     a path that begins with a slash or a dot, so that it is not taken for an option
+ *   library  output: the handle of dlopen, or NULL
+ *   why      output: what was wrong, in one line of at most size bytes
  *
- * Returns 0, or 1. */
+ * Return 0, or 1. */
 int fvi_compile(const char *file, void **library, size_t size, char *why);
 
 #endif

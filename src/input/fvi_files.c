@@ -1,5 +1,5 @@
-/* src/input/fvi_files.c -- Which file does a name stand for? */
-#define _GNU_SOURCE /* PATH_MAX */
+/* src/input/fvi_files.c -- Find out which file a name stands for, and which files were read. */
+#define _GNU_SOURCE /* for PATH_MAX */
 #include "fvi_files.h"
 
 #include <limits.h>
@@ -9,8 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The ordinary file of this name, `last` being ""; if there is none, the folder in which it
- * would be made, and its last name. Returns 0 if there is neither. */
+/* Find the ordinary file of this name; `last` is then "". If it does not exist, find the folder in which it would be
+ * made; `last` is then its name in that folder. Return 0 if neither exists. */
 static int find(const char *name, struct stat *file, const char **last)
 {
     char folder[PATH_MAX];
@@ -51,7 +51,7 @@ static struct {
     dev_t device;
     ino_t number;
 } inputs[KEPT];
-static size_t marks; /* with those that were written over */
+static size_t marks; /* number of all marks, including those that were overwritten */
 
 void fvi_mark_read(const char *option, const char *name)
 {

@@ -1,5 +1,5 @@
-/* src/input/fvi_problem_words.c -- The words of the command line in a file. */
-#define _GNU_SOURCE /* getline, asprintf */
+/* src/input/fvi_problem_words.c -- Read options of the command line from a file. */
+#define _GNU_SOURCE /* for getline and asprintf */
 #include "fvi_problem_words.h"
 #include "fvi_files.h"
 
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The words on their way, ended by NULL. */
+/* The list of words, ended by NULL. */
 typedef struct {
     char **word;
     int count, room;
@@ -44,7 +44,7 @@ static char *trim(char *text)
     return text;
 }
 
-/* "NAME VALUE", "NAME = VALUE" or "NAME" alone. */
+/* Add the words of a line: "NAME VALUE", "NAME = VALUE" or "NAME" alone. */
 static int take_line(list *l, const char *file, size_t number, char *line,
                      fvi_error *error)
 {
@@ -66,7 +66,7 @@ static int take_line(list *l, const char *file, size_t number, char *line,
         value = trim(value + 1);
     else if (*value == '\0')
         value = NULL;
-    const int is_output = name == 1 && *line == 'o'; /* -o FILE */
+    const int is_output = name == 1 && *line == 'o'; /* -o FILE, which makes two words */
     if (asprintf(&word, "%s%.*s%s%s", is_output ? "-" : "--", (int)name, line,
                  value && !is_output ? "=" : "",
                  value && !is_output ? value : "")
@@ -78,7 +78,7 @@ static int take_line(list *l, const char *file, size_t number, char *line,
     return status;
 }
 
-/* Editors on Windows begin a file with a mark of its encoding. */
+/* Skip the byte order mark with which editors on Windows begin a file. */
 static char *behind_mark(char *line)
 {
     return strncmp(line, "\xef\xbb\xbf", 3) == 0 ? line + 3 : line;
@@ -126,7 +126,7 @@ int fvi_option_with_value(char *const *words, int *i, const char *name, const ch
 
 int fvi_problem_words(int *argc, char ***argv, fvi_error *error)
 {
-    static list l; /* as long as the process: options point into it */
+    static list l; /* The list lives as long as the process, because options point into it. */
     int found = 0, status = 0;
     for (int i = 0; i < *argc && !status; i++) {
         const char *file;

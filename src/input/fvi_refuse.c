@@ -1,4 +1,4 @@
-/* src/input/fvi_refuse.c -- What is wrong with what was typed, in one line. */
+/* src/input/fvi_refuse.c -- Describe in one line what is wrong with the command line. */
 #include "fvi_refuse.h"
 
 #include <stdio.h>
@@ -13,7 +13,7 @@ int fvi_refuse_option(fvi_error *error, const char *given,
                       nearest ? nearest : "", nearest ? "?" : "");
 }
 
-/* The data of a fit are no option; -o has one hyphen. */
+/* Return the hyphens of an option: none for DATA of a fit, which is no option, one for -o, else two. */
 static const char *hyphens(const char *field)
 {
     return strncmp(field, "DATA", 4) == 0 ? "" : strcmp(field, "o") == 0 ? "-" : "--";

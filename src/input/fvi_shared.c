@@ -1,4 +1,4 @@
-/* src/input/fvi_shared.c -- A potential from a shared object, or from a file of C. */
+/* src/input/fvi_shared.c -- Load a potential from a shared object or from a C file. */
 #define _GNU_SOURCE
 #include "fvi_shared.h"
 #include "fvi_compile.h"
@@ -20,7 +20,7 @@ int fvi_shared_name(const char *text)
     return ends_with(text, ".so") || ends_with(text, ".c");
 }
 
-/* A sweep asks for the same file before each of its runs: it is compiled once, and stays. */
+/* The first C file that was compiled. It stays loaded, because a sweep opens the same file before each of its runs. */
 static char *compiled;
 static void *kept;
 
@@ -45,8 +45,8 @@ static int compile(const char *text, const char *path, void **library,
     return 0;
 }
 
-/* A name without a folder is that of a file here, not of one where the system keeps its
- * libraries; and -d/a.c is no option of the compiler. */
+/* A name without a folder means a file in the current folder, so "./" is put in front of it. Otherwise dlopen would
+ * search the folders of the system, and the compiler would take -d/a.c for an option. */
 int fvi_shared_open(const char *text, void **library, fvi_potential *U,
                     fvi_error *c)
 {
@@ -83,6 +83,6 @@ void fvi_shared_close(void *library)
 {
     if (!library || library == kept)
         return;
-    words_of_user = NULL; /* it stands in the library */
+    words_of_user = NULL; /* the function is in the library */
     dlclose(library);
 }

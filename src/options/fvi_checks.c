@@ -1,4 +1,4 @@
-/* src/options/fvi_checks.c -- What is asked for is done or refused: words that do not go together. */
+/* src/options/fvi_checks.c -- Check that the options go together, because what is asked for is done or refused. */
 #include "fvi_checks.h"
 #include "fvi_problem.h"
 
@@ -8,7 +8,7 @@
 
 /* ---- what a method takes ---- */
 
-/* Does the velocity of a mass that is damped jump at some time? */
+/* Return nonzero if the velocity of a damped mass jumps: at the start, or by an impulse of the force. */
 static int begins_to_move(const fvi_options *o)
 {
     for (size_t i = 0; i < o->d; i++)
@@ -17,8 +17,8 @@ static int begins_to_move(const fvi_options *o)
     return o->force && fvi_force_typed(o->force).impulse_count > 0;
 }
 
-/* Exponentials of a law, or of the dampers of a folder, for steps of one length, are there or are
- * refused. */
+/* Refuse --memory exponentials with steps of one length if the law, or the dampers of a folder, have no sum of
+ * exponentials. */
 static int check_modes(const fvi_options *o, fvi_error *c)
 {
     const int of_folder = o->directory && o->text[DAMPER];
@@ -75,8 +75,8 @@ int fvi_is_oscillator(const fvi_options *o)
            && kind != FVI_POTENTIAL_EXPRESSION && kind != FVI_POTENTIAL_CHAIN;
 }
 
-/* Of many masses the library sees what is linear, when their poles are found; and of a single one
- * whose potential is an expression. */
+/* Check what the exact solution of several masses, or of a mass whose potential is an expression, needs. Whether the
+ * potential is linear is not checked here: the library finds out when it computes the poles. */
 int fvi_check_exact_motion(const fvi_options *o, fvi_error *c)
 {
     if (o->directory && o->text[FORCE] == fvi_directory_force_name(o->directory))
@@ -124,7 +124,7 @@ int fvi_check_solution(fvi_options *o, fvi_error *c)
     if (!o->no_solution || (o->method && o->method->paper_convention && o->error == 0))
         return 0;
     if (system.mechanism) {
-        o->no_solution = NULL; /* the start of other methods says which damper it is */
+        o->no_solution = NULL; /* the start of another method says which damper it is */
         return o->method && o->method->paper_convention
                    ? fvi_refuse(c, "error", "a damper whose order is above 1 has no solution with the past rl "
                                 "and an elongation that is not 0 at the start")

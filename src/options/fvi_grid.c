@@ -1,4 +1,4 @@
-/* src/options/fvi_grid.c -- Where the rows are: --h, --steps, --time. */
+/* src/options/fvi_grid.c -- Find the times of the rows from --h, --steps and --time. */
 #include "fvi_grid.h"
 
 #include <fvi/format_double.h>
@@ -20,7 +20,7 @@ static int count_steps(fvi_options *o, fvi_error *c)
     return fvi_parse_whole("steps", o->text[STEPS], SIZE_MAX / 2, &o->steps, c);
 }
 
-/* --h H and --time T: there are T/H steps, and --steps, if it is given, says the same. */
+/* Interpret --h H and --time T: there are T/H steps. If --steps is given, it must agree. */
 static int interpret_step_and_time(fvi_options *o, fvi_error *c)
 {
     int status = number(o, H, &o->h, c);
@@ -44,7 +44,7 @@ static int interpret_step_and_time(fvi_options *o, fvi_error *c)
     return 0;
 }
 
-/* The rows are at t_k = k h: by --h, or by --time, or by both. */
+/* Find h and the number of steps from --h, from --time, or from both. */
 int fvi_options_grid(fvi_options *o, fvi_error *c)
 {
     if (o->text[H] && o->text[TIME])
@@ -59,12 +59,12 @@ int fvi_options_grid(fvi_options *o, fvi_error *c)
     if (!status && !(o->h > 0))
         return fvi_refuse(c, "time", "'%s' is too short for so many steps", o->text[TIME]);
     fvi_format_double(o->h, o->step);
-    o->text[H] = o->step; /* the head says what follows */
+    o->text[H] = o->step; /* the head contains the step that follows */
     return status;
 }
 
-/* A jump of the force that is not at a row is what no estimate can see, but that of a
- * method whose steps end there. */
+/* Refuse a force that jumps between two rows, because no estimate of the error can see such a jump. A method that ends
+ * its steps at jumps is not affected. */
 int fvi_options_refuse_jumps(const fvi_options *o, option_index which,
                         const fvi_typed_force *force, fvi_error *c)
 {

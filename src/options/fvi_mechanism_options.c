@@ -1,4 +1,4 @@
-/* src/options/fvi_mechanism_options.c -- Lagrangians, dampers and constraints of the command line. */
+/* src/options/fvi_mechanism_options.c -- Read Lagrangians, dampers, constraints and events from the command line. */
 #include "fvi_mechanism_options.h"
 #include "fvi_problem.h"
 
@@ -11,7 +11,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* In the order of fvi_options' lists. */
+/* The options whose values are lists, in the order of o->list. */
 static const option_index listed[FVI_LISTS] = { DAMPER, CONSTRAINT, IMPOSE,
                                                 FORCE_ON, EVENT };
 
@@ -28,7 +28,7 @@ int fvi_is_listed(option_index i)
     return place_of(i) < FVI_LISTS;
 }
 
-/* The head shows all of them, with semicolons between. */
+/* Add a value to the list of its option. The head of the table shows all values, with semicolons between them. */
 int fvi_list_option(fvi_options *o, option_index i, const char *value,
                     fvi_error *c)
 {
@@ -53,7 +53,7 @@ static int has_massless(const fvi_options *o)
     return 0;
 }
 
-/* While a body rests on a surface its contact is a constraint. */
+/* Return nonzero if an event is a contact, because a body that rests on a surface is held there by a constraint. */
 static int has_contacts(const fvi_options *o)
 {
     const fvi_option_values *list = &o->list[FVI_OF_MECHANISM];
@@ -63,7 +63,7 @@ static int has_contacts(const fvi_options *o)
     return 0;
 }
 
-/* Do the words, or a mass of 0, ask for a mechanism? */
+/* Return nonzero if an option, or a mass of 0, asks for a mechanism. */
 static int wants_mechanism(const fvi_options *o)
 {
     for (size_t n = 0; n < FVI_OF_MECHANISM; n++)
@@ -129,15 +129,15 @@ size_t fvi_mechanism_dimension(const fvi_options *o)
 {
     const char *const texts[] = { o->text[LAGRANGIAN], o->list[0].text,
                                   o->list[1].text, o->list[2].text,
-                                  o->list[3].text, o->text[POTENTIAL] }; /* an event watches and makes none */
+                                  o->list[3].text, o->text[POTENTIAL] }; /* an event adds no coordinate */
     size_t d = 0;
     if (o->text[POTENTIAL] && strncasecmp(o->text[POTENTIAL], "chain", 5) == 0)
-        return 0; /* it says its own */
+        return 0; /* a chain states its own number of masses */
     for (size_t n = 0; n < sizeof texts / sizeof *texts; n++) {
         const size_t i = texts[n] ? fvi_largest_index(texts[n]) : 0;
         d = larger_count(i, d);
     }
-    for (size_t i = 0; i < o->list[3].count; i++) { /* on which coordinate */
+    for (size_t i = 0; i < o->list[3].count; i++) { /* the coordinate before = in --force-on */
         const char *text = o->list[3].value[i];
         const size_t on = strtoul(text + strspn(text, " x"), NULL, 10);
         d = on > d && on <= 10000 ? on : d;
@@ -171,7 +171,8 @@ int fvi_potential_in_time(fvi_options *o, size_t d)
     return 1;
 }
 
-/* L = sum m v^2/2 - U(x, t) as a text; the masses in digits that read back to the same. */
+/* Return L = sum m v^2/2 - U(x, t) as a text, with the masses in digits that read back to the same double. The caller
+ * frees it. NULL if there is no memory. */
 static char *lagrangian_of_potential(const fvi_options *o)
 {
     const size_t size = strlen(o->text[POTENTIAL]) + 60 * o->d + 8;
@@ -188,7 +189,7 @@ static char *lagrangian_of_potential(const fvi_options *o)
 int fvi_problem_mechanism(fvi_options *o, fvi_error *c)
 {
     char **made = NULL, *in_time = NULL;
-    if (!wants_mechanism(o) || o->directory) /* whose dampers are its own */
+    if (!wants_mechanism(o) || o->directory) /* a folder has its own dampers */
         return 0;
     if (o->potential_has_time && !(in_time = lagrangian_of_potential(o)))
         return fvi_no_memory(c, NULL);
@@ -208,7 +209,7 @@ int fvi_problem_mechanism(fvi_options *o, fvi_error *c)
                                   o->text[DERIVATIVE], &texts.dampers, &made, c);
         texts.damper = (const char *const *)made;
         for (size_t i = 0; i < o->d; i++)
-            o->rho[i] = 0; /* it is in the dampers */
+            o->rho[i] = 0; /* rho is now in the dampers */
     }
     if (!status)
         status = fvi_parse_mechanism(&texts, o->d, &o->lets, &o->mechanism, c);

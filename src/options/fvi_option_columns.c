@@ -1,4 +1,4 @@
-/* src/options/fvi_option_columns.c -- --columns and --reduce. */
+/* src/options/fvi_option_columns.c -- Interpret --columns and --reduce. */
 #include "fvi_option_columns.h"
 #include "fvi_checks.h"
 #include "fvi_problem.h"
@@ -56,8 +56,9 @@ int fvi_options_observes(const fvi_options *o)
 
 int fvi_options_needs_stepper(const fvi_options *o)
 {
+    /* Columns with events need a stepper, because only it knows how many events there are, and when. */
     return fvi_options_observes(o)
-           || (o->events && fvi_typed_columns_count(o->typed) > 0) /* how often, and when */
+           || (o->events && fvi_typed_columns_count(o->typed) > 0)
            || (o->mechanism
                && fvi_typed_columns_wanted(o->typed) & FVI_OBSERVE_VELOCITY);
 }
@@ -74,7 +75,7 @@ int fvi_text_speaks_of(const char *text, const char *name)
     return 0;
 }
 
-/* With --reduce there are no columns but those that have a name for it. */
+/* With --reduce a column is allowed only if it has a name that a reduction uses. */
 static int check_named_columns(const fvi_options *o, fvi_error *c)
 {
     for (const char *at = o->text[COLUMNS]; *at;) {
@@ -100,7 +101,7 @@ int fvi_options_check_reduced(const fvi_options *o, fvi_error *c)
     return o->text[COLUMNS] ? check_named_columns(o, c) : 0;
 }
 
-/* Sums over the steps need a run of known steps. */
+/* Accelerations, forces and work need sums over the steps, so only some commands know them. */
 int fvi_options_check_columns(const fvi_options *o, fvi_error *c)
 {
     const char *field = o->text[REDUCE] ? "reduce" : "columns",

@@ -1,4 +1,4 @@
-/* src/options/fvi_option_list.c -- What the command line of build/fvi can say. */
+/* src/options/fvi_option_list.c -- List the options of the command line of build/fvi. */
 #include "fvi_option_list.h"
 #include "input/fvi_problem_words.h"
 

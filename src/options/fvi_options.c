@@ -1,5 +1,5 @@
-/* src/options/fvi_options.c -- What the command line of build/fvi says. */
-#define _GNU_SOURCE /* getopt_long */
+/* src/options/fvi_options.c -- Parse the command line of build/fvi. */
+#define _GNU_SOURCE /* for getopt_long */
 #include "fvi_options.h"
 #include "fvi_mechanism_options.h"
 #include "input/fvi_problem_words.h"
@@ -17,7 +17,7 @@ static int is_help(const char *word)
     return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
 }
 
-/* in the order of fvi_command, then other words for the help */
+/* In the order of fvi_command; after them other words for the help. */
 static const char *const commands[] = { "run",     "coefficients", "exact",
                                         "methods", "help",         "--version",
                                         "sweep",   "fit",          "gradient",
@@ -52,7 +52,7 @@ static int command_of(const char *name, fvi_command *command, fvi_error *c)
     return fvi_refuse(c, NULL, "'%s' is not a command%s", name, fvi_word_hint(name, strlen(name), all, place));
 }
 
-/* A word that is none of the options of this command. */
+/* Refuse a word that is no option of this command. */
 static int unknown(const fvi_options *o, const char *given, fvi_error *c)
 {
     const char *names[OPTIONS + 2];
@@ -65,7 +65,7 @@ static int unknown(const fvi_options *o, const char *given, fvi_error *c)
     return fvi_refuse_option(c, given, names);
 }
 
-/* One more value of an option that may be repeated, at the end of its text. */
+/* Add the value of an option that may be repeated to the end of its text. */
 static int append(fvi_options *o, option_index i, const char *between,
                   char *text, size_t size, fvi_error *c)
 {
@@ -79,18 +79,19 @@ static int append(fvi_options *o, option_index i, const char *between,
                             optarg, i == LET ? "parameters" : "terms");
 }
 
-/* Does the value stand in the same word, as in --h=1 or -oFILE? */
+/* Return nonzero if the value is in the same word, as in --h=1 or -oFILE. */
 static int is_with_value(const char *given)
 {
     return given[1] == '-' ? strchr(given, '=') != NULL : given[2] != '\0';
 }
 
-/* One more option with its text. A long name must be written in full. */
+/* Take an option with its value. A long name must be written in full. */
 static int take(fvi_options *o, int found, const char *given, fvi_error *c)
 {
     if (found == '?')
         return unknown(o, given, c);
-    const int is_without_value = found == ':'; /* of a short name, too: --alph */
+    /* ":" says that the value is missing, also for a shortened name such as --alph. */
+    const int is_without_value = found == ':';
     if (is_without_value)
         found = optopt == 'o' ? 256 + OUTPUT : optopt;
     option_index i = (option_index)(found - 256);
@@ -108,7 +109,7 @@ static int take(fvi_options *o, int found, const char *given, fvi_error *c)
     }
     if (i == LET) /* --let k=3 --let c=1 is --let k=3,c=1 */
         return append(o, LET, ",", o->let_text, sizeof o->let_text, c);
-    if (i == DAMPING) /* laws add */
+    if (i == DAMPING) /* laws are added */
         return append(o, DAMPING, " + ", o->damping_text,
                       sizeof o->damping_text, c);
     if (fvi_is_listed(i))
@@ -117,8 +118,7 @@ static int take(fvi_options *o, int found, const char *given, fvi_error *c)
                          &o->text[i], optarg, c);
 }
 
-/* The words behind the command into o->text; --help or -h among them changes
- * the command. */
+/* Take the words after the command into o->text. If --help or -h is among them, the command becomes help. */
 static int take_all(fvi_options *o, int count, char **words, fvi_error *c)
 {
     struct option longs[OPTIONS + 1] = { { 0 } };
@@ -129,7 +129,7 @@ static int take_all(fvi_options *o, int count, char **words, fvi_error *c)
                              NULL, 256 + i };
     longs[OUTPUT] = (struct option){ "help", no_argument, NULL, 256 + OPTIONS };
 
-    optind = 0; /* start afresh, whoever parsed before */
+    optind = 0; /* getopt begins anew, whoever parsed before */
     opterr = 0;
     for (;;) {
         const int next = optind ? optind : 1;
@@ -144,7 +144,7 @@ static int take_all(fvi_options *o, int count, char **words, fvi_error *c)
         }
         found = found == 'o' ? 256 + OUTPUT
                 : found == 256 + OPTIONS || found == 'h'
-                    ? '?' /* --hel, -h0.1 */
+                    ? '?' /* --hel and -h0.1 are no help */
                     : found;
         int status = take(o, found, given, c);
         if (status)
@@ -155,7 +155,7 @@ static int take_all(fvi_options *o, int count, char **words, fvi_error *c)
                : 0;
 }
 
-/* Of --system: what its files stand for is not an option too, and has no preset. */
+/* With --system, these options are replaced by the files of the folder: they are refused, and have no presets. */
 static const option_index replaced[] = { MASS, RHO, POTENTIAL, DIMENSION };
 
 static int is_replaced(const fvi_options *o, option_index i)
@@ -174,14 +174,15 @@ static int check_system(const fvi_options *o, fvi_error *c)
     return 0;
 }
 
-/* A building is at rest until something acts on it. */
+/* Return the preset of an option. With --system the start is 0, because a building is at rest until something acts on
+ * it. */
 static const char *preset(const fvi_options *o, option_index i)
 {
     const int is_start = i == X0 || i == P0;
     return is_start && o->text[SYSTEM] ? "0" : fvi_option_list[i].preset;
 }
 
-/* Of a Lagrangian, and of dampers that are named: these have no presets. */
+/* Return nonzero for an option that has no preset because a Lagrangian, a damper or --v0 takes its place. */
 static int is_taken_over(const fvi_options *o, option_index i)
 {
     const int is_damping = i == ALPHA || i == RHO || i == DERIVATIVE;
@@ -190,7 +191,7 @@ static int is_taken_over(const fvi_options *o, option_index i)
            || (o->text[DAMPER] && is_damping) || (i == P0 && o->text[V0]);
 }
 
-/* The presets; the step comes from --h, or from --time, or is looked for. */
+/* Fill in the presets. The step comes from --h or from --time, or is searched for. */
 static int fill_in(fvi_options *o, fvi_error *c)
 {
     if (o->text[H] && o->text[ERROR])
@@ -209,7 +210,7 @@ static int fill_in(fvi_options *o, fvi_error *c)
     o->method_is_preset = !o->text[METHOD];
     if (o->text[ERROR] && !o->text[METHOD])
         o->text[METHOD] = o->text[SYSTEM] ? fvi_cq2_midpoint.name
-                                          : fvi_variable_step.name; /* a law may ask for another */
+                                          : fvi_variable_step.name; /* a law may choose another method later */
     if ((o->text[STEP_ERROR] || o->text[LONGEST] || o->text[EVENT]) && !o->text[METHOD])
         o->text[METHOD] = fvi_variable_step.name;
     int status = check_system(o, c);
@@ -240,7 +241,7 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, fvi_error *c)
     if (about) /* fvi help run */
         status = command_of(argv[2], &o->about, c);
     if (!status
-        && o->command >= FVI_COMMAND_SWEEP) { /* its words: src/command_sweep and so on */
+        && o->command >= FVI_COMMAND_SWEEP) { /* its options: see src/command_sweep and so on */
         for (int i = 2; i < argc; i++)
             if (is_help(argv[i])) {
                 o->about = o->command;

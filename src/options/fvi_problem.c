@@ -1,5 +1,5 @@
-/* src/options/fvi_problem.c -- From the words of the command line to a system. */
-#define _GNU_SOURCE /* PATH_MAX */
+/* src/options/fvi_problem.c -- Build the system from the options. */
+#define _GNU_SOURCE /* for PATH_MAX */
 #include "fvi_problem.h"
 #include "fvi_mechanism_options.h"
 #include "input/fvi_files.h"
@@ -15,7 +15,7 @@
 #include <strings.h>
 #include <unistd.h>
 
-/* What each mass has: x0, p0, mass, rho, one value for all, or a list. */
+/* Read x0, p0, mass and rho: one value for all masses, or a list. */
 int fvi_problem_lists(fvi_options *o, fvi_error *c)
 {
     o->x0 = malloc(4 * o->d * sizeof *o->x0);
@@ -34,7 +34,7 @@ int fvi_problem_lists(fvi_options *o, fvi_error *c)
                   { X0, o->x0, -INFINITY, "()" },
                   { P0, o->p0, -INFINITY, "()" } };
     int status = 0;
-    const size_t own = o->directory ? 2 : 0; /* its masses and dampings */
+    const size_t own = o->directory ? 2 : 0; /* a folder has its own masses and dampings */
     if (o->directory) {
         const fvi_system s = fvi_directory_system(o->directory);
         memcpy(o->mass, s.mass, o->d * sizeof *o->mass);
@@ -47,14 +47,15 @@ int fvi_problem_lists(fvi_options *o, fvi_error *c)
         if (text && *text == '@')
             fvi_mark_read(fvi_option_list[lists[i].option].name, text + 1);
         status = fvi_parse_numbers(fvi_option_list[lists[i].option].name,
-                                   text ? text : "1", /* rho of a law; what a Lagrangian has */
+                                   text ? text : "1", /* rho has no text with a law, nor mass with a Lagrangian */
                                    lists[i].low, INFINITY, lists[i].brackets,
                                    o->d, lists[i].values, c);
     }
     return status;
 }
 
-/* The files of a folder, which no output may replace, nor one that would be read next time. */
+/* Mark the files of a folder as read, so that no output replaces them. Marked are also the files that would be read if
+ * they existed. */
 static void mark_directory(const fvi_options *o)
 {
     char path[2 * PATH_MAX];
@@ -65,7 +66,7 @@ static void mark_directory(const fvi_options *o)
     }
 }
 
-/* Without C.mtx nothing is damped: a law that was typed would have no effect. */
+/* Refuse a law without C.mtx, because nothing is damped then and the law would have no effect. */
 static int check_damping(const fvi_options *o, fvi_error *c)
 {
     static const option_index laws[] = { ALPHA, ORDER, DAMPING };
@@ -97,7 +98,7 @@ static int read_system(fvi_options *o, fvi_error *c)
     return 0;
 }
 
-/* How many masses there are, and what is between them. */
+/* Find the number of masses, and the potential. */
 int fvi_problem_potential(fvi_options *o, fvi_error *c)
 {
     int status = 0;
@@ -117,7 +118,7 @@ int fvi_problem_potential(fvi_options *o, fvi_error *c)
         o->potential.kind = FVI_POTENTIAL_FREE;
     } else if (fvi_shared_name(o->text[POTENTIAL])
         && !strchr(o->text[POTENTIAL], ':')) {
-        o->potential.kind = FVI_POTENTIAL_FREE; /* of the library's own */
+        o->potential.kind = FVI_POTENTIAL_FREE; /* the library has its own potential */
         status =
             fvi_shared_open(o->text[POTENTIAL], &o->library, &o->user, c);
     } else {
@@ -145,7 +146,7 @@ int fvi_problem_force(fvi_options *o, fvi_error *c)
     }
     if (found && strcasecmp(o->text[FORCE], "none") != 0)
         return fvi_refuse(c, "force", "'%s': there is %s/f.tsv, too", o->text[FORCE], o->text[SYSTEM]);
-    if (found) { /* the head says what acts */
+    if (found) { /* the head contains the force that acts */
         o->text[FORCE] = fvi_directory_force_name(o->directory);
         return 0;
     }
@@ -158,7 +159,7 @@ int fvi_problem_force(fvi_options *o, fvi_error *c)
     return status;
 }
 
-/* --ground, when the masses and what else acts are known. */
+/* Read --ground. Call it when the masses and the other forces are known. */
 int fvi_problem_ground(fvi_options *o, fvi_error *c)
 {
     if (o->text[ALONG] && !o->text[GROUND])
@@ -188,7 +189,7 @@ int fvi_problem_ground(fvi_options *o, fvi_error *c)
     return status;
 }
 
-/* "3,17" of x1, ..., xd; all of them where nothing is said. */
+/* Read the numbers of the unknowns, for example "3,17" of x1, ..., xd. Without --unknowns all are shown. */
 int fvi_problem_unknowns(fvi_options *o, fvi_error *c)
 {
     const char *text = o->text[UNKNOWNS];

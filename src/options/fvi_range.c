@@ -1,4 +1,4 @@
-/* src/options/fvi_range.c -- Evenly spaced numbers, as they are typed. */
+/* src/options/fvi_range.c -- Compute evenly spaced numbers in the digits that a user would type. */
 #include "fvi_range.h"
 
 #include <float.h>
@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The decimal number of fewest digits that is as near to v as the formula of a point is to
- * the point, or v if that number has more than 12 digits: 79.99999999999999 is 80. */
+/* Return the decimal number of fewest digits whose distance from v is at most `error`, the rounding error of v. For
+ * example 79.99999999999999 becomes 80. Return v if that number has more than 12 digits. */
 static double nearest_decimal(double v, double error)
 {
     if (!isfinite(error))
@@ -25,9 +25,9 @@ static double nearest_decimal(double v, double error)
     return v;
 }
 
-/* Point i of the axis. Its roundings are bounded by 4 units of the larger end, or, where
- * points grow by a factor, by 4 units and one for each power of e between the ends. Ends whose
- * difference or ratio is too large for a double, as 1e-300 and 1e300, have one of halves. */
+/* Return point i of the axis. The rounding error of the formula is at most 4 units of the larger end. If the points
+ * grow by a factor, it is 4 units plus one for each power of e between the ends. For ends such as 1e-300 and 1e300 the
+ * difference or the ratio is too large for a double; then the formula works with halves of it. */
 double fvi_range_value(const fvi_range *a, size_t i)
 {
     if (i == 0 || i == a->count - 1)

@@ -1,4 +1,4 @@
-/* src/options/fvi_values.c -- From the words of the command line to values. */
+/* src/options/fvi_values.c -- Interpret the values of the options. */
 #include "fvi_values.h"
 #include "fvi_checks.h"
 #include "fvi_mechanism_options.h"
@@ -15,7 +15,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* The number of option i; see fvi_word_number. */
+/* Read the number of option i; see fvi_parse_number. */
 static int number(const fvi_options *o, option_index i, double low, double high,
                   const char *brackets, double *value, fvi_error *c)
 {
@@ -23,7 +23,7 @@ static int number(const fvi_options *o, option_index i, double low, double high,
                            brackets, value, c);
 }
 
-/* Counts of rows are added and doubled: half of what a size_t holds is enough. */
+/* Read the whole number of option i. It is at most half of SIZE_MAX, because numbers of rows are added and doubled. */
 static int whole(const fvi_options *o, option_index i, size_t *value,
                  fvi_error *c)
 {
@@ -31,7 +31,7 @@ static int whole(const fvi_options *o, option_index i, size_t *value,
                           value, c);
 }
 
-/* The text becomes the word that is chosen, in small letters, as the head shows it. */
+/* Read a word of a list. The text of the option becomes the chosen word in small letters, as the head shows it. */
 static int choice(fvi_options *o, option_index i, const char *const *words,
                   size_t *which, fvi_error *c)
 {
@@ -54,7 +54,8 @@ static int interpret_error(fvi_options *o, fvi_error *c)
                : fvi_options_refuse_jumps(o, GROUND, fvi_ground_typed(o->ground), c);
 }
 
-/* Steps of a given length have no tolerance, and no limit unless they are searched for. */
+/* Read --step-error, --longest or --most-steps. For a method with steps of a given length, --step-error is refused, and
+ * so are the two limits unless the step is searched for. */
 static int interpret_of_steps(fvi_options *o, option_index i, double *value,
                               fvi_error *c)
 {
@@ -67,7 +68,8 @@ static int interpret_of_steps(fvi_options *o, option_index i, double *value,
                              : number(o, i, 0, INFINITY, "()", value, c);
 }
 
-/* With --error a structure is left to fvi-adaptive, unless it does not take it. */
+/* Return nonzero if fvi-adaptive is the method of a structure with --error: no method is named, and fvi-adaptive takes
+ * the structure. */
 static int leaves_structure(const fvi_options *o)
 {
     if (!o->method_is_preset || !o->text[ERROR] || !o->directory)
@@ -77,7 +79,8 @@ static int leaves_structure(const fvi_options *o)
                                              o->text[DAMPING] ? &o->damping.law : NULL);
 }
 
-/* With --error and --damping the fastest method that takes the law, memory and kappa. */
+/* With --error and --damping, return the fastest method that takes the law, the memory and kappa, or NULL if the method
+ * is chosen otherwise. */
 static const char *method_of_law(const fvi_options *o)
 {
     double error;
@@ -126,7 +129,7 @@ static int interpret_run(fvi_options *o, fvi_error *c)
     return !status && o->text[ERROR] ? interpret_error(o, c) : status;
 }
 
-/* What run and exact share: the system, its start, the grid, the columns. */
+/* Interpret the options of both run and exact: the system, its start, the grid, the columns. */
 static int interpret_trajectory(fvi_options *o, fvi_error *c)
 {
     size_t which = 0;
@@ -183,19 +186,19 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
     return status ? status : fvi_check_solution(o, c);
 }
 
-/* Is this a name for a picture: does it end with .svg or .png? */
+/* Return nonzero if the name ends with .svg or .png. */
 static int is_picture(const char *name)
 {
     for (const char *at = name; *at; at++)
         if ((unsigned char)*at < ' ')
-            return 0; /* a line of gnuplot's must not end here */
+            return 0; /* a control character would end a line of gnuplot here */
     const size_t length = strlen(name);
     return length > 4
            && (strcasecmp(name + length - 4, ".svg") == 0
                || strcasecmp(name + length - 4, ".png") == 0);
 }
 
-/* Of two outputs in one file the later would take the place of the other. */
+/* Refuse two outputs with the same file, because the later one would replace the other. */
 static int check_files(const fvi_options *o, fvi_error *c)
 {
     static const option_index files[] = { PLOT, SNAPSHOT, CHECKPOINT };
@@ -242,7 +245,7 @@ static int interpret(fvi_options *o, fvi_error *c)
     if (status)
         return status;
     o->format = (fvi_format)format;
-    /* The weights go up to the order 2 alpha of the damping. */
+    /* The weights are those of the order 2 alpha of the damping, so their order goes up to 2. */
     int only_weights = o->command == FVI_COMMAND_COEFFICIENTS;
     o->alpha = 0.5;
     if (o->text[ALPHA])
@@ -257,7 +260,7 @@ static int interpret(fvi_options *o, fvi_error *c)
                         : interpret_trajectory(o, c);
 }
 
-/* No output in the place of what was read. */
+/* Refuse an output that would replace a file that was read. */
 static int check_outputs(const fvi_options *o, fvi_error *c)
 {
     int status = fvi_check_output("-o", o->output, c);

@@ -1,5 +1,5 @@
-/* src/options/fvi_words.c -- Words of the command line that only the program knows. */
-#define _GNU_SOURCE /* strndup */
+/* src/options/fvi_words.c -- Read the words of the command line that only the program knows. */
+#define _GNU_SOURCE /* for strndup */
 #include "fvi_words.h"
 
 #include <stdlib.h>
@@ -24,7 +24,7 @@ int fvi_word_once(const char *dashes, const char *name, const char **text,
 
 const char *const fvi_column_names[] = { "t", "x", "p", "energy", "y", NULL };
 
-/* One of the first five, whole; FVI_COLUMN_TYPED if it is none. */
+/* Return the plain column with this name, or FVI_COLUMN_TYPED if there is none. */
 static fvi_column column_named(const char *at, size_t length)
 {
     size_t i = 0;
@@ -35,7 +35,7 @@ static fvi_column column_named(const char *at, size_t length)
     return (fvi_column)i;
 }
 
-/* An expression, or a name beside the first five. */
+/* Add a column that is an expression or another name. */
 static int take_typed(const char *at, size_t length,
                       fvi_user_parameters *parameters, fvi_columns *columns,
                       fvi_typed_columns *typed, fvi_error *c)

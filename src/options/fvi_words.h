@@ -1,5 +1,5 @@
-/* src/options/fvi_words.h -- Words of the command line that only the program knows; all others
- * the library understands (fvi/parse.h). */
+/* src/options/fvi_words.h -- Read the words of the command line that only the program knows. The library reads all
+ * other words (fvi/parse.h). */
 #ifndef FVI_WORDS_OF_PROGRAM_H
 #define FVI_WORDS_OF_PROGRAM_H
 
@@ -14,14 +14,14 @@ typedef enum {
     FVI_COLUMN_P,
     FVI_COLUMN_ENERGY,
     FVI_COLUMN_Y,
-    FVI_COLUMN_TYPED, /* an expression, or a name beside these */
-    FVI_ALL_COLUMNS   /* so many there are */
+    FVI_COLUMN_TYPED, /* an expression, or a name other than these five */
+    FVI_ALL_COLUMNS   /* number of kinds */
 } fvi_column;
 
 extern const char *const fvi_column_names[]; /* ended by NULL */
 
-/* Columns as they are printed. Each of the first five stands at most once; of what is typed, item
- * n has so many columns, from the first on, of those that are typed. */
+/* The columns in the order in which they are printed. Each plain column appears at most once. Item n, if it is typed,
+ * stands for width[n] of the typed columns, from first[n] on. */
 enum { FVI_MOST_ITEMS = 64 };
 typedef struct {
     size_t count;
@@ -29,15 +29,17 @@ typedef struct {
     size_t first[FVI_MOST_ITEMS], width[FVI_MOST_ITEMS];
 } fvi_columns;
 
-/* fvi_is_one_of -- is the word one of these, which NULL ends? */
+/* fvi_is_one_of -- Return nonzero if the word is in the list, which ends with NULL. */
 int fvi_is_one_of(const char *word, const char *const *words);
 
-/* The value of an option, "-" or "--" and its name, into *text, which is NULL before: it may
- * be given again if it says the same. */
+/* fvi_word_once -- Store the value of an option in *text, which is NULL before. `dashes` and `name` are for the
+ * complaint. The option may be given again if its value is the same. Return 0, or a code of fvi/error.h with the error
+ * filled in. */
 int fvi_word_once(const char *dashes, const char *name, const char **text,
                   const char *value, fvi_error *c);
 
-/* Columns; count is zero before, and `typed` has none. What is typed may use the parameters. */
+/* fvi_word_columns -- Read a list of columns. columns->count is 0 before, and `typed` has no columns. Expressions may
+ * use the parameters. Return as fvi_word_once. */
 int fvi_word_columns(const char *text, fvi_user_parameters *parameters,
                      fvi_columns *columns, fvi_typed_columns *typed,
                      fvi_error *c);

@@ -1,4 +1,4 @@
-/* src/output/fvi_complain.c -- What the program says when something cannot be done. */
+/* src/output/fvi_complain.c -- Print error messages and warnings of the program. */
 #include "fvi_complain.h"
 #include "fvi_output.h"
 #include "input/fvi_refuse.h"
@@ -57,7 +57,7 @@ const char *fvi_code_in_words(int status)
     const char *more = fvi_shared_error(status);
     snprintf(own, sizeof own, "%s, code %d%s%s", words, status,
              more ? ": " : "", more ? more : "");
-    for (char *c = own; *c; c++) /* one line, whatever the user wrote */
+    for (char *c = own; *c; c++) /* keep the message a single line, whatever the user's function wrote */
         *c = iscntrl((unsigned char)*c) ? '?' : *c;
     return own;
 }

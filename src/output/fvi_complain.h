@@ -1,4 +1,4 @@
-/* src/output/fvi_complain.h -- What the program says when something cannot be done. */
+/* src/output/fvi_complain.h -- Print error messages and warnings of the program. */
 #ifndef FVI_COMPLAIN_H
 #define FVI_COMPLAIN_H
 
@@ -6,26 +6,26 @@
 
 #include <stddef.h>
 
-/* What went wrong, as a line on standard error; each returns 1. */
+/* Each of these functions prints a line on standard error that says what went wrong, and returns 1. */
 int fvi_complain(const char *what);
-int fvi_complain_of(const fvi_error *error); /* with its field, if it names one */
+int fvi_complain_of(const fvi_error *error); /* names the field, if there is one */
 int fvi_cannot_write(
-    const char *name); /* as errno says; NULL: standard output */
-int fvi_stopped_at(size_t step, int status); /* a code of fvi/error.h */
+    const char *name); /* adds the reason in errno; NULL: standard output */
+int fvi_stopped_at(size_t step, int status); /* status: a code of fvi/error.h */
 
-/* fvi_warn -- what the reader must know, as a line on standard error; the command goes on. */
+/* fvi_warn -- Print a warning as a line on standard error. The command goes on. */
 void fvi_warn(const char *what);
 
-/* fvi_refused -- bad use: the complaint as a line on standard error, and a line that points
- * to the help of that command, or of all if it is "help" or "--version". A caret below the complaint stands
- * at the beginning of the second. Returns the exit code. */
+/* fvi_refused -- Refuse what the user typed. Print the complaint on standard error and point to the help of the
+ * command, or to the help of the whole program if `command` is "help" or begins with "-", as "--version" does. The
+ * pointer stands in a line of its own, or behind the caret if the complaint has one. Return the exit code. */
 int fvi_refused(const fvi_error *error, const char *command);
 
-/* fvi_code_in_words -- what fvi_error_name says, and the number of a code that a function of
- * the user's own returned, with his words for it; good until the next call. */
+/* fvi_code_in_words -- Return the text of fvi_error_name. If a function of the user returned the code, add its number
+ * and the user's words for it. The text is valid until the next call. */
 const char *fvi_code_in_words(int status);
 
-/* fvi_reason -- such a code, in the words of a user. */
+/* fvi_reason -- Return a text for the code that a user of the program understands. Valid until the next call. */
 const char *fvi_reason(int status);
 
 #endif

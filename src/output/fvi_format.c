@@ -1,4 +1,4 @@
-/* src/output/fvi_format.c -- A table as text: tsv, csv, json. */
+/* src/output/fvi_format.c -- Write a table as text: tsv, csv or json. */
 #include "fvi_format.h"
 
 #include <fvi/version.h>
@@ -24,8 +24,8 @@ void fvi_print_estimate(FILE *out, double estimate, double sd, double lower, dou
     fputc('\n', out);
 }
 
-/* How many bytes the character at `at` has in UTF-8, or 0 if it is none: no surrogates, no
- * longer form than need be, nothing behind U+10FFFF. */
+/* Return the length in bytes of the UTF-8 character at `at`, or 0 if there is no valid character. Surrogates, overlong
+ * forms and codes above U+10FFFF are not valid. */
 static size_t bytes_of_character(const char *at)
 {
     static const uint32_t least[] = { 0, 0, 0x80, 0x800, 0x10000 };
@@ -49,8 +49,8 @@ static size_t bytes_of_character(const char *at)
                : n;
 }
 
-/* A text between quotes. A file's name may be any bytes: of those that are no UTF-8 each
- * becomes U+FFFD. */
+/* Write a text between quotes. The name of a file may contain any bytes. A byte that does not belong to a UTF-8
+ * character becomes U+FFFD. */
 static void print_quoted(FILE *out, const char *text)
 {
     fputc('"', out);
@@ -68,7 +68,7 @@ static void print_quoted(FILE *out, const char *text)
     fputc('"', out);
 }
 
-/* Two lines become one. */
+/* Write a text with each control character replaced by a blank, so that two lines become one. */
 static void print_in_one_line(FILE *out, const char *text)
 {
     for (; *text; text++)

@@ -1,4 +1,4 @@
-/* src/output/fvi_output.c -- A file that is complete or not there at all. */
+/* src/output/fvi_output.c -- Write files that are complete or do not appear at all. */
 #define _GNU_SOURCE
 #include "fvi_output.h"
 
@@ -12,13 +12,13 @@
 #include <time.h>
 #include <unistd.h>
 
-/* A file on its way; free where stream is NULL. */
+/* A file that is being written. stream is NULL if the place is free. */
 typedef struct {
     FILE *stream;
-    char target[PATH_MAX];    /* the name that the file is to have */
-    char temporary[PATH_MAX]; /* the name that it has; "" if there is none */
-    int shared;               /* does the target have other names, too? */
-    int nameless;             /* is the file without a name so far? */
+    char target[PATH_MAX];    /* final name of the file */
+    char temporary[PATH_MAX]; /* present name of the file; "" if it has none */
+    int shared;               /* nonzero if the target has other names (hard links), too */
+    int nameless;             /* nonzero while the file has no name */
 } output;
 
 enum { MOST = 4 }; /* a table, a checkpoint, a picture, and one to spare */
@@ -41,8 +41,8 @@ static void remove_and_die(int signal_number)
     raise(signal_number);
 }
 
-/* A signal that is ignored, as by nohup, stays ignored, and what another part of the
- * program waits for is left to it. */
+/* Remove the temporary files before a signal ends the program. A signal that is ignored, as after nohup, stays ignored.
+ * A signal for which another part of the program has a handler keeps that handler. */
 static void watch_signals(void)
 {
     const int deadly[] = { SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU };
@@ -50,7 +50,7 @@ static void watch_signals(void)
     for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++)
         if (sigaction(deadly[i], NULL, &now) == 0 && now.sa_handler == SIG_DFL)
             signal(deadly[i], remove_and_die);
-    signal(SIGXFSZ, SIG_IGN); /* a file too large is a failed write */
+    signal(SIGXFSZ, SIG_IGN); /* a write beyond the largest file size then fails with EFBIG */
 }
 
 static void block_signals(sigset_t *before)
@@ -67,8 +67,8 @@ static void folder_of(const output *f, char folder[PATH_MAX])
              slash ? f->target : ".");
 }
 
-/* A file without a name in the folder of the target: nothing is left of it, however the
- * program ends. -1 where the system has no such thing, or could not name it later. */
+/* Open a file without a name in the folder of the target. Nothing is left of it, however the program ends. Return -1 if
+ * the system has no such files, or no way to give them a name later. */
 static int open_nameless(const output *f, mode_t mode)
 {
 #ifdef O_TMPFILE
@@ -82,7 +82,7 @@ static int open_nameless(const output *f, mode_t mode)
     return -1;
 }
 
-/* The name of a file beside the target, all but its last letters. */
+/* Write the name of a file beside the target, with XXXXXX for its last letters. Return 0, or -1 with errno set. */
 static int name_temporary(output *f)
 {
     const char *slash = strrchr(f->target, '/');
@@ -95,8 +95,8 @@ static int name_temporary(output *f)
     return -1;
 }
 
-/* A file for the output, with these permissions. No signal comes between the name of a
- * temporary file and the file itself: the name may be that of another one before. */
+/* Open a file for the output, with these permissions. Signals are blocked between the choice of the temporary name and
+ * the creation of the file, because until then a file of that name may belong to somebody else. */
 static FILE *open_temporary(output *f, mode_t mode)
 {
     sigset_t before;
@@ -114,7 +114,7 @@ static FILE *open_temporary(output *f, mode_t mode)
     return f->stream = fdopen(file, "w");
 }
 
-/* A name beside the target for the file that has none, so that it can be renamed. */
+/* Give the file without a name a name beside the target, so that it can be renamed. Return 0, or -1 with errno set. */
 static int give_name(output *f)
 {
     char open_file[64];
@@ -137,8 +137,8 @@ static int give_name(output *f)
     return -1;
 }
 
-/* The number of the open file that a name such as /dev/stdout stands for, by the
- * links that lead to it; -1 if it is a name like others. */
+/* Return the descriptor of the open file for which a name such as /dev/stdout stands. To find it, follow the links one
+ * by one. Return -1 for an ordinary name. */
 static int descriptor(const char *name)
 {
     char at[PATH_MAX], folder[PATH_MAX], link[PATH_MAX], ours[64];
@@ -149,7 +149,7 @@ static int descriptor(const char *name)
     for (int links = 0; links < 40; links++) {
         char *slash = strrchr(at, '/'), *last = slash ? slash + 1 : at;
         const char in = *last;
-        *last = '\0'; /* for a moment: the folder alone */
+        *last = '\0'; /* cut the path for a moment, to look up the folder alone */
         const int known = realpath(*at ? at : ".", folder) != NULL;
         *last = in;
         if (known && strcmp(folder, ours) == 0 && in >= '0' && in <= '9')
@@ -167,8 +167,8 @@ static int descriptor(const char *name)
     return -1;
 }
 
-/* A temporary file for the ordinary one of this name, which is there and has this state, or
- * is not there at all. */
+/* Open a temporary file that will replace the ordinary file of this name. `old` is the state of that file, or NULL if
+ * it does not exist. */
 static FILE *open_beside(const char *name, const struct stat *old)
 {
     output *f = place_of(NULL);
@@ -184,10 +184,10 @@ static FILE *open_beside(const char *name, const struct stat *old)
         return open_temporary(f, 0666 & ~mask);
     }
     if (access(name, W_OK) != 0 || !realpath(name, f->target))
-        return NULL; /* a link stays a link */
+        return NULL; /* if the name is a link, the file behind it is replaced */
     FILE *stream = open_temporary(f, old->st_mode & 0777);
     if (stream && fchown(fileno(stream), old->st_uid, old->st_gid) != 0)
-        errno = 0; /* only root may give files away */
+        errno = 0; /* only root may change the owner, so an error is ignored */
     return stream;
 }
 
@@ -206,7 +206,7 @@ FILE *fvi_output_open(const char *name)
     struct stat old;
     if (!name || strcmp(name, "-") == 0)
         return stdout;
-    int file = descriptor(name); /* >> has chosen where it goes on */
+    int file = descriptor(name); /* a duplicate goes on where the shell's >> has put the end */
     if (file >= 0)
         return (file = dup(file)) < 0 ? NULL : fdopen(file, "w");
     return stat(name, &old) == 0 && !S_ISREG(old.st_mode) ? fopen(name, "w")
@@ -218,7 +218,7 @@ FILE *fvi_output_open_file(const char *name)
     struct stat old;
     if (descriptor(name) < 0 && (stat(name, &old) != 0 || S_ISREG(old.st_mode)))
         return open_ordinary(name);
-    errno = EEXIST; /* a device, say, that must stay one */
+    errno = EEXIST; /* for example a device, which must not be replaced */
     return NULL;
 }
 
@@ -227,11 +227,12 @@ int fvi_output_waits(FILE *stream)
     return place_of(stream) != NULL;
 }
 
-/* Make room for `size` bytes in a file of `old` bytes, or leave it as it is. */
+/* Reserve room for `size` bytes in a file that has `old` bytes. If that fails, restore the length of the file. Return
+ * 0, or -1 with errno set. */
 static int reserve(int file, off_t old, off_t size)
 {
     const int why = size > old ? posix_fallocate(file, old, size - old) : 0;
-    if (why == 0 || why == EOPNOTSUPP || why == EINVAL) /* no such service */
+    if (why == 0 || why == EOPNOTSUPP || why == EINVAL) /* the file system cannot reserve room */
         return 0;
     if (ftruncate(file, old) != 0)
         return -1;
@@ -249,13 +250,15 @@ static int copy(int from, int to, off_t size)
     return count < 0 ? -1 : ftruncate(to, size);
 }
 
-/* What was written survives a power cut; some files and folders know no such thing. */
+/* Write the data of a file to the disk, so that a power cut does not lose it. Return 0 also if the file is of a kind
+ * that cannot be synchronised. */
 static int sync_file(int file)
 {
     return fsync(file) != 0 && errno != EINVAL && errno != ENOTSUP ? -1 : 0;
 }
 
-/* The names in the folder survive it, too. One that cannot be read cannot be asked. */
+/* Write the names of the folder to the disk, too. Return 0 if the folder cannot be read, because it cannot be
+ * synchronised then. */
 static int sync_folder(const output *f)
 {
     char name[PATH_MAX];
@@ -269,9 +272,9 @@ static int sync_folder(const output *f)
     return status;
 }
 
-/* The complete file into the one that is there, under all its names. A full disk comes
- * before the old contents are touched, or not at all. A power cut or SIGKILL within the
- * copy leaves the complete one under its temporary name. */
+/* Copy the complete file into the target, so that all names of the target stay valid. Room on the disk is reserved
+ * first, so a full disk is found before the old contents are touched. If a power cut or SIGKILL comes during the copy,
+ * the complete file is still there under its temporary name. Return 0, or -1 with errno set. */
 static int overwrite(const output *f)
 {
     struct stat new, old;
@@ -292,7 +295,8 @@ static int overwrite(const output *f)
     return failed ? -1 : 0;
 }
 
-/* On the disk first, then under its name, so that no cut leaves an empty file there. */
+/* Write the file to the disk first, and then give it its name, so that a power cut leaves no empty file under that
+ * name. Return 0, or nonzero with errno set. */
 static int put_in_place(output *f)
 {
     int failed = give_name(f) != 0 || sync_file(fileno(f->stream)) != 0;
@@ -310,9 +314,9 @@ static int put_in_place(output *f)
 
 int fvi_output_close(FILE *stream, int keep)
 {
-    output *f = place_of(stream); /* NULL: written to as it stands */
+    output *f = place_of(stream); /* NULL: the stream is no file of ours and is written to directly */
     sigset_t before;
-    if (f) /* complete, or not there: nothing between */
+    if (f) /* a signal waits until the file is complete or removed */
         block_signals(&before);
     int failed = fflush(stream) != 0 || ferror(stream), why = errno;
     if (f && keep && !failed) {
@@ -333,7 +337,7 @@ int fvi_output_close(FILE *stream, int keep)
     return failed ? -1 : 0;
 }
 
-static int shown; /* is there a line on the terminal? */
+static int shown; /* nonzero if the terminal shows a line of progress */
 
 void fvi_progress(size_t k, size_t steps)
 {

@@ -1,4 +1,4 @@
-/* src/output/fvi_picture.c -- A picture of rows of numbers, drawn by gnuplot. */
+/* src/output/fvi_picture.c -- Draw rows of numbers with gnuplot. */
 #define _GNU_SOURCE
 #include "fvi_picture.h"
 
@@ -38,7 +38,7 @@ void fvi_plot_row(FILE *rows, double t, size_t width, const double *row)
 
 /* ---- the script ---- */
 
-/* Okabe and Ito's colours, told apart also by the colour-blind. */
+/* Set the colours of Okabe and Ito, which the colour-blind can also tell apart. */
 static void style(FILE *g)
 {
     static const char *const colours[] = {
@@ -51,8 +51,8 @@ static void style(FILE *g)
         fprintf(g, "set linetype %d lc rgb '#%s'\n", i + 1, colours[i]);
 }
 
-/* What gnuplot draws it writes to its standard output: it sees no name of the user's, which
- * it would take for a command after a |. */
+/* Choose the format of the picture from its name. gnuplot writes the picture to its standard output, so it never sees
+ * the user's name, in which it would take the text after a | for a command. */
 static void terminal(FILE *g, const fvi_picture *p)
 {
     const char *const end = p->name + strlen(p->name) - 4;
@@ -62,7 +62,8 @@ static void terminal(FILE *g, const fvi_picture *p)
             svg ? "background 'white'" : "");
 }
 
-/* The rows; of many, each n-th, as gnuplot reads its input a byte at a time. */
+/* Copy the rows into the script. Of more than MOST_POINTS rows copy each n-th, because gnuplot reads its input byte by
+ * byte. */
 static void copy_rows(FILE *rows, FILE *g)
 {
     size_t count = 0, row = 0;
@@ -78,7 +79,7 @@ static void copy_rows(FILE *rows, FILE *g)
     fprintf(g, "EOD\n");
 }
 
-/* Starts gnuplot, which reads the script and writes to the pipe. Returns 0 if it runs. */
+/* Start gnuplot, which reads the script and writes the picture to the pipe. Return 0 if it runs, else -1. */
 static int start_gnuplot(int script, const int ends[2], pid_t *child)
 {
     static char name[] = "gnuplot";
@@ -98,8 +99,8 @@ static int start_gnuplot(int script, const int ends[2], pid_t *child)
     return status ? -1 : 0;
 }
 
-/* The picture of this script, byte by byte: gnuplot itself does not notice a full disk.
- * Returns 0 if gnuplot drew one; whether it could be written, the stream knows. */
+/* Run the script and copy the picture from the pipe, because gnuplot itself does not notice a full disk. Return 0 if
+ * gnuplot has drawn a picture, else -1. Errors of writing are recorded in the stream `picture`. */
 static int run_gnuplot(FILE *script, FILE *picture)
 {
     int ends[2], ended = 1;
@@ -122,7 +123,7 @@ static int run_gnuplot(FILE *script, FILE *picture)
     return started && ended == 0 && bytes > 0 ? 0 : -1;
 }
 
-/* Returns 0 if all went well, or 1 after it has said what did not. */
+/* Draw the picture. Return 0, or 1 after a message. */
 static int draw(FILE *rows, const fvi_picture *p)
 {
     FILE *g = tmpfile(), *picture = g ? fvi_output_open_file(p->name) : NULL;

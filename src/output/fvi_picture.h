@@ -1,22 +1,22 @@
-/* src/output/fvi_picture.h -- A picture of rows of numbers, drawn by gnuplot. */
+/* src/output/fvi_picture.h -- Draw rows of numbers with gnuplot. */
 #ifndef FVI_PICTURE_H
 #define FVI_PICTURE_H
 
 #include <stddef.h>
 #include <stdio.h>
 
-/* fvi_plot_begin -- a place for the rows; NULL if there is none, or no gnuplot, after it
- * has said so. */
+/* fvi_plot_begin -- Return a temporary file for the rows. NULL after a message if the file cannot be made or gnuplot is
+ * not installed. */
 FILE *fvi_plot_begin(void);
 
-/* fvi_plot_row -- one more row: the number t, and `width` others. */
+/* fvi_plot_row -- Write a row: the number t, and `width` other numbers. */
 void fvi_plot_row(FILE *rows, double t, size_t width, const double *row);
 
-/* fvi_picture -- what is to become of the rows.
+/* fvi_picture -- What fvi_picture_end draws.
  *
- *   name    FILE.svg or FILE.png
- *   width, height  of the picture, in points
- *   script  writes gnuplot's commands, of which $rows are the rows */
+ *   name           FILE.svg or FILE.png
+ *   width, height  size of the picture, in points
+ *   script         writes the commands of gnuplot, in which $rows are the rows; params is its second argument */
 typedef struct {
     const char *name;
     size_t width, height;
@@ -24,9 +24,9 @@ typedef struct {
     const void *params;
 } fvi_picture;
 
-/* fvi_picture_end -- draw the rows: of more than 5000 each k-th. The picture is complete, or what was
- * there stays. With draw == 0 nothing is drawn. Closes rows; NULL is allowed.
- * Returns 0, or 1 after it has said why not. */
+/* fvi_picture_end -- Draw the rows. Of more than 5000 rows only each k-th is drawn. The picture is complete, or the old
+ * file stays. With draw == 0 nothing is drawn. The file `rows` is closed; it may be NULL. Return 0, or 1 after a
+ * message. */
 int fvi_picture_end(FILE *rows, const fvi_picture *picture, int draw);
 
 #endif

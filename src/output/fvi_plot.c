@@ -1,4 +1,4 @@
-/* src/output/fvi_plot.c -- A picture of a table, drawn by gnuplot. */
+/* src/output/fvi_plot.c -- Draw a table with gnuplot. */
 #include "fvi_plot.h"
 #include "fvi_table.h"
 
@@ -8,8 +8,8 @@ enum { MOST_LINES = 6 };
 
 /* ---- the script ---- */
 
-/* What stands behind `plot`: lines from column `at` of the data on, of the time or of
- * the columns from `over` on. */
+/* Write the command `plot` with a line for each shown coordinate: columns at, at + 1, ... of the data over the time
+ * (over = 1), or over the columns over, over + 1, ... */
 static void lines(FILE *g, const fvi_options *o, size_t over, size_t at)
 {
     for (size_t i = 0; i < o->shown_count && i < MOST_LINES; i++) {
@@ -25,7 +25,8 @@ static void panel(FILE *g, const char *across, const char *up)
     fprintf(g, "set xlabel '%s'; set ylabel '%s'\n", across, up);
 }
 
-/* Two typed columns and no others are a loop, as force over drift. */
+/* Return nonzero if the table has two typed columns and no others. They are drawn as a loop, for example force over
+ * drift. */
 static int is_loop(const fvi_options *o)
 {
     size_t width = 0;
@@ -37,7 +38,8 @@ static int is_loop(const fvi_options *o)
     return width == 2;
 }
 
-/* Where each column stands in the data, from 2; 0 if it is none. */
+/* Find the first column of each item in the data, counted from 2; 0 if the table does not have it. Return the number of
+ * panels. */
 static size_t place_columns(const fvi_options *o, size_t at[FVI_ALL_COLUMNS])
 {
     size_t next = 2, panels = 0;
@@ -48,12 +50,12 @@ static size_t place_columns(const fvi_options *o, size_t at[FVI_ALL_COLUMNS])
         next += fvi_table_column_width(o, n);
         panels += column == FVI_COLUMN_TYPED ? o->columns.width[n]
                                              : column != FVI_COLUMN_T;
-        /* p is the phase, or its own */
+        /* p is drawn over x in a phase panel, or has its own panel */
     }
     return is_loop(o) ? 1 : panels;
 }
 
-/* The name of a typed column, as gnuplot takes a text; its quotes are doubled. */
+/* Write the name of a typed column as a text of gnuplot, with its quotes doubled. */
 static void label(FILE *g, const char *axis, const char *name)
 {
     fprintf(g, "set %slabel '", axis);
@@ -62,7 +64,7 @@ static void label(FILE *g, const char *axis, const char *name)
     fputs("' noenhanced\n", g);
 }
 
-/* Each typed column over the time. */
+/* Draw each typed column over the time. */
 static void typed_panels(FILE *g, const fvi_options *o)
 {
     size_t next = 2;
@@ -80,7 +82,7 @@ static void typed_panels(FILE *g, const fvi_options *o)
     }
 }
 
-/* The second typed column over the first. */
+/* Draw the second typed column over the first. */
 static void loop(FILE *g, const fvi_options *o)
 {
     label(g, "x", fvi_typed_column_name(o->typed, 0));
@@ -120,7 +122,7 @@ static void script(FILE *g, const fvi_options *o,
     fprintf(g, "unset multiplot\n");
 }
 
-/* What gnuplot is to do with the rows of a trajectory. */
+/* What the script needs to draw the rows of a trajectory. */
 typedef struct {
     const fvi_options *o;
     size_t at[FVI_ALL_COLUMNS], panels;

@@ -1,5 +1,5 @@
-/* src/output/fvi_table.c -- The table that the program prints. */
-#define _GNU_SOURCE /* _SC_PHYS_PAGES */
+/* src/output/fvi_table.c -- Print the table of a run. */
+#define _GNU_SOURCE /* for _SC_PHYS_PAGES */
 #include "fvi_table.h"
 #include "fvi_complain.h"
 #include "fvi_format.h"
@@ -35,7 +35,7 @@ size_t fvi_table_column_width(const fvi_options *o, size_t n)
                                                                    : o->shown_count;
 }
 
-/* The names of item n, the first of which is column number `first`. */
+/* Write the names of item n. Its first column is column number `first` of the table. */
 static void print_names(FILE *out, const fvi_options *o, size_t n, size_t first)
 {
     const fvi_column column = o->columns.at[n];
@@ -98,7 +98,7 @@ void fvi_table_shape(fvi_table *t, const fvi_options *o,
         t->width += fvi_table_column_width(o, n);
         t->wait |= o->columns.at[n] == FVI_COLUMN_Y;
     }
-    if (fvi_reductions_count(o->typed) > 0) { /* one row */
+    if (fvi_reductions_count(o->typed) > 0) { /* the reductions are the only row */
         t->width = fvi_reductions_count(o->typed);
         t->wait = 0;
     }
@@ -128,18 +128,18 @@ size_t fvi_table_next(const fvi_table *t, size_t k)
     return step < N - k ? k + step : N;
 }
 
-/* Of d numbers those that are columns. */
+/* Copy the shown coordinates of d numbers. */
 static void pick(const fvi_options *o, const double *from, double *row)
 {
     for (size_t i = 0; i < o->shown_count; i++)
         row[i] = from[o->shown[i]];
 }
 
-/* The columns of row k; or, mirrored, only y. */
+/* Fill in the columns of row k. With mirror nonzero, fill in only the columns y of row N - k, which are x_k. */
 static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
                 int only_y, double *row)
 {
-    const double time = t->ended > 0 ? t->ended : (double)k * t->o->h; /* one product */
+    const double time = t->ended > 0 ? t->ended : (double)k * t->o->h; /* one product, so that t_k has one rounding */
     int status = FVI_SUCCESS;
     if (t->typed)
         memcpy(t->o->typed_row, t->typed,
@@ -165,7 +165,8 @@ static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
     return status;
 }
 
-/* The row of step k, the i-th that is printed. The last one may not be a multiple. */
+/* Print the row of step k as the i-th row of the table. The last step need not be a multiple of --every, so k may be
+ * too large for the last row. */
 static void print_row(const fvi_table *t, size_t k, size_t i, const double *row)
 {
     const size_t step = k < t->o->steps ? k : t->o->steps;
@@ -183,7 +184,7 @@ int fvi_table_take(const fvi_table *t, size_t k, const double *x,
         int status = fill(t, k, x, p, 0, row);
         if (status)
             return status;
-        if (!fvi_all_finite(t->width, row)) /* an energy may be too large */
+        if (!fvi_all_finite(t->width, row)) /* for example an energy that is too large */
             return FVI_EOVRFLW;
         if (!t->wait)
             print_row(t, k, k - t->begin + (t->goes_on != 0), row);
