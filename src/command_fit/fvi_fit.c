@@ -1,4 +1,4 @@
-/* src/command_fit/fvi_fit.c -- The command `fvi fit`: parameters from a table. */
+/* src/command_fit/fvi_fit.c -- Run the command `fvi fit`: find parameters from a table. */
 #include "fvi_fit.h"
 
 #include "fvi_fit_answer.h"
@@ -14,7 +14,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Of a run, and not of a fit, which takes its times from the data. */
+/* Options of `fvi run` that a fit does not have, mostly because it takes its times from the data. */
 static const char *const not_for_fit[] = { "steps",      "time",     "error",
                                            "step-error", "columns", "reduce",
                                            "every",      "format",   "plot",
@@ -33,7 +33,7 @@ static const fvi_own_command fit = {
     .more = fvi_fit_time
 };
 
-/* A plan has no DATA: its times are those of --steps and --time. */
+/* The same for a plan (--design). A plan has no DATA: its times are those of --steps and --time. */
 static const char *const not_for_design[] = { "error",      "step-error", "columns", "reduce",
                                               "ground",     "along",      "format",  "plot",
                                               "checkpoint", "continue",   "system",  "unknowns",
@@ -44,7 +44,7 @@ typedef fvi_fit_request request;
 
 /* ---- what is asked for ---- */
 
-/* A body of several masses shows several things: which of them does the data show? */
+/* Refuse a body of several masses unless --compare says which coordinates the data show. */
 static int check_columns(const request *r, fvi_error *c)
 {
     const fvi_options *o = &r->o;
@@ -60,7 +60,7 @@ static int check_columns(const request *r, fvi_error *c)
                       o->text[by], o->d);
 }
 
-/* What a plan has not, and how it says so. */
+/* Refuse options that a plan does not use. */
 static int check_plan(const request *r, fvi_error *c)
 {
     static const int none_of[] = { STARTS, COMPARE, HUBER };
@@ -74,8 +74,8 @@ static int check_plan(const request *r, fvi_error *c)
     return 0;
 }
 
-/* Form M of the methods with stages, which a fit has where nothing is said, has no step for a coordinate
- * without inertia; form D has one. */
+/* Choose form D of the methods with stages if a coordinate has no inertia and no method is named. The preset method has
+ * form M, which has no step for such a coordinate. */
 static void choose_form(request *r)
 {
     const fvi_mechanism *mechanism = r->system.mechanism;
@@ -102,7 +102,7 @@ static int interpret(request *r, fvi_error *c)
                         .which = r->which,
                         .h = has_step ? o->h : 0 };
     if (!has_step && !r->words.flag)
-        o->text[H] = NULL; /* it is found: not in the head */
+        o->text[H] = NULL; /* the step will be found, so it is not in the head */
     int status = fvi_fit_columns(r, c);
     if (!status)
         status = fvi_fit_names(r, c);
@@ -119,7 +119,7 @@ static int interpret(request *r, fvi_error *c)
     return status ? status : fvi_check_second_file("curve", r->words.own[CURVE], o->output, c);
 }
 
-/* Steps of their own length where the data ask for them, unless something was said of steps. */
+/* Choose the method that suits the data, unless an option says something about the steps. */
 static void choose_steps(request *r)
 {
     static const option_index of_steps[] = { METHOD, H, KAPPA, MEMORY, TOLERANCE };
@@ -127,13 +127,13 @@ static void choose_steps(request *r)
         if (r->words.given[of_steps[i]])
             return;
     const fvi_method *best = fvi_estimate_method(&r->fit);
-    if (!best) /* the search says why the question cannot be asked */
+    if (!best) /* the search will say why this cannot be fitted */
         return;
     r->o.method = r->fit.method = best;
     r->o.text[METHOD] = best->name;
 }
 
-/* Does a record of the data begin where the options do not say? */
+/* Return nonzero if a record of the data has its own start. */
 static int has_own_start(const request *r)
 {
     for (size_t i = 0; i < r->fit.records; i++)
@@ -142,8 +142,8 @@ static int has_own_start(const request *r)
     return 0;
 }
 
-/* What the method says of a run with the numbers of the options. No search helps where it takes no such
- * system, or a p0 that is not fitted breaks a constraint. A plan has these numbers alone. */
+/* Start a run with the numbers of the options, and refuse what no search can mend: the method does not take the system,
+ * or a p0 that is not fitted breaks a constraint. A plan is refused for any error, because it has no other numbers. */
 static int check_start(const request *r, fvi_error *c)
 {
     fvi_stepper *s = NULL;
@@ -168,8 +168,8 @@ static int read_data(request *r, fvi_error *c)
 
 /* ---- the search ---- */
 
-/* The box of the library, which knows nothing of the constants of an expression: they may
- * be ten times as large or as small as --let says, or have either sign. */
+/* Take the box of the library. It knows no bounds for the constants of an expression, so they are set here: from a
+ * tenth to ten times the value of --let, or from -1 to 1 if that is 0. */
 static int make_box(request *r)
 {
     const int status = fvi_estimate_box(&r->fit, r->low, r->high);
@@ -186,7 +186,7 @@ static int make_box(request *r)
     return status;
 }
 
-/* The search, and whether its answer can be believed. */
+/* Search for the parameters, and examine whether the answer can be believed. */
 static int search(request *r, fvi_estimate *f, fvi_examination *e)
 {
     const int terminal = isatty(STDERR_FILENO);
@@ -204,8 +204,8 @@ static int search(request *r, fvi_estimate *f, fvi_examination *e)
     return status;
 }
 
-/* Answers that are not believed are shown on standard output alone; where a file was asked for
- * the flags are said without it. */
+/* Print the answer. An answer that is not believed goes to standard output only. If a file was asked for, the flags of
+ * such an answer go to standard error. Return an exit code. */
 static int search_and_print(request *r)
 {
     fvi_estimate f = { .agree = 0 };
@@ -231,7 +231,7 @@ static int search_and_print(request *r)
 
 /* ---- a plan ---- */
 
-/* The rows of the plan: the steps k, 2 k, ... of --every k. */
+/* Make the times of the plan: the steps k, 2 k, ... of --every k. Return 0, or a code with the error filled in. */
 static int planned_times(request *r, fvi_error *c)
 {
     const fvi_options *o = &r->o;
@@ -279,7 +279,7 @@ static int has_option(int argc, char **argv, const char *name)
 
 /* ---- the command ---- */
 
-/* Words that are known to the fit of a material alone. */
+/* Refuse options that only the fit of a material has. */
 static int check_words_of_material(int argc, char **argv, fvi_error *c)
 {
     static const char *const names[] = { "law", "weights" };
@@ -305,7 +305,7 @@ int fvi_command_fit(int argc, char **argv)
         command.more = NULL;
     }
     if (has_option(argc, argv, "system"))
-        command.method = "--method=fvi-lobatto4d"; /* of the methods with stages those take matrices */
+        command.method = "--method=fvi-lobatto4d"; /* of the methods with stages, form D takes matrices */
     if (!status)
         status = fvi_subcommand_options_parse(&command, argc, argv, &r.words, &r.o, c);
     if (!status)

@@ -1,9 +1,9 @@
-/* src/command_fit/fvi_fit.h -- The command `fvi fit`. */
+/* src/command_fit/fvi_fit.h -- Run the command `fvi fit`. */
 #ifndef FVI_COMMAND_FIT_H
 #define FVI_COMMAND_FIT_H
 
-/* fvi_command_fit -- `fvi fit`: parameters from a table. The words are those of main; 1 if
- * the data have no answer that can be believed, 2 if the words are refused. */
+/* fvi_command_fit -- Run `fvi fit`: find parameters from a table. argc and argv are those of main. Return an exit code:
+ * 0; 1 if the data have no answer that can be believed, or after another message; 2 if an option is refused. */
 int fvi_command_fit(int argc, char **argv);
 
 #endif

@@ -1,4 +1,4 @@
-/* src/command_fit/fvi_fit_answer.c -- What `fvi fit` prints. */
+/* src/command_fit/fvi_fit_answer.c -- Print the answer of `fvi fit`. */
 #include "fvi_fit_answer.h"
 
 #include "output/fvi_complain.h"
@@ -7,14 +7,14 @@
 
 typedef fvi_fit_request request;
 
-/* What the reader must know before he believes it; to the table and to standard error. */
+/* Print a warning about the answer to the table and to standard error. */
 static void warn(FILE *out, const char *text)
 {
     fvi_warn(text);
     fprintf(out, "# warning = %s\n", text);
 }
 
-/* Pairs that the data can hardly tell apart. */
+/* Warn of pairs of parameters that the data can hardly tell apart. */
 static void warn_alike(FILE *out, const request *r, const fvi_estimate *f)
 {
     char text[FVI_WARNING_ROOM];
@@ -25,7 +25,7 @@ static void warn_alike(FILE *out, const request *r, const fvi_estimate *f)
                 warn(out, text);
 }
 
-/* What nobody would see in the residuals: an offset, or a drift. */
+/* Warn of an offset or a drift of the sensor that the residuals would not show. */
 static void warn_unseen(FILE *out, const request *r, const fvi_estimate *f,
                         const fvi_examination *e)
 {
@@ -35,7 +35,7 @@ static void warn_unseen(FILE *out, const request *r, const fvi_estimate *f,
             warn(out, text);
 }
 
-/* The flags of an examination, to the table, if there is one, and to standard error. */
+/* Print the flags of an examination to standard error, and to the table if `out` is not NULL. */
 static void print_flags(FILE *out, const request *r, const fvi_estimate *f,
                         const fvi_examination *e)
 {
@@ -120,7 +120,8 @@ void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f,
     print_flags(out, r, f, e);
 }
 
-/* record, t, and of each column the data, the fit and the residual. */
+/* Print a row for each time: the record (if there are several), t, and for each column the data, the fit and the
+ * residual. */
 static void print_curve(FILE *out, const request *r)
 {
     const size_t columns = r->columns ? r->columns : 1, is_one = r->words.operands == 1;

@@ -1,4 +1,4 @@
-/* src/command_fit/fvi_fit_answer.h -- What `fvi fit` was asked, and what it prints. */
+/* src/command_fit/fvi_fit_answer.h -- Hold what `fvi fit` was asked, and print its answer. */
 #ifndef FVI_FIT_ANSWER_H
 #define FVI_FIT_ANSWER_H
 
@@ -7,18 +7,18 @@
 
 #include <stdio.h>
 
-/* Its own options, words.own[FIT] and so on. */
+/* Indices of its own options, as in words.own[FIT]. */
 enum { FIT, SIGMA, STARTS, COMPARE, HUBER, CURVE };
 
-/* What the words say, and what is read. Without --compare columns is 0, and one column is x. */
+/* The options of a fit and the data that were read. Without --compare `columns` is 0, and there is one column, x. */
 typedef struct {
     fvi_subcommand_options words;
     fvi_options o;
-    fvi_system system; /* of o */
+    fvi_system system; /* system of the options o */
     fvi_run run;
     fvi_free_parameter which[FVI_ESTIMATION_MOST];
     const char *name[FVI_ESTIMATION_MOST];
-    char names[400], preset[400]; /* in pieces; without --fit */
+    char names[400], preset[400]; /* texts that --fit and its preset are split into */
     fvi_estimation fit;
     double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST];
     size_t columns;
@@ -27,33 +27,33 @@ typedef struct {
     fvi_expression *shows[FVI_MEASURED_MOST];
     double sigma[FVI_MEASURED_MOST];
     fvi_record *record;
-    struct fvi_fit_record *read; /* what they are made of */
+    struct fvi_fit_record *read; /* what the records are made of */
     size_t points;
-    double *t, *curve; /* the times of a plan; the fitted motion, of all rows */
+    double *t, *curve; /* times of a plan; fitted motion at all rows */
 } fvi_fit_request;
 
-/* Are the constants those of --let: of a potential, or a Lagrangian, that is an expression? */
+/* Return nonzero if the constants are those of --let, because the potential or the Lagrangian is an expression. */
 int fvi_fit_has_lets(const fvi_options *o);
 
-/* The parameters of --fit, into which and name. Returns 0, or 2 with the error written. */
+/* Read the parameters of --fit into r->which and r->name. Return 0, or nonzero with the error filled in. */
 int fvi_fit_names(fvi_fit_request *r, fvi_error *c);
 
-/* Behind the words: estimates, intervals, correlations, warnings, flags. */
+/* Print everything after the head: estimates, intervals, correlations, warnings and flags. */
 void fvi_fit_print_answer(FILE *out, const fvi_fit_request *r,
                           const fvi_estimate *f, const fvi_examination *e);
 
-/* The same of a plan: standard deviations and correlations that are expected. */
+/* Print the same for a plan: the standard deviations and correlations to be expected. */
 void fvi_fit_print_plan(FILE *out, const fvi_fit_request *r, const fvi_estimate *f,
                         const fvi_examination *e);
 
-/* The flags alone, to standard error. */
+/* Print only the flags, to standard error. */
 void fvi_fit_warn_of_flags(const fvi_fit_request *r, const fvi_estimate *f,
                            const fvi_examination *e);
 
-/* The table of --curve, if it is asked for. Returns the exit code. */
+/* Print the table of --curve, if it is asked for. Return an exit code. */
 int fvi_fit_print_curve(const fvi_fit_request *r);
 
-/* Why there is no answer that can be believed, to standard error. Returns 1. */
+/* Print on standard error why there is no answer that can be believed. Return 1. */
 int fvi_fit_complain(int status, const fvi_fit_request *r, const fvi_estimate *f);
 
 #endif

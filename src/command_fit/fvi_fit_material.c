@@ -1,5 +1,5 @@
-/* src/command_fit/fvi_fit_material.c -- The command `fvi fit --moduli` and its like: a law of damping
- * from what a laboratory measures. */
+/* src/command_fit/fvi_fit_material.c -- Run the command `fvi fit --moduli`, `--creep` or `--relaxation`: find a law of
+ * damping from measurements of a laboratory. */
 #include "fvi_fit_material.h"
 
 #include "command_shared/fvi_subcommand_options.h"
@@ -16,8 +16,8 @@
 enum { LAW, WEIGHTS, SIGMA, STARTS, CURVE };
 enum { DATA_COLUMNS = 5, LETTERS = 100 };
 
-/* Of each test its option, the names that the columns of its files may have, and what they are called in a line '#'
- * and in a sentence; in the order of fvi_material_test. */
+/* For each test: its option, the names that the columns of its files may have, and their names in a line '#' and in a
+ * sentence. In the order of fvi_material_test. */
 static const struct {
     const char *option;
     size_t columns;
@@ -37,9 +37,9 @@ typedef struct {
     fvi_options o;
     fvi_material_data data;
     fvi_element kind[FVI_MATERIAL_ELEMENTS];
-    char names[DATA_COLUMNS][LETTERS]; /* of the columns, as fvi_parse_table_columns takes them */
+    char names[DATA_COLUMNS][LETTERS]; /* names of the columns, as fvi_parse_table_columns takes them */
     size_t columns;
-    double *block; /* at, first, second, unit, second unit of all files; the curve */
+    double *block; /* columns at, first, second, unit and second unit of all files, then the curve */
     double *curve;
 } request;
 
@@ -79,7 +79,7 @@ static int interpret_law(request *r, fvi_error *c)
     return 0;
 }
 
-/* The names of the columns; those of --weights behind them. */
+/* Collect the names of the columns, followed by those of --weights. */
 static int interpret_weights(request *r, fvi_error *c)
 {
     const char *text = r->words.own[WEIGHTS] ? r->words.own[WEIGHTS] : "relative";
@@ -129,8 +129,8 @@ static int interpret(request *r, fvi_error *c)
 
 /* ---- data ---- */
 
-/* Without names a file has the columns of the test and no more: another is not passed by, as the first may not be what
- * they seem. */
+/* Refuse a file without names that has more columns than the test. An extra column is not skipped, because then the
+ * first columns may not be what they seem. Return 0, or nonzero with the error filled in. */
 static int check_width(const request *r, const char *file, fvi_error *c)
 {
     const size_t count = tests[r->data.test].columns;
@@ -145,7 +145,7 @@ static int check_width(const request *r, const char *file, fvi_error *c)
                       "are those of --%s", file, count, tests[r->data.test].line, tests[r->data.test].option);
 }
 
-/* Does a line of the file name columns of another test, so that the first columns are not what they seem? */
+/* Refuse a file that names columns of another test, because then its first columns are not what they seem. */
 static int check_names(const request *r, const char *file, fvi_error *c)
 {
     static const char *const of_moduli[] = { "omega|w|frequency|hertz|hz", "storage|Gp|G'|E'|G1|E1",
@@ -154,7 +154,7 @@ static int check_names(const request *r, const char *file, fvi_error *c)
                                                  "force|stress|relaxation" };
     const int both = r->data.test == FVI_MATERIAL_MODULI;
     const char *own[] = { r->names[0], r->names[1], r->names[2] };
-    for (size_t k = 0, count = 1; k < 4; k++) { /* its own columns; then those of another test */
+    for (size_t k = 0, count = 1; k < 4; k++) { /* k = 0: the columns of this test; k > 0: a column of another test */
         const char *const *names = k == 0 ? own : both ? in_time + k - 1 : of_moduli + k - 1;
         size_t which[FVI_COLUMNS_MOST], n;
         double *columns;
@@ -171,7 +171,7 @@ static int check_names(const request *r, const char *file, fvi_error *c)
     return check_width(r, file, c);
 }
 
-/* The rows of one file behind those of the files before. */
+/* Read the rows of one file, and add them after the rows of the files before. */
 static int read_file(request *r, const char *file, fvi_error *c)
 {
     const char *names[DATA_COLUMNS];
@@ -193,7 +193,7 @@ static int read_file(request *r, const char *file, fvi_error *c)
     }
     r->block = more;
     const double unit = r->data.test == FVI_MATERIAL_MODULI && which[0] >= 2 ? 2 * M_PI : 1;
-    for (size_t i = 0; i < n; i++) /* row by row as yet */
+    for (size_t i = 0; i < n; i++) /* for now stored row by row */
         for (size_t k = 0; k < DATA_COLUMNS; k++)
             more[(r->data.n + i) * DATA_COLUMNS + k] =
                 (k == 0 ? unit : 1) * (k < r->columns ? columns[k * n + i] : 1);
@@ -202,7 +202,7 @@ static int read_file(request *r, const char *file, fvi_error *c)
     return 0;
 }
 
-/* Columns of the rows. Without own weights the second unit is as the first. */
+/* Rearrange the rows into columns. Without --weights of its own the second unit is the first one. */
 static int arrange(request *r, fvi_error *c)
 {
     const size_t n = r->data.n, data = tests[r->data.test].columns;
@@ -239,7 +239,7 @@ static int read_data(request *r, fvi_error *c)
 
 /* ---- the answer ---- */
 
-/* "spring:1 + zener:3,0.25,1.5", as --damping takes it. */
+/* Print the law as --damping takes it, for example "spring:1 + zener:3,0.25,1.5". */
 static void print_law(FILE *out, const request *r, const fvi_material *m)
 {
     size_t j = 0;
@@ -327,7 +327,8 @@ int fvi_fit_tell_unwritten(const char *output, const char *curve)
     return 1;
 }
 
-/* As for motions: an answer that is not believed is shown on standard output alone. */
+/* Print the answer. As in a fit of a motion, an answer that is not believed goes to standard output only. Return an
+ * exit code. */
 static int print(const request *r, const fvi_material *m)
 {
     if (m->grave && r->o.output) {
@@ -346,7 +347,8 @@ static int print(const request *r, const fvi_material *m)
 
 /* ---- the command ---- */
 
-/* What the library says of a number of the data is said of DATA and its column. */
+/* Fit the data. If the library refuses a number of the data, the error names DATA and its column. Return 0, or a code
+ * with the error filled in. */
 static int fit_data(const request *r, fvi_material *m, fvi_error *c)
 {
     const char *const fields[][2] = { { "at", r->data.test == FVI_MATERIAL_MODULI ? "omega " : "t " },

@@ -1,21 +1,22 @@
-/* src/command_fit/fvi_fit_material.h -- `fvi fit --moduli`, `--creep`, `--relaxation`. */
+/* src/command_fit/fvi_fit_material.h -- Run `fvi fit --moduli`, `--creep` and `--relaxation`. */
 #ifndef FVI_FIT_MATERIAL_H
 #define FVI_FIT_MATERIAL_H
 
 #include <fvi/error.h>
 
-/* fvi_fit_is_material -- does one of the three words stand there? */
+/* fvi_fit_is_material -- Return nonzero if one of the three options is among the words. */
 int fvi_fit_is_material(int argc, char **argv);
 
-/* fvi_fit_material -- the law of a material from its tables, as fvi_command_fit. */
+/* fvi_fit_material -- Find the law of a material from its tables. Arguments and return values are those of
+ * fvi_command_fit. */
 int fvi_fit_material(int argc, char **argv);
 
-/* fvi_fit_starts -- the text of --starts of any fit, 20 where there is none, as a number from 2 to `most`. Returns as
- * fvi_options_parse. */
+/* fvi_fit_starts -- Read --starts of any fit as a number from 2 to `most`. If *text is NULL, it becomes "20". Return 0,
+ * or a code of fvi/error.h with the error filled in. */
 int fvi_fit_starts(const char **text, size_t most, size_t *starts, fvi_error *c);
 
-/* fvi_fit_tell_unwritten -- the files that were asked for, NULL where one was not, are not written, for the answer is not
- * believed: a line on standard error, if there is one. Returns 1. */
+/* fvi_fit_tell_unwritten -- Print on standard error that the files `output` and `curve` are not written because the
+ * answer is not believed. A name is NULL if no such file was asked for; without both nothing is printed. Return 1. */
 int fvi_fit_tell_unwritten(const char *output, const char *curve);
 
 #endif

@@ -1,4 +1,4 @@
-/* src/command_fit/fvi_fit_names.c -- What `fvi fit --fit` may ask for, by name. */
+/* src/command_fit/fvi_fit_names.c -- Read the names of the parameters of `fvi fit --fit`. */
 #include "fvi_fit_answer.h"
 
 #include <stdio.h>
@@ -11,8 +11,7 @@ int fvi_fit_has_lets(const fvi_options *o)
     return o->potential.expression || o->text[LAGRANGIAN];
 }
 
-/* The constants of a potential by their names, NULL where there are no more: c, g, or
- * those of --let. */
+/* Return the name of constant i of the potential: c, g, or a name of --let. NULL if there is no constant i. */
 static const char *constant_name(const fvi_options *o, size_t i)
 {
     static const char *const c_and_g[] = { "c", "g", NULL };
@@ -30,7 +29,8 @@ static const char *constant_name(const fvi_options *o, size_t i)
     }
 }
 
-/* Refuse a parameter that stands twice, alpha where the method has only one, and a --let of which another was made. */
+/* Refuse a parameter that is named twice, alpha if the method has only one value of it, and a --let from which another
+ * --let was computed. */
 static int check(const request *r, size_t n, fvi_error *c)
 {
     const fvi_free_parameter which = r->which[n];

@@ -1,5 +1,5 @@
-/* src/command_fit/fvi_fit_records.c -- The data of `fvi fit`: several columns, several records. */
-#define _GNU_SOURCE /* strdup */
+/* src/command_fit/fvi_fit_records.c -- Read the data of `fvi fit`: several columns, several records. */
+#define _GNU_SOURCE /* for strdup */
 #include "fvi_fit_records.h"
 
 #include "input/fvi_files.h"
@@ -12,7 +12,7 @@
 
 typedef fvi_fit_request request;
 
-/* What a record has read and parsed; the text of its operand, in pieces. */
+/* What was read for one record. The texts point into `operand`, which was split. */
 struct fvi_fit_record {
     char *operand;
     const char *file, *x0_text, *p0_text, *force_text;
@@ -24,7 +24,7 @@ struct fvi_fit_record {
 
 /* ---- the last time ---- */
 
-/* That of one operand; 0 if it cannot be had, which is said when it is read. */
+/* Return the last time of one operand, or 0 if it cannot be read. The error is reported when the record is read. */
 static double last_time_of(const char *operand)
 {
     static const char *const names[] = { "t|time" };
@@ -42,7 +42,7 @@ static double last_time_of(const char *operand)
     return last;
 }
 
-/* The value of --h among the words, or 0. */
+/* Return the value of --h among the words, or 0. */
 static double step_among(char *const *run)
 {
     double h = 0;
@@ -57,7 +57,7 @@ void fvi_fit_time(const fvi_subcommand_options *w, char *const *run, size_t size
     double last = 0;
     for (size_t k = 0; k < w->operands && (w->given[FORCE] || w->given[GROUND]); k++) {
         const double end = last_time_of(w->all[k]);
-        if (!(end <= last)) /* a NaN stays */
+        if (!(end <= last)) /* this comparison keeps a NaN */
             last = end;
     }
     const double h = w->given[H] ? step_among(run) : 0, steps = h > 0 ? ceil(last / h - 1e-6) : 0;
@@ -106,7 +106,7 @@ int fvi_fit_sigma(request *r, fvi_error *c)
 
 /* ---- records ---- */
 
-/* "DATA : x0=1,0 : force=file:F.tsv" into its pieces. */
+/* Split "DATA : x0=1,0 : force=file:F.tsv" into its parts. */
 static int split(struct fvi_fit_record *o, const char *operand, fvi_error *c)
 {
     o->operand = strdup(operand);
@@ -167,7 +167,8 @@ static int read_force(request *r, struct fvi_fit_record *o, fvi_record *to, fvi_
     return 0;
 }
 
-/* Times and one column, as always: t and x, or the first two; or the columns by their names. */
+/* Read the times and the columns. Without --compare these are t and x, by name or as the first two columns; with it
+ * they are found by name. */
 static int read_columns(const request *r, struct fvi_fit_record *o, fvi_record *to, fvi_error *c)
 {
     static const char *const t_and_x[] = { "t", "x" };

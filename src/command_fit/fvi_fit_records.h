@@ -1,21 +1,23 @@
-/* src/command_fit/fvi_fit_records.h -- What the words of `fvi fit` say of the data. */
+/* src/command_fit/fvi_fit_records.h -- Read the options of `fvi fit` about the data, and the data.
+ *
+ * Functions that take an error return 0, or nonzero with the error filled in. */
 #ifndef FVI_FIT_RECORDS_H
 #define FVI_FIT_RECORDS_H
 
 #include "fvi_fit_answer.h"
 
-/* --compare: what the columns of DATA show. */
+/* Read --compare, which says what the columns of DATA show. */
 int fvi_fit_columns(fvi_fit_request *r, fvi_error *c);
 
-/* --sigma: one number for each of them. */
+/* Read --sigma: one number for each of these columns. */
 int fvi_fit_sigma(fvi_fit_request *r, fvi_error *c);
 
-/* The operands DATA, each with what it has of its own: 'DATA : x0=... : p0=... : force=...'. */
+/* Read the operands DATA, each with its own start and force: 'DATA : x0=... : p0=... : force=...'. */
 int fvi_fit_read(fvi_fit_request *r, fvi_error *c);
 
-/* Forces are asked for up to the last time of DATA, which is read before the other words are: the
- * word "--time=T", or "--steps=N" where there is --h. None where no force is named, or where a DATA
- * can be read but once. */
+/* Write the option "--time=T", or "--steps=N" if --h is given, so that forces are read up to the last time T of DATA.
+ * For this purpose the data are read before the other options. Nothing is written if no force and no ground is named.
+ * Data that are no ordinary file are skipped, because they can be read only once. */
 void fvi_fit_time(const fvi_subcommand_options *w, char *const *run, size_t size, char *text);
 
 void fvi_fit_records_free(fvi_fit_request *r);

@@ -1,4 +1,5 @@
-/* src/command_gradient/fvi_gradient.c -- The command `fvi gradient`: derivatives of a last row. */
+/* src/command_gradient/fvi_gradient.c -- Run the command `fvi gradient`: compute derivatives of a number of the last
+ * row. */
 #include "fvi_gradient.h"
 
 #include "fvi_gradient_answer.h"
@@ -16,7 +17,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-/* Of a run, and of no use to its derivatives. */
+/* Options of `fvi run` that its derivatives do not use. */
 static const char *const not_for_gradient[] = {
     "error",      "columns",  "reduce",   "every",    "format", "plot",
     "checkpoint", "continue", "unknowns", "snapshot", "event",  NULL
@@ -34,7 +35,7 @@ typedef fvi_gradient_request request;
 
 /* ---- words ---- */
 
-/* x, p, energy; x:2, p:2; d1.force. */
+/* Read --of: x, p, energy; x:2, p:2; d1.force. */
 static int interpret_of(request *r, fvi_error *c)
 {
     static const char *const known[] = { "x", "p", "energy", NULL };
@@ -58,7 +59,7 @@ static int interpret_of(request *r, fvi_error *c)
     return status;
 }
 
-/* A coordinate without inertia, whose places fvi-stable smooths. */
+/* Refuse fvi-stable with a coordinate without inertia, because it smooths the positions of such a coordinate. */
 static int check_masses(const request *r, fvi_error *c)
 {
     for (size_t i = 0; r->o.mass && !r->o.directory && i < r->o.d; i++)
@@ -68,7 +69,7 @@ static int check_masses(const request *r, fvi_error *c)
     return 0;
 }
 
-/* Of a folder not all methods have a gradient with all dampers. */
+/* Refuse dampers of a folder with which the method has no gradient. */
 static int check_dampers(const request *r, fvi_error *c)
 {
     const fvi_scheme scheme = r->o.method->scheme;
@@ -123,7 +124,7 @@ static double last_time(const request *r)
     return (double)r->o.steps * r->o.h;
 }
 
-/* E = v . L_v - L: by p it is v, and by x it is -L_x. */
+/* Compute the derivatives of E = v . L_v - L: by p it is v, and by x it is -L_x. */
 static int slopes_of_energy(request *r, const double *x, const double *p, double *Jx, double *Jp)
 {
     const fvi_lagrangian *L = fvi_gradient_lagrangian(r);
@@ -138,7 +139,7 @@ static int slopes_of_energy(request *r, const double *x, const double *p, double
     return status;
 }
 
-/* At the place and the momentum E falls by what L grows with a parameter. */
+/* Add the derivatives of E by the parameters of L. At a given x and p, E decreases by as much as L increases. */
 static int add_energy_of_lagrangian(request *r, const double *x, const double *p)
 {
     const size_t d = r->o.d;
@@ -155,7 +156,8 @@ static int add_energy_of_lagrangian(request *r, const double *x, const double *p
     return status;
 }
 
-/* The row N comes first: it is kept, and so is the number of which these are the slopes. */
+/* Write the derivatives of the objective at row k. fvi_adjoint calls this function for the last row first. There it
+ * also keeps the row and the value of the objective. */
 static int slopes(size_t k, size_t d, const double *x, const double *p,
                   void *params, double *Jx, double *Jp)
 {
@@ -183,7 +185,7 @@ static int slopes(size_t k, size_t d, const double *x, const double *p,
     return status ? status : fvi_potential_gradient(&r->system, x, Jx);
 }
 
-/* dU/dtheta_j at x: U is linear in the parameters of what is ready to use. */
+/* Compute dU/dtheta_j at x. A built-in potential U is linear in its parameters. */
 static int energy_by(const request *r, size_t j, const double *x, double *value)
 {
     if (r->o.potential.expression) {
@@ -196,8 +198,8 @@ static int energy_by(const request *r, size_t j, const double *x, double *value)
     return fvi_potential_value(&system, x, value);
 }
 
-/* p^T M^-1 p / 2 by a factor of M, x^T K x / 2 by one of K: the energy less what is left
- * of it without p. */
+/* Add the derivatives of E by a factor of M, -p^T M^-1 p / 2, and by a factor of K, x^T K x / 2. The part of M is E
+ * minus the energy of the same x with p = 0. */
 static int add_energy_of_matrices(request *r, const double *x)
 {
     const size_t d = r->o.d;
@@ -213,7 +215,7 @@ static int add_energy_of_matrices(request *r, const double *x)
     return status;
 }
 
-/* What the last energy has of masses and parameters besides x_N and p_N. */
+/* Add the derivatives of the last energy by masses and parameters at fixed x_N and p_N. */
 static int add_energy(request *r, const double *x, const double *p)
 {
     if (r->system.matrices)
@@ -233,7 +235,7 @@ static int add_energy(request *r, const double *x, const double *p)
     return status;
 }
 
-/* A --let may stand in dampers, constraints and forces of velocity. */
+/* Add the derivatives by a --let in dampers, constraints and forces of velocity. */
 static void add_names(request *r)
 {
     for (size_t j = 0; r->to.names && j < r->columns.count; j++) {
@@ -242,8 +244,8 @@ static void add_names(request *r)
     }
 }
 
-/* What an energy and forces add may be too large where the adjoint's part is not. With Riemann
- * and Liouville's past NaN says that there is no derivative by x0. */
+/* Return nonzero if the answer is finite. What an energy and forces add may overflow where the part of the adjoint does
+ * not. With the past of Riemann and Liouville a NaN means that there is no derivative by x0. */
 static int are_finite(const request *r)
 {
     const size_t d = r->o.d, end = fvi_gradient_numbers(r);
@@ -257,7 +259,7 @@ static int are_finite(const request *r)
            && (!by_p0 || fvi_all_finite(d, r->numbers + d));
 }
 
-/* The run, all its rows, and back. */
+/* Make the run, keep all its rows, and go back. Return 0, or 1 after a message. */
 static int differentiate(request *r)
 {
     const fvi_objective objective = { .slopes = slopes, .params = r };

@@ -1,4 +1,4 @@
-/* src/command_gradient/fvi_gradient_answer.c -- What `fvi gradient` prints. */
+/* src/command_gradient/fvi_gradient_answer.c -- Print the answer of `fvi gradient`. */
 #include "fvi_gradient_answer.h"
 #include "fvi_gradient_choice.h"
 #include "fvi_gradient_rows.h"

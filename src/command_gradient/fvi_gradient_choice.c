@@ -1,4 +1,4 @@
-/* src/command_gradient/fvi_gradient_choice.c -- Which rows of `fvi gradient` --by asks for. */
+/* src/command_gradient/fvi_gradient_choice.c -- Find the rows of `fvi gradient` for which --by asks. */
 #include "fvi_gradient_choice.h"
 
 #include "fvi_gradient_rows.h"
@@ -14,10 +14,11 @@ typedef fvi_gradient_visitor visitor;
 
 enum { LETTERS = FVI_GRADIENT_LETTERS };
 
-/* Each stands for the rows of all masses. */
+/* Each of these names stands for the rows of all masses. */
 static const char *const of_masses[] = { "x0", "p0", "mass", "rho", NULL };
 
-/* Is the word of --by, of so many letters, this name, or the name of all masses? */
+/* Return nonzero if a word of --by, of this length, is the name of a row, or stands for the rows of all masses to which
+ * this row belongs. */
 static int names_row(const char *word, size_t length, const char *name)
 {
     if (strncmp(word, name, length) != 0)
@@ -41,16 +42,16 @@ int fvi_gradient_has_row(const request *r, const char *name)
     return !r->words.own[BY];
 }
 
-/* All names, and which arrays have a number that is asked for. */
+/* All names of rows, and the arrays that contain a number that is asked for. */
 enum { FIELDS = 10 };
 typedef struct {
     char name[LETTERS];
-    char reason[3 * LETTERS]; /* why there is no derivative by it, or empty */
+    char reason[3 * LETTERS]; /* why there is no derivative, or empty */
 } row;
 
 typedef struct {
     request *r;
-    row *row; /* owned */
+    row *row; /* freed by the caller */
     size_t count;
     struct {
         double **to;
@@ -79,7 +80,7 @@ static void count_row(void *to, const char *name, const double *by, const char *
     ++*(size_t *)to;
 }
 
-/* All rows, with the fields that `all` has. */
+/* Collect all rows, and mark the arrays in all->field that are wanted. */
 static int note_rows(request *r, choice *all, fvi_error *c)
 {
     size_t rows = 0;
@@ -92,7 +93,7 @@ static int note_rows(request *r, choice *all, fvi_error *c)
     return 0;
 }
 
-/* The names of --by that stand for all masses. */
+/* Collect the names of --by that stand for all masses. Return their number. */
 static size_t name_masses(const request *r, const char **known)
 {
     const size_t count = !r->o.numbered                           ? 0
@@ -104,7 +105,7 @@ static size_t name_masses(const request *r, const char **known)
     return count;
 }
 
-/* A word, of so many letters, whose rows all are a line of warning: refused with the last of them. */
+/* Refuse a word of this length if none of its rows has a derivative. The reason is that of the last of these rows. */
 static int check_has_derivative(const choice *all, const char *word, size_t length, fvi_error *c)
 {
     const char *reason = NULL;
@@ -123,7 +124,7 @@ int fvi_gradient_check_answer(request *r, fvi_error *c)
     choice all = { .count = 0 };
     if (!r->words.own[BY])
         return 0;
-    for (size_t i = 0; i < FIELDS; i++) /* each has been computed, or not */
+    for (size_t i = 0; i < FIELDS; i++) /* the derivatives are known by now, so no array has to be marked */
         all.field[i].to = &r->numbers;
     int status = note_rows(r, &all, c);
     for (const char *at = r->words.own[BY]; at && !status; at = strchr(at, ',')) {
@@ -173,7 +174,7 @@ int fvi_gradient_choose(request *r, fvi_error *c)
     int status = note_rows(r, &all, c);
     if (!status)
         status = check_words(r, &all, c);
-    enum { TERMS = 5, TIMES = 7 }; /* rho1 of two springpots in series stands in the time, too */
+    enum { TERMS = 5, TIMES = 7 }; /* the derivative by rho1 of two springpots in series also needs that by the time */
     all.field[TIMES].is_wanted |= all.field[TERMS].is_wanted && r->has_pairs;
     for (size_t i = 0; i < FIELDS; i++)
         if (!all.field[i].is_wanted)

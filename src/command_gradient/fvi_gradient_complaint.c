@@ -1,4 +1,4 @@
-/* src/command_gradient/fvi_gradient_complaint.c -- Why there is no gradient. */
+/* src/command_gradient/fvi_gradient_complaint.c -- Say why there is no gradient. */
 #include "fvi_gradient_complaint.h"
 
 #include "command_shared/fvi_run_start.h"
@@ -30,8 +30,9 @@ void fvi_gradient_note_reasons(int on)
         fvi_set_error_handler(before);
 }
 
-/* A run that overflows or cannot be solved has no last row to differentiate; its energy, which
- * only a potential has here, may overflow, too. */
+/* Repeat the run without derivatives. If it overflows or a step cannot be solved, there is no last row to
+ * differentiate. The energy of the last row may also overflow; it is checked for a potential only. *reached is the step
+ * that failed, or 0 if the run did not start. Return FVI_SUCCESS or the code of the failure. */
 static int repeat_run(fvi_gradient_request *r, size_t *reached, fvi_error *error)
 {
     fvi_stepper *s;

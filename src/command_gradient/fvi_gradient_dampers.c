@@ -1,4 +1,5 @@
-/* src/command_gradient/fvi_gradient_dampers.c -- `fvi gradient --of d1.force`: the last force or impulse of a damper. */
+/* src/command_gradient/fvi_gradient_dampers.c -- Compute `fvi gradient --of d1.force`: derivatives of the last force or
+ * impulse of a damper. */
 #include "fvi_gradient_dampers.h"
 
 #include "options/fvi_words.h"
@@ -11,7 +12,8 @@ typedef fvi_gradient_request request;
 
 static const char *const quantities[] = { ".force", ".impulse" };
 
-/* Where ".force2" begins, and which quantity it is; NULL if the text ends otherwise. */
+/* Return where ".force2" begins in the text, and which quantity it is. NULL if the text does not end with a
+ * quantity. */
 static const char *quantity_of(const char *text, size_t *which)
 {
     const char *dot = text ? strrchr(text, '.') : NULL;
@@ -29,7 +31,7 @@ int fvi_gradient_is_of_damper(const char *text)
     return quantity_of(text, &which) != NULL;
 }
 
-/* The name of damper j. `number` has room for d1 and so on, if it has no name. */
+/* Return the name of damper j. If it has none, write d1, d2, ... to `number`, which has `size` bytes. */
 static const char *name_of(const request *r, size_t j, size_t size, char *number)
 {
     const fvi_mechanism *m = r->system.mechanism;
@@ -39,8 +41,8 @@ static const char *name_of(const request *r, size_t j, size_t size, char *number
     return number;
 }
 
-/* Finds r->i and r->of_dampers. `length` is that of the name in --of; `digits`, which may be empty, stand behind the
- * quantity. */
+/* Find r->i and r->of_dampers. `length` is the length of the damper's name in --of. `digits` is the text after the
+ * quantity; it may be empty. */
 static int find_place(request *r, const fvi_observer *o, size_t length, const char *digits, fvi_error *c)
 {
     const char *text = r->words.own[OF];
@@ -95,7 +97,7 @@ int fvi_gradient_find_damper(request *r, fvi_error *c)
     return failed; /* a run that does not start is refused later, with its reason */
 }
 
-/* The number of the last row. */
+/* Compute the value of the last row. */
 static int last_value(request *r)
 {
     fvi_stepper *s = NULL;

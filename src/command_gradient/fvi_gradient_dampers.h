@@ -1,17 +1,18 @@
-/* src/command_gradient/fvi_gradient_dampers.h -- `fvi gradient --of d1.force`: the last force or impulse of a damper. */
+/* src/command_gradient/fvi_gradient_dampers.h -- Compute `fvi gradient --of d1.force`: derivatives of the last force or
+ * impulse of a damper. */
 #ifndef FVI_GRADIENT_DAMPERS_H
 #define FVI_GRADIENT_DAMPERS_H
 
 #include "fvi_gradient_answer.h"
 
-/* Does --of name a force or an impulse, d1.force2 or NAME.impulse? */
+/* Return nonzero if --of names a force or an impulse, as in d1.force2 or NAME.impulse. */
 int fvi_gradient_is_of_damper(const char *text);
 
-/* What it names: r->of is 3 of a force and 4 of an impulse, r->i its place among all numbers of all dampers, and
- * r->of_dampers how many these are. Returns the exit code. */
+/* Find what --of names. r->of becomes 3 for a force and 4 for an impulse. r->i is its position among the numbers of all
+ * dampers, and r->of_dampers is the count of these numbers. Return 0, or nonzero with the error filled in. */
 int fvi_gradient_find_damper(fvi_gradient_request *r, fvi_error *c);
 
-/* r->value and the derivatives. Returns a code of the library's. */
+/* Compute r->value and the derivatives. Return FVI_SUCCESS or a code of the library. */
 int fvi_gradient_of_damper(fvi_gradient_request *r, const fvi_objective *objective);
 
 #endif

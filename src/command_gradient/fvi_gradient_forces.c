@@ -1,4 +1,4 @@
-/* src/command_gradient/fvi_gradient_forces.c -- What forces and the ground add to a gradient. */
+/* src/command_gradient/fvi_gradient_forces.c -- Add what forces and the ground contribute to a gradient. */
 #include "fvi_gradient_forces.h"
 
 #include <float.h>
@@ -6,7 +6,8 @@
 
 typedef fvi_gradient_request request;
 
-/* Row k of the forces, each number times that of load_vector; without it their sum. */
+/* Return the sum of row k of the derivatives by the force, each multiplied by -load_vector[i], or by 1 if load_vector
+ * is NULL. */
 static double sum_of_forces(const request *r, size_t k, const double *load_vector)
 {
     double sum = 0;
@@ -15,8 +16,8 @@ static double sum_of_forces(const request *r, size_t k, const double *load_vecto
     return sum;
 }
 
-/* When a step asks for the force of row k: methods of order 2 or more from within the steps beside a node, so of a
- * jump they take both sides. Returns 2, or 1 where there is one time. */
+/* Write the times at which a step evaluates the force of row k. A method of order 2 or more evaluates the force of a
+ * node from within the steps on both sides, so at a jump it uses both limits. Return the number of times, 1 or 2. */
 static size_t times_of_row(const request *r, size_t k, double t[2])
 {
     const double at = fvi_gradient_row_time(r, k);
@@ -29,8 +30,8 @@ static size_t times_of_row(const request *r, size_t k, double t[2])
     return k > 0 && k < r->o.steps * r->per ? 2 : 1;
 }
 
-/* The mean of what stands on both sides of a node. In form D the two sides move the motion differently, so that
- * a jump there leaves no derivative. */
+/* Return the mean of the values on both sides of a node. In form D the two sides move the body differently. So if they
+ * differ there is no derivative, and *is_lost is set. */
 static double mean_of_sides(const request *r, const double *side, size_t sides, int *is_lost)
 {
     if (sides == 2 && r->o.method->damped_inertia
@@ -48,7 +49,7 @@ static double by_parameter(request *r, const fvi_typed_force *of, size_t j, size
     return mean_of_sides(r, side, sides, &r->is_jumped[j]);
 }
 
-/* A --let may stand in the force, and in the acceleration of the ground. */
+/* A --let may stand in the force and in the acceleration of the ground. */
 void fvi_gradient_add_forces(request *r)
 {
     const fvi_typed_force *ground = r->o.ground ? fvi_ground_typed(r->o.ground) : NULL;
@@ -62,7 +63,7 @@ void fvi_gradient_add_forces(request *r)
         }
 }
 
-/* The ground adds the force -M r a_g, in which each mass stands, or a factor of M. */
+/* The force of the ground is -M r a_g, so it depends on each mass, or on a factor of M. */
 int fvi_gradient_add_ground(request *r)
 {
     const size_t d = r->o.d;

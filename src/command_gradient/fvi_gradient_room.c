@@ -1,4 +1,4 @@
-/* src/command_gradient/fvi_gradient_room.c -- Which numbers `fvi gradient` computes, and where they stand. */
+/* src/command_gradient/fvi_gradient_room.c -- Allocate the arrays of derivatives that `fvi gradient` computes. */
 #include "fvi_gradient_answer.h"
 
 #include "input/fvi_files.h"
@@ -24,7 +24,7 @@ size_t fvi_gradient_terms(const request *r)
     return terms;
 }
 
-/* Term i of the law, or of the laws of all dampers. */
+/* Return term i of the law, or of the laws of all dampers. */
 static const fvi_kernel_term *term_of(const request *r, size_t i)
 {
     const fvi_damper *of = r->system.mechanism ? r->system.mechanism->damper : NULL;
@@ -33,7 +33,7 @@ static const fvi_kernel_term *term_of(const request *r, size_t i)
     return of ? of->kernel->term + i : r->run.law->term + i;
 }
 
-/* By x0, p0, masses and dampings, by alpha, c and g, by each --let, by the terms of a law. */
+/* The derivatives are by x0, p0, masses and dampings, by alpha, c and g, by each --let, and by the terms of laws. */
 size_t fvi_gradient_numbers(const request *r)
 {
     return 4 * r->o.d + 3 + r->o.lets.count + fvi_gradient_dampers(r)
@@ -48,8 +48,8 @@ int fvi_gradient_force_has_lets(const request *r)
     return 0;
 }
 
-/* Two springpots in series have rho1, and the time rho1 / rho2: by rho1, and by rho2 where the time
- * stood. */
+/* The kernel of two springpots in series has the fields rho1 and time = rho1 / rho2. The user has typed rho1 and rho2.
+ * So the derivative by rho1 gets a second part, and the derivative by rho2 takes the place of that by the time. */
 void fvi_gradient_name_pairs(request *r)
 {
     for (size_t i = 0; r->to.times && i < fvi_gradient_terms(r); i++) {
@@ -73,8 +73,8 @@ static int by_let(size_t j, size_t d, const double *x, void *params, double *S)
     return 0;
 }
 
-/* A law has none. In form M p is another number at alpha = 1 than below, (17.17); a mesh that
- * was made without a singular start has none by it. */
+/* Return nonzero if there is a derivative by alpha. There is none with a law. In form M the momentum p at alpha = 1 is
+ * another number than below 1, see (17.17). A mesh that was made without a singular start has no derivative by it. */
 static int has_alpha(const request *r)
 {
     const fvi_method *m = r->o.method;
@@ -91,7 +91,7 @@ const fvi_lagrangian *fvi_gradient_lagrangian(const request *r)
     return r->system.mechanism ? r->system.mechanism->lagrangian : NULL;
 }
 
-/* A sum of laws that grows faster than s has no derivatives by its numbers with stages. */
+/* Return nonzero for a sum of laws that grows faster than s, which has no derivatives by its parameters with stages. */
 static int grows(const fvi_kernel *kernel)
 {
     return (kernel->count > 1 || kernel->term->kind != FVI_KERNEL_POWER)
@@ -110,7 +110,7 @@ int fvi_gradient_make_room_of_forces(request *r)
     return r->force ? 0 : fvi_complain("not enough memory");
 }
 
-/* By each --let through dampers between points, constraints and forces of velocity. */
+/* Make room for the derivatives by each --let in dampers between points, constraints and forces of velocity. */
 static void make_room_of_mechanism(request *r)
 {
     int is_used = 0;
@@ -141,7 +141,7 @@ int fvi_gradient_make_room(request *r)
         return fvi_complain("not enough memory");
     r->to.x0 = r->numbers;
     r->to.p0 = r->to.x0 + d;
-    r->lets = r->to.p0 + 3 * d + 3; /* behind c and g */
+    r->lets = r->to.p0 + 3 * d + 3; /* the numbers of --let come after c and g */
     r->to.mass = r->to.p0 + d;
     r->to.damping = r->to.mass + d;
     r->has_mass = !L && !(r->o.ground && r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP);

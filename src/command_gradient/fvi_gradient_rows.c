@@ -1,4 +1,4 @@
-/* src/command_gradient/fvi_gradient_rows.c -- The rows of `fvi gradient`, by name. */
+/* src/command_gradient/fvi_gradient_rows.c -- Name the rows of `fvi gradient`. */
 #include "fvi_gradient_rows.h"
 
 #include <fvi/rheology.h>
@@ -12,7 +12,7 @@ typedef fvi_gradient_visitor visitor;
 
 enum { LETTERS = FVI_GRADIENT_LETTERS };
 
-/* Number i of an array; NULL if it is not asked for. */
+/* Return a pointer to number i of an array; NULL if the array is not asked for. */
 static const double *at(const double *by, size_t i)
 {
     return by ? by + i : NULL;
@@ -32,7 +32,7 @@ static void warn(const visitor *v, const char *name, const char *text, const cha
     v->visit(v->to, name, NULL, whole);
 }
 
-/* One for each mass: name, or name_1, name_2, ... */
+/* Visit a row for each mass: name, or name_1, name_2, ... */
 static void rows_of_masses(const visitor *v, const request *r, const char *name, const double *by)
 {
     for (size_t i = 0; i < r->o.d; i++) {
@@ -43,7 +43,8 @@ static void rows_of_masses(const visitor *v, const request *r, const char *name,
     }
 }
 
-/* A coordinate without mass has no energy of motion; with a little mass it has, from a velocity that is not p/m. */
+/* Visit the rows of the masses. A coordinate without mass has no kinetic energy. With a small mass it would have one,
+ * from a velocity that is not p/m. So the energy has no derivative by such a mass. */
 static void rows_of_inertia(const visitor *v, const request *r)
 {
     char name[32];
@@ -56,7 +57,7 @@ static void rows_of_inertia(const visitor *v, const request *r)
     }
 }
 
-/* Is coordinate i imposed? It starts as it is told. */
+/* Return nonzero if coordinate i is imposed. Its start is then prescribed. */
 static int is_imposed(const request *r, size_t i)
 {
     const fvi_constraints *c =
@@ -81,7 +82,7 @@ static void rows_of_start(const visitor *v, const request *r, const char *name, 
     }
 }
 
-/* Why a law has no derivatives, or only that by its factor. */
+/* Return why a law has no derivatives, or only that by its factor. */
 static const char *reason_of_laws(const request *r)
 {
     return r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP
@@ -89,8 +90,8 @@ static const char *reason_of_laws(const request *r)
                : "with stages a sum of laws that grows faster than s has none; by fvi-stable it has";
 }
 
-/* By one number of a term, or why there is none: the kernel has rho = rho1 and time = rho1/rho2 of two springpots in
- * series, so that both fields are needed. */
+/* Visit the row of one parameter of a term, or a warning why there is no derivative. Two springpots in series need both
+ * fields, because their kernel has rho = rho1 and time = rho1/rho2. */
 static void row_of_number(const visitor *v, const request *r, const char *name, size_t term,
                           fvi_element kind, size_t field)
 {
@@ -105,11 +106,11 @@ static void row_of_number(const visitor *v, const request *r, const char *name, 
         warn(v, name, text, name);
 }
 
-/* By each number of one --damping, R without a letter; of two springpots in series by the names that they have
- * everywhere. */
+/* Visit the rows of the parameters of term i of --damping. R has no letter. The parameters of two springpots in series
+ * have the names that they have everywhere. */
 static void rows_of_term(const visitor *v, const request *r, size_t i)
 {
-    /* A power has A even if it is a spring or a dashpot. */
+    /* A spring and a dashpot are stored as a power, so they have A, too. */
     static const char *const letters[][4] = { [FVI_ELEMENT_SPRING] = { "", "_A" },
                                               [FVI_ELEMENT_VISCOUS] = { "", "_A" },
                                               [FVI_ELEMENT_POWER] = { "", "_A" },
@@ -131,15 +132,15 @@ static void rows_of_term(const visitor *v, const request *r, size_t i)
     const fvi_element kind = fvi_element_of(term);
     const int is_exchanged = fvi_pair_is_exchanged(&r->o.lets, i, r->terms);
     for (size_t l = 0; l < 4 && letters[kind][l]; l++) {
-        size_t field = l; /* of the order of a spring */
+        size_t field = l; /* l itself is for the order of a spring or a dashpot, which has no other index */
         fvi_element_number_typed(kind, l, is_exchanged, &field);
         snprintf(whole, sizeof whole, "%s%s", name, letters[kind][l]);
         row_of_number(v, r, whole, i, kind, field);
     }
 }
 
-/* By a factor of the law of a damper, and by its numbers as `fvi fit` names them. `first` is the place of
- * its terms among all. */
+/* Visit the rows of a damper: a factor of its law, and its parameters with the names of `fvi fit`. `first` is the
+ * position of its terms among the terms of all dampers. */
 static void rows_of_damper(const visitor *v, const request *r, size_t j, size_t first)
 {
     const fvi_damper *damper = r->system.mechanism->damper + j;
@@ -179,7 +180,7 @@ static void rows_of_dampers(const visitor *v, const request *r)
 
 #define OF_A_JUMP "what acts jumps at a row, where the two sides of form D count differently"
 
-/* By one factor of each matrix. */
+/* Visit a row for one factor of each matrix. */
 static void rows_of_matrices(const visitor *v, const request *r)
 {
     const fvi_mechanism *of = r->system.mechanism;

@@ -1,4 +1,4 @@
-/* src/command_response/fvi_linear.c -- What `fvi response` and `fvi poles` share: a linear motion. */
+/* src/command_response/fvi_linear.c -- Open the linear motion for `fvi response` and `fvi poles`. */
 #include "fvi_linear.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_format.h"
@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* No time passes: a force need not reach further than this. */
+/* No time passes in these commands. The short time keeps a force from being read. */
 static char at_zero[] = "--x0=0", one_step[] = "--steps=1",
             no_time[] = "--h=1e-300";
 char *const fvi_linear_presets[] = { at_zero, one_step, no_time, NULL };
 
-/* Is the motion linear whatever its place? */
+/* Return nonzero if the motion is linear everywhere. */
 static int is_quadratic(const fvi_system *s)
 {
     const fvi_potential *u = &s->potential;

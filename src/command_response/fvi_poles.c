@@ -1,4 +1,4 @@
-/* src/command_response/fvi_poles.c -- The command `fvi poles`: frequencies, damping ratios and shapes. */
+/* src/command_response/fvi_poles.c -- Run the command `fvi poles`: print frequencies, damping ratios and shapes. */
 #include "fvi_response.h"
 
 #include "fvi_linear.h"
@@ -40,7 +40,7 @@ static int interpret(request *r, fvi_error *c)
     return status;
 }
 
-/* "5 of 5", "3 of ?" */
+/* Write, for example, "5 of 5", or "3 of ?" if the number of poles is not known. */
 static void count_in_words(const fvi_poles *p, size_t size, char *text)
 {
     if (p->expected == SIZE_MAX)
@@ -49,7 +49,7 @@ static void count_in_words(const fvi_poles *p, size_t size, char *text)
         snprintf(text, size, "%zu of %zu", p->count, p->expected);
 }
 
-/* One digit of what is rounding alone. */
+/* Round to one digit, because the number is nothing but rounding errors. */
 static double short_number(double v)
 {
     char text[32];
@@ -85,7 +85,7 @@ static int print_rows(const request *r, FILE *out)
         row[0] = re;
         row[1] = im;
         row[2] = size / (2 * M_PI);
-        row[3] = -re / size + 0.0; /* no -0 */
+        row[3] = -re / size + 0.0; /* + 0.0 turns -0 into 0 */
         row[4] = short_number(p->residual[k]);
         for (size_t i = 5; i < width; i++)
             row[i] = p->shape[2 * p->d * k + i - 5];

@@ -1,4 +1,4 @@
-/* src/command_response/fvi_response.c -- The command `fvi response`: what a shaker test measures. */
+/* src/command_response/fvi_response.c -- Run the command `fvi response`: print what a shaker test measures. */
 #include "fvi_response.h"
 
 #include "fvi_linear.h"
@@ -24,7 +24,7 @@ static const fvi_own_command response = {
 };
 enum { OMEGA, OF, AT, BY, ALONG_GROUND };
 
-/* In the order of fvi_response_kind, and then what belongs to a law alone. */
+/* In the order of fvi_response_kind; the last one belongs to a law alone. */
 static const char *const kinds[] = { "receptance", "mobility", "accelerance",
                                      "ground",     "moduli",   NULL };
 enum { MODULI = FVI_RESPONSE_GROUND + 1 };
@@ -33,7 +33,7 @@ typedef struct {
     fvi_linear_request linear;
     size_t of, at, by;
     fvi_range range;
-    double *list; /* frequencies, or NULL: they are the range's */
+    double *list; /* frequencies, or NULL if they are those of the range */
     size_t count;
 } request;
 
@@ -67,7 +67,7 @@ static int interpret_omega(request *r, fvi_error *c)
     return status;
 }
 
-/* Which way the ground moves. */
+/* Read --along, the direction in which the ground moves. */
 static int interpret_along(request *r, fvi_error *c)
 {
     const char *text = r->linear.words.own[ALONG_GROUND];
@@ -85,7 +85,7 @@ static int interpret_along(request *r, fvi_error *c)
                              r->linear.along, c);
 }
 
-/* Of a law alone nothing else is asked for, and so nothing else may be said. */
+/* Refuse options that do not concern a law, because --of moduli asks for nothing else. */
 static int check_moduli(const request *r, fvi_error *c)
 {
     static const option_index others[] = { MASS,   POTENTIAL, DIMENSION, SYSTEM,
@@ -130,7 +130,7 @@ static double frequency(const request *r, size_t i)
     return r->list ? r->list[i] : fvi_range_value(&r->range, i);
 }
 
-/* The law, or the springpot of --alpha and --rho. */
+/* Compute the moduli of the law, or of the springpot of --alpha and --rho. */
 static int moduli(const request *r, double omega, double row[2])
 {
     const fvi_options *o = &r->linear.o;
@@ -140,7 +140,7 @@ static int moduli(const request *r, double omega, double row[2])
                              &row[0], &row[1]);
 }
 
-/* The numbers behind the frequency. Returns 0, or 1 after it has said what is wrong. */
+/* Compute the numbers after the frequency. Return 0, or 1 after a message. */
 static int compute_row(const request *r, double f, double row[4])
 {
     fvi_error error = { .text = "" };
@@ -204,7 +204,7 @@ static void print_head(const request *r, FILE *out)
     fvi_format_names_end(out, format);
 }
 
-/* One curve of the column `up` over the frequency. */
+/* Write the commands for one curve, the column `up` over the frequency. */
 static void over_frequency(FILE *g, const request *r, const char *name,
                            const char *up)
 {
@@ -213,8 +213,8 @@ static void over_frequency(FILE *g, const request *r, const char *name,
     fprintf(g, "set ylabel '%s'\nplot $rows using 1:%s\n", name, up);
 }
 
-/* Two curves over the frequency, as Bode drew them, and one in the plane of complex numbers: Nyquist's,
- * or that of Cole and Cole. */
+/* Write the commands for three curves: two over the frequency (Bode plots), and one in the complex plane (a Nyquist
+ * plot, or for moduli a Cole-Cole plot). */
 static void script(FILE *g, const void *params)
 {
     const request *r = params;

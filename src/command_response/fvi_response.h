@@ -1,12 +1,12 @@
-/* src/command_response/fvi_response.h -- The commands `fvi response` and `fvi poles`. */
+/* src/command_response/fvi_response.h -- Run the commands `fvi response` and `fvi poles`. */
 #ifndef FVI_COMMAND_RESPONSE_H
 #define FVI_COMMAND_RESPONSE_H
 
-/* fvi_command_response -- `fvi response`: linear motions by frequency.
- * fvi_command_poles -- `fvi poles`: how linear motions swing and decay.
+/* fvi_command_response -- Run `fvi response`: print the frequency response of a linear motion.
+ * fvi_command_poles -- Run `fvi poles`: print the frequencies and the decay of a linear motion.
  *
- * The words are those of main. Each prints its table where -o says, and returns the exit code: 0; 1 after it has
- * said on standard error what could not be done; 2 if the words are refused. */
+ * argc and argv are those of main. The table goes to the output. Each returns an exit code: 0; 1 after a message; 2 if
+ * an option is refused. */
 int fvi_command_response(int argc, char **argv);
 int fvi_command_poles(int argc, char **argv);
 

@@ -1,5 +1,5 @@
-/* src/command_sweep/fvi_sweep.c -- The command `fvi sweep`: a grid of runs, a row each. */
-#define _GNU_SOURCE /* MAP_ANONYMOUS */
+/* src/command_sweep/fvi_sweep.c -- Run the command `fvi sweep`: a grid of runs, a row for each run. */
+#define _GNU_SOURCE /* for MAP_ANONYMOUS */
 #include "output/fvi_complain.h"
 #include <fvi/fvi.h>
 #include "fvi_sweep.h"
@@ -24,13 +24,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* What the processes share. Each takes the next group of runs that nobody has taken, and writes
- * their rows: the table does not depend on who does what. */
+/* The memory that the processes share. Each process takes the next group of runs that no process has taken, and writes
+ * their rows. Therefore the table does not depend on which process does what. */
 typedef struct {
     _Atomic size_t next;
-    double *rows; /* width numbers each */
+    double *rows; /* width numbers in each row */
     sweep_verdict *verdicts;
-    size_t *first; /* row of each run; behind the last how many there are */
+    size_t *first; /* first row of each run; after the last run, the number of rows */
     size_t width, count;
     void *map;
     size_t bytes;
@@ -53,18 +53,17 @@ static int board_open(board *b, size_t count, size_t rows, size_t width)
     return b->map != MAP_FAILED;
 }
 
-/* However the parent ends, this process does, too: on Linux at once, elsewhere after its
- * run. */
+/* End this process when its parent ends, however that happens: on Linux at once, elsewhere after its run. */
 static void end_with(pid_t parent)
 {
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
-    if (getppid() != parent) /* it was over before that was asked for */
+    if (getppid() != parent) /* the parent ended before the request */
         _exit(1);
 }
 
-/* Runs together, or if that cannot be one after the other. */
+/* Make a group of runs together or, if that is not possible, one after the other. */
 static void work_on(const sweep_grid *g, board *shared, size_t count, const size_t *run)
 {
     double *rows[FVI_BATCH_MOST];
@@ -80,7 +79,7 @@ static void work_on(const sweep_grid *g, board *shared, size_t count, const size
         *verdicts[l] = sweep_run(g, run[l], rows[l]);
 }
 
-/* Take groups of runs until there are none; ends the process. */
+/* Take groups of runs until there are none. Then end the process. */
 static void work(const sweep_grid *g, const sweep_plan *plan, board *shared, pid_t parent)
 {
     for (size_t n; getppid() == parent
@@ -89,8 +88,7 @@ static void work(const sweep_grid *g, const sweep_plan *plan, board *shared, pid
     _exit(0);
 }
 
-/* All runs, by so many processes. Returns 0, or 1 if a process did not come to its
- * end. */
+/* Make all runs with at most g->jobs processes. Return 0, or 1 if a process failed. */
 static int work_together(const sweep_grid *g, const sweep_plan *plan, board *shared)
 {
     size_t started = 0, ended = 0;
@@ -103,14 +101,14 @@ static int work_together(const sweep_grid *g, const sweep_plan *plan, board *sha
             work(g, plan, shared, parent);
         }
         if (child < 0)
-            break; /* fewer do */
+            break; /* go on with fewer processes */
     }
     for (int state; ended < started && wait(&state) > 0;)
         ended += WIFEXITED(state) && WEXITSTATUS(state) == 0;
     return (started == 0 && plan->groups > 0) || ended < started;
 }
 
-/* How the runs were made, where a terminal shows it or --lanes was given; the rows do not depend on it. */
+/* Print how the runs were made, if standard error is a terminal or --lanes was given. The rows do not depend on it. */
 static void tell(const sweep_grid *g, const sweep_plan *plan, const board *b)
 {
     size_t together = 0;
@@ -130,7 +128,7 @@ static void tell(const sweep_grid *g, const sweep_plan *plan, const board *b)
 
 /* ---- the table ---- */
 
-/* The varied values of run i of the whole grid, "h = 10, rho = 1". */
+/* Print the varied values of run i of the whole grid, for example "h = 10, rho = 1". */
 static void name_run(FILE *out, const sweep_grid *g, size_t i)
 {
     for (size_t n = 0; n < g->count; n++) {
@@ -140,7 +138,8 @@ static void name_run(FILE *out, const sweep_grid *g, size_t i)
     }
 }
 
-/* How many runs are so, and the first of them; on standard error, and left in text, which is empty if none is. */
+/* Count the runs for which is_so is nonzero. Print on standard error how many there are, and the first of them. The
+ * same warning without the first run is written to text, which becomes empty if there is no such run. */
 static void warn_of_rows(const sweep_grid *g, const board *b, int (*is_so)(const sweep_verdict *v),
                          const char *what, size_t size, char *text)
 {
@@ -199,8 +198,8 @@ static void print_head(FILE *out, const sweep_grid *g, const fvi_options *o,
     fvi_table_column_names(out, o, at);
 }
 
-/* Why a run did not start: it is tried again here, because no text came back from its process. Empty if
- * nothing more is known. */
+/* Find out why a run did not start. Its process returned no text, so the run is started again here. The text is empty
+ * if nothing more is known. */
 static void reason_of_start(const sweep_grid *g, size_t i, int status, size_t size, char *text)
 {
     fvi_options o;
@@ -218,7 +217,7 @@ static void reason_of_start(const sweep_grid *g, size_t i, int status, size_t si
     fvi_options_free(&o);
 }
 
-/* Which run failed, and how. */
+/* Print which run failed, and how. Return 1. */
 static int complain_of(const sweep_grid *g, size_t i, sweep_verdict v)
 {
     char reason[sizeof((fvi_error *)0)->text + 32] = "";
@@ -239,8 +238,7 @@ static void print_rows(FILE *out, const fvi_options *o, const board *b,
         fvi_format_row(out, o->format, k, b->width, b->rows + k * b->width);
 }
 
-/* Rows in the order of the grid; those before a run that failed stand where the output
- * is standard output. */
+/* Print the rows in the order of the grid. If a run failed, the rows before it are kept only on standard output. */
 static int print_table(const sweep_grid *g, const fvi_options *o, const board *b,
                        const char *no_solution)
 {
@@ -268,7 +266,7 @@ static int print_table(const sweep_grid *g, const fvi_options *o, const board *b
     return failed;
 }
 
-/* Every point of the grid is understood before the first run begins. Returns 0, or a code. */
+/* Interpret every point of the grid before the first run begins. Return 0, or a code with the error filled in. */
 static int check_all(const sweep_grid *g, const char **no_solution,
                      size_t *first, fvi_error *c)
 {
@@ -290,7 +288,8 @@ static int check_all(const sweep_grid *g, const char **no_solution,
     return status;
 }
 
-/* *first goes to where all processes see it, and is given back before they begin: they would keep it. */
+/* Make all runs and print the table. *first is copied to the shared memory and freed before the processes begin,
+ * because each of them would keep a copy. Return an exit code. */
 static int run_all(const sweep_grid *g, const fvi_options *o,
                    size_t **first, const char *no_solution)
 {

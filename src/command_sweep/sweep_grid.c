@@ -1,4 +1,4 @@
-/* src/command_sweep/sweep_grid.c -- The runs of a sweep. */
+/* src/command_sweep/sweep_grid.c -- Read the options of a sweep, and build its runs. */
 #include "sweep_grid.h"
 #include "input/fvi_problem_words.h"
 #include "options/fvi_option_columns.h"
@@ -28,14 +28,14 @@ int sweep_grid_has(const sweep_grid *g, const char *name)
     return 0;
 }
 
-/* "fvi run" and what is varied go ahead of the other words: a last one without its value
- * must not find it there. */
+/* "fvi run" and the varied options are put in front of the other words. So if the last word has no value, the parser
+ * does not take a varied option for it. */
 enum { AHEAD = 2 + FVI_MOST_AXES };
 
 int sweep_grid_options(const sweep_grid *g, size_t i, fvi_options *o,
                        fvi_error *c)
 {
-    /* getopt needs words that may be written to, and o keeps pointers to them */
+    /* The words are static, because getopt needs words that it may write to, and o keeps pointers to them. */
     static char fvi[] = "fvi", run[] = "run", word[FVI_MOST_AXES][140];
     char value[32];
     char **words = g->words + (FVI_MOST_AXES - g->count);
@@ -53,7 +53,7 @@ int sweep_grid_options(const sweep_grid *g, size_t i, fvi_options *o,
 
 /* ---- words ---- */
 
-/* What a sweep can vary, besides the parameters of expressions. */
+/* The options that a sweep can vary. It can also vary the parameters of expressions. */
 static const char *const numbers[] = {
     "alpha", "order", "rho",  "mass",  "kappa",      "x0",        "p0", "v0", "h",
     "steps", "time", "error", "step-error", "longest",
@@ -68,7 +68,7 @@ static int is_option(const char *name)
     return 0;
 }
 
-/* "V1,V2,..." */
+/* Read "V1,V2,..." */
 static int take_list(fvi_axis *a, const char *text, const char *list,
                      fvi_error *c)
 {
@@ -87,7 +87,7 @@ static int take_list(fvi_axis *a, const char *text, const char *list,
     return fvi_parse_number("vary", list, -INFINITY, INFINITY, "()", a->list, c);
 }
 
-/* One more axis. */
+/* Add an axis. */
 static int take_axis(sweep_grid *g, const char *text, fvi_error *c)
 {
     const char *equals = strchr(text, '=');
@@ -133,11 +133,11 @@ static int take_part(sweep_grid *g, const char *text, fvi_error *c)
     return status;
 }
 
-/* What is given once, in this order. */
+/* The options of a sweep that are given at most once, in this order. */
 enum { JOBS, LANES_TOGETHER, PART, ONCE };
 static const char *const once[ONCE] = { "jobs", "lanes", "part" };
 
-/* text is what it was before. */
+/* Take the value of such an option. *text is its earlier value, or NULL. */
 static int take_once(sweep_grid *g, int which, const char *value,
                      const char **text, fvi_error *c)
 {
@@ -149,8 +149,8 @@ static int take_once(sweep_grid *g, int which, const char *value,
                            : fvi_parse_whole("lanes", value, 8, &g->lanes, c);
 }
 
-/* A word that is none of `fvi run`, but nearly one of a sweep; or one of it that a run of
- * one row has no use for. */
+/* Refuse a word that is no option of `fvi run`, but near an option of a sweep. Also refuse options of `fvi run` that a
+ * sweep does not have. */
 static int check_word(const char *word, fvi_error *c)
 {
     static const char *const names[] = { "vary", "jobs", "lanes", "part", "rows", NULL };
@@ -163,7 +163,7 @@ static int check_word(const char *word, fvi_error *c)
     return fvi_refuse_option(c, word, names);
 }
 
-/* Sort the words: those of a sweep are read, the others kept. */
+/* Sort the words: read those of a sweep, and keep those of `fvi run`. */
 static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
 {
     const char *texts[ONCE] = { NULL };
@@ -207,7 +207,8 @@ static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
                : 0;
 }
 
-/* A point of a range is looked for among decimal numbers: once, and not once a run. */
+/* Compute the points of each range once, because the search for decimal numbers is slow and would be repeated for each
+ * run. */
 static int list_ranges(sweep_grid *g)
 {
     enum { MANY = 1000000 };
@@ -245,7 +246,7 @@ int sweep_grid_parse(int argc, char **argv, sweep_grid *g, fvi_error *c)
         all *= (double)g->axis[n].range.count;
     if (all > 1e9)
         return fvi_refuse(c, "vary", "%g runs are too many", all);
-    /* part I has the runs from (I - 1) R / K to I R / K: none, if there are more parts than runs */
+    /* Part I has the runs from (I - 1) R / K to I R / K. It has none if there are more parts than runs. */
     const size_t runs = (size_t)all;
     g->first = (g->part - 1) * runs / g->parts;
     g->runs = g->part * runs / g->parts - g->first;

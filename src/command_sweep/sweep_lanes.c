@@ -1,4 +1,4 @@
-/* src/command_sweep/sweep_lanes.c -- Runs of a sweep that take their steps together. */
+/* src/command_sweep/sweep_lanes.c -- Make runs of a sweep that take their steps together. */
 #include "sweep_lanes.h"
 #include "command_shared/fvi_run_rows.h"
 #include "options/fvi_option_columns.h"
@@ -17,10 +17,10 @@ typedef struct {
     fvi_system system;
     fvi_table table;
     sweep_verdict verdict;
-    int is_open; /* are the options there? */
+    int is_open; /* nonzero if the options must be freed */
 } lane;
 
-/* Why a run with these options goes alone; NULL if it need not. */
+/* Return why a run with these options must be made alone, or NULL if it need not. */
 static const char *refusal(const fvi_options *o)
 {
     const fvi_system system = fvi_options_system(o);
@@ -61,7 +61,7 @@ typedef struct {
     fvi_observer *observer;
 } lanes_on_their_way;
 
-/* What is observed of all lanes, as lane l alone would have it. */
+/* Return the part of an observation that belongs to lane l. */
 static fvi_observation part_of(const fvi_observation *now, size_t l)
 {
     return (fvi_observation){ .x = now->x + l,
@@ -72,7 +72,7 @@ static fvi_observation part_of(const fvi_observation *now, size_t l)
                               .is_mean = now->is_mean };
 }
 
-/* Row k of each lane, or what a reduction asks for. */
+/* Take row k of each lane, or add it to the reductions. */
 static int take_rows(size_t count, lane *lanes, const lanes_on_their_way *all, size_t k)
 {
     const fvi_stepper *s = all->stepper;
@@ -87,7 +87,7 @@ static int take_rows(size_t count, lane *lanes, const lanes_on_their_way *all, s
     return status;
 }
 
-/* The last row of reductions, and whether a mode grows. */
+/* Write the reductions, and check whether a step is unstable. */
 static int finish(size_t count, lane *lanes)
 {
     char text[FVI_WARNING_ROOM];
@@ -165,8 +165,9 @@ int sweep_run_group(const sweep_grid *g, size_t count, const size_t *run, double
 
 /* ---- which runs ---- */
 
-/* Runs that differ in anything but these have steps of their own, or another memory. With stages the memory
- * depends on rho and mass, too. */
+/* Return nonzero if runs with different values of this axis cannot go together, because they have other steps or
+ * another memory. Runs may differ in starts, masses and rho. With stages they may not differ in masses and rho, because
+ * the memory depends on them. */
 static int divides(const fvi_axis *a, int has_stages)
 {
     static const char *const names[] = { "rho", "mass", "x0", "p0", "v0", NULL };
@@ -184,8 +185,9 @@ static int by_key(const void *a, const void *b)
                             : (x->run > y->run) - (x->run < y->run);
 }
 
-/* The same number for runs that may go together. An observer asks once for all lanes whether anything is damped, and
- * whether the start makes a force that is infinite: starts and dampings that are zero go by themselves. */
+/* Return a number that is the same for runs that may go together. An observer finds out once for all lanes whether
+ * anything is damped, and whether the start makes a force infinite. So with an observer a start or a damping of 0 gets
+ * its own number. */
 static size_t key_of(const sweep_grid *g, size_t i, int has_stages, int is_observed)
 {
     size_t key = 0;
@@ -247,7 +249,7 @@ void sweep_plan_free(sweep_plan *plan)
     plan->order = plan->group = NULL;
 }
 
-/* The first group, and of groups of one run the first two. */
+/* The reason is that of the first group. If groups have one run, it is that of the first two groups together. */
 const char *sweep_why_apart(const sweep_grid *g, const sweep_plan *plan)
 {
     lane lanes[FVI_BATCH_MOST] = { { .is_open = 0 } };

@@ -1,4 +1,4 @@
-/* src/command_sweep/sweep_run.c -- One run of a sweep: by its steps or by its wanted error, into its rows. */
+/* src/command_sweep/sweep_run.c -- Make one run of a sweep, with given steps or to a wanted error. */
 #include "sweep_run.h"
 #include "command_shared/fvi_run_rows.h"
 #include "command_shared/fvi_run_search.h"
@@ -9,14 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How many rows there are up to step k, whose row is one of them. */
+/* Return the number of rows up to step k, which has a row. */
 static size_t rows_up_to(const fvi_options *o, size_t k)
 {
     return k / o->every + 1 + (k == o->steps && k % o->every != 0);
 }
 
-/* Where the last row of a run goes that an event has ended at the time t, behind row k: in the place of the next
- * one, or 0 if the event is at a row, which is there already. To *rows how many there are. */
+/* Return the step in whose place the last row of a run goes. An event ended the run at the time t, after row k. The
+ * place is that of the next row. It is 0 if the event is at a row, which has been taken already. *rows becomes the
+ * number of rows. */
 static size_t place_of_end(const fvi_options *o, size_t k, double t, size_t *rows)
 {
     const size_t last = k / o->every * o->every,
@@ -26,7 +27,7 @@ static size_t place_of_end(const fvi_options *o, size_t k, double t, size_t *row
     return is_at_row ? 0 : next;
 }
 
-/* That row, where the stepper stands. */
+/* Take the last row of a run that an event has ended, from the present state. */
 static int take_end(fvi_table *t, const fvi_stepper *s, size_t *rows)
 {
     const fvi_options *o = t->o;
@@ -45,7 +46,7 @@ static int take_end(fvi_table *t, const fvi_stepper *s, size_t *rows)
     return status;
 }
 
-/* At the start, and where fvi_run checks it. Returns a status. */
+/* Check the inertia at the start and after the steps at which `fvi run` checks it. Return FVI_SUCCESS or FVI_ENOMEM. */
 static int check_inertia(fvi_run_inertia *w, const fvi_stepper *s, sweep_verdict *v)
 {
     char text[FVI_WARNING_ROOM];
@@ -54,7 +55,7 @@ static int check_inertia(fvi_run_inertia *w, const fvi_stepper *s, sweep_verdict
     return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
 }
 
-/* All steps of o->h, and the rows that o->every asks for. */
+/* Make all steps of length o->h, and take the rows of o->every. */
 static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     fvi_stepper *s;
@@ -69,7 +70,7 @@ static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table 
         v.status = fvi_inertia_watch_begin(r->system, &inertia.watch);
     if (!v.status)
         v.status = check_inertia(&inertia, s, &v);
-    inertia.steps = 0; /* the start is none */
+    inertia.steps = 0; /* the start is no step */
     if (!v.status)
         v.status = fvi_run_row(t, s, 0);
     for (size_t k = 0, next = fvi_table_next(t, 0); !v.status && k < o->steps;) {
@@ -95,14 +96,14 @@ static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table 
     return v;
 }
 
-/* What a search has found. */
+/* The rows that a search has found. */
 typedef struct {
     double *x, *p, *typed;
     fvi_report report;
     fvi_run_events events;
 } found_run;
 
-/* The last row of a run that an event has ended: it stands in the place of the row that would come next. */
+/* Take the last row of a run that an event has ended. It is moved to the place of the row that would come next. */
 static int take_found_end(fvi_table *t, found_run *f, size_t *rows)
 {
     const fvi_options *o = t->o;
@@ -117,7 +118,7 @@ static int take_found_end(fvi_table *t, found_run *f, size_t *rows)
     return fvi_run_found_row(t, next, f->x, f->p, f->typed);
 }
 
-/* The rows that o->every asks for. */
+/* Take the rows of o->every from the rows that were found. */
 static void take_found(fvi_table *t, const fvi_run *r, found_run *f, sweep_verdict *v)
 {
     const fvi_options *o = t->o;
@@ -135,7 +136,7 @@ static void take_found(fvi_table *t, const fvi_run *r, found_run *f, sweep_verdi
         fvi_run_reduced(t, t->rows + t->width);
 }
 
-/* As many steps as the wanted error needs. */
+/* Make a run with as many steps as the wanted error needs. */
 static sweep_verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     const size_t count = o->steps + 1,
@@ -185,7 +186,7 @@ void sweep_keep_rows(const sweep_grid *g, size_t i, const fvi_options *o, const 
 {
     const size_t count = sweep_run_rows(g, o), width = g->count + t->width,
                  skipped = t->height - count;
-    if (!g->has_rows || v->rows == 0) /* no event has ended it before */
+    if (!g->has_rows || v->rows == 0) /* no event has ended the run early */
         v->rows = count;
     for (size_t k = 0; k < v->rows && !v->status; k++) {
         for (size_t n = 0; n < g->count; n++)
@@ -199,8 +200,9 @@ sweep_verdict sweep_run(const sweep_grid *g, size_t i, double *rows)
 {
     fvi_options o;
     fvi_table t;
+    /* The options were accepted before, so the only possible reason is a lack of memory. */
     if (sweep_grid_options(g, i, &o, NULL))
-        return (sweep_verdict){ .status = FVI_ENOMEM }; /* it was understood before */
+        return (sweep_verdict){ .status = FVI_ENOMEM };
     sweep_verdict v = run_table(g, &o, &t);
     sweep_keep_rows(g, i, &o, &t, &v, rows);
     free(t.rows);

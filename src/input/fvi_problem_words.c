@@ -66,7 +66,7 @@ static int take_line(list *l, const char *file, size_t number, char *line,
         value = trim(value + 1);
     else if (*value == '\0')
         value = NULL;
-    const int is_output = name == 1 && *line == 'o'; /* -o FILE, which makes two words */
+    const int is_output = name == 1 && *line == 'o'; /* -o FILE */
     if (asprintf(&word, "%s%.*s%s%s", is_output ? "-" : "--", (int)name, line,
                  value && !is_output ? "=" : "",
                  value && !is_output ? value : "")

@@ -139,7 +139,7 @@ static void pick(const fvi_options *o, const double *from, double *row)
 static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
                 int only_y, double *row)
 {
-    const double time = t->ended > 0 ? t->ended : (double)k * t->o->h; /* one product, so that t_k has one rounding */
+    const double time = t->ended > 0 ? t->ended : (double)k * t->o->h; /* one product */
     int status = FVI_SUCCESS;
     if (t->typed)
         memcpy(t->o->typed_row, t->typed,
