@@ -1,4 +1,4 @@
-/* src/estimation/identification.c -- Parameters from a measured motion.   [H 24] */
+/* src/estimation/identification.c -- Find parameters from a measured motion by many searches.   [H 24] */
 #include <fvi/identification.h>
 
 #include "identification_robust.h"
@@ -10,10 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ROUGH 1e-6 /* of u: here the starts end, */
-#define FINE 1e-9  /* and here the best of them */
-#define PASSING 1e-4 /* and here those that go on with more rows */
-#define VAGUE 20   /* sd of a logit or a logarithm that says nothing */
+#define ROUGH 1e-6 /* relative step of u at which the searches from the starts end */
+#define FINE 1e-9  /* the same for the last search, from the best of them */
+#define PASSING 1e-4 /* the same for a search that will go on with more rows */
+#define VAGUE 20   /* a standard deviation of a logit or a logarithm at which it says nothing */
 
 typedef fvi_estimation_slot place;
 typedef fvi_estimation_work search;
@@ -21,8 +21,8 @@ typedef fvi_estimation_work search;
 /* ---- many starts ---- */
 
 //> starts
-/* Start 0 are the values of the run, if they are possible; the others lie in the box,
- * evenly by the logarithm where that is meant. */
+/* Set the start of search number `start`. Start 0 has the values of the run. The other starts are points of Sobol's
+ * sequence in the box, uniform in the logarithm of a parameter that is positive and no order. */
 static void begin(search *o, const double *low, const double *high,
                   gsl_qrng *sobol, size_t start)
 {
@@ -50,7 +50,8 @@ static void keep(const search *o, size_t k, size_t *best)
         *best = k;
 }
 
-/* Where the best so far is as good as the truth would be, a start that creeps is given up. */
+/* Search from all starts. When the best chi^2 so far is as good as that of the true parameters would be, a start that
+ * makes little progress is given up. Return FVI_SUCCESS or an error code. */
 static int try_all(search *o, const double *low, const double *high,
                    size_t *best)
 {
@@ -60,7 +61,7 @@ static int try_all(search *o, const double *low, const double *high,
         FVI_FAIL("no memory for the starts", FVI_ENOMEM);
     for (size_t k = 0; k < fit->starts; k++)
         begin(o, low, high, sobol,
-              k); /* while the model has the run's values */
+              k); /* before any search, because the model still has the values of the run */
     gsl_qrng_free(sobol);
     o->fine = ROUGH;
     for (size_t k = 0; k < fit->starts; k++) {
@@ -83,7 +84,7 @@ static int try_all(search *o, const double *low, const double *high,
     return FVI_SUCCESS;
 }
 
-/* With those that were given up; were there any? */
+/* Continue the searches that were given up. Return nonzero if there were any. */
 static int go_on(search *o, size_t *best)
 {
     int any = 0;
@@ -97,9 +98,9 @@ static int go_on(search *o, size_t *best)
 }
 
 //> windows
-/* A motion with a swing too many is a false minimum, but not for the first few swings. So the starts
- * that ended elsewhere begin again with the first tenth of the rows, then two and four tenths, then
- * all. Did any of them come lower, or as low? */
+/* A motion with a swing too many is a false minimum, but not for the first few swings. So all starts begin again with
+ * the first tenth of the rows, then go on with two tenths, four tenths and all rows. Return nonzero if a start ended
+ * lower than before. */
 static int grow_windows(search *o, size_t *best)
 {
     static const double windows[] = { 0.1, 0.2, 0.4, 1 };
@@ -129,8 +130,8 @@ static int grow_windows(search *o, size_t *best)
 }
 //< windows
 
-/* The size of parameter j, of which small parts do not count: a start or a constant may be
- * 0, and has still that of the data. */
+/* Return the size of parameter j, against which small changes are compared. A start or a constant may be 0, so its size
+ * is at least that which follows from the box. */
 static double size_of(const search *o, size_t j, double theta)
 {
     return fvi_estimation_kind_of(o->model.fit->which[j]) != FVI_ESTIMATION_NUMBER
@@ -138,7 +139,7 @@ static double size_of(const search *o, size_t j, double theta)
                : fmax(fabs(theta), o->size[j]);
 }
 
-/* Starts that came within sd / 10 of the best, or 1e-6 of its size. (24.5) */
+/* Return the number of starts that ended within sd / 10 of the best, or within 1e-6 of its size. (24.5) */
 static size_t agreeing(const search *o, const place *best,
                        const fvi_estimate *fitted)
 {
@@ -157,7 +158,7 @@ static size_t agreeing(const search *o, const place *best,
     return agree;
 }
 
-/* Is this place farther than a standard deviation from that one in some parameter? */
+/* Return nonzero if some parameter of u is farther than a standard deviation from theta. */
 static int is_elsewhere(const search *o, const double *u, const double *theta,
                         const double *sd)
 {
@@ -167,7 +168,7 @@ static int is_elsewhere(const search *o, const double *u, const double *theta,
     return 0;
 }
 
-/* The best places where starts ended elsewhere; each is taken once, its sum being infinite then. */
+/* Record the best places where other starts ended. The sum of a place becomes infinite when it has been looked at. */
 static void record_other_minima(search *o, fvi_estimate *fitted)
 {
     const size_t starts = o->model.fit->starts;
@@ -193,7 +194,8 @@ static void record_other_minima(search *o, fvi_estimate *fitted)
 /* ---- what the data say of the parameters ---- */
 
 //> covariance
-/* (24.3), from the Jacobian by u where the solver stands; robust, (24.20). */
+/* Compute the standard deviations and correlations of (24.3) from the solver's Jacobian by u; for a robust fit
+ * (24.20). */
 static int covariance(search *o, const place *at, fvi_estimate *fitted)
 {
     const fvi_estimation_model *m = &o->model;
@@ -222,7 +224,7 @@ static int covariance(search *o, const place *at, fvi_estimate *fitted)
 }
 //< covariance
 
-/* sigma of each column, as given, or of all in proportion to their units. */
+/* Set the sigma of each column: as given, or estimated with the same factor for the units of all columns. */
 static void fill_sigma(const search *o, const place *at, fvi_estimate *fitted)
 {
     const fvi_estimation_model *m = &o->model;
@@ -235,7 +237,8 @@ static void fill_sigma(const search *o, const place *at, fvi_estimate *fitted)
     fitted->sigma = fitted->column_sigma[0];
 }
 
-/* Everything of *fitted but what the starts and the steps say. */
+/* Fill in everything of *fitted that follows from the place `at` and the solver's Jacobian there. Return FVI_SUCCESS,
+ * FVI_ESING or FVI_EOVRFLW. */
 static int statistics(search *o, const place *at, fvi_estimate *fitted)
 {
     const fvi_estimation_model *m = &o->model;
@@ -260,9 +263,9 @@ static int statistics(search *o, const place *at, fvi_estimate *fitted)
 }
 
 //> refine
-/* Halve the step until no estimate moves any more, because an error of the method is an
- * error of the model, and no noise shows it. If a move is hardly shorter than the one
- * before, it is not the step that moves the estimates. Then `bias` shows it. */
+/* Halve the step until no estimate moves any more, because an error of the method is an error of the model, and no
+ * noise shows it. If a move is hardly shorter than the one before, the step is not what moves the estimates. Then
+ * `bias` shows it. */
 static int refine(search *o, place *best, fvi_estimate *fitted)
 {
     int status = FVI_SUCCESS, moves = 1;
@@ -295,7 +298,7 @@ static int status_of(const search *o, const fvi_estimate *fitted)
                                                                                   : FVI_SUCCESS;
 }
 
-/* The place where start `first` ended, to the last digits; who else came there. */
+/* Search from the end of start `first` to the last digits. Compute the statistics, and count the starts that agree. */
 static int refine_estimate(search *o, size_t first, place *best, fvi_estimate *fitted)
 {
     *best = o->found[first];
@@ -306,13 +309,15 @@ static int refine_estimate(search *o, size_t first, place *best, fvi_estimate *f
     return status;
 }
 
-/* Is the best one in doubt: do few starts agree on it, and is it not to be believed? */
+/* Return nonzero if the best place is in doubt: at most half of the starts agree on it, and its status is not
+ * FVI_SUCCESS. */
 static int is_doubtful(const search *o, const fvi_estimate *fitted)
 {
     return status_of(o, fitted) && fitted->agree <= o->model.fit->starts / 2;
 }
 
-/* From all starts, until two agree on a best one that may be believed. */
+/* Search until two starts agree on a best place that can be believed: from all starts, then also from those that were
+ * given up, then with growing windows. */
 static int search_everywhere(search *o, size_t *first, place *best, fvi_estimate *fitted)
 {
     int status = refine_estimate(o, *first, best, fitted);
@@ -347,7 +352,7 @@ static int whole(search *o, const double *low, const double *high,
     if (end)
         return end;
     gsl_vector_const_view u = gsl_vector_const_view_array(best.u, o->fdf.p);
-    fvi_estimation_residuals(&u.vector, o, o->solver->f); /* for the motion there */
+    fvi_estimation_residuals(&u.vector, o, o->solver->f); /* computes the motion there */
     if (curve)
         memcpy(curve, o->model.motion, o->fdf.n * sizeof *curve);
     if (!status)
@@ -375,7 +380,7 @@ int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estima
     }
     fvi_estimation_work_free(&o);
     fvi_loud();
-    if (o.model.ended == FVI_ERUNAWAY) { /* no mistake of the caller */
+    if (o.model.ended == FVI_ERUNAWAY) { /* not a mistake of the caller, so the error handler is not called */
         *fitted = (fvi_estimate){ .reached = o.model.reached };
         return o.model.ended;
     }

@@ -1,5 +1,4 @@
-/* src/estimation/identification_box.c -- Where to begin: what the data alone say.
- *                                                                     [H 24] */
+/* src/estimation/identification_box.c -- Find a box of plausible parameters from the data alone. [H 24] */
 #include "identification_model.h"
 
 #include <fvi/rheology.h>
@@ -40,7 +39,7 @@ void fvi_estimation_frequency(size_t n, const double *t, const double *x, double
     }
 }
 
-/* Does a step near h meet all times? It is made more exact on the way. */
+/* Return nonzero if all times are multiples of a step near *h. *h is made more exact by each time. */
 static int divides_times(size_t n, const double *t, double *h)
 {
     for (size_t i = 0; i < n; i++) {
@@ -53,7 +52,7 @@ static int divides_times(size_t n, const double *t, double *h)
     return 1;
 }
 
-/* That of one piece. */
+/* Return the longest step for one piece; see fvi_estimation_first_step. */
 static double first_step_of(const fvi_estimation_piece *p)
 {
     const size_t n = p->n;
@@ -86,7 +85,8 @@ double fvi_estimation_first_step(const fvi_estimation *fit)
     return h;
 }
 
-/* A number of a law: of a size as that of a springpot, of a time as 1/w, or an order. */
+/* Find a plausible range for a parameter of a law: an amplitude as that of a springpot, a time near 1/w, or an
+ * order. */
 static void find_plausible_range_of_law(const fvi_estimation *fit, size_t j, double m, double w,
                                         double *low, double *high)
 {
@@ -107,17 +107,18 @@ static void find_plausible_range_of_law(const fvi_estimation *fit, size_t j, dou
     }
 }
 
-/* What the data say: w of the first column, and the mean and A of what shows parameter j; of several
- * columns or coordinates, 0 and the largest |x|. */
+/* What the data say: w is the frequency of the first column, mean and A are the mean and the amplitude. With several
+ * columns or coordinates the mean is 0, and A is the largest |x|. */
 typedef struct {
     double w, mean, A;
-    double inertia; /* 1; or, of a body whose inertia is nothing beside its force, what makes m w^2 of
-                     * the first mass the force over A */
+    /* 1; or, if the inertia of the body is negligible beside its force, the factor by which m w^2 of the first mass
+     * becomes the force divided by A. */
+    double inertia;
 } data_summary;
 
 enum { NEGLIGIBLE = 1000 };
 
-/* The largest force at the times of a record. */
+/* Return the largest force at the first MAX_POINTS times of a record. */
 static double largest_force(const fvi_estimation *fit, const fvi_record *record)
 {
     const fvi_system *system = fit->run->system;
@@ -158,7 +159,7 @@ static data_summary summarise_data(const fvi_estimation *fit)
 }
 
 //> box
-/* What parameter j may plausibly be. */
+/* Find a plausible range for parameter j. */
 static void find_plausible_range(const fvi_estimation *fit, size_t j, const data_summary *at, double *low,
                                  double *high)
 {
@@ -173,7 +174,7 @@ static void find_plausible_range(const fvi_estimation *fit, size_t j, const data
         *low = fit->method->alpha_least;
         *high = fit->method->alpha_most;
         break;
-    case FVI_FREE_PARAMETER_RHO: /* that of alpha = 1/2 */
+    case FVI_FREE_PARAMETER_RHO: /* the range for alpha = 1/2 */
         *low = m * w / 50;
         *high = m * w * 2;
         break;
@@ -197,7 +198,7 @@ static void find_plausible_range(const fvi_estimation *fit, size_t j, const data
         *high = A / 4 / (fvi_estimation_last_time(fit) - fvi_estimation_record(fit, 0).t[0]);
         *low = -*high;
         break;
-    case FVI_FREE_PARAMETER_CONSTANT: /* of a linear spring, or of a pendulum */
+    case FVI_FREE_PARAMETER_CONSTANT: /* constant of a linear spring, or of a pendulum */
         *low = c / 10;
         *high = c * 4;
         break;
@@ -205,7 +206,7 @@ static void find_plausible_range(const fvi_estimation *fit, size_t j, const data
         if (base < FVI_FREE_PARAMETER_CONSTANT) {
             find_plausible_range_of_law(fit, j, m, w, low, high);
             return;
-        } /* of x^4 / 4 */
+        } /* constant of x^4 / 4 */
         *low = -c / (A * A) / 2;
         *high = c / (A * A) * 2;
     }
@@ -227,7 +228,8 @@ int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high)
 
 /* ---- what can be asked ---- */
 
-/* Is it no number of a law, or one that its law has? A dashpot's order is none. */
+/* Return nonzero if `which` is no parameter of a law, or one that its law has. The order of a dashpot, for example, is
+ * none. */
 static int has_number(const fvi_estimation *fit, fvi_free_parameter which)
 {
     const size_t number = fvi_free_parameter_base(which) - FVI_FREE_PARAMETER_LAW;
@@ -244,7 +246,7 @@ static int has_number(const fvi_estimation *fit, fvi_free_parameter which)
     return 0;
 }
 
-/* Of how many things there may be one such parameter each. */
+/* Return how many parameters of this kind the model has, one for each mass, coordinate or column. */
 static size_t most_of(const fvi_estimation *fit, fvi_free_parameter base)
 {
     const fvi_system *system = fit->run->system;
@@ -258,12 +260,12 @@ static size_t most_of(const fvi_estimation *fit, fvi_free_parameter base)
     case FVI_FREE_PARAMETER_OFFSET:
     case FVI_FREE_PARAMETER_DRIFT:
         return fvi_estimation_columns(fit);
-    default: /* a law is asked for by has_number */
+    default: /* has_number checks whether the law exists */
         return base >= FVI_FREE_PARAMETER_LAW && base < FVI_FREE_PARAMETER_CONSTANT ? SIZE_MAX : 0;
     }
 }
 
-/* Is there such a thing as this parameter in the model? */
+/* Check that the model has this parameter, and that the method can fit it. */
 static int check_which(const fvi_estimation *fit, fvi_free_parameter which)
 {
     const fvi_free_parameter base = fvi_free_parameter_base(which);

@@ -1,4 +1,4 @@
-/* src/estimation/identification_design.c -- What a planned test will tell. [H 24] */
+/* src/estimation/identification_design.c -- Predict what a planned test will tell. [H 24] */
 #include "identification_examine.h"
 
 #include "system/fail.h"
@@ -8,11 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Steps four times as short as a fit would begin with: the data of a plan have no noise that a
- * finer step would be lost in. */
+/* The first step of a fit is divided by FINER, because the data of a plan have no noise in which the error of a longer
+ * step could be lost. */
 enum { FINER = 4 };
 
-/* The planned motion at the times: what the data would be without noise. */
+/* Compute the planned motion at the times, which is what the data would be without noise, and the step *h. */
 static int plan_motion(const fvi_estimation *fit, double *motion, double *h)
 {
     fvi_estimation still = *fit;
@@ -20,7 +20,7 @@ static int plan_motion(const fvi_estimation *fit, double *motion, double *h)
     int status = FVI_SUCCESS;
     memset(motion, 0, fit->n * sizeof *motion);
     still.x = motion;
-    for (int pass = 0; pass < 2 && !status; pass++) { /* the second knows its frequency */
+    for (int pass = 0; pass < 2 && !status; pass++) { /* the second pass knows the frequency of the motion */
         double *next = malloc(fit->n * sizeof *next);
         if (!next)
             return FVI_ENOMEM;
@@ -37,7 +37,7 @@ static int plan_motion(const fvi_estimation *fit, double *motion, double *h)
     return status;
 }
 
-/* sd, correlations and tangent intervals at the values of the run. */
+/* Compute standard deviations, correlations and intervals of the tangent at the values of the run. */
 static int plan(const fvi_estimation *fit, double h, fvi_estimate *planned, fvi_examination *e)
 {
     fvi_estimation_work o;

@@ -1,4 +1,4 @@
-/* src/estimation/identification_examine.c -- Can an answer be believed?   [H 24] */
+/* src/estimation/identification_examine.c -- Examine whether the answer of a fit can be believed.   [H 24] */
 #include "identification_examine.h"
 #include "identification_robust.h"
 
@@ -12,20 +12,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A flag goes up where noise alone makes such residuals with a smaller probability, in the order
- * of the bits. One of forty right models is flagged. An offset and a drift have the largest share, as
- * they hide best: neighbours and patterns that come from a fault are mostly far beyond chance. */
+/* The least probabilities of the five tests: neighbours, offset, drift, pattern, no motion. A flag of the first four is
+ * raised if noise alone makes such residuals with a smaller probability. These four add up to 0.023, so one of about
+ * forty right models is flagged. An offset and a drift have the largest shares because they are the hardest to see:
+ * neighbours and patterns that come from a fault are mostly far beyond chance. The last flag is raised unless the
+ * probability is smaller. */
 static const double least_probability[] = { 0.002, 0.010, 0.008, 0.003, 0.01 };
 
-#define GRAVE 1e-4 /* residuals that noise alone makes more seldom are not believed */
-#define EXACT 1e-6 /* of the data: residuals below that are errors of the method, not noise */
-#define NEAR 6     /* of chi^2, beyond what the interval allows: a minimum that is nearly as good */
-#define MOVED 0.02 /* sd: so much may half a step move an estimate */
-#define LOWER 1e-6 /* of chi^2: a least that is lower by this is another one */
+#define GRAVE 1e-4 /* an answer is not believed if noise alone makes such residuals with a smaller probability */
+#define EXACT 1e-6 /* of the size of the data: residuals below that are errors of the method, not noise */
+#define NEAR 6     /* in chi^2, beyond what the interval allows: a minimum up to there is nearly as good */
+#define MOVED 0.02 /* in standard deviations: half a step may move an estimate by so much */
+#define LOWER 1e-6 /* of chi^2: a minimum that is lower by this is another one */
 
 /* ---- residuals ---- */
 
-/* (24.4): by how many sd `size` sigma of a column moves each parameter. */
+/* (24.4): add to swayed by how many standard deviations `size` sigma of a column of the sensor move each parameter. */
 static void fill_sway(const fvi_estimation_model *m, const fvi_estimate *fitted,
                       const gsl_matrix *J, const gsl_vector *column, double size,
                       double *swayed)
@@ -52,8 +54,8 @@ static int is_fitted(const fvi_estimation *fit, fvi_free_parameter base, size_t 
     return 0;
 }
 
-/* What an offset and a drift of a column do that nobody sees, of the column where that is most; not
- * where they are fitted. */
+/* Find the largest offset and drift of a sensor that the tests may overlook, and what they do to the parameters. The
+ * column is that for which they do most. An offset or a drift that is fitted is left out. */
 static void fill_unseen(const fvi_estimation_model *m, const fvi_estimate *fitted,
                         const gsl_matrix *J, gsl_matrix *room, gsl_vector *v,
                         fvi_examination *e)
@@ -80,7 +82,7 @@ static void fill_unseen(const fvi_estimation_model *m, const fvi_estimate *fitte
         }
 }
 
-/* Room for residuals, a column, their Jacobian and a basis; one block. */
+/* Room for residuals, a column, their Jacobian and a basis, in one block. */
 typedef struct {
     double *block;
     gsl_vector_view f, v;
@@ -101,8 +103,8 @@ static int workspace_alloc(const fvi_estimation *fit, workspace *w)
     return FVI_SUCCESS;
 }
 
-/* Residuals and Jacobian at u; of a robust fit the influences, which its parameters do not explain,
- * either. */
+/* Compute residuals and Jacobian at u. For a robust fit compute the influences instead of the residuals, because they,
+ * too, are what the parameters do not explain. Return FVI_SUCCESS or the code that ended the model. */
 static int evaluate(fvi_estimation_work *o, const double *u, workspace *w)
 {
     gsl_vector_const_view at = gsl_vector_const_view_array(u, o->fdf.p);
@@ -112,14 +114,14 @@ static int evaluate(fvi_estimation_work *o, const double *u, workspace *w)
     return o->model.ended;
 }
 
-/* Are the residuals only the error of the method? */
+/* Return nonzero if the residuals are nothing but the error of the method. */
 static int is_exact(const fvi_estimation_work *o, const fvi_estimate *fitted)
 {
     return !fvi_estimation_knows_sigma(o->model.fit)
            && !(fitted->sigma > EXACT * fvi_estimation_size(o->model.fit, 0));
 }
 
-/* (24.13) to (24.15) at the estimates, where the work stands. */
+/* Test the residuals at u, the estimates, by (24.13) to (24.15). */
 static int test_residuals(fvi_estimation_work *o, const fvi_estimate *fitted,
                           const double *u, fvi_examination *e)
 {
@@ -139,7 +141,8 @@ static int test_residuals(fvi_estimation_work *o, const fvi_estimate *fitted,
     return status;
 }
 
-/* estimate -+ quantile sd in the numbers of the search, so that no end leaves what is possible. */
+/* Set the intervals estimate -+ quantile sd. They are taken in the unbounded parameters u, so that no end leaves the
+ * possible range. */
 static void tangent_intervals(const fvi_estimation_model *m, const fvi_estimate *fitted,
                               fvi_examination *e)
 {
@@ -189,7 +192,7 @@ static int is_inside(const fvi_examination *e, size_t P, const double *theta)
     return 1;
 }
 
-/* The other places, searched to their ends with the step of the answer. */
+/* Search from the other places to their minima, with the step of the answer, and raise the flags VALLEYS and BETTER. */
 static void visit_others(fvi_estimation_work *o, const fvi_estimate *fitted,
                          fvi_examination *e)
 {
@@ -231,7 +234,7 @@ static int profiles(const fvi_estimation *fit, const fvi_estimate *fitted,
     return FVI_SUCCESS;
 }
 
-/* All values that parameter j may have. */
+/* Find the range of all values that parameter j may have. */
 static void find_range(const fvi_estimation *fit, size_t j, double *low, double *high)
 {
     const fvi_estimation_kind kind = fvi_estimation_kind_of(fit->which[j]);
@@ -251,7 +254,7 @@ int fvi_estimation_is_open(const fvi_estimation *fit, const fvi_examination *e, 
     return e->lower[j] <= low && e->upper[j] >= high;
 }
 
-/* What the numbers of an examination say; the minima have been visited before. */
+/* Raise the flags that follow from the numbers of an examination. VALLEYS and BETTER have been raised before. */
 static void raise_flags(const fvi_estimation *fit, const fvi_estimate *fitted,
                         fvi_examination *e)
 {
@@ -275,7 +278,7 @@ static void raise_flags(const fvi_estimation *fit, const fvi_estimate *fitted,
 
 /* ---- the whole ---- */
 
-/* All that is possible: of a motion that was not seen nothing is known. */
+/* Set each interval to the whole possible range, because nothing is known of a motion that was not seen. */
 static void whole_range(const fvi_estimation *fit, fvi_examination *e)
 {
     for (size_t j = 0; j < fit->parameters; j++)
@@ -297,7 +300,7 @@ static int examine(fvi_estimation_work *o, const fvi_estimate *fitted, fvi_exami
     if (!status && !(e->probability[4] < least_probability[4])) {
         whole_range(fit, e);
     } else if (!status && is_exact(o, fitted)) {
-        tangent_intervals(&o->model, fitted, e); /* a profile would be one of roundings */
+        tangent_intervals(&o->model, fitted, e); /* a profile would be one of rounding errors */
     } else if (!status) {
         status = profiles(fit, fitted, e);
         if (!status)

@@ -1,22 +1,20 @@
-/* src/estimation/identification_flags.c -- What speaks against an answer: tests of what is left
- * over.                                                                [H 24] */
+/* src/estimation/identification_flags.c -- Test the residuals of a fit.                   [H 24] */
 #include "identification_examine.h"
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_math.h>
 
-#define DEPENDENT 1e-4 /* a column whose rest is shorter, of its length, is not asked about */
+#define DEPENDENT 1e-4 /* a column is left out if its rest is shorter than this part of its length */
 
-/* Columns of length 1, orthogonal to each other: those of the Jacobian, and behind them what is
- * asked for. */
+/* An orthonormal basis: first the columns of the Jacobian, then the columns of a test. */
 typedef struct {
     gsl_matrix *Q;
     size_t count;
 } basis;
 
-/* Add a column, its part along those before taken out, twice as roundings stay else. Returns 0
- * where nothing is left of it: the parameters make up for it. */
+/* Add a column after taking out its part along the columns before. That is done twice, because of rounding errors.
+ * Return 0 if the rest is too short: then the parameters can imitate the column. */
 static int add_column(basis *b, gsl_vector *v)
 {
     const double length = gsl_blas_dnrm2(v);
@@ -36,7 +34,7 @@ static int add_column(basis *b, gsl_vector *v)
     return 1;
 }
 
-/* The squares of f along the columns from `first` on. */
+/* Return the squared length of f along the columns from `first` on. */
 static double squares_along(const basis *b, size_t first, const gsl_vector *f)
 {
     double sum = 0;
@@ -50,8 +48,8 @@ static double squares_along(const basis *b, size_t first, const gsl_vector *f)
 }
 
 //> score
-/* (24.14): the probability that noise alone has so much along k more columns, of n - P left. sum:
- * of all squares; known: of noise 1. */
+/* (24.14): return the probability that noise alone has at least this much along k more columns, out of `left` = n - P
+ * dimensions. `sum` is the sum of all squares. If `known`, the noise has the variance 1. */
 static double chance(double along, double sum, size_t k, size_t left, int known)
 {
     if (k == 0 || left <= k || !(sum > 0))
@@ -75,7 +73,7 @@ double fvi_estimation_neighbours(const fvi_estimation *fit, const gsl_vector *f)
     return pairs;
 }
 
-/* L q: the mean of both neighbours in the same piece. */
+/* Return row i of L q, half the sum of both neighbours in the same piece. */
 static double neighbour_mean(const gsl_vector *q, const fvi_estimation_piece *p, size_t i)
 {
     return ((i > p->first ? gsl_vector_get(q, i - 1) : 0)
@@ -84,9 +82,9 @@ static double neighbour_mean(const gsl_vector *q, const fvi_estimation_piece *p,
 }
 
 //> neighbours
-/* (24.13): r^T L r / r^T r of white noise of which the first `count` columns have been taken out:
- * its mean is tr(M L) / f, its variance 2 (tr (M L)^2 - tr^2 (M L) / f) / (f (f + 2)), where M is
- * the projection and f its rank. Column l of Q^T L Q is added up piece by piece. */
+/* (24.13): r^T L r / r^T r for white noise from which the first `count` columns have been taken out. Its mean is tr(M
+ * L) / f and its variance 2 (tr (M L)^2 - tr^2 (M L) / f) / (f (f + 2)), where M is the projection and f its rank.
+ * Column l of Q^T L Q is added up piece by piece. */
 static void neighbours_of_noise(const fvi_estimation *fit, const basis *b, double *mean, double *sd)
 {
     const size_t P = b->count;
@@ -94,7 +92,7 @@ static void neighbours_of_noise(const fvi_estimation *fit, const basis *b, doubl
     double trace = 0, square = 0, with[FVI_ESTIMATION_MOST][FVI_ESTIMATION_MOST] = { { 0 } };
     for (size_t m = 0; m < fvi_estimation_pieces(fit); m++) {
         const fvi_estimation_piece p = fvi_estimation_piece_at(fit, m);
-        square += (double)(p.n - 1) / 2; /* of L L */
+        square += (double)(p.n - 1) / 2; /* trace of L L */
         for (size_t k = 0; k < P; k++) {
             gsl_vector_const_view q = gsl_matrix_const_column(b->Q, k);
             for (size_t i = p.first; i < p.first + p.n; i++) {
@@ -122,8 +120,8 @@ static double chance_of_neighbours(const fvi_estimation *fit, const basis *b, do
     return gsl_cdf_ugaussian_Q((correlation - mean) / sd);
 }
 
-/* Smooth patterns of a piece: as many half waves over the rows as the motion has in this time, and
- * half as many more. */
+/* Return the number of smooth patterns of a piece: one and a half times the half waves that the motion has in this
+ * time, and two, but at least 3 and at most a quarter of the rows. */
 static size_t patterns(const fvi_estimation_piece *p)
 {
     double w, A;
@@ -147,7 +145,7 @@ void fvi_estimation_sensor_column(const fvi_estimation *fit, size_t which, size_
     }
 }
 
-/* Half wave number k over the rows of a piece. */
+/* Write half wave number k over the rows of a piece. */
 static void pattern_column(const fvi_estimation_piece *p, size_t k, gsl_vector *v)
 {
     gsl_vector_set_zero(v);
@@ -175,8 +173,8 @@ double fvi_estimation_length_unseen(const fvi_estimation *fit, size_t which, siz
     return fabs(along);
 }
 
-/* (24.15): the same of a constant for each piece instead of the motion. So many frequencies may have
- * been tried that the best of n is asked for. */
+/* (24.15): return the probability for a constant in each piece instead of the motion. A fit may have tried many
+ * frequencies, so the result is multiplied by the number of rows. */
 static double chance_of_no_motion(const fvi_estimation_model *m, double sum, int known)
 {
     const fvi_estimation *fit = m->fit;
@@ -197,7 +195,7 @@ static double chance_of_no_motion(const fvi_estimation_model *m, double sum, int
                        * chance(still - sum, still, fit->parameters, n - pieces, known));
 }
 
-/* The chance of what f has along the offsets, or drifts, of all columns. */
+/* Return the probability of what f has along the offsets, or the drifts, of all columns. */
 static double chance_of_sensors(const fvi_estimation *fit, size_t which, basis *b,
                                 const gsl_vector *f, double sum, size_t left, int known,
                                 gsl_vector *v)

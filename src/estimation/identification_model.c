@@ -1,4 +1,4 @@
-/* src/estimation/identification_model.c -- The model that a fit moves.    [H 24] */
+/* src/estimation/identification_model.c -- Make the model whose parameters a fit changes.    [H 24] */
 #include "identification_model.h"
 
 #include "system/arrays.h"
@@ -24,7 +24,7 @@ const fvi_kernel *fvi_estimation_law(const fvi_run *run, size_t index)
     return index <= dampers_of(run) ? run->system->mechanism->damper[index - 1].kernel : NULL;
 }
 
-/* A function of s is no array of terms, and stays as it is. */
+/* Return nonzero if the law is an array of terms. A law that is a function of s is not copied. */
 static int has_terms(const fvi_kernel *law)
 {
     return law && law->count > 0 && law->term->kind != FVI_KERNEL_SYMBOL;
@@ -68,7 +68,8 @@ static int copy_laws(fvi_estimation_model *m)
 
 /* ---- the model ---- */
 
-/* Masses, dampings and the start are the model's own; those of matrices stand in the matrices. */
+/* Copy masses, dampings and the start, because the fit changes them. Masses and dampings of matrices are in the
+ * matrices. */
 static int copy_numbers(fvi_estimation_model *m)
 {
     const fvi_run *run = m->fit->run;

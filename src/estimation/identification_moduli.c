@@ -1,4 +1,4 @@
-/* src/estimation/identification_moduli.c -- An order from storage and loss.  [H 24] */
+/* src/estimation/identification_moduli.c -- Find an order from storage and loss moduli.  [H 24] */
 #include "identification_model.h"
 
 #include "system/fail.h"
@@ -10,13 +10,12 @@
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_min.h>
 
-#define DEPENDENT 1e-6 /* least singular value of J, its columns of length 1 */
+#define DEPENDENT 1e-6 /* least singular value of J with columns of length 1 */
 enum { SCAN = 100 };   /* orders that are tried first */
 
-/* By J = Q S V^T, its columns scaled to length 1: only their lengths know the unit of a
- * parameter, and a square of it may be too large, or too small, for a double. Q is J before.
- * Jacobi's way takes nothing from the heap; the others of GSL do not look whether they have
- * got it. */
+/* Use J = Q S V^T, with the columns scaled to length 1. Only their lengths depend on the unit of a parameter, and the
+ * square of a length may be too large or too small for a double. Q is J before. Jacobi's method needs no memory from
+ * the heap; the other methods of GSL do not check whether they have got it. */
 int fvi_estimation_errors(gsl_matrix *Q, double sd[],
                    double correlation[][FVI_ESTIMATION_MOST])
 {
@@ -65,10 +64,10 @@ int fvi_estimate_is_finite(size_t P, const fvi_estimate *f)
 typedef struct {
     size_t n;
     const double *w, *storage, *loss;
-    double rho, k, sum; /* the best for the last order */
+    double rho, k, sum; /* best values for the last order */
 } moduli;
 
-/* Row i of both moduli by rho, over the size of the datum; k stands in storage alone. */
+/* Compute the derivatives of both moduli of row i by rho, divided by the size of the datum. k adds to storage only. */
 static void row(const moduli *o, size_t i, double alpha, double *of_storage,
                 double *of_loss, double *size)
 {
@@ -79,7 +78,7 @@ static void row(const moduli *o, size_t i, double alpha, double *of_storage,
 }
 
 //> projection
-/* For a given order both moduli are linear in rho and k: two equations, then the sum of
+/* For a given order both moduli are linear in rho and k. So solve two equations for them, and return the sum of
  * squares. */
 static double projected(double alpha, void *params)
 {
@@ -105,7 +104,7 @@ static double projected(double alpha, void *params)
 }
 //< projection
 
-/* The order: the best of a scan, then Brent's method between its neighbours. */
+/* Find the order: take the best one of a scan, then use Brent's method between its neighbours. */
 static int best_order(moduli *o, double *alpha)
 {
     gsl_function f = { projected, o };
@@ -136,7 +135,7 @@ static int best_order(moduli *o, double *alpha)
     return FVI_SUCCESS;
 }
 
-/* sd and correlations of alpha, rho, k. (24.3) */
+/* Compute sd and correlations of alpha, rho and k by (24.3). */
 static int errors_of(const moduli *o, double alpha, fvi_estimate *fitted)
 {
     double a, b, size;
@@ -145,7 +144,7 @@ static int errors_of(const moduli *o, double alpha, fvi_estimate *fitted)
         FVI_FAIL("no memory for the errors", FVI_ENOMEM);
     for (size_t i = 0; i < o->n; i++) {
         row(o, i, alpha, &a, &b, &size);
-        const double log_w = 2 * log(o->w[i]); /* d/dalpha (iw)^(2 alpha) */
+        const double log_w = 2 * log(o->w[i]); /* for d/dalpha (iw)^(2 alpha) */
         slopes[2 * i][0] = o->rho * (log_w * a - M_PI * b);
         slopes[2 * i + 1][0] = o->rho * (log_w * b + M_PI * a);
         slopes[2 * i][1] = a;

@@ -1,4 +1,4 @@
-/* src/estimation/identification_motion.c -- What the sensors show of a motion. [H 24] */
+/* src/estimation/identification_motion.c -- Compute what the sensors show of a motion. [H 24] */
 #include "identification_model.h"
 #include "identification_tangent.h"
 
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Hermite's cubic at s of a step: x and h v at its ends. */
+/* Return Hermite's cubic at the share s of a step, from x and h v at its ends. */
 static double hermite(double s, double x, double hv, double next, double hnext)
 {
     const double r = 1 - s;
@@ -20,13 +20,14 @@ static double hermite(double s, double x, double hv, double next, double hnext)
            + s * r * (r * hv - s * hnext);
 }
 
-/* h times the slope of that cubic. */
+/* Return h times the slope of that cubic. */
 static double hermite_slope(double s, double x, double hv, double next, double hnext)
 {
     return 6 * s * (1 - s) * (next - x) + (1 + s * (3 * s - 4)) * hv + s * (3 * s - 2) * hnext;
 }
 
-/* May fvi_stepper_start be asked? A trial may be out of range, or have no solution (19.2). */
+/* Return nonzero if fvi_stepper_start will accept the values. A trial of the search may be out of range, or have no
+ * solution (19.2). */
 static int is_possible(const fvi_estimation_model *m)
 {
     const int is_plain = !m->system.matrices && !m->system.mechanism,
@@ -46,15 +47,16 @@ static int is_possible(const fvi_estimation_model *m)
 
 /* ---- the run of one record ---- */
 
-/* A record on its way: a step before the stepper, and between the two what is asked for. */
+/* The run of a record. x and p are those before the last step of the stepper. Rows between the two ends of that step
+ * are interpolated. */
 typedef struct {
     fvi_run run;
     fvi_system system;
     fvi_stepper *s;
-    double *x, *p;       /* before the last step, d each; owned, with the rest */
-    double *hv, *hnext;  /* h v before it and behind it */
-    double *now;         /* x, v, t */
-    int asks_velocities; /* or, if not, x alone */
+    double *x, *p;       /* x and p before the last step, d numbers each; owned, with the other arrays */
+    double *hv, *hnext;  /* h v at the beginning and at the end of the last step */
+    double *now;         /* x, v, t at the present row */
+    int asks_velocities; /* nonzero if a sensor needs velocities; 0 if x is enough */
 } motion;
 
 static int start_motion(const fvi_estimation_model *m, size_t r, motion *o)
@@ -77,7 +79,7 @@ static int start_motion(const fvi_estimation_model *m, size_t r, motion *o)
     }
     for (size_t c = 0; c < fvi_estimation_columns(m->fit); c++)
         o->asks_velocities |= fvi_estimation_piece_of(m->fit, r, c).shows != NULL;
-    /* Zeros: of a coordinate without inertia the velocity stays 0. */
+    /* FVI_ARRAYS sets all numbers to 0, so the velocity of a coordinate without inertia stays 0. */
     o->x = FVI_ARRAYS({ &o->x, d }, { &o->p, d }, { &o->hv, d }, { &o->hnext, d }, { &o->now, 2 * d + 1 });
     if (!o->x)
         return FVI_ENOMEM;
@@ -100,7 +102,7 @@ static int has_lagrangian(const motion *o)
     return o->system.mechanism && o->system.mechanism->lagrangian;
 }
 
-/* h v of this x and p at the time t; 0 of a mass of 0, whose velocity p does not tell. */
+/* Compute h v from x and p at the time t. It is 0 for a mass of 0, whose velocity does not follow from p. */
 static int step_velocity(const motion *o, double t, const double *x, const double *p, double *hv)
 {
     const size_t d = o->system.d;
@@ -123,7 +125,7 @@ static int is_mass_zero(const motion *o, size_t i)
     return !o->system.matrices && !has_lagrangian(o) && o->system.mass[i] == 0;
 }
 
-/* x and, if they are asked for, v at the time t, within the last step or at the start. */
+/* Interpolate x and, if it is needed, v at the time t, which lies within the last step or is the start. */
 static int read_between(motion *o, double t)
 {
     const size_t d = o->system.d;
@@ -135,7 +137,7 @@ static int read_between(motion *o, double t)
         status = step_velocity(o, o->s->t - h, o->x, o->p, o->hv);
     for (size_t i = 0; i < d && !status; i++) {
         const double next = o->s->x[i];
-        if (is_mass_zero(o, i)) /* a straight line */
+        if (is_mass_zero(o, i)) /* linear interpolation */
             o->hv[i] = o->hnext[i] = next - o->x[i];
         o->now[i] = is_node ? next
                             : hermite(share, o->x[i], o->hv[i], next, o->hnext[i]);
@@ -147,7 +149,7 @@ static int read_between(motion *o, double t)
     return status;
 }
 
-/* The same of a method that has the motion between its steps. */
+/* Do the same for a method that knows the motion between its steps. */
 static int read_dense(motion *o, double t)
 {
     const size_t d = o->system.d;
@@ -200,8 +202,8 @@ static int run_record(fvi_estimation_model *m, size_t r)
 }
 //< run
 
-/* A motion for which there was no memory is no bad one: the fit ends. So it does after some that
- * took all the steps that they may. */
+/* Record why a motion failed, and return its status. A lack of memory says nothing about the parameters, so it ends the
+ * fit. Several motions that took all the steps that they may take end it, too. */
 static int ended_by(fvi_estimation_model *m, int status)
 {
     if (status == FVI_ENOMEM)
@@ -218,7 +220,7 @@ int fvi_estimation_model_run(fvi_estimation_model *m)
     int status = FVI_SUCCESS;
     if (m->ended)
         return m->ended;
-    if (!is_possible(m)) /* what fvi_stepper_start would tell the handler */
+    if (!is_possible(m)) /* otherwise fvi_stepper_start would call the error handler */
         return ended_by(m, FVI_EDOM);
     for (size_t r = 0; r < fvi_estimation_records(m->fit) && !status; r++)
         status = run_record(m, r);
@@ -243,7 +245,8 @@ int fvi_estimation_model_has_tangents(const fvi_estimation_model *m)
 }
 
 //> tangents
-/* Hermite's cubic is linear in what it is made of. before: s and pi a step before. */
+/* Interpolate the derivatives of x, because Hermite's cubic is linear in x and v at its ends. before: the derivatives
+ * dx and pi a step before. */
 static void read_slopes(const fvi_estimation_model *m, const fvi_estimation_tangents *o,
                         double share, double p_before, const double *before,
                         double *slope)
@@ -267,7 +270,8 @@ static int run_tangents(const fvi_estimation_model *m, double *slope)
     double before[2 * FVI_ESTIMATION_MOST] = { 0 }, p_before = 0;
     if (!is_possible(m))
         return FVI_EDOM;
-    if (m->fit->method->stages && m->run.alpha == 1) /* there are differences; no handler is told */
+    /* Differences are used then, so the error handler is not called. */
+    if (m->fit->method->stages && m->run.alpha == 1)
         return FVI_EUNSUP;
     int status =
         fvi_estimation_tangents_start(m->fit->method, &m->run, P, m->fit->which, &o);
@@ -277,7 +281,7 @@ static int run_tangents(const fvi_estimation_model *m, double *slope)
         const double t = m->fit->t[i];
         while (s->t < t - 1e-9 * h && s->k < m->run.steps
                && !status) {
-            memcpy(before, o.of.dx, 2 * P * sizeof *before); /* pi is behind dx */
+            memcpy(before, o.of.dx, 2 * P * sizeof *before); /* pi follows dx in memory */
             p_before = s->p[0];
             status = fvi_tangent_step(&o.of);
         }

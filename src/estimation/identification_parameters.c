@@ -1,5 +1,4 @@
-/* src/estimation/identification_parameters.c -- One parameter of many: its place, its bounds.
- *                                                                     [H 24] */
+/* src/estimation/identification_parameters.c -- Read, write and bound a single parameter of a fit. [H 24] */
 #include "identification_model.h"
 
 #include <math.h>
@@ -29,7 +28,7 @@ fvi_estimation_kind fvi_estimation_kind_of(fvi_free_parameter which)
         return FVI_ESTIMATION_SIZE;
     if (!fvi_free_parameter_is_of_law(which))
         return FVI_ESTIMATION_NUMBER;
-    return (base - FVI_FREE_PARAMETER_LAW) % 2 ? FVI_ESTIMATION_ORDER /* alpha, end */
+    return (base - FVI_FREE_PARAMETER_LAW) % 2 ? FVI_ESTIMATION_ORDER /* alpha and end */
                                                : FVI_ESTIMATION_SIZE;
 }
 
@@ -41,7 +40,7 @@ static fvi_kernel_term *term_of(const fvi_estimation_model *m, fvi_free_paramete
     return m->laws.term + m->laws.first[fvi_free_parameter_index(which)] + number / 4;
 }
 
-/* Of two springpots in series time is rho1 / rho2, and the third number rho2. */
+/* For two springpots in series the field time is rho1 / rho2, and the third parameter is rho2. */
 static double get_law(const fvi_estimation_model *m, fvi_free_parameter which)
 {
     const fvi_kernel_term *t = term_of(m, which);
@@ -79,7 +78,7 @@ static void set_law(fvi_estimation_model *m, fvi_free_parameter which, double th
 
 /* ---- all others ---- */
 
-/* Where the numbers of this kind stand, and how many they are. */
+/* Return the array with the numbers of this kind, and its length. */
 static double *numbers_of(fvi_estimation_model *m, fvi_free_parameter base, size_t *count)
 {
     *count = m->system.d;
@@ -125,7 +124,7 @@ void fvi_estimation_model_set(fvi_estimation_model *m, size_t j, double theta)
         set_law(m, which, theta);
         return;
     }
-    double *number = numbers_of(m, fvi_free_parameter_base(which), &count); /* in *m, or the caller's */
+    double *number = numbers_of(m, fvi_free_parameter_base(which), &count); /* in *m, or an array of the caller */
     for (size_t i = 0; i < count; i++)
         if (index == 0 || index == i + 1)
             number[i] = theta;
@@ -133,7 +132,7 @@ void fvi_estimation_model_set(fvi_estimation_model *m, size_t j, double theta)
 
 /* ---- bounds ---- */
 
-/* The orders that are possible for parameter j, which is one. */
+/* Find the possible range of parameter j, which is an order. */
 static void orders(const fvi_estimation_model *m, size_t j, double *low, double *high)
 {
     const int is_of_law = fvi_free_parameter_is_of_law(m->fit->which[j]);

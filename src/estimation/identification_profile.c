@@ -1,5 +1,5 @@
-/* src/estimation/identification_profile.c -- How far a parameter can go while the others
- * make up for it.                                                      [H 24] */
+/* src/estimation/identification_profile.c -- Find the interval of one parameter, with the others at their best. [H
+ * 24] */
 #include "identification_search.h"
 
 #include "system/fail.h"
@@ -8,31 +8,31 @@
 #include <string.h>
 
 enum { OUTWARD = 40, INWARD = 60 };
-#define FARTHEST 16 /* a logit or a logarithm beyond this tells nothing more */
-#define NEARLY 0.15 /* so far off may the excess be at the end of the tangent's interval */
-#define LOWER 1e-6  /* of chi^2: a least that is lower by this is another one */
+#define FARTHEST 16 /* a logit or a logarithm beyond this says nothing more */
+#define NEARLY 0.15 /* largest relative error of the excess at the end of the tangent's interval */
+#define LOWER 1e-6  /* of chi^2: a minimum that is lower by this is another one */
 
-/* Where the others were found last, for these values of the fixed one. */
+/* The last two places where the other parameters were found, and the values of the fixed one there. */
 typedef struct {
     fvi_estimation_slot at, before;
     double u, u_before;
 } trail;
 
 typedef struct {
-    fvi_estimation fit; /* of the others */
+    fvi_estimation fit; /* the fit of the others */
     fvi_free_parameter
-        which[FVI_ESTIMATION_MOST]; /* the others, and behind them the fixed one */
+        which[FVI_ESTIMATION_MOST]; /* the other parameters, then the fixed one */
     size_t others;
     fvi_estimation_work work;
     trail on;
-    double tangent[FVI_ESTIMATION_MOST]; /* d of the others / d of the fixed one, by (24.3) */
-    double unit, least; /* of the sum of squares in sigma^2; chi^2 of the fit */
-    int is_least;       /* no chi^2 was lower than that */
+    double tangent[FVI_ESTIMATION_MOST]; /* derivatives of the others by the fixed one, by (24.3) */
+    double unit, least; /* unit of the sum of squares in sigma^2; chi^2 of the fit */
+    int is_least;       /* nonzero while no chi^2 was lower than that */
 } profile;
 
 //> excess
-/* (24.11): the root of what chi^2 grows by if the fixed parameter is u and the others are
- * the best for it, searched on the line through where they were found last. */
+/* (24.11): return the root of the increase of chi^2 if the fixed parameter is u and the others are at their best. The
+ * search for the others begins on the line through the last two places. */
 static double excess(profile *o, double u)
 {
     fvi_estimation_model *m = &o->work.model;
@@ -60,8 +60,8 @@ static double excess(profile *o, double u)
 }
 //< excess
 
-/* Where the excess is `reach`, between a and b, by regula falsi with Illinois' halving: it
- * is nearly linear. */
+/* Find where the excess is `reach`, between a and b. The excess is nearly linear, so regula falsi is used, with the
+ * halving of the Illinois method. */
 static double between(profile *o, double a, double b, double below,
                       double above, double reach)
 {
@@ -88,9 +88,9 @@ static double between(profile *o, double a, double b, double below,
     return u;
 }
 
-/* Where chi^2 is nearly a parabola the end of the tangent's interval is nearly that of the
- * profile: the excess there says so, and two or three searches are enough. Returns 1 and the
- * edge; 0 where it is not so, and the walk must begin at the fit again. */
+/* Try the end of the tangent's interval. Where chi^2 is nearly a parabola, the end of the profile's interval is near,
+ * and two or three searches are enough; the excess there tells. Return 1 and the edge, or 0 if chi^2 is no parabola:
+ * then the walk must begin at the fit again. */
 static int tangent_edge(profile *o, double u, double length, double reach, double *edge)
 {
     const trail here = o->on;
@@ -112,9 +112,9 @@ static int tangent_edge(profile *o, double u, double length, double reach, doubl
     return 0;
 }
 
-/* From u outward by `step`, then by longer ones, until the excess is beyond reach; then
- * where it is reached. Where it never is, the infinity of that side. A step by which the
- * excess jumps may have lost the valley, and is made shorter, but not without end. */
+/* Go outward from u by `step`, then by longer steps, until the excess is beyond reach. Then find where it is equal to
+ * reach. If it never is, return the infinity of that side. If the excess jumps within a step, the step may have lost
+ * the valley. So it is made shorter, down to a limit. */
 static double edge(profile *o, double u, double step, double reach)
 {
     const int bounded = fvi_estimation_kind_of(o->fit.which[o->others])
@@ -143,7 +143,8 @@ static double edge(profile *o, double u, double step, double reach)
     return step > 0 ? GSL_POSINF : GSL_NEGINF;
 }
 
-/* (24.3): where parameter i is best if the fixed one, number j of the fit, moves by 1, in u. */
+/* Compute, by (24.3), how the best value of each other parameter changes if the fixed one, number j of the fit, changes
+ * by 1. All parameters are u. */
 static void fill_tangent(profile *o, const fvi_estimate *fitted, size_t j)
 {
     const fvi_estimation_model *m = &o->work.model;
@@ -156,13 +157,13 @@ static void fill_tangent(profile *o, const fvi_estimate *fitted, size_t j)
     }
 }
 
-/* All numbers of the fit, parameter j the last of them. */
+/* Set up the fit of the others, with parameter j as the last one. Keep the present values in `were`. */
 static int begin(profile *o, const fvi_estimation *fit, const fvi_estimate *fitted,
                  size_t j, double *were)
 {
     double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST], found[FVI_ESTIMATION_MOST];
     o->fit = *fit;
-    o->fit.low = o->fit.high = NULL; /* nothing begins anywhere else */
+    o->fit.low = o->fit.high = NULL; /* no search begins anywhere else */
     o->fit.which = o->which;
     for (size_t i = 0; i < fit->parameters; i++)
         if (i != j) {
@@ -183,14 +184,14 @@ static int begin(profile *o, const fvi_estimation *fit, const fvi_estimate *fitt
         return status;
     fill_tangent(o, fitted, j);
     fvi_estimation_model_step(m, fitted->h);
-    o->work.fine = 1e-5; /* chi^2 is flat at its least */
+    o->work.fine = 1e-5; /* chi^2 is flat at its minimum */
     fvi_estimation_model_weigh(m, fitted);
     o->unit = gsl_pow_2(fvi_estimation_model_unit(m, fitted)) * fitted->loss_unit;
     o->least = fitted->chi2;
     return FVI_SUCCESS;
 }
 
-/* u_j of the fit, and a standard deviation of it. */
+/* Find both ends of the interval, from u_j of the fit with steps in proportion to its standard deviation. */
 static void both_edges(profile *o, const fvi_estimate *fitted, size_t j,
                        double *low, double *high)
 {

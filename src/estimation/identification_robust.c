@@ -1,5 +1,4 @@
-/* src/estimation/identification_robust.c -- Residuals that may be wrong readings, and columns whose
- * sigma nobody knows.                                                  [H 24] */
+/* src/estimation/identification_robust.c -- Fit data with wrong readings, and columns whose sigma is unknown. [H 24] */
 #include "identification_robust.h"
 
 #include "system/fail.h"
@@ -12,9 +11,9 @@
 #include <string.h>
 
 enum { ROUNDS = 40 };
-#define STAYS 1e-5    /* of the logarithm of a unit */
-#define MEDIAN 1.4826 /* sigma of a normal distribution, over the median of its size */
-#define LEAST 1e-9    /* of the data: a unit is not smaller */
+#define STAYS 1e-5    /* change of the logarithm of a unit at which the rounds end */
+#define MEDIAN 1.4826 /* sigma of a normal distribution divided by the median of the absolute value */
+#define LEAST 1e-9    /* least unit, as a part of the size of the data */
 
 //> huber
 /* (24.19): f^2 is the loss of r. */
@@ -29,7 +28,7 @@ double fvi_estimation_stretch(double k, double f)
     return k == 0 || fabs(f) <= k ? 1 : fabs(f) / k;
 }
 
-/* Half the slope of the loss at f, which is r or -+ k. */
+/* Return half the slope of the loss at f, which is r, or k with the sign of f. */
 static double influence(double k, double f)
 {
     return k == 0 || fabs(f) <= k ? f : copysign(k, f);
@@ -66,7 +65,7 @@ void fvi_estimation_unroll(double k, gsl_vector *f, gsl_matrix *J)
     }
 }
 
-/* The unit of one column, by the residuals of the last motion; r: room for all rows. */
+/* Return the unit of one column from the residuals of the last motion. r has room for all rows. */
 static double unit_of(const fvi_estimation_model *m, size_t column, double *r)
 {
     const fvi_estimation *fit = m->fit;

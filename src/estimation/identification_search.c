@@ -1,4 +1,4 @@
-/* src/estimation/identification_search.c -- One search downhill.          [H 24] */
+/* src/estimation/identification_search.c -- Search for a minimum from one start.          [H 24] */
 #include "identification_search.h"
 
 #include "identification_robust.h"
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define STEP 1e-7 /* of a difference: the memory is smooth to 1e-13 */
+#define STEP 1e-7 /* relative step of a difference: with the memory the motion is smooth to 1e-13 */
 
 typedef fvi_estimation_slot place;
 typedef fvi_estimation_work search;
@@ -60,7 +60,7 @@ double fvi_estimation_sum_here(search *o)
     return sum < gsl_pow_2(o->model.hopeless) ? sum : GSL_POSINF;
 }
 
-/* The Jacobian from slopes that ride along with the run; 0 if they cannot be had. */
+/* Compute the Jacobian from derivatives that are computed along with the run. Return 0 if they are not known. */
 static int ride(const gsl_vector *u, search *o, gsl_matrix *J)
 {
     fvi_estimation_model *m = &o->model;
@@ -73,7 +73,7 @@ static int ride(const gsl_vector *u, search *o, gsl_matrix *J)
     if (!o->ridden || fvi_estimation_model_tangents(m, o->ridden)
         || !fvi_all_finite(J->size1 * P, o->ridden))
         return 0;
-    const double huber = m->fit->huber; /* one piece alone has such slopes */
+    const double huber = m->fit->huber; /* only data of one piece have such derivatives */
     for (size_t j = 0; j < P; j++) {
         const double by =
             fvi_estimation_model_slope(m, j, fvi_estimation_model_get(m, j)) / m->scale[0];
@@ -85,9 +85,9 @@ static int ride(const gsl_vector *u, search *o, gsl_matrix *J)
 }
 
 //> slopes
-/* The Jacobian, by differences if the run has no tangents, at the u of the last residuals, where GSL asks for it. Its
- * own steps, in proportion to u, are lost in rounding where u is almost 0: at alpha = 1/2,
- * rho = 1, p0 = 0. */
+/* Compute the Jacobian at the u of the last residuals, where GSL asks for it: by differences if the run has no
+ * tangents. GSL's own steps are proportional to u. They are lost in rounding where u is almost 0: at alpha = 1/2, rho =
+ * 1, p0 = 0. */
 static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)
 {
     search *o = params;
@@ -112,10 +112,9 @@ static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)
 //< slopes
 
 //> minimise
-/* From at->u downhill. Of what the driver says only that it is not there yet counts: a false
- * minimum is reached with success, and a good one may be left with a complaint about the
- * last digits. One that creeps is given up where 60 iterations at the pace of the last ten
- * would end above `below`. */
+/* Search downhill from at->u. Of the driver's answers only "not there yet" is used, because a false minimum is reached
+ * with success, and a good one may be left with a complaint about the last digits. A search is given up if 60
+ * iterations at the pace of the last ten would end above `below`. */
 void fvi_estimation_minimise(search *o, place *at, double below)
 {
     enum { TEN = 10, TENS = 6 };
@@ -147,22 +146,22 @@ void fvi_estimation_minimise(search *o, place *at, double below)
 
 /* ---- ready, and done ---- */
 
-/* Of a start or a constant 1/16 of the box, the smaller one if there are two: the unit of a
- * constant is the caller's, and his box may be wide. */
+/* Set the size of each u. For a start or a constant it is 1/16 of the box. If there are two boxes, the smaller size is
+ * taken, because the unit of a constant is the caller's, and the caller's box may be wide. */
 static void set_sizes(search *o, const fvi_estimation *fit, const double *low,
                       const double *high)
 {
     for (size_t j = 0; j < fit->parameters; j++) {
         const double size = fvi_estimation_kind_of(fit->which[j]) != FVI_ESTIMATION_NUMBER
-                                ? 0.25 /* of a logit, a logarithm */
+                                ? 0.25 /* size of a logit and of a logarithm */
                                 : (high[j] - low[j]) / 16;
         o->size[j] = o->size[j] > 0 ? fmin(o->size[j], size) : size;
     }
 }
 
-/* Where memory ends half way, GSL 2.7 loses what its solver already has. So the solver is made only
- * where all of it fits at once: two matrices of n times p numbers, at most ten vectors of n, and what
- * some thirty blocks are rounded up by. volatile: a compiler may leave out what is freed unused. */
+/* If there is too little memory, GSL 2.7 loses the part of the solver that it already has. So the solver is made only
+ * if all of it fits at once: two matrices of n times p numbers, at most ten vectors of n, and the round-up of some
+ * thirty blocks. volatile: a compiler may remove an allocation that is freed unused. */
 static int solver_has_room(size_t n, size_t p)
 {
     void *volatile room = malloc((2 * p + 10) * n * sizeof(double) + ((size_t)1 << 18));

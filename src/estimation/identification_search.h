@@ -1,7 +1,7 @@
-/* src/estimation/identification_search.h -- One search of many.          [H 24]
+/* src/estimation/identification_search.h -- Search for a minimum from one start.          [H 24]
  *
- * Internal: identification.c begins it in many places, identification_profile.c at many
- * values of one parameter. Nothing is checked, and GSL's handler is off. */
+ * This header is internal. identification.c begins the search in many places, identification_profile.c at many values
+ * of one parameter. Nothing is checked, and GSL's error handler is off. */
 #ifndef FVI_IDENTIFICATION_SEARCH_H
 #define FVI_IDENTIFICATION_SEARCH_H
 
@@ -9,7 +9,7 @@
 
 #include <gsl/gsl_multifit_nlinear.h>
 
-/* Where a search began and ended: the parameters as u, and the sum of squares; on its way? */
+/* A search: where it began, its present parameters u, its sum of squares, and whether it was given up. */
 typedef struct {
     double from[FVI_ESTIMATION_MOST], u[FVI_ESTIMATION_MOST], sum;
     int gave_up;
@@ -19,32 +19,33 @@ typedef struct {
     fvi_estimation_model model;
     gsl_multifit_nlinear_fdf fdf;
     gsl_multifit_nlinear_workspace *solver;
-    fvi_estimation_slot *found; /* one for each start */
-    double *last, *base;  /* residuals: the last ones, and those of slopes */
-    double *ridden;       /* n P slopes; NULL: the run has no tangents */
-    double size[FVI_ESTIMATION_MOST]; /* of each u: it is nearly zero far below that */
+    fvi_estimation_slot *found; /* one search for each start */
+    double *last, *base;  /* the last residuals, and those at the base of the differences */
+    double *ridden;       /* n P derivatives; NULL: the run has no tangents */
+    double size[FVI_ESTIMATION_MOST]; /* size of each u; a value far below it counts as 0 */
     double
-        believed; /* chi^2 is less for 99 of 100 data sets; 0: sigma is not known */
-    double fine; /* a search ends when its steps are shorter, in parts of u */
+        believed; /* the chi^2 that 99 of 100 data sets do not exceed; 0: sigma is not known */
+    double fine; /* a search ends when its steps are shorter, relative to u */
 } fvi_estimation_work;
 
-/* fvi_estimation_work_alloc -- ready to search.
+/* fvi_estimation_work_alloc -- Make everything that a search needs.
  *
  *   low, high  output: the box of fit, or that of fvi_estimate_box
- *   o          output, in any case to be given back by fvi_estimation_work_free
+ *   o          output; free it with fvi_estimation_work_free in each case
  *
- * Returns what fvi_estimation_check returns; FVI_ENOMEM. */
+ * Return what fvi_estimation_check returns; FVI_ENOMEM. */
 int fvi_estimation_work_alloc(fvi_estimation_work *o, const fvi_estimation *fit, double *low,
                        double *high);
 
-/* f_i = (x(t_i) - x_i) / scale at u, and the motion there; params: the work. As GSL asks. */
+/* Compute the residuals f_i = (x(t_i) - x_i) / scale at u, and the motion there. params is the work. The signature is
+ * that of GSL. */
 int fvi_estimation_residuals(const gsl_vector *u, void *params, gsl_vector *f);
 
-/* The sum of their squares at the present values of the model, infinite without a motion. */
+/* Return the sum of squares of the residuals at the present values of the model, infinite if there is no motion. */
 double fvi_estimation_sum_here(fvi_estimation_work *o);
 
-/* From at->u downhill; sum is infinite if that leads nowhere. A search that creeps above
- * `below` may end on its way. */
+/* Search downhill from at->u. at->sum becomes infinite if that leads nowhere. A search that makes little progress above
+ * `below` is given up. */
 void fvi_estimation_minimise(fvi_estimation_work *o, fvi_estimation_slot *at, double below);
 
 void fvi_estimation_work_free(fvi_estimation_work *o);

@@ -1,4 +1,4 @@
-/* src/estimation/identification_steps.c -- Which method suits the data.   [H 24] */
+/* src/estimation/identification_steps.c -- Choose the method that suits the data.   [H 24] */
 #include "identification_model.h"
 
 #include "system/lagrangian_point.h"
@@ -12,8 +12,8 @@
 
 enum { MANY_STEPS = 1 << 13, MOST_COORDINATES = 64 };
 
-/* The largest sum of a row of |M^-1 Hess U| at the start, which is not less than w^2 of any mode;
- * 0 where it is not known. */
+/* Return the largest sum of a row of |M^-1 Hess U| at the start, which bounds w^2 of each mode. Return 0 if it is not
+ * known. */
 static double fastest_square(const fvi_run *run)
 {
     const fvi_system *system = run->system;
@@ -41,7 +41,7 @@ int fvi_estimation_has_massless(const fvi_system *system, size_t index)
     return 0;
 }
 
-/* Has the Lagrangian of a run a coordinate without inertia at its start? */
+/* Return nonzero if the Lagrangian of a run has a coordinate without inertia at its start. */
 static int lacks_inertia(const fvi_run *run)
 {
     const fvi_system *system = run->system;

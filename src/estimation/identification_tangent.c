@@ -1,5 +1,4 @@
-/* src/estimation/identification_tangent.c -- A run with its derivatives by free parameters.
- *                                                                     [H 24] */
+/* src/estimation/identification_tangent.c -- Compute a run with its derivatives by free parameters. [H 24] */
 #include "identification_tangent.h"
 
 #include <fvi/fvi.h>
@@ -9,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ENOUGH                                                                 \
-    1e-10 /* for a memory of stages: slopes lead to the least, and are not it */
+/* Tolerance for a memory of stages: derivatives lead to the minimum, but the minimum does not depend on their last
+ * digits. */
+#define ENOUGH 1e-10
 
 static double one = 1;
 
@@ -31,7 +31,7 @@ static int check(const fvi_run *run, size_t P, const fvi_free_parameter *which)
     return status;
 }
 
-/* The direction in which one number changes by 1. */
+/* Set the direction in which one parameter changes by 1. */
 static void set_direction(fvi_free_parameter which, double *unit, fvi_sensitivities *along)
 {
     switch (which) {
@@ -52,7 +52,7 @@ static void set_direction(fvi_free_parameter which, double *unit, fvi_sensitivit
         break;
     default:
         if (which < FVI_FREE_PARAMETER_CONSTANT)
-            break; /* of the record, not of the motion */
+            break; /* an offset or a drift belongs to the record, not to the motion */
         unit[which - FVI_FREE_PARAMETER_CONSTANT] = 1;
         along->parameters = unit;
     }

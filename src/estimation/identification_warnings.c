@@ -1,4 +1,4 @@
-/* src/estimation/identification_warnings.c -- What to know before a fit is believed. [H 24] */
+/* src/estimation/identification_warnings.c -- Warn about the answer of a fit. [H 24] */
 #include "identification_examine.h"
 
 #include <fvi/error.h>
@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define ALIKE 0.9 /* a correlation above this is worth a word */
+#define ALIKE 0.9 /* a correlation above this gives a warning */
 
 int fvi_estimate_warning_of_pair(const fvi_estimate *fitted, size_t i, size_t j,
                             const char *name_i, const char *name_j, size_t size,
@@ -48,7 +48,7 @@ int fvi_estimate_warning_of_unseen(const fvi_estimation *fit, const fvi_estimate
     return 1;
 }
 
-/* The parameters of which no value is excluded. */
+/* Add the names of the parameters of which the data exclude no value. */
 static void add_open(const fvi_estimation *fit, const fvi_examination *e,
                      const char *const *names, size_t size, char *text)
 {
@@ -62,7 +62,7 @@ static void add_open(const fvi_estimation *fit, const fvi_examination *e,
 
 static const char *const plain_texts[] = {
     "no motion is seen: a constant explains the data as well",
-    NULL, /* with a number */
+    NULL, /* the text contains a number, see below */
     "the residuals have a mean: the sensor has an offset, or the force or the rest is another one; "
     "fit offset, too",
     "the residuals have a slope: the sensor drifts, or the force or the law is another one; fit "
@@ -127,7 +127,8 @@ const char *fvi_estimate_warning_of_initial_history(const fvi_estimation *fit,
     return text;
 }
 
-/* Without a force m x'' and all else may be multiplied by one number. */
+/* Return nonzero if a mass is fitted and no force acts. Then m x'' and all other terms may be multiplied by the same
+ * number. */
 static int is_mass_free(const fvi_estimation *fit)
 {
     const fvi_force *force = &fit->run->system->force;
@@ -162,7 +163,7 @@ static void add_equal_steps(const fvi_estimation *fit, size_t size, char *text)
                  fvi_estimation_last_time(fit), needed, FVI_FIT_MOST_EQUAL_STEPS);
 }
 
-/* No start gives a motion; and why the one with the values that were given does not begin. */
+/* Say that no start gives a motion, and why the run with the given values does not start. */
 static void say_why_none_moves(const fvi_estimation *fit, size_t size, char *text)
 {
     fvi_run run = *fit->run;

@@ -1,4 +1,4 @@
-/* src/estimation/records.c -- What a laboratory records.                  [H 24] */
+/* src/estimation/records.c -- Give access to the records of a laboratory, and check them.                  [H 24] */
 #include "identification_data.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/estimation/rheology.c -- Laws of damping from what laboratories measure. [H 24] */
+/* src/estimation/rheology.c -- Fit laws of damping to the measurements of a laboratory. [H 24] */
 #include <fvi/rheology.h>
 
 #include "rheology_answer.h"
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SAME 1e-6 /* of the least sum: starts that agree; and 1e-20 of the data's */
+#define SAME 1e-6 /* of the least sum: starts within that agree, or within 1e-20 of the sum of squares of the data */
 enum { ENOUGH = 3, MOST_STARTS = 10000 };
 
 /* ---- a curve ---- */
@@ -108,14 +108,14 @@ static int check(const fvi_material_data *d, const fvi_material *answer, fvi_err
 
 /* ---- many starts ---- */
 
-/* A Latin hypercube: in every coordinate each of the K cells once. */
+/* Write a Latin hypercube of K starts: in each coordinate, each of the K cells contains one start. */
 static void hypercube(const fvi_rheology *m, size_t K, double *starts, gsl_rng *random)
 {
     const size_t P = m->shapes + m->elements;
     for (size_t j = 0; j < P; j++) {
         for (size_t k = 0; k < K; k++)
             starts[k * P + j] = (double)k;
-        for (size_t k = K; k-- > 1;) { /* shuffled */
+        for (size_t k = K; k-- > 1;) { /* shuffle the cells */
             const size_t other = gsl_rng_uniform_int(random, k + 1);
             const double here = starts[k * P + j];
             starts[k * P + j] = starts[other * P + j];
@@ -129,7 +129,7 @@ static void hypercube(const fvi_rheology *m, size_t K, double *starts, gsl_rng *
     }
 }
 
-/* The least sum of the starts, until three agree on it. */
+/* Search from the starts until three of them agree on the least sum. Return that sum. */
 static double try_starts(fvi_rheology_work *o, const double *starts, double *z, fvi_material *a)
 {
     const fvi_rheology *m = &o->model;
@@ -155,7 +155,7 @@ static double try_starts(fvi_rheology_work *o, const double *starts, double *z, 
     return best;
 }
 
-/* Elements of one kind in the order of their times, or of their orders: the data do not know
+/* Sort elements of the same kind by their times, or by their orders if they have no time, because the data do not know
  * which is which. */
 static void sort_elements(const fvi_rheology *m, double *z)
 {

@@ -1,4 +1,5 @@
-/* src/estimation/rheology_answer.c -- What the data say of a law.         [H 24] */
+/* src/estimation/rheology_answer.c -- Compute what the data say of a law: estimates, deviations, intervals, flags.
+ * [H 24] */
 #include "rheology_answer.h"
 
 #include "system/larger.h"
@@ -8,14 +9,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#define DEPENDENT 1e-6   /* least singular value of the Jacobian, its columns of length 1 */
-#define AT_A_BOUND 1e-3  /* an order or ln of a time so near to the end of what is asked for */
-#define FARTHEST 40      /* of the logarithm of a number */
+#define DEPENDENT 1e-6   /* least singular value of the Jacobian with columns of length 1 */
+/* An order or the logarithm of a time that is nearer to its bound is said to be at the bound. */
+#define AT_A_BOUND 1e-3
+#define FARTHEST 40      /* longest way of the logarithm of a number */
 enum { OUTWARD = 40, INWARD = 40 };
 
 /* ---- numbers by their names ---- */
 
-/* One number of the law as a function of z: ln of a size, or an order. */
+/* Number i of element n of the law, as a function of z: the logarithm of a size, or an order. */
 typedef struct {
     const fvi_rheology *model;
     size_t n, i;
@@ -52,7 +54,7 @@ static double bound(const number *v, double value)
 
 /* ---- standard deviations ---- */
 
-/* (J^T J) at z, with the rows of what is not needed taken out; its columns have length 1 then. */
+/* Compute J^T J at z with columns of length 1. Rows and columns of unused numbers are those of the unit matrix. */
 static void metric(const fvi_rheology_work *o, const int *is_used, double A[][FVI_LAW_MOST],
                    double *length)
 {
@@ -65,7 +67,7 @@ static void metric(const fvi_rheology_work *o, const int *is_used, double A[][FV
             A[i][j] = !is_used[i] || !is_used[j] ? i == j : A[i][j] / (length[i] * length[j]);
 }
 
-/* sqrt(g^T A^-1 g) for the slope g of a number; NaN where A has no inverse. */
+/* Return sqrt(g^T A^-1 g) for the slope g of a number; NaN if A has no inverse. */
 static double deviation(size_t P, double A[][FVI_LAW_MOST], const double *length, const double *g)
 {
     double copy[FVI_LAW_MOST][FVI_LAW_MOST], b[FVI_LAW_MOST], sum = 0;
@@ -79,7 +81,8 @@ static double deviation(size_t P, double A[][FVI_LAW_MOST], const double *length
     return sqrt(sum);
 }
 
-/* The least eigenvalue of A is below DEPENDENT^2 if that much less of it is not positive. */
+/* Return nonzero if the least eigenvalue of A is below DEPENDENT^2, which is so if A minus that multiple of the unit
+ * matrix is not positive definite. */
 static int is_singular(size_t P, double A[][FVI_LAW_MOST])
 {
     double copy[FVI_LAW_MOST][FVI_LAW_MOST], b[FVI_LAW_MOST] = { 0 };
@@ -94,11 +97,11 @@ static int is_singular(size_t P, double A[][FVI_LAW_MOST])
 typedef struct {
     fvi_rheology_work *work;
     number v;
-    double value, least, sigma, reach; /* of the fit; the quantile */
-    double z[FVI_LAW_MOST];            /* where the others were last */
+    double value, least, sigma, reach; /* value, sum of squares and sigma of the fit; the quantile */
+    double z[FVI_LAW_MOST];            /* last place of the other numbers */
 } profile;
 
-/* (24.11): the root of what chi^2 grows by where the number has this value. */
+/* (24.11): return the root of the increase of chi^2 if the number has this value. */
 static double excess(profile *p, double value)
 {
     const double sum =
@@ -106,7 +109,8 @@ static double excess(profile *p, double value)
     return sum < INFINITY ? sqrt(fmax(0, sum - p->least)) / p->sigma : INFINITY;
 }
 
-/* From the fit outward by steps of the tangent's interval, then regula falsi. */
+/* Go outward from the fit by steps in proportion to the tangent's interval. Then find the end of the interval by regula
+ * falsi. */
 static double edge(profile *p, const double *z, double step)
 {
     const size_t P = p->work->model.elements + p->work->model.shapes;
@@ -147,7 +151,7 @@ static double edge(profile *p, const double *z, double step)
     return inside;
 }
 
-/* The interval of number v, sd being that of ln v or of an order. */
+/* Find the interval of number v. sd is the standard deviation of ln v or of an order. */
 static void interval(fvi_rheology_work *o, const number *v, const double *z, double least,
                      double sd, fvi_material *a, size_t j)
 {
@@ -166,7 +170,7 @@ static void interval(fvi_rheology_work *o, const number *v, const double *z, dou
 
 /* ---- the whole ---- */
 
-/* Of n residuals in a row. */
+/* Return the correlation of neighbours among n residuals in a row. */
 static double neighbours_of(size_t n, const double *r)
 {
     double pairs = 0, squares = 0;
@@ -214,7 +218,7 @@ static void raise_flags(const fvi_rheology *m, const double *z, fvi_material *a)
                   | FVI_MATERIAL_CHI2);
 }
 
-/* An amplitude of 0: nothing is known of the element's other numbers. */
+/* Set the numbers of an element that has the amplitude 0, so that nothing is known of its other numbers. */
 static void set_unneeded(const number *v, fvi_material *a, size_t j)
 {
     a->estimate[j] = is_order(v) ? a->estimate[j] : v->i == 0 ? 0 : a->estimate[j];

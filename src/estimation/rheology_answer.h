@@ -1,12 +1,12 @@
-/* src/estimation/rheology_answer.h -- What the data say of a law.         [H 24]
+/* src/estimation/rheology_answer.h -- Compute what the data say of a law.         [H 24]
  *
- * Internal: nothing is checked. */
+ * This header is internal; nothing is checked. */
 #ifndef FVI_RHEOLOGY_ANSWER_H
 #define FVI_RHEOLOGY_ANSWER_H
 
 #include "rheology_search.h"
 
-/* Everything of *answer at z with its sum of squares, but starts and agree, which have been set. */
+/* Fill in everything of *answer at z, where the sum of squares is `sum`. starts and agree have been set before. */
 void fvi_rheology_answer(fvi_rheology_work *o, const double *z, double sum, fvi_material *answer);
 
 #endif

@@ -1,4 +1,4 @@
-/* src/estimation/rheology_elements.c -- The elements of a law, and their numbers. [H 24] */
+/* src/estimation/rheology_elements.c -- List the elements of a law and their numbers. [H 24] */
 #include "rheology_model.h"
 
 const char *const fvi_element_words[] = { "spring",   "viscous",  "power",       "zener", "maxwell",

@@ -1,4 +1,4 @@
-/* src/estimation/rheology_model.c -- What a test measures of a law.       [H 24] */
+/* src/estimation/rheology_model.c -- Compute what a test measures of a law.       [H 24] */
 #include "rheology_model.h"
 
 #include "kernel/laplace_parabola.h"
@@ -12,7 +12,7 @@
 
 /* ---- at which s ---- */
 
-/* Times from t to SPAN t, in their order, share a parabola. */
+/* Times from t to FVI_PARABOLA_SPAN t share a parabola, in the order in which they stand. */
 static void fill_parabolas(fvi_rheology *o)
 {
     const fvi_material_data *d = o->data;
@@ -52,7 +52,8 @@ static void fill_data(fvi_rheology *o)
         fill_parabolas(o);
 }
 
-/* Orders from 0.02 to 0.48 and times as those of the data, to begin with. */
+/* Set the box of the starts: orders from 0.02 to 0.48, and times from a tenth of the data's shortest to ten times their
+ * longest. Set the wider bounds of the search. */
 static void fill_box(fvi_rheology *o)
 {
     const fvi_material_data *d = o->data;
@@ -114,7 +115,7 @@ void fvi_rheology_free(fvi_rheology *o)
 
 /* ---- columns ---- */
 
-/* Shape of element n at all nodes, and behind it its derivatives. */
+/* Return the array of the shape of element n at all nodes (k = 0), or of its derivative by its number k - 1. */
 static double complex *shape_of(const fvi_rheology *o, size_t n, size_t k)
 {
     return o->phi + (n * (1 + FVI_ELEMENT_SHAPE) + k) * o->nodes;
@@ -131,7 +132,7 @@ static void fill_shapes(fvi_rheology *o, const double *u)
         }
 }
 
-/* What is measured of a function of s, over the units, times `factor`. */
+/* Compute what the test measures of a function of s, divided by the units and multiplied by `factor`. */
 static void measure(const fvi_rheology *o, const double complex *F, double factor, double *out)
 {
     const size_t n = o->data->n;
@@ -154,7 +155,7 @@ static double *column_of(const fvi_rheology *o, size_t j)
     return o->columns + j * o->rows;
 }
 
-/* The columns of the amplitudes, and behind them, if asked for, those of u for amplitudes 1. */
+/* Fill in the columns of the amplitudes and, if with_slopes, those of the numbers u for amplitudes 1. */
 static void fill_columns(fvi_rheology *o, const double *u, int with_slopes)
 {
     fill_shapes(o, u);
@@ -202,7 +203,7 @@ int fvi_rheology_solve(size_t P, double least, double A[][FVI_LAW_MOST], double 
     return 1;
 }
 
-/* The normal equations of the columns in `set`; 0 if they are dependent. */
+/* Solve the normal equations of the columns in `set`. Return 0 if the columns are dependent. */
 static int solve_set(size_t E, unsigned set, double A[][FVI_MATERIAL_ELEMENTS], const double *b, double *c)
 {
     double part[FVI_LAW_MOST][FVI_LAW_MOST], x[FVI_MATERIAL_ELEMENTS];
@@ -223,8 +224,8 @@ static int solve_set(size_t E, unsigned set, double A[][FVI_MATERIAL_ELEMENTS], 
     return 1;
 }
 
-/* The least squares of amplitudes that are not negative: all of them, if they are so, or the best
- * of all parts of the sum. */
+/* Find the amplitudes of the least squares that are not negative. If the solution for all elements is not negative, it
+ * is taken; else the best of the solutions for a part of the elements. */
 static void amplitudes(const fvi_rheology *o, double *c)
 {
     const size_t E = o->elements;
@@ -241,7 +242,7 @@ static void amplitudes(const fvi_rheology *o, double *c)
         int possible = solve_set(E, set, A, b, part);
         for (size_t i = 0; i < E; i++)
             possible &= part[i] >= 0;
-        const double less = possible ? fvi_dot(E, part, b) : 0; /* of the sum of squares */
+        const double less = possible ? fvi_dot(E, part, b) : 0; /* decrease of the sum of squares */
         if (less <= best)
             continue;
         best = less;
@@ -251,10 +252,10 @@ static void amplitudes(const fvi_rheology *o, double *c)
     }
 }
 
-/* Take the part along the columns with amplitudes out of those of J, (24.18). */
+/* Take out of the columns of J their part along the columns with amplitudes, (24.18). */
 static void take_out(fvi_rheology *o, const double *c, double *J)
 {
-    for (size_t n = 0; n < o->elements; n++) { /* the columns become orthonormal */
+    for (size_t n = 0; n < o->elements; n++) { /* make the columns of the amplitudes orthonormal */
         double *q = column_of(o, n);
         for (int twice = 0; twice < 2; twice++)
             for (size_t k = 0; k < n; k++) {
@@ -278,8 +279,8 @@ static void take_out(fvi_rheology *o, const double *c, double *J)
 }
 
 //> project
-/* (24.18): for given u the amplitudes are those of a linear least squares. What is left of the
- * slopes by u is what no amplitude makes up for. */
+/* (24.18): for given u find the amplitudes by linear least squares. J becomes the part of the slopes by u that no
+ * change of the amplitudes can imitate. */
 double fvi_rheology_project(fvi_rheology *o, const double *u, double *c, double *r, double *J)
 {
     fill_columns(o, u, J != NULL);
@@ -301,7 +302,7 @@ double fvi_rheology_project(fvi_rheology *o, const double *u, double *c, double 
 
 /* ---- all numbers together ---- */
 
-/* 1/C and its slopes by ln c and u, which are -phi/C^2. */
+/* Measure 1/C and its slopes by ln c and u, which are -phi/C^2. */
 static void creep_columns(fvi_rheology *o, const double *c, double *r, int with_slopes)
 {
     for (size_t i = 0; i < o->nodes; i++) {

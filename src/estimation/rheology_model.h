@@ -1,8 +1,7 @@
-/* src/estimation/rheology_model.h -- A law as a function of its numbers, and what a test measures
- * of it.                                                               [H 24]
+/* src/estimation/rheology_model.h -- Compute a law, and what a test measures of it, from its numbers. [H 24]
  *
- * Internal: nothing is checked. Each element is an amplitude c_n times a shape phi_n(s; u). The
- * numbers u are half orders and logarithms of characteristic times, and z is (ln c, u). */
+ * This header is internal; nothing is checked. Each element is an amplitude c_n times a shape phi_n(s; u). The numbers
+ * u are half orders and logarithms of characteristic times. z is (ln c, u). */
 #ifndef FVI_RHEOLOGY_MODEL_H
 #define FVI_RHEOLOGY_MODEL_H
 
@@ -11,64 +10,65 @@
 #include <complex.h>
 
 enum {
-    FVI_ELEMENT_SHAPE = 3, /* numbers u of an element, at most */
+    FVI_ELEMENT_SHAPE = 3, /* most numbers u of an element */
     FVI_LAW_SHAPE = FVI_ELEMENT_SHAPE * FVI_MATERIAL_ELEMENTS,
-    FVI_LAW_MOST = FVI_LAW_SHAPE + FVI_MATERIAL_ELEMENTS /* numbers z */
+    FVI_LAW_MOST = FVI_LAW_SHAPE + FVI_MATERIAL_ELEMENTS /* most numbers z */
 };
 
-/* A term of a kernel with the numbers of fvi_element_number. Of two springpots in series the first has the higher
- * order. */
+/* Return the term of a kernel with these numbers, in the order of fvi_element_number. For two springpots in series the
+ * first one has the higher order. */
 fvi_kernel_term fvi_element_term(fvi_element kind, const double *number);
 
-/* The numbers u: how many, and of which kind: orders, or logarithms of times. */
+/* Return how many numbers u an element has, and their kinds: 'a' for an order, 't' for the logarithm of a time. */
 size_t fvi_element_shape(fvi_element kind, const char **kinds);
 
-/* phi at s, and its derivatives by u; L = ln s. */
+/* Compute phi at s, and its derivatives by u. L = ln s. */
 void fvi_element_at(fvi_element kind, double complex s, double complex L, const double *u,
                     double complex *phi, double complex d[FVI_ELEMENT_SHAPE]);
 
-/* The numbers of an element by their names: ln of what is a size, an order as it is; and their
- * derivatives by (ln c, u). */
+/* Compute the numbers that have names: the logarithm of a size, an order as it is; and their derivatives by (ln c, u).
+ * fvi_element_is_order -- Return nonzero if number i is an order. */
 void fvi_element_public(fvi_element kind, double ln_c, const double *u,
                         double value[FVI_ELEMENT_NUMBERS],
                         double slope[FVI_ELEMENT_NUMBERS][1 + FVI_ELEMENT_SHAPE]);
 int fvi_element_is_order(fvi_element kind, size_t i);
 
-/* A = J^T J of `rows` rows of P numbers. */
+/* Compute A = J^T J for `rows` rows of P numbers. */
 void fvi_rheology_products(size_t rows, size_t P, const double *J, double A[][FVI_LAW_MOST]);
 
-/* Solve A x = b of P equations by Cholesky's factors; b becomes x, A is lost. 0 where a pivot is not above `least` of
- * its diagonal. */
+/* Solve the P equations A x = b with Cholesky's factors. b becomes x, and A is overwritten. Return 0 if a pivot is not
+ * above `least` times its diagonal, else 1. */
 int fvi_rheology_solve(size_t P, double least, double A[][FVI_LAW_MOST], double *b);
 
-/* What is measured, at which s, and how. Residuals are (model - data) over `unit`. */
+/* What is measured, at which s, and how. Residuals are (model - data) / unit. */
 typedef struct {
     const fvi_material_data *data;
-    size_t rows;        /* residuals: 2 n of moduli, n else */
-    size_t nodes;       /* s at which the law is asked */
+    size_t rows;        /* number of residuals: 2 n for moduli, n otherwise */
+    size_t nodes;       /* number of s at which the law is evaluated */
     double complex *s, *log_s;  /* nodes, and their logarithms */
-    double complex *weight; /* of creep and relaxation: of time i at [i * FVI_PARABOLA_NODES] */
-    size_t *first;      /* of time i: its first node */
-    double *unit, *y;   /* of a residual; the data over it */
-    size_t elements, shapes; /* amplitudes, numbers u */
-    size_t at[FVI_MATERIAL_ELEMENTS]; /* where the u of an element begin */
+    double complex *weight; /* for creep and relaxation: weights of time i from [i * FVI_PARABOLA_NODES] on */
+    size_t *first;      /* first node of time i */
+    double *unit, *y;   /* units of the residuals; data divided by them */
+    size_t elements, shapes; /* number of amplitudes; number of u */
+    size_t at[FVI_MATERIAL_ELEMENTS]; /* first u of each element */
     double low[FVI_LAW_SHAPE], high[FVI_LAW_SHAPE]; /* bounds of u */
-    double begin[FVI_LAW_SHAPE], end[FVI_LAW_SHAPE]; /* the box of the starts */
+    double begin[FVI_LAW_SHAPE], end[FVI_LAW_SHAPE]; /* box of the starts */
     double scale[FVI_LAW_SHAPE];
-    double complex *phi, *value; /* room: (1 + SHAPE) elements nodes; nodes */
-    double *columns;             /* room: rows by elements and by u */
+    double complex *phi, *value; /* room: (1 + SHAPE) * elements * nodes; nodes */
+    double *columns;             /* room: rows times (elements + shapes) */
     void *block;
 } fvi_rheology;
 
 int fvi_rheology_alloc(const fvi_material_data *data, fvi_rheology *o);
 void fvi_rheology_free(fvi_rheology *o);
 
-/* The best amplitudes for u that are not negative, residuals with them, Kaufman's Jacobian (rows
- * by shapes, row by row; NULL is allowed). For moduli and relaxation, which are linear in them.
- * Returns the sum of squares. */
+/* fvi_rheology_project -- Find the best amplitudes for u that are not negative, the residuals with them, and Kaufman's
+ * Jacobian (rows by shapes, row by row; NULL is allowed). Only for moduli and relaxation, which are linear in the
+ * amplitudes. Return the sum of squares. */
 double fvi_rheology_project(fvi_rheology *o, const double *u, double *c, double *r, double *J);
 
-/* Residuals and their Jacobian by z, rows by elements + shapes. Returns the sum of squares. */
+/* fvi_rheology_residuals -- Compute the residuals and their Jacobian by z, rows by elements + shapes. Return the sum of
+ * squares. */
 double fvi_rheology_residuals(fvi_rheology *o, const double *z, double *r, double *J);
 
 #endif

@@ -1,4 +1,4 @@
-/* src/estimation/rheology_search.c -- The least squares of a law.         [H 24] */
+/* src/estimation/rheology_search.c -- Find the least squares of a law.         [H 24] */
 #include "rheology_search.h"
 
 #include <fvi/error.h>
@@ -9,8 +9,8 @@
 #include <string.h>
 
 enum { ITERATIONS = 150, TRIES = 12 };
-#define LONGEST 2 /* step, in scales: 0.2 of an order, a factor of 7 of a time */
-#define AMPLITUDES 40 /* ln c goes no farther than this from where it began */
+#define LONGEST 2 /* longest step, in units of scale: 0.2 for an order, a factor of 7 for a time */
+#define AMPLITUDES 40 /* largest change of ln c from where it began */
 
 int fvi_rheology_work_alloc(const fvi_material_data *data, fvi_rheology_work *o)
 {
@@ -36,10 +36,10 @@ void fvi_rheology_work_free(fvi_rheology_work *o)
 
 /* ---- one problem, of u alone or of z ---- */
 
-/* P numbers x within bounds; residuals and Jacobian by `evaluate`. */
+/* P numbers x within bounds. `evaluate` computes residuals and Jacobian. */
 typedef struct {
     fvi_rheology_work *work;
-    int projects; /* x is u, and the amplitudes are found on the way */
+    int projects; /* nonzero: x is u, and the best amplitudes are found for each u */
     size_t P;
     double low[FVI_LAW_MOST], high[FVI_LAW_MOST], scale[FVI_LAW_MOST];
     double c[FVI_MATERIAL_ELEMENTS];
@@ -56,7 +56,7 @@ static double evaluate(problem *p, const double *x, double *r, double *J)
     return isfinite(sum) ? sum : INFINITY;
 }
 
-/* The normal equations at r and J; numbers at a bound that the descent would leave stay. */
+/* Compute the normal equations from r and J. A number at a bound stays there if the descent would leave the bounds. */
 static void normal_equations(const problem *p, const double *x, double A[][FVI_LAW_MOST],
                              double *b, int *stays)
 {
@@ -71,8 +71,8 @@ static void normal_equations(const problem *p, const double *x, double A[][FVI_L
     }
 }
 
-/* A step of Levenberg and Marquardt, on the constraint if there is one: of all steps with
- * g . step = what is missing the shortest in the metric of A. */
+/* Compute a step of Levenberg and Marquardt. With a constraint the step must satisfy g . step = missing: it is
+ * corrected along M^-1 g, which is the shortest correction in the metric of the damped matrix M. */
 static int step_of(const problem *p, double A[][FVI_LAW_MOST], const double *b, const int *stays,
                    double lambda, const double *g, double missing, double *step)
 {
@@ -111,7 +111,7 @@ static void clip(const problem *p, double *x)
         x[i] = fmin(fmax(x[i], p->low[i]), p->high[i]);
 }
 
-/* Back onto the constraint: its slope is nearly constant. */
+/* Go back onto the constraint, whose slope is nearly constant. */
 static void restore(const problem *p, double *x)
 {
     double g[FVI_LAW_MOST];
@@ -126,7 +126,7 @@ static void restore(const problem *p, double *x)
     }
 }
 
-/* A trial step that is downhill; 0 where none is. */
+/* Make a step that does not increase the sum. Return 0 if none is found. */
 static int advance(problem *p, double *x, double *sum, double *lambda, double *change)
 {
     fvi_rheology_work *o = p->work;
@@ -205,7 +205,7 @@ double fvi_rheology_descend(fvi_rheology_work *o, fvi_rheology_constraint *v, co
     return descend(&p, z);
 }
 
-/* One factor of all amplitudes, by which creep is divided, from a linear least squares. */
+/* Multiply all amplitudes by one factor, by which creep is divided. The factor follows from linear least squares. */
 static void scale_creep(fvi_rheology_work *o, double *z)
 {
     fvi_rheology *m = &o->model;
@@ -236,6 +236,6 @@ double fvi_rheology_search(fvi_rheology_work *o, const double *u, const double *
     const double sum = descend(&p, z + E);
     fvi_rheology_project(&o->model, z + E, p.c, o->r, NULL);
     for (size_t n = 0; n < E; n++)
-        z[n] = log(p.c[n]); /* of 0 minus infinity: the element is not needed */
+        z[n] = log(p.c[n]); /* minus infinity for an amplitude of 0: the element is not needed */
     return sum;
 }

@@ -1,12 +1,12 @@
-/* src/estimation/rheology_search.h -- The least squares of a law.         [H 24]
+/* src/estimation/rheology_search.h -- Find the least squares of a law.         [H 24]
  *
- * Internal: nothing is checked. */
+ * This header is internal; nothing is checked. */
 #ifndef FVI_RHEOLOGY_SEARCH_H
 #define FVI_RHEOLOGY_SEARCH_H
 
 #include "rheology_model.h"
 
-/* A search: the model, room for a Jacobian and residuals, and what holds one number fast. */
+/* The model, and room for residuals and a Jacobian. */
 typedef struct {
     fvi_rheology model;
     double *r, *trial, *J; /* rows; rows; rows by P */
@@ -16,14 +16,16 @@ typedef struct {
 int fvi_rheology_work_alloc(const fvi_material_data *data, fvi_rheology_work *o);
 void fvi_rheology_work_free(fvi_rheology_work *o);
 
-/* From a start u, and from amplitudes of the size of the data, to the nearest least: z. Returns the
- * sum of squares, infinite if it leads nowhere. random: of the amplitudes of creep, 0 to 1 each. */
+/* fvi_rheology_search -- Search from a start u, with amplitudes of the size of the data, for the nearest minimum z.
+ * Return the sum of squares, infinite if the search leads nowhere. random: a number from 0 to 1 for each amplitude;
+ * only for creep. */
 double fvi_rheology_search(fvi_rheology_work *o, const double *u, const double *random, double *z);
 
-/* A constraint v(z) = target, with its slope by z. */
+/* A constraint v(z) = target. The function returns v and writes its slope by z; slope may be NULL. */
 typedef double fvi_rheology_constraint(const void *params, const double *z, double *slope);
 
-/* From z downhill in all numbers, with v = NULL or on v(z) = target. Returns the sum of squares. */
+/* fvi_rheology_descend -- Search downhill from z in all numbers, or on v(z) = target if v is not NULL. Return the sum
+ * of squares. */
 double fvi_rheology_descend(fvi_rheology_work *o, fvi_rheology_constraint *v, const void *params,
                             double target, double *z);
 

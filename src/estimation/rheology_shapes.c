@@ -1,7 +1,7 @@
-/* src/estimation/rheology_shapes.c -- The elements of a law by characteristic times. [H 24]
+/* src/estimation/rheology_shapes.c -- Write the elements of a law with characteristic times. [H 24]
  *
- * In rho and time an element's numbers are correlated, because a size of s^{2 alpha} is asked for
- * at s = 1, wherever the data are. With an amplitude and a characteristic time they are not. */
+ * In rho and time the numbers of an element are correlated, because the size of s^{2 alpha} is that at s = 1, wherever
+ * the data are. An amplitude and a characteristic time are not correlated. */
 #include "rheology_model.h"
 
 #include <math.h>
@@ -14,11 +14,11 @@ size_t fvi_element_shape(fvi_element kind, const char **kinds)
     return count[kind];
 }
 
-/* int_b^{b+e} s^{2a} da, L = ln s. The derivative by its end is the integrand there. */
+/* Compute int_b^{b+e} s^{2a} da, with L = ln s. The derivative by the upper end is the integrand there. */
 static void range_at(double complex L, double b, double e, double complex *phi,
                      double complex d[])
 {
-    /* (e^{2 (b + e) L} - e^{2 b L})/(2 L), by its series where the two are near */
+    /* (e^{2 (b + e) L} - e^{2 b L})/(2 L), by its series if the two exponents are near each other */
     const double complex x = 2 * e * L, low = cexp(2 * b * L);
     double complex part = 1, term = 1;
     if (cabs(x) < 0.5)
@@ -86,7 +86,7 @@ int fvi_element_is_order(fvi_element kind, size_t i)
 {
     size_t field = 0;
     fvi_element_number(kind, i, &field);
-    return field % 2 == 1; /* alpha, end */
+    return field % 2 == 1; /* alpha and end */
 }
 
 void fvi_element_public(fvi_element kind, double ln_c, const double *u,
@@ -103,7 +103,7 @@ void fvi_element_public(fvi_element kind, double ln_c, const double *u,
         value[1] = u[0];
         slope[1][1] = 1;
         break;
-    case FVI_ELEMENT_ZENER: /* g = rho / time, t = time^{1/2a} */
+    case FVI_ELEMENT_ZENER: /* c = rho / time, t = time^{1/2a} */
     case FVI_ELEMENT_DAVIDSON: /* c = rho / time^{2a} */
         value[0] += 2 * u[0] * u[1];
         slope[0][1] = 2 * u[1];
