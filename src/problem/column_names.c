@@ -1,11 +1,11 @@
-/* src/problem/column_names.c -- Which quantity has which name. */
+/* src/problem/column_names.c -- Find the quantity of a column by its name. */
 #include "columns_state.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Names alone, in the order of fvi_quantity_kind: one number, or one of each coordinate. */
+/* Plain names, in the order of fvi_quantity_kind: one number, or one for each coordinate. */
 static const struct {
     const char *name;
     int is_vector;
@@ -22,7 +22,8 @@ static int is_word(const char *name, size_t length, const char *word)
     return strlen(word) == length && strncmp(name, word, length) == 0;
 }
 
-/* The number at the end, "x12", from 0; `most` and more if there is none within it. */
+/* Return the number at the end of a name such as x12, counted from 0. Return `most` or more if there is none below
+ * `most`. */
 static size_t index_of(const char *at, size_t length, size_t most)
 {
     size_t i = 0;
@@ -56,7 +57,7 @@ size_t fvi_column_width(const fvi_typed_columns *c, const fvi_quantity *q)
                : c->source->d;
 }
 
-/* The damper whose name is before the point. */
+/* Find the damper whose name stands before the point. */
 static int damper_named(const fvi_typed_columns *c, const char *name,
                         size_t length, size_t *j)
 {
@@ -72,7 +73,7 @@ static int damper_named(const fvi_typed_columns *c, const char *name,
     return 0;
 }
 
-/* "d1.force", "d1.force3". */
+/* Find a name such as "d1.force" or "d1.force3". */
 static int find_of_damper(const fvi_typed_columns *c, const char *name,
                           size_t length, fvi_quantity *q, int *is_all)
 {
@@ -94,7 +95,7 @@ static int find_of_damper(const fvi_typed_columns *c, const char *name,
     return 0;
 }
 
-/* "multiplier2", of a constraint; "reaction3", of a coordinate that is prescribed. */
+/* Find "multiplier2", of a constraint, or "reaction3", of a coordinate that is prescribed. */
 static int find_of_constraint(const fvi_typed_columns *c, const char *name,
                               size_t length, fvi_quantity *q, int *is_all)
 {
@@ -121,7 +122,7 @@ static int find_of_constraint(const fvi_typed_columns *c, const char *name,
     return 0;
 }
 
-/* "event2.count", "event2.last", "event2.force". */
+/* Find "event2.count", "event2.last" or "event2.force". */
 static int find_of_event(const fvi_typed_columns *c, const char *name, size_t length,
                          fvi_quantity *q)
 {
@@ -206,7 +207,7 @@ int fvi_column_quantity(const char *name, size_t length, void *columns)
 
 /* ---- what is wrong with a name ---- */
 
-/* All names, one after another; the nearest of them is what was meant. */
+/* Collect all names, so that the message can propose the nearest one. */
 int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
                        size_t length, fvi_error *error)
 {

@@ -1,5 +1,5 @@
-/* src/problem/columns.c -- Columns of a table as they are typed. */
-#define _GNU_SOURCE /* strndup */
+/* src/problem/columns.c -- Parse and compute the columns of a table. */
+#define _GNU_SOURCE /* for strndup */
 #include "columns_state.h"
 #include "words.h"
 
@@ -48,7 +48,7 @@ static int is_of_name(char letter)
     return isalnum((unsigned char)letter) || letter == '_' || letter == '.';
 }
 
-/* Is it one word, so that what is wrong with it is its name? */
+/* Return nonzero if the text is a single word, so that an error can only concern its name. */
 static int is_one_word(const char *text, size_t length)
 {
     for (size_t n = 0; n < length; n++)
@@ -57,7 +57,7 @@ static int is_one_word(const char *text, size_t length)
     return length > 0 && !isdigit((unsigned char)*text) && *text != '.';
 }
 
-/* A name that is given must be new. */
+/* Check that the name of a column is new. */
 static int check_name(const char *field, const char *name,
                       const fvi_user_parameters *parameters,
                       const fvi_typed_columns *c, fvi_error *error)
@@ -151,7 +151,7 @@ static int add_column(fvi_typed_columns *c, fvi_typed_column column,
     return FVI_SUCCESS;
 }
 
-/* x1, x2, ... of x: those that are shown. */
+/* Add the columns x1, x2, ... for x; only those that are shown. */
 static int add_all(const char *word, size_t length, fvi_quantity q,
                    const char *text, fvi_typed_columns *c, fvi_error *error)
 {
@@ -249,7 +249,7 @@ static double work_of_all(const fvi_typed_columns *c,
     return sum;
 }
 
-/* The place of a damper's force behind those of the dampers before it. */
+/* Return the position of a damper's force, which comes after the forces of the dampers before it. */
 static size_t place_of_force(const fvi_typed_columns *c, fvi_quantity q)
 {
     size_t place = q.i;
@@ -258,7 +258,7 @@ static size_t place_of_force(const fvi_typed_columns *c, fvi_quantity q)
     return place;
 }
 
-/* How often event i has happened, or when the last time; to lift off is none of these. */
+/* Return how often event i has happened, or the time of the last one. A lift-off does not count. */
 static double value_of_event(const fvi_observation *now, fvi_quantity q)
 {
     double count = 0, last = 0;
@@ -270,8 +270,8 @@ static double value_of_event(const fvi_observation *now, fvi_quantity q)
     return q.kind == QUANTITY_EVENT_COUNT ? count : last;
 }
 
-/* The value of a quantity. The ground and other columns are not asked here: the ground may fail, and a column has its value
- * when it has been computed. */
+/* Return the value of a quantity, except of the ground and of another column: the ground may fail, and a column has its
+ * value only after it has been computed. */
 static double value_of(const fvi_typed_columns *c, fvi_quantity q, const fvi_observation *now)
 {
     switch (q.kind) {
@@ -323,7 +323,7 @@ int fvi_typed_columns_values(fvi_typed_columns *c, const fvi_observation *now,
         const fvi_quantity q = c->quantity[n];
         if (q.kind == QUANTITY_GROUND)
             status = ground_at(c, now->t, &c->value[n]);
-        else if (q.kind != QUANTITY_COLUMN) /* which is filled when its column is */
+        else if (q.kind != QUANTITY_COLUMN) /* filled in below, when its column is computed */
             c->value[n] = value_of(c, q, now);
     }
     for (size_t i = 0; i < c->columns && !status; i++) {

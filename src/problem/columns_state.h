@@ -1,4 +1,4 @@
-/* src/problem/columns_state.h -- What typed columns are made of. */
+/* src/problem/columns_state.h -- Hold the columns of a table, their quantities and the reductions. */
 #ifndef FVI_COLUMNS_STATE_H
 #define FVI_COLUMNS_STATE_H
 
@@ -15,28 +15,28 @@ typedef enum {
     QUANTITY_WORK,
     QUANTITY_BALANCE,
     QUANTITY_GROUND,
-    QUANTITY_FORCE,   /* from here on of a damper */
+    QUANTITY_FORCE,   /* this one and the next two belong to a damper */
     QUANTITY_IMPULSE,
     QUANTITY_DAMPER_WORK,
     QUANTITY_MULTIPLIER, /* of constraint i */
-    QUANTITY_REACTION,   /* minus that */
-    QUANTITY_EVENT_COUNT, /* of event i */
+    QUANTITY_REACTION,   /* minus the multiplier of the constraint */
+    QUANTITY_EVENT_COUNT, /* this one and the next two belong to event i */
     QUANTITY_EVENT_LAST,
     QUANTITY_CONTACT,
-    QUANTITY_COLUMN /* a column with a name, number i */
+    QUANTITY_COLUMN /* column i, which has a name of its own */
 } fvi_quantity_kind;
 
-/* One number: of coordinate i, or force i of damper j. */
+/* One number: that of coordinate i, or of force i of damper j. */
 typedef struct {
     fvi_quantity_kind kind;
     size_t j, i;
 } fvi_quantity;
 
-/* A column, or what a reduction looks at: an expression of the quantities. */
+/* A column, or the argument of a reduction: an expression of the quantities. */
 typedef struct {
     char *name;
     fvi_expression *expression;
-    int is_given; /* was the name given, so that expressions may use it? */
+    int is_given; /* nonzero if the user gave the name, so that expressions may use it */
 } fvi_typed_column;
 
 typedef enum {
@@ -51,8 +51,8 @@ typedef enum {
     REDUCE_AT
 } fvi_reduction_kind;
 
-/* What is known of the steps so far: how many, the value looked for and its time, the integral, and
- * the last two values with their times. */
+/* The state of a reduction after the steps so far: their number, the value that it looks for and its time, the
+ * integral, and the last two values with their times. */
 typedef struct {
     double count, best, time, integral, q[2], t[2];
 } fvi_reduction_state;
@@ -68,26 +68,30 @@ struct fvi_typed_columns {
     const fvi_column_source *source;
     size_t quantities, columns, reductions;
     fvi_quantity *quantity;
-    double *value; /* of each quantity, at the row that was read last */
+    double *value; /* value of each quantity, at the row that was read last */
     fvi_typed_column *column;
     fvi_reduction *reduction;
 };
 
-/* fvi_column_quantity -- the number of a quantity by its name, -1 if there is none such, -2 without memory. It is new to the
- * columns, perhaps. columns is a fvi_typed_columns *: for fvi_name_finder. */
+/* fvi_column_quantity -- Return the number of the quantity with this name. If it is new, it is added to the columns.
+ * Return -1 if there is no such quantity, -2 without memory. `columns` is a fvi_typed_columns *. The function is for
+ * fvi_name_finder. */
 int fvi_column_quantity(const char *name, size_t length, void *columns);
 
-/* fvi_column_find -- which quantity has this name; is_all: all numbers of its kind. Returns 0 if there is
- * none. fvi_column_width -- how many numbers of its kind there are; of a damper's kind, for this damper. */
+/* fvi_column_find -- Find the quantity with this name. *is_all becomes nonzero if the name means all numbers of its
+ * kind. Return 0 if there is none, else 1.
+ * fvi_column_width -- Return how many numbers there are of its kind; for a damper, how many this damper has. */
 int fvi_column_find(const fvi_typed_columns *c, const char *name,
                     size_t length, fvi_quantity *q, int *is_all);
 size_t fvi_column_width(const fvi_typed_columns *c, const fvi_quantity *q);
 
-/* fvi_column_unknown -- refuse a word of a list that is no name, with the nearest one. */
+/* fvi_column_unknown -- Refuse a word of a list that is no name. The message proposes the nearest name. Return
+ * FVI_EINVAL. */
 int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
                        size_t length, fvi_error *error);
 
-/* fvi_column_item -- "NAME=EXPRESSION", or the expression alone, length letters, as a column. */
+/* fvi_column_item -- Parse "NAME=EXPRESSION", or an expression alone, of `length` letters, as a column. The caller owns
+ * the column's name and expression. Return FVI_SUCCESS, or an error code with the error filled in. */
 int fvi_column_item(const char *field, const char *text, size_t length,
                     fvi_user_parameters *parameters, fvi_typed_columns *c,
                     fvi_typed_column *column, fvi_error *error);

@@ -1,4 +1,4 @@
-/* src/problem/data.c -- Numbers from files. */
+/* src/problem/data.c -- Read numbers and tables from files. */
 #include "data.h"
 #include "rows.h"
 
@@ -32,12 +32,12 @@ int fvi_data_numbers(const char *field, const char *file, size_t most,
 
 /* ---- columns by their names ---- */
 
-/* How a line of names may be separated: by whatever there is, or by one sign alone, where names are
- * of several words. */
+/* The ways to separate a line of names: any separators, or only one sign, because names may consist of several
+ * words. */
 static const char *const separators[] = { " \t,;", "\t", ",", ";" };
 enum { SEPARATORS = sizeof separators / sizeof *separators };
 
-/* The next name of a line: where the line goes on, and the name without blanks and quotes. */
+/* Find the next name of a line, without blanks and quotes. Return where the line goes on. */
 static const char *take_name(const char *line, const char *between,
                              const char **name, size_t *length)
 {
@@ -60,8 +60,8 @@ static const char *take_name(const char *line, const char *between,
     return rest;
 }
 
-/* What is wanted: so many columns, each by one of several names "omega|w"; must they be named, or do
- * the first ones stand for them? Does the first increase? */
+/* The columns to be found. names[k] lists the possible names of column k, such as "omega|w". If must_be_named is 0, the
+ * first columns are taken from a table without names. If `increases` is nonzero, the first column must increase. */
 enum { COLUMNS = FVI_COLUMNS_MOST };
 typedef struct {
     size_t count;
@@ -69,13 +69,14 @@ typedef struct {
     int must_be_named, increases;
 } wish;
 
-/* Columns, which of its names each had, and of how many. */
+/* The columns that were found: for each its number and which of its names it had. `of` is the number of columns in the
+ * table. */
 typedef struct {
     unsigned column[COLUMNS], name[COLUMNS];
     size_t of;
 } choice;
 
-/* Which of the names "a|b|c" it is, from 0; -1 for none. */
+/* Return which of the names "a|b|c" the word is, from 0; -1 for none. */
 static int name_of(const char *names, const char *word, size_t length)
 {
     for (int i = 0; names; i++) {
@@ -87,7 +88,7 @@ static int name_of(const char *names, const char *word, size_t length)
     return -1;
 }
 
-/* The columns that a line names if it is separated so; of = 0 if it does not name all. */
+/* Find the columns that a line names if it is separated in this way. `of` is 0 if it does not name all of them. */
 static choice choose(const char *line, const char *between, const wish *w)
 {
     choice to = { .of = 0 };
@@ -115,9 +116,9 @@ static choice choose(const char *line, const char *between, const wish *w)
     return to;
 }
 
-/* What the lines above the rows name: the last line of words that names all columns, and of
- * the comments with so many words the last. A comment may have t and x among its words;
- * names are as many as the numbers. */
+/* The names in the lines above the rows: the last line of words that names all columns and, for each number of words,
+ * the last comment of that many words that names them. A comment may contain t and x among other words, so it counts
+ * only if it has as many words as a row has numbers. */
 enum { WORDS = 1000 };
 typedef struct {
     choice heading[SEPARATORS], comment[WORDS];
@@ -139,7 +140,7 @@ static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind, cons
     r->between = to[SEPARATORS - 1].of ? ';' : 0;
 }
 
-/* Which columns are those of a row of so many numbers? */
+/* Find the columns of a row with r->count numbers. Return 0, or a code with the error filled in. */
 static int choose_columns(const names_above *above, const fvi_rows *r, const wish *w,
                           choice *to)
 {
@@ -170,7 +171,7 @@ static int choose_columns(const names_above *above, const fvi_rows *r, const wis
 
 /* ---- tables ---- */
 
-/* Room for one more row of `width` numbers. */
+/* Make room for one more row of `width` numbers. */
 static int make_room(size_t n, size_t width, size_t *room, double **rows, const fvi_rows *r)
 {
     if (n < *room)
@@ -183,7 +184,7 @@ static int make_room(size_t n, size_t width, size_t *room, double **rows, const 
     return 0;
 }
 
-/* The columns of a row of numbers. */
+/* Take the wanted columns of a row of numbers. */
 static int take_row(const fvi_rows *r, const choice *from, const wish *w, int is_first,
                     double *row)
 {
@@ -197,7 +198,7 @@ static int take_row(const fvi_rows *r, const choice *from, const wish *w, int is
                : fvi_rows_refuse(r, from->column[0], "t does not increase");
 }
 
-/* All rows, one after the other. */
+/* Read all rows, one after the other. */
 static int read_rows(fvi_rows *r, const wish *w, size_t *n, double **rows, choice *from)
 {
     names_above above = { 0 };
@@ -225,7 +226,7 @@ static int read_rows(fvi_rows *r, const wish *w, size_t *n, double **rows, choic
     return status;
 }
 
-/* The columns one after the other in a block. */
+/* Read the columns into a block, one column after the other. */
 static int read_columns(const char *field, const char *file, const wish *w, size_t *n,
                         double **block, choice *from, fvi_error *error)
 {

@@ -1,5 +1,5 @@
-/* src/problem/directory.c -- A system from the files of a folder. */
-#define _GNU_SOURCE /* PATH_MAX */
+/* src/problem/directory.c -- Read a system from the files of a folder. */
+#define _GNU_SOURCE /* for PATH_MAX */
 #include "directory_state.h"
 
 #include "matrices/sparse.h"
@@ -12,14 +12,12 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-/* DIR/file. */
 const char *fvi_directory_path(const fvi_directory *d, const char *file, char *place)
 {
     snprintf(place, PATH_MAX + 8, "%s/%s", d->name, file);
     return place;
 }
 
-/* A link that leads nowhere is there, and cannot be read. */
 int fvi_file_is_there(const char *place)
 {
     struct stat file;
@@ -44,8 +42,8 @@ int fvi_directory_read_matrix(const fvi_directory *d, const char *file, fvi_spar
                   : 0;
 }
 
-/* An entry for which A cannot be positive definite, or not even semidefinite: one of the
- * diagonal, or one that is too large for those of its row and column. 0 if there is none. */
+/* Find an entry that proves that A is not positive definite, or not semidefinite: one of the diagonal, or one that is
+ * too large for the diagonal entries of its row and column. Return 0 if there is none. */
 static int gives_away(const fvi_sparse *A, int semidefinite, int *row,
                       int *column)
 {
@@ -116,8 +114,8 @@ static int read_all(fvi_directory *d, fvi_user_parameters *parameters, fvi_error
 
 /* ---- files that are not read ---- */
 
-/* Does this look like an input, and is it none? All that ends with .mtx, and tables of
- * numbers whose names stand for a matrix or a force. */
+/* Return nonzero for a file that looks like an input and is not read: a name that ends with .mtx, or a table whose name
+ * stands for a matrix or a force. */
 static int is_stranger(const fvi_directory *d, const char *name)
 {
     static const char *const stems[] = {
@@ -141,7 +139,7 @@ static int is_stranger(const fvi_directory *d, const char *name)
     return strcasecmp(end, ".mtx") == 0 || (is_table && is_stem);
 }
 
-/* Of several the first by its name. A folder that cannot be listed has none. */
+/* Refuse the first such file, in the order of the names. A folder that cannot be listed has none. */
 static int refuse_strangers(const fvi_directory *d, fvi_error *error)
 {
     char first[NAME_MAX + 1] = "";

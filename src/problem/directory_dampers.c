@@ -1,12 +1,12 @@
-/* src/problem/directory_dampers.c -- Several dampers of the system of a folder. */
-#define _GNU_SOURCE /* PATH_MAX */
+/* src/problem/directory_dampers.c -- Read several dampers for the system of a folder. */
+#define _GNU_SOURCE /* for PATH_MAX */
 #include "directory_state.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The error of damper j, from 0. */
+/* Add the number of the damper, from 0, to its error. Return status. */
 static int of_damper(size_t j, int status, fvi_error *error)
 {
     if (status && error)
@@ -16,7 +16,7 @@ static int of_damper(size_t j, int status, fvi_error *error)
 
 /* ---- words ---- */
 
-/* Does the text name a file, and not an elongation? */
+/* Return nonzero if the text names a file, not an elongation. */
 static int is_file(const char *text)
 {
     const size_t length = strlen(text);
@@ -53,8 +53,8 @@ static int refuse_text(const char *text, const char *reason, fvi_error *error)
     return fvi_refuse(error, "damper", "'%s' %s", text, reason);
 }
 
-/* The gradient of a linear elongation: it is the same at two places, and t is not in it. The last of
- * the d + 1 variables is t; y and `other` have room for as many. */
+/* Compute the gradient of a linear elongation. It must be the same at two places, and must not contain t. The last of
+ * the d + 1 variables is t; row, y and other have room for d + 1 numbers. */
 static int find_row(const char *text, const fvi_expression *e, size_t d, double *row,
                     double *y, double *other, fvi_error *error)
 {
@@ -100,7 +100,7 @@ static int parse_row(fvi_directory *d, fvi_directory_damper *damper,
     return status;
 }
 
-/* Of the structure, or of one of its dampers. */
+/* Refuse a structure, or one of its dampers. */
 static int refuse_structure(const fvi_directory *d, int status, const fvi_error *wrong,
                             fvi_error *error)
 {
@@ -131,7 +131,7 @@ int fvi_directory_read_dampers(fvi_directory *d, fvi_user_parameters *parameters
                                      .matrix = by_file ? &damper->C : NULL,
                                      .kernel = &damper->typed.law.law,
                                      .past = damper->typed.past };
-        if (!by_file) { /* it is no file */
+        if (!by_file) { /* an elongation, so the text is no longer needed */
             free(damper->file);
             damper->file = NULL;
         }

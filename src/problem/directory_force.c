@@ -1,5 +1,5 @@
-/* src/problem/directory_force.c -- The forces of a folder: f.tsv. */
-#define _GNU_SOURCE /* PATH_MAX */
+/* src/problem/directory_force.c -- Read the forces of a folder from f.tsv. */
+#define _GNU_SOURCE /* for PATH_MAX */
 #include "directory_state.h"
 
 #include "polygon.h"
@@ -11,7 +11,7 @@
 
 static const char between[] = " \t\r,;";
 
-/* Columns 1 to d. */
+/* Choose the columns 1 to d. */
 static int all_columns(loads *l, size_t d)
 {
     l->unknown = malloc(d * sizeof *l->unknown);
@@ -20,7 +20,7 @@ static int all_columns(loads *l, size_t d)
     return l->unknown ? FVI_SUCCESS : FVI_ENOMEM;
 }
 
-/* Is a line behind # no comment, but "t f3 f7"? */
+/* Return nonzero if a line with # contains names such as "t f3 f7", not a comment. */
 static int names_columns(const char *line)
 {
     const char *at = line + strspn(line, "# \t");
@@ -29,14 +29,14 @@ static int names_columns(const char *line)
            && next[1] <= '9';
 }
 
-/* A fault in the line of names. */
+/* Refuse an error in the line of names. */
 static int refuse_name(const fvi_rows *r, const char *at, const char *reason)
 {
     return fvi_refuse(r->error, "system", "%s:%zu:%zu: %s", r->name, r->lines.number, (size_t)(at - r->lines.text) + 1,
                       reason);
 }
 
-/* "t f3 f7", perhaps behind #. */
+/* Read names such as "t f3 f7", with or without #. */
 static int named_columns(const fvi_rows *r, loads *l, size_t d)
 {
     char *at = r->lines.text + strspn(r->lines.text, "# \t"), *stop;
@@ -59,7 +59,7 @@ static int named_columns(const fvi_rows *r, loads *l, size_t d)
                         : refuse_name(r, at, "names are t, then f1, f2, ...");
 }
 
-/* One row of numbers; t increases. */
+/* Take a row of numbers. t must increase. */
 static int take_row(const fvi_rows *r, loads *l, size_t *room)
 {
     const size_t width = l->width + 1, n = l->rows;
@@ -129,7 +129,8 @@ int fvi_directory_force(fvi_directory *d, double last, int *found,
     return 0;
 }
 
-/* Linear between two rows; outside, which is a rounding away, the nearest. */
+/* Interpolate linearly between two rows. Outside the table, which can only be a rounding error away, take the nearest
+ * row. */
 static int value(double t, size_t d, void *params, double *F)
 {
     const loads *l = &((const fvi_directory *)params)->loads;
@@ -147,7 +148,7 @@ static int value(double t, size_t d, void *params, double *F)
     return 0;
 }
 
-/* Masses without a column are free. */
+/* An unknown without a column has no force. */
 static int bound(double from, double to, size_t order, size_t d, void *params,
                  double *most)
 {

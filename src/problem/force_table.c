@@ -1,4 +1,4 @@
-/* src/problem/force_table.c -- A force of measured rows.                        [H 18] */
+/* src/problem/force_table.c -- Make a force from measured rows.                        [H 18] */
 #include <fvi/parse.h>
 
 #include "polygon.h"

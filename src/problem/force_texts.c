@@ -1,5 +1,5 @@
-/* src/problem/force_texts.c -- The texts of forces: step:8,1 + file:F.csv. */
-#define _GNU_SOURCE /* strdup */
+/* src/problem/force_texts.c -- Parse the texts of forces, such as step:8,1 + file:F.csv. */
+#define _GNU_SOURCE /* for strdup */
 #include "typed_force.h"
 #include "words.h"
 #include <fvi/formulas.h>
@@ -9,7 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* "F.csv", or "F.csv:TIME,VALUE" with the names of its columns, which must then be there. */
+/* Read "F.csv", or "F.csv:TIME,VALUE" with the names of two columns, which the file must then have. */
 static int read_columns(fvi_force_part *p, const char *field, const char *text,
                         fvi_error *error)
 {
@@ -33,7 +33,7 @@ static int read_columns(fvi_force_part *p, const char *field, const char *text,
     return status;
 }
 
-/* A table from 0 to the end of the run: nothing is made up. */
+/* Read a table. It must reach from 0 to the end of the run, because nothing is extrapolated. */
 static int read_file(fvi_force_part *p, const char *field, const char *text, double gain,
                      double last, fvi_error *error)
 {
@@ -52,7 +52,7 @@ static int read_file(fvi_force_part *p, const char *field, const char *text, dou
     return FVI_SUCCESS;
 }
 
-/* "-9.81*file:g.csv": where "file:" stands behind a factor; NULL if it does not. */
+/* Return where "file:" stands after a factor, as in "-9.81*file:g.csv"; NULL if it does not. */
 static const char *file_behind_factor(const char *text, size_t length)
 {
     for (const char *at = text; at + 6 <= text + length; at++)
@@ -61,7 +61,7 @@ static const char *file_behind_factor(const char *text, size_t length)
     return NULL;
 }
 
-/* The factor, an expression of numbers alone. */
+/* Read a table with a factor, which is an expression of numbers only. */
 static int read_scaled_file(fvi_force_part *p, const char *field, const char *text,
                             const char *file, double last, fvi_error *error)
 {
@@ -78,7 +78,7 @@ static int read_scaled_file(fvi_force_part *p, const char *field, const char *te
     return read_file(p, field, file + 5, gain, last, error);
 }
 
-/* One that comes when the run is over, or has not begun, would be ignored. */
+/* Take an impulse. One before the start or after the end of the run would have no effect, so it is refused. */
 static int take_impulse(fvi_force_part *p, const char *field, const char *text,
                         double last, fvi_error *error)
 {
@@ -88,7 +88,7 @@ static int take_impulse(fvi_force_part *p, const char *field, const char *text,
     return FVI_SUCCESS;
 }
 
-/* None, step:A,T or cosine:A,W. */
+/* Scan none, step:A,T or cosine:A,W. Return nonzero if the text is one of them. */
 static int scan_ready_made(fvi_force_part *p, const char *text)
 {
     p->kind = strcasecmp(text, "none") == 0             ? FVI_FORCING_NONE
@@ -98,7 +98,8 @@ static int scan_ready_made(fvi_force_part *p, const char *text)
            || fvi_scan_call(text, "cosine", 2, p->p);
 }
 
-/* An expression in t. One in x or v is no slip of the finger, but another option's. */
+/* Parse an expression in t. If it is one in x or v, the message names the option for such forces, because it is no
+ * typing error. */
 static int parse_expression(fvi_force_part *p, const char *field, const char *text,
                             fvi_user_parameters *parameters, fvi_error *error)
 {
@@ -115,7 +116,7 @@ static int parse_expression(fvi_force_part *p, const char *field, const char *te
     return fvi_refuse(error, field, "'%s': a force knows t alone; --force-on knows x and v", text);
 }
 
-/* One part: a word with a colon, or an expression. */
+/* Parse one part of a sum: a word with a colon, or an expression. */
 static int parse_part(fvi_force_part *p, const char *field, const char *text,
                       fvi_user_parameters *parameters, double last,
                       fvi_error *error)
@@ -146,7 +147,7 @@ static int parse_part(fvi_force_part *p, const char *field, const char *text,
     return parse_expression(p, field, text, parameters, error);
 }
 
-/* Does a word with a colon begin here, or a factor before one? */
+/* Return nonzero if a word with a colon begins here, or a factor before one. */
 static int is_call(const char *at)
 {
     const size_t letters = strspn(at, "abcdefghijklmnopqrstuvwxyz"
@@ -156,8 +157,8 @@ static int is_call(const char *at)
            || file_behind_factor(at, next ? (size_t)(next - at) : strlen(at));
 }
 
-/* Where the part ends that begins at `at`: before a " + " if that part, or the next one, is
- * a word with a colon; what stands between two of them is one expression. */
+/* Return the end of the part that begins at `at`: before a " + " if this part, or the next one, is a word with a colon.
+ * What stands between two such words is a single expression. */
 static const char *end_of_part(const char *at)
 {
     const int called = is_call(at);
@@ -167,7 +168,7 @@ static const char *end_of_part(const char *at)
     return at + strlen(at);
 }
 
-/* Where the sum is not smooth. Returns 0, or FVI_ENOMEM. */
+/* Collect the times at which the sum is not smooth. Return 0 or FVI_ENOMEM. */
 static int collect_jumps(fvi_typed_force *f)
 {
     size_t room = 0;
@@ -190,7 +191,7 @@ static int by_time(const void *a, const void *b)
     return (x->t > y->t) - (x->t < y->t);
 }
 
-/* Each on all d masses. Returns 0, or FVI_ENOMEM. */
+/* Collect the impulses, each on all d masses, in the order of their times. Return 0 or FVI_ENOMEM. */
 static int collect_impulses(fvi_typed_force *f, size_t d)
 {
     size_t n = 0;
@@ -215,7 +216,7 @@ static int collect_impulses(fvi_typed_force *f, size_t d)
     return 0;
 }
 
-/* One part at the end of the sum; `word` has room for its text. */
+/* Add a part to the sum. `word` has room for its text. */
 static int add_part(fvi_typed_force *f, const char *field, char *word,
                     const char *at, size_t length,
                     fvi_user_parameters *parameters, double last,

@@ -1,4 +1,4 @@
-/* src/problem/formulas.c -- What the words of a problem stand for: the one place of all helps. */
+/* src/problem/formulas.c -- List the formulas of the words of a problem. All help texts take them from here. */
 #include <fvi/formulas.h>
 
 #include <stdio.h>
@@ -66,7 +66,7 @@ static void add(page *to, const char *part, int width)
     to->length += n > 0 ? (size_t)n : 0;
 }
 
-/* Further lines of a formula begin where the first does. */
+/* Further lines of a formula are indented as far as its first line. */
 static void add_formula(page *to, const fvi_formula *f)
 {
     char letter[2] = "";

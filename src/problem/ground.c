@@ -1,4 +1,4 @@
-/* src/problem/ground.c -- A ground that moves, in coordinates relative to it. */
+/* src/problem/ground.c -- Let the ground move, with coordinates relative to it. */
 #include "words.h"
 
 #include <math.h>
@@ -8,9 +8,9 @@
 struct fvi_ground {
     size_t d;
     fvi_typed_force *typed;
-    fvi_force acceleration, others; /* a_g, one number; what acts besides */
-    double *load_vector; /* M r, d numbers, */
-    double *jumps;  /* all times at which either jumps */
+    fvi_force acceleration, others; /* a_g, one number; the other forces of the system */
+    double *load_vector; /* M r, d numbers */
+    double *jumps;  /* all times at which one of the two jumps */
     size_t jump_count;
 };
 
@@ -61,7 +61,7 @@ void fvi_ground_free(fvi_ground *g)
     free(g);
 }
 
-/* M r. */
+/* Compute M r. */
 static int find_load_vector(fvi_ground *g, const fvi_system *system, const double *r,
                             fvi_error *error)
 {

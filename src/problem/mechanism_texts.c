@@ -1,19 +1,19 @@
-/* src/problem/mechanism_texts.c -- Lagrangians, elongations, constraints and forces of texts. [H 29] */
+/* src/problem/mechanism_texts.c -- Evaluate the Lagrangians, elongations, constraints and forces of texts. [H 29] */
 #include "typed_mechanism.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The variables of an expression in one array, a gradient, and a Hessian, of n numbers each: on the
- * stack where they are few, as every step asks. */
+/* The variables of an expression in one array, a gradient and a Hessian, of n variables. They are on the stack if there
+ * are few variables, because every step needs them. */
 enum { FEW = 17, ROOM = (FEW + 2) * FEW };
 typedef struct {
     size_t n;
     double *y, *gradient, *hessian, *kept, small[ROOM];
 } variables;
 
-/* x1, ..., xd; v1, ..., vd if there are any; t. Returns FVI_SUCCESS or FVI_ENOMEM. */
+/* Fill in the variables x1, ..., xd; v1, ..., vd unless v is NULL; t. Return FVI_SUCCESS or FVI_ENOMEM. */
 static int open_variables(variables *w, const fvi_expression *e, size_t d,
                           const double *x, const double *v, double t)
 {
@@ -42,7 +42,7 @@ static void make_hessian(variables *w, const fvi_expression *e, double factor)
     fvi_expression_add_hessian(e, w->y, factor, w->hessian);
 }
 
-/* Rows from `row` on and columns from `column` on, d by d, into a matrix; NULL: not wanted. */
+/* Copy a block of d by d numbers, from `row` and `column` on, into a matrix, unless that is NULL. */
 static void take_block(const variables *w, size_t d, size_t row, size_t column,
                        double *to)
 {
@@ -261,7 +261,8 @@ static int forces_at(double t, size_t d, const double *x, const double *v,
 
 /* ---- by the parameters of the texts ---- */
 
-/* The value of e by parameter j, to *value, and its gradient: by x to `by_x`, d numbers, by t to *by_t. */
+/* Compute the derivative of e by parameter j: to *value, and its gradient by x to by_x, d numbers, and by t to *by_t.
+ * by_x and by_t may be NULL. Return FVI_SUCCESS or FVI_ENOMEM. */
 static int column(const fvi_expression *e, size_t j, double t, size_t d, const double *x,
                   const double *v, double *value, double *by_x, double *by_t)
 {

@@ -1,4 +1,4 @@
-/* src/problem/parse.c -- From words to numbers. */
+/* src/problem/parse.c -- Parse numbers, lists and words. */
 #include "words.h"
 #include "data.h"
 #include "system/lines.h"
@@ -19,15 +19,15 @@ const char *const fvi_history_words[] = { "auto", "direct", "exponentials",
 
 /* ---- numbers ---- */
 
-/* A number that ends at the end of the text or before `end`, and where it ends. What a number is, tables and words ask
- * the same function; the text stays, as its point is no comma. */
+/* Scan a number that ends at the end of the text or before `end`, and find where it ends. Tables and options use the
+ * same function for numbers. It changes the text only for a decimal comma, so this text stays. */
 static int scan_number(const char *text, char end, double *value, const char **rest)
 {
     *rest = fvi_lines_decimal((char *)text, '.', value);
     return *rest && (**rest == '\0' || (end && **rest == end));
 }
 
-/* Is v of the range? See fvi_parse_number. */
+/* Return nonzero if v is in the range; see fvi_parse_number. */
 static int is_within(double v, double low, double high, const char *brackets)
 {
     return (brackets[0] == '[' ? v >= low : v > low)
@@ -61,7 +61,7 @@ int fvi_parse_number(const char *field, const char *text, double low,
 int fvi_parse_whole(const char *field, const char *text, size_t most,
                     size_t *value, fvi_error *error)
 {
-    double v = 0; /* from 2^53 on it may be the neighbour of what was typed */
+    double v = 0; /* the limit is below 2^53, because from there on v may be the neighbour of the typed number */
     int status = fvi_parse_number(field, text, 1,
                                   fmin((double)most, 0x1p53 - 1), "[]", &v,
                                   error);
@@ -72,7 +72,7 @@ int fvi_parse_whole(const char *field, const char *text, size_t most,
     return status;
 }
 
-/* "1,2,3" into at most d values; how many there are, or 0. */
+/* Scan "1,2,3" into at most d values. Return how many numbers there are, or 0 if the text is no list. */
 static size_t scan_numbers(const char *text, size_t d, double *values)
 {
     const char *at = text;
@@ -166,15 +166,15 @@ int fvi_parse_word(const char *field, const char *text,
 
 /* ---- the nearest known word ---- */
 
-enum { LONGEST = 31 /* letters of a word that is compared */ };
+enum { LONGEST = 31 /* longest word that is compared */ };
 
 static size_t least(size_t a, size_t b)
 {
     return a < b ? a : b;
 }
 
-/* How many letters have to be put in, left out, changed or swapped with their
- * neighbour to make b of the first n letters of a; capitals count as small ones. */
+/* Return how many letters must be inserted, deleted, replaced or swapped with their neighbour to turn the first n
+ * letters of a into b (the distance of Damerau and Levenshtein). Capitals count as small letters. */
 static size_t distance(const char *a, size_t n, const char *b)
 {
     size_t rows[3][LONGEST + 1], *before = rows[0], *last = rows[1],
@@ -212,8 +212,8 @@ size_t fvi_list_item(const char *text)
 const char *fvi_nearest_word(const char *text, size_t length,
                              const char *const *words)
 {
-    /* One slip in up to four letters; a beginning is one, too. Something of the
-     * word must be left. */
+    /* Allow one error in up to four letters, and one more for each three further letters. A word that was not typed to
+     * the end counts as one error. Something of the word must be left. */
     size_t best = least(length, 2 + (length > 4) * (length - 2) / 3);
     const char *nearest = NULL;
     for (; *words && length <= LONGEST; words++) {

@@ -1,4 +1,4 @@
-/* src/problem/polygon.c -- A table as a function of t.                          [H 18] */
+/* src/problem/polygon.c -- Interpolate a table linearly.                          [H 18] */
 #include "polygon.h"
 
 #include "system/larger.h"
@@ -31,7 +31,7 @@ double fvi_polygon_value(const fvi_polygon *p, double t)
            + part_of * (p->F[high * p->F_stride] - p->F[low * p->F_stride]);
 }
 
-/* Of the lines that a table has between two times. A kink among them leaves no second
+/* The bound is that of the lines of the table between two times. If there is a kink among them, there is no second
  * derivative. */
 void fvi_polygon_bound(const fvi_polygon *p, double from, double to,
                        size_t order, size_t d, double *most)

@@ -1,4 +1,4 @@
-/* src/problem/reductions.c -- What becomes of a column over a run: max(x), at(peak(v)). */
+/* src/problem/reductions.c -- Reduce a column over a run to one number: max(x), at(peak(v)). */
 #include "columns_state.h"
 #include "words.h"
 
@@ -12,7 +12,7 @@ static const char *const kinds[] = { "min",  "max",   "absmax", "mean", "rms",
 
 /* ---- words ---- */
 
-/* What stands between the parentheses of WHAT(...), which must end the text. */
+/* Find the text between the parentheses of WHAT(...). Return nonzero if the last one ends the text. */
 static int inside(const char *text, size_t length, size_t word,
                   const char **from, size_t *inner)
 {
@@ -20,7 +20,7 @@ static int inside(const char *text, size_t length, size_t word,
     for (size_t n = word; n < length; n++) {
         depth += (text[n] == '(') - (text[n] == ')');
         if (depth == 0 && n + 1 < length)
-            return 0; /* something stands behind it */
+            return 0; /* more text comes after it */
     }
     *from = text + word + 1;
     *inner = length - word - 2;
@@ -46,7 +46,7 @@ static int refuse(const char *text, size_t length, fvi_error *error)
                       "expression, in parentheses, nor at(...) of one%s", length < 80 ? (int)length : 80, text, hint);
 }
 
-/* "max(x2-x1)", without a name before it. */
+/* Parse a call such as "max(x2-x1)", without a name before it. */
 static int parse_call(const char *text, size_t length,
                       fvi_user_parameters *parameters, fvi_typed_columns *c,
                       fvi_reduction *r, fvi_error *error)
@@ -85,7 +85,7 @@ static int add_reduction(fvi_typed_columns *c, fvi_reduction r,
     return FVI_SUCCESS;
 }
 
-/* The name of the whole: what was given, or the text. */
+/* Name the reduction: with the name that was given, or with its text. */
 static int name_reduction(const char *text, size_t length, fvi_typed_columns *c,
                           fvi_reduction *r, fvi_error *error)
 {
@@ -156,7 +156,8 @@ static void choose(fvi_reduction_state *s, double value, double t)
     s->time = t;
 }
 
-/* The top of the parabola through the last two values and q, if the middle one is the largest. */
+/* If the middle one of the last two values and q is the largest, replace it by the top of the parabola through the
+ * three. */
 static void refine_peak(fvi_reduction_state *s, double t, double q)
 {
     const double sign = s->q[1] < 0 ? -1 : 1, u0 = sign * s->q[0],

@@ -1,4 +1,4 @@
-/* src/problem/rows.c -- Rows of numbers in a file. */
+/* src/problem/rows.c -- Read rows of numbers from a file. */
 #include "rows.h"
 
 #include <errno.h>
@@ -8,7 +8,7 @@
 
 static const char blank[] = " \t", between[] = " \t,;";
 
-/* A file is opened, and read, with memory of the C library's own. */
+/* Opening and reading need memory of the C library, so ENOMEM is a lack of memory, not a fault of the file. */
 static int cannot_read(const fvi_rows *r)
 {
     return errno == ENOMEM ? fvi_no_memory(r->error, r->field)
@@ -58,7 +58,7 @@ int fvi_rows_check_width(const fvi_rows *r, size_t width)
                : 0;
 }
 
-/* Keep a number that begins at `at`. */
+/* Store a number that begins at `at`. */
 static int keep(fvi_rows *r, const char *at, double value)
 {
     if (r->count == r->room) {
@@ -76,7 +76,7 @@ static int keep(fvi_rows *r, const char *at, double value)
     return 0;
 }
 
-/* One number, which ends at the end of the line or before a separator. */
+/* Take a number, which must end at the end of the line or before a separator. */
 static int take_number(fvi_rows *r, char **at)
 {
     double value;
@@ -99,7 +99,7 @@ static int take_number(fvi_rows *r, char **at)
     return keep(r, from, value);
 }
 
-/* What stands between two numbers, at most one separator. */
+/* Skip the gap between two numbers, which contains at most one separator. */
 static int skip_gap(fvi_rows *r, char **at)
 {
     char *from = *at, *to = from + strspn(from, blank);
@@ -138,13 +138,13 @@ static int take_numbers(fvi_rows *r)
     return status;
 }
 
-/* Does a word stand here, and not a number, be it a wrong one? "info" is a word, though it
- * begins with inf. */
+/* Return nonzero if a word begins here, not a number, which may be a wrong one. "info" is a word, although it begins
+ * with inf. */
 static int begins_with_word(const char *line)
 {
     char *stop;
     line += strspn(line, between);
-    if (*line >= '0' && *line <= '9') /* most rows: strtod takes longest */
+    if (*line >= '0' && *line <= '9') /* for most rows this avoids strtod, which is slow */
         return 0;
     const double value = strtod(line, &stop);
     const int whole = *stop == '\0' || strchr(between, *stop);
@@ -165,7 +165,7 @@ int fvi_rows_next(fvi_rows *r, fvi_rows_kind *kind)
                    ? fvi_no_memory(r->error, r->field)
                    : refuse(r, r->lines.column, r->lines.reason);
     *kind = FVI_ROWS_END;
-    if (!found) /* a folder opens, and fails when it is read */
+    if (!found) /* a folder can be opened, and fails when it is read */
         return ferror(r->lines.file) ? cannot_read(r) : 0;
     *kind = text[strspn(text, blank)] == '#' ? FVI_ROWS_COMMENT
             : begins_with_word(text)         ? FVI_ROWS_WORDS

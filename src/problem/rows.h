@@ -1,20 +1,20 @@
-/* src/problem/rows.h -- Rows of numbers in a file: the one reader of tables and lists. */
+/* src/problem/rows.h -- Read rows of numbers from a file; all tables and lists are read by these functions. */
 #ifndef FVI_ROWS_H
 #define FVI_ROWS_H
 
 #include <fvi/error.h>
 #include "system/lines.h"
 
-/* Numbers are decimal and finite. They are separated by ';', by ',' or by blanks and tabs, in
- * the whole file in the same way. With ';' a comma is a decimal point; points and decimal
- * commas do not stand in one file. A comma next to blanks as separators may be either, and is
- * refused; so are an empty field and a word behind numbers. '#' begins a comment. */
+/* The state of the reader. Numbers are decimal and finite. In the whole file they are separated in the same way: by
+ * ';', by ',', or by blanks and tabs. With ';' a comma is a decimal point. A file must not contain decimal points and
+ * decimal commas. If blanks are the separators, a comma could be either, so it is refused. An empty field and a word
+ * after numbers are refused, too. '#' begins a comment. */
 typedef struct {
-    const char *field, *name; /* of the file */
+    const char *field, *name; /* option and name of the file */
     fvi_lines lines;
-    char between; /* ';', ',' or ' ', or 0 as long as no row has two numbers */
-    char point;   /* ',' or '.', or 0 as long as no number has a point */
-    double *values;  /* of the row */
+    char between; /* ';', ',' or ' ', or 0 until a row has two numbers */
+    char point;   /* ',' or '.', or 0 until a number has a decimal point */
+    double *values;  /* numbers of the row */
     size_t *columns; /* where they begin in the line, from 1 */
     size_t count, room;
     fvi_error *error;
@@ -25,26 +25,25 @@ typedef struct {
 
 typedef enum {
     FVI_ROWS_END,
-    FVI_ROWS_NUMBERS, /* values: count of them */
+    FVI_ROWS_NUMBERS, /* `count` numbers are in values */
     FVI_ROWS_WORDS,   /* lines.text begins with a word */
     FVI_ROWS_COMMENT  /* lines.text begins with '#' */
 } fvi_rows_kind;
 
-/* fvi_rows_open -- open the file, as the value of the field. Returns FVI_SUCCESS; FVI_EINVAL if it
- * cannot be read; FVI_ENOMEM. Close it with fvi_rows_close in any case. */
+/* fvi_rows_open -- Open the file, which is the value of the option `field`. Return FVI_SUCCESS; FVI_EINVAL if it cannot
+ * be read; FVI_ENOMEM. Close it with fvi_rows_close in each case. */
 int fvi_rows_open(fvi_rows *rows, const char *field, const char *name,
                   fvi_error *error);
 
-/* fvi_rows_next -- the next line that is not empty. Returns FVI_SUCCESS; FVI_EINVAL with an error
- * that names file, line and column; FVI_ENOMEM. */
+/* fvi_rows_next -- Read the next line that is not empty. Return FVI_SUCCESS; FVI_EINVAL with an error that names file,
+ * line and column; FVI_ENOMEM. */
 int fvi_rows_next(fvi_rows *rows, fvi_rows_kind *kind);
 
-/* fvi_rows_refuse -- refuse number i of the row, with line and column; the end of the line if
- * it has no more than i numbers, its beginning if it has none. Returns FVI_EINVAL. */
+/* fvi_rows_refuse -- Refuse number i of the row; the error names its line and column. If the row has at most i numbers,
+ * the column is the end of the line; if it has none, its beginning. Return FVI_EINVAL. */
 int fvi_rows_refuse(const fvi_rows *rows, size_t i, const char *reason);
 
-/* fvi_rows_check_width -- refuse a row that has not so many numbers. Returns FVI_SUCCESS or
- * FVI_EINVAL. */
+/* fvi_rows_check_width -- Refuse a row that does not have `width` numbers. Return FVI_SUCCESS or FVI_EINVAL. */
 int fvi_rows_check_width(const fvi_rows *rows, size_t width);
 
 void fvi_rows_close(fvi_rows *rows);

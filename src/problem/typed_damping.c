@@ -1,4 +1,4 @@
-/* src/problem/typed_damping.c -- Laws of damping as they are typed: zener:1,0.3,2. */
+/* src/problem/typed_damping.c -- Parse laws of damping, such as zener:1,0.3,2. */
 #include "words.h"
 
 #include "estimation/rheology_model.h"
@@ -20,7 +20,8 @@ static const char forms[] =
 static const char symbol_word[] = "symbol:";
 enum { SYMBOL_LENGTH = sizeof symbol_word - 1 };
 
-/* The springpot of the higher order stands first, and one that gives no force leaves none. */
+/* Make the term. Of two springpots in series the one with the higher order comes first. If one of them has rho = 0, the
+ * pair gives no force, and its rho becomes 0. */
 static fvi_kernel_term term_of(fvi_element kind, const double *p)
 {
     if (kind != FVI_ELEMENT_MAXWELL2)
@@ -62,7 +63,7 @@ static int refuse_range(const char *text, size_t i, double value,
                     fvi_law_formulas[i].form, kinds[i].range);
 }
 
-/* Is it a pair whose smaller order stands first? That has to be known of each term that was read. */
+/* Count a term, and note whether it is a pair whose smaller order was typed first. */
 static int note_term(const char *text, fvi_user_parameters *parameters, int is_exchanged,
                      fvi_error *error)
 {
@@ -75,7 +76,7 @@ static int note_term(const char *text, fvi_user_parameters *parameters, int is_e
     return FVI_SUCCESS;
 }
 
-/* One term at the end of the sum. */
+/* Add a term to the sum. */
 static int add_term(const char *text, fvi_user_parameters *parameters,
                     fvi_typed_damping *damping, fvi_error *error)
 {
@@ -105,7 +106,8 @@ static int add_term(const char *text, fvi_user_parameters *parameters,
     return FVI_SUCCESS;
 }
 
-/* A law of its own, whatever stands in it; a colon would be that of another. */
+/* Parse a law that is an expression in s. It must be the only term, so a colon, which another term would have, is
+ * refused. */
 static int parse_symbol(const char *text, fvi_user_parameters *parameters,
                         fvi_typed_damping *damping, fvi_error *error)
 {

@@ -1,5 +1,5 @@
-/* src/problem/typed_event.c -- Events as they are typed: 'x1 : impact:0.8'. [H 22] */
-#define _GNU_SOURCE /* strndup */
+/* src/problem/typed_event.c -- Parse events, such as 'x1 : impact:0.8'. [H 22] */
+#define _GNU_SOURCE /* for strndup */
 #include "typed_mechanism.h"
 
 #include <ctype.h>
@@ -8,13 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of an impact, z of x1, ..., xd, t, with exact derivatives; of others also of v and p. */
+/* An event. z of an impact is an expression in x1, ..., xd, t, with exact derivatives. z of other events may also
+ * contain v and p. */
 typedef struct {
     fvi_typed_expression z;
     char *name;
     size_t d;
     const double *mass;
-    const fvi_mechanism *mechanism; /* whose velocities are meant; or NULL */
+    const fvi_mechanism *mechanism; /* defines the velocities; or NULL */
     int knows_velocity, has_variable;
 } typed_event;
 
@@ -26,7 +27,7 @@ struct fvi_typed_events {
 
 /* ---- z ---- */
 
-/* x, x1, ..., v, ..., p, ..., t as numbers from 0. */
+/* Return the number of a variable x, x1, ..., v, ..., p, ..., t, from 0; -1 for an unknown name. */
 static int find_name(const char *name, size_t length, void *params)
 {
     typed_event *e = params;
@@ -54,7 +55,7 @@ static int find_name(const char *name, size_t length, void *params)
 
 enum { FEW = 16 };
 
-/* v of p; a coordinate without mass has none here: 0. */
+/* Compute v from p. It is 0 for a coordinate without mass. */
 static int velocity_of(const typed_event *e, double t, const double *x, const double *p,
                        double *v)
 {
@@ -63,7 +64,7 @@ static int velocity_of(const typed_event *e, double t, const double *x, const do
     return e->knows_velocity ? fvi_velocity_of_momentum(&system, t, x, p, v) : FVI_SUCCESS;
 }
 
-/* x, v, p, t in one array, on the stack where they are few: runs in several threads may share
+/* x, v, p and t are copied to one array. It is on the stack if they are few, because runs in several threads may share
  * an event. */
 static int value_of_state(double t, size_t d, const double *x, const double *p,
                           void *params, double *z)
@@ -104,7 +105,7 @@ static int hessian_of_place(double t, size_t d, const double *x, double factor, 
 
 /* ---- texts ---- */
 
-/* impact:E, contact:E, stop, mark. */
+/* Parse impact:E, contact:E, stop or mark. */
 static int parse_action(const char *text, fvi_event *event, fvi_error *error)
 {
     static const char *const words[] = { "impact", "contact", "stop", "mark", NULL };
@@ -125,7 +126,8 @@ static int parse_action(const char *text, fvi_event *event, fvi_error *error)
                           which == 0 ? "impact:E" : which == 1 ? "contact:E" : words[which]);
 }
 
-/* The first name of a coordinate, velocity or momentum with a number above d, to *length; NULL if there is none. */
+/* Return the first name of a coordinate, velocity or momentum with a number above d, and its *length; NULL if there is
+ * none. */
 static const char *beyond_dimension(const char *text, size_t d, size_t *length)
 {
     for (const char *at = text; (at = strpbrk(at, "xvp")); at++) {
@@ -139,7 +141,7 @@ static const char *beyond_dimension(const char *text, size_t d, size_t *length)
     return NULL;
 }
 
-/* In the place of what the parser says of such a name. */
+/* If the text contains such a name, replace the parser's error. Return status. */
 static int refuse_coordinate(const typed_event *e, int status, fvi_error *error)
 {
     size_t length;
@@ -152,7 +154,7 @@ static int refuse_coordinate(const typed_event *e, int status, fvi_error *error)
                 : status;
 }
 
-/* z of the text e->name. */
+/* Parse z from the text e->name. */
 static int parse_value(typed_event *e, fvi_event *event,
                        fvi_user_parameters *parameters, fvi_error *error)
 {
@@ -183,7 +185,7 @@ static int parse_value(typed_event *e, fvi_event *event,
                           "'%s': Z of an impact is an expression in x and t alone", e->name);
 }
 
-/* The last colon with blanks on both sides; NULL if there is none. */
+/* Return the last colon with blanks on both sides; NULL if there is none. */
 static const char *last_separator(const char *text)
 {
     const char *last = NULL;

@@ -1,4 +1,4 @@
-/* src/problem/typed_fit.c -- Sensors and parameters of a fit, as they are typed. [H 24] */
+/* src/problem/typed_fit.c -- Parse the sensors and parameters of a fit. [H 24] */
 #include <fvi/typed_fit.h>
 
 #include "estimation/identification_model.h"
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The names that stand in no list are made here; room for them and their meanings. */
+/* A dictionary of the names of all parameters of a fit, with their meanings. */
 enum { LETTERS = 100 };
 typedef struct {
     size_t count, room;
@@ -40,14 +40,14 @@ static int add(dictionary *d, const char *name, size_t which)
 
 /* ---- laws ---- */
 
-/* Where the terms of a law stand among all that were parsed. */
+/* The positions of a law's terms among all terms that were parsed. */
 typedef struct {
     const fvi_user_parameters *parameters;
     size_t first, terms;
 } places;
 
-/* d1.rho, d1.alpha; d1.zener2.alpha of the second term of a sum. A function of s has no numbers but
- * those of its expression. */
+/* Add the names of a law's parameters: d1.rho, d1.alpha; or d1.zener2.alpha for the second term of a sum. A law that is
+ * a function of s has no parameters but those of its expression. */
 static int add_law(dictionary *d, const char *damper, const fvi_kernel *law, size_t index,
                    const places *of)
 {
@@ -128,7 +128,8 @@ static int fill(dictionary *d, const fvi_free_parameter_names *names)
     return status;
 }
 
-/* "x0_3": the number behind the last _, from 1 to d, and the letters before; 0 if there is none. */
+/* Return the number after the last _ of a name such as "x0_3", from 1 to d, and the letters before it. Return 0 if
+ * there is none. */
 static size_t number_of(const char *text, size_t d, char stem[LETTERS])
 {
     const char *bar = strrchr(text, '_');
@@ -173,14 +174,15 @@ static int find_parameter(const char *field, const char *text, const fvi_run *ru
     for (size_t k = 0; k < d->count; k++)
         known[k] = d->name[k];
     known[d->count] = NULL;
-    const int status = fvi_parse_word(field, text, known, &place, error); /* capitals, a near name */
+    /* fvi_parse_word also finds names in capitals, and proposes a near name. */
+    const int status = fvi_parse_word(field, text, known, &place, error);
     if (!status)
         *which = d->which[place];
     free(known);
     return status;
 }
 
-/* Does a constraint know this constant? */
+/* Return nonzero if a constraint contains this constant. */
 static int is_constrained(const fvi_free_parameter_names *names, size_t constant)
 {
     const fvi_user_parameters *of = names->parameters;
@@ -190,7 +192,7 @@ static int is_constrained(const fvi_free_parameter_names *names, size_t constant
     return 0;
 }
 
-/* Would another value leave behind what the run has made of this one? */
+/* Refuse a parameter if the run contains numbers that were computed from it and would keep their old values. */
 static int check_can_change(const char *field, const char *text, const fvi_free_parameter_names *names,
                             fvi_free_parameter which, fvi_error *error)
 {

@@ -1,4 +1,4 @@
-/* src/problem/typed_force.c -- Values, bounds and jumps of a force that was typed. */
+/* src/problem/typed_force.c -- Compute values, bounds and jumps of a force that was typed. */
 #include "typed_force.h"
 #include "polygon.h"
 
@@ -17,7 +17,7 @@ static fvi_force ready_made(const fvi_force_part *p)
                                        : fvi_force_cosine(p->p);
 }
 
-/* None, a step or a cosine. */
+/* Return nonzero for none, a step or a cosine. */
 static int is_ready_made(const fvi_force_part *p)
 {
     return !p->expression && !p->t && !p->hits;
@@ -105,7 +105,7 @@ static int force_bound(double from, double to, size_t order, size_t d,
     return 0;
 }
 
-/* One step or one cosine acts without a detour. */
+/* A single step or cosine is evaluated directly. */
 fvi_force fvi_force_typed(const fvi_typed_force *f)
 {
     const fvi_force_part *first = f->parts;

@@ -1,4 +1,4 @@
-/* src/problem/typed_force_lanes.c -- A force that was typed, for several oscillators at once. [H 28] */
+/* src/problem/typed_force_lanes.c -- Evaluate a typed force for several oscillators at once. [H 28] */
 #include "typed_force.h"
 
 #include "expression/expression_lanes.h"
@@ -8,15 +8,16 @@
 
 enum { L = FVI_MOST_LANES };
 
-/* How a part is evaluated: by what its functions have prepared; once for all lanes; or one by one. */
+/* How a part is evaluated: by the functions of its kind for all lanes; once for all lanes, if it is the same table; or
+ * lane by lane. */
 typedef struct {
     const fvi_lane_functions *functions;
-    void *prepared; /* or NULL */
+    void *prepared; /* NULL: not by these functions */
     int is_shared;
 } prepared_part;
 
 typedef struct {
-    const fvi_typed_force *of[L]; /* of a lane that is missing, that of the last */
+    const fvi_typed_force *of[L]; /* force of each lane; missing lanes have that of the last one */
     size_t count;
     prepared_part part[];
 } prepared_force;
@@ -27,7 +28,7 @@ static int is_same_table(const fvi_force_part *a, const fvi_force_part *b)
            && memcmp(a->F, b->F, a->n * sizeof *a->F) == 0;
 }
 
-/* Part i in all lanes. FVI_EUNSUP of the functions is no error: one by one, then. */
+/* Prepare part i in all lanes. If the functions return FVI_EUNSUP, the part is evaluated lane by lane. */
 static int prepare_part(const prepared_force *f, size_t count, size_t i, prepared_part *part)
 {
     void *params[L];
@@ -96,7 +97,7 @@ static void evaluate_part(const prepared_force *f, size_t i, const double *t, do
             fvi_typed_force_part_value(f->of[l]->parts + i, t[l], one + l);
 }
 
-/* t is the same in all lanes; slope is not asked for. */
+/* t is the same in all lanes. The slope is never asked for. */
 static void evaluate(const void *prepared, const double *t, const double *active, double *F, double *slope)
 {
     const prepared_force *f = prepared;

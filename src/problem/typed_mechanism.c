@@ -1,4 +1,4 @@
-/* src/problem/typed_mechanism.c -- Mechanisms as they are typed: x2-x1 : power:0.4,0.3. [H 29] */
+/* src/problem/typed_mechanism.c -- Parse mechanisms, such as x2-x1 : power:0.4,0.3. [H 29] */
 #include "typed_mechanism.h"
 
 #include <ctype.h>
@@ -9,7 +9,7 @@
 
 /* ---- pieces of a text ---- */
 
-/* The "NAME=" before an elongation; its length with the sign, 0 if there is none. */
+/* Return the length of "NAME=" before an elongation, 0 if there is no name. */
 static size_t name_length(const char *text)
 {
     size_t n = strspn(text, " \t\n"), from = n;
@@ -116,7 +116,7 @@ static int parse_damper(fvi_typed_mechanism *m, size_t j, const char *text,
 
 /* ---- constraints ---- */
 
-/* "x1=EXPRESSION" as x1-(EXPRESSION): what is imposed knows the time alone. */
+/* Parse "x1=EXPRESSION", which becomes the constraint x1-(EXPRESSION) = 0. The expression may contain only t. */
 static int parse_imposed(fvi_typed_mechanism *m, size_t i, const char *text,
                          fvi_user_parameters *parameters, fvi_error *error)
 {

@@ -1,4 +1,4 @@
-/* src/problem/typed_potential.c -- Potentials as they are typed: duffing:1,0.5. */
+/* src/problem/typed_potential.c -- Parse potentials, such as duffing:1,0.5. */
 #include "words.h"
 #include <fvi/formulas.h>
 
@@ -11,8 +11,8 @@ static const char *const words[] = { "harmonic", "duffing", "pendulum",
 static const int counts[] = { 1, 2, 1, 0, 3 };
 #define ALL_FORMS "harmonic:C, duffing:C,G, pendulum:G, free, chain:D,C,G"
 
-/* Of a word that is nearly one of the known ones, that word is what was meant, and not what is
- * wrong with it as an expression. */
+/* Parse an expression. If it is wrong and its first word is nearly a known one, the error proposes that word instead of
+ * saying what is wrong with the expression. */
 static int parse_expression(const char *text, size_t d,
                             fvi_user_parameters *parameters,
                             fvi_typed_potential *potential, fvi_error *error)
@@ -30,7 +30,7 @@ static int parse_expression(const char *text, size_t d,
     return status;
 }
 
-/* How many masses a chain has must be what the system has. */
+/* Take a chain. Its number of masses must be that of the system. */
 static int take_chain(const char *text, size_t d, const double *p,
                       fvi_typed_potential *potential, fvi_error *error)
 {
@@ -68,7 +68,7 @@ int fvi_parse_potential(const char *text, size_t d,
             status = take_chain(text, d, p, &new, error);
         else
             memcpy(new.constants, p, sizeof new.constants);
-    } /* a harmonic one without a number has c = 1 */
+    } /* harmonic without a number has c = 1 */
     if (!status)
         *potential = new;
     return status;

@@ -1,5 +1,5 @@
-/* src/problem/typed_problem.c -- A whole problem as it is typed: m=1; U=duffing:1,0.7. */
-#define _GNU_SOURCE /* strdup */
+/* src/problem/typed_problem.c -- Parse a whole problem, such as m=1; U=duffing:1,0.7. */
+#define _GNU_SOURCE /* for strdup */
 #include "words.h"
 
 #include <fvi/methods.h>
@@ -23,14 +23,14 @@ typedef enum {
     DERIVATIVE,
     LAGRANGIAN,
     V0,
-    DAMPERS, /* from here on each may be repeated */
+    DAMPERS, /* from here on each name may be repeated */
     CONSTRAINT,
     IMPOSE,
     FORCE_ON,
     NAMES
 } name_index;
 
-/* The names of the program, short ones, and what stands for a name that is left out. */
+/* The names of the program, short names, and the values of names that are left out. */
 static const struct {
     const char *name, *brief, *preset;
 } names[NAMES] = {
@@ -57,7 +57,7 @@ static const struct {
 enum { LISTS = NAMES - DAMPERS, MOST_LISTED = 64 };
 
 struct fvi_typed_problem {
-    char *copy; /* of the text, cut into pieces */
+    char *copy; /* copy of the text, cut into pieces */
     const char *text[NAMES];
     struct {
         size_t count;
@@ -68,7 +68,7 @@ struct fvi_typed_problem {
     fvi_typed_potential potential;
     fvi_typed_damping damping;
     fvi_typed_force *force;
-    double *numbers; /* masses, rho, x0 and p0 */
+    double *numbers; /* masses, rho, x0, p0 and v0 */
     fvi_problem problem;
 };
 
@@ -94,7 +94,7 @@ static int list_value(fvi_typed_problem *p, size_t i, const char *value,
     return FVI_SUCCESS;
 }
 
-/* One "NAME=VALUE". */
+/* Take a piece "NAME=VALUE". */
 static int take_piece(fvi_typed_problem *p, char *piece, fvi_error *error)
 {
     char *equals = strchr(piece, '='), place[64];
@@ -123,7 +123,7 @@ static int take_piece(fvi_typed_problem *p, char *piece, fvi_error *error)
     return FVI_SUCCESS;
 }
 
-/* Which names do not go together? Those that are left out get what stands for them. */
+/* Refuse names that do not go together, and fill in the values of names that are left out. */
 static int check_pieces(fvi_typed_problem *p, fvi_error *error)
 {
     const int has_law = p->text[DAMPING] != NULL,
@@ -171,8 +171,8 @@ static size_t larger_count(size_t a, size_t b)
     return a > b ? a : b;
 }
 
-/* The largest index in the texts of a mechanism and of a potential; 0 without a mechanism, and of a
- * chain, which says its own. */
+/* Return the largest index in the texts of a mechanism and of the potential. Return 0 without a mechanism, and for a
+ * chain, which states its own number of masses. */
 static size_t largest_index(const fvi_typed_problem *p)
 {
     size_t most =
@@ -202,7 +202,7 @@ static int parse_potential(fvi_typed_problem *p, fvi_error *error)
     p->problem.system.d = d ? d : p->potential.d ? p->potential.d : 1;
     if (!status && d > p->potential.d
         && p->potential.kind == FVI_POTENTIAL_EXPRESSION) {
-        fvi_typed_potential_free(&p->potential); /* of more coordinates */
+        fvi_typed_potential_free(&p->potential); /* parse it again with more coordinates */
         status = fvi_parse_potential(p->text[POTENTIAL], d, &p->parameters,
                                      &p->potential, error);
     }
@@ -210,7 +210,7 @@ static int parse_potential(fvi_typed_problem *p, fvi_error *error)
     return status;
 }
 
-/* The mechanism of the texts, and the momentum of a velocity. */
+/* Parse the mechanism, and compute the momentum of v0. */
 static int parse_mechanism(fvi_typed_problem *p, fvi_error *error)
 {
     fvi_problem *to = &p->problem;

@@ -1,4 +1,4 @@
-/* src/problem/user_parameters.c -- Parameters of expressions: k=3,c=2*k. */
+/* src/problem/user_parameters.c -- Parse the parameters of expressions, such as k=3,c=2*k. */
 #include "words.h"
 
 #include <math.h>
@@ -9,8 +9,8 @@
 
 enum { SHOWN = 60, AHEAD = 40 };
 
-/* "'x^^2': a number, a name or ( is wanted here", and a caret below the place; of a long text
- * what is around it. */
+/* Write an error such as "'x^^2': a number, a name or ( is wanted here", with a caret below the place. Of a long text
+ * only the part around the place is shown. */
 static int refuse_misprint(const char *field, const char *text,
                            fvi_misprint wrong, fvi_error *error)
 {
@@ -31,7 +31,7 @@ static int refuse_misprint(const char *field, const char *text,
     return FVI_EINVAL;
 }
 
-/* Note which parameters an expression, which has been understood, speaks of. */
+/* Note which parameters are used by an expression that has been parsed. */
 static void note_use(fvi_user_parameters *parameters, const char *text,
                      unsigned char by)
 {
@@ -49,8 +49,8 @@ static void note_use(fvi_user_parameters *parameters, const char *text,
 
 enum { NO_STATE = -1 };
 
-/* An expression whose names a finder knows, or which are those of a variable, or of a state, with velocities or without.
- * It is noted which parameters it uses. */
+/* Parse an expression. Its names are those of the finder, or of one variable, or of a state with or without velocities.
+ * Note which parameters it uses. */
 static int parse(const char *field, const fvi_name_finder *finder, const char *variable, size_t d, int velocities,
                  const char *text, unsigned char by, fvi_user_parameters *parameters, fvi_expression **e,
                  fvi_error *error)
@@ -142,7 +142,7 @@ int fvi_user_parameters_set(fvi_user_parameters *parameters, const char *name,
     return FVI_SUCCESS;
 }
 
-/* "NAME=VALUE", where VALUE is an expression of the names before. */
+/* Parse "NAME=VALUE", where VALUE is an expression of the names before. */
 static int parse_one(char *text, fvi_user_parameters *parameters,
                      fvi_error *error)
 {

@@ -1,40 +1,40 @@
-/* src/problem/words.h -- What the parsers of potentials, dampings and forces share. */
+/* src/problem/words.h -- Declare what the parsers of potentials, dampings and forces share. */
 #ifndef FVI_WORDS_H
 #define FVI_WORDS_H
 
 #include <fvi/parse.h>
 
-/* "word:p1,p2": nonzero if text is that word with exactly count finite numbers. */
+/* fvi_scan_call -- Return nonzero if the text is "word:p1,p2" with exactly `count` finite numbers, and fill in p. */
 int fvi_scan_call(const char *text, const char *word, int count, double *p);
 
-/* Which of the words, ended by NULL, are the first `length` letters of the text? Their number if
- * they are none. */
+/* fvi_scan_word -- Return which of the words, ended by NULL, the first `length` letters of the text are. Return the
+ * number of words if they are none of them. */
 size_t fvi_scan_word(const char *text, size_t length, const char *const *words);
 
-/* fvi_trimmed_copy -- a copy without the blanks at its ends; a tab or a new line becomes one blank, so that a name
- * stands in one line. Free it; NULL without memory. */
+/* fvi_trimmed_copy -- Return a copy without the blanks at its ends. A tab or a newline becomes a blank, so that a name
+ * stands in one line. The caller frees it. NULL without memory. */
 char *fvi_trimmed_copy(const char *text, size_t length);
 
-/* fvi_parse_expression -- fvi_expression_parse of x, or x1, ..., xd, of t or of s, or, where variable is
- * NULL, of the parameters alone. It is noted which of them the text uses. A misprint is an error of
- * the field, with a caret; its index is the byte. parameters may be NULL. */
+/* fvi_parse_expression -- Call fvi_expression_parse for an expression in x, or x1, ..., xd, in t or in s. If `variable`
+ * is NULL, it contains only parameters. Note which of them the text uses; parameters may be NULL. A misprint is an
+ * error of the field with a caret; its index is the byte. Return a code as all parsers do (fvi/parse.h). */
 int fvi_parse_expression(const char *field, const char *variable, size_t d,
                          const char *text, fvi_user_parameters *parameters,
                          fvi_expression **e, fvi_error *error);
 
-/* fvi_parse_state_expression -- the same of x1, ..., xd, then v1, ..., vd where velocities is not 0, then
- * t (fvi_expression_parse_state). */
+/* fvi_parse_state_expression -- Do the same for an expression in x1, ..., xd, then v1, ..., vd if velocities is
+ * nonzero, then t (fvi_expression_parse_state). */
 int fvi_parse_state_expression(const char *field, size_t d, int velocities,
                                const char *text,
                                fvi_user_parameters *parameters,
                                fvi_expression **e, fvi_error *error);
 
-/* fvi_parse_force_of -- fvi_parse_force as another field: "ground" is an acceleration. */
+/* fvi_parse_force_of -- Do what fvi_parse_force does, for another field: "ground" is an acceleration. */
 int fvi_parse_force_of(const char *field, const char *text, size_t d,
                        fvi_user_parameters *parameters, double last,
                        fvi_typed_force **force, fvi_error *error);
 
-/* fvi_parse_expression_of -- the same with coordinates that the finder names (expression.h). */
+/* fvi_parse_expression_of -- Parse an expression whose variables the finder knows (expression.h). */
 int fvi_parse_expression_of(const char *field, const fvi_name_finder *finder,
                             const char *text, fvi_user_parameters *parameters,
                             fvi_expression **e, fvi_error *error);
