@@ -1,11 +1,11 @@
-/* src/stages/lobatto_eigenvalues.c -- What the stages of Lobatto IIIC are made of.   [H 27] */
+/* src/stages/lobatto_eigenvalues.c -- The eigenvalues and eigenvectors of the Lobatto IIIC matrix.   [H 27] */
 #include "lobatto_eigenvalues.h"
 
 #include "variable_rule.h"
 
 #include "lobatto_eigenvalues_ref.h"
 
-/* Rows of a table: the parts of lambda, then those of the entries of v. */
+/* Read the rows of a table. A row holds the real and the imaginary part of lambda, then those of each entry of v. */
 static size_t read_table(size_t s, size_t count, const double *row,
                          fvi_lobatto_pair *pair)
 {
@@ -17,7 +17,7 @@ static size_t read_table(size_t s, size_t count, const double *row,
     return count;
 }
 
-/* The method with variable steps has them for its own stages. */
+/* Read the pairs of 6 or 8 stages from the tables of the method with variable steps. */
 static size_t read_rule(const fvi_variable_rule *rule, fvi_lobatto_pair *pair)
 {
     for (size_t l = 0; l < rule->s / 2; l++) {

@@ -1,4 +1,4 @@
-/* src/stages/lobatto_general.c -- A symbol alone, on Lobatto nodes.            [H 26] */
+/* src/stages/lobatto_general.c -- Weights and modes of a general term on Lobatto nodes.            [H 26] */
 #include "lobatto_general.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ln |det A^{-1}| / s: the middle of the logarithms of the eigenvalues. */
+/* Return ln |det A^{-1}| / s, which is the mean of the logarithms of the eigenvalues. */
 static double middle(const fvi_lobatto_rule *rule, size_t s)
 {
     double m[FVI_STAGES * FVI_STAGES], sum = 0;
@@ -29,7 +29,7 @@ static double middle(const fvi_lobatto_rule *rule, size_t s)
     return sum / (double)s;
 }
 
-/* G = (lambda - A^{-1})^{-1}, row by row. */
+/* Compute G = (lambda - A^{-1})^{-1}, row by row. */
 static void resolvent(const fvi_lobatto_rule *rule, size_t s,
                       double complex lambda, double complex *G)
 {
@@ -53,8 +53,8 @@ static void resolvent(const fvi_lobatto_rule *rule, size_t s,
         G[i] = inverse[2 * i] + I * inverse[2 * i + 1];
 }
 
-/* W_0 += factor G, W_n += factor (-1)^n g^(n-1) (G e_1)(e_s^T G) / b_1 with g = e_s^T G e_1
- * / b_1: the powers of z in (lambda - Delta(z))^{-1}, twice their real parts. */
+/* Add twice the real part of the powers of z in factor (lambda - Delta(z))^{-1}: W_0 += factor G, and W_n += factor
+ * (-1)^n g^(n-1) (G e_1)(e_s^T G) / b_1 with g = e_s^T G e_1 / b_1. */
 static void add_point(size_t s, double b, double complex factor,
                       const double complex *G, size_t count, double *W)
 {
@@ -69,8 +69,9 @@ static void add_point(size_t s, double b, double complex factor,
 }
 
 //> contour
-/* The eigenvalues of A^{-1} lie within 1.3 i of a point of the axis of ln lambda, and the cut
- * is at pi i: an ellipse of ln lambda goes between. 128 points leave 1e-14. (26.16) */
+/* The contour is an ellipse in the plane of ln lambda. It encloses the logarithms of the eigenvalues of A^{-1}, which
+ * lie within 1.3 i of a point of the real axis, and it stays away from the cut at pi i. 128 points leave an error of
+ * 1e-14. (26.16) */
 void fvi_lobatto_contour(size_t s, const fvi_kernel_term *t, double h,
                          size_t count, double *W)
 {
@@ -103,7 +104,7 @@ int fvi_lobatto_general_modes(size_t s, const fvi_kernel_term *t, double h,
                                fmax(tolerance, 1e-16), strip, modes);
 }
 
-/* What the modes leave of W_n at the first lag behind the near ones, relative to W_0. */
+/* Return the largest difference between the modes and Cauchy's integral at the lag FVI_LAGS + 1, relative to W_0. */
 static double left_by_modes(size_t s, const fvi_kernel_term *t, double h,
                             double strip)
 {
@@ -140,7 +141,7 @@ double fvi_lobatto_general_strip(size_t s, const fvi_kernel_term *t, double h)
         const double left = left_by_modes(s, t, h, strip);
         if (left < least) {
             best = strip;
-            least = left / 4; /* a narrower one costs more nodes */
+            least = left / 4; /* a narrower strip needs more nodes, so it must be four times better */
         }
     }
     return best;

@@ -1,5 +1,4 @@
-/* src/stages/lobatto_history.c -- The history of a derivative on Lobatto nodes.
- *                                                               [H 17] */
+/* src/stages/lobatto_history.c -- Compute the history of a fractional derivative on Lobatto nodes.    [H 17] */
 #include "lobatto_history.h"
 
 #include "lobatto_kernel.h"
@@ -11,18 +10,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LANES = FVI_MODE_LANES, SHORT = 64 /* runs that AUTO sums directly */ };
+enum { LANES = FVI_MODE_LANES, SHORT = 64 /* largest number of steps that AUTO sums directly */ };
 
 struct fvi_lobatto_history {
     size_t s, d, steps, k;
-    size_t lags;       /* how many W_n are summed as they are */
-    size_t Q;          /* modes, padded to a multiple of LANES */
-    double *q, *p, *a; /* of each mode; s entries a, Q apart */
+    size_t lags;       /* number of W_n that are stored */
+    size_t Q;          /* number of modes, rounded up to a multiple of LANES */
+    double *q, *p, *a; /* Q numbers each; a has s rows, Q numbers apart */
     double *z;         /* Q modes for each coordinate */
-    double *W;         /* W_0 by rows, and W_1, ..., W_lags by columns */
-    double *past;      /* the last `lags` v, a ring */
-    int by_order;         /* there are derivatives by beta, too: */
-    double *r, *R;     /* of q and W */
+    double *W;         /* W_0 row by row, and W_1, ..., W_lags column by column */
+    double *past;      /* a ring of the last `lags` v of each coordinate */
+    int by_order;         /* nonzero if there are derivatives by beta: */
+    double *r, *R;     /* derivatives of q and of W */
 };
 
 static size_t padded(size_t n)
@@ -30,13 +29,13 @@ static size_t padded(size_t n)
     return (n + LANES - 1) / LANES * LANES;
 }
 
-/* Without rates, beta = 0 and beta = -1 need no history. */
+/* For beta = 0 and beta = -1 the sums need no history, but their derivatives by beta do. */
 static int has_history(double beta, int by_order)
 {
     return by_order || (beta != 0 && beta != -1);
 }
 
-/* Are all W_n summed as they are? Or modes stand for most of them. */
+/* Return 1 if all W_n are stored, and 0 if modes represent most of them. */
 static int is_direct(double beta, size_t steps, fvi_history_kind kind, int by_order)
 {
     const int few = kind == FVI_HISTORY_AUTO && steps <= SHORT;
@@ -64,7 +63,7 @@ static int check(size_t s, double beta, size_t d, size_t steps,
     return FVI_SUCCESS;
 }
 
-/* How many modes and how many W_n there will be, for arguments that are checked. */
+/* Compute the number of modes and of stored W_n. The arguments have been checked. */
 static void plan(size_t s, double beta, size_t steps, fvi_history_kind kind,
                  int by_order, double keep, size_t *Q, size_t *lags)
 {
@@ -76,7 +75,7 @@ static void plan(size_t s, double beta, size_t steps, fvi_history_kind kind,
                     : padded(fvi_lobatto_few_nodes(s, beta, N, keep, NULL, NULL, NULL, 0));
 }
 
-/* The default stands for a tolerance of 0. */
+/* Return the tolerance, or the default for 0. */
 static double kept(double tolerance)
 {
     return tolerance >= 1e-14 ? tolerance : 1e-13;
@@ -101,8 +100,8 @@ static size_t numbers(const fvi_lobatto_history *m)
                   + (1 + rates) * (m->lags + 1) * m->s * m->s + m->lags * m->s * m->d);
 }
 
-/* Zeros of such sizes, and nothing else; or NULL. The modes begin where a line of the cache does, as eight of them are
- * read at once. */
+/* Allocate a history of these sizes with all numbers zero. Return NULL if memory is short. The modes begin at a cache
+ * line, because the loops read eight modes at once. */
 static fvi_lobatto_history *make(fvi_lobatto_history sizes)
 {
     fvi_lobatto_history *m = malloc(sizeof *m);
@@ -133,7 +132,7 @@ static void swap(double *x, double *y)
     *y = kept;
 }
 
-/* W_1, ..., W_lags by columns: all rows of a sum then run side by side. */
+/* Transpose W_1, ..., W_lags, so that all rows of a sum are computed side by side. */
 static void turn_near_lags(fvi_lobatto_history *m)
 {
     const size_t s = m->s;
@@ -146,7 +145,7 @@ static void turn_near_lags(fvi_lobatto_history *m)
             }
 }
 
-/* The lag FVI_LAGS + 1 is the first that the modes stand for. */
+/* Multiply q by FVI_LAGS powers of r = 1 - p, because the modes begin at lag FVI_LAGS + 1. */
 static void skip_near_lags(fvi_lobatto_history *m)
 {
     for (size_t j = 0; j < m->Q; j++)
@@ -266,7 +265,8 @@ int fvi_lobatto_history_copy(const fvi_lobatto_history *from,
     return FVI_SUCCESS;
 }
 
-/* How many lags are kept, and the nodes, may depend on N, and must be the same. */
+/* The number of stored lags and the nodes may depend on the number of steps. They are archived as constants, which must
+ * be equal. */
 int fvi_lobatto_history_archive(fvi_lobatto_history *m, size_t k, fvi_archive *v)
 {
     const size_t number = sizeof(double);
@@ -324,7 +324,7 @@ int fvi_lobatto_history_push_by_order(fvi_lobatto_history *m, const double *v,
         double *past = m->past + i * lags * s, *z = m->z + i * m->Q,
                *place = past + (k - 1) % lags * s, u[FVI_STAGES] = { 0 },
                sum[FVI_STAGES] = { 0 };
-        /* v_{k-1-lags} leaves the ring, as u = P B v, and goes to the modes. */
+        /* v_{k-1-lags} leaves the ring and enters the modes as u = P B v */
         for (size_t l = 0; l < s; l++) {
             u[s - 1 - l] = b[l] * place[l];
             place[l] = v[l];

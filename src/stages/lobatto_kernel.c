@@ -1,4 +1,4 @@
-/* src/stages/lobatto_kernel.c -- Laws of damping on Lobatto nodes.          [H 26] */
+/* src/stages/lobatto_kernel.c -- Weights and modes of a damping law on Lobatto nodes.          [H 26] */
 #include "lobatto_kernel.h"
 #include "lobatto_general.h"
 
@@ -12,10 +12,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ASKED = 8 }; /* matrices of a quotient between two questions whether the call is to go on */
+enum { ASKED = 8 }; /* a division asks the interrupter after every eighth matrix */
 
-/* A fraction whose poles lie on its cut, or near to it: it has no nodes. Of 2 alpha = 1
- * the pole is a node itself. */
+/* Return 1 if the term is a fraction without nodes. Its weights are computed by a division of power series. The pole of
+ * such a term lies near the cut or off it, or its weight on the cut changes sign. A Maxwell element has a node at its
+ * pole. */
 static int is_divided(const fvi_kernel_simple *t)
 {
     const int turns = t->alpha > 0.5 && 2 * (t->alpha - t->below) < 1;
@@ -23,7 +24,7 @@ static int is_divided(const fvi_kernel_simple *t)
            && (t->below > 0.45 || (t->below < t->alpha && turns));
 }
 
-/* A dashpot acts at once, as a mass does. */
+/* Return 1 if the term has a cut. A spring and a dashpot have none, and neither has a mass. */
 static int has_cut(const fvi_kernel_simple *t)
 {
     const int is_at_once = t->alpha == 0 || t->alpha == 1 || t->alpha == 0.5;
@@ -31,7 +32,7 @@ static int has_cut(const fvi_kernel_simple *t)
            && !(is_at_once && (t->time == 0 || t->below == t->alpha));
 }
 
-/* A term that Cauchy's integral and the cut are asked for. */
+/* Return 1 if the weights of the term come from Cauchy's integral, and its modes from the cut. */
 static int has_contour(const fvi_kernel_term *t)
 {
     return fvi_kernel_is_general(t) && t->rho > 0;
@@ -66,14 +67,14 @@ void fvi_lobatto_kernel_free(fvi_lobatto_kernel *ready)
 
 /* ---- nodes ---- */
 
-/* h Im C(-mu/h + i0) / pi of one term, by ln mu. */
+/* Return h Im C(-mu/h + i0) / pi of one term. */
 static double on_the_cut(const fvi_kernel_simple *t, double h, double ln_mu)
 {
     return fvi_kernel_on_the_cut(t, t->rho * h / M_PI, ln_mu - log(h));
 }
 
-/* Orders up to 1, or those above, of which the sign on the cut is the other one: nodes
- * below ln mu = first, as one. */
+/* Sum the nodes below ln mu = first, so that one node can replace them. above = 0 takes the terms of order up to 1,
+ * above = 1 the terms of a higher order, which have the other sign on the cut. */
 static void tail_of(const fvi_lobatto_kernel *r, int above, double first,
                     double step, double *S0, double *S1)
 {
@@ -84,7 +85,7 @@ static void tail_of(const fvi_lobatto_kernel *r, int above, double first,
                             log(r->h), first, step, 0, S0, S1);
 }
 
-/* The cut's: (17.10) with all terms on one set of nodes. mu comes into p. */
+/* Compute the nodes of the cut: (17.10), with one set of nodes for all terms. The numbers mu are written to p. */
 static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
                            double tolerance, double *q, double *p)
 {
@@ -95,7 +96,7 @@ static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
             continue;
         least = smaller(least, 2 * t->alpha - 1);
         most = larger(most, 2 * t->alpha - 1);
-        if (t->time > 0) /* poles on the sheet beyond the cut */
+        if (t->time > 0) /* there are poles on the next sheet beyond the cut */
             width = smaller(width, 0.9 * fmin(1, 1 / t->below - 2));
     }
     if (most < least)
@@ -122,7 +123,7 @@ static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
     return Q;
 }
 
-/* The nodes of the terms that are no fractions of powers, behind Q others. mu comes into p. */
+/* Append the nodes of the general terms to the first Q nodes. The numbers mu are written to p. */
 static size_t nodes_of_general(size_t s, const fvi_lobatto_kernel *r, double N,
                                double tolerance, size_t Q, double *q, double *p)
 {
@@ -142,7 +143,8 @@ static size_t nodes_of_general(size_t s, const fvi_lobatto_kernel *r, double N,
     return Q;
 }
 
-/* All nodes, mu in p; or those of the cut that hardly decay within N steps as fewer of them. */
+/* Compute all nodes, with mu in p. is_few: replace the nodes of the cut that hardly decay within N steps by fewer
+ * nodes. */
 static size_t place_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, int is_few, double *q,
                           double *p)
 {
@@ -157,13 +159,13 @@ static size_t place_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, d
             springs += t->rho / (1 + t->time);
         if (!fvi_kernel_is_relaxation(t))
             continue;
-        if (q) { /* rho / (1 + T s) = (rho/T) / (s + 1/T): a residue */
+        if (q) { /* the residue of rho / (1 + T s) = (rho/T) / (s + 1/T) */
             q[Q] = t->rho * ready->h / t->time;
             p[Q] = ready->h / t->time;
         }
         Q++;
     }
-    if (springs > 0 && q) { /* of order -1: the sum of all velocities */
+    if (springs > 0 && q) { /* a spring acts on the sum of all velocities */
         q[Q] = springs * ready->h;
         p[Q] = 0;
     }
@@ -195,7 +197,7 @@ int fvi_lobatto_kernel_few_nodes(size_t s, const fvi_lobatto_kernel *ready, doub
 
 /* ---- weights ---- */
 
-/* out = (Delta(z)/h) N of a series N, by Delta's two coefficients (17.5). */
+/* Compute out = (Delta(z)/h) N(z) for a power series N, with the two coefficients of Delta (17.5). */
 static void differentiate(size_t s, double h, size_t n, const double *N,
                           double *out)
 {
@@ -213,7 +215,7 @@ static void differentiate(size_t s, double h, size_t n, const double *N,
             }
 }
 
-/* sum -= x y, s x s matrices */
+/* Compute sum -= x y for s x s matrices. */
 static inline void take_product(size_t s, const double *x, const double *y,
                                 double *restrict sum)
 {
@@ -223,7 +225,7 @@ static inline void take_product(size_t s, const double *x, const double *y,
                 sum[i * s + j] -= x[i * s + l] * y[l * s + j];
 }
 
-/* V -= Q_1 N_{k-1} + ... + Q_k N_0, where s is often a constant to the compiler. */
+/* Compute V -= Q_1 N_{k-1} + ... + Q_k N_0. The case s = 4 is separate, so that the compiler knows s. */
 FVI_VECTORS static void take_sum(size_t s, size_t k, const double *Q,
                                  const double *N, double *V)
 {
@@ -238,7 +240,8 @@ FVI_VECTORS static void take_sum(size_t s, size_t k, const double *Q,
 }
 
 //> division
-/* V (1 + T Q) = N, one matrix after the other; V overwrites N. */
+/* Solve V (1 + T Q) = N for the power series V, one matrix after the other. V overwrites N. Return FVI_SUCCESS or the
+ * code of the interrupter. */
 static int divide(size_t s, double T, size_t n, double *Q, double *N)
 {
     const size_t s2 = s * s;
@@ -269,7 +272,7 @@ static int divide(size_t s, double T, size_t n, double *Q, double *N)
 }
 //< division
 
-/* (Delta/h)^(2 alpha - 1) */
+/* Compute (Delta/h)^(2 alpha - 1). */
 static int power(size_t s, double alpha, double h, size_t n, double *N)
 {
     const int status = fvi_lobatto_weights(s, 2 * alpha - 1, n, N);
@@ -278,7 +281,7 @@ static int power(size_t s, double alpha, double h, size_t n, double *N)
     return status;
 }
 
-/* W += the matrices of a fraction without nodes, from W_{FVI_LAGS + 1} on. */
+/* Add the matrices of a fraction without nodes to W, from W_{FVI_LAGS + 1} on. */
 static int add_divided(size_t s, const fvi_kernel_simple *t, double h, size_t n,
                        double *W)
 {
@@ -305,7 +308,7 @@ int fvi_lobatto_kernel_weights(size_t s, const fvi_lobatto_kernel *ready, size_t
 {
     const double N = (double)n;
     size_t Q = 0;
-    if (n > FVI_LAGS + 1) /* else there are none behind the first */
+    if (n > FVI_LAGS + 1) /* nodes are needed only for lags above FVI_LAGS */
         Q = fvi_lobatto_kernel_nodes(s, ready, N, 1e-16, NULL, NULL, NULL, 0);
     double *q = calloc((2 + s) * Q + 1, sizeof *q);
     int status = FVI_SUCCESS;

@@ -1,53 +1,55 @@
-/* src/stages/lobatto_kernel.h -- Laws of damping on Lobatto nodes.          [H 26]
+/* src/stages/lobatto_kernel.h -- Weights and modes of a damping law on Lobatto nodes.          [H 26]
  *
- *     C(Delta(z)/h) (Delta(z)/h)^(-1) = sum_n W_n z^n:                    (26.12)
+ *     C(Delta(z)/h) (Delta(z)/h)^(-1) = sum_n W_n z^n                    (26.12)
  *
- * what a law makes of the velocities of the stages, as Delta^(2 alpha - 1) does for a
- * power. The step size IS included. */
+ * The W_n map the velocities of the stages to the force of the law, as Delta^(2 alpha - 1) does for a power. They
+ * include the step size. */
 #ifndef FVI_LOBATTO_KERNEL_H
 #define FVI_LOBATTO_KERNEL_H
 
 #include "kernel/kernel_terms.h"
 #include "lobatto_weights.h"
 
-/* A law's terms at one step; release with fvi_lobatto_kernel_free. */
+/* A law prepared for one step length. Free it with fvi_lobatto_kernel_free. */
 typedef struct {
     const fvi_kernel *law;
-    fvi_kernel_simple *term; /* its fractions of powers */
+    fvi_kernel_simple *term; /* the simple terms of the law */
     size_t terms;
     double h;
-    double strip;  /* of the terms that are none, the narrowest */
-    int has_nodes; /* all of them: W_n is a sum of powers, for n > FVI_LAGS */
+    double strip;  /* the narrowest strip of its general terms */
+    int has_nodes; /* nonzero if all terms have nodes: then W_n is a sum of powers for n > FVI_LAGS */
 } fvi_lobatto_kernel;
 
-/* fvi_lobatto_kernel_prepare -- a law that has passed fvi_kernel_check. Fractions with 2 alpha > 0.9
- * but for 1 have no nodes: their poles are too near to the cut, or off it.
- * Returns FVI_SUCCESS; FVI_EUNSUP of a DAVIDSON or a SYMBOL whose weights are not all in its
- * values on the cut; FVI_ENOMEM. */
+/* fvi_lobatto_kernel_prepare -- Prepare a law that has passed fvi_kernel_check. Some fractions have no nodes: those
+ * with a denominator of order 2 below > 0.9, except a Maxwell element, because their poles are too near the cut or off
+ * it; and those whose weight on the cut changes its sign.
+ *
+ * Return FVI_SUCCESS; FVI_EUNSUP if the values of a DAVIDSON or a SYMBOL on the cut do not determine all of its
+ * weights; FVI_ENOMEM. */
 int fvi_lobatto_kernel_prepare(size_t s, const fvi_kernel *law, double h,
                                fvi_lobatto_kernel *ready);
 
 void fvi_lobatto_kernel_free(fvi_lobatto_kernel *ready);
 
-/* fvi_lobatto_kernel_nodes -- as fvi_lobatto_nodes: one set for all terms, a node for the pole
- * of each Maxwell element, one for all springs, none for a term without nodes. Nothing is
- * checked. */
+/* fvi_lobatto_kernel_nodes -- Compute the nodes of a law as fvi_lobatto_nodes does for a power: one set for all terms
+ * with a cut, one node for the pole of each Maxwell element, and one for all springs. Terms without nodes are left out.
+ * The arguments are not checked. */
 size_t fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, double N,
                              double tolerance, double *q, double *p, double *a,
                              size_t stride);
 
-/* fvi_lobatto_kernel_few_nodes -- the same by fewer nodes, as fvi_lobatto_few_nodes where all weights of the cut have one
- * sign: the `count` numbers q and then as many mu, a block that the caller frees. a and p are made of mu by
- * fvi_lobatto_solve_nodes. Returns FVI_SUCCESS or FVI_ENOMEM. */
+/* fvi_lobatto_kernel_few_nodes -- Compute fewer nodes, as fvi_lobatto_few_nodes does, if all weights of the cut have
+ * one sign. *nodes is a block of `count` numbers q followed by `count` numbers mu, which the caller frees.
+ * fvi_lobatto_solve_nodes computes a and p from mu. Return FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_lobatto_kernel_few_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, size_t *count,
                                  double **nodes);
 
-/* fvi_lobatto_kernel_weights -- W_0, ..., W_{n-1}, n > FVI_LAGS; W as for fvi_lobatto_weights.
- * Accuracy: as there, of the largest of W_0, for each term (no proof; seen 20). Not so for a
- * ZENER with 2 alpha > 1: it rings, and keeps roundings for as long as it does (seen 1700 u
- * in 150 matrices, alpha = 1).
- * Cost: O(n Q), and O(n^2 s^3) for each fraction without nodes.
- * Returns FVI_SUCCESS or FVI_ENOMEM. */
+/* fvi_lobatto_kernel_weights -- Compute W_0, ..., W_{n-1}, n > FVI_LAGS. W is ordered as for fvi_lobatto_weights.
+ *
+ * Accuracy for each term: as for fvi_lobatto_weights, relative to the largest entry of W_0 (no proof; seen 20). A ZENER
+ * with 2 alpha > 1 is less accurate: it rings, and rounding errors stay as long as it rings (seen 1700 u in 150
+ * matrices, alpha = 1). Cost: O(n Q), and O(n^2 s^3) for each fraction without nodes. Return FVI_SUCCESS; FVI_ENOMEM;
+ * the code of the interrupter (error.h). */
 int fvi_lobatto_kernel_weights(size_t s, const fvi_lobatto_kernel *ready, size_t n,
                             double *W);
 

@@ -1,5 +1,5 @@
-/* src/stages/lobatto_modes.c -- The near lags and the modes of a memory on Lobatto nodes, a step on.
- *                                                               [H 17] */
+/* src/stages/lobatto_modes.c -- Advance the near lags and the modes of a history on Lobatto nodes by one step.    [H
+ * 17] */
 #include "lobatto_weights.h"
 #include "variable_rule.h" /* fvi_four */
 
@@ -7,7 +7,7 @@
 
 /* ---- near lags ---- */
 
-/* add_near, where s is a number that the compiler knows. */
+/* Do the work of add_near. s is a constant that the compiler knows, except in the default case. */
 static inline __attribute__((always_inline)) void
 add_columns(size_t s, size_t lags, size_t k, const double *W, const double *past, double *sum)
 {
@@ -16,7 +16,7 @@ add_columns(size_t s, size_t lags, size_t k, const double *W, const double *past
     for (size_t i = 0; i < s; i++)
         total[i] = sum[i];
     for (size_t n = 1; n <= lags && n <= k; n++) {
-        at = (at > 0 ? at : lags) - 1; /* k - n, in the ring */
+        at = (at > 0 ? at : lags) - 1; /* the position of k - n in the ring */
         const double *column = W + n * s * s, *v = past + at * s;
         for (size_t j = 0; j < s; j++, column += s)
 #pragma omp simd
@@ -48,7 +48,7 @@ FVI_VECTORS static void add_near(size_t s, size_t lags, size_t k, const double *
     }
 }
 
-/* A function of its own, because clang 14 gives clones a name that no other file finds. */
+/* This function is separate, because clang 14 gives the versions of add_near names that other files cannot find. */
 void fvi_lobatto_add_near(size_t s, size_t lags, size_t k, const double *W, const double *past, double *sum)
 {
     add_near(s, lags, k, W, past, sum);
@@ -58,12 +58,12 @@ void fvi_lobatto_add_near(size_t s, size_t lags, size_t k, const double *W, cons
 
 enum { LANES = FVI_MODE_LANES, HALVES = LANES / 4 };
 
-enum { FEW = 4 }; /* stages, for which there is a loop of their own */
+enum { FEW = 4 }; /* largest number of stages with a loop of its own */
 
 #define FOUR(x) (*(const fvi_four *)(x))
 
-/* All modes one step on: z += a~.v - p z, and H += sum_j q_j a_j z_j, where s is a number that the
- * compiler knows. The partial sums make the digits independent of the width of the vectors. */
+/* Advance all modes, z += a~.v - p z, and add H += sum_j q_j a_j z_j. s is a constant that the compiler knows. The
+ * order of the partial sums makes the digits independent of the width of the vectors. */
 static inline __attribute__((always_inline)) void
 advance_rows(size_t s, size_t Q, const double *restrict q, const double *restrict p,
              const double *restrict a, const double *u, double *restrict z, double *H)
@@ -109,7 +109,7 @@ FVI_VECTORS static void advance_few(size_t s, size_t Q, const double *q, const d
     }
 }
 
-/* The same for s = 8, and 5, 6, 7 in its place. */
+/* Do the same for 5 to 8 stages, in a loop over 8 stages. */
 FVI_VECTORS static void advance_many(size_t s, size_t Q,
                                      const double *restrict q,
                                      const double *restrict p,
@@ -146,8 +146,8 @@ FVI_VECTORS static void advance_many(size_t s, size_t Q,
             H[i] += sum[i][l];
 }
 
-/* H += sum_j q_j a_j z_j of modes that stay as they are. A rule of 5, 6 or 7 stages repeats its last
- * row: `rows` is a number that the compiler knows. */
+/* Compute H += sum_j q_j a_j z_j without changing the modes. `rows` is a constant that the compiler knows. For 5, 6 or
+ * 7 stages it is 8, and the last row is repeated. */
 static inline __attribute__((always_inline)) void
 read_rows(size_t rows, size_t s, size_t Q, const double *restrict q, const double *restrict a,
           const double *restrict z, double *H)
@@ -187,7 +187,7 @@ FVI_VECTORS static void read_modes(size_t s, size_t Q, const double *q, const do
     }
 }
 
-/* Functions of their own as above. */
+/* These functions are separate for the same reason as fvi_lobatto_add_near. */
 void fvi_lobatto_advance(size_t s, size_t Q, const double *q, const double *p,
                          const double *a, const double *u, double *z, double *H)
 {

@@ -1,4 +1,4 @@
-/* src/stages/lobatto_nodes.c -- Weights on Lobatto nodes as sums of powers. [H 17] */
+/* src/stages/lobatto_nodes.c -- Approximate the weights on Lobatto nodes by sums of powers. [H 17] */
 #include "lobatto_weights.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
@@ -8,8 +8,8 @@
 
 enum { LANES = FVI_MODE_LANES };
 
-/* (mu + A^(-1)) a = e_1 / b_1 for eight mu side by side. The rows need no exchange, because the symmetric part of
- * B (mu + A^(-1)) is positive (17.2), and so is that of what is left after each pivot. */
+/* Solve (mu + A^(-1)) a = e_1 / b_1 for eight mu side by side. The elimination needs no row exchange. The symmetric
+ * part of B (mu + A^(-1)) is positive (17.2), and it stays positive after each pivot. */
 FVI_VECTORS static void solve_nodes(size_t s, const double *mu, double a[FVI_STAGES][LANES])
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
@@ -66,8 +66,7 @@ void fvi_lobatto_solve_nodes(size_t s, size_t count, double *p, double *a, size_
 }
 
 //> tail
-/* (x coth x - 1) / x^2 for y = x^2, and (1 - x cot x) / x^2 for y = -x^2: Lambert's
- * continued fraction. */
+/* Return (x coth x - 1) / x^2 for y = x^2, and (1 - x cot x) / x^2 for y = -x^2, by Lambert's continued fraction. */
 static double lambert(double y)
 {
     double f = 43;
@@ -76,9 +75,10 @@ static double lambert(double y)
     return 1 / f;
 }
 
-/* All nodes below mu, the next, stand at `low`, where q[0] has their sum and their first
- * moment. Those of the rates are others: R[0] and R[1], by shares of both nodes. factor is
- * step sin(pi e) / pi, and slope its derivative; at e = 0 factor / expm1 is 0/0. */
+/* Compute rate[0], and change rate[1]. One node at `low` replaces all nodes below mu, the next node, and its q[0] has
+ * their sum and their first moment. The derivatives have another sum R[0] and first moment R[1], so they are shared
+ * between the nodes low and mu. factor is step sin(pi e) / pi, and slope is its derivative by e. For small e, R[0] is
+ * computed by the function lambert, because factor / expm1(e step) is 0/0 at e = 0. */
 static void tail_rates(double e, double step, double mu, double low,
                        double factor, double slope, const double *q,
                        double *rate)
@@ -102,7 +102,7 @@ fvi_lobatto_span fvi_lobatto_span_of(size_t s, double least, double most,
                                      double N, double tolerance, double width)
 {
     const double L = -log(tolerance),
-                 decay = (double)(s * (s - 1)); /* r(-mu) ~ decay/mu^2 */
+                 decay = (double)(s * (s - 1)); /* r(-mu) is about decay / mu^2 */
     const double end = 2 * log((double)s / fvi_lobatto(s)->b[0]);
     return (fvi_lobatto_span){ .first = -L / (3 + least) - log(N),
                                .last = fmax((L + FVI_LAGS * log(decay) + end)
@@ -111,7 +111,7 @@ fvi_lobatto_span fvi_lobatto_span_of(size_t s, double least, double most,
                                .step = width * M_PI * M_PI / (L + M_LN10) };
 }
 
-/* The weight of a node is this times mu^(1 + beta). */
+/* Return the factor of mu^(1 + beta) in the weight of a node. */
 static double factor_of(double beta, double step)
 {
     const double sine = -sin(M_PI * fmin(fabs(beta), 1 - fabs(beta))) / M_PI;
@@ -128,7 +128,7 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
     const double first = span.first, step = span.step, e0 = 1 + beta;
     const double factor = factor_of(beta, step);
     size_t Q = 1 + (size_t)ceil((span.last - first) / step);
-    Q = by_order || (beta != 0 && beta != -1) ? Q + 1 /* and the tail */
+    Q = by_order || (beta != 0 && beta != -1) ? Q + 1 /* one node more for the tail */
                                            : beta == -1;
     const double slope = step * cos(M_PI * e0);
     double low = 0;
@@ -137,7 +137,7 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
         q[j] = factor * pow(mu, e0);
         if (by_order)
             rate[j] = pow(mu, e0) * (slope + factor * log(mu));
-        if (j == 0) { /* all nodes below the first, by two moments: (17.12) */
+        if (j == 0) { /* one node replaces all nodes below the first by two moments: (17.12) */
             mu *= exp(step);
             double S0 = pow(mu, e0) / expm1(e0 * step),
                    S1 = pow(mu, e0 + 1) / expm1((e0 + 1) * step);
@@ -156,13 +156,14 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
 
 /* ---- fewer nodes ---- */
 
-/* Nodes up to mu N = SLOW hardly decay within the run: exp(-mu n) is nearly a polynomial in mu, and Gauss's rule of a few
- * nodes stands for all of them. Of N >= LONG the rest of W_n is smooth there, too. */
+/* The nodes with mu N <= SLOW hardly decay within the run: there exp(-mu n) is nearly a polynomial in mu, and a Gauss
+ * rule with a few nodes replaces all of them. For N >= LONG the other factors of W_n are smooth there, too. */
 enum { SLOW = 8, LONG = 64, MOST_FEW = 16, MOST_SLOW = 192 };
 
-/* The measure of all nodes below the largest: weights e^(-k step (1 + beta)) at e^(-k step), k = 0, 1, ... Its orthogonal
- * polynomials are little q-Jacobi's, q = e^(-step), whose recurrence is known. Entry n of the diagonal of their symmetric
- * matrix to *here, and of the one beside it to *beside.                                                     (17.29) */
+/* Compute entry n of the diagonal (here) and of the side diagonal (beside) of the Jacobi matrix of the slow nodes.
+ * Relative to the largest node they stand at e^(-k step) with the weights e^(-k step (1 + beta)), k = 0, 1, ... The
+ * orthogonal polynomials of this measure are the little q-Jacobi polynomials with q = e^(-step), whose recurrence is
+ * known. (17.29) */
 //> gauss
 static void find_recurrence(double beta, double step, size_t n, double *here, double *beside)
 {
@@ -175,8 +176,9 @@ static void find_recurrence(double beta, double step, size_t n, double *here, do
 }
 //< gauss
 
-/* How many of Gauss's nodes leave a tenth of the tolerance of exp(-SLOW x): the first derivative that they do not see is
- * SLOW^(2 few), and the square of their polynomial is the product of the entries beside the diagonal. */
+/* Return the number of Gauss nodes that integrate exp(-SLOW x) to a tenth of the tolerance. The error contains the
+ * derivative SLOW^(2 few) and the norm of the orthogonal polynomial, whose square is the product of the squares of the
+ * side diagonal. */
 static size_t count_few(double beta, double step, double tolerance)
 {
     double left = 1, here, beside;
@@ -188,7 +190,7 @@ static size_t count_few(double beta, double step, double tolerance)
     return few;
 }
 
-/* One sweep of the QL method over rows from, ..., to. */
+/* Do one sweep of the QL method over the rows from, ..., to. */
 static void sweep(double *a, double *b, double *first, size_t from, size_t to)
 {
     const double half = (a[from + 1] - a[from]) / (2 * b[from]);
@@ -211,8 +213,9 @@ static void sweep(double *a, double *b, double *first, size_t from, size_t to)
     b[to] = 0;
 }
 
-/* The eigenvalues of the matrix with a on the diagonal and b beside it, to a: Gauss's nodes. The squares of the first
- * entries of the eigenvectors are their weights (Golub and Welsch). */
+/* Compute the eigenvalues of the tridiagonal matrix with the diagonal a and the side diagonal b, and write them to a.
+ * They are the Gauss nodes, and the squares of the first entries of the eigenvectors are their weights (Golub and
+ * Welsch). */
 static void find_eigenvalues(size_t n, double *a, double *b, double *first)
 {
     enum { SWEEPS = 40 };
@@ -230,7 +233,8 @@ static void find_eigenvalues(size_t n, double *a, double *b, double *first)
         }
 }
 
-/* Gauss's rule of a measure of such a sum with this recurrence, from 0 to mu: to q and p. */
+/* Write the Gauss rule with this recurrence to q and p, scaled to the interval from 0 to mu and to the total weight
+ * `sum`. */
 static void place_gauss(size_t few, double *here, double *beside, double sum, double mu, double *q, double *p)
 {
     double first[MOST_FEW];
@@ -241,7 +245,7 @@ static void place_gauss(size_t few, double *here, double *beside, double sum, do
     }
 }
 
-/* The few nodes for all up to mu, to q and p. */
+/* Write the few nodes that replace all nodes up to mu to q and p. */
 static void place_few(double beta, double step, double mu, size_t few, double *q, double *p)
 {
     const double sum = factor_of(beta, step) * pow(mu, 1 + beta) / -expm1(-(1 + beta) * step);
@@ -273,8 +277,8 @@ size_t fvi_lobatto_few_nodes(size_t s, double beta, double N, double tolerance, 
 
 /* ---- fewer nodes of any weights ---- */
 
-/* The recurrence of the measure with weights w, their sum 1, at x, up to where few nodes are enough; `slow` is mu N of
- * the largest node (Stieltjes). Returns how many. */
+/* Compute the recurrence of a discrete measure with the weights w at x by Stieltjes's method. The weights have the sum
+ * 1, and `slow` is mu N of the largest node. Return the number of Gauss nodes that is enough for the tolerance. */
 static size_t find_recurrence_of(size_t count, const double *x, const double *w, double slow, double tolerance,
                                  double *here, double *beside)
 {
@@ -286,7 +290,7 @@ static size_t find_recurrence_of(size_t count, const double *x, const double *w,
         double *now = polynomial[k % 2], *other = polynomial[1 - k % 2], mean = 0, square = 0;
         for (size_t j = 0; j < count; j++)
             mean += x[j] * now[j] * now[j];
-        for (size_t j = 0; j < count; j++) { /* the last but one becomes the next */
+        for (size_t j = 0; j < count; j++) { /* the polynomial before the last is overwritten by the next one */
             other[j] = (x[j] - mean) * now[j] - before * other[j];
             square += other[j] * other[j];
         }

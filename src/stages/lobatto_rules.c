@@ -1,12 +1,12 @@
-/* src/stages/lobatto_rules.c -- The rules of Lobatto, of 2 to 8 nodes.   [H 17] */
+/* src/stages/lobatto_rules.c -- The Lobatto rules of 2 to 8 nodes.   [H 17] */
 #include "lobatto_weights.h"
 
 #include <math.h>
 
 #define R 2.23606797749978969641 /* sqrt(5) */
 
-/* From five nodes on, the doubles that are nearest; verify/lobatto/lobatto_stages.py has them
- * from the zeros of Legendre's polynomials, and a test compares. */
+/* From five nodes on, the numbers are the nearest doubles. verify/lobatto/lobatto_stages.py computes them from the
+ * zeros of Legendre polynomials, and a test compares both. */
 static const fvi_lobatto_rule rules[] = {
     //> rules
     { { 0, 1 }, { 1. / 2, 1. / 2 }, { { -1, 1 }, { -1, 1 } } },
@@ -119,9 +119,9 @@ double fvi_lobatto_polynomial(const fvi_lobatto_rule *r, size_t s, size_t j,
     return l;
 }
 
-/* A of Lobatto IIIC: the integrals of l_j from 0 to c_i, by the rule itself, and in
- * the first column b_1. What that changes is paid back by w, which is orthogonal to all
- * polynomials of degree s - 2, so that A integrates those as before. (17.3) */
+/* A of Lobatto IIIC: A_ij is the integral of l_j from 0 to c_i, computed by the rule itself, but the first column is
+ * b_1. The change of the first column is compensated by a multiple of w in each row. w is orthogonal to all polynomials
+ * of degree s - 2, so A still integrates these polynomials exactly. (17.3) */
 void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
                        double A[FVI_STAGES][FVI_STAGES])
 {

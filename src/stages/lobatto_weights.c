@@ -18,12 +18,12 @@
 
 enum { TERMS = FVI_LAGS + 1, HALF = FVI_STAGES / 2, ENTRIES = TERMS * FVI_STAGES * FVI_STAGES };
 
-/* Entry (i, j) of the coefficient of z^n at [n][i][j]. */
+/* A power series. Entry (i, j) of the coefficient of z^n is at [n][i][j]. */
 typedef struct {
     double w[TERMS][FVI_STAGES][FVI_STAGES];
 } series;
 
-/* out = p x + q y. Entries beyond row s or column s are 0, and all are summed side by side. */
+/* Compute out = p x + q y. The entries beyond row s or column s are 0, so all entries can be summed side by side. */
 FVI_VECTORS static void combine_series(double p, const series *x, double q, const series *y, series *out)
 {
     const double *of_x = x->w[0][0], *of_y = y->w[0][0];
@@ -35,7 +35,7 @@ FVI_VECTORS static void combine_series(double p, const series *x, double q, cons
 
 #define FOUR(x) (*(fvi_four *)(x))
 
-/* out += sign x_l y_n, matrices of two series, for s up to 4 times `fours`, a number that the compiler knows. */
+/* Compute out += sign x_l y_n for matrices of two series, with s <= 4 `fours`. The compiler knows `fours`. */
 static inline __attribute__((always_inline)) void
 add_rows(size_t s, size_t fours, double sign, const series *x, size_t l, const series *y, size_t n,
          double out[FVI_STAGES][FVI_STAGES])
@@ -81,7 +81,7 @@ static series identity(size_t s)
     return one;
 }
 
-/* y_0 = x_0^(-1), y_n = -y_0 (x_1 y_{n-1} + ... + x_n y_0) */
+/* Compute the inverse series: y_0 = x_0^(-1), y_n = -y_0 (x_1 y_{n-1} + ... + x_n y_0). */
 static series invert(size_t s, const series *x)
 {
     series y = { 0 }, work = *x;
@@ -102,7 +102,7 @@ static series invert(size_t s, const series *x)
     return y;
 }
 
-/* The largest sum of a row of |x|. */
+/* Return the largest sum of |x| over a row, all coefficients together. */
 static double norm(size_t s, const series *x)
 {
     double largest = 0;
@@ -117,7 +117,7 @@ static double norm(size_t s, const series *x)
 }
 
 //> root
-/* Denman and Beavers: y -> sqrt(x) and z -> 1/sqrt(x), quadratically. */
+/* Compute sqrt(x) by the iteration of Denman and Beavers: y converges to sqrt(x) and z to 1/sqrt(x), quadratically. */
 static series root(size_t s, series *x)
 {
     series y = *x, z = identity(s), change;
@@ -133,7 +133,7 @@ static series root(size_t s, series *x)
 }
 //< root
 
-/* Delta(z) */
+/* Return Delta(z). */
 static series delta(size_t s)
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
@@ -145,7 +145,7 @@ static series delta(size_t s)
     return x;
 }
 
-/* Delta^(1/2^k) = 1 + E; ln Delta = 2^k ln(1 + E). power[j] = E^j, for j up to BLOCK. */
+/* A deep root: Delta^(1/2^k) = 1 + E, so ln Delta = 2^k ln(1 + E). power[j] = E^j for j = 0, ..., BLOCK. */
 enum { BLOCK = 6 };
 typedef struct {
     series power[BLOCK + 1], logarithm;
@@ -153,7 +153,7 @@ typedef struct {
 } deep_root;
 
 //> near
-/* Roots of Delta until E is small, its powers, and the series of the logarithm. */
+/* Take square roots of Delta until E is small. Then compute the powers of E and the series of the logarithm. */
 static deep_root make_root(size_t s)
 {
     const series one = identity(s);
@@ -173,8 +173,8 @@ static deep_root make_root(size_t s)
     return r;
 }
 
-/* The same for every order: made once in a process, by the thread that is first; one that
- * comes while it writes takes its own. */
+/* Return the deep root of s stages, which is the same for all orders. It is made once in a process and kept by the
+ * first thread. A thread that comes while the first one writes uses its own copy. */
 static const deep_root *root_of(size_t s, deep_root *own)
 {
     static deep_root kept[FVI_STAGES + 1];
@@ -191,7 +191,7 @@ static const deep_root *root_of(size_t s, deep_root *own)
     return own;
 }
 
-/* c_0 + c_1 E + ... + c_{BLOCK-1} E^(BLOCK-1) */
+/* Compute c_0 + c_1 E + ... + c_{BLOCK-1} E^(BLOCK-1). */
 FVI_VECTORS static series add_powers(const deep_root *r, const double *c)
 {
     series sum;
@@ -209,9 +209,9 @@ FVI_VECTORS static series add_powers(const deep_root *r, const double *c)
     return sum;
 }
 
-/* Delta(z)^beta: the binomial series of (1 + E)^beta, and k squares; what its 42 terms
- * leave is below 4^-41. Paterson and Stockmeyer: the terms come in blocks of six, and Horner's rule in E^6 joins
- * them, so seven blocks cost six products. The derivative, if wanted: times ln Delta. */
+/* Compute Delta(z)^beta by the binomial series of (1 + E)^beta and k squarings. The series has 42 terms; the error is
+ * below 4^-41. The method of Paterson and Stockmeyer sums blocks of six terms and joins the seven blocks by Horner's
+ * rule in E^6, so it needs six products. The derivative by beta, if wanted, is ln Delta times the result. */
 static series near(size_t s, double beta, series *rate)
 {
     enum { BLOCKS = 7 };
@@ -237,7 +237,7 @@ static series near(size_t s, double beta, series *rate)
 //< near
 
 //> fraction
-/* (Delta/h)^(2 alpha - 1) (1 + T (Delta/h)^(2 below))^(-1): all of these commute. */
+/* Compute (Delta/h)^(2 alpha - 1) (1 + T (Delta/h)^(2 below))^(-1). All factors commute. */
 void fvi_lobatto_near(size_t s, const fvi_kernel_simple *t, double h, double *W)
 {
     const series one = identity(s);
@@ -261,12 +261,12 @@ void fvi_lobatto_near(size_t s, const fvi_kernel_simple *t, double h, double *W)
 
 /* ---- the weights ---- */
 
-#define TOLERANCE 1e-16 /* what the nodes may leave of the stored weights */
+#define TOLERANCE 1e-16 /* error of the sum over nodes in the stored weights */
 
-enum { PIECE = 32 }; /* modes whose entries stand side by side for a while */
+enum { PIECE = 32 }; /* number of modes whose entries are gathered at a time */
 
-/* sum[i] += q_j a_j[i] back_j of `count` modes, for four rows from i = first on; `fours`, a number that the compiler
- * knows, of columns. */
+/* Compute sum[i] += q_j a_j[i] back_j for `count` modes and the four rows i = 0, ..., 3 of `row`. The compiler knows
+ * `fours`, the number of columns divided by four. */
 static inline __attribute__((always_inline)) void
 add_modes(size_t fours, size_t count, const double *q, const double *const *row,
           double back[PIECE][FVI_STAGES], double sum[HALF][FVI_STAGES])
@@ -294,7 +294,7 @@ add_modes(size_t fours, size_t count, const double *q, const double *const *row,
     }
 }
 
-/* The sum over the modes from `from` on, PIECE of them at most. A rule of fewer stages repeats its last row. */
+/* Add at most PIECE modes, from mode `from` on. If there are fewer than 8 stages, the last row is repeated. */
 FVI_VECTORS static void add_piece(size_t s, size_t Q, size_t from, const double *q, const double *a,
                                   double sum[FVI_STAGES][FVI_STAGES])
 {
@@ -314,7 +314,7 @@ FVI_VECTORS static void add_piece(size_t s, size_t Q, size_t from, const double 
     add_modes(2, count, q + from, row + HALF, back, sum + HALF);
 }
 
-/* W_n = sum_j q_j r_j^(n-1) a_j a~_j^T for q that holds the powers too. */
+/* Compute W_n = sum_j q_j r_j^(n-1) a_j a~_j^T. Here q includes the powers of r. */
 void fvi_lobatto_sum(size_t s, size_t Q, const double *q, const double *a,
                      double *W)
 {
@@ -327,7 +327,7 @@ void fvi_lobatto_sum(size_t s, size_t Q, const double *q, const double *a,
             W[i * s + l] = b[l] * sum[i][l];
 }
 
-/* Matrix k, from the series if it is there. */
+/* Write matrix k. It comes from the series if k < TERMS, else from the modes. */
 static void copy_or_sum(size_t s, size_t k, const series *first, size_t Q,
                         const double *q, const double *a, double *W)
 {
@@ -355,7 +355,7 @@ int fvi_lobatto_weights_by_order(size_t s, double beta, size_t n, double *W,
         FVI_FAIL("beta must be in [-1, 1]", FVI_EDOM);
     const int by_order = rate != NULL;
     size_t Q = 0;
-    if (n > TERMS) /* else the series has them all */
+    if (n > TERMS) /* the series gives all matrices up to TERMS */
         Q = fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, by_order, NULL, NULL,
                               NULL, NULL, 0);
     double *q = calloc((3 + s) * Q + 1, sizeof *q);

@@ -1,4 +1,4 @@
-/* src/stages/stage_dense.c -- The equation of all stages of a small structure, inverted.     [H 27] */
+/* src/stages/stage_dense.c -- Invert the equation of all stages of a small structure.     [H 27] */
 #include "stage_dense.h"
 
 #include "system/dense.h"
@@ -8,16 +8,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is made on the way to the inverse; all matrices row by row. */
+/* The data on the way to the inverse. All matrices are stored row by row. */
 typedef struct {
     const fvi_matrices *matrices;
-    size_t d, s, count;     /* of dampers */
+    size_t d, s, count;     /* number of dampers */
     double h;
-    const double *const *W; /* of each damper, or NULL */
-    double *M, *K, *C;      /* d x d, C of each damper */
-    double *scale;          /* d: (M_pp + h^2 K_pp)^(-1/2): rows of stiff and of light bodies become of one size */
-    double *unit, *column;  /* d */
-    double *E;              /* the equation, s d x s d: stage i of unknown p is row i d + p */
+    const double *const *W; /* the matrix W_j of each damper, or NULL */
+    double *M, *K, *C;      /* d x d numbers each; one C for each damper */
+    /* d numbers (M_pp + h^2 K_pp)^(-1/2), which bring the rows of stiff and of light bodies to one size */
+    double *scale;
+    double *unit, *column;  /* d numbers each */
+    double *E;              /* the matrix of the equation, s d x s d numbers; stage i of unknown p is row i d + p */
 } equation;
 
 static fvi_damping_matrix damper_of(const fvi_matrices *m, size_t j)
@@ -35,7 +36,7 @@ static void put_column(const equation *e, size_t q, double sign, double *matrix)
         matrix[p * e->d + q] = sign * e->column[p];
 }
 
-/* Column q of C of damper j: damp takes S B^T e_q away from zero. */
+/* Read column q of C_j. The function damp subtracts S B^T e_q from a vector of zeros, so the sign is reversed. */
 static int read_damping(const equation *e, size_t j, size_t q)
 {
     const fvi_damping_matrix C = damper_of(e->matrices, j);
@@ -52,7 +53,7 @@ static int read_damping(const equation *e, size_t j, size_t q)
     return status;
 }
 
-/* M, K and the C_j, column after column, by the functions of the structure. */
+/* Read M, K and all C_j, column by column, with the functions of the structure. */
 static int read_matrices(const equation *e)
 {
     const fvi_matrices *m = e->matrices;
@@ -73,7 +74,7 @@ static int read_matrices(const equation *e)
     return status;
 }
 
-/* Block (i, l) of A^(-1) (x) M + h sum_j W_j (x) C_j + h^2 A (x) K, before the scales. */
+/* Write block (i, l) of A^(-1) (x) M + h sum_j W_j (x) C_j + h^2 A (x) K, without the scales. */
 static void put_block(const equation *e, double inertia, double stiffness, size_t i, size_t l)
 {
     const size_t d = e->d, n = e->s * d;
@@ -90,7 +91,7 @@ static void put_block(const equation *e, double inertia, double stiffness, size_
     }
 }
 
-/* The equation, scaled; its inverse; and h times that without the scales, by columns. */
+/* Scale the equation, invert it, and remove the scales. Write h times the inverse to G, column by column. */
 static int invert_equation(const equation *e, double *G)
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(e->s);

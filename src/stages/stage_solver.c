@@ -1,4 +1,4 @@
-/* src/stages/stage_solver.c -- The equation of all stages of a structure.     [H 27] */
+/* src/stages/stage_solver.c -- Solve the equation of all stages of a structure.     [H 27] */
 #include "stage_solver.h"
 
 #include "lobatto_eigenvalues.h"
@@ -14,17 +14,19 @@
 struct fvi_stage_solver {
     const fvi_matrices *matrices;
     const fvi_lobatto_rule *rule;
-    size_t s, d, pairs, real; /* one real eigenvalue of an odd s, which comes first */
+    /* number of eigenvalues; number of real ones: 1 for an odd s, where the real one comes first, else 0 */
+    size_t s, d, pairs, real;
     double h;
     fvi_lobatto_pair pair[FVI_STAGES / 2];
-    void *of_real, *factors; /* of the real eigenvalue; of all others together */
-    double in[FVI_STAGES][FVI_STAGES]; /* of stage i: h w_i of each other pair, real parts and then imaginary parts */
-    double re[FVI_STAGES / 2][FVI_STAGES], im[FVI_STAGES / 2][FVI_STAGES]; /* v of each of them */
-    double *inverse; /* of stage_dense.h; or NULL, and there are factors */
-    double room[];   /* 2 d for each pair; with an inverse s d, rounded up */
+    void *of_real, *factors; /* factors for the real eigenvalue; factors for all other eigenvalues together */
+    /* at stage i: h w_i of each complex pair, first the real parts, then the imaginary parts */
+    double in[FVI_STAGES][FVI_STAGES];
+    double re[FVI_STAGES / 2][FVI_STAGES], im[FVI_STAGES / 2][FVI_STAGES]; /* v of each complex pair */
+    double *inverse; /* the inverse of stage_dense.h; NULL if there are factors */
+    double room[];   /* workspace: 2 d numbers for each pair; with an inverse s d numbers, rounded up */
 };
 
-/* w^T W v: what W, a function of A^{-1}, is at an eigenvalue. */
+/* Return w^T W v, the value of the function W of A^{-1} at an eigenvalue. */
 static double complex value_at(const fvi_stage_solver *o, size_t l, const double *W)
 {
     const double complex *v = o->pair[l].v;
@@ -36,7 +38,7 @@ static double complex value_at(const fvi_stage_solver *o, size_t l, const double
 }
 
 //> factors
-/* The numbers before M, the C_j and K in Z of pair l, to c. Returns how many. */
+/* Write the factors of M, the C_j and K in Z of pair l to c. Return their number. */
 static size_t numbers_of(const fvi_stage_solver *o, size_t l, const double *const *W, double complex *c)
 {
     const size_t count = o->matrices->damper_count > 0 ? o->matrices->damper_count : 1;
@@ -53,7 +55,7 @@ static int factorise_real(fvi_stage_solver *o, const double *const *W, double co
 {
     const fvi_matrices *m = o->matrices;
     const size_t count = numbers_of(o, 0, W, c);
-    double *re = (double *)c; /* the real parts, one after another */
+    double *re = (double *)c; /* the real parts are written to the same memory, one after another */
     for (size_t j = 0; j < count; j++)
         re[j] = creal(c[j]);
     return m->damper_count > 0
@@ -61,7 +63,7 @@ static int factorise_real(fvi_stage_solver *o, const double *const *W, double co
                : m->factorise(o->d, re[0], re[1], re[2], m->params, &o->of_real);
 }
 
-/* Z of all pairs. */
+/* Factorise Z of all pairs. */
 static int factorise_pairs(fvi_stage_solver *o, const double *const *W)
 {
     const fvi_matrices *m = o->matrices;
@@ -77,7 +79,7 @@ static int factorise_pairs(fvi_stage_solver *o, const double *const *W)
     return status;
 }
 
-/* What the loops over all pairs read. */
+/* Store the vectors w and v in the order in which the loops over all pairs read them. */
 static void list_vectors(fvi_stage_solver *o)
 {
     const size_t count = o->pairs - o->real;
@@ -123,8 +125,8 @@ int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, dou
     return status;
 }
 
-/* w^T h load of `count` pairs, a number that the compiler knows, to r: of each unknown the real parts, then the
- * imaginary parts. */
+/* Write w^T h load of `count` pairs to r: for each unknown first the real parts, then the imaginary parts. The compiler
+ * knows `count`. */
 static inline __attribute__((always_inline)) void
 collect(size_t count, const fvi_stage_solver *o, const double *restrict load, double *restrict r)
 {
@@ -140,7 +142,7 @@ collect(size_t count, const fvi_stage_solver *o, const double *restrict load, do
     }
 }
 
-/* delta += v z and its conjugate, z what stands in r, for all pairs. */
+/* Add v z and its conjugate to delta for all pairs; r holds z. */
 static inline __attribute__((always_inline)) void
 spread(size_t count, const fvi_stage_solver *o, const double *restrict r, double *restrict delta)
 {
@@ -176,7 +178,7 @@ FVI_VECTORS static void spread_pairs(const fvi_stage_solver *o, const double *r,
         spread(o->pairs - o->real, o, r, delta);
 }
 
-/* What the real pair gives to delta, from zeros. */
+/* Write the contribution of the real pair to delta. */
 static int add_real(fvi_stage_solver *o, const double *load, double *delta)
 {
     const double complex *v = o->pair[0].v;
@@ -194,7 +196,7 @@ static int add_real(fvi_stage_solver *o, const double *load, double *delta)
 }
 
 //> pairs
-/* delta = sum over the pairs of v Z^{-1} w^T h load, and of the conjugates. (27.14) */
+/* Compute delta = sum over the pairs of v Z^{-1} w^T h load, plus the conjugates. (27.14) */
 static int solve_pairs(fvi_stage_solver *o, const double *load, double *delta)
 {
     const size_t complex_pairs = o->pairs - o->real;

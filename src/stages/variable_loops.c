@@ -1,14 +1,13 @@
-/* src/stages/variable_loops.c -- The two loops over the modes.        [H 22] */
+/* src/stages/variable_loops.c -- The two loops over the modes of variable steps.        [H 22] */
 #include "variable_loops.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 
-/* H = sum over the modes, for all s stages in one reading. Partial sum l takes every fourth
- * mode from the l-th on, whatever the machine: no digit depends on the width of its
- * vectors. s is a constant where these are called, and no loop over it is left. */
+/* Both loops are written for a constant s, so that the compiler unrolls the loops over the stages. Partial sum l takes
+ * every fourth mode, from the l-th one on, on every machine. So no digit depends on the width of the vectors. */
 #define AT(x, q) (*(const fvi_four *)((x) + (q)))
 
-/* The sums of four times four numbers. */
+/* Write the sums of four vectors of four numbers to H. */
 static inline __attribute__((always_inline)) void total(const fvi_four *x,
                                                         double *H)
 {

@@ -1,4 +1,4 @@
-/* src/stages/variable_modes.c -- The past of variable steps, as modes. [H 22] */
+/* src/stages/variable_modes.c -- The history of variable steps as a sum of modes. [H 22] */
 #include "variable_modes.h"
 
 #include "system/fail.h"
@@ -11,9 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The modes: every so many points of the lattice, sigma T from exp(-lowest) on, to
- * mu = h sigma >= highest, where the six corrections of either end leave 1e-14, or less
- * than the distances. (22.12) */
+/* The range of the modes: every `every`-th point of the lattice, from sigma T = exp(-lowest) to mu = h
+ * sigma >= highest. Beyond this range the six corrections of either end leave an error of 1e-14, or an error below that
+ * of the spacing. (22.12) */
 typedef struct {
     size_t every;
     double lowest, highest;
@@ -22,34 +22,34 @@ static const range ranges[] = { [FVI_MODES_FINE] = { 1, 6.5, 2e4 },
                                 [FVI_MODES_MEDIUM] = { 1, 4.5, 1e4 },
                                 [FVI_MODES_COARSE] = { 2, 4.5, 2e3 } };
 
-/* What the modes are read with, or the rates of that by beta; weight NULL: not wanted. */
+/* The weights of the modes, or their derivatives by beta. weight = NULL: not allocated. */
 typedef struct {
     double *weight,
-        *closed;          /* of each mode; of this step, its upper end closed */
-    double top[FVI_ENDS]; /* what that adds: see fvi_mode_weights */
+        *closed;          /* Q numbers each; closed: the weights of this step, with the corrections of its upper end */
+    double top[FVI_ENDS]; /* the corrections of the upper end: see fvi_mode_weights */
 } reading;
 
 struct fvi_modes {
     const fvi_variable_rule *rule;
     const fvi_mode_row *table;
     range range;
-    size_t apart;         /* nodes of an end */
-    double beta, longest; /* no step is longer */
-    size_t d, Q;          /* coordinates; modes of each, a multiple of LANES */
+    size_t apart;         /* distance between the nodes of an end correction */
+    double beta, longest; /* longest: no step is longer */
+    size_t d, Q;          /* number of coordinates; modes of each coordinate, a multiple of FVI_LANES */
     int first;            /* sigma_q = exp(L (first + every q)) */
-    double reach; /* the last mode of a step exp(L k) is (reach - k) / every */
-    size_t count, active; /* modes that this step reads; that are up to date */
-    fvi_length now, before; /* this step, the last that was taken */
-    fvi_mode_row row;       /* of this step */
-    double *sigma;          /* of each mode */
-    reading value, rate;    /* the second, if wanted, owns its numbers */
-    double *y;              /* Q for each coordinate */
-    fvi_last_step *last;    /* of each coordinate */
-    double *own;            /* room for rows off the lattice */
-    int is_free;            /* the rates are any, and no mode sleeps */
+    double reach; /* the last mode of a step h = exp(L k) is (reach - k) / every */
+    size_t count, active; /* number of modes that this step reads; number of modes that are up to date */
+    fvi_length now, before; /* this step, and the last step that was taken */
+    fvi_mode_row row;       /* the row of coefficients of this step */
+    double *sigma;          /* Q decay rates */
+    reading value, rate;    /* the derivatives own their numbers */
+    double *y;              /* Q modes for each coordinate */
+    fvi_last_step *last;    /* one for each coordinate */
+    double *own;            /* workspace for rows off the lattice */
+    int is_free;            /* nonzero if the decay rates are arbitrary; then all modes are active */
 };
 
-/* ---- lengths, rows, sleep ---- */
+/* ---- step lengths, rows, inactive modes ---- */
 
 int fvi_length_is_possible(fvi_length length, double longest)
 {
@@ -58,11 +58,11 @@ int fvi_length_is_possible(fvi_length length, double longest)
            && (length.k == FVI_OFF_LATTICE || fabs(k - length.k) < 1e-6);
 }
 
-/* Above this mu its powers would overflow, and a falls like 1/mu. */
+/* For a larger mu the powers of mu would overflow. There a falls like 1/mu. */
 static const double MOST_MU = 1e30;
 
-/* The row where mu is what h sigma says, though it was made of MOST_MU at most: rounding errors of y, times a weight that may
- * rise like sigma, would else be more than all history. */
+/* Correct a row that was computed with mu <= MOST_MU, so that mu = h sigma and a falls like 1/mu. Without this
+ * correction the rounding errors of y, times a weight that may grow like sigma, would exceed the whole history. */
 static void continue_row(const fvi_modes *m, double h, size_t from, size_t n, double *mu, double *a)
 {
     for (size_t q = 0; q < n; q++) {
@@ -73,8 +73,8 @@ static void continue_row(const fvi_modes *m, double h, size_t from, size_t n, do
     }
 }
 
-/* The row of the modes from .. to - 1 for a step of such length: a piece of the table,
- * or made anew in m->own. */
+/* Return the row of the modes from, ..., to - 1 for a step of this length. It is a piece of the table, or it is
+ * computed in m->own. */
 static fvi_mode_row row_of(fvi_modes *m, fvi_length length, size_t from,
                            size_t to)
 {
@@ -95,8 +95,8 @@ static fvi_mode_row row_of(fvi_modes *m, fvi_length length, size_t from,
     return (fvi_mode_row){ mu, p, a, n };
 }
 
-/* Modes that have slept see nothing but the last step: before it, y was at rest at
- * v_e, and z at 0, to 3e-6 of what they add to H.                             (22.13) */
+/* Activate the modes below mode `to`. An inactive mode depends on the last step only. Before that step y was at rest at
+ * v_e, and z was 0; the error is 3e-6 of what these modes add to H. (22.13) */
 static void activate_modes(fvi_modes *m, size_t to)
 {
     if (m->active >= to)
@@ -115,10 +115,11 @@ static void activate_modes(fvi_modes *m, size_t to)
 void fvi_modes_activate_all(fvi_modes *m)
 {
     activate_modes(m, m->Q);
-    m->now = (fvi_length){ 0 }; /* its row may have been written over */
+    m->now = (fvi_length){ 0 }; /* its row may have been overwritten */
 }
 
-/* (22.12): the last mode that is read stands for those above it. */
+/* Add the corrections of the upper end (22.12) to the weights. They replace the modes above the last one that is
+ * read. */
 static void close_top(fvi_modes *m, const reading *r)
 {
     memcpy(r->closed, r->weight, m->count * sizeof *r->closed);
@@ -127,7 +128,7 @@ static void close_top(fvi_modes *m, const reading *r)
             r->weight[m->count - 1] * m->value.top[l];
 }
 
-/* The same, differentiated by beta. */
+/* Add the derivatives of the corrections by beta. */
 static void close_top_rate(fvi_modes *m)
 {
     close_top(m, &m->rate);
@@ -193,15 +194,15 @@ void fvi_modes_advance(fvi_modes *m, size_t j, const double *v, double ve)
     m->active = m->count;
 }
 
-/* ---- a memory ---- */
+/* ---- allocation ---- */
 
-/* The numbers that steps read from the steps before. */
+/* Return the number of doubles in the part of the block that a copy of the modes needs: sigma, weight, y and last. */
 static size_t numbers(const fvi_modes *m)
 {
     return (2 + m->d) * m->Q + m->d * sizeof *m->last / sizeof *m->y;
 }
 
-/* Room for such sizes, at rest, and nothing else; or NULL. */
+/* Allocate modes of these sizes at rest. Return NULL if memory is short. */
 static fvi_modes *make(fvi_modes sizes)
 {
     fvi_modes *m = malloc(sizeof *m);
@@ -304,7 +305,7 @@ int fvi_modes_copy(const fvi_modes *from, fvi_modes **to)
     if (!m)
         FVI_FAIL("no memory for the modes", FVI_ENOMEM);
     memcpy(m->sigma, from->sigma, numbers(m) * sizeof *m->sigma);
-    m->now = (fvi_length){ 0 }; /* its row may point into the other's room */
+    m->now = (fvi_length){ 0 }; /* its row may point into the workspace of the other modes */
     *to = m;
     return FVI_SUCCESS;
 }
@@ -359,8 +360,7 @@ void fvi_modes_add(fvi_modes *m, size_t j, size_t q, double more)
     m->y[j * m->Q + q] += more;
 }
 
-/* w is y / sigma, or (v_e - z) / sigma; and where it is y / sigma, more is by sigma too
- * small. */
+/* Return more w with w = y / sigma or w = (v_e - z) / sigma. In the first case `more` is already divided by sigma. */
 static double term(const fvi_modes *m, size_t j, const double *more, double ve,
                    size_t q)
 {

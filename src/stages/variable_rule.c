@@ -1,4 +1,4 @@
-/* src/stages/variable_rule.c -- The constants of steps of any length.  [H 22] */
+/* src/stages/variable_rule.c -- The constants of the Lobatto rules for variable steps.  [H 22] */
 #include "variable_rule.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
@@ -80,7 +80,7 @@ void fvi_variable_present_by_order(const fvi_variable_rule *rule, double beta,
     double power_re[FVI_LANES / 2], power_im[FVI_LANES / 2];
     memset(W, 0, sizeof *W);
     fvi_variable_powers(rule, beta, power_re, power_im);
-    for (size_t n = 0; n < rule->s / 2; n++) { /* times ln lambda */
+    for (size_t n = 0; n < rule->s / 2; n++) { /* multiply lambda^beta by ln lambda */
         const double re = power_re[n], im = power_im[n],
                      ln = rule->log_modulus[n], angle = rule->angle[n];
         power_re[n] = re * ln - im * angle;
@@ -112,7 +112,7 @@ void fvi_variable_ends(size_t every, double nu, double *c)
     fvi_variable_spread(every, sum, c);
 }
 
-/* What is compiled several times must be static, or the library would export it. */
+/* A function that is compiled for several widths must be static, because otherwise the library would export it. */
 FVI_VECTORS static void apply(size_t s, const fvi_square *M, const double *in,
                               double *out)
 {
@@ -141,7 +141,7 @@ static void exchange(double *x, double *y, size_t n, size_t stride)
     }
 }
 
-/* What stands in the columns is eliminated as if it stood in rows: the inverse of the
+/* Invert by elimination. The code eliminates columns as if they were rows, which is correct because the inverse of the
  * transpose is the transpose of the inverse. */
 FVI_VECTORS static int invert(size_t s, fvi_square *square)
 {
@@ -157,7 +157,7 @@ FVI_VECTORS static int invert(size_t s, fvi_square *square)
         from[k] = p;
         if (p != k)
             exchange(M[k], M[p], FVI_LANES, 1);
-        /* what a vector has to wait for, a single number, is written last */
+        /* M[k][k] is written last, because a vector load would have to wait for a single number */
         const double pivot = 1 / M[k][k];
         fvi_four *row = (fvi_four *)M[k];
         const fvi_four low = row[0] *= pivot, high = row[1] *= pivot;

@@ -1,4 +1,4 @@
-/* src/stages/variable_table.c -- a(mu) of many modes.                 [H 22] */
+/* src/stages/variable_table.c -- Compute a(mu) for many modes.                 [H 22] */
 #include "variable_table.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 //> row
-/* sum_k c_k m^k, k < n, of eight numbers m. */
+/* Compute sum_{k < n} c_k m^k for eight numbers m. */
 static inline __attribute__((always_inline)) void
 polynomial(size_t n, const double *c, const fvi_four *m, fvi_four *sum)
 {
@@ -29,7 +29,7 @@ quotients(const size_t s, const fvi_variable_rule *rule, size_t n,
         const fvi_four *m = (const fvi_four *)(mu + q);
         fvi_four by[2], sum[2] = { { 0 }, { 0 } };
         polynomial(s + 1, rule->det, m, by);
-        by[0] = 1 / by[0]; /* one quotient for all stages */
+        by[0] = 1 / by[0]; /* one division serves all stages */
         by[1] = 1 / by[1];
         for (size_t i = 0; i < s; i++) {
             fvi_four *at = (fvi_four *)(a + i * n + q), top[2];
@@ -62,7 +62,7 @@ void fvi_mode_row_make(const fvi_variable_rule *rule, size_t n,
     make_row(rule, n, mu, p, a);
 }
 
-/* A table, its numbers behind it in the same block; NULL: no memory. */
+/* Allocate a table, with its numbers behind it in the same block. Return NULL if memory is short. */
 static fvi_mode_row *make(const fvi_variable_rule *rule, size_t every)
 {
     const size_t n = FVI_POINTS;
@@ -90,6 +90,6 @@ const fvi_mode_row *fvi_mode_table(const fvi_variable_rule *rule, size_t every)
     fvi_mode_row *mine = make(rule, every);
     if (!mine || atomic_compare_exchange_strong(place, &table, mine))
         return mine;
-    free(mine); /* another thread was faster: table is its now */
+    free(mine); /* another thread was faster, and `table` is its table now */
     return table;
 }

@@ -1,4 +1,4 @@
-/* src/stages/variable_weights.c -- What the modes are read with.       [H 22] */
+/* src/stages/variable_weights.c -- Compute the weights of the modes of variable steps.       [H 22] */
 #include "variable_weights.h"
 
 #include "variable_table.h"
@@ -6,8 +6,8 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-/* The weights are size sigma^beta; with what they weigh they fall to the lower end like
- * sigma^nu, and size is L sin(pi nu)/pi. That at beta = -1, 0/0 there, is the limit. */
+/* The weights are size sigma^beta with size = L sin(pi nu)/pi. At the lower end of the modes, a weight times its factor
+ * a_i y falls like sigma^nu. For beta = -1 the weights are 0/0, and `tiny` gives their limit. */
 static const double tiny = 1e-100;
 
 static double falls(double beta)
@@ -21,7 +21,7 @@ static double size_of(double L, double beta)
     return sin(M_PI * fmax(least, tiny)) / M_PI * L;
 }
 
-/* What the modes weigh falls to the upper end like sigma^-M times that. */
+/* Return M: at the upper end of the modes, the factor a_i y of a weight falls like sigma^-M. */
 static double rise(double beta)
 {
     return beta > 0 ? 2 : 1;
@@ -32,8 +32,8 @@ static double spacing(const fvi_mode_ladder *ladder)
     return fvi_variable_spacing() * (double)ladder->every;
 }
 
-/* sigma_q and weight_q by the exponentials of RUNGS and of every RUNGS-th: setting up a run
- * is a part of its time. */
+/* Compute sigma_q and weight_q. Each exponential is the product of one of FVI_RUNGS fine exponentials and one of the
+ * coarse exponentials, because exponentials take a large part of the set-up of a run. */
 void fvi_mode_weights(const fvi_mode_ladder *ladder, double *sigma,
                       double *weight, double *top)
 {
@@ -58,11 +58,12 @@ void fvi_mode_weights(const fvi_mode_ladder *ladder, double *sigma,
         weight[apart * l] += w0 * c[l] * (beta > 0 ? 1 : exp(step * (double)l));
     const double M = rise(beta);
     fvi_variable_ends(ladder->every, M - beta, c);
-    for (size_t l = 0; l < FVI_ENDS; l++) /* weight_top r^{-3 l M} c_l */
+    for (size_t l = 0; l < FVI_ENDS; l++) /* the correction relative to the weight of the last mode is r^{-3 l M} c_l */
         top[l] = c[l] * exp(step * (double)l * M);
 }
 
-/* d/dx of sin(x)/x and of x/(e^x - 1): near 0 by their series, |x| <= 0.1 and 1. */
+/* Return the derivatives by x of sin(x)/x and of x/(e^x - 1). Near 0 they are computed by their series, for |x| <= 0.1
+ * and |x| <= 1. */
 static double sinc_rate(double x)
 {
     const double y = x * x;
@@ -84,9 +85,9 @@ static double bernoulli_rate(double x)
 }
 
 //> lower
-/* d/dnu of what the modes below the first add up to, sum_n c_n: the n-th sum is
- * L sin(pi nu)/pi / (r^(nu + n) - 1), and the first of them 0/0 at nu = 0. ln: of the
- * sigma whose power beta stands before it. */
+/* Compute the derivative by nu of the contribution sum_n c_n of the modes below the first one. The n-th sum is L sin(pi
+ * nu)/pi / (r^(nu + n) - 1), and for n = 0 it is 0/0 at nu = 0. ln is the logarithm of the sigma whose power beta is
+ * the common factor. */
 static void lower(size_t every, double L, double nu, double ln, double *c)
 {
     const double sinc = sin(M_PI * nu) / (M_PI * nu), size = sinc * nu * L,

@@ -1,12 +1,12 @@
-/* src/stages/variable_weights.h -- What the modes are read with.       [H 22] */
+/* src/stages/variable_weights.h -- Compute the weights of the modes of variable steps.       [H 22] */
 #ifndef FVI_VARIABLE_WEIGHTS_H
 #define FVI_VARIABLE_WEIGHTS_H
 
 #include "variable_rule.h"
 
-/* Modes sigma_q = exp(L (first + every q)), L the spacing, 0 <= q < Q, and the order of
- * what they keep, -1 <= beta <= 1; at -1 the weights are the limit of those above. Also
- * exp(L every q), q < FVI_RUNGS: they are in every table (fvi_mode_table). */
+/* The modes have the rates sigma_q = exp(L (first + every q)), 0 <= q < Q, where L is the spacing. They represent a
+ * derivative of order beta, -1 <= beta <= 1; at -1 the weights are the limit from above. up points to exp(L every q),
+ * q < FVI_RUNGS, which every table contains (fvi_mode_table). */
 enum { FVI_RUNGS = 16 };
 typedef struct {
     size_t every, Q;
@@ -15,17 +15,16 @@ typedef struct {
     const double *up;
 } fvi_mode_ladder;
 
-/* fvi_mode_weights -- their rates and their weights.                  (22.10) to (22.12)
+/* fvi_mode_weights -- Compute the decay rates and the weights of the modes.                  (22.10) to (22.12)
  *
- *   sigma, weight  outputs, Q numbers each, the lower end of the weights closed
- *   top            output, FVI_ENDS numbers: what the upper end adds to the weight of the
- *                  mode l fvi_variable_apart(every) below the last one that is read, times
- *                  the weight of that */
+ *   sigma, weight  outputs, Q numbers each; the weights include the corrections of the lower end
+ *   top            output, FVI_ENDS numbers: the corrections of the upper end. If mode t is the last mode that is read,
+ *                  the weight of mode t - l fvi_variable_apart(every) grows by top[l] times the weight of mode t */
 void fvi_mode_weights(const fvi_mode_ladder *ladder, double *sigma,
                       double *weight, double *top);
 
-/* fvi_mode_weights_by_order -- their derivatives by beta, at beta = 0 and -1 from the side where
- * y is kept, (22.6), and not z: from below, and from above.                (23.18)
+/* fvi_mode_weights_by_order -- Compute the derivatives of the weights by beta. At beta = 0 the derivative is taken from
+ * below, and at beta = -1 from above, where the modes are y of (22.6).                (23.18)
  *
  *   rate, top_rate  outputs, Q and FVI_ENDS numbers */
 void fvi_mode_weights_by_order(const fvi_mode_ladder *ladder, double *rate,
