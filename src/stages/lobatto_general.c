@@ -7,7 +7,6 @@
 #include "system/lu.h"
 
 #include <gsl/gsl_complex_math.h>
-#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
@@ -29,28 +28,49 @@ static double middle(const fvi_lobatto_rule *rule, size_t s)
     return sum / (double)s;
 }
 
-/* Compute G = (lambda - A^{-1})^{-1}, row by row. */
+/* Exchange the row that has the largest pivot in column k, from row k on, with row k of M and of G. */
+static void bring_pivot(size_t s, size_t k, double complex *M, double complex *G)
+{
+    size_t pivot = k;
+    for (size_t i = k + 1; i < s; i++)
+        if (cabs(M[i * s + k]) > cabs(M[pivot * s + k]))
+            pivot = i;
+    for (size_t j = 0; pivot != k && j < s; j++) {
+        const double complex of_M = M[k * s + j], of_G = G[k * s + j];
+        M[k * s + j] = M[pivot * s + j];
+        M[pivot * s + j] = of_M;
+        G[k * s + j] = G[pivot * s + j];
+        G[pivot * s + j] = of_G;
+    }
+}
+
+/* Compute G = (lambda - A^{-1})^{-1}, row by row, by Gauss-Jordan elimination. GSL's function for complex matrices
+ * allocates memory, and it ends the process if memory is short. */
 static void resolvent(const fvi_lobatto_rule *rule, size_t s,
                       double complex lambda, double complex *G)
 {
-    double m[2 * FVI_STAGES * FVI_STAGES] = { 0 },
-              inverse[2 * FVI_STAGES * FVI_STAGES];
-    size_t order[FVI_STAGES];
-    int sign;
-    gsl_permutation permutation = { s, order };
-    for (size_t i = 0; i < s; i++) {
-        for (size_t j = 0; j < s; j++)
-            m[2 * (i * s + j)] = -rule->D[i][j];
-        m[2 * (i * s + i)] += creal(lambda);
-        m[2 * (i * s + i) + 1] = cimag(lambda);
+    double complex M[FVI_STAGES * FVI_STAGES];
+    for (size_t i = 0; i < s; i++)
+        for (size_t j = 0; j < s; j++) {
+            M[i * s + j] = (i == j ? lambda : 0) - rule->D[i][j];
+            G[i * s + j] = i == j;
+        }
+    M[0] -= 1 / rule->b[0];
+    for (size_t k = 0; k < s; k++) {
+        bring_pivot(s, k, M, G);
+        const double complex scale = 1 / M[k * s + k];
+        for (size_t j = 0; j < s; j++) {
+            M[k * s + j] *= scale;
+            G[k * s + j] *= scale;
+        }
+        for (size_t i = 0; i < s; i++) {
+            const double complex factor = M[i * s + k];
+            for (size_t j = 0; i != k && j < s; j++) {
+                M[i * s + j] -= factor * M[k * s + j];
+                G[i * s + j] -= factor * G[k * s + j];
+            }
+        }
     }
-    m[0] -= 1 / rule->b[0];
-    gsl_matrix_complex_view M = gsl_matrix_complex_view_array(m, s, s),
-                            to = gsl_matrix_complex_view_array(inverse, s, s);
-    gsl_linalg_complex_LU_decomp(&M.matrix, &permutation, &sign);
-    gsl_linalg_complex_LU_invert(&M.matrix, &permutation, &to.matrix);
-    for (size_t i = 0; i < s * s; i++)
-        G[i] = inverse[2 * i] + I * inverse[2 * i + 1];
 }
 
 /* Add twice the real part of the powers of z in factor (lambda - Delta(z))^{-1}: W_0 += factor G, and W_n += factor
@@ -104,16 +124,19 @@ int fvi_lobatto_general_modes(size_t s, const fvi_kernel_term *t, double h,
                                fmax(tolerance, 1e-16), strip, modes);
 }
 
-/* Return the largest difference between the modes and Cauchy's integral at the lag FVI_LAGS + 1, relative to W_0. */
-static double left_by_modes(size_t s, const fvi_kernel_term *t, double h,
-                            double strip)
+/* Write to *left the largest difference between the modes and Cauchy's integral at the lag FVI_LAGS + 1, relative to
+ * W_0; infinity if there are no modes. Return FVI_SUCCESS or FVI_ENOMEM. */
+static int compare_modes(size_t s, const fvi_kernel_term *t, double h,
+                         double strip, double *left)
 {
     enum { COUNT = FVI_LAGS + 2 };
     double W[COUNT * FVI_STAGES * FVI_STAGES] = { 0 }, most = 0, worst = 0,
            a[FVI_STAGES], M[FVI_STAGES * FVI_STAGES];
     fvi_kernel_modes m;
-    if (fvi_lobatto_general_modes(s, t, h, COUNT, 1e-15, strip, &m))
-        return GSL_POSINF;
+    const int status = fvi_lobatto_general_modes(s, t, h, COUNT, 1e-15, strip, &m);
+    *left = GSL_POSINF;
+    if (status)
+        return status == FVI_EUNSUP ? FVI_SUCCESS : status;
     fvi_lobatto_contour(s, t, h, COUNT, W);
     for (size_t i = 0; i < s * s; i++)
         most = larger(most, fabs(W[i]));
@@ -131,18 +154,22 @@ static double left_by_modes(size_t s, const fvi_kernel_term *t, double h,
     free(m.rate);
     for (size_t i = (FVI_LAGS + 1) * s * s; i < COUNT * s * s; i++)
         worst = isnan(W[i]) ? GSL_POSINF : larger(worst, fabs(W[i]));
-    return worst / most;
+    *left = worst / most;
+    return FVI_SUCCESS;
 }
 
-double fvi_lobatto_general_strip(size_t s, const fvi_kernel_term *t, double h)
+int fvi_lobatto_general_strip(size_t s, const fvi_kernel_term *t, double h, double *strip)
 {
-    double best = 0, least = 1e-10;
-    for (double strip = 1; strip > 0.1; strip /= 2) {
-        const double left = left_by_modes(s, t, h, strip);
+    double least = 1e-10, left;
+    *strip = 0;
+    for (double width = 1; width > 0.1; width /= 2) {
+        const int status = compare_modes(s, t, h, width, &left);
+        if (status)
+            return status;
         if (left < least) {
-            best = strip;
+            *strip = width;
             least = left / 4; /* a narrower strip needs more nodes, so it must be four times better */
         }
     }
-    return best;
+    return FVI_SUCCESS;
 }

@@ -20,8 +20,8 @@ int fvi_lobatto_general_modes(size_t s, const fvi_kernel_term *t, double h,
                               double N, double tolerance, double strip,
                               fvi_kernel_modes *modes);
 
-/* fvi_lobatto_general_strip -- Return the width of the strip, divided by pi/2, with which the modes agree with Cauchy's
- * integral: 1, 1/2, 1/4 or 1/8. Return 0 if no width does. */
-double fvi_lobatto_general_strip(size_t s, const fvi_kernel_term *t, double h);
+/* fvi_lobatto_general_strip -- Write to *strip the width of the strip, divided by pi/2, with which the modes agree with
+ * Cauchy's integral: 1, 1/2, 1/4 or 1/8; 0 if no width does. Return FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_lobatto_general_strip(size_t s, const fvi_kernel_term *t, double h, double *strip);
 
 #endif

@@ -227,27 +227,34 @@ int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, siz
     double *nodes = NULL;
     if (!direct)
         status = fvi_lobatto_kernel_few_nodes(s, &ready, N, keep, &count, &nodes);
-    fvi_lobatto_history *m = status ? NULL
-                                    : make((fvi_lobatto_history){
-                                        .s = s,
-                                        .d = d,
-                                        .steps = steps,
-                                        .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS,
-                                        .Q = padded(count) });
+    if (status) {
+        fvi_lobatto_kernel_free(&ready);
+        if (status == FVI_EUNSUP)
+            FVI_FAIL("there are no modes for this law", FVI_EUNSUP);
+        return status;
+    }
+    fvi_lobatto_history *m =
+        make((fvi_lobatto_history){ .s = s,
+                                    .d = d,
+                                    .steps = steps,
+                                    .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS,
+                                    .Q = padded(count) });
     if (m && count > 0) {
         memcpy(m->q, nodes, count * sizeof *nodes);
         memcpy(m->p, nodes + count, count * sizeof *nodes);
         fvi_lobatto_solve_nodes(s, count, m->p, m->a, m->Q);
     }
     free(nodes);
-    if (m)
-        skip_near_lags(m);
-    status =
-        m ? fvi_lobatto_kernel_weights(s, &ready, m->lags + 1, m->W) : FVI_ENOMEM;
+    if (!m) {
+        fvi_lobatto_kernel_free(&ready);
+        FVI_FAIL("no memory for the history", FVI_ENOMEM);
+    }
+    skip_near_lags(m);
+    status = fvi_lobatto_kernel_weights(s, &ready, m->lags + 1, m->W);
     fvi_lobatto_kernel_free(&ready);
     if (status) {
         fvi_lobatto_history_free(m);
-        FVI_FAIL("no memory for the history", status);
+        return status;
     }
     turn_near_lags(m);
     *memory = m;

@@ -44,16 +44,20 @@ int fvi_lobatto_kernel_prepare(size_t s, const fvi_kernel *law, double h,
     *ready = (fvi_lobatto_kernel){
         .law = law, .h = h, .strip = 1, .has_nodes = 1
     };
-    for (size_t i = 0; i < law->count; i++)
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < law->count && !status; i++) {
+        double strip = 1;
         if (has_contour(&law->term[i]))
-            ready->strip =
-                smaller(ready->strip,
-                        fvi_lobatto_general_strip(s, &law->term[i], h));
+            status = fvi_lobatto_general_strip(s, &law->term[i], h, &strip);
+        ready->strip = smaller(ready->strip, strip);
+    }
+    if (status)
+        return status;
     if (ready->strip == 0)
         FVI_FAIL("stages take a law whose tail is a sum of decaying modes; "
                  "fvi, fvi-bdf2 and fvi-stable take this one",
                  FVI_EUNSUP);
-    int status = fvi_kernel_flatten(law, &ready->term, &ready->terms);
+    status = fvi_kernel_flatten(law, &ready->term, &ready->terms);
     for (size_t i = 0; !status && i < ready->terms; i++)
         ready->has_nodes &= !is_divided(&ready->term[i]);
     return status;
@@ -123,35 +127,39 @@ static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
     return Q;
 }
 
-/* Append the nodes of the general terms to the first Q nodes. The numbers mu are written to p. */
-static size_t nodes_of_general(size_t s, const fvi_lobatto_kernel *r, double N,
-                               double tolerance, size_t Q, double *q, double *p)
+/* Append the nodes of the general terms to the first *count nodes. The numbers mu are written to p. Return FVI_SUCCESS,
+ * or the code of fvi_lobatto_general_modes. */
+static int nodes_of_general(size_t s, const fvi_lobatto_kernel *r, double N,
+                            double tolerance, double *q, double *p, size_t *count)
 {
-    for (size_t i = 0; i < r->law->count; i++) {
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < r->law->count; i++) {
         const fvi_kernel_term *t = &r->law->term[i];
         fvi_kernel_modes m;
-        if (!has_contour(t)
-            || fvi_lobatto_general_modes(s, t, r->h, N, tolerance, r->strip, &m))
-            continue; /* no memory: the weights are asked for next */
+        if (!has_contour(t))
+            continue;
+        status = fvi_lobatto_general_modes(s, t, r->h, N, tolerance, r->strip, &m);
+        if (status)
+            return status;
         for (size_t j = 0; q && j < m.count; j++) {
-            q[Q + j] = r->h * m.weight[j];
-            p[Q + j] = r->h * m.rate[j];
+            q[*count + j] = r->h * m.weight[j];
+            p[*count + j] = r->h * m.rate[j];
         }
-        Q += m.count;
+        *count += m.count;
         free(m.rate);
     }
-    return Q;
+    return status;
 }
 
-/* Compute all nodes, with mu in p. is_few: replace the nodes of the cut that hardly decay within N steps by fewer
- * nodes. */
-static size_t place_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, int is_few, double *q,
-                          double *p)
+/* Compute all nodes, with mu in p, and their number; with q = NULL only their number. is_few: replace the nodes of the
+ * cut that hardly decay within N steps by fewer nodes. Return FVI_SUCCESS, or the code of fvi_lobatto_general_modes. */
+static int place_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, int is_few, double *q,
+                       double *p, size_t *count)
 {
     size_t Q = nodes_of_cut(s, ready, N, tolerance, q, p);
     if (is_few)
         Q = fvi_lobatto_gauss(Q, N, tolerance, q, p);
-    Q = nodes_of_general(s, ready, N, tolerance, Q, q, p);
+    const int status = nodes_of_general(s, ready, N, tolerance, q, p, &Q);
     double springs = 0;
     for (size_t i = 0; i < ready->terms; i++) {
         const fvi_kernel_simple *t = &ready->term[i];
@@ -169,27 +177,25 @@ static size_t place_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, d
         q[Q] = springs * ready->h;
         p[Q] = 0;
     }
-    return Q + (springs > 0);
-}
-
-size_t fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, double N,
-                             double tolerance, double *q, double *p, double *a,
-                             size_t stride)
-{
-    const size_t Q = place_nodes(s, ready, N, tolerance, 0, q, p);
-    if (q)
-        fvi_lobatto_solve_nodes(s, Q, p, a, stride);
-    return Q;
+    *count = Q + (springs > 0);
+    return status;
 }
 
 int fvi_lobatto_kernel_few_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, size_t *count,
                                  double **nodes)
 {
-    const size_t most = place_nodes(s, ready, N, tolerance, 0, NULL, NULL);
+    size_t most;
+    int status = place_nodes(s, ready, N, tolerance, 0, NULL, NULL, &most);
+    if (status)
+        return status;
     double *q = malloc((2 * most + 1) * sizeof *q);
     if (!q)
-        return FVI_ENOMEM;
-    *count = place_nodes(s, ready, N, tolerance, 1, q, q + most);
+        FVI_FAIL("no memory for the nodes", FVI_ENOMEM);
+    status = place_nodes(s, ready, N, tolerance, 1, q, q + most, count);
+    if (status) {
+        free(q);
+        return status;
+    }
     memmove(q + *count, q + most, *count * sizeof *q);
     *nodes = q;
     return FVI_SUCCESS;
@@ -308,14 +314,21 @@ int fvi_lobatto_kernel_weights(size_t s, const fvi_lobatto_kernel *ready, size_t
 {
     const double N = (double)n;
     size_t Q = 0;
-    if (n > FVI_LAGS + 1) /* nodes are needed only for lags above FVI_LAGS */
-        Q = fvi_lobatto_kernel_nodes(s, ready, N, 1e-16, NULL, NULL, NULL, 0);
-    double *q = calloc((2 + s) * Q + 1, sizeof *q);
     int status = FVI_SUCCESS;
+    if (n > FVI_LAGS + 1) /* nodes are needed only for lags above FVI_LAGS */
+        status = place_nodes(s, ready, N, 1e-16, 0, NULL, NULL, &Q);
+    if (status)
+        return status;
+    double *q = calloc((2 + s) * Q + 1, sizeof *q);
     if (!q)
         FVI_FAIL("no memory for the nodes", FVI_ENOMEM);
     if (Q > 0)
-        fvi_lobatto_kernel_nodes(s, ready, N, 1e-16, q, q + Q, q + 2 * Q, Q);
+        status = place_nodes(s, ready, N, 1e-16, 0, q, q + Q, &Q);
+    if (status) {
+        free(q);
+        return status;
+    }
+    fvi_lobatto_solve_nodes(s, Q, q + Q, q + 2 * Q, Q);
     memset(W, 0, (FVI_LAGS + 1) * s * s * sizeof *W);
     for (size_t k = 2; k < n; k++) {
         for (size_t j = 0; j < Q; j++)

@@ -31,16 +31,16 @@ int fvi_lobatto_kernel_prepare(size_t s, const fvi_kernel *law, double h,
 
 void fvi_lobatto_kernel_free(fvi_lobatto_kernel *ready);
 
-/* fvi_lobatto_kernel_nodes -- Compute the nodes of a law as fvi_lobatto_nodes does for a power: one set for all terms
- * with a cut, one node for the pole of each Maxwell element, and one for all springs. Terms without nodes are left out.
- * The arguments are not checked. */
-size_t fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, double N,
-                             double tolerance, double *q, double *p, double *a,
-                             size_t stride);
-
-/* fvi_lobatto_kernel_few_nodes -- Compute fewer nodes, as fvi_lobatto_few_nodes does, if all weights of the cut have
- * one sign. *nodes is a block of `count` numbers q followed by `count` numbers mu, which the caller frees.
- * fvi_lobatto_solve_nodes computes a and p from mu. Return FVI_SUCCESS or FVI_ENOMEM. */
+/* fvi_lobatto_kernel_few_nodes -- Compute the nodes of a law, as fvi_lobatto_few_nodes does for a power.
+ *
+ *   count  output: the number of nodes
+ *   nodes  output: a block of `count` numbers q followed by `count` numbers mu, which the caller frees.
+ *          fvi_lobatto_solve_nodes computes a and p from mu
+ *
+ * There is one set of nodes for all terms with a cut, one node for the pole of each Maxwell element, and one for all
+ * springs. Terms without nodes are left out. The nodes of the cut that hardly decay within N steps are replaced by fewer
+ * nodes if all their weights have one sign. Return FVI_SUCCESS; FVI_EUNSUP, without a call of the error handler, if a
+ * term has no modes; FVI_ENOMEM. */
 int fvi_lobatto_kernel_few_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, size_t *count,
                                  double **nodes);
 

@@ -36,6 +36,8 @@ static const char *const commands[] = {
     "run --damping davidson:1,.3,2 --memory exponentials --steps 300 --method fvi-bdf2 --every 50",
     "run --damping davidson:1,.3,2 --steps 300 --method fvi-stable --every 50 -o table",
     "run --damping symbol:s^.5/(1+s^.5) --steps 300 --method fvi-stable --every 50",
+    "run --damping davidson:1,.3,2 --steps 200 --method fvi-lobatto4d --every 50 -o table",
+    "run --damping symbol:s^.5/(1+s^.5) --steps 200 --method fvi-lobatto4d --every 50",
     "run --alpha 0.3 --steps 20 --force file:force --checkpoint c --continue -o table",
     "run --force file:force --error 1e-6 --time 5 --steps 4 -o table",
     "run --system chain --alpha 0.3 --steps 20",

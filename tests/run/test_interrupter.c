@@ -109,7 +109,15 @@ START_TEST(a_search_and_the_exact_solution_end_too)
 }
 END_TEST
 
-/* The tables of a law that is a fraction, and each frequency. */
+static int errors;
+
+static void count_error(const char *reason, const char *file, int line, int code)
+{
+    (void)reason, (void)file, (void)line, (void)code;
+    errors++;
+}
+
+/* The tables of a law that is a fraction, and each frequency. The error handler hears nothing of it. */
 START_TEST(tables_and_responses_end_too)
 {
     for (size_t i = 0; i < LEN(one); i++)
@@ -122,9 +130,12 @@ START_TEST(tables_and_responses_end_too)
     run.law = &law;
     fvi_stepper *s = NULL;
     fvi_set_interrupter(stop);
+    fvi_set_error_handler(count_error);
     asks = 3;
     ck_assert_int_eq(fvi_stepper_start(&fvi_lobatto_m4, &run, &s, NULL), CODE);
     ck_assert_ptr_null(s);
+    fvi_set_error_handler(NULL);
+    ck_assert_int_eq(errors, 0);
     const fvi_linear_motion motion = { .system = &large, .alpha = 0.3 };
     const double omega[] = { 0.5, 1, 1.5, 2 };
     double H[8];
