@@ -1,8 +1,8 @@
-/* src/adjoint_variable/adjoint_structure_mesh.c -- A structure on its mesh, backwards.   [H 23, 27]
+/* src/adjoint_variable/adjoint_structure_mesh.c -- The adjoint run of a structure on its mesh. [H 23, 27]
  *
- * (23.16) with M, C_j and K in the place of numbers. The adjoint run takes the lengths of the steps from the end,
- * with the factors and the modes of the run, at rest: o->v is lambda, o->y its integral, xi the force that drives
- * it. Stages of it stand in reverse order. */
+ * (23.16) with M, C_j and K in the place of numbers. The adjoint run takes the lengths of the steps from the last to
+ * the first, with the factors and the modes of the run, from rest. o->v is lambda, o->y its integral, and xi the force
+ * that drives it. Its stages are the stages of the run in reverse order. */
 #include "adjoint_structure_mesh.h"
 
 #include "methods/damping.h"
@@ -32,7 +32,7 @@ static int allocate(fvi_adjoint_structure_mesh_run *m)
     return FVI_SUCCESS;
 }
 
-/* The modes of the run, at rest, of the same rates. */
+/* Set the stepper of the run to rest, with new modes of the same rates. */
 static int start_modes(fvi_adjoint_structure_mesh_run *m)
 {
     fvi_stepper *s = m->path.stepper;
@@ -52,7 +52,8 @@ static int start_modes(fvi_adjoint_structure_mesh_run *m)
     return fvi_structure_mesh_begin_dampers(s, m->o);
 }
 
-/* The derivative by the order reads a second set of the modes. A dashpot has no modes, and gets some for this. (23.18) */
+/* Start the derivative by the order, which reads the modes a second time with other weights. A dashpot has no modes, so
+ * it gets some for this. (23.18) */
 static int start_order(fvi_adjoint_structure_mesh_run *m)
 {
     fvi_mesh_damper *memory = &m->of->damper->memory;
@@ -92,7 +93,7 @@ static int start(fvi_adjoint_structure_mesh_run *m)
 
 /* ---- a step ---- */
 
-/* The multipliers mu of step n. (23.16) */
+/* Compute the multipliers mu of step n. (23.16) */
 static int solve(fvi_adjoint_structure_mesh_run *m, size_t n)
 {
     fvi_variable_step_state *o = m->o;
@@ -118,7 +119,8 @@ static int solve(fvi_adjoint_structure_mesh_run *m, size_t n)
     return status;
 }
 
-/* The derivatives by factors of M and K. V: the velocities of the stages, without what an impulse adds. */
+/* Add the derivatives by factors of M and K. V: the velocities of the stages, without the velocities that impulses
+ * add. */
 static int add_matrices(fvi_adjoint_structure_mesh_run *m, size_t n)
 {
     const fvi_matrices *matrices = m->run->system->matrices;
@@ -153,8 +155,8 @@ static int add_matrices(fvi_adjoint_structure_mesh_run *m, size_t n)
     return status;
 }
 
-/* The forces of a damper on the adjoint run, which advance has told of its velocities, and V. Only a factor and the
- * line of the start ask for them. */
+/* Add the products of the force of a damper on the adjoint run with V. fvi_structure_mesh_advance has updated the
+ * velocities of the damper before. Only the derivatives by factors and the line of the start need these sums. */
 static int add_damper(fvi_adjoint_structure_mesh_run *m, size_t n, fvi_adjoint_structure_mesh_damper *a)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
@@ -179,7 +181,7 @@ static int add_damper(fvi_adjoint_structure_mesh_run *m, size_t n, fvi_adjoint_s
     return status;
 }
 
-/* By alpha, before the memory goes on: dT/dbeta, (23.18). */
+/* Add the derivative by alpha, before the history gets the step: dT/dbeta, (23.18). */
 static int add_order(fvi_adjoint_structure_mesh_run *m, size_t n, fvi_adjoint_structure_mesh_damper *a)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
@@ -208,7 +210,7 @@ static int add_order(fvi_adjoint_structure_mesh_run *m, size_t n, fvi_adjoint_st
     return status;
 }
 
-/* The force is changed along lines between the rows. */
+/* Add the derivatives by the force, which changes along straight lines between the rows. */
 static void add_force(const fvi_adjoint_structure_mesh_run *m, size_t n)
 {
     const fvi_recorded_step *step = m->path.step + n;
@@ -251,7 +253,8 @@ static int step_back(fvi_adjoint_structure_mesh_run *m, size_t n)
 
 /* ---- the end ---- */
 
-/* Riemann and Liouville's past below the order 1: x_0 is a jump at t = 0. What it takes from dJ/dx_0, into by_place. */
+/* Riemann and Liouville's past below the order 1 acts as a jump of x by x_0 at t = 0. Write the part of dJ/dx_0 that
+ * goes through this jump to by_place. */
 static int end_start_jump(fvi_adjoint_structure_mesh_run *m, fvi_adjoint_structure_mesh_damper *a, double *by_place)
 {
     fvi_mesh_matrix *to = a->to;
@@ -281,7 +284,7 @@ static int end_start_jump(fvi_adjoint_structure_mesh_run *m, fvi_adjoint_structu
     return status ? status : C->apply_damping(m->d, -to->memory.rho, m->y, C->params, by_place);
 }
 
-/* The derivatives by a factor of each damper, and by the start through the dampers. */
+/* Write the derivatives by a factor of each damper, and add the derivatives by the start through the dampers. */
 static int end_dampers(fvi_adjoint_structure_mesh_run *m)
 {
     const fvi_sensitivities *want = m->want;
@@ -301,7 +304,7 @@ static int end_dampers(fvi_adjoint_structure_mesh_run *m)
             want->damping[j] = by_factor;
         if (want->alpha)
             *want->alpha = -2 * a->sum_by_order;
-        if (want->terms) /* of a law of one term */
+        if (want->terms) /* only a law of one term gets here */
             want->terms[0] = by_factor / m->run->law->term[0].rho;
     }
     return status;
@@ -328,7 +331,7 @@ static int end(fvi_adjoint_structure_mesh_run *m)
         if (want->p0)
             want->p0[i] = m->o->v[i] + m->room[i] + m->Jk[i];
     }
-    if (want->mass && !status) { /* v0 is M^-1 p0; p_N is M v_N, and what hits the body there */
+    if (want->mass && !status) { /* v0 is M^-1 p0; p_N is M v_N plus the impulse at the last time */
         status = matrices->inertia(d, m->path.impulse_dv, matrices->params, m->product);
         *want->mass = m->by_M - fvi_dot(d, run->p0, m->o->v) - fvi_dot(d, m->v0, m->extra) + fvi_dot(d, m->Jp, m->path.p)
                       - fvi_dot(d, m->Jp, m->product);

@@ -1,10 +1,11 @@
-/* src/adjoint_variable/adjoint_structure_mesh_rows.c -- What J has of the rows within a step of a structure.  [H 23, 27] */
+/* src/adjoint_variable/adjoint_structure_mesh_rows.c -- The derivatives of J through the rows within a step of a
+ * structure. [H 23, 27] */
 #include "adjoint_structure_mesh.h"
 
 #include <math.h>
 #include <string.h>
 
-/* J_p is the multiplier at the end, of which no history knows. */
+/* Let lambda begin at J_p at the end of the run. No history gets this value. */
 static int begin_at_end(fvi_adjoint_structure_mesh_run *m)
 {
     int status = FVI_SUCCESS;
@@ -16,7 +17,8 @@ static int begin_at_end(fvi_adjoint_structure_mesh_run *m)
     return status;
 }
 
-/* What V - v of the stages, v and x of the beginning do to x at a row, by Jx, and to p = M v, by Jk. (22.18) */
+/* Add the derivatives through one row: of x there, with the slopes Jx, and of p = M v there, with the slopes Jk, by
+ * V - v of the stages and by v and x at the beginning of the step. (22.18) */
 static int add_row(fvi_adjoint_structure_mesh_run *m, size_t n, double theta)
 {
     const double h = m->path.step[n].length.h, *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
@@ -53,7 +55,7 @@ static int add_row(fvi_adjoint_structure_mesh_run *m, size_t n, double theta)
     return status;
 }
 
-/* All rows in step n that are not at its beginning. */
+/* Read all rows in step n that are not at its beginning. */
 int fvi_adjoint_structure_mesh_read_rows(fvi_adjoint_structure_mesh_run *m, size_t n)
 {
     const fvi_recorded_step *step = m->path.step + n;

@@ -1,4 +1,4 @@
-/* src/adjoint_variable/adjoint_variable.c -- The run that goes backwards over its own mesh. [H 23] */
+/* src/adjoint_variable/adjoint_variable.c -- The adjoint run of a chain on its mesh. [H 23] */
 #include "adjoint_variable.h"
 
 #include "parameter_derivatives/potential_derivatives.h"
@@ -33,7 +33,7 @@ static int allocate(fvi_adjoint_variable_run *m)
     return FVI_SUCCESS;
 }
 
-/* The modes of a law, of all coordinates: those of the run, at rest. */
+/* Take the modes of the law for all coordinates from the stepper of the run, and set them to rest. */
 static int start_kernel(fvi_adjoint_variable_run *m)
 {
     fvi_variable_step_state *o = m->path.stepper->method_state;
@@ -77,7 +77,7 @@ static int start(fvi_adjoint_variable_run *m)
     return fvi_modes_add_order(m->modes);
 }
 
-/* ---- what J has of the rows within a step ---- */
+/* ---- the rows within a step ---- */
 
 void fvi_adjoint_mesh_shape(const fvi_variable_rule *rule, double h, const double *integral,
                             double *shape)
@@ -93,8 +93,8 @@ void fvi_adjoint_mesh_shape(const fvi_variable_rule *rule, double h, const doubl
     }
 }
 
-/* What J has of p = m v at a row in step n, at theta of it. An impulse there changes p, and is no
- * part of v.                                                                     (23.27) */
+/* Add the derivatives through p = m v at a row in step n, at the fraction theta of it. An impulse at the row changes p
+ * but is no part of v. (23.27) */
 static void read_momentum(fvi_adjoint_variable_run *m, size_t n, double t, double theta,
                           double *by_v)
 {
@@ -120,8 +120,8 @@ static void read_momentum(fvi_adjoint_variable_run *m, size_t n, double t, doubl
     }
 }
 
-/* All rows in the step n that are not at its beginning: to the source of Lambda, and what
- * v_n and x_n do to them, to `by_v` and `by_x`. */
+/* Read all rows in step n that are not at its beginning. Add the derivatives through them by V - v to source, and by
+ * v_n and x_n to `by_v` and `by_x`. */
 static int read_rows(fvi_adjoint_variable_run *m, size_t n, double *by_v,
                      double *by_x)
 {
@@ -161,7 +161,7 @@ static int read_rows(fvi_adjoint_variable_run *m, size_t n, double *by_v,
 
 /* ---- a step ---- */
 
-/* The factors of T, the inertia and V. numbers: those of the step. */
+/* Add the products of T, of the inertia and of V. numbers: of the step. */
 static void accumulate_damping(fvi_adjoint_variable_run *m, const double *numbers, double h)
 {
     const size_t s = m->s, d = m->d;
@@ -171,7 +171,7 @@ static void accumulate_damping(fvi_adjoint_variable_run *m, const double *number
         const double *Lambda = m->Lambda + j * FVI_LANES,
                      *mu = m->mu + j * FVI_LANES, *T = m->T + j * FVI_LANES;
         double jump[FVI_LANES] = { 0 }, bend[FVI_LANES], present[FVI_LANES];
-        for (size_t i = 0; i < s; i++) /* V less the last v before an impulse */
+        for (size_t i = 0; i < s; i++) /* V minus the last v before an impulse */
             jump[i] = delta[i] + numbers[2 * d + j];
         fvi_square_apply(s, &m->rule->inverse, jump, bend);
         fvi_square_apply(s, &m->path.W0, mu, present);
@@ -187,7 +187,7 @@ static void accumulate_damping(fvi_adjoint_variable_run *m, const double *number
 }
 
 //> alpha
-/* dJ/dalpha, (23.18): what coordinate j has of it in a step. */
+/* Add the part of coordinate j and of one step to dJ/dalpha, (23.18). */
 static void accumulate_alpha(fvi_adjoint_variable_run *m, size_t j, const double *numbers,
                        double h)
 {
@@ -231,7 +231,7 @@ static void accumulate_force(fvi_adjoint_variable_run *m, const fvi_recorded_ste
                                m->want->force);
 }
 
-/* mu goes into the memory. */
+/* Add mu to the history. */
 static void update_history(fvi_adjoint_variable_run *m)
 {
     for (size_t j = 0; m->has_history && j < m->d; j++) {
@@ -249,7 +249,7 @@ static void update_history(fvi_adjoint_variable_run *m)
     }
 }
 
-/* From the end of step n to its beginning. */
+/* Go from the end of step n to its beginning. */
 static int step_back(fvi_adjoint_variable_run *m, size_t n)
 {
     const fvi_recorded_step *step = &m->path.step[n];
@@ -280,7 +280,7 @@ static int step_back(fvi_adjoint_variable_run *m, size_t n)
     for (size_t j = 0; j < m->d; j++) { /* to x_n and v_n */
         const double M = fvi_adjoint_variable_mass(m, j);
         m->after[j] = M * m->Lambda[j * FVI_LANES] + by_v[j];
-        m->kinetic[j] -= by_v[j] * numbers[2 * m->d + j] / M; /* J / M, by M */
+        m->kinetic[j] -= by_v[j] * numbers[2 * m->d + j] / M; /* the impulse J adds J / M to v */
         for (size_t i = 0; i < m->s; i++)
             by_x[j] -= h * b[i] * m->hessian_product[i * m->d + j];
         m->xi[j] += by_x[j];
@@ -290,8 +290,8 @@ static int step_back(fvi_adjoint_variable_run *m, size_t n)
 
 /* ---- the end ---- */
 
-/* Riemann-Liouville's damping of order 0 is a spring about 0, that of order 2 strikes, and so
- * does the held one of order 2: v begins with p0 over m + rho. */
+/* Write the derivatives. At alpha = 0 Riemann-Liouville's damping is a spring about 0. At alpha = 1 Riemann-Liouville's
+ * past and a held past make the start jump: v begins with p0 / (m + rho). */
 static int end(fvi_adjoint_variable_run *m)
 {
     const fvi_sensitivities *want = m->want;
@@ -312,7 +312,7 @@ static int end(fvi_adjoint_variable_run *m)
             m->Jp[j] * M * m->path.impulse_dv[j] / fvi_adjoint_variable_mass(m, j);
         if (want->x0)
             want->x0[j] = m->xi[j];
-        if (want->p0) /* no velocity may jump there */
+        if (want->p0) /* the velocity must not jump at the start */
             want->p0[j] = m->rising && rho > 0 ? NAN : by_v0 / first + m->Jk[j];
         if (want->terms)
             want->terms[0] -= rho * m->sum[j] / run->law->term[0].rho;
@@ -326,14 +326,14 @@ static int end(fvi_adjoint_variable_run *m)
         if (m->singular_start.is)
             fvi_adjoint_variable_end_singular_start(m, j, by_v0);
         if (want->x0 && liouville && run->alpha > 0.5 && rho > 0)
-            want->x0[j] = NAN; /* (19.2): no run begins elsewhere */
+            want->x0[j] = NAN; /* no run starts at another x0, (19.2) */
     }
     if (want->alpha)
         *want->alpha += m->singular_start.by_alpha;
     return status || fvi_all_finite(m->d, m->xi) ? status : FVI_EOVRFLW;
 }
 
-/* A derivative by A needs steps that end at t1, also where A = 0 and the run's own do not. */
+/* Must the start have a singular part also where A = 0? A derivative by A needs steps that end at t1. */
 static int needs_singular_part(const fvi_run *run, const fvi_sensitivities *want)
 {
     return fvi_initial_history_acts(run->past, run->alpha)

@@ -1,9 +1,9 @@
-/* src/adjoint_variable/adjoint_variable_singular.c -- A singular start, backwards over a mesh. [H 23]
- */
+/* src/adjoint_variable/adjoint_variable_singular.c -- The adjoint run of a chain on its mesh, through a singular start.
+ * [H 23] */
 #include "adjoint_variable.h"
 
-/* What the memory takes from the velocities of the last step, which is where the mirrored
- * run begins: v0; or what v begins with, and what it is told of G' at t1.   (23.26) */
+/* Write the velocity that the history subtracts in the last step, where the adjoint run begins: v0; or with a singular
+ * part the velocity that v begins with, plus G' at t1 if the last step is behind t1. (23.26) */
 void fvi_adjoint_variable_subtract_velocity(fvi_adjoint_variable_run *m)
 {
     const size_t last = m->path.steps - 1;
@@ -19,7 +19,7 @@ void fvi_adjoint_variable_subtract_velocity(fvi_adjoint_variable_run *m)
     }
 }
 
-/* In a step before t1: G moves the stages, and leaves a force. */
+/* In a step before t1, G moves the stages and leaves a force: add the derivatives through both. */
 void fvi_adjoint_variable_accumulate_singular_start(fvi_adjoint_variable_run *m, size_t n)
 {
     const double h = m->path.step[n].length.h, *b = m->rule->b;
@@ -33,7 +33,8 @@ void fvi_adjoint_variable_accumulate_singular_start(fvi_adjoint_variable_run *m,
 }
 
 //> hand-back
-/* At t1, before the first step that begins there: x, v and the modes have taken over G. */
+/* At t1, before the first step that begins there. In the run x, v and the modes take over G at this time. So their
+ * derivatives are handed back to G. */
 void fvi_adjoint_variable_hand_back(fvi_adjoint_variable_run *m)
 {
     const double t1 = m->singular_start.undamped.t1;
@@ -43,7 +44,7 @@ void fvi_adjoint_variable_hand_back(fvi_adjoint_variable_run *m)
         const double rho = m->run->system->damping[j];
         double by_v = m->after[j], slope;
         fvi_singular_start_adjoint_at(&m->singular_start, j, t1, &slope);
-        if (m->path.beta > 0) { /* what the memory takes from V, too */
+        if (m->path.beta > 0) { /* and the velocity that the history subtracts from V */
             by_v += rho * m->plain[j];
             m->subtracted_velocity[j] -= slope;
         }
@@ -56,7 +57,7 @@ void fvi_adjoint_variable_hand_back(fvi_adjoint_variable_run *m)
 }
 //< hand-back
 
-/* v and y begin with c_0 A, and the memory takes that from V; the rest of A, r and m. */
+/* Add the derivatives through A, r and m at t = 0. v and y begin with c_0 A, and the history subtracts that from V. */
 void fvi_adjoint_variable_end_singular_start(fvi_adjoint_variable_run *m, size_t j, double by_v0)
 {
     const fvi_sensitivities *want = m->want;

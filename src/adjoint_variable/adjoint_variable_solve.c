@@ -1,4 +1,4 @@
-/* src/adjoint_variable/adjoint_variable_solve.c -- A step backwards over a mesh.    [H 23] */
+/* src/adjoint_variable/adjoint_variable_solve.c -- The equation of a step of the adjoint run on a mesh. [H 23] */
 #include "adjoint_variable.h"
 
 #include "parameter_derivatives/potential_derivatives.h"
@@ -35,7 +35,7 @@ static void multiply_by_hessians(fvi_adjoint_variable_run *m)
     }
 }
 
-/* Entry (j, l) of the Hessians at all stages, h^2 b_i H_i in `weight`, in the rows of coordinate j. */
+/* Add the Hessians' entry (j, l) of all stages, h^2 b_i H_i in `weight`, to the rows of coordinate j. */
 static void add_entry(fvi_adjoint_variable_run *m, size_t j, size_t l, const double *weight)
 {
     const size_t s = m->s;
@@ -48,7 +48,7 @@ static void add_entry(fvi_adjoint_variable_run *m, size_t j, size_t l, const dou
     }
 }
 
-/* What the Hessians give to the matrix. */
+/* Add the Hessians to the matrix. */
 static void add_hessians(fvi_adjoint_variable_run *m, double h)
 {
     const fvi_linearised *of = &m->linearised;
@@ -64,7 +64,7 @@ static void add_hessians(fvi_adjoint_variable_run *m, double h)
         }
 }
 
-/* The matrix of the step, transposed: row c is the derivative by V_c. */
+/* Factorise the transpose of the matrix of the step: row c is the derivative by V_c. */
 static int factorise(fvi_adjoint_variable_run *m, double h)
 {
     const size_t s = m->s;
@@ -85,7 +85,7 @@ static int factorise(fvi_adjoint_variable_run *m, double h)
     return fvi_band_factorise(&m->J_band);
 }
 
-/* T but for W0 mu: the history. (22.6), (22.7) */
+/* Write T without W0 mu: the history. (22.6), (22.7) */
 static void recall(fvi_adjoint_variable_run *m, double h)
 {
     const double now = pow(h, -m->path.beta);
@@ -102,8 +102,8 @@ static void recall(fvi_adjoint_variable_run *m, double h)
 }
 
 //> mesh
-/* (23.16): Lambda of a step of length h. In both forms to_x 1 = c, and its last row is b,
- * so that x_{n+1} = x_n + h b.V. */
+/* Solve (23.16) for Lambda of a step of length h. In both forms to_x 1 = c, and the last row of to_x is b, so
+ * x_{n+1} = x_n + h b.V. */
 static int solve(fvi_adjoint_variable_run *m, double h)
 {
     const size_t s = m->s;
@@ -131,8 +131,8 @@ static int solve(fvi_adjoint_variable_run *m, double h)
 }
 //< mesh
 
-/* What a law makes of a velocity now, in steps of length h. What it makes of a constant one is
- * known to the modes of the terms that rise, not to the others. */
+/* Compute W0 of a law for a step of length h. The modes of the terms that grow faster than s contain the answer to a
+ * constant velocity, and the other modes do not. */
 static void begin_kernel(fvi_adjoint_variable_run *m, double h)
 {
     const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };

@@ -1,4 +1,4 @@
-/* src/adjoint_variable/recorded_steps.c -- A run of fvi_variable_step, step by step.      [H 23] */
+/* src/adjoint_variable/recorded_steps.c -- A run of fvi_variable_step, recorded step by step. [H 23] */
 #include "recorded_steps.h"
 
 #include "system/fail.h"
@@ -24,7 +24,7 @@ static int grow(fvi_recorded_steps *m)
     return FVI_SUCCESS;
 }
 
-/* The step that was done last; o->impulse_dv is of its end, m->impulse_dv of its beginning. */
+/* Record the last step. o->impulse_dv belongs to its end, and m->impulse_dv to its beginning. */
 static int record(fvi_recorded_steps *m, const fvi_variable_step_state *o)
 {
     const size_t d = m->d;
@@ -89,7 +89,7 @@ int fvi_recorded_steps_run(const fvi_run *run, int for_adjoint, fvi_recorded_ste
     if (status)
         return status;
     status = run_all(run, s, m);
-    s->method = &fvi_variable_step; /* it outlives this function */
+    s->method = &fvi_variable_step; /* `method` does not outlive this function */
     if (run->law || run->system->matrices)
         m->stepper = s;
     else

@@ -1,4 +1,4 @@
-/* src/adjoint_variable/recorded_steps.h -- A run of fvi_variable_step, step by step.      [H 23] */
+/* src/adjoint_variable/recorded_steps.h -- A run of fvi_variable_step, recorded step by step. [H 23] */
 #ifndef FVI_RECORDED_STEPS_H
 #define FVI_RECORDED_STEPS_H
 
@@ -6,15 +6,15 @@
 
 #include <fvi/sensitivity.h>
 
-/* A step: where it begins and how long it is. */
+/* The beginning and the length of a step. */
 typedef struct {
     double t;
     fvi_length length;
 } fvi_recorded_step;
 
-/* What is kept of a run. Of step n, x and v at its beginning, what an impulse there has
- * added to v, and V - v at its stages stand at numbers[n * FVI_MESH_NUMBERS * d], those of
- * coordinate j at j, d + j, 2 d + j, and 3 d + j FVI_LANES. */
+/* The record of a run. For step n, coordinate j, the numbers from numbers[n * FVI_MESH_NUMBERS * d] on are: x and v at
+ * its beginning, at j and d + j; the velocity that an impulse there has added to v, at 2 d + j; and V - v at its
+ * stages, from 3 d + j FVI_LANES on. */
 enum { FVI_MESH_NUMBERS = 3 + FVI_LANES };
 typedef struct {
     const fvi_variable_rule *rule;
@@ -22,24 +22,29 @@ typedef struct {
     fvi_square W0;
     double beta, T, least;
     fvi_modes_kind modes_kind;
-    fvi_singular singular; /* as it begins, without its arrays */
+    fvi_singular singular; /* as the run begins with it, without its arrays */
     size_t d, steps, room;
     fvi_recorded_step *step;
     double *numbers;
     double *rows, *p; /* x at the times of the rows; the last p */
-    double *impulse_dv;     /* what an impulse at the last time added to v, d numbers */
-    fvi_stepper *stepper;   /* of a run with a law, or of a structure, which knows its kernels; else NULL */
+    double *impulse_dv;     /* d numbers: the velocity that an impulse at the last time has added */
+    fvi_stepper *stepper;   /* the stepper of a run with a law or of a structure, because it has the kernels; else
+                               NULL */
 } fvi_recorded_steps;
 
-/* fvi_recorded_steps_run -- the run, recorded. path: output; fvi_recorded_steps_free it in any case.
- *   open  as fvi_variable_step_start_for_adjoint
+/* fvi_recorded_steps_run -- make a run and record it.
+ *
+ *   for_adjoint  nonzero: start by fvi_variable_step_start_for_adjoint
+ *   path         output; give it back with fvi_recorded_steps_free, also after an error
+ *
  * Returns what fvi_stepper_start and fvi_stepper_step return; FVI_EINVAL if the rows cannot be addressed;
  * FVI_ENOMEM. */
 int fvi_recorded_steps_run(const fvi_run *run, int for_adjoint, fvi_recorded_steps *path);
 void fvi_recorded_steps_free(fvi_recorded_steps *path);
 
-/* fvi_recorded_steps_slopes -- dJ/dx of row k to Jx, d numbers, and dJ/dp of the last row to Jp, of another row to Jk
- * where J has all momenta; Jx and Jk are zeroed before. Returns what J's slopes do. */
+/* fvi_recorded_steps_slopes -- ask J for its slopes at row k. Writes dJ/dx_k to Jx, d numbers, and dJ/dp of the last
+ * row to Jp. If J depends on all momenta, dJ/dp_k of another row goes to Jk. Jx and Jk are zeroed before. Returns what
+ * J's slopes return. */
 int fvi_recorded_steps_slopes(const fvi_recorded_steps *path, const fvi_run *run, const fvi_objective *J, size_t k,
                               double *Jx, double *Jp, double *Jk);
 

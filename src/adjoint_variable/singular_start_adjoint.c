@@ -1,4 +1,4 @@
-/* src/adjoint_variable/singular_start_adjoint.c -- A singular start, backwards.  [H 23] */
+/* src/adjoint_variable/singular_start_adjoint.c -- The derivatives through the singular part of a start. [H 23] */
 #include "singular_start_adjoint.h"
 
 #include "system/digamma.h"
@@ -11,8 +11,8 @@
 
 /* ---- the start ---- */
 
-/* As rho -> 0 there is A t^e and one term more, whose factor rho/m has a derivative. It lasts
- * as long as the others, or, where no body has such a part, for good. */
+/* The expansion of a body without damping: A t^e, and one term more whose factor rho/m is 0 but has a derivative. It
+ * lasts as long as the other expansions; if no body has another one, it lasts to the end of the run. */
 static int start_undamped(fvi_singular_start_adjoint *p, const fvi_run *run)
 {
     fvi_singular *g = &p->undamped;
@@ -42,7 +42,7 @@ static int start_unit(fvi_singular_start_adjoint *p, const fvi_run *run,
     fvi_singular_fill(run->system, run->alpha, path->T, p->by_A, g);
     for (size_t n = 0; n <= g->J; n++)
         p->psi[n] = fvi_digamma(1 + fvi_singular_power(g, n));
-    if (g->gap > 0 && !g->by_euler_transform) /* else no force is left, and there may be a pole */
+    if (g->gap > 0 && !g->by_euler_transform) /* otherwise G leaves no force, and psi may have a pole */
         p->left = fvi_digamma(1 + fvi_singular_power(g, g->J) - 2 * run->alpha);
     p->turn = g->gap < 0 ? 2 : -2;
     return FVI_SUCCESS;
@@ -88,7 +88,7 @@ void fvi_singular_start_adjoint_stop(fvi_singular_start_adjoint *p)
 
 /* ---- G and its derivatives ---- */
 
-/* The expansion of coordinate j, and where its numbers stand in it. */
+/* The expansion of coordinate j. *j becomes the index of its numbers in the expansion. */
 static const fvi_singular *expansion(const fvi_singular_start_adjoint *p, size_t *j,
                                      const double **psi)
 {
@@ -120,7 +120,7 @@ double fvi_singular_start_adjoint_at(const fvi_singular_start_adjoint *p, size_t
     return A * G;
 }
 
-/* G over q = r t^gap, by A, r/q and a_n; and G'. */
+/* The derivatives of G over q = r t^gap by A, by r (times r/q), and by alpha through the a_n; and of G'. */
 typedef struct {
     double value[3], slope[3];
 } sums;
@@ -168,9 +168,9 @@ void fvi_singular_start_adjoint_accumulate(fvi_singular_start_adjoint *p, size_t
     p->by_alpha += A * force * q * (J * p->turn - 2) * (log(t) - p->left);
 }
 
-/* ---- what the memory takes over ---- */
+/* ---- the numbers that the modes take over ---- */
 
-/* What (22.20) sums, by A, with the jump c_0; by r; and by alpha. */
+/* The series that (22.20) sums, differentiated by A (with the jump c_0), by r and by alpha. */
 typedef struct {
     fvi_singular_series by_A, by_ratio, by_alpha;
 } hand_over;
