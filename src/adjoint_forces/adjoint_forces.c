@@ -1,4 +1,7 @@
-/* src/adjoint_forces/adjoint_forces.c -- Every derivative of a J of the dampers' forces. [H 23] */
+/* src/adjoint_forces/adjoint_forces.c -- fvi_adjoint_forces: every derivative of a J of the forces of dampers. [H 23]
+ *
+ * The force of a damper in a row is a linear function of its impulses (23.32). The transpose of that function turns the
+ * derivatives by forces into derivatives by impulses. Then fvi_adjoint differentiates the run with walls (23.33). */
 #include "adjoint_forces.h"
 
 #include "adjoint_forces_start.h"
@@ -17,10 +20,11 @@ typedef struct {
     const fvi_walls *walls;
     const fvi_objective *of;
     const double *by_impulse;
-    double *x, *Jx, *Jp; /* of the run, d numbers each */
+    double *x, *Jx, *Jp; /* for the run without walls, d numbers each */
 } walled;
 
-/* dJ/dx_k and dJ/dp_k of the run go to their places, and dJ/d(impulse) to the momenta of the walls. */
+/* The slopes of J for the run with walls: dJ/dx_k and dJ/dp_k go to the coordinates of the run, and dJ/dI to the
+ * momenta of the walls. */
 static int slopes(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp)
 {
     walled *o = params;
@@ -55,13 +59,13 @@ typedef struct {
     size_t times;
 } spread;
 
-/* Times at which a force acts, as fvi_sensitivities has them. */
+/* At how many times a force acts, as fvi_sensitivities counts them. */
 static size_t times_of(const fvi_method *method, const fvi_run *run)
 {
     return run->steps * (method->stages ? (size_t)method->stages - 1 : 1) + 1;
 }
 
-/* Room for the derivatives that have a number for each coordinate. */
+/* Allocate the derivatives that have a number for each coordinate. */
 static int start_spread(spread *o, const fvi_walls *w, const fvi_sensitivities *want, fvi_sensitivities *to)
 {
     const size_t whole = w->whole;
@@ -84,7 +88,8 @@ static int start_spread(spread *o, const fvi_walls *w, const fvi_sensitivities *
     return FVI_SUCCESS;
 }
 
-/* What is pushed by F has the derivatives by F: the coordinates, and their ghosts. */
+/* Copy the derivatives of the run with walls to the derivatives of the run. The force acts on a coordinate and on its
+ * ghost, so the derivative by it is a sum of two. */
 static void collect(const spread *o, const fvi_walls *w, const fvi_sensitivities *want, const double *by_impulse)
 {
     for (size_t i = 0; i < w->d; i++) {
@@ -123,9 +128,10 @@ static int adjoint_of_walls(const fvi_method *method, const fvi_walls *w, const 
     return status;
 }
 
-/* ---- what the rows tell, backwards ---- */
+/* ---- from forces to impulses ---- */
 
-/* dL/d(force) becomes dL/d(impulse), jump and line. Of each damper the line has the lead (13.18) in its impulses. */
+/* Turn dL/d(force) into dL/d(impulse), dL/d(jump) and dL/d(line). The line of a damper also adds its lead (13.18) to
+ * the impulses. */
 static int transpose(const fvi_stepper *s, fvi_observer *o, const double *force, fvi_force_shares *shares)
 {
     const fvi_run *run = &s->run;

@@ -1,10 +1,12 @@
-/* src/adjoint_forces/adjoint_forces_chain.c -- Each coordinate with its ghost: what F - grad U gives. [H 23] */
+/* src/adjoint_forces/adjoint_forces_chain.c -- A chain with a ghost of each coordinate, which F - grad U moves. [H
+ * 23] */
 #include "adjoint_forces.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* Coordinate i stands at 2 i and its ghost behind it, so that a Hessian of few diagonals has few diagonals. */
+/* Coordinate i has the index 2 i, and its ghost follows it, so that a Hessian of few diagonals still has few
+ * diagonals. */
 typedef struct {
     size_t d;
     const fvi_system *of;
@@ -12,7 +14,7 @@ typedef struct {
     double *x, *g, *H;
 } ghosts;
 
-/* x + y, where U is asked. */
+/* x + y, the point at which U is evaluated. */
 static const double *place(ghosts *o, const double *x)
 {
     for (size_t i = 0; i < o->d; i++)
@@ -42,7 +44,7 @@ static int gradient(size_t d, const double *x, void *params, double *grad)
     return status;
 }
 
-/* The number H_ij, j >= i, goes to its four places. */
+/* Copy each entry of the Hessian to its four places. */
 static void put_full(const ghosts *o, double *H)
 {
     const size_t d = o->d, whole = 2 * d;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of damper j: its elongation less the place of its wall. */
+/* The elongation of a damper minus the position of its wall. */
 typedef struct {
     fvi_elongation of;
     size_t d, wall;
@@ -17,7 +17,7 @@ typedef struct {
     const fvi_system *of;
     const fvi_mechanism *m;
     const fvi_sensitivities *want;
-    double *rows, *room; /* of one function at a time */
+    double *rows, *room; /* room for one function at a time */
     fvi_damper *damper;
     long_elongation *elongation;
     fvi_lagrangian lagrangian;
@@ -36,7 +36,7 @@ static void stop(void *params)
     free(o);
 }
 
-/* A matrix of `rows` rows, d numbers each, becomes one of whole numbers each; what is new is 0. */
+/* Extend a matrix of `rows` rows from d to `whole` numbers a row, and to rows_to rows; the new entries are 0. */
 static void widen(const parts *o, size_t rows, const double *from, size_t rows_to, double *to)
 {
     memset(to, 0, rows_to * o->whole * sizeof *to);
@@ -104,7 +104,7 @@ static void connect(parts *o, size_t j)
                                .params = &o->elongation[j] };
 }
 
-/* ---- the Lagrangian: that of the run, and the walls' own ---- */
+/* ---- the Lagrangian: that of the run, plus the kinetic energy of the walls ---- */
 
 static int lagrangian(double t, size_t d, const double *x, const double *v, void *params, double *L, double *Lx, double *Lv,
                       double *Lxx, double *Lxv, double *Lvv)
@@ -230,7 +230,7 @@ static int constraint_hessian(double t, size_t d, const double *x, const double 
     return status;
 }
 
-/* ---- how all this depends on numbers ---- */
+/* ---- derivatives of all this by numbers ---- */
 
 static int column_of_force(size_t j, double t, size_t d, const double *x, const double *v, void *params, double *F)
 {

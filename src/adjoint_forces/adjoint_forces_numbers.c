@@ -1,4 +1,5 @@
-/* src/adjoint_forces/adjoint_forces_numbers.c -- The numbers of a law in the coefficients of its forces. [H 23] */
+/* src/adjoint_forces/adjoint_forces_numbers.c -- The derivatives of the forces of dampers by the numbers of a law,
+ * through the coefficients of the first rows. [H 23] */
 #include "adjoint_forces_start.h"
 
 #include <fvi/dampers.h>
@@ -18,21 +19,21 @@ typedef struct {
     const fvi_run *of;
     const double *force;
     const fvi_force_shares *shares;
-    double *impulse;  /* J of all rows, as the run tells them */
-    double *lead;     /* room for a row each */
-    double *power;    /* with which power of t each number begins (observer_column.h) */
+    double *impulse;  /* the impulses of all rows of the run */
+    double *lead;     /* room, one number for each row */
+    double *power;    /* the power of t with which each number begins (observer_column.h) */
     fvi_run run;
     fvi_system system;
     fvi_mechanism mechanism;
     fvi_damper *damper;
     fvi_kernel kernel;
     size_t changed;        /* the damper whose law is changed */
-    fvi_kernel_term *term; /* of this law */
+    fvi_kernel_term *term; /* the terms of this law */
 } changed_run;
 
-/* ---- what is differentiated ---- */
+/* ---- the function that is differentiated ---- */
 
-/* sum_k L_J rate lead_k of the numbers of the damper that is changed. */
+/* Add sum_k L_I rate lead_k over the numbers of the damper that is changed. */
 static int sum_of_leads(const changed_run *o, const fvi_stepper *s, const fvi_observer *observer, double *sum)
 {
     const size_t n = o->shares->n, rows = o->run.steps;
@@ -55,7 +56,7 @@ static int sum_of_leads(const changed_run *o, const fvi_stepper *s, const fvi_ob
     return status;
 }
 
-/* What of L depends on the law if all impulses but those of the leads are held. */
+/* The part of L that depends on the law while all impulses but those of the leads are fixed. */
 static int evaluate(const changed_run *o, int has_start, double *L)
 {
     fvi_stepper *s = NULL;
@@ -73,18 +74,19 @@ static int evaluate(const changed_run *o, int has_start, double *L)
     return status;
 }
 
-/* ---- quotients ---- */
+/* ---- difference quotients ---- */
 
-/* Of order 6: around the number, or from it towards one side. */
+/* The weights of order 6, for points around the number, or on one side of it. */
 static const double central[] = { 0, 3. / 4, -3. / 20, 1. / 60 },
                     one_sided[] = { -49. / 20, 6, -15. / 2, 20. / 3, -15. / 4, 6. / 5, -1. / 6 };
 
-/* to[0] = +1, -1 or 0: on which side the seven points stand so that no border is between them. */
+/* On which side of the number the seven points must lie so that no border lies between them: +1, -1, or 0 for both
+ * sides. */
 static int side_of(double at, double step, const double *borders, size_t count)
 {
     int side = 0;
     for (size_t i = 0; i < count; i++) {
-        if (at == borders[i]) /* from below, as the derivative of the run is, but for the least order */
+        if (at == borders[i]) /* the derivative of the run is from below, too, except at the least order */
             side = i == 0 ? 1 : -1;
         else if (fabs(at - borders[i]) < 3.5 * step)
             side = at > borders[i] ? 1 : -1;
@@ -110,9 +112,10 @@ static int differentiate(const changed_run *o, double *number, double step, int 
     return status;
 }
 
-/* An order of s, half of it: the first rows change their form where it is a whole number. The force at t = 0 does not
- * know the order, or it jumps there, but for Cole and Davidson's. Each derivative of h^(2 alpha) multiplies it by
- * 2 log h, so a short h takes a short step in alpha. No point is as far away as the other order of the term, the gap. */
+/* Differentiate by alpha or end, which are half of an order of s. At whole orders the first rows change their form. The
+ * force at t = 0 does not depend on the order, or it jumps there; an exception is Cole and Davidson's kernel. Each
+ * derivative of h^(2 alpha) multiplies it by 2 log h, so a short h needs a short step in alpha. No point is as far away
+ * as the other order of the term, whose distance is the gap. */
 static int by_order(const changed_run *o, double *number, double gap, int has_start, double *to)
 {
     static const double borders[] = { 0, 0.5, 1 };
@@ -121,17 +124,17 @@ static int by_order(const changed_run *o, double *number, double gap, int has_st
     return differentiate(o, number, step, side_of(*number, step, borders, COUNT), has_start, to);
 }
 
-/* A time, which is not negative. */
+/* Differentiate by a time, which is not negative. */
 static int by_time(const changed_run *o, double *number, double *to)
 {
     const double step = *number > 0 ? *number / 64 : 1. / 256;
     return differentiate(o, number, step, *number == 0, 1, to);
 }
 
-/* The factor of a term, which is not negative. The first rows see the law at s = 1/h. There `whole` is the factor with which
- * the term would be the whole law. A factor that is a small part of it takes a step of the law, as its own would be lost
- * in the roundings of L. If the term is the whole law, and not two springpots in series, L is affine in the factor: then
- * every step is right. */
+/* Differentiate by the factor of a term, which is not negative. The first rows see the law at s = 1/h. Let `whole` be
+ * the factor with which the term alone would be as large there as the whole law. For a term that is a small part of the
+ * law the step is a part of `whole`, because a step of its own size would be lost in the rounding errors of L. If the
+ * term is the whole law, and is not two springpots in series, L is affine in the factor. Then every step is right. */
 static int by_factor(const changed_run *o, fvi_kernel_term *term, double *to)
 {
     fvi_kernel_term unit = *term;
@@ -164,7 +167,7 @@ static int by_term(const changed_run *o, size_t l, size_t to, const fvi_sensitiv
 
 /* ---- the law that is changed ---- */
 
-/* The terms of a law, in the place of the law itself. A function of s keeps the numbers that it has. */
+/* Differentiate by the terms of a law; a changed copy takes the place of the law. A SYMBOL has no numbers to change. */
 static int by_law(changed_run *o, const fvi_kernel *law, const fvi_kernel **place, size_t first,
                   const fvi_sensitivities *want)
 {
@@ -207,9 +210,9 @@ static int by_laws(changed_run *o, const fvi_sensitivities *want)
     return status;
 }
 
-/* ---- the run as it is ---- */
+/* ---- the run without a change ---- */
 
-/* J of all rows, and how they begin. */
+/* Write the impulses of all rows, and the powers with which they begin. */
 static int impulses_of_run(changed_run *o, fvi_stepper *s)
 {
     const size_t n = o->shares->n;

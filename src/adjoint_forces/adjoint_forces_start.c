@@ -1,4 +1,5 @@
-/* src/adjoint_forces/adjoint_forces_start.c -- How the dampers' forces begin, and what stands in that. [H 23] */
+/* src/adjoint_forces/adjoint_forces_start.c -- The derivatives of the forces of dampers through the start of their
+ * elongations. [H 23] */
 #include "adjoint_forces_start.h"
 
 #include "methods/damping.h"
@@ -25,7 +26,8 @@ static int of_chain(const fvi_stepper *s, const fvi_force_shares *shares, const 
     return FVI_SUCCESS;
 }
 
-/* to += C_j by, of a damper along a row: row times its number; *factor += what a factor of the damper has. */
+/* to += C_j by; for a damper along a row, to += row times its number. Adds the derivative by a factor of the damper to
+ * *factor. */
 static int multiply(const fvi_run *run, size_t j, const double *by, const double *at, double *to, double *factor)
 {
     const size_t d = run->system->d;
@@ -48,7 +50,7 @@ static int multiply(const fvi_run *run, size_t j, const double *by, const double
     return FVI_SUCCESS;
 }
 
-/* line = C_j v, jump = C_j x of damper j, v = M^-1 p. */
+/* line = C_j v and jump = C_j x for damper j, v = M^-1 p. */
 static int of_structure(const fvi_stepper *s, const fvi_force_shares *shares, const fvi_sensitivities *want)
 {
     const fvi_run *run = &s->run;

@@ -1,4 +1,5 @@
-/* src/adjoint_forces/adjoint_forces_start.h -- What the dampers' forces have of the start, and of a law. [H 23]
+/* src/adjoint_forces/adjoint_forces_start.h -- The derivatives of the forces of dampers through the start and the law.
+ * [H 23]
  *
  * Internal to the room. In the first rows a force depends on impulses, and also on the jump and the line with which its
  * elongation begins (23.32). The coefficients of all three depend on the numbers of the law. */
@@ -7,14 +8,15 @@
 
 #include <fvi/adjoint.h>
 
-/* dL by the impulses of all rows, N + 1 times n, and by the jump and the line of each number, n. */
+/* The derivatives of L by the impulses of all rows, N + 1 times n numbers, and by the jump and the line of each of the
+ * n numbers. L is the part of J that the forces and impulses of the dampers make. */
 typedef struct {
     size_t n;
     double *impulse, *jump, *line;
 } fvi_force_shares;
 
-/* fvi_force_start -- add to the derivatives what comes by jumps and lines: by x0, p0, masses, dampings, and of a
- * mechanism by parameters and names.
+/* fvi_force_start -- add the derivatives through jumps and lines: by x0, p0, masses and dampings, and for a mechanism
+ * by parameters and names.
  *
  *   s  a stepper at k = 0
  *
@@ -22,14 +24,15 @@ typedef struct {
 int fvi_force_start(const fvi_stepper *s, const fvi_force_shares *shares, const fvi_sensitivities *want);
 int fvi_force_start_of_mechanism(const fvi_stepper *s, const fvi_force_shares *shares, const fvi_sensitivities *want);
 
-/* fvi_force_numbers -- add to the derivatives by alpha, terms, orders, times and ends, as far as they are wanted, what
- * comes by the coefficients of the first rows, and by the lead of (13.18). These are quotients of seven points, exact to
- * 1e-9 of the first rows (test_adjoint_force_values.c).
+/* fvi_force_numbers -- add the derivatives by alpha, terms, orders, times and ends, if they are wanted, through the
+ * coefficients of the first rows and through the lead of (13.18). They are difference quotients of seven points, exact
+ * to 1e-9 of the first rows (test_adjoint_force_values.c).
  *
  *   force  dL/df as fvi_adjoint_forces has it, or NULL
  *
- * Cost: a run with an observer; and for each number six or seven starts of a stepper and an observer, by a method of
- * order 2 without a mechanism with the leads of a damper in all rows, each of which is a run of one body. */
+ * Cost: a run with an observer, and for each number six or seven starts of a stepper and an observer. For methods of
+ * order 2 without a mechanism each start also computes the leads of a damper in all rows, which is a run of one
+ * body. */
 int fvi_force_numbers(const fvi_method *method, const fvi_run *run, const double *force, const fvi_force_shares *shares,
                       const fvi_sensitivities *want);
 

@@ -1,4 +1,5 @@
-/* src/adjoint_forces/adjoint_forces_start_mechanism.c -- How the forces of a mechanism's dampers begin. [H 23, 29]
+/* src/adjoint_forces/adjoint_forces_start_mechanism.c -- The derivatives of the forces of a mechanism's dampers through
+ * the start. [H 23, 29]
  *
  * line_j = grad g_j(x_0) . v_0 + (g_j)_t and jump_j = g_j(x_0), where L_v(x_0, v_0) = p_0. */
 #include "adjoint_forces_start.h"
@@ -36,7 +37,7 @@ static int allocate(start *o)
     return FVI_SUCCESS;
 }
 
-/* What the names in an elongation add to its jump and its line. */
+/* Add the derivatives by names through the jump and the line of an elongation. */
 static int add_names(start *o, size_t j, double jump, double line)
 {
     const fvi_mechanism_columns *by = o->want->columns;
@@ -50,7 +51,7 @@ static int add_names(start *o, size_t j, double jump, double line)
     return status;
 }
 
-/* Damper j, whose elongation jumps by what `jump` and goes on with what `line` multiplies. */
+/* Add the derivatives of damper j; `jump` and `line` are the derivatives of L by its jump and its line. */
 static int add_damper(start *o, size_t j, double jump, double line)
 {
     const size_t d = o->d;
@@ -77,7 +78,7 @@ static int add_damper(start *o, size_t j, double jump, double line)
     return status;
 }
 
-/* by_v becomes the derivative by p_0. A coordinate without inertia starts with the velocity 0. */
+/* Turn by_v into the derivative by p_0. A coordinate without inertia starts with the velocity 0. */
 static int solve_for_momentum(start *o)
 {
     const fvi_system *system = o->s->run.system;
@@ -95,7 +96,7 @@ static int solve_for_momentum(start *o)
     return status ? status : fvi_solve_matrix(d, o->Lvv, o->by_v, o->order);
 }
 
-/* L_v(x_0, v_0) = p_0: what its other numbers have. */
+/* Add the derivatives by the other numbers in L_v(x_0, v_0) = p_0. */
 static int add_velocity(start *o)
 {
     const fvi_sensitivities *want = o->want;

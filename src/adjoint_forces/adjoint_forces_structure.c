@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* The matrices with walls; each of the `count` dampers has one, or a row of `rows`. */
+/* The matrices with walls. Each of the `count` dampers has a matrix, or a row of `rows`. */
 typedef struct {
     fvi_sparse M, K, *C;
     size_t count;
@@ -34,9 +34,9 @@ static size_t entries(const fvi_sparse *A)
     return A ? (size_t)A->start[A->n] : 0;
 }
 
-/* ---- the places of the walls ---- */
+/* ---- the indices of the walls ---- */
 
-/* Of a matrix: a wall for each unknown that it touches. */
+/* For a damper with a matrix: one wall for each unknown that the matrix acts on. */
 static size_t place_by_matrix(const fvi_sparse *C, size_t d, size_t next, size_t *wall)
 {
     for (size_t i = 0; i < d; i++)
@@ -71,7 +71,7 @@ static int place(fvi_walls *w, const fvi_system *of)
 
 /* ---- matrices ---- */
 
-/* A in its place, and `diagonal` for each wall. */
+/* Extend A to the walls, with `diagonal` for each wall. */
 static int widen(const fvi_walls *w, const fvi_sparse *A, double diagonal, fvi_sparse *to)
 {
     fvi_triplet *each = malloc((entries(A) + w->whole) * sizeof *each);

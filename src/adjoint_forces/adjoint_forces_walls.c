@@ -1,4 +1,4 @@
-/* src/adjoint_forces/adjoint_forces_walls.c -- What all runs with walls have. [H 23] */
+/* src/adjoint_forces/adjoint_forces_walls.c -- The parts that all runs with walls have in common. [H 23] */
 #include "adjoint_forces.h"
 
 #include <stdint.h>
@@ -34,7 +34,7 @@ int fvi_walls_allocate(fvi_walls *w, const fvi_run *run)
     for (size_t i = 0; i < whole; i++)
         w->mass[i] = FVI_WALL_MASS;
     for (size_t i = 0; i < d; i++) {
-        w->mass[w->own[i]] = of->mass ? of->mass[i] : 1; /* of a Lagrangian nobody reads it */
+        w->mass[w->own[i]] = of->mass ? of->mass[i] : 1; /* with a Lagrangian the masses are not read */
         w->damping[w->own[i]] = of->damping ? of->damping[i] : 0;
         w->x0[w->own[i]] = run->x0[i];
         w->p0[w->own[i]] = run->p0[i];
@@ -47,7 +47,7 @@ int fvi_walls_allocate(fvi_walls *w, const fvi_run *run)
     return FVI_SUCCESS;
 }
 
-/* F, or what hits, goes to the coordinates and their ghosts. */
+/* Copy a force or an impulse to the coordinates and their ghosts. */
 static void put_force(const fvi_walls *w, const double *F, double *to)
 {
     for (size_t i = 0; i < w->whole; i++)

@@ -1,4 +1,5 @@
-/* src/adjoint_mechanism/adjoint_mechanism.c -- A run with a mechanism, backwards.       [H 23, 29] */
+/* src/adjoint_mechanism/adjoint_mechanism.c -- The adjoint run of a system with a mechanism: its checks, its record and
+ * the walk back. [H 23, 29] */
 #include "adjoint_mechanism.h"
 
 #include "system/arrays.h"
@@ -8,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- what there is ---- */
+/* ---- which derivatives are known ---- */
 
 static int check_dampers(const fvi_method *method, const fvi_mechanism *mechanism,
                          const fvi_sensitivities *want)
@@ -51,7 +52,7 @@ int fvi_adjoint_mechanism_check(const fvi_method *method, const fvi_run *run,
     return check_dampers(method, mechanism, want);
 }
 
-/* ---- the run, and what is kept of it ---- */
+/* ---- the run and its record ---- */
 
 int fvi_adjoint_mechanism_allocate(fvi_adjoint_mechanism *m)
 {
@@ -68,7 +69,8 @@ int fvi_adjoint_mechanism_allocate(fvi_adjoint_mechanism *m)
     return FVI_SUCCESS;
 }
 
-/* The numbers of step k, one after another: x_k, u, the forces, those of the start, and v_k and w_k. */
+/* The record of step k: x_k, u, the forces of the dampers, their impulses of the start, and v_k and w_k, one after
+ * another. */
 static double *record_of(const fvi_adjoint_mechanism *m, size_t k)
 {
     return m->record + k * m->row;
@@ -104,7 +106,7 @@ static int start(const fvi_method *method, fvi_adjoint_mechanism *m)
     return status;
 }
 
-/* v and w at the node where the stepper is. */
+/* Write v and w at the node of the stepper. */
 static void keep_velocity(const fvi_adjoint_mechanism *m, double *to)
 {
     const fvi_mechanism_state *o = m->o;
@@ -112,7 +114,8 @@ static void keep_velocity(const fvi_adjoint_mechanism *m, double *to)
     memcpy(to, o->v, m->d * sizeof *to);
     for (size_t l = 0; l < o->m; l++)
         to[m->d + l] = m->run->h * last * o->ended[l];
-    for (size_t l = 0; o->rule && o->begin == 0 && l < o->m; l++) /* the last stage of form D has its own */
+    for (size_t l = 0; o->rule && o->begin == 0 && l < o->m; l++) /* the last stage of form D has an impulse of its
+                                                                     own */
         to[m->d + l] -= o->u[o->s * m->d + (o->s - 1) * o->m + l] / m->run->h;
 }
 
@@ -136,7 +139,7 @@ static int run_forwards(fvi_adjoint_mechanism *m)
     return status;
 }
 
-/* The stepper as it was in step k, and its equation linearised at the root. */
+/* Put the stepper back to step k, and linearise its equation at the root. */
 static int put_back(fvi_adjoint_mechanism *m, size_t k)
 {
     const double *from = record_of(m, k);
@@ -184,7 +187,7 @@ int fvi_adjoint_mechanism_point(fvi_adjoint_mechanism *m, size_t i, double t, co
 
 /* ---- the start of the run ---- */
 
-/* v0 is that of L_v(x0, v0, 0) = p0. */
+/* v0 solves L_v(x0, v0, 0) = p0. */
 int fvi_adjoint_mechanism_add_velocity(fvi_adjoint_mechanism *m, double *by_v, double *by_x0,
                                        double *by_p0)
 {
@@ -235,7 +238,7 @@ static int finish(fvi_adjoint_mechanism *m)
 
 /* ---- the walk back ---- */
 
-/* dJ/dx_k and dJ/dp_k are added to g and beta. */
+/* Add dJ/dx_k and dJ/dp_k to g and beta. */
 static int add_slopes(fvi_adjoint_mechanism *m, size_t k)
 {
     const fvi_objective *J = m->J;

@@ -1,13 +1,13 @@
-/* src/adjoint_mechanism/adjoint_mechanism.h -- A run with a mechanism, backwards.       [H 23, 29]
+/* src/adjoint_mechanism/adjoint_mechanism.h -- The adjoint run of a system with a mechanism. [H 23, 29]
  *
- * Internal. A step of (29.5) to (29.8) is R(x_k, p_k, u, lambda) = 0 and p_{k+1} = P(...), where the
- * forces lambda of the dampers are sums over all steps. Its transposed equation has the transposed
- * matrix of Newton's method, and its sums are those of the same weights, (23.2) and (17.6):
+ * Internal. A step of (29.5) to (29.8) is R(x_k, p_k, u, lambda) = 0 and p_{k+1} = P(...). The forces lambda of the
+ * dampers are sums over all steps. The transposed equation of a step has the transposed matrix of Newton's method. The
+ * transposed sums have the same weights, (23.2) and (17.6):
  *
- *     eta_k = sum_{n >= 0} w_n nu_{k+n},   nu_k = what lambda_k does to the step           (23.29)
+ *     eta_k = sum_{n >= 0} w_n nu_{k+n},   nu_k the derivative of J by lambda_k through its own step    (23.29)
  *
- * So the run keeps of each step what its equation was solved at, and the walk back solves one linear
- * system a step. */
+ * So the run keeps, for each step, the point at which its equation was solved. The walk back solves one linear system
+ * in each step. */
 #ifndef FVI_ADJOINT_MECHANISM_H
 #define FVI_ADJOINT_MECHANISM_H
 
@@ -17,73 +17,78 @@
 #include "mechanism/mechanism_state.h"
 #include "parameter_derivatives/stage_terms.h"
 
-/* One of several powers of a damper of the past rl, which has a history force of its own: impulses for rho A = 1. */
+/* One of several powers of a damper with the past rl. Each power has a history force of its own: impulses for rho
+ * A = 1. */
 typedef struct {
     size_t term;
     fvi_kernel_impulse power;
     double unit;
-    double by_A, by_A_and_order; /* derivatives of J by A for rho = 1, and by e of that */
+    double by_A, by_A_and_order; /* derivatives of J by A for rho = 1, and of that by e */
 } fvi_adjoint_start_power;
 
-/* Of one damper. Of nodes s is 1. */
+/* One damper. For the methods without stages s is 1. */
 typedef struct {
-    size_t damper, first;       /* the place of its terms among all */
+    size_t damper, first;       /* the place of its first term among the terms of all dampers */
     const fvi_kernel *kernel;
-    double weight;              /* of nodes: the first, taken out of the history */
-    fvi_history *history;       /* of nu, of nodes; */
+    double weight;              /* without stages: the first weight, taken out of the history */
+    fvi_history *history;       /* without stages: the history of nu */
     fvi_lobatto_history *stages;
-    double last, past[FVI_STAGES]; /* the last nu; of stages the sums over later steps */
+    double last, past[FVI_STAGES]; /* the last nu; with stages the sums over later steps */
     double nu[FVI_STAGES], eta[FVI_STAGES];
-    double spring;              /* on a mesh, of a spring: its stiffness */
-    /* its start: A is the slope of z, or z itself of the past rl */
+    double spring;              /* on a mesh, for a damper of order 0: its stiffness */
+    /* The start. The amplitude A is the slope of z, or for the past rl z itself. */
     int needs_start_slope, needs_start_place;
-    double A, unit;             /* of the impulses for rho A = 1, or A = 1 */
-    fvi_kernel_impulse power;   /* of a power; */
-    fvi_impulses_of_kernel *impulses; /* else */
-    fvi_adjoint_start_power *each;    /* of several powers; owned */
+    double A, unit;             /* of the impulses for rho A = 1, or for A = 1 */
+    fvi_kernel_impulse power;   /* for a power */
+    fvi_impulses_of_kernel *impulses; /* for any other kernel */
+    fvi_adjoint_start_power *each;    /* for several powers; owned */
     size_t powers;
     double impulse[FVI_KERNEL_IMPULSE_NODES], slope[FVI_KERNEL_IMPULSE_NODES];
-    double by_A, by_A_and_order, by_drift, by_origin; /* derivatives of J by these */
-    double factor;              /* by a factor of the kernel */
-    /* the numbers of its kernel */
-    fvi_node_term *term;        /* of nodes, one for each term; owned */
-    fvi_stage_terms of_stages;  /* of stages */
+    double by_A, by_A_and_order, by_drift, by_origin; /* derivatives of J by A, of that by e, by the drift t A of z, and
+                                                         by z_0 */
+    double factor;              /* the derivative by a factor of the kernel */
+    /* for the numbers of its kernel */
+    fvi_node_term *term;        /* without stages, one for each term; owned */
+    fvi_stage_terms of_stages;  /* with stages */
 } fvi_adjoint_mechanism_damper;
 
 typedef struct {
     const fvi_run *run;
     const fvi_sensitivities *want;
     const fvi_objective *J;
-    fvi_stepper *stepper;       /* of the run; its state is put back to each step */
+    fvi_stepper *stepper;       /* the stepper of the run; its state is put back to each step */
     fvi_mechanism_state *o;
-    size_t d, r, s, n, row;     /* numbers of a record */
-    const double *unknown;      /* u of the step at hand */
+    size_t d, r, s, n, row;     /* row: how many numbers a record has */
+    const double *unknown;      /* u of the current step */
     double *record;             /* x_k, u, known, start_impulse, v_k, w_k of each step; owned */
-    double *last;               /* x_N, p_N, v_N, and w of the constraints there */
-    double *G0, *z0, *v0;       /* of the start: r d, r, d */
-    double *g, *beta, *next;    /* dJ/dx_{k+1} of all later; multiplier of p_{k+1}; the same of k */
-    double *multiplier;         /* n: of the equations */
-    double *phi, *kappa, *tau;  /* s d each: what f_i, V_i and L_v,i do */
+    double *last;               /* x_N, p_N, v_N, and the impulse w of the constraints there */
+    double *G0, *z0, *v0;       /* at the start: gradients of the elongations, elongations and velocities; r d, r, d */
+    double *g, *beta, *next;    /* d each: dJ/dx_{k+1} through all later steps; the multiplier of p_{k+1}; the same as g
+                                   for x_k */
+    double *multiplier;         /* n: the multipliers of the equations of the step */
+    double *phi, *kappa, *tau;  /* s d each: the derivatives of J by the force f_i, by V_i and by L_v,i */
     double *matrix, *room;
-    double *projection, *gradient, *factors; /* of c constraints: (d + c)^2, c d, c */
-    double *column;             /* 2 (d + 2) + c (d + 2): by a name */
-    double *block;              /* all these; owned */
+    double *projection, *gradient, *factors; /* for c constraints: (d + c)^2, c d, c */
+    double *column;             /* 2 (d + 2) + c (d + 2): the derivatives of an elongation or of the constraints by a
+                                   name */
+    double *block;              /* the memory of all these arrays; owned */
     size_t *order;
     fvi_adjoint_mechanism_damper *damper; /* r; owned */
-    const double *source;       /* s d: what V_i does to J besides; NULL: nothing */
-    struct fvi_adjoint_mesh *mesh; /* of steps of any length; NULL else */
+    const double *source;       /* s d: further derivatives of J by V_i; NULL: none */
+    struct fvi_adjoint_mesh *mesh; /* for steps of any length; NULL otherwise */
 } fvi_adjoint_mechanism;
 
-/* fvi_adjoint_mechanism_check -- FVI_EUNSUP for what has no adjoint.
- * fvi_adjoint_mechanism_run -- fvi_adjoint of a checked run; the outputs are zeros before. */
+/* fvi_adjoint_mechanism_check -- refuse what has no adjoint. Returns FVI_SUCCESS, FVI_EINVAL or FVI_EUNSUP.
+ * fvi_adjoint_mechanism_run -- fvi_adjoint for a checked run; the outputs are zeros before. */
 int fvi_adjoint_mechanism_check(const fvi_method *method, const fvi_run *run,
                                 const fvi_sensitivities *want);
 int fvi_adjoint_mechanism_run(const fvi_method *method, const fvi_run *run,
                               const fvi_objective *J, const fvi_sensitivities *want);
 
-/* fvi_adjoint_mechanism_allocate -- all but the record; the stepper has been started.
- * fvi_adjoint_mechanism_add_velocity -- what v_0 does, by_v, d numbers, goes to p_0, x_0 and what L depends on.
- * fvi_adjoint_mechanism_stop -- give everything back. */
+/* fvi_adjoint_mechanism_allocate -- allocate everything but the records; the stepper has been started.
+ * fvi_adjoint_mechanism_add_velocity -- carry the derivative by v_0, by_v, d numbers, over to p_0, x_0 and the numbers
+ * that L depends on. by_v is overwritten.
+ * fvi_adjoint_mechanism_stop -- free everything. */
 int fvi_adjoint_mechanism_allocate(fvi_adjoint_mechanism *m);
 int fvi_adjoint_mechanism_add_velocity(fvi_adjoint_mechanism *m, double *by_v, double *by_x0,
                                        double *by_p0);
@@ -91,23 +96,25 @@ void fvi_adjoint_mechanism_stop(fvi_adjoint_mechanism *m);
 
 /* ---- adjoint_mechanism_mesh.c: steps of any length ---- */
 
-/* fvi_adjoint_mesh_run -- as fvi_adjoint_mechanism_run, of fvi_variable_step.
- * fvi_adjoint_mesh_check -- FVI_EUNSUP for what has no adjoint there alone.
- * fvi_adjoint_mesh_push -- the nu of a step go into the memories, and what springs do into g. */
+/* fvi_adjoint_mesh_run -- as fvi_adjoint_mechanism_run, for fvi_variable_step.
+ * fvi_adjoint_mesh_check -- FVI_EUNSUP for what has no adjoint on a mesh only.
+ * fvi_adjoint_mesh_push -- push the nu of a step into the histories, and add the part of springs to g. */
 int fvi_adjoint_mesh_run(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want);
 int fvi_adjoint_mesh_check(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want);
 int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m);
 
 /* ---- adjoint_mechanism_dampers.c ---- */
 
-/* fvi_adjoint_mechanism_damper_start -- the memories of damper j of a run at k = 0.
- * _impulses  those of step k, and their derivatives by the order of a power
- * _powers    those of several powers in step k, impulse i of which by[i] multiplies
- * _push      nu of a step goes in: eta, and at nodes what the numbers of its kernel have of it, which
- *            meets zeta; with_stages: zdot less the drift, s numbers, in zeta
- * _ahead     of nodes: eta of this step but for weight nu
- * _end       by its start, into by_x0 and by_v, d numbers each, and all derivatives by its kernel
- * _bar       NaN into by_x0 where another place would stretch it and leave no motion, (19.2) */
+/* fvi_adjoint_mechanism_damper_start -- start the histories of damper j of a run at k = 0.
+ *
+ *   _impulses  the impulses of the past in step k, and their derivatives by e for a power
+ *   _powers    the impulses of several powers in step k; by[i] is the derivative of J by impulse i
+ *   _push      push nu of a step, which gives eta. Add the derivatives by the numbers of the kernel. zeta: the
+ *              elongation less z_0 and the drift; with stages zdot less the drift, s numbers
+ *   _ahead     without stages: eta of this step without the term weight nu
+ *   _end       add the derivatives through its start to by_x0 and by_v, d numbers each, and write all derivatives by
+ *              its kernel
+ *   _bar       write NaN to by_x0 for a place that would stretch the damper where no motion starts so, (19.2) */
 int fvi_adjoint_mechanism_damper_start(fvi_adjoint_mechanism *m, size_t j);
 void fvi_adjoint_mechanism_damper_powers(const fvi_adjoint_mechanism *m, size_t k,
                                          fvi_adjoint_mechanism_damper *a, const double *by);
@@ -124,18 +131,20 @@ void fvi_adjoint_mechanism_damper_stop(fvi_adjoint_mechanism_damper *a);
 
 /* ---- adjoint_mechanism_nodes.c, adjoint_mechanism_stages.c ---- */
 
-/* From node k + 1 to node k: g, beta; the stepper stands at step k, whose equation is linearised. */
+/* Go from node k + 1 to node k: compute g and beta. The stepper stands at step k, and its equation is linearised. */
 int fvi_adjoint_mechanism_nodes(fvi_adjoint_mechanism *m, size_t k);
 int fvi_adjoint_mechanism_stages(fvi_adjoint_mechanism *m, size_t k);
 
-/* ---- adjoint_mechanism_names.c: what want->names have of a step, of a node, and of the start of damper j ---- */
+/* ---- adjoint_mechanism_names.c: the derivatives by want->names through a step, a node, and the start of damper j
+ * ---- */
 
-/* fvi_adjoint_mechanism_names_nodes, _stages -- of step k, or of that of the stepper, once its multipliers and those of its dampers are
- * known, and before beta becomes that of p_k.
- * _node   of p at node k, where beta multiplies what comes out, and delta what C v + c_t is
- * _start  of g at x_0 and of the slope that damper j begins with
- * _check  NaN for those that would move x_0 or p_0
- * _bar    NaN for those that would stretch damper e at x_0, where it must not be */
+/* fvi_adjoint_mechanism_names_nodes, _stages -- through step k, or the step of the stepper. Its multipliers and those
+ * of its dampers are known, and beta still belongs to p_{k+1}.
+ *
+ *   _node   through p at node k. beta is the multiplier of the p that comes out, and delta that of C v + c_t
+ *   _start  through g at x_0, and through the slope that damper j begins with
+ *   _check  NaN for a name that would move x_0 or p_0
+ *   _bar    NaN for a name that would stretch damper e at x_0, where it must not be stretched */
 int fvi_adjoint_mechanism_names_bar(fvi_adjoint_mechanism *m, size_t e);
 int fvi_adjoint_mechanism_names_nodes(fvi_adjoint_mechanism *m, size_t k, double ahead);
 int fvi_adjoint_mechanism_names_stages(fvi_adjoint_mechanism *m);
@@ -145,17 +154,19 @@ int fvi_adjoint_mechanism_names_start(fvi_adjoint_mechanism *m, size_t j, double
                                       double by_slope);
 int fvi_adjoint_mechanism_names_check(fvi_adjoint_mechanism *m);
 
-/* fvi_adjoint_mechanism_share -- what multiplies grad g of damper e at an end of a step of nodes. */
+/* fvi_adjoint_mechanism_share -- the factor of grad g of damper e at an end of a step without stages. */
 double fvi_adjoint_mechanism_share(const fvi_adjoint_mechanism *m, size_t e, size_t end);
 
-/* fvi_adjoint_mechanism_project -- what the constraints do to p at a node: beta in, of what comes out,
- * and out, of what comes in; g. v is the velocity there, and w their impulse. by_v: what v itself does to J, or
- * NULL. */
+/* fvi_adjoint_mechanism_project -- go back through the projection of p at a node.
+ *
+ *   beta  (of m) in: the derivative by the p that comes out; out: by the p that goes in; m->g is changed, too
+ *   v, w  the velocity there, and the impulse of the constraints
+ *   by_v  the derivative of J by v itself, or NULL */
 int fvi_adjoint_mechanism_project(fvi_adjoint_mechanism *m, double t, const double *x,
                                   const double *v, const double *w, const double *by_v);
 
-/* fvi_adjoint_mechanism_point -- what masses and the parameters of the potential or the Lagrangian have
- * of the point number i of a step at the time t: tau multiplies L_v there, and phi the force f. */
+/* fvi_adjoint_mechanism_point -- add the derivatives by masses and by the parameters of the potential or the Lagrangian
+ * through point number i of a step, at the time t. tau is the derivative of J by L_v there, and phi by the force f. */
 int fvi_adjoint_mechanism_point(fvi_adjoint_mechanism *m, size_t i, double t, const double *tau,
                                 const double *phi);
 

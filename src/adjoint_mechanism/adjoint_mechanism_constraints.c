@@ -1,11 +1,12 @@
-/* src/adjoint_mechanism/adjoint_mechanism_constraints.c -- Constraints, backwards.     [H 23, 29]
+/* src/adjoint_mechanism/adjoint_mechanism_constraints.c -- The adjoint of the projection onto the constraints. [H 23,
+ * 29]
  *
- * At a node p becomes p - C^T w, with C v + c_t = 0 for the velocity of what comes out. With b the
- * multiplier of that, epsilon that of L_v(x, v) = p, and delta that of the hidden constraint,
+ * At a node p becomes p - C^T w, so that the velocity of the new p satisfies C v + c_t = 0. Let b be the multiplier of
+ * the new p, epsilon that of L_v(x, v) = p, and delta that of the hidden constraint. Then
  *
- *     L_vv epsilon = C^T delta,   C epsilon = -C b,   beta = b + epsilon                 (23.30)
+ *     L_vv epsilon = C^T delta,   C epsilon = -C b,   beta = b + epsilon.                 (23.30)
  *
- * What v itself does to J is added to C^T delta. */
+ * If J depends on v itself, that derivative is added to C^T delta. */
 #include "adjoint_mechanism.h"
 
 #include "system/fail.h"
@@ -13,7 +14,8 @@
 
 #include <string.h>
 
-/* A constraint that moves has slopes of c_t by x, which nobody gives; an imposed coordinate has none. */
+/* Refuse a constraint that moves: its c_t has derivatives by x, which no callback gives. For an imposed coordinate they
+ * are 0. */
 static int check_rates(const fvi_constraints *c, const double *ct)
 {
     for (size_t l = 0; l < c->count; l++)
@@ -24,7 +26,7 @@ static int check_rates(const fvi_constraints *c, const double *ct)
     return FVI_SUCCESS;
 }
 
-/* epsilon and -delta, d + m numbers, by the matrix of the projection. */
+/* Solve for epsilon and -delta, d + m numbers, with the matrix of the projection. */
 static int solve(fvi_adjoint_mechanism *m, const double *C, const double *by_v, double *right)
 {
     const fvi_mechanism_state *o = m->o;
@@ -89,7 +91,7 @@ int fvi_adjoint_mechanism_project(fvi_adjoint_mechanism *m, double t, const doub
         status = solve(m, C, by_v, right);
     for (size_t i = 0; i < d; i++) {
         m->beta[i] += right[i];
-        m->tau[i] = -right[i]; /* what masses and parameters have of L_v there */
+        m->tau[i] = -right[i]; /* the derivatives by masses and parameters through L_v there */
     }
     if (!status)
         status = add_to_place(m, t, x, v, w, right);

@@ -1,4 +1,4 @@
-/* src/adjoint_mechanism/adjoint_mechanism_dampers.c -- Dampers of a mechanism, backwards.  [H 23, 29] */
+/* src/adjoint_mechanism/adjoint_mechanism_dampers.c -- The dampers of a mechanism in its adjoint run. [H 23, 29] */
 #include "adjoint_mechanism.h"
 
 #include "methods/lobatto_stages.h"
@@ -21,7 +21,8 @@ static int is_first_order(const fvi_adjoint_mechanism *m)
 
 /* ---- the start ---- */
 
-/* What a start has stretched at once has forces that are powers of t, one for each power of a sum. */
+/* Prepare the start of a damper that is stretched at t = 0. Its force is a sum of powers of t, one for each power of
+ * the law. */
 static int start_powers(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
 {
     static const double ends[] = { 0, 1 };
@@ -43,7 +44,7 @@ static int start_powers(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_da
     return FVI_SUCCESS;
 }
 
-/* A and the impulses for an A of 1, and of a power for a rho of 1. */
+/* Write A, and prepare the impulses of the past for A = 1, and for a power for rho = 1. */
 static int start_impulses(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
 {
     static const double ends[] = { 0, 1 };
@@ -91,7 +92,7 @@ static int start_history(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_d
                               &a->weight, &a->history);
 }
 
-/* The terms of a kernel through stages are those of one body with a damping of 1. */
+/* Start the terms of a kernel with stages. They are the terms of one body with a damping of 1. */
 static int start_terms_of_stages(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
 {
     const double one = 1;
@@ -113,7 +114,7 @@ static int start_terms(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a
     a->term = calloc(a->kernel->count, sizeof *a->term);
     if (!a->term)
         FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
-    fvi_run longer = *m->run; /* of order 1 node 0 comes in, too */
+    fvi_run longer = *m->run; /* the method of order 1 pushes node 0, too */
     longer.steps++;
     for (size_t l = 0; !status && l < a->kernel->count; l++) {
         status = fvi_node_term_start(&longer, m->want,
@@ -227,7 +228,7 @@ int fvi_adjoint_mechanism_damper_push(fvi_adjoint_mechanism *m, fvi_adjoint_mech
         status = fvi_lobatto_history_push(a->stages, y, a->past);
     if (status || !a->of_stages.each)
         return status;
-    for (size_t i = 0; i < m->s; i++) /* their weights have h */
+    for (size_t i = 0; i < m->s; i++) /* the weights of the terms contain h */
         y[i] = -y[i] / m->run->h;
     fvi_stage_terms_accumulate(&a->of_stages, 0, y, m->run->h, zeta, m->want, a->first);
     return fvi_stage_terms_update_history(&a->of_stages, y);
@@ -235,8 +236,8 @@ int fvi_adjoint_mechanism_damper_push(fvi_adjoint_mechanism *m, fvi_adjoint_mech
 
 /* ---- the end ---- */
 
-/* By rho and the order of a power through the impulses of its start; e falls by 2 dalpha. Of any other
- * kernel, at nodes, its terms have them. */
+/* Add the derivatives by rho and the order of a power through the impulses of its start; e falls by 2 dalpha. For any
+ * other kernel without stages its terms have these derivatives. */
 static void add_impulses_of_power(const fvi_adjoint_mechanism *m,
                                   const fvi_adjoint_mechanism_damper *a)
 {
@@ -251,7 +252,7 @@ static void add_impulses_of_power(const fvi_adjoint_mechanism *m,
             2 * rho * a->A * (log(m->run->h) * a->by_A + a->by_A_and_order);
 }
 
-/* The same of several powers; by the place. */
+/* The same for several powers. Returns the derivative by the place. */
 static double add_powers(const fvi_adjoint_mechanism *m, const fvi_adjoint_mechanism_damper *a)
 {
     const fvi_sensitivities *want = m->want;
@@ -269,7 +270,8 @@ static double add_powers(const fvi_adjoint_mechanism *m, const fvi_adjoint_mecha
     return by_place;
 }
 
-/* Does the rate of an elongation change with the place? Nobody gives its slope; of g(x) - u(t) it is 0. */
+/* Refuse an elongation whose rate changes with the place, because no callback gives that derivative. It is 0 for
+ * g(x) - u(t). */
 static int check_rate(const fvi_adjoint_mechanism *m, const fvi_elongation *of)
 {
     double *x = m->room, here, there;
@@ -313,7 +315,7 @@ int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mecha
         damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && is_first_order(m);
     double by_place = m->o->rule || is_liouville ? 0 : a->by_origin, by_slope = 0;
     int status = FVI_SUCCESS;
-    if (is_liouville) { /* node 0 has an elongation, and no force acts there */
+    if (is_liouville) { /* node 0 has an elongation, but no force acts there */
         const double zeta = m->z0[j];
         a->nu[0] = 0;
         status = push_nodes(m, a, &zeta);

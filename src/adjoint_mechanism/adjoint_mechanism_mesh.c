@@ -1,8 +1,9 @@
-/* src/adjoint_mechanism/adjoint_mechanism_mesh.c -- A mechanism on steps of any length, backwards.   [H 23, 29]
+/* src/adjoint_mechanism/adjoint_mechanism_mesh.c -- The adjoint run of a mechanism on steps of any length. [H 23, 29]
  *
- * The steps are those of form D, so that a step goes back as in adjoint_mechanism_stages.c. The memory of a damper goes
- * back as that of a coordinate does (23.16): the same modes, with mu_i = nu_{s-1-i} / (h b_{s-1-i}) in the place of
- * zdot. Within a step a row is a polynomial of V, and of v at its beginning, the last V of the step before. */
+ * The steps are steps of form D, so a step goes back as in adjoint_mechanism_stages.c. The history of a damper goes
+ * back as the history of a coordinate does (23.16): it has the same modes, and takes in
+ * mu_i = nu_{s-1-i} / (h b_{s-1-i}) in the place of zdot. Within a step, x in a row is a polynomial of V, and of v at
+ * the beginning of the step, which is the last V of the step before. */
 #include "adjoint_mechanism.h"
 #include "adjoint_variable/adjoint_variable.h"
 
@@ -14,8 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where a step begins, and its length. At its end v is solved from p, and is not the last V, if an impulse acts there
- * or if there are constraints. */
+/* The beginning and the length of a step. If an impulse acts at its end, or if there are constraints, v there is
+ * computed from p, and is not the last V. */
 typedef struct {
     double t;
     fvi_length length;
@@ -25,14 +26,14 @@ typedef struct {
 struct fvi_adjoint_mesh {
     const fvi_variable_rule *rule;
     mesh_step *step;
-    size_t steps, room, row;  /* the next row that is asked for its slopes */
-    double *rows, *p;         /* x of the rows; p at the end */
-    double *source, *by_v, *by_x, *Jx, *Jp; /* s d, d each; owned, one piece */
+    size_t steps, room, row;  /* row: the next row that J's slopes are asked for */
+    double *rows, *p;         /* x in the rows; p at the end */
+    double *source, *by_v, *by_x, *Jx, *Jp; /* s d, then d each; owned, one block */
     double W[FVI_LANES * FVI_LANES];
-    fvi_mesh_damper *adjoint; /* r; owned */
+    fvi_mesh_damper *adjoint; /* the histories of the dampers of the adjoint run, r; owned */
 };
 
-/* ---- what there is ---- */
+/* ---- which derivatives are known ---- */
 
 int fvi_adjoint_mesh_check(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want)
 {
@@ -54,7 +55,7 @@ int fvi_adjoint_mesh_check(const fvi_run *run, const fvi_objective *J, const fvi
     return FVI_SUCCESS;
 }
 
-/* ---- the run, and what is kept of it ---- */
+/* ---- the run and its record ---- */
 
 static int start(fvi_adjoint_mechanism *m)
 {
@@ -98,7 +99,7 @@ static int start(fvi_adjoint_mechanism *m)
     return status;
 }
 
-/* v, and the impulse w of the constraints but for that of the last stage, where the stepper is.      (29.4) */
+/* Write v at the stepper's time, and the impulse w of the constraints without that of the last stage. (29.4) */
 static void keep_velocity(const fvi_adjoint_mechanism *m, double *to)
 {
     const fvi_mechanism_state *o = m->o;
@@ -109,8 +110,7 @@ static void keep_velocity(const fvi_adjoint_mechanism *m, double *to)
                                 : 0;
 }
 
-/* x_k, u and the known forces of the step that was done last, which began at x with the velocity and the impulse
- * behind it. */
+/* Record the last step: x_k, u and the known forces. It began at x; the velocity and the impulse w stand behind x. */
 static int record(fvi_adjoint_mechanism *m, const double *x, int is_hit)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
@@ -167,7 +167,7 @@ static int run_forwards(fvi_adjoint_mechanism *m)
     return status;
 }
 
-/* The stepper as it was in step n, and its equation linearised at the root. */
+/* Put the stepper back to step n, and linearise its equation at the root. */
 static int put_back(fvi_adjoint_mechanism *m, size_t n)
 {
     const mesh_step *step = m->mesh->step + n;
@@ -188,7 +188,7 @@ static int put_back(fvi_adjoint_mechanism *m, size_t n)
 
 /* ---- rows within a step ---- */
 
-/* dJ/dx of row k, and of the last one dJ/dp to beta. */
+/* Ask J for dJ/dx of row k, and add dJ/dp of the last row to beta. */
 static int ask_row(fvi_adjoint_mechanism *m, size_t k)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
@@ -234,9 +234,9 @@ static int add_rows(fvi_adjoint_mechanism *m, size_t n)
     return status;
 }
 
-/* ---- memories ---- */
+/* ---- histories ---- */
 
-/* The sums over later steps, `past`, for a step of this length: (22.10) with mu. */
+/* Write the sums over later steps, `past`, for a step of this length: (22.10) with mu. */
 static void find_past(fvi_adjoint_mechanism *m, size_t e)
 {
     const fvi_variable_step_state *of = m->stepper->method_state;
@@ -281,7 +281,7 @@ int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m)
             all += a->spring * a->nu[i];
         }
         fvi_mesh_advance_damper(adjoint, 0, s, mu, &adjoint->before);
-        a->by_origin -= all; /* where a spring rests */
+        a->by_origin -= all; /* the place where the spring is at rest */
         for (size_t j = 0; j < m->d; j++)
             m->g[j] += all * o->G[e * m->d + j];
     }

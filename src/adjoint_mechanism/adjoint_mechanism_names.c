@@ -1,13 +1,13 @@
-/* src/adjoint_mechanism/adjoint_mechanism_names.c -- By the numbers that stand in forces of velocity, elongations and
- * constraints.                                                        [H 23, 29]
+/* src/adjoint_mechanism/adjoint_mechanism_names.c -- The derivatives by numbers in forces of velocity, elongations and
+ * constraints. [H 23, 29]
  *
- * With theta written as an index, where alpha and beta multiply p_k and p_{k+1} of (29.6), phi the force f, and
- * eta_k the mean elongation of the step, a step has
+ * Let an index theta mean the derivative by such a number. alpha and beta are the multipliers of p_k and p_{k+1} in
+ * (29.6), phi that of the force f, and eta_k that of the mean elongation of the step. Then a step adds
  *
  *     phi F_theta - share_0 alpha grad g_theta(x_k) - share_1 beta grad g_theta(x_{k+1})
- *         - eta_k (g_theta(x_k) + g_theta(x_{k+1}))/2,                              (23.31)
+ *         - eta_k (g_theta(x_k) + g_theta(x_{k+1}))/2.                              (23.31)
  *
- * and so on for stages, where eta_i multiplies zdot_i. */
+ * With stages each stage has such terms, and eta_i is the multiplier of zdot_i. */
 #include "adjoint_mechanism.h"
 
 #include "system/dot.h"
@@ -31,7 +31,7 @@ static int add_force(fvi_adjoint_mechanism *m, size_t j, double t, const double 
 
 /* ---- elongations ---- */
 
-/* g_theta and its gradient, behind one another from `to` on, d + 2 numbers: the last is that of g_t. */
+/* Write g_theta, its gradient and g_t,theta to `to`, d + 2 numbers. */
 static int elongation(fvi_adjoint_mechanism *m, size_t j, size_t e, double t, const double *x,
                       double *to)
 {
@@ -67,7 +67,7 @@ static int add_damper_at_stages(fvi_adjoint_mechanism *m, size_t j, size_t e)
     const size_t d = m->d, s = m->s;
     const double h = m->o->h, *eta = m->damper[e].eta;
     double *begin = m->column, *here = begin + d + 2, *sum = m->want->names + j;
-    double spring = 0; /* on a mesh its force is that of its own length */
+    double spring = 0; /* on a mesh the force of a spring depends on its length, not on a history */
     for (size_t i = 0; m->mesh && i < s; i++)
         spring += m->damper[e].spring * m->damper[e].nu[i];
     int status = elongation(m, j, e, begin_of(m), m->stepper->x, begin);
@@ -107,7 +107,7 @@ int fvi_adjoint_mechanism_names_bar(fvi_adjoint_mechanism *m, size_t e)
 
 /* ---- constraints ---- */
 
-/* c, C and c_t by theta behind one another from m->column on. */
+/* Write c, C and c_t, differentiated by theta, to m->column, one after another. */
 static int constraints(fvi_adjoint_mechanism *m, size_t j, double t, const double *x)
 {
     const fvi_mechanism_columns *by = m->want->columns;
@@ -116,7 +116,7 @@ static int constraints(fvi_adjoint_mechanism *m, size_t j, double t, const doubl
     return by->constraint(j, t, m->d, x, by->params, to, to + c, to + c + c * m->d);
 }
 
-/* -sum_l impulse_l C_l y: an impulse of the constraints turns. */
+/* Add -sum_l impulse_l C_l y: the direction of an impulse of the constraints changes with theta. */
 static void add_turning(fvi_adjoint_mechanism *m, size_t j, const double *impulse, const double *y)
 {
     const size_t d = m->d, c = m->o->m;

@@ -1,11 +1,12 @@
-/* src/adjoint_mechanism/adjoint_mechanism_nodes.c -- A step of order 1 or of the node scheme, backwards.
- *                                                                    [H 23, 29]
+/* src/adjoint_mechanism/adjoint_mechanism_nodes.c -- A step of the adjoint run by the method of order 1 or the node
+ * scheme. [H 23, 29]
+ *
  * With f = L_x + F at the point of the step, and kappa' = 1 - kappa, the momenta at its two ends are
  *
  *     p_k     = L_v - kappa h f  - h/2 F_k     + sum (h/2 lambda + I_0) grad g(x_k),
  *     p_{k+1} = L_v + kappa' h f + h/2 F_{k+1} - sum (h/2 lambda + I_1) grad g(x_{k+1})    (29.6)
  *
- * and alpha and beta multiply them. Of order 1, (29.5), F and h lambda act at x_{k+1} alone. */
+ * and their multipliers are alpha and beta. In the method of order 1, (29.5), F and h lambda act at x_{k+1} alone. */
 #include "adjoint_mechanism.h"
 
 #include "system/dot.h"
@@ -18,7 +19,7 @@ static int is_node(const fvi_adjoint_mechanism *m)
     return m->o->form == FVI_MECHANISM_NODES;
 }
 
-/* How much of x_{k+1} is in the point. */
+/* The part of x_{k+1} in the point of the step. */
 static double ahead_of(const fvi_adjoint_mechanism *m)
 {
     return is_node(m) ? 0.5 : 1 - m->run->kappa;
@@ -32,7 +33,7 @@ double fvi_adjoint_mechanism_share(const fvi_adjoint_mechanism *m, size_t e, siz
                       : (end ? h * o->lambda[e] : 0);
 }
 
-/* to -= factor (Hess g) y of damper e at x. */
+/* to -= factor (Hess g) y, for damper e at x. */
 static int subtract_curvature(fvi_adjoint_mechanism *m, size_t e, double t, const double *x,
                               double factor, const double *y, double *to)
 {
@@ -48,8 +49,8 @@ static int subtract_curvature(fvi_adjoint_mechanism *m, size_t e, double t, cons
     return status;
 }
 
-/* What alpha and beta give to the end of the step that has `part` of the point, and whose place moves V
- * by sign / h: y = beta - alpha multiplies L_v, and z the force. */
+/* Add the derivatives through the point of the step by one of its ends, which has `part` of the point and moves V by
+ * sign / h. y = beta - alpha is the multiplier of L_v, and z that of the force. */
 static void add_point(const fvi_adjoint_mechanism *m, double part, double sign, const double *y,
                       const double *z, double *to)
 {
@@ -62,7 +63,7 @@ static void add_point(const fvi_adjoint_mechanism *m, double part, double sign, 
                      + h * z[i] * (part * o->fx[i * d + j] + sign / h * o->fv[i * d + j]);
 }
 
-/* Of order 1 the forces of velocity act at x_{k+1}, with the slope of the step. */
+/* In the method of order 1 the forces of velocity act at x_{k+1}, with the slope of the step as velocity. */
 static int force_at_end(fvi_adjoint_mechanism *m, const double *x, double t, double *to,
                         double *before)
 {
@@ -81,7 +82,7 @@ static int force_at_end(fvi_adjoint_mechanism *m, const double *x, double t, dou
     return status;
 }
 
-/* What is known of the equation for alpha: all that acts on x_{k+1}, with beta. */
+/* Write the right-hand side of the equation for alpha: all derivatives by x_{k+1} that are known, with beta. */
 static int right_hand_side(fvi_adjoint_mechanism *m, size_t k, const double *x, double *right)
 {
     const fvi_mechanism_state *o = m->o;
@@ -117,7 +118,7 @@ static int right_hand_side(fvi_adjoint_mechanism *m, size_t k, const double *x, 
     return status;
 }
 
-/* The dampers of the node scheme, once alpha is known. */
+/* Push the dampers of the node scheme, after alpha is known. */
 static int push_dampers(fvi_adjoint_mechanism *m, size_t k)
 {
     const fvi_mechanism_state *o = m->o;
@@ -145,7 +146,7 @@ static int push_dampers(fvi_adjoint_mechanism *m, size_t k)
     return status;
 }
 
-/* h/2 of the force at either end; of order 1 h of it at the later one. */
+/* Add the derivatives by the force: h/2 at either end; in the method of order 1 h at the later end. */
 static void add_force(fvi_adjoint_mechanism *m, size_t k)
 {
     const double h = m->run->h;
@@ -156,7 +157,7 @@ static void add_force(fvi_adjoint_mechanism *m, size_t k)
     }
 }
 
-/* The impulses of the constraints at x_k turn with their gradients. */
+/* Subtract the derivatives through the gradients of the constraints at x_k, with which their impulses turn. */
 static int subtract_constraints(fvi_adjoint_mechanism *m, double t, const double *x)
 {
     const fvi_constraints *c = m->run->system->mechanism->constraints;
@@ -171,7 +172,7 @@ static int subtract_constraints(fvi_adjoint_mechanism *m, double t, const double
     return status;
 }
 
-/* What acts on x_k through this step, into m->next. */
+/* Write the derivatives by x_k through this step to m->next. */
 static int left_end(fvi_adjoint_mechanism *m, size_t k, const double *x)
 {
     const fvi_mechanism_state *o = m->o;
@@ -208,7 +209,7 @@ int fvi_adjoint_mechanism_nodes(fvi_adjoint_mechanism *m, size_t k)
     if (!status)
         status = force_at_end(m, end, (double)(k + 1) * h, m->multiplier, m->next);
     for (size_t i = 0; i < n; i++) {
-        m->multiplier[i] = i < d ? h * m->multiplier[i] : 0; /* the rows are h times those of p_k */
+        m->multiplier[i] = i < d ? h * m->multiplier[i] : 0; /* the rows of the matrix are h times the rows of p_k */
         for (size_t j = 0; j < n; j++)
             m->matrix[j * n + i] = o->matrix[i * n + j];
     }

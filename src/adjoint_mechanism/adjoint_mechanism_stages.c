@@ -1,8 +1,8 @@
-/* src/adjoint_mechanism/adjoint_mechanism_stages.c -- A step with stages, backwards.  [H 23, 29]
+/* src/adjoint_mechanism/adjoint_mechanism_stages.c -- A step of the adjoint run of a mechanism with stages. [H 23, 29]
  *
- * A_i multiplies row i of (29.7), and beta p_{k+1}. So phi_i = h b_i (A_i + beta) multiplies the force
- * of stage i, tau_l = sum_i T_il A_i multiplies L_v, and nu_i = -grad g(X_i) . phi_i the force lambda_i.
- * By (17.6) the slopes zdot of all steps are multiplied by chi = B P sum_n W_n P B^-1 nu_{k+n}. */
+ * A_i is the multiplier of row i of (29.7), and beta that of p_{k+1}. So phi_i = h b_i (A_i + beta) is the multiplier
+ * of the force of stage i, tau_l = sum_i T_il A_i that of L_v, and nu_i = -grad g(X_i) . phi_i that of the force
+ * lambda_i. By (17.6) the multiplier of the slopes zdot of all steps is chi = B P sum_n W_n P B^-1 nu_{k+n}. */
 #include "adjoint_mechanism.h"
 
 #include "system/dot.h"
@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-/* phi and tau of multipliers A of the rows; NULL: zeros. */
+/* Compute phi and tau from the multipliers A of the rows; NULL: zeros. */
 static void find_forces(fvi_adjoint_mechanism *m, const double *A)
 {
     const fvi_mechanism_state *o = m->o;
@@ -27,7 +27,7 @@ static void find_forces(fvi_adjoint_mechanism *m, const double *A)
         }
 }
 
-/* nu of a damper, and chi into eta: what is known of later steps, and W_0 of this one. */
+/* Compute nu of each damper, and chi to eta: the known part of later steps, and W_0 of this step. */
 static void find_dampers(fvi_adjoint_mechanism *m)
 {
     const fvi_mechanism_state *o = m->o;
@@ -46,7 +46,7 @@ static void find_dampers(fvi_adjoint_mechanism *m)
     }
 }
 
-/* What V_i and zdot_i do through E, on X_l: kappa_i multiplies V_i. */
+/* Compute kappa_i, the derivative by V_i. V_i and zdot_i depend on X_l through E. */
 static void find_slopes(fvi_adjoint_mechanism *m)
 {
     const fvi_mechanism_state *o = m->o;
@@ -61,7 +61,7 @@ static void find_slopes(fvi_adjoint_mechanism *m)
         }
 }
 
-/* What acts on X_l directly, d numbers. */
+/* Add the derivative by X_l without the slopes, d numbers. */
 static void add_place(const fvi_adjoint_mechanism *m, size_t l, double *to)
 {
     const fvi_mechanism_state *o = m->o;
@@ -72,7 +72,8 @@ static void add_place(const fvi_adjoint_mechanism *m, size_t l, double *to)
                      + o->Lxv[(l * d + c) * d + a] * m->tau[l * d + a];
 }
 
-/* What acts on the increment of X_l through the slopes, times factor; G: the dampers' gradients where it is. */
+/* Add the derivative by the increment of X_l through the slopes, times factor. G: the gradients of the dampers
+ * there. */
 static void add_slopes(const fvi_adjoint_mechanism *m, size_t l, double factor, const double *G,
                        double *to)
 {
@@ -88,7 +89,8 @@ static void add_slopes(const fvi_adjoint_mechanism *m, size_t l, double factor, 
     }
 }
 
-/* By the impulses of the constraints at stage i: they push with -C_i^T / h what beta multiplies. */
+/* Write the derivatives by the impulses of the constraints at stage i: they add -C_i^T / h times themselves to p_{k+1},
+ * whose multiplier is beta. */
 static int add_constraints(fvi_adjoint_mechanism *m, size_t i)
 {
     const fvi_mechanism_state *o = m->o;
@@ -102,7 +104,7 @@ static int add_constraints(fvi_adjoint_mechanism *m, size_t i)
     return status;
 }
 
-/* The derivatives by the unknown stages but for A, whose negative is the right-hand side. */
+/* Solve for the multipliers A. The right-hand side is minus the derivative by the unknown stages without A. */
 static int solve_multipliers(fvi_adjoint_mechanism *m)
 {
     const fvi_mechanism_state *o = m->o;
@@ -163,7 +165,8 @@ static int push_dampers(fvi_adjoint_mechanism *m, size_t k)
     return status;
 }
 
-/* With the increments the constraints of the stages stay no more: what their multipliers do to g. */
+/* Add the derivatives through the constraints of the stages to g. If the increments stay and x_k moves, the stages no
+ * longer satisfy the constraints. */
 static int add_rows_of_constraints(fvi_adjoint_mechanism *m)
 {
     const fvi_mechanism_state *o = m->o;
@@ -181,8 +184,8 @@ static int add_rows_of_constraints(fvi_adjoint_mechanism *m)
     return status;
 }
 
-/* What acts on x_k if all increments stay, added to g, what acts on x_{k+1}. Where a step is so short that 1/h is
- * large this loses no digits. */
+/* Add the derivatives by x_k with all increments fixed to g, which has the derivative by x_{k+1}. This form contains no
+ * 1/h that cancels, so it loses no digits in a very short step. */
 static int add_all_places(fvi_adjoint_mechanism *m)
 {
     const fvi_mechanism_state *o = m->o;
@@ -201,7 +204,7 @@ static int add_all_places(fvi_adjoint_mechanism *m)
     return o->m ? add_rows_of_constraints(m) : FVI_SUCCESS;
 }
 
-/* The same by the slopes of the stages, whose equation has been solved. */
+/* The same through the slopes of the stages, after their equation has been solved. */
 static int find_places(fvi_adjoint_mechanism *m)
 {
     const fvi_mechanism_state *o = m->o;
