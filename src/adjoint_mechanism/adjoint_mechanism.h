@@ -135,8 +135,7 @@ void fvi_adjoint_mechanism_damper_stop(fvi_adjoint_mechanism_damper *a);
 int fvi_adjoint_mechanism_nodes(fvi_adjoint_mechanism *m, size_t k);
 int fvi_adjoint_mechanism_stages(fvi_adjoint_mechanism *m, size_t k);
 
-/* ---- adjoint_mechanism_names.c: the derivatives by want->names through a step, a node, and the start of damper j
- * ---- */
+/* ---- adjoint_mechanism_names.c: derivatives by want->names through a step, a node, the start of a damper ---- */
 
 /* fvi_adjoint_mechanism_names_nodes, _stages -- through step k, or the step of the stepper. Its multipliers and those
  * of its dampers are known, and beta still belongs to p_{k+1}.

@@ -1,4 +1,4 @@
-/* src/observer/lobatto_within.c -- Where is the body within the last step of a method with stages? [H 17] */
+/* src/observer/lobatto_within.c -- x and p at a time within the last step of a method with stages. [H 17] */
 #include <fvi/lobatto.h>
 
 #include <fvi/error.h>
@@ -25,7 +25,7 @@ static double slope_of_polynomial(const fvi_lobatto_rule *rule, size_t count, si
     return sum;
 }
 
-/* What stage i has of the path at theta, or with `slope` of its derivative by t. */
+/* The factor of stage i in the path at theta, or with `slope` in its derivative by t. */
 static double share_of(const fvi_lobatto_rule *rule, size_t count, size_t i, double theta, double h,
                        int slope)
 {
@@ -33,8 +33,8 @@ static double share_of(const fvi_lobatto_rule *rule, size_t count, size_t i, dou
                  : fvi_lobatto_polynomial(rule, count, i, theta);
 }
 
-/* x_{k+1} + sum_i l_i(theta) (X_i - X_s): at theta = 1 it is x_{k+1} to the bit. `stages` has the places,
- * or what they differ by from x_k. With `slope` its derivative by t. */
+/* Write x_{k+1} + sum_i l_i(theta) (X_i - X_s), which at theta = 1 is x_{k+1} to the bit; with `slope` its derivative
+ * by t. `stages` has the positions of the stages, or their differences from x_k. */
 static void put_place(const fvi_stepper *s, const fvi_lobatto_rule *rule, size_t count, const double *stages,
                       double theta, int slope, double *x)
 {
@@ -66,7 +66,7 @@ static void put_place_of_matrices(const fvi_stepper *s, const fvi_lobatto_matric
     }
 }
 
-/* The path, or its slope. */
+/* Write the path at t, or its slope. */
 static int put(const fvi_stepper *s, double t, int slope, double *x)
 {
     if (s->method->stages == 0)

@@ -1,4 +1,4 @@
-/* src/observer/observer.c -- Velocities, accelerations, forces and work along a run. */
+/* src/observer/observer.c -- The steps of an observer: it adds up impulses and work along a run. */
 #include "observer_state.h"
 
 #include "mechanism/mechanism_state.h"
@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-/* ---- the pieces ---- */
+/* ---- parts ---- */
 
 int fvi_observer_velocity(const fvi_observer *o, const fvi_stepper *s,
                           const double *p, double *v)
@@ -21,7 +21,8 @@ int fvi_observer_velocity(const fvi_observer *o, const fvi_stepper *s,
     return o->matrices ? o->matrices->solve(o->d, o->factors, v) : FVI_SUCCESS;
 }
 
-/* J of an impulse on the momenta p, which are those behind it, times the mean velocity. */
+/* Add the work of an impulse J on the momenta to *work: J times the mean of the velocities before and after it. s->p is
+ * p after it. */
 static int work_of_hit(fvi_observer *o, const fvi_stepper *s, const double *J,
                        double *work)
 {
@@ -45,7 +46,7 @@ static void push_impulse(fvi_observer *o, const double *change)
         o->impulse[j] += change[j];
 }
 
-/* The sums of a mechanism are its stepper's own. */
+/* For a mechanism: the stepper keeps the sums itself. */
 static int add_mechanism(fvi_observer *o, const fvi_stepper *s)
 {
     int status = o->ramp ? fvi_observer_step_ramps(o, o->change) : FVI_SUCCESS;
@@ -71,7 +72,7 @@ static int add_mechanism(fvi_observer *o, const fvi_stepper *s)
     if (!status)
         push_impulse(o, o->change);
     if (!status && o->ramp && o->bends > 0 && s->k <= fvi_observer_first_rows(o)
-        && fvi_observer_bend(o, s) == FVI_ENOMEM) /* else it is not needed */
+        && fvi_observer_bend(o, s) == FVI_ENOMEM) /* other codes: the correction is left out */
         status = FVI_ENOMEM;
     return status;
 }
@@ -124,7 +125,7 @@ int fvi_observer_hits(fvi_observer *o, const fvi_stepper *s, double *known,
     return status;
 }
 
-/* `known` from the begin of the last step to its end. */
+/* Extend `known` from the beginning of the last step to its end. */
 static int close_chosen_step(fvi_observer *o, const fvi_stepper *s)
 {
     const fvi_variable_step_state *state = s->method_state;
@@ -145,7 +146,7 @@ int fvi_observer_step(fvi_observer *o, fvi_stepper *s)
     if (!o->is_summed)
         return fvi_stepper_step(s);
     if (s->method->dense && o->has_mechanism)
-        return fvi_stepper_step(s); /* which keeps all sums */
+        return fvi_stepper_step(s); /* the stepper keeps all sums */
     int status = s->method->dense ? close_chosen_step(o, s)
                                   : fvi_step_begins(s, &o->begin);
     if (!status && o->on_structure)

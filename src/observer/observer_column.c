@@ -1,4 +1,5 @@
-/* src/observer/observer_column.c -- How the forces that an observer tells depend on impulses and on the start. [H 23] */
+/* src/observer/observer_column.c -- The forces of an observer as linear functions of impulses and of the start. [H
+ * 23] */
 #include "observer_column.h"
 
 #include "observer_state.h"
@@ -33,7 +34,7 @@ size_t fvi_observer_damper_of(const fvi_observer *o, size_t i, size_t *coordinat
     return j;
 }
 
-/* The place of number i among the forces that are tracked, and what is told there of a number 1. */
+/* The index of number i among the tracked forces. *unit: the force there if the number is 1. */
 static size_t place_of(const fvi_observer *o, size_t i, double *unit)
 {
     size_t at;
@@ -54,7 +55,7 @@ void fvi_observer_size(const fvi_observer *o, double *jump, double *line, double
     }
 }
 
-/* All impulses of force j are 0. */
+/* Set all impulses of force j to 0. */
 static void put_none(fvi_observer *o, size_t j)
 {
     for (size_t i = 0; i < o->degree; i++)
@@ -62,7 +63,7 @@ static void put_none(fvi_observer *o, size_t j)
     o->impulse[j] = 0;
 }
 
-/* Of force j the impulse `back` rows ago is 1, and the others are 0. */
+/* Set the impulse of force j `back` rows ago to 1, and its other impulses to 0. */
 static void put_unit(fvi_observer *o, size_t j, size_t back)
 {
     put_none(o, j);
@@ -73,7 +74,7 @@ static void put_unit(fvi_observer *o, size_t j, size_t back)
         o->latest[(back - 1) * o->tracked + j] = -1;
 }
 
-/* The impulses of number i up to row k. */
+/* Set the impulses of force j up to row k to those of one number. */
 static void put_rows(fvi_observer *o, size_t j, size_t k, const double *impulse, size_t stride, double unit)
 {
     o->impulse[j] = unit * impulse[k * stride];
@@ -87,7 +88,7 @@ static void put_start(fvi_observer *o, size_t j, double jump, double line)
     o->line[j] = line;
 }
 
-/* What the first row, t = 0, has of number i. */
+/* Add the derivatives through the first row, t = 0, for number i. */
 static void transpose_start(const fvi_observer *o, const fvi_run *run, size_t i, size_t at, double w, double *impulse,
                             double *jump, double *line)
 {
@@ -154,7 +155,7 @@ int fvi_observer_first_forces(fvi_observer *o, const fvi_run *run, const double 
         const size_t j = place_of(o, i, &unit), damper = fvi_observer_damper_of(o, i, &coordinate);
         const double start = fvi_observer_begin_force(run, damper, o->jump[j], o->line[j]) / unit;
         *sum += has_start && isfinite(start) ? w[i] * start : 0; /* an infinite one is a mean over the next row */
-        if (!isnan(power[i])) { /* as in the run of the impulses, also where an order near it is compared */
+        if (!isnan(power[i])) { /* as in the run of the impulses, even if the changed law would be compared */
             o->exponent[j] = power[i] - o->growth[damper];
             o->law_rows.law_of = NULL;
         }

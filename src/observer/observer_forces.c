@@ -1,4 +1,4 @@
-/* src/observer/observer_forces.c -- A damper's force from its impulses. */
+/* src/observer/observer_forces.c -- The force of a damper from its impulses, and the forces at t = 0. */
 #include "observer_state.h"
 #include "kernel/kernel_terms.h"
 #include "methods/damping.h"
@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A difference of degree n over n + 1 rows is off by k^-(n + 1) of a power of t at row k: 1e-4 at most with these. The
- * differences of degree 1 are the forces of their method. */
+/* At row k a difference of degree n, over n + 1 rows, of a power of t has an error of about k^-(n + 1). Behind so many
+ * rows it is 1e-4 at most. Differences of degree 1 are the forces of their method itself. */
 size_t fvi_observer_first_rows(const fvi_observer *o)
 {
     const size_t n = o->degree;
@@ -25,7 +25,7 @@ size_t fvi_observer_motion_rows(const fvi_observer *o)
 
 /* ---- differences ---- */
 
-/* f'(0) h = sum_{i=1}^{n} c_i (f(-i h) - f(0)), c_i = (-1)^i binom(n, i) / i, exact up to the
+/* Backward differences: f'(0) h = sum_{i=1}^{n} c_i (f(-i h) - f(0)), c_i = (-1)^i binom(n, i) / i, exact up to the
  * degree n. */
 static double differentiate(size_t n, const double *change)
 {
@@ -37,7 +37,7 @@ static double differentiate(size_t n, const double *change)
     return sum;
 }
 
-/* J of force number j, steps back, less J now. */
+/* Write J of force j in the last n rows before this one, minus J in this row. */
 static void changes(const fvi_observer *o, size_t j, size_t n, double *change)
 {
     change[0] = 0;
@@ -45,7 +45,7 @@ static void changes(const fvi_observer *o, size_t j, size_t n, double *change)
         change[i] = change[i - 1] - o->latest[(i - 1) * o->tracked + j];
 }
 
-/* At first J = t^q g(t): J' = t^q g' + q J / t, and g is taken without t = 0. */
+/* h J' where J = t^q g(t) near the start: J' = t^q g' + q J / t. g is taken without t = 0. */
 static double near_start_of_power(const fvi_observer *o, size_t j, size_t k)
 {
     const size_t n = k - 1 < o->degree ? k - 1 : o->degree;
@@ -59,21 +59,22 @@ static double near_start_of_power(const fvi_observer *o, size_t j, size_t k)
     return differentiate(n, change) + q * J / (double)k;
 }
 
-/* Does the first step nearly miss a parabola? In form D of two stages only. */
+/* Does the first step give almost no impulse for a parabola? It is so in form D of two stages only. */
 static int misses_parabola(const fvi_law_row *first)
 {
     return fabs(first->summed[FVI_PARABOLA]) < 0.1 * first->exact[FVI_PARABOLA + 1];
 }
 
-/* What the impulse of force j is compared with: J = ... + g S, g smooth. The jump and the line before it are taken
- * away exactly, unless the order is above 1, where z goes on like t^(3 - 2 alpha) and not like t^2, or the parabola
- * is missed. */
+/* The motion with whose S the impulse of force j is compared: J = ... + g S, g smooth. The jumps and lines before it
+ * are subtracted exactly. It is the line for an order above 1, where z goes on like t^(3 - 2 alpha) and not like t^2,
+ * and if the first step misses the parabola. */
 static size_t compared_with(const fvi_observer *o, size_t j, size_t damper, const fvi_law_row *first)
 {
     return o->is_moving[j] != 0 && (o->growth[damper] > 1 || misses_parabola(first)) ? FVI_LINE : FVI_PARABOLA;
 }
 
-/* The impulse that damper j lacks at row k: its elongation lacks a line of slope change_i from each node i on. */
+/* The impulse that is missing in damper j at row k: its elongation misses a line of slope change_i from each node i
+ * on. */
 static double impulse_of_bend(const fvi_observer *o, size_t j, size_t k, double h, const fvi_law_row *first)
 {
     const double *bend = o->bend + j * fvi_observer_first_rows(o) - 1; /* of rows 1, 2, ... */
@@ -85,7 +86,7 @@ static double impulse_of_bend(const fvi_observer *o, size_t j, size_t k, double 
     return sum;
 }
 
-/* h J' by (13.20), without t = 0 and without a first step that tells nothing. */
+/* h J' by (13.20), without t = 0, and without a first step that gives no information. */
 static double near_start_of_law(const fvi_observer *o, size_t j, size_t damper, size_t k, double h, int is_bent,
                                 const fvi_law_row *first)
 {
@@ -156,12 +157,12 @@ void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
     }
     for (size_t j = 0; j < o->tracked; j++) {
         slope[j] = fvi_observer_slope(o, j, k, h);
-        if (k == 1 && j >= o->forces + o->slopes) /* of a parabola, as at the start */
+        if (k == 1 && j >= o->forces + o->slopes) /* the slope of a parabola, as at the start */
             slope[j] = 2 * slope[j] - o->start[j];
     }
 }
 
-/* Of damper j, along its elongation. */
+/* Add the force of damper j, along its elongation. */
 static int add_elongation(const fvi_observer *o, const fvi_stepper *s, size_t j,
                           double *sum)
 {
@@ -190,22 +191,22 @@ int fvi_observer_damping(const fvi_observer *o, const fvi_stepper *s,
 
 /* ---- the start ---- */
 
-/* What stands before s in C(s) for large s, of a damper of the order 1. */
+/* The factor of s in C(s) for large s, for a damper of the order 1. */
 static double dashpot(const fvi_run_damper *of)
 {
     return of->law ? fvi_kernel_dashpot(of->law) : of->rho;
 }
 
-/* lim C(s), s to infinity: the stiffness that a jump meets at first. Of a law of the order 0 that holds orders 2 alpha
- * next to it, below 0.06, up to 1e-15. */
+/* lim C(s) for s to infinity: the stiffness that a jump meets at first. For a law of the order 0 which contains orders
+ * 2 alpha close to 0, below 0.06, the limit is taken to 1e-15. */
 static double stiffness_of_jump(const fvi_run_damper *of)
 {
     const double limit = of->growth == 0 ? fvi_run_damper_symbol(of, 1e250) : INFINITY;
     return isfinite(limit) ? limit : INFINITY;
 }
 
-/* A damper's force at t = 0+ of an elongation with the velocity zdot and, of Riemann and
- * Liouville's past, a jump by z0. INFINITY where there is none. */
+/* The force of a damper at t = 0+, if its elongation begins with the velocity zdot and, with Riemann and Liouville's
+ * past, jumps by z0. INFINITY if it is infinite. */
 static double force_at_start(const fvi_run_damper *of, double z0, double zdot)
 {
     const double order = of->growth;
@@ -235,17 +236,17 @@ double fvi_observer_begin_force(const fvi_run *run, size_t damper, double jump, 
     return force_at_start(&of, jump, line);
 }
 
-/* The jump and the line with which the elongation of force j begins, times its factor. */
+/* Store the jump and the line with which the elongation of force j begins, times `factor`. */
 static void keep_start(fvi_observer *o, size_t j, const fvi_run_damper *of, double factor, double z0, double zdot)
 {
     const int is_jumping = of->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && z0 != 0;
     o->jump[j] = is_jumping ? factor * z0 : 0;
     o->line[j] = factor * zdot;
-    o->is_jumping[j] = is_jumping; /* also where the factor is 0 */
+    o->is_jumping[j] = is_jumping; /* also if the factor is 0 */
     o->is_moving[j] = zdot != 0;
 }
 
-/* One law or alpha, or the dampers of a structure: each with a force on every coordinate. */
+/* The start of one law or alpha, or of the dampers of a structure: each has a force on every coordinate. */
 static int begin_coordinates(fvi_observer *o, const fvi_stepper *s)
 {
     const fvi_run *run = &s->run;
@@ -324,7 +325,7 @@ static int begin_mechanism(fvi_observer *o, const fvi_stepper *s)
     }
     for (size_t i = o->forces; i < o->tracked; i++) {
         o->exponent[i] = NAN;
-        o->start[i] = INFINITY; /* there is no slope at the first node */
+        o->start[i] = INFINITY; /* the first node has no slope */
     }
     return status ? status : fvi_observer_begin_motion(o, s);
 }

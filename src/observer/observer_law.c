@@ -1,4 +1,5 @@
-/* src/observer/observer_law.c -- What the laws of a run answer in its first rows. [H 13, 26] */
+/* src/observer/observer_law.c -- The rows of the laws of a run: their exact answers, and the impulses of the steps. [H
+ * 13, 26] */
 #include "observer_law.h"
 
 #include "kernel/kernel_responses.h"
@@ -42,7 +43,7 @@ fvi_summed_damper fvi_summed_damper_of(const fvi_stepper *s, size_t j)
                                 .power = { .kind = FVI_KERNEL_POWER, .rho = of.rho, .alpha = of.alpha } };
 }
 
-/* The dampers that are summed in different ways, in the order in which they come. */
+/* Find the dampers that are summed in different ways, in the order in which they occur. */
 static void find_laws(fvi_law_rows *o, const fvi_stepper *s, fvi_summed_damper *law)
 {
     for (size_t j = 0; j < o->dampers; j++) {

@@ -1,4 +1,5 @@
-/* src/observer/observer_law_sums.c -- The impulses that the steps sum of a line and of a parabola. [H 13] */
+/* src/observer/observer_law_sums.c -- The impulses that the steps of a method give for a jump, a line and a parabola.
+ * [H 13] */
 #include "observer_law.h"
 
 #include "observer_ramp.h"
@@ -7,8 +8,8 @@
 
 #include <math.h>
 
-/* Two bodies so heavy that no damper slows them down. One starts with the velocity 1, the other one falls with the
- * acceleration 1, so that they move along x_1 = t and x_2 = t^2/2. */
+/* Two bodies so heavy that no damper slows them down. One starts with the velocity 1, and the other one falls with the
+ * acceleration 1. So they move along x_1 = t and x_2 = t^2/2. */
 #define HEAVY 1e150
 static const double mass[] = { HEAVY, HEAVY }, origin[] = { 0, 0 }, momentum[] = { HEAVY, 0 };
 
@@ -65,7 +66,7 @@ static int jump_hessian(double t, size_t d, const double *x, double lambda, void
     return 0;
 }
 
-/* Steps that keep the impulse of each damper. */
+/* For methods whose steps keep the impulse of each damper. */
 static int sum_by_dampers(const fvi_stepper *of, const fvi_summed_damper *summed, size_t rows, fvi_law_row *row)
 {
     const fvi_kernel power = { .count = 1, .term = &summed->power }, *law = summed->law ? summed->law : &power;
@@ -101,7 +102,8 @@ static int sum_by_dampers(const fvi_stepper *of, const fvi_summed_damper *summed
     return status;
 }
 
-/* Convolution quadrature of order 2, without a mechanism. The observer corrects the impulse of the line (13.18). */
+/* For convolution quadrature of order 2, without a mechanism. The observer corrects the impulse of the line (13.18), so
+ * it is the exact one. */
 static int sum_by_quadrature(const fvi_stepper *of, const fvi_summed_damper *summed, size_t rows, fvi_law_row *row)
 {
     const double rho = summed->law ? 1 : summed->power.rho, damping[] = { rho, rho };

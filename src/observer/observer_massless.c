@@ -1,12 +1,14 @@
-/* src/observer/observer_massless.c -- With which velocity does a coordinate without inertia start?   [H 29]
+/* src/observer/observer_massless.c -- The velocities with which coordinates without inertia start. [H 29]
  *
- * Nobody gives it. The forces on such a coordinate are in balance, and right behind t = 0 a damper of the order 1 answers to
- * a velocity at once, and one of a lower order not yet. So the velocities w of the coordinates without inertia solve
+ * The caller does not give them. The forces on such a coordinate are in balance. Just after t = 0 a damper of the order
+ * 1 answers to a velocity at once, and a damper of a lower order not yet. So the velocities w of the coordinates
+ * without inertia solve
  *
- *     sum_j rho_j g_j (g_j . w + what the others do to zdot_j) = F - grad U     in their rows,          (29.27)
+ *     sum_j rho_j g_j (g_j . w + the part of zdot_j from the other coordinates) = F - grad U   in their rows,   (29.27)
  *
- * rho_j the dashpot in damper j and g_j the gradient of its elongation. Where that has no solution, as where a damper has
- * another order, the velocity may be infinite, and the mean over the first row is told. */
+ * with rho_j the dashpot in damper j and g_j the gradient of its elongation. If this has no solution, for example
+ * because a damper has another order, the velocity may be infinite, and the observer gives the mean over the first
+ * row. */
 #include "observer_state.h"
 
 #include "kernel/kernel_terms.h"
@@ -18,7 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Are all forces on them those of the potential, of time and of dampers at a start that does not jump? */
+/* Are all forces on such coordinates forces of the potential, of time, or of dampers? */
 static int is_balance_known(const fvi_stepper *s)
 {
     const fvi_mechanism *m = s->run.system->mechanism;
@@ -30,8 +32,8 @@ static double dashpot_of(const fvi_run_damper *of)
     return of->growth < 1 ? 0 : of->law ? fvi_kernel_dashpot(of->law) : of->rho;
 }
 
-/* What damper j adds to B, d times d, and takes from r. Returns FVI_EUNSUP if it does not let them start with finite
- * velocities, or if its past jumps. */
+/* Add damper j to the matrix B, d times d, and subtract its part from r. Returns FVI_EUNSUP if the damper does not let
+ * them start with finite velocities, or if its past jumps. */
 static int add_damper(fvi_observer *o, const fvi_stepper *s, size_t j, double *B, double *r)
 {
     const fvi_elongation *of = &o->mechanism->damper[j].of;
@@ -54,7 +56,7 @@ static int add_damper(fvi_observer *o, const fvi_stepper *s, size_t j, double *B
     return FVI_SUCCESS;
 }
 
-/* F - grad U and the matrix of all dampers. */
+/* Write F - grad U, and the matrix of all dampers. */
 static int make_balance(fvi_observer *o, const fvi_stepper *s, double *B, double *r)
 {
     int status = is_balance_known(s) ? fvi_step_force(s, 0, r) : FVI_EUNSUP;
@@ -64,7 +66,7 @@ static int make_balance(fvi_observer *o, const fvi_stepper *s, double *B, double
         r[i] -= o->g[i];
     for (size_t j = 0; j < o->dampers && !status; j++)
         status = add_damper(o, s, j, B, r);
-    for (size_t i = 0; i < o->d && !status; i++) { /* the others keep their velocities */
+    for (size_t i = 0; i < o->d && !status; i++) { /* the other coordinates keep their velocities */
         if (s->mechanism->is_massless[i])
             continue;
         memset(B + i * o->d, 0, o->d * sizeof *B);

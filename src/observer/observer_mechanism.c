@@ -1,11 +1,11 @@
-/* src/observer/observer_mechanism.c -- What the forces on a mechanism give in a step. */
+/* src/observer/observer_mechanism.c -- The work of the forces on a mechanism in a step. */
 #include "observer_state.h"
 
 #include "mechanism/mechanism_state.h"
 
 #include <stdlib.h>
 
-/* F on coordinate j at point i of the last step; at nodes the mean of its ends. */
+/* F on coordinate j at point i of the last step; for the node scheme the mean of F at both ends. */
 static double force_of_time(const fvi_stepper *s, const fvi_mechanism_state *o,
                             size_t i, size_t j)
 {

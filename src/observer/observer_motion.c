@@ -1,10 +1,10 @@
 /* src/observer/observer_motion.c -- Accelerations and multipliers of a mechanism from its equation of motion. [H 29]
  *
  *     L_vv a + C^T lambda = L_x - L_xv^T v - L_vt + F - the forces of the dampers,
- *     C a                 = -(v^T c_xx v + 2 C_t v + c_tt),                   (29.23)
+ *     C a                 = -(v^T c_xx v + 2 C_t v + c_tt).                   (29.23)
  *
- * the second derivative by t of c(x, t) = 0. Differences of velocities and of impulses need rows before them. In the
- * first rows there are too few, and the equation needs none. */
+ * The second line is the second derivative by t of c(x, t) = 0. Differences of velocities and of impulses need rows
+ * before them. The first rows have too few rows before them, and the equation of motion needs none. */
 #include "observer_state.h"
 
 #include "mechanism/mechanism_state.h"
@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is needed at one time; n = d + m, and all arrays stand in numbers. */
+/* The arrays for one time; n = d + m. All arrays stand in numbers. */
 typedef struct {
     const fvi_system *system;
     size_t d, m, n;
@@ -24,7 +24,7 @@ typedef struct {
     double *numbers;
     double *v, *G, *Q, *C, *Lxv, *Lvv, *H, *J; /* d, d, d, m d, d d, d d, d d, n n */
     double *r, *w;                             /* n each */
-    double *damper;                            /* their forces */
+    double *damper;                            /* the forces of the dampers */
     size_t *order;
 } point;
 
@@ -44,7 +44,7 @@ static int allocate(point *o, size_t dampers)
     return FVI_SUCCESS;
 }
 
-/* The solution y of [L_vv C^T; C 0] y = r, in the place of r. */
+/* Replace r by the solution y of [L_vv C^T; C 0] y = r. */
 static int solve(point *o)
 {
     const size_t d = o->d, n = o->n;
@@ -57,9 +57,9 @@ static int solve(point *o)
     return fvi_solve_matrix(n, o->J, o->r, o->order);
 }
 
-/* ---- what depends on t itself ---- */
+/* ---- derivatives by t alone ---- */
 
-/* L_v, d numbers, and 2 C v + c_t, m numbers, at another time and the same x and v. */
+/* Write L_v, d numbers, and 2 C v + c_t, m numbers, at the time t and at the same x and v. */
 static int explicit_terms(point *o, double t, double *value)
 {
     const fvi_constraints *c = o->system->mechanism->constraints;
@@ -75,8 +75,9 @@ static int explicit_terms(point *o, double t, double *value)
 
 enum { LEVELS = 14 };
 
-/* The slope of column i of a table of differences f(t + e) - f(t), e halved from row to row: Richardson's
- * extrapolation, up to the row with the least change and rounding of f, `size`. */
+/* The derivative by t of column i of a table of differences f(t + e) - f(t), in which e is halved from row to row. It
+ * is Richardson's extrapolation, up to the row where the change and the rounding error of f, whose size is `size`, are
+ * least. */
 static double extrapolate(const double *differences, size_t n, size_t i, double e, double size)
 {
     double row[LEVELS] = { 0 }, best = 0, least = INFINITY;
@@ -98,7 +99,7 @@ static double extrapolate(const double *differences, size_t n, size_t i, double 
     return best;
 }
 
-/* Takes the derivatives of the explicit terms by t away from r, with differences between t and t + e. */
+/* Subtract the derivatives of the explicit terms by t from r, by differences between t and t + e. */
 static int subtract_explicit_slopes(point *o, double e)
 {
     const size_t n = o->n;
@@ -136,7 +137,7 @@ static int subtract_dampers(point *o, const double *factor, const double *rate)
     return status;
 }
 
-/* L_vv, L_xv, C at the point, and L_x in r. */
+/* Write L_vv, L_xv and C at the point, and L_x to r. */
 static int evaluate(point *o)
 {
     const fvi_constraints *c = o->system->mechanism->constraints;
@@ -144,7 +145,8 @@ static int evaluate(point *o)
     return status || o->m == 0 ? status : c->gradient(o->t, o->d, o->x, c->params, o->C, NULL);
 }
 
-/* The first steps take too little from p (13.18), so v is wrong, too. What v lacks, within the constraints, goes to r. */
+/* The first steps subtract too little from p (13.18), so v has an error, too. Write the correction of v, within the
+ * constraints, to r. */
 static int missing_velocity(point *o, const fvi_observer *of)
 {
     int status = evaluate(o);
@@ -162,7 +164,7 @@ static int correct_velocity(point *o, const fvi_observer *of)
     return status;
 }
 
-/* v^T c_xx v of each constraint, taken away from r. */
+/* Subtract v^T c_xx v of each constraint from r. */
 static int subtract_curvature(point *o)
 {
     const fvi_constraints *c = o->system->mechanism->constraints;
@@ -179,7 +181,7 @@ static int subtract_curvature(point *o)
     return status;
 }
 
-/* The right side; no function of t is asked later than at `end`. */
+/* Write the right side. Functions of t are evaluated at no time later than `end`. */
 static int evaluate_forces(point *o, const fvi_observer *of, double h, double end)
 {
     const fvi_state_force *force = o->system->mechanism->force_on;
@@ -211,7 +213,7 @@ static int begin(point *o, const fvi_observer *of, const fvi_stepper *s, double 
 {
     const fvi_constraints *c = of->mechanism->constraints;
     *o = (point){ .system = s->run.system, .d = of->d, .m = c ? c->count : 0, .t = t, .x = x };
-    const int is_closed = s->mechanism->m > s->mechanism->own; /* a contact, which is no constraint of the run */
+    const int is_closed = s->mechanism->m > s->mechanism->own; /* a closed contact, which is no constraint of the run */
     const int status = s->mechanism->any_massless || is_closed ? FVI_EUNSUP : allocate(o, of->dampers);
     return status ? status : fvi_observer_velocity(of, s, s->p, o->v);
 }

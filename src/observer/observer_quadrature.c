@@ -1,7 +1,7 @@
-/* src/observer/observer_quadrature.c -- What the forces do in a step that the method chose. */
+/* src/observer/observer_quadrature.c -- Impulse and work of the forces in a step that the method chose. */
 #include "observer_state.h"
 
-/* Gauss's rule of eight nodes: exact up to the degree 15, above the orders of fvi-adaptive. */
+/* Gauss's rule of eight nodes. It is exact up to the degree 15, which is above the orders of fvi-adaptive. */
 static const double node[] = { 0.18343464249564980, 0.52553240991632899,
                                0.79666647741362674, 0.96028985649753623 },
                     weight[] = { 0.36268378337836198, 0.31370664587788729,

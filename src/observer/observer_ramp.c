@@ -1,4 +1,4 @@
-/* src/observer/observer_ramp.c -- What a start with a velocity leaves in the impulses of a damper. [H 13] */
+/* src/observer/observer_ramp.c -- The error of the first impulses of a damper after a start with a velocity. [H 13] */
 #include "observer_state.h"
 
 #include "kernel/kernel_impulses.h"
@@ -12,7 +12,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A body so heavy that no damper slows it down: it moves along x = t, and its damper's impulses are those of the line. */
+/* A body so heavy that no damper slows it down. It moves along x = t, and the impulses of its damper are those of the
+ * line. */
 static const double huge_mass = 1e150, one = 1, zero = 0;
 
 struct fvi_ramp {
@@ -20,9 +21,9 @@ struct fvi_ramp {
     fvi_run run;
     const fvi_method *method;
     fvi_stepper *body; /* its motion is prescribed */
-    fvi_impulses_of_kernel *exact; /* of a law that is not one power */
-    double rho, order;             /* of one power */
-    double is_over;                /* nothing is added any more */
+    fvi_impulses_of_kernel *exact; /* for a law that is not one power */
+    double rho, order;             /* for one power */
+    double is_over;                /* nonzero: no step adds anything any more */
 };
 
 static int is_by_quadrature(const fvi_method *method)
@@ -35,10 +36,10 @@ const fvi_method *fvi_ramp_method(const fvi_stepper *s)
 {
     if (!is_by_quadrature(s->method))
         return NULL;
-    return s->mechanism ? &fvi_cq2_midpoint : s->method; /* the line is no mechanism; both sum alike */
+    return s->mechanism ? &fvi_cq2_midpoint : s->method; /* the line is no mechanism; both methods sum alike */
 }
 
-/* The line of one body, h, N and the memory as in the run. */
+/* Start the line of one body, with h, N and the memory of the run. */
 static int begin(fvi_ramp *o)
 {
     o->system = (fvi_system){ .d = 1,
@@ -170,9 +171,9 @@ void fvi_ramp_free(fvi_ramp *o)
     free(o);
 }
 
-/* ---- of all dampers of a run ---- */
+/* ---- for all dampers of a run ---- */
 
-/* The rates of damper j: in a mechanism one, of its elongation; else C v0, one for each coordinate. */
+/* Write the rates of damper j: for a mechanism one, the rate of its elongation; else C v0, one for each coordinate. */
 static int begin_rates(fvi_observer *o, const fvi_stepper *s, size_t j, int *acts)
 {
     const fvi_run_damper of = fvi_run_damper_of(&s->run, j);

@@ -1,4 +1,4 @@
-/* src/observer/observer_read.c -- What an observer knows at a time. */
+/* src/observer/observer_read.c -- Read an observer at a time: state, sums, forces, accelerations and balance. */
 #include "observer_state.h"
 
 #include "system/fail.h"
@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* A mechanism whose steps are chosen: what its dampers do is known at all times. */
+/* Is it a mechanism whose steps are chosen? Then the sums of its dampers are known at all times. */
 static int is_on_mesh(const fvi_observer *o, const fvi_stepper *s)
 {
     return o->has_mechanism && s->method->dense;
@@ -33,7 +33,7 @@ static int read_state(fvi_observer *o, const fvi_stepper *s, double t,
     return status;
 }
 
-/* The sums at t into impulse_now, and the work of the force. */
+/* Write the sums at t to impulse_now, and the work of the force. */
 static int read_sums(fvi_observer *o, const fvi_stepper *s, double t,
                      fvi_observation *now)
 {
@@ -53,7 +53,7 @@ static int read_sums(fvi_observer *o, const fvi_stepper *s, double t,
     int status = fvi_observer_quadrature(o, s, o->scalars[FVI_BEGIN_TIME], t, o->change,
                                          &now->work_of_force);
     if (!status && t == s->t) {
-        double *v = o->v; /* it has been read */
+        double *v = o->v; /* v has been read, and stays */
         o->v = o->hit;
         status = fvi_observer_hits(o, s, o->change, &now->work_of_force);
         o->v = v;
@@ -66,7 +66,7 @@ static int read_sums(fvi_observer *o, const fvi_stepper *s, double t,
     return status;
 }
 
-/* r = F - grad U - the forces of the dampers becomes a = M^-1 r. */
+/* Turn r = F - grad U - (forces of the dampers) into a = M^-1 r. */
 static int solve_motion(fvi_observer *o, const fvi_stepper *s)
 {
     if (o->by_velocity) {
@@ -84,7 +84,7 @@ static int solve_motion(fvi_observer *o, const fvi_stepper *s)
                : o->matrices->solve(o->d, o->factors, o->a);
 }
 
-/* At alpha = 1, (m + rho) x'' = F - grad U, for all methods. */
+/* At alpha = 1 the equation of motion is (m + rho) x'' = F - grad U, for all methods. */
 static void divide_by_masses(fvi_observer *o, const fvi_system *system)
 {
     for (size_t j = 0; j < o->d; j++) {
@@ -94,7 +94,7 @@ static void divide_by_masses(fvi_observer *o, const fvi_system *system)
     }
 }
 
-/* Where the method knows x'': what it leaves of F - grad U is the damping. */
+/* For a method that knows x'': the force of the damping is F - grad U - M x''. */
 static int read_chosen_forces(fvi_observer *o, const fvi_stepper *s, double t)
 {
     int status = fvi_variable_step_acceleration(s, t, o->a);
@@ -107,7 +107,7 @@ static int read_chosen_forces(fvi_observer *o, const fvi_stepper *s, double t)
     return status;
 }
 
-/* Row k by short steps: forces, accelerations and multipliers. Returns 0 if there is none. */
+/* Take the forces, accelerations and multipliers of row k from the short steps. Returns 0 if there are none. */
 static int take_short_row(fvi_observer *o, size_t k)
 {
     const double *row = fvi_short_row(&o->short_rows, k);
@@ -177,7 +177,7 @@ static int read_balance(fvi_observer *o, const fvi_stepper *s, double t,
     return status;
 }
 
-/* Of what was asked for. */
+/* Are all quantities that were asked for finite? */
 static int is_finite(const fvi_observer *o, const fvi_observation *now)
 {
     const unsigned w = o->wanted;
@@ -192,7 +192,7 @@ static int is_finite(const fvi_observer *o, const fvi_observation *now)
                              now->multiplier);
 }
 
-/* Of a structure's damper along a row, f = lambda row: lambda alone, the forces of others behind it. */
+/* For a structure's damper along a row, f = lambda row, keep lambda alone; the forces of other dampers move up. */
 static void fold_rows(const fvi_observer *o, double *forces)
 {
     double *to = forces;
@@ -238,8 +238,8 @@ static int read_mean_acceleration(fvi_observer *o, fvi_stepper *fork)
     return status;
 }
 
-/* Where a body lies on a surface at t = 0 the forces alone do not say how it moves: a first step does, or, if a damper's
- * force is infinite, the first row. */
+/* If a body lies on a surface at t = 0, the forces alone do not say how it moves. A first step does, or, if the force
+ * of a damper is infinite, the first row. */
 static int read_start_at_contact(fvi_observer *o, const fvi_stepper *s)
 {
     fvi_stepper *fork = NULL;

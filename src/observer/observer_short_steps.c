@@ -1,4 +1,4 @@
-/* src/observer/observer_short_steps.c -- First rows that need steps shorter than those of the run. [H 13, 22] */
+/* src/observer/observer_short_steps.c -- First rows that need steps shorter than the steps of the run. [H 13, 22] */
 #include "observer_state.h"
 
 #include "kernel/kernel_terms.h"
@@ -13,8 +13,8 @@
 
 enum { MOST_STEPS = 1000, MOST_COUPLED = 12, MOST_UNKNOWNS = 200 };
 
-/* Without a narrow band all stages of all coordinates are solved for together, which takes some d^3 operations; and matrices
- * have factors of their own for each length of a step. */
+/* Without a narrow band all stages of all coordinates are solved together, which takes some d^3 operations; and
+ * matrices need factors of their own for each length of a step. */
 static int is_affordable(const fvi_observer *o, const fvi_system *system)
 {
     const size_t band = o->has_mechanism ? 0 : system->potential.diagonals;
@@ -42,7 +42,7 @@ static int is_needed(const fvi_observer *o, const fvi_stepper *s)
     return is && o->wanted & forces;
 }
 
-/* How far x goes in the first step of the run. */
+/* How far x moves in the first step of the run. */
 static int measure_step(const fvi_observer *o, const fvi_stepper *s, double *size)
 {
     fvi_stepper *copy = NULL;
@@ -56,11 +56,11 @@ static int measure_step(const fvi_observer *o, const fvi_stepper *s, double *siz
     return status;
 }
 
-/* What the run by short steps has in place of the run's system. */
+/* The system that the run by short steps has instead of the run's own. */
 typedef struct {
     fvi_system system;
     fvi_mechanism mechanism;
-    fvi_damper *damper; /* of each damped coordinate, if its law becomes a mechanism; else NULL */
+    fvi_damper *damper; /* one for each damped coordinate, if its law becomes dampers of a mechanism; else NULL */
     double *row;        /* d times d: the rows of coordinates; then d dampings */
 } stand_in;
 
@@ -70,7 +70,7 @@ static void free_stand_in(stand_in *o)
     free(o->row);
 }
 
-/* A law on coordinates as dampers of a mechanism, which know a start velocity above the order 1. */
+/* Make a law on coordinates into dampers of a mechanism, which allow a start velocity above the order 1. */
 static int put_law_on_rows(const fvi_kernel *law, stand_in *o)
 {
     const size_t d = o->system.d;
@@ -93,7 +93,7 @@ static int put_law_on_rows(const fvi_kernel *law, stand_in *o)
     return FVI_SUCCESS;
 }
 
-/* A law that is one power becomes an alpha. */
+/* Make a law that is one power into an alpha. */
 static int put_power(const fvi_kernel_term *power, stand_in *o, fvi_run *run)
 {
     const size_t d = o->system.d;
@@ -107,7 +107,7 @@ static int put_power(const fvi_kernel_term *power, stand_in *o, fvi_run *run)
     return FVI_SUCCESS;
 }
 
-/* A law above the order 1 takes a start velocity only as an alpha or as dampers of a mechanism. */
+/* Above the order 1 fvi_variable_step accepts a start velocity only for an alpha or for dampers of a mechanism. */
 static int change_law(stand_in *o, fvi_run *run)
 {
     const fvi_kernel *law = run->law;
@@ -128,7 +128,7 @@ static int make_short_run(const fvi_stepper *s, size_t rows, stand_in *o, fvi_ru
     return change_law(o, run);
 }
 
-/* The forces of an observer of the run by short steps, of the dampers of the run. */
+/* Copy the forces of the observer of the short run to the dampers of the run. */
 static void copy_forces(const fvi_observer *o, const stand_in *other, const double *from, double *force)
 {
     if (!other->damper) {
@@ -177,7 +177,7 @@ static int take_steps(fvi_observer *o, const stand_in *other, const fvi_run *run
     return status;
 }
 
-/* For an order near 2 no step may be short enough for the error that is asked, so it is asked for ten times as much. */
+/* For an order near 2 no step may be short enough for the wanted error. Then ten times as much is allowed. */
 static int take_rows(fvi_observer *o, const stand_in *other, fvi_run *run, double size)
 {
     int status = FVI_EUNSUP;

@@ -1,4 +1,4 @@
-/* src/observer/observer_start.c -- An observer starts with a run, is copied, archived and freed. */
+/* src/observer/observer_start.c -- Start, copy, serialise and free an observer. */
 #include "observer_state.h"
 
 #include "mechanism/mechanism_state.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What needs the sums over the steps. */
+/* The quantities that need the sums over the steps. */
 enum {
     SUMMED = FVI_OBSERVE_ACCELERATION | FVI_OBSERVE_FORCE
              | FVI_OBSERVE_IMPULSE | FVI_OBSERVE_WORK | FVI_OBSERVE_MULTIPLIER
@@ -17,7 +17,7 @@ enum {
 
 /* ---- memory ---- */
 
-/* The places of all arrays in their one piece. */
+/* Set the pointers of all arrays in their one block. */
 static void place_arrays(fvi_observer *o)
 {
     const size_t d = o->d, f = o->tracked, room = d > f ? d : f;
@@ -48,7 +48,7 @@ static void place_arrays(fvi_observer *o)
     o->count = (size_t)(at + o->contacts - o->numbers);
 }
 
-/* The sizes are there. */
+/* Allocate the arrays; the sizes are set before. */
 static int allocate(fvi_observer *o)
 {
     const size_t most = o->d > o->tracked ? o->d : o->tracked;
@@ -61,10 +61,10 @@ static int allocate(fvi_observer *o)
     return FVI_SUCCESS;
 }
 
-/* ---- what is asked for ---- */
+/* ---- which sums are needed ---- */
 
-/* Differences of Algorithm 3's impulses are its own forces, and those of other methods have one
- * degree more than they can have orders. */
+/* The degree of the differences. For methods of order 1, such as Algorithm 3, it is 1, because the differences of their
+ * impulses are their own forces. For other methods it is one more than their highest order. */
 static size_t degree_of(const fvi_method *method)
 {
     const size_t more = (size_t)method->highest + 1;
@@ -83,7 +83,7 @@ static int is_damped(const fvi_system *system)
     return 0;
 }
 
-/* Is its acceleration more than (F - grad U - the forces of the dampers) / m? */
+/* Is its acceleration anything but (F - grad U - the forces of the dampers) / m? */
 static int needs_slope(const fvi_system *system)
 {
     const fvi_mechanism *m = system->mechanism;
@@ -131,8 +131,8 @@ static void describe(fvi_observer *o, const fvi_stepper *s, unsigned wanted)
 
 /* ---- the start ---- */
 
-/* Multipliers at t = 0: the slope of the parabola through their impulses at 0, h and 2 h, or their mean
- * over the first step where no second one can be made. fork: at the first node. */
+/* The multipliers at t = 0: the slope of the parabola through their impulses at 0, h and 2 h; or their mean over the
+ * first step, if no second step can be made. fork: a stepper at the first node. */
 static int start_ties(fvi_observer *o, fvi_stepper *fork, double h)
 {
     double *start = o->start + o->forces + o->slopes;
@@ -151,7 +151,7 @@ static int start_ties(fvi_observer *o, fvi_stepper *fork, double h)
     return status;
 }
 
-/* The same of steps that are chosen: by the polynomial of the first. */
+/* The same for chosen steps: from the polynomial of the first step. */
 static int start_ties_on_mesh(fvi_observer *o, const fvi_stepper *s)
 {
     fvi_stepper *fork = NULL;
@@ -164,8 +164,8 @@ static int start_ties_on_mesh(fvi_observer *o, const fvi_stepper *s)
     return status;
 }
 
-/* At t = 0, where a force is infinite: its mean over the first row. Accelerations and multipliers are what the equation of
- * motion makes of this mean, or, if the equation of a mechanism cannot be solved, means themselves. */
+/* Replace infinite forces at t = 0 by their means over the first row. Accelerations and multipliers follow from these
+ * means by the equation of motion; or, if the equation of a mechanism cannot be solved, they are means themselves. */
 static int take_means(fvi_observer *o, const fvi_stepper *s)
 {
     fvi_stepper *fork = NULL;
@@ -180,7 +180,8 @@ static int take_means(fvi_observer *o, const fvi_stepper *s)
         status = fvi_observer_step(sums, fork);
     if (!status)
         status = fvi_observer_read_all(sums, fork, h, &now);
-    /* A node's sums are as long as o->start; what is read is one number of a row's damper. */
+    /* the numbers of a stepper's node are as many as o->start has; an observer gives one number for a damper along a
+     * row */
     const double *J = s->method->dense || status ? now.impulse : sums->impulse;
     const double *first = o->has_massless ? fvi_short_row(&o->short_rows, 1) : NULL, *v = first ? first + o->forces : now.v;
     for (size_t j = 0; j < o->forces && !status; j++)

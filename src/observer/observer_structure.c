@@ -1,7 +1,7 @@
-/* src/observer/observer_structure.c -- Dampers of matrices, by a method that chooses its steps.   [H 27]
+/* src/observer/observer_structure.c -- Dampers of matrices, by a method that chooses its steps. [H 27]
  *
- * Each step has the answers of all dampers at its stages. The force at a time is the polynomial through them, and the impulse
- * and the work are its integrals. */
+ * Each step has the forces of all dampers at its stages. The force at a time is the polynomial through them, and the
+ * impulse and the work are its integrals. */
 #include "observer_state.h"
 
 #include "mechanism/mechanism.h"
@@ -15,7 +15,7 @@ int fvi_observer_is_on_structure(const fvi_observer *o, const fvi_stepper *s)
     return s->method->dense && o->is_summed && fvi_has_dampers_of_matrices(s->run.system);
 }
 
-/* The sums at t: from those at the begin of the last step. */
+/* Add the sums from the beginning of the last step to t. */
 static int add_last_step(const fvi_observer *o, const fvi_stepper *s, double t, double *impulse, double *work)
 {
     double now[FVI_LANES], sum[FVI_LANES];
