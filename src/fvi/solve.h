@@ -1,12 +1,12 @@
-/* src/fvi/solve.h -- Where is the body at these times?                 [H 18, 22]
+/* src/fvi/solve.h -- The motion of a body at given times, by one call.                          [H 18, 22]
  *
  *     const fvi_problem problem = { .system = system, .x0 = x0, .p0 = p0, .T = 20, .alpha = 0.3 };
  *     const fvi_accuracy to_nine_digits = { .tolerance = 1e-9 };
  *     status = fvi_solve(&problem, NULL, &to_nine_digits, &outputs, NULL, &error);
  *
- * One call, whatever the method. With a tolerance the library finds the steps; without one the caller
- * gives them. What is left out of a struct is zero, and zero means the usual: no options need be
- * set. */
+ * The call is the same for every method. With a tolerance the library finds the steps; without a tolerance the caller
+ * gives them. A member that an initialiser leaves out is zero, and zero means the usual choice. So no option needs to
+ * be set. */
 #ifndef FVI_SOLVE_H
 #define FVI_SOLVE_H
 
@@ -19,17 +19,16 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_problem -- what moves, and how it begins.
+/* fvi_problem -- a system and its start. Everything to which the struct points must outlive the call.
  *
  *   system   masses, dampings, potential, force (system.h)
- *   x0, p0   the start, d finite numbers each
+ *   x0, p0   initial position and momentum, d finite numbers each
  *   T        the end of the motion, finite, > 0
- *   alpha    the damping is of order 2 alpha, 0 <= alpha <= 1; so 0 is a spring, and 1/2 a dashpot
- *   law      NULL, or a law of damping instead of alpha (damping_laws.h)
+ *   alpha    the damping has the order 2 alpha, 0 <= alpha <= 1: 0 is a spring, 1/2 a dashpot
+ *   law      NULL; or a law of damping, which replaces alpha (damping_laws.h)
  *   past     what the body did before t = 0 (past.h); zeroed: it was held at x0
- *   events, event_count  NULL and 0, or what is watched, and ends the motion or changes its momentum (events.h)
- *
- * All that it points to must outlive the call. */
+ *   events, event_count  the events to watch for, which may end the motion or change its momentum (events.h), and their
+ *            number; NULL and 0: none */
 typedef struct {
     fvi_system system;
     const double *x0, *p0;
@@ -41,16 +40,15 @@ typedef struct {
     size_t event_count;
 } fvi_problem;
 
-/* fvi_solve_options -- how it is solved; NULL or a zeroed one is the usual way.
+/* fvi_solve_options -- the method and its options. NULL or a zeroed struct means the usual choice for each.
  *
- *   method   NULL: with events, or a tolerance, that of fvi_method_for_error; without one fvi_fractional
- *   h        the step, > 0, without a tolerance; not read with one
- *   kappa    NULL: 1/2; or, of methods with a kappa: the potential is taken at
- *            kappa x_k + (1 - kappa) x_{k+1}
- *   longest  no step is longer; 0: no limit. A force without a bound that swings, or has a pulse, in
- *            less than this time is seen so
- *   step_error  of fvi_variable_step without a tolerance, as fvi_run has it
- *   history, history_tolerance  as memory and tolerance of fvi_run (trajectory.h) */
+ *   method   the method. NULL: with events or with a tolerance the method of fvi_method_for_error, else fvi_fractional
+ *   h        the step, > 0, of a run without a tolerance; not read with a tolerance
+ *   kappa    for methods with a kappa: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}. NULL: 1/2
+ *   longest  no step is longer; 0: no limit. Set it to the length of a swing or a pulse of a force without a bound
+ *            (system.h), so that no step passes over it
+ *   step_error  for fvi_variable_step without a tolerance: as in fvi_run (trajectory.h)
+ *   history, history_tolerance  as memory and tolerance of fvi_run */
 typedef struct {
     const fvi_method *method;
     double h;
@@ -60,32 +58,35 @@ typedef struct {
     double history_tolerance;
 } fvi_solve_options;
 
-/* fvi_accuracy -- how exact it shall be.
+/* fvi_accuracy -- the accuracy that the caller asks for.
  *
- *   tolerance   what max |x - x(t)| may be at the outputs, by an estimate, > 0; 0: not asked for
- *   most_steps  no run of more steps is made; 0: 2^24 with a tolerance, as fvi_run without */
+ *   tolerance   the largest allowed max |x - x(t)| at the outputs, by an estimate, in the unit of x, > 0; 0: the caller
+ *               gives the steps
+ *   most_steps  no run takes more steps; 0: 2^24 with a tolerance, and the limit of fvi_run without one */
 typedef struct {
     double tolerance;
     size_t most_steps;
 } fvi_accuracy;
 
-/* fvi_outputs -- where it shall be known.
+/* fvi_outputs -- the times at which the motion is wanted, and the places for the results. The arrays belong to the
+ * caller.
  *
- *   rows    how many times, >= 1
- *   t       the times, increasing, 0 <= t <= T; NULL: evenly from 0 to T, or, without a tolerance, at
- *           each step, k h
- *   x, p    rows d numbers, component i of row k at [k d + i]; NULL: not wanted
- *   energy  rows numbers, or NULL
- *   row     NULL, or called for each row in order, with its x and p; what it returns but 0 ends the
- *           call, which returns it
- *   params  handed to row, to observed and to between
- *   observed, wanted  NULL, or called behind row with what an observer of the run knows (observer.h), of
- *           which `wanted` says what: velocities, accelerations, forces, work. With a tolerance the
- *           run that was found is made again for it
- *   between  NULL, or called with the same at each step that is no row, in the order of the times: what is
- *           largest may stand between two rows. It needs observed
- *   event   NULL, or called for each event with x there and p behind it, before the rows that are not earlier;
- *           what it returns but 0 ends the call. Where an event ends the motion there are no rows behind it */
+ *   rows    number of times, >= 1
+ *   t       the times, increasing, 0 <= t <= T. NULL: equidistant from 0 to T, or, without a tolerance, the times k h
+ *           of all steps
+ *   x, p    outputs, rows * d numbers each, component i of row k at [k * d + i]; NULL: not wanted
+ *   energy  output, rows numbers; NULL: not wanted
+ *   row     NULL; or a function that is called for each row, in order, with its x and p. If it returns another number
+ *           than 0, the call ends and returns this number
+ *   params  handed to row, observed, between and event
+ *   observed, wanted  NULL; or a function that is called after row with an observation of the run (observer.h).
+ *           `wanted` has the bits of its quantities: velocities, accelerations, forces, work. With a tolerance the run
+ *           that was found is repeated for it
+ *   between  NULL; or a function that is called with an observation at the end of each step that is no row, in the
+ *           order of time. For example, it can find a maximum between two rows. It needs observed
+ *   event   NULL; or a function that is called for each event with x there and p after the event, before the rows that
+ *           are not earlier. If it returns another number than 0, the call ends and returns it. After an event that
+ *           ends the motion there are no rows */
 typedef struct {
     size_t rows;
     const double *t;
@@ -99,21 +100,20 @@ typedef struct {
     int (*event)(const fvi_event_time *at, const double *x, const double *p, void *params);
 } fvi_outputs;
 
-/* fvi_report -- what was done.
+/* fvi_report -- how fvi_solve found the motion. "The run" is the run whose rows are the outputs.
  *
- *   method    which method it was
- *   other     where the tolerance was not reached: a method of higher order that takes the problem,
- *             NULL if there is none
- *   steps, rejected  of the run whose rows are given out; trials that were given up
- *   h         its step; of a method that chooses its steps the longest
- *   error     the estimate of max |x - x(t)|, with a tolerance; infinite if there is none
- *   stages, form  of fvi_variable_step, as fvi_step_statistics has them
- *   rows, events  how many there are: fewer rows than asked for where an event has ended the motion
- *   step_error    of fvi_variable_step with a tolerance: that of a step of the run whose rows are given out
- *   agreed, agreed_until, events_differ  for FVI_ETOL with events: how many of them the last two runs have in
- *             common, the time of the last of these, and nonzero if the runs differ behind it
- *   until     for FVI_ETOL: up to this time the tolerance is reached, by an estimate; 0 if that is less than a twentieth
- *             of T, or all of it, where two runs agree but do not come nearer to each other as they should */
+ *   method    the method
+ *   other     if the tolerance was not reached: a method of higher order that takes the problem, or NULL if there is
+ *   none steps, rejected  number of steps of the run, and of rejected trial steps
+ *   h         the step of the run; for a method that chooses its steps the longest step
+ *   error     with a tolerance: the estimate of max |x - x(t)|; infinite if there is none
+ *   stages, form  for fvi_variable_step: as in fvi_step_statistics (variable_steps.h)
+ *   rows, events  number of rows and of events. There are fewer rows than asked for if an event ended the motion
+ *   step_error    for fvi_variable_step with a tolerance: the step_error of the run
+ *   agreed, agreed_until, events_differ  for FVI_ETOL with events: the number of events that the last two runs have in
+ *             common; the time of the last of them; nonzero if the runs differ after that time
+ *   until     for FVI_ETOL: the tolerance is reached up to this time, by an estimate. 0 if this time is less than a
+ *             twentieth of T, or if it is T: then two runs agree, but do not approach each other as they should */
 typedef struct {
     const fvi_method *method, *other;
     size_t steps, rejected;
@@ -126,59 +126,66 @@ typedef struct {
     double until;
 } fvi_report;
 
-/* fvi_method_for_error -- the method that reaches a tolerance in the least time, as far as measurements tell.
+/* fvi_method_for_error -- Return the method that reaches a tolerance in the least time, according to measurements.
  *
- *   run        as for fvi_stepper_start; h times steps is its time
+ *   run        as for fvi_stepper_start; the end of the motion is h times steps
  *   tolerance  of x, > 0
  *
- * It is fvi_variable_step with events and wherever that takes the problem. Else it is fvi_cq2_midpoint for
- * matrices, and for a law fvi_lobatto_m4 below 1e-5 of max |x0|, or fvi_cq_bdf2. For example, for zener:1,0.6,0.5 on a
- * Duffing spring, which fvi_variable_step does not take, 20 units of time cost 7 ms by fvi_cq_bdf2 and 140 ms by fvi_lobatto_m4
- * with 1e-3, and 293 and 152 ms with 1e-6; and for zener:1,0.3,0.5, which it takes, 0.5 ms by fvi_variable_step
- * and 22 ms by fvi_cq_bdf2 with 1e-6. Cost: the start of a run, for a law. Whether the method refuses the run for
- * another reason is for fvi_stepper_start to say. */
+ * It is fvi_variable_step for runs with events, and for every problem that fvi_variable_step takes. For other problems
+ * with matrices it is fvi_cq2_midpoint. For other problems with a law it is fvi_lobatto_m4 for a tolerance below 1e-5
+ * of max |x0|, and else fvi_cq_bdf2.
+ *
+ * For example, take a Duffing spring for 20 units of time. With zener:1,0.6,0.5, which fvi_variable_step does not take,
+ * fvi_cq_bdf2 needs 7 ms and fvi_lobatto_m4 140 ms for the tolerance 1e-3, and 293 ms and 152 ms for 1e-6. With
+ * zener:1,0.3,0.5 fvi_variable_step needs 0.5 ms and fvi_cq_bdf2 22 ms for 1e-6.
+ *
+ * Cost: the start of a run, if the run has a law. The method may still refuse the run for another reason;
+ * fvi_stepper_start tells. */
 const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
 
-/* fvi_solve -- the motion at the times of the outputs.
+/* fvi_solve -- Compute the motion at the times of the outputs.
  *
- *   options, accuracy  NULL: the usual; then options->h is needed
- *   report, error      outputs, or NULL. The report is filled in on success and for FVI_ETOL
+ *   options, accuracy  NULL: the usual choice. Without a tolerance options->h is needed
+ *   report, error      outputs, or NULL. The report is filled in after success and after FVI_ETOL
  *
- * With a tolerance fvi_variable_step runs twice on meshes that cannot coincide and takes their
- * difference for the error of the first (H 22); other methods halve their step until the order that
- * they show is theirs (H 18). It is an estimate, no bound: what all runs pass over alike is not seen,
- * such as a pulse of a force without bounds that is shorter than their steps. The error of p is
- * another matter.
+ * Estimate of the error. With a tolerance fvi_variable_step runs twice, on meshes that cannot coincide, and takes the
+ * difference of the two runs for the error of the first (H 22). Other methods halve their step until the observed order
+ * is the order of the method (H 18). Both are estimates, not bounds. An effect that all runs miss does not show, such
+ * as a pulse of a force without bounds that is shorter than their steps. The tolerance says nothing about the error of
+ * p.
  *
- * With events and a tolerance the two runs must have the same events. The error is then also no smaller than the
- * difference of x at each event, nor than the largest speed of x times the difference of the two times. So
- * the time of an event is right to tolerance / speed, unless the body lifts off there, because an error of the time of a
- * lift-off moves the body by its square only. A body is at rest after an impact from which it would rise no
- * higher than the tolerance. For example, for a ball that falls with g = 1 from the height 1 onto z = x with e = 1/2,
- * hop n is 4^-n high; so with the tolerance 1e-6 it is at rest after the tenth, as 4^-10 = 0.95e-6. An event within
- * tolerance / speed of the end, and within a thousandth of T, may stand in one of the runs only. Where runs of any steps
- * differ in their events, as where z only touches 0, or where a motion is chaotic, FVI_ETOL says so.
+ * Events. With events and a tolerance the two runs must have the same events. The estimate is then at least the
+ * difference of x at each event, and at least the largest speed of x times the difference of the two times of an event.
+ * So the time of an event is right to tolerance / speed. A lift-off is an exception, because an error of its time moves
+ * the body by the square of this error only. A body comes to rest after an impact from which it would rise no higher
+ * than the tolerance. For example, let a ball fall with g = 1 from the height 1 onto z = x with e = 1/2. Hop n is 4^-n
+ * high, so with the tolerance 1e-6 the ball rests after the tenth hop, because 4^-10 = 0.95e-6. An event within
+ * tolerance / speed of the end, and within a thousandth of T, may be in one of the two runs only. If runs differ in
+ * their events for all steps, the function returns FVI_ETOL. This happens if z only touches 0, or if the motion is
+ * chaotic.
  *
- * fvi_variable_step gives out any time. So do methods with stages, by the path of their stages
- * (lobatto.h), if `observed` is NULL: between two steps x is then of the order of the stages s, and p of s - 1. Else
- * positions are known at the steps alone: without a tolerance each t is a multiple of h, but for roundings; with
- * one the times have a common step, of which T has at most 2^20. If they have none, a tolerance by stages is held at the
- * times themselves: the step is halved until two runs agree there, and the error is their difference.
+ * Times. fvi_variable_step has outputs at any time. So have methods with stages if `observed` is NULL, by the path of
+ * their stages (lobatto.h); between two steps x then has the order s, and p the order s - 1. For all other methods, and
+ * with `observed`, positions are known at the ends of steps only. Without a tolerance each t must be a multiple of h,
+ * up to rounding. With a tolerance the times must have a common step, at most 2^20 of which fit in T. If they have
+ * none, methods with stages reach the tolerance at the times themselves: the step is halved until two runs agree there,
+ * and the error is their difference.
  *
- * Without a tolerance no row is kept but in the outputs: memory O(d) and that of the method's history.
- * With one, three times that of x at 128 times at least.
+ * Memory. Without a tolerance O(d) and the history of the method: rows are stored in the outputs only. With a tolerance
+ * three times the memory of x at all rows, and at 128 rows at least.
  *
- * Returns FVI_SUCCESS; FVI_EFAULT, FVI_EINVAL, FVI_EDOM, FVI_EUNSUP for what is wrong with an argument
- * or unknown to the method, with its field ("x0", "T", "t", ...), number and index in *error;
- * FVI_ETOL if the tolerance cannot be had; FVI_ERUNAWAY after most_steps; FVI_ENOMEM;
- * FVI_EMAXITER, FVI_ESING, FVI_EOVRFLW of a step, whose number is the index; what a callback returned.
- * Of a failed step the rows before it stand; else the outputs are untouched on error. */
+ * Returns FVI_SUCCESS; FVI_EFAULT, FVI_EINVAL, FVI_EDOM or FVI_EUNSUP for an argument that is wrong, or that the method
+ * does not take, with its field ("x0", "T", "t", ...), number and index in *error; FVI_ETOL if the tolerance cannot be
+ * reached; FVI_ERUNAWAY after most_steps; FVI_ENOMEM; FVI_EMAXITER, FVI_ESING or FVI_EOVRFLW of a step, whose number is
+ * error->index; or what a callback returned. After a failed step the rows before it are valid. After any other error
+ * the outputs are untouched. */
 int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options,
               const fvi_accuracy *accuracy, const fvi_outputs *outputs,
               fvi_report *report, fvi_error *error);
 
-/* fvi_common_steps -- the fewest steps of one length from 0 to T that end at each of `count` times, but for roundings; 0 if
- * there are none up to 2^20. For example, 0.5 and 0.75 with T = 1 have 4. Cost O(count), 2^20 times at most. */
+/* fvi_common_steps -- Return the smallest number of equal steps from 0 to T that end at each of `count` times, up to
+ * rounding; 0 if there is none up to 2^20. For example, the times 0.5 and 0.75 with T = 1 have 4 steps. Cost O(count)
+ * for each number of steps that is tried. */
 size_t fvi_common_steps(size_t count, const double *t, double T);
 
 #pragma GCC visibility pop
