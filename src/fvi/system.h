@@ -1,16 +1,22 @@
-/* src/fvi/system.h -- A mechanical system, as data.                  [H 2]
+/* src/fvi/system.h -- A mechanical system, as data.                                                     [H 2]
  *
  *     m x'' + grad U(x) + rho D^{2 alpha} x = F(t),     x in R^d.
  *
- * A system holds the masses, the dampings, the potential and the force. The
- * order of the damping and everything that has to do with time steps belong to
- * a run (trajectory.h), not to the system.
+ * A system holds the masses, the dampings, the potential and the force. The order of the damping and everything about
+ * time steps belong to a run (trajectory.h), not to the system.
  *
- * The functions of a potential and of a force are the caller's callbacks. They return
- * 0, or any other int, which ends the call of the library in which they were asked:
- * that call returns the same int and calls no error handler. Negative numbers are
- * never codes of the library's (error.h); a number that is one says what it says
- * there. Only fvi_step_search goes on after one (step_search.h). */
+ *     const double m = 1, rho = 0.2, c = 4;
+ *     const fvi_system system = { .d = 1, .mass = &m, .damping = &rho, .potential = fvi_potential_harmonic(&c) };
+ *
+ * Callbacks. The caller writes the functions of a potential and of a force. They return 0, or any other int. Such an
+ * int ends the call of the library: that call returns the same int, and does not call the error handler. The codes of
+ * the library are positive (error.h), so a negative number is always the caller's own code. A positive number means
+ * what error.h says. If a callback returns
+ * FVI_EOVRFLW, FVI_EMAXITER or FVI_ESING, the search for a step (fvi_solve with a tolerance) goes on with shorter
+ * steps.
+ *
+ * Notation in all headers. [H 2] names a chapter of the handbook, and (2.4) an equation in it. u = 2^-53 is the unit of
+ * rounding. d is the dimension. "Seen" stands before a measured value, for which there is no proof. */
 #ifndef FVI_SYSTEM_H
 #define FVI_SYSTEM_H
 
@@ -24,44 +30,39 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_potential -- U: R^d -> R with its first two derivatives.
+/* fvi_potential -- a potential U: R^d -> R with its first two derivatives.
  *
  *   value      writes U(x) to *value
  *   gradient   writes the d numbers dU/dx_i to grad
- *   hessian    writes d^2U/dx_i dx_j to H, in the form that `diagonals` says
+ *   hessian    writes the numbers d^2U/dx_i dx_j to H, in the layout that `diagonals` selects
  *   params     handed to the functions, owned by the caller, may be NULL
- *   quadratic  NULL, or asked once when a run starts: nonzero promises that U is
- *              quadratic for these params. Its Hessian is then evaluated and
- *              factorised once in the run, not at each step
- *   diagonals  0: H is full, d * d numbers, row by row. Else the Hessian is zero
- *              but for its main diagonal and the diagonals - 1 on either side,
- *              and a row of H holds one half of them,
- *                  H[i * diagonals + k] = d^2U / dx_i dx_{i+k},   i + k < d;
- *              there is no room where i + k >= d. This is LAPACK's band
- *              storage of a symmetric matrix, UPLO = 'L', LDAB = diagonals
- *   solve      NULL, or the caller's own way through the equation of a step, for
- *              Hessians that should not be written down: r becomes
- *              (diag(a) + c Hess U(x))^-1 r, where a is d numbers > 0. Returns 0;
- *              FVI_ESING if that matrix is singular; or a code of its own. If U is
- *              quadratic it is asked with the same a and c at each step, so factors
- *              may be kept, and what it leaves of r is an error of the step; else
- *              a solution to eight digits does, and costs a step of Newton's more
+ *   quadratic  NULL; or a function that is called once when a run starts. It returns nonzero if U is quadratic for
+ *              these params. Then the run evaluates and factorises the Hessian once, not at each step
+ *   diagonals  0: H is full, d * d numbers, row by row. n > 0: the Hessian is zero outside its main diagonal and the n
+ *              - 1 diagonals on either side. Then H has d * n numbers,
+ *                  H[i * n + k] = d^2U / dx_i dx_{i+k},   i + k < d,
+ *              and the numbers with i + k >= d are not used. This is LAPACK's band storage of a symmetric matrix,
+ *              UPLO = 'L', LDAB = n
+ *   solve      NULL; or the caller's own solver for the equation of a step, for a Hessian that should not be stored. It
+ *              overwrites r with (diag(a) + c Hess U(x))^-1 r, where a is d numbers > 0. It returns 0; FVI_ESING if
+ *              that matrix is singular; or a code of its own. If U is quadratic, a and c are the same at each step, so
+ *              solve may keep factors; but the error of its solution is then an error of the step. If U is not
+ *              quadratic, eight correct digits are enough; they cost one more iteration of Newton's method
+ *   lanes      NULL; the library's own potentials have here their evaluation for several runs at once (batch.h)
  *
- *   lanes      NULL; of the library's own potentials how they are evaluated for several
- *              runs at once (batch.h)
+ * value, gradient and hessian are all set, or all NULL. A zeroed potential is that of a free particle.
  *
- * The first three functions, or none: a zeroed potential is that of a free particle.
- * With solve a step of one equation makes no matrix and does not ask for the Hessian;
- * methods with stages, fvi_stability_number and the adjoint may. A Hessian that is out of
- * reach returns a code, which those calls then return.
- * The library calls them with arrays that do not overlap. A function that cannot
- * give a number returns a code, or writes NaN: the step then ends with FVI_EOVRFLW, or
- * with FVI_EMAXITER where only a Hessian that changes is NaN.
+ * With solve a step of one equation makes no matrix and does not call hessian. Methods with stages,
+ * fvi_stability_number and the adjoint may call it. If the Hessian cannot be stored, hessian returns a code, and those
+ * calls return this code.
  *
- * The params may change until fvi_stepper_start. From then until fvi_stepper_free the functions must
- * give the same numbers for the same x; what else stands in the params, a count of the
- * calls, say, is theirs to write. Runs in several threads share it. A force may be
- * another one from a step on, as no method keeps it. */
+ * The library calls the functions with arrays that do not overlap. A function that cannot compute a number returns a
+ * code, or writes NaN. After NaN the step ends with FVI_EOVRFLW; or with FVI_EMAXITER if only the Hessian of a
+ * potential that is not quadratic is NaN.
+ *
+ * The params may change until fvi_stepper_start. From then until fvi_stepper_free the functions must give the same
+ * numbers for the same x. The functions may write to other members of the params, for example a count of calls; runs in
+ * several threads share them. A force may change between two steps, because no method stores its values. */
 struct fvi_lane_functions;
 typedef struct {
     int (*value)(size_t d, const double *x, void *params, double *value);
@@ -75,27 +76,28 @@ typedef struct {
     const struct fvi_lane_functions *lanes;
 } fvi_potential;
 
-/* fvi_impulse -- at the time t >= 0 each momentum p_j jumps by J[j]; d numbers, finite. */
+/* fvi_impulse -- an impulse: at the time t >= 0 each momentum p_j jumps by J[j]. J has d finite numbers. */
 typedef struct {
     double t;
     const double *J;
 } fvi_impulse;
 
-/* fvi_force -- F(t), d numbers written to F. A zeroed force is none.
+/* fvi_force -- a force F(t). A zeroed force is no force.
  *
- *   jumps, jump_count  the times, in any order, at which F or a derivative of it jumps;
- *          NULL and 0 if there are none. Methods that choose their steps end one there
- *   bound  NULL; or it tells what F can be at all times strictly between two, so that no
- *          pulse hides between the times at which value is asked:
- *              most[j]          half of the range of F_j, at least
- *              most[k * d + j]  |d^k F_j / dt^k| / k! at most, k = 1, ..., order
- *          INFINITY where nothing is known, or where that derivative does not exist. The
- *          first derivative may jump. order <= FVI_BOUND_ORDER. Methods that choose their
- *          steps, and searches, ask for it. Returns 0 or a code
- *   impulses, impulse_count  what hits the body, t not falling; NULL and 0 if nothing does.
- *          How methods take them: (2.14), trajectory.h
- *   lanes  NULL; of the library's own forces how they are evaluated for several runs at
- *          once (batch.h) */
+ *   value  writes the d numbers F(t) to F. Returns 0 or a code
+ *   params handed to the functions, owned by the caller, may be NULL
+ *   jumps, jump_count  the times at which F or a derivative of F jumps, in any order, and their number; NULL and 0:
+ *          none. A method that chooses its steps ends a step at each of these times
+ *   bound  NULL; or a function that bounds F at all times strictly between `from` and `to`, so that no pulse is hidden
+ *          between the times at which value is called. It writes (order + 1) d numbers:
+ *              most[j]          an upper bound of half the range of F_j
+ *              most[k * d + j]  an upper bound of |d^k F_j / dt^k| / k!, k = 1, ..., order
+ *          INFINITY stands for no known bound, and for a derivative that does not exist. The first derivative may jump.
+ *          order <= FVI_BOUND_ORDER. Methods that choose their steps, and searches for a step, call bound. Returns 0 or
+ *          a code
+ *   impulses, impulse_count  the impulses, with times that do not decrease, and their number; NULL and 0: none. (2.14)
+ *          and trajectory.h say how methods apply them
+ *   lanes  NULL; the library's own forces have here their evaluation for several runs at once (batch.h) */
 enum { FVI_BOUND_ORDER = 14 };
 typedef struct {
     int (*value)(double t, size_t d, void *params, double *F);
@@ -109,17 +111,16 @@ typedef struct {
     const struct fvi_lane_functions *lanes;
 } fvi_force;
 
-/* fvi_damping_matrix -- one symmetric C = S B^T that is not negative, as functions. [(27.4)]
+/* fvi_damping_matrix -- a symmetric positive semidefinite matrix C = S B^T, as functions.              [(27.4)]
  *
- *   history_size  r >= 0: the history of a run has the r numbers z = B^T x. 0: the functions are
- *              not called
- *   select_history  writes B^T x - from to z, r numbers each; none is another
- *   apply_damping  takes a S z away from the d numbers p
+ *   history_size  r >= 0: the history of a run has the r numbers z = B^T x. 0: the functions are not called
+ *   select_history  writes B^T x - from to z, r numbers each; the arrays do not overlap
+ *   apply_damping  subtracts a S z from the d numbers p
  *   params     handed to the functions, owned by the caller
- *   diagonal   NULL; or writes the diagonal of C, d numbers, by which a run tells whether C x0 is
- *              more than roundings
- *   apply_damping_to_stages  NULL; or what apply_damping does, of s vectors z, 1 to 8, one behind the other,
- *              and as many p
+ *   diagonal   NULL; or writes the diagonal of C, d numbers. A run uses it to decide whether C x0 is more than rounding
+ *              errors
+ *   apply_damping_to_stages  NULL; or does the same as apply_damping for s vectors z and s vectors p, s = 1, ..., 8,
+ *              stored one after another
  *
  * The functions return 0, or a code as those of a potential do. */
 typedef struct {
@@ -133,39 +134,39 @@ typedef struct {
     int (*apply_damping_to_stages)(size_t d, size_t s, double a, const double *z, const void *params, double *p);
 } fvi_damping_matrix;
 
-/* fvi_matrices -- M, C and K of a linear system                          [H 27]
+/* fvi_matrices -- the matrices M, C and K of a linear system, as functions.                           [H 27]
  *
- *     M x'' + C D^{2 alpha} x + K x = F(t),                               (27.1)
+ *     M x'' + C D^{2 alpha} x + K x = F(t),                                                           (27.1)
  *
- * all symmetric, M positive definite, C not negative, as functions: for systems whose
- * masses and dampings are more than the numbers of a diagonal. structures.h makes them
- * of sparse matrices.
+ * M, C and K are symmetric, M is positive definite, and C is positive semidefinite. They are for systems whose masses
+ * and dampings are not diagonal. structures.h makes these functions from sparse matrices.
  *
- *   history_size  r >= 0 of the damping: C = S B^T, and the history of a run has the r numbers
- *              z = B^T x. 0: no damping, the next two functions are not called
- *   select_history  writes B^T x - from to z, r numbers each; none is another
- *   apply_damping  takes a S z away from the d numbers p
- *   apply_damping_to_stages  NULL; or as that of fvi_damping_matrix
+ *   history_size  r >= 0: C = S B^T, and the history of a run has the r numbers z = B^T x. 0: no damping;
+ *              select_history and apply_damping are not called
+ *   select_history  writes B^T x - from to z, r numbers each; the arrays do not overlap
+ *   apply_damping  subtracts a S z from the d numbers p
+ *   apply_damping_to_stages  NULL; or as in fvi_damping_matrix
  *   stiffness  writes K x to y
- *   inertia    writes M x to y; NULL: there is no derivative by a factor of M (adjoint.h)
- *   factorise  what solve needs to know of m M + c C + k K, into *factors; m, c >= 0.
- *              FVI_ESING if that is not positive definite
- *   solve      r becomes (m M + c C + k K)^-1 r. The factors belong to one run
- *   free_factors  gives the factors back
- *   energy     writes p^T M^-1 p / 2 + x^T K x / 2 to *E; NULL: energies are not known
+ *   inertia    writes M x to y. NULL: without it the system has no derivative by a factor of M (adjoint.h), no ground
+ *              (parse.h), no form D (lobatto.h) and no fvi_variable_step
+ *   factorise  prepares solve for m M + c C + k K, where m, c >= 0, and writes the factors to *factors. Returns
+ *              FVI_ESING if the sum is not positive definite
+ *   solve      overwrites r with (m M + c C + k K)^-1 r. The factors belong to one run
+ *   free_factors  frees the factors
+ *   energy     writes p^T M^-1 p / 2 + x^T K x / 2 to *E; NULL: the energy is not known
  *   params     handed to the functions, owned by the caller
- *   M, K, C    NULL; or the entries of these matrices (structures.h), C NULL without damping, for
- *              those who ask for responses and poles (response.h)
- *   damper_count, damper  0 and NULL; or the matrices of as many dampers, each with a kernel of
- *              its own in the system's mechanism (dampers.h). Then there is no C, and
- *   factorise_dampers  as factorise, of m M + sum_j c_j C_j + k K
- *   factorise_complex  NULL; or as factorise, of `count` such sums with complex numbers together, 1 to
- *              FVI_COMPLEX_SUMS, for form D of the methods with stages (lobatto.h). `factor` is of each sum
- *              m, then c or the c_j, then k, of each the real and the imaginary part; real parts of m and k
- *              are > 0, of c >= 0
- *   solve_complex  r becomes the solution of the first `count` of these equations, 2 count d numbers: of
- *              each unknown first the real parts, one for each equation, and then the imaginary parts
- *   free_complex_factors  gives these factors back
+ *   M, K, C    NULL; or the entries of these matrices (structures.h), for responses and poles (response.h). C is NULL
+ *              without damping
+ *   damper_count, damper  0 and NULL; or the number and the matrices of several dampers. Each damper has its own kernel
+ *              in the system's mechanism (dampers.h). Then there is no C: history_size is 0
+ *   factorise_dampers  as factorise, for m M + sum_j c_j C_j + k K; needed with several dampers
+ *   factorise_complex  NULL; or as factorise, for `count` such sums with complex numbers together, 1 to
+ *              FVI_COMPLEX_SUMS. Form D of the methods with stages (lobatto.h) and fvi_variable_step need it. For each
+ *              sum `factor` has m, then c or the c_j, then k, each with real and imaginary part. The real parts of m
+ *              and k are > 0, that of c is >= 0
+ *   solve_complex  overwrites r with the solutions of the first `count` of these equations. r has 2 count d numbers:
+ *              for each unknown first the real parts, one for each equation, and then the imaginary parts
+ *   free_complex_factors  frees these factors
  *
  * The functions return 0, or a code as those of a potential do. */
 enum { FVI_COMPLEX_SUMS = 4 };
@@ -197,17 +198,16 @@ typedef struct {
     int (*apply_damping_to_stages)(size_t d, size_t s, double a, const double *z, const void *params, double *p);
 } fvi_matrices;
 
-/* fvi_system -- one mechanical system. The arrays belong to the caller and
- * must outlive every run that uses the system.
+/* fvi_system -- one mechanical system. The arrays belong to the caller and must outlive every run that uses the system.
  *
  *   d        dimension, d >= 1
- *   mass     d masses, finite, > 0; with a mechanism also 0
+ *   mass     d masses, finite, > 0; with a mechanism a mass may be 0
  *   damping  d coefficients rho, finite, >= 0
  *   potential, force  as above
- *   matrices  NULL; or M, C and K, for methods that say so (takes_matrices, trajectory.h):
- *            mass and damping are then the diagonals of M and C, the potential is none
- *   mechanism  NULL; or dampers between points of the system (dampers.h), for methods that say so
- *            (takes_mechanism, trajectory.h): damping is then zero */
+ *   matrices  NULL; or M, C and K, for methods with takes_matrices (trajectory.h). Then mass and damping are the
+ *            diagonals of M and C, and the potential is zeroed
+ *   mechanism  NULL; or dampers between points of the system, a Lagrangian, or constraints (dampers.h), for methods
+ *            with takes_mechanism. Then damping is zero */
 struct fvi_mechanism;
 //> system
 typedef struct {
@@ -221,56 +221,63 @@ typedef struct {
 } fvi_system;
 //< system
 
-/* fvi_system_check -- is the system one that everything in the library can take? If not, the error
- * has "mass", "rho", "d", "potential" or "matrices" for its field.
+/* fvi_system_check -- Check whether every function of the library can take the system.
  *
- * Returns FVI_SUCCESS; FVI_EFAULT if system, mass or damping is NULL;
- * FVI_EINVAL if d == 0, if the Hessian and as much again seven times cannot be
- * addressed, or if the potential has some of its three functions but not all; FVI_EDOM
- * if a mass is not finite and > 0, or a damping not finite and >= 0; FVI_EUNSUP if it has
- * matrices, which fvi_stepper_start and fvi_stability_number take, and not everything. Cost O(d). */
+ *   error  output, or NULL. Its field is "mass", "rho", "d", "potential", "matrices", "mechanism" or "system"
+ *
+ *     if (fvi_system_check(&system, &error))
+ *         fprintf(stderr, "%s: %s\n", error.field, error.text);
+ *
+ * Cost O(d). Returns FVI_SUCCESS; FVI_EFAULT if system, mass or damping is NULL; FVI_EINVAL if d == 0, if eight
+ * Hessians cannot be addressed, or if the potential has some but not all of its three functions; FVI_EDOM if a mass is
+ * not finite and > 0, or a damping not finite and >= 0; FVI_EUNSUP if the system has matrices or a mechanism, because
+ * not every function takes them (fvi_stepper_start and fvi_solve do, and check them themselves). */
 int fvi_system_check(const fvi_system *system, fvi_error *error);
 
-/* fvi_energy -- E = sum_i p_i^2 / (2 m_i) + U(x).                  [(2.4)]
+/* fvi_energy -- Compute the energy E = sum_i p_i^2 / (2 m_i) + U(x).                                    [(2.4)]
  *
- *   x, p  d numbers each     E  output, one number
+ *   x, p  position and momentum, d numbers each
+ *   E     output, one number
  *
- * With matrices it is theirs; of a Lagrangian it is asked by fvi_energy_at (lagrangian.h). Nothing is
- * checked: this is called once a row. Cost O(d) and one value of U.
- * Returns FVI_SUCCESS; FVI_EOVRFLW if E is not a finite number, of which no handler is
- * called; FVI_EUNSUP if the matrices have no energy, or there is a Lagrangian; or what the potential or they returned.
- * After an error E is untouched. */
+ *     double E;
+ *     status = fvi_energy(&system, s->x, s->p, &E);      // of a stepper
+ *
+ * With matrices E is their energy. With a Lagrangian use fvi_energy_at (lagrangian.h). Nothing is checked, because the
+ * function is called for every row. Cost O(d) and one value of U.
+ * Returns FVI_SUCCESS; FVI_EOVRFLW if E is not finite; FVI_EUNSUP if the matrices have no energy, or if there is a
+ * Lagrangian; or what the potential or the matrices returned. No handler is called. On error E is untouched. */
 int fvi_energy(const fvi_system *system, const double *x, const double *p,
                double *E);
 
-/* fvi_potential_value, fvi_potential_gradient -- U and grad U at x; 0 if there is no U. The gradient
- * with matrices is K x.
+/* fvi_potential_value -- Compute U at x.
+ * fvi_potential_gradient -- Compute grad U at x; K x for a system with matrices. Both are 0 if there is no U.
  *
- *   x     d numbers
+ *   x      d numbers
  *   value  output, one number
- *   grad  output, d numbers, not x
+ *   grad   output, d numbers; must not be x
  *
  * Nothing is checked. Returns FVI_SUCCESS, or what the potential returned. */
 int fvi_potential_value(const fvi_system *system, const double *x,
                         double *value);
 int fvi_potential_gradient(const fvi_system *system, const double *x, double *grad);
 
-/* fvi_potential_hessian_size -- d * d numbers, or d * diagonals if that is more: a Hessian in
- * full and in diagonals. SIZE_MAX / 64, which no allocator has, if it cannot be
- * addressed. Nothing is checked. */
+/* fvi_potential_hessian_size -- Return the number of doubles that a Hessian needs in fvi_potential_hessian: d * d, or
+ * d * diagonals if that is more. Return SIZE_MAX / 64, which no allocator can provide, if it cannot be addressed.
+ * Nothing is checked. */
 size_t fvi_potential_hessian_size(const fvi_system *system);
 
-/* fvi_potential_hessian -- the Hessian of U at x as a full matrix, whatever its diagonals.
+/* fvi_potential_hessian -- Compute the Hessian of U at x as a full matrix, also for a potential with `diagonals` > 0.
  *
- *   x  d numbers     H  output: d * d numbers, row by row; 0 if there is no U.
- *                       Room for fvi_potential_hessian_size numbers, the rest is of no use
+ *   x  d numbers
+ *   H  output: d * d numbers, row by row; zeros if there is no U. The array must have fvi_potential_hessian_size
+ *      numbers; the numbers after the first d * d hold no result
  *
  * Nothing is checked. Cost O(d^2) and one Hessian.
- * Returns FVI_SUCCESS, or what the potential returned; H is then of no use. */
+ * Returns FVI_SUCCESS, or what the potential returned; H then holds no result. */
 int fvi_potential_hessian(const fvi_system *system, const double *x, double *H);
 
-/* fvi_all_finite -- are all n numbers of v finite? In the header, because every
- * step asks: isfinite is a macro, and no call is made. */
+/* fvi_all_finite -- Return 1 if all n numbers of v are finite, else 0. The function is in the header because every step
+ * calls it; so it is inlined. */
 static inline int fvi_all_finite(size_t n, const double *v)
 {
     for (size_t i = 0; i < n; i++)
@@ -279,11 +286,10 @@ static inline int fvi_all_finite(size_t n, const double *v)
     return 1;
 }
 
-/* Potentials that are ready to use. The parameters are read when a run starts and
- * when U is, so they must outlive the system. The first three act on every
- * coordinate alike, and their Hessian is diagonal; that of a chain has two
- * diagonals. Harmonic is quadratic, the others are if g is zero as the run starts
- * (a pendulum never says so):
+/* Ready-made potentials. Each returns a potential for use in a system. The potential points to the parameters, so they
+ * must outlive the system. The first three potentials treat every coordinate alike, and their Hessian is diagonal; the
+ * Hessian of a chain has two diagonals. The harmonic potential is quadratic. A Duffing potential and a chain are
+ * quadratic if g is zero when the run starts. A pendulum always counts as not quadratic.
  *
  *     harmonic  c        U = sum_i c x_i^2 / 2
  *     duffing   c, g     U = sum_i c x_i^2 / 2 + g x_i^4 / 4
@@ -296,7 +302,8 @@ fvi_potential fvi_potential_duffing(const double cg[2]);
 fvi_potential fvi_potential_pendulum(const double *g);
 fvi_potential fvi_potential_chain(const double cg[2]);
 
-/* Forces that are ready to use, the same on every mass:
+/* Ready-made forces, the same on every mass. Each returns a force that points to its parameters, so they must outlive
+ * the system.
  *
  *     step    a, T   F = a for 0 <= t <= T, then 0
  *     cosine  a, w   F = a cos(w t) */
