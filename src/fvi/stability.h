@@ -123,8 +123,7 @@ int fvi_stability_along_run(const fvi_method *method, const fvi_run *run,
 int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load);
 
 /* fvi_unstable_roots -- Count the growing solutions z^{-k} of the scalar recurrence of fvi_fractional. They are the
- * zeros in |z| < 1 of Q(z) = z P(z),
- * [(14.2)]
+ * zeros in |z| < 1 of Q(z) = z P(z),                                                                [(14.2)]
  *
  *     P(z) = (1 + kappa (1 - kappa) W) (1/z - 2 + z) + W + R (1 - z)^{2 alpha}.
  *

@@ -55,9 +55,9 @@ typedef struct {
  *
  * The function adds the triplets of an entry in the order of the list. So if all element matrices are symmetric to the
  * last bit, the sum is, too. Cost O(n + count), and for each column up to the square of its length, because columns are
- * short. Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if n or count is out of
- * range; FVI_EDOM if a row or a column is not in 0 ... n - 1, or an entry not finite;
- * FVI_ENOMEM. On error *A is untouched. */
+ * short.
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if n or count is out of range; FVI_EDOM if a row or a
+ * column is not in 0 ... n - 1, or an entry is not finite; FVI_ENOMEM. On error *A is untouched. */
 int fvi_sparse_assemble(size_t n, size_t count, const fvi_triplet *triplets,
                    fvi_sparse *A);
 
@@ -106,8 +106,8 @@ typedef struct fvi_structure fvi_structure;
  *   structure  output; free it with fvi_structure_free. It points to the matrices, so they must outlive it
  *   fault  output, or NULL: the matrix of an error, 'M', 'K' or 'C'; 0 if the error is of no single matrix
  *
- * The history of a run has only the unknowns with an entry in C. If these are up to 512 unknowns, and the rank of
- * C is at most half their number, C = B B^T and the history has B^T x, which is shorter. (27.4)
+ * The history of a run has only the unknowns with an entry in C. If these are up to 512 unknowns, and the rank of C is
+ * at most half their number, C = B B^T and the history has B^T x, which is shorter. (27.4)
  * Cost: one factorisation of M, and one of C if more than 512 unknowns have an entry in C.
  * Returns FVI_SUCCESS; FVI_EFAULT if M, K or structure is NULL; FVI_EINVAL if the sizes differ; FVI_EDOM if a matrix is
  * not symmetric to the last bit or has an entry that is not finite, if a diagonal entry of M is not positive, or if C

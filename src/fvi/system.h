@@ -11,9 +11,8 @@
  * Callbacks. The caller writes the functions of a potential and of a force. They return 0, or any other int. Such an
  * int ends the call of the library: that call returns the same int, and does not call the error handler. The codes of
  * the library are positive (error.h), so a negative number is always the caller's own code. A positive number means
- * what error.h says. If a callback returns
- * FVI_EOVRFLW, FVI_EMAXITER or FVI_ESING, the search for a step (fvi_solve with a tolerance) goes on with shorter
- * steps.
+ * what error.h says. If a callback returns FVI_EOVRFLW, FVI_EMAXITER or FVI_ESING, the search for a step (fvi_solve
+ * with a tolerance) goes on with shorter steps.
  *
  * Notation in all headers. [H 2] names a chapter of the handbook, and (2.4) an equation in it. u = 2^-53 is the unit of
  * rounding. d is the dimension. "Seen" stands before a measured value, for which there is no proof. */
