@@ -1,4 +1,4 @@
-/* src/methods/convolution_quadrature_dampers.c -- The dampers of a run of order 2.   [H 13] */
+/* src/methods/convolution_quadrature_dampers.c -- The dampers in a run by a method of order 2.   [H 13] */
 #include "convolution_quadrature_dampers.h"
 
 #include "system/archive_pieces.h"
@@ -46,7 +46,7 @@ void fvi_cq_stop(fvi_stepper *s)
     free(o);
 }
 
-/* H and ahead of a damper, and past if there is a factor. */
+/* Return the number of doubles in H, ahead and, if there is a factor, past. */
 static size_t rows(const fvi_cq_damper *o)
 {
     return (2 + 2 * o->taps) * o->damping->count;
@@ -63,7 +63,7 @@ static int make_rows(fvi_cq_damper *o)
     return FVI_SUCCESS;
 }
 
-/* The dampers of o->damping, which know no more than that. */
+/* Make one damper for each history of o->damping. */
 static int make_dampers(fvi_cq_state *o)
 {
     size_t count = 0;
@@ -132,15 +132,15 @@ int fvi_cq_serialize(fvi_stepper *s, fvi_archive *v)
     return status ? status : fvi_damping_archive(o->damping, s->k, v);
 }
 
-/* What stands before d of (13.10) for the force of a damper: in D_{k+1} the weight w_0 = 1
- * stands before x_{k+1}. */
+/* Return the factor of d in (13.10) from the force of a damper. x_{k+1} has the weight w_0 = 1, times g_0, in
+ * D_{k+1}. */
 static double present(const fvi_cq_damper *o)
 {
     return o->theta * fvi_cq_first_weight(o);
 }
 
-/* (m M + sum_j c_j C_j) d + s K (x + (1 - kappa) d) = r. A damper without a history has
- * no c. */
+/* Allocate the solver of (m M + sum_j c_j C_j) d + s K (x + (1 - kappa) d) = r. A damper without a history has c_j =
+ * 0. */
 static int matrix_solver(fvi_stepper *s, const fvi_cq_state *o)
 {
     const fvi_run *run = &s->run;
@@ -159,7 +159,7 @@ static int matrix_solver(fvi_stepper *s, const fvi_cq_state *o)
     return status;
 }
 
-/* A d + s grad U(x + (1 - kappa) d) = r with A = m/h + theta rho h^(1-2 alpha) g_0. (13.10) */
+/* Allocate the solver of A d + s grad U(x + (1 - kappa) d) = r with A = m/h + theta rho h^(1-2 alpha) g_0. (13.10) */
 static int solver(fvi_stepper *s, const fvi_cq_state *o)
 {
     const fvi_run *run = &s->run;
@@ -176,9 +176,9 @@ static int solver(fvi_stepper *s, const fvi_cq_state *o)
                             &s->newton);
 }
 
-/* The factor of (13.16): the mean of the last two, by which D^{2 alpha} becomes half a
- * step earlier than it is, less alpha of a step; of a law half a step, alpha being 0
- * (26.15). Returns how many terms it has. */
+/* Compute the factor (13.16), a mean of the last two terms. It shifts D^{2 alpha} to half a step earlier. Euler's
+ * weights act alpha of a step earlier already, so the factor depends on alpha; for a law alpha is 0 (26.15). Return the
+ * number of terms, 0 if the factor is 1. */
 static size_t two_taps(double alpha, double *g)
 {
     g[0] = 0.5 + alpha;
@@ -186,7 +186,7 @@ static size_t two_taps(double alpha, double *g)
     return g[1] == 0 ? 0 : 2;
 }
 
-/* The weight of the later end of a step, and the factor of the weights. */
+/* Set theta and the factor g for the scheme. */
 static void choose_scheme(fvi_scheme scheme, fvi_cq_damper *o)
 {
     const fvi_run_damper *of = &o->damping->of;

@@ -1,7 +1,7 @@
-/* src/methods/convolution_quadrature_dampers.h -- The dampers of a run of order 2.   [H 13]
+/* src/methods/convolution_quadrature_dampers.h -- The dampers in a run by a method of order 2.   [H 13]
  *
- * Internal: convolution_quadrature_methods.c takes the steps of what is started, copied and
- * saved here. */
+ * This header is internal. convolution_quadrature_dampers.c starts, copies and archives the state;
+ * convolution_quadrature_methods.c takes the steps. */
 #ifndef FVI_CONVOLUTION_QUADRATURE_DAMPERS_H
 #define FVI_CONVOLUTION_QUADRATURE_DAMPERS_H
 
@@ -9,35 +9,36 @@
 #include "damping.h"
 #include "initial_history_force.h"
 
-/* One damper of a run, and what a step knows of it. */
+/* One damper of a run and its state during a step. */
 typedef struct {
-    fvi_damping *damping; /* its history; the method owns the first, which owns the next */
-    double theta;         /* the part of its force that is that of the later end, (13.10) */
-    double *H;            /* h^(2 alpha) D_k of each damped coordinate; */
-    double *ahead;        /* that of the next step if x stands still */
-    double g[FVI_BDF2_TAPS]; /* (13.11), (13.16) */
-    size_t taps, place;      /* taps == 0: no factor */
-    int increments;          /* are summed, and stand in past */
-    double *past; /* rows of the last terms, the latest is number `place`, twice */
+    /* the history of the damper; the method owns the first history, and each history owns the next one */
+    fvi_damping *damping;
+    double theta;         /* weight of D_{k+1} in the force of step k, (13.10) */
+    double *H;            /* h^(2 alpha) D_k of each damped coordinate */
+    double *ahead;        /* H of the next step if x_{k+1} = x_k */
+    double g[FVI_BDF2_TAPS]; /* factor of the weights (13.11), (13.16) */
+    size_t taps, place;      /* taps: length of g, 0 if there is no factor; place: newest row in `past` */
+    int increments;          /* nonzero if the history sums increments; then `past` holds increments */
+    double *past; /* a ring of the last `taps` terms, stored twice; the newest term is row `place` */
     fvi_initial_history_force history_force;
-    double impulse[2]; /* of this step, at its ends (19.5) */
+    double impulse[2]; /* the impulses of the initial history at the two ends of the step (19.5) */
 } fvi_cq_damper;
 
 typedef struct {
     double kappa;
     double *r; /* right-hand side of the step, d numbers */
-    fvi_damping *damping; /* NULL if nothing is damped */
-    size_t count;         /* as many dampers with a history */
+    fvi_damping *damping; /* the first history; NULL if nothing is damped */
+    size_t count;         /* number of dampers with a history */
     fvi_cq_damper *each;
 } fvi_cq_state;
 
-/* fvi_cq_first_weight -- of z_{k+1} in H_{k+1}: w_0 = 1, times g_0. */
+/* fvi_cq_first_weight -- Return the weight of z_{k+1} in H_{k+1}: w_0 = 1 times g_0, or 1 without a factor. */
 static inline double fvi_cq_first_weight(const fvi_cq_damper *o)
 {
     return o->taps ? o->g[0] : 1;
 }
 
-/* Members of fvi_method: start, copy, serialize, stop and keep_dampers of the methods of order 2. */
+/* The members start, copy, serialize, stop and keep_dampers of the methods of order 2 (fvi_method). */
 int fvi_cq_start(fvi_stepper *s);
 int fvi_cq_copy(const fvi_stepper *from, fvi_stepper *to);
 int fvi_cq_serialize(fvi_stepper *s, fvi_archive *v);

@@ -1,4 +1,5 @@
-/* src/methods/convolution_quadrature_methods.c -- Integrators of order 2.                  [H 13] */
+/* src/methods/convolution_quadrature_methods.c -- The integrators of order 2: fvi-shifted, fvi-bdf2, fvi-stable.       
+ *           [H 13] */
 #include <fvi/convolution_quadrature_methods.h>
 #include "convolution_quadrature_dampers.h"
 #include "mechanism/mechanism.h"
@@ -10,10 +11,10 @@
 #include <math.h>
 #include <string.h>
 
-/* ---- what the methods do ---- */
+/* ---- parts of a step ---- */
 
 //> force
-/* The limits of F at t_k from below and from above. (13.12) */
+/* Write the limit of F at t_k from below, or from above, to s->F. (13.12) */
 static int force_before(fvi_stepper *s, size_t k)
 {
     return fvi_force_value(s, fvi_just_before((double)k * s->run.h));
@@ -25,7 +26,8 @@ static int force_after(fvi_stepper *s, size_t k)
 }
 //< force
 
-/* The sums of as many eights of coordinates: each is added up in the same order, and none waits for another. */
+/* Filter the coordinates in groups of eight. The sum of each coordinate keeps its order, and eight sums run side by
+ * side. */
 FVI_VECTORS static void filter_eights(const fvi_cq_damper *o, size_t count, const double *past, double *term)
 {
     enum { EIGHT = 8 };
@@ -39,8 +41,7 @@ FVI_VECTORS static void filter_eights(const fvi_cq_damper *o, size_t count, cons
 }
 
 //> filter
-/* The factor g, ((3 - z)/2)^beta or g_0 + g_1 z, applied to the term that has come in.
- * (13.11), (13.16) */
+/* Apply the factor g to the newest term: ((3 - z)/2)^beta or g_0 + g_1 z. (13.11), (13.16) */
 static void filter(fvi_cq_damper *o, size_t count, double *term)
 {
     if (o->taps == 0)
@@ -61,7 +62,7 @@ static void filter(fvi_cq_damper *o, size_t count, double *term)
 }
 //< filter
 
-/* x_{k+1} has come: H of step k + 1. */
+/* Push the term of x_{k+1} and compute H of step k + 1. */
 static int update_history(fvi_stepper *s, fvi_cq_damper *o)
 {
     fvi_damping *d = o->damping;
@@ -72,7 +73,7 @@ static int update_history(fvi_stepper *s, fvi_cq_damper *o)
     return fvi_damping_update_history(d, o->H);
 }
 
-/* What the past does at the left or the right end of this step. */
+/* Apply the impulse of the initial history at the left (end = 0) or the right end of this step. */
 static void apply_initial_history(fvi_stepper *s, fvi_cq_damper *o, size_t end)
 {
     if (!o->history_force.size)
@@ -83,7 +84,7 @@ static void apply_initial_history(fvi_stepper *s, fvi_cq_damper *o, size_t end)
         s->p[i] -= o->history_force.size[i] * o->impulse[end];
 }
 
-/* H of step k + 1 as it is if x stands still. */
+/* Compute H of step k + 1 for the case x_{k+1} = x_k. */
 static int predict_history(const fvi_stepper *s, const fvi_cq_damper *o)
 {
     const fvi_damping *d = o->damping;
@@ -103,8 +104,8 @@ static int predict_history(const fvi_stepper *s, const fvi_cq_damper *o)
     return status;
 }
 
-/* First line of (13.10): p becomes p_k and its half of F and of the damping, r what
- * remains of it when all of D_{k+1} is taken away but the term with dx. */
+/* First line of (13.10). Add half of the force and of the damping to p = p_k. Write to r the rest of the right-hand
+ * side: p minus the part of D_{k+1} that does not contain dx. */
 //> right-hand-side
 static int right_hand_side(fvi_stepper *s, fvi_cq_state *o)
 {
@@ -138,8 +139,8 @@ static int right_hand_side(fvi_stepper *s, fvi_cq_state *o)
 //< right-hand-side
 
 //> step
-/* h (1/2 + theta) D_{k+1} of a damper, at the end of the step. What is left of h D_{k+1} comes at
- * the beginning of the next. */
+/* Apply h (1/2 + theta) D_{k+1} of a damper at the end of the step. The rest of h D_{k+1} is applied at the beginning
+ * of the next step. */
 static int apply_damping(fvi_stepper *s, fvi_cq_damper *o)
 {
     int status = update_history(s, o);
@@ -183,7 +184,7 @@ static int start_stable(fvi_stepper *s)
                : fvi_cq_start(s);
 }
 
-/* What the three methods share. */
+/* the members that the three methods have in common */
 #define OF_ORDER_2                                                                                              \
     .order = "2", .lowest = 2, .highest = 2, .memory = "full", .alpha_most = 1, .memories = FVI_ALL_MEMORIES,   \
     .takes_laws = 1, .takes_matrices = 1, .implicit = 1, .stability_number_grows = 1, .step = step_second_order, \

@@ -1,5 +1,4 @@
-/* src/methods/damping.c -- The damped coordinates of a run and their memory.
- *                                                                 [H 9] */
+/* src/methods/damping.c -- The damped coordinates of a run and their histories.    [H 9] */
 #include "damping.h"
 
 #include "memory/history_kinds.h"
@@ -14,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- one damping ---- */
+/* ---- allocation ---- */
 
 void fvi_damping_free(fvi_damping *d)
 {
@@ -30,7 +29,7 @@ void fvi_damping_free(fvi_damping *d)
     }
 }
 
-/* Zeros for the numbers of `count` coordinates. */
+/* Allocate a damper with zeros for `count` coordinates. */
 static int damping_alloc(const fvi_system *system, const fvi_run_damper *of, size_t count,
                          fvi_damping **damping)
 {
@@ -55,8 +54,8 @@ fvi_delta fvi_damping_quadrature(const fvi_method *method)
                                                : method->quadrature;
 }
 
-/* The memory of the damper, with its derivative by the order if sums of it are wanted. The first
- * weight goes into the factors. */
+/* Allocate the history of the damper, with derivatives by the order if d->Hdot is not NULL. The first weight of a law
+ * is multiplied into the factors. */
 static int alloc_history(const fvi_stepper *s, fvi_damping *d)
 {
     const fvi_run *run = &s->run;
@@ -80,7 +79,7 @@ static int alloc_history(const fvi_stepper *s, fvi_damping *d)
     return status;
 }
 
-/* ---- between the d coordinates and those that are damped ---- */
+/* ---- all coordinates and damped coordinates ---- */
 
 static void subtract(size_t n, const double *x, const double *from, double *z)
 {
@@ -160,9 +159,9 @@ int fvi_damping_velocity(const fvi_system *system, const double *p, double *v)
     return status;
 }
 
-/* ---- the start ---- */
+/* ---- start ---- */
 
-/* How many numbers the history of the damper has. */
+/* Return the number of history numbers of the damper. */
 static size_t damped(const fvi_system *system, const fvi_run_damper *of)
 {
     const fvi_linearised *linearised = fvi_linearised_of(system);
@@ -197,7 +196,7 @@ static void begin(const fvi_stepper *s, fvi_initial_history past, fvi_damping *d
     //< start
 }
 
-/* Room for the sums, which those who transpose a run read. */
+/* Allocate the arrays for the sums, which the adjoint and the tangent of a run read. */
 static int keep_sums(fvi_damping *d, int by_order)
 {
     d->H = calloc(2 * d->count, sizeof *d->H);
@@ -207,7 +206,7 @@ static int keep_sums(fvi_damping *d, int by_order)
     return FVI_SUCCESS;
 }
 
-/* The history of one damper, with its first term. */
+/* Allocate the history of one damper and push its first term. */
 static int start_one(const fvi_stepper *s, fvi_initial_history past, fvi_damping *d)
 {
     const fvi_run *run = &s->run;
@@ -242,7 +241,7 @@ int fvi_damping_start(const fvi_stepper *s, int is_caputo, fvi_damping **damping
             linearised && linearised->from_zero ? FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
             : is_caputo                         ? FVI_INITIAL_HISTORY_CAPUTO
                                                 : of.past;
-        if (count == 0) /* nothing damped: no memory at all */
+        if (count == 0) /* without damping there is no history */
             continue;
         status = damping_alloc(run->system, &of, count, damping);
         if (!status)
@@ -290,7 +289,8 @@ int fvi_damping_copy(const fvi_damping *from, fvi_damping **to)
     return FVI_SUCCESS;
 }
 
-/* z and dz are of one step only. A term came in at the start, and one in each step. */
+/* z and dz belong to one step only, so they are not archived. The history has one term from the start and one from each
+ * step. */
 int fvi_damping_archive(fvi_damping *d, size_t k, fvi_archive *v)
 {
     int status = FVI_SUCCESS;

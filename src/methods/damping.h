@@ -1,85 +1,86 @@
-/* src/methods/damping.h -- The damped coordinates of a run and their memory. [H 9]
+/* src/methods/damping.h -- The damped coordinates of a run and their histories. [H 9]
  *
- * Internal: what the integrators of H 9 and 13 have in common. */
+ * This header is internal. The integrators of H 9 and H 13 use it. */
 #ifndef FVI_DAMPING_H
 #define FVI_DAMPING_H
 
 #include "run/run_damper.h"
 
-/* The history of one damper, and of those behind it. */
+/* The history of one damper, in a list of all dampers. */
 typedef struct fvi_damping {
-    struct fvi_damping *next; /* of the next damper; owned */
+    struct fvi_damping *next; /* the next damper; owned */
     fvi_run_damper of;
-    size_t number;  /* its place among the dampers of the run */
-    size_t count;   /* how many coordinates have rho > 0 */
-    int all;        /* is that every one, and are there no matrices? */
-    int increments; /* does the memory sum dz, and not z? */
-    size_t *index;  /* which; not used with matrices */
-    double *factor; /* rho h^(1 - 2 alpha) of each; with matrices of all */
-    double *origin; /* x_0 of each, 0 for Riemann-Liouville */
-    double *drift;  /* Caputo, growth > 1: h v_0 of each, else 0 */
-    double unit;    /* h^(1 - 2 alpha), or h w_0 of a law: factor is rho of it */
-    double *z, *dz; /* x - origin and its increment, gathered */
-    double *kept;   /* the impulse on each unknown up to now, that of the step at hand, and p
-                     * before it; NULL: nobody asked */
-    double work;    /* of the impulses, if they are kept */
-    double *H;      /* of a linearised run: the last sums, else NULL, */
-    double *Hdot;   /* and their derivative by 2 alpha, or NULL */
+    size_t number;  /* index of the damper among the dampers of the run */
+    size_t count;   /* number of coordinates with rho > 0; with matrices, of history numbers */
+    int all;        /* nonzero if all coordinates are damped and there are no matrices */
+    int increments; /* nonzero if the history sums dz instead of z */
+    size_t *index;  /* indices of the damped coordinates; not used with matrices */
+    double *factor; /* rho h^(1 - 2 alpha) of each coordinate; with matrices one number */
+    double *origin; /* x_0 of each coordinate, 0 for Riemann-Liouville */
+    double *drift;  /* h v_0 of each coordinate for Caputo's past with growth > 1, else 0 */
+    double unit;    /* factor divided by the damping rho of a coordinate: h^(1 - 2 alpha), or h w_0 of a law */
+    double *z, *dz; /* x - origin and its increment, for the damped coordinates */
+    /* 3 d numbers: the impulse on each unknown so far, the impulse of this step, and p before the damper acts; NULL if
+     * the sums are not kept */
+    double *kept;
+    double work;    /* work of the impulses, if the sums are kept */
+    double *H;      /* in a linearised run: the last sums; else NULL */
+    double *Hdot;   /* in a linearised run: their derivatives by 2 alpha, or NULL */
     fvi_history *memory;
     const fvi_system *system;
 } fvi_damping;
 
-/* fvi_damping_velocity -- v = M^-1 p, d numbers each. Returns FVI_SUCCESS, or what factorise or
- * solve of the matrices returned. */
+/* fvi_damping_velocity -- Compute v = M^-1 p, d numbers each. Return FVI_SUCCESS, or the code of factorise or solve of
+ * the matrices. */
 int fvi_damping_velocity(const fvi_system *system, const double *p, double *v);
 
-/* fvi_damping_begin_matrices -- factor, origin, drift and the term k = 0 of one damper of a system
- * with matrices. Returns FVI_SUCCESS, or what their functions returned. */
+/* fvi_damping_begin_matrices -- Set factor, origin, drift and the term k = 0 of one damper, for a system with matrices.
+ * Return FVI_SUCCESS, or the code of a function of the matrices. */
 int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
                                fvi_damping *damping);
 
-/* fvi_damping_multiply -- y += factor C x, d numbers each. Returns FVI_SUCCESS; FVI_ENOMEM; what
- * the matrix returned. */
+/* fvi_damping_multiply -- Compute y += factor C x, d numbers each. Return FVI_SUCCESS; FVI_ENOMEM; or the code of the
+ * matrix. */
 int fvi_damping_multiply(const fvi_damping_matrix *C, size_t d, double factor,
                          const double *x, double *y);
 
-/* fvi_damping_gather -- the history numbers of x, less `from`, to z: x_i - from_i of the damped
- * coordinates, or B^T x - from.  Returns FVI_SUCCESS, or what select_history returned. */
+/* fvi_damping_gather -- Write the history numbers of x to z: x_i - from_i of the damped coordinates, or B^T x - from
+ * with matrices. Return FVI_SUCCESS, or the code of select_history. */
 int fvi_damping_gather(const fvi_damping *damping, const double *x,
                        const double *from, double *z);
 
-/* fvi_damping_terms -- z and dz of the position s->x and of its increment s->dx; where the
- * memory sums positions, dz is left as it is. Returns as fvi_damping_gather. */
+/* fvi_damping_terms -- Compute z from the position s->x, and dz from its increment s->dx. With matrices or undamped
+ * coordinates, dz is computed only if the history sums increments. Return the codes of fvi_damping_gather. */
 int fvi_damping_terms(fvi_damping *damping, const fvi_stepper *s);
 
-/* fvi_damping_update_history -- z and dz go into the memory, and its sums to H, count numbers.
- * Returns what fvi_history_push and fvi_history_push_by_order return. */
+/* fvi_damping_update_history -- Push z and dz, and write the sums to H, count numbers. Return the code of
+ * fvi_history_push or fvi_history_push_by_order. */
 int fvi_damping_update_history(fvi_damping *damping, double *H);
 
-/* fvi_damping_apply_force -- p -= share h rho h^(-2 alpha) H, H of the damped coordinates; with
- * matrices share h h^(-2 alpha) S H.  Returns FVI_SUCCESS, or what apply_damping returned. */
+/* fvi_damping_apply_force -- Compute p -= share h rho h^(-2 alpha) H for the damped coordinates; with matrices p -=
+ * share h h^(-2 alpha) S H. Return FVI_SUCCESS, or the code of apply_damping. */
 int fvi_damping_apply_force(const fvi_damping *damping, double share, const double *H,
                      double *p);
 
-/* fvi_damping_start -- the histories of all dampers, which know the term k = 0.
+/* fvi_damping_start -- Allocate the histories of all dampers and push the term k = 0.
  *
- *   s        a stepper at k = 0
- *   is_caputo  nonzero: their pasts are Caputo's, as the method adds by impulses what another
- *            past has besides; zero: each has its own. Where a linearised run begins at 0
- *            neither is read: that is all that its history knows
- *   damping  output: the first of them; NULL, and no memory at all, if nothing is damped
+ *   s          a stepper at k = 0
+ *   is_caputo  nonzero: all histories use Caputo's past, because the method adds the difference to another past by
+ *              impulses. Zero: each history uses the past of its damper. In a linearised run that begins at 0 the
+ *              histories contain the term 0 only, whatever is_caputo is
+ *   damping    output: the first damper of the list; NULL if nothing is damped
  *
- * Returns FVI_SUCCESS; what fvi_history_alloc and fvi_kernel_history return; FVI_ENOMEM. After
- * an error what was made so far is in *damping: free it in any case. */
+ * Return FVI_SUCCESS; the codes of fvi_history_alloc and fvi_kernel_history; FVI_ENOMEM. After an error *damping holds
+ * the part that was allocated, so the caller must free it in any case. */
 int fvi_damping_start(const fvi_stepper *s, int is_caputo, fvi_damping **damping);
 
-/* fvi_damping_keep -- at k = 0: the impulses and the work of all dampers are summed from now on.
- * Returns FVI_SUCCESS or FVI_ENOMEM. */
+/* fvi_damping_keep -- Start to sum the impulses and the work of all dampers, at k = 0. Return FVI_SUCCESS or
+ * FVI_ENOMEM. */
 int fvi_damping_keep(fvi_damping *damping);
 
-/* fvi_damping_before, _after -- p before and after a damper has acted on it.
- * fvi_damping_end_step -- the increment of the step is dx: the work is the step's impulse times
- * dx/h. None of them does anything where nothing is kept. */
+/* fvi_damping_before, fvi_damping_after -- Record p before and after a damper has acted on it.
+ * fvi_damping_end_step -- End a step with the increment dx: the work of the step is its impulse times dx/h.
+ * If the sums are not kept, these functions do nothing. */
 void fvi_damping_keep_before(fvi_damping *damping, const double *p);
 void fvi_damping_keep_after(fvi_damping *damping, const double *p);
 void fvi_damping_keep_step(fvi_damping *damping, double h, const double *dx);
@@ -102,35 +103,37 @@ static inline void fvi_damping_end_step(fvi_damping *damping, double h, const do
         fvi_damping_keep_step(damping, h, dx);
 }
 
-/* fvi_damping_sums -- what damper j of a run has given and taken, as fvi_stepper_damper has it. */
+/* fvi_damping_sums -- Return the impulse and the work of damper j of a run. It is the member `damper` of a method, see
+ * fvi_stepper_damper. */
 int fvi_damping_sums(const fvi_stepper *s, size_t j, double *impulse, double *work);
 
-/* fvi_damping_impulse -- of the impulse that a damper has given to the d unknowns, NULL for zeros, what
- * is told: along a row one number, of a matrix all. */
+/* fvi_damping_impulse -- Write the impulse of a damper for output. A damper along a row gives one number, a damper with
+ * a matrix d numbers. `kept` is the impulse on the d unknowns; NULL means zero. */
 void fvi_damping_impulse(const fvi_damper *damper, size_t d, const double *kept,
                          double *impulse);
 
-/* fvi_damping_of -- the first damping of a stepper of Algorithm 3, or of a method of order 2;
- * or NULL. */
+/* fvi_damping_of -- Return the first damper of a stepper of Algorithm 3 or of a method of order 2, or NULL if nothing
+ * is damped. */
 const fvi_damping *fvi_damping_of(const fvi_stepper *s);
 
-/* fvi_damping_move_origin -- move the origins of all dampings of a stepper, which has one at least,
- * by d numbers. Then s->x may jump by them, and no memory sees the jump. Returns FVI_SUCCESS;
- * FVI_ENOMEM; what select_history returned. */
+/* fvi_damping_move_origin -- Add `by`, d numbers, to the origins of all dampers of a stepper. Then s->x may jump by the
+ * same numbers, and no history sees the jump. The stepper has at least one damper. Return FVI_SUCCESS; FVI_ENOMEM; or
+ * the code of select_history. */
 int fvi_damping_move_origin(fvi_stepper *s, const double *by);
 
-/* fvi_damping_copy -- all of them again, memory included; NULL of NULL.
- * Returns FVI_SUCCESS or FVI_ENOMEM; errors as above. */
+/* fvi_damping_copy -- Copy the list of dampers with their histories; a copy of NULL is NULL. Return FVI_SUCCESS or
+ * FVI_ENOMEM. After an error the caller must free *to. */
 int fvi_damping_copy(const fvi_damping *from, fvi_damping **to);
 
-/* fvi_damping_archive -- what k steps have changed, as fvi_stepper_archive; nothing of NULL. */
+/* fvi_damping_archive -- Serialise the state of all dampers after k steps, as fvi_stepper_archive does. NULL is
+ * allowed. */
 int fvi_damping_archive(fvi_damping *damping, size_t k, fvi_archive *archive);
 
-/* fvi_damping_free -- give all of them back. NULL is allowed. */
+/* fvi_damping_free -- Free the list of dampers. NULL is allowed. */
 void fvi_damping_free(fvi_damping *damping);
 
-/* fvi_damping_quadrature -- of the weights of a law: those of the method, but fvi_cq2_midpoint
- * takes means of BDF2's (26.15). */
+/* fvi_damping_quadrature -- Return the quadrature for the weights of a law: the quadrature of the method, but BDF2 for
+ * fvi_cq2_midpoint, which takes means of BDF2's weights (26.15). */
 fvi_delta fvi_damping_quadrature(const fvi_method *method);
 
 #endif

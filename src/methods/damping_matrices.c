@@ -1,4 +1,4 @@
-/* src/methods/damping_matrices.c -- What a run with matrices begins with.  [H 27] */
+/* src/methods/damping_matrices.c -- Start the dampers of a run with matrices.  [H 27] */
 #include "damping.h"
 #include "system/fail.h"
 
@@ -12,11 +12,11 @@ int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
     d->factor[0] = d->unit;
     int status = FVI_SUCCESS;
     if (past == FVI_INITIAL_HISTORY_CAPUTO && d->of.growth > 1) {
-        double *v = s->dx; /* nothing stands there yet */
+        double *v = s->dx; /* workspace: dx is not used before the first step */
         status = fvi_damping_velocity(run->system, s->p, v);
         for (size_t i = 0; i < run->system->d; i++)
             v[i] *= run->h;
-        if (!status) /* from z, which is still zero */
+        if (!status) /* z is still zero */
             status = fvi_damping_gather(d, v, d->z, d->drift);
         memset(v, 0, run->system->d * sizeof *v);
     }

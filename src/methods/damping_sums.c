@@ -1,4 +1,4 @@
-/* src/methods/damping_sums.c -- What the dampers of a structure give and take.    [H 27] */
+/* src/methods/damping_sums.c -- Sum the impulses and the work of the dampers of a structure.    [H 27] */
 #include "damping.h"
 
 #include "system/fail.h"
@@ -43,7 +43,7 @@ void fvi_damping_keep_step(fvi_damping *d, double h, const double *dx)
     d->work += work / h;
 }
 
-/* The part of an impulse, d numbers, that is along a row. */
+/* Return the component of an impulse, d numbers, along a row. */
 static double along(size_t n, const double *row, const double *impulse)
 {
     double product = 0, square = 0;

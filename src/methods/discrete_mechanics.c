@@ -1,4 +1,5 @@
-/* src/methods/discrete_mechanics.c -- Discrete Lagrangians.              [H 2] */
+/* src/methods/discrete_mechanics.c -- Discrete Lagrangians, Algorithms 1 and 2, and Euler's methods.              [H
+ * 2] */
 #include <fvi/discrete_mechanics.h>
 
 #include "stability_number.h"
@@ -9,9 +10,9 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-/* ---- L_d and its slopes, as printed ---- */
+/* ---- L_d and its slopes ---- */
 
-/* Checks, and makes the point S = kappa x + (1 - kappa) y and room for grad U. */
+/* Check the arguments. Allocate the point S = kappa x + (1 - kappa) y with room for grad U behind it. */
 static int prepare(const fvi_system *system, double kappa, double h,
                    const double *x, const double *y, double **S)
 {
@@ -75,7 +76,7 @@ int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
     return status;
 }
 
-/* ---- what the methods share ---- */
+/* ---- the solver of the variational methods ---- */
 
 int fvi_variational_solver(fvi_stepper *s)
 {
@@ -99,7 +100,7 @@ int fvi_variational_solver(fvi_stepper *s)
 /* ---- Algorithms 1 and 2 ---- */
 
 //> algorithm-1
-/* p_k = -D1 L_d(x_k, x_{k+1}) gives x_{k+1}; p_{k+1} = D2 L_d(x_k, x_{k+1}). */
+/* Solve p_k = -D1 L_d(x_k, x_{k+1}) for x_{k+1}. Then set p_{k+1} = D2 L_d(x_k, x_{k+1}). */
 static int step_variational(fvi_stepper *s)
 {
     const fvi_system *system = s->run.system;
@@ -116,7 +117,7 @@ static int step_variational(fvi_stepper *s)
 //< algorithm-1
 
 //> algorithm-2
-/* The same with the discrete force f^+ = -rho (x_{k+1} - x_k) + h F(t_{k+1}). */
+/* Do the same with the discrete force f^+ = -rho (x_{k+1} - x_k) + h F(t_{k+1}). */
 static int step_forced(fvi_stepper *s)
 {
     const fvi_system *system = s->run.system;
@@ -155,7 +156,7 @@ const fvi_method fvi_midpoint_variational = { .name = "variational",
                                      .start = start_variational,
                                      .step = step_variational };
 
-/* What the methods with a dashpot share. */
+/* the members that the methods with a dashpot have in common */
 #define WITH_A_DASHPOT                                                                                             \
     .order = "1", .lowest = 1, .highest = 1, .memory = "none", .alpha_least = 0.5, .alpha_most = 0.5,              \
     .stability_number_grows = 1
@@ -187,8 +188,8 @@ static int step_euler_explicit(fvi_stepper *s)
     return FVI_SUCCESS;
 }
 
-/* x_{k+1} - x_k = dx = h p_{k+1} / m in the equation for p_{k+1}:
- * (m / h + rho) dx + h grad U(x_k + dx) = p_k + h F(t_{k+1}).         (2.10) */
+/* Insert x_{k+1} - x_k = dx = h p_{k+1} / m into the equation for p_{k+1}: (m / h + rho) dx + h grad
+ * U(x_k + dx) = p_k + h F(t_{k+1}). (2.10) */
 static int start_euler_implicit(fvi_stepper *s)
 {
     const fvi_system *system = s->run.system;

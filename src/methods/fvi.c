@@ -1,4 +1,4 @@
-/* src/methods/fvi.c -- Fractional variational integrators.               [H 9] */
+/* src/methods/fvi.c -- The fractional variational integrator, Algorithm 3.               [H 9] */
 #include <fvi/fvi.h>
 
 #include "damping.h"
@@ -9,7 +9,7 @@
 #include "system/fail.h"
 #include "newton/newton_stages.h"
 
-enum { PART = 2048 }; /* coordinates: their numbers stay near the core */
+enum { PART = 2048 }; /* coordinates in a part; their numbers fit into the cache */
 
 static int start_fractional(fvi_stepper *s)
 {
@@ -43,7 +43,7 @@ static int serialize_fractional(fvi_stepper *s, fvi_archive *v)
 }
 
 //> apply-damping
-/* p_{k+1} -= h rho Delta_-^alpha Delta_-^alpha x_{k+1}, of every damper */
+/* p_{k+1} -= h rho Delta_-^alpha Delta_-^alpha x_{k+1} for every damper */
 static int apply_damping(fvi_stepper *s, fvi_damping *d)
 {
     int status = FVI_SUCCESS;
@@ -84,17 +84,17 @@ static int keep_dampers(fvi_stepper *s)
     return fvi_damping_keep(s->method_state);
 }
 
-/* ---- the same for one coordinate ---- */
+/* ---- a step of one coordinate ---- */
 
-/* Is there one coordinate, damped, whose equation is a division? */
+/* Return 1 if there is one coordinate, which is damped, and its equation is a division. */
 static int is_alone(const fvi_stepper *s)
 {
     const fvi_damping *d = s->method_state;
     return d && d->all && d->count == 1 && fvi_newton_is_diagonal(s->newton);
 }
 
-/* The digits of step_fractional, and about half of its instructions, which one
- * coordinate waits for: no loop has to find out that it runs once. */
+/* Give the digits of step_fractional with about half of its instructions. A run of one coordinate spends its time on
+ * instructions, so this function has no loops. */
 static int step_alone(fvi_stepper *s)
 {
     const fvi_damping *d = s->method_state;
@@ -118,9 +118,9 @@ static int step_alone(fvi_stepper *s)
     return status;
 }
 
-/* ---- the same for many coordinates ---- */
+/* ---- a step of many coordinates ---- */
 
-/* Is the next position explicit, kappa = 1, and every coordinate damped? */
+/* Return 1 if the next position is explicit (kappa = 1), every coordinate is damped, and the history takes parts. */
 static int goes_by_parts(const fvi_stepper *s)
 {
     const fvi_damping *d = s->method_state;
@@ -129,7 +129,7 @@ static int goes_by_parts(const fvi_stepper *s)
 }
 
 //> drift
-/* x_{k+1}, the new p, and the terms of the memory, of some coordinates: A is m / h. */
+/* Compute x_{k+1}, the new p, and the terms of the history for some coordinates. A is m / h. */
 FVI_VECTORS static void drift_part(double h, size_t count, const double *A,
                                    const double *g, const double *F,
                                    const double *origin, const double *drift,
@@ -145,9 +145,8 @@ FVI_VECTORS static void drift_part(double h, size_t count, const double *A,
     }
 }
 
-/* The digits of step_fractional, and a tenth less of the time of a million coordinates:
- * they come from far away once, and go through the whole step. z and dz are those of one
- * part, and dx is kept by nobody. */
+/* Give the digits of step_fractional in nine tenths of its time for a million coordinates. Each part of the coordinates
+ * is loaded from memory once and goes through the whole step. z and dz hold one part only, and dx is not stored. */
 static int step_by_parts(fvi_stepper *s)
 {
     static const double none[PART];
@@ -174,7 +173,7 @@ static int step_by_parts(fvi_stepper *s)
 }
 //< drift
 
-/* Apart: whoever has one coordinate saves no register for it. */
+/* The function is not inlined, so that the path of one coordinate need not save registers for it. */
 __attribute__((noinline)) static int step_many(fvi_stepper *s)
 {
     return goes_by_parts(s) ? step_by_parts(s) : step_fractional(s);

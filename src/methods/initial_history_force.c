@@ -1,4 +1,5 @@
-/* src/methods/initial_history_force.c -- What the past adds to Caputo's damping in a run. [H 19] */
+/* src/methods/initial_history_force.c -- The force of the initial history in a run, which is added to Caputo's damping.
+ * [H 19] */
 #include "initial_history_force.h"
 
 #include "system/all_zero.h"
@@ -21,13 +22,14 @@ int fvi_initial_history_force_prepare(const fvi_run_damper *damper, double h, si
     return FVI_SUCCESS;
 }
 
-/* A law has another past only where that is the same (dampers_check.h). */
+/* Return the past of the damper. For a law it counts as held, because a law accepts another past only if the result is
+ * the same (dampers_check.h). */
 static fvi_initial_history past_of(const fvi_run_damper *damper)
 {
     return damper->law ? FVI_INITIAL_HISTORY_HELD : damper->past;
 }
 
-/* size = unit rho A, or unit rho C A. */
+/* Compute size = unit rho A, or unit rho C A with matrices. */
 static int set_size(const fvi_system *system, const fvi_run_damper *damper, double unit,
                     const double *A, double *size)
 {
@@ -39,9 +41,10 @@ static int set_size(const fvi_system *system, const fvi_run_damper *damper, doub
     return FVI_SUCCESS;
 }
 
-/* A matrix may be shared among machines, which wait for each other in the product with C. So before it only that is
- * skipped which is the same on all machines, and A is not. To prepare a law takes time, so it is done behind the product,
- * and only if this machine needs it. */
+/* Prepare the force. A matrix may be distributed over several processes, and all of them must take part in the product
+ * with C. So before the product the function returns only for reasons that are the same in all processes; A = 0 is
+ * none. To prepare the impulses of a law takes time, so this is done after the product, and only if this process needs
+ * them. */
 static int start(const fvi_stepper *s, const fvi_run_damper *damper, size_t n,
                  const double *c, double *A, fvi_initial_history_force *force)
 {
@@ -84,7 +87,7 @@ int fvi_initial_history_amplitudes(const fvi_system *system,
                                    const double *p0, double *A)
 {
     int status = FVI_SUCCESS;
-    if (damper->growth > 1) /* else no velocity is asked for */
+    if (damper->growth > 1) /* otherwise the velocity is not used */
         status = fvi_damping_velocity(system, p0, A);
     for (size_t i = 0; !status && i < system->d; i++)
         A[i] = fvi_initial_history_amplitude(past_of(damper), damper->growth / 2,
@@ -117,7 +120,7 @@ int fvi_initial_history_force_copy(const fvi_initial_history_force *from, size_t
 
 void fvi_initial_history_force_stop(fvi_initial_history_force *force)
 {
-    if (force->of_law) /* the live page has no laws, and not this function */
+    if (force->of_law) /* the live page has no laws and does not link this function */
         fvi_impulses_of_kernel_free(force->of_law);
     free(force->size);
     force->of_law = NULL;

@@ -1,5 +1,4 @@
-/* src/methods/lobatto.c -- Variational integrators on Lobatto nodes: a step of form M.
- *                                                                 [H 17] */
+/* src/methods/lobatto.c -- Take a step of form M of the variational integrators on Lobatto nodes.    [H 17] */
 #include <fvi/lobatto.h>
 
 #include "lobatto_stages.h"
@@ -13,14 +12,14 @@
 
 /* ---- the equation of a step ---- */
 
-/* What a force on coordinate j at stage i counts: h b_i, or a share of it. */
+/* Return the weight of a force on coordinate j at stage i: h b_i times the share of the coordinate. */
 static double weight(const fvi_stepper *s, const fvi_lobatto_stages *o,
                      size_t i, size_t j)
 {
     return s->run.h * o->rule->b[i] * o->share[j];
 }
 
-/* grad U at x_k + dX_i */
+/* Compute grad U at x_k + dX_i. */
 static int gradient(fvi_stepper *s, fvi_lobatto_stages *o, size_t i)
 {
     fvi_linearised *linearised = fvi_linearised_of(s->run.system);
@@ -31,7 +30,7 @@ static int gradient(fvi_stepper *s, fvi_lobatto_stages *o, size_t i)
     return fvi_potential_gradient(s->run.system, s->dx, o->grad + i * o->d);
 }
 
-/* X_i - x_k of (17.8), coordinate j, for the forces in S and grad. */
+/* Return X_i - x_k of (17.8) for coordinate j, from the forces in S and grad. */
 static double solved(const fvi_stepper *s, const fvi_lobatto_stages *o,
                      size_t i, size_t j)
 {
@@ -45,8 +44,7 @@ static double solved(const fvi_stepper *s, const fvi_lobatto_stages *o,
 }
 
 //> inner
-/* The inner stages: dX - M h b grad U(x + dX) = M (S - p), the first stage's
- * gradient being known. */
+/* Solve for the inner stages: dX - M h b grad U(x + dX) = M (S - p). The gradient at the first stage is known. */
 static int solve_inner(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const size_t d = o->d, inner = o->s - 2;
@@ -55,12 +53,12 @@ static int solve_inner(fvi_stepper *s, fvi_lobatto_stages *o)
         for (size_t j = 0; j < d; j++) {
             o->r[i * d + j] = solved(s, o, 1 + i, j);
             o->dX[(1 + i) * d + j] = o->rule->c[1 + i] * s->run.h * s->p[j]
-                                     / s->run.system->mass[j]; /* a guess */
+                                     / s->run.system->mass[j]; /* an initial guess */
         }
     return fvi_newton_solve(s->newton, s->x, o->r, o->dX + d, o->grad + d);
 }
 
-/* What multiplies grad U there, for the solver. */
+/* Allocate the solver of the inner stages, with the factors of grad U in their equation. */
 static int prepare_inner(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const size_t d = o->d, inner = o->s - 2;
@@ -83,8 +81,8 @@ static int prepare_inner(fvi_stepper *s, fvi_lobatto_stages *o)
 
 /* ---- a step ---- */
 
-/* If the history begins at 0, x jumps to x0 at the start of the first step, and it may jump at
- * other steps. To the first stage that is a velocity of x0/(h b_1), by (17.3). */
+/* Return the velocity at the first stage that stands for a jump of x, jump/(h b_1) by (17.3). If the history begins at
+ * 0, x jumps to x0 at the start of the first step. In other steps x may jump by o->jump. */
 static double jump_of_velocity(const fvi_stepper *s, const fvi_lobatto_stages *o,
                                size_t j)
 {
@@ -92,8 +90,8 @@ static double jump_of_velocity(const fvi_stepper *s, const fvi_lobatto_stages *o
     return jump != 0 ? jump / (s->run.h * o->rule->b[0]) : 0;
 }
 
-/* The history of the damped coordinates, as forces: S += h b rho (Y - v0 part).
- * o->v holds the v of the step before. */
+/* Add the forces of the history to S for the damped coordinates: S += h b rho Y, where Y does not contain the velocity
+ * v0. On entry o->v holds v of the step before. */
 static int update_history(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const size_t n = o->s;
@@ -115,7 +113,7 @@ static int update_history(fvi_stepper *s, fvi_lobatto_stages *o)
     return FVI_SUCCESS;
 }
 
-/* v = D X / h - v0, and S += h b rho W v: the part of the present. */
+/* Compute v = D X / h - v0, and add the present part of the damping: S += h b rho W v. */
 static void apply_damping(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const size_t n = o->s, d = o->d;
@@ -142,8 +140,8 @@ static void apply_damping(fvi_stepper *s, fvi_lobatto_stages *o)
 }
 
 //> force
-/* S = -h b F, from within the step at its ends: a jump at a node t_k belongs to
- * neither side; and the impulses of the past. */
+/* Set S = -h b F and add the impulses of the past. At the ends of the step F is the limit from within the step, because
+ * a jump of F at a node t_k belongs to neither side. */
 static int apply_forces(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const double h = s->run.h, left = (double)s->k * h,
@@ -198,14 +196,14 @@ int fvi_lobatto_step(fvi_stepper *s)
                 o->S[i * d + j] + weight(s, o, i, j) * o->grad[i * d + j];
         s->x[j] += o->dX[end * d + j];
     }
-    memcpy(o->grad, o->grad + end * d, d * sizeof *o->grad); /* at x_{k+1} */
+    memcpy(o->grad, o->grad + end * d, d * sizeof *o->grad); /* the gradient at x_{k+1} serves the next step */
     return FVI_SUCCESS;
 }
 //< step
 
 int fvi_lobatto_prepare(fvi_stepper *s, fvi_lobatto_stages *o)
 {
-    int status = gradient(s, o, 0); /* dX is zero */
+    int status = gradient(s, o, 0); /* dX is zero here */
     return status || o->s == 2 || !s->run.system->potential.gradient
                ? status
                : prepare_inner(s, o);

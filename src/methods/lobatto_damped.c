@@ -1,5 +1,4 @@
-/* src/methods/lobatto_damped.c -- Form D: the inertia is a damping of order 1, too.
- *                                                                 [H 17] */
+/* src/methods/lobatto_damped.c -- Take a step of form D, which treats the inertia as a damping of order 1.    [H 17] */
 
 #include "lobatto_stages.h"
 #include "system/dot.h"
@@ -15,7 +14,7 @@
 /* ---- matrices ---- */
 
 //> inverse
-/* G = (m A^(-1) + rho h W)^(-1) = (m + rho h A W)^(-1) A, h^(-beta) being in W. (17.25) */
+/* Compute G = (m A^(-1) + rho h W)^(-1) = (m + rho h A W)^(-1) A; W contains h^(-beta). (17.25) */
 static int make_G(const fvi_lobatto_stages *o, double m, double rho_h,
                   double *G)
 {
@@ -27,7 +26,7 @@ static int make_G(const fvi_lobatto_stages *o, double m, double rho_h,
             for (size_t l = 0; l < s; l++)
                 AW += o->A[i][l] * o->W[l][j];
             N[i * s + j] = (i == j ? m : 0) + rho_h * AW;
-            A[j * s + i] = o->A[i][j]; /* columns in one piece */
+            A[j * s + i] = o->A[i][j]; /* column by column, for the solver */
         }
     size_t order[FVI_STAGES];
     gsl_permutation permutation = { s, order };
@@ -48,8 +47,7 @@ static int make_G(const fvi_lobatto_stages *o, double m, double rho_h,
 
 /* ---- a step ---- */
 
-/* V_i - v_k of coordinate j into delta, for the forces in S and g = grad U; g may be
- * NULL: no potential. */
+/* Write V_i - v_k of coordinate j to delta, from the forces in S and g = grad U; g = NULL: no potential. */
 static void velocities(const fvi_stepper *s, const fvi_lobatto_stages *o,
                        size_t j, const double *g, double *delta)
 {
@@ -68,14 +66,14 @@ static void velocities(const fvi_stepper *s, const fvi_lobatto_stages *o,
     }
 }
 
-/* X_i - x_k = h c_i v_k + h (A delta)_i */
+/* Return X_i - x_k = h c_i v_k + h (A delta)_i. */
 static double moved(const fvi_stepper *s, const fvi_lobatto_stages *o, size_t i,
                     size_t j, const double *delta)
 {
     return s->run.h * (o->rule->c[i] * (s->p[j] / s->run.system->mass[j]) + fvi_dot(o->s, o->A[i], delta));
 }
 
-/* All stages: dX + h^2 A G grad U(x + dX) = what it is without U. (17.24) */
+/* Solve for all stages: dX + h^2 A G grad U(x + dX) = the value of dX without U. (17.24) */
 static int solve(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const size_t n = o->s, d = o->d;
@@ -86,13 +84,13 @@ static int solve(fvi_stepper *s, fvi_lobatto_stages *o)
         for (size_t i = 0; i < n; i++) {
             o->r[i * d + j] = moved(s, o, i, j, delta);
             o->dX[i * d + j] = o->rule->c[i] * s->run.h * s->p[j]
-                               / s->run.system->mass[j]; /* a guess */
+                               / s->run.system->mass[j]; /* an initial guess */
         }
     }
     return fvi_newton_solve(s->newton, s->x, o->r, o->dX, o->grad);
 }
 
-/* S += h b rho W v_k: what the memory of the present makes of a constant velocity. */
+/* Add S += h b rho W v_k, the present part of the damping for the constant velocity v_k. */
 static void apply_damping(const fvi_stepper *s, fvi_lobatto_stages *o)
 {
     for (size_t l = 0; l < o->damped; l++) {
@@ -108,12 +106,12 @@ static void apply_damping(const fvi_stepper *s, fvi_lobatto_stages *o)
     }
 }
 
-/* The same in dual variables: v = p/m is the multiplier, and x the force that it is driven
- * by, summed from the end of the run. U acts on V, not on X:
+/* Take the step in dual variables: v = p/m is the multiplier, and x is the force that drives it, summed from the end of
+ * the run. U acts on V instead of X:
  *
- *     V + h^2 G A (Hess U o V) = what V is without U,   x -= h sum_i b_i Hess U_i V_i
+ *     V + h^2 G A (Hess U o V) = the value of V without U,   x -= h sum_i b_i Hess U_i V_i
  *
- * and G A = A G, both being functions of A, so that the solver is that of (17.24). (23.15) */
+ * G A = A G, because both are functions of A. So the solver is the same as for (17.24). (23.15) */
 //> dual
 static int step_dual(fvi_stepper *s, fvi_lobatto_stages *o)
 {
@@ -174,9 +172,9 @@ int fvi_lobatto_damped_step(fvi_stepper *s)
 }
 //< step
 
-/* ---- the start ---- */
+/* ---- start ---- */
 
-/* What multiplies grad U: h^2 A G share. */
+/* Allocate the solver, with h^2 A G share as the factor of grad U. */
 static int make_solver(fvi_stepper *s, const fvi_lobatto_stages *o)
 {
     const size_t n = o->s;
@@ -203,6 +201,6 @@ int fvi_lobatto_damped_prepare(fvi_stepper *s, fvi_lobatto_stages *o)
     fvi_lobatto_table(o->rule, n, o->A);
     for (size_t j = 0; !status && j < o->d; j++)
         status = make_G(o, system->mass[j], s->run.h * system->damping[j],
-                        o->M + j * n * n); /* alpha = 1: W is 0 */
+                        o->M + j * n * n); /* for alpha = 1, W is 0 */
     return status || !system->potential.gradient ? status : make_solver(s, o);
 }

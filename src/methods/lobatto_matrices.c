@@ -1,4 +1,4 @@
-/* src/methods/lobatto_matrices.c -- Stages of a system with matrices: a step.  [H 27] */
+/* src/methods/lobatto_matrices.c -- Take a step with stages for a system with matrices.  [H 27] */
 #include "lobatto_matrices.h"
 
 #include "newton/linearised.h"
@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-/* An impulse has changed p since the last step: so it changes v. */
+/* Compute v from p if an impulse has changed p since the last step. */
 static int find_velocity(fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     const size_t bytes = o->d * sizeof *s->p;
@@ -16,15 +16,15 @@ static int find_velocity(fvi_stepper *s, fvi_lobatto_matrices *o)
     return fvi_damping_velocity(s->run.system, s->p, o->v);
 }
 
-/* A run in dual variables (23.15): v is the multiplier, and x is the force that drives it, which is summed from the end
- * of the derived run. It stands where an ordinary run has -K x. */
+/* Return 1 for a run in dual variables (23.15): v is the multiplier, and x is the force that drives it, summed from the
+ * end of the original run. In the equations x takes the place of -K x. */
 static int is_dual(const fvi_stepper *s)
 {
     const fvi_linearised *linearised = fvi_linearised_of(s->run.system);
     return linearised && linearised->is_dual;
 }
 
-/* K x_k, K v_k, and what the dampers read. */
+/* Compute K x_k, K v_k, and the input of the dampers. */
 static int read_start(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     const fvi_matrices *m = s->run.system->matrices;
@@ -36,7 +36,7 @@ static int read_start(const fvi_stepper *s, fvi_lobatto_matrices *o)
     return status ? status : fvi_stage_dampers_read(s, o);
 }
 
-/* F - K (x_k + h c_i v_k) at the stages. */
+/* Set the load to F - K (x_k + h c_i v_k) at the stages. */
 static void begin_load(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     const size_t d = o->d;
@@ -47,7 +47,7 @@ static void begin_load(const fvi_stepper *s, fvi_lobatto_matrices *o)
     }
 }
 
-/* The mean of V_i - v_k by the weights b_i, v_{k+1} - v_k, and p_{k+1} - p_k = M times that. */
+/* Compute the mean of V_i - v_k with the weights b_i, dv = v_{k+1} - v_k, and dp = p_{k+1} - p_k = M dv. */
 static int find_changes(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     const fvi_matrices *m = s->run.system->matrices;
@@ -73,7 +73,7 @@ int fvi_lobatto_matrices_solve(const fvi_stepper *s, fvi_lobatto_matrices *o)
     return status ? status : find_changes(s, o);
 }
 
-/* A step without the map. V becomes the velocities. */
+/* Take a step without the map. On exit V holds the velocities of the stages. */
 static int solve_step(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     const int status = fvi_lobatto_matrices_solve(s, o);
@@ -83,12 +83,13 @@ static int solve_step(const fvi_stepper *s, fvi_lobatto_matrices *o)
     return status;
 }
 
-/* x_{k+1} - x_k = h sum_i b_i V_i. In dual variables x changes by -K times that, and p stays: nobody reads it. */
+/* Add the changes of the step, with x_{k+1} - x_k = h sum_i b_i V_i. In dual variables x changes by -K times this, and
+ * p stays unchanged, because no caller reads it. */
 static int add_changes(fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     const fvi_matrices *m = s->run.system->matrices;
     const int dual = is_dual(s);
-    double *dx = o->Kx; /* K x_k has been read */
+    double *dx = o->Kx; /* K x_k is no longer needed */
     int status = FVI_SUCCESS;
     for (size_t j = 0; j < o->d; j++)
         dx[j] = s->run.h * (o->v[j] + o->mean[j]);
@@ -109,7 +110,8 @@ int fvi_lobatto_matrices_step(fvi_stepper *s)
     fvi_lobatto_matrices *o = s->method_state;
     int status = find_velocity(s, o);
     if (!status)
-        status = fvi_step_forces_at_stages(s, s->k, o->s, o->rule, o->F); /* from within the step at its ends */
+        /* at its ends the limit from within the step */
+        status = fvi_step_forces_at_stages(s, s->k, o->s, o->rule, o->F);
     if (!status)
         status = read_start(s, o);
     if (!status && !fvi_step_map_apply(s, o))

@@ -12,9 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- the start ---- */
+/* ---- start ---- */
 
-/* Zeros for the numbers of a damper. */
+/* Allocate the arrays of a damper with zeros. */
 static int make_numbers(fvi_stage_damper *a, size_t s, size_t by_order)
 {
     const size_t stages = s * a->r;
@@ -45,8 +45,8 @@ static int make_history(const fvi_run *run, size_t s, fvi_stage_damper *a)
     return status;
 }
 
-/* Where the kernel grows faster than s, the history does not see the velocity of the start, and what
- * the past makes of it is added exactly; but an order of 2 of a law is a mass. */
+/* Start a damper. If its kernel grows faster than s, the history does not see the velocity of the start, and the
+ * response of the past to this velocity is added exactly. The exception is a law of order 2, which is a mass. */
 static int start_damper(fvi_stepper *s, const double *v, fvi_stage_damper *a)
 {
     const fvi_lobatto_matrices *o = s->method_state;
@@ -82,7 +82,8 @@ int fvi_stage_dampers_start(fvi_stepper *s, const double *v)
 
 /* ---- a step ---- */
 
-/* What is known of the force of a damper at stage i, before S: z += ... */
+/* Write the known force of a damper at stage i, before the factor S: the sums of the history and the effect of a
+ * constant velocity. */
 static void add_known(const fvi_stage_damper *a, size_t s, size_t i, const double *velocity)
 {
     double *force = a->force + i * a->r;
@@ -90,7 +91,7 @@ static void add_known(const fvi_stage_damper *a, size_t s, size_t i, const doubl
         force[n] = a->scale * a->Y[n * s + i] + a->constant[i] * velocity[n];
 }
 
-/* The same for the derivative by 2 alpha at fixed h^(-beta); z holds B^T v_k. */
+/* Write the derivative of the known force by 2 alpha for fixed h^(-beta). z holds B^T v_k. */
 static void add_known_by_order(const fvi_stage_damper *a, size_t s)
 {
     const double *rate = fvi_lobatto_history_now_by_order(a->memory);
@@ -139,7 +140,7 @@ int fvi_stage_dampers_begin_step(const fvi_stepper *s, fvi_lobatto_matrices *o)
     return status;
 }
 
-/* force_i += sum_c W_ic change_c. */
+/* Compute force_i += sum_c W_ic change_c. */
 static void add_weights_to_one(size_t s, const double *W, const double *change, double *force)
 {
     for (size_t i = 0; i < s; i++)
@@ -147,7 +148,7 @@ static void add_weights_to_one(size_t s, const double *W, const double *change, 
             force[i] += W[i * s + c] * change[c];
 }
 
-/* The same with r numbers each. */
+/* Do the same with r numbers for each stage. */
 FVI_VECTORS static void add_weights(size_t s, size_t r, const double *W, const double *restrict change,
                                     double *restrict force)
 {
@@ -158,12 +159,12 @@ FVI_VECTORS static void add_weights(size_t s, size_t r, const double *W, const d
                 force[i * r + n] += W[i * s + c] * change[c * r + n];
 }
 
-/* What V_i - v_k adds to the force of a damper, and its slopes. z holds B^T v_k - drift. */
+/* Add the effect of V_i - v_k to the force of a damper, and compute its slopes. z holds B^T v_k - drift. */
 static int end_damper(const fvi_lobatto_matrices *o, fvi_stage_damper *a)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
     const size_t s = o->s, r = a->r;
-    double *change = a->Y; /* the sums of this step have been read */
+    double *change = a->Y; /* the sums of this step are no longer needed */
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < s; i++)
         status = C->select_history(o->d, o->V + i * o->d, a->zero, C->params, change + i * r);
@@ -204,7 +205,7 @@ int fvi_stage_dampers_push(fvi_lobatto_matrices *o)
     return status;
 }
 
-/* ---- what they gave and took ---- */
+/* ---- impulses and work of the dampers ---- */
 
 int fvi_stage_damper_sums(const fvi_stepper *s, size_t index, double *impulse, double *work)
 {
@@ -273,7 +274,7 @@ static int copy_damper(const fvi_lobatto_matrices *o, const fvi_stage_damper *fr
     to->drift = to->kept = NULL;
     to->memory = NULL;
     to->past = (fvi_initial_history_force){ 0 };
-    int status = make_numbers(to, o->s, 0); /* nobody copies a linearised run */
+    int status = make_numbers(to, o->s, 0); /* linearised runs are never copied */
     if (!status)
         memcpy(to->drift, from->drift, numbers_of(o, from) * sizeof *to->drift);
     if (!status && from->kept) {

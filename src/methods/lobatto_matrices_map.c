@@ -1,4 +1,4 @@
-/* src/methods/lobatto_matrices_map.c -- A step of a small structure as one linear map.     [H 27] */
+/* src/methods/lobatto_matrices_map.c -- Take a step of a small structure by one linear map.     [H 27] */
 #include "lobatto_matrices.h"
 
 #include "newton/linearised.h"
@@ -9,15 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_STAGE_UNKNOWNS = 128, /* stages times unknowns */
-       MAX_ENTRIES = 1 << 15, /* entries of the map, a quarter of a megabyte */
-       STEPS_PER_COLUMN = 2 /* steps for each column */ };
+enum { MAX_STAGE_UNKNOWNS = 128, /* largest number of stages times unknowns */
+       MAX_ENTRIES = 1 << 15, /* largest number of entries of the map, a quarter of a megabyte */
+       STEPS_PER_COLUMN = 2 /* smallest number of steps for each column */ };
 
-/* ---- what goes in and what comes out ---- */
+/* ---- input and output of the map ---- */
 
 typedef enum { GATHER, SCATTER, COUNT } direction;
 
-/* Count numbers from `at` to row[*next], or back; *next moves on. */
+/* Copy `count` numbers from `at` to row[*next] (GATHER) or back (SCATTER), and advance *next. */
 static void copy_numbers(direction way, double *at, size_t count, double *row, size_t *next)
 {
     if (way == GATHER)
@@ -27,7 +27,7 @@ static void copy_numbers(direction way, double *at, size_t count, double *row, s
     *next += count;
 }
 
-/* All that fvi_lobatto_matrices_solve reads and that may change from step to step. */
+/* Copy the input of fvi_lobatto_matrices_solve that may change from step to step. Return its length. */
 static size_t copy_input(fvi_lobatto_matrices *o, direction way, double *row)
 {
     size_t next = 0;
@@ -78,7 +78,7 @@ static int allocate(size_t d, fvi_step_map *m)
 }
 
 //> columns
-/* Column j is what a step without the map makes of unit vector j. */
+/* Compute the columns: column j is the output of a step without the map for unit vector j. */
 static int find_columns(const fvi_stepper *s, fvi_lobatto_matrices *o, double *saved)
 {
     fvi_step_map *m = &o->map;

@@ -1,4 +1,4 @@
-/* src/methods/lobatto_matrices_start.c -- Stages of a system with matrices: the start.  [H 27] */
+/* src/methods/lobatto_matrices_start.c -- Start a run with stages for a system with matrices.  [H 27] */
 #include "lobatto_matrices.h"
 
 #include "system/arrays.h"
@@ -19,7 +19,7 @@ static void stop(fvi_stepper *s)
     free(o);
 }
 
-/* ---- the equation of a step ---- */
+/* ---- the solver ---- */
 
 static int make_solver(fvi_stepper *s, fvi_lobatto_matrices *o)
 {
@@ -34,18 +34,19 @@ static int make_solver(fvi_stepper *s, fvi_lobatto_matrices *o)
     return status;
 }
 
-/* ---- a state ---- */
+/* ---- the state ---- */
 
 static int copy(const fvi_stepper *from, fvi_stepper *to);
 static int serialize(fvi_stepper *s, fvi_archive *v);
 
-/* v and p go from step to step; V and F are read after it. */
+/* Return the number of doubles that a copy and an archive need. A step reads v and p of the step before; V and F are
+ * read after the step. */
 static size_t saved(const fvi_lobatto_matrices *o)
 {
     return (2 + 2 * o->s) * o->d;
 }
 
-/* A state, and the method with these steps, which now is the stepper's. */
+/* Allocate a state. The stepper gets a copy of its method with these steps. */
 static int make_state(fvi_stepper *s, size_t stages)
 {
     const size_t d = s->run.system->d;
@@ -109,7 +110,7 @@ int fvi_lobatto_matrices_has_initial_history_force(const fvi_stepper *s)
     return 0;
 }
 
-/* The factors belong to one run: they are made again. */
+/* Copy a run. The factors belong to one run, so they are computed again. */
 static int copy(const fvi_stepper *from, fvi_stepper *to)
 {
     const fvi_lobatto_matrices *old = fvi_lobatto_matrices_of(from);

@@ -1,4 +1,4 @@
-/* src/methods/lobatto_momenta.c -- The momentum that the scheme leaves out. [H 17] */
+/* src/methods/lobatto_momenta.c -- Correct the momenta of form M by the term that the scheme leaves out. [H 17] */
 #include <fvi/lobatto.h>
 #include "stages/lobatto_weights.h"
 #include "system/fail.h"
@@ -7,8 +7,8 @@
 #include <gsl/gsl_math.h>
 
 //> constant
-/* c_{s,beta} = sum_j r_j lambda_j^beta over the eigenvalues of Delta(1) that are
- * not zero: one real, and a pair.                                      (17.14) */
+/* Return c_{s,beta} = sum_j r_j lambda_j^beta over the nonzero eigenvalues of Delta(1): a real one for s = 2, a
+ * conjugate pair for s = 3, and both for s = 4. (17.14) */
 static double constant(size_t s, double beta)
 {
     static const struct {

@@ -1,5 +1,4 @@
-/* src/methods/lobatto_start.c -- Variational integrators on Lobatto nodes: the start.
- *                                                                 [H 17] */
+/* src/methods/lobatto_start.c -- Start the variational integrators on Lobatto nodes.    [H 17] */
 #include <fvi/lobatto.h> /* which exports the methods */
 
 #include "mechanism/mechanism.h"
@@ -31,8 +30,8 @@ static void stop_lobatto(fvi_stepper *s)
 }
 
 //> linear
-/* L = (m/h) K - rho b W D, rows 1, ..., s-1, columns 2, ..., s: what multiplies
- * X_2 - x_k, ..., X_s - x_k in (17.8). M becomes its inverse. */
+/* Compute M, the inverse of L = (m/h) K - rho b W D. L has the rows 1, ..., s-1 and the columns 2, ..., s, and it
+ * multiplies X_2 - x_k, ..., X_s - x_k in (17.8). */
 static int invert(const fvi_lobatto_stages *o, double m, double rho, double h,
                   double *M)
 {
@@ -61,7 +60,7 @@ static int invert(const fvi_lobatto_stages *o, double m, double rho, double h,
 }
 //< linear
 
-/* What multiplies X_j; of a mass like the one before it is the same. */
+/* Compute M for coordinate j. If its mass and damping are those of coordinate j - 1, copy M from there. */
 static int invert_for(const fvi_stepper *s, fvi_lobatto_stages *o, size_t j)
 {
     const double *m = s->run.system->mass, *rho = s->run.system->damping;
@@ -73,7 +72,7 @@ static int invert_for(const fvi_stepper *s, fvi_lobatto_stages *o, size_t j)
     return FVI_SUCCESS;
 }
 
-/* n is the number of stages that a step solves for. */
+/* Allocate the stages; n is the number of stages that a step solves for. */
 static int allocate(fvi_stepper *s, size_t stages, size_t n)
 {
     const size_t d = s->run.system->d;
@@ -99,8 +98,8 @@ static int allocate(fvi_stepper *s, size_t stages, size_t n)
 }
 
 //> finer
-/* What the memory has to keep, so that the impulse of its error, over the whole time
- * T, is no more than the tolerance of m max|v|. (17.21) */
+/* Return the tolerance of the history. It is chosen so that the impulse of the error over the whole time T is at most
+ * the run's tolerance times m max|v|. (17.21) */
 double fvi_lobatto_history_tolerance(const fvi_run *run)
 {
     const fvi_system *system = run->system;
@@ -108,12 +107,12 @@ double fvi_lobatto_history_tolerance(const fvi_run *run)
                  wish = run->tolerance > 0 ? run->tolerance : 1e-13;
     double Y = pow(beta > 0 ? run->h : T, -beta);
     double worst = 1;
-    if (run->law) /* C(s)/s at s = 1/t: what a velocity of 1 makes */
+    if (run->law) /* C(s)/s at s = 1/t, the response to a velocity of 1 */
         Y = fmax(run->h * fvi_kernel_symbol(run->law, 1 / run->h),
                  T * fvi_kernel_symbol(run->law, 1 / T));
     for (size_t j = 0; j < system->d; j++)
         worst = larger(worst, T * system->damping[j] * Y / system->mass[j]);
-    return fmin(wish, fmax(wish / worst, 1e-14)); /* the finest there is */
+    return fmin(wish, fmax(wish / worst, 1e-14)); /* the smallest possible tolerance */
 }
 //< finer
 
@@ -130,7 +129,7 @@ int fvi_lobatto_history_of_damper(const fvi_run *run, const fvi_run_damper *of, 
         s, beta, d, run->steps, run->memory, keep, memory);
 }
 
-/* W_0 and the memory for the order beta = 2 alpha - 1; W = 0 if none is damped. */
+/* Compute W_0 and the history for the order beta = 2 alpha - 1. If no coordinate is damped, W = 0. */
 static int prepare(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const fvi_run *run = &s->run;
@@ -151,8 +150,8 @@ static int prepare(fvi_stepper *s, fvi_lobatto_stages *o)
     return status;
 }
 
-/* Which coordinates have a history, and what their inertia is at alpha = 1, (17.17): there a
- * damping is a mass, but to a run in dual variables, whose history is asked for. */
+/* Find the coordinates that have a history, and set their share of the inertia for alpha = 1 (17.17). There a damping
+ * is a mass and needs no history, except in a run in dual variables, whose history is read. */
 static void find_damped(const fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const fvi_system *system = s->run.system;
@@ -184,7 +183,7 @@ static int start(fvi_stepper *s, size_t stages, int damped)
     fvi_lobatto_stages *o = s->method_state;
     find_damped(s, o);
     const fvi_run_damper damper = fvi_run_damper_of(&s->run, 0);
-    if (!damper.law) /* a law acts on V as it is */
+    if (!damper.law) /* a law acts on V itself */
         status = fvi_initial_history_force_start(s, &damper, stages, o->rule->c,
                                                  &o->history_force);
     if (!status)
@@ -217,7 +216,7 @@ static int copy_lobatto(const fvi_stepper *from, fvi_stepper *to)
                : fvi_lobatto_history_copy(old->memory, &o->memory);
 }
 
-/* The stages of the last step are where this one begins, which gives them to the memory. */
+/* The stages of the last step are saved, because the next step begins by pushing them into the history. */
 static int serialize_lobatto(fvi_stepper *s, fvi_archive *v)
 {
     fvi_lobatto_stages *o = s->method_state;

@@ -59,7 +59,7 @@ static int is_damped(const fvi_system *system)
     return 0;
 }
 
-/* With matrices: each damper has its own. */
+/* Return the memory of the dampers of a system with matrices. Each damper has its own history. */
 static double bytes_of_dampers(const fvi_method *method, const fvi_run *run)
 {
     const size_t s = (size_t)method->stages;

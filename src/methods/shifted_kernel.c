@@ -1,4 +1,4 @@
-/* src/methods/shifted_kernel.c -- What fvi-shifted puts in the place of a law.  [H 26] */
+/* src/methods/shifted_kernel.c -- The corrected symbol of a law for fvi-shifted.  [H 26] */
 #include "shifted_kernel.h"
 
 //> corrected

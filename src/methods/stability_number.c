@@ -1,4 +1,4 @@
-/* src/methods/stability_number.c -- The loads of the methods.       [H 13, 14 and 17] */
+/* src/methods/stability_number.c -- The stability numbers of the methods.       [H 13, 14 and 17] */
 #include "stability_number.h"
 #include "damping.h"
 #include "kernel/kernel_terms.h"
@@ -11,17 +11,17 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* C(s/h) over (s/h)^{2 alpha}, for the alpha of fvi_run_normal. At z = -1 delta(z) is s = 2 for
- * Euler, 4 for BDF2. */
+/* Return the factor of the damping at z = -1: C(s/h) for a law, and 1 for a power, because the formula of the caller
+ * contains (s/h)^{2 alpha}. For a law alpha is 0 (fvi_run_normal). delta(-1) is s = 2 for Euler, and s = 4 for BDF2. */
 static double of_law(const fvi_run *run, double s)
 {
     return run->law ? fvi_kernel_symbol(run->law, s / run->h) : 1;
 }
 
-/* What a method takes of a damper at z = -1, where delta(z) is `s`. */
+/* The contribution of a damper to the load of a method, at z = -1, where delta(z) is `s`. */
 typedef double of_kernel(const fvi_run_damper *damper, double s);
 
-/* (1 - 2 theta) E(s), s = 2/h: of one power E is its symbol. */
+/* Return (1 - 2 theta) E(s) at s = 2/h. For a single power E is its symbol. */
 static double shifted_symbol(const fvi_run_damper *damper, double s)
 {
     const double mean = 1 - damper->growth;
@@ -38,7 +38,7 @@ static double none(const fvi_run_damper *damper, double s)
     return 0;
 }
 
-/* Of several dampers. */
+/* Compute the load of a run with several dampers. */
 static int of_dampers(const fvi_run *run, of_kernel *part, double s, double *load)
 {
     const size_t count = run->system->mechanism->damper_count;
@@ -76,7 +76,7 @@ int fvi_stability_number_shifted(const fvi_run *run, double *load)
         of.law ? shifted_symbol(&of, 2 / run->h) : 1 - of.growth;
     int status = fvi_stability_share(share, run, &largest);
     if (!status)
-        *load = fmax(0, largest); /* alpha > 1/2: the damping helps */
+        *load = fmax(0, largest); /* for alpha > 1/2 the damping stabilises */
     return status;
 }
 
@@ -94,7 +94,7 @@ int fvi_stability_number_explicit(const fvi_run *run, double *load)
 
 int fvi_stability_number_none(const fvi_run *run, double *load)
 {
-    fvi_run half = *run; /* of which kappa is not used */
+    fvi_run half = *run; /* the method does not use kappa */
     half.kappa = 0.5;
     if (has_dampers(run))
         return of_dampers(&half, none, 2, load);

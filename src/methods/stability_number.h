@@ -1,7 +1,8 @@
-/* src/methods/stability_number.h -- What stands in the tables of the methods: their loads and
- * their memories.                                        [H 13, 14 and 17]
+/* src/methods/stability_number.h -- The stability numbers and the kinds of history in the tables of the methods.    [H
+ * 13, 14 and 17]
  *
- * Each load is as fvi_stability_number has it, and returns what it returns. */
+ * Each function is a member stability_number of a method. It computes the load that fvi_stability_number describes, and
+ * returns its codes. */
 #ifndef FVI_STABILITY_NUMBER_H
 #define FVI_STABILITY_NUMBER_H
 
@@ -11,18 +12,17 @@
     (1u << FVI_HISTORY_AUTO | 1u << FVI_HISTORY_DIRECT                         \
      | 1u << FVI_HISTORY_MODES)
 
-/* (14.3): the damping at the beginning of a step, as in Algorithms 1, 2 and 3. */
+/* (14.3): the damping acts at the beginning of a step, as in Algorithms 1, 2 and 3. */
 int fvi_stability_number_backward(const fvi_run *run, double *load);
 
-/* The same with 1 - 2 alpha times the damping, which is less than none from
- * alpha = 1/2 on, but not below 0; and with 4^alpha times the damping.    (13.14) */
+/* The same formula with 1 - 2 alpha times the damping, but not below 0; and with 4^alpha times the damping. (13.14) */
 int fvi_stability_number_shifted(const fvi_run *run, double *load);
 int fvi_stability_number_bdf2(const fvi_run *run, double *load);
 
-/* (14.8), Euler's explicit method. */
+/* (14.8), for Euler's explicit method. */
 int fvi_stability_number_explicit(const fvi_run *run, double *load);
 
-/* (17.18) */
+/* (17.18), for Lobatto methods of 2 to 8 stages. */
 int fvi_stability_number_lobatto2(const fvi_run *run, double *load);
 int fvi_stability_number_lobatto3(const fvi_run *run, double *load);
 int fvi_stability_number_lobatto4(const fvi_run *run, double *load);
@@ -31,7 +31,7 @@ int fvi_stability_number_lobatto6(const fvi_run *run, double *load);
 int fvi_stability_number_lobatto7(const fvi_run *run, double *load);
 int fvi_stability_number_lobatto8(const fvi_run *run, double *load);
 
-/* 0: no step is too long. (13.17), (17.28); Euler's implicit method */
+/* The load is 0, because every step is stable: (13.17), (17.28), and Euler's implicit method. */
 int fvi_stability_number_none(const fvi_run *run, double *load);
 
 #endif

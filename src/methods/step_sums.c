@@ -1,4 +1,4 @@
-/* src/methods/step_sums.c -- What a damper and the force did in one step. */
+/* src/methods/step_sums.c -- Compute the impulse and the work of the dampers and of the force in one step. */
 #include "step_sums.h"
 
 #include "convolution_quadrature_dampers.h"
@@ -30,9 +30,9 @@ size_t fvi_step_dampers(const fvi_system *system)
     return fvi_has_dampers_of_matrices(system) ? system->mechanism->damper_count : 1;
 }
 
-/* ---- several dampers: each from its own history ---- */
+/* ---- several dampers, each with its own history ---- */
 
-/* The part of each damper's force that acts at the begin of a step, (13.10). */
+/* Write the part of the force of each damper that acts at the beginning of a step, (13.10). */
 static int begin_several(const fvi_stepper *s, double *dampers)
 {
     const fvi_cq_state *o = s->method_state;
@@ -48,7 +48,7 @@ static int begin_several(const fvi_stepper *s, double *dampers)
     return status;
 }
 
-/* And the part at its end, with the impulses of the past at both. */
+/* Add the part that acts at the end of the step, and the impulses of the past at both ends. */
 static int end_several(const fvi_stepper *s, const double *begun,
                        double *dampers)
 {
@@ -90,7 +90,8 @@ int fvi_step_begins(const fvi_stepper *s, fvi_step_begin *begin)
     return fvi_step_force(s, fvi_just_after((double)s->k * s->run.h), begin->F);
 }
 
-/* Of one gradient in a step, and one force at its end, or half of it at either end. */
+/* Compute the sums for a method with one gradient in a step. Its force acts at the end of the step, or half at either
+ * end. */
 static void of_nodes(const fvi_stepper *s, const fvi_step_begin *begin,
                      const double *hit, fvi_step_sums *sums)
 {
@@ -110,8 +111,8 @@ static void of_nodes(const fvi_stepper *s, const fvi_step_begin *begin,
 
 /* ---- stages ---- */
 
-/* The velocities V_i of coordinate j: the slope of the polynomial through X_i, (17.3), which in form
- * D jumps from x_k to X_1. */
+/* Compute the velocities V_i of coordinate j, the derivative of the polynomial through X_i, (17.3). In form D this
+ * polynomial jumps from x_k to X_1. */
 static void velocities(const fvi_stepper *s, const fvi_lobatto_stages *o,
                        size_t j, double *V)
 {
@@ -125,8 +126,8 @@ static void velocities(const fvi_stepper *s, const fvi_lobatto_stages *o,
     }
 }
 
-/* h b_i times the damping's force at each stage: of form M it stands in S; in form D it is what
- * (17.24) leaves for it. */
+/* Compute h b_i times the force of the damping at each stage. In form M it is part of S. In form D it follows from
+ * (17.24) as the remaining term. */
 static void impulses(const fvi_stepper *s, const fvi_lobatto_stages *o,
                      size_t j, const double *F, const double *V, double v,
                      double *impulse)
@@ -146,7 +147,8 @@ static void impulses(const fvi_stepper *s, const fvi_lobatto_stages *o,
     }
 }
 
-/* At alpha = 1 the damping is a mass, and S has the forces times their share. (17.17) */
+/* Return the impulse of the damping for alpha = 1, where the damping is a mass and S holds the forces times their
+ * share. (17.17) */
 static double impulse_of_damping_mass(const fvi_stepper *s, const fvi_lobatto_stages *o,
                                       size_t j, const double *F, double change)
 {
@@ -175,7 +177,7 @@ int fvi_step_forces_at_stages(const fvi_stepper *s, size_t k, size_t stages,
     return status;
 }
 
-/* F has room for the forces of all stages. */
+/* Compute the sums for a method with stages. begin->F is workspace for the forces at all stages. */
 static int of_stages(const fvi_stepper *s, const fvi_step_begin *begin,
                      const double *hit, fvi_step_sums *sums)
 {
