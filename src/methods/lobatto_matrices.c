@@ -110,8 +110,7 @@ int fvi_lobatto_matrices_step(fvi_stepper *s)
     fvi_lobatto_matrices *o = s->method_state;
     int status = find_velocity(s, o);
     if (!status)
-        /* at its ends the limit from within the step */
-        status = fvi_step_forces_at_stages(s, s->k, o->s, o->rule, o->F);
+        status = fvi_step_forces_at_stages(s, s->k, o->s, o->rule, o->F); /* limits from within the step at its ends */
     if (!status)
         status = read_start(s, o);
     if (!status && !fvi_step_map_apply(s, o))
