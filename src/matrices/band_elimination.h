@@ -1,17 +1,17 @@
-/* src/matrices/band_elimination.h -- L D L^T of a symmetric band.         [H 27]
+/* src/matrices/band_elimination.h -- Factorise a symmetric band matrix as L D L^T.         [H 27]
  *
- * Included once for each kind of number. What includes it has
+ * This file is included once for each type of numbers. The including file defines
  *
- *   NUMBER                      double, or the number of several matrices side by side
+ *   NUMBER                      double, or the numbers of several matrices side by side
  *   subtract_product(to, a, b)  to -= a b
  *   multiply(to, a, b)          to = a b; to may be a or b
  *   invert(to, a)               to = 1 / a
- *   is_positive(a)              can it be a pivot? Of a complex matrix the real part says so
+ *   is_positive(a)              returns 1 if a can be a pivot; for complex numbers its real part must be positive
  *
- * which take pointers. Row i of a band of half width w is L_{i,i-w}, ..., L_{i,i-1}, 1 / D_i. */
+ * The functions take pointers. Row i of a band of half bandwidth w holds L_{i,i-w}, ..., L_{i,i-1}, 1 / D_i. */
 
 //> band
-/* A = L D L^T, row by row: L_ij D_j is what is left of A_ij. */
+/* Compute A = L D L^T, row by row. After the subtractions the entry A_ij has become L_ij D_j. */
 static inline __attribute__((always_inline)) int factorise_band(size_t n, size_t w, NUMBER *band)
 {
     const size_t row = w + 1;
@@ -23,7 +23,7 @@ static inline __attribute__((always_inline)) int factorise_band(size_t n, size_t
             NUMBER left = a[w + j - i];
             for (size_t l = j > w && j - w > first ? j - w : first; l < j; l++)
                 subtract_product(&left, &a[w + l - i], &b[w + l - j]);
-            a[w + j - i] = left; /* times D_j, until the row is done */
+            a[w + j - i] = left; /* holds L_ij D_j until the row is finished */
         }
         for (size_t j = first; j < i; j++) {
             NUMBER *left = &a[w + j - i], l;

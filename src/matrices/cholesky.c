@@ -1,4 +1,4 @@
-/* src/matrices/cholesky.c -- Factors of a full positive definite matrix.    [H 30] */
+/* src/matrices/cholesky.c -- Factorise a full positive definite matrix.    [H 30] */
 #include "cholesky.h"
 
 #include <fvi/error.h>

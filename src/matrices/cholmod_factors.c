@@ -1,5 +1,5 @@
-/* src/matrices/cholmod_factors.c -- Factors by CHOLMOD, of SuiteSparse.   [H 27] */
-#define _GNU_SOURCE /* initstate, RTLD_DEFAULT */
+/* src/matrices/cholmod_factors.c -- Factorise a sparse positive definite matrix by CHOLMOD (SuiteSparse).   [H 27] */
+#define _GNU_SOURCE /* for initstate and RTLD_DEFAULT */
 #include "factors.h"
 
 
@@ -9,16 +9,16 @@
 #include <string.h>
 #include <suitesparse/cholmod.h>
 
-enum { FULL = 250 }; /* entries of L in a column, from which on blocks are faster */
+enum { FULL = 250 }; /* entries of L per column from which dense blocks are faster */
 
 struct fvi_cholmod {
     cholmod_common common;
     cholmod_factor *L;
     cholmod_dense *x, *Y,
-        *E; /* of cholmod_solve2, kept from one solution to the next */
+        *E; /* vectors for cholmod_solve2, kept from one solution to the next */
 };
 
-/* A as CHOLMOD sees it: the upper triangle of columns in order. */
+/* Return A in the form of CHOLMOD: the upper triangle of sorted columns. */
 static cholmod_sparse view(const fvi_sparse *A)
 {
     return (cholmod_sparse){ .nrow = A->n,
@@ -35,11 +35,11 @@ static cholmod_sparse view(const fvi_sparse *A)
                              .packed = 1 };
 }
 
-/* METIS seeds rand() and draws from it. So rand() gets another state meanwhile, and one
- * thread orders at a time: every thread finds the same order, and the caller's own random
- * numbers go on as if nothing had been drawn. Where memory runs out METIS prints, and loses some.
- * So CHOLMOD first looks whether there is twice as much as METIS needs, and does without. Without
- * METIS a cube of 20^3 joints, 48,000 unknowns, would take 2.5 times the operations. */
+/* Analyse with the orders of AMD and METIS. METIS seeds rand() and draws from it. So rand() gets another state
+ * meanwhile, and only one thread analyses at a time. Then every thread finds the same order, and the random numbers of
+ * the caller are not disturbed. If METIS runs out of memory, it prints messages and leaks memory. So CHOLMOD first
+ * tests whether there is twice the memory that METIS needs, and otherwise does without METIS. Without METIS a cube of
+ * 20^3 joints, 48,000 unknowns, would need 2.5 times the operations. */
 static void analyse_by_metis_too(fvi_cholmod *c, cholmod_sparse *A)
 {
     static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER;
@@ -55,8 +55,8 @@ static void analyse_by_metis_too(fvi_cholmod *c, cholmod_sparse *A)
 }
 
 //> cholmod
-/* AMD finds an order for bands and membranes in which L has few entries. If L has many, as
- * for a frame in space, METIS may find a better order, and L is factorised by dense blocks. */
+/* Choose an order of elimination. For bands and membranes AMD finds an order in which L has few entries. If L has many
+ * entries, as for a frame in space, METIS may find a better order, and L is factorised by dense blocks. */
 static void analyse(fvi_cholmod *c, cholmod_sparse *A)
 {
     cholmod_common *common = &c->common;
@@ -72,8 +72,8 @@ static void analyse(fvi_cholmod *c, cholmod_sparse *A)
     analyse_by_metis_too(c, A);
 }
 
-/* The vectors of cholmod_solve2, which looks at them before it looks whether it got them. For one
- * right hand side Y has n numbers, and E those of the longest row of blocks. */
+/* Allocate the vectors of cholmod_solve2. CHOLMOD would use them before it tests whether their allocation has failed.
+ * For one right-hand side Y has n numbers, and E has the length of the longest row of blocks. */
 static void make_room_to_solve(fvi_cholmod *c)
 {
     const size_t n = c->L->n, longest = c->L->maxesize;
@@ -83,14 +83,14 @@ static void make_room_to_solve(fvi_cholmod *c)
         cholmod_ensure_dense(&c->E, longest, 1, longest, CHOLMOD_REAL, &c->common);
 }
 
-/* A function of the OpenMP with which CHOLMOD was built, NULL if it has none. */
+/* Return a function of the OpenMP library that CHOLMOD uses, or NULL if there is none. */
 static void *find_openmp(const char *name)
 {
     return dlsym(RTLD_DEFAULT, name);
 }
 
-/* In this thread alone. CHOLMOD asks for four, which gain no time here; and a child of fork()
- * would wait for ever for those that OpenMP keeps for the parent. The caller's limit comes back. */
+/* Factorise in this thread only. CHOLMOD would use four threads, which save no time here. In addition, a child of
+ * fork() would wait for ever for the threads that OpenMP keeps for the parent. The limit of the caller is restored. */
 static void factorise_in_one_thread(fvi_cholmod *c, cholmod_sparse *A)
 {
     int (*limit)(void) = NULL;

@@ -1,4 +1,4 @@
-/* src/matrices/complex_factors.c -- Equations with a complex matrix.   [H 30] */
+/* src/matrices/complex_factors.c -- Solve equations with a complex matrix.   [H 30] */
 #include "complex_factors.h"
 
 #include <fvi/error.h>
@@ -11,11 +11,11 @@
 
 struct fvi_complex_factors {
     size_t n;
-    const int *start, *row; /* NULL: dense */
-    double complex *LU;     /* dense: row by row; sparse: the entries */
-    size_t *pivot;          /* dense: row j was exchanged with it; NULL if sparse */
+    const int *start, *row; /* NULL for a dense matrix */
+    double complex *LU;     /* dense: the factors, row by row; sparse: the entries */
+    size_t *pivot;          /* dense: row j was exchanged with row pivot[j]; sparse: NULL */
     int exchanges;
-    void *symbolic, *numeric; /* UMFPACK's, and what it needs to solve */
+    void *symbolic, *numeric; /* the objects of UMFPACK, and the workspace that it needs for a solution */
     double *room;
     int *index;
     double control[UMFPACK_CONTROL];
@@ -29,7 +29,7 @@ static int status_of(int status)
                                                        : FVI_EINVAL;
 }
 
-/* The order of elimination: the pattern is symmetric, and the diagonal may serve as pivots. */
+/* Find the order of elimination. The pattern is symmetric, so UMFPACK may take pivots from the diagonal. */
 static int order(fvi_complex_factors *f)
 {
     umfpack_zi_defaults(f->control);
@@ -65,9 +65,9 @@ int fvi_complex_factors_alloc(size_t n, const int *start, const int *row,
     return status;
 }
 
-/* ---- dense ---- */
+/* ---- dense matrices ---- */
 
-/* a -= factor b, n numbers; written out, as C's own product asks for NaNs. */
+/* Compute a -= factor b, n numbers. The product is written out, because C's complex product tests for NaN. */
 static void subtract(size_t n, double complex factor, const double complex *b,
                      double complex *a)
 {
@@ -92,7 +92,7 @@ static void exchange_rows(fvi_complex_factors *f, size_t j, size_t pivot)
 }
 
 //> elimination
-/* P A = L U, row by row, with the largest entry of the column as the pivot. */
+/* Compute P A = L U row by row, with the largest entry of each column as the pivot. */
 static int eliminate(fvi_complex_factors *f)
 {
     const size_t n = f->n;
@@ -142,7 +142,7 @@ double fvi_complex_factors_phase(const fvi_complex_factors *f)
     return sum;
 }
 
-/* ---- both ---- */
+/* ---- dense and sparse matrices ---- */
 
 int fvi_complex_factors_of(fvi_complex_factors *f, const double complex *A)
 {

@@ -1,16 +1,15 @@
-/* src/matrices/factors.c -- Equations with a sparse positive definite matrix.
- *                                                               [H 27] */
+/* src/matrices/factors.c -- Solve equations with a sparse positive definite matrix.    [H 27] */
 #include "factors.h"
 
 
 #include <stdlib.h>
 
-enum { NARROW = 8 }; /* a half bandwidth up to which a band is fastest */
+enum { NARROW = 8 }; /* largest half bandwidth for which a band is the fastest solver */
 
 struct fvi_factors {
     fvi_way way;
-    size_t n, w;    /* half bandwidth */
-    double *number; /* of a band: row i is L_{i,i-w}, ..., L_{i,i-1}, 1 / D_i */
+    size_t n, w;    /* w: half bandwidth */
+    double *number; /* the band: row i is L_{i,i-w}, ..., L_{i,i-1}, 1 / D_i */
     fvi_cholmod *cholmod;
 };
 
@@ -65,7 +64,7 @@ static int begin_band(fvi_factors *f, const fvi_sparse *A)
     return factorise_band(f->n, f->w, f->number);
 }
 
-/* ---- all of them ---- */
+/* ---- all solvers ---- */
 
 int fvi_factors_alloc(fvi_way way, fvi_sparse *A, fvi_factors **factors)
 {

@@ -1,4 +1,4 @@
-/* src/matrices/history_space.c -- Which numbers have a history.          [H 27] */
+/* src/matrices/history_space.c -- Choose the numbers of a structure that have a history.          [H 27] */
 #include "history_space.h"
 
 #include "factors.h"
@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SMALL = 512 /* unknowns whose C may be taken apart densely */ };
+enum { SMALL = 512 /* largest number of unknowns for which the rank of C is found densely */ };
 
-/* ---- in a step ---- */
+/* ---- functions for a step ---- */
 
 //> select-and-apply
 /* z = B^T x - from */
@@ -32,7 +32,7 @@ void fvi_history_space_gather(const fvi_history_space *B, const double *x,
     }
 }
 
-/* p -= a S z: S is B, or the columns of C that are not zero. */
+/* p -= a S z, where S is B, or the nonzero columns of C */
 void fvi_history_space_apply_damping(const fvi_history_space *B, double a, const double *z,
                          double *p)
 {
@@ -56,8 +56,8 @@ void fvi_history_space_apply_damping(const fvi_history_space *B, double a, const
 }
 //< select-and-apply
 
-/* p -= a C z of s vectors, a number that the compiler knows; row l of C is column l. An entry is read once, and the sums
- * of the vectors do not wait for each other. */
+/* Compute p -= a C z for s pairs of vectors. Row l of C is its column l. The compiler knows s. Each entry is read once,
+ * and the sums of the vectors are independent. */
 static inline __attribute__((always_inline)) void
 apply_to_all_unknowns(size_t s, const fvi_sparse *C, double a, const double *restrict z, double *restrict p)
 {
@@ -88,7 +88,7 @@ void fvi_history_space_apply_to_stages(const fvi_history_space *B, size_t s, dou
             fvi_history_space_apply_damping(B, a, z + i * B->r, p + i * n);
 }
 
-/* ---- which numbers ---- */
+/* ---- choice of the history numbers ---- */
 
 static int allocate_columns(size_t r, size_t count, fvi_history_space *B)
 {
@@ -101,7 +101,7 @@ void fvi_history_space_free(fvi_history_space *B)
     fvi_sparse_free(&B->columns);
 }
 
-/* The unknowns that C touches. */
+/* Select the unknowns that C couples. */
 static int select_damped_unknowns(const fvi_sparse *C, fvi_history_space *B)
 {
     size_t r = 0;
@@ -124,9 +124,9 @@ static int is_zero(size_t n, const double *D, double noise)
     return 1;
 }
 
-/* D in units, powers of two, in which its diagonal is between 1/4 and 4: a small damper
- * beside a large one is no rounding. Where the diagonal is not positive nothing else may
- * be in the row: returns 0 if something is. */
+/* Scale D by powers of two so that its diagonal is between 1/4 and 4, because a small damper beside a large one must
+ * not count as a rounding error. If a diagonal entry is not positive, its row must be zero. Return 1, or 0 if such a
+ * row is not zero. */
 static int scale_diagonal(size_t r, double *D, double *unit)
 {
     for (size_t i = 0; i < r; i++) {
@@ -142,11 +142,10 @@ static int scale_diagonal(size_t r, double *D, double *unit)
 }
 
 //> rank
-/* C = B B^T by Cholesky's elimination, always of the largest diagonal entry that is left,
- * until nothing is: D is C between the unknowns that it touches, its diagonal at most 4,
- * and B's columns come into `out`, of r rows each. Of a C that is negative somewhere more
- * than rounding is left when no positive entry of the diagonal is. Returns the rank, or
- * -1. */
+/* Compute C = B B^T by Cholesky elimination with the largest remaining diagonal entry as the pivot, until the remainder
+ * is zero. D holds the entries of C for the selected unknowns, with a diagonal of at most 4. The columns of B are
+ * written to `out`, r numbers each. If C is not positive semidefinite, more than rounding errors remain when no
+ * diagonal entry is positive. Return the rank, or -1 in this case. */
 static int factorise_dense(size_t r, double *D, double *out)
 {
     const double noise = (double)r * 8 * DBL_EPSILON * 4;
@@ -167,12 +166,12 @@ static int factorise_dense(size_t r, double *D, double *out)
 }
 //< rank
 
-/* C between the unknowns in B. */
+/* Return the entries of C for the unknowns in B. */
 static double *copy_dense(const fvi_history_space *B)
 {
     const size_t r = B->r;
     double *D =
-        calloc(2 * r * r + r, sizeof *D); /* and B's columns, and units */
+        calloc(2 * r * r + r, sizeof *D); /* with room for the columns of B and for the scales */
     for (size_t l = 0; D && l < r; l++)
         for (size_t i = 0; i < r; i++)
             D[l * r + i] = fvi_sparse_entry(B->C, (size_t)B->columns.row[i],
@@ -180,7 +179,7 @@ static double *copy_dense(const fvi_history_space *B)
     return D;
 }
 
-/* The unknowns in B become so many columns, dense ones of which zeros are left out. */
+/* Replace the unknowns in B by `rank` dense columns, and leave out their zeros. */
 static int keep_columns(size_t rank, const double *dense, fvi_history_space *B)
 {
     fvi_history_space few = { .C = B->C, .kind = FVI_HISTORY_SPACE_FEW };
@@ -200,7 +199,7 @@ static int keep_columns(size_t rank, const double *dense, fvi_history_space *B)
     return FVI_SUCCESS;
 }
 
-/* A small C: is it negative, and is its rank so low that B^T x pays? */
+/* Test whether a small C is positive semidefinite. If its rank is so low that B^T x is cheaper, use B^T x. */
 static int find_low_rank(fvi_history_space *B)
 {
     const size_t r = B->r;
@@ -219,8 +218,8 @@ static int find_low_rank(fvi_history_space *B)
     return status;
 }
 
-/* A large C is not negative if C and a thousand-millionth of M, in its units, are positive
- * definite together. */
+/* Test whether a large C is positive semidefinite. The test is whether C + 1e-9 M, scaled to the size of C, is positive
+ * definite. */
 static int check_semidefinite(const fvi_sparse *M, const fvi_sparse *C)
 {
     double largest = 0;
@@ -262,7 +261,7 @@ int fvi_history_space_find(const fvi_sparse *M, const fvi_sparse *C,
 int fvi_history_space_of_row(const fvi_sparse *C, const double *row, fvi_history_space *B)
 {
     fvi_history_space all = { .C = C, .r = C->n };
-    if (C->start[C->n] == 0) { /* a row of zeros */
+    if (C->start[C->n] == 0) { /* the row is zero */
         *B = (fvi_history_space){ .C = C };
         return FVI_SUCCESS;
     }

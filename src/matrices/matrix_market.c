@@ -1,4 +1,4 @@
-/* src/matrices/matrix_market.c -- Symmetric matrices from files.       [H 27] */
+/* src/matrices/matrix_market.c -- Read symmetric matrices from Matrix Market files.       [H 27] */
 #include "sparse.h"
 
 #include "system/fail.h"
@@ -12,28 +12,28 @@
 #include <string.h>
 #include <strings.h>
 
-/* A file that is read line by line, and what is wrong with it. */
+/* A file that is read line by line, and the reason of its refusal. */
 typedef struct {
     fvi_lines lines;
     int general;
     size_t n, count, size_line;
     fvi_triplet
-        *triplets;    /* of a symmetric file twice as many as stand there */
-    size_t *lines_of; /* each triplet */
+        *triplets;    /* for a symmetric file, twice as many triplets as in the file */
+    size_t *lines_of; /* the line of each triplet */
     size_t kept;
     fvi_misread wrong;
 } reader;
 
 static const char blank[] = " \t";
 
-/* Line 0 is the file as a whole. */
+/* Refuse a line. Line 0 means the whole file. */
 static int refuse(reader *r, size_t line, const char *reason)
 {
     r->wrong = (fvi_misread){ line, reason, 0 };
     return FVI_EDOM;
 }
 
-/* Of this line, at a place in it. */
+/* Refuse the current line, at a position in it. */
 static int refuse_at(reader *r, const char *at, const char *reason)
 {
     r->wrong = (fvi_misread){ r->lines.number, reason,
@@ -41,8 +41,8 @@ static int refuse_at(reader *r, const char *at, const char *reason)
     return FVI_EDOM;
 }
 
-/* The next line that says something; *found is 0 at the end. Comments stand below the first
- * line. */
+/* Read the next line that is neither empty nor a comment; the first line is read in any case. *found is 0 at the end of
+ * the file. */
 static int next_line(reader *r, int *found)
 {
     int status;
@@ -59,7 +59,7 @@ static int next_line(reader *r, int *found)
     return status;
 }
 
-/* ---- the first lines ---- */
+/* ---- head and size ---- */
 
 static int read_head(reader *r)
 {
@@ -89,7 +89,7 @@ static int read_head(reader *r)
     return FVI_SUCCESS;
 }
 
-/* Three numbers, and no more, separated by blanks; at[i] is where number i begins. */
+/* Read exactly three numbers, separated by blanks. at[i] is the position of number i. */
 static int read_three(reader *r, const char *what, const char *at[3],
                       double value[3])
 {
@@ -133,7 +133,7 @@ static int read_size(reader *r)
     return r->triplets && r->lines_of ? FVI_SUCCESS : FVI_ENOMEM;
 }
 
-/* ---- the entries ---- */
+/* ---- entries ---- */
 
 static void keep(reader *r, int row, int column, double entry)
 {
@@ -177,9 +177,9 @@ static int read_entries(reader *r)
                : status;
 }
 
-/* ---- what is wrong with the whole ---- */
+/* ---- checks of the whole matrix ---- */
 
-/* The line of the last triplet in this place; 0 if there is none. */
+/* Return the line of the last triplet at this position, or 0 if there is none. */
 static size_t line_of(const reader *r, int row, int column)
 {
     for (size_t i = r->kept; i-- > 0;)
@@ -188,8 +188,8 @@ static size_t line_of(const reader *r, int row, int column)
     return 0;
 }
 
-/* Sums are fewer than triplets: two stand in one place. Which? Each triplet takes the
- * first free of its place's, so the one that finds none is the second. */
+/* Find the line of the second triplet at one position. It exists, because the matrix has fewer entries than there are
+ * triplets. */
 static int find_double(reader *r, const fvi_sparse *A)
 {
     char *taken = calloc((size_t)A->start[A->n] + 1, 1);
@@ -212,7 +212,7 @@ static int find_double(reader *r, const fvi_sparse *A)
                                "matrix only one triangle is given");
 }
 
-/* The matrix of the triplets, if it is one. */
+/* Assemble the matrix and test that it is symmetric. */
 static int finish(reader *r, fvi_sparse *A)
 {
     fvi_sparse whole;
@@ -237,7 +237,7 @@ static int finish(reader *r, fvi_sparse *A)
     return status;
 }
 
-/* What is made of a file, but the matrix; to be given back with end. */
+/* Read a file into triplets. The caller frees them with `end`, also after an error. */
 static int begin(reader *r, const char *file)
 {
     *r = (reader){ .kept = 0 };

@@ -48,8 +48,8 @@ double fvi_sparse_entry(const fvi_sparse *A, size_t i, size_t j)
     return 0;
 }
 
-/* The list by columns, those of a column in the order of the list: start[j] is where column
- * j begins in A, which has not been summed yet. */
+/* Sort the triplets by columns, in the order of the list within a column. start[j] is the beginning of column j in A,
+ * before equal rows are summed. */
 static void by_columns(size_t count, const fvi_triplet *t, fvi_sparse *A)
 {
     for (size_t l = 0; l < count; l++)
@@ -61,13 +61,13 @@ static void by_columns(size_t count, const fvi_triplet *t, fvi_sparse *A)
         A->row[at] = t[l].row;
         A->entry[at] = t[l].entry;
     }
-    for (size_t j = A->n; j > 0; j--) /* they have moved up by a column */
+    for (size_t j = A->n; j > 0; j--) /* each start has moved up to the next column */
         A->start[j] = A->start[j - 1];
     A->start[0] = 0;
 }
 
-/* Rows in order, equal rows summed in the order in which they stand. Columns are short: each
- * entry goes down to its place. Returns how many rows are left. */
+/* Sort the rows of a column by insertion, because columns are short, and sum equal rows in the order of the list.
+ * Return the number of rows that remain. */
 static int order_column(int count, int *row, double *entry)
 {
     int kept = 0;
@@ -125,8 +125,8 @@ int fvi_sparse_assemble(size_t n, size_t count, const fvi_triplet *triplets,
 }
 //< sum
 
-/* Rows and columns are met in order, so the place of (j, i) in column i is where the last
- * visit left off. */
+/* The loop visits the entries column by column, with ascending rows. So the mirror entry (j, i) in column i is the next
+ * one after the last visit to column i. */
 int fvi_sparse_is_symmetric(const fvi_sparse *A, int *place)
 {
     int *next = malloc(A->n * sizeof *next), status = FVI_SUCCESS;
@@ -146,8 +146,8 @@ int fvi_sparse_is_symmetric(const fvi_sparse *A, int *place)
     return status;
 }
 
-/* The first row that is left in some of the columns: matrix l is at entry at[l]. INT_MAX where
- * nothing is left. */
+/* Return the smallest remaining row of column j in all matrices; the next entry of matrix l is at[l]. Return INT_MAX if
+ * no row remains. */
 static int next_row(size_t j, size_t count, const fvi_sparse *const *A, const int *at)
 {
     int row = INT_MAX;
@@ -157,7 +157,7 @@ static int next_row(size_t j, size_t count, const fvi_sparse *const *A, const in
     return row;
 }
 
-/* Columns j of all matrices, merged: `to` is where column j of the sum begins. */
+/* Merge the columns j of all matrices. `to` is the beginning of column j in the sum. Return its end. */
 static int add_column(size_t j, size_t count, const fvi_sparse *const *A,
                       const double *a, int *at, fvi_sparse *sum, int to)
 {
@@ -168,7 +168,7 @@ static int add_column(size_t j, size_t count, const fvi_sparse *const *A,
         for (size_t l = 0; l < count; l++)
             if (at[l] < A[l]->start[j + 1] && A[l]->row[at[l]] == row)
                 entry += a[l] * A[l]->entry[at[l]++];
-        if (entry == 0 && row != (int)j) /* an explicit zero widens no band */
+        if (entry == 0 && row != (int)j) /* a stored zero would widen the band */
             continue;
         sum->row[to] = row;
         sum->entry[to++] = entry;
@@ -176,7 +176,7 @@ static int add_column(size_t j, size_t count, const fvi_sparse *const *A,
     return to;
 }
 
-/* Of matrices that are all there, with factors that are not 0. */
+/* Add matrices that are not NULL, with factors that are not 0. */
 static int add_terms(size_t n, size_t count, const fvi_sparse *const *A, const double *a,
                      fvi_sparse *sum)
 {

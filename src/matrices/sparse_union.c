@@ -1,10 +1,11 @@
-/* src/matrices/sparse_union.c -- The pattern of a sum of matrices.        [H 27] */
+/* src/matrices/sparse_union.c -- Compute the pattern of a sum of sparse matrices.        [H 27] */
 #include "sparse.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* The rows of column j, in order; mark[i] is j + 1 for those that are in the list. */
+/* Write the rows of column j of the sum to list, in order. mark[i] is j + 1 if row i is in the list. Return the number
+ * of rows. */
 static size_t column_of_sum(size_t count, const fvi_sparse *const *A, size_t j,
                             size_t *mark, int *list)
 {
@@ -23,7 +24,7 @@ static size_t column_of_sum(size_t count, const fvi_sparse *const *A, size_t j,
     return found;
 }
 
-/* Where the entries of column j stand, whose rows begin at `first` in the sum. */
+/* Write the positions of the entries of column j. The rows of this column begin at `first` in the sum. */
 static void place_column(size_t count, const fvi_sparse *const *A, size_t j, int first,
                          const int *rows, int *const *place)
 {

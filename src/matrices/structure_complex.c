@@ -1,5 +1,5 @@
-/* src/matrices/structure_complex.c -- Equations with m M + sum_j c_j C_j + k K, m, c, k complex.
- *                                                                     [H 27] */
+/* src/matrices/structure_complex.c -- Solve equations with m M + sum_j c_j C_j + k K for complex m, c_j and k.    [H
+ * 27] */
 #include "structure.h"
 
 #include "complex_factors.h"
@@ -13,7 +13,8 @@ enum { LANES = FVI_COMPLEX_SUMS };
 
 /* ---- bands ---- */
 
-/* A complex number of each of four bands: they are eliminated side by side, because each waits for the row before. */
+/* A complex number of each of four bands. The bands are eliminated side by side, because in one band each row waits for
+ * the row before. */
 typedef double four __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
 typedef struct {
     four re, im;
@@ -35,7 +36,7 @@ static inline void multiply(complex_lanes *to, const complex_lanes *a, const com
     to->im = im;
 }
 
-/* The real part is positive, and no square of it can overflow here. */
+/* The real part is positive, and this form squares no number that could overflow. */
 static inline void invert(complex_lanes *to, const complex_lanes *a)
 {
     const four slope = a->im / a->re, size = a->re + a->im * slope;
@@ -60,18 +61,18 @@ FVI_VECTORS static void solve_lanes(size_t n, size_t w, const complex_lanes *ban
     solve_band(n, w, band, r);
 }
 
-/* ---- sums ---- */
+/* ---- sparse matrices ---- */
 
-/* Of bands, or each of UMFPACK, for which pattern and entries must stay. */
+/* The factors of the bands, or of each sum by UMFPACK, which needs the pattern and the entries during a solution. */
 typedef struct {
-    size_t n, w, count; /* how many equations */
-    complex_lanes *band, *lanes; /* room for n right sides; NULL without bands */
+    size_t n, w, count; /* number of equations */
+    complex_lanes *band, *lanes; /* lanes: workspace for n right-hand sides; NULL without bands */
     int *start, *row;
     double complex *entry, *right;
     fvi_complex_factors *factors[LANES];
 } complex_solver;
 
-/* The matrices that are there; factor l of sum i is factor[(i * every + place[l])], real and imaginary part. */
+/* The matrices that exist. Factor l of sum i is factor[i * every + place[l]], a real and an imaginary part. */
 typedef struct {
     size_t count, every, *place;
     const fvi_sparse **matrix;
@@ -98,7 +99,8 @@ static const double *factor_of(const complex_terms *terms, size_t sum, size_t l)
     return terms->factor + 2 * (sum * terms->every + terms->place[l]);
 }
 
-/* No pattern is looked for, as most of a short run of fvi-adaptive would be that. Lanes to spare repeat the last sum. */
+/* Eliminate the bands without computing a pattern, because that would take most of the time of a short run of
+ * fvi-adaptive. Unused lanes repeat the last sum. */
 static int eliminate_bands(const complex_terms *terms, complex_solver *c)
 {
     const size_t row = c->w + 1;
@@ -127,7 +129,7 @@ static int eliminate_bands(const complex_terms *terms, complex_solver *c)
     return factorise_lanes(c->n, c->w, c->band);
 }
 
-/* The entries of sum i, which stand at place[l] in the pattern. */
+/* Write the entries of sum i. Entry e of matrix l is at place[l][e] in the pattern. */
 static void add_entries(const complex_terms *terms, size_t i, int *const *place, complex_solver *c)
 {
     memset(c->entry, 0, (size_t)c->start[c->n] * sizeof *c->entry);
@@ -138,7 +140,7 @@ static void add_entries(const complex_terms *terms, size_t i, int *const *place,
     }
 }
 
-/* One pattern for all sums. */
+/* Factorise all sums with one pattern. */
 static int factorise_sparse(const complex_terms *terms, complex_solver *c)
 {
     size_t entries = 0;
@@ -172,7 +174,7 @@ static size_t wider(size_t w, size_t other)
     return w > other ? w : other;
 }
 
-/* M, C or the C_j, K that are there. */
+/* List the matrices that exist among M, C or the C_j, and K. */
 static void list_terms(const fvi_structure *s, complex_terms *terms)
 {
     for (size_t l = 0; l < terms->every; l++) {
@@ -187,7 +189,7 @@ static void list_terms(const fvi_structure *s, complex_terms *terms)
     }
 }
 
-/* ---- what matrices have ---- */
+/* ---- functions of fvi_matrices ---- */
 
 static int factorise(size_t d, size_t count, const double *factor, const void *params, void **factors)
 {
@@ -240,7 +242,7 @@ static int solve(size_t d, size_t count, void *factors, double *r)
         solve_lanes(d, c->w, c->band, (complex_lanes *)r);
         return FVI_SUCCESS;
     }
-    double *lanes = (double *)c->lanes; /* what the lanes to spare hold does not matter */
+    double *lanes = (double *)c->lanes; /* the content of the unused lanes does not matter */
     for (size_t j = 0; j < 2 * d; j++)
         memcpy(lanes + j * LANES, r + j * count, count * sizeof *r);
     solve_lanes(d, c->w, c->band, c->lanes);

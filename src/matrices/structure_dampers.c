@@ -47,7 +47,7 @@ size_t fvi_structure_dampings(const fvi_structure *s)
     return s->space ? s->mechanism.damper_count : 1;
 }
 
-/* M, C_1, C_2, ..., K and their factors; one block with room for both. */
+/* The matrices and the factors are in one block. */
 const fvi_sparse **fvi_structure_terms(const fvi_structure *s, double m, const double *c,
                                     double k, double **a)
 {
@@ -82,7 +82,7 @@ static int factorise_dampers(size_t d, double m, const double *c, double k,
     return status;
 }
 
-/* row^T row of the entries that are not 0. */
+/* Compute row^T row from the nonzero entries of the row. */
 static int multiply_row(size_t d, const double *row, fvi_sparse *C)
 {
     size_t count = 0;
@@ -111,7 +111,7 @@ static int find_damper_space(fvi_structure *s, size_t j, fvi_error *error)
     const double *row = damper->of.row;
     const size_t d = s->M->n;
     int status = FVI_SUCCESS, place;
-    if (!damper->kernel) /* what it is, a run asks */
+    if (!damper->kernel) /* the start of a run checks the kernel itself */
         return refuse_damper(j, FVI_EFAULT, "it has no kernel", error);
     if (!damper->matrix && !row)
         return refuse_damper(j, FVI_EUNSUP,

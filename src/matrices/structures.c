@@ -1,4 +1,4 @@
-/* src/matrices/structures.c -- Systems of sparse matrices.             [H 27] */
+/* src/matrices/structures.c -- Systems with sparse matrices M, K and C.             [H 27] */
 #include "structure.h"
 
 #include "system/fail.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- what a run asks for ---- */
+/* ---- functions of fvi_matrices ---- */
 
 static int stiffness(size_t d, const double *x, const void *params, double *y)
 {
@@ -84,7 +84,7 @@ static void free_factors(void *factors)
     fvi_factors_free(factors);
 }
 
-/* The factors have room of their own, so only one thread at a time may ask. */
+/* The factors contain their workspace, so only one thread at a time may call this function. */
 static int energy(size_t d, const double *x, const double *p,
                   const void *params, double *E)
 {
@@ -104,7 +104,7 @@ static int energy(size_t d, const double *x, const double *p,
     return status;
 }
 
-/* ---- a structure ---- */
+/* ---- allocation ---- */
 
 static int check_mass(fvi_structure *s)
 {
@@ -122,7 +122,7 @@ static int check_mass(fvi_structure *s)
     return status;
 }
 
-/* Returns a code, and says of which matrix. */
+/* Return a code, and write the name of the matrix that caused it to *fault. */
 static int check_matrices(fvi_structure *s, char *fault)
 {
     const struct {
@@ -151,7 +151,7 @@ static int check_matrices(fvi_structure *s, char *fault)
     return status;
 }
 
-/* What does not depend on the dampers. */
+/* Allocate the parts that do not depend on the dampers. */
 static int make(const fvi_sparse *M, const fvi_sparse *K, fvi_structure **structure)
 {
     fvi_structure *s = calloc(1, sizeof *s);
@@ -234,7 +234,7 @@ int fvi_structure_alloc_dampers(const fvi_sparse *M, const fvi_sparse *K, size_t
     return status;
 }
 
-/* ---- what a structure is for ---- */
+/* ---- use of a structure ---- */
 
 fvi_system fvi_structure_system(const fvi_structure *s)
 {
@@ -245,7 +245,7 @@ fvi_system fvi_structure_system(const fvi_structure *s)
                          .mechanism = s->space ? &s->mechanism : NULL };
 }
 
-/* The factors are of no simple ratio: where M is 1 and K is -1 no entry is lost. */
+/* The factors have no simple ratio, so that no entry cancels, for example if M is 1 and K is -1. */
 static int sum_pattern(const fvi_structure *s, double m, double c, double k, fvi_sparse *A)
 {
     const size_t count = s->mechanism.damper_count;
