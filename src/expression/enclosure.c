@@ -1,4 +1,4 @@
-/* src/expression/enclosure.c -- What a function can be in an interval of t.  [H 22] */
+/* src/expression/enclosure.c -- Enclose the values and derivatives of a function in an interval of t.  [H 22] */
 #include "enclosure.h"
 
 #include "enclosure_operations.h"
@@ -6,13 +6,13 @@
 
 #include <stdlib.h>
 
-enum { FEW = 24 }; /* nodes of a tape for which no memory is asked */
+enum { FEW = 24 }; /* nodes of a tape for which no memory is allocated */
 
 static const double PI = 3.14159265358979323846;
 
 /* ---- functions ---- */
 
-/* Does a point offset + n period, n whole, lie in the interval, or near it? */
+/* Return nonzero if a point offset + n period, n whole, lies in the interval or within a rounding error of it. */
 static int contains_point(const enclosure *u, double offset, double period)
 {
     const double off = 8 * DBL_EPSILON * (largest(u) + period);
@@ -20,7 +20,7 @@ static int contains_point(const enclosure *u, double offset, double period)
            >= ceil((u->low - off - offset) / period);
 }
 
-/* The range of sine, or of cosine, which is the same from a quarter earlier on. */
+/* Set the range of sine or cosine. Cosine has its extremes a quarter of a period earlier. */
 static void wave_range(const enclosure *u, int is_sine, enclosure *f)
 {
     const double top = is_sine ? PI / 2 : 0, bottom = top + PI;
@@ -35,7 +35,7 @@ static void wave_range(const enclosure *u, int is_sine, enclosure *f)
               contains_point(u, top, 2 * PI) ? 1 : least_of(1, up(most_of(a, b))));
 }
 
-/* s' = c u', |c'| = |s u'|, and both are bounded at first. */
+/* Bound the derivatives of sine s and cosine c, whose ranges are known: |s'| = |c u'| and |c'| = |s u'|. */
 static void pair(const enclosure *u, enclosure *s, enclosure *c, int order)
 {
     s->top = c->top = u->top > 0 ? order : 0;
@@ -57,7 +57,7 @@ static void wave(const enclosure *u, int is_sine, int order, enclosure *f)
     tighten(f);
 }
 
-/* |sinh| < cosh, so that both follow exp, in parts of cosh. */
+/* sinh| < cosh, so the derivatives of both, as parts of cosh, follow from those of exp. */
 static void hyperbolic(const enclosure *u, int is_sine, int order, enclosure *f)
 {
     const double most = up(cosh(largest(u)));
@@ -75,7 +75,7 @@ static void hyperbolic(const enclosure *u, int is_sine, int order, enclosure *f)
     tighten(f);
 }
 
-/* f' = (1 + f^2) u' or (1 - f^2) u'. The first factor at most is given. */
+/* f' = (1 + f^2) u' or (1 - f^2) u'. `factor` bounds the first factor. */
 static void tangent(const enclosure *u, double factor, int order, enclosure *f)
 {
     double more[FVI_ENCLOSURE_ORDER + 1] = { factor };
@@ -106,7 +106,7 @@ static void hyperbolic_tangent(const enclosure *u, int order, enclosure *f)
     tangent(u, up(1 / c / c), order, f);
 }
 
-/* f' = (1 + sign u^2)^p u', the range of f being there. */
+/* f' = (1 + sign u^2)^p u'. The range of f is known. */
 static void inverse_function(const enclosure *u, double sign, double p,
                              int order, enclosure *f)
 {
@@ -156,8 +156,8 @@ static void sign_of(const enclosure *u, int order, enclosure *f)
     tighten(f);
 }
 
-/* The larger of two. Where either may be the larger its slope is at most that of the steeper,
- * and jumps. */
+/* Enclose the larger of two functions. Where either may be the larger, its slope is at most that of the steeper one,
+ * and the slope may jump, so higher derivatives are unknown. */
 static void larger_of(const enclosure *u, const enclosure *w, int order,
                       enclosure *f)
 {
@@ -173,7 +173,7 @@ static void larger_of(const enclosure *u, const enclosure *w, int order,
     tighten(f);
 }
 
-/* min(u, w) = -max(-u, -w) */
+/* min(u, w) = -max(-u, -w). */
 static void smaller_of(const enclosure *u, const enclosure *w, int order,
                        enclosure *f)
 {
@@ -280,8 +280,8 @@ static void operate(const fvi_node *at, const enclosure *u, const enclosure *w,
     }
 }
 
-/* A leaf is made where it is wanted, because several nodes may want it; all else stands on
- * a stack until the one node takes it that wants it. */
+/* Return the operand at node i. A leaf is made when it is needed, because several nodes may need it. Every other result
+ * stands on a stack until the single node that needs it takes it. */
 static const enclosure *operand(const fvi_node *node, int i,
                                 const enclosure *time, const double *k,
                                 enclosure *leaf, enclosure **free_place)

@@ -1,4 +1,4 @@
-/* src/expression/enclosure_operations.c -- Sums, products and powers of bounds.  [H 22] */
+/* src/expression/enclosure_operations.c -- Enclose sums, products and powers.  [H 22] */
 #include "enclosure_operations.h"
 
 double fvi_enclosure_slope(const double *u, int top, const double *w, int k)
@@ -34,7 +34,7 @@ void fvi_enclosure_negate(const enclosure *u, enclosure *f)
     f->high = -u->low;
 }
 
-/* 0 times infinity: the infinity is a number that was too large. */
+/* 0 times infinity is 0, because the infinity stands for a number that was too large. */
 static double times(double a, double b)
 {
     return a == 0 || b == 0 ? 0 : a * b;
@@ -56,7 +56,7 @@ void fvi_enclosure_multiply(const enclosure *u, const enclosure *w, int order,
     tighten(f);
 }
 
-/* u^p where that is positive, or 1/u: p u' f = u f'. Of the range nothing is said. */
+/* Set the derivatives of u^p where u is positive, or of 1/u: p u' f = u f'. The range is not set. */
 static void raise_parts(const enclosure *u, double p, int order, enclosure *f)
 {
     f->top = u->top > 0 ? order : 0;
@@ -92,7 +92,7 @@ void fvi_enclosure_square(const enclosure *u, int order, enclosure *f)
 
 /* ---- powers ---- */
 
-/* u^n, n >= 1, by squares: u may be 0 and negative. */
+/* u^n for n >= 1 by repeated squaring; u may be 0 or negative. */
 void fvi_enclosure_whole_power(const enclosure *u, int n, int order,
                                enclosure *f)
 {
@@ -170,7 +170,7 @@ void fvi_enclosure_power(const enclosure *u, const enclosure *w, int order,
         fvi_enclosure_real_power(u, p, order, f);
     } else if (
         !(u->low
-          > 0)) { /* the C library knows (-2)^w where w is rounded to 1 */
+          > 0)) { /* pow of the C library is defined for (-2)^w where w is rounded to 1 */
         set_unknown(f, order);
     } else {
         fvi_enclosure_logarithm(u, order, &g);

@@ -1,7 +1,7 @@
-/* src/expression/enclosure_operations.h -- Sums, products and powers of bounds. [H 22]
+/* src/expression/enclosure_operations.h -- Enclose sums, products and powers. [H 22]
  *
- * Internal to src/system/. The derivatives follow the recursions of Taylor series, with
- * absolute values in place of the coefficients. */
+ * Internal to src/expression. The derivatives follow the recursions of Taylor series, with absolute values in place of
+ * the coefficients. */
 #ifndef FVI_ENCLOSURE_OPERATIONS_H
 #define FVI_ENCLOSURE_OPERATIONS_H
 
@@ -14,8 +14,8 @@ typedef fvi_enclosure enclosure;
 
 /* ---- rounding outward ---- */
 
-/* Sixteen units: more than any operation or function of one number loses. The least normal
- * number stands for all that underflows, the largest for the lower bound of what overflows. */
+/* Round by sixteen units, which is more than any operation or function of one number loses. The smallest normal number
+ * covers everything that underflows. The largest finite number is the lower bound of what overflows. */
 static inline double up(double v)
 {
     return v == -INFINITY ? -DBL_MAX
@@ -27,8 +27,8 @@ static inline double down(double v)
     return -up(-v);
 }
 
-/* A bound that was computed in fewer than sixty roundings. NaN, 0 times infinity, tells
- * nothing. */
+/* Round up a bound that was computed with fewer than sixty rounding errors. NaN, which is 0 times infinity, becomes
+ * INFINITY. */
 static inline double bound(double v)
 {
     return v <= DBL_MAX ? v * (1 + 64 * DBL_EPSILON) + DBL_MIN : INFINITY;
@@ -44,7 +44,7 @@ static inline double least_of(double a, double b)
     return a < b ? a : b;
 }
 
-/* The smallest and the largest |f|. */
+/* Return the smallest and the largest |f|. */
 static inline double smallest(const enclosure *f)
 {
     return f->low > 0 ? f->low : f->high < 0 ? -f->high : 0;
@@ -64,7 +64,7 @@ static inline void set_range(enclosure *f, double low, double high)
     f->high = known ? high : INFINITY;
 }
 
-/* All derivatives up to the order, of which nothing is known yet. */
+/* Set all derivatives up to the order to unknown. */
 static inline void clear_derivatives(enclosure *f, int order)
 {
     f->top = order;
@@ -88,7 +88,7 @@ static inline void set_number(enclosure *f, double v)
     f->part[0] = 1;
 }
 
-/* Let each kind of bound help the other. The derivatives are there, the range is too. */
+/* Improve each kind of bound with the other. Range and derivatives must be set. */
 static inline void tighten(enclosure *f)
 {
     const double by_least = 1 / smallest(f);
@@ -100,7 +100,7 @@ static inline void tighten(enclosure *f)
     }
 }
 
-/* Coefficient k of a product of two series. */
+/* Return coefficient k of the product of two series. */
 static inline double product(const double *u, int u_top, const double *w,
                              int w_top, int k)
 {
@@ -112,7 +112,7 @@ static inline double product(const double *u, int u_top, const double *w,
 
 /* ---- operations ---- */
 
-/* Each computes f, with derivatives up to the order, of u and w, which f may not be. */
+/* Each function computes f from u and w, with derivatives up to the order. f must not be u or w. */
 void fvi_enclosure_add(const enclosure *u, const enclosure *w, enclosure *f);
 void fvi_enclosure_negate(const enclosure *u, enclosure *f);
 void fvi_enclosure_multiply(const enclosure *u, const enclosure *w, int order,
@@ -128,7 +128,7 @@ void fvi_enclosure_logarithm(const enclosure *u, int order, enclosure *f);
 void fvi_enclosure_power(const enclosure *u, const enclosure *w, int order,
                          enclosure *f);
 
-/* fvi_enclosure_slope -- (1/k) sum_j j u_j w_{k-j}: coefficient k of the integral of u' w. */
+/* fvi_enclosure_slope -- Return (1/k) sum_j j u_j w_{k-j}, coefficient k of the integral of u' w. */
 double fvi_enclosure_slope(const double *u, int top, const double *w, int k);
 
 #endif

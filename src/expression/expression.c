@@ -1,4 +1,4 @@
-/* src/expression/expression.c -- A parsed sum, term by term.               [H 9] */
+/* src/expression/expression.c -- Parse a text and split it into the terms of its sum.               [H 9] */
 #include <fvi/expression.h>
 
 #include "system/fail.h"
@@ -7,19 +7,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is parsed, and grows while it is taken apart. */
+/* The state of the parser: the nodes of the whole text, to which nodes are added while the sum is taken apart. */
 typedef struct {
     fvi_expression *e;
     fvi_node *node;
     size_t count, room;
     int status;
-    fvi_node tape[FVI_TAPE_LONGEST]; /* the term at work */
+    fvi_node tape[FVI_TAPE_LONGEST]; /* nodes of the present term */
     int coordinate[FVI_TAPE_LONGEST];
 } builder;
 
 /* ---- one term ---- */
 
-/* The place of a coordinate that is in the tape already; or -1. */
+/* Return the position of a coordinate that the tape contains already, or -1. */
 static int met_before(const term *t, const fvi_node *new)
 {
     for (size_t i = 0; new->op == TAPE_COORDINATE &&i < t->count; i++)
@@ -28,8 +28,8 @@ static int met_before(const term *t, const fvi_node *new)
     return -1;
 }
 
-/* What stands under node i, then node i itself, to the end of a tape that has room
- * for FVI_TAPE_LONGEST. Returns its place there. */
+/* Copy what stands under node i, then node i itself, to the end of the tape, which has room for FVI_TAPE_LONGEST nodes.
+ * Return the position of node i there. */
 static int emit(builder *w, term *t, int i, int depth)
 {
     fvi_node new = w->node[i];
@@ -63,7 +63,7 @@ static void widen(fvi_expression *e, const term *t)
                 e->reach = (size_t)(t->coordinate[i] - t->coordinate[j]);
 }
 
-/* Copies that are no longer than they must be; 0 if there is no memory. */
+/* Replace the arrays of the term by copies of their exact length. Return 0 if there is no memory. */
 static int keep(term *t)
 {
     fvi_node *node = malloc(t->count * sizeof *node);
@@ -80,7 +80,7 @@ static int keep(term *t)
     return 0;
 }
 
-/* The tree under the root becomes a term. */
+/* Make a term from the tree under the root. */
 static void add_term(builder *w, int root)
 {
     fvi_expression *e = w->e;
@@ -108,7 +108,7 @@ static void add_term(builder *w, int root)
 
 /* ---- the sum ---- */
 
-/* One more node; its number. */
+/* Add a node. Return its number. */
 static int make(builder *w, fvi_operation op, int a, int b, double number)
 {
     if (w->count == w->room) {
@@ -125,7 +125,7 @@ static int make(builder *w, fvi_operation op, int a, int b, double number)
     return (int)w->count++;
 }
 
-/* The operand of a sign, or of a factor or a divisor that has no coordinate; else -1. */
+/* Return the operand of a sign, or the operand beside a factor or a divisor without a coordinate; else -1. */
 static int inside(const builder *w, int i)
 {
     const fvi_node *at = &w->node[i];
@@ -150,7 +150,7 @@ static int hides_a_sum(const builder *w, int i)
     return is_sum(w, i);
 }
 
-enum { ONE = -1 /* instead of a node: no factor */ };
+enum { ONE = -1 /* in place of a node: no factor */ };
 
 static int negative(builder *w, int factor)
 {
@@ -158,7 +158,7 @@ static int negative(builder *w, int factor)
                          : make(w, TAPE_NEGATE, factor, factor, 0);
 }
 
-/* The factor, with what stands at i around its inside. */
+/* Return the factor together with the operation at node i. */
 static int more(builder *w, int factor, int i)
 {
     const fvi_node at = w->node[i];
@@ -172,8 +172,8 @@ static int more(builder *w, int factor, int i)
     return make(w, at.op, factor, other, 0);
 }
 
-/* factor times what stands at i, sum by sum: signs and what has no coordinate go to
- * each term. A long sum leans to the left: there is no recursion that way. */
+/* Add the terms of factor times node i. Signs and factors without a coordinate go to each term. A long sum leans to the
+ * left, and this function does not recurse in that direction. */
 static void take_apart(builder *w, int i, int factor)
 {
     while (!w->status && hides_a_sum(w, i)) {
@@ -198,14 +198,14 @@ static size_t variables(const fvi_symbols *names, fvi_tape_state state)
                                   : names->d;
 }
 
-/* finder is NULL, or names the coordinates. */
+/* Parse a text. finder is NULL, or knows the names of the coordinates. */
 static int parse_in(const char *text, const fvi_symbols *names,
                     fvi_tape_state state, const fvi_name_finder *finder,
                     const double *values, fvi_expression **e,
                     fvi_misprint *wrong)
 {
     fvi_misprint place = { 0, "not enough memory" };
-    builder *w = malloc(sizeof *w); /* its tape is long: no zeros for it */
+    builder *w = malloc(sizeof *w); /* no calloc, because the tape is long */
     fvi_expression *new = calloc(1, sizeof *new);
     if (w) {
         w->node = NULL;

@@ -1,4 +1,4 @@
-/* src/expression/expression_lanes.c -- Expressions of several oscillators at once. [H 28] */
+/* src/expression/expression_lanes.c -- Evaluate expressions for several oscillators at once. [H 28] */
 #include "expression_lanes.h"
 
 #include "expression_terms.h"
@@ -7,8 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The tape of the first lane, which is that of all; and parameter j of lane l at
- * [j * FVI_MOST_LANES + l]. */
+/* The tape of the first lane, which all lanes share. Parameter j of lane l is at k[j * FVI_MOST_LANES + l]. */
 typedef struct {
     const term *of;
     double k[];
@@ -20,7 +19,7 @@ static int is_same_node(const fvi_node *a, const fvi_node *b)
            && memcmp(&a->number, &b->number, sizeof a->number) == 0;
 }
 
-/* One term of one variable is what an expression of one variable has. */
+/* Return nonzero if the two expressions have the same text. Both must have one variable, so they have one term. */
 static int is_same_text(const fvi_expression *a, const fvi_expression *b)
 {
     const term *s = a->terms, *t = b->terms;
@@ -33,7 +32,7 @@ static int is_same_text(const fvi_expression *a, const fvi_expression *b)
     return 1;
 }
 
-/* The numbers of parameters in use are below this. */
+/* Return the number of parameters, counted up to the last one that is used. */
 static size_t parameters_of(const term *t)
 {
     size_t most = 0;
@@ -70,13 +69,13 @@ static void evaluate_slopes(const void *prepared, const double *x, const double 
     double v[FVI_MOST_LANES], c[FVI_MOST_LANES];
     fvi_tape_lanes(p->of->node, p->of->count, x, p->k, v, f, c);
     for (size_t l = 0; l < FVI_MOST_LANES; l++) {
-        f[l] = p->of->coordinates > 0 ? 0 + f[l] : 0; /* a sum of one term */
+        f[l] = p->of->coordinates > 0 ? 0 + f[l] : 0; /* 0 + f, as in a sum of one term */
         if (slope)
             slope[l] = p->of->coordinates > 0 ? 0 + c[l] : 0;
     }
 }
 
-/* slope is not asked for. */
+/* Evaluate without the slope, which is never asked for here. */
 static void evaluate_values(const void *prepared, const double *x, const double *active, double *f, double *slope)
 {
     const prepared_expression *p = prepared;
@@ -86,7 +85,7 @@ static void evaluate_values(const void *prepared, const double *x, const double 
         f[l] = 0 + f[l];
 }
 
-/* One walk for both; each is the derivative that a walk for it alone has. */
+/* Compute both derivatives of one lane by one walk. Each is the same as by a walk for it alone. */
 static void slopes_alone(const void *params, double x, double *f, double *slope)
 {
     const fvi_expression *e = params;

@@ -1,4 +1,4 @@
-/* src/expression/expression_parse.c -- From a text to nodes.               [H 9] */
+/* src/expression/expression_parse.c -- Parse a text into nodes.               [H 9] */
 #include "tape.h"
 
 #include <locale.h>
@@ -10,8 +10,7 @@
 
 enum { DEEPEST = 100, MOST_NODES = 1 << 24, MOST_DIGITS = 400 };
 
-/* The place in the text, and the nodes so far. status is not 0 once anything is
- * wrong; all that follows then does nothing. */
+/* The position in the text, and the nodes so far. status is nonzero after an error; then all functions do nothing. */
 typedef struct {
     const char *text, *at;
     const fvi_symbols *names;
@@ -54,7 +53,7 @@ static int degree(const parser *p, const fvi_node *new)
     }
 }
 
-/* Append a node and return its number; 0, which is as good as any, after an error. */
+/* Append a node and return its number. After an error return 0, which is as good as any number. */
 static int append(parser *p, fvi_node new)
 {
     if (p->status)
@@ -74,8 +73,8 @@ static int append(parser *p, fvi_node new)
     return (int)p->count++;
 }
 
-/* An operation on nodes a and b (b = a where there is one operand). What has only
- * numbers under it becomes one; those stand last and give way. */
+/* Add an operation on nodes a and b (b = a if there is one operand). If both are numbers, they are the last nodes and
+ * are replaced by the result. */
 static int operation(parser *p, fvi_operation op, int a, int b, double number)
 {
     if (p->status)
@@ -97,7 +96,7 @@ static int operation(parser *p, fvi_operation op, int a, int b, double number)
     return append(p, (fvi_node){ .op = TAPE_NUMBER, .number = value });
 }
 
-/* u^v: by multiplication for the small whole powers of potentials. */
+/* Add u^v. Small whole powers, which are usual in potentials, are done by multiplication. */
 static int raise_to(parser *p, int u, int v)
 {
     if (p->status)
@@ -120,7 +119,7 @@ static void skip_spaces(parser *p)
         p->at++;
 }
 
-/* Is this the next sign? Then it is read. */
+/* If the next sign is `what`, read it and return nonzero. */
 static int sign(parser *p, const char *what)
 {
     skip_spaces(p);
@@ -141,7 +140,7 @@ static int is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-/* With points, as in d1.force, or without. */
+/* Return the length of the name at `at`, with or without points as in d1.force. */
 static size_t name_length(const char *at, int points)
 {
     size_t n = 0;
@@ -164,7 +163,7 @@ static size_t digits(const char *at)
     return n;
 }
 
-/* A decimal number, never 0x10, with a point under every locale. */
+/* Read a decimal number. 0x10 is refused, and the decimal point is a point under every locale. */
 static int number(parser *p)
 {
     const char *from = p->at, *at = from;
@@ -202,7 +201,7 @@ static int number(parser *p)
 
 static int sum(parser *p);
 
-/* The function is read, its argument is next, or both. */
+/* Read the arguments of a function whose name has been read. */
 static int call(parser *p, fvi_operation op)
 {
     if (!sign(p, "("))
@@ -219,7 +218,7 @@ static int call(parser *p, fvi_operation op)
     return operation(p, op, u, w, 0);
 }
 
-/* x, or x3, of `d` such: the number from 0, or -1. */
+/* Return the number of x or x3, from 0, if there are d such variables; or -1. */
 static int numbered(const char *variable, size_t d, const char *at,
                     size_t length)
 {
@@ -233,7 +232,7 @@ static int numbered(const char *variable, size_t d, const char *at,
     return i >= 1 && i <= d ? (int)i - 1 : -1;
 }
 
-/* The number of the variable among x1, ..., v1, ..., t; or -1. */
+/* Return the number of a variable among x1, ..., v1, ..., t; or -1. */
 static int coordinate(const parser *p, const char *at, size_t length)
 {
     const size_t d = p->names->d;
@@ -316,7 +315,7 @@ static int power(parser *p)
     return raise_to(p, u, signed_power(p));
 }
 
-/* Every way into the depth leads through here. */
+/* Every recursion goes through this function, so the depth is checked here. */
 static int signed_power(parser *p)
 {
     int u;

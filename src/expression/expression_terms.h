@@ -1,4 +1,4 @@
-/* src/expression/expression_terms.h -- What an expression is made of.       [H 9] */
+/* src/expression/expression_terms.h -- Define the terms of an expression.       [H 9] */
 #ifndef FVI_EXPRESSION_TERMS_H
 #define FVI_EXPRESSION_TERMS_H
 
@@ -6,12 +6,11 @@
 
 #include <stddef.h>
 
-/* A term is a tape of its own, so that coordinates that do not meet cost each other
- * nothing. */
+/* A term has a tape of its own, so coordinates of different terms have no common derivative to compute. */
 typedef struct {
     fvi_node *node;
     size_t count;
-    int *coordinate; /* that stand in it, without repetition */
+    int *coordinate; /* the coordinates of the term, each once */
     size_t coordinates;
 } term;
 
@@ -20,7 +19,7 @@ struct fvi_expression {
     const double *values;
     term *terms;
     size_t count, room;
-    size_t reach; /* the largest distance of two coordinates of a term */
+    size_t reach; /* largest distance between two coordinates of a term */
     int degree;
 };
 

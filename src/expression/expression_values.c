@@ -1,4 +1,4 @@
-/* src/expression/expression_values.c -- Values and derivatives of an expression.  [H 9] */
+/* src/expression/expression_values.c -- Compute values and derivatives of an expression.  [H 9] */
 #include <fvi/expression.h>
 
 #include "enclosure.h"
@@ -122,7 +122,7 @@ static int force_value(double t, size_t d, void *params, double *F)
     return FVI_SUCCESS;
 }
 
-/* A sum of one variable is one term. */
+/* An expression of one variable has a single term. */
 static int force_bound(double from, double to, size_t order, size_t d,
                        void *params, double *most)
 {

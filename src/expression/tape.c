@@ -1,4 +1,4 @@
-/* src/expression/tape.c -- Values and derivatives along a tape.            [H 9] */
+/* src/expression/tape.c -- Compute values and derivatives along a tape.            [H 9] */
 #include "tape.h"
 
 #include "tape_lanes.h"
@@ -13,7 +13,7 @@ const char *const fvi_tape_functions[] = { "sin",  "cos",  "tan",  "asin",
                                            "abs",  "sign", "min",  "max",
                                            NULL };
 
-/* f, f' and f'' at u; a function that is not defined there has no derivative either. */
+/* Compute f, f' and f'' at u. Where a function is not defined, its derivatives are not defined either. */
 static inline void function(fvi_operation op, double u, const int order,
                             double f[3])
 {
@@ -87,8 +87,8 @@ static inline fvi_jet mean(fvi_jet u, fvi_jet w)
                       (u.c + w.c) / 2 };
 }
 
-/* The smaller of two, or the larger. Where both are alike their derivatives are the mean, as
- * those of abs(u) = max(u, -u) are 0 at 0. NaN stays NaN. */
+/* Return the smaller or the larger of two. If both are equal, the derivatives are the mean: for example, those of
+ * abs(u) = max(u, -u) are 0 at 0. NaN stays NaN. */
 static inline fvi_jet extreme(fvi_operation op, fvi_jet u, fvi_jet w)
 {
     if (u.v < w.v)
@@ -96,7 +96,8 @@ static inline fvi_jet extreme(fvi_operation op, fvi_jet u, fvi_jet w)
     return u.v > w.v ? (op == TAPE_MIN ? w : u) : mean(u, w);
 }
 
-/* u^n, n >= 0, by squares. The lowest powers are loops that a compiler would not see through. */
+/* u^n for n >= 0 by repeated squaring. The lowest powers are written out, because the compiler would not unroll the
+ * loop. */
 static inline double by_squares(double u, int n)
 {
     double power = 1, square = u;
@@ -108,7 +109,7 @@ static inline double by_squares(double u, int n)
     return power;
 }
 
-/* u to a whole power n >= 2, by multiplication. */
+/* Compute a whole power n >= 2 of u and its derivatives by multiplication. */
 static inline void whole_power(double u, int n, double f[3])
 {
     const double rest = by_squares(u, n - 2);
@@ -123,7 +124,7 @@ static inline fvi_jet chain(const double f[3], fvi_jet u)
                       f[2] * u.a * u.b + f[1] * u.c };
 }
 
-/* u^w; by w only where w varies, as log u asks for u > 0. */
+/* Compute u^w. The derivatives by w are computed only if w varies, because log u needs u > 0. */
 static inline fvi_jet power(fvi_jet u, fvi_jet w)
 {
     const double v = pow(u.v, w.v), n = w.v;
@@ -142,8 +143,8 @@ static inline fvi_jet power(fvi_jet u, fvi_jet w)
     return r;
 }
 
-/* What is compiled into each walk: with a constant order (0: v; 1: v, a; 2: all) the
- * compiler leaves out what is not wanted. */
+/* These functions are compiled into each walk. With a constant order (0: v; 1: v and a; 2: all) the compiler leaves out
+ * what is not needed. */
 #define INTO_THE_WALK __attribute__((always_inline)) static inline
 
 INTO_THE_WALK fvi_jet operate(const fvi_node *at, fvi_jet u, fvi_jet w,
@@ -159,7 +160,7 @@ INTO_THE_WALK fvi_jet operate(const fvi_node *at, fvi_jet u, fvi_jet w,
         return (fvi_jet){ u.v * w.v, u.a * w.v + u.v * w.a,
                           u.b * w.v + u.v * w.b,
                           u.c * w.v + u.a * w.b + u.b * w.a + u.v * w.c };
-    case TAPE_DIVIDE: { /* from u = q w */
+    case TAPE_DIVIDE: { /* the derivatives follow from u = q w */
         fvi_jet q = { .v = u.v / w.v };
         q.a = (u.a - q.v * w.a) / w.v;
         q.b = (u.b - q.v * w.b) / w.v;
@@ -239,7 +240,7 @@ fvi_jet fvi_tape_second_derivative(const fvi_node *node, size_t n, const double 
 
 enum { L = FVI_MOST_LANES };
 
-/* A node in each lane: value, first and second derivative by the one coordinate. */
+/* A node in each lane: its value, and its first and second derivative by the coordinate. */
 typedef struct {
     double v[L], a[L], c[L];
 } lanes_of_node;
@@ -259,7 +260,7 @@ INTO_THE_WALK void keep_jet(lanes_of_node *to, size_t l, fvi_jet r, const int or
     }
 }
 
-/* The lanes of one operation, in a vector where it is made of + - * /. */
+/* Do one operation in all lanes. It becomes a vector operation if it consists of + - * /. */
 INTO_THE_WALK void operate_in_a_vector(const fvi_node *at, const lanes_of_node *u,
                                        const lanes_of_node *w, lanes_of_node *to, const int order)
 {
@@ -273,15 +274,15 @@ INTO_THE_WALK int is_same_number(const double *u, size_t l)
     return memcmp(u + l, u + l - 1, sizeof *u) == 0;
 }
 
-/* Is a lane as the one before it? */
+/* Return nonzero if lane l is equal to the lane before it. */
 INTO_THE_WALK int is_same(const lanes_of_node *u, size_t l, const int order)
 {
     return is_same_number(u->v, l)
            && (order == 0 || (is_same_number(u->a, l) && is_same_number(u->c, l)));
 }
 
-/* A function of the C library: asked for each lane, but not where the lane before has asked the
- * same: cos(w t) is one call for all. */
+/* Call a function of the C library for each lane, except if the lane before had the same argument. For example, cos(w
+ * t) is a single call for all lanes. */
 INTO_THE_WALK void operate_one_by_one(const fvi_node *at, const lanes_of_node *u,
                                       const lanes_of_node *w, lanes_of_node *to, const int order)
 {
@@ -294,7 +295,7 @@ INTO_THE_WALK void operate_one_by_one(const fvi_node *at, const lanes_of_node *u
     }
 }
 
-/* The operation and the exponent are known to the compiler in each case. */
+/* In each case the compiler knows the operation and the exponent. */
 #define IN_A_VECTOR(OP, NUMBER)                                                                    \
     do {                                                                                           \
         const fvi_node is = { .op = (OP), .number = (NUMBER) };                                    \
@@ -330,7 +331,7 @@ INTO_THE_WALK void operate_lanes(const fvi_node *at, const lanes_of_node *u, con
     operate_one_by_one(at, u, w, to, order);
 }
 
-/* v by whole vectors, the first derivative the same in all lanes, the second 0. */
+/* Fill in v of each lane; the first derivative is the same in all lanes, and the second is 0. */
 INTO_THE_WALK void fill(lanes_of_node *to, const double *v, double a, const int order)
 {
 #pragma omp simd

@@ -1,4 +1,4 @@
-/* src/expression/tape_complex.c -- A law of damping as an expression in s.          [H 26] */
+/* src/expression/tape_complex.c -- Evaluate a law of damping that is an expression in s.          [H 26] */
 
 #include "tape.h"
 
@@ -37,7 +37,7 @@ static double complex function(fvi_operation op, double complex u)
     }
 }
 
-/* u^w by the principal logarithm; a real exponent turns the angle, and no more. */
+/* u^w with the principal logarithm. A real exponent is treated separately, so that it only multiplies the angle. */
 static double complex power(double complex u, double complex w)
 {
     if (cimag(w) != 0)
