@@ -1,4 +1,5 @@
-/* src/frequency/dynamic_stiffness.c -- Z(s) = s^2 M + K + sum_j C_j(s) B_j.  [H 30] */
+/* src/frequency/dynamic_stiffness.c -- Compute Z(s) = s^2 M + K + sum_j C_j(s) B_j, its factors and its products.  [H
+ * 30] */
 #include "dynamic_stiffness.h"
 
 #include "matrices/complex_factors.h"
@@ -22,7 +23,7 @@ static int make_places(fvi_response *r)
     return FVI_SUCCESS;
 }
 
-/* The union of all patterns. */
+/* Find the union of the patterns of all terms. */
 static int find_union(fvi_response *r)
 {
     const fvi_sparse **matrix = malloc(r->terms * sizeof *matrix);
@@ -71,7 +72,7 @@ void fvi_stiffness_at(fvi_response *r, double complex s, double e)
         double complex factor = l == 0 ? s * s : 1, slope = l == 0 ? 2 * s : 0;
         if (t->kernel) {
             factor = e * fvi_kernel_at(t->kernel, s, &slope);
-            slope *= e / s; /* it was s times the derivative */
+            slope *= e / s; /* fvi_kernel_at gives s times the derivative */
         }
         const int count = t->matrix->start[r->d];
         for (int i = 0; i < count; i++) {
@@ -94,7 +95,7 @@ double fvi_stiffness_norm(const fvi_response *r, double complex s)
     return sum;
 }
 
-/* The entries of the sum as a full matrix: columns are rows. */
+/* Return the entries of the sum, as a full matrix if the factors are dense. Z is symmetric, so columns are rows. */
 static const double complex *spread(fvi_response *r)
 {
     if (!r->is_dense)
@@ -126,7 +127,7 @@ int fvi_stiffness_solve(const fvi_response *r, double complex *x)
 void fvi_stiffness_multiply(const fvi_response *r, const double complex *A,
                             const double complex *x, double complex *y)
 {
-    for (size_t j = 0; j < r->d; j++) { /* column j is row j */
+    for (size_t j = 0; j < r->d; j++) { /* column j is row j, because A is symmetric */
         double complex sum = 0;
         for (int e = r->start[j]; e < r->start[j + 1]; e++)
             sum += A[e] * x[r->row[e]];

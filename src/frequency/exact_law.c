@@ -1,4 +1,4 @@
-/* src/frequency/exact_law.c -- The complex poles of 1 / Q, for a law of damping. [H 26] */
+/* src/frequency/exact_law.c -- Find the complex poles of 1 / Q for a law of damping. [H 26] */
 #include "exact_law.h"
 #include "winding.h"
 
@@ -10,8 +10,8 @@ static const double STEP = 0.5; /* of ln s, from one evaluation of Q to the next
 
 /* ---- how many zeros there are ---- */
 
-/* arg of Q(s) times 1 + T s^{2 below} for each fraction that has poles off the cut: what
- * is left has zeros only. */
+/* Return the argument of Q(s) times 1 + T s^{2 below} for each fraction that has poles off the cut. This product has no
+ * poles, only zeros. */
 static double phase(const void *params, double u, double v)
 {
     const fvi_pole *Q = params;
@@ -30,7 +30,7 @@ static double phase(const void *params, double u, double v)
     return angle;
 }
 
-/* The number of zeros in a box, or -1 if one is on its side. */
+/* Return the number of zeros in a box, or -1 if one is on its side. */
 static int zeros_in(const fvi_pole *Q, const fvi_log_box *b)
 {
     return fvi_winding(phase, Q, STEP, b);
@@ -44,7 +44,7 @@ static int is_inside(const fvi_log_box *b, double complex s)
     return u > b->u[0] && u < b->u[1] && v > b->v[0] && v < b->v[1];
 }
 
-/* Newton's method for ln s from the middle of a box; returns 1 if it ends inside. */
+/* Newton's method for ln s, from the middle of a box. Return 1 if it ends inside the box. */
 static int newton(const fvi_log_box *b, fvi_pole *Q)
 {
     double u = (b->u[0] + b->u[1]) / 2, v = (b->v[0] + b->v[1]) / 2;
@@ -65,8 +65,8 @@ static int newton(const fvi_log_box *b, fvi_pole *Q)
     return 0;
 }
 
-/* Halves of a box, cut where no zero is: its longer side, not in the middle, where
- * symmetry may have put one. Returns how many zeros are in the first, or -1. */
+/* Cut a box across its longer side, where no zero is. The cut is not in the middle, where a zero may be because of
+ * symmetry. Return the number of zeros in the first half, or -1. */
 static int cut(const fvi_pole *Q, const fvi_log_box *b, fvi_log_box half[2])
 {
     static const double parts[] = { 0.5137, 0.4321, 0.6173, 0.3719 };
@@ -83,7 +83,7 @@ static int cut(const fvi_pole *Q, const fvi_log_box *b, fvi_log_box half[2])
     return first;
 }
 
-/* The n zeros of a box, behind those that have been found. */
+/* Find the n zeros of a box, and add them to those that have been found. */
 static int find(const fvi_pole *Q, const fvi_log_box *b, int n, size_t most,
                 fvi_pole *pole, size_t *count, fvi_error *error)
 {

@@ -1,4 +1,4 @@
-/* src/frequency/exact_pole.c -- The complex pole of 1 / Q.                 [H 11] */
+/* src/frequency/exact_pole.c -- Find the complex pole of 1 / Q.                 [H 11] */
 #include "exact_pole.h"
 
 #include "memory/double_double.h"
@@ -13,7 +13,7 @@ double complex fvi_complex_expm1(double complex z)
     return expm1(x) * cos(y) - 2 * half * half + I * (exp(x) * sin(y));
 }
 
-/* log(1 + z), also where z is small. */
+/* log(1 + z), also for small z. */
 static double complex complex_log1p(double complex z)
 {
     double x = creal(z), y = cimag(z);
@@ -22,11 +22,12 @@ static double complex complex_log1p(double complex z)
     return log1p(x * (2 + x) + y * y) / 2 + I * atan2(y, 1 + x);
 }
 
-/* (11.5): ln of rho c^(beta/2 - 1) m^(-beta/2) for the angle
+/* (11.5): return the logarithm of rho c^(beta/2 - 1) m^(-beta/2) for the angle
+ *
  *     theta = pi/2 + e (theta_max - pi/2),   e = 1 / (1 + e^-y),  f = 1 - e,
- * its slope in y, and r, the modulus of the pole over sqrt(c/m). With g =
- * min(beta, 2 - beta) the sines need no difference of nearly equal numbers; "near" is of
- * g theta, "far" of (2 - g) theta. */
+ *
+ * its slope in y, the angle, and r, the modulus of the pole divided by sqrt(c/m). With g = min(beta, 2 - beta) the
+ * sines need no difference of nearly equal numbers. "near" belongs to g theta, "far" to (2 - g) theta. */
 static double log_damping(double beta, double y, double *slope, double *angle,
                           double *r)
 {
@@ -44,8 +45,8 @@ static double log_damping(double beta, double y, double *slope, double *angle,
 }
 
 //> bisection
-/* (11.6): the angle grows with the damping. Newton's method in y = ln(e / (1 - e)); a step
- * that would leave the interval which is known to hold the angle halves it instead. */
+/* (11.6): the angle grows with the damping. Newton's method in y = ln(e / (1 - e)). If a step would leave the interval
+ * that is known to contain the angle, the interval is halved instead. */
 static double complex by_angle(double m, double c, double rho, double beta)
 {
     double wanted = log(rho) - (1 - beta / 2) * log(c) - beta / 2 * log(m);
@@ -58,7 +59,7 @@ static double complex by_angle(double m, double c, double rho, double beta)
         if (!(y > low && y < high))
             y = (low + high) / 2;
     } while (fabs(y - last) > 1e-7 * (1 + fabs(y)) && ++tries < 100);
-    (void)log_damping(beta, y, &slope, &angle, &r); /* 1e-14: the next step */
+    (void)log_damping(beta, y, &slope, &angle, &r); /* the next step is right to 1e-14 */
     return sqrt(c / m) * r * cexp(I * angle);
 }
 //< bisection
@@ -66,10 +67,9 @@ static double complex by_angle(double m, double c, double rho, double beta)
 /* ---- Newton, with Q in twice the precision where it cancels ---- */
 
 //> residual
-/* Q(s) = M s^2 + K + rest, the big terms to about 106 bits. Near beta = 0 the
- * damping is a spring and belongs to K, near beta = 2 a mass and belongs to M:
- * what is left in `rest` is then as small as the decay rate, and so is the
- * error that its rounding makes. */
+/* Q(s) = M s^2 + K + rest, with the large terms to about 106 bits. Near beta = 0 the damping is a spring and belongs to
+ * K, near beta = 2 it is a mass and belongs to M. Then `rest` is as small as the decay rate, and so is the error that
+ * its rounding makes. */
 static double complex residual(const fvi_pole *p, double complex s)
 {
     dd M = { p->m, 0 }, K = { p->c, 0 };
@@ -107,8 +107,8 @@ double complex fvi_pole_derivative(const fvi_pole *p)
     return 2 * p->m * s + p->beta * p->rho * power;
 }
 
-/* The first guess is good to some digits, so a large step means two zeros that
- * meet; there the angle is all that is wanted, and the guess has it. */
+/* The first guess is right to some digits, so a large step means that two zeros meet. There only the angle is needed,
+ * and the guess has it. */
 void fvi_pole_polish(fvi_pole *p)
 {
     for (int i = 0; i < 8; i++) {
@@ -126,7 +126,7 @@ void fvi_pole_polish(fvi_pole *p)
 int fvi_pole_find(double m, double c, double rho, double beta, fvi_pole *pole)
 {
     *pole = (fvi_pole){ .m = m, .c = c, .rho = rho, .beta = beta };
-    if (rho == 0 || beta < 1e-100) { /* the angle may be below all doubles */
+    if (rho == 0 || beta < 1e-100) { /* the angle may be below the smallest double */
         pole->s = I * (sqrt(c + rho) / sqrt(m));
     } else if (beta == 2) {
         pole->s = I * (sqrt(c) / sqrt(m + rho));
@@ -142,7 +142,7 @@ int fvi_pole_find(double m, double c, double rho, double beta, fvi_pole *pole)
     if (pole->s == 0)
         return 0;
     fvi_pole_polish(pole);
-    if (rho == 0 || beta == 2) /* nothing decays: a rounded rate would count */
+    if (rho == 0 || beta == 2) /* nothing decays, so the real part must be exactly 0 */
         pole->low = I * cimag(pole->low);
     return 1;
 }
@@ -160,7 +160,7 @@ double fvi_pole_phase_error(const fvi_pole *p, double t)
     return u * u * cabs(p->s) * t * exp(creal(p->s + p->low) * t);
 }
 
-/* For a law: the mean of Q' between s and z, by Gauss and Legendre; far from s Q itself. */
+/* For a law: return the mean of Q' between s and z by Gauss-Legendre quadrature; far from s use Q itself. */
 static double complex quotient_of_law(const fvi_pole *p, double complex z)
 {
     static const double node[] = { 0.1834346424956498, 0.525532409916329,

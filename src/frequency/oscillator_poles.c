@@ -1,10 +1,10 @@
-/* src/frequency/oscillator_poles.c -- The poles of a system of one unknown.    [H 30] */
+/* src/frequency/oscillator_poles.c -- Find the poles of a system with one unknown.    [H 30] */
 #include "oscillator_poles.h"
 #include "exact_law.h"
 
 #include <stdlib.h>
 
-/* All dampings of one unknown as one law, and its factor; NULL if they have none. */
+/* Add all dampings to one law, with a common factor. Return its terms, which the caller frees; NULL without memory. */
 static fvi_kernel_term *sum_of_laws(const fvi_response *r, fvi_kernel *law,
                                     double *factor)
 {
@@ -20,7 +20,7 @@ static fvi_kernel_term *sum_of_laws(const fvi_response *r, fvi_kernel *law,
             term[law->count++].rho *= *r->term[l].matrix->entry;
         }
     if (r->terms == 3 && r->term[2].kernel->term->kind == FVI_KERNEL_SYMBOL) {
-        *law = *r->term[2].kernel; /* its term is the head of a function */
+        *law = *r->term[2].kernel; /* a law that is a function keeps its own term, to which the function belongs */
         *factor = *r->term[2].matrix->entry;
     }
     return term;

@@ -1,4 +1,4 @@
-/* src/frequency/pole_count.c -- How many poles are there?               [H 30] */
+/* src/frequency/pole_count.c -- Count the poles of a system.               [H 30] */
 #include "pole_count.h"
 
 #include "winding.h"
@@ -13,7 +13,7 @@ typedef enum {
     ON_THE_LINE = 0, /* real and not negative */
     ABOVE = 1,       /* above the real line */
     BELOW = 2,
-    ABOVE_OR_ON = 4, /* for some r above, for the others real and not negative */
+    ABOVE_OR_ON = 4, /* above for some r, real and not negative for the others */
     NEGATIVE = 8,    /* real, and negative for some r */
     ANYWHERE = 16    /* not known */
 } side;
@@ -35,10 +35,10 @@ static side side_of_term(const fvi_kernel_term *t)
     switch (t->kind) {
     case FVI_KERNEL_POWER:
         return side_of_power(order);
-    case FVI_KERNEL_ZENER: /* q / (1 + T q) is where q is, if that is above */
+    case FVI_KERNEL_ZENER: /* q / (1 + T q) is above the line if q is */
     case FVI_KERNEL_MAXWELL2:
         return t->time == 0 || order <= 1 ? side_of_power(order) : ANYWHERE;
-    case FVI_KERNEL_DAVIDSON: /* beyond r = 1 / T it is positive */
+    case FVI_KERNEL_DAVIDSON: /* for r > 1 / T it is real and positive */
         return t->time == 0 ? side_of_power(order)
                : order < 1  ? ABOVE_OR_ON
                : order == 1 ? NEGATIVE
@@ -53,7 +53,7 @@ static side side_of_term(const fvi_kernel_term *t)
     return ANYWHERE;
 }
 
-/* A negative term needs a term above the line beside it, in the same law. */
+/* A negative term needs a term above the line in the same law. */
 int fvi_poles_by_theorem(const fvi_response *r, double least_lambda)
 {
     int all = 0, fits = least_lambda > 0;
@@ -78,7 +78,7 @@ static double phase(const void *params, double u, double v)
     return fvi_stiffness_factorise(r, s, 1) ? GSL_NAN : fvi_stiffness_phase(r);
 }
 
-/* Has the symbol poles off the cut? */
+/* Return nonzero if the symbol has poles off the cut. */
 static int has_own_poles(const fvi_kernel *kernel)
 {
     for (size_t i = 0; i < kernel->count; i++) {

@@ -1,4 +1,4 @@
-/* src/frequency/pole_search.c -- One pole of a system, from an undamped mode.  [H 30] */
+/* src/frequency/pole_search.c -- Find one pole of a system, from an undamped mode.  [H 30] */
 #include "pole_search.h"
 
 #include "kernel/kernel_terms.h"
@@ -34,7 +34,7 @@ static double complex conjugate_product(size_t d, const double complex *x,
     return sum;
 }
 
-/* v^T A_l v of each term of Z. */
+/* Compute v^T A_l v for each term of Z. */
 static void find_forms(const fvi_response *r, const double complex *v,
                        double complex *form)
 {
@@ -50,7 +50,7 @@ static void find_forms(const fvi_response *r, const double complex *v,
     }
 }
 
-/* Of these forms, v^T Z v without the damping, and what all of it adds; and their slopes. */
+/* v^T Z v from these forms: the part without damping, the part of all dampings, and their slopes. */
 typedef struct {
     double complex still, damping, still_slope, damping_slope;
 } scalar_stiffness;
@@ -71,7 +71,7 @@ static scalar_stiffness stiffness_of(const fvi_response *r,
 
 /* ---- Newton ---- */
 
-/* The zero of v^T Z(s) v near s, in the upper half plane. */
+/* Return the zero of v^T Z(s) v near s, in the upper half plane. */
 static double complex rayleigh(const fvi_response *r,
                                const double complex *form, double complex s)
 {
@@ -90,7 +90,8 @@ static double complex rayleigh(const fvi_response *r,
     return s;
 }
 
-/* v becomes Z^-1 Z' v at s, with its largest number 1. At a pole Z has no inverse, but beside it. */
+/* Replace v by Z^-1 Z' v at s, with its largest number equal to 1. At a pole Z has no inverse, so s is moved by some
+ * rounding errors then. */
 static int turn_shape(fvi_response *r, double complex *s, double complex *v,
                       double complex *room)
 {
@@ -113,7 +114,7 @@ static int turn_shape(fvi_response *r, double complex *s, double complex *v,
     return status;
 }
 
-/* |A v| of one term. */
+/* Return |A v| for one term. */
 static double norm_of_product(const fvi_sparse *A, const double complex *v)
 {
     double square = 0;
@@ -144,8 +145,8 @@ static void judge(fvi_response *r, fvi_pole_candidate *p, double complex *room)
 }
 
 //> newton
-/* s is the zero of v^T Z(s) v, which is stationary in v at a shape, as Z is symmetric; then v
- * becomes Z(s)^-1 Z'(s) v. Ends when s stands still, or its steps are roundings and grow. */
+/* Alternate: s becomes the zero of v^T Z(s) v, which is stationary in v at a shape because Z is symmetric; then v
+ * becomes Z(s)^-1 Z'(s) v. End when s does not change, or when its steps are rounding errors and no longer shrink. */
 static int newton_with(fvi_response *r, fvi_pole_candidate *p,
                        double complex *room, double complex *form)
 {
@@ -165,7 +166,7 @@ static int newton_with(fvi_response *r, fvi_pole_candidate *p,
             break;
     }
     judge(r, p, room);
-    if (p->residual > 4 * DBL_EPSILON && p->residual < 1e-6) { /* s was first */
+    if (p->residual > 4 * DBL_EPSILON && p->residual < 1e-6) { /* v belongs to an older s */
         const int status = turn_shape(r, &p->s, p->v, room);
         if (status == FVI_ENOMEM)
             return status;
@@ -210,14 +211,14 @@ double complex fvi_pole_estimate(const fvi_response *r, double lambda,
 
 /* ---- along the damping ---- */
 
-/* One pole on its path: s and v with e of the damping, |v| = 1, and the next step of e. */
+/* A pole on its path: s and v with the part e of the damping, |v| = 1, and the next step of e. */
 typedef struct {
     double complex s, *v, *w, *x, *form;
     double e, step;
 } path;
 
-/* The pole with `e` of the damping near `guess`, and its shape from v: into *z and w. Returns
- * FVI_SUCCESS, FVI_EMAXITER or FVI_ENOMEM. */
+/* Find the pole with the part e of the damping near `guess`, and its shape, beginning with v. Write them to *z and w.
+ * Return FVI_SUCCESS, FVI_EMAXITER, FVI_ENOMEM or what fvi_stiffness_factorise returns. */
 static int correct(fvi_response *r, path *p, double e, double complex guess,
                    double complex *z)
 {
@@ -249,8 +250,8 @@ static int correct(fvi_response *r, path *p, double e, double complex guess,
 }
 
 //> path
-/* One step of e, by the tangent ds/de = -v^T L v / v^T Z' v and Newton's method; half of it if s or
- * the shape would move too far, twice as much next time if they hardly move. */
+/* Make one step of e, with the tangent ds/de = -v^T L v / v^T Z' v and Newton's method. The step is halved if s or the
+ * shape would move too far, and doubled for the next time if they hardly move. */
 static int advance(fvi_response *r, double tight, path *p)
 {
     p->step = smaller(p->step, 1 - p->e);

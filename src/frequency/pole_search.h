@@ -1,37 +1,37 @@
-/* src/frequency/pole_search.h -- One pole of a system, from an undamped mode.  [H 30] */
+/* src/frequency/pole_search.h -- Find one pole of a system, from an undamped mode.  [H 30] */
 #ifndef FVI_POLE_SEARCH_H
 #define FVI_POLE_SEARCH_H
 
 #include "dynamic_stiffness.h"
 
-/* A pole on its way: s, d numbers v, the residual of fvi_poles, and |Z v| over what it is summed
- * from, which is 1 where nothing cancels: near s = 0, say. */
+/* A candidate for a pole: s, the shape v (d numbers), the residual as in fvi_poles, and |Z v| divided by the sum of the
+ * norms of its terms. The last number is near 1 if nothing cancels, for example near s = 0. */
 typedef struct {
     double complex s, *v;
     double residual, uncancelled;
 } fvi_pole_candidate;
 
-/* fvi_pole_is_found -- is it a pole that oscillates, with arg s < widest? */
+/* fvi_pole_is_found -- Return nonzero if the candidate is a pole that oscillates, with arg s < widest. */
 int fvi_pole_is_found(const fvi_pole_candidate *p, double widest);
 
-/* fvi_pole_newton -- from s and v, which have some digits, to a pole near them.   (30.9)
- * Returns FVI_SUCCESS, whether it is one or not, or FVI_ENOMEM. */
+/* fvi_pole_newton -- Find a pole near s and v, which are right to some digits.   (30.9)
+ * Return FVI_SUCCESS, whether a pole is found or not; or FVI_ENOMEM. */
 int fvi_pole_newton(fvi_response *response, fvi_pole_candidate *p);
 
-/* fvi_pole_start -- s of an undamped mode v with its lambda: i sqrt(lambda), or, where lambda is not
- * positive, i times the rate at which its inertia and its damping are equal; 0 if there is none.
- * `form` has room for a number of each term of Z. */
+/* fvi_pole_start -- Return s for an undamped mode v with its lambda: i sqrt(lambda). If lambda is not positive, return
+ * i times the frequency at which inertia and damping are equal, or 0 if there is none. `form` has room for a number for
+ * each term of Z. */
 double complex fvi_pole_start(const fvi_response *response, double lambda,
                               const double complex *v, double complex *form);
 
-/* fvi_pole_estimate -- the zero of v^T Z(s) v near i sqrt(lambda) for an undamped mode v: no factors are
- * made, and it is off by the square of what the damping changes of the shape. lambda > 0. */
+/* fvi_pole_estimate -- Return the zero of v^T Z(s) v near i sqrt(lambda) for an undamped mode v. No factors are
+ * computed. The error is the square of the change of the shape by the damping. lambda > 0. */
 double complex fvi_pole_estimate(const fvi_response *response, double lambda,
                                  const double complex *v, double complex *form);
 
-/* fvi_pole_follow -- from an undamped mode with s = i omega, v along the damping, from none of it
- * to all. The smaller `tight` <= 1 is, the shorter are the steps.            (30.10)
- * Returns as fvi_pole_newton. */
+/* fvi_pole_follow -- Follow a pole from an undamped mode with s = i omega and shape v, from no damping to all of it. A
+ * smaller `tight` <= 1 makes the steps shorter.            (30.10)
+ * Return as fvi_pole_newton. */
 int fvi_pole_follow(fvi_response *response, double tight, fvi_pole_candidate *p);
 
 #endif

@@ -1,4 +1,4 @@
-/* src/frequency/poles.c -- All poles of a system, or the lowest.        [H 30] */
+/* src/frequency/poles.c -- Find all poles of a system, or the lowest.        [H 30] */
 #include "oscillator_poles.h"
 #include "pole_count.h"
 #include "pole_search.h"
@@ -11,21 +11,21 @@
 #include <string.h>
 
 enum {
-    ALL_ARE_SOUGHT = 64, /* unknowns whose lowest poles are chosen from all */
+    ALL_ARE_SOUGHT = 64, /* up to this number of unknowns all poles are found, and the lowest are chosen */
     MORE = 4,            /* modes beyond those that are asked for */
-    MOST_OF_ONE = 8,     /* poles of one oscillator */
-    FOLDS = 12           /* of e: poles are counted so far below and above those that were found */
+    MOST_OF_ONE = 8,     /* most poles of one oscillator */
+    FOLDS = 12           /* factors of e below and above the poles found, within which poles are counted */
 };
 #define ABOVE 1.1 /* times the highest estimate of those that are asked for */
 
-/* The search: starts from n undamped modes; places for `room` candidates. */
+/* The search from n undamped modes, with room for `room` candidates. */
 typedef struct {
     fvi_response *response;
     size_t d, n, room, count, wanted;
-    int all_are_there; /* by the theorem */
+    int all_are_there; /* nonzero if there are d poles by the theorem */
     double *lambda, *mode;
     fvi_pole_candidate *candidate;
-    double complex *shapes, *form; /* form: of each term of Z */
+    double complex *shapes, *form; /* form: a number for each term of Z */
 } search;
 
 static void search_free(search *s)
@@ -51,7 +51,7 @@ static int search_alloc(fvi_response *r, size_t count, search *s)
     return s->lambda && s->candidate && s->shapes ? FVI_SUCCESS : FVI_ENOMEM;
 }
 
-/* Candidate k stands at its undamped mode again. */
+/* Set candidate k to its undamped mode. */
 static void begin(search *s, size_t k)
 {
     fvi_pole_candidate *p = &s->candidate[k];
@@ -61,8 +61,7 @@ static void begin(search *s, size_t k)
     p->residual = 1;
 }
 
-/* Where the theorem does not apply, poles may be real. So a pole with arg s >= 3.14 is no oscillation
- * there. */
+/* If the theorem does not apply, poles may be real. So a pole with arg s >= 3.14 is then no oscillation. */
 static int is_found(const search *s, size_t k)
 {
     return fvi_pole_is_found(&s->candidate[k], s->all_are_there ? 4 : 3.14);
@@ -70,7 +69,7 @@ static int is_found(const search *s, size_t k)
 
 /* ---- two at one pole ---- */
 
-/* |x^* y| over the product of the norms. */
+/* Return |x^* y| divided by the product of the norms. */
 static double likeness(size_t d, const double complex *x,
                        const double complex *y)
 {
@@ -96,7 +95,7 @@ static int are_one(const search *s, size_t j, size_t k)
            && likeness(s->d, s->candidate[j].v, s->candidate[k].v) > 1 - 1e-6;
 }
 
-/* Candidates that are no pole, or one that another has found, too: their marks become 1. */
+/* Mark candidates that are no pole, and all candidates that found the same pole. */
 static void mark_wrong(const search *s, unsigned char *wrong)
 {
     for (size_t k = 0; k < s->n; k++)
@@ -110,9 +109,8 @@ static void mark_wrong(const search *s, unsigned char *wrong)
 static const double tight[] = { 1, 0.3, 0.1, 0.03, 0.01 };
 enum { LEVELS = sizeof tight / sizeof *tight, LEVELS_OF_SOME = 2 };
 
-/* Seeks the wrong candidates of the lowest level again: along the damping, and at each further level in
- * shorter steps. A pole that is found may show that another candidate was wrong. Returns 1 if there was
- * a candidate to seek. */
+/* Search again for the wrong candidates of the lowest level, along the damping. Each further level has shorter steps. A
+ * pole that is found may show that another candidate was wrong. Return 1 if there was a candidate to search for. */
 static int seek_again(search *s, const unsigned char *wrong,
                       unsigned char *level, int *status)
 {
@@ -133,8 +131,8 @@ static int seek_again(search *s, const unsigned char *wrong,
     return !*status;
 }
 
-/* Of the modes beyond those that are asked for, which are sought because damping may change the order, the
- * last ones are left out that by their estimates stay above. */
+/* The modes beyond those that are asked for are searched, because damping may change the order. Leave out the last of
+ * them if their estimates stay above the others. */
 static void leave_out(search *s)
 {
     double highest = 0;
@@ -153,7 +151,7 @@ static void leave_out(search *s)
     s->n = s->n < s->d ? n : s->n;
 }
 
-/* From each mode to a pole. */
+/* Search for a pole from each mode. */
 static int search_from_modes(search *s)
 {
     leave_out(s);
@@ -176,7 +174,7 @@ static int search_from_modes(search *s)
 
 /* ---- one oscillator ---- */
 
-/* As fvi_oscillator_poles. */
+/* Use fvi_oscillator_poles. */
 static int search_of_one(search *s)
 {
     const fvi_response *r = s->response;
@@ -201,7 +199,7 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Candidates that are poles come first, by their sizes, each once. */
+/* Move the candidates that are poles to the front, each once, in the order of |s|. */
 static void keep_poles(search *s)
 {
     size_t kept = 0;
@@ -219,7 +217,7 @@ static void keep_poles(search *s)
     qsort(s->candidate, kept, sizeof *s->candidate, by_size);
 }
 
-/* v^T Z' w at the pole whose Z' the response has. */
+/* Return v^T Z' w at the pole at which Z' was computed. */
 static double complex form(const fvi_response *r, const double complex *v,
                            const double complex *w, double complex *room)
 {
@@ -230,7 +228,7 @@ static double complex form(const fvi_response *r, const double complex *v,
     return sum;
 }
 
-/* v^T Z' v = 1; and of several shapes of one pole, v^T Z' w = 0.             (30.5) */
+/* Scale the shapes to v^T Z' v = 1. For several shapes of the same pole also make v^T Z' w = 0.             (30.5) */
 static void normalise(search *s, double complex *room)
 {
     fvi_response *r = s->response;
@@ -251,7 +249,7 @@ static void normalise(search *s, double complex *room)
     }
 }
 
-/* By the theorem, by (26.11), or counted. */
+/* Return how many poles there are: by the theorem, by (26.11), or counted. */
 static size_t expected(const search *s, int all_of_one)
 {
     if (s->all_are_there)
@@ -295,7 +293,7 @@ static int hand_over(search *s, size_t count, size_t expect, fvi_poles *poles)
     return FVI_SUCCESS;
 }
 
-/* A lambda that is 0 but for rounding becomes 0, because a free motion has no undamped frequency. */
+/* Set a lambda to 0 if it is a rounding error, because a free motion has no undamped frequency. */
 static void round_modes(const fvi_response *r, size_t n, double *lambda)
 {
     const double scale = r->term[1].norm / r->term[0].norm;

@@ -1,4 +1,4 @@
-/* src/frequency/response.c -- Responses by frequency.                  [H 30] */
+/* src/frequency/response.c -- Compute responses by frequency.                  [H 30] */
 #include "dynamic_stiffness.h"
 
 #include "matrices/complex_factors.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A Lagrangian of its own, forces of velocity and constraints are not made linear. */
+/* A Lagrangian, forces of velocity and constraints are not linearised. */
 static int check_mechanism(const fvi_mechanism *m, fvi_error *error)
 {
     const char *field = !m                ? NULL
@@ -86,7 +86,7 @@ size_t fvi_response_dimension(const fvi_response *r)
 
 /* ---- one s ---- */
 
-/* s as a complex number; the upper side of the cut where its imaginary part is zero. */
+/* Make s a complex number; on the upper side of the cut if its imaginary part is zero. */
 static int take_s(const double s[2], double complex *z, fvi_error *error)
 {
     *z = s[0] + I * fabs(s[1]);
@@ -143,7 +143,7 @@ int fvi_response_multiply(fvi_response *r, const double s[2], int derivative,
 
 /* ---- responses ---- */
 
-/* What acts: a force of 1 on one unknown, or M r, where the ground moves along r. */
+/* Compute the load: a force of 1 on one unknown, or M r if the ground moves along r. */
 static void load(const fvi_response *r, fvi_response_kind kind, size_t by,
                  double complex *f)
 {

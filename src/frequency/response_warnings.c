@@ -1,4 +1,4 @@
-/* src/frequency/response_warnings.c -- What to know before a response or poles are believed.  [H 30] */
+/* src/frequency/response_warnings.c -- Warn about a response or poles that may mislead.  [H 30] */
 #include <fvi/response.h>
 
 #include "system/quadratic.h"
@@ -13,13 +13,13 @@ int fvi_response_warning_of_place(const fvi_system *system, const double *x, con
     const fvi_potential *u = &system->potential;
     *text = NULL;
     if (!u->value || fvi_potential_is_quadratic(u))
-        return 0; /* linear, whatever the place */
+        return 0; /* linear at every place */
     double *slope = malloc(system->d * sizeof *slope);
     if (!slope) {
         *text = "there is no memory to find out whether this is an equilibrium";
         return -1;
     }
-    int is_equilibrium = 1; /* where the gradient fails, too: whoever makes it linear says so */
+    int is_equilibrium = 1; /* also if the gradient fails: the function that linearises the motion reports that */
     if (!fvi_potential_gradient(system, x, slope))
         for (size_t i = 0; i < system->d; i++)
             is_equilibrium = is_equilibrium && fabs(slope[i]) <= 1e-8 * (1 + fabs(x[i]));

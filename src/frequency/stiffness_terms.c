@@ -1,4 +1,4 @@
-/* src/frequency/stiffness_terms.c -- M, K and the dampings of a motion.  [H 30] */
+/* src/frequency/stiffness_terms.c -- Collect M, K and the dampings of a motion.  [H 30] */
 #include "dynamic_stiffness.h"
 
 #include <fvi/dampers.h>
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One more term, of which `own` is taken over, or the matrix is the caller's. */
+/* Add a term. It takes over the matrix `own`; if that is NULL, it uses the caller's `matrix`. */
 static void take_term(fvi_response *r, const fvi_sparse *matrix,
                       const fvi_sparse *own, const fvi_kernel *kernel)
 {
@@ -25,7 +25,7 @@ static void take_term(fvi_response *r, const fvi_sparse *matrix,
     t->norm = sqrt(sum);
 }
 
-/* Entries that are not zero, and the diagonal, of symmetric H. */
+/* Add a matrix of triplets as a term. Refuse entries that are not finite. */
 static int take_triplets(fvi_response *r, size_t count,
                          const fvi_triplet *triplets, const fvi_kernel *kernel,
                          fvi_error *error)
@@ -54,7 +54,8 @@ static int take_diagonal(fvi_response *r, const double *diagonal,
     return status;
 }
 
-/* The Hessian of the potential at a place, in full or in diagonals, as triplets. */
+/* List the Hessian of the potential as triplets. H has `diagonals` diagonals, or all entries if that is 0. Zeros off
+ * the diagonal are left out. */
 static size_t list_hessian(size_t d, size_t diagonals, const double *H,
                            fvi_triplet *list)
 {
@@ -96,8 +97,8 @@ static int take_hessian(fvi_response *r, const fvi_system *system,
     return status;
 }
 
-/* Writes the gradient of an elongation at a place to g, d numbers. One that changes with t is refused, seen at
- * a second time: what it makes is no linear motion with constant coefficients. */
+/* Write the gradient of an elongation at a place to g, d numbers. Refuse a gradient that changes with t, because the
+ * motion would not have constant coefficients. To find that out, the gradient is computed at a second time. */
 static int find_gradient(const fvi_elongation *of, size_t d, const double *at, double *g,
                          fvi_error *error)
 {
@@ -119,7 +120,7 @@ static int find_gradient(const fvi_elongation *of, size_t d, const double *at, d
     return status;
 }
 
-/* C(D) acts on g: what is linear in x - at is grad g grad g^T.              (30.1) */
+/* C(D) acts on g. The part that is linear in x - at is grad g grad g^T.              (30.1) */
 static int take_elongation(fvi_response *r, const fvi_damper *damper,
                            const double *at, fvi_error *error)
 {
@@ -164,7 +165,7 @@ static int take_dampers(fvi_response *r, const fvi_mechanism *mechanism,
     return status;
 }
 
-/* The system's own damping, by alpha or by the law. */
+/* Add the system's own damping, with alpha or with the law. */
 static int take_damping(fvi_response *r, const fvi_linear_motion *motion,
                         fvi_error *error)
 {

@@ -1,4 +1,4 @@
-/* src/frequency/undamped_modes.c -- K v = lambda M v, the lowest.        [H 30] */
+/* src/frequency/undamped_modes.c -- Find the lowest modes of K v = lambda M v.        [H 30] */
 #include "undamped_modes.h"
 #include "system/seeded.h"
 
@@ -16,7 +16,7 @@
 
 /* ---- full matrices ---- */
 
-/* Each row of X becomes L^-1 of it, or with `transposed` L^-T of it. */
+/* Replace each row x of X by L^-1 x, or by L^-T x if `transposed` is nonzero. */
 static void divide_rows(size_t n, const double *L, int transposed, double *X)
 {
     for (double *x = X; x < X + n * n; x += n)
@@ -39,8 +39,8 @@ static void transpose(size_t n, double *A)
         }
 }
 
-/* All modes of full symmetric matrices, which are destroyed: those of L^-1 K L^-T. Row i of V
- * becomes mode i. `room` has 5 n numbers.                                            */
+/* Compute all modes of full symmetric matrices, which are overwritten, from those of L^-1 K L^-T. Row i of V becomes
+ * mode i. `room` has 5 n numbers. */
 static int full_modes(size_t n, double *K, double *M, double *lambda, double *V,
                       double *room)
 {
@@ -53,7 +53,7 @@ static int full_modes(size_t n, double *K, double *M, double *lambda, double *V,
     gsl_matrix_view A = gsl_matrix_view_array(K, n, n),
                     vectors = gsl_matrix_view_array(V, n, n);
     gsl_vector_view values = gsl_vector_view_array(lambda, n);
-    gsl_eigen_symmv_workspace work = { .size = n, /* fail.h says why not GSL's */
+    gsl_eigen_symmv_workspace work = { .size = n, /* fail.h says why the workspace is not allocated by GSL */
                                        .d = room,
                                        .sd = room + n,
                                        .gc = room + 2 * n,
@@ -101,17 +101,17 @@ static int all_modes(const fvi_sparse *M, const fvi_sparse *K, size_t count,
 
 enum { PIECE = 256 };
 
-/* A subspace of q vectors on its way to the lowest modes. */
+/* A subspace of q vectors that converges to the lowest modes. */
 typedef struct {
     const fvi_sparse *M, *K;
     size_t n, q;
-    fvi_factors *factors; /* of K + shift M */
+    fvi_factors *factors; /* factors of K + shift M */
     double shift;
-    double *X, *Y, *MX;   /* q vectors each */
+    double *X, *Y, *MX;   /* X and Y have q vectors each, MX has one */
     double *of_K, *of_M, *V, *values, *room;
 } subspace;
 
-/* K, or as little of M besides that the sum is positive definite. */
+/* Find the factors of K or, if it is not positive definite, of K plus a small multiple of M. */
 static int shift_stiffness(subspace *s)
 {
     const fvi_sparse *const terms[] = { s->K, s->M };
@@ -132,7 +132,7 @@ static int shift_stiffness(subspace *s)
     return status;
 }
 
-/* Numbers between -1/2 and 1/2 that no structure has a zero against. */
+/* Fill x with pseudo-random numbers between -1/2 and 1/2, so that no mode is orthogonal to the start. */
 static void scatter(size_t count, double *x)
 {
     uint64_t state = 1;
@@ -140,7 +140,7 @@ static void scatter(size_t count, double *x)
         x[i] = fvi_seeded_uniform(&state, 0, 1) - 0.5;
 }
 
-/* In eight sums side by side, which do not wait for each other. */
+/* Eight independent sums are computed side by side, so that no addition waits for the one before. */
 static double product(size_t n, const double *x, const double *y)
 {
     enum { SIDE = 8 };
@@ -156,7 +156,7 @@ static double product(size_t n, const double *x, const double *y)
     return sum;
 }
 
-/* Gram matrices of K and M between the vectors Y, and Y's Ritz vectors into X. */
+/* Compute the Gram matrices of K and M for the vectors Y, and write the Ritz vectors of Y to X. */
 static int ritz(subspace *s)
 {
     const size_t n = s->n, q = s->q;
@@ -172,7 +172,7 @@ static int ritz(subspace *s)
     const int status =
         full_modes(q, s->of_K, s->of_M, s->values, s->V, s->room);
     memset(s->X, 0, q * n * sizeof *s->X);
-    for (size_t from = 0; !status && from < n; from += PIECE) /* a piece of all vectors is near */
+    for (size_t from = 0; !status && from < n; from += PIECE) /* in pieces that stay in the cache */
         for (size_t j = 0; j < q; j++)
             for (size_t i = 0; i < q; i++)
                 for (size_t l = from; l < n && l < from + PIECE; l++)
@@ -181,8 +181,7 @@ static int ritz(subspace *s)
 }
 
 //> subspace
-/* Y = (K + shift M)^-1 M X, and the modes of K and M within Y, until those that are wanted
- * stand still. */
+/* Iterate Y = (K + shift M)^-1 M X, and take the modes of K and M within Y, until the wanted ones do not change. */
 static int iterate(subspace *s, size_t wanted)
 {
     enum { MOST = 200 };

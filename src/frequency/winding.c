@@ -1,11 +1,11 @@
-/* src/frequency/winding.c -- How often a function winds around 0.     [H 26, H 30] */
+/* src/frequency/winding.c -- Count how often a function winds around 0.     [H 26, H 30] */
 #include "winding.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-/* How far the phase turns from one end of a piece to the other, in halves until it turns
- * by small angles; NaN if it never does, where a zero is on the way. */
+/* Return the angle by which the phase turns from one end of a piece to the other. The piece is halved until the angles
+ * are small. Return NaN if they do not become small, which happens if a zero is on the way. */
 static double turned(fvi_phase *phase, const void *params, const double a[2],
                      const double b[2], double at_a, double at_b, int depth)
 {
@@ -21,7 +21,8 @@ static double turned(fvi_phase *phase, const void *params, const double a[2],
            + turned(phase, params, middle, b, here, at_b, depth - 1);
 }
 
-/* The same along a side of the box, on which u or v alone changes; NaN if its length is not finite. */
+/* Return the angle along a side of the box, on which only u or only v changes. Return NaN if its length is not
+ * finite. */
 static double along(fvi_phase *phase, const void *params, double step,
                     const double a[2], const double b[2])
 {
