@@ -57,7 +57,7 @@ static void wave(const enclosure *u, int is_sine, int order, enclosure *f)
     tighten(f);
 }
 
-/* sinh| < cosh, so the derivatives of both, as parts of cosh, follow from those of exp. */
+/* |sinh| < cosh, so the derivatives of both, as parts of cosh, follow from those of exp. */
 static void hyperbolic(const enclosure *u, int is_sine, int order, enclosure *f)
 {
     const double most = up(cosh(largest(u)));

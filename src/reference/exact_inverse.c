@@ -1,4 +1,4 @@
-/* src/reference/exact_inverse.c -- Inverting the Laplace transform.        [H 11] */
+/* src/reference/exact_inverse.c -- Invert the Laplace transform of the linear problem.        [H 11] */
 #include "exact_inverse.h"
 
 #include "frequency/exact_law.h"
@@ -10,13 +10,13 @@
 
 enum { CIRCLE = 40 };
 
-static const double MU = 3;     /* the hyperbola crosses Im z = 0 left of it */
-static const double PHI = 1.35; /* and comes no closer to the cut than this */
-static const double FOLDS = 40; /* what is neglected is below e^-FOLDS */
+static const double MU = 3;     /* the hyperbola crosses the real axis left of this */
+static const double PHI = 1.35; /* largest phi, so that the hyperbola keeps its distance from the cut */
+static const double FOLDS = 40; /* terms below e^-FOLDS are neglected */
 
 //> contour
-/* (11.10), for phi in the middle of interval number `place` when (0, PHI) is cut
- * into `places` equal ones. `reach` times as much decay is waited for. */
+/* (11.10): make the contour for phi in the middle of interval number `place`, when (0, PHI) is divided into `places`
+ * equal intervals. The contour ends where the integrand has decayed by e^-(reach FOLDS). */
 static void prepare_contour(double beta, size_t place, size_t places,
                             double reach, fvi_contour *k)
 {
@@ -61,7 +61,7 @@ static void prepare_root(fvi_inverse *S, const fvi_pole *root)
         a->force = -p->A * s / (fvi_pole_from(root, i_w) * (s + i_w) * slope);
 }
 
-/* Q(iw); close to a zero s the factor iw - s is taken out. */
+/* Return Q(iw). Near a zero s the factor iw - s is computed separately, without cancellation. */
 static double complex at_frequency(const fvi_inverse *S)
 {
     const fvi_linear_oscillator *p = &S->p;
@@ -78,7 +78,7 @@ static double complex at_frequency(const fvi_inverse *S)
                            : cexp(S->beta * clog(i_w)));
 }
 
-/* The zeros of Q. A law that is one power, or none, is the problem without a law. */
+/* Find the zeros of Q. A law that is one power, or nothing, becomes the problem without a law. */
 static int find_roots(fvi_inverse *S, fvi_error *error)
 {
     fvi_linear_oscillator *p = &S->p;
@@ -107,11 +107,11 @@ int fvi_inverse_prepare(const fvi_linear_oscillator *problem, fvi_inverse *S,
                         fvi_error *error)
 {
     const fvi_linear_oscillator *p = &S->p;
-    S->p = *problem; /* field by field: most of S is room for contours */
+    S->p = *problem; /* no struct assignment to *S, because most of it is room for contours */
     S->p.w = fabs(p->w);
     if (p->law)
-        S->p.past = FVI_INITIAL_HISTORY_HELD; /* what else is allowed is the same */
-    S->beta = 0; /* a law has none */
+        S->p.past = FVI_INITIAL_HISTORY_HELD; /* the other pasts that are allowed for a law give the same motion */
+    S->beta = 0; /* a law has no beta */
     S->roots = S->poles = 0;
     int status = find_roots(S, error);
     if (status)
@@ -147,8 +147,8 @@ const fvi_contour *fvi_inverse_contour(fvi_inverse *S, size_t place)
 /* ---- what is done at a time ---- */
 
 //> place
-/* (11.11): the contour in the lowest interval that no pole is in; k poles leave
- * one of k + 1 free. passed says which poles lie on its right. */
+/* (11.11): return the contour in the lowest interval without a pole. k poles leave at least one of k + 1 intervals
+ * free. passed[i] becomes nonzero if pole i lies on the right of the contour. */
 static const fvi_contour *choose(fvi_inverse *S, double t,
                                  int passed[FVI_POLES])
 {
@@ -168,7 +168,7 @@ static const fvi_contour *choose(fvi_inverse *S, double t,
 }
 //< place
 
-/* e^{st}, or for a force that has ended the difference e^{st} - e^{s(t - T)}. */
+/* Return e^{st}, or for a force that has ended the difference e^{st} - e^{s(t - T)}. */
 static double complex grows(const fvi_residue *a, const fvi_exact_source *at,
                             double lasts)
 {
@@ -204,9 +204,8 @@ static void add_residue(const fvi_residue *a, const fvi_exact_source *at,
 //< residues
 
 //> resonance
-/* (11.12): the two residues of a cosine close to resonance are of order
- * 1 / |iw - s| each and nearly cancel. Their sum is a mean over a circle that
- * has both poles inside. Returns 0 if they are far enough from each other. */
+/* (11.12): near resonance the residues of a zero and of the cosine are of order 1 / |iw - s| each and nearly cancel.
+ * Their sum is a mean over a circle that contains both poles. Return 0 if they are far enough from each other. */
 int fvi_inverse_resonance(const fvi_inverse *S, const fvi_pole *root, double t,
                           double *x, double *v)
 {
@@ -228,7 +227,7 @@ int fvi_inverse_resonance(const fvi_inverse *S, const fvi_pole *root, double t,
 }
 //< resonance
 
-/* The transform of the force on the contour, times t / m and over A t^2 / m. */
+/* Return the transform of the force on the contour, multiplied by t / m and divided by A t^2 / m. */
 static double complex force_at(const fvi_inverse *S, const fvi_exact_source *at,
                                double complex z)
 {
@@ -241,7 +240,7 @@ static double complex force_at(const fvi_inverse *S, const fvi_exact_source *at,
 }
 
 //> integral
-/* (11.10), with t as the unit of time. Small terms are added first. */
+/* (11.10), with t as the unit of time. The small terms are added first. */
 static void add_integral(const fvi_inverse *S, const fvi_contour *k,
                          const fvi_exact_source *at, double *x, double *v)
 {
@@ -275,7 +274,7 @@ void fvi_inverse_add(fvi_inverse *S, const fvi_exact_source *at, double *x, doub
 {
     int passed[FVI_POLES], all = 1;
     const fvi_contour *k = choose(S, at->t, passed);
-    size_t near = S->poles; /* the zero that a cosine is in resonance with */
+    size_t near = S->poles; /* the zero with which a cosine is in resonance */
     for (size_t i = 0; i < S->poles; i++)
         all = all && passed[i];
     for (size_t i = 0; near == S->poles && i < S->roots; i++)
@@ -286,7 +285,7 @@ void fvi_inverse_add(fvi_inverse *S, const fvi_exact_source *at, double *x, doub
         if (passed[i])
             add_residue(&S->pole[i], at,
                         near == S->poles || (i != near && i != S->roots), x, v);
-    if (!(S->closed && all)) /* else the integral is zero */
+    if (!(S->closed && all)) /* otherwise the integral is zero */
         add_integral(S, k, at, x, v);
 }
 

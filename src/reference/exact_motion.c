@@ -1,4 +1,4 @@
-/* src/reference/exact_motion.c -- The exact motion of a linear system.     [H 11] */
+/* src/reference/exact_motion.c -- Compute the exact motion of a linear system.     [H 11] */
 #include <fvi/dampers.h>
 #include <fvi/exact_motion.h>
 
@@ -14,7 +14,7 @@
 
 /* ---- what stands on the right ---- */
 
-/* b(s): Z (X - x_0/s) = p_0 - K x_0/s + F. */
+/* Compute b(s): Z (X - x_0/s) = p_0 - K x_0/s + F. */
 static void right_hand_side(const fvi_exact_motion *o, source_kind which,
                             double complex s, double complex *b)
 {
@@ -34,7 +34,7 @@ static int solve(fvi_exact_motion *o, double complex s, double complex *b,
 
 /* ---- the poles of Y ---- */
 
-/* Pole k, with the residue v v^T b(s_k): v v^T is that of Z^-1. */
+/* Set pole k and its residue v v^T b(s_k), because v v^T is the residue of Z^-1. */
 static void set_residue(fvi_exact_motion *o, source_kind which, size_t k)
 {
     source *y = o->source + which;
@@ -48,7 +48,7 @@ static void set_residue(fvi_exact_motion *o, source_kind which, size_t k)
         y->residue[k * o->d + i] = product * v[i];
 }
 
-/* The pole i w of the cosine, with the residue Z(i w)^-1 A / 2. */
+/* Add the pole i w of the cosine, with the residue Z(i w)^-1 A / 2. */
 static int add_answer(fvi_exact_motion *o, source *y, fvi_error *error)
 {
     double complex *residue = y->residue + y->count * o->d;
@@ -77,7 +77,7 @@ static int make_source(fvi_exact_motion *o, source_kind which, fvi_error *error)
 
 /* ---- times ---- */
 
-/* The power of 4 below t. */
+/* Return the largest power of 4 that is at most t. */
 static double window_of(double t)
 {
     int exponent;
@@ -86,7 +86,7 @@ static double window_of(double t)
     return ldexp(1, exponent - (exponent & 1));
 }
 
-/* Y at the nodes of the parabola of t. */
+/* Compute Y at the nodes of the parabola of t. */
 static int move_to(fvi_exact_motion *o, source_kind which, double t, fvi_error *error)
 {
     source *y = o->source + which;
@@ -108,7 +108,7 @@ static int move_to(fvi_exact_motion *o, source_kind which, double t, fvi_error *
     return status;
 }
 
-/* One node or pole s: x += Re(factor a), and v += Re(factor s a). */
+/* Add a node or a pole s: x += Re(factor a), and v += Re(factor s a). */
 static void add(const fvi_exact_motion *o, const double complex *a, double complex s,
                 double complex factor, const fvi_exact_sums *sums)
 {
@@ -123,7 +123,7 @@ static void add(const fvi_exact_motion *o, const double complex *a, double compl
         fvi_exact_motion_add_dampers(o, a, s, factor, sums);
 }
 
-/* sums += sign times what a source does at t. */
+/* Add sign times the contribution of a source at t. */
 static int add_source(fvi_exact_motion *o, source_kind which, double sign, double t,
                       const fvi_exact_sums *sums, fvi_error *error)
 {
@@ -184,7 +184,7 @@ int fvi_exact_motion_at(fvi_exact_motion *o, size_t n, const double *t, double *
 
 /* ---- the start ---- */
 
-/* Room for all that the problem says, and K x_0, M^-1 p_0. */
+/* Copy the problem, and compute K x_0 and M^-1 p_0. */
 static int copy_problem(const fvi_exact_problem *p, fvi_exact_motion *o, fvi_error *error)
 {
     const fvi_system *system = p->motion.system;

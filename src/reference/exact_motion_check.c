@@ -1,4 +1,4 @@
-/* src/reference/exact_motion_check.c -- Has a system an exact motion here?   [H 11] */
+/* src/reference/exact_motion_check.c -- Check whether a system has an exact motion here.   [H 11] */
 #include "exact_motion_check.h"
 #include "matrices/cholesky.h"
 #include "system/fail.h"
@@ -13,8 +13,8 @@
 
 /* ---- what it must be ---- */
 
-/* An elongation whose gradient is the same at two places, and has no t in it: numbers that are of
- * no simple ratio. x and both gradients have room in 3 d numbers. */
+/* Find out whether an elongation is linear: its gradient must be the same at two places and two times. The numbers have
+ * no simple ratio, so that a coincidence is unlikely. x has room for 3 d numbers, for itself and both gradients. */
 static int ask_twice(const fvi_elongation *of, size_t d, double *x, int *is_linear)
 {
     double *G = x + d, *other = G + d, rate = 0;
@@ -95,8 +95,9 @@ static int check_numbers(const fvi_exact_problem *p, fvi_error *error)
 
 /* ---- K ---- */
 
-/* A body that moves freely has a pivot of 0 but for rounding. So 1e-9 of the trace of M^-1 K, which no
- * frequency squared exceeds, is added times M before the pivots are checked. */
+/* Check that K is positive semidefinite. A body that moves freely has a pivot of 0 up to rounding errors. So 1e-9 M
+ * times the trace of M^-1 K, which is at least the largest frequency squared, is added before the pivots are
+ * checked. */
 static int check_hessian(const fvi_system *system, fvi_error *error)
 {
     const size_t d = system->d;

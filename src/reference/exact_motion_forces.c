@@ -1,4 +1,4 @@
-/* src/reference/exact_motion_forces.c -- Accelerations and dampers' forces of an exact motion. [H 11] */
+/* src/reference/exact_motion_forces.c -- Compute accelerations and forces of dampers of an exact motion. [H 11] */
 #include "exact_motion_state.h"
 
 #include "kernel/kernel_terms.h"
@@ -9,14 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FIRST = 2 /* M and K stand before the dampings of a response */ };
+enum { FIRST = 2 /* M and K come before the dampings of a response */ };
 
 static size_t dampings(const fvi_exact_motion *o)
 {
     return o->response->terms - FIRST;
 }
 
-/* A mechanism's dampers are the last of the dampings. */
+/* The dampers of a mechanism are the last of the dampings. */
 static size_t dampers(const fvi_exact_motion *o)
 {
     const fvi_mechanism *m = o->system.mechanism;
@@ -69,7 +69,7 @@ void fvi_exact_motion_free_dampers(fvi_exact_motion *o)
 
 /* ---- what is made once ---- */
 
-/* The gradients of the elongations, which are linear: they are the same everywhere. */
+/* Compute the gradients of the elongations. They are the same everywhere, because the elongations are linear. */
 static int find_gradients(fvi_exact_motion *o)
 {
     const fvi_mechanism *m = o->system.mechanism;
@@ -97,7 +97,7 @@ static int prepare(fvi_exact_motion *o)
     int status = o->gradient && o->sum ? find_gradients(o) : FVI_ENOMEM;
     if (!status && matrices)
         status = matrices->factorise(o->d, 1, 0, 0, matrices->params, &o->inertia);
-    if (status) /* who asks again begins anew */
+    if (status) /* so the next call begins anew */
         fvi_exact_motion_free_dampers(o);
     return status;
 }
@@ -111,7 +111,7 @@ static double applied(const fvi_exact_motion *o, double t)
                                               : 0;
 }
 
-/* Is the damping a mass, rho s^2 alone on each coordinate? */
+/* Return nonzero if the damping acts as a mass: rho s^2 alone, on each coordinate. */
 static int is_mass(const fvi_exact_motion *o)
 {
     if (dampings(o) != 1 || o->system.matrices)
@@ -124,7 +124,7 @@ static int is_mass(const fvi_exact_motion *o)
     return is_diagonal;
 }
 
-/* Its force is R a with (m + R) a = F - grad U. */
+/* Compute the force R a of such a damping, with (m + R) a = F - grad U. */
 static void find_force_of_mass(fvi_exact_motion *o, double *force)
 {
     const fvi_stiffness_term *t = &o->response->term[FIRST];
@@ -136,8 +136,9 @@ static void find_force_of_mass(fvi_exact_motion *o, double *force)
     }
 }
 
-/* The forces at t = 0+ of a body that was held: of C(s) that grows like c s they are c B v_0, below that 0, and 0
- * where B v_0 = 0. Above it they are infinite, and impulse is their mean over the time `first`. */
+/* Compute the forces at t = 0+ for a body that was held. If C(s) grows like c s, the force is c B v_0. If it grows more
+ * slowly, the force is 0. If it grows faster, the force is infinite, or 0 if B v_0 = 0; the mean over the time `first`
+ * takes the place of an infinite force. */
 static int find_limits(fvi_exact_motion *o, double first, fvi_error *error)
 {
     const size_t d = o->d, all = dampings(o) * d;
@@ -166,7 +167,7 @@ static int find_limits(fvi_exact_motion *o, double first, fvi_error *error)
     return status;
 }
 
-/* a = M^-1 (F - grad U - the forces), and grad U = K x_0 + K (x - x_0). */
+/* a = M^-1 (F - grad U - the forces of dampers), with grad U = K x_0 + K (x - x_0). */
 static int find_acceleration(fvi_exact_motion *o, double t, const double *x, double *a)
 {
     const size_t d = o->d;
@@ -184,7 +185,8 @@ static int find_acceleration(fvi_exact_motion *o, double t, const double *x, dou
     return o->system.matrices ? o->system.matrices->solve(d, o->inertia, a) : FVI_SUCCESS;
 }
 
-/* Of all dampers, one after another; along an elongation f = lambda g, and lambda is told. */
+/* Write the forces of all dampers, one damper after another. Along an elongation the force is f = lambda g, and lambda
+ * is written. */
 static void tell(const fvi_exact_motion *o, const double *sum, double *told)
 {
     const size_t d = o->d, before = dampings(o) - (o->system.mechanism ? dampers(o) : 0);

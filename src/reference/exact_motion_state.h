@@ -1,6 +1,6 @@
-/* src/reference/exact_motion_state.h -- What an exact motion keeps.         [H 11]
+/* src/reference/exact_motion_state.h -- Hold what an exact motion keeps.         [H 11]
  *
- * Internal to the room. */
+ * Internal to src/reference. */
 #ifndef FVI_EXACT_MOTION_STATE_H
 #define FVI_EXACT_MOTION_STATE_H
 
@@ -9,16 +9,16 @@
 
 #include <fvi/exact_motion.h>
 
-/* What moves the body: the start and a cosine, or a force that is 1/s. */
+/* The sources of the motion: the start together with a cosine, or a constant force 1/s. */
 typedef enum { BY_START, BY_STEP, SOURCES } source_kind;
 
-/* Y(s) = Z(s)^-1 b(s) of one source: its poles, and its values at the nodes of the times from
- * `from` to SPAN from. */
+/* Y(s) = Z(s)^-1 b(s) for one source: its poles, and its values at the nodes for the times from `from` to
+ * FVI_PARABOLA_SPAN times `from`. */
 typedef struct {
-    double complex *pole, *residue; /* count, and d each */
+    double complex *pole, *residue; /* count poles, d residues for each */
     size_t count;
     double from;
-    double complex *at; /* d each of the nodes */
+    double complex *at; /* d values for each node */
 } source;
 
 struct fvi_exact_motion {
@@ -29,29 +29,29 @@ struct fvi_exact_motion {
     fvi_forcing forcing;
     double A, T, w;
     double *x0, *p0, *v0, *spring_force; /* d each; spring_force is K x_0 */
-    double complex *room;        /* d */
+    double complex *room;        /* d numbers */
     source source[SOURCES];
     fvi_parabola rule;
-    /* of the forces, made when they are first asked for */
-    double *gradient; /* d of each damper along an elongation */
-    double *sum;      /* force and impulse, d of each damping; and d more */
-    void *inertia;    /* factors of M, of matrices */
+    /* The next three are for the forces of dampers. They are made when forces are first asked for. */
+    double *gradient; /* d for each damper along an elongation */
+    double *sum;      /* forces and then impulses, d for each damping; and d more */
+    void *inertia;    /* factors of M, if the system has matrices */
 };
 
-/* What is summed at a time, each NULL if it is not asked for: places and velocities; and of each damping of the
- * response, d numbers, its force and its impulse. */
+/* The sums at a time, each NULL if it is not asked for: positions and velocities, d numbers each; force and impulse of
+ * each damping of the response, d numbers each. */
 typedef struct {
     double *x, *v, *force, *impulse;
 } fvi_exact_sums;
 
-/* fvi_exact_motion_sum -- of all sources at t >= 0; force and impulse, at t > 0 alone, are added to what is there.
- * Returns FVI_SUCCESS, or what the factors of Z returned. */
+/* fvi_exact_motion_sum -- Compute the sums of all sources at t >= 0. Force and impulse are added to what is there, and
+ * only for t > 0. Return FVI_SUCCESS, or what the factors of Z return. */
 int fvi_exact_motion_sum(fvi_exact_motion *motion, double t, const fvi_exact_sums *sums,
                          fvi_error *error);
 
-/* fvi_exact_motion_add_dampers -- one node or pole s with the part a of Y: C(s) B a and C(s) B a / s, times factor,
- * of each damping.                                                              [(11.21)]
- * fvi_exact_motion_forget_dampers -- give back what the forces keep. */
+/* fvi_exact_motion_add_dampers -- Add a node or pole s with the part a of Y to force and impulse of each damping: C(s)
+ * B a and C(s) B a / s, times factor. Only the real parts count.                                          [(11.21)]
+ * fvi_exact_motion_free_dampers -- Free what the forces keep. */
 void fvi_exact_motion_add_dampers(const fvi_exact_motion *motion, const double complex *a,
                                   double complex s, double complex factor,
                                   const fvi_exact_sums *sums);

@@ -1,6 +1,6 @@
-/* src/reference/exact_pairs.h -- Complex numbers that a compiler can take several of.
- *                                                                      [H 11]
- * C's own ask after every product whether it is not a number. */
+/* src/reference/exact_pairs.h -- Complex numbers for loops that the compiler turns into vectors. [H 11]
+ *
+ * With double complex the compiler would check after each product whether it is NaN. */
 #ifndef FVI_EXACT_PAIRS_H
 #define FVI_EXACT_PAIRS_H
 
@@ -30,7 +30,7 @@ static inline pair scaled(double a, pair b)
     return (pair){ a * b.re, a * b.im };
 }
 
-/* 1 / a, whose square is not out of range. */
+/* 1 / a, if the square of a is in range. */
 static inline pair reciprocal(pair a)
 {
     const double size = a.re * a.re + a.im * a.im;

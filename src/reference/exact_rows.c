@@ -1,4 +1,4 @@
-/* src/reference/exact_rows.c -- The linear problem, solved at evenly spaced times. [H 11] */
+/* src/reference/exact_rows.c -- Solve the linear problem at evenly spaced times. [H 11] */
 #include "exact_window.h"
 #include "memory/double_double.h"
 #include "system/fail.h"
@@ -8,10 +8,10 @@
 #include <math.h>
 #include <string.h>
 
-static const double LONGEST = 100;    /* a window's last time over its first */
-static const double GROWS = 8;        /* what two starts may cancel */
-static const double ROUNDING = 1e-16; /* the tolerance that 0 stands for */
-static const double TAME = 1e70; /* fourth powers of more are out of range */
+static const double LONGEST = 100;    /* largest ratio of the last time of a window to its first */
+static const double GROWS = 8;        /* largest cancellation of two starts */
+static const double ROUNDING = 1e-16; /* the tolerance 0 stands for this one */
+static const double TAME = 1e70; /* fourth powers of larger numbers are out of range */
 
 static int check_rows(double h, size_t n, double tolerance, const double *x,
                       const double *v, fvi_error *error)
@@ -30,13 +30,13 @@ static int check_rows(double h, size_t n, double tolerance, const double *x,
 typedef struct {
     fvi_inverse *S;
     double h, tolerance, *x, *v;
-    int careful; /* nonzero: the rounding of t_k counts */
-    int turns;   /* nonzero: turn is there */
+    int careful; /* nonzero if the rounding of t_k matters */
+    int turns;   /* nonzero if turn has been computed */
     double complex turn[FVI_POLES][FVI_BLOCK + 1]; /* e^{s j h} */
     fvi_error *error;
 } rows;
 
-/* Rows a to b, whose source began at the time `since`. */
+/* Rows a to b for a source that began at the time `since`. */
 typedef struct {
     size_t a, b;
     double since;
@@ -64,19 +64,19 @@ static void prepare_turns(rows *r)
     r->turns = 1;
 }
 
-/* What rounding t_k to a double took from or added to t + j h. */
+/* Return the rounding error of t_k: tk - (t + j h). */
 static double rounded_by(const rows *r, double t, double tk, size_t j)
 {
     const dd apart = two_sum(tk, -t), steps = two_product((double)j, r->h);
     return (apart.hi - steps.hi) + (apart.lo - steps.lo);
 }
 
-/* A block of rows from the residue at its first. */
+/* Add a residue to a block of rows. `at` is its value at the first row. */
 static void add_residues(rows *r, size_t pole, double complex at, double t,
                          size_t k, size_t count, double since)
 {
     const fvi_residue *a = &r->S->pole[pole];
-    const int few = cabs(a->s) * time_of(r, k + count, 0) < 1e7; /* turns */
+    const int few = cabs(a->s) * time_of(r, k + count, 0) < 1e7; /* nonzero for few turns */
     for (size_t j = 0; j < count && at != 0; j++) {
         double complex e = at * r->turn[pole][j];
         if (r->careful) {
@@ -91,8 +91,8 @@ static void add_residues(rows *r, size_t pole, double complex at, double t,
     }
 }
 
-/* One row, where a cosine may be in resonance with a zero of Q. Returns that zero's number,
- * or S->poles if none is. */
+/* Add the residues at one row where a cosine is in resonance with a zero of Q. Return the number of that zero, or
+ * S->poles if there is none. */
 static size_t resonant(const rows *r, const fvi_window *w, double t, double *x,
                        double *v)
 {
@@ -104,14 +104,14 @@ static size_t resonant(const rows *r, const fvi_window *w, double t, double *x,
     return S->poles;
 }
 
-/* e^{st} at the first row of a block, or of eight blocks where few digits are asked for,
- * and from there by turns. */
+/* Add the residues of all poles. e^{st} is computed at the first row of a block or, if few digits are asked for, of
+ * eight blocks. From there it is multiplied by turns. */
 static void add_all_residues(rows *r, const fvi_window *w, fvi_exact_source source,
                              range of)
 {
     const fvi_inverse *S = r->S;
     double complex at[FVI_POLES];
-    size_t carried = 0; /* the blocks since e^{st} was computed */
+    size_t carried = 0; /* number of blocks since e^{st} was computed */
     if (of.a <= of.b)
         prepare_turns(r);
     for (size_t k = of.a, count; k <= of.b && !fvi_interrupted(); k += count) {
@@ -133,13 +133,13 @@ static void add_all_residues(rows *r, const fvi_window *w, fvi_exact_source sour
                         : fvi_inverse_residue(&S->pole[i], &source, force);
             add_residues(r, i, at[i], source.t, k, count, of.since);
         }
-        carried += near == S->poles; /* resonant rows are the first ones */
+        carried += near == S->poles; /* only the first rows are resonant */
     }
 }
 
 /* ---- windows ---- */
 
-/* The integral of a source at rows. */
+/* Add the integral of a source at its rows. */
 static void add_integral_rows(const rows *r, fvi_window *w, fvi_exact_source source,
                               range of)
 {
@@ -150,8 +150,8 @@ static void add_integral_rows(const rows *r, fvi_window *w, fvi_exact_source sou
                    r->v ? r->v + of.a : NULL);
 }
 
-/* The last row of the window that begins with row a: (11.15) cuts (first, last) into as few
- * equal ratios as LONGEST allows. */
+/* Return the last row of the window that begins with row a. By (11.15) the range (first, last) is cut into as few equal
+ * ratios as LONGEST allows. */
 static size_t last_of_window(const rows *r, range of)
 {
     const double first = time_of(r, of.a, of.since),
@@ -163,7 +163,7 @@ static size_t last_of_window(const rows *r, range of)
     return GSL_MIN(of.a + (size_t)more, of.b);
 }
 
-/* The first row of a range that is later than `after`, b + 1 if none is. */
+/* Return the first row of a range that is later than `after`; b + 1 if there is none. */
 static size_t row_after(const rows *r, range of, double after)
 {
     const double guess = floor(after / r->h);
@@ -177,7 +177,8 @@ static size_t row_after(const rows *r, range of, double after)
     return k;
 }
 
-/* The rows of a window of a step, as two starts until `late`, later as a pulse. */
+/* Add the rows of a window of a step: as a start with its force until row `late`, and from there as a start and a
+ * pulse. */
 static void add_step(rows *r, fvi_window *w, range of, size_t late)
 {
     const fvi_linear_oscillator *p = &r->S->p;
@@ -197,9 +198,8 @@ static void add_step(rows *r, fvi_window *w, range of, size_t late)
 
 static int add_rows(rows *r, const fvi_exact_source *source, range of);
 
-/* A window of a step that ends in it. Rows later than T + first / 2 see a pulse, and those
- * soon after T a second start downwards. The window is cut there if the force, had it
- * lasted, would outgrow the motion. */
+/* Add a window in which a step ends. Rows later than T + first / 2 contain a pulse. Those soon after T contain a second
+ * start, with the opposite force. The window is cut there if the force, had it lasted, would outgrow the motion. */
 static int add_ended(rows *r, range *of)
 {
     const double T = r->S->p.T, first = time_of(r, of->a, 0);
@@ -257,7 +257,7 @@ static int add_rows(rows *r, const fvi_exact_source *source, range of)
     return status;
 }
 
-/* Leaves no number from row k on. */
+/* Set the rows from k on to NaN. Return `status` with its error. */
 static int lose(const rows *r, size_t k, size_t n, int status)
 {
     for (; k <= n; k++) {
@@ -292,8 +292,8 @@ static int one_by_one(const rows *r, size_t n)
     return FVI_SUCCESS;
 }
 
-/* Whether so many digits are asked for that one sees the rounding of t in a phase, or that of
- * a hundred turns. */
+/* Return nonzero if so many digits are asked for that the rounding of t in a phase matters, or the rounding errors of a
+ * hundred turns. */
 static int must_be_careful(const rows *r, size_t n)
 {
     double most = 0;
@@ -303,7 +303,7 @@ static int must_be_careful(const rows *r, size_t n)
            || r->tolerance < 1e-12;
 }
 
-/* Numbers whose squares are in range, times whose phases are known. */
+/* Return nonzero if the squares of all numbers are in range and the phases of all times are known. */
 static int is_tame(const rows *r, size_t n)
 {
     const fvi_linear_oscillator *p = &r->S->p;

@@ -1,10 +1,10 @@
-/* src/reference/exact_solution.c -- The linear problem, solved exactly.    [H 11] */
+/* src/reference/exact_solution.c -- Solve the linear problem exactly.    [H 11] */
 #include "exact_inverse.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_math.h>
 
-static const double LOST = 1e-14; /* what a phase may be wrong */
+static const double LOST = 1e-14; /* largest error of a phase */
 
 static int in_range(double a, double low, double high)
 {
@@ -74,7 +74,7 @@ static int check_times(size_t n, const double *t, const double *x,
     return FVI_SUCCESS;
 }
 
-/* Both parts of a problem's check, and its preparation. */
+/* Check the problem and the times, and prepare the problem. */
 static int prepare(const fvi_linear_oscillator *problem, size_t n, const double *t,
                    const double *x, const double *v, fvi_inverse *S,
                    fvi_error *error)
@@ -107,8 +107,8 @@ static int put(size_t i, double xi, double vi, double *x, double *v,
     return FVI_SUCCESS;
 }
 
-/* The sources at a time t: the start with its force, and, soon after the end of
- * a step, its end. Later the two are one pulse, which rounds less. */
+/* Set the sources at a time t. Soon after the end of a step there are two: the start with its force, and the end of the
+ * force. Later the two forces are one pulse, which has a smaller rounding error. Return the number of sources. */
 static size_t sources_at(const fvi_linear_oscillator *p, double t, fvi_exact_source at[2])
 {
     at[0] = (fvi_exact_source){ .t = t, .start = 1, .sign = 1 };

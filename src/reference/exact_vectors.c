@@ -1,21 +1,20 @@
-/* src/reference/exact_vectors.c -- Complex functions, many at once.        [H 11] */
+/* src/reference/exact_vectors.c -- Compute complex functions of many numbers at once.        [H 11] */
 #include "exact_vectors.h"
 
-#include "memory/history_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* for FVI_VECTORS */
 
 #include <gsl/gsl_math.h>
 #include <stdint.h>
 #include <string.h>
 
-/* Adding it rounds a double below 2^51 in size to an integer, which then stands in the last
- * bits of the sum. */
+/* Adding ROUND rounds a double below 2^51 in size to an integer, which then stands in the last bits of the sum. */
 static const double ROUND = 0x1.8p52;
 
-/* ln 2 and pi in two pieces: products of the first with an integer below 2^20 are exact. */
+/* ln 2 and pi in two parts. Products of the first part with an integer below 2^20 are exact. */
 static const double LN2[] = { 0x1.62e42feep-1, 0x1.a39ef35793c76p-33 },
                     PI[] = { 0x1.921fb544p+1, 0x1.0b4611a626331p-33 };
 
-/* 1 / n!; what a series leaves out is below u / 5 where |r| <= ln 2 / 2, |r| <= pi / 2. */
+/* 1 / n!. A series with them has an error below u / 5 for |r| <= ln 2 / 2 and |r| <= pi / 2. */
 static const double FACTORIAL[] = { 1.,
                                     1.,
                                     1. / 2,
@@ -39,7 +38,7 @@ static const double FACTORIAL[] = { 1.,
                                     1. / 2432902008176640000,
                                     1. / 51090942171709440000. };
 
-/* 1 / (2 n + 1) */
+/* 1 / (2 n + 1). */
 static const double ODD[] = { 1.,      1. / 3,  1. / 5,  1. / 7,  1. / 9,
                               1. / 11, 1. / 13, 1. / 15, 1. / 17, 1. / 19,
                               1. / 21, 1. / 23, 1. / 25, 1. / 27, 1. / 29,
@@ -60,7 +59,7 @@ static inline double of_bits(uint64_t bits)
     return x;
 }
 
-/* a if d is negative, else b, and no branch */
+/* Return a if d is negative, else b, without a branch. */
 static inline __attribute__((always_inline)) double either(double d, double a,
                                                            double b)
 {
@@ -68,8 +67,8 @@ static inline __attribute__((always_inline)) double either(double d, double a,
     return of_bits((bits_of(a) & yes) | (bits_of(b) & ~yes));
 }
 
-/* sum of y^k c[first + step k] up to c[last], which is one of them; of more than 16 terms
- * compilers make a loop, and then no vectors. */
+/* Return the sum of y^k c[first + step k] up to c[last]. The loop is unrolled, because of more than 16 terms compilers
+ * would make a loop, and then no vectors. */
 static inline __attribute__((always_inline)) double
 series(double y, const double *c, int first, int step, int last)
 {
@@ -80,7 +79,7 @@ series(double y, const double *c, int first, int step, int last)
     return sum;
 }
 
-/* x = k ln 2 + rest with |rest| <= ln 2 / 2; 2^k in *power. */
+/* x = k ln 2 + rest with |rest| <= ln 2 / 2. *power becomes 2^k. */
 static inline __attribute__((always_inline)) double
 without_powers_of_2(double x, double *power)
 {
@@ -90,7 +89,7 @@ without_powers_of_2(double x, double *power)
     return x - k * LN2[0] - k * LN2[1];
 }
 
-/* y = l pi + rest with |rest| <= pi / 2; (-1)^l in *sign. */
+/* y = l pi + rest with |rest| <= pi / 2. *sign becomes (-1)^l. */
 static inline __attribute__((always_inline)) double without_halves(double y,
                                                                    double *sign)
 {
@@ -114,7 +113,7 @@ FVI_VECTORS static void exponentials(size_t n, double *restrict re,
     }
 }
 
-/* e^x - 1 = m and cos y - 1 = c make (1 + m) (1 + c) - 1 = m (1 + c) + c. */
+/* With m = e^x - 1 and c = cos y - 1, (1 + m) (1 + c) - 1 = m (1 + c) + c. */
 FVI_VECTORS static void exponentials_less_1(size_t n, double *restrict re,
                                             double *restrict im)
 {
@@ -132,8 +131,9 @@ FVI_VECTORS static void exponentials_less_1(size_t n, double *restrict re,
     }
 }
 
-/* ln |z|^2 by artanh, between 1/sqrt 2 and sqrt 2 but for a power of 2. The angle: what one
- * in the first eighth of a turn is more than pi / 8, by arctan of at most tan(pi / 8). */
+/* ln |z|^2 is computed by artanh of a number whose |z|^2 is between 1/sqrt 2 and sqrt 2, after a power of 2 is taken
+ * out. The angle is reduced to the first eighth of a turn. Its difference from pi / 8 is the arctan of at most tan(pi /
+ * 8). */
 FVI_VECTORS static void logarithms(size_t n, double *restrict re,
                                    double *restrict im)
 {

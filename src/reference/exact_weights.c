@@ -1,11 +1,11 @@
-/* src/reference/exact_weights.c -- What a problem has on the nodes of a contour. [H 11] */
+/* src/reference/exact_weights.c -- Compute the weights of a problem on the nodes of a contour. [H 11] */
 #include "exact_window.h"
-#include "memory/history_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* for FVI_VECTORS */
 
 #include <gsl/gsl_math.h>
 
-/* The weight of the rule over t^2 Q(z/t) / m = z^2 + C + D; the largest of z^2, C and D is
- * scaled, so that squares stay in range. D takes the place of z^beta. */
+/* Divide the weight of the rule by t^2 Q(z/t) / m = z^2 + C + D. The numbers are scaled by the largest of 1, C and R,
+ * so that squares stay in range. D replaces z^beta. */
 FVI_VECTORS static void divide_by_Q(const fvi_window *w)
 {
     const double C = w->C, R = w->R, by = 1 / GSL_MAX_DBL(1, GSL_MAX_DBL(C, R));
@@ -20,7 +20,7 @@ FVI_VECTORS static void divide_by_Q(const fvi_window *w)
     }
 }
 
-/* F times 1/z, or z / (z^2 + wt^2) of a cosine. */
+/* Compute F times 1/z, or F times z / (z^2 + wt^2) for a cosine. */
 FVI_VECTORS static void transform(const fvi_window *w, double F, int cosine,
                                   double wt, const fvi_parts *f)
 {
@@ -42,7 +42,7 @@ FVI_VECTORS static void multiply(size_t n, const fvi_parts *by,
         put(f, i, product(at(by, i), at(f, i)));
 }
 
-/* x and v: as add_integral of exact_inverse.c, without e^z. */
+/* Compute x and v, as add_integral of exact_inverse.c does, but without e^z. */
 FVI_VECTORS static void weigh_nodes(const fvi_window *w, double x0, double v0,
                                     const fvi_parts *f)
 {

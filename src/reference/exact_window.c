@@ -1,9 +1,9 @@
-/* src/reference/exact_window.c -- One contour for many times.              [H 11] */
+/* src/reference/exact_window.c -- Use one contour for many times.              [H 11] */
 #include "exact_window.h"
 
 #include "exact_vectors.h"
 #include "kernel/kernel_terms.h"
-#include "memory/history_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* for FVI_VECTORS */
 #include "system/fail.h"
 
 #include <gsl/gsl_math.h>
@@ -11,25 +11,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double MU = 3;     /* the hyperbola crosses Im z = 0 left of it */
-static const double PHI = 1.35; /* and comes no closer to the cut than this */
-static const double GONE = -90; /* e^GONE is nothing */
+static const double MU = 3;     /* the hyperbola crosses the real axis left of this */
+static const double PHI = 1.35; /* largest phi, so that the hyperbola keeps its distance from the cut */
+static const double GONE = -90; /* e^GONE counts as 0 */
 
-/* Logarithms, beside that of the tolerance: of what the rule may err, (11.17), and of how
- * far below it the contour is cut off. */
+/* Logarithms that are added to that of the tolerance: EDGES for the error of the rule, (11.17); CUT for how far below
+ * the tolerance the contour is cut off. */
 static const double EDGES = 5, CUT = 2;
 
 /* ---- where the contour goes ---- */
 
-/* (11.11): phi of the hyperbola through z; the sum is of the distances to its foci. */
+/* (11.11): return phi of the hyperbola through z. The sum is that of the distances to its foci. */
 static double hyperbola_through(double complex z)
 {
     const double x = creal(z) / MU, y = cimag(z) / MU;
     return asin(2 * (1 - x) / (hypot(x, y) + hypot(x - 2, y)));
 }
 
-/* The middle of the widest part of (0, PHI) without a pole, and half the width in room: k
- * poles leave one of PHI / (k + 1). */
+/* Return the middle of the widest part of (0, PHI) without a pole, and half its width in *room. k poles leave a part of
+ * at least PHI / (k + 1). */
 static double between_poles(fvi_window *w, double *room)
 {
     const size_t poles = w->S->poles;
@@ -81,7 +81,7 @@ void fvi_window_exp(const fvi_window *w, size_t n, double a, int less,
 
 /* ---- the nodes ---- */
 
-/* z and h / pi dz/du, from e^u */
+/* Compute z and h / pi dz/du from e^u. */
 FVI_VECTORS static void place_nodes(size_t n, double h, double sine,
                                     double cosine, const double *restrict eu,
                                     double *restrict z_re,
@@ -124,8 +124,8 @@ static void prepare_nodes(fvi_window *w, double phi, double h)
     fvi_vector_exp(w->count, w->power.re, w->power.im);
 }
 
-/* e^{z j h} for the rows of a block: rows j to 2 j - 1 from those below, by e^{z j h}, whose
- * square takes its place. */
+/* Compute e^{z j h} for the rows of a block: rows j to 2 j - 1 from the rows below, by multiplication with e^{z j h}.
+ * Its square replaces e^{z j h}. */
 FVI_VECTORS static void step_rows(size_t n, size_t j, double *restrict re,
                                   double *restrict im, double *restrict steps)
 {
@@ -142,7 +142,8 @@ FVI_VECTORS static void step_rows(size_t n, size_t j, double *restrict re,
     }
 }
 
-/* Squares of squares would add up errors: every second power is computed. */
+/* Squares of squares would accumulate errors, so every second one is a square, and the others are
+ * exponentials. */
 static void prepare_steps(fvi_window *w, double h)
 {
     for (size_t i = 0; i < w->count; i++) {
@@ -176,7 +177,7 @@ static int prepare_memory(fvi_window *w, fvi_error *error)
     return FVI_SUCCESS;
 }
 
-/* t^2 Q(z/t) / m for z > 0, over its value at z = 1; a law counts as none. */
+/* Return t^2 Q(z/t) / m for z > 0, divided by its value at z = 1. A law counts as no damping. */
 static double over_that_at_1(const fvi_inverse *S, double t, double z)
 {
     const fvi_linear_oscillator *p = &S->p;
@@ -226,7 +227,7 @@ void fvi_window_close(fvi_window *w)
 /* ---- the rows ---- */
 
 //> block
-/* sum[j] += Im of the sum of c e e^{z j h} over the nodes, small ones first */
+/* sum[j] += Im of the sum of c e e^{z j h} over the nodes. The small terms are added first. */
 FVI_VECTORS static void
 block_rows(size_t n, const double *restrict c_re, const double *restrict c_im,
            const double *restrict e_re, const double *restrict e_im,

@@ -1,4 +1,5 @@
-/* src/reference/spring_bound.c -- How far form D on a spring can be from the motion at the end of any step.   [H 20] */
+/* src/reference/spring_bound.c -- Bound the distance of form D from the motion of a spring at the end of any step.   [H
+ * 20] */
 #include <fvi/spring_bound.h>
 
 #include "system/fail.h"
@@ -8,13 +9,13 @@
 #include <complex.h>
 #include <math.h>
 
-/* kappa of (20.18); the same at a pole; and what the sums of this file may be too small by, rounded up. */
+/* kappa of (20.18) on the cut and at a pole; and a factor above 1 that covers the errors of the sums in this file. */
 static const double KAPPA = 1.34, KAPPA_POLE = 1.1, UP = 1.003;
 
-/* The nearest that the pole may come to the cut. */
+/* The smallest angle between the pole and the cut. */
 static const double NEAREST = 1e-3;
 
-/* R = P/Q, the stability function of Lobatto IIIC, lowest power first; and C_s of (20.17). */
+/* R = P/Q, the stability function of Lobatto IIIC, with the lowest power first, and C_s of (20.17). */
 typedef struct {
     size_t s;
     double P[8], Q[9], C;
@@ -45,7 +46,7 @@ static double complex stability_at(const stability_function *R, double complex z
     return P / Q;
 }
 
-/* A spring without a force about its place of rest, from x0 and v0. */
+/* A spring without a force, measured from its equilibrium, with the start x0 and v0. */
 typedef struct {
     double m, c, rho, alpha, x0, v0;
     double complex pole;
@@ -67,27 +68,28 @@ static double density(const spring *q, double sigma)
     return damping * fabs(sin(M_PI * 2 * q->alpha)) / (M_PI * creal(Q * conj(Q)));
 }
 
-/* |R(z) - e^z|. Near 0 the difference would be rounding, and (20.17) is near it. */
+/* Return |R(z) - e^z|. Near 0 the difference would be a rounding error, so the estimate (20.17) is used there. */
 static double step_misses(const stability_function *R, double complex z)
 {
     return cabs(z) < 0.25 ? R->C * pow(cabs(z), 2 * (double)R->s - 1)
                           : cabs(stability_at(R, z) - cexp(z));
 }
 
-/* Gamma of (20.19), for arguments that grow from call to call in small steps: *most is the largest so far. */
+/* Return Gamma of (20.19). The argument must grow from call to call in small steps. *most is the largest value so
+ * far. */
 static double gamma_of(const stability_function *R, double mu, double *most)
 {
     *most = larger(*most, (1 + mu) / mu * step_misses(R, -mu));
     return *most;
 }
 
-/* The integrals of (20.19): of x and v without errors of the modes, and what multiplies rho eps. */
+/* The integrals of (20.19): those of x and v without errors of the modes, and those that multiply rho eps. */
 typedef struct {
     double x, v, modes_x, modes_v;
 } integrals;
 
-/* By the trapezoidal rule in ln sigma, from below all rates of the spring to above them and 1/h. The pole is
- * beside the path, so steps are a sixth of its distance; and 1/96 at most, for Gamma. */
+/* Integrate by the trapezoidal rule in ln sigma, from below all rates of the spring to above them and 1/h. The pole is
+ * beside the path, so a step is a sixth of its distance; and at most 1/96, because of Gamma. */
 static integrals over_rates(const spring *q, const stability_function *R, double longest)
 {
     const double L = smaller(1. / 16, M_PI - carg(q->pole)) / 6, order = 2 * q->alpha,
@@ -105,13 +107,14 @@ static integrals over_rates(const spring *q, const stability_function *R, double
         sum.modes_x += k / sigma;
         sum.modes_v += k;
     }
-    /* What goes with sigma^(2 alpha) below; there is much of it for a small alpha, where |Q| >= c. */
+    /* Add the part below `low`, where the integrand is proportional to sigma^(2 alpha). For a small alpha this part is
+     * large, and |Q| >= c then. */
     sum.modes_x += q->rho * fabs(sin(M_PI * order)) * exp(order * low) / (M_PI * order * q->c * q->c);
     return sum;
 }
 
 //> bound
-/* (20.19) for the spring at rest about 0, added to *bound. */
+/* Add (20.19), for a spring whose equilibrium is at 0, to *bound. */
 static void add_bound(const spring *q, const stability_function *R, size_t n, const double *h, double eps,
                       fvi_spring_bound *bound)
 {
@@ -181,7 +184,7 @@ int fvi_spring_bound_compute(const fvi_linear_oscillator *problem, size_t stages
                  re + I * im };
     fvi_spring_bound sum = { 0, 0 };
     add_bound(&q, &R, n, h, eps, &sum);
-    if (moved != 0) { /* behind the end of the force */
+    if (moved != 0) { /* after the end of the force */
         q.x0 = moved;
         q.v0 = 0;
         add_bound(&q, &R, n, h, 0, &sum);
