@@ -7,6 +7,7 @@
 #include <math.h>
 
 static const double STEP = 0.5; /* of ln s, from one evaluation of Q to the next */
+static const double EDGE = 150, FARTHEST = 340; /* of ln |s|: zeros are found up to EDGE; s^2 is in range */
 
 /* ---- how many zeros there are ---- */
 
@@ -107,22 +108,37 @@ static int find(const fvi_pole *Q, const fvi_log_box *b, int n, size_t most,
     return status;
 }
 
+/* Return nonzero if a zero may lie outside -EDGE <= ln |s| <= EDGE. Above this range Q must be nearly m s^2, and below
+ * it nearly c + rho C(s). Otherwise zeros are counted there, up to FARTHEST. */
+static int has_distant_zero(const fvi_pole *Q, double angle)
+{
+    for (int above = 0; above < 2; above++) {
+        const double complex s = exp(above ? EDGE : -EDGE) * (cos(2) + I * sin(2));
+        const double inertia = cabs(Q->m * s * s),
+                     rest = cabs(Q->c + Q->rho * fvi_kernel_at(Q->law, s, NULL));
+        const fvi_log_box beyond = { { above ? EDGE : -FARTHEST, above ? FARTHEST : -EDGE }, { 1.5, angle } };
+        if (!(above ? rest < 1e-3 * inertia : inertia < 1e-3 * rest) && zeros_in(Q, &beyond) != 0)
+            return 1;
+    }
+    return 0;
+}
+
 int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law,
                   size_t most, fvi_pole *pole, size_t *count,
                      fvi_error *error)
 {
     static const double edge[] = { 2.95, 2.94, 2.96 };
     const fvi_pole Q = { .m = m, .c = c, .rho = rho, .law = law };
-    if (isnan(phase(&Q, 150, 2)) || isnan(phase(&Q, -150, 2)))
+    if (isnan(phase(&Q, EDGE, 2)) || isnan(phase(&Q, -EDGE, 2)))
         return fvi_fail(error, FVI_EOVRFLW, "law", NAN, "the law is not finite");
     int n = -1;
     fvi_log_box all;
     for (size_t i = 0; n < 0 && i < sizeof edge / sizeof *edge; i++) {
-        all = (fvi_log_box){ { -150, 150 }, { 1.5, edge[i] } };
+        all = (fvi_log_box){ { -EDGE, EDGE }, { 1.5, edge[i] } };
         n = zeros_in(&Q, &all);
     }
     *count = 0;
-    if (n < 0)
+    if (n < 0 || has_distant_zero(&Q, all.v[1]))
         return fvi_fail(error, FVI_EMAXITER, NULL, NAN, "the poles of the motion were not found");
     int status = find(&Q, &all, n, most, pole, count, error);
     for (size_t i = 0; !status && i < *count; i++)

@@ -201,7 +201,7 @@ END_TEST
 
 START_TEST(laws_without_an_exact_solution_are_refused)
 {
-    const fvi_kernel_term bad = { FVI_KERNEL_POWER, 1, 2, 0, 0 },
+    const fvi_kernel_term bad = { FVI_KERNEL_POWER, 1, 2, 0, 0 }, zener = { FVI_KERNEL_ZENER, 0.1, 0.3, 0.5, 0 },
                        many[] = { { FVI_KERNEL_ZENER, 1, 0.75, 1, 0 },
                                   { FVI_KERNEL_ZENER, 1, 0.8, 0.01, 0 },
                                   { FVI_KERNEL_ZENER, 1, 0.75, 0.0001, 0 } };
@@ -215,6 +215,12 @@ START_TEST(laws_without_an_exact_solution_are_refused)
     p.law = &ref_laws[5];
     p.past = FVI_INITIAL_HISTORY_CAPUTO;
     ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &x, &v, NULL), FVI_EUNSUP);
+    p.past = FVI_INITIAL_HISTORY_HELD;
+    p.law = &(fvi_kernel){ 1, &zener };
+    for (int heavy = 0; heavy < 2; heavy++) { /* |s| of the zero is near e^{+-173}, outside the box */
+        p.m = heavy ? 1e150 : 1e-150;
+        ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &x, &v, NULL), FVI_EMAXITER);
+    }
     ck_assert(x == 7 && v == 7);
 }
 END_TEST
