@@ -15,7 +15,7 @@ extern "C" {
  * is the nearest one to v.
  *
  *   v     a finite number
- *   text  output: the digits and a '\0', 32 bytes at most
+ *   text  output: the digits and a '\0', 32 bytes at most. The decimal point is '.' under every locale
  *
  * Returns the length of the text without the '\0'. Nothing is checked. */
 int fvi_format_double(double v, char text[32]);

@@ -2,6 +2,7 @@
 #include <fvi/format_double.h>
 
 #include <float.h>
+#include <locale.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -177,9 +178,23 @@ static int quickly(double v, char *text)
 }
 #endif
 
+/* snprintf writes the decimal point of the locale, which may be several bytes. */
+static void write_point(char *text)
+{
+    const char *point = localeconv()->decimal_point;
+    char *at = strstr(text, point);
+    if (at) {
+        const char *after = at + strlen(point);
+        *at = '.';
+        memmove(at + 1, after, strlen(after) + 1);
+    }
+}
+
 int fvi_format_double(double v, char text[32])
 {
-    if (fabs(v) < DBL_MIN || !quickly(v, text))
+    if (fabs(v) < DBL_MIN || !quickly(v, text)) {
         slowly(v, text);
+        write_point(text);
+    }
     return (int)strlen(text);
 }

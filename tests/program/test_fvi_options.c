@@ -1,5 +1,6 @@
 /* tests/program/test_fvi_options.c -- The parser of the command line, in the process.
  * Run alone: make test-fvi_options */
+#define _GNU_SOURCE /* mkdtemp, setenv */
 #include "harness/ulp.h"
 #include "output/fvi_table.h"
 #include "options/fvi_options.h"
@@ -8,6 +9,7 @@
 #include "options/fvi_words.h"
 
 #include <float.h>
+#include <locale.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -322,6 +324,29 @@ START_TEST(digits_are_those_of_the_c_library)
 }
 END_TEST
 
+/* A number of any size has a point where the locale has a comma, too. The test makes such a locale, if it can. */
+START_TEST(digits_have_a_point_in_every_locale)
+{
+    static const struct {
+        double v;
+        const char *text;
+    } some[] = { { 0.5, "0.5" }, { -1.5e300, "-1.5e+300" }, { 2.5e-300, "2.5e-300" }, { 1.5e-320, "1.5e-320" } };
+    char folder[] = "/tmp/fvi_locale_XXXXXX", command[120], text[32];
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(command, sizeof command, "localedef -i de_DE -f ISO-8859-1 %s/comma >%s/log 2>&1", folder, folder);
+    const int is_made = system(command) == 0 && setenv("LOCPATH", folder, 1) == 0 && setlocale(LC_NUMERIC, "comma");
+    ck_assert(!is_made || strcmp(localeconv()->decimal_point, ",") == 0);
+    for (size_t i = 0; i < LEN(some); i++) {
+        ck_assert_int_eq(fvi_format_double(some[i].v, text), (int)strlen(some[i].text));
+        ck_assert_str_eq(text, some[i].text);
+    }
+    setlocale(LC_NUMERIC, "C");
+    unsetenv("LOCPATH");
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    ck_assert_int_eq(system(command), 0);
+}
+END_TEST
+
 /* A run of 10 steps, of which every 4th is printed: without the mirror nothing else is asked
  * for; with it, wherever y stands among the columns, also the nodes 10 - k. */
 START_TEST(only_the_mirror_asks_for_other_nodes)
@@ -356,7 +381,8 @@ int main(void)
 {
     Suite *suite = suite_create("the words of fvi");
     ADD_CASE(suite, "values", defaults_are_those_of_the_manual,
-             digits_are_those_of_the_c_library);
+             digits_are_those_of_the_c_library,
+             digits_have_a_point_in_every_locale);
     ADD_CASE(suite, "errors", random_words_are_understood_or_refused,
              the_nearest_known_word_is_named,
              only_the_mirror_asks_for_other_nodes,
