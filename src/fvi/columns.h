@@ -8,12 +8,13 @@
  *
  *     t  x p v a F energy work balance ag  NAME.force NAME.impulse NAME.work
  *     multiplier1 ... of the constraints, reaction3 of the coordinate x3 if it is imposed
- *     event1.count, event1.last of the first event: how often it has happened, and the time of the last, 0 before
+ *     event1.count, event1.last of the first event: how often it has happened, not counting that a body lifts off,
+ *     and the time of the last, 0 before
  *     event1.force of the first event, if it is a contact: how strongly it pushes
  *
  * In more dimensions a name carries a number, x1 ... xd, and NAME.force1 ... where a damper acts on each coordinate. F
  * is the force that acts, including the part of the ground; ag is the acceleration of the ground; work is the work of
- * all dampers. A vector's name alone, x or d1.force, stands for one column for each of its numbers.
+ * all dampers. A vector's name alone, x or d1.force, stands for one column for each number of the vector.
  *
  *     fvi_typed_columns *c;
  *     const fvi_column_source source = { .d = 2 };
@@ -61,6 +62,7 @@ typedef struct {
  *
  *   source   see above
  *   columns  output; free it with fvi_typed_columns_free, which allows NULL
+ *   error    output or NULL
  *
  * Returns FVI_SUCCESS or FVI_ENOMEM. On error *columns is untouched. */
 int fvi_typed_columns_start(const fvi_column_source *source,
@@ -73,6 +75,7 @@ void fvi_typed_columns_free(fvi_typed_columns *columns);
  *   text        "t,x,drift=x2-x1"
  *   parameters  NULL, or names with values that may stand in the expressions, too
  *   columns     made by fvi_typed_columns_start
+ *   error       output or NULL
  *
  * Returns as every parser (parse.h), with the field "columns". The error of an unknown name contains the nearest known
  * name. A name is refused if it is given twice, or if it is already a quantity, a function or a parameter. On error the
@@ -95,8 +98,9 @@ int fvi_parse_columns(const char *text, fvi_user_parameters *parameters,
 int fvi_parse_reductions(const char *text, fvi_user_parameters *parameters,
                          fvi_typed_columns *columns, fvi_error *error);
 
-/* fvi_typed_columns_wanted -- return what an observer must give for these columns and reductions: FVI_OBSERVE_...
- * added. fvi_typed_columns_count -- return the number of columns.
+/* fvi_typed_columns_wanted -- return what an observer must give for these columns and reductions: the sum of
+ * some FVI_OBSERVE_... (observer.h).
+ * fvi_typed_columns_count -- return the number of columns.
  * fvi_typed_column_name -- return the name of column i, from 0; it belongs to the columns.
  * fvi_typed_columns_values -- write the columns of one observation into row, fvi_typed_columns_count numbers. A number
  * that is not finite is no error. Returns FVI_SUCCESS, or what the ground returned.

@@ -116,8 +116,8 @@ int fvi_stepper_keep_dampers(fvi_stepper *s);
  *
  *   j        the number of the damper, from 0
  *   impulse  output or NULL: the integral of the force lambda = C(D) (z - z_0) of the damper, one number. It has the
- *            order of p. The force at a node is the difference of two impulses divided by the step. For a damper with a
- *            matrix: d numbers, the integral of C times the answer to x - x_0
+ *            order of p, and a difference quotient of the impulses gives the force. For a damper with a matrix: d
+ *            numbers, the integral of C times the answer to x - x_0
  *   work     output or NULL: the integral of lambda dz, one number. By fvi_cq2_midpoint and the methods with stages it
  *            is never negative if the past is HELD, and either the order of the damper is at most 1 or its elongation
  *            starts without a slope (29.11)
@@ -141,7 +141,7 @@ int fvi_stepper_multipliers(const fvi_stepper *s, double *begin, double *end);
 
 /* fvi_stepper_tie -- tell the impulse of constraint i, from 0: the integral of Lambda_i from t = 0 to the last step.
  *
- *   impulse  output, one number. The multiplier at a node is the difference of two impulses divided by the step
+ *   impulse  output, one number. A difference quotient of the impulses gives the multiplier
  *
  * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EUNSUP; FVI_EINVAL if there is no constraint i. */
 int fvi_stepper_tie(const fvi_stepper *s, size_t i, double *impulse);

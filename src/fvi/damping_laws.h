@@ -1,13 +1,13 @@
-/* src/fvi/damping_laws.h -- Laws of damping: sums of powers, fractions and ranges, each given by its symbol C(s).   [H
- * 26]
+/* src/fvi/damping_laws.h -- Laws of damping: sums of powers, fractions and ranges, each by its symbol C(s).    [H 26]
  *
  *     m x'' + grad U(x) + rho C(D) x = F(t)
  *
  * A springpot, rho D^{2 alpha} x, has the symbol s^{2 alpha}. Polymers, rubber and dampers are described by sums of
  * such powers, by fractions of powers, or by an integral over a range of orders. Every law here is causal and linear,
- * and all but a SYMBOL of the caller's are passive: they take energy and give none. The convolution quadrature of a law
- * has the coefficients of the power series of C(delta(z)/h) for its weights, and they stand where the weights of H 4
- * stood.
+ * and all but a SYMBOL of the caller's are passive: they take energy and give none. In the equation rho is the damping
+ * of a coordinate (system.h), and C is the sum of the terms. The weights of a law are the coefficients of the power
+ * series of C(delta(z)/h) (convolution_quadrature.h). They take the place of the weights of the order 2 alpha
+ * (coefficients.h).
  *
  *     const fvi_kernel_term terms[] = { { .kind = FVI_KERNEL_ZENER, .rho = 1, .alpha = 0.3, .time = 2 },
  *                                       { .kind = FVI_KERNEL_POWER, .rho = 0.1, .alpha = 0.5 } };
@@ -67,7 +67,7 @@ typedef struct {
     const fvi_kernel_term *term;
 } fvi_kernel;
 
-/* fvi_kernel_check -- check that a law is one.
+/* fvi_kernel_check -- check that the terms are a law of damping.
  *
  *     if (fvi_kernel_check(&law) != FVI_SUCCESS)
  *         puts("no law of damping");
@@ -161,8 +161,8 @@ int fvi_kernel_takes_caputo(const fvi_kernel *law);
  *     double w[3];
  *     fvi_kernel_weights(&dashpot, FVI_DELTA_EULER, 0.1, 3, w);          a dashpot with rho = 1: 10, -10, 0
  *
- * Accuracy: relative to the largest weight, 60 u for each term, u = 2^-53 (no proof; seen 3 u). A ZENER with 2
- * alpha > 1, and a MAXWELL2 with 2 (alpha - end) > 1, are worse: their weights oscillate, and rounding errors last as
+ * Accuracy: relative to the largest weight, 60 u for each term, u = 2^-53 (no proof; seen 3 u). A ZENER with
+ * 2 alpha > 1, and a MAXWELL2 with 2 (alpha - end) > 1, are worse: their weights oscillate, and rounding errors last as
  * long as the oscillation does (seen 1800 u in 1500 weights, alpha = 0.985).
  * Cost: O(count); O(count^2) for a ZENER with alpha other than 1/2, and for a MAXWELL2. A DAVIDSON and a SYMBOL take
  * about 8 count values of their symbol and O(count ln count); only their large weights are right to many digits,
@@ -179,9 +179,9 @@ int fvi_kernel_weights(const fvi_kernel *law, fvi_delta kind, double h,
  *
  *   law, kind, h   as for fvi_kernel_weights
  *   d, steps       as for fvi_history_alloc
- *   how            DIRECT: with all weights. EXPONENTIALS: the last 32 terms, and one set of decaying modes for all
- *                  terms of the law. AUTO: DIRECT up to 256 steps, and where there are no modes (26.6); else
- *                  EXPONENTIALS
+ *   how            FVI_HISTORY_DIRECT: with all weights. FVI_HISTORY_MODES: the last 32 terms as they are, and one set
+ *                  of decaying modes for all terms of the law together. FVI_HISTORY_AUTO: DIRECT up to 256 steps, and
+ *                  where there are no modes (26.6); else MODES
  *   tolerance      as for fvi_history_alloc
  *   first          output, w_0. The memory divides all weights by w_0, so that x_k stands in H_k with the factor 1
  *   memory         output; free it with fvi_history_free
@@ -192,8 +192,8 @@ int fvi_kernel_weights(const fvi_kernel *law, fvi_delta kind, double h,
  *     fvi_history_push(memory, &x, &dx, &H);
  *     force = first * H;
  *
- * Returns FVI_SUCCESS; what fvi_kernel_weights and fvi_history_alloc return; FVI_EUNSUP for EXPONENTIALS where there
- * are no modes. On error *first and *memory are untouched. */
+ * Returns FVI_SUCCESS; what fvi_kernel_weights and fvi_history_alloc return; FVI_EUNSUP for MODES where there are no
+ * modes. On error *first and *memory are untouched. */
 int fvi_kernel_history(const fvi_kernel *law, fvi_delta kind, double h, size_t d,
                    size_t steps, fvi_history_kind how, double tolerance,
                    double *first, fvi_history **memory);

@@ -30,8 +30,7 @@ extern "C" {
 int fvi_discrete_lagrangian(const fvi_system *system, double kappa, double h,
                             const double *x, const double *y, double *L);
 
-/* fvi_discrete_slopes -- compute the derivatives D1 L_d and D2 L_d of the discrete Lagrangian by x and by y.
- * [(2.6)]
+/* fvi_discrete_slopes -- compute the derivatives D1 L_d and D2 L_d of the discrete Lagrangian by x and y.   [(2.6)]
  *
  *     D1 = -m (y - x) / h -    kappa    h grad U(kappa x + (1 - kappa) y)
  *     D2 =  m (y - x) / h - (1 - kappa) h grad U(kappa x + (1 - kappa) y)

@@ -13,7 +13,7 @@
  *
  * A **mark** notes the time, and a **stop** ends the run.
  *
- * At an **impact** the momentum jumps along the normal n = dz/dx, with v = M^-1 p:
+ * At an **impact** with the restitution e the momentum jumps along the normal n = dz/dx. With v = M^-1 p, M the masses,
  *
  *     p -> p - (1 + e) n (n . v + dz/dt) / (n . M^-1 n)
  *
@@ -27,10 +27,10 @@
  * A **contact** is an impact after which the run goes on. Where the body comes to rest z = 0 becomes a constraint of
  * the system's mechanism (dampers.h). The body may slide along the surface, and the surface pushes with the multiplier
  * of the constraint as its force. The body lifts off when this force would have to pull, because another force pulls
- * the body away or because the surface moves away. For example, a body with m = g = 1 on z = x, under the force 2 sin
- * t, lifts off at sin t = 1/2. Memories stay as they are. An impulse that pushes the body into the surface is taken by
- * the surface. An impulse that pulls the body off opens the contact, also if it comes from another wall. A system
- * without dampers and constraints takes contacts if it has a mechanism that is all zeros. */
+ * the body away or because the surface moves away. For example, a body with m = g = 1 on z = x, under the force
+ * 2 sin t, lifts off at sin t = 1/2. Memories stay as they are. An impulse that pushes the body into the surface is
+ * taken by the surface. An impulse that pulls the body off opens the contact, also if it comes from another wall. A
+ * system without dampers and constraints takes contacts if it has a mechanism that is all zeros. */
 #ifndef FVI_EVENTS_H
 #define FVI_EVENTS_H
 
@@ -63,11 +63,11 @@ typedef enum {
  *   hessian      for a contact: adds factor times the d * d second derivatives of z by x to H, row by row. NULL for a
  *                surface that is flat, or so little bent that Newton's method converges without
  *
- * On which side of 0 the motion is, is known from its first time with z != 0. So a run that begins with z = 0 has no
- * event there. But an impact or a contact is a wall: the body is where z > 0, or where z < 0 if the direction is 1. A
- * body that begins on the wall and would fall into it is at rest in the first step. fvi_stepper_start refuses a body
- * that begins on the wall and moves into it (FVI_EINVAL). If another event at the same time makes p jump, a jump of z
- * through 0 is no event.
+ * The method learns from the first time with z != 0 on which side of 0 the motion is. So a run that begins with z = 0
+ * has no event there. But an impact or a contact is a wall: the body is where z > 0, or where z < 0 if the direction is
+ * 1. A body that begins on the wall and would fall into it is at rest in the first step. fvi_stepper_start refuses a
+ * body that begins on the wall and moves into it (FVI_EINVAL). If another event at the same time makes p jump, a jump
+ * of z through 0 is no event.
  *
  * The method evaluates z at six or eight times in each step, and where |z| is least between them. So it sees a z that
  * passes 0 and turns back, if |z| has only one minimum between two of these times. run.longest makes the steps shorter.
@@ -130,8 +130,8 @@ int fvi_stepper_is_over(const fvi_stepper *s);
  *   i      the place of the event in run.events
  *   t      s->t, or a time within the last step
  *   force  output, f >= 0: the surface pushes a body on the side z > 0 with f dz/dx, and a body on the other side with
- *          -f dz/dx. So f is minus the multiplier of the constraint z = 0, or plus. 0 while the contact is open. For
- *          example, f = 1 for a body with the weight 1 that lies on z = x
+ *          -f dz/dx. So f is minus the multiplier of the constraint z = 0 on the first side, and plus on the other. 0
+ *          while the contact is open. For example, f = 1 for a body with the weight 1 that lies on z = x
  *
  *     double force;
  *     status = fvi_stepper_contact_force(s, 0, s->t, &force);
