@@ -1,4 +1,4 @@
-/* src/mechanism/mechanism_check.c -- Is it a mechanism that these steps take?     [H 29] */
+/* src/mechanism/mechanism_check.c -- Check whether a method can take a mechanism.     [H 29] */
 #include "mechanism.h"
 
 #include "system/fail.h"

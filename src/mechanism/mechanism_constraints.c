@@ -1,4 +1,4 @@
-/* src/mechanism/mechanism_constraints.c -- Momenta and velocities that keep to constraints. [H 29] */
+/* src/mechanism/mechanism_constraints.c -- Make momenta and velocities satisfy the constraints. [H 29] */
 #include "mechanism_state.h"
 #include "system/lagrangian_point.h"
 
@@ -12,8 +12,9 @@
 #include <string.h>
 
 //> project
-/* L_v(x, v) + C^T w = p,  C v = -c_t, by Newton's method: one step of it mostly. A body that turns back has
- * a v of nothing but roundings: then the changes are small beside the v that it began with. */
+/* Solve L_v(x, v) + C^T w = p, C v = -c_t by Newton's method, usually in one step. When a body turns back, v may
+ * consist of rounding errors only. So the iteration also ends when the changes are small compared with the largest v so
+ * far. */
 int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
                                    const double *C, double *p, double *v,
                                    double *w)
@@ -42,7 +43,7 @@ int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
                 r[i] -= C[l * d + i] * w[l];
                 J[i * n + d + l] = J[(d + l) * n + i] = C[l * d + i];
             }
-            if (o->is_massless[i]) { /* its velocity is what it is */
+            if (o->is_massless[i]) { /* the velocity stays unchanged */
                 J[i * n + i] = 1;
                 r[i] = 0;
             }
@@ -69,7 +70,7 @@ int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
 }
 //< project
 
-/* ---- the start ---- */
+/* ---- start ---- */
 
 static const char *name_of(const fvi_constraints *c, size_t i, char place[32])
 {
@@ -85,7 +86,7 @@ static int refuse(int code, const char *field, double value, size_t i,
     return fvi_at_index(error, i, fvi_fail(error, code, field, value, text, who, value));
 }
 
-/* Is each gradient more than a sum of those before it? By Gram and Schmidt. */
+/* Check that each gradient is independent of the gradients before it, by Gram-Schmidt orthogonalisation. */
 static int check_independent(const fvi_stepper *s, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -116,7 +117,7 @@ static int check_independent(const fvi_stepper *s, fvi_error *error)
     return FVI_SUCCESS;
 }
 
-/* c(x0) = 0, but for the digits that a start is typed with. */
+/* Check that c(x0) = 0, up to the digits that a user types. */
 static int check_place(const fvi_stepper *s, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -135,8 +136,8 @@ static int check_place(const fvi_stepper *s, fvi_error *error)
     return status;
 }
 
-/* What p0 loses to keep to the hidden constraint, or to a coordinate without inertia, must be no
- * more than its digits. */
+/* Check that the projection changes p0 by no more than the digits that a user types. The projection removes the part
+ * that violates the hidden constraint or moves a coordinate without inertia. */
 static int check_momentum(fvi_stepper *s, fvi_error *error)
 {
     fvi_mechanism_state *o = s->mechanism;
@@ -168,8 +169,8 @@ static int check_momentum(fvi_stepper *s, fvi_error *error)
     return status;
 }
 
-/* Which coordinates have neither inertia nor a constraint? Their velocity is not that of p. Where an inertia
- * vanishes at rest alone the search for the velocity begins elsewhere. */
+/* Find the coordinates that have neither inertia nor a constraint; p does not determine their velocity. If an inertia
+ * vanishes only at rest, the search for the velocity begins with the velocities 1. */
 static int find_massless(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;

@@ -1,7 +1,8 @@
-/* src/mechanism/mechanism_contacts.c -- Constraints of a run, and contacts that are closed.   [H 29]
+/* src/mechanism/mechanism_contacts.c -- The ties of a run: its constraints and its closed contacts.   [H 29]
  *
- * A body that rests on a surface Z = 0 is held to it by a constraint. Z keeps the value at which the contact closed: 0
- * to rounding, or less than the error of a step. This constraint is one more row behind those of the run. */
+ * A body that rests on a surface Z = 0 is held there by a constraint. Z keeps the value at which the contact has
+ * closed, which is 0 up to rounding errors, or smaller than the error of a step. This constraint is one more row behind
+ * the constraints of the run. */
 #include "mechanism_state.h"
 
 #include "system/archive_pieces.h"
@@ -16,7 +17,7 @@ static const fvi_constraints *constraints_of(const fvi_stepper *s)
     return s->run.system->mechanism->constraints;
 }
 
-/* The contact of row l. */
+/* Return the contact of row l. */
 static const fvi_event *contact_of(const fvi_stepper *s, size_t l)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -107,7 +108,7 @@ int fvi_mechanism_tie_hessians(const fvi_stepper *s, double t, const double *x,
     return status;
 }
 
-/* ---- which contacts are closed ---- */
+/* ---- closed contacts ---- */
 
 void fvi_mechanism_keep_contacts(fvi_mechanism_state *o)
 {
@@ -135,7 +136,7 @@ size_t fvi_mechanism_row_of_contact(const fvi_mechanism_state *o, size_t event)
     return l;
 }
 
-/* The unknowns of the stages are those of another number of constraints, and so are the rows of C. */
+/* Set the number of unknowns and the rows of C after the number of ties has changed. */
 static int follow_contacts(fvi_stepper *s, double t, const double *x)
 {
     fvi_mechanism_state *o = s->mechanism;
@@ -165,7 +166,7 @@ int fvi_mechanism_open_contact(fvi_stepper *s, double t, const double *x, size_t
     return follow_contacts(s, t, x);
 }
 
-/* Is it possible that these contacts are closed at once? */
+/* Return 1 if these contacts can be closed at the same time. */
 static int has_possible_contacts(const fvi_stepper *s, size_t m, const size_t *contact)
 {
     const fvi_mechanism_state *o = s->mechanism;

@@ -1,4 +1,4 @@
-/* src/mechanism/mechanism_memory.c -- Histories of dampers, and what the past does.  [H 29] */
+/* src/mechanism/mechanism_memory.c -- The histories of the dampers and the forces of their pasts.  [H 29] */
 #include "mechanism_state.h"
 #include "memory/history_kinds.h"
 #include "memory/history_parts.h"
@@ -66,8 +66,8 @@ int fvi_mechanism_is_stretched(const fvi_stepper *s, size_t j)
     return !(fabs(o->z[j]) <= FVI_ROUNDING_SHARE * size);
 }
 
-/* The past rl, which was stretched to z at t = 0: its forces are known, and there is a motion, for powers of
- * order 1 at most. */
+/* Add the start forces of the past rl, in which the damper was stretched to z at t = 0. For powers of order 1 at most
+ * these forces are known, and a motion exists. */
 static int add_start_forces_of_place(fvi_stepper *s, size_t j, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -83,8 +83,8 @@ static int add_start_forces_of_place(fvi_stepper *s, size_t j, fvi_error *error)
     return status;
 }
 
-/* A damper that needs the slope zdot of its start: t zdot is taken away from its elongation, and what the
- * kernel makes of it is added exactly; of Caputo's past it is nothing. */
+/* Add the start force of a damper that needs the slope zdot of its start. t zdot is subtracted from its elongation, and
+ * the response of the kernel to t zdot is added exactly. For Caputo's past this response is zero. */
 static int add_start_force_of_slope(fvi_stepper *s, size_t j, double zdot)
 {
     const fvi_damper *damper = &s->run.system->mechanism->damper[j];
@@ -200,9 +200,9 @@ int fvi_mechanism_begin_histories(fvi_stepper *s, const double *v,
     return status;
 }
 
-/* ---- in a step ---- */
+/* ---- a step ---- */
 
-/* The impulses of each force of the start at both ends of the step; or the force at each stage. */
+/* Compute the impulses of the start forces at both ends of the step, or their forces at each stage. */
 static void predict_start_forces(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
@@ -312,7 +312,7 @@ int fvi_mechanism_copy_parts(const fvi_mechanism_state *from,
     return status;
 }
 
-/* Of order 1 a term came in at the start, too. */
+/* In the scheme of order 1 the history has one term more, from the start. */
 int fvi_mechanism_serialize_parts(fvi_stepper *s, fvi_archive *v)
 {
     fvi_mechanism_state *o = s->mechanism;

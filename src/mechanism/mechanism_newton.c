@@ -1,4 +1,4 @@
-/* src/mechanism/mechanism_newton.c -- Newton's method for the equations of a step.  [H 29] */
+/* src/mechanism/mechanism_newton.c -- Solve the equations of a step by Newton's method.  [H 29] */
 #include "mechanism_state.h"
 #include "system/dot.h"
 #include "system/lagrangian_point.h"
@@ -15,7 +15,7 @@ static double norm(size_t n, const double *v)
     return sqrt(fvi_dot(n, v, v));
 }
 
-/* The change of u, -J^-1 r, of what assemble has written. */
+/* Compute the Newton step change = -J^-1 r from the residual and the matrix. */
 static int change_of(fvi_mechanism_state *o)
 {
     for (size_t i = 0; i < o->n; i++)
@@ -23,7 +23,7 @@ static int change_of(fvi_mechanism_state *o)
     return fvi_solve_matrix(o->n, o->matrix, o->change, o->order);
 }
 
-/* Is it done? The next change of an iteration of order two is about now^3 / before^2. */
+/* Return 1 if the iteration has converged. Near a simple root the next change is about now^3 / before^2. */
 static int is_done(double now, double before, double scale)
 {
     const double rounding = 4 * DBL_EPSILON * scale;
@@ -32,8 +32,8 @@ static int is_done(double now, double before, double scale)
                && now / before * (now / before) * now <= rounding / 1e4);
 }
 
-/* Is a change of x no more than its roundings, where these are all that an equation knows x to? That of a constraint is
- * one, and that of a coordinate without inertia. */
+/* Return 1 if a change of x is within the rounding errors of x, and if an equation determines x no better than this.
+ * The equation of a constraint does so, and on a mesh that of a coordinate without inertia. */
 static int is_lost_in_places(const fvi_stepper *s, double change)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -43,9 +43,10 @@ static int is_lost_in_places(const fvi_stepper *s, double change)
     return knows_places && change <= 4 * DBL_EPSILON * largest_abs(o->d, s->x);
 }
 
-/* On a mesh a step may be so short that the increments need more digits than c(x) = 0 gives, which knows x up to
- * roundings. Then the iteration also ends when it changes x by no more than these. Where a body rests nothing moves, and the
- * size of all motion before says what is small. */
+/* Iterate by Newton's method. On a mesh a step may be so short that the increments need more digits than c(x) = 0 can
+ * give, because c determines x only up to rounding errors. So the iteration also ends when it changes x by no more than
+ * these. While a body rests, nothing moves, so the size of its motion before (rest_scale) says which changes are
+ * small. */
 static int iterate(fvi_stepper *s,
                    int (*assemble)(fvi_stepper *s, const double *u),
                    size_t places, double *u)
@@ -72,7 +73,8 @@ static int iterate(fvi_stepper *s,
     return is_lost_in_places(s, before) ? FVI_SUCCESS : FVI_EMAXITER;
 }
 
-/* Down the residual: the longest of the steps 1, 1/2, 1/4, ... of Newton's that makes it smaller. */
+/* Reduce the residual. Each step is Newton's step times the largest of the factors 1, 1/2, 1/4, ... that makes the
+ * residual smaller. */
 static int descend(fvi_stepper *s,
                    int (*assemble)(fvi_stepper *s, const double *u), double *u)
 {
@@ -92,11 +94,11 @@ static int descend(fvi_stepper *s,
                 o->trial[j] = u[j] + part * o->change[j];
             status = assemble(s, o->trial);
             next = norm(n, o->residual);
-            if (status == FVI_EOVRFLW) /* outside of where L is known */
+            if (status == FVI_EOVRFLW) /* the point is outside the domain of L */
                 status = FVI_SUCCESS, next = INFINITY;
         }
         if (!(next < size))
-            return status; /* no further: iterate says whether it is a root */
+            return status; /* no step reduces the residual; iterate will decide whether u is a root */
         memcpy(u, o->trial, n * sizeof *u);
         size = next;
         if (part == 1 && norm(n, o->change) <= 1e-6 * (length + norm(n, u)))

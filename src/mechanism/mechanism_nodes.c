@@ -1,4 +1,4 @@
-/* src/mechanism/mechanism_nodes.c -- Order 1, and the node scheme.             [H 29] */
+/* src/mechanism/mechanism_nodes.c -- Take a step of order 1 or of the node scheme.             [H 29] */
 #include "mechanism_state.h"
 #include "run/step_times.h"
 
@@ -10,14 +10,14 @@ static double time_of(const fvi_stepper *s, size_t k)
     return (double)k * s->run.h;
 }
 
-/* L is evaluated at kappa x_k + (1 - kappa) x_{k+1}. */
+/* Return kappa: L is evaluated at kappa x_k + (1 - kappa) x_{k+1}. */
 static double kappa_of(const fvi_mechanism_state *o, const fvi_stepper *s)
 {
     return o->form == FVI_MECHANISM_NODES ? 0.5 : s->run.kappa;
 }
 
 //> point
-/* L and its derivatives at the point of the step, for x_{k+1} = x_k + u. */
+/* Evaluate L and its derivatives at the point of the step, for x_{k+1} = x_k + u. */
 static int evaluate_point(fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -31,13 +31,13 @@ static int evaluate_point(fvi_stepper *s, const double *u)
 }
 //< point
 
-/* z, G and c at the end of the step, x_k + u. */
+/* Evaluate z, G and c at the end of the step, x_k + u. */
 static int evaluate_end(fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
     const double t = time_of(s, s->k + 1);
-    double *x = o->X + o->d; /* a second point has room */
+    double *x = o->X + o->d; /* the second point of X */
     for (size_t i = 0; i < o->d; i++)
         x[i] = s->x[i] + u[i];
     int status = fvi_mechanism_elongations(s, t, x, o->elongation, o->gradient);
@@ -46,7 +46,7 @@ static int evaluate_end(fvi_stepper *s, const double *u)
     double *C = o->matrix + o->d * o->n; /* the last rows of the Jacobian */
     if (!status && o->m)
         status = c->gradient(t, o->d, x, c->params, C, NULL);
-    for (size_t i = o->m; i-- > 0;) { /* d to n numbers a row */
+    for (size_t i = o->m; i-- > 0;) { /* widen the rows from d to n numbers */
         memmove(C + i * o->n, C + i * o->d, o->d * sizeof *C);
         memset(C + i * o->n + o->d, 0, o->m * sizeof *C);
     }
@@ -54,7 +54,7 @@ static int evaluate_end(fvi_stepper *s, const double *u)
 }
 
 //> damper
-/* The force of damper j for the elongations at both ends, (29.6). */
+/* Return the force of damper j, (29.6), for the elongations at both ends of the step. */
 static double damper_force(const fvi_mechanism_state *o, size_t j)
 {
     const double mean = (o->z[j] + o->elongation[j]) / 2 - o->z0[j];
@@ -63,7 +63,7 @@ static double damper_force(const fvi_mechanism_state *o, size_t j)
 //< damper
 
 //> residual
-/* h times the equation of p_k; u is the increment, then h^2 / 2 Lambda. */
+/* Assemble h times the equation of p_k. u holds the increment, then h^2 / 2 Lambda. */
 static int assemble(fvi_stepper *s, const double *u)
 {
     fvi_mechanism_state *o = s->mechanism;
@@ -108,7 +108,7 @@ int fvi_mechanism_linearise_nodes(fvi_stepper *s, const double *u)
     return status || o->form == FVI_MECHANISM_NODES ? status : evaluate_end(s, u);
 }
 
-/* Of order 1 F, the forces of velocity and the dampers act at the end of the step. */
+/* End a step of order 1. Here F, the forces of velocity and the dampers act at the end of the step. */
 static int end_first_order(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
@@ -140,7 +140,7 @@ static int end_first_order(fvi_stepper *s)
     return status;
 }
 
-/* What is left of the multipliers: p_{k+1} keeps to the hidden constraint. */
+/* Apply the multipliers, and project p_{k+1} to the hidden constraint. */
 static int end_constraints(fvi_stepper *s, const double *u)
 {
     fvi_mechanism_state *o = s->mechanism;
@@ -151,7 +151,7 @@ static int end_constraints(fvi_stepper *s, const double *u)
         for (size_t i = 0; i < o->d; i++)
             s->p[i] -= o->C[l * o->d + i] * u[o->d + l] / h;
     }
-    memcpy(o->v, o->V, o->d * sizeof *o->v); /* the slope of the step */
+    memcpy(o->v, o->V, o->d * sizeof *o->v); /* the initial guess is the mean velocity of the step */
     int status = FVI_SUCCESS;
     if (o->m)
         status = c->gradient(t, o->d, s->x, c->params, o->C, NULL);
@@ -189,7 +189,8 @@ static int end_nodes(fvi_stepper *s, const double *u)
     return status ? status : end_constraints(s, u);
 }
 
-/* F on either side of a jump at a node, (13.12); of order 1 nothing acts at the beginning. */
+/* Evaluate F at both ends of the step as limits from within, (13.12). In the scheme of order 1 nothing acts at the
+ * beginning. */
 static int forces_at_ends(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
@@ -204,10 +205,10 @@ static int forces_at_ends(fvi_stepper *s)
 }
 
 //> smooth
-/* The equation of a coordinate without inertia knows the means of two nodes alone, so that a part (-1)^k of its
- * place stays for ever. What is shown is the line through the last two means at t_k:
- * (3 x_k + 2 x_{k-1} - x_{k-2}) / 4. (29.17) Its velocity at t_k is the slope of the parabola through the last three
- * means, (2 x_k - x_{k-1} - 2 x_{k-2} + x_{k-3}) / 2h (29.25), and in the first two steps the slope of a line. */
+/* Smooth the coordinates without inertia. Their equation determines only the mean of two nodes, so an oscillation
+ * (-1)^k of the position never decays. The output is the line through the last two means, evaluated at t_k: (3 x_k + 2
+ * x_{k-1} - x_{k-2}) / 4 (29.17). The velocity at t_k is the slope of the parabola through the last three means, (2
+ * x_k - x_{k-1} - 2 x_{k-2} + x_{k-3}) / 2h (29.25), and in the first two steps the slope of a line. */
 static void smooth_massless(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
@@ -241,7 +242,7 @@ int fvi_mechanism_step_nodes(fvi_stepper *s)
     int status = forces_at_ends(s);
     if (!status)
         status = fvi_mechanism_predict_forces(s);
-    if (!status) /* the last increment is the guess */
+    if (!status) /* the last increment is the initial guess */
         status = fvi_mechanism_solve(s, assemble, d, o->u);
     o->has_root = 1;
     if (!status)

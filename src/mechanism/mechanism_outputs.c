@@ -1,4 +1,4 @@
-/* src/mechanism/mechanism_outputs.c -- What a run with a mechanism tells besides x and p. [H 29] */
+/* src/mechanism/mechanism_outputs.c -- The outputs of a run with a mechanism besides x and p. [H 29] */
 #include "mechanism_state.h"
 
 #include <stdlib.h>
@@ -17,7 +17,7 @@ int fvi_stepper_velocity(const fvi_stepper *s, double *v)
     if (!o)
         return FVI_EUNSUP;
     memcpy(v, o->v, o->d * sizeof *v);
-    if (o->m > 0) /* it is known, from the hidden constraint */
+    if (o->m > 0) /* the projection to the hidden constraint has computed it */
         return FVI_SUCCESS;
     return fvi_velocity_of_momentum(s->run.system, s->t, s->x, s->p, v);
 }

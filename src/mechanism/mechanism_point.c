@@ -1,4 +1,4 @@
-/* src/mechanism/mechanism_point.c -- Lagrangian, forces and elongations at one point.  [H 29] */
+/* src/mechanism/mechanism_point.c -- Evaluate the Lagrangian, the forces and the elongations at one point.  [H 29] */
 #include "mechanism_state.h"
 #include "system/dot.h"
 #include "system/lagrangian_point.h"

@@ -1,4 +1,4 @@
-/* src/mechanism/mechanism_stage_forces.c -- All that acts at the stages of a step.   [H 29]
+/* src/mechanism/mechanism_stage_forces.c -- Compute all forces at the stages of a step.   [H 29]
  *
  *     V = E (X - x_k) / h,     zdot = E (g(X) - g(x_k)) / h,     lambda = known + W zdot */
 #include "mechanism_state.h"
@@ -14,7 +14,6 @@ double fvi_mechanism_stage_time(const fvi_stepper *s, size_t i)
                          : ((double)s->k + o->rule->c[i]) * o->h;
 }
 
-/* From within the step at its ends: a jump at a node belongs to neither side. */
 double fvi_mechanism_inner_time(const fvi_stepper *s, size_t i)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -23,7 +22,6 @@ double fvi_mechanism_inner_time(const fvi_stepper *s, size_t i)
     return fvi_inner_time(left, right, h, fvi_mechanism_stage_time(s, i), i, o->s);
 }
 
-/* The increment of stage i, coordinate j. */
 double fvi_mechanism_increment(const fvi_mechanism_state *o, const double *u, size_t i,
                         size_t j)
 {
@@ -43,7 +41,8 @@ static void place_stages(const fvi_stepper *s, const double *u)
         }
 }
 
-/* What t alone adds to damper e between x_k and stage l: the mean slope of both ends. */
+/* Add to *sum the change of the elongation of damper e between x_k and stage l that is due to t alone: the mean rate of
+ * both ends times the time. */
 static int stretch_of_time(const fvi_stepper *s, size_t l, size_t e, double *sum)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -58,9 +57,9 @@ static int stretch_of_time(const fvi_stepper *s, size_t l, size_t e, double *sum
     return status;
 }
 
-/* g(X_l) - g(x_k) of damper e. On a mesh a step may be so short that the difference has lost its digits.
- * Then it is the increment times the mean slope of both ends, which is right to O(u^3), and is taken where
- * the two agree to the rounding of g. */
+/* Compute change = g(X_l) - g(x_k) of damper e. On a mesh a step may be so short that this difference has lost its
+ * digits. Then it is replaced by the increments times the mean gradient of both ends, which is exact up to O(u^3). The
+ * replacement is used if both agree up to the rounding errors of g. */
 static int stretch(const fvi_stepper *s, const double *u, size_t l, size_t e, double *change)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -80,7 +79,7 @@ static int stretch(const fvi_stepper *s, const double *u, size_t l, size_t e, do
     return status;
 }
 
-/* lambda of every damper at every stage. */
+/* Compute zdot and lambda of every damper at every stage. */
 static int evaluate_dampers(const fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -107,7 +106,6 @@ static int evaluate_dampers(const fvi_stepper *s, const double *u)
     return status;
 }
 
-/* Everything at all stages; f then has the force of t, and of the dampers. */
 int fvi_mechanism_evaluate_stages(fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -133,7 +131,6 @@ int fvi_mechanism_evaluate_stages(fvi_stepper *s, const double *u)
     return status;
 }
 
-/* Second derivatives of elongations and constraints: what lambda and Lambda change of fx. */
 int fvi_mechanism_add_curvature(fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->mechanism;

@@ -1,12 +1,12 @@
-/* src/mechanism/mechanism_stages.c -- Steps with stages: forms M and D of one equation. [H 29]
+/* src/mechanism/mechanism_stages.c -- Take a step with stages; forms M and D share one equation. [H 29]
  *
  *     V = E (X - x_k) / h,     zdot = E (g(X) - g(x_k)) / h,
  *     R_i = p_k [i = 1] + h b_i (L_x + F - G^T lambda)_i + sum_j T_ij L_v(X_j, V_j)
  *           - h b_i C_i^T Lambda_i = 0,
- *     p_{k+1} = p_k + sum_i h b_i (L_x + F - G^T lambda - C^T Lambda)_i:
+ *     p_{k+1} = p_k + sum_i h b_i (L_x + F - G^T lambda - C^T Lambda)_i
  *
- * E = D and T = D^T B in form M, whose first stage is x_k; E = A^-1 and T = -B A^-1 in form D,
- * whose stages are all unknown. (29.7), (29.8) */
+ * In form M, E = D and T = D^T B, and the first stage is x_k. In form D, E = A^-1 and T = -B A^-1, and all stages are
+ * unknown. (29.7), (29.8) */
 #include "mechanism_state.h"
 
 #include <math.h>
@@ -15,8 +15,8 @@
 /* ---- tables ---- */
 
 //> tables
-/* A^-1 is D with 1 / b_1 more in its corner, (17.3); b^T A^-1 = e_s^T, so p_{k+1} = L_v of the last
- * stage in form D. */
+/* A^-1 is D plus 1 / b_1 in the first entry, (17.3). b^T A^-1 = e_s^T, so p_{k+1} is L_v of the last stage in form
+ * D. */
 void fvi_mechanism_tables(fvi_mechanism_state *o)
 {
     const fvi_lobatto_rule *r = o->rule;
@@ -35,7 +35,7 @@ void fvi_mechanism_tables(fvi_mechanism_state *o)
 /* ---- the equation ---- */
 
 //> row
-/* h R_i, coordinate j, but for the constraints. */
+/* Return h R_i of coordinate j, without the constraints. */
 static double residual(const fvi_stepper *s, size_t i, size_t j)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -48,7 +48,7 @@ static double residual(const fvi_stepper *s, size_t i, size_t j)
 //< row
 
 //> block
-/* The derivative of the rows of stage i by the increments of stage l, into J. */
+/* Write the derivative of the rows of stage i by the increments of stage l to J. */
 static void block(const fvi_stepper *s, size_t i, size_t l, double *J)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -81,7 +81,8 @@ static void block(const fvi_stepper *s, size_t i, size_t l, double *J)
 }
 //< block
 
-/* -C_i^T mu_i in the rows of each equation, mu_i = h^2 b_i Lambda_i; c = 0 at each unknown stage. */
+/* Add the constraints: -C_i^T mu_i to the rows of stage i, with mu_i = h^2 b_i Lambda_i, and the rows c = 0 at each
+ * unknown stage. */
 static int add_constraints(fvi_stepper *s, const double *u)
 {
     fvi_mechanism_state *o = s->mechanism;
@@ -138,7 +139,8 @@ int fvi_mechanism_linearise(fvi_stepper *s, const double *u)
 
 /* ---- a step ---- */
 
-/* The polynomial of the last step goes on; of many stages it would swing, and its last slope does. */
+/* Guess the increments by extrapolation of the last step. For up to five stages its polynomial is continued. For more
+ * stages the polynomial would oscillate, so its last slope is continued. */
 static void guess(const fvi_stepper *s)
 {
     enum { FEW = 5 };
@@ -174,7 +176,7 @@ void fvi_mechanism_keep_dampers(fvi_mechanism_state *o)
     memcpy(o->G, o->gradient + last * r * d, r * d * sizeof *o->G);
 }
 
-/* Sums over the step: momentum, impulse and work of the dampers. */
+/* Compute p and x at the end of the step, and the impulses and the work of the dampers. */
 static void add_up(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
@@ -201,8 +203,8 @@ int fvi_mechanism_subtract_multipliers(const fvi_stepper *s, double *C, double *
     return status;
 }
 
-/* The multipliers' impulses, and the last one, from the hidden constraint. Form D has one more, at the last
- * stage, to which this is a correction. */
+/* The impulse at the end follows from the hidden constraint. In form D the last stage has a multiplier of its own, and
+ * this impulse is a correction to it. */
 int fvi_mechanism_end_constraints(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;

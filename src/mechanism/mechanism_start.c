@@ -1,4 +1,4 @@
-/* src/mechanism/mechanism_start.c -- The start, the copy and the end of a run with a mechanism. [H 29] */
+/* src/mechanism/mechanism_start.c -- Start, copy and free a run with a mechanism. [H 29] */
 #include "mechanism_state.h"
 #include "system/arrays.h"
 #include "system/fail.h"
@@ -25,8 +25,8 @@ static void stop(fvi_stepper *s)
     fvi_mechanism_free(s->mechanism);
 }
 
-/* Every array of doubles stands in one block; those that go from step to step stand before W. There is room for all
- * contacts at once. */
+/* Allocate the arrays of doubles in one block. The arrays that one step passes to the next stand before W. There is
+ * room for all contacts at the same time. */
 static int allocate(fvi_mechanism_state *o)
 {
     const size_t d = o->d, r = o->r, m = o->most, s = o->s, q = o->q,
@@ -50,7 +50,7 @@ static int allocate(fvi_mechanism_state *o)
     return FVI_SUCCESS;
 }
 
-/* The method with these steps, which now is the stepper's; a mesh has its own. */
+/* Give the stepper a copy of its method with these steps. A mesh has its own steps. */
 static void become(fvi_stepper *s, fvi_mechanism_form form)
 {
     fvi_mechanism_state *o = s->mechanism;
@@ -93,7 +93,8 @@ static int make_state(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
     return allocate(o);
 }
 
-/* An elongation such as sqrt(x - 1) has no slope at x = 1, and its damper no force there. */
+/* Check that the elongations and their gradients are finite. For example, sqrt(x - 1) has no slope at x = 1, so the
+ * force of its damper does not exist there. */
 static int check_elongations(const fvi_stepper *s, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -110,8 +111,8 @@ static int check_elongations(const fvi_stepper *s, fvi_error *error)
     return FVI_SUCCESS;
 }
 
-/* A coordinate without inertia is nothing for order 1. For form M it needs a damper that stands for it:
- * with orders of 1 and below there is no step (29.16). */
+/* Check the coordinates without inertia. The scheme of order 1 cannot take one. Form M can if a damper of an order
+ * above 1 acts on it; with orders of 1 and below the step has no solution (29.16). */
 static int check_massless(const fvi_stepper *s, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -131,8 +132,9 @@ static int check_massless(const fvi_stepper *s, fvi_error *error)
     return FVI_SUCCESS;
 }
 
-/* An impulse on a coordinate without inertia makes its place infinite at once, but for an order of 1 and above. Stages of a
- * fixed length see it from afar. Nodes stand where it is, and steps of a mesh are as short as it asks for. */
+/* Check the impulses. An impulse on a coordinate without inertia makes its position infinite at once, unless a damper
+ * of order 1 or above acts on it. Stages of a fixed length do not resolve this. Nodes evaluate the position at that
+ * time, and a mesh would need ever shorter steps. */
 static int check_impulses(const fvi_stepper *s, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->mechanism;
@@ -149,7 +151,7 @@ static int check_impulses(const fvi_stepper *s, fvi_error *error)
     return FVI_SUCCESS;
 }
 
-/* The first guess: the velocity goes on. */
+/* Set the initial guess of the first step to a constant velocity. */
 static void guess(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
@@ -191,7 +193,8 @@ int fvi_mechanism_start(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
     return status;
 }
 
-/* Of one damper. On a mesh it has modes: 24 at least, of six stages each, and two matrices of the stages. */
+/* Return the memory of one damper. On a mesh it has at least 24 modes with six stages each, and two matrices of the
+ * stages. */
 static double bytes_of_damper(const fvi_method *method, const fvi_run *run)
 {
     enum { MODES = 24, NUMBERS = 12, SQUARES = 2 * FVI_STAGES * FVI_STAGES };
@@ -202,8 +205,8 @@ static double bytes_of_damper(const fvi_method *method, const fvi_run *run)
                           : (double)fvi_history_bytes(0.5, 1, run->steps, run->memory, 0);
 }
 
-/* The points q of a step are its stages, on a mesh six or more of them. The matrix of Newton's method has q d
- * rows, in form M (q - 1) d; and there are four matrices of d rows at each point. */
+/* q is the number of points of a step: its stages, on a mesh at least six. The matrix of Newton's method has q d rows,
+ * in form M (q - 1) d. In addition, there are four matrices of d rows at each point. */
 double fvi_mechanism_bytes(const fvi_method *method, const fvi_run *run)
 {
     const double r = (double)run->system->mechanism->damper_count,
