@@ -1,4 +1,4 @@
-/* src/paper/algorithm_3.c -- Algorithm 3 as the paper prints it. [H 9] */
+/* src/paper/algorithm_3.c -- Compute Algorithm 3 as the paper prints it. [H 9] */
 #include <fvi/paper/algorithm_3.h>
 
 #include <fvi/fvi.h>
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The loop of Algorithm 3. c are the weights of two derivatives of order alpha. */
+/* The loop of Algorithm 3. c contains the weights of the derivative of order alpha applied twice. */
 //> algorithm-3
 static int three_terms(const fvi_system *system, double kappa, double h,
                        size_t N, double p0, const double *c, double factor,
@@ -20,7 +20,7 @@ static int three_terms(const fvi_system *system, double kappa, double h,
 {
     const fvi_force *force = &system->force;
     int status = FVI_SUCCESS;
-    double p = p0, F = 0; /* p_0 = -D1 L_d(x_0, x_1) gives x_1 */
+    double p = p0, F = 0; /* p_0 = -D1 L_d(x_0, x_1) determines x_1 */
     for (size_t k = 0; k < N; k++) {
         if (k > 0) {
             double D = 0; /* Delta_-^alpha Delta_-^alpha x_k */
@@ -70,7 +70,7 @@ int fvi_algorithm_3(const fvi_system *system, double alpha, double kappa,
                           .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
     fvi_stepper *s;
     status = fvi_stepper_start(&fvi_fractional, &run, &s,
-                               NULL); /* only to check them */
+                               NULL); /* only to check the arguments */
     if (status)
         return status;
     fvi_stepper_free(s);

@@ -1,4 +1,4 @@
-/* src/paper/balance.c -- What a scheme with memory conserves, and what it loses. [H 21] */
+/* src/paper/balance.c -- Compute what a scheme with memory conserves, and what it loses. [H 21] */
 #include <fvi/paper/balance.h>
 
 #include "system/fail.h"
@@ -33,7 +33,7 @@ static int check(const fvi_balance_scheme *scheme, size_t N)
     return FVI_SUCCESS;
 }
 
-/* sum += factor a . B b, B the full Hessian that is given */
+/* Add factor a . B b to *sum. B is a full Hessian. */
 static void add_form(size_t d, const double *B, double factor, const double *a,
                      const double *b, double *sum)
 {
@@ -45,8 +45,8 @@ static void add_form(size_t d, const double *B, double factor, const double *a,
 /* ---- Green's identity ---- */
 
 //> near
-/* *C = v_n . K u_{n+1} - u_n . K v_{n+1}, K = -m/h - kappa (1 - kappa) h U'' at the
- * point where the step takes its potential: the symplectic form of the step. */
+/* Compute *C = v_n . K u_{n+1} - u_n . K v_{n+1}, the symplectic form of the step. K = -m/h - kappa (1 - kappa) h U''
+ * at the point where the step evaluates the potential. */
 static int near(const fvi_balance_scheme *s, const double *x, const double *u,
                 const double *v, double *room, double *C)
 {
@@ -68,10 +68,9 @@ static int near(const fvi_balance_scheme *s, const double *x, const double *u,
 //< near
 
 //> far
-/* sum_{k <= n < j} (v_j . T_{jk} u_k - v_k . T_{kj} u_j), where T_{jk} = rho t_{j-k}
- * and T_{k,k+1} = rho ahead. later_k = sum t_{j-k} v_j over j > n + 1 comes in and
- * over j > n goes out, so that all n together, from the last to the first, cost
- * O(N^2 d). */
+/* Return sum_{k <= n < j} (v_j . T_{jk} u_k - v_k . T_{kj} u_j), where T_{jk} = rho t_{j-k} and T_{k,k+1} = rho ahead.
+ * On entry later_k is the sum of t_{j-k} v_j over j > n + 1, on return that over j > n. So all n together, from the
+ * last to the first, cost O(N^2 d). */
 static double far(const fvi_system *system, size_t n, const double *t,
                   double ahead, const double *u, const double *v, double *later)
 {
@@ -126,7 +125,7 @@ int fvi_green_form(const fvi_balance_scheme *scheme, size_t N, const double *x,
 
 /* ---- energy ---- */
 
-/* delta(-1)^(2 alpha) (1 - 2 theta): the damping of what alternates. */
+/* Return delta(-1)^(2 alpha) (1 - 2 theta), the damping of an alternating motion. */
 static double chi_at_minus_one(const fvi_balance_scheme *s)
 {
     const double delta = s->weights == FVI_DELTA_BDF2 ? 4 : 2;

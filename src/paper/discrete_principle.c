@@ -1,4 +1,4 @@
-/* src/paper/discrete_principle.c -- The non-local discrete action.     [H 6] */
+/* src/paper/discrete_principle.c -- Compute the non-local discrete action and its gradient.     [H 6] */
 #include <fvi/paper/discrete_principle.h>
 
 #include <fvi/coefficients.h>
@@ -12,7 +12,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* All that both functions are given. */
+/* The arguments of both functions. */
 typedef struct {
     const fvi_system *system;
     double alpha, kappa, h;
@@ -41,7 +41,7 @@ static int check(const problem *p)
     return FVI_SUCCESS;
 }
 
-/* Room for four sequences; the first two: X = Delta_- x and Y = Delta_+ y. */
+/* Allocate four sequences, and fill in the first two: X = Delta_- x and Y = Delta_+ y. */
 static int derivatives(const problem *p, double **room)
 {
     const size_t d = p->system->d, length = (p->N + 1) * d;
@@ -94,8 +94,8 @@ int fvi_discrete_action(const fvi_system *system, double alpha, double kappa,
 }
 
 //> slopes
-/* g_k = D1 L_d(z_k, z_{k+1}) + D2 L_d(z_{k-1}, z_k), k = 0, ..., N: each step
- * gives one slope to each of its ends. D is room for d numbers. */
+/* Compute g_k = D1 L_d(z_k, z_{k+1}) + D2 L_d(z_{k-1}, z_k), k = 0, ..., N. Each step gives one slope to each of its
+ * ends. D has room for d numbers. */
 static int mechanical(const problem *p, const double *z, double *D, double *g)
 {
     const size_t d = p->system->d;
@@ -106,15 +106,15 @@ static int mechanical(const problem *p, const double *z, double *D, double *g)
         if (status)
             return status;
         for (size_t i = 0; i < d; i++)
-            here[i] += D[i]; /* g_0 starts as zero, g_k as D2 */
+            here[i] += D[i]; /* g_0 begins as 0, g_k as D2 */
     }
     return FVI_SUCCESS;
 }
 //< slopes
 
 //> fractional
-/* What the fractional sum adds: Delta_- x_i holds x_k for i >= k with weight
- * alpha_{i-k}, Delta_+ y_i holds y_k for i <= k with weight alpha_{k-i}. */
+/* Add the contribution of the fractional sum. Delta_- x_i contains x_k for i >= k with the weight alpha_{i-k}, and
+ * Delta_+ y_i contains y_k for i <= k with the weight alpha_{k-i}. */
 static void fractional(const problem *p, const double *w, const double *X,
                        const double *Y, double *gx, double *gy)
 {

@@ -1,4 +1,4 @@
-/* src/paper/existence.c -- Picard iteration for motion with memory.   [H 15] */
+/* src/paper/existence.c -- Iterate Picard's map for motion with memory.   [H 15] */
 #include <fvi/paper/existence.h>
 
 #include "system/fail.h"
@@ -10,7 +10,7 @@
 /* ---- the product trapezoidal rule ---- */
 
 //> bend
-/* (1 + z)^p - 1 - p z for |z| <= 1/2, by its series: no cancellation. */
+/* Return (1 + z)^p - 1 - p z for |z| <= 1/2 by its series, because the difference would cancel. */
 static double bend(double p, double z)
 {
     double term = p * (p - 1) / 2 * z * z, sum = 0;
@@ -22,8 +22,8 @@ static double bend(double p, double z)
 }
 //< bend
 
-/* Weights of (15.10) without h^gamma / Gamma(2 + gamma): middle[n] belongs to the
- * node n steps ago, first[n] to the node n = k steps ago, where time began. */
+/* Compute the weights of (15.10) without h^gamma / Gamma(2 + gamma): middle[n] belongs to the node n steps ago, and
+ * first[n] to the node n = k steps ago, at t = 0. */
 static void weights(double gamma, size_t N, double *middle, double *first)
 {
     const double p = gamma + 1;
@@ -52,7 +52,7 @@ static int check_grid(double gamma, double h, size_t N, const double *v,
     return FVI_SUCCESS;
 }
 
-/* (15.10) without checks; work has room for 2 (N + 1) numbers. */
+/* Apply (15.10) without checks. work has room for 2 (N + 1) numbers. */
 static void integrate(double gamma, double h, size_t N, const double *v,
                       double *work, double *out)
 {
@@ -149,7 +149,7 @@ double fvi_picard_weighted(double alpha, double R, double Kx, double Kv,
 }
 //< constants
 
-/* ln(a^n / n!), 0^0 being 1. */
+/* Return ln(a^n / n!), with 0^0 = 1. */
 static double log_share(double a, size_t n)
 {
     return (n > 0 ? (double)n * log(a) : 0) - lgamma((double)n + 1);

@@ -1,4 +1,5 @@
-/* src/paper/experiments.c -- Yardsticks for the numerical section.    [H 10] */
+/* src/paper/experiments.c -- Compute the exact solutions and other references for the numerical section of the paper.
+ * [H 10] */
 #include <fvi/paper/experiments.h>
 
 #include <fvi/coefficients.h>
@@ -20,7 +21,7 @@ typedef struct {
 } modes;
 
 //> discriminant
-/* rho^2 - 4 m c, to within two roundings of its exact value (Kahan). */
+/* Return rho^2 - 4 m c, within two rounding errors of its exact value (Kahan). */
 static double discriminant(double m, double rho, double c)
 {
     double product = 4 * m * c;
@@ -96,7 +97,7 @@ int fvi_oscillator_errors(const fvi_method *method, double m, double rho,
     double worst[3] = { 0 };
     //> errors
     while (s->k < N && (status = fvi_stepper_step(s)) == FVI_SUCCESS) {
-        double x, p, E, E_k; /* the row k = 0 is exact */
+        double x, p, E, E_k; /* the row k = 0 has no error */
         status = fvi_damped_oscillator(m, rho, c, x0, p0, s->t, &x, &p);
         if (!status)
             status = fvi_energy(&system, &x, &p, &E);
@@ -135,7 +136,7 @@ static int check_matrix_method(double m, double rho, double c, double alpha,
     return FVI_SUCCESS;
 }
 
-/* The first column a_0, ..., a_N of the matrix in (10.9): all there is to know. */
+/* Compute the first column a_0, ..., a_N of the matrix in (10.9), which determines the whole matrix. */
 static int column(double m, double rho, double c, double alpha, double h,
                   size_t N, double *a)
 {
@@ -157,7 +158,7 @@ static int force_at(fvi_force force, double t, double *F)
     return force.value ? force.value(t, 1, force.params, F) : FVI_SUCCESS;
 }
 
-/* The n values y to the caller's x, if all of them are numbers. */
+/* Copy the n values y to x, if all of them are finite. Return FVI_SUCCESS or FVI_EOVRFLW. */
 static int hand_over(size_t n, const double *y, double *x)
 {
     if (!fvi_all_finite(n, y))

@@ -1,4 +1,4 @@
-/* src/paper/fractional_derivative.c -- Derivatives of fractional order. [H 1] */
+/* src/paper/fractional_derivative.c -- Compute derivatives of fractional order. [H 1] */
 #include <fvi/paper/fractional_derivative.h>
 
 #include "system/fail.h"
@@ -21,7 +21,7 @@ static int check(fvi_side side, double alpha, double end,
         FVI_FAIL("side must be FVI_RETARDED or FVI_ADVANCED", FVI_EINVAL);
     if (!(alpha >= 0 && alpha <= 1))
         FVI_FAIL("alpha must be in [0, 1]", FVI_EDOM);
-    if (!gsl_finite(end - t)) /* so is each of the two */
+    if (!gsl_finite(end - t)) /* then both are finite */
         FVI_FAIL("end and t must be finite", FVI_EDOM);
     if (side == FVI_RETARDED ? t < end : t > end)
         FVI_FAIL("t must lie on its side of the end", FVI_EDOM);
@@ -29,7 +29,7 @@ static int check(fvi_side side, double alpha, double end,
 }
 
 //> history
-/* The history of f' seen from t: x = 0 is now, x = 1 is the end. */
+/* The history of f' as seen from t: x = 0 is the time t, and x = 1 is the end. */
 typedef struct {
     const fvi_curve *curve;
     double t, reach; /* reach = end - t, with its sign */
@@ -42,10 +42,10 @@ static double velocity(double x, void *params)
 }
 //< history
 
-/* (1.5): (1 - alpha) int_0^1 x^(-alpha) f'(t + reach x) dx, a mean of f'. */
+/* Compute (1.5): (1 - alpha) int_0^1 x^(-alpha) f'(t + reach x) dx, a mean of f'. */
 static int mean_velocity(history *past, double alpha, double *mean)
 {
-    double largest = 0; /* of |f'| at some points: sets the tolerance */
+    double largest = 0; /* largest |f'| at some points; it sets the tolerance */
     for (int i = 0; i <= PROBES; i++) {
         double v = velocity((double)i / PROBES, past);
         if (!gsl_finite(v))
@@ -65,7 +65,7 @@ static int mean_velocity(history *past, double alpha, double *mean)
     gsl_integration_qaws_table_free(kernel);
     gsl_integration_workspace_free(w);
     fvi_loud();
-    if (status == GSL_EFAILED) /* QAWS, where an area is not a number */
+    if (status == GSL_EFAILED) /* QAWS returns this if an area is not a number */
         FVI_FAIL("f' is not finite", FVI_EBADFUNC);
     if (status)
         FVI_FAIL("the quadrature gave up", status);
@@ -73,7 +73,7 @@ static int mean_velocity(history *past, double alpha, double *mean)
     return FVI_SUCCESS;
 }
 
-/* Caputo, the arguments being checked. */
+/* Compute Caputo's derivative. The arguments have been checked. */
 static int caputo(fvi_side side, double alpha, double end,
                   const fvi_curve *curve, double t, double *d)
 {
@@ -135,7 +135,7 @@ int fvi_riemann_liouville(fvi_side side, double alpha, double end,
 
 /* ---- powers, in closed form ---- */
 
-/* a + b + c; lo is what is missing in the result. */
+/* Return a + b + c. *lo becomes the part of the sum that the result lacks. */
 static double sum3(double a, double b, double c, double *lo)
 {
     double ab = a + b, bb = ab - a, e = (a - (ab - bb)) + (b - bb);
@@ -145,7 +145,7 @@ static double sum3(double a, double b, double c, double *lo)
     return hi;
 }
 
-/* ln Gamma(x) - (x - 1/2) ln x + x - ln(2 pi)/2 for x >= 10, to 1e-17. */
+/* Return ln Gamma(x) - (x - 1/2) ln x + x - ln(2 pi)/2 for x >= 10, with an error of 1e-17. */
 static double stirling(double x)
 {
     const double c[] = { 1.0 / 12,   -1.0 / 360,      1.0 / 1260, -1.0 / 1680,
@@ -156,19 +156,19 @@ static double stirling(double x)
     return sum / x;
 }
 
-/* Gamma(g + 1) / Gamma(g + 1 - order). */
+/* Return Gamma(g + 1) / Gamma(g + 1 - order). */
 static double ratio(double order, double g)
 {
     double lo;
     //> ratio
-    double z = sum3(g, -order, 1, &lo); /* each sum rounded once */
+    double z = sum3(g, -order, 1, &lo); /* each sum is rounded once */
     if (z >= 10 && g >= 9)
         return pow(g + 1, order)
                * exp((z - 0.5) * log1p(order / z) - order + stirling(g + 1)
                      - stirling(z));
     if (z >= 1)
         return tgamma(g + 1) / tgamma(z);
-    /* 1/Gamma(z) = z (z + 1) / Gamma(z + 2), its zeros in plain sight */
+    /* 1/Gamma(z) = z (z + 1) / Gamma(z + 2), where the zeros are factors. */
     return tgamma(g + 1) * z * sum3(g, -order, 2, &lo)
            / tgamma(sum3(g, -order, 3, &lo));
     //< ratio
@@ -188,7 +188,7 @@ int fvi_power_derivative(double order, double g, double u, double *d)
     if (c != 0)
         value = c * pow(u, e); /* (1.6) */
     if (c != 0 && lo != 0 && value != 0)
-        value *= exp(lo * log(u)); /* what the exponent lost */
+        value *= exp(lo * log(u)); /* the part that the exponent lacks */
     if (!gsl_finite(value) && u == 0)
         FVI_FAIL("a power with a negative exponent at 0", FVI_ESING);
     if (!gsl_finite(value))

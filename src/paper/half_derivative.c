@@ -1,4 +1,4 @@
-/* src/paper/half_derivative.c -- Half a derivative, twice.             [H 7] */
+/* src/paper/half_derivative.c -- Apply half a derivative twice.             [H 7] */
 #include <fvi/paper/half_derivative.h>
 
 #include <fvi/coefficients.h>

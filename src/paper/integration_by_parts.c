@@ -1,4 +1,4 @@
-/* src/paper/integration_by_parts.c -- Delta_-^alpha and Delta_+^alpha. [H 5] */
+/* src/paper/integration_by_parts.c -- Compute Delta_-^alpha and Delta_+^alpha. [H 5] */
 #include <fvi/paper/integration_by_parts.h>
 
 #include <fvi/coefficients.h>
@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* Checks the arguments and makes the weights, all before out is touched. */
+/* Check the arguments and compute the weights before `out` is touched. */
 static int prepare(double alpha, double h, size_t N, size_t d, const double *z,
                    const double *out, double **w)
 {

@@ -1,4 +1,4 @@
-/* src/paper/legendre.c -- The discrete Legendre transformation.        [H 8] */
+/* src/paper/legendre.c -- Compute the discrete Legendre transformation and its inverse.        [H 8] */
 #include <fvi/paper/legendre.h>
 
 #include <fvi/discrete_mechanics.h>
@@ -39,7 +39,7 @@ int fvi_legendre_plus(const fvi_system *system, double kappa, double h,
     return status;
 }
 
-/* y = x + delta; room for delta, grad U and m / h, d numbers each. */
+/* Solve for delta = y - x. The array has room for delta, grad U and m / h, d numbers each. */
 static int solve_for_next(const fvi_system *system, double kappa, double h,
                           const double *x, const double *p, double *delta)
 {
@@ -73,7 +73,7 @@ int fvi_legendre_inverse(const fvi_system *system, double kappa, double h,
     const size_t d = system->d;
     if (!fvi_all_finite(d, x) || !fvi_all_finite(d, p))
         FVI_FAIL("x and p must be finite", FVI_EDOM);
-    double *delta = calloc(3 * d, sizeof *delta); /* the guess is zero */
+    double *delta = calloc(3 * d, sizeof *delta); /* the initial guess is zero */
     if (!delta)
         FVI_FAIL("no memory for the step", FVI_ENOMEM);
     status = solve_for_next(system, kappa, h, x, p, delta);

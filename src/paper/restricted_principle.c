@@ -1,4 +1,4 @@
-/* src/paper/restricted_principle.c -- The action of two curves.        [H 3] */
+/* src/paper/restricted_principle.c -- Compute the action of two curves and its variation.        [H 3] */
 #include <fvi/paper/restricted_principle.h>
 
 #include <fvi/paper/fractional_derivative.h>
@@ -11,7 +11,7 @@
 
 /* ---- sums of powers ---- */
 
-/* What the derivative of order beta makes of the coefficient of s^e. */
+/* Return the factor of s^(e - beta) in the derivative of order beta of s^e. */
 static double factor(double e, double beta)
 {
     double c = 0;
@@ -40,7 +40,7 @@ int fvi_powers_reflect(size_t count, double T, const double *c, double *out)
         FVI_FAIL("T must be finite", FVI_EDOM);
     for (size_t n = 0; n < count; n++)
         out[n] = c[n];
-    for (size_t n = 0; n + 1 < count; n++) /* Horner: about T instead of 0 */
+    for (size_t n = 0; n + 1 < count; n++) /* Horner's scheme: powers of s - T instead of s */
         for (size_t i = count - 1; i-- > n;)
             out[i] += T * out[i + 1];
     for (size_t n = 1; n < count; n += 2) /* and s - T = -(T - s) */
@@ -76,8 +76,7 @@ int fvi_damped_powers(double alpha, double C, double R, size_t order,
 
 /* ---- the action ---- */
 
-/* A curve at one time, seen from its own end: f, df/ds, and the derivative of
- * order alpha. */
+/* A curve at one time, as seen from its own end: f, df/ds, and the derivative of order alpha. */
 typedef struct {
     double value, slope, fractional;
 } sample;
@@ -97,9 +96,8 @@ static sample sample_at(const fvi_powers *f, const double *factors,
     return z;
 }
 
-/* d/dt is d/ds for x and xi, -d/ds for y and eta: in the products of two
- * velocities of one end the signs cancel. z[0], z[1], z[2], z[3] are x, y and
- * their variations xi, eta. */
+/* Compute the integrand of the action. d/dt is d/ds for x and xi, and -d/ds for y and eta. In the product of two
+ * velocities of the same end the signs cancel. z[0], z[1], z[2], z[3] are x, y and their variations xi, eta. */
 static int density(const fvi_system *system, const sample *z, double *f)
 {
     const double m = *system->mass, rho = *system->damping;
@@ -135,7 +133,7 @@ static int density_variation(const fvi_system *system, const sample *z,
 enum { HALF = 96, PER_UNIT = 16 }; /* nodes i/16, i = -96, ..., 96 */
 
 //> rule
-/* s = T/(1 + exp(-pi sinh tau)), r = T - s without a subtraction. */
+/* Integrate with s = T/(1 + exp(-pi sinh tau)). T - s is computed without a subtraction. */
 static int integrate(const fvi_system *system, double alpha, double T,
                      size_t count, const fvi_powers *const *curve,
                      double *const *factors, double *out)
@@ -192,7 +190,7 @@ static int check(const fvi_system *system, double alpha, double T, size_t count,
     return status;
 }
 
-/* Both public functions: check, make the factors, integrate. */
+/* Do the work of both public functions: check the arguments, compute the factors, and integrate. */
 static int evaluate(const fvi_system *system, double alpha, double T,
                     size_t count, const fvi_powers *const *curve, double *out)
 {

@@ -1,25 +1,24 @@
-/* src/petsc/fvi_petsc.c -- A structure on many machines, by PETSc and MPI.  [H 28]
+/* src/petsc/fvi_petsc.c -- Run a structure on many machines with PETSc and MPI.  [H 28]
  *
  *     mpirun -n RANKS fvi_petsc -system DIR | -grid N[,N[,N]]
  *            [-alpha A [-damping C] | -damper_1 'G : LAW [: PAST]' [-damper_2 ...]]
  *            -h H -steps N [-x0 X] [-p0 P] [-o FILE]
  *            [-checkpoint FILE [-stop K] [-resume]]
  *
- * runs fvi-stable on M x'' + C D^{2 alpha} x + K x = F(t) from x = X and p = P for all
- * unknowns: with the matrices and forces of a folder, as `fvi run --system`, or on a grid
- * (petsc_share.h). If they are not given, P is 0, and X is 0 of a folder and 1 of a grid.
+ * The program runs fvi-stable on M x'' + C D^{2 alpha} x + K x = F(t) from x = X and p = P for all unknowns. Matrices
+ * and forces are those of a folder, as for `fvi run --system`, or those of a grid (petsc_share.h). The preset of P is
+ * 0. The preset of X is 0 for a folder and 1 for a grid.
  *
- * Several dampers, each with its own matrix, law and past, have the numbers 1, 2, ... in the names of
- * their options, because PETSc keeps only the last of options with one name. The texts are those of
- * `fvi run --damper`: G is a file of the folder or a row like x5-x4; of a grid it is M or K. PETSc
- * takes a word that begins with - and a letter for an option, so write x4-x5 or (-x5+x4).
+ * Several dampers, each with its own matrix, law and past, have the numbers 1, 2, ... in the names of their options,
+ * because PETSc keeps only the last of several options with the same name. The texts are those of `fvi run --damper`.
+ * For a folder, G is a file or a row like x5-x4; for a grid it is M or K. PETSc takes a word that begins with - and a
+ * letter for an option, so write x4-x5 or (-x5+x4).
  *
- * Each rank has some of the rows, and the library's stepper and memory for them: a memory
- * never asks for another unknown. Ranks exchange numbers in the products with M, K and C and
- * in the conjugate gradients, which are PETSc's and take its options
- * (-pc_type icc, -ksp_monitor, ...). FILE of -o gets x and p at the end, as two vectors in
- * PETSc's binary format, which petsc_vectors.py reads. -checkpoint writes the state where
- * the run ends, at step K if -stop says so; -resume begins there (make petsc). */
+ * Each rank has some of the rows, and the library's stepper and memory for them, because a memory never needs another
+ * unknown. Ranks exchange numbers in the products with M, K and C and in the conjugate gradients, which belong to PETSc
+ * and take its options (-pc_type icc, -ksp_monitor, ...). The file of -o gets x and p at the end, as two vectors in
+ * PETSc's binary format, which petsc_vectors.py reads. -checkpoint writes the state where the run ends, which is step K
+ * with -stop. -resume begins there (make petsc). */
 #include "petsc_options.h"
 #include "petsc_share.h"
 
@@ -28,7 +27,7 @@
 
 #include <petsctime.h>
 
-/* From where the stepper is; what it took is said. */
+/* Step on from the present state of the stepper, and print how long that took. */
 static PetscErrorCode go_on(const share *s, const petsc_options *w,
                             fvi_stepper *stepper)
 {
@@ -115,7 +114,7 @@ int main(int argc, char **argv)
     }
     PetscCall(run(&s, &w, room + s.rows, room + 2 * s.rows, room + 3 * s.rows,
                   room + 4 * s.rows));
-    PetscCall(PetscOptionsLeft(NULL)); /* names those that nobody asked for */
+    PetscCall(PetscOptionsLeft(NULL)); /* names the options that nobody has read */
     PetscCall(PetscFree(room));
     PetscCall(petsc_free_share(&s));
     PetscCall(petsc_free_options(&w));

@@ -1,4 +1,4 @@
-/* src/petsc/petsc_dampers.c -- Several dampers, each with a matrix of its own. [H 28] */
+/* src/petsc/petsc_dampers.c -- Set up several dampers, each with its own matrix. [H 28] */
 #include "petsc_share.h"
 
 #include <stdio.h>
@@ -27,7 +27,7 @@ static int apply_damper_of_rows(size_t d, double a, const double *z, const void 
     return status;
 }
 
-/* Unknowns that it does not touch have 0. */
+/* Unknowns without an entry in the damper's matrix get 0. */
 static int find_diagonal(size_t d, const void *params, double *C)
 {
     const petsc_damper *damper = params;
@@ -45,7 +45,8 @@ static int find_diagonal(size_t d, const void *params, double *C)
 /* ---- which rows it has ---- */
 
 //> rows
-/* The rows of this rank in which C has entries, or else the first row. */
+/* Find the rows of this rank in which C has entries. If there are none, but other ranks have some, take the first
+ * row. */
 static PetscErrorCode find_rows(const share *s, Mat C, petsc_damper *damper)
 {
     PetscInt entries, any = 0, on_all;
@@ -65,7 +66,7 @@ static PetscErrorCode find_rows(const share *s, Mat C, petsc_damper *damper)
 }
 //< rows
 
-/* C, or a copy without empty rows and columns. */
+/* Make `damped_rows`: C itself, or a copy without empty rows and columns. */
 static PetscErrorCode find_damped_matrix(const share *s, Mat C, petsc_damper *damper)
 {
     PetscInt all;
@@ -136,7 +137,7 @@ PetscErrorCode petsc_free_dampers(share *s)
 
 /* ---- what is refused ---- */
 
-/* Is the field of an error the name of an option? */
+/* Return nonzero if the field of an error is the name of an option. */
 static int is_option(const char *field)
 {
     static const char *const names[] = { "system", "alpha", "h", "steps", "x0", "p0" };
@@ -156,7 +157,7 @@ PetscErrorCode petsc_refuse(const fvi_error *error)
     if (error->field && strcmp(error->field, "damper") == 0)
         snprintf(option, sizeof option, "-damper_%zu: ", error->index + 1);
     snprintf(number, sizeof number, "damper %zu: ", error->index + 1);
-    if (strncmp(text, number, strlen(number)) == 0) /* the option says it */
+    if (strncmp(text, number, strlen(number)) == 0) /* the option contains the number */
         text += strlen(number);
     SETERRQ(PETSC_COMM_SELF, PETSC_ERR_USER, "%s%s", option,
             *text ? text : fvi_error_name(error->code));

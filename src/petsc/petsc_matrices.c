@@ -1,9 +1,9 @@
-/* src/petsc/petsc_matrices.c -- What the library asks of matrices, by PETSc. [H 28] */
+/* src/petsc/petsc_matrices.c -- Give the library what it needs of matrices, with PETSc. [H 28] */
 #include "petsc_share.h"
 
 #include <fvi/error.h>
 
-/* Where the library wants a code; PETSc has said what is wrong. */
+/* Return a code to the library after an error of which PETSc has printed the reason. */
 #define TRY(call)                                                              \
     do {                                                                       \
         if (call)                                                              \
@@ -11,7 +11,7 @@
     } while (0)
 
 //> product
-/* y = A x: each rank has its rows of all three, and gets from others what it lacks of x. */
+/* Compute y = A x. Each rank has its rows of A, x and y, and gets the numbers of x that it lacks from other ranks. */
 int petsc_product(Mat A, Vec from, const double *x, Vec to, double *y)
 {
     TRY(VecPlaceArray(from, x));
@@ -63,7 +63,7 @@ static void free_factors(void *of)
     free(f);
 }
 
-/* A += c C, if C is there. */
+/* Compute A += c C, if C exists. */
 static int add(Mat A, double c, Mat C)
 {
     if (c != 0 && C)
@@ -71,7 +71,7 @@ static int add(Mat A, double c, Mat C)
     return FVI_SUCCESS;
 }
 
-/* m M + sum_j c_j C_j + k K; *A is NULL, or to be given back, in any case. */
+/* Compute *A = m M + sum_j c_j C_j + k K. *A is NULL or must be destroyed by the caller, also after an error. */
 static int sum(const share *s, double m, size_t count, const double *c, const Mat *C, double k,
                Mat *A)
 {
@@ -83,12 +83,12 @@ static int sum(const share *s, double m, size_t count, const double *c, const Ma
     return status ? status : add(*A, k, s->K);
 }
 
-/* Nothing is factorised: conjugate gradients, and a preconditioner of PETSc's. */
+/* Nothing is factorised: the equation is solved by conjugate gradients with a preconditioner of PETSc. */
 static int make_gradients(Mat A, KSP *gradients)
 {
     PC jacobi;
     TRY(KSPCreate(PETSC_COMM_WORLD, gradients));
-    TRY(KSPSetOperators(*gradients, A, A)); /* it keeps A */
+    TRY(KSPSetOperators(*gradients, A, A)); /* it keeps a reference to A */
     TRY(KSPSetType(*gradients, KSPCG));
     TRY(KSPGetPC(*gradients, &jacobi));
     TRY(PCSetType(jacobi, PCJACOBI));

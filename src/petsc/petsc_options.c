@@ -1,4 +1,4 @@
-/* src/petsc/petsc_options.c -- What build/fvi_petsc was asked for.         [H 28] */
+/* src/petsc/petsc_options.c -- Read the options of build/fvi_petsc.         [H 28] */
 #include "petsc_options.h"
 
 #include <stdio.h>
@@ -32,7 +32,7 @@ static PetscErrorCode read_words(petsc_options *w)
 
 /* ---- several dampers ---- */
 
-/* PETSc would keep the last of two options of one name, and say nothing. */
+/* Refuse an option that is given twice, because PETSc would keep the last one without a message. */
 static PetscErrorCode refuse_twice(const char *name)
 {
     int count, times = 0;
@@ -46,7 +46,8 @@ static PetscErrorCode refuse_twice(const char *name)
     PetscFunctionReturn(0);
 }
 
-/* The next number is `count` + 1; is there an option whose name begins so, and which nobody has read? */
+/* Refuse dampers whose numbers have a gap: options that begin with `damper` and that nobody has read. The next number
+ * is `count` + 1. */
 static PetscErrorCode refuse_left(PetscInt count)
 {
     PetscInt left;

@@ -1,6 +1,6 @@
-/* src/petsc/petsc_options.h -- What build/fvi_petsc was asked for.         [H 28]
+/* src/petsc/petsc_options.h -- Read the options of build/fvi_petsc.         [H 28]
  *
- * Internal to src/petsc/. */
+ * Internal to src/petsc. */
 #ifndef PETSC_OPTIONS_H
 #define PETSC_OPTIONS_H
 
@@ -11,12 +11,13 @@ typedef struct {
         checkpoint[PETSC_MAX_PATH_LEN];
     PetscReal alpha, h, x0, p0, damping;
     PetscInt steps, stop, lengths, n[3], dampers;
-    const char **damper; /* the texts of -damper_1, -damper_2, ..., which are PETSc's */
+    const char **damper; /* texts of -damper_1, -damper_2, ..., which belong to PETSc */
     PetscBool has_folder, has_grid, has_alpha, has_damping, writes, saves, stops, resumes;
 } petsc_options;
 
-/* petsc_read_options -- all options but those of PETSc's solvers. What does not go together is refused.
- * petsc_free_options -- give the list of texts back. */
+/* petsc_read_options -- Read all options except those of PETSc's solvers, and refuse options that do not go together.
+ *
+ * petsc_free_options -- Free the list of texts. */
 PetscErrorCode petsc_read_options(petsc_options *w);
 PetscErrorCode petsc_free_options(petsc_options *w);
 

@@ -1,4 +1,4 @@
-/* src/petsc/petsc_state.c -- What a run leaves in files.                 [H 28] */
+/* src/petsc/petsc_state.c -- Write the results and the state of a run to files, and read the state. [H 28] */
 #include "output/fvi_output.h"
 #include "petsc_share.h"
 
@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Without the file of PETSc's own options beside it, which would forbid other ranks. */
+/* PETSc would write a file with its options beside the result, which would forbid another number of ranks; it is left
+ * out. */
 PetscErrorCode petsc_write(const share *s, const char *file,
                            const fvi_stepper *run)
 {
@@ -31,34 +32,34 @@ PetscErrorCode petsc_write(const share *s, const char *file,
 
 /* ---- the state ---- */
 
-/* A file is a head, for each of several dampers what it is, the pieces that fvi_stepper_archive shows,
- * and the sum of all before. */
+/* A file has four parts: this head, a head for each of several dampers with its kernel, the pieces that
+ * fvi_stepper_archive lists, and the checksum of everything before it. */
 typedef struct {
     char mark[16];
     PetscInt ranks, rank, all, first;
     uint64_t steps;
     double h, alpha;
-    double norms[3]; /* Frobenius, of M, K and C */
+    double norms[3]; /* Frobenius norms of M, K and C */
 } head;
 
-/* One of several dampers: which it is and of how many, its matrix, its past, and how many terms its
- * kernel has. Behind it their kinds and numbers stand, or of a function its values at some s. */
+/* The head of one of several dampers: its number, how many there are, the norm of its matrix, its past, and how many
+ * terms its kernel has. After it come the kinds and numbers of these terms or, for a function, its values at some s. */
 enum { VALUES = 8, KINDS_AND_NUMBERS = 5 };
 typedef struct {
     uint64_t number, count, terms, past;
-    double norm; /* Frobenius, of C_j */
+    double norm; /* Frobenius norm of C_j */
 } damper_head;
 
 typedef struct {
-    fvi_archive archive; /* the first: a pointer to it is one to this */
+    fvi_archive archive; /* the first member, so that a pointer to it is also a pointer to the state */
     FILE *file;
     uint64_t sum;
-    double *room; /* what is compared, `bytes` of it */
+    double *room; /* room for what is compared, `bytes` long */
     size_t bytes;
-    char part[60]; /* that differs, while a file is compared */
+    char part[60]; /* the part that differs, while a file is compared */
 } state;
 
-/* FNV-1a. */
+/* The hash is FNV-1a with 64 bits. */
 static void add_to_sum(state *f, const void *data, size_t bytes)
 {
     const unsigned char *at = data;
@@ -98,7 +99,7 @@ static PetscErrorCode make_head(const share *s, const fvi_stepper *run, head *h)
     PetscFunctionBeginUser;
     PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &ranks));
     PetscCallMPI(MPI_Comm_rank(PETSC_COMM_WORLD, &rank));
-    memset(h, 0, sizeof *h); /* what lies between the numbers, too */
+    memset(h, 0, sizeof *h); /* also the padding between the numbers */
     strcpy(h->mark, s->mechanism ? "fvi_petsc 2" : "fvi_petsc 1");
     h->ranks = ranks;
     h->rank = rank;
@@ -106,14 +107,14 @@ static PetscErrorCode make_head(const share *s, const fvi_stepper *run, head *h)
     h->first = s->first;
     h->steps = run->run.steps;
     h->h = run->run.h;
-    h->alpha = s->mechanism ? 0 : run->run.alpha; /* which dampers do not read */
+    h->alpha = s->mechanism ? 0 : run->run.alpha; /* dampers do not read alpha */
     for (int l = 0; l < 3; l++)
         if (A[l])
             PetscCall(MatNorm(A[l], NORM_FROBENIUS, &h->norms[l]));
     PetscFunctionReturn(0);
 }
 
-/* Of a head for each damper, of which all ranks make the norm. */
+/* Make the heads of all dampers. All ranks must call it, because they compute the norms together. */
 static PetscErrorCode make_damper_heads(const share *s, damper_head **heads)
 {
     const size_t count = s->mechanism ? s->mechanism->damper_count : 0;
@@ -131,7 +132,7 @@ static PetscErrorCode make_damper_heads(const share *s, damper_head **heads)
     PetscFunctionReturn(0);
 }
 
-/* The kinds and numbers of a kernel; and the values of a function, which has no numbers. */
+/* Archive the kinds and numbers of a kernel, and the values of a function, which has no numbers. */
 static int serialize_kernel(const fvi_kernel *kernel, fvi_archive *v)
 {
     int status = 0;
@@ -159,7 +160,7 @@ static int serialize_dampers(const share *s, damper_head *heads, state *f)
     return status;
 }
 
-/* All of it but the sum. */
+/* Archive everything except the checksum. */
 static int serialize(const share *s, head *h, damper_head *dampers, fvi_stepper *run, state *f)
 {
     snprintf(f->part, sizeof f->part, "other matrices, numbers or ranks");
@@ -172,7 +173,7 @@ static int serialize(const share *s, head *h, damper_head *dampers, fvi_stepper 
     return fvi_stepper_archive(run, &f->archive);
 }
 
-/* The file of a rank, written but not yet under its name; NULL if that fails. */
+/* Write the file of a rank, without giving it its name. Return NULL if that fails. */
 static FILE *write_state(const char *name, const share *s, head *h, damper_head *dampers,
                          fvi_stepper *run)
 {
@@ -187,7 +188,8 @@ static FILE *write_state(const char *name, const share *s, head *h, damper_head 
     return NULL;
 }
 
-/* Is the last number of the file the sum of all before? The file is at its start then. */
+/* Return nonzero if the last number of the file is the checksum of everything before it. The file is then at its
+ * beginning. */
 static int is_whole(FILE *file)
 {
     state f = { .file = file };
@@ -206,7 +208,7 @@ static int is_whole(FILE *file)
            && fseek(file, 0, SEEK_SET) == 0;
 }
 
-/* "" if all goes well, else why not. The run is changed only by a file that is whole. */
+/* Load a file. `why` becomes "" or the reason why that is not possible. The run changes only if the file is whole. */
 static void load(const char *name, const share *s, head *h, damper_head *dampers,
                  fvi_stepper *run, char *why, size_t size)
 {
@@ -243,7 +245,7 @@ PetscErrorCode petsc_save(const share *s, const char *file, fvi_stepper *run)
     PetscFunctionReturn(0);
 }
 
-/* Ranks that were ended between two files may have left steps that differ. */
+/* If ranks were ended while they renamed their files, the files may be of different steps, which is refused. */
 PetscErrorCode petsc_load(const share *s, const char *file, fvi_stepper *run)
 {
     char name[PETSC_MAX_PATH_LEN], why[100];

@@ -1,4 +1,4 @@
-/* src/petsc/petsc_systems.c -- A rank's rows, from files or of a grid.   [H 28] */
+/* src/petsc/petsc_systems.c -- Make the rows of a rank, from files or for a grid.   [H 28] */
 #include "petsc_share.h"
 
 
@@ -10,7 +10,7 @@
 
 /* ---- from files ---- */
 
-/* The rows of this rank, which are columns, as A is symmetric. */
+/* Make the rows of this rank. They are columns of `all`, because A is symmetric. */
 static PetscErrorCode rows_of(const fvi_sparse *all, const share *s, Mat *A)
 {
     const int *start = all->start + s->first;
@@ -29,7 +29,7 @@ static PetscErrorCode rows_of(const fvi_sparse *all, const share *s, Mat *A)
     PetscFunctionReturn(0);
 }
 
-/* Of the forces on all unknowns those of this rank. */
+/* Compute the forces on all unknowns, and return those of this rank. */
 static int forces_of_rows(double t, size_t d, void *params, double *F)
 {
     const share *s = params;
@@ -40,7 +40,7 @@ static int forces_of_rows(double t, size_t d, void *params, double *F)
     return status;
 }
 
-/* M, K and C, and those of the dampers. */
+/* Make M, K and C, and the matrices of the dampers. */
 static PetscErrorCode matrices_of_files(share *s)
 {
     const fvi_sparse *A[3];
@@ -90,7 +90,7 @@ PetscErrorCode petsc_of_files(const char *folder, double last, PetscInt count,
 
 /* ---- of a grid ---- */
 
-/* The row of K of one point, of which `at` are the indices. */
+/* Set the row of K for the point with the indices `at`. */
 static PetscErrorCode difference(Mat K, PetscInt count, const PetscInt n[3],
                                  const PetscInt at[3])
 {
@@ -117,7 +117,7 @@ static PetscErrorCode difference(Mat K, PetscInt count, const PetscInt n[3],
     PetscFunctionReturn(0);
 }
 
-/* Damper j of a text, by the matrix that stands before its law. */
+/* Read damper j from its text. Its matrix stands before its law. */
 static PetscErrorCode read_damper(share *s, PetscInt j, const char *text)
 {
     fvi_error error = { .index = (size_t)j };
@@ -183,7 +183,7 @@ PetscErrorCode petsc_of_grid(PetscInt lengths, const PetscInt n[3], double dampi
     PetscCall(MatAssemblyEnd(s->K, MAT_FINAL_ASSEMBLY));
     PetscCall(DMCreateMatrix(grid, &s->M));
     PetscCall(MatShift(s->M, 1));
-    PetscCall(DMCreateGlobalVector(grid, &s->x)); /* which knows the grid */
+    PetscCall(DMCreateGlobalVector(grid, &s->x)); /* this vector knows the grid */
     PetscCall(VecGetSize(s->x, &s->all));
     PetscCall(VecGetLocalSize(s->x, &s->rows));
     PetscCall(VecGetOwnershipRange(s->x, &s->first, NULL));

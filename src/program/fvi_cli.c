@@ -1,4 +1,4 @@
-/* src/program/fvi_cli.c -- The program build/fvi. */
+/* src/program/fvi_cli.c -- Run the program build/fvi. */
 #define _GNU_SOURCE
 #include "command_exact/fvi_exact.h"
 #include "command_fit/fvi_fit.h"
@@ -28,7 +28,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The head and the weights, a line each. */
+/* Print the head and the weights, one line for each weight. */
 static int coefficients(const fvi_options *o)
 {
     const double bytes = 8 * (double)o->count;
@@ -69,7 +69,7 @@ static int print_text(const char *text, const char *more)
     return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;
 }
 
-/* The options, what their words stand for, and examples. */
+/* Print the options of run, the formulas of their words, and examples. */
 static int print_help_of_run(void)
 {
     const size_t size = fvi_formulas_write(0, NULL) + 1;
@@ -84,7 +84,7 @@ static int print_help_of_run(void)
     return failed;
 }
 
-/* Both commands speak of a system. */
+/* Call a command that needs the system of the options. */
 static int with_system(const fvi_options *o,
                        int (*command)(const fvi_options *, const fvi_system *))
 {
@@ -96,12 +96,12 @@ int main(int argc, char **argv)
 {
     fvi_options o;
     fvi_error error;
-    for (int fd = 0; fd < 3; fd++) /* or a table would get the number 2 */
+    for (int fd = 0; fd < 3; fd++) /* otherwise an output could get descriptor 2, standard error */
         if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != fd)
             return 1;
-    signal(SIGCHLD, SIG_DFL); /* or a child that has ended could not be asked */
+    signal(SIGCHLD, SIG_DFL); /* if it is ignored, waitpid cannot ask a child that has ended */
     int status = fvi_problem_words(&argc, &argv, &error);
-    if (status) /* the command is known at most */
+    if (status) /* at most the command is known */
         return fvi_refused(&error, fvi_command_of_word(argc > 1 ? argv[1] : ""));
     status = fvi_options_parse(argc, argv, &o, &error);
     if (status)

@@ -1,9 +1,9 @@
-/* src/program/fvi_solver_libraries.c -- CHOLMOD and UMFPACK, opened when they are first called.
+/* src/program/fvi_solver_libraries.c -- Open CHOLMOD and UMFPACK when they are first called.
  *
- * They bring a dozen other libraries, which take longer to open than a short run needs. So the
- * program has functions of their names, which find the true ones. A library that cannot be opened
- * ends the program with its name, as it would have at the start.              [H 27, 30] */
-#define _GNU_SOURCE /* RTLD_GLOBAL */
+ * These libraries load a dozen others, and opening all of them takes longer than a short run. So the program defines
+ * functions with the names of their functions, which find the real ones. If a library cannot be opened, the program
+ * ends with a message that names it, as it would have at the start.              [H 27, 30] */
+#define _GNU_SOURCE /* for RTLD_GLOBAL */
 #include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +15,8 @@
 #define CHOLMOD "libcholmod.so." TEXT(CHOLMOD_MAIN_VERSION)
 #define UMFPACK "libumfpack.so." TEXT(UMFPACK_MAIN_VERSION)
 
-/* RTLD_GLOBAL: cholmod_factors.c looks for the functions of OpenMP that CHOLMOD brings. */
+/* Return the function of a library. RTLD_GLOBAL is needed because cholmod_factors.c looks for the functions of OpenMP
+ * that CHOLMOD loads. */
 static void *find(const char *library, const char *name)
 {
     void *const opened = dlopen(library, RTLD_LAZY | RTLD_GLOBAL),
@@ -27,8 +28,8 @@ static void *find(const char *library, const char *name)
     return found;
 }
 
-/* A function of the library's name and type. Threads that come first at the same time find the
- * same. */
+/* Define a function with the name and type of the library's function. If several threads call it first at the same
+ * time, they find the same function. */
 #define FORWARD(library, type, name, takes, call)                              \
     type name takes                                                            \
     {                                                                          \

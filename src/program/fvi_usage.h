@@ -1,4 +1,4 @@
-/* src/program/fvi_usage.h -- What build/fvi says of itself. */
+/* src/program/fvi_usage.h -- Hold the help texts of build/fvi. */
 #ifndef FVI_USAGE_H
 #define FVI_USAGE_H
 
@@ -76,7 +76,7 @@ static const char usage_run[] =
     "  --longest H      no step of fvi-adaptive, or of --error, is longer\n"
     "  --most-steps N   fvi-adaptive and --error: no run takes more steps\n";
 
-/* Apart, as C promises 4095 characters in one string. */
+/* A separate string, because C guarantees only 4095 characters in one string. */
 static const char usage_run_rest[] =
     "  --columns LIST   of t, x, p, v, a, F, energy, work, balance, y, ag,\n"
     "                   d1.force, d1.impulse, d1.work, and expressions of\n"
