@@ -33,7 +33,9 @@ typedef struct {
     double offset[FVI_MEASURED_MOST], drift[FVI_MEASURED_MOST]; /* offsets and drifts of the sensors */
     double window;   /* share of each record's rows that are compared: 1, or less */
     double scale[FVI_MEASURED_MOST]; /* unit of the residuals of each column: sigma, or the size of the data */
-    double hopeless; /* residual if there is no motion, or one whose distance from the data is 10^8 times their size */
+    /* 10^8 times the larger of 1 and the size of the data in its unit: the residual if there is no motion, and the
+     * largest residual otherwise */
+    double hopeless;
     double *motion; /* output of the sensors at all rows, by the last call */
     /* FVI_ENOMEM after a motion had no memory, FVI_ERUNAWAY after FVI_FIT_RUNAWAYS motions took all the steps that they
      * may take: the results of the search are not valid then */
@@ -52,8 +54,11 @@ void fvi_estimation_model_clear(fvi_estimation_model *m);
  * column by least squares, which needs no unit. */
 int fvi_estimation_finds_units(const fvi_estimation *fit);
 
-/* Return the unit of the residuals of a piece, which is sigma if that is known. Set other units, one for each column.
- * Set the units of an answer, if they were found. */
+/* fvi_estimation_model_scale -- Return the unit of the residuals of a piece, which is sigma if that is known.
+ *
+ * fvi_estimation_model_rescale -- Set new units, one for each column.
+ *
+ * fvi_estimation_model_weigh -- Set the units to the sigmas of an answer, if the fit finds the units. */
 double fvi_estimation_model_scale(const fvi_estimation_model *m, const fvi_estimation_piece *p);
 void fvi_estimation_model_rescale(fvi_estimation_model *m, const double *scale);
 void fvi_estimation_model_weigh(fvi_estimation_model *m, const fvi_estimate *fitted);
@@ -112,9 +117,9 @@ double fvi_estimation_first_step(const fvi_estimation *fit);
 void fvi_estimation_frequency(size_t n, const double *t, const double *x, double *w,
                        double *A);
 
-/* Compute the roots of the diagonal of C = (J^T J)^-1, and C divided by the products of two of them, for at most
- * FVI_ESTIMATION_MOST columns. J is overwritten. FVI_ESING if the columns are dependent. GSL's error handler must be
- * off. */
+/* Compute sd_j, the square roots of the diagonal of C = (J^T J)^-1, and the correlations C_ij / (sd_i sd_j), for at
+ * most FVI_ESTIMATION_MOST columns. J is overwritten. Return FVI_SUCCESS, or FVI_ESING if the columns are dependent.
+ * GSL's error handler must be off. */
 int fvi_estimation_errors(gsl_matrix *J, double sd[],
                    double correlation[][FVI_ESTIMATION_MOST]);
 

@@ -14,8 +14,8 @@
 enum { SCAN = 100 };   /* orders that are tried first */
 
 /* Use J = Q S V^T, with the columns scaled to length 1. Only their lengths depend on the unit of a parameter, and the
- * square of a length may be too large or too small for a double. Q is J before. Jacobi's method needs no memory from
- * the heap; the other methods of GSL do not check whether they have got it. */
+ * square of a length may be too large or too small for a double. On entry Q contains J. Jacobi's method needs no
+ * memory from the heap; the other methods of GSL do not check whether they have got it. */
 int fvi_estimation_errors(gsl_matrix *Q, double sd[],
                    double correlation[][FVI_ESTIMATION_MOST])
 {

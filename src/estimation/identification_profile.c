@@ -1,5 +1,4 @@
-/* src/estimation/identification_profile.c -- Find the interval of one parameter, with the others at their best. [H
- * 24] */
+/* src/estimation/identification_profile.c -- Find the interval of one parameter, with the others refitted. [H 24] */
 #include "identification_search.h"
 
 #include "system/fail.h"

@@ -1,5 +1,4 @@
-/* src/frequency/dynamic_stiffness.c -- Compute Z(s) = s^2 M + K + sum_j C_j(s) B_j, its factors and its products.  [H
- * 30] */
+/* src/frequency/dynamic_stiffness.c -- Compute Z(s) = s^2 M + K + sum_j C_j(s) B_j, its factors and products. [H 30] */
 #include "dynamic_stiffness.h"
 
 #include "matrices/complex_factors.h"

@@ -30,7 +30,8 @@ typedef enum { FVI_FORMAT_TSV, FVI_FORMAT_CSV, FVI_FORMAT_JSON } fvi_format;
 
 extern const char *const fvi_format_names[]; /* in this order, ended by NULL */
 
-/* The values of an option that may be given several times, and all values in one text. */
+/* The values of an option that may be given several times, and all values in one text. There are FVI_LISTS such
+ * options, of which the first FVI_OF_MECHANISM describe a mechanism. Each has at most FVI_MOST_LISTED values. */
 enum { FVI_LISTS = 5, FVI_OF_MECHANISM = 4, FVI_MOST_LISTED = 64 };
 typedef struct {
     size_t count;
@@ -45,7 +46,7 @@ typedef struct {
     const fvi_method *method;
     double alpha, kappa, h, tolerance;
     double time;  /* of --time; 0: not given */
-    double error; /* 0: the step is h; else the step is found */
+    double error; /* of --error; 0: the step is h; otherwise the step is found from it */
     double step_error; /* of fvi-adaptive; 0: its preset */
     double longest; /* longest step; 0: no limit */
     size_t steps, every, count, d;
@@ -96,7 +97,7 @@ typedef enum {
     MASS,
     POTENTIAL,
     LAGRANGIAN, /* instead of POTENTIAL and MASS */
-    DAMPER,     /* this one and the next four: see fvi_mechanism_options.h */
+    DAMPER,     /* this option and the next four: see fvi_mechanism_options.h */
     CONSTRAINT,
     IMPOSE,
     FORCE_ON,

@@ -142,8 +142,8 @@ FVI_VECTORS static void step_rows(size_t n, size_t j, double *restrict re,
     }
 }
 
-/* Squares of squares would accumulate errors, so every second one is a square, and the others are
- * exponentials. */
+/* Compute e^{z j h} for the rows of a block. It needs e^{z j h} for j = 1, 2, 4, ...: squares of squares would
+ * accumulate errors, so only every second one of these is a square, and the others are exponentials. */
 static void prepare_steps(fvi_window *w, double h)
 {
     for (size_t i = 0; i < w->count; i++) {
@@ -227,7 +227,7 @@ void fvi_window_close(fvi_window *w)
 /* ---- the rows ---- */
 
 //> block
-/* sum[j] += Im of the sum of c e e^{z j h} over the nodes. The small terms are added first. */
+/* Set sums[j] to the imaginary part of the sum of c e e^{z j h} over the nodes. The small terms are added first. */
 FVI_VECTORS static void
 block_rows(size_t n, const double *restrict c_re, const double *restrict c_im,
            const double *restrict e_re, const double *restrict e_im,

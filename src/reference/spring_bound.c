@@ -1,5 +1,4 @@
-/* src/reference/spring_bound.c -- Bound the distance of form D from the motion of a spring at the end of any step.   [H
- * 20] */
+/* src/reference/spring_bound.c -- Bound the distance of form D from the motion of a spring after any step. [H 20] */
 #include <fvi/spring_bound.h>
 
 #include "system/fail.h"
