@@ -1,4 +1,4 @@
-/* src/variable_step/variable_mechanism.c -- Steps of any length of a mechanism.   [H 29, 22] */
+/* src/variable_step/variable_mechanism.c -- Steps of a mechanism in a run with variable steps. [H 29, 22] */
 #include "variable_mechanism.h"
 
 #include "system/archive_pieces.h"
@@ -13,7 +13,8 @@
 
 /* ---- the start ---- */
 
-/* v of p, and M^-1 (L_x + F), at the start; what cannot be had there is for others to refuse. */
+/* Compute v of p, and a = M^-1 (L_x + F), at the start. If they do not exist there, another function refuses the
+ * start. */
 static int motion_at_start(fvi_stepper *s, double *v, double *a)
 {
     const fvi_system *system = s->run.system;
@@ -50,8 +51,8 @@ int fvi_mesh_scale(fvi_stepper *s, double *scale)
     return status == FVI_ENOMEM ? status : FVI_SUCCESS;
 }
 
-/* A force of 1 on one coordinate moves another with 1 / mass at most: for bounds of forces. A coordinate
- * without inertia is moved by none. */
+/* Set masses for the bounds of forces: a force of 1 on a coordinate accelerates each coordinate by 1 / mass at most.
+ * The mass of a coordinate without inertia is infinite. */
 static void set_masses(fvi_variable_step_state *o)
 {
     const size_t d = o->d;
@@ -85,7 +86,7 @@ int fvi_mesh_answer(const fvi_mechanism_state *o, const double *Lvv, const doubl
     return status;
 }
 
-/* How v answers to p, column by column. */
+/* Compute how v answers to each component of p, column by column. */
 static int invert(const fvi_mechanism_state *o, const double *Lvv, const double *C, double *inverse)
 {
     const size_t d = o->d, n = d + o->m;
@@ -101,7 +102,7 @@ static int invert(const fvi_mechanism_state *o, const double *Lvv, const double 
     return status;
 }
 
-/* The same at the end of the step that has been tried. */
+/* Compute the same at the end of the step that has been tried. */
 static int invert_at_end(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     const fvi_mechanism_state *of = s->mechanism;
@@ -137,7 +138,7 @@ int fvi_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o)
 
 /* ---- a trial of a step, and its error ---- */
 
-/* The polynomial of the last step goes on, as that of velocities, and so do the last multipliers. */
+/* Write the initial guess: the polynomial of velocities of the last step goes on, and so do the last multipliers. */
 static void guess(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const size_t d = o->d, n = o->rule->s;
@@ -155,7 +156,7 @@ static void guess(fvi_stepper *s, fvi_variable_step_state *o)
             of->u[n * d + i * of->m + l] = h * h * o->rule->b[i] * of->ended[l];
 }
 
-/* delta = V - v_k, and the Legendre coefficients of x'' and p'. */
+/* Compute delta = V - v_k, and the Legendre coefficients of x'' and p'. */
 static void describe_stages(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_mechanism_state *of = s->mechanism;
@@ -183,7 +184,7 @@ int fvi_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
     fvi_mesh_predict(s, o);
     guess(s, o);
     int status = fvi_mechanism_solve_stages(s);
-    if (status == FVI_EOVRFLW) /* outside of where L is known: a shorter step may not be */
+    if (status == FVI_EOVRFLW) /* outside of the domain of L: a shorter step may stay inside */
         status = FVI_EMAXITER;
     if (!status)
         status = invert_at_end(s, o);
@@ -202,7 +203,7 @@ void fvi_mesh_coefficients(const fvi_variable_step_state *o, const double *value
     fvi_square_apply(o->rule->s, &o->rule->legendre, sums, to);
 }
 
-/* Coefficients of h f for the values of f at the stages. */
+/* Compute the coefficients of h f from the values of f at the stages. */
 static void describe(const fvi_variable_step_state *o, const double *f, double *to)
 {
     double values[FVI_LANES] = { 0 };
@@ -211,7 +212,7 @@ static void describe(const fvi_variable_step_state *o, const double *f, double *
     fvi_mesh_coefficients(o, values, to);
 }
 
-/* F v at the stages, F the force of t and those of velocity. */
+/* Compute the power F v at the stages. F is the sum of the force of t and the forces of velocity. */
 static int powers_of_forces(fvi_stepper *s, double *power)
 {
     const fvi_mechanism_state *of = s->mechanism;
@@ -231,7 +232,8 @@ static int powers_of_forces(fvi_stepper *s, double *power)
     return status;
 }
 
-/* What is between the ends of the step: lambda, its power, that of the forces. */
+/* Compute the coefficients, for times within the step, of the forces of dampers, their powers, the power of the forces
+ * F, and the multipliers. */
 static int describe_forces(fvi_stepper *s, fvi_variable_step_state *o)
 {
     struct fvi_mesh_mechanism *m = o->mechanism;
@@ -282,7 +284,7 @@ int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o)
         for (size_t i = 0; i < n; i++)
             gain += o->length.h * o->rule->b[i] * of->f[i * d + j];
         fvi_add_compensated(&s->p[j], &m->p_less[j], gain);
-        if (of->is_massless[j]) { /* else a rounding of p is a force p/h of the next step, however short */
+        if (of->is_massless[j]) { /* otherwise a rounding error of p would be a force p/h in the next step */
             s->p[j] = of->Lv[(n - 1) * d + j];
             m->p_less[j] = 0;
         }
@@ -291,7 +293,7 @@ int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o)
     if (!status && of->m)
         status = fvi_mechanism_end_constraints(s);
     memcpy(o->v, of->v, d * sizeof *o->v);
-    for (size_t e = 0; e < m->r && of->m; e++) /* as the hidden constraint has it */
+    for (size_t e = 0; e < m->r && of->m; e++) /* now satisfies the hidden constraint */
         m->damper[e].now = fvi_dot(d, of->G + e * d, o->v);
     set_masses(o);
     return status;

@@ -1,4 +1,4 @@
-/* src/variable_step/variable_mechanism_contact.c -- Contacts of a mechanism that are closed.   [H 29, 22] */
+/* src/variable_step/variable_mechanism_contact.c -- The forces of closed contacts of a mechanism. [H 29, 22] */
 #include "variable_mechanism.h"
 
 #include "system/larger.h"
@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Lambda at the stages. */
+/* Compute Lambda at the stages. */
 static void forces_at_stages(const fvi_stepper *s, const fvi_variable_step_state *o, size_t l,
                              double *force)
 {
@@ -29,7 +29,7 @@ double fvi_mesh_contact_force(const fvi_stepper *s, const fvi_variable_step_stat
     return sum;
 }
 
-/* The place n . x has rounding errors. Divided by h^2 they are accelerations, and times a mass forces. */
+/* The position n . x has rounding errors. Divided by h^2 they are accelerations, and times a mass they are forces. */
 double fvi_mesh_contact_noise(const fvi_stepper *s, const fvi_variable_step_state *o, size_t l)
 {
     const fvi_mechanism_state *of = s->mechanism;
@@ -43,7 +43,7 @@ double fvi_mesh_contact_noise(const fvi_stepper *s, const fvi_variable_step_stat
     return 64 * DBL_EPSILON * size * mass / (h * h * o->rule->b[0]);
 }
 
-/* The largest acceleration M^{-1} n of a coordinate for Lambda = 1, in row l. */
+/* Compute the largest acceleration M^{-1} n of a coordinate for Lambda = 1 in row l, with the contacts open. */
 static int answer_to_contact(fvi_stepper *s, const fvi_variable_step_state *o, size_t l, double *most)
 {
     fvi_mechanism_state *of = s->mechanism;

@@ -1,4 +1,4 @@
-/* src/variable_step/variable_mechanism_dense.c -- A mechanism between the ends of a step.   [H 29, 22] */
+/* src/variable_step/variable_mechanism_dense.c -- A mechanism between the ends of a step. [H 29, 22] */
 #include "variable_mechanism.h"
 
 #include "system/dot.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* sum_k w_k g_k, g the powers of Legendre coefficients. */
+/* Return sum_k w_k g_k, where g are the Legendre coefficients converted to powers. */
 static double combine(size_t s, const double *coefficients, const double *w)
 {
     double g[FVI_LANES];
@@ -26,7 +26,7 @@ void fvi_mesh_momentum(const fvi_stepper *s, const fvi_variable_step_state *o, d
         p[j] = from[j] + combine(o->rule->s, slope + j * FVI_LANES, w);
 }
 
-/* What the constraints take of p at the end of the step that is tried. */
+/* Take the impulses of the constraints into p, at the end of the step that is tried. */
 static int take_ties(const fvi_stepper *s, const double *x, double *p)
 {
     const fvi_mechanism_state *of = s->mechanism;
@@ -54,7 +54,7 @@ int fvi_mesh_end(const fvi_stepper *s, const fvi_variable_step_state *o, double 
     return of->m ? take_ties(s, x, p) : FVI_SUCCESS;
 }
 
-/* Where in the last step t is. */
+/* Return theta of the time t in the last step. */
 static double place(const fvi_stepper *s, double t)
 {
     const fvi_variable_step_state *o = s->method_state;
@@ -100,7 +100,7 @@ double fvi_mesh_multiplier(const fvi_stepper *s, size_t i, double t)
 
 int fvi_mesh_project(const fvi_stepper *s, double t, const double *x, double *p, double *v)
 {
-    fvi_stepper *own = (fvi_stepper *)(uintptr_t)s; /* whose room it takes */
+    fvi_stepper *own = (fvi_stepper *)(uintptr_t)s; /* its room is used */
     const fvi_mechanism_state *of = s->mechanism;
     double *C = calloc(of->m * (of->d + 1), sizeof *C);
     int status = C ? fvi_mechanism_tie_gradients(s, t, x, C, NULL) : FVI_ENOMEM;
@@ -110,7 +110,7 @@ int fvi_mesh_project(const fvi_stepper *s, double t, const double *x, double *p,
     return status;
 }
 
-/* A contact that closed, or opened, at the end of the last step, was not so within. */
+/* A contact that closed or opened at the end of the last step was open or closed within this step. */
 int fvi_mesh_project_within(const fvi_stepper *s, double t, const double *x, double *p, double *v)
 {
     fvi_mechanism_state *own = ((fvi_stepper *)(uintptr_t)s)->mechanism;
@@ -135,7 +135,7 @@ int fvi_mesh_velocity(const fvi_stepper *s, double t, const double *x, const dou
     const fvi_mechanism_state *of = s->mechanism;
     if ((t == s->t ? of->m : of->last_m) == 0)
         return fvi_velocity_of_momentum(s->run.system, t, x, p, v);
-    double *same = malloc(o->d * sizeof *same); /* p has been projected */
+    double *same = malloc(o->d * sizeof *same); /* p is projected already */
     if (!same)
         return FVI_ENOMEM;
     memcpy(same, p, o->d * sizeof *p);

@@ -1,4 +1,4 @@
-/* src/variable_step/variable_mechanism_error.c -- How good a step of a mechanism is.   [H 29, 22] */
+/* src/variable_step/variable_mechanism_error.c -- Estimate the error of a step of a mechanism. [H 29, 22] */
 #include "variable_mechanism.h"
 
 #include "system/dot.h"
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The last Legendre coefficient of what changes as v, `first` at the begin of the step, times h. */
+/* Return the last Legendre coefficient of h v', by the values v at the stages and `first` at the start of the step. */
 static double last_coefficient(const fvi_variable_step_state *o, const double *v, size_t stride,
                                double first)
 {
@@ -20,7 +20,7 @@ static double last_coefficient(const fvi_variable_step_state *o, const double *v
     return fabs(all[n - 1]);
 }
 
-/* What the memory of damper e does to v_j for a coefficient 1: M^{-1} G lambda.     (22.16) */
+/* Return the effect of the memory of damper e on v_j for a last coefficient of 1: M^{-1} G lambda. (22.16) */
 static double leak_of_damper(const fvi_stepper *s, const fvi_variable_step_state *o, size_t e,
                              size_t j)
 {
@@ -30,8 +30,9 @@ static double leak_of_damper(const fvi_stepper *s, const fvi_variable_step_state
            * fabs(fvi_dot(o->d, o->mechanism->inverse + j * o->d, G));
 }
 
-/* The velocities of the stages as the hidden constraint has them, s d numbers, and G v of the dampers, s r
- * numbers, behind them: the stages themselves know it to a lower order, which the end does not take over. */
+/* Project the velocities at the stages onto the hidden constraint: s d numbers, and G v of the dampers, s r numbers,
+ * behind them. The velocities of the stages themselves satisfy it to a lower order, but this error does not enter the
+ * end of the step. */
 static int project_stages(fvi_stepper *s, double *v)
 {
     const fvi_mechanism_state *of = s->mechanism;
@@ -56,10 +57,11 @@ static int project_stages(fvi_stepper *s, double *v)
     return status;
 }
 
-/* The error of the step, as in variable_steps.c. A coordinate without inertia keeps no velocity, so an error of its
- * velocity moves it no farther than this step. Where forces jump and its dampers are stiff at once, its place jumps
- * within the shortest step. The end of this step is right, but its polynomial tells nothing of the error, so this
- * coordinate does not count. v: of the stages; zdot: of dampers, stage i of damper e at [i * by_stage + e * by_damper]. */
+/* Return the error of the step, as in variable_steps.c. A coordinate without inertia keeps no velocity, so an error of
+ * its velocity moves it no farther than this step. If a force jumps and the dampers of the coordinate answer stiffly at
+ * once, its position jumps within the shortest step. The end of this step is right, but its polynomial does not show
+ * the error, so this coordinate does not count. v: velocities of the stages; zdot: rates of dampers, stage i of damper
+ * e at [i * by_stage + e * by_damper]. */
 //> estimate
 static double estimate(const fvi_stepper *s, const fvi_variable_step_state *o, const double *v,
                        const double *zdot, size_t by_stage, size_t by_damper)

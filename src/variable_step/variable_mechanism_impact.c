@@ -1,8 +1,12 @@
-/* src/variable_step/variable_mechanism_impact.c -- Momenta of a mechanism that jump.   [H 29, 22]
+/* src/variable_step/variable_mechanism_impact.c -- Jumps of the momenta of a mechanism. [H 29, 22]
  *
- * With the normal n = dZ/dx an impact is p+ = p + lambda n, and lambda is such that the speed of Z becomes
- * -e times what it was: n . v(p + lambda n) = n . v(p) - (1 + e) (n . v(p) + dZ/dt).       (29.20)
- * Constraints have impulses of their own: p+ = p + lambda n - C^T w, C v(p+) + c_t = 0.    (29.22) */
+ * With the normal n = dZ/dx an impact is p+ = p + lambda n. It multiplies the speed of Z by -e:
+ *
+ *     n . v(p + lambda n) = n . v(p) - (1 + e) (n . v(p) + dZ/dt).       (29.20)
+ *
+ * Constraints add impulses of their own:
+ *
+ *     p+ = p + lambda n - C^T w,   C v(p+) + c_t = 0.    (29.22) */
 #include "variable_mechanism.h"
 
 #include "system/lagrangian_point.h"
@@ -14,8 +18,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* v of p, where the last step ended; with constraints p takes their impulses, which tie, if it is not NULL, adds
- * up. */
+/* Compute v of p at the end of the last step. With constraints, add their impulses to p, and to tie unless it is
+ * NULL. */
 static int keep_to_ties(fvi_stepper *s, double t, const double *x, double *p, double *v,
                         double *tie)
 {
@@ -29,12 +33,12 @@ static int keep_to_ties(fvi_stepper *s, double t, const double *x, double *p, do
     return status;
 }
 
-/* The impulse of a contact is -w along its normal, and it must push to the side where the body is. */
+/* The impulse of a contact is -w along its normal. It must push to the side where the body is. */
 int fvi_mesh_find_tensile_contact(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
                                   double factor, const double *side, size_t *event)
 {
     fvi_mechanism_state *of = s->mechanism;
-    double *p = o->mechanism->slope, *v = p + o->d; /* which have been read */
+    double *p = o->mechanism->slope, *v = p + o->d; /* slope has been read */
     *event = SIZE_MAX;
     if (of->m == of->own)
         return FVI_SUCCESS;
@@ -61,7 +65,7 @@ int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
                   double factor)
 {
     fvi_mechanism_state *of = s->mechanism;
-    double *v = o->mechanism->slope; /* which has been read */
+    double *v = o->mechanism->slope; /* slope has been read */
     memcpy(v, o->v, o->d * sizeof *v);
     for (size_t j = 0; j < o->d; j++)
         s->p[j] += factor * J[j];
@@ -76,10 +80,10 @@ int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
 
 int fvi_mesh_apply_impulse(fvi_stepper *s, fvi_variable_step_state *o, const double *J)
 {
-    double *made = o->mechanism->slope + o->d; /* with what the constraints answer */
+    double *made = o->mechanism->slope + o->d; /* with the impulses of the constraints */
     memcpy(made, s->p, o->d * sizeof *made);
     const int status = fvi_mesh_jump(s, o, J, 1);
-    if (status || o->t == 0) /* the energy of the start has it */
+    if (status || o->t == 0) /* the energy at the start contains it */
         return status;
     for (size_t j = 0; j < o->d; j++)
         made[j] = s->mechanism->m ? s->p[j] - made[j] : J[j];
@@ -105,15 +109,15 @@ int fvi_mesh_inverse_along(fvi_stepper *s, const double *normal, const double *v
 }
 
 //> impact
-/* By Newton's method. Where L is quadratic in v the guess is right, but for a rounding, and the changes
- * are roundings, which do not fall. */
+/* Solve by Newton's method. If L is quadratic in v, the guess is right up to rounding errors, and the corrections are
+ * rounding errors that do not fall. */
 int fvi_mesh_impact(fvi_stepper *s, const double *normal, const double *v, double change,
                     double *lambda)
 {
     enum { MOST = 30 };
     const fvi_variable_step_state *o = s->method_state;
     const size_t d = o->d;
-    double *p = o->mechanism->slope, *w = p + d; /* which have been read */
+    double *p = o->mechanism->slope, *w = p + d; /* slope has been read */
     const double wanted = fvi_dot(d, normal, v) + change;
     double before = INFINITY;
     memcpy(w, v, d * sizeof *w);

@@ -1,4 +1,4 @@
-/* src/variable_step/variable_mechanism_memory.c -- Dampers on a mesh: their modes.   [H 29, 22] */
+/* src/variable_step/variable_mechanism_memory.c -- The modes of the dampers of a mechanism. [H 29, 22] */
 #include "variable_mechanism.h"
 #include "variable_step_events.h"
 
@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A power has the modes of the lattice; a sum, or another law, its own. */
+/* Return the term of a law that is a single power, which has the modes of the lattice; NULL for any other law, which
+ * has modes of its own. */
 static const fvi_kernel_term *power_of(const fvi_kernel *kernel)
 {
     const fvi_kernel_term *t = kernel->term;
@@ -25,7 +26,7 @@ static const fvi_damper *damper_of(const fvi_stepper *s, size_t j)
 
 /* ---- the start ---- */
 
-/* Is damper j, of the past rl, stretched at once at t = 0? */
+/* Return nonzero if damper j has Riemann and Liouville's past and its elongation jumps from 0 at t = 0. */
 static int starts_with_jump(const fvi_stepper *s, size_t j)
 {
     return damper_of(s, j)->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
@@ -37,7 +38,7 @@ static int depends_on_jumps(const fvi_stepper *s, size_t j)
     return fvi_kernel_growth(damper_of(s, j)->kernel) > 1;
 }
 
-/* The largest order below 1 of its powers. */
+/* Return the largest order below 1 of the terms of a law. */
 static double order_below_one(const fvi_kernel *kernel)
 {
     double order = 0;
@@ -47,7 +48,7 @@ static double order_below_one(const fvi_kernel *kernel)
     return order;
 }
 
-/* The smallest order of the Zener terms of a kernel; INFINITY if there is none. */
+/* Return the smallest order of the Zener terms of a law; INFINITY if there is none. */
 static double order_of_relaxation(const fvi_kernel *kernel)
 {
     double order = INFINITY;
@@ -59,9 +60,9 @@ static double order_of_relaxation(const fvi_kernel *kernel)
     return order;
 }
 
-/* The smallest q < 1 with which a coordinate without inertia moves out of its balance as t^q, or INFINITY; to *has_jump
- * whether one of them jumps before it moves so. q is the highest order of its dampers. If all of these are stiff at once
- * the coordinate jumps, and q is the order of their relaxation. */
+/* Return the smallest q < 1 with which a coordinate without inertia leaves its balance like t^q, or INFINITY.
+ * *has_jump: nonzero if one of these coordinates jumps before. q is the highest order of its dampers. If all its
+ * dampers answer stiffly at once, the coordinate jumps, and q is the order of their relaxation. */
 static double power_of_massless(const fvi_stepper *s, int *has_jump)
 {
     const fvi_mechanism_state *m = s->mechanism;
@@ -84,12 +85,12 @@ static double power_of_massless(const fvi_stepper *s, int *has_jump)
     return least;
 }
 
-/* No step behind a jump of a coordinate without inertia is shorter: its equation has the square of the length as a factor,
- * whose roundings must not vanish. */
+/* The shortest step, as a part of T, after a jump of a coordinate without inertia. Its equation has the square of the
+ * length as a factor, and the rounding errors of the equation must not underflow. */
 static const double LEAST_OF_MASSLESS = 1e-140;
 
-/* lambda is as t^{1 - order} behind a jump of zdot, and as t^{-order} behind one of z. A step as short as h
- * then adds h^{2 - order}, or h^{1 - order}, to p, which may be 1e-4 of the tolerance, as may h^q be of x. */
+/* After a jump of zdot, lambda is like t^{1 - order}, and after a jump of z like t^{-order}. So a first step of length
+ * h adds about h^{2 - order}, or h^{1 - order}, to p, and h^q to x. Each may be 1e-4 of the tolerance. */
 double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     const struct fvi_mesh_mechanism *m = o->mechanism;
@@ -122,7 +123,8 @@ static int refuse(fvi_error *error, int code, size_t j, const char *text)
     return fvi_at_index(error, j, fvi_fail(error, code, "damper", (double)j + 1, text, j + 1));
 }
 
-/* The past rl: every mode has seen z_0, or for a spring 0 is where it rests. */
+/* Start the history of damper j. With a jump of its elongation, every mode starts with z_0, and a spring is at rest at
+ * 0. */
 static void stretch(const fvi_stepper *s, fvi_variable_step_state *o, size_t j)
 {
     fvi_mesh_damper *to = &o->mechanism->damper[j];
@@ -131,7 +133,8 @@ static void stretch(const fvi_stepper *s, fvi_variable_step_state *o, size_t j)
         fvi_mesh_stretch_damper(o, to, 1, s->mechanism->z + j);
 }
 
-/* What sees zdot - before: a power above the order 1, or the terms of a law that rise. */
+/* Set W1 for the terms that depend on zdot - before: a power above the order 1, or the rising terms of a law. Set the
+ * leakage, too. */
 static void set_rising(const fvi_variable_rule *rule, fvi_mesh_damper *to)
 {
     const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
@@ -158,7 +161,7 @@ static int begin_law(fvi_stepper *s, const fvi_variable_step_state *o, const fvi
                      size_t count, size_t j, fvi_mesh_damper *to)
 {
     to->rho = 1;
-    to->beta = -0.5; /* a scale of W0 alone */
+    to->beta = -0.5; /* only a scale of W0 */
     int status = fvi_variable_step_prepare_kernel(kernel, &to->kernel);
     const fvi_kernel_on_mesh law = { to->kernel, o->rule, count, o->T, o->least };
     if (!status)
@@ -297,7 +300,7 @@ void fvi_mesh_stretch_damper(fvi_variable_step_state *o, fvi_mesh_damper *of, si
 {
     if (!of->modes)
         return;
-    o->undeclared_jump_until = o->T; /* such a start shows a part of its error alone */
+    o->undeclared_jump_until = o->T; /* the estimate sees only a part of the error of such a start */
     fvi_modes_activate_all(of->modes);
     for (size_t n = 0; n < count; n++)
         for (size_t q = 0; q < fvi_modes_count(of->modes); q++)

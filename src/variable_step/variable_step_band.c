@@ -1,5 +1,4 @@
-/* src/variable_step/variable_step_band.c -- Newton's correction of all coordinates, where their
- * Hessian has few diagonals.                                          [H 22] */
+/* src/variable_step/variable_step_band.c -- Newton's correction for a Hessian with few diagonals. [H 22] */
 #include "variable_step_band.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
@@ -9,9 +8,9 @@
 
 enum {
     PAIRS = 4
-}; /* eigenvalues side by side; of 6 stages the last one is idle */
+}; /* eigenvalues side by side; with 6 stages the last one is idle */
 
-/* Four complex numbers, the size of the stages of a coordinate. */
+/* Four complex numbers. They take as much room as the stages of a coordinate. */
 typedef struct __attribute__((may_alias)) {
     fvi_four re, im;
 } quad;
@@ -19,10 +18,10 @@ typedef struct __attribute__((may_alias)) {
 struct fvi_variable_step_band {
     size_t s, d, diagonals;
     quad lambda, power, inverse; /* lambda, lambda^beta, 1 / lambda */
-    quad in[FVI_LANES];          /* w: from the stages to the pairs */
-    double re[PAIRS][FVI_LANES], im[PAIRS][FVI_LANES]; /* 2 v: and back */
-    quad *factor; /* of column j: 1 / D_j, then what stands below */
-    quad kind[];  /* m lambda + drag lambda^beta, and then the factors */
+    quad in[FVI_LANES];          /* w: maps stages to eigenvectors */
+    double re[PAIRS][FVI_LANES], im[PAIRS][FVI_LANES]; /* 2 v: maps them back */
+    quad *factor; /* of column j: 1 / D_j, then the entries below the diagonal */
+    quad kind[];  /* m lambda + damping_coeff lambda^beta of each group, and then the factors */
 };
 
 static inline quad times(quad a, quad b)
@@ -30,8 +29,8 @@ static inline quad times(quad a, quad b)
     return (quad){ a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re };
 }
 
-/* 1 / z. A power of two is taken out of z, and no digit moves: the squares of what damps with 1e160
- * would be infinite, and its inverse 0, as if there were no damping. NaN if z is 0. */
+/* Return 1 / z, or NaN if z is 0. A power of two is divided out of z, which changes no digit. Otherwise the square of a
+ * damping of 1e160 would be infinite and the inverse 0, as if there were no damping. */
 typedef long long bits __attribute__((vector_size(32), aligned(8), may_alias));
 static inline __attribute__((always_inline)) quad inverse_of(quad z)
 {
@@ -44,9 +43,9 @@ static inline __attribute__((always_inline)) quad inverse_of(quad z)
     return (quad){ scale * (z.re / size), scale * (-z.im / size) };
 }
 
-/* ---- one matrix for each pair ---- */
+/* ---- one matrix for each eigenvalue ---- */
 
-/* L D L^T, complex and symmetric. */
+/* Factorise the complex symmetric matrices as L D L^T. */
 //> factorise
 FVI_VECTORS static void factorise(fvi_variable_step_band *o, const size_t *kind,
                                   double hh, const double *H)
@@ -81,7 +80,7 @@ FVI_VECTORS static void factorise(fvi_variable_step_band *o, const size_t *kind,
 
 /* ---- solutions ---- */
 
-/* From the stages to the pairs, and forwards by L: e_j stands where r_j did. */
+/* Map stages to eigenvectors, and substitute forwards by L. e_j replaces r_j. */
 //> forwards
 static inline __attribute__((always_inline)) void
 forwards(const fvi_variable_step_band *o, double *r)
@@ -104,7 +103,7 @@ forwards(const fvi_variable_step_band *o, double *r)
 }
 //< forwards
 
-/* Backwards by D and L^T. */
+/* Substitute backwards by D and L^T. */
 static inline __attribute__((always_inline)) void
 backwards(const fvi_variable_step_band *o, double *r)
 {
@@ -121,7 +120,7 @@ backwards(const fvi_variable_step_band *o, double *r)
     }
 }
 
-/* From the pairs back to the stages. */
+/* Map eigenvectors back to stages. */
 static inline __attribute__((always_inline)) void
 join(const fvi_variable_step_band *o, double *r)
 {
@@ -151,7 +150,7 @@ void fvi_variable_step_band_factorise(fvi_variable_step_band *o, const size_t *k
     factorise(o, kind, hh, H);
 }
 
-/* All three where coordinates do not know of each other, with s a constant. */
+/* Do all three if the coordinates are not coupled, with s a constant. */
 static inline __attribute__((always_inline)) void
 one_by_one(const size_t s, const fvi_variable_step_band *o, double *r)
 {
@@ -194,7 +193,7 @@ void fvi_variable_step_band_solve(fvi_variable_step_band *o, double *r)
     solve(o, r);
 }
 
-/* ---- room ---- */
+/* ---- memory ---- */
 
 fvi_variable_step_band *fvi_variable_step_band_alloc(const fvi_variable_rule *rule,
                                            double beta, size_t d, size_t kinds,

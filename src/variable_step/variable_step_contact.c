@@ -1,7 +1,7 @@
-/* src/variable_step/variable_step_contact.c -- A body rests on a surface, slides, and lifts off.   [H 29, 22]
+/* src/variable_step/variable_step_contact.c -- Contacts: a body rests on a surface, slides, and lifts off. [H 29, 22]
  *
- * While a contact is closed its Z = 0 is a constraint, and the multiplier is the force of the surface. The
- * contact opens where this force would have to pull. */
+ * While a contact is closed, its Z = 0 is a constraint, and the multiplier of the constraint is the force of the
+ * surface. The contact opens where the surface would have to pull. */
 #include "variable_mechanism.h"
 #include "variable_step_events.h"
 
@@ -24,7 +24,7 @@ int fvi_variable_step_close_contact(fvi_stepper *s, fvi_variable_step_state *o, 
     return status;
 }
 
-/* A hop lower than the error of a step is nothing yet: z is 0 there. */
+/* A hop lower than the error of a step counts as z = 0, so `rounding` is set to this height. */
 int fvi_variable_step_open_contact(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
 {
     fvi_event_watch *w = o->watch;
@@ -57,7 +57,7 @@ int fvi_variable_step_open_tensile_contacts(fvi_stepper *s, fvi_variable_step_st
     return status;
 }
 
-/* A step from here, which is not taken: its stages know how the closed contacts push. */
+/* Try a step from here that will not be taken, because its stages tell how strongly the closed contacts push. */
 static int try_first_step(fvi_stepper *s, fvi_variable_step_state *o)
 {
     enum { SHORTER = 20 };
@@ -71,7 +71,8 @@ static int try_first_step(fvi_stepper *s, fvi_variable_step_state *o)
     return status;
 }
 
-/* The contact with the largest tension at the beginning of that step; SIZE_MAX if none does. */
+/* Return the contact with the largest tension at the beginning of the tried step; SIZE_MAX if no contact is under
+ * tension. */
 static size_t find_tensile_contact(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     const fvi_mechanism_state *of = s->mechanism;
@@ -88,7 +89,7 @@ static size_t find_tensile_contact(const fvi_stepper *s, const fvi_variable_step
     return which;
 }
 
-/* What has been closed and pushes is at rest. */
+/* Record a rest at each new contact, because it is closed and pushes. */
 static int note_rest(const fvi_stepper *s, fvi_event_watch *w)
 {
     int status = FVI_SUCCESS;
@@ -111,7 +112,7 @@ int fvi_variable_step_check_contacts(fvi_stepper *s, fvi_variable_step_state *o)
     int status = FVI_SUCCESS;
     while (o->mechanism && s->mechanism->m > s->mechanism->own && !status) {
         status = try_first_step(s, o);
-        if (status == FVI_EMAXITER || status == FVI_ESING) { /* the step that follows says why */
+        if (status == FVI_EMAXITER || status == FVI_ESING) { /* the next step will report why */
             status = FVI_SUCCESS;
             break;
         }
@@ -121,7 +122,7 @@ int fvi_variable_step_check_contacts(fvi_stepper *s, fvi_variable_step_state *o)
         status = fvi_variable_step_open_contact(s, o, i);
     }
     o->length = length;
-    o->powers_known = 0; /* the trial stands there */
+    o->powers_known = 0; /* the trial has overwritten the powers */
     return status ? status : note_rest(s, o->watch);
 }
 
@@ -152,7 +153,7 @@ double fvi_variable_step_normal_force(const fvi_stepper *s, const fvi_variable_s
     return -o->watch->closed[i] * fvi_mesh_contact_force(s, o, row, theta);
 }
 
-/* At t = 0 no step has been made. */
+/* Compute the force at t = 0, where no step has been made yet, by a first step of a copy. */
 static int force_of_first_step(const fvi_stepper *s, size_t i, double *force)
 {
     fvi_stepper *fork = NULL;

@@ -1,4 +1,4 @@
-/* src/variable_step/variable_step_control.c -- Which length does the next step have?   [H 22] */
+/* src/variable_step/variable_step_control.c -- Choose the length of the next step by the error of the last. [H 22] */
 #include "variable_step_events.h"
 
 #include "system/larger.h"
@@ -7,7 +7,8 @@
 #include <math.h>
 
 //> control
-/* How many factors exp(L) the next step is longer: the error is of order h^{s+1}. */
+/* Return how many rungs of the lattice the next step is longer, or shorter if negative. The error is of order
+ * h^{s+1}. */
 static int step_change(const fvi_variable_step_state *o, double error)
 {
     const double L = fvi_variable_spacing(),
@@ -20,14 +21,14 @@ static int step_change(const fvi_variable_step_state *o, double error)
     const double less = ceil(log(1.5) / order - room);
     return less < 1                    ? -1
            : less <= FVI_VARIABLE_STEP_LESS ? -(int)less
-                                       : -FVI_VARIABLE_STEP_LESS; /* NaN, too */
+                                       : -FVI_VARIABLE_STEP_LESS; /* also for NaN */
 }
 //< control
 
-/* Where x'' is smooth, a shorter step has an error of order h^s at least. One that hardly
- * falls tells of a jump that is not declared, whose coefficients hardly fall, and what
- * (22.16) says of it is a hundredth of the truth: until the place is passed it counts so
- * much more. */
+/* Return the error for the control. If x'' is smooth, the error of a shorter step falls like h^s or faster. If it
+ * hardly falls, the force may have a jump that was not declared. The Legendre coefficients of such a jump hardly fall,
+ * too, and (22.16) sees about a hundredth of its error. So the error is multiplied by a hundred until the steps have
+ * passed this place. */
 static double assess_error(fvi_variable_step_state *o, double error, double error_before,
                     double h_before)
 {
@@ -37,25 +38,25 @@ static double assess_error(fvi_variable_step_state *o, double error, double erro
     return o->t < o->undeclared_jump_until ? 100 * error : error;
 }
 
-/* The exponent of the next step, after one that is taken. A step that was made shorter
- * before is not followed by a longer one. */
+/* Set the exponent of the next step after an accepted step. If this step was a shorter trial, the next one is not
+ * longer. again: nonzero if a longer trial was rejected. */
 static void grow_step(fvi_variable_step_state *o, double error, int again)
 {
     const int more = step_change(o, error),
               k = fvi_variable_step_exponent(o->length) + (again && more > 0 ? 0 : more);
     o->next = o->length.k == FVI_OFF_LATTICE && !o->first_after_event
-                  ? (int)fmax(o->next, k) /* it was cut by an event */
+                  ? (int)fmax(o->next, k) /* an event cut this step short */
                   : k;
     o->steps_since_failure = (o->steps_since_failure + 1) % FVI_VARIABLE_STEP_RETRY;
     if (o->steps_since_failure == 0 && o->longest_solvable < o->most)
         o->longest_solvable++;
     o->next = (int)smaller(o->next, fmin(o->most, o->longest_solvable));
-    if (o->first_after_event) /* the next restart begins where this one got to */
+    if (o->first_after_event) /* the next start after an event takes this length */
         o->first = o->next;
 }
 
-/* The same after one that is not, as its error is too large, or NaN; or as its equation
- * was not solved. */
+/* Set the exponent of the next trial after a rejected trial: the error was too large or NaN, or the equation was not
+ * solved (failed). */
 static void shrink_step(fvi_variable_step_state *o, fvi_length length, double error,
                     int failed)
 {
@@ -69,7 +70,7 @@ static void shrink_step(fvi_variable_step_state *o, fvi_length length, double er
 }
 
 //> find
-/* The first length whose error is small enough. */
+/* Try lengths until the error is small enough. */
 static int find_length(fvi_stepper *s, fvi_variable_step_state *o, double event)
 {
     double found = 0, error = 0, found_before = 0, h_before = 0;
@@ -99,7 +100,7 @@ static int find_length(fvi_stepper *s, fvi_variable_step_state *o, double event)
     }
 }
 
-/* A contact that opens where the step begins makes it another step. */
+/* A contact that opens at the beginning of the step changes the equation, so the step is tried again. */
 int fvi_variable_step_find(fvi_stepper *s, fvi_variable_step_state *o, double event)
 {
     int status;

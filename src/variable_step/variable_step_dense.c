@@ -1,4 +1,4 @@
-/* src/variable_step/variable_step_dense.c -- Between the ends of a step, and behind it. [H 22] */
+/* src/variable_step/variable_step_dense.c -- The motion between the ends of a step, and beyond the step. [H 22] */
 #include "variable_structure.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
@@ -7,11 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- within a step: powers ---- */
+/* ---- within a step, by powers of theta ---- */
 
-/* P_n(2 theta - 1) = sum_k (-1)^{n+k} binom(n, k) binom(n + k, k) theta^k, column by
- * column. The largest numbers belong to the last coefficients, which are small in a step
- * that has been taken. */
+/* The coefficients of P_n(2 theta - 1) = sum_k (-1)^{n+k} binom(n, k) binom(n + k, k) theta^k, column by column. The
+ * largest numbers multiply the last Legendre coefficients, which are small in an accepted step. */
 //> powers
 static const fvi_square powers = { { { 1 },
                                      { -1, 2 },
@@ -36,7 +35,7 @@ static const fvi_four integral[] = { { 1, 1. / 2, 1. / 3, 1. / 4 },
                           { 1. / 30, 1. / 42, 1. / 56, 1. / 72 }
                       };
 
-/* w_k = first theta^k by_k */
+/* Compute w_k = first theta^k by_k. */
 static inline __attribute__((always_inline)) void
 weigh(double first, double theta, const fvi_four by[2], fvi_four *w)
 {
@@ -57,7 +56,7 @@ void fvi_variable_step_twice(double theta, double *w)
     weigh(theta * theta, theta, double_integral, (fvi_four *)w);
 }
 
-/* The sums of w and g, which has zeros behind the s-th number. */
+/* Return sum_k w_k g_k. g has zeros behind the s-th number. */
 static inline __attribute__((always_inline)) double product(const fvi_four *w,
                                                             const double *g)
 {
@@ -65,7 +64,7 @@ static inline __attribute__((always_inline)) double product(const fvi_four *w,
     return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 }
 
-/* x = x_k + theta h v_k + the double integral of x''. */
+/* Compute x = x_k + theta h v_k + the double integral of x''. */
 FVI_VECTORS static void positions(const fvi_variable_step_state *o, double h,
                                   double theta, double *x)
 {
@@ -78,7 +77,7 @@ FVI_VECTORS static void positions(const fvi_variable_step_state *o, double h,
                         + product(w, o->powers + j * FVI_LANES));
 }
 
-/* m v, v = v_k + the integral of x''. */
+/* Compute p = m v, with v = v_k + the integral of x''. */
 FVI_VECTORS static void momenta(const fvi_variable_step_state *o, const double *mass,
                                 double theta, double *p)
 {
@@ -88,7 +87,7 @@ FVI_VECTORS static void momenta(const fvi_variable_step_state *o, const double *
         p[j] = (o->v0[j] + product(w, o->powers + j * FVI_LANES)) * mass[j];
 }
 
-/* M v in its place. */
+/* Compute p = M v for a system with matrices. */
 static int momenta_of_matrices(const fvi_stepper *s, fvi_variable_step_state *o, double theta,
                                double *p)
 {
@@ -97,7 +96,7 @@ static int momenta_of_matrices(const fvi_stepper *s, fvi_variable_step_state *o,
     return m->inertia(o->d, o->structure->Kv, m->params, p);
 }
 
-/* x'' of the last step as powers. */
+/* Convert x'' of the last step to powers of theta. */
 static void make_powers(fvi_variable_step_state *o)
 {
     for (size_t j = 0; j < o->d; j++)
@@ -106,7 +105,7 @@ static void make_powers(fvi_variable_step_state *o)
     o->powers_known = 1;
 }
 
-/* What a singular start adds. */
+/* Add the singular part of a start to x and p. */
 static void add_singular(const fvi_variable_step_state *o, const double *mass,
                          double t, double *x, double *p)
 {
@@ -120,7 +119,7 @@ static void add_singular(const fvi_variable_step_state *o, const double *mass,
     }
 }
 
-/* p of a mechanism with constraints, at theta. */
+/* Project p of a mechanism at theta, so that its velocity keeps to the constraints. */
 static int project(const fvi_stepper *s, double t, double theta, double *p)
 {
     const fvi_variable_step_state *o = s->method_state;
@@ -135,7 +134,7 @@ static int project(const fvi_stepper *s, double t, double theta, double *p)
 }
 
 //> dense
-/* x and p at a time within the last step: x'' integrated twice, once.       (22.18) */
+/* Compute x and p at a time within the last step: x'' is integrated twice, and once. (22.18) */
 int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p)
 {
     fvi_variable_step_state *o = s->method_state;
@@ -160,8 +159,8 @@ int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p
 }
 //< dense
 
-/* sum_k first_i theta_i^k by_k g_k for eight rows of one mass, summed as `product` sums. Whether all
- * eight are wanted or not: a loop of known length is one vector. */
+/* Compute sum_k first_i theta_i^k by_k g_k for eight rows of one mass, in the order of `product`. It computes all eight
+ * sums, even if fewer are wanted, because the compiler makes one vector of a loop of known length. */
 FVI_VECTORS static void sums_of_eight_rows(const double *restrict g, const double *restrict by,
                                            const double *restrict first,
                                            const double *restrict theta, double *restrict sum)
@@ -179,7 +178,7 @@ FVI_VECTORS static void sums_of_eight_rows(const double *restrict g, const doubl
     }
 }
 
-/* At most eight rows of one mass, by the operations of `positions` and `momenta`. */
+/* Compute at most eight rows of one mass, with the operations of `positions` and `momenta`. */
 static void rows_of_one_mass(const fvi_stepper *s, size_t count, const double *t, double *x,
                              double *p)
 {
@@ -261,9 +260,9 @@ int fvi_variable_step_acceleration(const fvi_stepper *s, double t, double *a)
     return FVI_SUCCESS;
 }
 
-/* ---- behind it: Legendre's polynomials, which powers would not do for ---- */
+/* ---- beyond a step, by Legendre's polynomials, because powers would lose digits there ---- */
 
-/* What the recurrence multiplies by: no row has to wait for a quotient. */
+/* The factors of the recurrence, as a table, so that no row waits for a division. */
 #define UP(n) ((2.0 * (n) + 1) / ((n) + 1))
 #define DOWN(n) ((n) / ((n) + 1.0))
 #define HALF(n) (1 / (4.0 * (n) + 2))
@@ -274,8 +273,7 @@ int fvi_variable_step_acceleration(const fvi_stepper *s, double t, double *a)
 static const double up[FVI_LANES] = EACH(UP), down[FVI_LANES] = EACH(DOWN),
                     half[FVI_LANES] = EACH(HALF);
 
-/* The integrals of P_n(2 u - 1), n < s, from 0 to four numbers theta: R_n(theta_i) at
- * column[n][i]. */
+/* Compute the integrals of P_n(2 u - 1), n < s, from 0 to four numbers theta: R_n(theta_i) at column[n][i]. */
 //> legendre
 FVI_VECTORS static void integrate(size_t s, const double *theta,
                                   double (*column)[FVI_LANES])

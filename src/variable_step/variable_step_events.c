@@ -1,8 +1,8 @@
-/* src/variable_step/variable_step_events.c -- A step ends where an event is.   [H 22]
+/* src/variable_step/variable_step_events.c -- End a step at an event. [H 22]
  *
- * A step has been tried. If z changes its sign within, the polynomial of that step says about when;
- * then the length h of the step is the unknown of z(x(h)) = 0, and each trial solves the step anew.
- * Nothing of the past has moved yet, so the last trial is the step. */
+ * A step has been tried. If z changes its sign in it, the polynomial of the step says roughly when. Then the length h
+ * of the step is the unknown of z(x(h)) = 0, and each trial of h solves the step again. No trial changes the history,
+ * so the last trial is the step. */
 #include "variable_mechanism.h"
 #include "variable_step_events.h"
 
@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- what is kept ---- */
+/* ---- memory, copies, archive ---- */
 
 int fvi_variable_step_velocities_jump(const fvi_run *run)
 {
@@ -72,7 +72,7 @@ int fvi_variable_step_copy_events(const fvi_event_watch *from, fvi_variable_step
     return FVI_SUCCESS;
 }
 
-/* On which side of 0 each z is, and what has happened. A run that goes on may have less room for the times. */
+/* Serialise the side of each z and the events so far. A run that goes on may have less room for the times. */
 int fvi_variable_step_archive_events(const fvi_stepper *s, fvi_variable_step_state *o, fvi_archive *v)
 {
     fvi_event_watch *w = o->watch;
@@ -144,7 +144,8 @@ int fvi_event_within(const fvi_stepper *s, const fvi_variable_step_state *o, siz
     return status ? status : evaluate(s, i, t, x, p, z);
 }
 
-/* At its end, as the step will have it. */
+/* Compute z of event i at the end of the step that has been tried, with the x and p that the accepted step will
+ * have. */
 static int value_at_end(const fvi_stepper *s, const fvi_variable_step_state *o,
                         size_t i, double *z)
 {
@@ -186,7 +187,7 @@ int fvi_variable_step_sides(const fvi_stepper *s, fvi_event_watch *w, int anew)
 
 /* ---- the first event of a step ---- */
 
-/* Between two times of the polynomial, z on its side at the first, or not far from 0. */
+/* Find the passing of z between two times of the polynomial. At the first time, z is on its side, or near 0. */
 static int bisect(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
                   double side, double low, double high, double *theta)
 {
@@ -205,9 +206,9 @@ static int bisect(const fvi_stepper *s, const fvi_variable_step_state *o, size_t
     return FVI_SUCCESS;
 }
 
-/* Where event i passes 0, to theta; INFINITY if it does not. *is_too_long: behind its impact z has
- * not been on its side at any place, so that a shorter step has to find it there. A body that starts
- * on its wall is one that has just hit it. */
+/* Find where event i passes 0, to w->theta[i]; INFINITY if it does not. *is_too_long: set to 1 if z has not been on its
+ * side at any place behind the impact of this event; then a shorter step must find z there. A body that starts on its
+ * wall counts as one that has just hit it. */
 static int find_passing(const fvi_stepper *s, const fvi_variable_step_state *o,
                         size_t i, int *is_too_long)
 {
@@ -244,7 +245,7 @@ static int find_passing(const fvi_stepper *s, const fvi_variable_step_state *o,
     return status;
 }
 
-/* The event that is the first; w->count if there is none. */
+/* Find the first event of the step; w->count if there is none. */
 static int find_first(const fvi_stepper *s, fvi_variable_step_state *o,
                       size_t *first, int *is_too_long)
 {
@@ -270,7 +271,7 @@ static int find_first(const fvi_stepper *s, fvi_variable_step_state *o,
 /* ---- the length of the step ---- */
 
 //> event_length
-/* z at the end of a step of length h, which is solved for it. */
+/* Solve a step of length h, and compute z at its end. */
 static int try_length(fvi_stepper *s, fvi_variable_step_state *o, size_t i, double h,
                       double *z)
 {
@@ -280,8 +281,8 @@ static int try_length(fvi_stepper *s, fvi_variable_step_state *o, size_t i, doub
     return status ? status : value_at_end(s, o, i, z);
 }
 
-/* The length at which z is 0, by secants, from what the polynomial says of it and of dz/dh. They
- * end where z becomes no smaller, or h changes by a rounding of the time. */
+/* Find the length at which z is 0 by secants, from a guess of the length and of dz/dh by the polynomial. The secants
+ * end if |z| does not become smaller, or if h changes by a rounding error of the time only. */
 static int solve_length(fvi_stepper *s, fvi_variable_step_state *o, size_t i,
                         double guess, double slope, double longest)
 {
@@ -311,7 +312,7 @@ static int solve_length(fvi_stepper *s, fvi_variable_step_state *o, size_t i,
 }
 //< event_length
 
-/* dz/dh near theta, by the polynomial. */
+/* Compute dz/dh near theta by the polynomial. */
 static int slope_of(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
                     double theta, double *slope)
 {
@@ -325,8 +326,8 @@ static int slope_of(const fvi_stepper *s, const fvi_variable_step_state *o, size
     return status;
 }
 
-/* A body that has started on its wall, and that longer steps have seen fall: does it lie there, as z is
- * nothing but rounding in a short one? */
+/* Return nonzero if a body that started on its wall lies there: longer steps have seen it fall, but in a short step z
+ * is a rounding error only. */
 static int lies_on_wall(const fvi_variable_step_state *o)
 {
     const fvi_event_watch *w = o->watch;

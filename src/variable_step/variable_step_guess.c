@@ -1,4 +1,4 @@
-/* src/variable_step/variable_step_guess.c -- Where the iteration of a step begins. [H 22] */
+/* src/variable_step/variable_step_guess.c -- The initial guess of the iteration of a step. [H 22] */
 #include "variable_step.h"
 
 #include <fvi/error.h>
@@ -28,12 +28,12 @@ void fvi_variable_step_extrapolate(fvi_variable_step_state *o)
     }
 }
 
-/* ---- from node to node ---- */
+/* ---- from stage to stage ---- */
 
-/* So much farther than all motion before, than the error that is allowed, and than a free
- * body, the leapfrog comes where springs were stiffer than its steps; from there an iteration
- * may find no way back, or, where a Hessian's square is out of range, nothing to correct;
- * and what it finds may be the rest of another valley. */
+/* The leapfrog method goes astray if springs are stiff for its steps. Then a stage is so much farther from the stage of
+ * a free body than all the motion so far, the allowed error and the way of the free body together. From there an
+ * iteration may not come back; a Hessian may overflow; and the solution may be a rest in another valley of the
+ * potential. */
 static const double FAR = 10;
 
 static int is_far(const fvi_variable_step_state *o, size_t i)
@@ -56,7 +56,7 @@ int fvi_variable_step_is_astray(const fvi_variable_step_state *o)
     return astray;
 }
 
-/* From stage i - 1 to stage i, which is dt later: x there. */
+/* Compute x at stage i from stage i - 1, which is dt earlier. */
 static void leapfrog_positions(fvi_variable_step_state *o, size_t i, double dt)
 {
     const double *before = o->point + (i - 1) * o->d;
@@ -68,8 +68,8 @@ static void leapfrog_positions(fvi_variable_step_state *o, size_t i, double dt)
     }
 }
 
-/* V - v and its derivative at stage i, by the force there and by what stages up to this one
- * add to the memory: damping_coeff W0. The derivatives stand where accel_legendre will. */
+/* Compute V - v and its derivative at stage i, from the force at this stage and from the present part damping_coeff W0
+ * of the memory, up to this stage. The derivatives take the room of accel_legendre, which is computed later. */
 static void leapfrog_velocities(fvi_variable_step_state *o, size_t i, double dt, double by_h)
 {
     for (size_t j = 0; j < o->d; j++) {

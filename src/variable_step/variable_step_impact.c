@@ -1,6 +1,6 @@
-/* src/variable_step/variable_step_impact.c -- What an event does.              [H 22]
+/* src/variable_step/variable_step_impact.c -- Carry an event out. [H 22]
  *
- * The step has ended there (variable_step_events.c): momenta jump, or the run is over. */
+ * The last step has ended at the event (variable_step_events.c). Now a momentum jumps, or the run is over. */
 #include "variable_mechanism.h"
 #include "variable_step_events.h"
 
@@ -14,7 +14,7 @@
 
 /* ---- impacts ---- */
 
-/* The mass in a jump of the velocity. */
+/* Return the mass of coordinate j in a jump of the velocity. */
 static double mass_of(const fvi_stepper *s, size_t j)
 {
     const fvi_variable_step_state *o = s->method_state;
@@ -73,8 +73,8 @@ int fvi_variable_step_speed_of_event(const fvi_stepper *s, size_t i, double t, c
     return status || isfinite(sum) ? status : FVI_EOVRFLW;
 }
 
-/* How fast z falls ever faster, towards the side where it must not be, by the speeds at the end of the
- * step and shortly before: of a wall that moves, or is bent, this knows too. */
+/* Compute the acceleration of z towards the forbidden side, from the speeds of z at the end of the step and shortly
+ * before. This is right for a wall that moves or is curved, too. */
 static int fall_of(const fvi_stepper *s, fvi_variable_step_state *o, size_t i,
                    double speed, double *fall)
 {
@@ -100,7 +100,7 @@ int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o)
         double z, speed;
         if (!fvi_event_has_wall(e)
             || e->value(s->t, o->d, s->x, s->p, e->params, &z) || z != 0)
-            continue; /* what fails here fails in the first step, too */
+            continue; /* a function that fails here fails in the first step, too */
         const int status = fvi_variable_step_speed_of_event(s, i, s->t, s->x, s->p,
                                                             o->watch->point + 2 * o->d, &speed);
         if (status)
@@ -114,7 +114,8 @@ int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o)
 }
 
 //> impact
-/* -(1 + e) (n v + dz/dt) / (n M^-1 n). A contact under tension opens, and then M^-1 is another. */
+/* Compute the factor -(1 + e) (n v + dz/dt) / (n M^-1 n) of the normal. If a contact is under tension it opens, which
+ * changes M^-1, so the factor is computed again. */
 static int factor_of_jump(fvi_stepper *s, fvi_variable_step_state *o, const fvi_event *e,
                           double *normal, double speed, double *jump)
 {
@@ -137,8 +138,8 @@ static int factor_of_jump(fvi_stepper *s, fvi_variable_step_state *o, const fvi_
                                           : factor_of_jump(s, o, e, normal, speed, jump);
 }
 
-/* p -> p - (1 + e) n (n v + dz/dt) / (n M^-1 n), if the body comes nearer. Is it at rest then, as it
- * would rise no higher, in z, than the step may err, or than the height of rest, before it falls back? */
+/* Let p jump to p - (1 + e) n (n v + dz/dt) / (n M^-1 n), if the body comes nearer. *at_rest: nonzero if after it the
+ * body would rise no higher, in z, than the height of rest or than the step may err, before it falls back. */
 static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_rest)
 {
     const fvi_event *e = &s->run.events[i];
@@ -162,7 +163,7 @@ static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_res
 }
 //< impact
 
-/* The body stays at the wall: the run is over, or the contact closes. */
+/* The body stays at the wall: end the run, or close the contact. */
 static int come_to_rest(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
 {
     if (s->run.events[i].action == FVI_EVENT_CONTACT)
@@ -171,7 +172,7 @@ static int come_to_rest(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
     return FVI_SUCCESS;
 }
 
-/* Event i is at the end of the step. */
+/* Carry out event i, at the end of the step. */
 static int act(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
 {
     fvi_event_watch *w = o->watch;
@@ -182,9 +183,9 @@ static int act(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
     if (fvi_event_has_wall(e))
         status = hit(s, o, i, &at_rest);
     else
-        w->side[i] = w->behind[i]; /* it has passed */
+        w->side[i] = w->behind[i]; /* z has passed 0 */
     w->is_over |= e->action == FVI_EVENT_STOP;
-    const int may_rest = e->action == FVI_EVENT_CONTACT; /* whether it does is seen below */
+    const int may_rest = e->action == FVI_EVENT_CONTACT; /* fvi_variable_step_check_contacts decides whether it rests */
     at_rest |= may_rest && e->restitution == 0;
     if (!status)
         status = fvi_variable_step_note_event(w, (fvi_event_time){ s->t, i, at_rest && !may_rest, 0 });
@@ -217,7 +218,7 @@ int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o)
     }
     for (size_t i = 0; i < w->count; i++) {
         if (jumped && w->theta[i] < INFINITY && w->has_hit[i] == 0)
-            w->side[i] = 0; /* what an impact at the same time has made of it is not known yet */
+            w->side[i] = 0; /* the impact at the same time may have changed the side */
         w->theta[i] = INFINITY;
     }
     if (!status && o->first_after_event)
@@ -225,7 +226,7 @@ int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o)
     return status ? status : fvi_variable_step_sides(s, w, jumped);
 }
 
-/* ---- from outside ---- */
+/* ---- public functions ---- */
 
 static const fvi_event_watch *watch_of(const fvi_stepper *s)
 {

@@ -1,16 +1,16 @@
-/* src/variable_step/variable_step_kernel.c -- Any kernel in a run with variable steps. [H 26]
+/* src/variable_step/variable_step_kernel.c -- Any law of damping in a run with variable steps. [H 26]
  *
- * With k(s) = C(s)/s the present part of a step is k(A^{-1}/h), by the eigenvalues of A^{-1}.
- * The past is a sum over modes, of which each term with growth up to 1 has
+ * Let k(s) = C(s)/s. The present part of a step is k(A^{-1}/h), computed by the eigenvalues of A^{-1}. The past is a
+ * sum over modes. A term with growth up to 1 has
  *
- *     k(s) = sum_q w_q / (s + sigma_q),
+ *     k(s) = sum_q w_q / (s + sigma_q)
  *
- * with y = sigma w as state, (22.6); and each one that grows faster
+ * and the state y = sigma w, (22.6). A term that grows faster, which we call rising, has
  *
- *     k(s) = sum_q w_q s / (s + sigma_q),
+ *     k(s) = sum_q w_q s / (s + sigma_q)
  *
- * with z as state, (22.7). The rates are those of a ladder as fine as the poles beside the
- * cut ask for, and those of single poles, which stand nowhere on a ladder.        (26.18) */
+ * and the state z, (22.7). The rates are those of a ladder, as fine as the poles beside the cut need it, and those of
+ * single poles, which are on no ladder. (26.18) */
 #include "variable_step.h"
 
 #include "kernel/kernel_general.h"
@@ -27,7 +27,7 @@
 struct fvi_variable_step_kernel {
     const fvi_kernel *law;
     size_t terms;
-    fvi_kernel_simple term[]; /* those of the law that are fractions of powers */
+    fvi_kernel_simple term[]; /* the terms of the law that are fractions of powers */
 };
 
 static int rises(const fvi_kernel_simple *t)
@@ -40,7 +40,8 @@ static int is_whole(double x)
     return x == floor(x);
 }
 
-/* A relaxation and a spring are single poles, and what else has whole orders has no past. */
+/* Return nonzero if the term has a ladder of modes. A relaxation and a spring are single poles, and other terms with
+ * whole orders have no past. */
 static int has_ladder(const fvi_kernel_simple *t)
 {
     return t->rho > 0 && !fvi_kernel_is_relaxation(t)
@@ -48,7 +49,7 @@ static int has_ladder(const fvi_kernel_simple *t)
                 && (t->time == 0 || is_whole(2 * t->below)));
 }
 
-/* C(s)/s in the place of C(s), which grows like s^2 and may overflow at the shortest steps. */
+/* Return C(s)/s in place of C(s), which grows like s^2 and may overflow at the shortest steps. */
 static fvi_kernel_simple over_s(const fvi_kernel_simple *t)
 {
     return (fvi_kernel_simple){ t->rho, t->alpha - 0.5, t->time, t->time > 0 ? t->below : 0 };
@@ -58,7 +59,8 @@ static fvi_kernel_simple over_s(const fvi_kernel_simple *t)
 
 enum { MOST = 6000 };
 
-/* Rates and weights as they come; weights of what rises are over their rates, as they would overflow. */
+/* Rates and weights of modes, in any order. The weights of rising terms are divided by their rates, because they would
+ * overflow. */
 typedef struct {
     size_t count;
     double *rate, *weight;
@@ -73,7 +75,7 @@ static int add_mode(mode_list *l, double rate, double weight)
     return FVI_SUCCESS;
 }
 
-/* Im C(-sigma + i0) / pi of the terms of one group, by ln sigma. */
+/* Return Im C(-sigma + i0) / pi of the rising or of the other terms, with u = ln sigma. */
 static double density(const fvi_variable_step_kernel *k, int rising, double u)
 {
     double sum = 0;
@@ -83,7 +85,7 @@ static double density(const fvi_variable_step_kernel *k, int rising, double u)
     return sum / M_PI;
 }
 
-/* The same over sigma. */
+/* Return this density divided by sigma. If the density overflows, compute the quotient from C(s)/s. */
 static double density_over_rate(const fvi_variable_step_kernel *k, int rising, double u, double rate)
 {
     const double whole = density(k, rising, u);
@@ -93,13 +95,13 @@ static double density_over_rate(const fvi_variable_step_kernel *k, int rising, d
     for (size_t i = 0; i < k->terms; i++) {
         const fvi_kernel_simple t = over_s(&k->term[i]);
         if (has_ladder(&k->term[i]) && rises(&k->term[i]) == rising)
-            sum -= fvi_kernel_on_the_cut(&t, t.rho, u); /* s is -sigma there */
+            sum -= fvi_kernel_on_the_cut(&t, t.rho, u); /* s = -sigma there */
     }
     return sum / M_PI;
 }
 
-/* The distance of the nearest pole from the cut in ln sigma, with a tenth to spare; 0 where a
- * pole is not beside the cut but before it; and whether there is a ladder at all. */
+/* Return the distance of the nearest pole from the cut in ln sigma, less a tenth; 0 if a pole lies not beside the cut
+ * but before it. *any: nonzero if a term has a ladder at all. */
 static double strip(const fvi_variable_step_kernel *k, int rising, int *any)
 {
     double width = M_PI_2;
@@ -115,8 +117,8 @@ static double strip(const fvi_variable_step_kernel *k, int rising, int *any)
     return width;
 }
 
-/* From mu = 1e6 in the shortest step down to sigma T = 1e-8; what lies below is one mode, by two
- * moments. */
+/* Add the modes from mu = 1e6 in the shortest step down to sigma T = 1e-8. One more mode stands for all rates below,
+ * with the same two moments. */
 //> ladder
 static int add_ladder(const fvi_kernel_on_mesh *o, int rising,
                       mode_list *l)
@@ -126,7 +128,7 @@ static int add_ladder(const fvi_kernel_on_mesh *o, int rising,
     const double width = strip(k, rising, &any), step = 2 * M_PI * width / 36,
                  last = log(1e6 / o->least), first = log(1e-8 / o->T);
     if (any && !((last - first) / step < MOST - 2))
-        return FVI_EUNSUP; /* poles too near to the cut, or off it */
+        return FVI_EUNSUP; /* poles are too near to the cut, or off it */
     double u = last, S0 = 0, S1 = 0;
     for (; any && u > first; u -= step)
         add_mode(l, exp(u), step * (rising ? density_over_rate(k, rising, u, exp(u)) : density(k, rising, u)));
@@ -142,7 +144,7 @@ static int add_ladder(const fvi_kernel_on_mesh *o, int rising,
 }
 //< ladder
 
-/* Single poles, and the springs as one with a rate that is none. */
+/* Add the single poles, and all springs as one mode of the rate 0. */
 static int add_poles(const fvi_kernel_on_mesh *o, mode_list *l)
 {
     const fvi_variable_step_kernel *k = o->kernel;
@@ -158,8 +160,8 @@ static int add_poles(const fvi_kernel_on_mesh *o, mode_list *l)
     return status || springs == 0 ? status : add_mode(l, 0, springs);
 }
 
-/* Do the modes of a SYMBOL say all of it? Between s and 2 s, over all times of the run, as k
- * itself may contain a dashpot. */
+/* Return nonzero if the modes of a SYMBOL are complete. k itself may contain a dashpot, so the test compares the change
+ * of k from s to 2 s, at all time scales of the run. */
 static int says_all(const fvi_kernel_term *t, const fvi_kernel_modes *m,
                     double slowest, double fastest)
 {
@@ -177,7 +179,7 @@ static int says_all(const fvi_kernel_term *t, const fvi_kernel_modes *m,
     return 1;
 }
 
-/* Of one such term, the widest strip first. */
+/* Add the modes of one general term. Try the widest strip first. */
 static int add_general_term(const fvi_kernel_on_mesh *o,
                             const fvi_kernel_term *t, mode_list *l)
 {
@@ -210,7 +212,7 @@ static int add_general(const fvi_kernel_on_mesh *o, mode_list *l)
     return status;
 }
 
-/* The modes of one group as a memory; none where the list is empty. */
+/* Allocate the modes of one group; none if the list is empty. */
 static int make_modes(const fvi_kernel_on_mesh *o, int rising, mode_list *l,
                       fvi_modes **modes)
 {
@@ -225,7 +227,7 @@ static int make_modes(const fvi_kernel_on_mesh *o, int rising, mode_list *l,
                                               modes);
 }
 
-/* ---- the start ---- */
+/* ---- preparation ---- */
 
 int fvi_variable_step_prepare_kernel(const fvi_kernel *law,
                                      fvi_variable_step_kernel **kernel)
@@ -283,12 +285,12 @@ int fvi_kernel_begin_on_mesh(const fvi_kernel_on_mesh *o, fvi_modes **modes,
     return status;
 }
 
-/* ---- the present ---- */
+/* ---- the present part ---- */
 
-/* From here on s^2 may overflow, and C(s)/s is asked itself. */
+/* Above this modulus s^2 may overflow, so C(s)/s is computed directly. */
 static const double MOST_MODULUS = 1e150;
 
-/* k at modulus e^(i angle), of the terms that rise or of the others. */
+/* Return k at modulus e^(i angle), of the rising terms or of the other terms. */
 static double complex present(const fvi_variable_step_kernel *k, int rising,
                               double modulus, double angle)
 {
@@ -335,7 +337,7 @@ double fvi_memory_leakage(const fvi_variable_rule *rule, const fvi_square *W0)
     return fabs(fvi_dot(rule->s, rule->b, W_last));
 }
 
-/* ---- of a run with one law ---- */
+/* ---- a run with one law ---- */
 
 static fvi_kernel_on_mesh law_of(const fvi_variable_step_state *o)
 {

@@ -1,4 +1,4 @@
-/* src/variable_step/variable_step_length.c -- How long the next step may be.      [H 22] */
+/* src/variable_step/variable_step_length.c -- Limit the length of the next step by events and by the force. [H 22] */
 #include "variable_step.h"
 
 #include "system/fail.h"
@@ -13,8 +13,8 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Where steps end: the jumps and the impulses of the force within the run, the end of the
- * singular start, and of the run, in order. */
+/* Collect the times at which steps end, in order: the jumps and the impulses of the force within the run, the end of
+ * the singular start, and the end of the run. */
 int fvi_variable_step_find_events(const fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_force *force = &s->run.system->force;
@@ -37,7 +37,7 @@ int fvi_variable_step_find_events(const fvi_stepper *s, fvi_variable_step_state 
     return FVI_SUCCESS;
 }
 
-/* The next time at which a step has to end. */
+/* Return the next time at which a step must end. */
 double fvi_variable_step_next_event(fvi_variable_step_state *o)
 {
     while (o->events[o->event] <= o->t * (1 + 8 * GSL_DBL_EPSILON)
@@ -47,8 +47,8 @@ double fvi_variable_step_next_event(fvi_variable_step_state *o)
 }
 
 //> length
-/* h = exp(L k), but the last two steps before an event are equal, to the last bit: what is
- * made for one off the ladder does for both. */
+/* Return h = exp(L k). But the last two steps before an event are equal to the last bit, so they share the matrices and
+ * modes that a length off the lattice needs. */
 static fvi_length propose(const fvi_variable_step_state *o, double event)
 {
     const double rest = event - o->t;
@@ -65,7 +65,7 @@ static fvi_length propose(const fvi_variable_step_state *o, double event)
 }
 //< length
 
-/* The exponent of a length, which may be none of the lattice. */
+/* Return k of a length, which may be off the lattice. */
 int fvi_variable_step_exponent(fvi_length length)
 {
     return length.k != FVI_OFF_LATTICE
@@ -73,18 +73,18 @@ int fvi_variable_step_exponent(fvi_length length)
                : (int)floor(log(length.h) / fvi_variable_spacing());
 }
 
-/* ---- what a step could pass over ---- */
+/* ---- pulses that a step could pass over ---- */
 
-/* A step as short as this part of the run is taken, whatever the bound of the force says: a
- * bound may be infinite where the force is not. */
+/* A step as short as this part of the run is taken, whatever the bound of the force says, because a bound may be
+ * infinite where the force is finite. */
 static const double BLIND = 1e-10;
 
-/* Each step that is clear lets the next bounds be asked for so many of them, at once. */
+/* Each step that is clear doubles the number of steps for which the next bounds are computed at once, up to MOST_AHEAD.
+ * A step that is not clear becomes shorter by FASTER rungs. */
 enum { MOST_AHEAD = 64, FASTER = 3 };
 
-/* What is left of F_j, on some interval of length h, beside the best polynomial that stages
- * integrate exactly: half of the range beside a number, or, by the last derivative and the
- * polynomial of Chebyshev, 2 (h/4)^k |F^(k)| / k! beside one of degree k - 1.        (22.24) */
+/* Return a bound of F_j minus the best polynomial that the stages integrate exactly, on any interval of length h: half
+ * of the range of F_j for a constant; or 2 (h/4)^k |F^(k)| / k! for Chebyshev's polynomial of degree k - 1. (22.24) */
 //> hidden
 static double hidden_force(const double *most, size_t d, size_t order, double h)
 {
@@ -92,14 +92,14 @@ static double hidden_force(const double *most, size_t d, size_t order, double h)
     for (size_t k = 1; k <= order; k++) {
         power *= h / 4;
         const double rest = power * most[k * d];
-        if (rest < least) /* 0 times INFINITY tells nothing */
+        if (rest < least) /* 0 times INFINITY is NaN */
             least = rest;
     }
     return least;
 }
 
-/* Nothing is hidden if the impulse of what is left of F, and that of what its stages show,
- * move no coordinate farther than this step may be wrong.                            (22.25) */
+/* Return nonzero if the step can hide no pulse: two impulses, of the remainder of F and of the remainder that the
+ * stages see, move no coordinate farther than this step may be wrong. (22.25) */
 static int is_clear(const fvi_variable_step_state *o, size_t order, double h)
 {
     for (size_t j = 0; j < o->d; j++) {
@@ -113,7 +113,7 @@ static int is_clear(const fvi_variable_step_state *o, size_t order, double h)
 }
 //< hidden
 
-/* Bounds of the force from t on, and what they say of steps of length h there. */
+/* Compute the bounds of the force from t to `end`, and decide whether steps of length h are clear there. */
 static int check_force_bounds_to(const fvi_stepper *s, fvi_variable_step_state *o, double h,
                       double end, int *clear)
 {
@@ -130,7 +130,7 @@ static int check_force_bounds_to(const fvi_stepper *s, fvi_variable_step_state *
     return status;
 }
 
-/* Is a step of length h clear? What is clear for longer steps, in a longer time, is. */
+/* Decide whether a step of length h is clear. It is, if longer steps are clear in an interval that contains it. */
 static int check_force_bounds(const fvi_stepper *s, fvi_variable_step_state *o, double h,
                 double event, int *clear)
 {

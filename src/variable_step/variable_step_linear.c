@@ -1,10 +1,11 @@
-/* src/variable_step/variable_step_linear.c -- The equation of a step where grad U = g + c (x - x_k),
- * coordinate by coordinate, g at the step's start.                    [H 22]
+/* src/variable_step/variable_step_linear.c -- Solve the equation of a step for a linear force. [H 22]
+ *
+ * Let grad U = g + c (x - x_k) for each coordinate, with g at the start of the step:
  *
  *     [L + c h^2 to_x] delta = R - h (g + c (base - x_k))                  (22.14)
  *
- * One product with the inverse of this matrix, where many coordinates share one; or by
- * its eigenvectors. */
+ * If many coordinates share this matrix, delta is a product with its inverse. Otherwise the solution goes by the
+ * eigenvectors of the matrix. */
 #include "variable_step.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
@@ -12,7 +13,7 @@
 
 #include <string.h>
 
-/* The right sides, in the place of R. */
+/* Compute the right sides, in place of R. */
 FVI_VECTORS static void right_sides(fvi_variable_step_state *o, const double *g)
 {
     const double h = o->length.h;
@@ -25,7 +26,7 @@ FVI_VECTORS static void right_sides(fvi_variable_step_state *o, const double *g)
     }
 }
 
-/* eps = R - [L + c h^2 to_x] delta */
+/* Compute the residuals eps = R - [L + c h^2 to_x] delta. */
 FVI_VECTORS static void what_is_left(const fvi_variable_step_state *o, double *eps)
 {
     for (size_t j = 0; j < o->d; j++) {
@@ -52,8 +53,8 @@ void fvi_variable_step_factorise(fvi_variable_step_state *o)
     fvi_variable_step_band_factorise(o->band, o->kind, h * h, o->hessian);
 }
 
-/* The factors are right to 1e-12 of delta, of eight stages: what is left is solved for
- * again. eps stands where bend will. */
+/* Solve by the eigenvectors. With eight stages the factors are accurate to 1e-12 of delta only, so the residual is
+ * solved for once more. eps takes the room of accel_legendre, which is computed later. */
 static void by_pairs(fvi_variable_step_state *o)
 {
     double *eps = o->accel_legendre;

@@ -1,20 +1,20 @@
-/* src/variable_step/variable_step_places.c -- Where z comes through 0 and turns back within a step.   [H 22]
+/* src/variable_step/variable_step_places.c -- Find where z passes 0 and turns back within a step. [H 22]
  *
- * z is known at the stages. Where |z| is smaller at one stage than at the two stages beside it, |z| has a least value
- * between these, and parabolas find whether z is beyond 0 there. Near an end of the step the slope of z says whether
- * there is such a place. */
+ * z is known at the stages. If |z| is smaller at one stage than at the two stages beside it, then |z| has a minimum
+ * between these two, and parabolas find whether z is beyond 0 there. Near an end of the step the slope of z tells
+ * whether there is such a minimum. */
 #include "variable_step_events.h"
 
 #include "system/larger.h"
 
 #include <math.h>
 
-/* Three places, z on the same side of 0 at all of them, and nearest to 0 in the middle. */
+/* Three places with z on the same side of 0; z is nearest to 0 at the middle one. size: |z|. */
 typedef struct {
-    double theta[3], size[3]; /* |z| */
+    double theta[3], size[3];
 } bracket;
 
-/* Where the parabola through them is least, and its value there. */
+/* Return the minimum of the parabola through the three places; *size: its value there. */
 static double lowest_of(const bracket *b, double *size)
 {
     const double left = b->theta[0] - b->theta[1], right = b->theta[2] - b->theta[1],
@@ -26,11 +26,11 @@ static double lowest_of(const bracket *b, double *size)
     return b->theta[1] + move;
 }
 
-/* The bracket closes in around one of four places. */
+/* Make the bracket smaller by a fourth place. */
 static void close_in(bracket *b, double theta, double size)
 {
     const int is_left = theta < b->theta[1], is_lower = size < b->size[1],
-              end = is_left == is_lower ? 2 : 0; /* the end that goes */
+              end = is_left == is_lower ? 2 : 0; /* the end that is dropped */
     b->theta[end] = is_lower ? b->theta[1] : theta;
     b->size[end] = is_lower ? b->size[1] : size;
     if (is_lower) {
@@ -39,8 +39,8 @@ static void close_in(bracket *b, double theta, double size)
     }
 }
 
-/* A place within the bracket where z is beyond 0: to *z, which else is 0. A parabola whose least value is hardly less
- * than what is known ends the search. */
+/* Find a place within the bracket where z is beyond 0, and write it to *theta and *z; otherwise *z is unchanged, 0. The
+ * search ends if the minimum of a parabola is hardly below the known values. */
 static int find_beyond(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i, double side,
                        bracket *b, double *theta, double *z)
 {
@@ -62,7 +62,7 @@ static int find_beyond(const fvi_stepper *s, const fvi_variable_step_state *o, s
     return FVI_SUCCESS;
 }
 
-/* Places, and which of them are stages. */
+/* Places, and whether they are stages. */
 typedef struct {
     fvi_event_places at;
     int is_stage[FVI_EVENT_PLACES];
@@ -76,8 +76,8 @@ static int evaluate_event_at(const fvi_stepper *s, const fvi_variable_step_state
     return fvi_event_within(s, o, i, theta, &to->at.z[n]);
 }
 
-/* Is z so far from 0 that it cannot come there? Between the stages a polynomial leaves the range of its values at the stages
- * by less than half of that range: Lebesgue's constant of eight of Lobatto's places is 1.97. */
+/* Return nonzero if z is too far from 0 to reach it. Between the stages, a polynomial leaves the range of its values at
+ * the stages by less than half of that range, because Lebesgue's constant of eight Lobatto nodes is 1.97. */
 static int stays_off_zero(const fvi_variable_step_state *o, size_t i, double first)
 {
     const double *z = o->watch->z + i * o->rule->s;
@@ -91,8 +91,8 @@ static int stays_off_zero(const fvi_variable_step_state *o, size_t i, double fir
     return farthest - nearest < nearest;
 }
 
-/* All places but the beginning, which is there: the stages and, where |z| at an end of the step is less than at the stage
- * beside it, a place near that end, which says how z goes on. */
+/* Add places to *to, which holds the start of the step: the stages, and if |z| at an end of the step is smaller than at
+ * the stage beside it, a place near that end, which tells the slope of z. */
 static int evaluate_known_places(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
                                  known_places *to)
 {
@@ -114,8 +114,8 @@ static int evaluate_known_places(const fvi_stepper *s, const fvi_variable_step_s
     return status;
 }
 
-/* Is |z| at place n less than at both places beside it, on the same side of 0? To *b these three places; to *side the
- * side. */
+/* Return nonzero if |z| at place n is smaller than at both places beside it, on the same side of 0. *b: these three
+ * places; *side: the side. */
 static int is_least(const fvi_event_watch *w, size_t i, const fvi_event_places *at, size_t n,
                     double *side, bracket *b)
 {

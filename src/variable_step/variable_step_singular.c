@@ -1,22 +1,21 @@
-/* src/variable_step/variable_step_singular.c -- The start that is not smooth.    [H 22]
+/* src/variable_step/variable_step_singular.c -- A start that is not smooth: subtract its singular part. [H 22]
  *
- * A body that was held, or put at x0, and has to forget it (19.3):
+ * A held body, or a body whose past is Riemann and Liouville's, starts with a force of its initial history (19.3):
  *
- *     m x'' + rho D_C^{2 alpha} x + grad U = F - rho A t^{e - 2 alpha} / Gamma(1 + e - 2
- *     alpha),
+ *     m x'' + rho D_C^{2 alpha} x + grad U = F - rho A t^{e - 2 alpha} / Gamma(1 + e - 2 alpha),
  *
- * A = v0 and e = 1, or A = x0 and e = 0. With c_n = A (-1)^n / Gamma(1 + a_n),
- * a_n = n (2 - 2 alpha) + e, the sum G of (22.19) has m G'' + rho D_C^{2 alpha} G = - that
- * force, but for its last term, which is as smooth as one likes; y = x - G is solved for.
- * Up to t1 = (m / (2 rho))^{1 / (2 - 2 alpha)} the terms of G fall like 2^-n or faster;
- * there it is handed over, or, where alpha is near 1 and powers of m / rho are taken,
- * wherever one likes: what G and the
- * jump c_0 = A did to the mode of rate sigma by then is, in closed form,
+ * with A = v0 and e = 1, or A = x0 and e = 0. Let c_n = A (-1)^n / Gamma(1 + a_n), a_n = n (2 - 2 alpha) + e. Then the
+ * sum G of (22.19) solves m G'' + rho D_C^{2 alpha} G = the force of the initial history, except for the last term of
+ * the sum. With enough terms the last term is as smooth as one likes. The method solves for y = x - G.
+ *
+ * Up to t1 = (m / (2 rho))^{1 / (2 - 2 alpha)} the terms of G fall like 2^-n or faster, and G is handed over to the
+ * modes at t1. (If alpha is near 1, other expansions are valid everywhere, and t1 may be anywhere.) G and the jump
+ * c_0 = A add to the mode of rate sigma
  *
  *     c_0 e^{-S} + sum_n c_n a_n t1^{a_n} I(a_n, S),              e = 0, times sigma, to y
  *     c_0 e^{-S} + sum_n c_n a_n (a_n - 1) t1^{a_n - 1} I(a_n - 1, S),   e = 1, to z
  *
- * with S = sigma t1 and I(a, S) = int_0^1 e^{-S (1 - u)} u^{a - 1} du.       (22.20) */
+ * with S = sigma t1 and I(a, S) = int_0^1 e^{-S (1 - u)} u^{a - 1} du. (22.20) */
 #include "variable_step.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
@@ -26,18 +25,17 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-/* 2^-32 of a velocity is left to y at t1, or 2^-16 where the tolerance is large, or 2^-8 for
- * six stages; more terms where y would not be smooth. */
+/* Number of terms. They leave to y at t1 the part 2^-32 of a velocity, or 2^-16 for a loose tolerance, or 2^-8 for six
+ * stages. More terms are taken if y would not be smooth. NEGLIGIBLE_BITS: the other expansions leave 2^-56. */
 enum { TERMS = 32, TERMS_LOOSE = 16, TERMS_OF_SIX_STAGES = 8, NEGLIGIBLE_BITS = 56 };
 
-/* Long after t1 G with A t is
+/* Return the number of terms of the expansion with falling powers, or 0 if it cannot be used. Long after t1, A t + G is
  *
- *     sum_{n>=1} -A (-m/rho)^n t^{a_n} / Gamma(1 + a_n),   a_n = 1 - n (2 - 2 alpha),
+ *     sum_{n>=1} -A (-m/rho)^n t^{a_n} / Gamma(1 + a_n),   a_n = 1 - n (2 - 2 alpha).
  *
- * which is (22.19) with m/rho for rho/m, falling powers, and nothing for n = 0. With as
- * many terms as leave 2^-56 at 1e-30 T, before which no stage is, no step has to see t1, and
- * what they leave as a force is nothing. Their number, if it is not too large, and no a_n
- * is below 0, where I(a_n - 1, S) of (22.20) has poles; or 0. */
+ * This is (22.19) with m/rho in place of rho/m, falling powers, and no term n = 0. The terms returned are accurate to
+ * 2^-56 at 1e-30 T, which is before all stages. So no step has to be as short as t1, and the residual force is
+ * negligible. There must not be too many terms, and no a_n below 0, where I(a_n - 1, S) of (22.20) has poles. */
 static size_t falling_terms(const fvi_singular *g, double slowest, double T)
 {
     const double terms =
@@ -48,11 +46,11 @@ static size_t falling_terms(const fvi_singular *g, double slowest, double T)
                : 0;
 }
 
-/* Where t1 is short and powers of m/rho do not fall either, alpha is near 1, and
- * z = (rho/m) t^{2 - 2 alpha} not far from P = (rho/m) T^{2 - 2 alpha} at all times that a
- * stage sees. Euler's transformation of (22.19) about P, p = P / (1 + P), converges like
- * (p (1 - z/P))^N: it takes w_n = sum_{k=n}^{N} C(k, n) (1 - p)^{n+1} p^{k-n} of c_n. The
- * terms cancel by (2 p)^N, so that P is 3/2 at most. N for the largest P, or 0. */
+/* Return the last index N of the terms of Euler's transformation, or 0 if it cannot be used. It is for a short t1 where
+ * powers of m/rho do not fall either. Then alpha is near 1, and z = (rho/m) t^{2 - 2 alpha} is not far from P = (rho/m)
+ * T^{2 - 2 alpha} at the times of all stages. Euler's transformation of (22.19) about P, with p = P / (1 + P),
+ * converges like (p (1 - z/P))^N. It multiplies c_n by w_n = sum_{k=n}^{N} C(k, n) (1 - p)^{n+1} p^{k-n}. The terms
+ * cancel by (2 p)^N, so P is at most 3/2. N is for the largest P. */
 static size_t euler_terms(const fvi_singular *g, double fastest, double T)
 {
     const double P = fastest * pow(T, g->gap), p = P / (1 + P),
@@ -64,20 +62,20 @@ static size_t euler_terms(const fvi_singular *g, double fastest, double T)
                : 0;
 }
 
-/* c_n by w_n, n = 0, ..., N: w_n is the chance of more than n heads in N + 1 throws that
- * show them with 1 - p. */
+/* Multiply c_n by w_n, n = 0, ..., N. w_n is the probability of more than n heads in N + 1 throws of a coin that shows
+ * heads with probability 1 - p. */
 static void apply_euler_transform(size_t N, double p, double *c)
 {
     double chance = pow(p, (double)N + 1), fewer = chance;
-    for (size_t n = 0; n <= N; n++) { /* fewer: n heads or less */
+    for (size_t n = 0; n <= N; n++) { /* fewer: the probability of n heads or fewer */
         c[n] *= 1 - fewer;
         chance *= (double)(N + 1 - n) / (double)(n + 1) * (1 - p) / p;
         fewer += chance;
     }
 }
 
-/* The largest and the least rho/m of the coordinates that need such a part: A is not 0; or
- * any, if its derivative is asked for. */
+/* Find the largest and the smallest rho/m of the coordinates that need a singular part: the amplitude A is not 0, or a
+ * derivative by A is wanted. */
 static void find_rate_range(const fvi_stepper *s, fvi_variable_step_state *o, double *fastest,
                             double *slowest)
 {
@@ -130,7 +128,7 @@ int fvi_singular_start(const fvi_stepper *s, fvi_variable_step_state *o)
 {
     const double alpha = s->run.alpha;
     fvi_singular *g = &o->singular;
-    double fastest, slowest, *A = o->v; /* where nothing is yet */
+    double fastest, slowest, *A = o->v; /* o->v has no values yet */
     find_rate_range(s, o, &fastest, &slowest);
     if (fastest == 0 || alpha == 0 || alpha == 1)
         return FVI_SUCCESS;
@@ -192,9 +190,9 @@ double fvi_singular_acceleration(const fvi_singular *g, size_t j, double t)
     return g->e == 1 ? second * q / t : second * q / (t * t);
 }
 
-/* The sums of (22.20) over the terms of G, that over the modes need not do them again:
- * sum_n d_n I(a_n, S) is e^{-S} sum_k B_k S^k, and sum_k D_k / S^{k+1} as S grows,
+/* Compute the part of (22.20) that does not depend on the mode, once for all modes. For small S and for large S
  *
+ *     sum_n d_n I(a_n, S) = e^{-S} sum_k B_k S^k,   sum_n d_n I(a_n, S) ~ sum_k D_k / S^{k+1},
  *     B_k = sum_n d_n / (a_n + k) / k!,   D_k = sum_n d_n (1 - a_n) (2 - a_n) ... (k - a_n). */
 //> moments
 FVI_VECTORS static void sum_near_series(size_t count, const double *d, const double *a,
@@ -249,10 +247,9 @@ void fvi_singular_sums_by_order(size_t count, const double *d, const double *rat
     }
 }
 
-/* e^{-S} S^k / k! is below 1e-18 from 12 + S + 9 sqrt(S) on, and below 1e-8 from half of
- * the first and two thirds of the last. The terms of the second series fall to 35! / 40^35,
- * below rounding, before they grow, or to 20! / 20^20, 2e-8; of larger S so many are
- * enough that S^-k is that small. */
+/* The first series ends where e^{-S} S^k / k! is below 1e-18, from k = 12 + S + 9 sqrt(S) on; coarse: below 1e-8, from
+ * k = 6 + S + 6 sqrt(S) on. The terms of the second series fall to 35! / 40^35, below rounding, before they grow;
+ * coarse: to 20! / 20^20 = 2e-8. For larger S fewer terms are enough, until S^-k is that small. */
 double fvi_singular_moment(const fvi_singular_series *f, double S)
 {
     double sum = 0;
@@ -274,8 +271,8 @@ double fvi_singular_moment(const fvi_singular_series *f, double S)
 //< moments
 
 //> hand-over
-/* d_n and a_n of (22.20) for coordinate j, and c_0 e^{-S} with them, which is nothing for
- * the second series. */
+/* Compute the series of (22.20) for coordinate j, from d_n and a_n. B_0 takes in the term c_0 e^{-S}, which is
+ * negligible in the second series. */
 static void mode_series(const fvi_singular *g, size_t j, int coarse,
                         fvi_singular_series *f)
 {

@@ -1,14 +1,16 @@
-/* src/variable_step/variable_step_solve.c -- The equation of a step.             [H 22]
+/* src/variable_step/variable_step_solve.c -- Solve the equation of a step. [H 22]
  *
  *     L delta = R - h grad U(base + h to_x delta)                          (22.14)
  *
- * At once where grad U is linear and coordinates do not know of each other
- * (variable_step_linear.c); by Newton's method with one Hessian for all stages (variable_step_band.h)
- * where it has few diagonals and form D's to_x has those eigenvectors; in form M, or where
- * few digits make the steps long, with the Jacobian L + h^2 diag(U'') to_x where coordinates
- * do not know of each other; else by delta <- L^{-1} (R - h grad U), which needs no matrix
- * that couples them, as long as it contracts, and by Newton's method for all stages and
- * coordinates where it does not. */
+ * The solver depends on U:
+ *
+ *   linear    grad U is linear and the coordinates are not coupled. No iteration is needed (variable_step_linear.c)
+ *   band      the Hessian has few diagonals, and all matrices of form D have common eigenvectors. Newton's method takes
+ *             one Hessian for all stages (variable_step_band.h)
+ *   diagonal  the coordinates are not coupled, but form M has other matrices, or few digits make the steps long.
+ *             Newton's method takes the Jacobian L + h^2 diag(U'') to_x
+ *   general   the iteration delta <- L^{-1} (R - h grad U) needs no matrix that couples the coordinates. If it does not
+ *             contract, Newton's method for all stages and coordinates at once takes over */
 #include "variable_step.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
@@ -20,7 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* base + h to_x delta at all stages, to o->point. */
+/* Compute base + h to_x delta at all stages, to o->point. */
 FVI_VECTORS static void points(const fvi_variable_step_state *o)
 {
     const size_t d = o->d, s = o->rule->s;
@@ -41,7 +43,7 @@ FVI_VECTORS static void points(const fvi_variable_step_state *o)
     }
 }
 
-/* U' there, to o->gradient. */
+/* Compute grad U at o->point, to o->gradient. */
 static int evaluate_gradients(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_potential *u = &s->run.system->potential;
@@ -54,7 +56,7 @@ static int evaluate_gradients(fvi_stepper *s, fvi_variable_step_state *o)
     return status;
 }
 
-/* left = R - h grad U of coordinate j; what is behind the s-th stage is of no use. */
+/* Compute left = R - h grad U of coordinate j. The numbers behind the s-th have no meaning. */
 static inline __attribute__((always_inline)) void
 left_of(const fvi_variable_step_state *o, size_t j, fvi_four *left)
 {
@@ -69,7 +71,7 @@ left_of(const fvi_variable_step_state *o, size_t j, fvi_four *left)
                                   eight ? g4[3 * d] : 0 };
 }
 
-/* most becomes the larger of it and |x|, one by one. */
+/* Replace each number of most by the larger of it and |x|. */
 typedef long long bits __attribute__((vector_size(32), aligned(8), may_alias));
 static inline __attribute__((always_inline)) void grow(fvi_four *most,
                                                        const fvi_four *x)
@@ -79,7 +81,7 @@ static inline __attribute__((always_inline)) void grow(fvi_four *most,
     *most = (fvi_four)((size & is) | (*(bits *)most & ~is));
 }
 
-/* The largest of four, and NaN if one of those is not finite that add up to `all`. */
+/* Return the largest of four numbers, or NaN if a term of the sum `all` was not finite. */
 static inline __attribute__((always_inline)) double
 largest(const fvi_four *most, const fvi_four *all)
 {
@@ -92,9 +94,10 @@ largest(const fvi_four *most, const fvi_four *all)
 
 /* ---- when to stop ---- */
 
-/* How far x still moves, from how far it has, h |change of delta|, and how far before
- * that: contraction / (1 - contraction) of it. Enough is 1e-5 of what the step may err, or 1e-3
- * where that is much; or rounding. 1 go on, 0 enough, -1 it does not contract. */
+/* Decide whether the iteration goes on: return 1 to go on, 0 if x is accurate enough, -1 if the iteration does not
+ * contract. The last change moved x by `moved` = h |change of delta|, the change before by moved_before. With
+ * q = contraction, the changes still to come move x by moved q / (1 - q). Enough is 1e-5 of the error that the step may
+ * have, or 1e-3 of it if the tolerance is loose; or a rounding error. */
 //> enough
 static int verdict(fvi_variable_step_state *o, int iteration, double moved,
                    double moved_before, double worst)
@@ -106,7 +109,7 @@ static int verdict(fvi_variable_step_state *o, int iteration, double moved,
         o->contraction = moved / moved_before;
         if (o->contraction > worst)
             return moved <= 64 * floor ? 0
-                                       : -1; /* rounding contracts no more */
+                                       : -1; /* rounding errors do not contract */
     }
     const double q = o->contraction, part = o->tolerance > FVI_TOLERANCE_LOOSE ? 1e-3 : 1e-5;
     const double enough = part * o->allowed;
@@ -114,13 +117,13 @@ static int verdict(fvi_variable_step_state *o, int iteration, double moved,
 }
 //< enough
 
-/* Of the equations that are not linear: one Jacobian for each stage and coordinate, one
- * Hessian for all stages, none. */
+/* How a nonlinear equation is solved: with one Jacobian for each stage and coordinate, with one Hessian for all stages,
+ * or without derivatives. */
 typedef enum { NEWTON, ONE_HESSIAN, FIXED_POINT } way;
 
 /* ---- coordinate by coordinate ---- */
 
-/* L + h^2 to_x diag(H) for coordinate j, H of all stages. */
+/* Compute J = L + h^2 diag(H) to_x for coordinate j, with the Hessians H of all stages. */
 FVI_VECTORS static void jacobian(const fvi_variable_step_state *o, size_t j,
                                  fvi_square *J)
 {
@@ -142,7 +145,7 @@ FVI_VECTORS static void jacobian(const fvi_variable_step_state *o, size_t j,
     }
 }
 
-/* The inverses of all Jacobians at o->point, to o->jacobian. */
+/* Compute the inverses of all Jacobians at o->point, to o->jacobian. */
 static int jacobians(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_potential *u = &s->run.system->potential;
@@ -157,7 +160,7 @@ static int jacobians(fvi_stepper *s, fvi_variable_step_state *o)
     return status;
 }
 
-/* The factors of what is to be solved with the Hessian of the middle stage. */
+/* Compute the factors of the band, with the Hessian of the middle stage. */
 static int factors(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_potential *u = &s->run.system->potential;
@@ -168,7 +171,7 @@ static int factors(fvi_stepper *s, fvi_variable_step_state *o)
     return status;
 }
 
-/* M in, of s numbers. */
+/* Compute M in, for s numbers. */
 static inline __attribute__((always_inline)) void
 apply(size_t s, const fvi_square *M, const double *in, fvi_four *out)
 {
@@ -180,8 +183,8 @@ apply(size_t s, const fvi_square *M, const double *in, fvi_four *out)
     }
 }
 
-/* delta_j += M (left - L delta_j), or L^{-1} left - delta_j without M, of all coordinates j;
- * returns the largest change, NaN if one is not finite. */
+/* Correct delta of all coordinates: delta_j += M (left - L delta_j), or, for M = NULL, delta_j = L^{-1} left. Return
+ * the largest change, or NaN if a change is not finite. */
 FVI_VECTORS static double correct(fvi_variable_step_state *o, const fvi_square *M)
 {
     const size_t s = o->rule->s;
@@ -208,7 +211,7 @@ FVI_VECTORS static double correct(fvi_variable_step_state *o, const fvi_square *
     return largest(&most, &all);
 }
 
-/* eps = R - h grad U - L delta of all coordinates. */
+/* Compute the residuals eps = R - h grad U - L delta of all coordinates. */
 FVI_VECTORS static void residuals(const fvi_variable_step_state *o, double *eps)
 {
     for (size_t j = 0; j < o->d; j++) {
@@ -228,7 +231,7 @@ FVI_VECTORS static void residuals(const fvi_variable_step_state *o, double *eps)
     }
 }
 
-/* delta += eps, of all coordinates; returns the largest, NaN if one is not finite. */
+/* Add eps to delta of all coordinates. Return the largest |eps|, or NaN if a number is not finite. */
 FVI_VECTORS static double move(fvi_variable_step_state *o, const double *eps)
 {
     fvi_four most = { 0 }, all = { 0 };
@@ -241,8 +244,8 @@ FVI_VECTORS static double move(fvi_variable_step_state *o, const double *eps)
     return largest(&most, &all);
 }
 
-/* The next delta, and the largest change. With the factors eps stands where bend will, which
- * is not yet there. */
+/* Compute the next delta, and return the largest change. With a band, eps takes the room of accel_legendre, which is
+ * computed later. */
 static double correct_all(fvi_variable_step_state *o, way by)
 {
     if (by != ONE_HESSIAN)
@@ -253,8 +256,8 @@ static double correct_all(fvi_variable_step_state *o, way by)
 }
 
 //> newton
-/* Newton's method with a Jacobian that is made anew while it contracts badly; or, with L
- * in its place, the fixed-point iteration. */
+/* Iterate by Newton's method. Its Jacobian is computed again if the last iteration contracted badly. FIXED_POINT has L
+ * in place of the Jacobian. */
 static int iterate(fvi_stepper *s, fvi_variable_step_state *o, way by, double worst,
                    int most)
 {
@@ -280,9 +283,9 @@ static int iterate(fvi_stepper *s, fvi_variable_step_state *o, way by, double wo
 }
 //< newton
 
-/* ---- all together ---- */
+/* ---- all stages and coordinates together ---- */
 
-/* X - x_k in place of delta: d + h to_x L^{-1} h grad U(x_k + d) = r. */
+/* Prepare the solver for d = X - x_k in place of delta: d + h to_x L^{-1} h grad U(x_k + d) = r. */
 static int prepare_coupled(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const size_t n = o->rule->s, d = o->d;
@@ -315,7 +318,7 @@ static int solve_coupled(fvi_stepper *s, fvi_variable_step_state *o)
         o->coupled == h && s->newton ? FVI_SUCCESS : prepare_coupled(s, o);
     if (status)
         return status;
-    double *r = o->hessian, *X = o->point; /* stage by stage */
+    double *r = o->hessian, *X = o->point; /* ordered by stages */
     for (size_t j = 0; j < d; j++) {
         double by_R[FVI_LANES], move[FVI_LANES];
         fvi_square_apply(n, &o->group[o->kind[j]].inverse,
@@ -337,10 +340,9 @@ static int solve_coupled(fvi_stepper *s, fvi_variable_step_state *o)
     return status;
 }
 
-/* ---- the ways ---- */
+/* ---- the choice ---- */
 
-/* Newton's method where coordinates do not know of each other or with one Hessian, or else
- * the fixed-point iteration. */
+/* Solve by Newton's method if there is a band or the coordinates are not coupled, else by the fixed-point iteration. */
 static int by_iterations(fvi_stepper *s, fvi_variable_step_state *o)
 {
     if (o->band)
@@ -361,15 +363,15 @@ int fvi_variable_step_solve(fvi_stepper *s, fvi_variable_step_state *o)
     }
     if (o->tolerance > FVI_TOLERANCE_VERY_LOOSE && !fvi_variable_step_guess_by_leapfrog(s, o))
         status = by_iterations(s, o);
-    if (status) { /* also if a callback would not go so far */
+    if (status) { /* or a callback failed at the guess */
         fvi_variable_step_extrapolate(o);
         status = by_iterations(s, o);
     }
     if (!status && o->tolerance > FVI_TOLERANCE_VERY_LOOSE && fvi_variable_step_is_astray(o))
-        return FVI_EMAXITER; /* a shorter step does not lose its way */
+        return FVI_EMAXITER; /* a shorter step will not be astray */
     if (status != FVI_EMAXITER || o->solve != FVI_SOLVE_COUPLED || o->band)
         return status;
-    if (++o->stalled_iterations == FVI_VARIABLE_STEP_STUCK) /* it is not worth trying */
+    if (++o->stalled_iterations == FVI_VARIABLE_STEP_STUCK) /* the iteration is not worth trying again */
         o->solve = FVI_SOLVE_TOGETHER;
     return solve_coupled(s, o);
 }

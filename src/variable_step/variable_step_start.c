@@ -1,4 +1,4 @@
-/* src/variable_step/variable_step_start.c -- A run with variable steps begins.   [H 22] */
+/* src/variable_step/variable_step_start.c -- Begin a run with variable steps. [H 22] */
 #include "variable_step_events.h"
 #include "variable_structure.h"
 
@@ -10,10 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* About how far a velocity 1 more moves a body of mass m in the time T: t without forces;
- * with a damping alone no more than (m/rho) t^{2 alpha - 1} / Gamma(2 alpha), which falls
- * after (m/rho)^{1/(2 - 2 alpha)} if alpha < 1/2; with a spring alone sqrt(m/c), twice that
- * for one that is softer elsewhere. */
+/* Return about how far a body of mass m moves in the time T if its velocity is larger by 1. Without forces this is T.
+ * With a damping alone it is at most about (m/rho) t^{2 alpha - 1} / Gamma(2 alpha), which falls after the time
+ * (m/rho)^{1/(2 - 2 alpha)} if alpha < 1/2. With a spring alone it is sqrt(m/c); twice this leaves room for a spring
+ * that is softer elsewhere. */
 static double reach_of(double m, double rho, double c, double alpha, double T)
 {
     double compliance = T;
@@ -23,9 +23,9 @@ static double reach_of(double m, double rho, double c, double alpha, double T)
     return c > 0 ? fmin(compliance, 2 * sqrt(m / c)) : compliance;
 }
 
-/* Kinds for all coordinates: a new one where mass, damping or spring change from the one
- * before. springs: of each coordinate, or NULL. Returns their number; writes them if
- * there is room. */
+/* Form the groups: a new group begins where the mass, damping or spring differs from the coordinate before. Return the
+ * number of groups. Fill o->kind and o->group only if they are allocated. springs: one number for each coordinate, or
+ * NULL. */
 static size_t sort_out(const fvi_stepper *s, const double *springs,
                        fvi_variable_step_state *o)
 {
@@ -57,7 +57,7 @@ static size_t sort_out(const fvi_stepper *s, const double *springs,
     return n;
 }
 
-/* The springs at x0 of a U whose Hessian is diagonal. */
+/* Choose o->solve. If the Hessian of U is diagonal, write it at x0 to *springs, an array to be freed. */
 static int find_springs(fvi_stepper *s, fvi_variable_step_state *o, double **springs)
 {
     const fvi_potential *u = &s->run.system->potential;
@@ -74,8 +74,8 @@ static int find_springs(fvi_stepper *s, fvi_variable_step_state *o, double **spr
     return u->hessian(o->d, s->x, u->params, *springs);
 }
 
-/* What part of a row's time the stiffest spring at x0 leaves, where coordinates know of each
- * other. */
+/* Compute 2/omega of the stiffest spring at x0, as a part of the time h between two rows, at most 1. The coordinates
+ * may be coupled. */
 static int find_part(const fvi_stepper *s, double *part)
 {
     const fvi_system *system = s->run.system;
@@ -90,7 +90,7 @@ static int find_part(const fvi_stepper *s, double *part)
     return status;
 }
 
-/* What is not zero, but for rounding, beside the next. */
+/* Return size, or `next` if size is 0 or only a rounding error of `next`. */
 static double or_else(double size, double next)
 {
     return size > 1e-12 * next ? size : next;
@@ -102,8 +102,8 @@ double fvi_variable_step_scale(double x, double of_v, double of_a)
     return size > 0 && isfinite(size) ? size : 1;
 }
 
-/* A size for a tolerance that is none: of x0; or of what the body does in the time of a
- * row, or until its spring stops it; or 1. springs: as for sort_out. */
+/* Compute the size of the motion for a tolerance that is relative: |x0|; or the distance that the body moves between
+ * two rows, or until its spring stops it; or 1. springs: as for sort_out. */
 static int first_scale(fvi_stepper *s, const double *springs, double *scale)
 {
     const fvi_system *system = s->run.system;
@@ -131,8 +131,9 @@ static int first_scale(fvi_stepper *s, const double *springs, double *scale)
     return status;
 }
 
-/* The fewer digits a step has, the fewer the modes need. But a step's error is absolute, that of the modes a share of the
- * motion, and the start does not tell how large a force will make it: a pulse may come later. */
+/* With fewer digits of a step, the modes need fewer digits, too. But a step's error is absolute, and the error of the
+ * modes is a part of the motion. The start cannot tell how large a force will make the motion, because a pulse may come
+ * later. So with a force the modes are fine. */
 static fvi_modes_kind kind_of_modes(const fvi_run *run, double tolerance)
 {
     const fvi_force *force = &run->system->force;
@@ -145,13 +146,13 @@ static fvi_modes_kind kind_of_modes(const fvi_run *run, double tolerance)
 
 static int is_damped(const fvi_system *system)
 {
-    int damped = system->mechanism || system->matrices; /* which have form D */
+    int damped = system->mechanism || system->matrices; /* these have form D */
     for (size_t j = 0; j < system->d && !damped; j++)
         damped |= system->damping[j] > 0;
     return damped;
 }
 
-/* A caller's tolerance that rounding hides is refused, and not taken for another one. */
+/* Refuse a caller's tolerance that rounding errors hide, and do not replace it by another one. */
 static int check_tolerance(fvi_stepper *s, double scale)
 {
     const fvi_run *run = &s->run;
@@ -165,7 +166,7 @@ static int check_tolerance(fvi_stepper *s, double scale)
                     run->step_error, least);
 }
 
-/* What does not depend on the system: form, stages, the lengths of steps. */
+/* Set what does not depend on the arrays of the state: form, stages, tolerance, and lengths of steps. */
 static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
 {
     const fvi_run *run = &s->run;
@@ -185,8 +186,8 @@ static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
         o->solve == FVI_SOLVE_COUPLED ? run->system->potential.diagonals : 1;
     const int each = o->solve == FVI_SOLVE_DIAGONAL && tolerance > FVI_TOLERANCE_VERY_LOOSE;
     if (run->system->mechanism || run->system->matrices || !damped || each || o->kernel || o->diagonals > o->rule->s)
-        o->diagonals = 0; /* no functions of A; the steps are too long for one
-                             Hessian; no room for them in hessian */
+        o->diagonals = 0; /* form M and a law have other matrices; steps are too long for one Hessian; hessian has room
+                             for s diagonals */
     o->scale = scale;
     o->T = T;
     o->least = 1e-14 * T;
@@ -199,7 +200,7 @@ static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
     o->first_after_event = 1;
 }
 
-/* Are the steps, and the modes, short enough for a velocity that jumps? */
+/* Return nonzero if the steps and the modes are short enough for a velocity that jumps. */
 static int takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     if (o->damped == 0 || fvi_variable_step_velocities_jump(&s->run))
@@ -208,7 +209,7 @@ static int takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o)
                      : o->beta <= 0 || o->beta == 1;
 }
 
-/* The modes of a law. */
+/* Allocate the modes of a law. */
 static int begin_kernel(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const int status = fvi_variable_step_begin_kernel(o);
@@ -219,7 +220,7 @@ static int begin_kernel(fvi_stepper *s, fvi_variable_step_state *o)
                : status;
 }
 
-/* The modes, if the damping has a history; when the singular start is over. */
+/* Prepare the singular start, and allocate the modes if the damping has a memory. */
 static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_system *system = s->run.system;
@@ -237,7 +238,7 @@ static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
         return status;
     if (o->singular.J)
         o->least = smaller(o->least, o->singular.t1 / 16);
-    if (fvi_variable_step_velocities_jump(&s->run) && o->beta > 0) /* x'' is as h^-beta */
+    if (fvi_variable_step_velocities_jump(&s->run) && o->beta > 0) /* x'' is like h^-beta */
         o->least = smaller(
             o->least, o->T * pow(1e-4 * fmin(o->tolerance, 1), 1 / (1 - o->beta)));
     if (o->least < FVI_SHORTEST / 16 * o->T)
@@ -250,8 +251,8 @@ static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
                            &o->modes);
 }
 
-/* What a law asks for, whose nominal alpha for the lengths that are guessed is that of fvi_run_normal: that no velocity
- * jumps where a term grows faster than s, which would make x'' infinite. */
+/* Prepare a law. Refuse a velocity that jumps if a term of the law grows faster than s, because x'' would be infinite.
+ * The nominal alpha of a law, for guesses of lengths, is that of fvi_run_normal. */
 static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_system *system = s->run.system;
@@ -267,7 +268,7 @@ static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
     return fvi_variable_step_prepare_kernel(s->run.law, &o->kernel);
 }
 
-/* The first steps are as short as the start asks for, and no shorter than `least`. */
+/* Set the first exponent: as short as the start needs, but not shorter than `least`. */
 static void set_first(fvi_variable_step_state *o)
 {
     o->fewest = (int)floor(log(o->least) / fvi_variable_spacing());
@@ -275,7 +276,7 @@ static void set_first(fvi_variable_step_state *o)
     o->next = o->first;
 }
 
-/* What a system does whose coordinates are solved for all together; see variable_mechanism.h. */
+/* The functions of a system whose coordinates are solved together; see variable_mechanism.h. */
 typedef struct {
     int (*scale)(fvi_stepper *s, double *scale);
     int (*start)(fvi_stepper *s, fvi_variable_step_state *o);
@@ -290,7 +291,7 @@ static const coupled_system of_mechanism = { fvi_mesh_scale, fvi_mesh_start, fvi
                                              fvi_structure_mesh_shortest, fvi_structure_mesh_begin,
                                              fvi_structure_mesh_takes_kicks };
 
-/* A mechanism, or matrices: the state, the dampers, and as many modes as the shortest step asks for. */
+/* Begin a run of a mechanism or of matrices: state, dampers, and the modes that the shortest step needs. */
 static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupled_system *of)
 {
     const fvi_matrices *m = s->run.system->matrices;
@@ -348,7 +349,7 @@ static int start(fvi_stepper *s, int for_adjoint)
         plan(s, o, scale);
         o->kinds = sort_out(s, springs, o);
         if (o->solve == FVI_SOLVE_LINEAR && o->kinds < d)
-            o->diagonals = 0; /* many share an inverse */
+            o->diagonals = 0; /* many coordinates share an inverse, which is faster */
         status = fvi_variable_step_allocate(o);
     }
     if (!status) {

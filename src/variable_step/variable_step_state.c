@@ -1,5 +1,4 @@
-/* src/variable_step/variable_step_state.c -- What a run with variable steps keeps: room, copies, the
- * matrices of a step, and what is saved.                              [H 22] */
+/* src/variable_step/variable_step_state.c -- The state of a run: copies, matrices, archive. [H 22] */
 #include "variable_step_events.h"
 #include "variable_structure.h"
 
@@ -17,7 +16,7 @@
 #include <string.h>
 
 enum {
-    STATE = 8, /* arrays of d numbers that the next step reads */
+    STATE = 8, /* the first arrays of o->y: d numbers each, which the next step reads */
     BOUNDS = FVI_BOUND_ORDER + 1
 };
 
@@ -42,7 +41,7 @@ void fvi_variable_step_stop(fvi_stepper *s)
     free(o);
 }
 
-/* ---- room ---- */
+/* ---- memory and copies ---- */
 
 static size_t numbers(const fvi_variable_step_state *o)
 {
@@ -89,7 +88,7 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
     o->structure = NULL;
     o->y = NULL;
     o->group = NULL;
-    o->coupled = old->band ? 0 : old->coupled; /* factors are not copied */
+    o->coupled = old->band ? 0 : old->coupled; /* the factors of a band are not copied */
     int status = fvi_variable_step_allocate(o);
     if (status)
         return status;
@@ -122,7 +121,7 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
                                   : fvi_modes_copy(old->rising, &o->rising);
 }
 
-/* ---- from outside ---- */
+/* ---- limits and impulses ---- */
 
 void fvi_variable_step_limit(fvi_stepper *s, double longest, int growth)
 {
@@ -133,8 +132,8 @@ void fvi_variable_step_limit(fvi_stepper *s, double longest, int growth)
     o->growth = growth;
 }
 
-/* How far it came in the last PACE steps says how many the rest will take. No run that ends
- * within weeks asks for ENDLESS, but where the motion, or a force, is singular. */
+/* The pace of the last PACE steps predicts how many steps the rest will take. Only a run with a singular motion or
+ * force predicts more than ENDLESS steps, because a run of so many steps would last for weeks. */
 int fvi_variable_step_runs_away(fvi_variable_step_state *o, size_t most_steps)
 {
     enum { PACE = 1 << 18 };
@@ -145,7 +144,7 @@ int fvi_variable_step_runs_away(fvi_variable_step_state *o, size_t most_steps)
     if (steps < o->next_pace_check)
         return 0;
     const double came = o->t - o->pace_checked_at, rest = o->T - o->t;
-    const int is_first = o->next_pace_check == 0; /* of a run, or after a saved one */
+    const int is_first = o->next_pace_check == 0; /* of a run, or since it came from an archive */
     o->next_pace_check = steps + PACE;
     o->pace_checked_at = o->t;
     return !is_first && rest * PACE > came * ENDLESS;
@@ -201,9 +200,9 @@ int fvi_variable_step_matrices(fvi_variable_step_state *o, fvi_length length)
     const double power = pow(h, 1 - o->beta);
     if (o->kernel)
         fvi_variable_step_present_kernel(o, h);
-    const int inverse = o->solve == FVI_SOLVE_TOGETHER /* who asks for it? */
+    const int inverse = o->solve == FVI_SOLVE_TOGETHER /* these solvers need L^{-1} */
                         || (!o->band && o->solve != FVI_SOLVE_DIAGONAL);
-    o->length.h = 0; /* until all of them are there */
+    o->length.h = 0; /* not ready, until all matrices are */
     for (size_t n = 0; n < o->kinds; n++) {
         fvi_coordinate_group *kind = &o->group[n];
         kind->damping_coeff = o->beta == 1 ? 0 : kind->damping * power;
@@ -221,10 +220,10 @@ int fvi_variable_step_matrices(fvi_variable_step_state *o, fvi_length length)
 }
 //< matrices
 
-/* ---- what is saved ---- */
+/* ---- the archive ---- */
 
-/* Are these exponents of steps, and counts, that a run could have? Where a step is cut by an
- * event its exponent may be as low as that of the least double. */
+/* Return nonzero if a run could have these exponents and counts. If an event cuts a step short, the exponent of this
+ * step may be as low as that of the least double. */
 static int has_possible_control(const fvi_variable_step_state *o)
 {
     const double L = fvi_variable_spacing();
@@ -239,7 +238,7 @@ static int has_possible_control(const fvi_variable_step_state *o)
            && o->scale > 0 && gsl_finite(o->scale) && !isnan(o->undeclared_jump_until);
 }
 
-/* Are these times that a run could be at, before the next event and after the impulses? */
+/* Return nonzero if a run could be at these times, before its next event and after its impulses. */
 static int has_possible_times(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     return o->t == s->t && o->t0 >= 0 && o->t0 <= o->t
@@ -249,7 +248,8 @@ static int has_possible_times(const fvi_stepper *s, const fvi_variable_step_stat
            && (o->length.h == 0 || fvi_length_is_possible(o->length, o->T));
 }
 
-/* What is allocated for one way to solve does for another only between these two. */
+/* Return nonzero if the arrays for the solver `before` are enough for o->solve, too. Only COUPLED and TOGETHER share
+ * theirs. */
 static int has_room_to_solve(const fvi_variable_step_state *o, fvi_step_solver before)
 {
     const int may_change =
@@ -260,8 +260,8 @@ static int has_room_to_solve(const fvi_variable_step_state *o, fvi_step_solver b
                    || o->solve == FVI_SOLVE_TOGETHER));
 }
 
-/* All that the next step reads and no start knows. Matrices, factors and rows of modes are
- * made anew, here and in the run that goes on: from the same numbers, the same digits. */
+/* Serialise the numbers that the next step reads and that a start does not compute. Matrices, factors and rows of modes
+ * are computed again, both here and in the run that goes on. So both get the same numbers to the last digit. */
 //> archive
 int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
 {

@@ -1,16 +1,16 @@
-/* src/variable_step/variable_steps.c -- Steps of any length.               [H 22]
+/* src/variable_step/variable_steps.c -- The method fvi_variable_step, with steps of any length. [H 22]
  *
- * A step from t_k to t_k + h, for each coordinate, with v_k = p_k / m and the unknown
- * delta = V - v_k 1, V the velocities at the s stages:
+ * In a step from t_k to t_k + h let v_k = p_k / m and V be the velocities at the s stages of one coordinate. The
+ * unknown is delta = V - v_k 1:
  *
  *     [m A^{-1} + rho h^{1-beta} W0] delta + h grad U(X)
  *         = h (F - rho H) - [beta <= 0] rho h^{1-beta} W0 1 v_k,            (22.14)
  *     X = x_k 1 + h c v_k + h A delta,
  *     x_{k+1} = X_s,   v_{k+1} = V_s.
  *
- * H is the history (22.10). x'' at the stages is A^{-1} delta / h, whatever the forces:
- * the last of its Legendre coefficients says how good the step is, all of them give x
- * and p in between. Form M, for rho = 0, has another matrix in place of A (22.15). */
+ * H is the history (22.10). x'' at the stages is A^{-1} delta / h, whatever the forces are. The last of its Legendre
+ * coefficients estimates the error of the step, and all of them give x and p within the step. For rho = 0, form M has
+ * another matrix in place of A (22.15). */
 #include <fvi/variable_steps.h>
 
 #include "variable_step_events.h"
@@ -30,11 +30,10 @@ static double stage_time(const fvi_variable_step_state *o, size_t i)
     return fvi_variable_step_stage_time(o->rule, o->t, o->length.h, i);
 }
 
-/* Eight stages of a coordinate as two times four numbers; those beyond the s-th are of no
- * use. */
+/* Eight stages of a coordinate as two vectors of four numbers. The numbers behind the s-th have no meaning. */
 #define LANES(x) ((fvi_four *)(x))
 
-/* What a singular start adds to base and R. */
+/* Add the terms of a singular start to base and R. */
 static void apply_singular_force(fvi_variable_step_state *o)
 {
     for (size_t i = 0; i < o->rule->s; i++) {
@@ -48,7 +47,7 @@ static void apply_singular_force(fvi_variable_step_state *o)
     }
 }
 
-/* base = x_k + h c v_k */
+/* Compute base = x_k + h c v_k. */
 FVI_VECTORS static void set_free_motion(fvi_variable_step_state *o)
 {
     const fvi_four *c = LANES(o->rule->c);
@@ -60,7 +59,7 @@ FVI_VECTORS static void set_free_motion(fvi_variable_step_state *o)
     }
 }
 
-/* base, R = h F; and what a singular start adds to both. */
+/* Compute base and R = h F, with the terms of a singular start. */
 //> apply-forces
 static int apply_forces(fvi_stepper *s, fvi_variable_step_state *o)
 {
@@ -81,7 +80,7 @@ static int apply_forces(fvi_stepper *s, fvi_variable_step_state *o)
 }
 //< apply-forces
 
-/* R -= h rho H of one set of modes, or of none. */
+/* Subtract h rho H of one set of modes from R. modes may be NULL. */
 static void subtract_modes(fvi_variable_step_state *o, const fvi_modes *modes)
 {
     const double h = o->length.h;
@@ -97,8 +96,9 @@ static void subtract_modes(fvi_variable_step_state *o, const fvi_modes *modes)
 }
 
 //> subtract-history
-/* R -= h rho H, and rho h^{1-beta} W0 1 v_k where the memory has v, not v - v_k; or of what
- * v has jumped by. */
+/* Subtract h rho H from R. Subtract rho h^{1-beta} W0 1 v_k, too, if the memory depends on v and not on v - v_k.
+ * Otherwise it begins from the velocity before the impulses at t_k, so subtract rho h^{1-beta} W0 1 impulse_dv.
+ * (22.22) */
 FVI_VECTORS static void subtract_history(fvi_variable_step_state *o)
 {
     const double h = o->length.h;
@@ -118,13 +118,12 @@ FVI_VECTORS static void subtract_history(fvi_variable_step_state *o)
 }
 //< subtract-history
 
-/* ---- a trial of a step, and its error ---- */
+/* ---- trial of a step, and its error ---- */
 
-/* What the last Legendre coefficient a of x'' in a step adds by itself, and should not: to
- * X at the stages, h^2 stage a at most; to v, through what the memory makes of these
- * stages, h memory_leakage (damping_coeff/m) a. And the quadrature adds h alias a to v, for the coefficients
- * of twice the degree. A velocity 1 moves x by its reach. The largest sum of all
- * coordinates; NaN if one is not finite.                                    (22.16) */
+/* Estimate the error of the step by the wrong effects of the last Legendre coefficient a of x''. It adds to X at the
+ * stages h^2 stage a at most. It adds to v, through the memory, h memory_leakage (damping_coeff/m) a. And the
+ * quadrature of v adds h alias a, as a bound for the coefficients of twice the degree. A velocity of 1 moves x by its
+ * compliance. Return the largest sum of all coordinates, or NaN if a coefficient is not finite. (22.16) */
 //> estimate
 static double estimate(fvi_variable_step_state *o)
 {
@@ -172,7 +171,7 @@ int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length
 
 /* ---- a step ---- */
 
-/* x and p of the state. */
+/* Copy x, p and t of the state to the stepper. */
 static int update_stepper(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_matrices *m = s->run.system->matrices;
@@ -181,7 +180,7 @@ static int update_stepper(fvi_stepper *s, fvi_variable_step_state *o)
         if (fvi_singular_is(o, o->t))
             fvi_singular_at(&o->singular, j, o->t, &G, &slope, NULL);
         s->x[j] = o->y[j] + G;
-        if (!o->mechanism && !o->structure) /* p is another matter there */
+        if (!o->mechanism && !o->structure) /* others compute p elsewhere */
             s->p[j] = s->run.system->mass[j] * (o->v[j] + slope);
         o->scale = larger(o->scale, fabs(s->x[j]));
     }
@@ -189,7 +188,7 @@ static int update_stepper(fvi_stepper *s, fvi_variable_step_state *o)
     return m ? m->inertia(o->d, o->v, m->params, s->p) : FVI_SUCCESS;
 }
 
-/* The velocities of coordinate j at the stages, as its memory wants them, to v. */
+/* Compute the velocities v of coordinate j at the stages, as its memory takes them in. */
 FVI_VECTORS static void stage_velocities(const fvi_variable_step_state *o, size_t j,
                                          double *v)
 {
@@ -200,7 +199,7 @@ FVI_VECTORS static void stage_velocities(const fvi_variable_step_state *o, size_
 }
 
 //> accept-step
-/* The trial is the step: x, v, the modes. */
+/* Take the trial as the step: advance the modes, x and v. */
 static void accept_motion(fvi_variable_step_state *o)
 {
     const size_t s = o->rule->s;
@@ -212,7 +211,7 @@ static void accept_motion(fvi_variable_step_state *o)
         fvi_modes_advance(o->modes, l, v, o->v[j] - o->impulse_dv[j]);
     }
     for (size_t l = 0; o->rising && l < o->damped; l++) {
-        const size_t j = o->index[l]; /* no velocity jumps */
+        const size_t j = o->index[l]; /* no velocity jumps here */
         fvi_modes_advance(o->rising, l, o->delta + j * FVI_LANES, o->v[j]);
     }
     for (size_t j = 0; j < o->d; j++) {
@@ -225,7 +224,8 @@ static void accept_motion(fvi_variable_step_state *o)
     }
 }
 
-/* The same, and the time. */
+/* Take the trial as the step, and advance the time. If only rounding errors separate the new time from the
+ * event, the time is set to that of the event. */
 static int accept_step(fvi_stepper *s, fvi_variable_step_state *o, double event)
 {
     const double h = o->length.h;
@@ -252,7 +252,7 @@ static int step(fvi_stepper *s)
 {
     fvi_variable_step_state *o = s->method_state;
     const double event = fvi_variable_step_next_event(o);
-    o->powers_known = 0; /* accel_legendre stands there */
+    o->powers_known = 0; /* the trials of this step overwrite the powers */
     int status = fvi_variable_step_find(s, o, event);
     if (!status)
         status = accept_step(s, o, event);

@@ -1,4 +1,4 @@
-/* src/variable_step/variable_structure.c -- Steps of any length of a structure.   [H 27, 22] */
+/* src/variable_step/variable_structure.c -- Steps of a structure in a run with variable steps. [H 27, 22] */
 #include "variable_structure.h"
 
 #include "system/archive_pieces.h"
@@ -12,7 +12,7 @@
 
 /* ---- the start ---- */
 
-/* The factors of a M + b K. */
+/* Compute the factors of a M + b K. */
 static int factorise(const fvi_system *system, double a, double b, void **factors)
 {
     const fvi_matrices *m = system->matrices;
@@ -28,7 +28,7 @@ static int factorise(const fvi_system *system, double a, double b, void **factor
     return status;
 }
 
-/* r becomes M^{-1} r. */
+/* Replace r by M^{-1} r. */
 static int divide_by_mass(const fvi_system *system, double *r)
 {
     void *factors;
@@ -67,8 +67,8 @@ int fvi_structure_mesh_scale(fvi_stepper *s, double *scale)
     return status;
 }
 
-/* Twice what a velocity of 1 moves the lowest mode, 1/omega; T where a motion is free. By inverse iteration, which
- * comes to it from above in omega. */
+/* Compute about how far the lowest mode moves if its velocity is larger by 1: 2/omega, twice its amplitude; T if a
+ * motion is free. Inverse iteration approaches omega from above. */
 static int find_reach(const fvi_system *system, double T, double *x, double *Mx, double *reach)
 {
     enum { TIMES = 30 };
@@ -78,7 +78,7 @@ static int find_reach(const fvi_system *system, double T, double *x, double *Mx,
     int status = factorise(system, 0, 1, &factors);
     *reach = T;
     for (size_t j = 0; j < d; j++)
-        x[j] = 1 + 0.37 * sin((double)(3 * j + 1)); /* no mode is orthogonal to it but by chance */
+        x[j] = 1 + 0.37 * sin((double)(3 * j + 1)); /* only by chance a mode is orthogonal to x */
     for (int i = 0; i < TIMES && !status; i++) {
         status = m->inertia(d, x, m->params, Mx);
         const double of_x = fvi_dot(d, x, Mx);
@@ -95,7 +95,7 @@ static int find_reach(const fvi_system *system, double T, double *x, double *Mx,
     return status == FVI_ESING ? FVI_SUCCESS : status;
 }
 
-/* What cannot be: the error's text. */
+/* Refuse matrices without complex factors or a product with M, and dampers of order 2. */
 static int refuse(const fvi_stepper *s)
 {
     const fvi_matrices *m = s->run.system->matrices;
@@ -112,7 +112,7 @@ static int refuse(const fvi_stepper *s)
     return FVI_SUCCESS;
 }
 
-/* No pole beside the cut is too near to it. */
+/* Return nonzero if it is known that no pole beside the cut is too near to it. */
 static int has_known_modes(const fvi_kernel *law)
 {
     for (size_t i = 0; i < law->count; i++) {
@@ -167,7 +167,7 @@ static int depends_on_jumps(const fvi_mesh_matrix *of)
     return of->of.growth > 1;
 }
 
-/* As fvi_mesh_shortest, of which each damper here has many numbers. */
+/* The numbers of fvi_mesh_shortest, for dampers with many numbers each. */
 double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     const struct fvi_mesh_structure *m = o->structure;
@@ -197,7 +197,7 @@ int fvi_structure_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step
 
 /* ---- a trial of a step, and its error ---- */
 
-/* F - K (x_k + h c_i v_k) at the stages. */
+/* Compute the load F - K (x_k + h c_i v_k) at the stages. */
 static int begin_load(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_matrices *m = s->run.system->matrices;
@@ -216,7 +216,7 @@ static int begin_load(fvi_stepper *s, fvi_variable_step_state *o)
     return status;
 }
 
-/* As that of variable_steps.c, but for what the memory does, which moves all unknowns together. */
+/* Estimate the error as in variable_steps.c. But the wrong effect of the memory moves all coordinates together. */
 static int estimate(fvi_variable_step_state *o, double *error)
 {
     struct fvi_mesh_structure *m = o->structure;

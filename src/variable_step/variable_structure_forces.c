@@ -1,4 +1,4 @@
-/* src/variable_step/variable_structure_forces.c -- The forces of a structure's dampers within a step.   [H 27, 22] */
+/* src/variable_step/variable_structure_forces.c -- The forces of a structure's dampers within a step. [H 27, 22] */
 #include "variable_structure.h"
 
 #include "system/dot.h"
@@ -26,7 +26,7 @@ void fvi_structure_mesh_weights(const fvi_stepper *s, double t, double *now, dou
     }
 }
 
-/* Damper `number` of the run, or NULL if it has no history. */
+/* Return damper `number` of the run, or NULL if it has no history. */
 static fvi_mesh_matrix *find(const fvi_variable_step_state *o, size_t number)
 {
     for (size_t j = 0; j < o->structure->count; j++)
@@ -35,7 +35,7 @@ static fvi_mesh_matrix *find(const fvi_variable_step_state *o, size_t number)
     return NULL;
 }
 
-/* What was known before the step, and what the present made of V - v_k. */
+/* The answer of a damper is the known part of its force and the present part, of V - v_k. */
 int fvi_structure_mesh_force(const fvi_stepper *s, size_t number, const double *weights, double *force)
 {
     const fvi_variable_step_state *o = s->method_state;

@@ -1,4 +1,4 @@
-/* src/variable_step/variable_structure_memory.c -- Dampers of a structure on a mesh: their modes.   [H 27, 22] */
+/* src/variable_step/variable_structure_memory.c -- The modes of the dampers of a structure. [H 27, 22] */
 #include "variable_structure.h"
 
 #include "system/arrays.h"
@@ -10,7 +10,7 @@
 
 /* ---- the start ---- */
 
-/* The history numbers of all dampers, in one piece each. */
+/* Allocate the arrays of each damper in one piece. */
 int fvi_structure_mesh_allocate(const fvi_stepper *s, fvi_variable_step_state *o)
 {
     const size_t d = o->d, n = o->rule->s, count = fvi_run_damper_count(&s->run);
@@ -38,7 +38,8 @@ int fvi_structure_mesh_allocate(const fvi_stepper *s, fvi_variable_step_state *o
     return FVI_SUCCESS;
 }
 
-/* A law has such a past only where nothing is stretched (dampers_check.h), and then it was held. */
+/* A law has Riemann and Liouville's past only if nothing is stretched at the start (dampers_check.h), and then the past
+ * of a held body is the same. */
 int fvi_structure_mesh_starts_with_jump(const fvi_run_damper *of)
 {
     return of->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !of->law && of->growth < 1;
@@ -58,9 +59,9 @@ static int begin_damper(fvi_stepper *s, fvi_variable_step_state *o, fvi_mesh_mat
                                        &to->memory);
     if (status)
         return status;
-    if (to->of.growth <= 1 || to->of.past == FVI_INITIAL_HISTORY_CAPUTO) /* else it was at rest */
+    if (to->of.growth <= 1 || to->of.past == FVI_INITIAL_HISTORY_CAPUTO) /* otherwise the body was at rest */
         memcpy(to->before, to->now, to->r * sizeof *to->now);
-    if (fvi_structure_mesh_starts_with_jump(&to->of)) { /* the place is a jump at t = 0 */
+    if (fvi_structure_mesh_starts_with_jump(&to->of)) { /* the position jumps at t = 0 */
         memset(to->centre, 0, to->r * sizeof *to->centre);
         fvi_mesh_stretch_damper(o, &to->memory, to->r, to->z);
     }
@@ -77,7 +78,7 @@ int fvi_structure_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o)
 
 /* ---- in a step ---- */
 
-/* The place of this length among the rungs, or of the one that has not been used for longest. */
+/* Return the rung of this length, or the rung that has not been used for the longest time. */
 static size_t find_rung(const struct fvi_mesh_structure *m, double h)
 {
     size_t oldest = 0;
@@ -116,7 +117,8 @@ int fvi_structure_mesh_solver(const fvi_stepper *s, fvi_variable_step_state *o, 
     return status;
 }
 
-/* The modes, what the present makes of a constant velocity, and of a spring where it is. */
+/* Compute the known part of the force of a damper: its modes, the present part of a constant velocity, and the force of
+ * a spring at its position. */
 static int predict_damper(fvi_variable_step_state *o, fvi_mesh_matrix *to)
 {
     const fvi_damping_matrix *C = &to->of.matrix;
