@@ -28,7 +28,7 @@ struct fvi_impulses_of_kernel {
     size_t first, count, k;
     size_t poles;
     pole pole[MOST_POLES];
-    size_t n;                      /* impulses of a step: 2 at its ends, or one for each stage */
+    size_t n;                           /* impulses of a step: 2 at its ends, or one for each stage */
     double c[FVI_KERNEL_IMPULSE_NODES]; /* the stages; not used for the ends of a step */
     int at_stages;
     double start[MOST_IMPULSES]; /* the impulses of step 0, for stages */

@@ -7,8 +7,8 @@
 /* The numbers that have a history. (27.4) */
 typedef enum {
     FVI_HISTORY_SPACE_EMPTY, /* none: there is no damping */
-    FVI_HISTORY_SPACE_ALL,     /* all of x */
-    FVI_HISTORY_SPACE_SOME,    /* the x_i that C couples: B selects them */
+    FVI_HISTORY_SPACE_ALL,   /* all of x */
+    FVI_HISTORY_SPACE_SOME,  /* the x_i that C couples: B selects them */
     FVI_HISTORY_SPACE_FEW      /* B^T x with C = B B^T */
 } fvi_history_space_kind;
 

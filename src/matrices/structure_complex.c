@@ -65,7 +65,7 @@ FVI_VECTORS static void solve_lanes(size_t n, size_t w, const complex_lanes *ban
 
 /* The factors of the bands, or of each sum by UMFPACK, which needs the pattern and the entries during a solution. */
 typedef struct {
-    size_t n, w, count; /* number of equations */
+    size_t n, w, count;          /* number of equations */
     complex_lanes *band, *lanes; /* lanes: workspace for n right-hand sides; NULL without bands */
     int *start, *row;
     double complex *entry, *right;

@@ -38,11 +38,11 @@ typedef struct {
 typedef struct fvi_mechanism_state {
     fvi_method method; /* a copy of the method with these steps; not used on a mesh */
     fvi_mechanism_form form;
-    int is_on_mesh;    /* nonzero on a mesh; then t is the beginning of the step that is tried */
-    double h, t;       /* length of a step; its beginning on a mesh */
-    double rest_scale; /* largest distance that the bodies have moved, while a contact is closed; else 0 */
-    size_t s, q, d, r, m, n; /* n: number of unknowns */
-    size_t own, most, *contact; /* contact: index of the event of each closed contact */
+    int is_on_mesh;               /* nonzero on a mesh; then t is the beginning of the step that is tried */
+    double h, t;                  /* length of a step; its beginning on a mesh */
+    double rest_scale;            /* largest distance that the bodies have moved, while a contact is closed; else 0 */
+    size_t s, q, d, r, m, n;      /* n: number of unknowns */
+    size_t own, most, *contact;   /* contact: index of the event of each closed contact */
     size_t last_m, *last_contact; /* m and the contacts of the last step, for times within it */
     const fvi_lobatto_rule *rule;
     double E[FVI_STAGES][FVI_STAGES], T[FVI_STAGES][FVI_STAGES],
@@ -53,7 +53,7 @@ typedef struct fvi_mechanism_state {
     fvi_mechanism_part *part;
     fvi_mechanism_start_force *start_force;
     char *is_massless; /* for each coordinate: nonzero if it has neither inertia nor a constraint */
-    int any_massless; /* nonzero if a coordinate of the node scheme is massless */
+    int any_massless;  /* nonzero if a coordinate of the node scheme is massless */
 
     double *numbers; /* one block with all arrays below */
     size_t saved;    /* number of doubles at its beginning that one step passes to the next */

@@ -52,9 +52,9 @@ static product *product_of(size_t lanes)
 /* ---- the engine ---- */
 
 enum {
-    THREADS_FROM = 10000,        /* number of coordinates from which threads are used, if compiled with -fopenmp */
-    AHEAD = 4,                   /* the rows of a tile are prefetched so many tiles ahead */
-    AREA = FVI_EIGHT * FVI_TILE, /* numbers in eight rows of a tile */
+    THREADS_FROM = 10000,           /* number of coordinates from which threads are used, if compiled with -fopenmp */
+    AHEAD = 4,                      /* the rows of a tile are prefetched so many tiles ahead */
+    AREA = FVI_EIGHT * FVI_TILE,    /* numbers in eight rows of a tile */
     SQUARE = FVI_EIGHT * FVI_EIGHT, /* numbers in a table of weights between two eights */
     FARTHEST = 2 * FVI_SLABS - 1    /* largest distance between two eights, in eights */
 };
@@ -63,12 +63,12 @@ typedef struct {
     fvi_history_head head;
     size_t Q, tiles;
     product *times;
-    double *w;     /* w_1, ..., w_63 at their lags */
-    double *lags;  /* w_{8 D + r - j} for D = 7, ..., 1: (28.3) */
-    double *far;   /* c_q e^{-s_q r}, r = 0, ..., 31, in eights of r: (28.1) */
-    double *decay; /* e^{-s_q (31 - j)} in eights of modes: (28.2) */
-    double *lose;  /* 1 - e^{-32 s_q} */
-    double *z;     /* Q modes of each coordinate, tile by tile */
+    double *w;               /* w_1, ..., w_63 at their lags */
+    double *lags;            /* w_{8 D + r - j} for D = 7, ..., 1: (28.3) */
+    double *far;             /* c_q e^{-s_q r}, r = 0, ..., 31, in eights of r: (28.1) */
+    double *decay;           /* e^{-s_q (31 - j)} in eights of modes: (28.2) */
+    double *lose;            /* 1 - e^{-32 s_q} */
+    double *z;               /* Q modes of each coordinate, tile by tile */
     double *slab[FVI_SLABS]; /* eight rows for each tile: the terms so far, and the sums of the terms to come */
     _Alignas(64) double numbers[];
 } tiled_engine;

@@ -16,7 +16,7 @@
 enum { FEW_STEPS = 256 };
 
 struct fvi_history {
-    double order;   /* order of the weights: beta, or beta - 1 on increments */
+    double order;         /* order of the weights: beta, or beta - 1 on increments */
     fvi_node_range nodes; /* nodes of a compressed memory */
     int on_increments;
     fvi_history_kind kind; /* never FVI_HISTORY_AUTO */

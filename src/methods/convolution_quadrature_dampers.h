@@ -13,20 +13,20 @@
 typedef struct {
     /* the history of the damper; the method owns the first history, and each history owns the next one */
     fvi_damping *damping;
-    double theta;         /* weight of D_{k+1} in the force of step k, (13.10) */
-    double *H;            /* h^(2 alpha) D_k of each damped coordinate */
-    double *ahead;        /* H of the next step if x_{k+1} = x_k */
+    double theta;            /* weight of D_{k+1} in the force of step k, (13.10) */
+    double *H;               /* h^(2 alpha) D_k of each damped coordinate */
+    double *ahead;           /* H of the next step if x_{k+1} = x_k */
     double g[FVI_BDF2_TAPS]; /* factor of the weights (13.11), (13.16) */
     size_t taps, place;      /* taps: length of g, 0 if there is no factor; place: newest row in `past` */
     int increments;          /* nonzero if the history sums increments; then `past` holds increments */
-    double *past; /* a ring of the last `taps` terms, stored twice; the newest term is row `place` */
+    double *past;            /* a ring of the last `taps` terms, stored twice; the newest term is row `place` */
     fvi_initial_history_force history_force;
     double impulse[2]; /* the impulses of the initial history at the two ends of the step (19.5) */
 } fvi_cq_damper;
 
 typedef struct {
     double kappa;
-    double *r; /* right-hand side of the step, d numbers */
+    double *r;            /* right-hand side of the step, d numbers */
     fvi_damping *damping; /* the first history; NULL if nothing is damped */
     size_t count;         /* number of dampers with a history */
     fvi_cq_damper *each;

@@ -12,9 +12,9 @@
 typedef struct {
     const fvi_lobatto_rule *rule;
     size_t s, d;
-    double *share; /* one number for each coordinate, see (17.17) */
-    double *M; /* an n x n matrix for each coordinate: the inverse of L in (17.8), or G of (17.25) */
-    size_t n;  /* s - 1 or s */
+    double *share;         /* one number for each coordinate, see (17.17) */
+    double *M;             /* an n x n matrix for each coordinate: the inverse of L in (17.8), or G of (17.25) */
+    size_t n;              /* s - 1 or s */
     double *dX, *S, *grad; /* X_i - x_k; S_i without grad U; grad U */
     double *r;             /* right-hand side of the stages that are solved for */
     size_t damped, *index; /* number and indices of the coordinates that have a Y */
@@ -25,7 +25,7 @@ typedef struct {
     const double *jump;
     double scale, W[FVI_STAGES][FVI_STAGES]; /* scale = h^(-beta); W = scale W_0 */
     double A[FVI_STAGES][FVI_STAGES];        /* matrix A of Lobatto IIIC (17.3) */
-    fvi_lobatto_history *memory;              /* NULL if there is no history */
+    fvi_lobatto_history *memory;             /* NULL if there is no history */
     fvi_initial_history_force history_force;
 } fvi_lobatto_stages;
 

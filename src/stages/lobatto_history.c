@@ -20,7 +20,7 @@ struct fvi_lobatto_history {
     double *z;         /* Q modes for each coordinate */
     double *W;         /* W_0 row by row, and W_1, ..., W_lags column by column */
     double *past;      /* a ring of the last `lags` v of each coordinate */
-    int by_order;         /* nonzero if there are derivatives by beta: */
+    int by_order;      /* nonzero if there are derivatives by beta: */
     double *r, *R;     /* derivatives of q and of W */
 };
 

@@ -33,12 +33,12 @@ struct fvi_modes {
     const fvi_variable_rule *rule;
     const fvi_mode_row *table;
     range range;
-    size_t apart;         /* distance between the nodes of an end correction */
-    double beta, longest; /* longest: no step is longer */
-    size_t d, Q;          /* number of coordinates; modes of each coordinate, a multiple of FVI_LANES */
-    int first;            /* sigma_q = exp(L (first + every q)) */
-    double reach; /* the last mode of a step h = exp(L k) is (reach - k) / every */
-    size_t count, active; /* number of modes that this step reads; number of modes that are up to date */
+    size_t apart;           /* distance between the nodes of an end correction */
+    double beta, longest;   /* longest: no step is longer */
+    size_t d, Q;            /* number of coordinates; modes of each coordinate, a multiple of FVI_LANES */
+    int first;              /* sigma_q = exp(L (first + every q)) */
+    double reach;           /* the last mode of a step h = exp(L k) is (reach - k) / every */
+    size_t count, active;   /* number of modes that this step reads; number of modes that are up to date */
     fvi_length now, before; /* this step, and the last step that was taken */
     fvi_mode_row row;       /* the row of coefficients of this step */
     double *sigma;          /* Q decay rates */
