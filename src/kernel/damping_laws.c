@@ -14,8 +14,8 @@
 /* ---- simple terms ---- */
 
 /* Number of Gauss-Legendre nodes for a range of orders. n nodes integrate e^{x a} over the range with the error (e
- * |x| / 4 n)^{2 n}, where x is twice the range times the logarithm of lag / h. With 64 nodes this is 1e-16 for |x| up
- * to 70. */
+ * |x| / 4 n)^{2 n}, where x is twice the range times the logarithm of lag / h. With 64 nodes this is
+ * 1e-16 for |x| up to 70. */
 enum { ORDERS = 64 };
 
 /* Write a term that is not a range as one simple term. If the denominator has order 0, it is a number. This happens for

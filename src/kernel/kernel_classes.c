@@ -48,8 +48,8 @@ static int check_pair(const fvi_kernel_term *t)
 
 /* ---- symbols ---- */
 
-/* Return s^{2 a} = e^{2 a ln s}. Its angle is 2 a times the angle of s, so the result is exactly real if the angle is
- * 0. */
+/* Return s^{2 a} = e^{2 a ln s}. Its angle is 2 a times the angle of s, so the result is exactly
+ * real if the angle is 0. */
 static double complex power_at(double a, double modulus, double angle)
 {
     const double size = pow(modulus, 2 * a);

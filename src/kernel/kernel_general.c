@@ -1,5 +1,4 @@
-/* src/kernel/kernel_general.c -- Compute weights and modes of a general term from the values of its symbol.          [H
- * 26] */
+/* src/kernel/kernel_general.c -- Compute weights and modes of a general term from the values of its symbol.  [H 26] */
 #include "kernel_general.h"
 
 #include "system/fail.h"

@@ -24,8 +24,8 @@ enum { FVI_KERNEL_RESPONSES = 4 };
  * rings, 1e-12 of the largest earlier number. Cost: 63 values C(s) for the times from t to 4 t, and 63 exponential
  * functions for each time; a single power takes 4 powers of t for each time.
  *
- * Return FVI_SUCCESS; FVI_ENOMEM; FVI_EUNSUP for a law with more than 64 poles off the cut. On error response is
- * unchanged. */
+ * Return FVI_SUCCESS; FVI_ENOMEM; FVI_EUNSUP for a law with more than 64 poles off the cut. On error
+ * response is unchanged. */
 int fvi_kernel_responses(const fvi_kernel *law, double h, size_t count, double *response);
 
 #endif

@@ -1,5 +1,4 @@
-/* src/kernel/kernel_sums.c -- Check a law, which is a sum of terms, and compute its symbol, growth and moduli.  [H
- * 26] */
+/* src/kernel/kernel_sums.c -- Check a law, a sum of terms, and compute its symbol, growth and moduli.  [H 26] */
 #include "kernel_classes.h"
 
 #include "kernel_general.h"
@@ -76,8 +75,8 @@ int fvi_kernel_takes_caputo(const fvi_kernel *law)
     return 1;
 }
 
-/* Return C(s) and, unless slope is NULL, s C'(s). A SYMBOL needs many values for the slope, so the caller passes NULL
- * if it can. */
+/* Return C(s) and, unless slope is NULL, s C'(s). A SYMBOL needs many values for the slope, so the caller
+ * passes NULL if it can. */
 static double complex sum_at(const fvi_kernel *law, double modulus, double angle,
                              double complex *slope)
 {

@@ -54,8 +54,7 @@ static inline double fvi_kernel_on_the_cut(const fvi_kernel_simple *t,
 
 /* fvi_kernel_tail -- Add to S0 the sum of mu^n Im C(-mu/h + i0), and to S1 the sum of mu^(n + 1) Im C(-mu/h + i0), with
  * `factor` in place of rho. The sums run over ln mu = first - step, first - 2 step, ... without end. For a power they
- * are geometric series. A fraction is summed term by term until it is a power to all digits.                        
- * (17.12) */
+ * are geometric series. A fraction is summed term by term until it is a power to all digits. (17.12) */
 void fvi_kernel_tail(const fvi_kernel_simple *t, double factor, double ln_h,
                      double first, double step, double n, double *S0,
                      double *S1);

@@ -8,8 +8,8 @@
 typedef struct fvi_complex_factors fvi_complex_factors;
 
 /* fvi_complex_factors_alloc -- Allocate a solver for n by n matrices with this pattern of compressed columns
- * (fvi_sparse). The arrays must outlive the solver. start = NULL and row = NULL: dense matrices. Return FVI_SUCCESS or
- * FVI_ENOMEM. */
+ * (fvi_sparse). The arrays must outlive the solver. start = NULL and row = NULL: dense matrices. Return
+ * FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_complex_factors_alloc(size_t n, const int *start, const int *row,
                               fvi_complex_factors **factors);
 

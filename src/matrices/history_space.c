@@ -218,8 +218,8 @@ static int find_low_rank(fvi_history_space *B)
     return status;
 }
 
-/* Test whether a large C is positive semidefinite. The test is whether C + 1e-9 M, scaled to the size of C, is positive
- * definite. */
+/* Test whether a large C is positive semidefinite. The test is whether C + 1e-9 M, scaled to the size of
+ * C, is positive definite. */
 static int check_semidefinite(const fvi_sparse *M, const fvi_sparse *C)
 {
     double largest = 0;

@@ -41,8 +41,8 @@ static int refuse_at(reader *r, const char *at, const char *reason)
     return FVI_EDOM;
 }
 
-/* Read the next line that is neither empty nor a comment; the first line is read in any case. *found is 0 at the end of
- * the file. */
+/* Read the next line that is neither empty nor a comment; the first line is read in any case. *found is 0
+ * at the end of the file. */
 static int next_line(reader *r, int *found)
 {
     int status;
@@ -188,8 +188,8 @@ static size_t line_of(const reader *r, int row, int column)
     return 0;
 }
 
-/* Find the line of the second triplet at one position. It exists, because the matrix has fewer entries than there are
- * triplets. */
+/* Find the line of the second triplet at one position. It exists, because the matrix has fewer entries
+ * than there are triplets. */
 static int find_double(reader *r, const fvi_sparse *A)
 {
     char *taken = calloc((size_t)A->start[A->n] + 1, 1);

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Write the rows of column j of the sum to list, in order. mark[i] is j + 1 if row i is in the list. Return the number
- * of rows. */
+/* Write the rows of column j of the sum to list, in order. mark[i] is j + 1 if row i is in the list.
+ * Return the number of rows. */
 static size_t column_of_sum(size_t count, const fvi_sparse *const *A, size_t j,
                             size_t *mark, int *list)
 {

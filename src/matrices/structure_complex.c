@@ -1,5 +1,4 @@
-/* src/matrices/structure_complex.c -- Solve equations with m M + sum_j c_j C_j + k K for complex m, c_j and k.    [H
- * 27] */
+/* src/matrices/structure_complex.c -- Solve equations with m M + sum_j c_j C_j + k K for complex factors.  [H 27] */
 #include "structure.h"
 
 #include "complex_factors.h"

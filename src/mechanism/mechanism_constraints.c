@@ -12,9 +12,9 @@
 #include <string.h>
 
 //> project
-/* Solve L_v(x, v) + C^T w = p, C v = -c_t by Newton's method, usually in one step. When a body turns back, v may
- * consist of rounding errors only. So the iteration also ends when the changes are small compared with the largest v so
- * far. */
+/* Solve L_v(x, v) + C^T w = p, C v = -c_t by Newton's method, usually in one step. When a body turns back,
+ * v may consist of rounding errors only. So the iteration also ends when the changes are small compared
+ * with the largest v so far. */
 int fvi_mechanism_project_momentum(fvi_stepper *s, double t, const double *x,
                                    const double *C, double *p, double *v,
                                    double *w)

@@ -189,8 +189,8 @@ static int end_nodes(fvi_stepper *s, const double *u)
     return status ? status : end_constraints(s, u);
 }
 
-/* Evaluate F at both ends of the step as limits from within, (13.12). In the scheme of order 1 nothing acts at the
- * beginning. */
+/* Evaluate F at both ends of the step as limits from within, (13.12). In the scheme of order 1 nothing
+ * acts at the beginning. */
 static int forces_at_ends(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;

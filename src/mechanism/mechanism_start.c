@@ -193,8 +193,8 @@ int fvi_mechanism_start(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
     return status;
 }
 
-/* Return the memory of one damper. On a mesh it has at least 24 modes with six stages each, and two matrices of the
- * stages. */
+/* Return the memory of one damper. On a mesh it has at least 24 modes with six stages each, and two
+ * matrices of the stages. */
 static double bytes_of_damper(const fvi_method *method, const fvi_run *run)
 {
     enum { MODES = 24, NUMBERS = 12, SQUARES = 2 * FVI_STAGES * FVI_STAGES };

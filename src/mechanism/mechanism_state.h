@@ -112,8 +112,8 @@ int fvi_mechanism_force(fvi_stepper *s, double t, double *F);
 int fvi_mechanism_begin_histories(fvi_stepper *s, const double *v,
                                   fvi_error *error);
 
-/* fvi_mechanism_is_stretched -- Return nonzero if the elongation of damper j at the start is more than a rounding error
- * (run/solution.h).
+/* fvi_mechanism_is_stretched -- Return nonzero if the elongation of damper j at the start is more than a rounding
+ * error (run/solution.h).
  * fvi_mechanism_check_stretch -- Check whether damper j, counted from 0, can have been stretched suddenly at t = 0,
  * which the past rl means. Return FVI_SUCCESS; FVI_EDOM for a power of an order above 1; FVI_EUNSUP for another
  * kernel. */
@@ -205,8 +205,8 @@ int fvi_mechanism_contact_increments(const fvi_stepper *s, const double *u, size
  * FVI_SUCCESS, or the code of a gradient.
  * fvi_mechanism_row_of_contact -- Return the row of the contact, or m if it is open.
  * fvi_mechanism_keep_contacts -- Record the contacts as those of the last step, after a step.
- * fvi_mechanism_swap_contacts -- Exchange the present contacts with those of the last step. A second call restores
- * them.
+ * fvi_mechanism_swap_contacts -- Exchange the present contacts with those of the last step. A
+ * second call restores them.
  * fvi_mechanism_serialize_contacts -- Serialise the contacts of a run. Return FVI_SUCCESS; FVI_EINVAL if the archive
  * holds no possible contacts; or the code of the archive. */
 int fvi_mechanism_serialize_contacts(fvi_stepper *s, fvi_archive *v);
@@ -227,10 +227,10 @@ double fvi_mechanism_inner_time(const fvi_stepper *s, size_t i);
 /* fvi_mechanism_increment -- Return the increment of stage i, coordinate j. */
 double fvi_mechanism_increment(const fvi_mechanism_state *o, const double *u, size_t i, size_t j);
 
-/* fvi_mechanism_evaluate_stages -- Compute X, V, the derivatives of L, the elongations and lambda. On return f contains
- * all forces.
- * fvi_mechanism_add_curvature -- Add the second derivatives of the elongations (times lambda) and of the ties (times
- * Lambda) to fx. */
+/* fvi_mechanism_evaluate_stages -- Compute X, V, the derivatives of L, the elongations and lambda. On return
+ * f contains all forces.
+ * fvi_mechanism_add_curvature -- Add the second derivatives of the elongations (times lambda) and of the
+ * ties (times Lambda) to fx. */
 int fvi_mechanism_evaluate_stages(fvi_stepper *s, const double *u);
 int fvi_mechanism_add_curvature(fvi_stepper *s, const double *u);
 
@@ -241,8 +241,8 @@ int fvi_mechanism_step_stages(fvi_stepper *s);
 
 /* fvi_mechanism_solve_stages -- Solve for the stages of a step, from the guess o->u, with the forces o->known + o->W
  * zdot of the dampers. The data that one step passes to the next do not change, except o->u.
- * fvi_mechanism_keep_dampers -- Add the impulses and the work of the dampers after such a step, and store z, G and v of
- * its end. */
+ * fvi_mechanism_keep_dampers -- Add the impulses and the work of the dampers after such a step, and store
+ * z, G and v of its end. */
 int fvi_mechanism_solve_stages(fvi_stepper *s);
 void fvi_mechanism_keep_dampers(fvi_mechanism_state *o);
 

@@ -1,5 +1,4 @@
-/* src/memory/coefficients.c -- Compute the Grünwald-Letnikov weights and their derivative by the order.              
- * [H 4] */
+/* src/memory/coefficients.c -- Compute the Grünwald-Letnikov weights and their derivative by the order. [H 4] */
 #include <fvi/coefficients.h>
 
 #include "double_double.h"
@@ -42,8 +41,8 @@ static dd over(dd a, double n)
 }
 //< over
 
-/* This loop has no vectors. It is marked because the wide versions have fma as an instruction, and a call of fma takes
- * longer. */
+/* This loop has no vectors. It is marked because the wide versions have fma as an instruction, and a
+ * call of fma takes longer. */
 FVI_VECTORS static void make_weights(double alpha, size_t count, double *w)
 {
     //> weights

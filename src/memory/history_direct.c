@@ -132,8 +132,8 @@ static void push(fvi_history_head *head, const double *term, double *H)
 }
 //< direct
 
-/* Compute the same sums with the derivatives of the weights. The derivative of w_0 = 1 is 0, so the newest term adds
- * nothing. */
+/* Compute the same sums with the derivatives of the weights. The derivative of w_0 = 1 is 0, so the
+ * newest term adds nothing. */
 static void push_by_order(fvi_history_head *head, const double *term, double *H,
                           double *rate)
 {

@@ -73,7 +73,9 @@ void *fvi_history_make(fvi_history_head of);
 /* ---- the direct sum (history_direct.c) ---- */
 
 size_t fvi_history_direct_bytes(size_t d, size_t steps);
-/* by_order: nonzero for an engine with push_by_order. Then 0 <= nu <= 1 is allowed. */
+/* fvi_history_direct_alloc -- Allocate an engine for the weights of order nu, or return NULL if memory is short.
+ * by_order: nonzero for an engine with push_by_order; then 0 <= nu <= 1 is allowed. fvi_history_direct_bytes is its
+ * size without push_by_order. */
 fvi_history_head *fvi_history_direct_alloc(double nu, int by_order, size_t d, size_t steps);
 /* fvi_history_direct_of -- Allocate an engine for the weights 1, w_1, ..., w_steps of the caller. depend_on_steps:
  * nonzero if the last digits of the weights depend on `steps`. Then a longer run can go on from an archived state only
@@ -93,7 +95,7 @@ enum {
 #define FVI_LONGEST 1000000000
 #define FVI_LEAST_TOLERANCE 1e-14
 
-/* fvi_history_modes_nodes -- Approximate the weights by a sum of exponentials.           [(12.6), (12.7)]
+/* fvi_history_modes_nodes -- Approximate the weights by a sum of exponentials. [(12.6), (12.7)]
  *
  *     |w_n - sum_q c_q exp(-n s_q)| <= delta |w_n|,   FVI_TAIL <= n <= N
  *
@@ -102,14 +104,14 @@ enum {
  *   delta  relative error of a weight, 1e-15 <= delta <= 1/50
  *   s, c   outputs, Q numbers each, with 0 < s_0 < s_1 < ... and c_q <= 0; or both NULL
  *   rate   NULL, or output: dc_q/dnu with the s_q held fixed, so that the sum of rate_q exp(-n s_q) is dw_n/dnu; then
- *          0 <= nu <= 1 is allowed           [(23.11)]
+ *          0 <= nu <= 1 is allowed [(23.11)]
  *
  * Return Q, about (ln(N/33) + ln(1/delta) ...)/h: see (12.7). */
 size_t fvi_history_modes_nodes(double nu, double N, double delta, double *s,
                               double *c, double *rate);
 
-/* fvi_node_range -- The positions of the nodes: s = exp(t - exp(-t)) / N with t = left + q step, q = 0, ..., Q - 1.   
- * [(12.9), (12.10)] */
+/* fvi_node_range -- The positions of the nodes: s = exp(t - exp(-t)) / N with t = left + q step, q = 0, ...,
+ * Q - 1. [(12.9), (12.10)] */
 typedef struct {
     double left, step;
     size_t Q;

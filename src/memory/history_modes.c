@@ -106,8 +106,8 @@ static double *further(const modes_engine *e)
     return e->rates + e->Q + FVI_WINDOW;
 }
 
-/* Split w_1, ..., w_32, or their derivatives, into the weights of the two newest terms and the window of the older
- * terms. */
+/* Split w_1, ..., w_32, or their derivatives, into the weights of the two newest terms and the
+ * window of the older terms. */
 static void open_window(const double *w, double *near, double *window)
 {
     memcpy(near, w + 1, PAIR * sizeof *w);

@@ -23,8 +23,8 @@ size_t fvi_history_terms(const fvi_history *m);
  *   count     a multiple of 16; the last part ends at d instead
  *   x, dx, H  the `count` numbers of this part; H may be x or dx
  *
- * All parts together are one fvi_history_push, with the same digits. Return FVI_SUCCESS, or FVI_EINVAL after steps + 1
- * terms. */
+ * All parts together are one fvi_history_push, with the same digits. Return FVI_SUCCESS, or FVI_EINVAL
+ * after steps + 1 terms. */
 int fvi_history_push_part(fvi_history *m, size_t first, size_t count,
                          const double *x, const double *dx, double *H);
 

@@ -7,8 +7,8 @@
 #include <math.h>
 
 //> step
-/* Return the step for which (12.8) promises an error of delta / 2, with the eps that is optimal for the step h. order
- * is 1 + nu. */
+/* Return the step for which (12.8) promises an error of delta / 2, with the eps that is optimal for the
+ * step h. order is 1 + nu. */
 static double next(double h, double order, double delta)
 {
     const double eps = order * h / (2 * M_PI);

@@ -1,5 +1,4 @@
-/* src/memory/past.c -- Compute the force of the initial history, that is, of the motion before t = 0.                 
- * [H 19] */
+/* src/memory/past.c -- Compute the force of the initial history, that is, of the motion before t = 0. [H 19] */
 #include <fvi/past.h>
 
 #include "system/digamma.h"
@@ -56,8 +55,8 @@ static void lagrange(size_t n, const double *c, size_t i, double *l)
     }
 }
 
-/* Return l_i(c) by the recurrence of the Legendre polynomials. At the nodes it is 1 or 0, up to the rounding errors of
- * lagrange. */
+/* Return l_i(c) by the recurrence of the Legendre polynomials. At the nodes it is 1 or 0, up to the
+ * rounding errors of lagrange. */
 static double lagrange_at(size_t n, const double *l, double c)
 {
     const double y = (c - 0.5) * 2;

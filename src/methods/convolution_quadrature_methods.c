@@ -1,5 +1,4 @@
-/* src/methods/convolution_quadrature_methods.c -- The integrators of order 2: fvi-shifted, fvi-bdf2, fvi-stable.       
- *           [H 13] */
+/* src/methods/convolution_quadrature_methods.c -- fvi-shifted, fvi-bdf2 and fvi-stable, of order 2.  [H 13] */
 #include <fvi/convolution_quadrature_methods.h>
 #include "convolution_quadrature_dampers.h"
 #include "mechanism/mechanism.h"
@@ -26,8 +25,8 @@ static int force_after(fvi_stepper *s, size_t k)
 }
 //< force
 
-/* Filter the coordinates in groups of eight. The sum of each coordinate keeps its order, and eight sums run side by
- * side. */
+/* Filter the coordinates in groups of eight. The sum of each coordinate keeps its order, and eight
+ * sums run side by side. */
 FVI_VECTORS static void filter_eights(const fvi_cq_damper *o, size_t count, const double *past, double *term)
 {
     enum { EIGHT = 8 };

@@ -289,8 +289,8 @@ int fvi_damping_copy(const fvi_damping *from, fvi_damping **to)
     return FVI_SUCCESS;
 }
 
-/* z and dz belong to one step only, so they are not archived. The history has one term from the start and one from each
- * step. */
+/* z and dz belong to one step only, so they are not archived. The history has one term from the start
+ * and one from each step. */
 int fvi_damping_archive(fvi_damping *d, size_t k, fvi_archive *v)
 {
     int status = FVI_SUCCESS;

@@ -39,8 +39,8 @@ int fvi_damping_velocity(const fvi_system *system, const double *p, double *v);
 int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
                                fvi_damping *damping);
 
-/* fvi_damping_multiply -- Compute y += factor C x, d numbers each. Return FVI_SUCCESS; FVI_ENOMEM; or the code of the
- * matrix. */
+/* fvi_damping_multiply -- Compute y += factor C x, d numbers each. Return FVI_SUCCESS; FVI_ENOMEM; or
+ * the code of the matrix. */
 int fvi_damping_multiply(const fvi_damping_matrix *C, size_t d, double factor,
                          const double *x, double *y);
 
@@ -74,8 +74,8 @@ int fvi_damping_apply_force(const fvi_damping *damping, double share, const doub
  * the part that was allocated, so the caller must free it in any case. */
 int fvi_damping_start(const fvi_stepper *s, int is_caputo, fvi_damping **damping);
 
-/* fvi_damping_keep -- Start to sum the impulses and the work of all dampers, at k = 0. Return FVI_SUCCESS or
- * FVI_ENOMEM. */
+/* fvi_damping_keep -- Start to sum the impulses and the work of all dampers, at k = 0. Return
+ * FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_damping_keep(fvi_damping *damping);
 
 /* fvi_damping_before, fvi_damping_after -- Record p before and after a damper has acted on it.
@@ -103,8 +103,9 @@ static inline void fvi_damping_end_step(fvi_damping *damping, double h, const do
         fvi_damping_keep_step(damping, h, dx);
 }
 
-/* fvi_damping_sums -- Return the impulse and the work of damper j of a run. It is the member `damper` of a method, see
- * fvi_stepper_damper. */
+/* fvi_damping_sums -- Write the impulse and the work of damper j of a run; either output may be NULL. The function is
+ * the member `damper` of a method, see fvi_stepper_damper. Return FVI_SUCCESS; FVI_EINVAL if there is no damper j;
+ * FVI_EUNSUP if there are no dampers or their sums are not kept. */
 int fvi_damping_sums(const fvi_stepper *s, size_t j, double *impulse, double *work);
 
 /* fvi_damping_impulse -- Write the impulse of a damper for output. A damper along a row gives one number, a damper with
@@ -112,8 +113,8 @@ int fvi_damping_sums(const fvi_stepper *s, size_t j, double *impulse, double *wo
 void fvi_damping_impulse(const fvi_damper *damper, size_t d, const double *kept,
                          double *impulse);
 
-/* fvi_damping_of -- Return the first damper of a stepper of Algorithm 3 or of a method of order 2, or NULL if nothing
- * is damped. */
+/* fvi_damping_of -- Return the first damper of a stepper of Algorithm 3 or of a method of order 2, or
+ * NULL if nothing is damped. */
 const fvi_damping *fvi_damping_of(const fvi_stepper *s);
 
 /* fvi_damping_move_origin -- Add `by`, d numbers, to the origins of all dampers of a stepper. Then s->x may jump by the
@@ -125,8 +126,8 @@ int fvi_damping_move_origin(fvi_stepper *s, const double *by);
  * FVI_ENOMEM. After an error the caller must free *to. */
 int fvi_damping_copy(const fvi_damping *from, fvi_damping **to);
 
-/* fvi_damping_archive -- Serialise the state of all dampers after k steps, as fvi_stepper_archive does. NULL is
- * allowed. */
+/* fvi_damping_archive -- Serialise the state of all dampers after k steps, as fvi_stepper_archive
+ * does. NULL is allowed. */
 int fvi_damping_archive(fvi_damping *damping, size_t k, fvi_archive *archive);
 
 /* fvi_damping_free -- Free the list of dampers. NULL is allowed. */

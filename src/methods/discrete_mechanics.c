@@ -1,5 +1,4 @@
-/* src/methods/discrete_mechanics.c -- Discrete Lagrangians, Algorithms 1 and 2, and Euler's methods.              [H
- * 2] */
+/* src/methods/discrete_mechanics.c -- Discrete Lagrangians, Algorithms 1 and 2, and Euler's methods.  [H 2] */
 #include <fvi/discrete_mechanics.h>
 
 #include "stability_number.h"

@@ -1,5 +1,4 @@
-/* src/methods/initial_history_force.c -- The force of the initial history in a run, which is added to Caputo's damping.
- * [H 19] */
+/* src/methods/initial_history_force.c -- The force of the initial history in a run.  [H 19] */
 #include "initial_history_force.h"
 
 #include "system/all_zero.h"
@@ -41,10 +40,10 @@ static int set_size(const fvi_system *system, const fvi_run_damper *damper, doub
     return FVI_SUCCESS;
 }
 
-/* Prepare the force. A matrix may be distributed over several processes, and all of them must take part in the product
- * with C. So before the product the function returns only for reasons that are the same in all processes; A = 0 is
- * none. To prepare the impulses of a law takes time, so this is done after the product, and only if this process needs
- * them. */
+/* Prepare the force. A matrix may be distributed over several processes, and all of them must take part in the
+ * product with C. So before the product the function returns only for reasons that are the same in all
+ * processes; A = 0 is none. To prepare the impulses of a law takes time, so this is done after the product, and
+ * only if this process needs them. */
 static int start(const fvi_stepper *s, const fvi_run_damper *damper, size_t n,
                  const double *c, double *A, fvi_initial_history_force *force)
 {

@@ -1,7 +1,7 @@
-/* src/methods/initial_history_force.h -- The force of the initial history in a run, which is added to Caputo's damping.
- * [H 19]
+/* src/methods/initial_history_force.h -- The force of the initial history in a run.  [H 19]
  *
- * This header is internal. The integrators of H 13 and H 17 use it. */
+ * This header is internal. The integrators of H 13 and H 17 use it. The force is the difference between the damping
+ * with another past and Caputo's damping, (19.3). */
 #ifndef FVI_INITIAL_HISTORY_FORCE_H
 #define FVI_INITIAL_HISTORY_FORCE_H
 
@@ -46,8 +46,8 @@ int fvi_initial_history_amplitudes(const fvi_system *system,
                                    const fvi_run_damper *damper, const double *x0,
                                    const double *p0, double *A);
 
-/* fvi_initial_history_force_impulses -- Write the impulses at the nodes of step k to impulse, without the factor
- * `size`. */
+/* fvi_initial_history_force_impulses -- Write the impulses at the nodes of step k to impulse,
+ * without the factor `size`. */
 void fvi_initial_history_force_impulses(const fvi_initial_history_force *force, size_t k,
                                         double *impulse);
 

@@ -1,7 +1,7 @@
-/* src/methods/lobatto_matrices.h -- Take steps with stages for a system with matrices.      [H 27]
+/* src/methods/lobatto_matrices.h -- Take steps with stages for a system with matrices.  [H 27]
  *
- * This header is internal. If the system has matrices, the methods of lobatto_start.c start these steps instead of
- * their own. */
+ * This header is internal. If the system has matrices, the methods of lobatto_start.c start these
+ * steps instead of their own. */
 #ifndef FVI_LOBATTO_MATRICES_H
 #define FVI_LOBATTO_MATRICES_H
 
@@ -72,7 +72,7 @@ int fvi_lobatto_matrices_start(fvi_stepper *s, size_t stages, int damped);
  * of the last step computed. Return NULL for any other stepper. */
 fvi_lobatto_matrices *fvi_lobatto_matrices_of(const fvi_stepper *s);
 
-/* fvi_lobatto_matrices_step -- Take a step. It is the member `step` of a method.                        [(27.14)] */
+/* fvi_lobatto_matrices_step -- Take a step. It is the member `step` of a method. [(27.14)] */
 int fvi_lobatto_matrices_step(fvi_stepper *s);
 
 /* fvi_lobatto_matrices_solve -- Solve the equation of a step. The input is Kx, Kv, F, and z, Y and impulse of each
@@ -83,8 +83,8 @@ int fvi_lobatto_matrices_solve(const fvi_stepper *s, fvi_lobatto_matrices *o);
 /* fvi_lobatto_matrices_ends -- Compute the sums of the last step, as fvi_step_ends does. */
 int fvi_lobatto_matrices_ends(const fvi_stepper *s, fvi_step_sums *sums);
 
-/* fvi_lobatto_matrices_has_initial_history_force -- Return nonzero if the initial history of a damper has a force.
- * (19.3) */
+/* fvi_lobatto_matrices_has_initial_history_force -- Return nonzero if the initial history of a
+ * damper has a force. (19.3) */
 int fvi_lobatto_matrices_has_initial_history_force(const fvi_stepper *s);
 
 /* ---- lobatto_matrices_dampers.c ---- */
@@ -132,8 +132,8 @@ int fvi_step_map_apply(fvi_stepper *s, fvi_lobatto_matrices *o);
 /* fvi_step_map_finish -- Compute V and the forces of the last step, if they have not been computed yet. */
 void fvi_step_map_finish(fvi_lobatto_matrices *o);
 
-/* fvi_step_map_copy -- Copy the map of a structure with d unknowns to `to`, which has no map. Return FVI_SUCCESS or
- * FVI_ENOMEM. */
+/* fvi_step_map_copy -- Copy the map of a structure with d unknowns to `to`, which has no map. Return
+ * FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_step_map_copy(size_t d, const fvi_step_map *from, fvi_step_map *to);
 void fvi_step_map_stop(fvi_step_map *map);
 

@@ -1,5 +1,4 @@
-/* src/methods/stability_number.h -- The stability numbers and the kinds of history in the tables of the methods.    [H
- * 13, 14 and 17]
+/* src/methods/stability_number.h -- Stability numbers and kinds of history of the methods.  [H 13, 14, 17]
  *
  * Each function is a member stability_number of a method. It computes the load that fvi_stability_number describes, and
  * returns its codes. */

@@ -90,8 +90,8 @@ int fvi_step_begins(const fvi_stepper *s, fvi_step_begin *begin)
     return fvi_step_force(s, fvi_just_after((double)s->k * s->run.h), begin->F);
 }
 
-/* Compute the sums for a method with one gradient in a step. Its force acts at the end of the step, or half at either
- * end. */
+/* Compute the sums for a method with one gradient in a step. Its force acts at the end of the step,
+ * or half at either end. */
 static void of_nodes(const fvi_stepper *s, const fvi_step_begin *begin,
                      const double *hit, fvi_step_sums *sums)
 {

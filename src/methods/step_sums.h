@@ -25,8 +25,8 @@ typedef struct {
     double by_force;
 } fvi_step_sums;
 
-/* fvi_step_force -- Write F(t) to F, d numbers; zeros if there is no force. Return FVI_SUCCESS, or the code of the
- * force. */
+/* fvi_step_force -- Write F(t) to F, d numbers; zeros if there is no force. Return FVI_SUCCESS, or
+ * the code of the force. */
 int fvi_step_force(const fvi_stepper *s, double t, double *F);
 
 /* fvi_step_forces_at_stages -- Write F at the s stages of step k, d numbers each. At the ends of the step F is the
@@ -34,8 +34,8 @@ int fvi_step_force(const fvi_stepper *s, double t, double *F);
 int fvi_step_forces_at_stages(const fvi_stepper *s, size_t k, size_t stages,
                               const fvi_lobatto_rule *rule, double *F);
 
-/* fvi_step_dampers -- Return the number of dampers that have a force on each coordinate: the dampers of a structure,
- * else 1. */
+/* fvi_step_dampers -- Return the number of dampers that have a force on each coordinate: the dampers
+ * of a structure, else 1. */
 size_t fvi_step_dampers(const fvi_system *system);
 
 /* fvi_step_begins -- Record the state before a step. Return FVI_SUCCESS, or the code of the force. */

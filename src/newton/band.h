@@ -32,8 +32,8 @@ static inline double *fvi_band_row(const fvi_band *J, size_t i)
     return J->entry + i * J->stride;
 }
 
-/* fvi_band_factorise -- Replace J by its LU factors. Return FVI_SUCCESS, or FVI_ESING if a pivot is zero. Cost: O(n
- * w^2). */
+/* fvi_band_factorise -- Replace J by its LU factors. Return FVI_SUCCESS, or FVI_ESING if a pivot
+ * is zero. Cost: O(n w^2). */
 int fvi_band_factorise(fvi_band *J);
 
 /* fvi_band_solve -- Replace v by J^-1 v. J holds its factors. Cost: O(n w). */

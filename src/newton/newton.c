@@ -75,8 +75,8 @@ static int solve_linear(fvi_newton *n, const double *x, const double *r,
     return status ? status : fvi_newton_gradients(n, x, d, g);
 }
 
-/* Solve the same equation if the Hessian is diagonal: divide once for each coordinate, and update the gradient by the
- * Hessian. */
+/* Solve the same equation if the Hessian is diagonal: divide once for each coordinate, and update the
+ * gradient by the Hessian. */
 static int solve_diagonal(fvi_newton *n, const double *x, const double *r,
                           double *d, double *g)
 {
@@ -147,10 +147,10 @@ static int is_noise(const fvi_newton *n)
     return 1;
 }
 
-/* Return 1 if Newton's method no longer gains digits. Near a simple root each step is about the square of the step
- * before. So something is wrong with a step that is below half of the digits of d and is not even half of the step
- * before: the gradient is less exact than is_noise assumes, or the root is double. A double root has only half of the
- * digits. */
+/* Return 1 if Newton's method no longer gains digits. Near a simple root each step is about the square of the
+ * step before. So something is wrong with a step that is below half of the digits of d and is not even half of
+ * the step before: the gradient is less exact than is_noise assumes, or the root is double. A double root has
+ * only half of the digits. */
 static int is_stuck(const fvi_newton *n)
 {
     return n->size >= n->last / 2

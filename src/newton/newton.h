@@ -31,7 +31,7 @@ typedef struct fvi_newton fvi_newton;
 int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
                      double theta, fvi_newton **newton);
 
-/* fvi_newton_stages_alloc -- Allocate a solver of the equations of q stages.       [(17.8)]
+/* fvi_newton_stages_alloc -- Allocate a solver of the equations of q stages. [(17.8)]
  *
  *     d_l + sum_{i=1}^{q} s_li o grad U(x + d_i) = r_l,   l = 1, ..., q
  *
@@ -46,7 +46,7 @@ int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
 int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
                             fvi_newton **newton);
 
-/* fvi_newton_matrices_alloc -- Allocate a solver of (2.10) for a system with matrices:              [(27.3)]
+/* fvi_newton_matrices_alloc -- Allocate a solver of (2.10) for a system with matrices: [(27.3)]
  *
  *     (m M + sum_j c_j C_j) d + s K (x + theta d) = r
  *

@@ -1,5 +1,4 @@
-/* src/newton/newton_lanes.c -- Solve the equations of several oscillators at once, as the lanes of one vector.   [H
- * 28] */
+/* src/newton/newton_lanes.c -- Solve the equations of several oscillators as lanes of a vector.  [H 28] */
 #include "newton_lanes.h"
 
 #include "newton_move.h"
@@ -89,8 +88,8 @@ FVI_VECTORS static double move_lanes(lanes_at_work *restrict w, double theta, co
 
 /* ---- lanes solved one by one ---- */
 
-/* Solve the equation of lane l with the solver of a single run, including everything it does when Newton's method
- * fails. */
+/* Solve the equation of lane l with the solver of a single run, including everything it does when
+ * Newton's method fails. */
 static int solve_alone(fvi_newton *n, size_t l, const double *x, const double *r, double *d,
                        double *g)
 {

@@ -1,5 +1,4 @@
-/* src/newton/newton_stages.c -- Evaluate the equations of the stages and their Jacobian; allocate and free solvers. [H
- * 2] */
+/* src/newton/newton_stages.c -- The equations of the stages, their Jacobian, and the memory of a solver.  [H 2] */
 #include "linearised.h"
 
 #include "system/fail.h"

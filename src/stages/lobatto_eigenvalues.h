@@ -12,7 +12,7 @@ typedef struct {
 } fvi_lobatto_pair;
 
 /* fvi_lobatto_eigenvalues -- Write the (s + 1)/2 eigenvalues with Im lambda >= 0 and their eigenvectors to pair. A real
- * eigenvalue comes first.  [(27.13)]
+ * eigenvalue comes first. [(27.13)]
  *
  *     f(A^{-1}) = sum over the pairs of f(lambda) v w^T, plus its conjugate if lambda is not real
  *

@@ -272,8 +272,8 @@ int fvi_lobatto_history_copy(const fvi_lobatto_history *from,
     return FVI_SUCCESS;
 }
 
-/* The number of stored lags and the nodes may depend on the number of steps. They are archived as constants, which must
- * be equal. */
+/* The number of stored lags and the nodes may depend on the number of steps. They are archived as
+ * constants, which must be equal. */
 int fvi_lobatto_history_archive(fvi_lobatto_history *m, size_t k, fvi_archive *v)
 {
     const size_t number = sizeof(double);

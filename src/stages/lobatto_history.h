@@ -31,9 +31,9 @@ int fvi_lobatto_history_alloc(size_t s, double beta, size_t d, size_t steps,
                              fvi_history_kind kind, double tolerance,
                              fvi_lobatto_history **memory);
 
-/* fvi_lobatto_history_alloc_by_order -- Allocate a history that also gives the derivatives of its sums by beta, with
- * fvi_lobatto_history_push_by_order. Arguments and codes are the same. Here beta = 0 and beta = -1 need their full
- * history. */
+/* fvi_lobatto_history_alloc_by_order -- Allocate a history that also gives the derivatives of its sums by
+ * beta, with fvi_lobatto_history_push_by_order. Arguments and codes are the same. Here beta = 0 and beta = -1
+ * need their full history. */
 int fvi_lobatto_history_alloc_by_order(size_t s, double beta, size_t d, size_t steps,
                                   fvi_history_kind kind, double tolerance,
                                   fvi_lobatto_history **memory);
@@ -51,19 +51,19 @@ int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, siz
 double fvi_lobatto_history_bytes(size_t s, double beta, size_t d, size_t steps,
                                 fvi_history_kind kind, double tolerance);
 
-/* fvi_lobatto_history_copy -- Copy a history in its current state. Return FVI_SUCCESS or FVI_ENOMEM; then *to is
- * unchanged. */
+/* fvi_lobatto_history_copy -- Copy a history in its current state. Return FVI_SUCCESS or FVI_ENOMEM;
+ * then *to is unchanged. */
 int fvi_lobatto_history_copy(const fvi_lobatto_history *from,
                             fvi_lobatto_history **to);
 
 /* fvi_lobatto_history_now -- Return W_0, entry (i, j) at [i * s + j], owned by the history. */
 const double *fvi_lobatto_history_now(const fvi_lobatto_history *memory);
 
-/* fvi_lobatto_history_now_by_order -- Return the derivative of W_0 by beta, owned by the history. The history was made
- * by_order. */
+/* fvi_lobatto_history_now_by_order -- Return the derivative of W_0 by beta, owned by the history. The
+ * history was made by_order. */
 const double *fvi_lobatto_history_now_by_order(const fvi_lobatto_history *memory);
 
-/* fvi_lobatto_history_push -- Take in v_k and compute H_{k+1}.           [(17.12)]
+/* fvi_lobatto_history_push -- Take in v_k and compute H_{k+1}. [(17.12)]
  *
  *   v  s d numbers: stage i of coordinate j at [j * s + i]
  *   H  output, ordered as v; may be v
@@ -73,9 +73,9 @@ const double *fvi_lobatto_history_now_by_order(const fvi_lobatto_history *memory
 int fvi_lobatto_history_push(fvi_lobatto_history *memory, const double *v,
                             double *H);
 
-/* fvi_lobatto_history_push_by_order -- Take in v_k, and compute H_{k+1} and its derivative by beta for fixed v.  
- * [(23.14)]   Hdot is an output, ordered as H. The codes are the same, and FVI_EUNSUP if the history was not made
- * by_order. */
+/* fvi_lobatto_history_push_by_order -- Take in v_k, and compute H_{k+1} and its derivative by beta for
+ * fixed v. [(23.14)] Hdot is an output, ordered as H. The codes are the same, and FVI_EUNSUP if the history
+ * was not made by_order. */
 int fvi_lobatto_history_push_by_order(fvi_lobatto_history *memory, const double *v,
                                  double *H, double *Hdot);
 

@@ -14,9 +14,9 @@
 
 enum { ASKED = 8 }; /* a division asks the interrupter after every eighth matrix */
 
-/* Return 1 if the term is a fraction without nodes. Its weights are computed by a division of power series. The pole of
- * such a term lies near the cut or off it, or its weight on the cut changes sign. A Maxwell element has a node at its
- * pole. */
+/* Return 1 if the term is a fraction without nodes. Its weights are computed by a division of power series.
+ * The pole of such a term lies near the cut or off it, or its weight on the cut changes sign. A Maxwell
+ * element has a node at its pole. */
 static int is_divided(const fvi_kernel_simple *t)
 {
     const int turns = t->alpha > 0.5 && 2 * (t->alpha - t->below) < 1;

@@ -1,5 +1,4 @@
-/* src/stages/lobatto_modes.c -- Advance the near lags and the modes of a history on Lobatto nodes by one step.    [H
- * 17] */
+/* src/stages/lobatto_modes.c -- Advance a history on Lobatto nodes by one step.  [H 17] */
 #include "lobatto_weights.h"
 #include "variable_rule.h" /* fvi_four */
 

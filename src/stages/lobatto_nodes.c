@@ -213,9 +213,9 @@ static void sweep(double *a, double *b, double *first, size_t from, size_t to)
     b[to] = 0;
 }
 
-/* Compute the eigenvalues of the tridiagonal matrix with the diagonal a and the side diagonal b, and write them to a.
- * They are the Gauss nodes, and the squares of the first entries of the eigenvectors are their weights (Golub and
- * Welsch). */
+/* Compute the eigenvalues of the tridiagonal matrix with the diagonal a and the side diagonal b, and write
+ * them to a. They are the Gauss nodes, and the squares of the first entries of the eigenvectors are their
+ * weights (Golub and Welsch). */
 static void find_eigenvalues(size_t n, double *a, double *b, double *first)
 {
     enum { SWEEPS = 40 };
@@ -233,8 +233,8 @@ static void find_eigenvalues(size_t n, double *a, double *b, double *first)
         }
 }
 
-/* Write the Gauss rule with this recurrence to q and p, scaled to the interval from 0 to mu and to the total weight
- * `sum`. */
+/* Write the Gauss rule with this recurrence to q and p, scaled to the interval from 0 to mu and to
+ * the total weight `sum`. */
 static void place_gauss(size_t few, double *here, double *beside, double sum, double mu, double *q, double *p)
 {
     double first[MOST_FEW];

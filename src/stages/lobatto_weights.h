@@ -31,7 +31,7 @@ double fvi_lobatto_polynomial(const fvi_lobatto_rule *r, size_t s, size_t j,
 void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
                        double A[FVI_STAGES][FVI_STAGES]);
 
-/* fvi_lobatto_weights -- Compute the matrices W_0, ..., W_{n-1}.      [(17.5), (17.10)]
+/* fvi_lobatto_weights -- Compute the matrices W_0, ..., W_{n-1}. [(17.5), (17.10)]
  *
  *   s     number of stages, 2 to 8
  *   beta  -1 <= beta <= 1
@@ -46,7 +46,7 @@ void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
  * addressed; FVI_EDOM if beta is out of range; FVI_ENOMEM. On error W is unchanged. */
 int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W);
 
-/* fvi_lobatto_weights_by_order -- Compute W_0, ..., W_{n-1}, and their derivatives by beta.  [(23.14)]
+/* fvi_lobatto_weights_by_order -- Compute W_0, ..., W_{n-1}, and their derivatives by beta. [(23.14)]
  *
  *   s, beta, n, W  as above
  *   rate           output, ordered as W, or NULL
@@ -58,15 +58,15 @@ int fvi_lobatto_weights_by_order(size_t s, double beta, size_t n, double *W,
 
 /* ---- lobatto_nodes.c: internal, nothing is checked ---- */
 
-/* fvi_lobatto_nodes -- Approximate W_n by a sum over nodes, for FVI_LAGS < n <= N.  [(17.10)]
+/* fvi_lobatto_nodes -- Approximate W_n by a sum over nodes, for FVI_LAGS < n <= N. [(17.10)]
  *
  *     W_n = sum_j q_j r_j^(n-1) a_j a~_j^T,   r_j = 1 - p_j,
  *     a~_j: the entries of a_j backwards, entry i times b_i
  *
  *   N          longest lag, N >= 1
  *   tolerance  error of the sum relative to W_0, 1e-16 <= tolerance < 1
- *   by_order   nonzero: compute rate_j, too. The same sum with rate_j in place of q_j is the derivative of W_n by beta
- *              [(23.14)]
+ *   by_order   nonzero: compute rate_j, too. The same sum with rate_j in place of q_j is the derivative
+ *              of W_n by beta [(23.14)]
  *   q, p       outputs, Q numbers each
  *   rate       output, Q numbers; not touched if by_order is 0
  *   a          output, s Q numbers: entry i of a_j at [i * stride + j]
@@ -93,7 +93,7 @@ size_t fvi_lobatto_gauss(size_t count, double N, double tolerance, double *q, do
 
 enum { FVI_MODE_LANES = 8 }; /* Q is a multiple of this number in the functions below */
 
-/* fvi_lobatto_add_near -- Compute sum += sum_n W_n v_{k-n} over the near lags 1 <= n <= min(lags, k), in this order.   
+/* fvi_lobatto_add_near -- Compute sum += sum_n W_n v_{k-n} over the near lags 1 <= n <= min(lags, k), in this order.
  *                                                               [(17.9)]
  *
  *   W     entry (i, j) of W_n at [(n * s + j) * s + i]
@@ -102,7 +102,7 @@ enum { FVI_MODE_LANES = 8 }; /* Q is a multiple of this number in the functions 
 void fvi_lobatto_add_near(size_t s, size_t lags, size_t k, const double *W, const double *past,
                           double *sum);
 
-/* fvi_lobatto_advance -- Advance the modes of one coordinate by a step, and add their sum to H.  [(17.12)]
+/* fvi_lobatto_advance -- Advance the modes of one coordinate by a step, and add their sum to H. [(17.12)]
  *
  *     z_j += u.a_j - p_j z_j,   H += sum_j q_j a_j z_j
  *
@@ -131,7 +131,7 @@ typedef struct {
 } fvi_lobatto_span;
 
 /* fvi_lobatto_span_of -- Return the range of the nodes for powers from `least` to `most`; s, N and tolerance are those
- * of fvi_lobatto_nodes. The distance is `width` <= 1 times the distance for a power.     [(17.10)] */
+ * of fvi_lobatto_nodes. The distance is `width` <= 1 times the distance for a power. [(17.10)] */
 fvi_lobatto_span fvi_lobatto_span_of(size_t s, double least, double most,
                                      double N, double tolerance, double width);
 

@@ -1,4 +1,4 @@
-/* src/stages/stage_solver.h -- Solve the equation of all stages of a structure.     [H 27]
+/* src/stages/stage_solver.h -- Solve the equation of all stages of a structure.  [H 27]
  *
  *     (A^{-1} (x) M + h sum_j W_j (x) C_j + h^2 A (x) K) delta = h load
  *
@@ -7,8 +7,8 @@
  *
  *     Z = lambda M + h sum_j W_j(lambda) C_j + h^2 / lambda K                 (27.14)
  *
- * One equation is enough for a pair of conjugate eigenvalues. The equation of a small structure is inverted as a whole
- * instead. */
+ * One equation is enough for a pair of conjugate eigenvalues. The equation of a small structure is
+ * inverted as a whole instead. */
 #ifndef FVI_STAGE_SOLVER_H
 #define FVI_STAGE_SOLVER_H
 

@@ -11,7 +11,7 @@ typedef struct {
 } fvi_last_step;
 
 /* fvi_loop_gather -- Compute H_i = sum_q weight_q a_i(mu_q) y_q for i < s, and H_i = 0 for s <= i < FVI_LANES. Q is a
- * multiple of 4.     [(22.10)] */
+ * multiple of 4. [(22.10)] */
 void fvi_loop_gather(size_t s, size_t Q, const double *weight, const double *y,
                      const fvi_mode_row *row, double *H);
 

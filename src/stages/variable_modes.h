@@ -102,7 +102,7 @@ void fvi_modes_begin(fvi_modes *modes, fvi_length length);
 void fvi_modes_history(const fvi_modes *modes, size_t j, double *H);
 
 /* fvi_modes_history_by_order -- Compute dH/dbeta with the states y or z held fixed, ordered as H. fvi_modes_add_order
- * must have been called. Cost: O(Q s).                                    (23.18) */
+ * must have been called. Cost: O(Q s). (23.18) */
 void fvi_modes_history_by_order(const fvi_modes *modes, size_t j, double *H);
 
 /* fvi_modes_advance -- Take the step that has begun, for coordinate j: (22.6), (22.7). Advance all coordinates before
@@ -123,7 +123,7 @@ double fvi_modes_decay(const fvi_modes *modes, size_t q);
 void fvi_modes_add(fvi_modes *modes, size_t j, size_t q, double more);
 
 /* fvi_modes_accumulate -- Return sum_q weight_q more_q w_q for coordinate j, in an adjoint run with all modes active.
- * The sum is the factor of mu if a run adds `more` to its history.           (23.25)
+ * The sum is the factor of mu if a run adds `more` to its history. (23.25)
  *
  *   more  one number for each mode: the change of y divided by sigma, or the change of z
  *   ve    the last mu

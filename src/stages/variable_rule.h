@@ -38,8 +38,8 @@ typedef struct {
     double last[FVI_LANES], stage, alias;
     /* (mu + A^{-1})^{-1} e_1 / b_1: entry i is sum_n numerator[i][n] mu^n divided by sum_n det[n] mu^n */
     double det[FVI_LANES + 1], numerator[FVI_LANES][FVI_LANES];
-    /* the eigenvalues of A^{-1} in the upper half plane, and vectors v such that v w^T with w_i = b_i v_{s-1-i} are the
-     * projectors */
+    /* the eigenvalues of A^{-1} in the upper half plane, and vectors v such that v w^T with w_i = b_i
+     * v_{s-1-i} are the projectors */
     double lambda_re[FVI_LANES / 2], lambda_im[FVI_LANES / 2];
     double log_modulus[FVI_LANES / 2], angle[FVI_LANES / 2];
     double re[FVI_LANES / 2][FVI_LANES], im[FVI_LANES / 2][FVI_LANES];
@@ -53,8 +53,7 @@ const fvi_variable_rule *fvi_variable(size_t s);
 void fvi_variable_powers(const fvi_variable_rule *rule, double beta, double *re,
                          double *im);
 
-/* fvi_variable_present -- Compute W0 = (A^{-1})^beta, the matrix of h^beta D^beta within a step of any length h.   
- * (22.2)
+/* fvi_variable_present -- Compute W0 = (A^{-1})^beta, the matrix of h^beta D^beta within a step of any length h. (22.2)
  *
  *     W0 = sum over the pairs of 2 Re(lambda^beta v w^T)
  *
@@ -71,12 +70,12 @@ void fvi_variable_function(const fvi_variable_rule *rule, const double *re,
                            const double *im, fvi_square *W);
 
 /* fvi_variable_present_by_order -- Compute dW0/dbeta = (A^{-1})^beta ln A^{-1} for beta in [-1, 1]. Accuracy and cost
- * are those of fvi_variable_present.                                        (23.18) */
+ * are those of fvi_variable_present. (23.18) */
 void fvi_variable_present_by_order(const fvi_variable_rule *rule, double beta,
                                fvi_square *W);
 
 /* fvi_variable_ends -- Compute the coefficients c_l that replace the part of a sum below 0 by corrections at six
- * points. With r = exp(FVI_SPACING every) and n = fvi_variable_apart(every),    (22.11)
+ * points. With r = exp(FVI_SPACING every) and n = fvi_variable_apart(every), (22.11)
  *
  *     sum_{m>=1} f(-m) = sum_l c_l f(n l),   f(m) = r^{nu m} (1, r^m, ..., r^{5 m}),   l = 0, ..., 5
  *
@@ -102,8 +101,8 @@ void fvi_square_apply(size_t s, const fvi_square *M, const double *in,
  * FVI_ESING. Cost: O(s^3), 0.15 us. */
 int fvi_square_invert(size_t s, fvi_square *M);
 
-/* fvi_variable_spacing -- Return the spacing L. Step lengths and decay rates on the lattice are integer powers of
- * exp(L). */
+/* fvi_variable_spacing -- Return the spacing L. Step lengths and decay rates on the lattice are
+ * integer powers of exp(L). */
 double fvi_variable_spacing(void);
 
 #endif

@@ -13,7 +13,7 @@ typedef struct {
     size_t stride;
 } fvi_mode_row;
 
-/* fvi_mode_row_make -- Compute a and p for n values of mu.                              (22.8)
+/* fvi_mode_row_make -- Compute a and p for n values of mu. (22.8)
  *
  *     a_i = numerator_i(mu) / det(mu),   p = mu b.a
  *

@@ -15,7 +15,7 @@ typedef struct {
     const double *up;
 } fvi_mode_ladder;
 
-/* fvi_mode_weights -- Compute the decay rates and the weights of the modes.                  (22.10) to (22.12)
+/* fvi_mode_weights -- Compute the decay rates and the weights of the modes. (22.10) to (22.12)
  *
  *   sigma, weight  outputs, Q numbers each; the weights include the corrections of the lower end
  *   top            output, FVI_ENDS numbers: the corrections of the upper end. If mode t is the last mode that is read,
@@ -24,7 +24,7 @@ void fvi_mode_weights(const fvi_mode_ladder *ladder, double *sigma,
                       double *weight, double *top);
 
 /* fvi_mode_weights_by_order -- Compute the derivatives of the weights by beta. At beta = 0 the derivative is taken from
- * below, and at beta = -1 from above, where the modes are y of (22.6).                (23.18)
+ * below, and at beta = -1 from above, where the modes are y of (22.6). (23.18)
  *
  *   rate, top_rate  outputs, Q and FVI_ENDS numbers */
 void fvi_mode_weights_by_order(const fvi_mode_ladder *ladder, double *rate,

@@ -24,8 +24,8 @@ static void exchange(double *x, double *y)
     *y = kept;
 }
 
-/* Find the row, from row j on, that has the largest entry in column j. Exchange this row with row j, and return its old
- * index. */
+/* Find the row, from row j on, that has the largest entry in column j. Exchange this row with row j,
+ * and return its old index. */
 static size_t bring_pivot(size_t n, double *A, size_t j)
 {
     size_t pivot = j;

@@ -6,8 +6,8 @@
 
 #include <fvi/lagrangian.h>
 
-/* fvi_lagrangian_of -- Return the Lagrangian of the system's mechanism, or NULL if the system has only masses and a
- * potential. */
+/* fvi_lagrangian_of -- Return the Lagrangian of the system's mechanism, or NULL if the system has only
+ * masses and a potential. */
 const fvi_lagrangian *fvi_lagrangian_of(const fvi_system *system);
 
 /* fvi_lagrangian_point -- Evaluate the Lagrangian and its derivatives at (x, v, t). The outputs are the outputs of `at`

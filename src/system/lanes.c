@@ -1,5 +1,4 @@
-/* src/system/lanes.c -- Evaluate potentials and forces of several oscillators at once, as the lanes of one vector.     
- *  [H 28] */
+/* src/system/lanes.c -- Evaluate potentials and forces of several oscillators as lanes of a vector.  [H 28] */
 #include "lanes.h"
 
 #include "quadratic.h"

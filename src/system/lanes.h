@@ -1,5 +1,4 @@
-/* src/system/lanes.h -- Evaluate potentials and forces of several oscillators at once, as the lanes of one vector.     
- *  [H 28]
+/* src/system/lanes.h -- Evaluate potentials and forces of several oscillators as lanes of a vector.  [H 28]
  *
  * This header is internal. batch.h makes lanes of several runs. Each run has one coordinate and becomes a lane: one
  * coordinate of a common system. So one vector of the processor holds one number of each lane. The digits of a lane are
@@ -54,8 +53,8 @@ typedef struct fvi_lanes {
     void *potential, *force;
 } fvi_lanes;
 
-/* fvi_lanes_prepare -- Prepare potential and force. The caller has set count and system. Return FVI_SUCCESS or
- * FVI_ENOMEM.
+/* fvi_lanes_prepare -- Prepare potential and force. The caller has set count and system. Return
+ * FVI_SUCCESS or FVI_ENOMEM.
  * fvi_lanes_discard -- Free potential and force. */
 int fvi_lanes_prepare(fvi_lanes *lanes);
 void fvi_lanes_discard(fvi_lanes *lanes);

@@ -1,5 +1,4 @@
-/* src/system/system.c -- Check a system, and evaluate its potential, energy and ready-made forces.                  [H
- * 2] */
+/* src/system/system.c -- Check a system, and evaluate its potential, energy and ready-made forces.  [H 2] */
 #include <fvi/system.h>
 
 #include "system/fail.h"
