@@ -32,7 +32,8 @@ size_t fvi_step_dampers(const fvi_system *system)
 
 /* ---- several dampers, each with its own history ---- */
 
-/* Write the part of the force of each damper that acts at the beginning of a step, (13.10). */
+/* Write the part of the force of each damper that acts at the beginning of a step, (13.10). A damper without a history,
+ * such as one with a matrix of zeros, is not in the list of the method, so each damper has its number. */
 static int begin_several(const fvi_stepper *s, double *dampers)
 {
     const fvi_cq_state *o = s->method_state;
@@ -40,11 +41,11 @@ static int begin_several(const fvi_stepper *s, double *dampers)
                  count = fvi_step_dampers(s->run.system);
     int status = FVI_SUCCESS;
     memset(dampers, 0, count * d * sizeof *dampers);
-    for (size_t j = 0; !is_of_order_1(s->method) && j < o->count && !status; j++)
-        if (o->each[j].theta != 0.5)
-            status = fvi_damping_apply_force(o->each[j].damping,
-                                             o->each[j].theta - 0.5,
-                                             o->each[j].H, dampers + j * d);
+    for (size_t j = 0; !is_of_order_1(s->method) && j < o->count && !status; j++) {
+        const fvi_cq_damper *a = o->each + j;
+        if (a->theta != 0.5)
+            status = fvi_damping_apply_force(a->damping, a->theta - 0.5, a->H, dampers + a->damping->number * d);
+    }
     return status;
 }
 
@@ -58,17 +59,15 @@ static int end_several(const fvi_stepper *s, const double *begun,
     const fvi_damping *own = fvi_damping_of(s);
     int status = FVI_SUCCESS;
     memcpy(dampers, begun, count * d * sizeof *dampers);
-    for (size_t j = 0; is_of_order_1(s->method) && own && !status;
-         j++, own = own->next)
-        status = fvi_damping_apply_force(own, -1, own->z, dampers + j * d);
+    for (; is_of_order_1(s->method) && own && !status; own = own->next)
+        status = fvi_damping_apply_force(own, -1, own->z, dampers + own->number * d);
     for (size_t j = 0; !is_of_order_1(s->method) && j < o->count && !status;
          j++) {
         const fvi_cq_damper *a = o->each + j;
-        status = fvi_damping_apply_force(a->damping, -0.5 - a->theta, a->H,
-                                         dampers + j * d);
+        double *own_force = dampers + a->damping->number * d;
+        status = fvi_damping_apply_force(a->damping, -0.5 - a->theta, a->H, own_force);
         for (size_t i = 0; a->history_force.size && i < d; i++)
-            dampers[j * d + i] += a->history_force.size[i]
-                                  * (a->impulse[0] + a->impulse[1]);
+            own_force[i] += a->history_force.size[i] * (a->impulse[0] + a->impulse[1]);
     }
     return status;
 }

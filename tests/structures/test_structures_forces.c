@@ -196,12 +196,50 @@ START_TEST(the_work_of_a_force_on_matrices_is_that_of_m_inverse_p)
 }
 END_TEST
 
+/* ---- a damper that does nothing ---- */
+
+/* A damper along a row of zeros has no history. Whether it is the first or the second damper, the work and the impulse of
+ * the other one are told under its own number, to the bit. With the numbers of the histories they stood under the first. */
+START_TEST(a_damper_without_a_history_keeps_its_number)
+{
+    static const double nothing[D];
+    building b;
+    build(&b);
+    const double *row = b.damper[0].of.row;
+    const fvi_kernel *kernel = b.damper[0].kernel;
+    const fvi_damper dampers[2][2] = {
+        { { .of = fvi_elongation_row(row), .kernel = kernel }, { .of = fvi_elongation_row(nothing), .kernel = kernel } },
+        { { .of = fvi_elongation_row(nothing), .kernel = kernel }, { .of = fvi_elongation_row(row), .kernel = kernel } }
+    };
+    for (size_t i = 0; i < LEN(takers); i++) {
+        fvi_structure *structure[2];
+        double work[2], impulse[2];
+        for (size_t n = 0; n < 2; n++) {
+            OK(fvi_structure_alloc_dampers(&b.M, &b.K, 2, dampers[n], &structure[n], NULL));
+            const fvi_system system = fvi_structure_system(structure[n]);
+            fvi_run run = run_of(&system, 0.5, 1. / 64, 96, shape, push);
+            observed w = begin(takers[i], &run);
+            const fvi_observation now = at(w, 1.5);
+            work[n] = now.work[n];
+            impulse[n] = now.impulse[n];
+            ck_assert_msg(now.work[1 - n] == 0 && now.impulse[1 - n] == 0, "%s: %g", takers[i]->name, now.work[1 - n]);
+            end(w);
+            fvi_structure_free(structure[n]);
+        }
+        ck_assert_msg(work[0] == work[1] && work[0] > 0, "%s: work %g, %g", takers[i]->name, work[0], work[1]);
+        ck_assert_msg(impulse[0] == impulse[1], "%s: impulse %g, %g", takers[i]->name, impulse[0], impulse[1]);
+    }
+    free_building(&b);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("structures_forces");
     ADD_CASE(suite, "any_steps", eq_27_11_the_forces_of_a_building_by_steps_of_its_own,
              the_row_at_the_start_has_forces_or_their_means, a_copy_and_a_saved_run_tell_the_same_forces,
-             the_work_of_a_force_on_matrices_is_that_of_m_inverse_p);
+             the_work_of_a_force_on_matrices_is_that_of_m_inverse_p,
+             a_damper_without_a_history_keeps_its_number);
     ADD_CASE(suite, "first_row", the_first_row_of_every_method_is_right);
     return run_suite(suite);
 }
