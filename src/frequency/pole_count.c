@@ -78,14 +78,16 @@ static double phase(const void *params, double u, double v)
     return fvi_stiffness_factorise(r, s, 1) ? GSL_NAN : fvi_stiffness_phase(r);
 }
 
-/* Return nonzero if the symbol has poles off the cut. */
+/* Return nonzero if the symbol has poles off the cut. A fraction has the denominator 1 + T s^b. This is zero where
+ * b |arg s| = pi, so it has zeros off the cut for b > 1 alone. */
 static int has_own_poles(const fvi_kernel *kernel)
 {
     for (size_t i = 0; i < kernel->count; i++) {
         const fvi_kernel_term *t = &kernel->term[i];
-        const int is_fraction =
-            t->kind == FVI_KERNEL_ZENER || t->kind == FVI_KERNEL_MAXWELL2;
-        if (is_fraction && t->rho > 0 && t->time > 0 && t->alpha > 0.5)
+        const double b = t->kind == FVI_KERNEL_ZENER      ? 2 * t->alpha
+                         : t->kind == FVI_KERNEL_MAXWELL2 ? 2 * (t->alpha - t->end)
+                                                          : 0;
+        if (t->rho > 0 && t->time > 0 && b > 1)
             return 1;
     }
     return 0;

@@ -103,6 +103,25 @@ START_TEST(eq_30_7_laws_on_both_sides_are_counted)
 }
 END_TEST
 
+/* Two springpots in series, of the orders 2 alpha and 2 end: their symbol has poles of its own if 2 (alpha - end) > 1,
+ * and then nothing is counted. */
+START_TEST(eq_30_7_springpots_in_series_are_counted_if_their_symbol_has_no_poles)
+{
+    linear_system s;
+    make_system(2, &s);
+    s.term[1][0] = (fvi_kernel_term){ FVI_KERNEL_MAXWELL2, 1, 0.7, 2, 0.3 };
+    const fvi_linear_motion motion = { .system = &s.system };
+    fvi_response *r = response_of(&motion);
+    ck_assert_int_eq(fvi_poles_by_theorem(r, 1), 0);
+    ck_assert_poles(&motion, 2);
+    fvi_response_free(r);
+    s.term[1][0].alpha = 0.9;
+    r = response_of(&motion);
+    ck_assert_uint_eq(fvi_poles_counted(r, -5, 5), SIZE_MAX);
+    fvi_response_free(r);
+}
+END_TEST
+
 /* ---- fewer ---- */
 
 /* A mode that creeps back has no pole that oscillates, and the count says so. Each of these four masses
@@ -205,7 +224,8 @@ int main(void)
 {
     Suite *suite = suite_create("response_pole_count");
     ADD_CASE(suite, "theorem", eq_30_7_there_are_as_many_poles_as_unknowns,
-             eq_30_7_laws_on_both_sides_are_counted);
+             eq_30_7_laws_on_both_sides_are_counted,
+             eq_30_7_springpots_in_series_are_counted_if_their_symbol_has_no_poles);
     ADD_CASE(suite, "fewer", eq_30_8_overdamped_modes_are_not_counted,
              a_free_body_swings_on_its_springpot, a_free_ring_has_two_poles);
     ADD_CASE(suite, "boxes", eq_30_8_zeros_are_counted_in_finite_boxes);
