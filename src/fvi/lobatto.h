@@ -62,7 +62,7 @@ extern "C" {
  *
  *     fvi_run run = fvi_run_default(&system, x0, p0, 0.1, 100);
  *     run.alpha = 0.3;
- *     status = fvi_trajectory(&fvi_lobatto_m4, &run, x, p, NULL);
+ *     status = fvi_stepper_start(&fvi_lobatto_m4, &run, &stepper, &error);
  *
  * Errors as fvi_stepper_start and fvi_stepper_step. */
 extern const fvi_method fvi_lobatto_m2, fvi_lobatto_m3, fvi_lobatto_m4;
@@ -127,7 +127,7 @@ extern const fvi_method fvi_lobatto_d2, fvi_lobatto_d3, fvi_lobatto_d4,
  *   x       (steps + 1) d positions, rows k = 0, ..., N
  *   p       momenta in the same layout, corrected in place
  *
- *     if (fvi_trajectory(&fvi_lobatto_m4, &run, x, p, NULL) == FVI_SUCCESS)
+ *     if (every_row_is_stored)
  *         status = fvi_lobatto_correct_momenta(&fvi_lobatto_m4, &run, x, p);
  *
  * Cost O(N d). Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; what fvi_system_check returns; FVI_EINVAL for

@@ -56,8 +56,8 @@ typedef struct {
  * The function adds the triplets of an entry in the order of the list. So if all element matrices are symmetric to the
  * last bit, the sum is, too. Cost O(n + count), and for each column up to the square of its length, because columns are
  * short.
- * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if n or count is out of range; FVI_EDOM if a row or a
- * column is not in 0 ... n - 1, or an entry is not finite; FVI_ENOMEM. On error *A is untouched. */
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if n or count is out of range; FVI_EDOM if a row or
+ * a column is not in 0 ... n - 1, or an entry is not finite; FVI_ENOMEM. On error *A is untouched. */
 int fvi_sparse_assemble(size_t n, size_t count, const fvi_triplet *triplets,
                    fvi_sparse *A);
 

@@ -1,8 +1,7 @@
-/* src/fvi/trajectory.h -- Runs: a start, a step size, a method.      [H 2]
+/* src/fvi/trajectory.h -- Runs: a system, a start, a step size and a method, made step by step.         [H 2]
  *
- * A stepper holds x_k, p_k and what the method needs to go on, and nothing
- * else: no array over the time steps is made unless the caller makes it. The
- * caller reads x and p between steps, so rows can be printed as they come:
+ * A stepper holds x_k, p_k and the state of the method. It does not store earlier rows: between two steps the caller
+ * reads x and p, and prints or stores them.
  *
  *     fvi_stepper *s;
  *     if (fvi_stepper_start(&fvi_fractional, &run, &s, &error) == FVI_SUCCESS) {
@@ -27,39 +26,36 @@ extern "C" {
 
 typedef struct fvi_event fvi_event; /* events.h */
 
-/* fvi_run -- all that determines the numbers of a trajectory.
+/* fvi_run -- everything that determines the numbers of a trajectory, besides the method.
  *
- *   system   what moves; must outlive the run
- *   x0, p0   start, d finite numbers each; copied
+ *   system   the system; must outlive the run
+ *   x0, p0   initial position and momentum, d finite numbers each; copied
  *   h        step, finite, > 0
- *   steps    N >= 1: the rows are k = 0, ..., N at t_k = k h
- *   kappa    potential taken at kappa x_k + (1 - kappa) x_{k+1}, 0 <= kappa <= 1
- *   alpha    the damping is of order 2 alpha, 0 <= alpha <= 1
+ *   steps    N >= 1: the rows are k = 0, ..., N at the times t_k = k h
+ *   kappa    the potential is taken at kappa x_k + (1 - kappa) x_{k+1}, 0 <= kappa <= 1
+ *   alpha    the damping has the order 2 alpha, 0 <= alpha <= 1
  *   past     what the body did before t = 0 (past.h); zeroed: it was held at x0
- *   memory   how the history is summed
- *   tolerance  of the compressed memory, relative to the direct sum, in [0, 1); 0
- *              means the default 1e-13; of no effect without a history
- *   step_error  for methods that choose their steps: what the estimated error of x
- *              in one step may be, >= 0; 0 means 1e-10 of the largest |x_i| so far.
- *              Below 1e-17 of the size at the start it is refused (FVI_ETOL), and
- *              where the motion grows to more it means 1e-17 of that.
- *              h and steps say where the rows are, then, and not how long a step is
- *   longest  for methods that choose their steps, and for searches: no step is longer,
- *              >= 0; 0 means that there is no such limit. A force that swings, or has a
- *              pulse, in less than this time is seen though it has no bound (system.h)
- *   most_steps  for methods that choose their steps: so many may be taken, with those that were
- *              given up; then FVI_ERUNAWAY. 0: no number, but a run ends so if the rest would
- *              take more than 2^40 steps at the pace of the last 2^18
- *   events, event_count  for fvi_variable_step: what is watched along the run (events.h), or none;
- *              must outlive the run
- *   law      NULL, or what stands in place of D^{2 alpha} (damping_laws.h): alpha is then
- *            not read, and the body was held before t = 0; must outlive the run. For
- *            methods that say so
+ *   memory   how the history is summed (memory.h)
+ *   tolerance  the tolerance of the modes, relative to the direct sum, in [0, 1); 0: the default 1e-13. It has no
+ *            effect without a history
+ *   step_error  for methods that choose their steps: the largest estimated error of x in one step, in the unit of x,
+ *            >= 0; 0: 1e-10 of the largest |x_i| so far. A step_error below 1e-17 of the size at the start is refused
+ *            (FVI_ETOL). If the motion grows, the method allows 1e-17 of the new size at least. For these methods h and
+ *            steps say where the rows are, not how long a step is
+ *   longest  for methods that choose their steps, and for searches for a step: no step is longer, >= 0; 0: no limit.
+ *            Set it to the length of a swing or a pulse of a force without a bound (system.h), so that no step passes
+ *            over it
+ *   most_steps  for methods that choose their steps: the largest number of steps, rejected trials included; then the
+ *            run ends with FVI_ERUNAWAY. 0: no such number; but the run ends with FVI_ERUNAWAY if the rest would take
+ *            more than 2^40 steps at the pace of the last 2^18 steps
+ *   law      NULL; or the law that replaces D^{2 alpha} (damping_laws.h), for methods with takes_laws; must outlive the
+ *            run. Then alpha is not read, and the body was held before t = 0
+ *   events, event_count  for fvi_variable_step: the events to watch for (events.h), which must outlive the run, and
+ *            their number; NULL and 0: none
  *
- * What is left out of an initialiser is zero: begin with fvi_run_default, which
- * sets what must not be zero by accident.
- * The methods stand in the table fvi_methods (methods.h). Runs that share no stepper
- * may go on in several threads. */
+ * A member that an initialiser leaves out is zero. So start with fvi_run_default, which sets the members that must not
+ * be zero by accident. The methods are in the table fvi_methods (methods.h). Runs with different steppers may go on in
+ * several threads. */
 typedef struct {
     const fvi_system *system;
     const double *x0, *p0;
@@ -78,16 +74,22 @@ typedef struct {
     size_t event_count;
 } fvi_run;
 
-/* fvi_run_default -- a run with kappa = 1/2 and alpha = 1/2, of a body that was held
- * at x0, its memory summed in the best way that there is; change what you like. */
+/* fvi_run_default -- Return a run with kappa = 1/2, alpha = 1/2, a body that was held at x0, and FVI_HISTORY_AUTO. The
+ * caller changes other members afterwards. */
 fvi_run fvi_run_default(const fvi_system *system, const double *x0,
                         const double *p0, double h, size_t steps);
 
 typedef struct fvi_method fvi_method;
 
-/* fvi_scheme -- which equations a method solves, for those who transpose them
- * (adjoint.h): those of Algorithm 3, (13.7) with the shift alpha, (13.7) with the weights
- * of BDF2, (13.16), (17.8) or (17.24), (22.14); or others. */
+/* fvi_scheme -- the equations that a method solves. The adjoint (adjoint.h) needs it to transpose them.
+ *
+ *   CLASSICAL      equations without an adjoint: the classical methods (discrete_mechanics.h)
+ *   FVI            Algorithm 3
+ *   CQ2_SHIFTED    (13.7) with the shift alpha
+ *   CQ_BDF2        (13.7) with the weights of BDF2
+ *   CQ2_MIDPOINT   (13.16)
+ *   LOBATTO        (17.8) or (17.24)
+ *   VARIABLE_STEP  (22.14) */
 typedef enum {
     FVI_SCHEME_CLASSICAL,
     FVI_SCHEME_FVI,
@@ -98,77 +100,66 @@ typedef enum {
     FVI_SCHEME_VARIABLE_STEP
 } fvi_scheme;
 
-/* fvi_stepper -- one trajectory on its way. Read k, t, x, p; leave the rest. While a function
- * works on a stepper, a callback (a potential, a force, an archive) may read these four, and
- * no more: fvi_stepper_step, fvi_stepper_copy, fvi_stepper_archive, fvi_stepper_reset and fvi_stepper_free of the same stepper return
- * FVI_EINVAL there, and change nothing. */
+/* fvi_stepper -- one trajectory at its present step. The caller may read k, t, x, p and run; the other members belong
+ * to the library. While a function works on a stepper, a callback (a potential, a force, an archive) may read these
+ * members but do nothing else: in it fvi_stepper_step, fvi_stepper_copy, fvi_stepper_archive, fvi_stepper_reset and
+ * fvi_stepper_free of the same stepper return FVI_EINVAL and change nothing. */
 typedef struct {
-    size_t k;      /* steps done; rows that have been passed, if steps vary */
-    double t;      /* k h, one product; that of x and p, if steps vary */
+    size_t k;      /* number of steps made; with a method that chooses its steps, number of rows passed */
+    double t;      /* time of x and p: k h, rounded once, unless the method chooses its steps */
     double *x, *p; /* position and momentum, d numbers each */
 
     double *dx, *g, *F; /* the last increment, gradient and force */
     struct fvi_newton *newton;
-    void *method_state; /* what only this method has */
-    struct fvi_mechanism_state *mechanism; /* of a system with a mechanism; or NULL */
+    void *method_state; /* the state of this method; or NULL */
+    struct fvi_mechanism_state *mechanism; /* the state of a mechanism; NULL without one */
     fvi_run run;
     const fvi_method *method;
-    int is_busy; /* nonzero while a function has it that calls the caller's */
-    fvi_error *error; /* while a method starts: where it says what it refuses */
+    int is_busy; /* nonzero while a function works on it that may call callbacks */
+    fvi_error *error; /* while a method starts: the place where it describes what it refuses */
 } fvi_stepper;
 
-/* fvi_method -- an integrator, and all that others ask about it. What counts are its
- * fields: a copy, under another name and at another address, is as good. name, order
- * and memory are for people, and may be NULL.
+/* fvi_method -- an integrator, with all its properties. Only the fields have an effect, so a copy under another name
+ * and at another address is the same method. name, order and memory are texts for people, and may be NULL.
  *
- *   lowest, highest  the order as numbers: the lowest and the highest that x has at
- *          a fixed time, over all alpha, for Caputo's past and that of a held body (a
- *          kick, Riemann and Liouville's past, or a U that is not quadratic, (20.11),
- *          (20.12), or kappa != 1/2 may cost more); of fvi_variable_step, in the number
- *          of its steps, over all t
- *   stages  s, of the methods of Lobatto; 0 for all others
- *   damped_inertia  nonzero if the inertia is a damping of order 1 of the same kind,
- *          m DD^2 x, form D of H 17
- *   alpha_least, alpha_most  the alpha that it knows, within [0, 1]: 1/2 and 1/2 is
- *          linear damping only; fvi_stepper_start refuses other runs (FVI_EDOM)
- *   memories  a bit 1u << kind for each kind of memory that it can sum with;
- *          fvi_stepper_start refuses the others (FVI_EUNSUP). 0: it has no history, and
- *          run->memory is not read
- *   quadrature  whose weights stand before the positions of the past; not read of
- *          methods without a history, or with stages
- *   scheme  as above; OTHER has no adjoint
- *   takes_kappa  nonzero if run->kappa is used where there is a potential
- *   implicit  nonzero if a step solves an equation in which grad U stands, by Newton's
- *          method with the Hessian of U
- *   takes_laws  nonzero if run->law need not be NULL; fvi_stepper_start refuses it else
- *   (FVI_EUNSUP)
- *   takes_matrices  nonzero if the system may have matrices; fvi_stepper_start refuses it else
- *          (FVI_EUNSUP)
- *   takes_mechanism  nonzero if the system may have a mechanism; fvi_stepper_start refuses it else
- *          (FVI_EUNSUP)
- *   paper_convention  Every method knows the three pasts. Zero: Riemann-Liouville's acts by
- *          its exact impulses (19.5), and is refused where there is no solution (19.2,
- *          FVI_EDOM). Nonzero: by the weights alone, as in the paper; then order 1 - 2
- *          alpha is all there is of a kick (9.5), and what has no solution is run too
- *   stability_number   of run, above 1 if a mode grows, as fvi_stability_number (stability.h) has it;
- *          of U it asks for the Hessian at x0 alone. NULL if it is not known
- *   stability_number_grows  nonzero if that number does not fall while h grows: the stable steps are
- *          then all those up to the longest, fvi_stability_longest_step
- *   start  refuses runs that the method does not know; prepares newton and method_state;
- *          may be NULL
- *   step   x_k, p_k -> x_{k+1}, p_{k+1}; k and t still belong to step k
- *   dense  NULL, or of a method that chooses its steps: x and p (either may be NULL) at a
- *          time t <= s->t within the last step; FVI_EDOM before it. Such a method's step
- *          sets s->t, to steps h in the end
- *   rows   NULL, or of a method with dense: the same at `count` increasing times within the last
- *          step, to the bit, row after row into x and p; FVI_EDOM if one is outside
- *   copy   makes to->method_state out of from->method_state; NULL only if method_state is never set. The rest of
- *          *to is there, and stop will be called for it, whatever copy returns
- *   serialize  shows what steps change of method_state to an archive, and what must be the same
- *          (archive.h). NULL if method_state is never set, or the method has no such function
- *   stop   gives method_state back; may be NULL
- *   keep_dampers, damper  of a structure with several dampers: as fvi_stepper_keep_dampers and
- *          fvi_stepper_damper (dampers.h); NULL: the method takes none */
+ *   lowest, highest  the order as numbers: the lowest and the highest order of x at a fixed time, over all alpha, for
+ *          Caputo's past and a held body. (A kick, Riemann-Liouville's past, a U that is not quadratic, (20.11),
+ *          (20.12), or kappa != 1/2 may have a lower order.) For fvi_variable_step the order in the number of its
+ *          steps, over all t
+ *   stages  the number of stages s of the methods of Lobatto; 0 for all other methods
+ *   damped_inertia  nonzero if the inertia is treated as a damping of order 1 of the same kind, m DD^2 x: form D of H
+ *   17 alpha_least, alpha_most  the range of alpha, within [0, 1]; 1/2 and 1/2 means linear damping only.
+ *          fvi_stepper_start refuses every other alpha (FVI_EDOM)
+ *   memories  a bit 1u << kind for each kind of memory (memory.h) that the method takes; fvi_stepper_start refuses the
+ *          other kinds (FVI_EUNSUP). 0: the method has no history, and run->memory is not read
+ *   quadrature  the weights of the history; not read for methods without a history and for methods with stages
+ *   scheme  as above; CLASSICAL has no adjoint
+ *   takes_kappa  nonzero if run->kappa has an effect for a system with a potential
+ *   takes_laws  nonzero if run->law may be set; fvi_stepper_start refuses it otherwise (FVI_EUNSUP)
+ *   takes_matrices  nonzero if the system may have matrices; fvi_stepper_start refuses them otherwise (FVI_EUNSUP)
+ *   takes_mechanism  nonzero if the system may have a mechanism; fvi_stepper_start refuses it otherwise (FVI_EUNSUP)
+ *   implicit  nonzero if a step solves an equation with grad U, by Newton's method with the Hessian of U
+ *   paper_convention  how the past RIEMANN_LIOUVILLE acts. Zero: by its exact impulses (19.5); a run without a solution
+ *          (19.2) is refused (FVI_EDOM). Nonzero: by the weights alone, as in the paper. Then a kick (9.5) leaves only
+ *          the order 1 - 2 alpha, and a run without a solution is made, too. Every method takes all three pasts
+ *   stability_number  computes the load of a run, as fvi_stability_number (stability.h), from the Hessian of U at x0.
+ *          NULL: the load is not known
+ *   stability_number_grows  nonzero if the load never falls while h grows. Then all steps up to
+ *          fvi_stability_longest_step are stable
+ *   start  refuses runs that the method does not take, and prepares newton and method_state; may be NULL
+ *   step   replaces x_k, p_k by x_{k+1}, p_{k+1}; k and t still belong to step k
+ *   dense  NULL; or, for a method that chooses its steps, computes x and p (either may be NULL) at a time t <= s->t
+ *          within the last step, and returns FVI_EDOM for an earlier time. The step of such a method sets s->t; the
+ *          last step ends at s->t = steps h
+ *   rows   NULL; or, for a method with dense, computes the same numbers, to the bit, at `count` increasing times within
+ *          the last step, row after row into x and p. FVI_EDOM if a time is outside the step
+ *   copy   makes to->method_state from from->method_state; NULL only if method_state is never set. All other members of
+ *          *to are set, and stop will be called for it, whatever copy returns
+ *   serialize  hands the members of method_state to an archive: those that steps change, and those that must be the
+ *          same (archive.h). NULL if method_state is never set, or if the method has no such function
+ *   stop   frees method_state; may be NULL
+ *   keep_dampers, damper  for a structure with several dampers, as fvi_stepper_keep_dampers and fvi_stepper_damper
+ *          (dampers.h); NULL: the method takes no such structure */
 struct fvi_method {
     const char *name, *order, *memory;
     int lowest, highest, stages, damped_inertia;
@@ -191,120 +182,129 @@ struct fvi_method {
     int (*damper)(const fvi_stepper *s, size_t j, double *impulse, double *work);
 };
 
-/* fvi_method_takes_history -- nonzero if the method can sum with such a memory, or has no
- * history. What is no kind at all is not judged here: fvi_history_alloc refuses it. */
+/* fvi_method_takes_history -- Return nonzero if the method takes this kind of memory, or has no history. Return nonzero
+ * for a number that is no kind, too; fvi_history_alloc refuses it. */
 int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind);
 
-/* fvi_stepper_start -- check the run, stand at k = 0.
+/* fvi_stepper_start -- Check a run, and make a stepper at k = 0.
  *
- *   error  output, or NULL: what is wrong, its field a member of fvi_run or of the system
+ *   method   the integrator; must outlive the stepper
+ *   run      copied, with x0 and p0; its system, law and events must outlive the stepper
+ *   stepper  output; free it with fvi_stepper_free
+ *   error    output, or NULL: its field is a member of fvi_run or of the system
  *
- * Memory O(d), O(d w) for the 2 w - 1 diagonals of a Hessian (O(d^2) if full) where
- * the step is implicit, and what the method's memory takes. Returns FVI_SUCCESS; what
- * fvi_system_check and fvi_history_alloc return; FVI_EFAULT if a pointer is NULL;
- * FVI_EINVAL if steps == 0 or the method does not take such a system; FVI_EDOM if h,
- * kappa, alpha, tolerance, x0 or p0 is out of range or the method does not know this
- * alpha, or if the run has no solution (19.2) and the method does not run it as printed;
- * of the impulses FVI_EFAULT without an array or a J, FVI_EINVAL if their times fall,
- * FVI_EDOM if a number is not finite or a time negative, FVI_EUNSUP at alpha = 1 if the
- * method has stages and anything is damped;
- * FVI_EUNSUP if the method has no such memory, does not know laws, or matrices, or the past
- * of a law is not FVI_INITIAL_HISTORY_HELD, nor, up to the order 1, Caputo's; what fvi_kernel_history returns, and FVI_EUNSUP for a law
- * that stages do not take; FVI_ENOMEM; FVI_ESING if a constant matrix is singular; FVI_EOVRFLW
- * if an impulse at t = 0 makes p infinite; what the potential returned. On error *stepper is
+ * Memory: O(d); for an implicit step O(d w) for the 2 w - 1 diagonals of a Hessian (O(d^2) if it is full); and the
+ * memory of the history.
+ * Returns FVI_SUCCESS; what fvi_system_check and fvi_history_alloc return; and
+ *
+ *   FVI_EFAULT   a pointer is NULL; an impulse without an array or a J
+ *   FVI_EINVAL   steps == 0; an unknown past; times of impulses that decrease; a system that the method does not take
+ *   FVI_EDOM     h, kappa, alpha, tolerance, step_error, longest, x0 or p0 is out of range; an impulse with a number
+ *                that is not finite, or with a negative time; a run without a solution (19.2), unless the method has
+ *                paper_convention
+ *   FVI_EUNSUP   the method does not take this memory, a law, this law, matrices or a mechanism; the past of a law is
+ *                neither HELD nor, for orders up to 1, CAPUTO; impulses at alpha = 1, for a method with stages and a
+ *                damped coordinate
+ *   FVI_ETOL     a tolerance or a step_error that is too small
+ *   FVI_ESING    a constant matrix is singular
+ *   FVI_EOVRFLW  an impulse at t = 0 makes p infinite
+ *   FVI_ENOMEM   no memory
+ *
+ * or what fvi_kernel_history, the events, a callback or the interrupter (error.h) returned. On error *stepper is
  * untouched. */
 int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
                       fvi_stepper **stepper, fvi_error *error);
 
-/* fvi_stepper_step -- from k to k + 1, where p then holds what impulses give to that node, (2.15);
- * or, of a method that chooses its steps, one of these: from
- * s->t to a later s->t, the last of them to steps h.
+/* fvi_stepper_step -- Make one step, from k to k + 1. The new p contains the impulses at that node (2.15). A method
+ * that chooses its steps makes one of its steps, from s->t to a later s->t; its last step ends at steps h.
  *
- * Cost: of the memory, and of the equation of an implicit step. If U is quadratic that
- * is at most two gradients and O(d w), else mostly two to five gradients, Hessians and
- * factorisations of O(d w^2), O(d^3) if the Hessian is full; up to 1050, and twice as
- * many gradients, where Newton's method fails. Which solution is found where there are
- * several is not said.
+ *     while (s->k < s->run.steps && !(status = fvi_stepper_step(s)))
+ *         printf("%g %g\n", s->t, s->x[0]);
  *
- * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EINVAL if the run is over;
- * FVI_EMAXITER or FVI_ESING if the equation of the step could not be solved;
- * FVI_EOVRFLW if a value stopped being finite; FVI_ERUNAWAY after most_steps; what the force
- * or the potential returned. These five are what came out, no mistake of the caller: the error handler
- * is not called for them, here or by fvi_stepper_start. After an error, but for FVI_EFAULT
- * and a run that is over, s->k is still k and x, p are not those of any step: stop. */
+ * Cost: that of the history, and of the equation of an implicit step. For a quadratic U the equation costs at most two
+ * gradients and O(d w). For any other U it costs two to five gradients, Hessians and factorisations in most cases, each
+ * factorisation O(d w^2), or O(d^3) for a full Hessian. If Newton's method fails, it costs up to 1050 of them, and
+ * twice as many gradients. If the equation has several solutions, any of them may be found.
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EINVAL if the run is over, or in a callback of this stepper;
+ * FVI_EMAXITER or FVI_ESING if the equation of the step could not be solved; FVI_EOVRFLW if a value is no longer
+ * finite; FVI_ERUNAWAY after most_steps; or what the force, the potential or the interrupter (error.h) returned. The
+ * error handler is not called for the last five, here or in fvi_stepper_start, because they are results of the motion
+ * and not mistakes of the caller. After these five errors s->k is still k, and x and p belong to no step: only reset or
+ * free the stepper. */
 int fvi_stepper_step(fvi_stepper *s);
 
-/* fvi_force_value -- for methods: s->F = F(t). A system without force leaves s->F
- * zero, as it was made. Returns FVI_SUCCESS, or what the force returned. */
+/* fvi_force_value -- For use in methods: write F(t) to s->F. Without a force s->F stays zero. Returns FVI_SUCCESS, or
+ * what the force returned. */
 int fvi_force_value(fvi_stepper *s, double t);
 
-/* fvi_stepper_advance_to -- as many steps as it takes to a time, and x and p there.
+/* fvi_stepper_advance_to -- Make all steps up to a time, and copy x and p at this time.
  *
- *   t     not before the last step, not after steps h; one of the times k h, but for
- *         methods that choose their steps, which give out any time
+ *   t     not before the last step, and not after steps h; one of the times k h. For a method that chooses its steps
+ *         any such time
  *   x, p  outputs, d numbers each, or NULL
  *
- * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EDOM if there is no state at t to be
- * had; FVI_EOVRFLW if x or p is not finite there; what fvi_stepper_step returns. */
+ *     status = fvi_stepper_advance_to(s, 10 * s->run.h, x, p);       // row 10
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EDOM if there is no state at t; FVI_EOVRFLW if x or p is not finite
+ * there; what fvi_stepper_step returns. */
 int fvi_stepper_advance_to(fvi_stepper *s, double t, double *x, double *p);
 
-/* fvi_stepper_advance_through -- fvi_stepper_advance_to, to one time after the other: the same
- * numbers, but faster where a method that chooses its steps passes many times in one.
+/* fvi_stepper_advance_through -- Advance to several times, one after another. The numbers are those of
+ * fvi_stepper_advance_to, but the call is faster if a method that chooses its steps passes many times in one step.
  *
- *   t     count times, none before the one in front of it
- *   x, p  outputs, each may be NULL: count d numbers, row after row
+ *   t     count times that do not decrease
+ *   x, p  outputs, each may be NULL: count * d numbers, row after row
  *
- * Returns what fvi_stepper_advance_to returns for the first time that it cannot reach; the rows before
- * it stand, unless numbers stopped being finite within its step. */
+ * Returns FVI_SUCCESS; FVI_EFAULT if s or t is NULL; or the code of fvi_stepper_advance_to for the first time that it
+ * cannot reach. The rows before this time are valid, unless the code is FVI_EOVRFLW and they are in the same step. */
 int fvi_stepper_advance_through(fvi_stepper *s, size_t count, const double *t, double *x,
                                 double *p);
 
-/* fvi_stepper_copy -- the same trajectory again, at the same k, history included: a fork, or a
- * place to come back to. Both go on with the same digits, and neither knows of the
- * other; the system is the one and only, and must outlive both.
+/* fvi_stepper_copy -- Copy a stepper at its k, with its history. Use the copy as a second branch of the trajectory, or
+ * to return to this k. Both steppers go on with the same digits, independently of each other. They share the system,
+ * which must outlive both.
  *
  *   from  a stepper in which no step failed
- *   to    output; stop it with fvi_stepper_free
+ *   to    output; free it with fvi_stepper_free
  *
- * Cost: the bytes of the stepper and of its memory are copied. No callback is called, but
- * for factorise of matrices, whose code is then returned.
- * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP if the method has
- * data of its own and no copy; FVI_ENOMEM. On error *to is untouched. */
+ * Cost: a copy of the bytes of the stepper and of its history. The only callback is factorise of matrices.
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL in a callback of this stepper; FVI_EUNSUP if the
+ * method has a method_state and no copy; FVI_ENOMEM; what factorise returned. On error *to is untouched. */
 int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
 
-/* fvi_stepper_archive -- show an archive all that steps have changed, so that a run can be saved, and
- * gone on with in another process:
+/* fvi_stepper_archive -- Hand everything that steps have changed to an archive, piece by piece, to save a run and to
+ * continue it in another process.
  *
- *   save   let the archive copy the pieces, whatever `constant`
- *   load   fvi_stepper_start the same run, then let the archive write them back: where constant != 0
- *          it must compare instead, and return a code of its own if they differ. After an
- *          error the stepper is of no use: stop it, or reset it
+ *   save   the archive copies all pieces, also those with `constant`
+ *   load   start the same run with fvi_stepper_start; then the archive writes the saved pieces back. Where constant !=
+ *          0 it must compare instead of writing, and return a code of its own if the piece differs. After an error
+ *          reset the stepper or free it
  *
- * The digits are then those of the run that was saved. The system is not among the pieces,
- * but for d, masses and dampings, which are constant; potential, matrices and force must be
- * the same.
- * `steps` may be another one where the memory is none or FVI_HISTORY_DIRECT, and at least
- * k; in FVI_HISTORY_MODES what depends on it is constant. All pieces are as this machine
- * has them. O(Q d) bytes with FVI_HISTORY_MODES, O(k d) with DIRECT.
+ * The continued run then has the digits of the saved run. Of the system only d, the masses and the dampings are pieces,
+ * and they are constant. The potential, the matrices and the force must be the same.
  *
- * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP, before any piece, if
- * the method has data of its own and no serialize; FVI_EINVAL if what was loaded is no state of
- * this run (k beyond its end, a time, a place or a count that it cannot have), as soon as
- * that is seen: no step ever reads it. So a state may come from a stranger. Of the numbers
- * of its past nothing is asked: if one is not finite, a step fails. FVI_EINVAL, too, of a
- * stepper whose last step failed; what the archive returns. */
+ * `steps` of the second run may differ if the run has no history or FVI_HISTORY_DIRECT; it must be k or more. With
+ * FVI_HISTORY_MODES the numbers that depend on it are constant. All pieces have the binary format of this machine. They
+ * have O(Q d) bytes with FVI_HISTORY_MODES and O(k d) with FVI_HISTORY_DIRECT.
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP, before any piece, if the method has a method_state
+ * and no serialize; FVI_EINVAL in a callback of this stepper, for a stepper whose last step failed, and for a loaded
+ * state that this run cannot have (k beyond the end, or an impossible time, place or count). The function checks this
+ * before any step reads the state, so a state from an unknown source is safe. It does not check the numbers of the
+ * past: if one is not finite, a later step fails. Or it returns the code that the archive returned. */
 int fvi_stepper_archive(fvi_stepper *s, fvi_archive *archive);
 
-/* fvi_stepper_reset -- back to k = 0 of the same run, also after a step that failed. The digits
- * are the same again. s->x and s->p are other arrays then.
+/* fvi_stepper_reset -- Return to k = 0 of the same run, also after a step that failed. The run then has the same digits
+ * again. s->x and s->p become other arrays.
  *
- * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; what fvi_stepper_start returns: s is then as it
- * was. */
+ * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EINVAL in a callback of this stepper; what fvi_stepper_start
+ * returns. On error s is unchanged. */
 int fvi_stepper_reset(fvi_stepper *s);
 
-/* fvi_stepper_free -- give everything back. NULL is allowed.
+/* fvi_stepper_free -- Free a stepper. NULL is allowed.
  *
- * Returns FVI_SUCCESS; FVI_EINVAL in a callback of the same stepper: it lives on then. */
+ * Returns FVI_SUCCESS; FVI_EINVAL in a callback of the same stepper, which then is not freed. */
 int fvi_stepper_free(fvi_stepper *s);
 
 #pragma GCC visibility pop
