@@ -1,4 +1,4 @@
-/* src/fvi/version.h -- Which library this is. */
+/* src/fvi/version.h -- The version of the library. */
 #ifndef FVI_VERSION_H
 #define FVI_VERSION_H
 
@@ -9,8 +9,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_version -- the version of the library that is linked, "0.3.0"; FVI_VERSION is
- * that of the headers. */
+/* fvi_version -- Return the version of the linked library, for example "0.3.0". FVI_VERSION is the version of the
+ * headers. */
 const char *fvi_version(void);
 
 #pragma GCC visibility pop
