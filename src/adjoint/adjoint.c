@@ -34,7 +34,7 @@ static int momenta_are_known(const fvi_method *method, const fvi_run *run,
 }
 
 /* How many terms the law of a run has, or the laws of all its dampers. */
-static size_t terms_of(const fvi_run *run)
+static size_t count_terms(const fvi_run *run)
 {
     const fvi_mechanism *m = run->system ? run->system->mechanism : NULL;
     size_t terms = run->law ? run->law->count : 0;
@@ -132,20 +132,20 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
 }
 
 /* How many rows a step has in the trajectory: its end, and the stages before the end that are kept. */
-static size_t rows_of(const fvi_method *method)
+static size_t rows_per_step(const fvi_method *method)
 {
     const size_t first = method->damped_inertia != 0;
     return method->stages ? (size_t)method->stages - 1 + first : 1;
 }
 
 /* At how many times of a step a force acts, without the beginning of the step. */
-static size_t forces_of(const fvi_method *method)
+static size_t force_times_per_step(const fvi_method *method)
 {
     return method->stages ? (size_t)method->stages - 1 : 1;
 }
 
 /* How many derivatives by dampings there are: one for each mass, or for the factor of C, or for each damper. */
-static size_t dampings_of(const fvi_system *system)
+static size_t count_dampings(const fvi_system *system)
 {
     return system->mechanism  ? system->mechanism->damper_count
            : system->matrices ? 1
@@ -153,7 +153,7 @@ static size_t dampings_of(const fvi_system *system)
 }
 
 /* Set the derivatives to zero that the steps add to. */
-static void clear(const fvi_run *run, const fvi_sensitivities *want, size_t per)
+static void clear_outputs(const fvi_run *run, const fvi_sensitivities *want, size_t per)
 {
     const size_t d = run->system->d;
     const int whole = run->system->matrices != NULL;
@@ -162,10 +162,10 @@ static void clear(const fvi_run *run, const fvi_sensitivities *want, size_t per)
     double *const of_law[] = { want->terms, want->orders, want->times,
                                want->ends };
     for (size_t l = 0; l < sizeof of_law / sizeof *of_law; l++)
-        for (size_t i = 0; of_law[l] && i < terms_of(run); i++)
+        for (size_t i = 0; of_law[l] && i < count_terms(run); i++)
             of_law[l][i] = 0;
     if (want->damping)
-        memset(want->damping, 0, dampings_of(run->system) * sizeof *want->damping);
+        memset(want->damping, 0, count_dampings(run->system) * sizeof *want->damping);
     if (want->force)
         memset(want->force, 0,
                (run->steps * per + 1) * d * sizeof *want->force);
@@ -265,7 +265,7 @@ static int walk(const fvi_method *method, fvi_checkpointing *path,
                 const fvi_sensitivities *want, double *J)
 {
     const size_t d = run->system->d, N = run->steps;
-    const size_t per = rows_of(method);
+    const size_t per = rows_per_step(method);
     const int jumps = objective->has_momenta;
     const double *rows;
     double *Jp = jumps ? J + d : NULL;
@@ -329,7 +329,7 @@ static int are_finite(const fvi_method *method, const fvi_run *run,
 {
     const int is_still = is_at_rest(method, run);
     const int whole = run->system->matrices != NULL;
-    const size_t d = run->system->d, l = terms_of(run),
+    const size_t d = run->system->d, l = count_terms(run),
                  c = whole ? 1 : want->sensitivity.count;
     const struct {
         const double *by;
@@ -337,7 +337,7 @@ static int are_finite(const fvi_method *method, const fvi_run *run,
     } outputs[] = { { is_liouville(run) ? NULL : want->x0, d },
                     { is_still ? NULL : want->p0, d },
                     { want->mass, whole ? 1 : d },
-                    { want->damping, dampings_of(run->system) },
+                    { want->damping, count_dampings(run->system) },
                     { want->alpha, 1 },
                     { want->terms, l },
                     { want->orders, l },
@@ -351,10 +351,10 @@ static int are_finite(const fvi_method *method, const fvi_run *run,
     return 1;
 }
 
-static int all_derivatives(const fvi_method *method, const fvi_run *run,
-                           const double *x, const double *p,
-                           const fvi_objective *objective,
-                           const fvi_sensitivities *want)
+static int differentiate_run(const fvi_method *method, const fvi_run *run,
+                             const double *x, const double *p,
+                             const fvi_objective *objective,
+                             const fvi_sensitivities *want)
 {
     fvi_checkpointing *path;
     const int has_mechanism = fvi_has_mechanism_steps(run->system);
@@ -387,8 +387,8 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
         return status;
     const fvi_run normal = fvi_run_normal(method, run);
     run = &normal;
-    clear(run, want, forces_of(method));
-    status = all_derivatives(method, run, x, p, objective, want);
-    return status || are_finite(method, run, want, forces_of(method)) ? status
+    clear_outputs(run, want, force_times_per_step(method));
+    status = differentiate_run(method, run, x, p, objective, want);
+    return status || are_finite(method, run, want, force_times_per_step(method)) ? status
                                                               : FVI_EOVRFLW;
 }

@@ -17,8 +17,8 @@ void fvi_adjoint_dampers_elongation(const fvi_adjoint_dampers *m, const fvi_adjo
 }
 
 /* Add share z . C N to the sum of a damper, and share t C N to by_drift. CN: d numbers. */
-static void accumulate(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double share,
-                       const double *z, const double *CN, double t)
+static void accumulate_products(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, double share,
+                                const double *z, const double *CN, double t)
 {
     a->sum += share * fvi_dot(m->d, z, CN);
     for (size_t i = 0; a->has_drift && i < m->d; i++)
@@ -41,7 +41,7 @@ int fvi_adjoint_dampers_first_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper *a
     if (!status)
         status = multiply_sums(m, a, m->column);
     if (!status)
-        accumulate(m, a, 1, m->z, m->column, (double)N * m->run->h);
+        accumulate_products(m, a, 1, m->z, m->column, (double)N * m->run->h);
     return status || !m->by_numbers
                ? status
                : fvi_adjoint_dampers_numbers_sums(m, a, m->z, NULL);
@@ -59,7 +59,7 @@ static int add_constant(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,
     fvi_adjoint_dampers_elongation(m, a, k + 1, x, m->z);
     for (size_t i = 0; i < m->d; i++)
         m->stepper->p[i] -= a->unit * a->of.rho * value * a->CJ[i];
-    accumulate(m, a, value, m->z, a->CJ, (double)(k + 1) * m->run->h);
+    accumulate_products(m, a, value, m->z, a->CJ, (double)(k + 1) * m->run->h);
     const double product = fvi_dot(m->d, m->z, a->CJ);
     a->sum_by_order += *a->constant.rate * product;
     a->sum_by_theta += m->is_shifted ? *a->constant.by_theta * product : 0;
@@ -84,7 +84,7 @@ static int add_jumps(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k, co
         status = C->apply_damping(m->d, -1, c->value, C->params, m->column);
     for (size_t i = 0; i < m->d; i++)
         m->stepper->p[i] -= a->unit * a->of.rho * m->column[i];
-    accumulate(m, a, 1, m->z, m->column, (double)(k + 1) * m->run->h);
+    accumulate_products(m, a, 1, m->z, m->column, (double)(k + 1) * m->run->h);
     memset(a->dB, 0, C->history_size * sizeof *a->dB);
     return status;
 }
@@ -116,7 +116,7 @@ static int add_sums(fvi_adjoint_dampers *m, fvi_adjoint_damper *a, size_t k,
     for (size_t i = 0; i < m->d; i++)
         m->z[i] += a->theta * (m->work[i] - m->z[i]);
     int status = multiply_sums(m, a, m->column);
-    accumulate(m, a, 1, m->z, m->column, t);
+    accumulate_products(m, a, 1, m->z, m->column, t);
     if (!status && m->by_numbers)
         status = fvi_adjoint_dampers_numbers_sums(m, a, m->z, rows);
     return status || !m->by_numbers ? status

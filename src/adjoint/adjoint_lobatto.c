@@ -106,17 +106,17 @@ void fvi_adjoint_lobatto_stop(fvi_adjoint_lobatto *m)
 /* ---- a step ---- */
 
 /* The positions of the stages: they begin behind x_k in form D, and with x_k in form M. */
-static const double *positions(const fvi_adjoint_lobatto *m, const double *rows)
+static const double *find_stage_positions(const fvi_adjoint_lobatto *m, const double *rows)
 {
     return rows + (m->damped_inertia ? m->d : 0);
 }
 
 /* Write the velocities of all stages of coordinate j, D X / h. In form D the first one has the penalty of (17.3),
  * because X_1 is not x_k there. */
-static void velocities(const fvi_adjoint_lobatto *m, size_t j, const double *rows,
-                       double *v)
+static void find_stage_velocities(const fvi_adjoint_lobatto *m, size_t j, const double *rows,
+                                  double *v)
 {
-    const double *X = positions(m, rows) + j;
+    const double *X = find_stage_positions(m, rows) + j;
     for (size_t i = 0; i < m->s; i++) {
         v[i] = 0;
         for (size_t l = 0; l < m->s; l++)
@@ -184,7 +184,7 @@ static void accumulate_damping(fvi_adjoint_lobatto *m, const double *rows)
         const double v0 =
             m->run->alpha > 0.5 ? m->run->p0[j] / m->run->system->mass[j] : 0;
         double v[FVI_STAGES] = { 0 }, T[FVI_STAGES], Tdot[FVI_STAGES];
-        velocities(m, j, rows, v);
+        find_stage_velocities(m, j, rows, v);
         m->kinetic[j] += inertia(m, j, v);
         if (!m->is_damped || m->mass_plus_damping)
             continue;
@@ -258,13 +258,13 @@ int fvi_adjoint_lobatto_step(fvi_adjoint_lobatto *m, size_t k, const double *row
                            const double *Jx)
 {
     const fvi_system *system = m->run->system;
-    int status = fvi_potential_evaluate_hessians(system, m->s, positions(m, rows),
+    int status = fvi_potential_evaluate_hessians(system, m->s, find_stage_positions(m, rows),
                                                  m->linearised.size, m->G);
     if (!status)
         status = advance_adjoint(m, Jx);
     if (!status)
         status = fvi_potential_accumulate_parameters(
-            m->want, system, m->s, m->run->h, m->rule->b, positions(m, rows),
+            m->want, system, m->s, m->run->h, m->rule->b, find_stage_positions(m, rows),
             m->Lambda, m->s, m->column);
     if (status)
         return status;

@@ -74,8 +74,8 @@ static int start_initial_history(fvi_adjoint_multistep *m)
                                              &m->history_force, &m->impulse_size);
 }
 
-static void describe(const fvi_method *method, const fvi_run *run,
-                     fvi_adjoint_multistep *m)
+static void describe_run(const fvi_method *method, const fvi_run *run,
+                         fvi_adjoint_multistep *m)
 {
     const fvi_system *system = run->system;
     const fvi_potential *u = &system->potential;
@@ -115,7 +115,7 @@ int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
                                 fvi_adjoint_multistep *m)
 {
     *m = (fvi_adjoint_multistep){ .run = run, .want = want, .has_jumps = has_jumps };
-    describe(method, run, m);
+    describe_run(method, run, m);
     if (run->system->matrices && want->mass && !run->system->matrices->inertia)
         FVI_FAIL("no derivative by a factor of M without its products",
                  FVI_EUNSUP);
@@ -307,7 +307,7 @@ int fvi_adjoint_multistep_jump(fvi_adjoint_multistep *m, const double *Jp)
  * amplitude A (19.3) is x0; it changes nothing else. In Algorithm 3 with Riemann-Liouville's past the history takes in
  * x0 itself. There the derivative is the momentum that arrives, without the part of lambda_0, which N_0 does not
  * contain. (23.6) */
-static int by_start(fvi_adjoint_multistep *m, const double *Jx)
+static int find_start_derivative(fvi_adjoint_multistep *m, const double *Jx)
 {
     const fvi_stepper *s = m->stepper;
     for (size_t i = 0; i < m->d; i++)
@@ -323,7 +323,7 @@ static int by_start(fvi_adjoint_multistep *m, const double *Jx)
 
 /* The derivative by p0 minus lambda_0. If a line is subtracted from x for the history, adding the line x + t p/m
  * changes grad U only, and by (13.7) the force of the past. */
-static int by_momentum(fvi_adjoint_multistep *m, double *more)
+static int find_momentum_derivative(fvi_adjoint_multistep *m, double *more)
 {
     const fvi_run *run = m->run;
     int status = FVI_SUCCESS;
@@ -361,9 +361,9 @@ int fvi_adjoint_multistep_end(fvi_adjoint_multistep *m, const double *Jx)
                      ? fvi_adjoint_multistep_add_jumps(m, 0, run->x0)
                      : FVI_SUCCESS;
     if (!status)
-        status = by_start(m, Jx);
+        status = find_start_derivative(m, Jx);
     if (!status)
-        status = by_momentum(m, more);
+        status = find_momentum_derivative(m, more);
     for (size_t i = 0; i < m->d; i++) {
         const int has = m->paper_convention
                         || fvi_initial_history_solvable(run->past, run->alpha,

@@ -66,7 +66,7 @@ static int evaluate_slopes(const fvi_objective *J, const double *x, block *b)
 }
 
 /* Push lambda_k. Writes N_k, and its derivative by 2 alpha if that is wanted. */
-static int push(const fvi_adjoint_multistep *m, size_t i, block *b)
+static int push_multiplier(const fvi_adjoint_multistep *m, size_t i, block *b)
 {
     const double *lambda = &b->lambda[i + 1], *delta = &b->delta[i];
     return m->damping->Hdot ? fvi_history_push_by_order(m->damping->memory, lambda, delta,
@@ -76,7 +76,7 @@ static int push(const fvi_adjoint_multistep *m, size_t i, block *b)
 
 //> alone
 /* The recurrence (9.4) of lambda, from node `last` on. */
-static int take_steps(fvi_adjoint_multistep *m, block *b)
+static int step_multipliers(fvi_adjoint_multistep *m, block *b)
 {
     const double h = m->run->h, kappa = m->kappa, share = (1 - kappa) * h,
                  factor = *m->damping->factor;
@@ -90,7 +90,7 @@ static int take_steps(fvi_adjoint_multistep *m, block *b)
         b->lambda[i + 1] = right + b->delta[i];
         b->M[i] = right + kappa * b->delta[i];
         b->g[i] = h * (G * b->M[i]);
-        status = J == 0 ? FVI_ESING : push(m, i, b);
+        status = J == 0 ? FVI_ESING : push_multiplier(m, i, b);
         p = p - b->g[i] - factor * b->N[i];
     }
     *m->stepper->x = b->lambda[b->count];
@@ -158,7 +158,7 @@ static int walk_piece(fvi_adjoint_multistep *m, const fvi_objective *J, size_t f
         if (!status)
             status = evaluate_slopes(J, latest, &b);
         if (!status)
-            status = take_steps(m, &b);
+            status = step_multipliers(m, &b);
         accumulate_sums(m, &b);
         if (!status)
             status = accumulate_parameters(m, &b);
@@ -193,7 +193,7 @@ int fvi_adjoint_multistep_can_step_alone(const fvi_adjoint_multistep *m)
 }
 
 /* Apply the factor of the weights to the sequence whose latest term is `term`. */
-static double filter(fvi_cq_damper *a, double term)
+static double filter_term(fvi_cq_damper *a, double term)
 {
     if (a->taps == 0)
         return term;
@@ -231,7 +231,7 @@ int fvi_adjoint_multistep_advance_alone(fvi_adjoint_multistep *m)
                  dx = (r - *n->s * (G * x)) / J, g = G * (x + n->theta * dx);
     double z = x + dx - *d->origin, dz = dx;
     p -= h * g;
-    *(a->increments ? &dz : &z) = filter(a, a->increments ? dz : z);
+    *(a->increments ? &dz : &z) = filter_term(a, a->increments ? dz : z);
     const int pushed = d->Hdot
                            ? fvi_history_push_by_order(d->memory, &z, &dz, d->H, d->Hdot)
                            : fvi_history_push(d->memory, &z, &dz, d->H);

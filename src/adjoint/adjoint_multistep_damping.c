@@ -203,7 +203,7 @@ int fvi_adjoint_multistep_accumulate_damping(fvi_adjoint_multistep *m, size_t k,
 
 /* Subtract the part of lambda_0 from the sums, because N_0 does not contain lambda_0. N_0 acts if the history of the
  * run begins at 0. */
-static int take_last_away(fvi_adjoint_multistep *m)
+static int subtract_last_multiplier(fvi_adjoint_multistep *m)
 {
     const fvi_system *system = m->run->system;
     const fvi_matrices *C = system->matrices;
@@ -249,7 +249,7 @@ int fvi_adjoint_multistep_end_damping(fvi_adjoint_multistep *m)
         m->sum_of_C = *run->system->damping * *m->sum;
         m->sum_by_order = *run->system->damping * m->sum_by_order;
     }
-    int status = m->is_liouville ? take_last_away(m) : FVI_SUCCESS;
+    int status = m->is_liouville ? subtract_last_multiplier(m) : FVI_SUCCESS;
     memset(m->column, 0, m->d * sizeof *m->column);
     if (!status && m->has_initial_impulses)
         status = add_impulses(m, &at, &rate);

@@ -33,7 +33,7 @@ static void find_velocities(fvi_adjoint_structure *m, const double *rows)
 }
 
 /* Write the position of stage i, X = x_k + h (A v)_i. */
-static void find_place(const fvi_adjoint_structure *m, const double *rows, size_t i, double *X)
+static void find_stage_position(const fvi_adjoint_structure *m, const double *rows, size_t i, double *X)
 {
     memcpy(X, rows, m->d * sizeof *X);
     for (size_t l = 0; l < m->s; l++) {
@@ -51,7 +51,7 @@ static int add_matrices(fvi_adjoint_structure *m, const double *rows)
     const double *b = m->rule->b, *V = m->o->V;
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && m->want->parameters && i < s; i++) {
-        find_place(m, rows, s - 1 - i, m->room);
+        find_stage_position(m, rows, s - 1 - i, m->room);
         status = matrices->stiffness(d, m->room, matrices->params, m->product);
         m->by_K += b[i] * fvi_dot(d, V + i * d, m->product);
     }

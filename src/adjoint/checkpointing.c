@@ -37,7 +37,7 @@ void fvi_checkpointing_free(fvi_checkpointing *b)
 //> length
 /* The length L of a piece. L steps need L rows, and the other pieces need N/L copies of the stepper, each as large as r
  * rows. The sum is least at L = sqrt(r N). If a copy is larger than the whole path, there is one piece. */
-static size_t length_of(const fvi_run *run)
+static size_t piece_length(const fvi_run *run)
 {
     const size_t d = run->system->d;
     const fvi_run_damper of = fvi_run_damper_of(run, 0);
@@ -52,7 +52,7 @@ static size_t length_of(const fvi_run *run)
 
 /* Keep the rows that the last step adds behind the row at `row`. For a structure these are the velocities of all stages
  * but the last one, which follows from x_{k+1}. */
-static void keep(const fvi_checkpointing *b, const fvi_stepper *s, double *row)
+static void store_rows(const fvi_checkpointing *b, const fvi_stepper *s, double *row)
 {
     const size_t d = b->d;
     const fvi_lobatto_matrices *m = b->per > 1 ? fvi_lobatto_matrices_of(s) : NULL;
@@ -80,7 +80,7 @@ static int run_piece(fvi_checkpointing *b, fvi_stepper *s)
         double *row = b->rows + (s->k - first) * b->per * b->d;
         status = fvi_stepper_step(s);
         if (!status)
-            keep(b, s, row);
+            store_rows(b, s, row);
     }
     b->piece = first / b->length;
     return status;
@@ -102,11 +102,11 @@ static int run_all(fvi_checkpointing *b, fvi_stepper *s)
     return status;
 }
 
-static int run_here(const fvi_method *method, const fvi_run *run,
-                    fvi_checkpointing *b)
+static int make_path(const fvi_method *method, const fvi_run *run,
+                     fvi_checkpointing *b)
 {
     fvi_stepper *s;
-    b->length = length_of(run);
+    b->length = piece_length(run);
     const size_t pieces = (b->steps - 1) / b->length + 1;
     if (b->length >= SIZE_MAX / sizeof(double) / b->d / b->per)
         FVI_FAIL("steps must be addressable", FVI_EINVAL);
@@ -144,7 +144,7 @@ int fvi_checkpointing_alloc(const fvi_method *method, const fvi_run *run,
     b->x = x;
     if (x)
         memcpy(b->p, p, d * sizeof *p);
-    int status = x ? FVI_SUCCESS : run_here(method, run, b);
+    int status = x ? FVI_SUCCESS : make_path(method, run, b);
     if (status)
         fvi_checkpointing_free(b);
     else

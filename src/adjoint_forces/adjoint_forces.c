@@ -60,7 +60,7 @@ typedef struct {
 } spread;
 
 /* At how many times a force acts, as fvi_sensitivities counts them. */
-static size_t times_of(const fvi_method *method, const fvi_run *run)
+static size_t count_force_times(const fvi_method *method, const fvi_run *run)
 {
     return run->steps * (method->stages ? (size_t)method->stages - 1 : 1) + 1;
 }
@@ -90,7 +90,7 @@ static int start_spread(spread *o, const fvi_walls *w, const fvi_sensitivities *
 
 /* Copy the derivatives of the run with walls to the derivatives of the run. The force acts on a coordinate and on its
  * ghost, so the derivative by it is a sum of two. */
-static void collect(const spread *o, const fvi_walls *w, const fvi_sensitivities *want, const double *by_impulse)
+static void write_derivatives(const spread *o, const fvi_walls *w, const fvi_sensitivities *want, const double *by_impulse)
 {
     for (size_t i = 0; i < w->d; i++) {
         const size_t at = w->own[i];
@@ -117,12 +117,12 @@ static int adjoint_of_walls(const fvi_method *method, const fvi_walls *w, const 
     walled params = { w, of, by_impulse, room, room + 2 * w->d, room + 3 * w->d };
     const fvi_objective J = { slopes, &params, 1 };
     fvi_sensitivities to;
-    spread o = { .times = times_of(method, &w->run) };
+    spread o = { .times = count_force_times(method, &w->run) };
     int status = room ? start_spread(&o, w, want, &to) : FVI_ENOMEM;
     if (!status)
         status = fvi_adjoint(method, &w->run, NULL, NULL, &J, &to);
     if (!status)
-        collect(&o, w, want, by_impulse);
+        write_derivatives(&o, w, want, by_impulse);
     free(o.x0);
     free(room);
     return status;

@@ -15,14 +15,14 @@ typedef struct {
 } ghosts;
 
 /* x + y, the point at which U is evaluated. */
-static const double *place(ghosts *o, const double *x)
+static const double *find_evaluation_point(ghosts *o, const double *x)
 {
     for (size_t i = 0; i < o->d; i++)
         o->x[i] = x[2 * i] + x[2 * i + 1];
     return o->x;
 }
 
-static void twice(const ghosts *o, double *to)
+static void write_to_body_and_ghost(const ghosts *o, double *to)
 {
     for (size_t i = 0; i < o->d; i++)
         to[2 * i] = to[2 * i + 1] = o->g[i];
@@ -32,20 +32,20 @@ static int value(size_t d, const double *x, void *params, double *U)
 {
     ghosts *o = params;
     (void)d;
-    return o->of->potential.value(o->d, place(o, x), o->of->potential.params, U);
+    return o->of->potential.value(o->d, find_evaluation_point(o, x), o->of->potential.params, U);
 }
 
 static int gradient(size_t d, const double *x, void *params, double *grad)
 {
     ghosts *o = params;
-    const int status = o->of->potential.gradient(o->d, place(o, x), o->of->potential.params, o->g);
+    const int status = o->of->potential.gradient(o->d, find_evaluation_point(o, x), o->of->potential.params, o->g);
     (void)d;
-    twice(o, grad);
+    write_to_body_and_ghost(o, grad);
     return status;
 }
 
 /* Copy each entry of the Hessian to its four places. */
-static void put_full(const ghosts *o, double *H)
+static void write_full_hessian(const ghosts *o, double *H)
 {
     const size_t d = o->d, whole = 2 * d;
     for (size_t i = 0; i < whole; i++)
@@ -53,7 +53,7 @@ static void put_full(const ghosts *o, double *H)
             H[i * whole + j] = o->H[i / 2 * d + j / 2];
 }
 
-static void put_diagonals(const ghosts *o, double *H)
+static void write_band_hessian(const ghosts *o, double *H)
 {
     const size_t d = o->d, few = o->of->potential.diagonals, all = 2 * few;
     for (size_t i = 0; i < 2 * d; i++)
@@ -66,9 +66,9 @@ static void put_diagonals(const ghosts *o, double *H)
 static int hessian(size_t d, const double *x, void *params, double *H)
 {
     ghosts *o = params;
-    const int status = o->of->potential.hessian(o->d, place(o, x), o->of->potential.params, o->H);
+    const int status = o->of->potential.hessian(o->d, find_evaluation_point(o, x), o->of->potential.params, o->H);
     (void)d;
-    (o->of->potential.diagonals ? put_diagonals : put_full)(o, H);
+    (o->of->potential.diagonals ? write_band_hessian : write_full_hessian)(o, H);
     return status;
 }
 
@@ -82,9 +82,9 @@ static int is_quadratic(const void *params)
 static int column(size_t j, size_t d, const double *x, void *params, double *S)
 {
     ghosts *o = params;
-    const int status = o->want->sensitivity.column(j, o->d, place(o, x), o->of->potential.params, o->g);
+    const int status = o->want->sensitivity.column(j, o->d, find_evaluation_point(o, x), o->of->potential.params, o->g);
     (void)d;
-    twice(o, S);
+    write_to_body_and_ghost(o, S);
     return status;
 }
 

@@ -37,7 +37,7 @@ static void stop(void *params)
 }
 
 /* Extend a matrix of `rows` rows from d to `whole` numbers a row, and to rows_to rows; the new entries are 0. */
-static void widen(const parts *o, size_t rows, const double *from, size_t rows_to, double *to)
+static void widen_rows(const parts *o, size_t rows, const double *from, size_t rows_to, double *to)
 {
     memset(to, 0, rows_to * o->whole * sizeof *to);
     for (size_t i = 0; i < rows; i++)
@@ -116,11 +116,11 @@ static int lagrangian(double t, size_t d, const double *x, const double *v, void
     const int status =
         of->at(t, o->d, x, v, of->params, L, Lx, Lv, Lxx ? xx : NULL, Lxv ? xv : NULL, Lvv ? vv : NULL);
     if (Lxx)
-        widen(o, o->d, xx, d, Lxx);
+        widen_rows(o, o->d, xx, d, Lxx);
     if (Lxv)
-        widen(o, o->d, xv, d, Lxv);
+        widen_rows(o, o->d, xv, d, Lxv);
     if (Lvv)
-        widen(o, o->d, vv, d, Lvv);
+        widen_rows(o, o->d, vv, d, Lvv);
     for (size_t i = o->d; i < d; i++) {
         if (L)
             *L += FVI_WALL_MASS * v[i] * v[i] / 2;
@@ -167,7 +167,7 @@ static int potential_hessian(size_t d, const double *x, void *params, double *H)
         return U->hessian(o->d, x, U->params, H);
     }
     const int status = U->hessian(o->d, x, U->params, o->room);
-    widen(o, o->d, o->room, d, H);
+    widen_rows(o, o->d, o->room, d, H);
     return status;
 }
 
@@ -194,9 +194,9 @@ static int force_on(double t, size_t d, const double *x, const double *v, void *
     const int status = of->at(t, o->d, x, v, of->params, F, Fx ? by_x : NULL, Fv ? by_v : NULL);
     memset(F + o->d, 0, (d - o->d) * sizeof *F);
     if (Fx)
-        widen(o, o->d, by_x, d, Fx);
+        widen_rows(o, o->d, by_x, d, Fx);
     if (Fv)
-        widen(o, o->d, by_v, d, Fv);
+        widen_rows(o, o->d, by_v, d, Fv);
     return status;
 }
 
@@ -214,7 +214,7 @@ static int constraint_gradient(double t, size_t d, const double *x, void *params
     (void)d;
     const int status = of->gradient(t, o->d, x, of->params, C ? o->room : NULL, ct);
     if (C)
-        widen(o, of->count, o->room, of->count, C);
+        widen_rows(o, of->count, o->room, of->count, C);
     return status;
 }
 
@@ -254,7 +254,7 @@ static int column_of_constraint(size_t j, double t, size_t d, const double *x, v
     const size_t count = o->m->constraints->count;
     (void)d;
     const int status = o->want->columns->constraint(j, t, o->d, x, o->want->columns->params, c, o->room, ct);
-    widen(o, count, o->room, count, C);
+    widen_rows(o, count, o->room, count, C);
     return status;
 }
 

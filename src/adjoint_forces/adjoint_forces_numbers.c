@@ -34,7 +34,7 @@ typedef struct {
 /* ---- the function that is differentiated ---- */
 
 /* Add sum_k L_I rate lead_k over the numbers of the damper that is changed. */
-static int sum_of_leads(const changed_run *o, const fvi_stepper *s, const fvi_observer *observer, double *sum)
+static int sum_lead_derivatives(const changed_run *o, const fvi_stepper *s, const fvi_observer *observer, double *sum)
 {
     const size_t n = o->shares->n, rows = o->run.steps;
     double *size = malloc(3 * n * sizeof *size);
@@ -68,7 +68,7 @@ static int evaluate(const changed_run *o, int has_start, double *L)
     if (!status && o->force)
         status = fvi_observer_first_forces(observer, &o->run, o->power, has_start, o->force, o->impulse, L);
     if (!status)
-        status = sum_of_leads(o, s, observer, L);
+        status = sum_lead_derivatives(o, s, observer, L);
     fvi_observer_free(observer);
     fvi_stepper_free(s);
     return status;
@@ -82,7 +82,7 @@ static const double central[] = { 0, 3. / 4, -3. / 20, 1. / 60 },
 
 /* On which side of the number the seven points must lie so that no border lies between them: +1, -1, or 0 for both
  * sides. */
-static int side_of(double at, double step, const double *borders, size_t count)
+static int choose_side(double at, double step, const double *borders, size_t count)
 {
     int side = 0;
     for (size_t i = 0; i < count; i++) {
@@ -116,16 +116,16 @@ static int differentiate(const changed_run *o, double *number, double step, int 
  * force at t = 0 does not depend on the order, or it jumps there; an exception is Cole and Davidson's kernel. Each
  * derivative of h^(2 alpha) multiplies it by 2 log h, so a short h needs a short step in alpha. No point is as far away
  * as the other order of the term, whose distance is the gap. */
-static int by_order(const changed_run *o, double *number, double gap, int has_start, double *to)
+static int differentiate_by_order(const changed_run *o, double *number, double gap, int has_start, double *to)
 {
     static const double borders[] = { 0, 0.5, 1 };
     enum { COUNT = sizeof borders / sizeof *borders };
     const double step = smaller(gap / 7, 1. / 256 / larger(1, fabs(log(o->run.h)) / log(16)));
-    return differentiate(o, number, step, side_of(*number, step, borders, COUNT), has_start, to);
+    return differentiate(o, number, step, choose_side(*number, step, borders, COUNT), has_start, to);
 }
 
 /* Differentiate by a time, which is not negative. */
-static int by_time(const changed_run *o, double *number, double *to)
+static int differentiate_by_time(const changed_run *o, double *number, double *to)
 {
     const double step = *number > 0 ? *number / 64 : 1. / 256;
     return differentiate(o, number, step, *number == 0, 1, to);
@@ -135,7 +135,7 @@ static int by_time(const changed_run *o, double *number, double *to)
  * the factor with which the term alone would be as large there as the whole law. For a term that is a small part of the
  * law the step is a part of `whole`, because a step of its own size would be lost in the rounding errors of L. If the
  * term is the whole law, and is not two springpots in series, L is affine in the factor. Then every step is right. */
-static int by_factor(const changed_run *o, fvi_kernel_term *term, double *to)
+static int differentiate_by_factor(const changed_run *o, fvi_kernel_term *term, double *to)
 {
     fvi_kernel_term unit = *term;
     const fvi_kernel alone = { 1, &unit };
@@ -147,7 +147,7 @@ static int by_factor(const changed_run *o, fvi_kernel_term *term, double *to)
     return differentiate(o, &term->rho, step, term->rho < 3.5 * step, 1, to);
 }
 
-static int by_term(const changed_run *o, size_t l, size_t to, const fvi_sensitivities *want)
+static int differentiate_by_term(const changed_run *o, size_t l, size_t to, const fvi_sensitivities *want)
 {
     fvi_kernel_term *term = o->term + l;
     const fvi_kernel_kind kind = term->kind;
@@ -155,21 +155,21 @@ static int by_term(const changed_run *o, size_t l, size_t to, const fvi_sensitiv
               has_time = kind != FVI_KERNEL_POWER && kind != FVI_KERNEL_DISTRIBUTED && kind != FVI_KERNEL_SYMBOL,
               has_end = kind == FVI_KERNEL_DISTRIBUTED || kind == FVI_KERNEL_MAXWELL2;
     const double gap = has_end ? fabs(term->end - term->alpha) : INFINITY;
-    int status = want->terms ? by_factor(o, term, want->terms + to) : FVI_SUCCESS;
+    int status = want->terms ? differentiate_by_factor(o, term, want->terms + to) : FVI_SUCCESS;
     if (!status && want->orders && has_order)
-        status = by_order(o, &term->alpha, gap, kind == FVI_KERNEL_DAVIDSON, want->orders + to);
+        status = differentiate_by_order(o, &term->alpha, gap, kind == FVI_KERNEL_DAVIDSON, want->orders + to);
     if (!status && want->times && has_time)
-        status = by_time(o, &term->time, want->times + to);
+        status = differentiate_by_time(o, &term->time, want->times + to);
     if (!status && want->ends && has_end)
-        status = by_order(o, &term->end, gap, 0, want->ends + to);
+        status = differentiate_by_order(o, &term->end, gap, 0, want->ends + to);
     return status;
 }
 
 /* ---- the law that is changed ---- */
 
 /* Differentiate by the terms of a law; a changed copy takes the place of the law. A SYMBOL has no numbers to change. */
-static int by_law(changed_run *o, const fvi_kernel *law, const fvi_kernel **place, size_t first,
-                  const fvi_sensitivities *want)
+static int differentiate_by_law(changed_run *o, const fvi_kernel *law, const fvi_kernel **place, size_t first,
+                                const fvi_sensitivities *want)
 {
     if (law->term->kind == FVI_KERNEL_SYMBOL)
         return FVI_SUCCESS;
@@ -181,18 +181,18 @@ static int by_law(changed_run *o, const fvi_kernel *law, const fvi_kernel **plac
     *place = &o->kernel;
     int status = FVI_SUCCESS;
     for (size_t l = 0; l < law->count && !status; l++)
-        status = by_term(o, l, first + l, want);
+        status = differentiate_by_term(o, l, first + l, want);
     free(o->term);
     *place = law;
     return status;
 }
 
-static int by_laws(changed_run *o, const fvi_sensitivities *want)
+static int differentiate_by_laws(changed_run *o, const fvi_sensitivities *want)
 {
     const fvi_mechanism *m = o->of->system->mechanism;
     int status = FVI_SUCCESS;
     if (!m)
-        return by_law(o, o->of->law, &o->run.law, 0, want);
+        return differentiate_by_law(o, o->of->law, &o->run.law, 0, want);
     o->damper = malloc((m->damper_count + 1) * sizeof *o->damper);
     if (!o->damper)
         return FVI_ENOMEM;
@@ -204,7 +204,7 @@ static int by_laws(changed_run *o, const fvi_sensitivities *want)
     o->run.system = &o->system;
     for (size_t j = 0, first = 0; j < m->damper_count && !status; first += m->damper[j++].kernel->count) {
         o->changed = j;
-        status = by_law(o, m->damper[j].kernel, &o->damper[j].kernel, first, want);
+        status = differentiate_by_law(o, m->damper[j].kernel, &o->damper[j].kernel, first, want);
     }
     free(o->damper);
     return status;
@@ -256,9 +256,9 @@ int fvi_force_numbers(const fvi_method *method, const fvi_run *run, const double
     changed_run o = { .method = method, .of = run, .force = force, .shares = shares, .run = *run };
     int status = begin(&o);
     if (!status && want->alpha)
-        status = by_order(&o, &o.run.alpha, INFINITY, 0, want->alpha);
+        status = differentiate_by_order(&o, &o.run.alpha, INFINITY, 0, want->alpha);
     else if (!status)
-        status = by_laws(&o, want);
+        status = differentiate_by_laws(&o, want);
     free(o.impulse);
     return status;
 }

@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* line_i = rho_i p_i / m_i, jump_i = rho_i x_i. */
-static int of_chain(const fvi_stepper *s, const fvi_force_shares *shares, const fvi_sensitivities *want)
+static int start_of_chain(const fvi_stepper *s, const fvi_force_shares *shares, const fvi_sensitivities *want)
 {
     const fvi_system *system = s->run.system;
     for (size_t i = 0; i < system->d; i++) {
@@ -51,7 +51,7 @@ static int multiply(const fvi_run *run, size_t j, const double *by, const double
 }
 
 /* line = C_j v and jump = C_j x for damper j, v = M^-1 p. */
-static int of_structure(const fvi_stepper *s, const fvi_force_shares *shares, const fvi_sensitivities *want)
+static int start_of_structure(const fvi_stepper *s, const fvi_force_shares *shares, const fvi_sensitivities *want)
 {
     const fvi_run *run = &s->run;
     const fvi_mechanism *m = run->system->mechanism;
@@ -83,7 +83,7 @@ static int of_structure(const fvi_stepper *s, const fvi_force_shares *shares, co
 
 int fvi_force_start(const fvi_stepper *s, const fvi_force_shares *shares, const fvi_sensitivities *want)
 {
-    return s->run.system->matrices    ? of_structure(s, shares, want)
+    return s->run.system->matrices    ? start_of_structure(s, shares, want)
            : s->run.system->mechanism ? fvi_force_start_of_mechanism(s, shares, want)
-                                      : of_chain(s, shares, want);
+                                      : start_of_chain(s, shares, want);
 }

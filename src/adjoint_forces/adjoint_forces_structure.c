@@ -37,14 +37,14 @@ static size_t entries(const fvi_sparse *A)
 /* ---- the indices of the walls ---- */
 
 /* For a damper with a matrix: one wall for each unknown that the matrix acts on. */
-static size_t place_by_matrix(const fvi_sparse *C, size_t d, size_t next, size_t *wall)
+static size_t number_walls_of_matrix(const fvi_sparse *C, size_t d, size_t next, size_t *wall)
 {
     for (size_t i = 0; i < d; i++)
         wall[i] = C && C->start[i + 1] > C->start[i] ? next++ : SIZE_MAX;
     return next;
 }
 
-static int place(fvi_walls *w, const fvi_system *of)
+static int number_walls(fvi_walls *w, const fvi_system *of)
 {
     const fvi_mechanism *m = of->mechanism;
     const size_t d = of->d;
@@ -55,11 +55,11 @@ static int place(fvi_walls *w, const fvi_system *of)
     if (status)
         return status;
     if (!m)
-        next = place_by_matrix(of->matrices->C, d, next, w->wall);
+        next = number_walls_of_matrix(of->matrices->C, d, next, w->wall);
     size_t i = 0;
     for (size_t j = 0; m && j < m->damper_count; j++) {
         if (m->damper[j].matrix) {
-            next = place_by_matrix(m->damper[j].matrix, d, next, w->wall + i);
+            next = number_walls_of_matrix(m->damper[j].matrix, d, next, w->wall + i);
             i += d;
         } else {
             w->wall[i++] = next++;
@@ -72,7 +72,7 @@ static int place(fvi_walls *w, const fvi_system *of)
 /* ---- matrices ---- */
 
 /* Extend A to the walls, with `diagonal` for each wall. */
-static int widen(const fvi_walls *w, const fvi_sparse *A, double diagonal, fvi_sparse *to)
+static int widen_matrix(const fvi_walls *w, const fvi_sparse *A, double diagonal, fvi_sparse *to)
 {
     fvi_triplet *each = malloc((entries(A) + w->whole) * sizeof *each);
     size_t count = 0;
@@ -89,7 +89,7 @@ static int widen(const fvi_walls *w, const fvi_sparse *A, double diagonal, fvi_s
 }
 
 /* C between the unknowns and their walls: (C, -C; -C, C). */
-static int connect(const fvi_walls *w, const fvi_sparse *C, const size_t *wall, fvi_sparse *to)
+static int connect_walls(const fvi_walls *w, const fvi_sparse *C, const size_t *wall, fvi_sparse *to)
 {
     fvi_triplet *each = malloc((4 * entries(C) + 1) * sizeof *each);
     size_t count = 0;
@@ -127,7 +127,7 @@ static int connect_dampers(fvi_walls *w, const fvi_mechanism *m, parts *o)
         const fvi_damper *from = m->damper + j;
         double *row = o->rows + j * w->whole;
         o->damper[j] = *from;
-        status = from->matrix ? connect(w, from->matrix, w->wall + i, &o->C[j])
+        status = from->matrix ? connect_walls(w, from->matrix, w->wall + i, &o->C[j])
                               : connect_row(w, from->of.row, w->wall[i], row);
         if (from->matrix)
             o->damper[j].matrix = &o->C[j];
@@ -142,7 +142,7 @@ int fvi_walls_of_structure(fvi_walls *w, const fvi_run *run)
 {
     const fvi_system *of = run->system;
     const fvi_matrices *matrices = of->matrices;
-    int status = place(w, of);
+    int status = number_walls(w, of);
     if (status)
         return status;
     parts *o = w->parts = calloc(1, sizeof *o);
@@ -151,11 +151,11 @@ int fvi_walls_of_structure(fvi_walls *w, const fvi_run *run)
     w->stop = stop;
     o->count = of->mechanism ? of->mechanism->damper_count : 1;
     o->C = calloc(o->count, sizeof *o->C);
-    status = o->C ? widen(w, matrices->M, FVI_WALL_MASS, &o->M) : FVI_ENOMEM;
+    status = o->C ? widen_matrix(w, matrices->M, FVI_WALL_MASS, &o->M) : FVI_ENOMEM;
     if (!status)
-        status = widen(w, matrices->K, 0, &o->K);
+        status = widen_matrix(w, matrices->K, 0, &o->K);
     if (!status && !of->mechanism && matrices->C)
-        status = connect(w, matrices->C, w->wall, &o->C[0]);
+        status = connect_walls(w, matrices->C, w->wall, &o->C[0]);
     if (!status)
         status = of->mechanism ? connect_dampers(w, of->mechanism, o)
                                : fvi_structure_alloc(&o->M, &o->K, matrices->C ? &o->C[0] : NULL, &o->structure, NULL);

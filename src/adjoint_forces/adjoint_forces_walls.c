@@ -48,7 +48,7 @@ int fvi_walls_allocate(fvi_walls *w, const fvi_run *run)
 }
 
 /* Copy a force or an impulse to the coordinates and their ghosts. */
-static void put_force(const fvi_walls *w, const double *F, double *to)
+static void copy_force(const fvi_walls *w, const double *F, double *to)
 {
     for (size_t i = 0; i < w->whole; i++)
         to[i] = 0;
@@ -64,7 +64,7 @@ static int force(double t, size_t d, void *params, double *F)
     const fvi_walls *w = params;
     (void)d;
     const int status = w->force->value(t, w->d, w->force->params, w->F);
-    put_force(w, w->F, F);
+    copy_force(w, w->F, F);
     return status;
 }
 
@@ -78,7 +78,7 @@ int fvi_walls_force(fvi_walls *w, const fvi_force *of)
         return FVI_ENOMEM;
     for (size_t k = 0; k < count; k++) {
         double *J = w->F + w->d + k * whole;
-        put_force(w, of->impulses[k].J, J);
+        copy_force(w, of->impulses[k].J, J);
         w->impulses[k] = (fvi_impulse){ .t = of->impulses[k].t, .J = J };
     }
     w->system.force = (fvi_force){ .value = of->value ? force : NULL,

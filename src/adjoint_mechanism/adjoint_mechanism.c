@@ -71,7 +71,7 @@ int fvi_adjoint_mechanism_allocate(fvi_adjoint_mechanism *m)
 
 /* The record of step k: x_k, u, the forces of the dampers, their impulses of the start, and v_k and w_k, one after
  * another. */
-static double *record_of(const fvi_adjoint_mechanism *m, size_t k)
+static double *record_at(const fvi_adjoint_mechanism *m, size_t k)
 {
     return m->record + k * m->row;
 }
@@ -107,7 +107,7 @@ static int start(const fvi_method *method, fvi_adjoint_mechanism *m)
 }
 
 /* Write v and w at the node of the stepper. */
-static void keep_velocity(const fvi_adjoint_mechanism *m, double *to)
+static void store_velocity(const fvi_adjoint_mechanism *m, double *to)
 {
     const fvi_mechanism_state *o = m->o;
     const double last = o->rule ? o->rule->b[m->s - 1] : 0.5;
@@ -125,9 +125,9 @@ static int run_forwards(fvi_adjoint_mechanism *m)
     const size_t d = m->d, force = m->r * m->s, behind = d + m->n + force + 2 * m->r;
     int status = FVI_SUCCESS;
     for (size_t k = 0; !status && k < m->run->steps; k++) {
-        double *to = record_of(m, k);
+        double *to = record_at(m, k);
         memcpy(to, m->stepper->x, d * sizeof *to);
-        keep_velocity(m, to + behind);
+        store_velocity(m, to + behind);
         status = fvi_stepper_step(m->stepper);
         memcpy(to + d, o->u, m->n * sizeof *to);
         memcpy(to + d + m->n, o->rule ? o->known : o->lambda, force * sizeof *to);
@@ -135,14 +135,14 @@ static int run_forwards(fvi_adjoint_mechanism *m)
     }
     memcpy(m->last, m->stepper->x, d * sizeof *m->last);
     memcpy(m->last + d, m->stepper->p, d * sizeof *m->last);
-    keep_velocity(m, m->last + 2 * d);
+    store_velocity(m, m->last + 2 * d);
     return status;
 }
 
 /* Put the stepper back to step k, and linearise its equation at the root. */
-static int put_back(fvi_adjoint_mechanism *m, size_t k)
+static int restore_step(fvi_adjoint_mechanism *m, size_t k)
 {
-    const double *from = record_of(m, k);
+    const double *from = record_at(m, k);
     const size_t d = m->d, force = m->r * m->s;
     fvi_stepper *s = m->stepper;
     fvi_mechanism_state *o = m->o;
@@ -248,16 +248,16 @@ static int add_slopes(fvi_adjoint_mechanism *m, size_t k)
     memset(Jp, 0, d * sizeof *Jp);
     const int is_last = k == N;
     const int status =
-        J->slopes(k, d, is_last ? m->last : record_of(m, k), is_last ? m->last + d : NULL,
+        J->slopes(k, d, is_last ? m->last : record_at(m, k), is_last ? m->last + d : NULL,
                   J->params, Jx, is_last || J->has_momenta ? Jp : NULL);
     for (size_t i = 0; i < d; i++) {
         m->g[i] += Jx[i];
         m->beta[i] += Jp[i];
     }
-    const double *v = is_last ? m->last + 2 * d : record_of(m, k) + m->row - d - m->o->m;
+    const double *v = is_last ? m->last + 2 * d : record_at(m, k) + m->row - d - m->o->m;
     return status ? status
                   : fvi_adjoint_mechanism_project(m, (double)k * m->run->h,
-                                                  is_last ? m->last : record_of(m, k), v, v + d, NULL);
+                                                  is_last ? m->last : record_at(m, k), v, v + d, NULL);
 }
 
 void fvi_adjoint_mechanism_stop(fvi_adjoint_mechanism *m)
@@ -285,7 +285,7 @@ int fvi_adjoint_mechanism_run(const fvi_method *method, const fvi_run *run,
         if (k % 64 == 0)
             status = fvi_interrupted();
         if (!status)
-            status = put_back(&m, k);
+            status = restore_step(&m, k);
         if (!status)
             status = (m.o->rule ? fvi_adjoint_mechanism_stages : fvi_adjoint_mechanism_nodes)(&m, k);
         if (!status)

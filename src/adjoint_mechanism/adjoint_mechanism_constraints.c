@@ -47,8 +47,8 @@ static int solve(fvi_adjoint_mechanism *m, const double *C, const double *by_v, 
 }
 
 /* g += Hess c (v) delta - w Hess c beta - L_vx^T epsilon. */
-static int add_to_place(fvi_adjoint_mechanism *m, double t, const double *x, const double *v,
-                        const double *w, const double *right)
+static int add_constraint_curvature(fvi_adjoint_mechanism *m, double t, const double *x, const double *v,
+                                    const double *w, const double *right)
 {
     const fvi_mechanism_state *o = m->o;
     const fvi_constraints *c = m->run->system->mechanism->constraints;
@@ -94,7 +94,7 @@ int fvi_adjoint_mechanism_project(fvi_adjoint_mechanism *m, double t, const doub
         m->tau[i] = -right[i]; /* the derivatives by masses and parameters through L_v there */
     }
     if (!status)
-        status = add_to_place(m, t, x, v, w, right);
+        status = add_constraint_curvature(m, t, x, v, w, right);
     if (!status && o->m)
         status = fvi_adjoint_mechanism_names_node(m, t, x, v, w, right + d);
     memset(m->phi, 0, d * sizeof *m->phi);

@@ -100,7 +100,7 @@ static int start(fvi_adjoint_mechanism *m)
 }
 
 /* Write v at the stepper's time, and the impulse w of the constraints without that of the last stage. (29.4) */
-static void keep_velocity(const fvi_adjoint_mechanism *m, double *to)
+static void store_velocity(const fvi_adjoint_mechanism *m, double *to)
 {
     const fvi_mechanism_state *o = m->o;
     memcpy(to, o->v, m->d * sizeof *to);
@@ -111,7 +111,7 @@ static void keep_velocity(const fvi_adjoint_mechanism *m, double *to)
 }
 
 /* Record the last step: x_k, u and the known forces. It began at x; the velocity and the impulse w stand behind x. */
-static int record(fvi_adjoint_mechanism *m, const double *x, int is_hit)
+static int record_step(fvi_adjoint_mechanism *m, const double *x, int is_hit)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
     const fvi_variable_step_state *of = m->stepper->method_state;
@@ -148,11 +148,11 @@ static int run_forwards(fvi_adjoint_mechanism *m)
     memcpy(mesh->rows, s->x, d * sizeof *s->x);
     for (size_t k = 1; k <= N && !status;) {
         memcpy(begin, s->x, d * sizeof *begin);
-        keep_velocity(m, begin + d);
+        store_velocity(m, begin + d);
         const size_t hits = of->hits;
         status = fvi_stepper_step(s);
         if (!status)
-            status = record(m, begin, of->hits > hits);
+            status = record_step(m, begin, of->hits > hits);
         for (; !status && k <= N; k++) {
             const double t = fmin((double)k * m->run->h, T);
             if (t > s->t)
@@ -163,12 +163,12 @@ static int run_forwards(fvi_adjoint_mechanism *m)
     mesh->p = mesh->rows + (N + 1) * d;
     memcpy(mesh->p, s->p, d * sizeof *s->p);
     memcpy(begin, s->x, d * sizeof *begin);
-    keep_velocity(m, begin + d);
+    store_velocity(m, begin + d);
     return status;
 }
 
 /* Put the stepper back to step n, and linearise its equation at the root. */
-static int put_back(fvi_adjoint_mechanism *m, size_t n)
+static int restore_step(fvi_adjoint_mechanism *m, size_t n)
 {
     const mesh_step *step = m->mesh->step + n;
     const double *from = m->record + n * m->row;
@@ -189,7 +189,7 @@ static int put_back(fvi_adjoint_mechanism *m, size_t n)
 /* ---- rows within a step ---- */
 
 /* Ask J for dJ/dx of row k, and add dJ/dp of the last row to beta. */
-static int ask_row(fvi_adjoint_mechanism *m, size_t k)
+static int evaluate_row_slopes(fvi_adjoint_mechanism *m, size_t k)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
     const int is_last = k == m->run->steps;
@@ -219,7 +219,7 @@ static int add_rows(fvi_adjoint_mechanism *m, size_t n)
         double shape[FVI_LANES], twice[FVI_LANES], whole = 0;
         if (t <= step->t)
             break;
-        status = ask_row(m, mesh->row);
+        status = evaluate_row_slopes(m, mesh->row);
         fvi_variable_step_twice(theta, twice);
         fvi_adjoint_mesh_shape(mesh->rule, h, twice, shape);
         for (size_t i = 0; i < s; i++)
@@ -237,7 +237,7 @@ static int add_rows(fvi_adjoint_mechanism *m, size_t n)
 /* ---- histories ---- */
 
 /* Write the sums over later steps, `past`, for a step of this length: (22.10) with mu. */
-static void find_past(fvi_adjoint_mechanism *m, size_t e)
+static void find_history(fvi_adjoint_mechanism *m, size_t e)
 {
     const fvi_variable_step_state *of = m->stepper->method_state;
     fvi_mesh_damper *adjoint = m->mesh->adjoint + e;
@@ -301,9 +301,9 @@ static int step_back(fvi_adjoint_mechanism *m, size_t n)
     if (!status && n + 1 == m->mesh->steps && m->o->m)
         status = fvi_adjoint_mechanism_project(m, m->stepper->t, m->last, m->last + d, m->last + 2 * d, NULL);
     if (!status)
-        status = put_back(m, n);
+        status = restore_step(m, n);
     for (size_t e = 0; e < m->r && !status; e++)
-        find_past(m, e);
+        find_history(m, e);
     if (!status)
         status = fvi_adjoint_mechanism_stages(m, n);
     for (size_t j = 0; j < d; j++)
@@ -318,7 +318,7 @@ static int finish(fvi_adjoint_mechanism *m)
 {
     const fvi_sensitivities *want = m->want;
     const size_t d = m->d;
-    int status = ask_row(m, 0);
+    int status = evaluate_row_slopes(m, 0);
     for (size_t j = 0; j < d; j++)
         m->g[j] += m->mesh->Jx[j];
     for (size_t e = 0; e < m->r && !status; e++) {

@@ -56,7 +56,7 @@ static int add_damper_at_nodes(fvi_adjoint_mechanism *m, size_t j, size_t e, dou
 }
 
 /* The time of x_k. */
-static double begin_of(const fvi_adjoint_mechanism *m)
+static double step_begin_time(const fvi_adjoint_mechanism *m)
 {
     return m->mesh ? m->o->t : (double)m->stepper->k * m->run->h;
 }
@@ -70,7 +70,7 @@ static int add_damper_at_stages(fvi_adjoint_mechanism *m, size_t j, size_t e)
     double spring = 0; /* on a mesh the force of a spring depends on its length, not on a history */
     for (size_t i = 0; m->mesh && i < s; i++)
         spring += m->damper[e].spring * m->damper[e].nu[i];
-    int status = elongation(m, j, e, begin_of(m), m->stepper->x, begin);
+    int status = elongation(m, j, e, step_begin_time(m), m->stepper->x, begin);
     *sum += spring * *begin;
     for (size_t l = 0; l < s && !status; l++) {
         status = elongation(m, j, e, fvi_mechanism_stage_time(m->stepper, l), o->X + l * d, here);
@@ -117,7 +117,7 @@ static int constraints(fvi_adjoint_mechanism *m, size_t j, double t, const doubl
 }
 
 /* Add -sum_l impulse_l C_l y: the direction of an impulse of the constraints changes with theta. */
-static void add_turning(fvi_adjoint_mechanism *m, size_t j, const double *impulse, const double *y)
+static void add_constraint_rotation(fvi_adjoint_mechanism *m, size_t j, const double *impulse, const double *y)
 {
     const size_t d = m->d, c = m->o->m;
     for (size_t l = 0; l < c; l++)
@@ -131,7 +131,7 @@ static int add_constraints_at_nodes(fvi_adjoint_mechanism *m, size_t j, double t
     int status = constraints(m, j, t, m->stepper->x);
     for (size_t l = 0; l < c; l++)
         m->factors[l] = m->unknown[d + l] / h;
-    add_turning(m, j, m->factors, m->multiplier);
+    add_constraint_rotation(m, j, m->factors, m->multiplier);
     if (!status)
         status = constraints(m, j, t + h, m->o->X + d);
     m->want->names[j] -= fvi_dot(c, m->multiplier + d, m->column) / h;
@@ -149,8 +149,8 @@ static int add_constraints_at_stages(fvi_adjoint_mechanism *m, size_t j)
         for (size_t l = 0; l < c; l++)
             m->factors[l] = i < inner ? m->unknown[inner * d + i * c + l] / h : 0;
         if (i < inner) {
-            add_turning(m, j, m->factors, m->beta);
-            add_turning(m, j, m->factors, m->multiplier + i * d);
+            add_constraint_rotation(m, j, m->factors, m->beta);
+            add_constraint_rotation(m, j, m->factors, m->multiplier + i * d);
         }
         if (i >= o->begin)
             m->want->names[j] +=
@@ -166,8 +166,8 @@ int fvi_adjoint_mechanism_names_node(fvi_adjoint_mechanism *m, double t, const d
     int status = FVI_SUCCESS;
     for (size_t j = 0; m->want->names && j < m->want->columns->count && !status; j++) {
         status = constraints(m, j, t, x);
-        add_turning(m, j, w, m->beta);
-        add_turning(m, j, delta, v);
+        add_constraint_rotation(m, j, w, m->beta);
+        add_constraint_rotation(m, j, delta, v);
         m->want->names[j] -= fvi_dot(c, delta, m->column + c + c * d);
     }
     return status;

@@ -20,7 +20,7 @@ static int is_node(const fvi_adjoint_mechanism *m)
 }
 
 /* The part of x_{k+1} in the point of the step. */
-static double ahead_of(const fvi_adjoint_mechanism *m)
+static double weight_of_end(const fvi_adjoint_mechanism *m)
 {
     return is_node(m) ? 0.5 : 1 - m->run->kappa;
 }
@@ -83,11 +83,11 @@ static int force_at_end(fvi_adjoint_mechanism *m, const double *x, double t, dou
 }
 
 /* Write the right-hand side of the equation for alpha: all derivatives by x_{k+1} that are known, with beta. */
-static int right_hand_side(fvi_adjoint_mechanism *m, size_t k, const double *x, double *right)
+static int assemble_right_hand_side(fvi_adjoint_mechanism *m, size_t k, const double *x, double *right)
 {
     const fvi_mechanism_state *o = m->o;
     const size_t d = m->d;
-    const double h = m->run->h, t = (double)(k + 1) * h, ahead = ahead_of(m);
+    const double h = m->run->h, t = (double)(k + 1) * h, ahead = weight_of_end(m);
     double *scaled = m->phi;
     int status = FVI_SUCCESS;
     memcpy(right, m->g, d * sizeof *right);
@@ -173,11 +173,11 @@ static int subtract_constraints(fvi_adjoint_mechanism *m, double t, const double
 }
 
 /* Write the derivatives by x_k through this step to m->next. */
-static int left_end(fvi_adjoint_mechanism *m, size_t k, const double *x)
+static int find_left_end_forces(fvi_adjoint_mechanism *m, size_t k, const double *x)
 {
     const fvi_mechanism_state *o = m->o;
     const size_t d = m->d;
-    const double h = m->run->h, t = (double)k * h, ahead = ahead_of(m), kappa = 1 - ahead;
+    const double h = m->run->h, t = (double)k * h, ahead = weight_of_end(m), kappa = 1 - ahead;
     double *y = m->tau, *z = m->phi;
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < d; i++) {
@@ -205,7 +205,7 @@ int fvi_adjoint_mechanism_nodes(fvi_adjoint_mechanism *m, size_t k)
     const size_t d = m->d, n = m->n;
     const double h = m->run->h, *x = m->stepper->x, *end = o->X + d;
     memset(m->next, 0, d * sizeof *m->next);
-    int status = right_hand_side(m, k, end, m->multiplier);
+    int status = assemble_right_hand_side(m, k, end, m->multiplier);
     if (!status)
         status = force_at_end(m, end, (double)(k + 1) * h, m->multiplier, m->next);
     for (size_t i = 0; i < n; i++) {
@@ -218,9 +218,9 @@ int fvi_adjoint_mechanism_nodes(fvi_adjoint_mechanism *m, size_t k)
     if (!status && is_node(m))
         status = push_dampers(m, k);
     if (!status)
-        status = left_end(m, k, x);
+        status = find_left_end_forces(m, k, x);
     if (!status)
-        status = fvi_adjoint_mechanism_names_nodes(m, k, ahead_of(m));
+        status = fvi_adjoint_mechanism_names_nodes(m, k, weight_of_end(m));
     add_force(m, k);
     memcpy(m->g, m->next, d * sizeof *m->g);
     memcpy(m->beta, m->multiplier, d * sizeof *m->beta);

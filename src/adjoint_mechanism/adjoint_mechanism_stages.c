@@ -62,7 +62,7 @@ static void find_slopes(fvi_adjoint_mechanism *m)
 }
 
 /* Add the derivative by X_l without the slopes, d numbers. */
-static void add_place(const fvi_adjoint_mechanism *m, size_t l, double *to)
+static void add_stage_position_term(const fvi_adjoint_mechanism *m, size_t l, double *to)
 {
     const fvi_mechanism_state *o = m->o;
     const size_t d = m->d;
@@ -115,7 +115,7 @@ static int solve_multipliers(fvi_adjoint_mechanism *m)
     find_slopes(m);
     for (size_t l = o->begin; l < s; l++) {
         double *to = m->multiplier + (l - o->begin) * d;
-        add_place(m, l, to);
+        add_stage_position_term(m, l, to);
         add_slopes(m, l, 1, o->gradient + l * m->r * d, to);
         for (size_t c = 0; l + 1 == s && c < d; c++)
             to[c] += m->g[c];
@@ -186,12 +186,12 @@ static int add_rows_of_constraints(fvi_adjoint_mechanism *m)
 
 /* Add the derivatives by x_k with all increments fixed to g, which has the derivative by x_{k+1}. This form contains no
  * 1/h that cancels, so it loses no digits in a very short step. */
-static int add_all_places(fvi_adjoint_mechanism *m)
+static int add_position_terms(fvi_adjoint_mechanism *m)
 {
     const fvi_mechanism_state *o = m->o;
     const size_t d = m->d;
     for (size_t l = 0; l < m->s; l++) {
-        add_place(m, l, m->g);
+        add_stage_position_term(m, l, m->g);
         for (size_t e = 0; e < m->r; e++) {
             const double *G = o->gradient + (l * m->r + e) * d;
             double sum = 0;
@@ -205,14 +205,14 @@ static int add_all_places(fvi_adjoint_mechanism *m)
 }
 
 /* The same through the slopes of the stages, after their equation has been solved. */
-static int find_places(fvi_adjoint_mechanism *m)
+static int find_position_multipliers(fvi_adjoint_mechanism *m)
 {
     const fvi_mechanism_state *o = m->o;
     memset(m->g, 0, m->d * sizeof *m->g);
     for (size_t l = o->begin; l < m->s; l++)
         add_slopes(m, l, -1, o->G, m->g);
     for (size_t l = 0; l < o->begin; l++)
-        add_place(m, l, m->g);
+        add_stage_position_term(m, l, m->g);
     return FVI_SUCCESS;
 }
 
@@ -226,7 +226,7 @@ int fvi_adjoint_mechanism_stages(fvi_adjoint_mechanism *m, size_t k)
     find_forces(m, m->multiplier);
     find_dampers(m);
     find_slopes(m);
-    status = (m->mesh ? add_all_places : find_places)(m);
+    status = (m->mesh ? add_position_terms : find_position_multipliers)(m);
     for (size_t i = 0; !status && i < m->s; i++)
         status = fvi_adjoint_mechanism_point(m, i, fvi_mechanism_stage_time(m->stepper, i),
                                              m->tau + i * d, m->phi + i * d);

@@ -258,7 +258,7 @@ static int step_back(fvi_adjoint_variable_run *m, size_t n)
     double *by_v = m->v, *by_x = m->v + m->d;
     if (fvi_adjoint_variable_is_singular(m, n) && n + 1 < m->path.steps
         && !fvi_adjoint_variable_is_singular(m, n + 1))
-        fvi_adjoint_variable_hand_back(m);
+        fvi_adjoint_variable_transfer_back(m);
     memset(m->v, 0, 2 * m->d * sizeof *m->v);
     int status = read_rows(m, n, by_v, by_x);
     if (!status)

@@ -71,7 +71,7 @@ int fvi_adjoint_variable_solve(fvi_adjoint_variable_run *m, size_t n);
  *   _end_singular_start  at t = 0: add to the derivatives by x0, p0, mass and damping; by_v0 is dJ/dv_0 */
 void fvi_adjoint_variable_subtract_velocity(fvi_adjoint_variable_run *m);
 void fvi_adjoint_variable_accumulate_singular_start(fvi_adjoint_variable_run *m, size_t n);
-void fvi_adjoint_variable_hand_back(fvi_adjoint_variable_run *m);
+void fvi_adjoint_variable_transfer_back(fvi_adjoint_variable_run *m);
 void fvi_adjoint_variable_end_singular_start(fvi_adjoint_variable_run *m, size_t j, double by_v0);
 
 /* Has x a singular part in step n? */

@@ -32,10 +32,10 @@ void fvi_adjoint_variable_accumulate_singular_start(fvi_adjoint_variable_run *m,
     }
 }
 
-//> hand-back
+//> transfer-back
 /* At t1, before the first step that begins there. In the run x, v and the modes take over G at this time. So their
  * derivatives are handed back to G. */
-void fvi_adjoint_variable_hand_back(fvi_adjoint_variable_run *m)
+void fvi_adjoint_variable_transfer_back(fvi_adjoint_variable_run *m)
 {
     const double t1 = m->singular_start.undamped.t1;
     if (m->modes)
@@ -55,7 +55,7 @@ void fvi_adjoint_variable_hand_back(fvi_adjoint_variable_run *m)
                                          m->before[j], m->want->alpha != NULL);
     }
 }
-//< hand-back
+//< transfer-back
 
 /* Add the derivatives through A, r and m at t = 0. v and y begin with c_0 A, and the history subtracts that from V. */
 void fvi_adjoint_variable_end_singular_start(fvi_adjoint_variable_run *m, size_t j, double by_v0)

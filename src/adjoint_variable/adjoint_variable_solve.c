@@ -86,7 +86,7 @@ static int factorise(fvi_adjoint_variable_run *m, double h)
 }
 
 /* Write T without W0 mu: the history. (22.6), (22.7) */
-static void recall(fvi_adjoint_variable_run *m, double h)
+static void evaluate_history(fvi_adjoint_variable_run *m, double h)
 {
     const double now = pow(h, -m->path.beta);
     for (size_t j = 0; m->has_history && j < m->d; j++) {
@@ -156,6 +156,6 @@ int fvi_adjoint_variable_solve(fvi_adjoint_variable_run *m, size_t n)
         fvi_modes_begin(m->modes, length);
     if (m->rising)
         fvi_modes_begin(m->rising, length);
-    recall(m, length.h);
+    evaluate_history(m, length.h);
     return status ? status : solve(m, length.h);
 }

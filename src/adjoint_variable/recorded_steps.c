@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int grow(fvi_recorded_steps *m)
+static int grow_arrays(fvi_recorded_steps *m)
 {
     const size_t room = m->room ? 2 * m->room : 64;
     fvi_recorded_step *step = realloc(m->step, room * sizeof *step);
@@ -25,10 +25,10 @@ static int grow(fvi_recorded_steps *m)
 }
 
 /* Record the last step. o->impulse_dv belongs to its end, and m->impulse_dv to its beginning. */
-static int record(fvi_recorded_steps *m, const fvi_variable_step_state *o)
+static int record_step(fvi_recorded_steps *m, const fvi_variable_step_state *o)
 {
     const size_t d = m->d;
-    int status = m->steps < m->room ? FVI_SUCCESS : grow(m);
+    int status = m->steps < m->room ? FVI_SUCCESS : grow_arrays(m);
     if (status)
         return status;
     double *to = m->numbers + m->steps * FVI_MESH_NUMBERS * d;
@@ -60,7 +60,7 @@ static int run_all(const fvi_run *run, fvi_stepper *s, fvi_recorded_steps *m)
     for (size_t k = 1; k <= run->steps && !status;) {
         status = fvi_stepper_step(s);
         if (!status)
-            status = record(m, o);
+            status = record_step(m, o);
         for (; !status && k <= run->steps; k++) {
             const double t = fmin((double)k * run->h, m->T);
             if (t > s->t)

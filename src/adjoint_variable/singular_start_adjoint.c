@@ -89,8 +89,8 @@ void fvi_singular_start_adjoint_stop(fvi_singular_start_adjoint *p)
 /* ---- G and its derivatives ---- */
 
 /* The expansion of coordinate j. *j becomes the index of its numbers in the expansion. */
-static const fvi_singular *expansion(const fvi_singular_start_adjoint *p, size_t *j,
-                                     const double **psi)
+static const fvi_singular *choose_expansion(const fvi_singular_start_adjoint *p, size_t *j,
+                                            const double **psi)
 {
     if (p->unit.J && p->unit.ratio[*j] > 0) {
         *psi = p->psi;
@@ -104,7 +104,7 @@ static const fvi_singular *expansion(const fvi_singular_start_adjoint *p, size_t
 double fvi_singular_start_adjoint_first(const fvi_singular_start_adjoint *p, size_t j)
 {
     const double *psi;
-    const fvi_singular *g = expansion(p, &j, &psi);
+    const fvi_singular *g = choose_expansion(p, &j, &psi);
     return g->c[j * (g->J + 1)];
 }
 
@@ -113,7 +113,7 @@ double fvi_singular_start_adjoint_at(const fvi_singular_start_adjoint *p, size_t
 {
     const double *psi, A = p->A[j];
     double G;
-    const fvi_singular *g = expansion(p, &j, &psi);
+    const fvi_singular *g = choose_expansion(p, &j, &psi);
     fvi_singular_at(g, j, t, &G, slope, NULL);
     if (slope)
         *slope *= A;
@@ -125,8 +125,8 @@ typedef struct {
     double value[3], slope[3];
 } sums;
 
-static sums sum_up(const fvi_singular *g, const double *c, const double *psi,
-                   double q, double ln)
+static sums sum_series(const fvi_singular *g, const double *c, const double *psi,
+                       double q, double ln)
 {
     sums s = { { 0 }, { 0 } };
     for (size_t n = g->J; n > 0; n--) {
@@ -147,10 +147,10 @@ void fvi_singular_start_adjoint_accumulate(fvi_singular_start_adjoint *p, size_t
 {
     const double *psi, A = p->A[j];
     size_t at = j;
-    const fvi_singular *g = expansion(p, &at, &psi);
+    const fvi_singular *g = choose_expansion(p, &at, &psi);
     const double *c = g->c + at * (g->J + 1), power = pow(t, g->gap),
                  q = g->ratio[at] * power, first = g->e == 1 ? t : 1;
-    const sums s = sum_up(g, c, psi, q, log(t));
+    const sums s = sum_series(g, c, psi, q, log(t));
     double by[3];
     for (size_t i = 0; i < 3; i++)
         by[i] = first * (by_G * s.value[i] + by_slope * s.slope[i] / t);
@@ -173,13 +173,13 @@ void fvi_singular_start_adjoint_accumulate(fvi_singular_start_adjoint *p, size_t
 /* The series that (22.20) sums, differentiated by A (with the jump c_0), by r and by alpha. */
 typedef struct {
     fvi_singular_series by_A, by_ratio, by_alpha;
-} hand_over;
+} transfer_series;
 
-static void write_series(const fvi_singular_start_adjoint *p, size_t j, hand_over *f)
+static void write_series(const fvi_singular_start_adjoint *p, size_t j, transfer_series *f)
 {
     enum { MOST = FVI_SINGULAR_MOST };
     const double *psi, A = p->A[j];
-    const fvi_singular *g = expansion(p, &j, &psi);
+    const fvi_singular *g = choose_expansion(p, &j, &psi);
     const double *c = g->c + j * (g->J + 1), t = g->t1, unit = pow(t, g->gap),
                  ln = log(t);
     double a[MOST], by_A[MOST], by_r[MOST], turned[MOST], rate[MOST],
@@ -215,7 +215,7 @@ static double accumulate_modes(fvi_singular_start_adjoint *p, const fvi_singular
 double fvi_singular_start_adjoint_accumulate_modes(fvi_singular_start_adjoint *p, size_t j, double rho,
                                 const fvi_modes *modes, double mu, int by_alpha)
 {
-    hand_over f;
+    transfer_series f;
     double rate = 0;
     write_series(p, j, &f);
     const double all =

@@ -30,7 +30,7 @@ typedef struct {
     double *x, *v, *p, *a, *force, *impulse;
 } row_room;
 
-static row_room lay_out(double *room, size_t d, size_t forces)
+static row_room place_row_parts(double *room, size_t d, size_t forces)
 {
     return (row_room){ room, room + d, room + 2 * d, room + 3 * d, room + 4 * d, room + 4 * d + forces };
 }
@@ -108,7 +108,7 @@ int fvi_command_exact_motion(const fvi_options *o, const fvi_system *system)
     fvi_table_shape(&t, o, system);
     const size_t forces = fvi_exact_motion_forces(motion);
     double *room = malloc((4 * system->d + 2 * forces) * sizeof *room);
-    row_room row = lay_out(room, system->d, forces);
+    row_room row = place_row_parts(room, system->d, forces);
     t.rows = room ? fvi_table_room(&t, 0) : NULL;
     int failed = t.rows ? fvi_table_open(&t) : fvi_complain("not enough memory");
     if (!failed) {

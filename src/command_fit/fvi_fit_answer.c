@@ -15,7 +15,7 @@ static void warn(FILE *out, const char *text)
 }
 
 /* Warn of pairs of parameters that the data can hardly tell apart. */
-static void warn_alike(FILE *out, const request *r, const fvi_estimate *f)
+static void warn_of_correlations(FILE *out, const request *r, const fvi_estimate *f)
 {
     char text[FVI_WARNING_ROOM];
     for (size_t i = 0; i < r->fit.parameters; i++)
@@ -26,8 +26,8 @@ static void warn_alike(FILE *out, const request *r, const fvi_estimate *f)
 }
 
 /* Warn of an offset or a drift of the sensor that the residuals would not show. */
-static void warn_unseen(FILE *out, const request *r, const fvi_estimate *f,
-                        const fvi_examination *e)
+static void warn_of_unseen(FILE *out, const request *r, const fvi_estimate *f,
+                           const fvi_examination *e)
 {
     char text[FVI_WARNING_ROOM];
     for (size_t which = 0; which < 2; which++)
@@ -80,8 +80,8 @@ void fvi_fit_print_plan(FILE *out, const request *r, const fvi_estimate *f,
     fprintf(out, "# points = %zu", r->fit.n);
     fvi_print_number(out, "\n# step = ", f->h);
     print_correlations(out, r, f);
-    warn_alike(out, r, f);
-    warn_unseen(out, r, f, e);
+    warn_of_correlations(out, r, f);
+    warn_of_unseen(out, r, f, e);
 }
 
 static void print_sigmas(FILE *out, const request *r, const fvi_estimate *f)
@@ -113,8 +113,8 @@ void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f,
             r->fit.starts, f->agree);
     fvi_print_number(out, "\n# step = ", f->h);
     print_correlations(out, r, f);
-    warn_alike(out, r, f);
-    warn_unseen(out, r, f, e);
+    warn_of_correlations(out, r, f);
+    warn_of_unseen(out, r, f, e);
     if (past)
         warn(out, past);
     print_flags(out, r, f, e);

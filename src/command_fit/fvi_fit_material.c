@@ -203,7 +203,7 @@ static int read_file(request *r, const char *file, fvi_error *c)
 }
 
 /* Rearrange the rows into columns. Without --weights of its own the second unit is the first one. */
-static int arrange(request *r, fvi_error *c)
+static int set_columns(request *r, fvi_error *c)
 {
     const size_t n = r->data.n, data = tests[r->data.test].columns;
     double *all = malloc((DATA_COLUMNS + 2) * n * sizeof *all);
@@ -234,7 +234,7 @@ static int read_data(request *r, fvi_error *c)
         status = fvi_check_output("--curve", r->words.own[CURVE], c);
     for (size_t i = 0; !status && i < r->words.operands; i++)
         status = read_file(r, r->words.all[i], c);
-    return status ? status : arrange(r, c);
+    return status ? status : set_columns(r, c);
 }
 
 /* ---- the answer ---- */

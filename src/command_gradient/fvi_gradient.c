@@ -290,7 +290,7 @@ static int differentiate(request *r)
 
 /* ---- the command ---- */
 
-static int answer(request *r)
+static int compute_answer(request *r)
 {
     fvi_error error;
     r->by_lets = 1;
@@ -321,7 +321,7 @@ int fvi_command_gradient(int argc, char **argv)
     int status = fvi_subcommand_options_parse(&gradient, argc, argv, &r.words, &r.o, c);
     if (!status)
         status = interpret(&r, c);
-    status = status ? fvi_refused(&error, gradient.name) : answer(&r);
+    status = status ? fvi_refused(&error, gradient.name) : compute_answer(&r);
     fvi_options_free(&r.o);
     return status;
 }

@@ -60,7 +60,7 @@ typedef struct {
     } field[FIELDS];
 } choice;
 
-static void note(void *to, const char *name, const double *by, const char *warning)
+static void add_row(void *to, const char *name, const double *by, const char *warning)
 {
     choice *c = to;
     row *here = c->row + c->count++;
@@ -81,7 +81,7 @@ static void count_row(void *to, const char *name, const double *by, const char *
 }
 
 /* Collect all rows, and mark the arrays in all->field that are wanted. */
-static int note_rows(request *r, choice *all, fvi_error *c)
+static int add_rows(request *r, choice *all, fvi_error *c)
 {
     size_t rows = 0;
     fvi_gradient_rows(r, &(visitor){ count_row, &rows });
@@ -89,7 +89,7 @@ static int note_rows(request *r, choice *all, fvi_error *c)
     all->row = calloc(rows + 1, sizeof *all->row);
     if (!all->row)
         return fvi_no_memory(c, NULL);
-    fvi_gradient_rows(r, &(visitor){ note, all });
+    fvi_gradient_rows(r, &(visitor){ add_row, all });
     return 0;
 }
 
@@ -126,7 +126,7 @@ int fvi_gradient_check_answer(request *r, fvi_error *c)
         return 0;
     for (size_t i = 0; i < FIELDS; i++) /* the derivatives are known by now, so no array has to be marked */
         all.field[i].to = &r->numbers;
-    int status = note_rows(r, &all, c);
+    int status = add_rows(r, &all, c);
     for (const char *at = r->words.own[BY]; at && !status; at = strchr(at, ',')) {
         at += *at == ',';
         status = check_has_derivative(&all, at, strcspn(at, ","), c);
@@ -171,7 +171,7 @@ int fvi_gradient_choose(request *r, fvi_error *c)
         all.field[i].to = to[i];
         all.field[i].size = size[i];
     }
-    int status = note_rows(r, &all, c);
+    int status = add_rows(r, &all, c);
     if (!status)
         status = check_words(r, &all, c);
     enum { TERMS = 5, TIMES = 7 }; /* the derivative by rho1 of two springpots in series also needs that by the time */

@@ -13,7 +13,7 @@ static struct {
 
 static fvi_error_handler *before;
 
-static void note(const char *reason, const char *file, int line, int code)
+static void store_reason(const char *reason, const char *file, int line, int code)
 {
     (void)file;
     (void)line;
@@ -25,7 +25,7 @@ void fvi_gradient_note_reasons(int on)
 {
     if (on) {
         noted.code = FVI_SUCCESS;
-        before = fvi_set_error_handler(note);
+        before = fvi_set_error_handler(store_reason);
     } else
         fvi_set_error_handler(before);
 }

@@ -13,12 +13,12 @@ typedef fvi_gradient_visitor visitor;
 enum { LETTERS = FVI_GRADIENT_LETTERS };
 
 /* Return a pointer to number i of an array; NULL if the array is not asked for. */
-static const double *at(const double *by, size_t i)
+static const double *number_or_null(const double *by, size_t i)
 {
     return by ? by + i : NULL;
 }
 
-static void row(const visitor *v, const char *name, const char *number, const double *by)
+static void report_row(const visitor *v, const char *name, const char *number, const double *by)
 {
     char whole[LETTERS];
     snprintf(whole, sizeof whole, "%s%s", name, number);
@@ -39,7 +39,7 @@ static void rows_of_masses(const visitor *v, const request *r, const char *name,
         char number[24] = "";
         if (r->o.numbered)
             snprintf(number, sizeof number, "_%zu", i + 1);
-        row(v, name, number, at(by, i));
+        report_row(v, name, number, number_or_null(by, i));
     }
 }
 
@@ -53,7 +53,7 @@ static void rows_of_inertia(const visitor *v, const request *r)
         if (r->of == 2 && r->o.mass[i] == 0)
             warn(v, name, "no derivative by %s: the energy does not know the velocity of a coordinate without mass", name);
         else
-            row(v, name, "", at(r->to.mass, i));
+            report_row(v, name, "", number_or_null(r->to.mass, i));
     }
 }
 
@@ -78,7 +78,7 @@ static void rows_of_start(const visitor *v, const request *r, const char *name, 
         if (is_imposed(r, i))
             warn(v, whole, "no derivative by %s: this coordinate is imposed", whole);
         else
-            row(v, whole, "", at(by, i));
+            report_row(v, whole, "", number_or_null(by, i));
     }
 }
 
@@ -101,7 +101,7 @@ static void row_of_number(const visitor *v, const request *r, const char *name, 
                          || (r->has_terms && field == 0 && kind != FVI_ELEMENT_MAXWELL2);
     snprintf(text, sizeof text, "no derivative by %%s: %s", reason_of_laws(r));
     if (is_known)
-        row(v, name, "", at(fields[field], term));
+        report_row(v, name, "", number_or_null(fields[field], term));
     else
         warn(v, name, text, name);
 }
@@ -149,7 +149,7 @@ static void rows_of_damper(const visitor *v, const request *r, size_t j, size_t 
     snprintf(name, sizeof name, "d%zu", j + 1);
     if (damper->name)
         snprintf(name, sizeof name, "%s", damper->name);
-    row(v, name, ".factor", at(r->to.damping, j));
+    report_row(v, name, ".factor", number_or_null(r->to.damping, j));
     for (size_t i = 0; i < law->count; i++) {
         char part[LETTERS / 2] = ".", whole[LETTERS];
         const char *number;
@@ -187,7 +187,7 @@ static void rows_of_matrices(const visitor *v, const request *r)
     if (r->has_mass && r->ground_jumps)
         warn(v, "mass", "no derivative by mass: %s", OF_A_JUMP);
     else if (r->has_mass)
-        row(v, "mass", "", r->to.mass);
+        report_row(v, "mass", "", r->to.mass);
     else
         warn(v, "mass", "no derivative by mass: steps of any length ask for the ground between the "
              "rows", "");
@@ -195,13 +195,13 @@ static void rows_of_matrices(const visitor *v, const request *r)
         rows_of_term(v, r, i);
     rows_of_dampers(v, r);
     if (r->terms == 0 && !of) {
-        row(v, "rho", "", r->to.damping);
+        report_row(v, "rho", "", r->to.damping);
         if (r->has_alpha)
-            row(v, "alpha", "", r->to.alpha);
+            report_row(v, "alpha", "", r->to.alpha);
         else
             warn(v, "alpha", "no derivative by alpha: of a folder steps of any length have none at 0%s", "");
     }
-    row(v, "c", "", r->to.parameters);
+    report_row(v, "c", "", r->to.parameters);
 }
 
 static void rows_of_masses_and_potential(const visitor *v, const request *r)
@@ -221,7 +221,7 @@ static void rows_of_masses_and_potential(const visitor *v, const request *r)
     if (r->terms == 0 && !r->system.mechanism)
         rows_of_masses(v, r, "rho", r->to.damping);
     if (r->has_alpha)
-        row(v, "alpha", "", r->to.alpha);
+        report_row(v, "alpha", "", r->to.alpha);
     else if (r->terms == 0 && !r->system.mechanism)
         warn(v, "alpha", "no derivative by alpha: %s",
              r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP
@@ -229,7 +229,7 @@ static void rows_of_masses_and_potential(const visitor *v, const request *r)
                  : "p of this method jumps at 1");
     const int pendulum = r->o.potential.kind == FVI_POTENTIAL_PENDULUM;
     for (size_t j = 0; !r->to.lagrangian && !r->o.potential.expression && j < r->to.sensitivity.count; j++)
-        row(v, pendulum ? "g" : c_and_g[j], "", at(r->to.parameters, j));
+        report_row(v, pendulum ? "g" : c_and_g[j], "", number_or_null(r->to.parameters, j));
 }
 
 void fvi_gradient_rows(const request *r, const visitor *v)
@@ -251,5 +251,5 @@ void fvi_gradient_rows(const request *r, const visitor *v)
         else if (r->is_jumped[j])
             warn(v, r->o.lets.name[j], "no derivative by %s: " OF_A_JUMP, r->o.lets.name[j]);
         else
-            row(v, r->o.lets.name[j], "", r->lets + j);
+            report_row(v, r->o.lets.name[j], "", r->lets + j);
 }

@@ -112,7 +112,7 @@ static int print(const request *r, const char *found)
     return failed;
 }
 
-static int answer(request *r)
+static int compute_answer(request *r)
 {
     char found[64], warning[FVI_WARNING_ROOM];
     fvi_error error;
@@ -137,7 +137,7 @@ int fvi_command_poles(int argc, char **argv)
                                               &error);
     if (!status)
         status = interpret(&r, &error);
-    status = status ? fvi_refused(&error, command.name) : answer(&r);
+    status = status ? fvi_refused(&error, command.name) : compute_answer(&r);
     fvi_linear_free(&r.linear);
     return status;
 }

@@ -205,8 +205,8 @@ static void print_head(const request *r, FILE *out)
 }
 
 /* Write the commands for one curve, the column `up` over the frequency. */
-static void over_frequency(FILE *g, const request *r, const char *name,
-                           const char *up)
+static void plot_over_frequency(FILE *g, const request *r, const char *name,
+                                const char *up)
 {
     fprintf(g, "set logscale x; set format x '10^{%%T}'; set xlabel '%s'\n",
             r->linear.words.flag ? "f" : "omega");
@@ -229,22 +229,22 @@ static void script(FILE *g, const void *params)
           "set logscale y; set format y '10^{%T}'\n", g);
     if (is_law) {
         fputs("set key top left\n", g);
-        over_frequency(g, r, "moduli",
-                       "2 title 'storage', $rows using 1:3 title 'loss'");
+        plot_over_frequency(g, r, "moduli",
+                            "2 title 'storage', $rows using 1:3 title 'loss'");
         fputs("unset key\n", g);
     } else {
-        over_frequency(g, r, kinds[r->of], "4");
+        plot_over_frequency(g, r, kinds[r->of], "4");
     }
     fputs("unset logscale y; set format y '%g'\n"
           "set size 0.5,0.5; set origin 0,0\n", g);
     if (!is_law)
         fputs("set yrange [-pi:pi]\n", g);
-    over_frequency(g, r, is_law ? "loss / storage" : "phase",
-                   is_law ? "($3/$2)" : "5");
+    plot_over_frequency(g, r, is_law ? "loss / storage" : "phase",
+                        is_law ? "($3/$2)" : "5");
     fputs("unset multiplot\n", g);
 }
 
-static int answer(request *r)
+static int compute_answer(request *r)
 {
     const char *plot = r->linear.o.plot;
     if (r->of != MODULI && fvi_linear_open(&r->linear))
@@ -275,7 +275,7 @@ int fvi_command_response(int argc, char **argv)
                                               &error);
     if (!status)
         status = interpret(&r, &error);
-    status = status ? fvi_refused(&error, response.name) : answer(&r);
+    status = status ? fvi_refused(&error, response.name) : compute_answer(&r);
     free(r.list);
     fvi_linear_free(&r.linear);
     return status;

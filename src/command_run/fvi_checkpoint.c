@@ -31,13 +31,13 @@ typedef struct {
     int failed; /* nonzero after a read or a write has failed */
 } state;
 
-static void put(state *f, const void *data, size_t bytes)
+static void write_bytes(state *f, const void *data, size_t bytes)
 {
     f->failed |= fwrite(data, 1, bytes, f->file) != bytes;
     f->sum = fvi_add_to_sum(f->sum, data, bytes);
 }
 
-static int get(state *f, void *data, size_t bytes)
+static int read_bytes(state *f, void *data, size_t bytes)
 {
     if (fread(data, 1, bytes, f->file) != bytes)
         return 0;
@@ -50,8 +50,8 @@ static int save_piece(fvi_archive *v, void *data, size_t bytes, int constant)
     state *f = (state *)v;
     const uint64_t length = bytes;
     (void)constant;
-    put(f, &length, sizeof length);
-    put(f, data, bytes);
+    write_bytes(f, &length, sizeof length);
+    write_bytes(f, data, bytes);
     return f->failed ? -1 : 0;
 }
 
@@ -61,7 +61,7 @@ static int is_same(state *f, const unsigned char *data, size_t bytes)
     unsigned char part[4096];
     for (size_t n; bytes > 0; bytes -= n, data += n) {
         n = bytes < sizeof part ? bytes : sizeof part;
-        if (!get(f, part, n) || memcmp(part, data, n) != 0)
+        if (!read_bytes(f, part, n) || memcmp(part, data, n) != 0)
             return 0;
     }
     return 1;
@@ -71,9 +71,9 @@ static int load_piece(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     state *f = (state *)v;
     uint64_t length;
-    if (!get(f, &length, sizeof length) || length != bytes)
+    if (!read_bytes(f, &length, sizeof length) || length != bytes)
         return -1;
-    return (constant ? is_same(f, data, bytes) : get(f, data, bytes)) ? 0 : -1;
+    return (constant ? is_same(f, data, bytes) : read_bytes(f, data, bytes)) ? 0 : -1;
 }
 
 /* Archive the stepper, its observer and the reductions. The observer is archived only if columns have sums over the
@@ -107,7 +107,7 @@ static void form_of(const fvi_options *o, char text[FORM])
 
 /* Write the length and the bytes of an open file from `begin` to `end`, or to the end of the file if `end` is 0.
  * Without a file the length is 0. */
-static void put_part(state *f, FILE *from, off_t begin, off_t end)
+static void copy_bytes(state *f, FILE *from, off_t begin, off_t end)
 {
     unsigned char part[1 << 14];
     struct stat now = { 0 };
@@ -115,7 +115,7 @@ static void put_part(state *f, FILE *from, off_t begin, off_t end)
         f->failed = 1;
     const uint64_t length =
         from ? (uint64_t)((end > 0 ? end : now.st_size) - begin) : 0;
-    put(f, &length, sizeof length);
+    write_bytes(f, &length, sizeof length);
     for (uint64_t done = 0; done < length && !f->failed;) {
         const size_t n =
             length - done < sizeof part ? (size_t)(length - done) : sizeof part;
@@ -123,24 +123,24 @@ static void put_part(state *f, FILE *from, off_t begin, off_t end)
         if (got <= 0)
             f->failed = 1;
         else
-            put(f, part, (size_t)got);
+            write_bytes(f, part, (size_t)got);
         done += got > 0 ? (uint64_t)got : 0;
     }
 }
 
 /* Write the rows so far. A longer run may not have the last row, because the number of steps need not be a multiple of
  * --every. Therefore the rows end at t->last, where the last row begins. */
-static void put_rows(state *f, const fvi_table *t)
+static void write_rows(state *f, const fvi_table *t)
 {
     char form[FORM] = "";
     const int waits = fvi_output_waits(t->out);
     if (waits)
         form_of(t->o, form);
     const uint64_t length = strlen(form);
-    put(f, &length, sizeof length);
-    put(f, form, length);
-    put_part(f, waits ? t->out : NULL, t->first, t->last);
-    put_part(f, waits ? t->plot : NULL, 0, t->last_drawn);
+    write_bytes(f, &length, sizeof length);
+    write_bytes(f, form, length);
+    copy_bytes(f, waits ? t->out : NULL, t->first, t->last);
+    copy_bytes(f, waits ? t->plot : NULL, 0, t->last_drawn);
 }
 
 /* Find the three parts with the rows. The file is then positioned behind them. Return 0 if a length does not fit into
@@ -233,11 +233,11 @@ int fvi_checkpoint_write(const fvi_checkpoint *c, const fvi_table *t,
                 .sum = FVI_FIRST_SUM };
     if (!f.file)
         return fvi_cannot_write(name);
-    put(&f, c->head, strlen(c->head));
-    put_rows(&f, t);
+    write_bytes(&f, c->head, strlen(c->head));
+    write_rows(&f, t);
     const int status = archive_run(t, s, &f.archive);
     const uint64_t sum = f.sum;
-    put(&f, &sum, sizeof sum);
+    write_bytes(&f, &sum, sizeof sum);
     const int why = errno, whole = !status && !f.failed;
     if (fvi_output_close(f.file, whole) == 0 && whole)
         return 0;
@@ -262,7 +262,7 @@ static int is_whole(FILE *file)
     off_t left = now.st_size - (off_t)sizeof sum;
     for (size_t n; left > 0; left -= (off_t)n) {
         n = left < (off_t)sizeof part ? (size_t)left : sizeof part;
-        if (!get(&f, part, n))
+        if (!read_bytes(&f, part, n))
             return 0;
     }
     return fread(&sum, sizeof sum, 1, file) == 1 && sum == f.sum

@@ -102,8 +102,8 @@ static size_t file_in(const char *line)
 
 /* Say how two lines differ if at least one of them is about a file: the file has changed, or only one of the runs reads
  * it. */
-static void tell_files_apart(const char *line, const char *want,
-                             const char *head, size_t size, char *why)
+static void describe_file_difference(const char *line, const char *want,
+                                     const char *head, size_t size, char *why)
 {
     const size_t saved = file_in(line), wanted = file_in(want);
     const char *at = head;
@@ -121,13 +121,13 @@ static void tell_files_apart(const char *line, const char *want,
 
 /* Say how the line of a saved head differs from the wanted line. Both are "name = value". Either the values differ, or
  * one of the two heads has no such name. */
-static void tell_apart(const char *line, const char *want, const char *head,
-                       size_t size, char *why)
+static void describe_difference(const char *line, const char *want, const char *head,
+                                size_t size, char *why)
 {
     const size_t name = strcspn(line, " "), length = strcspn(want, "\n");
     char known[100];
     if (file_in(line) > 0 || file_in(want) > 0) {
-        tell_files_apart(line, want, head, size, why);
+        describe_file_difference(line, want, head, size, why);
         return;
     }
     snprintf(known, sizeof known, "\n%.*s = ", (int)name, line);
@@ -143,8 +143,8 @@ static void tell_apart(const char *line, const char *want, const char *head,
 /* Say why a file with this first line is refused. Older versions could also sum the history by FFT. For such a file
  * the message names the values of --memory that are left. Return 0 if the file cannot be read; errno then has the
  * reason. */
-static int tell_versions_apart(const char *line, FILE *file, char *why,
-                               size_t size)
+static int describe_version(const char *line, FILE *file, char *why,
+                            size_t size)
 {
     char *next = NULL;
     size_t room = 0;
@@ -183,9 +183,9 @@ int fvi_checkpoint_compare(const fvi_options *o, FILE *file, const char *head)
         if (got > 0 && line[got - 1] == '\n')
             line[got - 1] = '\0';
         if (is_read && want == head)
-            is_read = tell_versions_apart(got > 0 ? line : "", file, why, sizeof why);
+            is_read = describe_version(got > 0 ? line : "", file, why, sizeof why);
         else if (is_read)
-            tell_apart(got > 0 ? line : "", want, head, sizeof why, why);
+            describe_difference(got > 0 ? line : "", want, head, sizeof why, why);
         status = is_read ? fvi_checkpoint_refuse(o, why)
                          : fvi_checkpoint_unreadable(o);
     }

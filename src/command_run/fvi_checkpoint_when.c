@@ -21,7 +21,7 @@ static void restore_ends(void)
 
 /* Note the first signal; the run then ends at the end of its step, however long the step takes. A second signal ends
  * the program at once. */
-static void note(int number)
+static void store_signal(int number)
 {
     signal_number = number;
     restore_ends();
@@ -45,7 +45,7 @@ void fvi_checkpoint_watch(void)
     signal(SIGALRM, raise_again);
     for (size_t i = 0; i < ENDS; i++)
         if (before[i].sa_handler != SIG_IGN)
-            signal(ends[i], note);
+            signal(ends[i], store_signal);
 }
 
 void fvi_checkpoint_in_rows(int now)

@@ -48,7 +48,7 @@ static int warn_along(watches *w, const fvi_stepper *s)
 }
 
 /* Print between which rows a step failed. If the run took too many steps, print how far it came. Return 1. */
-static int stopped(const fvi_options *o, const fvi_stepper *s, int status)
+static int print_stop(const fvi_options *o, const fvi_stepper *s, int status)
 {
     fvi_step_statistics counts;
     if (status != FVI_ERUNAWAY || fvi_stepper_statistics(s, &counts))
@@ -86,7 +86,7 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, watches *w,
         status = fvi_run_step(t, s);
         if (status) /* the step failed, or a reduction after it */
             return s->k > before && !t->o->method->dense ? fvi_stopped_at(s->k, status)
-                                                         : stopped(t->o, s, status);
+                                                         : print_stop(t->o, s, status);
         status = warn_along(w, s);
         if (status)
             return fvi_stopped_at(s->k, status);

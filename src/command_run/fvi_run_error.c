@@ -34,7 +34,7 @@ static int search(const fvi_options *o, const fvi_method *method,
 }
 
 /* Write, for example, "1.9e-07, with the step 9.537e-07". */
-static void describe(const fvi_report *found, size_t size, char *text)
+static void describe_error(const fvi_report *found, size_t size, char *text)
 {
     if (found->method->dense)
         snprintf(text, size, "%.2g, in %zu steps", found->error, found->steps);
@@ -45,11 +45,11 @@ static void describe(const fvi_report *found, size_t size, char *text)
 
 /* Print how near the search came to the wanted error. Another method is advised only after it has been tried. x and p
  * are room for the rows of that trial, which are not printed. */
-static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
-                         double *p, const fvi_report *found)
+static void print_nearest_error(const fvi_options *o, const fvi_run *r, double *x,
+                                double *p, const fvi_report *found)
 {
     char own[80], others[80], advice[160] = "";
-    describe(found, sizeof own, own);
+    describe_error(found, sizeof own, own);
     if (!isfinite(found->error) && o->most_steps > 0) {
         fprintf(stderr,
                 "fvi: --error: of the runs that --most-steps allows, up to %zu "
@@ -75,7 +75,7 @@ static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
         snprintf(advice, sizeof advice, "; try --method %s%s", other->name,
                  o->kappa != 0.5 && !other->takes_kappa ? " without --kappa" : "");
     else if (status == FVI_ETOL && tried.error < found->error) {
-        describe(&tried, sizeof others, others);
+        describe_error(&tried, sizeof others, others);
         snprintf(advice, sizeof advice, "; by %s %s", other->name, others);
     }
     char reached[80] = "";
@@ -101,7 +101,7 @@ static int find_step(const fvi_options *o, const fvi_run *r, double *x,
 {
     int status = search(o, o->method, r, x, p, typed, found, events);
     if (status == FVI_ETOL)
-        say_how_near(o, r, x, p, found);
+        print_nearest_error(o, r, x, p, found);
     else if (status == FVI_EMAXITER || status == FVI_EOVRFLW
              || (status == FVI_ESING && !o->directory))
         fvi_complain("--error: no step gives a result that can be trusted");
@@ -109,7 +109,7 @@ static int find_step(const fvi_options *o, const fvi_run *r, double *x,
         return complain_of_search(o, r, status);
     if (!status) {
         char text[80];
-        describe(found, sizeof text, text);
+        describe_error(found, sizeof text, text);
         fprintf(stderr, "fvi: the error of x is %sabout %s\n",
                 o->method->dense ? "at most " : "", text);
     }

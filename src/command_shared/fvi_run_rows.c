@@ -64,8 +64,8 @@ int fvi_run_step(fvi_table *t, fvi_stepper *s)
     return !status && reduces(t) ? reduce(t, s, begin, row) : status;
 }
 
-static int take_between_steps(fvi_table *t, fvi_stepper *s, size_t k,
-                              double time)
+static int write_row_between_steps(fvi_table *t, fvi_stepper *s, size_t k,
+                                   double time)
 {
     const size_t d = t->o->d;
     double *x = malloc(2 * d * sizeof *x);
@@ -84,7 +84,7 @@ int fvi_run_row(fvi_table *t, fvi_stepper *s, size_t k)
         return FVI_SUCCESS;
     if (!t->observer)
         return s->t == time ? fvi_table_take(t, k, s->x, s->p)
-                            : take_between_steps(t, s, k, time);
+                            : write_row_between_steps(t, s, k, time);
     int status = fvi_observer_read(t->observer, s, time, &now);
     t->now = &now;
     if (!status)

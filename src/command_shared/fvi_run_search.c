@@ -22,7 +22,7 @@ static int count_row(size_t k, double t, const double *x, const double *p, void 
     return FVI_SUCCESS;
 }
 
-static int keep_event(const fvi_event_time *at, const double *x, const double *p, void *params)
+static int store_event(const fvi_event_time *at, const double *x, const double *p, void *params)
 {
     const typed_rows *kept = params;
     fvi_run_events *events = kept->events;
@@ -41,7 +41,7 @@ static int keep_event(const fvi_event_time *at, const double *x, const double *p
     return FVI_SUCCESS;
 }
 
-static int keep_typed(size_t k, const fvi_observation *now, void *params)
+static int store_typed_columns(size_t k, const fvi_observation *now, void *params)
 {
     const typed_rows *t = params;
     return fvi_typed_columns_values(t->o->typed, now,
@@ -50,10 +50,10 @@ static int keep_typed(size_t k, const fvi_observation *now, void *params)
 
 /* Write the typed columns of a state between two rows to the place of the next row, because an event may end the run
  * there. */
-static int keep_between(const fvi_observation *now, void *params)
+static int store_between_rows(const fvi_observation *now, void *params)
 {
     const typed_rows *t = params;
-    return t->next > t->o->steps ? FVI_SUCCESS : keep_typed(t->next, now, params);
+    return t->next > t->o->steps ? FVI_SUCCESS : store_typed_columns(t->next, now, params);
 }
 
 /* Add a row, or a step between two rows, to the reductions. fvi_solve calls these functions in the order of the
@@ -92,12 +92,12 @@ int fvi_run_search(const fvi_options *o, const fvi_method *method,
                                         .history_tolerance = r->tolerance };
     const fvi_accuracy accuracy = { o->error, o->most_steps };
     fvi_outputs rows = { .rows = r->steps + 1, .x = x, .p = p, .params = &kept };
-    rows.event = events ? keep_event : NULL;
+    rows.event = events ? store_event : NULL;
     rows.row = count_row;
     const int reduces = fvi_reductions_count(o->typed) > 0;
     if (typed && (reduces || fvi_options_needs_stepper(o))) {
-        rows.observed = reduces ? reduce_row : keep_typed;
-        rows.between = reduces ? reduce_step : r->event_count ? keep_between : NULL;
+        rows.observed = reduces ? reduce_row : store_typed_columns;
+        rows.between = reduces ? reduce_step : r->event_count ? store_between_rows : NULL;
         rows.wanted = fvi_typed_columns_wanted(o->typed);
     }
     return fvi_solve(&problem, &options, &accuracy, &rows, found, NULL);

@@ -59,14 +59,14 @@ static int refuse_option(const sorter *s, const char *word, option_index i)
     return fvi_refuse_option(s->c, word, names);
 }
 
-static int take_own(sorter *s, int which, const char *given, const char *next)
+static int read_own_option(sorter *s, int which, const char *given, const char *next)
 {
     const char *equals = strchr(given, '='), *name = s->command->own[which];
     const int status = equals ? 0 : fvi_value_is_missing(given, next, s->c);
     return status ? status : fvi_word_once("--", name, &s->w->own[which], equals ? equals + 1 : next, s->c);
 }
 
-static int take_operand(sorter *s, const char *word)
+static int read_operand(sorter *s, const char *word)
 {
     if (s->w->operands >= (size_t)s->command->operand)
         return fvi_refuse(s->c, NULL, "'%s': not expected here", word);
@@ -88,10 +88,10 @@ static int sort_words(sorter *s, int argc, char **argv)
             && strcmp(word + 2, s->command->flag) == 0) {
             s->w->flag = 1;
         } else if (own >= 0) {
-            status = take_own(s, own, word, argv[i + 1]);
+            status = read_own_option(s, own, word, argv[i + 1]);
             i += !equals;
         } else if (*word != '-') {
-            status = take_operand(s, word);
+            status = read_operand(s, word);
         } else if (of_run == OPTIONS || !is_shared(s->command, of_run)) {
             status = refuse_option(s, word, of_run);
         } else {

@@ -80,7 +80,7 @@ static void work_on(const sweep_grid *g, board *shared, size_t count, const size
 }
 
 /* Take groups of runs until there are none. Then end the process. */
-static void work(const sweep_grid *g, const sweep_plan *plan, board *shared, pid_t parent)
+static void process_groups(const sweep_grid *g, const sweep_plan *plan, board *shared, pid_t parent)
 {
     for (size_t n; getppid() == parent
                    && (n = atomic_fetch_add(&shared->next, 1)) < plan->groups;)
@@ -98,7 +98,7 @@ static int work_together(const sweep_grid *g, const sweep_plan *plan, board *sha
         const pid_t child = fork();
         if (child == 0) {
             end_with(parent);
-            work(g, plan, shared, parent);
+            process_groups(g, plan, shared, parent);
         }
         if (child < 0)
             break; /* go on with fewer processes */
@@ -109,7 +109,7 @@ static int work_together(const sweep_grid *g, const sweep_plan *plan, board *sha
 }
 
 /* Print how the runs were made, if standard error is a terminal or --lanes was given. The rows do not depend on it. */
-static void tell(const sweep_grid *g, const sweep_plan *plan, const board *b)
+static void print_how_runs_were_made(const sweep_grid *g, const sweep_plan *plan, const board *b)
 {
     size_t together = 0;
     if (!g->lanes && !isatty(STDERR_FILENO))
@@ -129,7 +129,7 @@ static void tell(const sweep_grid *g, const sweep_plan *plan, const board *b)
 /* ---- the table ---- */
 
 /* Print the varied values of run i of the whole grid, for example "h = 10, rho = 1". */
-static void name_run(FILE *out, const sweep_grid *g, size_t i)
+static void print_varied_values(FILE *out, const sweep_grid *g, size_t i)
 {
     for (size_t n = 0; n < g->count; n++) {
         char text[32];
@@ -154,7 +154,7 @@ static void warn_of_rows(const sweep_grid *g, const board *b, int (*is_so)(const
         return;
     snprintf(text, size, "%s: %zu of %zu", what, many, b->count);
     fprintf(stderr, "fvi: warning: %s, the first with ", text);
-    name_run(stderr, g, g->first + first);
+    print_varied_values(stderr, g, g->first + first);
     fputc('\n', stderr);
 }
 
@@ -224,7 +224,7 @@ static int complain_of(const sweep_grid *g, size_t i, sweep_verdict v)
     if (v.step == 0)
         reason_of_start(g, i, v.status, sizeof reason, reason);
     fputs("fvi: with ", stderr);
-    name_run(stderr, g, i);
+    print_varied_values(stderr, g, i);
     if (v.step > 0)
         fprintf(stderr, ": step %zu", v.step);
     fprintf(stderr, ": %s\n", *reason ? reason : fvi_reason(v.status));
@@ -317,7 +317,7 @@ static int run_all(const sweep_grid *g, const fvi_options *o,
     } else if (work_together(g, &plan, shared)) {
         fvi_complain("a process of the sweep was ended");
     } else {
-        tell(g, &plan, shared);
+        print_how_runs_were_made(g, &plan, shared);
         failed = print_table(g, o, shared, no_solution);
     }
     sweep_plan_free(&plan);

@@ -69,8 +69,8 @@ static int is_option(const char *name)
 }
 
 /* Read "V1,V2,..." */
-static int take_list(fvi_axis *a, const char *text, const char *list,
-                     fvi_error *c)
+static int parse_list(fvi_axis *a, const char *text, const char *list,
+                      fvi_error *c)
 {
     size_t count = 1;
     for (const char *at = list; *at; at++)
@@ -88,7 +88,7 @@ static int take_list(fvi_axis *a, const char *text, const char *list,
 }
 
 /* Add an axis. */
-static int take_axis(sweep_grid *g, const char *text, fvi_error *c)
+static int parse_axis(sweep_grid *g, const char *text, fvi_error *c)
 {
     const char *equals = strchr(text, '=');
     const size_t length = equals ? (size_t)(equals - text) : 0,
@@ -112,14 +112,14 @@ static int take_axis(sweep_grid *g, const char *text, fvi_error *c)
         strchr(equals + 1, ':')
             ? fvi_word_range("vary", "NAME=A:B:N, NAME=A:B:N:log or "
                              "NAME=V1,V2,...", text, equals + 1, &a->range, c)
-            : take_list(a, text, equals + 1, c);
+            : parse_list(a, text, equals + 1, c);
     if (status)
         return status;
     snprintf(g->text + end, sizeof g->text - end, "%s%s", end ? "," : "", text);
     return 0;
 }
 
-static int take_part(sweep_grid *g, const char *text, fvi_error *c)
+static int parse_part(sweep_grid *g, const char *text, fvi_error *c)
 {
     char first[32] = "", rest[32] = "";
     int used = 0;
@@ -138,14 +138,14 @@ enum { JOBS, LANES_TOGETHER, PART, ONCE };
 static const char *const once[ONCE] = { "jobs", "lanes", "part" };
 
 /* Take the value of such an option. *text is its earlier value, or NULL. */
-static int take_once(sweep_grid *g, int which, const char *value,
-                     const char **text, fvi_error *c)
+static int parse_once(sweep_grid *g, int which, const char *value,
+                      const char **text, fvi_error *c)
 {
     const int status =
         fvi_word_once("--", once[which], text, value, c);
     return status          ? status
            : which == JOBS ? fvi_parse_whole("jobs", value, 1024, &g->jobs, c)
-           : which == PART ? take_part(g, value, c)
+           : which == PART ? parse_part(g, value, c)
                            : fvi_parse_whole("lanes", value, 8, &g->lanes, c);
 }
 
@@ -164,7 +164,7 @@ static int check_word(const char *word, fvi_error *c)
 }
 
 /* Sort the words: read those of a sweep, and keep those of `fvi run`. */
-static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
+static int sort_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
 {
     const char *texts[ONCE] = { NULL };
     int every = 0;
@@ -185,9 +185,9 @@ static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
         if (status)
             return status;
         if (vary)
-            status = take_axis(g, value, c);
+            status = parse_axis(g, value, c);
         else if (which < ONCE)
-            status = take_once(g, which, value, &texts[which], c);
+            status = parse_once(g, which, value, &texts[which], c);
         else {
             status = check_word(argv[i], c);
             g->words[AHEAD + g->word_count++] = argv[i];
@@ -237,7 +237,7 @@ int sweep_grid_parse(int argc, char **argv, sweep_grid *g, fvi_error *c)
     if (!g->words) {
         return fvi_no_memory(c, NULL);
     }
-    int status = take_words(g, argc, argv, c);
+    int status = sort_words(g, argc, argv, c);
     if (status)
         return status;
     if (g->count == 0)

@@ -21,7 +21,7 @@ typedef struct {
 } lane;
 
 /* Return why a run with these options must be made alone, or NULL if it need not. */
-static const char *refusal(const fvi_options *o)
+static const char *reason_to_run_alone(const fvi_options *o)
 {
     const fvi_system system = fvi_options_system(o);
     const fvi_run run = fvi_options_run(o, &system);
@@ -37,7 +37,7 @@ static int open_lane(const sweep_grid *g, size_t i, lane *l)
         return 0;
     l->is_open = 1;
     l->system = fvi_options_system(&l->o);
-    return !refusal(&l->o) && sweep_table_open(g, &l->o, &l->system, &l->table);
+    return !reason_to_run_alone(&l->o) && sweep_table_open(g, &l->o, &l->system, &l->table);
 }
 
 static void close_lane(lane *l)
@@ -73,7 +73,7 @@ static fvi_observation part_of(const fvi_observation *now, size_t l)
 }
 
 /* Take row k of each lane, or add it to the reductions. */
-static int take_rows(size_t count, lane *lanes, const lanes_on_their_way *all, size_t k)
+static int store_rows(size_t count, lane *lanes, const lanes_on_their_way *all, size_t k)
 {
     const fvi_stepper *s = all->stepper;
     fvi_observation now;
@@ -102,29 +102,29 @@ static int finish(size_t count, lane *lanes)
     return FVI_SUCCESS;
 }
 
-static int take_steps(size_t count, lane *lanes, const lanes_on_their_way *all)
+static int step_lanes(size_t count, lane *lanes, const lanes_on_their_way *all)
 {
     const size_t steps = lanes->o.steps;
     fvi_stepper *s = all->stepper;
-    int status = take_rows(count, lanes, all, 0);
+    int status = store_rows(count, lanes, all, 0);
     for (size_t k = 0; !status && k < steps;) {
         k = reduces(lanes) ? k + 1 : fvi_table_next(&lanes->table, k);
         while (!status && s->k < k)
             status = all->observer ? fvi_observer_step(all->observer, s) : fvi_stepper_step(s);
         if (!status)
-            status = take_rows(count, lanes, all, k);
+            status = store_rows(count, lanes, all, k);
     }
     return status ? status : finish(count, lanes);
 }
 
-static int walk(const fvi_run *run, size_t count, lane *lanes)
+static int run_to_rows(const fvi_run *run, size_t count, lane *lanes)
 {
     lanes_on_their_way all = { NULL, NULL };
     int status = fvi_stepper_start(lanes->o.method, run, &all.stepper, NULL);
     if (!status && fvi_options_needs_stepper(&lanes->o))
         status = fvi_observer_start(all.stepper, fvi_typed_columns_wanted(lanes->o.typed), &all.observer, NULL);
     if (!status)
-        status = take_steps(count, lanes, &all);
+        status = step_lanes(count, lanes, &all);
     fvi_observer_free(all.observer);
     fvi_stepper_free(all.stepper);
     return status;
@@ -139,7 +139,7 @@ static int run_lanes(size_t count, lane *lanes)
     if (fvi_batch_refusal(lanes->o.method, count, run)
         || fvi_batch_alloc(lanes->o.method, count, run, &batch, NULL))
         return 0;
-    const int status = walk(fvi_batch_run(batch), count, lanes);
+    const int status = run_to_rows(fvi_batch_run(batch), count, lanes);
     fvi_batch_free(batch);
     return !status;
 }
@@ -168,7 +168,7 @@ int sweep_run_group(const sweep_grid *g, size_t count, const size_t *run, double
 /* Return nonzero if runs with different values of this axis cannot go together, because they have other steps or
  * another memory. Runs may differ in starts, masses and rho. With stages they may not differ in masses and rho, because
  * the memory depends on them. */
-static int divides(const fvi_axis *a, int has_stages)
+static int separates_runs(const fvi_axis *a, int has_stages)
 {
     static const char *const names[] = { "rho", "mass", "x0", "p0", "v0", NULL };
     return !a->is_let && !fvi_is_one_of(a->name, names + (has_stages ? 2 : 0));
@@ -178,7 +178,7 @@ typedef struct {
     size_t key, run;
 } keyed_run;
 
-static int by_key(const void *a, const void *b)
+static int compare_keys(const void *a, const void *b)
 {
     const keyed_run *x = a, *y = b;
     return x->key != y->key ? (x->key > y->key) - (x->key < y->key)
@@ -197,7 +197,7 @@ static size_t key_of(const sweep_grid *g, size_t i, int has_stages, int is_obser
         for (size_t m = n + 1; m < g->count; m++)
             behind *= g->axis[m].range.count;
         key *= g->axis[n].range.count + 1;
-        if (divides(g->axis + n, has_stages))
+        if (separates_runs(g->axis + n, has_stages))
             key += i / behind % g->axis[n].range.count;
         else if (is_observed && !g->axis[n].is_let)
             key += value == 0;
@@ -226,7 +226,7 @@ int sweep_plan_make(const sweep_grid *g, const fvi_options *o, sweep_plan *plan)
     *plan = (sweep_plan){ .most = wanted < 1 ? 1 : wanted,
                           .order = malloc((g->runs + 1) * sizeof *plan->order),
                           .group = malloc((g->runs + 1) * sizeof *plan->group),
-                          .why = refusal(o) };
+                          .why = reason_to_run_alone(o) };
     if (!runs || !plan->order || !plan->group) {
         free(runs);
         sweep_plan_free(plan);
@@ -236,7 +236,7 @@ int sweep_plan_make(const sweep_grid *g, const fvi_options *o, sweep_plan *plan)
         plan->most = 1;
     for (size_t i = 0; i < g->runs; i++)
         runs[i] = (keyed_run){ plan->most > 1 ? key_of(g, g->first + i, o->method->stages > 0, is_observed) : i, g->first + i };
-    qsort(runs, g->runs, sizeof *runs, by_key);
+    qsort(runs, g->runs, sizeof *runs, compare_keys);
     fill(g, runs, plan);
     free(runs);
     return FVI_SUCCESS;

@@ -28,7 +28,7 @@ static size_t place_of_end(const fvi_options *o, size_t k, double t, size_t *row
 }
 
 /* Take the last row of a run that an event has ended, from the present state. */
-static int take_end(fvi_table *t, const fvi_stepper *s, size_t *rows)
+static int write_end_row(fvi_table *t, const fvi_stepper *s, size_t *rows)
 {
     const fvi_options *o = t->o;
     const size_t next = place_of_end(o, s->k, s->t, rows);
@@ -56,7 +56,7 @@ static int check_inertia(fvi_run_inertia *w, const fvi_stepper *s, sweep_verdict
 }
 
 /* Make all steps of length o->h, and take the rows of o->every. */
-static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
+static sweep_verdict run_by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     fvi_stepper *s;
     sweep_verdict v = { .status = fvi_stepper_start(o->method, r, &s, NULL) };
@@ -75,7 +75,7 @@ static sweep_verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table 
         v.status = fvi_run_row(t, s, 0);
     for (size_t k = 0, next = fvi_table_next(t, 0); !v.status && k < o->steps;) {
         if (s->k < next && fvi_stepper_is_over(s)) {
-            v.status = take_end(t, s, &v.rows);
+            v.status = write_end_row(t, s, &v.rows);
             break;
         }
         if (s->k < next) {
@@ -104,7 +104,7 @@ typedef struct {
 } found_run;
 
 /* Take the last row of a run that an event has ended. It is moved to the place of the row that would come next. */
-static int take_found_end(fvi_table *t, found_run *f, size_t *rows)
+static int write_found_end(fvi_table *t, found_run *f, size_t *rows)
 {
     const fvi_options *o = t->o;
     const size_t d = o->d, at = f->report.rows, width = fvi_typed_columns_count(o->typed);
@@ -119,7 +119,7 @@ static int take_found_end(fvi_table *t, found_run *f, size_t *rows)
 }
 
 /* Take the rows of o->every from the rows that were found. */
-static void take_found(fvi_table *t, const fvi_run *r, found_run *f, sweep_verdict *v)
+static void write_found_rows(fvi_table *t, const fvi_run *r, found_run *f, sweep_verdict *v)
 {
     const fvi_options *o = t->o;
     char text[FVI_WARNING_ROOM];
@@ -131,13 +131,13 @@ static void take_found(fvi_table *t, const fvi_run *r, found_run *f, sweep_verdi
             break;
     }
     if (!v->status && f->report.rows <= o->steps)
-        v->status = take_found_end(t, f, &v->rows);
+        v->status = write_found_end(t, f, &v->rows);
     if (!v->status && fvi_reductions_count(o->typed) > 0)
         fvi_run_reduced(t, t->rows + t->width);
 }
 
 /* Make a run with as many steps as the wanted error needs. */
-static sweep_verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
+static sweep_verdict run_to_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     const size_t count = o->steps + 1,
                  width = 2 * o->d + fvi_typed_columns_count(o->typed);
@@ -149,7 +149,7 @@ static sweep_verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table 
     f.typed = f.p + count * o->d;
     v.status = fvi_run_search(o, o->method, r, f.x, f.p, f.typed, &f.report, &f.events);
     if (!v.status)
-        take_found(t, r, &f, &v);
+        write_found_rows(t, r, &f, &v);
     free(f.events.at);
     free(f.x);
     return v;
@@ -177,7 +177,7 @@ static sweep_verdict run_table(const sweep_grid *g, fvi_options *o, fvi_table *t
     const fvi_run r = fvi_options_run(o, &system);
     sweep_verdict v = { .status = FVI_ENOMEM };
     if (sweep_table_open(g, o, &system, t))
-        v = (o->error > 0 ? by_error : by_steps)(o, &r, t);
+        v = (o->error > 0 ? run_to_error : run_by_steps)(o, &r, t);
     return v;
 }
 

@@ -44,7 +44,7 @@ typedef struct {
 } problem;
 
 /* F(t) + u_k, where k is the node nearest to t. The force of the run: `params` is the problem. */
-static int driven(double t, size_t d, void *params, double *F)
+static int force_with_control(double t, size_t d, void *params, double *F)
 {
     const problem *o = params;
     const size_t k = (size_t)(t / o->run.h + 0.5);
@@ -104,8 +104,8 @@ static double merit(const problem *o, const double *u, double price)
 /* ---- the conditions ---- */
 
 /* An objective J that is one number of the end: x_N,i for params = i < d, and p_N,i for params = d + i. */
-static int one_end(size_t k, size_t d, const double *x, const double *p,
-                   void *params, double *Jx, double *Jp)
+static int end_number_slopes(size_t k, size_t d, const double *x, const double *p,
+                             void *params, double *Jx, double *Jp)
 {
     const size_t i = *(const size_t *)params;
     (void)k, (void)x;
@@ -120,7 +120,7 @@ static int adjoint_runs(problem *o)
 {
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < o->ends && !status; i++) {
-        const fvi_objective end = { .slopes = one_end, .params = &i };
+        const fvi_objective end = { .slopes = end_number_slopes, .params = &i };
         const fvi_sensitivities by = { .force = o->a + i * o->rows };
         status = fvi_adjoint(o->method, &o->run, o->x, o->p + o->rows - o->d,
                              &end, &by);
@@ -146,7 +146,7 @@ static int solve(size_t n, double *A, double *b)
 /* Compute the least u' with gap + a (u' - u) = 0 into `next`. (25.4)
  *
  *     u' = -a^T nu / h,    (a a^T / h) nu = gap - a u */
-static int least(problem *o, const double *u)
+static int find_least_control(problem *o, const double *u)
 {
     const size_t n = o->ends;
     for (size_t i = 0; i < n; i++) {
@@ -170,7 +170,7 @@ static int least(problem *o, const double *u)
 /* ---- the iteration ---- */
 
 /* The largest |next_j - u_j| divided by the largest |next_j|. */
-static double change_of(const problem *o, const double *u)
+static double relative_change(const problem *o, const double *u)
 {
     double far = 0, size = 0;
     for (size_t j = 0; j < o->rows; j++) {
@@ -183,7 +183,7 @@ static double change_of(const problem *o, const double *u)
 //> go
 /* Move u towards next. The step is halved until the merit function (25.5) falls; its slope along next - u is at most
  * -h |next - u|^2. If a run fails, the trial u was too far away, and the step is halved, too. */
-static int go(problem *o, double *u, double *price)
+static int search_along_change(problem *o, double *u, double *price)
 {
     double slope = 0;
     *price = larger(*price, 1.5 * largest_abs(o->ends, o->nu));
@@ -223,7 +223,7 @@ static void store_control(problem *o, const double *u)
 
 /* Anderson's mixing: replace next by next - sum_i gamma_i dg_i, where the gamma_i make |r - sum_i gamma_i dr_i| least.
  * The first stored change is left out, because no iteration was before it. */
-static void mix(problem *o, const double *u)
+static void mix_iterates(problem *o, const double *u)
 {
     store_control(o, u);
     const size_t R = o->rows, last = o->known - 1,
@@ -254,22 +254,22 @@ static int iterate(problem *o, double *u, fvi_control_result *found)
     while (!status && found->iterations < ITERATIONS) {
         status = adjoint_runs(o);
         if (!status)
-            status = least(o, u);
+            status = find_least_control(o, u);
         if (status)
             return status;
         found->iterations++;
-        found->change = change_of(o, u);
+        found->change = relative_change(o, u);
         if (found->change < 1e-12) {
             memcpy(u, o->next, o->rows * sizeof *u);
             return run_with(o, u);
         }
         if (found->change < NEAR && found->change < 2 * before) {
-            mix(o, u);
+            mix_iterates(o, u);
             memcpy(u, o->next, o->rows * sizeof *u);
             status = run_with(o, u);
         } else {
             o->known = 0;
-            status = go(o, u, &price);
+            status = search_along_change(o, u, &price);
         }
         before = found->change;
     }
@@ -307,7 +307,7 @@ int fvi_control_solve(const fvi_method *method, const fvi_run *run, const double
                   .ends = 2 * run->system->d,
                   .wanted_x = x,
                   .wanted_p = p };
-    o.system.force.value = driven; /* its impulses stay */
+    o.system.force.value = force_with_control; /* its impulses stay */
     o.system.force.bound = NULL;
     o.system.force.params = &o;
     o.run.system = &o.system;

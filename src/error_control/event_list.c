@@ -56,8 +56,8 @@ static size_t next_time(const fvi_event_list *list, size_t from, size_t event)
 
 /* The distance of two events that belong together; INFINITY if one is a rest or a lift-off and the other is not. The
  * times of lift-offs may differ, because an error of such a time moves the body by its square only, H 29. */
-static double apart(const fvi_event_list *a, size_t i, const fvi_event_list *b, size_t j, size_t d,
-                    double speed)
+static double event_distance(const fvi_event_list *a, size_t i, const fvi_event_list *b, size_t j, size_t d,
+                             double speed)
 {
     double D = speed * fabs(a->at[i].t - b->at[j].t);
     if (!a->at[i].at_rest != !b->at[j].at_rest || !a->at[i].lifts_off != !b->at[j].lifts_off)
@@ -71,7 +71,7 @@ static double apart(const fvi_event_list *a, size_t i, const fvi_event_list *b, 
 
 /* The time of the first event of the list that has no partner in the other list, or `before` if that is earlier. The
  * times of event e have partners before the index matched[e]. */
-static double first_alone(const fvi_event_list *list, const size_t *matched, double before)
+static double first_unmatched(const fvi_event_list *list, const size_t *matched, double before)
 {
     for (size_t j = 0; j < list->count; j++)
         if (j >= matched[list->at[j].event])
@@ -91,7 +91,7 @@ int fvi_event_list_distance(const fvi_event_list *a, const fvi_event_list *b, si
     double alone = INFINITY; /* the time of the first event without a partner */
     for (size_t i = 0; i < a->count; i++) {
         const size_t e = a->at[i].event, j = next_time(b, matched[e], e);
-        const double D = j < b->count ? apart(a, i, b, j, d, speed) : INFINITY;
+        const double D = j < b->count ? event_distance(a, i, b, j, d, speed) : INFINITY;
         if (!(D < INFINITY)) {
             alone = smaller(alone, a->at[i].t);
             continue;
@@ -103,7 +103,7 @@ int fvi_event_list_distance(const fvi_event_list *a, const fvi_event_list *b, si
             common->until = a->at[i].t;
         }
     }
-    alone = first_alone(b, matched, alone);
+    alone = first_unmatched(b, matched, alone);
     const int is_at_end = speed * (end - alone) <= error && end - alone <= 1e-3 * end;
     common->differ = alone < INFINITY && !is_at_end;
     if (common->differ)

@@ -27,8 +27,8 @@ static double time_of_row(const fvi_solve_state *o, size_t k)
 }
 
 /* Write row k to the outputs, with its energy, and call the caller's `row`. */
-static int give_row(const fvi_solve_state *o, size_t k, const double *x,
-                    const double *p)
+static int write_row(const fvi_solve_state *o, size_t k, const double *x,
+                     const double *p)
 {
     const fvi_outputs *out = o->out;
     const size_t d = o->run.system->d;
@@ -63,7 +63,7 @@ static void report_of_mesh(fvi_report *report, const fvi_step_statistics *counts
 }
 
 /* Call the caller's `event` for the events up to the time `until` that it has not been told. */
-static int tell_events(fvi_solve_state *o, double until)
+static int report_events(fvi_solve_state *o, double until)
 {
     const size_t d = o->run.system->d;
     int status = FVI_SUCCESS;
@@ -98,7 +98,7 @@ static int row_of_stages(const fvi_solve_state *o, const fvi_stepper *s, size_t 
     int status = fvi_lobatto_within(s, t, room);
     if (!status)
         status = fvi_lobatto_momentum_within(s, t, p);
-    return status ? status : give_row(o, k, room, p);
+    return status ? status : write_row(o, k, room, p);
 }
 
 /* Give out row k of a run that has reached or just passed its time. */
@@ -112,23 +112,23 @@ static int row_of_run(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *ob
     if (observer) {
         status = fvi_observer_read(observer, s, t, &now);
         if (!status)
-            status = give_row(o, k, now.x, now.p);
+            status = write_row(o, k, now.x, now.p);
         return status ? status : o->out->observed(k, &now, o->out->params);
     }
     if (!s->method->dense) {
         int is_there;
         node_of_row(o, s, k, &is_there);
-        return is_there ? give_row(o, k, s->x, s->p) : row_of_stages(o, s, k, room);
+        return is_there ? write_row(o, k, s->x, s->p) : row_of_stages(o, s, k, room);
     }
     if (s->t == t)
-        return give_row(o, k, s->x, s->p);
+        return write_row(o, k, s->x, s->p);
     status = fvi_stepper_advance_to(s, t, room, room + d);
-    return status ? status : give_row(o, k, room, room + d);
+    return status ? status : write_row(o, k, room, room + d);
 }
 
 /* Call the caller's `between` for the end of the last step, unless that is a row. */
-static int stand_between(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
-                         double last_row)
+static int observe_between_rows(const fvi_solve_state *o, fvi_stepper *s, fvi_observer *observer,
+                                double last_row)
 {
     const double near = s->method->dense ? 1e-6 * o->run.h : s->run.h / 4;
     fvi_observation now;
@@ -144,9 +144,9 @@ static int steps_to_row(fvi_solve_state *o, fvi_stepper *s, fvi_observer *observ
     const double before = k > 0 ? time_of_row(o, k - 1) : -INFINITY;
     int status = o->run.event_count ? fvi_event_list_add(&o->events, s) : FVI_SUCCESS;
     while (!status && is_ahead(o, s, k) && !fvi_stepper_is_over(s)) {
-        status = stand_between(o, s, observer, before);
+        status = observe_between_rows(o, s, observer, before);
         if (!status)
-            status = tell_events(o, INFINITY);
+            status = report_events(o, INFINITY);
         if (!status)
             status = observer ? fvi_observer_step(observer, s)
                               : fvi_stepper_step(s);
@@ -166,19 +166,19 @@ static int rows_of_run(fvi_solve_state *o, fvi_stepper *s, fvi_observer *observe
         if (status)
             return fail_at_step(o, s->k + 1, status);
         if (is_ahead(o, s, k)) {
-            status = stand_between(o, s, observer, k > 0 ? time_of_row(o, k - 1) : -INFINITY);
+            status = observe_between_rows(o, s, observer, k > 0 ? time_of_row(o, k - 1) : -INFINITY);
             if (status)
                 return fail_at_step(o, s->k + 1, status);
             break;
         }
-        status = tell_events(o, time_of_row(o, k));
+        status = report_events(o, time_of_row(o, k));
         if (!status)
             status = row_of_run(o, s, observer, k, room);
         if (status)
             return fail_at_step(o, k, status);
     }
     o->report->rows = k;
-    return tell_events(o, INFINITY);
+    return report_events(o, INFINITY);
 }
 
 /* Give out the rows of a run that has been started, with an observer if the caller asks for one. */
@@ -333,18 +333,18 @@ static int observe_again(fvi_solve_state *o)
 }
 
 /* Give out the rows and the events that a search has found, in the order of their times. */
-static int give_found(fvi_solve_state *o, const double *x, const double *p)
+static int write_found_rows(fvi_solve_state *o, const double *x, const double *p)
 {
     int status = FVI_SUCCESS;
     for (size_t k = 0; !status && k < o->report->rows; k++) {
         const size_t at = place_of_row(o, k) * o->run.system->d;
-        status = tell_events(o, time_of_row(o, k));
+        status = report_events(o, time_of_row(o, k));
         if (!status)
-            status = give_row(o, k, x + at, p + at);
+            status = write_row(o, k, x + at, p + at);
         if (status)
             fail_at_step(o, k, status);
     }
-    return status ? status : tell_events(o, INFINITY);
+    return status ? status : report_events(o, INFINITY);
 }
 
 static int solve_to_tolerance(fvi_solve_state *o)
@@ -367,7 +367,7 @@ static int solve_to_tolerance(fvi_solve_state *o)
     else if (o->out->observed)
         status = observe_again(o);
     if (!status && !o->out->observed)
-        status = give_found(o, x, p);
+        status = write_found_rows(o, x, p);
     free(x);
     return status;
 }

@@ -59,7 +59,7 @@ static double agreed_until(const fvi_solve_state *o, const double *x, const doub
 }
 
 /* Halve the steps until two runs agree at the times. x and p are then those of the finer run. */
-static int halve(fvi_solve_state *o, size_t parts, size_t most, double *x, double *p, double *before)
+static int halve_until_agreed(fvi_solve_state *o, size_t parts, size_t most, double *x, double *p, double *before)
 {
     const size_t length = o->out->rows * o->run.system->d;
     double least = INFINITY;
@@ -99,7 +99,7 @@ int fvi_solve_between(fvi_solve_state *o, size_t most, double *x, double *p)
     o->report->until = found.until;
     o->report->rows = o->out->rows;
     if (!status)
-        status = halve(o, found.parts, most, x, p, room + nodes);
+        status = halve_until_agreed(o, found.parts, most, x, p, room + nodes);
     if (status == FVI_ETOL)
         o->report->other = fvi_step_search_other(o->method, &o->run);
     free(room);

@@ -19,7 +19,7 @@ enum {
 };
 
 /* Does the method accept such a run? It is started with a single step to find out. */
-static int begins(const fvi_method *method, const fvi_run *run, double tolerance)
+static int can_start(const fvi_method *method, const fvi_run *run, double tolerance)
 {
     fvi_run one = *run;
     fvi_stepper *s = NULL;
@@ -41,9 +41,9 @@ static const fvi_method *method_of_law(const fvi_run *run, double tolerance)
 {
     static const double FINE = 1e-5;
     const double size = largest_abs(run->system->d, run->x0);
-    if (begins(&fvi_variable_step, run, tolerance))
+    if (can_start(&fvi_variable_step, run, tolerance))
         return &fvi_variable_step;
-    return tolerance < FINE * (size > 0 ? size : 1) && begins(&fvi_lobatto_m4, run, tolerance)
+    return tolerance < FINE * (size > 0 ? size : 1) && can_start(&fvi_lobatto_m4, run, tolerance)
                ? &fvi_lobatto_m4
                : &fvi_cq_bdf2;
 }

@@ -45,7 +45,7 @@ typedef struct {
 
 //> trial
 /* Make one run, with each step of the caller cut into first * parts. */
-static int trial(const search *o, size_t parts)
+static int run_trial(const search *o, size_t parts)
 {
     const size_t d = o->run->system->d;
     fvi_run run = *o->run;
@@ -103,8 +103,8 @@ static double highest_order(const fvi_run *run, int *is_fractional)
 
 //> order
 /* The orders of (18.5): p' of x over all rows (*least), and p of x at a fixed t > 0 (*most). */
-static void orders(const fvi_method *method, const fvi_run *run, double *least,
-                   double *most)
+static void find_orders(const fvi_method *method, const fvi_run *run, double *least,
+                        double *most)
 {
     int is_fractional;
     const double alpha = highest_order(run, &is_fractional), s = method->stages;
@@ -138,11 +138,11 @@ const fvi_method *fvi_step_search_other(const fvi_method *method,
 {
     const fvi_method *best = NULL;
     double least, most, others;
-    orders(method, run, &least, &most);
+    find_orders(method, run, &least, &most);
     const double own = most;
     for (size_t i = 0; fvi_methods[i] && !(best && best->dense); i++) {
         const fvi_method *other = fvi_methods[i];
-        orders(other, run, &least, &others);
+        find_orders(other, run, &least, &others);
         if (others > (other->dense ? own : most)
             && run->alpha >= other->alpha_least
             && run->alpha <= other->alpha_most
@@ -194,7 +194,7 @@ static int load_of_stiffness(const fvi_run *run, double h, double *load)
 
 /* Is (18.6) violated? Then the potential may swing so fast that these steps pass over it. With matrices the load of
  * Algorithm 3 without damping, times 4, is the left side: h^2 times the largest eigenvalue of M^-1 K. */
-static int passes_over(search *o, size_t parts, int *still)
+static int may_miss_swing(search *o, size_t parts, int *still)
 {
     const double h = o->run->h / (double)(o->first * parts);
     double most;
@@ -210,8 +210,8 @@ static int passes_over(search *o, size_t parts, int *still)
 
 //> estimate
 /* The estimate (18.2), with its order to *order; infinite if (18.5) does not hold. */
-static double estimate(const comparison *c, double least, double most,
-                       double *order)
+static double estimate_error(const comparison *c, double least, double most,
+                             double *order)
 {
     const double q = fmin(c->q, c->q_before);
     *order = fmin(q, most);
@@ -228,7 +228,7 @@ static int is_rounding(const comparison *c)
 
 /* The relative error that x has at least. Eight stages of matrices are solved in eigenvectors, which lose four digits
  * (27.14). */
-static double precision(const search *o)
+static double least_relative_error(const search *o)
 {
     const double tolerance = o->run->tolerance > 0 ? o->run->tolerance : 1e-13;
     return o->run->system->matrices && o->method->stages == 8 ? larger(tolerance, 5e-12) : tolerance;
@@ -243,7 +243,7 @@ static comparison compare(const search *o, const comparison *last, int failed,
         return c;
     c.D = largest_difference(o->length, o->x, o->before);
     c.largest = largest_abs(o->length, o->x);
-    c.floor = precision(o) * c.largest;
+    c.floor = least_relative_error(o) * c.largest;
     if (gsl_finite(c.D_before))
         c.q = c.D > 0 ? log2(c.D_before / c.D) : GSL_POSINF;
     return c;
@@ -254,13 +254,13 @@ static comparison compare(const search *o, const comparison *last, int failed,
  * first run is chosen so that an estimate is ready once the steps see all of the force; if even `most` steps do not see
  * it, no run is made. A run that is no better counts against PATIENCE only if (18.6) holds and the force is resolved,
  * because otherwise shorter steps may still see more. */
-static int halve(search *o, double error, size_t most, fvi_step_found *found)
+static int halve_until_agreed(search *o, double error, size_t most, fvi_step_found *found)
 {
     comparison c = { GSL_POSINF, GSL_POSINF, GSL_NEGINF, GSL_NEGINF, 0, 0 };
     double least, highest;
     int failed = 1, worse = 0;
     size_t seen; /* with so many parts the steps see all of the force */
-    orders(o->method, o->run, &least, &highest);
+    find_orders(o->method, o->run, &least, &highest);
     found->estimate = GSL_POSINF;
     found->until = 0;
     int unknown = fvi_search_least_parts(o->run, (size_t)o->method->stages,
@@ -277,16 +277,16 @@ static int halve(search *o, double error, size_t most, fvi_step_found *found)
         if (status)
             return status;
         resolved = resolved && parts >= seen;
-        failed = trial(o, parts);
+        failed = run_trial(o, parts);
         if (failed && !fvi_search_is_too_long(failed))
             return failed;
         c = compare(o, &c, failed, failed_before);
         if (!failed && !failed_before)
             found->until = larger(found->until, agreed_until(o, error));
         fvi_step_found now = { .parts = o->first * parts };
-        now.estimate = estimate(&c, least, highest, &now.order);
+        now.estimate = estimate_error(&c, least, highest, &now.order);
         if (is_rounding(&c)) {
-            status = passes_over(o, parts, &still);
+            status = may_miss_swing(o, parts, &still);
             if (status)
                 return status;
             now.estimate = still ? GSL_POSINF : c.D + c.floor;
@@ -371,7 +371,7 @@ int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
     if (!block)
         FVI_FAIL("no memory for the rows", FVI_ENOMEM);
     fvi_step_found best = { 0 };
-    status = halve(&o, error, most, &best);
+    status = halve_until_agreed(&o, error, most, &best);
     for (size_t k = 0; !status && k <= run->steps; k++) {
         memcpy(x + k * d, o.x + k * o.first * d, d * sizeof *x);
         if (p)

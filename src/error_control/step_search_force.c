@@ -23,7 +23,7 @@ void fvi_force_probe_start(fvi_force_probe *o, size_t d, double *room)
 }
 
 /* A random number in [0, 1). The sequence is always the same, so that a search can be repeated. */
-static double dice(fvi_force_probe *o)
+static double random_fraction(fvi_force_probe *o)
 {
     return fvi_seeded_uniform(&o->seed, 0, 1);
 }
@@ -49,7 +49,7 @@ int fvi_force_probe_evaluate(fvi_force_probe *o, const fvi_run *run, size_t part
     memcpy(o->coarse, o->deviation, d * sizeof *o->coarse);
     memset(o->deviation, 0, d * sizeof *o->deviation);
     for (int n = 0; n < PROBES; n++) {
-        const double k = floor(steps * dice(o)), theta = dice(o);
+        const double k = floor(steps * random_fraction(o)), theta = random_fraction(o);
         const double within = 0x1p-30 * h + 4 * GSL_DBL_EPSILON * (k + 1) * h;
         /* at a node F may jump, so take F beside it */
         int status = force(system, k * h + within, o->left);

@@ -52,7 +52,7 @@ int fvi_variable_step_again(const fvi_run *of, size_t most,
 }
 
 /* Take steps until the time number k is passed, or an event ends the run. */
-static int go_to(pair *o, fvi_stepper *s, size_t k)
+static int advance_to(pair *o, fvi_stepper *s, size_t k)
 {
     int status = FVI_SUCCESS;
     while (s->t < o->t[k] && !status && !fvi_stepper_is_over(s)) {
@@ -68,7 +68,7 @@ static int go_to(pair *o, fvi_stepper *s, size_t k)
 
 //> trial
 /* Make a run with this tolerance. No step is longer than `longest`, and `growth` limits how fast steps grow. */
-static int trial(pair *o, double step_error, double longest, int growth)
+static int run_trial(pair *o, double step_error, double longest, int growth)
 {
     const size_t d = o->run->system->d;
     o->as.step_error = step_error;
@@ -83,7 +83,7 @@ static int trial(pair *o, double step_error, double longest, int growth)
         return status;
     status = fvi_event_list_add(&o->events, s);
     for (size_t k = 0, rows; k < o->count && !status; k = o->reached += rows) {
-        status = go_to(o, s, k);
+        status = advance_to(o, s, k);
         rows = 0;
         while (k + rows < o->count && o->t[k + rows] <= s->t)
             rows++;
@@ -99,7 +99,7 @@ static int trial(pair *o, double step_error, double longest, int growth)
 //< trial
 
 /* How many of the times both runs have reached. */
-static size_t both_reached(const pair *o)
+static size_t count_common_times(const pair *o)
 {
     return o->reached < o->reached_before ? o->reached : o->reached_before;
 }
@@ -108,7 +108,7 @@ static size_t both_reached(const pair *o)
  * at the start and may be too coarse if the motion has grown. *largest: max |x|. */
 static double distance(const pair *o, double *largest)
 {
-    const size_t n = both_reached(o) * o->run->system->d;
+    const size_t n = count_common_times(o) * o->run->system->d;
     const double D = largest_difference(n, o->x, o->before);
     *largest = largest_abs(n, o->x);
     return D + (3e-14 + o->counts.memory) * *largest;
@@ -117,12 +117,12 @@ static double distance(const pair *o, double *largest)
 /* The last of the times up to which two runs differ by no more than `error`. */
 static double agreed_until(const pair *o, double error)
 {
-    const size_t k = fvi_search_agreed(both_reached(o), o->run->system->d, o->x, o->before, error);
+    const size_t k = fvi_search_agreed(count_common_times(o), o->run->system->d, o->x, o->before, error);
     return k > 0 ? o->t[k - 1] : 0;
 }
 
 /* The largest speed of a coordinate, as a mean over half a row at least. */
-static double speed_of(const pair *o)
+static double largest_speed(const pair *o)
 {
     const size_t d = o->run->system->d;
     const double least = o->run->h / (double)(2 * o->first);
@@ -146,14 +146,14 @@ static int compare(pair *o, double error, double *estimate, double *largest)
     if (o->run->event_count == 0)
         return FVI_SUCCESS;
     const int status = fvi_event_list_distance(
-        &o->events, &o->events_before, o->run->system->d, o->run->event_count, speed_of(o),
+        &o->events, &o->events_before, o->run->system->d, o->run->event_count, largest_speed(o),
         o->run->h * (double)o->run->steps, error, &of_events, &o->as.common);
     *estimate = larger(*estimate, of_events);
     return status;
 }
 
 /* Make this run the one before the next. */
-static void keep_run(pair *o)
+static void keep_as_previous(pair *o)
 {
     double *x = o->x;
     o->x = o->before;
@@ -181,8 +181,8 @@ static int search(pair *o, double error, fvi_variable_step_found *found)
     o->as = (fvi_variable_step_found){ .first = o->first, .rest = o->run->event_count ? error : 0 };
     for (int i = 0; i < MOST_RUNS && worse < 3 && same_end < SAME_END - 1;
          i++, step_error /= 10) {
-        status = i % 2 ? trial(o, step_error, longest / 2, 3)
-                       : trial(o, step_error, T, 4);
+        status = i % 2 ? run_trial(o, step_error, longest / 2, 3)
+                       : run_trial(o, step_error, T, 4);
         if (status && !fvi_search_is_too_long(status))
             return status;
         same_end = status && fabs(o->end - end) < 1e-3 * end ? same_end + 1 : 0;
@@ -208,7 +208,7 @@ static int search(pair *o, double error, fvi_variable_step_found *found)
         last = estimate;
         failed_before = status != 0;
         longest = status ? T : o->counts.longest;
-        keep_run(o);
+        keep_as_previous(o);
     }
     const int is_compared = !status || gsl_finite(found->estimate) || found->common.differ;
     found->until = is_compared ? until : o->end;
@@ -253,8 +253,8 @@ static void merge_times(pair *o, size_t count, const double *t)
 
 /* Copy the rows of the last run at the wanted times to x and p: `count` rows at t, or its own rows if t is NULL.
  * Returns how many of them the run has reached. */
-static size_t give_out(const pair *o, size_t count, const double *t, double *x,
-                       double *p)
+static size_t copy_rows(const pair *o, size_t count, const double *t, double *x,
+                        double *p)
 {
     const size_t d = o->run->system->d;
     size_t k = 0;
@@ -295,7 +295,7 @@ int fvi_variable_step_search(const fvi_run *run, size_t count, const double *t,
     fvi_variable_step_found best = { 0 };
     status = search(&o, error, &best);
     if (!status)
-        best.rows = give_out(&o, t ? count : run->steps + 1, t, x, p);
+        best.rows = copy_rows(&o, t ? count : run->steps + 1, t, x, p);
     if (!status)
         best.events = o.events;
     else

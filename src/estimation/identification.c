@@ -44,7 +44,7 @@ static void begin(search *o, const double *low, const double *high,
 }
 //< starts
 
-static void keep(const search *o, size_t k, size_t *best)
+static void update_best(const search *o, size_t k, size_t *best)
 {
     if (o->found[k].sum < o->found[*best].sum)
         *best = k;
@@ -70,7 +70,7 @@ static int try_all(search *o, const double *low, const double *high,
         if (fvi_all_finite(fit->parameters, o->found[k].u))
             fvi_estimation_minimise(o, &o->found[k],
                              k > 0 && least < o->believed ? least : GSL_POSINF);
-        keep(o, k, best);
+        update_best(o, k, best);
         const int end = fvi_interrupted();
         if (end)
             return end;
@@ -85,14 +85,14 @@ static int try_all(search *o, const double *low, const double *high,
 }
 
 /* Continue the searches that were given up. Return nonzero if there were any. */
-static int go_on(search *o, size_t *best)
+static int continue_given_up(search *o, size_t *best)
 {
     int any = 0;
     for (size_t k = 0; k < o->model.fit->starts && !fvi_interrupted(); k++)
         if (o->found[k].gave_up) {
             any = 1;
             fvi_estimation_minimise(o, &o->found[k], GSL_POSINF);
-            keep(o, k, best);
+            update_best(o, k, best);
         }
     return any;
 }
@@ -123,7 +123,7 @@ static int grow_windows(search *o, size_t *best)
             o->found[k] = at;
             any = 1;
         }
-        keep(o, k, best);
+        update_best(o, k, best);
     }
     o->fine = rough;
     return any;
@@ -132,7 +132,7 @@ static int grow_windows(search *o, size_t *best)
 
 /* Return the size of parameter j, against which small changes are compared. A start or a constant may be 0, so its size
  * is at least that which follows from the box. */
-static double size_of(const search *o, size_t j, double theta)
+static double size_of_parameter(const search *o, size_t j, double theta)
 {
     return fvi_estimation_kind_of(o->model.fit->which[j]) != FVI_ESTIMATION_NUMBER
                ? fabs(theta)
@@ -140,8 +140,8 @@ static double size_of(const search *o, size_t j, double theta)
 }
 
 /* Return the number of starts that ended within sd / 10 of the best, or within 1e-6 of its size. (24.5) */
-static size_t agreeing(const search *o, const place *best,
-                       const fvi_estimate *fitted)
+static size_t count_agreeing_starts(const search *o, const place *best,
+                                    const fvi_estimate *fitted)
 {
     const fvi_estimation_model *m = &o->model;
     size_t agree = 0;
@@ -151,7 +151,7 @@ static size_t agreeing(const search *o, const place *best,
             const double here = fvi_estimation_model_bound(m, j, o->found[k].u[j]),
                          there = fvi_estimation_model_bound(m, j, best->u[j]);
             same = fabs(here - there)
-                   <= fmax(fitted->sd[j] / 10, 1e-6 * size_of(o, j, there));
+                   <= fmax(fitted->sd[j] / 10, 1e-6 * size_of_parameter(o, j, there));
         }
         agree += same != 0;
     }
@@ -159,8 +159,8 @@ static size_t agreeing(const search *o, const place *best,
 }
 
 /* Return nonzero if some parameter of u is farther than a standard deviation from theta. */
-static int is_elsewhere(const search *o, const double *u, const double *theta,
-                        const double *sd)
+static int is_other_minimum(const search *o, const double *u, const double *theta,
+                            const double *sd)
 {
     for (size_t j = 0; j < o->fdf.p; j++)
         if (fabs(fvi_estimation_model_bound(&o->model, j, u[j]) - theta[j]) > sd[j])
@@ -176,14 +176,14 @@ static void record_other_minima(search *o, fvi_estimate *fitted)
     for (size_t tries = 0; tries < starts; tries++) {
         size_t next = 0;
         for (size_t k = 0; k < starts; k++)
-            keep(o, k, &next);
+            update_best(o, k, &next);
         place *at = &o->found[next];
         if (!(at->sum < GSL_POSINF) || fitted->others == FVI_ESTIMATION_OTHERS)
             return;
         at->sum = GSL_POSINF;
-        int is_new = is_elsewhere(o, at->u, fitted->estimate, fitted->sd);
+        int is_new = is_other_minimum(o, at->u, fitted->estimate, fitted->sd);
         for (size_t i = 0; i < fitted->others; i++)
-            is_new &= is_elsewhere(o, at->u, fitted->other[i], fitted->sd);
+            is_new &= is_other_minimum(o, at->u, fitted->other[i], fitted->sd);
         for (size_t j = 0; is_new && j < o->fdf.p; j++)
             fitted->other[fitted->others][j] =
                 fvi_estimation_model_bound(&o->model, j, at->u[j]);
@@ -279,7 +279,7 @@ static int refine(search *o, place *best, fvi_estimate *fitted)
         fitted->bias = 0;
         for (size_t j = 0; j < o->fdf.p; j++) {
             const double by = fabs(fitted->estimate[j] - before.estimate[j]);
-            if (by > 1e-7 * size_of(o, j, fitted->estimate[j]))
+            if (by > 1e-7 * size_of_parameter(o, j, fitted->estimate[j]))
                 fitted->bias = larger(fitted->bias, by / fitted->sd[j]);
         }
         moves = fitted->bias > 0.01 && !(fitted->bias > 0.75 * before.bias);
@@ -305,7 +305,7 @@ static int refine_estimate(search *o, size_t first, place *best, fvi_estimate *f
     o->fine = FINE;
     fvi_estimation_minimise(o, best, GSL_POSINF);
     const int status = statistics(o, best, fitted);
-    fitted->agree = agreeing(o, &o->found[first], fitted);
+    fitted->agree = count_agreeing_starts(o, &o->found[first], fitted);
     return status;
 }
 
@@ -321,15 +321,15 @@ static int is_doubtful(const search *o, const fvi_estimate *fitted)
 static int search_everywhere(search *o, size_t *first, place *best, fvi_estimate *fitted)
 {
     int status = refine_estimate(o, *first, best, fitted);
-    if (fitted->agree < 2 && go_on(o, first))
+    if (fitted->agree < 2 && continue_given_up(o, first))
         status = refine_estimate(o, *first, best, fitted);
     if (!status && is_doubtful(o, fitted) && grow_windows(o, first))
         status = refine_estimate(o, *first, best, fitted);
     return status;
 }
 
-static int whole(search *o, const double *low, const double *high,
-                 double *curve, fvi_estimate *fitted)
+static int run_search(search *o, const double *low, const double *high,
+                      double *curve, fvi_estimate *fitted)
 {
     const fvi_estimation *fit = o->model.fit;
     size_t first = 0;
@@ -374,7 +374,7 @@ int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estima
     for (size_t j = 0; !status && j < fit->parameters; j++)
         were[j] = fvi_estimation_model_get(&o.model, j);
     if (!status) {
-        status = whole(&o, low, high, curve, fitted);
+        status = run_search(&o, low, high, curve, fitted);
         for (size_t j = 0; j < fit->parameters; j++)
             fvi_estimation_model_set(&o.model, j, were[j]);
     }

@@ -53,7 +53,7 @@ static int divides_times(size_t n, const double *t, double *h)
 }
 
 /* Return the longest step for one piece; see fvi_estimation_first_step. */
-static double first_step_of(const fvi_estimation_piece *p)
+static double first_step_of_piece(const fvi_estimation_piece *p)
 {
     const size_t n = p->n;
     const double *t = p->t, T = t[n - 1], mean = T / (double)n;
@@ -79,7 +79,7 @@ double fvi_estimation_first_step(const fvi_estimation *fit)
     double h = GSL_POSINF;
     for (size_t k = 0; k < fvi_estimation_pieces(fit); k++) {
         const fvi_estimation_piece p = fvi_estimation_piece_at(fit, k);
-        const double step = first_step_of(&p);
+        const double step = first_step_of_piece(&p);
         h = step > 0 ? smaller(h, step) : h;
     }
     return h;
@@ -247,7 +247,7 @@ static int has_number(const fvi_estimation *fit, fvi_free_parameter which)
 }
 
 /* Return how many parameters of this kind the model has, one for each mass, coordinate or column. */
-static size_t most_of(const fvi_estimation *fit, fvi_free_parameter base)
+static size_t count_of_kind(const fvi_estimation *fit, fvi_free_parameter base)
 {
     const fvi_system *system = fit->run->system;
     switch (base) {
@@ -270,7 +270,7 @@ static int check_which(const fvi_estimation *fit, fvi_free_parameter which)
 {
     const fvi_free_parameter base = fvi_free_parameter_base(which);
     const fvi_system *system = fit->run->system;
-    if (fvi_free_parameter_index(which) > most_of(fit, base))
+    if (fvi_free_parameter_index(which) > count_of_kind(fit, base))
         FVI_FAIL("there are not so many of this parameter", FVI_EINVAL);
     if (base == FVI_FREE_PARAMETER_ALPHA
         && fit->method->alpha_least == fit->method->alpha_most)

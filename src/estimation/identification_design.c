@@ -38,7 +38,7 @@ static int plan_motion(const fvi_estimation *fit, double *motion, double *h)
 }
 
 /* Compute standard deviations, correlations and intervals of the tangent at the values of the run. */
-static int plan(const fvi_estimation *fit, double h, fvi_estimate *planned, fvi_examination *e)
+static int plan_estimate(const fvi_estimation *fit, double h, fvi_estimate *planned, fvi_examination *e)
 {
     fvi_estimation_work o;
     double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST], u[FVI_ESTIMATION_MOST];
@@ -85,7 +85,7 @@ int fvi_estimate_design(const fvi_estimation *fit, fvi_estimate *planned,
     if (!status)
         status = plan_motion(&question, motion, &h);
     if (!status)
-        status = plan(&question, h, planned, examined);
+        status = plan_estimate(&question, h, planned, examined);
     fvi_loud();
     free(motion);
     return status;

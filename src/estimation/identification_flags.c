@@ -50,7 +50,7 @@ static double squares_along(const basis *b, size_t first, const gsl_vector *f)
 //> score
 /* (24.14): return the probability that noise alone has at least this much along k more columns, out of `left` = n - P
  * dimensions. `sum` is the sum of all squares. If `known`, the noise has the variance 1. */
-static double chance(double along, double sum, size_t k, size_t left, int known)
+static double tail_probability(double along, double sum, size_t k, size_t left, int known)
 {
     if (k == 0 || left <= k || !(sum > 0))
         return 1;
@@ -113,7 +113,7 @@ static void neighbours_of_noise(const fvi_estimation *fit, const basis *b, doubl
 }
 //< neighbours
 
-static double chance_of_neighbours(const fvi_estimation *fit, const basis *b, double correlation)
+static double probability_of_neighbours(const fvi_estimation *fit, const basis *b, double correlation)
 {
     double mean, sd;
     neighbours_of_noise(fit, b, &mean, &sd);
@@ -122,7 +122,7 @@ static double chance_of_neighbours(const fvi_estimation *fit, const basis *b, do
 
 /* Return the number of smooth patterns of a piece: one and a half times the half waves that the motion has in this
  * time, and two, but at least 3 and at most a quarter of the rows. */
-static size_t patterns(const fvi_estimation_piece *p)
+static size_t count_patterns(const fvi_estimation_piece *p)
 {
     double w, A;
     if (p->n < 4)
@@ -175,7 +175,7 @@ double fvi_estimation_length_unseen(const fvi_estimation *fit, size_t which, siz
 
 /* (24.15): return the probability for a constant in each piece instead of the motion. A fit may have tried many
  * frequencies, so the result is multiplied by the number of rows. */
-static double chance_of_no_motion(const fvi_estimation_model *m, double sum, int known)
+static double probability_of_no_motion(const fvi_estimation_model *m, double sum, int known)
 {
     const fvi_estimation *fit = m->fit;
     const size_t n = fvi_estimation_rows(fit), pieces = fvi_estimation_pieces(fit);
@@ -192,35 +192,35 @@ static double chance_of_no_motion(const fvi_estimation_model *m, double sum, int
     if (still <= sum)
         return 1;
     return fmin(1, (double)n
-                       * chance(still - sum, still, fit->parameters, n - pieces, known));
+                       * tail_probability(still - sum, still, fit->parameters, n - pieces, known));
 }
 
 /* Return the probability of what f has along the offsets, or the drifts, of all columns. */
-static double chance_of_sensors(const fvi_estimation *fit, size_t which, basis *b,
-                                const gsl_vector *f, double sum, size_t left, int known,
-                                gsl_vector *v)
+static double probability_of_sensors(const fvi_estimation *fit, size_t which, basis *b,
+                                     const gsl_vector *f, double sum, size_t left, int known,
+                                     gsl_vector *v)
 {
     const size_t first = b->count;
     for (size_t c = 0; c < fvi_estimation_columns(fit); c++) {
         fvi_estimation_sensor_column(fit, which, c, v);
         add_column(b, v);
     }
-    return chance(squares_along(b, first, f), sum, b->count - first, left, known);
+    return tail_probability(squares_along(b, first, f), sum, b->count - first, left, known);
 }
 
-static double chance_of_patterns(const fvi_estimation *fit, basis *b, const gsl_vector *f,
-                                 double sum, size_t left, int known, gsl_vector *v)
+static double probability_of_patterns(const fvi_estimation *fit, basis *b, const gsl_vector *f,
+                                      double sum, size_t left, int known, gsl_vector *v)
 {
     const size_t first = b->count;
     for (size_t m = 0; m < fvi_estimation_pieces(fit); m++) {
         const fvi_estimation_piece p = fvi_estimation_piece_at(fit, m);
-        const size_t smooth = patterns(&p);
+        const size_t smooth = count_patterns(&p);
         for (size_t k = 0; k < smooth && b->count < b->Q->size2; k++) {
             pattern_column(&p, k + 1, v);
             add_column(b, v);
         }
     }
-    return chance(squares_along(b, first, f), sum, b->count - first, left, known);
+    return tail_probability(squares_along(b, first, f), sum, b->count - first, left, known);
 }
 
 void fvi_estimation_tests(const fvi_estimation_model *m, const gsl_vector *f,
@@ -237,12 +237,12 @@ void fvi_estimation_tests(const fvi_estimation_model *m, const gsl_vector *f,
         add_column(&b, &column.vector);
     }
     const size_t left = f->size - b.count;
-    e->probability[0] = sum > 0 ? chance_of_neighbours(fit, &b, fvi_estimation_neighbours(fit, f) / sum) : 1;
+    e->probability[0] = sum > 0 ? probability_of_neighbours(fit, &b, fvi_estimation_neighbours(fit, f) / sum) : 1;
     for (size_t which = 0; which < 2; which++)
         e->probability[1 + which] =
-            chance_of_sensors(fit, which, &b, f, sum, left, known, v);
-    e->probability[3] = chance_of_patterns(fit, &b, f, sum, left, known, v);
-    e->probability[4] = chance_of_no_motion(m, sum, known);
+            probability_of_sensors(fit, which, &b, f, sum, left, known, v);
+    e->probability[3] = probability_of_patterns(fit, &b, f, sum, left, known, v);
+    e->probability[4] = probability_of_no_motion(m, sum, known);
 }
 
 size_t fvi_estimation_test_columns(const fvi_estimation *fit)
@@ -250,7 +250,7 @@ size_t fvi_estimation_test_columns(const fvi_estimation *fit)
     size_t columns = fit->parameters + 2 * fvi_estimation_columns(fit);
     for (size_t k = 0; k < fvi_estimation_pieces(fit); k++) {
         const fvi_estimation_piece p = fvi_estimation_piece_at(fit, k);
-        columns += patterns(&p);
+        columns += count_patterns(&p);
     }
     return GSL_MIN(columns, fvi_estimation_rows(fit));
 }

@@ -80,7 +80,7 @@ static void row(const moduli *o, size_t i, double alpha, double *of_storage,
 //> projection
 /* For a given order both moduli are linear in rho and k. So solve two equations for them, and return the sum of
  * squares. */
-static double projected(double alpha, void *params)
+static double projected_sum_of_squares(double alpha, void *params)
 {
     moduli *o = params;
     double aa = 0, ab = 0, bb = 0, ay = 0, by = 0, a, b, size;
@@ -107,11 +107,11 @@ static double projected(double alpha, void *params)
 /* Find the order: take the best one of a scan, then use Brent's method between its neighbours. */
 static int best_order(moduli *o, double *alpha)
 {
-    gsl_function f = { projected, o };
+    gsl_function f = { projected_sum_of_squares, o };
     size_t best = 1;
     double least = GSL_POSINF;
     for (size_t i = 1; i < SCAN; i++)
-        if (projected((double)i / SCAN, o) < least) {
+        if (projected_sum_of_squares((double)i / SCAN, o) < least) {
             least = o->sum;
             best = i;
         }
@@ -131,7 +131,7 @@ static int best_order(moduli *o, double *alpha)
             high = gsl_min_fminimizer_x_upper(s);
         }
     gsl_min_fminimizer_free(s);
-    projected(*alpha, o);
+    projected_sum_of_squares(*alpha, o);
     return FVI_SUCCESS;
 }
 

@@ -133,7 +133,7 @@ void fvi_estimation_model_set(fvi_estimation_model *m, size_t j, double theta)
 /* ---- bounds ---- */
 
 /* Find the possible range of parameter j, which is an order. */
-static void orders(const fvi_estimation_model *m, size_t j, double *low, double *high)
+static void possible_orders(const fvi_estimation_model *m, size_t j, double *low, double *high)
 {
     const int is_of_law = fvi_free_parameter_is_of_law(m->fit->which[j]);
     *low = is_of_law ? 0 : m->fit->method->alpha_least;
@@ -146,7 +146,7 @@ double fvi_estimation_model_bound(const fvi_estimation_model *m, size_t j, doubl
     double low, high;
     switch (fvi_estimation_kind_of(m->fit->which[j])) {
     case FVI_ESTIMATION_ORDER:
-        orders(m, j, &low, &high);
+        possible_orders(m, j, &low, &high);
         return low + (high - low) / (1 + exp(-u));
     case FVI_ESTIMATION_SIZE:
         return exp(u);
@@ -161,7 +161,7 @@ double fvi_estimation_model_free(const fvi_estimation_model *m, size_t j, double
     double low, high;
     switch (fvi_estimation_kind_of(m->fit->which[j])) {
     case FVI_ESTIMATION_ORDER:
-        orders(m, j, &low, &high);
+        possible_orders(m, j, &low, &high);
         return log((theta - low) / (high - theta));
     case FVI_ESTIMATION_SIZE:
         return log(theta);
@@ -175,7 +175,7 @@ double fvi_estimation_model_slope(const fvi_estimation_model *m, size_t j, doubl
     double low, high;
     switch (fvi_estimation_kind_of(m->fit->which[j])) {
     case FVI_ESTIMATION_ORDER:
-        orders(m, j, &low, &high);
+        possible_orders(m, j, &low, &high);
         return (theta - low) * (high - theta) / (high - low);
     case FVI_ESTIMATION_SIZE:
         return theta;

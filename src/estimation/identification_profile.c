@@ -61,8 +61,8 @@ static double excess(profile *o, double u)
 
 /* Find where the excess is `reach`, between a and b. The excess is nearly linear, so regula falsi is used, with the
  * halving of the Illinois method. */
-static double between(profile *o, double a, double b, double below,
-                      double above, double reach)
+static double find_crossing(profile *o, double a, double b, double below,
+                            double above, double reach)
 {
     double u = b, low = below - reach,
            high = above < GSL_POSINF ? above - reach : reach;
@@ -104,7 +104,7 @@ static int tangent_edge(profile *o, double u, double length, double reach, doubl
         now = excess(o, beyond);
     }
     if (is_near && now >= reach && now < 2 * reach) {
-        *edge = between(o, u, beyond, 0, now, reach);
+        *edge = find_crossing(o, u, beyond, 0, now, reach);
         return 1;
     }
     o->on = here;
@@ -114,7 +114,7 @@ static int tangent_edge(profile *o, double u, double length, double reach, doubl
 /* Go outward from u by `step`, then by longer steps, until the excess is beyond reach. Then find where it is equal to
  * reach. If it never is, return the infinity of that side. If the excess jumps within a step, the step may have lost
  * the valley. So it is made shorter, down to a limit. */
-static double edge(profile *o, double u, double step, double reach)
+static double find_edge(profile *o, double u, double step, double reach)
 {
     const int bounded = fvi_estimation_kind_of(o->fit.which[o->others])
                         != FVI_ESTIMATION_NUMBER;
@@ -134,7 +134,7 @@ static double edge(profile *o, double u, double step, double reach)
             continue;
         }
         if (now >= reach)
-            return between(o, before, there, below, now, reach);
+            return find_crossing(o, before, there, below, now, reach);
         before = there;
         below = now;
         step *= 1.5;
@@ -191,8 +191,8 @@ static int begin(profile *o, const fvi_estimation *fit, const fvi_estimate *fitt
 }
 
 /* Find both ends of the interval, from u_j of the fit with steps in proportion to its standard deviation. */
-static void both_edges(profile *o, const fvi_estimate *fitted, size_t j,
-                       double *low, double *high)
+static void find_both_edges(profile *o, const fvi_estimate *fitted, size_t j,
+                            double *low, double *high)
 {
     const fvi_estimation_model *m = &o->work.model;
     const double theta = fitted->estimate[j],
@@ -202,9 +202,9 @@ static void both_edges(profile *o, const fvi_estimate *fitted, size_t j,
     const trail here = { o->on.at, o->on.at, u, u };
     const double step = fitted->quantile * sd / 4;
     o->on = here;
-    const double down = edge(o, u, -step, fitted->quantile);
+    const double down = find_edge(o, u, -step, fitted->quantile);
     o->on = here;
-    const double up = edge(o, u, step, fitted->quantile);
+    const double up = find_edge(o, u, step, fitted->quantile);
     *low = fvi_estimation_model_bound(m, o->others, down);
     *high = fvi_estimation_model_bound(m, o->others, up);
 }
@@ -227,7 +227,7 @@ int fvi_estimate_profile(const fvi_estimation *fit, const fvi_estimate *fitted, 
     fvi_quiet();
     status = begin(&o, fit, fitted, j, were);
     if (!status) {
-        both_edges(&o, fitted, j, low, high);
+        find_both_edges(&o, fitted, j, low, high);
         for (size_t i = 0; i <= o.others; i++)
             fvi_estimation_model_set(&o.work.model, i, were[i]);
     }

@@ -61,17 +61,17 @@ double fvi_estimation_sum_here(search *o)
 }
 
 /* Compute the Jacobian from derivatives that are computed along with the run. Return 0 if they are not known. */
-static int ride(const gsl_vector *u, search *o, gsl_matrix *J)
+static int fill_jacobian_by_tangents(const gsl_vector *u, search *o, gsl_matrix *J)
 {
     fvi_estimation_model *m = &o->model;
     const size_t P = u->size;
     for (size_t j = 0; j < P; j++)
         fvi_estimation_model_set(m, j,
                           fvi_estimation_model_bound(m, j, gsl_vector_get(u, j)));
-    if (o->ridden && m->window < 1)
-        memset(o->ridden, 0, J->size1 * P * sizeof *o->ridden);
-    if (!o->ridden || fvi_estimation_model_tangents(m, o->ridden)
-        || !fvi_all_finite(J->size1 * P, o->ridden))
+    if (o->tangents && m->window < 1)
+        memset(o->tangents, 0, J->size1 * P * sizeof *o->tangents);
+    if (!o->tangents || fvi_estimation_model_tangents(m, o->tangents)
+        || !fvi_all_finite(J->size1 * P, o->tangents))
         return 0;
     const double huber = m->fit->huber; /* only data of one piece have such derivatives */
     for (size_t j = 0; j < P; j++) {
@@ -79,7 +79,7 @@ static int ride(const gsl_vector *u, search *o, gsl_matrix *J)
             fvi_estimation_model_slope(m, j, fvi_estimation_model_get(m, j)) / m->scale[0];
         for (size_t i = 0; i < J->size1; i++)
             gsl_matrix_set(J, i, j,
-                           by * o->ridden[i * P + j] / fvi_estimation_stretch(huber, o->last[i]));
+                           by * o->tangents[i * P + j] / fvi_estimation_stretch(huber, o->last[i]));
     }
     return 1;
 }
@@ -93,7 +93,7 @@ static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)
     search *o = params;
     double there[FVI_ESTIMATION_MOST];
     gsl_vector_view v = gsl_vector_view_array(there, u->size);
-    if (ride(u, o, J))
+    if (fill_jacobian_by_tangents(u, o, J))
         return GSL_SUCCESS;
     memcpy(o->base, o->last, J->size1 * sizeof *o->base);
     for (size_t j = 0; j < u->size; j++) {
@@ -162,7 +162,7 @@ static void set_sizes(search *o, const fvi_estimation *fit, const double *low,
 /* If there is too little memory, GSL 2.7 loses the part of the solver that it already has. So the solver is made only
  * if all of it fits at once: two matrices of n times p numbers, at most ten vectors of n, and the round-up of some
  * thirty blocks. volatile: a compiler may remove an allocation that is freed unused. */
-static int solver_has_room(size_t n, size_t p)
+static int can_allocate_solver(size_t n, size_t p)
 {
     void *volatile room = malloc((2 * p + 10) * n * sizeof(double) + ((size_t)1 << 18));
     const int there = room != NULL;
@@ -186,12 +186,12 @@ static int search_alloc(search *o, const fvi_estimation *fit)
     o->base = o->last ? o->last + n : NULL;
     o->found = calloc(fit->starts, sizeof *o->found);
     const int rides = fvi_estimation_model_has_tangents(&o->model);
-    o->ridden =
-        rides ? malloc(n * fit->parameters * sizeof *o->ridden) : NULL;
-    if (solver_has_room(n, fit->parameters))
+    o->tangents =
+        rides ? malloc(n * fit->parameters * sizeof *o->tangents) : NULL;
+    if (can_allocate_solver(n, fit->parameters))
         o->solver = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how,
                                                n, fit->parameters);
-    if (status || !motion || !o->last || !o->found || !o->solver || (rides && !o->ridden))
+    if (status || !motion || !o->last || !o->found || !o->solver || (rides && !o->tangents))
         FVI_FAIL("no memory for the fit", FVI_ENOMEM);
     return FVI_SUCCESS;
 }
@@ -220,7 +220,7 @@ void fvi_estimation_work_free(search *o)
     gsl_multifit_nlinear_free(o->solver);
     free(o->found);
     free(o->last);
-    free(o->ridden);
+    free(o->tangents);
     free(o->model.motion);
     fvi_estimation_model_clear(&o->model);
 }

@@ -21,7 +21,7 @@ typedef struct {
     gsl_multifit_nlinear_workspace *solver;
     fvi_estimation_slot *found; /* one search for each start */
     double *last, *base;  /* the last residuals, and those at the base of the differences */
-    double *ridden;       /* n P derivatives; NULL: the run has no tangents */
+    double *tangents;     /* n P derivatives; NULL: the run has no tangents */
     double size[FVI_ESTIMATION_MOST]; /* size of each u; a value far below it counts as 0 */
     double
         believed; /* the chi^2 that 99 of 100 data sets do not exceed; 0: sigma is not known */

@@ -164,7 +164,7 @@ static void add_equal_steps(const fvi_estimation *fit, size_t size, char *text)
 }
 
 /* Say that no start gives a motion, and why the run with the given values does not start. */
-static void say_why_none_moves(const fvi_estimation *fit, size_t size, char *text)
+static void write_why_no_start_moves(const fvi_estimation *fit, size_t size, char *text)
 {
     fvi_run run = *fit->run;
     fvi_stepper *s = NULL;
@@ -209,7 +209,7 @@ int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimat
                  fitted->reached, fvi_estimation_last_time(fit),
                  *dashes ? "--most-steps" : "most_steps");
     else if (status == FVI_EBADFUNC)
-        say_why_none_moves(fit, size, text);
+        write_why_no_start_moves(fit, size, text);
     else
         return 0;
     if (status != FVI_ERUNAWAY)

@@ -111,7 +111,7 @@ static double excess(profile *p, double value)
 
 /* Go outward from the fit by steps in proportion to the tangent's interval. Then find the end of the interval by regula
  * falsi. */
-static double edge(profile *p, const double *z, double step)
+static double find_edge(profile *p, const double *z, double step)
 {
     const size_t P = p->work->model.elements + p->work->model.shapes;
     const int order = is_order(&p->v);
@@ -162,8 +162,8 @@ static void interval(fvi_rheology_work *o, const number *v, const double *z, dou
                   .sigma = a->sigma,
                   .reach = a->quantile };
     const double step = fmin(a->quantile * sd, is_order(v) ? 0.1 : 1);
-    a->lower[j] = bound(v, edge(&p, z, -step));
-    a->upper[j] = bound(v, edge(&p, z, step));
+    a->lower[j] = bound(v, find_edge(&p, z, -step));
+    a->upper[j] = bound(v, find_edge(&p, z, step));
     if (a->lower[j] <= 0 || isinf(a->upper[j]) || (is_order(v) && a->upper[j] >= 0.5))
         a->flags |= FVI_MATERIAL_OPEN;
 }

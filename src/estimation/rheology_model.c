@@ -133,7 +133,7 @@ static void fill_shapes(fvi_rheology *o, const double *u)
 }
 
 /* Compute what the test measures of a function of s, divided by the units and multiplied by `factor`. */
-static void measure(const fvi_rheology *o, const double complex *F, double factor, double *out)
+static void weigh_function(const fvi_rheology *o, const double complex *F, double factor, double *out)
 {
     const size_t n = o->data->n;
     for (size_t i = 0; i < n; i++) {
@@ -161,9 +161,9 @@ static void fill_columns(fvi_rheology *o, const double *u, int with_slopes)
     fill_shapes(o, u);
     for (size_t n = 0; n < o->elements; n++) {
         const size_t end = n + 1 < o->elements ? o->at[n + 1] : o->shapes;
-        measure(o, shape_of(o, n, 0), 1, column_of(o, n));
+        weigh_function(o, shape_of(o, n, 0), 1, column_of(o, n));
         for (size_t j = o->at[n]; with_slopes && j < end; j++)
-            measure(o, shape_of(o, n, 1 + j - o->at[n]), 1, column_of(o, o->elements + j));
+            weigh_function(o, shape_of(o, n, 1 + j - o->at[n]), 1, column_of(o, o->elements + j));
     }
 }
 
@@ -226,7 +226,7 @@ static int solve_set(size_t E, unsigned set, double A[][FVI_MATERIAL_ELEMENTS], 
 
 /* Find the amplitudes of the least squares that are not negative. If the solution for all elements is not negative, it
  * is taken; else the best of the solutions for a part of the elements. */
-static void amplitudes(const fvi_rheology *o, double *c)
+static void solve_amplitudes(const fvi_rheology *o, double *c)
 {
     const size_t E = o->elements;
     double A[FVI_MATERIAL_ELEMENTS][FVI_MATERIAL_ELEMENTS], b[FVI_MATERIAL_ELEMENTS],
@@ -253,7 +253,7 @@ static void amplitudes(const fvi_rheology *o, double *c)
 }
 
 /* Take out of the columns of J their part along the columns with amplitudes, (24.18). */
-static void take_out(fvi_rheology *o, const double *c, double *J)
+static void project_out_amplitudes(fvi_rheology *o, const double *c, double *J)
 {
     for (size_t n = 0; n < o->elements; n++) { /* make the columns of the amplitudes orthonormal */
         double *q = column_of(o, n);
@@ -284,7 +284,7 @@ static void take_out(fvi_rheology *o, const double *c, double *J)
 double fvi_rheology_project(fvi_rheology *o, const double *u, double *c, double *r, double *J)
 {
     fill_columns(o, u, J != NULL);
-    amplitudes(o, c);
+    solve_amplitudes(o, c);
     for (size_t i = 0; i < o->rows; i++) {
         r[i] = -o->y[i];
         for (size_t n = 0; n < o->elements; n++)
@@ -295,7 +295,7 @@ double fvi_rheology_project(fvi_rheology *o, const double *u, double *c, double 
             for (size_t i = 0; i < o->rows; i++)
                 column_of(o, o->elements + j)[i] *= c[n];
     if (J)
-        take_out(o, c, J);
+        project_out_amplitudes(o, c, J);
     return fvi_dot(o->rows, r, r);
 }
 //< project
@@ -311,15 +311,15 @@ static void creep_columns(fvi_rheology *o, const double *c, double *r, int with_
             C += c[n] * shape_of(o, n, 0)[i];
         o->value[i] = 1 / C;
     }
-    measure(o, o->value, 1, r);
+    weigh_function(o, o->value, 1, r);
     for (size_t n = 0; with_slopes && n < o->elements; n++) {
         const size_t end = n + 1 < o->elements ? o->at[n + 1] : o->shapes;
         for (size_t k = 0; k <= end - o->at[n]; k++) {
             double complex *slope = shape_of(o, n, k);
             for (size_t i = 0; i < o->nodes; i++)
                 slope[i] *= -o->value[i] * o->value[i];
-            measure(o, slope, c[n],
-                    column_of(o, k == 0 ? n : o->elements + o->at[n] + k - 1));
+            weigh_function(o, slope, c[n],
+                           column_of(o, k == 0 ? n : o->elements + o->at[n] + k - 1));
         }
     }
 }

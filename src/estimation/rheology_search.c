@@ -73,8 +73,8 @@ static void normal_equations(const problem *p, const double *x, double A[][FVI_L
 
 /* Compute a step of Levenberg and Marquardt. With a constraint the step must satisfy g . step = missing: it is
  * corrected along M^-1 g, which is the shortest correction in the metric of the damped matrix M. */
-static int step_of(const problem *p, double A[][FVI_LAW_MOST], const double *b, const int *stays,
-                   double lambda, const double *g, double missing, double *step)
+static int step_along(const problem *p, double A[][FVI_LAW_MOST], const double *b, const int *stays,
+                      double lambda, const double *g, double missing, double *step)
 {
     const size_t P = p->P;
     double M[FVI_LAW_MOST][FVI_LAW_MOST], along[FVI_LAW_MOST];
@@ -105,14 +105,14 @@ static int step_of(const problem *p, double A[][FVI_LAW_MOST], const double *b, 
     return 1;
 }
 
-static void clip(const problem *p, double *x)
+static void clip_to_bounds(const problem *p, double *x)
 {
     for (size_t i = 0; i < p->P; i++)
         x[i] = fmin(fmax(x[i], p->low[i]), p->high[i]);
 }
 
 /* Go back onto the constraint, whose slope is nearly constant. */
-static void restore(const problem *p, double *x)
+static void project_on_constraint(const problem *p, double *x)
 {
     double g[FVI_LAW_MOST];
     for (int times = 0; p->v && times < 3; times++) {
@@ -122,7 +122,7 @@ static void restore(const problem *p, double *x)
             gg += g[i] * g[i] * p->scale[i] * p->scale[i];
         for (size_t i = 0; i < p->P && gg > 0; i++)
             x[i] += missing * g[i] * p->scale[i] * p->scale[i] / gg;
-        clip(p, x);
+        clip_to_bounds(p, x);
     }
 }
 
@@ -137,11 +137,11 @@ static int advance(problem *p, double *x, double *sum, double *lambda, double *c
     const double missing = p->v ? p->target - p->v(p->params, x, g) : 0;
     for (int tries = 0; tries < TRIES; tries++) {
         double next[FVI_LAW_MOST];
-        if (step_of(p, A, b, stays, *lambda, g, missing, step)) {
+        if (step_along(p, A, b, stays, *lambda, g, missing, step)) {
             for (size_t i = 0; i < p->P; i++)
                 next[i] = x[i] + fmin(fmax(step[i], -LONGEST * p->scale[i]), LONGEST * p->scale[i]);
-            clip(p, next);
-            restore(p, next);
+            clip_to_bounds(p, next);
+            project_on_constraint(p, next);
             const double there = evaluate(p, next, o->trial, NULL);
             if (there <= *sum * (1 + 1e-14)) {
                 *change = 0;
@@ -161,8 +161,8 @@ static int advance(problem *p, double *x, double *sum, double *lambda, double *c
 static double descend(problem *p, double *x)
 {
     double lambda = 1e-2, change = INFINITY;
-    clip(p, x);
-    restore(p, x);
+    clip_to_bounds(p, x);
+    project_on_constraint(p, x);
     double sum = evaluate(p, x, p->work->r, p->work->J);
     for (int i = 0; i < ITERATIONS && sum < INFINITY; i++) {
         const double before = sum;

@@ -21,7 +21,7 @@ static int contains_point(const enclosure *u, double offset, double period)
 }
 
 /* Set the range of sine or cosine. Cosine has its extremes a quarter of a period earlier. */
-static void wave_range(const enclosure *u, int is_sine, enclosure *f)
+static void range_of_sine(const enclosure *u, int is_sine, enclosure *f)
 {
     const double top = is_sine ? PI / 2 : 0, bottom = top + PI;
     if (!(largest(u) < 1e9)) {
@@ -31,12 +31,12 @@ static void wave_range(const enclosure *u, int is_sine, enclosure *f)
     const double a = is_sine ? sin(u->low) : cos(u->low),
                  b = is_sine ? sin(u->high) : cos(u->high);
     set_range(f,
-              contains_point(u, bottom, 2 * PI) ? -1 : most_of(-1, down(least_of(a, b))),
-              contains_point(u, top, 2 * PI) ? 1 : least_of(1, up(most_of(a, b))));
+              contains_point(u, bottom, 2 * PI) ? -1 : most_of(-1, round_down(least_of(a, b))),
+              contains_point(u, top, 2 * PI) ? 1 : least_of(1, round_up(most_of(a, b))));
 }
 
 /* Bound the derivatives of sine s and cosine c, whose ranges are known: |s'| = |c u'| and |c'| = |s u'|. */
-static void pair(const enclosure *u, enclosure *s, enclosure *c, int order)
+static void bound_sine_derivatives(const enclosure *u, enclosure *s, enclosure *c, int order)
 {
     s->top = c->top = u->top > 0 ? order : 0;
     s->most[0] = largest(s);
@@ -48,19 +48,19 @@ static void pair(const enclosure *u, enclosure *s, enclosure *c, int order)
     }
 }
 
-static void wave(const enclosure *u, int is_sine, int order, enclosure *f)
+static void enclose_sine(const enclosure *u, int is_sine, int order, enclosure *f)
 {
     enclosure other;
-    wave_range(u, is_sine, f);
-    wave_range(u, !is_sine, &other);
-    pair(u, f, &other, order);
+    range_of_sine(u, is_sine, f);
+    range_of_sine(u, !is_sine, &other);
+    bound_sine_derivatives(u, f, &other, order);
     tighten(f);
 }
 
 /* |sinh| < cosh, so the derivatives of both, as parts of cosh, follow from those of exp. */
-static void hyperbolic(const enclosure *u, int is_sine, int order, enclosure *f)
+static void enclose_hyperbolic_sine(const enclosure *u, int is_sine, int order, enclosure *f)
 {
-    const double most = up(cosh(largest(u)));
+    const double most = round_up(cosh(largest(u)));
     fvi_enclosure_exponential(u, order, f);
     for (int k = 1; is_sine && k <= f->top; k++) {
         f->most[k] = bound(f->part[k] * most);
@@ -69,21 +69,21 @@ static void hyperbolic(const enclosure *u, int is_sine, int order, enclosure *f)
     for (int k = 1; !is_sine && k <= f->top; k++)
         f->most[k] = INFINITY;
     if (is_sine)
-        set_range(f, down(sinh(u->low)), up(sinh(u->high)));
+        set_range(f, round_down(sinh(u->low)), round_up(sinh(u->high)));
     else
-        set_range(f, down(least_of(DBL_MAX, cosh(smallest(u)))), most);
+        set_range(f, round_down(least_of(DBL_MAX, cosh(smallest(u)))), most);
     tighten(f);
 }
 
 /* f' = (1 + f^2) u' or (1 - f^2) u'. `factor` bounds the first factor. */
-static void tangent(const enclosure *u, double factor, int order, enclosure *f)
+static void enclose_tangent(const enclosure *u, double factor, int order, enclosure *f)
 {
     double more[FVI_ENCLOSURE_ORDER + 1] = { factor };
     clear_derivatives(f, u->top > 0 ? order : 0);
     f->most[0] = largest(f);
     for (int k = 1; k <= f->top; k++) {
         f->most[k] = fvi_enclosure_slope(u->most, u->top, more, k);
-        more[k] = product(f->most, k, f->most, k, k);
+        more[k] = product_coefficient(f->most, k, f->most, k, k);
     }
     tighten(f);
 }
@@ -94,16 +94,16 @@ static void circular_tangent(const enclosure *u, int order, enclosure *f)
         set_unknown(f, order);
         return;
     }
-    set_range(f, down(tan(u->low)), up(tan(u->high)));
-    tangent(u, up(1 + largest(f) * largest(f)), order, f);
+    set_range(f, round_down(tan(u->low)), round_up(tan(u->high)));
+    enclose_tangent(u, round_up(1 + largest(f) * largest(f)), order, f);
 }
 
 static void hyperbolic_tangent(const enclosure *u, int order, enclosure *f)
 {
     const double c = cosh(smallest(u));
-    set_range(f, most_of(-1, down(tanh(u->low))),
-              least_of(1, up(tanh(u->high))));
-    tangent(u, up(1 / c / c), order, f);
+    set_range(f, most_of(-1, round_down(tanh(u->low))),
+              least_of(1, round_up(tanh(u->high))));
+    enclose_tangent(u, round_up(1 / c / c), order, f);
 }
 
 /* f' = (1 + sign u^2)^p u'. The range of f is known. */
@@ -129,7 +129,7 @@ static void inverse_function(const enclosure *u, double sign, double p,
     tighten(f);
 }
 
-static void absolute(const enclosure *u, int order, enclosure *f)
+static void enclose_absolute(const enclosure *u, int order, enclosure *f)
 {
     if (u->high <= 0)
         fvi_enclosure_negate(u, f);
@@ -232,26 +232,26 @@ static void operate(const fvi_node *at, const enclosure *u, const enclosure *w,
         break;
     case TAPE_SIN:
     case TAPE_COS:
-        wave(u, at->op == TAPE_SIN, order, f);
+        enclose_sine(u, at->op == TAPE_SIN, order, f);
         break;
     case TAPE_TAN:
         circular_tangent(u, order, f);
         break;
     case TAPE_ASIN:
-        set_range(f, down(asin(u->low)), up(asin(u->high)));
+        set_range(f, round_down(asin(u->low)), round_up(asin(u->high)));
         inverse_function(u, -1, -0.5, order, f);
         break;
     case TAPE_ACOS:
-        set_range(f, down(acos(u->high)), up(acos(u->low)));
+        set_range(f, round_down(acos(u->high)), round_up(acos(u->low)));
         inverse_function(u, -1, -0.5, order, f);
         break;
     case TAPE_ATAN:
-        set_range(f, down(atan(u->low)), up(atan(u->high)));
+        set_range(f, round_down(atan(u->low)), round_up(atan(u->high)));
         inverse_function(u, 1, -1, order, f);
         break;
     case TAPE_SINH:
     case TAPE_COSH:
-        hyperbolic(u, at->op == TAPE_SINH, order, f);
+        enclose_hyperbolic_sine(u, at->op == TAPE_SINH, order, f);
         break;
     case TAPE_TANH:
         hyperbolic_tangent(u, order, f);
@@ -266,7 +266,7 @@ static void operate(const fvi_node *at, const enclosure *u, const enclosure *w,
         fvi_enclosure_real_power(u, 0.5, order, f);
         break;
     case TAPE_ABS:
-        absolute(u, order, f);
+        enclose_absolute(u, order, f);
         break;
     case TAPE_SIGN:
         sign_of(u, order, f);
@@ -330,5 +330,5 @@ int fvi_tape_enclose(const fvi_node *node, size_t n, double from, double to,
 double fvi_enclosure_half(const fvi_enclosure *f)
 {
     const double half = f->high / 2 - f->low / 2;
-    return half > 0 ? up(half) : 0;
+    return half > 0 ? round_up(half) : 0;
 }

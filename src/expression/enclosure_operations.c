@@ -15,7 +15,7 @@ void fvi_enclosure_add(const enclosure *u, const enclosure *w, enclosure *f)
 {
     const int alike =
         (u->low >= 0 && w->low >= 0) || (u->high <= 0 && w->high <= 0);
-    set_range(f, down(u->low + w->low), up(u->high + w->high));
+    set_range(f, round_down(u->low + w->low), round_up(u->high + w->high));
     f->top = u->top > w->top ? u->top : w->top;
     for (int k = 1; k <= f->top; k++) {
         const int in_u = k <= u->top, in_w = k <= w->top;
@@ -35,7 +35,7 @@ void fvi_enclosure_negate(const enclosure *u, enclosure *f)
 }
 
 /* 0 times infinity is 0, because the infinity stands for a number that was too large. */
-static double times(double a, double b)
+static double multiply_bounds(double a, double b)
 {
     return a == 0 || b == 0 ? 0 : a * b;
 }
@@ -43,15 +43,15 @@ static double times(double a, double b)
 void fvi_enclosure_multiply(const enclosure *u, const enclosure *w, int order,
                             enclosure *f)
 {
-    const double a = times(u->low, w->low), b = times(u->low, w->high),
-                 c = times(u->high, w->low), d = times(u->high, w->high);
+    const double a = multiply_bounds(u->low, w->low), b = multiply_bounds(u->low, w->high),
+                 c = multiply_bounds(u->high, w->low), d = multiply_bounds(u->high, w->high);
     const int degree = u->top + w->top;
-    set_range(f, down(least_of(least_of(a, b), least_of(c, d))),
-              up(most_of(most_of(a, b), most_of(c, d))));
+    set_range(f, round_down(least_of(least_of(a, b), least_of(c, d))),
+              round_up(most_of(most_of(a, b), most_of(c, d))));
     f->top = degree < order ? degree : order;
     for (int k = 1; k <= f->top; k++) {
-        f->most[k] = product(u->most, u->top, w->most, w->top, k);
-        f->part[k] = product(u->part, u->top, w->part, w->top, k);
+        f->most[k] = product_coefficient(u->most, u->top, w->most, w->top, k);
+        f->part[k] = product_coefficient(u->part, u->top, w->part, w->top, k);
     }
     tighten(f);
 }
@@ -78,15 +78,15 @@ void fvi_enclosure_invert(const enclosure *u, int order, enclosure *f)
     }
     const double low = 1 / u->high, high = 1 / u->low;
     raise_parts(u, -1, order, f);
-    set_range(f, u->low > 0 ? most_of(0, down(low)) : down(low),
-              u->low > 0 ? up(high) : least_of(0, up(high)));
+    set_range(f, u->low > 0 ? most_of(0, round_down(low)) : round_down(low),
+              u->low > 0 ? round_up(high) : least_of(0, round_up(high)));
     tighten(f);
 }
 
 void fvi_enclosure_square(const enclosure *u, int order, enclosure *f)
 {
     fvi_enclosure_multiply(u, u, order, f);
-    f->low = most_of(0, down(smallest(u) * smallest(u)));
+    f->low = most_of(0, round_down(smallest(u) * smallest(u)));
     tighten(f);
 }
 
@@ -122,7 +122,7 @@ void fvi_enclosure_real_power(const enclosure *u, double p, int order,
     }
     const double low = pow(u->low, p), high = pow(u->high, p);
     raise_parts(u, p, order, f);
-    set_range(f, most_of(0, down(least_of(low, high))), up(most_of(low, high)));
+    set_range(f, most_of(0, round_down(least_of(low, high))), round_up(most_of(low, high)));
     tighten(f);
 }
 
@@ -134,7 +134,7 @@ void fvi_enclosure_exponential(const enclosure *u, int order, enclosure *f)
         f->part[k] = fvi_enclosure_slope(u->most, u->top, f->part, k);
         f->most[k] = INFINITY;
     }
-    set_range(f, most_of(0, down(exp(u->low))), up(exp(u->high)));
+    set_range(f, most_of(0, round_down(exp(u->low))), round_up(exp(u->high)));
     tighten(f);
 }
 
@@ -145,7 +145,7 @@ void fvi_enclosure_logarithm(const enclosure *u, int order, enclosure *f)
         set_unknown(f, order);
         return;
     }
-    set_range(f, down(log(u->low)), up(log(u->high)));
+    set_range(f, round_down(log(u->low)), round_up(log(u->high)));
     clear_derivatives(f, u->top > 0 ? order : 0);
     for (int k = 1; k <= f->top; k++) {
         double sum = k <= u->top ? u->part[k] : 0;

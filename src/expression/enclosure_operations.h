@@ -16,15 +16,15 @@ typedef fvi_enclosure enclosure;
 
 /* Round by sixteen units, which is more than any operation or function of one number loses. The smallest normal number
  * covers everything that underflows. The largest finite number is the lower bound of what overflows. */
-static inline double up(double v)
+static inline double round_up(double v)
 {
     return v == -INFINITY ? -DBL_MAX
                           : v + (16 * DBL_EPSILON * fabs(v) + DBL_MIN);
 }
 
-static inline double down(double v)
+static inline double round_down(double v)
 {
-    return -up(-v);
+    return -round_up(-v);
 }
 
 /* Round up a bound that was computed with fewer than sixty rounding errors. NaN, which is 0 times infinity, becomes
@@ -101,8 +101,8 @@ static inline void tighten(enclosure *f)
 }
 
 /* Return coefficient k of the product of two series. */
-static inline double product(const double *u, int u_top, const double *w,
-                             int w_top, int k)
+static inline double product_coefficient(const double *u, int u_top, const double *w,
+                                         int w_top, int k)
 {
     double sum = 0;
     for (int j = k > w_top ? k - w_top : 0; j <= k && j <= u_top; j++)

@@ -20,7 +20,7 @@ typedef struct {
 /* ---- one term ---- */
 
 /* Return the position of a coordinate that the tape contains already, or -1. */
-static int met_before(const term *t, const fvi_node *new)
+static int find_coordinate(const term *t, const fvi_node *new)
 {
     for (size_t i = 0; new->op == TAPE_COORDINATE &&i < t->count; i++)
         if (t->node[i].op == TAPE_COORDINATE && t->node[i].a == new->a)
@@ -33,7 +33,7 @@ static int met_before(const term *t, const fvi_node *new)
 static int emit(builder *w, term *t, int i, int depth)
 {
     fvi_node new = w->node[i];
-    const int before = met_before(t, &new);
+    const int before = find_coordinate(t, &new);
     if (before >= 0 || w->status)
         return before;
     if (depth == FVI_TAPE_LONGEST) {
@@ -55,7 +55,7 @@ static int emit(builder *w, term *t, int i, int depth)
     return (int)t->count++;
 }
 
-static void widen(fvi_expression *e, const term *t)
+static void update_reach(fvi_expression *e, const term *t)
 {
     for (size_t i = 0; i < t->coordinates; i++)
         for (size_t j = 0; j < t->coordinates; j++)
@@ -64,7 +64,7 @@ static void widen(fvi_expression *e, const term *t)
 }
 
 /* Replace the arrays of the term by copies of their exact length. Return 0 if there is no memory. */
-static int keep(term *t)
+static int shrink_term(term *t)
 {
     fvi_node *node = malloc(t->count * sizeof *node);
     int *coordinate = malloc((t->coordinates + 1) * sizeof *coordinate);
@@ -98,8 +98,8 @@ static void add_term(builder *w, int root)
         e->terms = terms;
         e->room = room;
     }
-    if (keep(&t)) {
-        widen(e, &t);
+    if (shrink_term(&t)) {
+        update_reach(e, &t);
         e->terms[e->count++] = t;
     } else {
         w->status = FVI_ENOMEM;
@@ -109,7 +109,7 @@ static void add_term(builder *w, int root)
 /* ---- the sum ---- */
 
 /* Add a node. Return its number. */
-static int make(builder *w, fvi_operation op, int a, int b, double number)
+static int add_node(builder *w, fvi_operation op, int a, int b, double number)
 {
     if (w->count == w->room) {
         const size_t room = 2 * w->room;
@@ -126,7 +126,7 @@ static int make(builder *w, fvi_operation op, int a, int b, double number)
 }
 
 /* Return the operand of a sign, or the operand beside a factor or a divisor without a coordinate; else -1. */
-static int inside(const builder *w, int i)
+static int inner_operand(const builder *w, int i)
 {
     const fvi_node *at = &w->node[i];
     if (at->op == TAPE_NEGATE)
@@ -145,50 +145,50 @@ static int is_sum(const builder *w, int i)
 
 static int hides_a_sum(const builder *w, int i)
 {
-    while (inside(w, i) >= 0)
-        i = inside(w, i);
+    while (inner_operand(w, i) >= 0)
+        i = inner_operand(w, i);
     return is_sum(w, i);
 }
 
 enum { ONE = -1 /* in place of a node: no factor */ };
 
-static int negative(builder *w, int factor)
+static int negate_factor(builder *w, int factor)
 {
-    return factor == ONE ? make(w, TAPE_NUMBER, 0, 0, -1)
-                         : make(w, TAPE_NEGATE, factor, factor, 0);
+    return factor == ONE ? add_node(w, TAPE_NUMBER, 0, 0, -1)
+                         : add_node(w, TAPE_NEGATE, factor, factor, 0);
 }
 
 /* Return the factor together with the operation at node i. */
-static int more(builder *w, int factor, int i)
+static int factor_outside(builder *w, int factor, int i)
 {
     const fvi_node at = w->node[i];
     if (at.op == TAPE_NEGATE)
-        return negative(w, factor);
-    const int other = inside(w, i) == at.a ? at.b : at.a;
+        return negate_factor(w, factor);
+    const int other = inner_operand(w, i) == at.a ? at.b : at.a;
     if (factor == ONE && at.op == TAPE_MULTIPLY)
         return other;
     if (factor == ONE)
-        factor = make(w, TAPE_NUMBER, 0, 0, 1);
-    return make(w, at.op, factor, other, 0);
+        factor = add_node(w, TAPE_NUMBER, 0, 0, 1);
+    return add_node(w, at.op, factor, other, 0);
 }
 
 /* Add the terms of factor times node i. Signs and factors without a coordinate go to each term. A long sum leans to the
  * left, and this function does not recurse in that direction. */
-static void take_apart(builder *w, int i, int factor)
+static void distribute_factor(builder *w, int i, int factor)
 {
     while (!w->status && hides_a_sum(w, i)) {
         const fvi_node at = w->node[i];
         if (is_sum(w, i)) {
-            take_apart(w, at.b,
-                       at.op == TAPE_ADD ? factor : negative(w, factor));
+            distribute_factor(w, at.b,
+                              at.op == TAPE_ADD ? factor : negate_factor(w, factor));
             i = at.a;
         } else {
-            factor = more(w, factor, i);
-            i = inside(w, i);
+            factor = factor_outside(w, factor, i);
+            i = inner_operand(w, i);
         }
     }
     if (!w->status)
-        add_term(w, factor == ONE ? i : make(w, TAPE_MULTIPLY, factor, i, 0));
+        add_term(w, factor == ONE ? i : add_node(w, TAPE_MULTIPLY, factor, i, 0));
 }
 
 static size_t variables(const fvi_symbols *names, fvi_tape_state state)
@@ -223,7 +223,7 @@ static int parse_in(const char *text, const fvi_symbols *names,
         w->e = new;
         w->room = w->count;
         if (new->d > 1 && !finder)
-            take_apart(w, root, ONE);
+            distribute_factor(w, root, ONE);
         else
             add_term(w, root);
         if ((status = w->status))

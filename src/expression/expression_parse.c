@@ -75,7 +75,7 @@ static int append(parser *p, fvi_node new)
 
 /* Add an operation on nodes a and b (b = a if there is one operand). If both are numbers, they are the last nodes and
  * are replaced by the result. */
-static int operation(parser *p, fvi_operation op, int a, int b, double number)
+static int add_operation(parser *p, fvi_operation op, int a, int b, double number)
 {
     if (p->status)
         return 0;
@@ -106,9 +106,9 @@ static int raise_to(parser *p, int u, int v)
         && exponent.number <= 16 && exponent.number == floor(exponent.number)
         && p->node[u].op != TAPE_NUMBER && v == (int)p->count - 1) {
         p->count--;
-        return operation(p, TAPE_WHOLE_POWER, u, u, exponent.number);
+        return add_operation(p, TAPE_WHOLE_POWER, u, u, exponent.number);
     }
-    return operation(p, TAPE_POWER, u, v, 0);
+    return add_operation(p, TAPE_POWER, u, v, 0);
 }
 
 /* ---- words ---- */
@@ -120,7 +120,7 @@ static void skip_spaces(parser *p)
 }
 
 /* If the next sign is `what`, read it and return nonzero. */
-static int sign(parser *p, const char *what)
+static int accept_sign(parser *p, const char *what)
 {
     skip_spaces(p);
     const size_t length = strlen(what);
@@ -202,20 +202,20 @@ static int number(parser *p)
 static int sum(parser *p);
 
 /* Read the arguments of a function whose name has been read. */
-static int call(parser *p, fvi_operation op)
+static int parse_call(parser *p, fvi_operation op)
 {
-    if (!sign(p, "("))
+    if (!accept_sign(p, "("))
         return refuse(p, p->at, "a ( is missing behind the function");
     const int u = sum(p);
     int w = u;
     if (op >= TAPE_MIN) {
-        if (!p->status && !sign(p, ","))
+        if (!p->status && !accept_sign(p, ","))
             return refuse(p, p->at, "min and max are of two, parted by a comma");
         w = sum(p);
     }
-    if (!p->status && !sign(p, ")"))
+    if (!p->status && !accept_sign(p, ")"))
         return refuse(p, p->at, "a ) is missing");
-    return operation(p, op, u, w, 0);
+    return add_operation(p, op, u, w, 0);
 }
 
 /* Return the number of x or x3, from 0, if there are d such variables; or -1. */
@@ -265,7 +265,7 @@ static int name(parser *p)
             return append(p, (fvi_node){ TAPE_PARAMETER, 0, (int)j, 0, 0 });
     for (int f = 0; fvi_tape_functions[f]; f++)
         if (is_word(from, length, fvi_tape_functions[f]))
-            return call(p, (fvi_operation)(TAPE_FUNCTIONS + f));
+            return parse_call(p, (fvi_operation)(TAPE_FUNCTIONS + f));
     if (is_word(from, length, "pi"))
         return append(p, (fvi_node){ .op = TAPE_NUMBER,
                                      .number = 3.14159265358979323846 });
@@ -297,12 +297,12 @@ static int primary(parser *p)
         return number(p);
     if (is_letter(*p->at))
         return name(p);
-    if (!sign(p, "("))
+    if (!accept_sign(p, "("))
         return refuse(p, p->at,
                       *p->at ? "a number, a name or ( is wanted here"
                              : "it ends too early");
     const int u = sum(p);
-    if (!p->status && !sign(p, ")"))
+    if (!p->status && !accept_sign(p, ")"))
         return refuse(p, p->at, "a ) is missing");
     return u;
 }
@@ -310,7 +310,7 @@ static int primary(parser *p)
 static int power(parser *p)
 {
     const int u = primary(p);
-    if (!sign(p, "**") && !sign(p, "^"))
+    if (!accept_sign(p, "**") && !accept_sign(p, "^"))
         return u;
     return raise_to(p, u, signed_power(p));
 }
@@ -321,11 +321,11 @@ static int signed_power(parser *p)
     int u;
     if (++p->depth > DEEPEST)
         return refuse(p, p->at, "nested too deeply");
-    if (sign(p, "-")) {
+    if (accept_sign(p, "-")) {
         u = signed_power(p);
-        u = operation(p, TAPE_NEGATE, u, u, 0);
+        u = add_operation(p, TAPE_NEGATE, u, u, 0);
     } else {
-        u = sign(p, "+") ? signed_power(p) : power(p);
+        u = accept_sign(p, "+") ? signed_power(p) : power(p);
     }
     p->depth--;
     return u;
@@ -335,10 +335,10 @@ static int product(parser *p)
 {
     int u = signed_power(p);
     for (;;) {
-        if (sign(p, "*"))
-            u = operation(p, TAPE_MULTIPLY, u, signed_power(p), 0);
-        else if (sign(p, "/"))
-            u = operation(p, TAPE_DIVIDE, u, signed_power(p), 0);
+        if (accept_sign(p, "*"))
+            u = add_operation(p, TAPE_MULTIPLY, u, signed_power(p), 0);
+        else if (accept_sign(p, "/"))
+            u = add_operation(p, TAPE_DIVIDE, u, signed_power(p), 0);
         else
             return u;
     }
@@ -348,10 +348,10 @@ static int sum(parser *p)
 {
     int u = product(p);
     for (;;) {
-        if (sign(p, "+"))
-            u = operation(p, TAPE_ADD, u, product(p), 0);
-        else if (sign(p, "-"))
-            u = operation(p, TAPE_SUBTRACT, u, product(p), 0);
+        if (accept_sign(p, "+"))
+            u = add_operation(p, TAPE_ADD, u, product(p), 0);
+        else if (accept_sign(p, "-"))
+            u = add_operation(p, TAPE_SUBTRACT, u, product(p), 0);
         else
             return u;
     }

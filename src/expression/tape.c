@@ -89,7 +89,7 @@ static inline fvi_jet mean(fvi_jet u, fvi_jet w)
 
 /* Return the smaller or the larger of two. If both are equal, the derivatives are the mean: for example, those of
  * abs(u) = max(u, -u) are 0 at 0. NaN stays NaN. */
-static inline fvi_jet extreme(fvi_operation op, fvi_jet u, fvi_jet w)
+static inline fvi_jet minimum_or_maximum(fvi_operation op, fvi_jet u, fvi_jet w)
 {
     if (u.v < w.v)
         return op == TAPE_MIN ? u : w;
@@ -98,7 +98,7 @@ static inline fvi_jet extreme(fvi_operation op, fvi_jet u, fvi_jet w)
 
 /* u^n for n >= 0 by repeated squaring. The lowest powers are written out, because the compiler would not unroll the
  * loop. */
-static inline double by_squares(double u, int n)
+static inline double power_by_squaring(double u, int n)
 {
     double power = 1, square = u;
     if (n < 3)
@@ -112,13 +112,13 @@ static inline double by_squares(double u, int n)
 /* Compute a whole power n >= 2 of u and its derivatives by multiplication. */
 static inline void whole_power(double u, int n, double f[3])
 {
-    const double rest = by_squares(u, n - 2);
+    const double rest = power_by_squaring(u, n - 2);
     f[0] = rest * u * u;
     f[1] = n * rest * u;
     f[2] = (double)n * (n - 1) * rest;
 }
 
-static inline fvi_jet chain(const double f[3], fvi_jet u)
+static inline fvi_jet apply_chain_rule(const double f[3], fvi_jet u)
 {
     return (fvi_jet){ f[0], f[1] * u.a, f[1] * u.b,
                       f[2] * u.a * u.b + f[1] * u.c };
@@ -132,7 +132,7 @@ static inline fvi_jet power(fvi_jet u, fvi_jet w)
     const double f[3] = { v, by_u,
                           n != 0 && n != 1 ? n * (n - 1) * pow(u.v, n - 2)
                                            : 0 };
-    fvi_jet r = chain(f, u);
+    fvi_jet r = apply_chain_rule(f, u);
     if (w.a != 0 || w.b != 0 || w.c != 0) {
         const double l = log(u.v), mixed = pow(u.v, n - 1) * (1 + n * l);
         r.a += v * l * w.a;
@@ -173,13 +173,13 @@ INTO_THE_WALK fvi_jet operate(const fvi_node *at, fvi_jet u, fvi_jet w,
         return order > 0 ? power(u, w) : (fvi_jet){ .v = pow(u.v, w.v) };
     case TAPE_WHOLE_POWER:
         whole_power(u.v, (int)at->number, f);
-        return chain(f, u);
+        return apply_chain_rule(f, u);
     case TAPE_MIN:
     case TAPE_MAX:
-        return extreme(at->op, u, w);
+        return minimum_or_maximum(at->op, u, w);
     default:
         function(at->op, u.v, order, f);
-        return chain(f, u);
+        return apply_chain_rule(f, u);
     }
 }
 

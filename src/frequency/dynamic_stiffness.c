@@ -12,7 +12,7 @@
 
 /* ---- the pattern of the sum ---- */
 
-static int make_places(fvi_response *r)
+static int allocate_places(fvi_response *r)
 {
     for (size_t l = 0; l < r->terms; l++) {
         const size_t count = (size_t)r->term[l].matrix->start[r->d];
@@ -27,7 +27,7 @@ static int find_union(fvi_response *r)
 {
     const fvi_sparse **matrix = malloc(r->terms * sizeof *matrix);
     int **place = malloc(r->terms * sizeof *place),
-        status = matrix && place ? make_places(r) : FVI_ENOMEM;
+        status = matrix && place ? allocate_places(r) : FVI_ENOMEM;
     for (size_t l = 0; !status && l < r->terms; l++) {
         matrix[l] = r->term[l].matrix;
         place[l] = r->term[l].place;
@@ -95,7 +95,7 @@ double fvi_stiffness_norm(const fvi_response *r, double complex s)
 }
 
 /* Return the entries of the sum, as a full matrix if the factors are dense. Z is symmetric, so columns are rows. */
-static const double complex *spread(fvi_response *r)
+static const double complex *expand_matrix(fvi_response *r)
 {
     if (!r->is_dense)
         return r->Z;
@@ -113,7 +113,7 @@ int fvi_stiffness_factorise(fvi_response *r, double complex s, double e)
         return FVI_SUCCESS;
     int status = fvi_interrupted(); /* factors of many unknowns take long */
     if (!status)
-        status = fvi_complex_factors_of(r->factors, spread(r));
+        status = fvi_complex_factors_of(r->factors, expand_matrix(r));
     r->is_factorised = !status;
     return status;
 }

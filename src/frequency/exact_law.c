@@ -32,7 +32,7 @@ static double phase(const void *params, double u, double v)
 }
 
 /* Return the number of zeros in a box, or -1 if one is on its side. */
-static int zeros_in(const fvi_pole *Q, const fvi_log_box *b)
+static int count_zeros(const fvi_pole *Q, const fvi_log_box *b)
 {
     return fvi_winding(phase, Q, STEP, b);
 }
@@ -68,7 +68,7 @@ static int newton(const fvi_log_box *b, fvi_pole *Q)
 
 /* Cut a box across its longer side, where no zero is. The cut is not in the middle, where a zero may be because of
  * symmetry. Return the number of zeros in the first half, or -1. */
-static int cut(const fvi_pole *Q, const fvi_log_box *b, fvi_log_box half[2])
+static int halve_box(const fvi_pole *Q, const fvi_log_box *b, fvi_log_box half[2])
 {
     static const double parts[] = { 0.5137, 0.4321, 0.6173, 0.3719 };
     const int wide = b->u[1] - b->u[0] > b->v[1] - b->v[0];
@@ -79,14 +79,14 @@ static int cut(const fvi_pole *Q, const fvi_log_box *b, fvi_log_box half[2])
                      at = side[0] + parts[i] * (side[1] - side[0]);
         (wide ? half[0].u : half[0].v)[1] = at;
         (wide ? half[1].u : half[1].v)[0] = at;
-        first = zeros_in(Q, &half[0]);
+        first = count_zeros(Q, &half[0]);
     }
     return first;
 }
 
 /* Find the n zeros of a box, and add them to those that have been found. */
-static int find(const fvi_pole *Q, const fvi_log_box *b, int n, size_t most,
-                fvi_pole *pole, size_t *count, fvi_error *error)
+static int find_zeros(const fvi_pole *Q, const fvi_log_box *b, int n, size_t most,
+                      fvi_pole *pole, size_t *count, fvi_error *error)
 {
     if (n == 0)
         return FVI_SUCCESS;
@@ -99,12 +99,12 @@ static int find(const fvi_pole *Q, const fvi_log_box *b, int n, size_t most,
     }
     fvi_log_box half[2];
     const int first =
-        b->u[1] - b->u[0] + b->v[1] - b->v[0] > 1e-12 ? cut(Q, b, half) : -1;
+        b->u[1] - b->u[0] + b->v[1] - b->v[0] > 1e-12 ? halve_box(Q, b, half) : -1;
     if (first < 0 || first > n)
         return fvi_fail(error, FVI_EMAXITER, NULL, NAN, "the poles of the motion were not found");
-    int status = find(Q, &half[0], first, most, pole, count, error);
+    int status = find_zeros(Q, &half[0], first, most, pole, count, error);
     if (!status)
-        status = find(Q, &half[1], n - first, most, pole, count, error);
+        status = find_zeros(Q, &half[1], n - first, most, pole, count, error);
     return status;
 }
 
@@ -117,7 +117,7 @@ static int has_distant_zero(const fvi_pole *Q, double angle)
         const double inertia = cabs(Q->m * s * s),
                      rest = cabs(Q->c + Q->rho * fvi_kernel_at(Q->law, s, NULL));
         const fvi_log_box beyond = { { above ? EDGE : -FARTHEST, above ? FARTHEST : -EDGE }, { 1.5, angle } };
-        if (!(above ? rest < 1e-3 * inertia : inertia < 1e-3 * rest) && zeros_in(Q, &beyond) != 0)
+        if (!(above ? rest < 1e-3 * inertia : inertia < 1e-3 * rest) && count_zeros(Q, &beyond) != 0)
             return 1;
     }
     return 0;
@@ -135,12 +135,12 @@ int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law,
     fvi_log_box all;
     for (size_t i = 0; n < 0 && i < sizeof edge / sizeof *edge; i++) {
         all = (fvi_log_box){ { -EDGE, EDGE }, { 1.5, edge[i] } };
-        n = zeros_in(&Q, &all);
+        n = count_zeros(&Q, &all);
     }
     *count = 0;
     if (n < 0 || has_distant_zero(&Q, all.v[1]))
         return fvi_fail(error, FVI_EMAXITER, NULL, NAN, "the poles of the motion were not found");
-    int status = find(&Q, &all, n, most, pole, count, error);
+    int status = find_zeros(&Q, &all, n, most, pole, count, error);
     for (size_t i = 0; !status && i < *count; i++)
         fvi_pole_polish(&pole[i]);
     return status;

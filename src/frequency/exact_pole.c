@@ -47,7 +47,7 @@ static double log_damping(double beta, double y, double *slope, double *angle,
 //> bisection
 /* (11.6): the angle grows with the damping. Newton's method in y = ln(e / (1 - e)). If a step would leave the interval
  * that is known to contain the angle, the interval is halved instead. */
-static double complex by_angle(double m, double c, double rho, double beta)
+static double complex solve_for_angle(double m, double c, double rho, double beta)
 {
     double wanted = log(rho) - (1 - beta / 2) * log(c) - beta / 2 * log(m);
     double low = -700, high = 700, y = 0, last, angle, r, slope;
@@ -137,7 +137,7 @@ int fvi_pole_find(double m, double c, double rho, double beta, fvi_pole *pole)
     } else {
         if (beta == 1 && rho >= 2 * sqrt(m) * sqrt(c))
             return 0;
-        pole->s = by_angle(m, c, rho, beta);
+        pole->s = solve_for_angle(m, c, rho, beta);
     }
     if (pole->s == 0)
         return 0;

@@ -92,8 +92,8 @@ static double complex rayleigh(const fvi_response *r,
 
 /* Replace v by Z^-1 Z' v at s, with its largest number equal to 1. At a pole Z has no inverse, so s is moved by some
  * rounding errors then. */
-static int turn_shape(fvi_response *r, double complex *s, double complex *v,
-                      double complex *room)
+static int iterate_shape(fvi_response *r, double complex *s, double complex *v,
+                         double complex *room)
 {
     int status = fvi_stiffness_factorise(r, *s, 1);
     for (int i = 0; status == FVI_ESING && i < 4; i++) {
@@ -127,7 +127,7 @@ static double norm_of_product(const fvi_sparse *A, const double complex *v)
     return sqrt(square);
 }
 
-static void judge(fvi_response *r, fvi_pole_candidate *p, double complex *room)
+static void find_residual(fvi_response *r, fvi_pole_candidate *p, double complex *room)
 {
     double parts = 0;
     for (size_t l = 0; l < r->terms; l++) {
@@ -159,18 +159,18 @@ static int newton_with(fvi_response *r, fvi_pole_candidate *p,
         if (i > 0 && (step <= 4e-15 || (step < 1e-7 && step > last / 2)))
             break;
         last = step;
-        const int status = turn_shape(r, &p->s, p->v, room);
+        const int status = iterate_shape(r, &p->s, p->v, room);
         if (status == FVI_ENOMEM)
             return status;
         if (status || !isfinite(step))
             break;
     }
-    judge(r, p, room);
+    find_residual(r, p, room);
     if (p->residual > 4 * DBL_EPSILON && p->residual < 1e-6) { /* v belongs to an older s */
-        const int status = turn_shape(r, &p->s, p->v, room);
+        const int status = iterate_shape(r, &p->s, p->v, room);
         if (status == FVI_ENOMEM)
             return status;
-        judge(r, p, room);
+        find_residual(r, p, room);
     }
     return FVI_SUCCESS;
 }
@@ -219,8 +219,8 @@ typedef struct {
 
 /* Find the pole with the part e of the damping near `guess`, and its shape, beginning with v. Write them to *z and w.
  * Return FVI_SUCCESS, FVI_EMAXITER, FVI_ENOMEM or what fvi_stiffness_factorise returns. */
-static int correct(fvi_response *r, path *p, double e, double complex guess,
-                   double complex *z)
+static int correct_pole(fvi_response *r, path *p, double e, double complex guess,
+                        double complex *z)
 {
     const size_t d = r->d;
     *z = guess;
@@ -264,7 +264,7 @@ static int advance(fvi_response *r, double tight, path *p)
     int status = FVI_EMAXITER;
     if (cimag(guess) > 0
         && cabs(p->step * tangent) <= 0.3 * tight * cabs(p->s))
-        status = correct(r, p, p->e + p->step, guess, &z);
+        status = correct_pole(r, p, p->e + p->step, guess, &z);
     if (status == FVI_ENOMEM)
         return status;
     const double moved = status ? 1 : cabs(z - guess) / cabs(z),

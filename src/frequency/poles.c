@@ -52,7 +52,7 @@ static int search_alloc(fvi_response *r, size_t count, search *s)
 }
 
 /* Set candidate k to its undamped mode. */
-static void begin(search *s, size_t k)
+static void restart_candidate(search *s, size_t k)
 {
     fvi_pole_candidate *p = &s->candidate[k];
     for (size_t i = 0; i < s->d; i++)
@@ -111,8 +111,8 @@ enum { LEVELS = sizeof tight / sizeof *tight, LEVELS_OF_SOME = 2 };
 
 /* Search again for the wrong candidates of the lowest level, along the damping. Each further level has shorter steps. A
  * pole that is found may show that another candidate was wrong. Return 1 if there was a candidate to search for. */
-static int seek_again(search *s, const unsigned char *wrong,
-                      unsigned char *level, int *status)
+static int search_again(search *s, const unsigned char *wrong,
+                        unsigned char *level, int *status)
 {
     const unsigned char most = s->all_are_there ? LEVELS : LEVELS_OF_SOME;
     unsigned char least = most;
@@ -124,7 +124,7 @@ static int seek_again(search *s, const unsigned char *wrong,
     for (size_t k = 0; !*status && k < s->n; k++) {
         if (!wrong[k] || !(s->lambda[k] > 0) || level[k] > least)
             continue;
-        begin(s, k);
+        restart_candidate(s, k);
         *status = fvi_pole_follow(s->response, tight[least], &s->candidate[k]);
         level[k]++;
     }
@@ -133,14 +133,14 @@ static int seek_again(search *s, const unsigned char *wrong,
 
 /* The modes beyond those that are asked for are searched, because damping may change the order. Leave out the last of
  * them if their estimates stay above the others. */
-static void leave_out(search *s)
+static void drop_last_modes(search *s)
 {
     double highest = 0;
     size_t n = s->wanted;
     for (size_t k = 0; k < s->n && s->n < s->d; k++) {
         const double lambda = s->lambda[k];
         double size = 0;
-        begin(s, k);
+        restart_candidate(s, k);
         if (lambda > 0)
             size = cabs(fvi_pole_estimate(s->response, lambda, s->candidate[k].v, s->form));
         if (k < s->wanted)
@@ -154,17 +154,17 @@ static void leave_out(search *s)
 /* Search for a pole from each mode. */
 static int search_from_modes(search *s)
 {
-    leave_out(s);
+    drop_last_modes(s);
     unsigned char *wrong = calloc(2 * s->n, 1);
     int status = wrong ? FVI_SUCCESS : FVI_ENOMEM;
     for (size_t k = 0; !status && k < s->n; k++) {
-        begin(s, k);
+        restart_candidate(s, k);
         if (s->candidate[k].s != 0)
             status = fvi_pole_newton(s->response, &s->candidate[k]);
     }
     while (!status) {
         mark_wrong(s, wrong);
-        if (!seek_again(s, wrong, wrong + s->n, &status))
+        if (!search_again(s, wrong, wrong + s->n, &status))
             break;
     }
     free(wrong);
@@ -218,8 +218,8 @@ static void keep_poles(search *s)
 }
 
 /* Return v^T Z' w at the pole at which Z' was computed. */
-static double complex form(const fvi_response *r, const double complex *v,
-                           const double complex *w, double complex *room)
+static double complex quadratic_form(const fvi_response *r, const double complex *v,
+                                     const double complex *w, double complex *room)
 {
     double complex sum = 0;
     fvi_stiffness_multiply(r, r->slope, w, room);
@@ -239,18 +239,18 @@ static void normalise(search *s, double complex *room)
             const double complex *w = s->candidate[j].v;
             if (!are_close(&s->candidate[j], &s->candidate[k]))
                 continue;
-            const double complex part = form(r, w, v, room);
+            const double complex part = quadratic_form(r, w, v, room);
             for (size_t i = 0; i < s->d; i++)
                 v[i] -= part * w[i];
         }
-        const double complex size = csqrt(form(r, v, v, room));
+        const double complex size = csqrt(quadratic_form(r, v, v, room));
         for (size_t i = 0; i < s->d; i++)
             v[i] /= size;
     }
 }
 
 /* Return how many poles there are: by the theorem, by (26.11), or counted. */
-static size_t expected(const search *s, int all_of_one)
+static size_t count_expected(const search *s, int all_of_one)
 {
     if (s->all_are_there)
         return s->d;
@@ -268,7 +268,7 @@ static size_t expected(const search *s, int all_of_one)
     return low <= high ? fvi_poles_counted(s->response, low - FOLDS, high + FOLDS) : 0;
 }
 
-static int hand_over(search *s, size_t count, size_t expect, fvi_poles *poles)
+static int write_poles(search *s, size_t count, size_t expect, fvi_poles *poles)
 {
     const size_t k = count < s->count ? count : s->count, d = s->d;
     double *block = malloc((2 * k * (d + 1) + k + 1) * sizeof *block);
@@ -302,7 +302,7 @@ static void round_modes(const fvi_response *r, size_t n, double *lambda)
             lambda[k] = 0;
 }
 
-static int find(search *s, size_t count, fvi_poles *poles)
+static int find_poles(search *s, size_t count, fvi_poles *poles)
 {
     const fvi_response *r = s->response;
     int status = fvi_undamped_modes(r->term[0].matrix, r->term[1].matrix, s->n,
@@ -319,7 +319,7 @@ static int find(search *s, size_t count, fvi_poles *poles)
     if (status)
         return status;
     keep_poles(s);
-    return hand_over(s, count, expected(s, all_of_one), poles);
+    return write_poles(s, count, count_expected(s, all_of_one), poles);
 }
 
 int fvi_poles_find(fvi_response *r, size_t count, fvi_poles *poles,
@@ -339,7 +339,7 @@ int fvi_poles_find(fvi_response *r, size_t count, fvi_poles *poles,
     search s;
     int status = search_alloc(r, wanted, &s);
     if (!status)
-        status = find(&s, count ? count : s.room, poles);
+        status = find_poles(&s, count ? count : s.room, poles);
     search_free(&s);
     return !status
                ? FVI_SUCCESS

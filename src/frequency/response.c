@@ -22,8 +22,8 @@ static int check_mechanism(const fvi_mechanism *m, fvi_error *error)
                  : FVI_SUCCESS;
 }
 
-static int take_along(const fvi_linear_motion *motion, fvi_response *r,
-                      fvi_error *error)
+static int copy_direction(const fvi_linear_motion *motion, fvi_response *r,
+                          fvi_error *error)
 {
     r->along = malloc(r->d * sizeof *r->along);
     if (!r->along)
@@ -52,7 +52,7 @@ int fvi_response_alloc(const fvi_linear_motion *motion, fvi_response **response,
     if (!r)
         return fvi_no_memory(error, NULL);
     r->d = motion->system->d;
-    status = take_along(motion, r, error);
+    status = copy_direction(motion, r, error);
     if (!status)
         status = fvi_stiffness_build(motion, r, error);
     if (status)
@@ -87,7 +87,7 @@ size_t fvi_response_dimension(const fvi_response *r)
 /* ---- one s ---- */
 
 /* Make s a complex number; on the upper side of the cut if its imaginary part is zero. */
-static int take_s(const double s[2], double complex *z, fvi_error *error)
+static int read_frequency(const double s[2], double complex *z, fvi_error *error)
 {
     *z = s[0] + I * fabs(s[1]);
     if (s[1] < 0)
@@ -109,7 +109,7 @@ int fvi_response_solve(fvi_response *r, const double s[2], const double *f,
     double complex z;
     if (!r || !s || !f || !x)
         return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
-    int status = take_s(s, &z, error);
+    int status = read_frequency(s, &z, error);
     if (status)
         return status;
     status = fvi_stiffness_factorise(r, z, 1);
@@ -130,7 +130,7 @@ int fvi_response_multiply(fvi_response *r, const double s[2], int derivative,
     double complex z;
     if (!r || !s || !x || !y)
         return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
-    const int status = take_s(s, &z, error);
+    const int status = read_frequency(s, &z, error);
     if (status)
         return status;
     fvi_stiffness_at(r, z, 1);
@@ -144,8 +144,8 @@ int fvi_response_multiply(fvi_response *r, const double s[2], int derivative,
 /* ---- responses ---- */
 
 /* Compute the load: a force of 1 on one unknown, or M r if the ground moves along r. */
-static void load(const fvi_response *r, fvi_response_kind kind, size_t by,
-                 double complex *f)
+static void assemble_load(const fvi_response *r, fvi_response_kind kind, size_t by,
+                          double complex *f)
 {
     const fvi_sparse *M = r->term[0].matrix;
     const int is_ground = kind == FVI_RESPONSE_GROUND;
@@ -157,8 +157,8 @@ static void load(const fvi_response *r, fvi_response_kind kind, size_t by,
 }
 
 //> kinds
-static double complex as_asked(fvi_response_kind kind, double omega,
-                               double along, double complex x)
+static double complex convert_receptance(fvi_response_kind kind, double omega,
+                                         double along, double complex x)
 {
     switch (kind) {
     case FVI_RESPONSE_MOBILITY:
@@ -174,18 +174,18 @@ static double complex as_asked(fvi_response_kind kind, double omega,
 }
 //< kinds
 
-static int one_frequency(fvi_response *r, fvi_response_kind kind, double omega,
-                         size_t at, size_t by, double complex *x,
-                         double H[2])
+static int solve_at_frequency(fvi_response *r, fvi_response_kind kind, double omega,
+                              size_t at, size_t by, double complex *x,
+                              double H[2])
 {
     if (!(isfinite(omega) && omega > 0))
         return FVI_EDOM;
     int status = fvi_stiffness_factorise(r, I * omega, 1);
     if (status)
         return status;
-    load(r, kind, by, x);
+    assemble_load(r, kind, by, x);
     status = fvi_stiffness_solve(r, x);
-    const double complex h = as_asked(kind, omega, r->along[at], x[at]);
+    const double complex h = convert_receptance(kind, omega, r->along[at], x[at]);
     H[0] = creal(h);
     H[1] = cimag(h);
     return status                  ? status
@@ -209,7 +209,7 @@ int fvi_response_at(fvi_response *r, fvi_response_kind kind, size_t n,
         return fvi_no_memory(error, NULL);
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < n; i++) {
-        status = one_frequency(r, kind, omega[i], at, by, x, H + 2 * i);
+        status = solve_at_frequency(r, kind, omega[i], at, by, x, H + 2 * i);
         if (!status)
             continue;
         (void)fvi_fail(error, status, "omega", omega[i], "at omega = %g %s",

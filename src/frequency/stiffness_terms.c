@@ -10,8 +10,8 @@
 #include <string.h>
 
 /* Add a term. It takes over the matrix `own`; if that is NULL, it uses the caller's `matrix`. */
-static void take_term(fvi_response *r, const fvi_sparse *matrix,
-                      const fvi_sparse *own, const fvi_kernel *kernel)
+static void add_term(fvi_response *r, const fvi_sparse *matrix,
+                     const fvi_sparse *own, const fvi_kernel *kernel)
 {
     fvi_stiffness_term *t = &r->term[r->terms++];
     *t = (fvi_stiffness_term){ .matrix = matrix, .kernel = kernel };
@@ -26,9 +26,9 @@ static void take_term(fvi_response *r, const fvi_sparse *matrix,
 }
 
 /* Add a matrix of triplets as a term. Refuse entries that are not finite. */
-static int take_triplets(fvi_response *r, size_t count,
-                         const fvi_triplet *triplets, const fvi_kernel *kernel,
-                         fvi_error *error)
+static int add_triplets(fvi_response *r, size_t count,
+                        const fvi_triplet *triplets, const fvi_kernel *kernel,
+                        fvi_error *error)
 {
     fvi_sparse A;
     for (size_t e = 0; e < count; e++)
@@ -37,19 +37,19 @@ static int take_triplets(fvi_response *r, size_t count,
                             kernel ? "an elongation has no finite gradient" : "the Hessian is not finite");
     if (fvi_sparse_assemble(r->d, count, triplets, &A))
         return fvi_no_memory(error, NULL);
-    take_term(r, NULL, &A, kernel);
+    add_term(r, NULL, &A, kernel);
     return FVI_SUCCESS;
 }
 
-static int take_diagonal(fvi_response *r, const double *diagonal,
-                         const fvi_kernel *kernel, fvi_error *error)
+static int add_diagonal(fvi_response *r, const double *diagonal,
+                        const fvi_kernel *kernel, fvi_error *error)
 {
     fvi_triplet *list = malloc(r->d * sizeof *list);
     if (!list)
         return fvi_no_memory(error, NULL);
     for (size_t i = 0; i < r->d; i++)
         list[i] = (fvi_triplet){ (int)i, (int)i, diagonal ? diagonal[i] : 0 };
-    const int status = take_triplets(r, r->d, list, kernel, error);
+    const int status = add_triplets(r, r->d, list, kernel, error);
     free(list);
     return status;
 }
@@ -74,12 +74,12 @@ static size_t list_hessian(size_t d, size_t diagonals, const double *H,
     return n;
 }
 
-static int take_hessian(fvi_response *r, const fvi_system *system,
-                        const double *at, fvi_error *error)
+static int add_hessian(fvi_response *r, const fvi_system *system,
+                       const double *at, fvi_error *error)
 {
     const size_t d = r->d, w = system->potential.diagonals;
     if (!system->potential.value)
-        return take_diagonal(r, NULL, NULL, error);
+        return add_diagonal(r, NULL, NULL, error);
     const size_t room = w ? d * w : d * d;
     double *H = malloc(room * sizeof *H);
     fvi_triplet *list = malloc(2 * room * sizeof *list);
@@ -91,7 +91,7 @@ static int take_hessian(fvi_response *r, const fvi_system *system,
     }
     if (!status)
         status =
-            take_triplets(r, list_hessian(d, w, H, list), list, NULL, error);
+            add_triplets(r, list_hessian(d, w, H, list), list, NULL, error);
     free(H);
     free(list);
     return status;
@@ -121,8 +121,8 @@ static int find_gradient(const fvi_elongation *of, size_t d, const double *at, d
 }
 
 /* C(D) acts on g. The part that is linear in x - at is grad g grad g^T.              (30.1) */
-static int take_elongation(fvi_response *r, const fvi_damper *damper,
-                           const double *at, fvi_error *error)
+static int add_elongation(fvi_response *r, const fvi_damper *damper,
+                          const double *at, fvi_error *error)
 {
     const size_t d = r->d;
     double *g = calloc(d, sizeof *g);
@@ -136,15 +136,15 @@ static int take_elongation(fvi_response *r, const fvi_damper *damper,
             if (g[j] != 0)
                 list[n++] = (fvi_triplet){ (int)i, (int)j, g[i] * g[j] };
     if (!status)
-        status = list ? take_triplets(r, n, list, damper->kernel, error)
+        status = list ? add_triplets(r, n, list, damper->kernel, error)
                       : fvi_no_memory(error, NULL);
     free(list);
     free(g);
     return status;
 }
 
-static int take_dampers(fvi_response *r, const fvi_mechanism *mechanism,
-                        const double *at, fvi_error *error)
+static int add_dampers(fvi_response *r, const fvi_mechanism *mechanism,
+                       const double *at, fvi_error *error)
 {
     int status = FVI_SUCCESS;
     for (size_t j = 0; !status && mechanism && j < mechanism->damper_count;
@@ -156,9 +156,9 @@ static int take_dampers(fvi_response *r, const fvi_mechanism *mechanism,
         if (damper->matrix && damper->matrix->n != r->d)
             return fvi_refuse(error, "damper", "the matrix of damper %zu is of another size", j + 1);
         if (damper->matrix)
-            take_term(r, damper->matrix, NULL, damper->kernel);
+            add_term(r, damper->matrix, NULL, damper->kernel);
         else
-            status = take_elongation(r, damper, at, error);
+            status = add_elongation(r, damper, at, error);
         if (status && error)
             error->index = j;
     }
@@ -166,8 +166,8 @@ static int take_dampers(fvi_response *r, const fvi_mechanism *mechanism,
 }
 
 /* Add the system's own damping, with alpha or with the law. */
-static int take_damping(fvi_response *r, const fvi_linear_motion *motion,
-                        fvi_error *error)
+static int add_damping(fvi_response *r, const fvi_linear_motion *motion,
+                       fvi_error *error)
 {
     const fvi_system *system = motion->system;
     const int none = system->matrices ? !system->matrices->C
@@ -183,8 +183,8 @@ static int take_damping(fvi_response *r, const fvi_linear_motion *motion,
     r->powers = (fvi_kernel){ 1, &r->power };
     const fvi_kernel *kernel = motion->law ? motion->law : &r->powers;
     if (!system->matrices)
-        return take_diagonal(r, system->damping, kernel, error);
-    take_term(r, system->matrices->C, NULL, kernel);
+        return add_diagonal(r, system->damping, kernel, error);
+    add_term(r, system->matrices->C, NULL, kernel);
     return FVI_SUCCESS;
 }
 
@@ -202,17 +202,17 @@ int fvi_stiffness_build(const fvi_linear_motion *motion, fvi_response *r,
     if (!status && matrices && !(matrices->M && matrices->K))
         status = fvi_fail(error, FVI_EUNSUP, "matrices", NAN, "these matrices do not say their entries");
     if (!status && matrices) {
-        take_term(r, matrices->M, NULL, NULL);
-        take_term(r, matrices->K, NULL, NULL);
+        add_term(r, matrices->M, NULL, NULL);
+        add_term(r, matrices->K, NULL, NULL);
     } else if (!status) {
-        status = take_diagonal(r, system->mass, NULL, error);
+        status = add_diagonal(r, system->mass, NULL, error);
         if (!status)
-            status = take_hessian(r, system, at, error);
+            status = add_hessian(r, system, at, error);
     }
     if (!status)
-        status = take_damping(r, motion, error);
+        status = add_damping(r, motion, error);
     if (!status)
-        status = take_dampers(r, mechanism, at, error);
+        status = add_dampers(r, mechanism, at, error);
     if (!status && fvi_stiffness_find_pattern(r))
         status = fvi_no_memory(error, NULL);
     free(origin);

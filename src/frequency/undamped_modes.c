@@ -69,7 +69,7 @@ static int full_modes(size_t n, double *K, double *M, double *lambda, double *V,
     return status ? FVI_EMAXITER : FVI_SUCCESS;
 }
 
-static void spread(const fvi_sparse *A, double *full)
+static void expand_matrix(const fvi_sparse *A, double *full)
 {
     memset(full, 0, A->n * A->n * sizeof *full);
     for (size_t j = 0; j < A->n; j++)
@@ -86,8 +86,8 @@ static int all_modes(const fvi_sparse *M, const fvi_sparse *K, size_t count,
         return FVI_ENOMEM;
     double *of_K = room, *of_M = of_K + n * n, *V = of_M + n * n,
            *values = V + n * n;
-    spread(K, of_K);
-    spread(M, of_M);
+    expand_matrix(K, of_K);
+    expand_matrix(M, of_M);
     const int status = full_modes(n, of_K, of_M, values, V, values + n);
     if (!status) {
         memcpy(lambda, values, count * sizeof *lambda);
@@ -133,7 +133,7 @@ static int shift_stiffness(subspace *s)
 }
 
 /* Fill x with pseudo-random numbers between -1/2 and 1/2, so that no mode is orthogonal to the start. */
-static void scatter(size_t count, double *x)
+static void fill_random(size_t count, double *x)
 {
     uint64_t state = 1;
     for (size_t i = 0; i < count; i++)
@@ -141,7 +141,7 @@ static void scatter(size_t count, double *x)
 }
 
 /* Eight independent sums are computed side by side, so that no addition waits for the one before. */
-static double product(size_t n, const double *x, const double *y)
+static double dot_product(size_t n, const double *x, const double *y)
 {
     enum { SIDE = 8 };
     double part[SIDE] = { 0 }, sum = 0;
@@ -166,7 +166,7 @@ static int ritz(subspace *s)
             fvi_sparse_multiply(of_mass ? s->M : s->K, s->Y + j * n, image);
             for (size_t i = 0; i <= j; i++) {
                 double *gram = of_mass ? s->of_M : s->of_K;
-                gram[i * q + j] = gram[j * q + i] = product(n, s->Y + i * n, image);
+                gram[i * q + j] = gram[j * q + i] = dot_product(n, s->Y + i * n, image);
             }
         }
     const int status =
@@ -186,7 +186,7 @@ static int iterate(subspace *s, size_t wanted)
 {
     enum { MOST = 200 };
     double *before = s->room + 5 * s->q;
-    scatter(s->q * s->n, s->X);
+    fill_random(s->q * s->n, s->X);
     for (int i = 0; i < MOST; i++) {
         for (size_t j = 0; j < s->q; j++) {
             fvi_sparse_multiply(s->M, s->X + j * s->n, s->Y + j * s->n);

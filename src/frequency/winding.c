@@ -6,8 +6,8 @@
 
 /* Return the angle by which the phase turns from one end of a piece to the other. The piece is halved until the angles
  * are small. Return NaN if they do not become small, which happens if a zero is on the way. */
-static double turned(fvi_phase *phase, const void *params, const double a[2],
-                     const double b[2], double at_a, double at_b, int depth)
+static double phase_change(fvi_phase *phase, const void *params, const double a[2],
+                           const double b[2], double at_a, double at_b, int depth)
 {
     const double middle[2] = { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2 };
     const double here = phase(params, middle[0], middle[1]),
@@ -17,14 +17,14 @@ static double turned(fvi_phase *phase, const void *params, const double a[2],
         return first + second;
     if (depth == 0 || isnan(here))
         return GSL_NAN;
-    return turned(phase, params, a, middle, at_a, here, depth - 1)
-           + turned(phase, params, middle, b, here, at_b, depth - 1);
+    return phase_change(phase, params, a, middle, at_a, here, depth - 1)
+           + phase_change(phase, params, middle, b, here, at_b, depth - 1);
 }
 
 /* Return the angle along a side of the box, on which only u or only v changes. Return NaN if its length is not
  * finite. */
-static double along(fvi_phase *phase, const void *params, double step,
-                    const double a[2], const double b[2])
+static double phase_along_side(fvi_phase *phase, const void *params, double step,
+                               const double a[2], const double b[2])
 {
     const double length = fabs(b[0] - a[0]) + fabs(b[1] - a[1]);
     if (!isfinite(length))
@@ -36,7 +36,7 @@ static double along(fvi_phase *phase, const void *params, double step,
                      to[2] = { a[0] + part * (b[0] - a[0]),
                                a[1] + part * (b[1] - a[1]) };
         const double now = phase(params, to[0], to[1]);
-        sum += turned(phase, params, from, to, before, now, 40);
+        sum += phase_change(phase, params, from, to, before, now, 40);
         from[0] = to[0];
         from[1] = to[1];
         before = now;
@@ -55,7 +55,7 @@ int fvi_winding(fvi_phase *phase, const void *params, double step,
                                   { b->u[0], b->v[0] } };
     double sum = 0;
     for (int i = 0; i < 4; i++)
-        sum += along(phase, params, step, corner[i], corner[i + 1]);
+        sum += phase_along_side(phase, params, step, corner[i], corner[i + 1]);
     return isnan(sum) ? -1 : (int)lround(sum / (2 * M_PI));
 }
 //< count

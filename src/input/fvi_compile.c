@@ -33,7 +33,7 @@ static void includes(char flag[2][PATH])
         snprintf(flag[i], sizeof flag[i], "-I%s/../%s", self, places[i]);
 }
 
-static const char *compiler(void)
+static const char *find_compiler(void)
 {
     const char *cc = getenv("CC");
     return cc && cc[strspn(cc, " ")] ? cc : "cc";
@@ -127,7 +127,7 @@ static int run_compiler(const char *file, const char *object, const char *log,
 {
     char flag[2][PATH], cc[PATH];
     pid_t child;
-    if (strlen(compiler()) >= sizeof cc)
+    if (strlen(find_compiler()) >= sizeof cc)
         return 1;
     includes(flag);
     const char *const options[] = { "-O2",     "-fPIC", "-ffp-contract=off",
@@ -135,7 +135,7 @@ static int run_compiler(const char *file, const char *object, const char *log,
                                     "-o",      object,  file,
                                     "-lm",     NULL };
     const char *words[PATH / 2 + sizeof options / sizeof *options];
-    memcpy(words + split(strcpy(cc, compiler()), words), options,
+    memcpy(words + split(strcpy(cc, find_compiler()), words), options,
            sizeof options);
     return start(words, log, blocked, &child) || wait_for(child);
 }
@@ -151,7 +151,7 @@ static void first_error(const char *log, size_t size, char *line)
         fclose(f);
     line[strcspn(line, "\n")] = '\0';
     if (!found)
-        snprintf(line, size, "the compiler %s does not run", compiler());
+        snprintf(line, size, "the compiler %s does not run", find_compiler());
 }
 
 int fvi_compile(const char *file, void **library, size_t size, char *why)

@@ -11,7 +11,7 @@
 
 /* Find the ordinary file of this name; `last` is then "". If it does not exist, find the folder in which it would be
  * made; `last` is then its name in that folder. Return 0 if neither exists. */
-static int find(const char *name, struct stat *file, const char **last)
+static int find_ordinary_file(const char *name, struct stat *file, const char **last)
 {
     char folder[PATH_MAX];
     *last = "";
@@ -33,7 +33,7 @@ int fvi_same_file(const char *a, const char *b)
     b = b && strcmp(b, "-") == 0 ? NULL : b;
     if (a == b || (a && b && strcmp(a, b) == 0))
         return 1;
-    return find(a, &of_a, &last_a) && find(b, &of_b, &last_b)
+    return find_ordinary_file(a, &of_a, &last_a) && find_ordinary_file(b, &of_b, &last_b)
            && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino
            && strcmp(last_a, last_b) == 0;
 }

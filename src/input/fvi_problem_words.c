@@ -45,8 +45,8 @@ static char *trim(char *text)
 }
 
 /* Add the words of a line: "NAME VALUE", "NAME = VALUE" or "NAME" alone. */
-static int take_line(list *l, const char *file, size_t number, char *line,
-                     fvi_error *error)
+static int parse_line(list *l, const char *file, size_t number, char *line,
+                      fvi_error *error)
 {
     char *word = NULL;
     line = trim(line);
@@ -79,12 +79,12 @@ static int take_line(list *l, const char *file, size_t number, char *line,
 }
 
 /* Skip the byte order mark with which editors on Windows begin a file. */
-static char *behind_mark(char *line)
+static char *skip_byte_order_mark(char *line)
 {
     return strncmp(line, "\xef\xbb\xbf", 3) == 0 ? line + 3 : line;
 }
 
-static int take_file(list *l, const char *name, fvi_error *error)
+static int read_problem_file(list *l, const char *name, fvi_error *error)
 {
     FILE *f = fopen(name, "r");
     char *line = NULL;
@@ -100,7 +100,7 @@ static int take_file(list *l, const char *name, fvi_error *error)
         if (memchr(line, '\0', (size_t)length))
             status = fvi_refuse(error, "problem", "%s, line %zu: a NUL byte", name, number);
         else
-            status = take_line(l, name, number, number == 1 ? behind_mark(line) : line, error);
+            status = parse_line(l, name, number, number == 1 ? skip_byte_order_mark(line) : line, error);
     }
     if (!status && ferror(f))
         status = fvi_refuse(error, "problem", "cannot read '%s': %s", name, strerror(errno));
@@ -135,7 +135,7 @@ int fvi_problem_words(int *argc, char ***argv, fvi_error *error)
             continue;
         }
         found = 1;
-        status = file ? take_file(&l, file, error)
+        status = file ? read_problem_file(&l, file, error)
                       : fvi_refuse(error, NULL, "--problem: a value is missing");
     }
     if (!found)

@@ -14,7 +14,7 @@ int fvi_refuse_option(fvi_error *error, const char *given,
 }
 
 /* Return the hyphens of an option: none for DATA of a fit, which is no option, one for -o, else two. */
-static const char *hyphens(const char *field)
+static const char *hyphens_of(const char *field)
 {
     return strncmp(field, "DATA", 4) == 0 ? "" : strcmp(field, "o") == 0 ? "-" : "--";
 }
@@ -26,7 +26,7 @@ int fvi_complaint(const fvi_error *error, char text[FVI_COMPLAINT])
     const int first = caret ? (int)(caret - error->text) : FVI_ERROR_ROOM;
     int front = 0;
     if (error->field)
-        front = snprintf(text, FVI_COMPLAINT, "%s%s: ", hyphens(error->field),
+        front = snprintf(text, FVI_COMPLAINT, "%s%s: ", hyphens_of(error->field),
                          error->field);
     const size_t room = FVI_COMPLAINT - (size_t)front;
     if (caret)

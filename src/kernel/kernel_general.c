@@ -26,8 +26,8 @@ int fvi_kernel_has_general(const fvi_kernel *law)
 /* ---- weights ---- */
 
 /* Return C(delta(z)/h), divided by 1 - z if increments = 1. */
-static double complex at_point(const fvi_kernel_term *t, fvi_delta kind,
-                               double h, int increments, double complex z)
+static double complex symbol_of_generating_point(const fvi_kernel_term *t, fvi_delta kind,
+                                                 double h, int increments, double complex z)
 {
     double complex s = (1 - z) / h;
     if (kind == FVI_DELTA_BDF2)
@@ -54,7 +54,7 @@ static int add_coefficients(const fvi_kernel_term *t, fvi_delta kind, double h,
                                  exp(ln_r)
                                  * (cos(turn * (double)j)
                                     + I * sin(turn * (double)j)),
-                             C = at_point(t, kind, h, increments, z);
+                             C = symbol_of_generating_point(t, kind, h, increments, z);
         f[2 * j] = creal(C);
         f[2 * j + 1] = cimag(C);
         f[2 * ((M - j) % M)] = creal(C);

@@ -40,8 +40,8 @@ static double *weights_of(const fvi_kernel_ready *r, size_t count, double *first
     return w;
 }
 
-static fvi_history_head *compressed(const fvi_kernel_ready *r, size_t d, size_t steps,
-                                    double delta, double *first)
+static fvi_history_head *make_modes_history(const fvi_kernel_ready *r, size_t d, size_t steps,
+                                            double delta, double *first)
 {
     const double N = fmax((double)steps, 128);
     size_t Q;
@@ -103,8 +103,8 @@ static int find_strip(fvi_kernel_ready *r)
     return status;
 }
 
-static int choose(const fvi_kernel_ready *r, size_t steps, double tolerance,
-                  fvi_history_kind *how)
+static int choose_kind(const fvi_kernel_ready *r, size_t steps, double tolerance,
+                       fvi_history_kind *how)
 {
     int has = 0;
     const int status = *how == FVI_HISTORY_DIRECT
@@ -124,17 +124,17 @@ static int choose(const fvi_kernel_ready *r, size_t steps, double tolerance,
     return FVI_SUCCESS;
 }
 
-static int make(const fvi_kernel_ready *r, size_t d, size_t steps, fvi_history_kind how,
-                double tolerance, double *first, fvi_history **memory)
+static int make_history(const fvi_kernel_ready *r, size_t d, size_t steps, fvi_history_kind how,
+                        double tolerance, double *first, fvi_history **memory)
 {
-    int status = choose(r, steps, tolerance, &how);
+    int status = choose_kind(r, steps, tolerance, &how);
     if (status)
         return status;
     double w0, *weights = NULL;
     fvi_history_head *e = NULL;
     if (how == FVI_HISTORY_MODES)
-        e = compressed(r, d, steps, fvi_history_modes_delta(steps, tolerance),
-                       &w0);
+        e = make_modes_history(r, d, steps, fvi_history_modes_delta(steps, tolerance),
+                               &w0);
     else if ((weights = weights_of(r, steps + 1, &w0)))
         e = fvi_history_direct_of(d, steps, weights, fvi_kernel_has_general(r->law));
     free(weights);
@@ -145,7 +145,7 @@ static int make(const fvi_kernel_ready *r, size_t d, size_t steps, fvi_history_k
 }
 
 /* Prepare a law for the step h. The caller adds the simple terms. */
-static fvi_kernel_ready at_step(const fvi_kernel *law, fvi_delta kind, double h)
+static fvi_kernel_ready prepare_for_step(const fvi_kernel *law, fvi_delta kind, double h)
 {
     return (fvi_kernel_ready){ .law = law,
                                .kind = kind,
@@ -155,7 +155,7 @@ static fvi_kernel_ready at_step(const fvi_kernel *law, fvi_delta kind, double h)
 
 int fvi_kernel_has_modes(const fvi_kernel *law, fvi_delta kind, double h, int *has)
 {
-    fvi_kernel_ready r = at_step(law, kind, h);
+    fvi_kernel_ready r = prepare_for_step(law, kind, h);
     int status = fvi_kernel_flatten(law, &r.term, &r.terms);
     if (status)
         return status;
@@ -181,7 +181,7 @@ int fvi_kernel_history(const fvi_kernel *law, fvi_delta kind, double h, size_t d
         FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
     if (d == 0 || steps >= (size_t)-1 / sizeof(double) / 4 / d - 1)
         FVI_FAIL("d must be at least 1, and all be addressable", FVI_EINVAL);
-    fvi_kernel_ready r = at_step(law, kind, h);
+    fvi_kernel_ready r = prepare_for_step(law, kind, h);
     status = fvi_kernel_flatten(law, &r.term, &r.terms);
     if (status)
         return status;
@@ -190,7 +190,7 @@ int fvi_kernel_history(const fvi_kernel *law, fvi_delta kind, double h, size_t d
             && fvi_history_choose(0.5, steps) == FVI_HISTORY_MODES))
         status = find_strip(&r);
     if (!status)
-        status = make(&r, d, steps, how, tolerance, first, memory);
+        status = make_history(&r, d, steps, how, tolerance, first, memory);
     free(r.term);
     return status;
 }

@@ -154,7 +154,7 @@ static void set_powers(fvi_impulses_of_kernel *o, size_t k, int is_next)
 }
 
 /* Return the first step of the parabola that serves step k: 0, 1, 4, 16, ... */
-static size_t first_of(size_t k)
+static size_t first_step_of_parabola(size_t k)
 {
     size_t first = k > 0;
     while (first > 0 && first <= k / SPAN)
@@ -168,7 +168,7 @@ void fvi_impulses_of_kernel_at(fvi_impulses_of_kernel *o, size_t k, double *impu
         memcpy(impulse, o->start, o->n * sizeof *impulse);
         return;
     }
-    const size_t first = first_of(k);
+    const size_t first = first_step_of_parabola(k);
     const int is_new = o->count == 0 || first != o->first;
     if (is_new)
         make_rule(o, first);
@@ -190,8 +190,8 @@ void fvi_impulses_of_kernel_at(fvi_impulses_of_kernel *o, size_t k, double *impu
 
 /* ---- allocation ---- */
 
-static int make(fvi_symbol_function *symbol, const void *of, double h,
-                fvi_impulses_of_kernel **impulses)
+static int make_impulses(fvi_symbol_function *symbol, const void *of, double h,
+                         fvi_impulses_of_kernel **impulses)
 {
     fvi_impulses_of_kernel *o = calloc(1, sizeof *o);
     if (!o)
@@ -208,7 +208,7 @@ int fvi_impulses_of_slope_alloc(fvi_symbol_function *symbol, const fvi_kernel_te
                                 fvi_slope_by by, double h,
                                 fvi_impulses_of_kernel **impulses)
 {
-    const int status = make(symbol, term, h, impulses);
+    const int status = make_impulses(symbol, term, h, impulses);
     if (!status)
         find_pole_of_slope(term, by, *impulses);
     return status;
@@ -223,7 +223,7 @@ int fvi_impulses_of_kernel_alloc(const fvi_kernel *law, double h,
                                  fvi_impulses_of_kernel **impulses)
 {
     fvi_impulses_of_kernel *o = NULL;
-    int status = make(symbol_of_kernel, law, h, &o);
+    int status = make_impulses(symbol_of_kernel, law, h, &o);
     if (!status)
         status = find_poles(law, o);
     if (status)

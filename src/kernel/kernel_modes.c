@@ -27,7 +27,7 @@ static int has_cut(const fvi_kernel_simple *t)
 
 /* Return the width of the strip around the cut in which the symbol is analytic as a function of ln s, in radians. A
  * fraction has poles where 1 + time s^{2 below} = 0, on the next sheet beyond the cut. A power has no poles. */
-static double strip(const fvi_kernel_simple *t)
+static double strip_width(const fvi_kernel_simple *t)
 {
     return t->time == 0 ? M_PI_2
                         : 0.9 * fmin(M_PI_2, M_PI * (0.5 / t->below - 1));
@@ -36,7 +36,7 @@ static double strip(const fvi_kernel_simple *t)
 /* ---- modes of the cut ---- */
 
 /* Return Im C(-r + i0) of all terms with a cut. */
-static double on_the_cut(const fvi_kernel_ready *r, double ln_radius)
+static double imaginary_part_on_cut(const fvi_kernel_ready *r, double ln_radius)
 {
     const fvi_kernel_term *function = fvi_kernel_ready_function(r);
     if (function)
@@ -98,7 +98,7 @@ void fvi_kernel_tail(const fvi_kernel_simple *t, double factor, double ln_h,
 
 /* Return N, or a larger N if the poles of a fraction, |s| = time^(-1/2 below), are not well above 1/(N h). Below 1/N
  * the nodes are doubly exponential, and there the strip in which the fraction is analytic shrinks. */
-static double longest(const fvi_kernel_ready *r, double N)
+static double longest_lag(const fvi_kernel_ready *r, double N)
 {
     for (size_t i = 0; i < r->terms; i++) {
         const fvi_kernel_simple *t = &r->term[i];
@@ -113,7 +113,7 @@ static double longest(const fvi_kernel_ready *r, double N)
 
 /* Return 1 if `time` is so short that the symbol of BDF2 has further poles, at |z| = 2.4 for the largest orders. They
  * are on no cut, and their powers have not decayed within the window. */
-static int is_short(const fvi_kernel_ready *r, double time)
+static int is_below_step(const fvi_kernel_ready *r, double time)
 {
     return r->kind == FVI_DELTA_BDF2 && 4 * r->h > time;
 }
@@ -129,7 +129,7 @@ static int davidsons_have_modes(const fvi_kernel_ready *r, int *has)
             || t->rho == 0)
             continue;
         const int status =
-            is_short(r, t->time)
+            is_below_step(r, t->time)
                 ? FVI_EUNSUP
                 : fvi_kernel_modes_of(t, 1 / (1e9 * r->h), 1 / r->h, 1e-14, 1, &m);
         if (status && status != FVI_EUNSUP)
@@ -148,12 +148,12 @@ static int fractions_have_modes(const fvi_kernel_ready *r)
         if (t->rho == 0 || t->time == 0)
             continue;
         if ((t->below > 0.45 && !fvi_kernel_is_relaxation(t))
-            || (has_cut(t) && longest(r, 1) > MOST))
+            || (has_cut(t) && longest_lag(r, 1) > MOST))
             return 0; /* a pole is near the cut, off the cut, or too low */
         if (has_cut(t) && t->below > 0.4
-            && is_short(r, pow(t->time, 0.5 / t->below)))
+            && is_below_step(r, pow(t->time, 0.5 / t->below)))
             return 0;
-        if (fvi_kernel_is_relaxation(t) && is_short(r, t->time))
+        if (fvi_kernel_is_relaxation(t) && is_below_step(r, t->time))
             return 0;
     }
     return 1;
@@ -191,7 +191,7 @@ static size_t modes_of_cut(const fvi_kernel_ready *r, double N, double delta, do
             any = 1;
             least = smaller(least, 2 * r->term[i].alpha);
             most = larger(most, 2 * r->term[i].alpha);
-            width = smaller(width, strip(&r->term[i]));
+            width = smaller(width, strip_width(&r->term[i]));
         }
     if (fvi_kernel_ready_function(r)) {
         any = 1;
@@ -201,7 +201,7 @@ static size_t modes_of_cut(const fvi_kernel_ready *r, double N, double delta, do
     }
     if (!any)
         return 0;
-    N = longest(r, N);
+    N = longest_lag(r, N);
     const fvi_node_range g = fvi_node_range_of(least - r->increments, least + (1 - r->increments),
                                                most - r->increments, N, delta, width / M_PI_2);
     const int bdf2 = r->kind == FVI_DELTA_BDF2;
@@ -215,7 +215,7 @@ static size_t modes_of_cut(const fvi_kernel_ready *r, double N, double delta, do
         const double ln_radius =
             ln_s - log(N) + log(grows * (bdf2 ? half : 1) / r->h);
         const double weight = -g.step / M_PI * (1 + exp(-t))
-                              * on_the_cut(r, ln_radius);
+                              * imaginary_part_on_cut(r, ln_radius);
         if (s) {
             s[Q] = node;
             c[Q] = weight * (r->increments ? -1 / grows : node);

@@ -42,7 +42,7 @@ static int has_poles_ahead(const fvi_kernel_function *f)
 static const double WIDEST = M_PI - 0.15, ALLOWED = 1e-3;
 enum { LINES = 29, POINTS = 8 };
 
-static double line(size_t l)
+static double line_position(size_t l)
 {
     return (double)l - (LINES - 1) / 2;
 }
@@ -54,13 +54,14 @@ typedef struct {
     double most;
 } path;
 
-static path joined(path a, path b, int sign)
+static path join_paths(path a, path b, int sign)
 {
     return (path){ a.sum + sign * b.sum, a.moment + sign * b.moment, larger(a.most, b.most) };
 }
 
 /* Integrate along a straight line by Gauss's rule with 8 points in each of `pieces` parts. */
-static path along(const fvi_kernel_function *f, double u, double complex from, double complex to, size_t pieces)
+static path integrate_along_line(const fvi_kernel_function *f, double u, double complex from, double complex to,
+                                 size_t pieces)
 {
     static const double x[] = { 0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363 },
                         weight[] = { 0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763 };
@@ -79,25 +80,25 @@ static path along(const fvi_kernel_function *f, double u, double complex from, d
 }
 
 /* Integrate upwards along a line of constant u. Near the cut the pieces are shorter. */
-static path upwards(const fvi_kernel_function *f, double u, double at_u, size_t fine)
+static path integrate_upwards(const fvi_kernel_function *f, double u, double at_u, size_t fine)
 {
     static const double at[] = { 0, 1.9, 2.65, M_PI - 0.15 };
     path it = { 0, 0, 0 };
     for (size_t n = 0; n < 3; n++)
-        it = joined(it, along(f, u, at_u + I * at[n], at_u + I * at[n + 1], fine), 1);
+        it = join_paths(it, integrate_along_line(f, u, at_u + I * at[n], at_u + I * at[n + 1], fine), 1);
     return it;
 }
 
 //> box
 /* Integrate around the box that begins at line l. By Cauchy's theorem both integrals are 0 if the function is analytic
  * in the box. They are divided by the largest |C| on the sides, so they are NaN if a value is not finite. */
-static path around(const fvi_kernel_function *f, size_t l, size_t fine)
+static path integrate_around_box(const fvi_kernel_function *f, size_t l, size_t fine)
 {
-    const double from = line(l), to = line(l + 2), u = line(l + 1);
-    path it = along(f, u, from, to, fine);
-    it = joined(it, upwards(f, u, to, fine), 1);
-    it = joined(it, along(f, u, from + I * WIDEST, to + I * WIDEST, 5 * fine), -1);
-    it = joined(it, upwards(f, u, from, fine), -1);
+    const double from = line_position(l), to = line_position(l + 2), u = line_position(l + 1);
+    path it = integrate_along_line(f, u, from, to, fine);
+    it = join_paths(it, integrate_upwards(f, u, to, fine), 1);
+    it = join_paths(it, integrate_along_line(f, u, from + I * WIDEST, to + I * WIDEST, 5 * fine), -1);
+    it = join_paths(it, integrate_upwards(f, u, from, fine), -1);
     it.sum /= it.most;
     it.moment /= it.most;
     return it;
@@ -105,7 +106,7 @@ static path around(const fvi_kernel_function *f, size_t l, size_t fine)
 
 /* Return 1 if an integral is larger than ALLOWED and does not change when the pieces are halved. Then it is no error of
  * Gauss's rule. */
-static int stays(double complex before, double complex now)
+static int is_nonzero_integral(double complex before, double complex now)
 {
     return cabs(now) > ALLOWED && cabs(now - before) < 0.01 * cabs(now);
 }
@@ -114,12 +115,12 @@ static int stays(double complex before, double complex now)
 static int has_poles_in_box(const fvi_kernel_function *f, size_t l)
 {
     enum { FINEST = 16 };
-    path before = around(f, l, 1);
+    path before = integrate_around_box(f, l, 1);
     for (size_t fine = 2; fine <= FINEST; fine *= 2) {
         if (!(cabs(before.sum) > ALLOWED || cabs(before.moment) > ALLOWED))
             return 0;
-        const path now = around(f, l, fine);
-        if (stays(before.sum, now.sum) || stays(before.moment, now.moment))
+        const path now = integrate_around_box(f, l, fine);
+        if (is_nonzero_integral(before.sum, now.sum) || is_nonzero_integral(before.moment, now.moment))
             return 1;
         before = now;
     }

@@ -19,7 +19,7 @@ struct fvi_cholmod {
 };
 
 /* Return A in the form of CHOLMOD: the upper triangle of sorted columns. */
-static cholmod_sparse view(const fvi_sparse *A)
+static cholmod_sparse view_as_cholmod(const fvi_sparse *A)
 {
     return (cholmod_sparse){ .nrow = A->n,
                              .ncol = A->n,
@@ -57,7 +57,7 @@ static void analyse_by_metis_too(fvi_cholmod *c, cholmod_sparse *A)
 //> cholmod
 /* Choose an order of elimination. For bands and membranes AMD finds an order in which L has few entries. If L has many
  * entries, as for a frame in space, METIS may find a better order, and L is factorised by dense blocks. */
-static void analyse(fvi_cholmod *c, cholmod_sparse *A)
+static void analyse_pattern(fvi_cholmod *c, cholmod_sparse *A)
 {
     cholmod_common *common = &c->common;
     common->nmethods = 1;
@@ -74,7 +74,7 @@ static void analyse(fvi_cholmod *c, cholmod_sparse *A)
 
 /* Allocate the vectors of cholmod_solve2. CHOLMOD would use them before it tests whether their allocation has failed.
  * For one right-hand side Y has n numbers, and E has the length of the longest row of blocks. */
-static void make_room_to_solve(fvi_cholmod *c)
+static void allocate_solution(fvi_cholmod *c)
 {
     const size_t n = c->L->n, longest = c->L->maxesize;
     cholmod_ensure_dense(&c->x, n, 1, n, CHOLMOD_REAL, &c->common);
@@ -112,12 +112,12 @@ int fvi_cholmod_alloc(const fvi_sparse *A, fvi_cholmod **result)
         return FVI_ENOMEM;
     cholmod_start(&c->common);
     c->common.print = 0;
-    cholmod_sparse columns = view(A);
-    analyse(c, &columns);
+    cholmod_sparse columns = view_as_cholmod(A);
+    analyse_pattern(c, &columns);
     if (c->L)
         factorise_in_one_thread(c, &columns);
     if (c->L && c->common.status == CHOLMOD_OK)
-        make_room_to_solve(c);
+        allocate_solution(c);
     int status = c->common.status == CHOLMOD_NOT_POSDEF ? FVI_ESING
                  : !c->L || c->common.status < 0        ? FVI_ENOMEM
                                                         : FVI_SUCCESS;

@@ -30,7 +30,7 @@ static int status_of(int status)
 }
 
 /* Find the order of elimination. The pattern is symmetric, so UMFPACK may take pivots from the diagonal. */
-static int order(fvi_complex_factors *f)
+static int find_elimination_order(fvi_complex_factors *f)
 {
     umfpack_zi_defaults(f->control);
     f->control[UMFPACK_PRL] = 0;
@@ -57,7 +57,7 @@ int fvi_complex_factors_alloc(size_t n, const int *start, const int *row,
                      ? FVI_SUCCESS
                      : FVI_ENOMEM;
     if (!status && start)
-        status = order(f);
+        status = find_elimination_order(f);
     if (status)
         fvi_complex_factors_free(f);
     else

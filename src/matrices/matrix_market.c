@@ -135,7 +135,7 @@ static int read_size(reader *r)
 
 /* ---- entries ---- */
 
-static void keep(reader *r, int row, int column, double entry)
+static void append_entry(reader *r, int row, int column, double entry)
 {
     r->lines_of[r->kept] = r->lines.number;
     r->triplets[r->kept++] = (fvi_triplet){ row, column, entry };
@@ -154,9 +154,9 @@ static int read_entry(reader *r)
             || !(value[i] >= 1 && value[i] <= (double)r->n))
             return refuse_at(r, at[i], "a row or column that is not there");
     const int row = (int)value[0] - 1, column = (int)value[1] - 1;
-    keep(r, row, column, value[2]);
+    append_entry(r, row, column, value[2]);
     if (!r->general && row != column)
-        keep(r, column, row, value[2]);
+        append_entry(r, column, row, value[2]);
     return FVI_SUCCESS;
 }
 

@@ -50,7 +50,7 @@ double fvi_sparse_entry(const fvi_sparse *A, size_t i, size_t j)
 
 /* Sort the triplets by columns, in the order of the list within a column. start[j] is the beginning of column j in A,
  * before equal rows are summed. */
-static void by_columns(size_t count, const fvi_triplet *t, fvi_sparse *A)
+static void sort_by_columns(size_t count, const fvi_triplet *t, fvi_sparse *A)
 {
     for (size_t l = 0; l < count; l++)
         A->start[t[l].column + 1]++;
@@ -106,7 +106,7 @@ int fvi_sparse_assemble(size_t n, size_t count, const fvi_triplet *triplets,
             FVI_FAIL("a triplet is outside of the matrix, or not finite", FVI_EDOM);
     if (fvi_sparse_alloc(n, count, &whole))
         FVI_FAIL("no memory for the matrix", FVI_ENOMEM);
-    by_columns(count, triplets, &whole);
+    sort_by_columns(count, triplets, &whole);
     int to = 0;
     for (size_t j = 0; j < n; j++) {
         const int from = whole.start[j];
@@ -148,7 +148,7 @@ int fvi_sparse_is_symmetric(const fvi_sparse *A, int *place)
 
 /* Return the smallest remaining row of column j in all matrices; the next entry of matrix l is at[l]. Return INT_MAX if
  * no row remains. */
-static int next_row(size_t j, size_t count, const fvi_sparse *const *A, const int *at)
+static int next_row_of_columns(size_t j, size_t count, const fvi_sparse *const *A, const int *at)
 {
     int row = INT_MAX;
     for (size_t l = 0; l < count; l++)
@@ -163,7 +163,7 @@ static int add_column(size_t j, size_t count, const fvi_sparse *const *A,
 {
     for (size_t l = 0; l < count; l++)
         at[l] = A[l]->start[j];
-    for (int row; (row = next_row(j, count, A, at)) < INT_MAX;) {
+    for (int row; (row = next_row_of_columns(j, count, A, at)) < INT_MAX;) {
         double entry = 0;
         for (size_t l = 0; l < count; l++)
             if (at[l] < A[l]->start[j + 1] && A[l]->row[at[l]] == row)

@@ -25,7 +25,7 @@ static size_t column_of_sum(size_t count, const fvi_sparse *const *A, size_t j,
 }
 
 /* Write the positions of the entries of column j. The rows of this column begin at `first` in the sum. */
-static void place_column(size_t count, const fvi_sparse *const *A, size_t j, int first,
+static void merge_column(size_t count, const fvi_sparse *const *A, size_t j, int first,
                          const int *rows, int *const *place)
 {
     for (size_t l = 0; l < count; l++)
@@ -53,7 +53,7 @@ int fvi_sparse_union(size_t count, const fvi_sparse *const *A, int *const *place
         const int first = (*start)[j];
         memcpy(*row + first, list, found * sizeof *list);
         (*start)[j + 1] = first + (int)found;
-        place_column(count, A, j, first, list, place);
+        merge_column(count, A, j, first, list, place);
     }
     free(mark);
     free(list);

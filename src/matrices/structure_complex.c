@@ -168,7 +168,7 @@ static int factorise_sparse(const complex_terms *terms, complex_solver *c)
     return status;
 }
 
-static size_t wider(size_t w, size_t other)
+static size_t wider_of(size_t w, size_t other)
 {
     return w > other ? w : other;
 }
@@ -203,7 +203,7 @@ static int factorise(size_t d, size_t count, const double *factor, const void *p
         c->count = count;
         list_terms(s, &terms);
         for (size_t l = 0; l < terms.count; l++)
-            c->w = wider(c->w, fvi_sparse_half_band(terms.matrix[l]));
+            c->w = wider_of(c->w, fvi_sparse_half_band(terms.matrix[l]));
         status = fvi_way_of_band(c->w) != FVI_BY_CHOLMOD ? eliminate_bands(&terms, c) : factorise_sparse(&terms, c);
     }
     free(terms.place);

@@ -152,7 +152,7 @@ static int check_matrices(fvi_structure *s, char *fault)
 }
 
 /* Allocate the parts that do not depend on the dampers. */
-static int make(const fvi_sparse *M, const fvi_sparse *K, fvi_structure **structure)
+static int make_structure(const fvi_sparse *M, const fvi_sparse *K, fvi_structure **structure)
 {
     fvi_structure *s = calloc(1, sizeof *s);
     double *block = malloc(2 * M->n * sizeof *block);
@@ -192,7 +192,7 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
     *fault = 0;
     if (!M || !K || !structure)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = make(M, K, &s);
+    int status = make_structure(M, K, &s);
     if (status)
         return status;
     s->C = s->matrices.C = C;

@@ -118,7 +118,7 @@ static int check_independent(const fvi_stepper *s, fvi_error *error)
 }
 
 /* Check that c(x0) = 0, up to the digits that a user types. */
-static int check_place(const fvi_stepper *s, fvi_error *error)
+static int check_start_position(const fvi_stepper *s, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *c = s->run.system->mechanism->constraints;
@@ -198,7 +198,7 @@ int fvi_mechanism_check_start(fvi_stepper *s, fvi_error *error)
         if (!status)
             status = check_independent(s, error);
         if (!status)
-            status = check_place(s, error);
+            status = check_start_position(s, error);
     }
     if (!status)
         status = find_massless(s);

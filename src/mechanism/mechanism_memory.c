@@ -16,7 +16,7 @@ static int is_power(const fvi_kernel_term *t)
            || (t->kind == FVI_KERNEL_ZENER && t->time == 0);
 }
 
-static int acts(const fvi_kernel *kernel)
+static int is_active(const fvi_kernel *kernel)
 {
     for (size_t i = 0; i < kernel->count; i++)
         if (kernel->term[i].rho > 0)
@@ -68,7 +68,7 @@ int fvi_mechanism_is_stretched(const fvi_stepper *s, size_t j)
 
 /* Add the start forces of the past rl, in which the damper was stretched to z at t = 0. For powers of order 1 at most
  * these forces are known, and a motion exists. */
-static int add_start_forces_of_place(fvi_stepper *s, size_t j, fvi_error *error)
+static int add_start_forces_of_position(fvi_stepper *s, size_t j, fvi_error *error)
 {
     const fvi_mechanism_state *o = s->mechanism;
     const fvi_kernel *kernel = s->run.system->mechanism->damper[j].kernel;
@@ -127,11 +127,11 @@ static int begin_damper(fvi_stepper *s, size_t j, const double *v,
     int status = fvi_mechanism_slope(s, j, v, &zdot);
     o->z0[j] = first && is_rl ? 0 : o->z[j];
     if (!status && is_rl && !first)
-        status = add_start_forces_of_place(s, j, error);
+        status = add_start_forces_of_position(s, j, error);
     const int subtracts = zdot != 0 && fvi_mechanism_needs_start_slope(o, damper);
     if (!status && subtracts)
         status = add_start_force_of_slope(s, j, zdot);
-    if (!status && acts(damper->kernel))
+    if (!status && is_active(damper->kernel))
         o->part[o->parts++] = (fvi_mechanism_part){ .damper = j,
                                                     .kernel = *damper->kernel,
                                                     .drift = subtracts ? zdot : 0 };

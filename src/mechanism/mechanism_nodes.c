@@ -64,7 +64,7 @@ static double damper_force(const fvi_mechanism_state *o, size_t j)
 
 //> residual
 /* Assemble h times the equation of p_k. u holds the increment, then h^2 / 2 Lambda. */
-static int assemble(fvi_stepper *s, const double *u)
+static int assemble_equations(fvi_stepper *s, const double *u)
 {
     fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d, n = o->n;
@@ -104,7 +104,7 @@ static int assemble(fvi_stepper *s, const double *u)
 int fvi_mechanism_linearise_nodes(fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->method_state;
-    const int status = assemble(s, u);
+    const int status = assemble_equations(s, u);
     return status || o->form == FVI_MECHANISM_NODES ? status : evaluate_end(s, u);
 }
 
@@ -243,7 +243,7 @@ int fvi_mechanism_step_nodes(fvi_stepper *s)
     if (!status)
         status = fvi_mechanism_predict_forces(s);
     if (!status) /* the last increment is the initial guess */
-        status = fvi_mechanism_solve(s, assemble, d, o->u);
+        status = fvi_mechanism_solve(s, assemble_equations, d, o->u);
     o->has_root = 1;
     if (!status)
         status = evaluate_point(s, o->u);

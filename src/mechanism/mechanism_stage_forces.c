@@ -28,7 +28,7 @@ double fvi_mechanism_increment(const fvi_mechanism_state *o, const double *u, si
     return i < o->begin ? 0 : u[(i - o->begin) * o->d + j];
 }
 
-static void place_stages(const fvi_stepper *s, const double *u)
+static void find_stage_positions(const fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->mechanism;
     for (size_t i = 0; i < o->s; i++)
@@ -43,7 +43,7 @@ static void place_stages(const fvi_stepper *s, const double *u)
 
 /* Add to *sum the change of the elongation of damper e between x_k and stage l that is due to t alone: the mean rate of
  * both ends times the time. */
-static int stretch_of_time(const fvi_stepper *s, size_t l, size_t e, double *sum)
+static int add_change_by_time(const fvi_stepper *s, size_t l, size_t e, double *sum)
 {
     const fvi_mechanism_state *o = s->mechanism;
     const fvi_elongation *of = &s->run.system->mechanism->damper[e].of;
@@ -60,7 +60,7 @@ static int stretch_of_time(const fvi_stepper *s, size_t l, size_t e, double *sum
 /* Compute change = g(X_l) - g(x_k) of damper e. On a mesh a step may be so short that this difference has lost its
  * digits. Then it is replaced by the increments times the mean gradient of both ends, which is exact up to O(u^3). The
  * replacement is used if both agree up to the rounding errors of g. */
-static int stretch(const fvi_stepper *s, const double *u, size_t l, size_t e, double *change)
+static int find_elongation_change(const fvi_stepper *s, const double *u, size_t l, size_t e, double *change)
 {
     const fvi_mechanism_state *o = s->mechanism;
     const double z = o->elongation[l * o->r + e], *first = o->G + e * o->d,
@@ -73,7 +73,7 @@ static int stretch(const fvi_stepper *s, const double *u, size_t l, size_t e, do
         sum += fvi_mechanism_increment(o, u, l, j) * (first[j] + last[j]) / 2;
         size += fabs(first[j] * s->x[j]);
     }
-    const int status = stretch_of_time(s, l, e, &sum);
+    const int status = add_change_by_time(s, l, e, &sum);
     if (!status && fabs(sum - *change) <= 4 * GSL_DBL_EPSILON * size)
         *change = sum;
     return status;
@@ -88,7 +88,7 @@ static int evaluate_dampers(const fvi_stepper *s, const double *u)
     for (size_t e = 0; e < r && !status; e++) {
         double change[FVI_STAGES] = { 0 };
         for (size_t l = o->begin; l < n && !status; l++)
-            status = stretch(s, u, l, e, &change[l]);
+            status = find_elongation_change(s, u, l, e, &change[l]);
         for (size_t i = 0; i < n; i++) {
             double slope = 0;
             for (size_t l = o->begin; l < n; l++)
@@ -111,7 +111,7 @@ int fvi_mechanism_evaluate_stages(fvi_stepper *s, const double *u)
     const fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d, r = o->r;
     int status = FVI_SUCCESS;
-    place_stages(s, u);
+    find_stage_positions(s, u);
     for (size_t i = 0; i < o->s && !status; i++) {
         status = fvi_mechanism_point(s, i, fvi_mechanism_inner_time(s, i), 1);
         if (!status)

@@ -49,7 +49,7 @@ static double residual(const fvi_stepper *s, size_t i, size_t j)
 
 //> block
 /* Write the derivative of the rows of stage i by the increments of stage l to J. */
-static void block(const fvi_stepper *s, size_t i, size_t l, double *J)
+static void add_stage_block(const fvi_stepper *s, size_t i, size_t l, double *J)
 {
     const fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d, dd = d * d, n = o->n, r = o->r;
@@ -111,7 +111,7 @@ static int add_constraints(fvi_stepper *s, const double *u)
     return status;
 }
 
-static int assemble(fvi_stepper *s, const double *u)
+static int assemble_equations(fvi_stepper *s, const double *u)
 {
     fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d, inner = o->s - o->begin;
@@ -126,7 +126,7 @@ static int assemble(fvi_stepper *s, const double *u)
         for (size_t j = 0; j < d; j++)
             o->residual[i * d + j] = residual(s, i, j);
         for (size_t l = 0; l < inner; l++)
-            block(s, i, l + o->begin, o->matrix + i * d * o->n + l * d);
+            add_stage_block(s, i, l + o->begin, o->matrix + i * d * o->n + l * d);
     }
     return o->m ? add_constraints(s, u) : status;
 }
@@ -134,14 +134,14 @@ static int assemble(fvi_stepper *s, const double *u)
 int fvi_mechanism_linearise(fvi_stepper *s, const double *u)
 {
     const fvi_mechanism_state *o = s->mechanism;
-    return (o->rule ? assemble : fvi_mechanism_linearise_nodes)(s, u);
+    return (o->rule ? assemble_equations : fvi_mechanism_linearise_nodes)(s, u);
 }
 
 /* ---- a step ---- */
 
 /* Guess the increments by extrapolation of the last step. For up to five stages its polynomial is continued. For more
  * stages the polynomial would oscillate, so its last slope is continued. */
-static void guess(const fvi_stepper *s)
+static void guess_increments(const fvi_stepper *s)
 {
     enum { FEW = 5 };
     const fvi_mechanism_state *o = s->mechanism;
@@ -235,7 +235,7 @@ int fvi_mechanism_solve_stages(fvi_stepper *s)
     for (size_t i = 0; i < o->s && !status; i++)
         status = fvi_mechanism_force(s, fvi_mechanism_inner_time(s, i), o->load + i * o->d);
     if (!status)
-        status = fvi_mechanism_solve(s, assemble, (o->s - o->begin) * o->d, o->u);
+        status = fvi_mechanism_solve(s, assemble_equations, (o->s - o->begin) * o->d, o->u);
     o->has_root = 1;
     if (!status)
         status = fvi_mechanism_evaluate_stages(s, o->u);
@@ -250,7 +250,7 @@ int fvi_mechanism_step_stages(fvi_stepper *s)
     const size_t places = (o->s - o->begin) * o->d;
     int status = fvi_mechanism_predict_forces(s);
     if (!status && s->k > 0)
-        guess(s);
+        guess_increments(s);
     if (!status)
         status = fvi_mechanism_solve_stages(s);
     if (status)

@@ -51,7 +51,7 @@ static int allocate(fvi_mechanism_state *o)
 }
 
 /* Give the stepper a copy of its method with these steps. A mesh has its own steps. */
-static void become(fvi_stepper *s, fvi_mechanism_form form)
+static void switch_method(fvi_stepper *s, fvi_mechanism_form form)
 {
     fvi_mechanism_state *o = s->mechanism;
     if (o->is_on_mesh)
@@ -76,7 +76,7 @@ static int make_state(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
     o->is_on_mesh = s->method->scheme == FVI_SCHEME_VARIABLE_STEP;
     o->form = form;
     o->h = s->run.h;
-    become(s, form);
+    switch_method(s, form);
     const int has_stages =
         form == FVI_MECHANISM_FORM_M || form == FVI_MECHANISM_FORM_D;
     o->d = s->run.system->d;
@@ -152,7 +152,7 @@ static int check_impulses(const fvi_stepper *s, fvi_error *error)
 }
 
 /* Set the initial guess of the first step to a constant velocity. */
-static void guess(fvi_stepper *s)
+static void guess_increment(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
     for (size_t i = o->begin; i < o->s; i++)
@@ -186,7 +186,7 @@ int fvi_mechanism_start(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
     status = fvi_mechanism_begin_histories(s, o->v, error);
     if (status)
         return status;
-    guess(s);
+    guess_increment(s);
     memcpy(o->raw, s->x, o->d * sizeof *s->x);
     for (size_t i = 0; i < o->d && form == FVI_MECHANISM_NODES; i++)
         o->any_massless |= o->is_massless[i];

@@ -38,7 +38,7 @@ static void reverse(size_t steps, double *weights)
     }
 }
 
-static void place(fvi_history_head *head)
+static void set_array_pointers(fvi_history_head *head)
 {
     direct_engine *m = (direct_engine *)head;
     m->weights = m->numbers;
@@ -48,21 +48,21 @@ static void place(fvi_history_head *head)
 
 static const fvi_history_engine engine;
 
-static direct_engine *make(size_t d, size_t steps, int by_order)
+static direct_engine *make_engine(size_t d, size_t steps, int by_order)
 {
     direct_engine *m = fvi_history_make((fvi_history_head){
         .is = &engine, .bytes = bytes_of(d, steps, by_order), .d = d });
     if (!m)
         return NULL;
     m->steps = steps;
-    place(&m->head);
+    set_array_pointers(&m->head);
     return m;
 }
 
 fvi_history_head *fvi_history_direct_of(size_t d, size_t steps, const double *weights,
                                         int depend_on_steps)
 {
-    direct_engine *m = make(d, steps, 0);
+    direct_engine *m = make_engine(d, steps, 0);
     if (!m)
         return NULL;
     m->depends_on_steps = depend_on_steps;
@@ -73,7 +73,7 @@ fvi_history_head *fvi_history_direct_of(size_t d, size_t steps, const double *we
 
 fvi_history_head *fvi_history_direct_alloc(double nu, int by_order, size_t d, size_t steps)
 {
-    direct_engine *m = make(d, steps, by_order);
+    direct_engine *m = make_engine(d, steps, by_order);
     if (!m)
         return NULL;
     fvi_gl_weights(nu, steps + 1, m->weights);
@@ -152,7 +152,7 @@ static void ahead(const fvi_history_head *head, double *sum)
                       m->history + i * (m->steps + 1));
 }
 
-static const fvi_history_engine engine = { .place = place,
+static const fvi_history_engine engine = { .place = set_array_pointers,
                                            .push = push,
                                            .push_by_order = push_by_order,
                                            .ahead = ahead,

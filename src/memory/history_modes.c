@@ -34,7 +34,7 @@ typedef struct {
 
 /* Return 1 if the tiled engine is used. It cannot give derivatives by the order, because they are read from modes that
  * are up to date after each step. */
-static int tiled(int by_order, size_t d)
+static int is_tiled(int by_order, size_t d)
 {
     return !by_order && d >= FVI_TILES_FROM;
 }
@@ -45,12 +45,12 @@ static size_t padded(size_t Q)
 }
 
 /* The nodes are made for the number of steps, but for at least 128 lags. */
-static double lags(size_t steps)
+static double count_lags(size_t steps)
 {
     return fmax((double)steps, 128);
 }
 
-static size_t numbers(size_t Q, int by_order, size_t d) /* The result is a multiple of 8. */
+static size_t count_numbers(size_t Q, int by_order, size_t d) /* The result is a multiple of 8. */
 {
     return 2 * Q + FVI_WINDOW + d * (Q + 2 * FVI_WINDOW) + padded(PAIR * d)
            + (by_order ? Q + FVI_WINDOW + padded(PAIR * d) : 0);
@@ -58,7 +58,7 @@ static size_t numbers(size_t Q, int by_order, size_t d) /* The result is a multi
 
 fvi_node_range fvi_history_modes_plan(double nu, size_t steps, double delta)
 {
-    return fvi_node_range_of(nu, 1 + nu, nu, lags(steps), delta, 1);
+    return fvi_node_range_of(nu, 1 + nu, nu, count_lags(steps), delta, 1);
 }
 
 size_t fvi_history_modes_bytes(const fvi_node_range *g, int by_order, size_t d)
@@ -66,12 +66,12 @@ size_t fvi_history_modes_bytes(const fvi_node_range *g, int by_order, size_t d)
     const size_t Q = padded(g->Q);
     if (d > SIZE_MAX / sizeof(double) / 2 / (Q + 2 * FVI_WINDOW))
         return SIZE_MAX;
-    return tiled(by_order, d)
+    return is_tiled(by_order, d)
                ? fvi_history_tiled_bytes(d, Q)
-               : fvi_history_piece(sizeof(modes_engine), numbers(Q, by_order, d));
+               : fvi_history_piece(sizeof(modes_engine), count_numbers(Q, by_order, d));
 }
 
-static void place(fvi_history_head *head)
+static void set_array_pointers(fvi_history_head *head)
 {
     modes_engine *e = (modes_engine *)head;
     e->p = e->numbers;
@@ -86,22 +86,22 @@ static void place(fvi_history_head *head)
 static const fvi_history_engine engine;
 
 /* Allocate an engine at rest. Return NULL if memory is short. */
-static modes_engine *make(size_t Q, int by_order, size_t d)
+static modes_engine *make_engine(size_t Q, int by_order, size_t d)
 {
     modes_engine *e = fvi_history_make((fvi_history_head){
         .is = &engine,
-        .bytes = fvi_history_piece(sizeof *e, numbers(Q, by_order, d)),
+        .bytes = fvi_history_piece(sizeof *e, count_numbers(Q, by_order, d)),
         .d = d });
     if (!e)
         return NULL;
     e->Q = Q;
     e->by_order = by_order;
-    place(&e->head);
+    set_array_pointers(&e->head);
     return e;
 }
 
 /* Return the derivatives of the next two sums. The engine was made by_order. */
-static double *further(const modes_engine *e)
+static double *next_sum_derivatives(const modes_engine *e)
 {
     return e->rates + e->Q + FVI_WINDOW;
 }
@@ -116,7 +116,7 @@ static void open_window(const double *w, double *near, double *window)
 }
 
 /* Replace s in p by 1 - exp(-s), the part that a mode loses in a step, and scale c to lag 33. The padding has c = 0. */
-static void decays(modes_engine *e)
+static void set_decays(modes_engine *e)
 {
     for (size_t q = 0; q < e->Q; q++) {
         const double tail = exp(-FVI_TAIL * e->p[q]);
@@ -128,9 +128,9 @@ static void decays(modes_engine *e)
 }
 
 /* Return the engine for d coordinates. This is e, or a tiled engine if e was made for 0 coordinates. */
-static fvi_history_head *finish(modes_engine *e, const double *w, size_t d)
+static fvi_history_head *finish_sums(modes_engine *e, const double *w, size_t d)
 {
-    decays(e);
+    set_decays(e);
     if (e->head.d == d) {
         open_window(w, e->near, e->window);
         return &e->head;
@@ -143,7 +143,7 @@ static fvi_history_head *finish(modes_engine *e, const double *w, size_t d)
 fvi_history_head *fvi_history_modes_alloc(const fvi_node_range *g, double nu,
                                           int by_order, size_t d, size_t steps)
 {
-    modes_engine *e = make(padded(g->Q), by_order, tiled(by_order, d) ? 0 : d);
+    modes_engine *e = make_engine(padded(g->Q), by_order, is_tiled(by_order, d) ? 0 : d);
     if (!e)
         return NULL;
     double w[FVI_WINDOW + 1];
@@ -152,19 +152,19 @@ fvi_history_head *fvi_history_modes_alloc(const fvi_node_range *g, double nu,
         open_window(w, e->slopes, e->rates + e->Q);
     }
     fvi_gl_weights(nu, FVI_WINDOW + 1, w);
-    fvi_history_modes_rule(g, nu, lags(steps), e->p, e->c, by_order ? e->rates : NULL);
-    return finish(e, w, d);
+    fvi_history_modes_rule(g, nu, count_lags(steps), e->p, e->c, by_order ? e->rates : NULL);
+    return finish_sums(e, w, d);
 }
 
 fvi_history_head *fvi_history_modes_of(size_t Q, const double *s, const double *c,
                                        const double *w, size_t d)
 {
-    modes_engine *e = make(padded(Q), 0, tiled(0, d) ? 0 : d);
+    modes_engine *e = make_engine(padded(Q), 0, is_tiled(0, d) ? 0 : d);
     if (!e)
         return NULL;
     memcpy(e->p, s, Q * sizeof *s);
     memcpy(e->c, c, Q * sizeof *c);
-    return finish(e, w, d);
+    return finish_sums(e, w, d);
 }
 
 /* The nodes depend on the number of steps, so they are archived as constants that must be equal. The sums of the
@@ -175,7 +175,7 @@ static int archive(fvi_history_head *head, fvi_archive *v)
     const size_t sums = padded(PAIR * head->d);
     const int status = FVI_SERIALIZE(v, FVI_CONSTANT(e->Q), FVI_CONSTANTS(e->p, 2 * e->Q),
                                      FVI_STATES(e->z, head->d * (e->Q + 2 * FVI_WINDOW) + sums));
-    return status || !e->by_order ? status : FVI_SERIALIZE(v, FVI_STATES(further(e), sums));
+    return status || !e->by_order ? status : FVI_SERIALIZE(v, FVI_STATES(next_sum_derivatives(e), sums));
 }
 
 typedef double four
@@ -184,14 +184,14 @@ typedef double four
 #define WITHIN static inline __attribute__((always_inline))
 
 /* Return the sum of the eight numbers of v[0] and v[1]. */
-WITHIN double across(const four *v)
+WITHIN double sum_lanes(const four *v)
 {
     const four u = v[0] + v[1];
     return (u[0] + u[2]) + (u[1] + u[3]);
 }
 
 /* Store a term in the ring, in place of the oldest term. */
-WITHIN void keep(double *past, double new)
+WITHIN void store_term(double *past, double new)
 {
     past[0] = past[FVI_WINDOW] = new;
 }
@@ -201,8 +201,8 @@ WITHIN void keep(double *past, double new)
  * past[0] and `new`. Partial sum l takes every eighth product, from the l-th one on. This order is the same on every
  * machine, so vectors of 2 or 4 doubles change the time and no digit. The two newest terms are not in the vectors, so
  * no vector waits for them. */
-WITHIN void sweep(const modes_engine *e, double *modes, double *past,
-                  double new, int by_order, double *far, double *slope)
+WITHIN void sweep_modes(const modes_engine *e, double *modes, double *past,
+                        double new, int by_order, double *far, double *slope)
 {
     const four *p = (four *)e->p, *c = (four *)e->c, *by = (four *)e->rates;
     const four *w = (four *)e->window, *wdot = by_order ? by + e->Q / 4 : NULL;
@@ -235,27 +235,27 @@ WITHIN void sweep(const modes_engine *e, double *modes, double *past,
                 if (by_order)
                     rate[n][l] += wdot[j + l] * then;
             }
-    far[0] = across(sum[0]) + e->near[1] * past[0] + e->near[0] * new;
-    far[1] = across(sum[1]) + e->near[1] * new;
+    far[0] = sum_lanes(sum[0]) + e->near[1] * past[0] + e->near[0] * new;
+    far[1] = sum_lanes(sum[1]) + e->near[1] * new;
     if (by_order) {
         slope[0] =
-            across(rate[0]) + e->slopes[1] * past[0] + e->slopes[0] * new;
-        slope[1] = across(rate[1]) + e->slopes[1] * new;
+            sum_lanes(rate[0]) + e->slopes[1] * past[0] + e->slopes[0] * new;
+        slope[1] = sum_lanes(rate[1]) + e->slopes[1] * new;
     }
-    keep(past + 1, new);
+    store_term(past + 1, new);
 }
 
 FVI_VECTORS static void advance(const modes_engine *e, double *modes,
                                 double *past, double new, double *far)
 {
-    sweep(e, modes, past, new, 0, far, NULL);
+    sweep_modes(e, modes, past, new, 0, far, NULL);
 }
 
 FVI_VECTORS static void advance_rated(const modes_engine *e, double *modes,
                                       double *past, double new, double *far,
                                       double *slope)
 {
-    sweep(e, modes, past, new, 1, far, slope);
+    sweep_modes(e, modes, past, new, 1, far, slope);
 }
 
 //> push
@@ -268,7 +268,7 @@ WITHIN void push_one(const modes_engine *e, size_t i, size_t k, double new,
     *H = new + far[k % PAIR];
     if (k % PAIR == 0) {
         far[1] += e->near[0] * new;
-        keep(past, new);
+        store_term(past, new);
     } else
         advance(e, e->z + i * e->Q, past - 1, new, far);
 }
@@ -281,7 +281,7 @@ FVI_VECTORS static void advance_each(const modes_engine *e, size_t k, const doub
         const double new = term[i];
         double *past = e->past + i * 2 * FVI_WINDOW + k % FVI_WINDOW, *far = e->far + PAIR * i;
         H[i] = new + far[1];
-        sweep(e, e->z + i * e->Q, past - 1, new, 0, far, NULL);
+        sweep_modes(e, e->z + i * e->Q, past - 1, new, 0, far, NULL);
     }
 }
 
@@ -312,13 +312,13 @@ static void push_by_order(fvi_history_head *head, const double *term, double *H,
     const size_t at = head->k % FVI_WINDOW, now = head->k % PAIR;
     for (size_t i = 0; i < head->d; i++) {
         double new = term[i], *past = e->past + i * 2 * FVI_WINDOW + at;
-        double *far = e->far + PAIR * i, *slope = further(e) + PAIR * i;
+        double *far = e->far + PAIR * i, *slope = next_sum_derivatives(e) + PAIR * i;
         H[i] = new + far[now];
         rate[i] = slope[now];
         if (now == 0) {
             far[1] += e->near[0] * new;
             slope[1] += e->slopes[0] * new;
-            keep(past, new);
+            store_term(past, new);
         } else
             advance_rated(e, e->z + i * e->Q, past - 1, new, far, slope);
     }
@@ -332,7 +332,7 @@ static void ahead(const fvi_history_head *head, double *sum)
         sum[i] += e->far[PAIR * i + head->k % PAIR];
 }
 
-static const fvi_history_engine engine = { .place = place,
+static const fvi_history_engine engine = { .place = set_array_pointers,
                                            .push = push,
                                            .push_by_order = push_by_order,
                                            .ahead = ahead,

@@ -74,12 +74,12 @@ typedef struct {
 } tiled_engine;
 
 /* Number of doubles in the tables, and in the state. */
-static size_t tables(size_t Q)
+static size_t count_table_numbers(size_t Q)
 {
     return 2 * FVI_WINDOW + FARTHEST * SQUARE + 2 * FVI_WINDOW * Q + Q;
 }
 
-static size_t state(size_t d, size_t Q)
+static size_t count_state_numbers(size_t d, size_t Q)
 {
     return (d + FVI_TILE - 1) / FVI_TILE * FVI_TILE * (Q + FVI_WINDOW);
 }
@@ -88,10 +88,10 @@ size_t fvi_history_tiled_bytes(size_t d, size_t Q)
 {
     if (d > SIZE_MAX / sizeof(double) / 4 / (Q + FVI_WINDOW))
         return SIZE_MAX;
-    return fvi_history_piece(sizeof(tiled_engine), tables(Q) + state(d, Q));
+    return fvi_history_piece(sizeof(tiled_engine), count_table_numbers(Q) + count_state_numbers(d, Q));
 }
 
-static void place(fvi_history_head *head)
+static void set_array_pointers(fvi_history_head *head)
 {
     tiled_engine *t = (tiled_engine *)head;
     t->w = t->numbers;
@@ -111,7 +111,7 @@ static double power(double p, size_t n)
 }
 
 /* Return the table of the weights between two eights at distance D. The table of distance D - 1 follows it. */
-static double *square(const tiled_engine *t, size_t D)
+static double *table_of_distance(const tiled_engine *t, size_t D)
 {
     return t->lags + (FARTHEST - D) * SQUARE;
 }
@@ -136,7 +136,7 @@ static void fill(tiled_engine *t, const double *p, const double *c)
     for (size_t D = FARTHEST; D > 0; D--)
         for (size_t j = 0; j < FVI_EIGHT; j++)
             for (size_t r = 0; r < FVI_EIGHT; r++)
-                square(t, D)[j * FVI_EIGHT + r] = t->w[D * FVI_EIGHT + r - j];
+                table_of_distance(t, D)[j * FVI_EIGHT + r] = t->w[D * FVI_EIGHT + r - j];
 }
 //< tables
 
@@ -151,7 +151,7 @@ fvi_history_head *fvi_history_tiled_alloc(size_t d, size_t Q, const double *p,
         return NULL;
     t->Q = Q;
     t->tiles = (d + FVI_TILE - 1) / FVI_TILE;
-    place(&t->head);
+    set_array_pointers(&t->head);
     for (size_t lanes = 8; !fvi_history_tiled_width(&t->head, lanes); lanes /= 2)
         ;
     memcpy(t->w + 1, w + 1, FVI_WINDOW * sizeof *w);
@@ -173,7 +173,7 @@ static int archive(fvi_history_head *head, fvi_archive *v)
 {
     tiled_engine *t = (tiled_engine *)head;
     return FVI_SERIALIZE(v, FVI_CONSTANT(t->Q), FVI_CONSTANTS(t->w, 2 * FVI_WINDOW), FVI_CONSTANTS(t->lose, t->Q),
-                         FVI_STATES(t->z, state(head->d, t->Q)));
+                         FVI_STATES(t->z, count_state_numbers(head->d, t->Q)));
 }
 
 /* ---- sums ---- */
@@ -186,11 +186,11 @@ static size_t columns(const tiled_engine *t, size_t tile)
 
 /* Add to the eight rows of `to` the contribution of several consecutive eights of terms. The first of them is D eights
  * before `to`. */
-static void between(const tiled_engine *t, size_t count, size_t eights, size_t D,
-                    const double *terms, double *to)
+static void add_earlier_eights(const tiled_engine *t, size_t count, size_t eights, size_t D,
+                               const double *terms, double *to)
 {
     static const double none[FVI_EIGHT] = { 0 };
-    t->times(count, eights * FVI_EIGHT, square(t, D), terms, none, to);
+    t->times(count, eights * FVI_EIGHT, table_of_distance(t, D), terms, none, to);
 }
 
 /* Prefetch `count` numbers of a later tile. */
@@ -216,7 +216,7 @@ static void open_block(tiled_engine *t, size_t tile)
     for (size_t g = 0; g < FVI_SLABS; g++) { /* (28.1) */
         double *to = t->slab[g] + tile * AREA;
         t->times(count, t->Q, t->far + g * FVI_EIGHT * t->Q, z, none, to);
-        between(t, count, FVI_SLABS, FVI_SLABS + g, terms, to);
+        add_earlier_eights(t, count, FVI_SLABS, FVI_SLABS + g, terms, to);
     }
     for (size_t q = 0; q < t->Q; q += FVI_EIGHT) { /* (28.2) */
         if (tile + 1 < t->tiles)
@@ -232,8 +232,8 @@ static void open_block(tiled_engine *t, size_t tile)
 static void open_eight(tiled_engine *t, size_t tile, size_t g)
 {
     for (size_t s = 0; s < g; s++)
-        between(t, columns(t, tile), 1, g - s, t->slab[s] + tile * AREA,
-                t->slab[g] + tile * AREA);
+        add_earlier_eights(t, columns(t, tile), 1, g - s, t->slab[s] + tile * AREA,
+                           t->slab[g] + tile * AREA);
 }
 //< eight
 
@@ -299,7 +299,7 @@ static void ahead(const fvi_history_head *head, double *sum)
     }
 }
 
-static const fvi_history_engine engine = { .place = place,
+static const fvi_history_engine engine = { .place = set_array_pointers,
                                            .push = push,
                                            .push_part = push_part,
                                            .ahead = ahead,

@@ -62,7 +62,7 @@ typedef struct {
     _Alignas(64) double numbers[];
 } local_engine;
 
-static void place_local(fvi_history_head *head)
+static void set_local_pointers(fvi_history_head *head)
 {
     local_engine *m = (local_engine *)head;
     m->last = m->numbers;
@@ -92,7 +92,7 @@ static int archive_local(fvi_history_head *head, fvi_archive *v)
 
 static fvi_history_head *local_alloc(double order, size_t d)
 {
-    static const fvi_history_engine engine = { .place = place_local,
+    static const fvi_history_engine engine = { .place = set_local_pointers,
                                                .push = push_local,
                                                .ahead = local_ahead,
                                                .archive = archive_local };
@@ -101,7 +101,7 @@ static fvi_history_head *local_alloc(double order, size_t d)
     if (!m)
         return NULL;
     m->subtracts = order == 1;
-    place_local(&m->head);
+    set_local_pointers(&m->head);
     return &m->head;
 }
 
@@ -190,7 +190,7 @@ static fvi_history_head *alloc_engine(const fvi_history *m, size_t d)
 }
 
 /* Make a history of an engine, and take over its ownership. */
-static int wrap(fvi_history of, fvi_history_head *engine, fvi_history **memory)
+static int make_history(fvi_history of, fvi_history_head *engine, fvi_history **memory)
 {
     fvi_history *m = engine ? malloc(sizeof *m) : NULL;
     if (!m) {
@@ -211,7 +211,7 @@ static int alloc(double beta, int by_order, size_t d, size_t steps,
     fvi_history m;
     size_t bytes;
     int status = plan(beta, by_order, d, steps, kind, tolerance, &m, &bytes);
-    return status ? status : wrap(m, alloc_engine(&m, d), memory);
+    return status ? status : make_history(m, alloc_engine(&m, d), memory);
 }
 
 int fvi_history_alloc(double beta, size_t d, size_t steps, fvi_history_kind kind,
@@ -230,15 +230,15 @@ int fvi_history_alloc_by_order(double beta, size_t d, size_t steps,
 int fvi_history_of_engine(int increments, size_t steps, fvi_history_head *engine,
                           fvi_history **memory)
 {
-    return wrap((fvi_history){ .order = NAN, .on_increments = increments, .steps = steps },
-                engine, memory);
+    return make_history((fvi_history){ .order = NAN, .on_increments = increments, .steps = steps },
+                        engine, memory);
 }
 
 int fvi_history_copy(const fvi_history *from, fvi_history **to)
 {
     if (!from || !to)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    return wrap(*from, copy_engine(from->engine), to);
+    return make_history(*from, copy_engine(from->engine), to);
 }
 
 int fvi_history_archive(fvi_history *m, fvi_archive *v)

@@ -9,7 +9,7 @@
 //> step
 /* Return the step for which (12.8) promises an error of delta / 2, with the eps that is optimal for the
  * step h. order is 1 + nu. */
-static double next(double h, double order, double delta)
+static double next_spacing(double h, double order, double delta)
 {
     const double eps = order * h / (2 * M_PI);
     return 2 * M_PI * (M_PI_2 - eps)
@@ -18,11 +18,11 @@ static double next(double h, double order, double delta)
 
 /* Solve h = next(h) by fixed-point iteration. One iteration reduces the error to a fifth or less. Aitken's formula
  * extrapolates from two iterations, and three extrapolations give all digits. */
-static double step(double order, double delta)
+static double solve_spacing(double order, double delta)
 {
     double h = 0.3;
     for (int i = 0; i < 3; i++) {
-        const double one = next(h, order, delta), two = next(one, order, delta);
+        const double one = next_spacing(h, order, delta), two = next_spacing(one, order, delta);
         const double bend = (two - one) - (one - h);
         h = bend != 0 ? two - (two - one) * (two - one) / bend : two;
     }
@@ -47,7 +47,7 @@ fvi_node_range fvi_node_range_of(double nu, double order, double most, double N,
                                  double strip)
 {
     const double x = FVI_TAIL - most, L = log(4 / delta);
-    const double h = strip * step(order, delta);
+    const double h = strip * solve_spacing(order, delta);
     const double A = (L - gsl_sf_lngamma(2 + nu)) / order + 0.04;
     const double left = -log_of_lambert(A); /* (12.9) */
     const double X =

@@ -134,7 +134,7 @@ int fvi_cq_serialize(fvi_stepper *s, fvi_archive *v)
 
 /* Return the factor of d in (13.10) from the force of a damper. x_{k+1} has the weight w_0 = 1, times g_0, in
  * D_{k+1}. */
-static double present(const fvi_cq_damper *o)
+static double present_weight(const fvi_cq_damper *o)
 {
     return o->theta * fvi_cq_first_weight(o);
 }
@@ -150,7 +150,7 @@ static int matrix_solver(fvi_stepper *s, const fvi_cq_state *o)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
     for (size_t j = 0, i = 0; j < count && i < o->count; j++)
         if (fvi_run_damper_of(run, j).matrix.history_size > 0) {
-            c[j] = present(o->each + i) * *o->each[i].damping->factor;
+            c[j] = present_weight(o->each + i) * *o->each[i].damping->factor;
             i++;
         }
     const int status = fvi_newton_matrices_alloc(
@@ -170,7 +170,7 @@ static int solver(fvi_stepper *s, const fvi_cq_state *o)
     for (size_t j = 0; j < o->count; j++) {
         const fvi_damping *d = o->each[j].damping;
         for (size_t i = 0; i < d->count; i++)
-            o->r[d->index[i]] += present(o->each + j) * d->factor[i];
+            o->r[d->index[i]] += present_weight(o->each + j) * d->factor[i];
     }
     return fvi_newton_alloc(run->system, o->r, o->kappa * run->h, 1 - o->kappa,
                             &s->newton);
@@ -179,7 +179,7 @@ static int solver(fvi_stepper *s, const fvi_cq_state *o)
 /* Compute the factor (13.16), a mean of the last two terms. It shifts D^{2 alpha} to half a step earlier. Euler's
  * weights act alpha of a step earlier already, so the factor depends on alpha; for a law alpha is 0 (26.15). Return the
  * number of terms, 0 if the factor is 1. */
-static size_t two_taps(double alpha, double *g)
+static size_t has_two_taps(double alpha, double *g)
 {
     g[0] = 0.5 + alpha;
     g[1] = 0.5 - alpha;
@@ -198,7 +198,7 @@ static void choose_scheme(fvi_scheme scheme, fvi_cq_damper *o)
     if (scheme != FVI_SCHEME_CQ2_MIDPOINT)
         return;
     o->theta = 0.5;
-    o->taps = two_taps(of->alpha, o->g);
+    o->taps = has_two_taps(of->alpha, o->g);
 }
 
 static int start_damper(const fvi_stepper *s, fvi_cq_damper *o)

@@ -27,7 +27,7 @@ static int force_after(fvi_stepper *s, size_t k)
 
 /* Filter the coordinates in groups of eight. The sum of each coordinate keeps its order, and eight
  * sums run side by side. */
-FVI_VECTORS static void filter_eights(const fvi_cq_damper *o, size_t count, const double *past, double *term)
+FVI_VECTORS static void apply_factor_by_eights(const fvi_cq_damper *o, size_t count, const double *past, double *term)
 {
     enum { EIGHT = 8 };
     for (size_t j = 0; j + EIGHT <= count; j += EIGHT) {
@@ -41,7 +41,7 @@ FVI_VECTORS static void filter_eights(const fvi_cq_damper *o, size_t count, cons
 
 //> filter
 /* Apply the factor g to the newest term: ((3 - z)/2)^beta or g_0 + g_1 z. (13.11), (13.16) */
-static void filter(fvi_cq_damper *o, size_t count, double *term)
+static void apply_factor(fvi_cq_damper *o, size_t count, double *term)
 {
     if (o->taps == 0)
         return;
@@ -51,7 +51,7 @@ static void filter(fvi_cq_damper *o, size_t count, double *term)
     for (size_t j = 0; j < count; j++)
         past[j] = past[o->taps * count + j] = term[j];
     if (count >= 8)
-        filter_eights(o, count, past, term);
+        apply_factor_by_eights(o, count, past, term);
     for (size_t j = count / 8 * 8; j < count; j++) {
         double sum = 0;
         for (size_t n = 0; n < o->taps; n++)
@@ -68,7 +68,7 @@ static int update_history(fvi_stepper *s, fvi_cq_damper *o)
     int status = fvi_damping_terms(d, s);
     if (status)
         return status;
-    filter(o, d->count, o->increments ? d->dz : d->z);
+    apply_factor(o, d->count, o->increments ? d->dz : d->z);
     return fvi_damping_update_history(d, o->H);
 }
 
@@ -106,7 +106,7 @@ static int predict_history(const fvi_stepper *s, const fvi_cq_damper *o)
 /* First line of (13.10). Add half of the force and of the damping to p = p_k. Write to r the rest of the right-hand
  * side: p minus the part of D_{k+1} that does not contain dx. */
 //> right-hand-side
-static int right_hand_side(fvi_stepper *s, fvi_cq_state *o)
+static int assemble_right_hand_side(fvi_stepper *s, fvi_cq_state *o)
 {
     const size_t dim = s->run.system->d;
     const double half = s->run.h / 2;
@@ -157,7 +157,7 @@ static int step_second_order(fvi_stepper *s)
 {
     fvi_cq_state *o = s->method_state;
     const double h = s->run.h;
-    int status = right_hand_side(s, o);
+    int status = assemble_right_hand_side(s, o);
     if (!status)
         status = fvi_newton_solve(s->newton, s->x, o->r, s->dx, s->g);
     if (!status)

@@ -162,7 +162,7 @@ int fvi_damping_velocity(const fvi_system *system, const double *p, double *v)
 /* ---- start ---- */
 
 /* Return the number of history numbers of the damper. */
-static size_t damped(const fvi_system *system, const fvi_run_damper *of)
+static size_t count_history_numbers(const fvi_system *system, const fvi_run_damper *of)
 {
     const fvi_linearised *linearised = fvi_linearised_of(system);
     size_t count = 0;
@@ -197,7 +197,7 @@ static void begin(const fvi_stepper *s, fvi_initial_history past, fvi_damping *d
 }
 
 /* Allocate the arrays for the sums, which the adjoint and the tangent of a run read. */
-static int keep_sums(fvi_damping *d, int by_order)
+static int allocate_sums(fvi_damping *d, int by_order)
 {
     d->H = calloc(2 * d->count, sizeof *d->H);
     if (!d->H)
@@ -214,7 +214,7 @@ static int start_one(const fvi_stepper *s, fvi_initial_history past, fvi_damping
     int status = FVI_SUCCESS;
     d->unit = d->of.rho * pow(run->h, 1 - 2 * d->of.alpha);
     if (linearised)
-        status = keep_sums(d, linearised->by_order && !d->of.law);
+        status = allocate_sums(d, linearised->by_order && !d->of.law);
     if (status)
         return status;
     if (run->system->matrices)
@@ -236,7 +236,7 @@ int fvi_damping_start(const fvi_stepper *s, int is_caputo, fvi_damping **damping
     *damping = NULL;
     for (size_t j = 0; !status && j < fvi_run_damper_count(run); j++) {
         const fvi_run_damper of = fvi_run_damper_of(run, j);
-        const size_t count = damped(run->system, &of);
+        const size_t count = count_history_numbers(run->system, &of);
         const fvi_initial_history past =
             linearised && linearised->from_zero ? FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
             : is_caputo                         ? FVI_INITIAL_HISTORY_CAPUTO

@@ -44,7 +44,7 @@ void fvi_damping_keep_step(fvi_damping *d, double h, const double *dx)
 }
 
 /* Return the component of an impulse, d numbers, along a row. */
-static double along(size_t n, const double *row, const double *impulse)
+static double project_on_row(size_t n, const double *row, const double *impulse)
 {
     double product = 0, square = 0;
     for (size_t i = 0; i < n; i++) {
@@ -58,7 +58,7 @@ void fvi_damping_impulse(const fvi_damper *damper, size_t d, const double *kept,
                          double *impulse)
 {
     if (!damper->matrix)
-        *impulse = kept ? along(d, damper->of.row, kept) : 0;
+        *impulse = kept ? project_on_row(d, damper->of.row, kept) : 0;
     else if (kept)
         memcpy(impulse, kept, d * sizeof *impulse);
     else

@@ -12,8 +12,8 @@
 /* ---- L_d and its slopes ---- */
 
 /* Check the arguments. Allocate the point S = kappa x + (1 - kappa) y with room for grad U behind it. */
-static int prepare(const fvi_system *system, double kappa, double h,
-                   const double *x, const double *y, double **S)
+static int prepare_equation(const fvi_system *system, double kappa, double h,
+                            const double *x, const double *y, double **S)
 {
     int status = fvi_system_require(system);
     if (status)
@@ -38,7 +38,7 @@ int fvi_discrete_lagrangian(const fvi_system *system, double kappa, double h,
     if (!L)
         FVI_FAIL("null pointer", FVI_EFAULT);
     double *S;
-    int status = prepare(system, kappa, h, x, y, &S);
+    int status = prepare_equation(system, kappa, h, x, y, &S);
     if (status)
         return status;
     double kinetic = 0, potential;
@@ -56,7 +56,7 @@ int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
                         double *D2)
 {
     double *S;
-    int status = prepare(system, kappa, h, x, y, &S);
+    int status = prepare_equation(system, kappa, h, x, y, &S);
     if (status)
         return status;
     const size_t d = system->d;

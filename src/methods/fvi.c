@@ -87,7 +87,7 @@ static int keep_dampers(fvi_stepper *s)
 /* ---- a step of one coordinate ---- */
 
 /* Return 1 if there is one coordinate, which is damped, and its equation is a division. */
-static int is_alone(const fvi_stepper *s)
+static int is_single_equation(const fvi_stepper *s)
 {
     const fvi_damping *d = s->method_state;
     return d && d->all && d->count == 1 && fvi_newton_is_diagonal(s->newton);
@@ -95,7 +95,7 @@ static int is_alone(const fvi_stepper *s)
 
 /* Give the digits of step_fractional with about half of its instructions. A run of one coordinate spends its time on
  * instructions, so this function has no loops. */
-static int step_alone(fvi_stepper *s)
+static int step_one_coordinate(fvi_stepper *s)
 {
     const fvi_damping *d = s->method_state;
     const fvi_newton *n = s->newton;
@@ -121,7 +121,7 @@ static int step_alone(fvi_stepper *s)
 /* ---- a step of many coordinates ---- */
 
 /* Return 1 if the next position is explicit (kappa = 1), every coordinate is damped, and the history takes parts. */
-static int goes_by_parts(const fvi_stepper *s)
+static int can_step_by_parts(const fvi_stepper *s)
 {
     const fvi_damping *d = s->method_state;
     return d && s->run.kappa == 1 && d->all && !d->H
@@ -174,14 +174,14 @@ static int step_by_parts(fvi_stepper *s)
 //< drift
 
 /* The function is not inlined, so that the path of one coordinate need not save registers for it. */
-__attribute__((noinline)) static int step_many(fvi_stepper *s)
+__attribute__((noinline)) static int step_coordinates(fvi_stepper *s)
 {
-    return goes_by_parts(s) ? step_by_parts(s) : step_fractional(s);
+    return can_step_by_parts(s) ? step_by_parts(s) : step_fractional(s);
 }
 
 static int step(fvi_stepper *s)
 {
-    return is_alone(s) ? step_alone(s) : step_many(s);
+    return is_single_equation(s) ? step_one_coordinate(s) : step_coordinates(s);
 }
 
 const fvi_method fvi_fractional = { .name = "fvi",

@@ -13,8 +13,8 @@
 /* ---- the equation of a step ---- */
 
 /* Return the weight of a force on coordinate j at stage i: h b_i times the share of the coordinate. */
-static double weight(const fvi_stepper *s, const fvi_lobatto_stages *o,
-                     size_t i, size_t j)
+static double force_weight(const fvi_stepper *s, const fvi_lobatto_stages *o,
+                           size_t i, size_t j)
 {
     return s->run.h * o->rule->b[i] * o->share[j];
 }
@@ -31,15 +31,15 @@ static int gradient(fvi_stepper *s, fvi_lobatto_stages *o, size_t i)
 }
 
 /* Return X_i - x_k of (17.8) for coordinate j, from the forces in S and grad. */
-static double solved(const fvi_stepper *s, const fvi_lobatto_stages *o,
-                     size_t i, size_t j)
+static double stage_displacement(const fvi_stepper *s, const fvi_lobatto_stages *o,
+                                 size_t i, size_t j)
 {
     const double *M = o->M + (j * o->n + i - 1) * o->n;
     double sum = -M[0] * s->p[j];
     for (size_t l = 0; l < o->s - 1; l++)
         sum +=
             M[l]
-            * (o->S[l * o->d + j] + weight(s, o, l, j) * o->grad[l * o->d + j]);
+            * (o->S[l * o->d + j] + force_weight(s, o, l, j) * o->grad[l * o->d + j]);
     return sum;
 }
 
@@ -51,7 +51,7 @@ static int solve_inner(fvi_stepper *s, fvi_lobatto_stages *o)
     memset(o->grad + d, 0, inner * d * sizeof *o->grad);
     for (size_t i = 0; i < inner; i++)
         for (size_t j = 0; j < d; j++) {
-            o->r[i * d + j] = solved(s, o, 1 + i, j);
+            o->r[i * d + j] = stage_displacement(s, o, 1 + i, j);
             o->dX[(1 + i) * d + j] = o->rule->c[1 + i] * s->run.h * s->p[j]
                                      / s->run.system->mass[j]; /* an initial guess */
         }
@@ -69,7 +69,7 @@ static int prepare_inner(fvi_stepper *s, fvi_lobatto_stages *o)
     for (size_t j = 0; j < d; j++)
         for (size_t i = 0; i < inner; i++)
             for (size_t l = 1; l <= inner; l++)
-                *to++ = -o->M[(j * o->n + i) * o->n + l] * weight(s, o, l, j);
+                *to++ = -o->M[(j * o->n + i) * o->n + l] * force_weight(s, o, l, j);
     int status =
         fvi_newton_stages_alloc(s->run.system, inner, coupling, &s->newton);
     if (!status)
@@ -108,7 +108,7 @@ static int update_history(fvi_stepper *s, fvi_lobatto_stages *o)
                 Y -= o->W[i][c] * o->v0[l];
             Y += o->W[i][0] * jump_of_velocity(s, o, j);
             o->S[i * o->d + j] +=
-                weight(s, o, i, j) * s->run.system->damping[j] * Y;
+                force_weight(s, o, i, j) * s->run.system->damping[j] * Y;
         }
     return FVI_SUCCESS;
 }
@@ -131,7 +131,7 @@ static void apply_damping(fvi_stepper *s, fvi_lobatto_stages *o)
             for (size_t c = 0; c < n; c++)
                 Y += o->W[i][c] * v[c];
             o->S[i * d + j] +=
-                weight(s, o, i, j) * s->run.system->damping[j] * Y;
+                force_weight(s, o, i, j) * s->run.system->damping[j] * Y;
         }
         for (size_t i = 0; i < n; i++)
             v[i] -= o->v0[l];
@@ -152,7 +152,7 @@ static int apply_forces(fvi_stepper *s, fvi_lobatto_stages *o)
         if (status)
             return status;
         for (size_t j = 0; j < o->d; j++)
-            o->S[i * o->d + j] = -weight(s, o, i, j) * s->F[j];
+            o->S[i * o->d + j] = -force_weight(s, o, i, j) * s->F[j];
     }
     if (!o->history_force.size)
         return FVI_SUCCESS;
@@ -185,7 +185,7 @@ int fvi_lobatto_step(fvi_stepper *s)
         return status;
     for (size_t i = 1; i <= end; i++)
         for (size_t j = 0; j < d; j++)
-            o->dX[i * d + j] = solved(s, o, i, j);
+            o->dX[i * d + j] = stage_displacement(s, o, i, j);
     status = gradient(s, o, end);
     if (status)
         return status;
@@ -193,7 +193,7 @@ int fvi_lobatto_step(fvi_stepper *s)
     for (size_t j = 0; j < d; j++) {
         for (size_t i = 0; i <= end; i++) /* (17.8) */
             s->p[j] -=
-                o->S[i * d + j] + weight(s, o, i, j) * o->grad[i * d + j];
+                o->S[i * d + j] + force_weight(s, o, i, j) * o->grad[i * d + j];
         s->x[j] += o->dX[end * d + j];
     }
     memcpy(o->grad, o->grad + end * d, d * sizeof *o->grad); /* the gradient at x_{k+1} serves the next step */

@@ -48,8 +48,8 @@ static int make_G(const fvi_lobatto_stages *o, double m, double rho_h,
 /* ---- a step ---- */
 
 /* Write V_i - v_k of coordinate j to delta, from the forces in S and g = grad U; g = NULL: no potential. */
-static void velocities(const fvi_stepper *s, const fvi_lobatto_stages *o,
-                       size_t j, const double *g, double *delta)
+static void find_velocity_changes(const fvi_stepper *s, const fvi_lobatto_stages *o,
+                                  size_t j, const double *g, double *delta)
 {
     const size_t n = o->s, d = o->d;
     const double *G = o->M + j * n * n;
@@ -67,8 +67,8 @@ static void velocities(const fvi_stepper *s, const fvi_lobatto_stages *o,
 }
 
 /* Return X_i - x_k = h c_i v_k + h (A delta)_i. */
-static double moved(const fvi_stepper *s, const fvi_lobatto_stages *o, size_t i,
-                    size_t j, const double *delta)
+static double stage_displacement(const fvi_stepper *s, const fvi_lobatto_stages *o, size_t i,
+                                 size_t j, const double *delta)
 {
     return s->run.h * (o->rule->c[i] * (s->p[j] / s->run.system->mass[j]) + fvi_dot(o->s, o->A[i], delta));
 }
@@ -80,9 +80,9 @@ static int solve(fvi_stepper *s, fvi_lobatto_stages *o)
     double delta[FVI_STAGES];
     memset(o->grad, 0, n * d * sizeof *o->grad);
     for (size_t j = 0; j < d; j++) {
-        velocities(s, o, j, NULL, delta);
+        find_velocity_changes(s, o, j, NULL, delta);
         for (size_t i = 0; i < n; i++) {
-            o->r[i * d + j] = moved(s, o, i, j, delta);
+            o->r[i * d + j] = stage_displacement(s, o, i, j, delta);
             o->dX[i * d + j] = o->rule->c[i] * s->run.h * s->p[j]
                                / s->run.system->mass[j]; /* an initial guess */
         }
@@ -121,7 +121,7 @@ static int step_dual(fvi_stepper *s, fvi_lobatto_stages *o)
         double delta[FVI_STAGES];
         for (size_t i = 0; i < n; i++)
             o->S[i * d + j] -= s->run.h * o->rule->b[i] * s->x[j];
-        velocities(s, o, j, NULL, delta);
+        find_velocity_changes(s, o, j, NULL, delta);
         for (size_t i = 0; i < n; i++)
             o->r[i * d + j] = s->p[j] / s->run.system->mass[j] + delta[i];
     }
@@ -159,13 +159,13 @@ int fvi_lobatto_damped_step(fvi_stepper *s)
     for (size_t j = 0, l = 0; j < d; j++) {
         const double m = s->run.system->mass[j], v = s->p[j] / m;
         double delta[FVI_STAGES];
-        velocities(s, o, j, is_free ? NULL : o->grad, delta);
+        find_velocity_changes(s, o, j, is_free ? NULL : o->grad, delta);
         for (size_t i = 0; l < o->damped && o->index[l] == j && i < n; i++)
             o->v[l * n + i] = v + delta[i] - o->v0[l];
         l += l < o->damped && o->index[l] == j;
         for (size_t i = 0; is_free && i < n; i++)
-            o->dX[i * d + j] = moved(s, o, i, j, delta);
-        s->x[j] += moved(s, o, n - 1, j, delta);
+            o->dX[i * d + j] = stage_displacement(s, o, i, j, delta);
+        s->x[j] += stage_displacement(s, o, n - 1, j, delta);
         s->p[j] += m * delta[n - 1];
     }
     return FVI_SUCCESS;

@@ -41,7 +41,7 @@ static int serialize(fvi_stepper *s, fvi_archive *v);
 
 /* Return the number of doubles that a copy and an archive need. A step reads v and p of the step before; V and F are
  * read after the step. */
-static size_t saved(const fvi_lobatto_matrices *o)
+static size_t count_saved_numbers(const fvi_lobatto_matrices *o)
 {
     return (2 + 2 * o->s) * o->d;
 }
@@ -118,7 +118,7 @@ static int copy(const fvi_stepper *from, fvi_stepper *to)
     if (status)
         return status;
     fvi_lobatto_matrices *o = to->method_state;
-    memcpy(o->numbers, old->numbers, saved(o) * sizeof *o->numbers);
+    memcpy(o->numbers, old->numbers, count_saved_numbers(o) * sizeof *o->numbers);
     status = fvi_stage_dampers_copy(from, to);
     if (!status)
         status = make_solver(to, o);
@@ -128,6 +128,6 @@ static int copy(const fvi_stepper *from, fvi_stepper *to)
 static int serialize(fvi_stepper *s, fvi_archive *v)
 {
     fvi_lobatto_matrices *o = fvi_lobatto_matrices_of(s);
-    const int status = v->serialize(v, o->numbers, saved(o) * sizeof *o->numbers, 0);
+    const int status = v->serialize(v, o->numbers, count_saved_numbers(o) * sizeof *o->numbers, 0);
     return status ? status : fvi_stage_dampers_serialize(s, v);
 }

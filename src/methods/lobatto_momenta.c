@@ -9,7 +9,7 @@
 //> constant
 /* Return c_{s,beta} = sum_j r_j lambda_j^beta over the nonzero eigenvalues of Delta(1): a real one for s = 2, a
  * conjugate pair for s = 3, and both for s = 4. (17.14) */
-static double constant(size_t s, double beta)
+static double momentum_constant(size_t s, double beta)
 {
     static const struct {
         double r, lambda, re, im, modulus, angle;
@@ -52,7 +52,7 @@ int fvi_lobatto_correct_momenta(const fvi_method *method, const fvi_run *run,
     if (beta == 0 || fabs(beta) == 1 || (s == 2 && beta < 0))
         return FVI_SUCCESS;
     const size_t d = run->system->d, reach = s == 2 ? 1 : 2;
-    const double factor = constant(s, beta) * pow(run->h, -beta);
+    const double factor = momentum_constant(s, beta) * pow(run->h, -beta);
     for (size_t k = reach; k + reach <= run->steps; k++)
         for (size_t j = 0; j < d; j++) {
             double sum = 0;

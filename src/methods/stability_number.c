@@ -13,7 +13,7 @@
 
 /* Return the factor of the damping at z = -1: C(s/h) for a law, and 1 for a power, because the formula of the caller
  * contains (s/h)^{2 alpha}. For a law alpha is 0 (fvi_run_normal). delta(-1) is s = 2 for Euler, and s = 4 for BDF2. */
-static double of_law(const fvi_run *run, double s)
+static double symbol_of_law(const fvi_run *run, double s)
 {
     return run->law ? fvi_kernel_symbol(run->law, s / run->h) : 1;
 }
@@ -32,14 +32,14 @@ static double shifted_symbol(const fvi_run_damper *damper, double s)
     return mean * creal(mean * C + slope);
 }
 
-static double none(const fvi_run_damper *damper, double s)
+static double no_damping(const fvi_run_damper *damper, double s)
 {
     (void)damper, (void)s;
     return 0;
 }
 
 /* Compute the load of a run with several dampers. */
-static int of_dampers(const fvi_run *run, of_kernel *part, double s, double *load)
+static int find_number_of_dampers(const fvi_run *run, of_kernel *part, double s, double *load)
 {
     const size_t count = run->system->mechanism->damper_count;
     double *damper = calloc(count + 1, sizeof *damper);
@@ -62,14 +62,14 @@ static int has_dampers(const fvi_run *run)
 int fvi_stability_number_backward(const fvi_run *run, double *load)
 {
     if (has_dampers(run))
-        return of_dampers(run, fvi_run_damper_symbol, 2, load);
-    return fvi_stability_share(of_law(run, 2), run, load);
+        return find_number_of_dampers(run, fvi_run_damper_symbol, 2, load);
+    return fvi_stability_share(symbol_of_law(run, 2), run, load);
 }
 
 int fvi_stability_number_shifted(const fvi_run *run, double *load)
 {
     if (has_dampers(run))
-        return of_dampers(run, shifted_symbol, 2, load);
+        return find_number_of_dampers(run, shifted_symbol, 2, load);
     const fvi_run_damper of = fvi_run_damper_of(run, 0);
     double largest;
     const double share =
@@ -83,8 +83,8 @@ int fvi_stability_number_shifted(const fvi_run *run, double *load)
 int fvi_stability_number_bdf2(const fvi_run *run, double *load)
 {
     if (has_dampers(run))
-        return of_dampers(run, fvi_run_damper_symbol, 4, load);
-    return fvi_stability_share(pow(4, run->alpha) * of_law(run, 4), run, load);
+        return find_number_of_dampers(run, fvi_run_damper_symbol, 4, load);
+    return fvi_stability_share(pow(4, run->alpha) * symbol_of_law(run, 4), run, load);
 }
 
 int fvi_stability_number_explicit(const fvi_run *run, double *load)
@@ -97,7 +97,7 @@ int fvi_stability_number_none(const fvi_run *run, double *load)
     fvi_run half = *run; /* the method does not use kappa */
     half.kappa = 0.5;
     if (has_dampers(run))
-        return of_dampers(&half, none, 2, load);
+        return find_number_of_dampers(&half, no_damping, 2, load);
     return fvi_stability_share(0, &half, load);
 }
 

@@ -91,8 +91,8 @@ int fvi_step_begins(const fvi_stepper *s, fvi_step_begin *begin)
 
 /* Compute the sums for a method with one gradient in a step. Its force acts at the end of the step,
  * or half at either end. */
-static void of_nodes(const fvi_stepper *s, const fvi_step_begin *begin,
-                     const double *hit, fvi_step_sums *sums)
+static void sums_of_nodes(const fvi_stepper *s, const fvi_step_begin *begin,
+                          const double *hit, fvi_step_sums *sums)
 {
     const double h = s->run.h;
     const int whole = is_of_order_1(s->method);
@@ -112,8 +112,8 @@ static void of_nodes(const fvi_stepper *s, const fvi_step_begin *begin,
 
 /* Compute the velocities V_i of coordinate j, the derivative of the polynomial through X_i, (17.3). In form D this
  * polynomial jumps from x_k to X_1. */
-static void velocities(const fvi_stepper *s, const fvi_lobatto_stages *o,
-                       size_t j, double *V)
+static void find_stage_velocities(const fvi_stepper *s, const fvi_lobatto_stages *o,
+                                  size_t j, double *V)
 {
     const int jumps = s->method->damped_inertia;
     for (size_t i = 0; i < o->s; i++) {
@@ -127,9 +127,9 @@ static void velocities(const fvi_stepper *s, const fvi_lobatto_stages *o,
 
 /* Compute h b_i times the force of the damping at each stage. In form M it is part of S. In form D it follows from
  * (17.24) as the remaining term. */
-static void impulses(const fvi_stepper *s, const fvi_lobatto_stages *o,
-                     size_t j, const double *F, const double *V, double v,
-                     double *impulse)
+static void find_damping_impulses(const fvi_stepper *s, const fvi_lobatto_stages *o,
+                                  size_t j, const double *F, const double *V, double v,
+                                  double *impulse)
 {
     const double m = s->run.system->mass[j];
     for (size_t i = 0; i < o->s; i++) {
@@ -177,16 +177,16 @@ int fvi_step_forces_at_stages(const fvi_stepper *s, size_t k, size_t stages,
 }
 
 /* Compute the sums for a method with stages. begin->F is workspace for the forces at all stages. */
-static int of_stages(const fvi_stepper *s, const fvi_step_begin *begin,
-                     const double *hit, fvi_step_sums *sums)
+static int sums_of_stages(const fvi_stepper *s, const fvi_step_begin *begin,
+                          const double *hit, fvi_step_sums *sums)
 {
     const fvi_lobatto_stages *o = s->method_state;
     double V[FVI_STAGES], impulse[FVI_STAGES], *F = begin->F;
     const int status = fvi_step_forces_at_stages(s, s->k - 1, o->s, o->rule, F);
     for (size_t j = 0; j < o->d && !status; j++) {
         const double change = s->p[j] - hit[j] - begin->p[j];
-        velocities(s, o, j, V);
-        impulses(s, o, j, F, V, begin->p[j] / s->run.system->mass[j], impulse);
+        find_stage_velocities(s, o, j, V);
+        find_damping_impulses(s, o, j, F, V, begin->p[j] / s->run.system->mass[j], impulse);
         sums->damper[j] =
             o->share[j] == 1 ? 0 : impulse_of_damping_mass(s, o, j, F, change);
         for (size_t i = 0; i < o->s; i++) {
@@ -210,8 +210,8 @@ int fvi_step_ends(const fvi_stepper *s, const fvi_step_begin *begin,
     if (fvi_lobatto_matrices_of(s))
         return fvi_lobatto_matrices_ends(s, sums);
     if (s->method->stages)
-        return of_stages(s, begin, hit, sums);
-    of_nodes(s, begin, hit, sums);
+        return sums_of_stages(s, begin, hit, sums);
+    sums_of_nodes(s, begin, hit, sums);
     const int status =
         fvi_has_dampers_of_matrices(s->run.system) ? end_several(s, begin->dampers, sums->damper) : FVI_SUCCESS;
     for (size_t j = 0; fvi_has_dampers_of_matrices(s->run.system) && j < count; j++)

@@ -191,7 +191,7 @@ static int newton(fvi_newton *n, const double *x, const double *r, double *d,
 /* ---- Newton's method for one coordinate ---- */
 
 /* Return 1 if there is one coordinate with one stage. */
-static int is_alone(const fvi_newton *n)
+static int is_single_equation(const fvi_newton *n)
 {
     return n->q == 1 && n->system->d == 1 && !n->user_solve;
 }
@@ -209,8 +209,8 @@ static inline int evaluate_slopes(fvi_newton *n, double z, double *g)
 }
 
 /* Give the digits of newton() in half of its time, without the loops and calls that one coordinate does not need. */
-static int newton_alone(fvi_newton *n, const double *x, const double *r,
-                        double *d, double *g)
+static int newton_of_one_equation(fvi_newton *n, const double *x, const double *r,
+                                  double *d, double *g)
 {
     const double A = *n->A, s = *n->s, theta = n->theta;
     n->size = GSL_POSINF;
@@ -312,7 +312,7 @@ static int is_of_lanes(const fvi_newton *n)
 static int solve_nonlinear(fvi_newton *n, const double *x, const double *r,
                            double *d, double *g)
 {
-    const int status = (is_alone(n) ? newton_alone : newton)(n, x, r, d, g);
+    const int status = (is_single_equation(n) ? newton_of_one_equation : newton)(n, x, r, d, g);
     if (!status || !descend(n, x, r, d, g))
         return FVI_SUCCESS;
     return n->callback_status ? n->callback_status : status;

@@ -18,7 +18,7 @@ typedef struct {
 } lanes_at_work;
 
 /* Give the missing lanes the equation d = 0. They are not active. */
-static void pad(size_t count, lanes_at_work *w)
+static void pad_lanes(size_t count, lanes_at_work *w)
 {
     const double **part[] = { &w->A, &w->s, &w->x, &w->r };
     for (size_t n = 0; n < 4; n++) {
@@ -55,7 +55,7 @@ static inline void begin(const fvi_newton *n, const double *x, const double *r, 
     } else {
         memset(w->d, 0, sizeof w->d);
         memcpy(w->d, d, count * sizeof *d);
-        pad(count, w);
+        pad_lanes(count, w);
     }
     begin_lanes(w, n->theta, count);
 }
@@ -90,8 +90,8 @@ FVI_VECTORS static double move_lanes(lanes_at_work *restrict w, double theta, co
 
 /* Solve the equation of lane l with the solver of a single run, including everything it does when
  * Newton's method fails. */
-static int solve_alone(fvi_newton *n, size_t l, const double *x, const double *r, double *d,
-                       double *g)
+static int solve_one_lane(fvi_newton *n, size_t l, const double *x, const double *r, double *d,
+                          double *g)
 {
     const size_t dim = n->system->d, q = n->q;
     const fvi_system *own = fvi_lanes_of(n->system)->system[l];
@@ -118,13 +118,13 @@ static int solve_each(fvi_newton *n, const double *x, const double *r, double *d
 {
     int status = FVI_SUCCESS;
     for (size_t l = 0; l < n->system->d && !status; l++)
-        status = solve_alone(n, l, x, r, d, g);
+        status = solve_one_lane(n, l, x, r, d, g);
     return status;
 }
 
 /* Copy `count` numbers. For all L lanes the size is constant, so the compiler moves whole vectors, and the next loop
  * reads whole vectors. */
-static inline void take(size_t count, const double *from, double *to)
+static inline void copy_lanes(size_t count, const double *from, double *to)
 {
     if (count == L)
         memcpy(to, from, L * sizeof *to);
@@ -140,7 +140,7 @@ static int solve_rest(fvi_newton *n, const lanes_at_work *w, const double *x, co
     int status = FVI_SUCCESS;
     for (size_t l = 0; l < n->system->d && !status; l++) {
         if (w->active[l] != 0 || w->lost[l] != 0) {
-            status = solve_alone(n, l, x, r, d, g);
+            status = solve_one_lane(n, l, x, r, d, g);
             continue;
         }
         d[l] = w->d[l];
@@ -167,7 +167,7 @@ int fvi_newton_by_lanes(fvi_newton *n, const double *x, const double *r, double 
         lost += w.lost[l];
     if (left > 0 || lost > 0)
         return solve_rest(n, &w, x, r, d, g);
-    take(count, w.d, d);
-    take(count, w.g, g);
+    copy_lanes(count, w.d, d);
+    copy_lanes(count, w.g, g);
     return FVI_SUCCESS;
 }

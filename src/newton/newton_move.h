@@ -18,7 +18,7 @@ typedef struct {
  *   g, H  U'(z) and U''(z)
  *   last  the size of the step before; infinite before the first step
  *
- * The function is always inlined. newton_alone uses it for one coordinate and newton_lanes.c for a vector of
+ * The function is always inlined. newton_of_one_equation uses it for one coordinate and newton_lanes.c for a vector of
  * coordinates, with the same digits. */
 __attribute__((always_inline)) static inline fvi_newton_move
 fvi_newton_move_of(double A, double s, double theta, double r, double z, double g, double H,

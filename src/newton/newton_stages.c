@@ -12,8 +12,8 @@
 /* ---- residual and Jacobian ---- */
 
 /* Return x + theta d of stage l. */
-static const double *point(fvi_newton *n, const double *x, const double *d,
-                           size_t l)
+static const double *stage_point(fvi_newton *n, const double *x, const double *d,
+                                 size_t l)
 {
     const size_t dim = n->system->d;
     if (n->theta == 0)
@@ -31,7 +31,7 @@ int fvi_newton_gradients(fvi_newton *n, const double *x, const double *d,
         if (linearised)
             linearised->stage = n->first + l;
         n->callback_status =
-            fvi_potential_gradient(n->system, point(n, x, d, l), g + l * n->system->d);
+            fvi_potential_gradient(n->system, stage_point(n, x, d, l), g + l * n->system->d);
     }
     return n->callback_status;
 }
@@ -104,7 +104,7 @@ int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
     const fvi_potential *u = &n->system->potential;
     const size_t dim = n->system->d, q = n->q;
     if (q == 1 && n->reach == 0 && !n->user_solve) {
-        const double *z = point(n, x, d, 0);
+        const double *z = stage_point(n, x, d, 0);
         n->callback_status = u->hessian(dim, z, u->params, n->H);
         if (!n->callback_status)
             fill_diagonal(n, z, d, mu);
@@ -112,14 +112,14 @@ int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
     }
     memset(n->moves, 0, q * dim * sizeof *n->moves);
     if (n->user_solve) {
-        point(n, x, d, 0);
+        stage_point(n, x, d, 0);
         for (size_t j = 0; j < dim; j++)
             n->H[j] = (1 + mu) * n->A[j];
         return FVI_SUCCESS;
     }
     fvi_band_clear(&n->J);
     for (size_t i = 0; i < q; i++) {
-        const double *z = point(n, x, d, i);
+        const double *z = stage_point(n, x, d, i);
         n->callback_status = u->hessian(dim, z, u->params, n->H);
         if (n->callback_status)
             return n->callback_status;
@@ -134,7 +134,7 @@ int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
 /* ---- allocation ---- */
 
 /* Return the number of doubles in the block that begins with A. An explicit equation needs only A, point and one s. */
-static size_t numbers(const fvi_newton *n)
+static size_t count_numbers(const fvi_newton *n)
 {
     const size_t dim = n->system->d, m = n->system->potential.diagonals;
     return 2 * dim
@@ -151,7 +151,7 @@ static int allocate(fvi_newton *n)
     const fvi_potential *u = &n->system->potential;
     const size_t dim = n->system->d, rows = n->q * dim, m = u->diagonals;
     n->reach = (m && m < dim ? m : dim) - 1;
-    n->A = calloc(numbers(n), sizeof *n->A);
+    n->A = calloc(count_numbers(n), sizeof *n->A);
     if (!n->A)
         return FVI_ENOMEM;
     n->point = n->A + dim;
@@ -170,8 +170,8 @@ static int allocate(fvi_newton *n)
 }
 
 /* Allocate a solver. The caller then fills in A and s. */
-static int make(const fvi_system *system, size_t q, double theta, int implicit,
-                fvi_newton **newton)
+static int make_solver(const fvi_system *system, size_t q, double theta, int implicit,
+                       fvi_newton **newton)
 {
     fvi_newton *n = calloc(1, sizeof *n);
     if (!n)
@@ -221,7 +221,7 @@ int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
     if (!gsl_finite(s) || !gsl_finite(theta))
         FVI_FAIL("s and theta must be finite", FVI_EDOM);
     fvi_newton *n;
-    status = make(system, 1, theta, s * theta != 0, &n);
+    status = make_solver(system, 1, theta, s * theta != 0, &n);
     if (status)
         return status;
     memcpy(n->A, A, system->d * sizeof *A);
@@ -243,7 +243,7 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
     if (!fvi_all_finite(system->d * q * q, s))
         FVI_FAIL("s must be finite", FVI_EDOM);
     fvi_newton *n;
-    status = make(system, q, 1, 1, &n);
+    status = make_solver(system, q, 1, 1, &n);
     if (status)
         return status;
     for (size_t j = 0; j < system->d; j++)
@@ -338,7 +338,7 @@ int fvi_newton_copy(const fvi_newton *from, fvi_newton **to)
         fvi_newton_free(n);
         FVI_FAIL("no memory for the solver", FVI_ENOMEM);
     }
-    memcpy(n->A, from->A, numbers(n) * sizeof *n->A);
+    memcpy(n->A, from->A, count_numbers(n) * sizeof *n->A);
     if (n->implicit && !n->user_solve)
         fvi_band_copy(&from->J, &n->J);
     *to = n;

@@ -26,8 +26,8 @@ static double slope_of_polynomial(const fvi_lobatto_rule *rule, size_t count, si
 }
 
 /* The factor of stage i in the path at theta, or with `slope` in its derivative by t. */
-static double share_of(const fvi_lobatto_rule *rule, size_t count, size_t i, double theta, double h,
-                       int slope)
+static double stage_weight(const fvi_lobatto_rule *rule, size_t count, size_t i, double theta, double h,
+                           int slope)
 {
     return slope ? slope_of_polynomial(rule, count, i, theta) / h
                  : fvi_lobatto_polynomial(rule, count, i, theta);
@@ -35,23 +35,23 @@ static double share_of(const fvi_lobatto_rule *rule, size_t count, size_t i, dou
 
 /* Write x_{k+1} + sum_i l_i(theta) (X_i - X_s), which at theta = 1 is x_{k+1} to the bit; with `slope` its derivative
  * by t. `stages` has the positions of the stages, or their differences from x_k. */
-static void put_place(const fvi_stepper *s, const fvi_lobatto_rule *rule, size_t count, const double *stages,
-                      double theta, int slope, double *x)
+static void write_path_of_stages(const fvi_stepper *s, const fvi_lobatto_rule *rule, size_t count, const double *stages,
+                                 double theta, int slope, double *x)
 {
     const size_t d = s->run.system->d;
     const double *last = stages + (count - 1) * d;
     for (size_t j = 0; j < d; j++)
         x[j] = slope ? 0 : s->x[j];
     for (size_t i = 0; i + 1 < count; i++) {
-        const double share = share_of(rule, count, i, theta, s->run.h, slope);
+        const double share = stage_weight(rule, count, i, theta, s->run.h, slope);
         for (size_t j = 0; j < d; j++)
             x[j] += share * (stages[i * d + j] - last[j]);
     }
 }
 
 /* The same where the velocities of the stages are known: X_i - X_s = h sum_m (A_im - A_sm) V_m. */
-static void put_place_of_matrices(const fvi_stepper *s, const fvi_lobatto_matrices *o, double theta,
-                                  int slope, double *x)
+static void write_path_of_matrices(const fvi_stepper *s, const fvi_lobatto_matrices *o, double theta,
+                                   int slope, double *x)
 {
     double A[FVI_STAGES][FVI_STAGES];
     fvi_lobatto_table(o->rule, o->s, A);
@@ -60,14 +60,14 @@ static void put_place_of_matrices(const fvi_stepper *s, const fvi_lobatto_matric
     for (size_t m = 0; m < o->s; m++) {
         double share = 0;
         for (size_t i = 0; i + 1 < o->s; i++)
-            share += share_of(o->rule, o->s, i, theta, s->run.h, slope) * (A[i][m] - A[o->s - 1][m]);
+            share += stage_weight(o->rule, o->s, i, theta, s->run.h, slope) * (A[i][m] - A[o->s - 1][m]);
         for (size_t j = 0; j < o->d; j++)
             x[j] += s->run.h * share * o->V[m * o->d + j];
     }
 }
 
 /* Write the path at t, or its slope. */
-static int put(const fvi_stepper *s, double t, int slope, double *x)
+static int write_path(const fvi_stepper *s, double t, int slope, double *x)
 {
     if (s->method->stages == 0)
         return FVI_EUNSUP;
@@ -77,19 +77,19 @@ static int put(const fvi_stepper *s, double t, int slope, double *x)
     const fvi_mechanism_state *mechanism = fvi_mechanism_of(s);
     const fvi_lobatto_matrices *matrices = fvi_lobatto_matrices_of(s);
     if (matrices) {
-        put_place_of_matrices(s, matrices, theta, slope, x);
+        write_path_of_matrices(s, matrices, theta, slope, x);
     } else if (mechanism) {
-        put_place(s, mechanism->rule, mechanism->s, mechanism->X, theta, slope, x);
+        write_path_of_stages(s, mechanism->rule, mechanism->s, mechanism->X, theta, slope, x);
     } else {
         const fvi_lobatto_stages *o = s->method_state;
-        put_place(s, o->rule, o->s, o->dX, theta, slope, x);
+        write_path_of_stages(s, o->rule, o->s, o->dX, theta, slope, x);
     }
     return FVI_SUCCESS;
 }
 
 int fvi_lobatto_within(const fvi_stepper *s, double t, double *x)
 {
-    return s && x ? put(s, t, 0, x) : FVI_EFAULT;
+    return s && x ? write_path(s, t, 0, x) : FVI_EFAULT;
 }
 
 int fvi_lobatto_momentum_within(const fvi_stepper *s, double t, double *p)
@@ -101,9 +101,9 @@ int fvi_lobatto_momentum_within(const fvi_stepper *s, double t, double *p)
     if (!x)
         return FVI_ENOMEM;
     double *v = x + system->d;
-    int status = put(s, t, 0, x);
+    int status = write_path(s, t, 0, x);
     if (!status)
-        status = put(s, t, 1, v);
+        status = write_path(s, t, 1, v);
     if (!status)
         status = system->matrices
                      ? system->matrices->inertia(system->d, v, system->matrices->params, p)

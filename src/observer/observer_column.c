@@ -15,7 +15,7 @@ size_t fvi_observer_numbers(const fvi_observer *o)
     return sum;
 }
 
-static size_t largest(const double *row, size_t d)
+static size_t largest_entry(const double *row, size_t d)
 {
     size_t at = 0;
     for (size_t i = 1; i < d; i++)
@@ -29,13 +29,13 @@ size_t fvi_observer_damper_of(const fvi_observer *o, size_t i, size_t *coordinat
     while (i >= fvi_observer_width(o, j))
         i -= fvi_observer_width(o, j++);
     *coordinate = o->has_mechanism                  ? 0
-                  : fvi_observer_width(o, j) < o->d ? largest(o->mechanism->damper[j].of.row, o->d)
+                  : fvi_observer_width(o, j) < o->d ? largest_entry(o->mechanism->damper[j].of.row, o->d)
                                                     : i;
     return j;
 }
 
 /* The index of number i among the tracked forces. *unit: the force there if the number is 1. */
-static size_t place_of(const fvi_observer *o, size_t i, double *unit)
+static size_t place_among_tracked(const fvi_observer *o, size_t i, double *unit)
 {
     size_t at;
     const size_t j = fvi_observer_damper_of(o, i, &at);
@@ -48,7 +48,7 @@ void fvi_observer_size(const fvi_observer *o, double *jump, double *line, double
 {
     for (size_t i = 0; i < fvi_observer_numbers(o); i++) {
         double unit;
-        const size_t at = place_of(o, i, &unit);
+        const size_t at = place_among_tracked(o, i, &unit);
         jump[i] = unit == 0 ? 0 : o->jump[at] / unit;
         line[i] = unit == 0 ? 0 : o->line[at] / unit;
         rate[i] = unit == 0 ? 0 : o->rate[at] / unit;
@@ -56,7 +56,7 @@ void fvi_observer_size(const fvi_observer *o, double *jump, double *line, double
 }
 
 /* Set all impulses of force j to 0. */
-static void put_none(fvi_observer *o, size_t j)
+static void clear_impulses(fvi_observer *o, size_t j)
 {
     for (size_t i = 0; i < o->degree; i++)
         o->latest[i * o->tracked + j] = 0;
@@ -64,9 +64,9 @@ static void put_none(fvi_observer *o, size_t j)
 }
 
 /* Set the impulse of force j `back` rows ago to 1, and its other impulses to 0. */
-static void put_unit(fvi_observer *o, size_t j, size_t back)
+static void set_unit_impulse(fvi_observer *o, size_t j, size_t back)
 {
-    put_none(o, j);
+    clear_impulses(o, j);
     o->impulse[j] = back == 0;
     if (back < o->degree)
         o->latest[back * o->tracked + j] = 1;
@@ -75,14 +75,14 @@ static void put_unit(fvi_observer *o, size_t j, size_t back)
 }
 
 /* Set the impulses of force j up to row k to those of one number. */
-static void put_rows(fvi_observer *o, size_t j, size_t k, const double *impulse, size_t stride, double unit)
+static void set_impulse_rows(fvi_observer *o, size_t j, size_t k, const double *impulse, size_t stride, double unit)
 {
     o->impulse[j] = unit * impulse[k * stride];
     for (size_t i = 0; i < o->degree; i++)
         o->latest[i * o->tracked + j] = i < k ? unit * (impulse[(k - i) * stride] - impulse[(k - i - 1) * stride]) : 0;
 }
 
-static void put_start(fvi_observer *o, size_t j, double jump, double line)
+static void set_start(fvi_observer *o, size_t j, double jump, double line)
 {
     o->jump[j] = jump;
     o->line[j] = line;
@@ -110,22 +110,22 @@ int fvi_observer_transpose(fvi_observer *o, const fvi_run *run, const double *w,
     const size_t n = fvi_observer_numbers(o), first = fvi_observer_first_rows(o);
     for (size_t i = 0; i < n; i++) {
         double unit;
-        const size_t j = place_of(o, i, &unit);
+        const size_t j = place_among_tracked(o, i, &unit);
         jump[i] = line[i] = 0;
         transpose_start(o, run, i, j, w[i], impulse, &jump[i], &line[i]);
         for (size_t k = 1; k <= run->steps; k++) {
             const double of = w[k * n + i];
-            put_start(o, j, 0, 0);
+            set_start(o, j, 0, 0);
             for (size_t back = 0; of != 0 && back < k && back <= o->degree; back++) {
-                put_unit(o, j, back);
+                set_unit_impulse(o, j, back);
                 impulse[(k - back) * n + i] += of * fvi_observer_slope(o, j, k, run->h);
             }
             if (of == 0 || k > first)
                 continue;
-            put_none(o, j);
-            put_start(o, j, 1, 0);
+            clear_impulses(o, j);
+            set_start(o, j, 1, 0);
             jump[i] += o->is_jumping[j] != 0 ? of * fvi_observer_slope(o, j, k, run->h) : 0;
-            put_start(o, j, 0, 1);
+            set_start(o, j, 0, 1);
             line[i] += of * fvi_observer_slope(o, j, k, run->h);
         }
     }
@@ -137,7 +137,7 @@ void fvi_observer_powers(const fvi_observer *o, double *power)
     for (size_t i = 0; i < fvi_observer_numbers(o); i++) {
         size_t coordinate;
         double unit;
-        const size_t j = place_of(o, i, &unit);
+        const size_t j = place_among_tracked(o, i, &unit);
         power[i] = fvi_observer_is_compared(o, j) ? NAN
                                                   : o->exponent[j] + o->growth[fvi_observer_damper_of(o, i, &coordinate)];
     }
@@ -152,7 +152,7 @@ int fvi_observer_first_forces(fvi_observer *o, const fvi_run *run, const double 
     for (size_t i = 0; i < n; i++) {
         double unit;
         size_t coordinate;
-        const size_t j = place_of(o, i, &unit), damper = fvi_observer_damper_of(o, i, &coordinate);
+        const size_t j = place_among_tracked(o, i, &unit), damper = fvi_observer_damper_of(o, i, &coordinate);
         const double start = fvi_observer_begin_force(run, damper, o->jump[j], o->line[j]) / unit;
         *sum += has_start && isfinite(start) ? w[i] * start : 0; /* an infinite one is a mean over the next row */
         if (!isnan(power[i])) { /* as in the run of the impulses, even if the changed law would be compared */
@@ -160,7 +160,7 @@ int fvi_observer_first_forces(fvi_observer *o, const fvi_run *run, const double 
             o->law_rows.law_of = NULL;
         }
         for (size_t k = 1; unit != 0 && k <= run->steps && k <= first; k++) {
-            put_rows(o, j, k, impulse + i, n, unit);
+            set_impulse_rows(o, j, k, impulse + i, n, unit);
             *sum += w[k * n + i] * fvi_observer_slope(o, j, k, run->h) / unit;
         }
         o->law_rows.law_of = law_of;

@@ -38,7 +38,7 @@ static double differentiate(size_t n, const double *change)
 }
 
 /* Write J of force j in the last n rows before this one, minus J in this row. */
-static void changes(const fvi_observer *o, size_t j, size_t n, double *change)
+static void impulse_changes(const fvi_observer *o, size_t j, size_t n, double *change)
 {
     change[0] = 0;
     for (size_t i = 1; i <= n; i++)
@@ -51,7 +51,7 @@ static double near_start_of_power(const fvi_observer *o, size_t j, size_t k)
     const size_t n = k - 1 < o->degree ? k - 1 : o->degree;
     const double q = o->exponent[j], J = o->impulse[j];
     double change[FVI_MOST_DIFFERENCES + 1];
-    changes(o, j, n, change);
+    impulse_changes(o, j, n, change);
     for (size_t i = 1; i <= n; i++)
         change[i] = (J + change[i])
                         * pow((double)k / (double)(k - i), q)
@@ -75,7 +75,7 @@ static size_t compared_with(const fvi_observer *o, size_t j, size_t damper, cons
 
 /* The impulse that is missing in damper j at row k: its elongation misses a line of slope change_i from each node i
  * on. */
-static double impulse_of_bend(const fvi_observer *o, size_t j, size_t k, double h, const fvi_law_row *first)
+static double missing_impulse_of_bend(const fvi_observer *o, size_t j, size_t k, double h, const fvi_law_row *first)
 {
     const double *bend = o->bend + j * fvi_observer_first_rows(o) - 1; /* of rows 1, 2, ... */
     double sum = 0;
@@ -95,12 +95,12 @@ static double near_start_of_law(const fvi_observer *o, size_t j, size_t damper, 
                  n = known < o->degree ? known : o->degree;
     const double size[] = { o->jump[j], o->line[j] }, *exact = first[k - 1].exact;
     double change[FVI_MOST_DIFFERENCES + 1], force = 0, g = 0;
-    changes(o, j, n, change);
+    impulse_changes(o, j, n, change);
     for (size_t i = 0; i < to; i++)
         force += size[i] * exact[i];
     for (size_t i = 0; i <= n; i++) {
         const fvi_law_row *row = first + k - i - 1;
-        double rest = o->impulse[j] + change[i] + (is_bent ? impulse_of_bend(o, j, k - i, h, first) : 0);
+        double rest = o->impulse[j] + change[i] + (is_bent ? missing_impulse_of_bend(o, j, k - i, h, first) : 0);
         for (size_t of = 0; of < to; of++)
             rest -= size[of] * row->summed[of];
         rest /= k < from ? row->exact[to + 1] : row->summed[to];
@@ -144,7 +144,7 @@ double fvi_observer_slope(const fvi_observer *o, size_t j, size_t k, double h)
     const size_t n = k < o->degree ? k : o->degree;
     if (k <= fvi_observer_first_rows(o) && !isnan(o->exponent[j]))
         return near_start(o, j, k, h) / h;
-    changes(o, j, n, change);
+    impulse_changes(o, j, n, change);
     return differentiate(n, change) / h;
 }
 
@@ -192,7 +192,7 @@ int fvi_observer_damping(const fvi_observer *o, const fvi_stepper *s,
 /* ---- the start ---- */
 
 /* The factor of s in C(s) for large s, for a damper of the order 1. */
-static double dashpot(const fvi_run_damper *of)
+static double dashpot_coefficient(const fvi_run_damper *of)
 {
     return of->law ? fvi_kernel_dashpot(of->law) : of->rho;
 }
@@ -217,7 +217,7 @@ static double force_at_start(const fvi_run_damper *of, double z0, double zdot)
     if (order < 1 || zdot == 0)
         return 0;
     if (order == 1)
-        return dashpot(of) * zdot;
+        return dashpot_coefficient(of) * zdot;
     return of->past == FVI_INITIAL_HISTORY_CAPUTO ? 0 : INFINITY;
 }
 
@@ -237,7 +237,7 @@ double fvi_observer_begin_force(const fvi_run *run, size_t damper, double jump, 
 }
 
 /* Store the jump and the line with which the elongation of force j begins, times `factor`. */
-static void keep_start(fvi_observer *o, size_t j, const fvi_run_damper *of, double factor, double z0, double zdot)
+static void store_start(fvi_observer *o, size_t j, const fvi_run_damper *of, double factor, double z0, double zdot)
 {
     const int is_jumping = of->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && z0 != 0;
     o->jump[j] = is_jumping ? factor * z0 : 0;
@@ -268,7 +268,7 @@ static int begin_coordinates(fvi_observer *o, const fvi_stepper *s)
                          rate = o->matrices ? o->F[i] : o->v[i];
             o->exponent[j * d + i] =
                 exponent_at_start(of.growth, of.past, z[i]);
-            keep_start(o, j * d + i, &of, factor, z[i], rate);
+            store_start(o, j * d + i, &of, factor, z[i], rate);
             o->start[j * d + i] =
                 factor == 0 || of.rho == 0
                     ? 0
@@ -320,7 +320,7 @@ static int begin_mechanism(fvi_observer *o, const fvi_stepper *s)
         double z, rate;
         status = fvi_observer_elongation(o, s, &damper->of, &z, &rate);
         o->exponent[j] = exponent_at_start(of.growth, of.past, z);
-        keep_start(o, j, &of, 1, z, rate);
+        store_start(o, j, &of, 1, z, rate);
         o->start[j] = force_at_start(&of, z, rate);
     }
     for (size_t i = o->forces; i < o->tracked; i++) {

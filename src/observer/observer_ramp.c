@@ -40,7 +40,7 @@ const fvi_method *fvi_ramp_method(const fvi_stepper *s)
 }
 
 /* Start the line of one body, with h, N and the memory of the run. */
-static int begin(fvi_ramp *o)
+static int start_body(fvi_ramp *o)
 {
     o->system = (fvi_system){ .d = 1,
                               .mass = &huge_mass,
@@ -52,7 +52,7 @@ static int begin(fvi_ramp *o)
     return fvi_stepper_start(o->method, &o->run, &o->body, NULL);
 }
 
-static fvi_ramp *describe(const fvi_stepper *s, size_t j)
+static fvi_ramp *make_ramp(const fvi_stepper *s, size_t j)
 {
     const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
     fvi_ramp *o = calloc(1, sizeof *o);
@@ -74,10 +74,10 @@ int fvi_ramp_start(const fvi_stepper *s, size_t j, fvi_ramp **ramp)
     *ramp = NULL;
     if (!is_by_quadrature(s->method) || !(fvi_run_damper_of(&s->run, j).growth <= 1))
         return FVI_SUCCESS;
-    fvi_ramp *o = describe(s, j);
+    fvi_ramp *o = make_ramp(s, j);
     if (!o)
         return FVI_ENOMEM;
-    int status = begin(o);
+    int status = start_body(o);
     if (!status && isnan(o->rho))
         status = fvi_impulses_of_kernel_alloc(o->run.law, o->run.h, &o->exact);
     if (status)
@@ -148,7 +148,7 @@ int fvi_ramp_copy(const fvi_ramp *from, fvi_ramp **to)
     *o = *from;
     o->body = NULL;
     o->exact = NULL;
-    int status = begin(o);
+    int status = start_body(o);
     if (!status && from->exact)
         status = fvi_impulses_of_kernel_copy(from->exact, &o->exact);
     while (!status && o->is_over == 0 && o->body->k < from->body->k)

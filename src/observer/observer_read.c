@@ -108,7 +108,7 @@ static int read_chosen_forces(fvi_observer *o, const fvi_stepper *s, double t)
 }
 
 /* Take the forces, accelerations and multipliers of row k from the short steps. Returns 0 if there are none. */
-static int take_short_row(fvi_observer *o, size_t k)
+static int read_short_row(fvi_observer *o, size_t k)
 {
     const double *row = fvi_short_row(&o->short_rows, k);
     const size_t f = o->forces, d = o->d;
@@ -126,7 +126,7 @@ static int read_forces(fvi_observer *o, const fvi_stepper *s, double t,
     const fvi_system *system = s->run.system;
     const int is_chosen = s->method->dense != NULL && t > 0;
     int status = FVI_SUCCESS;
-    if (take_short_row(o, s->k))
+    if (read_short_row(o, s->k))
         return FVI_SUCCESS;
     if (is_chosen && o->has_mechanism) {
         double impulse, work;

@@ -62,16 +62,16 @@ typedef struct {
     fvi_mechanism mechanism;
     fvi_damper *damper; /* one for each damped coordinate, if its law becomes dampers of a mechanism; else NULL */
     double *row;        /* d times d: the rows of coordinates; then d dampings */
-} stand_in;
+} replacement;
 
-static void free_stand_in(stand_in *o)
+static void free_replacement(replacement *o)
 {
     free(o->damper);
     free(o->row);
 }
 
 /* Make a law on coordinates into dampers of a mechanism, which allow a start velocity above the order 1. */
-static int put_law_on_rows(const fvi_kernel *law, stand_in *o)
+static int replace_law_by_dampers(const fvi_kernel *law, replacement *o)
 {
     const size_t d = o->system.d;
     if (d > MOST_COUPLED)
@@ -94,7 +94,7 @@ static int put_law_on_rows(const fvi_kernel *law, stand_in *o)
 }
 
 /* Make a law that is one power into an alpha. */
-static int put_power(const fvi_kernel_term *power, stand_in *o, fvi_run *run)
+static int replace_law_by_power(const fvi_kernel_term *power, replacement *o, fvi_run *run)
 {
     const size_t d = o->system.d;
     o->row = calloc(d, sizeof *o->row);
@@ -108,16 +108,16 @@ static int put_power(const fvi_kernel_term *power, stand_in *o, fvi_run *run)
 }
 
 /* Above the order 1 fvi_variable_step accepts a start velocity only for an alpha or for dampers of a mechanism. */
-static int change_law(stand_in *o, fvi_run *run)
+static int change_law(replacement *o, fvi_run *run)
 {
     const fvi_kernel *law = run->law;
     if (o->system.matrices || o->system.mechanism || !law)
         return FVI_SUCCESS;
     run->law = NULL;
-    return fvi_kernel_is_power(law) ? put_power(law->term, o, run) : put_law_on_rows(law, o);
+    return fvi_kernel_is_power(law) ? replace_law_by_power(law->term, o, run) : replace_law_by_dampers(law, o);
 }
 
-static int make_short_run(const fvi_stepper *s, size_t rows, stand_in *o, fvi_run *run)
+static int prepare_short_run(const fvi_stepper *s, size_t rows, replacement *o, fvi_run *run)
 {
     *run = s->run;
     o->system = *s->run.system;
@@ -129,7 +129,7 @@ static int make_short_run(const fvi_stepper *s, size_t rows, stand_in *o, fvi_ru
 }
 
 /* Copy the forces of the observer of the short run to the dampers of the run. */
-static void copy_forces(const fvi_observer *o, const stand_in *other, const double *from, double *force)
+static void copy_forces(const fvi_observer *o, const replacement *other, const double *from, double *force)
 {
     if (!other->damper) {
         memcpy(force, from, o->forces * sizeof *force);
@@ -139,7 +139,7 @@ static void copy_forces(const fvi_observer *o, const stand_in *other, const doub
         force[(size_t)(other->damper[n].of.row - other->row) / o->d] = from[n];
 }
 
-static int read_row(const fvi_observer *o, const stand_in *other, fvi_observer *from, const fvi_stepper *s, size_t k)
+static int read_row(const fvi_observer *o, const replacement *other, fvi_observer *from, const fvi_stepper *s, size_t k)
 {
     fvi_observation now;
     const size_t f = o->forces, d = o->d;
@@ -155,7 +155,7 @@ static int read_row(const fvi_observer *o, const stand_in *other, fvi_observer *
     return FVI_SUCCESS;
 }
 
-static int take_steps(fvi_observer *o, const stand_in *other, const fvi_run *run)
+static int run_short_steps(fvi_observer *o, const replacement *other, const fvi_run *run)
 {
     const unsigned wanted = FVI_OBSERVE_FORCE | FVI_OBSERVE_VELOCITY | FVI_OBSERVE_ACCELERATION
                             | (o->ties > 0 ? FVI_OBSERVE_MULTIPLIER : 0);
@@ -178,13 +178,13 @@ static int take_steps(fvi_observer *o, const stand_in *other, const fvi_run *run
 }
 
 /* For an order near 2 no step may be short enough for the wanted error. Then ten times as much is allowed. */
-static int take_rows(fvi_observer *o, const stand_in *other, fvi_run *run, double size)
+static int run_short_rows(fvi_observer *o, const replacement *other, fvi_run *run, double size)
 {
     int status = FVI_EUNSUP;
     for (double part = 1e-10; part < 2e-6 && status == FVI_EUNSUP; part *= 10) {
         run->step_error = part * size;
         run->tolerance = FVI_ANY_TOLERANCE;
-        status = take_steps(o, other, run);
+        status = run_short_steps(o, other, run);
     }
     return status;
 }
@@ -193,7 +193,7 @@ int fvi_short_rows_start(fvi_observer *o, const fvi_stepper *s)
 {
     const size_t first = fvi_observer_first_rows(o), rows = first < s->run.steps ? first : s->run.steps;
     fvi_short_rows *to = &o->short_rows;
-    stand_in other = { 0 };
+    replacement other = { 0 };
     fvi_run run;
     double size;
     if (!is_needed(o, s))
@@ -202,10 +202,10 @@ int fvi_short_rows_start(fvi_observer *o, const fvi_stepper *s)
     to->numbers = calloc(rows * to->width, sizeof *to->numbers);
     int status = to->numbers ? measure_step(o, s, &size) : FVI_ENOMEM;
     if (!status)
-        status = make_short_run(s, rows, &other, &run);
+        status = prepare_short_run(s, rows, &other, &run);
     if (!status)
-        status = take_rows(o, &other, &run, size);
-    free_stand_in(&other);
+        status = run_short_rows(o, &other, &run, size);
+    free_replacement(&other);
     return status == FVI_ENOMEM ? status : FVI_SUCCESS;
 }
 

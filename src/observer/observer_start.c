@@ -18,7 +18,7 @@ enum {
 /* ---- memory ---- */
 
 /* Set the pointers of all arrays in their one block. */
-static void place_arrays(fvi_observer *o)
+static void set_array_pointers(fvi_observer *o)
 {
     const size_t d = o->d, f = o->tracked, room = d > f ? d : f;
     double *at = o->numbers;
@@ -57,7 +57,7 @@ static int allocate(fvi_observer *o)
     o->numbers = calloc(room, sizeof *o->numbers);
     if (!o->numbers)
         return FVI_ENOMEM;
-    place_arrays(o);
+    set_array_pointers(o);
     return FVI_SUCCESS;
 }
 
@@ -94,7 +94,7 @@ static int needs_slope(const fvi_system *system)
            || (m->constraints && m->constraints->count > 0);
 }
 
-static void describe(fvi_observer *o, const fvi_stepper *s, unsigned wanted)
+static void describe_forces(fvi_observer *o, const fvi_stepper *s, unsigned wanted)
 {
     const fvi_system *system = s->run.system;
     o->d = system->d;
@@ -166,7 +166,7 @@ static int start_ties_on_mesh(fvi_observer *o, const fvi_stepper *s)
 
 /* Replace infinite forces at t = 0 by their means over the first row. Accelerations and multipliers follow from these
  * means by the equation of motion; or, if the equation of a mechanism cannot be solved, they are means themselves. */
-static int take_means(fvi_observer *o, const fvi_stepper *s)
+static int set_mean_start(fvi_observer *o, const fvi_stepper *s)
 {
     fvi_stepper *fork = NULL;
     fvi_observer *sums = NULL;
@@ -231,7 +231,7 @@ static int begin(fvi_observer *o, const fvi_stepper *s)
         status = fvi_short_rows_start(o, s);
     if (!status && o->has_massless && !o->begin_v_known && !(o->wanted & FVI_OBSERVE_OWN_STEPS))
         status = fvi_observer_mean_massless(o, s);
-    return !status && o->is_infinite ? take_means(o, s) : status;
+    return !status && o->is_infinite ? set_mean_start(o, s) : status;
 }
 
 int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **to,
@@ -249,7 +249,7 @@ int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **to,
     fvi_observer *o = calloc(1, sizeof *o);
     if (!o)
         return fvi_no_memory(error, NULL);
-    describe(o, s, wanted);
+    describe_forces(o, s, wanted);
     const int status = begin(o, s);
     if (status) {
         fvi_observer_free(o);

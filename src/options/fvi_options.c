@@ -86,7 +86,7 @@ static int is_with_value(const char *given)
 }
 
 /* Take an option with its value. A long name must be written in full. */
-static int take(fvi_options *o, int found, const char *given, fvi_error *c)
+static int set_option(fvi_options *o, int found, const char *given, fvi_error *c)
 {
     if (found == '?')
         return unknown(o, given, c);
@@ -119,7 +119,7 @@ static int take(fvi_options *o, int found, const char *given, fvi_error *c)
 }
 
 /* Take the words after the command into o->text. If --help or -h is among them, the command becomes help. */
-static int take_all(fvi_options *o, int count, char **words, fvi_error *c)
+static int read_words(fvi_options *o, int count, char **words, fvi_error *c)
 {
     struct option longs[OPTIONS + 1] = { { 0 } };
     for (int i = 0; i < OUTPUT; i++)
@@ -146,7 +146,7 @@ static int take_all(fvi_options *o, int count, char **words, fvi_error *c)
                 : found == 256 + OPTIONS || found == 'h'
                     ? '?' /* --hel and -h0.1 are no help */
                     : found;
-        int status = take(o, found, given, c);
+        int status = set_option(o, found, given, c);
         if (status)
             return status;
     }
@@ -250,7 +250,7 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, fvi_error *c)
         return 0;
     }
     if (!status)
-        status = take_all(o, argc - 1 - about, argv + 1 + about, c);
+        status = read_words(o, argc - 1 - about, argv + 1 + about, c);
     if (!status && fvi_option_is_known(o->command, OPTIONS))
         status = fill_in(o, c);
     return !status && fvi_option_is_known(o->command, OPTIONS)

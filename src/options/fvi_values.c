@@ -32,8 +32,8 @@ static int whole(const fvi_options *o, option_index i, size_t *value,
 }
 
 /* Read a word of a list. The text of the option becomes the chosen word in small letters, as the head shows it. */
-static int choice(fvi_options *o, option_index i, const char *const *words,
-                  size_t *which, fvi_error *c)
+static int choose_word(fvi_options *o, option_index i, const char *const *words,
+                       size_t *which, fvi_error *c)
 {
     const int status =
         fvi_parse_word(fvi_option_list[i].name, o->text[i], words, which, c);
@@ -115,7 +115,7 @@ static int interpret_run(fvi_options *o, fvi_error *c)
     if (!status)
         status = number(o, TOLERANCE, 1e-14, 1, "[)", &o->tolerance, c);
     if (!status)
-        status = choice(o, MEMORY, fvi_history_words, &which, c);
+        status = choose_word(o, MEMORY, fvi_history_words, &which, c);
     if (status)
         return status;
     o->memory = (fvi_history_kind)which;
@@ -143,8 +143,8 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
     if (!status && o->text[DAMPING])
         status = fvi_parse_damping(o->text[DAMPING], &o->lets, &o->damping, c);
     if (!status && o->text[DERIVATIVE])
-        status = choice(o, DERIVATIVE, fvi_initial_history_words,
-                        &which, c);
+        status = choose_word(o, DERIVATIVE, fvi_initial_history_words,
+                             &which, c);
     if (!status)
         status = fvi_problem_mechanism(o, c);
     if (!status)
@@ -241,7 +241,7 @@ static int interpret(fvi_options *o, fvi_error *c)
         return fvi_refuse(c, "continue", "from which --checkpoint FILE?");
     int status = check_files(o, c);
     if (!status)
-        status = choice(o, FORMAT, fvi_format_names, &format, c);
+        status = choose_word(o, FORMAT, fvi_format_names, &format, c);
     if (status)
         return status;
     o->format = (fvi_format)format;

@@ -36,9 +36,9 @@ static fvi_column column_named(const char *at, size_t length)
 }
 
 /* Add a column that is an expression or another name. */
-static int take_typed(const char *at, size_t length,
-                      fvi_user_parameters *parameters, fvi_columns *columns,
-                      fvi_typed_columns *typed, fvi_error *c)
+static int parse_typed_column(const char *at, size_t length,
+                              fvi_user_parameters *parameters, fvi_columns *columns,
+                              fvi_typed_columns *typed, fvi_error *c)
 {
     char *item = strndup(at, length);
     const size_t first = fvi_typed_columns_count(typed);
@@ -67,7 +67,7 @@ int fvi_word_columns(const char *text, fvi_user_parameters *parameters,
             if (columns->at[n] == i)
                 return fvi_refuse(c, "columns", "'%s' names %s twice", text, fvi_column_names[i]);
         if (i == FVI_COLUMN_TYPED)
-            status = take_typed(at, length, parameters, columns, typed, c);
+            status = parse_typed_column(at, length, parameters, columns, typed, c);
         if (status)
             return status;
         columns->at[columns->count++] = i;

@@ -115,7 +115,7 @@ static FILE *open_temporary(output *f, mode_t mode)
 }
 
 /* Give the file without a name a name beside the target, so that it can be renamed. Return 0, or -1 with errno set. */
-static int give_name(output *f)
+static int link_temporary_name(output *f)
 {
     char open_file[64];
     snprintf(open_file, sizeof open_file, "/proc/self/fd/%d",
@@ -139,7 +139,7 @@ static int give_name(output *f)
 
 /* Return the descriptor of the open file for which a name such as /dev/stdout stands. To find it, follow the links one
  * by one. Return -1 for an ordinary name. */
-static int descriptor(const char *name)
+static int descriptor_of(const char *name)
 {
     char at[PATH_MAX], folder[PATH_MAX], link[PATH_MAX], ours[64];
     snprintf(ours, sizeof ours, "/proc/%ld/fd", (long)getpid());
@@ -206,7 +206,7 @@ FILE *fvi_output_open(const char *name)
     struct stat old;
     if (!name || strcmp(name, "-") == 0)
         return stdout;
-    int file = descriptor(name); /* a duplicate goes on where the shell's >> has put the end */
+    int file = descriptor_of(name); /* a duplicate goes on where the shell's >> has put the end */
     if (file >= 0)
         return (file = dup(file)) < 0 ? NULL : fdopen(file, "w");
     return stat(name, &old) == 0 && !S_ISREG(old.st_mode) ? fopen(name, "w")
@@ -216,7 +216,7 @@ FILE *fvi_output_open(const char *name)
 FILE *fvi_output_open_file(const char *name)
 {
     struct stat old;
-    if (descriptor(name) < 0 && (stat(name, &old) != 0 || S_ISREG(old.st_mode)))
+    if (descriptor_of(name) < 0 && (stat(name, &old) != 0 || S_ISREG(old.st_mode)))
         return open_ordinary(name);
     errno = EEXIST; /* for example a device, which must not be replaced */
     return NULL;
@@ -275,7 +275,7 @@ static int sync_folder(const output *f)
 /* Copy the complete file into the target, so that all names of the target stay valid. Room on the disk is reserved
  * first, so a full disk is found before the old contents are touched. If a power cut or SIGKILL comes during the copy,
  * the complete file is still there under its temporary name. Return 0, or -1 with errno set. */
-static int overwrite(const output *f)
+static int overwrite_target(const output *f)
 {
     struct stat new, old;
     const int from = open(f->temporary, O_RDONLY | O_NOFOLLOW),
@@ -297,9 +297,9 @@ static int overwrite(const output *f)
 
 /* Write the file to the disk first, and then give it its name, so that a power cut leaves no empty file under that
  * name. Return 0, or nonzero with errno set. */
-static int put_in_place(output *f)
+static int rename_to_target(output *f)
 {
-    int failed = give_name(f) != 0 || sync_file(fileno(f->stream)) != 0;
+    int failed = link_temporary_name(f) != 0 || sync_file(fileno(f->stream)) != 0;
     int why = errno;
     if (fclose(f->stream) != 0 && !failed) {
         failed = 1;
@@ -308,7 +308,7 @@ static int put_in_place(output *f)
     errno = why;
     return failed ? -1
            : f->shared
-               ? overwrite(f)
+               ? overwrite_target(f)
                : rename(f->temporary, f->target) != 0 || sync_folder(f) != 0;
 }
 
@@ -320,7 +320,7 @@ int fvi_output_close(FILE *stream, int keep)
         block_signals(&before);
     int failed = fflush(stream) != 0 || ferror(stream), why = errno;
     if (f && keep && !failed) {
-        failed = put_in_place(f) != 0;
+        failed = rename_to_target(f) != 0;
         why = errno;
     } else if (stream != stdout && fclose(stream) != 0 && !failed) {
         failed = 1;

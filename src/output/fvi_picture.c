@@ -39,7 +39,7 @@ void fvi_plot_row(FILE *rows, double t, size_t width, const double *row)
 /* ---- the script ---- */
 
 /* Set the colours of Okabe and Ito, which the colour-blind can also tell apart. */
-static void style(FILE *g)
+static void write_style(FILE *g)
 {
     static const char *const colours[] = {
         "0072B2", "D55E00", "009E73", "CC79A7", "E69F00", "56B4E9"
@@ -53,7 +53,7 @@ static void style(FILE *g)
 
 /* Choose the format of the picture from its name. gnuplot writes the picture to its standard output, so it never sees
  * the user's name, in which it would take the text after a | for a command. */
-static void terminal(FILE *g, const fvi_picture *p)
+static void write_terminal(FILE *g, const fvi_picture *p)
 {
     const char *const end = p->name + strlen(p->name) - 4;
     const int svg = strcasecmp(end, ".svg") == 0;
@@ -124,15 +124,15 @@ static int run_gnuplot(FILE *script, FILE *picture)
 }
 
 /* Draw the picture. Return 0, or 1 after a message. */
-static int draw(FILE *rows, const fvi_picture *p)
+static int draw_picture(FILE *rows, const fvi_picture *p)
 {
     FILE *g = tmpfile(), *picture = g ? fvi_output_open_file(p->name) : NULL;
     int failed =
         !picture ? fvi_cannot_write(g ? p->name : "a temporary file") : 0;
     if (!failed) {
         copy_rows(rows, g);
-        terminal(g, p);
-        style(g);
+        write_terminal(g, p);
+        write_style(g);
         p->script(g, p->params);
         if (fflush(g) != 0 || ferror(g) || lseek(fileno(g), 0, SEEK_SET) != 0)
             failed = fvi_cannot_write("a temporary file");
@@ -152,7 +152,7 @@ int fvi_picture_end(FILE *rows, const fvi_picture *p, int wanted)
     if (rows && wanted)
         failed = fflush(rows) != 0 || ferror(rows)
                      ? fvi_cannot_write("a temporary file")
-                     : draw(rows, p);
+                     : draw_picture(rows, p);
     if (rows)
         fclose(rows);
     return failed;

@@ -10,7 +10,7 @@ enum { MOST_LINES = 6 };
 
 /* Write the command `plot` with a line for each shown coordinate: columns at, at + 1, ... of the data over the time
  * (over = 1), or over the columns over, over + 1, ... */
-static void lines(FILE *g, const fvi_options *o, size_t over, size_t at)
+static void write_lines(FILE *g, const fvi_options *o, size_t over, size_t at)
 {
     for (size_t i = 0; i < o->shown_count && i < MOST_LINES; i++) {
         fprintf(g, "%s $rows using %zu:%zu with lines lw 1.5 title ",
@@ -20,7 +20,7 @@ static void lines(FILE *g, const fvi_options *o, size_t over, size_t at)
     fputc('\n', g);
 }
 
-static void panel(FILE *g, const char *across, const char *up)
+static void write_panel(FILE *g, const char *across, const char *up)
 {
     fprintf(g, "set xlabel '%s'; set ylabel '%s'\n", across, up);
 }
@@ -40,7 +40,7 @@ static int is_loop(const fvi_options *o)
 
 /* Find the first column of each item in the data, counted from 2; 0 if the table does not have it. Return the number of
  * panels. */
-static size_t place_columns(const fvi_options *o, size_t at[FVI_ALL_COLUMNS])
+static size_t find_columns(const fvi_options *o, size_t at[FVI_ALL_COLUMNS])
 {
     size_t next = 2, panels = 0;
     memset(at, 0, FVI_ALL_COLUMNS * sizeof *at);
@@ -56,7 +56,7 @@ static size_t place_columns(const fvi_options *o, size_t at[FVI_ALL_COLUMNS])
 }
 
 /* Write the name of a typed column as a text of gnuplot, with its quotes doubled. */
-static void label(FILE *g, const char *axis, const char *name)
+static void write_label(FILE *g, const char *axis, const char *name)
 {
     fprintf(g, "set %slabel '", axis);
     for (; *name; name++)
@@ -72,9 +72,9 @@ static void typed_panels(FILE *g, const fvi_options *o)
         const int is_typed = o->columns.at[n] == FVI_COLUMN_TYPED;
         const size_t width = fvi_table_column_width(o, n);
         for (size_t i = 0; i < width && is_typed; i++) {
-            label(g, "x", "t");
-            label(g, "y",
-                  fvi_typed_column_name(o->typed, o->columns.first[n] + i));
+            write_label(g, "x", "t");
+            write_label(g, "y",
+                        fvi_typed_column_name(o->typed, o->columns.first[n] + i));
             fprintf(g, "plot $rows using 1:%zu with lines lw 1.5 title ''\n",
                     next + i);
         }
@@ -83,10 +83,10 @@ static void typed_panels(FILE *g, const fvi_options *o)
 }
 
 /* Draw the second typed column over the first. */
-static void loop(FILE *g, const fvi_options *o)
+static void write_loop(FILE *g, const fvi_options *o)
 {
-    label(g, "x", fvi_typed_column_name(o->typed, 0));
-    label(g, "y", fvi_typed_column_name(o->typed, 1));
+    write_label(g, "x", fvi_typed_column_name(o->typed, 0));
+    write_label(g, "y", fvi_typed_column_name(o->typed, 1));
     fputs("plot $rows using 2:3 with lines lw 1.5 title ''\n", g);
 }
 
@@ -96,27 +96,27 @@ static void script(FILE *g, const fvi_options *o,
     const size_t x = at[FVI_COLUMN_X], p = at[FVI_COLUMN_P];
     fprintf(g, "set multiplot layout %zu,1\n", panels);
     if (x) {
-        panel(g, "t", "x");
-        lines(g, o, 1, x);
+        write_panel(g, "t", "x");
+        write_lines(g, o, 1, x);
     } else if (p) {
-        panel(g, "t", "p");
-        lines(g, o, 1, p);
+        write_panel(g, "t", "p");
+        write_lines(g, o, 1, p);
     }
     if (at[FVI_COLUMN_ENERGY]) {
-        panel(g, "t", "energy");
+        write_panel(g, "t", "energy");
         fprintf(g, "plot $rows using 1:%zu with lines lw 1.5 title ''\n",
                 at[FVI_COLUMN_ENERGY]);
     }
     if (at[FVI_COLUMN_Y]) {
-        panel(g, "t", "y");
-        lines(g, o, 1, at[FVI_COLUMN_Y]);
+        write_panel(g, "t", "y");
+        write_lines(g, o, 1, at[FVI_COLUMN_Y]);
     }
     if (x && p) {
-        panel(g, "x", "p");
-        lines(g, o, x, p);
+        write_panel(g, "x", "p");
+        write_lines(g, o, x, p);
     }
     if (is_loop(o))
-        loop(g, o);
+        write_loop(g, o);
     else
         typed_panels(g, o);
     fprintf(g, "unset multiplot\n");
@@ -137,7 +137,7 @@ static void trajectory_script(FILE *g, const void *params)
 int fvi_plot_end(FILE *rows, const fvi_options *o, int wanted)
 {
     trajectory_picture p = { .o = o };
-    p.panels = place_columns(o, p.at);
+    p.panels = find_columns(o, p.at);
     const fvi_picture picture = { o->plot, 800, 80 + 260 * p.panels,
                                   trajectory_script, &p };
     return fvi_picture_end(rows, &picture, wanted);

@@ -129,15 +129,15 @@ size_t fvi_table_next(const fvi_table *t, size_t k)
 }
 
 /* Copy the shown coordinates of d numbers. */
-static void pick(const fvi_options *o, const double *from, double *row)
+static void select_columns(const fvi_options *o, const double *from, double *row)
 {
     for (size_t i = 0; i < o->shown_count; i++)
         row[i] = from[o->shown[i]];
 }
 
 /* Fill in the columns of row k. With mirror nonzero, fill in only the columns y of row N - k, which are x_k. */
-static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
-                int only_y, double *row)
+static int fill_row(const fvi_table *t, size_t k, const double *x, const double *p,
+                    int only_y, double *row)
 {
     const double time = t->ended > 0 ? t->ended : (double)k * t->o->h; /* one product */
     int status = FVI_SUCCESS;
@@ -158,7 +158,7 @@ static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
             else if (column == FVI_COLUMN_ENERGY)
                 status = fvi_energy_at(t->system, time, x, p, row);
             else
-                pick(t->o, column == FVI_COLUMN_P ? p : x, row);
+                select_columns(t->o, column == FVI_COLUMN_P ? p : x, row);
         }
         row += width;
     }
@@ -181,7 +181,7 @@ int fvi_table_take(const fvi_table *t, size_t k, const double *x,
     const fvi_options *o = t->o;
     if (is_printed(o, k)) {
         double *row = t->rows + (t->wait ? row_number(o, k) * t->width : 0);
-        int status = fill(t, k, x, p, 0, row);
+        int status = fill_row(t, k, x, p, 0, row);
         if (status)
             return status;
         if (!fvi_all_finite(t->width, row)) /* for example an energy that is too large */
@@ -190,8 +190,8 @@ int fvi_table_take(const fvi_table *t, size_t k, const double *x,
             print_row(t, k, k - t->begin + (t->goes_on != 0), row);
     }
     if (t->wait && is_printed(o, o->steps - k))
-        return fill(t, k, x, p, 1,
-                    t->rows + row_number(o, o->steps - k) * t->width);
+        return fill_row(t, k, x, p, 1,
+                        t->rows + row_number(o, o->steps - k) * t->width);
     return FVI_SUCCESS;
 }
 

@@ -159,7 +159,7 @@ static int force_at(fvi_force force, double t, double *F)
 }
 
 /* Copy the n values y to x, if all of them are finite. Return FVI_SUCCESS or FVI_EOVRFLW. */
-static int hand_over(size_t n, const double *y, double *x)
+static int copy_if_finite(size_t n, const double *y, double *x)
 {
     if (!fvi_all_finite(n, y))
         FVI_FAIL("a value is not finite", FVI_EOVRFLW);
@@ -188,7 +188,7 @@ int fvi_matrix_method(double m, double rho, double c, double alpha,
     }
     //< substitution
     if (!status)
-        status = hand_over(N + 1, y, x);
+        status = copy_if_finite(N + 1, y, x);
     free(a);
     return status;
 }
@@ -220,7 +220,7 @@ int fvi_matrix_method_simple(double m, double rho, double c, double alpha,
                                 &A.matrix, &X.vector);
     //< matrix
     if (!status)
-        status = hand_over(N + 1, y, x);
+        status = copy_if_finite(N + 1, y, x);
     free(a);
     return status;
 }

@@ -94,8 +94,8 @@ void fvi_constant_history_stop(fvi_constant_history *c)
 }
 
 /* Store one more term of number i. Returns the last terms, the latest first. */
-static const double *with_term(const fvi_constant_history *c, double *past, size_t i,
-                               double term)
+static const double *store_term(const fvi_constant_history *c, double *past, size_t i,
+                                double term)
 {
     double *row = past + i * 2 * c->taps + c->place;
     row[0] = row[c->taps] = term;
@@ -114,7 +114,7 @@ int fvi_constant_history_next(fvi_constant_history *c, const double *B,
                                                        c->now_by_order)
                            : fvi_history_push(c->memory, B, change, c->now);
     for (size_t i = 0; i < c->width; i++) {
-        const double *past = with_term(c, c->past, i, c->now[i]), before = c->sum[i];
+        const double *past = store_term(c, c->past, i, c->now[i]), before = c->sum[i];
         const double sum = fvi_power_factor_sum(c->taps, c->g, past);
         c->sum[i] = sum;
         c->value[i] = (0.5 + theta) * sum + (0.5 - theta) * before;
@@ -122,7 +122,7 @@ int fvi_constant_history_next(fvi_constant_history *c, const double *B,
     }
     for (size_t i = 0; c->by_order && i < c->width; i++) {
         const double *past = c->past + i * 2 * c->taps + c->place,
-                     *rated = with_term(c, c->past_by_order, i, c->now_by_order[i]),
+                     *rated = store_term(c, c->past_by_order, i, c->now_by_order[i]),
                      before = c->sum_by_order[i],
                      by_order = fvi_power_factor_sum(c->taps, c->g, rated)
                                 + fvi_power_factor_sum(c->taps, c->gdot, past);

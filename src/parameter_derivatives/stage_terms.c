@@ -81,7 +81,7 @@ static int start_slopes(const fvi_run *run, const fvi_sensitivities *want, doubl
 }
 
 /* Allocate all arrays that a term may need. */
-static int make_room(fvi_stage_term *t)
+static int allocate(fvi_stage_term *t)
 {
     const size_t n = t->s * t->d;
     t->block = FVI_ARRAYS({ &t->self.past, n }, { &t->again.past, n }, { &t->slopes[0].past, n },
@@ -105,7 +105,7 @@ static int start_term(const fvi_run *run, const fvi_sensitivities *want, size_t 
     const fvi_kernel_term *term = &t->unit.term;
     const fvi_kernel alone = { 1, term };
     const int by_order = want->orders && (fvi_kernel_term_has_order(term) || is_davidson(t));
-    int status = make_room(t);
+    int status = allocate(t);
     if (!status)
         status = convolve(t, run, keep, &alone, &t->self);
     if (!status && fvi_kernel_term_is_fraction(term)
@@ -134,8 +134,8 @@ static void stop_term(fvi_stage_term *t)
 /* ---- a step ---- */
 
 /* now = past + W in, for number j. */
-static void through(const fvi_stage_term *t, size_t j, const double *W, const double *in,
-                    fvi_stage_convolution *c)
+static void add_present(const fvi_stage_term *t, size_t j, const double *W, const double *in,
+                        fvi_stage_convolution *c)
 {
     const size_t s = t->s;
     for (size_t i = 0; i < s; i++) {
@@ -165,20 +165,20 @@ void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu)
     const size_t s = t->s;
     const double *W = fvi_lobatto_history_now(t->self.memory);
     double *u = t->self.now + j * s, *rate = t->rate + j * s, *left = t->left + j * s;
-    through(t, j, W, nu, &t->self);
+    add_present(t, j, W, nu, &t->self);
     if (t->again.memory || t->less.memory)
         differentiate(t, u, t->before[j], rate);
     if (t->again.memory)
-        through(t, j, fvi_lobatto_history_now(t->again.memory), rate, &t->again);
+        add_present(t, j, fvi_lobatto_history_now(t->again.memory), rate, &t->again);
     if (t->less.memory)
-        through(t, j, fvi_lobatto_history_now(t->less.memory), rate, &t->less);
+        add_present(t, j, fvi_lobatto_history_now(t->less.memory), rate, &t->less);
     for (size_t i = 0; i < s; i++)
         left[i] = u[i] - (is_davidson(t) ? 0 : t->unit.term.time * t->again.now[j * s + i]);
     if (t->log.memory)
-        through(t, j, fvi_lobatto_history_now_by_order(t->log.memory), left, &t->log);
+        add_present(t, j, fvi_lobatto_history_now_by_order(t->log.memory), left, &t->log);
     for (int by = 0; by < FVI_KERNEL_DERIVATIVES; by++)
         if (t->slopes[by].memory)
-            through(t, j, fvi_lobatto_history_now(t->slopes[by].memory), nu, &t->slopes[by]);
+            add_present(t, j, fvi_lobatto_history_now(t->slopes[by].memory), nu, &t->slopes[by]);
 }
 //< stage-term
 

@@ -238,8 +238,8 @@ static int ground_at(const fvi_typed_columns *c, double t, double *value)
     return g->value ? g->value(t, 1, g->params, value) : FVI_SUCCESS;
 }
 
-static double work_of_all(const fvi_typed_columns *c,
-                          const fvi_observation *now)
+static double sum_works(const fvi_typed_columns *c,
+                        const fvi_observation *now)
 {
     const size_t dampers =
         c->source->mechanism ? c->source->mechanism->damper_count : 1;
@@ -290,7 +290,7 @@ static double value_of(const fvi_typed_columns *c, fvi_quantity q, const fvi_obs
     case QUANTITY_ENERGY:
         return now->energy;
     case QUANTITY_WORK:
-        return work_of_all(c, now);
+        return sum_works(c, now);
     case QUANTITY_BALANCE:
         return now->balance;
     case QUANTITY_FORCE:

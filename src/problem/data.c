@@ -38,7 +38,7 @@ static const char *const separators[] = { " \t,;", "\t", ",", ";" };
 enum { SEPARATORS = sizeof separators / sizeof *separators };
 
 /* Find the next name of a line, without blanks and quotes. Return where the line goes on. */
-static const char *take_name(const char *line, const char *between,
+static const char *read_name(const char *line, const char *between,
                              const char **name, size_t *length)
 {
     size_t n = strcspn(line, between);
@@ -89,7 +89,7 @@ static int name_of(const char *names, const char *word, size_t length)
 }
 
 /* Find the columns that a line names if it is separated in this way. `of` is 0 if it does not name all of them. */
-static choice choose(const char *line, const char *between, const wish *w)
+static choice choose_separator_columns(const char *line, const char *between, const wish *w)
 {
     choice to = { .of = 0 };
     int found[COLUMNS] = { 0 }, all = 1;
@@ -99,7 +99,7 @@ static choice choose(const char *line, const char *between, const wish *w)
     for (; *line; to.of++) {
         const char *name;
         size_t length;
-        line = take_name(line, between, &name, &length);
+        line = read_name(line, between, &name, &length);
         for (size_t k = 0; k < w->count; k++) {
             const int which = found[k] ? -1 : name_of(w->names[k], name, length);
             if (which < 0)
@@ -129,7 +129,7 @@ static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind, cons
     choice to[SEPARATORS];
     int named = 0;
     for (int i = 0; i < SEPARATORS; i++) {
-        to[i] = choose(r->lines.text, separators[i], w);
+        to[i] = choose_separator_columns(r->lines.text, separators[i], w);
         named = named || to[i].of;
         if (kind == FVI_ROWS_COMMENT && to[i].of < WORDS)
             above->comment[to[i].of] = to[i];
@@ -185,7 +185,7 @@ static int make_room(size_t n, size_t width, size_t *room, double **rows, const 
 }
 
 /* Take the wanted columns of a row of numbers. */
-static int take_row(const fvi_rows *r, const choice *from, const wish *w, int is_first,
+static int read_row(const fvi_rows *r, const choice *from, const wish *w, int is_first,
                     double *row)
 {
     int status = fvi_rows_check_width(r, from->of);
@@ -218,7 +218,7 @@ static int read_rows(fvi_rows *r, const wish *w, size_t *n, double **rows, choic
         if (!status)
             status = make_room(*n, w->count, &room, rows, r);
         if (!status)
-            status = take_row(r, from, w, *n == 0, *rows + w->count * *n);
+            status = read_row(r, from, w, *n == 0, *rows + w->count * *n);
         if (status)
             return status;
         ++*n;

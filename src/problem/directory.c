@@ -44,8 +44,8 @@ int fvi_directory_read_matrix(const fvi_directory *d, const char *file, fvi_spar
 
 /* Find an entry that proves that A is not positive definite, or not semidefinite: one of the diagonal, or one that is
  * too large for the diagonal entries of its row and column. Return 0 if there is none. */
-static int gives_away(const fvi_sparse *A, int semidefinite, int *row,
-                      int *column)
+static int find_indefinite_entry(const fvi_sparse *A, int semidefinite, int *row,
+                                 int *column)
 {
     for (size_t j = 0; j < A->n; j++)
         for (int e = A->start[j]; e < A->start[j + 1]; e++) {
@@ -77,7 +77,7 @@ int fvi_directory_refuse_matrix(const fvi_directory *d, int status, const char *
     int row = -1, column = -1;
     size_t line = 0;
     fvi_directory_path(d, file, place);
-    if (status == FVI_EINVAL || gives_away(A, !is_mass, &row, &column))
+    if (status == FVI_EINVAL || find_indefinite_entry(A, !is_mass, &row, &column))
         line = fvi_sparse_line(place, row, column);
     return line ? fvi_refuse(error, "system", "%s:%zu: %s", place, line, reason)
                 : fvi_refuse(error, "system", "%s: %s", place, reason);

@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Add the number of the damper, from 0, to its error. Return status. */
-static int of_damper(size_t j, int status, fvi_error *error)
+static int error_of_damper(size_t j, int status, fvi_error *error)
 {
     if (status && error)
         error->index = j;
@@ -40,7 +40,7 @@ int fvi_directory_parse_dampers(fvi_directory *d, size_t count, const char *cons
         known[j] = damper->typed; /* for its name */
         if (!status && is_file(damper->file) && strchr(damper->file, '/'))
             status = fvi_refuse(error, "damper", "'%s' is not the name of a file of the folder", damper->file);
-        of_damper(j, status, error);
+        error_of_damper(j, status, error);
     }
     free(known);
     return status;
@@ -112,7 +112,7 @@ static int refuse_structure(const fvi_directory *d, int status, const fvi_error 
     if (damper->file && is_file(damper->file))
         return fvi_directory_refuse_matrix(d, status, damper->file, &damper->C, error);
     fvi_fail(error, status, "damper", NAN, "%s", wrong->text);
-    return of_damper(wrong->index, status, error);
+    return error_of_damper(wrong->index, status, error);
 }
 
 int fvi_directory_read_dampers(fvi_directory *d, fvi_user_parameters *parameters,
@@ -125,7 +125,7 @@ int fvi_directory_read_dampers(fvi_directory *d, fvi_user_parameters *parameters
         const int by_file = is_file(damper->file);
         status = by_file
                      ? fvi_directory_read_matrix(d, damper->file, &damper->C, error)
-                     : of_damper(j, parse_row(d, damper, parameters, error), error);
+                     : error_of_damper(j, parse_row(d, damper, parameters, error), error);
         d->damper[j] = (fvi_damper){ .name = damper->typed.name,
                                      .of = fvi_elongation_row(damper->row),
                                      .matrix = by_file ? &damper->C : NULL,

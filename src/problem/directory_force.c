@@ -12,7 +12,7 @@
 static const char between[] = " \t\r,;";
 
 /* Choose the columns 1 to d. */
-static int all_columns(loads *l, size_t d)
+static int select_all_columns(loads *l, size_t d)
 {
     l->unknown = malloc(d * sizeof *l->unknown);
     for (l->width = 0; l->unknown && l->width < d; l->width++)
@@ -60,7 +60,7 @@ static int named_columns(const fvi_rows *r, loads *l, size_t d)
 }
 
 /* Take a row of numbers. t must increase. */
-static int take_row(const fvi_rows *r, loads *l, size_t *room)
+static int read_row(const fvi_rows *r, loads *l, size_t *room)
 {
     const size_t width = l->width + 1, n = l->rows;
     const int status = fvi_rows_check_width(r, width);
@@ -97,9 +97,9 @@ static int read_rows(fvi_rows *r, loads *l, size_t d)
         else if (kind == FVI_ROWS_WORDS)
             status = fvi_rows_refuse(r, 0, FVI_ROWS_NO_NUMBER);
         else if (!l->unknown)
-            status = all_columns(l, d);
+            status = select_all_columns(l, d);
         if (!status && !is_name)
-            status = take_row(r, l, &room);
+            status = read_row(r, l, &room);
         if (status)
             return status;
     }

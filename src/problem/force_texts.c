@@ -79,8 +79,8 @@ static int read_scaled_file(fvi_force_part *p, const char *field, const char *te
 }
 
 /* Take an impulse. One before the start or after the end of the run would have no effect, so it is refused. */
-static int take_impulse(fvi_force_part *p, const char *field, const char *text,
-                        double last, fvi_error *error)
+static int parse_impulse(fvi_force_part *p, const char *field, const char *text,
+                         double last, fvi_error *error)
 {
     p->hits = 1;
     if (!(p->p[1] >= 0 && p->p[1] <= last * (1 + 1e-12)))
@@ -136,7 +136,7 @@ static int parse_part(fvi_force_part *p, const char *field, const char *text,
                    : FVI_SUCCESS;
     p->kind = FVI_FORCING_NONE;
     if (fvi_scan_call(text, "impulse", 2, p->p))
-        return take_impulse(p, field, text, last, error);
+        return parse_impulse(p, field, text, last, error);
     if (words[word])
         return fvi_refuse(error, field, "'%s' is not %s", text, word ? fvi_force_formulas[word - 1].form : words[0]);
     char place[64];
@@ -185,7 +185,7 @@ static int collect_jumps(fvi_typed_force *f)
     return 0;
 }
 
-static int by_time(const void *a, const void *b)
+static int compare_times(const void *a, const void *b)
 {
     const fvi_impulse *x = a, *y = b;
     return (x->t > y->t) - (x->t < y->t);
@@ -212,7 +212,7 @@ static int collect_impulses(fvi_typed_force *f, size_t d)
         f->impulses[f->impulse_count++] =
             (fvi_impulse){ .t = f->parts[i].p[1], .J = J };
     }
-    qsort(f->impulses, n, sizeof *f->impulses, by_time);
+    qsort(f->impulses, n, sizeof *f->impulses, compare_times);
     return 0;
 }
 

@@ -43,7 +43,7 @@ static void make_hessian(variables *w, const fvi_expression *e, double factor)
 }
 
 /* Copy a block of d by d numbers, from `row` and `column` on, into a matrix, unless that is NULL. */
-static void take_block(const variables *w, size_t d, size_t row, size_t column,
+static void copy_block(const variables *w, size_t d, size_t row, size_t column,
                        double *to)
 {
     for (size_t i = 0; to && i < d; i++)
@@ -72,9 +72,9 @@ static int lagrangian_at(double t, size_t d, const double *x, const double *v,
         memcpy(Lv, w.gradient + d, d * sizeof *Lv);
     if (Lxx || Lxv || Lvv)
         make_hessian(&w, e, 1);
-    take_block(&w, d, 0, 0, Lxx);
-    take_block(&w, d, 0, d, Lxv);
-    take_block(&w, d, d, d, Lvv);
+    copy_block(&w, d, 0, 0, Lxx);
+    copy_block(&w, d, 0, d, Lxv);
+    copy_block(&w, d, d, d, Lvv);
     close_variables(&w);
     return FVI_SUCCESS;
 }

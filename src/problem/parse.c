@@ -168,14 +168,14 @@ int fvi_parse_word(const char *field, const char *text,
 
 enum { LONGEST = 31 /* longest word that is compared */ };
 
-static size_t least(size_t a, size_t b)
+static size_t smaller_of(size_t a, size_t b)
 {
     return a < b ? a : b;
 }
 
 /* Return how many letters must be inserted, deleted, replaced or swapped with their neighbour to turn the first n
  * letters of a into b (the distance of Damerau and Levenshtein). Capitals count as small letters. */
-static size_t distance(const char *a, size_t n, const char *b)
+static size_t edit_distance(const char *a, size_t n, const char *b)
 {
     size_t rows[3][LONGEST + 1], *before = rows[0], *last = rows[1],
                                  *now = rows[2];
@@ -187,10 +187,10 @@ static size_t distance(const char *a, size_t n, const char *b)
         for (size_t j = 1; j <= m; j++) {
             const int x = tolower((unsigned char)a[i - 1]), y = b[j - 1];
             now[j] =
-                least(last[j - 1] + (x != y), 1 + least(last[j], now[j - 1]));
+                smaller_of(last[j - 1] + (x != y), 1 + smaller_of(last[j], now[j - 1]));
             if (i > 1 && j > 1 && x == b[j - 2]
                 && y == tolower((unsigned char)a[i - 2]))
-                now[j] = least(now[j], before[j - 2] + 1);
+                now[j] = smaller_of(now[j], before[j - 2] + 1);
         }
         size_t *oldest = before;
         before = last;
@@ -214,13 +214,13 @@ const char *fvi_nearest_word(const char *text, size_t length,
 {
     /* Allow one error in up to four letters, and one more for each three further letters. A word that was not typed to
      * the end counts as one error. Something of the word must be left. */
-    size_t best = least(length, 2 + (length > 4) * (length - 2) / 3);
+    size_t best = smaller_of(length, 2 + (length > 4) * (length - 2) / 3);
     const char *nearest = NULL;
     for (; *words && length <= LONGEST; words++) {
         size_t far = strlen(*words) > LONGEST ? best
                      : strncasecmp(text, *words, length) == 0
                          ? 1
-                         : distance(text, length, *words);
+                         : edit_distance(text, length, *words);
         if (far < best) {
             best = far;
             nearest = *words;

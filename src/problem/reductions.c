@@ -13,8 +13,8 @@ static const char *const kinds[] = { "min",  "max",   "absmax", "mean", "rms",
 /* ---- words ---- */
 
 /* Find the text between the parentheses of WHAT(...). Return nonzero if the last one ends the text. */
-static int inside(const char *text, size_t length, size_t word,
-                  const char **from, size_t *inner)
+static int text_in_parentheses(const char *text, size_t length, size_t word,
+                               const char **from, size_t *inner)
 {
     int depth = 0;
     for (size_t n = word; n < length; n++) {
@@ -58,7 +58,7 @@ static int parse_call(const char *text, size_t length,
     const size_t word = open ? (size_t)(open - text) : length;
     const fvi_reduction_kind kind =
         (fvi_reduction_kind)fvi_scan_word(text, word, kinds);
-    if (!kinds[kind] || !inside(text, length, word, &from, &inner)
+    if (!kinds[kind] || !text_in_parentheses(text, length, word, &from, &inner)
         || (kind == REDUCE_AT && r->wants_time))
         return refuse(text, length, error);
     if (kind == REDUCE_AT) {
@@ -150,7 +150,7 @@ const char *fvi_reduction_name(const fvi_typed_columns *c, size_t i)
 
 /* ---- sums ---- */
 
-static void choose(fvi_reduction_state *s, double value, double t)
+static void set_best(fvi_reduction_state *s, double value, double t)
 {
     s->best = value;
     s->time = t;
@@ -172,7 +172,7 @@ static void refine_peak(fvi_reduction_state *s, double t, double q)
                  value = u0 + slope * (top - s->t[0])
                          + bend * (top - s->t[0]) * (top - s->t[1]);
     if (value > s->best)
-        choose(s, value, top);
+        set_best(s, value, top);
 }
 
 static void add_value(fvi_reduction *r, double t, double q)
@@ -186,10 +186,10 @@ static void add_value(fvi_reduction *r, double t, double q)
     if (is_first || r->kind == REDUCE_LAST
         || (r->kind == REDUCE_MIN && q < s->best)
         || (r->kind == REDUCE_MAX && q > s->best))
-        choose(s, q, t);
+        set_best(s, q, t);
     if ((r->kind == REDUCE_ABSMAX || r->kind == REDUCE_PEAK)
         && (is_first || fabs(q) > s->best))
-        choose(s, fabs(q), t);
+        set_best(s, fabs(q), t);
     if (r->kind == REDUCE_PEAK && s->count >= 2)
         refine_peak(s, t, q);
     s->q[0] = s->q[1];

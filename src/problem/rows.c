@@ -59,7 +59,7 @@ int fvi_rows_check_width(const fvi_rows *r, size_t width)
 }
 
 /* Store a number that begins at `at`. */
-static int keep(fvi_rows *r, const char *at, double value)
+static int append_number(fvi_rows *r, const char *at, double value)
 {
     if (r->count == r->room) {
         const size_t room = 2 * r->room + 8;
@@ -77,7 +77,7 @@ static int keep(fvi_rows *r, const char *at, double value)
 }
 
 /* Take a number, which must end at the end of the line or before a separator. */
-static int take_number(fvi_rows *r, char **at)
+static int read_number(fvi_rows *r, char **at)
 {
     double value;
     char *from = *at, *end = from;
@@ -96,7 +96,7 @@ static int take_number(fvi_rows *r, char **at)
     if (mark)
         r->point = comma ? ',' : '.';
     *at = end;
-    return keep(r, from, value);
+    return append_number(r, from, value);
 }
 
 /* Skip the gap between two numbers, which contains at most one separator. */
@@ -122,7 +122,7 @@ static int skip_gap(fvi_rows *r, char **at)
     return 0;
 }
 
-static int take_numbers(fvi_rows *r)
+static int read_numbers(fvi_rows *r)
 {
     char *text = r->lines.text, *at;
     text[strcspn(text, "#")] = '\0';
@@ -131,7 +131,7 @@ static int take_numbers(fvi_rows *r)
     at = text + strspn(text, " ");
     int status = *at == '\t' ? refuse_at(r, at, "an empty field") : 0;
     for (r->count = 0; !status && *at;) {
-        status = take_number(r, &at);
+        status = read_number(r, &at);
         if (!status)
             status = skip_gap(r, &at);
     }
@@ -170,5 +170,5 @@ int fvi_rows_next(fvi_rows *r, fvi_rows_kind *kind)
     *kind = text[strspn(text, blank)] == '#' ? FVI_ROWS_COMMENT
             : begins_with_word(text)         ? FVI_ROWS_WORDS
                                              : FVI_ROWS_NUMBERS;
-    return *kind == FVI_ROWS_NUMBERS ? take_numbers(r) : 0;
+    return *kind == FVI_ROWS_NUMBERS ? read_numbers(r) : 0;
 }

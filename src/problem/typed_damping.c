@@ -64,8 +64,8 @@ static int refuse_range(const char *text, size_t i, double value,
 }
 
 /* Count a term, and note whether it is a pair whose smaller order was typed first. */
-static int note_term(const char *text, fvi_user_parameters *parameters, int is_exchanged,
-                     fvi_error *error)
+static int mark_exchanged_term(const char *text, fvi_user_parameters *parameters, int is_exchanged,
+                               fvi_error *error)
 {
     const size_t i = parameters ? parameters->terms++ : 0;
     if (!parameters || !is_exchanged)
@@ -99,7 +99,7 @@ static int add_term(const char *text, fvi_user_parameters *parameters,
         return refuse_range(text, i, NAN, error);
     if (damping->law.count == FVI_MOST_TERMS)
         return fvi_refuse(error, "damping", "'%s': too many terms", text);
-    if (note_term(text, parameters, term.kind == FVI_KERNEL_MAXWELL2 && p[1] < p[3], error))
+    if (mark_exchanged_term(text, parameters, term.kind == FVI_KERNEL_MAXWELL2 && p[1] < p[3], error))
         return FVI_EINVAL;
     damping->term[damping->law.count++] = term;
     damping->law.term = damping->term;
@@ -114,7 +114,7 @@ static int parse_symbol(const char *text, fvi_user_parameters *parameters,
     const char *expression = text + SYMBOL_LENGTH;
     if (damping->law.count > 0 || strchr(expression, ':'))
         return fvi_refuse(error, "damping", "'%s': a symbol stands alone", text);
-    int status = note_term(text, parameters, 0, error);
+    int status = mark_exchanged_term(text, parameters, 0, error);
     if (!status)
         status = fvi_parse_expression("damping", "s", 1, expression, parameters,
                                       &damping->symbol, error);

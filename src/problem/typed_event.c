@@ -84,21 +84,21 @@ static int value_of_state(double t, size_t d, const double *x, const double *p,
     return status;
 }
 
-static int value_of_place(double t, size_t d, const double *x, const double *p,
-                          void *params, double *z)
+static int event_value(double t, size_t d, const double *x, const double *p,
+                       void *params, double *z)
 {
     (void)p;
     return fvi_text_value(t, d, x, &((typed_event *)params)->z, z);
 }
 
-static int gradient_of_place(double t, size_t d, const double *x, void *params,
-                             double *normal, double *rate)
+static int event_gradient(double t, size_t d, const double *x, void *params,
+                          double *normal, double *rate)
 {
     return fvi_text_slopes(t, d, x, &((typed_event *)params)->z, normal, rate);
 }
 
-static int hessian_of_place(double t, size_t d, const double *x, double factor, void *params,
-                            double *H)
+static int event_hessian(double t, size_t d, const double *x, double factor, void *params,
+                         double *H)
 {
     return fvi_text_hessian(t, d, x, factor, &((typed_event *)params)->z, H);
 }
@@ -175,9 +175,9 @@ static int parse_value(typed_event *e, fvi_event *event,
     if (fvi_largest_index(e->name) == 0)
         return fvi_refuse(error, "event", "'%s': Z of an impact without x has no normal along which a momentum could "
                           "jump; stop and mark need none", e->name);
-    event->value = value_of_place;
-    event->gradient = gradient_of_place;
-    event->hessian = hessian_of_place;
+    event->value = event_value;
+    event->gradient = event_gradient;
+    event->hessian = event_hessian;
     status = fvi_parse_state_expression("event", e->d, 0, e->name, parameters, &e->z.e, error);
     return status != FVI_EINVAL
                ? status

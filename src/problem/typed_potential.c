@@ -31,8 +31,8 @@ static int parse_expression(const char *text, size_t d,
 }
 
 /* Take a chain. Its number of masses must be that of the system. */
-static int take_chain(const char *text, size_t d, const double *p,
-                      fvi_typed_potential *potential, fvi_error *error)
+static int check_chain(const char *text, size_t d, const double *p,
+                       fvi_typed_potential *potential, fvi_error *error)
 {
     if (!(p[0] >= 1 && p[0] <= 1000000 && p[0] == floor(p[0])))
         return fvi_fail(error, FVI_EINVAL, "potential", p[0], "a chain has 1 to 1000000 masses, not '%s'", text);
@@ -65,7 +65,7 @@ int fvi_parse_potential(const char *text, size_t d,
         if (!fvi_scan_call(text, words[i], counts[i], p))
             return fvi_refuse(error, "potential", "'%s' is not %s", text, fvi_potential_formulas[i].form);
         if (new.kind == FVI_POTENTIAL_CHAIN)
-            status = take_chain(text, d, p, &new, error);
+            status = check_chain(text, d, p, &new, error);
         else
             memcpy(new.constants, p, sizeof new.constants);
     } /* harmonic without a number has c = 1 */

@@ -95,7 +95,7 @@ static int list_value(fvi_typed_problem *p, size_t i, const char *value,
 }
 
 /* Take a piece "NAME=VALUE". */
-static int take_piece(fvi_typed_problem *p, char *piece, fvi_error *error)
+static int parse_piece(fvi_typed_problem *p, char *piece, fvi_error *error)
 {
     char *equals = strchr(piece, '='), place[64];
     const char *words[NAMES + 1] = { NULL };
@@ -151,7 +151,7 @@ static int check_pieces(fvi_typed_problem *p, fvi_error *error)
     return FVI_SUCCESS;
 }
 
-static int take_pieces(fvi_typed_problem *p, fvi_error *error)
+static int parse_pieces(fvi_typed_problem *p, fvi_error *error)
 {
     int status = FVI_SUCCESS;
     for (char *at = p->copy, *next = at; next && !status; at = next) {
@@ -159,7 +159,7 @@ static int take_pieces(fvi_typed_problem *p, fvi_error *error)
             *next++ = '\0';
         at = trim(at);
         if (*at)
-            status = take_piece(p, at, error);
+            status = parse_piece(p, at, error);
     }
     return status ? status : check_pieces(p, error);
 }
@@ -301,7 +301,7 @@ static int parse_force(fvi_typed_problem *p, fvi_error *error)
 static int parse_all(fvi_typed_problem *p, fvi_error *error)
 {
     size_t past = 0;
-    int status = take_pieces(p, error);
+    int status = parse_pieces(p, error);
     if (!status)
         status = parse_potential(p, error);
     if (!status)

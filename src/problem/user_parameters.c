@@ -32,8 +32,8 @@ static int refuse_misprint(const char *field, const char *text,
 }
 
 /* Note which parameters are used by an expression that has been parsed. */
-static void note_use(fvi_user_parameters *parameters, const char *text,
-                     unsigned char by)
+static void mark_used_parameters(fvi_user_parameters *parameters, const char *text,
+                                 unsigned char by)
 {
     static const char inside[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789."
                                  "abcdefghijklmnopqrstuvwxyz";
@@ -63,7 +63,7 @@ static int parse(const char *field, const fvi_name_finder *finder, const char *v
                        : velocities == NO_STATE ? fvi_expression_parse(text, &names, known->value, e, &wrong)
                        : fvi_expression_parse_state(text, &names, velocities, known->value, e, &wrong);
     if (!status && parameters)
-        note_use(parameters, text, by);
+        mark_used_parameters(parameters, text, by);
     return status == FVI_EINVAL ? refuse_misprint(field, text, wrong, error)
            : status ? fvi_fail(error, status, field, NAN, "not enough memory")
                     : FVI_SUCCESS;

@@ -17,7 +17,7 @@
 
 /* Return the function of a library. RTLD_GLOBAL is needed because cholmod_factors.c looks for the functions of OpenMP
  * that CHOLMOD loads. */
-static void *find(const char *library, const char *name)
+static void *find_function(const char *library, const char *name)
 {
     void *const opened = dlopen(library, RTLD_LAZY | RTLD_GLOBAL),
                *const found = opened ? dlsym(opened, name) : NULL;
@@ -36,7 +36,7 @@ static void *find(const char *library, const char *name)
         static void *_Atomic kept;                                             \
         void *now = kept;                                                      \
         if (!now)                                                              \
-            kept = now = find(library, #name);                                 \
+            kept = now = find_function(library, #name);                                 \
         type(*function) takes;                                                 \
         *(void **)&function = now;                                             \
         call;                                                                  \

@@ -15,7 +15,7 @@ static int report_progress(size_t rows, size_t all, void *tell);
 /* The last error's reason and code, of this thread: for the text of the exception. */
 static _Thread_local const char *reason;
 static _Thread_local int reason_of;
-static void note(const char *text, const char *file, int line, int code)
+static void store_reason(const char *text, const char *file, int line, int code)
 {
     (void)file, (void)line;
     reason = text;
@@ -26,7 +26,7 @@ static unsigned long main_thread;
 static int stopped; /* what Python said; it stands until the call has returned */
 /* Of another thread: its runs end as soon as *flag is not zero; NULL: no such flag. */
 static _Thread_local const volatile int *flag_of_thread;
-static void obey(const int *flag)
+static void set_stop_flag(const int *flag)
 {
     flag_of_thread = flag;
 }
@@ -198,7 +198,7 @@ typedef struct {
     size_t at, size;
     int is_loaded;
 } stepper_bytes;
-static int pass_piece(fvi_archive *archive, void *data, size_t bytes, int constant)
+static int copy_piece(fvi_archive *archive, void *data, size_t bytes, int constant)
 {
     stepper_bytes *b = (stepper_bytes *)archive;
     unsigned char *here = b->bytes + b->at;
@@ -214,20 +214,20 @@ static int pass_piece(fvi_archive *archive, void *data, size_t bytes, int consta
 }
 static int save_stepper(fvi_stepper *s, unsigned char *to, size_t room, size_t *size)
 {
-    stepper_bytes b = { .archive = { pass_piece }, .bytes = to, .size = room };
+    stepper_bytes b = { .archive = { copy_piece }, .bytes = to, .size = room };
     const int status = fvi_stepper_archive(s, &b.archive);
     *size = b.at;
     return status;
 }
 static int load_stepper(fvi_stepper *s, const unsigned char *from, size_t size)
 {
-    stepper_bytes b = { .archive = { pass_piece }, .bytes = (unsigned char *)from, .size = size, .is_loaded = 1 };
+    stepper_bytes b = { .archive = { copy_piece }, .bytes = (unsigned char *)from, .size = size, .is_loaded = 1 };
     const int status = fvi_stepper_archive(s, &b.archive);
     return status ? status : b.at == size ? 0 : FVI_EINVAL;
 }
 /* x at increasing times: at the ends of steps, but for roundings, as they are, and by their stages between them; and p, if
  * it is not NULL, likewise. */
-static int places_within(fvi_stepper *s, size_t count, const double *t, double *x, double *p)
+static int positions_within(fvi_stepper *s, size_t count, const double *t, double *x, double *p)
 {
     const size_t d = s->run.system->d;
     int status = 0;
@@ -273,10 +273,10 @@ static int velocities(const fvi_system *system, size_t rows, const double *p, do
         status = fvi_velocity(system, p + k * system->d, v + k * system->d);
     return status;
 }
-static void listen(unsigned long thread)
+static void set_main_thread(unsigned long thread)
 {
     main_thread = thread;
-    fvi_set_error_handler(note);
+    fvi_set_error_handler(store_reason);
     fvi_set_interrupter(ask_python);
 }
 /* Before a call of the library. */
@@ -309,7 +309,7 @@ static int warn_along_rows(fvi_watch *watch, const fvi_method *method, const fvi
     return warned;
 }
 /* The reason of this code, or NULL; no reason is given twice, or for another code. */
-static const char *why(int code)
+static const char *reason_of_code(int code)
 {
     const char *text = reason_of == code ? reason : NULL;
     reason = NULL;

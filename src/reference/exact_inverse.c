@@ -62,7 +62,7 @@ static void prepare_root(fvi_inverse *S, const fvi_pole *root)
 }
 
 /* Return Q(iw). Near a zero s the factor iw - s is computed separately, without cancellation. */
-static double complex at_frequency(const fvi_inverse *S)
+static double complex symbol_at_frequency(const fvi_inverse *S)
 {
     const fvi_linear_oscillator *p = &S->p;
     const double complex i_w = I * p->w;
@@ -123,7 +123,7 @@ int fvi_inverse_prepare(const fvi_linear_oscillator *problem, fvi_inverse *S,
     if (p->forcing == FVI_FORCING_COSINE && p->w > 0)
         S->pole[S->poles++] =
             (fvi_residue){ .s = I * p->w,
-                           .force = p->A / (2 * at_frequency(S)) };
+                           .force = p->A / (2 * symbol_at_frequency(S)) };
     int whole = !p->law
                 && (p->rho == 0 || S->beta == 1 || S->beta == 2
                     || (S->beta == 0 && !S->keeps_x0));
@@ -149,8 +149,8 @@ const fvi_contour *fvi_inverse_contour(fvi_inverse *S, size_t place)
 //> place
 /* (11.11): return the contour in the lowest interval without a pole. k poles leave at least one of k + 1 intervals
  * free. passed[i] becomes nonzero if pole i lies on the right of the contour. */
-static const fvi_contour *choose(fvi_inverse *S, double t,
-                                 int passed[FVI_POLES])
+static const fvi_contour *choose_contour(fvi_inverse *S, double t,
+                                         int passed[FVI_POLES])
 {
     size_t places = S->poles + 1, in[FVI_POLES], free = 0;
     for (size_t i = 0; i < S->poles; i++) {
@@ -169,8 +169,8 @@ static const fvi_contour *choose(fvi_inverse *S, double t,
 //< place
 
 /* Return e^{st}, or for a force that has ended the difference e^{st} - e^{s(t - T)}. */
-static double complex grows(const fvi_residue *a, const fvi_exact_source *at,
-                            double lasts)
+static double complex growth_factor(const fvi_residue *a, const fvi_exact_source *at,
+                                    double lasts)
 {
     double complex e = fvi_pole_exp(a->s, a->low, at->t, 0);
     if (lasts > 0 && cabs(a->s) * lasts < 1)
@@ -187,9 +187,9 @@ double complex fvi_inverse_residue(const fvi_residue *a, const fvi_exact_source 
 {
     double complex r = 0;
     if (a->start != 0)
-        r = at->start * a->start * grows(a, at, 0);
+        r = at->start * a->start * growth_factor(a, at, 0);
     if (with_force && a->force != 0)
-        r += at->sign * a->force * grows(a, at, at->lasts);
+        r += at->sign * a->force * growth_factor(a, at, at->lasts);
     return r;
 }
 
@@ -273,7 +273,7 @@ static void add_integral(const fvi_inverse *S, const fvi_contour *k,
 void fvi_inverse_add(fvi_inverse *S, const fvi_exact_source *at, double *x, double *v)
 {
     int passed[FVI_POLES], all = 1;
-    const fvi_contour *k = choose(S, at->t, passed);
+    const fvi_contour *k = choose_contour(S, at->t, passed);
     size_t near = S->poles; /* the zero with which a cosine is in resonance */
     for (size_t i = 0; i < S->poles; i++)
         all = all && passed[i];

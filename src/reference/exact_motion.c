@@ -15,8 +15,8 @@
 /* ---- what stands on the right ---- */
 
 /* Compute b(s): Z (X - x_0/s) = p_0 - K x_0/s + F. */
-static void right_hand_side(const fvi_exact_motion *o, source_kind which,
-                            double complex s, double complex *b)
+static void evaluate_right_hand_side(const fvi_exact_motion *o, source_kind which,
+                                     double complex s, double complex *b)
 {
     const double complex cosine = o->forcing == FVI_FORCING_COSINE && o->w != 0
                                       ? o->A * s / (s * s + o->w * o->w)
@@ -41,7 +41,7 @@ static void set_residue(fvi_exact_motion *o, source_kind which, size_t k)
     const double complex *v = (const double complex *)o->poles.shape + k * o->d;
     double complex product = 0;
     y->pole[k] = o->poles.pole[2 * k] + I * o->poles.pole[2 * k + 1];
-    right_hand_side(o, which, y->pole[k], o->room);
+    evaluate_right_hand_side(o, which, y->pole[k], o->room);
     for (size_t i = 0; i < o->d; i++)
         product += v[i] * o->room[i];
     for (size_t i = 0; i < o->d; i++)
@@ -87,7 +87,7 @@ static double window_of(double t)
 }
 
 /* Compute Y at the nodes of the parabola of t. */
-static int move_to(fvi_exact_motion *o, source_kind which, double t, fvi_error *error)
+static int solve_at_nodes(fvi_exact_motion *o, source_kind which, double t, fvi_error *error)
 {
     source *y = o->source + which;
     const double from = window_of(t);
@@ -98,7 +98,7 @@ static int move_to(fvi_exact_motion *o, source_kind which, double t, fvi_error *
     y->from = 0;
     for (size_t j = 0; !status && j < FVI_PARABOLA_NODES; j++) {
         double complex *at = y->at + j * o->d;
-        right_hand_side(o, which, o->rule.s[j], at);
+        evaluate_right_hand_side(o, which, o->rule.s[j], at);
         status = solve(o, o->rule.s[j], at, error);
         for (size_t i = 0; i < o->d; i++)
             at[i] *= o->rule.weight[j];
@@ -109,8 +109,8 @@ static int move_to(fvi_exact_motion *o, source_kind which, double t, fvi_error *
 }
 
 /* Add a node or a pole s: x += Re(factor a), and v += Re(factor s a). */
-static void add(const fvi_exact_motion *o, const double complex *a, double complex s,
-                double complex factor, const fvi_exact_sums *sums)
+static void add_residue(const fvi_exact_motion *o, const double complex *a, double complex s,
+                        double complex factor, const fvi_exact_sums *sums)
 {
     const double complex slope = factor * s;
     for (size_t i = 0; i < o->d; i++) {
@@ -128,16 +128,16 @@ static int add_source(fvi_exact_motion *o, source_kind which, double sign, doubl
                       const fvi_exact_sums *sums, fvi_error *error)
 {
     const source *y = o->source + which;
-    const int status = move_to(o, which, t, error);
+    const int status = solve_at_nodes(o, which, t, error);
     if (status)
         return status;
     for (size_t j = 0; j < FVI_PARABOLA_NODES; j++)
-        add(o, y->at + j * o->d, o->rule.s[j], sign * cexp(o->rule.s[j] * t), sums);
+        add_residue(o, y->at + j * o->d, o->rule.s[j], sign * cexp(o->rule.s[j] * t), sums);
     for (size_t k = 0; k < y->count; k++) {
         const double complex s = y->pole[k],
                              part = fvi_parabola_left_out(&o->rule, s, NULL);
         if (part != 0)
-            add(o, y->residue + k * o->d, s, 2 * sign * part * cexp(s * t), sums);
+            add_residue(o, y->residue + k * o->d, s, 2 * sign * part * cexp(s * t), sums);
     }
     return status;
 }

@@ -15,7 +15,7 @@
 
 /* Find out whether an elongation is linear: its gradient must be the same at two places and two times. The numbers have
  * no simple ratio, so that a coincidence is unlikely. x has room for 3 d numbers, for itself and both gradients. */
-static int ask_twice(const fvi_elongation *of, size_t d, double *x, int *is_linear)
+static int check_gradient_is_constant(const fvi_elongation *of, size_t d, double *x, int *is_linear)
 {
     double *G = x + d, *other = G + d, rate = 0;
     for (size_t i = 0; i < d; i++)
@@ -37,7 +37,7 @@ static int is_linear(const fvi_damper *damper, size_t d, int *answer)
     if (damper->matrix || damper->of.row)
         return FVI_SUCCESS;
     double *room = malloc(3 * d * sizeof *room);
-    const int status = room ? ask_twice(&damper->of, d, room, answer) : FVI_ENOMEM;
+    const int status = room ? check_gradient_is_constant(&damper->of, d, room, answer) : FVI_ENOMEM;
     free(room);
     return status;
 }

@@ -11,13 +11,13 @@
 
 enum { FIRST = 2 /* M and K come before the dampings of a response */ };
 
-static size_t dampings(const fvi_exact_motion *o)
+static size_t count_dampings(const fvi_exact_motion *o)
 {
     return o->response->terms - FIRST;
 }
 
 /* The dampers of a mechanism are the last of the dampings. */
-static size_t dampers(const fvi_exact_motion *o)
+static size_t count_dampers(const fvi_exact_motion *o)
 {
     const fvi_mechanism *m = o->system.mechanism;
     return m ? m->damper_count : 1;
@@ -32,7 +32,7 @@ static int is_along(const fvi_exact_motion *o, size_t j)
 size_t fvi_exact_motion_forces(const fvi_exact_motion *o)
 {
     size_t count = 0;
-    for (size_t j = 0; o && j < dampers(o); j++)
+    for (size_t j = 0; o && j < count_dampers(o); j++)
         count += is_along(o, j) ? 1 : o->d;
     return count;
 }
@@ -43,7 +43,7 @@ void fvi_exact_motion_add_dampers(const fvi_exact_motion *o, const double comple
                                   const fvi_exact_sums *sums)
 {
     const size_t d = o->d;
-    for (size_t l = 0; l < dampings(o); l++) {
+    for (size_t l = 0; l < count_dampings(o); l++) {
         const fvi_stiffness_term *t = &o->response->term[FIRST + l];
         const double complex force = factor * fvi_kernel_at(t->kernel, s, NULL), impulse = force / s;
         for (size_t i = 0; i < d; i++) { /* column i is row i */
@@ -87,13 +87,13 @@ static int find_gradients(fvi_exact_motion *o)
     return status;
 }
 
-static int prepare(fvi_exact_motion *o)
+static int prepare_forces(fvi_exact_motion *o)
 {
     const fvi_matrices *matrices = o->system.matrices;
     if (o->sum)
         return FVI_SUCCESS;
-    o->gradient = calloc(dampers(o) * o->d, sizeof *o->gradient);
-    o->sum = calloc((2 * dampings(o) + 1) * o->d, sizeof *o->sum);
+    o->gradient = calloc(count_dampers(o) * o->d, sizeof *o->gradient);
+    o->sum = calloc((2 * count_dampings(o) + 1) * o->d, sizeof *o->sum);
     int status = o->gradient && o->sum ? find_gradients(o) : FVI_ENOMEM;
     if (!status && matrices)
         status = matrices->factorise(o->d, 1, 0, 0, matrices->params, &o->inertia);
@@ -104,7 +104,7 @@ static int prepare(fvi_exact_motion *o)
 
 /* ---- at a time ---- */
 
-static double applied(const fvi_exact_motion *o, double t)
+static double force_at(const fvi_exact_motion *o, double t)
 {
     return o->forcing == FVI_FORCING_STEP     ? (t <= o->T ? o->A : 0)
            : o->forcing == FVI_FORCING_COSINE ? o->A * cos(o->w * t)
@@ -114,7 +114,7 @@ static double applied(const fvi_exact_motion *o, double t)
 /* Return nonzero if the damping acts as a mass: rho s^2 alone, on each coordinate. */
 static int is_mass(const fvi_exact_motion *o)
 {
-    if (dampings(o) != 1 || o->system.matrices)
+    if (count_dampings(o) != 1 || o->system.matrices)
         return 0;
     const fvi_stiffness_term *t = &o->response->term[FIRST];
     int is_diagonal = fvi_kernel_is_power(t->kernel) && t->kernel->term->alpha == 1;
@@ -132,7 +132,7 @@ static void find_force_of_mass(fvi_exact_motion *o, double *force)
         double R = 0;
         for (int e = t->matrix->start[i]; e < t->matrix->start[i + 1]; e++)
             R += t->kernel->term->rho * t->matrix->entry[e];
-        force[i] = R * (applied(o, 0) - o->spring_force[i]) / (o->system.mass[i] + R);
+        force[i] = R * (force_at(o, 0) - o->spring_force[i]) / (o->system.mass[i] + R);
     }
 }
 
@@ -141,15 +141,15 @@ static void find_force_of_mass(fvi_exact_motion *o, double *force)
  * takes the place of an infinite force. */
 static int find_limits(fvi_exact_motion *o, double first, fvi_error *error)
 {
-    const size_t d = o->d, all = dampings(o) * d;
+    const size_t d = o->d, all = count_dampings(o) * d;
     double *force = o->sum, *impulse = force + all;
     const fvi_exact_sums sums = { .force = force, .impulse = impulse };
     int status = FVI_SUCCESS, is_infinite = 0;
-    for (size_t l = 0; l < dampings(o); l++)
+    for (size_t l = 0; l < count_dampings(o); l++)
         is_infinite |= fvi_kernel_growth(o->response->term[FIRST + l].kernel) > 1;
     if (is_infinite)
         status = fvi_exact_motion_sum(o, first, &sums, error);
-    for (size_t l = 0; l < dampings(o); l++) {
+    for (size_t l = 0; l < count_dampings(o); l++) {
         const fvi_stiffness_term *t = &o->response->term[FIRST + l];
         const double growth = fvi_kernel_growth(t->kernel),
                      dashpot = growth == 1 ? fvi_kernel_dashpot(t->kernel) : 0;
@@ -172,12 +172,12 @@ static int find_acceleration(fvi_exact_motion *o, double t, const double *x, dou
 {
     const size_t d = o->d;
     const fvi_sparse *K = o->response->term[1].matrix;
-    const double F = applied(o, t);
+    const double F = force_at(o, t);
     for (size_t i = 0; i < d; i++) {
         a[i] = F - o->spring_force[i];
         for (int e = K->start[i]; e < K->start[i + 1]; e++)
             a[i] -= K->entry[e] * (x[K->row[e]] - o->x0[K->row[e]]);
-        for (size_t l = 0; l < dampings(o); l++)
+        for (size_t l = 0; l < count_dampings(o); l++)
             a[i] -= o->sum[l * d + i];
         if (!o->system.matrices)
             a[i] /= o->system.mass[i];
@@ -187,10 +187,10 @@ static int find_acceleration(fvi_exact_motion *o, double t, const double *x, dou
 
 /* Write the forces of all dampers, one damper after another. Along an elongation the force is f = lambda g, and lambda
  * is written. */
-static void tell(const fvi_exact_motion *o, const double *sum, double *told)
+static void write_damper_forces(const fvi_exact_motion *o, const double *sum, double *told)
 {
-    const size_t d = o->d, before = dampings(o) - (o->system.mechanism ? dampers(o) : 0);
-    for (size_t j = 0; j < dampers(o); j++) {
+    const size_t d = o->d, before = count_dampings(o) - (o->system.mechanism ? count_dampers(o) : 0);
+    for (size_t j = 0; j < count_dampers(o); j++) {
         const double *f = sum + (o->system.mechanism ? before + j : 0) * d,
                      *g = o->gradient + j * d;
         double along = 0, square = 0;
@@ -201,7 +201,7 @@ static void tell(const fvi_exact_motion *o, const double *sum, double *told)
         if (is_along(o, j))
             *told++ = square > 0 ? along / square : 0;
         for (size_t i = 0; i < d && !is_along(o, j); i++)
-            *told++ = dampings(o) > 0 ? f[i] : 0;
+            *told++ = count_dampings(o) > 0 ? f[i] : 0;
     }
 }
 
@@ -214,10 +214,10 @@ int fvi_exact_motion_forces_at(fvi_exact_motion *o, double t, double first,
         return fvi_fail(error, FVI_EDOM, "t", t, "t is %g; it must be finite and not negative", t);
     if (!(isfinite(first) && first > 0))
         return fvi_fail(error, FVI_EDOM, "first", first, "first is %g; it must be finite and positive", first);
-    int status = prepare(o);
+    int status = prepare_forces(o);
     if (status)
         return fvi_fail(error, status, NULL, NAN, "%s", fvi_error_name(status));
-    const size_t all = dampings(o) * o->d, told = fvi_exact_motion_forces(o);
+    const size_t all = count_dampings(o) * o->d, told = fvi_exact_motion_forces(o);
     const fvi_exact_sums sums = { out->x, out->v, o->sum, o->sum + all };
     memset(o->sum, 0, 2 * all * sizeof *o->sum);
     status = fvi_exact_motion_sum(o, t, &sums, error);
@@ -228,9 +228,9 @@ int fvi_exact_motion_forces_at(fvi_exact_motion *o, double t, double first,
     if (status)
         return status;
     if (out->force)
-        tell(o, o->sum, out->force);
+        write_damper_forces(o, o->sum, out->force);
     if (out->impulse)
-        tell(o, o->sum + all, out->impulse);
+        write_damper_forces(o, o->sum + all, out->impulse);
     return fvi_all_finite(o->d, out->x) && fvi_all_finite(o->d, out->v)
                    && (!out->a || fvi_all_finite(o->d, out->a))
                    && (!out->force || fvi_all_finite(told, out->force))

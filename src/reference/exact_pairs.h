@@ -37,12 +37,12 @@ static inline pair reciprocal(pair a)
     return (pair){ a.re / size, -a.im / size };
 }
 
-static inline pair at(const fvi_parts *a, size_t i)
+static inline pair pair_at(const fvi_parts *a, size_t i)
 {
     return (pair){ a->re[i], a->im[i] };
 }
 
-static inline void put(const fvi_parts *a, size_t i, pair z)
+static inline void store_pair(const fvi_parts *a, size_t i, pair z)
 {
     a->re[i] = z.re;
     a->im[i] = z.im;

@@ -93,8 +93,8 @@ static void add_residues(rows *r, size_t pole, double complex at, double t,
 
 /* Add the residues at one row where a cosine is in resonance with a zero of Q. Return the number of that zero, or
  * S->poles if there is none. */
-static size_t resonant(const rows *r, const fvi_window *w, double t, double *x,
-                       double *v)
+static size_t find_resonance(const rows *r, const fvi_window *w, double t, double *x,
+                             double *v)
 {
     const fvi_inverse *S = r->S;
     for (size_t i = 0; i < S->roots && S->poles > S->roots; i++)
@@ -117,7 +117,7 @@ static void add_all_residues(rows *r, const fvi_window *w, fvi_exact_source sour
     for (size_t k = of.a, count; k <= of.b && !fvi_interrupted(); k += count) {
         double x = 0, v = 0;
         source.t = time_of(r, k, of.since);
-        const size_t near = resonant(r, w, source.t, &x, &v);
+        const size_t near = find_resonance(r, w, source.t, &x, &v);
         count = near < S->poles ? 1 : GSL_MIN(of.b - k + 1, FVI_BLOCK);
         carried = r->careful ? 0 : carried % 8;
         if (r->x)
@@ -152,7 +152,7 @@ static void add_integral_rows(const rows *r, fvi_window *w, fvi_exact_source sou
 
 /* Return the last row of the window that begins with row a. By (11.15) the range (first, last) is cut into as few equal
  * ratios as LONGEST allows. */
-static size_t last_of_window(const rows *r, range of)
+static size_t window_end(const rows *r, range of)
 {
     const double first = time_of(r, of.a, of.since),
                  all = time_of(r, of.b, of.since) / first,
@@ -248,7 +248,7 @@ static int add_rows(rows *r, const fvi_exact_source *source, range of)
 {
     int status = FVI_SUCCESS;
     while (of.a <= of.b && !status) {
-        range window = { of.a, last_of_window(r, of), of.since };
+        range window = { of.a, window_end(r, of), of.since };
         status = add_window(r, source, &window);
         if (!status)
             status = fvi_interrupted();
@@ -258,7 +258,7 @@ static int add_rows(rows *r, const fvi_exact_source *source, range of)
 }
 
 /* Set the rows from k on to NaN. Return `status` with its error. */
-static int lose(const rows *r, size_t k, size_t n, int status)
+static int fill_with_nan(const rows *r, size_t k, size_t n, int status)
 {
     for (; k <= n; k++) {
         if (r->x)
@@ -282,7 +282,7 @@ static int one_by_one(const rows *r, size_t n)
         if (end)
             return end;
         if (fvi_exact_phase_is_lost(r->S, t))
-            return lose(r, k, n, FVI_ELOSS);
+            return fill_with_nan(r, k, n, FVI_ELOSS);
         fvi_exact_evaluate(r->S, t, &x, &v);
         if (r->x)
             r->x[k] = x;
@@ -359,6 +359,6 @@ int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n,
                             : one_by_one(&r, n);
     for (size_t k = 0; k <= n && !status; k++)
         if ((x && !isfinite(x[k])) || (v && !isfinite(v[k])))
-            status = lose(&r, k, n, FVI_EOVRFLW);
+            status = fill_with_nan(&r, k, n, FVI_EOVRFLW);
     return status;
 }

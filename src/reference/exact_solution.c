@@ -75,9 +75,9 @@ static int check_times(size_t n, const double *t, const double *x,
 }
 
 /* Check the problem and the times, and prepare the problem. */
-static int prepare(const fvi_linear_oscillator *problem, size_t n, const double *t,
-                   const double *x, const double *v, fvi_inverse *S,
-                   fvi_error *error)
+static int prepare_problem(const fvi_linear_oscillator *problem, size_t n, const double *t,
+                           const double *x, const double *v, fvi_inverse *S,
+                           fvi_error *error)
 {
     int status = fvi_exact_check(problem, error);
     if (!status)
@@ -95,8 +95,8 @@ int fvi_exact_phase_is_lost(const fvi_inverse *S, double t)
     return lost;
 }
 
-static int put(size_t i, double xi, double vi, double *x, double *v,
-               fvi_error *error)
+static int write_solution(size_t i, double xi, double vi, double *x, double *v,
+                          fvi_error *error)
 {
     if (!gsl_finite(xi) || !gsl_finite(vi))
         return fvi_fail(error, FVI_EOVRFLW, NULL, NAN, "a value is not finite");
@@ -137,7 +137,7 @@ int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t
                  double *v, fvi_error *error)
 {
     fvi_inverse S;
-    int status = prepare(problem, n, t, x, v, &S, error);
+    int status = prepare_problem(problem, n, t, x, v, &S, error);
     if (status)
         return status;
     for (size_t i = 0; i < n && !status; i++) {
@@ -148,7 +148,7 @@ int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t
         if (fvi_exact_phase_is_lost(&S, t[i]))
             return fvi_fail(error, FVI_ELOSS, "t", t[i], "the phase of the oscillation is lost");
         fvi_exact_evaluate(&S, t[i], &xi, &vi);
-        status = put(i, xi, vi, x, v, error);
+        status = write_solution(i, xi, vi, x, v, error);
     }
     return status;
 }
@@ -157,7 +157,7 @@ int fvi_exact_oscillation(const fvi_linear_oscillator *problem, size_t n, const 
                           double *x, double *v, fvi_error *error)
 {
     fvi_inverse S;
-    int status = prepare(problem, n, t, x, v, &S, error);
+    int status = prepare_problem(problem, n, t, x, v, &S, error);
     if (status)
         return status;
     if (S.roots == 0)
@@ -172,7 +172,7 @@ int fvi_exact_oscillation(const fvi_linear_oscillator *problem, size_t n, const 
             at.sign = problem->T > 0;
         }
         fvi_inverse_oscillation(&S, &at, &xi, &vi);
-        status = put(i, xi, vi, x, v, error);
+        status = write_solution(i, xi, vi, x, v, error);
     }
     return status;
 }

@@ -60,8 +60,8 @@ static inline double of_bits(uint64_t bits)
 }
 
 /* Return a if d is negative, else b, without a branch. */
-static inline __attribute__((always_inline)) double either(double d, double a,
-                                                           double b)
+static inline __attribute__((always_inline)) double select_by_sign(double d, double a,
+                                                                   double b)
 {
     const uint64_t yes = 0 - (bits_of(d) >> 63);
     return of_bits((bits_of(a) & yes) | (bits_of(b) & ~yes));
@@ -81,7 +81,7 @@ series(double y, const double *c, int first, int step, int last)
 
 /* x = k ln 2 + rest with |rest| <= ln 2 / 2. *power becomes 2^k. */
 static inline __attribute__((always_inline)) double
-without_powers_of_2(double x, double *power)
+reduce_by_ln_2(double x, double *power)
 {
     const double twos = x * (1 / 0x1.62e42fefa39efp-1) + ROUND,
                  k = twos - ROUND;
@@ -90,8 +90,8 @@ without_powers_of_2(double x, double *power)
 }
 
 /* y = l pi + rest with |rest| <= pi / 2. *sign becomes (-1)^l. */
-static inline __attribute__((always_inline)) double without_halves(double y,
-                                                                   double *sign)
+static inline __attribute__((always_inline)) double reduce_by_pi(double y,
+                                                                 double *sign)
 {
     const double halves = y * (1 / 0x1.921fb54442d18p+1) + ROUND,
                  l = halves - ROUND;
@@ -105,8 +105,8 @@ FVI_VECTORS static void exponentials(size_t n, double *restrict re,
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
         double power, sign;
-        const double x = without_powers_of_2(re[i], &power),
-                     y = without_halves(im[i], &sign),
+        const double x = reduce_by_ln_2(re[i], &power),
+                     y = reduce_by_pi(im[i], &sign),
                      size = sign * power * series(x, FACTORIAL, 0, 1, 13);
         re[i] = size * series(-y * y, FACTORIAL, 0, 2, 20);
         im[i] = size * (y * series(-y * y, FACTORIAL, 1, 2, 21));
@@ -120,8 +120,8 @@ FVI_VECTORS static void exponentials_less_1(size_t n, double *restrict re,
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
         double power, sign;
-        const double x = without_powers_of_2(re[i], &power),
-                     y = without_halves(im[i], &sign),
+        const double x = reduce_by_ln_2(re[i], &power),
+                     y = reduce_by_pi(im[i], &sign),
                      m = power * (x * series(x, FACTORIAL, 1, 1, 13))
                          + (power - 1),
                      c = sign * (-y * y * series(-y * y, FACTORIAL, 2, 2, 20))
@@ -146,16 +146,16 @@ FVI_VECTORS static void logarithms(size_t n, double *restrict re,
                      f = of_bits((up & 0xfffffffffffff) + bits_of(M_SQRT1_2)),
                      s = (f - 1) / (f + 1);
         const double width = fabs(x), steep = width - y,
-                     least = either(steep, width, y),
-                     most = either(steep, y, width),
+                     least = select_by_sign(steep, width, y),
+                     most = select_by_sign(steep, y, width),
                      t = (least - eighth * most) / (most + eighth * least),
                      y1 = -t * t, y2 = y1 * y1, y5 = y2 * y2 * y1,
                      tail = y5 * y5 * series(y1, ODD, 10, 1, 20),
                      low = M_PI / 8 + t * (series(y1, ODD, 0, 1, 9) + tail),
-                     right = either(steep, M_PI_2 - low, low);
+                     right = select_by_sign(steep, M_PI_2 - low, low);
         re[i] = k * (LN2[0] / 2)
                 + (s * series(s * s, ODD, 0, 1, 11) + k * (LN2[1] / 2));
-        im[i] = either(x, M_PI - right, right);
+        im[i] = select_by_sign(x, M_PI - right, right);
     }
 }
 

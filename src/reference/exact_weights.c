@@ -11,12 +11,12 @@ FVI_VECTORS static void divide_by_Q(const fvi_window *w)
     const double C = w->C, R = w->R, by = 1 / GSL_MAX_DBL(1, GSL_MAX_DBL(C, R));
 #pragma omp simd
     for (size_t i = 0; i < w->count; i++) {
-        const pair z = at(&w->z, i), zz = product(z, z),
-                   D = scaled(R, at(&w->power, i)),
+        const pair z = pair_at(&w->z, i), zz = product(z, z),
+                   D = scaled(R, pair_at(&w->power, i)),
                    Q = { zz.re + C + D.re, zz.im + D.im },
-                   q = product(at(&w->weight, i), reciprocal(scaled(by, Q)));
-        put(&w->power, i, D);
-        put(&w->weight, i, scaled(by, q));
+                   q = product(pair_at(&w->weight, i), reciprocal(scaled(by, Q)));
+        store_pair(&w->power, i, D);
+        store_pair(&w->weight, i, scaled(by, q));
     }
 }
 
@@ -26,11 +26,11 @@ FVI_VECTORS static void transform(const fvi_window *w, double F, int cosine,
 {
 #pragma omp simd
     for (size_t i = 0; i < w->count; i++) {
-        const pair z = at(&w->z, i), zz = product(z, z),
+        const pair z = pair_at(&w->z, i), zz = product(z, z),
                    of_cosine = { zz.re + wt * wt, zz.im };
-        put(f, i,
-            scaled(F,
-                   cosine ? product(z, reciprocal(of_cosine)) : reciprocal(z)));
+        store_pair(f, i,
+                   scaled(F,
+                          cosine ? product(z, reciprocal(of_cosine)) : reciprocal(z)));
     }
 }
 
@@ -39,7 +39,7 @@ FVI_VECTORS static void multiply(size_t n, const fvi_parts *by,
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        put(f, i, product(at(by, i), at(f, i)));
+        store_pair(f, i, product(pair_at(by, i), pair_at(f, i)));
 }
 
 /* Compute x and v, as add_integral of exact_inverse.c does, but without e^z. */
@@ -50,15 +50,15 @@ FVI_VECTORS static void weigh_nodes(const fvi_window *w, double x0, double v0,
                  by_t = 1 / w->unit;
 #pragma omp simd
     for (size_t i = 0; i < w->count; i++) {
-        const pair z = at(&w->z, i), D = at(&w->power, i), by_z = reciprocal(z),
-                   q = at(&w->weight, i), F = at(f, i), Dz = product(D, by_z),
+        const pair z = pair_at(&w->z, i), D = pair_at(&w->power, i), by_z = reciprocal(z),
+                   q = pair_at(&w->weight, i), F = pair_at(f, i), Dz = product(D, by_z),
                    pushed = sum(z, scaled(k1, Dz)),
                    x = sum(scaled(x0, sum(z, scaled(k0, Dz))),
                            scaled(v0, product(pushed, by_z))),
                    held = { C + (1 - k0) * D.re, (1 - k0) * D.im },
                    v = sum(scaled(v0, pushed), scaled(-x0, held));
-        put(&w->x, i, product(q, sum(x, F)));
-        put(&w->v, i, scaled(by_t, product(q, sum(v, product(z, F)))));
+        store_pair(&w->x, i, product(q, sum(x, F)));
+        store_pair(&w->v, i, scaled(by_t, product(q, sum(v, product(z, F)))));
     }
 }
 

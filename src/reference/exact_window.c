@@ -30,7 +30,7 @@ static double hyperbola_through(double complex z)
 
 /* Return the middle of the widest part of (0, PHI) without a pole, and half its width in *room. k poles leave a part of
  * at least PHI / (k + 1). */
-static double between_poles(fvi_window *w, double *room)
+static double find_gap_between_poles(fvi_window *w, double *room)
 {
     const size_t poles = w->S->poles;
     double phi[FVI_POLES], edge[FVI_POLES + 2] = { 0 }, middle = 0;
@@ -62,7 +62,7 @@ FVI_VECTORS static void scale(size_t n, double by, const fvi_parts *a)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        put(a, i, scaled(by, at(a, i)));
+        store_pair(a, i, scaled(by, pair_at(a, i)));
 }
 
 void fvi_window_exp(const fvi_window *w, size_t n, double a, int less,
@@ -76,18 +76,18 @@ void fvi_window_exp(const fvi_window *w, size_t n, double a, int less,
     scale(here, a, to);
     (less ? fvi_vector_expm1 : fvi_vector_exp)(here, to->re, to->im);
     for (size_t i = here; i < n; i++)
-        put(to, i, (pair){ -less, 0 });
+        store_pair(to, i, (pair){ -less, 0 });
 }
 
 /* ---- the nodes ---- */
 
 /* Compute z and h / pi dz/du from e^u. */
-FVI_VECTORS static void place_nodes(size_t n, double h, double sine,
-                                    double cosine, const double *restrict eu,
-                                    double *restrict z_re,
-                                    double *restrict z_im,
-                                    double *restrict dz_re,
-                                    double *restrict dz_im)
+FVI_VECTORS static void find_nodes(size_t n, double h, double sine,
+                                   double cosine, const double *restrict eu,
+                                   double *restrict z_re,
+                                   double *restrict z_im,
+                                   double *restrict dz_re,
+                                   double *restrict dz_im)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
@@ -108,12 +108,12 @@ static void prepare_nodes(fvi_window *w, double phi, double h)
         w->scratch.im[i] = 0;
     }
     fvi_vector_exp(w->count, w->scratch.re, w->scratch.im);
-    place_nodes(w->count, h, sin(phi), cos(phi), w->scratch.re, w->z.re,
-                w->z.im, w->weight.re, w->weight.im);
+    find_nodes(w->count, h, sin(phi), cos(phi), w->scratch.re, w->z.re,
+               w->z.im, w->weight.re, w->weight.im);
     for (size_t i = 0; i < w->count && S->p.law; i++) {
         const double complex C = fvi_kernel_at(
             S->p.law, (w->z.re[i] + I * w->z.im[i]) / w->unit, &unused);
-        put(&w->power, i, (pair){ creal(C), cimag(C) });
+        store_pair(&w->power, i, (pair){ creal(C), cimag(C) });
     }
     if (S->p.law)
         return;
@@ -178,7 +178,7 @@ static int prepare_memory(fvi_window *w, fvi_error *error)
 }
 
 /* Return t^2 Q(z/t) / m for z > 0, divided by its value at z = 1. A law counts as no damping. */
-static double over_that_at_1(const fvi_inverse *S, double t, double z)
+static double relative_symbol(const fvi_inverse *S, double t, double z)
 {
     const fvi_linear_oscillator *p = &S->p;
     const double C = p->c / p->m * t * t,
@@ -189,7 +189,7 @@ static double over_that_at_1(const fvi_inverse *S, double t, double z)
 double fvi_window_growth(const fvi_inverse *S, double from, double to)
 {
     const double z = to / from;
-    return over_that_at_1(S, to, z);
+    return relative_symbol(S, to, z);
 }
 
 int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
@@ -200,13 +200,13 @@ int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
     const double wanted = -log(tolerance);
     double room;
     *w = (fvi_window){ .S = S, .unit = last, .folds = wanted + CUT };
-    const double phi = between_poles(w, &room);
+    const double phi = find_gap_between_poles(w, &room);
     if (S->closed && w->all_passed)
         return FVI_SUCCESS;
     w->C = p->c / p->m * last * last;
     w->R = p->rho / p->m * (p->law ? last * last : pow(last, 2 - S->beta));
     const double edge = MU * (1 - sin(phi + room)),
-                 excess = log(grows / over_that_at_1(S, last, edge)),
+                 excess = log(grows / relative_symbol(S, last, edge)),
                  step = 2 * M_PI * room / (wanted + EDGES + excess),
                  end = acosh((1 + last / first * w->folds / MU) / sin(phi));
     w->count = (size_t)ceil(end / step);

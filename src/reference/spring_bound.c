@@ -68,7 +68,7 @@ static double density(const spring *q, double sigma)
 }
 
 /* Return |R(z) - e^z|. Near 0 the difference would be a rounding error, so the estimate (20.17) is used there. */
-static double step_misses(const stability_function *R, double complex z)
+static double error_of_step(const stability_function *R, double complex z)
 {
     return cabs(z) < 0.25 ? R->C * pow(cabs(z), 2 * (double)R->s - 1)
                           : cabs(stability_at(R, z) - cexp(z));
@@ -78,7 +78,7 @@ static double step_misses(const stability_function *R, double complex z)
  * far. */
 static double gamma_of(const stability_function *R, double mu, double *most)
 {
-    *most = larger(*most, (1 + mu) / mu * step_misses(R, -mu));
+    *most = larger(*most, (1 + mu) / mu * error_of_step(R, -mu));
     return *most;
 }
 
@@ -89,7 +89,7 @@ typedef struct {
 
 /* Integrate by the trapezoidal rule in ln sigma, from below all rates of the spring to above them and 1/h. The pole is
  * beside the path, so a step is a sixth of its distance; and at most 1/96, because of Gamma. */
-static integrals over_rates(const spring *q, const stability_function *R, double longest)
+static integrals integrate_over_rates(const spring *q, const stability_function *R, double longest)
 {
     const double L = smaller(1. / 16, M_PI - carg(q->pole)) / 6, order = 2 * q->alpha,
                  own = log(q->c / q->m) / 2, slow = log(q->c / q->rho) / order,
@@ -124,10 +124,10 @@ static void add_bound(const spring *q, const stability_function *R, size_t n, co
         const double of_R = cabs(stability_at(R, q->pole * h[k])),
                      of_e = exp(creal(q->pole) * h[k]);
         longest = larger(longest, h[k]);
-        missed = larger(missed, step_misses(R, q->pole * h[k]) / (1 - larger(of_R, of_e)));
+        missed = larger(missed, error_of_step(R, q->pole * h[k]) / (1 - larger(of_R, of_e)));
         written = larger(written, h[k] / (1 - of_R));
     }
-    const integrals cut = over_rates(q, R, longest);
+    const integrals cut = integrate_over_rates(q, R, longest);
     const double of_pole = 2 * source(q, q->pole) / cabs(slope) * missed,
                  of_modes = 2 * KAPPA_POLE / cabs(slope) * written, size = cabs(q->pole);
     bound->x += UP * (of_pole + cut.x + q->rho * eps * (of_modes + KAPPA * cut.modes_x));

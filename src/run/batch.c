@@ -95,7 +95,7 @@ const char *fvi_batch_refusal(const fvi_method *method, size_t count, const fvi_
 
 /* ---- one run of several ---- */
 
-static void fill(fvi_batch *b, size_t count, const fvi_run *run)
+static void fill_lanes(fvi_batch *b, size_t count, const fvi_run *run)
 {
     b->lanes.count = count;
     for (size_t l = 0; l < count; l++) {
@@ -128,7 +128,7 @@ int fvi_batch_alloc(const fvi_method *method, size_t count, const fvi_run *run, 
         return fvi_fail(error, FVI_EUNSUP, "run", NAN, "the runs do not go together: %s", why);
     fvi_batch *b = calloc(1, sizeof *b);
     if (b)
-        fill(b, count, run);
+        fill_lanes(b, count, run);
     if (!b || fvi_lanes_prepare(&b->lanes)) {
         free(b);
         return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "no memory for the batch");
@@ -163,14 +163,14 @@ static wanted_rows from_run(const wanted_rows *all, size_t first, size_t lanes)
 }
 
 /* Write row r of a batch, the numbers v, to the arrays of its lanes. */
-static void scatter(const wanted_rows *w, double *const *to, const double *v, size_t r)
+static void write_lanes(const wanted_rows *w, double *const *to, const double *v, size_t r)
 {
     for (size_t l = 0; to && l < w->lanes; l++)
         if (to[l])
             to[l][r] = v[l];
 }
 
-static int take_row(fvi_stepper *s, const wanted_rows *w, size_t r)
+static int advance_to_row(fvi_stepper *s, const wanted_rows *w, size_t r)
 {
     const size_t d = s->run.system->d;
     const double t = (double)(w->row ? w->row[r] : r) * s->run.h;
@@ -180,32 +180,32 @@ static int take_row(fvi_stepper *s, const wanted_rows *w, size_t r)
                                       w->p && *w->p ? *w->p + r * d : NULL);
     const int status = fvi_stepper_advance_to(s, t, x, p);
     if (!status) {
-        scatter(w, w->x, x, r);
-        scatter(w, w->p, p, r);
+        write_lanes(w, w->x, x, r);
+        write_lanes(w, w->p, p, r);
     }
     return status;
 }
 
-static int walk(const fvi_method *method, const fvi_run *run, const wanted_rows *w)
+static int run_alone(const fvi_method *method, const fvi_run *run, const wanted_rows *w)
 {
     fvi_stepper *s;
     int status = fvi_stepper_start(method, run, &s, NULL);
     if (status)
         return status;
     for (size_t r = 0; r < w->rows && !status; r++)
-        status = take_row(s, w, r);
+        status = advance_to_row(s, w, r);
     fvi_stepper_free(s);
     return status;
 }
 
-static int walk_together(const fvi_method *method, size_t count, const fvi_run *run,
-                         const wanted_rows *w)
+static int run_lanes(const fvi_method *method, size_t count, const fvi_run *run,
+                     const wanted_rows *w)
 {
     fvi_batch *batch;
     int status = fvi_batch_alloc(method, count, run, &batch, NULL);
     if (status)
         return status;
-    status = walk(method, fvi_batch_run(batch), w);
+    status = run_alone(method, fvi_batch_run(batch), w);
     fvi_batch_free(batch);
     return status;
 }
@@ -229,10 +229,10 @@ int fvi_batch_trajectories(const fvi_method *method, size_t count, const fvi_run
     for (size_t at = 0, n; at < count; at += n) {
         n = group_of(method, count - at, run + at);
         wanted_rows w = from_run(&all, at, n);
-        const int is_done = n > 1 && !walk_together(method, n, run + at, &w);
+        const int is_done = n > 1 && !run_lanes(method, n, run + at, &w);
         for (size_t i = at; i < at + n; i++) {
             w = from_run(&all, i, 0);
-            const int own = is_done ? FVI_SUCCESS : walk(method, run + i, &w);
+            const int own = is_done ? FVI_SUCCESS : run_alone(method, run + i, &w);
             first = first ? first : own;
             if (status)
                 status[i] = own;

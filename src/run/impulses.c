@@ -36,7 +36,7 @@ int fvi_impulses_check(const fvi_force *force, size_t d, fvi_error *error)
 }
 
 /* The index of the first impulse at the time t or later, by bisection. */
-static size_t first(const fvi_force *force, double t)
+static size_t first_impulse(const fvi_force *force, double t)
 {
     size_t low = 0, high = force->impulse_count;
     while (low < high) {
@@ -52,7 +52,7 @@ static size_t first(const fvi_force *force, double t)
 //> share
 /* The share of an impulse at the time t that node k gets. h, the product k h and t may each be off by half an ulp, and
  * h may be off by as much again if it is T / N. So an impulse within four ulp of a node is at the node. */
-static double share(double t, double h, size_t k)
+static double share_of_node(double t, double h, size_t k)
 {
     double steps = t / h;
     const double nearest = round(steps);
@@ -64,10 +64,10 @@ static double share(double t, double h, size_t k)
 void fvi_impulses_add(const fvi_force *force, double h, size_t k, size_t d,
                       double *J)
 {
-    for (size_t i = first(force, ((double)k - 1) * h);
+    for (size_t i = first_impulse(force, ((double)k - 1) * h);
          i < force->impulse_count && force->impulses[i].t < (double)(k + 1) * h;
          i++) {
-        const double part = share(force->impulses[i].t, h, k);
+        const double part = share_of_node(force->impulses[i].t, h, k);
         for (size_t j = 0; j < d; j++)
             J[j] += part * force->impulses[i].J[j];
     }

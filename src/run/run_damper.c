@@ -13,12 +13,12 @@ size_t fvi_run_damper_count(const fvi_run *run)
     return mechanism ? mechanism->damper_count : 1;
 }
 
-static fvi_run_damper one_power(double rho, double alpha)
+static fvi_run_damper damper_of_power(double rho, double alpha)
 {
     return (fvi_run_damper){ .alpha = alpha, .rho = rho, .growth = 2 * alpha };
 }
 
-static fvi_run_damper of_kernel(const fvi_kernel *law)
+static fvi_run_damper damper_of_kernel(const fvi_kernel *law)
 {
     return (fvi_run_damper){ .law = law, .rho = 1, .growth = fvi_kernel_growth(law) };
 }
@@ -28,14 +28,14 @@ fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j)
     const fvi_system *system = run->system;
     const fvi_matrices *m = system->matrices;
     const int of_mechanism = system->mechanism && j < system->mechanism->damper_count;
-    fvi_run_damper damper = run->law ? of_kernel(run->law) : one_power(1, run->alpha);
+    fvi_run_damper damper = run->law ? damper_of_kernel(run->law) : damper_of_power(1, run->alpha);
     damper.past = run->past;
     if (of_mechanism) {
         const fvi_damper *of = system->mechanism->damper + j;
         const fvi_kernel_term *term = of->kernel->term;
         damper = fvi_kernel_is_power(of->kernel)
-                     ? one_power(term->rho, term->alpha)
-                     : of_kernel(of->kernel);
+                     ? damper_of_power(term->rho, term->alpha)
+                     : damper_of_kernel(of->kernel);
         damper.past = of->past;
     }
     if (m)

@@ -45,7 +45,7 @@ int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind)
 }
 
 /* Make a stepper at k = 0. x, p, dx, g, F and copies of x0 and p0 stand in one block. Returns NULL without memory. */
-static fvi_stepper *make(const fvi_method *method, const fvi_run *run)
+static fvi_stepper *make_stepper(const fvi_method *method, const fvi_run *run)
 {
     const size_t d = run->system->d;
     fvi_stepper *s = calloc(1, sizeof *s);
@@ -96,7 +96,7 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
     int status = fvi_run_check(method, run, error);
     if (status)
         return status;
-    fvi_stepper *s = make(method, run);
+    fvi_stepper *s = make_stepper(method, run);
     if (!s)
         return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "no memory for the state");
     fvi_error said = { 0 };
@@ -123,7 +123,7 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
 
 /* Is it time to ask the interrupter? Before every step that takes long, and before every 64th of short steps, so that
  * asking costs nothing. */
-static int is_time_to_ask(const fvi_stepper *s)
+static int is_time_to_check(const fvi_stepper *s)
 {
     enum { FEW = 32 /* coordinates, of each stage */, MANY = 64 /* steps */ };
     const size_t unknowns = s->run.system->d * (size_t)(s->method->stages ? s->method->stages : 1);
@@ -148,7 +148,7 @@ int fvi_stepper_step(fvi_stepper *s)
     if (s->k >= s->run.steps)
         FVI_FAIL("the run is over", FVI_EINVAL);
     s->is_busy = 1;
-    int status = is_time_to_ask(s) ? fvi_interrupted() : FVI_SUCCESS;
+    int status = is_time_to_check(s) ? fvi_interrupted() : FVI_SUCCESS;
     if (!status)
         status = s->method->step(s);
     s->is_busy = 0;
@@ -236,7 +236,7 @@ int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to)
     REFUSE_CALLBACKS_OF(from);
     if (from->method_state && !from->method->copy)
         FVI_FAIL("the method has no copy", FVI_EUNSUP);
-    fvi_stepper *s = make(from->method, &from->run);
+    fvi_stepper *s = make_stepper(from->method, &from->run);
     if (!s)
         FVI_FAIL("no memory for the state", FVI_ENOMEM);
     s->k = from->k;
@@ -326,7 +326,7 @@ int fvi_stepper_free(fvi_stepper *s)
 }
 
 /* Write row k. dx and g are room for an x and p that only the energy needs. */
-static int store(fvi_stepper *s, size_t k, double *x, double *p, double *energy)
+static int store_row(fvi_stepper *s, size_t k, double *x, double *p, double *energy)
 {
     const size_t d = s->run.system->d;
     const double t = (double)k * s->run.h;
@@ -352,7 +352,7 @@ int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
         FVI_FAIL("steps must be addressable", FVI_EINVAL);
     }
     for (size_t k = 0; !status && k <= run->steps; k++)
-        status = store(s, k, x, p, energy);
+        status = store_row(s, k, x, p, energy);
     fvi_stepper_free(s);
     return status;
 }

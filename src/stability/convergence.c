@@ -44,7 +44,7 @@ static double defect_of_memory(const fvi_smoothness *q)
 
 //> miss
 /* C of (20.5): each step makes an error of at most C h. */
-static double defect(const fvi_smoothness *q)
+static double defect_of_step(const fvi_smoothness *q)
 {
     return defect_of_memory(q) + q->variation
            + q->lipschitz * q->speed * q->T / 2 + q->acceleration / 2
@@ -53,7 +53,7 @@ static double defect(const fvi_smoothness *q)
 //< miss
 
 /* lambda, the rate at which errors make new errors, so that ell / lambda^2 + r / lambda^gamma <= 1/2. (20.6) */
-static double rate(const fvi_smoothness *q)
+static double growth_rate_of_errors(const fvi_smoothness *q)
 {
     const double gamma = 2 - 2 * q->alpha;
     return fmax(2 * sqrt(q->lipschitz),
@@ -66,7 +66,7 @@ static double rate(const fvi_smoothness *q)
 static int make_bound(const fvi_smoothness *q, double C, double growth,
                       fvi_error_bound *bound)
 {
-    const double lambda = rate(q), k = q->kappa * (1 - q->kappa) * q->lipschitz;
+    const double lambda = growth_rate_of_errors(q), k = q->kappa * (1 - q->kappa) * q->lipschitz;
     if (!isfinite(C) || !isfinite(lambda))
         FVI_FAIL("no finite bound", FVI_EOVRFLW);
     *bound = (fvi_error_bound){ C, lambda, 1 / sqrt(k) };
@@ -80,8 +80,8 @@ int fvi_error_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bound
     int status = check(motion, bound);
     if (status)
         return status;
-    const double lambda = rate(motion), T = motion->T;
-    return make_bound(motion, defect(motion), lambda > 0 ? expm1(lambda * T) / lambda : T,
+    const double lambda = growth_rate_of_errors(motion), T = motion->T;
+    return make_bound(motion, defect_of_step(motion), lambda > 0 ? expm1(lambda * T) / lambda : T,
                       bound);
 }
 
@@ -103,6 +103,6 @@ int fvi_position_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bo
     int status = check(motion, bound);
     if (status)
         return status;
-    return make_bound(motion, defect_of_positions(motion), exp(rate(motion) * motion->T),
+    return make_bound(motion, defect_of_positions(motion), exp(growth_rate_of_errors(motion) * motion->T),
                       bound);
 }

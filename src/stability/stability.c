@@ -98,14 +98,14 @@ static int is_tridiagonal(const fvi_system *system)
     return system->potential.diagonals == 1 || system->potential.diagonals == 2;
 }
 
-static size_t numbers(const fvi_system *system)
+static size_t count_numbers(const fvi_system *system)
 {
     return is_tridiagonal(system) ? 2 * system->d : fvi_potential_hessian_size(system);
 }
 
 /* The matrix of (14.3) for a K of one or two diagonals: its diagonal to A, and the numbers beside it to A + d. */
-static int weigh_diagonals(const fvi_system *system, double spring,
-                           double damper, const double *K, double *A)
+static int assemble_sum_of_diagonals(const fvi_system *system, double spring,
+                                     double damper, const double *K, double *A)
 {
     const size_t d = system->d, m = system->potential.diagonals;
     const double *mass = system->mass;
@@ -121,8 +121,8 @@ static int weigh_diagonals(const fvi_system *system, double spring,
 }
 
 /* The full matrix of (14.3), to A. */
-static int weigh(const fvi_system *system, double spring, double damper,
-                 const double *K, double *A)
+static int assemble_sum(const fvi_system *system, double spring, double damper,
+                        const double *K, double *A)
 {
     const size_t d = system->d;
     //> load
@@ -152,8 +152,8 @@ static double damper_of(double share, const fvi_run *run)
 
 /* The load (14.3) with share * rho for rho. K is the Hessian at x0, or NULL for no potential. A is room for the matrix;
  * it is not read if K is NULL. */
-static int load_at(double share, const fvi_run *run, const double *K, double *A,
-                   double *load)
+static int number_at(double share, const fvi_run *run, const double *K, double *A,
+                     double *load)
 {
     const fvi_system *system = run->system;
     const double spring = spring_of(run), damper = damper_of(share, run);
@@ -163,12 +163,12 @@ static int load_at(double share, const fvi_run *run, const double *K, double *A,
             largest =
                 larger(largest, damper * system->damping[i] / system->mass[i]);
     } else if (is_tridiagonal(system)) {
-        int status = weigh_diagonals(system, spring, damper, K, A);
+        int status = assemble_sum_of_diagonals(system, spring, damper, K, A);
         if (status)
             return status;
         largest = largest_of_tridiagonal(system->d, A, A + system->d);
     } else {
-        int status = weigh(system, spring, damper, K, A);
+        int status = assemble_sum(system, spring, damper, K, A);
         if (!status)
             status = largest_eigenvalue(system->d, A, &largest);
         if (status)
@@ -189,7 +189,7 @@ static int hessian_at_start(const fvi_run *run, double **K)
     *K = NULL;
     if (!u->hessian || run->kappa == 0.5)
         return FVI_SUCCESS;
-    *K = malloc(2 * numbers(run->system) * sizeof **K);
+    *K = malloc(2 * count_numbers(run->system) * sizeof **K);
     if (!*K)
         FVI_FAIL("no memory for the Hessian", FVI_ENOMEM);
     return is_tridiagonal(run->system) ? u->hessian(d, run->x0, u->params, *K)
@@ -209,7 +209,7 @@ int fvi_stability_share(double share, const fvi_run *run, double *load)
     status = hessian_at_start(run, &K);
     if (!status)
         status =
-            load_at(share, run, K, K ? K + numbers(run->system) : NULL, load);
+            number_at(share, run, K, K ? K + count_numbers(run->system) : NULL, load);
     free(K);
     return status;
 }

@@ -19,7 +19,7 @@ enum { FEW = 64 /* With more coupled masses than this, the search for all expone
 
 //> mode
 /* h |s|^2 / (-2 Re s) of both roots s of m s^2 + rho s + c = 0, the larger of the two. (14.8) */
-static double of_mode(double h, double m, double rho, double c)
+static double number_of_mode(double h, double m, double rho, double c)
 {
     const double square = rho * rho, four = 4 * m * c;
     const double gap = (square - four) /* the rounding errors of both products */
@@ -31,13 +31,13 @@ static double of_mode(double h, double m, double rho, double c)
 //< mode
 
 /* The load of masses without springs between them. K: the diagonal of the Hessian, or NULL for no springs. */
-static double of_separate(const fvi_run *run, const double *K)
+static double number_of_separate_masses(const fvi_run *run, const double *K)
 {
     const fvi_system *system = run->system;
     double largest = 0;
     for (size_t i = 0; i < system->d; i++) {
         const double load =
-            of_mode(run->h, system->mass[i], system->damping[i], K ? K[i] : 0);
+            number_of_mode(run->h, system->mass[i], system->damping[i], K ? K[i] : 0);
         if (!(load <= largest)) /* so that a NaN is kept */
             largest = load;
     }
@@ -47,7 +47,7 @@ static double of_separate(const fvi_run *run, const double *K)
 /* h |s|^2 / (-2 Re s) of one exponent s; `largest` is the largest |s| of all exponents. Two kinds of exponents count as
  * 0: a rounded zero, of some sqrt(u) times `largest`, which is a body at rest; and a real s > 0, because such a motion
  * grows whatever the step is. */
-static double of_exponent(double h, gsl_complex s, double largest)
+static double number_of_exponent(double h, gsl_complex s, double largest)
 {
     const double size = gsl_complex_abs(s), re = GSL_REAL(s);
     if (size <= 1e-7 * largest || (GSL_IMAG(s) == 0 && re > 0))
@@ -75,7 +75,7 @@ static void first_order(const fvi_system *system, const double *K, double *A)
 }
 
 /* The load of masses with springs between them, from all exponents of the motion. K: the full Hessian, d^2 numbers. */
-static int of_coupled(const fvi_run *run, const double *K, double *load)
+static int number_of_coupled_masses(const fvi_run *run, const double *K, double *load)
 {
     const size_t n = 2 * run->system->d;
     int status = FVI_ENOMEM;
@@ -98,7 +98,7 @@ static int of_coupled(const fvi_run *run, const double *K, double *load)
     *load = 0;
     for (size_t i = 0; !status && i < n; i++)
         *load = larger(
-            *load, of_exponent(run->h, gsl_vector_complex_get(s, i), largest));
+            *load, number_of_exponent(run->h, gsl_vector_complex_get(s, i), largest));
     free(A);
     gsl_vector_complex_free(s);
     gsl_eigen_nonsymm_free(work);
@@ -109,7 +109,7 @@ static int of_coupled(const fvi_run *run, const double *K, double *load)
 }
 
 /* The load with the Hessian at x0. */
-static int of_hessian(const fvi_run *run, double *load)
+static int number_of_hessian(const fvi_run *run, double *load)
 {
     const fvi_system *system = run->system;
     const fvi_potential *u = &system->potential;
@@ -124,9 +124,9 @@ static int of_hessian(const fvi_run *run, double *load)
                      ? u->hessian(system->d, run->x0, u->params, K)
                      : fvi_potential_hessian(system, run->x0, K);
     if (!status && separate)
-        *load = of_separate(run, K);
+        *load = number_of_separate_masses(run, K);
     else if (!status)
-        status = of_coupled(run, K, load);
+        status = number_of_coupled_masses(run, K, load);
     free(K);
     return status;
 }
@@ -138,9 +138,9 @@ int fvi_stability_explicit(const fvi_run *run, double *load)
     half.kappa = 0.5;
     int status = fvi_stability_share(0, &half, &there);
     if (!status && run->system->potential.hessian)
-        status = of_hessian(run, &there);
+        status = number_of_hessian(run, &there);
     else if (!status)
-        there = of_separate(run, NULL);
+        there = number_of_separate_masses(run, NULL);
     if (!status && isnan(there))
         FVI_FAIL("the load is not finite", FVI_EOVRFLW);
     if (!status)

@@ -47,7 +47,7 @@ static int eigenvalues(size_t n, double a[FVI_STAGES][FVI_STAGES],
 
 /* The symbol of the damping at the eigenvalue lambda of Delta(z): lambda^(2 alpha), or C(lambda/h) of a law. The value
  * for lambda = 0 has no effect, because that eigenvalue belongs to the constant path, which make_turn leaves out. */
-static double complex damped(const fvi_run *run, double complex lambda)
+static double complex damping_symbol(const fvi_run *run, double complex lambda)
 {
     double complex slope;
     if (lambda == 0)
@@ -80,7 +80,7 @@ static int power(size_t s, double z, const fvi_run *run,
             lambda[j] = 0;
         for (size_t c = 0; c < s; c++) { /* column c of the j-th term */
             double complex v[FVI_STAGES] = { 0 }, next[FVI_STAGES];
-            v[c] = damped(run, lambda[j]);
+            v[c] = damping_symbol(run, lambda[j]);
             for (size_t i = 0; i < s; i++) {
                 for (size_t r = 0; i != j && r < s; r++) {
                     next[r] = -lambda[i] * v[r];
@@ -166,7 +166,7 @@ static int make_turn(size_t s, double z, const fvi_run *run, turn *t)
 //> load
 /* S has a zero in (-1, 0), or in (0, 1) at the end z = 1, if an odd number of the real eigenvalues exceeds 1. The load
  * is then the largest of the real eigenvalues, and otherwise the largest of those that do not exceed 1. */
-static int load_of(const turn *t, double W, double R, double *load)
+static int number_of_run(const turn *t, double W, double R, double *load)
 {
     double G[FVI_STAGES][FVI_STAGES], below = 0, above = 0;
     double complex mu[FVI_STAGES];
@@ -208,13 +208,13 @@ static int check(size_t stages, const fvi_run *run, const void *load)
 }
 
 /* Raise *load to the larger load of the two ends. FVI_EOVRFLW if W or R is NaN or infinite. */
-static int load_of_mode(const turn ends[2], double W, double R, double *load)
+static int number_of_mode(const turn ends[2], double W, double R, double *load)
 {
     if (!gsl_finite(W) || !gsl_finite(R))
         FVI_FAIL("the load is not finite", FVI_EOVRFLW);
     for (size_t i = 0; i < 2; i++) {
         double part = 0;
-        int status = load_of(ends + i, W, R, &part);
+        int status = number_of_run(ends + i, W, R, &part);
         if (status)
             return status;
         *load = larger(*load, part);
@@ -227,8 +227,8 @@ static int load_of_mode(const turn ends[2], double W, double R, double *load)
  * M^{-1/2} h^2 K M^{-1/2} and R = M^{-1} h^(2 - 2 alpha) rho, or M^{-1} h^2 rho with a law; R is diagonal, d numbers.
  * In the load of a mode, v^T W v stands for h^2 c / m, and v^T R v for R. For s = 2 the share is such that the sum is 4
  * times the matrix of (17.16). Where W and R commute, the modes are the same for every share. */
-static int load_of_modes(const turn ends[2], double share, size_t d,
-                         const double *W, const double *R, double *load)
+static int number_of_modes(const turn ends[2], double share, size_t d,
+                           const double *W, const double *R, double *load)
 {
     double *V = malloc((2 * d + 5) * d * sizeof *V);
     if (!V)
@@ -255,7 +255,7 @@ static int load_of_modes(const turn ends[2], double share, size_t d,
                 spring += v * W[i * d + l] * V[l * d + j];
             damper += v * R[i] * v;
         }
-        status = load_of_mode(ends, spring, damper, load);
+        status = number_of_mode(ends, spring, damper, load);
     }
     free(V);
     return status;
@@ -284,7 +284,7 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
         R[i] = pow(run->h, run->law ? 2 : 2 - 2 * run->alpha)
                * system->damping[i] / system->mass[i];
         if (!status && !u->hessian)
-            status = load_of_mode(ends, 0, R[i], &worst);
+            status = number_of_mode(ends, 0, R[i], &worst);
     }
     if (u->hessian)
         status = fvi_potential_hessian(system, run->x0, W);
@@ -293,7 +293,7 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
             W[i] *= gsl_pow_2(run->h)
                     / sqrt(system->mass[i / d] * system->mass[i % d]);
         const double share = stages == 2 ? ends->A[0][0] / ends->B[0][0] : 1;
-        status = load_of_modes(ends, share, d, W, R, &worst);
+        status = number_of_modes(ends, share, d, W, R, &worst);
     }
     free(R);
     if (!status)

@@ -32,7 +32,7 @@ static size_t count_history_sizes(const weighed *w)
 }
 
 /* y = spring K v + sum_j damper_j C_j v. */
-static int weigh(const weighed *w, const double *v, double *y)
+static int multiply_sum(const weighed *w, const double *v, double *y)
 {
     const size_t d = w->run->system->d;
     int status = fvi_potential_gradient(w->run->system, v, y);
@@ -62,7 +62,7 @@ static int iterate(const weighed *w, void *factors, double *room, double *larges
         v[i] = (double)(int64_t)fvi_seeded_next(&seed) * 0x1p-63;
     *largest = 0;
     for (int k = 0; k < ITERATIONS; k++) {
-        int status = weigh(w, v, y);
+        int status = multiply_sum(w, v, y);
         const double before = fvi_dot(d, v, y);
         memcpy(v, y, d * sizeof *v);
         if (!status)
@@ -78,7 +78,7 @@ static int iterate(const weighed *w, void *factors, double *room, double *larges
 }
 //< power
 
-static int helps(const weighed *w)
+static int has_negative_damping(const weighed *w)
 {
     for (size_t j = 0; j < w->count; j++)
         if (w->damper[j] < 0)
@@ -86,7 +86,7 @@ static int helps(const weighed *w)
     return 0;
 }
 
-static int acts(const weighed *w)
+static int is_active(const weighed *w)
 {
     int any = w->spring != 0;
     for (size_t j = 0; j < w->count; j++)
@@ -94,15 +94,15 @@ static int acts(const weighed *w)
     return any;
 }
 
-static int find(weighed *w, double *load)
+static int find_number(weighed *w, double *load)
 {
     const fvi_matrices *m = w->run->system->matrices;
     const size_t d = w->run->system->d, r = count_history_sizes(w);
-    if (!acts(w)) {
+    if (!is_active(w)) {
         *load = 0;
         return FVI_SUCCESS;
     }
-    if (helps(w))
+    if (has_negative_damping(w))
         FVI_FAIL("a load whose damping helps is not known for matrices", FVI_EUNSUP);
     double *room = calloc(2 * (d + r), sizeof *room), largest = 0;
     void *factors = NULL;
@@ -137,5 +137,5 @@ int fvi_stability_of_matrices(double spring, const double *damper, const fvi_run
                   .count = m->damper_count > 0 ? m->damper_count : 1,
                   .damper = damper,
                   .C = m->damper_count > 0 ? m->damper : &C };
-    return find(&w, load);
+    return find_number(&w, load);
 }

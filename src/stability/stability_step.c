@@ -33,7 +33,7 @@ typedef struct {
     int status; /* what the caller's function returned */
 } kept_hessian;
 
-static int keep(size_t d, const double *x, void *params, double *H)
+static int store_hessian(size_t d, const double *x, void *params, double *H)
 {
     kept_hessian *kept = params;
     const fvi_potential *u = kept->u;
@@ -92,7 +92,7 @@ int fvi_stability_longest_step(const fvi_method *method, const fvi_run *run, dou
     fvi_run trial = *run;
     trial.system = &system;
     if (kept.u->hessian) { /* a load asks for nothing of U but the Hessian */
-        system.potential.hessian = keep;
+        system.potential.hessian = store_hessian;
         system.potential.params = &kept;
         system.potential.quadratic = NULL;
     }

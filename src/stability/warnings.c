@@ -41,8 +41,8 @@ int fvi_warning_of_initial_history(const fvi_run *run, const char **text)
 /* The load of a run, which is above 1 if a mode grows; and *h, the step where the load reaches 1. *h is 0 if no step is
  * stable, and NaN if the method cannot tell. Returns 0; or another number if the load is not known, or would take d^3
  * operations, which are more than a run of a long chain takes. */
-static int load_of(const fvi_method *method, const fvi_run *run, double *load,
-                   double *h)
+static int number_along(const fvi_method *method, const fvi_run *run, double *load,
+                        double *h)
 {
     *h = NAN;
     if (run->system->d > FEW && method->stages > 0)
@@ -68,7 +68,7 @@ int fvi_warning_of_step(const fvi_method *method, const fvi_run *run,
     double load = 0, h = 0;
     char more[80] = "";
     *text = '\0';
-    const int status = load_of(method, run, &load, &h);
+    const int status = number_along(method, run, &load, &h);
     if (status == FVI_ENOMEM) {
         snprintf(text, size, NO_MEMORY("this step is stable"));
         return -1;

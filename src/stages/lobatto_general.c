@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* Return ln |det A^{-1}| / s, which is the mean of the logarithms of the eigenvalues. */
-static double middle(const fvi_lobatto_rule *rule, size_t s)
+static double mean_log_eigenvalue(const fvi_lobatto_rule *rule, size_t s)
 {
     double m[FVI_STAGES * FVI_STAGES], sum = 0;
     size_t order[FVI_STAGES];
@@ -98,7 +98,7 @@ void fvi_lobatto_contour(size_t s, const fvi_kernel_term *t, double h,
     enum { POINTS = 128 };
     static const double along = 1.6, across = 2.2;
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
-    const double at = middle(rule, s), step = 2 * M_PI / POINTS;
+    const double at = mean_log_eigenvalue(rule, s), step = 2 * M_PI / POINTS;
     double complex G[FVI_STAGES * FVI_STAGES];
     for (int j = 0; j < POINTS / 2; j++) {
         const double turn = (j + 0.5) * step;

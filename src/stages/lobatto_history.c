@@ -76,7 +76,7 @@ static void plan(size_t s, double beta, size_t steps, fvi_history_kind kind,
 }
 
 /* Return the tolerance, or the default for 0. */
-static double kept(double tolerance)
+static double effective_tolerance(double tolerance)
 {
     return tolerance >= 1e-14 ? tolerance : 1e-13;
 }
@@ -87,13 +87,13 @@ double fvi_lobatto_history_bytes(size_t s, double beta, size_t d, size_t steps,
     size_t Q, lags;
     if (check(s, beta, d, steps, kind, 0, tolerance))
         return 0;
-    plan(s, beta, steps, kind, 0, kept(tolerance), &Q, &lags);
+    plan(s, beta, steps, kind, 0, effective_tolerance(tolerance), &Q, &lags);
     const double ring = (double)lags * (double)(s * (s + d)),
                  rest = (double)(2 + s + d) * (double)Q + (double)(s * s);
     return sizeof(double) * LANES * ceil((ring + rest) / LANES) + sizeof(fvi_lobatto_history);
 }
 
-static size_t numbers(const fvi_lobatto_history *m)
+static size_t count_numbers(const fvi_lobatto_history *m)
 {
     const size_t rates = m->by_order ? 1 : 0;
     return padded((2 + m->s + m->d + rates) * m->Q
@@ -102,10 +102,10 @@ static size_t numbers(const fvi_lobatto_history *m)
 
 /* Allocate a history of these sizes with all numbers zero. Return NULL if memory is short. The modes begin at a cache
  * line, because the loops read eight modes at once. */
-static fvi_lobatto_history *make(fvi_lobatto_history sizes)
+static fvi_lobatto_history *make_history(fvi_lobatto_history sizes)
 {
     fvi_lobatto_history *m = malloc(sizeof *m);
-    const size_t bytes = numbers(&sizes) * sizeof(double);
+    const size_t bytes = count_numbers(&sizes) * sizeof(double);
     double *block = aligned_alloc(LANES * sizeof *block, bytes);
     if (!m || !block) {
         free(m);
@@ -133,7 +133,7 @@ static void swap(double *x, double *y)
 }
 
 /* Transpose W_1, ..., W_lags, so that all rows of a sum are computed side by side. */
-static void turn_near_lags(fvi_lobatto_history *m)
+static void transpose_near_weights(fvi_lobatto_history *m)
 {
     const size_t s = m->s;
     for (size_t n = 1; n <= m->lags; n++)
@@ -165,10 +165,10 @@ static int allocate(size_t s, double beta, size_t d, size_t steps,
     int status = check(s, beta, d, steps, kind, by_order, tolerance);
     if (status)
         return status;
-    const double keep = kept(tolerance), N = (double)steps + 1;
+    const double keep = effective_tolerance(tolerance), N = (double)steps + 1;
     size_t Q, lags;
     plan(s, beta, steps, kind, by_order, keep, &Q, &lags);
-    fvi_lobatto_history *m = make((fvi_lobatto_history){
+    fvi_lobatto_history *m = make_history((fvi_lobatto_history){
         .s = s, .d = d, .steps = steps, .lags = lags, .Q = Q, .by_order = by_order });
     if (!m)
         FVI_FAIL("no memory for the history", FVI_ENOMEM);
@@ -178,7 +178,7 @@ static int allocate(size_t s, double beta, size_t d, size_t steps,
         fvi_lobatto_history_free(m);
         return status;
     }
-    turn_near_lags(m);
+    transpose_near_weights(m);
     if (Q > 0 && by_order)
         fvi_lobatto_nodes(s, beta, N, keep, 1, m->q, m->r, m->p, m->a, Q);
     else if (Q > 0)
@@ -221,7 +221,7 @@ int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, siz
             FVI_FAIL("there are no modes for this law", FVI_EUNSUP);
         return status;
     }
-    const double N = (double)steps + 1, keep = kept(tolerance);
+    const double N = (double)steps + 1, keep = effective_tolerance(tolerance);
     const int direct = is_direct(-0.5, steps, kind, 0);
     size_t count = 0;
     double *nodes = NULL;
@@ -234,11 +234,11 @@ int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, siz
         return status;
     }
     fvi_lobatto_history *m =
-        make((fvi_lobatto_history){ .s = s,
-                                    .d = d,
-                                    .steps = steps,
-                                    .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS,
-                                    .Q = padded(count) });
+        make_history((fvi_lobatto_history){ .s = s,
+                                            .d = d,
+                                            .steps = steps,
+                                            .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS,
+                                            .Q = padded(count) });
     if (m && count > 0) {
         memcpy(m->q, nodes, count * sizeof *nodes);
         memcpy(m->p, nodes + count, count * sizeof *nodes);
@@ -256,7 +256,7 @@ int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, siz
         fvi_lobatto_history_free(m);
         return status;
     }
-    turn_near_lags(m);
+    transpose_near_weights(m);
     *memory = m;
     return FVI_SUCCESS;
 }
@@ -264,10 +264,10 @@ int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, siz
 int fvi_lobatto_history_copy(const fvi_lobatto_history *from,
                             fvi_lobatto_history **to)
 {
-    fvi_lobatto_history *m = make(*from);
+    fvi_lobatto_history *m = make_history(*from);
     if (!m)
         FVI_FAIL("no memory for the history", FVI_ENOMEM);
-    memcpy(m->q, from->q, numbers(m) * sizeof *m->q);
+    memcpy(m->q, from->q, count_numbers(m) * sizeof *m->q);
     *to = m;
     return FVI_SUCCESS;
 }

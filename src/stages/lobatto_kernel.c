@@ -72,7 +72,7 @@ void fvi_lobatto_kernel_free(fvi_lobatto_kernel *ready)
 /* ---- nodes ---- */
 
 /* Return h Im C(-mu/h + i0) / pi of one term. */
-static double on_the_cut(const fvi_kernel_simple *t, double h, double ln_mu)
+static double density_on_cut(const fvi_kernel_simple *t, double h, double ln_mu)
 {
     return fvi_kernel_on_the_cut(t, t->rho * h / M_PI, ln_mu - log(h));
 }
@@ -121,7 +121,7 @@ static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
         q[j] = 0;
         for (size_t i = 0; i < r->terms; i++)
             if (has_cut(&r->term[i]))
-                q[j] += step * on_the_cut(&r->term[i], r->h, ln_mu);
+                q[j] += step * density_on_cut(&r->term[i], r->h, ln_mu);
         p[j] = exp(ln_mu);
     }
     return Q;
@@ -153,8 +153,8 @@ static int nodes_of_general(size_t s, const fvi_lobatto_kernel *r, double N,
 
 /* Compute all nodes, with mu in p, and their number; with q = NULL only their number. is_few: replace the nodes of the
  * cut that hardly decay within N steps by fewer nodes. Return FVI_SUCCESS, or the code of fvi_lobatto_general_modes. */
-static int place_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, int is_few, double *q,
-                       double *p, size_t *count)
+static int find_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, int is_few, double *q,
+                      double *p, size_t *count)
 {
     size_t Q = nodes_of_cut(s, ready, N, tolerance, q, p);
     if (is_few)
@@ -185,13 +185,13 @@ int fvi_lobatto_kernel_few_nodes(size_t s, const fvi_lobatto_kernel *ready, doub
                                  double **nodes)
 {
     size_t most;
-    int status = place_nodes(s, ready, N, tolerance, 0, NULL, NULL, &most);
+    int status = find_nodes(s, ready, N, tolerance, 0, NULL, NULL, &most);
     if (status)
         return status;
     double *q = malloc((2 * most + 1) * sizeof *q);
     if (!q)
         FVI_FAIL("no memory for the nodes", FVI_ENOMEM);
-    status = place_nodes(s, ready, N, tolerance, 1, q, q + most, count);
+    status = find_nodes(s, ready, N, tolerance, 1, q, q + most, count);
     if (status) {
         free(q);
         return status;
@@ -222,8 +222,8 @@ static void differentiate(size_t s, double h, size_t n, const double *N,
 }
 
 /* Compute sum -= x y for s x s matrices. */
-static inline void take_product(size_t s, const double *x, const double *y,
-                                double *restrict sum)
+static inline void subtract_product(size_t s, const double *x, const double *y,
+                                    double *restrict sum)
 {
     for (size_t i = 0; i < s; i++)
         for (size_t l = 0; l < s; l++)
@@ -232,16 +232,16 @@ static inline void take_product(size_t s, const double *x, const double *y,
 }
 
 /* Compute V -= Q_1 N_{k-1} + ... + Q_k N_0. The case s = 4 is separate, so that the compiler knows s. */
-FVI_VECTORS static void take_sum(size_t s, size_t k, const double *Q,
-                                 const double *N, double *V)
+FVI_VECTORS static void subtract_products(size_t s, size_t k, const double *Q,
+                                          const double *N, double *V)
 {
     const size_t s2 = s * s;
     for (size_t j = 1; j <= k; j++) {
         const double *x = Q + j * s2, *y = N + (k - j) * s2;
         if (s == 4)
-            take_product(4, x, y, V);
+            subtract_product(4, x, y, V);
         else
-            take_product(s, x, y, V);
+            subtract_product(s, x, y, V);
     }
 }
 
@@ -264,7 +264,7 @@ static int divide(size_t s, double T, size_t n, double *Q, double *N)
     for (size_t k = 0; k < n && !status; k++) {
         double *V = N + k * s2;
         status = k % ASKED == ASKED - 1 ? fvi_interrupted() : FVI_SUCCESS;
-        take_sum(s, k, Q, N, V);
+        subtract_products(s, k, Q, N, V);
         for (size_t j = 0; j < s; j++) {
             gsl_vector_view x = gsl_vector_view_array(column, s);
             for (size_t i = 0; i < s; i++)
@@ -316,14 +316,14 @@ int fvi_lobatto_kernel_weights(size_t s, const fvi_lobatto_kernel *ready, size_t
     size_t Q = 0;
     int status = FVI_SUCCESS;
     if (n > FVI_LAGS + 1) /* nodes are needed only for lags above FVI_LAGS */
-        status = place_nodes(s, ready, N, 1e-16, 0, NULL, NULL, &Q);
+        status = find_nodes(s, ready, N, 1e-16, 0, NULL, NULL, &Q);
     if (status)
         return status;
     double *q = calloc((2 + s) * Q + 1, sizeof *q);
     if (!q)
         FVI_FAIL("no memory for the nodes", FVI_ENOMEM);
     if (Q > 0)
-        status = place_nodes(s, ready, N, 1e-16, 0, q, q + Q, &Q);
+        status = find_nodes(s, ready, N, 1e-16, 0, q, q + Q, &Q);
     if (status) {
         free(q);
         return status;

@@ -179,7 +179,7 @@ static void find_recurrence(double beta, double step, size_t n, double *here, do
 /* Return the number of Gauss nodes that integrate exp(-SLOW x) to a tenth of the tolerance. The error contains the
  * derivative SLOW^(2 few) and the norm of the orthogonal polynomial, whose square is the product of the squares of the
  * side diagonal. */
-static size_t count_few(double beta, double step, double tolerance)
+static size_t count_few_nodes(double beta, double step, double tolerance)
 {
     double left = 1, here, beside;
     size_t few = 0;
@@ -235,7 +235,7 @@ static void find_eigenvalues(size_t n, double *a, double *b, double *first)
 
 /* Write the Gauss rule with this recurrence to q and p, scaled to the interval from 0 to mu and to
  * the total weight `sum`. */
-static void place_gauss(size_t few, double *here, double *beside, double sum, double mu, double *q, double *p)
+static void find_gauss_nodes(size_t few, double *here, double *beside, double sum, double mu, double *q, double *p)
 {
     double first[MOST_FEW];
     find_eigenvalues(few, here, beside, first);
@@ -246,13 +246,13 @@ static void place_gauss(size_t few, double *here, double *beside, double sum, do
 }
 
 /* Write the few nodes that replace all nodes up to mu to q and p. */
-static void place_few(double beta, double step, double mu, size_t few, double *q, double *p)
+static void find_few_nodes(double beta, double step, double mu, size_t few, double *q, double *p)
 {
     const double sum = factor_of(beta, step) * pow(mu, 1 + beta) / -expm1(-(1 + beta) * step);
     double here[MOST_FEW], beside[MOST_FEW];
     for (size_t j = 0; j < few; j++)
         find_recurrence(beta, step, j, &here[j], &beside[j]);
-    place_gauss(few, here, beside, sum, mu, q, p);
+    find_gauss_nodes(few, here, beside, sum, mu, q, p);
 }
 
 size_t fvi_lobatto_few_nodes(size_t s, double beta, double N, double tolerance, double *q, double *p, double *a,
@@ -262,10 +262,10 @@ size_t fvi_lobatto_few_nodes(size_t s, double beta, double N, double tolerance, 
         return fvi_lobatto_nodes(s, beta, N, tolerance, 0, q, NULL, p, a, stride);
     const fvi_lobatto_span span = fvi_lobatto_span_of(s, beta, beta, N, tolerance, 1);
     const double slow = log(SLOW / N), factor = factor_of(beta, span.step);
-    const size_t few = count_few(beta, span.step, tolerance), Q = few + (size_t)ceil((span.last - slow) / span.step);
+    const size_t few = count_few_nodes(beta, span.step, tolerance), Q = few + (size_t)ceil((span.last - slow) / span.step);
     if (!q)
         return Q;
-    place_few(beta, span.step, exp(slow), few, q, p);
+    find_few_nodes(beta, span.step, exp(slow), few, q, p);
     for (size_t j = few; j < Q; j++) {
         const double mu = exp(slow + (double)(j - few + 1) * span.step);
         q[j] = factor * pow(mu, 1 + beta);
@@ -319,7 +319,7 @@ size_t fvi_lobatto_gauss(size_t count, double N, double tolerance, double *q, do
         w[j] = q[j] / sum;
     }
     const size_t few = find_recurrence_of(slow, x, w, scale * N, tolerance, here, beside);
-    place_gauss(few, here, beside, sum, scale, q, mu);
+    find_gauss_nodes(few, here, beside, sum, scale, q, mu);
     memmove(q + few, q + slow, (count - slow) * sizeof *q);
     memmove(mu + few, mu + slow, (count - slow) * sizeof *mu);
     return count - slow + few;

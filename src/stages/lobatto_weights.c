@@ -212,7 +212,7 @@ FVI_VECTORS static series add_powers(const deep_root *r, const double *c)
 /* Compute Delta(z)^beta by the binomial series of (1 + E)^beta and k squarings. The series has 42 terms; the error is
  * below 4^-41. The method of Paterson and Stockmeyer sums blocks of six terms and joins the seven blocks by Horner's
  * rule in E^6, so it needs six products. The derivative by beta, if wanted, is ln Delta times the result. */
-static series near(size_t s, double beta, series *rate)
+static series power_of_delta(size_t s, double beta, series *rate)
 {
     enum { BLOCKS = 7 };
     if (beta == 0 && !rate)
@@ -241,10 +241,10 @@ static series near(size_t s, double beta, series *rate)
 void fvi_lobatto_near(size_t s, const fvi_kernel_simple *t, double h, double *W)
 {
     const series one = identity(s);
-    series top = near(s, 2 * t->alpha - 1, NULL), bottom = delta(s), part;
+    series top = power_of_delta(s, 2 * t->alpha - 1, NULL), bottom = delta(s), part;
     combine_series(pow(h, 1 - 2 * t->alpha), &top, 0, &one, &top);
     if (t->time > 0) {
-        part = t->below == t->alpha ? top : near(s, 2 * t->below - 1, NULL);
+        part = t->below == t->alpha ? top : power_of_delta(s, 2 * t->below - 1, NULL);
         if (t->below != t->alpha)
             combine_series(pow(h, 1 - 2 * t->below), &part, 0, &one, &part);
         bottom = times_series(s, &bottom, &part);
@@ -365,7 +365,7 @@ int fvi_lobatto_weights_by_order(size_t s, double beta, size_t n, double *W,
     if (Q > 0)
         fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, by_order, q, r, p, a, Q);
     series slope;
-    const series first = near(s, beta, by_order ? &slope : NULL);
+    const series first = power_of_delta(s, beta, by_order ? &slope : NULL);
     for (size_t k = 0; k < n; k++) {
         for (size_t j = 0; k >= 2 && j < Q; j++) {
             q[j] -= p[j] * q[j]; /* q_j r_j^(k-1) */

@@ -30,7 +30,7 @@ static fvi_damping_matrix damper_of(const fvi_matrices *m, size_t j)
                                                        .params = m->params };
 }
 
-static void put_column(const equation *e, size_t q, double sign, double *matrix)
+static void write_column(const equation *e, size_t q, double sign, double *matrix)
 {
     for (size_t p = 0; p < e->d; p++)
         matrix[p * e->d + q] = sign * e->column[p];
@@ -49,7 +49,7 @@ static int read_damping(const equation *e, size_t j, size_t q)
     if (!status)
         status = C.apply_damping(e->d, 1, z, C.params, e->column);
     free(z);
-    put_column(e, q, -1, e->C + j * e->d * e->d);
+    write_column(e, q, -1, e->C + j * e->d * e->d);
     return status;
 }
 
@@ -61,10 +61,10 @@ static int read_matrices(const equation *e)
     for (size_t q = 0; !status && q < e->d; q++) {
         e->unit[q] = 1;
         status = m->inertia(e->d, e->unit, m->params, e->column);
-        put_column(e, q, 1, e->M);
+        write_column(e, q, 1, e->M);
         if (!status)
             status = m->stiffness(e->d, e->unit, m->params, e->column);
-        put_column(e, q, 1, e->K);
+        write_column(e, q, 1, e->K);
         for (size_t j = 0; !status && j < e->count; j++)
             if (e->W[j])
                 status = read_damping(e, j, q);
@@ -75,7 +75,7 @@ static int read_matrices(const equation *e)
 }
 
 /* Write block (i, l) of A^(-1) (x) M + h sum_j W_j (x) C_j + h^2 A (x) K, without the scales. */
-static void put_block(const equation *e, double inertia, double stiffness, size_t i, size_t l)
+static void write_block(const equation *e, double inertia, double stiffness, size_t i, size_t l)
 {
     const size_t d = e->d, n = e->s * d;
     double *block = e->E + i * d * n + l * d;
@@ -102,8 +102,8 @@ static int invert_equation(const equation *e, double *G)
     for (size_t i = 0; i < e->s; i++) {
         memcpy(scale + i * d, e->scale, d * sizeof *scale);
         for (size_t l = 0; l < e->s; l++)
-            put_block(e, rule->D[i][l] + (i + l == 0 ? 1 / rule->b[0] : 0), /* (17.3) */
-                      e->h * e->h * A[i][l], i, l);
+            write_block(e, rule->D[i][l] + (i + l == 0 ? 1 / rule->b[0] : 0), /* (17.3) */
+                        e->h * e->h * A[i][l], i, l);
     }
     for (size_t row = 0; row < n; row++)
         for (size_t column = 0; column < n; column++)

@@ -128,7 +128,7 @@ int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, dou
 /* Write w^T h load of `count` pairs to r: for each unknown first the real parts, then the imaginary parts. The compiler
  * knows `count`. */
 static inline __attribute__((always_inline)) void
-collect(size_t count, const fvi_stage_solver *o, const double *restrict load, double *restrict r)
+project_load(size_t count, const fvi_stage_solver *o, const double *restrict load, double *restrict r)
 {
     const size_t d = o->d;
     for (size_t j = 0; j < d; j++) {
@@ -144,7 +144,7 @@ collect(size_t count, const fvi_stage_solver *o, const double *restrict load, do
 
 /* Add v z and its conjugate to delta for all pairs; r holds z. */
 static inline __attribute__((always_inline)) void
-spread(size_t count, const fvi_stage_solver *o, const double *restrict r, double *restrict delta)
+add_pair_solutions(size_t count, const fvi_stage_solver *o, const double *restrict r, double *restrict delta)
 {
     const size_t d = o->d;
     for (size_t j = 0; j < d; j++) {
@@ -165,17 +165,17 @@ spread(size_t count, const fvi_stage_solver *o, const double *restrict r, double
 FVI_VECTORS static void collect_load(const fvi_stage_solver *o, const double *load, double *r)
 {
     if (o->pairs - o->real == FVI_STAGES / 2)
-        collect(FVI_STAGES / 2, o, load, r);
+        project_load(FVI_STAGES / 2, o, load, r);
     else
-        collect(o->pairs - o->real, o, load, r);
+        project_load(o->pairs - o->real, o, load, r);
 }
 
 FVI_VECTORS static void spread_pairs(const fvi_stage_solver *o, const double *r, double *delta)
 {
     if (o->pairs - o->real == FVI_STAGES / 2)
-        spread(FVI_STAGES / 2, o, r, delta);
+        add_pair_solutions(FVI_STAGES / 2, o, r, delta);
     else
-        spread(o->pairs - o->real, o, r, delta);
+        add_pair_solutions(o->pairs - o->real, o, r, delta);
 }
 
 /* Write the contribution of the real pair to delta. */

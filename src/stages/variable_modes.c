@@ -197,16 +197,16 @@ void fvi_modes_advance(fvi_modes *m, size_t j, const double *v, double ve)
 /* ---- allocation ---- */
 
 /* Return the number of doubles in the part of the block that a copy of the modes needs: sigma, weight, y and last. */
-static size_t numbers(const fvi_modes *m)
+static size_t count_numbers(const fvi_modes *m)
 {
     return (2 + m->d) * m->Q + m->d * sizeof *m->last / sizeof *m->y;
 }
 
 /* Allocate modes of these sizes at rest. Return NULL if memory is short. */
-static fvi_modes *make(fvi_modes sizes)
+static fvi_modes *make_modes(fvi_modes sizes)
 {
     fvi_modes *m = malloc(sizeof *m);
-    const size_t count = numbers(&sizes) + (1 + 2 + sizes.rule->s) * sizes.Q;
+    const size_t count = count_numbers(&sizes) + (1 + 2 + sizes.rule->s) * sizes.Q;
     double *block = malloc(count * sizeof *block);
     if (!m || !block) {
         free(m);
@@ -219,9 +219,9 @@ static fvi_modes *make(fvi_modes sizes)
     m->rate.weight = NULL;
     m->y = m->value.weight + m->Q;
     m->last = (fvi_last_step *)(m->y + m->d * m->Q);
-    m->value.closed = block + numbers(m);
+    m->value.closed = block + count_numbers(m);
     m->own = m->value.closed + m->Q;
-    memset(m->y, 0, (numbers(m) - 2 * m->Q) * sizeof *m->y);
+    memset(m->y, 0, (count_numbers(m) - 2 * m->Q) * sizeof *m->y);
     return m;
 }
 
@@ -243,17 +243,17 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
               last = (int)ceil(log(of.highest / least) / L);
     const size_t most = (size_t)(last - first) / of.every + 1,
                  Q = most / FVI_LANES * FVI_LANES + FVI_LANES;
-    fvi_modes *m = make((fvi_modes){ .rule = rule,
-                                     .table = fvi_mode_table(rule, of.every),
-                                     .range = of,
-                                     .apart = fvi_variable_apart(of.every),
-                                     .beta = beta,
-                                     .longest = T,
-                                     .d = d,
-                                     .Q = Q,
-                                     .first = first,
-                                     .reach = log(of.highest) / L - first,
-                                     .active = Q });
+    fvi_modes *m = make_modes((fvi_modes){ .rule = rule,
+                                           .table = fvi_mode_table(rule, of.every),
+                                           .range = of,
+                                           .apart = fvi_variable_apart(of.every),
+                                           .beta = beta,
+                                           .longest = T,
+                                           .d = d,
+                                           .Q = Q,
+                                           .first = first,
+                                           .reach = log(of.highest) / L - first,
+                                           .active = Q });
     if (!m || !m->table) {
         fvi_modes_free(m);
         FVI_FAIL("no memory for the modes", FVI_ENOMEM);
@@ -269,14 +269,14 @@ int fvi_modes_of_rates(const fvi_variable_rule *rule, int rises, size_t d,
                        const double *weight, fvi_modes **modes)
 {
     const size_t Q = (count + FVI_LANES - 1) / FVI_LANES * FVI_LANES;
-    fvi_modes *m = make((fvi_modes){ .rule = rule,
-                                     .beta = rises ? 0.5 : -0.5,
-                                     .longest = T,
-                                     .d = d,
-                                     .Q = Q,
-                                     .count = Q,
-                                     .active = Q,
-                                     .is_free = 1 });
+    fvi_modes *m = make_modes((fvi_modes){ .rule = rule,
+                                           .beta = rises ? 0.5 : -0.5,
+                                           .longest = T,
+                                           .d = d,
+                                           .Q = Q,
+                                           .count = Q,
+                                           .active = Q,
+                                           .is_free = 1 });
     if (!m)
         FVI_FAIL("no memory for the modes", FVI_ENOMEM);
     for (size_t q = 0; q < Q; q++) {
@@ -301,10 +301,10 @@ int fvi_modes_add_order(fvi_modes *m)
 
 int fvi_modes_copy(const fvi_modes *from, fvi_modes **to)
 {
-    fvi_modes *m = make(*from);
+    fvi_modes *m = make_modes(*from);
     if (!m)
         FVI_FAIL("no memory for the modes", FVI_ENOMEM);
-    memcpy(m->sigma, from->sigma, numbers(m) * sizeof *m->sigma);
+    memcpy(m->sigma, from->sigma, count_numbers(m) * sizeof *m->sigma);
     m->now = (fvi_length){ 0 }; /* its row may point into the workspace of the other modes */
     *to = m;
     return FVI_SUCCESS;
@@ -361,8 +361,8 @@ void fvi_modes_add(fvi_modes *m, size_t j, size_t q, double more)
 }
 
 /* Return more w with w = y / sigma or w = (v_e - z) / sigma. In the first case `more` is already divided by sigma. */
-static double term(const fvi_modes *m, size_t j, const double *more, double ve,
-                   size_t q)
+static double accumulated_term(const fvi_modes *m, size_t j, const double *more, double ve,
+                               size_t q)
 {
     const double y = m->y[j * m->Q + q];
     return more[q] * (m->beta <= 0 ? y : (ve - y) / m->sigma[q]);
@@ -373,12 +373,12 @@ double fvi_modes_accumulate(const fvi_modes *m, size_t j, const double *more,
 {
     double sum = 0, slope = 0;
     for (size_t q = 0; q < m->Q; q++) {
-        const double w = term(m, j, more, ve, q);
+        const double w = accumulated_term(m, j, more, ve, q);
         sum += m->value.weight[q] * w;
         slope += rate ? m->rate.weight[q] * w : 0;
     }
     for (size_t l = 0; l < FVI_ENDS; l++) { /* (22.12) */
-        const double w = term(m, j, more, ve, m->Q - 1 - m->apart * l);
+        const double w = accumulated_term(m, j, more, ve, m->Q - 1 - m->apart * l);
         sum += m->value.weight[m->Q - 1] * m->value.top[l] * w;
         slope += rate ? (m->rate.weight[m->Q - 1] * m->value.top[l]
                          + m->value.weight[m->Q - 1] * m->rate.top[l])

@@ -63,7 +63,7 @@ void fvi_mode_row_make(const fvi_variable_rule *rule, size_t n,
 }
 
 /* Allocate a table, with its numbers behind it in the same block. Return NULL if memory is short. */
-static fvi_mode_row *make(const fvi_variable_rule *rule, size_t every)
+static fvi_mode_row *make_table(const fvi_variable_rule *rule, size_t every)
 {
     const size_t n = FVI_POINTS;
     fvi_mode_row *row =
@@ -87,7 +87,7 @@ const fvi_mode_row *fvi_mode_table(const fvi_variable_rule *rule, size_t every)
     fvi_mode_row *table = atomic_load(place);
     if (table)
         return table;
-    fvi_mode_row *mine = make(rule, every);
+    fvi_mode_row *mine = make_table(rule, every);
     if (!mine || atomic_compare_exchange_strong(place, &table, mine))
         return mine;
     free(mine); /* another thread was faster, and `table` is its table now */

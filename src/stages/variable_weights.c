@@ -10,19 +10,19 @@
  * a_i y falls like sigma^nu. For beta = -1 the weights are 0/0, and `tiny` gives their limit. */
 static const double tiny = 1e-100;
 
-static double falls(double beta)
+static double lower_exponent(double beta)
 {
     return fmax(beta > 0 ? beta : 1 + beta, tiny);
 }
 
-static double size_of(double L, double beta)
+static double weight_of_unit_rate(double L, double beta)
 {
     const double least = fmin(fabs(beta), 1 - fabs(beta));
     return sin(M_PI * fmax(least, tiny)) / M_PI * L;
 }
 
 /* Return M: at the upper end of the modes, the factor a_i y of a weight falls like sigma^-M. */
-static double rise(double beta)
+static double upper_exponent(double beta)
 {
     return beta > 0 ? 2 : 1;
 }
@@ -40,7 +40,7 @@ void fvi_mode_weights(const fvi_mode_ladder *ladder, double *sigma,
     const size_t apart = fvi_variable_apart(ladder->every);
     const double L = spacing(ladder), beta = ladder->beta,
                  first = fvi_variable_spacing() * ladder->first,
-                 nu = falls(beta), size = size_of(L, beta);
+                 nu = lower_exponent(beta), size = weight_of_unit_rate(L, beta);
     double finer[FVI_RUNGS], c[FVI_ENDS];
     for (size_t l = 0; l < FVI_RUNGS; l++)
         finer[l] = exp(L * beta * (double)l);
@@ -56,7 +56,7 @@ void fvi_mode_weights(const fvi_mode_ladder *ladder, double *sigma,
     fvi_variable_ends(ladder->every, nu, c);
     for (size_t l = 0; l < FVI_ENDS; l++)
         weight[apart * l] += w0 * c[l] * (beta > 0 ? 1 : exp(step * (double)l));
-    const double M = rise(beta);
+    const double M = upper_exponent(beta);
     fvi_variable_ends(ladder->every, M - beta, c);
     for (size_t l = 0; l < FVI_ENDS; l++) /* the correction relative to the weight of the last mode is r^{-3 l M} c_l */
         top[l] = c[l] * exp(step * (double)l * M);
@@ -88,7 +88,7 @@ static double bernoulli_rate(double x)
 /* Compute the derivative by nu of the contribution sum_n c_n of the modes below the first one. The n-th sum is L sin(pi
  * nu)/pi / (r^(nu + n) - 1), and for n = 0 it is 0/0 at nu = 0. ln is the logarithm of the sigma whose power beta is
  * the common factor. */
-static void lower(size_t every, double L, double nu, double ln, double *c)
+static void lower_tail_rates(size_t every, double L, double nu, double ln, double *c)
 {
     const double sinc = sin(M_PI * nu) / (M_PI * nu), size = sinc * nu * L,
                  slope = cos(M_PI * nu) * L, x = L * nu, share = x / expm1(x);
@@ -108,20 +108,20 @@ void fvi_mode_weights_by_order(const fvi_mode_ladder *ladder, double *rate,
                            double *top_rate)
 {
     const size_t apart = fvi_variable_apart(ladder->every);
-    const double L = spacing(ladder), beta = ladder->beta, nu = falls(beta),
+    const double L = spacing(ladder), beta = ladder->beta, nu = lower_exponent(beta),
                  first = fvi_variable_spacing() * ladder->first,
-                 size = size_of(L, beta), slope = cos(M_PI * nu) * L;
+                 size = weight_of_unit_rate(L, beta), slope = cos(M_PI * nu) * L;
     for (size_t q = 0; q < ladder->Q; q++) {
         const double ln = first + L * (double)q;
         rate[q] = (slope + size * ln) * exp(beta * ln); /* (23.18) */
     }
     const double step = -L * (double)apart, power = exp(beta * first);
     double c[FVI_ENDS], sum[FVI_ENDS];
-    lower(ladder->every, L, nu, first, c);
+    lower_tail_rates(ladder->every, L, nu, first, c);
     for (size_t l = 0; l < FVI_ENDS; l++)
         rate[apart * l] +=
             power * c[l] * (beta > 0 ? 1 : exp(step * (double)l));
-    const double M = rise(beta);
+    const double M = upper_exponent(beta);
     for (size_t n = 0; n < FVI_ENDS; n++) {
         const double E = 1 / expm1(L * (M - beta + (double)n));
         sum[n] = L * E * (1 + E);

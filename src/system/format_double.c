@@ -12,7 +12,7 @@
 /* ---- slow path: by the C library ---- */
 
 /* Write v with this many digits. Return 1 if the text reads back to v, and 0 if not. */
-static int comes_back(double v, int digits, char text[32])
+static int reads_back(double v, int digits, char text[32])
 {
     snprintf(text, 32, "%.*g", digits, v);
     return strtod(text, NULL) == v;
@@ -23,11 +23,11 @@ static int comes_back(double v, int digits, char text[32])
 static void slowly(double v, char text[32])
 {
     if (fabs(v) < DBL_MIN)
-        for (int digits = 1; !comes_back(v, digits, text); digits++)
+        for (int digits = 1; !reads_back(v, digits, text); digits++)
             ;
-    else if (!comes_back(v, 16, text))
+    else if (!reads_back(v, 16, text))
         snprintf(text, 32, "%.17g", v);
-    else if (!comes_back(v, 15, text))
+    else if (!reads_back(v, 15, text))
         snprintf(text, 32, "%.16g", v);
 }
 

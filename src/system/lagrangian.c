@@ -131,8 +131,8 @@ static int has_zero_row(size_t d, const double *Lvv)
 }
 
 /* Set all velocities to 1 if an inertia vanishes at v only, because there Newton's method has no step. */
-static int leave_rest(const fvi_system *s, double t, const double *x, double *v, double *room,
-                      size_t *order)
+static int start_away_from_rest(const fvi_system *s, double t, const double *x, double *v, double *room,
+                                size_t *order)
 {
     int vanishes;
     const int status = fvi_inertia_at_rest(s, t, x, v, room, order, &vanishes);
@@ -170,7 +170,7 @@ static int solve_velocity(const fvi_system *s, double t, const double *x, const 
     for (int n = 0; n < FVI_VELOCITY_STEPS && !is_done && !status; n++) {
         status = fvi_lagrangian_point(s, t, x, v, NULL, NULL, Lv, NULL, NULL, Lvv);
         if (!status && !is_checked && has_zero_row(d, Lvv)) {
-            status = leave_rest(s, t, x, v, room, order);
+            status = start_away_from_rest(s, t, x, v, room, order);
             is_checked = 1;
             continue;
         }

@@ -74,7 +74,7 @@ int fvi_system_check_any(const fvi_system *s, fvi_error *error)
     return s->matrices ? check_matrices(s, error) : FVI_SUCCESS;
 }
 
-static int tell(const fvi_error *error, int status)
+static int report_error(const fvi_error *error, int status)
 {
     return status ? fvi_tell_handler(error->text, __FILE__, __LINE__, status) : FVI_SUCCESS;
 }
@@ -82,13 +82,13 @@ static int tell(const fvi_error *error, int status)
 int fvi_system_require(const fvi_system *s)
 {
     fvi_error error;
-    return tell(&error, fvi_system_check(s, &error));
+    return report_error(&error, fvi_system_check(s, &error));
 }
 
 int fvi_system_require_any(const fvi_system *s)
 {
     fvi_error error;
-    return tell(&error, fvi_system_check_any(s, &error));
+    return report_error(&error, fvi_system_check_any(s, &error));
 }
 
 int fvi_potential_value(const fvi_system *s, const double *x, double *U)

@@ -180,7 +180,7 @@ static int has_start(const fvi_tangent_run *o, size_t i)
 }
 
 /* The start of the linearised runs at k = 0, as their histories see it. Their past is the past of the run: a line from
- * d x0 with the slope d v0. The momentum of this start is m dv0; move_starts adds v0 dm. If no motion starts at another
+ * d x0 with the slope d v0. The momentum of this start is m dv0; add_start_jumps adds v0 dm. If no motion starts at another
  * x0, the derivative is the derivative of a run whose past exerts no force. */
 static void fill_starts(fvi_tangent_run *o)
 {
@@ -231,7 +231,7 @@ static int start_tangent(fvi_tangent_run *o, double enough, size_t l)
 
 /* Add the part of the start that the histories must not see: v0 dm, and dx0 where no motion starts at another x0
  * (19.2). */
-static void move_starts(fvi_tangent_run *o)
+static void add_start_jumps(fvi_tangent_run *o)
 {
     const fvi_run *run = o->run;
     for (size_t j = 0, n = 0; j < o->P; j++) {
@@ -297,7 +297,7 @@ int fvi_tangent_start(const fvi_method *method, const fvi_run *run, size_t P,
     for (size_t l = 0; !status && l < o->tangents; l++)
         status = start_tangent(o, enough, l);
     if (!status)
-        move_starts(o);
+        add_start_jumps(o);
     if (!status)
         status = start_dampers(o);
     if (!status)
@@ -322,7 +322,7 @@ void fvi_tangent_stop(fvi_tangent_run *o)
 /* ---- the whole run ---- */
 
 /* Write NaN along a direction that changes an x0_i at which no other motion starts, (19.2). */
-static void bar_starts(const fvi_tangent_run *o, double *dx)
+static void mark_impossible_starts(const fvi_tangent_run *o, double *dx)
 {
     for (size_t j = 0, n = 0; j < o->P; j++)
         for (size_t i = 0; i < o->d; i++, n++)
@@ -341,9 +341,9 @@ static void write_row(const fvi_tangent_run *o, double *x, double *p, double *dx
     if (dp)
         memcpy(dp + k * row, o->pi, row * sizeof *dp);
     if (k > 0)
-        bar_starts(o, dx + k * row);
+        mark_impossible_starts(o, dx + k * row);
     if (k > 0 && dp)
-        bar_starts(o, dp + k * row);
+        mark_impossible_starts(o, dp + k * row);
 }
 
 int fvi_directional_derivatives(const fvi_method *method, const fvi_run *run, size_t count,

@@ -13,14 +13,14 @@
 
 /* ---- what the directions change ---- */
 
-static int any(const double *along, size_t first, size_t count)
+static int is_nonzero(const double *along, size_t first, size_t count)
 {
     return along && !fvi_all_zero(count, along + first);
 }
 
 /* Find what the directions change in a damper. Returns which numbers of its law they change, as fvi_sensitivities that
  * are not NULL. */
-static fvi_sensitivities find_wanted(const fvi_tangent_run *o, fvi_tangent_damper *a)
+static fvi_sensitivities find_wanted_derivatives(const fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     const fvi_kernel *law = a->of.law;
     fvi_sensitivities want = { 0 };
@@ -31,10 +31,10 @@ static fvi_sensitivities find_wanted(const fvi_tangent_run *o, fvi_tangent_dampe
         a->by_order |= fvi_tangent_order(o, a, j) != 0;
         if (!law)
             continue;
-        want.terms = any(along->terms, a->first, law->count) ? along->terms : want.terms;
-        want.orders = any(along->orders, a->first, law->count) ? along->orders : want.orders;
-        want.times = any(along->times, a->first, law->count) ? along->times : want.times;
-        want.ends = any(along->ends, a->first, law->count) ? along->ends : want.ends;
+        want.terms = is_nonzero(along->terms, a->first, law->count) ? along->terms : want.terms;
+        want.orders = is_nonzero(along->orders, a->first, law->count) ? along->orders : want.orders;
+        want.times = is_nonzero(along->times, a->first, law->count) ? along->times : want.times;
+        want.ends = is_nonzero(along->ends, a->first, law->count) ? along->ends : want.ends;
     }
     a->is_asked |= a->by_order;
     a->by_terms = fvi_wanted_kernel_numbers(&want);
@@ -116,7 +116,7 @@ static int start_stages(fvi_tangent_run *o, const fvi_sensitivities *want, doubl
 int fvi_tangent_damper_start(fvi_tangent_run *o, double keep, fvi_tangent_damper *a)
 {
     const int is_paper = o->method->paper_convention;
-    const fvi_sensitivities want = find_wanted(o, a);
+    const fvi_sensitivities want = find_wanted_derivatives(o, a);
     a->r = a->of.matrix.select_history ? a->of.matrix.history_size : o->d;
     if (!a->is_asked && !a->by_terms)
         return FVI_SUCCESS;

@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* Entry i of the inverse of A times w in form D, and of D w in form M. (17.3) The numbers of w are `stride` apart. */
-static double differentiated(const fvi_tangent_run *o, size_t i, const double *w, size_t stride)
+static double differentiate_stages(const fvi_tangent_run *o, size_t i, const double *w, size_t stride)
 {
     double sum = o->method->damped_inertia && i == 0 ? w[0] / o->rule->b[0] : 0;
     for (size_t l = 0; l < o->s; l++)
@@ -29,7 +29,7 @@ static void read_stages(fvi_tangent_run *o)
         for (size_t n = 0; n < d; n++) {
             double moved = 0;
             if (stages)
-                o->V[i * d + n] = differentiated(o, i, stages->dX + n, d) / h;
+                o->V[i * d + n] = differentiate_stages(o, i, stages->dX + n, d) / h;
             for (size_t l = 0; m && l < s; l++)
                 moved += h * o->A[i][l] * m->V[l * d + n];
             o->X[i * d + n] = o->x_k[n] + (stages ? stages->dX[i * d + n] : moved);
@@ -45,7 +45,7 @@ static double inertia(const fvi_tangent_run *o, size_t i, size_t n)
     if (o->method->damped_inertia) {
         for (size_t l = 0; l < s; l++)
             away[l] = V[l * d] - o->left[n];
-        return -differentiated(o, i, away, 1) / h;
+        return -differentiate_stages(o, i, away, 1) / h;
     }
     for (size_t l = 0; l < s; l++)
         sum += o->rule->D[l][i] * b[l] * V[l * d];

@@ -204,7 +204,7 @@ void fvi_mesh_coefficients(const fvi_variable_step_state *o, const double *value
 }
 
 /* Compute the coefficients of h f from the values of f at the stages. */
-static void describe(const fvi_variable_step_state *o, const double *f, double *to)
+static void find_legendre_coefficients(const fvi_variable_step_state *o, const double *f, double *to)
 {
     double values[FVI_LANES] = { 0 };
     for (size_t i = 0; i < o->rule->s; i++)
@@ -244,13 +244,13 @@ static int describe_forces(fvi_stepper *s, fvi_variable_step_state *o)
         const double *lambda = of->lambda + e * n;
         for (size_t i = 0; i < n; i++)
             power[i] = lambda[i] * of->zdot[e * n + i];
-        describe(o, lambda, m->force0 + e * FVI_LANES);
-        describe(o, power, m->power0 + e * FVI_LANES);
+        find_legendre_coefficients(o, lambda, m->force0 + e * FVI_LANES);
+        find_legendre_coefficients(o, power, m->power0 + e * FVI_LANES);
     }
     const int status = powers_of_forces(s, power);
     if (status)
         return status;
-    describe(o, power, m->by_force0);
+    find_legendre_coefficients(o, power, m->by_force0);
     m->by_force_begin = m->by_force;
     for (size_t i = 0; i < n; i++)
         m->by_force += o->length.h * o->rule->b[i] * power[i];
@@ -258,7 +258,7 @@ static int describe_forces(fvi_stepper *s, fvi_variable_step_state *o)
         for (size_t i = 0; i < n; i++)
             power[i] = of->u[n * o->d + i * of->m + l]
                        / (o->length.h * o->length.h * o->rule->b[i]);
-        describe(o, power, m->multiplier0 + l * FVI_LANES);
+        find_legendre_coefficients(o, power, m->multiplier0 + l * FVI_LANES);
     }
     return status;
 }

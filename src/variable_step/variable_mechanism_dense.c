@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* Return sum_k w_k g_k, where g are the Legendre coefficients converted to powers. */
-static double combine(size_t s, const double *coefficients, const double *w)
+static double combine_powers(size_t s, const double *coefficients, const double *w)
 {
     double g[FVI_LANES];
     fvi_variable_step_powers(s, coefficients, g);
@@ -23,11 +23,11 @@ void fvi_mesh_momentum(const fvi_stepper *s, const fvi_variable_step_state *o, d
     double w[FVI_LANES];
     fvi_variable_step_once(theta, w);
     for (size_t j = 0; j < o->d; j++)
-        p[j] = from[j] + combine(o->rule->s, slope + j * FVI_LANES, w);
+        p[j] = from[j] + combine_powers(o->rule->s, slope + j * FVI_LANES, w);
 }
 
 /* Take the impulses of the constraints into p, at the end of the step that is tried. */
-static int take_ties(const fvi_stepper *s, const double *x, double *p)
+static int subtract_constraint_momentum(const fvi_stepper *s, const double *x, double *p)
 {
     const fvi_mechanism_state *of = s->mechanism;
     double *C = malloc(of->m * of->d * sizeof *C), *v = malloc(of->d * sizeof *v);
@@ -51,7 +51,7 @@ int fvi_mesh_end(const fvi_stepper *s, const fvi_variable_step_state *o, double 
         for (size_t i = 0; i < n; i++)
             p[j] += o->length.h * o->rule->b[i] * of->f[i * d + j];
     }
-    return of->m ? take_ties(s, x, p) : FVI_SUCCESS;
+    return of->m ? subtract_constraint_momentum(s, x, p) : FVI_SUCCESS;
 }
 
 /* Return theta of the time t in the last step. */
@@ -72,10 +72,10 @@ void fvi_mesh_sums(const fvi_stepper *s, size_t j, double t, double *force, doub
     for (size_t k = 1; k < FVI_LANES; k++)
         power[k] = theta * power[k - 1];
     const double *force0 = m->force0 + j * FVI_LANES, *power0 = m->power0 + j * FVI_LANES;
-    *force = h > 0 ? combine(o->rule->s, force0, power) / h : 0;
+    *force = h > 0 ? combine_powers(o->rule->s, force0, power) / h : 0;
     *impulse = t == s->t ? s->mechanism->impulse[j]
-                         : m->impulse0[j] + combine(o->rule->s, force0, w);
-    *work = t == s->t ? s->mechanism->work[j] : m->work0[j] + combine(o->rule->s, power0, w);
+                         : m->impulse0[j] + combine_powers(o->rule->s, force0, w);
+    *work = t == s->t ? s->mechanism->work[j] : m->work0[j] + combine_powers(o->rule->s, power0, w);
 }
 
 double fvi_mesh_work_of_forces(const fvi_stepper *s, double t)
@@ -85,7 +85,7 @@ double fvi_mesh_work_of_forces(const fvi_stepper *s, double t)
     double w[FVI_LANES];
     fvi_variable_step_once(place(s, t), w);
     return t == s->t ? m->by_force
-                     : m->by_force_begin + combine(o->rule->s, m->by_force0, w);
+                     : m->by_force_begin + combine_powers(o->rule->s, m->by_force0, w);
 }
 
 double fvi_mesh_multiplier(const fvi_stepper *s, size_t i, double t)
@@ -95,7 +95,7 @@ double fvi_mesh_multiplier(const fvi_stepper *s, size_t i, double t)
     double power[FVI_LANES] = { 1 };
     for (size_t k = 1; k < FVI_LANES; k++)
         power[k] = theta * power[k - 1];
-    return combine(o->rule->s, o->mechanism->multiplier0 + i * FVI_LANES, power) / h;
+    return combine_powers(o->rule->s, o->mechanism->multiplier0 + i * FVI_LANES, power) / h;
 }
 
 int fvi_mesh_project(const fvi_stepper *s, double t, const double *x, double *p, double *v)
@@ -131,7 +131,7 @@ int fvi_mesh_velocity(const fvi_stepper *s, double t, const double *x, const dou
     for (size_t j = 0; j < o->d; j++)
         v[j] = t == s->t ? o->v[j]
                          : o->v0[j]
-                               + combine(o->rule->s, o->accel_legendre0 + j * FVI_LANES, w);
+                               + combine_powers(o->rule->s, o->accel_legendre0 + j * FVI_LANES, w);
     const fvi_mechanism_state *of = s->mechanism;
     if ((t == s->t ? of->m : of->last_m) == 0)
         return fvi_velocity_of_momentum(s->run.system, t, x, p, v);

@@ -63,8 +63,8 @@ static int project_stages(fvi_stepper *s, double *v)
  * the error, so this coordinate does not count. v: velocities of the stages; zdot: rates of dampers, stage i of damper
  * e at [i * by_stage + e * by_damper]. */
 //> estimate
-static double estimate(const fvi_stepper *s, const fvi_variable_step_state *o, const double *v,
-                       const double *zdot, size_t by_stage, size_t by_damper)
+static double estimate_error(const fvi_stepper *s, const fvi_variable_step_state *o, const double *v,
+                             const double *zdot, size_t by_stage, size_t by_damper)
 {
     const double h = o->length.h, reach = o->T - o->t;
     const int may_jump = o->first_after_event && h <= o->least;
@@ -86,14 +86,14 @@ int fvi_mesh_estimate(fvi_stepper *s, const fvi_variable_step_state *o, double *
 {
     const fvi_mechanism_state *of = s->mechanism;
     if (of->m == 0) {
-        *error = estimate(s, o, of->V, of->zdot, 1, of->s);
+        *error = estimate_error(s, o, of->V, of->zdot, 1, of->s);
         return FVI_SUCCESS;
     }
     double *v = malloc(of->s * (of->d + of->r) * sizeof *v);
     if (!v)
         return FVI_ENOMEM;
     const int status = project_stages(s, v);
-    *error = status ? 0 : estimate(s, o, v, v + of->s * of->d, of->r, 1);
+    *error = status ? 0 : estimate_error(s, o, v, v + of->s * of->d, of->r, 1);
     free(v);
     if (status)
         return status == FVI_EOVRFLW ? FVI_EMAXITER : status;

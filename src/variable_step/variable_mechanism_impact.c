@@ -20,8 +20,8 @@
 
 /* Compute v of p at the end of the last step. With constraints, add their impulses to p, and to tie unless it is
  * NULL. */
-static int keep_to_ties(fvi_stepper *s, double t, const double *x, double *p, double *v,
-                        double *tie)
+static int project_on_constraints(fvi_stepper *s, double t, const double *x, double *p, double *v,
+                                  double *tie)
 {
     const fvi_mechanism_state *of = s->mechanism;
     if (of->m == 0)
@@ -45,7 +45,7 @@ int fvi_mesh_find_tensile_contact(fvi_stepper *s, fvi_variable_step_state *o, co
     for (size_t j = 0; j < o->d; j++)
         p[j] = s->p[j] + factor * J[j];
     memcpy(v, o->v, o->d * sizeof *v);
-    const int status = keep_to_ties(s, o->t, o->y, p, v, NULL);
+    const int status = project_on_constraints(s, o->t, o->y, p, v, NULL);
     const double jump = fabs(factor) * largest_abs(o->d, J),
                  least = 1e-12 * (jump + largest_abs(o->d, s->p));
     double worst = 0;
@@ -69,7 +69,7 @@ int fvi_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J,
     memcpy(v, o->v, o->d * sizeof *v);
     for (size_t j = 0; j < o->d; j++)
         s->p[j] += factor * J[j];
-    const int status = keep_to_ties(s, o->t, o->y, s->p, v, of->tie);
+    const int status = project_on_constraints(s, o->t, o->y, s->p, v, of->tie);
     for (size_t j = 0; j < o->d && !status; j++) {
         for (size_t e = 0; e < o->mechanism->r; e++)
             o->mechanism->damper[e].now += of->G[e * o->d + j] * (v[j] - o->v[j]);
@@ -125,7 +125,7 @@ int fvi_mesh_impact(fvi_stepper *s, const double *normal, const double *v, doubl
         double inverse;
         for (size_t j = 0; j < d; j++)
             p[j] = s->p[j] + *lambda * normal[j];
-        int status = keep_to_ties(s, s->t, s->x, p, w, NULL);
+        int status = project_on_constraints(s, s->t, s->x, p, w, NULL);
         if (!status)
             status = fvi_mesh_inverse_along(s, normal, w, &inverse);
         if (status)

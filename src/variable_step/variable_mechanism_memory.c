@@ -125,7 +125,7 @@ static int refuse(fvi_error *error, int code, size_t j, const char *text)
 
 /* Start the history of damper j. With a jump of its elongation, every mode starts with z_0, and a spring is at rest at
  * 0. */
-static void stretch(const fvi_stepper *s, fvi_variable_step_state *o, size_t j)
+static void start_stretched_modes(const fvi_stepper *s, fvi_variable_step_state *o, size_t j)
 {
     fvi_mesh_damper *to = &o->mechanism->damper[j];
     to->centre = starts_with_jump(s, j) ? 0 : s->mechanism->z[j];
@@ -195,7 +195,7 @@ int fvi_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o)
             return status;
         status = fvi_mesh_begin_damper(s, o, damper_of(s, j)->kernel, 1, j, to);
         if (!status)
-            stretch(s, o, j);
+            start_stretched_modes(s, o, j);
     }
     return status;
 }

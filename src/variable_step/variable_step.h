@@ -390,8 +390,8 @@ void fvi_singular_sums_by_order(size_t count, const double *d, const double *rat
                         const double *a, fvi_singular_series *f);
 double fvi_singular_moment(const fvi_singular_series *f, double S);
 
-/* fvi_singular_hand_over -- end the singular part at o->t = t1: y and v become x and x', and the modes take over the
+/* fvi_singular_transfer -- end the singular part at o->t = t1: y and v become x and x', and the modes take over the
  * effect of G. (22.20) */
-void fvi_singular_hand_over(fvi_variable_step_state *o);
+void fvi_singular_transfer(fvi_variable_step_state *o);
 
 #endif

@@ -83,7 +83,7 @@ FVI_VECTORS static void factorise(fvi_variable_step_band *o, const size_t *kind,
 /* Map stages to eigenvectors, and substitute forwards by L. e_j replaces r_j. */
 //> forwards
 static inline __attribute__((always_inline)) void
-forwards(const fvi_variable_step_band *o, double *r)
+substitute_forwards(const fvi_variable_step_band *o, double *r)
 {
     const size_t n = o->diagonals;
     quad *e = (quad *)r;
@@ -105,7 +105,7 @@ forwards(const fvi_variable_step_band *o, double *r)
 
 /* Substitute backwards by D and L^T. */
 static inline __attribute__((always_inline)) void
-backwards(const fvi_variable_step_band *o, double *r)
+substitute_backwards(const fvi_variable_step_band *o, double *r)
 {
     const size_t n = o->diagonals;
     quad *e = (quad *)r;
@@ -122,7 +122,7 @@ backwards(const fvi_variable_step_band *o, double *r)
 
 /* Map eigenvectors back to stages. */
 static inline __attribute__((always_inline)) void
-join(const fvi_variable_step_band *o, double *r)
+stages_of_pairs(const fvi_variable_step_band *o, double *r)
 {
     for (size_t j = 0; j < o->d; j++, r += FVI_LANES) {
         fvi_four low = { 0 }, high = { 0 };
@@ -182,9 +182,9 @@ FVI_VECTORS static void solve(const fvi_variable_step_band *o, double *r)
     } else if (o->diagonals == 1) {
         one_by_one(6, o, r);
     } else {
-        forwards(o, r);
-        backwards(o, r);
-        join(o, r);
+        substitute_forwards(o, r);
+        substitute_backwards(o, r);
+        stages_of_pairs(o, r);
     }
 }
 

@@ -90,7 +90,7 @@ static size_t find_tensile_contact(const fvi_stepper *s, const fvi_variable_step
 }
 
 /* Record a rest at each new contact, because it is closed and pushes. */
-static int note_rest(const fvi_stepper *s, fvi_event_watch *w)
+static int mark_resting_contacts(const fvi_stepper *s, fvi_event_watch *w)
 {
     int status = FVI_SUCCESS;
     for (size_t i = 0; i < w->count && !status; i++) {
@@ -123,7 +123,7 @@ int fvi_variable_step_check_contacts(fvi_stepper *s, fvi_variable_step_state *o)
     }
     o->length = length;
     o->powers_known = 0; /* the trial has overwritten the powers */
-    return status ? status : note_rest(s, o->watch);
+    return status ? status : mark_resting_contacts(s, o->watch);
 }
 
 int fvi_variable_step_start_contacts(fvi_stepper *s, fvi_variable_step_state *o)

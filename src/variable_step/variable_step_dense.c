@@ -37,7 +37,7 @@ static const fvi_four integral[] = { { 1, 1. / 2, 1. / 3, 1. / 4 },
 
 /* Compute w_k = first theta^k by_k. */
 static inline __attribute__((always_inline)) void
-weigh(double first, double theta, const fvi_four by[2], fvi_four *w)
+weigh_powers(double first, double theta, const fvi_four by[2], fvi_four *w)
 {
     const double square = theta * theta, cube = square * theta;
     const fvi_four low = { first, first * theta, first * square, first * cube },
@@ -48,12 +48,12 @@ weigh(double first, double theta, const fvi_four by[2], fvi_four *w)
 
 void fvi_variable_step_once(double theta, double *w)
 {
-    weigh(theta, theta, integral, (fvi_four *)w);
+    weigh_powers(theta, theta, integral, (fvi_four *)w);
 }
 
 void fvi_variable_step_twice(double theta, double *w)
 {
-    weigh(theta * theta, theta, double_integral, (fvi_four *)w);
+    weigh_powers(theta * theta, theta, double_integral, (fvi_four *)w);
 }
 
 /* Return sum_k w_k g_k. g has zeros behind the s-th number. */
@@ -65,11 +65,11 @@ static inline __attribute__((always_inline)) double product(const fvi_four *w,
 }
 
 /* Compute x = x_k + theta h v_k + the double integral of x''. */
-FVI_VECTORS static void positions(const fvi_variable_step_state *o, double h,
-                                  double theta, double *x)
+FVI_VECTORS static void find_positions(const fvi_variable_step_state *o, double h,
+                                       double theta, double *x)
 {
     fvi_four w[2];
-    weigh(theta * theta, theta, double_integral, w);
+    weigh_powers(theta * theta, theta, double_integral, w);
     for (size_t j = 0; j < o->d; j++)
         x[j] = o->y0[j]
                + h
@@ -78,11 +78,11 @@ FVI_VECTORS static void positions(const fvi_variable_step_state *o, double h,
 }
 
 /* Compute p = m v, with v = v_k + the integral of x''. */
-FVI_VECTORS static void momenta(const fvi_variable_step_state *o, const double *mass,
-                                double theta, double *p)
+FVI_VECTORS static void find_momenta(const fvi_variable_step_state *o, const double *mass,
+                                     double theta, double *p)
 {
     fvi_four w[2];
-    weigh(theta, theta, integral, w);
+    weigh_powers(theta, theta, integral, w);
     for (size_t j = 0; j < o->d; j++)
         p[j] = (o->v0[j] + product(w, o->powers + j * FVI_LANES)) * mass[j];
 }
@@ -92,7 +92,7 @@ static int momenta_of_matrices(const fvi_stepper *s, fvi_variable_step_state *o,
                                double *p)
 {
     const fvi_matrices *m = s->run.system->matrices;
-    momenta(o, o->structure->ones, theta, o->structure->Kv);
+    find_momenta(o, o->structure->ones, theta, o->structure->Kv);
     return m->inertia(o->d, o->structure->Kv, m->params, p);
 }
 
@@ -126,7 +126,7 @@ static int project(const fvi_stepper *s, double t, double theta, double *p)
     double *x = malloc(2 * o->d * sizeof *x);
     if (!x)
         return FVI_ENOMEM;
-    positions(o, s->t - o->t0, theta, x);
+    find_positions(o, s->t - o->t0, theta, x);
     memcpy(x + o->d, o->v, o->d * sizeof *x);
     const int status = fvi_mesh_project_within(s, t, x, p, x + o->d);
     free(x);
@@ -144,7 +144,7 @@ int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p
     if (!o->powers_known)
         make_powers(o);
     if (x)
-        positions(o, h, theta, x);
+        find_positions(o, h, theta, x);
     if (p && o->mechanism) {
         fvi_mesh_momentum(s, o, theta, 0, p);
         return s->mechanism->last_m ? project(s, t, theta, p) : FVI_SUCCESS;
@@ -152,7 +152,7 @@ int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p
     if (p && o->structure)
         return momenta_of_matrices(s, o, theta, p);
     if (p)
-        momenta(o, s->run.system->mass, theta, p);
+        find_momenta(o, s->run.system->mass, theta, p);
     if (fvi_singular_is(o, o->t0) && t > 0)
         add_singular(o, s->run.system->mass, t, x, p);
     return FVI_SUCCESS;

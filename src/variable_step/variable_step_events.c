@@ -28,7 +28,7 @@ int fvi_variable_step_velocities_jump(const fvi_run *run)
     return 0;
 }
 
-static size_t numbers(const fvi_variable_step_state *o, size_t count)
+static size_t count_numbers(const fvi_variable_step_state *o, size_t count)
 {
     return count * (8 + o->rule->s) + 6 * o->d;
 }
@@ -58,7 +58,7 @@ int fvi_variable_step_copy_events(const fvi_event_watch *from, fvi_variable_step
     if (status)
         return status;
     fvi_event_watch *w = o->watch;
-    memcpy(w->side, from->side, numbers(o, w->count) * sizeof *w->side);
+    memcpy(w->side, from->side, count_numbers(o, w->count) * sizeof *w->side);
     w->is_ready = from->is_ready;
     w->is_over = from->is_over;
     w->rest = from->rest;
@@ -77,7 +77,7 @@ int fvi_variable_step_archive_events(const fvi_stepper *s, fvi_variable_step_sta
 {
     fvi_event_watch *w = o->watch;
     size_t happened = w->happened;
-    int status = FVI_SERIALIZE(v, FVI_CONSTANT(w->count), FVI_STATES(w->side, numbers(o, w->count)),
+    int status = FVI_SERIALIZE(v, FVI_CONSTANT(w->count), FVI_STATES(w->side, count_numbers(o, w->count)),
                                FVI_STATE(w->is_ready), FVI_STATE(w->is_over), FVI_STATE(happened));
     if (!status && happened > 2 * w->count * (o->counts.steps + 1))
         FVI_FAIL("not a state of this run", FVI_EINVAL);

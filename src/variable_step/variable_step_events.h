@@ -55,7 +55,7 @@ typedef struct fvi_event_watch {
  * fvi_variable_step_check_walls -- return FVI_EINVAL if a body starts on a wall and moves into it; FVI_SUCCESS
  * otherwise; or the codes of fvi_variable_step_speed_of_event.
  *
- * fvi_variable_step_act -- carry out the events at the end of the last step, and prepare the next step. Returns
+ * fvi_variable_step_handle_events -- carry out the events at the end of the last step, and prepare the next step. Returns
  * FVI_SUCCESS; FVI_ENOMEM; FVI_ESING if the normal of an impact is 0; FVI_EOVRFLW; the codes of a mechanism and of the
  * functions of the events. */
 int fvi_variable_step_velocities_jump(const fvi_run *run);
@@ -67,7 +67,7 @@ void fvi_variable_step_free_events(fvi_event_watch *w);
 int fvi_variable_step_end_at_event(fvi_stepper *s, fvi_variable_step_state *o);
 double fvi_variable_step_outside(const fvi_event *e);
 int fvi_variable_step_check_walls(fvi_stepper *s, fvi_variable_step_state *o);
-int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o);
+int fvi_variable_step_handle_events(fvi_stepper *s, fvi_variable_step_state *o);
 
 /* ---- variable_step_contact.c ---- */
 
@@ -90,7 +90,7 @@ int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o);
  * fvi_variable_step_find_lift_off -- write to w->theta[i] where this force passes 0 in that step: 0 if the contact is
  * under tension at the start of the step, INFINITY if it pushes at all stages.
  *
- * The functions with a code return FVI_SUCCESS, or the codes of fvi_variable_step_act. */
+ * The functions with a code return FVI_SUCCESS, or the codes of fvi_variable_step_handle_events. */
 int fvi_variable_step_close_contact(fvi_stepper *s, fvi_variable_step_state *o, size_t i);
 int fvi_variable_step_open_contact(fvi_stepper *s, fvi_variable_step_state *o, size_t i);
 int fvi_variable_step_open_tensile_contacts(fvi_stepper *s, fvi_variable_step_state *o, const double *J,

@@ -15,18 +15,18 @@
 /* ---- impacts ---- */
 
 /* Return the mass of coordinate j in a jump of the velocity. */
-static double mass_of(const fvi_stepper *s, size_t j)
+static double mass_in_impact(const fvi_stepper *s, size_t j)
 {
     const fvi_variable_step_state *o = s->method_state;
     return o->group[o->kind[j]].mass;
 }
 
-static int kick(fvi_stepper *s, const double *J, double factor)
+static int apply_impulse(fvi_stepper *s, const double *J, double factor)
 {
     fvi_variable_step_state *o = s->method_state;
     const int status = o->mechanism ? fvi_mesh_jump(s, o, J, factor) : FVI_SUCCESS;
     for (size_t j = 0; j < o->d && !o->mechanism; j++) {
-        const double jump = factor * J[j] / mass_of(s, j);
+        const double jump = factor * J[j] / mass_in_impact(s, j);
         o->impulse_dv[j] += jump;
         o->v[j] += jump;
         s->p[j] += s->run.system->mass[j] * jump;
@@ -122,7 +122,7 @@ static int factor_of_jump(fvi_stepper *s, fvi_variable_step_state *o, const fvi_
     double inverse = 0;
     int status = FVI_SUCCESS;
     for (size_t j = 0; j < o->d && !o->mechanism; j++)
-        inverse += normal[j] * normal[j] / mass_of(s, j);
+        inverse += normal[j] * normal[j] / mass_in_impact(s, j);
     if (o->mechanism)
         status = fvi_mesh_inverse_along(s, normal, normal + o->d, &inverse);
     if (!status && !(fabs(inverse) > 0))
@@ -140,7 +140,7 @@ static int factor_of_jump(fvi_stepper *s, fvi_variable_step_state *o, const fvi_
 
 /* Let p jump to p - (1 + e) n (n v + dz/dt) / (n M^-1 n), if the body comes nearer. *at_rest: nonzero if after it the
  * body would rise no higher, in z, than the height of rest or than the step may err, before it falls back. */
-static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_rest)
+static int apply_impact(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_rest)
 {
     const fvi_event *e = &s->run.events[i];
     const fvi_event_watch *w = o->watch;
@@ -155,7 +155,7 @@ static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_res
         return status;
     const double size = fvi_dot(o->d, normal, normal);
     if (comes_nearer)
-        status = kick(s, normal, jump);
+        status = apply_impulse(s, normal, jump);
     const double after = e->restitution * speed,
                  height = e->rest > 0 ? e->rest : w->rest > 0 ? w->rest : o->allowed;
     *at_rest = fall > 0 && after * after <= 2 * fall * height * sqrt(size);
@@ -164,7 +164,7 @@ static int hit(fvi_stepper *s, fvi_variable_step_state *o, size_t i, int *at_res
 //< impact
 
 /* The body stays at the wall: end the run, or close the contact. */
-static int come_to_rest(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
+static int rest_at_wall(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
 {
     if (s->run.events[i].action == FVI_EVENT_CONTACT)
         return fvi_variable_step_close_contact(s, o, i);
@@ -173,7 +173,7 @@ static int come_to_rest(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
 }
 
 /* Carry out event i, at the end of the step. */
-static int act(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
+static int handle_event(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
 {
     fvi_event_watch *w = o->watch;
     const fvi_event *e = &s->run.events[i];
@@ -181,7 +181,7 @@ static int act(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
     if (w->closed[i] != 0)
         return fvi_variable_step_open_contact(s, o, i);
     if (fvi_event_has_wall(e))
-        status = hit(s, o, i, &at_rest);
+        status = apply_impact(s, o, i, &at_rest);
     else
         w->side[i] = w->behind[i]; /* z has passed 0 */
     w->is_over |= e->action == FVI_EVENT_STOP;
@@ -190,10 +190,10 @@ static int act(fvi_stepper *s, fvi_variable_step_state *o, size_t i)
     if (!status)
         status = fvi_variable_step_note_event(w, (fvi_event_time){ s->t, i, at_rest && !may_rest, 0 });
     w->is_new[i] = at_rest && may_rest;
-    return status || !at_rest ? status : come_to_rest(s, o, i);
+    return status || !at_rest ? status : rest_at_wall(s, o, i);
 }
 
-int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o)
+int fvi_variable_step_handle_events(fvi_stepper *s, fvi_variable_step_state *o)
 {
     fvi_event_watch *w = o->watch;
     double first = INFINITY;
@@ -209,9 +209,9 @@ int fvi_variable_step_act(fvi_stepper *s, fvi_variable_step_state *o)
             if (w->is_new[i] == 0)
                 status = fvi_variable_step_note_event(w, (fvi_event_time){ s->t, i, 1, 0 });
             if (!status)
-                status = come_to_rest(s, o, i);
+                status = rest_at_wall(s, o, i);
         } else if (happens) {
-            status = act(s, o, i);
+            status = handle_event(s, o, i);
             w->has_hit[i] = fvi_event_has_wall(&s->run.events[i]);
             jumped |= w->has_hit[i] != 0;
         }
@@ -273,6 +273,6 @@ int fvi_stepper_kick(fvi_stepper *s, const double *J)
             FVI_FAIL("a coordinate without inertia takes no kick", FVI_EUNSUP);
     int status = fvi_variable_step_open_tensile_contacts(s, o, J, 1);
     if (!status)
-        status = kick(s, J, 1);
+        status = apply_impulse(s, J, 1);
     return !status && o->watch ? fvi_variable_step_sides(s, o->watch, 1) : status;
 }

@@ -30,7 +30,7 @@ struct fvi_variable_step_kernel {
     fvi_kernel_simple term[]; /* the terms of the law that are fractions of powers */
 };
 
-static int rises(const fvi_kernel_simple *t)
+static int is_rising(const fvi_kernel_simple *t)
 {
     return 2 * (t->time > 0 ? t->alpha - t->below : t->alpha) > 1;
 }
@@ -50,7 +50,7 @@ static int has_ladder(const fvi_kernel_simple *t)
 }
 
 /* Return C(s)/s in place of C(s), which grows like s^2 and may overflow at the shortest steps. */
-static fvi_kernel_simple over_s(const fvi_kernel_simple *t)
+static fvi_kernel_simple divide_by_s(const fvi_kernel_simple *t)
 {
     return (fvi_kernel_simple){ t->rho, t->alpha - 0.5, t->time, t->time > 0 ? t->below : 0 };
 }
@@ -80,7 +80,7 @@ static double density(const fvi_variable_step_kernel *k, int rising, double u)
 {
     double sum = 0;
     for (size_t i = 0; i < k->terms; i++)
-        if (has_ladder(&k->term[i]) && rises(&k->term[i]) == rising)
+        if (has_ladder(&k->term[i]) && is_rising(&k->term[i]) == rising)
             sum += fvi_kernel_on_the_cut(&k->term[i], k->term[i].rho, u);
     return sum / M_PI;
 }
@@ -93,8 +93,8 @@ static double density_over_rate(const fvi_variable_step_kernel *k, int rising, d
     if (isfinite(whole))
         return whole / rate;
     for (size_t i = 0; i < k->terms; i++) {
-        const fvi_kernel_simple t = over_s(&k->term[i]);
-        if (has_ladder(&k->term[i]) && rises(&k->term[i]) == rising)
+        const fvi_kernel_simple t = divide_by_s(&k->term[i]);
+        if (has_ladder(&k->term[i]) && is_rising(&k->term[i]) == rising)
             sum -= fvi_kernel_on_the_cut(&t, t.rho, u); /* s = -sigma there */
     }
     return sum / M_PI;
@@ -102,13 +102,13 @@ static double density_over_rate(const fvi_variable_step_kernel *k, int rising, d
 
 /* Return the distance of the nearest pole from the cut in ln sigma, less a tenth; 0 if a pole lies not beside the cut
  * but before it. *any: nonzero if a term has a ladder at all. */
-static double strip(const fvi_variable_step_kernel *k, int rising, int *any)
+static double strip_width(const fvi_variable_step_kernel *k, int rising, int *any)
 {
     double width = M_PI_2;
     *any = 0;
     for (size_t i = 0; i < k->terms; i++) {
         const fvi_kernel_simple *t = &k->term[i];
-        if (!has_ladder(t) || rises(t) != rising)
+        if (!has_ladder(t) || is_rising(t) != rising)
             continue;
         *any = 1;
         if (t->time > 0)
@@ -125,7 +125,7 @@ static int add_ladder(const fvi_kernel_on_mesh *o, int rising,
 {
     const fvi_variable_step_kernel *k = o->kernel;
     int any;
-    const double width = strip(k, rising, &any), step = 2 * M_PI * width / 36,
+    const double width = strip_width(k, rising, &any), step = 2 * M_PI * width / 36,
                  last = log(1e6 / o->least), first = log(1e-8 / o->T);
     if (any && !((last - first) / step < MOST - 2))
         return FVI_EUNSUP; /* poles are too near to the cut, or off it */
@@ -134,7 +134,7 @@ static int add_ladder(const fvi_kernel_on_mesh *o, int rising,
         add_mode(l, exp(u), step * (rising ? density_over_rate(k, rising, u, exp(u)) : density(k, rising, u)));
     for (size_t i = 0; i < k->terms; i++) {
         const fvi_kernel_simple *t = &k->term[i];
-        if (has_ladder(t) && rises(t) == rising)
+        if (has_ladder(t) && is_rising(t) == rising)
             fvi_kernel_tail(t, step * t->rho / M_PI, 0, u + step, step,
                             rising ? -1 : 0, &S0, &S1);
     }
@@ -162,8 +162,8 @@ static int add_poles(const fvi_kernel_on_mesh *o, mode_list *l)
 
 /* Return nonzero if the modes of a SYMBOL are complete. k itself may contain a dashpot, so the test compares the change
  * of k from s to 2 s, at all time scales of the run. */
-static int says_all(const fvi_kernel_term *t, const fvi_kernel_modes *m,
-                    double slowest, double fastest)
+static int modes_reproduce_kernel(const fvi_kernel_term *t, const fvi_kernel_modes *m,
+                                  double slowest, double fastest)
 {
     for (double s = slowest; s < fastest; s *= 2) {
         const double change = creal(fvi_kernel_term_at(t, s, 0)) / s
@@ -192,7 +192,7 @@ static int add_general_term(const fvi_kernel_on_mesh *o,
         if (status)
             return status;
         const int all = t->kind != FVI_KERNEL_SYMBOL
-                        || says_all(t, &m, 1 / o->T, 1e-6 / o->least);
+                        || modes_reproduce_kernel(t, &m, 1 / o->T, 1e-6 / o->least);
         for (size_t j = 0; all && !status && j < m.count; j++)
             status = add_mode(l, m.rate[j], m.weight[j]);
         free(m.rate);
@@ -291,14 +291,14 @@ int fvi_kernel_begin_on_mesh(const fvi_kernel_on_mesh *o, fvi_modes **modes,
 static const double MOST_MODULUS = 1e150;
 
 /* Return k at modulus e^(i angle), of the rising terms or of the other terms. */
-static double complex present(const fvi_variable_step_kernel *k, int rising,
-                              double modulus, double angle)
+static double complex evaluate_group(const fvi_variable_step_kernel *k, int rising,
+                                     double modulus, double angle)
 {
     const int is_over_s = rising && modulus > MOST_MODULUS;
     double complex C = 0;
     for (size_t i = 0; i < k->terms; i++) {
-        const fvi_kernel_simple t = is_over_s ? over_s(&k->term[i]) : k->term[i];
-        if (k->term[i].rho > 0 && rises(&k->term[i]) == rising)
+        const fvi_kernel_simple t = is_over_s ? divide_by_s(&k->term[i]) : k->term[i];
+        if (k->term[i].rho > 0 && is_rising(&k->term[i]) == rising)
             C += fvi_kernel_simple_at(&t, modulus, angle);
     }
     for (size_t i = 0; !rising && i < k->law->count; i++)
@@ -317,9 +317,9 @@ void fvi_kernel_present_on_mesh(const fvi_kernel_on_mesh *o, double h, double be
     for (size_t n = 0; n < rule->s / 2; n++) {
         const double modulus = exp(rule->log_modulus[n]) / h;
         const double complex slow =
-            scale * present(o->kernel, 0, modulus, rule->angle[n]);
+            scale * evaluate_group(o->kernel, 0, modulus, rule->angle[n]);
         const double complex all =
-            slow + scale * present(o->kernel, 1, modulus, rule->angle[n]);
+            slow + scale * evaluate_group(o->kernel, 1, modulus, rule->angle[n]);
         re[0][n] = creal(slow);
         im[0][n] = cimag(slow);
         re[1][n] = creal(all);

@@ -49,7 +49,7 @@ double fvi_variable_step_next_event(fvi_variable_step_state *o)
 //> length
 /* Return h = exp(L k). But the last two steps before an event are equal to the last bit, so they share the matrices and
  * modes that a length off the lattice needs. */
-static fvi_length propose(const fvi_variable_step_state *o, double event)
+static fvi_length propose_length(const fvi_variable_step_state *o, double event)
 {
     const double rest = event - o->t;
     const fvi_length length = { o->next == o->length.k && o->length.h > 0
@@ -156,7 +156,7 @@ int fvi_variable_step_choose(const fvi_stepper *s, fvi_variable_step_state *o, d
     const double part = s->run.step_error > 0 ? FVI_TOLERANCE_LEAST : 1e-10;
     o->allowed = fmax(s->run.step_error, part * o->scale);
     for (;;) {
-        *length = propose(o, event);
+        *length = propose_length(o, event);
         int clear = !s->run.system->force.bound || length->h <= BLIND * o->T;
         int status =
             clear ? FVI_SUCCESS : check_force_bounds(s, o, length->h, event, &clear);

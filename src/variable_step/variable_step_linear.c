@@ -27,7 +27,7 @@ FVI_VECTORS static void right_sides(fvi_variable_step_state *o, const double *g)
 }
 
 /* Compute the residuals eps = R - [L + c h^2 to_x] delta. */
-FVI_VECTORS static void what_is_left(const fvi_variable_step_state *o, double *eps)
+FVI_VECTORS static void find_linear_residual(const fvi_variable_step_state *o, double *eps)
 {
     for (size_t j = 0; j < o->d; j++) {
         const size_t at = j * FVI_LANES;
@@ -55,7 +55,7 @@ void fvi_variable_step_factorise(fvi_variable_step_state *o)
 
 /* Solve by the eigenvectors. With eight stages the factors are accurate to 1e-12 of delta only, so the residual is
  * solved for once more. eps takes the room of accel_legendre, which is computed later. */
-static void by_pairs(fvi_variable_step_state *o)
+static void solve_by_pairs(fvi_variable_step_state *o)
 {
     double *eps = o->accel_legendre;
     const size_t n = o->d * FVI_LANES;
@@ -69,7 +69,7 @@ static void by_pairs(fvi_variable_step_state *o)
     fvi_variable_step_band_solve(o->band, o->delta);
     if (o->rule->s < 8)
         return;
-    what_is_left(o, eps);
+    find_linear_residual(o, eps);
     fvi_variable_step_band_solve(o->band, eps);
     for (size_t i = 0; i < n; i++)
         o->delta[i] += eps[i];
@@ -83,7 +83,7 @@ int fvi_variable_step_solve_linear(fvi_stepper *s, fvi_variable_step_state *o)
         return status;
     right_sides(o, s->g);
     if (o->band)
-        by_pairs(o);
+        solve_by_pairs(o);
     for (size_t j = 0; j < o->d && !o->band; j++)
         fvi_square_apply(o->rule->s, &o->group[o->kind[j]].inverse,
                          o->R + j * FVI_LANES, o->delta + j * FVI_LANES);

@@ -27,7 +27,7 @@ static double lowest_of(const bracket *b, double *size)
 }
 
 /* Make the bracket smaller by a fourth place. */
-static void close_in(bracket *b, double theta, double size)
+static void narrow_bracket(bracket *b, double theta, double size)
 {
     const int is_left = theta < b->theta[1], is_lower = size < b->size[1],
               end = is_left == is_lower ? 2 : 0; /* the end that is dropped */
@@ -57,7 +57,7 @@ static int find_beyond(const fvi_stepper *s, const fvi_variable_step_state *o, s
             *z = here;
             return FVI_SUCCESS;
         }
-        close_in(b, *theta, side * here);
+        narrow_bracket(b, *theta, side * here);
     }
     return FVI_SUCCESS;
 }
@@ -131,7 +131,7 @@ static int is_least(const fvi_event_watch *w, size_t i, const fvi_event_places *
     return b->size[1] <= b->size[0] && b->size[1] < b->size[2];
 }
 
-static void append(fvi_event_places *to, double theta, double z)
+static void append_place(fvi_event_places *to, double theta, double z)
 {
     to->theta[to->count] = theta;
     to->z[to->count++] = z;
@@ -146,7 +146,7 @@ int fvi_event_places_of(const fvi_stepper *s, const fvi_variable_step_state *o, 
     places->count = 0;
     if (!status && stays_off_zero(o, i, known.at.z[0])) {
         for (size_t n = 1; n < stages; n++)
-            append(places, n + 1 == stages ? 1 : o->rule->c[n], o->watch->z[i * stages + n]);
+            append_place(places, n + 1 == stages ? 1 : o->rule->c[n], o->watch->z[i * stages + n]);
         return FVI_SUCCESS;
     }
     if (!status)
@@ -158,11 +158,11 @@ int fvi_event_places_of(const fvi_stepper *s, const fvi_variable_step_state *o, 
         if (is_least(o->watch, i, &known.at, n, &side, &b))
             status = find_beyond(s, o, i, side, &b, &theta, &beyond);
         if (beyond != 0 && theta < here)
-            append(places, theta, beyond);
+            append_place(places, theta, beyond);
         if (known.is_stage[n])
-            append(places, here, known.at.z[n]);
+            append_place(places, here, known.at.z[n]);
         if (beyond != 0 && theta > here)
-            append(places, theta, beyond);
+            append_place(places, theta, beyond);
     }
     return status;
 }

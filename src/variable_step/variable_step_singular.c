@@ -270,7 +270,7 @@ double fvi_singular_moment(const fvi_singular_series *f, double S)
 }
 //< moments
 
-//> hand-over
+//> transfer
 /* Compute the series of (22.20) for coordinate j, from d_n and a_n. B_0 takes in the term c_0 e^{-S}, which is
  * negligible in the second series. */
 static void mode_series(const fvi_singular *g, size_t j, int coarse,
@@ -289,7 +289,7 @@ static void mode_series(const fvi_singular *g, size_t j, int coarse,
     f->B[0] += c[0];
 }
 
-void fvi_singular_hand_over(fvi_variable_step_state *o)
+void fvi_singular_transfer(fvi_variable_step_state *o)
 {
     const fvi_singular *g = &o->singular;
     for (size_t j = 0; j < o->d; j++) {
@@ -309,4 +309,4 @@ void fvi_singular_hand_over(fvi_variable_step_state *o)
         }
     }
 }
-//< hand-over
+//< transfer

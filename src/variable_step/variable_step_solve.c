@@ -23,7 +23,7 @@
 #include <string.h>
 
 /* Compute base + h to_x delta at all stages, to o->point. */
-FVI_VECTORS static void points(const fvi_variable_step_state *o)
+FVI_VECTORS static void find_stage_points(const fvi_variable_step_state *o)
 {
     const size_t d = o->d, s = o->rule->s;
     const double h = o->length.h;
@@ -49,7 +49,7 @@ static int evaluate_gradients(fvi_stepper *s, fvi_variable_step_state *o)
     const fvi_potential *u = &s->run.system->potential;
     const size_t d = o->d;
     int status = FVI_SUCCESS;
-    points(o);
+    find_stage_points(o);
     for (size_t i = 0; !status && i < o->rule->s; i++)
         status =
             u->gradient(d, o->point + i * d, u->params, o->gradient + i * d);
@@ -58,7 +58,7 @@ static int evaluate_gradients(fvi_stepper *s, fvi_variable_step_state *o)
 
 /* Compute left = R - h grad U of coordinate j. The numbers behind the s-th have no meaning. */
 static inline __attribute__((always_inline)) void
-left_of(const fvi_variable_step_state *o, size_t j, fvi_four *left)
+find_residual(const fvi_variable_step_state *o, size_t j, fvi_four *left)
 {
     const size_t d = o->d;
     const int eight = o->rule->s == 8;
@@ -99,8 +99,8 @@ largest(const fvi_four *most, const fvi_four *all)
  * q = contraction, the changes still to come move x by moved q / (1 - q). Enough is 1e-5 of the error that the step may
  * have, or 1e-3 of it if the tolerance is loose; or a rounding error. */
 //> enough
-static int verdict(fvi_variable_step_state *o, int iteration, double moved,
-                   double moved_before, double worst)
+static int judge_iteration(fvi_variable_step_state *o, int iteration, double moved,
+                           double moved_before, double worst)
 {
     const double floor = 4 * GSL_DBL_EPSILON * o->scale;
     if (moved <= floor)
@@ -173,7 +173,7 @@ static int factors(fvi_stepper *s, fvi_variable_step_state *o)
 
 /* Compute M in, for s numbers. */
 static inline __attribute__((always_inline)) void
-apply(size_t s, const fvi_square *M, const double *in, fvi_four *out)
+multiply_stages(size_t s, const fvi_square *M, const double *in, fvi_four *out)
 {
     out[0] = out[1] = (fvi_four){ 0 };
     for (size_t l = 0; l < s; l++) {
@@ -193,13 +193,13 @@ FVI_VECTORS static double correct(fvi_variable_step_state *o, const fvi_square *
         const fvi_coordinate_group *kind = &o->group[o->kind[j]];
         fvi_four left[2], by[2],
             *delta = (fvi_four *)(o->delta + j * FVI_LANES);
-        left_of(o, j, left);
+        find_residual(o, j, left);
         if (M) {
-            apply(s, &kind->L, (const double *)delta, by);
+            multiply_stages(s, &kind->L, (const double *)delta, by);
             left[0] -= by[0];
             left[1] -= by[1];
         }
-        apply(s, M ? M + j : &kind->inverse, (const double *)left, by);
+        multiply_stages(s, M ? M + j : &kind->inverse, (const double *)left, by);
         for (size_t i = 0; i < 2; i++) {
             if (!M)
                 by[i] -= delta[i];
@@ -218,7 +218,7 @@ FVI_VECTORS static void residuals(const fvi_variable_step_state *o, double *eps)
         const size_t at = j * FVI_LANES;
         const fvi_square *L = &o->group[o->kind[j]].L;
         fvi_four *left = (fvi_four *)(eps + at), low, high;
-        left_of(o, j, left);
+        find_residual(o, j, left);
         low = left[0];
         high = left[1];
         for (size_t l = 0; l < o->rule->s; l++) {
@@ -232,7 +232,7 @@ FVI_VECTORS static void residuals(const fvi_variable_step_state *o, double *eps)
 }
 
 /* Add eps to delta of all coordinates. Return the largest |eps|, or NaN if a number is not finite. */
-FVI_VECTORS static double move(fvi_variable_step_state *o, const double *eps)
+FVI_VECTORS static double apply_correction(fvi_variable_step_state *o, const double *eps)
 {
     fvi_four most = { 0 }, all = { 0 };
     for (size_t i = 0; i < o->d * FVI_LANES; i += 4) {
@@ -252,7 +252,7 @@ static double correct_all(fvi_variable_step_state *o, way by)
         return correct(o, by == NEWTON ? o->jacobian : NULL);
     residuals(o, o->accel_legendre);
     fvi_variable_step_band_solve(o->band, o->accel_legendre);
-    return move(o, o->accel_legendre);
+    return apply_correction(o, o->accel_legendre);
 }
 
 //> newton
@@ -274,7 +274,7 @@ static int iterate(fvi_stepper *s, fvi_variable_step_state *o, way by, double wo
         const double moved = o->length.h * correct_all(o, by);
         if (!isfinite(moved))
             return FVI_EMAXITER;
-        const int go_on = verdict(o, i, moved, moved_before, worst);
+        const int go_on = judge_iteration(o, i, moved, moved_before, worst);
         if (go_on <= 0)
             return go_on < 0 ? FVI_EMAXITER : FVI_SUCCESS;
         moved_before = moved;
@@ -333,7 +333,7 @@ static int solve_coupled(fvi_stepper *s, fvi_variable_step_state *o)
     status = fvi_newton_solve(s->newton, o->y, r, X, o->gradient);
     for (size_t j = 0; !status && j < d; j++) {
         fvi_four left[2];
-        left_of(o, j, left);
+        find_residual(o, j, left);
         fvi_square_apply(n, &o->group[o->kind[j]].inverse,
                          (const double *)left, o->delta + j * FVI_LANES);
     }
@@ -343,7 +343,7 @@ static int solve_coupled(fvi_stepper *s, fvi_variable_step_state *o)
 /* ---- the choice ---- */
 
 /* Solve by Newton's method if there is a band or the coordinates are not coupled, else by the fixed-point iteration. */
-static int by_iterations(fvi_stepper *s, fvi_variable_step_state *o)
+static int solve_by_iterations(fvi_stepper *s, fvi_variable_step_state *o)
 {
     if (o->band)
         return iterate(s, o, ONE_HESSIAN, 0.8, 30);
@@ -362,10 +362,10 @@ int fvi_variable_step_solve(fvi_stepper *s, fvi_variable_step_state *o)
         return solve_coupled(s, o);
     }
     if (o->tolerance > FVI_TOLERANCE_VERY_LOOSE && !fvi_variable_step_guess_by_leapfrog(s, o))
-        status = by_iterations(s, o);
+        status = solve_by_iterations(s, o);
     if (status) { /* or a callback failed at the guess */
         fvi_variable_step_extrapolate(o);
-        status = by_iterations(s, o);
+        status = solve_by_iterations(s, o);
     }
     if (!status && o->tolerance > FVI_TOLERANCE_VERY_LOOSE && fvi_variable_step_is_astray(o))
         return FVI_EMAXITER; /* a shorter step will not be astray */

@@ -14,7 +14,7 @@
  * With a damping alone it is at most about (m/rho) t^{2 alpha - 1} / Gamma(2 alpha), which falls after the time
  * (m/rho)^{1/(2 - 2 alpha)} if alpha < 1/2. With a spring alone it is sqrt(m/c); twice this leaves room for a spring
  * that is softer elsewhere. */
-static double reach_of(double m, double rho, double c, double alpha, double T)
+static double find_compliance(double m, double rho, double c, double alpha, double T)
 {
     double compliance = T;
     if (rho > 0 && alpha < 1)
@@ -26,8 +26,8 @@ static double reach_of(double m, double rho, double c, double alpha, double T)
 /* Form the groups: a new group begins where the mass, damping or spring differs from the coordinate before. Return the
  * number of groups. Fill o->kind and o->group only if they are allocated. springs: one number for each coordinate, or
  * NULL. */
-static size_t sort_out(const fvi_stepper *s, const double *springs,
-                       fvi_variable_step_state *o)
+static size_t group_coordinates(const fvi_stepper *s, const double *springs,
+                                fvi_variable_step_state *o)
 {
     const fvi_system *system = s->run.system;
     const int heavier = s->run.alpha == 1;
@@ -40,7 +40,7 @@ static size_t sort_out(const fvi_stepper *s, const double *springs,
                      group = o->solve == FVI_SOLVE_LINEAR ? c : 0;
         const int same = j > 0 && m == mass && rho == damping;
         if (o->kind && !(same && c == spring))
-            compliance = reach_of(m, rho, c, s->run.alpha, o->T);
+            compliance = find_compliance(m, rho, c, s->run.alpha, o->T);
         n += !(same && group == linear);
         mass = m;
         damping = rho;
@@ -104,7 +104,7 @@ double fvi_variable_step_scale(double x, double of_v, double of_a)
 
 /* Compute the size of the motion for a tolerance that is relative: |x0|; or the distance that the body moves between
  * two rows, or until its spring stops it; or 1. springs: as for sort_out. */
-static int first_scale(fvi_stepper *s, const double *springs, double *scale)
+static int find_first_scale(fvi_stepper *s, const double *springs, double *scale)
 {
     const fvi_system *system = s->run.system;
     const fvi_force *force = &system->force;
@@ -114,7 +114,7 @@ static int first_scale(fvi_stepper *s, const double *springs, double *scale)
         status = fvi_force_value(s, 0);
     for (size_t j = 0; !status && j < system->d; j++) {
         const double m = system->mass[j],
-                     t = reach_of(m, 0, springs ? springs[j] : 0, 0, s->run.h);
+                     t = find_compliance(m, 0, springs ? springs[j] : 0, 0, s->run.h);
         double p = fabs(s->p[j]);
         for (size_t i = 0; i < force->impulse_count; i++)
             p = larger(p, fabs(force->impulses[i].J[j]));
@@ -167,7 +167,7 @@ static int check_tolerance(fvi_stepper *s, double scale)
 }
 
 /* Set what does not depend on the arrays of the state: form, stages, tolerance, and lengths of steps. */
-static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
+static void choose_rule(fvi_stepper *s, fvi_variable_step_state *o, double scale)
 {
     const fvi_run *run = &s->run;
     const double L = fvi_variable_spacing(), T = run->h * (double)run->steps,
@@ -303,7 +303,7 @@ static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupl
         status = check_tolerance(s, scale);
     if (status)
         return status;
-    plan(s, o, scale);
+    choose_rule(s, o, scale);
     status = of->start(s, o);
     if (!status)
         status = fvi_variable_step_allocate(o);
@@ -342,18 +342,18 @@ static int start(fvi_stepper *s, int for_adjoint)
     if (!status)
         status = find_springs(s, o, &springs);
     if (!status)
-        status = first_scale(s, springs, &scale);
+        status = find_first_scale(s, springs, &scale);
     if (!status)
         status = check_tolerance(s, scale);
     if (!status) {
-        plan(s, o, scale);
-        o->kinds = sort_out(s, springs, o);
+        choose_rule(s, o, scale);
+        o->kinds = group_coordinates(s, springs, o);
         if (o->solve == FVI_SOLVE_LINEAR && o->kinds < d)
             o->diagonals = 0; /* many coordinates share an inverse, which is faster */
         status = fvi_variable_step_allocate(o);
     }
     if (!status) {
-        sort_out(s, springs, o);
+        group_coordinates(s, springs, o);
         status = begin_memory(s, o);
     }
     if (!status)

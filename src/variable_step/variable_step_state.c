@@ -43,7 +43,7 @@ void fvi_variable_step_stop(fvi_stepper *s)
 
 /* ---- memory and copies ---- */
 
-static size_t numbers(const fvi_variable_step_state *o)
+static size_t count_numbers(const fvi_variable_step_state *o)
 {
     return (size_t)(o->most_of_force - o->y) + BOUNDS * o->d;
 }
@@ -92,7 +92,7 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
     int status = fvi_variable_step_allocate(o);
     if (status)
         return status;
-    memcpy(o->y, old->y, numbers(o) * sizeof *o->y);
+    memcpy(o->y, old->y, count_numbers(o) * sizeof *o->y);
     memcpy(o->kind, old->kind, 2 * o->d * sizeof *o->kind);
     memcpy(o->group, old->group, o->kinds * sizeof *o->group);
     if (old->mechanism)
@@ -180,9 +180,9 @@ int fvi_variable_step_apply_impulses(fvi_stepper *s, fvi_variable_step_state *o)
 
 //> matrices
 /* M = a A + b B + c C */
-FVI_VECTORS static void combine(double a, const fvi_square *A, double b,
-                                const fvi_square *B, double c,
-                                const fvi_square *C, fvi_square *M)
+FVI_VECTORS static void combine_squares(double a, const fvi_square *A, double b,
+                                        const fvi_square *B, double c,
+                                        const fvi_square *C, fvi_square *M)
 {
     for (size_t l = 0; l < FVI_LANES; l++)
         for (size_t i = 0; i < FVI_LANES; i += 4)
@@ -206,8 +206,8 @@ int fvi_variable_step_matrices(fvi_variable_step_state *o, fvi_length length)
     for (size_t n = 0; n < o->kinds; n++) {
         fvi_coordinate_group *kind = &o->group[n];
         kind->damping_coeff = o->beta == 1 ? 0 : kind->damping * power;
-        combine(kind->mass, &o->rule->inverse, kind->damping_coeff, &o->W0,
-                kind->spring * h * h, o->to_x, &kind->L);
+        combine_squares(kind->mass, &o->rule->inverse, kind->damping_coeff, &o->W0,
+                        kind->spring * h * h, o->to_x, &kind->L);
         if (!inverse)
             continue;
         kind->inverse = kind->L;

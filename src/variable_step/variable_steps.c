@@ -125,7 +125,7 @@ FVI_VECTORS static void subtract_history(fvi_variable_step_state *o)
  * quadrature of v adds h alias a, as a bound for the coefficients of twice the degree. A velocity of 1 moves x by its
  * compliance. Return the largest sum of all coordinates, or NaN if a coefficient is not finite. (22.16) */
 //> estimate
-static double estimate(fvi_variable_step_state *o)
+static double estimate_error(fvi_variable_step_state *o)
 {
     const fvi_variable_rule *rule = o->rule;
     const size_t s = rule->s;
@@ -165,7 +165,7 @@ int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length
     subtract_history(o);
     status = fvi_variable_step_solve(s, o);
     if (!status)
-        *error = estimate(o);
+        *error = estimate_error(o);
     return status;
 }
 
@@ -260,7 +260,7 @@ static int step(fvi_stepper *s)
         return status;
     const int over = fvi_singular_is(o, o->t0) && !fvi_singular_is(o, o->t);
     if (over)
-        fvi_singular_hand_over(o);
+        fvi_singular_transfer(o);
     status = fvi_variable_step_apply_impulses(s, o);
     if (status)
         return status;
@@ -268,7 +268,7 @@ static int step(fvi_stepper *s)
     if (o->first_after_event)
         o->next = o->first;
     status = update_stepper(s, o);
-    return status || !o->watch ? status : fvi_variable_step_act(s, o);
+    return status || !o->watch ? status : fvi_variable_step_handle_events(s, o);
 }
 //< step
 

@@ -69,7 +69,7 @@ int fvi_structure_mesh_scale(fvi_stepper *s, double *scale)
 
 /* Compute about how far the lowest mode moves if its velocity is larger by 1: 2/omega, twice its amplitude; T if a
  * motion is free. Inverse iteration approaches omega from above. */
-static int find_reach(const fvi_system *system, double T, double *x, double *Mx, double *reach)
+static int find_compliance(const fvi_system *system, double T, double *x, double *Mx, double *reach)
 {
     enum { TIMES = 30 };
     const fvi_matrices *m = system->matrices;
@@ -155,7 +155,7 @@ int fvi_structure_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o)
     memcpy(o->v, s->p, bytes);
     int status = divide_by_mass(system, o->v);
     if (!status)
-        status = find_reach(system, o->T, m->Kx, m->Kv, &reach);
+        status = find_compliance(system, o->T, m->Kx, m->Kv, &reach);
     for (size_t j = 0; j < o->d; j++)
         mass = smaller(mass, system->mass[j]);
     *o->group = (fvi_coordinate_group){ .mass = mass, .compliance = reach };
@@ -217,7 +217,7 @@ static int begin_load(fvi_stepper *s, fvi_variable_step_state *o)
 }
 
 /* Estimate the error as in variable_steps.c. But the wrong effect of the memory moves all coordinates together. */
-static int estimate(fvi_variable_step_state *o, double *error)
+static int estimate_error(fvi_variable_step_state *o, double *error)
 {
     struct fvi_mesh_structure *m = o->structure;
     const fvi_variable_rule *rule = o->rule;
@@ -250,7 +250,7 @@ int fvi_structure_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_lengt
     if (!status)
         status = fvi_stage_solver_solve(o->structure->solver, o->structure->load,
                                         o->structure->delta);
-    return status ? status : estimate(o, error);
+    return status ? status : estimate_error(o, error);
 }
 
 int fvi_structure_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J)

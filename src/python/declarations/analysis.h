@@ -194,5 +194,5 @@ int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_o
                        const double *impulse, const fvi_sensitivities *gradients);
 double fvi_typed_force_by_parameter(const fvi_typed_force *force, size_t j, double t);
 double fvi_lobatto_abscissa(size_t s, size_t i);
-int places_within(fvi_stepper *s, size_t count, const double *t, double *x, double *p);
+int positions_within(fvi_stepper *s, size_t count, const double *t, double *x, double *p);
 int fvi_tangent(const fvi_run *run, size_t P, const fvi_free_parameter *which, double *x, double *slope);

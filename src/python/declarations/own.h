@@ -17,8 +17,8 @@ int own_imposed_put(own_imposed *own, size_t i, size_t constraint, void *functio
 void own_imposed_at(const own_imposed *own, size_t i, double t, double *u, double *rate);
 const struct fvi_mechanism *own_imposed_mechanism(const own_imposed *own);
 void own_imposed_free(own_imposed *own);
-const char *why(int code);
-void listen(unsigned long thread);
+const char *reason_of_code(int code);
+void set_main_thread(unsigned long thread);
 void begin(void);
 typedef struct { size_t rows, all; void *tell, *happened; ...; } row_count;
 int count_row(size_t k, double t, const double *x, const double *p, void *params);
@@ -67,7 +67,7 @@ int energies(const fvi_system *system, size_t rows, const double *t, const doubl
              size_t *done);
 int velocities(const fvi_system *system, size_t rows, const double *p, double *v);
 int fvi_momentum_of_velocity(const fvi_system *system, double t, const double *x, const double *v, double *p);
-void obey(const int *flag);
+void set_stop_flag(const int *flag);
 int is_dense(const fvi_method *method);
 extern "Python" int report_progress(size_t rows, size_t all, void *tell);
 extern "Python" int report_event(const fvi_event_time *at, const double *x, const double *p, void *happened);

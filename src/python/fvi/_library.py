@@ -27,7 +27,7 @@ def own_code(code: int) -> str:
 
 def failure(code: int, where: str = "") -> Error:
     """The exception for a code that the last call returned."""
-    why = lib.why(code)
+    why = lib.reason_of_code(code)
     words = text_of(lib.fvi_error_name(code) if why == ffi.NULL else why)
     return Error(words + own_code(code) + where, code)
 
@@ -167,7 +167,7 @@ def warn_of_start(method: Any, run: Any) -> Any:
 
 
 def listen() -> None:
-    lib.listen(threading.main_thread().ident)
+    lib.set_main_thread(threading.main_thread().ident)
 
 
 listen()

@@ -191,7 +191,7 @@ class Solution:
         status = ask(lib.fvi_stepper_start, self.motion.method, as_run(self.motion, self), out, error)
         if not status:
             stepper = ffi.gc(out[0], lib.fvi_stepper_free)
-            status = ask(lib.places_within, stepper, t.size, ffi.from_buffer("double[]", np.ascontiguousarray(t)),
+            status = ask(lib.positions_within, stepper, t.size, ffi.from_buffer("double[]", np.ascontiguousarray(t)),
                          ffi.from_buffer("double[]", x), ffi.NULL if p is None else ffi.from_buffer("double[]", p))
         return None if not status else error_of(error, status) if error.code == status else failure(status)
 

@@ -109,14 +109,14 @@ def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[
             waiting.heard = None
 
     def one(number: int, ready: Optional[Callable[[], Solution]]) -> Any:
-        lib.obey(stop)
+        lib.set_stop_flag(stop)
         waiting.heard = []
         try:
             found = ready() if ready else solve(problem_of(grid[number]), **options)
             return found if of is None else of(found)
         finally:
             heard[number], waiting.heard = waiting.heard or [], None
-            lib.obey(ffi.NULL)
+            lib.set_stop_flag(ffi.NULL)
 
     answers: list = [None] * len(grid)
     heard: list = [[]] * len(grid)
@@ -125,7 +125,7 @@ def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[
 
     def work() -> None:
         for group in todo:  # which all threads share
-            lib.obey(stop)
+            lib.set_stop_flag(stop)
             ready = together(group) or [None] * len(group)
             for i, solution in zip(group, ready):
                 if stop[0]:
