@@ -123,14 +123,14 @@ int fvi_command_exact(const fvi_options *o, const fvi_system *system)
     const fvi_linear_oscillator problem = linear_problem(o);
     fvi_table t;
     double re, im;
-    const int status = problem.law ? fvi_exact_pole(&problem, &re, &im,
-                                                    NULL) : 0;
+    fvi_error error = { 0 };
+    const int status = problem.law ? fvi_exact_pole(&problem, &re, &im, &error) : FVI_SUCCESS;
     if (status && status != FVI_EDOM) /* FVI_EDOM: the motion does not oscillate */
         return fvi_complain(
             status == FVI_EUNSUP
                 ? "--damping: a motion with more than three oscillations has "
                   "no exact solution here"
-                : fvi_reason(status));
+                : *error.text ? error.text : fvi_reason(status));
     fvi_table_shape(&t, o, system);
     if (!(t.rows = fvi_table_room(&t, 0)))
         return fvi_complain("not enough memory");

@@ -84,6 +84,12 @@ static int halve_box(const fvi_pole *Q, const fvi_log_box *b, fvi_log_box half[2
     return first;
 }
 
+static int no_poles(fvi_error *error)
+{
+    return fvi_fail(error, FVI_EMAXITER, "law", NAN,
+                    "the poles of the motion were not found: they are too far out, or too near to each other");
+}
+
 /* Find the n zeros of a box, and add them to those that have been found. */
 static int find_zeros(const fvi_pole *Q, const fvi_log_box *b, int n, size_t most,
                       fvi_pole *pole, size_t *count, fvi_error *error)
@@ -101,7 +107,7 @@ static int find_zeros(const fvi_pole *Q, const fvi_log_box *b, int n, size_t mos
     const int first =
         b->u[1] - b->u[0] + b->v[1] - b->v[0] > 1e-12 ? halve_box(Q, b, half) : -1;
     if (first < 0 || first > n)
-        return fvi_fail(error, FVI_EMAXITER, NULL, NAN, "the poles of the motion were not found");
+        return no_poles(error);
     int status = find_zeros(Q, &half[0], first, most, pole, count, error);
     if (!status)
         status = find_zeros(Q, &half[1], n - first, most, pole, count, error);
@@ -139,7 +145,7 @@ int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law,
     }
     *count = 0;
     if (n < 0 || has_distant_zero(&Q, all.v[1]))
-        return fvi_fail(error, FVI_EMAXITER, NULL, NAN, "the poles of the motion were not found");
+        return no_poles(error);
     int status = find_zeros(&Q, &all, n, most, pole, count, error);
     for (size_t i = 0; !status && i < *count; i++)
         fvi_pole_polish(&pole[i]);

@@ -204,6 +204,9 @@ START_TEST(what_is_no_law_is_bad_use)
     ck_assert_str_eq(err, "fvi: --damping: a motion with more than three "
                           "oscillations has no exact solution here\n");
     ck_assert_str_eq(out, "");
+    ck_assert_int_eq(fvi("exact --damping zener:0.1,0.3,0.5 --mass 1e-150"), 1);
+    ck_assert_str_eq(err, "fvi: the poles of the motion were not found: they are too far out, or too near to each "
+                          "other\n");
     ck_assert_int_eq(fvi("fit --damping power:1,0.3 data"), 2);
     ck_assert_int_eq(fvi("run --damping zener:1,0.48,2 --memory auto"), 0);
 }
