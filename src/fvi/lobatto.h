@@ -2,7 +2,7 @@
  *
  * A step has s stages, s = 2, ..., 8, at the times t_k + c_i h. Both forms use Lobatto IIIC convolution quadrature
  * for the damping. Form M is variational in the inertia: without damping it is symplectic. Form D treats the inertia
- * as one more damping: it is stable for every step where U is quadratic and convex. */
+ * as one more damping: if U is quadratic and convex, every step is stable. */
 #ifndef FVI_LOBATTO_H
 #define FVI_LOBATTO_H
 
@@ -27,11 +27,10 @@ extern "C" {
  * p_{k+1} = p_k - (S_1 + ... + S_s).
  *
  * What it takes. Any system in R^d, any alpha in [0, 1], any past. Y is the derivative for Caputo's past; every other
- * past adds a force that is known beforehand (19.3), and it acts by its exact impulses (19.5). kappa is not used.
- * With a law the sum (26.12) replaces rho Y, and the body was held before t = 0. F may jump at nodes t_k, but not
- * inside a step. F is evaluated inside the step at its ends: at t_k + 8u max(t_k, h) for stage 1 and at
- * t_{k+1} - 8u t_{k+1} for stage s, u = 2^-53. These times are on the right sides of every jump within 4u t_k of the
- * node.
+ * past adds a force that is known beforehand (19.3), and it acts by its exact impulses (19.5). kappa is not used. With
+ * a law the sum (26.12) replaces rho Y, and the body was held before t = 0. F may jump at nodes t_k, but not inside a
+ * step. So F is evaluated inside the step at its ends: at t_k + 8u max(t_k, h) for stage 1 and at t_{k+1} - 8u t_{k+1}
+ * for stage s, u = 2^-53. These times are on the right sides of every jump within 4u t_k of the node.
  *
  * Limits of alpha. alpha = 0 is a spring rho from x_0. alpha = 1 is a mass: m + rho, with F and U scaled by
  * m / (m + rho).
@@ -50,11 +49,10 @@ extern "C" {
  * are stable.
  *
  * Memory. run->memory is FVI_HISTORY_DIRECT, FVI_HISTORY_MODES, or FVI_HISTORY_AUTO, which is DIRECT up to 64 steps.
- * For rho = 0 and for alpha = 0, 1/2, 1 no history is kept. With run->tolerance = t the weights that the modes
- * replace cause an impulse error of at most t m max|v| over the whole run (v - v0 for v where beta > 0). For that the
- * history is asked for the tolerance t / max(1, T rho h^(-beta) / m), or with T^(-beta) for h^(-beta) where beta < 0,
- * where T = h steps; but never for less than 1e-14. A t below 1e-14 is refused (FVI_ETOL). (17.21)
- * For a law see form D.
+ * For rho = 0 and for alpha = 0, 1/2, 1 no history is kept. With run->tolerance = t the weights that the modes replace
+ * cause an impulse error of at most t m max|v| over the whole run (v - v0 for v where beta > 0). To reach this, the
+ * history has the tolerance t / max(1, T rho h^(-beta) / m) with T = h steps (T^(-beta) for h^(-beta) where beta < 0),
+ * but never less than 1e-14. A t below 1e-14 is refused (FVI_ETOL). (17.21) For a law see form D.
  *
  * Cost of a step. s - 1 gradients. If s > 2 and U is not quadratic: three or four times s - 2 gradients more, with
  * Hessians, and the factorisation of a matrix with (s - 2) d rows and s - 2 times the diagonals of a Hessian (for
@@ -80,14 +78,14 @@ extern const fvi_method fvi_lobatto_m5, fvi_lobatto_m6, fvi_lobatto_m7, fvi_loba
  * With a law, C(DD) (X - x_0) of (26.12) replaces rho Y, whatever its orders. Nothing is subtracted there, because the
  * body was held.
  *
- * What it takes. Systems, pasts and forces as form M; matrices (structures.h), too, with complex factors (27.14):
- * s/2 of them, and one real factor where s is odd, are made when the run starts, and a step solves once with each. With
+ * What it takes. Systems, pasts and forces as form M; matrices (structures.h), too, with complex factors (27.14): s/2
+ * of them, and one real factor where s is odd, are made when the run starts, and a step solves once with each. With
  * matrices a law that grows faster than s acts on V - v_0, and its answer to v_0 is added exactly (26.20), as with a
- * mechanism. Matrices have no adjoint.
+ * mechanism. fvi_adjoint (adjoint.h) takes such runs, too.
  *
- * Memory and tolerance as form M. A law has modes, and so takes FVI_HISTORY_MODES, unless it has a fraction with a
- * pole on its cut or near it: a FVI_KERNEL_ZENER with 2 alpha > 0.9 other than 1, or a FVI_KERNEL_MAXWELL2 with
- * 2 (alpha - end) > 0.9 or 2 alpha > 1 > 2 end. FVI_HISTORY_AUTO sums the weights of such a law directly.
+ * Memory and tolerance as form M. A law has modes, and so takes FVI_HISTORY_MODES, unless it has a fraction with a pole
+ * on its cut or near it: a FVI_KERNEL_ZENER with 2 alpha > 0.9 other than 1, or a FVI_KERNEL_MAXWELL2 with 2
+ * (alpha - end) > 0.9 or 2 alpha > 1 > 2 end. FVI_HISTORY_AUTO sums the weights of such a law directly.
  *
  * Order at a fixed t > 0 at which F does not jump. If U is quadratic and F is a polynomial of degree < s between its
  * jumps at nodes, both orders are 2s - 2, whatever alpha. Otherwise they are
@@ -95,9 +93,9 @@ extern const fvi_method fvi_lobatto_m5, fvi_lobatto_m6, fvi_lobatto_m7, fvi_loba
  *     x: min(2s - 2, s + 4 - 2 alpha)      p: min(2s - 2, s + 3 - 2 alpha)                            [(17.27)]
  *
  * (proved for quadratic U, measured for other U). This holds for Caputo's past, and for a held body with alpha <= 1/2.
- * Measured for the other pasts: a held body with alpha > 1/2 has at most s + 2 - 2 alpha (as a law 2s - 2 for
- * quadratic U, and 3 to 5 for other U with p_0 != 0); Riemann-Liouville with alpha < 1/2 and x0 != 0 has
- * s + 1 - 2 alpha. Over all t the orders are as low as those of form M.
+ * Measured for the other pasts: a held body with alpha > 1/2 has at most s + 2 - 2 alpha (as a law 2s - 2 for quadratic
+ * U, and 3 to 5 for other U with p_0 != 0); Riemann-Liouville with alpha < 1/2 and x0 != 0 has s + 1 - 2 alpha. Over
+ * all t the orders are as low as those of form M.
  *
  * Stability. For quadratic convex U and 0 < alpha < 1 every step is stable. If also F = 0, and alpha <= 1/2 or p_0 = 0,
  * the energy p^2/2m + U is never above its initial value (17.26), (17.28). Without damping the form is not symplectic:
@@ -123,7 +121,7 @@ extern const fvi_method fvi_lobatto_d2, fvi_lobatto_d3, fvi_lobatto_d4,
  * x0 != 0, nor across a jump of F.
  *
  *   method  fvi_lobatto_m2, fvi_lobatto_m3 or fvi_lobatto_m4
- *   run     the run that made x and p; system, h, steps and alpha are read. It has no law
+ *   run     the run that made x and p; system, h, steps and alpha are read
  *   x       (steps + 1) d positions, rows k = 0, ..., N
  *   p       momenta in the same layout, corrected in place
  *
@@ -131,8 +129,8 @@ extern const fvi_method fvi_lobatto_d2, fvi_lobatto_d3, fvi_lobatto_d4,
  *         status = fvi_lobatto_correct_momenta(&fvi_lobatto_m4, &run, x, p);
  *
  * Cost O(N d). Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; what fvi_system_check returns; FVI_EINVAL for
- * another method or no steps; FVI_EDOM if alpha is not in [0, 1], or h not finite and positive: p is then untouched.
- * FVI_EOVRFLW if a momentum is not finite: p then holds the corrected numbers. */
+ * another method or no steps; FVI_EDOM if alpha is not in [0, 1], or h not finite and positive; FVI_EUNSUP for a run
+ * with a law: p is then untouched. FVI_EOVRFLW if a momentum is not finite: p then holds the corrected numbers. */
 int fvi_lobatto_correct_momenta(const fvi_method *method, const fvi_run *run,
                         const double *x, double *p);
 

@@ -53,12 +53,14 @@
  * p and the balance stay those of the steps. So do, after the first rows, accelerations that are slopes of velocities,
  * and multipliers.
  *
- * Work and balance. The work of a single damper is the method's own sum of force times motion, with these exceptions:
- * methods with stages, because their own sum would lose order in the first steps; a past whose force is singular at
- * t = 0, alpha = 1, and methods that choose their steps, because their own sum is not known. In these cases the work is
- * the energy that the motion has lost, E_0 - E + the work of F. The balance is E + work of the dampers - work of F. It
- * takes the method's own sum wherever that is known, and then differs from E_0 by the errors of the method. Where it is
- * not known, the balance is E_0 by definition.
+ * Work and balance. The work of a single damper is the method's own sum of force times motion. In two cases it is
+ * instead the energy that the motion has lost, E_0 - E + the work of F:
+ *
+ *   methods with stages   their own sum would lose order in the first steps
+ *   a past whose force is singular at t = 0; alpha = 1; methods that choose their steps   their own sum is not known
+ *
+ * The balance is E + work of the dampers - work of F. It takes the method's own sum wherever that is known, and then
+ * differs from E_0 by the errors of the method. Where it is not known, the balance is E_0 by definition.
  *
  * Methods that choose their steps. They know x'' from the polynomial of their step, with one order less than p. From it
  * they know the force of each of several dampers, whose integrals are the impulse and the work of the damper. */
@@ -162,7 +164,7 @@ int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
 /* fvi_observer_dampers -- Return the number of dampers; 1 without a mechanism, even if nothing is damped.
  * fvi_observer_width -- Return the number of forces of damper j, counted from 0; 0 if there is no such damper.
  *
- * The names of a mechanism's dampers stand in the mechanism (dampers.h). */
+ * A mechanism has the names of its dampers (dampers.h). */
 size_t fvi_observer_dampers(const fvi_observer *o);
 size_t fvi_observer_width(const fvi_observer *o, size_t j);
 

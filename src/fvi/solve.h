@@ -165,11 +165,11 @@ const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
  * chaotic.
  *
  * Times. fvi_variable_step has outputs at any time. So have methods with stages if `observed` is NULL, by the path of
- * their stages (lobatto.h); between two steps x then has the order s, and p the order s - 1. For all other methods, and
- * with `observed`, positions are known at the ends of steps only. Without a tolerance each t must be a multiple of h,
- * up to rounding. With a tolerance the times must have a common step, at most 2^20 of which fit in T. If they have
- * none, methods with stages reach the tolerance at the times themselves: the step is halved until two runs agree there,
- * and the error is their difference.
+ * their stages (lobatto.h); between two steps x then has the order s, and p the order s - 1. All other methods, and
+ * methods with stages if `observed` is set, know positions at the ends of steps only. Without a tolerance each t must
+ * be a multiple of h, up to rounding. With a tolerance the times must have a common step, at most 2^20 of which fit in
+ * T. If they have none, methods with stages reach the tolerance at the times themselves: the step is halved until two
+ * runs agree there, and the error is their difference.
  *
  * Memory. Without a tolerance O(d) and the history of the method: rows are stored in the outputs only. With a tolerance
  * three times the memory of x at all rows, and at 128 rows at least.

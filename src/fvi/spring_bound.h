@@ -37,9 +37,9 @@ typedef struct {
  * Cost: some thousand values of the integrand, times 1/(angle between pole and cut) if that is large; O(n).
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if n == 0, if stages is out of range, or if the
  * forcing is COSINE; FVI_EDOM if a number is out of its range, or for alpha = 1/2 and rho >= 2 sqrt(m c); FVI_EUNSUP
- * for another past, for a law, and if the angle between the pole and the cut is below 0.001, which happens near alpha =
- * 1/2 with rho above 2 sqrt(m c); FVI_EOVRFLW if the bound is not finite, for example because rounding hides the decay
- * of the oscillation in a step. On error *bound is untouched. */
+ * for another past, for a law, and if the angle between the pole and the cut is below 0.001, which happens near
+ * alpha = 1/2 with rho above 2 sqrt(m c); FVI_EOVRFLW if the bound is not finite, for example because rounding hides
+ * the decay of the oscillation in a step. On error *bound is untouched. */
 int fvi_spring_bound_compute(const fvi_linear_oscillator *problem, size_t stages, size_t n,
                              const double *h, double eps, fvi_spring_bound *bound, fvi_error *error);
 

@@ -35,8 +35,8 @@ extern "C" {
  *   fvi_lobatto_d2 to fvi_lobatto_d8, fvi_cq2_midpoint, fvi_euler_implicit   0 (17.28)
  *   fvi_euler_explicit   (14.8): load = h max |s|^2 / (-2 Re s) over the solutions s of det(s^2 M + s rho + K) = 0 that
  *             are not 0, and not real and positive. It is GSL_POSINF if such an s is imaginary, because undamped
- *             motions grow at every step. In one dimension, with a = rho h / m and b = h^2 c / m, load <= 1 means b <=
- *             a and 2 a - b <= 4
+ *             motions grow at every step. In one dimension, with a = rho h / m and b = h^2 c / m, load <= 1 means
+ *             b <= a and 2 a - b <= 4
  *   fvi_variable_step    not known (FVI_EUNSUP)
  *
  *   method  stability_number, alpha_least, alpha_most and takes_laws are read

@@ -15,7 +15,7 @@
  * with a tolerance) goes on with shorter steps.
  *
  * Notation in all headers. [H 2] names a chapter of the handbook, and (2.4) an equation in it. u = 2^-53 is the unit of
- * rounding. d is the dimension. "Seen" stands before a measured value, for which there is no proof. */
+ * rounding. d is the dimension. "Seen" marks a measured value, for which there is no proof. */
 #ifndef FVI_SYSTEM_H
 #define FVI_SYSTEM_H
 
@@ -37,8 +37,8 @@ extern "C" {
  *   params     handed to the functions, owned by the caller, may be NULL
  *   quadratic  NULL; or a function that is called once when a run starts. It returns nonzero if U is quadratic for
  *              these params. Then the run evaluates and factorises the Hessian once, not at each step
- *   diagonals  0: H is full, d * d numbers, row by row. n > 0: the Hessian is zero outside its main diagonal and the n
- *              - 1 diagonals on either side. Then H has d * n numbers,
+ *   diagonals  0: H is full, d * d numbers, row by row. n > 0: the Hessian is zero outside its main diagonal and the
+ *              n - 1 diagonals on either side. Then H has d * n numbers,
  *                  H[i * n + k] = d^2U / dx_i dx_{i+k},   i + k < d,
  *              and the numbers with i + k >= d are not used. This is LAPACK's band storage of a symmetric matrix,
  *              UPLO = 'L', LDAB = n

@@ -48,6 +48,8 @@ int fvi_lobatto_correct_momenta(const fvi_method *method, const fvi_run *run,
         FVI_FAIL("h must be finite and positive", FVI_EDOM);
     if (run->steps == 0)
         FVI_FAIL("a run has at least one step", FVI_EINVAL);
+    if (run->law)
+        FVI_FAIL("momenta of a law of damping are not corrected", FVI_EUNSUP);
     const double beta = 2 * run->alpha - 1;
     if (beta == 0 || fabs(beta) == 1 || (s == 2 && beta < 0))
         return FVI_SUCCESS;

@@ -287,6 +287,12 @@ START_TEST(momenta_refuse)
     ck_assert_int_eq(fvi_lobatto_correct_momenta(&fvi_lobatto_m4, &run, q, momentum),
                      FVI_EINVAL);
     run.steps = 4;
+    const fvi_kernel_term springpot = { .kind = FVI_KERNEL_POWER, .rho = 1, .alpha = 0.7 };
+    const fvi_kernel law = { 1, &springpot };
+    run.law = &law; /* alpha is then not that of the run */
+    ck_assert_int_eq(fvi_lobatto_correct_momenta(&fvi_lobatto_m4, &run, q, momentum),
+                     FVI_EUNSUP);
+    run.law = NULL;
     const fvi_system undamped = { .d = 1, .mass = &one };
     run.system = &undamped;
     ck_assert_int_eq(fvi_lobatto_correct_momenta(&fvi_lobatto_m4, &run, q, momentum),
