@@ -18,7 +18,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Is p_k = m v_k? At alpha = 1 a damping is a mass in form M and in fvi-adaptive, and then p_k contains it. */
+/* Return nonzero if p_k = m v_k. At alpha = 1 a damping is a mass in form M and in fvi-adaptive, and then p_k contains
+ * it. */
 static int momenta_are_known(const fvi_method *method, const fvi_run *run,
                              const fvi_objective *J)
 {
@@ -303,7 +304,7 @@ static int walk(const fvi_method *method, fvi_checkpointing *path,
 }
 //< walk
 
-/* Must the run begin at rest? It must by fvi-adaptive if its law grows faster than s. */
+/* Return nonzero if the run must begin at rest. fvi-adaptive demands it if its law grows faster than s. */
 static int is_at_rest(const fvi_method *method, const fvi_run *run)
 {
     if (method->scheme != FVI_SCHEME_VARIABLE_STEP || run->system->mechanism)
@@ -312,7 +313,7 @@ static int is_at_rest(const fvi_method *method, const fvi_run *run)
     return of.law && of.growth > 1;
 }
 
-/* Has any damping Riemann and Liouville's past? */
+/* Return nonzero if any damping has Riemann and Liouville's past. */
 static int is_liouville(const fvi_run *run)
 {
     const fvi_mechanism *m = run->system->mechanism;
@@ -322,8 +323,8 @@ static int is_liouville(const fvi_run *run)
     return is;
 }
 
-/* Are all derivatives finite? Two of them may be NaN, which says that they do not exist: the derivative by x0 with
- * Riemann and Liouville's past, and the derivative by p0 where the run must begin at rest. */
+/* Return nonzero if all derivatives are finite. Two of them may be NaN, because they may not exist: the derivative by
+ * x0 with Riemann and Liouville's past, and the derivative by p0 where the run must begin at rest. */
 static int are_finite(const fvi_method *method, const fvi_run *run,
                       const fvi_sensitivities *want, size_t per)
 {

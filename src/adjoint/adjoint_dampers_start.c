@@ -70,7 +70,8 @@ static int start_impulses(const fvi_adjoint_dampers *m, fvi_adjoint_damper *a)
                                              &a->impulse_unit);
 }
 
-/* Is the derivative by the order read from the history of the adjoint run? A law has histories of its own for it. */
+/* Return nonzero if the derivative by the order is read from the history of the adjoint run. A law has histories of its
+ * own for it. */
 static int is_by_order(const fvi_adjoint_dampers *m, const fvi_adjoint_damper *a)
 {
     return m->want->orders && !a->of.law;

@@ -56,10 +56,10 @@ typedef struct {
     fvi_adjoint_multipliers multipliers; /* nu of (23.7), for a law */
     double *CA; /* each: C A, if the past of a law has impulses */
     double *N, *Ndot;           /* r each: room for sums, and for their derivatives by the order */
-    double *G;
+    double *G;                  /* the Hessian of U at S, if has_hessian */
     double *block; /* the memory of all these arrays; owned */
     double sum_of_C, sum_by_order, sum_by_theta; /* sum_j z_j C N_j, and its derivatives */
-    double by_M, by_K;
+    double by_M, by_K;          /* sums for the derivatives by a factor of M, and of K */
     fvi_order_filter filter; /* for the factor of the weights, if alpha is wanted */
     size_t terms;           /* of a law, if derivatives by them are wanted */
     fvi_node_term *each; /* their histories; owned */
@@ -104,9 +104,9 @@ void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m);
 int fvi_adjoint_multistep_walk_alone(fvi_adjoint_multistep *m, fvi_checkpointing *path,
                                      const fvi_objective *J, double *Jx);
 
-/* fvi_adjoint_multistep_can_step_alone -- may fvi_adjoint_multistep_advance_alone be called?
- * fvi_adjoint_multistep_advance_alone -- fvi_stepper_step of the adjoint run if m->steps_alone, but k and t stay as
- * they are, because nothing reads them there. */
+/* fvi_adjoint_multistep_can_step_alone -- return nonzero if fvi_adjoint_multistep_advance_alone may be called.
+ * fvi_adjoint_multistep_advance_alone -- take a step of the adjoint run as fvi_stepper_step does, if m->steps_alone. k
+ * and t stay as they are, because nothing reads them there. */
 int fvi_adjoint_multistep_can_step_alone(const fvi_adjoint_multistep *m);
 int fvi_adjoint_multistep_advance_alone(fvi_adjoint_multistep *m);
 

@@ -333,7 +333,8 @@ static int end(fvi_adjoint_variable_run *m)
     return status || fvi_all_finite(m->d, m->xi) ? status : FVI_EOVRFLW;
 }
 
-/* Must the start have a singular part also where A = 0? A derivative by A needs steps that end at t1. */
+/* Return nonzero if the start must have a singular part also where A = 0. A derivative by A needs steps that end at
+ * t1. */
 static int needs_singular_part(const fvi_run *run, const fvi_sensitivities *want)
 {
     return fvi_initial_history_acts(run->past, run->alpha)

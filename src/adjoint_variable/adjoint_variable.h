@@ -74,7 +74,7 @@ void fvi_adjoint_variable_accumulate_singular_start(fvi_adjoint_variable_run *m,
 void fvi_adjoint_variable_transfer_back(fvi_adjoint_variable_run *m);
 void fvi_adjoint_variable_end_singular_start(fvi_adjoint_variable_run *m, size_t j, double by_v0);
 
-/* Has x a singular part in step n? */
+/* Return nonzero if x has a singular part in step n. */
 static inline int fvi_adjoint_variable_is_singular(const fvi_adjoint_variable_run *m, size_t n)
 {
     return m->singular_start.is && fvi_singular_before(&m->singular_start.undamped, m->path.step[n].t);

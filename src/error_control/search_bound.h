@@ -13,9 +13,9 @@ enum { FVI_BOUND_DOUBLINGS = 4 };
 typedef double fvi_node_factors[FVI_BOUND_DOUBLINGS + 1][FVI_BOUND_ORDER + 1];
 void fvi_search_node_factors(size_t stages, fvi_node_factors factor);
 
-/* fvi_search_least_parts -- into how many parts must each step of the run be cut? The number is a power of two. With it
- * no step is longer than run->longest, and the changes that force.bound allows between the nodes move no coordinate
- * farther than the wanted error (18.8).
+/* fvi_search_least_parts -- compute into how many parts each step of the run must be cut. The number is a power of two.
+ * With it no step is longer than run->longest, and the changes that force.bound allows between the nodes move no
+ * coordinate farther than the wanted error (18.8).
  *
  *   stages  of the method, which evaluates the force at Lobatto's nodes; below 3 at the ends of steps
  *   error   of x, > 0

@@ -75,7 +75,8 @@ static int report_events(fvi_solve_state *o, double until)
     return status;
 }
 
-/* The step of one length at whose end row k is known. *is_there: is the row at the end of that step, not within it? */
+/* Return the step of one length at whose end row k is known. *is_there: nonzero if the row is at the end of that step,
+ * and not within it. */
 static size_t node_of_row(const fvi_solve_state *o, const fvi_stepper *s, size_t k, int *is_there)
 {
     const double parts = time_of_row(o, k) / s->run.h;
@@ -83,7 +84,7 @@ static size_t node_of_row(const fvi_solve_state *o, const fvi_stepper *s, size_t
     return (size_t)(*is_there ? round(parts) : ceil(parts));
 }
 
-/* Has the run not yet reached row k? */
+/* Return nonzero if the run has not yet reached row k. */
 static int is_ahead(const fvi_solve_state *o, const fvi_stepper *s, size_t k)
 {
     int is_there;
@@ -254,7 +255,7 @@ static int search(fvi_solve_state *o, double *x, double *p)
     return status;
 }
 
-/* Does no motion start as the run does (19.2)? */
+/* Return nonzero if no motion starts as the run does (19.2). */
 static int has_no_solution(const fvi_solve_state *o)
 {
     int has = 1;

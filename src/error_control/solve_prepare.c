@@ -18,7 +18,7 @@ enum {
     COMPARED = 128        /* runs are compared at so many times at least; a power of two */
 };
 
-/* Does the method accept such a run? It is started with a single step to find out. */
+/* Return nonzero if the method accepts such a run. It is started with a single step to find out. */
 static int can_start(const fvi_method *method, const fvi_run *run, double tolerance)
 {
     fvi_run one = *run;
@@ -116,7 +116,8 @@ static int check_step(const fvi_solve_state *o, double h)
                : fvi_fail(o->error, FVI_EDOM, "h", h, "h is %g; without a tolerance a step > 0 is needed", h);
 }
 
-/* Are x and p known between the ends of steps of one length? The quantities of an observer are not. */
+/* Return nonzero if x and p are known between the ends of steps of one length. The quantities of an observer are
+ * not. */
 static int has_path(const fvi_solve_state *o)
 {
     return o->method->stages > 0 && !o->out->observed;

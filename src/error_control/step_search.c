@@ -77,8 +77,8 @@ static double agreed_until(const search *o, double error)
 
 /* ---- the order that a method has on a run ---- */
 
-/* Does the run begin with a kick (9.5)? It does for a method with paper_convention and Riemann-Liouville's past, if the
- * damping acts on x0. If that cannot be found out, the answer is yes. */
+/* Return nonzero if the run begins with a kick (9.5). It does for a method with paper_convention and
+ * Riemann-Liouville's past, if the damping acts on x0. If that cannot be found out, the answer is yes. */
 static int is_kicked(const fvi_method *method, const fvi_run *run)
 {
     int is_damped;
@@ -86,9 +86,9 @@ static int is_kicked(const fvi_method *method, const fvi_run *run)
            && run->alpha < 0.5 && (fvi_run_start_is_damped(run, &is_damped) || is_damped);
 }
 
-/* The highest order of the dampers, halved; laws count as 1 at least. *is_fractional: has some damper a law, or an
- * order that is neither 0 nor 1? With a law the methods with stages are as exact as for its highest order, or as for
- * the order 1, whichever is worse. */
+/* Return half of the highest order of the dampers; laws count as 1 at least. *is_fractional: nonzero if some damper has
+ * a law, or an order that is neither 0 nor 1. With a law the methods with stages are as exact as for its highest order,
+ * or as for the order 1, whichever is worse. */
 static double highest_order(const fvi_run *run, int *is_fractional)
 {
     double alpha = 0;
@@ -124,8 +124,8 @@ static void find_orders(const fvi_method *method, const fvi_run *run, double *le
 }
 //< order
 
-/* Does the method take the law of the run? Variable steps do not fit a law that grows faster than s, because a velocity
- * that jumps then makes x'' infinite. */
+/* Return nonzero if the method takes the law of the run. Variable steps do not fit a law that grows faster than s,
+ * because a velocity that jumps then makes x'' infinite. */
 static int takes_law(const fvi_method *method, const fvi_run *run)
 {
     return !run->law
@@ -192,8 +192,9 @@ static int load_of_stiffness(const fvi_run *run, double h, double *load)
     return status;
 }
 
-/* Is (18.6) violated? Then the potential may swing so fast that these steps pass over it. With matrices the load of
- * Algorithm 3 without damping, times 4, is the left side: h^2 times the largest eigenvalue of M^-1 K. */
+/* *still: nonzero if (18.6) is violated. Then the potential may swing so fast that these steps pass over it. With
+ * matrices the load of Algorithm 3 without damping, times 4, is the left side: h^2 times the largest eigenvalue of M^-1
+ * K. */
 static int may_miss_swing(search *o, size_t parts, int *still)
 {
     const double h = o->run->h / (double)(o->first * parts);

@@ -1,4 +1,4 @@
-/* src/error_control/step_search_force.c -- Are the steps short enough to see the force? [H 18] */
+/* src/error_control/step_search_force.c -- Find out whether the steps are short enough to see the force. [H 18] */
 #include "step_search_force.h"
 #include "system/larger.h"
 #include "system/seeded.h"
@@ -34,8 +34,8 @@ static int force(const fvi_system *system, double t, double *F)
 }
 
 //> probe
-/* (18.7): at random times between two nodes, is F at most half as far from the line through its limits at both nodes as
- * it was with steps twice as long? */
+/* (18.7): find out whether F, at random times between two nodes, is at most half as far from the line through its
+ * limits at both nodes as it was with steps twice as long. */
 int fvi_force_probe_evaluate(fvi_force_probe *o, const fvi_run *run, size_t parts,
                          int *resolved)
 {

@@ -1,4 +1,4 @@
-/* src/error_control/step_search_force.h -- Are the steps short enough to see the force? [H 18] */
+/* src/error_control/step_search_force.h -- Find out whether the steps are short enough to see the force. [H 18] */
 #ifndef FVI_STEP_SEARCH_FORCE_H
 #define FVI_STEP_SEARCH_FORCE_H
 

@@ -23,7 +23,7 @@ typedef struct {
     size_t first, count; /* of the times */
     double *t;
     size_t most;            /* no run takes more steps */
-    int fine;               /* are only the finest modes exact enough? */
+    int fine;               /* nonzero: only the finest modes are exact enough */
     double end;             /* the time that the last run reached */
     double *x, *before, *p; /* this run and the run before */
     size_t reached, reached_before;   /* how many of the times; an event may end a run */

@@ -59,7 +59,7 @@ static double near_start_of_power(const fvi_observer *o, size_t j, size_t k)
     return differentiate(n, change) + q * J / (double)k;
 }
 
-/* Does the first step give almost no impulse for a parabola? It is so in form D of two stages only. */
+/* Return nonzero if the first step gives almost no impulse for a parabola. Only form D of two stages does so. */
 static int misses_parabola(const fvi_law_row *first)
 {
     return fabs(first->summed[FVI_PARABOLA]) < 0.1 * first->exact[FVI_PARABOLA + 1];

@@ -20,7 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Are all forces on such coordinates forces of the potential, of time, or of dampers? */
+/* Return nonzero if all forces on such coordinates are forces of the potential, of time, or of dampers. */
 static int is_balance_known(const fvi_stepper *s)
 {
     const fvi_mechanism *m = s->run.system->mechanism;

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Is it a mechanism whose steps are chosen? Then the sums of its dampers are known at all times. */
+/* Return nonzero for a mechanism whose steps are chosen. Then the sums of its dampers are known at all times. */
 static int is_on_mesh(const fvi_observer *o, const fvi_stepper *s)
 {
     return o->has_mechanism && s->method->dense;
@@ -177,7 +177,7 @@ static int read_balance(fvi_observer *o, const fvi_stepper *s, double t,
     return status;
 }
 
-/* Are all quantities that were asked for finite? */
+/* Return nonzero if all wanted quantities are finite. */
 static int is_finite(const fvi_observer *o, const fvi_observation *now)
 {
     const unsigned w = o->wanted;

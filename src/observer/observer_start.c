@@ -83,7 +83,7 @@ static int is_damped(const fvi_system *system)
     return 0;
 }
 
-/* Is its acceleration anything but (F - grad U - the forces of the dampers) / m? */
+/* Return nonzero if an acceleration may differ from (F - grad U - the forces of the dampers) / m. */
 static int needs_slope(const fvi_system *system)
 {
     const fvi_mechanism *m = system->mechanism;

@@ -21,29 +21,29 @@ enum { FVI_BY_FORCE, FVI_BEGIN_TIME, FVI_HITS, FVI_SCALARS };
 struct fvi_observer {
     size_t d, dampers, forces; /* forces: of all dampers together */
     size_t slopes;             /* d velocities, if a is their slope; else 0 */
-    size_t ties;               /* how many constraints have multipliers that are asked for */
+    size_t ties;               /* number of the constraints whose multipliers are wanted */
     size_t tracked;            /* forces, slopes and ties together, in this order */
-    size_t contacts;           /* the events whose contact forces are asked for */
+    size_t contacts;           /* number of the events whose contact forces are wanted */
     size_t on_structure;       /* how many dampers of matrices there are, if the method chooses its steps; else 0 */
     int has_mechanism;         /* the dampers have forces along elongations, one each */
     int by_velocity;           /* a is the slope of v: with a Lagrangian, constraints, forces of velocity or a mass of
                                   0 */
     unsigned wanted;
-    int is_summed;   /* are the steps summed? */
+    int is_summed;   /* the steps are summed */
     int is_damped;   /* otherwise all forces are 0 */
     int is_mass;     /* alpha = 1: the damping acts as a mass */
-    int work_known;  /* are the sums over the steps the work? Else the balance is E_0 by definition */
-    int by_energy;   /* is the work of the damper computed as the loss of energy? */
-    int is_infinite; /* is a force, a or a multiplier infinite, or not known, at t = 0? */
-    int has_infinite_force; /* is the force of a damper infinite at t = 0? */
+    int work_known;  /* the sums over the steps are the work; otherwise the balance is E_0 by definition */
+    int by_energy;   /* the work of the damper is computed as the loss of energy */
+    int is_infinite; /* a force, a or a multiplier is infinite, or not known, at t = 0 */
+    int has_infinite_force; /* the force of a damper is infinite at t = 0 */
     int has_massless; /* a coordinate of a mechanism has no inertia, and its velocity at the start is not known */
-    int begin_v_known; /* has each such coordinate a finite velocity just after t = 0? */
+    int begin_v_known; /* each such coordinate has a finite velocity just after t = 0 */
     size_t degree;   /* of the differences */
     const fvi_mechanism *mechanism;
     void *factors;   /* of M, for a system with matrices; or NULL */
     const fvi_matrices *matrices;
     double *numbers; /* all arrays, in one block */
-    size_t bends; /* dampers times first rows, or 0 */
+    size_t bends; /* size of `bend`: dampers times first rows, or 0 */
     size_t count, saved; /* how many numbers there are; how many of them the steps change */
     /* the arrays that steps change */
     double *impulse; /* J of each force, then the velocities and the impulses of constraints */
@@ -112,10 +112,11 @@ int fvi_observer_elongation(fvi_observer *o, const fvi_stepper *s,
 void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
                               double *slope);
 
-/* fvi_observer_slope -- the slope of sum j alone, at k > 0.
- * fvi_observer_is_compared -- is force j computed by (13.20) in the first rows? Otherwise it is computed from J/t^q.
- * fvi_observer_begin_force -- the force at t = 0+ of damper `damper`, whose elongation jumps by `jump` and goes on with
- * the velocity `line`; INFINITY if it is infinite. o->start has such numbers. */
+/* fvi_observer_slope -- return the slope of sum j alone, at k > 0.
+ * fvi_observer_is_compared -- return nonzero if force j is computed by (13.20) in the first rows. Otherwise it is
+ * computed from J/t^q.
+ * fvi_observer_begin_force -- return the force at t = 0+ of damper `damper`, whose elongation jumps by `jump` and goes
+ * on with the velocity `line`; INFINITY if it is infinite. o->start has such numbers. */
 double fvi_observer_slope(const fvi_observer *o, size_t j, size_t k, double h);
 int fvi_observer_is_compared(const fvi_observer *o, size_t j);
 double fvi_observer_begin_force(const fvi_run *run, size_t damper, double jump, double line);
@@ -148,11 +149,12 @@ int fvi_observer_mechanism_work(const fvi_stepper *s, double *work);
 
 /* ---- observer_structure.c: dampers of matrices, by a method that chooses its steps ----
  *
- * fvi_observer_is_on_structure -- has the run such dampers?
+ * fvi_observer_is_on_structure -- return nonzero if the run has such dampers.
  * fvi_observer_close_structure -- before the next step: add the last step to the impulses and the work.
  * fvi_observer_keep_structure -- after a step: store the powers at its stages.
  * fvi_observer_structure_sums -- at the time t in the last step: write o->impulse_now and o->work.
- * fvi_observer_structure_forces -- the same for o->force. They return what the matrices return. */
+ * fvi_observer_structure_forces -- the same for o->force. The functions with a code return FVI_SUCCESS or the code of
+ * the matrices. */
 int fvi_observer_is_on_structure(const fvi_observer *o, const fvi_stepper *s);
 int fvi_observer_close_structure(fvi_observer *o, const fvi_stepper *s);
 int fvi_observer_keep_structure(fvi_observer *o, const fvi_stepper *s);
@@ -161,12 +163,13 @@ int fvi_observer_structure_forces(fvi_observer *o, const fvi_stepper *s, double 
 
 /* ---- observer_massless.c: the velocities of coordinates without inertia at t = 0 ----
  *
- * fvi_observer_begin_massless -- compute o->begin_v by (29.27), and o->begin_v_known: has it a solution?
- * fvi_observer_mean_massless -- else: take the mean over the first row; the short rows are known, if there are any.
+ * fvi_observer_begin_massless -- compute o->begin_v by (29.27). o->begin_v_known: nonzero if (29.27) has a solution.
+ * fvi_observer_mean_massless -- if it has none: take the mean over the first row. The short rows are known, if there
+ * are any.
  * fvi_observer_begin_accelerations -- if o->begin_v_known: compute the accelerations of the other coordinates at t = 0,
  * from o->start.
  * fvi_observer_put_massless -- copy these velocities to v, whose other numbers stay. The first three return
- * FVI_SUCCESS; FVI_ENOMEM; what a step, or a function of the system, returns. */
+ * FVI_SUCCESS; FVI_ENOMEM; the code of a step, or of a function of the system. */
 int fvi_observer_begin_massless(fvi_observer *o, const fvi_stepper *s);
 int fvi_observer_mean_massless(fvi_observer *o, const fvi_stepper *s);
 int fvi_observer_begin_accelerations(fvi_observer *o, const fvi_stepper *s);

@@ -19,9 +19,9 @@
 /* The number of numbers that a derivative can be taken by, in the order of fvi_slope_by. */
 enum { FVI_KERNEL_DERIVATIVES = 3 };
 
-/* fvi_kernel_has_derivative -- does a kernel of this kind have such a number?
- * fvi_kernel_derivative_symbol -- the symbol of the derivative of a kernel of one term with rho = 1 by that number;
- * NULL if the kernel has no such number. */
+/* fvi_kernel_has_derivative -- return nonzero if a kernel of this kind has such a number.
+ * fvi_kernel_derivative_symbol -- return the symbol of the derivative of a kernel of one term with rho = 1 by that
+ * number; NULL if the kernel has no such number. */
 int fvi_kernel_has_derivative(const fvi_kernel_term *term, fvi_slope_by by);
 fvi_symbol_function *fvi_kernel_derivative_symbol(const fvi_kernel_term *term, fvi_slope_by by);
 

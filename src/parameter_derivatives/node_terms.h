@@ -51,12 +51,12 @@ typedef struct {
     double *block;        /* the memory of all these arrays; owned */
 } fvi_node_term;
 
-/* fvi_wanted_kernel_numbers -- are derivatives by numbers of a law wanted? */
+/* fvi_wanted_kernel_numbers -- return nonzero if derivatives by numbers of a law are wanted. */
 int fvi_wanted_kernel_numbers(const fvi_sensitivities *want);
 
-/* fvi_kernel_term_is_fraction -- is the term a ZENER or a MAXWELL?
- * fvi_kernel_term_has_order -- is it a POWER or a ZENER? The derivatives of these three kinds are products of
- * histories. */
+/* fvi_kernel_term_is_fraction -- return nonzero if the term is a ZENER or a MAXWELL.
+ * fvi_kernel_term_has_order -- return nonzero if it is a POWER or a ZENER. The derivatives of these three kinds are
+ * products of histories. */
 int fvi_kernel_term_is_fraction(const fvi_kernel_term *t);
 int fvi_kernel_term_has_order(const fvi_kernel_term *t);
 

@@ -21,7 +21,7 @@ struct fvi_batch {
     double x0[FVI_MOST_LANES], p0[FVI_MOST_LANES], mass[FVI_MOST_LANES], damping[FVI_MOST_LANES];
 };
 
-/* ---- can the runs go together? ---- */
+/* ---- which runs can go together ---- */
 
 static int is_same_law(const fvi_kernel *a, const fvi_kernel *b)
 {

@@ -1,4 +1,4 @@
-/* src/run/solution.c -- Does a motion exist that starts as the run does? [H 19, 27] */
+/* src/run/solution.c -- Check whether a motion exists that starts as the run does. [H 19, 27] */
 #include "solution.h"
 #include <fvi/dampers.h>
 #include "system/all_zero.h"
@@ -19,7 +19,7 @@ static int damping_of_start(const fvi_run *run, double *y, double *z)
     return status;
 }
 
-/* Is y = C x0 more than rounding errors? C here is the diagonal of the matrix. */
+/* Return nonzero if y = C x0 is more than rounding errors. C here is the diagonal of the matrix. */
 static int is_above_rounding(const fvi_run *run, const double *C, const double *y)
 {
     double largest = 0;
@@ -54,7 +54,7 @@ int fvi_run_start_is_damped(const fvi_run *run, int *is_damped)
     return status;
 }
 
-/* For a system with matrices: is C_j x0 of damper j not 0? */
+/* For a system with matrices: set *is_stretched to 1 if C_j x0 of damper j is not 0. */
 static int is_matrix_stretched(const fvi_run *run, size_t j, int *is_stretched)
 {
     const fvi_damping_matrix *C = &run->system->matrices->damper[j];

@@ -121,8 +121,8 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
     return FVI_SUCCESS;
 }
 
-/* Is it time to ask the interrupter? Before every step that takes long, and before every 64th of short steps, so that
- * asking costs nothing. */
+/* Return nonzero if it is time to ask the interrupter: before every step that takes long, and before every 64th of
+ * short steps, so that asking costs nothing. */
 static int is_time_to_check(const fvi_stepper *s)
 {
     enum { FEW = 32 /* coordinates, of each stage */, MANY = 64 /* steps */ };
@@ -254,7 +254,7 @@ int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to)
     return status;
 }
 
-/* Could a run be at such a k, t, x and p? An archive may have written any numbers there. */
+/* Check that a run could have this k, t, x and p. An archive may have written any numbers there. */
 static int check_state(const fvi_stepper *s)
 {
     const fvi_run *run = &s->run;

@@ -134,7 +134,7 @@ static int write_warning(fvi_inertia_watch *w, double t, size_t size, char *text
     return 1;
 }
 
-/* Does a velocity change its sign between the last row and this one? */
+/* Return nonzero if a velocity changes its sign between the last row and this one. */
 static int has_sign_change(const fvi_inertia_watch *w)
 {
     for (size_t i = 0; i < w->system->d; i++)

@@ -1,4 +1,4 @@
-/* src/stability/stability.c -- Is a step stable? [H 14]
+/* src/stability/stability.c -- Find out whether a step is stable. [H 14]
  *
  * The first part computes the load (14.3), a quarter of the largest eigenvalue of a symmetric matrix. The second part
  * counts the growing modes of the scalar recurrence, and finds the growth of the unstable mode, from its symbol
@@ -58,8 +58,8 @@ static int largest_eigenvalue(size_t d, double *A, double *largest)
     return FVI_SUCCESS;
 }
 
-/* Does the symmetric tridiagonal matrix, with the diagonal a and b beside it, have an eigenvalue above x? The Gaussian
- * elimination of the matrix minus x has as many positive pivots as there are such eigenvalues. */
+/* Return nonzero if the symmetric tridiagonal matrix, with the diagonal a and b beside it, has an eigenvalue above x.
+ * The Gaussian elimination of the matrix minus x has as many positive pivots as there are such eigenvalues. */
 static int is_above(size_t d, const double *a, const double *b, double x)
 {
     double pivot = 1;

@@ -171,7 +171,7 @@ static double tolerance_of_slopes(const fvi_run *run, double enough)
     return fmin(keep / part, 1. / PROBE);
 }
 
-/* Does a motion start at another x0_i, (19.2)? */
+/* Return nonzero if a motion starts at another x0_i, (19.2). */
 static int has_start(const fvi_tangent_run *o, size_t i)
 {
     const fvi_run *run = o->run;

@@ -19,9 +19,9 @@ typedef struct {
     fvi_run_damper of;
     size_t number, first, r;   /* the place of the damper, and of its first term among the terms of all dampers */
     double unit, theta;        /* the factor of the sums for rho = 1; the shift of (23.7) */
-    int has_line, is_liouville; /* is the line x0 + t v0 subtracted from x before the history gets it? is x0 not
-                                   subtracted? */
-    int is_asked, by_order, by_terms; /* do directions change the damper? its order? numbers of its law? */
+    int has_line, is_liouville; /* nonzero: the line x0 + t v0 is subtracted from x before the history gets it; x0 is
+                                   not subtracted */
+    int is_asked, by_order, by_terms; /* nonzero: directions change the damper; its order; numbers of its law */
     double *zeros, *z, *mean;  /* r each: zeros; z of the last node; the mean of z at the last two nodes */
     double *dz, *change;       /* r each: the increments of z and of the mean */
     double *now, *before;      /* P r each: impulses of the last node and of the node before, without the factor S */
