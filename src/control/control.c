@@ -32,7 +32,7 @@ typedef struct {
     fvi_run run;
     size_t d, rows, ends; /* 2 d: so many numbers are prescribed at t_N */
     const double *wanted_x, *wanted_p;
-    const double *driving;   /* the u that `driven` adds to F; not owned */
+    const double *driving;   /* the u that force_with_control adds to F; not owned */
     double *x, *p;           /* the trajectory of the last run */
     double *trial, *next;    /* a trial u of the line search; the u to which the iteration leads */
     double *a;               /* the derivatives of x_N and p_N by the force: 2 d rows of `rows` numbers */

@@ -178,7 +178,7 @@ FVI_VECTORS static void sums_of_eight_rows(const double *restrict g, const doubl
     }
 }
 
-/* Compute at most eight rows of one mass, with the operations of `positions` and `momenta`. */
+/* Compute at most eight rows of one mass, with the operations of `find_positions` and `find_momenta`. */
 static void rows_of_one_mass(const fvi_stepper *s, size_t count, const double *t, double *x,
                              double *p)
 {

@@ -55,9 +55,9 @@ typedef struct fvi_event_watch {
  * fvi_variable_step_check_walls -- return FVI_EINVAL if a body starts on a wall and moves into it; FVI_SUCCESS
  * otherwise; or the codes of fvi_variable_step_speed_of_event.
  *
- * fvi_variable_step_handle_events -- carry out the events at the end of the last step, and prepare the next step. Returns
- * FVI_SUCCESS; FVI_ENOMEM; FVI_ESING if the normal of an impact is 0; FVI_EOVRFLW; the codes of a mechanism and of the
- * functions of the events. */
+ * fvi_variable_step_handle_events -- carry out the events at the end of the last step, and prepare the next step.
+ * Returns FVI_SUCCESS; FVI_ENOMEM; FVI_ESING if the normal of an impact is 0; FVI_EOVRFLW; the codes of a mechanism and
+ * of the functions of the events. */
 int fvi_variable_step_velocities_jump(const fvi_run *run);
 int fvi_variable_step_begin_events(const fvi_run *run, fvi_variable_step_state *o);
 int fvi_variable_step_copy_events(const fvi_event_watch *from, fvi_variable_step_state *o);

@@ -103,7 +103,7 @@ double fvi_variable_step_scale(double x, double of_v, double of_a)
 }
 
 /* Compute the size of the motion for a tolerance that is relative: |x0|; or the distance that the body moves between
- * two rows, or until its spring stops it; or 1. springs: as for sort_out. */
+ * two rows, or until its spring stops it; or 1. springs: as for group_coordinates. */
 static int find_first_scale(fvi_stepper *s, const double *springs, double *scale)
 {
     const fvi_system *system = s->run.system;
