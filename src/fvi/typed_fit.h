@@ -66,8 +66,8 @@ int fvi_parse_free_parameter(const char *field, const char *text,
                              const fvi_free_parameter_names *names, fvi_free_parameter *which,
                              fvi_error *error);
 
-/* fvi_free_parameters_of_laws -- Write the names of the first `most` numbers of the law and the dampers of a run to text,
- * with commas between them. These are the parameters of a fit for which the user names none.
+/* fvi_free_parameters_of_laws -- Write the names of the first `most` numbers of the law and the dampers of a run to
+ * text, with commas between them. These are the parameters of a fit for which the user names none.
  *
  *   size, text  room for `size` characters
  *
