@@ -66,8 +66,8 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
 {
     if (!method || !run || !J || !J->slopes || !want || !x != !p)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    if (method->scheme == FVI_SCHEME_CLASSICAL)
-        FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
+    if (fvi_wanted_check_scheme(method))
+        return FVI_EUNSUP;
     if (run->event_count > 0)
         FVI_FAIL("a run with events has no adjoint: the derivative of x by the time of an impact jumps, and a memory "
                  "answers that by a force without bound",

@@ -127,14 +127,16 @@ typedef struct {
  *          (20.12), or kappa != 1/2 may have a lower order.) For fvi_variable_step the order in the number of its
  *          steps, over all t
  *   stages  the number of stages s of the methods of Lobatto; 0 for all other methods
- *   damped_inertia  nonzero if the inertia is treated as a damping of order 1 of the same kind, m DD^2 x: form D of H
- *   17 alpha_least, alpha_most  the range of alpha, within [0, 1]; 1/2 and 1/2 means linear damping only.
+ *   damped_inertia  nonzero if the inertia is treated as a damping of order 1 of the same kind, m DD^2 x (form D, H 17)
+ *   alpha_least, alpha_most  the range of alpha, within [0, 1]; 1/2 and 1/2 means linear damping only.
  *          fvi_stepper_start refuses every other alpha (FVI_EDOM)
  *   memories  a bit 1u << kind for each kind of memory (memory.h) that the method takes; fvi_stepper_start refuses the
  *          other kinds (FVI_EUNSUP). 0: the method has no history, and run->memory is not read
  *   quadrature  the weights of the history; not read for methods without a history and for methods with stages
- *   scheme  as above; CLASSICAL has no adjoint
- *   takes_kappa  nonzero if run->kappa has an effect for a system with a potential
+ *   scheme  as above. A method has adjoint runs and tangents if a method of the library has the same scheme, start and
+ *          step; CLASSICAL has none
+ *   takes_kappa  nonzero if run->kappa has an effect for a system with a potential. Zero: everything that knows kappa
+ *          takes 1/2
  *   takes_laws  nonzero if run->law may be set; fvi_stepper_start refuses it otherwise (FVI_EUNSUP)
  *   takes_matrices  nonzero if the system may have matrices; fvi_stepper_start refuses them otherwise (FVI_EUNSUP)
  *   takes_mechanism  nonzero if the system may have a mechanism; fvi_stepper_start refuses it otherwise (FVI_EUNSUP)

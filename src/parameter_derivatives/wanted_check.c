@@ -3,10 +3,24 @@
 #include "wanted_check.h"
 
 #include <fvi/dampers.h>
+#include <fvi/methods.h>
 #include "kernel/kernel_terms.h"
 #include "node_terms.h"
 #include "run/run_damper.h"
 #include "system/fail.h"
+
+int fvi_wanted_check_scheme(const fvi_method *method)
+{
+    for (size_t i = 0; fvi_methods[i]; i++) {
+        const fvi_method *known = fvi_methods[i];
+        if (method->scheme != FVI_SCHEME_CLASSICAL && method->scheme == known->scheme
+            && method->start == known->start && method->step == known->step)
+            return FVI_SUCCESS;
+    }
+    FVI_FAIL("this method has no adjoint and no tangents: its step is none of the steps of fvi, fvi-shifted, fvi-bdf2, "
+             "fvi-stable, fvi-lobatto2 to 8d and fvi-adaptive",
+             FVI_EUNSUP);
+}
 
 int fvi_wanted_check_dampers(const fvi_method *method, const fvi_run *run,
                              const fvi_sensitivities *want)

@@ -53,11 +53,13 @@ static int check(const fvi_tangent_run *o, const fvi_run *run)
     if (!method || !run || !o->along || !run->x0 || !run->p0)
         FVI_FAIL("a pointer of the tangents is NULL", FVI_EFAULT);
     int status = fvi_system_require_any(run->system);
+    if (!status)
+        status = fvi_wanted_check_scheme(method);
     if (!status && o->P == 0)
         FVI_FAIL("there is no direction to take derivatives along", FVI_EINVAL);
     if (!status
-        && (fvi_has_mechanism_steps(run->system) || method->scheme == FVI_SCHEME_CLASSICAL
-            || method->scheme == FVI_SCHEME_VARIABLE_STEP || run->event_count > 0))
+        && (fvi_has_mechanism_steps(run->system) || method->scheme == FVI_SCHEME_VARIABLE_STEP
+            || run->event_count > 0))
         FVI_FAIL("no derivatives along directions of this run: chains and structures have them, by methods with a "
                  "memory and equal steps, without events",
                  FVI_EUNSUP);

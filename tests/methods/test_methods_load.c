@@ -1,6 +1,7 @@
 /* tests/methods/test_methods_load.c -- The loads of the methods; their copies.
  * Run alone: make test-methods_load */
 #include "methods_runs.h"
+#include <fvi/adjoint.h>
 #include "run/whole_run.h"
 #include "error_control/step_search.h"
 #include "system/larger.h"
@@ -169,6 +170,45 @@ START_TEST(a_copied_method_is_as_good)
 }
 END_TEST
 
+static int last_x(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp)
+{
+    (void)d, (void)x, (void)p, (void)params, (void)Jp;
+    Jx[0] = k == STEPS;
+    return 0;
+}
+
+static int step_of_its_own(fvi_stepper *s)
+{
+    s->x[0] += s->run.h * s->p[0];
+    return FVI_SUCCESS;
+}
+
+/* A copy has the derivatives of its method. A method that says the same of its equations, and steps in another way,
+ * has none. */
+START_TEST(a_copied_method_has_derivatives_and_a_step_of_its_own_has_none)
+{
+    const fvi_system system = pendulum();
+    double x0[2];
+    const fvi_objective J = { .slopes = last_x };
+    FOR_EACH(m)
+    {
+        const int has_adjoint = m->scheme != FVI_SCHEME_CLASSICAL;
+        fvi_run run = run_of(&system, middle(m));
+        fvi_method copy = *m;
+        copy.name = "copy";
+        for (size_t j = 0; j < 2; j++) {
+            const fvi_sensitivities want = { .x0 = x0 + j };
+            ck_assert_int_eq(fvi_adjoint(j ? &copy : m, &run, NULL, NULL, &J, &want),
+                             has_adjoint ? FVI_SUCCESS : FVI_EUNSUP);
+        }
+        ck_assert(!has_adjoint || (x0[0] == x0[1] && x0[0] != 0));
+        copy.step = step_of_its_own;
+        const fvi_sensitivities want = { .x0 = x0 };
+        ck_assert_int_eq(fvi_adjoint(&copy, &run, NULL, NULL, &J, &want), FVI_EUNSUP);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("methods: loads and copies");
@@ -176,6 +216,7 @@ int main(void)
              eq_14_3_13_14_17_18_a_run_grows_if_its_load_is_above_1,
              eq_14_4_the_longest_step_parts_the_loads,
              a_load_that_overflows_at_every_step_is_reported);
-    ADD_CASE(suite, "copies", a_copied_method_is_as_good);
+    ADD_CASE(suite, "copies", a_copied_method_is_as_good,
+             a_copied_method_has_derivatives_and_a_step_of_its_own_has_none);
     return run_suite(suite);
 }
