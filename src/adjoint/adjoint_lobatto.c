@@ -60,8 +60,8 @@ int fvi_adjoint_lobatto_start(const fvi_method *method, const fvi_run *run,
                             const double *Jp, fvi_adjoint_lobatto *m)
 {
     const size_t s = (size_t)method->stages;
-    *m = (fvi_adjoint_lobatto){ .own = *run,
-                              .run = &m->own,
+    *m = (fvi_adjoint_lobatto){ .run_copy = *run,
+                              .run = &m->run_copy,
                               .want = want,
                               .rule = fvi_lobatto(s),
                               .s = s,

@@ -13,8 +13,8 @@
 
 /* Stage i of coordinate j stands at [j * s + i]. */
 typedef struct {
-    fvi_run own;        /* a copy of the run */
-    const fvi_run *run; /* points to own */
+    fvi_run run_copy;   /* a copy of the run */
+    const fvi_run *run; /* points to run_copy */
     const fvi_sensitivities *want;
     const fvi_lobatto_rule *rule;
     size_t s, d;

@@ -45,7 +45,7 @@ typedef struct {
     double A[FVI_STAGES][FVI_STAGES]; /* of (17.3) */
     double *v;                  /* s d: the velocities of the stages of the current step of the run, in reverse order */
     double *v0, *after, *zeros, *product, *room; /* d each */
-    double *y;                  /* d: the numbers that a damper remembers, of one stage */
+    double *y;                  /* d: the history numbers of a damper, of one stage */
     double *block;              /* the memory of all these arrays and of those of the dampers; owned */
     double by_M, by_K;
 } fvi_adjoint_structure;

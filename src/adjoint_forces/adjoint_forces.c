@@ -33,21 +33,21 @@ static int slopes(size_t k, size_t d, const double *x, const double *p, void *pa
     double *own_p = o->x + w->d;
     (void)d;
     for (size_t i = 0; i < w->d; i++) {
-        o->x[i] = x[w->own[i]];
-        own_p[i] = p ? p[w->own[i]] : 0;
+        o->x[i] = x[w->index[i]];
+        own_p[i] = p ? p[w->index[i]] : 0;
         o->Jx[i] = o->Jp[i] = 0;
     }
     const int status = o->of->slopes(k, w->d, o->x, p ? own_p : NULL, o->of->params, o->Jx, has_p ? o->Jp : NULL);
     for (size_t i = 0; i < w->d; i++) {
-        Jx[w->own[i]] += o->Jx[i];
-        Jp[w->own[i]] += o->Jp[i];
+        Jx[w->index[i]] += o->Jx[i];
+        Jp[w->index[i]] += o->Jp[i];
     }
     for (size_t i = 0; i < w->n && k > 0; i++) {
         const double by = o->by_impulse[k * w->n + i];
         if (w->wall[i] != SIZE_MAX)
             Jp[w->wall[i]] += by;
         if (w->is_ghost)
-            Jp[w->own[i]] -= by;
+            Jp[w->index[i]] -= by;
     }
     return status;
 }
@@ -93,7 +93,7 @@ static int start_spread(spread *o, const fvi_walls *w, const fvi_sensitivities *
 static void write_derivatives(const spread *o, const fvi_walls *w, const fvi_sensitivities *want, const double *by_impulse)
 {
     for (size_t i = 0; i < w->d; i++) {
-        const size_t at = w->own[i];
+        const size_t at = w->index[i];
         if (want->x0)
             want->x0[i] = o->x0[at];
         if (want->p0)

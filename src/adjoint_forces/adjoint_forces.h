@@ -20,14 +20,14 @@
  *
  *   d, n         how many coordinates the run has, and how many numbers its dampers have in an observer
  *   whole        how many coordinates there are with the walls
- *   own, wall    the indices of the coordinates, d, and of the walls, n; SIZE_MAX: that number has no wall, and is 0
+ *   index, wall  the indices of the coordinates, d, and of the walls, n; SIZE_MAX: that number has no wall, and is 0
  *   is_ghost     nonzero: the walls are ghosts of coordinates
  *   system, run  the run that is differentiated
  *   columns, sensitivity, lagrangian  how it depends on numbers, as in fvi_sensitivities; 0 where it has none
  *   parts, stop  the data of one kind of system, and how to free them */
 typedef struct {
     size_t d, n, whole;
-    size_t *own, *wall;
+    size_t *index, *wall;
     int is_ghost;
     double *numbers, *mass, *damping, *x0, *p0, *F;
     const fvi_force *force;
@@ -41,9 +41,9 @@ typedef struct {
     void (*stop)(void *parts);
 } fvi_walls;
 
-/* fvi_walls_places -- allocate own and wall, and fill in own, without walls. Returns FVI_SUCCESS or FVI_ENOMEM.
+/* fvi_walls_places -- allocate index and wall, and fill in index, without walls. Returns FVI_SUCCESS or FVI_ENOMEM.
  * fvi_walls_allocate -- allocate the arrays of all coordinates, and copy x0, p0, mass and damping of the run to their
- * indices; the walls are at rest. d, n, whole, own and wall are set before. Returns FVI_SUCCESS or FVI_ENOMEM.
+ * indices; the walls are at rest. d, n, whole, index and wall are set before. Returns FVI_SUCCESS or FVI_ENOMEM.
  * fvi_walls_force -- let the force of the run act on the coordinates and their ghosts, and on no walls. Returns
  * FVI_SUCCESS or FVI_ENOMEM.
  * fvi_walls_free -- free everything but `run`. */

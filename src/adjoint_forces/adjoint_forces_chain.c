@@ -122,7 +122,7 @@ int fvi_walls_of_chain(fvi_walls *w, const fvi_run *run, const fvi_sensitivities
     if (status)
         return status;
     for (size_t i = 0; i < d; i++) {
-        w->own[i] = 2 * i;
+        w->index[i] = 2 * i;
         w->wall[i] = 2 * i + 1;
     }
     w->is_ghost = 1;

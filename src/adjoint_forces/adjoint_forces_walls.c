@@ -9,12 +9,12 @@ int fvi_walls_places(fvi_walls *w, size_t d, size_t n, size_t whole)
     w->d = d;
     w->n = n;
     w->whole = whole;
-    w->own = malloc((d + n + 1) * sizeof *w->own);
-    if (!w->own)
+    w->index = malloc((d + n + 1) * sizeof *w->index);
+    if (!w->index)
         return FVI_ENOMEM;
-    w->wall = w->own + d;
+    w->wall = w->index + d;
     for (size_t i = 0; i < d; i++)
-        w->own[i] = i;
+        w->index[i] = i;
     for (size_t i = 0; i < n; i++)
         w->wall[i] = SIZE_MAX;
     return FVI_SUCCESS;
@@ -34,10 +34,10 @@ int fvi_walls_allocate(fvi_walls *w, const fvi_run *run)
     for (size_t i = 0; i < whole; i++)
         w->mass[i] = FVI_WALL_MASS;
     for (size_t i = 0; i < d; i++) {
-        w->mass[w->own[i]] = of->mass ? of->mass[i] : 1; /* with a Lagrangian the masses are not read */
-        w->damping[w->own[i]] = of->damping ? of->damping[i] : 0;
-        w->x0[w->own[i]] = run->x0[i];
-        w->p0[w->own[i]] = run->p0[i];
+        w->mass[w->index[i]] = of->mass ? of->mass[i] : 1; /* with a Lagrangian the masses are not read */
+        w->damping[w->index[i]] = of->damping ? of->damping[i] : 0;
+        w->x0[w->index[i]] = run->x0[i];
+        w->p0[w->index[i]] = run->p0[i];
     }
     w->system = (fvi_system){ .d = whole, .mass = w->mass, .damping = w->damping };
     w->run = *run;
@@ -53,7 +53,7 @@ static void copy_force(const fvi_walls *w, const double *F, double *to)
     for (size_t i = 0; i < w->whole; i++)
         to[i] = 0;
     for (size_t i = 0; i < w->d; i++) {
-        to[w->own[i]] = F[i];
+        to[w->index[i]] = F[i];
         if (w->is_ghost)
             to[w->wall[i]] = F[i];
     }
@@ -97,5 +97,5 @@ void fvi_walls_free(fvi_walls *w)
     free(w->impulses);
     free(w->F);
     free(w->numbers);
-    free(w->own);
+    free(w->index);
 }

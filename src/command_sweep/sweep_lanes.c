@@ -59,7 +59,7 @@ static int reduces(const lane *l)
 typedef struct {
     fvi_stepper *stepper;
     fvi_observer *observer;
-} lanes_on_their_way;
+} active_lanes;
 
 /* Return the part of an observation that belongs to lane l. */
 static fvi_observation part_of(const fvi_observation *now, size_t l)
@@ -73,7 +73,7 @@ static fvi_observation part_of(const fvi_observation *now, size_t l)
 }
 
 /* Take row k of each lane, or add it to the reductions. */
-static int store_rows(size_t count, lane *lanes, const lanes_on_their_way *all, size_t k)
+static int store_rows(size_t count, lane *lanes, const active_lanes *all, size_t k)
 {
     const fvi_stepper *s = all->stepper;
     fvi_observation now;
@@ -102,7 +102,7 @@ static int finish(size_t count, lane *lanes)
     return FVI_SUCCESS;
 }
 
-static int step_lanes(size_t count, lane *lanes, const lanes_on_their_way *all)
+static int step_lanes(size_t count, lane *lanes, const active_lanes *all)
 {
     const size_t steps = lanes->o.steps;
     fvi_stepper *s = all->stepper;
@@ -119,7 +119,7 @@ static int step_lanes(size_t count, lane *lanes, const lanes_on_their_way *all)
 
 static int run_to_rows(const fvi_run *run, size_t count, lane *lanes)
 {
-    lanes_on_their_way all = { NULL, NULL };
+    active_lanes all = { NULL, NULL };
     int status = fvi_stepper_start(lanes->o.method, run, &all.stepper, NULL);
     if (!status && fvi_options_needs_stepper(&lanes->o))
         status = fvi_observer_start(all.stepper, fvi_typed_columns_wanted(lanes->o.typed), &all.observer, NULL);

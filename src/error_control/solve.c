@@ -67,10 +67,10 @@ static int report_events(fvi_solve_state *o, double until)
 {
     const size_t d = o->run.system->d;
     int status = FVI_SUCCESS;
-    for (; !status && o->told < o->events.count && o->events.at[o->told].t <= until; o->told++) {
-        const double *place = o->events.place + 2 * d * o->told;
+    for (; !status && o->reported < o->events.count && o->events.at[o->reported].t <= until; o->reported++) {
+        const double *place = o->events.place + 2 * d * o->reported;
         if (o->out->event)
-            status = o->out->event(&o->events.at[o->told], place, place + d, o->out->params);
+            status = o->out->event(&o->events.at[o->reported], place, place + d, o->out->params);
     }
     return status;
 }

@@ -17,7 +17,7 @@ typedef struct {
     fvi_error *error;
     fvi_variable_step_found found; /* the result of a search by fvi-adaptive */
     fvi_event_list events;         /* of the run whose rows are given out */
-    size_t told;                   /* the caller has been told so many of these events */
+    size_t reported;               /* so many of these events have been reported to the caller */
     int is_between; /* nonzero if some times lie within steps of one length, where the path of the stages gives x and
                        p */
 } fvi_solve_state;

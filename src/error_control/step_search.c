@@ -19,7 +19,7 @@
 #include <string.h>
 
 enum {
-    FEWEST = 128,
+    LEAST_STEPS = 128,
     PATIENCE = 3,
     RUNS = 8 /* an estimate needs a run and three runs with steps 2, 4 and 8 times as long */
 };
@@ -362,7 +362,7 @@ int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
         return status;
     const size_t d = run->system->d;
     search o = { .method = method, .run = run, .first = 1 };
-    while (run->steps * o.first < FEWEST)
+    while (run->steps * o.first < LEAST_STEPS)
         o.first *= 2;
     if (run->steps >= SIZE_MAX / sizeof(double) / 8 / d / o.first)
         FVI_FAIL("rows must be addressable", FVI_EINVAL);

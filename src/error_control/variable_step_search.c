@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FEWEST = 128, MOST_RUNS = 16, SAME_END = 5 };
+enum { LEAST_STEPS = 128, MOST_RUNS = 16, SAME_END = 5 };
 
 /* The times at which runs are compared: the rows of the caller divided into `first` parts each, so that few rows do not
  * hide what happens between them, and the times that are wanted. */
@@ -281,7 +281,7 @@ int fvi_variable_step_search(const fvi_run *run, size_t count, const double *t,
         return status;
     const size_t d = run->system->d;
     pair o = { .run = run, .first = 1, .most = most };
-    while (run->steps * o.first < FEWEST)
+    while (run->steps * o.first < LEAST_STEPS)
         o.first *= 2;
     if (run->steps >= SIZE_MAX / sizeof(double) / 8 / d / o.first
         || (t && count >= SIZE_MAX / sizeof(double) / 8 / d))

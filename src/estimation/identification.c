@@ -10,12 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ROUGH 1e-6 /* relative step of u at which the searches from the starts end */
+#define STEP_AT_END 1e-6 /* relative step of u at which the searches from the starts end */
 #define FINE 1e-9  /* the same for the last search, from the best of them */
 #define PASSING 1e-4 /* the same for a search that will go on with more rows */
 #define VAGUE 20   /* a standard deviation of a logit or a logarithm at which it says nothing */
 
-typedef fvi_estimation_slot place;
+typedef fvi_estimation_slot slot;
 typedef fvi_estimation_work search;
 
 /* ---- many starts ---- */
@@ -63,7 +63,7 @@ static int try_all(search *o, const double *low, const double *high,
         begin(o, low, high, sobol,
               k); /* before any search, because the model still has the values of the run */
     gsl_qrng_free(sobol);
-    o->fine = ROUGH;
+    o->fine = STEP_AT_END;
     for (size_t k = 0; k < fit->starts; k++) {
         const double least = o->found[*best].sum;
         o->found[k].sum = GSL_POSINF;
@@ -77,8 +77,8 @@ static int try_all(search *o, const double *low, const double *high,
     }
     if (o->model.ended)
         return o->model.ended;
-    if (!(o->found[*best].sum < GSL_POSINF) && o->model.own)
-        return o->model.own;
+    if (!(o->found[*best].sum < GSL_POSINF) && o->model.callback_status)
+        return o->model.callback_status;
     if (!(o->found[*best].sum < GSL_POSINF))
         FVI_FAIL("the model has no motion, from any start", FVI_EBADFUNC);
     return FVI_SUCCESS;
@@ -108,7 +108,7 @@ static int grow_windows(search *o, size_t *best)
     const double h = m->run.h, rough = o->fine;
     int any = 0;
     for (size_t k = 0; k < m->fit->starts && !fvi_interrupted(); k++) {
-        place at = { .gave_up = 0 };
+        slot at = { .gave_up = 0 };
         if (!fvi_all_finite(m->fit->parameters, o->found[k].from))
             continue;
         memcpy(at.u, o->found[k].from, sizeof at.u);
@@ -116,7 +116,7 @@ static int grow_windows(search *o, size_t *best)
         for (size_t w = 0; w < sizeof windows / sizeof *windows; w++) {
             m->window = windows[w];
             fvi_estimation_model_step(m, h);
-            o->fine = m->window < 1 ? PASSING : ROUGH;
+            o->fine = m->window < 1 ? PASSING : STEP_AT_END;
             fvi_estimation_minimise(o, &at, GSL_POSINF);
         }
         if (at.sum < o->found[k].sum) {
@@ -140,7 +140,7 @@ static double size_of_parameter(const search *o, size_t j, double theta)
 }
 
 /* Return the number of starts that ended within sd / 10 of the best, or within 1e-6 of its size. (24.5) */
-static size_t count_agreeing_starts(const search *o, const place *best,
+static size_t count_agreeing_starts(const search *o, const slot *best,
                                     const fvi_estimate *fitted)
 {
     const fvi_estimation_model *m = &o->model;
@@ -177,7 +177,7 @@ static void record_other_minima(search *o, fvi_estimate *fitted)
         size_t next = 0;
         for (size_t k = 0; k < starts; k++)
             update_best(o, k, &next);
-        place *at = &o->found[next];
+        slot *at = &o->found[next];
         if (!(at->sum < GSL_POSINF) || fitted->others == FVI_ESTIMATION_OTHERS)
             return;
         at->sum = GSL_POSINF;
@@ -196,7 +196,7 @@ static void record_other_minima(search *o, fvi_estimate *fitted)
 //> covariance
 /* Compute the standard deviations and correlations of (24.3) from the solver's Jacobian by u; for a robust fit
  * (24.20). */
-static int covariance(search *o, const place *at, fvi_estimate *fitted)
+static int covariance(search *o, const slot *at, fvi_estimate *fitted)
 {
     const fvi_estimation_model *m = &o->model;
     const size_t P = o->fdf.p, n = o->fdf.n;
@@ -225,7 +225,7 @@ static int covariance(search *o, const place *at, fvi_estimate *fitted)
 //< covariance
 
 /* Set the sigma of each column: as given, or estimated with the same factor for the units of all columns. */
-static void fill_sigma(const search *o, const place *at, fvi_estimate *fitted)
+static void fill_sigma(const search *o, const slot *at, fvi_estimate *fitted)
 {
     const fvi_estimation_model *m = &o->model;
     const int known = fvi_estimation_knows_sigma(m->fit);
@@ -239,7 +239,7 @@ static void fill_sigma(const search *o, const place *at, fvi_estimate *fitted)
 
 /* Fill in everything of *fitted that follows from the place `at` and the solver's Jacobian there. Return FVI_SUCCESS,
  * FVI_ESING or FVI_EOVRFLW. */
-static int statistics(search *o, const place *at, fvi_estimate *fitted)
+static int statistics(search *o, const slot *at, fvi_estimate *fitted)
 {
     const fvi_estimation_model *m = &o->model;
     const double freedom = (double)(o->fdf.n - o->fdf.p);
@@ -266,7 +266,7 @@ static int statistics(search *o, const place *at, fvi_estimate *fitted)
 /* Halve the step until no estimate moves any more, because an error of the method is an error of the model, and no
  * noise shows it. If a move is hardly shorter than the one before, the step is not what moves the estimates. Then
  * `bias` shows it. */
-static int refine(search *o, place *best, fvi_estimate *fitted)
+static int refine(search *o, slot *best, fvi_estimate *fitted)
 {
     int status = FVI_SUCCESS, moves = 1;
     while (!status && moves && o->model.run.steps <= FVI_FIT_MOST_EQUAL_STEPS / 2) {
@@ -299,7 +299,7 @@ static int status_of(const search *o, const fvi_estimate *fitted)
 }
 
 /* Search from the end of start `first` to the last digits. Compute the statistics, and count the starts that agree. */
-static int refine_estimate(search *o, size_t first, place *best, fvi_estimate *fitted)
+static int refine_estimate(search *o, size_t first, slot *best, fvi_estimate *fitted)
 {
     *best = o->found[first];
     o->fine = FINE;
@@ -318,7 +318,7 @@ static int is_doubtful(const search *o, const fvi_estimate *fitted)
 
 /* Search until two starts agree on a best place that can be believed: from all starts, then also from those that were
  * given up, then with growing windows. */
-static int search_everywhere(search *o, size_t *first, place *best, fvi_estimate *fitted)
+static int search_everywhere(search *o, size_t *first, slot *best, fvi_estimate *fitted)
 {
     int status = refine_estimate(o, *first, best, fitted);
     if (fitted->agree < 2 && continue_given_up(o, first))
@@ -339,7 +339,7 @@ static int run_search(search *o, const double *low, const double *high,
     int status = try_all(o, low, high, &first);
     if (status)
         return status;
-    place best;
+    slot best;
     *fitted = (fvi_estimate){ .bias = GSL_NAN };
     status = search_everywhere(o, &first, &best, fitted);
     if (!status && fvi_estimation_finds_units(fit)) {

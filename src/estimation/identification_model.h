@@ -41,7 +41,7 @@ typedef struct {
      * may take: the results of the search are not valid then */
     int ended;
     int ran_away;   /* number of motions that took all their steps */
-    int own;        /* last code that a function of the caller returned, or 0 */
+    int callback_status; /* last code that a function of the caller returned, or 0 */
     double reached; /* time that the last motion reached */
 } fvi_estimation_model;
 

@@ -209,7 +209,7 @@ static int ended_by(fvi_estimation_model *m, int status)
     if (status == FVI_ENOMEM)
         m->ended = status;
     if (fvi_is_own_code(status))
-        m->own = status;
+        m->callback_status = status;
     if (status == FVI_ERUNAWAY && ++m->ran_away == FVI_FIT_RUNAWAYS)
         m->ended = status;
     return status;

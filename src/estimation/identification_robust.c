@@ -11,7 +11,7 @@
 #include <string.h>
 
 enum { ROUNDS = 40 };
-#define STAYS 1e-5    /* change of the logarithm of a unit at which the rounds end */
+#define CHANGE_AT_END 1e-5 /* change of the logarithm of a unit at which the rounds end */
 #define MEDIAN 1.4826 /* sigma of a normal distribution divided by the median of the absolute value */
 #define LEAST 1e-9    /* least unit, as a part of the size of the data */
 
@@ -94,7 +94,7 @@ int fvi_estimation_reweigh(fvi_estimation_work *o, fvi_estimation_slot *at)
     if (!r)
         FVI_FAIL("no memory for the residuals", FVI_ENOMEM);
     gsl_vector_const_view u = gsl_vector_const_view_array(at->u, o->fdf.p);
-    for (int round = 0; round < ROUNDS && moved > STAYS; round++) {
+    for (int round = 0; round < ROUNDS && moved > CHANGE_AT_END; round++) {
         double scale[FVI_MEASURED_MOST] = { 0 };
         fvi_estimation_residuals(&u.vector, o, o->solver->f);
         moved = 0;

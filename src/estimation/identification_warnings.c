@@ -8,14 +8,14 @@
 #include <stdio.h>
 #include <string.h>
 
-#define ALIKE 0.9 /* a correlation above this gives a warning */
+#define LARGE_CORRELATION 0.9 /* a correlation above this gives a warning */
 
 int fvi_estimate_warning_of_pair(const fvi_estimate *fitted, size_t i, size_t j,
                             const char *name_i, const char *name_j, size_t size,
                             char *text)
 {
     const double correlation = fitted->correlation[i][j];
-    if (!(fabs(correlation) > ALIKE))
+    if (!(fabs(correlation) > LARGE_CORRELATION))
         return 0;
     snprintf(text, size,
              "these data can hardly tell %s and %s apart (correlation %.3f)",

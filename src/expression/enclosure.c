@@ -6,7 +6,7 @@
 
 #include <stdlib.h>
 
-enum { FEW = 24 }; /* nodes of a tape for which no memory is allocated */
+enum { MOST_NODES_ON_STACK = 24 }; /* nodes of a tape for which no memory is allocated */
 
 static const double PI = 3.14159265358979323846;
 
@@ -317,8 +317,8 @@ static enclosure walk(const fvi_node *node, size_t n, const enclosure *time,
 int fvi_tape_enclose(const fvi_node *node, size_t n, double from, double to,
                      const double *k, int order, fvi_enclosure *f)
 {
-    enclosure time, few[FEW], *many = few;
-    if (n > FEW && !(many = malloc(n * sizeof *many)))
+    enclosure time, few[MOST_NODES_ON_STACK], *many = few;
+    if (n > MOST_NODES_ON_STACK && !(many = malloc(n * sizeof *many)))
         return FVI_ENOMEM;
     set_time(&time, from, to);
     *f = walk(node, n, &time, k, order, many);

@@ -55,12 +55,12 @@ static int emit(builder *w, term *t, int i, int depth)
     return (int)t->count++;
 }
 
-static void update_reach(fvi_expression *e, const term *t)
+static void update_half_bandwidth(fvi_expression *e, const term *t)
 {
     for (size_t i = 0; i < t->coordinates; i++)
         for (size_t j = 0; j < t->coordinates; j++)
-            if (t->coordinate[i] - t->coordinate[j] > (int)e->reach)
-                e->reach = (size_t)(t->coordinate[i] - t->coordinate[j]);
+            if (t->coordinate[i] - t->coordinate[j] > (int)e->half_bandwidth)
+                e->half_bandwidth = (size_t)(t->coordinate[i] - t->coordinate[j]);
 }
 
 /* Replace the arrays of the term by copies of their exact length. Return 0 if there is no memory. */
@@ -99,7 +99,7 @@ static void add_term(builder *w, int root)
         e->room = room;
     }
     if (shrink_term(&t)) {
-        update_reach(e, &t);
+        update_half_bandwidth(e, &t);
         e->terms[e->count++] = t;
     } else {
         w->status = FVI_ENOMEM;

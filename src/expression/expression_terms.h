@@ -19,7 +19,7 @@ struct fvi_expression {
     const double *values;
     term *terms;
     size_t count, room;
-    size_t reach; /* largest distance between two coordinates of a term */
+    size_t half_bandwidth; /* largest distance between two coordinates of a term */
     int degree;
 };
 

@@ -83,7 +83,7 @@ static int potential_gradient(size_t d, const double *x, void *params,
 static int potential_hessian(size_t d, const double *x, void *params, double *H)
 {
     const fvi_expression *e = params;
-    const size_t diagonals = e->reach + 1;
+    const size_t diagonals = e->half_bandwidth + 1;
     for (size_t i = 0; i < d; i++)
         for (size_t k = 0; k < diagonals && i + k < d; k++)
             H[i * diagonals + k] = 0;
@@ -110,7 +110,7 @@ fvi_potential fvi_potential_expression(const fvi_expression *e)
                             .hessian = potential_hessian,
                             .params = (void *)e,
                             .quadratic = is_quadratic,
-                            .diagonals = e->reach + 1,
+                            .diagonals = e->half_bandwidth + 1,
                             .lanes = e->d == 1 ? &fvi_expression_slope_lanes : NULL };
 }
 

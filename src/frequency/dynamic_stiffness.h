@@ -14,7 +14,7 @@ enum { FVI_ALWAYS_DENSE = 24 };
 
 /* A term of the sum, with its matrix M, K or B_j. Entry e of the matrix is added to entry place[e] of the sum. */
 typedef struct {
-    fvi_sparse own;          /* empty if the matrix belongs to the caller */
+    fvi_sparse owned;        /* empty if the matrix belongs to the caller */
     const fvi_sparse *matrix;
     const fvi_kernel *kernel; /* of a damping; NULL for M and K */
     int *place;

@@ -52,15 +52,15 @@ static void find_forms(const fvi_response *r, const double complex *v,
 
 /* v^T Z v from these forms: the part without damping, the part of all dampings, and their slopes. */
 typedef struct {
-    double complex still, damping, still_slope, damping_slope;
+    double complex undamped, damping, undamped_slope, damping_slope;
 } scalar_stiffness;
 
 static scalar_stiffness stiffness_of(const fvi_response *r,
                                      const double complex *form,
                                      double complex s)
 {
-    scalar_stiffness f = { .still = s * s * form[0] + form[1],
-                           .still_slope = 2 * s * form[0] };
+    scalar_stiffness f = { .undamped = s * s * form[0] + form[1],
+                           .undamped_slope = 2 * s * form[0] };
     for (size_t l = 2; l < r->terms; l++) {
         double complex slope;
         f.damping += fvi_kernel_at(r->term[l].kernel, s, &slope) * form[l];
@@ -78,7 +78,7 @@ static double complex rayleigh(const fvi_response *r,
     for (int i = 0; i < 30; i++) {
         const scalar_stiffness f = stiffness_of(r, form, s);
         const double complex step =
-            (f.still + f.damping) / (f.still_slope + f.damping_slope);
+            (f.undamped + f.damping) / (f.undamped_slope + f.damping_slope);
         if (!isfinite(cabs(step)))
             return s;
         s -= step;
@@ -258,7 +258,7 @@ static int advance(fvi_response *r, double tight, path *p)
     find_forms(r, p->v, p->form);
     const scalar_stiffness f = stiffness_of(r, p->form, p->s);
     const double complex tangent =
-        -f.damping / (f.still_slope + p->e * f.damping_slope);
+        -f.damping / (f.undamped_slope + p->e * f.damping_slope);
     const double complex guess = p->s + p->step * tangent;
     double complex z = 0;
     int status = FVI_EMAXITER;

@@ -12,7 +12,7 @@
 
 enum {
     ALL_ARE_SOUGHT = 64, /* up to this number of unknowns all poles are found, and the lowest are chosen */
-    MORE = 4,            /* modes beyond those that are asked for */
+    SPARE_MODES = 4,     /* modes beyond those that are asked for */
     MOST_OF_ONE = 8,     /* most poles of one oscillator */
     FOLDS = 12           /* factors of e below and above the poles found, within which poles are counted */
 };
@@ -38,8 +38,8 @@ static void search_free(search *s)
 static int search_alloc(fvi_response *r, size_t count, search *s)
 {
     const size_t d = r->d;
-    const int all = d <= ALL_ARE_SOUGHT || d - count < MORE;
-    *s = (search){ .response = r, .d = d, .n = all ? d : count + MORE, .wanted = count };
+    const int all = d <= ALL_ARE_SOUGHT || d - count < SPARE_MODES;
+    *s = (search){ .response = r, .d = d, .n = all ? d : count + SPARE_MODES, .wanted = count };
     s->room = d == 1 ? MOST_OF_ONE : s->n;
     s->lambda = malloc(s->n * (d + 1) * sizeof *s->lambda);
     s->mode = s->lambda + s->n;

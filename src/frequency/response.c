@@ -67,7 +67,7 @@ void fvi_response_free(fvi_response *r)
     if (!r)
         return;
     for (size_t l = 0; l < r->terms; l++) {
-        fvi_sparse_free(&r->term[l].own);
+        fvi_sparse_free(&r->term[l].owned);
         free(r->term[l].place);
     }
     fvi_complex_factors_free(r->factors);

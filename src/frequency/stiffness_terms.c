@@ -16,8 +16,8 @@ static void add_term(fvi_response *r, const fvi_sparse *matrix,
     fvi_stiffness_term *t = &r->term[r->terms++];
     *t = (fvi_stiffness_term){ .matrix = matrix, .kernel = kernel };
     if (own) {
-        t->own = *own;
-        t->matrix = &t->own;
+        t->owned = *own;
+        t->matrix = &t->owned;
     }
     double sum = 0;
     for (int e = 0; e < t->matrix->start[r->d]; e++)

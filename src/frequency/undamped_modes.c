@@ -127,7 +127,7 @@ static int shift_stiffness(subspace *s)
         fvi_sparse A;
         status = fvi_sparse_add(2, terms, a, &A);
         if (!status)
-            status = fvi_factors_alloc(fvi_way_of(&A), &A, &s->factors);
+            status = fvi_factors_alloc(fvi_choose_factorisation(&A), &A, &s->factors);
     }
     return status;
 }
@@ -184,10 +184,10 @@ static int ritz(subspace *s)
 /* Iterate Y = (K + shift M)^-1 M X, and take the modes of K and M within Y, until the wanted ones do not change. */
 static int iterate(subspace *s, size_t wanted)
 {
-    enum { MOST = 200 };
+    enum { MOST_ITERATIONS = 200 };
     double *before = s->room + 5 * s->q;
     fill_random(s->q * s->n, s->X);
-    for (int i = 0; i < MOST; i++) {
+    for (int i = 0; i < MOST_ITERATIONS; i++) {
         for (size_t j = 0; j < s->q; j++) {
             fvi_sparse_multiply(s->M, s->X + j * s->n, s->Y + j * s->n);
             if (fvi_factors_solve(s->factors, s->Y + j * s->n))

@@ -50,7 +50,7 @@ static double imaginary_part_on_cut(const fvi_kernel_ready *r, double ln_radius)
 }
 
 /* A longer tail is not summed term by term. */
-#define MANY 1e5
+#define MOST_TAIL_TERMS 1e5
 
 /* Sum the tail of a Zener element of very small order, which has millions of terms that hardly differ from one to the
  * next. S0 is the integral of the terms, which is an arc, with two Euler-Maclaurin corrections. The third correction is
@@ -71,7 +71,7 @@ static void add_slow_tail(const fvi_kernel_simple *t, double factor, double ln_h
 static int has_slow_tail(const fvi_kernel_simple *t, double ln_h, double first, double step, double n)
 {
     return n == 0 && t->time > 0 && t->below == t->alpha
-           && log(t->time * 1e17) + 2 * t->below * (first - ln_h) > 2 * t->below * step * MANY;
+           && log(t->time * 1e17) + 2 * t->below * (first - ln_h) > 2 * t->below * step * MOST_TAIL_TERMS;
 }
 
 void fvi_kernel_tail(const fvi_kernel_simple *t, double factor, double ln_h,
@@ -109,7 +109,7 @@ static double longest_lag(const fvi_kernel_ready *r, double N)
 }
 
 /* Limit of N: a pole at so low a rate would need up to a thousand nodes. */
-#define MOST 1e90
+#define LARGEST_LAG 1e90
 
 /* Return 1 if `time` is so short that the symbol of BDF2 has further poles, at |z| = 2.4 for the largest orders. They
  * are on no cut, and their powers have not decayed within the window. */
@@ -148,7 +148,7 @@ static int fractions_have_modes(const fvi_kernel_ready *r)
         if (t->rho == 0 || t->time == 0)
             continue;
         if ((t->below > 0.45 && !fvi_kernel_is_relaxation(t))
-            || (has_cut(t) && longest_lag(r, 1) > MOST))
+            || (has_cut(t) && longest_lag(r, 1) > LARGEST_LAG))
             return 0; /* a pole is near the cut, off the cut, or too low */
         if (has_cut(t) && t->below > 0.4
             && is_below_step(r, pow(t->time, 0.5 / t->below)))

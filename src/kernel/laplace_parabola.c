@@ -4,12 +4,12 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-enum { REACH = 3 };
+enum { TAIL = 3 };
 static const double spacing = 0.12;
 
 void fvi_parabola_make(double t, fvi_parabola *p)
 {
-    p->mu = REACH / (FVI_PARABOLA_SPAN * t);
+    p->mu = TAIL / (FVI_PARABOLA_SPAN * t);
     for (int j = 0; j < FVI_PARABOLA_NODES; j++) {
         const double complex v = 1 + I * (j + 0.5) * spacing;
         p->s[j] = p->mu * v * v;

@@ -23,7 +23,7 @@ import workshop_course as course
 import workshop_exercises as exercises
 import workshop_holes as holes
 import workshop_run as runner
-from workshop_build import BUILD, HERE, archive, compile_plain, meeting
+from workshop_build import BUILD, HERE, archive, compile_plain, linked_parts
 
 BODY = pathlib.Path("workshop/body.c")
 EMPTY = """/* workshop/body.c -- My body that remembers.
@@ -162,7 +162,7 @@ def chapter(number):
     try:
         library, anew = [], {}
         for source, file in files.items():
-            *test, obj = meeting(source, file, folder, met[source], 1)
+            *test, obj = linked_parts(source, file, folder, met[source], 1)
             if test:
                 runner.each_has_one_place(file, obj, BUILD / "libfvi.a")
                 library.append(obj)

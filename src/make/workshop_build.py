@@ -30,7 +30,7 @@ def module(source, file, folder, show_warning=0):
                                   f"-I{pathlib.Path(source).parent}", show_warning=show_warning)
 
 
-def meeting(source, file, folder, test, show_warning=0):
+def linked_parts(source, file, folder, test, show_warning=0):
     """What a program of tests takes of a student's version of a source: a module, beside the object of
     the test, or a test that is compiled anew, as that version or with it in the place of its header."""
     if source.startswith("src/"):

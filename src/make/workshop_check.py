@@ -15,7 +15,7 @@ import workshop_course as course
 import workshop_exercises as exercises
 import workshop_holes as holes
 import workshop_run as runner
-from workshop_build import BUILD, HERE, meeting, module
+from workshop_build import BUILD, HERE, linked_parts, module
 
 ACCIDENTS = "tests/workshop/accidents.txt"
 EXACT = "tests/workshop/exact.txt"
@@ -29,7 +29,7 @@ def text_fails(hole):
     if hole.named not in holes.tests() or hole.shows not in runner.title(hole.named)[0]:
         return f"{where}: no test {hole.named} that names ({hole.shows})"
     text = holes.skeleton(hole.source, [hole])
-    if holes.bare(holes.filled(text, [hole])) != holes.bare(pathlib.Path(hole.source).read_text()):
+    if holes.without_comments(holes.filled(text, [hole])) != holes.without_comments(pathlib.Path(hole.source).read_text()):
         return f"{where}: filled, it is not the source"
     return None
 
@@ -45,7 +45,7 @@ def hole_fails(hole):
     file.write_text(holes.skeleton(hole.source, [hole]))
     test, case = holes.tests()[hole.named]
     try:
-        inputs = [*meeting(hole.source, file, folder, test), HERE / "exit.o",
+        inputs = [*linked_parts(hole.source, file, folder, test), HERE / "exit.o",
                   BUILD / "libfvi.a"]  # of which the linker takes what is not there yet
         results = runner.run(runner.link(folder / test, [file], inputs), [file.name], LIMIT, case)
     except runner.NotBuilt as error:
@@ -63,7 +63,7 @@ def skeletons_fail(where, cuts):
     file = folder / pathlib.Path(source).name
     file.write_text(holes.skeleton(source, cuts))
     try:
-        meeting(source, file, folder, holes.tests()[cuts[0].named][0])
+        linked_parts(source, file, folder, holes.tests()[cuts[0].named][0])
     except runner.NotBuilt as error:
         return str(error)
     return None

@@ -27,13 +27,13 @@ def answer(stage):
     return pathlib.Path(f"src/course/body_{stage:02d}.c")
 
 
-def bare(text):
+def without_comments(text):
     """C without its comments and strings."""
     return re.sub(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"', " ", text, flags=re.S)
 
 
 def constants(text):
-    lists = re.findall(r"^\s*enum\s*\w*\s*\{([^}]*)\}", bare(text), re.M)
+    lists = re.findall(r"^\s*enum\s*\w*\s*\{([^}]*)\}", without_comments(text), re.M)
     return set(re.findall(r"(?:^|,)\s*(\w+)", "\n".join(lists))) | set(re.findall(r"^\s*#\s*define\s+(\w+)", text, re.M))
 
 
@@ -44,7 +44,7 @@ def functions(text):
 
 
 def variables(text):
-    lines = re.findall(r"^(?:double|int) ([^(){};]*);", bare(text), re.M)
+    lines = re.findall(r"^(?:double|int) ([^(){};]*);", without_comments(text), re.M)
     return set(re.findall(r"(?:^|,) *(\w+)", "\n".join(lines), re.M))
 
 
@@ -67,7 +67,7 @@ class Check:
 
     def __init__(self, stage, text, name):
         self.stage, self.text, self.name = stage, text, name
-        self.words = set(re.findall(r"(?<!\.)\b[A-Za-z_]\w*", bare(text)))
+        self.words = set(re.findall(r"(?<!\.)\b[A-Za-z_]\w*", without_comments(text)))
         self.needs = set()
 
 
@@ -186,7 +186,7 @@ def added(stage):
     if stage == 1:
         return {"main": text}
     before = functions(answer(stage - 1).read_text())
-    return {name: lines for name, lines in functions(text).items() if name != "main" and bare(before.get(name, "")) != bare(lines)}
+    return {name: lines for name, lines in functions(text).items() if name != "main" and without_comments(before.get(name, "")) != without_comments(lines)}
 
 
 def no_longer_needed(stage):

@@ -121,7 +121,7 @@ def filled(text, cuts):
     return text
 
 
-def bare(text):
+def without_comments(text):
     """A program without comments and spaces, to compare two of them."""
     return "".join(re.sub(r"/\*.*?\*/|//[^\n]*", "", text, flags=re.S).split())
 

@@ -7,20 +7,20 @@
 enum { NARROW = 8 }; /* largest half bandwidth for which a band is the fastest solver */
 
 struct fvi_factors {
-    fvi_way way;
+    fvi_factorisation factorisation;
     size_t n, w;    /* w: half bandwidth */
     double *number; /* the band: row i is L_{i,i-w}, ..., L_{i,i-1}, 1 / D_i */
     fvi_cholmod *cholmod;
 };
 
-fvi_way fvi_way_of_band(size_t w)
+fvi_factorisation fvi_choose_factorisation_of_band(size_t w)
 {
     return w == 0 ? FVI_BY_DIAGONAL : w <= NARROW ? FVI_BY_BAND : FVI_BY_CHOLMOD;
 }
 
-fvi_way fvi_way_of(const fvi_sparse *A)
+fvi_factorisation fvi_choose_factorisation(const fvi_sparse *A)
 {
-    return fvi_way_of_band(fvi_sparse_half_band(A));
+    return fvi_choose_factorisation_of_band(fvi_sparse_half_band(A));
 }
 
 /* ---- bands ---- */
@@ -66,14 +66,14 @@ static int begin_band(fvi_factors *f, const fvi_sparse *A)
 
 /* ---- all solvers ---- */
 
-int fvi_factors_alloc(fvi_way way, fvi_sparse *A, fvi_factors **factors)
+int fvi_factors_alloc(fvi_factorisation factorisation, fvi_sparse *A, fvi_factors **factors)
 {
     fvi_factors *f = calloc(1, sizeof *f);
     int status = f ? FVI_SUCCESS : FVI_ENOMEM;
     if (f) {
-        f->way = way;
+        f->factorisation = factorisation;
         f->n = A->n;
-        status = way == FVI_BY_CHOLMOD ? fvi_cholmod_alloc(A, &f->cholmod)
+        status = factorisation == FVI_BY_CHOLMOD ? fvi_cholmod_alloc(A, &f->cholmod)
                                        : begin_band(f, A);
     }
     fvi_sparse_free(A);
@@ -86,7 +86,7 @@ int fvi_factors_alloc(fvi_way way, fvi_sparse *A, fvi_factors **factors)
 
 int fvi_factors_solve(fvi_factors *f, double *r)
 {
-    switch (f->way) {
+    switch (f->factorisation) {
     case FVI_BY_DIAGONAL:
         for (size_t i = 0; i < f->n; i++)
             r[i] *= f->number[i];

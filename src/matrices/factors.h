@@ -9,18 +9,18 @@ typedef enum {
     FVI_BY_DIAGONAL,
     FVI_BY_BAND,
     FVI_BY_CHOLMOD
-} fvi_way;
+} fvi_factorisation;
 
-/* fvi_way_of -- Return the solver for a matrix.
- * fvi_way_of_band -- Return the solver for a matrix of this half bandwidth. */
-fvi_way fvi_way_of(const fvi_sparse *A);
-fvi_way fvi_way_of_band(size_t half_band);
+/* fvi_choose_factorisation -- Return the solver for a matrix.
+ * fvi_choose_factorisation_of_band -- Return the solver for a matrix of this half bandwidth. */
+fvi_factorisation fvi_choose_factorisation(const fvi_sparse *A);
+fvi_factorisation fvi_choose_factorisation_of_band(size_t half_band);
 
 typedef struct fvi_factors fvi_factors;
 
 /* fvi_factors_alloc -- Factorise A by this solver. The function frees A, also after an error. Return FVI_SUCCESS;
  * FVI_ESING if A is not positive definite; FVI_ENOMEM. */
-int fvi_factors_alloc(fvi_way way, fvi_sparse *A, fvi_factors **factors);
+int fvi_factors_alloc(fvi_factorisation factorisation, fvi_sparse *A, fvi_factors **factors);
 
 /* fvi_factors_solve -- Replace r by A^-1 r, n numbers. Return FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_factors_solve(fvi_factors *f, double *r);

@@ -236,7 +236,7 @@ static int check_semidefinite(const fvi_sparse *M, const fvi_sparse *C)
     int status = fvi_sparse_add(2, terms, a, &A);
     if (status)
         return status;
-    status = fvi_factors_alloc(fvi_way_of(&A), &A, &f);
+    status = fvi_factors_alloc(fvi_choose_factorisation(&A), &A, &f);
     if (!status)
         fvi_factors_free(f);
     return status == FVI_ESING ? FVI_EDOM : status;

@@ -204,7 +204,8 @@ static int factorise(size_t d, size_t count, const double *factor, const void *p
         list_terms(s, &terms);
         for (size_t l = 0; l < terms.count; l++)
             c->w = wider_of(c->w, fvi_sparse_half_band(terms.matrix[l]));
-        status = fvi_way_of_band(c->w) != FVI_BY_CHOLMOD ? eliminate_bands(&terms, c) : factorise_sparse(&terms, c);
+        status = fvi_choose_factorisation_of_band(c->w) != FVI_BY_CHOLMOD ? eliminate_bands(&terms, c)
+                                                                          : factorise_sparse(&terms, c);
     }
     free(terms.place);
     free(terms.matrix);

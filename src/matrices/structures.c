@@ -55,7 +55,7 @@ int fvi_structure_factorise(size_t count, const fvi_sparse *const *terms, const 
     fvi_factors *f = NULL;
     int status = fvi_sparse_add(count, terms, a, &A);
     if (!status)
-        status = fvi_factors_alloc(fvi_way_of(&A), &A, &f);
+        status = fvi_factors_alloc(fvi_choose_factorisation(&A), &A, &f);
     if (!status)
         *factors = f;
     if (status == FVI_ENOMEM)
@@ -272,9 +272,9 @@ const char *fvi_structure_solver_name(const fvi_structure *s, double m, double c
     fvi_sparse A;
     if (sum_pattern(s, m, c, k, &A))
         return "";
-    const fvi_way way = fvi_way_of(&A);
+    const fvi_factorisation factorisation = fvi_choose_factorisation(&A);
     fvi_sparse_free(&A);
-    return names[way];
+    return names[factorisation];
 }
 
 void fvi_structure_free(fvi_structure *s)

@@ -21,7 +21,7 @@ static const fvi_constraints *constraints_of(const fvi_stepper *s)
 static const fvi_event *contact_of(const fvi_stepper *s, size_t l)
 {
     const fvi_mechanism_state *o = s->mechanism;
-    return &s->run.events[o->contact[l - o->own]];
+    return &s->run.events[o->contact[l - o->permanent]];
 }
 
 size_t fvi_mechanism_contact_count(const fvi_run *run)
@@ -36,8 +36,8 @@ int fvi_mechanism_tie_values(const fvi_stepper *s, double t, const double *x, do
 {
     const fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *own = constraints_of(s);
-    int status = o->own ? own->value(t, o->d, x, own->params, c) : FVI_SUCCESS;
-    for (size_t l = o->own; l < o->m && !status; l++) {
+    int status = o->permanent ? own->value(t, o->d, x, own->params, c) : FVI_SUCCESS;
+    for (size_t l = o->permanent; l < o->m && !status; l++) {
         const fvi_event *e = contact_of(s, l);
         status = e->value(t, o->d, x, s->p, e->params, &c[l]);
         c[l] -= o->level[l];
@@ -51,7 +51,7 @@ int fvi_mechanism_contact_increments(const fvi_stepper *s, const double *u, size
     const fvi_mechanism_state *o = s->mechanism;
     const double t = fvi_mechanism_stage_time(s, i);
     int status = FVI_SUCCESS;
-    for (size_t l = o->own; l < o->m && !status; l++) {
+    for (size_t l = o->permanent; l < o->m && !status; l++) {
         const fvi_event *e = contact_of(s, l);
         const double *first = o->C + l * o->d, *last = C + l * o->d;
         double *unused = o->room + o->m * o->d, before, behind, sum, first_order, bend, size = 0;
@@ -83,8 +83,8 @@ int fvi_mechanism_tie_gradients(const fvi_stepper *s, double t, const double *x,
 {
     const fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *own = constraints_of(s);
-    int status = o->own ? own->gradient(t, o->d, x, own->params, C, ct) : FVI_SUCCESS;
-    for (size_t l = o->own; l < o->m && !status; l++) {
+    int status = o->permanent ? own->gradient(t, o->d, x, own->params, C, ct) : FVI_SUCCESS;
+    for (size_t l = o->permanent; l < o->m && !status; l++) {
         const fvi_event *e = contact_of(s, l);
         double rate;
         status = e->gradient(t, o->d, x, e->params, C + l * o->d, &rate);
@@ -99,8 +99,8 @@ int fvi_mechanism_tie_hessians(const fvi_stepper *s, double t, const double *x,
 {
     const fvi_mechanism_state *o = s->mechanism;
     const fvi_constraints *own = constraints_of(s);
-    int status = o->own ? own->hessian(t, o->d, x, factor, own->params, H) : FVI_SUCCESS;
-    for (size_t l = o->own; l < o->m && !status; l++) {
+    int status = o->permanent ? own->hessian(t, o->d, x, factor, own->params, H) : FVI_SUCCESS;
+    for (size_t l = o->permanent; l < o->m && !status; l++) {
         const fvi_event *e = contact_of(s, l);
         if (e->hessian)
             status = e->hessian(t, o->d, x, factor[l], e->params, H);
@@ -113,7 +113,7 @@ int fvi_mechanism_tie_hessians(const fvi_stepper *s, double t, const double *x,
 void fvi_mechanism_keep_contacts(fvi_mechanism_state *o)
 {
     o->last_m = o->m;
-    memcpy(o->last_contact, o->contact, (o->most - o->own) * sizeof *o->contact);
+    memcpy(o->last_contact, o->contact, (o->most - o->permanent) * sizeof *o->contact);
 }
 
 void fvi_mechanism_swap_contacts(fvi_mechanism_state *o)
@@ -121,7 +121,7 @@ void fvi_mechanism_swap_contacts(fvi_mechanism_state *o)
     const size_t m = o->m;
     o->m = o->last_m;
     o->last_m = m;
-    for (size_t i = 0; i < o->most - o->own; i++) {
+    for (size_t i = 0; i < o->most - o->permanent; i++) {
         const size_t contact = o->contact[i];
         o->contact[i] = o->last_contact[i];
         o->last_contact[i] = contact;
@@ -130,8 +130,8 @@ void fvi_mechanism_swap_contacts(fvi_mechanism_state *o)
 
 size_t fvi_mechanism_row_of_contact(const fvi_mechanism_state *o, size_t event)
 {
-    size_t l = o->own;
-    while (l < o->m && o->contact[l - o->own] != event)
+    size_t l = o->permanent;
+    while (l < o->m && o->contact[l - o->permanent] != event)
         l++;
     return l;
 }
@@ -141,7 +141,7 @@ static int follow_contacts(fvi_stepper *s, double t, const double *x)
 {
     fvi_mechanism_state *o = s->mechanism;
     o->n = o->s * (o->d + o->m);
-    for (size_t l = o->own; l < o->most; l++)
+    for (size_t l = o->permanent; l < o->most; l++)
         o->begun[l] = o->ended[l] = o->tie[l] = 0;
     return fvi_mechanism_tie_gradients(s, t, x, o->C, NULL);
 }
@@ -151,7 +151,7 @@ int fvi_mechanism_close_contact(fvi_stepper *s, double t, const double *x, size_
     fvi_mechanism_state *o = s->mechanism;
     const fvi_event *e = &s->run.events[event];
     const int status = e->value(t, o->d, x, s->p, e->params, &o->level[o->m]);
-    o->contact[o->m++ - o->own] = event;
+    o->contact[o->m++ - o->permanent] = event;
     return status ? status : follow_contacts(s, t, x);
 }
 
@@ -160,7 +160,7 @@ int fvi_mechanism_open_contact(fvi_stepper *s, double t, const double *x, size_t
     fvi_mechanism_state *o = s->mechanism;
     size_t l = fvi_mechanism_row_of_contact(o, event);
     for (o->m--; l < o->m; l++) {
-        o->contact[l - o->own] = o->contact[l + 1 - o->own];
+        o->contact[l - o->permanent] = o->contact[l + 1 - o->permanent];
         o->level[l] = o->level[l + 1];
     }
     return follow_contacts(s, t, x);
@@ -170,9 +170,9 @@ int fvi_mechanism_open_contact(fvi_stepper *s, double t, const double *x, size_t
 static int has_possible_contacts(const fvi_stepper *s, size_t m, const size_t *contact)
 {
     const fvi_mechanism_state *o = s->mechanism;
-    if (m < o->own || m > o->most)
+    if (m < o->permanent || m > o->most)
         return 0;
-    for (size_t i = 0; i < m - o->own; i++) {
+    for (size_t i = 0; i < m - o->permanent; i++) {
         if (contact[i] >= s->run.event_count
             || s->run.events[contact[i]].action != FVI_EVENT_CONTACT)
             return 0;
@@ -187,7 +187,7 @@ int fvi_mechanism_serialize_contacts(fvi_stepper *s, fvi_archive *v)
 {
     fvi_mechanism_state *o = s->mechanism;
     const int status = FVI_SERIALIZE(v, FVI_STATE(o->m), FVI_STATE(o->last_m),
-                                     FVI_STATES(o->contact, 2 * (o->most - o->own)));
+                                     FVI_STATES(o->contact, 2 * (o->most - o->permanent)));
     if (!status
         && !(has_possible_contacts(s, o->m, o->contact)
              && has_possible_contacts(s, o->last_m, o->last_contact)))

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FEW = 15, MOST = 50, MOST_SLOW = 200 };
+enum { STEPS_ON_MESH = 15, MOST_NEWTON_STEPS = 50, MOST_DAMPED_STEPS = 200 };
 
 static double norm(size_t n, const double *v)
 {
@@ -53,7 +53,7 @@ static int iterate(fvi_stepper *s,
 {
     fvi_mechanism_state *o = s->mechanism;
     double before = INFINITY;
-    for (int i = 0; i < (o->is_on_mesh ? FEW : MOST); i++) {
+    for (int i = 0; i < (o->is_on_mesh ? STEPS_ON_MESH : MOST_NEWTON_STEPS); i++) {
         int status = assemble(s, u);
         if (!status)
             status = change_of(o);
@@ -82,7 +82,7 @@ static int descend(fvi_stepper *s,
     const size_t n = o->n;
     int status = assemble(s, u);
     double size = norm(n, o->residual);
-    for (int i = 0; i < MOST_SLOW && !status; i++) {
+    for (int i = 0; i < MOST_DAMPED_STEPS && !status; i++) {
         const double length = norm(n, u);
         status = change_of(o);
         if (status)

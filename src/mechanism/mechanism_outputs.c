@@ -60,9 +60,9 @@ int fvi_stepper_multipliers(const fvi_stepper *s, double *begin, double *end)
     if (!o)
         return FVI_EUNSUP;
     if (begin)
-        memcpy(begin, o->begun, o->own * sizeof *begin);
+        memcpy(begin, o->begun, o->permanent * sizeof *begin);
     if (end)
-        memcpy(end, o->ended, o->own * sizeof *end);
+        memcpy(end, o->ended, o->permanent * sizeof *end);
     return FVI_SUCCESS;
 }
 
@@ -73,7 +73,7 @@ int fvi_stepper_tie(const fvi_stepper *s, size_t i, double *impulse)
     const fvi_mechanism_state *o = fvi_mechanism_of(s);
     if (!o)
         return FVI_EUNSUP;
-    if (i >= o->own)
+    if (i >= o->permanent)
         return FVI_EINVAL;
     *impulse = o->tie[i];
     return FVI_SUCCESS;

@@ -42,10 +42,10 @@ static int allocate(fvi_mechanism_state *o)
                             { &o->change, n }, { &o->trial, n }, { &o->room, 4 * (d + m + 1) * (d + m + 1) });
     o->order = calloc(n + d + m, sizeof *o->order);
     o->is_massless = calloc(d, 1);
-    o->contact = calloc(2 * (m - o->own) + 1, sizeof *o->contact);
+    o->contact = calloc(2 * (m - o->permanent) + 1, sizeof *o->contact);
     if (!o->numbers || !o->order || !o->is_massless || !o->contact)
         return FVI_ENOMEM;
-    o->last_contact = o->contact + (m - o->own);
+    o->last_contact = o->contact + (m - o->permanent);
     o->saved = (size_t)(o->W - o->numbers);
     return FVI_SUCCESS;
 }
@@ -81,8 +81,8 @@ static int make_state(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
         form == FVI_MECHANISM_FORM_M || form == FVI_MECHANISM_FORM_D;
     o->d = s->run.system->d;
     o->r = mechanism->damper_count;
-    o->m = o->own = o->last_m = mechanism->constraints ? mechanism->constraints->count : 0;
-    o->most = o->own + fvi_mechanism_contact_count(&s->run);
+    o->m = o->permanent = o->last_m = mechanism->constraints ? mechanism->constraints->count : 0;
+    o->most = o->permanent + fvi_mechanism_contact_count(&s->run);
     o->s = o->q = has_stages ? stages : 1;
     o->begin = form == FVI_MECHANISM_FORM_M;
     o->n = has_stages ? (o->s - o->begin) * (o->d + o->m) : o->d + o->m;
@@ -231,7 +231,7 @@ int fvi_mechanism_copy(const fvi_stepper *from, fvi_stepper *to)
     memcpy(o->W, old->W, o->r * o->s * o->s * sizeof *o->W);
     memcpy(o->is_massless, old->is_massless, o->d);
     o->any_massless = old->any_massless;
-    memcpy(o->contact, old->contact, 2 * (o->most - o->own) * sizeof *o->contact);
+    memcpy(o->contact, old->contact, 2 * (o->most - o->permanent) * sizeof *o->contact);
     o->m = old->m;
     o->n = old->n;
     o->last_m = old->last_m;
@@ -242,7 +242,7 @@ int fvi_mechanism_serialize(fvi_stepper *s, fvi_archive *v)
 {
     fvi_mechanism_state *o = s->mechanism;
     int status = v->serialize(v, o->numbers, o->saved * sizeof *o->numbers, 0);
-    if (!status && o->most > o->own)
+    if (!status && o->most > o->permanent)
         status = fvi_mechanism_serialize_contacts(s, v);
     return status ? status : fvi_mechanism_serialize_parts(s, v);
 }

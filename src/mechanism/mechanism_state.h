@@ -33,8 +33,8 @@ typedef struct {
 } fvi_mechanism_start_force;
 
 /* The state has d coordinates, r dampers and m ties. Stage i of coordinate j is at [i * d + j]. q is the number of
- * points at which a step evaluates the Lagrangian: s with stages, else 1. The first `own` ties are the constraints of
- * the run. The other ties are closed contacts; at most `most` - `own` contacts can be closed. */
+ * points at which a step evaluates the Lagrangian: s with stages, else 1. The first `permanent` ties are the constraints of
+ * the run. The other ties are closed contacts; at most `most` - `permanent` contacts can be closed. */
 typedef struct fvi_mechanism_state {
     fvi_method method; /* a copy of the method with these steps; not used on a mesh */
     fvi_mechanism_form form;
@@ -42,7 +42,7 @@ typedef struct fvi_mechanism_state {
     double h, t;                  /* length of a step; its beginning on a mesh */
     double rest_scale;            /* largest distance that the bodies have moved, while a contact is closed; else 0 */
     size_t s, q, d, r, m, n;      /* n: number of unknowns */
-    size_t own, most, *contact;   /* contact: index of the event of each closed contact */
+    size_t permanent, most, *contact; /* contact: index of the event of each closed contact */
     size_t last_m, *last_contact; /* m and the contacts of the last step, for times within it */
     const fvi_lobatto_rule *rule;
     double E[FVI_STAGES][FVI_STAGES], T[FVI_STAGES][FVI_STAGES],

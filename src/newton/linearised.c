@@ -76,7 +76,7 @@ int fvi_linearised_force(double t, size_t d, void *of, double *F)
     fvi_linearised *l = of;
     (void)t;
     if (l->source)
-        memcpy(F, l->source + l->asked++ * d, d * sizeof *F);
+        memcpy(F, l->source + l->evaluated_stages++ * d, d * sizeof *F);
     else
         memset(F, 0, d * sizeof *F);
     return 0;

@@ -19,7 +19,7 @@
  *   size      number of doubles in one Hessian
  *   stages    number of Hessians in one step
  *   stage     the stage whose gradient or Hessian is needed next
- *   asked     how many stages have read their force in this step; 0 before a step
+ *   evaluated_stages  how many stages have read their force in this step; 0 before a step
  *   reversed  nonzero if stage i of this run is stage stages - 1 - i of the original run
  *   is_constant    nonzero if G is the same in all steps
  *   is_one_body    nonzero if all coordinates have the same equation and G is diagonal. Then one block of the matrix is
@@ -31,7 +31,7 @@
  *                  integrated force (23.15) */
 typedef struct {
     const double *G, *source;
-    size_t d, diagonals, size, stages, stage, asked;
+    size_t d, diagonals, size, stages, stage, evaluated_stages;
     int reversed, is_constant, is_one_body, by_order, history_includes_undamped, from_zero, is_dual;
 } fvi_linearised;
 

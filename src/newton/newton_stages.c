@@ -71,8 +71,8 @@ static void add_stage(fvi_newton *n, size_t i, const double *z, const double *d)
 {
     const size_t dim = n->system->d, q = n->q;
     for (size_t j = 0; j < dim; j++) {
-        const size_t left = j > n->reach ? j - n->reach : 0,
-                     right = j + n->reach < dim ? j + n->reach : dim - 1;
+        const size_t left = j > n->half_bandwidth ? j - n->half_bandwidth : 0,
+                     right = j + n->half_bandwidth < dim ? j + n->half_bandwidth : dim - 1;
         for (size_t c = left; c <= right; c++) {
             const double H = curvature(n, j, c),
                          moves = fabs(H) * (fabs(z[c]) + fabs(d[c]));
@@ -103,7 +103,7 @@ int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
 {
     const fvi_potential *u = &n->system->potential;
     const size_t dim = n->system->d, q = n->q;
-    if (q == 1 && n->reach == 0 && !n->user_solve) {
+    if (q == 1 && n->half_bandwidth == 0 && !n->user_solve) {
         const double *z = stage_point(n, x, d, 0);
         n->callback_status = u->hessian(dim, z, u->params, n->H);
         if (!n->callback_status)
@@ -150,7 +150,7 @@ static int allocate(fvi_newton *n)
 {
     const fvi_potential *u = &n->system->potential;
     const size_t dim = n->system->d, rows = n->q * dim, m = u->diagonals;
-    n->reach = (m && m < dim ? m : dim) - 1;
+    n->half_bandwidth = (m && m < dim ? m : dim) - 1;
     n->A = calloc(count_numbers(n), sizeof *n->A);
     if (!n->A)
         return FVI_ENOMEM;
@@ -166,7 +166,7 @@ static int allocate(fvi_newton *n)
     n->before = n->from + rows;
     n->H = n->before + rows;
     return n->user_solve ? FVI_SUCCESS
-                  : fvi_band_alloc(rows, n->q * (n->reach + 1) - 1, &n->J);
+                  : fvi_band_alloc(rows, n->q * (n->half_bandwidth + 1) - 1, &n->J);
 }
 
 /* Allocate a solver. The caller then fills in A and s. */

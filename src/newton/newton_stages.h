@@ -14,7 +14,7 @@
 struct fvi_newton {
     const fvi_system *system;
     size_t q;     /* number of stages, 1 in (2.10) */
-    size_t reach; /* d^2U / dx_j dx_c = 0 if |j - c| > reach */
+    size_t half_bandwidth; /* d^2U / dx_j dx_c = 0 if |j - c| > half_bandwidth */
     double theta;
     int implicit, linear;       /* an explicit solver has only A, point and one s */
     int user_solve;                    /* nonzero if the potential solves the equation; H then holds the diagonal a */
@@ -38,7 +38,7 @@ struct fvi_newton {
  * number for each coordinate, and Hess U of coordinate j is H[j * diagonals]. */
 static inline int fvi_newton_is_diagonal(const fvi_newton *n)
 {
-    return n->implicit && n->linear && n->q == 1 && n->reach == 0 && !n->user_solve;
+    return n->implicit && n->linear && n->q == 1 && n->half_bandwidth == 0 && !n->user_solve;
 }
 
 /* fvi_newton_by_matrices -- Solve (27.3). fvi_newton_solve calls it; arguments and codes are the same. */

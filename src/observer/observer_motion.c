@@ -213,7 +213,8 @@ static int begin(point *o, const fvi_observer *of, const fvi_stepper *s, double 
 {
     const fvi_constraints *c = of->mechanism->constraints;
     *o = (point){ .system = s->run.system, .d = of->d, .m = c ? c->count : 0, .t = t, .x = x };
-    const int is_closed = s->mechanism->m > s->mechanism->own; /* a closed contact, which is no constraint of the run */
+    /* a closed contact is no constraint of the run */
+    const int is_closed = s->mechanism->m > s->mechanism->permanent;
     const int status = s->mechanism->any_massless || is_closed ? FVI_EUNSUP : allocate(o, of->dampers);
     return status ? status : fvi_observer_velocity(of, s, s->p, o->v);
 }

@@ -278,7 +278,7 @@ int fvi_observer_read_all(fvi_observer *o, const fvi_stepper *s, double t, fvi_o
                         | FVI_OBSERVE_MULTIPLIER))
         status = read_forces(o, s, t, now);
     if (!status && t == 0 && o->has_mechanism && o->wanted & FVI_OBSERVE_ACCELERATION
-        && s->mechanism->m > s->mechanism->own)
+        && s->mechanism->m > s->mechanism->permanent)
         status = read_start_at_contact(o, s);
     if (!status && o->wanted & (FVI_OBSERVE_WORK | FVI_OBSERVE_ENERGY))
         status = read_balance(o, s, t, now);

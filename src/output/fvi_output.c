@@ -21,12 +21,12 @@ typedef struct {
     int nameless;             /* nonzero while the file has no name */
 } output;
 
-enum { MOST = 4 }; /* a table, a checkpoint, a picture, and one to spare */
-static output outputs[MOST];
+enum { MOST_OPEN_FILES = 4 }; /* a table, a checkpoint, a picture, and one to spare */
+static output outputs[MOST_OPEN_FILES];
 
 static output *place_of(const FILE *stream)
 {
-    for (int i = 0; i < MOST; i++)
+    for (int i = 0; i < MOST_OPEN_FILES; i++)
         if (outputs[i].stream == stream)
             return &outputs[i];
     return NULL;
@@ -34,7 +34,7 @@ static output *place_of(const FILE *stream)
 
 static void remove_and_die(int signal_number)
 {
-    for (int i = 0; i < MOST; i++)
+    for (int i = 0; i < MOST_OPEN_FILES; i++)
         if (outputs[i].temporary[0])
             unlink(outputs[i].temporary);
     signal(signal_number, SIG_DFL);

@@ -135,7 +135,7 @@ static void select_columns(const fvi_options *o, const double *from, double *row
         row[i] = from[o->shown[i]];
 }
 
-/* Fill in the columns of row k. With mirror nonzero, fill in only the columns y of row N - k, which are x_k. */
+/* Fill in the columns of row k. With only_y nonzero, fill in only the columns y of row N - k, which are x_k. */
 static int fill_row(const fvi_table *t, size_t k, const double *x, const double *p,
                     int only_y, double *row)
 {

@@ -56,7 +56,7 @@ static inline double fvi_power_factor_sum(size_t taps, const double *g, const do
  *
  *   method    without stages
  *   of        the damper whose history it is
- *   width     1 for a constant; d, or the numbers that a damper remembers, for the jumps of lambda
+ *   width     1 for a constant; d, or the history numbers of a damper, for the jumps of lambda
  *   by_order  nonzero if the derivatives by 2 alpha and by the shift are wanted
  *   c         output; give it back with fvi_constant_history_stop, also after an error
  *

@@ -40,10 +40,10 @@ void fvi_kernel_unit_term(const fvi_kernel_term *of, fvi_kernel_function *unit,
 
 /* ---- the start ---- */
 
-static int convolve(const fvi_run *run, const fvi_kernel *alone, fvi_delta kind,
+static int convolve(const fvi_run *run, const fvi_kernel *single_term, fvi_delta kind,
                     size_t d, fvi_node_convolution *c)
 {
-    return fvi_kernel_history(alone, kind, run->h, d, run->steps, run->memory,
+    return fvi_kernel_history(single_term, kind, run->h, d, run->steps, run->memory,
                           run->tolerance, &c->first, &c->memory);
 }
 
@@ -83,7 +83,7 @@ int fvi_node_term_start(const fvi_run *run, const fvi_sensitivities *want,
                           .matrix = matrix,
                           .whole = matrix ? run->system->d : 0 };
     fvi_kernel_unit_term(term, &t->unit, &t->rho);
-    t->alone = (fvi_kernel){ 1, &t->unit.term };
+    t->single_term = (fvi_kernel){ 1, &t->unit.term };
     t->block = FVI_ARRAYS({ &t->sum, d }, { &t->change, d }, { &t->square, d }, { &t->left, d }, { &t->moved, d },
                           { &t->rate, d }, { &t->by_slope[0], d }, { &t->by_slope[1], d }, { &t->by_slope[2], d },
                           { &t->past, FVI_BDF2_TAPS * d }, { &t->product, t->whole });
@@ -98,9 +98,9 @@ int fvi_node_term_start(const fvi_run *run, const fvi_sensitivities *want,
     t->factor[1] = 2 * t->rho;
     t->by[2] = is_squared && want->times ? t->square : NULL;
     t->factor[2] = -t->rho;
-    int status = convolve(run, &t->alone, kind, d, &t->self);
+    int status = convolve(run, &t->single_term, kind, d, &t->self);
     if (!status && is_squared)
-        status = convolve(run, &t->alone, kind, d, &t->again);
+        status = convolve(run, &t->single_term, kind, d, &t->again);
     if (!status && by_order)
         status = start_log(run, kind, t);
     return status ? status : start_slopes(run, want, kind, t);
@@ -125,7 +125,7 @@ int fvi_node_term_start_impulses(fvi_node_term *t, double h,
 {
     const double *const wanted[] = { want->orders, want->times, want->ends };
     int status = want->terms
-                     ? fvi_impulses_of_kernel_alloc(&t->alone, h, &t->impulses[0])
+                     ? fvi_impulses_of_kernel_alloc(&t->single_term, h, &t->impulses[0])
                      : FVI_SUCCESS;
     for (int by = 0; !status && by < FVI_KERNEL_DERIVATIVES; by++)
         if (wanted[by] && fvi_kernel_has_derivative(&t->unit.term, (fvi_slope_by)by))

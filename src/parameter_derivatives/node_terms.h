@@ -25,7 +25,7 @@ typedef struct {
 /* One term of a law; "each" means that an array has d numbers. */
 typedef struct {
     fvi_kernel_function unit; /* the term with rho = 1 */
-    fvi_kernel alone;     /* the same term as a law */
+    fvi_kernel single_term; /* the same term as a law */
     size_t d;
     double log_h, rho;                   /* rho of the term in the law */
     fvi_node_convolution self, again;    /* the history of nu; the history of the sums of self */

@@ -67,7 +67,7 @@ typedef struct {
     size_t count;
     const char *const *names;
     int must_be_named, increases;
-} wish;
+} column_request;
 
 /* The columns that were found: for each its number and which of its names it had. `of` is the number of columns in the
  * table. */
@@ -89,7 +89,7 @@ static int name_of(const char *names, const char *word, size_t length)
 }
 
 /* Find the columns that a line names if it is separated in this way. `of` is 0 if it does not name all of them. */
-static choice choose_separator_columns(const char *line, const char *between, const wish *w)
+static choice choose_separator_columns(const char *line, const char *between, const column_request *w)
 {
     choice to = { .of = 0 };
     int found[COLUMNS] = { 0 }, all = 1;
@@ -124,7 +124,7 @@ typedef struct {
     choice heading[SEPARATORS], comment[WORDS];
 } names_above;
 
-static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind, const wish *w)
+static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind, const column_request *w)
 {
     choice to[SEPARATORS];
     int named = 0;
@@ -141,7 +141,7 @@ static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind, cons
 }
 
 /* Find the columns of a row with r->count numbers. Return 0, or a code with the error filled in. */
-static int choose_columns(const names_above *above, const fvi_rows *r, const wish *w,
+static int choose_columns(const names_above *above, const fvi_rows *r, const column_request *w,
                           choice *to)
 {
     int named = 0;
@@ -185,7 +185,7 @@ static int make_room(size_t n, size_t width, size_t *room, double **rows, const 
 }
 
 /* Take the wanted columns of a row of numbers. */
-static int read_row(const fvi_rows *r, const choice *from, const wish *w, int is_first,
+static int read_row(const fvi_rows *r, const choice *from, const column_request *w, int is_first,
                     double *row)
 {
     int status = fvi_rows_check_width(r, from->of);
@@ -199,7 +199,7 @@ static int read_row(const fvi_rows *r, const choice *from, const wish *w, int is
 }
 
 /* Read all rows, one after the other. */
-static int read_rows(fvi_rows *r, const wish *w, size_t *n, double **rows, choice *from)
+static int read_rows(fvi_rows *r, const column_request *w, size_t *n, double **rows, choice *from)
 {
     names_above above = { 0 };
     fvi_rows_kind kind;
@@ -227,7 +227,7 @@ static int read_rows(fvi_rows *r, const wish *w, size_t *n, double **rows, choic
 }
 
 /* Read the columns into a block, one column after the other. */
-static int read_columns(const char *field, const char *file, const wish *w, size_t *n,
+static int read_columns(const char *field, const char *file, const column_request *w, size_t *n,
                         double **block, choice *from, fvi_error *error)
 {
     fvi_rows r;
@@ -249,8 +249,8 @@ static int read_columns(const char *field, const char *file, const wish *w, size
     return status;
 }
 
-static int read_two_columns(const char *field, const char *file, const wish *two, size_t *n, double **t, double **v,
-                            fvi_error *error)
+static int read_two_columns(const char *field, const char *file, const column_request *two, size_t *n, double **t,
+                            double **v, fvi_error *error)
 {
     choice from;
     const int status = read_columns(field, file, two, n, t, &from, error);
@@ -261,20 +261,20 @@ static int read_two_columns(const char *field, const char *file, const wish *two
 int fvi_parse_table(const char *field, const char *file, const char *const names[2], size_t *n, double **t,
                     double **v, fvi_error *error)
 {
-    return read_two_columns(field, file, &(wish){ 2, names, 0, 1 }, n, t, v, error);
+    return read_two_columns(field, file, &(column_request){ 2, names, 0, 1 }, n, t, v, error);
 }
 
 int fvi_parse_named_table(const char *field, const char *file, const char *const names[2], size_t *n, double **t,
                           double **v, fvi_error *error)
 {
-    return read_two_columns(field, file, &(wish){ 2, names, 1, 1 }, n, t, v, error);
+    return read_two_columns(field, file, &(column_request){ 2, names, 1, 1 }, n, t, v, error);
 }
 
 int fvi_parse_table_columns(const char *field, const char *file, size_t count,
                       const char *const *names, int must_be_named, size_t *n,
                       double **columns, size_t *which, fvi_error *error)
 {
-    const wish all = { count, names, must_be_named, 0 };
+    const column_request all = { count, names, must_be_named, 0 };
     choice from = { .of = 0 };
     const int status = read_columns(field, file, &all, n, columns, &from, error);
     for (size_t k = 0; !status && k < count; k++)

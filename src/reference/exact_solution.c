@@ -4,7 +4,7 @@
 
 #include <gsl/gsl_math.h>
 
-static const double LOST = 1e-14; /* largest error of a phase */
+static const double LARGEST_PHASE_ERROR = 1e-14; /* largest error of a phase */
 
 static int in_range(double a, double low, double high)
 {
@@ -91,7 +91,7 @@ int fvi_exact_phase_is_lost(const fvi_inverse *S, double t)
 {
     int lost = 0;
     for (size_t i = 0; i < S->roots && t > 0; i++)
-        lost = lost || fvi_pole_phase_error(&S->root[i], t) > LOST;
+        lost = lost || fvi_pole_phase_error(&S->root[i], t) > LARGEST_PHASE_ERROR;
     return lost;
 }
 

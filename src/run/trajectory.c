@@ -125,9 +125,9 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
  * short steps, so that asking costs nothing. */
 static int is_time_to_check(const fvi_stepper *s)
 {
-    enum { FEW = 32 /* coordinates, of each stage */, MANY = 64 /* steps */ };
+    enum { UNKNOWNS_OF_SLOW_STEP = 32 /* coordinates, of each stage */, STEPS_PER_CHECK = 64 /* steps */ };
     const size_t unknowns = s->run.system->d * (size_t)(s->method->stages ? s->method->stages : 1);
-    return s->k % MANY == 0 || unknowns >= FEW || s->method->dense;
+    return s->k % STEPS_PER_CHECK == 0 || unknowns >= UNKNOWNS_OF_SLOW_STEP || s->method->dense;
 }
 
 /* How many rows a method that chooses its steps has passed at s->t. */

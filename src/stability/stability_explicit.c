@@ -15,7 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FEW = 64 /* With more coupled masses than this, the search for all exponents would take too long. */ };
+/* With more coupled masses than this, the search for all exponents would take too long. */
+enum { MOST_COUPLED_MASSES = 64 };
 
 //> mode
 /* h |s|^2 / (-2 Re s) of both roots s of m s^2 + rho s + c = 0, the larger of the two. (14.8) */
@@ -114,7 +115,7 @@ static int number_of_hessian(const fvi_run *run, double *load)
     const fvi_system *system = run->system;
     const fvi_potential *u = &system->potential;
     const int separate = u->diagonals == 1 || system->d == 1;
-    if (!separate && system->d > FEW)
+    if (!separate && system->d > MOST_COUPLED_MASSES)
         FVI_FAIL("the load of so many coupled masses is not known", FVI_EUNSUP);
     double *K = malloc(
         (u->diagonals == 1 ? system->d : fvi_potential_hessian_size(system)) * sizeof *K);

@@ -20,7 +20,7 @@ typedef struct {
     const double *damper;
     const fvi_damping_matrix *C;
     double *z;
-    const double *none;
+    const double *zeros;
 } weighed;
 
 static size_t count_history_sizes(const weighed *w)
@@ -42,7 +42,7 @@ static int multiply_sum(const weighed *w, const double *v, double *y)
         const fvi_damping_matrix *C = w->C + j;
         if (C->history_size == 0 || w->damper[j] == 0)
             continue;
-        status = C->select_history(d, v, w->none, C->params, w->z);
+        status = C->select_history(d, v, w->zeros, C->params, w->z);
         if (!status)
             status = C->apply_damping(d, -w->damper[j], w->z, C->params, y);
     }
@@ -109,7 +109,7 @@ static int find_number(weighed *w, double *load)
     int status =
         room ? m->factorise(d, 1, 0, 0, m->params, &factors) : FVI_ENOMEM;
     w->z = room ? room + 2 * d : NULL;
-    w->none = room ? w->z + r : NULL;
+    w->zeros = room ? w->z + r : NULL;
     if (!status)
         status = iterate(w, factors, room, &largest);
     if (factors)

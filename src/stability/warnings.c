@@ -12,7 +12,7 @@
 #include <stdio.h>
 
 enum {
-    FEW = 256,  /* with more masses than this, the modes would take too long */
+    MOST_MASSES = 256, /* with more masses than this, the modes would take too long */
     BETWEEN = 8 /* steps from one check of the load to the next */
 };
 
@@ -45,7 +45,7 @@ static int number_along(const fvi_method *method, const fvi_run *run, double *lo
                         double *h)
 {
     *h = NAN;
-    if (run->system->d > FEW && method->stages > 0)
+    if (run->system->d > MOST_MASSES && method->stages > 0)
         return -1; /* the other methods need no more than two diagonals of the Hessian */
     int status = fvi_stability_number(method, run, load);
     if (!status && *load > 1 && method->stability_number_grows)
@@ -95,7 +95,7 @@ fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run,
 {
     const fvi_potential *u = &run->system->potential;
     const int depends = method->stages > 0
-                            ? !method->damped_inertia && run->system->d <= FEW
+                            ? !method->damped_inertia && run->system->d <= MOST_MASSES
                         : method->takes_kappa ? run->kappa != 0.5
                                               : !method->implicit,
               worth = depends && !is_unstable && method->stability_number && u->hessian

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LANES = FVI_MODE_LANES, SHORT = 64 /* largest number of steps that AUTO sums directly */ };
+enum { LANES = FVI_MODE_LANES, MOST_DIRECT_STEPS = 64 /* largest number of steps that AUTO sums directly */ };
 
 struct fvi_lobatto_history {
     size_t s, d, steps, k;
@@ -38,7 +38,7 @@ static int has_history(double beta, int by_order)
 /* Return 1 if all W_n are stored, and 0 if modes represent most of them. */
 static int is_direct(double beta, size_t steps, fvi_history_kind kind, int by_order)
 {
-    const int few = kind == FVI_HISTORY_AUTO && steps <= SHORT;
+    const int few = kind == FVI_HISTORY_AUTO && steps <= MOST_DIRECT_STEPS;
     return (few || kind == FVI_HISTORY_DIRECT) && has_history(beta, by_order);
 }
 

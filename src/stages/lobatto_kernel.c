@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ASKED = 8 }; /* a division asks the interrupter after every eighth matrix */
+enum { MATRICES_PER_CHECK = 8 }; /* a division asks the interrupter after every eighth matrix */
 
 /* Return 1 if the term is a fraction without nodes. Its weights are computed by a division of power series.
  * The pole of such a term lies near the cut or off it, or its weight on the cut changes sign. A Maxwell
@@ -263,7 +263,7 @@ static int divide(size_t s, double T, size_t n, double *Q, double *N)
     int status = FVI_SUCCESS;
     for (size_t k = 0; k < n && !status; k++) {
         double *V = N + k * s2;
-        status = k % ASKED == ASKED - 1 ? fvi_interrupted() : FVI_SUCCESS;
+        status = k % MATRICES_PER_CHECK == MATRICES_PER_CHECK - 1 ? fvi_interrupted() : FVI_SUCCESS;
         subtract_products(s, k, Q, N, V);
         for (size_t j = 0; j < s; j++) {
             gsl_vector_view x = gsl_vector_view_array(column, s);

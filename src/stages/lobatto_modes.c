@@ -57,7 +57,7 @@ void fvi_lobatto_add_near(size_t s, size_t lags, size_t k, const double *W, cons
 
 enum { LANES = FVI_MODE_LANES, HALVES = LANES / 4 };
 
-enum { FEW = 4 }; /* largest number of stages with a loop of its own */
+enum { MOST_UNROLLED_STAGES = 4 }; /* largest number of stages with a loop of its own */
 
 #define FOUR(x) (*(const fvi_four *)(x))
 
@@ -67,7 +67,7 @@ static inline __attribute__((always_inline)) void
 advance_rows(size_t s, size_t Q, const double *restrict q, const double *restrict p,
              const double *restrict a, const double *u, double *restrict z, double *H)
 {
-    fvi_four sum[FEW][HALVES] = { { { 0 } } };
+    fvi_four sum[MOST_UNROLLED_STAGES][HALVES] = { { { 0 } } };
     for (size_t j = 0; j < Q; j += LANES) {
 #pragma GCC unroll 2
         for (size_t l = 0; l < HALVES; l++) {
@@ -190,7 +190,7 @@ FVI_VECTORS static void read_modes(size_t s, size_t Q, const double *q, const do
 void fvi_lobatto_advance(size_t s, size_t Q, const double *q, const double *p,
                          const double *a, const double *u, double *z, double *H)
 {
-    (s > FEW ? advance_many : advance_few)(s, Q, q, p, a, u, z, H);
+    (s > MOST_UNROLLED_STAGES ? advance_many : advance_few)(s, Q, q, p, a, u, z, H);
 }
 
 void fvi_lobatto_read_modes(size_t s, size_t Q, const double *q, const double *a, const double *z,

@@ -96,9 +96,9 @@ static void list_vectors(fvi_stage_solver *o)
 }
 
 int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, double h,
-                           const double *const *W, fvi_stage_way way, fvi_stage_solver **solver)
+                           const double *const *W, fvi_stage_solver_kind kind, fvi_stage_solver **solver)
 {
-    const int is_dense = way == FVI_STAGE_AUTO && d <= FVI_STAGE_DENSE / s;
+    const int is_dense = kind == FVI_STAGE_AUTO && d <= FVI_STAGE_DENSE / s;
     const size_t room = is_dense ? fvi_dense_rows(s * d) : (s + 1) * d;
     fvi_stage_solver *o = calloc(1, sizeof *o + room * sizeof *o->room);
     int status = o ? FVI_SUCCESS : FVI_ENOMEM;

@@ -17,12 +17,12 @@
 
 typedef struct fvi_stage_solver fvi_stage_solver;
 
-/* The way to solve the equation. */
+/* How the equation is solved. */
 typedef enum {
     FVI_STAGE_PAIRS, /* by the eigenvectors of A (27.14) */
     /* as one full matrix if it has at most FVI_STAGE_DENSE rows (stage_dense.h), else by the eigenvectors */
     FVI_STAGE_AUTO
-} fvi_stage_way;
+} fvi_stage_solver_kind;
 
 /* fvi_stage_solver_alloc -- Allocate a solver, and factorise its equations for steps of length h.
  *
@@ -30,12 +30,12 @@ typedef enum {
  *   s         number of stages, 2 to 8
  *   W         for C, or for each damper, s s numbers row by row, which include the step size; NULL for a damper without
  *             damping
- *   way       FVI_STAGE_PAIRS is faster to allocate, so it is better for a few steps
+ *   kind      FVI_STAGE_PAIRS is faster to allocate, so it is better for a few steps
  *   solver    output; free it with fvi_stage_solver_free
  *
  * Return FVI_SUCCESS; FVI_ENOMEM; FVI_ESING; or the code of a function of the matrices. */
 int fvi_stage_solver_alloc(const fvi_matrices *matrices, size_t d, size_t s, double h,
-                           const double *const *W, fvi_stage_way way, fvi_stage_solver **solver);
+                           const double *const *W, fvi_stage_solver_kind kind, fvi_stage_solver **solver);
 
 /* fvi_stage_solver_solve -- Solve for delta. load and delta are s d numbers each; stage i of unknown j is at
  * [i * d + j]. Accuracy: u times the condition number of the equation. By eigenvectors the error is larger by the norms

@@ -37,7 +37,7 @@ struct fvi_modes {
     double beta, longest;   /* longest: no step is longer */
     size_t d, Q;            /* number of coordinates; modes of each coordinate, a multiple of FVI_LANES */
     int first;              /* sigma_q = exp(L (first + every q)) */
-    double reach;           /* the last mode of a step h = exp(L k) is (reach - k) / every */
+    double highest_exponent; /* the last mode of a step h = exp(L k) is (highest_exponent - k) / every */
     size_t count, active;   /* number of modes that this step reads; number of modes that are up to date */
     fvi_length now, before; /* this step, and the last step that was taken */
     fvi_mode_row row;       /* the row of coefficients of this step */
@@ -45,7 +45,7 @@ struct fvi_modes {
     reading value, rate;    /* the derivatives own their numbers */
     double *y;              /* Q modes for each coordinate */
     fvi_last_step *last;    /* one for each coordinate */
-    double *own;            /* workspace for rows off the lattice */
+    double *workspace;      /* workspace for rows off the lattice */
     int is_free;            /* nonzero if the decay rates are arbitrary; then all modes are active */
 };
 
@@ -74,7 +74,7 @@ static void continue_row(const fvi_modes *m, double h, size_t from, size_t n, do
 }
 
 /* Return the row of the modes from, ..., to - 1 for a step of this length. It is a piece of the table, or it is
- * computed in m->own. */
+ * computed in m->workspace. */
 static fvi_mode_row row_of(fvi_modes *m, fvi_length length, size_t from,
                            size_t to)
 {
@@ -87,7 +87,7 @@ static fvi_mode_row row_of(fvi_modes *m, fvi_length length, size_t from,
         return (fvi_mode_row){ t->mu + place, t->p + place, t->a + place,
                                t->stride };
     }
-    double *mu = m->own, *p = mu + m->Q, *a = p + m->Q;
+    double *mu = m->workspace, *p = mu + m->Q, *a = p + m->Q;
     for (size_t q = 0; q < n; q++)
         mu[q] = fmin(length.h * m->sigma[from + q], MOST_MU);
     fvi_mode_row_make(m->rule, n, mu, p, a);
@@ -150,7 +150,7 @@ void fvi_modes_begin(fvi_modes *m, fvi_length length)
     const double L = fvi_variable_spacing(),
                  h = length.k == FVI_OFF_LATTICE ? log(length.h) / L
                                                  : (double)length.k,
-                 top = ceil((m->reach - h) / (double)m->range.every);
+                 top = ceil((m->highest_exponent - h) / (double)m->range.every);
     if (top > (double)q)
         q = (size_t)top;
     q = q + 1 < m->Q ? q + 1 : m->Q;
@@ -220,7 +220,7 @@ static fvi_modes *make_modes(fvi_modes sizes)
     m->y = m->value.weight + m->Q;
     m->last = (fvi_last_step *)(m->y + m->d * m->Q);
     m->value.closed = block + count_numbers(m);
-    m->own = m->value.closed + m->Q;
+    m->workspace = m->value.closed + m->Q;
     memset(m->y, 0, (count_numbers(m) - 2 * m->Q) * sizeof *m->y);
     return m;
 }
@@ -252,7 +252,7 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
                                            .d = d,
                                            .Q = Q,
                                            .first = first,
-                                           .reach = log(of.highest) / L - first,
+                                           .highest_exponent = log(of.highest) / L - first,
                                            .active = Q });
     if (!m || !m->table) {
         fvi_modes_free(m);

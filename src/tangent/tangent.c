@@ -277,8 +277,8 @@ int fvi_tangent_start(const fvi_method *method, const fvi_run *run, size_t P,
         status = fvi_stepper_start(method, run, &o->stepper, NULL);
     if (status)
         return status;
-    o->own = fvi_run_normal(method, run);
-    o->run = run = &o->own;
+    o->run_copy = fvi_run_normal(method, run);
+    o->run = run = &o->run_copy;
     o->d = run->system->d;
     o->s = method->stages ? (size_t)method->stages : 1;
     o->rule = method->stages ? fvi_lobatto(o->s) : NULL;

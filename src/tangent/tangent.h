@@ -42,8 +42,8 @@ typedef struct {
 } fvi_tangent_damper;
 
 typedef struct {
-    fvi_run own;              /* the run as its steps see it (fvi_run_normal) */
-    const fvi_run *run;       /* points to own */
+    fvi_run run_copy;         /* the run as its steps see it (fvi_run_normal) */
+    const fvi_run *run;       /* points to run_copy */
     const fvi_method *method;
     const fvi_sensitivities *along; /* the directions */
     size_t P, d, s, size;     /* s: how many stages; size: how many numbers a Hessian has */

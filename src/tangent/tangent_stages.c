@@ -216,7 +216,7 @@ int fvi_tangent_stages_step(fvi_tangent_run *o)
     for (size_t j = 0; !status && j < o->dampers; j++)
         status = step_damper(o, k, o->each + j);
     for (size_t l = 0; !status && l < o->tangents; l++) {
-        o->linearised[l].asked = 0;
+        o->linearised[l].evaluated_stages = 0;
         status = fvi_stepper_step(o->tangent[l]);
     }
     return status;

@@ -179,7 +179,7 @@ int fvi_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
     o->length = length;
     of->h = length.h;
     of->t = o->t;
-    of->rest_scale = of->m > of->own ? o->scale : 0;
+    of->rest_scale = of->m > of->permanent ? o->scale : 0;
     fvi_mesh_present(s, o);
     fvi_mesh_predict(s, o);
     guess(s, o);
@@ -279,14 +279,14 @@ int fvi_mesh_accept(fvi_stepper *s, fvi_variable_step_state *o)
     for (size_t j = 0; j < d; j++) {
         o->y0[j] = o->y[j];
         o->v0[j] = o->v[j];
-        fvi_add_compensated(&o->y[j], &o->y_less[j], of->u[(n - 1) * d + j]);
+        fvi_add_compensated(&o->y[j], &o->y_compensation[j], of->u[(n - 1) * d + j]);
         double gain = 0;
         for (size_t i = 0; i < n; i++)
             gain += o->length.h * o->rule->b[i] * of->f[i * d + j];
-        fvi_add_compensated(&s->p[j], &m->p_less[j], gain);
+        fvi_add_compensated(&s->p[j], &m->p_compensation[j], gain);
         if (of->is_massless[j]) { /* otherwise a rounding error of p would be a force p/h in the next step */
             s->p[j] = of->Lv[(n - 1) * d + j];
-            m->p_less[j] = 0;
+            m->p_compensation[j] = 0;
         }
     }
     fvi_mechanism_keep_dampers(of);

@@ -32,7 +32,7 @@ struct fvi_mesh_mechanism {
     fvi_mesh_damper *damper;
     double h;         /* of the steps that W0 is for; 0: none */
     double *numbers;  /* all arrays below, in one piece */
-    double *p_less, *p0, *slope0, *force0, *power0, *by_force0, *impulse0, *work0, *mass,
+    double *p_compensation, *p0, *slope0, *force0, *power0, *by_force0, *impulse0, *work0, *mass,
         *multiplier0;
     double by_force;  /* the work of the forces F until the end of the last step, and until its start */
     double by_force_begin;

@@ -51,7 +51,7 @@ static int answer_to_contact(fvi_stepper *s, const fvi_variable_step_state *o, s
     double *r = of->room + (d + of->most) * (d + of->most);
     memset(r, 0, (d + of->most) * sizeof *r);
     memcpy(r, of->C + l * d, d * sizeof *r);
-    of->m = of->own;
+    of->m = of->permanent;
     const int status = fvi_mesh_answer(of, of->Lvv + (o->rule->s - 1) * d * d, of->C, r);
     of->m = m;
     *most = largest_abs(d, r);
@@ -63,7 +63,7 @@ int fvi_mesh_contact_error(fvi_stepper *s, const fvi_variable_step_state *o, dou
     const fvi_mechanism_state *of = s->mechanism;
     const double h = o->length.h;
     int status = FVI_SUCCESS;
-    for (size_t l = of->own; l < of->m && !status; l++) {
+    for (size_t l = of->permanent; l < of->m && !status; l++) {
         double force[FVI_LANES] = { 0 }, legendre[FVI_LANES], most = 0;
         forces_at_stages(s, o, l, force);
         fvi_mesh_coefficients(o, force, legendre);

@@ -40,7 +40,7 @@ int fvi_mesh_find_tensile_contact(fvi_stepper *s, fvi_variable_step_state *o, co
     fvi_mechanism_state *of = s->mechanism;
     double *p = o->mechanism->slope, *v = p + o->d; /* slope has been read */
     *event = SIZE_MAX;
-    if (of->m == of->own)
+    if (of->m == of->permanent)
         return FVI_SUCCESS;
     for (size_t j = 0; j < o->d; j++)
         p[j] = s->p[j] + factor * J[j];
@@ -49,8 +49,8 @@ int fvi_mesh_find_tensile_contact(fvi_stepper *s, fvi_variable_step_state *o, co
     const double jump = fabs(factor) * largest_abs(o->d, J),
                  least = 1e-12 * (jump + largest_abs(o->d, s->p));
     double worst = 0;
-    for (size_t l = of->own; l < of->m && !status; l++) {
-        const size_t i = of->contact[l - of->own];
+    for (size_t l = of->permanent; l < of->m && !status; l++) {
+        const size_t i = of->contact[l - of->permanent];
         const double tension = side[i] * of->residual[l]
                             * largest_abs(o->d, of->C + l * o->d);
         if (tension > least && tension > worst) {

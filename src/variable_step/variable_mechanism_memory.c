@@ -207,7 +207,7 @@ int fvi_mesh_allocate(fvi_variable_step_state *o, size_t r, size_t constraints)
     if (m)
         m->damper = calloc(r + 1, sizeof *m->damper);
     if (m)
-        m->numbers = FVI_ARRAYS({ &m->p_less, d }, { &m->p0, d }, { &m->slope0, FVI_LANES * d },
+        m->numbers = FVI_ARRAYS({ &m->p_compensation, d }, { &m->p0, d }, { &m->slope0, FVI_LANES * d },
                                 { &m->force0, FVI_LANES * r }, { &m->power0, FVI_LANES * r },
                                 { &m->by_force0, FVI_LANES }, { &m->impulse0, r }, { &m->work0, r }, { &m->mass, d },
                                 { &m->multiplier0, FVI_LANES * constraints }, { &m->slope, FVI_LANES * d },

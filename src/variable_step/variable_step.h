@@ -122,7 +122,7 @@ typedef struct {
     fvi_singular singular;
     int for_adjoint; /* nonzero: a start with amplitude A = 0 has a singular part, too, for a derivative by A */
     /* the state at t, with compensated sums; y is x without its singular part */
-    double *y, *y_less, *v, *v_less, t, t_less;
+    double *y, *y_compensation, *v, *v_compensation, t, t_compensation;
     double *impulse_dv; /* the jump of v by the impulses at t */
     size_t hits;  /* number of impulses that have acted */
     int takes_kicks; /* nonzero: steps can be as short as a jump of v needs them */

@@ -78,8 +78,8 @@ static size_t find_tensile_contact(const fvi_stepper *s, const fvi_variable_step
     const fvi_mechanism_state *of = s->mechanism;
     double worst = 0;
     size_t which = SIZE_MAX;
-    for (size_t l = of->own; l < of->m; l++) {
-        const size_t i = of->contact[l - of->own];
+    for (size_t l = of->permanent; l < of->m; l++) {
+        const size_t i = of->contact[l - of->permanent];
         const double tension = -fvi_variable_step_normal_force(s, o, i, 0);
         if (tension > worst && tension > fvi_mesh_contact_noise(s, o, l)) {
             worst = tension;
@@ -110,7 +110,7 @@ int fvi_variable_step_check_contacts(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_length length = o->length;
     int status = FVI_SUCCESS;
-    while (o->mechanism && s->mechanism->m > s->mechanism->own && !status) {
+    while (o->mechanism && s->mechanism->m > s->mechanism->permanent && !status) {
         status = try_first_step(s, o);
         if (status == FVI_EMAXITER || status == FVI_ESING) { /* the next step will report why */
             status = FVI_SUCCESS;
@@ -181,8 +181,8 @@ int fvi_stepper_contact_force(const fvi_stepper *s, size_t i, double t, double *
     *force = 0;
     if (s->t == 0)
         return o->watch->closed[i] != 0 ? force_of_first_step(s, i, force) : FVI_SUCCESS;
-    for (size_t l = of->own; l < of->last_m; l++)
-        if (of->last_contact[l - of->own] == i)
+    for (size_t l = of->permanent; l < of->last_m; l++)
+        if (of->last_contact[l - of->permanent] == i)
             *force = fabs(fvi_mesh_multiplier(s, l, t));
     return FVI_SUCCESS;
 }

@@ -57,7 +57,7 @@ static fvi_kernel_simple divide_by_s(const fvi_kernel_simple *t)
 
 /* ---- modes ---- */
 
-enum { MOST = 6000 };
+enum { MOST_MODES = 6000 };
 
 /* Rates and weights of modes, in any order. The weights of rising terms are divided by their rates, because they would
  * overflow. */
@@ -68,7 +68,7 @@ typedef struct {
 
 static int add_mode(mode_list *l, double rate, double weight)
 {
-    if (l->count == MOST)
+    if (l->count == MOST_MODES)
         return FVI_EUNSUP;
     l->rate[l->count] = rate;
     l->weight[l->count++] = weight;
@@ -127,7 +127,7 @@ static int add_ladder(const fvi_kernel_on_mesh *o, int rising,
     int any;
     const double width = strip_width(k, rising, &any), step = 2 * M_PI * width / 36,
                  last = log(1e6 / o->least), first = log(1e-8 / o->T);
-    if (any && !((last - first) / step < MOST - 2))
+    if (any && !((last - first) / step < MOST_MODES - 2))
         return FVI_EUNSUP; /* poles are too near to the cut, or off it */
     double u = last, S0 = 0, S1 = 0;
     for (; any && u > first; u -= step)
@@ -261,11 +261,11 @@ fvi_variable_step_copy_kernel(const fvi_variable_step_kernel *from)
 int fvi_kernel_begin_on_mesh(const fvi_kernel_on_mesh *o, fvi_modes **modes,
                              fvi_modes **rising)
 {
-    double *room = malloc(4 * MOST * sizeof *room);
+    double *room = malloc(4 * MOST_MODES * sizeof *room);
     if (!room)
         FVI_FAIL("no memory for the modes", FVI_ENOMEM);
-    mode_list slow = { 0, room, room + MOST },
-              fast = { 0, room + 2 * MOST, room + 3 * MOST };
+    mode_list slow = { 0, room, room + MOST_MODES },
+              fast = { 0, room + 2 * MOST_MODES, room + 3 * MOST_MODES };
     int status = add_ladder(o, 0, &slow);
     if (!status)
         status = add_poles(o, &slow);

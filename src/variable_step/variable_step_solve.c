@@ -119,7 +119,7 @@ static int judge_iteration(fvi_variable_step_state *o, int iteration, double mov
 
 /* How a nonlinear equation is solved: with one Jacobian for each stage and coordinate, with one Hessian for all stages,
  * or without derivatives. */
-typedef enum { NEWTON, ONE_HESSIAN, FIXED_POINT } way;
+typedef enum { NEWTON, ONE_HESSIAN, FIXED_POINT } iteration_kind;
 
 /* ---- coordinate by coordinate ---- */
 
@@ -246,7 +246,7 @@ FVI_VECTORS static double apply_correction(fvi_variable_step_state *o, const dou
 
 /* Compute the next delta, and return the largest change. With a band, eps takes the room of accel_legendre, which is
  * computed later. */
-static double correct_all(fvi_variable_step_state *o, way by)
+static double correct_all(fvi_variable_step_state *o, iteration_kind by)
 {
     if (by != ONE_HESSIAN)
         return correct(o, by == NEWTON ? o->jacobian : NULL);
@@ -258,7 +258,7 @@ static double correct_all(fvi_variable_step_state *o, way by)
 //> newton
 /* Iterate by Newton's method. Its Jacobian is computed again if the last iteration contracted badly. FIXED_POINT has L
  * in place of the Jacobian. */
-static int iterate(fvi_stepper *s, fvi_variable_step_state *o, way by, double worst,
+static int iterate(fvi_stepper *s, fvi_variable_step_state *o, iteration_kind by, double worst,
                    int most)
 {
     const double badly = by == NEWTON && o->tolerance <= FVI_TOLERANCE_VERY_LOOSE ? 0.05 : 0.3;

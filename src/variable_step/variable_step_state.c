@@ -52,9 +52,9 @@ int fvi_variable_step_allocate(fvi_variable_step_state *o)
 {
     const size_t d = o->d, s = o->rule->s;
     const int each = o->solve == FVI_SOLVE_DIAGONAL && o->diagonals == 0;
-    o->y = FVI_ARRAYS({ &o->y, d }, { &o->y_less, d }, { &o->v, d }, { &o->v_less, d }, { &o->y0, d }, { &o->v0, d },
-                      { &o->centre, d }, { &o->impulse_dv, d }, { &o->base, FVI_LANES * d },
-                      { &o->R, FVI_LANES * d }, { &o->delta, FVI_LANES * d }, { &o->accel_legendre, FVI_LANES * d },
+    o->y = FVI_ARRAYS({ &o->y, d }, { &o->y_compensation, d }, { &o->v, d }, { &o->v_compensation, d },
+                      { &o->y0, d }, { &o->v0, d }, { &o->centre, d }, { &o->impulse_dv, d },
+                      { &o->base, FVI_LANES * d }, { &o->R, FVI_LANES * d }, { &o->delta, FVI_LANES * d }, { &o->accel_legendre, FVI_LANES * d },
                       { &o->accel_legendre0, FVI_LANES * d }, { &o->point, s * d }, { &o->gradient, s * d },
                       { &o->hessian, s * d }, { &o->most_of_force, BOUNDS * d });
     o->group = calloc(1, o->kinds * sizeof *o->group + 2 * d * sizeof *o->kind);
@@ -242,7 +242,7 @@ static int has_possible_control(const fvi_variable_step_state *o)
 static int has_possible_times(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     return o->t == s->t && o->t0 >= 0 && o->t0 <= o->t
-           && fabs(o->t_less) <= 4 * GSL_DBL_EPSILON * o->t
+           && fabs(o->t_compensation) <= 4 * GSL_DBL_EPSILON * o->t
            && o->event < o->event_count
            && o->hits <= s->run.system->force.impulse_count
            && (o->length.h == 0 || fvi_length_is_possible(o->length, o->T));
@@ -270,8 +270,9 @@ int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
     int status = FVI_SERIALIZE(
         v, FVI_CONSTANT(o->rule->s), FVI_CONSTANT(o->beta), FVI_CONSTANT(o->T), FVI_CONSTANT(o->event_count),
         FVI_CONSTANTS(o->events, o->event_count), FVI_STATE(o->solve), FVI_STATES(o->y, STATE * o->d),
-        FVI_STATES(o->accel_legendre0, FVI_LANES * o->d), FVI_STATE(o->t), FVI_STATE(o->t_less), FVI_STATE(o->t0),
-        FVI_STATE(o->length.h), FVI_STATE(o->length.k), FVI_STATE(o->event), FVI_STATE(o->hits), FVI_STATE(o->scale),
+        FVI_STATES(o->accel_legendre0, FVI_LANES * o->d), FVI_STATE(o->t), FVI_STATE(o->t_compensation),
+        FVI_STATE(o->t0), FVI_STATE(o->length.h), FVI_STATE(o->length.k), FVI_STATE(o->event), FVI_STATE(o->hits),
+        FVI_STATE(o->scale),
         FVI_STATE(o->next), FVI_STATE(o->first), FVI_STATE(o->first_after_event), FVI_STATE(o->most),
         FVI_STATE(o->growth), FVI_STATE(o->longest_solvable), FVI_STATE(o->steps_since_failure),
         FVI_STATE(o->undeclared_jump_until), FVI_STATE(o->stalled_iterations), FVI_STATE(o->counts.steps),

@@ -219,8 +219,8 @@ static void accept_motion(fvi_variable_step_state *o)
         fvi_square_apply(s, o->to_x, delta, move);
         o->y0[j] = o->y[j];
         o->v0[j] = o->v[j];
-        fvi_add_compensated(&o->y[j], &o->y_less[j], h * (o->v[j] + move[s - 1]));
-        fvi_add_compensated(&o->v[j], &o->v_less[j], delta[s - 1]);
+        fvi_add_compensated(&o->y[j], &o->y_compensation[j], h * (o->v[j] + move[s - 1]));
+        fvi_add_compensated(&o->v[j], &o->v_compensation[j], delta[s - 1]);
     }
 }
 
@@ -236,10 +236,10 @@ static int accept_step(fvi_stepper *s, fvi_variable_step_state *o, double event)
         accept_motion(o);
     memcpy(o->accel_legendre0, o->accel_legendre, o->d * FVI_LANES * sizeof *o->accel_legendre);
     o->t0 = o->t;
-    fvi_add_compensated(&o->t, &o->t_less, h);
+    fvi_add_compensated(&o->t, &o->t_compensation, h);
     if (fabs(o->t - event) <= 8 * GSL_DBL_EPSILON * event || o->t > event) {
         o->t = event;
-        o->t_less = 0;
+        o->t_compensation = 0;
     }
     o->counts.steps++;
     o->counts.longest = larger(o->counts.longest, h);

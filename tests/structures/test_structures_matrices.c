@@ -48,7 +48,7 @@ static void all_to_all(int n, double diagonal, fvi_sparse *A)
 START_TEST(eq_27_3_every_way_solves_the_same_equations)
 {
     enum { m = 12, n = m * m };
-    static const fvi_way ways[] = { FVI_BY_BAND, FVI_BY_CHOLMOD };
+    static const fvi_factorisation ways[] = { FVI_BY_BAND, FVI_BY_CHOLMOD };
     for (size_t i = 0; i < LEN(ways); i++) {
         fvi_sparse A;
         fvi_factors *f;
@@ -143,14 +143,14 @@ START_TEST(the_way_is_chosen_by_the_band)
     const double a[] = { 1, 0 };
     fvi_sparse sum;
     OK(fvi_sparse_add(2, terms, a, &sum));
-    ck_assert_int_eq(fvi_way_of(&sum), FVI_BY_DIAGONAL);
+    ck_assert_int_eq(fvi_choose_factorisation(&sum), FVI_BY_DIAGONAL);
     fvi_sparse_free(&sum);
     fvi_sparse_free(&A);
     grid(8, 4, &A);
-    ck_assert_int_eq(fvi_way_of(&A), FVI_BY_BAND);
+    ck_assert_int_eq(fvi_choose_factorisation(&A), FVI_BY_BAND);
     fvi_sparse_free(&A);
     grid(9, 4, &A);
-    ck_assert_int_eq(fvi_way_of(&A), FVI_BY_CHOLMOD);
+    ck_assert_int_eq(fvi_choose_factorisation(&A), FVI_BY_CHOLMOD);
     fvi_sparse_free(&A);
 }
 END_TEST

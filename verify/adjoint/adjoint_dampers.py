@@ -11,7 +11,7 @@ import mpmath
 from mpmath import mpc, mpf
 from sympy import Rational, diff, exp, log, symbols
 
-from shared.damper_runs import (TINY, growth_of, numbers_of, product, pull, slope, solve, tilted, weights)
+from shared.damper_runs import (TINY, growth_of, numbers_of, product, start_impulses, slope, solve, tilted, weights)
 from shared.refgen import METHODS, header, hexd, initial_history, nearest, prove, table
 
 #> symbols
@@ -38,8 +38,8 @@ def run(method, kappa, M, K, x0, p0, matrices, kernels, pasts):
     above = [growth_of(kernel) > 1 for kernel in kernels]
     drift = [[h * v if a and (not printed or past == "caputo") else mpf(0) for v in v0]
              for a, past in zip(above, pasts)]
-    pulls = [None if printed else pull(past, kernel, h, N) for past, kernel in zip(pasts, kernels)]
-    pulled = [product(C, v0 if a else x0) for C, a in zip(matrices, above)]
+    all_impulses = [None if printed else start_impulses(past, kernel, h, N) for past, kernel in zip(pasts, kernels)]
+    damped_amplitudes = [product(C, v0 if a else x0) for C, a in zip(matrices, above)]
     rest = (1 - kappa) * h
     A = [[M[i][j] / h + kappa * rest * K[i][j] + sum(t * h * v[0] * C[i][j] for t, v, C in zip(theta, w, matrices))
           for j in each] for i in each]
@@ -56,7 +56,7 @@ def run(method, kappa, M, K, x0, p0, matrices, kernels, pasts):
             for i in each:
                 if not printed:
                     p[i] = p[i] - (mpf(1) / 2 - theta[j]) * h * before[i]
-                p[i] = p[i] - (pulls[j][k][0] * pulled[j][i] if pulls[j] else 0)
+                p[i] = p[i] - (all_impulses[j][k][0] * damped_amplitudes[j][i] if all_impulses[j] else 0)
         right = list(p)
         for j, C in enumerate(matrices):
             ahead = product(C, known[j])
@@ -75,7 +75,7 @@ def run(method, kappa, M, K, x0, p0, matrices, kernels, pasts):
             z[j].append([x[i] - x0[i] - (k + 1) * drift[j][i] for i in each])
             now = product(C, H[j])
             p = [p[i] - (1 if printed else mpf(1) / 2 + theta[j]) * h * now[i]
-                 - (pulls[j][k][1] * pulled[j][i] if pulls[j] else 0) for i in each]
+                 - (all_impulses[j][k][1] * damped_amplitudes[j][i] if all_impulses[j] else 0) for i in each]
         J += h / 2 * sum((v - mpmath.sin((k + 1) * STEP)) ** 2 for v in x)
     return J + sum(v * v for v in p) / 2
 

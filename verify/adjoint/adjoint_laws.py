@@ -139,28 +139,28 @@ def run(method, kappa, terms, data):
     rest, whole, three = dual(1 - kappa), dual(mpf(1)), dual(mpf(3))
     grad = lambda S: (c + g * S * S) * S
     F = [dual(mpmath.cos(5 * k * STEP / 4) / 5) for k in range(N + 1)]
-    pulls = of_terms(terms, impulses, 2 * N) if grows(method, terms) else None  # (26.20)
+    start_impulses = of_terms(terms, impulses, 2 * N) if grows(method, terms) else None  # (26.20)
     for x0, p0, m, rho in zip(data["x0"], data["p0"], data["mass"], data["rho"]):
         x, p, z, H = x0, p0, [ZERO], ZERO
         inertia = m / h + theta * rho * h * w[0]
-        v0 = p0 / m if pulls else ZERO
+        v0 = p0 / m if start_impulses else ZERO
         for k in range(N):
             if not printed:
                 p = p + HALF * h * F[k] - (HALF - theta) * rho * h * H
-            if pulls:
-                p = p - rho * v0 * pulls[2 * k]
+            if start_impulses:
+                p = p - rho * v0 * start_impulses[2 * k]
             known = w[0] * (x - x0 - dual((k + 1) * STEP) * v0) + dot(w[1:k + 2], z[::-1])
             d, right = ZERO, p - theta * rho * h * known
             for _ in range(9):
                 S = x + rest * d
                 d -= ((inertia * d + dual(kappa) * h * grad(S) - right)
                       / (inertia + dual(kappa) * rest * h * (c + three * g * S * S)))
-            pull, x, H = grad(x + rest * d), x + d, known + w[0] * d
+            gradient, x, H = grad(x + rest * d), x + d, known + w[0] * d
             z.append(x - x0 - dual((k + 1) * STEP) * v0)
-            p = p + (h if printed else HALF * h) * F[k + 1] - h * pull
+            p = p + (h if printed else HALF * h) * F[k + 1] - h * gradient
             p = p - (whole if printed else HALF + theta) * rho * h * H
-            if pulls:
-                p = p - rho * v0 * pulls[2 * k + 1]
+            if start_impulses:
+                p = p - rho * v0 * start_impulses[2 * k + 1]
             off = x - dual(mpmath.sin((k + 1) * STEP))
             J += HALF * h * off * off
         J += HALF * x * (whole + HALF * p * p)

@@ -1,7 +1,7 @@
 """H 23. Systems of matrices: derivatives by factors of M, C and K, and by the order.
 
 Proved here:
-  (23.19) what the factors give, with a shift, a drift and the pull of a past, for d = 2 and
+  (23.19) what the factors give, with a shift, a drift and the impulses of a past, for d = 2 and
           N = 3, all numbers symbols;
   (23.20) that the factors of everything add up;
   (23.23) what the mirrored memory has besides that of mu - J_p, six nodes, all weights symbols.
@@ -36,7 +36,7 @@ def symmetric(name):
 x, lam, F = vectors("x"), vectors("lambda"), vectors("F")
 M, C, K = symmetric("m"), symmetric("c"), symmetric("k")
 p0, pN = Matrix(symbols("p0_0:2")), Matrix(symbols("pN_0:2"))
-w3, pull = symbols("w0:4"), symbols("b0:6")
+w3, start_impulses = symbols("w0:4"), symbols("b0:6")
 
 
 def product(a, A, b):
@@ -50,7 +50,7 @@ for k in range(N3):
     S = kappa * x[k] + (1 - kappa) * x[k + 1]
     Mk = kappa * lam[k] + (1 - kappa) * lam[k + 1]
     L += sM / h * product(x[k + 1] - x[k], M, lam[k + 1] - lam[k]) - h * sK * product(S, K, Mk)
-    L -= unit * sC * product(pull[2 * k] * lam[k] + pull[2 * k + 1] * lam[k + 1], C, v0)
+    L -= unit * sC * product(start_impulses[2 * k] * lam[k] + start_impulses[2 * k + 1] * lam[k + 1], C, v0)
 z = [x[j] - x[0] - j * h * v0 for j in range(N3 + 1)]
 nu = [0 * x[0], (1 - theta) * lam[1] + theta * lam[0], (1 - theta) * lam[2] + theta * lam[1],
       end * lam[3] + theta * lam[2]]
@@ -62,10 +62,10 @@ ones = {sM: 1, sC: 1, sK: 1}
 v, zz = v0.subs(ones), [a.subs(ones) for a in z]
 by_p0 = Matrix([diff(L.subs(ones), p) for p in p0])
 steps = range(N3)
-all_pulls = sum((pull[2 * k] * lam[k] + pull[2 * k + 1] * lam[k + 1] for k in steps), 0 * x[0])
+impulse_sum = sum((start_impulses[2 * k] * lam[k] + start_impulses[2 * k + 1] * lam[k + 1] for k in steps), 0 * x[0])
 prove("(23.19) by a factor of K", expand(diff(L, sK) + h * sum(
     product(kappa * x[k] + (1 - kappa) * x[k + 1], K, kappa * lam[k] + (1 - kappa) * lam[k + 1]) for k in steps)))
-by_C = -c * sum(product(zz[j], C, n[j]) for j in range(N3 + 1)) - unit * product(all_pulls, C, v)
+by_C = -c * sum(product(zz[j], C, n[j]) for j in range(N3 + 1)) - unit * product(impulse_sum, C, v)
 prove("(23.19) by a factor of C", diff(L, sC).subs(ones) - by_C)
 by_M = (sum(product(x[k + 1] - x[k], M, lam[k + 1] - lam[k]) for k in steps) / h
         - (p0.T * (by_p0 - lam[0]))[0])
@@ -154,8 +154,8 @@ def run(method, past, alpha, kappa, M, C, K, x0, p0):
     theta = dict(shifted=tilted(mpc(alpha, TINY)), stable=HALF).get(method, ZERO)
     v0 = solve(M, p0)
     drift = [h * v if drifts else ZERO for v in v0]
-    is_pulled = not printed and (past == "held" and above or past == "rl" and alpha != 0.5)
-    b, pulled = impulses(alpha) if is_pulled else [(ZERO, ZERO)] * N, times(C, v0 if above else x0)
+    has_start_impulses = not printed and (past == "held" and above or past == "rl" and alpha != 0.5)
+    b, damped_amplitude = impulses(alpha) if has_start_impulses else [(ZERO, ZERO)] * N, times(C, v0 if above else x0)
     origin = [ZERO] * D if printed and past == "rl" else x0
     rest = (ONE - kappa) * h
     A = [[M[i][j] / h + theta * unit * w[0] * C[i][j] + kappa * rest * K[i][j] for j in each] for i in each]
@@ -165,7 +165,7 @@ def run(method, past, alpha, kappa, M, C, K, x0, p0):
     for k in range(N):
         if not printed:
             CH = times(C, H)
-            p = [p[i] + HALF * h * force[k][i] - (HALF - theta) * unit * CH[i] - b[k][0] * pulled[i] for i in each]
+            p = [p[i] + HALF * h * force[k][i] - (HALF - theta) * unit * CH[i] - b[k][0] * damped_amplitude[i] for i in each]
         moved = [v + Dual((k + 1) * ONE.v) * u for v, u in zip(origin, drift)]
         known = [w[0] * (x[i] - moved[i]) + dot(w[1:k + 2], [z[k - n][i] for n in range(k + 1)]) for i in each]
         before, at = times(C, known), times(K, x)
@@ -176,7 +176,7 @@ def run(method, past, alpha, kappa, M, C, K, x0, p0):
         z.append([a - v for a, v in zip(x, moved)])
         CH = times(C, H)
         for_p = [h * (f - g) if printed else h * (HALF * f - g) for f, g in zip(force[k + 1], grad)]
-        p = [p[i] + for_p[i] - (ONE if printed else HALF + theta) * unit * CH[i] - b[k][1] * pulled[i] for i in each]
+        p = [p[i] + for_p[i] - (ONE if printed else HALF + theta) * unit * CH[i] - b[k][1] * damped_amplitude[i] for i in each]
         off = [v - dual(mpmath.sin((k + 1) * STEP)) for v in x]
         J += HALF * h * dot(off, off)
     return J + HALF * dot(p, p)

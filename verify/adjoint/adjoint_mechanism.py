@@ -170,8 +170,8 @@ class Run:
         z0 = [mpf(0) if first and past == "rl" else u for u, past in zip(z, self.pasts)]
         self.A = [s if on else (u if past == "rl" and growth_of(t) < 1 else mpf(0))
                   for s, on, u, past, t in zip(slopes, held, z, self.pasts, kernels)]
-        pulls = [None if first or past == "caputo" or (past == "held" and growth_of(t) <= 1)
-                 or (past == "rl" and growth_of(t) == 1) else self.pull(t, past) for t, past in zip(kernels, self.pasts)]
+        all_impulses = [None if first or past == "caputo" or (past == "held" and growth_of(t) <= 1)
+                 or (past == "rl" and growth_of(t) == 1) else self.start_impulses(t, past) for t, past in zip(kernels, self.pasts)]
         past = [[] for _ in kernels]
         if first:
             for j in range(DAMPERS):
@@ -179,7 +179,7 @@ class Run:
         J = self.value(0, x, p)
         step = self.stages if stages else self.nodes
         for k in range(N):
-            x, p = step(k, q, kernels, x, p, z0, slopes, pulls, past)
+            x, p = step(k, q, kernels, x, p, z0, slopes, all_impulses, past)
             J += self.value(k + 1, x, p)
         return J
 
@@ -187,7 +187,7 @@ class Run:
     def value(k, x, p):
         return sum(mpf((7 * k + 3 * i) % 11 - 5) / 8 * x[i] + mpf((5 * k + 4 * i) % 7 - 3) / 8 * p[i] for i in range(D))
 
-    def pull(self, terms, past):
+    def start_impulses(self, terms, past):
         e = (1 if past == "held" else 0) - 2 * terms[0][2]
         if self.name.startswith("lobatto"):
             return stage_impulses(self.s, terms[0][1], e)
@@ -197,13 +197,13 @@ class Run:
     def load(q, t):
         return [mpmath.cos(5 * t / 4) * (i + 1) / 5 for i in range(D)]
 
-    def nodes(self, k, q, kernels, x, p, z0, slopes, pulls, past):
+    def nodes(self, k, q, kernels, x, p, z0, slopes, all_impulses, past):
         h, each, first = STEP, range(D), self.form == "fvi"
         kappa = self.kappa if first else mpf(1) / 2
         rows = [weights("fvi" if first else "node", t, STEP, N + 1) for t in kernels]
         z, G = elongations(x)
         free = [mpf(0)] * DAMPERS
-        pull = [[A * v for v in b[k]] if b else free[:2] for A, b in zip(self.A, pulls)]
+        start_forces = [[A * v for v in b[k]] if b else free[:2] for A, b in zip(self.A, all_impulses)]
 
         def step(u):
             X = [a + (1 - kappa) * d for a, d in zip(x, u)]
@@ -224,7 +224,7 @@ class Run:
             for i in each:
                 f = Lx[i] + (0 if first else Q[i])
                 out.append(Lv[i] - kappa * h * f - p[i] - (0 if first else h / 2 * F[i])
-                           + sum((h / 2 * l + a[0]) * g[i] for l, a, g in zip(lam, pull, G) if not first)
+                           + sum((h / 2 * l + a[0]) * g[i] for l, a, g in zip(lam, start_forces, G) if not first)
                            + (x[i] * u[D] if self.system is rod else 0))
             return out + ([(dot(end, end) - 1) / 2] if self.system is rod else [])
         u = self.solve(residual, [h * v for v in inverse(q, self.system, x, p)] + [mpf(0)] * (self.system is rod))
@@ -241,7 +241,7 @@ class Run:
             for j in range(DAMPERS):
                 past[j].append((z[j] + z1[j]) / 2 - z0[j] - (k + mpf(1) / 2) * h * slopes[j])
             p = [Lv[i] + h / 2 * (Lx[i] + Q[i]) + h / 2 * F[i] - sum((h / 2 * l + a[1]) * g[i]
-                                                                    for l, a, g in zip(lam, pull, G1)) for i in each]
+                                                                    for l, a, g in zip(lam, start_forces, G1)) for i in each]
         return end, self.project(end, p)
 
     def project(self, x, p):
@@ -250,7 +250,7 @@ class Run:
         w = dot(x, p) / dot(x, x)
         return [a - w * b for a, b in zip(p, x)]
 
-    def stages(self, k, q, kernels, x, p, z0, slopes, pulls, past):
+    def stages(self, k, q, kernels, x, p, z0, slopes, all_impulses, past):
         h, s, form = STEP, self.s, self.form
         c, b, E, T = table_of(s, form)
         begin = 1 if form == "m" else 0
@@ -261,8 +261,8 @@ class Run:
             rows = [mpf(0)] * s
             for n in range(1, k + 1):
                 rows = [r + v for r, v in zip(rows, W[j][n] * mpmath.matrix(past[j][-n]))]
-            if pulls[j]:
-                rows = [r + self.A[j] * v / (h * bi) for r, v, bi in zip(rows, pulls[j][k], b)]
+            if all_impulses[j]:
+                rows = [r + self.A[j] * v / (h * bi) for r, v, bi in zip(rows, all_impulses[j][k], b)]
             known.append(rows)
         m = self.system is rod
 

@@ -1,4 +1,4 @@
-"""H 23. Steps of any length, where the past pulls the start.
+"""H 23. Steps of any length, and a singular start.
 
 Proved: (23.24) term by term, with what (22.20) sums; (23.25) for three steps, two and three stages, two
 modes, all else symbols; (23.26) for the modes of (22.7). Printed: derivatives of chains of five

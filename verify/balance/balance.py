@@ -97,7 +97,7 @@ N, width = 5, 3
 a, b, G = symbols("a:3"), symbols("b:3"), symbols("G:6")
 
 
-def pulls(a, b, G):
+def force_matrix(a, b, G):
     """The derivatives of what is felt at the node k by x_j; G_i = U''(S_i)."""
     B = zeros(N + width, N + width)
     for i in range(N + 1):
@@ -107,11 +107,11 @@ def pulls(a, b, G):
 
 P = Matrix(N + width, N + width, lambda i, j: int(i + j == N + width - 1))
 prove("transposed and read backwards: asked at the mirror of b, felt at that of a",
-      *(P * pulls(a, b, G).T * P - pulls(b[::-1], a[::-1], G[::-1])))
+      *(P * force_matrix(a, b, G).T * P - force_matrix(b[::-1], a[::-1], G[::-1])))
 for i in range(width):
     for j in range(width):
-        prove("the pull is a gradient for every U if and only if all of these vanish",
-              diff((pulls(a, b, G) - pulls(a, b, G).T)[i, j], G[0]) - (b[i] * a[j] - b[j] * a[i]))
+        prove("the force is a gradient for every U if and only if all of these vanish",
+              diff((force_matrix(a, b, G) - force_matrix(a, b, G).T)[i, j], G[0]) - (b[i] * a[j] - b[j] * a[i]))
 # Where U'' is constant, only how far apart j and k are counts, and b = a is not needed: it is
 # enough that sum_l b_l a_{l+n} = sum_l a_l b_{l+n}. So it is for (1/4, 1/2, 1/4), felt, asked at
 # the middle.
@@ -122,13 +122,13 @@ def apart(a, b, n):
     return sum(b[l] * a[l + n] for l in range(width) if 0 <= l + n < width)
 
 
-alike = pulls(a, b, [1] * (N + 1))
+alike = force_matrix(a, b, [1] * (N + 1))
 for j in range(width - 1, N + 1):                         # no i is cut off there
     for k in range(width - 1, N + 1):
-        prove("the pulls of a quadratic U", alike[k, j] - (apart(a, b, j - k) if abs(j - k) < width else 0))
+        prove("the forces of a quadratic U", alike[k, j] - (apart(a, b, j - k) if abs(j - k) < width else 0))
 prove("mean has a gradient for quadratic U, and a is not b",
       *((apart(a, b, n) - apart(b, a, n)).subs(mean) for n in range(1, width)))
-varied = pulls(a, b, G).subs(mean)
+varied = force_matrix(a, b, G).subs(mean)
 claim("mean has none where U'' varies", expand(varied - varied.T) != zeros(N + width, N + width))
 #< felt
 

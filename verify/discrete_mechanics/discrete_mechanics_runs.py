@@ -38,13 +38,13 @@ class Case:
         C, G = map(one, self.cg)
         if self.kind == "PENDULUM":
             return [C * (v.sin() if isinstance(v, Rounded) else mpmath.sin(v)) for v in z]
-        pull = lambda r: (C + G * r * r) * r
+        spring_force = lambda r: (C + G * r * r) * r
         if self.kind == "CUBIC":                # U = c z^2 / 2 + g z^3 / 3
-            pull = lambda r: (C + G * r) * r
+            spring_force = lambda r: (C + G * r) * r
         if self.kind != "CHAIN":
-            return [pull(v) for v in z]
+            return [spring_force(v) for v in z]
         wall = [one(0), *z, one(0)]
-        left = [pull(wall[i + 1] - wall[i]) for i in range(self.d + 1)]
+        left = [spring_force(wall[i + 1] - wall[i]) for i in range(self.d + 1)]
         return [left[i] - left[i + 1] for i in range(self.d)]
 
     def hessian(self, z):
@@ -215,7 +215,7 @@ def by_program(case, kind):
 
 
 two = dict(x0=(1, Q(-1, 2)), p0=(0, Q(3, 4)), mass=(1, 2))
-pull = dict(rho=(Q(1, 2), 0), ramp=(1, -2))
+forced = dict(rho=(Q(1, 2), 0), ramp=(1, -2))
 CASES = [Case(f"harmonic, kappa = {K}", "variational", "HARMONIC", K, cg=(3, 0), mass=(2,))
          for K in (0, Q(1, 4), Q(1, 2), 1)]
 CASES += [Case(f"cubic, kappa = {K}", "variational", "CUBIC", K, steps=6, cg=(1, 1),
@@ -230,16 +230,16 @@ CASES += [
 CASES += [Case(f"harmonic, forced, kappa = {K}", "forced", "HARMONIC", K, mass=(2,),
                rho=(Q(1, 2), 0), ramp=(1, 0)) for K in (0, Q(1, 4), Q(1, 2), 1)]
 CASES += [
-    Case("chain, forced", "forced", "CHAIN", Q(1, 4), **two, **pull),
+    Case("chain, forced", "forced", "CHAIN", Q(1, 4), **two, **forced),
     Case("quartic chain, forced", "forced", "CHAIN", Q(3, 4), cg=(1, 2), steps=8, exact=False,
-         **two, **pull),
+         **two, **forced),
     Case("pendulum, forced", "forced", "PENDULUM", Q(1, 2), x0=(2,), rho=(Q(1, 2), 0),
          ramp=(1, 0), exact=False),
     Case("harmonic", "explicit", "HARMONIC", mass=(2,), rho=(Q(1, 2), 0), ramp=(1, 0)),
-    Case("quartic chain", "explicit", "CHAIN", cg=(1, 2), steps=5, **two, **pull),
+    Case("quartic chain", "explicit", "CHAIN", cg=(1, 2), steps=5, **two, **forced),
     Case("harmonic", "implicit", "HARMONIC", mass=(2,), rho=(Q(1, 2), 0), ramp=(1, 0)),
     Case("Duffing", "implicit", "DUFFING", cg=(1, Q(1, 2)), rho=(Q(1, 2), 0), exact=False),
-    Case("quartic chain", "implicit", "CHAIN", cg=(1, 2), steps=8, exact=False, **two, **pull)]
+    Case("quartic chain", "implicit", "CHAIN", cg=(1, 2), steps=8, exact=False, **two, **forced)]
 
 
 def values(case):

@@ -213,14 +213,14 @@ for k in range(1, N):
 back, here, ahead = symbols("x_- x_0 x_+")
 
 
-def pull(z, k, dU, kappa=kappa):
+def potential_force(z, k, dU, kappa=kappa):
     """kappa U'(S z_k) + (1 - kappa) U'(S z_{k-1})."""
     return (kappa * dU(kappa * z[k] + (1 - kappa) * z[k + 1])
             + (1 - kappa) * dU(kappa * z[k - 1] + (1 - kappa) * z[k]))
 
 
 square = lambda z: z ** 2  # U = z^3 / 3
-x_side, y_side = (pull(z, 1, square) for z in ((back, here, ahead), (ahead, here, back)))
+x_side, y_side = (potential_force(z, 1, square) for z in ((back, here, ahead), (ahead, here, back)))
 prove("(6.9)", expand(x_side - y_side - kappa * (kappa - 1) * (2 * kappa - 1)
                       * (back - ahead) * (2 * here - back - ahead)))
 values = {kappa: Rational(1, 4), back: 0, here: 0, ahead: 1}
@@ -228,7 +228,7 @@ claim("at kappa = 1/4: 9/64 and 3/64",
       (x_side.subs(values), y_side.subs(values)) == (Rational(9, 64), Rational(3, 64)))
 linear = lambda z: m * z + s
 prove("a quadratic U has no defect", expand(
-    pull((back, here, ahead), 1, linear) - pull((ahead, here, back), 1, linear)))
+    potential_force((back, here, ahead), 1, linear) - potential_force((ahead, here, back), 1, linear)))
 #< defect
 
 #> only

@@ -299,9 +299,9 @@ def form(**entries):
 
 
 printed = form(xv=m, xw=m)  # dx^dx' + dx^dy', times m
-pulled = F.T * printed * F
-prove("dx^dx' shrinks like exp(-rho t/m)", pulled[0, 1] - m * exp(-2 * G * t))
-prove("dx^dy appears", pulled[0, 2] - m * flow(G)[0, 0] * flow(-G)[1, 0])
+pullback = F.T * printed * F
+prove("dx^dx' shrinks like exp(-rho t/m)", pullback[0, 1] - m * exp(-2 * G * t))
+prove("dx^dy appears", pullback[0, 2] - m * flow(G)[0, 0] * flow(-G)[1, 0])
 bateman = form(xw=m, yv=m, xy=-2 * m * G)
 prove("(3.19) Bateman's form is preserved", *(F.T * bateman * F - bateman).expand().subs(
     cos(omega * t) ** 2, 1 - sin(omega * t) ** 2).expand())

@@ -107,13 +107,13 @@ def impulses(s, e, h):
     return out
 
 
-def pulls_of_springs(x, k1, g3):
+def spring_forces(x, k1, g3):
     """grad U of the chain, and U's second derivatives of the springs."""
     stretch = [(x[i] if i < D5 else ZERO) - (x[i - 1] if i else ZERO) for i in range(D5 + 1)]
     cubic = [g3 * r * r for r in stretch]
-    pull = [(k1 + c) * r for c, r in zip(cubic, stretch)]
+    force = [(k1 + c) * r for c, r in zip(cubic, stretch)]
     stiff = [k1 + c + c + c for c in cubic]
-    return [pull[i] - pull[i + 1] for i in range(D5)], stiff
+    return [force[i] - force[i + 1] for i in range(D5)], stiff
 
 
 def away(x, t, h):
@@ -127,7 +127,7 @@ def away(x, t, h):
 class Chain:
     """A run of form M or D; q holds x0, p0, mass, rho (lists), alpha, cg (a list), F."""
     steps, struck = N, {}  # {node: momenta that an impulse adds there}
-    by_impulses = True     # the past pulls by those of its integral over a step
+    by_impulses = True     # the initial history acts by the impulses of its integral over a step
 
     def __init__(self, s, damped, past, alpha, q, step):
         self.s, self.damped, self.past = s, damped, past
@@ -150,7 +150,7 @@ class Chain:
         s, h, q, n = self.s, self.h, self.q, len(self.unknown)
         M = [[0] * (n * D5) for _ in range(n * D5)]
         for a, i in enumerate(self.unknown):
-            stiff = pulls_of_springs(self.places(V, xk, i), *q["cg"])[1]
+            stiff = spring_forces(self.places(V, xk, i), *q["cg"])[1]
             for j in range(D5):
                 near = [(j, stiff[j] + stiff[j + 1])]
                 near += [(j - 1, ZERO - stiff[j])] if j else []
@@ -184,20 +184,20 @@ class Chain:
     def share(self, j, q):
         return q["mass"][j] / (q["mass"][j] + q["rho"][j]) if self.heavy else ONE
 
-    def step_residual(self, q, k, V, xk, pk, history, W0, scale, v0, pull):
+    def step_residual(self, q, k, V, xk, pk, history, W0, scale, v0, amplitude):
         """The rows, and what p becomes. V: X_i - x_k of form M, else V_i."""
         s, h = self.s, self.h
         S = [[None] * s for _ in range(D5)]
         speed = V if self.damped else [[line(self.D[i], V[j]) for i in range(s)] for j in range(D5)]
         moved = [[v - v0[j] for v in speed[j]] for j in range(D5)]
         for i in range(s):
-            grad = pulls_of_springs(self.places(V, xk, i), *q["cg"])[0]
+            grad = spring_forces(self.places(V, xk, i), *q["cg"])[0]
             for j in range(D5):
                 rho = q["rho"][j]
                 force = grad[j] - self.force(q, k, i, j)
                 if not self.heavy:
                     force += rho * (history[j][i] + scale * dot(W0[i], moved[j]))
-                S[j][i] = (h * self.b[i] * force + rho * pull[j] * self.impulse[k][i]) * self.share(j, q)
+                S[j][i] = (h * self.b[i] * force + rho * amplitude[j] * self.impulse[k][i]) * self.share(j, q)
         out = []
         for j in range(D5):
             for a in range(len(self.unknown)):
@@ -220,12 +220,12 @@ class Chain:
         turn = 2 * (tilt or 0)
         W, scale = self.memory(q, turn)
         rl = self.past == "rl"
-        is_pulled = self.by_impulses and self.side and (rl or (self.past == "held" and self.side > 0))
+        has_start_impulses = self.by_impulses and self.side and (rl or (self.past == "held" and self.side > 0))
         e = -2 * self.alpha0 + (1 if self.side > 0 else 0)
         self.impulse = ([[Dual(v.v, turn * v.d) for v in row] for row in impulses(s, e, self.step)]
-                        if is_pulled else [[ZERO] * s] * self.steps)
+                        if has_start_impulses else [[ZERO] * s] * self.steps)
         A = [p / m if self.side > 0 else x for p, m, x in zip(q["p0"], q["mass"], q["x0"])]
-        pull = A if is_pulled else [ZERO] * D5
+        amplitude = A if has_start_impulses else [ZERO] * D5
         x, p, past, J = list(q["x0"]), list(q["p0"]), [], ZERO
         self.prepare(q, turn)
         for k in range(self.steps):
@@ -242,7 +242,7 @@ class Chain:
                   for i in range(s)] for j in range(D5)] if real else [list(v) for v in self.path[k]]
             left = 40 if real else 1  # one step is exact for what is linear, the slopes
             while left:
-                rest = self.step_residual(q, k, V, x, p, history, W0, scale, v0, pull)[0]
+                rest = self.step_residual(q, k, V, x, p, history, W0, scale, v0, amplitude)[0]
                 lu = self.matrix(V, x, W0, scale) if real else self.factors[k]
                 change = solved(lu, rest)
                 for j in range(D5):
@@ -256,7 +256,7 @@ class Chain:
                 self.factors.append(lu)    # of V but for what is below 2^-130
             speed, S = V, None
             if not self.damped:
-                _, S, speed = self.step_residual(q, k, V, x, p, history, W0, scale, v0, pull)
+                _, S, speed = self.step_residual(q, k, V, x, p, history, W0, scale, v0, amplitude)
             past.append([[v - v0[j] for v in speed[j]] for j in range(D5)])
             before = list(x), list(p)
             for j in range(D5):

@@ -59,7 +59,7 @@ def impulses(e, N):
     return out
 
 
-def pull_of(q, order, x0, p0, m):
+def start_impulses_of(q, order, x0, p0, m):
     """rho A h^(1+e) times the impulses of the past (19.3), at both ends of each step."""
     past, N = q["past"], q["N"]
     A = 0 if past == "caputo" or q["side"] == 0 else p0 / m if q["side"] > 0 else (
@@ -76,7 +76,7 @@ def trajectory(q):
     and is handed sum_{j<=k} w_{k+1-j} z_j, and what dx may change by."""
     N, printed, past = q["N"], q["method"] == "fvi", q["past"]
     order, one, half = 2 * q["alpha"], 1 << BITS, 1 << BITS - 1
-    pull = pull_of(q, order, q["x0"], q["p0"], q["mass"])
+    start_impulses = start_impulses_of(q, order, q["x0"], q["p0"], q["mass"])
     c = fixed(q["rho"] * q["h"] ** (1 - order))
     theta = fixed(dict(shifted=q["alpha"], stable=mpmath.mpf(1) / 2).get(q["method"], 0))
     h, kappa, x0, p, m, k1, g3 = (fixed(q[n]) for n in ("h", "kappa", "x0", "p0", "mass", "k", "g"))
@@ -86,7 +86,7 @@ def trajectory(q):
     H, share, inertia = times(w0, z), times(kappa, h), over(m, h) + times(times(theta, c), w0)
     for k in range(N):
         if not printed:
-            p += times(h, q["F"][k]) // 2 - times(half - theta, times(c, H)) - pull[k][0]
+            p += times(h, q["F"][k]) // 2 - times(half - theta, times(c, H)) - start_impulses[k][0]
         total, change = yield z
         ahead, dx = total >> BITS, dx + change
         ahead += times(w0, x[-1] - origin - (k + 1) * drift)  # H of k + 1 if dx is zero
@@ -104,7 +104,7 @@ def trajectory(q):
         H = ahead + times(w0, dx)
         x.append(x[-1] + dx)
         p += times(h, q["F"][k + 1]) - times(c, H) if printed else (
-            times(h, q["F"][k + 1]) // 2 - times(half + theta, times(c, H)) - pull[k][1])
+            times(h, q["F"][k + 1]) // 2 - times(half + theta, times(c, H)) - start_impulses[k][1])
         z = x[-1] - origin - (k + 1) * drift
     return x, p
 

@@ -114,7 +114,7 @@ def impulses_of_power(terms, h, N, e):
 
 
 @cache
-def pull(past, terms, h, N):
+def start_impulses(past, terms, h, N):
     """The impulses of a past for an amplitude of 1; None: it does not act."""
     g = growth_of(terms)
     if past == "held" and g > 1:

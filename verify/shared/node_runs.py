@@ -4,7 +4,7 @@ Algorithm 3 and (13.7) as they stand: each number has a slope of 1 by itself, an
 import mpmath
 from mpmath import mp, mpc, mpf
 
-from .adjoint_chain import D5, away, pulls_of_springs
+from .adjoint_chain import D5, away, spring_forces
 from .arithmetic import BITS, HALF, ONE, TINY, ZERO, Dual, dual, factorised, slopes, solved
 from .refgen import METHODS, initial_history, hexd, nearest
 from sympy import Rational
@@ -61,7 +61,7 @@ class Nodes:
         self.method, self.past, self.alpha, self.q = method, past, mpf(alpha), q
         self.kappa, self.printed = dual(mpf(kappa)), method == "fvi"
         self.above, self.rl = alpha > 0.5, past == "rl"
-        self.is_pulled = not self.printed and past != "caputo" and alpha != 0.5 and (self.above or self.rl)
+        self.has_start_impulses = not self.printed and past != "caputo" and alpha != 0.5 and (self.above or self.rl)
         self.moved, self.factors = [], []
         self.run(q, None)
 
@@ -75,7 +75,7 @@ class Nodes:
         real = len(self.moved) == k
         dx = [ZERO] * D5 if real else list(self.moved[k])
         while True:
-            grad, stiff = pulls_of_springs([a + rest * b for a, b in zip(x, dx)], *cg)
+            grad, stiff = spring_forces([a + rest * b for a, b in zip(x, dx)], *cg)
             if real:
                 M = [[0] * D5 for _ in range(D5)]
                 for i in range(D5):
@@ -93,7 +93,7 @@ class Nodes:
         if real:
             self.moved.append(dx)
             self.factors.append(lu)
-        return dx, pulls_of_springs([a + rest * b for a, b in zip(x, dx)], *cg)[0]
+        return dx, spring_forces([a + rest * b for a, b in zip(x, dx)], *cg)[0]
 
     def run(self, q, turn):
         """J. turn None: the run of values, which is kept; else d alpha."""
@@ -103,7 +103,7 @@ class Nodes:
         unit = dual(STEP ** mpc(1 - 2 * self.alpha, -2 * TINY), turn)
         theta = dict(shifted=dual(mpc(self.alpha, TINY), turn), stable=HALF).get(self.method, ZERO)
         e = (1 if self.above else 0) - 2 * self.alpha
-        pull = impulses(e, turn) if self.is_pulled else [(ZERO, ZERO)] * N
+        start_impulses = impulses(e, turn) if self.has_start_impulses else [(ZERO, ZERO)] * N
         c = [r * unit for r in q["rho"]]
         x, p, J = list(q["x0"]), list(q["p0"]), ZERO
         A = [a / m if self.above else b for a, m, b in zip(p, q["mass"], x)]
@@ -118,7 +118,7 @@ class Nodes:
             now = list(taken[-1])
             for i in range(D5):
                 if not printed:
-                    damping = (HALF - theta) * c[i] * H[i] + q["rho"][i] * A[i] * pull[k][0]
+                    damping = (HALF - theta) * c[i] * H[i] + q["rho"][i] * A[i] * start_impulses[k][0]
                     now[i] += damping
                     p[i] += HALF * h * q["F"][k * D5 + i] - damping
                 line = Dual((k + 1) * ONE.v) * drift[i]
@@ -132,7 +132,7 @@ class Nodes:
             z.append([a - b - Dual((k + 1) * ONE.v) * v for a, b, v in zip(x, origin, drift)])
             for i in range(D5):
                 force = h * q["F"][(k + 1) * D5 + i]
-                damping = c[i] * H[i] if printed else (HALF + theta) * c[i] * H[i] + q["rho"][i] * A[i] * pull[k][1]
+                damping = c[i] * H[i] if printed else (HALF + theta) * c[i] * H[i] + q["rho"][i] * A[i] * start_impulses[k][1]
                 now[i] += damping
                 p[i] += (force if printed else HALF * force) - h * grad[i] - damping
             taken.append(now)

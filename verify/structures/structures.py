@@ -95,7 +95,7 @@ def dynamic_stiffness(s):
     return T
 
 
-def pull(i):
+def spring_force(i):
     """(K x0)_i."""
     return sum(stiff * row[i] * sum(r * x for r, x in zip(row, x_start)) for row in map(stretch, range(1, storeys + 1)))
 
@@ -111,7 +111,7 @@ def building(t, digits):
         radius = mpf(2) * nodes / 5 / t
         s = radius * angle * (cot(angle) + mpc(0, 1))
         slope = radius * (cot(angle) - angle / mp.sin(angle)**2 + mpc(0, 1))
-        y = lu_solve(dynamic_stiffness(s), matrix([v_start[i] - pull(i) / s for i in range(storeys)]))
+        y = lu_solve(dynamic_stiffness(s), matrix([v_start[i] - spring_force(i) / s for i in range(storeys)]))
         for i in range(storeys):
             total[i] += (exp(s * t) * y[i] * slope).imag / nodes
             total[storeys + i] += (exp(s * t) * s * y[i] * slope).imag / nodes
