@@ -1,5 +1,5 @@
-/* src/adjoint_forces/adjoint_forces_chain.c -- A chain with a ghost of each coordinate, which F - grad U moves. [H
- * 23] */
+/* src/adjoint_forces/adjoint_forces_chain.c -- A chain with a ghost of each coordinate, which F - grad U moves.
+ * [H 23] */
 #include "adjoint_forces.h"
 
 #include <stdlib.h>

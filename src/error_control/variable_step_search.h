@@ -1,5 +1,5 @@
-/* src/error_control/variable_step_search.h -- Find the tolerance of variable steps that a wanted error of x needs. [H
- * 22] */
+/* src/error_control/variable_step_search.h -- Find the tolerance of variable steps that a wanted error of x needs.
+ * [H 22] */
 #ifndef FVI_VARIABLE_STEP_SEARCH_H
 #define FVI_VARIABLE_STEP_SEARCH_H
 

@@ -76,8 +76,7 @@ int fvi_warning_along(fvi_watch *watch, const fvi_method *method,
                       size_t size, char *text);
 
 /* fvi_inertia_watch_begin -- Start a watch over a run of a Lagrangian, for the case that L_vv becomes singular. For
- * example, L_vv of v^4 is singular at v = 0, and L_vv of polar coordinates at the pole.                           [H
- * 29]
+ * example, L_vv of v^4 is singular at v = 0, and L_vv of polar coordinates at the pole. [H 29]
  *
  *   system  as for fvi_stepper_start; must outlive the watch
  *   watch   output; free it with fvi_inertia_watch_free. NULL if the system has no Lagrangian

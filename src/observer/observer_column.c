@@ -1,5 +1,5 @@
-/* src/observer/observer_column.c -- The forces of an observer as linear functions of impulses and of the start. [H
- * 23] */
+/* src/observer/observer_column.c -- The forces of an observer as linear functions of impulses and of the start.
+ * [H 23] */
 #include "observer_column.h"
 
 #include "observer_state.h"

@@ -1,5 +1,5 @@
-/* src/observer/observer_law.c -- The rows of the laws of a run: their exact answers, and the impulses of the steps. [H
- * 13, 26] */
+/* src/observer/observer_law.c -- The rows of the laws of a run: their exact answers, and the impulses of the steps.
+ * [H 13, 26] */
 #include "observer_law.h"
 
 #include "kernel/kernel_responses.h"

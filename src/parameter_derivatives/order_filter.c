@@ -1,5 +1,5 @@
-/* src/parameter_derivatives/order_filter.c -- The derivative of the sums of a history by the order of a power. [H
- * 23] */
+/* src/parameter_derivatives/order_filter.c -- The derivative of the sums of a history by the order of a power.
+ * [H 23] */
 #include "order_filter.h"
 
 #include "constant_history.h"

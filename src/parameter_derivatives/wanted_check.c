@@ -1,5 +1,5 @@
-/* src/parameter_derivatives/wanted_check.c -- Refuse derivatives by dampers and their laws that are not known. [H
- * 23] */
+/* src/parameter_derivatives/wanted_check.c -- Refuse derivatives by dampers and their laws that are not known.
+ * [H 23] */
 #include "wanted_check.h"
 
 #include <fvi/dampers.h>

@@ -1,5 +1,5 @@
-/* src/stability/stability_along.c -- Find out whether the step is still stable at the place that a run has reached. [H
- * 14] */
+/* src/stability/stability_along.c -- Find out whether the step is still stable at the place that a run has reached.
+ * [H 14] */
 #include <fvi/stability.h>
 
 #include "system/fail.h"
