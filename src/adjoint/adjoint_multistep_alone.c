@@ -187,7 +187,7 @@ int fvi_adjoint_multistep_walk_alone(fvi_adjoint_multistep *m, fvi_checkpointing
 int fvi_adjoint_multistep_can_step_alone(const fvi_adjoint_multistep *m)
 {
     const fvi_cq_state *o = m->stepper->method_state;
-    return !m->paper_convention && m->d == 1 && m->damping && m->damping->all
+    return !m->paper_convention && m->d == 1 && m->damping && m->damping->covers_all
            && !m->run->system->matrices && o->count == 1
            && !o->each->history_force.size && *m->damping->drift == 0;
 }

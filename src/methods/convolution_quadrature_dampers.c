@@ -190,7 +190,7 @@ static size_t has_two_taps(double alpha, double *g)
 static void choose_scheme(fvi_scheme scheme, fvi_cq_damper *o)
 {
     const fvi_run_damper *of = &o->damping->of;
-    o->increments = o->damping->increments;
+    o->increments = o->damping->sums_increments;
     if (scheme == FVI_SCHEME_CQ2_SHIFTED)
         o->theta = of->growth / 2;
     if (scheme == FVI_SCHEME_CQ_BDF2 && of->alpha > 0)
@@ -227,5 +227,5 @@ int fvi_cq_start(fvi_stepper *s)
 
 int fvi_cq_keep_dampers(fvi_stepper *s)
 {
-    return fvi_damping_keep(((fvi_cq_state *)s->method_state)->damping);
+    return fvi_damping_keep_sums(((fvi_cq_state *)s->method_state)->damping);
 }

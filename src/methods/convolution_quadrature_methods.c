@@ -65,7 +65,7 @@ static void apply_factor(fvi_cq_damper *o, size_t count, double *term)
 static int update_history(fvi_stepper *s, fvi_cq_damper *o)
 {
     fvi_damping *d = o->damping;
-    int status = fvi_damping_terms(d, s);
+    int status = fvi_damping_set_terms(d, s);
     if (status)
         return status;
     apply_factor(o, d->count, o->increments ? d->dz : d->z);
@@ -118,11 +118,11 @@ static int assemble_right_hand_side(fvi_stepper *s, fvi_cq_state *o)
         s->p[i] += half * s->F[i];
     for (size_t j = 0; j < o->count && !status; j++) {
         fvi_cq_damper *a = o->each + j;
-        fvi_damping_before(a->damping, s->p);
+        fvi_damping_note_momentum(a->damping, s->p);
         if (a->theta != 0.5)
             status = fvi_damping_apply_force(a->damping, 0.5 - a->theta, a->H, s->p);
         apply_initial_history(s, a, 0);
-        fvi_damping_after(a->damping, s->p);
+        fvi_damping_add_impulse(a->damping, s->p);
     }
     memcpy(o->r, s->p, dim * sizeof *o->r);
     for (size_t j = 0; j < o->count && !status; j++) {
@@ -143,12 +143,12 @@ static int assemble_right_hand_side(fvi_stepper *s, fvi_cq_state *o)
 static int apply_damping(fvi_stepper *s, fvi_cq_damper *o)
 {
     int status = update_history(s, o);
-    fvi_damping_before(o->damping, s->p);
+    fvi_damping_note_momentum(o->damping, s->p);
     if (!status)
         status = fvi_damping_apply_force(o->damping, 0.5 + o->theta, o->H, s->p);
     apply_initial_history(s, o, 1);
-    fvi_damping_after(o->damping, s->p);
-    fvi_damping_end_step(o->damping, s->run.h, s->dx);
+    fvi_damping_add_impulse(o->damping, s->p);
+    fvi_damping_add_work(o->damping, s->run.h, s->dx);
     return status;
 }
 

@@ -23,7 +23,7 @@ void fvi_damping_free(fvi_damping *d)
         free(d->index);
         free(d->factor);
         free(d->H);
-        free(d->kept);
+        free(d->impulse_sums);
         free(d);
         d = next;
     }
@@ -39,7 +39,7 @@ static int damping_alloc(const fvi_system *system, const fvi_run_damper *of, siz
     d->system = system;
     d->of = *of;
     d->count = count;
-    d->all = count == system->d && !system->matrices;
+    d->covers_all = count == system->d && !system->matrices;
     d->index = malloc((system->matrices ? 1 : count) * sizeof *d->index);
     d->factor = FVI_ARRAYS({ &d->factor, count }, { &d->origin, count }, { &d->drift, count }, { &d->z, count },
                            { &d->dz, count });
@@ -94,23 +94,23 @@ int fvi_damping_gather(const fvi_damping *d, const double *x,
     const fvi_damping_matrix *m = &d->of.matrix;
     if (m->select_history)
         return m->select_history(d->system->d, x, from, m->params, z);
-    if (d->all)
+    if (d->covers_all)
         subtract(d->count, x, from, z);
-    for (size_t j = 0; j < d->count && !d->all; j++)
+    for (size_t j = 0; j < d->count && !d->covers_all; j++)
         z[j] = x[d->index[j]] - from[j];
     return FVI_SUCCESS;
 }
 
-int fvi_damping_terms(fvi_damping *d, const fvi_stepper *s)
+int fvi_damping_set_terms(fvi_damping *d, const fvi_stepper *s)
 {
-    if (!d->all) {
+    if (!d->covers_all) {
         int status = fvi_damping_gather(d, s->x, d->origin, d->z);
-        return status || !d->increments
+        return status || !d->sums_increments
                    ? status
                    : fvi_damping_gather(d, s->dx, d->drift, d->dz);
     }
     subtract(d->count, s->x, d->origin, d->z);
-    if (d->increments)
+    if (d->sums_increments)
         subtract(d->count, s->dx, d->drift, d->dz);
     return FVI_SUCCESS;
 }
@@ -130,7 +130,7 @@ int fvi_damping_apply_force(const fvi_damping *d, double share, const double *H,
                      double *p)
 {
     const fvi_damping_matrix *m = &d->of.matrix;
-    if (d->all) {
+    if (d->covers_all) {
 #pragma omp simd
         for (size_t j = 0; j < d->count; j++)
             p[j] -= share * d->factor[j] * H[j];
@@ -182,7 +182,7 @@ static void begin(const fvi_stepper *s, fvi_initial_history past, fvi_damping *d
     d->count = 0;
     //> start
     for (size_t i = 0; i < system->d; i++) {
-        if (!d->all && system->damping[i] == 0)
+        if (!d->covers_all && system->damping[i] == 0)
             continue;
         size_t j = d->count++;
         d->index[j] = i;
@@ -224,7 +224,7 @@ static int start_one(const fvi_stepper *s, fvi_initial_history past, fvi_damping
     if (status)
         return status;
     status = alloc_history(s, d);
-    d->increments = !status && fvi_history_sums_increments(d->memory);
+    d->sums_increments = !status && fvi_history_sums_increments(d->memory);
     return status ? status : fvi_damping_update_history(d, d->dz);
 }
 
@@ -257,10 +257,10 @@ int fvi_damping_start(const fvi_stepper *s, int is_caputo, fvi_damping **damping
 static int copy_sums(const fvi_damping *from, fvi_damping *to)
 {
     const size_t d = from->system->d;
-    to->kept = malloc(3 * d * sizeof *to->kept);
-    if (!to->kept)
+    to->impulse_sums = malloc(3 * d * sizeof *to->impulse_sums);
+    if (!to->impulse_sums)
         FVI_FAIL("no memory for the sums of the dampers", FVI_ENOMEM);
-    memcpy(to->kept, from->kept, 3 * d * sizeof *to->kept);
+    memcpy(to->impulse_sums, from->impulse_sums, 3 * d * sizeof *to->impulse_sums);
     to->work = from->work;
     return FVI_SUCCESS;
 }
@@ -272,9 +272,9 @@ int fvi_damping_copy(const fvi_damping *from, fvi_damping **to)
         int status = damping_alloc(from->system, &from->of, from->count, to);
         if (status)
             return status;
-        (*to)->increments = from->increments;
+        (*to)->sums_increments = from->sums_increments;
         (*to)->number = from->number;
-        if (from->kept)
+        if (from->impulse_sums)
             status = copy_sums(from, *to);
         if (status)
             return status;
@@ -298,8 +298,8 @@ int fvi_damping_archive(fvi_damping *d, size_t k, fvi_archive *v)
         status = fvi_history_archive(d->memory, v);
         if (!status)
             status = fvi_check_count(fvi_history_terms(d->memory), k + 1);
-        if (!status && d->kept)
-            status = FVI_SERIALIZE(v, FVI_STATES(d->kept, d->system->d), FVI_STATE(d->work));
+        if (!status && d->impulse_sums)
+            status = FVI_SERIALIZE(v, FVI_STATES(d->impulse_sums, d->system->d), FVI_STATE(d->work));
     }
     return status;
 }

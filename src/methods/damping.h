@@ -12,19 +12,21 @@ typedef struct fvi_damping {
     fvi_run_damper of;
     size_t number;  /* index of the damper among the dampers of the run */
     size_t count;   /* number of coordinates with rho > 0; with matrices, of history numbers */
-    int all;        /* nonzero if all coordinates are damped and there are no matrices */
-    int increments; /* nonzero if the history sums dz instead of z */
+    int covers_all; /* nonzero if all coordinates are damped and there are no matrices */
+    int sums_increments; /* nonzero if the history sums dz instead of z */
     size_t *index;  /* indices of the damped coordinates; not used with matrices */
-    double *factor; /* rho h^(1 - 2 alpha) of each coordinate; with matrices one number */
-    double *origin; /* x_0 of each coordinate, 0 for Riemann-Liouville */
-    double *drift;  /* h v_0 of each coordinate for Caputo's past with growth > 1, else 0 */
+    double *factor; /* rho h^(1 - 2 alpha) of each damped coordinate; with matrices one number */
+    double *origin; /* x_0 of each damped coordinate, 0 for Riemann-Liouville */
+    double *drift;  /* h v_0 of each damped coordinate for Caputo's past with growth > 1, else 0 */
     double unit;    /* factor divided by the damping rho of a coordinate: h^(1 - 2 alpha), or h w_0 of a law */
-    double *z, *dz; /* x - origin and its increment, for the damped coordinates */
+    /* x - origin and its increment, for the damped coordinates: the newest terms of the history. Some steps overwrite z
+     * by the sums of the history. */
+    double *z, *dz;
     /* 3 d numbers: the impulse on each unknown so far, the impulse of this step, and p before the damper acts; NULL if
      * the sums are not kept */
-    double *kept;
+    double *impulse_sums;
     double work;    /* work of the impulses, if the sums are kept */
-    double *H;      /* in a linearised run: the last sums; else NULL */
+    double *H;      /* in a linearised run: the last sums of the history, for its caller; else NULL */
     double *Hdot;   /* in a linearised run: their derivatives by 2 alpha, or NULL */
     fvi_history *memory;
     const fvi_system *system;
@@ -49,9 +51,9 @@ int fvi_damping_multiply(const fvi_damping_matrix *C, size_t d, double factor,
 int fvi_damping_gather(const fvi_damping *damping, const double *x,
                        const double *from, double *z);
 
-/* fvi_damping_terms -- Compute z from the position s->x, and dz from its increment s->dx. With matrices or undamped
+/* fvi_damping_set_terms -- Compute z from the position s->x, and dz from its increment s->dx. With matrices or undamped
  * coordinates, dz is computed only if the history sums increments. Return the codes of fvi_damping_gather. */
-int fvi_damping_terms(fvi_damping *damping, const fvi_stepper *s);
+int fvi_damping_set_terms(fvi_damping *damping, const fvi_stepper *s);
 
 /* fvi_damping_update_history -- Push z and dz, and write the sums to H, count numbers. Return the code of
  * fvi_history_push or fvi_history_push_by_order. */
@@ -74,33 +76,34 @@ int fvi_damping_apply_force(const fvi_damping *damping, double share, const doub
  * the part that was allocated, so the caller must free it in any case. */
 int fvi_damping_start(const fvi_stepper *s, int is_caputo, fvi_damping **damping);
 
-/* fvi_damping_keep -- Start to sum the impulses and the work of all dampers, at k = 0. Return
+/* fvi_damping_keep_sums -- Start to sum the impulses and the work of all dampers, at k = 0. Return
  * FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_damping_keep(fvi_damping *damping);
+int fvi_damping_keep_sums(fvi_damping *damping);
 
-/* fvi_damping_before, fvi_damping_after -- Record p before and after a damper has acted on it.
- * fvi_damping_end_step -- End a step with the increment dx: the work of the step is its impulse times dx/h.
+/* fvi_damping_note_momentum -- Note p before the damper acts on it.
+ * fvi_damping_add_impulse -- Add the change of p since then to the impulse of the damper in this step.
+ * fvi_damping_add_work -- End a step with the increment dx: add the impulse times dx/h to the work of the damper.
  * If the sums are not kept, these functions do nothing. */
-void fvi_damping_keep_before(fvi_damping *damping, const double *p);
-void fvi_damping_keep_after(fvi_damping *damping, const double *p);
-void fvi_damping_keep_step(fvi_damping *damping, double h, const double *dx);
+void fvi_damping_sums_note_momentum(fvi_damping *damping, const double *p);
+void fvi_damping_sums_add_impulse(fvi_damping *damping, const double *p);
+void fvi_damping_sums_add_work(fvi_damping *damping, double h, const double *dx);
 
-static inline void fvi_damping_before(fvi_damping *damping, const double *p)
+static inline void fvi_damping_note_momentum(fvi_damping *damping, const double *p)
 {
-    if (damping->kept)
-        fvi_damping_keep_before(damping, p);
+    if (damping->impulse_sums)
+        fvi_damping_sums_note_momentum(damping, p);
 }
 
-static inline void fvi_damping_after(fvi_damping *damping, const double *p)
+static inline void fvi_damping_add_impulse(fvi_damping *damping, const double *p)
 {
-    if (damping->kept)
-        fvi_damping_keep_after(damping, p);
+    if (damping->impulse_sums)
+        fvi_damping_sums_add_impulse(damping, p);
 }
 
-static inline void fvi_damping_end_step(fvi_damping *damping, double h, const double *dx)
+static inline void fvi_damping_add_work(fvi_damping *damping, double h, const double *dx)
 {
-    if (damping->kept)
-        fvi_damping_keep_step(damping, h, dx);
+    if (damping->impulse_sums)
+        fvi_damping_sums_add_work(damping, h, dx);
 }
 
 /* fvi_damping_sums -- Write the impulse and the work of damper j of a run; either output may be NULL. The function is
@@ -109,8 +112,8 @@ static inline void fvi_damping_end_step(fvi_damping *damping, double h, const do
 int fvi_damping_sums(const fvi_stepper *s, size_t j, double *impulse, double *work);
 
 /* fvi_damping_impulse -- Write the impulse of a damper for output. A damper along a row gives one number, a damper with
- * a matrix d numbers. `kept` is the impulse on the d unknowns; NULL means zero. */
-void fvi_damping_impulse(const fvi_damper *damper, size_t d, const double *kept,
+ * a matrix d numbers. `sum` is the impulse on the d unknowns; NULL means zero. */
+void fvi_damping_impulse(const fvi_damper *damper, size_t d, const double *sum,
                          double *impulse);
 
 /* fvi_damping_of -- Return the first damper of a stepper of Algorithm 3 or of a method of order 2, or
