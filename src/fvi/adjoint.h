@@ -36,7 +36,8 @@ extern "C" {
  *
  *     static int last(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp)
  *     {
- *         Jx[0] += p ? 1 : 0;                                   p is NULL but for k = N: J = x_N of coordinate 0
+ *         Jx[0] += p ? 1 : 0;   // J = x_N of coordinate 0, because p is NULL except for k = N
+ *         (void)k, (void)d, (void)x, (void)params, (void)Jp;   // not used
  *         return 0;
  *     }
  *     const fvi_objective objective = { .slopes = last };
@@ -133,7 +134,7 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
  * observer compares a damper with the answer of its law to a line. Where the force at t = 0 is infinite, row 0 is the
  * mean over the first step, and its derivative is the derivative of this mean.
  *
- *     const double by_force[] = { 0, 0, 0, 1, 0 };              four steps, one damper: J is the force in row 3
+ *     const double by_force[] = { 0, 0, 0, 1, 0 };   // four steps, one damper: J is the force in row 3
  *     fvi_adjoint_forces(&fvi_cq2_midpoint, &run, &nothing, by_force, NULL, &gradients);
  *
  * where `nothing` has slopes that add nothing and return 0.
@@ -169,7 +170,7 @@ int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_o
  *   p       output: p_k, in the same shape; or NULL
  *   dx, dp  outputs: along direction j at [(k * count + j) * d + i], (N + 1) count d numbers; dp may be NULL
  *
- *     double by_damping[] = { 1, 0 }, dx[(N + 1) * 2];             by the first damping of two coordinates
+ *     double by_damping[] = { 1, 0 }, dx[(N + 1) * 2];   // by the first damping of two coordinates
  *     const fvi_sensitivities along = { .damping = by_damping };
  *     fvi_directional_derivatives(&fvi_cq2_midpoint, &run, 1, &along, x, NULL, dx, NULL);
  *

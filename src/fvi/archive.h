@@ -3,12 +3,32 @@
  * fvi_stepper_archive (trajectory.h) shows an archive every piece of memory that the steps of a run change. The archive
  * copies the pieces to a place of its own, for example a file, or copies them back into a run that was started anew.
  *
+ *     typedef struct { fvi_archive archive; FILE *file; } file_archive;   // the fvi_archive is the first field
  *     static int to_file(fvi_archive *archive, void *data, size_t bytes, int constant)
  *     {
+ *         (void)constant;   // to save, write all pieces alike
  *         return fwrite(data, 1, bytes, ((file_archive *)archive)->file) == bytes ? 0 : -1;
  *     }
- *     file_archive archive = { { to_file }, file };              a struct whose first field is an fvi_archive
- *     status = fvi_stepper_archive(s, &archive.archive); */
+ *     file_archive saving = { { to_file }, file };
+ *     status = fvi_stepper_archive(s, &saving.archive);
+ *
+ * To go on later, start the same run and load the pieces. A function that loads compares the pieces that are constant,
+ * and overwrites the other pieces. Here `file` is again at the first piece, and no piece is longer than 2^16 bytes.
+ *
+ *     static int from_file(fvi_archive *archive, void *data, size_t bytes, int constant)
+ *     {
+ *         static char saved[1 << 16];
+ *         if (bytes > sizeof saved || fread(saved, 1, bytes, ((file_archive *)archive)->file) != bytes)
+ *             return -1;
+ *         if (constant)
+ *             return memcmp(data, saved, bytes) ? -2 : 0;   // -2: this is another run
+ *         memcpy(data, saved, bytes);
+ *         return 0;
+ *     }
+ *     file_archive loading = { { from_file }, file };
+ *     status = fvi_stepper_start(method, &run, &s, &error);
+ *     if (!status)
+ *         status = fvi_stepper_archive(s, &loading.archive); */
 #ifndef FVI_ARCHIVE_H
 #define FVI_ARCHIVE_H
 

@@ -59,8 +59,8 @@ const char *fvi_batch_refusal(const fvi_method *method, size_t count, const fvi_
 /* fvi_batch_alloc -- make one run of up to eight runs.
  *
  *   method, count, run  as for fvi_batch_refusal. The array is copied. Everything that the runs point to (systems,
- *                       starts,
- *          a law) must outlive the batch, and the params of potentials and forces must not change until it is freed
+ *          starts, a law) must outlive the batch, and the params of potentials and forces must not change until it is
+ *          freed
  *   batch  output; free it with fvi_batch_free
  *   error  output, or NULL: what is wrong
  *
@@ -85,9 +85,8 @@ void fvi_batch_free(fvi_batch *batch);
 /* fvi_batch_trajectories -- write rows of many runs into arrays, and make eight runs at a time where they go together.
  *
  *   method, count, run  any number of runs, each as fvi_stepper_start takes it. Runs that stand one after another in
- *                       the
- *          array and can go together (fvi_batch_refusal) do so. All others are made one by one, and so is each run of a
- *          group in which one run fails
+ *          the array and can go together (fvi_batch_refusal) do so. All others are made one by one, and so is each run
+ *          of a group in which one run fails
  *   rows, row  the number of rows, and the steps at which they are: increasing numbers, none above `steps` of any run.
  *          row = NULL: row r is step r. No step is made after the last row
  *   x, p   outputs, owned by the caller: NULL, or an array for each run, which may be NULL. Component i of row r is at

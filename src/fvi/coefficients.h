@@ -25,7 +25,7 @@ extern "C" {
  *   w      output, `count` numbers, owned by the caller
  *
  *     double w[4];
- *     fvi_gl_weights(0.5, 4, w);                      1, -0.5, -0.125, -0.0625
+ *     fvi_gl_weights(0.5, 4, w);   // 1, -0.5, -0.125, -0.0625
  *
  * The recurrence (4.2) runs on w[n] / alpha in double-double arithmetic. Accuracy: for every n < 10^8 each weight is
  * the nearest double or one of its two neighbours (bound and proof in H 4). Weights that are short binary fractions are
@@ -54,7 +54,7 @@ int fvi_gl_weights_simple(double alpha, size_t count, double *w);
  *   rate          output, `count` numbers, owned by the caller
  *
  *     double rate[4];
- *     fvi_gl_weights_by_order(0, 4, rate);            0, -1, -0.5, -0.333...
+ *     fvi_gl_weights_by_order(0, 4, rate);   // 0, -1, -0.5, -0.333...
  *
  * Method: the derivative of the recurrence (4.2) in double-double arithmetic. Accuracy: the nearest double or one of
  * its two neighbours where |rate[n]| is not below 1e-12 |w[n]|; no proof. Cost O(count), four divisions a weight; no

@@ -21,8 +21,10 @@
  *     if (fvi_typed_columns_start(&source, &c, &error) == FVI_SUCCESS
  *         && fvi_parse_columns("t,drift=x2-x1", NULL, c, &error) == FVI_SUCCESS)
  *         status = fvi_observer_start(s, fvi_typed_columns_wanted(c), &o, &error);
- *     ... after each fvi_observer_read(o, s, s->t, &now):
- *     status = fvi_typed_columns_values(c, &now, row); */
+ *
+ * and after each fvi_observer_read(o, s, s->t, &now)
+ *
+ *     status = fvi_typed_columns_values(c, &now, row);   // fvi_typed_columns_count(c) numbers */
 #ifndef FVI_COLUMNS_H
 #define FVI_COLUMNS_H
 

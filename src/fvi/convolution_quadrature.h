@@ -38,7 +38,7 @@ typedef enum {
  *   w      output, `count` numbers, owned by the caller
  *
  *     double w[3];
- *     fvi_cq_weights(FVI_DELTA_BDF2, 1, 3, w);                     1.5, -2, 0.5
+ *     fvi_cq_weights(FVI_DELTA_BDF2, 1, 3, w);   // 1.5, -2, 0.5
  *
  * Accuracy, relative to the largest weight, with u = 2^-53: EULER as fvi_gl_weights; BDF2 40 u; TRAPEZOID 3 count u; L1
  * 40 u max(1, count^(1 - beta)). BDF2 and TRAPEZOID are exact for whole orders. Cost O(count).
@@ -54,7 +54,7 @@ int fvi_cq_weights(fvi_delta kind, double beta, size_t count,
  *   g     output, FVI_BDF2_TAPS numbers. All coefficients after them are below u sum |g_n| / 10, u = 2^-53
  *
  *     double g[FVI_BDF2_TAPS];
- *     const size_t count = fvi_cq_bdf2_factor(1, g);               count = 2, g = 1.5, -0.5
+ *     const size_t count = fvi_cq_bdf2_factor(1, g);   // count = 2, g = 1.5, -0.5
  *
  * Returns the number of coefficients up to the last one that is not zero: 1, 2, 3 for beta = 0, 1, 2. Nothing is
  * checked. */

@@ -12,7 +12,7 @@
  *     const fvi_kernel_term terms[] = { { .kind = FVI_KERNEL_ZENER, .rho = 1, .alpha = 0.3, .time = 2 },
  *                                       { .kind = FVI_KERNEL_POWER, .rho = 0.1, .alpha = 0.5 } };
  *     const fvi_kernel law = { 2, terms };
- *     run.law = &law;                                                C(s) = s^0.6/(1 + 2 s^0.6) + 0.1 s */
+ *     run.law = &law;   // C(s) = s^0.6/(1 + 2 s^0.6) + 0.1 s */
 #ifndef FVI_DAMPING_LAWS_H
 #define FVI_DAMPING_LAWS_H
 
@@ -127,7 +127,7 @@ fvi_kernel_function fvi_kernel_of_expression(const fvi_expression *e,
  *                  tangent of the loss angle, and loss / omega is the viscosity
  *
  *     double storage, loss;
- *     fvi_kernel_moduli(&dashpot, 10, &storage, &loss);                  a dashpot with rho = 2: 0 and 20, to rounding
+ *     fvi_kernel_moduli(&dashpot, 10, &storage, &loss);   // a dashpot with rho = 2: 0 and 20, to rounding
  *
  * Accuracy: some units of roundoff of the sum of the moduli of the terms. Cost O(count).
  * Returns FVI_SUCCESS; what fvi_kernel_check returns; FVI_EFAULT if storage or loss is NULL; FVI_EDOM for omega;
@@ -159,7 +159,7 @@ int fvi_kernel_takes_caputo(const fvi_kernel *law);
  *   w      output, `count` numbers, owned by the caller
  *
  *     double w[3];
- *     fvi_kernel_weights(&dashpot, FVI_DELTA_EULER, 0.1, 3, w);          a dashpot with rho = 1: 10, -10, 0
+ *     fvi_kernel_weights(&dashpot, FVI_DELTA_EULER, 0.1, 3, w);   // a dashpot with rho = 1: 10, -10, 0
  *
  * Accuracy: relative to the largest weight, 60 u for each term, u = 2^-53 (no proof; seen 3 u). A ZENER with
  * 2 alpha > 1, and a MAXWELL2 with 2 (alpha - end) > 1, are worse: their weights oscillate, and rounding errors last as

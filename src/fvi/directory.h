@@ -39,9 +39,8 @@ int fvi_directory_open(const char *name, fvi_directory **directory,
  *
  *   name       the folder
  *   count, damper  texts '[NAME=] G : LAW [: PAST]', as the dampers of a mechanism (parse.h). G is the name of a .mtx
- *                  file of
- *              the folder, a symmetric positive semidefinite matrix; or an expression in x1, ..., xd that is linear.
- *              With count = 0 the function is fvi_directory_open
+ *              file of the folder, a symmetric positive semidefinite matrix; or an expression in x1, ..., xd that is
+ *              linear. With count = 0 the function is fvi_directory_open
  *   parameters  names with values for the expressions, or NULL
  *   directory, error  outputs, as for fvi_directory_open
  *

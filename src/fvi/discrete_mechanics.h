@@ -23,7 +23,7 @@ extern "C" {
  *
  *     const double x = 0, y = 1;
  *     double L;
- *     fvi_discrete_lagrangian(&system, 0.5, 1, &x, &y, &L);          m = 1, U = x^2/2: L = 1/2 - 1/8 = 0.375
+ *     fvi_discrete_lagrangian(&system, 0.5, 1, &x, &y, &L);   // m = 1, U = x^2/2: L = 1/2 - 1/8 = 0.375
  *
  * Cost: one value of U. Returns FVI_SUCCESS; what fvi_system_check returns; FVI_EFAULT if a pointer is NULL; FVI_EDOM
  * if kappa or h is out of range; FVI_ENOMEM; what the potential returned. On error L is untouched. */
@@ -39,7 +39,7 @@ int fvi_discrete_lagrangian(const fvi_system *system, double kappa, double h,
  *   D1, D2  outputs, d numbers each; NULL for one that is not wanted
  *
  *     double D1, D2;
- *     fvi_discrete_slopes(&system, 0.5, 1, &x, &y, &D1, &D2);        the step above: -1.25 and 0.75
+ *     fvi_discrete_slopes(&system, 0.5, 1, &x, &y, &D1, &D2);   // the step above: -1.25 and 0.75
  *
  * Cost: one gradient of U. Returns FVI_SUCCESS; what fvi_system_check returns; FVI_EFAULT if x or y is NULL; FVI_EDOM
  * and FVI_ENOMEM as fvi_discrete_lagrangian; what the potential returned. On error D1 and D2 are untouched. */

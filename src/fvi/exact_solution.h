@@ -150,7 +150,7 @@ int fvi_exact_oscillation(const fvi_linear_oscillator *problem, size_t n, const 
  *   error   as for fvi_exact_at
  *
  *     const fvi_linear_oscillator spring = { .m = 1, .c = 4 };
- *     status = fvi_exact_pole(&spring, &re, &im, NULL);                  re = 0, im = 2
+ *     status = fvi_exact_pole(&spring, &re, &im, NULL);   // re = 0, im = 2
  *
  * Accuracy: the nearest doubles, except for some units of roundoff of |re|.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; what fvi_exact_at returns for the problem; FVI_EDOM if there is

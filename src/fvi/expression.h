@@ -65,7 +65,7 @@ typedef struct {
  *   name      the name
  *   variable  as in fvi_symbols
  *
- *     fvi_symbol_is_free("k", "x");                   1; but 0 for "x3", "sin" and "2k" */
+ *     fvi_symbol_is_free("k", "x");   // 1; but 0 for "x3", "sin" and "2k" */
 int fvi_symbol_is_free(const char *name, const char *variable);
 
 /* fvi_expression_parse -- read an expression from a text.

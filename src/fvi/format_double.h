@@ -2,7 +2,7 @@
  *
  *     char text[32];
  *     fvi_format_double(0.1, text);
- *     puts(text);                      prints 0.1 */
+ *     puts(text);   // prints 0.1 */
 #ifndef FVI_FORMAT_DOUBLE_H
 #define FVI_FORMAT_DOUBLE_H
 

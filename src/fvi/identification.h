@@ -43,8 +43,7 @@ enum { FVI_FIT_MOST_EQUAL_STEPS = 1 << 17 }; /* the same for a run with equal st
  *   records, columns, record  0, 0 and NULL; or number of records, number of columns of each, and the records
  *              (records.h). With records n, t, x and sigma are not read. An unknown sigma is estimated for each column
  *   huber      0: least squares. k > 0: a residual r, in units of sigma, contributes r^2 up to |r| = k, and 2 k
- *              |r| - k^2 beyond; so a few wrong readings have a small effect. 1.345 is usual
- *              [(24.19)]
+ *              |r| - k^2 beyond; so a few wrong readings have a small effect. 1.345 is usual                    [(24.19)]
  *   parameters, which  number of unknown parameters, at most FVI_ESTIMATION_MOST, and the parameters, all different
  *   low, high  NULL; or the box of the starts, one number for each parameter, low < high. NULL: the box of
  *              fvi_estimate_box. The box is no bound of the search. But alpha stays in the range of the method, and rho
@@ -121,7 +120,7 @@ const fvi_method *fvi_estimate_method(const fvi_estimation *fit);
 int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
 
 /* fvi_estimate_multistart -- Find the parameters with the least chi^2, by searches from several starts.
- * [(24.1) - (24.4)]
+ *                                                                                                    [(24.1) - (24.4)]
  *
  *   fit     the question
  *   curve   NULL, or output: x(t_i) of the fitted motion, n numbers. For records: the values of the sensors, record
@@ -179,7 +178,7 @@ int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
  *   FVI_EBADFUNC   the model has no motion from any start; or the caller's own code that the potential or the force
  *                  returned there
  *   FVI_ENOMEM     no memory. (GSL 2.7 does not free a half-made solver, so the function first checks that a whole one
- *   fits)
+ *                  fits)
  *
  * or what fvi_system_check returns for other reasons than matrices and a mechanism, which a fit takes; or what the
  * interrupter (error.h) returned. */
@@ -190,7 +189,7 @@ int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estima
  *   fitted          the answer; not one with FVI_ESING
  *   name_i, name_j  names of the parameters, for the text
  *   size, text      room for FVI_WARNING_ROOM characters (warnings.h); longer names are cut. Untouched without a
- *   warning
+ *                   warning
  *
  * Returns 1 and a text, or 0. Nothing is checked.
  *
@@ -313,7 +312,8 @@ typedef struct fvi_examination {
  *
  *     if (fvi_estimate_multistart(&fit, NULL, &fitted) == FVI_SUCCESS
  *         && fvi_estimate_examine(&fit, &fitted, &examined) == FVI_SUCCESS
- *         && examined.grave == 0) ...
+ *         && examined.grave == 0)
+ *         puts("this answer can be believed");
  *
  * Cost: a profile of each parameter, which takes two or three searches at each end if chi^2 is nearly a parabola, and
  * some twenty in a curved valley; one Jacobian; and one search from each other minimum. If the model is right, chance

@@ -145,8 +145,8 @@ int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **o,
 
 /* fvi_observer_step -- Make one step of s by fvi_stepper_step, and add it to the sums.
  *
- * Returns as fvi_stepper_step; FVI_EFAULT if a pointer is NULL; FVI_ENOMEM. After an error the observer is of no use.
- * */
+ * Returns as fvi_stepper_step; FVI_EFAULT if a pointer is NULL; FVI_ENOMEM. After an error the observer is of no
+ * use. */
 int fvi_observer_step(fvi_observer *o, fvi_stepper *s);
 
 /* fvi_observer_read -- Compute the wanted quantities at a time.

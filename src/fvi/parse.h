@@ -141,7 +141,7 @@ typedef struct fvi_typed_force fvi_typed_force;
  *
  *   d           the dimension of the system
  *   parameters  names and values that the expressions may use; kept, so they must outlive the force. NULL: no
- *   parameters
+ *               parameters
  *   last        the end of the run: a file must reach it, and an impulse must come before it
  *   force       output; free it with fvi_typed_force_free */
 int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters,

@@ -20,7 +20,7 @@ enum { FVI_MEASURED_MOST = 8 }; /* the largest number of columns of a record */
  *
  *   x      n numbers, finite
  *   sigma  standard deviation of each value, finite, in the unit of x; 0: unknown. It is known for all columns or for
- *   none
+ *          none
  *   shows  the quantity that the sensor shows: an expression of x1, ..., xd, v1, ..., vd, t, made by
  *          fvi_expression_parse_state with velocities; NULL: x of the first coordinate
  *

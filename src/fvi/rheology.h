@@ -152,7 +152,8 @@ typedef struct {
  *     static const fvi_element law[] = { FVI_ELEMENT_SPRING, FVI_ELEMENT_ZENER };
  *     const fvi_material_data data = { FVI_MATERIAL_MODULI, n, w, storage, loss, NULL, NULL, 0, 1,
  *                                      2, law, 20 };
- *     if (fvi_material_fit(&data, NULL, &material, &error) == FVI_SUCCESS && !material.grave) ...
+ *     if (fvi_material_fit(&data, NULL, &material, &error) == FVI_SUCCESS && !material.grave)
+ *         printf("%g %g\n", material.estimate[0], material.sd[0]);   // k of the spring
  *
  * Returns FVI_SUCCESS, whatever the flags are; FVI_EFAULT if a pointer is NULL; FVI_EINVAL for too few data, for
  * elements, kind and starts, and for a viscous element with relaxation; FVI_EDOM for a number out of range, and for a

@@ -39,8 +39,8 @@ fvi_parameter_gradient fvi_parameter_gradient_of(const fvi_potential *potential)
  *   constraint  writes the derivatives by theta_j of c, C and c_t, in the layout of fvi_constraints (lagrangian.h)
  *   params      handed to the functions, owned by the caller, may be NULL
  *
- * The function of a part that the mechanism does not have may be NULL. The functions return as those of a potential do.
- * */
+ * The function of a part that the mechanism does not have may be NULL. The functions return as those of a potential
+ * do. */
 typedef struct {
     size_t count;
     int (*force)(size_t j, double t, size_t d, const double *x, const double *v, void *params, double *F);

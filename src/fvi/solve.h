@@ -104,7 +104,8 @@ typedef struct {
  *
  *   method    the method
  *   other     if the tolerance was not reached: a method of higher order that takes the problem, or NULL if there is
- *   none steps, rejected  number of steps of the run, and of rejected trial steps
+ *             none
+ *   steps, rejected  number of steps of the run, and of rejected trial steps
  *   h         the step of the run; for a method that chooses its steps the longest step
  *   error     with a tolerance: the estimate of max |x - x(t)|; infinite if there is none
  *   stages, form  for fvi_variable_step: as in fvi_step_statistics (variable_steps.h)

@@ -95,7 +95,7 @@ int fvi_stability_along_run(const fvi_method *method, const fvi_run *run,
                         const double *x, double *stiffest, double *load);
 
 /* fvi_stability_lobatto -- Compute the load of a step of form M (fvi_lobatto_m2 to fvi_lobatto_m8, lobatto.h).
- * [(17.18)]
+ *                                                                                                             [(17.18)]
  *
  * For a quadratic convex U in one dimension at least one mode grows if load > 1, and no mode grows if load <= 1.
  *

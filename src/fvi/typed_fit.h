@@ -17,7 +17,7 @@ enum { FVI_SENSOR_ROOM = 64 }; /* characters for the name of a sensor, with the 
  *   field       the field of the error
  *   d           number of coordinates
  *   parameters  names and values that the expression may use; kept, so they must outlive the expression. NULL: no
- *   parameters
+ *               parameters
  *   name        output, FVI_SENSOR_ROOM characters: the name, or the expression if it has no name
  *   shows       output, for fvi_measured.shows (records.h); free it with fvi_expression_free
  *

@@ -67,9 +67,10 @@ extern "C" {
  *
  * Equation of a step. If U is quadratic and its Hessian diagonal, it is one linear solution. Otherwise:
  *
- *   a Hessian of few diagonals, at most s, and damping   Newton's method, with one Hessian for all stages
- *   a diagonal Hessian, without damping or with step_error above 1e-2 of the size   Newton's method, coordinate by
- *   coordinate any other Hessian   fixed-point iteration
+ *   - a Hessian of few diagonals, at most s, and damping: Newton's method, with one Hessian for all stages;
+ *   - a diagonal Hessian, without damping or with step_error above 1e-2 of the size: Newton's method, coordinate by
+ *     coordinate;
+ *   - any other Hessian: fixed-point iteration.
  *
  * If an iteration does not contract by .8, or by .9 coordinate by coordinate, the step becomes shorter; a fixed-point
  * iteration instead gives way to Newton's method for all stages and coordinates together. With step_error above 1e-2 of
