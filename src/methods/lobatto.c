@@ -1,4 +1,7 @@
-/* src/methods/lobatto.c -- Take a step of form M of the variational integrators on Lobatto nodes.    [H 17] */
+/* src/methods/lobatto.c -- Take a step of form M of the variational integrators on Lobatto nodes.    [H 17]
+ *
+ * In form M the inertia is that of the discrete Lagrangian, (17.8). Form D stands in lobatto_damped.c. In this file i, l
+ * and c count stages, and j counts coordinates. */
 #include <fvi/lobatto.h>
 
 #include "lobatto_stages.h"
@@ -19,61 +22,68 @@ static double force_weight(const fvi_stepper *s, const fvi_lobatto_stages *o,
     return s->run.h * o->rule->b[i] * o->share[j];
 }
 
-/* Compute grad U at x_k + dX_i. */
-static int gradient(fvi_stepper *s, fvi_lobatto_stages *o, size_t i)
+/* Compute grad U at X_i = x_k + dX_i. */
+static int evaluate_gradient(fvi_stepper *s, fvi_lobatto_stages *o, size_t i)
 {
+    double *X = s->dx; /* serves as room, because the increment of a step stands in o->dX */
     fvi_linearised *linearised = fvi_linearised_of(s->run.system);
     for (size_t j = 0; j < o->d; j++)
-        s->dx[j] = s->x[j] + o->dX[i * o->d + j];
-    if (linearised)
+        X[j] = s->x[j] + o->dX[i * o->d + j];
+    if (linearised) /* each stage has its own Hessian */
         linearised->stage = i;
-    return fvi_potential_gradient(s->run.system, s->dx, o->grad + i * o->d);
+    return fvi_potential_gradient(s->run.system, X, o->grad + i * o->d);
 }
 
-/* Return X_i - x_k of (17.8) for coordinate j, from the forces in S and grad. */
+/* Return X_i - x_k for coordinate j and a stage i > 0, which is row i of (17.8) times L^-1:
+ *
+ *     sum_{l < s - 1} M_il (S_l + h b_l share grad U(X_l) - [l = 0] p_k)
+ *
+ * The gradients in o->grad need not be final: solve_inner sets some of them to zero. */
 static double stage_displacement(const fvi_stepper *s, const fvi_lobatto_stages *o,
                                  size_t i, size_t j)
 {
-    const double *M = o->M + (j * o->n + i - 1) * o->n;
+    const double *M = o->M + (j * o->unknowns + i - 1) * o->unknowns; /* its row of stage i; stage 0 has none */
     double sum = -M[0] * s->p[j];
-    for (size_t l = 0; l < o->s - 1; l++)
-        sum +=
-            M[l]
-            * (o->S[l * o->d + j] + force_weight(s, o, l, j) * o->grad[l * o->d + j]);
+    for (size_t l = 0; l < o->s - 1; l++) {
+        const size_t at = l * o->d + j;
+        sum += M[l] * (o->S[at] + force_weight(s, o, l, j) * o->grad[at]);
+    }
     return sum;
 }
 
 //> inner
-/* Solve for the inner stages: dX - M h b grad U(x + dX) = M (S - p). The gradient at the first stage is known. */
-static int solve_inner(fvi_stepper *s, fvi_lobatto_stages *o)
+/* Solve for the inner stages 1, ..., s - 2: dX - M h b grad U(x + dX) = r. The right-hand side r has all terms of
+ * (17.8) but those of the gradients at these stages. So it is stage_displacement with zeros in their place. The
+ * gradient at stage 0 is known from the step before. */
+static int solve_inner_stages(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const size_t d = o->d, inner = o->s - 2;
     memset(o->grad + d, 0, inner * d * sizeof *o->grad);
     for (size_t i = 0; i < inner; i++)
         for (size_t j = 0; j < d; j++) {
             o->r[i * d + j] = stage_displacement(s, o, 1 + i, j);
-            o->dX[(1 + i) * d + j] = o->rule->c[1 + i] * s->run.h * s->p[j]
-                                     / s->run.system->mass[j]; /* an initial guess */
+            /* the initial guess: x moves with the velocity p/m */
+            o->dX[(1 + i) * d + j] = o->rule->c[1 + i] * s->run.h * s->p[j] / s->run.system->mass[j];
         }
     return fvi_newton_solve(s->newton, s->x, o->r, o->dX + d, o->grad + d);
 }
 
-/* Allocate the solver of the inner stages, with the factors of grad U in their equation. */
-static int prepare_inner(fvi_stepper *s, fvi_lobatto_stages *o)
+/* Allocate the solver of the inner stages. `coupling` has the factors of grad U in their equation, -M h b. */
+static int prepare_inner_stages(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const size_t d = o->d, inner = o->s - 2;
     double *coupling = malloc(d * inner * inner * sizeof *coupling);
     if (!coupling)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
-    double *to = coupling;
+    double *next = coupling;
     for (size_t j = 0; j < d; j++)
-        for (size_t i = 0; i < inner; i++)
+        for (size_t i = 0; i < inner; i++) /* row i of M is that of stage i + 1, and column l that of stage l */
             for (size_t l = 1; l <= inner; l++)
-                *to++ = -o->M[(j * o->n + i) * o->n + l] * force_weight(s, o, l, j);
+                *next++ = -o->M[(j * o->unknowns + i) * o->unknowns + l] * force_weight(s, o, l, j);
     int status =
         fvi_newton_stages_alloc(s->run.system, inner, coupling, &s->newton);
     if (!status)
-        s->newton->first = 1;
+        s->newton->first = 1; /* its first unknown stage is stage 1 of the step */
     free(coupling);
     return status;
 }
@@ -86,63 +96,64 @@ static int prepare_inner(fvi_stepper *s, fvi_lobatto_stages *o)
 static double jump_of_velocity(const fvi_stepper *s, const fvi_lobatto_stages *o,
                                size_t j)
 {
-    const double jump = o->from_zero && s->k == 0 ? s->run.x0[j] : o->jump ? o->jump[j] : 0;
+    const double jump = o->from_zero && s->k == 0 ? s->run.x0[j]
+                        : o->jump                 ? o->jump[j]
+                                                  : 0;
     return jump != 0 ? jump / (s->run.h * o->rule->b[0]) : 0;
 }
 
-/* Add the forces of the history to S for the damped coordinates: S += h b rho Y, where Y does not contain the velocity
- * v0. On entry o->v holds v of the step before. */
-static int update_history(fvi_stepper *s, fvi_lobatto_stages *o)
+/* Push the velocities o->v of the step before into the history. Add to S the part of the damping in this step that is
+ * known by now: h b rho (h^(-beta) H - W v0 + W e_1 jump). */
+static int add_history_force(fvi_stepper *s, fvi_lobatto_stages *o)
 {
-    const size_t n = o->s;
+    const size_t stages = o->s;
     if (o->memory && s->k > 0) {
         int status =
             fvi_lobatto_history_push_by_order(o->memory, o->v, o->Y, o->Ydot);
         if (status)
             return status;
     }
-    for (size_t l = 0; l < o->damped; l++)
-        for (size_t i = 0, j = o->index[l]; i < n; i++) {
-            double Y = o->memory && s->k > 0 ? o->scale * o->Y[l * n + i] : 0;
-            for (size_t c = 0; c < n; c++)
-                Y -= o->W[i][c] * o->v0[l];
+    for (size_t damped = 0; damped < o->damped; damped++)
+        for (size_t i = 0, j = o->index[damped]; i < stages; i++) {
+            double Y = o->memory && s->k > 0 ? o->scale * o->Y[damped * stages + i] : 0;
+            for (size_t c = 0; c < stages; c++)
+                Y -= o->W[i][c] * o->v0[damped];
             Y += o->W[i][0] * jump_of_velocity(s, o, j);
-            o->S[i * o->d + j] +=
-                force_weight(s, o, i, j) * s->run.system->damping[j] * Y;
+            o->S[i * o->d + j] += force_weight(s, o, i, j) * s->run.system->damping[j] * Y;
         }
     return FVI_SUCCESS;
 }
 
-/* Compute v = D X / h - v0, and add the present part of the damping: S += h b rho W v. */
-static void apply_damping(fvi_stepper *s, fvi_lobatto_stages *o)
+/* Add the rest of the damping in this step, which depends on its velocities: S += h b rho W D X/h. Then write o->v, the
+ * velocities that the next step pushes into the history. */
+static void add_damping_of_step(fvi_stepper *s, fvi_lobatto_stages *o)
 {
-    const size_t n = o->s, d = o->d;
-    for (size_t l = 0; l < o->damped; l++) {
-        const size_t j = o->index[l];
-        double *v = o->v + l * n;
-        for (size_t i = 0; i < n; i++) {
+    const size_t stages = o->s, d = o->d;
+    for (size_t damped = 0; damped < o->damped; damped++) {
+        const size_t j = o->index[damped];
+        double *v = o->v + damped * stages;
+        for (size_t i = 0; i < stages; i++) {
             v[i] = 0;
-            for (size_t c = 1; c < n; c++)
+            for (size_t c = 1; c < stages; c++) /* dX is 0 at stage 0 */
                 v[i] += o->rule->D[i][c] * o->dX[c * d + j];
             v[i] /= s->run.h;
         }
-        for (size_t i = 0; i < n; i++) {
+        for (size_t i = 0; i < stages; i++) {
             double Y = 0;
-            for (size_t c = 0; c < n; c++)
+            for (size_t c = 0; c < stages; c++)
                 Y += o->W[i][c] * v[c];
-            o->S[i * d + j] +=
-                force_weight(s, o, i, j) * s->run.system->damping[j] * Y;
+            o->S[i * d + j] += force_weight(s, o, i, j) * s->run.system->damping[j] * Y;
         }
-        for (size_t i = 0; i < n; i++)
-            v[i] -= o->v0[l];
+        for (size_t i = 0; i < stages; i++)
+            v[i] -= o->v0[damped];
         v[0] += jump_of_velocity(s, o, j);
     }
 }
 
 //> force
-/* Set S = -h b F and add the impulses of the past. At the ends of the step F is the limit from within the step, because
- * a jump of F at a node t_k belongs to neither side. */
-static int apply_forces(fvi_stepper *s, fvi_lobatto_stages *o)
+/* Set S = -h b F, and add the impulses by which the initial history acts in this step (19.5). At the ends of the step F
+ * is the limit from within the step, because a jump of F at a node t_k belongs to neither side. */
+static int set_known_forces(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const double h = s->run.h, left = (double)s->k * h,
                  right = (double)(s->k + 1) * h;
@@ -167,44 +178,42 @@ static int apply_forces(fvi_stepper *s, fvi_lobatto_stages *o)
 
 int fvi_lobatto_assemble_known_rhs(fvi_stepper *s, fvi_lobatto_stages *o)
 {
-    int status = apply_forces(s, o);
-    return status ? status : update_history(s, o);
+    int status = set_known_forces(s, o);
+    return status ? status : add_history_force(s, o);
 }
 
 //> step
 int fvi_lobatto_step(fvi_stepper *s)
 {
     fvi_lobatto_stages *o = s->method_state;
-    const size_t d = o->d, end = o->s - 1;
+    const size_t d = o->d, last = o->s - 1; /* the last stage stands at x_{k+1} */
     int status = fvi_lobatto_assemble_known_rhs(s, o);
-    if (!status && end > 1 && s->run.system->potential.gradient)
-        status = solve_inner(s, o);
-    for (size_t i = 1; !status && i < end; i++)
-        status = gradient(s, o, i);
+    if (!status && last > 1 && s->run.system->potential.gradient)
+        status = solve_inner_stages(s, o);
+    for (size_t i = 1; !status && i < last; i++)
+        status = evaluate_gradient(s, o, i);
     if (status)
         return status;
-    for (size_t i = 1; i <= end; i++)
+    for (size_t i = 1; i <= last; i++)
         for (size_t j = 0; j < d; j++)
             o->dX[i * d + j] = stage_displacement(s, o, i, j);
-    status = gradient(s, o, end);
+    status = evaluate_gradient(s, o, last);
     if (status)
         return status;
-    apply_damping(s, o);
+    add_damping_of_step(s, o);
     for (size_t j = 0; j < d; j++) {
-        for (size_t i = 0; i <= end; i++) /* (17.8) */
-            s->p[j] -=
-                o->S[i * d + j] + force_weight(s, o, i, j) * o->grad[i * d + j];
-        s->x[j] += o->dX[end * d + j];
+        for (size_t i = 0; i <= last; i++) /* (17.8) */
+            s->p[j] -= o->S[i * d + j] + force_weight(s, o, i, j) * o->grad[i * d + j];
+        s->x[j] += o->dX[last * d + j];
     }
-    memcpy(o->grad, o->grad + end * d, d * sizeof *o->grad); /* the gradient at x_{k+1} serves the next step */
+    memcpy(o->grad, o->grad + last * d, d * sizeof *o->grad); /* stage 0 of the next step stands at x_{k+1}, too */
     return FVI_SUCCESS;
 }
 //< step
 
 int fvi_lobatto_prepare(fvi_stepper *s, fvi_lobatto_stages *o)
 {
-    int status = gradient(s, o, 0); /* dX is zero here */
-    return status || o->s == 2 || !s->run.system->potential.gradient
-               ? status
-               : prepare_inner(s, o);
+    const int has_inner_stages = o->s > 2 && s->run.system->potential.gradient;
+    const int status = evaluate_gradient(s, o, 0); /* at x_0, because dX is zero */
+    return status || !has_inner_stages ? status : prepare_inner_stages(s, o);
 }

@@ -7,20 +7,24 @@
 #include "stages/lobatto_history.h"
 #include "initial_history_force.h"
 
-/* The stages of a run. Stage i of coordinate j is at [i * d + j]. In v, Y and v0, stage i of the l-th damped coordinate
- * is at [l * s + i]. Stages count from 0. */
+/* The stages of the current step of a run. Stages count from 0, and stage 0 stands at x_k. Stage i of coordinate j is
+ * at [i * d + j]. In v, Y and Ydot, stage i of the l-th damped coordinate is at [l * s + i]. */
 typedef struct {
     const fvi_lobatto_rule *rule;
-    size_t s, d;
-    double *share;         /* one number for each coordinate, see (17.17) */
-    double *M;             /* an n x n matrix for each coordinate: the inverse of L in (17.8), or G of (17.25) */
-    size_t n;              /* s - 1 or s */
-    double *dX, *S, *grad; /* X_i - x_k; S_i without grad U; grad U */
-    double *r;             /* right-hand side of the stages that are solved for */
-    size_t damped, *index; /* number and indices of the coordinates that have a Y */
-    double *v, *Y, *v0;
-    double *Ydot;  /* in a linearised run: the derivative of Y by the order; else NULL */
-    int from_zero; /* in a linearised run: nonzero if the history begins at 0 instead of x0 */
+    size_t s, d;           /* number of stages, number of coordinates */
+    double *share;         /* of each coordinate: m/(m + rho) if the damping acts as a mass (17.17), else 1 */
+    size_t unknowns;       /* stages that a step solves for: s - 1 in form M, s in form D */
+    double *M;             /* for each coordinate a matrix of so many rows: the inverse of L in (17.8), G of (17.25) */
+    double *dX;            /* X_i - x_k */
+    double *S;             /* S_i of (17.8), without grad U */
+    double *grad;          /* grad U at X_i */
+    double *r;             /* right-hand sides of the stages that Newton's method solves for */
+    size_t damped, *index; /* number and indices of the coordinates that have a history */
+    double *v;             /* velocities at the stages, as the history takes them in: D X/h - v0, with a jump of x */
+    double *v0;            /* one number for each damped coordinate: p_0/m for alpha > 1/2, else 0 (17.7) */
+    double *Y;             /* H of (17.9): the sums over the steps before this one */
+    double *Ydot;          /* in a linearised run: the derivative of Y by the order; else NULL */
+    int from_zero;         /* in a linearised run: nonzero if the history begins at 0 instead of x0 */
     /* in a linearised run: d numbers by which x has jumped at the beginning of this step; else NULL */
     const double *jump;
     double scale, W[FVI_STAGES][FVI_STAGES]; /* scale = h^(-beta); W = scale W_0 */
@@ -51,8 +55,8 @@ int fvi_lobatto_assemble_known_rhs(fvi_stepper *s, fvi_lobatto_stages *o);
 /* fvi_lobatto_step -- Take the step (17.8). It is the member `step` of a method. */
 int fvi_lobatto_step(fvi_stepper *s);
 
-/* fvi_lobatto_prepare -- Allocate the solver of the inner stages and compute grad U(x_0), at k = 0. M and the stages
- * are there. Return the codes of fvi_newton_stages_alloc and of the gradient. */
+/* fvi_lobatto_prepare -- Allocate the solver of the inner stages and compute grad U(x_0), at k = 0. The caller has
+ * computed M and set dX to zero. Return the codes of fvi_newton_stages_alloc and of the gradient. */
 int fvi_lobatto_prepare(fvi_stepper *s, fvi_lobatto_stages *o);
 
 /* fvi_lobatto_damped_step, fvi_lobatto_damped_prepare -- Do the same for form D: (17.24). Here the function `prepare`

@@ -64,7 +64,7 @@ static int invert(const fvi_lobatto_stages *o, double m, double rho, double h,
 static int invert_for(const fvi_stepper *s, fvi_lobatto_stages *o, size_t j)
 {
     const double *m = s->run.system->mass, *rho = s->run.system->damping;
-    const size_t size = o->n * o->n;
+    const size_t size = o->unknowns * o->unknowns;
     double *M = o->M + j * size;
     if (j == 0 || m[j] != m[j - 1] || rho[j] != rho[j - 1])
         return invert(o, m[j], rho[j], s->run.h, M);
@@ -72,8 +72,8 @@ static int invert_for(const fvi_stepper *s, fvi_lobatto_stages *o, size_t j)
     return FVI_SUCCESS;
 }
 
-/* Allocate the stages; n is the number of stages that a step solves for. */
-static int allocate(fvi_stepper *s, size_t stages, size_t n)
+/* Allocate the stages; `unknowns` is the number of stages that a step solves for. */
+static int allocate(fvi_stepper *s, size_t stages, size_t unknowns)
 {
     const size_t d = s->run.system->d;
     fvi_lobatto_stages *o = s->method_state = calloc(1, sizeof *o);
@@ -82,8 +82,8 @@ static int allocate(fvi_stepper *s, size_t stages, size_t n)
     o->rule = fvi_lobatto(stages);
     o->s = stages;
     o->d = d;
-    o->n = n;
-    o->M = calloc(d * n * n, sizeof *o->M);
+    o->unknowns = unknowns;
+    o->M = calloc(d * unknowns * unknowns, sizeof *o->M);
     o->index = calloc(d, sizeof *o->index);
     const fvi_linearised *linearised = fvi_linearised_of(s->run.system);
     const size_t by_order = linearised && linearised->by_order;
@@ -198,7 +198,7 @@ static int start(fvi_stepper *s, size_t stages, int damped)
 static int copy_lobatto(const fvi_stepper *from, fvi_stepper *to)
 {
     const fvi_lobatto_stages *old = from->method_state;
-    int status = allocate(to, old->s, old->n);
+    int status = allocate(to, old->s, old->unknowns);
     if (status)
         return status;
     fvi_lobatto_stages *o = to->method_state;
@@ -207,7 +207,7 @@ static int copy_lobatto(const fvi_stepper *from, fvi_stepper *to)
     o->scale = old->scale;
     memcpy(o->W, old->W, sizeof o->W);
     memcpy(o->A, old->A, sizeof o->A);
-    memcpy(o->M, old->M, d * o->n * o->n * sizeof *o->M);
+    memcpy(o->M, old->M, d * o->unknowns * o->unknowns * sizeof *o->M);
     memcpy(o->index, old->index, d * sizeof *o->index);
     memcpy(o->share, old->share, (2 + 6 * o->s) * d * sizeof *o->share);
     status = fvi_initial_history_force_copy(&old->history_force, d, &o->history_force);
