@@ -1,6 +1,10 @@
-/* figures/adjoint/adjoint.c -- H 23: what a push at t does to x at the end.
- * Blocks: for a spring, then for a Duffing spring, rows t, x, lambda, mirror; then rows
- * t, (x_N of the run with a small push at t - x_N) / push. */
+/* figures/adjoint/adjoint.c -- H 23: how much x(20) moves if the body is pushed at t, by an adjoint run and by
+ * trial.
+ *
+ * Prints four blocks, two for a spring and then two for a Duffing spring (alpha = 0.3, rho = 0.3).
+ * - Blocks 0 and 2: t, x, lambda, mirror. lambda is the derivative of x(20) with respect to an impulse at t,
+ *   from one adjoint run. The mirror is the run that starts at rest in 0 with momentum 1, read from its end.
+ * - Blocks 1 and 3: t and (x_N with a small push at t - x_N) / push, one run for each t. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 
@@ -10,10 +14,10 @@
 enum { N = 320, EVERY = 20 };
 #define PUSH 1e-4
 
-/* A force that is not zero at one step. */
+/* Return the force at[1] within half a step at[2] of the time at[0], and 0 elsewhere. */
 static int push_value(double t, size_t d, void *params, double *F)
 {
-    const double *at = params; /* the time, the force, half a step */
+    const double *at = params;
     (void)d;
     F[0] = fabs(t - at[0]) < at[2] ? at[1] : 0;
     return 0;
@@ -37,7 +41,7 @@ static int draw(double g)
                           .potential = fvi_potential_duffing(cg) };
     fvi_run run = fvi_run_default(&system, &x0, &p0, 1. / 16, N);
     run.alpha = 0.3;
-    fvi_run kicked = run; /* at 0, from rest */
+    fvi_run kicked = run; /* x0 = 0, p0 = 1 */
     kicked.x0 = &zero;
     kicked.p0 = &m;
     const fvi_objective J = { .slopes = last_position, .params = NULL };

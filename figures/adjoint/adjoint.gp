@@ -1,11 +1,11 @@
-# figures/adjoint/adjoint.gp -- H 23: what a push at t does to x at the end.
+# figures/adjoint/adjoint.gp -- H 23: how much x(20) moves if the body is pushed at t.
 # Input: figures/adjoint/adjoint.c. Output: figures/adjoint/adjoint.svg.
 width = 900; height = 440
 load 'figures/style.gp'
 set xlabel "t"
 set xrange [0:20]
 set yrange [-1.25:1.75]
-set key top center maxrows 2 # the curves lie on one another
+set key top center maxrows 2 # no names at the curves, because they lie on one another
 set arrow 1 from 1.2,-1.12 to 5.2,-1.12 head filled size screen 0.012,20 lc rgb "#0072B2" lw 1.6
 set label 1 "x remembers" at 5.6,-1.12 left tc rgb "#0072B2" font ",12"
 set arrow 2 from 18.8,-1.12 to 14.8,-1.12 head filled size screen 0.012,20 lc rgb "#D55E00" lw 1.6

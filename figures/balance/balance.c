@@ -1,10 +1,10 @@
-/* figures/balance/balance.c -- H 21: what a pair of variations keeps, and how five
- * masses answer each other.
+/* figures/balance/balance.c -- H 21: the form that a damped system conserves, and the reciprocity of five masses.
  *
- * Block 0: t, the area of two forward variations, the form C_n of a forward and a
- * backward one, and the part of it that one step sees, each over the first.
- * Block 1: t, position of mass 4 after a push of mass 1, of mass 1 after one of mass 4,
- * and of the masses that were pushed. */
+ * - Block 0: t, then three numbers of one damped spring, each divided by its first value: the area of two
+ *   forward variations (without damping it is conserved), the form C_n of a forward and a backward variation,
+ *   and C_n without its sum over the past, which one step alone could compute.
+ * - Block 1: t, the position of mass 4 after a push of mass 1, of mass 1 after a push of mass 4, of mass 1
+ *   after its own push, and of mass 4 after its own push. The first two agree. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/balance.h>

@@ -1,4 +1,4 @@
-# figures/balance/balance.gp -- H 21: what is kept, and five masses.
+# figures/balance/balance.gp -- H 21: the conserved form C_n, and the reciprocity of five masses.
 # Input: figures/balance/balance.c. Output: figures/balance/balance.svg.
 width = 960; height = 440
 load 'figures/style.gp'

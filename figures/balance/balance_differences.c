@@ -1,11 +1,13 @@
-/* figures/balance/balance_differences.c -- What the principle buys: the same equation,
- * differenced and varied.
+/* figures/balance/balance_differences.c -- The errors of schemes that replace derivatives by differences, beside
+ * schemes that come from an action.
  *
- * x'' + x + x^3 + rho D^{2 alpha} x = 0, rho = 1/2, alpha = 0.3, held at x_0 = 1 with
- * p_0 = 1/2, 0 <= t <= 10. Block 0: N, then max |x_k - x(t_k)| of NODE, MEAN and BACK
- * (tests/balance/differences.h), fvi, fvi-shifted and fvi-lobatto4. Block 1: N, then for NODE,
- * MEAN, BACK and fvi the error of the gradient that the same scheme, run backwards about the
- * trajectory, gives for the run's. */
+ * The equation is x'' + x + x^3 + rho D^{2 alpha} x = 0 with rho = 1/2 and alpha = 0.3, for a body held at x_0
+ * = 1 and let go with p_0 = 1/2, 0 <= t <= 10.
+ * - Block 0: N, then max |x_k - x(t_k)| of the difference schemes NODE, MEAN and BACK
+ *   (tests/balance/differences.h), of fvi, fvi-shifted and fvi-lobatto4.
+ * - Block 1: N, then for NODE, MEAN, BACK and fvi the error of a gradient. The gradient is computed by the same
+ *   scheme, linearised about the trajectory and run backwards, and is compared with the gradient of the run
+ *   itself. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/convolution_quadrature_methods.h>

@@ -1,4 +1,4 @@
-# figures/balance/balance_differences.gp -- What the principle buys: errors, and gradients.
+# figures/balance/balance_differences.gp -- What a variational scheme gains: errors of x, and errors of gradients.
 # Input: figures/balance/balance_differences.c. Output: figures/balance/balance_differences.svg.
 width = 960; height = 480
 load 'figures/style.gp'
@@ -8,9 +8,8 @@ set format y "10^{%T}"
 set xlabel "steps N"
 set xrange [27:610]
 set xtics (32, 64, 128, 256, 512)
-set key at graph 0.5, graph -0.2 center top # one for both panels
+set key at graph 0.5, graph -0.2 center top # one key for both panels, half of it below each
 
-# One key for both, half of it below each.
 set title "The largest error of x for t ≤ 10"
 set yrange [3e-10:1]
 plot dat index 0 using 1:2 with linespoints ls 8 pt 1 title "node scheme", \

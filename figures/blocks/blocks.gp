@@ -1,5 +1,5 @@
-# figures/blocks/blocks.gp -- H 28: where a sum finds a term. No input.
-# Output: figures/blocks/blocks.svg.
+# figures/blocks/blocks.gp -- H 28: where a sum over pairs finds each of its terms.
+# No input. Output: figures/blocks/blocks.svg.
 width = 1000; height = 470
 load 'figures/style.gp'
 set multiplot layout 1,2 margins 0.08,0.985,0.13,0.9 spacing 0.08
@@ -10,13 +10,13 @@ set ylabel "sum k" offset 1,0
 blue = "#0072B2"; orange = "#D55E00"; green = "#009E73"; grey = "#8c8c8c"
 id = 1
 
-# A square of the plane of pairs, its colour, how full.
+# Draw the rectangle w by h with the corner x, y in the plane of pairs (term, sum), with the colour c and density f.
 box(x, y, w, h, c, f) = sprintf("set object %d rectangle from %g,%g to %g,%g fc rgb '%s' fs solid %g border lc rgb 'white'; id = id + 1", id, x, y, x + w, y + h, c, f)
 
-# The triangle below the diagonal of eight.
+# Draw the triangle below the diagonal of the 8 by 8 square with the corner x, y.
 half(x, y) = sprintf("set object %d polygon from %g,%g to %g,%g to %g,%g to %g,%g fc rgb '%s' fs solid 0.85 border lc rgb 'white'; id = id + 1", id, x, y, x, y + 8, x + 8, y + 8, x, y, grey)
 
-# the eights of the block that begins at k0
+# Draw the 8 by 8 squares of the block of 32 sums that begins at k0.
 begin(k0) = sprintf("do for [g=0:3] { do for [s=0:3] { eval box(%g-32+8*s, %g+8*g, 8, 8, orange, 0.75) }; do for [s=0:g-1] { eval box(%g+8*s, %g+8*g, 8, 8, green, 0.75) }; eval half(%g+8*g, %g+8*g) }", k0, k0, k0, k0, k0, k0)
 
 set title "Every term meets every later sum once"
@@ -34,7 +34,7 @@ set label 1 "by modes" at 20,104 center textcolor rgb "white"
 set label 2 "own block: green\nown eight: grey\nblock before: orange" at 126,18 right
 plot NaN notitle
 
-# Falk's scheme: the factor on the left, the factor above, the product at the corner.
+# Falk's scheme of a product of matrices: the left factor stands left of the product, the right factor above it.
 set title "One product: eight rows of sums, sixteen coordinates"
 unset label
 do for [i=1:id-1] { unset object i }

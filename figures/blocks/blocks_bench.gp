@@ -1,4 +1,4 @@
-# figures/blocks/blocks_bench.gp -- H 28: what `make bench` measured.
+# figures/blocks/blocks_bench.gp -- H 28: the times that `make bench` measured for the memory by blocks.
 # Input: figures/blocks/blocks_bench.tsv. Output: figures/blocks/blocks_bench.svg.
 width = 1000; height = 430
 load 'figures/style.gp'
@@ -20,7 +20,7 @@ plot tsv index 1 using 1:2 with linespoints ls 2, \
      '' index 1 using 1:3 with linespoints ls 1
 unset label
 
-# the roofs: a row each, in this order
+# The table has one row for each upper bound of the speed, in this order.
 stats tsv index 2 every ::0::0 using (peak = $2) nooutput
 stats tsv index 2 every ::1::1 using (wide = $2) nooutput
 set title "The roofline at d = 10^6"
@@ -29,7 +29,7 @@ set ylabel "operations a nanosecond"
 set format x "%g"
 set xrange [0.1:20]
 set yrange [1:100]
-set key right bottom # two marks stand alone
+set key right bottom # two marks have no curve that could carry their names
 set label 1 sprintf("%.0f GFLOP/s", peak) at 5,peak * 1.25
 set label 2 sprintf("%.0f GB/s", wide) at 0.5,wide * 0.5 * 1.5 right
 plot (x * wide < peak ? x * wide : peak) with lines ls 7 title "no program is above", \

@@ -1,8 +1,7 @@
-/* figures/coefficients/coefficients.c -- H 4: six formulas race to n = 10^6.
+/* figures/coefficients/coefficients.c -- H 4: the rounding errors of six formulas for alpha_n, up to n = 10^6.
  *
- * Prints, for alpha = 0.1 and alpha = 1/4, the largest relative error up to n of
- * each formula, in units of u = 2^-53. The truth is the same recurrence in
- * quadruple precision, good to 10^-27 here. */
+ * Prints, for alpha = 0.1 and alpha = 1/4, the largest relative error up to n of each formula, in units of u =
+ * 2^-53. The reference is the recurrence in quadruple precision, whose own relative error is below 10^-27 here. */
 #include <fvi/coefficients.h>
 #include "system/larger.h"
 
@@ -46,7 +45,7 @@ static void race(double alpha, const double *fast)
             printf("%zu", n);
             for (size_t i = 0; i < FORMULAS; i++)
                 printf(" %.17g",
-                       larger(worst[i], 0.01)); /* a logarithm is drawn */
+                       larger(worst[i], 0.01)); /* the axis is logarithmic */
             printf(" %.17g\n", alpha);          /* for the title */
             next += 1 + next / 8;
         }

@@ -1,7 +1,7 @@
-/* figures/coefficients/coefficients_weights.c -- H 4: the weights and their tail.
+/* figures/coefficients/coefficients_weights.c -- H 4: the weights alpha_n, their power law, and their sum.
  *
- * Blocks for alpha = 1/4, 1/2, 3/4: n, alpha_n, the power law of (4.5), and the sum
- * (4.3) of the first n + 1. */
+ * Prints a block for each alpha = 1/4, 1/2, 3/4. Its columns are n, alpha_n, the power law (4.5), and the sum
+ * (4.3) of the first n + 1 weights. */
 #include <fvi/fvi.h>
 
 #include <math.h>

@@ -1,9 +1,8 @@
-# figures/coefficients/coefficients_weights.gp -- H 4: the weights and their tail.
-# Input: figures/coefficients/coefficients_weights.c.
-# Output: figures/coefficients/coefficients_weights.svg.
+# figures/coefficients/coefficients_weights.gp -- H 4: the weights alpha_n and how slowly they decay.
+# Input: figures/coefficients/coefficients_weights.c. Output: figures/coefficients/coefficients_weights.svg.
 width = 900; height = 400
 load 'figures/style.gp'
-if (!exists("order")) { weight = "α_n"; order = "α"; law = "lines: n^{−1−α} / Γ(−α)" } # the Course has other letters
+if (!exists("order")) { weight = "α_n"; order = "α"; law = "lines: n^{−1−α} / Γ(−α)" } # the Course uses other letters
 set multiplot layout 1,2 margins 0.08,0.985,0.15,0.9 spacing 0.1
 unset key
 set title "the present against the past"

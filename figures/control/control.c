@@ -1,7 +1,11 @@
-/* figures/control/control.c -- H 25: to rest with the least force, and afterwards;
- * and a pendulum that swings up.
- * Blocks: t, x, u to T; t, x without force after T; t, the force that holds; then the
- * pendulum: t, x / pi, u to T. */
+/* figures/control/control.c -- H 25: bring a spring to rest with the least force, then let it go; and swing up a
+ * pendulum.
+ *
+ * - Block 0: t, x and the least force u, for 0 < t <= T.
+ * - Block 1: t, x without a force after T.
+ * - Block 2: t, the force that would hold the body at rest after T. It is not zero because the damping
+ *   remembers the motion.
+ * - Block 3: t, x / pi and the least torque u of a pendulum, for 0 < t <= T. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 
@@ -22,7 +26,7 @@ static int table_value(double t, size_t d, void *params, double *F)
     return 0;
 }
 
-/* A spring from 1 to rest in T = 10. */
+/* Print how a spring moves from x = 1 to rest in T = 10, and what happens afterwards. */
 static int spring(void)
 {
     static table f;
@@ -52,7 +56,7 @@ static int spring(void)
     }
     printf("\n\n");
     fvi_gl_weights(2 * run.alpha, 2 * N + 1, w);
-    for (size_t k = N + 1; k <= 2 * N; k++) { /* x_j = 0 from N on */
+    for (size_t k = N + 1; k <= 2 * N; k++) { /* the body is held at x_j = 0 for j >= N */
         double H = 0;
         for (size_t j = 0; j <= k; j++)
             H += w[k - j] * ((j < N ? x[j] : 0) - x0);
@@ -63,7 +67,7 @@ static int spring(void)
     return 0;
 }
 
-/* From hanging to standing in T = 16. */
+/* Print how a pendulum moves from hanging to standing in T = 16. */
 static int pendulum(void)
 {
     static double u[N + 1], x[N + 1];

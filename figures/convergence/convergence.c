@@ -1,11 +1,13 @@
-/* figures/convergence/convergence.c -- H 20: errors, and what bounds them.
+/* figures/convergence/convergence.c -- H 20: the errors of fvi under a force that jumps, and their bounds.
  *
- * A pendulum, m = 1, U = 1 - cos x, rho = 0.3, x0 = 1, p0 = 1/2, Caputo's past, driven
- * by a force that jumps from 0 to 1/2 at t = 1, between the nodes of every run; the
- * motion is a run of fvi-lobatto4 with a node at the jump. Prints, for alpha = 1/4 and
- * 3/4, h with the largest errors of x and v on [0, 3] and the bounds (20.8); then, for
- * alpha = 3/4, blocks of t and error of x over h, for three steps; then, for the
- * shortest of them, t, what (20.7) feeds over h, and (20.8) over h. */
+ * The system is a pendulum with m = 1, U = 1 - cos x, rho = 0.3, x0 = 1, p0 = 1/2 and Caputo's past. The force
+ * jumps from 0 to 1/2 at t = 1, which is not a node of any run. The reference motion is a run of fvi-lobatto4
+ * with a node at the jump.
+ * - Blocks 0 and 1, for alpha = 1/4 and 3/4: h, the largest errors of x and of v on [0, 3], and their bounds
+ *   (20.8).
+ * - Blocks 2 to 4, for alpha = 3/4 and T / h = 64, 256, 1024: t, |error of x| / h.
+ * - Block 5, for T / h = 1024: t, the sum of the E_k that satisfy (20.7) as an equation, and the bound (20.8)
+ *   divided by h. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "system/larger.h"
@@ -40,8 +42,8 @@ static void solve(const fvi_method *method, double alpha, size_t steps,
         exit(EXIT_FAILURE);
 }
 
-/* The motion, into want_x and want_p, and the constants of the theorem. */
-static fvi_error_bound know(double alpha, fvi_smoothness *q)
+/* Compute the reference motion into want_x and want_p, and the constants of the theorem into *q. Return the bound. */
+static fvi_error_bound compute_reference(double alpha, fvi_smoothness *q)
 {
     solve(&fvi_lobatto_m4, alpha, FINE, want_x, want_p);
     *q = (fvi_smoothness){ .alpha = alpha,
@@ -67,7 +69,7 @@ static fvi_error_bound know(double alpha, fvi_smoothness *q)
 static void over_steps(double alpha)
 {
     fvi_smoothness q;
-    const fvi_error_bound bound = know(alpha, &q);
+    const fvi_error_bound bound = compute_reference(alpha, &q);
     const double C = bound.C, l = bound.lambda;
     printf("# alpha = %g: h, errors of x, v, their bounds; C = %.3g, "
            "lambda = %.3g\n",
@@ -90,7 +92,7 @@ static void over_steps(double alpha)
 static void over_time(double alpha)
 {
     fvi_smoothness q;
-    const fvi_error_bound bound = know(alpha, &q);
+    const fvi_error_bound bound = compute_reference(alpha, &q);
     for (size_t steps = 64; steps <= N; steps *= 4) {
         const double h = T / (double)steps;
         solve(&fvi_fractional, alpha, steps, x, p);
@@ -99,7 +101,7 @@ static void over_time(double alpha)
                    fabs(x[k] - want_x[k * (FINE / steps)]) / h);
         printf("\n\n");
     }
-    /* (20.7) as an equation. */
+    /* Solve (20.7) with = instead of <=. */
     const double h = T / N, gamma = 2 - 2 * alpha, C = bound.C,
                  l = bound.lambda;
     double b[N], E[N + 1], fed = 0;

@@ -1,4 +1,4 @@
-# figures/convergence/convergence.gp -- H 20: errors, and what bounds them.
+# figures/convergence/convergence.gp -- H 20: the errors of fvi under a force that jumps, and their bounds.
 # Input: figures/convergence/convergence.c. Output: figures/convergence/convergence.svg.
 width = 900; height = 440
 load 'figures/style.gp'

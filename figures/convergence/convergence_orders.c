@@ -1,10 +1,10 @@
-/* figures/convergence/convergence_orders.c -- H 20: orders of a body that was held.
+/* figures/convergence/convergence_orders.c -- H 20: the observed orders of fvi-stable and fvi-lobatto3d for a held
+ * body, for every alpha.
  *
- * A spring, m = 1, rho = 1, x_0 = 0.7, v_0 = 1.3, without a force, against its exact
- * motion; c = 16 for the fixed
- * times and 1 for the first. Prints, for fvi-stable and for fvi-lobatto3d, a block of alpha and the orders of x
- * and of p on [1/2, 1], then of x and of p at all nodes of [0, 1/4]: the mean of the last two
- * halvings whose errors are above rounding. */
+ * The system is a spring with m = 1, rho = 1, x_0 = 0.7, v_0 = 1.3 and no force, compared with its exact
+ * motion. c is 16 for the times in [1/2, 1] and 1 for the times in [0, 1/4]. Prints a block for each of the two
+ * methods: alpha, the orders of x and of p on [1/2, 1], then of x and of p at all nodes of [0, 1/4]. An order
+ * is the mean over the last two halvings of h whose errors are above rounding. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "system/larger.h"
@@ -43,7 +43,7 @@ static void solve(const fvi_method *method, double alpha, double c, double T,
         exit(EXIT_FAILURE);
 }
 
-/* The orders of x and of p on [T - part T, T]. */
+/* Compute the observed orders of x and of p on [T - part T, T], from runs with first, 2 first, ... MOST steps. */
 static void orders(const fvi_method *method, double alpha, double c, double T,
                    double part, size_t first, double order[2])
 {

@@ -1,6 +1,6 @@
-# figures/convergence/convergence_orders.gp -- H 20: orders of a body that was held.
-# Input: figures/convergence/convergence_orders.c. Output:
-# figures/convergence/convergence_orders.svg.
+# figures/convergence/convergence_orders.gp -- H 20: the observed orders of two methods for a held body, for every
+# alpha.
+# Input: figures/convergence/convergence_orders.c. Output: figures/convergence/convergence_orders.svg.
 width = 900; height = 420
 load 'figures/style.gp'
 set multiplot layout 1,2 margins 0.06,0.985,0.13,0.9 spacing 0.07

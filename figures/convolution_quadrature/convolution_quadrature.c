@@ -1,9 +1,10 @@
-/* figures/convolution_quadrature/convolution_quadrature.c -- H 13: error against h, three methods.
+/* figures/convolution_quadrature/convolution_quadrature.c -- H 13: the error against h of fvi, fvi-shifted and
+ * fvi-bdf2.
  *
- * Block 0: x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest, to T = 20, against
- * the exact solution. Block 1: x'' + x + x^3 + D^{1/2} x = F, driven along t^4 to
- * T = 1. kappa = 1/2. In each row h and the largest error of x with fvi, fvi-shifted,
- * fvi-bdf2. */
+ * kappa = 1/2. Each row has h and the largest error of x with fvi, with fvi-shifted and with fvi-bdf2.
+ * - Block 0: x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest, up to T = 20, compared with the exact
+ *   solution.
+ * - Block 1: x'' + x + x^3 + D^{1/2} x = F up to T = 1, where F is chosen so that x = t^4. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "system/larger.h"
@@ -17,8 +18,8 @@ enum { MOST = 12800 };
 
 static double x[MOST + 1], t[MOST + 1], want[MOST + 1];
 
-/* What drives a Duffing oscillator along t^4; D^{1/2} t^4 = Gamma(5)/Gamma(9/2)
- * t^(7/2). */
+/* Compute the force for which the Duffing oscillator moves as x = t^4, by
+ * D^{1/2} t^4 = Gamma(5)/Gamma(9/2) t^(7/2). */
 static int drive(double time, size_t d, void *params, double *F)
 {
     const double q = gsl_pow_4(time);

@@ -1,15 +1,17 @@
-# figures/convolution_quadrature/convolution_quadrature.gp -- H 13: error against h, orders 1 and 2.
-# Input: figures/convolution_quadrature/convolution_quadrature.c. Output: figures/convolution_quadrature/convolution_quadrature.svg.
+# figures/convolution_quadrature/convolution_quadrature.gp -- H 13: the error against h of three methods, with orders
+# 1 and 2.
+# Input: figures/convolution_quadrature/convolution_quadrature.c. Output:
+# figures/convolution_quadrature/convolution_quadrature.svg.
 width = 920; height = 420
 load 'figures/style.gp'
 array name[3] = ["fvi", "fvi-shifted", "fvi-bdf2"]
 array slope[6]; array level[6]
-do for [b=0:1] { do for [i=1:3] { # slopes over the finer half of the steps
+do for [b=0:1] { do for [i=1:3] { # fit the slopes to the finer half of the steps
     stats dat index b every ::3 using (log($1)):(log(column(i + 1))) name "S" nooutput
     slope[3*b + i] = S_slope; level[3*b + i] = S_intercept
 } }
 order(i) = i == 1 ? 1 : 2
-# The line of order 1 or 2 that meets the fit at h = 0.002.
+# Return the line of order 1 or 2 that crosses the fitted line at h = 0.002.
 line(j, i, h) = exp(level[j] + (slope[j] - order(i)) * log(0.002)) * h**order(i)
 label(j, i) = sprintf("%s: slope %.2f, line %d", name[i], slope[j], order(i))
 set logscale xy

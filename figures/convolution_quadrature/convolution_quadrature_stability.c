@@ -1,11 +1,12 @@
-/* figures/convolution_quadrature/convolution_quadrature_stability.c -- H 13: where the integrators
- * are stable, and what trapezoidal weights do. kappa = 1/2, m = h = 1.
+/* figures/convolution_quadrature/convolution_quadrature_stability.c -- H 13: the steps for which fvi, fvi-shifted
+ * and fvi-bdf2 are stable, and the growth with trapezoidal weights.
  *
- * Block 0: alpha, then the largest stable R, measured and predicted, for fvi,
- * fvi-shifted, fvi-bdf2 (W = 1). Measured: bisection between runs of 1000 steps
- * whose alternating part is larger or smaller in the second half.
- * Blocks 1 to 4: R, growth a step minus 1 predicted, and measured in a run of 1500
- * steps, for alpha = 1/4, W = 1: fvi, fvi-shifted, fvi-bdf2, trapezoidal weights. */
+ * kappa = 1/2 and m = h = 1, so W = c and R = rho.
+ * - Block 0: alpha, then the largest stable R for W = 1, measured and predicted, for fvi, fvi-shifted and
+ *   fvi-bdf2. The measured R comes from bisection: a run of 1000 steps is unstable if its alternating part is
+ *   larger in the second half.
+ * - Blocks 1 to 4, for alpha = 1/4 and W = 1, one each for fvi, fvi-shifted, fvi-bdf2 and trapezoidal weights:
+ *   R, the predicted growth factor of one step minus 1, and the measured one, from runs of up to 1500 steps. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "system/larger.h"
@@ -17,7 +18,8 @@ enum { STEPS = 1000, LONG = 1500 };
 
 static double x[LONG + 1], w[LONG + 1];
 
-/* Pushed once; x - origin is zero at the start, so all three are comparable. */
+/* Return 1 if the alternating part of a run grows. The body starts at rest in 0 and is pushed by a force until t = 1.
+ * Its history is zero at the start, so the three methods can be compared. */
 static int grows(const fvi_method *method, double alpha, double R)
 {
     const double one = 1, zero = 0, push[] = { 1, 1 };
@@ -85,7 +87,7 @@ static void growths(fvi_delta kind, double theta, const char *name)
         fvi_cq_amplification(kind, theta, alpha, 0.5, 1, R, &growth);
         if (growth == 1)
             continue;
-        /* until it has grown by 10^100, and long enough to be alone */
+        /* Stop when the growing part has reached 10^100. Measure only if it grows by 10^6: then it dominates. */
         const double enough = smaller(LONG, 230 / log(growth));
         if (i % 10 || pow(growth, enough) < 1e6) {
             printf("%.17g %.17g NaN\n", R, growth - 1);

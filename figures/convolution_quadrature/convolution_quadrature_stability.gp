@@ -1,6 +1,7 @@
-# figures/convolution_quadrature/convolution_quadrature_stability.gp -- H 13: stable steps, and growth.
-# Input: figures/convolution_quadrature/convolution_quadrature_stability.c.
-# Output: figures/convolution_quadrature/convolution_quadrature_stability.svg.
+# figures/convolution_quadrature/convolution_quadrature_stability.gp -- H 13: the largest stable step, and the growth
+# beyond it.
+# Input: figures/convolution_quadrature/convolution_quadrature_stability.c. Output:
+# figures/convolution_quadrature/convolution_quadrature_stability.svg.
 width = 920; height = 470
 load 'figures/style.gp'
 array name[4] = ["fvi", "fvi-shifted", "fvi-bdf2", "trapezoidal weights"]
@@ -32,7 +33,7 @@ set format x "10^{%L}"
 set format y "10^{%L}"
 set xrange [1e-2:1e2]
 set yrange [1e-4:1e2]
-set key top left # the curves come together
+set key top left # no names at the curves, because they come together
 plot for [i=1:4] dat index i using 1:2 with lines ls look(i) title name[i], \
      for [i=1:4] '' index i using 1:3 with points ls look(i) ps 0.9 notitle
 unset multiplot

@@ -1,7 +1,10 @@
-/* figures/course/course_bend.c -- Chapter 4: a body, its mirror, and the action when they are bent.
+/* figures/course/course_bend.c -- Chapter 4: a body and its mirror image, and the action when both or one of them
+ * is varied.
  *
- * Block 0: t, x, y, and x and y with one bump of the size BUMP each. Block 1: how much of the bump,
- * the change of the action if both are bent, and if x alone is. */
+ * - Block 0: t, x, y, and x and y with a bump added to each. The bump is 0.3 * 4 s^2 (1 - s), s = t / T, so its
+ *   height is 0.18.
+ * - Block 1: e, the change of the action if e times a bump is added to both x and y, and if it is added to x
+ *   alone. */
 #define main body_main
 #pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
 #include "course/body_04.c"

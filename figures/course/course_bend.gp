@@ -1,4 +1,5 @@
-# figures/course/course_bend.gp -- Chapter 4: a body, its mirror, and the action when they are bent.
+# figures/course/course_bend.gp -- Chapter 4: a body and its mirror image, and the action when both or one of them is
+# varied.
 # Input: figures/course/course_bend.c. Output: figures/course/course_bend.svg.
 width = 900; height = 400
 load 'figures/style.gp'

@@ -1,6 +1,6 @@
 /* figures/course/course_bump.c -- Chapter 5: half a derivative of a bump, looking back and looking ahead.
  *
- * Prints t, the bump, D_- of it and D_+ of it, of order 1/2, on [0, 1]. */
+ * Prints t, the bump, its D_- and its D_+ of order 1/2, for t in [0, 1]. */
 #define main body_main
 #pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
 #include "course/body_05.c"

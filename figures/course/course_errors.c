@@ -1,7 +1,7 @@
-/* figures/course/course_errors.c -- Chapter 10: errors against the step, and steps that are too long.
+/* figures/course/course_errors.c -- Chapter 10: the error against the step, and runs with steps that are too long.
  *
- * Blocks 0 to 4, alpha = 0, 1/4, ... 1: h, the error of x(2). Blocks 5 to 7, h = 3.1, 3.2, 3.4: k, |x_k|
- * of the running body. */
+ * - Blocks 0 to 4, for alpha = 0, 1/4, 1/2, 3/4, 1: h and the error of x(2) of the running body.
+ * - Blocks 5 to 7, for h = 3.1, 3.2, 3.4 and alpha = 1/4: k and |x_k| of the running body. */
 #include <fvi/exact_solution.h>
 
 #define main body_main

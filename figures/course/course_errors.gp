@@ -1,4 +1,4 @@
-# figures/course/course_errors.gp -- Chapter 10: errors against the step, and steps that are too long.
+# figures/course/course_errors.gp -- Chapter 10: the error against the step, and runs with steps that are too long.
 # Input: figures/course/course_errors.c. Output: figures/course/course_errors.svg.
 width = 900; height = 420
 load 'figures/style.gp'

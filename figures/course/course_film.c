@@ -1,8 +1,9 @@
-/* figures/course/course_film.c -- Chapter 12: the film of a second body gives the derivatives of the last place.
+/* figures/course/course_film.c -- Chapter 12: a second body, filmed and shown backwards, gives the derivatives of x
+ * at the last node.
  *
- * Prints t, the running body x, and the film y of a body that was held at 0 and starts with
- * the momentum 1; and, as a second block, t and how much x at the last node grows per unit
- * of a push at t, from two runs. */
+ * - Block 0: t, the running body x, and the film y. The filmed body was held at 0 and starts with momentum 1; y
+ *   is its motion shown backwards.
+ * - Block 1: t, and how much x(20) changes per unit of a push at t, from two runs. */
 #define main body_main
 #pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
 #include "course/body_12.c"
@@ -10,8 +11,8 @@
 
 enum { LAST = 200, APART = 10 };
 
-/* The last place, with a force up to just behind the node k. */
-static double pushed(int k)
+/* Return x at the last node if the force `push` acts up to half a step after the node k. */
+static double last_place_when_pushed(int k)
 {
     until = (k + 0.5) * h;
     run(LAST);
@@ -32,6 +33,6 @@ int main(void)
     x0 = 1, p0 = 0, push = 1;
     printf("\n\n# t, change of x(20) per unit of a push at t\n");
     for (int k = APART; k < LAST; k += APART)
-        printf("%.17g %.17g\n", k * h, (pushed(k) - pushed(k - 1)) / h);
+        printf("%.17g %.17g\n", k * h, (last_place_when_pushed(k) - last_place_when_pushed(k - 1)) / h);
     return 0;
 }

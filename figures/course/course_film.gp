@@ -1,4 +1,5 @@
-# figures/course/course_film.gp -- Chapter 12: the film of a second body gives the derivatives of the last place.
+# figures/course/course_film.gp -- Chapter 12: a second body, filmed and shown backwards, gives the derivatives of x
+# at the last node.
 # Input: figures/course/course_film.c. Output: figures/course/course_film.svg.
 width = 820; height = 400
 load 'figures/style.gp'

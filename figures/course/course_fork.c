@@ -1,7 +1,8 @@
-/* figures/course/course_fork.c -- Chapter 1: one place, one velocity, two futures.
+/* figures/course/course_fork.c -- Chapter 1: the same position and the same velocity, and two futures.
  *
- * Prints t and x of the body that was held at 1 until t = 0; and, as a second block, of a
- * body that was held at the first one's place until t = 2.8 and then got its momentum. */
+ * - Block 0: t and x of a body that was held at 1 until t = 0.
+ * - Block 1: t and x of a second body. It was held where the first body is at t = 2.8, and it is let go at t =
+ *   2.8 with the momentum of the first body. */
 #define main body_main
 #pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
 #include "course/body_02.c"

@@ -1,4 +1,4 @@
-# figures/course/course_fork.gp -- Chapter 1: one place, one velocity, two futures.
+# figures/course/course_fork.gp -- Chapter 1: the same position and the same velocity, and two futures.
 # Input: figures/course/course_fork.c. Output: figures/course/course_fork.svg.
 width = 860; height = 420
 load 'figures/style.gp'

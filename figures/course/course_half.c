@@ -1,7 +1,7 @@
-/* figures/course/course_half.c -- Chapter 8: half a derivative once, and twice.
+/* figures/course/course_half.c -- Chapter 8: the weights of half a derivative, taken once and taken twice.
  *
- * Prints n, the weight of order 1/2, and what is left of it when the derivative is taken twice,
- * both by taking the derivative of the path 1, 0, 0, ... with h = 1. */
+ * Prints n, the weight n of order 1/2, and the weight n of two half derivatives in a row. Both are derivatives
+ * of the path 1, 0, 0, ... with h = 1. */
 #define main body_main
 #pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
 #include "course/body_08.c"

@@ -1,4 +1,4 @@
-# figures/course/course_half.gp -- Chapter 8: half a derivative once, and twice.
+# figures/course/course_half.gp -- Chapter 8: the weights of half a derivative, taken once and taken twice.
 # Input: figures/course/course_half.c. Output: figures/course/course_half.svg.
 width = 860; height = 360
 load 'figures/style.gp'

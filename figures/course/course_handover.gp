@@ -1,10 +1,11 @@
-# figures/course/course_handover.gp -- Chapter 6: the past touches a motion where a step hands its momentum over.
-# A drawing. Output: figures/course/course_handover.svg.
+# figures/course/course_handover.gp -- Chapter 6: the past acts on a motion at the node where one step hands the
+# momentum to the next.
+# Output: figures/course/course_handover.svg.
 width = 540; height = 250
 load 'figures/style.gp'
 unset border; unset tics; unset grid; unset key
 set margins 0.5, 0.5, 0.5, 0.5
-set xrange [-8.7:5.5] # the momentum stands at 0
+set xrange [-8.7:5.5] # the handed-over momentum is drawn at 0
 set yrange [-0.1:5.7]
 do for [n=1:9] {
   shade = 255 - int(150 / n**0.6)

@@ -1,11 +1,11 @@
-# figures/course/course_map.gp -- The twelve chapters of the Course, in order, and what builds on what.
+# figures/course/course_map.gp -- The twelve chapters of the Course in order, and which chapter needs which.
 # Output: figures/course/course_map.svg.
 width = 1000; height = 420
 load 'figures/style.gp'
 unset border; unset tics; unset grid; unset key
 set xrange [0:100]; set yrange [0:42]
 set margins 0, 0, 0, 0
-# name       chapter: column, height, the two lines in its box
+# name       of each chapter: column, height, the two lines of text in its box
 place(c) = word("0 1 1 2 3 4 0 1 2 3 4 5", c) + 0
 level(c) = word("31 36.5 25.5 31 31 31 10 10 10 10 10 10", c) + 0
 array first[12] = ["A body that", "Half a", "An action", "Friction from", "The same", "Your", "What was", "Half a deriv-", "The paper's", "How wrong, and", "A million", "Order two"]
@@ -23,7 +23,7 @@ do for [pair in arrows] {
     b = substr(pair, strstrt(pair, "-") + 1, strlen(pair)) + 0
     set arrow from side(a) + half, level(a) to side(b) - half, level(b) head filled size 0.8, 20 lc rgb "#555555" lw 0.9
 }
-turn = 18   # the way from 6 down to 7
+turn = 18   # the length of the connection from chapter 6 down to chapter 7
 set arrow from side(6), level(6) - tall to side(6), turn nohead lc rgb "#555555" lw 0.9
 set arrow from side(6), turn to side(7), turn nohead lc rgb "#555555" lw 0.9
 set arrow from side(7), turn to side(7), level(7) + tall head filled size 0.8, 20 lc rgb "#555555" lw 0.9

@@ -1,7 +1,7 @@
-/* figures/course/course_mass.c -- Chapter 8: which mass the integrator moves.
+/* figures/course/course_mass.c -- Chapter 8: the mass that the integrator seems to move.
  *
- * alpha = 1/2. Prints h and the largest distance up to t = 14 of a run from the exact motion of the
- * mass m, and from the exact motion of the mass m - rho h/2. */
+ * alpha = 1/2. Prints h, and the largest distance for t <= 14 of a run from the exact motion of the mass m, and
+ * from the exact motion of the mass m - rho h/2. */
 #define main body_main
 #pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
 #include "course/body_08.c"

@@ -1,4 +1,4 @@
-# figures/course/course_mass.gp -- Chapter 8: which mass the integrator moves.
+# figures/course/course_mass.gp -- Chapter 8: the mass that the integrator seems to move.
 # Input: figures/course/course_mass.c. Output: figures/course/course_mass.svg.
 width = 640; height = 400
 load 'figures/style.gp'

@@ -1,7 +1,8 @@
-/* figures/course/course_modes.c -- Chapter 11: a power law is a sum of exponentials.
+/* figures/course/course_modes.c -- Chapter 11: a power law as a sum of exponentials.
  *
- * Block 0: n, the weight of order 1/2 without its sign, and the sum of a few modes. Blocks 1 to COUNT:
- * n and one mode each. The modes are made coarse, 1.5 apart in log s, so that they can be seen. */
+ * - Block 0: n, the absolute value of the weight of order 1/2, and the sum of COUNT exponentials, the modes.
+ * - Blocks 1 to COUNT: n and one mode. The rates s of the modes are 1.5 apart in log s, which is too coarse for
+ *   a run but can be seen in the picture. */
 #define main body_main
 #pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
 #include "course/body_11.c"

@@ -1,4 +1,4 @@
-# figures/course/course_modes.gp -- Chapter 11: a power law is a sum of exponentials.
+# figures/course/course_modes.gp -- Chapter 11: a power law as a sum of exponentials.
 # Input: figures/course/course_modes.c. Output: figures/course/course_modes.svg.
 width = 760; height = 440
 load 'figures/style.gp'

@@ -1,8 +1,10 @@
-/* figures/course/course_pasts.c -- Chapter 7: three pasts, and the past that has no motion.
+/* figures/course/course_pasts.c -- Chapter 7: three pasts, and the past for which no motion exists.
  *
- * alpha = 3/4, momentum 1/2 at the start. Blocks 0 to 2: t and x before and after t = 0, of a body
- * that was held, that came along a straight line, and that came from zero. Blocks 3 to 6: the last
- * one again, with the steps 0.2, 0.05, 0.0125 and 0.003125. */
+ * alpha = 3/4, and the momentum at the start is 1/2.
+ * - Blocks 0 to 2: t and x before and after t = 0, of a body that was held at x0, of a body that came along a
+ *   straight line (Caputo), and of a body that stood at 0 and is suddenly at x0 (Riemann-Liouville).
+ * - Blocks 3 to 6: the past of block 2 again, with the steps 0.2, 0.05, 0.0125 and 0.003125. The runs do not
+ *   converge. */
 #define main body_main
 #pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
 #include "course/body_07.c"

@@ -1,4 +1,4 @@
-# figures/course/course_pasts.gp -- Chapter 7: three pasts, and the past that has no motion.
+# figures/course/course_pasts.gp -- Chapter 7: three pasts, and the past for which no motion exists.
 # Input: figures/course/course_pasts.c. Output: figures/course/course_pasts.svg.
 width = 900; height = 420
 load 'figures/style.gp'

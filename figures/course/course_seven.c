@@ -1,10 +1,10 @@
 /* figures/course/course_seven.c -- Chapter 6: the running body for seven orders of its damping.
  *
- * A block for each alpha: t and the exact x at steps of h = 0.1, and at every tenth node the x of
- * a run of stage 6, else "-". */
+ * Prints a block for each alpha: t, the exact x at steps of h = 0.1, and at every tenth node the x of a run of
+ * stage 6 (elsewhere "-"). */
 #include <fvi/exact_solution.h>
 
-/* course_front.c draws the same of a later stage. */
+/* course_front.c includes this file with a later stage. */
 #ifndef STAGE
 #define STAGE "course/body_06.c"
 #define SET_UP_STAGE (void)0

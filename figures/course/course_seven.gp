@@ -7,7 +7,7 @@ set xlabel "t"
 set ylabel "x"
 set xrange [0:14]
 set yrange [-1.05:1.1]
-set key outside right center Left reverse title "{/:Italic α}" samplen 4 # the curves cross
+set key outside right center Left reverse title "{/:Italic α}" samplen 4 # no names at the curves, because they cross
 styles = "8 6 3 7 5 2 4"
 ls_of(i) = int(word(styles, i % 7 + 1))
 array name[7] = ["0, a spring", "0.25", "0.4", "0.5, friction", "0.6", "0.75", "1, a mass"]

@@ -1,7 +1,7 @@
-/* figures/course/course_sums.c -- Chapter 2: half a derivative of t, by sums with 4 and 16 steps.
+/* figures/course/course_sums.c -- Chapter 2: half a derivative of x = t, by sums with 4 and with 16 steps.
  *
- * A block for each number of steps: t and the sum D_h of order 1/2 of the path t, at each
- * node; and as a last block the limit, 2 sqrt(t / pi). */
+ * Prints a block for each number of steps, with t and the sum D_h of order 1/2 of the path x = t at each node.
+ * The last block is the limit, 2 sqrt(t / pi). */
 #define main body_main
 #pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
 #include "course/body_02.c"

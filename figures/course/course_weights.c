@@ -1,8 +1,7 @@
-/* figures/course/course_weights.c -- Chapter 1: how much of the past a step adds up.
+/* figures/course/course_weights.c -- Chapter 1: how strongly each node of the past acts on the next step.
  *
- * The body of chapter 1 at the node NOW. Prints for each node its t, its distance x - x0
- * from where the body was held, and the absolute value of the weight that the step to NOW
- * gives to it. */
+ * Computes the body of Chapter 1 up to the node NOW. Prints for each node its t, the distance x - x0 from the
+ * place where the body was held, and the absolute value of the weight that the step at NOW gives to this node. */
 #define main body_main
 #pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
 #include "course/body_02.c"

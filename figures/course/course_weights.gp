@@ -1,4 +1,4 @@
-# figures/course/course_weights.gp -- Chapter 1: how much of the past a step adds up.
+# figures/course/course_weights.gp -- Chapter 1: how strongly each node of the past acts on the next step.
 # Input: figures/course/course_weights.c. Output: figures/course/course_weights.svg.
 width = 860; height = 400
 load 'figures/style.gp'
@@ -11,7 +11,7 @@ unset key
 unset grid
 set boxwidth 0.092 absolute
 set style fill solid 1 noborder
-# A strip is as dark as its weight: white for 0, dark blue for 1, on a scale of square roots.
+# The colour of a strip shows its weight w: white for w = 0, dark blue for w = 1, linear in sqrt(w).
 shade(w) = (s = w**0.5, r = int(245 - 245*s), g = int(248 - 134*s), b = int(252 - 74*s), r*65536 + g*256 + b)
 set label 1 "now: 1" at 4.06,-0.06 left tc rgb "#222222"
 set label 2 "−1/2" at 3.87,-1.36 center tc rgb "#222222"

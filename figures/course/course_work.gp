@@ -1,4 +1,5 @@
-# figures/course/course_work.gp -- Chapter 12: the error against the number of products, for three stages.
+# figures/course/course_work.gp -- Chapter 12: the error against the number of products, for three versions of the
+# memory.
 # Input: figures/course/course_work.c. Output: figures/course/course_work.svg.
 width = 760; height = 420
 load 'figures/style.gp'

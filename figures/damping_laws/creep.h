@@ -1,7 +1,8 @@
-/* figures/damping_laws/creep.h -- What a law does when it is held, and when it is pulled.
+/* figures/damping_laws/creep.h -- The force of a law after a sudden stretch, and its stretch under a sudden force.
  *
- * By the weights of (26.3), as everything here: a stretch of 1 from t = 0 on is a force that
- * is their sum, and a force of 1 makes the stretch whose forces add up to 1. */
+ * Both come from the weights of (26.3). After a stretch of 1 at t = 0 the force is the sum of the weights. The
+ * stretch under a force of 1 is the sequence whose forces are all 1, so it is found by solving the same sums
+ * one step after the other. */
 #ifndef CREEP_H
 #define CREEP_H
 
@@ -10,8 +11,8 @@
 enum { PIECES = 1000 };
 
 //> creep
-/* The force at t after a stretch of 1, and the stretch at t under a force of 1, by PIECES
- * steps of BDF2. Returns what fvi_kernel_weights returns. */
+/* Compute the force at t after a stretch of 1, and the stretch at t under a force of 1, with
+ * PIECES steps of BDF2. Returns the code of fvi_kernel_weights. */
 static inline int relaxation_and_creep(const fvi_kernel *law, double t,
                                        double *force, double *stretch)
 {

@@ -1,6 +1,6 @@
-/* figures/damping_laws/damping_laws.c -- H 26: the moduli of four laws.
+/* figures/damping_laws/damping_laws.c -- H 26: the storage and loss moduli of four laws.
  *
- * Prints a block for each law: omega, storage and loss modulus, from 10^-3 to 10^3. */
+ * Prints a block for each law: omega from 10^-3 to 10^3, the storage modulus, the loss modulus. */
 #include "laws.h"
 
 #include <math.h>

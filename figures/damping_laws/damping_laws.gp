@@ -1,4 +1,4 @@
-# figures/damping_laws/damping_laws.gp -- H 26: the moduli of four laws.
+# figures/damping_laws/damping_laws.gp -- H 26: the storage and loss moduli of four laws.
 # Input: figures/damping_laws/damping_laws.c. Output: figures/damping_laws/damping_laws.svg.
 width = 900; height = 460
 load 'figures/style.gp'
@@ -9,7 +9,7 @@ set format "10^{%T}"
 set xlabel "ω"
 set xrange [1e-3:1e3]
 set yrange [1e-4:2e1]
-set key bottom right # the curves cross
+set key bottom right # no names at the curves, because they cross
 set title "storage modulus Re C(iω): a spring"
 plot for [i=0:3] dat index i using 1:2 with lines ls i+1 title name(i)
 set title "loss modulus Im C(iω): a damper"

@@ -1,7 +1,7 @@
-/* figures/damping_laws/damping_laws_creep.c -- H 26: four laws held, pulled and shaken.
+/* figures/damping_laws/damping_laws_creep.c -- H 26: the relaxation, the creep and the loss factor of four laws.
  *
- * Prints a block for each law: x, the force at t = x after a stretch of 1, the stretch at
- * t = x under a force of 1, and the loss factor at omega = x, from 10^-3 to 10^3. */
+ * Prints a block for each law: x from 10^-3 to 10^3, the force at t = x after a stretch of 1, the stretch at t
+ * = x under a force of 1, and the loss factor at omega = x. */
 #include "creep.h"
 #include "laws.h"
 

@@ -1,4 +1,4 @@
-# figures/damping_laws/damping_laws_creep.gp -- H 26: four laws held, pulled and shaken.
+# figures/damping_laws/damping_laws_creep.gp -- H 26: the relaxation, the creep and the loss factor of four laws.
 # Input: figures/damping_laws/damping_laws_creep.c. Output: figures/damping_laws/damping_laws_creep.svg.
 width = 1080; height = 420
 load 'figures/style.gp'
@@ -14,7 +14,7 @@ unset key
 plot for [i=0:3] dat index i using 1:2 with lines ls i+1
 set yrange [1e-1:1e4]
 set title "pulled with 1: the stretch"
-set key top left # the curves cross
+set key top left # no names at the curves, because they cross
 plot for [i=0:3] dat index i using 1:3 with lines ls i+1 title name(i)
 set xlabel "ω"
 set yrange [1e-2:1e3]

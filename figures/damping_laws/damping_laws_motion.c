@@ -1,8 +1,8 @@
-/* figures/damping_laws/damping_laws_motion.c -- H 26: one spring, four laws.
+/* figures/damping_laws/damping_laws_motion.c -- H 26: the motion of one mass and spring with four laws of damping.
  *
- * m = c = 1, held at 1 and let go at rest. Prints a block for each law of laws.h: t and x of
- * a run of fvi-bdf2 with h = 1/32 up to t = 1000, every row up to t = 32 and then some,
- * evenly in ln t. */
+ * m = c = 1; the body is held at 1 and let go at rest. Prints a block for each law of laws.h: t and x of a run
+ * of fvi-bdf2 with h = 1/32 up to t = 1000. Every fourth row is printed up to t = 32, then rows at equal
+ * distances in ln t. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "laws.h"

@@ -1,4 +1,4 @@
-# figures/damping_laws/damping_laws_motion.gp -- H 26: one spring, four laws.
+# figures/damping_laws/damping_laws_motion.gp -- H 26: the motion of one mass and spring with four laws of damping.
 # Input: figures/damping_laws/damping_laws_motion.c. Output: figures/damping_laws/damping_laws_motion.svg.
 width = 900; height = 460
 load 'figures/style.gp'
@@ -17,6 +17,6 @@ set logscale xy
 set format "10^{%T}"
 set xrange [1:1000]
 set yrange [1e-6:1.5]
-set key bottom left samplen 2 width -4 # the curves cross
+set key bottom left samplen 2 width -4 # no names at the curves, because they cross
 plot for [i=0:3] dat index i using 1:(abs($2)) with lines ls i+1 title name(i)
 unset multiplot

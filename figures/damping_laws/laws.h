@@ -16,7 +16,7 @@ static const struct {
     { "all orders from 0 to 1", { FVI_KERNEL_DISTRIBUTED, 1, 0, 0, 0.5 } },
 };
 
-/* The term with the rho that makes its loss 0.2 where the oscillator swings. */
+/* Return the term of the law i, with the rho that makes its loss modulus 0.2 at omega = 1. */
 static inline fvi_kernel_term scaled(int i)
 {
     fvi_kernel_term term = laws[i].term;

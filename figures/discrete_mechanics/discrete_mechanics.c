@@ -1,9 +1,11 @@
-/* figures/discrete_mechanics/discrete_mechanics.c -- H 2: energy over 10^5 steps, no damping.
+/* figures/discrete_mechanics/discrete_mechanics.c -- H 2: the energy of three methods over 10^5 steps, and a
+ * pendulum, without damping.
  *
- * Block 0: the harmonic oscillator m = c = 1 with h = 1/50, by both Euler methods
- * and by the variational integrator. Blocks 1 to 4: a pendulum that swings out to
- * 2 radians, with h = 1/5: x, p by explicit Euler, implicit Euler and the variational
- * integrator with kappa = 0 and 1/2. */
+ * - Block 0: the harmonic oscillator m = c = 1 with h = 1/50, by explicit Euler, implicit Euler and the
+ *   variational integrator: k, the three energies divided by the energy at the start, (1 + h^2 c/m)^k and its
+ *   inverse.
+ * - Blocks 1 to 4: x and p of a pendulum that starts at rest at 2 radians, with h = 1/5, by explicit Euler,
+ *   implicit Euler, and the variational integrator with kappa = 0 and with kappa = 1/2. */
 #include <fvi/discrete_mechanics.h>
 #include <fvi/error.h>
 
@@ -15,7 +17,7 @@ enum { STEPS = 100000 };
 
 static const double one = 1, none = 0;
 
-/* The energy as a number. */
+/* Return the energy, NAN if fvi_energy fails. */
 static double energy(const fvi_system *system, const double *x, const double *p)
 {
     double E;
@@ -73,7 +75,7 @@ static void harmonic(void)
     printf("\n\n");
 }
 
-/* x and p of `steps` steps from rest at 2, but while |x| <= 4. */
+/* Print x and p of up to `steps` steps from rest at 2 radians. Stop when |x| > 4. */
 static void pendulum(const fvi_method *method, double kappa, size_t steps)
 {
     const fvi_system system = { 1,     &one,

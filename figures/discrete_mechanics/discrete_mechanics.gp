@@ -1,4 +1,5 @@
-# figures/discrete_mechanics/discrete_mechanics.gp -- H 2: energy over 10^5 steps, a pendulum.
+# figures/discrete_mechanics/discrete_mechanics.gp -- H 2: the energy of three methods over 10^5 steps, and a
+# pendulum.
 # Input: figures/discrete_mechanics/discrete_mechanics.c. Output: figures/discrete_mechanics/discrete_mechanics.svg.
 width = 900; height = 440
 load 'figures/style.gp'

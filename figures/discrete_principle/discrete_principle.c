@@ -1,8 +1,10 @@
-/* figures/discrete_principle/discrete_principle.c -- H 6: what is stationary, and what not.
+/* figures/discrete_principle/discrete_principle.c -- H 6: which derivatives of the discrete action vanish along a
+ * solution and its mirror image.
  *
- * Prints the derivatives of the discrete action along a solution x and a
- * mirrored solution y: unrestricted, restricted, with and without the end
- * term, and with the mirror of the wrong kappa. */
+ * Prints the derivatives of the discrete action along a solution x and a mirrored solution y: with respect to x
+ * alone, and restricted to equal variations of x and y. The restricted derivatives are printed for the action
+ * with and without its end term, and for a y whose kappa is that of x, where the mirror image needs 1 - kappa.
+ * The two nonzero ones stand beside their predictions (6.7) and (6.9). */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/discrete_principle.h>
@@ -17,13 +19,13 @@ enum { N = 60 };
 static const double h = 0.1, alpha = 0.3, kappa = 0.25;
 static const double m = 1, rho = 0.5, cg[] = { 1, 2 };
 
-/* Rounding leaves exact zeros here and there: a logarithm is drawn. */
+/* Return |g|, but not 0, which can occur by rounding: the axis is logarithmic. */
 static double drawn(double g)
 {
     return larger(fabs(g), 1e-19);
 }
 
-/* The potential's slope. */
+/* Return the derivative U' of the Duffing potential at z. */
 static double spring(double z)
 {
     return (cg[0] + cg[1] * z * z) * z;

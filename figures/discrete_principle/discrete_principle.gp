@@ -1,4 +1,4 @@
-# figures/discrete_principle/discrete_principle.gp -- H 6: the derivatives of the action.
+# figures/discrete_principle/discrete_principle.gp -- H 6: which derivatives of the discrete action vanish.
 # Input: figures/discrete_principle/discrete_principle.c. Output: figures/discrete_principle/discrete_principle.svg.
 width = 900; height = 470
 load 'figures/style.gp'

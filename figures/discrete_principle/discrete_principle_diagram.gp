@@ -1,4 +1,5 @@
-# figures/discrete_principle/discrete_principle_diagram.gp -- H 6: two ways to one integrator.
+# figures/discrete_principle/discrete_principle_diagram.gp -- H 6: two ways to the same integrator.
+# No data.
 # Output: figures/discrete_principle/discrete_principle_diagram.svg. It draws no data.
 width = 860; height = 380
 load 'figures/style.gp'
@@ -6,7 +7,7 @@ unset border; unset tics; unset grid; unset key
 set xrange [0:100]; set yrange [0:100]
 set lmargin 1; set rmargin 1; set tmargin 1; set bmargin 1
 
-# Four boxes, two rows of text each.
+# Draw four boxes with two rows of text each.
 set style rectangle fc rgb "#f4f7fb" fillstyle solid 1 border lc rgb "#0072B2"
 set object rectangle from 1,68 to 37,96
 set label "a discrete Lagrangian and a force" at 19,86.4 center font ",14"
@@ -24,7 +25,7 @@ set label "the fractional integrator" at 79,26.8 center font ",14"
 set label "D_1L_d(x_k, x_{k+1}) + D_2L_d(x_{k−1}, x_k)" at 79,18 center
 set label "− h ρ Δ_{−}^{α}Δ_{−}^{α}x_k  = 0" at 79,9.2 center
 
-# The two ways round.
+# Draw the arrows of the two ways.
 set style arrow 1 head filled size screen 0.012,20 lc rgb "#444444" lw 1.6
 set arrow from 38,82 to 58,82 as 1
 set arrow from 19,67 to 19,33 as 1

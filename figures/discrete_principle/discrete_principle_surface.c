@@ -1,9 +1,9 @@
-/* figures/discrete_principle/discrete_principle_surface.c -- H 6: the action of two curves.
+/* figures/discrete_principle/discrete_principle_surface.c -- H 6: the action as a function of two variations.
  *
- * A solution x of (6.6a) and its mirror y, of a spring with m = c = 1, rho = 1/2,
- * alpha = 0.3, 40 steps of 0.1; x moves by epsilon delta, y by eta delta, with one bump
- * delta. Block 0: epsilon, eta, S_d - S_d(0, 0) on a grid. Block 1: epsilon, and S_d - S_d(0, 0)
- * along eta = epsilon, along eta = 0. */
+ * x is a solution of (6.6a) and y its mirror image, for a spring with m = c = 1, rho = 1/2, alpha = 0.3 and 40
+ * steps of 0.1. x varies by epsilon delta and y by eta delta, with the same bump delta.
+ * - Block 0: epsilon, eta, S_d - S_d(0, 0) on a grid.
+ * - Block 1: epsilon, then S_d - S_d(0, 0) along eta = epsilon and along eta = 0. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/discrete_principle.h>
@@ -16,7 +16,8 @@ enum { N = 40, HALF = 30 };
 
 static const double h = 0.1, alpha = 0.3, one = 1, rho = 0.5;
 
-/* S_d of x + epsilon delta, y + eta delta, delta = sin^2 with its top early; 0 on error. */
+/* Return S_d of x + epsilon delta and y + eta delta, 0 on error. delta is sin^2 times a factor that moves its maximum
+ * to an earlier time. */
 static double action(const double *x, const double *y, double epsilon,
                      double eta)
 {

@@ -1,6 +1,6 @@
-# figures/discrete_principle/discrete_principle_surface.gp -- H 6: the action of two curves.
-# Input: figures/discrete_principle/discrete_principle_surface.c.
-# Output: figures/discrete_principle/discrete_principle_surface.svg.
+# figures/discrete_principle/discrete_principle_surface.gp -- H 6: the action as a function of two variations.
+# Input: figures/discrete_principle/discrete_principle_surface.c. Output:
+# figures/discrete_principle/discrete_principle_surface.svg.
 width = 900; height = 420
 load 'figures/style.gp'
 set table $levels

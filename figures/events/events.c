@@ -1,8 +1,10 @@
-/* figures/events/events.c -- H 22: a ball that bounces on springpots.
+/* figures/events/events.c -- H 22: a ball that bounces, with three kinds of damping.
  *
- * x'' + 0.3 D^o (x - 1) = -1 from x = 1 at rest, with impacts on x = 0 that keep 0.8 of the speed,
- * by fvi_variable_step: undamped, o = 3/5, o = 7/5. Blocks, two of each ball: t, x and v of the
- * rows, an empty line at each impact, where v jumps; t, 0 and the speed behind each impact. */
+ * The equation is x'' + 0.3 D^o (x - 1) = -1 from x = 1 at rest. Each impact on x = 0 keeps 0.8 of the speed.
+ * The runs are by fvi_variable_step, without damping and with the orders o = 3/5 and o = 7/5. Prints two blocks
+ * for each ball:
+ * - t, x and v of the rows, with an empty line at each impact, where v jumps;
+ * - the t of each impact, 0, and the speed after the impact. */
 #include <fvi/error.h>
 #include <fvi/events.h>
 #include <fvi/variable_steps.h>
@@ -36,7 +38,7 @@ static int weight(double t, size_t d, void *params, double *F)
     return 0;
 }
 
-/* Rows up to where the stepper stands. */
+/* Print the rows *next, *next + 1, ... whose time the stepper has reached. */
 static int rows(fvi_stepper *s, size_t *next)
 {
     for (; *next <= ROWS && (double)*next * s->run.h <= s->t; ++*next) {
@@ -71,7 +73,7 @@ static int ball(double alpha, double rho)
         status = fvi_stepper_step(s) || rows(s, &next);
         fvi_stepper_events(s, &n);
         if (!status && n > before) {
-            double x, p; /* just before it */
+            double x, p; /* just before the impact */
             status = fvi_stepper_advance_to(s, s->t * (1 - 1e-12), &x, &p);
             printf("%.6f 0 %.6f\n\n%.6f 0 %.6f\n", s->t, p, s->t, s->p[0]);
             speed[(before = n) - 1] = s->p[0];

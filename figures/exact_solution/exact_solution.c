@@ -1,7 +1,7 @@
-/* figures/exact_solution/exact_solution.c -- H 11: an oscillation, a tail, and their sum.
+/* figures/exact_solution/exact_solution.c -- H 11: a solution as the sum of an oscillation and a tail.
  *
- * m = c = 1, rho = 1/2, released at rest from x0 = 1, Caputo, for alpha = 1/4 and
- * 3/4. */
+ * m = c = 1, rho = 1/2, released at rest from x0 = 1, Caputo's past. Prints a block for alpha = 1/4 and one for
+ * alpha = 3/4: t, x, the oscillation, the tail. */
 #include <fvi/exact_solution.h>
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-# figures/exact_solution/exact_solution.gp -- H 11: the two parts of a solution.
+# figures/exact_solution/exact_solution.gp -- H 11: a solution as the sum of an oscillation and a tail.
 # Input: figures/exact_solution/exact_solution.c. Output: figures/exact_solution/exact_solution.svg.
 width = 860; height = 400
 load 'figures/style.gp'

@@ -1,7 +1,7 @@
-/* figures/exact_solution/exact_solution_plane.c -- H 11: where X(s) is singular.
+/* figures/exact_solution/exact_solution_plane.c -- H 11: the poles of X(s) in the plane of s.
  *
- * m = c = 1. Blocks for alpha = 1/4, 1/2, 3/4: the zero of Q in the upper half plane, its
- * real and imaginary parts, for rho from 0 on; then a block of the three at rho = 1/2. */
+ * m = c = 1. Blocks 0 to 2, for alpha = 1/4, 1/2, 3/4: the real and the imaginary part of the zero of Q in the
+ * upper half plane, for rho that grows from 0. Block 3: these three zeros at rho = 1/2. */
 #include <fvi/fvi.h>
 
 #include <stdio.h>

@@ -1,6 +1,5 @@
-# figures/exact_solution/exact_solution_plane.gp -- H 11: the plane of s.
-# Input: figures/exact_solution/exact_solution_plane.c.
-# Output: figures/exact_solution/exact_solution_plane.svg.
+# figures/exact_solution/exact_solution_plane.gp -- H 11: the poles of X(s) in the plane of s.
+# Input: figures/exact_solution/exact_solution_plane.c. Output: figures/exact_solution/exact_solution_plane.svg.
 width = 900; height = 430
 load 'figures/style.gp'
 set multiplot layout 1,2 margins 0.085,0.985,0.13,0.9 spacing 0.1

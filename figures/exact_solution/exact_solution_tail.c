@@ -1,8 +1,9 @@
-/* figures/exact_solution/exact_solution_tail.c -- H 11: what is left when the oscillation
- * has died.
+/* figures/exact_solution/exact_solution_tail.c -- H 11: the algebraic tail of a solution, after the oscillation has
+ * died out.
  *
- * |x| at logarithmic times and its predicted tail (11.9), m = c = 1, rho = 1/2:
- * first for x0 = 0, v0 = 1, then released at rest from x0 = 1, Caputo. */
+ * m = c = 1, rho = 1/2. Prints |x| at logarithmically spaced times and the predicted tail (11.9), in a block
+ * for each of four alpha: first for x0 = 0, v0 = 1, then for a body released at rest from x0 = 1 with Caputo's
+ * past. "-" stands for the tail at t < 20, and at alpha = 1/2, which has none. */
 #include <fvi/exact_solution.h>
 
 #include <math.h>
@@ -33,7 +34,7 @@ static int solve(double alpha, int caputo)
     for (size_t i = 0; i < COUNT; i++) {
         printf("%.17g %.17g ", t[i], fabs(x[i]));
         if (alpha == 0.5 || t[i] < 20)
-            printf("-\n"); /* no tail, or not yet */
+            printf("-\n");
         else
             printf("%.17g\n", fabs(factor) * pow(t[i], power));
     }

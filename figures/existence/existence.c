@@ -1,9 +1,10 @@
-/* figures/existence/existence.c -- H 15: Picard's iterates, and their rate.
+/* figures/existence/existence.c -- H 15: the iterates of Picard's map, and how fast they converge.
  *
- * The pendulum x'' + sin x + D^(3/2) (x - x0) = 0, x0 = 0.5, v0 = 1, from v = v0.
- * Block 0: t, the velocities v_n of the iterates n = 0, ..., 6, and the limit.
- * Blocks 1, 2: n, largest distance of v_n from the limit, and the bounds q^n and
- * e_n of it, on [0, 4], where q > 10, and on [0, 1/4], where q < 1. */
+ * The equation is that of a pendulum, x'' + sin x + D^(3/2) (x - x0) = 0 with x0 = 0.5, v0 = 1. The iteration
+ * starts with v = v0.
+ * - Block 0: t, the velocities v_n of the iterates n = 0, ..., 6, and the limit v.
+ * - Blocks 1 and 2, on [0, 4], where q > 10, and on [0, 1/4], where q < 1: n, the largest |v_n - v|, its bounds
+ *   by q^n and by e_n, q, and the length of the interval. */
 #include <fvi/error.h>
 #include <fvi/paper/existence.h>
 #include "system/larger.h"

@@ -1,4 +1,4 @@
-# figures/existence/existence.gp -- H 15: iterates of the Picard map and their rate.
+# figures/existence/existence.gp -- H 15: the iterates of Picard's map, and how fast they converge.
 # Input: figures/existence/existence.c. Output: figures/existence/existence.svg.
 width = 900; height = 480
 load 'figures/style.gp'
@@ -34,7 +34,7 @@ set logscale y
 set format y "10^{%L}"
 set yrange [1e-17:1e9]
 set ytics 1e-16,1e4
-set key on at graph 0.98, graph 0.98 right top Left reverse maxrows 5 samplen 2 width -1 spacing 1.25 # the curves run together
+set key on at graph 0.98, graph 0.98 right top Left reverse maxrows 5 samplen 2 width -1 spacing 1.25 # no names at the curves, because they run together
 plot dat index 1 using 1:($2 > 4e-16 ? $2 : NaN) with points ls 2 \
          title sprintf("[0, %g], q = %.1f", T_max, LONG_max), \
      '' index 1 using 1:4 with lines ls 2 title "bound (15.8)", \

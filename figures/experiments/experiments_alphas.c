@@ -1,8 +1,8 @@
-/* figures/experiments/experiments_alphas.c -- H 10: the FVI for several alpha.
+/* figures/experiments/experiments_alphas.c -- H 10: runs of the FVI for seven alpha.
  *
- * Prints the exact solution of the paper's oscillator (m = c = 1, rho = 0.2, x0 = 1,
- * p0 = 1/2) for alpha = 1/2 as a block, then for each alpha t and x of the run at
- * h = 1/2, N = 30, kappa = 1/2. The first line of a block has its name. */
+ * The system is the paper's oscillator, m = c = 1, rho = 0.2, x0 = 1, p0 = 1/2. Block 0: the exact solution for
+ * alpha = 1/2. Then a block for each alpha: t and x of the run with h = 1/2, N = 30, kappa = 1/2. The first
+ * line of a block is its title. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/experiments.h>

@@ -1,4 +1,4 @@
-# figures/experiments/experiments_alphas.gp -- H 10: the FVI for several alpha.
+# figures/experiments/experiments_alphas.gp -- H 10: runs of the FVI for seven alpha.
 # Input: figures/experiments/experiments_alphas.c. Output: figures/experiments/experiments_alphas.svg.
 width = 860; height = 500
 load 'figures/style.gp'

@@ -1,10 +1,13 @@
-/* figures/experiments/experiments_bagley_torvik.c -- H 10: x'' + x + D^(3/2) x = F,
- * F = 8 up to t = 1, then 0; x(0) = x'(0) = 0; 0 <= t <= 20.
+/* figures/experiments/experiments_bagley_torvik.c -- H 10: the problem of Bagley and Torvik, by the FVI and by the
+ * matrix method.
  *
- * Blocks: t and the exact x; t and x of the FVI with h = 0.1; t and x of the
- * matrix method with h = 0.005; h, error of the FVI, its difference from that
- * matrix method, and the matrix method's own error for this h, all at the
- * multiples of 0.1; then slopes. */
+ * The problem is x'' + x + D^(3/2) x = F, F = 8 up to t = 1, then 0; x(0) = x'(0) = 0; 0 <= t <= 20.
+ * - Block 0: t and the exact x.
+ * - Block 1: t and x of the FVI with h = 0.1.
+ * - Block 2: t and x of the matrix method with h = 0.005, the benchmark.
+ * - Block 3: h, then three largest differences at the multiples of 0.1: the FVI from the exact x, the FVI from
+ *   the benchmark, and the matrix method with this h from the exact x.
+ * - Block 4: the slopes that are fitted to these errors. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/experiments.h>
@@ -44,7 +47,7 @@ static void print(const char *title, size_t per_unit, size_t every,
     printf("\n\n");
 }
 
-/* The largest difference at the tenths. */
+/* Return the largest difference at t = 0, 0.1, ..., T. x has n nodes per unit of time, y has m. */
 static double largest(const double *x, size_t n, const double *y, size_t m)
 {
     double worst = 0;

@@ -1,6 +1,6 @@
-# figures/experiments/experiments_bagley_torvik.gp -- H 10: the problem with order 3/2.
-# Input: figures/experiments/experiments_bagley_torvik.c.
-# Output: figures/experiments/experiments_bagley_torvik.svg.
+# figures/experiments/experiments_bagley_torvik.gp -- H 10: the problem of Bagley and Torvik, by the FVI and by the
+# matrix method.
+# Input: figures/experiments/experiments_bagley_torvik.c. Output: figures/experiments/experiments_bagley_torvik.svg.
 width = 960; height = 480
 load 'figures/style.gp'
 stats dat index 4 using 1 nooutput; slope = STATS_min

@@ -1,9 +1,8 @@
-/* figures/experiments/experiments_difference.c -- H 10: x of the FVI minus x of the
- * Lagrange-d'Alembert integrator.
+/* figures/experiments/experiments_difference.c -- H 10: x of the FVI minus x of the Lagrange-d'Alembert integrator.
  *
- * Prints t and the difference in units of 2^-53 for the paper's oscillator
- * (m = c = 1, rho = 0.2, x0 = 1, p0 = 1/2, alpha = 1/2), h = 0.2, T = 30: of the
- * momentum form, and of Algorithm 3 as printed, with its double sum. */
+ * The system is the paper's oscillator, m = c = 1, rho = 0.2, x0 = 1, p0 = 1/2, alpha = 1/2, with h = 0.2 up to
+ * T = 30. Prints t and the difference in units of 2^-53, once for the momentum form of the FVI and once for
+ * Algorithm 3 as the paper prints it, with its double sum. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>

@@ -1,4 +1,4 @@
-# figures/experiments/experiments_difference.gp -- H 10: FVI minus Lagrange-d'Alembert.
+# figures/experiments/experiments_difference.gp -- H 10: x of the FVI minus x of the Lagrange-d'Alembert integrator.
 # Input: figures/experiments/experiments_difference.c. Output: figures/experiments/experiments_difference.svg.
 width = 860; height = 400
 load 'figures/style.gp'

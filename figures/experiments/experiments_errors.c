@@ -1,10 +1,10 @@
-/* figures/experiments/experiments_errors.c -- H 10: global errors of the FVI.
+/* figures/experiments/experiments_errors.c -- H 10: the global errors of the FVI for the paper's oscillator.
  *
- * The paper's oscillator (m = c = 1, rho = 0.2, x0 = 1, p0 = 1/2, alpha = 1/2) up
- * to T = 15. Blocks: h and the largest errors of x, p, E for the steps that are
- * fitted; the same for coarse steps; for x, p, E the slope and factor of the line
- * through all fitted points, the slope without the smallest h, and the limit of
- * error / h of (10.7). */
+ * m = c = 1, rho = 0.2, x0 = 1, p0 = 1/2, alpha = 1/2, up to T = 15.
+ * - Block 0: h and the largest errors of x, p and E, for the steps to which lines are fitted.
+ * - Block 1: the same for coarser steps, which are not fitted.
+ * - Block 2, a row each for x, p and E: the slope and the factor of the line through all fitted points, the
+ *   slope without the smallest h, and the limit of error / h of (10.7). */
 #include <fvi/fvi.h>
 #include <fvi/paper/experiments.h>
 

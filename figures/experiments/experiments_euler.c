@@ -1,8 +1,8 @@
-/* figures/experiments/experiments_euler.c -- H 10: the FVI against Euler's methods.
+/* figures/experiments/experiments_euler.c -- H 10: the FVI beside explicit and implicit Euler.
  *
- * Prints t, x, energy of the paper's oscillator (m = c = 1, rho = 0.2, x0 = 1,
- * p0 = 1/2, alpha = 1/2) up to T = 15, one block each: the exact solution, FVI and
- * implicit Euler with h = 0.2, FVI and explicit Euler with h = 0.1. */
+ * Prints t, x and the energy of the paper's oscillator, m = c = 1, rho = 0.2, x0 = 1, p0 = 1/2, alpha = 1/2, up
+ * to T = 15. The blocks are the exact solution, the FVI and implicit Euler with h = 0.2, the FVI and explicit
+ * Euler with h = 0.1. */
 #include <fvi/fvi.h>
 #include <fvi/paper/experiments.h>
 
@@ -14,7 +14,7 @@ enum { FINE = 300, T = 15 };
 
 static const double one = 1, rho = 0.2, x0 = 1, p0 = 0.5;
 
-/* The energy as a number. */
+/* Return the energy, NAN if fvi_energy fails. */
 static double energy(const fvi_system *system, const double *x, const double *p)
 {
     double E;

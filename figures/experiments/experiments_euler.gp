@@ -1,4 +1,4 @@
-# figures/experiments/experiments_euler.gp -- H 10: FVI, Euler's methods, exact.
+# figures/experiments/experiments_euler.gp -- H 10: the FVI beside explicit and implicit Euler.
 # Input: figures/experiments/experiments_euler.c. Output: figures/experiments/experiments_euler.svg.
 width = 900; height = 640
 load 'figures/style.gp'

@@ -1,10 +1,11 @@
-/* figures/fractional_derivative/fractional_derivative.c -- H 1: from a sine to a cosine, and the
- * Grünwald-Letnikov sum on its way to the derivative.
+/* figures/fractional_derivative/fractional_derivative.c -- H 1: derivatives of a sine of orders between 0 and 1,
+ * and the convergence of the Grünwald-Letnikov sum.
  *
- * Block 0: t and D_-^alpha sin(t) from t = 0 on, for five alpha; last what the
- * half derivative is without a beginning. Block 1: h and the error of the sum
- * at t = 1, for sin and cos and three alpha. Block 2: alpha, for sin and cos the
- * predicted error over h and the slope fitted to the errors. */
+ * - Block 0: t, D_-^alpha sin(t) from t = 0 on for five alpha, and sin(t + pi/4), which is the half derivative
+ *   of a sine that has no beginning.
+ * - Block 1: h and the error of the sum at t = 1, for three alpha, for sin and then for cos.
+ * - Block 2: alpha, then for sin and for cos the predicted |error| / h and the slope that is fitted to the
+ *   errors. */
 #include <fvi/error.h>
 #include <fvi/paper/fractional_derivative.h>
 #include <fvi/paper/integration_by_parts.h>
@@ -51,10 +52,10 @@ static int carried(void)
     return FVI_SUCCESS;
 }
 
-/* (1.13): the error of the sum over h, at t = 1 and for h -> 0. */
+/* Compute (1.13), the limit for h -> 0 of (error of the sum) / h at t = 1. */
 static int predicted(double alpha, const double *phase, double *limit)
 {
-    const double ahead = *phase + M_PI / 2; /* f' is f, a quarter later */
+    const double ahead = *phase + M_PI / 2; /* f'(t) = f(t + pi/2) */
     const fvi_curve velocity = { sine, dsine, &ahead };
     double d = 0;
     int status =

@@ -1,13 +1,14 @@
-# figures/fractional_derivative/fractional_derivative.gp -- H 1: a sine becomes a cosine; the
-# Grünwald-Letnikov sum converges. Input: figures/fractional_derivative/fractional_derivative.c.
-# Output: figures/fractional_derivative/fractional_derivative.svg.
+# figures/fractional_derivative/fractional_derivative.gp -- H 1: derivatives of a sine of orders between 0 and 1, and
+# the convergence of the Grünwald-Letnikov sum.
+# Input: figures/fractional_derivative/fractional_derivative.c. Output:
+# figures/fractional_derivative/fractional_derivative.svg.
 width = 900; height = 480
 load 'figures/style.gp'
 array A[6]
 array C[6]
 array S[6]
-array open[3] = [6, 4, 8] # the markers of ls 1, 2, 3, not filled
-do for [i=1:6] { # one number of block 2 at a time
+array open[3] = [6, 4, 8] # the open markers that belong to the filled ones of ls 1, 2, 3
+do for [i=1:6] { # read one number of block 2 at a time
     row = (i - 1) % 3
     col = i > 3 ? 4 : 2
     stats dat index 2 every ::row::row using 1 nooutput
@@ -30,7 +31,7 @@ set ytics -1,0.5,1
 unset key
 set label 1 "α = 1, the cosine" at 2*pi - 0.1,1.12 right tc rgb BROWN
 set label 2 "α = 0, the sine" at 2.5*pi + 0.1,1.12 left tc rgb BLUE
-set label 3 "3/4" at 2.125*pi,1.28 center tc rgb PINK # each above its crest, in steps, as they would touch
+set label 3 "3/4" at 2.125*pi,1.28 center tc rgb PINK # each name stands above its crest, at its own height, so that the names do not touch
 set label 4 "1/2" at 2.25*pi,1.44 center tc rgb GREEN
 set label 5 "1/4" at 2.375*pi,1.28 center tc rgb RED
 set arrow 1 from 2.125*pi,1.22 to 2.125*pi,1.01 nohead lc rgb PINK lw 0.7

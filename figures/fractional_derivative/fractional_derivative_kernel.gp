@@ -1,6 +1,6 @@
-# figures/fractional_derivative/fractional_derivative_kernel.gp -- H 1: what is remembered.
-# The kernels (1.3), drawn from their formula.
-# Output: figures/fractional_derivative/fractional_derivative_kernel.svg.
+# figures/fractional_derivative/fractional_derivative_kernel.gp -- H 1: the kernels (1.3), which say how strongly each
+# time of the past counts.
+# Drawn from the formula. Output: figures/fractional_derivative/fractional_derivative_kernel.svg.
 width = 900; height = 400
 load 'figures/style.gp'
 set multiplot layout 1,2 margins 0.08,0.985,0.15,0.9 spacing 0.09

@@ -1,8 +1,8 @@
-/* figures/fvi/fvi.c -- H 9: the paper's problem as h goes to zero.
+/* figures/fvi/fvi.c -- H 9: the error of the paper's problem as h goes to zero, with two pasts.
  *
- * x'' + x + D^{2 alpha} x / 5 = 0, x_0 = 1, p_0 = 1/2, kappa = 1/2, to t = 2. For
- * each alpha and h the largest error of x at ten times, against the solution as a
- * double series: damping as printed (Riemann-Liouville), and of a held body. */
+ * The problem is x'' + x + D^{2 alpha} x / 5 = 0, x_0 = 1, p_0 = 1/2, kappa = 1/2, up to t = 2. Prints a block
+ * for each alpha with the rows alpha, h, and the largest error of x at ten times: with the damping as printed
+ * in the paper (Riemann-Liouville), and for a held body. The reference is the solution as a double series. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "system/larger.h"
@@ -15,7 +15,7 @@ static const double MASS = 1, RHO = 0.2, STIFFNESS = 1, X0 = 1, P0 = 0.5;
 static const double T = 2;
 enum { TIMES = 10, MOST = 5120 };
 
-/* The inverse Laplace transform of a geometric series in (1 + rho s^b) / s^2. */
+/* Return x(t), the inverse Laplace transform of a geometric series in (1 + rho s^b) / s^2, term by term. */
 static double exact(double alpha, int held, double t)
 {
     const double b = 2 * alpha, later = RHO * pow(t, 2 - b);

@@ -1,9 +1,10 @@
-# figures/fvi/fvi.gp -- H 9: x(0) != 0, Riemann-Liouville against held.
+# figures/fvi/fvi.gp -- H 9: the error of the paper's problem with x(0) != 0, Riemann-Liouville's past against a held
+# body.
 # Input: figures/fvi/fvi.c. Output: figures/fvi/fvi.svg.
 width = 900; height = 440
 load 'figures/style.gp'
 array a[5]; array printed[5]; array p0[5]; array held[5]; array h0[5]
-do for [i=1:5] { # slopes over the finer half of the steps
+do for [i=1:5] { # fit the slopes to the finer half of the steps
     stats dat index i-1 every ::4 using (log($2)):(log($3)) name "P" nooutput
     stats dat index i-1 every ::4 using (log($2)):(log($4)) name "H" nooutput
     stats dat index i-1 using 1 name "A" nooutput
@@ -23,7 +24,7 @@ unset key
 set title "As printed: the damping acts on x; lines of slope 1 − 2α"
 set ylabel "largest error of x for t ≤ 2"
 set yrange [4e-6:4e2]
-do for [i=1:5] { # a name runs along its curve; a decade is 4 times as long below as on the left
+do for [i=1:5] { # a name is turned along its curve; a decade of h is 4 times as long as a decade of the error
     set label i sprintf("α = %.2f: slope %s", a[i], signed(printed[i])) tc ls i center \
         at 2.4e-3, 2.4 * exp(p0[i]) * 2.4e-3**printed[i] rotate by atan(printed[i] / 4) * 180 / pi
 }

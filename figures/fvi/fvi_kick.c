@@ -1,8 +1,7 @@
-/* figures/fvi/fvi_kick.c -- H 9: one run at finer and finer steps, as printed and
- * held at x_0 before.
+/* figures/fvi/fvi_kick.c -- H 9: one run with finer and finer steps, as printed in the paper and for a held body.
  *
- * x'' + x + D^{9/5} x / 5 = 0, x_0 = 1, p_0 = 1/2, kappa = 1/2, alpha = 0.9, to
- * t = 15. A block for each h, thinned to 150 steps. */
+ * The problem is x'' + x + D^{9/5} x / 5 = 0, x_0 = 1, p_0 = 1/2, kappa = 1/2, so alpha = 0.9, up to t = 15.
+ * Prints a block for each h with at most 150 steps shown. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 

@@ -1,4 +1,4 @@
-# figures/fvi/fvi_kick.gp -- H 9: a run from x(0) = 1 at four steps.
+# figures/fvi/fvi_kick.gp -- H 9: a run from x(0) = 1 with four steps.
 # Input: figures/fvi/fvi_kick.c. Output: figures/fvi/fvi_kick.svg.
 width = 900; height = 380
 load 'figures/style.gp'

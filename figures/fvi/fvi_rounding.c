@@ -1,10 +1,8 @@
-/* figures/fvi/fvi_rounding.c -- H 9: what rounding does to two forms of one
- * equation.
+/* figures/fvi/fvi_rounding.c -- H 9: the rounding errors of two forms of the same equation.
  *
- * The Bagley-Torvik problem x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest,
- * kappa = 1/2, to t = 20 in N steps: the largest difference of x from the same
- * recurrence in long double, for Algorithm 3 as printed and for the momentum
- * form. */
+ * The Bagley-Torvik problem x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest, with kappa = 1/2, up to t =
+ * 20 in N steps. Prints N and the largest difference of x from the same recurrence in long double, for
+ * Algorithm 3 as printed in the paper and for the momentum form. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>
@@ -17,7 +15,7 @@
 enum { MOST = 10240 };
 static const double T = 20;
 
-/* (9.4) in long double, with the memory on the increments. */
+/* Compute x by (9.4) in long double. The memory sums over the increments of x. */
 static void in_long_double(size_t N, const double aT[2], long double *x)
 {
     static long double w[MOST + 1], dx[MOST + 1];

@@ -1,4 +1,4 @@
-# figures/fvi/fvi_rounding.gp -- H 9: rounding in two forms of one equation.
+# figures/fvi/fvi_rounding.gp -- H 9: the rounding errors of two forms of the same equation.
 # Input: figures/fvi/fvi_rounding.c. Output: figures/fvi/fvi_rounding.svg.
 load 'figures/style.gp'
 stats dat using (log($1)):(log($2)) name "P" nooutput

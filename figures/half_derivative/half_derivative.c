@@ -1,10 +1,10 @@
-/* figures/half_derivative/half_derivative.c -- H 7: the weights of half a derivative, those
- * of two in a row, and what rounding leaves of an equality over 10000 steps.
+/* figures/half_derivative/half_derivative.c -- H 7: the weights of half a derivative, the weights of two half
+ * derivatives in a row, and the rounding errors of an equality over 10000 steps.
  *
- * Block 0: n, |alpha_n|, |c_n|, the bound of (7.6) on |c_n|; c_n that are exactly
- * zero are marked as missing (nan). Block 1: t, |x| of the Lagrange-d'Alembert
- * run, |x| of Algorithm 3 with its double sums, and their difference, the largest
- * in each of a thousand windows. */
+ * - Block 0, alpha = 1/2: n, |alpha_n|, |c_n|, and the bound of (7.6) on |c_n|. In exact arithmetic c_n = 0. A
+ *   c_n that is 0 is printed as nan, because the axis is logarithmic.
+ * - Block 1: t, |x| of the Lagrange-d'Alembert run, |x| of Algorithm 3 with its double sums, and their
+ *   difference. Each number is the largest in a window of 20 steps. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>

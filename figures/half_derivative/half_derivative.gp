@@ -1,4 +1,5 @@
-# figures/half_derivative/half_derivative.gp -- H 7: weights that vanish, and the floor.
+# figures/half_derivative/half_derivative.gp -- H 7: the weights of two half derivatives in a row vanish up to
+# rounding.
 # Input: figures/half_derivative/half_derivative.c. Output: figures/half_derivative/half_derivative.svg.
 width = 860; height = 480
 load 'figures/style.gp'

@@ -1,9 +1,9 @@
-/* figures/identification/identification.c -- H 24: data, fit, residuals.
+/* figures/identification/identification.c -- H 24: noisy data, the fitted curve, and the residuals.
  *
- * m = c = 1, rho = 0.4, alpha = 0.3, x0 = 1, p0 = 1/4, held: the exact motion at t = 0.1,
- * 0.2, ..., 20 with Gaussian noise of sigma = 0.02, and the fit of five parameters, begun
- * elsewhere. A line for each time: t, data, fit, residual / sigma; then, in a second
- * block, each name with its estimate, sd, and the truth. */
+ * The truth has m = c = 1, rho = 0.4, alpha = 0.3, x0 = 1, p0 = 1/4, held. The data are its exact motion at t =
+ * 0.1, 0.2, ..., 20 with Gaussian noise of sigma = 0.02. Five parameters are fitted, from other initial values.
+ * - Block 0: t, data, fit, residual / sigma.
+ * - Block 1: the name of each parameter, its estimate, its standard deviation, its true value. */
 #include <fvi/fvi.h>
 
 #include <gsl/gsl_randist.h>

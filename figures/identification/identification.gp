@@ -1,4 +1,4 @@
-# figures/identification/identification.gp -- H 24: data, fit, residuals.
+# figures/identification/identification.gp -- H 24: noisy data, the fitted curve, and the residuals.
 # Input: figures/identification/identification.c. Output: figures/identification/identification.svg.
 width = 900; height = 470
 load 'figures/style.gp'
@@ -10,7 +10,7 @@ set tmargin at screen 0.97
 set bmargin at screen 0.42
 set format x ""
 set ylabel "x"
-set key top right # points and a curve through them
+set key top right # no names at the curves, because the points hide them
 plot dat index 0 using 1:2 with points ls 8 pt 7 ps 0.35 title "data, σ = 0.02", \
      '' index 0 using 1:3 with lines ls 1 title "fit of α, ρ, c, x_0, p_0"
 set tmargin at screen 0.38

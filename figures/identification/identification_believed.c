@@ -1,8 +1,9 @@
-/* figures/identification/identification_believed.c -- H 24: three profiles of alpha from one table.
+/* figures/identification/identification_believed.c -- H 24: three profiles of alpha from the same table.
  *
- * chi^2 less its least, by alpha, the others at their best: of all 200 rows of measured.tsv with
- * rho and c, and with an offset of the sensor, too; and of its first 25 rows with rho and c, beside
- * the parabola of its standard deviation. A line for each alpha, a block for each profile. */
+ * A profile is the least chi^2 at a fixed alpha over the other parameters, minus the least chi^2 of all. The
+ * first two profiles use all 200 rows of measured.tsv, with rho and c free, and then with an offset of the
+ * sensor free, too. The third one uses the first 25 rows with rho and c free. Prints a block for each profile:
+ * alpha, the profile, and the parabola ((alpha - estimate) / standard deviation)^2. */
 #include <fvi/fvi.h>
 
 #include <math.h>
@@ -11,14 +12,14 @@
 
 enum { GRID = 60 };
 
-/* chi^2 of the best rho, c and offset at this alpha. */
+/* Return the least chi^2 at this alpha, over the other free parameters of the fit; NAN if the search fails. */
 static double least(fvi_estimation fit, fvi_run run, double alpha, double sigma)
 {
     fvi_estimate f;
     run.alpha = alpha;
     fit.run = &run;
     fit.sigma = sigma;
-    fit.which++; /* without alpha, which stands first */
+    fit.which++; /* skip alpha, which is the first free parameter */
     fit.parameters--;
     const int status = fvi_estimate_multistart(&fit, NULL, &f);
     return status && status != FVI_ETOL ? NAN : f.chi2;

@@ -1,10 +1,12 @@
-/* figures/identification/identification_landscape.c -- H 24: where chi^2 is small.
+/* figures/identification/identification_landscape.c -- H 24: the false minima of chi^2.
  *
- * m = c = 1, rho = 0.05, alpha = 0.3, x0 = 1, p0 = 1/4, held: the exact motion at 200
- * times up to 60 with Gaussian noise of sigma = 0.02. First block: alpha, c and the mean
- * square of the residuals over sigma^2, rho known. Second: alpha, c and that mean where
- * searches end that begin in the local minima of this grid. Third: c, and the least of
- * the mean over alpha, and over alpha and rho. */
+ * The truth has m = c = 1, rho = 0.05, alpha = 0.3, x0 = 1, p0 = 1/4, held. The data are its exact motion at
+ * 200 times up to 60 with Gaussian noise of sigma = 0.02. The mean is the mean square of the residuals divided
+ * by sigma^2.
+ * - Block 0: alpha, c and the mean, with the true rho.
+ * - Block 1 (after an empty line): alpha, c and the mean where those searches end that begin in the local
+ *   minima of this grid.
+ * - Block 2: c, then the least mean over alpha, and the least mean over alpha and rho. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 
@@ -17,7 +19,7 @@ enum { N = 200, PARTS = 2, ALPHAS = 49, SPRINGS = 141, SLICES = 70 };
 static double t[N], data[N];
 static const double sigma = 0.02;
 
-/* The mean of (x(t_i) - x_i)^2 / sigma^2. */
+/* Return the mean of (x(t_i) - x_i)^2 / sigma^2, infinity if the run fails. */
 static double cost(double alpha, double rho, double c)
 {
     static double x[N * PARTS + 1];
@@ -47,8 +49,8 @@ static double c_at(int j)
     return 0.2 * pow(25, (double)j / (SPRINGS - 1));
 }
 
-/* The least mean over P of alpha, c (rho known) or alpha, rho (c known), from `starts`
- * places in the box; theta: where it is. */
+/* Return the least mean over the P parameters `which` in the box from low to high, by searches from `starts` places.
+ * Parameters that are not free keep rho = 0.05 and the given c. theta: P numbers, where the least mean is. */
 static double least(size_t P, const fvi_free_parameter *which, const double *low,
                     const double *high, size_t starts, double c, double *theta)
 {

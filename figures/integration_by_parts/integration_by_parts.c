@@ -1,8 +1,9 @@
-/* figures/integration_by_parts/integration_by_parts.c -- H 5: one operator looks back, the other
- * ahead; and the boundary term that is left over when the ends do not vanish.
+/* figures/integration_by_parts/integration_by_parts.c -- H 5: the two half derivatives of a bump, and the boundary
+ * term of fractional integration by parts.
  *
- * Block 0: t, a bump, and both half derivatives of it. Block 1: h, and for each
- * order what is left over in the first identity, computed. */
+ * - Block 0: t, a bump, its half derivative that looks back and the one that looks ahead.
+ * - Block 1: h, and for each order the boundary term of the first identity, for two functions that do not
+ *   vanish at the ends. */
 #include <fvi/paper/integration_by_parts.h>
 
 #include <math.h>
@@ -30,7 +31,7 @@ static int bump(void)
     return EXIT_SUCCESS;
 }
 
-/* h sum (Delta_+ G) F - h sum G (Delta_- F) on M steps of [0, 1]. */
+/* Compute h sum (Delta_+ G) F - h sum G (Delta_- F), with F = 1 + t, G = 3 - t^2 and M steps of [0, 1]. */
 static int leftover(double alpha, size_t M, double *left)
 {
     double F[N + 1], G[N + 1], dF[N + 1], dG[N + 1], h = 1 / (double)M;

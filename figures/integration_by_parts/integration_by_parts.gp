@@ -1,6 +1,7 @@
-# figures/integration_by_parts/integration_by_parts.gp -- H 5: looking back, looking ahead; the
-# boundary term. Input: figures/integration_by_parts/integration_by_parts.c.
-# Output: figures/integration_by_parts/integration_by_parts.svg.
+# figures/integration_by_parts/integration_by_parts.gp -- H 5: the two half derivatives of a bump, and the boundary
+# term of fractional integration by parts.
+# Input: figures/integration_by_parts/integration_by_parts.c. Output:
+# figures/integration_by_parts/integration_by_parts.svg.
 width = 860; height = 470
 load 'figures/style.gp'
 set multiplot layout 1,2 margins 0.075,0.985,0.135,0.91 spacing 0.1

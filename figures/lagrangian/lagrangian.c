@@ -1,7 +1,10 @@
-/* figures/lagrangian/lagrangian.c -- H 29: an elastic pendulum without weight, on a springpot strut.
+/* figures/lagrangian/lagrangian.c -- H 29: an elastic pendulum without weight, with a springpot strut or with two
+ * dampers along the axes.
  *
- * Prints three blocks: t, x1, x2; t, E, J with the damper along the strut; t, E, J with two dampers along
- * the axes. J is the angular momentum, less its value at the start. All is what stage 13 of the Course computes. */
+ * Computes everything with stage 13 of the Course. J is the angular momentum.
+ * - Block 0: t, x1, x2 with the damper along the strut.
+ * - Block 1: t, E, J - J(0) with the damper along the strut. J is conserved.
+ * - Block 2: t, E, J - J(0) with two dampers along the axes. J is not conserved. */
 #define main body_main
 #pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
 #include "course/body_13.c"

@@ -1,4 +1,5 @@
-# figures/lagrangian/lagrangian.gp -- H 29: damped, and yet not a digit of angular momentum is lost.
+# figures/lagrangian/lagrangian.gp -- H 29: a damped motion that conserves its angular momentum, and one that does
+# not.
 # Input: figures/lagrangian/lagrangian.c. Output: figures/lagrangian/lagrangian.svg.
 width = 1080; height = 420
 load 'figures/style.gp'

@@ -1,9 +1,10 @@
 /* figures/lagrangian/lagrangian_differences.c -- A body on a strut, by an action and by differences.
  *
- * Prints two blocks of t, x1, x2, E, J, and E, J, x1, x2 by differences, up to t = 400: one with steps of 0.2,
- * and one with steps of 0.025, every 40 units, as the truth. E is the energy, J the angular
- * momentum. The action is that of stage 13 of the Course, the differences are those of
- * tests/lagrangian/strut_differences.h. */
+ * Prints t, then x1, x2, E, J of the integrator that comes from an action (stage 13 of the Course), then E, J,
+ * x1, x2 of the scheme by differences (tests/lagrangian/strut_differences.h). E is the energy, J the angular
+ * momentum. Both runs go up to t = 400.
+ * - Block 0: steps of 0.2.
+ * - Block 1: steps of 0.025, every 40 units of time. It serves as the reference. */
 #define main body_main
 #pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
 #include "course/body_13.c"

@@ -1,8 +1,8 @@
 /* figures/lagrangian/lagrangian_six.c -- The six mechanisms of the manual.
  *
- * Prints a block for each, with rows of what its panel shows: the path of an elastic pendulum; the place of a cart and
- * of its pendulum's bob; the tip of a double pendulum; crank end and rocker end of a linkage, of which the last row
- * is the first, too; x and v of van der Pol's oscillator; t and x of a ball. */
+ * Prints a block for each mechanism with what its panel shows: the path of an elastic pendulum; the positions
+ * of a cart and of its pendulum's bob; the tip of a double pendulum; the crank's end and the rocker's end of a
+ * linkage; x and v of van der Pol's oscillator; t and x of a bouncing ball. */
 #include <fvi/fvi.h>
 
 #include <math.h>
@@ -90,7 +90,7 @@ static int block(const mechanism *m)
     fvi_run run = fvi_run_default(&system, m->x0, p0, m->h, m->steps);
     fvi_typed_events_of(events, system.mechanism);
     run.events = fvi_events_typed(events, &run.event_count);
-    run.longest = m->h; /* of the ball: it is drawn at the ends of steps */
+    run.longest = m->h; /* fvi_variable_step prints the ball at the ends of steps, so they must be short */
     if (!status)
         status = fvi_stepper_start(m->event ? &fvi_variable_step : &fvi_lobatto_m4, &run, &s, NULL);
     if (status)

@@ -1,8 +1,11 @@
-/* figures/legendre/legendre.c -- H 8: three momenta, and what each does to the errors.
+/* figures/legendre/legendre.c -- H 8: the errors of three definitions of the momentum.
  *
- * Block 0: the paper's problem, m = c = 1, rho = 1/5, alpha = 1/2, kappa = 1/2,
- * x0 = 1, p0 = 1/2, to t = 15. Block 1: a Duffing oscillator without damping, whose
- * solution is an elliptic function, to t = 5. */
+ * - Block 0: the paper's problem, m = c = 1, rho = 1/5, alpha = 1/2, kappa = 1/2, x0 = 1, p0 = 1/2, up to t =
+ *   15.
+ * - Block 1: a Duffing oscillator without damping, whose solution is an elliptic function, up to t = 5.
+ *
+ * Each row has h, the largest errors of p by the matched momentum, by D2 L_d without damping and by the
+ * quotient m (x_k - x_{k-1}) / h, and then the largest errors of the three energies. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/legendre.h>
@@ -17,14 +20,14 @@ enum { MATCHED, RAW, QUOTIENT, CANDIDATES, MOST = 2400 };
 
 static const double one = 1, half = 0.5;
 
-/* The energy as a number. */
+/* Return the energy, NAN if fvi_energy fails. */
 static double energy(const fvi_system *system, const double *x, const double *p)
 {
     double E;
     return fvi_energy(system, x, p, &E) ? (double)NAN : E;
 }
 
-/* x'' + rho x' + x = 0, x(0) = 1, x'(0) = 1/2. */
+/* Compute the solution of x'' + rho x' + x = 0, x(0) = 1, x'(0) = 1/2. */
 static void damped(double rho, double t, double *x, double *p)
 {
     const double omega = sqrt(1 - rho * rho / 4), B = (half + rho / 2) / omega;
@@ -34,7 +37,7 @@ static void damped(double rho, double t, double *x, double *p)
     *p = fade * omega * (B * C - S) - rho / 2 * *x;
 }
 
-/* x'' + x + x^3 = 0: x = A cn(omega t - 1/2). */
+/* Compute the solution x = A cn(omega t - 1/2) of x'' + x + x^3 = 0. */
 static void elliptic(double rho, double t, double *x, double *p)
 {
     (void)rho;
@@ -46,7 +49,7 @@ static void elliptic(double rho, double t, double *x, double *p)
     *p = -A * omega * sn * dn;
 }
 
-/* One row: h, then for each momentum the largest errors of p and of the energy. */
+/* Print one row: h, the largest error of p for each momentum, the largest error of the energy for each momentum. */
 static void row(double rho, const fvi_potential *u, double T, size_t N,
                 void (*exact)(double, double, double *, double *))
 {

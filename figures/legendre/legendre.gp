@@ -1,13 +1,13 @@
-# figures/legendre/legendre.gp -- H 8: the errors of three momenta and their energies.
+# figures/legendre/legendre.gp -- H 8: the errors of three definitions of the momentum, and of their energies.
 # Input: figures/legendre/legendre.c. Output: figures/legendre/legendre.svg.
 width = 1000; height = 430
 load 'figures/style.gp'
-array slope[9]; array last[9] # p, E of block 0, p of block 1, three of each
+array slope[9]; array last[9] # three for p of block 0, three for E of block 0, three for p of block 1
 do for [j=1:9] {
     stats dat index (j > 6) using (log($1)):(log(column((j - 1) % 6 + 2))) name "S" nooutput
     slope[j] = S_slope
     stats dat index (j > 6) every ::4::4 using (log(column((j - 1) % 6 + 2)) - log($1) * (j == 7 ? 2 : 1)) name "L" nooutput
-    last[j] = L_min # the line of the predicted slope through the last point
+    last[j] = L_min # a line of the predicted slope goes through the last point
 }
 set logscale xy
 set format y "10^{%L}"

@@ -1,7 +1,9 @@
-/* figures/lobatto/lobatto.c -- H 17: orders on the Bagley-Torvik problem.
+/* figures/lobatto/lobatto.c -- H 17: the error against h of three methods with stages, for the problem of Bagley
+ * and Torvik.
  *
- * x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest. For s = 2, 3, 4 a block
- * with the largest errors of x, p and the corrected p on 2 <= t <= 20. */
+ * The problem is x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest. Prints a block for each number of
+ * stages s = 2, 3, 4: h, then the largest errors of x, of p and of the corrected p on 2 <= t <= 20, without the
+ * last two nodes. */
 #include <fvi/error.h>
 #include "run/whole_run.h"
 #include <fvi/exact_solution.h>

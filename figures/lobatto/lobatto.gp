@@ -1,4 +1,5 @@
-# figures/lobatto/lobatto.gp -- H 17: error against step, Bagley-Torvik.
+# figures/lobatto/lobatto.gp -- H 17: the error against h of three methods with stages, for the problem of Bagley and
+# Torvik.
 # Input: figures/lobatto/lobatto.c. Output: figures/lobatto/lobatto.svg.
 width = 900; height = 440
 load 'figures/style.gp'
@@ -6,13 +7,13 @@ alpha = 0.75
 x_order(s) = (o = s + 2 - 2*alpha, o < 2*s - 2 ? o : 2*s - 2)
 p_order(s) = (o = s + 1 - 2*alpha, o < 2*s - 2 ? o : 2*s - 2)
 array hx[3]; array q[3]; array q0[3]; array p[3]; array p0[3]; array hm[3]
-do for [i=1:3] { # slopes over all but the first two steps, above rounding
+do for [i=1:3] { # fit the slopes to all steps but the first two, where the errors are above rounding
     stats dat index i-1 every ::2 using (log($1)):($2 > 1e-12 ? log($2) : NaN) name "X" nooutput
     stats dat index i-1 every ::2 using (log($1)):(log($3)) name "P" nooutput
     q[i] = X_slope; q0[i] = X_intercept; hx[i] = X_mean_x
     p[i] = P_slope; p0[i] = P_intercept; hm[i] = P_mean_x
 }
-# the line of order o through the middle of the points
+# Return the line of order o through the middle of the points.
 line(h, o, slope, intercept, mean) = exp(intercept + slope*mean + o*(log(h) - mean))
 set logscale xy
 set format x "10^{%L}"

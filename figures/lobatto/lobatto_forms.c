@@ -1,9 +1,9 @@
-/* figures/lobatto/lobatto_forms.c -- H 17: both forms of the inertia.
+/* figures/lobatto/lobatto_forms.c -- H 17: the two forms of the inertia, form M and form D.
  *
- * Blocks 0 to 3, s = 3 to 6: h, then the largest error of x and of p on 2 <= t <= 20 of form
- * M and of form D, x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest.
- * Block 4: t, energy of x'' + x^3 = 0 over that of the start, s = 3, steps of 1/2: form M,
- * form D. */
+ * - Blocks 0 to 3, for s = 3 to 6 stages: h, the largest errors of x and p with form M, the largest errors of x
+ *   and p with form D, on 2 <= t <= 20, for x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest.
+ * - Block 4: t, the energy of x'' + x^3 = 0 divided by its value at the start, with form M and with form D, s =
+ *   3, h = 1/2. */
 #include <fvi/exact_solution.h>
 #include "run/whole_run.h"
 #include <fvi/lobatto.h>

@@ -1,8 +1,8 @@
-# figures/lobatto/lobatto_forms.gp -- H 17: both forms of the inertia.
+# figures/lobatto/lobatto_forms.gp -- H 17: the two forms of the inertia, form M and form D.
 # Input: figures/lobatto/lobatto_forms.c. Output: figures/lobatto/lobatto_forms.svg.
 width = 920; height = 470
 load 'figures/style.gp'
-look(i) = i < 3 ? 14 + i : 18 + i # three stages to six
+look(i) = i < 3 ? 14 + i : 18 + i # the line style of block i, for 3 to 6 stages
 set multiplot layout 1,2 margins 0.09,0.985,0.12,0.9 spacing 0.1
 
 set title "Bagley and Torvik, x at 2 ≤ t ≤ 20; M dashed, D solid"

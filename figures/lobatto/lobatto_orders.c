@@ -1,8 +1,8 @@
-/* figures/lobatto/lobatto_orders.c -- H 17: the order for every alpha.
+/* figures/lobatto/lobatto_orders.c -- H 17: the observed orders of three methods with stages, for every alpha.
  *
- * x'' + x + 0.3 D^{2 alpha} x = 0, x_0 = 1, p_0 = 1/2, Caputo: slopes of the
- * largest errors of x and p on 1 <= t <= 4, over the last three steps h, h/2, h/4
- * whose errors are above rounding. */
+ * The problem is x'' + x + 0.3 D^{2 alpha} x = 0, x_0 = 1, p_0 = 1/2, with Caputo's past. Prints a block for
+ * each number of stages s = 2, 3, 4: alpha, then the orders of x and of p. An order is the slope of the largest
+ * error on 1 <= t <= 4, over the last three steps h, h/2, h/4 whose errors are above rounding. */
 #include <fvi/error.h>
 #include "run/whole_run.h"
 #include <fvi/exact_solution.h>

@@ -1,4 +1,4 @@
-# figures/lobatto/lobatto_orders.gp -- H 17: the order for every alpha.
+# figures/lobatto/lobatto_orders.gp -- H 17: the observed orders of three methods with stages, for every alpha.
 # Input: figures/lobatto/lobatto_orders.c. Output: figures/lobatto/lobatto_orders.svg.
 width = 900; height = 390
 load 'figures/style.gp'

@@ -1,7 +1,7 @@
-/* figures/memory/memory.c -- H 12: a power as a sum of exponentials.
+/* figures/memory/memory.c -- H 12: the weights of the memory as a sum of exponentials.
  *
- * Prints, for nu = 1/2 and N = 10^6: the weights and their sum of exponentials;
- * the relative error of that sum for three delta; its modes. */
+ * nu = 1/2 and N = 10^6. Prints the weights and their sum of exponentials; then the relative error of this sum
+ * for three tolerances delta; then the exponentials one by one, the modes. */
 #include <fvi/coefficients.h>
 #include "memory/history_kinds.h"
 

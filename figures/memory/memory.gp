@@ -1,4 +1,4 @@
-# figures/memory/memory.gp -- H 12: a power as a sum of exponentials.
+# figures/memory/memory.gp -- H 12: the weights of the memory as a sum of exponentials.
 # Input: figures/memory/memory.c. Output: figures/memory/memory.svg.
 width = 900; height = 460
 load 'figures/style.gp'

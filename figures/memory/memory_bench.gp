@@ -1,4 +1,4 @@
-# figures/memory/memory_bench.gp -- H 12: what `make bench` measured.
+# figures/memory/memory_bench.gp -- H 12: the times that `make bench` measured for the memory.
 # Input: figures/memory/memory_bench.tsv. Output: figures/memory/memory_bench.svg.
 width = 1000; height = 400
 load 'figures/style.gp'
@@ -10,7 +10,7 @@ set format y "10^{%L}"
 set xlabel "steps N"
 set multiplot layout 1,3 margins 0.075,0.985,0.15,0.9 spacing 0.095
 unset key
-# the guides go through the last measured point of their own curve
+# Each guide line goes through the last measured point of its curve.
 stats tsv index 0 using 2:3 nooutput; n1 = STATS_max_x; t1 = STATS_max_y
 stats tsv index 2 using 2:3 nooutput; n3 = STATS_max_x; t3 = STATS_max_y
 

@@ -1,5 +1,5 @@
-# figures/memory/memory_strip.gp -- H 12: the strip and its image.
-# (12.7) with N = 1, drawn from its formula. Output: figures/memory/memory_strip.svg.
+# figures/memory/memory_strip.gp -- H 12: the strip of (12.7) and its image, for N = 1.
+# Drawn from the formula. Output: figures/memory/memory_strip.svg.
 width = 900; height = 420
 load 'figures/style.gp'
 set multiplot layout 1,2 margins 0.085,0.985,0.14,0.9 spacing 0.1

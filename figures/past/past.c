@@ -1,10 +1,9 @@
-/* figures/past/past.c -- H 19: pasts and their futures.
+/* figures/past/past.c -- H 19: four pasts and the motions that follow them.
  *
- * m = c = 1, rho = 1, x0 = 1, p0 = 1/2; t and x from t = -4 to 12, the past as the
- * damping sees it and the exact motion that follows: for alpha = 1/4 at 0 and then
- * put at x0 (Riemann-Liouville), and held (as Caputo has it); for alpha = 3/4 held,
- * and come along the straight line (Caputo). A line for each point, a block for each
- * past. */
+ * m = c = 1, rho = 1, x0 = 1, p0 = 1/2. Prints a block for each past: t from -4 to 12, and x, which is the path
+ * that the damping assumes for t < 0 and the exact motion for t >= 0. For alpha = 1/4 the body is held (which
+ * is Caputo's past, too), or it is at 0 and is then put at x0 (Riemann-Liouville). For alpha = 3/4 the body is
+ * held, or it came along a straight line (Caputo). */
 #include <fvi/exact_solution.h>
 
 #include <stdio.h>
@@ -12,7 +11,7 @@
 
 enum { BEFORE = 4, AFTER = 12, FINE = 50 };
 
-/* What a damping of this order takes for the path before t = 0. */
+/* Return the x(t) that the damping assumes for t < 0. */
 static double before(const fvi_linear_oscillator *p, double t)
 {
     if (p->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)

@@ -1,4 +1,4 @@
-# figures/past/past.gp -- H 19: pasts and their futures.
+# figures/past/past.gp -- H 19: four pasts and the motions that follow them.
 # Input: figures/past/past.c. Output: figures/past/past.svg.
 width = 900; height = 420
 load 'figures/style.gp'

@@ -1,9 +1,8 @@
-/* figures/past/past_family.c -- H 19: one body, held and let go, seven orders.
+/* figures/past/past_family.c -- H 19: a body that is held and let go, for seven alpha.
  *
- * The start and the system are those of `fvi run`: m = c = 1, rho = 0.2, x0 = 1,
- * p0 = 1/2, held before t = 0. Prints a block for each alpha: t and x of a run of
- * fvi-lobatto4 with h = 0.05 up to t = 15, at every tenth node the exact x, else
- * "-", and in the last line the name of the curve. */
+ * The system and the start are the defaults of `fvi run`: m = c = 1, rho = 0.2, x0 = 1, p0 = 1/2, held before t
+ * = 0. Prints a block for each alpha: t, x of a run of fvi-lobatto4 with h = 0.05 up to t = 15, and at every
+ * tenth node the exact x (elsewhere "-"). The last line of a block also has the name of the curve. */
 #include <fvi/exact_solution.h>
 #include "run/whole_run.h"
 #include <fvi/lobatto.h>

@@ -1,4 +1,4 @@
-# figures/past/past_family.gp -- H 19: one body, held and let go, seven orders.
+# figures/past/past_family.gp -- H 19: a body that is held and let go, for seven alpha.
 # Input: figures/past/past_family.c. Output: figures/past/past_family.svg.
 width = 860; height = 500
 load 'figures/style.gp'

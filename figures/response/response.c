@@ -1,14 +1,15 @@
-/* figures/response/response.c -- H 30: a receptance, and what its two poles alone would give.
+/* figures/response/response.c -- H 30: a receptance, and the part of it that comes from two poles.
  *
- * The body of Chapter 1, m = c = 1 and rho = 1/2. Block 0, alpha = 1/4: omega, |H|, the modulus of the
- * poles' part. Blocks 1 to 3, alpha = 0.05, 0.25, 0.45: omega, what that part is off by, of |H|. */
+ * The system is the body of Chapter 1, m = c = 1 and rho = 1/2.
+ * - Block 0, alpha = 1/4: omega, |H|, and the modulus of the poles' part of H.
+ * - Blocks 1 to 3, alpha = 0.05, 0.25, 0.45: omega, |poles' part - H| / |H|. */
 #include <complex.h>
 #include <fvi/response.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-/* H(i omega) and its poles' part, by the residues v^2. */
+/* Compute H(i omega), and its poles' part from the residues v^2. */
 static void evaluate_receptance(double alpha, double omega, double complex *H,
                                 double complex *modes)
 {

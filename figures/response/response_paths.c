@@ -1,8 +1,9 @@
-/* figures/response/response_paths.c -- H 30: the poles of three storeys as a damper grows.
+/* figures/response/response_paths.c -- H 30: the paths of the poles of three storeys as a damper grows.
  *
- * Masses and springs 1, a springpot of order 1/2 below the first floor, rho from 10^-3 to 10^3.
- * Blocks 0 to 2, a pole each: rho, Re, Im, damping ratio. Block 3: where they begin. Block 4: what
- * they are for rho = 1. */
+ * Masses and springs are 1. A springpot of order 1/2 stands below the first floor, with rho from 10^-3 to 10^3.
+ * - Blocks 0 to 2, one for each pole: rho, Re s, Im s, damping ratio.
+ * - Block 3: the three poles at rho = 10^-3, where the paths begin.
+ * - Block 4: the three poles at rho = 1. */
 #include <fvi/dampers.h>
 #include <fvi/response.h>
 #include <fvi/structures.h>
@@ -18,7 +19,7 @@ static double rho_of(int i)
     return pow(10, -3 + 6.0 * i / STEPS);
 }
 
-/* at[k] becomes the pole that is nearest to it. */
+/* Compute the poles for this rho. Replace each at[k], the pole for the rho before, by the new pole nearest to it. */
 static void find_poles(const fvi_structure *storeys, double rho, double at[3][2])
 {
     static const double row[3] = { 1, 0, 0 };
@@ -69,7 +70,7 @@ int main(void)
         return EXIT_FAILURE;
     double at[3][2] = { { 0 } };
     static double path[STEPS + 1][3][2];
-    for (int j = 0; j < 3; j++) /* without damping: 2 sin((2 j + 1) pi / 14) */
+    for (int j = 0; j < 3; j++) /* the frequencies without damping */
         at[j][1] = 2 * sin((2 * j + 1) * acos(-1) / 14);
     for (int i = 0; i <= STEPS; i++) {
         find_poles(storeys, rho_of(i), at);

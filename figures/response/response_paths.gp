@@ -1,4 +1,4 @@
-# figures/response/response_paths.gp -- H 30: the poles of three storeys as a damper grows.
+# figures/response/response_paths.gp -- H 30: the paths of the poles of three storeys as a damper grows.
 # Input: figures/response/response_paths.c. Output: figures/response/response_paths.svg.
 width = 900; height = 460
 load 'figures/style.gp'

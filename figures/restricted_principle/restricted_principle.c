@@ -1,7 +1,10 @@
-/* figures/restricted_principle/restricted_principle.c -- H 3: two curves and one bump.
+/* figures/restricted_principle/restricted_principle.c -- H 3: a solution and its mirror image, varied by the same
+ * bump, and the action of the varied curves.
  *
- * Prints a solution x, its mirror y, both with the same bump added, and the
- * action along two lines of varied curves: one bump for both, and x alone. */
+ * - Block 0: t, a solution x, its mirror image y, both with the same bump added, and y with the mirror image of
+ *   the bump added.
+ * - Block 1: the size eps of the bump, the change of the action if both curves get the bump, the change if only
+ *   x gets it, and the predicted tangent of the latter. */
 #include <fvi/paper/restricted_principle.h>
 
 #include <stdio.h>
@@ -10,9 +13,10 @@
 enum { ORDER = 20, TERMS = ORDER * ORDER, ROWS = 200 };
 
 static const double alpha = 0.3, T = 3, m = 1, rho = 0.5, c = 4;
-static const double epsilon = 0.35; /* of the curves that are drawn */
+static const double epsilon = 0.35; /* the size of the bump in block 0 */
 
-/* The bump t (T - t)^3 divided by its largest value, at T/4. */
+/* xi, the bump t (T - t)^3 divided by its largest value, which is at T/4: its powers of t and their coefficients, and
+ * the coefficients of the bump as seen from the other end. */
 static const double degree[] = { 0, 1, 2, 3, 4 };
 static double here[] = { 0, 27, -27, 9, -1 }, there[5];
 
@@ -49,8 +53,7 @@ int main(void)
                at(&x, r) + epsilon * at(&xi, r));
     }
 
-    /* y is x read from the other end: the same powers. A varied curve has the
-     * powers of both. */
+    /* y is x read from the other end, so it has the same powers. A varied curve has the powers of x and of the bump. */
     double e2[TERMS + 5], cx[TERMS + 5], cy[TERMS + 5], S0, both, alone, slope;
     if (fvi_action(&system, alpha, T, &x, &x, &S0)
         || fvi_action_variation(&system, alpha, T, &x, &x, &xi, &none, &slope))

@@ -1,5 +1,6 @@
-# figures/restricted_principle/restricted_principle.gp -- H 3: the varied curves, the action.
-# Input: figures/restricted_principle/restricted_principle.c. Output: figures/restricted_principle/restricted_principle.svg.
+# figures/restricted_principle/restricted_principle.gp -- H 3: the varied curves, and their action.
+# Input: figures/restricted_principle/restricted_principle.c. Output:
+# figures/restricted_principle/restricted_principle.svg.
 width = 920; height = 450
 load 'figures/style.gp'
 unset key

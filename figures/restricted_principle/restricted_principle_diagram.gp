@@ -1,4 +1,5 @@
 # figures/restricted_principle/restricted_principle_diagram.gp -- H 3: two ways to linear damping.
+# No data.
 # Output: figures/restricted_principle/restricted_principle_diagram.svg. It draws no data.
 width = 860; height = 380
 load 'figures/style.gp'
@@ -6,7 +7,7 @@ unset border; unset tics; unset grid; unset key
 set xrange [0:100]; set yrange [0:100]
 set lmargin 1; set rmargin 1; set tmargin 1; set bmargin 1
 
-# Four boxes, two rows of text each.
+# Draw four boxes with two rows of text each.
 set style rectangle fc rgb "#f4f7fb" fillstyle solid 1 border lc rgb "#0072B2"
 set object rectangle from 1,68 to 37,96
 set label "a Lagrangian and a force" at 19,86.4 center font ",14"
@@ -21,7 +22,7 @@ set object rectangle from 59,4 to 99,32
 set label "the fractionally damped equation" at 79,22.4 center font ",14"
 set label "(d/dt) ∂L/∂x′ − ∂L/∂x + ρ D_{−}^{α}D_{−}^{α}x = 0" at 79,13.6 center
 
-# The two ways round.
+# Draw the arrows of the two ways.
 set style arrow 1 head filled size screen 0.012,20 lc rgb "#444444" lw 1.6
 set arrow from 38,82 to 58,82 as 1
 set arrow from 19,67 to 19,33 as 1

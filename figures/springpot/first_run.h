@@ -1,6 +1,6 @@
-/* figures/springpot/first_run.h -- H 0: the data of the first run.
+/* figures/springpot/first_run.h -- H 0: the first run of the Handbook, by the library and by a ladder.
  *
- * m = c = 1, rho = 1/2, alpha = 1/4, so that the damping is of order 1/2. */
+ * m = c = 1, rho = 1/2, alpha = 1/4, so the damping has the order 1/2. */
 #ifndef FIRST_RUN_H
 #define FIRST_RUN_H
 
@@ -11,8 +11,8 @@
 enum { ROWS = 4000, FORK = 560 };
 #define STEP 0.005
 
-/* x and p of the library, ROWS + 1 numbers each, of a body held at x0 and let go there
- * with p0. Returns what fvi_trajectory returns. */
+/* Compute x and p, ROWS + 1 numbers each, of a body that is held at x0 and let go with the momentum p0, with the
+ * library. Returns the code of fvi_trajectory. */
 static inline int first_run(double x0, double p0, double *x, double *p)
 {
     const double one = 1, rho = 0.5;
@@ -25,8 +25,8 @@ static inline int first_run(double x0, double p0, double *x, double *p)
     return fvi_trajectory(&fvi_lobatto_m4, &run, x, p, NULL);
 }
 
-/* The same body on a ladder of order 1/2, whose time eta / k is 1/1000 and whose rho,
- * the root of k eta, is 1/2; all nodes at x0. */
+/* Return the same body on a ladder of order 1/2, with all nodes at x0 and the velocity v0 of the body. The time eta / k
+ * of the ladder is 1/1000 and its rho, the square root of k eta, is 1/2. */
 static inline ladder first_ladder(double x0, double v0)
 {
     const double k = sqrt(1000) / 2;

@@ -1,18 +1,17 @@
 /* figures/springpot/ladder.h -- H 0: a ladder of springs and dashpots.
  *
- * Node j = 0, 1, ... stands at x_j, hangs from node j - 1 by a spring, and drags a dashpot
- * along a fixed rail. Node 0 is pulled by a force f and may carry a mass m and a spring c
- * of its own, to the rail:
+ * Node j = 0, 1, ... is at x_j. A spring connects it to node j - 1, and a dashpot connects it to a fixed rail.
+ * A force f acts on node 0, which may also carry a mass m and a spring c to the rail:
  *
  *     m x_0'' + c_0 x_0' + c x_0 + k_0 (x_0 - x_1) = f,
  *     c_j x_j' = k_{j-1} (x_{j-1} - x_j) - k_j (x_j - x_{j+1}),    j > 0.              (0.3)
  *
- * Constants that grow or fade along the ladder give each order beta from 0 to 1, (0.5):
+ * Constants that grow or decay along the ladder give each order beta from 0 to 1, (0.5):
  *
  *     k_j = k (j + 1/2)^(1 - 2 beta),   c_j = eta j^(1 - 2 beta),
  *
- * c_0 is the integral of eta j^(1 - 2 beta) over the half rung from 0 to 1/2. The last
- * node is free: it must be so far away that it does not yet move. */
+ * where c_0 is the integral of eta j^(1 - 2 beta) over the half rung from 0 to 1/2. The last node has no
+ * further spring. The ladder must be so long that the last node does not move during the run. */
 #ifndef LADDER_H
 #define LADDER_H
 
@@ -22,14 +21,14 @@
 enum { RUNGS = 600 };
 
 typedef struct {
-    double m, c; /* of node 0; 0 if there is none */
+    double m, c; /* the mass and the spring of node 0; 0 if there is none */
     double
         spring[RUNGS]; /* k_j, between nodes j and j + 1; the last one is 0 */
     double dashpot[RUNGS];
     double x[RUNGS], v; /* positions, and the velocity of node 0 */
 } ladder;
 
-/* A ladder of order beta, 0 < beta < 1, at rest at 0; k, eta > 0. */
+/* Return a ladder of order beta, 0 < beta < 1, at rest at 0; k, eta > 0. */
 static inline ladder ladder_of_order(double beta, double k, double eta)
 {
     const double a = 1 - 2 * beta;
@@ -43,21 +42,21 @@ static inline ladder ladder_of_order(double beta, double k, double eta)
     return l;
 }
 
-/* The rho of the springpot that it is for slow motions: (0.5). */
+/* Return the rho of the springpot that the ladder becomes for slow motions, (0.5). */
 static inline double ladder_rho(double beta, double k, double eta)
 {
     return pow(2, 1 - 2 * beta) * tgamma(1 - beta) / tgamma(beta)
            * pow(k, 1 - beta) * pow(eta, beta);
 }
 
-/* Stage y = from + h F(y), by elimination from the last node to the first: node j passes
- * to node j - 1 what it and all that hang from it ask for, (0.4) is the same in s. */
+/* Solve the stage y = from + h F(y). Elimination runs from the last node to the first: seen from node j - 1, all nodes
+ * from j on are one spring with one load. (0.4) is the same elimination for the Laplace transforms. */
 static inline void ladder_stage(const ladder *l, const double *from, double v,
                                 double h, double f, double *y)
 {
     //> elimination
     double weight[RUNGS],
-        load[RUNGS]; /* of nodes j, j + 1, ...: weight y_j = load + k y_{j-1} */
+        load[RUNGS]; /* weight y_j = load + k_{j-1} y_{j-1}, after the elimination of all nodes behind j */
     for (size_t j = RUNGS; j-- > 0;) {
         weight[j] = l->dashpot[j] / h + (j > 0 ? l->spring[j - 1] : 0);
         load[j] = l->dashpot[j] / h * from[j];
@@ -74,8 +73,8 @@ static inline void ladder_stage(const ladder *l, const double *from, double v,
     //< elimination
 }
 
-/* A step h under a force that is constant in it: Alexander's method, two stages, order 2,
- * which damps what is too fast for the step. */
+/* Make a step h under a force f that is constant during the step, by Alexander's method. It has two stages and order 2,
+ * and it damps those parts of the motion that are too fast for the step. */
 static inline void ladder_step(ladder *l, double h, double f)
 {
     const double g = 1 - sqrt(0.5), more = (1 - g) / g;

@@ -1,5 +1,6 @@
-# figures/springpot/springpot.gp -- H 0: spring, springpot, dashpot, mass and ladder.
-# A drawing, made of lines alone; the Course draws it with other letters. Output: figures/springpot/springpot.svg.
+# figures/springpot/springpot.gp -- H 0: the symbols of a spring, a springpot, a dashpot and a mass, and a ladder.
+# Everything is drawn with lines. The Course loads this drawing with other letters (course_elements.gp).
+# Output: figures/springpot/springpot.svg.
 width = 900; height = 330
 load 'figures/style.gp'
 if (!exists("force")) { force = "f"; stiffness = "k"; equation = "m x'' + U'(x) + ρ D^{2α} x = F"; joints = "x_0 x_1 x_2"; ladder = "a ladder, which is a springpot" }
@@ -11,7 +12,7 @@ ink = "#222222"
 set style line 20 lc rgb ink lw 1.6 dt 1
 set style line 21 lc rgb "#0072B2" lw 2.2 dt 1
 
-# An element between (0, 0) and (4, 0): two leads, and what stands between them.
+# The elements lie between (0, 0) and (4, 0), with a lead at each end.
 $spring << END
 0 0
 .9 0
@@ -57,7 +58,7 @@ set label 3 "springpot, 0 < β < 1" at 3.5,6.7 center tc rgb ink
 set label 4 force . " = ρ D^{β} x" at 3.5,4.4 center tc rgb ink
 set label 5 "dashpot, β = 1" at 3.5,3.4 center tc rgb ink
 set label 6 force . " = η x'" at 3.5,1.2 center tc rgb ink
-# The body on its spring and springpot.
+# Draw the body on its spring and springpot.
 set object 1 rectangle from 13.9,4.0 to 16.1,7.6 fc rgb "#e8eef4" fs solid border rgb ink lw 1.6
 set label 10 "m" at 15,5.8 center tc rgb ink
 set arrow 1 from 9.2,3.4 to 9.2,8.2 nohead lc rgb ink lw 3
@@ -65,7 +66,7 @@ set label 11 equation at 12.6,9.9 center tc rgb ink
 set label 12 "β = 2α" at 12.6,1.9 center tc rgb ink
 set arrow 2 from 15,3.3 to 16.4,3.3 head filled size .3,20 lc rgb ink lw 1.2
 set label 13 "x" at 16.6,3.3 left tc rgb ink
-# The ladder.
+# Draw the ladder.
 set label 20 ladder at 24.2,9.9 center tc rgb ink
 set arrow 3 from 18.2,8.2 to 29.6,8.2 nohead lc rgb ink lw 3
 set label 21 word(joints, 1) at 19.4,2.9 center tc rgb ink

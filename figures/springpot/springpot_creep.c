@@ -1,9 +1,11 @@
-/* figures/springpot/springpot_creep.c -- H 0: ladders creep, and are let go.
+/* figures/springpot/springpot_creep.c -- H 0: ladders under a force, and after it.
  *
- * Blocks 0, 1, 2: beta = 1/4, 1/2, 3/4; t, the creep x of the ladder under a force 1, that
- * of its springpot (0.2). Blocks 3 to 6: a force 1 from t = 0 to 1 on a ladder of order 1/2
- * whose time eta / k is 1/1000, rho = 1: t, x; then that of its springpot, of a spring
- * and of a dashpot with the constant 1. */
+ * - Blocks 0 to 2, for beta = 1/4, 1/2, 3/4: t, the creep x of the ladder under a force 1, and the creep (0.2)
+ *   of its springpot.
+ * - Block 3: t and x of a ladder of order 1/2 under a force 1 from t = 0 to 1. Its time eta / k is 1/1000 and
+ *   its rho is 1.
+ * - Blocks 4 to 6: t and x under the same force, of the springpot of this ladder, of a spring and of a dashpot
+ *   with the constant 1. */
 #include "ladder.h"
 
 #include <stdio.h>
@@ -28,8 +30,9 @@ static void creep(double beta)
     printf("\n\n");
 }
 
-/* The power t^order, from when the force comes, less that from when it goes. */
-static double lent(double t, double order)
+/* Return x(t) of an element of this order under a force 1 from t = 0 to 1: its creep since t = 0, minus its creep since
+ * t = 1. */
+static double creep_and_recovery(double t, double order)
 {
     const double up = t > 0 ? pow(t, order) : 0,
                  down = t > 1 ? pow(t - 1, order) : 0;
@@ -53,7 +56,7 @@ int main(void)
         printf("\n\n");
         for (int n = -100; n <= 1500; n++)
             printf("%.9g %.9g\n", 0.002 * n,
-                   orders[i] > 0 ? lent(0.002 * n, orders[i])
+                   orders[i] > 0 ? creep_and_recovery(0.002 * n, orders[i])
                                  : n >= 0 && n < 500);
     }
     return 0;

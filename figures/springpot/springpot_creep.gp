@@ -1,4 +1,4 @@
-# figures/springpot/springpot_creep.gp -- H 0: ladders creep, and are let go.
+# figures/springpot/springpot_creep.gp -- H 0: ladders under a force, and after it.
 # Input: figures/springpot/springpot_creep.c. Output: figures/springpot/springpot_creep.svg.
 width = 900; height = 420
 load 'figures/style.gp'

@@ -1,9 +1,11 @@
-/* figures/springpot/springpot_run.c -- H 0: the first run, and the ladder's.
+/* figures/springpot/springpot_run.c -- H 0: the first run, by the library and by a ladder.
  *
- * m = c = 1, rho = 1/2, alpha = 1/4, held at 1 and let go. Blocks: t, x of a run of the
- * library; t, x_0 of a ladder that carries the mass, and three of its rungs, x_30, x_100,
- * x_300; t, x of a run that starts at t = 2.8 with the x and p that the first has there,
- * held there before; and the same of a ladder, all of its rungs there at t = 2.8. */
+ * m = c = 1, rho = 1/2, alpha = 1/4; the body is held at 1 and let go.
+ * - Block 0: t, x of a run of the library.
+ * - Block 1: t, x_0, x_30, x_100, x_300 of a ladder whose node 0 carries the mass.
+ * - Block 2: t, x of a second run. It starts at t = 2.8 with the x and p that the first run has then, but it
+ *   was held there before.
+ * - Block 3: t, x_0 of a second ladder, which starts at t = 2.8 with all its nodes at that x. */
 #include <fvi/fvi.h>
 #include "first_run.h"
 

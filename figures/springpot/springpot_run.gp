@@ -1,4 +1,4 @@
-# figures/springpot/springpot_run.gp -- H 0: the first run, and the ladder's.
+# figures/springpot/springpot_run.gp -- H 0: the first run, by the library and by a ladder.
 # Input: figures/springpot/springpot_run.c. Output: figures/springpot/springpot_run.svg.
 width = 900; height = 420
 load 'figures/style.gp'

@@ -1,10 +1,11 @@
-/* figures/stability/stability.c -- H 14: where a step becomes unstable, and how.
+/* figures/stability/stability.c -- H 14: the largest stable step of fvi, and the growth beyond it.
  *
- * Block 0: alpha, then the measured and the predicted largest R for kappa = 1/2
- * and for kappa = 0 with W = 1. Measured: bisection between runs of 4000 steps
- * whose second half is smaller or larger than the first.
- * Blocks 1, 2, 3: R / bound, measured growth a step, predicted growth 1/|z|, for
- * alpha = 1/4, 1/2, 3/4 at kappa = 1/2, W = 1; the header names alpha. */
+ * W = c h^2 / m and R = rho h^(2 - 2 alpha) / m; h = m = 1.
+ * - Block 0: alpha, then the measured and the predicted largest stable R for W = 1, with kappa = 1/2 and with
+ *   kappa = 0. The measured R comes from bisection: a run of 4000 steps is unstable if its second half is
+ *   larger than the first.
+ * - Blocks 1 to 3, for alpha = 1/4, 1/2, 3/4 at kappa = 1/2, W = 1: R / (largest stable R), the measured growth
+ *   factor of one step, and the predicted factor 1/|z|. */
 #include <fvi/fvi.h>
 #include "system/larger.h"
 
@@ -15,7 +16,7 @@ enum { STEPS = 4000 };
 
 static double x[STEPS + 1];
 
-/* h = m = 1; fills x as far as it goes, returns the last step reached. */
+/* Make a run with h = m = 1 into x, until it ends, fails or exceeds 10^200. Return the number of the last step. */
 static size_t scalar_run(double alpha, double kappa, double W, double R)
 {
     const double one = 1, zero = 0;
@@ -47,7 +48,7 @@ static int grows(double alpha, double kappa, double W, double R)
         return 1;
     for (size_t k = 0; k <= STEPS; k++)
         half[k > STEPS / 2] = larger(half[k > STEPS / 2], fabs(x[k]));
-    return half[1] > 1.01 * half[0]; /* alpha = 0 is neutral inside */
+    return half[1] > 1.01 * half[0]; /* with alpha = 0 a stable run keeps its size, so allow 1 % */
 }
 
 static double measured_bound(double alpha, double kappa, double W, double guess)
@@ -63,7 +64,7 @@ static double measured_bound(double alpha, double kappa, double W, double guess)
     return low;
 }
 
-/* The growth a step, from the last tenth of a run. */
+/* Return the growth factor of one step, from the last tenth of a run. */
 static double measured_growth(double alpha, double W, double R)
 {
     size_t n = scalar_run(alpha, 0.5, W, R);

@@ -1,4 +1,4 @@
-# figures/stability/stability.gp -- H 14: the stability map, and growth outside it.
+# figures/stability/stability.gp -- H 14: the largest stable step of fvi, and the growth beyond it.
 # Input: figures/stability/stability.c. Output: figures/stability/stability.svg.
 width = 920; height = 450
 load 'figures/style.gp'

@@ -1,8 +1,10 @@
-/* figures/stability/stability_explicit.c -- H 14: which steps of Euler's explicit method.
+/* figures/stability/stability_explicit.c -- H 14: the stable steps of Euler's explicit method.
  *
- * Block 0: h omega = sqrt(W), then R = rho h / m: the least and the largest with load <= 1,
- * by bisection of the load. Block 1: the same, by bisection of runs of 4000 steps whose
- * second half is larger than the first, or not. */
+ * A load above 1 (fvi_stability_number) means that the step is unstable.
+ * - Block 0: h omega = sqrt(W), then the least and the largest R = rho h / m with load <= 1, by bisection of
+ *   the load.
+ * - Block 1: the same by bisection of runs of 4000 steps. A run is unstable if its second half is larger than
+ *   the first. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "system/larger.h"
@@ -41,6 +43,7 @@ static int grows(double W, double R)
     return half[1] > half[0];
 }
 
+/* Return the last R between good, which is stable, and end for which the function bad returns 0, by bisection. */
 static double edge(int (*bad)(double, double), double W, double good,
                    double end)
 {

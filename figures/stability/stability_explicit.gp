@@ -1,4 +1,4 @@
-# figures/stability/stability_explicit.gp -- H 14: the steps of Euler's explicit method.
+# figures/stability/stability_explicit.gp -- H 14: the stable steps of Euler's explicit method.
 # Input: figures/stability/stability_explicit.c. Output: figures/stability/stability_explicit.svg.
 width = 620; height = 420
 load 'figures/style.gp'

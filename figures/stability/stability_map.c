@@ -1,8 +1,8 @@
-/* figures/stability/stability_map.c -- H 14: all methods on one map.
+/* figures/stability/stability_map.c -- H 14: the largest stable damping of eight methods, on one map.
  *
- * Block 0: alpha, then for each method of the list the least R = rho h^(2 - 2 alpha) / m
- * with a load above 1, W = 0.001, kappa = 1/2; NaN if there is none up to 2000.
- * Block 1: h omega = sqrt(W), then the same at alpha = 1/4. */
+ * - Block 0: alpha, then for each method of the list the least unstable R = rho h^(2 - 2 alpha) / m, that is,
+ *   with a load above 1; W = 0.001, kappa = 1/2. NaN if there is none up to 2000.
+ * - Block 1: h omega = sqrt(W), then the same for alpha = 1/4. */
 #include <fvi/fvi.h>
 
 #include <math.h>
@@ -26,7 +26,7 @@ static double load(const fvi_method *method, double alpha, double W, double R)
     return load;
 }
 
-/* From below, in steps of 5 per cent, and then by bisection. */
+/* Return the least unstable R, NAN if there is none up to 2000. Search upwards in steps of 5 per cent, then bisect. */
 static double least(const fvi_method *method, double alpha, double W)
 {
     double low = 1e-3, high = low;

@@ -1,4 +1,4 @@
-# figures/stability/stability_map.gp -- H 14: all methods on one map.
+# figures/stability/stability_map.gp -- H 14: the largest stable damping of eight methods, on one map.
 # Input: figures/stability/stability_map.c. Output: figures/stability/stability_map.svg.
 width = 940; height = 500
 load 'figures/style.gp'
@@ -14,7 +14,7 @@ set ylabel "R = ρ h^{2−2α} / m"
 set xrange [0:1]
 set yrange [0.2:3000]
 unset key
-heights = "2.4 62 0.6 30 130 280 560 1150" # of the names, to the right of where the curves end
+heights = "2.4 62 0.6 30 130 280 560 1150" # the heights of the names, to the right of the ends of the curves
 places = "0.6 0.5 0.3 0.5 0.5 0.5 0.5 0.5"
 do for [i=1:8] {
     set label i word(names, i) at word(places, i) + 0, word(heights, i) + 0 tc ls word(looks, i) + 0

@@ -1,13 +1,12 @@
-/* figures/stability/stability_rounding.c -- H 14: what rounding does to three forms
- * of the same integrator.
+/* figures/stability/stability_rounding.c -- H 14: the rounding errors of three forms of the same integrator.
  *
- * Bagley-Torvik on [0, 20] in N steps. Prints N, then max |x_k - truth_k| /
- * max |truth| for
- *   the second difference x_{k+1} = 2 x_k - x_{k-1} + ..., memory on positions;
- *   the momentum form of the library, memory on increments;
- *   the same with compensated sums for x and p.
- * The truth is the momentum form in long double with the same step: only rounding
- * is measured. */
+ * The problem is that of Bagley and Torvik on [0, 20] in N steps. Prints N, then max |x_k - truth_k| / max
+ * |truth| for
+ *     the second difference x_{k+1} = 2 x_k - x_{k-1} + ..., memory on positions;
+ *     the momentum form of the library, memory on increments;
+ *     the same with compensated sums for x and p.
+ * The truth is the momentum form in long double with the same step, so the differences are rounding errors
+ * alone. */
 #include <fvi/error.h>
 #include "../tests/stability/stability_forms.h"
 

@@ -1,4 +1,4 @@
-# figures/stability/stability_rounding.gp -- H 14: rounding in three forms.
+# figures/stability/stability_rounding.gp -- H 14: the rounding errors of three forms of the same integrator.
 # Input: figures/stability/stability_rounding.c. Output: figures/stability/stability_rounding.svg.
 load 'figures/style.gp'
 set logscale xy

@@ -1,9 +1,10 @@
-/* figures/stability/stability_stages.c -- H 14: which steps of fvi-lobatto3 with friction.
+/* figures/stability/stability_stages.c -- H 14: the stable steps of fvi-lobatto3 with friction, alpha = 1/2.
  *
- * m = h = 1, alpha = 1/2. Block 0: h omega = sqrt(W) from 8 to 12, and R on the ellipse
- * (W - 8)(W - 12) + 8 R^2 = 0. Block 1: the same R by bisection of runs of 20000 steps whose
- * second half is larger than the first, or not. Block 2: R, and the h omega near sqrt(24) at
- * which runs begin to grow. */
+ * m = h = 1.
+ * - Block 0: h omega = sqrt(W) with W from 8 to 12, and the R on the ellipse (W - 8)(W - 12) + 8 R^2 = 0.
+ * - Block 1: the same R by bisection of runs of 20000 steps. A run is unstable if its second half is larger
+ *   than the first.
+ * - Block 2: the h omega near sqrt(24) at which runs begin to grow, and R. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "system/larger.h"

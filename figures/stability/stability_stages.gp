@@ -1,4 +1,4 @@
-# figures/stability/stability_stages.gp -- H 14: the steps of fvi-lobatto3 with friction.
+# figures/stability/stability_stages.gp -- H 14: the stable steps of fvi-lobatto3 with friction.
 # Input: figures/stability/stability_stages.c. Output: figures/stability/stability_stages.svg.
 width = 620; height = 360
 load 'figures/style.gp'

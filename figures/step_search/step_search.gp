@@ -1,6 +1,6 @@
-# figures/step_search/step_search.gp -- H 18: who is ahead, where, and by how much.
-# Input: figures/step_search/step_search.tsv (make bench).
-# Output: figures/step_search/step_search.svg.
+# figures/step_search/step_search.gp -- H 18: the fastest method for each problem and each error, and by how much it
+# is ahead.
+# Input: figures/step_search/step_search.tsv (make bench). Output: figures/step_search/step_search.svg.
 width = 1000; height = 620
 load 'figures/style.gp'
 tsv = 'figures/step_search/step_search.tsv'
@@ -21,8 +21,9 @@ set palette defined (-1 "#66BBEB", 0 "#F7F7F7", 1 "#EBAD26")
 set cbrange [-1:1]
 bounded(r) = log10(r) > 1 ? 1 : log10(r) < -1 ? -1 : log10(r)
 text(r) = r < 1e-8 ? "ours" : r > 1e8 ? "peer" : r < 9.95 ? sprintf("%.2g", r) : sprintf("%.0f", r)
-# Below it, where our fastest method takes no step, the ratio of the fastest that does. Red and bold,
-# above and below: a peer is ahead.
+# Each square shows our best time divided by the best time of a peer. If our fastest method takes no steps (it evaluates
+# an exact solution), a second number below it is the ratio for our fastest method that takes steps. A number in red and
+# bold means that a peer is ahead.
 steps(all, some) = some == all ? "" : text(some)
 up(all, some) = some == all ? 0 : -0.14
 plot tsv index "picture:" using 1:2:(0.48):(0.46):(bounded($3)) with boxxyerror fs solid fc palette, \

@@ -1,9 +1,8 @@
-/* figures/structures/cantilever.h -- A beam, clamped at one end.         [H 27]
+/* figures/structures/cantilever.h -- A beam, clamped at one end, by n equal elements.         [H 27]
  *
- * Length, bending stiffness and mass per length are 1. Each node of n equal elements has
- * two unknowns, the deflection w and the slope times the length of an element; the
- * clamped node has none. Between its nodes the beam is a cubic polynomial, and the
- * element's matrices are integrals of those. (27.6) */
+ * Length, bending stiffness and mass per length are 1. Each node has two unknowns, the deflection w and the
+ * slope times the length of an element; the clamped node has no unknowns. Between two nodes the deflection is a
+ * cubic polynomial, and the matrices of an element are integrals of the four cubic shape functions, (27.6). */
 #ifndef CANTILEVER_H
 #define CANTILEVER_H
 
@@ -23,7 +22,8 @@ static const double inertia[4][4] = { { 156, 22, 54, -13 },
 //< element
 
 //> assemble
-/* Sum an element's matrix, times `factor`, over a clamped row of n elements. */
+/* Assemble A, the sum of an element's matrix times `factor` over n elements in a row, clamped at the left end.
+ * Returns the code of fvi_sparse_assemble. */
 static inline int cantilever_sum(int n, const double element[4][4],
                                  double factor, fvi_sparse *A)
 {
@@ -33,7 +33,7 @@ static inline int cantilever_sum(int n, const double element[4][4],
         for (int i = 0; i < 4; i++)
             for (int j = 0; j < 4; j++) {
                 const int row = 2 * e + i - 2, column = 2 * e + j - 2;
-                if (row >= 0 && column >= 0) /* the clamped node has none */
+                if (row >= 0 && column >= 0) /* the clamped node has no unknowns */
                     list[count++] =
                         (fvi_triplet){ row, column, factor * element[i][j] };
             }
@@ -42,7 +42,7 @@ static inline int cantilever_sum(int n, const double element[4][4],
     return status;
 }
 
-/* M, K and C = tau K, of n elements: 2 n unknowns, the tip's deflection at 2 n - 2. */
+/* Assemble M, K and C = tau K of n elements. There are 2 n unknowns, and the tip's deflection is number 2 n - 2. */
 static inline int cantilever(int n, double tau, fvi_sparse *M, fvi_sparse *K,
                              fvi_sparse *C)
 {
@@ -56,21 +56,21 @@ static inline int cantilever(int n, double tau, fvi_sparse *M, fvi_sparse *K,
 }
 //< assemble
 
-/* The same beam, K x and C z element by element: a product of the assembled matrix subtracts
- * forces that are n^2 times as large as what is left of them. */
+/* The same beam with the products K x and C z computed element by element. The assembled matrix would subtract
+ * forces that are n^2 times as large as their difference, and so lose digits. */
 typedef struct {
     int n;
     double tau;
-    const fvi_matrices *assembled; /* which the factors are made of */
+    const fvi_matrices *assembled; /* for the factorisations */
 } beam;
 
 //> product
-/* y += a K x. An element only feels how far its ends have moved apart, less what their mean
- * slope explains, and how much the slopes differ: differences come first. */
+/* y += a K x. The forces of an element depend on two differences alone: how far its ends have moved apart beyond
+ * their mean slope, and how much the slopes differ. The code computes these differences first. */
 static inline void beam_add(const beam *b, double a, const double *x, double *y)
 {
     const double l = 1 / (double)b->n, stiff = a / (l * l * l);
-    double w = 0, s = 0; /* the left end; first the clamped node */
+    double w = 0, s = 0; /* deflection and slope at the left end of the element; 0 at the clamped node */
     for (int e = 0; e < b->n; e++) {
         const double *right = x + 2 * e,
                      shear = stiff * (w - right[0] + (s + right[1]) / 2),
@@ -120,7 +120,7 @@ static inline int beam_factorise(size_t d, double m, double c, double k,
     return from->factorise(d, m, c, k, from->params, factors);
 }
 
-/* b must outlive what is returned. */
+/* Return the beam as matrices for a system. b must outlive the result. */
 static inline fvi_matrices beam_matrices(const beam *b)
 {
     return (fvi_matrices){ .history_size = 2 * (size_t)b->n,

@@ -1,6 +1,6 @@
 /* figures/structures/frame.h -- H 27: a frame on moving ground, for the scenes of two buildings.
  *
- * Included behind `h`, the step of the record in seconds, and STEPS. */
+ * Before this file, define `h`, the step of the record in seconds, and STEPS. */
 #ifndef FRAME_H
 #define FRAME_H
 
@@ -18,7 +18,7 @@ static void fail(int status)
 
 /* ---- the ground ---- */
 
-/* Evenly in [-1, 1], by a multiplier of 64 bits. */
+/* Return a random number, uniform in [-1, 1], by a linear congruential generator of 64 bits with a fixed seed. */
 static double noise(void)
 {
     static uint64_t state = 20;
@@ -26,7 +26,7 @@ static double noise(void)
     return (double)(int64_t)state * 0x1p-63;
 }
 
-/* The acceleration at the steps: a damped oscillator's answer to noise. */
+/* Compute the acceleration of the ground at the steps: white noise through a damped oscillator, times an envelope. */
 static void shake(double *ground)
 {
     const double w = 2 * 3.14159265358979324 * 2.5, zeta = 0.6;
@@ -39,7 +39,7 @@ static void shake(double *ground)
     }
 }
 
-/* Every floor feels -m a(t); linear between two steps. */
+/* The force -m a(t) on every floor, m = 1. a is linear between two steps of the record. */
 static int load(double t, size_t d, void *params, double *F)
 {
     const double *ground = params, at = smaller(larger(t / h, 0), STEPS - 1e-9);
@@ -52,7 +52,7 @@ static int load(double t, size_t d, void *params, double *F)
 /* ---- the building ---- */
 
 //> springs
-/* A spring, or a damper, of that size between two floors; -1 is the ground. */
+/* Append a spring or a damper of this size between the floors a and b to the list of entries; -1 is the ground. */
 static void add(fvi_triplet *list, size_t *count, int a, int b, double size)
 {
     const int ends[] = { a, b };

@@ -1,10 +1,10 @@
-/* figures/structures/isolators.h -- H 27: five storeys on isolators, for the picture and for the one that moves.
+/* figures/structures/isolators.h -- H 27: five storeys on isolators, for the picture and for the moving picture.
  *
- * A slab and five floors of mass 1, storeys of stiffness 2000 with dashpots (2 percent of damping at
- * the first frequency of the frame), and isolators below the slab: a spring and a springpot of order
- * 2 alpha. At the frequency of the isolated building, 2.5, the isolators of every order have the
- * stiffness 38 and the loss 11.4: a test at that frequency cannot tell them apart.
- * Included behind frame.h. */
+ * The building is a slab and five floors of mass 1, with storeys of stiffness 2000 and dashpots (2 percent of
+ * damping at the first frequency of the frame). Below the slab are isolators: a spring and a springpot of order
+ * 2 alpha. The frequency of the isolated building is 2.5. At this frequency the isolators of every order have
+ * the stiffness 38 and the loss 11.4, so a test at this frequency cannot tell them apart. Include this file
+ * after frame.h. */
 #ifndef FVI_ISOLATORS_H
 #define FVI_ISOLATORS_H
 
@@ -14,9 +14,9 @@ enum { FLOORS = 6 };
 
 static const double frame = 2000, stiff = 38, loss = 11.4, isolated = 2.5;
 
-/* A building does not move in memory while it is used: its parts point at each other. */
+/* Do not copy or move a building while it is in use: its parts point at each other. */
 typedef struct {
-    double slab[FLOORS], below; /* of x, the slab; the stiffness of the isolators' spring */
+    double slab[FLOORS], below; /* the row that selects the slab from x; the stiffness of the isolators' spring */
     fvi_sparse M, K, C;
     fvi_kernel_term springpot, viscous;
     fvi_kernel kernel[2];
@@ -26,7 +26,7 @@ typedef struct {
 
 static void assemble_building(building *b)
 {
-    const double dashpot = 2 * 0.02 / 12.73; /* of K, at the frame's first frequency */
+    const double dashpot = 2 * 0.02 / 12.73; /* C = dashpot K: 2 percent at the frequency 12.73 */
     fvi_triplet m[FLOORS], k[4 * FLOORS], c[4 * FLOORS];
     size_t springs = 0, dampers = 0;
     add(k, &springs, -1, 0, b->below);
@@ -42,7 +42,7 @@ static void assemble_building(building *b)
     fail(fvi_sparse_assemble(FLOORS, dampers, c, &b->C));
 }
 
-/* alpha 0: no isolators, the slab is fixed to the ground. */
+/* Build the building with isolators of order 2 alpha. alpha = 0: no isolators, the slab is fixed to the ground. */
 static void build(double alpha, building *b)
 {
     const double cut = 3.14159265358979324 * alpha;

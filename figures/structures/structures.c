@@ -1,8 +1,9 @@
-/* figures/structures/structures.c -- H 27: a clamped beam, bent and let go.
+/* figures/structures/structures.c -- H 27: a clamped beam that is bent and let go.
  *
- * 32 elements, C = tau K, fvi-stable with h = 1/400. Prints for each of three alpha t and the
- * tip, then for alpha = 1/4 the shape at six times: x, w. tau is such that the first mode loses
- * as much at its own frequency. */
+ * The beam has 32 elements and C = tau K. The runs are by fvi-stable with h = 1/400. tau is chosen so that the
+ * first mode has the same loss factor at its own frequency for every alpha.
+ * - Blocks 0 to 2, for three alpha: t, the deflection of the tip.
+ * - Block 3, for alpha = 1/4: x, w at six times. */
 #include <fvi/fvi.h>
 #include <math.h>
 #include <stdio.h>
@@ -20,14 +21,14 @@ static void fail(int status)
         exit(EXIT_FAILURE);
 }
 
-/* Im (i w)^{2 alpha} tau = 0.1 at the frequency of the first mode, w = 1.8751^2. */
+/* Return the tau for which Im (i w)^{2 alpha} tau = 0.1 at the frequency of the first mode, w = 1.8751^2. */
 static double tau_of(double alpha)
 {
     const double pi = 3.14159265358979324, w = 3.5160;
     return 0.1 / (pow(w, 2 * alpha) * sin(pi * alpha));
 }
 
-/* A load at the tip that bends it by 1: x0. */
+/* Compute x0, the shape of the beam under a load at the tip that bends the tip by 1. */
 static void bend(const fvi_system *system, double *x0)
 {
     const fvi_matrices *m = system->matrices;
@@ -68,7 +69,7 @@ static void swing(double alpha, int shapes)
         if (!shapes && s->k % 4 == 0)
             printf("%g %.6g\n", s->t, s->x[D - 2]);
         if (shapes && s->k % 71 == 0
-            && s->k <= 5 * 71) /* a fifth of half a swing */
+            && s->k <= 5 * 71) /* 71 steps are a fifth of half a swing */
             shape(s->x);
         if (s->k == STEPS)
             break;

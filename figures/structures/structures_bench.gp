@@ -1,4 +1,4 @@
-# figures/structures/structures_bench.gp -- H 27: what `make bench` measured.
+# figures/structures/structures_bench.gp -- H 27: the times that `make bench` measured for structures.
 # Input: figures/structures/structures_bench.tsv. Output: figures/structures/structures_bench.svg.
 width = 900; height = 400
 load 'figures/style.gp'

@@ -1,10 +1,10 @@
-/* figures/structures/structures_building.c -- H 27: twenty storeys on moving ground.
+/* figures/structures/structures_building.c -- H 27: twenty storeys on moving ground, without and with dampers.
  *
- * Floors of mass 1, storeys of stiffness 800 (first period 2.9 s); six viscoelastic dampers of
- * order 2 alpha = 0.6, each between two floors that no other touches. The ground is white
- * noise, from a seeded generator, through a filter of 2.5 Hz, swelling and dying away within
- * 20 s. Prints t, ground, roof without and with dampers, then floor, largest drift of the
- * storey below it without and with. */
+ * The floors have mass 1 and the storeys stiffness 800, so the first period is 2.9 s. Six viscoelastic dampers
+ * of order 2 alpha = 0.6 stand each between two floors that have no other damper. The ground is white noise
+ * from a generator with a fixed seed, sent through a filter of 2.5 Hz; it grows and dies away within 20 s.
+ * - Block 0: t, the acceleration of the ground, the roof without dampers, the roof with dampers.
+ * - Block 1: floor, and the largest drift of the storey below it, without and with dampers. */
 #include <fvi/fvi.h>
 #include <math.h>
 #include <stdio.h>
@@ -13,7 +13,7 @@
 enum { FLOORS = 20, STEPS = 3000, EVERY = 5, DAMPERS = 6 };
 
 static const double h = 0.01, alpha = 0.3, stiffness = 800, damper = 600;
-static const int lower[DAMPERS] = { 0, 2, 4, 6, 8, 10 }; /* floors, from 0 */
+static const int lower[DAMPERS] = { 0, 2, 4, 6, 8, 10 }; /* the floor below each damper; the first floor is 0 */
 
 #include "frame.h"
 
@@ -34,7 +34,7 @@ static void build(double size, fvi_sparse *M, fvi_sparse *K, fvi_sparse *C)
 }
 //< building
 
-/* The roof at every step, and the largest drift of each storey. */
+/* Compute the position of the roof at every step, and the largest drift of each storey. size = 0: no dampers. */
 static void run(double size, double *ground, double *roof, double *drift)
 {
     fvi_sparse M, K, C;

@@ -1,4 +1,4 @@
-# figures/structures/structures_building.gp -- H 27: twenty storeys on moving ground.
+# figures/structures/structures_building.gp -- H 27: twenty storeys on moving ground, without and with dampers.
 # Input: figures/structures/structures_building.c. Output: figures/structures/structures_building.svg.
 width = 900; height = 480
 load 'figures/style.gp'
@@ -16,7 +16,7 @@ set ylabel "m"
 set ytics 1
 set xlabel "t in s"
 set yrange [-1.4:2.8]
-set key top left # the curves cross
+set key top left # no names at the curves, because they cross
 plot dat index 0 using 1:3 with lines ls 2 title "bare", \
      dat index 0 using 1:4 with lines ls 1 title "six dampers, α = 0.3"
 set origin 0.66, 0; set size 0.34, 1

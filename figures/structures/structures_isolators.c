@@ -1,9 +1,11 @@
-/* figures/structures/structures_isolators.c -- H 27: five storeys on isolators.
+/* figures/structures/structures_isolators.c -- H 27: five storeys on isolators of four orders.
  *
- * The building of isolators.h. The ground is filtered noise, as for structures_building.c. Prints for each
- * of four orders the loop of the isolators, x_1 and their force, then f and the largest acceleration of a
- * light oscillator of that frequency on the roof, with 2 percent of damping, then t and how far a wind that
- * blows from t = 0 on with 0.1 on each floor has pushed the slab; and last the spectrum without isolators. */
+ * The building is that of isolators.h. The ground is filtered noise, as in structures_building.c. Prints three
+ * blocks for each of four orders, and then the third one for a building without isolators:
+ * - the loop of the isolators in the earthquake: x_1 and their force;
+ * - a lasting wind: t and x_1. The wind blows from t = 0 on with the force 0.1 on each floor;
+ * - the spectrum of the roof: f, and the largest acceleration of a light oscillator of this frequency on the
+ *   roof, with 2 percent of damping. */
 #include <fvi/fvi.h>
 #include <fvi/exact_motion.h>
 #include <fvi/observer.h>
@@ -21,7 +23,7 @@ static const double h = 0.005;
 
 static double ground[STEPS + 2], roof[STEPS + 2];
 
-/* A wind, by the exact motion. */
+/* Print how the slab moves in the wind, by the exact motion. */
 static void blow(const fvi_system *system)
 {
     static const double rest[FLOORS];
@@ -43,7 +45,7 @@ static void blow(const fvi_system *system)
     fvi_exact_motion_free(motion);
 }
 
-/* The roof's acceleration; the loop and the wind are printed unless alpha is 0, where the slab is fixed. */
+/* Compute the acceleration of the roof. Print the loop and the wind, but not if alpha is 0: then the slab is fixed. */
 static void run(double alpha)
 {
     static const double rest[FLOORS];
@@ -73,7 +75,7 @@ static void run(double alpha)
 
 /* ---- the spectrum of the roof ---- */
 
-/* The largest acceleration of an oscillator on the roof: w^2 times its stretch. */
+/* Return the largest acceleration of an oscillator of the frequency f on the roof, which is w^2 times its stretch. */
 static double largest_acceleration(double f)
 {
     const double w = 2 * 3.14159265358979324 * f, c = w * w, rho = 2 * 0.02 * w, mass = 1,

@@ -1,4 +1,4 @@
-# figures/structures/structures_isolators.gp -- H 27: five storeys on isolators.
+# figures/structures/structures_isolators.gp -- H 27: five storeys on isolators of four orders.
 # Input: figures/structures/structures_isolators.c. Output: figures/structures/structures_isolators.svg.
 width = 1000; height = 400
 load 'figures/style.gp'
@@ -19,7 +19,7 @@ set logscale xy
 set xtics autofreq
 set xrange [0.2:15]
 set yrange [0.1:100]
-set key bottom right # the curves lie on each other
+set key bottom right # no names at the curves, because they lie on each other
 plot dat index 12 using 1:2 with lines ls 7 title "no isolators", \
      '' index 2 using 1:2 with lines ls 1 title "α = 0.1", \
      '' index 11 using 1:2 with lines ls 2 title "α = 0.4"
@@ -30,7 +30,7 @@ unset logscale y
 set xrange [0.1:100000]
 set yrange [0:*]
 set format x "10^{%T}"
-set key top left # the curves lie on each other
+set key top left # no names at the curves, because they lie on each other
 plot dat index 1 using 1:2 with lines ls 1 title "α = 0.1", \
      '' index 4 using 1:2 with lines ls 3 title "α = 0.2", \
      '' index 7 using 1:2 with lines ls 4 title "α = 0.3", \

@@ -1,8 +1,8 @@
-/* figures/structures/structures_membrane.c -- H 27: a struck membrane.
+/* figures/structures/structures_membrane.c -- H 27: a membrane that is bent and let go.
  *
- * u_tt + tau (-Laplace) D^{2 alpha} u = Laplace u on a square, zero at its edges, by five-point
- * differences on 95 x 95 points; a bump that is let go, fvi-stable with h = dx. Prints x, y, u at
- * three times, with the edges, a block for each row. */
+ * The equation is u_tt + tau (-Laplace) D^{2 alpha} u = Laplace u on a square, with u = 0 at the edges, by
+ * five-point differences on 95 x 95 points. A bump is let go; the run is by fvi-stable with h = dx. Prints x,
+ * y, u at three times, with the edges; an empty line ends each row of points. */
 #include <fvi/fvi.h>
 #include <math.h>
 #include <stdio.h>
@@ -19,7 +19,7 @@ static void fail(int status)
         exit(EXIT_FAILURE);
 }
 
-/* `factor` times five points, by M + 1 to the square. */
+/* Assemble A, `factor` times the five-point differences for -Laplace, which are divided by dx^2 = 1 / (M + 1)^2. */
 static void laplace(double factor, fvi_sparse *A)
 {
     fvi_triplet *list = malloc(5 * (size_t)D * sizeof *list);

@@ -1,4 +1,4 @@
-# figures/structures/structures_membrane.gp -- H 27: a struck membrane.
+# figures/structures/structures_membrane.gp -- H 27: a membrane that is bent and let go.
 # Input: figures/structures/structures_membrane.c. Output: figures/structures/structures_membrane.svg.
 width = 900; height = 330
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-# figures/structures/structures_order.gp -- H 27: what a digit costs.
+# figures/structures/structures_order.gp -- H 27: the time that a run needs for each further digit.
 # Input: figures/structures/structures_order.tsv. Output: figures/structures/structures_order.svg.
 width = 900; height = 420
 load 'figures/style.gp'

@@ -2,8 +2,8 @@
  *
  *     u_tt + rho D^{2 alpha} u = u_xx,   u = 0 at both ends of [0, 1],
  *
- * by differences on d points, dx = 1/(d + 1): M = 1, C = rho, K x = (2 x_i - x_{i-1} -
- * x_{i+1}) / dx^2. Methods that take K explicitly (kappa = 0 or 1) divide by a number. */
+ * by differences on d points, dx = 1/(d + 1): M = 1, C = rho, K x = (2 x_i - x_{i-1} - x_{i+1}) / dx^2. A
+ * method that takes K explicitly (kappa = 0 or 1) solves each step by dividing by a number. */
 #ifndef WAVE_H
 #define WAVE_H
 
@@ -24,7 +24,7 @@ static int wave_stiffness(size_t d, const double *x, const void *params,
     return 0;
 }
 
-/* C = S B^T with B = 1: the history has all of x. */
+/* C = S B^T with B = 1: the history keeps all coordinates of x. */
 static int wave_select_history(size_t d, const double *x, const double *from,
                                const void *params, double *z)
 {
@@ -43,7 +43,7 @@ static int wave_apply_damping(size_t d, double a, const double *z, const void *p
     return 0;
 }
 
-/* m + c rho, with no part of K: the factor of an explicit step is a number. */
+/* The factor of an explicit step is the number m + c rho. Returns -1 if k is not 0: K has no factor here. */
 static int wave_factorise(size_t d, double m, double c, double k,
                           const void *params, void **factors)
 {
@@ -51,7 +51,7 @@ static int wave_factorise(size_t d, double m, double c, double k,
     (void)d;
     if (!number || k != 0) {
         free(number);
-        return -1; /* a code of our own */
+        return -1; /* a user's code: the library passes it on */
     }
     *number = m + c * *(const double *)params;
     *factors = number;
@@ -71,7 +71,7 @@ static void wave_free_factors(void *factors)
     free(factors);
 }
 
-/* rho must outlive what is returned. */
+/* Return the wave as matrices for a system. rho must outlive the result. */
 static inline fvi_matrices wave_matrices(size_t d, const double *rho)
 {
     return (fvi_matrices){ .history_size = d,

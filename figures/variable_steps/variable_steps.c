@@ -1,9 +1,12 @@
-/* figures/variable_steps/variable_steps.c -- H 22: steps and modes on one ladder.
+/* figures/variable_steps/variable_steps.c -- H 22: the steps of a run, and the modes of its memory, on the same
+ * ladder of lengths.
  *
- * Bagley and Torvik's problem, x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest, by
- * fvi_variable_step. Blocks: t and x of 400 rows between the steps; for each step its number,
- * its end, x there, its length, and 1 if that is a rung of the ladder; for each mode the
- * pieces of the run in which it is awake: number of a step, 1 / sigma. */
+ * The problem is that of Bagley and Torvik, x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest, by
+ * fvi_variable_step.
+ * - Block 0: t and x of 400 rows, which lie between the ends of steps.
+ * - Block 1, for each step: its number, its end, x there, its length, and 1 if the length is a rung of the
+ *   ladder.
+ * - Block 2, for each mode, those steps in which it is active: number of the step, 1 / sigma. */
 #include <fvi/error.h>
 #include <fvi/variable_steps.h>
 
@@ -50,7 +53,7 @@ static void rows(void)
     fvi_stepper_free(s);
 }
 
-/* The lengths of the steps, and how many there are. */
+/* Store the lengths of the steps in h, print a row for each step, and return their number. */
 static size_t steps(double *h)
 {
     fvi_run run;
@@ -81,7 +84,7 @@ int main(void)
     for (double q = floor((-6.5 - log(T)) / L); exp(L * (q - 1)) * least < TOP;
          q++)
         for (size_t k = 0; k < n; k++)
-            if (exp(L * (q - 1)) * h[k] < TOP) /* up to the first above TOP */
+            if (exp(L * (q - 1)) * h[k] < TOP) /* the modes up to the first one with sigma h above TOP */
                 printf("%.1f %.6g\n%.1f %.6g\n\n", (double)k + 0.5, exp(-L * q),
                        (double)k + 1.5, exp(-L * q));
     return EXIT_SUCCESS;

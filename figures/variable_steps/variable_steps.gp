@@ -1,4 +1,5 @@
-# figures/variable_steps/variable_steps.gp -- H 22: steps and modes on one ladder.
+# figures/variable_steps/variable_steps.gp -- H 22: the steps of a run, and the modes of its memory, on the same
+# ladder of lengths.
 # Input: figures/variable_steps/variable_steps.c. Output: variable_steps.svg.
 width = 900; height = 470
 load 'figures/style.gp'
@@ -20,9 +21,9 @@ set format y "10^{%L}"
 set yrange [1e-8:1e8]
 set ytics 1e2
 unset grid
-set key at graph 0.98, graph 0.99 top right # marks stand alone
+set key at graph 0.98, graph 0.99 top right # marks have no curve that could carry their names
 set style line 9 lc rgb "#5f7a8e" dt 1 lw 1.4
-# Of the rungs those nearest to five powers of ten: two of them end as the steps grow.
+# Draw only the modes whose 1/sigma is nearest to one of five powers of ten. Two of these modes end as the steps grow.
 near(y, e) = abs(log(y) - e * log(10)) < 0.13 ? y : NaN
 do for [e in "3 0 -3 -5 -6"] { set label (e == 0 ? "1/σ = 1" : sprintf("1/σ = 10^{%s}", e)) at (e == -3 ? 30 : 9.5),10**(e + 0.45) center tc rgb "#48606f" font ",11" }
 plot for [e in "3 0 -3 -5 -6"] dat index 2 using 1:(near($2, e)) with lines ls 9 notitle, \
