@@ -20,7 +20,7 @@
 
 /* Return nonzero if p_k = m v_k. At alpha = 1 a damping is a mass in form M and in fvi-adaptive, and then p_k contains
  * it. */
-static int momenta_are_known(const fvi_method *method, const fvi_run *run,
+static int has_known_momenta(const fvi_method *method, const fvi_run *run,
                              const fvi_objective *J)
 {
     const int splits = method->scheme == FVI_SCHEME_VARIABLE_STEP
@@ -115,7 +115,7 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("where the initial history acts, a mesh has no derivative by alpha at 0 "
                  "and at 1",
                  FVI_EUNSUP);
-    if (!momenta_are_known(method, run, J))
+    if (!has_known_momenta(method, run, J))
         FVI_FAIL("at alpha = 1 the derivatives of this method are by p_N alone",
                  FVI_EUNSUP);
     if (want->parameters && want->sensitivity.count > 0

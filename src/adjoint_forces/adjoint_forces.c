@@ -110,8 +110,8 @@ static void write_derivatives(const spread *o, const fvi_walls *w, const fvi_sen
     }
 }
 
-static int adjoint_of_walls(const fvi_method *method, const fvi_walls *w, const fvi_objective *of, const double *by_impulse,
-                            const fvi_sensitivities *want)
+static int run_adjoint_of_walls(const fvi_method *method, const fvi_walls *w, const fvi_objective *of,
+                                const double *by_impulse, const fvi_sensitivities *want)
 {
     double *room = malloc(4 * w->d * sizeof *room);
     walled params = { w, of, by_impulse, room, room + 2 * w->d, room + 3 * w->d };
@@ -175,7 +175,7 @@ static int derivatives_of_walls(const fvi_method *method, const fvi_run *run, co
                  : run->system->mechanism ? fvi_walls_of_mechanism(&w, run, want)
                                           : fvi_walls_of_chain(&w, run, want);
     if (!status)
-        status = adjoint_of_walls(method, &w, objective, by_impulse, want);
+        status = run_adjoint_of_walls(method, &w, objective, by_impulse, want);
     fvi_walls_free(&w);
     return status;
 }

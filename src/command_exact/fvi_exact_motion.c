@@ -37,7 +37,7 @@ static row_room place_row_parts(double *room, size_t d, size_t forces)
 
 /* Compute the row at one time. If accelerations or forces of dampers are asked for, a force that is infinite at t = 0
  * is replaced by its mean over the first step. */
-static int observe(fvi_table *t, fvi_exact_motion *motion, double time, row_room *row, fvi_error *error)
+static int observe_motion(fvi_table *t, fvi_exact_motion *motion, double time, row_room *row, fvi_error *error)
 {
     const fvi_exact_outputs out = { row->x, row->v, row->a, row->force, row->impulse };
     return fvi_options_observes(t->o) ? fvi_exact_motion_forces_at(motion, time, t->o->h, &out, error)
@@ -52,7 +52,7 @@ static int write_rows(fvi_table *t, fvi_exact_motion *motion, const fvi_system *
         fvi_error error = { 0 };
         if (k == N)
             fvi_table_mark_last(t);
-        int status = observe(t, motion, time, row, &error);
+        int status = observe_motion(t, motion, time, row, &error);
         if (!status)
             status = find_momentum(system, row->v, row->p);
         const fvi_observation now = { .x = row->x, .p = row->p, .a = row->a, .force = row->force,

@@ -19,7 +19,7 @@ static const char *const of_masses[] = { "x0", "p0", "mass", "rho", NULL };
 
 /* Return nonzero if a word of --by, of this length, is the name of a row, or stands for the rows of all masses to which
  * this row belongs. */
-static int names_row(const char *word, size_t length, const char *name)
+static int is_name_of_row(const char *word, size_t length, const char *name)
 {
     if (strncmp(word, name, length) != 0)
         return 0;
@@ -35,7 +35,7 @@ int fvi_gradient_has_row(const request *r, const char *name)
     const char *word = r->words.own[BY];
     while (word && *word) {
         const size_t length = strcspn(word, ",");
-        if (names_row(word, length, name))
+        if (is_name_of_row(word, length, name))
             return 1;
         word += length + (word[length] == ',');
     }
@@ -94,7 +94,7 @@ static int add_rows(request *r, choice *all, fvi_error *c)
 }
 
 /* Collect the names of --by that stand for all masses. Return their number. */
-static size_t name_masses(const request *r, const char **known)
+static size_t name_all_masses(const request *r, const char **known)
 {
     const size_t count = !r->o.numbered                           ? 0
                          : !r->has_mass || r->system.matrices     ? 2
@@ -110,7 +110,7 @@ static int check_has_derivative(const choice *all, const char *word, size_t leng
 {
     const char *reason = NULL;
     for (size_t i = 0; i < all->count; i++) {
-        if (!names_row(word, length, all->row[i].name))
+        if (!is_name_of_row(word, length, all->row[i].name))
             continue;
         if (!*all->row[i].reason)
             return 0;
@@ -140,7 +140,7 @@ static int check_words(const request *r, const choice *all, fvi_error *c)
     const char **known = calloc(all->count + 5, sizeof *known);
     char word[LETTERS];
     int status = known ? 0 : fvi_no_memory(c, NULL);
-    size_t which, n = known ? name_masses(r, known) : 0;
+    size_t which, n = known ? name_all_masses(r, known) : 0;
     for (size_t i = 0; known && i < all->count; i++)
         known[n++] = all->row[i].name;
     for (const char *at = r->words.own[BY]; at && !status;) {

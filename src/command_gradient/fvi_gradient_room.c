@@ -65,7 +65,7 @@ void fvi_gradient_name_pairs(request *r)
 
 /* ---- where ---- */
 
-static int by_let(size_t j, size_t d, const double *x, void *params, double *S)
+static int differentiate_by_let(size_t j, size_t d, const double *x, void *params, double *S)
 {
     double value;
     (void)d;
@@ -92,7 +92,7 @@ const fvi_lagrangian *fvi_gradient_lagrangian(const request *r)
 }
 
 /* Return nonzero for a sum of laws that grows faster than s, which has no derivatives by its parameters with stages. */
-static int grows(const fvi_kernel *kernel)
+static int has_fast_growth(const fvi_kernel *kernel)
 {
     return (kernel->count > 1 || kernel->term->kind != FVI_KERNEL_POWER)
            && fvi_kernel_growth(kernel) > 1;
@@ -129,7 +129,7 @@ int fvi_gradient_make_room(request *r)
     make_room_of_mechanism(r);
     r->to.sensitivity = fvi_parameter_gradient_of(&r->system.potential);
     if (r->o.potential.expression)
-        r->to.sensitivity = (fvi_parameter_gradient){ r->o.lets.count, by_let };
+        r->to.sensitivity = (fvi_parameter_gradient){ r->o.lets.count, differentiate_by_let };
     const fvi_lagrangian *L = fvi_gradient_lagrangian(r);
     const size_t terms = fvi_gradient_terms(r);
     if (L) {
@@ -162,9 +162,9 @@ int fvi_gradient_make_room(request *r)
     r->has_terms = r->to.terms != NULL;
     if (r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP)
         return 0;
-    int any_grows = r->system.matrices && r->run.law && grows(r->run.law);
+    int any_grows = r->system.matrices && r->run.law && has_fast_growth(r->run.law);
     for (size_t j = 0; j < fvi_gradient_dampers(r); j++)
-        any_grows |= grows(r->system.mechanism->damper[j].kernel);
+        any_grows |= has_fast_growth(r->system.mechanism->damper[j].kernel);
     if (r->o.method->stages && any_grows) {
         r->to.terms = NULL;
         r->has_terms = 0;

@@ -50,7 +50,7 @@ static void count_in_words(const fvi_poles *p, size_t size, char *text)
 }
 
 /* Round to one digit, because the number is nothing but rounding errors. */
-static double short_number(double v)
+static double round_to_one_digit(double v)
 {
     char text[32];
     snprintf(text, sizeof text, "%.1g", v);
@@ -86,7 +86,7 @@ static int print_rows(const request *r, FILE *out)
         row[1] = im;
         row[2] = size / (2 * M_PI);
         row[3] = -re / size + 0.0; /* + 0.0 turns -0 into 0 */
-        row[4] = short_number(p->residual[k]);
+        row[4] = round_to_one_digit(p->residual[k]);
         for (size_t i = 5; i < width; i++)
             row[i] = p->shape[2 * p->d * k + i - 5];
         fvi_format_row(out, r->linear.o.format, k, width, row);

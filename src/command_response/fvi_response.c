@@ -125,13 +125,13 @@ static int interpret(request *r, fvi_error *c)
 
 /* ---- rows ---- */
 
-static double frequency(const request *r, size_t i)
+static double frequency_at(const request *r, size_t i)
 {
     return r->list ? r->list[i] : fvi_range_value(&r->range, i);
 }
 
 /* Compute the moduli of the law, or of the springpot of --alpha and --rho. */
-static int moduli(const request *r, double omega, double row[2])
+static int find_moduli(const request *r, double omega, double row[2])
 {
     const fvi_options *o = &r->linear.o;
     const fvi_kernel_term term = { FVI_KERNEL_POWER, o->rho[0], o->alpha, 0, 0 };
@@ -147,7 +147,7 @@ static int compute_row(const request *r, double f, double row[4])
     const double omega = r->linear.words.flag ? 2 * M_PI * f : f;
     int status;
     if (r->of == MODULI) {
-        status = moduli(r, omega, row);
+        status = find_moduli(r, omega, row);
         return status ? fvi_complain(fvi_code_in_words(status)) : 0;
     }
     status = fvi_response_at(r->linear.response, (fvi_response_kind)r->of, 1,
@@ -164,7 +164,7 @@ static int print_rows(const request *r, FILE *out, FILE *plot)
     const fvi_format format = r->linear.o.format;
     const size_t width = r->of == MODULI ? 2 : 4;
     for (size_t i = 0; i < r->count && !ferror(out); i++) {
-        double row[5] = { frequency(r, i) };
+        double row[5] = { frequency_at(r, i) };
         if (compute_row(r, row[0], row + 1))
             return 1;
         fvi_format_row(out, format, i, width + 1, row);

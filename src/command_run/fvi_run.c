@@ -65,8 +65,8 @@ static int print_stop(const fvi_options *o, const fvi_stepper *s, int status)
 
 /* Run to the last step and print the rows. Return 0, or 1 after a message that names the step at which the run
  * ended. */
-static int steps_and_rows(fvi_table *t, fvi_stepper *s, watches *w,
-                          const fvi_checkpoint *c)
+static int step_and_write_rows(fvi_table *t, fvi_stepper *s, watches *w,
+                               const fvi_checkpoint *c)
 {
     const size_t steps = t->o->steps, d = t->o->d;
     /* For larger d there are fewer steps between two looks at the clock, because a step may cost d^3 operations. */
@@ -140,7 +140,7 @@ void fvi_variable_step_head(FILE *out, const fvi_options *o, int stages,
 
 /* Return the name of the solver of a step with matrices. It depends on which of M, C and K the matrix of a step
  * contains. */
-static const char *solver(const fvi_options *o)
+static const char *solver_name(const fvi_options *o)
 {
     const fvi_scheme scheme = o->method->scheme;
     const int stable = scheme == FVI_SCHEME_CQ2_MIDPOINT,
@@ -153,16 +153,16 @@ static const char *solver(const fvi_options *o)
 
 /* Write the rows between the head and the end: first the rows that were saved, then the rows of the run, with its
  * checkpoints. Return an exit code. */
-static int rows_and_checkpoints(fvi_table *t, fvi_stepper *s, watches *w,
-                                const fvi_checkpoint *c)
+static int write_rows_and_checkpoints(fvi_table *t, fvi_stepper *s, watches *w,
+                                      const fvi_checkpoint *c)
 {
     if (!t->o->checkpoint)
-        return steps_and_rows(t, s, w, c);
+        return step_and_write_rows(t, s, w, c);
     int failed = fvi_checkpoint_rows(c, t);
     if (failed)
         return failed;
     fvi_checkpoint_watch();
-    failed = steps_and_rows(t, s, w, c);
+    failed = step_and_write_rows(t, s, w, c);
     if (!failed && !ferror(t->out))
         failed = fvi_checkpoint_write(c, t, s);
     fvi_checkpoint_unwatch();
@@ -183,11 +183,11 @@ void fvi_run_print_events(const fvi_table *t, size_t n, const fvi_event_time *at
 }
 
 /* Print the whole table of a run that has been started or goes on. Return an exit code. */
-static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
-                          const fvi_checkpoint *c)
+static int print_table_of_run(fvi_table *t, const fvi_run *r, fvi_stepper *s,
+                              const fvi_checkpoint *c)
 {
     const fvi_options *o = t->o;
-    const char *solved = o->directory ? solver(o) : NULL;
+    const char *solved = o->directory ? solver_name(o) : NULL;
     if (solved && !*solved)
         return fvi_complain("not enough memory");
     if (fvi_table_open(t))
@@ -218,7 +218,7 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
     if (fvi_warning_of_inertia(watch.of_inertia.watch, s->t, s->x, s->p, sizeof text, text) > 0)
         fvi_warn(text);
     if (!failed)
-        failed = rows_and_checkpoints(t, s, &watch, c);
+        failed = write_rows_and_checkpoints(t, s, &watch, c);
     fvi_inertia_watch_free(watch.of_inertia.watch);
     const int whole = !failed && !fvi_checkpoint_stopped();
     size_t happened;
@@ -250,7 +250,7 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
              : status ? fvi_complain_of_start(o, &error, "run")
                     : fvi_checkpoint_begin(&t, s, &c);
     if (!failed)
-        failed = run_to_the_end(&t, &r, s, &c);
+        failed = print_table_of_run(&t, &r, s, &c);
     fvi_observer_free(t.observer);
     fvi_stepper_free(s);
     fvi_checkpoint_free(&c);

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int reduces(const fvi_table *t)
+static int has_reductions(const fvi_table *t)
 {
     return fvi_reductions_count(t->o->typed) > 0;
 }
@@ -44,11 +44,11 @@ int fvi_run_observe(fvi_table *t, const fvi_stepper *s, fvi_error *error)
 {
     fvi_observer_free(t->observer);
     t->observer = NULL;
-    if (fvi_typed_columns_count(t->o->typed) == 0 && !reduces(t))
+    if (fvi_typed_columns_count(t->o->typed) == 0 && !has_reductions(t))
         return FVI_SUCCESS;
     int status = fvi_observer_start(s, fvi_typed_columns_wanted(t->o->typed),
                                     &t->observer, error);
-    if (status || !reduces(t))
+    if (status || !has_reductions(t))
         return status;
     status = reduce_at(t, s, s->t);
     return status ? fvi_fail(error, status, NULL, NAN, "%s", fvi_error_name(status)) : status;
@@ -61,7 +61,7 @@ int fvi_run_step(fvi_table *t, fvi_stepper *s)
     const double begin = s->t;
     const size_t row = s->k;
     const int status = fvi_observer_step(t->observer, s);
-    return !status && reduces(t) ? reduce(t, s, begin, row) : status;
+    return !status && has_reductions(t) ? reduce(t, s, begin, row) : status;
 }
 
 static int write_row_between_steps(fvi_table *t, fvi_stepper *s, size_t k,
@@ -80,7 +80,7 @@ int fvi_run_row(fvi_table *t, fvi_stepper *s, size_t k)
 {
     const double time = (double)k * t->o->h;
     fvi_observation now;
-    if (reduces(t))
+    if (has_reductions(t))
         return FVI_SUCCESS;
     if (!t->observer)
         return s->t == time ? fvi_table_take(t, k, s->x, s->p)
@@ -100,7 +100,7 @@ void fvi_run_reduced(const fvi_table *t, double *row)
 
 int fvi_run_reductions(fvi_table *t)
 {
-    if (!reduces(t))
+    if (!has_reductions(t))
         return FVI_SUCCESS;
     fvi_table_mark_last(t); /* a longer run has another row of reductions */
     fvi_run_reduced(t, t->rows);
@@ -124,7 +124,7 @@ int fvi_run_observed_row(fvi_table *t, size_t k, const fvi_observation *given)
     const fvi_system *system = t->system;
     const fvi_force *force = &system->force;
     const double time = (double)k * t->o->h;
-    if (fvi_typed_columns_count(t->o->typed) == 0 && !reduces(t))
+    if (fvi_typed_columns_count(t->o->typed) == 0 && !has_reductions(t))
         return fvi_table_take(t, k, x, p);
     double *v = calloc(2 * system->d, sizeof *v), *F = v ? v + system->d : NULL;
     fvi_observation now = *given;
@@ -140,7 +140,7 @@ int fvi_run_observed_row(fvi_table *t, size_t k, const fvi_observation *given)
     if (!status && wanted & FVI_OBSERVE_ENERGY)
         status = fvi_energy_at(system, time, x, p, &now.energy);
     t->now = &now;
-    if (!status && reduces(t)) {
+    if (!status && has_reductions(t)) {
         status = fvi_typed_columns_values(t->o->typed, &now, t->o->typed_row);
         if (!status)
             status = fvi_reductions_add(t->o->typed, time);
@@ -155,7 +155,7 @@ int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
                       const double *typed)
 {
     const size_t d = t->o->d;
-    if (reduces(t)) /* the reductions were taken during the search */
+    if (has_reductions(t)) /* the reductions were taken during the search */
         return FVI_SUCCESS;
     if (!fvi_options_needs_stepper(t->o))
         return fvi_run_state_row(t, k, x + k * d, p + k * d);

@@ -38,7 +38,7 @@ typedef struct {
 
 /* ---- all runs ---- */
 
-static int board_open(board *b, size_t count, size_t rows, size_t width)
+static int open_board(board *b, size_t count, size_t rows, size_t width)
 {
     const size_t per_run = sizeof(sweep_verdict) + sizeof(size_t);
     const double bytes = (double)rows * (double)width * sizeof(double)
@@ -54,7 +54,7 @@ static int board_open(board *b, size_t count, size_t rows, size_t width)
 }
 
 /* End this process when its parent ends, however that happens: on Linux at once, elsewhere after its run. */
-static void end_with(pid_t parent)
+static void end_with_parent(pid_t parent)
 {
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -64,7 +64,7 @@ static void end_with(pid_t parent)
 }
 
 /* Make a group of runs together or, if that is not possible, one after the other. */
-static void work_on(const sweep_grid *g, board *shared, size_t count, const size_t *run)
+static void run_group(const sweep_grid *g, board *shared, size_t count, const size_t *run)
 {
     double *rows[FVI_BATCH_MOST];
     sweep_verdict *verdicts[FVI_BATCH_MOST];
@@ -84,12 +84,12 @@ static void process_groups(const sweep_grid *g, const sweep_plan *plan, board *s
 {
     for (size_t n; getppid() == parent
                    && (n = atomic_fetch_add(&shared->next, 1)) < plan->groups;)
-        work_on(g, shared, plan->group[n + 1] - plan->group[n], plan->order + plan->group[n]);
+        run_group(g, shared, plan->group[n + 1] - plan->group[n], plan->order + plan->group[n]);
     _exit(0);
 }
 
 /* Make all runs with at most g->jobs processes. Return 0, or 1 if a process failed. */
-static int work_together(const sweep_grid *g, const sweep_plan *plan, board *shared)
+static int run_in_processes(const sweep_grid *g, const sweep_plan *plan, board *shared)
 {
     size_t started = 0, ended = 0;
     const pid_t parent = getpid();
@@ -97,7 +97,7 @@ static int work_together(const sweep_grid *g, const sweep_plan *plan, board *sha
     for (; started < g->jobs && started < plan->groups; started++) {
         const pid_t child = fork();
         if (child == 0) {
-            end_with(parent);
+            end_with_parent(parent);
             process_groups(g, plan, shared, parent);
         }
         if (child < 0)
@@ -298,7 +298,7 @@ static int run_all(const sweep_grid *g, const fvi_options *o,
     fvi_table t;
     board b;
     fvi_table_shape(&t, o, &system);
-    if (!board_open(&b, g->runs, rows, g->count + t.width))
+    if (!open_board(&b, g->runs, rows, g->count + t.width))
         return fvi_complain("not enough memory");
     board *shared = b.map;
     *shared = b;
@@ -314,7 +314,7 @@ static int run_all(const sweep_grid *g, const fvi_options *o,
     int failed = 1;
     if (sweep_plan_make(g, o, &plan)) {
         fvi_complain("not enough memory");
-    } else if (work_together(g, &plan, shared)) {
+    } else if (run_in_processes(g, &plan, shared)) {
         fvi_complain("a process of the sweep was ended");
     } else {
         print_how_runs_were_made(g, &plan, shared);

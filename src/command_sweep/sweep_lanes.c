@@ -48,7 +48,7 @@ static void close_lane(lane *l)
     fvi_options_free(&l->o);
 }
 
-static int reduces(const lane *l)
+static int has_reductions(const lane *l)
 {
     return fvi_reductions_count(l->o.typed) > 0;
 }
@@ -88,12 +88,12 @@ static int store_rows(size_t count, lane *lanes, const active_lanes *all, size_t
 }
 
 /* Write the reductions, and check whether a step is unstable. */
-static int finish(size_t count, lane *lanes)
+static int finish_lanes(size_t count, lane *lanes)
 {
     char text[FVI_WARNING_ROOM];
     for (size_t l = 0; l < count; l++) {
         const fvi_run run = fvi_options_run(&lanes[l].o, &lanes[l].system);
-        if (reduces(lanes + l))
+        if (has_reductions(lanes + l))
             fvi_run_reduced(&lanes[l].table, lanes[l].table.rows + lanes[l].table.width);
         lanes[l].verdict.unstable = fvi_warning_of_step(lanes[l].o.method, &run, sizeof text, text);
         if (lanes[l].verdict.unstable < 0)
@@ -108,13 +108,13 @@ static int step_lanes(size_t count, lane *lanes, const active_lanes *all)
     fvi_stepper *s = all->stepper;
     int status = store_rows(count, lanes, all, 0);
     for (size_t k = 0; !status && k < steps;) {
-        k = reduces(lanes) ? k + 1 : fvi_table_next(&lanes->table, k);
+        k = has_reductions(lanes) ? k + 1 : fvi_table_next(&lanes->table, k);
         while (!status && s->k < k)
             status = all->observer ? fvi_observer_step(all->observer, s) : fvi_stepper_step(s);
         if (!status)
             status = store_rows(count, lanes, all, k);
     }
-    return status ? status : finish(count, lanes);
+    return status ? status : finish_lanes(count, lanes);
 }
 
 static int run_to_rows(const fvi_run *run, size_t count, lane *lanes)
@@ -205,7 +205,7 @@ static size_t key_of(const sweep_grid *g, size_t i, int has_stages, int is_obser
     return key;
 }
 
-static void fill(const sweep_grid *g, const keyed_run *runs, sweep_plan *plan)
+static void fill_lanes(const sweep_grid *g, const keyed_run *runs, sweep_plan *plan)
 {
     for (size_t i = 0; i < g->runs; i++) {
         const int begins = i == 0 || runs[i].key != runs[i - 1].key
@@ -237,7 +237,7 @@ int sweep_plan_make(const sweep_grid *g, const fvi_options *o, sweep_plan *plan)
     for (size_t i = 0; i < g->runs; i++)
         runs[i] = (keyed_run){ plan->most > 1 ? key_of(g, g->first + i, o->method->stages > 0, is_observed) : i, g->first + i };
     qsort(runs, g->runs, sizeof *runs, compare_keys);
-    fill(g, runs, plan);
+    fill_lanes(g, runs, plan);
     free(runs);
     return FVI_SUCCESS;
 }

@@ -18,7 +18,7 @@ static size_t rows_up_to(const fvi_options *o, size_t k)
 /* Return the step in whose place the last row of a run goes. An event ended the run at the time t, after row k. The
  * place is that of the next row. It is 0 if the event is at a row, which has been taken already. *rows becomes the
  * number of rows. */
-static size_t place_of_end(const fvi_options *o, size_t k, double t, size_t *rows)
+static size_t row_of_end(const fvi_options *o, size_t k, double t, size_t *rows)
 {
     const size_t last = k / o->every * o->every,
                  next = last + o->every < o->steps ? last + o->every : o->steps;
@@ -31,7 +31,7 @@ static size_t place_of_end(const fvi_options *o, size_t k, double t, size_t *row
 static int write_end_row(fvi_table *t, const fvi_stepper *s, size_t *rows)
 {
     const fvi_options *o = t->o;
-    const size_t next = place_of_end(o, s->k, s->t, rows);
+    const size_t next = row_of_end(o, s->k, s->t, rows);
     fvi_observation now;
     int status = FVI_SUCCESS;
     t->ended = s->t;
@@ -109,7 +109,7 @@ static int write_found_end(fvi_table *t, found_run *f, size_t *rows)
     const fvi_options *o = t->o;
     const size_t d = o->d, at = f->report.rows, width = fvi_typed_columns_count(o->typed);
     t->ended = f->events.at[f->events.count - 1].t;
-    const size_t next = place_of_end(o, at - 1, t->ended, rows);
+    const size_t next = row_of_end(o, at - 1, t->ended, rows);
     if (next == 0)
         return FVI_SUCCESS;
     memmove(f->x + next * d, f->x + at * d, d * sizeof *f->x);

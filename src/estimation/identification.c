@@ -52,8 +52,8 @@ static void update_best(const search *o, size_t k, size_t *best)
 
 /* Search from all starts. When the best chi^2 so far is as good as that of the true parameters would be, a start that
  * makes little progress is given up. Return FVI_SUCCESS or an error code. */
-static int try_all(search *o, const double *low, const double *high,
-                   size_t *best)
+static int search_from_all_starts(search *o, const double *low, const double *high,
+                                  size_t *best)
 {
     const fvi_estimation *fit = o->model.fit;
     gsl_qrng *sobol = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)fit->parameters);
@@ -311,7 +311,7 @@ static int refine_estimate(search *o, size_t first, slot *best, fvi_estimate *fi
 
 /* Return nonzero if the best place is in doubt: at most half of the starts agree on it, and its status is not
  * FVI_SUCCESS. */
-static int is_doubtful(const search *o, const fvi_estimate *fitted)
+static int is_best_in_doubt(const search *o, const fvi_estimate *fitted)
 {
     return status_of(o, fitted) && fitted->agree <= o->model.fit->starts / 2;
 }
@@ -323,7 +323,7 @@ static int search_everywhere(search *o, size_t *first, slot *best, fvi_estimate 
     int status = refine_estimate(o, *first, best, fitted);
     if (fitted->agree < 2 && continue_given_up(o, first))
         status = refine_estimate(o, *first, best, fitted);
-    if (!status && is_doubtful(o, fitted) && grow_windows(o, first))
+    if (!status && is_best_in_doubt(o, fitted) && grow_windows(o, first))
         status = refine_estimate(o, *first, best, fitted);
     return status;
 }
@@ -336,7 +336,7 @@ static int run_search(search *o, const double *low, const double *high,
     const double h = fit->h > 0 ? fit->h : fvi_estimation_first_step(fit),
                  last = fvi_estimation_last_time(fit);
     fvi_estimation_model_step(&o->model, fmax(h, last / FVI_FIT_MOST_EQUAL_STEPS));
-    int status = try_all(o, low, high, &first);
+    int status = search_from_all_starts(o, low, high, &first);
     if (status)
         return status;
     slot best;

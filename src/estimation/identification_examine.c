@@ -28,9 +28,9 @@ static const double least_probability[] = { 0.002, 0.010, 0.008, 0.003, 0.01 };
 /* ---- residuals ---- */
 
 /* (24.4): add to swayed by how many standard deviations `size` sigma of a column of the sensor move each parameter. */
-static void fill_sway(const fvi_estimation_model *m, const fvi_estimate *fitted,
-                      const gsl_matrix *J, const gsl_vector *column, double size,
-                      double *swayed)
+static void add_parameter_shifts(const fvi_estimation_model *m, const fvi_estimate *fitted,
+                                 const gsl_matrix *J, const gsl_vector *column, double size,
+                                 double *swayed)
 {
     const size_t P = m->fit->parameters;
     for (size_t j = 0; j < P; j++) {
@@ -72,7 +72,7 @@ static void fill_unseen(const fvi_estimation_model *m, const fvi_estimate *fitte
             const double unseen =
                 z / fvi_estimation_length_unseen(m->fit, which, c, J, room, v);
             fvi_estimation_sensor_column(m->fit, which, c, v);
-            fill_sway(m, fitted, J, v, unseen, swayed);
+            add_parameter_shifts(m, fitted, J, v, unseen, swayed);
             if (e->unseen[which] > 0
                 && !(largest_abs(P, swayed) > largest_abs(P, e->swayed[which])))
                 continue;
@@ -193,8 +193,8 @@ static int is_inside(const fvi_examination *e, size_t P, const double *theta)
 }
 
 /* Search from the other places to their minima, with the step of the answer, and raise the flags VALLEYS and BETTER. */
-static void visit_others(fvi_estimation_work *o, const fvi_estimate *fitted,
-                         fvi_examination *e)
+static void search_other_minima(fvi_estimation_work *o, const fvi_estimate *fitted,
+                                fvi_examination *e)
 {
     const size_t P = o->fdf.p;
     const double unit =
@@ -279,7 +279,7 @@ static void raise_flags(const fvi_estimation *fit, const fvi_estimate *fitted,
 /* ---- the whole ---- */
 
 /* Set each interval to the whole possible range, because nothing is known of a motion that was not seen. */
-static void whole_range(const fvi_estimation *fit, fvi_examination *e)
+static void set_whole_ranges(const fvi_estimation *fit, fvi_examination *e)
 {
     for (size_t j = 0; j < fit->parameters; j++)
         find_range(fit, j, &e->lower[j], &e->upper[j]);
@@ -298,13 +298,13 @@ static int examine(fvi_estimation_work *o, const fvi_estimate *fitted, fvi_exami
     fvi_estimation_model_step(&o->model, fitted->h);
     int status = test_residuals(o, fitted, u, e);
     if (!status && !(e->probability[4] < least_probability[4])) {
-        whole_range(fit, e);
+        set_whole_ranges(fit, e);
     } else if (!status && is_exact(o, fitted)) {
         tangent_intervals(&o->model, fitted, e); /* a profile would be one of rounding errors */
     } else if (!status) {
         status = profiles(fit, fitted, e);
         if (!status)
-            visit_others(o, fitted, e);
+            search_other_minima(o, fitted, e);
     }
     for (size_t j = 0; j < fit->parameters; j++)
         fvi_estimation_model_set(&o->model, j, were[j]);

@@ -143,7 +143,7 @@ static int is_sum(const builder *w, int i)
     return w->node[i].op == TAPE_ADD || w->node[i].op == TAPE_SUBTRACT;
 }
 
-static int hides_a_sum(const builder *w, int i)
+static int contains_sum(const builder *w, int i)
 {
     while (inner_operand(w, i) >= 0)
         i = inner_operand(w, i);
@@ -176,7 +176,7 @@ static int factor_outside(builder *w, int factor, int i)
  * left, and this function does not recurse in that direction. */
 static void distribute_factor(builder *w, int i, int factor)
 {
-    while (!w->status && hides_a_sum(w, i)) {
+    while (!w->status && contains_sum(w, i)) {
         const fvi_node at = w->node[i];
         if (is_sum(w, i)) {
             distribute_factor(w, at.b,

@@ -86,7 +86,7 @@ static void evaluate_values(const void *prepared, const double *x, const double 
 }
 
 /* Compute both derivatives of one lane by one walk. Each is the same as by a walk for it alone. */
-static void slopes_alone(const void *params, double x, double *f, double *slope)
+static void evaluate_one_lane(const void *params, double x, double *f, double *slope)
 {
     const fvi_expression *e = params;
     const term *t = e->terms;
@@ -98,5 +98,5 @@ static void slopes_alone(const void *params, double x, double *f, double *slope)
 }
 
 const fvi_lane_functions fvi_expression_slope_lanes = { prepare, evaluate_slopes, free,
-                                                        slopes_alone };
+                                                        evaluate_one_lane };
 const fvi_lane_functions fvi_expression_value_lanes = { prepare, evaluate_values, free, NULL };

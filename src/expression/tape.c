@@ -251,7 +251,7 @@ INTO_THE_WALK fvi_jet jet_of(const lanes_of_node *u, size_t l, const int order)
                       order > 1 ? u->c[l] : 0 };
 }
 
-INTO_THE_WALK void keep_jet(lanes_of_node *to, size_t l, fvi_jet r, const int order)
+INTO_THE_WALK void store_jet(lanes_of_node *to, size_t l, fvi_jet r, const int order)
 {
     to->v[l] = r.v;
     if (order > 0) {
@@ -266,7 +266,7 @@ INTO_THE_WALK void operate_in_a_vector(const fvi_node *at, const lanes_of_node *
 {
 #pragma omp simd
     for (size_t l = 0; l < L; l++)
-        keep_jet(to, l, operate(at, jet_of(u, l, order), jet_of(w, l, order), order), order);
+        store_jet(to, l, operate(at, jet_of(u, l, order), jet_of(w, l, order), order), order);
 }
 
 INTO_THE_WALK int is_same_number(const double *u, size_t l)
@@ -288,10 +288,10 @@ INTO_THE_WALK void operate_one_by_one(const fvi_node *at, const lanes_of_node *u
 {
     for (size_t l = 0; l < L; l++) {
         const int is_known = l > 0 && is_same(u, l, order) && is_same(w, l, order);
-        keep_jet(to, l,
-                 is_known ? jet_of(to, l - 1, order)
+        store_jet(to, l,
+                  is_known ? jet_of(to, l - 1, order)
                           : operate(at, jet_of(u, l, order), jet_of(w, l, order), order),
-                 order);
+                  order);
     }
 }
 
@@ -336,14 +336,14 @@ INTO_THE_WALK void fill(lanes_of_node *to, const double *v, double a, const int 
 {
 #pragma omp simd
     for (size_t l = 0; l < L; l++)
-        keep_jet(to, l, (fvi_jet){ v[l], a, a, 0 }, order);
+        store_jet(to, l, (fvi_jet){ v[l], a, a, 0 }, order);
 }
 
 INTO_THE_WALK void fill_with_number(lanes_of_node *to, double v, const int order)
 {
 #pragma omp simd
     for (size_t l = 0; l < L; l++)
-        keep_jet(to, l, (fvi_jet){ v, 0, 0, 0 }, order);
+        store_jet(to, l, (fvi_jet){ v, 0, 0, 0 }, order);
 }
 
 INTO_THE_WALK void walk_lanes(const fvi_node *node, size_t n, const double *x, const double *k,

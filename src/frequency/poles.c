@@ -70,8 +70,8 @@ static int is_found(const search *s, size_t k)
 /* ---- two at one pole ---- */
 
 /* Return |x^* y| divided by the product of the norms. */
-static double likeness(size_t d, const double complex *x,
-                       const double complex *y)
+static double modal_assurance(size_t d, const double complex *x,
+                              const double complex *y)
 {
     double complex xy = 0;
     double xx = 0, yy = 0;
@@ -89,20 +89,20 @@ static int are_close(const fvi_pole_candidate *a, const fvi_pole_candidate *b)
 }
 
 /* A pole with two shapes is two poles. */
-static int are_one(const search *s, size_t j, size_t k)
+static int are_same_pole(const search *s, size_t j, size_t k)
 {
     return are_close(&s->candidate[j], &s->candidate[k])
-           && likeness(s->d, s->candidate[j].v, s->candidate[k].v) > 1 - 1e-6;
+           && modal_assurance(s->d, s->candidate[j].v, s->candidate[k].v) > 1 - 1e-6;
 }
 
 /* Mark candidates that are no pole, and all candidates that found the same pole. */
-static void mark_wrong(const search *s, unsigned char *wrong)
+static void mark_candidates_to_repeat(const search *s, unsigned char *wrong)
 {
     for (size_t k = 0; k < s->n; k++)
         wrong[k] = !is_found(s, k);
     for (size_t k = 0; k < s->n; k++)
         for (size_t j = 0; j < k; j++)
-            if (are_one(s, j, k))
+            if (are_same_pole(s, j, k))
                 wrong[j] = wrong[k] = 1;
 }
 
@@ -163,7 +163,7 @@ static int search_from_modes(search *s)
             status = fvi_pole_newton(s->response, &s->candidate[k]);
     }
     while (!status) {
-        mark_wrong(s, wrong);
+        mark_candidates_to_repeat(s, wrong);
         if (!search_again(s, wrong, wrong + s->n, &status))
             break;
     }
@@ -192,7 +192,7 @@ static int search_of_one(search *s)
 
 /* ---- the answer ---- */
 
-static int by_size(const void *a, const void *b)
+static int compare_sizes(const void *a, const void *b)
 {
     const double x = cabs(((const fvi_pole_candidate *)a)->s),
                  y = cabs(((const fvi_pole_candidate *)b)->s);
@@ -206,7 +206,7 @@ static void keep_poles(search *s)
     for (size_t k = 0; k < s->count; k++) {
         int is_new = is_found(s, k);
         for (size_t j = 0; is_new && j < kept; j++)
-            is_new = !are_one(s, j, k);
+            is_new = !are_same_pole(s, j, k);
         if (is_new) {
             const fvi_pole_candidate other = s->candidate[kept];
             s->candidate[kept++] = s->candidate[k];
@@ -214,7 +214,7 @@ static void keep_poles(search *s)
         }
     }
     s->count = kept;
-    qsort(s->candidate, kept, sizeof *s->candidate, by_size);
+    qsort(s->candidate, kept, sizeof *s->candidate, compare_sizes);
 }
 
 /* Return v^T Z' w at the pole at which Z' was computed. */

@@ -177,7 +177,7 @@ void fvi_mechanism_keep_dampers(fvi_mechanism_state *o)
 }
 
 /* Compute p and x at the end of the step, and the impulses and the work of the dampers. */
-static void add_up(fvi_stepper *s)
+static void end_step(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
     const size_t d = o->d;
@@ -256,7 +256,7 @@ int fvi_mechanism_step_stages(fvi_stepper *s)
     if (status)
         return status;
     memcpy(s->dx, o->u + places - o->d, o->d * sizeof *s->dx);
-    add_up(s);
+    end_step(s);
     status = fvi_mechanism_update_histories(s, 0, o->zdot);
     return status || !o->m ? status : fvi_mechanism_end_constraints(s);
 }

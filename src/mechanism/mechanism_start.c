@@ -152,7 +152,7 @@ static int check_impulses(const fvi_stepper *s, fvi_error *error)
 }
 
 /* Set the initial guess of the first step to a constant velocity. */
-static void guess_increment(fvi_stepper *s)
+static void guess_first_increment(fvi_stepper *s)
 {
     fvi_mechanism_state *o = s->mechanism;
     for (size_t i = o->begin; i < o->s; i++)
@@ -186,7 +186,7 @@ int fvi_mechanism_start(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
     status = fvi_mechanism_begin_histories(s, o->v, error);
     if (status)
         return status;
-    guess_increment(s);
+    guess_first_increment(s);
     memcpy(o->raw, s->x, o->d * sizeof *s->x);
     for (size_t i = 0; i < o->d && form == FVI_MECHANISM_NODES; i++)
         o->any_massless |= o->is_massless[i];

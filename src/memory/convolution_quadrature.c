@@ -24,7 +24,7 @@ size_t fvi_cq_bdf2_factor(double beta, double g[FVI_BDF2_TAPS])
 
 /* Weights of delta = (1 - z) (3 - z) / 2. The loop runs from the last weight to the first, because w_n must be read
  * before it is overwritten. */
-static void bdf2(double beta, size_t count, double *w)
+static void bdf2_weights(double beta, size_t count, double *w)
 {
     double g[FVI_BDF2_TAPS];
     const size_t taps = fvi_cq_bdf2_factor(beta, g);
@@ -39,7 +39,7 @@ static void bdf2(double beta, size_t count, double *w)
 
 //> trapezoid
 /* The weights of f = ((1 - z)/(1 + z))^beta follow term by term from (1 - z^2) f' = -2 beta f. */
-static void trapezoid(double beta, size_t count, double *w)
+static void trapezoid_weights(double beta, size_t count, double *w)
 {
     w[0] = pow(2, beta);
     if (count > 1)
@@ -50,7 +50,7 @@ static void trapezoid(double beta, size_t count, double *w)
 //< trapezoid
 
 /* Weights of (13.5): the integral contains the slopes of a piecewise linear path. */
-static void l1(double beta, size_t count, double *w)
+static void l1_weights(double beta, size_t count, double *w)
 {
     const double unit = 1 / tgamma(2 - beta);
     double before = 0, after = 1; /* (n+1)^(1-beta) - n^(1-beta) for n - 1 and for n */
@@ -77,10 +77,10 @@ int fvi_cq_weights(fvi_delta kind, double beta, size_t count,
     if (kind == FVI_DELTA_EULER)
         fvi_gl_weights(beta, count, w);
     else if (kind == FVI_DELTA_BDF2)
-        bdf2(beta, count, w);
+        bdf2_weights(beta, count, w);
     else if (kind == FVI_DELTA_TRAPEZOID)
-        trapezoid(beta, count, w);
+        trapezoid_weights(beta, count, w);
     else
-        l1(beta, count, w);
+        l1_weights(beta, count, w);
     return FVI_SUCCESS;
 }

@@ -119,7 +119,7 @@ static double *table_of_distance(const tiled_engine *t, size_t D)
 //> tables
 /* Fill the tables. The weights from lag 33 on are computed from the modes, so that the sums over lags and the modes use
  * the same weights. */
-static void fill(tiled_engine *t, const double *p, const double *c)
+static void fill_tables(tiled_engine *t, const double *p, const double *c)
 {
     for (size_t q = 0; q < t->Q; q++) {
         double *decay = t->decay + (q / FVI_EIGHT * FVI_WINDOW) * FVI_EIGHT;
@@ -155,7 +155,7 @@ fvi_history_head *fvi_history_tiled_alloc(size_t d, size_t Q, const double *p,
     for (size_t lanes = 8; !fvi_history_tiled_width(&t->head, lanes); lanes /= 2)
         ;
     memcpy(t->w + 1, w + 1, FVI_WINDOW * sizeof *w);
-    fill(t, p, c);
+    fill_tables(t, p, c);
     return &t->head;
 }
 
@@ -194,7 +194,7 @@ static void add_earlier_eights(const tiled_engine *t, size_t count, size_t eight
 }
 
 /* Prefetch `count` numbers of a later tile. */
-static void fetch(const double *from, size_t count)
+static void prefetch_numbers(const double *from, size_t count)
 {
     for (size_t i = 0; i < count; i += 8)
         __builtin_prefetch(from + i);
@@ -220,7 +220,7 @@ static void open_block(tiled_engine *t, size_t tile)
     }
     for (size_t q = 0; q < t->Q; q += FVI_EIGHT) { /* (28.2) */
         if (tile + 1 < t->tiles)
-            fetch(z + (t->Q + q) * FVI_TILE, AREA);
+            prefetch_numbers(z + (t->Q + q) * FVI_TILE, AREA);
         t->times(count, FVI_WINDOW, t->decay + q * FVI_WINDOW, terms,
                  t->lose + q, z + q * FVI_TILE);
     }
@@ -267,7 +267,7 @@ static void push_part(fvi_history_head *head, size_t first, size_t count,
         const size_t tile = (first + i) / FVI_TILE;
         double sum[FVI_TILE], *rows = t->slab[g] + tile * AREA;
         if (tile + AHEAD < t->tiles)
-            fetch(rows + AHEAD * AREA, (r + 1) * FVI_TILE);
+            prefetch_numbers(rows + AHEAD * AREA, (r + 1) * FVI_TILE);
         next_row(r, t->w, rows, sum);
         for (size_t j = 0; j < columns(t, tile); j++) {
             const double new = term[i + j];

@@ -37,7 +37,7 @@ static int read_start(const fvi_stepper *s, fvi_lobatto_matrices *o)
 }
 
 /* Set the load to F - K (x_k + h c_i v_k) at the stages. */
-static void begin_load(const fvi_stepper *s, fvi_lobatto_matrices *o)
+static void set_load(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
     const size_t d = o->d;
     for (size_t i = 0; i < o->s; i++) {
@@ -64,7 +64,7 @@ static int find_changes(const fvi_stepper *s, fvi_lobatto_matrices *o)
 
 int fvi_lobatto_matrices_solve(const fvi_stepper *s, fvi_lobatto_matrices *o)
 {
-    begin_load(s, o);
+    set_load(s, o);
     int status = fvi_stage_dampers_begin_step(s, o);
     if (!status)
         status = fvi_stage_solver_solve(o->solver, o->load, o->V); /* (27.14) */

@@ -46,7 +46,7 @@ static void impulse_changes(const fvi_observer *o, size_t j, size_t n, double *c
 }
 
 /* h J' where J = t^q g(t) near the start: J' = t^q g' + q J / t. g is taken without t = 0. */
-static double near_start_of_power(const fvi_observer *o, size_t j, size_t k)
+static double force_near_start_of_power(const fvi_observer *o, size_t j, size_t k)
 {
     const size_t n = k - 1 < o->degree ? k - 1 : o->degree;
     const double q = o->exponent[j], J = o->impulse[j];
@@ -87,8 +87,8 @@ static double missing_impulse_of_bend(const fvi_observer *o, size_t j, size_t k,
 }
 
 /* h J' by (13.20), without t = 0, and without a first step that gives no information. */
-static double near_start_of_law(const fvi_observer *o, size_t j, size_t damper, size_t k, double h, int is_bent,
-                                const fvi_law_row *first)
+static double force_near_start_of_law(const fvi_observer *o, size_t j, size_t damper, size_t k, double h, int is_bent,
+                                      const fvi_law_row *first)
 {
     const size_t to = compared_with(o, j, damper, first),
                  from = to == FVI_PARABOLA && misses_parabola(first) ? 2 : 1, known = k > from ? k - from : 0,
@@ -122,11 +122,11 @@ int fvi_observer_is_compared(const fvi_observer *o, size_t j)
     return rows_of(o, j, o->has_mechanism ? j : j / o->d) != NULL;
 }
 
-static double near_start(const fvi_observer *o, size_t j, size_t k, double h)
+static double force_near_start(const fvi_observer *o, size_t j, size_t k, double h)
 {
     const size_t damper = o->has_mechanism ? j : j / o->d;
     const fvi_law_row *first = rows_of(o, j, damper);
-    return first ? near_start_of_law(o, j, damper, k, h, 0, first) : near_start_of_power(o, j, k);
+    return first ? force_near_start_of_law(o, j, damper, k, h, 0, first) : force_near_start_of_power(o, j, k);
 }
 
 void fvi_observer_compare_forces(const fvi_observer *o, size_t k, double h, double *force)
@@ -134,7 +134,7 @@ void fvi_observer_compare_forces(const fvi_observer *o, size_t k, double h, doub
     for (size_t j = 0; j < o->forces; j++) {
         const fvi_law_row *first = rows_of(o, j, j);
         if (first)
-            force[j] = near_start_of_law(o, j, j, k, h, 1, first) / h;
+            force[j] = force_near_start_of_law(o, j, j, k, h, 1, first) / h;
     }
 }
 
@@ -143,7 +143,7 @@ double fvi_observer_slope(const fvi_observer *o, size_t j, size_t k, double h)
     double change[FVI_MOST_DIFFERENCES + 1];
     const size_t n = k < o->degree ? k : o->degree;
     if (k <= fvi_observer_first_rows(o) && !isnan(o->exponent[j]))
-        return near_start(o, j, k, h) / h;
+        return force_near_start(o, j, k, h) / h;
     impulse_changes(o, j, n, change);
     return differentiate(n, change) / h;
 }

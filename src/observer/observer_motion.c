@@ -60,7 +60,7 @@ static int solve(point *o)
 /* ---- derivatives by t alone ---- */
 
 /* Write L_v, d numbers, and 2 C v + c_t, m numbers, at the time t and at the same x and v. */
-static int explicit_terms(point *o, double t, double *value)
+static int evaluate_explicit_terms(point *o, double t, double *value)
 {
     const fvi_constraints *c = o->system->mechanism->constraints;
     const size_t d = o->d;
@@ -104,10 +104,10 @@ static int subtract_explicit_slopes(point *o, double e)
 {
     const size_t n = o->n;
     double *table = calloc((LEVELS + 1) * n, sizeof *table), *now = table + LEVELS * n;
-    int status = table ? explicit_terms(o, o->t, now) : FVI_ENOMEM;
+    int status = table ? evaluate_explicit_terms(o, o->t, now) : FVI_ENOMEM;
     double most = 0;
     for (size_t k = 0; k < LEVELS && !status && (k < 2 || most > 0); k++) {
-        status = explicit_terms(o, o->t + ldexp(e, -(int)k), table + k * n);
+        status = evaluate_explicit_terms(o, o->t + ldexp(e, -(int)k), table + k * n);
         for (size_t i = 0; i < n && !status; i++) {
             table[k * n + i] -= now[i];
             most += fabs(table[k * n + i]);
@@ -147,7 +147,7 @@ static int evaluate(point *o)
 
 /* The first steps subtract too little from p (13.18), so v has an error, too. Write the correction of v, within the
  * constraints, to r. */
-static int missing_velocity(point *o, const fvi_observer *of)
+static int find_missing_velocity(point *o, const fvi_observer *of)
 {
     int status = evaluate(o);
     memset(o->r, 0, o->n * sizeof *o->r);
@@ -158,7 +158,7 @@ static int missing_velocity(point *o, const fvi_observer *of)
 
 static int correct_velocity(point *o, const fvi_observer *of)
 {
-    const int status = of->bends > 0 ? missing_velocity(o, of) : FVI_SUCCESS;
+    const int status = of->bends > 0 ? find_missing_velocity(o, of) : FVI_SUCCESS;
     for (size_t i = 0; i < o->d && of->bends > 0 && !status; i++)
         o->v[i] += o->r[i];
     return status;
@@ -231,7 +231,7 @@ int fvi_observer_bend(fvi_observer *o, const fvi_stepper *s)
     point at;
     int status = begin(&at, o, s, s->t, s->x);
     if (!status)
-        status = missing_velocity(&at, o);
+        status = find_missing_velocity(&at, o);
     for (size_t j = 0; j < o->dampers && !status; j++) {
         const fvi_elongation *of = &o->mechanism->damper[j].of;
         const double *G = of->row ? of->row : at.G, before = o->bend_rate[j];

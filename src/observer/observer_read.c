@@ -193,7 +193,7 @@ static int is_finite(const fvi_observer *o, const fvi_observation *now)
 }
 
 /* For a structure's damper along a row, f = lambda row, keep lambda alone; the forces of other dampers move up. */
-static void fold_rows(const fvi_observer *o, double *forces)
+static void reduce_to_multipliers(const fvi_observer *o, double *forces)
 {
     double *to = forces;
     for (size_t j = 0; o->mechanism && !o->has_mechanism && j < o->dampers; j++) {
@@ -297,7 +297,7 @@ int fvi_observer_read(fvi_observer *o, const fvi_stepper *s, double t,
     if (!o || !s || !now)
         FVI_FAIL("null pointer", FVI_EFAULT);
     const int status = fvi_observer_read_all(o, s, t, now);
-    fold_rows(o, o->force);
-    fold_rows(o, o->impulse_now);
+    reduce_to_multipliers(o, o->force);
+    reduce_to_multipliers(o, o->impulse_now);
     return status;
 }

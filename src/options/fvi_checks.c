@@ -9,7 +9,7 @@
 /* ---- what a method takes ---- */
 
 /* Return nonzero if the velocity of a damped mass jumps: at the start, or by an impulse of the force. */
-static int begins_to_move(const fvi_options *o)
+static int has_velocity_jump(const fvi_options *o)
 {
     for (size_t i = 0; i < o->d; i++)
         if (o->p0[i] != 0 && o->rho[i] > 0)
@@ -47,7 +47,7 @@ int fvi_check_method(const fvi_options *o, fvi_error *c)
     if (o->text[DAMPING] && !m->takes_laws)
         return fvi_refuse(c, "damping", "'%s' is not known to %s", o->text[DAMPING], m->name);
     if (o->text[DAMPING] && m->dense && !o->directory
-        && fvi_kernel_growth(&o->damping.law) > 1 && begins_to_move(o))
+        && fvi_kernel_growth(&o->damping.law) > 1 && has_velocity_jump(o))
         return fvi_refuse(c, "p0", "fvi-adaptive takes no velocity that jumps with a law that grows faster than s; "
                           "fvi-bdf2 and fvi-stable do, and fvi-adaptive with --damper 'x : LAW' in place of --damping");
     const int status = check_modes(o, c);

@@ -15,7 +15,7 @@
 static const option_index listed[FVI_LISTS] = { DAMPER, CONSTRAINT, IMPOSE,
                                                 FORCE_ON, EVENT };
 
-static size_t place_of(option_index i)
+static size_t index_of_list(option_index i)
 {
     size_t n = 0;
     while (n < FVI_LISTS && listed[n] != i)
@@ -25,14 +25,14 @@ static size_t place_of(option_index i)
 
 int fvi_is_listed(option_index i)
 {
-    return place_of(i) < FVI_LISTS;
+    return index_of_list(i) < FVI_LISTS;
 }
 
 /* Add a value to the list of its option. The head of the table shows all values, with semicolons between them. */
 int fvi_list_option(fvi_options *o, option_index i, const char *value,
                     fvi_error *c)
 {
-    fvi_option_values *list = &o->list[place_of(i)];
+    fvi_option_values *list = &o->list[index_of_list(i)];
     const size_t used = strlen(list->text), room = sizeof list->text - used;
     const int length = snprintf(list->text + used, room, "%s%s",
                                 used > 0 ? "; " : "", value);

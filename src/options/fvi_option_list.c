@@ -56,7 +56,7 @@ const fvi_option fvi_option_list[OPTIONS] = {
     [OUTPUT] = { "o", RUN | EXACT | COEFFICIENTS, NULL },
 };
 
-static int mask(fvi_command command)
+static int mask_of_command(fvi_command command)
 {
     return command == FVI_COMMAND_RUN            ? RUN
            : command == FVI_COMMAND_EXACT        ? EXACT
@@ -67,8 +67,8 @@ static int mask(fvi_command command)
 int fvi_option_is_known(fvi_command command, option_index i)
 {
     if (i == OPTIONS)
-        return mask(command) != 0;
-    return (fvi_option_list[i].commands & mask(command)) != 0;
+        return mask_of_command(command) != 0;
+    return (fvi_option_list[i].commands & mask_of_command(command)) != 0;
 }
 
 option_index fvi_option_named(const char *word)

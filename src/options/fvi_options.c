@@ -53,7 +53,7 @@ static int command_of(const char *name, fvi_command *command, fvi_error *c)
 }
 
 /* Refuse a word that is no option of this command. */
-static int unknown(const fvi_options *o, const char *given, fvi_error *c)
+static int refuse_unknown(const fvi_options *o, const char *given, fvi_error *c)
 {
     const char *names[OPTIONS + 2];
     size_t n = 0;
@@ -89,14 +89,14 @@ static int is_with_value(const char *given)
 static int set_option(fvi_options *o, int found, const char *given, fvi_error *c)
 {
     if (found == '?')
-        return unknown(o, given, c);
+        return refuse_unknown(o, given, c);
     /* ":" says that the value is missing, also for a shortened name such as --alph. */
     const int is_without_value = found == ':';
     if (is_without_value)
         found = optopt == 'o' ? 256 + OUTPUT : optopt;
     option_index i = (option_index)(found - 256);
     if (i != OUTPUT && !fvi_word_is_option(given, fvi_option_list[i].name))
-        return unknown(o, given, c);
+        return refuse_unknown(o, given, c);
     if (!fvi_option_is_known(o->command, i))
         return fvi_refuse(c, NULL, "%s%s: not an option of this command",
                           i == OUTPUT ? "-" : "--", fvi_option_list[i].name);
@@ -176,14 +176,14 @@ static int check_system(const fvi_options *o, fvi_error *c)
 
 /* Return the preset of an option. With --system the start is 0, because a building is at rest until something acts on
  * it. */
-static const char *preset(const fvi_options *o, option_index i)
+static const char *preset_of(const fvi_options *o, option_index i)
 {
     const int is_start = i == X0 || i == P0;
     return is_start && o->text[SYSTEM] ? "0" : fvi_option_list[i].preset;
 }
 
 /* Return nonzero for an option that has no preset because a Lagrangian, a damper or --v0 takes its place. */
-static int is_taken_over(const fvi_options *o, option_index i)
+static int has_no_preset(const fvi_options *o, option_index i)
 {
     const int is_damping = i == ALPHA || i == RHO || i == DERIVATIVE;
     return (o->text[LAGRANGIAN]
@@ -221,12 +221,12 @@ static int fill_in(fvi_options *o, fvi_error *c)
     for (int i = 0; i < OPTIONS; i++)
         if (!o->text[i] && !(i == H && o->text[TIME])
             && !is_replaced(o, (option_index)i)
-            && !is_taken_over(o, (option_index)i)
+            && !has_no_preset(o, (option_index)i)
             && !(i == STEPS && o->steps_follow)
             && !(i == COLUMNS && o->text[REDUCE])
             && !(i == ALPHA && o->text[ORDER])
             && !(law && (i == ALPHA || i == RHO)))
-            o->text[i] = preset(o, (option_index)i);
+            o->text[i] = preset_of(o, (option_index)i);
     return status;
 }
 

@@ -28,8 +28,8 @@
 #include <petsctime.h>
 
 /* Step on from the present state of the stepper, and print how long that took. */
-static PetscErrorCode go_on(const share *s, const petsc_options *w,
-                            fvi_stepper *stepper)
+static PetscErrorCode continue_run(const share *s, const petsc_options *w,
+                                   fvi_stepper *stepper)
 {
     PetscLogDouble begin, end;
     PetscMPIInt ranks;
@@ -78,7 +78,7 @@ static PetscErrorCode run(const share *s, const petsc_options *w, const double *
         PetscCall(petsc_refuse(&error));
     if (w->resumes)
         PetscCall(petsc_load(s, w->checkpoint, stepper));
-    PetscCall(go_on(s, w, stepper));
+    PetscCall(continue_run(s, w, stepper));
     if (w->saves)
         PetscCall(petsc_save(s, w->checkpoint, stepper));
     if (w->writes)

@@ -64,7 +64,7 @@ static void free_factors(void *of)
 }
 
 /* Compute A += c C, if C exists. */
-static int add(Mat A, double c, Mat C)
+static int add_matrix(Mat A, double c, Mat C)
 {
     if (c != 0 && C)
         TRY(MatAXPY(A, c, C, DIFFERENT_NONZERO_PATTERN));
@@ -72,15 +72,15 @@ static int add(Mat A, double c, Mat C)
 }
 
 /* Compute *A = m M + sum_j c_j C_j + k K. *A is NULL or must be destroyed by the caller, also after an error. */
-static int sum(const share *s, double m, size_t count, const double *c, const Mat *C, double k,
-               Mat *A)
+static int sum_matrices(const share *s, double m, size_t count, const double *c, const Mat *C, double k,
+                        Mat *A)
 {
     int status = FVI_SUCCESS;
     TRY(MatDuplicate(s->M, MAT_COPY_VALUES, A));
     TRY(MatScale(*A, m));
     for (size_t j = 0; j < count && !status; j++)
-        status = add(*A, c[j], C[j]);
-    return status ? status : add(*A, k, s->K);
+        status = add_matrix(*A, c[j], C[j]);
+    return status ? status : add_matrix(*A, k, s->K);
 }
 
 /* Nothing is factorised: the equation is solved by conjugate gradients with a preconditioner of PETSc. */
@@ -105,7 +105,7 @@ static int make_factors(const share *s, double m, size_t count, const double *c,
     if (!f)
         return FVI_ENOMEM;
     f->s = s;
-    int status = sum(s, m, count, c, C, k, &A);
+    int status = sum_matrices(s, m, count, c, C, k, &A);
     if (!status)
         status = make_gradients(A, &f->gradients);
     if (MatDestroy(&A) && !status)

@@ -91,8 +91,8 @@ PetscErrorCode petsc_of_files(const char *folder, double last, PetscInt count,
 /* ---- of a grid ---- */
 
 /* Set the row of K for the point with the indices `at`. */
-static PetscErrorCode difference(Mat K, PetscInt count, const PetscInt n[3],
-                                 const PetscInt at[3])
+static PetscErrorCode set_grid_row(Mat K, PetscInt count, const PetscInt n[3],
+                                   const PetscInt at[3])
 {
     MatStencil here = { .i = at[0], .j = at[1], .k = at[2] }, beside[7];
     double entry[7] = { 0 };
@@ -178,7 +178,7 @@ PetscErrorCode petsc_of_grid(PetscInt lengths, const PetscInt n[3], double dampi
     for (at[2] = from[2]; at[2] < from[2] + size[2]; at[2]++)
         for (at[1] = from[1]; at[1] < from[1] + size[1]; at[1]++)
             for (at[0] = from[0]; at[0] < from[0] + size[0]; at[0]++)
-                PetscCall(difference(s->K, lengths, n, at));
+                PetscCall(set_grid_row(s->K, lengths, n, at));
     PetscCall(MatAssemblyBegin(s->K, MAT_FINAL_ASSEMBLY));
     PetscCall(MatAssemblyEnd(s->K, MAT_FINAL_ASSEMBLY));
     PetscCall(DMCreateMatrix(grid, &s->M));

@@ -74,8 +74,8 @@ static int damper_named(const fvi_typed_columns *c, const char *name,
 }
 
 /* Find a name such as "d1.force" or "d1.force3". */
-static int find_of_damper(const fvi_typed_columns *c, const char *name,
-                          size_t length, fvi_quantity *q, int *is_all)
+static int find_damper_quantity(const fvi_typed_columns *c, const char *name,
+                                size_t length, fvi_quantity *q, int *is_all)
 {
     const char *point = memchr(name, '.', length);
     if (!point || !damper_named(c, name, (size_t)(point - name), &q->j))
@@ -96,8 +96,8 @@ static int find_of_damper(const fvi_typed_columns *c, const char *name,
 }
 
 /* Find "multiplier2", of a constraint, or "reaction3", of a coordinate that is prescribed. */
-static int find_of_constraint(const fvi_typed_columns *c, const char *name,
-                              size_t length, fvi_quantity *q, int *is_all)
+static int find_constraint_quantity(const fvi_typed_columns *c, const char *name,
+                                    size_t length, fvi_quantity *q, int *is_all)
 {
     static const char *const words[] = { "multiplier", "reaction" };
     const fvi_constraints *ties =
@@ -123,8 +123,8 @@ static int find_of_constraint(const fvi_typed_columns *c, const char *name,
 }
 
 /* Find "event2.count", "event2.last" or "event2.force". */
-static int find_of_event(const fvi_typed_columns *c, const char *name, size_t length,
-                         fvi_quantity *q)
+static int find_event_quantity(const fvi_typed_columns *c, const char *name, size_t length,
+                               fvi_quantity *q)
 {
     static const char word[] = "event";
     const size_t stem = sizeof word - 1;
@@ -169,8 +169,8 @@ int fvi_column_find(const fvi_typed_columns *c, const char *name,
             && (q->i = index_of(name + stem, length - stem, d)) < d)
             return 1;
     }
-    return find_of_constraint(c, name, length, q, is_all)
-           || find_of_damper(c, name, length, q, is_all) || find_of_event(c, name, length, q);
+    return find_constraint_quantity(c, name, length, q, is_all)
+           || find_damper_quantity(c, name, length, q, is_all) || find_event_quantity(c, name, length, q);
 }
 
 /* ---- for expressions ---- */

@@ -250,7 +250,7 @@ static double sum_works(const fvi_typed_columns *c,
 }
 
 /* Return the position of a damper's force, which comes after the forces of the dampers before it. */
-static size_t place_of_force(const fvi_typed_columns *c, fvi_quantity q)
+static size_t index_of_force(const fvi_typed_columns *c, fvi_quantity q)
 {
     size_t place = q.i;
     for (fvi_quantity before = q; before.j-- > 0;)
@@ -294,9 +294,9 @@ static double value_of(const fvi_typed_columns *c, fvi_quantity q, const fvi_obs
     case QUANTITY_BALANCE:
         return now->balance;
     case QUANTITY_FORCE:
-        return now->force[place_of_force(c, q)];
+        return now->force[index_of_force(c, q)];
     case QUANTITY_IMPULSE:
-        return now->impulse[place_of_force(c, q)];
+        return now->impulse[index_of_force(c, q)];
     case QUANTITY_DAMPER_WORK:
         return now->work[q.j];
     case QUANTITY_MULTIPLIER:

@@ -106,7 +106,7 @@ static int add_sensors(dictionary *d, const fvi_free_parameter_names *names)
     return status;
 }
 
-static int fill(dictionary *d, const fvi_free_parameter_names *names)
+static int list_parameters(dictionary *d, const fvi_free_parameter_names *names)
 {
     const fvi_run *run = names->run;
     const int has_laws = run->law || run->system->mechanism, is_matrix = run->system->matrices != NULL;
@@ -220,7 +220,7 @@ int fvi_parse_free_parameter(const char *field, const char *text,
     dictionary d = { .count = 0 };
     if (!text || !names || !names->run || !names->run->system || !which)
         return fvi_fail(error, FVI_EFAULT, field, NAN, "null pointer");
-    int status = fill(&d, names);
+    int status = list_parameters(&d, names);
     if (status)
         fvi_fail(error, status, field, NAN, "not enough memory");
     else

@@ -40,7 +40,7 @@ static int is_time(struct timespec *last)
     *last = now;
     return 1;
 }
-static int ask_python(void)
+static int check_python(void)
 {
     static struct timespec last;
     if ((unsigned long)pthread_self() != main_thread)
@@ -277,7 +277,7 @@ static void set_main_thread(unsigned long thread)
 {
     main_thread = thread;
     fvi_set_error_handler(store_reason);
-    fvi_set_interrupter(ask_python);
+    fvi_set_interrupter(check_python);
 }
 /* Before a call of the library. */
 static void begin(void)

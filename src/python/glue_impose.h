@@ -16,15 +16,15 @@ typedef struct {
     size_t constraint;
     void *function;
     cubic_rows rows;
-} own_place;
+} imposed_place;
 /* A mechanism of texts, but for the places. */
 typedef struct {
     fvi_mechanism all;
-    fvi_constraints own;
+    fvi_constraints constraints;
     const fvi_constraints *typed;
     size_t count;
-    own_place *place;
-} own_imposed;
+    imposed_place *place;
+} imposed_places;
 /* The equations for the second derivatives M, a row for each inner point, by elimination; the ends follow from their
  * neighbours. */
 static int find_cubics(cubic_rows *r)
@@ -70,7 +70,7 @@ static void cubic_at(const cubic_rows *r, double t, double *u, double *rate)
     *u = a * r->x[low] + b * r->x[high] + (a * (a * a - 1) * M[low] + b * (b * b - 1) * M[high]) * (h * h / 6);
     *rate = (r->x[high] - r->x[low]) / h + ((1 - 3 * a * a) * M[low] + (3 * b * b - 1) * M[high]) * (h / 6);
 }
-static int place_at(const own_place *of, double t, double *u, double *rate)
+static int place_at(const imposed_place *of, double t, double *u, double *rate)
 {
     if (of->function)
         return ask_imposed(t, of->function, u, rate);
@@ -78,70 +78,70 @@ static int place_at(const own_place *of, double t, double *u, double *rate)
     return 0;
 }
 /* What is not NULL: c has u less, and its derivative by t has u' less. */
-static int subtract_places(const own_imposed *own, double t, double *c, double *ct)
+static int subtract_places(const imposed_places *o, double t, double *c, double *ct)
 {
     double u, rate;
     int status = 0;
-    for (size_t i = 0; i < own->count && !status; i++) {
-        status = place_at(&own->place[i], t, &u, &rate);
+    for (size_t i = 0; i < o->count && !status; i++) {
+        status = place_at(&o->place[i], t, &u, &rate);
         if (c && !status)
-            c[own->place[i].constraint] -= u;
+            c[o->place[i].constraint] -= u;
         if (ct && !status)
-            ct[own->place[i].constraint] -= rate;
+            ct[o->place[i].constraint] -= rate;
     }
     return status;
 }
-static int own_values(double t, size_t d, const double *x, void *params, double *c)
+static int imposed_values(double t, size_t d, const double *x, void *params, double *c)
 {
-    const own_imposed *own = params;
-    const int status = own->typed->value(t, d, x, own->typed->params, c);
-    return status ? status : subtract_places(own, t, c, NULL);
+    const imposed_places *o = params;
+    const int status = o->typed->value(t, d, x, o->typed->params, c);
+    return status ? status : subtract_places(o, t, c, NULL);
 }
-static int own_gradients(double t, size_t d, const double *x, void *params, double *C, double *ct)
+static int imposed_gradients(double t, size_t d, const double *x, void *params, double *C, double *ct)
 {
-    const own_imposed *own = params;
-    const int status = own->typed->gradient(t, d, x, own->typed->params, C, ct);
-    return status || !ct ? status : subtract_places(own, t, NULL, ct);
+    const imposed_places *o = params;
+    const int status = o->typed->gradient(t, d, x, o->typed->params, C, ct);
+    return status || !ct ? status : subtract_places(o, t, NULL, ct);
 }
-static int own_hessians(double t, size_t d, const double *x, const double *factor, void *params, double *H)
+static int imposed_hessians(double t, size_t d, const double *x, const double *factor, void *params, double *H)
 {
-    const own_imposed *own = params;
-    return own->typed->hessian(t, d, x, factor, own->typed->params, H);
+    const imposed_places *o = params;
+    return o->typed->hessian(t, d, x, factor, o->typed->params, H);
 }
-static void own_imposed_free(own_imposed *own)
+static void imposed_places_free(imposed_places *o)
 {
-    for (size_t i = 0; own && own->place && i < own->count; i++)
-        free(own->place[i].rows.slope2);
-    if (own)
-        free(own->place);
-    free(own);
+    for (size_t i = 0; o && o->place && i < o->count; i++)
+        free(o->place[i].rows.slope2);
+    if (o)
+        free(o->place);
+    free(o);
 }
 /* `count` places, each yet to be put. The names of all constraints belong to the caller. NULL: no memory. */
-static own_imposed *own_imposed_alloc(const fvi_mechanism *typed, const char *const *names, size_t count)
+static imposed_places *imposed_places_alloc(const fvi_mechanism *typed, const char *const *names, size_t count)
 {
-    own_imposed *own = calloc(1, sizeof *own);
-    if (!own || !(own->place = calloc(count, sizeof *own->place))) {
-        free(own);
+    imposed_places *o = calloc(1, sizeof *o);
+    if (!o || !(o->place = calloc(count, sizeof *o->place))) {
+        free(o);
         return NULL;
     }
-    own->all = *typed;
-    own->typed = typed->constraints;
-    own->own = *typed->constraints;
-    own->own.name = names;
-    own->own.value = own_values;
-    own->own.gradient = own_gradients;
-    own->own.hessian = own_hessians;
-    own->own.params = own;
-    own->all.constraints = &own->own;
-    own->count = count;
-    return own;
+    o->all = *typed;
+    o->typed = typed->constraints;
+    o->constraints = *typed->constraints;
+    o->constraints.name = names;
+    o->constraints.value = imposed_values;
+    o->constraints.gradient = imposed_gradients;
+    o->constraints.hessian = imposed_hessians;
+    o->constraints.params = o;
+    o->all.constraints = &o->constraints;
+    o->count = count;
+    return o;
 }
 /* Place number i is that of a constraint: by a function, or, where that is NULL, by n >= 4 rows, which
  * belong to the caller. */
-static int own_imposed_put(own_imposed *own, size_t i, size_t constraint, void *function, size_t n, const double *t,
-                           const double *x)
+static int imposed_places_put(imposed_places *o, size_t i, size_t constraint, void *function, size_t n, const double *t,
+                              const double *x)
 {
-    own_place *to = &own->place[i];
+    imposed_place *to = &o->place[i];
     to->constraint = constraint;
     to->function = function;
     if (function)
@@ -150,12 +150,12 @@ static int own_imposed_put(own_imposed *own, size_t i, size_t constraint, void *
     return find_cubics(&to->rows);
 }
 /* u and u' of place number i, which is given by rows. */
-static void own_imposed_at(const own_imposed *own, size_t i, double t, double *u, double *rate)
+static void imposed_places_at(const imposed_places *o, size_t i, double t, double *u, double *rate)
 {
-    cubic_at(&own->place[i].rows, t, u, rate);
+    cubic_at(&o->place[i].rows, t, u, rate);
 }
-static const fvi_mechanism *own_imposed_mechanism(const own_imposed *own)
+static const fvi_mechanism *imposed_places_mechanism(const imposed_places *o)
 {
-    return &own->all;
+    return &o->all;
 }
 #endif

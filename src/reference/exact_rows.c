@@ -200,7 +200,7 @@ static int add_rows(rows *r, const fvi_exact_source *source, range of);
 
 /* Add a window in which a step ends. Rows later than T + first / 2 contain a pulse. Those soon after T contain a second
  * start, with the opposite force. The window is cut there if the force, had it lasted, would outgrow the motion. */
-static int add_ended(rows *r, range *of)
+static int add_window_of_step(rows *r, range *of)
 {
     const double T = r->S->p.T, first = time_of(r, of->a, 0);
     const size_t ended = row_after(r, *of, T),
@@ -232,7 +232,7 @@ static int add_window(rows *r, const fvi_exact_source *source, range *of)
                  last = time_of(r, of->b, of->since);
     if (r->S->p.forcing == FVI_FORCING_STEP && source->start == 1
         && last > r->S->p.T)
-        return add_ended(r, of);
+        return add_window_of_step(r, of);
     fvi_window w;
     const int status =
         fvi_window_open(r->S, first, last, r->h, r->tolerance, 1, &w, r->error);
@@ -273,7 +273,7 @@ static int fill_with_nan(const rows *r, size_t k, size_t n, int status)
 
 /* ---- one time after the other, for what has no window ---- */
 
-static int one_by_one(const rows *r, size_t n)
+static int evaluate_one_by_one(const rows *r, size_t n)
 {
     for (size_t k = 1; k <= n; k++) {
         const double t = time_of(r, k, 0);
@@ -294,7 +294,7 @@ static int one_by_one(const rows *r, size_t n)
 
 /* Return nonzero if so many digits are asked for that the rounding of t in a phase matters, or the rounding errors of a
  * hundred turns. */
-static int must_be_careful(const rows *r, size_t n)
+static int needs_rounding_of_times(const rows *r, size_t n)
 {
     double most = 0;
     for (size_t i = 0; i < r->S->poles; i++)
@@ -304,7 +304,7 @@ static int must_be_careful(const rows *r, size_t n)
 }
 
 /* Return nonzero if the squares of all numbers are in range and the phases of all times are known. */
-static int is_tame(const rows *r, size_t n)
+static int is_in_range(const rows *r, size_t n)
 {
     const fvi_linear_oscillator *p = &r->S->p;
     const double t = time_of(r, n, 0);
@@ -353,10 +353,10 @@ int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n,
         memset(v, 0, (n + 1) * sizeof *v);
         v[0] = problem->v0;
     }
-    r.careful = must_be_careful(&r, n);
+    r.careful = needs_rounding_of_times(&r, n);
     const fvi_exact_source start = { .start = 1, .sign = 1 };
-    status = is_tame(&r, n) ? add_rows(&r, &start, (range){ 1, n, 0 })
-                            : one_by_one(&r, n);
+    status = is_in_range(&r, n) ? add_rows(&r, &start, (range){ 1, n, 0 })
+                            : evaluate_one_by_one(&r, n);
     for (size_t k = 0; k <= n && !status; k++)
         if ((x && !isfinite(x[k])) || (v && !isfinite(v[k])))
             status = fill_with_nan(&r, k, n, FVI_EOVRFLW);

@@ -39,7 +39,7 @@ static int is_same_law(const fvi_kernel *a, const fvi_kernel *b)
 }
 
 /* The reason why this run cannot go together with any other run, or NULL. */
-static const char *refusal_alone(const fvi_method *method, const fvi_run *run)
+static const char *reason_against_run(const fvi_method *method, const fvi_run *run)
 {
     const fvi_system *system = run->system;
     if (method->dense)
@@ -58,7 +58,7 @@ static const char *refusal_alone(const fvi_method *method, const fvi_run *run)
 }
 
 /* The reason why these two runs cannot go together, though each could with other runs; or NULL. */
-static const char *refusal_of_two(const fvi_method *method, const fvi_run *a, const fvi_run *b)
+static const char *reason_against_pair(const fvi_method *method, const fvi_run *a, const fvi_run *b)
 {
     const fvi_system *s = a->system, *t = b->system;
     const fvi_potential *u = &s->potential, *w = &t->potential;
@@ -86,9 +86,9 @@ const char *fvi_batch_refusal(const fvi_method *method, size_t count, const fvi_
         if (!run[l].system || !run[l].x0 || !run[l].p0 || !run[l].system->mass
             || !run[l].system->damping)
             return "a pointer of a run is null";
-        why = refusal_alone(method, run + l);
+        why = reason_against_run(method, run + l);
         if (!why)
-            why = refusal_of_two(method, run, run + l);
+            why = reason_against_pair(method, run, run + l);
     }
     return why;
 }
@@ -153,7 +153,7 @@ typedef struct {
     double *const *x, *const *p;
 } wanted_rows;
 
-static wanted_rows from_run(const wanted_rows *all, size_t first, size_t lanes)
+static wanted_rows outputs_from_run(const wanted_rows *all, size_t first, size_t lanes)
 {
     wanted_rows w = *all;
     w.lanes = lanes;
@@ -228,10 +228,10 @@ int fvi_batch_trajectories(const fvi_method *method, size_t count, const fvi_run
     int first = FVI_SUCCESS;
     for (size_t at = 0, n; at < count; at += n) {
         n = group_of(method, count - at, run + at);
-        wanted_rows w = from_run(&all, at, n);
+        wanted_rows w = outputs_from_run(&all, at, n);
         const int is_done = n > 1 && !run_lanes(method, n, run + at, &w);
         for (size_t i = at; i < at + n; i++) {
-            w = from_run(&all, i, 0);
+            w = outputs_from_run(&all, i, 0);
             const int own = is_done ? FVI_SUCCESS : run_alone(method, run + i, &w);
             first = first ? first : own;
             if (status)

@@ -191,7 +191,7 @@ static size_t count_few_nodes(double beta, double step, double tolerance)
 }
 
 /* Do one sweep of the QL method over the rows from, ..., to. */
-static void sweep(double *a, double *b, double *first, size_t from, size_t to)
+static void ql_sweep(double *a, double *b, double *first, size_t from, size_t to)
 {
     const double half = (a[from + 1] - a[from]) / (2 * b[from]);
     double g = a[to] - a[from] + b[from] / (half + copysign(sqrt(half * half + 1), half)), s = 1, c = 1, moved = 0;
@@ -229,7 +229,7 @@ static void find_eigenvalues(size_t n, double *a, double *b, double *first)
                 to++;
             if (to == from)
                 break;
-            sweep(a, b, first, from, to);
+            ql_sweep(a, b, first, from, to);
         }
 }
 

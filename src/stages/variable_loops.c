@@ -8,8 +8,8 @@
 #define AT(x, q) (*(const fvi_four *)((x) + (q)))
 
 /* Write the sums of four vectors of four numbers to H. */
-static inline __attribute__((always_inline)) void total(const fvi_four *x,
-                                                        double *H)
+static inline __attribute__((always_inline)) void sum_lanes(const fvi_four *x,
+                                                            double *H)
 {
     const fvi_four a = x[0], b = x[1], c = x[2], d = x[3];
     *(fvi_four *)H = ((fvi_four){ a[0], b[0], c[0], d[0] }
@@ -38,7 +38,7 @@ gather(const size_t s, size_t Q, const double *restrict weight,
         sum[i] = (fvi_four){ 0 };
 #pragma GCC unroll 2
     for (size_t i = 0; i < FVI_LANES; i += 4)
-        total(sum + i, H + i);
+        sum_lanes(sum + i, H + i);
 }
 //< history
 
@@ -79,8 +79,8 @@ advance(const size_t s, size_t n, const fvi_mode_row *row,
 }
 //< advance
 
-FVI_VECTORS static void step_on(size_t s, size_t n, const fvi_mode_row *row,
-                                const fvi_last_step *last, double *restrict y)
+FVI_VECTORS static void advance_modes(size_t s, size_t n, const fvi_mode_row *row,
+                                      const fvi_last_step *last, double *restrict y)
 {
     if (s == 8)
         advance(8, n, row, last, y);
@@ -91,5 +91,5 @@ FVI_VECTORS static void step_on(size_t s, size_t n, const fvi_mode_row *row,
 void fvi_loop_advance(size_t s, size_t n, const fvi_mode_row *row,
                       const fvi_last_step *last, double *y)
 {
-    step_on(s, n, row, last, y);
+    advance_modes(s, n, row, last, y);
 }

@@ -120,7 +120,7 @@ void fvi_modes_activate_all(fvi_modes *m)
 
 /* Add the corrections of the upper end (22.12) to the weights. They replace the modes above the last one that is
  * read. */
-static void close_top(fvi_modes *m, const reading *r)
+static void add_top_corrections(fvi_modes *m, const reading *r)
 {
     memcpy(r->closed, r->weight, m->count * sizeof *r->closed);
     for (size_t l = 0; l < FVI_ENDS; l++)
@@ -129,9 +129,9 @@ static void close_top(fvi_modes *m, const reading *r)
 }
 
 /* Add the derivatives of the corrections by beta. */
-static void close_top_rate(fvi_modes *m)
+static void add_top_correction_rates(fvi_modes *m)
 {
-    close_top(m, &m->rate);
+    add_top_corrections(m, &m->rate);
     for (size_t l = 0; l < FVI_ENDS; l++)
         m->rate.closed[m->count - 1 - m->apart * l] +=
             m->value.weight[m->count - 1] * m->rate.top[l];
@@ -158,9 +158,9 @@ void fvi_modes_begin(fvi_modes *m, fvi_length length)
     m->now = length;
     activate_modes(m, m->count);
     m->row = row_of(m, length, 0, m->count);
-    close_top(m, &m->value);
+    add_top_corrections(m, &m->value);
     if (m->rate.weight)
-        close_top_rate(m);
+        add_top_correction_rates(m);
 }
 
 static void read_modes(const fvi_modes *m, const double *closed, size_t j,

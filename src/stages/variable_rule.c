@@ -113,8 +113,8 @@ void fvi_variable_ends(size_t every, double nu, double *c)
 }
 
 /* A function that is compiled for several widths must be static, because otherwise the library would export it. */
-FVI_VECTORS static void apply(size_t s, const fvi_square *M, const double *in,
-                              double *out)
+FVI_VECTORS static void multiply_square(size_t s, const fvi_square *M, const double *in,
+                                        double *out)
 {
     fvi_four low = { 0 }, high = { 0 };
     for (size_t l = 0; l < s; l++) {
@@ -129,7 +129,7 @@ FVI_VECTORS static void apply(size_t s, const fvi_square *M, const double *in,
 void fvi_square_apply(size_t s, const fvi_square *M, const double *in,
                       double *out)
 {
-    apply(s, M, in, out);
+    multiply_square(s, M, in, out);
 }
 
 static void exchange(double *x, double *y, size_t n, size_t stride)

@@ -8,8 +8,8 @@
 
 /* Write a text that is too long for the error, with "..." in place of its middle. The texts that a user typed may be
  * long, and the reason for the refusal stands at the end. */
-static void leave_out_the_middle(char *text, size_t length, const char *format,
-                                 va_list arguments)
+static void shorten_text(char *text, size_t length, const char *format,
+                         va_list arguments)
 {
     const size_t end = FVI_ERROR_ROOM / 2; /* bytes of the end of the text, including its '\0' */
     char *whole = malloc(length + 1);
@@ -36,7 +36,7 @@ int fvi_fail(fvi_error *error, int code, const char *field, double value,
     const int length =
         vsnprintf(error->text, sizeof error->text, format, arguments);
     if (length > 0 && (size_t)length >= sizeof error->text)
-        leave_out_the_middle(error->text, (size_t)length, format, again);
+        shorten_text(error->text, (size_t)length, format, again);
     va_end(again);
     va_end(arguments);
     for (char *t = error->text; *t; t++) /* replace control characters, so that the text stays one line */

@@ -20,7 +20,7 @@ static int reads_back(double v, int digits, char text[32])
 
 /* Try 15, 16 and 17 digits. Every decimal number of up to 15 digits survives in a double, and 17 digits bring every
  * double back. A subnormal number may need fewer than 15 digits, so the search for it begins with one digit. */
-static void slowly(double v, char text[32])
+static void format_by_trials(double v, char text[32])
 {
     if (fabs(v) < DBL_MIN)
         for (int digits = 1; !reads_back(v, digits, text); digits++)
@@ -76,7 +76,7 @@ typedef struct {
 } scaled;
 
 /* Scale |v|. Return 1, or 0 if the numbers do not fit into 128 bits. */
-static int scale(double v, scaled *n)
+static int scale_to_17_digits(double v, scaled *n)
 {
     uint64_t bits;
     memcpy(&bits, &v, sizeof bits);
@@ -119,8 +119,8 @@ static int is_near(const scaled *n, uint64_t digits)
 }
 
 /* Write the digits as the format %g would, without zeros at the end. */
-static void write(int negative, uint64_t digits, int exponent, int precision,
-                  char *text)
+static void write_digits(int negative, uint64_t digits, int exponent, int precision,
+                         char *text)
 {
     char all[17];
     int last = 17;
@@ -153,12 +153,12 @@ static void write(int negative, uint64_t digits, int exponent, int precision,
     *text = 0;
 }
 
-static int quickly(double v, char *text)
+static int format_by_integers(double v, char *text)
 {
     scaled n;
     int precision = 15;
     uint64_t digits = 0;
-    if (!scale(v, &n))
+    if (!scale_to_17_digits(v, &n))
         return 0;
     for (uint64_t unit = 100;; unit /= 10, precision++) {
         digits = nearest(&n, unit);
@@ -166,11 +166,11 @@ static int quickly(double v, char *text)
             break;
     }
     const int more = digits == SEVENTEEN; /* digits were rounded up to a power of ten */
-    write(v < 0, more ? digits / 10 : digits, 16 - n.k + more, precision, text);
+    write_digits(v < 0, more ? digits / 10 : digits, 16 - n.k + more, precision, text);
     return 1;
 }
 #else
-static int quickly(double v, char *text)
+static int format_by_integers(double v, char *text)
 {
     (void)v;
     (void)text;
@@ -192,8 +192,8 @@ static void write_point(char *text)
 
 int fvi_format_double(double v, char text[32])
 {
-    if (fabs(v) < DBL_MIN || !quickly(v, text)) {
-        slowly(v, text);
+    if (fabs(v) < DBL_MIN || !format_by_integers(v, text)) {
+        format_by_trials(v, text);
         write_point(text);
     }
     return (int)strlen(text);

@@ -139,7 +139,7 @@ int fvi_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o)
 /* ---- a trial of a step, and its error ---- */
 
 /* Write the initial guess: the polynomial of velocities of the last step goes on, and so do the last multipliers. */
-static void guess(fvi_stepper *s, fvi_variable_step_state *o)
+static void guess_increments(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const size_t d = o->d, n = o->rule->s;
     const double h = o->length.h;
@@ -182,7 +182,7 @@ int fvi_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
     of->rest_scale = of->m > of->permanent ? o->scale : 0;
     fvi_mesh_present(s, o);
     fvi_mesh_predict(s, o);
-    guess(s, o);
+    guess_increments(s, o);
     int status = fvi_mechanism_solve_stages(s);
     if (status == FVI_EOVRFLW) /* outside of the domain of L: a shorter step may stay inside */
         status = FVI_EMAXITER;

@@ -55,7 +55,7 @@ int fvi_mesh_end(const fvi_stepper *s, const fvi_variable_step_state *o, double 
 }
 
 /* Return theta of the time t in the last step. */
-static double place(const fvi_stepper *s, double t)
+static double theta_of_time(const fvi_stepper *s, double t)
 {
     const fvi_variable_step_state *o = s->method_state;
     return s->t > o->t0 ? (t - o->t0) / (s->t - o->t0) : 0;
@@ -66,7 +66,7 @@ void fvi_mesh_sums(const fvi_stepper *s, size_t j, double t, double *force, doub
 {
     const fvi_variable_step_state *o = s->method_state;
     const struct fvi_mesh_mechanism *m = o->mechanism;
-    const double theta = place(s, t), h = s->t - o->t0;
+    const double theta = theta_of_time(s, t), h = s->t - o->t0;
     double w[FVI_LANES], power[FVI_LANES] = { 1 };
     fvi_variable_step_once(theta, w);
     for (size_t k = 1; k < FVI_LANES; k++)
@@ -83,7 +83,7 @@ double fvi_mesh_work_of_forces(const fvi_stepper *s, double t)
     const fvi_variable_step_state *o = s->method_state;
     const struct fvi_mesh_mechanism *m = o->mechanism;
     double w[FVI_LANES];
-    fvi_variable_step_once(place(s, t), w);
+    fvi_variable_step_once(theta_of_time(s, t), w);
     return t == s->t ? m->by_force
                      : m->by_force_begin + combine_powers(o->rule->s, m->by_force0, w);
 }
@@ -91,7 +91,7 @@ double fvi_mesh_work_of_forces(const fvi_stepper *s, double t)
 double fvi_mesh_multiplier(const fvi_stepper *s, size_t i, double t)
 {
     const fvi_variable_step_state *o = s->method_state;
-    const double theta = place(s, t), h = s->t - o->t0;
+    const double theta = theta_of_time(s, t), h = s->t - o->t0;
     double power[FVI_LANES] = { 1 };
     for (size_t k = 1; k < FVI_LANES; k++)
         power[k] = theta * power[k - 1];
@@ -127,7 +127,7 @@ int fvi_mesh_velocity(const fvi_stepper *s, double t, const double *x, const dou
 {
     const fvi_variable_step_state *o = s->method_state;
     double w[FVI_LANES];
-    fvi_variable_step_once(place(s, t), w);
+    fvi_variable_step_once(theta_of_time(s, t), w);
     for (size_t j = 0; j < o->d; j++)
         v[j] = t == s->t ? o->v[j]
                          : o->v0[j]

@@ -110,7 +110,7 @@ double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
     return shortest;
 }
 
-int fvi_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o)
+int fvi_mesh_can_apply_impulses(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     for (size_t j = 0; j < o->mechanism->r; j++)
         if (depends_on_jumps(s, j) && !fvi_variable_step_velocities_jump(&s->run))

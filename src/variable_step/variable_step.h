@@ -125,7 +125,7 @@ typedef struct {
     double *y, *y_compensation, *v, *v_compensation, t, t_compensation;
     double *impulse_dv; /* the jump of v by the impulses at t */
     size_t hits;  /* number of impulses that have acted */
-    int takes_kicks; /* nonzero: steps can be as short as a jump of v needs them */
+    int can_apply_impulses; /* nonzero: steps can be as short as a jump of v needs them */
     struct fvi_event_watch *watch; /* variable_step_events.h; NULL: the run has no events */
     /* the step that is tried, or the last step: its start, its stages */
     double t0, *y0, *v0;

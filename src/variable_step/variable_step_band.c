@@ -24,7 +24,7 @@ struct fvi_variable_step_band {
     quad kind[];  /* m lambda + damping_coeff lambda^beta of each group, and then the factors */
 };
 
-static inline quad times(quad a, quad b)
+static inline quad multiply_quads(quad a, quad b)
 {
     return (quad){ a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re };
 }
@@ -65,9 +65,9 @@ FVI_VECTORS static void factorise(fvi_variable_step_band *o, const size_t *kind,
         quad *column = &o->factor[j * n];
         const quad D = column[0] = inverse_of(column[0]);
         for (size_t k = 1; k < n && j + k < o->d; k++) {
-            const quad below = times(column[k], D);
+            const quad below = multiply_quads(column[k], D);
             for (size_t l = k; l < n && j + l < o->d; l++) {
-                const quad fill = times(below, column[l]);
+                const quad fill = multiply_quads(below, column[l]);
                 quad *a = &o->factor[(j + k) * n + l - k];
                 a->re -= fill.re;
                 a->im -= fill.im;
@@ -94,7 +94,7 @@ substitute_forwards(const fvi_variable_step_band *o, double *r)
             sum.im += o->in[i].im * r[i];
         }
         for (size_t k = 1; k < n && k <= j; k++) {
-            const quad more = times(o->factor[(j - k) * n + k], e[j - k]);
+            const quad more = multiply_quads(o->factor[(j - k) * n + k], e[j - k]);
             sum.re -= more.re;
             sum.im -= more.im;
         }
@@ -110,9 +110,9 @@ substitute_backwards(const fvi_variable_step_band *o, double *r)
     const size_t n = o->diagonals;
     quad *e = (quad *)r;
     for (size_t j = o->d; j-- > 0;) {
-        quad sum = times(o->factor[j * n], e[j]);
+        quad sum = multiply_quads(o->factor[j * n], e[j]);
         for (size_t k = 1; k < n && j + k < o->d; k++) {
-            const quad more = times(o->factor[j * n + k], e[j + k]);
+            const quad more = multiply_quads(o->factor[j * n + k], e[j + k]);
             sum.re -= more.re;
             sum.im -= more.im;
         }
@@ -161,7 +161,7 @@ one_by_one(const size_t s, const fvi_variable_step_band *o, double *r)
             e.re += o->in[i].re * r[i];
             e.im += o->in[i].im * r[i];
         }
-        e = times(o->factor[j], e);
+        e = multiply_quads(o->factor[j], e);
         fvi_four low = { 0 }, high = { 0 };
 #pragma GCC unroll 4
         for (size_t n = 0; n < s / 2; n++) {

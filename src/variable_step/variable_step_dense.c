@@ -57,8 +57,8 @@ void fvi_variable_step_twice(double theta, double *w)
 }
 
 /* Return sum_k w_k g_k. g has zeros behind the s-th number. */
-static inline __attribute__((always_inline)) double product(const fvi_four *w,
-                                                            const double *g)
+static inline __attribute__((always_inline)) double weighted_sum(const fvi_four *w,
+                                                                 const double *g)
 {
     const fvi_four *x = (const fvi_four *)g, sum = w[0] * x[0] + w[1] * x[1];
     return (sum[0] + sum[2]) + (sum[1] + sum[3]);
@@ -74,7 +74,7 @@ FVI_VECTORS static void find_positions(const fvi_variable_step_state *o, double 
         x[j] = o->y0[j]
                + h
                      * (theta * o->v0[j]
-                        + product(w, o->powers + j * FVI_LANES));
+                        + weighted_sum(w, o->powers + j * FVI_LANES));
 }
 
 /* Compute p = m v, with v = v_k + the integral of x''. */
@@ -84,7 +84,7 @@ FVI_VECTORS static void find_momenta(const fvi_variable_step_state *o, const dou
     fvi_four w[2];
     weigh_powers(theta, theta, integral, w);
     for (size_t j = 0; j < o->d; j++)
-        p[j] = (o->v0[j] + product(w, o->powers + j * FVI_LANES)) * mass[j];
+        p[j] = (o->v0[j] + weighted_sum(w, o->powers + j * FVI_LANES)) * mass[j];
 }
 
 /* Compute p = M v for a system with matrices. */
@@ -120,7 +120,7 @@ static void add_singular(const fvi_variable_step_state *o, const double *mass,
 }
 
 /* Project p of a mechanism at theta, so that its velocity keeps to the constraints. */
-static int project(const fvi_stepper *s, double t, double theta, double *p)
+static int project_momentum(const fvi_stepper *s, double t, double theta, double *p)
 {
     const fvi_variable_step_state *o = s->method_state;
     double *x = malloc(2 * o->d * sizeof *x);
@@ -147,7 +147,7 @@ int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p
         find_positions(o, h, theta, x);
     if (p && o->mechanism) {
         fvi_mesh_momentum(s, o, theta, 0, p);
-        return s->mechanism->last_m ? project(s, t, theta, p) : FVI_SUCCESS;
+        return s->mechanism->last_m ? project_momentum(s, t, theta, p) : FVI_SUCCESS;
     }
     if (p && o->structure)
         return momenta_of_matrices(s, o, theta, p);
@@ -229,10 +229,10 @@ void fvi_variable_step_within(const fvi_stepper *s, const fvi_variable_step_stat
     for (size_t j = 0; j < o->d; j++) {
         fvi_variable_step_powers(o->rule->s, o->accel_legendre + j * FVI_LANES, g);
         x[j] = o->y[j]
-               + h * (theta * o->v[j] + product((const fvi_four *)by_x, g));
+               + h * (theta * o->v[j] + weighted_sum((const fvi_four *)by_x, g));
         if (!o->mechanism)
             p[j] = s->run.system->mass[j]
-                   * (o->v[j] + product((const fvi_four *)by_v, g));
+                   * (o->v[j] + weighted_sum((const fvi_four *)by_v, g));
     }
     if (o->mechanism)
         fvi_mesh_momentum(s, o, theta, 1, p);

@@ -266,7 +266,7 @@ int fvi_stepper_kick(fvi_stepper *s, const double *J)
     if (!fvi_all_finite(s->run.system->d, J))
         FVI_FAIL("J must be finite", FVI_EDOM);
     fvi_variable_step_state *o = s->method_state;
-    if (!o->takes_kicks)
+    if (!o->can_apply_impulses)
         FVI_FAIL("the run did not know that a velocity would jump", FVI_EUNSUP);
     for (size_t j = 0; j < o->d && s->mechanism; j++)
         if (s->mechanism->is_massless[j] && J[j] != 0)

@@ -73,8 +73,8 @@ find_residual(const fvi_variable_step_state *o, size_t j, fvi_four *left)
 
 /* Replace each number of most by the larger of it and |x|. */
 typedef long long bits __attribute__((vector_size(32), aligned(8), may_alias));
-static inline __attribute__((always_inline)) void grow(fvi_four *most,
-                                                       const fvi_four *x)
+static inline __attribute__((always_inline)) void update_largest(fvi_four *most,
+                                                                 const fvi_four *x)
 {
     const bits size = *(const bits *)x & 0x7fffffffffffffff,
                is = (fvi_four)size > *most;
@@ -161,7 +161,7 @@ static int jacobians(fvi_stepper *s, fvi_variable_step_state *o)
 }
 
 /* Compute the factors of the band, with the Hessian of the middle stage. */
-static int factors(fvi_stepper *s, fvi_variable_step_state *o)
+static int factorise_middle(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_potential *u = &s->run.system->potential;
     const size_t d = o->d, middle = o->rule->s / 2;
@@ -204,7 +204,7 @@ FVI_VECTORS static double correct(fvi_variable_step_state *o, const fvi_square *
             if (!M)
                 by[i] -= delta[i];
             delta[i] += by[i];
-            grow(&most, &by[i]);
+            update_largest(&most, &by[i]);
             all += by[i];
         }
     }
@@ -238,7 +238,7 @@ FVI_VECTORS static double apply_correction(fvi_variable_step_state *o, const dou
     for (size_t i = 0; i < o->d * FVI_LANES; i += 4) {
         const fvi_four change = *(const fvi_four *)(eps + i);
         *(fvi_four *)(o->delta + i) += change;
-        grow(&most, &change);
+        update_largest(&most, &change);
         all += change;
     }
     return largest(&most, &all);
@@ -268,7 +268,7 @@ static int iterate(fvi_stepper *s, fvi_variable_step_state *o, iteration_kind by
         int status = evaluate_gradients(s, o);
         const int anew = i == 0 || (i > 1 && o->contraction > badly);
         if (!status && anew && by != FIXED_POINT)
-            status = by == NEWTON ? jacobians(s, o) : factors(s, o);
+            status = by == NEWTON ? jacobians(s, o) : factorise_middle(s, o);
         if (status)
             return status;
         const double moved = o->length.h * correct_all(o, by);

@@ -76,7 +76,7 @@ static int find_springs(fvi_stepper *s, fvi_variable_step_state *o, double **spr
 
 /* Compute 2/omega of the stiffest spring at x0, as a part of the time h between two rows, at most 1. The coordinates
  * may be coupled. */
-static int find_part(const fvi_stepper *s, double *part)
+static int find_shortest_part(const fvi_stepper *s, double *part)
 {
     const fvi_system *system = s->run.system;
     const fvi_potential *u = &system->potential;
@@ -91,14 +91,14 @@ static int find_part(const fvi_stepper *s, double *part)
 }
 
 /* Return size, or `next` if size is 0 or only a rounding error of `next`. */
-static double or_else(double size, double next)
+static double size_or_next(double size, double next)
 {
     return size > 1e-12 * next ? size : next;
 }
 
 double fvi_variable_step_scale(double x, double of_v, double of_a)
 {
-    const double size = or_else(x, or_else(of_v, of_a));
+    const double size = size_or_next(x, size_or_next(of_v, of_a));
     return size > 0 && isfinite(size) ? size : 1;
 }
 
@@ -122,9 +122,9 @@ static int find_first_scale(fvi_stepper *s, const double *springs, double *scale
         of_v = larger(of_v, p / m * t);
         of_f = larger(of_f, fabs(s->F[j] - s->g[j]) / m * t * t);
     }
-    double size = or_else(x, or_else(of_v, of_f)), part = 1;
+    double size = size_or_next(x, size_or_next(of_v, of_f)), part = 1;
     if (!status && x > 0 && size != x && !springs && system->potential.gradient)
-        status = find_part(s, &part);
+        status = find_shortest_part(s, &part);
     if (part < 1 && x > 1e-12 * fmax(of_v * part, of_f * part * part))
         size = x;
     *scale = size > 0 ? size : 1;
@@ -201,7 +201,7 @@ static void choose_rule(fvi_stepper *s, fvi_variable_step_state *o, double scale
 }
 
 /* Return nonzero if the steps and the modes are short enough for a velocity that jumps. */
-static int takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o)
+static int can_apply_impulses(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     if (o->damped == 0 || fvi_variable_step_velocities_jump(&s->run))
         return 1;
@@ -269,7 +269,7 @@ static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
 }
 
 /* Set the first exponent: as short as the start needs, but not shorter than `least`. */
-static void set_first(fvi_variable_step_state *o)
+static void set_first_exponent(fvi_variable_step_state *o)
 {
     o->fewest = (int)floor(log(o->least) / fvi_variable_spacing());
     o->first = (int)larger(o->first, o->fewest);
@@ -282,14 +282,14 @@ typedef struct {
     int (*start)(fvi_stepper *s, fvi_variable_step_state *o);
     double (*shortest)(const fvi_stepper *s, const fvi_variable_step_state *o);
     int (*begin)(fvi_stepper *s, fvi_variable_step_state *o);
-    int (*takes_kicks)(const fvi_stepper *s, const fvi_variable_step_state *o);
+    int (*can_apply_impulses)(const fvi_stepper *s, const fvi_variable_step_state *o);
 } coupled_system;
 
 static const coupled_system of_mechanism = { fvi_mesh_scale, fvi_mesh_start, fvi_mesh_shortest, fvi_mesh_begin,
-                                             fvi_mesh_takes_kicks },
+                                             fvi_mesh_can_apply_impulses },
                             of_structure = { fvi_structure_mesh_scale, fvi_structure_mesh_start,
                                              fvi_structure_mesh_shortest, fvi_structure_mesh_begin,
-                                             fvi_structure_mesh_takes_kicks };
+                                             fvi_structure_mesh_can_apply_impulses };
 
 /* Begin a run of a mechanism or of matrices: state, dampers, and the modes that the shortest step needs. */
 static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupled_system *of)
@@ -322,8 +322,8 @@ static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupl
         status = fvi_variable_step_apply_impulses(s, o);
     if (!status && m)
         status = m->inertia(o->d, o->v, m->params, s->p);
-    set_first(o);
-    o->takes_kicks = of->takes_kicks(s, o);
+    set_first_exponent(o);
+    o->can_apply_impulses = of->can_apply_impulses(s, o);
     return status;
 }
 
@@ -377,8 +377,8 @@ static int start(fvi_stepper *s, int for_adjoint)
     status = fvi_variable_step_apply_impulses(s, o);
     for (size_t j = 0; j < d; j++)
         s->p[j] += s->run.system->mass[j] * o->impulse_dv[j];
-    set_first(o);
-    o->takes_kicks = takes_kicks(s, o);
+    set_first_exponent(o);
+    o->can_apply_impulses = can_apply_impulses(s, o);
     return status;
 }
 

@@ -54,7 +54,8 @@ int fvi_variable_step_allocate(fvi_variable_step_state *o)
     const int each = o->solve == FVI_SOLVE_DIAGONAL && o->diagonals == 0;
     o->y = FVI_ARRAYS({ &o->y, d }, { &o->y_compensation, d }, { &o->v, d }, { &o->v_compensation, d },
                       { &o->y0, d }, { &o->v0, d }, { &o->centre, d }, { &o->impulse_dv, d },
-                      { &o->base, FVI_LANES * d }, { &o->R, FVI_LANES * d }, { &o->delta, FVI_LANES * d }, { &o->accel_legendre, FVI_LANES * d },
+                      { &o->base, FVI_LANES * d }, { &o->R, FVI_LANES * d }, { &o->delta, FVI_LANES * d },
+                      { &o->accel_legendre, FVI_LANES * d },
                       { &o->accel_legendre0, FVI_LANES * d }, { &o->point, s * d }, { &o->gradient, s * d },
                       { &o->hessian, s * d }, { &o->most_of_force, BOUNDS * d });
     o->group = calloc(1, o->kinds * sizeof *o->group + 2 * d * sizeof *o->kind);
@@ -234,7 +235,8 @@ static int has_possible_control(const fvi_variable_step_state *o)
            && o->longest_solvable <= highest && o->most >= lowest && o->most <= highest
            && o->growth >= 0 && o->growth <= FVI_VARIABLE_STEP_GROWTH && o->steps_since_failure >= 0
            && o->steps_since_failure < FVI_VARIABLE_STEP_RETRY && o->stalled_iterations >= 0
-           && o->stalled_iterations <= FVI_VARIABLE_STEP_STUCK && (o->first_after_event == 0 || o->first_after_event == 1)
+           && o->stalled_iterations <= FVI_VARIABLE_STEP_STUCK
+           && (o->first_after_event == 0 || o->first_after_event == 1)
            && o->scale > 0 && gsl_finite(o->scale) && !isnan(o->undeclared_jump_until);
 }
 

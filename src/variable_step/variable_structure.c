@@ -187,7 +187,7 @@ double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step
     return shortest;
 }
 
-int fvi_structure_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o)
+int fvi_structure_mesh_can_apply_impulses(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
     for (size_t j = 0; j < o->structure->count; j++)
         if (depends_on_jumps(&o->structure->damper[j]) && !s->run.system->force.impulse_count)
@@ -198,7 +198,7 @@ int fvi_structure_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step
 /* ---- a trial of a step, and its error ---- */
 
 /* Compute the load F - K (x_k + h c_i v_k) at the stages. */
-static int begin_load(fvi_stepper *s, fvi_variable_step_state *o)
+static int set_load(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_matrices *m = s->run.system->matrices;
     struct fvi_mesh_structure *of = o->structure;
@@ -244,7 +244,7 @@ int fvi_structure_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_lengt
     o->length = length;
     int status = fvi_structure_mesh_solver(s, o, length.h);
     if (!status)
-        status = begin_load(s, o);
+        status = set_load(s, o);
     if (!status)
         status = fvi_structure_mesh_predict(o);
     if (!status)

@@ -42,14 +42,14 @@ struct fvi_mesh_structure {
     double *Kx, *Kv, *last, *size, *ones; /* d numbers each */
 };
 
-/* fvi_structure_mesh_scale, _start, _begin, _shortest, _takes_kicks -- the functions of a mechanism
+/* fvi_structure_mesh_scale, _start, _begin, _shortest, _can_apply_impulses -- the functions of a mechanism
  * (variable_mechanism.h) for a system with matrices. They return FVI_SUCCESS; FVI_EUNSUP if the matrices have no
  * complex factors or a damper has the order 2; FVI_ENOMEM; the codes of the matrices. */
 int fvi_structure_mesh_scale(fvi_stepper *s, double *scale);
 int fvi_structure_mesh_start(fvi_stepper *s, fvi_variable_step_state *o);
 int fvi_structure_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o);
 double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o);
-int fvi_structure_mesh_takes_kicks(const fvi_stepper *s, const fvi_variable_step_state *o);
+int fvi_structure_mesh_can_apply_impulses(const fvi_stepper *s, const fvi_variable_step_state *o);
 
 /* fvi_structure_mesh_starts_with_jump -- return nonzero if the history of this damper contains a jump of x from 0 to
  * x_0 at t = 0. */

@@ -27,7 +27,7 @@ void fvi_structure_mesh_weights(const fvi_stepper *s, double t, double *now, dou
 }
 
 /* Return damper `number` of the run, or NULL if it has no history. */
-static fvi_mesh_matrix *find(const fvi_variable_step_state *o, size_t number)
+static fvi_mesh_matrix *find_damper(const fvi_variable_step_state *o, size_t number)
 {
     for (size_t j = 0; j < o->structure->count; j++)
         if (o->structure->damper[j].number == number)
@@ -40,7 +40,7 @@ int fvi_structure_mesh_force(const fvi_stepper *s, size_t number, const double *
 {
     const fvi_variable_step_state *o = s->method_state;
     const size_t stages = o->rule->s;
-    fvi_mesh_matrix *of = find(o, number);
+    fvi_mesh_matrix *of = find_damper(o, number);
     if (!of)
         return FVI_SUCCESS;
     memset(of->z, 0, of->r * sizeof *of->z);

@@ -11,12 +11,12 @@ int start_by_velocity(const fvi_system *system, const double *x0, const double *
 size_t dampers_of(const fvi_system *system);
 const fvi_kernel *kernel_of(const fvi_system *system, size_t j);
 int energy_by_parameter(const fvi_typed_potential *potential, size_t d, size_t j, const double *x, double *value);
-typedef struct own_imposed own_imposed;
-own_imposed *own_imposed_alloc(const struct fvi_mechanism *typed, const char *const *names, size_t count);
-int own_imposed_put(own_imposed *own, size_t i, size_t constraint, void *function, size_t n, const double *t, const double *x);
-void own_imposed_at(const own_imposed *own, size_t i, double t, double *u, double *rate);
-const struct fvi_mechanism *own_imposed_mechanism(const own_imposed *own);
-void own_imposed_free(own_imposed *own);
+typedef struct imposed_places imposed_places;
+imposed_places *imposed_places_alloc(const struct fvi_mechanism *typed, const char *const *names, size_t count);
+int imposed_places_put(imposed_places *o, size_t i, size_t constraint, void *function, size_t n, const double *t, const double *x);
+void imposed_places_at(const imposed_places *o, size_t i, double t, double *u, double *rate);
+const struct fvi_mechanism *imposed_places_mechanism(const imposed_places *o);
+void imposed_places_free(imposed_places *o);
 const char *reason_of_code(int code);
 void set_main_thread(unsigned long thread);
 void begin(void);

@@ -81,7 +81,7 @@ class Imposed:
         through the first three rows: the rows do not know it better."""
         found, u, rate = v0.copy(), ffi.new("double *"), ffi.new("double *")
         for i, on, t, x in self.rows:
-            lib.own_imposed_at(self.own, i, 0.0, u, rate)
+            lib.imposed_places_at(self.own, i, 0.0, u, rate)
             one, two = np.diff(x[:3]) / np.diff(t[:3])
             parabola = one - (two - one) / (t[2] - t[0]) * (t[1] - t[0])
             if abs(v0[on] - rate[0]) <= abs(parabola - rate[0]) + 1e-9 * abs(rate[0]):
@@ -143,7 +143,7 @@ class Mechanism:
             told[at] = name
         names = [ffi.new("char[]", each.encode()) for each in told]
         list_of = ffi.new("char *[]", names)
-        made = ffi.gc(lib.own_imposed_alloc(s.system.mechanism, list_of, len(self.places)), lib.own_imposed_free)
+        made = ffi.gc(lib.imposed_places_alloc(s.system.mechanism, list_of, len(self.places)), lib.imposed_places_free)
         if made == ffi.NULL:
             raise MemoryError("impose")
         s.keep += [names, list_of, made]
@@ -152,15 +152,15 @@ class Mechanism:
             if callable(given):
                 check_velocity(name, given, s.last)
                 s.keep.append(ffi.new_handle(Place(name, given)))
-                succeed(lib.own_imposed_put(made, i, at, s.keep[-1], 0, ffi.NULL, ffi.NULL))
+                succeed(lib.imposed_places_put(made, i, at, s.keep[-1], 0, ffi.NULL, ffi.NULL))
                 continue
             t, x = (np.ascontiguousarray(numbers(f"impose: {name}", a)) for a in given)
             if t.ndim != 1 or t.size < 4 or x.shape != t.shape:
                 raise ValueError(f"impose: {name}: t and x have the shapes {t.shape} and {x.shape}, not (n,) with n >= 4")
             check_rows(f"impose: {name}", "x", t, x, s.last)
-            succeed(lib.own_imposed_put(made, i, at, ffi.NULL, t.size, s.pointer(t), s.pointer(x)))
+            succeed(lib.imposed_places_put(made, i, at, ffi.NULL, t.size, s.pointer(t), s.pointer(x)))
             s.imposed.add(i, name, t, x)
-        s.system.mechanism = lib.own_imposed_mechanism(made)
+        s.system.mechanism = lib.imposed_places_mechanism(made)
 
 
 class Matrix(NamedTuple):
