@@ -9,7 +9,8 @@ Proved here:
   (21.6) the response of two masses to each other, numbers, open weights, N = 4;
   (21.7) D_1 L_d . Xi x + D_2 L_d . Xi y = 0 for a generic central U in R^2;
   (21.9) the sum of the dampings is Delta^{2 alpha - 1}: alpha symbolic, k <= 8;
-         a solution's generator solves the linearised equation, Xi and rho commuting;
+  (21.8) a symmetry of unequal masses turns a solution into a solution if Xi^T rho + rho Xi = 0, and
+         not if Xi and rho commute;
   (21.12) the imaginary parts on the circle, for three schemes.
 What H 12 proves of (12.13), (12.15), (12.16) stands in memory.py.
 Printed: forms and energies where no rounding is, from the definitions in rationals; the
@@ -182,6 +183,32 @@ L = lagrangian((x0, x1), (y0, y1))
 turn = diff(L, x0) * -x1 + diff(L, x1) * x0 + diff(L, y0) * -y1 + diff(L, y1) * y0
 prove("(21.7) a central U is blind to a rotation, any kappa", turn.doit())
 #< rotation
+
+# (21.8): rotations of (x_1 sqrt(m_1), x_2 sqrt(m_2)). The turned residual is -Xi^T times the residual.
+m1, m2, r1, r2 = symbols("m1 m2 r1 r2", positive=True)
+nodes = [Matrix(symbols(f"n{k}_:2")) for k in range(3)]
+w0, w1, w2 = symbols("w0 w1 w2")
+Xi = Matrix([[0, -m2], [m1, 0]])
+
+
+def step(p, n):
+    S = kappa * p + (1 - kappa) * n
+    return ((m1 * (n[0] - p[0]) ** 2 + m2 * (n[1] - p[1]) ** 2) / (2 * h) - h * U(m1 * S[0] ** 2 + m2 * S[1] ** 2))
+
+
+def turned(damping):
+    action = step(nodes[0], nodes[1]) + step(nodes[1], nodes[2])
+    memory = w0 * nodes[2] + w1 * nodes[1] + w2 * nodes[0]
+    residual = Matrix([diff(action, v) for v in nodes[1]]) - damping * memory
+    along = zeros(2, 1)
+    for node in nodes:
+        along += residual.jacobian(node) * (Xi * node)
+    return (along + Xi.T * residual).doit().applyfunc(expand)
+
+
+for entry in turned(Matrix([[r1 * m1, 0], [0, r1 * m2]])):
+    prove("(21.8) a symmetry that is no rotation", entry)
+claim("(21.8) equal dampings commute with Xi and do not do", turned(Matrix([[r1, 0], [0, r1]])) != zeros(2, 1))
 
 for k in range(9):
     partial = sum((-1) ** n * binomial(2 * a, n) for n in range(k + 1))
