@@ -97,9 +97,9 @@ extern const fvi_method fvi_lobatto_m5, fvi_lobatto_m6, fvi_lobatto_m7, fvi_loba
  * U, and 3 to 5 for other U with p_0 != 0); Riemann-Liouville with alpha < 1/2 and x0 != 0 has s + 1 - 2 alpha. Over
  * all t the orders are as low as those of form M.
  *
- * Stability. For quadratic convex U and 0 < alpha < 1 every step is stable. If also F = 0, and alpha <= 1/2 or p_0 = 0,
- * the energy p^2/2m + U is never above its initial value (17.26), (17.28). Without damping the form is not symplectic:
- * it loses half the squares of the jumps of V.
+ * Stability. For quadratic convex U and 0 < alpha < 1 every step is stable. If also F = 0, the past is Caputo's or
+ * held, and alpha <= 1/2 or p_0 = 0, the energy p^2/2m + U is never above its initial value (17.26), (17.28). Without
+ * damping the form is not symplectic: it loses half the squares of the jumps of V.
  *
  * Cost of a step. s gradients. If U is not quadratic: three or four times s gradients, with Hessians, and the
  * factorisation of a matrix with s d rows and s times the diagonals of a Hessian. History as form M.
