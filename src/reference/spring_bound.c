@@ -74,9 +74,9 @@ static double error_of_step(const stability_function *R, double complex z)
                           : cabs(stability_at(R, z) - cexp(z));
 }
 
-/* Return Gamma of (20.19). The argument must grow from call to call in small steps. *most is the largest value so
+/* Return Upsilon of (20.19). The argument must grow from call to call in small steps. *most is the largest value so
  * far. */
-static double gamma_of(const stability_function *R, double mu, double *most)
+static double upsilon_of(const stability_function *R, double mu, double *most)
 {
     *most = larger(*most, (1 + mu) / mu * error_of_step(R, -mu));
     return *most;
@@ -88,7 +88,7 @@ typedef struct {
 } integrals;
 
 /* Integrate by the trapezoidal rule in ln sigma, from below all rates of the spring to above them and 1/h. The pole is
- * beside the path, so a step is a sixth of its distance; and at most 1/96, because of Gamma. */
+ * beside the path, so a step is a sixth of its distance; and at most 1/96, because of Upsilon. */
 static integrals integrate_over_rates(const spring *q, const stability_function *R, double longest)
 {
     const double L = smaller(1. / 16, M_PI - carg(q->pole)) / 6, order = 2 * q->alpha,
@@ -100,7 +100,7 @@ static integrals integrate_over_rates(const spring *q, const stability_function 
     integrals sum = { 0 };
     for (double u = low; u <= high; u += L) {
         const double sigma = exp(u), k = L * sigma * density(q, sigma),
-                     part = k * source(q, -sigma) * gamma_of(R, sigma * longest, &most);
+                     part = k * source(q, -sigma) * upsilon_of(R, sigma * longest, &most);
         sum.x += part;
         sum.v += sigma * part;
         sum.modes_x += k / sigma;

@@ -1,7 +1,7 @@
 """H 20: form D on any mesh. Prints tests/convergence/convergence_stages_ref.h.
 
   (20.16) the error on a spring, against the dense power of the matrix of (22.1);
-  (20.17) the remainder of R(z), by its integral, exactly, s = 2 to 8; |Q(iy)| >= 1, exactly;
+  (20.17) the remainder of R(z), by its integral, exactly, s = 2 to 8; |q(iy)| >= 1 for R = p/q, exactly;
           |R(-mu)| <= 1/(1 + mu) by Sturm's theorem, exactly;
   (20.18), (20.21) bounds of a(mu) and of the resolvent of a step, by Bernstein coefficients
           on subintervals, in 40 digits;
@@ -28,22 +28,22 @@ mu, y, u, z = symbols("mu y u z", positive=True)
 
 #> pade
 def pade(s):
-    """P and Q of the stability function R = P/Q of Lobatto IIIC, Q(0) = 1."""
+    """p and q of the stability function R = p/q of Lobatto IIIC, q(0) = 1."""
     whole = factorial(2 * s - 2)
-    P = sum(binomial(s - 2, i) * factorial(2 * s - 2 - i) / whole * z**i for i in range(s - 1))
-    Q = sum(binomial(s, i) * factorial(2 * s - 2 - i) / whole * (-z)**i for i in range(s + 1))
-    return P, Q
+    p = sum(binomial(s - 2, i) * factorial(2 * s - 2 - i) / whole * z**i for i in range(s - 1))
+    q = sum(binomial(s, i) * factorial(2 * s - 2 - i) / whole * (-z)**i for i in range(s + 1))
+    return p, q
 
 
 for s in STAGES:
-    P, Q = pade(s)
+    p, q = pade(s)
     rest = integrate(expand(u**s * (1 - u)**(s - 2)) * exp(z * u), (u, 0, 1))
-    prove("(20.17) what R misses", Q * exp(z) - P - (-1)**s * z**(2 * s - 1) / factorial(2 * s - 2) * rest)
+    prove("(20.17) what R misses", q * exp(z) - p - (-1)**s * z**(2 * s - 1) / factorial(2 * s - 2) * rest)
     prove("(20.17) its size", integrate(expand(u**s * (1 - u)**(s - 2)), (u, 0, 1))
           - factorial(s) * factorial(s - 2) / factorial(2 * s - 1))
-    square = Poly(expand(Q.subs(z, I * y) * Q.subs(z, -I * y)), y)
-    claim("(20.17) |Q| >= 1 on the imaginary axis", min(square.all_coeffs()) >= 0 and square.eval(0) == 1)
-    below = Poly(expand(Q.subs(z, -mu)**2 - (1 + mu)**2 * P.subs(z, -mu)**2), mu)
+    square = Poly(expand(q.subs(z, I * y) * q.subs(z, -I * y)), y)
+    claim("(20.17) |q| >= 1 on the imaginary axis", min(square.all_coeffs()) >= 0 and square.eval(0) == 1)
+    below = Poly(expand(q.subs(z, -mu)**2 - (1 + mu)**2 * p.subs(z, -mu)**2), mu)
     lowest = min(m for (m,) in below.monoms())
     below = below.quo(Poly(mu**lowest, mu))
     claim("(20.18) |R(-mu)| <= 1/(1 + mu)", below.eval(0) > 0 and below.count_roots(0, None) == 0)
