@@ -1,4 +1,15 @@
-/* src/memory/history_modes.c -- Compute the history by a window of recent terms and decaying modes.     [H 12] */
+/* src/memory/history_modes.c -- Compute the history by a window of recent terms and decaying modes.     [H 12]
+ *
+ * The sum of term k has three parts:
+ *
+ *     H_k = x_k  +  sum_{n=1}^{32} w_n x_{k-n}  +  sum_q c_q z_q
+ *
+ * The middle part is the window. A mode z_q holds all older terms. In each step it loses the part p_q of itself and
+ * takes in the term that leaves the window, (12.12).
+ *
+ * Terms are taken in pairs. After an odd term the modes take two steps at once, and the next two sums are computed but
+ * for the terms that are still to come. So an even term k needs no modes, and the processor can work on them while the
+ * caller computes the next term. */
 #include <fvi/coefficients.h>
 #include "history_tiled.h"
 #include "history_kinds.h"
@@ -17,20 +28,25 @@ enum {
 
 typedef struct {
     fvi_history_head head;
-    size_t Q;            /* number of modes, rounded up to a multiple of LANES */
-    int by_order;
-    double near[PAIR];   /* w_1 and w_2; w_0 is 1 */
-    double slopes[PAIR]; /* derivatives of w_1 and w_2 by the order */
-    double *p, *c;       /* Q numbers each: z += x - p z, and the mode adds c z to the sum */
-    double *window;      /* 0, 0, w_32, w_31, ..., w_3 */
-    double *z;           /* Q modes for each coordinate */
-    double *past;        /* a ring of the last 32 terms of each coordinate, stored twice */
-    double *far;         /* for each coordinate, the parts of the next two sums with lags >= 1 */
-    /* only if by_order: dc/dnu, Q numbers; the derivatives of the window; and for each coordinate the derivatives of
-     * the next two sums, as in far */
-    double *rates;
-    _Alignas(64) double numbers[];
+    size_t Q;                   /* number of modes, rounded up to a multiple of LANES */
+    int by_order;               /* nonzero if the engine has push_by_order */
+    double weights[PAIR];       /* w_1 and w_2 */
+    double weight_slopes[PAIR]; /* if by_order: their derivatives by the order */
+    double *p, *c;              /* Q numbers each: z += x - p z, and the mode adds c z to the sum */
+    double *window;             /* 32 numbers: 0, 0, w_32, w_31, ..., w_3 */
+    double *z;                  /* the modes, Q numbers for each coordinate */
+    double *ring;               /* for each coordinate: the last 32 terms, term k at [k % 32] and [k % 32 + 32] */
+    double *ahead;              /* for each coordinate: the sums of the next even and of the next odd term, see below */
+    double *c_slopes;           /* if by_order: dc/dnu, Q numbers */
+    double *window_slopes;      /* if by_order: the derivatives of the window, 32 numbers */
+    double *ahead_slopes;       /* if by_order: the derivatives of `ahead` */
+    _Alignas(64) double numbers[]; /* all these arrays, in this order */
 } modes_engine;
+
+/* ahead[0] and ahead[1] of a coordinate are the parts of an even and of an odd sum that are known by now:
+ *
+ *     after an odd term k    ahead[0] = H_{k+1} without x_{k+1},   ahead[1] = H_{k+2} without x_{k+2} and w_1 x_{k+1}
+ *     after an even term k   ahead[1] = H_{k+1} without x_{k+1} */
 
 /* Return 1 if the tiled engine is used. It cannot give derivatives by the order, because they are read from modes that
  * are up to date after each step. */
@@ -39,18 +55,20 @@ static int is_tiled(int by_order, size_t d)
     return !by_order && d >= FVI_TILES_FROM;
 }
 
-static size_t padded(size_t Q)
+/* Return n, rounded up to a multiple of LANES. */
+static size_t padded(size_t n)
 {
-    return (Q + LANES - 1) / LANES * LANES;
+    return (n + LANES - 1) / LANES * LANES;
 }
 
-/* The nodes are made for the number of steps, but for at least 128 lags. */
-static double count_lags(size_t steps)
+/* Return the longest lag for which the modes are made: the number of steps, but at least 128. */
+static double longest_lag(size_t steps)
 {
     return fmax((double)steps, 128);
 }
 
-static size_t count_numbers(size_t Q, int by_order, size_t d) /* The result is a multiple of 8. */
+/* Return the size of the array `numbers`, a multiple of LANES. */
+static size_t count_numbers(size_t Q, int by_order, size_t d)
 {
     return 2 * Q + FVI_WINDOW + d * (Q + 2 * FVI_WINDOW) + padded(PAIR * d)
            + (by_order ? Q + FVI_WINDOW + padded(PAIR * d) : 0);
@@ -58,7 +76,7 @@ static size_t count_numbers(size_t Q, int by_order, size_t d) /* The result is a
 
 fvi_node_range fvi_history_modes_plan(double nu, size_t steps, double delta)
 {
-    return fvi_node_range_of(nu, 1 + nu, nu, count_lags(steps), delta, 1);
+    return fvi_node_range_of(nu, 1 + nu, nu, longest_lag(steps), delta, 1);
 }
 
 size_t fvi_history_modes_bytes(const fvi_node_range *g, int by_order, size_t d)
@@ -78,9 +96,11 @@ static void set_array_pointers(fvi_history_head *head)
     e->c = e->p + e->Q;
     e->window = e->c + e->Q;
     e->z = e->window + FVI_WINDOW;
-    e->past = e->z + head->d * e->Q;
-    e->far = e->past + head->d * 2 * FVI_WINDOW;
-    e->rates = e->far + padded(PAIR * head->d);
+    e->ring = e->z + head->d * e->Q;
+    e->ahead = e->ring + head->d * 2 * FVI_WINDOW;
+    e->c_slopes = e->ahead + padded(PAIR * head->d);
+    e->window_slopes = e->c_slopes + e->Q;
+    e->ahead_slopes = e->window_slopes + FVI_WINDOW;
 }
 
 static const fvi_history_engine engine;
@@ -100,39 +120,35 @@ static modes_engine *make_engine(size_t Q, int by_order, size_t d)
     return e;
 }
 
-/* Return the derivatives of the next two sums. The engine was made by_order. */
-static double *next_sum_derivatives(const modes_engine *e)
+/* Split w_1, ..., w_32, or their derivatives, into the weights of the two newest terms and the window of the
+ * older terms. */
+static void split_weights(const double *w, double *newest, double *window)
 {
-    return e->rates + e->Q + FVI_WINDOW;
-}
-
-/* Split w_1, ..., w_32, or their derivatives, into the weights of the two newest terms and the
- * window of the older terms. */
-static void open_window(const double *w, double *near, double *window)
-{
-    memcpy(near, w + 1, PAIR * sizeof *w);
+    memcpy(newest, w + 1, PAIR * sizeof *w);
     for (size_t n = PAIR + 1; n <= FVI_WINDOW; n++)
         window[FVI_WINDOW + PAIR - n] = w[n];
 }
 
-/* Replace s in p by 1 - exp(-s), the part that a mode loses in a step, and scale c to lag 33. The padding has c = 0. */
-static void set_decays(modes_engine *e)
+/* On entry p holds the rates s of the modes, and c their factors in c exp(-n s). Replace s by p = 1 - exp(-s), the part
+ * that a mode loses in a step, and let c begin with lag 33, where the modes begin. The padding has c = 0. */
+static void convert_rates(modes_engine *e)
 {
     for (size_t q = 0; q < e->Q; q++) {
         const double tail = exp(-FVI_TAIL * e->p[q]);
         e->c[q] *= tail;
         if (e->by_order)
-            e->rates[q] *= tail;
+            e->c_slopes[q] *= tail;
         e->p[q] = -expm1(-e->p[q]);
     }
 }
 
-/* Return the engine for d coordinates. This is e, or a tiled engine if e was made for 0 coordinates. */
-static fvi_history_head *finish_sums(modes_engine *e, const double *w, size_t d)
+/* Complete an engine whose p and c hold rates and factors. If the engine was made for 0 coordinates, its place is taken
+ * by a tiled engine for d coordinates. w has 1, w_1, ..., w_32. Return NULL if memory is short. */
+static fvi_history_head *complete_engine(modes_engine *e, const double *w, size_t d)
 {
-    set_decays(e);
+    convert_rates(e);
     if (e->head.d == d) {
-        open_window(w, e->near, e->window);
+        split_weights(w, e->weights, e->window);
         return &e->head;
     }
     fvi_history_head *tiles = fvi_history_tiled_alloc(d, e->Q, e->p, e->c, w);
@@ -149,11 +165,11 @@ fvi_history_head *fvi_history_modes_alloc(const fvi_node_range *g, double nu,
     double w[FVI_WINDOW + 1];
     if (by_order) {
         fvi_gl_weights_by_order(nu, FVI_WINDOW + 1, w);
-        open_window(w, e->slopes, e->rates + e->Q);
+        split_weights(w, e->weight_slopes, e->window_slopes);
     }
     fvi_gl_weights(nu, FVI_WINDOW + 1, w);
-    fvi_history_modes_rule(g, nu, count_lags(steps), e->p, e->c, by_order ? e->rates : NULL);
-    return finish_sums(e, w, d);
+    fvi_history_modes_rule(g, nu, longest_lag(steps), e->p, e->c, by_order ? e->c_slopes : NULL);
+    return complete_engine(e, w, d);
 }
 
 fvi_history_head *fvi_history_modes_of(size_t Q, const double *s, const double *c,
@@ -164,52 +180,59 @@ fvi_history_head *fvi_history_modes_of(size_t Q, const double *s, const double *
         return NULL;
     memcpy(e->p, s, Q * sizeof *s);
     memcpy(e->c, c, Q * sizeof *c);
-    return finish_sums(e, w, d);
+    return complete_engine(e, w, d);
 }
 
-/* The nodes depend on the number of steps, so they are archived as constants that must be equal. The sums of the
- * derivatives stand at the end of the block. */
+/* The modes depend on the number of steps, so p and c are archived as constants, which must be equal. z, ring and ahead
+ * are the state; they stand one behind another. */
 static int archive(fvi_history_head *head, fvi_archive *v)
 {
     modes_engine *e = (modes_engine *)head;
     const size_t sums = padded(PAIR * head->d);
     const int status = FVI_SERIALIZE(v, FVI_CONSTANT(e->Q), FVI_CONSTANTS(e->p, 2 * e->Q),
                                      FVI_STATES(e->z, head->d * (e->Q + 2 * FVI_WINDOW) + sums));
-    return status || !e->by_order ? status : FVI_SERIALIZE(v, FVI_STATES(next_sum_derivatives(e), sums));
+    return status || !e->by_order ? status : FVI_SERIALIZE(v, FVI_STATES(e->ahead_slopes, sums));
 }
 
+/* ---- the sums ---- */
+
+/* Four doubles; two such vectors are LANES doubles. The compiler makes of them what the processor has. */
 typedef double four
     __attribute__((vector_size(4 * sizeof(double)), aligned(8), may_alias));
 
-#define WITHIN static inline __attribute__((always_inline))
+#define INLINED static inline __attribute__((always_inline))
 
 /* Return the sum of the eight numbers of v[0] and v[1]. */
-WITHIN double sum_lanes(const four *v)
+INLINED double sum_lanes(const four *v)
 {
     const four u = v[0] + v[1];
     return (u[0] + u[2]) + (u[1] + u[3]);
 }
 
-/* Store a term in the ring, in place of the oldest term. */
-WITHIN void store_term(double *past, double new)
+/* Store a term at its place in the ring, instead of the oldest term. */
+INLINED void store_term(double *place, double new)
 {
-    past[0] = past[FVI_WINDOW] = new;
+    place[0] = place[FVI_WINDOW] = new;
 }
 
-/* Advance all modes of a coordinate by two steps, with the terms at past[1] and past[2], which leave the window, and
- * compute the next two sums. These sums are over the modes after each step, the window, and the two newest terms,
- * past[0] and `new`. Partial sum l takes every eighth product, from the l-th one on. This order is the same on every
- * machine, so vectors of 2 or 4 doubles change the time and no digit. The two newest terms are not in the vectors, so
- * no vector waits for them. */
-WITHIN void sweep_modes(const modes_engine *e, double *modes, double *past,
-                        double new, int by_order, double *far, double *slope)
+/* Take in an odd term k, `new`: let all modes of a coordinate take two steps, and compute `ahead` for the next
+ * two terms.
+ *
+ *   past  the place of term k - 1 in the ring. So past[1], ..., past[32] are the terms k - 32, ..., k - 1
+ *
+ * The sum of term k + 1 has the modes after the first step, which takes in the term k - 32. The sum of term k + 2 has
+ * the modes after the second step, which takes in the term k - 31. Every eighth product goes into the same partial sum.
+ * This order is the same on every machine, so vectors of 2 or 4 doubles change the time and no digit. The two newest
+ * terms are not in the vectors, so no vector waits for them. */
+INLINED void sweep_modes(const modes_engine *e, double *modes, double *past, double new, int by_order, double *ahead,
+                        double *slopes)
 {
-    const four *p = (four *)e->p, *c = (four *)e->c, *by = (four *)e->rates;
-    const four *w = (four *)e->window, *wdot = by_order ? by + e->Q / 4 : NULL;
-    four *z = (four *)modes, sum[PAIR][2] = { 0 }, rate[PAIR][2] = { 0 };
-    const four none = { 0 }, x[] = { none + past[1], none + past[2] };
+    const four *p = (four *)e->p, *c = (four *)e->c, *c_slopes = (four *)e->c_slopes;
+    const four *w = (four *)e->window, *w_slopes = (four *)e->window_slopes;
+    four *z = (four *)modes, sum[PAIR][2] = { 0 }, rate[PAIR][2] = { 0 }; /* for each step; rate: derivatives */
+    const four zero = { 0 }, x[] = { zero + past[1], zero + past[2] };
     //> modes
-    for (size_t q = 0, Q = e->Q / 4; q < Q; q += 2) {
+    for (size_t q = 0, fours = e->Q / 4; q < fours; q += 2) {
         four now[] = { z[q], z[q + 1] };
 #pragma GCC unroll 2
         for (size_t n = 0; n < PAIR; n++)
@@ -218,7 +241,7 @@ WITHIN void sweep_modes(const modes_engine *e, double *modes, double *past,
                 now[l] += x[n] - p[q + l] * now[l]; /* (12.12) */
                 sum[n][l] += c[q + l] * now[l];
                 if (by_order)
-                    rate[n][l] += by[q + l] * now[l];
+                    rate[n][l] += c_slopes[q + l] * now[l];
             }
         z[q] = now[0];
         z[q + 1] = now[1];
@@ -227,113 +250,111 @@ WITHIN void sweep_modes(const modes_engine *e, double *modes, double *past,
 #pragma GCC unroll 4
     for (size_t j = 0; j < FVI_WINDOW / 4; j += 2)
 #pragma GCC unroll 2
-        for (size_t n = 0; n < PAIR; n++)
+        for (size_t n = 0; n < PAIR; n++) /* the window moves by a term; its first two weights are 0 */
 #pragma GCC unroll 2
             for (size_t l = 0; l < 2; l++) {
-                const four then = *(const four *)(past + n + 4 * (j + l));
-                sum[n][l] += w[j + l] * then;
+                const four terms = *(const four *)(past + n + 4 * (j + l));
+                sum[n][l] += w[j + l] * terms;
                 if (by_order)
-                    rate[n][l] += wdot[j + l] * then;
+                    rate[n][l] += w_slopes[j + l] * terms;
             }
-    far[0] = sum_lanes(sum[0]) + e->near[1] * past[0] + e->near[0] * new;
-    far[1] = sum_lanes(sum[1]) + e->near[1] * new;
+    ahead[0] = sum_lanes(sum[0]) + e->weights[1] * past[0] + e->weights[0] * new;
+    ahead[1] = sum_lanes(sum[1]) + e->weights[1] * new;
     if (by_order) {
-        slope[0] =
-            sum_lanes(rate[0]) + e->slopes[1] * past[0] + e->slopes[0] * new;
-        slope[1] = sum_lanes(rate[1]) + e->slopes[1] * new;
+        slopes[0] = sum_lanes(rate[0]) + e->weight_slopes[1] * past[0] + e->weight_slopes[0] * new;
+        slopes[1] = sum_lanes(rate[1]) + e->weight_slopes[1] * new;
     }
     store_term(past + 1, new);
 }
 
-FVI_VECTORS static void advance(const modes_engine *e, double *modes,
-                                double *past, double new, double *far)
+FVI_VECTORS static void sweep_coordinate(const modes_engine *e, double *modes, double *past, double new,
+                                         double *ahead)
 {
-    sweep_modes(e, modes, past, new, 0, far, NULL);
+    sweep_modes(e, modes, past, new, 0, ahead, NULL);
 }
 
-FVI_VECTORS static void advance_rated(const modes_engine *e, double *modes,
-                                      double *past, double new, double *far,
-                                      double *slope)
+FVI_VECTORS static void sweep_coordinate_by_order(const modes_engine *e, double *modes, double *past, double new,
+                                                  double *ahead, double *slopes)
 {
-    sweep_modes(e, modes, past, new, 1, far, slope);
+    sweep_modes(e, modes, past, new, 1, ahead, slopes);
 }
 
 //> push
 /* Take in term k of coordinate i. */
-WITHIN void push_one(const modes_engine *e, size_t i, size_t k, double new,
-                     double *H)
+INLINED void push_coordinate(const modes_engine *e, size_t i, size_t k, double new, double *H)
 {
-    double *past = e->past + i * 2 * FVI_WINDOW + k % FVI_WINDOW;
-    double *far = e->far + PAIR * i;
-    *H = new + far[k % PAIR];
+    double *place = e->ring + i * 2 * FVI_WINDOW + k % FVI_WINDOW;
+    double *ahead = e->ahead + PAIR * i;
+    *H = new + ahead[k % PAIR];
     if (k % PAIR == 0) {
-        far[1] += e->near[0] * new;
-        store_term(past, new);
+        ahead[1] += e->weights[0] * new;
+        store_term(place, new);
     } else
-        advance(e, e->z + i * e->Q, past - 1, new, far);
+        sweep_coordinate(e, e->z + i * e->Q, place - 1, new, ahead);
 }
 //< push
 
-/* Take in a term of all coordinates in one call, so that the versions for wide vectors are selected once. */
-FVI_VECTORS static void advance_each(const modes_engine *e, size_t k, const double *term, double *H)
+/* Take in an odd term k of all coordinates in one call, so that the versions for wide vectors are selected once. */
+FVI_VECTORS static void sweep_coordinates(const modes_engine *e, size_t k, const double *term, double *H)
 {
     for (size_t i = 0; i < e->head.d; i++) {
-        const double new = term[i];
-        double *past = e->past + i * 2 * FVI_WINDOW + k % FVI_WINDOW, *far = e->far + PAIR * i;
-        H[i] = new + far[1];
-        sweep_modes(e, e->z + i * e->Q, past - 1, new, 0, far, NULL);
+        const double new = term[i]; /* term may be H */
+        double *place = e->ring + i * 2 * FVI_WINDOW + k % FVI_WINDOW, *ahead = e->ahead + PAIR * i;
+        H[i] = new + ahead[1];
+        sweep_modes(e, e->z + i * e->Q, place - 1, new, 0, ahead, NULL);
     }
 }
 
-/* The function is not inlined, so that the path of one coordinate need not save registers for it. */
-__attribute__((noinline)) static void push_each(modes_engine *e, const double *term, double *H)
+/* Take in a term of several coordinates. If this function were inlined, a push of one coordinate would save registers
+ * for it. */
+__attribute__((noinline)) static void push_coordinates(modes_engine *e, const double *term, double *H)
 {
     if (e->head.k % PAIR != 0)
-        advance_each(e, e->head.k, term, H);
+        sweep_coordinates(e, e->head.k, term, H);
     else
         for (size_t i = 0; i < e->head.d; i++)
-            push_one(e, i, e->head.k, term[i], H + i);
+            push_coordinate(e, i, e->head.k, term[i], H + i);
 }
 
 static void push(fvi_history_head *head, const double *term, double *H)
 {
     modes_engine *e = (modes_engine *)head;
     if (head->d == 1) /* one coordinate needs no loop */
-        push_one(e, 0, head->k, *term, H);
+        push_coordinate(e, 0, head->k, *term, H);
     else
-        push_each(e, term, H);
+        push_coordinates(e, term, H);
 }
 
 //> push-rate
-static void push_by_order(fvi_history_head *head, const double *term, double *H,
-                          double *rate)
+static void push_by_order(fvi_history_head *head, const double *term, double *H, double *rate)
 {
     modes_engine *e = (modes_engine *)head;
-    const size_t at = head->k % FVI_WINDOW, now = head->k % PAIR;
+    const size_t parity = head->k % PAIR;
     for (size_t i = 0; i < head->d; i++) {
-        double new = term[i], *past = e->past + i * 2 * FVI_WINDOW + at;
-        double *far = e->far + PAIR * i, *slope = next_sum_derivatives(e) + PAIR * i;
-        H[i] = new + far[now];
-        rate[i] = slope[now];
-        if (now == 0) {
-            far[1] += e->near[0] * new;
-            slope[1] += e->slopes[0] * new;
-            store_term(past, new);
+        const double new = term[i]; /* term may be H */
+        double *place = e->ring + i * 2 * FVI_WINDOW + head->k % FVI_WINDOW;
+        double *ahead = e->ahead + PAIR * i, *slopes = e->ahead_slopes + PAIR * i;
+        H[i] = new + ahead[parity];
+        rate[i] = slopes[parity];
+        if (parity == 0) {
+            ahead[1] += e->weights[0] * new;
+            slopes[1] += e->weight_slopes[0] * new;
+            store_term(place, new);
         } else
-            advance_rated(e, e->z + i * e->Q, past - 1, new, far, slope);
+            sweep_coordinate_by_order(e, e->z + i * e->Q, place - 1, new, ahead, slopes);
     }
 }
 //< push-rate
 
-static void ahead(const fvi_history_head *head, double *sum)
+static void add_sums_ahead(const fvi_history_head *head, double *sum)
 {
     const modes_engine *e = (const modes_engine *)head;
     for (size_t i = 0; i < head->d; i++)
-        sum[i] += e->far[PAIR * i + head->k % PAIR];
+        sum[i] += e->ahead[PAIR * i + head->k % PAIR];
 }
 
 static const fvi_history_engine engine = { .place = set_array_pointers,
                                            .push = push,
                                            .push_by_order = push_by_order,
-                                           .ahead = ahead,
+                                           .ahead = add_sums_ahead,
                                            .archive = archive };
