@@ -285,15 +285,17 @@ static int fail_of_search(const fvi_solve_state *o, int status)
         return fvi_fail(o->error, status, "tolerance", o->tolerance, "%g is out of reach: no two runs have the same "
                         "events; they agree on %zu, until t = %.6g, and then a Z may touch 0, or the motion be "
                         "chaotic", o->tolerance, o->report->agreed, o->report->agreed_until);
-    char reached[100] = "";
+    char limit[60] = "", reached[100] = "";
+    if (o->most_steps > 0)
+        snprintf(limit, sizeof limit, " in at most %zu steps", o->most_steps);
     if (o->report->until > 0)
         snprintf(reached, sizeof reached, "; until t = %.4g it is reached: end there, or allow a larger error",
                  o->report->until);
     if (!isfinite(o->report->error))
         return fvi_fail(o->error, status, "tolerance", o->tolerance,
-                        "%g is out of reach: no step gives a result that can be trusted%s", o->tolerance, reached);
+                        "%g is out of reach%s: no step gives a result that can be trusted%s", o->tolerance, limit, reached);
     return fvi_fail(o->error, status, "tolerance", o->tolerance,
-                    "%g is out of reach; the smallest estimate was %.2g%s%s%s", o->tolerance, o->report->error, reached,
+                    "%g is out of reach%s; the smallest estimate was %.2g%s%s%s", o->tolerance, limit, o->report->error, reached,
                     o->report->other ? "; a higher order has " : "", o->report->other ? o->report->other->name : "");
 }
 

@@ -68,7 +68,7 @@ static int refuse_time(size_t k, double t, const char *reason, fvi_error *error)
 static int check_times(const fvi_outputs *out, double T, fvi_error *error)
 {
     if (out->rows == 0)
-        return fvi_fail(error, FVI_EINVAL, "rows", 0, "no time is asked for");
+        return fvi_fail(error, FVI_EINVAL, "rows", 0, "rows is 0; at least one time must be asked for");
     for (size_t k = 0; out->t && k < out->rows; k++) {
         if (!(out->t[k] >= 0 && out->t[k] <= T))
             return refuse_time(k, out->t[k], "it must be in [0, T]", error);
@@ -155,7 +155,8 @@ static int given_steps(fvi_solve_state *o, double T, double h)
     o->run.steps = (size_t)steps;
     if (!o->out->t && o->out->rows != o->run.steps + 1)
         return fvi_fail(o->error, FVI_EINVAL, "rows", (double)o->out->rows,
-                        "%zu rows for %zu steps; there is one more of them", o->out->rows, o->run.steps);
+                        "rows is %zu; without times it must be %zu, one row for each step and one for t = 0", o->out->rows,
+                        o->run.steps + 1);
     const size_t k =
         o->out->t && !o->method->dense ? first_between(o->out->rows, o->out->t, h) : SIZE_MAX;
     o->is_between = k < o->out->rows && has_path(o);
@@ -176,7 +177,7 @@ static int choose_grid(fvi_solve_state *o, double T, double h)
         return given_steps(o, T, h);
     int status = FVI_SUCCESS;
     if (!o->out->t && o->out->rows < 2)
-        return fvi_fail(o->error, FVI_EINVAL, "rows", 1, "evenly from 0 to T are two rows at least");
+        return fvi_fail(o->error, FVI_EINVAL, "rows", 1, "rows is 1; without times it must be 2 or more, for the times 0 and T");
     o->run.steps = o->out->t ? COMPARED : o->out->rows - 1;
     if (o->out->t && !o->method->dense)
         status = choose_common_steps(o, T);

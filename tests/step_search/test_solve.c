@@ -275,6 +275,38 @@ static int third_ends(size_t k, double t, const double *x, const double *p,
     return k == 2 ? -7 : 0;
 }
 
+/* The text of an error says which number is wanted instead. */
+START_TEST(what_is_wrong_says_what_is_right)
+{
+    double x[9];
+    const struct {
+        size_t rows, most_steps;
+        double h, tolerance, alpha;
+        const fvi_method *method;
+        int code;
+        const char *text;
+    } bad[] = {
+        { 0, 0, 0, 1e-6, 0.3, NULL, FVI_EINVAL, "rows is 0; at least one time must be asked for" },
+        { 1, 0, 0, 1e-6, 0.3, NULL, FVI_EINVAL, "rows is 1; without times it must be 2 or more, for the times 0 and T" },
+        { 9, 0, 0.1, 0, 0.3, NULL, FVI_EINVAL,
+          "rows is 9; without times it must be 21, one row for each step and one for t = 0" },
+        { 9, 0, 0, 1e-6, 1.5, NULL, FVI_EDOM, "alpha is 1.5; it must be in [0, 1]" },
+        { 9, 0, 0.25, 0, 0.3, &fvi_euler_explicit, FVI_EDOM, "alpha is 0.3; it must be 0.5 for this method" },
+        { 9, 10, 0, 1e-9, 0.3, NULL, FVI_ETOL,
+          "1e-09 is out of reach in at most 10 steps: no step gives a result that can be trusted" },
+    };
+    for (size_t i = 0; i < LEN(bad); i++) {
+        fvi_problem problem = duffing();
+        problem.alpha = bad[i].alpha;
+        const fvi_solve_options options = { .method = bad[i].method, .h = bad[i].h };
+        const fvi_accuracy accuracy = { .tolerance = bad[i].tolerance, .most_steps = bad[i].most_steps };
+        const fvi_outputs outputs = { .rows = bad[i].rows, .x = x };
+        ck_assert_int_eq(fvi_solve(&problem, &options, &accuracy, &outputs, NULL, &error), bad[i].code);
+        ck_assert_str_eq(error.text, bad[i].text);
+    }
+}
+END_TEST
+
 /* Rows come in order, and a row may end the call; no array need be there. */
 START_TEST(rows_come_in_order)
 {
@@ -301,6 +333,7 @@ int main(void)
              the_error_between_steps_is_seen_where_their_ends_have_none, a_law_has_the_method_that_takes_it,
              a_tolerance_is_reached_whatever_the_method,
              a_method_and_a_step_are_steps,
-             what_is_wrong_has_field_value_and_index, rows_come_in_order);
+             what_is_wrong_has_field_value_and_index,
+             what_is_wrong_says_what_is_right, rows_come_in_order);
     return run_suite(suite);
 }

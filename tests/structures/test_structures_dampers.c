@@ -222,7 +222,8 @@ START_TEST(a_run_with_several_dampers_has_no_law_and_no_past_of_its_own)
     ck_assert_str_eq(error.field, "past");
     run.past = FVI_INITIAL_HISTORY_HELD;
     b.term[1].alpha = 2;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s, &error), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s, &error), FVI_EDOM);
+    ck_assert_str_eq(error.text, "damper 2: its kernel is no law of damping: a number is out of its range");
     ck_assert_str_eq(error.field, "damper");
     b.term[1].alpha = 0.6875;
     b.damper[1].past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE; /* of an order above 1, */
