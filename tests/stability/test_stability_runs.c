@@ -111,6 +111,38 @@ START_TEST(eq_14_3_long_runs_on_both_sides_of_the_boundary)
 }
 END_TEST
 
+/* How much x alternates at the end of a long run, from its last second difference. */
+static double alternation(const fvi_run *run)
+{
+    const size_t N = run->steps;
+    double *x = malloc((N + 1) * sizeof *x);
+    ck_assert_ptr_nonnull(x);
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, run, x, NULL, NULL), FVI_SUCCESS);
+    const double size = fabs(x[N] - 2 * x[N - 1] + x[N - 2]) / 4;
+    free(x);
+    return size;
+}
+
+/* (14.11): on the edge a motion alternates for ever. With Caputo's past, above the order 1 and for kappa = 1/2, it does
+ * not. There the second difference falls like k^(-1 - 2 alpha): at k = 3000 it is below 1e-8. */
+START_TEST(eq_14_11_on_the_edge_caputos_motions_need_not_alternate)
+{
+    const double alphas[] = { 0.6, 0.75, 0.9, 1 }, kappas[] = { 0.25, 0.5 }, W = 1.25, x_0 = 1, p_0 = 0.75;
+    for (size_t i = 0; i < LEN(alphas); i++)
+        for (size_t j = 0; j < LEN(kappas); j++)
+            for (int caputo = 0; caputo <= 1; caputo++) {
+                const double a = alphas[i], k = kappas[j];
+                const int dies = caputo && k == 0.5;
+                fvi_run run = scalar_run(a, k, W, (4 - W * gsl_pow_2(1 - 2 * k)) / pow(4, a), 3000);
+                run.x0 = &x_0;
+                run.p0 = &p_0;
+                run.past = caputo ? FVI_INITIAL_HISTORY_CAPUTO : FVI_INITIAL_HISTORY_HELD;
+                const double size = alternation(&run);
+                ck_assert_msg(dies ? size < 1e-8 : size > 0.05, "alpha=%g kappa=%g caputo=%d: %g", a, k, caputo, size);
+            }
+}
+END_TEST
+
 /* Two per cent outside, as in the figure: how much a thousand steps grow. */
 START_TEST(eq_14_5_two_per_cent_outside_a_run_is_lost)
 {
@@ -174,7 +206,8 @@ int main(void)
              eq_14_5_two_per_cent_outside_a_run_is_lost);
     ADD_CASE(suite, "identities",
              eq_14_3_the_argument_principle_counts_what_the_theorem_says,
-             eq_14_3_long_runs_on_both_sides_of_the_boundary);
+             eq_14_3_long_runs_on_both_sides_of_the_boundary,
+             eq_14_11_on_the_edge_caputos_motions_need_not_alternate);
     ADD_CASE(suite, "chain", eq_14_3_a_chain_of_masses);
     return run_suite(suite);
 }

@@ -7,6 +7,8 @@ Proved here, all parameters symbolic:
   (14.3)  polar form of 1 - z on the unit circle, 1/z - 2 + z there, P(-1);
           in R^d, v* P(z) v is the scalar symbol with v*Mv, v*Kv, v*rho v;
           alpha = 1, kappa = 1/2: the bound is rho < m for every step.
+  (14.11) Caputo's past: what drives the distance from the line, its zero -kappa / (1 - kappa),
+          and Q'(-1) on the edge.
   (14.7)  Euler's explicit step of x' = v, m v' = -c x - rho v: its matrix is 1 + h A, and
           (14.8), |1 + h s| < 1 for both roots s, is b < a and 2 a - b < 4,
           a = h rho / m, b = h^2 c / m, by Jury's conditions; at random rationals, too.
@@ -19,7 +21,7 @@ from fractions import Fraction
 
 import mpmath
 from sympy import (I, Matrix, Poly, Rational, binomial, cos, diff, exp, expand, expand_complex, eye,
-                   factorial, pi, sin, symbols, trigsimp)
+                   factorial, pi, simplify, sin, symbols, trigsimp)
 
 from shared.arithmetic import function_of, spectrum
 from shared.refgen import claim, header, hexd, hexd_real, prove, table
@@ -46,6 +48,23 @@ prove("(14.2) P(1) = W", (P - R * (1 - z) ** (2 * alpha)).subs(z, 1) - W)
 prove("(14.3) P(-1) = W (1 - 2 kappa)^2 + 4^alpha R - 4",
       P.subs(z, -1) - (W * (1 - 2 * kappa) ** 2 + 4**alpha * R - 4))
 #< ends
+
+#> line
+# (14.11): Caputo's past, alpha > 1/2. The memory acts on z_k = x_k - x_0 - k V, V = h v_0, so z_0 = 0, and the
+# second difference of x_k is that of z_k. The sum of z^(k+1) times (14.1) over k >= 1 is
+#   Q Z - (1 + q W) z_1 z + W z sum_{k >= 1} (x_0 + k V) z^k = 0.
+X0, V = symbols("X0 V")
+z_1 = -kappa * W * (X0 + (1 - kappa) * V) / (1 + q * W)
+prove("(14.11) z_1 from p_0 = -D_1 L_d(x_0, x_1)", simplify(
+    V - (V + z_1) - kappa * W * (X0 + (1 - kappa) * (V + z_1))))
+driven = (1 + q * W) * z_1 * z - W * z * (X0 * z / (1 - z) + V * z / (1 - z) ** 2)
+prove("(14.11) what drives the distance from the line", simplify(driven + W * z * (
+    kappa + (1 - kappa) * z) / (1 - z) * (X0 + V * (1 - kappa + kappa * z) / (1 - z))))
+star = -kappa / (1 - kappa)  # the zero of the factor; there Q is (1 - z)^2 + R z (1 - z)^(2 alpha)
+prove("(14.11) there spring and inertia cancel in Q", simplify(q * (1 - star) ** 2 + star))
+prove("(14.11) the derivative of Q = z P at -1 is P(-1) + alpha R 4^alpha",
+      simplify((diff(z * P, z) - P - alpha * R * 4**alpha).subs(z, -1)))
+#< line
 
 #> circle
 on_circle = exp(-I * f)
