@@ -53,7 +53,7 @@ int main(int argc, char **argv)
     printf("petsc: factors: %s, then %s, and %g bytes are left\n", fvi_error_name(first),
            fvi_error_name(status), bytes);
     const int is_right = !first && status == FVI_EBADFUNC && bytes < 1000;
-    PetscCall(petsc_forget(&s));
+    PetscCall(petsc_free_share(&s));
     PetscCall(PetscFinalize());
     return is_right ? 0 : 1;
 }
