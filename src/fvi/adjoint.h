@@ -44,11 +44,12 @@ extern "C" {
  *     const fvi_sensitivities gradients = { .x0 = by_x0, .damping = by_damping };
  *     status = fvi_adjoint(&fvi_cq2_midpoint, &run, NULL, NULL, &objective, &gradients);
  *
- * These are the derivatives of the numbers that the program computes, for every step size, and not those of the exact
- * motion. With a compressed memory they belong to the compressed weights. The derivative by alpha is that of the exact
- * weights to the accuracy of (23.11) and (23.14); with fvi_variable_step it is that of the weights (22.10) themselves
- * (23.18). The derivatives by the orders and times of a law are sums of sums (23.21), or sums with weights of their own
- * (23.28). Each of these sums is compressed by itself, so a term of a law takes up to four memories.
+ * These are the derivatives of the numbers that the program computes, for every step size. They are not the derivatives
+ * of the exact motion. With a compressed memory they belong to the compressed weights. The derivative by alpha belongs
+ * to the exact weights, with the accuracy of (23.11) and (23.14); with fvi_variable_step it belongs to the weights
+ * (22.10) of the run (23.18). The derivatives by the orders and times of a law are sums of sums (23.21), or sums with
+ * weights of their own (23.28). Each of these sums is compressed by itself, so a term of a law takes up to four
+ * memories.
  *
  * Some outputs need a remark:
  *
@@ -78,8 +79,9 @@ extern "C" {
  *
  * The function refuses (FVI_EUNSUP)
  *
- *   - a run with events; x and p with stages, with a mechanism and with fvi_variable_step; mass of matrices without
- *     `inertia`; fvi_lagrange_dalembert and Euler's methods;
+ *   - a run with events; fvi_lagrange_dalembert and Euler's methods;
+ *   - x and p that are not NULL, for methods with stages, for fvi_variable_step and for a mechanism;
+ *   - the derivative by mass, for matrices without `inertia`;
  *   - fvi_cq2_shifted with run->law, or with a damper whose kernel is not one power;
  *   - fvi_lobatto_m2 to m8 at alpha = 1: the derivative by alpha, because p jumps there (17.17), and has_momenta if
  *     something is damped;
@@ -109,9 +111,10 @@ extern "C" {
  *
  * Returns FVI_SUCCESS; what fvi_stepper_start and fvi_stepper_step return; what a callback returned; or
  *   FVI_EFAULT   method, run, objective, its slopes or gradients is NULL, or only one of x and p is
- *   FVI_EINVAL   parameters are wanted without sensitivity.column, or of a Lagrangian without `lagrangian`; alpha is
- *                wanted of a law or of a mechanism; terms, orders, times or ends are wanted without a law or dampers;
- *                mass is wanted of a Lagrangian; names are wanted without their columns; N is too large to be addressed
+ *   FVI_EINVAL   sensitivity.count parameters are wanted without sensitivity.column, or of a Lagrangian without
+ *                `lagrangian`; alpha is wanted of a law or of a mechanism; terms, orders, times or ends are wanted
+ *                without a law or dampers; mass is wanted of a Lagrangian; names are wanted without their columns; N is
+ *                too large to be addressed
  *   FVI_EUNSUP   a case of the list above
  *   FVI_ESING    the equation of a step backwards has no unique solution
  *   FVI_EOVRFLW  a derivative, or a slope of J, is not finite

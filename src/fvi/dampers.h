@@ -1,4 +1,4 @@
-/* src/fvi/dampers.h -- Dampers between the points of a system, and what a run tells about them.   [H 29]
+/* src/fvi/dampers.h -- Dampers between the points of a system, and what a run gives about them.   [H 29]
  *
  *     d/dt L_v - L_x + sum_j grad g_j(x) C_j(D) [g_j(x) - g_j(x_0)] = F(t)      (29.1)
  *
@@ -51,7 +51,8 @@ typedef struct {
 
 /* fvi_damper -- an elongation, a kernel, and the past of the elongation.
  *
- *   name    for columns and messages; NULL: d1, d2, ... by the place of the damper
+ *   name    for columns and for parameters of a fit; NULL: d1, d2, ... by the place of the damper. Most error texts
+ *           count instead: "damper 2" is the second damper, with the index 1
  *   of      the elongation
  *   matrix  NULL; or, in a structure (structures.h), a symmetric positive semidefinite matrix C. The force is then C
  *           times the answer of the kernel to x - x_0, and `of` is not read
@@ -87,7 +88,7 @@ typedef struct fvi_mechanism {
     const fvi_constraints *constraints;
 } fvi_mechanism;
 
-/* ---- what a run with a mechanism tells besides x and p ----
+/* ---- what a run with a mechanism gives besides x and p ----
  *
  * These functions read a stepper whose system has a mechanism. Any other stepper gives FVI_EUNSUP, and a null pointer
  * FVI_EFAULT. They change nothing, and on error the outputs are untouched. At k = 0 all sums are zero. For example,
@@ -100,19 +101,21 @@ typedef struct fvi_mechanism {
  *
  *   v  output, d numbers
  *
- * The order is that of p. The velocity of a coordinate without inertia is the slope of x in the last step, by
- * fvi_cq2_midpoint the slope of the last two means (29.25); 0 at k = 0. Returns FVI_SUCCESS; FVI_EFAULT; FVI_EUNSUP;
- * what fvi_velocity_of_momentum returns (lagrangian.h), after which v is of no use. */
+ * The order is that of p. The velocity of a coordinate without inertia is the slope of x in the last step; with
+ * fvi_cq2_midpoint it is the slope between the last two means of x (29.25). It is 0 at k = 0.
+ * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EUNSUP; what fvi_velocity_of_momentum returns (lagrangian.h), after which v is
+ * of no use. */
 int fvi_stepper_velocity(const fvi_stepper *s, double *v);
 
-/* fvi_stepper_keep_dampers -- ask a structure with several dampers to sum up what fvi_stepper_damper tells. Call it at
- * k = 0. A structure does so only if it is asked, because its dampers act on all unknowns: the sums cost two passes
- * over the unknowns for each damper and step. All other systems with a mechanism keep the sums always.
+/* fvi_stepper_keep_dampers -- ask a structure with several dampers to add up the impulses and works that
+ * fvi_stepper_damper gives. Call it at k = 0. A structure keeps these sums only on request, because its dampers act on
+ * all unknowns: the sums cost two passes over the unknowns for each damper and step. All other systems with a mechanism
+ * keep the sums always.
  * Returns FVI_SUCCESS; FVI_EFAULT; FVI_EINVAL for a structure after k = 0; FVI_EUNSUP without a mechanism, or if the
  * method does not keep such sums; FVI_ENOMEM. */
 int fvi_stepper_keep_dampers(fvi_stepper *s);
 
-/* fvi_stepper_damper -- tell the impulse and the work of damper j from t = 0 to the last step.
+/* fvi_stepper_damper -- give the impulse and the work of damper j from t = 0 to the last step.
  *
  *   j        the number of the damper, from 0
  *   impulse  output or NULL: the integral of the force lambda = C(D) (z - z_0) of the damper, one number. It has the
@@ -129,7 +132,7 @@ int fvi_stepper_keep_dampers(fvi_stepper *s);
 int fvi_stepper_damper(const fvi_stepper *s, size_t j, double *impulse,
                        double *work);
 
-/* fvi_stepper_multipliers -- tell the multipliers Lambda of the constraints at both ends of the last step. The equation
+/* fvi_stepper_multipliers -- give the multipliers Lambda of the constraints at both ends of the last step. The equation
  * of motion contains them as C^T Lambda.
  *
  *   begin, end  outputs or NULL: one number for each constraint; zeros at k = 0
@@ -139,7 +142,7 @@ int fvi_stepper_damper(const fvi_stepper *s, size_t j, double *impulse,
  * to the imposed motion. Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EUNSUP. */
 int fvi_stepper_multipliers(const fvi_stepper *s, double *begin, double *end);
 
-/* fvi_stepper_tie -- tell the impulse of constraint i, from 0: the integral of Lambda_i from t = 0 to the last step.
+/* fvi_stepper_tie -- give the impulse of constraint i, from 0: the integral of Lambda_i from t = 0 to the last step.
  *
  *   impulse  output, one number. A difference quotient of the impulses gives the multiplier
  *

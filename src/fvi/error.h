@@ -4,9 +4,10 @@
  * GSL's numbers, so that gsl_strerror knows them, too. The library prints nothing and ends no process.
  *
  * Callbacks. If a callback of the caller's returns a number other than 0, the function of the library returns the same
- * number (system.h). Best it is a negative number, because no code is negative. A callback returns no text, because the
- * library would have to keep a text for each thread; a callback can keep a text in its params. The program gets the
- * text of a code from fvi_user_error of the user's shared object, and Python raises again what the callback raised.
+ * number (system.h). Choose a negative number, because no code of the library is negative. A callback returns no text,
+ * because the library would have to keep a text for each thread. But a callback can keep a text in its params. The
+ * program gets the text of a code from fvi_user_error of the user's shared object, and Python raises again what the
+ * callback raised.
  *
  * Handlers. Only a program can decide whether an error is a reason to abort. So no error handler is set until the
  * program sets one. GSL's handler, whose default aborts, is never called: the library switches it off around each

@@ -1,5 +1,18 @@
 /* src/fvi/events.h -- Events of a run: marks, stops, impacts and contacts.             [H 22]
  *
+ *     static int height(double t, size_t d, const double *x, const double *p, void *params, double *z)
+ *     {
+ *         (void)t, (void)d, (void)p, (void)params;   // not used
+ *         *z = x[0];
+ *         return 0;
+ *     }
+ *     static int upwards(double t, size_t d, const double *x, void *params, double *normal, double *rate)
+ *     {
+ *         (void)t, (void)d, (void)x, (void)params;   // not used
+ *         normal[0] = 1;   // dz/dx, one number for each coordinate
+ *         *rate = 0;       // dz/dt: the floor does not move
+ *         return 0;
+ *     }
  *     const fvi_event floor = { .value = height, .gradient = upwards, .action = FVI_EVENT_IMPACT,
  *                               .restitution = 0.8 };
  *     run.events = &floor;
@@ -64,10 +77,15 @@ typedef enum {
  *                surface that is flat, or so little bent that Newton's method converges without
  *
  * The method learns from the first time with z != 0 on which side of 0 the motion is. So a run that begins with z = 0
- * has no event there. But an impact or a contact is a wall: the body is where z > 0, or where z < 0 if the direction is
- * 1. A body that begins on the wall and would fall into it is at rest in the first step. fvi_stepper_start refuses a
- * body that begins on the wall and moves into it (FVI_EINVAL). If another event at the same time makes p jump, a jump
- * of z through 0 is no event.
+ * has no event there.
+ *
+ * An impact or a contact is a wall. With the direction 0 it keeps a body on the side on which the body begins. With the
+ * direction -1 or 1 it stops bodies from one side only. A body that begins on the other side passes the wall once,
+ * without an event. If z = 0 at the start, the body is taken to be on the side z > 0, or z < 0 if the direction is 1.
+ * If this body would fall into the wall, it is at rest in the first step. If it moves into the wall, fvi_stepper_start
+ * refuses it (FVI_EINVAL).
+ *
+ * If another event at the same time makes p jump, a jump of z through 0 is no event.
  *
  * The method evaluates z at six or eight times in each step, and where |z| is least between them. So it sees a z that
  * passes 0 and turns back, if |z| has only one minimum between two of these times. run.longest makes the steps shorter.

@@ -95,8 +95,8 @@ extern "C" {
  * x_k is h^(-2 alpha) times the sum over the past with the weights of Grünwald and Letnikov of the order 2 alpha.
  * run->past says on what the memory acts (9.6).
  *
- * A step uses momenta, which is the same equation with smaller rounding errors. It solves p_k = -D1 L_d(x_k, x_k + dx)
- * for dx, and then
+ * A step computes with momenta: this is the same equation, with smaller rounding errors. The step first solves
+ * p_k = -D1 L_d(x_k, x_k + dx) for dx. Then it computes
  *
  *     x_{k+1} = x_k + dx,
  *     p_{k+1} = p_k - h grad U - h rho Delta_-^alpha Delta_-^alpha x_{k+1}
@@ -107,9 +107,10 @@ extern "C" {
  * Order 1. Exceptions: for a held body with alpha > 1/2 p has only the order 2 - 2 alpha near t = 0 (19.11). A run with
  * RIEMANN_LIOUVILLE and x0 != 0 has only the order 1 - 2 alpha if alpha < 1/2, and none if alpha > 1/2 (9.5). For
  * rho = 0, kappa = 1/2 and F(0) = 0 the order is 2 (9.8).
- * Stability: steps must be short enough (fvi_stability_longest_step); at alpha = 1 and rho >= m none is.
- * Cost of a step: that of fvi_stepper_step, and of fvi_history_push for the damped coordinates. If rho = 0 there is no
- * memory at all. */
+ * Stability: steps must be short enough (fvi_stability_longest_step). At alpha = 1 and rho >= m no step is short
+ * enough.
+ * Cost of a step: that of fvi_stepper_step, and of fvi_history_push for the damped coordinates. A run with rho = 0
+ * keeps no history. */
 extern const fvi_method fvi_fractional;
 
 #pragma GCC visibility pop

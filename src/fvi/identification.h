@@ -43,7 +43,7 @@ enum { FVI_FIT_MOST_EQUAL_STEPS = 1 << 17 }; /* the same for a run with equal st
  *   records, columns, record  0, 0 and NULL; or number of records, number of columns of each, and the records
  *              (records.h). With records n, t, x and sigma are not read. An unknown sigma is estimated for each column
  *   huber      0: least squares. k > 0: a residual r, in units of sigma, contributes r^2 up to |r| = k, and 2 k
- *              |r| - k^2 beyond; so a few wrong readings have a small effect. 1.345 is usual                    [(24.19)]
+ *              |r| - k^2 beyond; so a few wrong readings have a small effect. 1.345 is usual.               [(24.19)]
  *   parameters, which  number of unknown parameters, at most FVI_ESTIMATION_MOST, and the parameters, all different
  *   low, high  NULL; or the box of the starts, one number for each parameter, low < high. NULL: the box of
  *              fvi_estimate_box. The box is no bound of the search. But alpha stays in the range of the method, and rho

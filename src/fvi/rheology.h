@@ -99,7 +99,8 @@ typedef struct {
  *
  *   STARTS      fewer than two starts agree
  *   SINGULAR    the data do not determine all numbers together
- *   NEIGHBOURS  neighbouring residuals are correlated: the data have another law
+ *   NEIGHBOURS  neighbouring residuals are correlated: the data have another law. Or the units are wrong: for example,
+ *               the error of each modulus is proportional to this modulus, which is smaller than |C|. Then give units
  *   CHI2        with the given sigma, chi^2 has a probability below 1e-6
  *   ZERO        an element has the amplitude 0: the law does not need it
  *   BOUND       an order or a time is at the end of the range that is searched

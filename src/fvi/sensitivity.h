@@ -88,8 +88,9 @@ typedef int fvi_lagrangian_column(size_t j, double t, size_t d, const double *x,
  *   force          derivatives by the force, component i at t_k at [k * d + i], (N + 1) d numbers. For a method with s
  *                  stages: at all times t_k + c_i h in one row, ((s - 1) N + 1) d numbers; at the end of a step both
  *                  limits of F change together
- *   parameters     derivatives by the parameters of the potential or of the Lagrangian, sensitivity.count numbers; NULL
- *                  if the count is 0. For a system with matrices one number: the derivative by a factor of K at 1
+ *   parameters     derivatives by the parameters of the potential or of the Lagrangian, sensitivity.count numbers. So
+ *                  with a zeroed `sensitivity` nothing is written. For a system with matrices one number: the
+ *                  derivative by a factor of K at 1
  *   names          derivatives by the parameters of the mechanism's forces, elongations and constraints, columns->count
  *                  numbers. NaN in two cases, because the changed run has no solution: the parameter changes a
  *                  constraint, and x0 or p0 would have to follow; or it stretches a damper with the past
@@ -97,7 +98,8 @@ typedef int fvi_lagrangian_column(size_t j, double t, size_t d, const double *x,
  *
  * Inputs:
  *
- *   sensitivity    how the potential depends on its parameters; not read for a system with matrices
+ *   sensitivity    how the potential depends on its parameters, for a ready-made potential
+ *                  fvi_parameter_gradient_of(&system.potential); not read for a system with matrices
  *   lagrangian     how a Lagrangian depends on its parameters; it replaces sensitivity.column
  *   columns        how the rest of the mechanism depends on its parameters */
 typedef struct {

@@ -43,7 +43,8 @@ typedef struct {
 /* fvi_solve_options -- the method and its options. NULL or a zeroed struct means the usual choice for each.
  *
  *   method   the method. NULL: with events or with a tolerance the method of fvi_method_for_error, else fvi_fractional
- *   h        the step, > 0, of a run without a tolerance; not read with a tolerance
+ *   h        the step, > 0, of a run without a tolerance; not read with a tolerance. fvi_variable_step needs no h,
+ *            because it chooses its steps
  *   kappa    for methods with a kappa: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}. NULL: 1/2
  *   longest  no step is longer; 0: no limit. Set it to the length of a swing or a pulse of a force without a bound
  *            (system.h), so that no step passes over it
@@ -62,7 +63,8 @@ typedef struct {
  *
  *   tolerance   the largest allowed max |x - x(t)| at the outputs, by an estimate, in the unit of x, > 0; 0: the caller
  *               gives the steps
- *   most_steps  no run takes more steps; 0: 2^24 with a tolerance, and the limit of fvi_run without one */
+ *   most_steps  with a tolerance no run takes more steps; 0: 2^24. Without a tolerance it is read for fvi_variable_step
+ *               only, as in fvi_run (trajectory.h), because all other methods take T / h steps */
 typedef struct {
     double tolerance;
     size_t most_steps;
@@ -72,8 +74,8 @@ typedef struct {
  * caller.
  *
  *   rows    number of times, >= 1
- *   t       the times, increasing, 0 <= t <= T. NULL: equidistant from 0 to T, or, without a tolerance, the times k h
- *           of all steps
+ *   t       the times, increasing, 0 <= t <= T. NULL: equidistant times from 0 to T, rows >= 2. Without a tolerance
+ *           and with an h they are the times k h of all steps, so rows must be T / h + 1
  *   x, p    outputs, rows * d numbers each, component i of row k at [k * d + i]; NULL: not wanted
  *   energy  output, rows numbers; NULL: not wanted
  *   row     NULL; or a function that is called for each row, in order, with its x and p. If it returns another number
@@ -84,9 +86,9 @@ typedef struct {
  *           that was found is repeated for it
  *   between  NULL; or a function that is called with an observation at the end of each step that is no row, in the
  *           order of time. For example, it can find a maximum between two rows. It needs observed
- *   event   NULL; or a function that is called for each event with x there and p after the event, before the rows that
- *           are not earlier. If it returns another number than 0, the call ends and returns it. After an event that
- *           ends the motion there are no rows */
+ *   event   NULL; or a function that is called for each event, with x at the event and p right after it. The rows at
+ *           the same time or later come after this call. If it returns another number than 0, fvi_solve ends and
+ *           returns this number. After an event that ends the motion there are no rows */
 typedef struct {
     size_t rows;
     const double *t;
@@ -114,7 +116,8 @@ typedef struct {
  *   agreed, agreed_until, events_differ  for FVI_ETOL with events: the number of events that the last two runs have in
  *             common; the time of the last of them; nonzero if the runs differ after that time
  *   until     for FVI_ETOL: the tolerance is reached up to this time, by an estimate. 0 if this time is less than a
- *             twentieth of T, or if it is T: then two runs agree, but do not approach each other as they should */
+ *             twentieth of T. Also 0 if two runs agree up to T: their difference is then small by chance, because it
+ *             does not fall with the step as the order of the method demands */
 typedef struct {
     const fvi_method *method, *other;
     size_t steps, rejected;
@@ -160,10 +163,10 @@ const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
  * So the time of an event is right to tolerance / speed. A lift-off is an exception, because an error of its time moves
  * the body by the square of this error only. A body comes to rest after an impact from which it would rise no higher
  * than the tolerance. For example, let a ball fall with g = 1 from the height 1 onto z = x with e = 1/2. Hop n is 4^-n
- * high, so with the tolerance 1e-6 the ball rests after the tenth hop, because 4^-10 = 0.95e-6. An event within
- * tolerance / speed of the end, and within a thousandth of T, may be in one of the two runs only. If runs differ in
- * their events for all steps, the function returns FVI_ETOL. This happens if z only touches 0, or if the motion is
- * chaotic.
+ * high, so with the tolerance 1e-6 the ball rests after the tenth hop, because 4^-10 = 0.95e-6. One difference between
+ * the two runs is allowed: an event very near the end, within tolerance / speed and within a thousandth of T, may be
+ * missing in one of them. If the runs differ in other events for all steps, the function returns FVI_ETOL. This happens
+ * if z only touches 0, or if the motion is chaotic.
  *
  * Times. fvi_variable_step has outputs at any time. So have methods with stages if `observed` is NULL, by the path of
  * their stages (lobatto.h); between two steps x then has the order s, and p the order s - 1. All other methods, and
@@ -177,9 +180,9 @@ const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
  *
  * Returns FVI_SUCCESS; FVI_EFAULT, FVI_EINVAL, FVI_EDOM or FVI_EUNSUP for an argument that is wrong, or that the method
  * does not take, with its field ("x0", "T", "t", ...), number and index in *error; FVI_ETOL if the tolerance cannot be
- * reached; FVI_ERUNAWAY after most_steps; FVI_ENOMEM; FVI_EMAXITER, FVI_ESING or FVI_EOVRFLW of a step, whose number is
- * error->index; or what a callback returned. After a failed step the rows before it are valid. After any other error
- * the outputs are untouched. */
+ * reached, or not in most_steps; FVI_ERUNAWAY after most_steps without a tolerance; FVI_ENOMEM; FVI_EMAXITER, FVI_ESING
+ * or FVI_EOVRFLW of a step, whose number is error->index; or what a callback returned. After a failed step the rows
+ * before it are valid. After any other error the outputs are untouched. */
 int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options,
               const fvi_accuracy *accuracy, const fvi_outputs *outputs,
               fvi_report *report, fvi_error *error);

@@ -45,15 +45,16 @@ extern "C" {
  *   solve      NULL; or the caller's own solver for the equation of a step, for a Hessian that should not be stored. It
  *              overwrites r with (diag(a) + c Hess U(x))^-1 r, where a is d numbers > 0. It returns 0; FVI_ESING if
  *              that matrix is singular; or a code of its own. If U is quadratic, a and c are the same at each step, so
- *              solve may keep factors; but the error of its solution is then an error of the step. If U is not
- *              quadratic, eight correct digits are enough; they cost one more iteration of Newton's method
+ *              solve may keep its factors. Every error of the solution is then an error of the step. If U is not
+ *              quadratic, Newton's method corrects the solution, so eight correct digits are enough. They cost one
+ *              iteration more than sixteen digits
  *   lanes      NULL; the library's own potentials have here their evaluation for several runs at once (batch.h)
  *
  * value, gradient and hessian are all set, or all NULL. A zeroed potential is that of a free particle.
  *
- * With solve a step of one equation makes no matrix and does not call hessian. Methods with stages,
- * fvi_stability_number and the adjoint may call it. If the Hessian cannot be stored, hessian returns a code, and those
- * calls return this code.
+ * If solve is set, the steps of methods without stages make no matrix and do not call hessian. Methods with stages,
+ * fvi_variable_step, fvi_stability_number and the adjoint may still call hessian. If your Hessian cannot be stored, let
+ * hessian return a code. Whatever calls hessian then returns this code.
  *
  * The library calls the functions with arrays that do not overlap. A function that cannot compute a number returns a
  * code, or writes NaN. After NaN the step ends with FVI_EOVRFLW; or with FVI_EMAXITER if only the Hessian of a
@@ -91,7 +92,8 @@ typedef struct {
  *          between the times at which value is called. It writes (order + 1) d numbers:
  *              most[j]          an upper bound of half the range of F_j
  *              most[k * d + j]  an upper bound of |d^k F_j / dt^k| / k!, k = 1, ..., order
- *          INFINITY stands for no known bound, and for a derivative that does not exist. The first derivative may jump.
+ *          INFINITY stands for no known bound, and for a derivative that does not exist. F may have kinks, where its
+ *          first derivative jumps.
  *          order <= FVI_BOUND_ORDER. Methods that choose their steps, and searches for a step, call bound. Returns 0 or
  *          a code
  *   impulses, impulse_count  the impulses, with times that do not decrease, and their number; NULL and 0: none. (2.14)
@@ -113,7 +115,7 @@ typedef struct {
 /* fvi_damping_matrix -- a symmetric positive semidefinite matrix C = S B^T, as functions.              [(27.4)]
  *
  *   history_size  r >= 0: the history of a run has the r numbers z = B^T x. 0: the functions are not called
- *   select_history  writes B^T x - from to z, r numbers each; the arrays do not overlap
+ *   select_history  writes B^T x - from to z. `from` and z are r numbers each; the arrays do not overlap
  *   apply_damping  subtracts a S z from the d numbers p
  *   params     handed to the functions, owned by the caller
  *   diagonal   NULL; or writes the diagonal of C, d numbers. A run uses it to decide whether C x0 is more than rounding
@@ -142,7 +144,7 @@ typedef struct {
  *
  *   history_size  r >= 0: C = S B^T, and the history of a run has the r numbers z = B^T x. 0: no damping;
  *              select_history and apply_damping are not called
- *   select_history  writes B^T x - from to z, r numbers each; the arrays do not overlap
+ *   select_history  writes B^T x - from to z. `from` and z are r numbers each; the arrays do not overlap
  *   apply_damping  subtracts a S z from the d numbers p
  *   apply_damping_to_stages  NULL; or as in fvi_damping_matrix
  *   stiffness  writes K x to y

@@ -135,8 +135,8 @@ typedef struct {
  *   quadrature  the weights of the history; not read for methods without a history and for methods with stages
  *   scheme  as above. A method has adjoint runs and tangents if a method of the library has the same scheme, start and
  *          step; CLASSICAL has none
- *   takes_kappa  nonzero if run->kappa has an effect for a system with a potential. Zero: everything that knows kappa
- *          takes 1/2
+ *   takes_kappa  nonzero if run->kappa has an effect for a system with a potential. Zero: where a function needs a
+ *          kappa, for example for an adjoint, it takes 1/2
  *   takes_laws  nonzero if run->law may be set; fvi_stepper_start refuses it otherwise (FVI_EUNSUP)
  *   takes_matrices  nonzero if the system may have matrices; fvi_stepper_start refuses them otherwise (FVI_EUNSUP)
  *   takes_mechanism  nonzero if the system may have a mechanism; fvi_stepper_start refuses it otherwise (FVI_EUNSUP)
@@ -155,8 +155,8 @@ typedef struct {
  *          last step ends at s->t = steps h
  *   rows   NULL; or, for a method with dense, computes the same numbers, to the bit, at `count` increasing times within
  *          the last step, row after row into x and p. FVI_EDOM if a time is outside the step
- *   copy   makes to->method_state from from->method_state; NULL only if method_state is never set. All other members of
- *          *to are set, and stop will be called for it, whatever copy returns
+ *   copy   makes to->method_state from from->method_state; NULL only if method_state is never set. When copy is called,
+ *          all other members of *to are set. The library calls stop for *to later, whatever copy returns
  *   serialize  hands the members of method_state to an archive: those that steps change, and those that must be the
  *          same (archive.h). NULL if method_state is never set, or if the method has no such function
  *   stop   frees method_state; may be NULL
@@ -228,12 +228,16 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
  * factorisation O(d w^2), or O(d^3) for a full Hessian. If Newton's method fails, it costs up to 1050 of them, and
  * twice as many gradients. If the equation has several solutions, any of them may be found.
  *
- * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EINVAL if the run is over, or in a callback of this stepper;
- * FVI_EMAXITER or FVI_ESING if the equation of the step could not be solved; FVI_EOVRFLW if a value is no longer
- * finite; FVI_ERUNAWAY after most_steps; or what the force, the potential or the interrupter (error.h) returned. The
- * error handler is not called for the last five, here or in fvi_stepper_start, because they are results of the motion
- * and not mistakes of the caller. After these five errors s->k is still k, and x and p belong to no step: only reset or
- * free the stepper. */
+ * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EINVAL if the run is over, or in a callback of this stepper. These
+ * two errors are mistakes of the caller, and s is unchanged. Or it returns a result of the motion:
+ *
+ *   FVI_EMAXITER, FVI_ESING  the equation of the step could not be solved
+ *   FVI_EOVRFLW   a value is no longer finite
+ *   FVI_ERUNAWAY  after most_steps
+ *   any number    what the force, the potential or the interrupter (error.h) returned
+ *
+ * The error handler is not called for a result of the motion, here or in fvi_stepper_start. Afterwards s->k is still k,
+ * and x and p belong to no step: only reset or free the stepper. */
 int fvi_stepper_step(fvi_stepper *s);
 
 /* fvi_force_value -- For use in methods: write F(t) to s->F. Without a force s->F stays zero. Returns FVI_SUCCESS, or
@@ -242,14 +246,15 @@ int fvi_force_value(fvi_stepper *s, double t);
 
 /* fvi_stepper_advance_to -- Make all steps up to a time, and copy x and p at this time.
  *
- *   t     not before the last step, and not after steps h; one of the times k h. For a method that chooses its steps
- *         any such time
+ *   t     one of the times k h, from s->t to steps h. With a method that chooses its steps any time up to steps h, from
+ *         the beginning of its last step
  *   x, p  outputs, d numbers each, or NULL
  *
  *     status = fvi_stepper_advance_to(s, 10 * s->run.h, x, p);       // row 10
  *
- * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EDOM if there is no state at t; FVI_EOVRFLW if x or p is not finite
- * there; what fvi_stepper_step returns. */
+ * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EDOM if there is no state at t: the outputs are then untouched, and
+ * after a t between two steps s stands at the later step; FVI_EOVRFLW if x or p is not finite at t; what
+ * fvi_stepper_step returns. */
 int fvi_stepper_advance_to(fvi_stepper *s, double t, double *x, double *p);
 
 /* fvi_stepper_advance_through -- Advance to several times, one after another. The numbers are those of
@@ -287,8 +292,9 @@ int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
  * and they are constant. The potential, the matrices and the force must be the same.
  *
  * `steps` of the second run may differ if the run has no history or FVI_HISTORY_DIRECT; it must be k or more. With
- * FVI_HISTORY_MODES the numbers that depend on it are constant. All pieces have the binary format of this machine. They
- * have O(Q d) bytes with FVI_HISTORY_MODES and O(k d) with FVI_HISTORY_DIRECT.
+ * FVI_HISTORY_MODES and with fvi_variable_step some constant pieces depend on `steps`, so the archive refuses another
+ * number. All pieces have the binary format of this machine. They have O(Q d) bytes with FVI_HISTORY_MODES and O(k d)
+ * with FVI_HISTORY_DIRECT.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP, before any piece, if the method has a method_state
  * and no serialize; FVI_EINVAL in a callback of this stepper, for a stepper whose last step failed, and for a loaded
