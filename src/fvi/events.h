@@ -35,9 +35,9 @@
  * the new velocity in the steps that follow. For alpha = 1 the mass of a damped coordinate is m + rho, as everywhere
  * (19.5). With a Lagrangian v follows from L_v = p, and the factor of n is such that n . v + dz/dt becomes -e times
  * what it was; for L quadratic in v this is the formula above with M = L_vv (29.20). Constraints answer with impulses
- * of their own, so that v keeps to them (29.22). Where the body comes to rest an impact ends the run.
+ * of their own, so that v keeps to them (29.22). An impact after which the body is at rest ends the run.
  *
- * A **contact** is an impact after which the run goes on. Where the body comes to rest z = 0 becomes a constraint of
+ * A **contact** is an impact after which the run goes on. Where the body comes to rest, z = 0 becomes a constraint of
  * the system's mechanism (dampers.h). The body may slide along the surface, and the surface pushes with the multiplier
  * of the constraint as its force. The body lifts off when this force would have to pull, because another force pulls
  * the body away or because the surface moves away. For example, a body with m = g = 1 on z = x, under the force

@@ -11,7 +11,6 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <stdio.h>
 
 static int check_law(const fvi_method *method, const fvi_run *run,
                      fvi_error *error)
@@ -88,12 +87,11 @@ static int check_numbers(const fvi_method *method, const fvi_run *run,
         return refuse("h", run->h, "finite and positive", error);
     if (!(run->kappa >= 0 && run->kappa <= 1))
         return refuse("kappa", run->kappa, "in [0, 1]", error);
-    if (!(run->alpha >= method->alpha_least && run->alpha <= method->alpha_most)) {
-        char range[60];
-        snprintf(range, sizeof range, method->alpha_least < method->alpha_most ? "in [%g, %g]" : "%g for this method",
-                 method->alpha_least, method->alpha_most);
-        return refuse("alpha", run->alpha, range, error);
-    }
+    if (!(run->alpha >= method->alpha_least && run->alpha <= method->alpha_most))
+        return fvi_fail(error, FVI_EDOM, "alpha", run->alpha,
+                        method->alpha_least < method->alpha_most ? "alpha is %g; it must be in [%g, %g]"
+                                                                 : "alpha is %g; it must be %g for this method",
+                        run->alpha, method->alpha_least, method->alpha_most);
     if (!(run->tolerance >= 0 && run->tolerance < 1))
         return refuse("tolerance", run->tolerance, "in [0, 1)", error);
     if (!(run->step_error >= 0 && gsl_finite(run->step_error)))
