@@ -4,6 +4,7 @@
 
 #include <fvi/dampers.h>
 
+#include "kernel/kernel_classes.h"
 #include "observer/observer_column.h"
 #include "observer/observer_ramp.h"
 #include "system/larger.h"
@@ -112,8 +113,8 @@ static int differentiate(const changed_run *o, double *number, double step, int 
     return status;
 }
 
-/* Differentiate by alpha or end, which are half of an order of s. At whole orders the first rows change their form. The
- * force at t = 0 does not depend on the order, or it jumps there; an exception is Cole and Davidson's kernel. Each
+/* Differentiate by alpha or end, which are half of an order of s, or an exponent. At whole orders the first rows change their form. The
+ * force at t = 0 does not depend on the order, or it jumps there; an exception are kernels that are no fractions of powers. Each
  * derivative of h^(2 alpha) multiplies it by 2 log h, so a short h needs a short step in alpha. No point is as far away
  * as the other order of the term, whose distance is the gap. */
 static int differentiate_by_order(const changed_run *o, double *number, double gap, int has_start, double *to)
@@ -150,18 +151,19 @@ static int differentiate_by_factor(const changed_run *o, fvi_kernel_term *term, 
 static int differentiate_by_term(const changed_run *o, size_t l, size_t to, const fvi_sensitivities *want)
 {
     fvi_kernel_term *term = o->term + l;
-    const fvi_kernel_kind kind = term->kind;
-    const int has_order = kind != FVI_KERNEL_MAXWELL && kind != FVI_KERNEL_SYMBOL,
-              has_time = kind != FVI_KERNEL_POWER && kind != FVI_KERNEL_DISTRIBUTED && kind != FVI_KERNEL_SYMBOL,
-              has_end = kind == FVI_KERNEL_DISTRIBUTED || kind == FVI_KERNEL_MAXWELL2;
-    const double gap = has_end ? fabs(term->end - term->alpha) : INFINITY;
+    double *const fields[] = { &term->rho, &term->alpha, &term->time, &term->end },
+           *const wanted[] = { want->terms, want->orders, want->times, want->ends };
+    const fvi_kernel_number *end = fvi_kernel_number_of(term, 3);
+    const double gap = end && end->range == FVI_RANGE_ORDER ? fabs(term->end - term->alpha) : INFINITY;
     int status = want->terms ? differentiate_by_factor(o, term, want->terms + to) : FVI_SUCCESS;
-    if (!status && want->orders && has_order)
-        status = differentiate_by_order(o, &term->alpha, gap, kind == FVI_KERNEL_DAVIDSON, want->orders + to);
-    if (!status && want->times && has_time)
-        status = differentiate_by_time(o, &term->time, want->times + to);
-    if (!status && want->ends && has_end)
-        status = differentiate_by_order(o, &term->end, gap, 0, want->ends + to);
+    for (size_t field = 1; field < FVI_KERNEL_FIELDS && !status; field++) {
+        const fvi_kernel_number *number = fvi_kernel_number_of(term, field);
+        if (!number || !wanted[field])
+            continue;
+        status = number->range == FVI_RANGE_SIZE
+                     ? differentiate_by_time(o, fields[field], wanted[field] + to)
+                     : differentiate_by_order(o, fields[field], gap, fvi_kernel_is_general(term), wanted[field] + to);
+    }
     return status;
 }
 

@@ -1,6 +1,7 @@
 /* src/command_gradient/fvi_gradient_rows.c -- Name the rows of `fvi gradient`. */
 #include "fvi_gradient_rows.h"
 
+#include <fvi/formulas.h>
 #include <fvi/rheology.h>
 
 #include <math.h>
@@ -106,20 +107,26 @@ static void row_of_number(const visitor *v, const request *r, const char *name, 
         warn(v, name, text, name);
 }
 
-/* Visit the rows of the parameters of term i of --damping. R has no letter. The parameters of two springpots in series
- * have the names that they have everywhere. */
+/* Write the end of the row of number l of a kind: its letter in zener:R,A,T, as "_A"; nothing for the first number. The
+ * numbers of two springpots in series have the names that they have everywhere. */
+static void name_end_of_row(fvi_element kind, size_t l, size_t size, char *end)
+{
+    const char *word = fvi_element_words[kind], *at = word;
+    for (size_t i = 0; fvi_law_formulas[i].form; i++)
+        if (strncmp(fvi_law_formulas[i].form, word, strlen(word)) == 0 && fvi_law_formulas[i].form[strlen(word)] == ':')
+            at = fvi_law_formulas[i].form;
+    for (size_t i = 0; i < l && strchr(at, ','); i++)
+        at = strchr(at, ',') + 1;
+    if (kind == FVI_ELEMENT_MAXWELL2)
+        snprintf(end, size, "_%s", fvi_element_number(kind, l, NULL));
+    else
+        snprintf(end, size, l > 0 ? "_%c" : "", *at);
+}
+
+/* Visit the rows of the parameters of term i of --damping. A spring and a dashpot are stored as a power, so they have A,
+ * too. */
 static void rows_of_term(const visitor *v, const request *r, size_t i)
 {
-    /* A spring and a dashpot are stored as a power, so they have A, too. */
-    static const char *const letters[][4] = { [FVI_ELEMENT_SPRING] = { "", "_A" },
-                                              [FVI_ELEMENT_VISCOUS] = { "", "_A" },
-                                              [FVI_ELEMENT_POWER] = { "", "_A" },
-                                              [FVI_ELEMENT_ZENER] = { "", "_A", "_T" },
-                                              [FVI_ELEMENT_MAXWELL] = { "", "_T" },
-                                              [FVI_ELEMENT_MAXWELL2] = { "_rho1", "_alpha1",
-                                                                         "_rho2", "_alpha2" },
-                                              [FVI_ELEMENT_DAVIDSON] = { "", "_A", "_T" },
-                                              [FVI_ELEMENT_DISTRIBUTED] = { "", "_A", "_B" } };
     const fvi_kernel_term *term = r->run.law->term + i;
     char number[24] = "", name[LETTERS], whole[2 * LETTERS];
     if (r->terms > 1)
@@ -129,12 +136,12 @@ static void rows_of_term(const visitor *v, const request *r, size_t i)
         warn(v, name, "no derivatives by the numbers of %s", name);
         return;
     }
-    const fvi_element kind = fvi_element_of(term);
+    const fvi_element kind = term->kind == FVI_KERNEL_POWER ? FVI_ELEMENT_POWER : fvi_element_of(term);
     const int is_exchanged = fvi_pair_is_exchanged(&r->o.lets, i, r->terms);
-    for (size_t l = 0; l < 4 && letters[kind][l]; l++) {
-        size_t field = l; /* l itself is for the order of a spring or a dashpot, which has no other index */
-        fvi_element_number_typed(kind, l, is_exchanged, &field);
-        snprintf(whole, sizeof whole, "%s%s", name, letters[kind][l]);
+    for (size_t l = 0, field; fvi_element_number_typed(kind, l, is_exchanged, &field); l++) {
+        char end[LETTERS];
+        name_end_of_row(kind, l, sizeof end, end);
+        snprintf(whole, sizeof whole, "%s%s", name, end);
         row_of_number(v, r, whole, i, kind, field);
     }
 }

@@ -34,7 +34,7 @@ static void begin(search *o, const double *low, const double *high,
     for (size_t j = 0; j < o->fdf.p; j++) {
         const int logarithmic =
             low[j] > 0
-            && fvi_estimation_kind_of(m->fit->which[j]) != FVI_ESTIMATION_ORDER;
+            && fvi_estimation_kind_of(m->fit, j) != FVI_ESTIMATION_ORDER;
         double theta = start == 0    ? fvi_estimation_model_get(m, j)
                        : logarithmic ? low[j] * pow(high[j] / low[j], share[j])
                                      : low[j] + (high[j] - low[j]) * share[j];
@@ -134,7 +134,7 @@ static int grow_windows(search *o, size_t *best)
  * is at least that which follows from the box. */
 static double size_of_parameter(const search *o, size_t j, double theta)
 {
-    return fvi_estimation_kind_of(o->model.fit->which[j]) != FVI_ESTIMATION_NUMBER
+    return fvi_estimation_kind_of(o->model.fit, j) != FVI_ESTIMATION_NUMBER
                ? fabs(theta)
                : fmax(fabs(theta), o->size[j]);
 }
@@ -215,7 +215,7 @@ static int covariance(search *o, const slot *at, fvi_estimate *fitted)
         const double slope =
             fabs(fvi_estimation_model_slope(m, j, fitted->estimate[j]));
         fitted->sd[j] *= deviation;
-        if (fvi_estimation_kind_of(m->fit->which[j]) != FVI_ESTIMATION_NUMBER
+        if (fvi_estimation_kind_of(m->fit, j) != FVI_ESTIMATION_NUMBER
             && !(fitted->sd[j] < VAGUE))
             return FVI_ESING;
         fitted->sd[j] *= slope;

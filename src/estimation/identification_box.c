@@ -95,9 +95,10 @@ static void find_plausible_range_of_law(const fvi_estimation *fit, size_t j, dou
         fvi_estimation_law(fit->run, fvi_free_parameter_index(fit->which[j]));
     const fvi_kernel_term *t = &law->term[which / 4];
     const double order = t->kind == FVI_KERNEL_MAXWELL ? 1 : 2 * t->alpha;
-    if (which % 2) {
-        *low = 0.02;
-        *high = 0.98;
+    if (fvi_estimation_kind_of(fit, j) == FVI_ESTIMATION_ORDER) {
+        fvi_estimation_range(fit, j, low, high);
+        *low = 0.02 * *high;
+        *high *= 0.98;
     } else if (which % 4 == 0 || t->kind == FVI_KERNEL_MAXWELL2) {
         *low = m * pow(w, 2 - order) / 50;
         *high = m * pow(w, 2 - order) * 2;

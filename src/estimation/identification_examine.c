@@ -234,23 +234,10 @@ static int profiles(const fvi_estimation *fit, const fvi_estimate *fitted,
     return FVI_SUCCESS;
 }
 
-/* Find the range of all values that parameter j may have. */
-static void find_range(const fvi_estimation *fit, size_t j, double *low, double *high)
-{
-    const fvi_estimation_kind kind = fvi_estimation_kind_of(fit->which[j]);
-    const int is_alpha = fvi_free_parameter_base(fit->which[j]) == FVI_FREE_PARAMETER_ALPHA;
-    *low = kind == FVI_ESTIMATION_NUMBER ? GSL_NEGINF
-           : is_alpha                    ? fit->method->alpha_least
-                                         : 0;
-    *high = kind != FVI_ESTIMATION_ORDER ? GSL_POSINF
-            : is_alpha                   ? fit->method->alpha_most
-                                         : 1;
-}
-
 int fvi_estimation_is_open(const fvi_estimation *fit, const fvi_examination *e, size_t j)
 {
     double low, high;
-    find_range(fit, j, &low, &high);
+    fvi_estimation_range(fit, j, &low, &high);
     return e->lower[j] <= low && e->upper[j] >= high;
 }
 
@@ -282,7 +269,7 @@ static void raise_flags(const fvi_estimation *fit, const fvi_estimate *fitted,
 static void set_whole_ranges(const fvi_estimation *fit, fvi_examination *e)
 {
     for (size_t j = 0; j < fit->parameters; j++)
-        find_range(fit, j, &e->lower[j], &e->upper[j]);
+        fvi_estimation_range(fit, j, &e->lower[j], &e->upper[j]);
 }
 
 static int examine(fvi_estimation_work *o, const fvi_estimate *fitted, fvi_examination *e)

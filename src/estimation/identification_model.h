@@ -69,9 +69,12 @@ double fvi_estimation_model_unit(const fvi_estimation_model *m, const fvi_estima
 /* Return how many of the n rows of a record are compared. */
 size_t fvi_estimation_model_rows(const fvi_estimation_model *m, size_t n);
 
-/* The kind of a parameter: an order between two bounds, a size above 0, or any number. */
+/* The kind of parameter j: an order or an exponent between two bounds, a size above 0, or any number. */
 typedef enum { FVI_ESTIMATION_ORDER, FVI_ESTIMATION_SIZE, FVI_ESTIMATION_NUMBER } fvi_estimation_kind;
-fvi_estimation_kind fvi_estimation_kind_of(fvi_free_parameter which);
+fvi_estimation_kind fvi_estimation_kind_of(const fvi_estimation *fit, size_t j);
+
+/* Find the range of all values that parameter j may have. */
+void fvi_estimation_range(const fvi_estimation *fit, size_t j, double *low, double *high);
 
 /* Split a parameter into its base, which is less than FVI_FREE_PARAMETER_EACH, and its index: 0 for all alike, or i for
  * mass, coordinate, column or damper i. */

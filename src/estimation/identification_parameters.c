@@ -1,6 +1,8 @@
 /* src/estimation/identification_parameters.c -- Read, write and bound a single parameter of a fit. [H 24] */
 #include "identification_model.h"
 
+#include "kernel/kernel_classes.h"
+
 #include <math.h>
 
 fvi_free_parameter fvi_free_parameter_base(fvi_free_parameter which)
@@ -19,17 +21,25 @@ int fvi_free_parameter_is_of_law(fvi_free_parameter which)
     return base >= FVI_FREE_PARAMETER_LAW && base < FVI_FREE_PARAMETER_CONSTANT;
 }
 
-fvi_estimation_kind fvi_estimation_kind_of(fvi_free_parameter which)
+/* Return what is known of the number of a law that parameter j is; NULL if it is no number of a law. */
+static const fvi_kernel_number *number_of_law(const fvi_estimation *fit, size_t j)
 {
-    const fvi_free_parameter base = fvi_free_parameter_base(which);
-    if (base == FVI_FREE_PARAMETER_ALPHA)
+    const fvi_free_parameter which = fit->which[j];
+    const size_t number = fvi_free_parameter_base(which) - FVI_FREE_PARAMETER_LAW;
+    const fvi_kernel *law = fvi_estimation_law(fit->run, fvi_free_parameter_index(which));
+    return fvi_free_parameter_is_of_law(which) && law && number / 4 < law->count
+               ? fvi_kernel_number_of(&law->term[number / 4], number % 4)
+               : NULL;
+}
+
+fvi_estimation_kind fvi_estimation_kind_of(const fvi_estimation *fit, size_t j)
+{
+    const fvi_free_parameter base = fvi_free_parameter_base(fit->which[j]);
+    const fvi_kernel_number *number = number_of_law(fit, j);
+    if (base == FVI_FREE_PARAMETER_ALPHA || (number && number->range != FVI_RANGE_SIZE))
         return FVI_ESTIMATION_ORDER;
-    if (base == FVI_FREE_PARAMETER_RHO || base == FVI_FREE_PARAMETER_MASS)
-        return FVI_ESTIMATION_SIZE;
-    if (!fvi_free_parameter_is_of_law(which))
-        return FVI_ESTIMATION_NUMBER;
-    return (base - FVI_FREE_PARAMETER_LAW) % 2 ? FVI_ESTIMATION_ORDER /* alpha and end */
-                                               : FVI_ESTIMATION_SIZE;
+    return number || base == FVI_FREE_PARAMETER_RHO || base == FVI_FREE_PARAMETER_MASS ? FVI_ESTIMATION_SIZE
+                                                                                      : FVI_ESTIMATION_NUMBER;
 }
 
 /* ---- numbers of laws ---- */
@@ -132,21 +142,22 @@ void fvi_estimation_model_set(fvi_estimation_model *m, size_t j, double theta)
 
 /* ---- bounds ---- */
 
-/* Find the possible range of parameter j, which is an order. */
-static void possible_orders(const fvi_estimation_model *m, size_t j, double *low, double *high)
+void fvi_estimation_range(const fvi_estimation *fit, size_t j, double *low, double *high)
 {
-    const int is_of_law = fvi_free_parameter_is_of_law(m->fit->which[j]);
-    *low = is_of_law ? 0 : m->fit->method->alpha_least;
-    *high = is_of_law ? 1 : m->fit->method->alpha_most;
+    const fvi_estimation_kind kind = fvi_estimation_kind_of(fit, j);
+    const fvi_kernel_number *number = number_of_law(fit, j);
+    const int is_alpha = kind == FVI_ESTIMATION_ORDER && !number;
+    *low = kind == FVI_ESTIMATION_NUMBER ? -INFINITY : is_alpha ? fit->method->alpha_least : 0;
+    *high = is_alpha ? fit->method->alpha_most : number ? number->most : INFINITY;
 }
 
 //> bound
 double fvi_estimation_model_bound(const fvi_estimation_model *m, size_t j, double u)
 {
     double low, high;
-    switch (fvi_estimation_kind_of(m->fit->which[j])) {
+    switch (fvi_estimation_kind_of(m->fit, j)) {
     case FVI_ESTIMATION_ORDER:
-        possible_orders(m, j, &low, &high);
+        fvi_estimation_range(m->fit, j, &low, &high);
         return low + (high - low) / (1 + exp(-u));
     case FVI_ESTIMATION_SIZE:
         return exp(u);
@@ -159,9 +170,9 @@ double fvi_estimation_model_bound(const fvi_estimation_model *m, size_t j, doubl
 double fvi_estimation_model_free(const fvi_estimation_model *m, size_t j, double theta)
 {
     double low, high;
-    switch (fvi_estimation_kind_of(m->fit->which[j])) {
+    switch (fvi_estimation_kind_of(m->fit, j)) {
     case FVI_ESTIMATION_ORDER:
-        possible_orders(m, j, &low, &high);
+        fvi_estimation_range(m->fit, j, &low, &high);
         return log((theta - low) / (high - theta));
     case FVI_ESTIMATION_SIZE:
         return log(theta);
@@ -173,9 +184,9 @@ double fvi_estimation_model_free(const fvi_estimation_model *m, size_t j, double
 double fvi_estimation_model_slope(const fvi_estimation_model *m, size_t j, double theta)
 {
     double low, high;
-    switch (fvi_estimation_kind_of(m->fit->which[j])) {
+    switch (fvi_estimation_kind_of(m->fit, j)) {
     case FVI_ESTIMATION_ORDER:
-        possible_orders(m, j, &low, &high);
+        fvi_estimation_range(m->fit, j, &low, &high);
         return (theta - low) * (high - theta) / (high - low);
     case FVI_ESTIMATION_SIZE:
         return theta;

@@ -116,8 +116,7 @@ static int tangent_edge(profile *o, double u, double length, double reach, doubl
  * the valley. So it is made shorter, down to a limit. */
 static double find_edge(profile *o, double u, double step, double reach)
 {
-    const int bounded = fvi_estimation_kind_of(o->fit.which[o->others])
-                        != FVI_ESTIMATION_NUMBER;
+    const int bounded = fvi_estimation_kind_of(&o->fit, o->others) != FVI_ESTIMATION_NUMBER;
     const double least = fabs(step) / 1024;
     double before = u, below = 0, near;
     if (tangent_edge(o, u, 4 * step, reach, &near))

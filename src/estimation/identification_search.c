@@ -152,7 +152,7 @@ static void set_sizes(search *o, const fvi_estimation *fit, const double *low,
                       const double *high)
 {
     for (size_t j = 0; j < fit->parameters; j++) {
-        const double size = fvi_estimation_kind_of(fit->which[j]) != FVI_ESTIMATION_NUMBER
+        const double size = fvi_estimation_kind_of(fit, j) != FVI_ESTIMATION_NUMBER
                                 ? 0.25 /* size of a logit and of a logarithm */
                                 : (high[j] - low[j]) / 16;
         o->size[j] = o->size[j] > 0 ? fmin(o->size[j], size) : size;

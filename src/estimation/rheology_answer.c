@@ -28,9 +28,9 @@ static double number_of(const void *params, const double *z, double *slope)
     const number *v = params;
     const fvi_rheology *m = v->model;
     const size_t E = m->elements;
-    const char *kinds;
+    char kinds[FVI_ELEMENT_SHAPE];
     const fvi_element kind = m->data->kind[v->n];
-    const size_t count = fvi_element_shape(kind, &kinds);
+    const size_t count = fvi_element_shape(kind, kinds);
     double value[FVI_ELEMENT_NUMBERS], by[FVI_ELEMENT_NUMBERS][1 + FVI_ELEMENT_SHAPE];
     fvi_element_public(kind, z[v->n], z + E + m->at[v->n], value, by);
     if (slope) {
@@ -42,14 +42,20 @@ static double number_of(const void *params, const double *z, double *slope)
     return value[v->i];
 }
 
-static int is_order(const number *v)
+/* Return the largest value of a number that is an order or an exponent; INFINITY if it is a size. */
+static double most_of(const number *v)
 {
-    return fvi_element_is_order(v->model->data->kind[v->n], v->i);
+    return fvi_element_most(v->model->data->kind[v->n], v->i);
+}
+
+static int is_size(const number *v)
+{
+    return most_of(v) == INFINITY;
 }
 
 static double bound(const number *v, double value)
 {
-    return is_order(v) ? value : exp(value);
+    return is_size(v) ? exp(value) : value;
 }
 
 /* ---- standard deviations ---- */
@@ -114,26 +120,27 @@ static double excess(profile *p, double value)
 static double find_edge(profile *p, const double *z, double step)
 {
     const size_t P = p->work->model.elements + p->work->model.shapes;
-    const int order = is_order(&p->v);
+    const int order = !is_size(&p->v);
+    const double most = most_of(&p->v);
     double inside = p->value, low = 0, outside = inside, high = 0;
     memcpy(p->z, z, P * sizeof *z);
     for (int i = 0; i < OUTWARD; i++, step *= 1.5) {
         double there = inside + step;
         if (order)
-            there = fmin(fmax(there, 1e-4), 0.5);
+            there = fmin(fmax(there, 1e-4), most);
         if (fabs(there - p->value) > FARTHEST)
             return step < 0 ? -INFINITY : INFINITY;
         high = excess(p, there);
         outside = there;
         if (high >= p->reach)
             break;
-        if (order && (there <= 1e-4 || there >= 0.5))
-            return step < 0 ? 0 : 0.5;
+        if (order && (there <= 1e-4 || there >= most))
+            return step < 0 ? 0 : most;
         inside = there;
         low = high;
     }
     if (!(high >= p->reach))
-        return step < 0 ? (order ? 0 : -INFINITY) : (order ? 0.5 : INFINITY);
+        return step < 0 ? (order ? 0 : -INFINITY) : most;
     for (int i = 0; i < INWARD; i++) {
         const double share = (p->reach - low) / (fmin(high, 3 * p->reach) - low),
                      middle = inside + fmin(fmax(share, 0.05), 0.95) * (outside - inside),
@@ -161,10 +168,10 @@ static void interval(fvi_rheology_work *o, const number *v, const double *z, dou
                   .least = least,
                   .sigma = a->sigma,
                   .reach = a->quantile };
-    const double step = fmin(a->quantile * sd, is_order(v) ? 0.1 : 1);
+    const double step = fmin(a->quantile * sd, is_size(v) ? 1 : 0.1);
     a->lower[j] = bound(v, find_edge(&p, z, -step));
     a->upper[j] = bound(v, find_edge(&p, z, step));
-    if (a->lower[j] <= 0 || isinf(a->upper[j]) || (is_order(v) && a->upper[j] >= 0.5))
+    if (a->lower[j] <= 0 || a->upper[j] >= most_of(v))
         a->flags |= FVI_MATERIAL_OPEN;
 }
 
@@ -221,10 +228,10 @@ static void raise_flags(const fvi_rheology *m, const double *z, fvi_material *a)
 /* Set the numbers of an element that has the amplitude 0, so that nothing is known of its other numbers. */
 static void set_unneeded(const number *v, fvi_material *a, size_t j)
 {
-    a->estimate[j] = is_order(v) ? a->estimate[j] : v->i == 0 ? 0 : a->estimate[j];
+    a->estimate[j] = v->i == 0 ? 0 : a->estimate[j];
     a->sd[j] = INFINITY;
     a->lower[j] = 0;
-    a->upper[j] = is_order(v) ? 0.5 : INFINITY;
+    a->upper[j] = most_of(v);
 }
 
 void fvi_rheology_answer(fvi_rheology_work *o, const double *z, double sum, fvi_material *a)
@@ -258,7 +265,7 @@ void fvi_rheology_answer(fvi_rheology_work *o, const double *z, double sum, fvi_
                 continue;
             }
             const double sd = a->sigma * deviation(P, A, length, g);
-            a->sd[j] = sd * (is_order(&v) ? 1 : a->estimate[j]);
+            a->sd[j] = sd * (is_size(&v) ? a->estimate[j] : 1);
             interval(o, &v, z, sum, sd, a, j);
         }
         a->term[n] = fvi_element_term(m->data->kind[n], a->estimate + first);

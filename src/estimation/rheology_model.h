@@ -7,6 +7,8 @@
 
 #include <fvi/rheology.h>
 
+#include "kernel/kernel_classes.h"
+
 #include <complex.h>
 
 enum {
@@ -15,23 +17,33 @@ enum {
     FVI_LAW_MOST = FVI_LAW_SHAPE + FVI_MATERIAL_ELEMENTS /* most numbers z */
 };
 
+/* Return the element of word i of a law (kernel_classes.h), and the word of element i. */
+fvi_element fvi_element_of_word(size_t i);
+
+/* Return the numbers of the kind of kernel that an element is, of which a spring and a dashpot have only the first.
+ * fvi_element_has_time -- Return nonzero if its time is a time, and no time to the power 2 alpha. */
+const fvi_kernel_number *fvi_element_numbers(fvi_element kind);
+int fvi_element_has_time(fvi_element kind);
+
 /* Return the term of a kernel with these numbers, in the order of fvi_element_number. For two springpots in series the
  * first one has the higher order. */
 fvi_kernel_term fvi_element_term(fvi_element kind, const double *number);
 
-/* Return how many numbers u an element has, and their kinds: 'a' for an order, 't' for the logarithm of a time. */
-size_t fvi_element_shape(fvi_element kind, const char **kinds);
+/* Return how many numbers u an element has, and their kinds: 'a' for an order, 't' for the logarithm of a time, 'b' for
+ * an exponent. */
+size_t fvi_element_shape(fvi_element kind, char kinds[FVI_ELEMENT_SHAPE]);
 
 /* Compute phi at s, and its derivatives by u. L = ln s. */
 void fvi_element_at(fvi_element kind, double complex s, double complex L, const double *u,
                     double complex *phi, double complex d[FVI_ELEMENT_SHAPE]);
 
-/* Compute the numbers that have names: the logarithm of a size, an order as it is; and their derivatives by (ln c, u).
- * fvi_element_is_order -- Return nonzero if number i is an order. */
+/* Compute the numbers that have names: the logarithm of a size, an order or an exponent as it is; and their derivatives by (ln c, u).
+ * fvi_element_most -- Return the largest value of number i that is an order or an exponent; INFINITY if it is a
+ * size. */
 void fvi_element_public(fvi_element kind, double ln_c, const double *u,
                         double value[FVI_ELEMENT_NUMBERS],
                         double slope[FVI_ELEMENT_NUMBERS][1 + FVI_ELEMENT_SHAPE]);
-int fvi_element_is_order(fvi_element kind, size_t i);
+double fvi_element_most(fvi_element kind, size_t i);
 
 /* Compute A = J^T J for `rows` rows of P numbers. */
 void fvi_rheology_products(size_t rows, size_t P, const double *J, double A[][FVI_LAW_MOST]);

@@ -2,7 +2,7 @@
 #include "exact_law.h"
 #include "winding.h"
 
-#include "kernel/kernel_terms.h"
+#include "kernel/kernel_general.h"
 
 #include <math.h>
 
@@ -22,11 +22,9 @@ static double phase(const void *params, double u, double v)
         carg(Q->m * s * s + Q->c + Q->rho * fvi_kernel_at(Q->law, s, &slope));
     for (size_t i = 0; i < Q->law->count; i++) {
         const fvi_kernel_term *t = &Q->law->term[i];
-        const double below = t->kind == FVI_KERNEL_ZENER      ? t->alpha
-                             : t->kind == FVI_KERNEL_MAXWELL2 ? t->alpha - t->end
-                                                              : 0;
-        if (below > 0.5 && t->rho > 0)
-            angle += carg(1 + t->time * cexp(2 * below * (u + I * v)));
+        fvi_kernel_simple fraction;
+        if (t->rho > 0 && fvi_kernel_is_fraction(t, &fraction) && fraction.below > 0.5)
+            angle += carg(1 + fraction.time * cexp(2 * fraction.below * (u + I * v)));
     }
     return angle;
 }

@@ -1,6 +1,7 @@
 /* src/frequency/pole_count.c -- Count the poles of a system.               [H 30] */
 #include "pole_count.h"
 
+#include "kernel/kernel_classes.h"
 #include "winding.h"
 
 #include <gsl/gsl_math.h>
@@ -8,49 +9,12 @@
 
 /* ---- the theorem ---- */
 
-/* Where the symbol of a term lies at s = -r + i0, for all r > 0. */
-typedef enum {
-    ON_THE_LINE = 0, /* real and not negative */
-    ABOVE = 1,       /* above the real line */
-    BELOW = 2,
-    ABOVE_OR_ON = 4, /* above for some r, real and not negative for the others */
-    NEGATIVE = 8,    /* real, and negative for some r */
-    ANYWHERE = 16    /* not known */
-} side;
-
-//> sides
-static side side_of_power(double order)
+//> theorem
+/* Return where the symbol of a term lies at s = -r + i0, for all r > 0. */
+static fvi_kernel_side side_of_term(const fvi_kernel_term *t)
 {
-    return order == 0 || order == 2 ? ON_THE_LINE
-           : order < 1              ? ABOVE
-           : order > 1              ? BELOW
-                                    : NEGATIVE;
-}
-
-static side side_of_term(const fvi_kernel_term *t)
-{
-    const double order = 2 * t->alpha;
-    if (t->rho == 0)
-        return ON_THE_LINE;
-    switch (t->kind) {
-    case FVI_KERNEL_POWER:
-        return side_of_power(order);
-    case FVI_KERNEL_ZENER: /* q / (1 + T q) is above the line if q is */
-    case FVI_KERNEL_MAXWELL2:
-        return t->time == 0 || order <= 1 ? side_of_power(order) : ANYWHERE;
-    case FVI_KERNEL_DAVIDSON: /* for r > 1 / T it is real and positive */
-        return t->time == 0 ? side_of_power(order)
-               : order < 1  ? ABOVE_OR_ON
-               : order == 1 ? NEGATIVE
-                            : ANYWHERE;
-    case FVI_KERNEL_MAXWELL:
-        return NEGATIVE;
-    case FVI_KERNEL_DISTRIBUTED:
-        return t->end <= 0.5 ? ABOVE : t->alpha >= 0.5 ? BELOW : ANYWHERE;
-    case FVI_KERNEL_SYMBOL:
-        break;
-    }
-    return ANYWHERE;
+    const fvi_kernel_class *of = fvi_kernel_classes[t->kind];
+    return t->rho == 0 ? FVI_SIDE_ON_THE_LINE : of->side ? of->side(t) : FVI_SIDE_ANYWHERE;
 }
 
 /* A negative term needs a term above the line in the same law. */
@@ -61,13 +25,13 @@ int fvi_poles_by_theorem(const fvi_response *r, double least_lambda)
         int sides = 0;
         for (size_t i = 0; i < r->term[l].kernel->count; i++)
             sides |= (int)side_of_term(&r->term[l].kernel->term[i]);
-        fits = fits && !(sides & ANYWHERE)
-               && (!(sides & NEGATIVE) || (sides & ABOVE));
+        fits = fits && !(sides & FVI_SIDE_ANYWHERE)
+               && (!(sides & FVI_SIDE_NEGATIVE) || (sides & FVI_SIDE_ABOVE));
         all |= sides;
     }
-    return fits && (!(all & BELOW) || all == BELOW);
+    return fits && (!(all & FVI_SIDE_BELOW) || all == FVI_SIDE_BELOW);
 }
-//< sides
+//< theorem
 
 /* ---- the argument principle ---- */
 
@@ -84,10 +48,8 @@ static int has_own_poles(const fvi_kernel *kernel)
 {
     for (size_t i = 0; i < kernel->count; i++) {
         const fvi_kernel_term *t = &kernel->term[i];
-        const double b = t->kind == FVI_KERNEL_ZENER      ? 2 * t->alpha
-                         : t->kind == FVI_KERNEL_MAXWELL2 ? 2 * (t->alpha - t->end)
-                                                          : 0;
-        if (t->rho > 0 && t->time > 0 && b > 1)
+        fvi_kernel_simple fraction;
+        if (t->rho > 0 && fvi_kernel_is_fraction(t, &fraction) && fraction.time > 0 && 2 * fraction.below > 1)
             return 1;
     }
     return 0;

@@ -37,6 +37,7 @@ extern "C" {
  *                (rho / time) s^{2 end}. In texts the two have the names rho1 = rho, alpha1 = alpha, rho2 = rho / time
  *                and alpha2 = end. A ZENER is the case end = 0
  *   DAVIDSON     (s / (1 + time s))^{2 alpha}, of Cole and Davidson
+ *   HAVRILIAK    s^{2 alpha} / (1 + time s^{2 alpha})^end, of Havriliak and Negami. A ZENER is the case end = 1
  *   SYMBOL       any function of s: the first member of a fvi_kernel_function. Such a term stands alone in its law */
 typedef enum {
     FVI_KERNEL_POWER,
@@ -45,17 +46,18 @@ typedef enum {
     FVI_KERNEL_DISTRIBUTED,
     FVI_KERNEL_MAXWELL2,
     FVI_KERNEL_DAVIDSON,
-    FVI_KERNEL_SYMBOL
+    FVI_KERNEL_SYMBOL,
+    FVI_KERNEL_HAVRILIAK
 } fvi_kernel_kind;
 
 /* fvi_kernel_term -- one term of a law. Numbers that do not stand in the symbol of its kind are not read.
  *
  *   rho         finite, >= 0
- *   alpha       0 <= alpha <= 1
+ *   alpha       0 <= alpha <= 1, and 2 alpha <= 1 for a HAVRILIAK
  *   time        finite, >= 0; with time = 0 a ZENER is a POWER, and a MAXWELL is a dashpot. The unit is that of a time
- *               to the power 2 alpha for a ZENER, to the power 2 (alpha - end) for a MAXWELL2, and of a time for
+ *               to the power 2 alpha for ZENER and HAVRILIAK, to the power 2 (alpha - end) for a MAXWELL2, and of a time for
  *               MAXWELL and DAVIDSON
- *   end         alpha < end <= 1 for a DISTRIBUTED, 0 <= end <= alpha for a MAXWELL2 */
+ *   end         alpha < end <= 1 for a DISTRIBUTED, 0 <= end <= alpha for a MAXWELL2, 0 < end <= 1 for a HAVRILIAK */
 typedef struct {
     fvi_kernel_kind kind;
     double rho, alpha, time, end;
@@ -66,6 +68,20 @@ typedef struct {
     size_t count;
     const fvi_kernel_term *term;
 } fvi_kernel;
+
+/* fvi_formula -- one word with its numbers, as a user types it, and its formula.
+ *
+ *   form     "zener:R,A,T"
+ *   formula  "R s^{2A}/(1 + T s^{2A})"; may contain '\n'
+ *
+ * fvi_law_formulas -- the words of all laws, in the order in which the parser knows them; the last form is NULL.
+ * fvi_element_words -- the words alone, "spring" and so on, in the order of fvi_element (rheology.h), ended by NULL. A
+ * SYMBOL is none of them. */
+typedef struct {
+    const char *form, *formula;
+} fvi_formula;
+extern const fvi_formula fvi_law_formulas[];
+extern const char *const fvi_element_words[];
 
 /* fvi_kernel_check -- check that the terms are a law of damping.
  *
@@ -141,7 +157,7 @@ double fvi_kernel_symbol(const fvi_kernel *law, double s);
 
 /* fvi_kernel_growth -- return the largest nu for which |C(s)| grows like |s|^nu at infinity, up to a logarithm: 2 alpha
  * for a POWER; 0 for a MAXWELL, a ZENER or a DAVIDSON with time > 0; 2 end for a DISTRIBUTED, and for a MAXWELL2 with
- * time > 0. A law "grows faster than s" if this number is above 1. The law must have passed fvi_kernel_check. */
+ * time > 0; 2 alpha (1 - end) for a HAVRILIAK with time > 0. A law "grows faster than s" if this number is above 1. The law must have passed fvi_kernel_check. */
 double fvi_kernel_growth(const fvi_kernel *law);
 
 /* fvi_kernel_takes_caputo -- return nonzero if no order of the law is above 1. The past CAPUTO is then the same as
@@ -164,7 +180,7 @@ int fvi_kernel_takes_caputo(const fvi_kernel *law);
  * Accuracy: relative to the largest weight, 60 u for each term, u = 2^-53 (no proof; seen 3 u). A ZENER with
  * 2 alpha > 1, and a MAXWELL2 with 2 (alpha - end) > 1, are worse: their weights oscillate, and rounding errors last as
  * long as the oscillation does (seen 1800 u in 1500 weights, alpha = 0.985).
- * Cost: O(count); O(count^2) for a ZENER with alpha other than 1/2, and for a MAXWELL2. A DAVIDSON and a SYMBOL take
+ * Cost: O(count); O(count^2) for a ZENER with alpha other than 1/2, and for a MAXWELL2. A DAVIDSON, a HAVRILIAK and a SYMBOL take
  * about 8 count values of their symbol and O(count ln count); only their large weights are right to many digits,
  * because the error is relative to the largest weight.
  * Returns FVI_SUCCESS; what fvi_kernel_check returns, but poles are not looked for; FVI_EFAULT if w is NULL; FVI_EINVAL

@@ -5,6 +5,8 @@
 #ifndef FVI_FORMULAS_H
 #define FVI_FORMULAS_H
 
+#include "damping_laws.h"
+
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -12,17 +14,9 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_formula -- one word with its numbers, as a user types it, and its formula.
- *
- *   form     "zener:R,A,T"
- *   formula  "R s^{2A}/(1 + T s^{2A})"; may contain '\n'
- *
- * There are four lists: laws of damping, potentials, forces and pasts. Each list ends with an entry whose form is NULL.
- * The laws stand in the order in which the parser knows them (parse_words.h). */
-typedef struct {
-    const char *form, *formula;
-} fvi_formula;
-extern const fvi_formula fvi_law_formulas[], fvi_potential_formulas[], fvi_force_formulas[], fvi_past_formulas[];
+/* Three more lists of formulas (fvi_formula, damping_laws.h), beside the one of the laws of damping: potentials, forces
+ * and pasts. Each list ends with an entry whose form is NULL. */
+extern const fvi_formula fvi_potential_formulas[], fvi_force_formulas[], fvi_past_formulas[];
 
 /* fvi_formulas_write -- write all four lists as one text, for a help.
  *

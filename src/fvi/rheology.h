@@ -21,7 +21,8 @@ extern "C" {
  *     maxwell      rho, time
  *     maxwell2     rho1, alpha1, rho2, alpha2      alpha1 >= alpha2
  *     davidson     rho, alpha, time
- *     distributed  rho, alpha, end */
+ *     distributed  rho, alpha, end
+ *     havriliak    rho, alpha, time, beta          beta is the field end */
 typedef enum {
     FVI_ELEMENT_SPRING,
     FVI_ELEMENT_VISCOUS,
@@ -30,13 +31,13 @@ typedef enum {
     FVI_ELEMENT_MAXWELL,
     FVI_ELEMENT_MAXWELL2,
     FVI_ELEMENT_DAVIDSON,
-    FVI_ELEMENT_DISTRIBUTED
+    FVI_ELEMENT_DISTRIBUTED,
+    FVI_ELEMENT_HAVRILIAK
 } fvi_element;
 
 enum { FVI_ELEMENT_NUMBERS = 4 /* the largest number of numbers of an element */ };
 
-/* fvi_element_words -- the names of the kinds, "spring" and so on, in the order of fvi_element, ended by NULL. */
-extern const char *const fvi_element_words[];
+/* The words of the kinds, in the order of fvi_element, are fvi_element_words (damping_laws.h). */
 
 /* fvi_element_of -- Return the kind of a term. A FVI_KERNEL_POWER with alpha = 0 is a spring, one with alpha = 1/2 is
  * viscous. The term must not be a FVI_KERNEL_SYMBOL. */

@@ -18,19 +18,6 @@
  * 1e-16 for |x| up to 70. */
 enum { ORDERS = 64 };
 
-/* Write a term that is not a range as one simple term. If the denominator has order 0, it is a number. This happens for
- * two springpots of the same order in series. */
-static fvi_kernel_simple simple_term(const fvi_kernel_term *t)
-{
-    const double alpha = t->kind == FVI_KERNEL_MAXWELL ? 0.5 : t->alpha;
-    const double time = t->kind == FVI_KERNEL_POWER ? 0 : t->time;
-    const double below =
-        t->kind == FVI_KERNEL_MAXWELL2 ? alpha - t->end : alpha;
-    if (t->kind == FVI_KERNEL_MAXWELL2 && below == 0)
-        return (fvi_kernel_simple){ t->rho / (1 + time), alpha, 0, alpha };
-    return (fvi_kernel_simple){ t->rho, alpha, time, below };
-}
-
 /* Replace a term with 2 alpha <= 2^-53 by a spring. There s^{2 alpha} is 1 within 9e-14 for every double s, and a
  * history of increments would need infinitely many nodes for s^{2 alpha - 1}. */
 static void round_to_spring(fvi_kernel_simple *t)
@@ -50,8 +37,8 @@ int fvi_kernel_flatten(const fvi_kernel *law, fvi_kernel_simple **terms, size_t 
         const fvi_kernel_term *from = &law->term[i];
         if (fvi_kernel_is_general(from))
             continue;
-        if (from->kind != FVI_KERNEL_DISTRIBUTED) {
-            t[n++] = simple_term(from);
+        if (fvi_kernel_is_fraction(from, &t[n])) {
+            n++;
             continue;
         }
         fvi_quiet();

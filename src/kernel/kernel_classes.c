@@ -1,108 +1,22 @@
-/* src/kernel/kernel_classes.c -- The kinds of kernels: range checks, symbols, growth.   [H 26] */
-#include "kernel_classes.h"
+/* src/kernel/kernel_classes.c -- The kinds of kernels: all that the library knows of a kind.   [H 26] */
+#include "kernel_fractions.h"
 
-#include "kernel_general.h"
+#include "symbol_poles.h"
 #include "system/fail.h"
 
 #include <complex.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
+#include <string.h>
 
-/* ---- range checks ---- */
-
-static int check_order(const fvi_kernel_term *t)
-{
-    if (!(t->alpha >= 0 && t->alpha <= 1))
-        FVI_FAIL("alpha of a law must be in [0, 1]", FVI_EDOM);
-    return FVI_SUCCESS;
-}
-
-static int check_time(const fvi_kernel_term *t)
-{
-    if (!(isfinite(t->time) && t->time >= 0))
-        FVI_FAIL("the time of a law must be finite and not negative", FVI_EDOM);
-    return FVI_SUCCESS;
-}
-
-static int check_order_and_time(const fvi_kernel_term *t)
-{
-    const int status = check_order(t);
-    return status ? status : check_time(t);
-}
+/* ---- a range of orders ---- */
 
 static int check_range(const fvi_kernel_term *t)
 {
-    const int status = check_order(t);
+    const int status = fvi_check_order(t);
     if (!status && !(t->end > t->alpha && t->end <= 1))
         FVI_FAIL("the end of a range of orders must be in (alpha, 1]", FVI_EDOM);
     return status;
-}
-
-static int check_pair(const fvi_kernel_term *t)
-{
-    const int status = check_order_and_time(t);
-    if (!status && !(t->end >= 0 && t->end <= t->alpha))
-        FVI_FAIL("the end of two springpots must be in [0, alpha]", FVI_EDOM);
-    return status;
-}
-
-/* ---- symbols ---- */
-
-/* Return s^{2 a} = e^{2 a ln s}. Its angle is 2 a times the angle of s, so the result is exactly
- * real if the angle is 0. */
-static double complex power_at(double a, double modulus, double angle)
-{
-    const double size = pow(modulus, 2 * a);
-    return size * cos(2 * a * angle) + I * size * sin(2 * a * angle);
-}
-
-static double complex power_symbol(const fvi_kernel_term *t, double modulus,
-                                   double angle, double complex *slope)
-{
-    const double complex q = power_at(t->alpha, modulus, angle);
-    *slope = 2 * t->alpha * q;
-    return q;
-}
-
-//> symbol
-/* Return s^{2 a} / (1 + time s^{2 b}), and write s times its derivative to *slope. */
-static double complex fraction_at(double a, double b, double time,
-                                  double modulus, double angle,
-                                  double complex *slope)
-{
-    const double complex q = power_at(a, modulus, angle),
-                         below = b == a ? q : power_at(b, modulus, angle),
-                         part = 1 + time * below;
-    *slope = (2 * a + 2 * (a - b) * time * below) * q / (part * part);
-    return q / part;
-}
-//< symbol
-
-double complex fvi_kernel_simple_at(const fvi_kernel_simple *t, double modulus,
-                                    double angle)
-{
-    double complex slope;
-    return t->rho
-           * fraction_at(t->alpha, t->below, t->time, modulus, angle, &slope);
-}
-
-static double complex zener_symbol(const fvi_kernel_term *t, double modulus,
-                                   double angle, double complex *slope)
-{
-    return fraction_at(t->alpha, t->alpha, t->time, modulus, angle, slope);
-}
-
-static double complex maxwell_symbol(const fvi_kernel_term *t, double modulus,
-                                     double angle, double complex *slope)
-{
-    return fraction_at(0.5, 0.5, t->time, modulus, angle, slope);
-}
-
-static double complex maxwell2_symbol(const fvi_kernel_term *t, double modulus,
-                                      double angle, double complex *slope)
-{
-    return fraction_at(t->alpha, t->alpha - t->end, t->time, modulus, angle,
-                       slope);
 }
 
 /* Integrate e^{2 a L}, L = ln s, over the range of orders, and write the derivative by L to *slope. */
@@ -111,7 +25,7 @@ static double complex range_symbol(const fvi_kernel_term *t, double modulus,
 {
     const double middle = (t->alpha + t->end) / 2, width = t->end - t->alpha;
     const double complex L = log(modulus) + I * angle,
-                         q = power_at(middle, modulus, angle);
+                         q = fvi_power_at(middle, modulus, angle);
     if (L == 0) {
         *slope = 2 * middle * width;
         return width;
@@ -121,118 +35,254 @@ static double complex range_symbol(const fvi_kernel_term *t, double modulus,
     return q * ratio;
 }
 
+static double range_growth(const fvi_kernel_term *t)
+{
+    return 2 * t->end;
+}
+
+static fvi_kernel_side range_side(const fvi_kernel_term *t)
+{
+    return t->end <= 0.5 ? FVI_SIDE_ABOVE : t->alpha >= 0.5 ? FVI_SIDE_BELOW : FVI_SIDE_ANYWHERE;
+}
+
+/* dC/da and dC/de of a range of orders. (23.21) */
+static double complex range_by_begin(const void *term, double complex s)
+{
+    return -cpow(s, 2 * ((const fvi_kernel_term *)term)->alpha);
+}
+
+static double complex range_by_end(const void *term, double complex s)
+{
+    return cpow(s, 2 * ((const fvi_kernel_term *)term)->end);
+}
+
+static const fvi_kernel_class range_of_orders = {
+    { FVI_RHO, FVI_HALF_ORDER(1), { "end", 3, FVI_RANGE_ORDER, 1 } }, check_range, range_symbol, range_growth,
+    .by = { range_by_begin, NULL, range_by_end }, .side = range_side
+};
+
+/* ---- Cole and Davidson ---- */
+
 static double complex davidson_symbol(const fvi_kernel_term *t, double modulus,
                                       double angle, double complex *slope)
 {
     const double complex part =
         1 + t->time * modulus * (cos(angle) + I * sin(angle));
     const double complex C =
-        power_at(t->alpha, modulus, angle)
-        * power_at(-t->alpha, cabs(part), carg(part));
+        fvi_power_at(t->alpha, modulus, angle)
+        * fvi_power_at(-t->alpha, cabs(part), carg(part));
     *slope = 2 * t->alpha * C / part;
     return C;
 }
 
-/* Return the value of the caller's function, or NaN if the function writes no value. */
-static double complex value_of(const fvi_kernel_term *t, double complex s)
+static int davidson_fraction(const fvi_kernel_term *t, fvi_kernel_simple *f)
 {
-    const fvi_kernel_function *f = (const fvi_kernel_function *)t;
-    double re = GSL_NAN, im = GSL_NAN;
-    f->value(creal(s), cimag(s), f->params, &re, &im);
-    return re + I * im;
+    return t->time == 0 && fvi_power_fraction(t, f);
 }
 
-/* The derivative by ln s is computed by Cauchy's formula as a mean over a circle around ln s, on which the symbol is
- * analytic. With 24 points the error is 1e-13 if the angle between s and the cut is a right angle. */
-static double complex function_symbol(const fvi_kernel_term *t, double modulus,
-                                      double angle, double complex *slope)
+/* For r > 1 / T it is real and positive. */
+static fvi_kernel_side davidson_side(const fvi_kernel_term *t)
 {
-    enum { POINTS = 24 };
-    const double radius = 0.4;
-    const double complex s = modulus * (cos(angle) + I * sin(angle));
-    double complex sum = 0;
-    for (int j = 0; slope && j < POINTS; j++) {
-        const double complex turn = cexp(2 * M_PI * I * j / POINTS);
-        sum += value_of(t, s * cexp(radius * turn)) / turn;
-    }
-    if (slope)
-        *slope = sum / (radius * POINTS);
-    return value_of(t, s);
+    return t->time == 0      ? fvi_power_side(t)
+           : t->alpha < 0.5  ? FVI_SIDE_ABOVE_OR_ON
+           : t->alpha == 0.5 ? FVI_SIDE_NEGATIVE
+                             : FVI_SIDE_ANYWHERE;
 }
 
-/* ---- growth ---- */
-
-static double power_growth(const fvi_kernel_term *t)
+/* Return ln(1 + z), accurate also for |z| much smaller than 1. */
+static double complex log_of_1_and(double complex z)
 {
-    return 2 * t->alpha;
+    return cabs(z) > 1e-4 ? clog(1 + z) : z * (1 - z * (1. / 2 - z * (1. / 3 - z * (1. / 4 - z / 5))));
 }
 
-static double range_growth(const fvi_kernel_term *t)
+/* ln(s / (1 + time s)). For |time s| > 1 the quotient is divided by s first, because ln s and ln(1 + time s) are then
+ * nearly alike and their difference would lose digits. */
+static double complex davidson_log(const fvi_kernel_term *t, double complex s)
 {
-    return 2 * t->end;
+    const double complex Ts = t->time * s;
+    return cabs(Ts) > 1 ? -log(t->time) - log_of_1_and(1 / Ts) : clog(s) - log_of_1_and(Ts);
 }
 
-static double zener_growth(const fvi_kernel_term *t)
+static double complex davidson_by_order(const void *term, double complex s)
 {
-    return t->time == 0 ? 2 * t->alpha : 0;
+    const fvi_kernel_term *t = term;
+    const double complex ln = davidson_log(t, s);
+    return 2 * ln * cexp(2 * t->alpha * ln);
 }
 
-static double maxwell_growth(const fvi_kernel_term *t)
+static double complex davidson_by_time(const void *term, double complex s)
 {
-    return t->time == 0 ? 1 : 0;
+    const fvi_kernel_term *t = term;
+    const double complex ln = davidson_log(t, s);
+    return -2 * t->alpha * cexp((2 * t->alpha + 1) * ln);
 }
 
-static double maxwell2_growth(const fvi_kernel_term *t)
-{
-    return t->time == 0 ? 2 * t->alpha : 2 * t->end;
-}
-
-/* Estimate the growth from the values at 2^399 and 2^400. A symbol that decreases there has growth 0. */
-static double function_growth(const fvi_kernel_term *t)
-{
-    const double ratio = cabs(value_of(t, 0x1p400) / value_of(t, 0x1p399));
-    return ratio < 1 ? 0 : ldexp(round(ldexp(log2(ratio), 30)), -30);
-}
-
-/* Test at some frequencies that the function gives finite values, and that it is real for real s. */
-static int check_function(const fvi_kernel_term *t)
-{
-    if (!((const fvi_kernel_function *)t)->value)
-        FVI_FAIL("a symbol without a function", FVI_EFAULT);
-    if (!(function_growth(t) <= 2))
-        FVI_FAIL("the symbol of a law must not grow faster than s^2", FVI_EDOM);
-    for (int k = -20; k <= 20; k += 4) {
-        const double omega = ldexp(1.1, k); /* the factor 1.1 avoids s = 1, where ln s = 0 */
-        const double complex C = value_of(t, I * omega),
-                             at_conjugate = value_of(t, -I * omega),
-                             real = value_of(t, omega);
-        if (!isfinite(cabs(C)) || !isfinite(cabs(real)))
-            FVI_FAIL("the symbol of a law must be finite at i omega", FVI_EDOM);
-        if (!(cabs(at_conjugate - conj(C)) <= 1e-12 * cabs(C))
-            || !(fabs(cimag(real)) <= 1e-12 * cabs(real)))
-            FVI_FAIL("the symbol of a law must be real at s > 0", FVI_EDOM);
-    }
-    return FVI_SUCCESS;
-}
-
-/* ---- table of classes ---- */
-
-const fvi_kernel_class fvi_kernel_classes[FVI_KERNEL_CLASSES] = {
-    [FVI_KERNEL_POWER] = { check_order, power_symbol, power_growth },
-    [FVI_KERNEL_ZENER] = { check_order_and_time, zener_symbol, zener_growth },
-    [FVI_KERNEL_MAXWELL] = { check_time, maxwell_symbol, maxwell_growth },
-    [FVI_KERNEL_DISTRIBUTED] = { check_range, range_symbol, range_growth },
-    [FVI_KERNEL_MAXWELL2] = { check_pair, maxwell2_symbol, maxwell2_growth },
-    [FVI_KERNEL_DAVIDSON] = { check_order_and_time, davidson_symbol,
-                              zener_growth },
-    [FVI_KERNEL_SYMBOL] = { check_function, function_symbol, function_growth },
+static const fvi_kernel_class davidson = {
+    { FVI_RHO, FVI_HALF_ORDER(1), FVI_TIME }, fvi_check_order_and_time, davidson_symbol, fvi_zener_growth,
+    davidson_fraction, fvi_davidson_modes, { davidson_by_order, davidson_by_time }, davidson_side, .has_time = 1
 };
 
-double complex fvi_kernel_term_at(const fvi_kernel_term *t, double modulus,
-                                  double angle)
+/* ---- Havriliak and Negami ---- */
+
+static int check_havriliak(const fvi_kernel_term *t)
+{
+    const int status = fvi_check_order_and_time(t);
+    if (!status && !(t->alpha <= 0.5))
+        FVI_FAIL("2 alpha of this law must be at most 1: above, it has a branch point off the negative axis", FVI_EDOM);
+    if (!status && !(t->end > 0 && t->end <= 1))
+        FVI_FAIL("the exponent of this law must be in (0, 1]", FVI_EDOM);
+    return status;
+}
+
+//> havriliak
+/* Return q / (1 + T q)^B with q = s^{2 a}, and write s times its derivative to *slope. */
+static double complex havriliak_symbol(const fvi_kernel_term *t, double modulus, double angle, double complex *slope)
+{
+    const double complex q = fvi_power_at(t->alpha, modulus, angle), part = 1 + t->time * q,
+                         C = q * cexp(-t->end * log_of_1_and(t->time * q));
+    *slope = 2 * t->alpha * C * (1 + (1 - t->end) * t->time * q) / part;
+    return C;
+}
+//< havriliak
+
+static double havriliak_growth(const fvi_kernel_term *t)
+{
+    return t->time == 0 ? 2 * t->alpha : 2 * t->alpha * (1 - t->end);
+}
+
+/* Without a time it is a power, with the exponent 1 the law of Zener, and of order 0 a spring. */
+static int havriliak_fraction(const fvi_kernel_term *t, fvi_kernel_simple *f)
+{
+    if (t->alpha > 0)
+        return (t->time == 0 || t->end == 1) && fvi_zener_fraction(t, f);
+    *f = (fvi_kernel_simple){ t->rho * pow(1 + t->time, -t->end), 0, 0, 0 };
+    return 1;
+}
+
+/* The angle of (1 + T q)^B is between 0 and the angle of q. */
+static fvi_kernel_side havriliak_side(const fvi_kernel_term *t)
+{
+    return t->time == 0 || t->alpha < 0.5 ? fvi_power_side(t) : FVI_SIDE_ANYWHERE;
+}
+
+//> havriliak-slopes
+/* With q = s^{2 a} the derivatives are 2 ln s C (1 + (1 - B) T q)/(1 + T q), -B C q/(1 + T q) and -C ln(1 + T q). */
+static double complex havriliak_at(const fvi_kernel_term *t, double complex s, double complex *q)
+{
+    *q = cexp(2 * t->alpha * clog(s));
+    return *q * cexp(-t->end * log_of_1_and(t->time * *q));
+}
+
+static double complex havriliak_by_order(const void *term, double complex s)
+{
+    const fvi_kernel_term *t = term;
+    double complex q;
+    const double complex C = havriliak_at(t, s, &q);
+    return 2 * clog(s) * C * (1 + (1 - t->end) * t->time * q) / (1 + t->time * q);
+}
+
+static double complex havriliak_by_time(const void *term, double complex s)
+{
+    const fvi_kernel_term *t = term;
+    double complex q;
+    const double complex C = havriliak_at(t, s, &q);
+    return -t->end * C * q / (1 + t->time * q);
+}
+
+static double complex havriliak_by_exponent(const void *term, double complex s)
+{
+    const fvi_kernel_term *t = term;
+    double complex q;
+    const double complex C = havriliak_at(t, s, &q);
+    return -C * log_of_1_and(t->time * q);
+}
+//< havriliak-slopes
+
+static const fvi_kernel_class havriliak = {
+    { FVI_RHO, FVI_HALF_ORDER(0.5), FVI_TIME, { "beta", 3, FVI_RANGE_EXPONENT, 1 } }, check_havriliak,
+    havriliak_symbol, havriliak_growth, havriliak_fraction,
+    .by = { havriliak_by_order, havriliak_by_time, havriliak_by_exponent }, .side = havriliak_side
+};
+
+/* ---- the table of kinds ---- */
+
+static const fvi_kernel_class symbol = { .check = fvi_symbol_check, .symbol = fvi_symbol_value };
+
+const fvi_kernel_class *const fvi_kernel_classes[] = {
+    [FVI_KERNEL_POWER] = &fvi_kernel_of_power,         [FVI_KERNEL_ZENER] = &fvi_kernel_of_zener,
+    [FVI_KERNEL_MAXWELL] = &fvi_kernel_of_maxwell,     [FVI_KERNEL_DISTRIBUTED] = &range_of_orders,
+    [FVI_KERNEL_MAXWELL2] = &fvi_kernel_of_maxwell2,   [FVI_KERNEL_DAVIDSON] = &davidson,
+    [FVI_KERNEL_SYMBOL] = &symbol,                     [FVI_KERNEL_HAVRILIAK] = &havriliak,
+};
+const size_t fvi_kernel_class_count = sizeof fvi_kernel_classes / sizeof *fvi_kernel_classes;
+
+/* ---- their words ---- */
+
+/* The three lists below have a row for each word, and the last formula is that of a SYMBOL. */
+const fvi_formula fvi_law_formulas[] = {
+    { "viscous:R", "R s, a dashpot: the force R x'" },
+    { "spring:K", "K, a spring that is not stretched at x0" },
+    { "power:R,A", "R s^{2A}, a springpot: R D^{2A}" },
+    { "zener:R,A,T", "R s^{2A}/(1 + T s^{2A})" },
+    { "maxwell:R,T", "R s/(1 + T s), a dashpot and a spring R/T in series" },
+    { "maxwell2:R1,A,R2,B", "1/(1/(R1 s^{2A}) + 1/(R2 s^{2B})), springpots in series" },
+    { "davidson:R,A,T", "R (s/(1 + T s))^{2A}, of Cole and Davidson" },
+    { "distributed:R,A,B", "the integral of R s^{2a} over a from A to B" },
+    { "havriliak:R,A,T,B", "R s^{2A}/(1 + T s^{2A})^B, of Havriliak and Negami" },
+    { "symbol:C", "C, an expression in s; it stands alone" },
+    { NULL, NULL },
+};
+
+const fvi_kernel_word fvi_kernel_words[] = {
+    { FVI_KERNEL_POWER, "R >= 0", NULL, 0.5 },
+    { FVI_KERNEL_POWER, "K >= 0", "k", 0 },
+    { FVI_KERNEL_POWER, "R >= 0 and 0 <= A <= 1", NULL, 0 },
+    { FVI_KERNEL_ZENER, "R, T >= 0 and 0 <= A <= 1", NULL, 0 },
+    { FVI_KERNEL_MAXWELL, "R, T >= 0", NULL, 0 },
+    { FVI_KERNEL_MAXWELL2, "R1, R2 >= 0 and A, B in [0, 1]", NULL, 0 },
+    { FVI_KERNEL_DAVIDSON, "R, T >= 0 and 0 <= A <= 1", NULL, 0 },
+    { FVI_KERNEL_DISTRIBUTED, "R >= 0 and 0 <= A < B <= 1", NULL, 0 },
+    { FVI_KERNEL_HAVRILIAK, "R, T >= 0, 0 <= 2A <= 1 and 0 < B <= 1; for 2A > 1 it has a branch point off the cut",
+      NULL, 0 },
+};
+const size_t fvi_kernel_word_count = sizeof fvi_kernel_words / sizeof *fvi_kernel_words;
+
+/* In the order of fvi_element: the spring stands before the dashpot. */
+const char *const fvi_element_words[] = { "spring",   "viscous",     "power",     "zener", "maxwell", "maxwell2",
+                                          "davidson", "distributed", "havriliak", NULL };
+
+_Static_assert(sizeof fvi_law_formulas / sizeof *fvi_law_formulas
+                       == sizeof fvi_kernel_words / sizeof *fvi_kernel_words + 2
+                   && sizeof fvi_element_words / sizeof *fvi_element_words
+                          == sizeof fvi_kernel_words / sizeof *fvi_kernel_words + 1,
+               "a word has a row in each list");
+
+size_t fvi_kernel_word_numbers(size_t i)
+{
+    size_t n = 1;
+    for (const char *at = fvi_law_formulas[i].form; (at = strchr(at, ',')); at++)
+        n++;
+    return n;
+}
+
+const fvi_kernel_number *fvi_kernel_number_of(const fvi_kernel_term *t, size_t field)
+{
+    const fvi_kernel_number *of = fvi_kernel_classes[t->kind]->number;
+    for (size_t i = 0; i < FVI_KERNEL_FIELDS && of[i].name; i++)
+        if (of[i].field == field)
+            return of + i;
+    return NULL;
+}
+
+/* ---- values ---- */
+
+double complex fvi_kernel_unit_at(const fvi_kernel_term *t, double modulus, double angle)
 {
     double complex slope;
-    return t->rho
-           * fvi_kernel_classes[t->kind].symbol(
-               t, modulus, angle, t->kind == FVI_KERNEL_SYMBOL ? NULL : &slope);
+    return fvi_kernel_classes[t->kind]->symbol(t, modulus, angle, t->kind == FVI_KERNEL_SYMBOL ? NULL : &slope);
+}
+
+double complex fvi_kernel_term_at(const fvi_kernel_term *t, double modulus, double angle)
+{
+    return t->rho * fvi_kernel_unit_at(t, modulus, angle);
 }

@@ -1,28 +1,98 @@
-/* src/kernel/kernel_classes.h -- The kinds of kernels: range checks, symbols, growth.   [H 26]
+/* src/kernel/kernel_classes.h -- The kinds of kernels: all that the library knows of a kind.   [H 26]
  *
- * This header is internal. Only `check` checks anything, namely the numbers of a term. */
+ * This header is internal. kernel_classes.c describes each kind in one place. The parser, the help, the names in fits,
+ * gradients and Python, the elements of a material, the weights, the modes, the derivatives and the count of poles read
+ * this description. A member that is left out is derived from the symbol, as said below. Only `check` checks
+ * anything. */
 #ifndef FVI_KERNEL_CLASSES_H
 #define FVI_KERNEL_CLASSES_H
 
-#include <fvi/damping_laws.h>
+#include "kernel_general.h"
+#include "kernel_impulses.h"
 
-#include <complex.h>
-
-/* fvi_kernel_class -- The functions of one kind of kernel.
+/* A number of a kernel. Its letter stands in fvi_law_formulas.
  *
- *   check   tests the numbers of a term; returns FVI_SUCCESS, FVI_EDOM or FVI_EFAULT
- *   symbol  returns C(s) for rho = 1 at s = modulus e^(i angle), and writes s C'(s) to *slope. slope may be NULL for
- *           the kind SYMBOL only
- *   growth  returns the exponent nu of |C(s)| ~ |s|^nu at infinity */
+ *   name   its name in a fit and in Python, as "alpha"
+ *   field  its field in fvi_kernel_term: 0 rho, 1 alpha, 2 time, 3 end
+ *   range  SIZE: a positive number; ORDER: half of an order of s; EXPONENT: a number above 0 that is no order
+ *   most   the largest ORDER or EXPONENT */
+typedef enum { FVI_RANGE_SIZE, FVI_RANGE_ORDER, FVI_RANGE_EXPONENT } fvi_kernel_range;
 typedef struct {
+    const char *name;
+    size_t field;
+    fvi_kernel_range range;
+    double most;
+} fvi_kernel_number;
+
+enum { FVI_KERNEL_FIELDS = 4 };
+
+/* Where the symbol lies at s = -r + i0, for all r > 0. */
+typedef enum {
+    FVI_SIDE_ANYWHERE = 16,   /* not known */
+    FVI_SIDE_ON_THE_LINE = 0, /* real and not negative */
+    FVI_SIDE_ABOVE = 1,       /* above the real line */
+    FVI_SIDE_BELOW = 2,
+    FVI_SIDE_ABOVE_OR_ON = 4, /* above for some r, real and not negative for the others */
+    FVI_SIDE_NEGATIVE = 8     /* real, and negative for some r */
+} fvi_kernel_side;
+
+/* A kind.
+ *
+ *   number    its numbers, in the order in which they are typed
+ *   check     tests the numbers of a term, but not rho; returns FVI_SUCCESS, FVI_EDOM or FVI_EFAULT. The symbol must
+ *             then be analytic except for s <= 0, or `fraction` must hold
+ *   symbol    returns C(s) for rho = 1 at s = modulus e^(i angle), and writes s C'(s) to *slope. slope may be NULL for
+ *             the kind SYMBOL only
+ *   growth    returns the exponent nu of |C(s)| ~ |s|^nu at infinity; NULL: estimated from the symbol
+ *   fraction  writes a term that is one fraction of powers, and returns 1; returns 0 for a term that is none. NULL: no
+ *             term is. A term that is no fraction is called general: its weights come from Cauchy's integral
+ *   modes     computes the modes of a general term, as fvi_kernel_modes_of; NULL: from the symbol on the cut. Such
+ *             modes are compared with the symbol before they are used
+ *   by        the derivatives for rho = 1 by alpha, time and end; NULL: by differences of the symbol
+ *   side      returns where a term with rho > 0 lies; NULL: not known
+ *   has_time  nonzero: `time` is a time. 0: it is a time to the power 2 alpha */
+typedef struct {
+    fvi_kernel_number number[FVI_KERNEL_FIELDS];
     int (*check)(const fvi_kernel_term *t);
-    double complex (*symbol)(const fvi_kernel_term *t, double modulus,
-                             double angle, double complex *slope);
+    double complex (*symbol)(const fvi_kernel_term *t, double modulus, double angle, double complex *slope);
     double (*growth)(const fvi_kernel_term *t);
+    int (*fraction)(const fvi_kernel_term *t, fvi_kernel_simple *simple);
+    int (*modes)(const fvi_kernel_term *t, double slowest, double delta, fvi_kernel_modes *modes);
+    fvi_symbol_function *by[FVI_KERNEL_FIELDS - 1];
+    fvi_kernel_side (*side)(const fvi_kernel_term *t);
+    int has_time;
 } fvi_kernel_class;
 
 /* The classes, indexed by the kind of a term. */
-enum { FVI_KERNEL_CLASSES = FVI_KERNEL_SYMBOL + 1 };
-extern const fvi_kernel_class fvi_kernel_classes[FVI_KERNEL_CLASSES];
+extern const fvi_kernel_class *const fvi_kernel_classes[];
+extern const size_t fvi_kernel_class_count;
+
+/* A word of a law, as zener. The words stand in the order of fvi_law_formulas, where a word and its numbers have the
+ * form "zener:R,A,T".
+ *
+ *   kind   the kind of the term
+ *   range  what a complaint says of its numbers
+ *   first  the name of its first number; NULL: as the kind has it
+ *   alpha  for a word of fewer numbers than its kind: its alpha */
+typedef struct {
+    fvi_kernel_kind kind;
+    const char *range, *first;
+    double alpha;
+} fvi_kernel_word;
+extern const fvi_kernel_word fvi_kernel_words[];
+extern const size_t fvi_kernel_word_count;
+
+/* fvi_kernel_word_numbers -- Return how many numbers word i has. */
+size_t fvi_kernel_word_numbers(size_t i);
+
+/* fvi_symbol_by_differences -- Return the derivative of the symbol of a term at s by the number in a field, from
+ * differences of the symbol. Accuracy: 1e-11 of |C| and of the derivative (seen 1e-12).
+ * fvi_kernel_derivative_symbol -- Return the symbol of the derivative of a term with rho = 1 by its alpha, time or end;
+ * NULL if the term has no such number. */
+double complex fvi_symbol_by_differences(const fvi_kernel_term *term, double complex s, size_t field);
+fvi_symbol_function *fvi_kernel_derivative_symbol(const fvi_kernel_term *term, fvi_slope_by by);
+
+/* fvi_kernel_number_of -- Return the number that stands in a field of a term; NULL if its kind has none. */
+const fvi_kernel_number *fvi_kernel_number_of(const fvi_kernel_term *t, size_t field);
 
 #endif

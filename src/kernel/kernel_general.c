@@ -1,5 +1,5 @@
 /* src/kernel/kernel_general.c -- Compute weights and modes of a general term from the values of its symbol.  [H 26] */
-#include "kernel_general.h"
+#include "kernel_classes.h"
 
 #include "system/fail.h"
 #include "system/larger.h"
@@ -9,10 +9,21 @@
 #include <math.h>
 #include <stdlib.h>
 
+int fvi_kernel_is_fraction(const fvi_kernel_term *t, fvi_kernel_simple *fraction)
+{
+    const fvi_kernel_class *of = fvi_kernel_classes[t->kind];
+    return of->fraction && of->fraction(t, fraction);
+}
+
 int fvi_kernel_is_general(const fvi_kernel_term *t)
 {
-    return (t->kind == FVI_KERNEL_DAVIDSON && t->time > 0)
-           || t->kind == FVI_KERNEL_SYMBOL;
+    fvi_kernel_simple fraction;
+    return t->kind != FVI_KERNEL_DISTRIBUTED && !fvi_kernel_is_fraction(t, &fraction);
+}
+
+int fvi_kernel_is_on_cut(const fvi_kernel_term *t)
+{
+    return t->rho > 0 && !fvi_kernel_classes[t->kind]->modes && fvi_kernel_is_general(t);
 }
 
 int fvi_kernel_has_general(const fvi_kernel *law)
@@ -93,8 +104,7 @@ static void add_mode(fvi_kernel_modes *m, double rate, double weight)
 /* Compute the modes of (s/(1 + T s))^{2 alpha}, whose cut is (-1/T, 0). The substitution s = -e^u/(1 + T e^u) moves
  * both ends of the cut to infinity. All nodes beyond e^u = 1e17/T have the rate 1/T, so their weights form one
  * geometric sum. */
-static int davidson_modes(const fvi_kernel_term *t, double slowest,
-                          double delta, fvi_kernel_modes *m)
+int fvi_davidson_modes(const fvi_kernel_term *t, double slowest, double delta, fvi_kernel_modes *m)
 {
     const double T = t->time, L = -log(delta), step = M_PI * M_PI / (L + 3),
                  order = 2 * t->alpha, last = -log(T) + 39,
@@ -114,7 +124,7 @@ static int davidson_modes(const fvi_kernel_term *t, double slowest,
     return FVI_SUCCESS;
 }
 
-/* Compute the modes of a SYMBOL: the weights are Im C(-rate + i0) / pi times the step in ln rate. The loop ends when a
+/* Compute the modes from the symbol on the cut: the weights are Im C(-rate + i0) / pi times the step in ln rate. The loop ends when a
  * slower mode no longer contributes. */
 static int symbol_modes(const fvi_kernel_term *t, double slowest,
                         double fastest, double delta, double strip,
@@ -151,8 +161,8 @@ int fvi_kernel_modes_of(const fvi_kernel_term *t, double slowest,
         FVI_FAIL("no memory for the modes", FVI_ENOMEM);
     *modes = (fvi_kernel_modes){ 0, block, block + MOST_MODES };
     const int status =
-        t->kind == FVI_KERNEL_DAVIDSON
-            ? davidson_modes(t, slowest, delta, modes)
+        fvi_kernel_classes[t->kind]->modes
+            ? fvi_kernel_classes[t->kind]->modes(t, slowest, delta, modes)
             : symbol_modes(t, slowest, fastest, delta, strip, modes);
     if (status)
         free(block);

@@ -1,21 +1,29 @@
 /* src/kernel/kernel_general.h -- Kernels that are no fractions of powers.      [H 26]
  *
- * This header is internal, and its functions check nothing. A general term is a term of the kind DAVIDSON (with
- * time > 0) or SYMBOL. Its weights come from Cauchy's integral of the symbol, and its modes from the values of the
+ * This header is internal, and its functions check nothing. A general term is no fraction of powers and no range of
+ * orders: a DAVIDSON with time > 0, for example, or a SYMBOL. Its weights come from Cauchy's integral of the symbol, and its modes from the values of the
  * symbol on the cut. */
 #ifndef FVI_KERNEL_GENERAL_H
 #define FVI_KERNEL_GENERAL_H
 
 #include "kernel_terms.h"
 
-/* fvi_kernel_is_general -- Return 1 if the term is general, that is, if fvi_kernel_flatten cannot represent it. */
+/* fvi_kernel_is_fraction -- Write a term that is one fraction of powers, and return 1; else return 0.
+ * fvi_kernel_is_general -- Return 1 if the term is general, that is, if fvi_kernel_flatten cannot represent it. */
+int fvi_kernel_is_fraction(const fvi_kernel_term *t, fvi_kernel_simple *fraction);
 int fvi_kernel_is_general(const fvi_kernel_term *t);
 
 /* fvi_kernel_has_general -- Return 1 if the law has a general term with rho > 0. Then the last digits of the weights
  * depend on the number of weights. */
 int fvi_kernel_has_general(const fvi_kernel *law);
 
-/* fvi_kernel_term_at -- Return rho C(s) of one term at s = modulus e^(i angle). */
+/* fvi_kernel_is_on_cut -- Return 1 if the term is general, has rho > 0, and its modes come from its symbol on the
+ * cut. */
+int fvi_kernel_is_on_cut(const fvi_kernel_term *t);
+
+/* fvi_kernel_unit_at -- Return C(s) of one term with rho = 1 at s = modulus e^(i angle).
+ * fvi_kernel_term_at -- Return rho C(s). */
+double complex fvi_kernel_unit_at(const fvi_kernel_term *t, double modulus, double angle);
 double complex fvi_kernel_term_at(const fvi_kernel_term *t, double modulus,
                                   double angle);
 
@@ -38,7 +46,7 @@ typedef struct {
  *   slowest, fastest  the range of rates to resolve: one over the longest time and one over the shortest time of
  *                     interest
  *   delta             relative error, 1e-16 to 1e-2
- *   strip             for a SYMBOL: the width of the strip beyond the cut in which the symbol is analytic as a function
+ *   strip             for modes from the symbol on the cut: the width of the strip beyond the cut in which the symbol is analytic as a function
  *                     of ln s, divided by pi/2
  *   modes             output; free it with free(modes->rate)
  *
@@ -47,5 +55,8 @@ typedef struct {
 int fvi_kernel_modes_of(const fvi_kernel_term *t, double slowest,
                         double fastest, double delta, double strip,
                         fvi_kernel_modes *modes);
+
+/* fvi_davidson_modes -- The same for a DAVIDSON into an empty list of modes, whose room the caller has made. */
+int fvi_davidson_modes(const fvi_kernel_term *t, double slowest, double delta, fvi_kernel_modes *m);
 
 #endif

@@ -60,8 +60,8 @@ static fvi_history_head *make_modes_history(const fvi_kernel_ready *r, size_t d,
     return e;
 }
 
-/* Test whether the modes of a SYMBOL represent its weights at the lags 33 to 511. They fail to if the symbol has a pole
- * off the cut, a pole near the cut, or another cut. */
+/* Test whether the modes of one term on the cut represent its weights at the lags 33 to 511. They fail to if the symbol
+ * has a pole off the cut, a pole near the cut, or another cut. */
 static int are_all_modes(const fvi_kernel_ready *r, int *all)
 {
     enum { LAGS = 512 };
@@ -87,20 +87,24 @@ static int are_all_modes(const fvi_kernel_ready *r, int *all)
     return status;
 }
 
-/* Find the widest of the four strips 1, 1/2, 1/4 and 1/8 whose modes represent the weights. Set
+/* Find the widest of the four strips 1, 1/2, 1/4 and 1/8 whose modes represent the weights of every term on the cut. Set
  * r->strip = 0 if none does. */
 static int find_strip(fvi_kernel_ready *r)
 {
-    int status = FVI_SUCCESS, all = 0;
-    if (!fvi_kernel_ready_function(r))
-        return status;
-    for (r->strip = 1; r->strip > 0.1; r->strip /= 2) {
-        status = are_all_modes(r, &all);
-        if (status || all)
-            return status;
+    for (size_t i = 0; i < r->law->count; i++) {
+        const fvi_kernel alone = { 1, &r->law->term[i] };
+        fvi_kernel_ready one = { .law = &alone, .kind = r->kind, .h = r->h, .increments = r->increments };
+        int all = !fvi_kernel_is_on_cut(alone.term);
+        while (!all && r->strip > 0.1) {
+            one.strip = r->strip;
+            const int status = are_all_modes(&one, &all);
+            if (status)
+                return status;
+            r->strip /= all ? 1 : 2;
+        }
+        r->strip = all ? r->strip : 0;
     }
-    r->strip = 0;
-    return status;
+    return FVI_SUCCESS;
 }
 
 static int choose_kind(const fvi_kernel_ready *r, size_t steps, double tolerance,
@@ -150,6 +154,7 @@ static fvi_kernel_ready prepare_for_step(const fvi_kernel *law, fvi_delta kind, 
     return (fvi_kernel_ready){ .law = law,
                                .kind = kind,
                                .h = h,
+                               .strip = 1,
                                .increments = fvi_kernel_growth(law) > 1 };
 }
 

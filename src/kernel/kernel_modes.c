@@ -1,4 +1,5 @@
 /* src/kernel/kernel_modes.c -- Compute one set of modes for all terms of a law.      [H 26] */
+#include "kernel_classes.h"
 #include "kernel_ready.h"
 
 #include "memory/history_kinds.h"
@@ -6,12 +7,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-
-const fvi_kernel_term *fvi_kernel_ready_function(const fvi_kernel_ready *r)
-{
-    const fvi_kernel_term *t = r->law->term;
-    return t->kind == FVI_KERNEL_SYMBOL && t->rho > 0 ? t : NULL;
-}
 
 static int is_whole(double x)
 {
@@ -38,10 +33,10 @@ static double strip_width(const fvi_kernel_simple *t)
 /* Return Im C(-r + i0) of all terms with a cut. */
 static double imaginary_part_on_cut(const fvi_kernel_ready *r, double ln_radius)
 {
-    const fvi_kernel_term *function = fvi_kernel_ready_function(r);
-    if (function)
-        return cimag(fvi_kernel_term_at(function, exp(ln_radius), M_PI));
     double sum = 0;
+    for (size_t i = 0; i < r->law->count; i++)
+        if (fvi_kernel_is_on_cut(&r->law->term[i]))
+            sum += cimag(fvi_kernel_term_at(&r->law->term[i], exp(ln_radius), M_PI));
     for (size_t i = 0; i < r->terms; i++)
         if (has_cut(&r->term[i]))
             sum += fvi_kernel_on_the_cut(&r->term[i], r->term[i].rho,
@@ -118,15 +113,20 @@ static int is_below_step(const fvi_kernel_ready *r, double time)
     return r->kind == FVI_DELTA_BDF2 && 4 * r->h > time;
 }
 
-/* Write to *has whether all DAVIDSON terms have modes and are not too short for BDF2. */
-static int davidsons_have_modes(const fvi_kernel_ready *r, int *has)
+/* Return 1 if the term is general, and its kind has modes of its own. */
+static int has_own_modes(const fvi_kernel_term *t)
+{
+    return t->rho > 0 && fvi_kernel_is_general(t) && !fvi_kernel_is_on_cut(t);
+}
+
+/* Write to *has whether all terms with modes of their own have some, and are not too short for BDF2. */
+static int own_modes_exist(const fvi_kernel_ready *r, int *has)
 {
     *has = 1;
     for (size_t i = 0; *has && i < r->law->count; i++) {
         const fvi_kernel_term *t = &r->law->term[i];
         fvi_kernel_modes m;
-        if (t->kind != FVI_KERNEL_DAVIDSON || !fvi_kernel_is_general(t)
-            || t->rho == 0)
+        if (!has_own_modes(t))
             continue;
         const int status =
             is_below_step(r, t->time)
@@ -161,19 +161,15 @@ static int fractions_have_modes(const fvi_kernel_ready *r)
 
 int fvi_kernel_ready_has_modes(const fvi_kernel_ready *r, int *has)
 {
-    *has = r->strip > 0;
-    if (fvi_kernel_ready_function(r))
-        return FVI_SUCCESS;
-    const int status = davidsons_have_modes(r, has);
-    *has = !status && *has && fractions_have_modes(r);
+    const int status = own_modes_exist(r, has);
+    *has = !status && *has && r->strip > 0 && fractions_have_modes(r);
     return status;
 }
 
-/* Return the exponent of Im C(-rate + i0) of a SYMBOL for small rates. Return 0.99, or 1.9 for increments, if there is
+/* Return the exponent of Im C(-rate + i0) of a term for small rates. Return 0.99, or 1.9 for increments, if there is
  * no cut or the exponent is outside (0, 1.99). */
-static double function_order(const fvi_kernel_ready *r)
+static double order_on_cut(const fvi_kernel_ready *r, const fvi_kernel_term *t)
 {
-    const fvi_kernel_term *t = fvi_kernel_ready_function(r);
     const double order =
         log2(cimag(fvi_kernel_term_at(t, 0x1p-399, M_PI))
              / cimag(fvi_kernel_term_at(t, 0x1p-400, M_PI)));
@@ -193,12 +189,14 @@ static size_t modes_of_cut(const fvi_kernel_ready *r, double N, double delta, do
             most = larger(most, 2 * r->term[i].alpha);
             width = smaller(width, strip_width(&r->term[i]));
         }
-    if (fvi_kernel_ready_function(r)) {
-        any = 1;
-        least = function_order(r);
-        most = r->increments ? 1.9 : least; /* the growth of a SYMBOL is not used here */
-        width = r->strip * M_PI_2;
-    }
+    for (size_t i = 0; i < r->law->count; i++)
+        if (fvi_kernel_is_on_cut(&r->law->term[i])) {
+            const double order = order_on_cut(r, &r->law->term[i]);
+            any = 1;
+            least = smaller(least, order);
+            most = larger(most, r->increments ? 1.9 : order); /* the growth of the term is not used here */
+            width = smaller(width, r->strip * M_PI_2);
+        }
     if (!any)
         return 0;
     N = longest_lag(r, N);
@@ -250,9 +248,9 @@ static size_t modes_of_relaxation(const fvi_kernel_ready *r, const fvi_kernel_si
     return 2;
 }
 
-/* Compute the modes of a DAVIDSON. A rate of the symbol becomes the rate s of a mode by delta(e^s)/h = -rate.
+/* Compute the modes of a term of a kind with modes of its own. A rate of the symbol becomes the rate s of a mode by delta(e^s)/h = -rate.
  * (26.17) */
-static int modes_of_davidson(const fvi_kernel_ready *r, const fvi_kernel_term *t,
+static int modes_of_own(const fvi_kernel_ready *r, const fvi_kernel_term *t,
                              double N, double delta, double *s, double *c,
                              size_t *count)
 {
@@ -279,17 +277,15 @@ int fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta,
                            double *s, double *c, size_t *count)
 {
     size_t Q = modes_of_cut(r, N, delta, s, c);
-    const fvi_kernel_term *function = fvi_kernel_ready_function(r);
-    double springs =
-        function ? creal(fvi_kernel_term_at(function, 0x1p-900, 0)) : 0;
+    double springs = 0;
     for (size_t i = 0; i < r->law->count; i++) {
         const fvi_kernel_term *t = &r->law->term[i];
         size_t more = 0;
         int status = FVI_SUCCESS;
-        if (t->kind == FVI_KERNEL_DAVIDSON && fvi_kernel_is_general(t)
-            && t->rho > 0)
-            status = modes_of_davidson(r, t, N, delta, s ? s + Q : NULL,
-                                       s ? c + Q : NULL, &more);
+        if (fvi_kernel_is_on_cut(t))
+            springs += creal(fvi_kernel_term_at(t, 0x1p-900, 0));
+        else if (has_own_modes(t))
+            status = modes_of_own(r, t, N, delta, s ? s + Q : NULL, s ? c + Q : NULL, &more);
         if (status)
             return status;
         Q += more;

@@ -13,11 +13,9 @@ typedef struct {
     fvi_delta kind;
     double h;
     int increments;
-    double strip; /* width of the strip of a SYMBOL, divided by pi/2; 0 if the SYMBOL has no modes */
+    double strip; /* width of the strip of terms on the cut (fvi_kernel_is_on_cut), divided by pi/2; 0 if one of them has
+                     no modes */
 } fvi_kernel_ready;
-
-/* fvi_kernel_ready_function -- Return the term of the law if it is a SYMBOL with rho > 0, else NULL. */
-const fvi_kernel_term *fvi_kernel_ready_function(const fvi_kernel_ready *r);
 
 /* fvi_kernel_ready_has_modes -- Write to *has whether the weights behind the window are a sum of decaying modes (26.6).
  * Return FVI_SUCCESS or FVI_ENOMEM. */
@@ -29,7 +27,7 @@ int fvi_kernel_ready_has_modes(const fvi_kernel_ready *r, int *has);
  *   count  output: the number of modes
  *
  * The modes of the cut come first, then those of the poles, and then a spring if the history sums increments. Return
- * FVI_SUCCESS or FVI_ENOMEM; or FVI_EUNSUP if a DAVIDSON has no modes. */
+ * FVI_SUCCESS or FVI_ENOMEM; or FVI_EUNSUP if a term with modes of its own has none. */
 int fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta,
                            double *s, double *c, size_t *count);
 

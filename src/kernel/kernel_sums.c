@@ -1,7 +1,7 @@
-/* src/kernel/kernel_sums.c -- Check a law, a sum of terms, and compute its symbol, growth and moduli.  [H 26] */
+/* src/kernel/kernel_sums.c -- Check a law, a sum of terms, and compute its symbol, its growth, its moduli and
+ * its derivatives. [H 26] */
 #include "kernel_classes.h"
 
-#include "kernel_general.h"
 #include "symbol_poles.h"
 #include "system/fail.h"
 #include "system/larger.h"
@@ -12,11 +12,11 @@
 
 static int check_term(const fvi_kernel_term *t)
 {
-    if ((size_t)t->kind >= FVI_KERNEL_CLASSES)
+    if ((size_t)t->kind >= fvi_kernel_class_count)
         FVI_FAIL("unknown law of damping", FVI_EINVAL);
     if (!(isfinite(t->rho) && t->rho >= 0))
         FVI_FAIL("rho of a law must be finite and not negative", FVI_EDOM);
-    return fvi_kernel_classes[t->kind].check(t);
+    return fvi_kernel_classes[t->kind]->check(t);
 }
 
 int fvi_kernel_check_terms(const fvi_kernel *law)
@@ -49,7 +49,8 @@ double fvi_kernel_growth(const fvi_kernel *law)
     double most = 0;
     for (size_t i = 0; i < law->count; i++) {
         const fvi_kernel_term *t = &law->term[i];
-        most = larger(most, fvi_kernel_classes[t->kind].growth(t));
+        const fvi_kernel_class *of = fvi_kernel_classes[t->kind];
+        most = larger(most, of->growth ? of->growth(t) : fvi_symbol_growth(t));
     }
     return most;
 }
@@ -67,9 +68,7 @@ int fvi_kernel_takes_caputo(const fvi_kernel *law)
         return 0;
     for (size_t i = 0; i < law->count; i++) {
         const fvi_kernel_term *t = &law->term[i];
-        const int has_order =
-            t->kind != FVI_KERNEL_MAXWELL && t->kind != FVI_KERNEL_SYMBOL;
-        if (has_order && t->alpha > 0.5)
+        if (fvi_kernel_number_of(t, 1) && t->alpha > 0.5)
             return 0;
     }
     return 1;
@@ -90,7 +89,7 @@ static double complex sum_at(const fvi_kernel *law, double modulus, double angle
     for (size_t i = 0; i < law->count; i++) {
         const fvi_kernel_term *t = &law->term[i];
         double complex one;
-        C += t->rho * fvi_kernel_classes[t->kind].symbol(t, modulus, angle, &one);
+        C += t->rho * fvi_kernel_classes[t->kind]->symbol(t, modulus, angle, &one);
         *slope += t->rho * one;
     }
     return C;
@@ -142,4 +141,56 @@ int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage,
     *storage = creal(C);
     *loss = cimag(C);
     return FVI_SUCCESS;
+}
+
+/* ---- derivatives of the symbol by a number ---- */
+
+//> differences
+/* The differences have order 8. An order or an exponent a is in s^a, so its step is a part of 1/|ln s|. The step of a
+ * time is a part of the time. At time = 0 it is a part of 1/|C| or of 1/|s|, and the differences have order 6. */
+double complex fvi_symbol_by_differences(const fvi_kernel_term *term, double complex s, size_t field)
+{
+    static const double central[] = { 4. / 5, -1. / 5, 4. / 105, -1. / 280 },
+                        ahead[] = { -49. / 20, 6, -15. / 2, 20. / 3, -15. / 4, 6. / 5, -1. / 6 };
+    fvi_kernel_term t = *term;
+    const fvi_kernel law = { 1, &t };
+    double *const number = field == 1 ? &t.alpha : field == 2 ? &t.time : &t.end, at = *number;
+    const int is_size = fvi_kernel_number_of(&t, field)->range == FVI_RANGE_SIZE;
+    const double part = !is_size ? 1 / (1 + cabs(clog(s)))
+                        : at > 0 ? at
+                                 : 1 / larger(cabs(fvi_kernel_at(&law, s, NULL)), cabs(s)),
+                 step = part / 64;
+    double complex sum = 0;
+    for (int i = 0; i <= 6 && is_size && at == 0; i++) {
+        *number = i * step;
+        sum += ahead[i] * fvi_kernel_at(&law, s, NULL);
+    }
+    for (int i = -4; i <= 4 && !(is_size && at == 0); i++) {
+        *number = at + i * step;
+        sum += (i > 0 ? central[i - 1] : i < 0 ? -central[-i - 1] : 0) * fvi_kernel_at(&law, s, NULL);
+    }
+    return sum / step;
+}
+//< differences
+
+static double complex symbol_by_alpha(const void *term, double complex s)
+{
+    return fvi_symbol_by_differences(term, s, 1);
+}
+
+static double complex symbol_by_time(const void *term, double complex s)
+{
+    return fvi_symbol_by_differences(term, s, 2);
+}
+
+static double complex symbol_by_end(const void *term, double complex s)
+{
+    return fvi_symbol_by_differences(term, s, 3);
+}
+
+fvi_symbol_function *fvi_kernel_derivative_symbol(const fvi_kernel_term *term, fvi_slope_by by)
+{
+    static fvi_symbol_function *const differences[] = { symbol_by_alpha, symbol_by_time, symbol_by_end };
+    fvi_symbol_function *const known = fvi_kernel_classes[term->kind]->by[by];
+    return !fvi_kernel_number_of(term, 1 + by) ? NULL : known ? known : differences[by];
 }

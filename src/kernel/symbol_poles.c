@@ -1,16 +1,63 @@
-/* src/kernel/symbol_poles.c -- Search for poles of a symbol off the cut.        [H 26] */
+/* src/kernel/symbol_poles.c -- The kind SYMBOL, and a search for poles of a symbol off the cut.        [H 26] */
 #include "symbol_poles.h"
 
+#include "kernel_general.h"
+#include "system/fail.h"
 #include "system/larger.h"
 
 #include <complex.h>
 #include <gsl/gsl_math.h>
 
-static double complex value_of(const fvi_kernel_function *f, double complex s)
+/* Return the value of the caller's function, or NaN if the function writes no value. */
+static double complex value_of(const fvi_kernel_term *t, double complex s)
 {
-    double re = NAN, im = NAN;
+    const fvi_kernel_function *f = (const fvi_kernel_function *)t;
+    double re = GSL_NAN, im = GSL_NAN;
     f->value(creal(s), cimag(s), f->params, &re, &im);
     return re + I * im;
+}
+
+/* The slope is computed by Cauchy's formula as a mean over a circle around ln s, on which the symbol is
+ * analytic. With 24 points the error is 1e-13 if the angle between s and the cut is a right angle. */
+double complex fvi_symbol_value(const fvi_kernel_term *t, double modulus, double angle, double complex *slope)
+{
+    enum { POINTS = 24 };
+    const double radius = 0.4;
+    const double complex s = modulus * (cos(angle) + I * sin(angle));
+    double complex sum = 0;
+    for (int j = 0; slope && j < POINTS; j++) {
+        const double complex turn = cexp(2 * M_PI * I * j / POINTS);
+        sum += value_of(t, s * cexp(radius * turn)) / turn;
+    }
+    if (slope)
+        *slope = sum / (radius * POINTS);
+    return value_of(t, s);
+}
+
+double fvi_symbol_growth(const fvi_kernel_term *t)
+{
+    const double ratio = cabs(fvi_kernel_unit_at(t, 0x1p400, 0) / fvi_kernel_unit_at(t, 0x1p399, 0));
+    return ratio < 1 ? 0 : ldexp(round(ldexp(log2(ratio), 30)), -30);
+}
+
+int fvi_symbol_check(const fvi_kernel_term *t)
+{
+    if (!((const fvi_kernel_function *)t)->value)
+        FVI_FAIL("a symbol without a function", FVI_EFAULT);
+    if (!(fvi_symbol_growth(t) <= 2))
+        FVI_FAIL("the symbol of a law must not grow faster than s^2", FVI_EDOM);
+    for (int k = -20; k <= 20; k += 4) {
+        const double omega = ldexp(1.1, k); /* the factor 1.1 avoids s = 1, where ln s = 0 */
+        const double complex C = value_of(t, I * omega),
+                             at_conjugate = value_of(t, -I * omega),
+                             real = value_of(t, omega);
+        if (!isfinite(cabs(C)) || !isfinite(cabs(real)))
+            FVI_FAIL("the symbol of a law must be finite at i omega", FVI_EDOM);
+        if (!(cabs(at_conjugate - conj(C)) <= 1e-12 * cabs(C))
+            || !(fabs(cimag(real)) <= 1e-12 * cabs(real)))
+            FVI_FAIL("the symbol of a law must be real at s > 0", FVI_EDOM);
+    }
+    return FVI_SUCCESS;
 }
 
 /* Return 1 if the function has a pole with |arg s| < 34 degrees and 10^-6 < |s| < 10^6. The mean of an analytic
@@ -25,11 +72,11 @@ static int has_poles_ahead(const fvi_kernel_function *f)
         double sum = 0, most = 0;
         for (int i = 0; i < UPPER; i++) { /* the values in the lower half plane are conjugate */
             const double angle = M_PI * (i + 0.5) / UPPER;
-            const double complex C = value_of(f, centre * (1 + 0.75 * cexp(I * angle)));
+            const double complex C = value_of(&f->term, centre * (1 + 0.75 * cexp(I * angle)));
             sum += creal(C) / UPPER;
             most = larger(most, cabs(C));
         }
-        if (!(fabs(sum - creal(value_of(f, centre))) <= 1e-3 * most))
+        if (!(fabs(sum - creal(value_of(&f->term, centre))) <= 1e-3 * most))
             return 1;
     }
     return 0;
@@ -70,7 +117,7 @@ static path integrate_along_line(const fvi_kernel_function *f, double u, double 
     for (size_t n = 0; n < pieces; n++)
         for (size_t i = 0; i < POINTS; i++) {
             const double place = i % 2 ? x[i / 2] : -x[i / 2];
-            const double complex w = from + ((double)(2 * n + 1) + place) * half, C = value_of(f, cexp(w)),
+            const double complex w = from + ((double)(2 * n + 1) + place) * half, C = value_of(&f->term, cexp(w)),
                                  part = weight[i / 2] * half * C;
             it.sum += part;
             it.moment += part * (w - u);

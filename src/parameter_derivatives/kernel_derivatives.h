@@ -14,16 +14,13 @@
 #define FVI_KERNEL_DERIVATIVES_H
 
 #include <fvi/damping_laws.h>
-#include "kernel/kernel_impulses.h"
+#include "kernel/kernel_classes.h"
 
 /* The number of numbers that a derivative can be taken by, in the order of fvi_slope_by. */
 enum { FVI_KERNEL_DERIVATIVES = 3 };
 
-/* fvi_kernel_has_derivative -- return nonzero if a kernel of this kind has such a number.
- * fvi_kernel_derivative_symbol -- return the symbol of the derivative of a kernel of one term with rho = 1 by that
- * number; NULL if the kernel has no such number. */
+/* fvi_kernel_has_derivative -- return nonzero if a kernel of this kind has such a number. */
 int fvi_kernel_has_derivative(const fvi_kernel_term *term, fvi_slope_by by);
-fvi_symbol_function *fvi_kernel_derivative_symbol(const fvi_kernel_term *term, fvi_slope_by by);
 
 /* A derivative as a kernel of its own. */
 typedef struct {
@@ -34,8 +31,8 @@ typedef struct {
     double sign, more; /* sign: the derivative is sign times the kernel; more: see fvi_kernel_derivative_begin_at */
 } fvi_kernel_derivative;
 
-/* fvi_kernel_derivative_of -- make a kernel of the derivative by a number, where it is no product of histories: for a
- * range of orders, two springpots in series, and Cole and Davidson's kernel. Returns 1; 0 if the term has no such
+/* fvi_kernel_derivative_of -- make a kernel of the derivative by a number, where it is no product of histories: for all
+ * kinds but powers, fractions and Maxwell elements. Returns 1; 0 if the term has no such
  * number, or the derivative is a product. slope and term must stay where they are. */
 int fvi_kernel_derivative_of(const fvi_kernel_term *term, fvi_slope_by by,
                              fvi_kernel_derivative *slope);

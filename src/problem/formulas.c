@@ -1,20 +1,8 @@
-/* src/problem/formulas.c -- List the formulas of the words of a problem. All help texts take them from here. */
+/* src/problem/formulas.c -- List the formulas of the words of a problem. All help texts take them from here; the laws
+ * of damping have their formulas in kernel/kernel_classes.c. */
 #include <fvi/formulas.h>
 
 #include <stdio.h>
-
-const fvi_formula fvi_law_formulas[] = {
-    { "viscous:R", "R s, a dashpot: the force R x'" },
-    { "spring:K", "K, a spring that is not stretched at x0" },
-    { "power:R,A", "R s^{2A}, a springpot: R D^{2A}" },
-    { "zener:R,A,T", "R s^{2A}/(1 + T s^{2A})" },
-    { "maxwell:R,T", "R s/(1 + T s), a dashpot and a spring R/T in series" },
-    { "maxwell2:R1,A,R2,B", "1/(1/(R1 s^{2A}) + 1/(R2 s^{2B})), springpots in series" },
-    { "davidson:R,A,T", "R (s/(1 + T s))^{2A}, of Cole and Davidson" },
-    { "distributed:R,A,B", "the integral of R s^{2a} over a from A to B" },
-    { "symbol:C", "C, an expression in s; it stands alone" },
-    { NULL, NULL },
-};
 
 const fvi_formula fvi_potential_formulas[] = {
     { "harmonic:C", "C x^2/2, of each coordinate" },

@@ -6,48 +6,25 @@
 #include <fvi/formulas.h>
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-
-static const char *const words[] = { "viscous", "spring",  "power",
-                                     "zener",   "maxwell", "maxwell2",
-                                     "davidson", "distributed", "symbol", NULL };
-static const char forms[] =
-    "viscous:R  spring:K  power:R,A  zener:R,A,T  maxwell:R,T  "
-    "maxwell2:R1,A,R2,B  davidson:R,A,T  distributed:R,A,B  symbol:EXPRESSION";
 
 static const char symbol_word[] = "symbol:";
 enum { SYMBOL_LENGTH = sizeof symbol_word - 1 };
 
 /* Make the term. Of two springpots in series the one with the higher order comes first. If one of them has rho = 0, the
  * pair gives no force, and its rho becomes 0. */
-static fvi_kernel_term term_of(fvi_element kind, const double *p)
+static fvi_kernel_term term_of(size_t word, const double *p)
 {
+    const fvi_element kind = fvi_element_of_word(word);
     if (kind != FVI_ELEMENT_MAXWELL2)
         return fvi_element_term(kind, p);
     const double *high = p[1] >= p[3] ? p : p + 2, *low = p[1] >= p[3] ? p + 2 : p;
     const double rho = p[0] == 0 || p[2] == 0 ? 0 : high[0];
     return fvi_element_term(kind, (double[]){ rho, high[1], rho == 0 ? 0 : low[0], low[1] });
 }
-
-enum { MOST_NUMBERS = 4 };
-
-/* In the order of the words and of fvi_law_formulas. */
-static const struct {
-    int count;
-    const char *range;
-    fvi_element element;
-} kinds[] = {
-    { 1, "R >= 0", FVI_ELEMENT_VISCOUS },
-    { 1, "K >= 0", FVI_ELEMENT_SPRING },
-    { 2, "R >= 0 and 0 <= A <= 1", FVI_ELEMENT_POWER },
-    { 3, "R, T >= 0 and 0 <= A <= 1", FVI_ELEMENT_ZENER },
-    { 2, "R, T >= 0", FVI_ELEMENT_MAXWELL },
-    { 4, "R1, R2 >= 0 and A, B in [0, 1]", FVI_ELEMENT_MAXWELL2 },
-    { 3, "R, T >= 0 and 0 <= A <= 1", FVI_ELEMENT_DAVIDSON },
-    { 3, "R >= 0 and 0 <= A < B <= 1", FVI_ELEMENT_DISTRIBUTED },
-};
 
 /* ---- texts ---- */
 
@@ -60,7 +37,27 @@ static int refuse_range(const char *text, size_t i, double value,
                         fvi_error *error)
 {
     return fvi_fail(error, FVI_EDOM, "damping", value, "'%s': %s with %s", text,
-                    fvi_law_formulas[i].form, kinds[i].range);
+                    fvi_law_formulas[i].form, fvi_kernel_words[i].range);
+}
+
+/* The words of all laws, ended by "symbol" and NULL, in the order of fvi_law_formulas. */
+enum { MOST_WORDS = 100 };
+static void list_words(const char *words[MOST_WORDS])
+{
+    for (size_t i = 0; i < fvi_kernel_word_count; i++)
+        words[i] = fvi_element_words[fvi_element_of_word(i)];
+    words[fvi_kernel_word_count] = "symbol";
+    words[fvi_kernel_word_count + 1] = NULL;
+}
+
+/* Refuse a text whose word is none of these. */
+static int refuse_word(const char *text, size_t length, const char *const *words, fvi_error *error)
+{
+    char forms[MOST_WORDS * 8] = "", place[64];
+    for (size_t i = 0, end = 0; i < fvi_kernel_word_count && end < sizeof forms; i++)
+        end += (size_t)snprintf(forms + end, sizeof forms - end, "%s  ", fvi_law_formulas[i].form);
+    return fvi_refuse(error, "damping", "'%s' is none of %ssymbol:EXPRESSION%s", text, forms,
+                      fvi_word_hint(text, length, words, place));
 }
 
 /* Count a term, and note whether it is a pair whose smaller order was typed first. */
@@ -80,21 +77,22 @@ static int mark_exchanged_term(const char *text, fvi_user_parameters *parameters
 static int add_term(const char *text, fvi_user_parameters *parameters,
                     fvi_typed_damping *damping, fvi_error *error)
 {
+    const char *words[MOST_WORDS];
+    list_words(words);
     const size_t length = strcspn(text, ":"),
                  i = fvi_scan_word(text, length, words);
-    double p[MOST_NUMBERS];
-    char place[64];
+    double p[FVI_KERNEL_FIELDS];
     if (is_symbol(text))
         return fvi_refuse(error, "damping", "'%s': a symbol stands alone", text);
-    if (!words[i] || i == sizeof kinds / sizeof *kinds)
-        return fvi_refuse(error, "damping", "'%s' is none of %s%s", text, forms,
-                        fvi_word_hint(text, length, words, place));
-    if (!fvi_scan_call(text, words[i], kinds[i].count, p))
+    if (i >= fvi_kernel_word_count)
+        return refuse_word(text, length, words, error);
+    const size_t count = fvi_kernel_word_numbers(i);
+    if (!fvi_scan_call(text, words[i], (int)count, p))
         return fvi_refuse(error, "damping", "'%s' is not %s", text, fvi_law_formulas[i].form);
-    for (int j = 0; j < kinds[i].count; j++)
+    for (size_t j = 0; j < count; j++)
         if (p[j] < 0)
             return refuse_range(text, i, p[j], error);
-    const fvi_kernel_term term = term_of(kinds[i].element, p);
+    const fvi_kernel_term term = term_of(i, p);
     if (fvi_kernel_check(&(fvi_kernel){ 1, &term }) != 0)
         return refuse_range(text, i, NAN, error);
     if (damping->law.count == FVI_MOST_TERMS)

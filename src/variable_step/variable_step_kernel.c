@@ -13,7 +13,7 @@
  * single poles, which are on no ladder. (26.18) */
 #include "variable_step.h"
 
-#include "kernel/kernel_general.h"
+#include "kernel/kernel_classes.h"
 #include "system/dot.h"
 #include "system/fail.h"
 #include "system/larger.h"
@@ -160,7 +160,7 @@ static int add_poles(const fvi_kernel_on_mesh *o, mode_list *l)
     return status || springs == 0 ? status : add_mode(l, 0, springs);
 }
 
-/* Return nonzero if the modes of a SYMBOL are complete. k itself may contain a dashpot, so the test compares the change
+/* Return nonzero if the modes of a term on the cut are complete. k itself may contain a dashpot, so the test compares the change
  * of k from s to 2 s, at all time scales of the run. */
 static int modes_reproduce_kernel(const fvi_kernel_term *t, const fvi_kernel_modes *m,
                                   double slowest, double fastest)
@@ -191,7 +191,7 @@ static int add_general_term(const fvi_kernel_on_mesh *o,
             continue;
         if (status)
             return status;
-        const int all = t->kind != FVI_KERNEL_SYMBOL
+        const int all = !fvi_kernel_is_on_cut(t)
                         || modes_reproduce_kernel(t, &m, 1 / o->T, 1e-6 / o->least);
         for (size_t j = 0; all && !status && j < m.count; j++)
             status = add_mode(l, m.rate[j], m.weight[j]);

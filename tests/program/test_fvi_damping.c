@@ -49,6 +49,8 @@ START_TEST(each_kind_is_its_symbol)
           0x1.3b232fdfd4090p-3 },
         { "--damping distributed:1,0,0.5", 0x1.0c3372023837cp-5 },
         { "--damping davidson:1,0.3125,0.75", 0x1.4a991e06f8274p-2 },
+        { "--damping havriliak:1,0.3125,0.75,0.5", 0x1.a4e3b8b89a2abp-3 },
+        { "--damping havriliak:1,0.3125,0.75,1", 0x1.d4ed457a18de0p-3 },
         { "--damping 'symbol:r*s^(2*a)/(1+T*s^(2*a))' --let r=1,T=0.75,a=0.3125",
           0x1.d4ed457a18de0p-3 },
         { "--let r=4/3 --damping 'symbol:1/(1/s^0.75+1/(r*s^0.25))'",
@@ -135,7 +137,7 @@ START_TEST(what_is_no_law_is_bad_use)
         { "--damping zenr:1,2,3",
           "--damping: 'zenr:1,2,3' is none of viscous:R  spring:K  power:R,A  "
           "zener:R,A,T  maxwell:R,T  maxwell2:R1,A,R2,B  davidson:R,A,T  "
-          "distributed:R,A,B  symbol:EXPRESSION; did you mean zener?" },
+          "distributed:R,A,B  havriliak:R,A,T,B  symbol:EXPRESSION; did you mean zener?" },
         { "--damping 'symbol:s^'", "--damping: " },
         { "--damping 'symbol:s^k'", "--damping: " },
         { "--damping symbol:s^2.1", "'symbol:s^2.1' is no law" },

@@ -111,6 +111,13 @@ START_TEST(fit_knows_the_numbers_of_a_law)
     ck_assert_ptr_nonnull(strstr(err, "'alpha': with a law of damping the numbers are those of the law, "
                                       "d1.rho"));
     ck_assert_int_eq(fvi("fit --damping zener:0.3,0.4,1 --fit d1.end z.tsv"), 2);
+    ck_assert_int_eq(fvi("run --method fvi-lobatto4 --damping havriliak:0.4,0.3,2,0.6 --time 20 --steps 100 --columns t,x "
+                         "-o z.tsv"),
+                     0);
+    ck_assert_int_eq(fvi("fit --method fvi-lobatto4 --damping havriliak:0.3,0.3,2,0.4 --fit d1.rho,d1.beta --starts 4 z.tsv"),
+                     0);
+    row_of("d1.beta", row);
+    ck_assert_double_eq_tol(row[0], 0.6, 1e-6);
 }
 END_TEST
 

@@ -67,6 +67,51 @@ START_TEST(rows_of_a_law_are_differences_of_runs)
 }
 END_TEST
 
+/* havriliak:R,A,T,B by its four numbers, against central differences of runs whose law is a symbol. B = 1 is the end of
+ * its range. Steps of any length have the derivative by R. */
+START_TEST(havriliak_has_rows_by_all_its_numbers)
+{
+    static const char *const names[] = { "damping", "damping_A", "damping_T", "damping_B" },
+                            *const methods[] = { "--method fvi", "--method fvi-bdf2", "--method fvi-stable",
+                                                 "--method fvi-lobatto4d", "--method fvi-adaptive" };
+    for (size_t m = 0; m < LEN(methods); m++)
+        for (int one = 0; one < 2; one++) {
+            const double at[] = { 0.4, 0.3, 2, one ? 1 : 0.6 };
+            double got[LEN(at)], v[LEN(at)][2];
+            char line[300];
+            snprintf(line, sizeof line, "gradient %s --damping havriliak:0.4,0.3,2,%g", methods[m], at[3]);
+            ck_assert_int_eq(fvi(line), 0);
+            const size_t numbers = m == LEN(methods) - 1 ? 1 : LEN(at);
+            for (size_t i = 0; i < numbers; i++)
+                got[i] = derivative(names[i]);
+            if (numbers == 1)
+                ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by damping_B"));
+            for (size_t i = 0; i < numbers; i++) {
+                for (int side = 0; side < 2; side++) {
+                    double n[LEN(at)];
+                    for (size_t j = 0; j < LEN(at); j++)
+                        n[j] = at[j] + (j == i ? (side ? 1e-5 : -1e-5) : 0);
+                    snprintf(line, sizeof line,
+                             "--damping 'symbol:r*s^(2*a)/(1+T*s^(2*a))^b' --let r=%.17g,a=%.17g,T=%.17g,b=%.17g", n[0],
+                             n[1], n[2], n[3]);
+                    v[i][side] = last(line, "x", methods[m]);
+                }
+                ck_assert_near(got[i], (v[i][1] - v[i][0]) / 2e-5, 1e-6, "%s by %s, B = %g", names[i], methods[m], at[3]);
+            }
+        }
+    double v[2]; /* an exponent that is equal to alpha is no order beside it */
+    for (int side = 0; side < 2; side++) {
+        char line[200];
+        snprintf(line, sizeof line, "gradient --time 2 --damper 'd=x : havriliak:0.4,0.3,2,%.17g' --of d.force",
+                 0.3 + (side ? 1e-4 : -1e-4));
+        ck_assert_int_eq(fvi(line), 0);
+        v[side] = strtod(strstr(out, "# value = ") + 10, NULL);
+    }
+    ck_assert_int_eq(fvi("gradient --time 2 --damper 'd=x : havriliak:0.4,0.3,2,0.3' --of d.force"), 0);
+    ck_assert_near(derivative("d.beta"), (v[1] - v[0]) / 2e-4, 1e-7, "the force of a damper");
+}
+END_TEST
+
 /* maxwell2:R1,A,R2,B by its four numbers, against central differences; and where the time of the kernel,
  * R1 / R2, is not wanted. */
 START_TEST(two_springpots_in_series_have_rows)
@@ -220,6 +265,7 @@ int main(void)
     Suite *suite = suite_create("fvi gradient: laws of damping");
     ADD_CASE(suite, "answers", rows_of_a_law_are_differences_of_runs,
              rows_of_a_law_on_steps_of_any_length, two_springpots_in_series_have_rows,
+             havriliak_has_rows_by_all_its_numbers,
              two_springpots_in_series_have_no_row_by_half_a_number, the_parts_of_a_pair_keep_their_names,
              what_has_no_derivative_is_refused_by_its_name);
     return run_suite_of_program(suite);

@@ -1,7 +1,9 @@
 /* tests/program/test_fvi_help.c -- The program build/fvi: what it says of itself.
  * Run alone: make test-fvi_help */
 #define _GNU_SOURCE
+#include <fvi/formulas.h>
 #include <fvi/fvi.h>
+#include <fvi/rheology.h>
 #include "program.h"
 
 /* Does the word stand in the text, by itself? */
@@ -39,6 +41,30 @@ START_TEST(help_and_manual_know_every_method)
         at += strlen(line);
     }
     ck_assert(*at == '\0');
+}
+END_TEST
+
+/* Each word of a law and each element of a material, where a user looks for it. The help and the errors list the words
+ * themselves. */
+START_TEST(manual_completions_and_python_know_every_law)
+{
+    static char text[5][1 << 17];
+    static const char *const files[] = { "src/program/manual/fvi.1", "src/program/manual/fvi.bash",
+                                         "src/program/manual/fvi.zsh", "src/python/fvi/_material.py" };
+    for (size_t f = 0; f < LEN(files); f++)
+        read_file(files[f], text[f], sizeof text[f]);
+    ck_assert_int_eq(fvi("fit --help"), 0);
+    for (size_t i = 0; fvi_law_formulas[i].form; i++) {
+        char word[30];
+        snprintf(word, sizeof word, "%.*s:", (int)strcspn(fvi_law_formulas[i].form, ":"), fvi_law_formulas[i].form);
+        ck_assert_msg(strstr(text[0], fvi_law_formulas[i].form) != NULL, "%s is not in fvi.1", word);
+        for (size_t f = 1; f <= 2; f++)
+            ck_assert_msg(strstr(text[f], word) != NULL, "%s is not in %s", word, files[f]);
+    }
+    for (size_t i = 0; fvi_element_words[i]; i++) {
+        ck_assert_msg(stands_in(fvi_element_words[i], out), "%s is not in fit --help", fvi_element_words[i]);
+        ck_assert_msg(stands_in(fvi_element_words[i], text[3]), "%s is not in _material.py", fvi_element_words[i]);
+    }
 }
 END_TEST
 
@@ -172,7 +198,7 @@ int main(void)
     setenv("SOURCES", sources ? sources : "src", 1);
     free(sources);
     Suite *suite = suite_create("the program fvi: help, manual, completions");
-    ADD_CASE(suite, "help", help_and_manual_know_every_method,
+    ADD_CASE(suite, "help", help_and_manual_know_every_method, manual_completions_and_python_know_every_law,
              help_is_asked_for_in_many_ways,
              a_help_lists_what_its_command_takes,
              completions_are_what_the_program_says);

@@ -383,7 +383,7 @@ def test_help_has_the_formulas_of_the_program():
     numbers, s = {"R": 0.7, "R1": 0.7, "R2": 1.3, "A": 0.4, "B": 0.3, "T": 2.1, "K": 0.6, "C": 1.2, "G": 0.8}, 1.7j
     for form, formula in known.items():
         word, _, names = form.partition(":")
-        if word in ("viscous", "power", "zener", "maxwell", "maxwell2", "davidson", "spring"):
+        if word in ("viscous", "power", "zener", "maxwell", "maxwell2", "davidson", "spring", "havriliak"):
             python = re.sub(r"(?<=[\w)]) (?=[\w(])", "*", formula.replace("{", "(").replace("}", ")").replace("^", "**"))
             python = re.sub(r"\b2([AB])", r"2*\1", python)
             value = ",".join(str(numbers[name]) for name in names.split(","))

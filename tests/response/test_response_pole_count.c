@@ -37,8 +37,8 @@ static void random_system(uint64_t *seed, int above, linear_system *s)
         const double rho = exp(6 * chance(seed) - 3), time = exp(4 * chance(seed) - 2);
         const fvi_kernel_kind kinds[] = { FVI_KERNEL_POWER, FVI_KERNEL_ZENER,
                                           FVI_KERNEL_MAXWELL2, FVI_KERNEL_DAVIDSON,
-                                          FVI_KERNEL_DISTRIBUTED };
-        const fvi_kernel_kind kind = kinds[above ? 0 : (size_t)(5 * chance(seed))];
+                                          FVI_KERNEL_DISTRIBUTED, FVI_KERNEL_HAVRILIAK };
+        const fvi_kernel_kind kind = kinds[above ? 0 : (size_t)(6 * chance(seed))];
         s->term[j][0] = (fvi_kernel_term){ kind, rho, above ? 0.5 + a : a, time,
                                            kind == FVI_KERNEL_DISTRIBUTED ? 0.49 : b };
         s->kernel[j].count = 1;

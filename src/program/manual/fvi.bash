@@ -15,7 +15,7 @@ _fvi()
         --format) known='tsv csv json' ;;
         --potential) known='harmonic: duffing: pendulum: free chain:' ;;
         --force) known='none step: cosine: impulse: file:' ;;
-        --damping) known='viscous: spring: power: zener: maxwell: maxwell2: davidson: distributed: symbol:' ;;
+        --damping) known='viscous: spring: power: zener: maxwell: maxwell2: davidson: distributed: havriliak: symbol:' ;;
         --columns) known='t,x t,x,p,energy t,x,v,a t,x,d1.force t,x,work,balance' ;;
         --reduce) known='max(x) peak(x) rms(x) mean(x) at(max(x))' ;;
         --of) known='x p energy'; [[ ${COMP_WORDS[1]} == response ]] && known='receptance mobility accelerance ground moduli' ;;

@@ -96,7 +96,8 @@ int fvi_estimate_warning_of_unseen(const fvi_estimation *fit, const fvi_estimate
 int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
 const fvi_method *fvi_estimate_method(const fvi_estimation *fit);
 typedef enum { FVI_MATERIAL_MODULI, FVI_MATERIAL_CREEP, FVI_MATERIAL_RELAXATION } fvi_material_test;
-typedef enum { FVI_ELEMENT_SPRING, ... } fvi_element;
+typedef enum { FVI_ELEMENT_SPRING, FVI_ELEMENT_POWER, ... } fvi_element;
+fvi_element fvi_element_of(const fvi_kernel_term *term);
 extern const char *const fvi_element_words[];
 const char *fvi_element_number(fvi_element kind, size_t i, size_t *field);
 typedef struct {

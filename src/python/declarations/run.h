@@ -32,8 +32,7 @@ typedef struct {
 } fvi_system;
 typedef enum { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, ... } fvi_initial_history;
 typedef enum { FVI_HISTORY_AUTO, FVI_HISTORY_DIRECT, FVI_HISTORY_MODES, ... } fvi_history_kind;
-typedef enum { FVI_KERNEL_POWER, FVI_KERNEL_ZENER, FVI_KERNEL_MAXWELL, FVI_KERNEL_DISTRIBUTED, FVI_KERNEL_MAXWELL2,
-               FVI_KERNEL_DAVIDSON, FVI_KERNEL_SYMBOL, ... } fvi_kernel_kind;
+typedef enum { FVI_KERNEL_POWER, FVI_KERNEL_MAXWELL2, FVI_KERNEL_SYMBOL, ... } fvi_kernel_kind;
 typedef struct { fvi_kernel_kind kind; double rho, alpha, time, end; } fvi_kernel_term;
 typedef struct { size_t count; const fvi_kernel_term *term; } fvi_kernel;
 typedef struct {

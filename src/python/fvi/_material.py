@@ -115,7 +115,8 @@ def fit_moduli(omega: Numbers, storage: Numbers, loss: Numbers, law: str = "spri
 
     omega          frequencies > 0, in radians per unit of time
     storage, loss  the moduli there
-    law            its elements: spring, viscous, power, zener, maxwell, maxwell2, davidson, distributed, with + between
+    law            its elements: spring, viscous, power, zener, maxwell, maxwell2, davidson, distributed,
+                   havriliak, with + between
     weights        the errors of the data are "relative", in proportion to the moduli, or "absolute", all alike, or in
                    proportion to these numbers
     sigma          the factor of that; None: estimated

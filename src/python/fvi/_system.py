@@ -169,10 +169,7 @@ def law(given: Any, parameters: Any = ffi.NULL) -> tuple:
     return damping, parameters
 
 
-FIELDS_OF_LAW = {"terms": "rho", "orders": "alpha", "times": "time", "ends": "end"}  # of fvi_sensitivities
-OF_KIND = {lib.FVI_KERNEL_POWER: ("rho", "alpha"), lib.FVI_KERNEL_ZENER: ("rho", "alpha", "time"),
-           lib.FVI_KERNEL_MAXWELL: ("rho", "time"), lib.FVI_KERNEL_DISTRIBUTED: ("rho", "alpha", "end"),
-           lib.FVI_KERNEL_DAVIDSON: ("rho", "alpha", "time")}
+FIELDS_OF_LAW = ("terms", "orders", "times", "ends")  # of fvi_sensitivities, in the order of the numbers of a term
 
 
 def numbers_of_laws(laws: Sequence, is_dense: bool) -> list:
@@ -181,6 +178,18 @@ def numbers_of_laws(laws: Sequence, is_dense: bool) -> list:
     if is_dense:
         return ["terms"] if len(terms) == 1 else []
     return list(FIELDS_OF_LAW)
+
+
+def names_of_term(term: Any) -> dict:
+    """The names of the numbers of a term, as in a fit, by the fields of their derivatives."""
+    if term.kind == lib.FVI_KERNEL_SYMBOL:
+        return {"terms": "rho"}
+    power = term.kind == lib.FVI_KERNEL_POWER  # a spring and a dashpot have an order, too
+    kind = lib.FVI_ELEMENT_POWER if power else lib.fvi_element_of(ffi.addressof(term))
+    names, field = {}, ffi.new("size_t *")
+    while (name := lib.fvi_element_number(kind, len(names), field)) != ffi.NULL:
+        names[FIELDS_OF_LAW[field[0]]] = text_of(name)
+    return names
 
 
 def by_term(term: Any, by: dict, is_exchanged: bool) -> dict:
@@ -192,8 +201,7 @@ def by_term(term: Any, by: dict, is_exchanged: bool) -> dict:
         return {"rho1": float(rho1), "alpha1": float(alpha1), "rho2": float(rho2), "alpha2": float(alpha2)}
     if term.kind == lib.FVI_KERNEL_MAXWELL2:  # rho of the kernel alone is no number of it
         return {}
-    names = OF_KIND.get(term.kind, ("rho",))
-    return {FIELDS_OF_LAW[f]: float(v) for f, v in by.items() if FIELDS_OF_LAW[f] in names}
+    return {name: float(by[f]) for f, name in names_of_term(term).items() if f in by}
 
 
 def by_law(law: Any, found: dict, parameters: Any, first: int = 0, terms: int = 0) -> list:
