@@ -28,10 +28,10 @@ ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_alloc fvi_history
     fvi_lobatto_matrices_of fvi_stage_dampers_tolerance fvi_stage_terms_start fvi_stage_terms_stop fvi_tangent_stages_step""".split()]
 BUILDING = [PLAY / "gsl.c", HERE / "gsl_modes.c", HERE / "building.c"]
 BUILDING_MODULES = """structures structure_dampers sparse factors history_space convolution_quadrature_methods convolution_quadrature_dampers
-    damping damping_matrices damping_sums initial_history_force kernel_history kernel_modes kernel_classes kernel_sums kernel_general damping_laws
+    damping damping_matrices damping_sums initial_history_force kernel_history kernel_modes kernel_classes kernel_fractions symbol_poles kernel_sums kernel_general damping_laws
     coefficients convolution_quadrature history_direct history_modes memory memory_nodes past newton newton_stages band lu
     dampers_check run_check run_damper solution trajectory impulses error system lagrangian""".split()
-BUILDING_ABSENT = """fvi_symbol_has_poles fvi_cholmod_alloc fvi_cholmod_solve fvi_events_check fvi_impulses_of_kernel_alloc fvi_impulses_of_kernel_at
+BUILDING_ABSENT = """fvi_cholmod_alloc fvi_cholmod_solve fvi_events_check fvi_impulses_of_kernel_alloc fvi_impulses_of_kernel_at
     fvi_impulses_of_kernel_copy fvi_impulses_of_kernel_free fvi_history_tiled_alloc fvi_history_tiled_bytes fvi_linearised_force
     fvi_newton_by_linearised fvi_shifted_symbol fvi_stability_number_none fvi_mechanism_start gsl_integration_glfixed_point
     gsl_integration_glfixed_table_alloc gsl_integration_glfixed_table_free gsl_fft_complex_radix2_forward""".split()
