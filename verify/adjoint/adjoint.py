@@ -1,19 +1,18 @@
 """H 23. The discrete adjoint of a fractional variational integrator.
 
 Proved here:
-  (23.2)  P B^T P = B#: generic weights, kappa, Hessians, shift (N = 5); in integers for
-          kappa = 1/2, d = 2, full symmetric M, C and G (N = 7), and what breaks it;
+  (23.2)  P B^T P = B#: generic weights, kappa, Hessians and shift (N = 5); also for kappa = 1/2, d = 2 and full
+          symmetric M, C and G (N = 7), in integers, together with the conditions without which it fails;
   (23.3)  the adjoint run solves B^T lambda = -J_x (N = 4, all symbols, a quartic U), and
-          (23.6), every derivative of J + lambda . R, three pasts, with (23.7) for the shift;
-  (23.8)  both variations of the unrestricted action are the run and its adjoint (N = 4);
-  (23.9)  the derivatives of the weights by their order: the recurrence, for symbolic
+          (23.6), every derivative of J + lambda . R, for three pasts, with (23.7) for the shift;
+  (23.8)  the two variations of the unrestricted action are the run and its adjoint (N = 4);
+  (23.9)  the derivatives of the weights with respect to their order: the recurrence, for a symbolic
           order, and the generating function ln(1 - z) (1 - z)^beta, n <= 12;
-  (23.11) the derivative of the density of (12.5) by nu;
-  (23.27) lambda jumps where J depends on p_k: Algorithm 3, N = 3, weights, Hessians and slopes
-          symbols, kappa = 1; with kappa = 1/3 in fractions.
-Printed: the rates of the weights, from the definition: the product, differentiated; and
-derivatives of runs, differences of runs of 178 bits (adjoint_runs.py), which are right to
-21 digits."""
+  (23.11) the derivative of the density of (12.5) with respect to nu;
+  (23.27) lambda jumps at the nodes k where J depends on p_k: Algorithm 3, N = 3, kappa = 1, with symbols for
+          weights, Hessians and slopes; and kappa = 1/3 in fractions.
+Printed: the derivatives of the weights, from the definition, which is a product; and derivatives of runs as
+differences of runs with 178 bits (adjoint_runs.py), which are right to 21 digits."""
 from fractions import Fraction
 
 import mpmath
@@ -30,12 +29,12 @@ kappa, h, m, c, theta = symbols("kappa h m c theta")
 
 
 def jacobian(M, C, G, w, kappa, h, theta):
-    """d(R_0, ..., R_{N-1}) / d(x_1, ..., x_N), blocks of size d; w[n] the weights, and
-    theta of (13.7): H_{k+1} stands in R_k with it."""
+    """Return d(R_0, ..., R_{N-1}) / d(x_1, ..., x_N) in blocks of size d. w[n] are the weights, and theta is that of
+    (13.7), with which H_{k+1} enters R_k."""
     N, d = len(G), M.shape[0]
     B = Matrix.zeros(N * d, N * d)
 
-    def add(k, j, block):  # row k, column of x_j
+    def add(k, j, block):  # add the block to row k, column of x_j
         if j > 0:
             B[k * d:(k + 1) * d, (j - 1) * d:j * d] += block
 
@@ -92,8 +91,8 @@ claim("nor will the same kappa",
 
 
 def by_momenta(N, w, G, Jp, m, c, h, kappa, x0, p0):
-    """sum_k Jp_k p_k of a held run with the Hessians G, and (23.4) with the jumps (23.27): J, and its
-    derivative by p0."""
+    """Return J = sum_k Jp_k p_k of a run of a held body with the Hessians G, and the derivative of J with respect to
+    p0. The derivative comes from the adjoint run (23.4) with the jumps (23.27)."""
     x, p, J = [x0], p0, Jp[0] * p0
     for k in range(N):
         inertia = m / h + kappa * (1 - kappa) * h * G[k]
@@ -108,7 +107,7 @@ def by_momenta(N, w, G, Jp, m, c, h, kappa, x0, p0):
         q -= c * sum(w[n] * mu[-1 - n] for n in range(len(mu)))
         d = (q - (1 - kappa) * h * G[k] * mu[-1]) / inertia
         q -= h * G[k] * (mu[-1] + kappa * d)
-        mu.append(mu[-1] + d + Jp[k])  # at k = 0 the derivative by p0 itself
+        mu.append(mu[-1] + d + Jp[k])  # the last one, k = 0, is the derivative with respect to p0
     return J, mu[-1]
 
 
@@ -120,7 +119,7 @@ runs = [by_momenta(3, take[:4], take[4:7], take[7:11], Fraction(2), Fraction(3, 
                    Fraction(1, 3), Fraction(1), Fraction(value)) for value in (0, 1)]
 claim("(23.27) in fractions", runs[1][0] - runs[0][0] == runs[0][1])
 
-# ---- the adjoint run, and what it gives ----
+# ---- the adjoint run, and the derivatives that it gives ----
 
 N4 = 4
 x, lam, F = symbols("x0:5"), symbols("lambda0:5"), symbols("F0:5")
@@ -128,7 +127,7 @@ Jx, w4 = symbols("J0:5"), symbols("w0:5")
 p0, pN, rho, al, end, k0, g = symbols("p0 pN rho alpha e k0 g")
 
 
-def spring(S):  # its third and fourth derivatives are not zero
+def spring(S):  # a potential whose third and fourth derivatives are not zero
     return k0 * S**2 / 2 + g * S**4 / 4
 
 
@@ -144,14 +143,15 @@ Hess = [k0 + 3 * g * (kappa * x[k] + (1 - kappa) * x[k + 1]) ** 2 for k in range
 
 
 def lagrange(past, theta, end, cc):
-    """sum_k lambda_k R_k of (13.7), Algorithm 3 being theta = 0, end = 1, and z."""
+    """Return sum_k lambda_k R_k of (13.7), the differences z, and the multipliers nu. Algorithm 3 is theta = 0, end =
+    1."""
     origin = 0 if past == "rl" else x[0]
     drift = h * p0 / m if past == "caputo" else 0
     z = [x[j] - origin - j * drift for j in range(N4 + 1)]
     H = [sum(w4[n] * z[k - n] for n in range(k + 1)) for k in range(N4 + 1)]
     nu = [0] + [(1 - theta) * lam[k] + theta * lam[k - 1] for k in range(1, N4)]
     nu.append(end * lam[N4] + theta * lam[N4 - 1])
-    # lambda . (slopes of the action) + what is given at the start and the end
+    # lambda . (slopes of the action), and the terms with the given momenta at the start and the end
     total = sum(lam[k] * diff(A, x[k]) for k in range(N4 + 1)) + lam[0] * p0 - lam[N4] * pN
     total += sum(-cc * nu[k] * H[k] + h * lam[k] * F[k] for k in range(1, N4 + 1))
     return total, z, nu
@@ -168,13 +168,13 @@ for past, th, en in (("held", 0, 1), ("caputo", 0, 1), ("rl", 0, 1), ("caputo", 
     prove(f"(23.7) sum nu H = sum z N, {past}",
           expand(sum(nu[k] * sum(w4[i] * z[k - i] for i in range(k + 1)) for k in range(1, N4 + 1))
                  - sum(z[j] * n[j] for j in range(N4 + 1))))
-    # the adjoint run (23.4), node by node
+    # The adjoint run (23.4), node by node.
     q = Jx[N4] - c * n[N4]
     for j in range(N4, 0, -1):
         by_x = diff(L, x[j]) + Jx[j]
         equation = q - (m / h * (lam[j - 1] - lam[j]) + h * (1 - kappa) * Hess[j - 1] * MM[j - 1])
         prove(f"(23.4) node {j}, {past}", expand(by_x - equation))
-        # that is solved for lambda_{j-1}; q goes on
+        # Solve the equation of the step for lambda_{j-1}, then update q.
         q = (m / h * (lam[j - 1] - lam[j]) - h * kappa * Hess[j - 1] * MM[j - 1]
              + Jx[j - 1] - c * n[j - 1] * (1 if j > 1 else 0))
     origin = -c * n[0] if past == "rl" else c * sum(n[1:])
@@ -208,7 +208,8 @@ for k in range(1, N4):
             m / h * (2 * lam[k] - lam[k - 1] - lam[k + 1]) - h * kappa * Hess[k] * MM[k]
             - h * (1 - kappa) * Hess[k - 1] * MM[k - 1]
             - c * sum(w4[j - k] * lam[j] for j in range(k, N4))).subs(ends)))
-# With the end x_N free, and p_0 at the start, lambda_0 and x_N say the two equations of a start.
+# If the end x_N and the momentum p_0 may vary too, the derivatives by lambda_0 and x_N are the equations of the start
+# of both runs.
 L, _, nu = lagrange("held", 0, 1, c)
 whole = (sum(lam[k] * diff(A, x[k]) for k in range(N4 + 1))
          + sum(lam[k] * (h * F[k] - c * sum(w4[n] * held[k - n] for n in range(k + 1)))
@@ -217,8 +218,8 @@ prove("(23.8) S_a + lambda_0 p_0 is what (23.3) varies, but for lambda_N p_N",
       expand(whole + lam[0] * p0 - (L + lam[N4] * pN)))
 prove("(23.8) by lambda_0: the start of the run", expand(
     diff(whole, lam[0]) + p0 - (p0 + diff(lagrangian(x[0], x[1]), x[0]))))
-# Without them the start is free: from x_0 = 0 a free body moves on with any velocity v, and
-# not with p_0 / m, and its mirror likewise.
+# Without these two equations the start is free: from x_0 = 0 a free body moves on with any velocity v instead of p_0
+# / m, and so does its mirror image.
 free = {k0: 0, g: 0, c: 0, **{f: 0 for f in F}}
 v = symbols("v")
 for k in range(1, N4):
@@ -230,13 +231,13 @@ claim("(23.8) which is not p_0 / m", expand((diff(whole, lam[0]) + p0).subs(free
     {x[j]: j * h * v for j in range(N4 + 1)}) - (p0 - m * v)) == 0)
 #< action
 
-# ---- the rates of the weights ----
+# ---- the derivatives of the weights ----
 
 b, z, s, nu = symbols("beta z s nu")
 
 
 def weight(n):
-    """w_n(beta) as a polynomial in beta, by its definition."""
+    """Return w_n(beta) as a polynomial in beta, from its definition."""
     w = Rational(1)
     for j in range(n):
         w = expand(w * (j - b) / (j + 1))
@@ -264,9 +265,9 @@ prove("(23.11) its derivative by nu",
 
 
 def exact_rate(beta, n):
-    """d w_n / d beta: the product (j - beta) / (j + 1), differentiated, exactly."""
+    """Return d w_n / d beta exactly, by differentiating the product of the factors (j - beta) / (j + 1)."""
     top, bottom = Fraction(beta).as_integer_ratio()
-    value, slope, under = 1, 0, 1  # w_j and its rate, over a common denominator
+    value, slope, under = 1, 0, 1  # w_j and its derivative, over a common denominator
     for j in range(n):
         factor = j * bottom - top
         value, slope = value * factor, slope * factor - value * bottom
@@ -275,7 +276,8 @@ def exact_rate(beta, n):
 
 
 def far_rate(beta, n):
-    """The same by the digamma function: w_n (psi(-beta) - psi(n - beta))."""
+    """Return a function of the number of digits that computes d w_n / d beta by the digamma function, w_n (psi(-beta)
+    - psi(n - beta))."""
     def at(digits):
         with mp.workdps(digits):
             x = mpmath.mpf(Rational(beta).p) / Rational(beta).q
@@ -302,14 +304,15 @@ mp.dps = 70
 
 
 def objective(q, x, p):
-    """J = (h/2) sum_{k>=1} (x_k - sin t_k)^2 + x_N/2 + x_N p_N^2/4"""
+    """Return J = (h/2) sum_{k>=1} (x_k - sin t_k)^2 + x_N/2 + x_N p_N^2/4, x_N and p_N."""
     squares = sum((v - s) ** 2 for v, s in zip(x[1:], q["sine"][1:])) >> BITS
     J = real(squares) * q["h"] / 2 + real(x[-1]) / 2 + real(x[-1]) * real(p) ** 2 / 4
     return J, real(x[-1]), real(p)
 
 
 def derivatives(q, names, force):
-    """(J, x_N, p_N), and differences, 2^-80 wide with 178 bits: right to 21 digits."""
+    """Return (J, x_N, p_N), and the derivatives of J as differences over 2^-80 of runs with 178 bits. They are right
+    to 21 digits."""
     eps, qs = mpmath.mpf(2) ** -80, [q]
     for name in names + [force]:
         r = dict(q)
@@ -330,7 +333,7 @@ def row(method, past, alpha, kappa, N, h, x0, force):
     q = dict(method=method, past=past, alpha=mpmath.mpf(alpha), kappa=mpmath.mpf(kappa), N=N,
              h=mpmath.mpf(h), mass=mpmath.mpf(1), rho=mpmath.mpf(3) / 8, x0=mpmath.mpf(x0),
              p0=mpmath.mpf(1) / 2, k=mpmath.mpf(1), g=mpmath.mpf(1) / 2)
-    q["side"] = (alpha > 0.5) - (alpha < 0.5)  # at 1/2: the derivative from below
+    q["side"] = (alpha > 0.5) - (alpha < 0.5)  # at alpha = 1/2 take the derivative from below
     q["F"] = [fixed(mpmath.cos(k * q["h"]) / 4) for k in range(N + 1)]
     q["sine"] = [fixed(mpmath.sin(k * q["h"])) for k in range(N + 1)]
     names = [n for n in NAMES if not (n == "x0" and method != "fvi" and past == "rl" and alpha > 0.5)]

@@ -1,10 +1,10 @@
-"""H 23, 27. Several dampers: derivatives by the numbers of their laws.
+"""H 23, 27. Several dampers: derivatives with respect to the numbers of their laws.
 
 Proved here:
-  (23.28) the derivatives of two springpots in series, and of Cole and Davidson's kernel, by their
-          numbers.
-Printed: derivatives of runs of three unknowns with three dampers by Algorithm 3 and (13.7) as they
-stand, by complex steps of 10^-45 with 100 digits."""
+  (23.28) the derivatives of the symbol of two springpots in series, and of Cole and Davidson's kernel, with
+          respect to their numbers.
+Printed: derivatives of runs of three unknowns with three dampers, by Algorithm 3 and (13.7) as they are written in
+the chapters, by complex steps of 10^-45 with 100 digits."""
 from random import Random
 
 import mpmath
@@ -30,7 +30,7 @@ D, N, STEP, DAMPERS = 3, 12, mpf(1) / 16, 3
 
 
 def run(method, kappa, M, K, x0, p0, matrices, kernels, pasts):
-    """J = (h/2) sum_{k>=1} |x_k - sin t_k|^2 + |p_N|^2 / 2."""
+    """Return J = (h/2) sum_{k>=1} |x_k - sin t_k|^2 + |p_N|^2 / 2 of a run."""
     h, printed, each = STEP, method == "fvi", range(D)
     v0 = solve(M, p0)
     theta = [kernel[0][2] if method == "shifted" else mpf(method == "stable") / 2 for kernel in kernels]
@@ -85,24 +85,24 @@ def uniform(low, high):
 
 
 def positive(count):
-    """A sum of squares, to 2^-20, as exact doubles."""
+    """Return a positive matrix, a sum of squares, whose entries are whole multiples of 2^-20 and so exact doubles."""
     rows = [[random.randrange(-2**10, 2**10) for _ in range(D)] for _ in range(count)]
     return [[sum(r[i] * r[j] for r in rows) / 2**20 for j in range(D)] for i in range(D)]
 
 
 def term(kind):
-    """(kind, rho, alpha, time, end)"""
+    """Return a random term (kind, rho, alpha, time, end)."""
     alpha = uniform(0.1, 0.9)
     end = {"DISTRIBUTED": uniform(alpha, 1), "MAXWELL2": uniform(0.05, alpha)}.get(kind, 0.0)
     return (kind, uniform(0.3, 1.5), alpha, 0.0 if kind in ("POWER", "DISTRIBUTED") else uniform(0.1, 2), end)
 
 
-# Kernels that are one power, of all orders; then others, and how each was held before t = 0.
+# The alpha of kernels of one power; below, the kinds of the terms of other kernels.
 POWERS = [[0.0, 0.25, 1.0], [0.5, 0.05, 0.75], [0.375, 0.95, 0.6875]]
 LAWS = [[["ZENER"], ["MAXWELL2"], ["POWER", "DAVIDSON"]], [["DISTRIBUTED"], ["DAVIDSON", "MAXWELL"], ["POWER"]],
         [["MAXWELL2", "POWER"], ["POWER", "ZENER"], ["DISTRIBUTED", "MAXWELL2"]],
         [["MAXWELL"], ["ZENER", "DISTRIBUTED"], ["DAVIDSON"]]]
-STEEP = ("MAXWELL2", 0.75, 0.875, 0.5, 0.625)   # grows faster than s, and has a time
+STEEP = ("MAXWELL2", 0.75, 0.875, 0.5, 0.625)   # its symbol grows faster than s, and it has a relaxation time
 
 
 def problem(method, kinds):
@@ -119,7 +119,7 @@ def problem(method, kinds):
     M, K, full = positive(D), positive(D), positive(D)
     for i in range(D):
         M[i][i] += 1.0
-    full = [[v / 8 for v in row] for row in full]  # what is explicit stays stable
+    full = [[v / 8 for v in row] for row in full]  # smaller, so that a method that takes it explicitly stays stable
     rows = [[uniform(-0.5, 0.5) for _ in range(D)] for _ in range(2)]
     x0, p0 = ([uniform(-1, 1) for _ in range(D)] for _ in range(2))
     kappa = 0.5 if method == "stable" else uniform(0.2, 0.8)

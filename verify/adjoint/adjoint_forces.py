@@ -1,8 +1,8 @@
-"""H 23. Derivatives of the forces and of the impulses of dampers, of chains by the methods without stages.
+"""H 23. Derivatives of the forces and impulses of dampers, of chains by the methods without stages.
 
-The impulses are the sums of the steps, with what a start with a velocity leaves in them (13.18). The forces are their
-slopes as H 13 has them: differences of J, and in the first rows (13.20), or differences of J/t^q behind a jump. In dual numbers
-of 45 digits."""
+The impulses are the sums of the steps, plus the part (13.18) of a start with a velocity. The forces are the
+derivatives of the impulses as H 13 computes them: differences of J, with (13.20) in the first rows; after a jump,
+differences of J/t^q. Everything is in dual numbers of 45 digits."""
 from random import Random
 
 import mpmath
@@ -15,13 +15,14 @@ from shared.refgen import METHODS, header, table
 
 
 def weight(k, i, of):
-    """What J has of the force or of the impulse of mass i in row k."""
+    """Return the factor in J of the force (of = 0) or of the impulse (of = 4) of mass i in row k."""
     return dual(mpf((3 * k + 5 * i + 4 * of) % 7 - 3) / 8)
 
 
 class Forces(Nodes):
     def lead(self, turn):
-        """Of a line with the velocity 1 and rho = 1: the exact impulse, less that of the steps."""
+        """Return in every row the exact impulse of a line with velocity 1 and rho = 1, minus the impulse that the
+        steps sum."""
         if self.printed or self.alpha > 0.5:
             return [ZERO] * (N + 1)
         w, e = weights(self.method, self.alpha, turn), mpc(2 - 2 * self.alpha, -2 * TINY)
@@ -35,7 +36,7 @@ class Forces(Nodes):
         return out
 
     def start(self, i, q, J):
-        """The force at t = 0; where it is infinite, the mean of the first row."""
+        """Return the force at t = 0. Where it is infinite, return the mean over the first row."""
         order, x0, v0 = 2 * self.alpha, q["x0"][i], q["p0"][i] / q["mass"][i]
         if order == 1:
             return q["rho"][i] * v0
@@ -44,7 +45,8 @@ class Forces(Nodes):
         return ZERO if order > 1 and self.past == "caputo" else J[1] / dual(STEP)
 
     def answers(self, turn):
-        """G_1 to G_4 of (13.20) for rho = 1, and S_1 to S_3 of the steps: of a jump, a line and what a constant force gives."""
+        """Return G_1 to G_4 of (13.20) for rho = 1, and the sums S_1 to S_3 that the steps make of a jump, of a line
+        and of the motion under a constant force."""
         w, t = weights(self.method, self.alpha, turn), [k * STEP for k in range(N + 1)]
         exact = [[ZERO] + [dual(mpmath.rgamma(1 + i - self.tilted) * t[k] ** (i - self.tilted), turn) for k in range(1, N + 1)]
                  for i in range(4)]
@@ -62,7 +64,7 @@ class Forces(Nodes):
         return exact, summed
 
     def compared(self, k, n, J, size, is_moving, answers):
-        """h f of row k by (13.20)."""
+        """Return h times the force of row k by (13.20)."""
         exact, summed = answers
         to = 1 if is_moving and self.alpha > 0.5 else 2
         g = [(J[k - m] - total(size[i] * summed[i][k - m] for i in range(to))) / summed[to][k - m] for m in range(n + 1)]
@@ -71,7 +73,7 @@ class Forces(Nodes):
         return dual(STEP) * force + exact[to + 1][k] * slope
 
     def by_power(self, k, n, J, jumps, turn):
-        """h f of row k: J = t^q g(t), and g is differentiated."""
+        """Return h times the force of row k from J = t^q g(t), by differentiating g."""
         q = (1 if jumps else 2) - self.tilted
         slope = dual(q, turn) * by(J[k], k)
         for m in range(1, n + 1):
@@ -92,7 +94,7 @@ class Forces(Nodes):
             for k in range(1, N + 1):
                 if k > first:
                     h_f = total(dual((-1) ** m * binomial(degree, m) / m) * (J[k - m] - J[k]) for m in range(1, degree + 1))
-                elif jumps and (not self.printed or self.alpha >= 0.5):  # the steps do not sum a jump
+                elif jumps and (not self.printed or self.alpha >= 0.5):  # the steps do not sum the impulse of a jump
                     h_f = self.by_power(k, min(k - 1, degree), J, self.alpha < 0.5, turn)
                 else:
                     h_f = self.compared(k, min(k - 1, degree), J, size, is_moving, answers)

@@ -1,13 +1,13 @@
-"""H 23. Derivatives by the exponents and times of a law of damping.
+"""H 23. Derivatives with respect to the exponents and times of a law of damping.
 
 Proved here:
-  (23.21) the derivatives of each symbol by its numbers, in the symbol and ln s; and that a
-          power series of delta(z)/h has its coefficients differentiated by the same products:
-          Euler's and BDF2's delta, up to z^5, all numbers symbols;
+  (23.21) the derivatives of each symbol with respect to its numbers, in terms of the symbol and ln s; and that the
+          coefficients of a power series in delta(z)/h are differentiated by the same products:
+          for Euler's and BDF2's delta, up to z^5, all numbers symbols;
   (23.22) the series of ln(delta(z)/h), up to z^6.
-Printed: derivatives of runs of two masses by fvi, fvi-bdf2 and fvi-stable as they stand, by dual
-numbers of 45 digits, the weights by complex steps of 10^-45 with 100 digits; and of five masses
-with stages, form D, the symbol differentiated by a difference of 10^-20."""
+Printed: derivatives of runs of two masses by fvi, fvi-bdf2 and fvi-stable as they are written in the chapters, by
+dual numbers of 45 digits, with weights from complex steps of 10^-45 with 100 digits; and derivatives of runs of five
+masses with stages, form D, with the symbol differentiated by a difference over 10^-20."""
 from random import Random
 
 import mpmath
@@ -39,7 +39,7 @@ def truncated(f, n):
 
 
 for delta in (1 - z, (1 - z) * (3 - z) / 2):
-    rational = (delta / h) / (1 + T * delta / h)  # 2 a = 1, where all is rational
+    rational = (delta / h) / (1 + T * delta / h)  # 2 a = 1, where every function is rational
     weights = [cancel(truncated(rational, 6).coeff(z, n)) for n in range(6)]
     squares = [sum(weights[j] * weights[n - j] for j in range(n + 1)) for n in range(6)]
     for n in range(6):
@@ -71,7 +71,7 @@ def over(u, v):
 
 
 def power(order, bdf2):
-    """The coefficients of (delta(z)/h)^order."""
+    """Return the coefficients of (delta(z)/h)^order."""
     w, g = [STEP**-order], [mpf(1.5) ** order if bdf2 else mpc(1)]
     for n in range(1, N + 1):
         w.append(w[-1] * (n - 1 - order) / n)
@@ -91,27 +91,27 @@ def symbol(kind, a, T, e, bdf2):
 
 
 def impulses(kind, a, T, e):
-    """(26.20): h int (1 - u) q((k + u) h) du and h int u q du of all steps, q the inverse of C/s^2;
-    of step 0 as integrals of q, by the inverses of C/s^3 and C/s^4."""
+    """Return the impulses (26.20), h int (1 - u) q((k + u) h) du and h int u q du of all steps, where q is the
+    inverse transform of C/s^2. For step 0 they are integrals of q, from the inverse transforms of C/s^3 and C/s^4."""
     points, weights = parabola(STEP, N)
     C = [SYMBOLS[kind](s, a, T, e) for s in points]
     return [mpmath.fdot(row, C) for row in weights]
 
 
 def growth(kind, factor, a, T, e):
-    """The order of a term for large s; a fraction ends at 0."""
+    """Return the order with which a term grows for large s. It is 0 for a fraction with a relaxation time."""
     return 2 * a if kind == "POWER" or kind == "ZENER" and T == 0 else \
         2 * e if kind == "DISTRIBUTED" else int(kind == "MAXWELL" and T == 0)
 
 
 def grows(method, terms):
-    """Does the start have impulses: does some term grow faster than s?"""
+    """Return whether the start has impulses, that is, whether some term grows faster than s."""
     return method != "fvi" and max(growth(*term) for term in terms) > 1
 
 
 def of_terms(terms, find, count):
-    """Numbers of all terms with their slopes: find(kind, order, time, end) are those of a term of
-    factor 1, `count` of them."""
+    """Return `count` dual numbers, the sum over all terms with the slopes by all numbers of the terms. find(kind,
+    order, time, end) computes the numbers of a term of factor 1."""
     out = [ZERO] * count
     for l, (kind, *numbers) in enumerate(terms):
         for i, v in enumerate(numbers):
@@ -119,20 +119,20 @@ def of_terms(terms, find, count):
                 continue
             factor, *tilted = [v + mpc(0, TINY) if j == i else v for j, v in enumerate(numbers)]
             found = [dual(factor * u, UNITS[3 * i + l]) for u in find(kind, *tilted)]
-            out = [u + (v if i == 0 else Dual(0, v.d)) for u, v in zip(out, found)]  # the values once
+            out = [u + (v if i == 0 else Dual(0, v.d)) for u, v in zip(out, found)]  # values once, slopes each time
     return out
 
 
 def weights(method, terms):
-    """V_n of all terms; of stable (26.15). terms: (kind, factor, order, time, end), each number
-    with a slope of its own."""
+    """Return V_n of all terms as dual numbers; for fvi-stable by (26.15). terms: (kind, factor, order, time, end),
+    where each number has its own slope."""
     w = of_terms(terms, lambda *term: symbol(*term, method != "fvi"), N + 1)
     return [HALF * (u + v) for u, v in zip(w, [ZERO] + w)] if method == "stable" else w
 
 
 def run(method, kappa, terms, data):
-    """J = (h/2) sum_{k>=1} |x_k - sin t_k|^2 + sum_i x_N,i/2 + x_N,i p_N,i^2/4, U = sum c x^2/2 +
-    g x^4/4, F = cos(5t/4)/5."""
+    """Return J = (h/2) sum_{k>=1} |x_k - sin t_k|^2 + sum_i x_N,i/2 + x_N,i p_N,i^2/4 of a run with U = sum c x^2/2 +
+    g x^4/4 and F = cos(5t/4)/5."""
     h, w, J, printed = dual(STEP), weights(method, terms), ZERO, method == "fvi"
     theta = HALF if method == "stable" else ZERO
     c, g = data["cg"]
@@ -188,7 +188,7 @@ def law(terms):
 
 
 def drawn(random, which, most):
-    """Three terms: (kind, rho, alpha, time, end)."""
+    """Return three random terms (kind, rho, alpha, time, end)."""
     uniform = lambda a, b: round(random.uniform(a, b) * 2**20) / 2**20
     if which < len(EDGES):
         return [(kind, uniform(0.1, 0.6), a, T, e) for kind, a, T, e in EDGES[which]]
@@ -200,7 +200,7 @@ def drawn(random, which, most):
 
 
 def derivatives(method, kappa, terms, data):
-    """By the factors, orders, times and ends of all terms, one after another."""
+    """Return the derivatives of J by the factors of all terms, then by their orders, times and ends."""
     terms = [(kind, *map(mpf, numbers)) for kind, *numbers in terms]
     return apart(run(method, kappa, terms, {k: [dual(mpf(v)) for v in u] for k, u in data.items()}).d, 12)
 
@@ -226,7 +226,8 @@ SMALL = mpf(10) ** -20
 
 
 def slope_of(kind, numbers, which):
-    """The symbol's derivative by a number; its error is of the square of SMALL."""
+    """Return the derivative of the symbol by one of its numbers, as a central difference; its error is of the order
+    SMALL^2."""
     up, down = ([v + (sign if i == which else 0) for i, v in enumerate(numbers)] for sign in (SMALL, -SMALL))
     return lambda v: (SYMBOLS[kind](v, *up) - SYMBOLS[kind](v, *down)) / (2 * SMALL)
 
@@ -247,7 +248,7 @@ for which in range(12):
     nodes = numbers(s)[0]
     at = [(k + nodes[i]) * STEP for k in range(N6) for i in range(s - 1)] + [N6 * STEP]
     q["F"] = [dual(mpmath.cos(5 * v / 4) / 5) for v in at for _ in range(D5)]
-    chain = LawChain(s, plain + [f for _, f, _ in slopes], q, STEP)  # a slope is a term of factor 0
+    chain = LawChain(s, plain + [f for _, f, _ in slopes], q, STEP)  # slopes: terms of factor 0
     want = chain.slopes([("terms", i) for i in range(3 + len(slopes))])
     own, want = want[3:], want[:3] + [mpf(0)] * 9
     for (place, _, factor), slope in zip(slopes, own):

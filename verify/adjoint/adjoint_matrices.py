@@ -1,12 +1,12 @@
-"""H 23. Systems of matrices: derivatives by factors of M, C and K, and by the order.
+"""H 23. Systems of matrices: derivatives with respect to factors of M, C and K, and to the order.
 
 Proved here:
-  (23.19) what the factors give, with a shift, a drift and the impulses of a past, for d = 2 and
+  (23.19) the derivatives by the factors, with a shift, a drift and the impulses of a past, for d = 2 and
           N = 3, all numbers symbols;
-  (23.20) that the factors of everything add up;
-  (23.23) what the mirrored memory has besides that of mu - J_p, six nodes, all weights symbols.
-Printed: derivatives of runs of three unknowns by Algorithm 3 and (13.7) as they stand, in dual
-numbers of 45 digits, what depends on the order by complex steps of 10^-45 with 100 digits."""
+  (23.20) the identity between the derivatives by all factors;
+  (23.23) the terms of the mirrored memory that a memory of mu - J_p does not contain, six nodes, all weights symbols.
+Printed: derivatives of runs of three unknowns by Algorithm 3 and (13.7) as they are written in the chapters, in dual
+numbers of 45 digits; the parts that depend on the order come from complex steps of 10^-45 with 100 digits."""
 from functools import cache
 from random import Random
 
@@ -17,7 +17,7 @@ from sympy import Matrix, Rational, diff, expand, symbols
 from shared.arithmetic import HALF, ONE, TINY, UNITS, ZERO, Dual, apart, dot, dual, fixed
 from shared.refgen import METHODS, initial_history, header, hexd, nearest, prove, table
 
-# ---- what the factors give ----
+# ---- the derivatives by the factors ----
 
 h, kappa, c, theta, end, unit = symbols("h kappa c theta end unit")
 sM, sC, sK = symbols("s_M s_C s_K")
@@ -71,12 +71,12 @@ by_M = (sum(product(x[k + 1] - x[k], M, lam[k + 1] - lam[k]) for k in steps) / h
         - (p0.T * (by_p0 - lam[0]))[0])
 prove("(23.19) by a factor of M", diff(L, sM).subs(ones) - by_M)
 #< factors
-# L is a sum of these, of the forces, and of p0 and p_N, each times one of them; of the
-# first the derivative by p0 has all that a run's M^-1 p0 does
+# L is homogeneous: it is a sum of terms with one factor each, of the terms with the forces, and of those with p0 and
+# p_N. The derivative by p0 includes the path through M^-1 p0.
 prove("(23.20)", (L - diff(L, sC) - diff(L, sK)).subs(ones) - by_M - (p0.T * by_p0)[0] + (lam[N3].T * pN)[0]
       - h * sum((lam[k].T * F[k])[0] for k in range(1, N3 + 1)))
 
-# ---- what a memory that is held at J_p leaves out ----
+# ---- the terms that a memory held at J_p leaves out ----
 
 #> constant
 w, mu, half = symbols("w0:7"), symbols("mu0:7"), Rational(1, 2)
@@ -97,7 +97,7 @@ BY_M, BY_C, BY_ALPHA, BY_K = UNITS[:4]
 
 
 def tilted(value):
-    """A function of alpha at alpha + i TINY, as a dual number."""
+    """Return a function of alpha, evaluated at alpha + i TINY, as a dual number."""
     return dual(value, BY_ALPHA)
 
 
@@ -118,7 +118,7 @@ def weights(method, alpha):
 
 @cache
 def impulses(alpha):
-    """h^(1 + e) times the integrals of (1 - s) and s times (k + s)^e / Gamma(1 + e), (19.5)."""
+    """Return (19.5): h^(1 + e) times the integrals of (1 - s) and of s times (k + s)^e / Gamma(1 + e)."""
     e, out = (1 if alpha > 0.5 else 0) - 2 * mpc(alpha, TINY), []
     power = [mpf(0)] + [mpf(k) ** e for k in range(1, N + 1)]
     for k in range(N):
@@ -134,7 +134,7 @@ def times(A, v):
 
 
 def solve(A, right):
-    """x of A x = right, A positive definite, all dual numbers."""
+    """Solve A x = right in dual numbers; A must be positive definite."""
     rows = [[*row, r] for row, r in zip(A, right)]
     for k in range(D):
         for i in range(k + 1, D):
@@ -147,7 +147,7 @@ def solve(A, right):
 
 
 def run(method, past, alpha, kappa, M, C, K, x0, p0):
-    """J = (h/2) sum_{k>=1} |x_k - sin t_k|^2 + |p_N|^2 / 2."""
+    """Return J = (h/2) sum_{k>=1} |x_k - sin t_k|^2 + |p_N|^2 / 2 of a run."""
     h, printed, above, each = dual(STEP), method == "fvi", alpha > 0.5, range(D)
     drifts = above and (not printed or past == "caputo")
     w, unit = weights(method, alpha), tilted(STEP ** (1 - 2 * mpc(alpha, TINY)))
@@ -183,7 +183,7 @@ def run(method, past, alpha, kappa, M, C, K, x0, p0):
 
 
 def positive(random, rank):
-    """A sum of squares, to 2^-20, as exact doubles."""
+    """Return a positive matrix, a sum of squares, whose entries are whole multiples of 2^-20 and so exact doubles."""
     rows = [[random.randrange(-2**10, 2**10) for _ in range(D)] for _ in range(rank)]
     return [[sum(r[i] * r[j] for r in rows) / 2**20 for j in range(D)] for i in range(D)]
 
@@ -194,10 +194,10 @@ def problem(random, method, past, alpha):
     for i in range(D):
         M[i][i] += 1.0
     x0, p0 = ([uniform(-1, 1) for _ in range(D)] for _ in range(2))
-    if past == "rl" and alpha > 0.5 and method != "fvi":  # it begins at 0 alone
+    if past == "rl" and alpha > 0.5 and method != "fvi":  # such a run exists from x0 = 0 alone
         x0 = [0.0] * D
     kappa = 0.5 if method == "stable" else uniform(0.2, 0.8)
-    # a matrix times a factor has itself as its slope
+    # The derivative of (factor times matrix) by the factor is the matrix, so it is the slope.
     q = [[[Dual(fixed(v), unit * fixed(v)) for v in row] for row in A]
          for A, unit in zip((M, C, K), (BY_M, BY_C, BY_K))]
     start = [[dual(mpf(v)) for v in u] for u in (x0, p0)]

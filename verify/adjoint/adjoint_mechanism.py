@@ -1,12 +1,12 @@
-"""H 23, 29. Runs with a mechanism: derivatives by everything, by complex steps.
+"""H 23, 29. Runs with a mechanism: derivatives with respect to all numbers, by complex steps.
 
 Proved here:
-  (23.29) with symbols for all weights, five steps: the sums that the forces of dampers are, transposed;
-  (23.30) the projection of a momentum, transposed: for two coordinates and a constraint, all symbols.
-Printed: derivatives of runs of two coordinates by (29.5) to (29.8) as they stand, with three dampers, on a
-row, on a length, and with a law of two terms: masses and Duffing springs, a cart with a pendulum, and a
-pendulum in the plane on a rod. A run with one complex number is one step of Newton's method from the real
-one, of which 10^-90 is left."""
+  (23.29) the transpose of the sums that give the forces of dampers, with symbols for all weights, five steps;
+  (23.30) the transpose of the projection of a momentum, for two coordinates and a constraint, all symbols.
+Printed: derivatives of runs of two coordinates by (29.5) to (29.8) as they are written in the chapter, with three
+dampers: on a row, on a length, and with a law of two terms. The systems are masses with Duffing springs, a cart with
+a pendulum, and a pendulum in the plane on a rod. A run with a complex number makes one step of Newton's method from
+the real run, whose error is 10^-90."""
 from functools import cache
 from random import Random
 
@@ -30,7 +30,7 @@ A = Matrix(2, 2, symbols("a b b c"))
 C, b = Matrix([symbols("c0:2")]), Matrix(symbols("b0:2"))
 delta = -(C * b)[0] / (C * A.inv() * C.T)[0]
 epsilon = A.inv() * C.T * delta
-moved = b + epsilon  # of p, that is p_raw - C^T w with C A^-1 p = -c_t
+moved = b + epsilon  # the derivative of b . p by p_raw, where p = p_raw - C^T w with C A^-1 p = -c_t
 p, ct = Matrix(symbols("p0:2")), symbols("c_t")
 impulse = ((C * A.inv() * p)[0] + ct) / (C * A.inv() * C.T)[0]
 prove("(23.30)", *((p - C.T * impulse).dot(b).diff(v) - moved[i] for i, v in enumerate(p)), (C * moved)[0])
@@ -41,7 +41,7 @@ D, N, STEP, DAMPERS = 2, 5, mpf(1) / 8, 3
 dot = mpmath.fdot
 
 
-# ---- systems: L_x, L_v and a force of velocity; q are the numbers that may be moved ----
+# ---- systems: each returns L_x, L_v and a force that depends on the velocity; q has the numbers that may vary ----
 
 def masses(q, x, v):
     return ([-(q["c"] + q["g"] * u * u) * u for u in x], [m * u for m, u in zip(q["mass"], v)], [mpf(0)] * D)
@@ -58,13 +58,13 @@ def rod(q, x, v):
 
 
 def inverse(q, system, x, p):
-    """v with L_v(x, v) = p: L_v is linear in v."""
+    """Return the v with L_v(x, v) = p. L_v is linear in v."""
     columns = [system(q, x, [mpf(i == j) for i in range(D)])[1] for j in range(D)]
     det = columns[0][0] * columns[1][1] - columns[1][0] * columns[0][1]
     return [(columns[1][1] * p[0] - columns[1][0] * p[1]) / det, (columns[0][0] * p[1] - columns[0][1] * p[0]) / det]
 
 
-# ---- elongations: their value and gradient ----
+# ---- elongations: their values and gradients ----
 
 def elongations(x):
     a, b = x[0] + 2, x[1]
@@ -85,7 +85,7 @@ def table_of(s, form):
 
 @cache
 def eigen(s):
-    """Points z of a circle, and Delta(z) by eigenvectors."""
+    """Return points z of a circle, and the eigenvalues and eigenvectors of Delta(z) there."""
     c, b, D_, inverse_A = numbers(s)[:4]
     found = []
     for j in range(32):
@@ -111,12 +111,12 @@ def stage_weights(s, terms):
 
 
 def stage_impulses(s, rho, e):
-    """rho h^(1 + e) int l_i(u) (k + u)^e / Gamma(1 + e) du of all steps, by powers of k + u."""
+    """Return rho h^(1 + e) int l_i(u) (k + u)^e / Gamma(1 + e) du for all steps k and stages i, in powers of k + u."""
     c, out = numbers(s)[0], []
     for k in range(N):
         rows = []
         for i in range(s):
-            poly = [mpf(1)]  # by powers of w = k + u, the lowest first
+            poly = [mpf(1)]  # coefficients of the powers of w = k + u, the lowest first
             for l in range(s):
                 if l != i:
                     shifted, scale = k + c[l], 1 / (c[i] - c[l])
@@ -131,7 +131,7 @@ def stage_impulses(s, rho, e):
 # ---- runs ----
 
 class Run:
-    """One run; `base` has the roots of the real one, and the inverse matrices of its steps."""
+    """One run. `base`: None for the real run; else the real run's roots and inverse matrices of all steps."""
 
     def __init__(self, method, system, pasts, kappa, base=None):
         self.name, self.system, self.pasts, self.kappa, self.base = method, system, pasts, kappa, base
@@ -139,7 +139,7 @@ class Run:
         self.roots = []
 
     def solve(self, residual, guess):
-        """A root of residual; of a run with complex numbers one step from that of the real one."""
+        """Return a root of residual. A run with complex numbers makes one Newton step from the root of the real run."""
         k = len(self.roots)
         if self.base:
             u, back = self.base[k]
@@ -313,7 +313,7 @@ def problem(method, system, pasts, kernels):
     kappa = uniform(0.2, 0.8) if method == "fvi" else 0.5
     q = dict(c=mpf(uniform(0.5, 2)), g=mpf(uniform(0.2, 1)), mass=[mpf(uniform(0.5, 2)) for _ in range(D)])
     x, p = ([uniform(-1, 1) for _ in range(D)] for _ in range(2))
-    if system is rod:  # on the rod, and along it; 3-4-5
+    if system is rod:  # start on the rod and move along it; the numbers are those of a triangle 3-4-5
         x, p = [0.6, -0.8], [0.4, 0.3]
     exact = [tuple((kind, *map(mpf, rest)) for kind, *rest in kernel) for kernel in kernels]
     start, push = ([mpf(v) for v in u] for u in (x, p))
@@ -326,7 +326,7 @@ def problem(method, system, pasts, kernels):
     want = [mpf(0)] * 24
     for j, l, i in numbers_of(exact):
         want[8 * j + 4 * l + i] = go(q, tilted(exact, j, l, i), start, push)
-    if system is rod:  # along the circle, and by the speed
+    if system is rod:  # vary the start along the circle, and vary the speed
         turn = mpc(0, TINY)
         want += [go(q, exact, [start[0] - turn * start[1], start[1] + turn * start[0]],
                     [push[0] - turn * push[1], push[1] + turn * push[0]]),

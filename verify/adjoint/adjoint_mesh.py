@@ -1,4 +1,4 @@
-"""H 23. Steps of any length: derivatives of chains of five masses on a given mesh.
+"""H 23. Steps of any length: derivatives of runs of chains of five masses on a given mesh.
 
 The runs and their slopes are those of adjoint_steps.py, in dual numbers of 45 digits."""
 from random import Random
@@ -16,8 +16,8 @@ mp.dps = 72
 UNIT = 2**-20
 
 
-# The first step is shorter than the method's own first one would be, and each is shorter than
-# what the one before allows: so the method takes those that end where it is told to.
+# The first step is shorter than the first step that the method would choose, and each further step is shorter than
+# the method allows after the step before it. So the method accepts these steps when it is told where to end them.
 UNITS = [57, 58, 121, 262, 563, 1208, 2600, 5571, 11980, 23000, 40000, 60000, 90000, 130000, 158868]
 # Small impulses at the start, at the beginning of a step with a row in it, and at the end.
 IMPULSES = {k: [(-1) ** (j + k) * (j + 1) * 2.0**-17 for j in range(D5)] for k in (0, 11, 15)}
@@ -34,7 +34,7 @@ def chain(random, past, alpha):
     q = {k: [dual(mpf(v)) for v in w] for k, w in data.items()}
     q["F"] = [ZERO] * ((ROWS + 1) * D5)
     run = Mesh(8, 1, past, alpha, q, [u * UNIT for u in UNITS], sum(UNITS) * UNIT / ROWS,
-               IMPULSES if alpha <= 0.5 else {})  # above, they are too rough for such steps
+               IMPULSES if alpha <= 0.5 else {})  # for larger alpha too rough for such steps
     want = run.slopes([(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
                       + [("cg", 0), ("cg", 1), ("alpha", 0)]
                       + [("F", i) for i in (0, 12, len(q["F"]) - 1)])
@@ -45,7 +45,7 @@ def chain(random, past, alpha):
 random = Random(2316)
 runs = [chain(random, past, alpha) for past, alpha in CASES]
 
-# (23.18): what a step has of itself, for the last one of the last run
+# (23.18): the block that a step contributes to itself, for the last step of the last run
 h, block = mpf(UNITS[-1]) * UNIT, powers(8, tuple(u * UNIT for u in UNITS), mpf(1))[1][-1][len(UNITS) - 1]
 own = real_function(numbers(8)[3], lambda v: v * (mpmath.log(v) - mpmath.log(h))) / h
 claim("(23.18) the block of a step itself", max(abs(mpmath.ldexp(block[i][j], -BITS) - own[i, j])

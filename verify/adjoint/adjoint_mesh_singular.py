@@ -1,9 +1,9 @@
 """H 23. Steps of any length, and a singular start.
 
-Proved: (23.24) term by term, with what (22.20) sums; (23.25) for three steps, two and three stages, two
-modes, all else symbols; (23.26) for the modes of (22.7). Printed: derivatives of chains of five
-masses in dual numbers of 45 digits, adjoint_steps.py. There the memory after t1 is told of V
-itself; what its modes know of the singular part is in adjoint_kernels.py."""
+Proved: (23.24) term by term, with the coefficients that (22.20) sums; (23.25) for three steps, two and three stages,
+two modes, all other numbers symbols; (23.26) for the modes of (22.7). Printed: derivatives of runs of chains of five
+masses in dual numbers of 45 digits, by adjoint_steps.py. There the memory after t1 contains V itself; the
+contribution of the singular part to its modes comes from adjoint_kernels.py."""
 from random import Random
 
 import mpmath
@@ -25,7 +25,7 @@ mp.dps = 72
 t, r, m, A, alpha, J = symbols("t r m A alpha J", positive=True)
 for n in (1, 2, 5):
     for e in (0, 1):
-        for turn in (1, -1):     # rising powers, falling ones
+        for turn in (1, -1):     # rising powers, then falling powers
             a = n * turn * (2 - 2 * alpha) + e
             g = r**n * t**a / gamma(1 + a)
             prove("(23.24) by r", r * diff(g, r) - n * g)
@@ -41,14 +41,14 @@ prove("(23.24), P by m", m * diff(P, m) - P)
 prove("(23.24), P by alpha", diff(P, alpha) / P + 2 * (J + 1) * (log(t) - digamma(1 + b)))
 
 #> told
-# (23.26): what z is after three steps, where v and z were told of a jump before the second; and
-# what it is of V - u, plus eta, which falls by 1 - p. p and L are those of each step.
+# (23.26): z after three steps, if a jump was added to v and z before the second step, equals z for V - u, plus eta,
+# which decays by 1 - p in each step. p and L belong to the steps.
 L, p, V = ([symbols(f"{name}{k}_0:2") for k in range(3)] for name in "LpV")
 c0, jump, eta = symbols("c_0 jump eta")
 
 
 def moved(k, z, ve, v):
-    """(22.7), s = 2: z and v_e after step k."""
+    """(22.7), s = 2: return z and v_e after step k."""
     return (1 - p[k][0]) * z + (v[1] - ve) - sum(l * (f - ve) for l, f in zip(L[k], v)), v[1]
 
 
@@ -65,7 +65,7 @@ for k in range(3):
 #< told
 
 #> singular-start
-# (23.25), s = 2 and 3, K = 1, two modes: DD^beta is a polynomial in (22.1), all else symbols.
+# (23.25), s = 2 and 3, K = 1, two modes. DD^beta is a polynomial in the matrix (22.1); all other numbers are symbols.
 for s in (2, 3):
     b, D = one.exact_rule(s)
     e1, es, Pi, B = eye(s)[:, 0], eye(s)[:, s - 1], eye(s)[::-1, :], diag(*b)
@@ -129,7 +129,8 @@ for s in (2, 3):
 #< singular-start
 
 class Pulled(Mesh):
-    """x = y + G until t1, the end of step K, of these terms; kind: rising, falling or euler."""
+    """A run with x = y + G until t1, the end of step K, where G is a sum of J powers; kind: rising, falling or euler.
+    """
     by_impulses = False
 
     def __init__(self, s, past, alpha, q, h, row, impulses, K, t1, J, kind):
@@ -139,7 +140,7 @@ class Pulled(Mesh):
         super().__init__(s, 1, past, alpha, q, h, row, impulses)
 
     def heads(self, j):
-        """k_n; w_n of (22.23) is held."""
+        """Return the factors k_n of mass j. The weight w_n of (22.23) is a constant: it has no slope."""
         rho, m = (mpmath.ldexp(self.q0[name][j].v, -BITS) for name in ("rho", "mass"))
         falls = self.falls and rho > 0
         signs = [(-1) ** n * (-1 if falls else 1) for n in range(self.J + 2)]
@@ -152,7 +153,7 @@ class Pulled(Mesh):
         return [dual(mpf(0 if falls and n == 0 else v)) for n, v in enumerate(signs)]
 
     def prepare(self, q, turn):
-        """A, c_n (r t1^gap)^n, G at all stages and rows, and what is left as a force."""
+        """Compute A, c_n (r t1^gap)^n, G at all stages and rows, and the remainder that acts as a force."""
         self.q0, self.turn = getattr(self, "q0", q), turn
         alpha = mpmath.mpc(self.alpha0, TINY / 2)
         self.gap = (2 * alpha - 2) if self.falls else (2 - 2 * alpha)
@@ -186,7 +187,8 @@ class Pulled(Mesh):
         return self.gap if falls == self.falls else -self.gap
 
     def powers(self, t, falls, slope):
-        """t^a / Gamma(1 + a), or its derivative by t, of all terms, where t1^(n gap) is c_n's."""
+        """Return t^a / Gamma(1 + a), or its derivative by t, of all terms. The factor t1^(n gap) is left out: it is
+        part of c_n."""
         if (t, falls, slope) not in self.at:
             gap, found = self.gap_of(falls), []
             if falls not in self.over:
@@ -200,7 +202,7 @@ class Pulled(Mesh):
         return [Dual(v.v, self.turn * v.d) for v in self.at[t, falls, slope]]
 
     def singular(self, t, slope=0):
-        """G of all bodies, or G'."""
+        """Return G of all bodies, or G'."""
         if t == 0:
             return [ZERO] * D5
         falls = [self.falling(j) for j in range(D5)]
@@ -218,7 +220,7 @@ class Pulled(Mesh):
         return [ZERO - q["mass"][j] * self.c[j][self.J + 1] * by for j in range(D5)]
 
     def taken(self, q, k):
-        """Until t1 what v begins with, then nothing."""
+        """Return the part of v at the start that the memory takes in until t1; 0 afterwards."""
         return [c[0] if self.e and k < self.last else ZERO for c in self.c]
 
     def told(self, k, i, j):
@@ -255,15 +257,15 @@ class Pulled(Mesh):
 
 # ---- chains ----
 
-# Steps that the method takes if they end where it is told to: shorter than what those before
-# allow. One ends at T/1000, nearly.
+# Each step is shorter than the method allows after the steps before it, so the method accepts these steps when it is
+# told where to end them. One step ends near T/1000.
 UNIT, ROWS = 2**-21, 4
 UNITS = [30, 31, 65, 130, 165, 250, 420, 700, 1200, 2000, 3400, 5800, 10200, 18500, 30000, 42000, 60000, 80000]
 IMPULSES = {k: [(-1) ** (j + k) * (j + 1) * 2.0**-17 for j in range(D5)] for k in (0, 15, 18)}
 
 
 def expansion(past, alpha, s, kind, ratios, T):
-    """The number of terms, and t1, as H 22 has them."""
+    """Return the number of terms and t1, by the rules of H 22."""
     gap, e = 2 - 2 * alpha, int(alpha > 0.5)
     fastest, slowest = max(ratios), min(r for r in ratios if r > 0)
     if kind == "rising":
@@ -274,7 +276,7 @@ def expansion(past, alpha, s, kind, ratios, T):
     return mpmath.ceil(-56 * mpmath.log(2) / mpmath.log(P / (1 + P) * (1 - mpf(1e-30) ** gap))), None
 
 
-# past, alpha, stages, kind, K; with K 0 the singular part lasts
+# past, alpha, stages, kind, K; K = 0: the singular part lasts until the end of the run
 CASES = [("held", 0.55, 8, "rising", 15), ("held", 0.9, 8, "rising", 16), ("held", 0.75, 6, "rising", 16),
          ("held", 0.7, 8, "rising", 0), ("held", 0.995, 8, "falling", 4), ("held", 0.995, 8, "euler", 4),
          ("rl", 0.05, 8, "rising", 16), ("rl", 0.35, 8, "rising", 17), ("rl", 0.75, 8, "rising", 15)]

@@ -1,6 +1,7 @@
-"""H 23. Methods without stages: derivatives of chains of five masses.
+"""H 23. Methods without stages: derivatives of runs of chains of five masses.
 
-Algorithm 3 and (13.7) as they stand, in dual numbers of 45 digits. All four methods, three pasts, five orders."""
+The runs follow Algorithm 3 and (13.7) as they are written in the chapters, in dual numbers of 45 digits, for all four
+methods, three pasts and five orders."""
 from random import Random
 
 from shared.node_runs import FORCES, chain

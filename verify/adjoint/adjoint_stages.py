@@ -1,12 +1,12 @@
 """H 23. The adjoint of methods with stages.
 
-Proved here, s = 2, 3 in exact numbers, the memory a polynomial in Delta(z), three steps:
+Proved here, for s = 2, 3 in exact numbers, with the memory a polynomial in Delta(z), three steps:
   (23.13) the derivative of sum Lambda . R by the stages, form M;
-  (23.15) and by the velocities of the stages, form D, with what comes out;
-  (23.16) the same on steps h_0, h_1, h_2, s = 2, 3, the memory a polynomial in (22.1).
-Printed: the rates of the weights (23.14), Cauchy's integral of ln(Delta) Delta^beta; and
-derivatives of chains of five masses, with a power and with laws of three random terms, by
-dual numbers of 45 digits, adjoint_chain.py."""
+  (23.15) its derivative by the velocities of the stages, form D, and the derivatives that follow;
+  (23.16) the same on steps h_0, h_1, h_2, with the memory a polynomial in (22.1).
+Printed: the derivatives of the weights (23.14), by Cauchy's integral of ln(Delta) Delta^beta; and derivatives of
+chains of five masses, with a power and with laws of three random terms, by dual numbers of 45 digits,
+adjoint_chain.py."""
 from random import Random
 
 import mpmath
@@ -24,7 +24,7 @@ z, t, m, h, c = symbols("z t m h c")
 
 
 def rule_of(s):
-    """b and D of the nodes, by Lagrange's polynomials."""
+    """Return b and D of the nodes, by Lagrange's polynomials."""
     nodes, b, D = NODES[s], [], zeros(s, s)
     for j in range(s):
         l = Rational(1)
@@ -54,7 +54,7 @@ for s in (2, 3):
     x = symbols(f"x0:{STEPS + 1}")
     v0, xi = symbols("v0"), symbols(f"xi0:{STEPS + 1}")
     #> form-d
-    # form D: R = m (A^-1 (V - v_k) + c W V) + h G X, X = x_k + h A V; and x_k by xi_k
+    # Form D: R = m (A^-1 (V - v_k) + c W V) + h G X with X = x_k + h A V. xi_k is the multiplier of x_{k+1}.
     total = 0
     for k in range(STEPS):
         before = V[k - 1][s - 1] if k else v0
@@ -80,7 +80,7 @@ for s in (2, 3):
         ((V[k] - v0 * ones(s, 1)).T * B * P * T[k])[0] for k in range(STEPS))))
     #< form-d
     #> mesh
-    # steps of any length: the same, T from the matrix of the reversed mesh
+    # Steps of any length: the same equations, where T comes from the matrix of the reversed mesh.
     H, w = symbols(f"h0:{STEPS}"), [Matrix(symbols(f"w{k}_0:{s}")) for k in range(STEPS)]
 
     def memory_of(steps):
@@ -108,7 +108,7 @@ for s in (2, 3):
         prove("(23.16) by the velocities of a step", *(by_V + B * P * row).applyfunc(expand))
     #< mesh
     #> form-m
-    # form M: rows e_1 p + m/h K X - h G X - h B c W v, v = D X / h; p by what it becomes
+    # Form M: the rows of R are e_1 p + m/h K X - h G X - h B c W v with v = D X / h. p is replaced by its recurrence.
     K = (D.T * B * D).applyfunc(expand)
     X = [Matrix([x[k], *symbols(f"X{k}_1:{s - 1}"), x[k + 1]]) for k in range(STEPS)]
     total = 0
@@ -122,7 +122,7 @@ for s in (2, 3):
     prove("(23.13) by the last stage", expand(total.diff(x[STEPS]) - row[s - 1]))
     #< form-m
 
-# ---- the rates of the weights ----
+# ---- the derivatives of the weights ----
 
 mp.dps = 60
 BETA_RATES, LAGS = [-1.0, -0.95, -0.5, 0.0, 0.2, 0.8, 1.0], [0, 1, 3, 4, 40]
@@ -132,7 +132,7 @@ def literal(values):
     return "{ " + ", ".join(nearest(v) for v in values) + " }"
 
 
-rates = []      # what comes round again is 4^-64; of 60 digits 4^40 = 10^24 are lost
+rates = []      # aliasing leaves an error of 4^-64; of 60 digits, 4^40 = 10^24 are lost
 for s in (2, 3, 4, 8):
     for beta in BETA_RATES if s < 8 else (-0.5, 0.8):
         found = coefficients(points(s, mpf(1) / 4, 64), lambda v, e=mpf(beta): v**e * mpmath.log(v), LAGS)
@@ -180,7 +180,7 @@ for s, damped, past, alpha, data in cases():
                    for k in ("x0", "p0", "mass", "rho", "cg")]
                 + ["{ " + ", ".join(map(str, at)) + " }", "{ " + ", ".join(text) + " }"])
 
-# ---- the same with laws, drawn at random ----
+# ---- the same with random laws ----
 
 KINDS = {
     "POWER": lambda a, T, b: lambda v: v ** (2 * a),

@@ -1,20 +1,20 @@
-"""H 21. What survives?
+"""H 21. Which conservation laws of mechanics survive.
 
 Proved here:
   (21.3) the doubled action is Bateman's and a term in x - y: symbols, N = 3;
-  (21.4) C_n - C_{n-1} = v_n . ((K - T) u)_n - u_n . ((K - T)^T v)_n for open K, T, u, v,
-         N = 5, in R^2 with symmetric blocks K and diagonal blocks T, T with one
-         diagonal above the main one; with T transposed in the sum it is not true;
+  (21.4) C_n - C_{n-1} = v_n . ((K - T) u)_n - u_n . ((K - T)^T v)_n for any K, T, u, v,
+         N = 5, in R^2 with symmetric blocks K and diagonal blocks T, where T has one
+         diagonal above the main one; the equation fails if T is transposed in the sum;
   (21.5) the form at alpha = 1/2, and at rho = 0;
-  (21.6) the response of two masses to each other, numbers, open weights, N = 4;
+  (21.6) the response of two masses to each other, in numbers, with any weights, N = 4;
   (21.7) D_1 L_d . Xi x + D_2 L_d . Xi y = 0 for a generic central U in R^2;
   (21.9) the sum of the dampings is Delta^{2 alpha - 1}: alpha symbolic, k <= 8;
   (21.8) a symmetry of unequal masses turns a solution into a solution if Xi^T rho + rho Xi = 0, and
          not if Xi and rho commute;
   (21.12) the imaginary parts on the circle, for three schemes.
-What H 12 proves of (12.13), (12.15), (12.16) stands in memory.py.
-Printed: forms and energies where no rounding is, from the definitions in rationals; the
-response of five masses to each other, from dense matrices at 60 and 90 digits."""
+The proofs for H 12 of (12.13), (12.15) and (12.16) are in memory.py. Printed: forms and energies without rounding
+errors, from the definitions in rationals; the response of five masses to each other, from dense matrices at 60 and 90
+digits."""
 import mpmath
 from sympy import (I, Function, Matrix, Rational, Symbol, arg, binomial, conjugate, cos, diff,
                    exp, expand, expand_complex, gamma, im, pi, re, sin, sqrt, symbols,
@@ -46,14 +46,14 @@ def node(c, k):
 
 
 def block(k, j):
-    """K_{kj}: symmetric, and K_{jk} = K_{kj}^T, as the Hessian of an action is."""
+    """Return K_{kj}. It is symmetric and K_{jk} = K_{kj}^T, like the Hessian of an action."""
     a, b = min(k, j), max(k, j)
     return Matrix(d, d, lambda i, l: Symbol(f"K{a}{b}_{min(i, l)}{max(i, l)}")) \
         if b - a < 2 else zeros(d, d)
 
 
 def memory(k, j):
-    """T_{kj}: diagonal, zero for j > k + 1."""
+    """Return T_{kj}. It is diagonal, and zero for j > k + 1."""
     return Matrix(d, d, lambda i, l: Symbol(f"T{k - j + 1}_{i}") if i == l else 0) \
         if k - j >= -1 else zeros(d, d)
 
@@ -90,16 +90,16 @@ for n in range(N):
                - v[n + 1].dot(rho * u[n]))
     prove("(21.5) Bateman's form", expand(form(n, memory).subs(half) - bateman))
 
-# ---- where U is asked and where it is felt ----
+# ---- the points at which grad U is evaluated, and the nodes on which it acts ----
 
 #> felt
-# grad U is asked at S_i = sum_l a_l x_{i+l} and felt at the node k as sum_l b_l grad U(S_{k-l}).
+# grad U is evaluated at S_i = sum_l a_l x_{i+l}, and it acts on the node k as sum_l b_l grad U(S_{k-l}).
 N, width = 5, 3
 a, b, G = symbols("a:3"), symbols("b:3"), symbols("G:6")
 
 
 def force_matrix(a, b, G):
-    """The derivatives of what is felt at the node k by x_j; G_i = U''(S_i)."""
+    """Return the derivatives of the force on the node k with respect to x_j; G_i = U''(S_i)."""
     B = zeros(N + width, N + width)
     for i in range(N + 1):
         B[i:i + width, i:i + width] += G[i] * Matrix(b) * Matrix(a).T
@@ -113,9 +113,9 @@ for i in range(width):
     for j in range(width):
         prove("the force is a gradient for every U if and only if all of these vanish",
               diff((force_matrix(a, b, G) - force_matrix(a, b, G).T)[i, j], G[0]) - (b[i] * a[j] - b[j] * a[i]))
-# Where U'' is constant, only how far apart j and k are counts, and b = a is not needed: it is
-# enough that sum_l b_l a_{l+n} = sum_l a_l b_{l+n}. So it is for (1/4, 1/2, 1/4), felt, asked at
-# the middle.
+# If U'' is constant, the force depends only on the difference of j and k. Then b = a is not necessary for a gradient:
+# sum_l b_l a_{l+n} = sum_l a_l b_{l+n} suffices. For example, the weights b = (1/4, 1/2, 1/4) with a = (0, 1, 0), the
+# middle, satisfy it.
 mean = {**dict(zip(a, (0, 1, 0))), **dict(zip(b, (Q(1, 4), Q(1, 2), Q(1, 4))))}
 
 
@@ -124,7 +124,7 @@ def apart(a, b, n):
 
 
 alike = force_matrix(a, b, [1] * (N + 1))
-for j in range(width - 1, N + 1):                         # no i is cut off there
+for j in range(width - 1, N + 1):                         # so that no i is cut off
     for k in range(width - 1, N + 1):
         prove("the forces of a quadratic U", alike[k, j] - (apart(a, b, j - k) if abs(j - k) < width else 0))
 prove("mean has a gradient for quadratic U, and a is not b",
@@ -139,13 +139,13 @@ claim("mean has none where U'' varies", expand(varied - varied.T) != zeros(N + w
 N, d = 4, 2
 m, r, c = [1, 3], [2, 5], [1, 4, 2]
 C = Matrix([[c[0] + c[1], -c[1]], [-c[1], c[1] + c[2]]])
-t = symbols("w:5")                                        # any memory at all
+t = symbols("w:5")                                        # any weights
 mass, damping = Matrix([[m[0], 0], [0, m[1]]]), Matrix([[r[0], 0], [0, r[1]]])
 q = Q(3, 16)                                              # kappa (1 - kappa), h = 1
 
 
 def response(push):
-    """x_1, ..., x_N from x_0 = 0 and p_0 = push: K x - T x = -p_0 [k = 0]."""
+    """Return x_1, ..., x_N from x_0 = 0 and p_0 = push, by solving K x - T x = -p_0 [k = 0]."""
     xs = [zeros(d, 1)]
     step = (mass + q * C).inv()
     for k in range(N):
@@ -228,7 +228,7 @@ prove("(21.12) Re delta = (1 - cos(phi))^2",
 prove("(21.12) the work of a wave", expand_complex(
     ((1 + z) / (1 - z) + I * cos(phi / 2) / sin(phi / 2)).rewrite(cos)))
 mpmath.mp.dps = 30
-for i in range(1, 200):                  # the angles that the proof adds, shifted scheme
+for i in range(1, 200):                  # the angles that the proof adds, for the shifted scheme
     for al in (mpmath.mpf(j) / 20 for j in range(1, 21)):
         f = mpmath.pi * i / 200
         zz = mpmath.expj(-f)
@@ -284,7 +284,7 @@ def exact_forms(kind, theta, alpha, k):
 
 
 def exact_energies(kind, theta, alpha, k, spring):
-    """A chain of two masses, springs `spring`."""
+    """Return the energies of a chain of two masses with springs of the stiffness `spring`."""
     delta = 4 if kind == BDF2 else 2
     chi = dyadic_power(Q(delta), 2 * alpha) * (1 - 2 * theta)
     out = []
@@ -306,8 +306,8 @@ def exact_energies(kind, theta, alpha, k, spring):
 
 
 def masses_response(kind, theta, alpha, steps):
-    """The matrix R_{ij} = position of mass i after `steps` from p_0 = e_j, x_0 = 0; from
-    the equations (K - T) x = -p_0 [k = 0] as one dense system, block Toeplitz."""
+    """Return the matrix R_{ij} = position of mass i after `steps` steps from p_0 = e_j, x_0 = 0. It solves the
+    equations (K - T) x = -p_0 [k = 0] as one dense system, which is block Toeplitz."""
     m = [1, 2, mpmath.mpf(1) / 2, 1, 3]
     r = [mpmath.mpf(v) / 8 for v in (1, 8, 0, 4, 2)]
     h, c, k = mpmath.mpf(1) / 4, 2, mpmath.mpf(1) / 4
@@ -319,7 +319,7 @@ def masses_response(kind, theta, alpha, steps):
             C[i, i - 1] = C[i - 1, i] = -c
     count = steps + 2
     order = 2 * mpmath.mpf(alpha)
-    # the coefficients of delta^order, by mpmath's Taylor series of the function itself
+    # the coefficients of delta^order, by binomial series
     if kind == BDF2:
         one = [(-1) ** i * mpmath.binomial(order, i) for i in range(count)]
         other = [mpmath.power(3, order) / mpmath.power(2, order) * mpmath.binomial(order, i)
@@ -329,7 +329,7 @@ def masses_response(kind, theta, alpha, steps):
         w = [(-1) ** i * mpmath.binomial(order, i) for i in range(count)]
     th = mpmath.mpf(theta)
     scale = mpmath.power(h, 1 - order)
-    dim = n * steps                                  # rows k = 0..steps-1, unknown x_1..x_steps
+    dim = n * steps                                  # rows k = 0..steps-1, unknowns x_1..x_steps
     bits = mpmath.mp.prec + 60
     A = [[0] * dim for _ in range(dim)]              # in units of 2^-bits
 
@@ -349,7 +349,7 @@ def masses_response(kind, theta, alpha, steps):
                 put(row, row + 1, i, l, -h * k * (1 - k) * C[i, l])
                 put(row, row, i, l, -h * (k * k + (1 - k) ** 2) * C[i, l])
                 put(row, row - 1, i, l, -h * k * (1 - k) * C[i, l])
-    lu = factorised(A, bits)                            # once for all masses
+    lu = factorised(A, bits)                            # one factorisation serves all masses
     out = []
     for j in range(n):
         b = [0] * dim

@@ -1,11 +1,11 @@
 """H 28. Thirty-two steps at once.
 
 Proved here:
-  (28.1)  every term meets every later sum once, at its own lag: the places where (28.1)
-          and (28.3) look, enumerated for all k < 200, with generic weights of the window
+  (28.1)  every term enters every later sum once, at its own lag: the places that (28.1)
+          and (28.3) read, enumerated for all k < 200, with generic weights of the window
           and one generic mode;
-  (28.2)  one block on, the mode is the sum that it was defined as (generic terms);
-  (28.3)  the table between two eights needs the difference of their places alone.
+  (28.2)  one block later, the updated mode is again the sum that defines it (generic terms);
+  (28.3)  the table for two groups of eight depends only on the difference of their places.
 Printed: sums with weights made of dyadic modes, exact rationals, for the tests."""
 from fractions import Fraction
 
@@ -15,11 +15,11 @@ from shared.refgen import array, claim, header, hexd, prove, table
 
 BLOCK, EIGHT, TAIL = 32, 8, 33
 
-# Where a sum finds a term: its own eight, an earlier eight of the block, the block
-# before, or a mode, which holds what is older.
+# A sum reads each of its terms at one of four places: in its own group of eight, in an earlier group of the same
+# block, in the block before, or in a mode, which contains all older terms.
 #> places
 def places(k):
-    """(lag, where) of every term that the sum k meets."""
+    """Yield (lag, place) of every term that the sum k reads."""
     begin, eight = k - k % BLOCK, k - k % EIGHT
     for j in range(eight, k + 1):
         yield k - j, "own eight"
@@ -39,8 +39,8 @@ for k in range(200):
     claim("the table ends at lag 63", all(lag < 64 for lag, at in met if at != "mode"))
 
 #> mode
-# e stands for e^{-s}. At the begin k0 of a block z is the sum over the lags n >= 33 of
-# e^{n-33} x_{k0-n}; (28.2) makes that of the next block from it.
+# e stands for e^{-s}. At the begin k0 of a block the mode z is the sum over the lags n >= 33 of e^{n-33} x_{k0-n}.
+# (28.2) computes the z of the next block from it.
 e = symbols("e")
 x = symbols("x0:100")
 

@@ -6,7 +6,7 @@ Proved here, alpha symbolic:
   (4.4)  products of weight sequences add the orders (Vandermonde), k <= 10;
   (4.5)  the first two terms of the asymptotic series.
 Printed: exact weights from the binomial (mpmath's gamma function at 60 and 90
-digits, never the recurrence), for doubles alpha as they are."""
+digits, never from the recurrence), at alpha that are doubles."""
 import mpmath
 from sympy import (Rational, binomial, expand_func, factorial, gamma, gammasimp,
                    limit, oo, prod, simplify, symbols)
@@ -18,12 +18,12 @@ n = symbols("n", integer=True, positive=True)
 
 
 def weight(order, k):
-    """alpha_k by its definition, k a number, order anything."""
+    """Return alpha_k by its definition; k is a number, order may be a number or a symbol."""
     return (-1) ** k * expand_func(binomial(order, k))
 
 
 def weight_symbolic(order):
-    """alpha_n for symbolic n, as a quotient of gamma functions."""
+    """Return alpha_n for a symbolic n, as a quotient of gamma functions."""
     return gamma(n - order) / (gamma(-order) * gamma(n + 1))
 
 
@@ -58,8 +58,7 @@ for k in range(11):
 #< vandermonde
 
 #> asymptotics
-# The ratio of successive terms of n^(-1-alpha) (1 + c/n) must agree with (4.2)
-# up to O(n^-3); that fixes c.
+# The ratio of successive terms of n^(-1-alpha) (1 + c/n) must agree with (4.2) up to O(n^-3). This determines c.
 c = a * (1 + a) / 2
 x = symbols("x", positive=True)  # 1/n
 series = ((1 / x - 1 - a) * x - (1 - x) ** (1 + a) * (1 + c * x) / (1 + c * x / (1 - x)))
@@ -85,7 +84,7 @@ INDICES = [1, 2, 3, 4, 7, 10, 33, 100, 999, 1000, 10007, 65536, 100000, 524287, 
 #> reference
 def exact(order, k):
     def value(digits):
-        # binomial takes Gamma(1 + order): a tiny order needs its digits there
+        # binomial computes Gamma(1 + order), so a tiny order needs more digits
         mpmath.mp.dps = digits + 20 + (340 if order < 1e-20 else 0)
         return mpmath.nstr((-1) ** k * mpmath.binomial(mpmath.mpf(order), k), digits)
     return hexd_real(value)

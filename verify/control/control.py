@@ -1,11 +1,11 @@
-"""H 25. The least force that ends a run where it is to end.
+"""H 25. The least force that brings a run to a given end.
 
 Proved here:
   (25.2)  the conditions of Lagrange are the run, its adjoint with J = nu . (x_N, p_N), and
           u = -lambda (N = 4, a quartic U, all symbols);
-  (25.6)  at rest under the force c H_k / h the next step is at rest (symbols, N = 4).
-Printed: solutions of all conditions together, as one dense system of 3 N equations by
-Newton's method with 40 digits: no adjoint and no Gramian in it."""
+  (25.6)  a body at rest stays at rest in the next step under the force c H_k / h (symbols, N = 4).
+Printed: solutions of all conditions together, as one dense system of 3 N equations, by Newton's method with 40
+digits. No adjoint run and no Gramian occurs in it."""
 import mpmath
 from mpmath import mp, mpf
 from sympy import diff, expand, symbols
@@ -31,7 +31,7 @@ for k in range(1, N + 1):
 #< lagrange
 
 #> hold
-rest = {x[j]: 0 for j in range(2, N + 1)}  # came to rest at 0 in step 2
+rest = {x[j]: 0 for j in range(2, N + 1)}  # the body is at rest at 0 from step 2 on
 p2 = diff(action, x[2]) - diff(m / 2 * (x[3] - x[2]) ** 2 / h
                                - h * (k0 * (kappa * x[2] + (1 - kappa) * x[3]) ** 2 / 2
                                       + g * (kappa * x[2] + (1 - kappa) * x[3]) ** 4 / 4), x[2])
@@ -44,7 +44,7 @@ UNIT = 1 << 200
 
 
 def dense(A, right):
-    """A^(-1) right by Gauss's elimination with the largest pivot, in units of 2^-200."""
+    """Return A^(-1) right by Gauss's elimination with the largest pivot, in units of 2^-200."""
     n = len(right)
     fixed = lambda v: int(mpmath.nint(v * UNIT))
     A = [[fixed(v) if v else 0 for v in row] + [fixed(b)] for row, b in zip(A, right)]
@@ -64,7 +64,7 @@ def dense(A, right):
 
 
 def solve(case):
-    """All conditions at once; returns u_1, ..., u_N and the cost."""
+    """Solve all conditions at once. Return u_1, ..., u_N and the cost."""
     N, h, kappa, rho, alpha, past, k0, g, x0, p0, xT, pT = case
     h, kappa, rho, alpha, k0, g, x0, p0, xT, pT = map(mpf, (h, kappa, rho, alpha, k0, g, x0, p0, xT, pT))
     c, w = rho * h ** (1 - 2 * alpha), [mpf(1)]
@@ -91,7 +91,7 @@ def solve(case):
             S = kappa * xs[k] + (1 - kappa) * xs[k + 1]
             grad, hess, third = (k0 + g * S * S) * S, k0 + 3 * g * S * S, 6 * g * S
             M = kappa * la[k] + (1 - kappa) * la[k + 1]
-            for a in (0, 1):  # slopes of L_d at both of its ends
+            for a in (0, 1):  # slopes of L_d at its two ends
                 sign = (-1, 1)[a]
                 R[k + a] += sign * m1 * (xs[k + 1] - xs[k]) / h - h * s[a] * grad
                 for b in (0, 1):

@@ -1,14 +1,14 @@
-"""H 20: does it converge? Prints tests/convergence/convergence_ref.h.
+"""H 20: convergence of the FVI. Prints tests/convergence/convergence_ref.h.
 
-  (20.1)  sums of (9.4) over five steps of a symbolic path: no negative power of h;
-  (20.3)  Gamma-quotients on random n and gamma, at 40 digits;
+  (20.1)  sums of (9.4) over five steps of a symbolic path: no negative power of h occurs;
+  (20.3)  quotients of Gamma at random n and gamma, with 40 digits;
   (20.4)  the total of the kernel's excess in closed form, by induction;
   (20.6)  the totals of the damped weights;
   (20.9)  its constants at points of the strip;
-  (20.5), (20.6), (20.8)  the constants of some motions, at 40 digits.
+  (20.5), (20.6), (20.8)  the constants of some motions, with 40 digits.
 
-The inequality (20.3) for all n and gamma is the hand's, by convexity of log Gamma:
-here it is looked at where n and gamma happen to be."""
+The inequality (20.3) for all n and gamma is proved by hand, by the convexity of log Gamma. Here it is checked at
+random n and gamma."""
 import cmath
 import random
 
@@ -24,7 +24,7 @@ k = symbols("k", integer=True, positive=True)
 
 #> velocity
 def w(beta, n):
-    """The coefficient of z^n of (1 - z)^beta, a polynomial in beta."""
+    """Return the coefficient of z^n of (1 - z)^beta, a polynomial in beta."""
     return prod([(Rational(i) - 1 - beta) / i for i in range(1, n + 1)])
 
 
@@ -35,7 +35,7 @@ Z = [sum(d[:j]) for j in range(N + 1)]
 G, F = symbols("G0:6"), symbols("F0:7")  # grad U at S_j, and F at t_j
 
 for steps in range(N + 1):
-    # (9.4), step by step, D_k the discrete derivative of order 2 alpha without h^(-2 alpha)
+    # (9.4), step by step. D_k is the discrete derivative of order 2 alpha without h^(-2 alpha).
     p = p0
     for j in range(steps):
         D = sum(w(2 * a, n) * Z[j + 1 - n] for n in range(j + 2))
@@ -48,7 +48,7 @@ for steps in range(N + 1):
     prove(f"(20.2) after {steps} steps", expand(expand(p - want) * h ** (2 * a)))
 #< velocity
 
-for n in range(6):                      # S_j knows the errors 1, ..., j + 1
+for n in range(6):                      # S_j depends on the errors 1, ..., j + 1
     e = symbols("e1:8")
     prove("(20.7) the double sum is a convolution with (1 - z)^-2",
           sum(sum(e[:j + 1]) for j in range(n))
@@ -63,7 +63,7 @@ prove("(20.4) the sum of the c_n: from k to k + 1",
       gammasimp((total.subs(k, k + 1) - total - c.subs(k, k + 1)) / c))
 prove("(20.4) the trapezoids",
       gammasimp((total - c / 2 - c * (k + (g - 1) / 2) / (g + 1)) / c))
-for n in range(8):                      # c_n is a sum of the b_n = w_n(-gamma)
+for n in range(8):                      # c_n is a sum of the b_j = w_j(-gamma)
     prove("(20.3) the sum of the b_n",
           gammasimp(sum(w(-g, i) for i in range(n + 1))
                     - (c / gamma(g + 1)).subs(k, n + 1)))
@@ -82,13 +82,13 @@ random.seed(20)
 
 
 def quotient(n, order):
-    """c_n = Gamma(n + gamma) / Gamma(n)."""
+    """Return c_n = Gamma(n + gamma) / Gamma(n)."""
     return mpmath.gammaprod([n + mpf(order)], [n]) if n < 10**6 else \
         mpmath.exp(mpmath.loggamma(n + mpf(order)) - mpmath.loggamma(n))
 
 
 def excess(n, order):
-    """c_n (n + (gamma - 1)/2) - n^(gamma + 1): (20.4) without its powers of h."""
+    """Return c_n (n + (gamma - 1)/2) - n^(gamma + 1), which is (20.4) without its powers of h."""
     order = mpf(order)
     return quotient(n, order) * (n + (order - 1) / 2) - mpf(n) ** (order + 1)
 
@@ -110,7 +110,8 @@ for _ in range(4000):
 
 
 def constants(alpha, kappa_, T, r, l, G_, var, start, V, A, room):
-    """C, lambda and the largest step, from the chapter."""
+    """Return C, lambda and the largest step (0: any step) from the formulas of the chapter. room = 0 stands for
+    infinity."""
     alpha, kappa_, T, r, l, G_, var, start, V, A = map(
         mpf, (alpha, kappa_, T, r, l, G_, var, start, V, A))
     order = 2 - 2 * alpha
@@ -127,7 +128,7 @@ def constants(alpha, kappa_, T, r, l, G_, var, start, V, A, room):
 
 
 def position_constants(alpha, kappa_, T, r, l, G_, var, start, V, W, room):
-    """D, lambda and the largest step of (20.14), from the page."""
+    """Return D, lambda and the largest step (0: any step) of (20.14). room = 0 stands for infinity."""
     alpha, kappa_, T, r, l, G_, var, start, V, W = map(
         mpf, (alpha, kappa_, T, r, l, G_, var, start, V, W))
     order = 2 - 2 * alpha
@@ -142,12 +143,12 @@ def position_constants(alpha, kappa_, T, r, l, G_, var, start, V, W, room):
 
 #> variation
 def missed(n, theta, order):
-    """Gamma(gamma + 1) h^-gamma |K_h - K|, n + theta steps back: K_h is a straight line between nodes."""
+    """Return Gamma(gamma + 1) h^-gamma |K_h - K|, n + theta steps back. K_h is a straight line between nodes."""
     left, right = (quotient(j, order) if j else mpf(0) for j in (n, n + 1))
     return abs((1 - theta) * left + theta * right - (n + mpf(theta)) ** mpf(order))
 
 
-for _ in range(300):                    # (20.13), at offsets theta of all sizes
+for _ in range(300):                    # (20.13), at offsets theta of all magnitudes
     order, theta, steps_ = mpf(random.uniform(0, 2)), 10 ** random.uniform(-4, 0), random.randint(1, 60)
     total_ = sum(missed(n, theta, order) for n in range(steps_) if n + theta <= steps_ - 1)
     claim("(20.13) between nodes", total_ <= mpf(17) / 8 * abs(1 - order) * mpf(steps_) ** order)
@@ -185,9 +186,9 @@ MOTIONS = [(alpha, kappa_, T, r, l, G_, var, start, V, A, room)
                (1.0, 0.1, 6.0, 3.0, 0.0, 2.0, 2.0, 8.0, 0.125))]
 MOTIONS.append((0.3, 0.5, 2.0, 0.0, 0.0, 0.0, 1.0, 1.0, 3.0, 1.0, 0.5))
 
-# -- order two of the methods of H 13 ------------------------------------------
+# -- order two of the methods of H 13: (20.9) in doubles, which is enough for constants ---
 def strip():
-    """(20.9) in doubles, which is enough for constants: the largest |Psi - 1| / |y|^2 and |Psi|."""
+    """Return the largest |Psi - 1| / |y|^2 and the largest |Psi| of three methods at points of the strip."""
     near, size = 0.0, 0.0
     for a in (n / 20 for n in range(21)):
         for y in (complex(r / 8, cmath.pi * j / 113) for r in range(9) for j in range(-113, 114) if r or j):

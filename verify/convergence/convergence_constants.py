@@ -1,7 +1,7 @@
-"""H 20: the bounds (20.25) and (20.20) by numbers. Prints tests/convergence/convergence_constants_ref.h.
+"""H 20: the bounds (20.25) and (20.20) in numbers. Prints tests/convergence/convergence_constants_ref.h.
 
-Integrals over steps and rates are done by quadrature as the page states them, and not by the closed forms of the
-tests. The constants K and E of (20.22) are those of tests/convergence/convergence_stages_ref.h, which
+The integrals over steps and rates are computed by quadrature, as the page states them, and not by the closed forms of
+the tests. The constants K and E of (20.22) are those of tests/convergence/convergence_stages_ref.h, which
 convergence_stages.py proves."""
 import pathlib
 import re
@@ -14,11 +14,11 @@ from shared.refgen import header, hexd, table
 mp.dps = 20
 CONSTANTS = [[float.fromhex(v) for v in row] for row in re.findall(
     r"\{ \d, (\S+), (\S+), (\S+), (\S+), (\S+) \}", pathlib.Path("tests/convergence/convergence_stages_ref.h").read_text())]
-KAPPA, STAGE = mpf("1.34"), mpf("2.37")   # (20.18), and the rows of the resolvent
+KAPPA, STAGE = mpf("1.34"), mpf("2.37")   # (20.18), and (20.21), the rows of the resolvent
 
 
 def derivatives(i):
-    """A_i, B_i and H_i of the cases."""
+    """Return the bounds A_i, B_i and H_i of the test cases."""
     return 1 + mpf(i) / 4, mpf(1) / 2 + mpf(i) / 8, mpf(3) / 4 + mpf(i) / 2
 
 
@@ -28,7 +28,7 @@ def power(t, k, exponent):
 
 
 def misses(s, t, which):
-    """(20.22) with the smaller terms, the largest over all stages."""
+    """Return (20.22) with the smaller of its two terms in each step: the largest sum over all stages."""
     C, K1, K, E1, E = CONSTANTS[s - 2]
     D = lambda i: derivatives(i)[which]
     most = ends = mpf(0)
@@ -42,7 +42,8 @@ def misses(s, t, which):
 
 
 def rate_integral(j, theta, more):
-    """G_j, or with more = 1 its second form: the bound of the j-th derivative of psi at t = 1, over all rates."""
+    """Return G_j, or with more = 1 its second form: the bound of the j-th derivative of psi at t = 1, integrated over
+    all rates."""
     A = lambda i: derivatives(i)[0]
     low = lambda u: exp(u * (1 + more - theta)) * (
         exp(u * (j - 1)) * (exp(-exp(u) / 2) - exp(-exp(u))) * A(0)
@@ -52,7 +53,7 @@ def rate_integral(j, theta, more):
 
 
 def memory_misses(s, theta, t):
-    """The largest of (20.24)."""
+    """Return the largest bound (20.24) over all steps."""
     C, K1, K, E1, E = CONSTANTS[s - 2]
     G1, G, G_end, G_more = (rate_integral(j, theta, more) for j, more in ((1, 0), (s - 1, 0), (s, 0), (s - 1, 1)))
     most = mpf(0)
@@ -76,7 +77,8 @@ def memory_misses(s, theta, t):
 
 
 def bound_of_stages(s, alpha, r, lipschitz, eps, h):
-    """E, Lambda_1 E + Q(X) and lambda of (20.25), lambda a power of 1.05 for which the last step's bound of v is least."""
+    """Return E, Lambda_1 E + Q(X) and lambda of (20.25). lambda is the power of 1.05 (times 0.01) for which the bound
+    of v in the last step is least."""
     t = [sum(map(mpf, h[:k]), mpf(0)) for k in range(len(h) + 1)]
     theta, longest = mpf(1 - 2 * alpha if alpha <= 0.5 else 2 - 2 * alpha), mpf(max(h))
     of_x = misses(s, t, 1)
@@ -100,12 +102,12 @@ def bound_of_stages(s, alpha, r, lipschitz, eps, h):
 
 #> graded
 def graded_bound(m, c, rho, alpha, x0, v0, s, h, order):
-    """(20.20) in the integral of (20.16) over the cut, of x and of v."""
+    """Return (20.20), inserted in the integral of (20.16) over the cut: the bound of x (order 0) or of v (order 1)."""
     P = [mpf(int(binomial(s - 2, i) * factorial(2 * s - 2 - i))) / int(factorial(2 * s - 2)) for i in range(s - 1)]
     Q = [(-1)**i * mpf(int(binomial(s, i) * factorial(2 * s - 2 - i))) / int(factorial(2 * s - 2)) for i in range(s + 1)]
     R = lambda z: sum(a * z**i for i, a in enumerate(P)) / sum(a * z**i for i, a in enumerate(Q))
     C = CONSTANTS[s - 2][0]
-    miss = lambda nu: C * nu**(2 * s - 1) if nu < 0.25 else fabs(R(-nu) - exp(-nu))   # (20.17), and the difference
+    miss = lambda nu: C * nu**(2 * s - 1) if nu < 0.25 else fabs(R(-nu) - exp(-nu))   # (20.17) or exact
     starts = [sum(map(mpf, h[:k]), mpf(0)) for k in range(len(h))]
 
     def at(u):

@@ -1,15 +1,15 @@
 """H 20: form D on any mesh. Prints tests/convergence/convergence_stages_ref.h.
 
-  (20.16) the error on a spring, against the dense power of the matrix of (22.1);
+  (20.16) the error of a spring, against the dense power of the matrix of (22.1);
   (20.17) the remainder of R(z), by its integral, exactly, s = 2 to 8; |q(iy)| >= 1 for R = p/q, exactly;
           |R(-mu)| <= 1/(1 + mu) by Sturm's theorem, exactly;
   (20.18), (20.21) bounds of a(mu) and of the resolvent of a step, by Bernstein coefficients
           on subintervals, in 40 digits;
-  (20.22) what the stages and the end of a step miss, by Peano's kernels, in 40 digits;
-  (20.24) what the memory misses of a power of t on random meshes, against the dense power;
+  (20.22) the errors of the stages and of the end of a step, by Peano's kernels, in 40 digits;
+  (20.24) the error of the memory of a power of t on random meshes, against the dense power;
   (20.19) for sixteen springs, to 1e-4.
 
-That the sums of (20.16) to (20.25) hold for every number of steps is the hand's."""
+That the sums of (20.16) to (20.25) hold for every number of steps is proved by hand."""
 import cmath
 import math
 import random
@@ -28,7 +28,7 @@ mu, y, u, z = symbols("mu y u z", positive=True)
 
 #> pade
 def pade(s):
-    """p and q of the stability function R = p/q of Lobatto IIIC, q(0) = 1."""
+    """Return p and q of the stability function R = p/q of Lobatto IIIC, with q(0) = 1."""
     whole = factorial(2 * s - 2)
     p = sum(binomial(s - 2, i) * factorial(2 * s - 2 - i) / whole * z**i for i in range(s - 1))
     q = sum(binomial(s, i) * factorial(2 * s - 2 - i) / whole * (-z)**i for i in range(s + 1))
@@ -53,13 +53,14 @@ mp.dps = 40
 
 
 def rule_of(s):
-    """c, b and A^(-1) in 40 digits."""
+    """Return c, b and A^(-1) in 40 digits."""
     c, b, inverse = one.rule(s, 40)
     return [mpf(v) for v in c], [mpf(v) for v in b], inverse
 
 
 def resolvent(s, inverse):
-    """d and the entries of d (mu + A^(-1))^(-1), by Faddeev and Leverrier; lowest power first."""
+    """Return d = det(mu + A^(-1)) and the entries of d (mu + A^(-1))^(-1), by Faddeev and Leverrier; lowest power
+    first."""
     M, d, parts = mpmath.eye(s), [mpf(1)], []
     for k in range(1, s + 1):
         parts.append(M)
@@ -70,8 +71,9 @@ def resolvent(s, inverse):
 
 
 def at_most(sums, K, d):
-    """Is sum |p| <= K d for all arguments >= 0? By Bernstein coefficients of both in t, argument
-    t/(1 - t), on halves of halves of [0, 1]. Coefficients below 10^-30 of the largest are roundings."""
+    """Return whether sum |p| <= K d for all arguments >= 0. The argument is t/(1 - t), and the Bernstein coefficients
+    of both sides in t are compared on [0, 1], which is bisected where necessary. Coefficients below 10^-30 of the
+    largest one count as rounding errors."""
     n = len(d) - 1
 
     def start(p):
@@ -87,7 +89,7 @@ def at_most(sums, K, d):
             p = [(v + w) / 2 for v, w in zip(p, p[1:])]
         return left, right[::-1]
 
-    # Sizes are bounded by the sum of one sign choice at a time where the signs are clear.
+    # A polynomial of clear sign enters the sum with this sign, any other one with its largest size.
     pieces = [([start(p) for p in sums], start([K * v for v in d]), 0)]
     while pieces:
         all_p, of_d, depth = pieces.pop()
@@ -116,8 +118,8 @@ def times(p, q):
 
 
 def peano(s, row, end, order):
-    """The largest |kernel| of the integral of f from 0 to end less sum row_l f(c_l), for f^(order). Between nodes
-    it is a polynomial: looked at in 400 points and refined around the largest."""
+    """Return the largest |Peano kernel| for f^(order) of the rule that replaces the integral of f from 0 to end by
+    sum row_l f(c_l). Between nodes it is a polynomial, so 400 points are tried and the largest is refined."""
     c = rule_of(s)[0]
 
     def kernel(tau):
@@ -150,7 +152,7 @@ for s in STAGES:
     still = lambda i, l: [(d[k] if i == l else 0) - (N[i][l][k - 1] if k else 0) for k in range(s + 1)]
     claim("(20.24) a row of (1 + mu A)^(-1)", all(at_most([still(i, l) for l in range(s)], STAGE, d)
                                                   for i in range(s)))
-    # at mu = i y: both sides are polynomials of y^2
+    # at mu = i y both sides are polynomials in y^2
     squares = lambda p: [sum((-1)**((k - j) // 2 if (k - j) % 2 == 0 else 0) * p[j] * p[k]
                              for j, k in ((j, 2 * q - j) for j in range(2 * q + 1)) if j < len(p) and k < len(p)
                              if (k - j) % 2 == 0) for q in range(len(p))]
@@ -162,7 +164,7 @@ for s in STAGES:
     Ks = max(peano(s, row_of(i), c[i], s - 1) for i in range(s))
     E1, Es = (peano(s, row_of(s - 1), mpf(1), order) for order in (1, s))
     C = mpf(int(factorial(s) * factorial(s - 2))) / (int(factorial(2 * s - 2)) * int(factorial(2 * s - 1)))
-    up = lambda v: nearest(v * (1 + mpf(10)**-12), 20)   # what is a bound is rounded up
+    up = lambda v: nearest(v * (1 + mpf(10)**-12), 20)   # round bounds up
     rows.append([s, nearest(C, 30), up(K1), up(Ks), up(E1), up(Es)])
 
 # ---- (20.16) and (20.24) on random meshes -------------------------------------
@@ -179,7 +181,7 @@ def stage_times(s, steps):
 
 
 def matrix_of(s, steps, order):
-    """DD^order."""
+    """Return DD^order."""
     blocks, count = dense(s, tuple(steps), order, 40), len(steps)
     mp.dps = 40
     M = mpmath.matrix(count * s, count * s)
@@ -192,7 +194,7 @@ def matrix_of(s, steps, order):
 
 
 def run(s, steps, q):
-    """(22.14) of a spring on all steps at once: x and v at the last node. F^(j)(0) is q.F[j]."""
+    """Solve (22.14) of a spring on all steps at once. Return x and v at the last node. F^(j)(0) is q.F[j]."""
     _, b, inverse = rule_of(s)
     n = len(steps) * s
     D, power = mpmath.matrix(n, n), matrix_of(s, steps, 2 * q.alpha - 1)
@@ -213,7 +215,7 @@ def run(s, steps, q):
 
 
 def misses(s, steps, q, order):
-    """The right side of (20.16), of x (order 0) or v (order 1)."""
+    """Return the right side of (20.16), the error of x (order 0) or of v (order 1)."""
     P, Q = ([mpf(Rational(v).p) / Rational(v).q for v in Poly(p, z).all_coeffs()] for p in pade(s))
 
     def gap(w):
@@ -223,7 +225,7 @@ def misses(s, steps, q, order):
         return (g - mpmath.exp(w * sum(steps))) * q.J(w) * w**order
     pole = q.pole()
     found = 2 * mpmath.re(gap(pole) / q.slope(pole))
-    L = min(1, mp.pi - mpmath.arg(pole)) / 6    # in ln sigma; the pole is so near to the path
+    L = min(1, mp.pi - mpmath.arg(pole)) / 6    # the step in ln sigma; it is small if the pole is near the cut
     for k in range(int(-12 / L), int(50 / L)):
         sigma = mpmath.exp(L * k)
         found += L * sigma * q.density(sigma) * gap(-sigma)
@@ -264,7 +266,7 @@ class Spring:
         raise ValueError("no pole")
 
     def exact(self, t, order):
-        """x or v, by Talbot's contour."""
+        """Return x (order 0) or v (order 1), by Talbot's contour."""
         def X(w):
             rest = self.x0 / w + (self.v0 / w**2 if self.alpha > 0.5 else 0)
             X = self.J(w) / (self.m * w**2 + self.rho * self.power(w) + self.c) + rest
@@ -284,25 +286,26 @@ for s, alpha in ((2, 0.3), (3, 0.7), (3, 0.1), (4, 0.9), (4, 0.45)):
 
 #> missed
 def G(j, theta, A):
-    """(20.23): the integral over the rates of the j-th derivative of a mode's slope is below G t^(theta - j)."""
+    """Return G of (20.23): the integral over all rates of the j-th derivative of a mode's slope is below G t^(theta -
+    j)."""
     own = A[0] * mpmath.gamma(j - theta) * (2**(j - theta) - 1)
     return own + 2**(j - theta) * (A[j] * mpmath.gamma(1 - theta) / theta
                                    + sum(A[i] * mpmath.gamma(j - i - theta) for i in range(j)))
 
 
 def G_more(j, theta, A):
-    """The same with one more rate, without the part that is not smooth."""
+    """Return the same bound with one more factor of the rate, without the part that is not smooth."""
     own = A[0] * mpmath.gamma(j + 1 - theta) * (2**(j + 1 - theta) - 1)
     return own + 2**(j + 1 - theta) * sum(A[i] * mpmath.gamma(j + 1 - i - theta) for i in range(j))
 
 
 def of_power(left, right, exponent):
-    """The integral of t^exponent."""
+    """Return the integral of t^exponent."""
     return (right**(exponent + 1) - left**(exponent + 1)) / (exponent + 1) if exponent != -1 else mpmath.log(right / left)
 
 
 def memory_misses(s, steps, theta, A, constants):
-    """(20.24), for each step."""
+    """Return the bound (20.24) for each step."""
     K1, Ks, E1, Es = constants
     ends = [sum(steps[:k]) for k in range(len(steps) + 1)]
     weight, out = mpmath.sin(mp.pi * theta) / mp.pi, []
@@ -350,7 +353,8 @@ claim("(20.24) is not far from it", worst > mpf(1) / 30)
 
 
 def bound_for_all_times(m, c, rho, alpha, x0, v0, s, h, eps):
-    """(20.19) with equal steps h, no force: of x and of v. Four digits are wanted, so doubles do."""
+    """Return (20.19) with equal steps h and no force: the bounds of x and of v. Doubles suffice, because four digits
+    are wanted."""
     P, Q = ([float(v) for v in Poly(p, z).all_coeffs()] for p in pade(s))
     R = lambda w: complex(mpmath.fp.polyval(P, w) / mpmath.fp.polyval(Q, w))
     C = float(factorial(s) * factorial(s - 2)) / float(factorial(2 * s - 2) * factorial(2 * s - 1))

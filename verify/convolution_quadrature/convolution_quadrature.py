@@ -1,11 +1,10 @@
 """H 13. Convolution quadratures, and the integrators of order 2.
 
-Proved here with symbols: weights, sequences, alpha, theta, kappa, potential open
-unless something else is said:
+Proved here with symbols; weights, sequences, alpha, theta, kappa and potential are open unless stated otherwise:
   (13.3)  integration by parts and time reversal, any weights (N = 5);
   (13.4)  orders add for the powers of any delta with delta(0) = 1; the three
           deltas have delta(z)^beta = delta(0)^beta (...)^beta (n <= 6);
-  (13.5)  L1 weights come from a piecewise linear path; they do not add;
+  (13.5)  L1 weights come from a piecewise linear path; their orders do not add;
   (13.7)  both halves of the restricted variation of the action with the
           out-of-phase term, N = 5; the residuals have a factor x_0 or y_N;
   (13.8)  the expansions that give theta = alpha, and order 2 of BDF2;
@@ -14,9 +13,8 @@ unless something else is said:
   (13.13) to (13.15), (13.17) arguments on the unit circle, values at -1;
   (13.16) is of order 2;
   (13.18), (13.19) the impulses of a line.
-Printed: weights by the binomial series, 60 and 90 digits; trajectories of the
-three-term equation (13.7) as it stands, the derivative of order alpha taken
-twice; growth factors by bisection."""
+Printed: weights by the binomial series, 60 and 90 digits; trajectories of the three-term equation (13.7) as the
+chapter prints it, with the derivative of order alpha taken twice; growth factors by bisection."""
 import mpmath
 from sympy import (Function, I, Rational, binomial, cos, diff, exp, expand,
                    expand_func, gamma, im, integrate, limit, numer, oo, pi, re, series,
@@ -36,12 +34,12 @@ F, G = symbols(f"F0:{N + 1}"), symbols(f"G0:{N + 1}")
 
 #> operators
 def back(v, z):
-    """Retarded: sum_n v_n z_{k-n}."""
+    """Return the retarded sum, sum_n v_n z_{k-n}, for all k."""
     return [sum(v[n] * z[k - n] for n in range(k + 1)) for k in range(len(z))]
 
 
 def ahead(v, z):
-    """Advanced: sum_n v_n z_{k+n}."""
+    """Return the advanced sum, sum_n v_n z_{k+n}, for all k."""
     return [sum(v[n] * z[k + n] for n in range(len(z) - k)) for k in range(len(z))]
 
 
@@ -54,7 +52,7 @@ for left, right in zip(ahead(w, G), reversed(back(w, G[::-1]))):
 
 #> series
 def power_series(u, order, count):
-    """(1 + u_1 z + u_2 z^2 + ...)^order by the binomial series."""
+    """Return the coefficients of (1 + u_1 z + u_2 z^2 + ...)^order by the binomial series."""
     result, power = [0] * count, [1] + [0] * (count - 1)  # u(z)^j, j = 0, 1, ...
     for j in range(count):
         c = expand_func(binomial(order, j))
@@ -77,7 +75,7 @@ DELTA = {
 
 
 def normalised(kind, count):
-    """delta(z)/delta(0) as a list of coefficients."""
+    """Return the coefficients of delta(z)/delta(0)."""
     d = DELTA[kind]
     part = series(d / d.subs(z, 0), z, 0, count).removeO()
     return [part.coeff(z, n) for n in range(count)]
@@ -90,7 +88,7 @@ prove("the recurrence of the trapezoidal weights", (1 - z**2) * diff(f, z) / f +
 #> l1
 t, a0, a1 = symbols("t a0 a1", positive=True)
 n = symbols("n", positive=True)
-# int over one step of (t_k - t)^(-alpha)/Gamma(1 - alpha) times a slope of 1
+# The integral over one step of (t_k - t)^(-alpha)/Gamma(1 - alpha), times a slope of 1.
 piece = integrate(t ** (-Rational(1, 2)), (t, n, n + 1)) / gamma(Rational(1, 2))
 prove("(13.5) one step of the integral, alpha = 1/2",
       piece - (sqrt(n + 1) - sqrt(n)) / gamma(Rational(3, 2)))
@@ -108,7 +106,7 @@ x, y = symbols(f"x0:{N + 1}"), symbols(f"y0:{N + 1}")
 #> action
 coupling = (-h * rho * (1 - theta) * dot(back(w, x), ahead(w, y))
             - h * rho * theta * dot(back(w, x)[1:], ahead(w, y)[:-1]))
-twice = back(back(w, w[: N + 1]), x)            # two derivatives in one
+twice = back(back(w, w[: N + 1]), x)            # two derivatives in a row
 later = ahead(back(w, w[: N + 1]), y)
 for k in range(1, N):
     of_x = diff(coupling, y[k]) + h * rho * ((1 - theta) * twice[k] + theta * twice[k + 1])
@@ -118,20 +116,20 @@ for k in range(1, N):
     prove("the mirror: a factor y_N",
           expand(of_y - h * rho * theta * w[0] * w[N + 1 - k] * y[N]))
 #< action
-# and the mirror is the reversal: later of y reversed is twice of x
+# The mirror image of x is its reversal: later of y reversed is twice of x.
 for k in range(N + 1):
     mirrored = later[N - k].subs(dict(zip(y, reversed(x))), simultaneous=True)
     prove("y_k = x_{N-k} solves the other half", expand(mirrored - twice[k]))
 
 #> order
-# On e^{st}, h = 1, the weights act as s^b (delta(e^-s)/s)^b. To second order in s:
+# On e^{st}, with h = 1, the weights act as s^b (delta(e^-s)/s)^b. The expansion goes to second order in s.
 b = symbols("b")
 power = lambda r: series(exp(b * (r[0] * s + r[1] * s**2)), s, 0, 3).removeO()
 LOG = {"EULER": (-Rational(1, 2), Rational(1, 24)), "BDF2": (0, -Rational(1, 3))}
 for kind, r in LOG.items():
     once = series(DELTA[kind].subs(z, exp(-s)) / s, s, 0, 3).removeO()
     prove("the logarithm of delta(e^-s)/s", expand(once - power(r).subs(b, 1)))
-shift = 1 - theta + theta * (1 + s + s**2 / 2)                  # of D_k and D_{k+1}
+shift = 1 - theta + theta * (1 + s + s**2 / 2)                  # the mean of D_k and D_{k+1}
 euler = expand(power(LOG["EULER"]) * shift)
 prove("(13.8) the term in s", euler.coeff(s, 1) - (theta - b / 2))
 prove("(13.8) theta = b/2 = alpha: the next term",
@@ -182,7 +180,7 @@ prove("(13.17) |g_0 + g_1 z|^2", trigsimp(expand(
     (taps * taps.subs(I, -I)).rewrite(cos) - square)))
 turning = g * (g + (1 - g) * cos(phi)) / square       # d psi / d phi
 tangent = g * sin(phi) / (1 - g + g * cos(phi))
-slope = numer(together(diff(tangent, phi) - turning * (1 + tangent**2)))    # only sin^2
+slope = numer(together(diff(tangent, phi) - turning * (1 + tangent**2)))    # a multiple of sin^2
 prove("(13.17) the slope of psi = atan(g sin / (1 - g + g cos))",
       expand(expand(slope).subs(sin(phi), sqrt(1 - cos(phi) ** 2))))
 prove("(13.17) g - psi' has the sign of g", expand(
@@ -194,9 +192,9 @@ prove("(13.16) order 2: no term of order s", series(
 #< stable
 #> line
 bdf = (1 - z) + (1 - z) ** 2 / 2
-summed = bdf * z / (1 - z) ** 2 * (1 + z) / 2 / (1 - z)      # of the dashpot, o = 1, h = 1: sums R_k of the line
+summed = bdf * z / (1 - z) ** 2 * (1 + z) / 2 / (1 - z)      # for a dashpot, o = 1, h = 1: the sums R_k of the line
 prove("(13.18) a dashpot's R_1 is 3/4, then it is k", series(summed - (z / (1 - z) ** 2 - z / 4), z, 0, 9).removeO())
-e = exp(-s)                                                  # of o = b: s^(b - 3) (1 - b/3 s^2 + ...)
+e = exp(-s)                                                  # the transform for o = b: s^(b - 3) (1 - b/3 s^2 + ...)
 line = (bdf.subs(z, e) / s) ** b * s**2 * e / (1 - e) ** 2 * s * (1 + e) / 2 / (1 - e)
 prove("(13.19) the difference is b/3 s^2 of it", series(line, s, 0, 3).removeO() - (1 - b * s**2 / 3))
 #< line
@@ -218,7 +216,7 @@ claim("(13.15) the trapezoidal delta has a pole at -1",
 prove("alpha = 1: Algorithm 1 with the mass m + rho", together(
     P(DELTA["EULER"], 1).subs(alpha, 1) - ((1 + R + kappa * (1 - kappa) * W) * (1 / z - 2 + z) + W)))
 
-# ---- what the C code is compared with ----------------------------------------------
+# ---- values for the tests of the C code --------------------------------------------
 
 DELTA_0 = {"EULER": 1, "BDF2": Rational(3, 2), "TRAPEZOID": 2}
 COUNT = 24
@@ -228,7 +226,7 @@ number = lambda q: mpmath.mpf(int(Rational(q).p)) / int(Rational(q).q)
 
 #> weights
 def weights(kind, order, count):
-    """w_n by the binomial series in delta/delta(0) - 1, or by (13.5)."""
+    """Return w_n by the binomial series in delta/delta(0) - 1, or by (13.5)."""
     order = number(order)
     if kind == "L1":
         c = [number(n) ** (1 - order) for n in range(count + 1)]
@@ -246,7 +244,7 @@ def weights(kind, order, count):
 
 
 def both(values, count):
-    """values() at 60 and 90 digits, as hex literals of doubles."""
+    """Return values() at 60 and 90 digits, as hex literals of doubles."""
     found = {}
     for digits in (60, 90):
         mpmath.mp.dps = digits + 30
@@ -269,7 +267,7 @@ Q = Rational
 
 
 class Case:
-    """One mass, U = c x^2/2 + g x^3/3, F = a for t <= T and then 0."""
+    """One mass with U = c x^2/2 + g x^3/3 and F = a for t <= T, then 0."""
     def __init__(self, name, kind, alpha, kappa, h, steps, c, rho, x0, p0, mass=1, g=0,
                  step=(0, 0), exact=False):
         self.name, self.kind, self.alpha, self.kappa, self.h, self.steps = (
@@ -281,10 +279,11 @@ class Case:
 
 #> definition
 def trajectory(case):
-    """(13.7) as it stands: positions, and the derivative of order alpha twice."""
+    """Return the positions from (13.7) as the chapter prints it, with the derivative of order alpha taken twice."""
     h, K, m, rho, th = map(number, (case.h, case.kappa, case.mass, case.rho, case.theta))
     grad = lambda v: number(case.c) * v + number(case.g) * v * v
-    # h and T stand for decimal fractions: a jump at a node is at a node.
+    # h and T are doubles that stand for decimal fractions. Rounding to 12 digits makes a jump at a node a jump at the
+    # node.
     late = lambda k: round(float(k * case.h - case.step[1]), 12)
     pushed = lambda k, side: late(k) < 0 or (late(k) == 0 and side < 0)
     force = lambda k, side: number(case.step[0]) if pushed(k, side) else 0
@@ -350,7 +349,7 @@ table("ref_rows", "double x, p;", rows)
 
 
 def growth(kind, theta, alpha, kappa, W, R, digits):
-    """1/|z| for the sign-alternating growing solution, by bisection on (-1, 0)."""
+    """Return 1/|z| for the growing solution that alternates in sign, by bisection on (-1, 0)."""
     mpmath.mp.dps = digits + 15
     theta, alpha, kappa, W, R = (mpmath.mpf(v) for v in (theta, alpha, kappa, W, R))
     d = {"EULER": lambda v: 1 - v, "BDF2": lambda v: 1 - v + (1 - v) ** 2 / 2,

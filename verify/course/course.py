@@ -1,13 +1,13 @@
-"""The Course. What each stage of body.c must print, and why its step is the right one.
+"""The Course: the numbers that each stage of body.c must print, and the proofs of its steps.
 
 Proved here:
   (3c), (3d), (3e)  one step of stage 3 makes the action of points stationary, for a generic U;
-  (4d)  x = t, y = t - 1: the action is 5/4, its slope 0 for both bodies, 1/6 for x alone;
+  (4d)  x = t, y = t - 1: the action is 5/4; its slope is 0 if both bodies vary, 1/6 if x alone varies;
   (5e)  moving a node of both bodies changes the action by the two residuals (5d), for a
-        generic U, symbolic m, h, rho, kappa, and weights of which nothing is known but that
-        the weights of order 2 alpha are those of order alpha, twice;
+        generic U, symbolic m, h, rho, kappa, and any weights, with the one assumption that
+        the weights of order 2 alpha are the weights of order alpha, applied twice;
   (6d)  a run of (6c) and (6d) has residuals 0;
-  (7b)  what the program's momentum lacks is the kick: without it the runs from zero tend to
+  (7b)  the kick is an error of the program's momentum: without the kick the runs from zero tend to
         the motion with the transform (s + p0)/(s^2 + 1 + rho s^(2 alpha));
   (8d)  at alpha = 1/2 and kappa = 1/2 a step for the mass m is the midpoint rule for the mass
         m - rho h/2, for a generic U; the motion of the mass m satisfies it only up to h;
@@ -16,9 +16,9 @@ Proved here:
   (12, what the principle buys)  the derivative of x_3 by rho is a sum over a second body that starts at 0
         with the momentum 1 and is read backwards, for every rho.
   (H 23, a method without an action)  for a stiffening spring the film of the equations with a quarter, a half and
-        a quarter of the forces gives another derivative than two runs, the film of (3b) the same.
-Printed: the runs of the stages by the definition, as fractions where h = 1, else with 50
-digits by double sums over binomial coefficients."""
+        a quarter of the forces gives another derivative than two runs; the film of (3b) gives the same one.
+Printed: the runs of the stages by the definition, as fractions where h = 1, else with 50 digits by double sums over
+binomial coefficients."""
 from fractions import Fraction as Q
 
 import mpmath
@@ -38,7 +38,7 @@ def inside(a, b):
 
 
 def lagrangian(a, b):
-    """(3b)"""
+    """Return the discrete Lagrangian (3b)."""
     return m * (b - a) ** 2 / (2 * h) - h * U(inside(a, b))
 
 
@@ -49,12 +49,12 @@ def slope_of_U(q):
 
 N = 4
 X, Y = symbols("x0:5"), symbols("y0:5")
-w = symbols("w0:5")                                 # weights of order alpha, any
+w = symbols("w0:5")                                 # weights of order alpha, any numbers
 twice = [sum(w[i] * w[n - i] for i in range(n + 1)) for n in range(N + 1)]
 k = 2
 
 points = sum(lagrangian(X[j], X[j + 1]) for j in range(N))
-p = -diff(lagrangian(X[k], X[k + 1]), X[k])         # before: what (3d) makes of x_{k+1}
+p = -diff(lagrangian(X[k], X[k + 1]), X[k])         # the momentum before the step, which (3d) solves for x_{k+1}
 before = m * (X[k + 1] - X[k]) / h + kappa * h * slope_of_U(inside(X[k], X[k + 1]))
 prove("(3d) the step is solved for the momentum before it", (p - before).doit())
 push = before - h * slope_of_U(inside(X[k], X[k + 1]))
@@ -64,11 +64,11 @@ after = diff(lagrangian(X[k - 1], X[k]), X[k])
 prove("(3c) stationary: the momentum after a step is the momentum before the next",
       (diff(points, X[k]) - (after - p)).doit())
 
-# D_-^(1/2) t = 2 sqrt(t/pi), D_+^(1/2) (t - 1) = -2 sqrt((1 - t)/pi), each of path minus its held end.
+# D_-^(1/2) t = 2 sqrt(t/pi) and D_+^(1/2) (t - 1) = -2 sqrt((1 - t)/pi), each of the path minus its held end.
 damping = Rational(1, 2) * 4 * sqrt(t * (1 - t)) / pi
 prove("(4c) the action of x = t, y = t - 1", Rational(1, 2) + Rational(1, 2) + integrate(damping, (t, 0, 1)) - Rational(5, 4))
 bump = 4 * t ** 2 * (1 - t)
-# D^(1/2) twice is a derivative: the change of the damping term is rho int (x' dy + y' dx)
+# Two half derivatives are a derivative, so the change of the damping term is rho int (x' dy + y' dx).
 change_of_x = integrate(diff(bump, t) * 1, (t, 0, 1)) + Rational(1, 2) * integrate(bump, (t, 0, 1))
 change_of_y = integrate(diff(bump, t) * 1, (t, 0, 1)) - Rational(1, 2) * integrate(bump, (t, 0, 1))
 prove("(4d) x alone: slope 1/6", change_of_x - Rational(1, 6))
@@ -79,11 +79,11 @@ u = [v - Y[N] for v in Y]
 memory = [sum(w[n] * z[j - n] for n in range(j + 1)) for j in range(N + 1)]
 ahead = [sum(w[n] * u[j + n] for n in range(N - j + 1)) for j in range(N + 1)]
 S = sum(lagrangian(X[j], X[j + 1]) + lagrangian(Y[j], Y[j + 1]) for j in range(N)) \
-    - h * rho * sum(a * b for a, b in zip(memory, ahead))     # the powers of h are in rho
+    - h * rho * sum(a * b for a, b in zip(memory, ahead))     # rho includes the powers of h
 
 
 def residual(path, j):
-    """(5d)"""
+    """Return the residual (5d) of the path at the node j."""
     step = diff(lagrangian(path[j], path[j + 1]), path[j]) + diff(lagrangian(path[j - 1], path[j]), path[j])
     return step - h * rho * sum(twice[n] * (path[j - n] - path[0]) for n in range(j + 1))
 
@@ -92,7 +92,7 @@ film = Y[::-1]
 #> two_residuals
 for j in (1, 2, 3):
     moved = diff(S, X[j]) + diff(S, Y[j])
-    mirrored = residual(film, N - j).subs(kappa, 1 - kappa)   # a film shows the step the other way round
+    mirrored = residual(film, N - j).subs(kappa, 1 - kappa)   # a film shows each step backwards
     prove(f"(5e) node {j}: the change is the residual of x and of the film of y", (moved - residual(X, j) - mirrored).doit())
 #< two_residuals
 
@@ -103,7 +103,7 @@ met = next_momentum.subs(momentum, before) + diff(lagrangian(X[k + 1], X[k + 2])
 prove("(6d) the run empties the residual at k + 1", (met - residual(X, k + 1)).doit())
 
 
-# alpha = kappa = 1/2: (6c) gives the momentum before the step, (8b) the one after it.
+# alpha = kappa = 1/2: (6c) gives the momentum before the step, (8b) the momentum after it.
 d, slope_mid = symbols("d slope_mid")
 p_before = m * d / h + h * slope_mid / 2
 p_after = p_before - h * slope_mid - rho * d
@@ -123,7 +123,7 @@ prove("(12a) no delay if theta = alpha", slope_in_h - (theta - alpha))
 
 
 def weights_of(order, count):
-    """(2a): (1 - B)^order, by binomial coefficients."""
+    """Return the weights (2a) of (1 - B)^order, by binomial coefficients."""
     return [(-1) ** n * binomial(order, n) for n in range(count)]
 
 
@@ -135,7 +135,8 @@ def binomial(order, n):
 
 
 def run(order, steps, h, kappa, rho, x0=1, p0=0, past="held", theta=0, half=0, unit=None):
-    """(6c) and (6d), or (12b), of a body with m = c = 1; unit: h^(1 - order) rho, which is rho if h = 1."""
+    """Return x and p of a run of a body with m = c = 1 by (6c) and (6d), or by (12b). unit: h^(1 - order) rho, which
+    is rho if h = 1."""
     w = weights_of(order, steps + 1)
     unit = rho if unit is None else unit
     origin = 0 if past == "rl" else x0
@@ -164,7 +165,8 @@ H_ = [sum(b * (x_[k - n] - 1) for n, b in enumerate(weights_of(one_ / 2, k + 1))
 prove("the second body gives the derivative by rho", diff(x_[3], R) + sum(y_[3 - k] * H_[k] for k in (1, 2)))
 
 def stiff_run(force, strength, steps):
-    """Places and dampings of the running body with g = h = 1; force: of the spring on a node, from three places."""
+    """Return places and dampings of the running body with g = h = 1. force: h times the spring's force on a node,
+    from three places."""
     w = weights_of(mpmath.mpf(1) / 2, steps + 1)
     x = [mpmath.mpf(1), mpmath.findroot(lambda q: q - 1 + slope_of_u((q + 1) / 2) / 2, 0.7)]
     D = [mpmath.mpf(0)]
@@ -187,11 +189,11 @@ def middle_force(a, b, c):
 
 
 def film_and_runs(force, steps=10):
-    """The derivative of the last place by rho: from the film of the same equations, and from two runs."""
+    """Return the derivative of the last place by rho twice: from the film of the same equations, and from two runs."""
     x, D = stiff_run(force, 0.5, steps)
     w = weights_of(mpmath.mpf(1) / 2, steps + 1)
     y = [mpmath.mpf(0)] * (steps + 1)
-    for k in range(steps, 1, -1):                     # y_(k - 1) from the linear equation of the node k
+    for k in range(steps, 1, -1):                     # y_(k - 1) from the linearised equation of the node k
         near = min(k, steps - 1)
         a, b, c = (-mpmath.diff(force, tuple(x[near - 1:near + 2]), n) for n in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
         ahead = sum(w[n] * y[k + n] for n in range(steps - k + 1)) / 2
@@ -210,7 +212,7 @@ one, half = Q(1), Q(1, 2)
 
 
 def root(n, digits):
-    """Half a derivative of t at 1 with n steps: a fraction times sqrt(n)."""
+    """Return half a derivative of t at t = 1 with n steps, which is a fraction times sqrt(n)."""
     fraction = sum(weight * Q(n - j, n) for j, weight in enumerate(weights_of(half, n + 1)))
     with mpmath.workdps(digits + 10):
         return mpmath.sqrt(n) * fraction.numerator / fraction.denominator
@@ -225,7 +227,7 @@ for name, kappa_ in (("half", half), ("one", one)):
     array(f"ref_undamped_{name}_x", x, f"(3d), (3e): h = 1, kappa = {kappa_}, no damping")
     array(f"ref_undamped_{name}_p", p)
 
-grid = 16                                           # 1/16 is a double
+grid = 16                                           # 1/16 is exact as a double
 w_ = weights_of(half, grid + 1)
 H = Q(1, grid)
 x, y = [j * H for j in range(grid + 1)], [j * H - 1 for j in range(grid + 1)]
@@ -236,7 +238,7 @@ def minus(path):
 
 
 def coupling(x, y):
-    """h rho sum D_- x D_+ y with rho = 1/2: the two powers h^(-1/2) are 1/h."""
+    """Return h rho sum D_- x D_+ y with rho = 1/2. The two powers h^(-1/2) multiply to 1/h."""
     up = minus([v - y[-1] for v in y][::-1])[::-1]
     return half * sum(a * b for a, b in zip(minus([v - x[0] for v in x]), up))
 
@@ -248,7 +250,7 @@ def kinetic(path):
 bump_ = [4 * (j * H) ** 2 * (1 - j * H) for j in range(grid + 1)]
 total = lambda a, b: kinetic(a) + kinetic(b) - coupling(a, b)
 bend = lambda path, e: [v + e * d for v, d in zip(path, bump_)]
-alone = (total(bend(x, one), y) - total(bend(x, -one), y)) / 2      # quadratic: exact
+alone = (total(bend(x, one), y) - total(bend(x, -one), y)) / 2      # exact, because it is quadratic
 both = (total(bend(x, one), bend(y, one)) - total(bend(x, -one), bend(y, -one))) / 2
 claim("both bent: no slope on the grid either", both == 0)
 print(f"\nenum {{ REF_GRID = {grid} }};")

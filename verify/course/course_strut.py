@@ -2,12 +2,12 @@
 
 Proved here:
   weights  the recurrence of the program gives the coefficients of (3/2 - 2 s + s^2/2)^b, for every b;
-  torque   the slopes of |x| and of 2 (|x| - 1)^2 have no part along the turning (-x_2, x_1);
-  (29.14)  one step of (29.6) keeps x_1 p_2 - x_2 p_1 for any force along |x|, and any two nodes;
-  axes     two equal dampers along the axes turned by any angle are the same two dampers;
+  torque   the slopes of |x| and of 2 (|x| - 1)^2 have no component along the rotation (-x_2, x_1);
+  (29.14)  one step of (29.6) conserves x_1 p_2 - x_2 p_1 for any force along |x|, and any two nodes;
+  axes     two equal dampers along the axes, turned by any angle, are the same two dampers;
   (29.11)  with the first weight alone the work is half of the square of the change of length.
-Printed: ten steps of (29.6), with weights from binomial series, slopes by sympy, and each step
-solved with 50 digits; for the strut and for two dampers along the axes."""
+Printed: ten steps of (29.6), with weights from binomial series, slopes by sympy, and each step solved with 50 digits;
+for the strut and for two dampers along the axes."""
 import mpmath
 from sympy import Matrix, Rational, cos, diff, eye, factorial, lambdify, simplify, sin, sqrt, symbols
 
@@ -60,7 +60,7 @@ axes = [(lambda p, q: p, lambda p, q: [1, 0]), (lambda p, q: q, lambda p, q: [0,
 
 
 def series(order, count):
-    """The coefficients of (3/2)^order (1 - s)^order (1 - s/3)^order."""
+    """Return the coefficients of (3/2)^order (1 - s)^order (1 - s/3)^order."""
     one = [(-1) ** n * mpmath.binomial(order, n) for n in range(count)]
     return [mpmath.mpf(1.5) ** order * sum(one[j] * one[n - j] / mpmath.mpf(3) ** (n - j) for j in range(n + 1))
             for n in range(count)]
@@ -74,7 +74,7 @@ def run(dampers, alpha, step, rho=mpmath.mpf(0.1)):
         here, p = at[k], momenta[k]
 
         def forces(*there):
-            """Of each damper its force, and that of the spring at the middle."""
+            """Return the forces of the dampers, and the force of the spring at the middle of the step."""
             now = [(g(*here) + g(*there)) / 2 - g(*at[0]) for g, _ in dampers]
             lam = [sum(weights[n] * v for n, v in enumerate([new] + old[::-1])) for new, old in zip(now, means)]
             return now, lam, slope_of_U(*[(i + j) / 2 for i, j in zip(here, there)])

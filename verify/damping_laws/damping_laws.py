@@ -8,12 +8,12 @@
   (26.8)  W = S^2 with S a real power series whenever W(0) > 0;
   (26.9)  motions of an oscillator, by inversion of its Laplace transform;
   (26.12) weights on two and three Lobatto nodes, by Cauchy's integral and by the cut;
-  (26.13) what the memory makes of the alternating path of two stages;
-  (26.15) means, and what BDF2 makes of the circle;
+  (26.13) the memory of the alternating path of two stages;
+  (26.15) means, and delta of BDF2 on the unit circle;
   (26.11) zeros of m s^2 + c + C(s), counted along the boundary of the upper half plane;
   (26.22) a law from its loss at all frequencies, and Theorem 17.3 of two stages for each frequency.
 
-Inputs are the doubles they are."""
+All inputs are exact doubles."""
 import cmath
 import functools
 
@@ -44,9 +44,8 @@ LAWS = [
 LAWS = [[(kind, *map(mpf, numbers)) for kind, *numbers in law] for law in LAWS]
 
 #> passive
-# Im of q / (1 + T q) for q = r e^{i phi}: r sin(phi) over a square, so >= 0 for phi in
-# [0, pi]; s^{2a} at s = i w has phi = pi a, a Maxwell element phi = pi/2, and an integral of
-# what is >= 0 is >= 0.
+# q / (1 + T q) with q = r e^{i phi} has the imaginary part r sin(phi) over a square, so it is >= 0 for phi in [0,
+# pi]. s^{2a} at s = i w has phi = pi a, a Maxwell element has phi = pi/2, and an integral of numbers >= 0 is >= 0.
 r, T, phi = symbols("r T phi", positive=True)
 q = r * (cos(phi) + I * sin(phi))
 bottom = (1 + T * r * cos(phi))**2 + (T * r * sin(phi))**2
@@ -57,12 +56,12 @@ prove("(26.2)", im((q * (1 + T * q.conjugate())).expand()).expand() - r * sin(ph
 
 @functools.cache
 def logarithm(s, precision):
-    """Laws are asked for at the same points, so this is kept."""
+    """Return log s. It is cached, because all laws are evaluated at the same points."""
     return mpmath.log(s)
 
 
 def symbol(law, s):
-    """C(s) of numbers, of doubles if s is one."""
+    """Return C(s) in mpmath numbers, or in doubles if s is a double."""
     double = isinstance(s, complex)
     log, exp = (cmath.log(s), cmath.exp) if double else (logarithm(s, mp.prec), mpmath.exp)
 
@@ -92,7 +91,7 @@ def over(a, b):
 
 @functools.cache
 def power(base, nu):
-    """base^nu by n b_0 w_n = sum_j (nu j - n + j) b_j w_{n-j}; base is a polynomial."""
+    """Return base^nu by n b_0 w_n = sum_j (nu j - n + j) b_j w_{n-j}; base is a polynomial."""
     w, scaled = [base[0]**nu], [(nu + 1) * j * b for j, b in enumerate(base)]
     for n in range(1, COUNT):
         w.append(sum((scaled[j] - n * base[j]) * w[n - j]
@@ -107,7 +106,7 @@ ORDERS = mpmath.calculus.quadrature.GaussLegendre(mp).calc_nodes(5, 160)
 
 #> weights
 def weights(law, delta, h):
-    """The coefficients of C(delta(z)/h)."""
+    """Return the coefficients of C(delta(z)/h)."""
     base = tuple(d / h for d in delta)
     total = [mpf(0)] * COUNT
     for kind, rho, alpha, time, end in law:
@@ -132,7 +131,8 @@ def weights(law, delta, h):
 #< weights
 
 
-# ---- (26.5): of (1-z)^beta, 0 < beta <= 1, all coefficients but the first are <= 0, and
+# (26.5): all coefficients of (1-z)^beta, 0 < beta <= 1, but the first are <= 0, and their sum is more than -1. By
+# induction the same holds for q / (1 + T q), so all products in the division have one sign.
 # sum to more than -1: so, by induction, are those of q / (1 + T q), and all products in the
 # division have one sign.
 for law in LAWS:
@@ -144,7 +144,7 @@ for law in LAWS:
 
 #> cut
 def on_the_cut(law, n, delta, h):
-    """(26.6): w_n as the integral along the cut, n >= 1, of a law without poles there."""
+    """Return w_n by (26.6), the integral along the cut, n >= 1, for a law without poles there."""
     def density(s):
         z = mpmath.exp(s)
         radius = -sum(d * z**j for j, d in enumerate(delta)) / h
@@ -182,7 +182,7 @@ for law in LAWS:
 
 @functools.cache
 def contour(n):
-    """Points and weights of the fixed contour of Talbot, as Abate and Valko have it, at t = 1."""
+    """Return points and weights of the fixed contour of Talbot, as Abate and Valko state it, at t = 1."""
     points = [(mpf(2 * n) / 5, mpmath.exp(mpf(2 * n) / 5) / 5)]
     for k in range(1, n):
         theta = mpmath.pi * k / n
@@ -193,7 +193,7 @@ def contour(n):
 
 
 def inverse(F, t, n):
-    """What has the transforms F(s), a list, at t. The sums cancel 0.17 n digits."""
+    """Return the functions of t whose transforms are the list F(s). The sums lose 0.17 n digits."""
     with mp.workdps(50 + n // 5):
         points, weights = zip(*contour(n))
         return [mpmath.re(mpmath.fdot(weights, column)) / t for column in zip(*(F(p / t) for p in points))]
@@ -201,7 +201,7 @@ def inverse(F, t, n):
 
 #> motion
 def motion(law, t, x0, v0, A):
-    """(26.9): m = c = 1, held at x0 before t = 0, a constant force A."""
+    """Return the motion (26.9) of m = c = 1, held at x0 before t = 0, under a constant force A."""
     def transform(s):
         C = symbol(law, s)
         return [(s * x0 + v0 + C * x0 / s + A / s) / (s * s + 1 + C)]
@@ -211,7 +211,7 @@ def motion(law, t, x0, v0, A):
 #< motion
 
 
-# ---- exact solutions: fractions with poles of their own, and what forces do ----
+# ---- exact solutions: fractions with their own poles, and the contributions of forces ----
 HARD = [
     [(ZENER, 2, "0.75", "0.5", 0)],
     [(ZENER, 2, "0.75", "0.5", 0), (ZENER, 1, "0.875", "0.0625", 0)],
@@ -224,7 +224,7 @@ HARD = [[(kind, *map(mpf, numbers)) for kind, *numbers in law] for law in HARD]
 
 
 def parts(C, m, c, x0, v0, omega, t):
-    """(x(t), x'(t)) with C(s): what the start makes, a step of 1, and cos(omega t)."""
+    """Return (x(t), x'(t)) with C(s) of three problems: the start alone, a step of 1, and cos(omega t)."""
     def transforms(s):
         memory = C(s)
         over = 1 / (m * s * s + c + memory)
@@ -239,12 +239,12 @@ def parts(C, m, c, x0, v0, omega, t):
 
 #> zeros
 def zeros(law, m, c):
-    """(26.11): how often Q winds around 0 while s runs along the boundary of the upper half
-    plane without the cut, and how often the poles of C did."""
+    """Return the number of zeros of Q by (26.11): its turns around 0 along the boundary of the upper half plane without
+    the cut, plus the number of poles of C."""
     law, low, high = [(kind, *map(float, numbers)) for kind, *numbers in law], 1e-12, 2e12
     poles = sum((kind == ZENER and alpha > 0.5) or (kind == MAXWELL2 and alpha - end > 0.5)
                 for kind, _, alpha, _, end in law)
-    ray = [low * (high / low)**(i / 4000) for i in range(4001)]      # not through s = 1, where C is 0/0
+    ray = [low * (high / low)**(i / 4000) for i in range(4001)]      # the ray avoids s = 1, where C is 0/0
     arc = [cmath.exp(1j * cmath.pi * i / 200) for i in range(200)]
     path = ([complex(r) for r in ray] + [high * v for v in arc]
             + [complex(-r, 1e-60) for r in reversed(ray)] + [low * v for v in reversed(arc)])
@@ -258,7 +258,7 @@ def zeros(law, m, c):
 #> stages
 @functools.cache
 def nodes(s):
-    """b and A^(-1) of s Lobatto nodes; mu, r(-mu) and the matrix a b a~^T on the cut."""
+    """Return b and A^(-1) of s Lobatto nodes; mu, r(-mu) and the matrix a b a~^T on the cut."""
     b, D = {2: ([mpf(1) / 2] * 2, [[-1, 1], [-1, 1]]),
             3: ([mpf(1) / 6, mpf(2) / 3, mpf(1) / 6], [[-3, 4, -1], [-1, 0, 1], [1, -4, 3]])}[s]
     A_inverse = mpmath.matrix(D)
@@ -276,7 +276,7 @@ def nodes(s):
 
 @functools.cache
 def around(s, radius, count, h):
-    """Delta(z)/h on a circle."""
+    """Return Delta(z)/h on a circle."""
     b, A_inverse, _ = nodes(s)
 
     def delta(z):
@@ -288,7 +288,7 @@ def around(s, radius, count, h):
 
 
 def stages(law, s, n, h):
-    """(26.12), W_n by Cauchy's integral over |z| = 2/5, and along the cut."""
+    """Return W_n of (26.12), by Cauchy's integral over |z| = 2/5 and along the cut."""
     cut = nodes(s)[2]
     cauchy = coefficients(around(s, mpf(2) / 5, 60 + n, h), lambda v: symbol(law, v) / v, [n])[n]
     imaginary = lambda s: symbol(law, mpc(s, mpf(10)**-40)).imag
@@ -299,8 +299,8 @@ def stages(law, s, n, h):
 
 
 #> alternating
-# At z = -1 Delta of two stages is 1 + sqrt(3) J with J^2 = -1, so that f(Delta) is Re f + Im f J
-# at 1 + i sqrt(3); on the path (1, -1), with b = 1/2:
+# At z = -1 Delta of two stages is 1 + sqrt(3) J with J^2 = -1. So f(Delta) is Re f + Im f J at 1 + i sqrt(3). On the
+# path (1, -1), with b = 1/2:
 J, u = Matrix([[0, sqrt(3)], [-1 / sqrt(3), 0]]), Matrix([1, -1])
 re_f, im_f = symbols("re_f im_f", real=True)
 prove("(26.13)", (J * J + eye(2)).norm(), (eye(2) + sqrt(3) * J - Matrix([[1, 3], [-1, 1]])).norm(),
@@ -308,8 +308,8 @@ prove("(26.13)", (J * J + eye(2)).norm(), (eye(2) + sqrt(3) * J - Matrix([[1, 3]
 #< alternating
 
 #> stable
-# On z = e^{-i phi} a mean and the mean taken back are cos^2(phi/2), and delta of BDF2 has the
-# parts (1 - cos phi)^2 and (2 - cos phi) sin phi.
+# On z = e^{-i phi} a mean, followed by its mirror image, is cos^2(phi/2). delta of BDF2 has the parts (1 - cos phi)^2
+# and (2 - cos phi) sin phi.
 turn = cos(phi) - I * sin(phi)
 prove("(26.15)", ((1 + turn) * (1 + turn.conjugate()) / 4 - (1 + cos(phi)) / 2).expand().trigsimp(),
       ((1 - turn) * (3 - turn) / 2 - (1 - cos(phi))**2 - I * (2 - cos(phi)) * sin(phi)).expand().trigsimp())
@@ -331,7 +331,7 @@ prove("its imaginary part", (bottom - n).expand(), trigsimp(
     (im((top * n.conjugate()).expand()) + 16 * sin(phi) * (1 - cos(phi))**2).expand()))
 
 
-# ---- (26.22): a law from its loss, by the trapezoidal rule in ln omega; a range from 0 would take too long a way ----
+# ---- (26.22): a law from its loss, by the trapezoidal rule in ln omega; from 0 the range would be too long ----
 def from_loss(law, s):
     spring = sum(t[1] for t in law if t[0] == POWER and t[2] == 0)
     mass = sum(t[1] for t in law if t[0] == POWER and t[2] == 1)
@@ -348,11 +348,11 @@ mp.dps = 40
 
 
 def nearest(x):
-    """The nearest double of a number that is known to some 20 digits."""
+    """Return the nearest double of a number that is known to some 20 digits."""
     return "0" if x == 0 else float(mpmath.nstr(x, 20)).hex()
 
 
-# Of these terms and laws the cut is another one: orders above 1, poles near to it and off it.
+# The cut of these terms and laws is different: orders above 1, poles near the cut and away from it.
 STEEP = [
     [(ZENER, 1, "0.46875", "0.75", 0)],
     [(ZENER, 2, "0.75", "0.5", 0), (POWER, "0.5", "0.25", 0, 0)],
@@ -385,7 +385,7 @@ print("static const size_t ref_lag[REF_LAGS] = { %s };" % ", ".join(map(str, LAG
 print("\n/* W_n of (26.12) with h = 1/8, row by row; the law is of ref_laws, or of steep_laws. */")
 print("static const struct { const fvi_kernel *law; size_t s; double W[REF_LAGS][9]; } ref_stages[] = {")
 with mp.workdps(50):
-    # what comes round again is (7/10)^192 = 2e-30 of the largest; of the digits (10/7)^150 = 2e23 are lost
+    # aliasing leaves (7/10)^192 = 2e-30 of the largest; (10/7)^150 = 2e23 of the digits are lost
     rings = [(s, around(s, mpf(7) / 10, 192, mpf(1) / 8)) for s in (2, 3)]
     for name, laws in (("ref_laws", LAWS), ("steep_laws", STEEP)):
         for i, law in enumerate(laws):
@@ -431,7 +431,7 @@ print("\nstatic const struct { fvi_kernel law; int zeros; } ref_hard[] = {")
 for i, law in enumerate(HARD):
     print(f"    {{ {{ {len(law)}, hard_terms_{i} }}, {zeros(law, 2, 3)} }},")
 print("};")
-for law in LAWS[:5]:  # orders up to 1, and not Maxwell's alone: exactly one
+for law in LAWS[:5]:  # the orders up to 1 without Maxwell's alone: exactly one pair of zeros
     if law[0][0] != MAXWELL:
         claim("(26.11) orders up to 1", zeros(law, 2, 3) == 1 == zeros(law, 2, 0))
 print("\nstatic const struct { size_t law; int forcing; double A, T, t, x, v; } ref_exact[] = {")
@@ -440,7 +440,7 @@ for i, law in enumerate(HARD):
     for forcing, A, T in ((0, 0, 0), (1, 2, "0.75"), (2, 2, "1.5")):
         for t in (mpf(1) / 64, mpf(1), mpf(8)):
             both = made(t)[0] + A * made(t)[forcing]
-            if forcing == 1 and t > mpf(T):     # the end of a step is a second step, backwards
+            if forcing == 1 and t > mpf(T):     # the end of a step is a second step, with the opposite sign
                 both -= A * made(t - mpf(T))[1]
             x, v = both
             print(f"    {{ {i}, {forcing}, {A}, {T}, {nearest(t)}, {nearest(x)}, {nearest(v)} }},")

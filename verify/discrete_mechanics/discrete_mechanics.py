@@ -1,15 +1,16 @@
-"""H 2. Proved with symbols, the potential U left open wherever it can be:
+"""H 2. Proved with symbols, with the potential U open wherever possible:
   (2.1), (2.2)  Hamilton's principle and the energy balance;
   (2.6), (2.7)  the slopes of L_d, and the discrete Euler-Lagrange equations as
-                the gradient that sympy takes of the action, N = 4, d = 1 and 2;
-  (2.8), (2.9)  the forced ones, and that matched momenta are the same;
+                the gradient of the action, which sympy computes, N = 4, d = 1 and 2;
+  (2.8), (2.9)  the same with forces, and that matched momenta are equivalent;
   (2.10)        the equation of a step, for Algorithms 1 and 2 and implicit Euler;
-  (2.12)        what a step does to areas, d = 1 and 2, any discrete Lagrangian;
+  (2.12)        how a step changes areas, d = 1 and 2, any discrete Lagrangian;
   (2.13)        Euler's methods;
-  (2.14)        the recurrence has order 2 for every kappa, the start has not.
+  (2.14)        the recurrence has order 2 for every kappa, the start does not;
 and that the elliptic functions of the tests solve their equations.
-Reference values: potentials and L_d from their formulas, which sympy
-differentiates. Trajectories: discrete_mechanics_runs.py."""
+
+Reference values: potentials and L_d from their formulas, which sympy differentiates.
+Trajectories: discrete_mechanics_runs.py."""
 from sympy import (Function, Matrix, Rational, cos, diff, expand, euler_equations, eye, ratsimp,
                    sin, solve, symbols, together, zeros)
 
@@ -18,10 +19,10 @@ from shared.refgen import header, hexd, hexd_real, prove, table
 h, m, rho, kappa, c, t = symbols("h m rho kappa c t", positive=True)
 
 
-# ---- U is any function: its derivatives are again functions without a formula ----
+# ---- U is any function: its derivatives are functions without a formula, too ----
 
 class V(Function):
-    """A derivative of U of the order that its last arguments count."""
+    """A derivative of U, whose order is given by its last arguments."""
     def fdiff(self, argindex=1):
         d = len(self.args) // 2
         z, order = self.args[:d], list(self.args[d:])
@@ -67,7 +68,7 @@ def lagrangian(mass, a, b):
 
 
 def slopes(mass, a, b):
-    """(2.6) as printed."""
+    """Return the slopes (2.6) as the chapter prints them."""
     g = gradient(*(kappa * p + (1 - kappa) * q for p, q in zip(a, b)))
     D1 = [-w * (q - p) / h - kappa * h * f for w, p, q, f in zip(mass, a, b, g)]
     D2 = [w * (q - p) / h - (1 - kappa) * h * f for w, p, q, f in zip(mass, a, b, g)]
@@ -105,7 +106,7 @@ for k in range(1, N):
     minus, plus = -D1 - fminus(q[k], q[k + 1]), D2 + fplus(q[k - 1], q[k])
     prove("(2.9) matched momenta are (2.8)", expand(plus - minus - forced))
 
-# (2.10): A d + s grad U(x + theta d) = r, as the solver takes it.
+# (2.10): A d + s grad U(x + theta d) = r, the form that the solver takes.
 a, b, r = symbols("a b r")
 same_point = lambda e: expand(e.replace(V, lambda z, n: V(expand(z), n)))
 prove("(2.10) for p = -D1 L_d: A = m/h, s = kappa h, theta = 1 - kappa, r = p",
@@ -128,7 +129,7 @@ one, two = [[Matrix(2, 1, symbols(f"{n}{i}_0:2")) for n in ("u", "w")] for i in 
 
 
 def area(first, second):
-    """sum_i dx_i ^ dp_i of two changes (dx, dp)."""
+    """Return sum_i dx_i ^ dp_i of two changes (dx, dp)."""
     return (first[0].T * second[1] - second[0].T * first[1])[0]
 
 
@@ -136,7 +137,7 @@ begin = [(u, -(A * u + B * w)) for u, w in (one, two)]
 end = lambda R: [(w, B.T * u + C * w - R * (w - u)) for u, w in (one, two)]
 prove("(2.12) a step without damping keeps the area, in R^2",
       expand(area(*end(zeros(2, 2))) - area(*begin)))
-# after * (w, p+) = before * (u, p), so that the determinant of the step is a quotient
+# after * (w, p+) = before * (u, p), so the determinant of the step is a quotient of two determinants.
 after = Matrix.vstack(Matrix.hstack(B, zeros(2, 2)), Matrix.hstack(R - C, eye(2)))
 before = Matrix.vstack(Matrix.hstack(-A, -eye(2)), Matrix.hstack(B.T + R, zeros(2, 2)))
 prove("these are the changes", *(after * Matrix.vstack(*end(R)[0])
@@ -158,7 +159,7 @@ prove("(2.12) in one dimension, generic U",
 # ---- linear maps of one step, U = c x^2 / 2 ----
 
 def step_matrix(equations, old, new):
-    """The matrix of the map old -> new that the linear equations define."""
+    """Return the matrix of the map old -> new that the linear equations define."""
     answer = solve(equations, new, dict=True)[0]
     return Matrix([[diff(answer[n], o) for o in old] for n in new])
 
@@ -175,7 +176,7 @@ midpoint = lda.subs({rho: 0, kappa: Rational(1, 2)})
 metric = Matrix([[c, 0], [0, 1 / m]])                       # 2 E = z' metric z
 prove("kappa = 1/2 conserves a quadratic energy",
       *(midpoint.T * metric * midpoint - metric))
-# Three formulas for the flow of (x, p): by F^- and F^+, each as (x_0, x_1) -> (x, p).
+# Three formulas for the flow of (x, p): by F^- and by F^+, each as (x_0, x_1) -> (x, p), and from step to step.
 x2 = symbols("x2")
 rows = lambda *forms: Matrix([[diff(f, z) for z in (x0, x1)] for f in forms])
 minus, plus = m * (x1 - x0) / h + kappa * h * c * S, m * (x1 - x0) / h - (1 - kappa) * h * c * S
@@ -199,7 +200,7 @@ for matrix, factor_of_energy in ((explicit, grown), (implicit, 1 / grown)):
           *change.subs(rho, 0))
 #< euler
 
-# ---- order: put a smooth solution into the equations ----
+# ---- order: insert a smooth solution into the equations ----
 
 #> order
 X = Function("X")
@@ -208,7 +209,7 @@ path = lambda s, n: sum(diff(X(t), t, i) * s**i / (1, 1, 2, 6, 24)[i] for i in r
 
 
 def grad_at(dx):
-    """grad U(X + dx), to second order in dx."""
+    """Return grad U(X + dx) to second order in dx."""
     g0, g1, g2 = (V(X(t), n) for n in (1, 2, 3))
     return g0 + g1 * dx + g2 * dx**2 / 2
 

@@ -1,11 +1,9 @@
-"""H 2. Exact trajectories: positions from the three-term equations (2.7),
-(2.8), in rationals, or with 60 and with 90 digits where a step is not rational;
-momenta from the slopes (2.6); Euler's methods from (2.13).
+"""H 2. Exact trajectories: positions from the three-term equations (2.7), (2.8), in rationals, or with 60 and with 90
+digits where a step is not rational; momenta from the slopes (2.6); Euler's methods from (2.13).
 
-Beside each value stands a bound of what rounding can do to the C code: its
-operations are repeated on numbers that carry their worst error. In passing this
-proves that the momentum form (2.9), which the code uses, gives the very same
-trajectories; the script stops if it does not."""
+Each value has a bound of the rounding errors of the C code. For this purpose the operations of the C code are
+repeated on numbers that carry their worst error. The repetition also proves that the momentum form (2.9), which the C
+code uses, gives the same trajectories; the script stops if it does not."""
 from fractions import Fraction as Q
 
 import mpmath
@@ -14,18 +12,18 @@ from shared.refgen import claim, header, hexd, rows_of, table
 
 
 class Exactly:
-    """Numbers as Python's fractions."""
+    """Numbers as fractions of Python."""
     number = staticmethod(Q)
 
 
 class Digits:
-    """Numbers with many digits."""
+    """Numbers as mpmath numbers with many digits."""
     number = staticmethod(lambda q: q if isinstance(q, mpmath.mpf) else
                           mpmath.mpf(Q(q).numerator) / Q(q).denominator)
 
 
 class Case:
-    """A run: its data are doubles, that is to say rationals."""
+    """A run. Its data are doubles, so they are rational numbers."""
     def __init__(self, name, method, kind, K=0, step=Q(1, 4), steps=10, x0=(1,), p0=(Q(1, 2),),
                  mass=(1,), rho=(0, 0), cg=(1, 0), ramp=(0, 0), exact=True):
         self.name, self.method, self.kind, self.steps, self.exact = name, method, kind, steps, exact
@@ -34,7 +32,7 @@ class Case:
             [Q(w) for w in v] for v in (x0, p0, mass, rho, cg, ramp))
 
     def force(self, z, one):
-        """grad U; `one` makes a number of the kind of z."""
+        """Return grad U(z); `one` converts a number to the kind of z."""
         C, G = map(one, self.cg)
         if self.kind == "PENDULUM":
             return [C * (v.sin() if isinstance(v, Rounded) else mpmath.sin(v)) for v in z]
@@ -77,7 +75,7 @@ def jacobian(case, A, s, theta, z):
 
 
 def solve_step(case, A, s, theta, r, z, kind):
-    """(2.10): exactly where it is linear, else by Newton's method in many digits."""
+    """Solve (2.10): exactly if it is linear, else by Newton's method in many digits."""
     n, dim = kind.number, range(case.d)
     A, s, theta = [n(v) for v in A], n(s), n(theta)
     d = [n(0) for _ in dim]
@@ -92,8 +90,8 @@ def solve_step(case, A, s, theta, r, z, kind):
 
 #> definition
 def by_definition(case, kind):
-    """Positions from the three-term equations (2.7), (2.8), momenta from (2.6);
-    Euler's methods from (2.13)."""
+    """Return positions from the three-term equations (2.7), (2.8) and momenta from (2.6). Euler's methods use (2.13).
+    """
     n, dim, K, step = kind.number, range(case.d), case.kappa, case.h
     one, stiff = n(1), lambda z: case.force(z, n)
     drive = lambda k: [n(f * k * step) for f in case.ramp]                  # F(t) = ramp t
@@ -117,7 +115,7 @@ def by_definition(case, kind):
             d = solve_step(case, [A[i] + case.rho[i] for i in dim], step, 1, r, X[k], kind)
             X.append([X[k][i] + d[i] for i in dim])
             P.append([n(A[i]) * d[i] for i in dim])
-        else:           # variational, forced: solve D1 L_d(x_k, x_{k+1}) + rest = 0
+        else:           # the variational methods, also with forces: solve D1 L_d(x_k, x_{k+1}) + rest = 0
             rest = P[0] if k == 0 else [D(2, X[k - 1], X[k])[i]
                                         - n(case.rho[i]) * (X[k][i] - X[k - 1][i])
                                         + n(step) * drive(k)[i] for i in dim]
@@ -130,8 +128,8 @@ def by_definition(case, kind):
 
 
 class Rounded:
-    """A number and a bound, in units of u = 2^-53, of the error that a double
-    which stands for it has after the operations so far (first order in u)."""
+    """A number, and a bound of the error of the double that stands for it after the operations so far. The bound is
+    in units of u = 2^-53 and of first order in u."""
     def __init__(self, value, error=0.0):
         self.v, self.e = value, error
 
@@ -155,15 +153,15 @@ class Rounded:
         q = self.v / o.v
         return Rounded(q, (self.e + abs(float(q)) * o.e) / abs(float(o.v))).rounded()
 
-    def sin(self):      # within 1 ulp, which is at most 2 u
+    def sin(self):      # the C library is within 1 ulp, which is at most 2 u
         value = mpmath.sin(self.v)
         return Rounded(value, self.e + 2 * abs(float(value)))
 
 
 def rounded_solve(case, A, s, theta, r, z, kind):
-    """newton.c: dx, and the gradient at the midpoint. A solution that rounding
-    cannot improve has a residual of the size of its roundings; an LU solution in
-    two dimensions adds at most 4 u |J| |d|."""
+    """Return dx and the gradient at the midpoint, with the error bounds of newton.c. When rounding no longer lets a
+    solution improve, its residual has the size of its rounding errors. An LU solution in two dimensions adds at most
+    4 u |J| |d|."""
     n, dim = kind.number, range(case.d)
     exact = lambda q: Rounded(n(q))
     values = lambda w: [v.v for v in w]
@@ -185,7 +183,7 @@ def rounded_solve(case, A, s, theta, r, z, kind):
 
 
 def by_program(case, kind):
-    """discrete_mechanics.c, operation by operation."""
+    """Repeat the operations of discrete_mechanics.c one by one."""
     n, dim = kind.number, range(case.d)
     exact = lambda q: Rounded(n(q))
     step, K, one = exact(case.h), exact(case.kappa), exact(1)
@@ -243,7 +241,7 @@ CASES += [
 
 
 def values(case):
-    """x, p as C literals, and what rounding may do to them."""
+    """Return x and p as C literals, and the bounds of their rounding errors."""
     with mpmath.workdps(60):
         kind = Exactly if case.exact else Digits
         want, got = by_definition(case, kind), by_program(case, kind)

@@ -1,19 +1,19 @@
 """H 6. The non-local discrete action and its restricted variation.
 
-Proved here, sympy differentiating the action itself. These are instances: N = 4 and
-d = 1, if nothing else is said; the chapter has the proofs for all N and d. U is any
-function, the weights any numbers, h, rho and kappa symbols.
+Proved here; sympy differentiates the action itself. These are instances: N = 4 and d = 1, unless stated otherwise;
+the chapter has the proofs for all N and d. U is any function, the weights are any numbers, h, rho and kappa are
+symbols.
   (6.3)  the ranges of the sums in Proposition 4.1, generic L^i, N = 5, and the
          coefficients of the end variations;
   (6.5)  the gradient of the damped action;
   (6.6)  also for d = 2, N = 2, U a general cubic and quartic polynomial;
   (6.7)  Theorem 4.1 with its end terms, for the four ranges of the fractional
          sum; the terms at alpha = 1/3 as rationals;
-  (6.11) the same with given references, where no end term is left, four ranges;
-  (6.8)  the mirror with kappa -> 1 - kappa;
-  (6.9)  the defect of the mirror with the same kappa, and where it vanishes.
-Printed: action and gradient for d = 1 and d = 2 from the symbolic derivatives:
-exact where the data are short binary fractions, else rounded once."""
+  (6.11) the same with given references, where no end term remains, four ranges;
+  (6.8)  the mirror image with kappa -> 1 - kappa;
+  (6.9)  the defect of the mirror image with the same kappa, and where it vanishes.
+Printed: action and gradient for d = 1 and d = 2 from the symbolic derivatives: exact if the data are short binary
+fractions, else rounded once."""
 from fractions import Fraction
 from itertools import product
 
@@ -33,11 +33,11 @@ U = Function("U")
 
 
 def force(z):
-    """U' at z, in the form that sympy's own derivatives take."""
+    """Return U'(z), in the form in which sympy writes its own derivatives."""
     return diff(U(s), s).subs(s, z)
 
 
-# ---- Proposition 4.1: which L^i hold x_k, which y_k --------------------------
+# ---- Proposition 4.1: which L^i contain x_k, and which contain y_k ----------
 #> ranges
 M = 5
 X, Y = symbols(f"x0:{M + 1}"), symbols(f"y0:{M + 1}")
@@ -58,12 +58,12 @@ prove("the coefficient of the variation at 0",
 # ---- the damped action --------------------------------------------------------
 #> action
 def step(p, q, U=U):
-    """L_d(p, q)."""
+    """Return L_d(p, q)."""
     return m * (q - p) ** 2 / (2 * h) - h * U(kappa * p + (1 - kappa) * q)
 
 
 def minus(z, k):
-    """h^alpha Delta_- z_k; plus: h^alpha Delta_+ z_k."""
+    """Return h^alpha Delta_- z_k. (`plus` returns h^alpha Delta_+ z_k.)"""
     return sum(w[n] * z[k - n] for n in range(k + 1))
 
 
@@ -72,26 +72,26 @@ def plus(z, k):
 
 
 def action(first, last, U=U, left=x, right=y):
-    """(6.2); (6.10) with left = x - zeta, right = y - zeta_bar."""
+    """Return the action (6.2), or (6.10) if left = x - zeta and right = y - zeta_bar."""
     return (sum(step(x[k], x[k + 1], U) + step(y[k], y[k + 1], U) for k in range(N))
             - h * rho * g * sum(minus(left, k) * plus(right, k) for k in range(first, last + 1)))
 #< action
 
 
 def slopes(z, k):
-    """D1 L_d(z_k, z_{k+1}) + D2 L_d(z_{k-1}, z_k), written out."""
+    """Return D1 L_d(z_k, z_{k+1}) + D2 L_d(z_{k-1}, z_k), written out."""
     return (m * (2 * z[k] - z[k - 1] - z[k + 1]) / h
             - h * kappa * force(kappa * z[k] + (1 - kappa) * z[k + 1])
             - h * (1 - kappa) * force(kappa * z[k - 1] + (1 - kappa) * z[k]))
 
 
 def twice(one, z, k):
-    """h^(2 alpha) times Delta Delta z_k, one = minus or plus."""
+    """Return h^(2 alpha) Delta Delta z_k; `one` is minus or plus."""
     return one([one(z, j) for j in range(N + 1)], k)
 
 
 def equations(k):
-    """The left hand sides of (6.6a) and (6.6b)."""
+    """Return the left sides of (6.6a) and (6.6b)."""
     return (slopes(x, k) - h * rho * g * twice(minus, x, k),
             slopes(y, k) - h * rho * g * twice(plus, y, k))
 
@@ -120,7 +120,7 @@ for first, last in RANGES + ((1, N - 1),):
 
 
 #> references
-# zeta_0 = x_0 and bar_N = y_N; the other values of the references are any numbers.
+# zeta_0 = x_0 and bar_N = y_N. The other values of the references are any numbers.
 zeta, bar = symbols(f"zeta1:{N + 1}"), symbols(f"bar0:{N}")
 z = (0, *(x[k] - zeta[k - 1] for k in range(1, N + 1)))
 t = (*(y[k] - bar[k] for k in range(N)), 0)
@@ -177,7 +177,7 @@ def component(z, j):
 
 
 def action2(first, last):
-    """d = 2; short sequences, so minus and plus with their own N."""
+    """Return the action for d = 2. The sequences are short, so minus and plus have their own N."""
     total = sum(step2(z[k], z[k + 1]) for z in (xs, ys) for k in range(N2))
     for k in range(first, last + 1):
         for j in range(2):
@@ -200,7 +200,7 @@ for j in range(2):
     prove(f"(6.6) d = 2, N = 2, component {j}",
           expand(diff(A2, X[1]) + diff(A2, Y[1]) - want))
 
-# ---- the mirror -----------------------------------------------------------------
+# ---- the mirror image -------------------------------------------------------------
 #> mirror
 mirrored = dict(zip(y, reversed(x)))
 for k in range(1, N):
@@ -214,7 +214,7 @@ back, here, ahead = symbols("x_- x_0 x_+")
 
 
 def potential_force(z, k, dU, kappa=kappa):
-    """kappa U'(S z_k) + (1 - kappa) U'(S z_{k-1})."""
+    """Return kappa U'(S z_k) + (1 - kappa) U'(S z_{k-1})."""
     return (kappa * dU(kappa * z[k] + (1 - kappa) * z[k + 1])
             + (1 - kappa) * dU(kappa * z[k - 1] + (1 - kappa) * z[k]))
 
@@ -232,8 +232,8 @@ prove("a quadratic U has no defect", expand(
 #< defect
 
 #> only
-# L_d(p, q) - L_d(q, p) is of the form phi(q) - phi(p) iff its mixed derivative is 0:
-# -h kappa (1 - kappa) (U''(kappa p + (1-kappa) q) - U''(kappa q + (1-kappa) p)).
+# L_d(p, q) - L_d(q, p) has the form phi(q) - phi(p) if and only if its mixed derivative is 0, which is -h kappa (1 -
+# kappa) (U''(kappa p + (1-kappa) q) - U''(kappa q + (1-kappa) p)).
 p, q = symbols("p q")
 mixed = diff(step(p, q) - step(q, p), p, q).doit()
 second = diff(U(s), s, 2)
@@ -255,7 +255,7 @@ EXACT = 5
 
 
 def numbers(S, curves, ranges, parameters):
-    """Value, gradient, and the sizes of their terms, for each row and range."""
+    """Return value, gradient, and the sizes of their terms, for each row of DATA and each range."""
     rows, gradients, polynomials = [], [], PolyRing([*curves, g], QQ)
     for row, (alpha, kap, step_size) in enumerate(DATA):
         known = {kappa: kap, h: step_size, **parameters,
@@ -271,7 +271,7 @@ def numbers(S, curves, ranges, parameters):
 
 
 def known_power(base, alpha):
-    """h^(-2 alpha) to any number of digits."""
+    """Return a function of the number of digits that computes h^(-2 alpha)."""
     def value(digits):
         with mpmath.workdps(digits + 20):
             return mpmath.power(mpmath.mpf(int(base.p)) / int(base.q),
@@ -280,7 +280,7 @@ def known_power(base, alpha):
 
 
 def rounded(e, curves, power):
-    """The polynomial e = A + B g at the curves, rounded; the sum of its |terms|."""
+    """Return the value of the polynomial e = A + B g on the curves, rounded, and the sum of its |terms|."""
     A, size = [Fraction(0), Fraction(0)], 0
     for powers, c in e.terms():
         term = Fraction(int(c.numerator), int(c.denominator))

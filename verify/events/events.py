@@ -1,17 +1,16 @@
 """Impacts, and a ball that bounces on a springpot. Prints tests/events/events_ref.h.
 
-Claimed by sympy, for every symmetric M in two dimensions, every normal n and every speed r of the
-wall: p -> p - (1 + e) n (n.v + r) / (n.M^-1 n) turns the speed n.v + r into -e times what it was,
-leaves the momentum along the wall as it is, and at a wall that rests takes
-(1 - e^2) (n.v)^2 / (2 n.M^-1 n) from the kinetic energy.
+Claimed by sympy, for every symmetric M in two dimensions, every normal n and every speed r of the wall: the impact p
+-> p - (1 + e) n (n.v + r) / (n.M^-1 n) multiplies the relative speed n.v + r by -e and leaves the momentum along the
+wall unchanged. At a wall that rests it takes (1 - e^2) (n.v)^2 / (2 n.M^-1 n) from the kinetic energy.
 
-The ball, x'' + rho D^o (x - 1) = -1 from x = 1 at rest, held before. Its equation is linear and an
-impact does not touch the memory, so impacts at t_k that change the velocity by d_k add up:
+The ball moves by x'' + rho D^o (x - 1) = -1 from x = 1 at rest and was held before. Its equation is linear, and an
+impact does not change the memory. So the contributions of impacts at t_k that change the velocity by d_k add up:
 
     x = 1 - t^2 E_{b,3}(-rho t^b) + sum_k d_k (t - t_k) E_{b,2}(-rho (t - t_k)^b),    b = 2 - o,
 
-with Mittag-Leffler's E. Each t_k is a root of x, and d_k = -(1 + e) v(t_k). Without damping they are
-sqrt(2) (1 + 2 (e + e^2 + ...)), exactly."""
+with Mittag-Leffler's E. Each t_k is a root of x, and d_k = -(1 + e) v(t_k). Without damping the t_k are sqrt(2) (1 +
+2 (e + e^2 + ...)), exactly."""
 import sympy
 from mpmath import gamma, mp, mpf, sqrt
 
@@ -46,7 +45,7 @@ def mittag_leffler(order, shift, z):
 
 
 def state(t, o, rho, hits):
-    """x and v."""
+    """Return x and v at t after the impacts `hits`."""
     order = 2 - o
     x, v = 1 - t**2 * mittag_leffler(order, 3, -rho * t**order), -t * mittag_leffler(order, 2, -rho * t**order)
     for at, jump in hits:
@@ -58,7 +57,7 @@ def state(t, o, rho, hits):
 
 
 def fall(t, o, rho, hits):
-    """The next root of x behind t."""
+    """Return the next root of x after t."""
     step = mpf(1) / 64
     low = t + step
     while state(low + step, o, rho, hits)[0] > 0:

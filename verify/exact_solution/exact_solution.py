@@ -3,7 +3,7 @@
 Proved here, all letters symbolic unless it says otherwise:
   (11.2)  the rule for the transform of a fractional derivative, on all powers;
   (11.3)  the step response is 1 minus the Caputo solution, over c;
-  (11.4)  modulus and damping that belong to an angle do solve Q(s) = 0;
+  (11.4)  the modulus and the damping of an angle solve Q(s) = 0;
   (11.5)  d ln(rho) / d theta is the expression that (11.6) shows positive;
   (11.6)  that identity; and, counted by the argument principle for rational
           alpha and rho (numbers), Q has two zeros on the principal sheet;
@@ -15,9 +15,9 @@ Proved here, all letters symbolic unless it says otherwise:
   (11.16) the last node, for all times of a window; and, on 1/(s^(1 + b)), that the rule
           with so many nodes errs by no more than the tolerance (numbers);
   (11.18) the powers of a row that a block has; (11.19) the pulse, seen from its end.
-Printed: x and x' by Talbot's rule (nothing is split there), and for long times,
-where that would take too many terms, by the residues and the integral along the
-cut itself, which is neither Talbot's rule nor the hyperbola of the C code."""
+Printed: x and x' by Talbot's rule, which does not split the solution. For long times this rule needs too many
+terms, so the values come from the residues and the integral along the cut. The C code uses a hyperbola, so it
+shares neither rule."""
 import cmath
 import math
 
@@ -36,12 +36,12 @@ Q = m * s**2 + c + rho * s**beta
 
 #> transform
 def of_power(g):
-    """The transform of t^g."""
+    """Return the transform of t^g."""
     return gamma(g + 1) / s ** (g + 1)
 
 
 def of_derivative(g, order):
-    """The transform of D^order t^g by the power rule of H 1."""
+    """Return the transform of D^order t^g, by the power rule of H 1."""
     return gamma(g + 1) / gamma(g + 1 - order) * of_power(g - order)
 
 
@@ -82,8 +82,8 @@ prove("(11.6) (A + B) ((a+b)^2 cot(a+b) - a^2 A - b^2 B) is minus two squares",
 
 
 def windings(b_, rho_, inner=1e-8, outer=1e8, steps=400):
-    """How often Q(s) = s^2 + 1 + rho s^b goes round 0 while s goes round a
-    keyhole: the big circle, and back along both sides of the cut."""
+    """Return how often Q(s) = s^2 + 1 + rho s^b winds around 0 while s runs along a keyhole: the large circle, and
+    back along both sides of the cut."""
     turn = [math.pi * (2 * k - steps) / steps for k in range(steps + 1)]
     side = [outer * (inner / outer) ** (k / steps) for k in range(steps + 1)]
     value = lambda r_, angle: cmath.rect(r_, angle) ** 2 + 1 + rho_ * cmath.rect(r_**b_, b_ * angle)
@@ -137,7 +137,7 @@ prove("(11.11) |1 +- sin(x + iy)| = cosh y +- sin x, so that their sum is 2 cosh
 #< hyperbola
 
 #> rows
-lam, tau, folds = symbols("lambda tau Lambda", positive=True)  # Lambda: L times what is waited for
+lam, tau, folds = symbols("lambda tau Lambda", positive=True)  # Lambda: L times the logarithm of 1/tolerance
 last = acosh((1 + folds / mu) / sin(phi))
 prove("(11.16) at the last node Re z is -Lambda",
       simplify(mu * (1 - sin(phi) * cosh(last)) + folds))
@@ -146,14 +146,14 @@ prove("(11.19) a pulse, seen from its end",
 
 
 def steps_and_nodes(wanted, width, center, log_E, ratio, mu_=3.0):
-    """(11.16), for ln(1/tolerance) = wanted."""
+    """Return the step and the number of nodes by (11.16); wanted = ln(1/tolerance)."""
     step = 2 * math.pi * width / (wanted + 5 + log_E)
     return step, math.ceil(math.acosh((1 + ratio * (wanted + 2) / mu_) / math.sin(center)) / step)
 
 
 def rule_errs(b, tolerance, width, ratio=100, center=0.675, mu_=3.0):
-    """The largest error of (11.15) at times down to 1/ratio, for 1/s^(1 + b), the transform
-    of t^b / Gamma(1 + b), over the largest value of that, 1 / Gamma(1 + b)."""
+    """Return the largest error of (11.15) at times down to 1/ratio for 1/s^(1 + b), the transform of t^b / Gamma(1 +
+    b), divided by the largest value of this function, 1 / Gamma(1 + b)."""
     wanted = math.log(1 / tolerance)
     edge = mu_ * (1 - math.sin(center + width))
     step, nodes = steps_and_nodes(wanted, width, center, -b * math.log(edge), ratio)  # (11.17)
@@ -176,9 +176,9 @@ for b_ in (0, 0.5, 1, 1.5, 2):
             claim(f"(11.16) errs by less than {tolerance} on t^{b_}, d = {width}",
                   rule_errs(b_, tolerance, width) < tolerance)
 
-highest = math.log(8) - 2 * math.log(3 * (1 - math.sin(1.35)))  # no E is larger
+highest = math.log(8) - 2 * math.log(3 * (1 - math.sin(1.35)))  # the largest possible ln E
 for poles, most in ((2, 350), (4, 620)):
-    half = 1.35 / 2 / (poles + 1)  # of the widest interval without a pole, at least
+    half = 1.35 / 2 / (poles + 1)  # the widest interval without a pole has at least twice this width
     claim(f"(11.16) at most {most} nodes with {poles} poles, for 1e-16 and times from 1 to 200",
           steps_and_nodes(16 * math.log(10), half, half, highest, 200)[1] <= most)
 #< rows
@@ -262,7 +262,7 @@ LONG = [
     (Problem(alpha=0.25, rho=2.0**-20, m=3, forcing=2, A=1, w=0.5773502691896257), [1e4]),
 ]
 
-p = Problem(alpha=0.45, x0=1, v0=0.5, rho=3)  # where both routes can go
+p = Problem(alpha=0.45, x0=1, v0=0.5, rho=3)  # both routes work for this problem
 both = [route(p, mpf(8), 30) for route in (by_talbot, by_cut)]
 claim("Talbot's rule and the integral along the cut give the same",
       all(abs(x_ - y_) < mpf(10) ** -28 for x_, y_ in zip(*both)))
@@ -288,7 +288,7 @@ table("ref_poles", "double m, rho, alpha, re, im;",
 
 #> bagley-torvik
 def bagley_torvik(time, digits):
-    """(11.14): x'' + x + D^(3/2) x = 8 on [0, 1], by complex error functions."""
+    """Return x of x'' + x + D^(3/2) x = 8 on [0, 1] by (11.14), with complex error functions."""
     mp.dps = digits + 20
     roots = mpmath.polyroots([1, 1, 0, 0, 1], maxsteps=200, extraprec=200)
 

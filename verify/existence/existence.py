@@ -1,17 +1,16 @@
 """H 15. Existence, uniqueness, and the rate of Picard's iteration.
 
-Proved here, alpha (gamma = 2 - 2 alpha), K, R, exponents symbolic:
-  (15.2)  two histories, one (x, v), and how much their derivatives differ;
-  the paper's bound with Gamma(1 - beta) is false, with Gamma(2 - beta) it is sharp;
+Proved here, with alpha (gamma = 2 - 2 alpha), K, R and exponents symbolic:
+  (15.2)  two histories with the same (x, v), and the difference of their derivatives;
+  the paper's bound with Gamma(1 - beta) is false, the bound with Gamma(2 - beta) is sharp;
   (15.3)  the impulse of the memory is a fractional integral of v, on powers;
   (15.5)  its norm; (15.7) its norm with a weight; (15.8) the n-th power;
   (15.9)  Picard's iterates of the linear problem are the partial sums of a series,
           and the series solves the equation (sums up to n = 6);
   (15.10) the weights are integrals of hat functions; they integrate 1 and t;
   (15.12) the limit alpha -> 1.
-Printed: fractional integrals of piecewise linear functions and one Picard step from
-the integrals (mpmath, two precisions), e_n as a sum of gamma functions, iterates and
-solutions from the series."""
+Printed: fractional integrals of piecewise linear functions and one Picard step from the integrals (mpmath, two
+precisions), e_n as a sum of gamma functions, iterates and solutions from the series."""
 import random
 from functools import cache
 from math import comb
@@ -28,13 +27,13 @@ p, q = symbols("p q", positive=True)
 
 
 def factor(order, e):
-    """D^order t^e = factor t^(e - order); a negative order is an integral."""
+    """Return the factor in D^order t^e = factor t^(e - order). A negative order is an integral."""
     return gamma(e + 1) / gamma(e + 1 - order)
 
 
 #> history
 one = t
-other = t + c * t ** 2 * (1 - t) ** 2  # same start, same x and v at t = 1
+other = t + c * t ** 2 * (1 - t) ** 2  # the same start, and the same x and v at t = 1
 for order in (0, 1):
     prove("(15.2) the same x and v at 0 and 1",
           *[diff(other - one, t, order).subs(t, when) for when in (0, 1)])
@@ -72,8 +71,8 @@ prove("(15.8) I^p of t^q / Gamma(1 + q) is t^(p + q) / Gamma(1 + p + q)",
 #< norms
 
 #> neumann
-# So 1, I 1, I^2 1, I^gamma 1, ... are t^e / Gamma(1 + e). A function is written as
-# {(n, k): c}, the sum of c I^(n + gamma k) 1, and an integral shifts the keys.
+# By (15.5), the functions 1, I 1, I^2 1, I^gamma 1, ... are t^e / Gamma(1 + e). A function is written as {(n, k): c},
+# the sum of c I^(n + gamma k) 1, so an integral shifts the keys.
 def integral(v, n, k, coefficient):
     return {(e[0] + n, e[1] + k): coefficient * c for e, c in v.items()}
 
@@ -102,7 +101,8 @@ W, x0, v0 = symbols("W x_0 v_0")
 
 
 def series(n, W, R, x0, v0):
-    """(15.9), the terms with i + k < n, and of those with i + k = n the ones in v0."""
+    """Return the partial sum of (15.9): the terms with i + k < n, and those of the terms with i + k = n that contain
+    v0."""
     def term(i, k):
         return binomial(i + k, i) * (-W) ** i * (-R) ** k
     pairs = [(i, m - i) for m in range(n + 1) for i in range(m + 1)]
@@ -111,7 +111,7 @@ def series(n, W, R, x0, v0):
 
 
 #> picard
-# f = -W x. T v = v0 - W I (x0 + I v) - R I^gamma v, and v = v0 to begin with.
+# f = -W x. T v = v0 - W I (x0 + I v) - R I^gamma v; the iteration starts with v = v0.
 def T(v, W, R, x0, v0):
     return plus({(0, 0): v0, (1, 0): -W * x0}, integral(v, 2, 0, -W), integral(v, 0, 1, -R))
 
@@ -123,12 +123,12 @@ for n in range(1, 7):
 #< picard
 
 #> hats
-# (15.10): a hat of width 2 around s = n, against s^(gamma - 1). F'' is that kernel.
+# (15.10): the integral of a hat of width 2 around s = n times s^(gamma - 1). F'' is this kernel.
 F = s ** (g + 1) / (g * (g + 1))
 prove("(15.10) F'' is the kernel", diff(F, s, 2) - s ** (g - 1))
 prove("(15.10) Gamma(gamma) gamma (gamma + 1)",
       gammasimp(gamma(g) * g * (g + 1) - gamma(g + 2)))
-for order in (1, 2, 3):  # by parts twice = a second difference, seen for whole orders
+for order in (1, 2, 3):  # two integrations by parts give a second difference; checked for integer orders
     for n in (1, 2, 5):
         hat = (integrate(s ** (order - 1) * (s - n + 1), (s, n - 1, n))
                + integrate(s ** (order - 1) * (n + 1 - s), (s, n, n + 1)))
@@ -137,7 +137,7 @@ for order in (1, 2, 3):  # by parts twice = a second difference, seen for whole 
 
 
 def weight(gamma_, k, j):
-    """Of v_j in out_k, without h^gamma / Gamma(2 + gamma)."""
+    """Return the weight of v_j in out_k, without h^gamma / Gamma(2 + gamma)."""
     if j == k:
         return 1
     if j == 0:
@@ -172,7 +172,7 @@ def two_precisions(value):
 
 
 def integral_on_grid(order, h, v, k):
-    """I^order at t_k of the polygon through v, from the antiderivatives."""
+    """Return I^order at t_k of the polygon through v, from the antiderivatives."""
     order, h = mp(order), mp(h)
     return h ** order / mpmath.gamma(2 + order) * mpmath.fsum(
         weight(order, mp(k), mp(j)) * v[j] for j in range(k + 1)) if k else mp(0)
@@ -195,7 +195,7 @@ table("ref_integrals", f"double gamma, h, v[{STEPS + 1}], want[{STEPS + 1}];", r
 
 @cache
 def picard_step(order, h, damping, start, v, digits):
-    """x and T v for f(x, v) = -2 x - v / 2 and all k; kept for each number of digits."""
+    """Return x and T v for f(x, v) = -2 x - v / 2 and all k. The result is cached for each number of digits."""
     alpha, h, start, v = mp(order), mp(h), list(map(mp, start)), list(map(mp, v))
     x = [start[0] + integral_on_grid(1, h, v, k) for k in range(STEPS + 1)]
     f = [-2 * x[k] - v[k] / 2 for k in range(STEPS + 1)]
@@ -246,7 +246,7 @@ def rgamma(e, digits):
 
 @cache
 def iterate(n, alpha, W, R, x0, v0, digits):
-    """Position and velocity of the exact n-th iterate at t = 1; its x is x0 + I v."""
+    """Return position and velocity of the exact n-th iterate at t = 1. Its x is x0 + I v."""
     alpha, W, R, x0, v0 = map(mp, (alpha, W, R, x0, v0))
     terms = []
     for total in range(n + 1):

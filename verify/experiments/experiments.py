@@ -1,15 +1,12 @@
-"""H 10, the linearly damped oscillator. (The problem of order 3/2 is in
-experiments_bagley_torvik.py.)
+"""H 10, the linearly damped oscillator. (The problem of order 3/2 is in experiments_bagley_torvik.py.)
 
-Proved with symbols: the closed form (10.1) solves the oscillator in all three
-cases; the determinants (10.4) and what they say about the rate of decay (10.5);
-the modified equation (10.6) of the FVI at alpha = 1/2, its momentum included.
-Claimed at the paper's parameters: the rational values at h = 1/2; which steps and
-quantities give a slope of 0.94; that the errors tend to (10.7).
+Proved with symbols: the closed form (10.1) solves the oscillator in all three cases; the determinants (10.4) and the
+rate of decay (10.5) that follows from them; the modified equation (10.6) of the FVI at alpha = 1/2, with its
+momentum. Claimed at the paper's parameters: the rational values at h = 1/2; the steps and quantities that give a
+slope of 0.94; that the errors tend to (10.7).
 
-Printed: the oscillator from the exponential of its matrix; trajectories of the
-three-term equation (9.3) and of Euler's methods with many digits; the errors that
-the C code must see."""
+Printed: the oscillator from the exponential of its matrix; trajectories of the three-term equation (9.3) and of
+Euler's methods with many digits; the errors that the C code must reproduce."""
 from fractions import Fraction
 from functools import cache
 
@@ -25,10 +22,10 @@ x0, p0 = symbols("x0 p0")
 # ---- (10.1): the closed form ----
 
 #> closed-form
-w, q = symbols("w q", positive=True)        # frequency, half distance of two rates
+w, q = symbols("w q", positive=True)        # frequency, half the distance of two rates
 L = rho / (2 * m)
 slow = L - q
-CASES = {                     # c from the other parameters; decay, A, B, G of (10.1)
+CASES = {                     # c in terms of the other parameters; decay, A, B, G of (10.1)
     "under": (m * (w**2 + L**2), L, cos(w * t) + L * sin(w * t) / w,
               cos(w * t) - L * sin(w * t) / w, sin(w * t) / w),
     "critical": (m * L**2, L, 1 + L * t, 1 - L * t, t),
@@ -103,16 +100,16 @@ energy = lambda x, p: p * p / 2 + x * x / 2             # mass and stiffness 1
 
 #> constant
 def largest(e):
-    """max |e(t)| for 0 <= t <= T, by a fine grid and bisection of the derivative."""
+    """Return max |e(t)| for 0 <= t <= T, by a fine grid and bisection of the derivative."""
     f, slope = (lambdify(t, g, "mpmath") for g in (e, diff(e, t)))
-    near = lambdify(t, e, "math")               # doubles will do for the grid
+    near = lambdify(t, e, "math")               # doubles suffice for the grid
     best = mpf(max(range(1, 50 * T + 1), key=lambda i: abs(near(i / 50)))) / 50
     top = mpmath.findroot(slope, (best - mpf(1) / 50, best + mpf(1) / 50), solver="anderson")
     claim("the maximum is near the best of the grid", abs(top - best) < mpf(1) / 50)
     return abs(f(top))
 
 
-by_m = lambda e: diff(e, m).subs(values)    # x0 and p0 held; then m = 1
+by_m = lambda e: diff(e, m).subs(values)    # x0 and p0 are kept; then m = 1
 dx, dp = by_m(exact_x), by_m(exact_p)
 x1, p1 = exact_x.subs(values), exact_p.subs(values)
 #< constant
@@ -123,14 +120,14 @@ CONSTANTS = [RHO / 2 * largest(e) for e in (dx, dp, p1 * dp + x1 * dx)]
 
 
 def number(v):
-    """A rational or double, as it is."""
+    """Return a rational or a double as an exact number."""
     v = Fraction(v)
     return mpf(v.numerator) / v.denominator
 
 
 @cache
 def matrix_of(name, step):
-    """One step as a matrix, from the equations above: solved, not copied."""
+    """Return the matrix of one step, by solving the equations above."""
     after = solve([e.subs({m: 1, c: 1, rho: Rational(0.2), h: Rational(step)})
                    for e in METHODS[name]], [a, b], dict=True)[0]
     M = Matrix([after[a], after[b]]).jacobian([X, P])
@@ -138,7 +135,7 @@ def matrix_of(name, step):
 
 
 def powers(M, N):
-    """(x, p) after 0, 1, ..., N steps."""
+    """Return (x, p) after 0, 1, ..., N steps."""
     out = [(X0, P0)]
     for _ in range(N):
         out.append(tuple(row[0] * out[-1][0] + row[1] * out[-1][1] for row in M))
@@ -150,13 +147,13 @@ def steps_of(name, step, N):
 
 
 def exact_steps(step, N):
-    """exp(k h M) (x0, p0) by powers of the exponential of the matrix."""
+    """Return exp(k h M) (x0, p0), by powers of the exponential of the matrix."""
     return powers(mpmath.expm(mpmath.matrix([[0, 1], [-1, -RHO]]) * number(step)).tolist(), N)
 
 
 #> fractional
 def fractional_steps(order, step, N):
-    """(9.3) with weights of order 2 alpha, kappa = 1/2, c = m = 1, no force."""
+    """Return the positions by (9.3) with weights of order 2 alpha, kappa = 1/2, c = m = 1, no force."""
     hh, order = number(step), number(order)
     g = [mpf(1)]
     for n in range(1, N + 1):
@@ -175,7 +172,7 @@ def rounded(v):
 
 
 def least_squares(points):
-    """The slope of log error against log h."""
+    """Return the slope of log error against log h."""
     u = [(mpmath.log(number(hh)), mpmath.log(e)) for hh, e in points]
     n = len(u)
     ux, uy = sum(p[0] for p in u) / n, sum(p[1] for p in u) / n
@@ -199,7 +196,7 @@ for oscillator in OSCILLATORS:
             mpmath.mp.dps = n + 60
             M, R, K, q0, r0, s = map(number, (*oscillator, time))
             mpmath.mp.dps = n + 60 + int(mpmath.log10(1 + R / M * s) + R / M * s)
-            E = mpmath.expm(mpmath.matrix([[0, 1], [-K / M, -R / M]]) * s)  # of (x, p / m)
+            E = mpmath.expm(mpmath.matrix([[0, 1], [-K / M, -R / M]]) * s)  # the matrix acts on (x, p / m)
             return [mpmath.nstr((E[i, 0] * q0 + E[i, 1] * r0 / M) * (M if i else 1), n) for i in range(2)]
         rows.append([*map(hexd, map(Rational, oscillator)), hexd(Rational(time)),
                      *(hexd_real(lambda n: at_digits(n)[i], 40) for i in range(2)),
@@ -208,7 +205,7 @@ mpmath.mp.dps = 40
 header("verify/experiments/experiments.py")
 table("ref_oscillator", "double m, rho, c, x0, p0, t, x, p;", rows)
 
-# x for several alpha, h = 1/2, N = 30, and the distance from the exact x at 1/2.
+# x for several alpha, h = 1/2, N = 30, and its distance from the exact x for alpha = 1/2.
 line = exact_steps(0.5, 30)
 rows = []
 for order in (0, 0.25, 0.4, 0.5, 0.6, 0.75, 1):

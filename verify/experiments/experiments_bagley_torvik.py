@@ -1,13 +1,11 @@
-"""H 10, the problem x'' + x + D^(3/2) x = F of Bagley and Torvik, F = 8 up to
-t = 1, then 0, with zero data.
+"""H 10, the problem x'' + x + D^(3/2) x = F of Bagley and Torvik, F = 8 up to t = 1, then 0, with zero data.
 
-Proved: the transform behind the series (10.8) and its expansion. Claimed: that the
-series is the sum of error functions over the roots of w^4 + w^3 + 1; rational values
-at h = 1/4; which comparisons give a slope of 0.97 or 0.96; how x answers an error.
+Proved: the transform behind the series (10.8) and its expansion. Claimed: that the series is the sum of error
+functions over the roots of w^4 + w^3 + 1; rational values at h = 1/4; the comparisons that give a slope of 0.97 or
+0.96; the response of x to an error.
 
-Printed: the exact solution from its series; trajectories of the FVI from (9.3) and
-of the matrix method (10.9), row by row with many digits, for h = 1/4 by elimination
-in rationals; the errors that the C code must see."""
+Printed: the exact solution from its series; trajectories of the FVI from (9.3) and of the matrix method (10.9), row
+by row with many digits, for h = 1/4 by elimination in rationals; the errors that the C code must reproduce."""
 import math
 from fractions import Fraction
 from functools import cache
@@ -20,7 +18,7 @@ from shared.refgen import array, claim, header, hexd_real, prove, table
 
 mpf = mpmath.mpf
 
-BITS = 256                                  # of the series: it cancels 40 of them
+BITS = 256                                  # bits of the series, which loses 40 of them
 fixed = lambda v, bits: int(mpmath.floor(v * 2**bits + mpf(1) / 2))
 mpmath.mp.prec = BITS + 60
 
@@ -30,7 +28,7 @@ def rounded(v):
 
 
 def least_squares(points):
-    """The slope of log error against log h."""
+    """Return the slope of log error against log h."""
     u = [(mpmath.log(h), mpmath.log(e)) for h, e in points]
     ux, uy = (sum(p[i] for p in u) / len(u) for i in range(2))
     return sum((p[0] - ux) * (p[1] - uy) for p in u) / sum((p[0] - ux)**2 for p in u)
@@ -53,7 +51,7 @@ claim("(10.8) forty bits cancel at t = 20",
 
 @cache
 def step_response(time):
-    """y(t) = sum_n d_n t^(2 + n/2) / Gamma(3 + n/2) for t <= 20, in units of 2^-BITS."""
+    """Return y(t) = sum_n d_n t^(2 + n/2) / Gamma(3 + n/2) for t <= 20, in units of 2^-BITS."""
     if time <= 0:
         return 0
     power = (time.numerator << BITS) // (20 * time.denominator)
@@ -70,7 +68,7 @@ def bagley_torvik(time):
 
 #> erfc
 def by_erfc(time):
-    """The same from the four roots of w^4 + w^3 + 1."""
+    """Return the same y(t) from the four roots of w^4 + w^3 + 1."""
     roots = mpmath.polyroots([1, 1, 0, 0, 1], maxsteps=200, extraprec=200)
     E = lambda u: mpmath.exp(u * u) * mpmath.erfc(-u)
     y = lambda s: 1 + sum(E(r * mpmath.sqrt(s)) / (r * (4 * r**3 + 3 * r**2)) for r in roots)
@@ -82,11 +80,11 @@ for time in (Fraction(1, 10), Fraction(1), Fraction(3, 2), Fraction(7), Fraction
           abs(mpf(bagley_torvik(time)) / 2**BITS - by_erfc(mpf(time.numerator) / time.denominator)) < mpf(10)**-30)
 #< erfc
 
-SCALE = 128                                 # of the trajectories
+SCALE = 128                                 # bits of the trajectories
 
 
 def half_weights(N):
-    """Weights of order 3/2, in units of 2^-SCALE."""
+    """Return the weights of order 3/2, in units of 2^-SCALE."""
     g = [2**SCALE]
     for n in range(1, N + 1):
         g.append(g[-1] * (2 * n - 5) // (2 * n))
@@ -94,14 +92,14 @@ def half_weights(N):
 
 
 def solve_rows(n_per_unit, T, matrix_method):
-    """FVI or matrix method for m = c = rho = 1, alpha = 3/4; x in units of 2^-SCALE."""
+    """Return x of the FVI or of the matrix method for m = c = rho = 1, alpha = 3/4, in units of 2^-SCALE."""
     N = n_per_unit * T
     n2, g = n_per_unit**2, half_weights(N)
     g32 = fixed(mpf(n_per_unit) ** 1.5, SCALE)
     x = [0, 0]                              # FVI: p_0 = 0 gives x_1 = 0
     for k in range(1, N):
-        j = k + 1 if matrix_method else k   # the row whose force and memory are taken
-        past = sum(map(mul, g[j - k:j + 1], reversed(x)))       # w_n x_{j-n}, x_{k+1} not yet
+        j = k + 1 if matrix_method else k   # the row whose force and memory enter the step
+        past = sum(map(mul, g[j - k:j + 1], reversed(x)))       # w_n x_{j-n}, without the unknown x_{k+1}
         force = (8 << SCALE) if j <= n_per_unit else 0
         rest = force + n2 * (2 * x[k] - x[k - 1]) - (g32 * (past >> SCALE) >> SCALE)
         if matrix_method:
@@ -121,7 +119,7 @@ def error_row(n, x, want):
     return tenths, [n, fine(errors[k]), k, fine(want[k]), fine(tenths)], note
 
 
-# What a unit error in one row of the matrix makes in x, over all rows and at most.
+# The response of x to a unit error in one row of the matrix; then the sum over all rows, and the largest response.
 g, answer = [w / 2**SCALE for w in half_weights(800)], []
 column = [40**1.5 * w + 1600 * i for w, i in zip(g, [1, -2, 1] + [0] * 798)]
 column[0] += 1

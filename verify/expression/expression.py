@@ -1,11 +1,10 @@
-"""Expressions: values, gradients and Hessians of random ones.
+"""Expressions: values, gradients and Hessians of random expressions.
 
-Printed: texts with their values and first two derivatives at doubles as they are, by
-sympy from the text as Python's own grammar reads it (** for ^), rounded once. Each comes with
-the bound of its rounding errors in units of 2^-53, to first order: every operation of the
-formulas on jets is followed, with the error of its operands and one rounding of its own
-(two where a function of the C library is called, sums by the sizes of their terms). The
-formulas here bound the errors; no reference value comes from them."""
+Printed: texts with their values and first two derivatives at doubles. sympy computes them from the text as Python's
+own grammar reads it (** for ^), and they are rounded once. Each number comes with the bound of the rounding errors of
+the C code in units of 2^-53, to first order: the script follows every operation of the formulas on jets, with the
+errors of its operands and one rounding of its own (two if it calls a function of the C library; sums by the sizes of
+their terms). The formulas here only bound the errors; no reference value comes from them."""
 import random
 from functools import cache
 
@@ -43,7 +42,7 @@ class Number:
         return Number(q, (self.e + abs(q) * o.e) / abs(o.v) + abs(q))
 
     def by(self, f, slope):
-        """f of it, by the C library to an ulp: two units."""
+        """Return f of the number. The C library computes f to an ulp, which is two units."""
         value = f(self.v)
         return Number(value, abs(slope(self.v)) * self.e + 2 * abs(value))
 
@@ -52,7 +51,7 @@ ONE, TWO = Number(1), Number(2)
 
 
 def function(name, u):
-    """f, f', f'' as src/expression/tape.c computes them."""
+    """Return f, f', f'' as src/expression/tape.c computes them."""
     m = mpmath
     minus = Number(-1)
     if name in ("sin", "cos"):
@@ -93,7 +92,7 @@ def chain(f, u):
 
 
 def jet(tree, point, i, j):
-    """(u, u_i, u_j, u_ij), each a Number."""
+    """Return (u, u_i, u_j, u_ij), each as a Number."""
     op, *rest = tree
     if op == "number":
         return Number(rest[0]), Number(0), Number(0), Number(0)
@@ -124,7 +123,7 @@ def jet(tree, point, i, j):
 
 
 def grow(dice, names, depth):
-    """A random tree."""
+    """Return a random tree."""
     if depth == 0 or dice.random() < 0.1:
         return (("name", dice.choice(names)) if dice.random() < 0.7 else
                 ("number", dice.randint(1, 40) / 8))
@@ -142,7 +141,7 @@ RANK = {"+": 1, "-": 1, "*": 2, "/": 2, "-1": 3, "^": 4}
 
 
 def text(tree, dice):
-    """With the parentheses that it needs, now and then one pair more."""
+    """Return the text of the tree with the necessary parentheses, and sometimes with one unnecessary pair."""
     op, *rest = tree
     if op == "number":
         return f"{rest[0]:g}"
@@ -168,7 +167,7 @@ def real_and_tame(values):
 
 
 def cases(seed, names, count, depth):
-    """(text, point, [(i, j, u, u_i, u_ij, three bounds)])"""
+    """Return a list of (text, point, [(i, j, u, u_i, u_ij, three bounds)])."""
     dice, found = random.Random(seed), []
     symbols = {n: Symbol(n, real=True) for n in names}
     while len(found) < count:
@@ -181,7 +180,7 @@ def cases(seed, names, count, depth):
         rows = []
         try:
             bounds = {}
-            with mpmath.workdps(40):        # what is cheap refuses first
+            with mpmath.workdps(40):        # the cheap check comes first
                 for i, j in pairs:
                     bounds[i, j] = [c.e for c in jet(tree, point, i, j)]
                     if any(mpmath.im(b) != 0 or not mpmath.isfinite(b) or b > 1e9 for b in bounds[i, j]):

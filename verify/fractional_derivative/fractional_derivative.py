@@ -1,6 +1,6 @@
 """H 1. Riemann-Liouville and Caputo derivatives.
 
-Proved here, alpha (and beta, and exponents) symbolic:
+Proved here, with alpha (and beta, and exponents) symbolic:
   (1.4)   Riemann-Liouville = Caputo + f(a) u^-alpha / Gamma(1 - alpha), for any f
           by parts, and on 1, t, t^2; with the printed minus it is false;
   (1.5)   the weight of the mean has mass 1;
@@ -8,13 +8,13 @@ Proved here, alpha (and beta, and exponents) symbolic:
   (1.7)   integration by parts on all polynomials, no boundary term for alpha < 1,
           and the boundary term at alpha = 1;
   (1.8)   its form for Caputo, with a boundary term;
-  (1.9)   orders add on powers; (1.10) and where they do not;
+  (1.9)   orders add on powers; (1.10) a function on which they do not;
   (1.11)  the limits alpha -> 0 and alpha -> 1;
-  (1.12)  what a sine has forgotten lies between two powers of t;
+  (1.12)  the part of a sine that has been forgotten lies between two powers of t;
   (1.13)  the first error term of the Grünwald-Letnikov sum, on all polynomials.
-Printed: powers from the gamma function, functions from their Taylor series at the
-end, term by term, and one that is not entire from the defining integral (mpmath,
-two precisions), at random orders, times and exponents; the seed is in the script."""
+Printed: powers from the gamma function, functions from their Taylor series at the end, term by term, and one function
+that is not entire from the defining integral (mpmath, two precisions), at random orders, times and exponents; the
+seed is in the script."""
 import math
 import random
 
@@ -30,7 +30,7 @@ m, n = symbols("m n", positive=True)  # exponents: any positive numbers
 
 #> euler
 # Euler: int_0^u (u - s)^-alpha s^g ds = B(1 - alpha, g + 1) u^(1 - alpha + g).
-for k in range(7):  # integer g: expand (1 - w)^k and integrate w^(j - alpha)
+for k in range(7):  # an integer g: expand (1 - w)^k and integrate w^(j - alpha)
     prove(f"Euler's beta integral, g = {k}",
           sum((-1) ** j * binomial(k, j) / (j + 1 - alpha) for j in range(k + 1))
           - gammasimp(gamma(1 - alpha) * gamma(k + 1) / gamma(k + 2 - alpha)))
@@ -38,13 +38,13 @@ for k in range(7):  # integer g: expand (1 - w)^k and integrate w^(j - alpha)
 
 
 def euler(p, q):
-    """int_0^1 s^p (1 - s)^q ds."""
+    """Return int_0^1 s^p (1 - s)^q ds."""
     return gamma(p + 1) * gamma(q + 1) / gamma(p + q + 2)
 
 
 #> power
 def factor(order, e):
-    """D^order u^e = factor u^(e - order)."""
+    """Return the factor in D^order u^e = factor u^(e - order)."""
     return gamma(e + 1) / gamma(e + 1 - order)
 
 
@@ -56,8 +56,8 @@ prove("(1.6) power rule for Caputo, g > 0", gammasimp(caputo - factor(alpha, g))
 #< power
 
 #> relation
-# Any f. By parts, int_a^t (t-tau)^-alpha f = f(a) K(t-a) + int_a^t K(t-tau) f',
-# K' = the kernel, K(0) = 0; and d/dt of the right side is what (1.4) says.
+# Any f. By parts, int_a^t (t-tau)^-alpha f = f(a) K(t-a) + int_a^t K(t-tau) f', where K' is the kernel and K(0) = 0.
+# The derivative d/dt of the right side is (1.4).
 f = Function("f")
 K = (t - tau) ** (1 - alpha) / (1 - alpha)
 prove("(1.4) by parts", diff(-K * f(tau), tau)
@@ -103,13 +103,13 @@ prove("(1.7) f = t, g = 1, alpha = 1/2", t_times_D1 - 2 / (3 * sqrt(pi)),
 # alpha = 1, G = 1: int F G' = 0, but the limit of int F D_- G is F(0) G(0) = 1.
 prove("(1.7) does not commute with alpha -> 1",
       limit(gammasimp(left.subs(m, 0)), alpha, 1) - 1)
-# (1.8): Caputo kills the constant; I_+^(1-alpha) of (1 - t)^n at 0 is what is left.
+# (1.8): Caputo's derivative of the constant is 0, so I_+^(1-alpha) of (1 - t)^n at 0 remains.
 integral = gamma(n + 1) / gamma(n + 2 - alpha)
 prove("(1.8) G = 1", gammasimp(0 - (right.subs(m, 0) - 1 * integral)))
 # F = e^(2 (1-t)), G = e^t, alpha = 0.3 and 0.7, with I^(1-alpha) e^(c s) in closed form.
 with mpmath.workdps(30):
     def mean(o, c, s):
-        """I^(1-o) of e^(c s) at s."""
+        """Return I^(1-o) of e^(c s) at s."""
         return c ** (o - 1) * mpmath.exp(c * s) * mpmath.gammainc(1 - o, 0, c * s, regularized=True)
 
     for o in (mpmath.mpf(3) / 10, mpmath.mpf(7) / 10):
@@ -175,9 +175,9 @@ for order in (0.1, 0.5, 0.9):
           0 < first - rest < first * (o + 1) * (o + 2) / T ** 2)
 
 #> expansion
-# p_j = j! h^j binom(N + j, j) = t^j + h j (j+1)/2 t^(j-1) + ..., t = N h. Its
-# sum is exact, as 1/(1-z)^(j+1) becomes (1-z)^(alpha-j-1): j! h^(j-alpha) w_N, and
-# Gamma(N + c) / N! = N^(c-1) (1 + c (c-1) / (2N) + ...), H 4, (4.5).
+# p_j = j! h^j binom(N + j, j) = t^j + h j (j+1)/2 t^(j-1) + ..., t = N h. The sum of p_j is known exactly, because
+# the weights turn 1/(1-z)^(j+1) into (1-z)^(alpha-j-1): it is j! h^(j-alpha) w_N. And Gamma(N + c) / N! = N^(c-1) (1
+# + c (c-1) / (2N) + ...), H 4, (4.5).
 j = symbols("j", positive=True)
 c = j + 1 - alpha
 sum_of_p = factor(alpha, j) * t ** (j - alpha) * (1 + c * (c - 1) * h / (2 * t))
@@ -192,7 +192,7 @@ prove("(1.13) on 1", gammasimp((sum_of_p.subs(j, 0) - claimed) * t ** (1 + alpha
 
 
 def off(order, e, N):
-    """How far the sum is off for f = t^e at t = 1 with N steps."""
+    """Return the error of the sum for f = t^e at t = 1 with N steps."""
     w, total = 1.0, 1.0
     for n in range(1, N + 1):
         w *= (n - 1 - order) / n
@@ -200,7 +200,7 @@ def off(order, e, N):
     return abs(N ** order * total - math.gamma(1 + e) / math.gamma(1 + e - order))
 
 
-chosen = random.Random(1869)            # any power: with four times as many steps at most 4^-0.6 = 0.44 is left
+chosen = random.Random(1869)            # four times as many steps leave at most 4^-0.6 = 0.44 of the error
 for _ in range(40):
     order, e = chosen.uniform(0.05, 1.4), chosen.uniform(0.45, 3)
     claim("every power", off(order, e, 4000) < 0.5 * off(order, e, 1000) + 1e-9)
@@ -212,7 +212,7 @@ exact = mpmath.mpf
 
 
 def two_precisions(value):
-    """value() -> mpmath number, at the precision that is set."""
+    """Return value() as a double literal, at two precisions that must agree."""
     def text(digits):
         mpmath.mp.dps = digits + 25
         return mpmath.nstr(value(), digits)
@@ -234,7 +234,7 @@ rows += [(0.75, -0.25 + tiny, 2.0), (0.25, -0.75 + tiny, 2.0), (1.75, -0.25 - ti
          (1.5, 0.5, 1e-8), (1.5, 0.5, 1e8), (1e-300, 3.0, 2.0), (-2.0, 9.0, 1.5),
          (-2.0, 170.5, 1.0), (1.0, 1e9, 1.0), (0.3, 1e12, 1 - 2.0 ** -40), (2.0, 1.0, 3.0),
          (1.5, 0.0, 4.0), (0.5, 1.5, 1e-300), (0.3, 1000.1, 0.5), (-0.7, 1000.3, 2.0)]
-near = 2.0 ** -33  # g + 1 - order is 2^-83, and 2^-83 - 1: next to the two poles
+near = 2.0 ** -33  # g + 1 - order is 2^-83, and 2^-83 - 1: next to the two poles of Gamma
 rows += [(1 - near, -near * (1 - tiny), 2.0), (2 - near, -near * (1 - tiny), 2.0)]
 header("verify/fractional_derivative/fractional_derivative.py")
 table("ref_powers", "double order, g, u, want;",
@@ -244,21 +244,21 @@ table("ref_powers", "double order, g, u, want;",
 
 
 def taylor(derivative, constant, order, u):
-    """sum_k f^(k) D^order u^k / k!; without k = 0 for Caputo."""
+    """Return sum_k f^(k) D^order u^k / k!; for Caputo without k = 0."""
     o, u = exact(order), exact(u)
     total, k = mpmath.mpf(0), 0 if constant else 1
     weight, power = mpmath.rgamma(k + 1 - o), u ** (k - o)
     while k < 4 or weight * (4 * u) ** k > mpmath.mpf(10) ** -mpmath.mp.dps:
         total += derivative(k) * weight * power
         k, power = k + 1, power * u
-        weight = weight / (k - o) if k > 1 else mpmath.rgamma(k + 1 - o)  # 1 - o may be 0
+        weight = weight / (k - o) if k > 1 else mpmath.rgamma(k + 1 - o)  # 1 - o may be 0, so start anew
     return total
 
 
-# The curves of the test: sin(3t), exp(-2t), t^3 - t + 1, 1/(1 + t^2). A side of +1
-# reflects: f(end + side ... ) is expanded in u, the distance from the end.
+# The curves of the test are sin(3t), exp(-2t), t^3 - t + 1, 1/(1 + t^2). With side = +1 the curve ends at `end` and
+# is reflected, so u is always the distance from the end.
 def derivatives_at(curve, end, side):
-    """k -> d^k f / du^k at the end."""
+    """Return the function k -> d^k f / du^k at the end."""
     e, s = exact(end), -side  # t = end + s u
     if curve == 0:
         sin, cos = mpmath.sin(3 * e), mpmath.cos(3 * e)
@@ -271,8 +271,8 @@ def derivatives_at(curve, end, side):
 
 
 def by_definition(end, side, order, t, is_caputo):
-    """1 / (1 + t^2), from the integrals (1.2) and (1.3) themselves: y = u v^n with
-    n (1 - o) = 3 removes the singularity, and makes the integrand rational."""
+    """Return the derivative of 1 / (1 + t^2) from the integrals (1.2) and (1.3) themselves. The substitution y = u
+    v^n with n (1 - o) = 3 removes the singularity and makes the integrand rational."""
     e, o, s = exact(end), exact(order), -side
     u, n = abs(exact(t) - e), round(3 / (1 - order))
     claim("n (1 - o) = 3", n * (1 - o) == 3)

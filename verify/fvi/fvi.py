@@ -1,17 +1,14 @@
-"""H 9. Proved with symbols (alpha, kappa, m, rho, h, the sequences and the
-potential all left open): the three-term equation (9.2) is what a restricted
-variation of the discrete action leaves for x, and it is (9.3) when written out;
-the momentum form (9.4) is the same equation; kappa and 1 - kappa differ only
-beyond quadratic U; the kick (9.5); the delay (9.7); what a force at
-t = 0 leaves out, (9.8). And y_k = x_{N-k} satisfies the advanced equation with
-1 - kappa.
+"""H 9. Proved with symbols (alpha, kappa, m, rho, h, the sequences and the potential are all open): the restricted
+variation of the discrete action gives the three-term equation (9.2) for x, which is (9.3) when written out; the
+momentum form (9.4) is the same equation; kappa and 1 - kappa differ only if U is not quadratic; the kick (9.5); the
+delay (9.7); the error (9.8) of the start under a force at t = 0. And y_k = x_{N-k} satisfies the advanced equation
+with 1 - kappa.
 
-Reference values: trajectories of (9.2) as it is printed, two sums for two
-derivatives, positions only, in exact rationals, or in two precisions of many
-digits where a step is a quadratic equation. Beside each value stands a bound of
-what rounding can do to the C code: the operations of (9.4) are repeated in an
-arithmetic in which every number carries the error that the doubles may have. In
-passing this shows once more that (9.4) and (9.2) have the same solutions."""
+Reference values: trajectories of (9.2) as the chapter prints it, with two sums for two derivatives and positions
+only, in exact rationals, or in two precisions of many digits where a step is a quadratic equation. Each value has a
+bound of the rounding errors of the C code: the operations of (9.4) are repeated in an arithmetic in which every
+number carries the error that the doubles may have. The repetition also shows once more that (9.4) and (9.2) have the
+same solutions."""
 from fractions import Fraction as Q
 from functools import lru_cache
 
@@ -76,7 +73,7 @@ for k in range(1, N):
 
 #> momentum-form
 for k in range(N - 1):
-    p = -D1(x[k], x[k + 1])                         # p_k, which dx has to meet
+    p = -D1(x[k], x[k + 1])                         # p_k, which dx must match
     dx = x[k + 1] - x[k]
     G = g(x[k] + (1 - kappa) * dx)
     prove("A dx + s grad U = p_k", expand(m / h * dx + kappa * h * G - p, power_base=False))
@@ -85,8 +82,8 @@ for k in range(N - 1):
           expand(after + D1(x[k + 1], x[k + 2]) - three_terms(k + 1)))
 #< momentum-form
 
-# y_k = x_{N-k}: the advanced equation at k, with 1 - kappa and the force F(t_{N-k}), is
-# (9.3) at N - k. The part of (9.1) in y, divided by -h:
+# y_k = x_{N-k}: the advanced equation at k, with 1 - kappa and the force F(t_{N-k}), is (9.3) at N - k. part_of_y is
+# the part of (9.1) with y, divided by -h.
 part_of_y = lambda k: -(diff(free + work, y[k]) + diff(memory, x[k])) / h
 mirror = [x[N - k] for k in range(N + 1)]
 twice_ahead = lambda z, k: advanced([advanced(z, j) for j in range(N + 1)], k)
@@ -114,12 +111,12 @@ prove("cubic U tells kappa from 1 - kappa",
              * (x[0] - x[2]) * (2 * x[1] - x[0] - x[2])))
 
 #> kick
-# (9.5): what the damping of a constant adds up to in the steps j = 1, ..., k.
+# (9.5): the sum of the damping of a constant over the steps j = 1, ..., k.
 for k in range(1, 9):
     total = sum(sum(weight(2 * alpha, n) for n in range(j + 1)) for j in range(1, k + 1))
     prove("(9.5) the kick", ratsimp(total - (weight(2 * alpha - 2, k) - 1)))
 #< kick
-# Its limit: w_k of order 2 alpha - 2 is Gamma(k + 2 - 2 alpha) / (Gamma(2 - 2 alpha) k!).
+# As Gamma functions: w_k of order 2 alpha - 2 is Gamma(k + 2 - 2 alpha) / (Gamma(2 - 2 alpha) k!).
 for k in range(1, 6):
     prove("the kick as Gamma functions", gammasimp(
         weight(2 * alpha - 2, k) - gamma(k + 2 - 2 * alpha) / gamma(2 - 2 * alpha) / gamma(k + 1)))
@@ -132,16 +129,16 @@ prove("(9.8) the start of a forced motion",
       diff(expand(begin), step).subs(step, 0).doit() - F[0] / 2 - (kappa - Rational(1, 2)) * g(x[0]))
 
 #> late
-# (9.7): on e^{st} the weights of order beta are s^beta, late by beta h / 2, times an even
-# function of h; and the transform of the start, x_0 and p_0, is even in h.
+# (9.7): on e^{st} the weights of order beta act as s^beta, delayed by beta h / 2, times an even function of h. The
+# transform of the start, of x_0 and p_0, is even in h.
 s, beta = symbols("s beta", positive=True)
 even = lambda f: prove("even in h", (f - f.subs(h, -h)).rewrite(exp))
 prove("(9.7) the base of the weights",
       (1 - exp(-s * h)) / h - (exp(-s * h / 2) * 2 / h * sinh(s * h / 2)).rewrite(exp))
 even(sinh(s * h / 2) / h)
-even(h / 2 * coth(s * h / 2))               # of a constant, first term halved
+even(h / 2 * coth(s * h / 2))               # of a constant whose first term is halved
 even((h / 2)**2 / sinh(s * h / 2)**2)       # of t
-z, c, X = symbols("z c X", positive=True)   # z = e^{-sh}; x_k = b^k, |b z| < 1: sums known
+z, c, X = symbols("z c X", positive=True)   # z = e^{-sh}; x_k = X^k with |X z| < 1, so the sums are known
 geometric = 1 / (1 - X * z)
 Phi = h * (geometric - Rational(1, 2))
 A_ = m + h**2 * c / 4
@@ -156,14 +153,14 @@ prove("(9.7) the transform of (9.3) with its start", ratsimp(
 
 # ---- trajectories ----
 
-fifth = Q(1, 5)     # where the double 0.2 will not do: the paper's numbers
+fifth = Q(1, 5)     # the exact 1/5 of the paper, where the double 0.2 will not do
 paper = Case("", Q(1, 2), Q(1, 2), Q(1, 2), 4, [1], [Q(1, 2)], rho=[fifth])
 claim("the paper's first figure, alpha = 1/2", [row[0] for row in by_definition(paper, Exactly)[0]]
       == [1, Q(19, 17), Q(1389, 1445), Q(72883, 122825), Q(1258381, 10440125)])
 by_hand = Case("", Q(3, 4), 0, 1, 3, [0], [1], rho=[Q(1, 2)])
 claim("the chapter's three steps", by_definition(by_hand, Exactly)
       == ([[0], [1], [Q(1, 2)], [0]], [[1], [Q(-1, 2)], [Q(-1, 2)], [Q(-5, 16)]]))
-# ---- what the C code is compared with ----
+# ---- values for the tests of the C code ----
 
 tenth = Q(0.1)
 CASES = [
@@ -207,7 +204,7 @@ def check_same(case, definition, momentum, tolerance):
 
 
 def values(case):
-    """The rows of one case: x, p as C literals, and what rounding may do to them."""
+    """Return the rows of one case: x and p as C literals, and the bounds of their rounding errors."""
     with mpmath.workdps(60):
         kind = Exactly if case.exact else Digits
         definition, momentum = by_definition(case, kind), by_momentum(case, kind)
@@ -232,16 +229,16 @@ table("ref_rows", "double x, p, x_units, p_units;", rows)
 
 @lru_cache(None)
 def over_gammas(j, order, bits):
-    """1 / Gamma(e + 1) and 1 / Gamma(e + 2), e = 2i + (2 - order) j, i < 16, in units of 2^-bits."""
+    """Return 1 / Gamma(e + 1) and 1 / Gamma(e + 2), e = 2i + (2 - order) j, i < 16, in units of 2^-bits."""
     return [[int(mpmath.ldexp(mpmath.rgamma(2 * i + (2 - order) * j + more), bits)) for more in (1, 2)]
             for i in range(16)]
 
 
 #> delayed
 def delayed(alpha, x0, step, t):
-    """x'' + x + (1/2) D^{2 alpha} z (t - alpha h) = 0, v_0 = 1, Caputo: the transform is a
-    geometric series in (1 + e^{-alpha h s} s^{2 alpha} / 2) / s^2, inverted term by term,
-    in whole numbers of 2^-bits: the powers of t below are under 2^60."""
+    """Return the solution of x'' + x + (1/2) D^{2 alpha} z (t - alpha h) = 0, v_0 = 1, Caputo. Its transform is a
+    geometric series in (1 + e^{-alpha h s} s^{2 alpha} / 2) / s^2, which is inverted term by term, in whole numbers
+    of 2^-bits. The powers of t below are under 2^60."""
     total, order, bits = 0, 2 * alpha, mpmath.mp.prec + 80
     fixed = lambda v: int(mpmath.ldexp(v, bits))
     for j in range(45):

@@ -9,8 +9,8 @@ Proved here:
   (7.5)  at alpha = 1/2 the identity is Segner's recurrence of the Catalan numbers;
   (7.7)  1/q, q times, for q = 2, ..., 6 (exact rationals, k <= 40);
   (7.8)  the L1 weights do not have the property;
-         what the printed proof's induction uses, and what it does not; the term
-         that its reorganised sum counts twice;
+         the identities that the induction of the printed proof uses, and a case in which they do not suffice;
+         the term that its reorganised sum counts twice;
   (7.9)  Corollary: FVI(1/2) is the Lagrange-d'Alembert integrator, for a generic
          potential U, symbolic m, h, rho, kappa; identical rationals along runs.
 Printed: exact sums for the products and for two derivatives in a row (mpmath, 100
@@ -28,7 +28,7 @@ n, k = symbols("n k", integer=True, positive=True)
 
 
 def weight(order, j):
-    """alpha_j by its definition."""
+    """Return alpha_j by its definition."""
     return expand_func((-1) ** j * binomial(order, j))
 
 
@@ -38,7 +38,7 @@ def weights(order, count):
 
 #> certificate
 def w(order, j):
-    """alpha_j for symbolic j."""
+    """Return alpha_j for a symbolic j."""
     return gamma(j - order) / (gamma(-order) * gamma(j + 1))
 
 
@@ -77,7 +77,7 @@ def plus(w, z, j):
 
 
 def twice(w, z, j):
-    """The paper's double sum, sum_n alpha_n sum_p alpha_p z_{j-n-p}."""
+    """Return the paper's double sum, sum_n alpha_n sum_p alpha_p z_{j-n-p}."""
     return sum(w[i] * sum(w[p] * z[j - i - p] for p in range(j - i + 1)) for i in range(j + 1))
 
 
@@ -99,7 +99,7 @@ for q in range(2, 7):
 
 
 def l1(order, j):
-    """The weights of the L1 rule, on x_k - ... : piecewise linear x, Caputo."""
+    """Return the weights of the L1 rule: Caputo's derivative of a piecewise linear x."""
     if j == 0:
         return 1 / gamma(2 - order)
     return ((j + 1) ** (1 - order) - 2 * S(j) ** (1 - order)
@@ -119,7 +119,7 @@ def beta(w, j, l):
     return 2 * w[l + j] + sum(w[i] * w[l + j - i] for i in range(1, j))
 
 
-other = [S(1), -S(1) / 2, -S(1) / 8, S(0)]      # alpha_3 = -1/16 replaced by 0
+other = [S(1), -S(1) / 2, -S(1) / 8, S(0)]      # alpha_3 = -1/16 is replaced by 0
 claim("the induction starts", beta(half, 2, 0) == beta(other, 2, 0) == 0)
 claim("but does not go on", beta(half, 3, 0) == 0 and beta(other, 3, 0) == S(1) / 8)
 
@@ -162,9 +162,9 @@ for j in range(1, N):
 
 
 def run(force, explicit, count, memory):
-    """x_0, ..., x_count in rationals: m = c = 1, h = 1/2, rho = 1/5, x_0 = 1,
-    p_0 = 1/2. explicit: kappa = 1, U' = force; else kappa = 1/2, U' = x. memory:
-    the paper's double sum, else the discrete force of Lagrange-d'Alembert."""
+    """Return x_0, ..., x_count in rationals: m = c = 1, h = 1/2, rho = 1/5, x_0 = 1, p_0 = 1/2. explicit: kappa = 1,
+    U' = force; else kappa = 1/2, U' = x. memory: the paper's double sum; else the discrete force of
+    Lagrange-d'Alembert."""
     h, rho, xs, p = Rational(1, 2), Rational(1, 5), [S(1)], Rational(1, 2)
     for j in range(count):
         if j > 0:
@@ -197,7 +197,7 @@ def digits(f):
     def at(count):
         mpmath.mp.dps = count + 20
         return mpmath.nstr(f(), count)
-    return hexd_real(at, 100)  # c_32 at 1/4 + 1/4 is a tie of two doubles
+    return hexd_real(at, 100)  # c_32 at 1/4 + 1/4 lies exactly between two doubles
 
 
 @cache
@@ -238,11 +238,11 @@ table("ref_twice", "double alpha, h; size_t k; double want, size;",
 
 
 def growth(h, rho):
-    """sum_j |M^j| for the Lagrange-d'Alembert map M of (x, p), m = c = 1, kappa =
-    1/2: rounding errors of size e in every step never add up to more than this e.
-    (p = dx/h + h (x + dx/2)/2, then p' = p - h (x + dx/2) - rho dx.)"""
+    """Return sum_j |M^j| for the Lagrange-d'Alembert map M of (x, p), m = c = 1, kappa = 1/2. Rounding errors of size
+    e in every step never add up to more than this sum times e. (p = dx/h + h (x + dx/2)/2, then p' = p - h (x + dx/2)
+    - rho dx.)"""
     one = Rational(1)
-    dx = [-h / 2 / (one / h + h / 4), one / (one / h + h / 4)]  # coefficients of x, p
+    dx = [-h / 2 / (one / h + h / 4), one / (one / h + h / 4)]  # coefficients of x and of p
     M = [[1 + dx[0], dx[1]],
          [-h * (1 + dx[0] / 2) - rho * dx[0], 1 - h * dx[1] / 2 - rho * dx[1]]]
     M = [[float(v) for v in row] for row in M]

@@ -1,15 +1,15 @@
 """H 24: data and errors of a fit. Prints tests/identification/identification_ref.h.
 
   (24.2)  the exact motion of a linear spring and its derivatives by all parameters, from
-          their Laplace transforms, at two precisions: data of an independent program;
+          their Laplace transforms, at two precisions: data that do not come from the library;
   (24.3)  the standard deviations and correlations that follow;
   (24.8)  the twin order gives the same complex modulus;
   (24.10) the modulus of the weights;
   (24.6)  the derived equation of a step, from the equation of the step;
   and derivatives of runs of Algorithm 3, by complex steps of 1e-25 in the definition.
 
-Held: m x'' + c x + rho D^{2 alpha} (x - x0) = 0, so X = x0/s + (v0 m - c x0/s) / Q with
-Q = m s^2 + rho s^{2 alpha} + c. Inputs are the doubles they are."""
+Held: m x'' + c x + rho D^{2 alpha} (x - x0) = 0, so X = x0/s + (v0 m - c x0/s) / Q with Q = m s^2 + rho s^{2 alpha} +
+c. All inputs are exact doubles."""
 from functools import cache
 from operator import mul
 
@@ -31,7 +31,7 @@ SLOPES = [diff(X, theta) for theta in PARAMETERS]
 
 
 def evaluate(z, a):
-    """X and its derivatives at s = z, m = 1, in the order of PARAMETERS."""
+    """Return X and its derivatives at s = z, with m = 1, in the order of PARAMETERS."""
     al, r, k, x_, p_ = a
     log = mp.log(z)
     power = mp.exp(2 * al * log)
@@ -41,7 +41,7 @@ def evaluate(z, a):
             of_Q - x_ / z / q, (1 - k / q) / z, 1 / q)
 
 
-# What is summed below is what sympy derived.
+# The function evaluate agrees with the formulas that sympy derived.
 point = {s: mpf("0.3") + mpf("1.1") * 1j, alpha: mpf("0.37"), rho: mpf("0.6"), c: mpf("1.3"),
          x0: mpf("0.8"), p0: mpf("-0.4"), m: 1}
 for mine, derived in zip(evaluate(point[s], [point[p] for p in PARAMETERS]), [X, *SLOPES]):
@@ -51,8 +51,8 @@ for mine, derived in zip(evaluate(point[s], [point[p] for p in PARAMETERS]), [X,
 #> talbot
 @cache
 def contours(times, digits):
-    """Talbot's contours, wide enough for a swing of frequency 1, each for the times from T/1.3 to T:
-    their points, the weights of these, and e^(s t) at each time, in units of 2^-bits."""
+    """Return Talbot's contours, wide enough for an oscillation of frequency 1. Each contour serves the times from
+    T/1.3 to T. A contour is its points, their weights, and e^(s t) at each time in units of 2^-bits."""
     bits, windows, times = mp.prec + 20, [], list(times)
     A, B, C, D = mpf("0.5017"), mpf("0.6407"), mpf("-0.6122"), mpf("0.2645")
     while times:
@@ -61,11 +61,11 @@ def contours(times, digits):
         N = int(2.2 * digits + 6 * T)
         N += N % 2
         points, weights = [], []
-        for k in range(N // 2):                            # the other half is conjugate
+        for k in range(N // 2):                            # the other half is the conjugate
             u = (2 * k + 1) * mp.pi / N
             cot = mp.cot(B * u)
             z = N * mp.mpc(A * u * cot + C, D * u) / T
-            if (z.real + 2) * window[0] > -2.4 * digits - 40:  # the rest is nothing
+            if (z.real + 2) * window[0] > -2.4 * digits - 40:  # the other points contribute nothing
                 points.append(z)
                 weights.append(2 * mp.mpc(A * (cot - B * u * (1 + cot**2)), D) / T)
         windows.insert(0, (points, weights, [fixed([mp.exp(z * t) for z in points], bits) for t in window]))
@@ -73,13 +73,13 @@ def contours(times, digits):
 
 
 def fixed(values, bits):
-    """Their real and imaginary parts."""
+    """Return real and imaginary parts as whole numbers of 2^-bits."""
     return [[int(mp.ldexp(part(v), bits)) for v in values] for part in (mp.re, mp.im)]
 
 
 def motions(a, times, digits):
-    """Rows of x(t) and its derivatives: the integral of exp(s t) X(s) / (2 pi i), by the
-    trapezoidal rule; sums are taken in whole numbers."""
+    """Return rows of x(t) and its derivatives: the integral of exp(s t) X(s) / (2 pi i), by the trapezoidal rule. The
+    sums are taken in whole numbers."""
     mp.dps = digits + 15
     rows, (windows, bits) = [], contours(tuple(times), digits)
     for points, weights, powers in windows:
@@ -93,7 +93,7 @@ def motions(a, times, digits):
 
 #> covariance
 def covariance(jacobian):
-    """(J^T J)^-1: standard deviations for sigma = 1, and correlations."""
+    """Return standard deviations for sigma = 1, and correlations, from the covariance (J^T J)^-1."""
     J = mp.matrix(jacobian)
     C = (J.T * J) ** -1
     sd = [mp.sqrt(C[i, i]) for i in range(C.rows)]
@@ -110,7 +110,7 @@ slope_x, delta, pi = (diff(f, theta) for f in (x, d, p))
 a, b = symbols("a b")
 G = diff(u(a, b), a).subs({a: S, b: theta})                # U''
 dU = diff(u(a, b), b).subs({a: S, b: theta})               # d U' at fixed S
-step = m * d / h + kappa * h * u(S, theta) - p             # it is zero
+step = m * d / h + kappa * h * u(S, theta) - p             # the equation of a step is step = 0
 derived = (m / h + kappa * (1 - kappa) * h * G) * delta - (pi - kappa * h * (G * slope_x + dU))
 prove("(24.6) the derived equation", expand((diff(step, theta) - derived).doit()))
 after = p - h * u(S, theta)
@@ -132,9 +132,9 @@ prove("(24.10) 1 - e^(-i wh) = 2 sin(wh/2) e^(i (pi - wh)/2)", expand(
 
 
 def algorithm_3(v, steps, kappa, past, near=()):
-    """x_N of (9.4), from its definition: v are alpha, rho, mass, x0, p0, c, g; and the
-    x_{k+1} - x_k, where Newton's method starts if those of a run nearby are given. The memory
-    is summed in units of 2^-(2 bits)."""
+    """Return x_N of (9.4), from its definition, and the increments x_{k+1} - x_k. v are alpha, rho, mass, x0, p0, c,
+    g. near: the increments of a similar run, from which Newton's method starts. The memory is summed in units of
+    2^-(2 bits)."""
     alpha, rho, m, x0, p0, c, g = v
     bits, moves = mp.prec + 100, []
     parts = lambda e: (int(mp.ldexp(mp.re(e), bits)), int(mp.ldexp(mp.im(e), bits)))
@@ -147,7 +147,7 @@ def algorithm_3(v, steps, kappa, past, near=()):
     z, x, p = [parts(x0 if past == "RIEMANN_LIOUVILLE" else 0)], x0, p0
     for k in range(steps):
         d = near[k] if near else h * p / m
-        for _ in range(60):                                # Newton
+        for _ in range(60):                                # Newton's method
             at = x + (1 - kappa) * d
             wrong = m * d / h + kappa * h * (c * at + g * at**3) - p
             d -= wrong / (m / h + kappa * (1 - kappa) * h * (c + 3 * g * at**2))
@@ -198,7 +198,7 @@ def runs(values, digits):
 
 
 def both(pair):
-    """The same double from both precisions."""
+    """Return the double that both precisions round to."""
     texts = iter([mp.nstr(pair[0], 30), mp.nstr(pair[1], 30)])
     return hexd_real(lambda digits: next(texts))
 

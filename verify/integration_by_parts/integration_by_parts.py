@@ -1,22 +1,20 @@
 """H 5. Discrete fractional integration by parts.
 
-Proved here, with alpha symbolic and the terms G_k, F_k of both sequences as
-independent symbols, for N = 6, 7, 8:
+Proved here, with alpha symbolic and the terms G_k, F_k of both sequences as independent symbols, for N = 6, 7, 8:
   (5.4)  the identity over the full range, without any hypothesis;
-  (5.5)  what is left over in the first printed identity: F_0 G_0 - F_N G_N;
-  (5.6)  what is left over in the second;
+  (5.5)  the difference of both sides of the first printed identity: F_0 G_0 - F_N G_N;
+  (5.6)  the difference of both sides of the second one;
   (5.7)  Delta_+ is Delta_- conjugated by time reversal;
-  (5.8)  what is left over in the out-of-phase identity, which the paper's remark
-         calls false: nothing if F_0 = G_0 = G_N = 0; (5.9), the shift the other
+  (5.8)  the difference of both sides of the out-of-phase identity, which the paper's remark
+         calls false: it is 0 if F_0 = G_0 = G_N = 0; (5.9), the shift the other
          way, needs no hypothesis;
   (5.10) the misprint in the printed proof, with its integer counterexample;
   (5.11) alpha = 1 is summation by parts;
-  (5.13) the same (5.4) to (5.9) for any weights, as symbols; and that T and T'
-         are conjugate by reversal if T is Toeplitz, which one entry off breaks;
+  (5.13) (5.4) to (5.9) for any weights, as symbols; and that T and T'
+         are conjugate by reversal if T is Toeplitz; if one entry is changed, they are not;
   (5.14) the order, and the next term of its error.
-Scalars are enough: a product of vectors is the sum over the components.
-Printed: values of both operators from the definition (mpmath, 60 and 90 digits),
-and both sides of every identity for integer vectors, as exact rationals."""
+Scalars are enough: a product of vectors is the sum over the components. Printed: values of both operators from the
+definition (mpmath, 60 and 90 digits), and both sides of every identity for integer vectors, as exact rationals."""
 from random import Random
 
 import mpmath
@@ -28,34 +26,34 @@ a = symbols("alpha")
 
 
 def weight(order, n):
-    """alpha_n by its definition."""
+    """Return alpha_n by its definition."""
     return expand_func((-1) ** n * binomial(order, n))
 
 
 def minus(w, z, k):
-    """h^alpha Delta_- z_k, as (5.1) prints it."""
+    """Return h^alpha Delta_- z_k, as (5.1) prints it."""
     return sum(w[n] * z[k - n] for n in range(k + 1))
 
 
 def plus(w, z, k):
-    """h^alpha Delta_+ z_k, as (5.2) prints it."""
+    """Return h^alpha Delta_+ z_k, as (5.2) prints it."""
     return sum(w[n] * z[k + n] for n in range(len(z) - k))
 
 
 def first(w, F, G, N):
-    """Both sides of the first identity of the paper's Lemma 4.1, times h^alpha."""
+    """Return both sides of the first identity of the paper's Lemma 4.1, times h^alpha."""
     return (sum(plus(w, G, k) * F[k] for k in range(0, N)),
             sum(G[k] * minus(w, F, k) for k in range(1, N + 1)))
 
 
 def second(w, F, G, N):
-    """Both sides of its second identity."""
+    """Return both sides of the second identity of the lemma."""
     return (sum(G[k + 1] * minus(w, F, k + 1) for k in range(0, N)),
             sum(plus(w, G, k) * F[k] for k in range(1, N)))
 
 
 def out_of_phase(w, F, G, N):
-    """Both sides of what its Remark 4.2 calls false."""
+    """Return both sides of the identity that the paper's Remark 4.2 calls false."""
     return (sum(plus(w, G, k) * F[k + 1] for k in range(0, N)),
             sum(G[k] * minus(w, F, k + 1) for k in range(1, N)))
 
@@ -145,7 +143,7 @@ T[3, 1] += 1
 claim("(5.13) one entry off its diagonal, and the mirror is broken", T.T != J * T * J)
 #< toeplitz
 
-# (5.14), x = s h: the factor over s^alpha, by way of its logarithm.
+# (5.14), x = s h: the factor divided by s^alpha, by its logarithm.
 x = symbols("x", positive=True)
 factor = exp(a * series(log(series((1 - exp(-x)) / x, x, 0, 4).removeO()), x, 0, 3).removeO())
 prove("(5.14) both operators are of order one", series(factor, x, 0, 3).removeO().expand()
@@ -159,7 +157,7 @@ RUNS = [(0.0, 0.3), (0.1, 1.0), (0.25, 0.1), (1 / 3, 0.5), (0.5, 0.2), (0.75, 1e
 
 
 def value(order, h, terms, sizes=False):
-    """h^-alpha sum_n alpha_n terms_n at so many digits."""
+    """Return h^-alpha sum_n alpha_n terms_n, or with sizes the sum of the absolute values, as a double literal."""
     def digits_of(digits):
         mpmath.mp.dps = digits + 20
         o, weights = mpmath.mpf(order), []
@@ -194,7 +192,7 @@ CASES = ["", "F0", "FN", "G0", "GN", "F0 G0", "FN GN", "F0 FN", "G0 GN", "F0 GN"
 
 
 def sequences(case):
-    """Integer vectors; of the four end values only those that case names are not zero."""
+    """Return integer vectors F and G. Of the four end values, only those that `case` names are not zero."""
     out = {}
     for s in "FG":
         z = [list(v) for v in inner[s]]
@@ -217,7 +215,7 @@ def both_sides(order, F, G):
 
 
 def exactly(x):
-    """A rational that is a double, as that double."""
+    """Return a rational that is a double, as this double."""
     claim(f"{x} is a double", Rational(float(x)) == Rational(x))
     return hexd(x)
 
@@ -229,16 +227,16 @@ def braces(numbers):
 rows, seen = [], {}
 for case in CASES + ["F0 G0 FN GN, F0.G0 = FN.GN"]:
     F, G = sequences(case.replace(",", ""))
-    if "." in case:  # (2, 1).(3, -2) = 4 = (-1, 3).(2, 2)
+    if "." in case:  # such that F_0 . G_0 = 4 = F_N . G_N
         G[N] = [2, 2]
     for order in (Rational(1, 4), Rational(1, 2), 1, Rational(3, 2)):
         sides, rest = both_sides(order, F, G)
-        if order != 1:  # alpha = 1 has two weights, and fewer leftovers
+        if order != 1:  # for alpha = 1 there are two weights, so some differences vanish
             seen.setdefault(case, []).append([r == 0 for r in rest])
         flat = [[str(c) for v in z for c in v] for z in (F, G)]
         rows.append([f'"{case or "none"}"', hexd(order), braces(flat[0]), braces(flat[1]),
                      braces([exactly(s) for s in sides]), braces([exactly(r) for r in rest])])
-#        not zero        first  second out of phase
+# not zero        first  second out of phase: whether the identity holds
 for case, flags in {"": [True, True, True],
                     "F0": [True, False, False], "FN": [True, True, True],
                     "G0": [True, True, False], "GN": [True, True, False],

@@ -1,4 +1,4 @@
-"""H 29: elongations as coordinates of a principle, any Lagrangian in it, momenta that stay, works
+"""H 29: elongations as coordinates of a variational principle, for any Lagrangian; momenta that are conserved, works
 that are not negative, and two counterexamples."""
 from mpmath import gamma, mp, mpf
 from sympy import (Function, Matrix, Rational, S, Symbol, cos, diag, diff, expand, integrate, simplify, sin, sqrt, symbols,
@@ -10,7 +10,7 @@ h, rho = symbols("h rho", positive=True)
 g = Function("g")
 L = Function("L")
 
-# ---- (29.2): to double g alone mixes the curves; (29.3): with elongations of their own it does not.
+# ---- (29.2): if only g is doubled, the curves mix; (29.3): if the elongations are coordinates, they do not.
 # Three steps, any weights, any g: back is Delta_-^alpha, ahead is Delta_+^alpha.
 N = 3
 x, y, z, w, la, mu, W = (symbols(f"{name}0:{N + 1}") for name in ("x", "y", "z", "w", "l", "m", "W"))
@@ -44,14 +44,14 @@ for k in range(1, N):
     prove("(29.3) each curve feels its own", expand(
         by_x + h * (la[k] * diff(g(x[k]), x[k]) + mu[k] * diff(g(y[k]), y[k])).doit()))
 
-# ---- (29.6): the node scheme is such a sum, with means of two nodes for z
+# ---- (29.6): the node scheme is such a sum, in which z is the mean of two nodes
 k = 1
 nodes = sum(h * L((x[i] + x[i + 1]) / 2, (x[i + 1] - x[i]) / h) - h * la[i] * (g(x[i]) + g(x[i + 1])) / 2
             for i in range(N))
 
 
 def pieces(i):
-    """L_v, L_x at the middle of step i, and half of the damper's force at its ends."""
+    """Return L_v and L_x at the middle of step i."""
     a, b = symbols("a b")
     at = {a: (x[i] + x[i + 1]) / 2, b: (x[i + 1] - x[i]) / h}
     return L(a, b).diff(b).subs(at), L(a, b).diff(a).subs(at)
@@ -91,7 +91,7 @@ for k in range(n):
         (diff(action, P[k]) + diff(action, Q[k]), (Dm * X)[k] - V[k] - (Dp * Y)[k] - Wv[k]),
         (diff(action, Z[k]) + diff(action, U[k]),
          La[k] - rho * (Da * Da * Z)[k] + Mu[k] - rho * (Dap * Dap * U)[k])]
-    # In the third line Q is paired with X and Y with P: the mirror image has its own sign.
+    # The third line pairs Q with X and Y with P, so the mirror image has its own sign.
     prove("(29.8) form D is stationary for any L", *(expand((have - b[k] * want).doit()) for have, want in pairs))
 
 # ---- one equation for both forms: b_i (A^-1)_ij = -b_j D_ji + [i = j = s], and b^T A^-1 = e_s^T
@@ -113,7 +113,7 @@ for s, c in ((2, [0, 1]), (3, [0, Rational(1, 2), 1]), (4, [0, (5 - sqrt(5)) / 1
     A = inverse.inv()
     prove("(29.16) the first row of A D is zero", *(simplify(v) for v in (A * D)[0, :]))
 
-# ---- (29.14): rotations. L depends on |x|^2, |v|^2, x.v and x x v alone, g on |x|^2
+# ---- (29.14): rotations. L depends on |x|^2, |v|^2, x.v and x x v alone, and g on |x|^2
 R = Matrix([[0, -1], [1, 0]])
 f, G = Function("f"), Function("G")
 
@@ -147,7 +147,7 @@ rows = [h * bs[i] * Lx_i[i, :] + sum((Ds[j, i] * bs[j] * Lv_i[j, :] for j in ran
 torque = sum((rows[i] * R * X_i[i, :].T)[0] for i in range(s))
 local = sum((h * bs[i] * (Lx_i[i, :] * R * X_i[i, :].T + Lv_i[i, :] * R * (Ds * X_i)[i, :].T / h))[0] for i in range(s))
 prove("(29.14) form M keeps it for any matrix D", expand(torque - local))
-# Form D: 1 is subtracted from the last entry of T, and h V has (X_1 - x_k) / b_1 more at the first stage.
+# Form D: the last entry of T is smaller by 1, and h V has the additional term (X_1 - x_k) / b_1 at the first stage.
 start = Matrix(1, 2, symbols("x1 x2"))
 slopes = Ds * X_i / h
 slopes[0, :] += (X_i[0, :] - start) / (h * bs[0])
@@ -188,11 +188,11 @@ prove("(29.13) energy and work add up in each step",
 spring, pot, o = symbols("k P o", positive=True)
 prove("(29.15) in series they are Zener's law", simplify(1 / (1 / spring + 1 / pot) - pot / (1 + pot / spring)))
 
-# ---- (29.17): no swing is left, and a line stays
+# ---- (29.17): no oscillation remains, and a line stays a line
 for values, wanted in (((1, -1, 1), 0), ((1, 1, 1), 1), ((0, -1, -2), 0)):
     prove("(29.17) the line through the last two means", Rational(3 * values[0] + 2 * values[1] - values[2], 4) - wanted)
 
-# ---- (29.4): a rod of length 1 that turns keeps to the hidden constraint
+# ---- (29.4): a rod of length 1 that turns satisfies the hidden constraint
 th, om = symbols("theta omega")
 place, speed = Matrix([sin(th), -cos(th)]), om * Matrix([cos(th), sin(th)])
 prove("(29.4) the rod's velocity keeps to it", simplify((place.T * speed)[0]))
@@ -220,7 +220,7 @@ prove("(29.21) without a constraint", simplify(dot(n, free) + Z_t + e * (dot(n, 
 held = P * M3 * v                                    # any velocity with c . v = 0
 bounced = held - 2 * dot(n, held) / dot(n, P * n) * P * n
 prove("with e = 1 no energy is lost", simplify(dot(bounced, M3 * bounced) - dot(held, M3 * held)))
-# In coordinates of the surface, x = phi(q) with two slopes T, c . T = 0, it is (29.21) of T^T M T and T^T n.
+# In coordinates of the surface, x = phi(q) with two slopes T, c . T = 0, the impact is (29.21) of T^T M T and T^T n.
 T = Matrix([[c[1], c[2]], [-c[0], 0], [0, -c[0]]])
 prove("the slopes lie in the surface", *(c.T * T))
 prove("(29.22) is (29.21) in coordinates of the surface", *(P - T * (T.T * M3 * T).inv() * T.T).applyfunc(simplify))
@@ -232,7 +232,7 @@ header("verify/lagrangian/lagrangian.py")
 
 
 def relaxation(digits):
-    """The integral to t = 2 of 0.7 t^-0.6 / Gamma(0.4), of the doubles that stand for 0.7 and 0.6."""
+    """Return the integral to t = 2 of 0.7 t^-0.6 / Gamma(0.4), for the doubles nearest to 0.7 and 0.6."""
     mp.dps = digits + 10
     order = 2 * mpf(0.3)
     return mpf(0.7) * mpf(2)**(1 - order) / gamma(2 - order)

@@ -1,15 +1,14 @@
-"""H 8. Proved with symbols (alpha, kappa, kappa~, m, rho, h, the sequences
-and the potential all left open; N = 4):
+"""H 8. Proved with symbols (alpha, kappa, kappa~, m, rho, h, the sequences and the potential are all open; N = 4):
   (8.3)   the Legendre transformation of the definition, read as a vector, gives
           (8.1), (8.2), and momentum matching is the recurrence, for x and for y;
           as printed it is one number, and its first operand lacks a term;
   (8.5)   statement 2 of the proposition, kappa = 0;
   (8.6)   statement 3, alpha = 1/2, and its determinant 1 - h rho / m, generic U;
-  (8.7)   kappa~ changes the start and the momenta, not the recurrence;
+  (8.7)   kappa~ changes the start and the momenta, but not the recurrence;
   (8.8), (8.9)  three momenta on a smooth path, and the mass m - rho h / 2.
-Reference values: (8.1), (8.2) in exact rationals, U's gradient taken by sympy.
-The errors of the three momenta on the paper's problem, for doubles h and rho as
-they are: the three-term equation against the exact solution in 40 and 55 digits."""
+Reference values: (8.1), (8.2) in exact rationals, with U's gradient from sympy. The errors of the three momenta on
+the paper's problem, for h and rho that are doubles: the three-term equation against the exact solution in 40 and 55
+digits."""
 from functools import cache
 
 import mpmath
@@ -22,7 +21,7 @@ half = Rational(1, 2)
 
 
 class V(Function):
-    """The derivative of U whose order is the last argument; U is any function."""
+    """The derivative of U whose order is the last argument. U is any function."""
     def fdiff(self, argindex=1):
         return V(self.args[0], self.args[1] + 1)
 
@@ -47,7 +46,7 @@ D2 = lambda p, q: diff(Ld, b).subs({a: p, b: q}, simultaneous=True)
 
 
 def minus_op(z, order=alpha):
-    """Delta_-^order of a whole sequence."""
+    """Return Delta_-^order of a whole sequence."""
     return [h**-order * sum(weight(order, n) * z[k - n] for n in range(k + 1))
             for k in range(len(z))]
 
@@ -57,10 +56,10 @@ def plus_op(z, order=alpha):
             for k in range(len(z))]
 
 
-xx, yy = minus_op(minus_op(x)), plus_op(plus_op(y))     # two derivatives
+xx, yy = minus_op(minus_op(x)), plus_op(plus_op(y))     # two derivatives of order alpha
 
-# The Lagrangian of a step with the intermediate variables u = Delta_-^alpha x and
-# w = Delta_+^alpha y as variables of their own; kappa~ = 0 is the proposition's.
+# The Lagrangian of a step in which the intermediate variables u = Delta_-^alpha x and w = Delta_+^alpha y are
+# variables of their own. The proposition has kappa~ = 0.
 u, w = symbols("u0:5"), symbols("w0:5")
 
 
@@ -70,8 +69,7 @@ def intermediate(k):
 
 
 insert = lambda e: expand(e.subs(dict(zip(u, minus_op(x)))).subs(dict(zip(w, plus_op(y)))))
-# D_{x^alpha} and D_{y^alpha} as sequences; `share` is kappa~ at the beginning of a
-# step and 1 - kappa~ at its end.
+# D_{x^alpha} and D_{y^alpha} as sequences. `share` is kappa~ at the beginning of a step and 1 - kappa~ at its end.
 slope_u = cache(lambda share: [insert(-share * h * rho * w[k]) for k in range(N + 1)])
 slope_w = cache(lambda share: [insert(-share * h * rho * u[k]) for k in range(N + 1)])
 for k in range(N):
@@ -83,8 +81,8 @@ for k in range(N):
 
 #> definition
 def transform(k, end):
-    """(p_x, p_y) at the node k: - at the beginning of step k, + at the end of
-    step k - 1; the operators stand on the diagonal."""
+    """Return (p_x, p_y) at the node k: p^- at the beginning of step k, or with `end` p^+ at the end of step k - 1.
+    The operators stand on the diagonal."""
     share, sign, step = (1 - tilde, 1, k - 1) if end else (tilde, -1, k)
     value = intermediate(step)
     nearby = Matrix([insert(diff(value, x[k])), insert(diff(value, y[k]))])
@@ -116,8 +114,8 @@ claim("the printed product is one number",
       row.shape == (1, 1) and row[0] == Dm * sw + Dp * su)
 prove("the operators on the diagonal give the two numbers that are needed",
       *(Matrix([[Dm, 0], [0, Dp]]) * swap * Matrix([su, sw]) - Matrix([Dm * sw, Dp * su])))
-# For kappa~ = 0 no step ends at the node 0, so D_{y_0^alpha} is nobody's slope. If
-# it is left out, the sum misses its last term, unless x_0 = 0.
+# For kappa~ = 0 no step ends at the node 0, so no step has D_{y_0^alpha} as a slope. Without this slope the sum lacks
+# its last term, unless x_0 = 0.
 for k in range(1, N):
     slopes = slope_w(1)
     without = minus_op([0] + slopes[1:])[k]
@@ -133,7 +131,7 @@ for k in range(N - 1):
     prove("(8.5) p_{k+1}", expand(p - h * g(x[k + 1]) + minus_op(p_alpha)[k + 1] - q))
 
 #> half
-# (8.6): alpha = 1/2. h Delta Delta x = x_{k+1} - x_k (H 7), which is h p / m.
+# (8.6): alpha = 1/2. h Delta Delta x is x_{k+1} - x_k (H 7), and this difference is h p / m.
 for k in range(1, N + 1):
     prove("alpha = 1/2", expand(h * xx[k].subs(alpha, half) - (x[k] - x[k - 1])))
 X, P = symbols("X P")
@@ -180,7 +178,7 @@ for name, p, want in (
     prove(f"(8.8) {name}: the order 1", expand(on_path(first(p)) - want))
 #< momenta
 
-# What a wrong mass, or kappa~ = 1, does to U = c x^2 / 2 in the limit, closed form.
+# How a wrong mass, or kappa~ = 1, changes U = c x^2 / 2 in the limit, in closed form.
 p0, x0, mass, omega = symbols("p0 x0 M omega", positive=True)
 gamma_ = rho / (2 * mass)
 c = mass * (omega**2 + gamma_**2)
@@ -224,8 +222,8 @@ table("ref_momenta", "int kind; double kappa, cg[2], minus[2], plus[2], damped[2
 # ---- the errors of the three momenta: m = c = 1, x_0 = 1, p_0 = 1/2, kappa = 1/2 ----
 
 def momentum_errors(step):
-    """The largest error for t <= 15 of p and of p^2/2 + x^2/2, matched, without
-    damping, difference quotient; from positions of the printed recurrence."""
+    """Return the largest errors for t <= 15 of p and of p^2/2 + x^2/2 for three momenta: matched, without damping,
+    difference quotient. The positions come from the printed recurrence."""
     hh, r = mpmath.mpf(step), mpmath.mpf(0.2)
     worst = [mpmath.mpf(0)] * 6
     wave = mpmath.sqrt(1 - r**2 / 4)

@@ -1,12 +1,12 @@
 """H 17. Variational integrators on Lobatto nodes, s = 2, 3, 4.
 
-Proved here with exact numbers (sqrt(5) included), z, mu and what else is named
-left symbolic:
+Proved here with exact numbers (sqrt(5) included); z, mu and other named numbers are
+symbols:
   (17.1)  D differentiates the Lagrange polynomials, b integrates them;
   (17.2)  summation by parts: B D + D^T B = e_s e_s^T - e_1 e_1^T;
   (17.3)  A^(-1) = D + e_1 e_1^T / b_1, A the table of Lobatto IIIC;
   (17.5)  Delta(z) (A + z/(1-z) 1 b^T) = 1;
-  (17.6)  P Delta(z) P = B^(-1) Delta(z)^T B, and that products inherit it;
+  (17.6)  P Delta(z) P = B^(-1) Delta(z)^T B, also for products;
   (17.8)  is the restricted variation of the action of two steps (s = 2, 3), its
           path, its potential and its weights left open;
   (17.7)  A D d = d where d_1 = 0: for alpha = 0 the memory is x - x_0;
@@ -14,7 +14,7 @@ left symbolic:
   (17.11) the Hermitian part of B Delta(z);
   (17.14) c_{s,beta}; (17.15) the first gap of the scheme without damping, both ends;
   (17.16) the alternating mode for s = 2, alpha symbolic;
-  (17.18) what the proof for s = 2 computes; (17.19), (17.20): s = 3 in closed form;
+  (17.18) the computations in the proof for s = 2; (17.19), (17.20): s = 3 in closed form;
   (17.29) at three rational a, q: its matrix has the moments of the weights (a q)^k at q^k.
 Printed: W_n from Cauchy's integral over a circle, Delta(z)^beta by its
 eigenvalues, 25 and 45 digits; never by roots, series or nodes as in the C code; and
@@ -123,7 +123,7 @@ for s in (2, 3):
     b, Bs = B[s], diag(*B[s])
     nodes = {name: symbols(f"{name}0:{2 * s - 1}") for name in "xy"}
     X, Y = ([Matrix(nodes[name][k * (s - 1):k * (s - 1) + s]) for k in range(2)] for name in "xy")
-    F = [Matrix(symbols(f"F{k}_:{s}")) for k in range(2)]          # one-sided: two at the joint
+    F = [Matrix(symbols(f"F{k}_:{s}")) for k in range(2)]          # two values at the joint
     minus = [W[0] * X[0], W[0] * X[1] + W[1] * X[0]]
     plus = [Bs.inv() * (W[0].T * Bs * Y[0] + W[1].T * Bs * Y[1]), Bs.inv() * W[0].T * Bs * Y[1]]
     free = lambda Z: sum(h * b[i] * (m / 2 * ((D[s] * Z[k])[i] / h)**2 - U(Z[k][i]) + F[k][i] * Z[k][i])
@@ -135,7 +135,7 @@ for s in (2, 3):
                         - h * b[i] * (diff(U(X[k][i]), X[k][i]) + rho * twice[k][i] - F[k][i]))
     #> restricted
     for i in range(1, 2 * s - 2):
-        # delta x = delta y: D_x of what is free, D_y of the memory
+        # delta x = delta y: D_x of the part without memory, D_y of the memory
         varied = diff(free(X), nodes["x"][i]) + diff(memory, nodes["y"][i])
         k, j = divmod(i, s - 1)
         wanted = row(k, j) if j else row(0, s - 1) + row(1, 0)
@@ -179,32 +179,32 @@ CLOSED = {
                   / (12 * mpmath.sqrt(15)),
 }
 
-# (17.15): half the trace of a step for x'' + x = 0, y = h^2; +-1 at the ends of the
-# first gap, which for s = 2 has none.
+# (17.15): half the trace of a step for x'' + x = 0, y = h^2. It is +-1 at the ends of the first gap; for s = 2 there
+# is no gap.
 #> gap
 y = symbols("y", positive=True)
 GAP = {2: [4], 3: [8, 12], 4: [42 - 6 * sqrt(29), 10]}
 for s in STAGES:
     rows = (D[s].T * diag(*B[s]) * D[s] - y * diag(*B[s])).applyfunc(expand)
-    # h p_k, -h p_{k+1} by x_k, x_{k+1}: a Schur complement, times the determinant within
+    # The map from x_k, x_{k+1} to h p_k, -h p_{k+1}: a Schur complement, times the inner determinant.
     reduced = lambda i, j: expand(rows.extract([i, *range(1, s - 1)], [j, *range(1, s - 1)]).det())
     prove("(17.15) a step is time-symmetric", reduced(0, 0) - reduced(s - 1, s - 1))
-    half = factor(cancel(-reduced(0, 0) / reduced(0, s - 1)))   # of the trace
+    half = factor(cancel(-reduced(0, 0) / reduced(0, s - 1)))   # half the trace
     edges = [v for sign in (1, -1) for v in solve(numer(together(half - sign)), y) if v > 0]
     claim("(17.15) the first gap", sorted(edges, key=lambda v: v.evalf())[:2] == GAP[s])
     claim("(17.15) stable below", all(abs(half.subs(y, GAP[s][0] * Q(i, 20))) < 1 for i in range(1, 20)))
     claim("(17.15) not in the gap", abs(half.subs(y, sum(GAP[s]) / 2 if s > 2 else 5)) > 1)
 #< gap
 
-# (17.16), s = 2: x_k = (-1)^k, X_k = (-1)^k (1, -1), through the memory; and what acts
-# on a node, the last stage of one step (the other sign) and the first of the next.
+# (17.16), s = 2: the memory of x_k = (-1)^k, X_k = (-1)^k (1, -1). The load of a node comes from the last stage of
+# one step, with the other sign, and the first stage of the next.
 al = symbols("alpha", positive=True)
 Delta1 = D[2] + 2 * unit(2, 0) * (unit(2, 0) + unit(2, 1)).T                # Delta(-1)
 J = (Delta1 - eye(2)) / sqrt(3)
 zero("(17.16) Delta(-1) = 2 (cos(pi/3) + sin(pi/3) J), J^2 = -1", J * J + eye(2))
 angle = (2 * al - 1) * pi / 3
 Y = 2**(2 * al - 1) * (cos(angle) * eye(2) + sin(angle) * J) * D[2] * Matrix([1, -1])
-load = (Y[0] - Y[1]) / 2                                                    # R times this
+load = (Y[0] - Y[1]) / 2                                                    # times R
 prove("(17.16)", load - 2**(2 * al + 1) / sqrt(3) * sin((1 - 2 * al) * pi / 3))
 
 #> sharp
@@ -224,7 +224,7 @@ prove("(17.18) Delta = u* B Delta u: (1/z - z)/2 at 2 alpha = 1",
       (u_star * Delta * u)[0] / 2 - (1 / z - z) / 2)
 #< sharp
 #> closed
-# (17.19), s = 3, z = 1: r, the one path with X_3 = X_1 and the mean zero.
+# (17.19), s = 3, z = 1: r is the only path with X_3 = X_1 and mean zero.
 Bs, K = diag(*B[3]), D[3].T * diag(*B[3]) * D[3]
 Delta1 = D[3] + 6 * unit(3, 0) * (unit(3, 0) - unit(3, 2)).T
 r = Matrix([2, -1, 2])
@@ -243,7 +243,7 @@ zero("(17.20) the symbol at -1",
 #< closed
 
 
-RADIUS = mpmath.mpf(7) / 16      # at 1/2 two eigenvalues of s = 2 coincide
+RADIUS = mpmath.mpf(7) / 16      # not 1/2, where two eigenvalues of s = 2 coincide
 
 
 #> definition
@@ -272,12 +272,12 @@ def number_at(e, digits):
 
 
 def number(e):
-    """A rational plus a rational times sqrt(5)."""
+    """Return a rational plus a rational times sqrt(5) as a number."""
     return number_at(e, mpmath.mp.dps + 10)
 
 
 def at_digits(digits):
-    """All matrices at so many digits."""
+    """Compute all matrices with this number of digits."""
     mpmath.mp.dps = digits + 25
     for s in STAGES:
         BASE[s] = mpmath.matrix([[number(e) for e in row] for row in EXACT[s].subs(Z, 0).tolist()])
@@ -300,12 +300,12 @@ mpmath.mp.dps = 20
 for s in STAGES:
     @cache
     def resolvent(mu_):
-        """The first column of the inverse."""
+        """Return the first column of the inverse."""
         return mpmath.lu_solve(BASE[s] + mpmath.eye(s) * mu_, mpmath.eye(s)[:, 0])
 
     for k, beta in enumerate(map(mpmath.mpf, BETAS)):
         if beta < -0.9:
-            continue        # too slow a decay for a plain sum
+            continue        # the decay is too slow for a plain sum
 
         def integrand(u):
             mu_ = mpmath.exp(u)
@@ -327,7 +327,7 @@ for s in (3, 4):
 
 
 def both(pair):
-    """The nearest double of the value at both precisions."""
+    """Return the nearest double of the value at both precisions."""
     lo, hi = (hexd(Rational(mpmath.nstr(v, d))) for d, v in pair.items())
     claim(f"{lo} is the nearest double at both precisions", lo == hi)
     return lo
@@ -360,7 +360,7 @@ table("ref_corrections", "size_t s; double beta, want;", rows)
 
 #> loads
 def symbol(s, point, alpha):
-    """K, B and B Delta^(2 alpha) on the paths with X_s = X_1 / point, without the constant."""
+    """Return K, B and B Delta^(2 alpha) on the paths with X_s = X_1 / point, without the constant paths."""
     rule, D_ = mpmath.diag(BS[s]), mpmath.matrix(s, s)
     for i in range(s):
         for j in range(s):
@@ -371,7 +371,7 @@ def symbol(s, point, alpha):
     for i in range(s - 1):
         E[i, i] = 1
     E[s - 1, 0] = point
-    if point == 1:                              # e_i - e_1 - ..., mean zero: any basis
+    if point == 1:                              # any basis of the paths with mean zero
         E = mpmath.matrix(s, s - 2)
         for i in range(s - 2):
             E[i + 1, i], E[0, i], E[s - 1, i] = 1, -BS[s][i + 1] / 2 / BS[s][0], -BS[s][i + 1] / 2 / BS[s][0]

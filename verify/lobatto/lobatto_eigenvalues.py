@@ -11,9 +11,9 @@ STAGES = (2, 3, 4, 5, 7)
 
 
 def rule(s):
-    """b and D of the s Lobatto nodes of [0, 1].                               (17.1)"""
+    """Return b and D of the s Lobatto nodes of [0, 1].                               (17.1)"""
     slope = taylor(lambda x: legendre(s - 1, x), 0, s - 1)
-    slope = [n * a for n, a in enumerate(slope)][:0:-1]  # of P_{s-1}', from the highest on
+    slope = [n * a for n, a in enumerate(slope)][:0:-1]  # coefficients of P_{s-1}', from the highest power on
     inner = sorted(mp.re(z) for z in polyroots(slope, maxsteps=500, extraprec=400)) if s > 2 else []
     c = [(1 + t) / 2 for t in [mpf(-1)] + inner + [mpf(1)]]
     b = [1 / (s * (s - 1) * legendre(s - 1, 2 * t - 1) ** 2) for t in c]
@@ -27,14 +27,14 @@ def rule(s):
 
 
 def eigenvalues(s):
-    """1/A: the zeros of det(1 - y A), the denominator of Padé's approximation (s - 2, s) of exp y."""
+    """Return 1/A: the zeros of det(1 - y A), the denominator of Padé's approximation (s - 2, s) of exp y."""
     f = mp.factorial
     return polyroots([(-1) ** j * f(2 * s - 2 - j) * f(s) / (f(2 * s - 2) * f(j) * f(s - j)) for j in range(s, -1, -1)],
                      maxsteps=500, extraprec=400)
 
 
 def pairs(s):
-    """lambda and v of those with Im >= 0: v w^T, w_i = b_i v_{s-1-i}, is the projector."""
+    """Return lambda and v of those eigenvalues with Im >= 0. v w^T with w_i = b_i v_{s-1-i} is the projector."""
     b, D = rule(s)
     M = D.copy()
     M[0, 0] += 1 / b[0]                                                       # (17.3)
@@ -72,7 +72,7 @@ def literal(first, second):
 header("verify/lobatto/lobatto_eigenvalues.py")
 print("\n/* Included by lobatto_eigenvalues.c: of each lambda its parts, then those of v. */")
 for s in (6, 8):
-    at(60, s)  # what it claims, alone
+    at(60, s)  # check the claims for this s without printing
 for s in STAGES:
     rows = [", ".join(map(literal, one, two)) for one, two in zip(at(60, s), at(90, s))]
     print(f"\nstatic const double pairs_{s}[][{2 + 2 * s}] = {{")

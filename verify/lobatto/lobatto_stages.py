@@ -1,10 +1,10 @@
 """H 17. From 2 to 8 stages, and the two forms of the inertia.
 
 Proved with exact numbers, U, the path and the weights left open:
-  (17.24) is the restricted variation of an action in which the inertia is one more
-          term of the damping's kind, with the order 1 in the place of alpha
+  (17.24) is the restricted variation of an action in which the inertia is a further
+          term like the damping, with the order 1 in the place of alpha
           (two steps, s = 2, 3);
-  (17.26) what the inertia loses: the squared jumps of the velocity (s = 2, 3);
+  (17.26) the energy that the inertia loses: the squared jumps of the velocity (s = 2, 3);
   (17.28) m l^2 + rho l^(2 alpha) + c is not 0 where Re l >= 0.
 Claimed at 50 digits, s = 5 to 8: (17.2), (17.3), (17.6), and that |R(-mu)| goes like
 s (s - 1)/mu^2.
@@ -29,7 +29,7 @@ Q = Rational
 
 @cache
 def rule(s):
-    """c, b, D of s Lobatto nodes in [0, 1], from the zeros of P'_{s-1}."""
+    """Return c, b, D of s Lobatto nodes in [0, 1], from the zeros of P'_{s-1}."""
     legendre = mpmath.taylor(lambda x: mpmath.legendre(s - 1, x), 0, s - 1)
     slope = [k * legendre[k] for k in range(1, s)][::-1]
     inner = mpmath.polyroots(slope, maxsteps=200, extraprec=200) if s > 2 else []
@@ -48,7 +48,7 @@ def rule(s):
 
 @cache
 def inverse_table(s):
-    """A^(-1) and A of Lobatto IIIC. (17.3)"""
+    """Return A^(-1) and A of Lobatto IIIC, (17.3)."""
     c, b, D = rule(s)
     inverse = D.copy()
     inverse[0, 0] += 1 / b[0]
@@ -91,7 +91,7 @@ for s in (2, 3):
     Bs, e1, es = diag(*b), eye(s)[:, 0], eye(s)[:, s - 1]
     own, before = D + e1 * e1.T / b[0], -e1 * es.T / b[0]  # Delta(z) = own + z before (17.5)
     #> damped
-    # No value of x is shared by two steps: X_k and Y_k are s free numbers each.
+    # Two steps share no value of x: X_k and Y_k are s free numbers each.
     X, Y, F = ([Matrix(symbols(f"{name}{k}_:{s}")) for k in range(2)] for name in "xyF")
     back = lambda f, W: [W[0] * f[0], W[0] * f[1] + W[1] * f[0]]
     ahead = lambda f, W: [Bs.inv() * (W[0].T * Bs * f[0] + W[1].T * Bs * f[1]),
@@ -104,7 +104,7 @@ for s in (2, 3):
     twice = lambda W: back(back(X, W), W)
     for k in range(2):
         for i in range(s):
-            # delta x = delta y: D_x of what is free, D_y of the couplings
+            # delta x = delta y: D_x of the part without memory, D_y of the couplings
             varied = (diff(action.subs({v: 0 for Z in Y for v in Z}), X[k][i])
                       + diff(-m * couple(first) - rho * couple(alpha), Y[k][i]))
             wanted = -h * b[i] * (m * twice(first)[k][i] + rho * twice(alpha)[k][i]
@@ -125,7 +125,7 @@ prove("(17.28) Im of m l^2 + rho l^(2 a) at r e^{it}",
                   - m * r**2 * sin(2 * t) - rho * r**(2 * a) * sin(2 * a * t)))
 
 # ---- reference values ----
-CIRCLE, RADIUS = 12, mpf(10) ** -2  # what comes round again is 1e-24 of W_{n + 12}
+CIRCLE, RADIUS = 12, mpf(10) ** -2  # aliasing leaves an error of 1e-24 of W_{n + 12}
 
 
 @cache
@@ -141,7 +141,7 @@ def points(s):
 
 @cache
 def weights(s, beta, count):
-    """W_0, ..., W_{count-1} to some 1e-24 |W_0|."""
+    """Return W_0, ..., W_{count-1} with an error of some 1e-24 |W_0|."""
     W = coefficients(points(s), lambda root: root**beta, range(count))
     return [W[n] for n in range(count)]
 
@@ -151,8 +151,8 @@ def double(v):
 
 
 def three_steps(s, alpha):
-    """x and p after each of three steps of length 1/2 of m x'' + c x + rho D^{2 alpha} x
-    = F, Caputo: all 3 s velocities from one system. (17.24)"""
+    """Return x and p after each of three steps of length 1/2 of m x'' + c x + rho D^{2 alpha} x = F, Caputo, by
+    (17.24). One linear system gives all 3 s velocities."""
     mass, c_, rho_, x0, p0 = mpf(3) / 2, mpf(2), mpf(3) / 4, mpf(1) / 4, mpf(1) / 2
     step, beta = mpf(1) / 2, 2 * mpf(alpha) - 1
     c, b, _ = rule(s)
@@ -163,7 +163,7 @@ def three_steps(s, alpha):
     for k in range(3):
         for i in range(s):
             row = k * s + i
-            # X_k = x0 + step (A V_k + sum over the steps before of b.V)
+            # X_k = x0 + step (A V_k + sum of b.V over the earlier steps)
             right[row] -= c_ * x0
             for l in range(k + 1):
                 for j in range(s):
@@ -189,15 +189,15 @@ def three_steps(s, alpha):
 
 @cache
 def symbol(s, point, alpha):
-    """(17.18) at z = 1 / point: K^(-1) B and K^(-1) B Delta^(2 alpha) on the paths with
-    X_s = X_1 / point, without the constant."""
+    """Return (17.18) at z = 1 / point: K^(-1) B and K^(-1) B Delta^(2 alpha) on the paths with X_s = X_1 / point,
+    without the constant paths."""
     c, b, D = rule(s)
     M, B, E = inverse_table(s)[0].copy(), mpmath.diag(b), mpmath.matrix(s, s - 1 - (point > 0))
     M[0, s - 1] -= point / b[0]
     power = real_function(M, lambda root: (                 # 0^(2 alpha) = 0
         root**(2 * alpha) if abs(root) > mpf(10)**-20 else mpf(0)))
     for j in range(E.cols):
-        if point > 0:                                   # mean zero
+        if point > 0:                                   # paths with mean zero
             E[j + 1, j], E[0, j], E[s - 1, j] = 1, -b[j + 1] / 2 / b[0], -b[j + 1] / 2 / b[0]
         else:
             E[j, j], E[s - 1, 0] = 1, -1

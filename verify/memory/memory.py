@@ -2,13 +2,13 @@
 
 Proved here, nu symbolic unless a range is named:
   (12.2)  order beta on positions is order beta - 1 on increments (generic x_j);
-  (12.4)  the blocks meet every pair of a term and a later sum once (all k < 640);
+  (12.4)  the blocks contain every pair of a term and a later sum once (all k < 640);
   (12.5)  the weights are moments of a density of one sign: n symbolic, by the
           recurrence of H 4 and the first moment;
   (12.7)  the substitution and its modulus and angle on the lines Im t = +-a;
   (12.8)  the four estimates that bound the integral there, and K < 12;
   (12.12) the modes add up to the sum of exponentials (generic terms);
-  (12.13) what its proof computes: the conjugate kernels (generic, to length 8), the
+  (12.13) the computations in its proof: the conjugate kernels (generic, to length 8), the
           joint at 33, the line that ends the weights; (12.15) in R^2, (12.16) at z = -1.
 Compared: (12.6) itself, in 40-digit arithmetic on a grid of nu, delta, N, n.
 Printed: exact weights and tail sums (mpmath's gamma function at 60 and 90
@@ -23,7 +23,7 @@ nu, r, s, t, n = symbols("nu r s t n", positive=True)
 
 
 def weight(order, k):
-    """w_k of this order, k a number."""
+    """Return w_k of this order; k is a number."""
     return (-1) ** k * expand_func(binomial(order, k))
 
 
@@ -38,7 +38,7 @@ for k in range(7):
 
 #> blocks
 base, steps = 4, 640
-met = [[0] * steps for _ in range(steps)]  # [k][j]: how often x_j met H_k
+met = [[0] * steps for _ in range(steps)]  # [k][j]: how often x_j enters H_k
 for k in range(steps):
     for j in range(k // base * base, k + 1):
         met[k][j] += 1
@@ -88,14 +88,14 @@ claim("(12.8) Gamma(nu + 1/2) / Gamma(nu + 1) falls: psi rises",
 
 
 def exact(order, k):
-    """The weight by its definition, at the working precision."""
+    """Return the weight by its definition, at the working precision."""
     order = mpmath.mpf(order.p) / order.q if isinstance(order, Rational) else mpmath.mpf(order)
     return (-1) ** k * mpmath.binomial(order, k)
 
 
 #> nodes
 def nodes(order, longest, delta):
-    """(12.7) to (12.10) as the chapter prints them."""
+    """Return (12.7) to (12.10) as the chapter prints them."""
     h = mpmath.mpf(0.3)
     for _ in range(15):
         slope = (1 + order) * h / (2 * mpmath.pi)
@@ -141,7 +141,7 @@ for k in range(9):
 #< modes
 
 #> energy
-# (12.15), R^2: (9.3) without a force, X for the damping, times the mean displacement.
+# (12.15) in R^2: (9.3) without a force, with X for the damping, times the mean displacement.
 m1, m2, C11, C12, C22, r1, r2, h, kappa = symbols("m1 m2 C11 C12 C22 r1 r2 h kappa", positive=True)
 M, C, rho = Matrix([[m1, 0], [0, m2]]), Matrix([[C11, C12], [C12, C22]]), Matrix([[r1, 0], [0, r2]])
 before, here, after, X = (Matrix(symbols(f"{name}1:3")) for name in ("p", "q", "n", "X"))
@@ -205,7 +205,7 @@ LAGS = [33, 34, 40, 64, 100, 333, 1000, 10 ** 4, 10 ** 5, 10 ** 6, 10 ** 7, 10 *
 
 def hex_weight(order, k):
     def value(digits):
-        mpmath.mp.dps = digits + 30  # binomial subtracts orders from integers
+        mpmath.mp.dps = digits + 30  # binomial subtracts orders from integers and so needs more digits
         return mpmath.nstr(exact(order, k), digits)
     return hexd_real(value)
 
@@ -213,11 +213,11 @@ def hex_weight(order, k):
 table("ref_tail", "double nu; size_t n; double want;",
       [[hexd(o), k, hex_weight(o, k), f"nu = {o!r}"] for o in ORDERS for k in LAGS])
 
-# sum_{n >= 33} |w_n|, which by (4.3) is the weight of order nu - 1 at 32.
+# sum_{n >= 33} |w_n|, which by (4.3) is the weight of order nu - 1 at n = 32.
 table("ref_rest", "double nu; double want;",
       [[hexd(o), hex_weight(Rational(o) - 1, 32), f"nu = {o!r}"] for o in ORDERS])
 
-# (12.1) with small integers and orders 1/2 and 3/2: dyadic, so exact doubles.
+# (12.1) with small integers and orders 1/2 and 3/2: the results are dyadic, so they are exact doubles.
 data = [(7 * j * j + 3 * j + 5) % 11 - 5 for j in range(24)]
 array("ref_terms", data, "x_k")
 for name, order in (("ref_sums_half", Rational(1, 2)), ("ref_sums_three_halves", Rational(3, 2))):

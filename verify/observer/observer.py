@@ -1,14 +1,12 @@
-"""Velocity, acceleration and a damper's force of a damped Duffing oscillator. Prints
-tests/observer/observer_ref.h.
+"""Velocity, acceleration and a damper's force of a damped Duffing oscillator. Prints tests/observer/observer_ref.h.
 
     m x'' + c x + g x^3 + rho D^o (x - x0) = f0 + f1 t,     o = 3/5, 1, 7/5,
 
-held before t = 0, with the momentum m v0. The solution is a series in t^{1/5}, because all
-exponents 2, o and 1 are multiples of 1/5: x = sum_k c_k t^{k/5}. Its coefficients follow from the
-definition D^o t^q = Gamma(1 + q) / Gamma(1 + q - o) t^{q - o}, and with them the velocity, the
-acceleration, the force lambda = rho D^o (x - x0), its impulse and its work, term by term. Claimed:
-the equation of motion holds and the energy balance closes to 1e-20, and a quarter
-more terms change nothing."""
+held before t = 0, with the momentum m v0. The solution is a series in t^{1/5}, because the exponents 2, o and 1 are
+all multiples of 1/5: x = sum_k c_k t^{k/5}. Its coefficients follow from the rule D^o t^q = Gamma(1 + q) / Gamma(1 +
+q - o) t^{q - o}. The coefficients give the velocity, the acceleration, the force lambda = rho D^o (x - x0), its
+impulse and its work, term by term. Claimed: the equation of motion holds, the energy balance closes to 1e-20, and a
+quarter more terms change nothing."""
 from functools import cache
 
 from mpmath import gamma, mp, mpf
@@ -22,13 +20,13 @@ m, c, g, rho, x0, v0, f0, f1 = (mpf(n) for n in ("1.25", "1.5", "0.5", "0.375", 
 
 
 def product(a, b, n):
-    """Coefficient n of a product of two series."""
+    """Return coefficient n of a product of two series."""
     return sum(a[i] * b[n - i] for i in range(n + 1))
 
 
 @cache
 def solve(o, terms):
-    """The coefficients of x, and those of lambda, which begin with t^{-1/5 shift}."""
+    """Return the coefficients of x, and those of lambda, whose first term is t^{-1/5 shift}."""
     shift = int(5 * o)
     x, square = [x0] + [mpf(0)] * (terms + 10), []
     x[5] = v0

@@ -2,11 +2,12 @@
 
     x'' + c x + C(D) (x - x0) = 0,     x(0) = x0, x'(0) = v0, held before t = 0.
 
-For z = x - x0 Laplace's transform is Z(s) = (v0 - c x0/s) / (s^2 + c + C(s)), and the force has the transform C Z.
-With a past that jumps, C acts on x, and X(s) = (s x0 + v0) / (s^2 + c + C(s)). A mass 1 at 1 may also pull, by a spring 1,
-at a point without mass at 0 that C holds: x1'' = x2 - x1 and C(D) x2 = x1 - x2. All are inverted along Talbot's contour, with two numbers of nodes that must agree. The answers of a law to 1, t and t^2/2 are (26.21), the inverse
-transforms of C/s^m. Claimed: for a Maxwell element they are what integrals of exp(-t/T) give, and the oscillator with
-a Maxwell element is the solution of three linear equations of first order."""
+z = x - x0 has Laplace's transform Z(s) = (v0 - c x0/s) / (s^2 + c + C(s)), and the force has the transform C Z. If
+the past jumps, C acts on x, and X(s) = (s x0 + v0) / (s^2 + c + C(s)). In a third problem a mass 1 at 1 pulls, by a
+spring 1, at a point without mass at 0 that C holds: x1'' = x2 - x1 and C(D) x2 = x1 - x2. All transforms are inverted
+along Talbot's contour, with two numbers of nodes that must agree. The responses of a law to 1, t and t^2/2 are
+(26.21), the inverse transforms of C/s^m. Claimed: for a Maxwell element they agree with the integrals of exp(-t/T),
+and the oscillator with a Maxwell element is the solution of three linear equations of first order."""
 from mpmath import exp, expm, invertlaplace, matrix, mp, mpf, quad
 
 from shared.refgen import claim, header, nearest as nearest_of, table
@@ -53,7 +54,7 @@ def symbol(law, s):
 
 
 def inverse(F, t):
-    """f(t) to 20 digits: contours of 60 and of 75 nodes agree."""
+    """Return f(t) to 20 digits. Contours of 60 and of 75 nodes must agree."""
     first, second = (invertlaplace(F, t, method="talbot", degree=n) for n in (60, 75))
     claim("Talbot's contour has enough nodes", abs(first - second) <= mpf(10)**-26 * (abs(first) + mpf(10)**-6))
     return second
@@ -68,7 +69,7 @@ def force_of_jump(law, x0, v0, t):
 
 
 def massless(law, t):
-    """x2', x2'' and the force of the element that holds it, and x2."""
+    """Return x2', x2'', the force of the element that holds the point, and x2."""
     def X(s):
         C = symbol(law, s)
         return s / (s**2 * (1 + C) + C)
@@ -89,7 +90,7 @@ for alpha in (0.25, 0.9):
         e = m - 1 - 2 * double(alpha)
         claim("a power answers with powers", near(G, mpf(0.75) * (5 * H)**e * mp.rgamma(1 + e)))
 
-for t in (H, 5 * H):  # a dashpot 1/2: x1 - x2 = (1 - t) exp(-t)
+for t in (H, 5 * H):  # a dashpot 1/2 has x1 - x2 = (1 - t) exp(-t)
     half = ("POWER", mpf(1) / 2, mpf(1) / 2, mpf(0), mpf(0), mpf(0))
     want = 2 * (1 - t) * exp(-t), 2 * (t - 2) * exp(-t), (1 - t) * exp(-t), 2 * t * exp(-t)
     claim("a point without mass", all(map(near, massless(half, t), want)))
@@ -114,7 +115,7 @@ table("ref_laws", "int kind; double rho, alpha, time, end, dashpot;",
       [[f"FVI_KERNEL_{kind}", *map(nearest, numbers)] for kind, *numbers in LAWS])
 table("ref_responses", "size_t law, k; double G_1, G_2, G_3, G_4;",
       [[i, k, *map(nearest, responses(law, k * H))] for i, law in enumerate(LAWS) for k in (1, 5, 27)
-       if law[0] != "POWER" or law[2] != mpf(1) / 2])  # a dashpot answers to a jump with 0
+       if law[0] != "POWER" or law[2] != mpf(1) / 2])  # the response of a dashpot to a jump is 0
 table("ref_forces", "size_t law, k; double x0, v0, force;",
       [[i, k, nearest(mpf(x0)), nearest(mpf(v0)), nearest(force(law, x0, v0, k * H))]
        for i, law in enumerate(LAWS) for x0, v0 in STARTS for k in ROWS])

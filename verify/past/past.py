@@ -1,13 +1,13 @@
-"""H 19: what the body did before t = 0. Prints tests/past/past_ref.h.
+"""H 19: the past of the body before t = 0. Prints tests/past/past_ref.h.
 
   (19.3)  on the powers of t, the three derivatives differ by A t^e / Gamma(1 + e);
   (19.4)  v D^b v - 1/2 D^b v^2 is a sum of squares, on all quadratic v;
   (19.5)  the impulses, from the integral, at 120 digits;
-  (19.6)  where Caputo jumps at alpha = 1/2, and what alpha = 1 does to a velocity;
+  (19.6)  the jump of Caputo's past at alpha = 1/2, and the change of the velocity at alpha = 1;
   (19.8)  the first powers of t of the three solutions.
 
-Inputs are the doubles they are; the integrals are taken term by term in powers of
-k + s, which cancels some seventy digits at k = 10^9: there are 120."""
+All inputs are exact doubles. The integrals are taken term by term in powers of k + s. This loses some seventy digits
+at k = 10^9, so 120 are used."""
 from functools import cache
 
 import mpmath
@@ -23,13 +23,14 @@ beta, b, rho, m, c, v0, x0, s = symbols("beta b rho m c v0 x0 s", positive=True)
 
 #> powers
 def of_power(q, order):
-    """D^order t^q / Gamma(q + 1), from -infinity, of a path that is 0 before t = 0:
-    the jumps that the power makes at t = 0 count."""
+    """Return D^order t^q / Gamma(q + 1), from -infinity, of a path that is 0 before t = 0. The jumps of the power at
+    t = 0 count."""
     return t ** (q - order) / gamma(q - order + 1)
 
 
 def caputo(q, order, first):
-    """The same with the values at t = 0 taken away, up to the derivative first - 1."""
+    """Return the same without the contributions of the values at t = 0 of the path and its derivatives up to the
+    order first - 1."""
     return 0 if q < first else of_power(q, order)
 
 
@@ -37,7 +38,7 @@ for q in range(4):
     for first, e, A in ((1, -beta, q == 0), (2, 1 - beta, q == 1)):
         # beta < 1: Riemann-Liouville acts on x, Caputo and held on x - x0.
         # beta > 1: held acts on x - x0, Caputo on x - x0 - t v0.
-        z = 0 if q == 0 and first == 2 else 1              # held takes x0 away
+        z = 0 if q == 0 and first == 2 else 1              # the held past subtracts x0
         extra = z * of_power(q, beta) - caputo(q, beta, first)
         prove(f"(19.3) q = {q}, n = {first}",
               gammasimp(extra - int(A) * t**e / gamma(1 + e)))
@@ -49,14 +50,14 @@ v = sum(a[i] * t**i for i in range(3))
 
 
 def marchaud(difference):
-    """int_0^t difference(u) u^(-b-1) du, a polynomial without constant term in u."""
+    """Return int_0^t difference(u) u^(-b-1) du of a polynomial in u without a constant term."""
     terms = expand(difference).as_poly(u).all_terms()
     claim("it vanishes at u = 0", all(k > 0 for (k,), _ in terms if _ != 0))
     return sum(coefficient * t ** (k - b) / (k - b) for (k,), coefficient in terms)
 
 
 def derivative(f):
-    """D^b of a polynomial, b < 1: Gamma(1 - b) is left out."""
+    """Return D^b of a polynomial, b < 1, without the factor 1 / Gamma(1 - b)."""
     return sum(k_ * t ** (i - b) * gamma(i + 1) * gamma(1 - b) / gamma(i + 1 - b)
                for (i,), k_ in f.as_poly(t).all_terms())
 
@@ -78,8 +79,8 @@ prove("(19.7) alpha = 1: x'(0+) = m v0 / (m + rho)",
 #< jump
 
 #> first
-# The transforms by powers of 1/s, rho s^beta / (m s^2) being small: the first power
-# that is no integer in x = x0 + t v0 - t^2 c x0 / (2 m) + ...
+# The transforms in powers of 1/s, where rho s^beta / (m s^2) is small. They give the first power that is not an
+# integer in x = x0 + t v0 - t^2 c x0 / (2 m) + ...
 r = rho / m
 for past, k0, k1, term, power, value in (
         ("held, beta < 1", 1, 0, -r * v0, 3 - beta, Rational(1, 2)),
@@ -96,7 +97,7 @@ for past, k0, k1, term, power, value in (
 #> impulses
 @cache
 def lagrange(nodes, i, digits):
-    """l_i by powers of s, at so many digits."""
+    """Return l_i by powers of s, with this number of digits."""
     nodes, coefficients = [mpf(node) for node in nodes], [mpf(1)]
     for j, node in enumerate(nodes):
         if j != i:
@@ -108,7 +109,7 @@ def lagrange(nodes, i, digits):
 
 
 def impulse(alpha, k, nodes, i):
-    """(19.5): int_0^1 l_i(s) (k + s)^e / Gamma(1 + e) ds."""
+    """Return (19.5): int_0^1 l_i(s) (k + s)^e / Gamma(1 + e) ds."""
     e = -2 * mpf(alpha) if alpha < 0.5 else 1 - 2 * mpf(alpha)
     if e == -1:                                            # one impulse at t = 0
         return mpf(i == 0 and k == 0)
@@ -131,7 +132,7 @@ claim("(19.5) by quadrature",
 
 
 def lobatto(n):
-    """Lobatto's nodes in [0, 1]: the ends, and where P_{n-1} has no slope."""
+    """Return Lobatto's nodes in [0, 1]: the ends, and the zeros of P_{n-1}'."""
     inner = Poly(diff(legendre(n - 1, s), s), s).nroots(n=40, maxsteps=200)
     return (0.0, *sorted(float((1 + root) / 2) for root in inner), 1.0)
 

@@ -1,14 +1,14 @@
 """H 30: responses and poles of linear systems. Prints tests/response/response_ref.h.
 
   (30.1)  a damper between two points, linear around a place, is grad g grad g^T times its symbol;
-  (30.3)  the ground: both sides of the equation in coordinates beside it;
+  (30.3)  moving ground: both sides of the equation in coordinates relative to it;
   (30.4)  the residue of Z^-1 at a simple pole is v v^T / v^T Z' v;
   (30.6)  Z^-1 is the sum of its residues and an integral along the cut, to 30 digits;
   (30.7)  on which side of the line each symbol is on the cut, and that poles have Re s <= 0;
   (30.9)  v^T Z v is stationary at a shape, so an error of v enters s squared;
   and responses, poles and residues of three systems, from determinants in 40 digits.
 
-Inputs are the doubles they are."""
+All inputs are exact doubles."""
 import mpmath
 from mpmath import mp, mpc, mpf, matrix
 from sympy import I, Matrix, cos, diff, eye, im, re, simplify, sin, symbols
@@ -17,7 +17,7 @@ from shared.refgen import claim, header, nearest, prove, table
 
 mp.dps = 40
 
-# ---- (30.1): z = g(x); the force is C(D)(g(x) - g(a)) grad g(x); its part linear in e
+# ---- (30.1): z = g(x); the force is C(D)(g(x) - g(a)) grad g(x); its linear part in e
 e, c, x1, x2, a1, a2, u1, u2 = symbols("e c x1 x2 a1 a2 u1 u2")
 g = (x1**2 + x1 * x2) + x2**3
 gradient = Matrix([diff(g, x1), diff(g, x2)])
@@ -27,12 +27,12 @@ force = c * (moved(g) - at_a(g)) * moved(gradient)
 linear = force.applyfunc(lambda f: diff(f, e).subs(e, 0))
 prove("(30.1)", *(linear - c * at_a(gradient) * at_a(gradient).T * Matrix([u1, u2])))
 
-# ---- (30.3): x = y + g r, and springs feel y alone
+# ---- (30.3): x = y + g r, and the springs depend on y alone
 s, m1, m2, k1, k2, a = symbols("s m1 m2 k1 k2 a")
 M, K = Matrix([[m1, 0], [0, m2]]), Matrix([[k1 + k2, -k2], [-k2, k2]])
 along = Matrix(symbols("r1 r2"))
 Z = s**2 * M + K
-y = -Z.inv() * M * along * a                # beside the ground, whose acceleration is a
+y = -Z.inv() * M * along * a                # relative to the ground, whose acceleration is a
 absolute = s**2 * y + along * a
 whole = s**2 * M * (y + along * a / s**2) + K * y    # M x'' + K (x - g r) = 0
 prove("(30.3): the equation", *whole.applyfunc(simplify))
@@ -72,7 +72,7 @@ POWER, ZENER, MAXWELL, DISTRIBUTED, MAXWELL2, DAVIDSON = range(6)
 
 
 def term(kind, s, rho, alpha, time, end):
-    """Symbol and derivative."""
+    """Return the symbol and its derivative."""
     L = mpmath.log(s)
     q = mpmath.exp(2 * alpha * L)
     if kind == POWER:
@@ -109,7 +109,7 @@ def diagonal(values):
 
 
 def shear(values):
-    """Springs between storeys, the first to the ground."""
+    """Return the matrix of springs between storeys, the first one to the ground."""
     n = len(values)
     K = mpmath.zeros(n)
     for i, v in enumerate(values):
@@ -149,7 +149,8 @@ def undamped(system):
 
 
 def poles(system):
-    """Along the damping, from the undamped frequencies, by Newton's method for det Z in e = 0, 1/20, ..., 1."""
+    """Return the poles. Each starts from an undamped frequency and follows the damping, multiplied by e = 0.05, 0.1,
+    ..., 1, by Newton's method for det Z."""
     M, K, dampers = system
     found = []
     for omega in undamped(system):
@@ -172,7 +173,7 @@ def poles(system):
 
 
 def residue_at(system, s):
-    """v v^T with v^T Z' v = 1: v is 1 in one place, and all equations but that one are solved."""
+    """Return v v^T with v^T Z' v = 1. v is 1 in one place, and all equations but that one are solved."""
     Z, slope = stiffness(system, s)
     n = Z.rows
     v = mpmath.lu_solve(stiffness(system, s * (1 + mpf(10)**-9))[0], matrix([mpc(1)] * n))
@@ -187,7 +188,8 @@ def residue_at(system, s):
 
 
 def cut(system, s, i, j):
-    """(1/pi) int_0^inf Im Z(-r)^-1 dr / (s + r), by ln r; Davidson's symbol is infinite at r = 1/T = 4/3."""
+    """Return (1/pi) int_0^inf Im Z(-r)^-1 dr / (s + r), by ln r. Davidson's symbol is infinite at r = 1/T = 4/3, so
+    the interval is divided there."""
     def integrand(u):
         r = mpmath.exp(u)
         return mpmath.inverse(stiffness(system, mpc(-r, 0))[0])[i, j].imag * r / (s + r)

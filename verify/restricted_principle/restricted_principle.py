@@ -7,7 +7,7 @@ the chapter; these are instances, each with alpha symbolic):
   (3.7)  restricted and unrestricted equations: the variation of every quadratic
          Lagrangian without (D_- x)^2 and (D_+ y)^2, quadratic curves, two bumps;
   (3.9)  the series solves the equation, term against term, all symbolic;
-  (3.10) pairs that are stationary and solve nothing, exactly;
+  (3.10) pairs that are stationary but solve neither equation, exactly;
   (3.11) the change of variables, d = 2, symbolic; a constant under Riemann-Liouville;
   (3.12) D_+ J = J D_-, a change of variables in the integral, generic x;
   (3.22) the derivative of x - zeta, on powers; (3.23) its boundary terms, cubic
@@ -19,7 +19,7 @@ the chapter; these are instances, each with alpha symbolic):
 The power rule (1.6), integration by parts (1.7) for all powers and the sum of two
 orders (1.9) are proved in verify/fractional_derivative/fractional_derivative.py.
 Printed: exact values of powers, of the action (by Beta functions), of the series
-(by an inverse Laplace transform), of the pulled back form."""
+(by an inverse Laplace transform), and of the pulled back form."""
 import mpmath
 from sympy import (Function, Integer, Matrix, Poly, Rational, Symbol, cos,
                    diff, exp, expand, eye, gamma, gammasimp, hessian, integrate,
@@ -49,20 +49,20 @@ def U(z):
 
 
 def polynomial(z):
-    """{exponent: coefficient} of a polynomial in s."""
+    """Return {exponent: coefficient} of a polynomial in s."""
     return {Integer(p): v for (p,), v in Poly(z, s).terms()}
 
 
 def mechanical(z, eta):
-    """int m z' eta' - U'(z) eta, z and eta from the same end."""
+    """Return the integrand m z' eta' - U'(z) eta, with z and eta from the same end."""
     return (m * diff(z, s) * diff(eta, s) - diff(U(s), s).subs(s, z) * eta).expand()
 
 
 x, y = (sum(C[i] * s ** i for i in range(4)) for C in (A, B))
-X, Y = polynomial(x - z0 - zv * s), polynomial(y - b0 - bw * s)  # what the coupling sees
+X, Y = polynomial(x - z0 - zv * s), polynomial(y - b0 - bw * s)  # the arguments of the coupling
 one = {Integer(0): 1}
 for p, q in ((1, 1), (2, 1), (2, 3)):
-    eta = expand(s ** p * (1 - s) ** q)  # the variation in t, and in 1 - t:
+    eta = expand(s ** p * (1 - s) ** q)  # the variation in t; below, in 1 - t
     other = expand(eta.subs(s, 1 - s))
     E_, O_ = map(polynomial, (eta, other))
     xi_part = (integral(polynomial(mechanical(x, eta)), one) - rho * integral(D(E_), D(Y)))
@@ -83,7 +83,7 @@ prove("(3.22) s, the part of a velocity that the reference does not have", gamma
     power(a, Integer(1)) * power(a, 1 - a) - 1 / gamma(2 - 2 * a)))
 prove("(3.22) s^e: Caputo's derivative of order 2 alpha, I^(2-2 alpha) of the second derivative",
       gammasimp(power(a, e) * power(a, e - a) - e * (e - 1) * power(2 * a - 2, e - 2)))
-# (3.23): delta = sum E_j (1-t)^j need not vanish; the reference of y moves with delta(1).
+# (3.23): delta = sum E_j (1-t)^j need not vanish at the end; the reference of y moves with delta(1).
 E = symbols("E0:4")
 bump = {Integer(i): E[i] for i in range(4)}
 moved = {i: v for i, v in bump.items() if i > 0}
@@ -104,20 +104,20 @@ prove("(3.24) with a constant left in f, it is s^(1-2 alpha)/Gamma(2-2 alpha) of
 #> equations
 # A function is a pair: a sum of powers of t, and one of powers of 1 - t.
 def flip(z):
-    """A polynomial in t as one in 1 - t, and the other way round."""
+    """Return a polynomial in t as a polynomial in 1 - t, and vice versa."""
     return polynomial(expand(sum(v * (1 - s) ** p for p, v in z.items())))
 
 
 def inner(f, bump):
-    """int f bump dt; the bump is a polynomial, known from both ends."""
+    """Return int f bump dt. The bump is a polynomial, given from both ends."""
     return integral(f[0], bump[1]) + integral(bump[0], f[1])
 
 
 xs = {Integer(i): A[i] for i in (1, 2)}  # x(0) = 0
 ys = {Integer(i): B[i] for i in (1, 2)}  # y(1) = 0
 slots = [(xs, {}), ({}, ys), (ddt(xs), {}), ({}, ddt(ys, -1)), (D(xs), {}), ({}, D(ys))]
-# L = q.Q q / 2, q = (x, y, x', y', X, Y), X = D_- x, Y = D_+ y. Without X^2 and Y^2 the
-# partial by Y is a sum of powers of t, whose D_- is known by the power rule; so is that by X.
+# L = q.Q q / 2, q = (x, y, x', y', X, Y), X = D_- x, Y = D_+ y. Without X^2 and Y^2 the partial derivative by Y is a
+# sum of powers of t, so the power rule gives its D_-. The same holds for the derivative by X.
 Q = Matrix(6, 6, lambda i, j: 0 if i == j > 3 else Symbol(f"q{min(i, j)}{max(i, j)}"))
 partial = [[plus(*((Q[i, j], slots[j][end]) for j in range(6))) for end in (0, 1)]
            for i in range(6)]
@@ -126,7 +126,7 @@ by_Y = plus((1, partial[5][0]), (1, flip(plus(*((Q[5, j], slots[j][1]) for j in 
 for p, q in ((1, 1), (1, 2)):
     dt = polynomial(expand(s ** p * (1 - s) ** q))
     bump, slope = (dt, flip(dt)), (ddt(dt), ddt(flip(dt), -1))
-    dS = (inner(partial[0], bump) + inner(partial[1], bump)  # along delta for both curves
+    dS = (inner(partial[0], bump) + inner(partial[1], bump)  # delta is the variation of both curves
           + inner(partial[2], slope) + inner(partial[3], slope)
           + integral(D(dt), by_X) + integral(by_Y, D(flip(dt))))
     left_sides = [inner((ddt(partial[i + 2][0]), ddt(partial[i + 2][1], -1)), bump)
@@ -144,13 +144,13 @@ C, R = symbols("C R")
 
 
 def term(j, k):
-    """Coefficient of t^(1 + 2 j + (2 - 2 alpha) k)."""
+    """Return the coefficient of t^(1 + 2 j + (2 - 2 alpha) k)."""
     return ((-1) ** (j + k) * gamma(j + k + 1) / gamma(j + 1) / gamma(k + 1) * C ** j * R ** k
             / gamma(2 + 2 * j + (2 - 2 * a) * k))
 
 
 def acceleration(j, k):
-    """The same power of t less two: x'', C x, R D^(2 alpha) x."""
+    """Return the coefficients of the power of t lower by two in x'', C x and R D^(2 alpha) x."""
     top = 1 + 2 * j + (2 - 2 * a) * k
     return (top * (top - 1) * term(j, k) + C * term(j - 1, k)
             + R * term(j, k - 1) * power(2 * a, top - (2 - 2 * a)))
@@ -212,7 +212,7 @@ prove("Riemann-Liouville: D D 1 = s^(-2 alpha)/Gamma(1 - 2 alpha), so a shift of
       gammasimp(D(one, 2)[-2 * a] - 1 / gamma(1 - 2 * a)))
 #< invariance
 
-# ---- (3.12): the mirror -------------------------------------------------------------------
+# ---- (3.12): the mirror image ---------------------------------------------------------------
 #> mirror
 # D_+^a y(t) = -1/Gamma(1-a) d/dt int_t^b (tau-t)^(-a) y(tau) dtau with y = J x.
 # tau = l - sigma (l = a + b): the kernel at (t, tau) becomes that of D_- at (l - t, sigma).
@@ -228,7 +228,7 @@ claim("the kernel (tau - t)^(-2 alpha) is not integrable at alpha = 3/4",
 
 # ---- the fractional tangent space ------------------------------------------------------------
 #> tangent
-# Curves: D^(1/2) t^n, n = 1..6, over t^(1/2): independent, and so on for ever.
+# The curves D^(1/2) t^n, n = 1..6, divided by t^(1/2), are independent; more powers give more independent curves.
 rows = [[power(half, Integer(n)) * Rational(i) ** (n - 1) for n in range(1, 7)]
         for i in range(1, 7)]
 claim("six independent curves", Matrix(rows).rank() == 6)
@@ -262,7 +262,7 @@ prove("delta p_y multiplies y' - dH/dp_y", diff(integrand, py) - (w - diff(H, py
 claim("not y' - dH/dy as printed: at y = 1, U = y^2, p_y = 0, y' = 0 that is -2",
       (w - diff(H, y_)).subs(Up(y_), y_ ** 2).doit().subs({y_: 1, w: 0}) == -2
       and diff(integrand, py).subs({py: 0, w: 0}) == 0)
-# The mirror: p_X(t) = -rho D_+ y(t) = -rho D_- x(t~) = p_Y(t~). Printed: p_x.
+# The mirror image: p_X(t) = -rho D_+ y(t) = -rho D_- x(t~) = p_Y(t~). The paper prints p_x.
 prove("p_Y(t) = p_X(a+b-t)", momenta[2].subs(Y, X) - momenta[3])
 claim("p_x in its place: 1 against 0 for m = x' = 1, D_- x = 0",
       [z.subs({m: 1, v: 1, X: 0}) for z in (momenta[0], momenta[3])] == [1, 0])
@@ -275,7 +275,7 @@ omega = symbols("omega", positive=True)  # c = m (omega^2 + gamma^2)
 
 
 def flow(g):
-    """exp(t [[0, 1], [-c/m, -2 g]]), g = gamma for x and -gamma for y."""
+    """Return exp(t [[0, 1], [-c/m, -2 g]]), g = gamma for x and -gamma for y."""
     return exp(-g * t) * Matrix([
         [cos(omega * t) + g * sin(omega * t) / omega, sin(omega * t) / omega],
         [-(omega ** 2 + g ** 2) * sin(omega * t) / omega,
@@ -290,7 +290,7 @@ F = Matrix.diag(flow(G), flow(-G))  # on (x, x', y, y')
 
 
 def form(**entries):
-    """The antisymmetric matrix of a two-form on (x, v, y, w)."""
+    """Return the antisymmetric matrix of a two-form on (x, v, y, w)."""
     J, at = zeros(4), "xvyw"
     for name, value in entries.items():
         p, q = (at.index(n) for n in name)
@@ -307,7 +307,7 @@ bateman = form(xw=m, yv=m, xy=-2 * m * G)
 prove("(3.19) Bateman's form is preserved", *(F.T * bateman * F - bateman).expand().subs(
     cos(omega * t) ** 2, 1 - sin(omega * t) ** 2).expand())
 #< flow
-# The same without solving: the derivative along the flow is (k_y - k_x) dx^dy.
+# The same without solving the equations: the derivative along the flow is (k_y - k_x) dx^dy.
 kx, ky = symbols("k_x k_y")
 gen = Matrix.diag(Matrix([[0, 1], [-kx / m, -rho / m]]), Matrix([[0, 1], [-ky / m, rho / m]]))
 J = form(xw=m, yv=m, xy=-rho)
@@ -320,7 +320,7 @@ Q = Rational
 
 
 def nearest(value, digits=40):
-    """value() is computed at two precisions; both must round to the same double."""
+    """Return value() as a double literal. It is computed at two precisions, and both must round to the same double."""
     def text(n):
         with mpmath.workdps(n + 15):
             return mpmath.nstr(value(), n)

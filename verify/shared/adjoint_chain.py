@@ -1,7 +1,7 @@
-"""Chains of five masses by the equations (17.8) and (17.24) as they stand, in dual
-numbers: each number has a slope of 1 by itself, and what comes out has slopes, the derivatives.
+"""Chains of five masses by the equations (17.8) and (17.24) as the chapter prints them, in dual numbers.
 
-What is real is taken at the precision of whoever imports this."""
+Each input is a dual number with slope 1 in its own direction, so the slopes of the results are the derivatives. Real
+numbers have the precision that the importing script has set."""
 from functools import cache
 from operator import mul
 
@@ -11,16 +11,16 @@ from mpmath import mpf
 from shared.arithmetic import (BITS, ONE, ZERO, HALF, TINY, Dual, circle, coefficients, dot, dual,
                               factorised, fixed, line, slopes, solved)
 
-# Weights of few steps, by Cauchy's integral: what comes round again is 2^-160 of W_{n + 16}, and what
-# is lost of the digits, 2^(10 n) < 10^16.
+# Weights of few steps by Cauchy's integral. Aliasing leaves an error of 2^-160 of W_{n + 16}, and the digits lost are
+# 2^(10 n) < 10^16.
 CIRCLE, RADIUS = 16, mpf(1) / 1024
 
 
 @cache
 def numbers(s):
-    """c, b, D and A of s nodes, from the zeros of Legendre's derivative."""
+    """Return c, b, D and A of s nodes, from the zeros of Legendre's derivative, and A's inverse."""
     poly = [mpmath.binomial(s - 1, k) * mpmath.binomial(s - 1 + k, k) * (k if k else 0)
-            for k in range(s)]  # of P'(1 - 2 t), by powers of -t, times t
+            for k in range(s)]  # coefficients of t P'(1 - 2 t) in powers of -t
     inner = [] if s == 2 else mpmath.polyroots(
         [(-1) ** k * poly[k] for k in range(s - 1, 0, -1)], maxsteps=300, extraprec=300)
     nodes = [mpf(0), *sorted(mpmath.re(v) for v in inner), mpf(1)]
@@ -39,7 +39,7 @@ def numbers(s):
 
 @cache
 def matrices(s, step):
-    """K, D, A and its inverse for steps of such length, in whole numbers."""
+    """Return K, D, A and its inverse for steps of this length, in whole numbers."""
     _, b, D, inverse, A = numbers(s)
     return [[[fixed(v) for v in row] for row in M.tolist()]
             for M in (D.T * mpmath.diag(b) * D / step, D / step, A * step, inverse)]
@@ -68,7 +68,7 @@ def power(v, beta):
 
 
 class Tilted:
-    """w_k + w'_k eps, of the order beta + eps."""
+    """The weights w_k + w'_k eps of the order beta + eps."""
     @staticmethod
     @cache
     def weights(s, beta):
@@ -81,8 +81,7 @@ class Tilted:
 
 @cache
 def impulses(s, e, h):
-    """h^(1 + e) int l_i(s) (k + s)^e ds / Gamma(1 + e), i = 1, ..., s, k < N, and their slopes
-    as e falls."""
+    """Return h^(1 + e) int l_i(s) (k + s)^e ds / Gamma(1 + e), i = 1, ..., s, k < N, with the slopes by -e."""
     e, nodes = mpmath.mpc(e, -TINY), numbers(s)[0]
     out, size = [], len(nodes)
     poly = []
@@ -96,7 +95,7 @@ def impulses(s, e, h):
         poly.append(l)
     for k in range(N):
         def power(n):
-            """int_k^{k+1} u^(n + e) du / Gamma(1 + e)"""
+            """Return int_k^{k+1} u^(n + e) du / Gamma(1 + e)."""
             low = mpf(0) if k == 0 else mpf(k) ** (n + 1 + e)
             unit = mpmath.rgamma(2 + e) if n == 0 else mpmath.rgamma(1 + e) / (n + 1 + e)
             return ((k + 1) ** (n + 1 + e) - low) * unit
@@ -108,7 +107,7 @@ def impulses(s, e, h):
 
 
 def spring_forces(x, k1, g3):
-    """grad U of the chain, and U's second derivatives of the springs."""
+    """Return grad U of the chain, and the second derivatives of U of the springs."""
     stretch = [(x[i] if i < D5 else ZERO) - (x[i - 1] if i else ZERO) for i in range(D5 + 1)]
     cubic = [g3 * r * r for r in stretch]
     force = [(k1 + c) * r for c, r in zip(cubic, stretch)]
@@ -117,7 +116,7 @@ def spring_forces(x, k1, g3):
 
 
 def away(x, t, h):
-    """(h/2) |x - sin t|^2"""
+    """Return (h/2) |x - sin t|^2."""
     sine, total = dual(mpmath.sin(t)), ZERO
     for v in x:
         total += h * HALF * (v - sine) * (v - sine)
@@ -125,7 +124,7 @@ def away(x, t, h):
 
 
 class Chain:
-    """A run of form M or D; q holds x0, p0, mass, rho (lists), alpha, cg (a list), F."""
+    """A run of form M or D. q holds x0, p0, mass, rho (lists), alpha, cg (a list) and F."""
     steps, struck = N, {}  # {node: momenta that an impulse adds there}
     by_impulses = True     # the initial history acts by the impulses of its integral over a step
 
@@ -134,19 +133,19 @@ class Chain:
         self.nodes, b = numbers(s)[:2]
         self.b = [dual(v) for v in b]
         self.side, self.alpha0 = (alpha > 0.5) - (alpha < 0.5), mpf(alpha)
-        self.heavy = alpha == 1 and not damped  # form M: (17.17)
+        self.heavy = alpha == 1 and not damped  # form M at alpha = 1 adds the damping to the mass, (17.17)
         self.hold(mpf(step))
         self.unknown = range(s) if damped else range(1, s)
         self.q, self.path, self.factors = q, [], []
         self.run(q, None)
 
     def hold(self, step):
-        """The matrices of a step of such length."""
+        """Set the matrices of a step of this length."""
         self.step, self.h = step, dual(step)
         self.K, self.D, self.A, self.inverse = matrices(self.s, step)
 
     def matrix(self, V, xk, W0, scale):
-        """The equations of a step, differentiated by what is unknown; values only."""
+        """Return the factorised derivative of the equations of a step by the unknowns, without slopes."""
         s, h, q, n = self.s, self.h, self.q, len(self.unknown)
         M = [[0] * (n * D5) for _ in range(n * D5)]
         for a, i in enumerate(self.unknown):
@@ -185,7 +184,8 @@ class Chain:
         return q["mass"][j] / (q["mass"][j] + q["rho"][j]) if self.heavy else ONE
 
     def step_residual(self, q, k, V, xk, pk, history, W0, scale, v0, amplitude):
-        """The rows, and what p becomes. V: X_i - x_k of form M, else V_i."""
+        """Return the residuals of a step, the load of each stage, and the velocities. V: X_i - x_k in form M, else
+        V_i."""
         s, h = self.s, self.h
         S = [[None] * s for _ in range(D5)]
         speed = V if self.damped else [[line(self.D[i], V[j]) for i in range(s)] for j in range(D5)]
@@ -209,13 +209,13 @@ class Chain:
         return out, S, speed
 
     def memory(self, q, turn):
-        """W_n, n < N, and what multiplies them."""
+        """Return W_n, n < N, and the factor of all of them."""
         beta = 2 * self.alpha0 - 1
         W = [[[Dual(w.v, turn * w.d) for w in row] for row in u] for u in Tilted.weights(self.s, beta)]
         return W, dual(self.step ** -mpmath.mpc(beta, TINY), turn)
 
     def run(self, q, tilt):
-        """J. tilt None: the run of values, which is kept; else d alpha."""
+        """Return J. tilt None: the run without slopes, whose path is stored; else the slope of alpha."""
         s, real, n = self.s, tilt is None, len(self.unknown)
         turn = 2 * (tilt or 0)
         W, scale = self.memory(q, turn)
@@ -240,7 +240,7 @@ class Chain:
                 history[j] = [scale * dot(row, before) + self.told(k, i, j) for i, row in enumerate(rows)]
             V = [[p[j] / q["mass"][j] * (ONE if self.damped else dual(self.nodes[i] * self.step))
                   for i in range(s)] for j in range(D5)] if real else [list(v) for v in self.path[k]]
-            left = 40 if real else 1  # one step is exact for what is linear, the slopes
+            left = 40 if real else 1  # one Newton step is exact for the slopes, because their equations are linear
             while left:
                 rest = self.step_residual(q, k, V, x, p, history, W0, scale, v0, amplitude)[0]
                 lu = self.matrix(V, x, W0, scale) if real else self.factors[k]
@@ -253,7 +253,7 @@ class Chain:
                     left = 0
             if real:
                 self.path.append([list(v) for v in V])
-                self.factors.append(lu)    # of V but for what is below 2^-130
+                self.factors.append(lu)    # the factors belong to a V that differs by less than 2^-130
             speed, S = V, None
             if not self.damped:
                 _, S, speed = self.step_residual(q, k, V, x, p, history, W0, scale, v0, amplitude)
@@ -279,42 +279,42 @@ class Chain:
         return [a + b for a, b in zip(p, self.struck[k])] if k in self.struck else p
 
     def begin(self, k):
-        """Nothing is another thing in another step."""
+        """Prepare step k. Here all steps are alike."""
 
     def prepare(self, q, turn):
-        """Nothing is known beforehand."""
+        """Compute everything that does not depend on a step. Here there is nothing."""
 
     def enter(self, q, k, x, p):
-        """x and p with which step k begins."""
+        """Return x and p at the start of step k."""
         return x, self.hit(k, p)
 
     def taken(self, q, k):
-        """What the memory takes from the velocities of step k."""
+        """Return the velocities that the memory subtracts from those of step k."""
         return [p / m if self.side > 0 else ZERO for p, m in zip(q["p0"], q["mass"])]
 
     def told(self, k, i, j):
-        """What the memory was told besides of the past."""
+        """Return the contribution to the memory that does not come from steps."""
         return ZERO
 
     def beside(self, i, j):
-        """What x has besides, at stage i of this step."""
+        """Return the part of x at stage i of this step that does not come from the stages."""
         return ZERO
 
     def block(self, W, n, o):
-        """What step n has of the stages of step o."""
+        """Return the weights in step n of the stages of step o."""
         return W[n - o]
 
     def cost(self, q, k, before, V, x):
-        """What J has of the rows of a step: of its end."""
+        """Return the contribution to J of the rows in a step, here of its end."""
         return away(x, (k + 1) * self.step, self.h)
 
     def slopes(self, wanted):
-        """dJ by each wanted (name, i)."""
+        """Return dJ by each wanted (name, i)."""
         return slopes(self.run, self.q, wanted)
 
 
 class LawChain(Chain):
-    """Form D with a law of damping, (26.12); q holds the factors of its terms, too."""
+    """Form D with a law of damping, (26.12). q also holds the factors of the law's terms."""
 
     def __init__(self, s, symbols, q, step):
         around, step = points(s), mpf(step)

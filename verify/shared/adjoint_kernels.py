@@ -1,8 +1,8 @@
-"""What the modes of variable steps take over from a singular start, and what a step reads of it.
+"""The part of the memory that variable steps take over from a singular start.
 
-The memory after t1 knows the singular part by (22.20). Its integrals over all modes are sums of
-25 digits, by the double exponential at the lower end; their derivatives by the order are
-differences. Nothing is proved here; adjoint_mesh_singular.py asks."""
+The memory after t1 contains the singular part by (22.20). Its integrals over all modes are sums with 25 digits, by the
+double exponential rule at the lower end. Their derivatives by the order are differences. This file proves nothing;
+adjoint_mesh_singular.py uses it."""
 from functools import cache
 from operator import mul
 
@@ -14,8 +14,8 @@ from shared.adjoint_chain import numbers
 from shared.arithmetic import real_function
 from variable_steps import variable_steps as one
 
-FINE, WIDE, EDGE = 200, 320, 110   # bits behind the point; where the series for large S begins
-SLOT, HALF_SLOT = 720, 1 << 719    # sums of products of three numbers of FINE, side by side in one integer
+FINE, WIDE, EDGE = 200, 320, 110   # bits behind the point; the S from which on the series for large S is used
+SLOT, HALF_SLOT = 720, 1 << 719    # sums of products of three numbers of FINE bits, side by side in one integer
 
 
 def whole(v, bits=FINE):
@@ -24,7 +24,7 @@ def whole(v, bits=FINE):
 
 @cache
 def rational(s):
-    """a(mu) of (22.5) and p by partial fractions: lambda, P_lambda e_1 / b_1, over all lambda, in
+    """Return a(mu) of (22.5) and p by partial fractions: b, and lambda and P_lambda e_1 / b_1 over all lambda, in
     units of 2^-WIDE."""
     b, parts = numbers(s)[1], []
     units = lambda z: (whole(mpmath.re(z), WIDE), whole(mpmath.im(z), WIDE))
@@ -36,7 +36,7 @@ def rational(s):
 
 @cache
 def reading(s, mu):
-    """a(mu), and 1 - p(mu), in units of 2^-WIDE."""
+    """Return a(mu) and 1 - p(mu), in units of 2^-WIDE."""
     b, parts = rational(s)
     mu, a = whole(mu, WIDE), [0] * s
     for (re, im), v in parts:
@@ -48,8 +48,8 @@ def reading(s, mu):
 
 @cache
 def powers_of(S):
-    """e^-S S^k / k! for S < EDGE, else EDGE^k / S^(k + 1), as long as they are not nothing."""
-    bits, weights = 2 * FINE, []      # e^-S is small, and what it lacks grows with the rest
+    """Return e^-S S^k / k! for S < EDGE, else EDGE^k / S^(k + 1), for all k up to the last that is not negligible."""
+    bits, weights = 2 * FINE, []      # e^-S is small, so more bits are needed
     if S < EDGE:
         term, z = whole(mpmath.exp(-S), bits), whole(S, bits)
         while len(weights) <= S or term >> FINE:
@@ -78,8 +78,8 @@ def taken_apart(total, count):
 
 
 class Moments:
-    """I(a, S) / Gamma(a) for many a, by the series of (22.20) for S < EDGE, else by that for large S;
-    what multiplies a power of S is joined, that of the n-th a in slot n, n >= 1."""
+    """I(a, S) / Gamma(a) for many a, by the series of (22.20) for S < EDGE, else by the series for large S. The
+    coefficients of each power of S are joined in one integer; those of the n-th a are in slot n, n >= 1."""
 
     def __init__(self, exponents):
         near, far = [[0] * 320], [[0] * 100]
@@ -92,7 +92,7 @@ class Moments:
         self.near, self.far = ([joined(column) for column in zip(*rows)] for rows in (near, far))
 
     def at(self, S):
-        """In units of 2^-(2 FINE)."""
+        """Return the sums for this S, in units of 2^-(2 FINE)."""
         return sum(map(mul, self.near if S < EDGE else self.far, powers_of(S)))
 
 
@@ -101,20 +101,20 @@ SPACING, HIGHEST = mpf(1) / 8, 70
 
 @cache
 def node(l):
-    """sigma, its logarithm, and that one's slope."""
+    """Return sigma, its logarithm, and the derivative of the logarithm by the variable of the sum."""
     tail = mpmath.exp(-SPACING * l)
     return mpmath.exp(SPACING * l - tail), SPACING * l - tail, 1 + tail
 
 
 @cache
 def fallen(S):
-    return whole(mpmath.exp(-S)) if S < FINE else 0       # below e^-FINE there is no unit of 2^-FINE
+    return whole(mpmath.exp(-S)) if S < FINE else 0       # e^-S is below one unit of 2^-FINE
 
 
 def kernels(s, alpha, gap, J, t1, lengths):
-    """For each step after t1, entry by entry of its stages, the integral over sigma of what it
-    reads of modes that are e^{-S}, of those that are I(b, S) / Gamma(b), b = n gap, and, for
-    beta > 0, of those that are -1; of these the first step has -h^{-beta} (A^{-1})^beta 1."""
+    """Return for each step after t1 and each of its stages the integral over sigma of the step's reading of these
+    modes: e^{-S}; I(b, S) / Gamma(b) for b = n gap; and, if beta > 0, -1. To the reading of the modes -1 the first
+    step adds -h^{-beta} (A^{-1})^beta 1."""
     beta = 2 * alpha - 1
     moments, rest = Moments([n * gap for n in range(1, J + 1)]), joined([0] * (J + 1) + [-(beta > 0) << 2 * FINE])
     modes, readings = [], [[[] for _ in range(s)] for _ in lengths]
@@ -140,7 +140,7 @@ def kernels(s, alpha, gap, J, t1, lengths):
 
 @cache
 def tilted(s, alpha, falls, J, t1, lengths):
-    """The same, and their derivatives by alpha: means and differences, 2 10^-16 apart."""
+    """Return the same with the derivatives by alpha, as means and differences of two orders 2 10^-16 apart."""
     with mp.workdps(50):
         e, turn = mpf(10) ** -16, -1 if falls else 1
         above, below = (kernels(s, v, turn * (2 - 2 * v), J, t1, lengths) for v in (alpha + e, alpha - e))

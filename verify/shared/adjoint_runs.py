@@ -1,5 +1,5 @@
-"""Runs of one Duffing oscillator by Algorithm 3 and (13.7), in integers: what the
-derivatives of verify/adjoint/adjoint.py are differences of.
+"""Runs of one Duffing oscillator by Algorithm 3 and (13.7), in integers. verify/adjoint/adjoint.py takes differences
+of these runs.
 
 A number of a run is an integer times 2^-178, so mpmath must be set to 60 digits or more."""
 from operator import mul
@@ -8,8 +8,8 @@ import mpmath
 from mpmath.libmp import MPZ
 
 BITS = 178  # a number of a run is an integer times 2^-BITS
-# The newest numbers, up to a block, are summed one by one; no sum of products is above 2^(2 BITS + 20),
-# and with MIDDLE none is negative or leaves its slot.
+# The newest terms, up to a block, are summed one by one. No sum of products exceeds 2^(2 BITS + 20). With MIDDLE
+# added no sum is negative or leaves its slot.
 BLOCK, SLOT, MIDDLE = 64, 400, 1 << 398
 
 
@@ -30,8 +30,8 @@ def real(a):
 
 
 def weights(method, order, count):
-    """w_n of the order 2 alpha, the coefficients of (1 - z)^order; BDF2: times those of
-    ((3 - z)/2)^order; stable: times (1 + order)/2 + z (1 - order)/2."""
+    """Return w_n of the order 2 alpha, the coefficients of (1 - z)^order. BDF2: multiplied by those of ((3 -
+    z)/2)^order; stable: multiplied by (1 + order)/2 + z (1 - order)/2."""
     w = [1 << BITS]
     for n in range(1, count):
         w.append(times(w[-1], (n - 1 << BITS) - order) // n)
@@ -47,7 +47,7 @@ def weights(method, order, count):
 
 
 def impulses(e, N):
-    """int (1 - s) (k + s)^e ds / Gamma(1 + e) and int s (k + s)^e ds / Gamma(1 + e)."""
+    """Return int (1 - s) (k + s)^e ds / Gamma(1 + e) and int s (k + s)^e ds / Gamma(1 + e) for each step k."""
     if e == -1:
         return [(mpmath.mpf(k == 0), mpmath.mpf(0)) for k in range(N)]
     power = [mpmath.mpf(0)] + [mpmath.mpf(k) ** e for k in range(1, N + 1)]
@@ -60,7 +60,7 @@ def impulses(e, N):
 
 
 def start_impulses_of(q, order, x0, p0, m):
-    """rho A h^(1+e) times the impulses of the past (19.3), at both ends of each step."""
+    """Return rho A h^(1+e) times the impulses of the past (19.3), at both ends of each step."""
     past, N = q["past"], q["N"]
     A = 0 if past == "caputo" or q["side"] == 0 else p0 / m if q["side"] > 0 else (
         x0 if past == "rl" else 0)
@@ -72,8 +72,8 @@ def start_impulses_of(q, order, x0, p0, m):
 
 
 def trajectory(q):
-    """x_0, ..., x_N and p_N of Algorithm 3 or (13.7), one Duffing oscillator. It hands out z_k
-    and is handed sum_{j<=k} w_{k+1-j} z_j, and what dx may change by."""
+    """Generate a run of one Duffing oscillator by Algorithm 3 or (13.7) as a coroutine that returns x_0, ..., x_N and
+    p_N. It yields z_k; send it the sum sum_{j<=k} w_{k+1-j} z_j and a guess of the change of dx."""
     N, printed, past = q["N"], q["method"] == "fvi", q["past"]
     order, one, half = 2 * q["alpha"], 1 << BITS, 1 << BITS - 1
     start_impulses = start_impulses_of(q, order, q["x0"], q["p0"], q["mass"])
@@ -89,9 +89,9 @@ def trajectory(q):
             p += times(h, q["F"][k]) // 2 - times(half - theta, times(c, H)) - start_impulses[k][0]
         total, change = yield z
         ahead, dx = total >> BITS, dx + change
-        ahead += times(w0, x[-1] - origin - (k + 1) * drift)  # H of k + 1 if dx is zero
+        ahead += times(w0, x[-1] - origin - (k + 1) * drift)  # the sum H of k + 1 for dx = 0
         r = p - times(theta, times(c, ahead))
-        while True:  # Newton's method, to the last bit but some
+        while True:  # Newton's method, until only the last few bits are uncertain
             S = x[-1] + times(one - kappa, dx)
             SS = times(S, S)
             step = over(times(inertia, dx) + times(share, times(k1 + times(g3, SS), S)) - r,
@@ -114,14 +114,15 @@ def middles(count):
 
 
 def packed(numbers):
-    """sum_n a_n 2^(SLOT n)."""
+    """Return sum_n a_n 2^(SLOT n)."""
     slots = b"".join((v + MIDDLE).to_bytes(SLOT // 8, "little") for v in numbers)
     return MPZ(int.from_bytes(slots, "little") - middles(len(numbers)))
 
 
 def spread(w, z, sums):
-    """The b newest z, b the largest power of 2 that divides their number k, go into the sums of the
-    next b, sums[k] and so on: one product of integers, whose slots are a product of polynomials."""
+    """Add the contributions of the b newest z to the next b sums, sums[k] and so on, where b is the largest power of
+    2 that divides their number k. One product of integers does it: its slots are the coefficients of a product of
+    polynomials."""
     k, size = len(z), SLOT // 8
     b = k & -k
     product = packed(z[-b:]) * packed(w[:2 * b + 1]) + middles(3 * b)
@@ -132,8 +133,8 @@ def spread(w, z, sums):
 
 
 def in_step(qs):
-    """Their trajectories, step by step together: what dx of the first changes by, that of the others
-    does nearly, too."""
+    """Return the trajectories of all runs, which proceed step by step together. The change of dx in the first run is
+    the guess for the other runs."""
     runs, ends, w, N = [trajectory(q) for q in qs], [], {}, qs[0]["N"]
     orders = [fixed(2 * q["alpha"]) for q in qs]
     for order in orders:

@@ -1,8 +1,8 @@
 """Chains of five masses, adjoint_chain.py, on a given mesh.
 
-The memory is the power of one matrix, (22.1), by Parlett's recurrence, variable_steps_power.py,
-and its derivative by the order: mean and difference of two such powers, 2 10^-18 apart, in 80 digits;
-rows are within the steps, (22.18), and a force is changed along lines between the rows."""
+The memory is the power of one matrix, (22.1), by Parlett's recurrence, variable_steps_power.py. Value and derivative
+by the order are the mean and the difference of two such powers, 2 10^-18 apart, in 80 digits. Rows lie within the
+steps, (22.18), and a change of the force is linear between the rows."""
 from functools import cache
 
 import mpmath
@@ -13,13 +13,13 @@ from shared.arithmetic import BITS, ONE, ZERO, Dual, dual, fixed, line
 from shared.refgen import nearest
 from shared.variable_steps_power import whole_dense
 
-# What a difference leaves is 10^-36, times a third power of logarithms: with 100 and 30 here no derivative
+# The differences have an error of 10^-36, times a third power of logarithms. With 100 and 30 here no derivative
 # changed by more than 7 10^-34 of itself.
 DIGITS, APART = 50, 18
 
 
 class Mesh(Chain):
-    """A run over steps of given lengths, h; rows at every `row`."""
+    """A run over steps of the given lengths h, with a row at every multiple of `row`."""
 
     def __init__(self, s, damped, past, alpha, q, h, row, impulses):
         self.lengths, self.steps, self.row, self.known = h, len(h), mpf(row), {}
@@ -45,7 +45,7 @@ class Mesh(Chain):
         return given + q["F"][n * D5 + j] * left + q["F"][(n + 1) * D5 + j] * right
 
     def cost(self, q, k, before, V, x):
-        """The rows in the step, by (22.18)."""
+        """Return the contribution to J of the rows in the step, by (22.18)."""
         total = ZERO
         for n in range(1, int(self.ends[-1] / self.row) + 1):
             theta = (n * self.row - self.ends[k]) / self.step
@@ -58,16 +58,16 @@ class Mesh(Chain):
         return total
 
     def besides(self, n):
-        """What x has besides in row n, which is of this step."""
+        """Return the part of x in row n of this step that does not come from the stages."""
         return [ZERO] * D5
 
 
 @cache
 def shape(s, theta, step):
-    """h^2 int_0^theta (theta - u) x''(u) du by V - v = h A x'', (22.18)."""
+    """Return h^2 int_0^theta (theta - u) x''(u) du as a row that acts on V - v = h A x'', (22.18)."""
     nodes, inverse, q = numbers(s)[0], numbers(s)[3], []
     for j in range(s):
-        l = [mpf(1)]                    # by powers of u
+        l = [mpf(1)]                    # coefficients of the powers of u
         for i in range(s):
             if i != j:
                 f = nodes[j] - nodes[i]
@@ -79,11 +79,11 @@ def shape(s, theta, step):
 
 @cache
 def powers(s, steps, beta):
-    """DD^beta, and its derivative by beta."""
+    """Return DD^beta, and its derivative by beta."""
     with mp.workdps(DIGITS):
         e = mpf(10) ** -APART
         (above, bits), (below, _) = (whole_dense(s, steps, beta + v, DIGITS) for v in (e, -e))
-    half = bits - BITS + 1      # and mean and rate are halves of what follows
+    half = bits - BITS + 1      # mean and rate are halves of the following sums
     mean = lambda a, b: a + b >> half
     rate = lambda a, b: (a - b) * 10**APART >> half
     return [[{o: [list(map(f, *rows)) for rows in zip(up[o], down[o])] for o in up} for up, down in zip(above, below)]
@@ -92,7 +92,7 @@ def powers(s, steps, beta):
 
 @cache
 def blocks(s, steps, beta, turn):
-    """DD^beta, tilted by turn."""
+    """Return DD^beta as dual numbers, with the derivative by beta times turn as slope."""
     return [{o: [[Dual(w, turn * r) for w, r in zip(*rows)] for rows in zip(W[o], rate[o])] for o in W}
             for W, rate in zip(*powers(s, steps, beta))]
 

@@ -1,7 +1,7 @@
 """Arithmetic that several proofs share: functions of matrices, and dual numbers.
 
-mpmath is slow on matrices, so sums of products are taken in integers: a number is an
-integer times 2^-bits, where bits are well above what is asked for."""
+mpmath is slow on matrices, so sums of products are taken in integers: a number is an integer times 2^-bits, with more
+bits than the requested precision."""
 from functools import reduce
 from math import prod
 from operator import mul, or_
@@ -24,7 +24,7 @@ def units(z, bits):
 
 
 def rough_roots(p):
-    """Zeros of a polynomial, all at once by the method of Durand and Kerner, in doubles."""
+    """Return the zeros of a polynomial in doubles, all at once by the method of Durand and Kerner."""
     value = lambda z: reduce(lambda total, c: total * z + c, p)
     roots = [(0.4 + 0.9j)**k * max(map(abs, p))**(1 / len(p)) for k in range(len(p) - 1)]
     for _ in range(500):
@@ -38,9 +38,9 @@ def rough_roots(p):
 
 
 def spectrum(M):
-    """Of a matrix of mpmath's whose eigenvalues l are different: the l; for each the
-    polynomial chi(x)/((x - l) chi'(l)), which is 1 there and 0 at the others; and the
-    powers 1, M, ..., M^(s-1), entry by entry, real parts before imaginary ones."""
+    """Return the spectrum of a matrix of mpmath with different eigenvalues l: the l; for each l the polynomial
+    chi(x)/((x - l) chi'(l)), which is 1 there and 0 at the others; the powers 1, M, ..., M^(s-1), entry by entry,
+    real parts before imaginary ones; and the bits."""
     s, bits = M.rows, mp.prec + 64
     columns = [[re for re, _ in column] + [im for _, im in column]
                for column in ([units(M[i, j], bits) for i in range(s)] for j in range(s))]
@@ -59,7 +59,7 @@ def spectrum(M):
         chi.append(-sum(chi[k - i] * traces[i - 1] for i in range(1, k + 1)) / k)
     roots = rough_roots([complex(c) for c in chi])
     steps, small = [1], mpmath.mpf(10)**(20 - mp.dps)
-    for _ in range(5):                          # Newton's method doubles the digits
+    for _ in range(5):                          # each step of Newton's method doubles the digits
         if max(map(abs, steps)) < small:
             break
         steps = [mpmath.fdiv(*mpmath.polyval(chi, root, derivative=True)) for root in roots]
@@ -79,7 +79,7 @@ def spectrum(M):
 
 
 def function_of(parts, f):
-    """f(M), row by row, in units of 2^-(2 bits); parts are spectrum(M)."""
+    """Return f(M), row by row, in units of 2^-(2 bits); parts are spectrum(M)."""
     roots, basis, entries, bits = parts
     values = [f(root) for root in roots]
     re, im = zip(*(units(mpmath.fdot(values, c), bits) for c in zip(*basis)))
@@ -88,15 +88,15 @@ def function_of(parts, f):
 
 
 def circle(symbol, radius, count):
-    """Points z of half a circle of count points, their shares in a mean over the whole if
-    conjugates stand for the others, and the spectrum of symbol(z)."""
+    """Return for half a circle of count points: the points z, their weights in a mean over the whole circle if
+    conjugates represent the other half, and the spectra of symbol(z)."""
     points = [mpmath.expjpi(mpmath.mpf(2 * j) / count) * radius for j in range(count // 2 + 1)]
     return [(z, mpmath.mpf(1 if z.imag == 0 else 2) / count, spectrum(symbol(z))) for z in points]
 
 
 def coefficients(points, f, orders):
-    """{n: the coefficient of z^n in f(symbol(z))}, by Cauchy's integral over a circle: what
-    comes round again, radius^count times coefficients of later powers, is its error."""
+    """Return {n: the coefficient of z^n in f(symbol(z))}, by Cauchy's integral over a circle. The error is aliasing:
+    radius^count times coefficients of later powers."""
     found = [function_of(parts, f) for _, _, parts in points]
     bits = points[0][2][3]
     entries = [[v[part] for part in (0, 1) for v in entry] for entry in zip(*found)]
@@ -110,17 +110,16 @@ def coefficients(points, f, orders):
 
 
 def real_function(M, f):
-    """The real part of f(M)."""
+    """Return the real part of f(M)."""
     return coefficients([(mpmath.mpf(1), mpmath.mpf(1), spectrum(M))], f, [0])[0]
 
 
 # -- dual numbers -----------------------------------------------------------------------
-# 45 digits, of which 30 are printed: with 240 bits in the place of 150 no derivative of H 23
-# changed by more than 4 10^-38 of itself.
+# 45 digits, of which 30 are printed. With 240 bits instead of 150 no derivative of H 23 changed by more than 4 10^-38
+# of itself.
 BITS, TINY = 150, mpmath.mpf(10) ** -45
-# Slopes by up to 28 numbers stand side by side in one whole number, with ROOM bits for each:
-# one run gives them all, and a product by a value is one product. Such long ones are mpmath's, which
-# are gmpy2's if it is there.
+# Slopes by up to 28 numbers stand side by side in one integer, with ROOM bits for each. So one run gives them all,
+# and a product with a value is one product. mpmath provides these long integers; they are gmpy2's if it is installed.
 ROOM = 420
 UNITS = [MPZ(1) << ROOM * i for i in range(28)]
 MIDDLE = sum(unit << ROOM - 1 for unit in UNITS)
@@ -128,18 +127,19 @@ KEPT, LOWER = sum(unit * ((1 << ROOM - BITS) - 1) for unit in UNITS), MIDDLE >> 
 
 
 def down(d):
-    """Each slope over 2^BITS, rounded down: what falls out of one is not its neighbour's."""
+    """Return each slope divided by 2^BITS, rounded down. The mask KEPT keeps the lost bits of one slope out of its
+    neighbour."""
     return (d + MIDDLE >> BITS & KEPT) - LOWER if d else 0
 
 
 def apart(d, count):
-    """The first slopes, each as a number."""
+    """Return the first `count` slopes, each as a number."""
     return [mpmath.ldexp((d + MIDDLE >> ROOM * i) % UNITS[1] - (1 << ROOM - 1), -BITS) for i in range(count)]
 
 
 class Dual:
-    """v + d eps, eps^2 = 0, both in units of 2^-BITS: d holds the derivatives, with no error
-    of a difference."""
+    """v + d eps with eps^2 = 0, both in units of 2^-BITS. d holds the derivatives, without the error of a difference.
+    """
     __slots__ = "v", "d"
 
     def __init__(self, v, d=0):
@@ -164,13 +164,13 @@ def fixed(v):
 
 
 def dual(v, unit=1):
-    """Of a number with an imaginary part TINY times the slope; (TINY)^2 is nothing."""
+    """Return the dual number of a complex number whose imaginary part is TINY times the slope. TINY^2 is negligible."""
     return Dual(fixed(mpmath.re(v)), unit * fixed(mpmath.im(v) / TINY))
 
 
 def slopes(run, q, wanted):
-    """The derivatives of run(q, turn) by each wanted (name, i), q[name][i], or alpha, which is
-    tilted by turn; at most 28."""
+    """Return the derivatives of run(q, turn) by each wanted (name, i), that is by q[name][i], or by alpha, whose
+    slope is turn; at most 28."""
     q, turn = {name: list(v) for name, v in q.items()}, 0
     for unit, (name, i) in zip(UNITS, wanted):
         if name == "alpha":
@@ -184,29 +184,29 @@ ZERO, ONE, HALF = Dual(0), Dual(1 << BITS), Dual(1 << BITS - 1)
 
 
 def dot(a, b):
-    """The sum of the products of two lists of dual numbers."""
+    """Return the sum of the products of two lists of dual numbers."""
     av, bv, ad = [x.v for x in a], [x.v for x in b], [x.d for x in a]
     slopes, some = sum(map(mul, av, [x.d for x in b])), reduce(or_, ad, 0)
-    if some:          # a row of weights has one slope, and zeros below it, which need no product
+    if some:          # all slopes in a row of weights are in one slot; the zeros below it need no product
         below = (some & -some).bit_length() - 1
         slopes += sum(map(mul, [d >> below for d in ad], bv)) << below
     return Dual(sum(map(mul, av, bv)) >> BITS, down(slopes))
 
 
 def line(row, b):
-    """The same, of a row of whole numbers."""
+    """Return the sum of the products of a row of whole numbers and a list of dual numbers."""
     return Dual(sum(map(mul, row, [x.v for x in b])) >> BITS, down(sum(map(mul, row, [x.d for x in b]))))
 
 
 def factorised(M, bits=BITS):
-    """L below, U above the diagonal, by the largest pivots, the order of the rows, and 1 over U's
-    diagonal."""
+    """Return the LU factorisation of M with pivots (L below the diagonal, U from the diagonal on), the order of the
+    rows, and 1 over U's diagonal."""
     order = list(range(len(M)))
     for k in order[:]:
         best = max(range(k, len(M)), key=lambda i: abs(M[i][k]))
         M[k], M[best], order[k], order[best] = M[best], M[k], order[best], order[k]
         behind = M[k][k + 1:]
-        while behind and not behind[-1]:        # bodies far from each other do not pull each other
+        while behind and not behind[-1]:        # skip the zeros of bodies that are not coupled
             behind.pop()
         for row in M[k + 1:]:
             row[k] = f = (row[k] << bits) // M[k][k]
@@ -216,7 +216,7 @@ def factorised(M, bits=BITS):
 
 
 def substituted(lu, right, down):
-    """x of M x = right, in whole numbers; down takes a product to the units of its factors."""
+    """Return x of M x = right, in whole numbers. down takes a product to the units of its factors."""
     M, order, over = lu
     y, x = [], []
     for row, at in zip(M, order):
@@ -227,6 +227,6 @@ def substituted(lu, right, down):
 
 
 def solved(lu, right):
-    """x of M x = right, of dual numbers, where M has no slopes; lu = factorised(M)."""
+    """Return x of M x = right for dual numbers on the right and an M without slopes; lu = factorised(M)."""
     return list(map(Dual, substituted(lu, [r.v for r in right], lambda v: v >> BITS),
                     substituted(lu, [r.d for r in right], down)))

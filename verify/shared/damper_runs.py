@@ -1,7 +1,7 @@
-"""Runs with several dampers as they stand, in complex numbers of 100 digits.
+"""Runs with several dampers as the chapter prints them, in complex numbers of 100 digits.
 
-A derivative by any number is the imaginary part of a run in which this number has the imaginary part
-TINY. So nothing is subtracted, and nothing here knows what an adjoint is. Nothing is proved here."""
+The derivative by a number is the imaginary part of a run in which this number has the imaginary part TINY. So nothing
+is subtracted, and no adjoint run occurs. This file proves nothing."""
 from functools import cache
 
 import mpmath
@@ -10,7 +10,7 @@ from mpmath import mp, mpc, mpf
 mp.dps = 100
 TINY = mpf(10) ** -45
 
-# The symbols of a term for a factor of 1; s, and all numbers, may be complex.
+# The symbols of a term with factor 1. s and all numbers may be complex.
 SYMBOLS = {
     "POWER": lambda s, a, T, e: s ** (2 * a),
     "ZENER": lambda s, a, T, e: s ** (2 * a) / (1 + T * s ** (2 * a)),
@@ -19,13 +19,13 @@ SYMBOLS = {
     "MAXWELL2": lambda s, a, T, e: s ** (2 * a) / (1 + T * s ** (2 * (a - e))),
     "DAVIDSON": lambda s, a, T, e: (s / (1 + T * s)) ** (2 * a),
 }
-# Which have an order, a time and an end.
+# Whether a term of this kind has an order, a time and an end.
 HAS = {"POWER": (1, 0, 0), "ZENER": (1, 1, 0), "MAXWELL": (0, 1, 0), "DISTRIBUTED": (1, 0, 1),
        "MAXWELL2": (1, 1, 1), "DAVIDSON": (1, 1, 0)}
 
 
 def growth(kind, factor, a, T, e):
-    """The order of a term for large s; a fraction ends at 0."""
+    """Return the order with which a term grows for large s. It is 0 for a fraction with a relaxation time."""
     return {"POWER": 2 * a, "DISTRIBUTED": 2 * e, "MAXWELL2": 2 * e}.get(kind, 0)
 
 
@@ -35,7 +35,8 @@ def growth_of(terms):
 
 @cache
 def circle(N):
-    """Points and their powers for coefficients up to z^N: what comes round again is 10^-64 of them."""
+    """Return points and their powers for coefficients up to z^N. Aliasing leaves an error of 10^-64 of the
+    coefficients."""
     M, r = 32, mpf(1) / 100
     points = [r * mpmath.expjpi(mpf(2 * j) / M) for j in range(M)]
     return points, [[z ** -n / M for z in points] for n in range(N + 1)]
@@ -57,8 +58,8 @@ def is_power(terms):
 
 @cache
 def weights(method, terms, h, N):
-    """V_n of C(delta(z)/h): Euler's delta of fvi and fvi-shifted, BDF2's of the others; by fvi-stable the mean
-    of two, but of one power the factor (13.16)."""
+    """Return V_n of C(delta(z)/h), with Euler's delta for fvi and fvi-shifted and BDF2's for the others. fvi-stable
+    takes the mean of two weights, but for a single power the factor (13.16)."""
     a = terms[0][2]
     euler = lambda z: (1 - z) / h
     bdf2 = lambda z: (1 - z) * (3 - z) / 2 / h
@@ -72,12 +73,12 @@ def weights(method, terms, h, N):
 
 @cache
 def parabola(h, N):
-    """Laplace's inverse for t = h, ..., N h, poles up to 100 inside: its points s, and for each impulse of
-    (26.20) the weights of the symbol at these points. A weight has no number of a law in it."""
+    """Return Laplace's inverse for t = h, ..., N h, with poles up to 100 inside: its points s, and for each impulse
+    of (26.20) the weights of the symbol at these points. The weights do not depend on the numbers of a law."""
     mu, spacing = 30 / (N * h), mpf("0.042")
     points, weights = [], [[] for _ in range(2 * N)]
     for u in [1 + 1j * spacing * (j + mpf(0.5)) for j in range(-205, 205)]:
-        s, ds = mu * u * u, mu / mpmath.pi * spacing * u  # ds by 2 pi i
+        s, ds = mu * u * u, mu / mpmath.pi * spacing * u  # ds divided by 2 pi i
         z = s * h
         f = mpmath.exp(z)
         power = h * ds / (s * s) * f / (z * z)
@@ -92,8 +93,8 @@ def parabola(h, N):
 
 
 def impulses(terms, h, N):
-    """(26.20): h int (1 - u) q((k + u) h) du and h int u q du of all steps, q the inverse of C/s^2;
-    of step 0 as integrals of q, by the inverses of C/s^3 and C/s^4."""
+    """Return the impulses (26.20), h int (1 - u) q((k + u) h) du and h int u q du of all steps, where q is the
+    inverse transform of C/s^2. For step 0 they are integrals of q, from the inverse transforms of C/s^3 and C/s^4."""
     points, weights = parabola(h, N)
     C = symbol_of(terms)
     values = [C(s) for s in points]
@@ -102,8 +103,8 @@ def impulses(terms, h, N):
 
 
 def impulses_of_power(terms, h, N, e):
-    """(19.5): h^(1 + e) rho times the integrals of (1 - s) and s times (k + s)^e / Gamma(1 + e)."""
-    e = e if e != -1 else e + mpf(10) ** -70  # an order of 2: the limit
+    """Return (19.5): h^(1 + e) rho times the integrals of (1 - s) and s times (k + s)^e / Gamma(1 + e)."""
+    e = e if e != -1 else e + mpf(10) ** -70  # the limit for the order 2
     power, out = [mpf(0)] + [mpf(k) ** e for k in range(1, N + 1)], []
     for k in range(N):
         whole = ((k + 1) * power[k + 1] - k * power[k]) / (1 + e)
@@ -115,7 +116,7 @@ def impulses_of_power(terms, h, N, e):
 
 @cache
 def start_impulses(past, terms, h, N):
-    """The impulses of a past for an amplitude of 1; None: it does not act."""
+    """Return the impulses of a past for the amplitude 1; None if it has none."""
     g = growth_of(terms)
     if past == "held" and g > 1:
         return impulses_of_power(terms, h, N, 1 - 2 * terms[0][2]) if is_power(terms) else impulses(terms, h, N)
@@ -125,13 +126,13 @@ def start_impulses(past, terms, h, N):
 
 
 def tilted(terms, j, l, i):
-    """The kernels of all dampers, number i of term l of damper j with the imaginary part TINY."""
+    """Return the kernels of all dampers, where number i of term l of damper j has the imaginary part TINY."""
     return [tuple((kind, *(v + mpc(0, TINY) if (a, b, c) == (j, l, i) else v for c, v in enumerate(numbers)))
                   for b, (kind, *numbers) in enumerate(kernel)) for a, kernel in enumerate(terms)]
 
 
 def numbers_of(terms):
-    """Where a damper has which numbers: (damper, term, number)."""
+    """Return the positions of all numbers of the laws: (damper, term, number)."""
     return [(j, l, i) for j, kernel in enumerate(terms) for l, (kind, *_) in enumerate(kernel)
             for i in range(4) if i == 0 or HAS[kind][i - 1]]
 
@@ -145,7 +146,7 @@ def product(A, x):
 
 
 def solve(A, right):
-    """x of A x = right; the matrix of a step needs no pivots."""
+    """Return x of A x = right. The matrix of a step needs no pivots."""
     d = len(right)
     rows = [[*row, r] for row, r in zip(A, right)]
     for k in range(d):

@@ -1,5 +1,5 @@
-"""Two routes to x and x' of m x'' + c x + rho D^(2 alpha) x = F: Talbot's rule, where
-nothing is split, and the residues with the integral along the cut."""
+"""Two ways to compute x and x' of m x'' + c x + rho D^(2 alpha) x = F: Talbot's rule, which does not split the
+solution, and the residues with the integral along the cut."""
 import copy
 import math
 from functools import cache
@@ -12,7 +12,7 @@ HELD, CAPUTO, RL = 0, 1, 2  # as in src/fvi/past.h
 
 
 class Problem:
-    """One row. Every number is a double, taken as exact."""
+    """One problem. Every number is a double, taken as exact."""
 
     def __init__(self, m=1, c=1, rho=1, alpha=0.25, past=RL, x0=0, v0=0, forcing=0,
                  A=0, T=0, w=0):
@@ -25,7 +25,7 @@ class Problem:
         self.k1 = 1 if past == CAPUTO and alpha > 0.5 else 0
 
     def in_doubles(self):
-        """The same for Python's own numbers."""
+        """Return the same problem in Python's own numbers."""
         p = copy.copy(self)
         p.__dict__ = {name: float(v) if isinstance(v, mpf) else v for name, v in vars(p).items()}
         return p
@@ -46,14 +46,14 @@ class Problem:
         return total
 
     def X(self, z, power=None):
-        """The transform (11.2); of a step the beginning only."""
+        """Return the transform (11.2); for a step force, of its beginning only."""
         return self.numerator(z, power) / self.Q(z, power)
 
 
 #> talbot
 @cache
 def contour(count, digits):
-    """The points z time 5 / (2 count) of Talbot's contour, and their weights."""
+    """Return the points z time 5 / (2 count) of Talbot's contour, and their weights."""
     points = []
     for k in range(count):
         angle = k * mp.pi / count
@@ -66,21 +66,20 @@ def contour(count, digits):
 
 @cache
 def points_of(count, digits, beta, number):
-    """The points, their powers, the weights; each a number of that kind."""
+    """Return the points, their powers, the weights, each converted by `number`."""
     return [(number(zeta), number(zeta**beta), number(weight)) for zeta, weight in contour(count, digits)]
 
 
 def talbot(transform, x0, time, points, beta):
-    """x and x' from X by Talbot's contour with the parameters of Abate and Valko:
-    about 0.6 count digits, if no pole lies far up the imaginary axis in units of
-    count / time."""
+    """Return x and x' from X by Talbot's contour with the parameters of Abate and Valko. They have about 0.6 count
+    digits, if no pole lies far up the imaginary axis in units of count / time."""
     count = len(points)
     radius = 2 * count / (5 * time)
     x = v = 0
     scale = radius**beta
     for zeta, power, weight in points:
         z = radius * zeta
-        value = transform(z, scale * power)             # z^beta is given
+        value = transform(z, scale * power)             # z^beta is known
         x += (weight * value).real
         v += (weight * (z * value - x0)).real
     return x * radius / count, v * radius / count
@@ -88,7 +87,7 @@ def talbot(transform, x0, time, points, beta):
 
 
 def by_talbot(p, time, digits, number=mpc):
-    """x and x' to that many digits."""
+    """Return x and x' to this number of digits."""
     count = int(digits / 0.55) + 12
     mp.dps = digits + count // 4 + 15
     points = points_of(count, mp.dps, p.beta, number)
@@ -100,7 +99,7 @@ def by_talbot(p, time, digits, number=mpc):
 
 
 def pole(p, digits):
-    """The zero of Q by the secant method, from a rough one."""
+    """Return the zero of Q, by the secant method from a rough approximation."""
     mp.dps = digits
     if p.rho == 0 or p.beta in (0, 2):
         return 1j * mpmath.sqrt((p.c + (p.rho if p.beta == 0 else 0))
@@ -125,8 +124,7 @@ def angle_equation(p, e):
 
 #> cut
 def by_cut(p, time, digits):
-    """x and x' as residues plus the integral along the cut, the latter by the
-    trapezoidal rule in ln r."""
+    """Return x and x' as residues plus the integral along the cut, by the trapezoidal rule in ln r."""
     z = pole(p, digits + 30)
     rest = p.beta * p.rho * z ** (p.beta - 1) + 2 * p.m * z  # Q'(z)
     terms = [(z, p.numerator(z) / rest)]
@@ -149,7 +147,7 @@ def by_cut(p, time, digits):
 
 
 def size(p, time, x, v):
-    """Largest |x| and |x'| up to then (or up to 20 units of time), of nine."""
+    """Return the largest |x| and |x'| of nine times up to this time (or up to 20 units of time)."""
     xs, vs = [abs(p.x0), abs(x)], [abs(p.v0), abs(v)]
     p = p.in_doubles()
     for k in range(1, 9):

@@ -1,7 +1,6 @@
-"""Runs of (9.2) as it is printed, and of (9.4) with what rounding may do to it.
+"""Runs of (9.2) as the chapter prints it, and of (9.4) with bounds of its rounding errors.
 
-A run is in exact rationals, or in as many digits as mpmath has where a step is a
-quadratic equation."""
+A run is in exact rationals, or in mpmath numbers of many digits where a step is a quadratic equation."""
 from fractions import Fraction as Q
 
 import mpmath
@@ -10,7 +9,7 @@ from shared.refgen import claim
 
 
 def weight(order, n):
-    """(-1)^n binom(order, n) from the product; any type of number."""
+    """Return (-1)^n binom(order, n) from the product, for any type of number."""
     w = order * 0 + 1
     for j in range(1, n + 1):
         w = w * (j - 1 - order) / j
@@ -18,26 +17,26 @@ def weight(order, n):
 
 
 class Exactly:
-    """Numbers as Python's fractions."""
+    """Numbers as fractions of Python."""
     number = staticmethod(Q)
     power = staticmethod(lambda base, e: rational_power(Q(base), Q(e)))
 
 
 class Digits:
-    """Numbers with many digits."""
+    """Numbers as mpmath numbers with many digits."""
     number = staticmethod(lambda q: mpmath.mpf(Q(q).numerator) / Q(q).denominator)
     power = staticmethod(lambda base, e: Digits.number(base) ** Digits.number(e))
 
 
 def rational_power(base, e):
-    """base^e where it is rational; base must be a power of two."""
+    """Return base^e if it is rational; base must be a power of two."""
     n = (base.numerator.bit_length() - 1) - (base.denominator.bit_length() - 1)
     claim(f"{base}^{e} is rational", base == Q(2) ** n and (n * e).denominator == 1)
     return Q(2) ** int(n * e)
 
 
 class Case:
-    """A run: its data are doubles, that is to say rationals."""
+    """A run. Its data are doubles, so they are rational numbers."""
     def __init__(self, name, alpha, kappa, h, steps, x0, p0, potential="HARMONIC", c=1, g=0,
                  mass=(1,), rho=(Q(1, 2),), caputo=0, ramp=(), exact=True):
         self.name, self.steps, self.potential, self.caputo = name, steps, potential, caputo
@@ -49,7 +48,7 @@ class Case:
         self.exact = exact
 
     def springs(self, z, one):
-        """grad U; one makes a number of the kind of z."""
+        """Return grad U(z); `one` converts a number to the kind of z."""
         c, g = one(self.c), one(self.g)
         if self.potential == "CUBIC":       # U = c z^2 / 2 + g z^3 / 3
             return [(c + g * v) * v for v in z]
@@ -61,7 +60,7 @@ class Case:
         return [r[i] - r[i + 1] for i in range(self.d)]
 
     def stiffness(self):
-        """The constant Hessian of a quadratic U."""
+        """Return the constant Hessian of a quadratic U."""
         if self.potential != "CHAIN":
             return [[self.c * (i == j) for j in range(self.d)] for i in range(self.d)]
         return [[self.c * (2 * (i == j) - (abs(i - j) == 1)) for j in range(self.d)]
@@ -71,7 +70,7 @@ class Case:
         return [f * k * self.h for f in self.ramp]      # F(t) = ramp t
 
     def damped(self, k, i):
-        """What Caputo takes away from x_k before it is differentiated."""
+        """Return the path that Caputo's derivative subtracts from x_k."""
         if not self.caputo:
             return Q(0)
         drift = k * self.h * self.p0[i] / self.mass[i] if 2 * self.alpha > 1 else 0
@@ -79,7 +78,7 @@ class Case:
 
 
 def solve(case, A, K, rhs, x, kind):
-    """d from A d + s grad U(x + theta d) = rhs: exactly, or by many Newton steps."""
+    """Return d with A d + s grad U(x + theta d) = rhs: exactly, or by many Newton steps."""
     number, dim = kind.number, case.d
     s, theta = K * case.h, 1 - K
     at = lambda d: case.springs([x[i] + number(theta) * d[i] for i in range(dim)], number)
@@ -103,7 +102,7 @@ def solve(case, A, K, rhs, x, kind):
 
 #> definition
 def by_definition(case, kind):
-    """(9.2) as printed: positions only, the double sum, x_1 from p_0 = -D1 L_d."""
+    """Return positions by (9.2) as printed: with the double sum, and x_1 from p_0 = -D1 L_d."""
     number, dim, K, step = kind.number, range(case.d), case.kappa, case.h
     A = [mass / step for mass in case.mass]
     w = [number(weight(case.alpha, n)) for n in range(case.steps + 1)]
@@ -124,8 +123,8 @@ def by_definition(case, kind):
 
 
 class Rounded:
-    """A number and a bound, in units of u = 2^-53, of the error that a double
-    which stands for it has after the operations so far (first order in u)."""
+    """A number, and a bound of the error of the double that stands for it after the operations so far. The bound is
+    in units of u = 2^-53 and of first order in u."""
     def __init__(self, value, error=0.0):
         self.v, self.e = value, error
 
@@ -149,7 +148,7 @@ class Rounded:
 
 
 def rounded_solve(case, A, x, r, kind):
-    """newton.c: the increment and the gradient at the midpoint."""
+    """Return the increment and the gradient at the midpoint, with the error bounds of newton.c."""
     exact = lambda q: Rounded(kind.number(q))
     K, dim = case.kappa, range(case.d)
     s, theta = exact(K) * exact(case.h), exact(1) - exact(K)
@@ -160,13 +159,13 @@ def rounded_solve(case, A, x, r, kind):
               if K not in (0, 1) else exact(0)) for j in dim] for i in dim]
         if case.d == 1:
             d = [r[0] / J[0][0]]
-        else:   # LU; one rounding more for a multiplication by a reciprocal
+        else:   # LU: one more rounding, because the code multiplies by a reciprocal
             one = exact(1)
             low = J[1][0] * (one / J[0][0])
             last = (r[1] - low * r[0]) * (one / (J[1][1] - low * J[0][1]))
             d = [(r[0] - J[0][1] * last) * (one / J[0][0]), last]
         return d, at(d)
-    # Newton stops when the residual is rounding: its error over the Jacobian.
+    # Newton stops when the residual is a rounding error, so the error is this residual over the Jacobian.
     value = solve(case, [case.mass[0] / case.h], K, [r[0].v], [x[0].v], kind)[0]
     d = Rounded(value)
     residual = r[0] - A[0] * d - s * at([d])[0]
@@ -177,7 +176,7 @@ def rounded_solve(case, A, x, r, kind):
 
 
 def by_momentum(case, kind):
-    """fvi.c: (9.4), with the memory on increments where 2 alpha >= 1 (memory.c)."""
+    """Repeat the operations of fvi.c: (9.4), with the memory on increments where 2 alpha >= 1 (memory.c)."""
     number, dim, order = kind.number, range(case.d), 2 * case.alpha
     exact = lambda q: Rounded(number(q))
     step = exact(case.h)
@@ -197,7 +196,7 @@ def by_momentum(case, kind):
             f = exact(case.force(k + 1)[i])
             p = P[k][i] + step * (f - grad[i])
             terms[i].append(d[i] - drift[i] if order >= 1 else X[k + 1][i] - origin[i])
-            # A dot product in any order: n roundings and 2 u of the weight, each term.
+            # A dot product in any order has n roundings, and each term has 2 u from its weight.
             pairs = list(zip(w, reversed(terms[i])))
             size = sum(abs(float(q * t.v)) for q, t in pairs)
             H = Rounded(sum(q * t.v for q, t in pairs),

@@ -1,6 +1,7 @@
 """H 23. Chains of five masses by the methods without stages, in dual numbers of 45 digits.
 
-Algorithm 3 and (13.7) as they stand: each number has a slope of 1 by itself, and what comes out has slopes, the derivatives."""
+The runs follow Algorithm 3 and (13.7) as the chapters print them. Each input has slope 1 in its own direction, so the
+slopes of the results are the derivatives."""
 import mpmath
 from mpmath import mp, mpc, mpf
 
@@ -14,13 +15,13 @@ N, STEP = 12, mpf(1) / 16
 
 
 def by(v, n):
-    """v / n, n whole"""
+    """Return v / n for a whole n."""
     return v / Dual(n * ONE.v)
 
 
 def weights(method, alpha, turn):
-    """w_n(2 alpha): of (1 - z)^order; BDF2: that times ((3 - z)/2)^order; stable: times
-    (1 + order)/2 + z (1 - order)/2."""
+    """Return w_n(2 alpha), the coefficients of (1 - z)^order. BDF2: multiplied by those of ((3 - z)/2)^order; stable:
+    multiplied by (1 + order)/2 + z (1 - order)/2."""
     order = dual(mpc(2 * alpha, 2 * TINY), turn)
     plain, g = [ONE], [dual(mpf(1.5) ** mpc(2 * alpha, 2 * TINY), turn)]
     for n in range(1, N + 1):
@@ -42,8 +43,8 @@ def total(terms):
 
 
 def impulses(e, turn):
-    """h^(1 + e) times the integrals over a step k of (1 - s) and of s, times
-    (k + s)^e / Gamma(1 + e): (19.5) at both ends. e is tilted by -2 turn."""
+    """Return (19.5) at both ends of each step k: h^(1 + e) times the integrals of (1 - s) and of s times (k + s)^e /
+    Gamma(1 + e). The slope of e is -2 turn."""
     e, out = mpc(e, -2 * TINY), []
     unit = mpmath.rgamma(1 + e) * STEP ** (1 + e)
     power = [mpf(0)] + [mpf(k) ** e for k in range(1, N + 1)]
@@ -55,7 +56,7 @@ def impulses(e, turn):
 
 
 class Nodes:
-    """A run; q holds x0, p0, mass, rho, cg and F."""
+    """A run. q holds x0, p0, mass, rho, cg and F."""
 
     def __init__(self, method, past, alpha, kappa, q):
         self.method, self.past, self.alpha, self.q = method, past, mpf(alpha), q
@@ -66,11 +67,11 @@ class Nodes:
         self.run(q, None)
 
     def of_impulses(self, rows, q, turn):
-        """What J has of the impulses of the dampers, rows 0 to N: nothing."""
+        """Return the contribution to J of the impulses of the dampers in rows 0 to N, here nothing."""
         return ZERO
 
     def solve(self, k, x, right, inertia, h, cg):
-        """inertia dx + kappa h grad U(x + (1 - kappa) dx) = right, and that gradient."""
+        """Return dx of inertia dx + kappa h grad U(x + (1 - kappa) dx) = right, and this gradient."""
         share, rest = self.kappa * h, ONE - self.kappa
         real = len(self.moved) == k
         dx = [ZERO] * D5 if real else list(self.moved[k])
@@ -88,7 +89,7 @@ class Nodes:
             e = [r - a * b - share * g for r, a, b, g in zip(right, inertia, dx, grad)]
             step = solved(lu, e)
             dx = [a + b for a, b in zip(dx, step)]
-            if not real or max(abs(v.v) for v in step) < 1 << BITS - 130:  # once more is exact
+            if not real or max(abs(v.v) for v in step) < 1 << BITS - 130:  # one more step is exact
                 break
         if real:
             self.moved.append(dx)
@@ -96,7 +97,7 @@ class Nodes:
         return dx, spring_forces([a + rest * b for a, b in zip(x, dx)], *cg)[0]
 
     def run(self, q, turn):
-        """J. turn None: the run of values, which is kept; else d alpha."""
+        """Return J. turn None: the run without slopes, which is stored; else the slope of alpha."""
         turn = turn or 0
         h, printed = dual(STEP), self.printed
         w = weights(self.method, self.alpha, turn)
@@ -144,9 +145,9 @@ FORCES = [3, 7 * D5 + 1, N * D5 + 4]
 
 
 def chain(random, method, past, alpha, of=Nodes):
-    """The row of a random chain, and its derivatives by a run of class `of`."""
+    """Return the row of a random chain, and its derivatives by a run of class `of`."""
     uniform = lambda a, b: round(random.uniform(a, b) * 2**20) / 2**20
-    no = past == "rl" and alpha > 0.5 and method != "fvi"  # starts from 0 alone
+    no = past == "rl" and alpha > 0.5 and method != "fvi"  # this past starts from 0 alone
     data = dict(x0=[0.0 if no else uniform(-1, 1) for _ in range(D5)], p0=[uniform(-1, 1) for _ in range(D5)],
                 mass=[uniform(0.5, 2) for _ in range(D5)],
                 rho=[0.0 if i == 2 else uniform(0, 0.4) for i in range(D5)],

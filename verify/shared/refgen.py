@@ -1,8 +1,7 @@
-"""What every proof script shares: exact values to C, and assertions that speak.
+"""Functions that every proof script shares: exact values as C literals, and assertions with a text.
 
-A script verify/ROOM/STEM.py proves the statements of its chapter and prints
-tests/STEM_ref.h on standard output. Inputs are doubles as they are; outputs come
-from the definition and are rounded once, to the nearest double."""
+A script verify/ROOM/STEM.py proves the statements of its chapter and prints tests/ROOM/STEM_ref.h on standard output.
+Inputs are exact doubles. Outputs come from the definition and are rounded once, to the nearest double."""
 import re
 import sys
 from math import ceil
@@ -11,56 +10,56 @@ import mpmath
 from sympy import Rational, expand, numer, simplify, sympify, together
 
 
-# What the library calls the methods of a proof, behind fvi_.
+# The library's names of the methods of a proof, without fvi_.
 METHODS = {"fvi": "fractional", "shifted": "cq2_shifted", "bdf2": "cq_bdf2", "stable": "cq2_midpoint"}
 
 
 def initial_history(past):
-    """What the library calls a past: held, caputo or rl."""
+    """Return the library's name of the past held, caputo or rl."""
     return f"FVI_INITIAL_HISTORY_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}"
 
 
 def vanishes(e):
-    """Whether an expression is 0. What costs least comes first; to simplify is the last resort."""
+    """Return whether an expression is 0. Cheap attempts come first; to simplify is the last resort."""
     return e == 0 or expand(e) == 0 or expand(numer(together(e))) == 0 or simplify(e) == 0
 
 
 def prove(what, *expressions):
-    """Every expression must vanish; `what` is printed if one does not."""
+    """Check that every expression vanishes. If one does not, stop and print `what`."""
     for e in map(sympify, expressions):
         if not vanishes(e):
             sys.exit(f"NOT PROVED: {what}: {e} is not 0")
 
 
 def claim(what, truth):
-    """A statement that is already true or false."""
+    """Check a statement that is already true or false. If it is false, stop and print `what`."""
     if not truth:
         sys.exit(f"NOT TRUE: {what}")
 
 
 def hexd(x):
-    """Exact rational (or double) -> nearest double as a C99 hex literal.
-    Python rounds int / int correctly, ties to even: one rounding in all."""
+    """Return the nearest double of an exact rational (or double) as a C99 hex literal. Python rounds int / int
+    correctly, ties to even, so there is one rounding."""
     x = Rational(x)
     value = int(x.p) / int(x.q)
     return "0" if value == 0 else re.sub(r"\.?0*p", "p", value.hex())
 
 
 def hexd_real(value, digits=60, more=30):
-    """Irrational: value(digits) -> number as text or mpmath number at that many
-    digits. Two precisions must give the same double."""
+    """Return an irrational number as a hex literal. value(digits) returns it as text or as an mpmath number with this
+    number of digits. Two precisions must give the same double."""
     first, second = (hexd(Rational(str(value(n)))) for n in (digits, digits + more))
     claim(f"{first} is the nearest double at both precisions", first == second)
     return first
 
 
 def nearest(v, digits=30):
-    """An mpmath number of which so many digits are known."""
+    """Return the nearest double of an mpmath number of which `digits` digits are known, as a hex literal."""
     return hexd(Rational(mpmath.nstr(v, digits, min_fixed=0, max_fixed=0)))
 
 
 def short(x):
-    """A rational for a comment, or '' when it is too long to read."""
+    """Return a rational for a comment, or '' if it is too long to read."""
     x = Rational(x)
     bits = int(x.p).bit_length() + int(x.q).bit_length()
     return str(x) if bits < 160 else ""
@@ -71,8 +70,8 @@ def header(script):
 
 
 def table(name, fields, rows):
-    """static const struct { fields } name[] = { rows }; a row is a list of C
-    literals, and a comment if there is one more than fields."""
+    """Print static const struct { fields } name[] = { rows }. A row is a list of C literals, with a comment at the
+    end if it has one more entry than fields."""
     print(f"\nstatic const struct {{ {fields} }} {name}[] = {{")
     width = fields.count(";") + fields.count(",")
     for row in rows:
@@ -83,7 +82,7 @@ def table(name, fields, rows):
 
 
 def array(name, values, comment=""):
-    """static const double name[] = { exact values };"""
+    """Print static const double name[] = { exact values }."""
     print(f"\n{'/* ' + comment + ' */' + chr(10) if comment else ''}"
           f"static const double {name}[] = {{")
     for v in values:
@@ -93,8 +92,8 @@ def array(name, values, comment=""):
 
 
 def rows_of(case, want, got, at):
-    """x and p of a run as C literals, and in units of the last place what rounding may do to them:
-    want, exact or not; got, numbers with that in .e; at(), what is wanted in the digits of the time."""
+    """Return x and p of a run as C literals, and the bounds of their rounding errors in units of the last place.
+    want: the values, exact or not; got: numbers with bounds in .e; at(): the wanted values with the current digits."""
     if case.exact:
         text = [[[hexd(v) for v in row] for row in part] for part in want]
     else:

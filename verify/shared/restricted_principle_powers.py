@@ -1,7 +1,7 @@
-"""Sums of powers, {exponent: coefficient}: their derivatives and integrals, with alpha
-symbolic; and for numbers the action (3.3) and its first variation (3.5).
+"""Sums of powers, {exponent: coefficient}: their derivatives and integrals with alpha symbolic; and the action (3.3)
+and its first variation (3.5) in numbers.
 
-Powers are of t, or of 1 - t, where the sum says from which end it is taken."""
+The powers are of t, or of 1 - t if the function takes the sum from the other end."""
 import mpmath
 from sympy import Rational as Q, gamma, symbols
 
@@ -13,24 +13,24 @@ def Beta(p, q):
 
 
 def power(order, exponent):
-    """(1.6): D^order s^exponent = power(order, exponent) s^(exponent - order)."""
+    """Return the factor of (1.6): D^order s^exponent = power(order, exponent) s^(exponent - order)."""
     return gamma(exponent + 1) / gamma(exponent + 1 - order)
 
 
 def integral(left, right):
-    """int_0^1 sum l_p t^p sum r_q (1-t)^q dt for {exponent: coefficient}."""
+    """Return int_0^1 sum l_p t^p sum r_q (1-t)^q dt for {exponent: coefficient}."""
     return sum(l * r * Beta(p + 1, q + 1) for p, l in left.items() for q, r in right.items())
 
 
 def D(z, times=1):
-    """D^alpha of a sum of powers, `times` times, from its own end."""
+    """Return D^alpha of a sum of powers, applied `times` times, from its own end."""
     for _ in range(times):
         z = {p - a: v * power(a, p) for p, v in z.items()}
     return z
 
 
 def plus(*parts):
-    """Sum of (factor, sum of powers)."""
+    """Return the sum of (factor, sum of powers)."""
     out = {}
     for factor, z in parts:
         for p, v in z.items():
@@ -39,7 +39,7 @@ def plus(*parts):
 
 
 def ddt(z, sign=1):
-    """d/dt; sign = -1 for powers of 1 - t."""
+    """Return d/dt; sign = -1 for powers of 1 - t."""
     return {p - 1: sign * v * p for p, v in z.items() if p != 0}
 
 
@@ -51,7 +51,7 @@ def powered(order, exponent):
     return mpmath.gamma(real(exponent) + 1) * mpmath.rgamma(real(exponent) + 1 - real(order))
 
 
-# The action and its variation: products of powers, integrated one by one.
+# The action and its variation: products of powers, which are integrated one by one.
 MASS, DAMPING, SPRING, CUBE = Q(2), Q(3, 4), Q(3, 2), Q(1, 2)  # U = SPRING z^2/2 + CUBE z^4/4
 
 
@@ -66,12 +66,12 @@ def times(*curves):
 
 
 def over(z, T):
-    """int_0^T of a sum of powers."""
+    """Return int_0^T of a sum of powers."""
     return sum(real(v) * real(T) ** real(p + 1) / real(p + 1) for p, v in z.items())
 
 
 def coupled(z, o, alpha, T):
-    """int D_- z D_+ o dt."""
+    """Return int D_- z D_+ o dt."""
     return sum(real(l) * real(r) * powered(alpha, p) * powered(alpha, q)
                * real(T) ** real(p + q + 1 - 2 * alpha)
                * mpmath.beta(real(p + 1 - alpha), real(q + 1 - alpha))

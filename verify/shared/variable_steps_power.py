@@ -1,8 +1,7 @@
-"""The power DD^beta of the matrix of (22.1) for steps of any length, and what it makes of
-given stages.
+"""The power DD^beta of the matrix of (22.1) for steps of any length, and its product with given stages.
 
-The power is taken as of any triangular matrix, by Parlett's recurrence in the eigenvectors
-of A^(-1); nothing here knows modes, lattices or quadratures."""
+The power is taken as for any triangular matrix, by Parlett's recurrence in the eigenvectors of A^(-1). No modes,
+lattices or quadratures occur here."""
 from functools import cache
 from operator import mul
 
@@ -12,7 +11,7 @@ from mpmath import mp, mpf
 from variable_steps import variable_steps as one
 
 
-# Sums of products are taken in integers, units of 2^-(prec + 100): (real, imaginary) lists.
+# Sums of products are taken in integers, in units of 2^-(prec + 100), as lists of real and of imaginary parts.
 def parts(row):
     whole = lambda e: int(mpmath.ldexp(e, mp.prec + 100))
     return [whole(mpmath.re(e)) for e in row], [whole(mpmath.im(e)) for e in row]
@@ -30,15 +29,15 @@ def real_dot(a, b):
 
 @cache
 def eigen(s, digits):
-    """A^(-1) = V diag(lam) W. What belongs to a conjugate is a conjugate, so only the first
-    own rows are computed; twin[e] is the conjugate of e, itself if real, which counts half."""
+    """Return A^(-1) = V diag(lam) W. The vectors of conjugate eigenvalues are conjugate, so only the first `own` rows
+    are computed. twin[e] is the conjugate of e; if e is real, it is e itself and counts half."""
     found = one.eigen(s, digits)
     upper = [e for e, (value, _) in enumerate(found) if mpmath.im(value) > 0]
     pairs = found + [(mpmath.conj(found[e][0]), found[e][1].apply(mpmath.conj)) for e in upper]
     own = len(found)
     twin = [own + upper.index(e) if e in upper else e for e in range(own)] + upper
     half = [mpf(1) / 2 if twin[e] == e else mpf(1) for e in range(own)]
-    # P = v w^T: v a column of it, w^T a row over their common entry
+    # P = v w^T: v is a column of P, w^T is a row divided by the common entry
     V = [[P[i, 0] for i in range(s)] for _, P in pairs]
     W = [[P[0, j] / P[0, 0] for j in range(s)] for _, P in pairs]
     left = [parts([2 * half[a] * V[a][i] for a in range(own)]) for i in range(s)]
@@ -47,14 +46,14 @@ def eigen(s, digits):
 
 
 def apart(steps, digits):
-    """Steps are exact, and moved apart by 10^-30 of themselves (at 140 digits 10^-40) so that
-    no two eigenvalues are equal."""
+    """Return the exact steps, each moved by 10^-30 of itself (at 140 digits by 10^-40), so that no two eigenvalues
+    are equal."""
     return [mpf(h) * (1 + k * mpf(10)**(-30 if digits < 140 else -40)) for k, h in enumerate(steps)]
 
 
 @cache
 def gaps(s, steps, digits):
-    """1 / (lam_e / h_j - lam_a / h_k), row by row."""
+    """Return 1 / (lam_e / h_j - lam_a / h_k), row by row."""
     lam, own, hs = eigen(s, digits)[0], eigen(s, digits)[3], apart(steps, digits)
     return {(k, j): [list(zip(*parts([1 / (v / hs[j] - lam[a] / hs[k]) for v in lam]))) for a in range(own)]
             for k in range(len(hs)) for j in range(k)}
@@ -63,12 +62,12 @@ def gaps(s, steps, digits):
 #> parlett
 @cache
 def modal(s, steps, beta, digits):
-    """The blocks F[k][j] of DD^beta in the eigenvectors of A^(-1), own rows."""
+    """Return the blocks F[k][j] of DD^beta in the eigenvectors of A^(-1), own rows only."""
     mp.dps = digits + 30
     bits, hs = mp.prec + 100, apart(steps, digits)
     lam, V, W, own, twin, half, _, _ = eigen(s, digits)
     b, between = one.rule(s, digits)[1], gaps(s, steps, digits)
-    g, f = [w[0] / b[0] for w in W], [v[s - 1] for v in V]   # of e_1/b_1 and e_s^T
+    g, f = [w[0] / b[0] for w in W], [v[s - 1] for v in V]   # the rows of e_1/b_1 and of e_s^T
     all_g, own_f = parts(g), parts([h * v for h, v in zip(half, f)])
     blocks = []
     for k, h in enumerate(hs):
@@ -79,7 +78,7 @@ def modal(s, steps, beta, digits):
                      zip(zip(*(re for re, _ in blocks[k - 1][j])), zip(*(im for _, im in blocks[k - 1][j])))]
             past = [(re + above[e][0], im - above[e][1]) for e, (re, im) in zip(twin, above)]
             there, block = list(zip(*parts([v / hs[j + 1] for v in f]))), []
-            for a in range(own):        # F DD = DD F, block (k, j)
+            for a in range(own):        # block (k, j) of F DD = DD F
                 (n, m), (u, v), entries = dot(row[j + 1][a], all_g), here[a], []
                 for (p, q), (x, y), (c, d) in zip(there, past, between[k, j][a]):
                     re, im = n * p - m * q - u * x + v * y >> bits, n * q + m * p - u * y - v * x >> bits
@@ -93,7 +92,7 @@ def modal(s, steps, beta, digits):
 
 @cache
 def whole_dense(s, steps, beta, digits):
-    """The blocks of DD^beta themselves, row by row, and the bits behind the point."""
+    """Return the blocks of DD^beta itself, row by row, and the bits behind the point."""
     mp.dps = digits + 30
     blocks = modal(s, steps, beta, digits)
     left, right = eigen(s, digits)[-2:]
@@ -107,7 +106,7 @@ def whole_dense(s, steps, beta, digits):
 
 @cache
 def dense(s, steps, beta, digits):
-    """The same in numbers of mpmath's."""
+    """Return the same blocks in mpmath numbers."""
     blocks, bits = whole_dense(s, steps, beta, digits)
     return [{j: mpmath.matrix([[mpmath.ldexp(v, -bits) for v in line] for line in block])
              for j, block in row.items()} for row in blocks]
@@ -121,7 +120,7 @@ def product(F, G, s, k, j):
 
 
 def dense_sums(s, alpha, steps, stages, v0, digits):
-    """Y = DD^beta (v - [beta > 0] v0), step by step."""
+    """Return Y = DD^beta (v - [beta > 0] v0), step by step."""
     mp.dps = digits + 30
     beta = 2 * alpha - 1
     blocks = modal(s, steps, beta, digits)

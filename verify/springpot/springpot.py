@@ -1,11 +1,11 @@
-"""H 0: springs, dashpots and what is between. Prints tests/springpot/springpot_ref.h.
+"""H 0: springs, dashpots and springpots. Prints tests/springpot/springpot_ref.h.
 
-  (0.2)  the creep of a springpot, and what is left when the force goes;
-  (0.4)  force over displacement of the ladder: its root, its square, its slow end, and the
-         creep 2 t e^{-2t} (I_0(2t) + I_1(2t)), as a series, with the slow end of that;
+  (0.2)  the creep of a springpot, and its recovery when the force ends;
+  (0.4)  force over displacement of the ladder: its root, its square, its limit for slow motions, and the
+         creep 2 t e^{-2t} (I_0(2t) + I_1(2t)), as a series, with its limit for large t;
   (0.5)  the constant of a graded ladder, from Bessel's equation and at 30 digits.
 
-Times are the doubles they are; k = eta = 1."""
+Times are exact doubles; k = eta = 1."""
 import mpmath
 from mpmath import mp, mpf
 from sympy import Rational, besseli, diff, exp, factorial, gamma, gammasimp, series, sqrt, symbols
@@ -20,7 +20,7 @@ transform = gamma(1 + beta) / s ** (1 + beta) / (rho * gamma(1 + beta))
 prove("(0.2) s^beta X = force / rho", gammasimp(rho * s**beta * transform - 1 / s))
 
 #> ladder
-# (0.4) From node to node the motion falls by the factor r; q = eta s / k.
+# (0.4) From node to node the motion decreases by the factor r; q = eta s / k.
 r = 1 + q / 2 - sqrt(q**2 + 4 * q) / 2
 Z = k * (1 - r) + k * q / 2                # the first spring, and half a rung
 prove("(0.3) the nodes", r**2 - (2 + q) * r + 1)
@@ -40,13 +40,13 @@ terms = sum(factorial(2 * n) / factorial(n) ** 2 * p ** (2 * n) for n in range(8
 prove("the transform of I_0(2t) is 1 / sqrt(p^2 - 4), in 1/p",
       series(1 / sqrt(1 - 4 * p**2), p, 0, 16).removeO() - terms)
 prove("1 / Z, k = eta = 1", 1 / (Z / k).subs(q, s) - 2 / sqrt((s + 2) ** 2 - 4))
-# Slow: both I_nu(z) e^{-z} sqrt(2 pi z) are 1 - (4 nu^2 - 1) / (8 z) + ...
+# Slow motions: both I_nu(z) e^{-z} sqrt(2 pi z) are 1 - (4 nu^2 - 1) / (8 z) + ...
 prove("the creep is (1 - 1 / (16 t)) of the springpot's",
       ((1 + 1 / (8 * z)) + (1 - 3 / (8 * z))).subs(z, 2 * t) / 2 - (1 - 1 / (16 * t)))
 
 #> graded
-# (0.5) Springs k x^a, dashpots eta x^a, a = 1 - 2 beta, q = eta s / k: the equation is
-# (x^a X')' = q x^a X, its solution that falls is X, the force at x is -k x^a X'.
+# (0.5) With springs k x^a, dashpots eta x^a, a = 1 - 2 beta and q = eta s / k the equation is (x^a X')' = q x^a X.
+# The force at x of its decreasing solution is -k x^a X'.
 def graded(b, Q):
     def X(x):
         return x**b * mpmath.besselk(b, mpmath.sqrt(Q) * x)
@@ -69,7 +69,7 @@ with mp.workdps(60):
 #< graded
 
 header("verify/springpot/springpot.py")
-start = Rational(80, 1024)                 # 80 steps of 1/1024, then of twice that, ...
+start = Rational(80, 1024)                 # 80 steps of 1/1024, then of twice this length, ...
 rows = []
 for doublings in (1, 4, 8, 12, 16):
     time = start * (2**doublings - 1)

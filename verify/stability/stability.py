@@ -77,7 +77,7 @@ prove("(14.3) 1/z - 2 + z is real on the circle: -4 sin^2(f/2)",
 # So Im P = R (2 sin(f/2))^{2 alpha} sin(alpha (pi - f)), positive for 0 < f < pi,
 # 0 < alpha <= 1: both factors are, as 0 < alpha (pi - f) < pi.
 
-# In R^d: for every vector v, v* P(z) v has the same form.
+# In R^d: for every vector v, v* P(z) v has the same form as the scalar symbol.
 u1, u2, M1, M2, K11, K12, K22, r1, r2, k4 = symbols("u1 u2 M1 M2 K11 K12 K22 r1 r2 k4")
 v = [u1, u2]
 quadratic = lambda A: sum(A[i][j] * v[i] * v[j] for i in (0, 1) for j in (0, 1))
@@ -94,7 +94,7 @@ bound = (W * (1 - 2 * kappa) ** 2 + 4**alpha * R - 4).subs({alpha: 1, kappa: Rat
 prove("(14.3) alpha = 1, kappa = 1/2: R < 1, and R = rho/m has no h", bound - 4 * (R - 1))
 
 #> explicit
-# (14.8). The step takes (x, v) to 1 + h A times it, A the matrix of the motion.
+# (14.8). The step multiplies (x, v) by 1 + h A, where A is the matrix of the motion.
 v0_, rho_, lam, s_ = symbols("v_0 rho_0 lambda s")
 x_next, v_next = x0 + h * v0_, v0_ + h * (-c * x0 - rho_ * v0_) / m
 step = Matrix(2, 2, lambda i, j: diff((x_next, v_next)[i], (x0, v0_)[j]))
@@ -111,28 +111,28 @@ prove("(14.8) p(1) = b, p(-1) = 4 - 2 a + b, p(0) = 1 - a + b",
       of_step.subs(lam, 0) - (1 - a + b))
 # p(0) < 1 is b < a, and p(0) > -1 follows: 2 (1 + p(0)) = (4 - 2 a + b) + b.
 prove("(14.8) the other side of |p(0)| < 1", 2 * (2 - a + b) - ((4 - 2 * a + b) + b))
-# The load: a pair has |s|^2 = c / m, -2 Re s = rho / m, so that b / a <= 1; of two real roots
-# the one farther out, (a + root) / 2 in units of 1/h, asks for (a + root) / 4 <= 1.
+# The load: a pair of complex roots has |s|^2 = c / m, -2 Re s = rho / m, so the condition is b / a <= 1. Of two real
+# roots the larger one in size, (a + root) / 2 in units of 1/h, gives the condition (a + root) / 4 <= 1.
 root = symbols("root", positive=True)  # sqrt(a^2 - 4 b) >= 0
 prove("(14.8) two real roots: 4 - a >= root >= 0 is 2 a - b <= 4 and a <= 4",
       expand((4 - a) ** 2 - root**2).subs(root**2, a**2 - 4 * b) - 4 * (4 - 2 * a + b))
 #< explicit
 for _ in range(2000):
     A, B = (Fraction(random.randrange(1, 6000), 1000) for _ in "ab")
-    gap = A * A - 4 * B             # sqrt(gap) <= 4 - A where that is no less than 0, and squares are so
+    gap = A * A - 4 * B             # sqrt(gap) <= 4 - A is the same as gap <= (4 - A)^2 if A <= 4
     fits = B <= A if gap < 0 else A <= 4 and gap <= (4 - A)**2
     claim("(14.8) load <= 1 is b <= a and 2 a - b <= 4", fits == (B <= A and 2 * A - B <= 4))
 
 
 def pade(s, x):
-    """N and Q of the stability function of Lobatto IIIC, N(x)/Q(x) = e^x + O(x^(2s-1))."""
+    """Return N and Q of the stability function of Lobatto IIIC, N(x)/Q(x) = e^x + O(x^(2s-1))."""
     part = lambda n, i: factorial(2 * s - 2 - i) * binomial(n, i) / factorial(2 * s - 2)
     return (sum(part(s - 2, i) * x**i for i in range(s - 1)),
             sum(part(s, i) * (-x)**i for i in range(s + 1)))
 
 
 #> compressed
-# (14.9): S is f(Delta) on the paths without a jump, and its determinant.
+# (14.9): S is f(Delta) on the paths without a jump; the formula for its determinant.
 mpmath.mp.dps = 30
 mp = mpmath.mp
 for s in range(2, 9):
@@ -173,7 +173,7 @@ for s in range(2, 9):
 
 
 def symbol(s, al, w, r, phi):
-    """The sum of (14.9)."""
+    """Return the sum of (14.9)."""
     z_ = mpmath.expj(-phi)
     N_, Q_ = (Poly(e, z).all_coeffs() for e in pade(s, z))
     lam = mpmath.polyroots([mp.mpf(int(t.p)) / int(t.q) - z_ * v for t, v in zip(
@@ -189,8 +189,8 @@ claim("(14.9) for s = 3 and alpha = 1/10 the imaginary part has both signs", wea
 #< compressed
 
 #> half
-# (14.10): alpha = 1/2, f(x) = (x - p)(x - p'), p + p' = -R, p p' = W. What changes its sign with p and
-# p' is a sum of (p p')^j (p^k - p'^k); over p - p' these are W^j and U_k.
+# (14.10): alpha = 1/2, f(x) = (x - p)(x - p'), p + p' = -R, p p' = W. A polynomial that changes its sign when p and
+# p' are exchanged is a sum of (p p')^j (p^k - p'^k). Divided by p - p' these terms are W^j U_k.
 p_, q_ = symbols("p p'")
 U = [Poly(0, W, R), Poly(1, W, R)]
 while len(U) < 15:

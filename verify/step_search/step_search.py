@@ -1,15 +1,15 @@
-"""H 18. When differences may be believed.
+"""H 18. When the differences of runs are reliable error estimates.
 
 Proved here, all parameters symbolic:
   (18.2)  errors C (h/2^j)^q have D_j = (2^q - 1) times the error of x^(j), and q_j = q;
   (18.6)  an undamped spring under a method that takes U at the midpoint, started at
           rest: x_k = x_0 cos(k phi), tan(phi/2) = sqrt(W)/2; phi = pi - 4/sqrt(W) + ...;
-          so 1 - x_k/x_0 = 8 k^2/W + ... at even k, and D_{j+1}/D_j comes to 16;
+          so 1 - x_k/x_0 = 8 k^2/W + ... at even k, and D_{j+1}/D_j tends to 16;
   (18.7)  of the angles v in (0, pi), the share with |cos v - c| <= (1 + c)/2 grows up to
           c = 1/3 and falls after it; there it is arccos(-1/3)/pi < 0.61, and
           0.61^128 < 10^-27;
   (18.8)  C_4 is 1 for the ends of steps, and 1/80 for the four nodes of a step of Lobatto's.
-That no function of the x^(j) sees an alias is the argument in the chapter: by hand.
+That no function of the x^(j) can detect an alias is proved by hand in the chapter.
 Printed: x_k = cos(k phi), at 60 digits."""
 import mpmath
 from sympy import (Matrix, Rational, acos, atan, cos, diff, expand, expand_trig, limit, pi, simplify, sin,
@@ -36,7 +36,7 @@ turn = Matrix([[cos(phi), sin(phi) / sqrt(W)], [-sqrt(W) * sin(phi), cos(phi)]])
 prove("(18.6) a step is a turn by phi, tan(phi/2) = sqrt(W)/2",
       *(step - turn).applyfunc(lambda e: simplify(expand_trig(e))))
 #< turn
-lack = 2 * atan(2 / sqrt(W))                # of half a turn
+lack = 2 * atan(2 / sqrt(W))                # pi - phi
 prove("(18.6) phi is pi less that", diff(phi + lack, W), (phi + lack).subs(W, 4) - pi)
 prove("(18.6) phi = pi - 4/sqrt(W) + ...", limit(lack.subs(W, 1 / u**2) / u, u, 0) - 4)
 rest = 1 - cos(k * 2 * atan(2 * u))         # k even: cos(k phi) = cos(k (pi - phi))
@@ -45,12 +45,12 @@ t, c, m = symbols("t c m", positive=True)
 still = lambda h: 8 * (t / h) ** 2 / (h**2 * c / m)
 prove("(18.6) D_{j+1} / D_j = 16", (still(h / 4) - still(h / 2)) / (still(h / 2) - still(h)) - 16)
 
-# (18.7): below c = 1/3 both ends of the interval count, above it only the lower one.
+# (18.7): below c = 1/3 both ends of the interval lie in [-1, 1], above it only the lower end does.
 a = symbols("a", positive=True)
 low, high = (a - 1) / 2, (3 * a + 1) / 2
 prove("the ends of |cos v - c| <= (1 + c)/2", low - (a - (1 + a) / 2), high - (a + (1 + a) / 2))
 claim("the upper end leaves the circle at c = 1/3", high.subs(a, Rational(1, 3)) == 1)
-# d/dc of acos(low) - acos(high) is 3/sqrt(4 - (3c+1)^2) - 1/sqrt(4 - (c-1)^2), and > 0:
+# d/dc of acos(low) - acos(high) is 3/sqrt(4 - (3c+1)^2) - 1/sqrt(4 - (c-1)^2), which is positive.
 slope = diff(acos(low) - acos(high), a)
 prove("(18.7) the slope below 1/3", slope**2 - (3 / sqrt(4 - (3 * a + 1) ** 2) - 1 / sqrt(4 - (a - 1) ** 2)) ** 2)
 prove("(18.7) its sign: 9 (4 - (c-1)^2) - (4 - (3c+1)^2) = 24 + 24 c",
@@ -59,8 +59,8 @@ claim("(18.7) the slope above 1/3 is negative", diff(acos(low), a).subs(a, Ratio
 claim("(18.7) the largest share", acos(Rational(-1, 3)) / pi < Rational(61, 100))
 claim("(18.7) 128 times", Rational(61, 100) ** 128 < Rational(1, 10**27))
 
-# (18.8): by y = (t - 3/2)^2 and by w = t (1 - t) both products are parabolas: their largest size is
-# that of the vertex or of an end of the range.
+# (18.8): as functions of y = (t - 3/2)^2 and of w = t (1 - t) both products are parabolas, so their largest size is
+# at the vertex or at an end of the range.
 y, w = symbols("y w")
 ends, stages = (y - Rational(1, 4)) * (Rational(9, 4) - y), w * (Rational(1, 5) - w)
 prove("(18.8) four ends of steps", expand(ends.subs(y, (t - Rational(3, 2)) ** 2) - t * (1 - t) * (2 - t) * (3 - t)))

@@ -1,5 +1,5 @@
-"""H 27: element matrices from their polynomials, the eigenvalues of a clamped beam,
-what elements add to them, and a structure's mode as one oscillator."""
+"""H 27: element matrices from their polynomials, the eigenvalues of a clamped beam, the error of the elements, and a
+structure's mode as a single oscillator."""
 import functools
 
 from mpmath import cos, cosh, cot, exp, findroot, lu_solve, matrix, mp, mpc, mpf, pi
@@ -7,7 +7,7 @@ from sympy import Matrix, Rational, cos as c_, diff, eye, integrate, series, sin
 
 from shared.refgen import claim, header, hexd_real, prove, table
 
-# ---- (27.6): four cubics, each 1 in one of w(0), l w'(0), w(l), l w'(l), and 0 in the others
+# ---- (27.6): four cubic polynomials; in each, one of w(0), l w'(0), w(l), l w'(l) is 1 and the others are 0
 x, l = symbols("x l", positive=True)
 t = x / l
 shapes = [1 - 3 * t**2 + 2 * t**3, t - 2 * t**2 + t**3, 3 * t**2 - 2 * t**3, t**3 - t**2]
@@ -20,23 +20,23 @@ inertia = Matrix(4, 4, lambda i, j: integrate(shapes[i] * shapes[j], (x, 0, l)) 
 prove("bending", *(bending - Matrix([[12, 6, -12, 6], [6, 4, -6, 2], [-12, -6, 12, -6], [6, 2, -6, 4]])))
 prove("inertia", *(inertia - Matrix([[156, 22, 54, -13], [22, 4, 13, -3], [54, 13, 156, -22], [-13, -3, -22, 4]])))
 
-# The element's energy is a sum of squares of differences, which is how it is multiplied.
+# The element's energy is a sum of squares of differences. The code multiplies by the matrix in this form.
 w1, s1, w2, s2 = symbols("w1 s1 w2 s2")
 k = Matrix([w1, s1, w2, s2])
 shear, bend = w1 - w2 + (s1 + s2) / 2, s1 - s2
 prove("12 shear^2 + bend^2", (k.T * bending * k)[0] - 12 * shear**2 - bend**2)
 prove("the product by differences", *(bending * k - Matrix([12 * shear, 6 * shear + bend, -12 * shear, 6 * shear - bend])))
 
-# ---- (27.7): a wave e^{i q n} of an endless row of elements: mu = l^4 lambda against q^4
+# ---- (27.7): a wave e^{i q n} of an infinite row of elements: mu = l^4 lambda against q^4
 q, m1, m2, m3 = symbols("q m1 m2 m3")
 
 
 def bloch(A):
-    """The row of node n: right ends of the element before, left ends of the one behind. The
-    phase of the slope is taken out, so that the matrix is real."""
+    """Return the row of node n: right ends of the element before it, left ends of the element after it. The phase of
+    the slope is taken out, so the matrix is real."""
     same = A[2:4, 2:4] + A[0:2, 0:2]
-    right = A[0:2, 2:4]  # what node n + 1 does to node n
-    # a[0,1] and a[1,0] come with +-i sin q; deflections even, slopes odd in n
+    right = A[0:2, 2:4]  # the force of node n + 1 on node n
+    # a[0,1] and a[1,0] have the factors +-i sin q; deflections are even in n, slopes are odd
     return Matrix([[same[0, 0] + 2 * right[0, 0] * c_(q), same[0, 1] + (right[0, 1] - right[1, 0]) * s_(q)],
                    [same[1, 0] + (right[0, 1] - right[1, 0]) * s_(q), same[1, 1] + 2 * right[1, 1] * c_(q)]])
 
@@ -47,7 +47,7 @@ prove("an element's wave: order 4, no q^2", det.coeff(q, 4), det.coeff(q, 6).sub
       det.coeff(q, 8).subs({m1: 0, m2: Rational(1, 720)}))
 claim("and the coefficient is determined", det.coeff(q, 8).diff(m2) != 0 and det.coeff(q, 6).diff(m1) != 0)
 
-# ---- (27.5): a mode of three masses, M and K any, C = rho K + sigma M
+# ---- (27.5): a mode of three masses, M and K any matrices, C = rho K + sigma M
 rho, sigma, lam = symbols("rho sigma lam")
 M, K = Matrix([[2, 1, 0], [1, 2, 1], [0, 1, 2]]), Matrix([[2, -1, 0], [-1, 2, -1], [0, -1, 2]])
 v = Matrix([1, 0, -1])  # M v = 2 v, K v = 2 v
@@ -58,7 +58,7 @@ header("verify/structures/structures.py")
 
 
 def root(n):
-    """(beta_n)^4, cos beta cosh beta = -1."""
+    """Return (beta_n)^4 with cos beta cosh beta = -1."""
     def at(digits):
         mp.dps = digits + 20
         return findroot(lambda b: cos(b) * cosh(b) + 1, (n - Rational(1, 2)) * pi + (Rational(3, 10) if n == 1 else 0))**4
@@ -79,7 +79,7 @@ between = {1: lambda s: 5 * s**mpf("0.625"),                                    
 
 
 def stretch(n):
-    """The row of storey n: x_n - x_{n-1}."""
+    """Return the row of storey n: x_n - x_{n-1}."""
     return [1 if i == n - 1 else -1 if i == n - 2 else 0 for i in range(storeys)]
 
 
@@ -96,13 +96,14 @@ def dynamic_stiffness(s):
 
 
 def spring_force(i):
-    """(K x0)_i."""
+    """Return (K x0)_i."""
     return sum(stiff * row[i] * sum(r * x for r, x in zip(row, x_start)) for row in map(stretch, range(1, storeys + 1)))
 
 
 @functools.cache
 def building(t, digits):
-    """x, x' and x'' of all storeys, the dampers' forces and their impulses; the contour encloses poles up to 120 / t."""
+    """Return x, x' and x'' of all storeys, the dampers' forces and their impulses. The contour encloses poles up to
+    120 / t."""
     mp.dps = digits + 60
     nodes = 5 * digits + 150
     total = [mpf(0)] * (3 * storeys + 2 * len(between))

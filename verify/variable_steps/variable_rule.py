@@ -1,7 +1,7 @@
 """The constants of src/stages/variable_rule.c, from their definitions.   [H 22]
 
 Unlike the other proofs this one prints a header of the library's: every constant of the
-method with variable steps is made here and is right to the last bit."""
+method with variable steps is computed here, correct to the last bit."""
 from textwrap import wrap
 
 from mpmath import mp, mpf, matrix, eye, diag, legendre, polyroots, taylor, log, exp
@@ -10,13 +10,13 @@ from shared.refgen import claim, header
 
 SPACING = mpf(26) / 100  # of the lattice: steps and modes are powers of exp(SPACING)
 ENDS = 6                 # corrections at each end of the modes,
-APART = {1: 3, 2: 2}     # so many nodes apart, if every one, or every second one, is a mode
+APART = {1: 3, 2: 2}     # distance of correction nodes if every, or every second, lattice point is a mode
 
 
 def rule(s):
-    """c, b, D of the s Lobatto nodes of [0, 1].                               (17.1)"""
+    """Return c, b, D of the s Lobatto nodes of [0, 1].                               (17.1)"""
     slope = taylor(lambda x: legendre(s - 1, x), 0, s - 1)
-    slope = [n * a for n, a in enumerate(slope)][:0:-1]  # of P_{s-1}', from the highest on
+    slope = [n * a for n, a in enumerate(slope)][:0:-1]  # coefficients of P_{s-1}', from the highest power on
     inner = sorted(mp.re(z) for z in polyroots(slope, maxsteps=500, extraprec=400))
     x = [mpf(-1)] + inner + [mpf(1)]
     claim("the nodes are different", all(x[i + 1] - x[i] > mpf(1) / 100 for i in range(s - 1)))
@@ -33,8 +33,8 @@ def rule(s):
 
 
 def resolvent(s, M, b):
-    """(mu + M)^-1 e_1 / b_1 = sum_n mu^n N_n e_1 / b_1 / det(mu + M), by Faddeev and
-    LeVerrier: the coefficients of det(mu + M), then those of the s numerators."""
+    """Return the coefficients of det(mu + M), then those of the s numerators of (mu + M)^-1 e_1 / b_1 = sum_n mu^n
+    N_n e_1 / b_1 / det(mu + M), by Faddeev and LeVerrier."""
     N, det, powers = eye(s), [mpf(0)] * s + [mpf(1)], {}
     for n in range(s - 1, -1, -1):
         powers[n] = [N[i, 0] / b[0] for i in range(s)]
@@ -47,7 +47,7 @@ def resolvent(s, M, b):
 
 
 def constants(s):
-    """name -> list, or list of lists; matrices column by column."""
+    """Return a dictionary: name -> list, or list of lists; matrices are stored column by column."""
     c, b, D = rule(s)
     M = D.copy()
     M[0, 0] += 1 / b[0]
@@ -67,7 +67,7 @@ def constants(s):
     P = matrix([[(2 * n + 1 if n < s - 1 else s - 1) * b[i] * legendre(n, 2 * c[i] - 1) for i in range(s)] for n in range(s)])
     back = matrix([[legendre(n, 2 * c[i] - 1) for n in range(s)] for i in range(s)])
     claim("they give the values back", mp.norm(back * P - eye(s), mp.inf) < mpf(10) ** (20 - mp.dps))
-    # What the last Legendre coefficient of x'' does to V and to X (22.16).
+    # The contribution of the last Legendre coefficient of x'' to V and to X, (22.16).
     top = matrix([legendre(s - 1, 2 * t - 1) for t in c])
     last, stages = A * top, A * (A * top)
     claim("(22.16) its integral is 0 at all nodes",
@@ -99,21 +99,21 @@ def constants(s):
 
 
 def alias(s):
-    """(22.16): what the weights make of P_{2s-2}, whose integral is 0, times how much the
-    Legendre coefficients fall in s - 1 degrees, where each step is exp(4 SPACING) times the
-    one before it and x'' is singular where they began: the Bernstein ellipse of that point
-    has the semi-axes' sum coth(SPACING). Of six stages; eight have a 19th of it."""
+    """Return the constant of (22.16): the value that the weights give to P_{2s-2}, whose integral is 0, times the
+    decay of the Legendre coefficients over s - 1 degrees. For this decay each step is exp(4 SPACING) times the step
+    before it, and x'' is singular where the steps began. The Bernstein ellipse through this point has coth(SPACING)
+    as the sum of its semi-axes. The constant is that of six stages; eight stages have a 19th of it."""
     c, b, _ = rule(s)
     q = mp.fsum(b[i] * legendre(2 * s - 2, 2 * c[i] - 1) for i in range(s))
     claim("(22.16) of P_{2s-2}", abs(q - mpf(s) / ((s - 1) * (2 * s - 1)) * mp.binomial(4 * s - 4, 2 * s - 2)
                                      / mp.binomial(2 * s - 2, s - 1) ** 2) < mpf(10) ** (20 - mp.dps))
-    far = 1 + 2 / (exp(4 * SPACING) - 1)  # of that point from the middle, in half steps
+    far = 1 + 2 / (exp(4 * SPACING) - 1)  # from the middle of the step to the singular point, in half steps
     claim("(22.16) coth", abs(far + mp.sqrt(far ** 2 - 1) - mp.coth(SPACING)) < mpf(10) ** (20 - mp.dps))
     return q * mp.tanh(SPACING) ** (s - 1)
 
 
 def ends(every):
-    """The inverse of the matrix r^{APART l n}: c_l = sum_n inverse_ln / (r^{nu + n} - 1)."""
+    """Return the inverse of the matrix r^{APART l n}: c_l = sum_n inverse_ln / (r^{nu + n} - 1)."""
     r = exp(every * SPACING)
     V = matrix([[r ** (APART[every] * l * n) for l in range(ENDS)] for n in range(ENDS)])
     inverse = V ** -1
@@ -126,7 +126,7 @@ def at(digits, make):
 
 
 def literals(value):
-    """Numbers at two precisions -> C, if both give the same doubles."""
+    """Return numbers at two precisions as C literals, if both give the same doubles."""
     first, second = value
     if isinstance(first, (list, tuple)):
         return "{ " + ", ".join(literals(pair) for pair in zip(first, second)) + " }"

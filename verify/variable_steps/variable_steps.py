@@ -9,7 +9,7 @@ DD is block lower bidiagonal on all stages of all steps (k,k): A^(-1)/h_k,
   (22.5)  the resolvent (sigma + DD)^(-1), and its moving forms (22.6), (22.7);
   (22.8)  n(mu), d(mu) in closed form; d is the characteristic polynomial of -A^(-1),
           its coefficients and those of n_s are integers, s = 2 to 8;
-  (22.16) what the last Legendre coefficient of x'' adds (60 digits, s = 2 to 8);
+  (22.16) the contribution of the last Legendre coefficient of x'' (60 digits, s = 2 to 8);
   (22.21) the restricted variation with the inertia as a term of order 1, its powers
           open (two steps, s = 2, 3).
 In 60 digits, s = 2 to 8: the rule, (17.2), (22.8) and (22.9) against A^(-1) itself.
@@ -31,7 +31,7 @@ STAGES = range(2, 9)
 #> closed
 @cache
 def closed(s):
-    """(22.8): n(t) = sum_k (-1)^k mu^(s-1-k) q^(k)(t), q = ell_1/b_1; and d = mu^s + n(0)."""
+    """Return n and d of (22.8): n(t) = sum_k (-1)^k mu^(s-1-k) q^(k)(t), q = ell_1/b_1; and d = mu^s + n(0)."""
     q = (1 - t) * diff(legendre(s - 1, 2 * t - 1), t)
     q = expand(q * s * (s - 1) / q.subs(t, 0))
     n = expand(sum((-1)**k * mu**(s - 1 - k) * diff(q, t, k) for k in range(s)))
@@ -45,7 +45,7 @@ h = symbols("h1:4", positive=True)
 
 @cache
 def exact_rule(s):
-    """b and D by integrating and differentiating the Lagrange polynomials."""
+    """Return b and D by integrating and differentiating the Lagrange polynomials."""
     c, ell = NODES[s], []
     for i in range(s):
         p = 1
@@ -57,7 +57,7 @@ def exact_rule(s):
 
 
 def blocks(s, steps):
-    """DD and the diagonal of BB."""
+    """Return DD and the diagonal of BB."""
     b, D = exact_rule(s)
     inverse = D + eye(s)[:, 0] * eye(s)[0, :] / b[0]
     N = len(steps)
@@ -75,7 +75,7 @@ def zero(what, matrix):
 
 # -- numbers -----------------------------------------------------------------------
 def precisely(function):
-    """Its last argument says to how many digits."""
+    """Decorate a function whose last argument is the number of digits."""
     @cache
     def careful(*arguments):
         with mp.workdps(arguments[-1] + 20):
@@ -89,7 +89,7 @@ def exactly(number):
 
 @precisely
 def rule(s, digits):
-    """c, b, A^(-1) at so many digits: zeros of P'_{s-1}, barycentric differences."""
+    """Return c, b, A^(-1) with this number of digits: zeros of P'_{s-1}, barycentric differences."""
     slope = Poly(diff(legendre(s - 1, 2 * t - 1), t), t).all_coeffs()
     inner = mpmath.polyroots([mpf(int(k)) for k in slope], maxsteps=500, extraprec=400) if s > 2 else []
     c = [mpf(0)] + sorted(r.real for r in inner) + [mpf(1)]
@@ -112,7 +112,7 @@ def rule(s, digits):
 
 @precisely
 def numerators(s, digits):
-    """n_i by powers of mu, mu^0 first."""
+    """Return n_i by powers of mu, mu^0 first."""
     c, _, _ = rule(s, digits)
     rows = Poly(closed(s)[1], mu).all_coeffs()[::-1]
     return [[mpmath.polyval([exactly(k) for k in Poly(row, t).all_coeffs()], node) for row in rows]
@@ -125,7 +125,7 @@ def horner(coefficients, value):
 
 @precisely
 def eigen(s, digits):
-    """The eigenvalues of A^(-1), upper half plane first, and v, v w^T = P_lambda; (22.9)."""
+    """Return the eigenvalues of A^(-1), upper half plane first, and v, v w^T = P_lambda; (22.9)."""
     c, b, inverse = rule(s, digits)
     d = [exactly(k) for k in Poly(closed(s)[2], mu).all_coeffs()]
     n = numerators(s, digits)
@@ -149,7 +149,7 @@ def eigen(s, digits):
 
 @precisely
 def power(s, beta, digits):
-    """(A^(-1))^beta."""
+    """Return (A^(-1))^beta."""
     total = mpmath.matrix(s, s)
     for value, P in eigen(s, digits):
         twice = 1 if mpmath.im(value) == 0 else 2
@@ -159,8 +159,8 @@ def power(s, beta, digits):
 
 @precisely
 def last_coefficient(s, beta, digits):
-    """(22.16): A P_{s-1}; |b . W0 A P_{s-1}|, the largest entry of A A P_{s-1}, b . P_{2s-2},
-    and that times tanh(0.26)^(s-1)."""
+    """Return the terms of (22.16): A P_{s-1}; |b . W0 A P_{s-1}|; the largest entry of A A P_{s-1}; b . P_{2s-2}; and
+    the last one times tanh(0.26)^(s-1)."""
     c, b, inverse = rule(s, digits)
     P = mpmath.matrix([mpmath.legendre(s - 1, 2 * v - 1) for v in c])
     once = mpmath.lu_solve(inverse, P)
@@ -173,7 +173,7 @@ def last_coefficient(s, beta, digits):
 
 @precisely
 def stage_values(s, at, digits):
-    """a(mu) by solving its equations, not by n/d."""
+    """Return a(mu) by solving its equations, not by n/d."""
     _, b, inverse = rule(s, digits)
     right = mpmath.matrix(s, 1)
     right[0] = 1 / b[0]
@@ -182,7 +182,7 @@ def stage_values(s, at, digits):
 
 @precisely
 def end_correction(L, nu, digits, apart=3):
-    """(22.11): sum_l c_l r^(apart l n) = 1/(r^(nu + n) - 1), n = 0, ..., 5, r = e^L."""
+    """Return the c_l of (22.11): sum_l c_l r^(apart l n) = 1/(r^(nu + n) - 1), n = 0, ..., 5, r = e^L."""
     M, right = mpmath.matrix(6, 6), mpmath.matrix(6, 1)
     for n in range(6):
         right[n] = 1 / mpmath.expm1(L * (nu + n))
@@ -193,7 +193,7 @@ def end_correction(L, nu, digits, apart=3):
 
 @precisely
 def dense_weights(s, theta, digits):
-    """(22.18): the integrals of ell_i and of (theta - u) ell_i from 0 to theta."""
+    """Return the weights of (22.18): the integrals of ell_i and of (theta - u) ell_i from 0 to theta."""
     c, _, _ = rule(s, digits)
     once, twice = [], []
     for i in range(s):
@@ -212,7 +212,7 @@ DIGITS = (60, 90)
 
 
 def doubles(make, *arguments):
-    """The nearest doubles of a list, the same ones at both precisions."""
+    """Return the nearest doubles of a list. They must be the same at both precisions."""
     lists = []
     for digits in DIGITS:
         mp.dps = digits + 20
@@ -227,18 +227,18 @@ def braces(values):
 
 
 def prove_all():
-    """Runs before anything is printed; other scripts import only what stands above."""
+    """Run all proofs before anything is printed. Other scripts import only the functions above."""
     mp.dps = 80
     #> determinant
     for s in STAGES:
         q, n, d = closed(s)
-        # (mu + D) n = mu^s q; the penalty n(0) e_1/b_1 makes it (mu + A^-1) n = d e_1/b_1
+        # (mu + D) n = mu^s q. The term n(0) e_1/b_1 turns this into (mu + A^-1) n = d e_1/b_1.
         prove("(22.8) n' + mu n = mu^s q", expand(diff(n, t) + mu * n - mu**s * q))
         prove("(22.8) d", expand(d - sum(binomial(s, i) * factorial(2 * s - 2 - i)
                                          / factorial(s - 2) * mu**i for i in range(s + 1))))
         prove("(22.8) n_s", expand(n.subs(t, 1) - sum(binomial(s - 2, i) * factorial(2 * s - 2 - i)
                                                       / factorial(s - 2) * (-mu)**i for i in range(s - 1))))
-        # d divides det(mu + A^-1) n_i for each i; nothing of d is in n_s; both are monic
+        # d divides det(mu + A^-1) n_i for each i; d and n_s have no common factor; both are monic
         claim("(22.8) d is the determinant", gcd(Poly(d, mu), Poly(n.subs(t, 1), mu)).degree() == 0)
     #< determinant
 
@@ -256,7 +256,7 @@ def prove_all():
         squares = v[0]**2 + v[3 * s - 1]**2 + sum((v[k * s] - v[k * s - 1])**2 for k in (1, 2))
         prove("(22.4) half a sum of squares", expand((v.T * S * v)[0] - squares / 2))
         #< structure
-        # a continuous path of polynomials, from x_0 = v0: DD (x - x_0) is its slope
+        # a continuous path of polynomials, from x_0 = v0: DD (x - x_0) is its derivative
         path = [Matrix([v[k * (s - 1) + i] for i in range(s)]) for k in range(3)]
         whole = Matrix([e for X in path for e in X]) - ones(3 * s, 1) * v[0]
         slope = Matrix([e for k, X in enumerate(path) for e in D * X / h[k]])
@@ -346,7 +346,7 @@ def prove_all():
     claim("(22.9) traces", all(
         abs(sum(power(s, mpf(-2) / 5, 60)[i, i] for i in range(s)) - mpf(value)) < 1e-14
         for s, value in ((4, "2.1114071119474454"), (6, "2.5765411212565798"), (8, "3.0002105856477434"))))
-    # digits of a prototype, in doubles and long doubles, which shares no line with this
+    # The digits of a prototype, in doubles and long doubles, which shares no code with this script.
     near = lambda found, *digits: all(abs(a - mpf(e)) < mpf(10)**-12 for a, e in zip(found, digits, strict=True))
     values = [value for value, _ in eigen(4, 60)]
     claim("(22.9) eigenvalues", near(sorted(map(mpmath.re, values)), "2.22098003298981", "3.77901996701019")

@@ -1,12 +1,12 @@
 """H 22. Runs with variable steps, by the matrix DD^beta itself.
 
-The power of DD is that of variable_steps_power.py, at 100 and 140 digits; nothing here
-knows modes, lattices or quadratures but the one place that compares them. Checked, for
-meshes with ratios to 50:
+The power of DD is that of variable_steps_power.py, at 100 and 140 digits. Modes, lattices
+and quadratures occur only where they are compared with it. Checked, for
+meshes with ratios up to 50:
   DD^a DD^b = DD^(a+b); (22.2) the diagonal blocks; (22.3) by parts, for powers;
   (22.4) sym(BB DD^beta) has a Cholesky factor; (22.6), (22.7), (22.10) to (22.13):
   the modes of the program, in 40 digits, on a mesh that grows 2.8-fold and drops;
-  (21.13) the energy of form D, every term, and that its damping only takes.
+  (21.13) the energy of form D, every term, and that its damping never adds energy.
 Printed: DD^beta v on a mesh; runs of form D (linear spring, four steps); exact
 solutions by power series; I(a, S) of the hand-over and the singular part."""
 import random
@@ -49,20 +49,20 @@ for s, digits in ((2, 100), (3, 100), (5, 100), (8, 100)):
                     for l in range(s):
                         symmetric[k * s + i, j * s + l] += steps[k] * b[i] * F[k][j][i, l] / 2
                         symmetric[j * s + l, k * s + i] += steps[k] * b[i] * F[k][j][i, l] / 2
-        mpmath.cholesky(symmetric)      # refuses what is not positive definite
+        mpmath.cholesky(symmetric)      # fails if the matrix is not positive definite
 
 # -- modes ---------------------------------------------------------------------------
 MESH = [-12, -8, -4, -1, 0, -11, -7, None, -6, -2]      # h = e^(0.26 k); None: a step off the lattice
 
 
 def steps_of_mesh():
-    """As doubles."""
+    """Return the steps of the mesh as doubles."""
     mp.dps = 60
     return tuple(mpf(float(mpmath.exp(mpf(26) * k / 100))) if k is not None else mpf(0.09375) for k in MESH)
 
 
 def stages_of_mesh(s, rough):
-    """Of cos 2t, as doubles; or rough ones on purpose, multiples of 1/1024."""
+    """Return stage values of cos 2t as doubles; or, with rough, multiples of 1/1024 that follow no smooth path."""
     draw, start, stages = random.Random(s), mpf(0), []
     for h in steps_of_mesh():
         stages.append([mpf(draw.randrange(-1024, 1025)) / 1024 if rough
@@ -73,8 +73,8 @@ def stages_of_mesh(s, rough):
 
 #> modes
 def history(s, alpha, steps, stages, v0, L=mpf(26) / 100, low=mpf(13) / 2, top=mpf(20000)):
-    """H before each step by the modes (22.6), (22.7) on the lattice, with both ends and with
-    sleep; 40 digits, so that what is seen is the error of the quadrature."""
+    """Return H before each step by the modes (22.6), (22.7) on the lattice, with both end corrections, and with modes
+    that start late. 40 digits are used, so the error is that of the quadrature."""
     mp.dps = 40
     beta = 2 * alpha - 1
     up = beta > 0
@@ -118,13 +118,13 @@ def denominator(s):
 
 @cache
 def values(s, at):
-    """a(mu) = n/d of (22.8), in 40 digits."""
+    """Return a(mu) = n/d of (22.8), in 40 digits."""
     n, det = one.numerators(s, 40), one.horner(denominator(s), at)
     return [one.horner(row, at) / det for row in n]
 
 
 def moved(step, old, node, up, b):
-    """(22.6), (22.7): one mode over one step."""
+    """(22.6), (22.7): return one mode after one step."""
     h, v, ve = step
     s, at = len(v), h * node
     a = values(s, at)
@@ -135,8 +135,8 @@ def moved(step, old, node, up, b):
 
 
 #> floor
-# In every step but those that wake modes, and in those. Errors of Y, times h^beta if
-# beta > 0; what waking leaves out is R(mu) < 3e-6 times what a mode was a step before.
+# Bounds for every step that starts no new modes, and for the steps that do. They bound errors of Y, times h^beta if
+# beta > 0. A new mode neglects R(mu) < 3e-6 times the mode one step before.
 BOUNDS = {False: (2e-15, 4e-12), True: (4e-12, 2e-10)}
 for s, alpha, rough in ((4, 0.3, False), (6, 0.05, False), (8, 0.3, False), (6, 0.75, False),
                         (8, 0.75, False), (8, 0.95, False), (8, 0.95, True)):
@@ -157,7 +157,7 @@ for s, alpha, rough in ((4, 0.3, False), (6, 0.05, False), (8, 0.3, False), (6, 
 # -- runs ----------------------------------------------------------------------------
 #> run
 def run(form, s, alpha, steps, m, c, rho, F, x0, p0, digits):
-    """Form D, (22.14), or M, (22.15), with U = c x^2/2: rows x, p; and the stages."""
+    """Run form D, (22.14), or form M, (22.15), with U = c x^2/2. Return the rows x, p, and the stages."""
     beta = 2 * alpha - 1
     power = dense(s, steps, beta, digits)
     nodes, b, inverse = one.rule(s, digits)
@@ -221,7 +221,7 @@ for s, alpha, p0 in ((2, "0.3", 1), (3, "0.45", -2), (4, "0.8", 0), (6, "0.2", 1
 # -- exact solutions -----------------------------------------------------------------
 #> series
 def exact(alpha, m, c, rho, F, x0, v0, past, at, digits):
-    """m x'' + c x + rho D^(2 alpha) x = F by powers of t^(1/q), alpha = n/(2 q); x and p."""
+    """Return x and p of m x'' + c x + rho D^(2 alpha) x = F by powers of t^(1/q), alpha = n/(2 q)."""
     mp.dps = digits + 60
     two, q = 2 * alpha, (2 * alpha).q
     shift, most = 2 * q - two.p, 240 * q
@@ -249,7 +249,7 @@ def exact(alpha, m, c, rho, F, x0, v0, past, at, digits):
 
 
 def hand_over(a, S, digits):
-    """I(a, S) = int_0^1 e^(-S(1-u)) u^(a-1) du."""
+    """Return I(a, S) = int_0^1 e^(-S(1-u)) u^(a-1) du."""
     mp.dps = digits + 20
     return mpmath.exp(-S) * mpmath.hyp1f1(a, a + 1, S) / a
 
@@ -264,9 +264,9 @@ def doubles(make):
 
 
 #> falling
-# (22.23): v = v0 E_e(-z), z = (rho/m) t^e, e = 2 - 2 alpha, whose terms are those of (22.19); long
-# after t1, v / v0 = sum_{n>=1} -(-1/z)^n / Gamma(1 - n e), to the first term that is left out. The
-# modes of what it has handed over are those of (22.19): int e^(-S(1-u)) dv by both.
+# (22.23): v = v0 E_e(-z), z = (rho/m) t^e, e = 2 - 2 alpha, has the terms of (22.19). Long after t1, v / v0 =
+# sum_{n>=1} -(-1/z)^n / Gamma(1 - n e), up to the first term that is left out. The modes that receive this v agree
+# with those of (22.19): int e^(-S(1-u)) dv by both expansions.
 mp.dps = 120
 into_mode = lambda a, S: mpmath.exp(-S) * mpmath.hyp1f1(a, 1 + a, S) / a   # I(a, S), all a
 for gap, z, J in ((mpf(27) / 100, mpf(3), 60), (mpf(41) / 100, mpf(4), 26)):
@@ -279,7 +279,7 @@ for gap, z, J in ((mpf(27) / 100, mpf(3), 60), (mpf(41) / 100, mpf(4), 26)):
         told = mpmath.exp(-S) + sum(d * a * into_mode(a, S) for d, a in felt)
         by_falling = sum(-d * n * gap * into_mode(-n * gap, S) for n, d in enumerate(left) if n)
         claim("(22.20) for falling powers", abs(told - by_falling) < 1e3 * bound)
-# Euler's transformation about P: c_n times w_n, the chance of more than n heads in N + 1 throws.
+# Euler's transformation about P: c_n times w_n, the probability of more than n heads in N + 1 throws.
 for p, N in ((Rational(3, 5), 7), (Rational(1, 3), 12)):
     for n in range(N + 1):
         heads = sum(one.binomial(N + 1, k) * (1 - p)**k * p**(N + 1 - k) for k in range(n + 1))
@@ -287,7 +287,7 @@ for p, N in ((Rational(3, 5), 7), (Rational(1, 3), 12)):
 gap, P, N = mpf(1) / 500, mpf(5) / 4, 14
 weight = lambda n: sum(mpmath.binomial(k, n) * (P / (1 + P))**(k - n) for k in range(n, N + 1)) / (1 + P)**(n + 1)
 for t in (mpf(10)**-30, mpf(10)**-12, mpf(1) / 10):
-    z = P * t**gap      # E(-z) is s^(gap - 1) / (s^gap + P), back by Talbot's contour
+    z = P * t**gap      # E(-z) has the transform s^(gap - 1) / (s^gap + P), inverted by Talbot's contour
     turned = sum((-z)**n * weight(n) * mpmath.rgamma(1 + n * gap) for n in range(N + 1))
     direct = mpmath.invertlaplace(lambda s: s**(gap - 1) / (s**gap + P), t, method="talbot", degree=60)
     claim("(22.23) by Euler", abs(turned - direct) < 2 * (P / (1 + P) * (1 - z / P + mpf(1) / 50))**(N + 1) + mpf(10)**-25)
@@ -322,7 +322,7 @@ if __name__ == "__main__":
     for form in "DM":
         claim(f"(22.14), (22.15): form {form} ends at the exact motion", all(
             abs(a - e) < 1e-9 for a, e in zip(four_steps(form, 8, 0.75, 100)[2:4], true)))
-    # digits of a prototype, in doubles, by modes on two lattices; it shares no line with this
+    # The digits of a prototype, in doubles, by modes on two lattices. It shares no code with this script.
     known = [("M", 4, .75, "1.15543276757847", "2.86188734480110", "4.69981683959738", "4.57990364800413"),
              ("M", 8, .75, "1.15542862981983", "2.86076051985954", "4.69981857242156", "4.57984883723346"),
              ("M", 8, .30, "1.34177627725210", "3.57782797145093", "5.27400172556916", "4.13514953824375"),
