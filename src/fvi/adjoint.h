@@ -61,8 +61,8 @@ extern "C" {
  *     if nothing is damped, it is the derivative of form M with such a damping.
  *   - With constraints the derivatives by x0 and p0 hold for changes that keep to the constraints.
  *   - Alpha at 1/2: with CAPUTO the memory acts on x - x_0 for alpha <= 1/2 and on x - x_0 - t p_0/m for alpha > 1/2.
- *     So x jumps at alpha = 1/2 if p_0 != 0, and the derivative is the one from below. With the other pasts x jumps
- *     there, too, but by less, for every method but fvi_fractional.
+ *     So x jumps at alpha = 1/2 if p_0 != 0, and the derivative is the one from below. With the other pasts x
+ *     jumps there, too, but by less; with fvi_fractional it does not jump.
  *   - fvi_variable_step holds the lengths of the steps fixed. If the force of the past is singular at t = 0 (19.3), it
  *     holds fixed the number of terms of the singular part of x and the time at which this part ends (23.25). If a
  *     damped body has the amplitude A = 0 in (19.3) and a derivative by A is wanted, a step ends where the singular
@@ -85,13 +85,14 @@ extern "C" {
  *   - fvi_cq2_shifted with run->law, or with a damper whose kernel is not one power;
  *   - fvi_lobatto_m2 to m8 at alpha = 1: the derivative by alpha, because p jumps there (17.17), and has_momenta if
  *     something is damped;
- *   - stages with matrices: terms, orders, times and ends of a law that grows faster than s;
+ *   - methods with stages, for matrices: the derivatives by terms, orders, times and ends of a law that grows faster
+ *     than s;
  *   - matrices with several dampers, one of them with the past RIEMANN_LIOUVILLE: fvi_fractional always, and the other
  *     methods unless the law of this damper is one power with alpha <= 1/2;
  *   - a mechanism: a constraint that depends on the time (a coordinate may be imposed); a constraint, or an elongation
  *     that is not linear, without `hessian`; a start with a velocity, if a kernel grows faster than s and the rate of
- *     its elongation depends on x; fvi_cq2_midpoint with a coordinate without inertia; stages with terms, orders, times
- *     and ends, if a kernel grows faster than s and is not one power;
+ *     its elongation depends on x; fvi_cq2_midpoint with a coordinate without inertia; for methods with stages the
+ *     derivatives by terms, orders, times and ends, if a kernel grows faster than s and is not one power;
  *   - fvi_variable_step: orders, times and ends; terms, unless run->law is one term with rho > 0; the derivative by
  *     alpha at alpha = 1 with HELD or RIEMANN_LIOUVILLE, at alpha = 0 with RIEMANN_LIOUVILLE, and at alpha = 0 with
  *     matrices; has_momenta at alpha = 1 if something is damped; a body whose A is 0, if no step is short enough for it

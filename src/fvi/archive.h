@@ -13,16 +13,17 @@
  *     status = fvi_stepper_archive(s, &saving.archive);
  *
  * To go on later, start the same run and load the pieces. A function that loads compares the pieces that are constant,
- * and overwrites the other pieces. Here `file` is again at the first piece, and no piece is longer than 2^16 bytes.
+ * and overwrites the other pieces. Here `file` stands again at the first piece.
  *
  *     static int from_file(fvi_archive *archive, void *data, size_t bytes, int constant)
  *     {
- *         static char saved[1 << 16];
- *         if (bytes > sizeof saved || fread(saved, 1, bytes, ((file_archive *)archive)->file) != bytes)
- *             return -1;
- *         if (constant)
- *             return memcmp(data, saved, bytes) ? -2 : 0;   // -2: this is another run
- *         memcpy(data, saved, bytes);
+ *         for (unsigned char *byte = data, *end = byte + bytes; byte < end; byte++) {
+ *             const int saved = getc(((file_archive *)archive)->file);
+ *             if (saved == EOF || (constant && saved != *byte))
+ *                 return -1;   // the file is too short, or was saved by another run
+ *             if (!constant)
+ *                 *byte = (unsigned char)saved;
+ *         }
  *         return 0;
  *     }
  *     file_archive loading = { { from_file }, file };

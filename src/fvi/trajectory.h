@@ -291,9 +291,9 @@ int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
  * The continued run then has the digits of the saved run. Of the system only d, the masses and the dampings are pieces,
  * and they are constant. The potential, the matrices and the force must be the same.
  *
- * `steps` of the second run may differ if the run has no history or FVI_HISTORY_DIRECT; it must be k or more. With
- * FVI_HISTORY_MODES and with fvi_variable_step some constant pieces depend on `steps`, so the archive refuses another
- * number. All pieces have the binary format of this machine. They have O(Q d) bytes with FVI_HISTORY_MODES and O(k d)
+ * `steps` of the second run may differ, but not be below k, if the run has no history, or if it has FVI_HISTORY_DIRECT
+ * and a method without stages. In all other cases, and for fvi_variable_step, some constant pieces depend on `steps`, so
+ * an archive that compares them refuses another number. All pieces have the binary format of this machine. They have O(Q d) bytes with FVI_HISTORY_MODES and O(k d)
  * with FVI_HISTORY_DIRECT.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP, before any piece, if the method has a method_state
